@@ -22,10 +22,8 @@ from symscrew.mobility.configuration import displaced, with_parameters
 from symscrew.mobility.field_counts import FieldCounts, field_counts
 from symscrew.mobility.finite import (
     FiniteMobility,
-    finite_mobility,
     nearest_special,
     rank_claims,
-    smooth_mobility,
     without_spins,
 )
 from symscrew.mobility.instantaneous import (  # fmt: skip
@@ -40,7 +38,7 @@ from symscrew.mobility.instantaneous import (  # fmt: skip
 )
 from symscrew.mobility.joint_network import Network, network_of
 from symscrew.mobility.margin_ranks import Ranks, with_rank
-from symscrew.mobility.motion_verdicts import confirmed, why_complete, with_proof
+from symscrew.mobility.motion_verdicts import confirmed, judged, why_complete, with_proof
 from symscrew.mobility.motions import BranchTable, WholeMotion, branches_through, motion_along
 from symscrew.mobility.overconstraint import Overconstraints, overconstraints
 from symscrew.mobility.proofs import MotionProof, motion_proof
@@ -61,9 +59,6 @@ from symscrew.mobility.symbols import (
     symbolic_screws,
 )
 
-WELL_ABOVE = 1e-20
-"""A pivot above this, relative to the largest entry, is none that rounding of 60 digits could make: a full rank that
-has been found with such pivots stands without an exact field. Below it a full rank counts as sampled."""
 WITHDRAWN = {
     "symbols": "no symbols: they do not agree with the numbers, so they are withheld",
     "loops": "no symbols: the joint rates do not keep the loops closed, so they are withheld",
@@ -158,7 +153,7 @@ class Mobility:
         constraints = limb_constraints(limbs, network.length) if self.constraints is not None else None
         reason = "the geometry meant was solved for in 60 digits"
         decisions = Decisions(None, (), reason, singular_values(first_order))
-        finite = _judged(network, first_order, decisions)
+        finite = judged(network, first_order, decisions)
         return Mobility(self.mechanism, network, first_order, finite, platform, limbs, constraints, decisions, 0.0,
                         self.coordinates, frozenset(WITHDRAWN))  # fmt: skip
 
@@ -424,29 +419,9 @@ def analyse_mobility(
     constraints = limb_constraints(limbs, network.length) if limbs and mechanism.platform is not None else None
     ranks = NumericRanks(network, first_order, platform, limbs, constraints)
     decisions = decide(mechanism, ranks, displaced=bool(coordinates))
-    finite = _judged(network, first_order, decisions)
+    finite = judged(network, first_order, decisions)
     if not coordinates and not finite.proved and finite.dof is not None:
         finite = confirmed(finite, motion_proof(mechanism, network, platform.body))
     found = Mobility(mechanism, network, first_order, finite, platform, limbs, constraints, decisions, residual,
                      coordinates)  # fmt: skip
     return found if tolerance is None else as_meant(found, tolerance)
-
-
-def _judged(network: Network, first_order: Instantaneous, decisions: Decisions) -> FiniteMobility:
-    """The finite mobility: proved where the ranks that a proof rests on were decided, else as sampled."""
-    rank, dof = first_order.closure.rank, first_order.dof
-    full = rank in (len(first_order.rows), network.freedoms)
-    if decisions.closure_exact and not full and decisions.groups is not None and sum(decisions.groups) == rank:
-        dimensions = " + ".join(map(str, decisions.groups))
-        text = (
-            f"each loop moves in a group of displacements (dimensions {dimensions}, by brackets over "
-            f"{decisions.field}), and the closure has that rank: smooth (implicit functions)"
-        )
-        return smooth_mobility(network, dof, text)
-    found = finite_mobility(network)
-    if not found.proved or decisions.closure_exact or not network.chords:
-        return found
-    if full and first_order.closure.smallest_pivot > WELL_ABOVE:  # no rounding of 60 digits makes such a pivot
-        return found
-    text = "sampled: the rank of the closure, on which this rests, was decided in 60 digits, which is no proof"
-    return replace(found, proved=False, evidence=(*found.evidence, text))

@@ -1,5 +1,6 @@
-"""What a proof of the motion adds to what was sampled: a finite mobility proved, a table of branches complete.
+"""What is proved of the motion and what was sampled: by the ranks, by a proof of its own, of the table of branches.
 
+ranks as they were decided --judged--> finite mobility, proved or sampled
 finite mobility, proof --confirmed--> finite mobility, proved
 table of branches, proof --why_complete, with_proof--> complete, or what is open
 """
@@ -8,9 +9,36 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from symscrew.mobility.finite import FiniteMobility
+from symscrew.mobility.finite import FiniteMobility, finite_mobility, smooth_mobility
+from symscrew.mobility.instantaneous import Instantaneous
+from symscrew.mobility.joint_network import Network
 from symscrew.mobility.motions import BranchTable
 from symscrew.mobility.proofs import MotionProof
+from symscrew.mobility.rank_evidence import Decisions
+
+WELL_ABOVE = 1e-20
+"""A pivot above this, relative to the largest entry, is none that rounding of 60 digits could make: a full rank that
+has been found with such pivots stands without an exact field. Below it a full rank counts as sampled."""
+
+
+def judged(network: Network, first_order: Instantaneous, decisions: Decisions) -> FiniteMobility:
+    """The finite mobility: proved where the ranks that a proof rests on were decided, else as sampled."""
+    rank, dof = first_order.closure.rank, first_order.dof
+    full = rank in (len(first_order.rows), network.freedoms)
+    if decisions.closure_exact and not full and decisions.groups is not None and sum(decisions.groups) == rank:
+        dimensions = " + ".join(map(str, decisions.groups))
+        text = (
+            f"each loop moves in a group of displacements (dimensions {dimensions}, by brackets over "
+            f"{decisions.field}), and the closure has that rank: smooth (implicit functions)"
+        )
+        return smooth_mobility(network, dof, text)
+    found = finite_mobility(network)
+    if not found.proved or decisions.closure_exact or not network.chords:
+        return found
+    if full and first_order.closure.smallest_pivot > WELL_ABOVE:  # no rounding of 60 digits makes such a pivot
+        return found
+    text = "sampled: the rank of the closure, on which this rests, was decided in 60 digits, which is no proof"
+    return replace(found, proved=False, evidence=(*found.evidence, text))
 
 
 def confirmed(finite: FiniteMobility, proof: MotionProof | None) -> FiniteMobility:

@@ -81,7 +81,7 @@ def test_limbs_that_may_be_left_out(left_out: tuple[str, ...], locked: int) -> N
 def test_another_configuration_by_a_joint_coordinate() -> None:
     found = analyse_mobility(catalogue.load("bennett"), at={"J1": "2/5"})
     assert (found.dof, found.finite.dof, found.overconstraints) == (1, 1, 3)
-    with pytest.raises(DescriptionError, match="no parameter or joint"):
+    with pytest.raises(DescriptionError, match="no parameter, joint or body"):
         analyse_mobility(catalogue.load("bennett"), at={"J9": 1})
     with pytest.raises(DescriptionError, match="cannot be assembled"):
         analyse_mobility(catalogue.load(SEED), at={"limb2_P": 5})
