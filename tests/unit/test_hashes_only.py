@@ -127,4 +127,5 @@ def test_the_repository_holds_two_mechanisms_whole_and_hashes_of_the_others() ->
         hashed = read_hashes(GENERATED / name)
         assert (GENERATED / name / f"{name}.h").is_file()
         assert bool(hashed) == (name not in whole)
-        assert (f"{name}.c" in hashed) != (GENERATED / name / f"{name}.c").is_file()
+        support = f"{name}_support.c"
+        assert (support in hashed) != (GENERATED / name / support).is_file()
