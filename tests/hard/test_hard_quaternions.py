@@ -147,6 +147,7 @@ def test_long_functions_in_parts_refuse_too(monkeypatch: pytest.MonkeyPatch) -> 
         assert compiled[function](*inputs, check=False)[-1].tolist() == found(function, *inputs)[1].tolist()
 
 
+@pytest.mark.slow
 def test_derivatives_refuse_and_do_not_see_the_length() -> None:
     """A direction along the quaternion changes nothing, of a function and of a step of the assembly."""
     found = model("plate")

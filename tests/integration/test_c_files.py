@@ -87,6 +87,7 @@ def test_one_function_alone_is_a_small_folder(tmp_path: Path) -> None:
     assert subprocess.run([tmp_path / "main"], check=False).returncode == 0
 
 
+@pytest.mark.slow
 def test_a_family_needs_nothing_but_the_support(tmp_path: Path) -> None:
     """Who calls what is in one family links that, and the support where it says so."""
     sources = written(model("four_bar"), tmp_path / "several", several=True)

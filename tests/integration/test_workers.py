@@ -96,6 +96,7 @@ def filled(folder: Path) -> Store:
     return kept
 
 
+@pytest.mark.slow
 def test_a_sweep_is_killed_at_every_step(tmp_path: Path) -> None:
     folder = tmp_path / "pieces"
     for step in range(200):

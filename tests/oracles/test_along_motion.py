@@ -64,6 +64,7 @@ def test_a_parallelogram_has_two_change_points() -> None:
         assert pose.kinds == ("closure",) and pose.instantaneous == 2 and pose.branches == (1, 1)
 
 
+@pytest.mark.slow
 def test_a_slider_ends_where_crank_and_rod_are_in_line() -> None:
     poses = along("slider_crank").singular
     assert len(poses) == 2 and all({"coordinate", "platform"} <= set(pose.kinds) for pose in poses)
@@ -72,7 +73,13 @@ def test_a_slider_ends_where_crank_and_rod_are_in_line() -> None:
         assert in_line(at["J1"], at["J2"], at["J3"])
 
 
-@pytest.mark.parametrize("name", ["four_bar", "parallelogram", "slider_crank"])
+@pytest.mark.parametrize(
+    "name",
+    [
+        pytest.param(n, marks=pytest.mark.slow) if n == "slider_crank" else n
+        for n in ("four_bar", "parallelogram", "slider_crank")
+    ],
+)
 def test_singular_poses_close_and_lose_what_they_say(name: str) -> None:
     variety = ClosureVariety(found(name).network)
     for pose in along(name).singular:
@@ -83,6 +90,7 @@ def test_singular_poses_close_and_lose_what_they_say(name: str) -> None:
         assert lost == ("closure" in pose.kinds)
 
 
+@pytest.mark.slow
 def test_what_holds_on_the_whole_branch() -> None:
     rocker = along("four_bar")
     assert [c.type for c in rocker.classes] == ["1R"] and rocker.constant and not rocker.idle
@@ -93,6 +101,7 @@ def test_what_holds_on_the_whole_branch() -> None:
     assert folded.idle == ("J1", "J4", "J5") and folded.classes[0].type == "0"
 
 
+@pytest.mark.slow
 def test_in_words_json_and_by_command(capsys: pytest.CaptureFixture[str]) -> None:
     one = found("parallelogram")
     values = motion_values(along("parallelogram"), one.network, one.mechanism)

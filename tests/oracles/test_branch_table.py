@@ -7,6 +7,7 @@ from functools import cache
 import numpy as np
 import pytest
 from support.further_mechanisms import CASES
+from support.marks import slow
 from support.reference_mechanisms import ENTRIES, build
 
 from symscrew.mobility import BranchTable, ScrewClass, analyse_mobility, mobility_values, screw_class
@@ -40,7 +41,7 @@ def platform(row: object) -> ScrewClass:
         ("sarrus-flat_folded", ["1R1T", "1T"], False),
         ("sarrus-stretched", ["1T", "1T"], False),
         # Connelly and Servatius 1994: one curve with a cusp
-        ("double_watt_cusp", ["1R"], False),
+        slow("double_watt_cusp", ["1R"], False),
         ("two rhombi", ["1R1T", "1R1T", "1R1T", "1T"], True),
         ("five-bar, stretched", [], True),
         ("sarrus", ["1T"], True),

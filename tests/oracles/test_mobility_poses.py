@@ -18,7 +18,7 @@ def screws(network: Network) -> np.ndarray:
     return np.array([[float(c) for c in screw] for screw in network.screws])
 
 
-@pytest.mark.parametrize("name", ["four_bar", SEED])
+@pytest.mark.parametrize("name", ["four_bar", pytest.param(SEED, marks=pytest.mark.slow)])
 def test_every_coordinate_that_the_package_calls_independent_can_be_given(name: str) -> None:
     port = model_states.model(name).programs["assemble"].inputs[0]
     assert port.description == "independent coordinates"

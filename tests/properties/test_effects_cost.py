@@ -161,7 +161,7 @@ SPIN = effect("NoGyroscopicTerms")
 
 @pytest.mark.parametrize(
     "name",
-    [SEED, *(pytest.param(n, marks=pytest.mark.slow) for n in ("delta", "three_ups_upu_s_physical"))],
+    [pytest.param(n, marks=pytest.mark.slow) for n in (SEED, "delta", "three_ups_upu_s_physical")],
 )
 def test_no_gyroscopic_terms_of_parallel_mechanisms(name: str) -> None:
     """The seed took 584 operations for 564 and 890 for 814: where nothing is saved, nothing is left out, and said."""

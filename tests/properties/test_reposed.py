@@ -6,6 +6,7 @@ from typing import Any
 
 import pytest
 import sympy
+from support.marks import slow
 from support.reference_mechanisms import ENTRIES, build
 from support.reposed import DIGITS, UNITS, generic_posed, reference
 
@@ -68,7 +69,7 @@ def test_special_geometry_is_found_beside_what_was_typed(name: str, digits: str)
     assert {name for name, _ in near.changes} == set(near.places())
 
 
-@pytest.mark.parametrize("digits", ["double", "6"])
+@pytest.mark.parametrize("digits", ["double", slow("6")])
 def test_within_a_tolerance_special_geometry_is_taken_as_meant(digits: str) -> None:
     typed = reference("bennett", seed=3, digits=digits, unit="m").found
     assert typed is not None and typed.near is not None

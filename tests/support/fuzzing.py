@@ -27,7 +27,7 @@ LONGEST = 4000  # letters of an error
 # so that what fails in one fails in all. HUNT: new ones in every run (tests/fuzz/conftest.py).
 COMMON: dict[str, Any] = {"deadline": None, "database": None, "suppress_health_check": list(HealthCheck)}
 PROFILES = {
-    "short": settings(max_examples=4, derandomize=True, **COMMON),
+    "short": settings(max_examples=2, derandomize=True, **COMMON),
     "long": settings(max_examples=60, derandomize=True, **COMMON),
 }
 HUNT = settings(max_examples=3000, derandomize=False, print_blob=True, **COMMON)
