@@ -97,7 +97,7 @@ def _header(scene: Scene, made: Plant, start: tuple[np.ndarray, np.ndarray]) -> 
         " *", " * Returns 0: done. 1: the state cannot be continued (loops open, not finite); q, v, x are unchanged.",
         " * 2: at rest in a singular configuration, where several motions begin; unchanged.", " */",
         f"#ifndef {upper}_LOOP_H", f"#define {upper}_LOOP_H", "",
-        *(f"#define {upper}_{key.upper()}_SIZE {ports[key].size}" for key in ("q", "v", "x", "u")),
+        *(f"#define {upper}_LOOP_{key.upper()}_SIZE {ports[key].size}" for key in ("q", "v", "x", "u")),
         initial("Q", q), initial("V", v), initial("X", states), "",
         "#ifdef __cplusplus", 'extern "C" {', "#endif", "",
         f"int {name}_step(double dt, double t, double *q, double *v, double *x, const double *u);", "",

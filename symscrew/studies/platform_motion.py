@@ -90,6 +90,7 @@ def integrate(
     q[0] = model.system.reference
 
     def q_dot(t: float, state: Array) -> Array:
+        state = _normalised(model, state.copy())  # within a step quaternions leave their length: no rotation
         return coordinate_rates(model, state, _rates(functions, rows, wanted.rate(np.asarray(t)), state)[0])
 
     slopes: list[Array] = []

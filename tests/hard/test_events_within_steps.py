@@ -44,9 +44,9 @@ def test_a_stop_that_is_passed_for_a_moment(tolerance: float, short: float) -> N
     found = run(block(), (spring, stop), 4.0, tolerance, coordinates={"z": -1})
     free = run(block(), (spring,), 4.0, tolerance, coordinates={"z": -1})
     reached = float(np.hypot(free.q[55:70], free.v[55:70]).min())  # around pi: what the integrator left of the 1
-    assert abs(reached - 1) < max(1e-3 * tolerance, 1e-13)
+    assert abs(reached - 1) < max(1e-2 * tolerance, 1e-13)  # as far off as a place may be, below
     if reached < 1 - short:  # the computed motion turns back before the stop
-        assert not found.events and short < 1e-3 * tolerance
+        assert not found.events and short < 1e-2 * tolerance
         return
     when = float(found.events[0].split()[2])
     assert "z meets its upper stop" in found.events[0]

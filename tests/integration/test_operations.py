@@ -95,7 +95,15 @@ TOKEN = re.compile(
     r"(?P<number>\d+\.?\d*(?:[eE][+-]?\d+)?)|(?P<name>[A-Za-z_]\w*)|(?P<operator>\|\||&&|[<>=!]=|[-+*/<>!?:()\[\],;=&])|\s+"
 )
 COUNTS = dict.fromkeys(("sin", "cos", "tan", "atan2", "exp", "SQRT", "ABS", "LESS", "SELECT", "SINES"), 1)
-COUNTS |= {"SMALL": 2, "FINITE": 1, "FINITE_UNLESS": 1, "RESULT": 1, "FOUR": 3}  # RESULT adds to a sum
+COUNTS |= {
+    "SMALL": 2,
+    "FINITE": 1,
+    "FINITE_UNLESS": 1,
+    "RESULT": 1,
+    "FOUR": 3,
+    "NOT_BELOW": 1,
+    "NOT_ABOVE": 1,
+}  # RESULT adds to a sum
 
 
 def count_c(source: str, symbol: str) -> int:

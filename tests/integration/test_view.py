@@ -161,7 +161,7 @@ def test_long_motion_is_thinned_with_both_ends(tmp_path: Path) -> None:
 BAD_MOTIONS = {
     "no_q": ({"q": None}, "missing: q"),
     "no_mechanism": ({"mechanism": None}, "missing: mechanism"),
-    "objects": ({"mechanism": np.array({"a": 1}, dtype=object)}, "expected an archive"),
+    "objects": ({"mechanism": np.array({"a": 1}, dtype=object)}, "must hold real numbers or texts, got 'object'"),
     "unknown": ({"mechanism": np.array("[mechanism]\nname = 1")}, "name"),
     "backwards": ({"t": np.linspace(2.0, 0.0, 41)}, "increasing times"),
     "rows": ({"v": np.zeros((40, 15))}, "`v` must hold numbers, 41 x any"),

@@ -481,13 +481,15 @@ def _full(place: Path) -> str:
 
 @attack("disk", "a folder that cannot be written")
 def _read_only(place: Path) -> str:
+    model = four_bar()
+    generate(model, place / "before", ("c",))  # imports all that another user may not be able to read
     if os.getuid() == 0:
         place.chmod(0o755)  # of which others see nothing, usually
         (place / "x").mkdir(mode=0o555)
         os.setuid(65534)
     else:
         (place / "x").mkdir(mode=0o555)
-    return refused(lambda: generate(four_bar(), place / "x" / "out", ("c",)), "cannot be written")
+    return refused(lambda: generate(model, place / "x" / "out", ("c",)), "cannot be written")
 
 
 @attack("disk", "two runs of generate at once, five times")

@@ -60,6 +60,8 @@ def with_files_up_to(size: int, work: Callable[[], object]) -> int:
     """Do this in a process whose files have at most `size` bytes, as on a disk that is full then."""
 
     def prepare() -> None:
+        sys.dont_write_bytecode = True  # cut short, it would be read by every process that comes after
+        os.environ["PYTHONDONTWRITEBYTECODE"] = "1"
         signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
         resource.setrlimit(resource.RLIMIT_FSIZE, (size, size))
 

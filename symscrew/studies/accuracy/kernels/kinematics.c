@@ -35,6 +35,7 @@ static void shifted(const double *q, const double *slope, double h, double *move
     for (int k = 0; k < NQ; ++k) {
         moved[k] = q[k] + h * slope[k];
     }
+    normalise(moved); /* within a step quaternions leave their length: rates_at takes no others */
 }
 
 /* `outputs` states q, one every `every` steps from the first on. */
