@@ -26,9 +26,11 @@ pytestmark = [
     pytest.mark.optimised,
 ]
 QUICK = ("light_cart_pole", "heavy_top")
-SCATTERED = (*QUICK, "light_coupler")
-"""Beside what is quick: fixed steps of order 8 over the singular places of this one leave 2e-12 to 1e-10, by chance."""
-NAMES = [name if name in QUICK else slow(name) for name in problems()]
+SCATTERED = ("n_four_bar", "row_of_four", "change_point", "light_coupler", "heavy_coupler")
+"""Problems that pass change points: near one accelerations are noise, and what a crossing leaves, 1e-12 to 1e-9, goes
+by chance and not by the tolerance. The property does not hold of them; `python -m tests.benchmarks work_precision`
+prints what they reach."""
+NAMES = [name if name in QUICK else slow(name) for name in problems() if name not in SCATTERED]
 TOLERANCES = [10.0**-k for k in range(6, 13)]
 EVALUATION = 16  # units in the last place that an evaluation of the accelerations is off, as measured in 113 bits
 
@@ -72,7 +74,10 @@ def test_near_singular_places_let_no_error_in() -> None:
 
 @pytest.mark.parametrize(
     "name, method",
-    [*((n, m) for n in QUICK for m in ("rk4", "rk8")), *(slow(n, "rk8") for n in problems() if n not in SCATTERED)],
+    [
+        *((n, m) for n in QUICK for m in ("rk4", "rk8")),
+        *(slow(n, "rk8") for n in problems() if n not in (*QUICK, *SCATTERED)),
+    ],
 )
 def test_half_the_step_is_never_worse(name: str, method: str) -> None:
     """From the mean step of an adaptive run down; steps that are too long for the motion may stop a run."""
