@@ -26,7 +26,7 @@ KERNELS = Path(__file__).parent / "kernels"
 PIVOTS = {
     "PIVOT": 1.0,
     # Nearer, nothing is corrected or evaluated, for it would be noise: interpolated from both sides. At 0.03 four-bars
-    # in a row take a tenth of the noise from a crossing; the interpolation then costs three digits of a platform's energy.
+    # in a row take a tenth of the noise from a crossing; interpolating then costs three digits of a platform's energy.
     "ZONE": 0.02,
     "CAREFUL": 0.25,  # nearer, steps follow the branch on charts; farther, they are projected, which is cheaper
     "LOOK": 1e-3,  # a least pivot below it is a crossing that is reported, and rows with such pivots are its lost rows
