@@ -57,7 +57,7 @@ def markdown_text(text: str) -> str:
     """
     line = re.sub(r"\s+", " ", text)
     line = re.sub(r"[\\`*<>\[\]|~$&]|(?<![A-Za-z0-9])_|_(?![A-Za-z0-9])|:(?=//)|(?<=www)\.|@", r"\\\g<0>", line)
-    return re.sub(r"^(?:[-+#=]|\d+(?=[.)]))", lambda m: m[0] + "\\" if m[0].isdigit() else "\\" + m[0], line)
+    return re.sub(r"^(?:[-+#=]|\d+(?=[.)](?: |$)))", lambda m: m[0] + "\\" if m[0].isdigit() else "\\" + m[0], line)
 
 
 def check_text(text: object, where: str, *, limit: int = 4000) -> str:
