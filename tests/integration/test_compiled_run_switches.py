@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from support.marks import slow
 from support.runs import compiled, error_of, run_of, scene_of
 
 from symscrew.runtime.compiled import find_compiler
@@ -61,7 +62,7 @@ def test_what_counts_as_a_crossing(monkeypatch: pytest.MonkeyPatch) -> None:
     assert run.ok and run.crossings == () and error_of("n_four_bar", run) < 1e-6
 
 
-@pytest.mark.parametrize("name, value", [("STRIDE", 0.02), ("REACH", 0.2)])
+@pytest.mark.parametrize("name, value", [("STRIDE", 0.02), slow("REACH", 0.2)])
 def test_distances_of_careful_steps_change_the_way_and_not_the_motion(
     name: str, value: float, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -19,8 +19,8 @@ needs_compiler = pytest.mark.skipif(find_compiler() is None, reason="no C compil
 @pytest.mark.parametrize(
     "name, tolerance, error",
     [
-        ("bricard", 1e-7, 1e-9),
-        ("andrews", 1e-7, 1e-8),
+        slow("bricard", 1e-7, 1e-9),
+        slow("andrews", 1e-7, 1e-8),
         ("spatial_slider_crank", 1e-8, 1e-8),
         ("heavy_top", 1e-8, 1e-8),
         ("light_cart_pole", 1e-8, 1e-6),

@@ -11,6 +11,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import sympy
+from support.marks import slow
 from support.model_states import pendulum
 
 from symscrew import catalogue
@@ -37,7 +38,7 @@ def run_time() -> Model:
     return derive(with_parameters(catalogue.load("three_ups_upu_s"), run_time=True))
 
 
-@pytest.mark.parametrize("scale", ["1", "11/10", "3/4"])
+@pytest.mark.parametrize("scale", [slow("1"), slow("11/10"), "3/4"])
 def test_run_time_parameters_equal_baked_ones(run_time: Model, scale: str) -> None:
     baked = derive(with_parameters(catalogue.load("three_ups_upu_s"), run_time=False, scale=scale))
     q, v, a = baked.system.sample_states
