@@ -61,11 +61,13 @@ class SampleStates:
     def states(self, count: int, seed: int) -> States:
         """The reference configuration and `count` random ones near it with consistent v, a; shapes (1 + count, n).
 
-        Found once: every function that is printed in single precision asks for its errors at the same ones.
+        Found once: every function that is printed in single precision asks for its errors at the same ones. The arrays
+        are the caller's own.
         """
         if (count, seed) not in self._known:
             self._known[count, seed] = self._consistent(count, seed)
-        return self._known[count, seed]
+        q, v, a = self._known[count, seed]
+        return q.copy(), v.copy(), a.copy()
 
     def _consistent(self, count: int, seed: int) -> States:
         random = np.random.default_rng(seed)

@@ -234,11 +234,11 @@ def test_reactions_at_every_output_balance_the_momentum_of_the_whole_system() ->
 
 @pytest.mark.slow
 @needs_compiler
-@pytest.mark.parametrize("name", ["hanging_platform", "hanging_delta"])
-def test_energy_drift_over_100_seconds(name: str) -> None:
-    run = simulate(load_scene(EXAMPLES / "scenes" / f"{name}.toml"))
+@pytest.mark.parametrize("name, duration", [("hanging_platform", 100.0), ("hanging_delta", 30.0)])
+def test_energy_drift_over_a_long_time(name: str, duration: float) -> None:
+    run = simulate(replace(load_scene(EXAMPLES / "scenes" / f"{name}.toml"), duration=duration))
     assert run.ok
-    assert run.t[-1] == 100
+    assert run.t[-1] == duration
     assert run.energy_error < 1e-8
     assert run.closure_error.max() < 1e-12
 
