@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from symscrew.cli.help import DONE, UsageError
 from symscrew.cli.shared_options import add_effects, add_independent, add_mechanism, chosen_effects
+from symscrew.garbage import nothing_to_collect
 from symscrew.generation import TARGETS, USUAL, printable, with_brought
 
 if TYPE_CHECKING:
@@ -69,6 +70,7 @@ def profiled(options: argparse.Namespace) -> argparse.Namespace:
     return chosen
 
 
+@nothing_to_collect()  # of modules that are imported here neither
 def run(options: argparse.Namespace) -> int:
     """Read, derive, measure, write, print."""
     from symscrew.display import Progress, print_table

@@ -34,9 +34,10 @@ from symscrew.export import (
     read_hashes,
     read_manifest,
 )
+from symscrew.garbage import nothing_to_collect
 from symscrew.generation.target_file import Order
 from symscrew.generation.targets import TARGETS, USUAL, by_value, printable, with_brought
-from symscrew.model import Model, nothing_to_collect
+from symscrew.model import Model
 from symscrew.whole_files import PENDING, is_staging, one_at_a_time, put_files
 
 EMBEDDED = "embedded"  # among the functions of ops.json: what microcontrollers were measured to take
