@@ -6,6 +6,7 @@ mechanism, effects --derive--> model --only the chosen functions--> generate -->
 from __future__ import annotations
 
 import argparse
+import os
 from typing import TYPE_CHECKING
 
 from symscrew.cli.help import DONE, UsageError
@@ -91,7 +92,7 @@ def run(options: argparse.Namespace) -> int:
     with progress.step(f"write {', '.join(targets)} to {options.out}"):
         files = generate(
             model, options.out, targets, precision=options.precision, measured=measured,
-            hashes_only=options.hashes_only, form=form,
+            hashes_only=options.hashes_only, form=form, processes=os.cpu_count() or 1,
         )  # fmt: skip
     print(f"{model.name}: {len(model.programs)} functions, {len(files)} files in {options.out}")
     rows = [[name, str(p.operations["total"])] for name, p in model.programs.items()]
