@@ -41,6 +41,7 @@ their `__init__` names); `tests/unit/test_structure.py` reads the order from her
 
     errors          what input can do wrong, in one sentence
     doors           rooms whose parts are imported when somebody asks for them
+    garbage         times at which nobody searches for unused objects
     workers         processes that end with the one that started them
     whole_files     files and folders that are there whole or not at all
     array_archives  archives of arrays by anybody, read within bounds

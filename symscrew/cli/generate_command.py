@@ -6,10 +6,12 @@ mechanism, effects --derive--> model --only the chosen functions--> generate -->
 from __future__ import annotations
 
 import argparse
+import os
 from typing import TYPE_CHECKING
 
 from symscrew.cli.help import DONE, UsageError
 from symscrew.cli.shared_options import add_effects, add_independent, add_mechanism, chosen_effects
+from symscrew.garbage import nothing_to_collect
 from symscrew.generation import TARGETS, USUAL, printable, with_brought
 
 if TYPE_CHECKING:
@@ -69,6 +71,7 @@ def profiled(options: argparse.Namespace) -> argparse.Namespace:
     return chosen
 
 
+@nothing_to_collect()  # of modules that are imported here neither
 def run(options: argparse.Namespace) -> int:
     """Read, derive, measure, write, print."""
     from symscrew.display import Progress, print_table
@@ -89,7 +92,7 @@ def run(options: argparse.Namespace) -> int:
     with progress.step(f"write {', '.join(targets)} to {options.out}"):
         files = generate(
             model, options.out, targets, precision=options.precision, measured=measured,
-            hashes_only=options.hashes_only, form=form,
+            hashes_only=options.hashes_only, form=form, processes=os.cpu_count() or 1,
         )  # fmt: skip
     print(f"{model.name}: {len(model.programs)} functions, {len(files)} files in {options.out}")
     rows = [[name, str(p.operations["total"])] for name, p in model.programs.items()]

@@ -308,12 +308,15 @@ def _far_warnings(mechanism: Mechanism) -> list[str]:
     fixed |= {f"points.{p.name}: the point": p.at for p in mechanism.points.values()}
     centres = {f"bodies.{b.name}: the centre of mass": b.com for b in mechanism.bodies.values() if b.com is not None}
     places = {label: _numbers(mechanism, at, label) for label, at in (fixed | centres).items()}
+    distinct = {place for name, place in places.items() if name in fixed}
+    orders = [sorted(place[k] for place in distinct) for k in range(3)]
     found = []
     for label, place in places.items():
-        others = {other for name, other in places.items() if name in fixed and other != place}
-        if len(others) < (3 if label in fixed else 2):  # one or two places do not tell the size of a mechanism
+        own = place in distinct  # of the others the least and the greatest come next to its own
+        if len(distinct) - own < (3 if label in fixed else 2):  # one or two places do not tell the size of a mechanism
             continue
-        low, high = ([extreme(p[k] for p in others) for k in range(3)] for extreme in (min, max))
+        low = [order[own and order[0] == x] for order, x in zip(orders, place, strict=True)]
+        high = [order[-2 if own and order[-1] == x else -1] for order, x in zip(orders, place, strict=True)]
         extent = _length([b - a for a, b in zip(low, high, strict=True)])
         away = _length([max(a - x, x - b, 0) for a, x, b in zip(low, place, high, strict=True)])
         if away > FAR * extent:
