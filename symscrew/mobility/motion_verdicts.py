@@ -1,8 +1,8 @@
 """What is proved of the motion and what was sampled: by the ranks, by a proof of its own, of the table of branches.
 
-    ranks as they were decided --judged--> finite mobility, proved or sampled
-    finite mobility, proof --confirmed--> finite mobility, proved
-    table of branches, proof --why_complete, with_proof--> complete, or what is open
+ranks as they were decided --judged--> finite mobility, proved or sampled
+finite mobility, proof --confirmed--> finite mobility, proved
+table of branches, proof --why_complete, with_proof--> complete, or what is open
 """
 
 from __future__ import annotations
