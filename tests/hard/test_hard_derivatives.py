@@ -150,7 +150,7 @@ def reaching_differentiated() -> Model:
     return derive(reaching().mechanism, independent=["A_left", "A_right"], derivatives=True)
 
 
-@pytest.mark.parametrize("near", [of_the_seed, of_the_five_bar])
+@pytest.mark.parametrize("near", [slow(of_the_seed), of_the_five_bar])
 @pytest.mark.parametrize("gap", [slow(1e-3), 1e-8])
 def test_derivatives_close_to_a_singular_configuration(near: Callable, gap: float) -> None:
     """Against 50 digits: right to 1e-6, or the status says that it is singular.
