@@ -144,8 +144,8 @@ class _Body:
         printed, real = self.printed, self.printed.precision.real
         read = {a for i in self.order for a in i.args if isinstance(a, int)} | set(self.uses)
         self.uses.update(a for i in self.order for a in i.args if isinstance(a, int))
-        for slot, places in self.places.items():
-            self.uses[slot] += len(places)
+        for slot, written in self.places.items():
+            self.uses[slot] += len(written)
         places = {slot: self.names.entered(slot) for slot in printed.entries}
         for slot, text in places.items():  # first, as a compiler may: where they are first read, calls take 1 % more
             if self.uses[slot] > 1:

@@ -34,14 +34,28 @@ SHORT = {
 }
 
 
+# components of screws as labels call them, fx ... mz, wx ... vz; of momentum screws as in the theory: (p ; L_O)
+OF_SCREWS = {"force": "f", "moment": "m", "angular": "w", "linear": "v"}
+OF_MOMENTA = {"force": "p", "moment": "L"}
+
+
+def _component(origin: Origin) -> str:
+    """The component, short where the name says of which quantity it is."""
+    first, _, axis = origin.component.partition("_")
+    if origin.quantity == "force" or axis not in ("x", "y", "z"):
+        return origin.component  # force_x and moment_x of the force say by themselves what they are
+    words = OF_MOMENTA if origin.quantity == "momentum" else OF_SCREWS
+    return words[first] + axis if first in words else origin.component
+
+
 @lru_cache(maxsize=16384)  # a value has its name in every function and in every target
 def identifier(origin: Origin) -> str:
     """A name of letters, digits and underscores: part, quantity, component, and what it belongs to."""
     quantity = SHORT.get(origin.quantity, origin.quantity)
-    if origin.component.startswith(f"{quantity}_"):  # force_x of the force
+    if quantity == "force" and origin.component:
         quantity = ""
     words = ["minus"] if origin.negative else []
-    words += [word for word in (origin.part, quantity, origin.component) if word]
+    words += [word for word in (origin.part, quantity, _component(origin)) if word]
     words += ["by", origin.by] if origin.by else []
     text = re.sub(r"[^A-Za-z0-9]+", "_", "_".join(words)).strip("_")
     return text if "_" in text and not text[0].isdigit() else f"value_{text}"  # no word of a language has one
