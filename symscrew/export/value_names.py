@@ -34,6 +34,17 @@ SHORT = {
 }
 
 
+# What a reader of the code is told of its names.
+LEGEND = (
+    "Names of values: part, quantity, component: limb1_lower_omega_x. Components of screws: fx ... mz of wrenches, "
+    "wx ... vz of twists, px ... Lz of momenta. Quantities: omega, alpha; U = [alpha]x + [omega]x^2; vel, acc of a "
+    "link's origin; rate, of the momentum screw; force_x ... moment_z, what a link and all that hangs on it need; "
+    "sent, what it transmits; still: at joint accelerations zero; by: what a coefficient belongs to; "
+    "minus_: the opposite; t1, t2 ...: the theory has no name for it.",
+    "Vectors of equal limbs: limb_lower_omega_x; signed_: each lane up to its sign; each_limb1_: what corresponds to "
+    "that of limb1 in every limb; lanes_1 ...: no name.",
+)
+
 # components of screws as labels call them, fx ... mz, wx ... vz; of momentum screws as in the theory: (p ; L_O)
 OF_SCREWS = {"force": "f", "moment": "m", "angular": "w", "linear": "v"}
 OF_MOMENTA = {"force": "p", "moment": "L"}

@@ -17,6 +17,7 @@ from symscrew.export import c, casadi, listing
 from symscrew.export import numpy as numpy_printer
 from symscrew.export.conventions import CONVENTIONS, conventions
 from symscrew.export.manifest_file import OutputError, effect_from_json, effect_to_json
+from symscrew.export.value_names import LEGEND
 from symscrew.generation.folder import render
 from symscrew.model import derive
 from symscrew.program.straight_line import COUNTED, Port
@@ -47,6 +48,8 @@ def test_conventions_are_said_once_and_everywhere_the_same(model):
     """In the header, in the manifest and on their page; those of ball joints only where there is one."""
     page = (Path(__file__).parents[2] / "docs/conventions.md").read_text(encoding="utf-8")
     page = " ".join(page.split())
+    for text in LEGEND:  # said where the constants stand, and there
+        assert text in page.replace("`", "") and text in " ".join(c.print_source(model).split())
     for subject, text in CONVENTIONS.items():
         assert f"- **{subject}**: {text}" in page
     header = " ".join(c.print_header(model).replace("\n *", " ").split())
