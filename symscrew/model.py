@@ -36,6 +36,7 @@ from symscrew.functions import (
     moves_mass,
     platform_functions,
     regressor_functions,
+    second_order_functions,
     second_paths,
     untried_notes,
 )
@@ -108,6 +109,7 @@ def derive(
     independent: Sequence[str] | None = None,
     length: Any = None,
     derivatives: bool = False,
+    second_derivatives: bool = False,
     regressor: bool = False,
     one_mode: bool = False,
     checked: bool = False,
@@ -118,6 +120,7 @@ def derive(
     hangs on one joint, else the drives). `length` [m] is the characteristic length by which norms of mixed
     quantities divide lengths: a number or text with an expression of the parameters, in place of the description's.
     `derivatives` adds the derivatives of the dynamic functions, the larger part of the code where it is given,
+    `second_derivatives` products with the Hessians of drives, accelerations, closure and margins, and these Hessians,
     `regressor` the regressors of the inertial parameters. `one_mode`: functions of closed loops for the operation
     mode of the reference configuration only, where coordinates that follow from others are not read; they fail
     elsewhere (see `symscrew.loops.modes`). `checked` adds `<function>_checked`, which look whether q, v and a are of
@@ -130,13 +133,14 @@ def derive(
         mechanism = replace(mechanism, characteristic_length=read)
     known = tuple(effects)
     plain = _where_they_save(mechanism, known, independent) if any(effect.undone() for effect in known) else None
-    if plain and not (derivatives or regressor or one_mode or checked):
+    if plain and not (derivatives or second_derivatives or regressor or one_mode or checked):
         return plain
     return _derived(
         mechanism,
         plain.effects if plain else known,
         independent=independent,
         derivatives=derivatives,
+        second_derivatives=second_derivatives,
         regressor=regressor,
         one_mode=one_mode,
         checked=checked,
@@ -161,6 +165,7 @@ def _derived(
     *,
     independent: Sequence[str] | None,
     derivatives: bool = False,
+    second_derivatives: bool = False,
     regressor: bool = False,
     one_mode: bool = False,
     checked: bool = False,
@@ -187,6 +192,8 @@ def _derived(
         functions += regressor_functions(system, effects, loops)
     if derivatives:
         functions += derivative_functions(system, effects, loops, functions)
+    if second_derivatives:
+        functions += second_order_functions(system, loops, [*functions, *margin_functions(system)])
     if checked:
         functions += checked_functions(system, functions)
     if one_mode:

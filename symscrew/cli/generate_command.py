@@ -49,6 +49,8 @@ def add_options(command: argparse.ArgumentParser) -> None:
     add_independent(command)
     command.add_argument("--length", metavar="METRES", help="characteristic length for norms of mixed quantities")
     command.add_argument("--derivatives", action="store_true", help="also derivatives and the linearisation")
+    text = "also Hessians of drives, accelerations, closure and margins, and their products with a direction"
+    command.add_argument("--second-derivatives", action="store_true", help=text)
     command.add_argument("--regressor", action="store_true", help="also regressors of the inertial parameters")
     text = "code for the operation mode of the reference configuration only, where coordinates may follow from others"
     command.add_argument("--one-mode", action="store_true", help=text)
@@ -130,6 +132,7 @@ def _derived(options: argparse.Namespace, progress: Progress) -> Model:
             independent=options.independent,
             length=options.length,
             derivatives=options.derivatives,
+            second_derivatives=options.second_derivatives,
             regressor=options.regressor,
             one_mode=options.one_mode,
             checked=options.checked,

@@ -30,6 +30,10 @@ NO_LENGTH = 1e-30
 PARALLEL_AXES = 1e-12
 """Sine of the angle between two axes of a joint below which they are one: the joint would have one freedom less."""
 
+SKEW_AXES = 1e-6
+"""Cosine of the angle between the axes of a universal joint above which they are called not perpendicular: axes that
+were written in six digits are."""
+
 CLOSURE_TOLERANCE = 1e-12
 """Accepted gap of a loop, relative to the mechanism's size, and accepted angle [rad]: places of 13 digits meet; what is
 further apart is a slip, whose gap every generated function would carry along."""
@@ -71,7 +75,7 @@ def validate(mechanism: Mechanism, features: Mapping[str, Feature] | None = None
         _check_closure(mechanism, mechanism.joints[name], feature, size)
     moments = {body.name: _check_inertia(mechanism, body) for body in mechanism.bodies.values()}
     extents = [_extent_warning(mechanism, name, largest) for name, largest in moments.items()]
-    return (*(warning for warning in extents if warning), *_far_warnings(mechanism))
+    return (*(warning for warning in extents if warning), *_far_warnings(mechanism), *_skew_warnings(mechanism))
 
 
 def mechanism_size(mechanism: Mechanism) -> float:
@@ -282,6 +286,20 @@ def _extent_warning(mechanism: Mechanism, name: str, largest: mpmath.mpf | None)
         f"{mpmath.nstr(extent, 4)} m (joint points, named points and centre of mass); are inertia and units "
         "right?"
     )
+
+
+def _skew_warnings(mechanism: Mechanism) -> list[str]:
+    """Universal joints whose axes are not perpendicular: geometry that is computed as it is, and seldom meant."""
+    found = []
+    for joint in mechanism.joints.values():
+        if len(joint.axes) == 2:
+            product = _dot(*(_numbers(mechanism, axis, f"joints.{joint.name}.axes") for axis in joint.axes))
+            if abs(product) > SKEW_AXES:
+                angle = mpmath.nstr(_CONTEXT.degrees(_CONTEXT.acos(product)), 8)
+                found.append(
+                    f"joints.{joint.name}: the axes of this {joint.kind.name} joint are {angle} degrees apart, not 90"
+                )
+    return found
 
 
 def _far_warnings(mechanism: Mechanism) -> list[str]:
