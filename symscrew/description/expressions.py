@@ -60,6 +60,7 @@ FUNCTIONS: dict[str, tuple[int, Callable[..., sympy.Expr]]] = {
     "exp": (1, sympy.exp),
     "abs": (1, sympy.Abs),
 }
+UNBOUNDED = frozenset(map(type, (sympy.zoo, sympy.nan, sympy.oo, -sympy.oo)))
 CONSTANTS: dict[str, sympy.Expr] = {"pi": sympy.pi}
 
 _TOKEN = re.compile(
@@ -214,7 +215,7 @@ def _too_large(where: str) -> NoReturn:
 
 def _limited(value: sympy.Expr, where: str) -> sympy.Expr:
     """`value`, after a look at its top only: infinities and large numbers come up there first."""
-    if value in (sympy.zoo, sympy.nan, sympy.oo, -sympy.oo):
+    if type(value) in UNBOUNDED:
         raise DescriptionError(f"{where}: expected a finite number, got {value} (division by zero?)")
     for number in (value, *value.args) if not value.is_Atom else (value,):
         if number is sympy.I:
