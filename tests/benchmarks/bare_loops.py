@@ -26,6 +26,7 @@ from symscrew.simulation import native
 from symscrew.simulation.run_source import kernel_text, sources
 
 LEAN = Path(__file__).parent / "lean"
+LONGEST = 10.0  # [s] for a program's runs: the longest of a problem takes a third of a second
 MAIN = """
 #include <stdio.h>
 #include <stdlib.h>
@@ -209,7 +210,11 @@ def _array(name: str, values: Sequence[float] | np.ndarray) -> str:
 def _run(program: Path, case: Compiled, options: tuple[str, str], repeats: int) -> tuple[int, float, float]:
     """Steps, least seconds, error."""
     result = program.with_suffix(".bin")
-    done = subprocess.run([str(program), str(repeats), str(result), *options], capture_output=True, text=True)
+    command = [str(program), str(repeats), str(result), *options]
+    try:
+        done = subprocess.run(command, capture_output=True, text=True, timeout=LONGEST)
+    except subprocess.TimeoutExpired:  # a bare loop at a change point takes shorter and shorter steps
+        return -1, float("nan"), float("nan")
     steps, seconds = done.stdout.split()
     if done.returncode:
         return -1, float("nan"), float("nan")
