@@ -174,7 +174,7 @@ class Parts:
             )
         cut = next((c for c in self.system.cuts if c.joint.name == joint), None)
         lost = cut is not None and turns_are_lost(cut, self.system.linkage, self.system.geometry)
-        if lost and not found.kind.universal and found.kind.freedoms[freedom].turns:
+        if lost and found.kind.freedoms[freedom].turns:
             raise DescriptionError(
                 f"{what}: a loop is cut at joint {joint!r}, where whole turns are not known; an effect that asks for a "
                 "displacement names the joint in its property 'reads', so that the loop is cut elsewhere"
