@@ -36,12 +36,9 @@ if TYPE_CHECKING:
     from symscrew.mobility.instantaneous import BodyFreedoms, LimbMobility
     from symscrew.mobility.margins import FORMS, Margin, Margins, actuation_margins, constraint_margins, limb_margins
     from symscrew.mobility.motions import (
-        BranchRow,
         BranchTable,
-        Component,
         Components,
         ScrewClass,
-        SingularPose,
         WholeMotion,
         component_lines,
         component_values,
@@ -56,10 +53,8 @@ if TYPE_CHECKING:
 __all__ = [
     "FORMS",
     "BodyFreedoms",
-    "BranchRow",
     "BranchTable",
     "Check",
-    "Component",
     "Components",
     "LimbMobility",
     "Margin",
@@ -67,7 +62,6 @@ __all__ = [
     "Mobility",
     "ScrewClass",
     "ScrewSystem",
-    "SingularPose",
     "Verdict",
     "WholeMotion",
     "actuation_margins",

@@ -57,6 +57,15 @@ class Edge:
         """Columns of the joint's freedoms among those of the mechanism."""
         return range(self.start, self.start + len(self.screws))
 
+    def as_typed(self, length: Real) -> tuple[tuple[str, ...], tuple[tuple[str, ...], ...]]:
+        """(point [m], axes) in 25 digits: what a description says of it; `length` is that of the network [m]."""
+        axes = []
+        for motion, column in self.motions:
+            if motion.single:
+                screw = self.screws[column - self.start]
+                axes.append(tuple(CONTEXT.nstr(c, 25) for c in (screw[:3] if motion.turns else screw[3:])))
+        return tuple(CONTEXT.nstr(c * length, 25) for c in self.point), tuple(axes)
+
 
 @dataclass(frozen=True)
 class Network:

@@ -27,6 +27,7 @@ from symscrew.mobility.symbols.polynomial_screws import (
     symbolic_mobility,
     symbolic_screws,
 )
+from symscrew.mobility.symbols.short_loci import condition, conditions
 
 __all__ = [
     "ActuationLoci",
@@ -42,6 +43,8 @@ __all__ = [
     "SymbolicMobility",
     "Vector",
     "actuation_loci",
+    "condition",
+    "conditions",
     "exact_rank",
     "exact_system",
     "generator_itself",
