@@ -151,7 +151,7 @@ def network_of(mechanism: Mechanism) -> Network:
     edges: dict[str, Edge] = {}
     start = 0
     for joint in mechanism.joints.values():
-        edge = _edge(mechanism, joint, length, start)
+        edge = edge_of(mechanism, joint, length, start)
         edges[joint.name] = edge
         start += len(edge.screws)
     bodies = tuple(dict.fromkeys((mechanism.ground, *mechanism.bodies)))
@@ -180,7 +180,8 @@ def screw_axes(
     return joint.kind.motion_axes(given, IDENTITY, across)
 
 
-def _edge(mechanism: Mechanism, joint: Joint, length: Any, start: int) -> Edge:
+def edge_of(mechanism: Mechanism, joint: Joint, length: Any, start: int) -> Edge:
+    """A joint with lengths divided by `length` [m] and columns from `start`."""
     point, screws = _screws(mechanism, joint, length)
     columns = [start + first for first in joint.kind.starts]
     motions = tuple(zip(joint.kind.motions, columns, strict=True))

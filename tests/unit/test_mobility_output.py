@@ -11,6 +11,7 @@ import pytest
 import sympy
 from support.further_mechanisms import loop
 from support.latex_text import faults
+from support.marks import slow
 
 from symscrew import catalogue
 from symscrew.mobility import (
@@ -95,11 +96,14 @@ def test_what_was_not_tried_stands_in_the_text() -> None:
     assert told.not_tried and all(line in mobility_text(told) for line in told.not_tried)
 
 
-@pytest.mark.parametrize("name", ["four_bar", "three_ups_upu_s"])
-@pytest.mark.parametrize("at", [(), (("A", "0.1"),)])
+@pytest.mark.parametrize(
+    "name, at",
+    [
+        ("three_ups_upu_s", ()), ("four_bar", (("A", "0.1"),)),
+        slow("three_ups_upu_s", (("r", "0.45"), ("limb5_S.qy", "-0.1"))),
+    ],
+)  # fmt: skip
 def test_every_output_names_the_configuration(name: str, at: tuple[tuple[str, str], ...]) -> None:
-    if at and name != "four_bar":
-        at = (("r", "0.45"), ("limb5_S.qy", "-0.1"))
     told = found(name, at=at)
     wanted = [f"{key} = {value}" for key, value in at] or ["in the reference configuration"]
     for form in (Mobility.report, mobility_markdown, mobility_page):
