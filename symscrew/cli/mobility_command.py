@@ -47,6 +47,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
         help="also the operation modes: components of the configuration space (exact, by Singular where installed)",
     )  # fmt: skip
     command.add_argument("--expect", type=int, metavar="N", help="exit 1 unless the finite mobility is N, verified")
+    command.add_argument("--full", action="store_true", help="all of a long text; without it, it is cut to 5 kB")
     command.add_argument("--json", action="store_true", help="as JSON")
     command.add_argument("--out", metavar="FILE", help="write the report: .md, .html or .tex")
     command.add_argument(
@@ -85,7 +86,7 @@ def run(options: argparse.Namespace) -> int:
         print(json.dumps(values, indent=1))
     else:
         print(found.report().splitlines()[0])  # the rest of it follows in more words
-        print(mobility_text(found))
+        print(mobility_text(found, full=options.full))
         if options.along:
             print("\n    ".join(["Along the motion", *_along_lines(found)]))
         if options.components:

@@ -28,7 +28,7 @@ from symscrew.kinematics.recursion import acceleration_matrix, inertial_wrench, 
 from symscrew.kinematics.screws_at_origin import BodyMotion, body_motions, displacement, joint_screws, motion_screws
 from symscrew.kinematics.structure import characteristic_length
 from symscrew.kinematics.system import System
-from symscrew.kinematics.tree import GROUND, Link, Tree, spanning_tree
+from symscrew.kinematics.tree import GROUND, Link, Tree, spanning_tree, virtual_joint
 
 __all__ = [
     "GROUND",
@@ -77,5 +77,6 @@ __all__ = [
     "twists",
     "unit_quaternion",
     "universal_axes",
+    "virtual_joint",
     "without_gyroscopic_moment",
 ]

@@ -132,7 +132,7 @@ def spanning_tree(mechanism: Mechanism, read: Collection[str] = ()) -> Tree:
 
     `read`: joints whose displacements effects ask for, over any number of turns; see `keeping`.
     """
-    virtual = _virtual_joint(mechanism)
+    virtual = virtual_joint(mechanism)
     joints = dict(mechanism.joints)
     if virtual is not None:
         joints[virtual.name] = virtual
@@ -187,7 +187,7 @@ def _grow(mechanism: Mechanism, joints: dict[str, Joint], virtual: Joint | None)
     return reached
 
 
-def _virtual_joint(mechanism: Mechanism) -> Joint | None:
+def virtual_joint(mechanism: Mechanism) -> Joint | None:
     """The joint on which a platform hangs that three or more limbs hold, or None.
 
     Free where the shortest path to the platform has five freedoms or more, planar where all joints of the

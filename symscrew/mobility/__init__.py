@@ -38,12 +38,9 @@ if TYPE_CHECKING:
     from symscrew.mobility.instantaneous import BodyFreedoms, LimbMobility
     from symscrew.mobility.margins import FORMS, Margin, Margins, actuation_margins, constraint_margins, limb_margins
     from symscrew.mobility.motions import (
-        BranchRow,
         BranchTable,
-        Component,
         Components,
         ScrewClass,
-        SingularPose,
         WholeMotion,
         component_lines,
         component_values,
@@ -58,10 +55,8 @@ if TYPE_CHECKING:
 __all__ = [
     "FORMS",
     "BodyFreedoms",
-    "BranchRow",
     "BranchTable",
     "Check",
-    "Component",
     "Components",
     "ConfigurationSpace",
     "LimbMobility",
@@ -70,7 +65,6 @@ __all__ = [
     "Mobility",
     "ScrewClass",
     "ScrewSystem",
-    "SingularPose",
     "Verdict",
     "WholeMotion",
     "actuation_margins",

@@ -14,7 +14,6 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
-from symscrew.algebra import CONTEXT
 from symscrew.description import Mechanism
 from symscrew.errors import DescriptionError
 from symscrew.mobility.almost_singular import NEARLY_SINGULAR, almost_lower, almost_singular
@@ -52,6 +51,7 @@ from symscrew.mobility.symbols import (
     NotPolynomialError,
     SymbolicLoops,
     SymbolicMobility,
+    conditions,
     limb_pose,
     rounded_axis,
     symbolic_loops,
@@ -83,7 +83,8 @@ class Mobility:
         constraints: their union; None without limbs or platform.
         decisions: how every rank was decided.
         closed_to: closure residual of the configuration, in units of the mechanism's size.
-        coordinates: joint coordinates that were asked for [rad, m].
+        coordinates: joint coordinates and poses that were asked for [rad, m].
+        parameters: values of parameters that were asked for.
         withdrawn: statements whose check failed (keys of `WITHDRAWN`); they are not made.
         taken: this is special geometry, taken for the one typed; None for what was typed itself.
     """
@@ -98,6 +99,7 @@ class Mobility:
     decisions: Decisions
     closed_to: float = 0.0
     coordinates: Mapping[str, Any] = field(default_factory=dict)
+    parameters: Mapping[str, Any] = field(default_factory=dict)
     withdrawn: frozenset[str] = frozenset()
     taken: Taken | None = None
 
@@ -120,6 +122,16 @@ class Mobility:
     def in_reference(self) -> bool:
         """Whether no joint coordinate was given."""
         return not self.coordinates
+
+    @property
+    def configuration(self) -> str:
+        """Which configuration and which parameters, in words."""
+        given, changed = (
+            ", ".join(f"{name} = {value}" for name, value in asked.items())
+            for asked in (self.coordinates, self.parameters)
+        )
+        where = f"at {given}" if given else "in the reference configuration"
+        return f"{where} with {changed}" if changed else where
 
     @property
     def verdict(self) -> tuple[object, ...]:
@@ -155,7 +167,7 @@ class Mobility:
         decisions = Decisions(None, (), reason, singular_values(first_order))
         finite = judged(network, first_order, decisions)
         return Mobility(self.mechanism, network, first_order, finite, platform, limbs, constraints, decisions, 0.0,
-                        self.coordinates, frozenset(WITHDRAWN))  # fmt: skip
+                        self.coordinates, self.parameters, frozenset(WITHDRAWN))  # fmt: skip
 
     @property
     def nearly_special(self) -> tuple[str, ...]:
@@ -313,14 +325,14 @@ class Mobility:
     def loci(self) -> tuple[Locus, ...]:
         """Where, in the parameters, something degenerates in the reference configuration."""
         loops = () if self.limbs or isinstance(self.loops, str) else self.loops.loci
-        return (*(self.symbolic.loci if self.symbolic is not None else ()), *loops, *self.singularities.loci)
+        return conditions(
+            (*(self.symbolic.loci if self.symbolic is not None else ()), *loops, *self.singularities.loci)
+        )
 
     def report(self) -> str:
         """The result in words, one line a fact."""
-        given = ", ".join(f"{name} = {value}" for name, value in self.coordinates.items())
-        where = f"at {given}" if given else "in the reference configuration"
         lines = [
-            f"{self.mechanism.name}: mobility {self.dof} {where} "
+            f"{self.mechanism.name}: mobility {self.dof} {self.configuration} "
             f"(Kutzbach-Gruebler {self.kutzbach}, redundant constraints {self.overconstraints})"
         ]
         for limb in self.limbs:
@@ -350,18 +362,8 @@ class Near:
 
     def places(self) -> dict[str, tuple[tuple[str, ...], tuple[tuple[str, ...], ...]]]:
         """Joint -> (point [m], axes) of the special geometry in 25 digits: what to type instead."""
-        found = {}
-        for name, _ in self.changes:
-            edge = self.meant.network.edges[name]
-            point = tuple(CONTEXT.nstr(c * self.meant.network.length, 25) for c in edge.point)
-            axes = []
-            for motion, column in edge.motions:
-                if motion.single:
-                    screw = edge.screws[column - edge.start]
-                    part = screw[:3] if motion.turns else screw[3:]
-                    axes.append(tuple(CONTEXT.nstr(c, 25) for c in part))
-            found[name] = (point, tuple(axes))
-        return found
+        length = self.meant.network.length
+        return {name: self.meant.network.edges[name].as_typed(length) for name, _ in self.changes}
 
 
 @dataclass(frozen=True)
@@ -412,7 +414,9 @@ def analyse_mobility(
     >>> found.dof, found.kutzbach, found.finite.dof
     (1, -2, 1)
     """
-    mechanism, coordinates = with_parameters(mechanism, at or {})
+    asked = at or {}
+    mechanism, coordinates = with_parameters(mechanism, asked)
+    parameters = {name: value for name, value in asked.items() if name not in coordinates}
     network, residual = displaced(mechanism, network_of(mechanism), coordinates)
     first_order = instantaneous_mobility(network)
     limbs = tuple(limb_mobility(network, name, limb.joints) for name, limb in mechanism.limbs.items())
@@ -422,7 +426,7 @@ def analyse_mobility(
     decisions = decide(mechanism, ranks, displaced=bool(coordinates))
     finite = judged(network, first_order, decisions)
     found = Mobility(mechanism, network, first_order, finite, platform, limbs, constraints, decisions, residual,
-                     coordinates)  # fmt: skip
+                     coordinates, parameters)  # fmt: skip
     if not coordinates and not finite.proved and finite.dof is not None:
         proof = found.motion_proof
         found = replace(found, finite=confirmed(finite, proof))

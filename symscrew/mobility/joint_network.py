@@ -57,6 +57,15 @@ class Edge:
         """Columns of the joint's freedoms among those of the mechanism."""
         return range(self.start, self.start + len(self.screws))
 
+    def as_typed(self, length: Real) -> tuple[tuple[str, ...], tuple[tuple[str, ...], ...]]:
+        """(point [m], axes) in 25 digits: what a description says of it; `length` is that of the network [m]."""
+        axes = []
+        for motion, column in self.motions:
+            if motion.single:
+                screw = self.screws[column - self.start]
+                axes.append(tuple(CONTEXT.nstr(c, 25) for c in (screw[:3] if motion.turns else screw[3:])))
+        return tuple(CONTEXT.nstr(c * length, 25) for c in self.point), tuple(axes)
+
 
 @dataclass(frozen=True)
 class Network:
@@ -142,7 +151,7 @@ def network_of(mechanism: Mechanism) -> Network:
     edges: dict[str, Edge] = {}
     start = 0
     for joint in mechanism.joints.values():
-        edge = _edge(mechanism, joint, length, start)
+        edge = edge_of(mechanism, joint, length, start)
         edges[joint.name] = edge
         start += len(edge.screws)
     bodies = tuple(dict.fromkeys((mechanism.ground, *mechanism.bodies)))
@@ -171,7 +180,8 @@ def screw_axes(
     return joint.kind.motion_axes(given, IDENTITY, across)
 
 
-def _edge(mechanism: Mechanism, joint: Joint, length: Any, start: int) -> Edge:
+def edge_of(mechanism: Mechanism, joint: Joint, length: Any, start: int) -> Edge:
+    """A joint with lengths divided by `length` [m] and columns from `start`."""
     point, screws = _screws(mechanism, joint, length)
     columns = [start + first for first in joint.kind.starts]
     motions = tuple(zip(joint.kind.motions, columns, strict=True))

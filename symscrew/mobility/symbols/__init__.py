@@ -30,6 +30,7 @@ from symscrew.mobility.symbols.polynomial_screws import (
     symbolic_mobility,
     symbolic_screws,
 )
+from symscrew.mobility.symbols.short_loci import condition, conditions
 
 __all__ = [
     "ActuationLoci",
@@ -47,6 +48,8 @@ __all__ = [
     "Vector",
     "across",
     "actuation_loci",
+    "condition",
+    "conditions",
     "exact_inverse",
     "exact_rank",
     "exact_system",
