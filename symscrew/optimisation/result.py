@@ -6,7 +6,7 @@ PlannedMotion + multipliers --costates, mesh_errors--> Trajectory: status, error
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -60,4 +60,4 @@ class Trajectory(PlannedMotion):
     @cached_property
     def errors(self) -> Errors:
         """Errors between the points."""
-        return errors_of(self, self.costates)
+        return errors_of(replace(self, transcribed=self.transcribed.settled()), self.costates)

@@ -44,6 +44,8 @@ REFINING: Mapping[str, Any] = {"warm_start_init_point": "yes", "mu_init": 1e-6} 
     ("warm_start_bound_push", "warm_start_bound_frac", "warm_start_slack_bound_push", "warm_start_slack_bound_frac",
      "warm_start_mult_bound_push"), 1e-7
 )  # fmt: skip
+# No gradient of the Lagrangian by the parameters: nobody asks for it, and compiled points do not derive themselves.
+NO_GRADIENT: Mapping[str, Any] = {"no_nlp_grad": True, "calc_lam_p": False}
 
 
 @dataclass(frozen=True)
@@ -95,7 +97,7 @@ def solve(
     Raises:
         DescriptionError: the problem cannot be used as it is given.
     """
-    began = _clock()
+    began = clock()
     say = progress or (lambda text: None)
     found = prepared or prepare(problem)
     model = PointModel(problem, found.model.equations, found.guess.scales)
@@ -103,7 +105,7 @@ def solve(
     trajectory = _once(model, found.guess, warm=warm, say=say, began=began)
     if problem.accuracy and trajectory.ok:
         trajectory = _refined(trajectory, found.guess, problem.accuracy, say)
-    return replace(trajectory, statistics=_whole(trajectory.statistics, _clock() - began))
+    return replace(trajectory, statistics=_whole(trajectory.statistics, clock() - began))
 
 
 def _refined(trajectory: Trajectory, guess: Guess, accuracy: tuple[float, float], say: Progress) -> Trajectory:
@@ -119,7 +121,7 @@ def _refined(trajectory: Trajectory, guess: Guess, accuracy: tuple[float, float]
         say(f"refinement {count + 1}: {len(mesh)} intervals, drift {trajectory.errors.drift:.1e} so far")
         transcription = replace(model.problem.transcription, mesh=mesh, intervals=len(mesh))
         model = PointModel(replace(model.problem, transcription=transcription), model.equations, model.scales)
-        again = _once(model, guess, warm=trajectory, say=say, began=_clock(), start_options=REFINING)
+        again = _once(model, guess, warm=trajectory, say=say, began=clock(), start_options=REFINING)
         spent = _sum(trajectory.statistics, again.statistics)
         if not again.ok:  # the coarser motion is an optimum still
             say(f"the finer mesh is given up: {again.status}")
@@ -151,7 +153,7 @@ def _whole(parts: Statistics, spent: np.ndarray) -> Statistics:
     return Statistics(parts.iterations, times, processor)
 
 
-def _clock() -> np.ndarray:
+def clock() -> np.ndarray:
     """Wall and processor time [s]."""
     return np.array([time.perf_counter(), time.process_time()])
 
@@ -170,28 +172,28 @@ def _once(
     began: np.ndarray,
     start_options: Mapping[str, Any] = WARM,
 ) -> Trajectory:
-    ready = _clock()
+    ready = clock()
     transcribed = transcribe(model)
     unknowns = transcribed.unknowns
-    _check_bounds(transcribed)
+    check_bounds(transcribed)
     arrays = (
         carried_unknowns(warm, transcribed) if warm else guess.arrays(model, transcribed.mesh, transcribed.point_tau)
     )
-    arrays["u"] = _control_points(transcribed, arrays["u"])
+    arrays["u"] = control_points(transcribed, arrays["u"])
     start = np.clip(np.nan_to_num(unknowns.pack(arrays)), unknowns.lower, unknowns.upper)
     if guess.trouble and warm is None:
         return _not_started(transcribed, start, guess.trouble)
-    scale = _cost_scale(transcribed, start)
+    scale = cost_scale_of(transcribed, start)
     program = assemble(transcribed.families, transcribed.linear, transcribed.cost, scale)
     say(f"program: {unknowns.size} unknowns, {len(program.labels)} constraints")
-    solver = _solver(model.problem, program, start_options if warm else {})
-    made = _clock()
+    solver = solver_of(model.problem, program, start_options if warm else {})
+    made = clock()
     extra = {}
     if warm is not None and (carried := carried_multipliers(warm, transcribed, program, scale)):
         extra = {"lam_g0": carried[0], "lam_x0": carried[1]}
     answer = solver(x0=start, lbx=unknowns.lower, ubx=unknowns.upper, lbg=program.lower, ubg=program.upper, **extra)
     stats = solver.stats()
-    done = _clock()
+    done = clock()
     x = np.array(answer["x"]).ravel()
     ok = bool(stats["success"])
     word = stats.get("return_status", "")
@@ -203,11 +205,11 @@ def _once(
     return Trajectory(
         model.problem, transcribed, unknowns.unpack(x), x, np.array(answer["lam_g"]).ravel(),
         pressure, float(answer["f"]) * scale, scale, ok, status,
-        _statistics(stats, ready - began, made - ready, done - made), reasons,
+        statistics_of(stats, ready - began, made - ready, done - made), reasons,
     )  # fmt: skip
 
 
-def _control_points(transcribed: Transcribed, u: np.ndarray) -> np.ndarray:
+def control_points(transcribed: Transcribed, u: np.ndarray) -> np.ndarray:
     """Coefficients of the drives' polynomials from their values at the points (points, drives)."""
     if transcribed.scheme is None:
         return u
@@ -225,13 +227,14 @@ def _not_started(transcribed: Transcribed, start: np.ndarray, trouble: str) -> T
     )  # fmt: skip
 
 
-def _cost_scale(transcribed: Transcribed, start: np.ndarray) -> float:
+def cost_scale_of(transcribed: Transcribed, start: np.ndarray) -> float:
     """A power of ten near the cost at the guess."""
     value = abs(float(transcribed.cost @ start) + sum(cost_of(f, start) for f in transcribed.families))
     return 10.0 ** round(float(np.log10(value))) if np.isfinite(value) and value > LEAST_COST else 1.0
 
 
-def _check_bounds(transcribed: Transcribed) -> None:
+def check_bounds(transcribed: Transcribed) -> None:
+    """Refuse bounds of an unknown that no value satisfies."""
     unknowns = transcribed.unknowns
     bad = np.flatnonzero(unknowns.lower > unknowns.upper)
     if len(bad):
@@ -242,12 +245,13 @@ def _check_bounds(transcribed: Transcribed) -> None:
         )
 
 
-def _solver(problem: TrajectoryProblem, program: NonlinearProgram, start: Mapping[str, Any]) -> ca.Function:
+def solver_of(problem: TrajectoryProblem, program: NonlinearProgram, start: Mapping[str, Any]) -> ca.Function:
+    """The problem's solver of a program, with `start` among its options."""
     given = problem.solver
     if not ca.has_nlpsol(given.name):
         raise DescriptionError(f"solver.name: this CasADi has no solver {given.name!r}; 'ipopt' comes with it")
-    nlp = {"x": program.x, "f": program.f, "g": program.g}
-    options: dict[str, Any] = {"print_time": False, "error_on_fail": False}
+    nlp = {"x": program.x, "p": program.p, "f": program.f, "g": program.g}
+    options: dict[str, Any] = {"print_time": False, "error_on_fail": False, **NO_GRADIENT}
     if given.name == "ipopt":
         own: dict[str, Any] = {
             "print_level": 0, "sb": "yes", "tol": given.tolerance, "max_iter": given.iterations,
@@ -259,7 +263,7 @@ def _solver(problem: TrajectoryProblem, program: NonlinearProgram, start: Mappin
     else:
         options |= dict(given.options)
         if given.name == "sqpmethod":
-            options |= {"hess_lag": _symmetric(program.hessian), "max_iter": given.iterations}
+            options |= {"hess_lag": symmetric(program.hessian), "max_iter": given.iterations}
             options |= {"print_header": False, "print_iteration": False, "print_status": False}
     try:
         return ca.nlpsol("trajectory", given.name, nlp, options)
@@ -268,16 +272,17 @@ def _solver(problem: TrajectoryProblem, program: NonlinearProgram, start: Mappin
         raise DescriptionError(f"solver: {given.name} does not take these options: {reason}") from error
 
 
-def _symmetric(hessian: ca.Function) -> ca.Function:
+def symmetric(hessian: ca.Function) -> ca.Function:
     """The whole Hessian from its upper part."""
     inputs = hessian.mx_in()
     whole = ca.triu2symm(hessian(*inputs))
     return ca.Function(hessian.name(), inputs, [whole], hessian.name_in(), ["hess_gamma_x_x"])
 
 
-def _statistics(
+def statistics_of(
     stats: Mapping[str, Any], model: np.ndarray, transcription: np.ndarray, solver: np.ndarray
 ) -> Statistics:
+    """Iterations, and times of a solver's functions apart from the rest of it."""
     parts = []
     for k, kind in enumerate(("t_wall_nlp_", "t_proc_nlp_")):
         functions = sum(float(v) for name, v in stats.items() if name.startswith(kind))

@@ -109,6 +109,7 @@ def test_the_jacobian_is_sparse_and_can_be_mapped(four_bar):
     assert np.array(mapped(q, v, y)) == pytest.approx(expected.T, abs=1e-12)
 
 
+@pytest.mark.slow
 def test_ipopt_with_external_functions_and_their_derivatives(four_bar):
     """The crank angle at which gravity needs no torque: a stationary point of the potential energy."""
     assemble = ca.external("four_bar_casadi_assemble", str(four_bar))

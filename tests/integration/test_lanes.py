@@ -48,7 +48,7 @@ def in_lanes(program: Program) -> Packing | None:
     return packed(live_instructions(program)[0], checked_slots(program), origins=program.origins, limbs=program.limbs)
 
 
-@pytest.mark.parametrize(("name", "function"), [CASES[0], ("stewart_6ups", PLATFORM)])
+@pytest.mark.parametrize(("name", "function"), [CASES[0], slow("stewart_6ups", PLATFORM)])
 def test_a_packed_program_computes_the_same_bits(name: str, function: str) -> None:
     program, found = packing(name, function)
     state = [float(x) for port in model(name).test_inputs[function] for x in np.atleast_2d(port)[0]]

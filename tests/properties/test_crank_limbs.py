@@ -77,7 +77,7 @@ def test_angles_enter_by_cosine_and_sine(name: str) -> None:
     assert rise("plain" if name == "delta" else "rods", name, model(name)) == {}
 
 
-@pytest.mark.parametrize("name", ["delta", "hexapod"])
+@pytest.mark.parametrize("name", ["delta", slow("hexapod")])
 def test_out_of_reach_is_reported(name: str) -> None:
     found = model(name)
     pose, rate, gain = (x.copy() for x in found.test_inputs["inverse_dynamics_platform"])
