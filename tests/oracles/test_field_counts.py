@@ -1,9 +1,9 @@
 """The counts of the field against the literature: mobility, overconstraint, lambda, nu, zeta, connectivities.
 
 Mobility and redundant constraints of the mechanisms of `data/mobility.json` are their publications'. lambda, nu and
-zeta of loops are those of the publications named in `PUBLISHED`, as they follow from the motion spaces d = 6 - lambda given
-there. Of parallel mechanisms they are worked by hand: `WRENCHES` has the constraints of every limb as a person types
-them from a drawing, forces through a point and couples, and `by_hand` counts with these by Huang, Li and Ding (2013):
+zeta of loops are those of the publications named in `PUBLISHED`, as they follow from the motion spaces d = 6 - lambda
+given there. Of parallel mechanisms they are worked by hand: `WRENCHES` has the constraints of every limb as a person
+types them from a drawing, forces through a point and couples; `by_hand` counts with these by Huang, Li, Ding (2013):
 
     lambda = those common to all limbs,  nu = sum of all - their rank - lambda (limbs - 1)
 
