@@ -36,6 +36,7 @@ SLOW = (
     "tutorial.md",
     "theory.md",
     "how_to/arrays.md",
+    "how_to/casadi.md",
     "how_to/workspace.md",
     "how_to/own_mechanism.md",
     "how_to/microcontroller.md",
