@@ -37,6 +37,7 @@ from symscrew.functions.ports import (
     q_port,
     u_port,
     v_port,
+    y_port,
 )
 from symscrew.functions.quantities import Quantities, Quantity
 from symscrew.functions.regressor import regressor_functions
@@ -94,4 +95,5 @@ __all__ = [
     "u_port",
     "untried_notes",
     "v_port",
+    "y_port",
 ]
