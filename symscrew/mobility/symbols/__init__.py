@@ -14,7 +14,15 @@ What is not of reasonable size is given up with a sentence (`EliminationTooLongE
 from symscrew.mobility.symbols.drive_loci import ActuationLoci, actuation_loci
 from symscrew.mobility.symbols.exact_numbers import Exact, Generator, NotDecidableError, generator_itself, terms_of
 from symscrew.mobility.symbols.exact_ranks import exact_rank, null_vectors, reduced
-from symscrew.mobility.symbols.exact_screws import ExactSystem, Row, exact_system, loop_rows
+from symscrew.mobility.symbols.exact_screws import (
+    ExactSystem,
+    ExactTie,
+    Row,
+    exact_system,
+    exact_ties,
+    loop_rows,
+    tie_row,
+)
 from symscrew.mobility.symbols.generators import NotPolynomialError
 from symscrew.mobility.symbols.limb_poses import LimbPose, limb_pose, rounded_axis
 from symscrew.mobility.symbols.loop_groups import group_dimensions
@@ -32,6 +40,7 @@ __all__ = [
     "ActuationLoci",
     "Exact",
     "ExactSystem",
+    "ExactTie",
     "Generator",
     "LimbPose",
     "Locus",
@@ -44,6 +53,7 @@ __all__ = [
     "actuation_loci",
     "exact_rank",
     "exact_system",
+    "exact_ties",
     "generator_itself",
     "group_dimensions",
     "limb_pose",
@@ -56,4 +66,5 @@ __all__ = [
     "symbolic_mobility",
     "symbolic_screws",
     "terms_of",
+    "tie_row",
 ]
