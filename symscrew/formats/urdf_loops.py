@@ -4,7 +4,7 @@
 
 - URDF+: `<loop name type><predecessor link><origin/></predecessor><successor link><origin/></successor><axis/></loop>`.
 - Gepetto: `closed_loop` pairs of frames, `type` 3d (a ball) or 6d (fixed) for each, `name_mot` the driven joints,
-  `joint_name` with `joint_type` SPHERICAL or UJOINT_XY for joints that the URDF holds otherwise.
+  `joint_name` with `joint_type` SPHERICAL, FIXED or UJOINT_XY for joints that the URDF holds otherwise.
 Sources: https://github.com/Gepetto/example-parallel-robots, http://sdformat.org/spec?elem=joint.
 """
 
@@ -17,10 +17,23 @@ from pathlib import Path
 
 from symscrew.description import JOINT_TYPES
 from symscrew.errors import DescriptionError, did_you_mean, shorten
+from symscrew.formats.assembled import Side, assembled
 from symscrew.formats.draft import Draft, RawJoint
 from symscrew.formats.file_names import fresh
-from symscrew.formats.open_loops import Closing
-from symscrew.formats.rigid_displacements import UNITS, Pose, Triple, about, length, minus, product, triple, unit
+from symscrew.formats.open_loops import CLOSED, Closing
+from symscrew.formats.rigid_displacements import (
+    UNITS,
+    ZERO,
+    Pose,
+    Real,
+    Triple,
+    about,
+    length,
+    minus,
+    product,
+    triple,
+    unit,
+)
 from symscrew.formats.safe_xml import Element, elements, label, numbers
 
 TYPES = {
@@ -181,22 +194,36 @@ def _list(text: str, where: str) -> list[object]:
 def _gepetto(
     draft: Draft, given: Mapping[str, list[object]], poses: Mapping[str, Pose], closing: Closing
 ) -> list[RawJoint]:
+    """The loops of the file beside, whose frames need not meet in the URDF's own pose: the joints are moved there."""
     pairs, kinds = given.get("closed_loop", []), given.get("type", [])
     children = {joint.name: joint.child for joint in draft.joints}
-    found = []
+    sides: list[tuple[Side, Side, bool]] = []
     for k, pair in enumerate(pairs):
         kind = str(kinds[k]).lower() if k < len(kinds) else "6d"
         if not isinstance(pair, list) or len(pair) != 2 or kind not in KINDS:
             raise DescriptionError(f"closed_loop: expected two frames and the type 3d or 6d, got {shorten(pair)}")
-        sides = []
+        ends: list[Side] = []
         for frame in map(str, pair):
             link = children.get(frame, frame)
             if link not in poses:
                 known = [*children, *poses]
                 raise DescriptionError(f"closed_loop: there is no frame {shorten(frame)}; {did_you_mean(frame, known)}")
-            sides.append((link, poses[link]))
-        found.append(_joined(f"closing_{k + 1}", KINDS[kind], sides, axes=[], closing=closing))
-    return found
+            ends.append((link, poses[link]))
+        sides.append((ends[0], ends[1], kind == "6d"))
+    if any(_gap(side) > CLOSED for side in sides):
+        moved = assembled(draft, sides)
+        sides = [((a, moved[a] @ one), (b, moved[b] @ other), turning) for (a, one), (b, other), turning in sides]
+    return [
+        _joined(f"closing_{k}", KINDS["6d" if turning else "3d"], (one, other), axes=[], closing=closing)
+        for k, (one, other, turning) in enumerate(sides, start=1)
+    ]
+
+
+def _gap(side: tuple[Side, Side, bool]) -> Real:
+    """How far two frames are apart [m, and rad where their turning counts]."""
+    (_, one), (_, other), turning = side
+    turned = [length(minus(a, b)) for a, b in zip(one.rotation, other.rotation, strict=True)] if turning else []
+    return max(length(minus(one.translation, other.translation)), *turned, ZERO[0])
 
 
 def _change_types(draft: Draft, given: Mapping[str, list[object]]) -> None:
@@ -209,13 +236,12 @@ def _change_types(draft: Draft, given: Mapping[str, list[object]]) -> None:
             continue
         if kind == "SPHERICAL":
             draft.joints[k] = replace(joint, type="S", axes=(), driven=())
+        elif kind == "FIXED":
+            draft.joints[k] = replace(joint, type="fixed", axes=(), driven=())
         elif kind.startswith("UJOINT_") and len(kind) == 9 and set(kind[7:]) <= set("XYZ"):
             turn = draft.frames[joint.name]
             axes = tuple(turn.direction(UNITS["XYZ".index(letter)]) for letter in kind[7:])
             draft.joints[k] = replace(joint, type="U", axes=axes, driven=())
         else:
-            raise DescriptionError(f"joint_type: expected SPHERICAL or UJOINT_XY, got {shorten(kind)}")
+            raise DescriptionError(f"joint_type: expected SPHERICAL, FIXED or UJOINT_XY, got {shorten(kind)}")
         draft.ledger.changed.append(f"joint {joint.name}: {kind}, as the file beside the URDF says")
-
-
-__all__ = ["FoundLoops", "is_loop", "loops"]

@@ -175,6 +175,56 @@ def test_loops_of_urdf_files(tmp_path: Path) -> None:
     assert import_file(path, ImportOptions(snap=0.0011)).mechanism.joints["close"].point[2] == pytest.approx(1.5005)
 
 
+FRAMES = (
+    '<link name="tip"/><joint name="tip_frame" type="fixed"><parent link="two"/><child link="tip"/>'
+    '<origin xyz="0 0 0.5"/></joint><link name="anchor"/><joint name="anchor_frame" type="fixed">'
+    '<parent link="base"/><child link="anchor"/><origin xyz="0.3 0 1.2"/></joint>'
+)
+
+
+@pytest.mark.parametrize(("kind", "closes"), [("3d", True), ("6d", False)])
+def test_loops_of_a_file_beside_the_urdf(tmp_path: Path, kind: str, closes: bool) -> None:
+    """As Gepetto's models have them: open in the URDF's pose, the joints go where they close, drives by name.
+
+    A ball closes at the corner of a triangle by the cosine rule; two turns do not reach a given direction as well.
+    """
+    path = saved(arm(FRAMES), tmp_path, "robot.urdf")
+    (tmp_path / "robot.yaml").write_text(
+        f"closed_loop: [['tip_frame', 'anchor_frame']] # one\ntype: ['{kind}']\nname_mot:\n  [\n    \"A\",\n  ]\n"
+    )
+    if not closes:
+        with pytest.raises(DescriptionError, match="the loop does not close"):
+            load_format(path)
+        return
+    found = import_file(path)
+    joints = found.mechanism.joints
+    bend = float(joints["B"].reference[0])
+    assert np.cos(bend) == pytest.approx((0.3**2 + 0.7**2 - 2 * 0.25) / (2 * 0.25), abs=1e-12)
+    assert joints["closing_1"].type == "S" and [float(c) for c in joints["closing_1"].point] == pytest.approx(
+        [0.3, 0, 1.2]
+    )
+    assert (joints["A"].driven, joints["B"].driven) == ((0,), ())
+    assert "joints moved from the file's pose" in found.account.changed[0]
+    middle = [float(c) for c in joints["B"].point]
+    assert np.hypot(middle[0], middle[2] - 0.5) == pytest.approx(0.5, abs=1e-12)
+    centre = [float(c) for c in found.mechanism.bodies["two"].com]
+    assert centre == pytest.approx(middle, abs=1e-12)  # at the link's own origin, as the file has it
+
+
+def test_a_file_beside_that_is_no_list_is_refused(tmp_path: Path) -> None:
+    path = saved(arm(FRAMES), tmp_path, "robot.urdf")
+    for text, message in (
+        ("closed_loop: [['a', 'anchor_frame']]\n", "there is no frame 'a'"),
+        ("closed_loop: [[[[['a']]]]]\n", "expected a list of words"),
+        ("closed_loop: ['tip_frame']\n", "expected two frames"),
+        ("closed_loop: ]\n", "closes that none has opened"),
+        ("closed_loop: [" + "x " * 60_000 + "]", "more than 100000 bytes"),
+    ):
+        (tmp_path / "robot.yaml").write_text(text)
+        with pytest.raises(DescriptionError, match=message):
+            load_format(path)
+
+
 def test_inertias_that_no_body_has(tmp_path: Path) -> None:
     text = arm().replace('izz="1"', 'izz="2.3"', 1).replace('izz="1"', 'izz="2.06"', 1)
     path = saved(text, tmp_path, "robot.urdf")
