@@ -110,7 +110,7 @@ def _mimics(joints: Mapping[str, Element]) -> dict[str, tuple[str, Real, Real]]:
     """Joint -> (the one that it follows, multiplier, offset)."""
     found = {}
     for name, joint in joints.items():
-        for mimic in elements(joint, "mimic"):
+        for mimic in elements(joint, "mimic") if joint.get("type") != "fixed" else ():
             where = f"{label(joint)}, mimic"
             check_attributes(mimic, ("joint", "multiplier", "offset"), where)
             other = mimic.get("joint", "")
@@ -315,6 +315,8 @@ def _left_out(result: Draft, root: Element, links: Iterable[Element], joints: It
             if element.tag != "inertial":
                 result.ledger.passed(f"<{_short(element)}> of links")
     for joint in joints:
+        if joint.get("type") == "fixed" and any(True for _ in elements(joint, "mimic")):
+            result.ledger.passed("<mimic> of fixed joints")
         for element in elements(joint):
             if element.tag not in IN_JOINT:
                 result.ledger.passed(f"<{_short(element)}> of joints")

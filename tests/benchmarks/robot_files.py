@@ -150,6 +150,8 @@ def mujoco_model(path: Path) -> Any:
         if body.find("inertial") is not None:
             for geom in body.findall("geom"):
                 body.remove(geom)
+    for geom in [g for parent in root.iter() for g in parent.findall("geom") if g.get("material")]:
+        geom.attrib.pop("material")
     for section in root.findall("asset") + root.findall("contact") + root.findall("sensor"):
         root.remove(section)
     return mujoco.MjModel.from_xml_string(ElementTree.tostring(root, encoding="unicode"))
