@@ -115,7 +115,7 @@ def _walk(network: Network, variety: ClosureVariety, q: Array, random: np.random
     result = []
     for _ in range(4 * POSES):
         screws = variety.forward(q[None])[0]
-        _, s, vt = np.linalg.svd(variety.jacobians(screws)[0])
+        _, s, vt = np.linalg.svd(variety.jacobians(screws, q[None])[0])
         tangent = vt[int((s > RANK * s[0]).sum()) :]
         direction = random.normal(size=len(tangent)) @ tangent
         after = _closed(variety, q + STRIDE * direction / np.linalg.norm(direction))
@@ -139,7 +139,7 @@ def _closed(variety: ClosureVariety, q: Array) -> Array | None:
 def _dimensions(network: Network, variety: ClosureVariety, q: Array, body: str) -> tuple[int, int]:
     """Of the instantaneous motions, and of the body's twists in them."""
     screws = variety.forward(q[None])[0]
-    _, s, vt = np.linalg.svd(variety.jacobians(screws)[0])
+    _, s, vt = np.linalg.svd(variety.jacobians(screws, q[None])[0])
     motions = vt[int((s > RANK * s[0]).sum()) :].T
     rows = np.zeros((6, variety.columns))
     for name, sign in network.path(body):
