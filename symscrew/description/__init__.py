@@ -6,7 +6,7 @@ A `Mechanism` is data: numbers are exact SymPy expressions of parameters, read b
 """
 
 from symscrew.description.builder import MechanismBuilder
-from symscrew.description.expressions import CONSTANTS, FUNCTIONS, exact, numeric, parse, to_text
+from symscrew.description.expressions import CONSTANTS, FUNCTIONS, exact, numeric, parse, sixty_digits, to_text
 from symscrew.description.joints import JOINT_TYPES, NO_MOTION, JointType, Motion, rotation
 from symscrew.description.mechanism import Body, Joint, Matrix3, Mechanism, Parameter, Point, Vector
 from symscrew.description.names import RESERVED, check_name, check_text, markdown_text
@@ -52,6 +52,7 @@ __all__ = [
     "read_tables",
     "read_text",
     "rotation",
+    "sixty_digits",
     "taken_as_file",
     "to_text",
     "to_toml",
