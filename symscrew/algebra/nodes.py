@@ -24,6 +24,7 @@ import sympy
 
 from symscrew.algebra.operations import CONTEXT, apply_high_precision, apply_numpy, evaluate_constant
 from symscrew.algebra.origins import Origin
+from symscrew.description import sixty_digits
 
 # Constants carry 60 digits, and a derivation loses a few of them. What is left of a zero is 1e-58 or so, and the
 # smallest constant that somebody means is far above 1e-45: in between a constant is zero.
@@ -391,7 +392,7 @@ def is_zero(entry: Node | int) -> bool:
 
 def high_precision(number: sympy.Expr) -> Any:
     """An exact SymPy number as a 60-digit float of `CONTEXT`."""
-    return CONTEXT.mpf(int(number)) if number.is_Integer else CONTEXT.mpf(number.evalf(60)._mpf_)
+    return CONTEXT.mpf(int(number)) if number.is_Integer else CONTEXT.mpf(sixty_digits(number)._mpf_)
 
 
 def _rounded(number: Any) -> Any:

@@ -7,7 +7,7 @@ A `Mechanism` is data: numbers are exact SymPy expressions of parameters, read b
 
 from symscrew.description.builder import MechanismBuilder
 from symscrew.description.coupled import slope, terms_of
-from symscrew.description.expressions import CONSTANTS, FUNCTIONS, exact, numeric, parse, to_text
+from symscrew.description.expressions import CONSTANTS, FUNCTIONS, exact, numeric, parse, sixty_digits, to_text
 from symscrew.description.joints import JOINT_TYPES, NO_MOTION, JointType, Motion, rotation
 from symscrew.description.mechanism import (
     Body,
@@ -65,6 +65,7 @@ __all__ = [
     "read_tables",
     "read_text",
     "rotation",
+    "sixty_digits",
     "slope",
     "taken_as_file",
     "terms_of",
