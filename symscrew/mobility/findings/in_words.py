@@ -50,8 +50,8 @@ def sections(found: Mobility) -> list[tuple[str, list[str]]]:
     result.append((f"Freedoms of {found.platform.body}", lines))
     if found.branches is not None:
         result.append(("Branches through the configuration", branch_lines(found.branches, found.network)))
-    if not found.limbs and found.network.chords:
-        result.append(("Motions of the loops in symbols", _motions(found)))
+    if not found.limbs and found.network.chords and (lines := _motions(found)):
+        result.append(("Motions of the loops in symbols", lines))
     if found.loci:
         result.append(("Where it degenerates", _loci(found.loci)))
     if lines := as_lines(found.singularities):
