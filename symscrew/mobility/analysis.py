@@ -368,7 +368,7 @@ class Near:
     changes: tuple[tuple[str, float], ...]
 
     def places(self) -> dict[str, tuple[tuple[str, ...], tuple[tuple[str, ...], ...]]]:
-        """Joint -> (point [m], axes) of the special geometry in 25 digits: what to type instead."""
+        """Joint -> (point [m], axes) of the special geometry in 40 digits: what to type instead."""
         length = self.meant.network.length
         return {name: self.meant.network.edges[name].as_typed(length) for name, _ in self.changes}
 

@@ -37,6 +37,11 @@ UNIT_ALREADY = CONTEXT.mpf(10) ** -55
 """An axis this close to unit length is one, as it was computed with 60 digits; others are divided by their length."""
 
 
+TYPED = 40
+"""Digits of numbers that are to be typed for special geometry: ranks take differences below 1e-27 for rounding, so that
+with 30 or more the special geometry is typed, with 25 it is not."""
+
+
 @dataclass(frozen=True)
 class Edge:
     """A joint: its bodies, its elementary motions with their first columns and where its columns end.
@@ -59,13 +64,13 @@ class Edge:
         return range(self.start, self.start + len(self.screws))
 
     def as_typed(self, length: Real) -> tuple[tuple[str, ...], tuple[tuple[str, ...], ...]]:
-        """(point [m], axes) in 25 digits: what a description says of it; `length` is that of the network [m]."""
+        """(point [m], axes) in `TYPED` digits: what a description says of it; `length` is that of the network [m]."""
         axes = []
         for motion, column in self.motions:
             if motion.single:
                 screw = self.screws[column - self.start]
-                axes.append(tuple(CONTEXT.nstr(c, 25) for c in (screw[:3] if motion.turns else screw[3:])))
-        return tuple(CONTEXT.nstr(c * length, 25) for c in self.point), tuple(axes)
+                axes.append(tuple(CONTEXT.nstr(c, TYPED) for c in (screw[:3] if motion.turns else screw[3:])))
+        return tuple(CONTEXT.nstr(c * length, TYPED) for c in self.point), tuple(axes)
 
 
 @dataclass(frozen=True)

@@ -91,6 +91,13 @@ def test_rounding_beside_a_large_component_is_zero() -> None:
     assert text((1e-20, 0, 2e-20)) == "1e-20, 0, 2e-20"
 
 
+@pytest.mark.parametrize("name", ["three_ups_upu_s", "four_bar"])
+def test_no_heading_stands_alone(name: str) -> None:
+    assert all(lines for _, lines in sections(found(name)))
+    joints = [("R", [k, k * k, 0], [0, 0, 1]) for k in range(3)]
+    assert all(lines for _, lines in sections(analyse_mobility(loop(*joints))))
+
+
 def test_what_was_not_tried_stands_in_the_text() -> None:
     told = found("three_ups_upu_s")
     assert told.not_tried and all(line in mobility_text(told) for line in told.not_tried)

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
+import numpy as np
 import sympy
 
 from symscrew.mobility.field_counts import as_lines as counts_in_words
@@ -49,8 +50,8 @@ def sections(found: Mobility) -> list[tuple[str, list[str]]]:
     result.append((f"Freedoms of {found.platform.body}", lines))
     if found.branches is not None:
         result.append(("Branches through the configuration", branch_lines(found.branches, found.network)))
-    if not found.limbs and found.network.chords:
-        result.append(("Motions of the loops in symbols", _motions(found)))
+    if not found.limbs and found.network.chords and (lines := _motions(found)):
+        result.append(("Motions of the loops in symbols", lines))
     if found.loci:
         result.append(("Where it degenerates", _loci(found.loci)))
     if lines := as_lines(found.singularities):
@@ -58,6 +59,8 @@ def sections(found: Mobility) -> list[tuple[str, list[str]]]:
     result.append(("In the field's words", counts_in_words(found.counts)))
     if found.redundant.count:
         result.append(("Redundant constraints", _redundant(found)))
+    if found.near is not None:
+        result.append(("To type for the special geometry, lengths in m", _instead(found.near)))
     if found.nearly_parallel:
         result.append(("Almost parallel", list(found.nearly_parallel)))
     if found.not_tried:
@@ -153,8 +156,22 @@ def _near(found: Mobility, near: Near) -> list[str]:
     return [
         f"That is as typed. Within {near.distance:.1e} m of a special geometry with " + ", ".join(facts),
         "Largest changes to it: " + ", ".join(f"{name} {size:.1e} m" for name, size in first)
-        + "; the numbers to type instead are in the JSON (`near`)",
+        + f"; --tolerance {_above(near.distance)} takes it as meant, the numbers to type for it stand below",
     ]  # fmt: skip
+
+
+def _above(distance: float) -> str:
+    """A round length above the distance."""
+    return f"1e{int(np.floor(np.log10(distance))) + 1}"
+
+
+def _instead(near: Near) -> list[str]:
+    """What to type for every joint."""
+    lines = []
+    for name, (point, axes) in near.places().items():
+        turned = "".join(f", axis ({', '.join(axis)})" for axis in axes)
+        lines.append(f"{name}: point ({', '.join(point)}){turned}")
+    return lines
 
 
 def _displaced(found: Mobility, limb: str) -> list[str]:
