@@ -15,7 +15,7 @@ from support.model_states import body_states, relative
 from symscrew import catalogue
 from symscrew import effects as known
 from symscrew.description.mechanism import Mechanism
-from symscrew.effects.effect import Effect, joints_read, transformed
+from symscrew.effects.effect import Effect, transformed
 from symscrew.functions.dynamic import Equations
 from symscrew.functions.ports import a_port, function, q_port, v_port
 from symscrew.kinematics.system import System
@@ -129,7 +129,7 @@ def input_of(found: Model, function: str, name: str) -> np.ndarray:
 
 def inverse_only(mechanism: Mechanism, effects: Sequence[Effect]) -> Model:
     """A model with inverse dynamics only: a tenth of the time of all functions."""
-    system = System(mechanism, transformed(mechanism, tuple(effects)), read=joints_read(tuple(effects)))
+    system = System(mechanism, transformed(mechanism, tuple(effects)))
     system.use_samples()
     equations = Equations(system, effects)
     q, v, a = system.sample_states
