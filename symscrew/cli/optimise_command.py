@@ -29,7 +29,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
 
 
 def run(options: argparse.Namespace) -> int:
-    """Read, derive, optimise, write; 1 where no optimum was found (the best iterate is written all the same)."""
+    """Read, derive, optimise, write; 1 where no motion was found and confirmed (what there is is written all the same)."""
     from symscrew.optimisation import load_problem, replay, solve, write_plan
 
     out = destination(options.out, FORMATS, "--out")
@@ -62,7 +62,7 @@ def summary(found: Trajectory, again: Replay | None = None) -> list[str]:
     lines = [f"{found.problem.name}: {found.status}"]
     if not found.ok:
         lines += [f"  {reason}" for reason in found.reasons if reason not in found.status]
-        lines.append("  what is written is the best iterate, no solution")
+        lines.append("  what is written is the last iterate, no motion to be relied on")
         return lines
     errors = found.errors
     lines.append(f"cost {found.cost:.10g} (estimated error {errors.cost:.1e}), duration {found.duration:.10g} s")
@@ -75,7 +75,7 @@ def summary(found: Trajectory, again: Replay | None = None) -> list[str]:
         lines.append(f"drive {label}: {u.min():.6g} to {u.max():.6g}, on a bound at {share:.0f} % of the points")
     lines.append(
         f"between the points: closure {errors.closure:.1e}, dynamic error {errors.dynamic:.1e} 1/s^2 (at the end "
-        f"{errors.drift:.1e}), bounds exceeded by {errors.violation:.1e} (scaled); smallest pivot of the coordinates "
+        f"{errors.drift:.1e}), bounds broken by at most {errors.violation:.1e} of their size; smallest pivot of the coordinates "
         f"{errors.pivot:.2g}"
     )
     if again is not None:
@@ -83,6 +83,7 @@ def summary(found: Trajectory, again: Replay | None = None) -> list[str]:
             f"replayed by forward simulation: ends {again.end_error:.1e} from the plan, closure {again.closure:.1e}, "
             f"integration error {again.integration:.1e}"
         )
+    lines += found.notes
     spent = found.statistics
     rows = [[name, f"{seconds:.3f}", f"{spent.processor[name]:.3f}"] for name, seconds in spent.times.items()]
     lines.append(f"{spent.iterations} iterations, {found.refinements} refinements to {len(found.mesh) - 1} intervals")
@@ -95,6 +96,7 @@ def _numbers(found: Trajectory, again: Replay | None) -> dict[str, object]:
         "ok": found.ok,
         "status": found.status,
         "reasons": list(found.reasons),
+        "notes": list(found.notes),
         "cost": found.cost if found.ok else None,
         "duration": found.duration,
         "parameters": found.parameters,

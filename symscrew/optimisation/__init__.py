@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from symscrew.doors import doors
 
 if TYPE_CHECKING:
-    from symscrew.optimisation.followed_motion import Replay, replay
+    from symscrew.optimisation.followed_motion import replay
     from symscrew.optimisation.plan_file import plot_plan, write_plan
     from symscrew.optimisation.problem import (
         Bounds,
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
         Transcription,
     )
     from symscrew.optimisation.problem_file import load_problem
-    from symscrew.optimisation.result import Trajectory
+    from symscrew.optimisation.result import Replay, Trajectory
     from symscrew.optimisation.solution import Prepared, prepare, solve
 
 __all__ = [

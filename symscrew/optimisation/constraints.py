@@ -99,7 +99,9 @@ def bound_rows(at: MotionQuantities) -> list[Row]:
         apart = at.points[d.first] - at.points[d.second]
         low, high = max(d.range[0], 0.0), d.range[1]
         what = f"distance of {d.first} and {d.second}"
-        rows.append(Row(what, ca.dot(apart, apart), low * low, high * high, length * length))
+        bound = low if low > 0 else high  # a small post is to be kept as well as a large one: parts of the bound
+        measure = bound * bound if 0 < bound < INFINITY else length * length
+        rows.append(Row(what, ca.dot(apart, apart), low * low, high * high, length * length, measure))
     for text, (low, high) in bounds.expressions.items():
         value = expression(text, at.names, where="bounds.expressions")
         rows.append(Row(text, value, low, high))

@@ -22,6 +22,8 @@ FORMULATIONS = ("inverse", "forward")
 RULES = ("free", "least_squares")
 # Half of what a replay may miss the goal by, for defects are of first order; opening of the loops without units.
 ACCURACY = (5e-7, 1e-9)
+# Of a bound between the points, as a part of its size: a hundredth of a millimetre for a length of a metre.
+VIOLATION = 1e-5
 
 
 @dataclass(frozen=True)
@@ -153,7 +155,8 @@ class TrajectoryProblem:
     `drive_rule`: "free" within the bounds, or "least_squares" distribution of redundant drives about `preload`.
     `inputs`: port of an effect -> its constant values. `accuracy`: (dynamic, kinematic) errors until which the mesh
     is refined: how far a replay ends off the plan [rad, m], opening of the loops between the points; None for no
-    refinement. `guess`: name of a coordinate of y -> values at equal times.
+    refinement and no judgement of either. `violation`: the most by which a bound may be broken between the points,
+    as a part of its size. `guess`: name of a coordinate of y -> values at equal times.
     """
 
     mechanism: Mechanism
@@ -175,6 +178,7 @@ class TrajectoryProblem:
     transcription: Transcription = Transcription()
     solver: Solver = Solver()
     accuracy: tuple[float, float] | None = ACCURACY
+    violation: float = VIOLATION
     name: str = "trajectory"
     text: str = ""
 

@@ -3,7 +3,8 @@
     [problem]          mechanism (a catalogue name, or a file beside the problem's) or scene (a scene's file: its
                        mechanism, effects, inputs and parameters), name, description, duration (a number, or
                        [lower, upper]), periodic, independent = [labels of q], drive_rule,
-                       accuracy = [dynamic, kinematic] until which the mesh is refined ([inf, inf]: never)
+                       accuracy = [dynamic, kinematic] until which the mesh is refined ([inf, inf]: never),
+                       violation of bounds between the points that is allowed, as a part of their size
     [[effects]]        type and the effect's own keys, as in scenes; no gravity acts unless named
     [start], [end], [[via]]   coordinates, rates = {LABEL = value}, points = {NAME = [x, y, z]} with "free" for a
                        coordinate that is free, platform_normal, platform_position, platform_rotation, at_rest;
@@ -45,6 +46,7 @@ from symscrew.functions import u_port
 from symscrew.kinematics import System
 from symscrew.optimisation.problem import (
     ACCURACY,
+    VIOLATION,
     Bounds,
     Conditions,
     Distance,
@@ -59,7 +61,7 @@ from symscrew.optimisation.problem import (
 CONDITIONS = ("coordinates", "rates", "points", "platform_normal", "platform_position", "platform_rotation", "at_rest")
 KEYS: dict[str, tuple[str, ...]] = {
     "problem": ("mechanism", "scene", "name", "description", "duration", "periodic", "independent", "drive_rule",
-                "accuracy"),
+                "accuracy", "violation"),
     "start": CONDITIONS,
     "end": CONDITIONS,
     "via": (*CONDITIONS, "time"),
@@ -120,6 +122,7 @@ def parse_problem(text: str, *, folder: Path | None = None, name: str = "traject
         transcription=_transcription(tables.get("transcription", {}), read),
         solver=_solver(tables.get("solver", {}), read),
         accuracy=read.pair(head["accuracy"], "problem.accuracy") if "accuracy" in head else ACCURACY,
+        violation=read.number(head.get("violation", str(VIOLATION)), "problem.violation"),
         name=check_name(head.get("name", name if name.isidentifier() else "trajectory"), "problem.name"),
         text=text,
     )

@@ -17,13 +17,17 @@ INFINITY = float("inf")
 
 @dataclass(frozen=True)
 class Row:
-    """One constraint: lower <= value <= upper, divided by `scale` for the solver."""
+    """One constraint: lower <= value <= upper, divided by `scale` for the solver.
+
+    `measure`: what a violation between the points is divided by (default: `scale`).
+    """
 
     label: str
     value: Any
     lower: float = 0.0
     upper: float = 0.0
     scale: float = 1.0
+    measure: float | None = None
 
 
 @dataclass(frozen=True)

@@ -18,6 +18,7 @@ from symscrew.optimisation.collocation import Collocation
 from symscrew.optimisation.explanation import STATUS, broken_rows, pressing_bounds
 from symscrew.optimisation.guess import Guess, first_guess, unit_scales
 from symscrew.optimisation.motion_equations import PointEquations
+from symscrew.optimisation.passages import passages
 from symscrew.optimisation.point_model import PointModel
 from symscrew.optimisation.problem import TrajectoryProblem
 from symscrew.optimisation.refinement import refinement_of
@@ -25,6 +26,7 @@ from symscrew.optimisation.result import Statistics, Trajectory
 from symscrew.optimisation.shooting import Shooting
 from symscrew.optimisation.sparse import NonlinearProgram, assemble, cost_of
 from symscrew.optimisation.transcription import Discretisation, Transcribed
+from symscrew.optimisation.plan_verdict import judged
 from symscrew.optimisation.warm_start import carried_multipliers, carried_unknowns
 
 LEAST_COST = 1e-6  # a cost at the guess below this says nothing on its size: it is left as it is
@@ -36,7 +38,7 @@ METHODS: Mapping[str, Callable[[PointModel], Discretisation]] = {
 }
 # Meshes tried after the first one; a motion that still misses its accuracy is handed out as it is, and `errors` and
 # `Trajectory.notes` say so.
-MOST_REFINEMENTS = 6
+MOST_REFINEMENTS = 12
 # IPOPT from an earlier motion: of another problem, or of the same one on a coarser mesh. The barrier begins low (0.1 by
 # default), so that the start is not pushed into the middle of its bounds; a refined mesh begins nearer still.
 WARM: Mapping[str, Any] = {"warm_start_init_point": "yes", "mu_init": 1e-4}
@@ -98,12 +100,52 @@ def solve(
     began = _clock()
     say = progress or (lambda text: None)
     found = prepared or prepare(problem)
+    trajectory = None
+    if found.guess.parted and warm is None:
+        say("the way of the guess leads to another assembly mode than the goal's: looking for a passage")
+        trajectory = _passed(found, say)
+    if trajectory is None:
+        trajectory = _accurate(found, problem, warm=warm, say=say, began=began)
+        if trajectory.ok and trajectory.followed.trouble and not found.guess.parted:
+            say(trajectory.followed.trouble)
+            trajectory = _passed(found, say) or trajectory
+    trajectory = judged(trajectory)
+    if found.guess.parted and warm is None and not trajectory.ok:
+        trajectory = _refused(trajectory)
+    say(trajectory.status)
+    return replace(trajectory, statistics=_whole(trajectory.statistics, _clock() - began))
+
+
+def _accurate(
+    found: Prepared, problem: TrajectoryProblem, *, warm: Trajectory | None, say: Progress, began: np.ndarray
+) -> Trajectory:
+    """The optimum on a mesh that is fine enough, as far as it is found and stays on its branch."""
     model = PointModel(problem, found.model.equations, found.guess.scales)
     say(f"model: {model.d} independent coordinates {', '.join(model.equations.labels)}")
     trajectory = _once(model, found.guess, warm=warm, say=say, began=began)
-    if problem.accuracy and trajectory.ok:
+    if problem.accuracy and trajectory.ok and not trajectory.followed.trouble:
         trajectory = _refined(trajectory, found.guess, problem.accuracy, say)
-    return replace(trajectory, statistics=_whole(trajectory.statistics, _clock() - began))
+    return trajectory
+
+
+def _passed(found: Prepared, say: Progress) -> Trajectory | None:
+    """The optimum by coordinates that stay regular on a way to the goal; None where there is none that is a motion."""
+    for problem in passages(found.model, found.guess):
+        other = prepare(problem)
+        if other.guess.trouble or other.guess.parted:
+            continue
+        trajectory = _accurate(other, problem, warm=None, say=say, began=_clock())
+        if trajectory.ok and not trajectory.followed.trouble:
+            labels = ", ".join(problem.independent or ())
+            return replace(trajectory, notes=(*trajectory.notes, f"through a passage, by the coordinates {labels}"))
+        say(f"no motion was found through the passage: {trajectory.followed.trouble or trajectory.status}")
+    return None
+
+
+def _refused(trajectory: Trajectory) -> Trajectory:
+    """Why there is no motion to a goal on another branch."""
+    reason = "the goal lies on another assembly mode than the start, and no motion through a passage was found"
+    return replace(trajectory, ok=False, status=f"{reason}; {trajectory.status}", reasons=(reason, *trajectory.reasons))
 
 
 def _refined(trajectory: Trajectory, guess: Guess, accuracy: tuple[float, float], say: Progress) -> Trajectory:
@@ -124,6 +166,10 @@ def _refined(trajectory: Trajectory, guess: Guess, accuracy: tuple[float, float]
         if not again.ok:  # the coarser motion is an optimum still
             say(f"the finer mesh is given up: {again.status}")
             reason = f"a finer mesh of {len(mesh)} intervals was given up: {again.status}"
+            trajectory = replace(trajectory, statistics=spent)
+            break
+        if again.followed.trouble:
+            reason = f"a finer mesh of {len(mesh)} intervals was given up: {again.followed.trouble}"
             trajectory = replace(trajectory, statistics=spent)
             break
         trajectory = replace(again, refinements=count + 1, statistics=spent)
