@@ -29,7 +29,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
 
 
 def run(options: argparse.Namespace) -> int:
-    """Read, derive, optimise, write; 1 where no motion was found and confirmed (what there is is written all the same)."""
+    """Read, derive, optimise, write; 1 where no motion was found and confirmed (the last iterate is written then)."""
     from symscrew.optimisation import load_problem, replay, solve, write_plan
 
     out = destination(options.out, FORMATS, "--out")
@@ -75,8 +75,8 @@ def summary(found: Trajectory, again: Replay | None = None) -> list[str]:
         lines.append(f"drive {label}: {u.min():.6g} to {u.max():.6g}, on a bound at {share:.0f} % of the points")
     lines.append(
         f"between the points: closure {errors.closure:.1e}, dynamic error {errors.dynamic:.1e} 1/s^2 (at the end "
-        f"{errors.drift:.1e}), bounds broken by at most {errors.violation:.1e} of their size; smallest pivot of the coordinates "
-        f"{errors.pivot:.2g}"
+        f"{errors.drift:.1e}), bounds broken by at most {errors.violation:.1e} of their size; smallest pivot of the "
+        f"coordinates {errors.pivot:.2g}"
     )
     if again is not None:
         lines.append(

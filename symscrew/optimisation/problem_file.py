@@ -44,6 +44,7 @@ from symscrew.effects import Effect, check_effects, effect_from_table
 from symscrew.errors import DescriptionError, shorten
 from symscrew.functions import u_port
 from symscrew.kinematics import System
+from symscrew.optimisation.contradictions import check_problem
 from symscrew.optimisation.problem import (
     ACCURACY,
     VIOLATION,
@@ -102,7 +103,7 @@ def parse_problem(text: str, *, folder: Path | None = None, name: str = "traject
         read.range(given, "problem.duration") if isinstance(given, list) else read.number(given, "problem.duration")
     )
     objectives = tables.get("objectives", [{"type": "effort"}])
-    return TrajectoryProblem(
+    problem = TrajectoryProblem(
         base.mechanism,
         effects,
         duration=duration,
@@ -126,6 +127,8 @@ def parse_problem(text: str, *, folder: Path | None = None, name: str = "traject
         name=check_name(head.get("name", name if name.isidentifier() else "trajectory"), "problem.name"),
         text=text,
     )
+    check_problem(problem)
+    return problem
 
 
 class _Base:
@@ -298,6 +301,8 @@ class _Reader:
 
 def _transcription(table: Mapping[str, Any], read: _Reader) -> Transcription:
     usual = Transcription()
+    if "mesh" in table and "intervals" in table:
+        raise DescriptionError("transcription: 'mesh' says how many intervals there are; leave 'intervals' out")
     mesh = read.lists({"mesh": table["mesh"]}, "transcription")["mesh"] if "mesh" in table else ()
     return Transcription(
         _text(table.get("method", usual.method), "transcription.method"),

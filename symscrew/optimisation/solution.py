@@ -15,10 +15,12 @@ import numpy as np
 
 from symscrew.errors import DescriptionError, did_you_mean
 from symscrew.optimisation.collocation import Collocation
+from symscrew.optimisation.contradictions import check_inputs, check_problem
 from symscrew.optimisation.explanation import STATUS, broken_rows, pressing_bounds
 from symscrew.optimisation.guess import Guess, first_guess, unit_scales
 from symscrew.optimisation.motion_equations import PointEquations
 from symscrew.optimisation.passages import passages
+from symscrew.optimisation.plan_verdict import judged
 from symscrew.optimisation.point_model import PointModel
 from symscrew.optimisation.problem import TrajectoryProblem
 from symscrew.optimisation.refinement import refinement_of
@@ -26,7 +28,6 @@ from symscrew.optimisation.result import Statistics, Trajectory
 from symscrew.optimisation.shooting import Shooting
 from symscrew.optimisation.sparse import NonlinearProgram, assemble, cost_of
 from symscrew.optimisation.transcription import Discretisation, Transcribed
-from symscrew.optimisation.plan_verdict import judged
 from symscrew.optimisation.warm_start import carried_multipliers, carried_unknowns
 
 LEAST_COST = 1e-6  # a cost at the guess below this says nothing on its size: it is left as it is
@@ -63,6 +64,7 @@ def prepare(problem: TrajectoryProblem) -> Prepared:
     Raises:
         DescriptionError: the problem names what does not exist, or contradicts itself.
     """
+    check_problem(problem)
     mechanism = problem.mechanism
     chosen = {*problem.design, *problem.parameters}
     for name in chosen:
@@ -70,6 +72,7 @@ def prepare(problem: TrajectoryProblem) -> Prepared:
             raise DescriptionError(f"design: no parameter {name!r}; {did_you_mean(name, mechanism.parameters)}")
     parameters = {n: replace(p, run_time=p.run_time or n in chosen) for n, p in mechanism.parameters.items()}
     equations = PointEquations(replace(mechanism, parameters=parameters), problem.effects, problem.independent)
+    check_inputs(problem.inputs, {port.name: port.size for port, _ in equations.acting.own_inputs})
     sizes = (len(equations.layout.z), len(equations.system.drives), len(equations.acting.states))
     model = PointModel(problem, equations, unit_scales(len(equations.labels), *sizes))
     if not equations.labels:
