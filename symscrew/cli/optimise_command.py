@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import json
 import sys
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from symscrew.cli.help import DONE, FAILED, UsageError
@@ -24,6 +25,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
     command.add_argument("--out", metavar="FILE", required=True, help="the motion: .npz (everything) or .csv (a table)")
     command.add_argument("--plot", metavar="FILE.png", help="a picture of the motion")
     command.add_argument("--rate", type=float, metavar="HZ", help="samples per second in the file; default: 501 in all")
+    command.add_argument("--time-limit", type=float, metavar="S", help="seconds for all that is solved; default: none")
     command.add_argument("--json", action="store_true", help="the outcome as JSON")
     add_no_cache(command)
 
@@ -39,6 +41,10 @@ def run(options: argparse.Namespace) -> int:
     if options.rate is not None and not options.rate > 0:
         raise UsageError(f"--rate: expected samples per second above 0, got {options.rate:g}")
     problem = load_problem(options.problem)
+    if options.time_limit is not None:
+        if not options.time_limit > 0:
+            raise UsageError(f"--time-limit: expected seconds above 0, got {options.time_limit:g}")
+        problem = replace(problem, solver=replace(problem.solver, time_limit=options.time_limit))
     found = solve(problem, progress=lambda text: print(text, file=sys.stderr))
     written = [write_plan(found, out, rate=options.rate)]
     again = replay(found) if found.ok else None

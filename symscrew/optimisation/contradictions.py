@@ -60,7 +60,8 @@ def check_inputs(inputs: Mapping[str, Sequence[float]], ports: Mapping[str, int]
 def _check_numbers(problem: TrajectoryProblem) -> None:
     for where, number in _numbers(problem, ""):
         head = where.lstrip(".").split(".")[0].split("[")[0]
-        if math.isnan(number) or (math.isinf(number) and head not in UNBOUNDED):
+        unbounded = head in UNBOUNDED or where == ".solver.time_limit"
+        if math.isnan(number) or (math.isinf(number) and not unbounded):
             raise DescriptionError(f"{where.lstrip('.')}: expected a finite number, got {number}")
 
 
@@ -132,6 +133,10 @@ def _check_method(given: Transcription, solver: Solver) -> None:
         raise DescriptionError(
             f"solver.iterations: it is IPOPT's and sqpmethod's; give that of {solver.name} under solver.options"
         )
+    if solver.name != "ipopt" and not math.isinf(solver.time_limit):
+        raise DescriptionError(f"solver.time_limit: only IPOPT looks at the clock; {solver.name} does not")
+    if not solver.time_limit > 0:
+        raise DescriptionError(f"solver.time_limit: expected seconds above 0, got {solver.time_limit:g}")
     if not solver.tolerance > 0 or solver.iterations < 1:
         raise DescriptionError(
             f"solver: expected a positive tolerance and at least one iteration, got {solver.tolerance:g} and "

@@ -14,6 +14,7 @@ from symscrew.effects import Effect, Gravity
 from symscrew.errors import DescriptionError, did_you_mean
 
 Range = tuple[float, float]
+INFINITY = float("inf")
 # The words of problems. What each of them does: `objectives.OBJECTIVE_TYPES`, `solution.METHODS`,
 # `constraints.FORMULATIONS`.
 OBJECTIVES = ("effort", "time", "energy", "electrical", "jerk", "peak", "preload", "expression")
@@ -138,11 +139,15 @@ class Transcription:
 
 @dataclass(frozen=True)
 class Solver:
-    """Which solver of CasADi, its tolerance, the most iterations, and further options of its own."""
+    """Which solver of CasADi, its tolerance, the most iterations, and further options of its own.
+
+    `time_limit` [s] of all that is solved for a problem, refinements included; IPOPT's.
+    """
 
     name: str = "ipopt"
     tolerance: float = 1e-8
     iterations: int = 500
+    time_limit: float = INFINITY
     options: Mapping[str, object] = field(default_factory=dict)
 
 

@@ -16,7 +16,7 @@
     [[objectives]]     type, weight, weights = {LABEL = value}, preload, expression; default: effort
     [preload], [design], [parameters], [inputs], [guess]   tables of numbers, ranges, lists
     [transcription]    method, degree, intervals, second_order, formulation, mesh
-    [solver]           name, tolerance, iterations, options
+    [solver]           name, tolerance, iterations, time_limit [s], options
 
 Numbers may be expressions in the mechanism's parameters. Keys are fixed: an unknown one is an error.
 """
@@ -70,7 +70,7 @@ KEYS: dict[str, tuple[str, ...]] = {
                "expressions"),
     "objectives": ("type", "weight", "weights", "preload", "expression"),
     "transcription": ("method", "degree", "intervals", "second_order", "formulation", "mesh"),
-    "solver": ("name", "tolerance", "iterations", "options"),
+    "solver": ("name", "tolerance", "iterations", "time_limit", "options"),
 }  # fmt: skip
 LISTS = ("effects", "via", "objectives")
 SECTIONS = (*KEYS, "effects", "preload", "design", "parameters", "inputs", "guess")
@@ -324,6 +324,7 @@ def _solver(table: Mapping[str, Any], read: _Reader) -> Solver:
         _text(table.get("name", usual.name), "solver.name"),
         read.number(table.get("tolerance", "1e-8"), "solver.tolerance"),
         _whole(table.get("iterations", usual.iterations), "solver.iterations"),
+        read.number(table["time_limit"], "solver.time_limit") if "time_limit" in table else usual.time_limit,
         plain,
     )
 

@@ -18,6 +18,7 @@ from symscrew.optimisation.collocation import Collocation
 from symscrew.optimisation.contradictions import check_inputs, check_problem
 from symscrew.optimisation.explanation import STATUS, broken_rows, pressing_bounds
 from symscrew.optimisation.guess import Guess, first_guess, unit_scales
+from symscrew.optimisation.interruption import interruptible
 from symscrew.optimisation.motion_equations import PointEquations
 from symscrew.optimisation.passages import passages
 from symscrew.optimisation.plan_verdict import judged
@@ -30,6 +31,7 @@ from symscrew.optimisation.sparse import NonlinearProgram, assemble, cost_of
 from symscrew.optimisation.transcription import Discretisation, Transcribed
 from symscrew.optimisation.warm_start import carried_multipliers, carried_unknowns
 
+LEAST_TIME = 1e-3  # [s] where the time is used up already: IPOPT refuses 0, and ends before its first iteration
 LEAST_COST = 1e-6  # a cost at the guess below this says nothing on its size: it is left as it is
 Progress = Callable[[str], None]
 METHODS: Mapping[str, Callable[[PointModel], Discretisation]] = {
@@ -100,18 +102,18 @@ def solve(
     Raises:
         DescriptionError: the problem cannot be used as it is given.
     """
-    began = _clock()
+    began, until = _clock(), time.perf_counter() + problem.solver.time_limit
     say = progress or (lambda text: None)
     found = prepared or prepare(problem)
     trajectory = None
     if found.guess.parted and warm is None:
         say("the way of the guess leads to another assembly mode than the goal's: looking for a passage")
-        trajectory = _passed(found, say)
+        trajectory = _passed(found, say, until)
     if trajectory is None:
-        trajectory = _accurate(found, problem, warm=warm, say=say, began=began)
+        trajectory = _accurate(found, problem, warm=warm, say=say, began=began, until=until)
         if trajectory.ok and trajectory.followed.trouble and not found.guess.parted:
             say(trajectory.followed.trouble)
-            trajectory = _passed(found, say) or trajectory
+            trajectory = _passed(found, say, until) or trajectory
     trajectory = judged(trajectory)
     if found.guess.parted and warm is None and not trajectory.ok:
         trajectory = _refused(trajectory)
@@ -120,24 +122,30 @@ def solve(
 
 
 def _accurate(
-    found: Prepared, problem: TrajectoryProblem, *, warm: Trajectory | None, say: Progress, began: np.ndarray
+    found: Prepared,
+    problem: TrajectoryProblem,
+    *,
+    warm: Trajectory | None,
+    say: Progress,
+    began: np.ndarray,
+    until: float,
 ) -> Trajectory:
     """The optimum on a mesh that is fine enough, as far as it is found and stays on its branch."""
     model = PointModel(problem, found.model.equations, found.guess.scales)
     say(f"model: {model.d} independent coordinates {', '.join(model.equations.labels)}")
-    trajectory = _once(model, found.guess, warm=warm, say=say, began=began)
+    trajectory = _once(model, found.guess, warm=warm, say=say, began=began, until=until)
     if problem.accuracy and trajectory.ok and not trajectory.followed.trouble:
-        trajectory = _refined(trajectory, found.guess, problem.accuracy, say)
+        trajectory = _refined(trajectory, found.guess, problem.accuracy, say, until=until)
     return trajectory
 
 
-def _passed(found: Prepared, say: Progress) -> Trajectory | None:
+def _passed(found: Prepared, say: Progress, until: float) -> Trajectory | None:
     """The optimum by coordinates that stay regular on a way to the goal; None where there is none that is a motion."""
     for problem in passages(found.model, found.guess):
         other = prepare(problem)
         if other.guess.trouble or other.guess.parted:
             continue
-        trajectory = _accurate(other, problem, warm=None, say=say, began=_clock())
+        trajectory = _accurate(other, problem, warm=None, say=say, began=_clock(), until=until)
         if trajectory.ok and not trajectory.followed.trouble:
             labels = ", ".join(problem.independent or ())
             return replace(trajectory, notes=(*trajectory.notes, f"through a passage, by the coordinates {labels}"))
@@ -151,7 +159,9 @@ def _refused(trajectory: Trajectory) -> Trajectory:
     return replace(trajectory, ok=False, status=f"{reason}; {trajectory.status}", reasons=(reason, *trajectory.reasons))
 
 
-def _refined(trajectory: Trajectory, guess: Guess, accuracy: tuple[float, float], say: Progress) -> Trajectory:
+def _refined(
+    trajectory: Trajectory, guess: Guess, accuracy: tuple[float, float], say: Progress, *, until: float
+) -> Trajectory:
     """The motion on finer meshes until its errors are as wanted; its notes say why they are not."""
     for count in range(MOST_REFINEMENTS + 1):
         model, finer = trajectory.model, refinement_of(trajectory, accuracy)
@@ -164,7 +174,7 @@ def _refined(trajectory: Trajectory, guess: Guess, accuracy: tuple[float, float]
         say(f"refinement {count + 1}: {len(mesh)} intervals, drift {trajectory.errors.drift:.1e} so far")
         transcription = replace(model.problem.transcription, mesh=mesh, intervals=len(mesh))
         model = PointModel(replace(model.problem, transcription=transcription), model.equations, model.scales)
-        again = _once(model, guess, warm=trajectory, say=say, began=_clock(), start_options=REFINING)
+        again = _once(model, guess, warm=trajectory, say=say, began=_clock(), until=until, start_options=REFINING)
         spent = _sum(trajectory.statistics, again.statistics)
         if not again.ok:  # the coarser motion is an optimum still
             say(f"the finer mesh is given up: {again.status}")
@@ -217,6 +227,7 @@ def _once(
     warm: Trajectory | None,
     say: Progress,
     began: np.ndarray,
+    until: float,
     start_options: Mapping[str, Any] = WARM,
 ) -> Trajectory:
     ready = _clock()
@@ -233,12 +244,14 @@ def _once(
     scale = _cost_scale(transcribed, start)
     program = assemble(transcribed.families, transcribed.linear, transcribed.cost, scale)
     say(f"program: {unknowns.size} unknowns, {len(program.labels)} constraints")
-    solver = _solver(model.problem, program, start_options if warm else {})
+    clock = {} if until == np.inf else {"max_wall_time": max(until - time.perf_counter(), LEAST_TIME)}
+    solver = _solver(model.problem, program, {**(start_options if warm else {}), **clock})
     made = _clock()
     extra = {}
     if warm is not None and (carried := carried_multipliers(warm, transcribed, program, scale)):
         extra = {"lam_g0": carried[0], "lam_x0": carried[1]}
-    answer = solver(x0=start, lbx=unknowns.lower, ubx=unknowns.upper, lbg=program.lower, ubg=program.upper, **extra)
+    with interruptible():
+        answer = solver(x0=start, lbx=unknowns.lower, ubx=unknowns.upper, lbg=program.lower, ubg=program.upper, **extra)
     stats = solver.stats()
     done = _clock()
     x = np.array(answer["x"]).ravel()

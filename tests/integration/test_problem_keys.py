@@ -83,6 +83,7 @@ TEXTS: dict[str, dict[str, str]] = {
     },
     "solver": {
         "name": 'name = "sqpmethod"', "tolerance": "tolerance = 1e-6", "iterations": "iterations = 7",
+        "time_limit": "time_limit = 5",
         "options": "options = { mu_init = 1e-3 }",
     },
     "whole": {
@@ -228,6 +229,8 @@ def test_objectives_refuse_what_they_do_not_read(kind: str) -> None:
         ("preload.hinge: nothing reads it", {"preload": {"hinge": 1.0}}),
         ("solver.tolerance: it is IPOPT's", {"solver": Solver("sqpmethod", tolerance=1e-4)}),
         ("solver.iterations", {"solver": Solver("blocksqp", iterations=10)}),
+        ("solver.time_limit: expected seconds above 0", {"solver": Solver(time_limit=-1.0)}),
+        ("solver.time_limit: only IPOPT", {"solver": Solver("sqpmethod", time_limit=1.0)}),
         ("at least one iteration", {"solver": Solver(iterations=0)}),
         ("outside its range under 'design'", {"design": {"m": (1.0, 2.0)}, "parameters": {"m": 3.0}}),
         ("no effect has an input 'wind'", {"inputs": {"wind": (1.0,)}}),
