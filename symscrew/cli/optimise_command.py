@@ -21,13 +21,27 @@ FORMATS = (".npz", ".csv")
 
 def add_options(command: argparse.ArgumentParser) -> None:
     """Options of `symscrew optimise`."""
-    command.add_argument("problem", metavar="PROBLEM.toml", help="mechanism or scene, conditions, bounds, objectives")
+    command.add_argument(
+        "problem", metavar="PROBLEM.toml",
+        help="mechanism or scene, conditions, bounds, objectives; all its keys: --keys, or docs/how_to/optimise.md",
+    )  # fmt: skip
+    command.add_argument("--keys", action=_Keys, nargs=0, help="print every key of a problem file, and end")
     command.add_argument("--out", metavar="FILE", required=True, help="the motion: .npz (everything) or .csv (a table)")
     command.add_argument("--plot", metavar="FILE.png", help="a picture of the motion")
     command.add_argument("--rate", type=float, metavar="HZ", help="samples per second in the file; default: 501 in all")
     command.add_argument("--time-limit", type=float, metavar="S", help="seconds for all that is solved; default: none")
     command.add_argument("--json", action="store_true", help="the outcome as JSON")
     add_no_cache(command)
+
+
+class _Keys(argparse.Action):
+    """Prints the keys of a problem file."""
+
+    def __call__(self, parser: argparse.ArgumentParser, *_: object) -> None:
+        from symscrew.optimisation import tables_of_keys
+
+        print(tables_of_keys(), end="")
+        parser.exit(DONE)
 
 
 def run(options: argparse.Namespace) -> int:

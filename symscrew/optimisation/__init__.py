@@ -21,6 +21,7 @@ if TYPE_CHECKING:
         Transcription,
     )
     from symscrew.optimisation.problem_file import load_problem
+    from symscrew.optimisation.problem_keys import tables_of_keys
     from symscrew.optimisation.result import Replay, Trajectory
     from symscrew.optimisation.solution import Prepared, prepare, solve
 
@@ -40,6 +41,7 @@ __all__ = [
     "prepare",
     "replay",
     "solve",
+    "tables_of_keys",
     "write_plan",
 ]
 

@@ -1,23 +1,6 @@
 """A trajectory problem from a TOML file.
 
-    [problem]          mechanism (a catalogue name, or a file beside the problem's) or scene (a scene's file: its
-                       mechanism, effects, inputs and parameters), name, description, duration (a number, or
-                       [lower, upper]), periodic, independent = [labels of q], drive_rule,
-                       accuracy = [dynamic, kinematic] until which the mesh is refined ([inf, inf]: never),
-                       violation of bounds between the points that is allowed, as a part of their size
-    [[effects]]        type and the effect's own keys, as in scenes; no gravity acts unless named
-    [start], [end], [[via]]   coordinates, rates = {LABEL = value}, points = {NAME = [x, y, z]} with "free" for a
-                       coordinate that is free, platform_normal, platform_position, platform_rotation, at_rest;
-                       [[via]] also time (part of the duration)
-    [bounds]           drives, drive_rates, joints, speeds, margins = {LABEL = [lower, upper] or a number for +-,
-                       "*" for all drives}, points = {NAME = {x = [lower, upper]}},
-                       reactions = {JOINT = {force = largest, moment = largest}}, distances = [{between, range}],
-                       expressions = {"TEXT" = range} (texts as in objectives)
-    [[objectives]]     type, weight, weights = {LABEL = value}, preload, expression; default: effort
-    [preload], [design], [parameters], [inputs], [guess]   tables of numbers, ranges, lists
-    [transcription]    method, degree, intervals, second_order, formulation, mesh
-    [solver]           name, tolerance, iterations, time_limit [s], options
-
+Sections and keys, with units, defaults and examples: `symscrew.optimisation.problem_keys`, docs/how_to/optimise.md.
 Numbers may be expressions in the mechanism's parameters. Keys are fixed: an unknown one is an error.
 """
 
@@ -44,6 +27,7 @@ from symscrew.effects import Effect, check_effects, effect_from_table
 from symscrew.errors import DescriptionError, shorten
 from symscrew.functions import u_port
 from symscrew.kinematics import System
+from symscrew.optimisation import problem_keys
 from symscrew.optimisation.contradictions import check_problem
 from symscrew.optimisation.problem import (
     ACCURACY,
@@ -58,22 +42,8 @@ from symscrew.optimisation.problem import (
     Transcription,
 )
 
-# keys of the sections, as people write them
-CONDITIONS = ("coordinates", "rates", "points", "platform_normal", "platform_position", "platform_rotation", "at_rest")
-KEYS: dict[str, tuple[str, ...]] = {
-    "problem": ("mechanism", "scene", "name", "description", "duration", "periodic", "independent", "drive_rule",
-                "accuracy", "violation"),
-    "start": CONDITIONS,
-    "end": CONDITIONS,
-    "via": (*CONDITIONS, "time"),
-    "bounds": ("drives", "drive_rates", "joints", "speeds", "margins", "points", "reactions", "distances",
-               "expressions"),
-    "objectives": ("type", "weight", "weights", "preload", "expression"),
-    "transcription": ("method", "degree", "intervals", "second_order", "formulation", "mesh"),
-    "solver": ("name", "tolerance", "iterations", "time_limit", "options"),
-}  # fmt: skip
-LISTS = ("effects", "via", "objectives")
-SECTIONS = (*KEYS, "effects", "preload", "design", "parameters", "inputs", "guess")
+KEYS = {section: tuple(keys) for section, keys in problem_keys.SECTIONS.items()}
+SECTIONS = (*KEYS, *problem_keys.OWN)
 
 
 def load_problem(path: str | Path) -> TrajectoryProblem:
@@ -88,7 +58,7 @@ def load_problem(path: str | Path) -> TrajectoryProblem:
 def parse_problem(text: str, *, folder: Path | None = None, name: str = "trajectory") -> TrajectoryProblem:
     """The problem that a TOML text describes; files it names are looked for in `folder`."""
     tables = read_tables(text)
-    check_sections(tables, SECTIONS, KEYS, LISTS)
+    check_sections(tables, SECTIONS, KEYS, problem_keys.LISTS)
     if "problem" not in tables:
         raise DescriptionError("the section [problem] is missing; expected at least mechanism or scene, and duration")
     head = tables["problem"]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import math
 from dataclasses import replace
 from pathlib import Path
@@ -11,10 +12,12 @@ import numpy as np
 import pytest
 from support.optimal_problems import pendulum, rest_to_rest
 
+from symscrew.cli.parser import main
 from symscrew.errors import DescriptionError
+from symscrew.optimisation import problem_keys
 from symscrew.optimisation.contradictions import READ, check_problem
 from symscrew.optimisation.problem import OBJECTIVES, Bounds, Conditions, Objective, Solver, TrajectoryProblem
-from symscrew.optimisation.problem_file import KEYS, SECTIONS, load_problem
+from symscrew.optimisation.problem_file import KEYS, load_problem
 from symscrew.optimisation.solution import prepare, transcribe
 
 MECHANISM = """
@@ -51,49 +54,10 @@ at = [0, 0, 0]
 body = "base"
 at = [0, 0, "0.1"]
 """
-# section -> key -> a text that stands for it, and further lines that it needs to have a meaning
-TEXTS: dict[str, dict[str, str]] = {
-    "problem": {
-        "scene": "", "mechanism": "", "name": 'name = "other"', "description": 'description = "about it"',
-        "duration": "duration = 2", "periodic": "periodic = true", "independent": 'independent = ["z", "x"]',
-        "drive_rule": 'drive_rule = "least_squares"', "accuracy": "accuracy = [1e-3, 1e-3]",
-        "violation": "violation = 1e-3",
-    },
-    "conditions": {
-        "coordinates": "coordinates = { x = 0.1 }", "rates": "rates = { x = 0.1 }",
-        "points": 'points = { bead = [0.2, "free", "free"] }', "platform_normal": "platform_normal = [0, 0, 1]",
-        "platform_position": "platform_position = [0.1, 0, 0.2]", "platform_rotation": "platform_rotation = [0, 0, 0]",
-        "at_rest": "at_rest = true", "time": "time = 0.25\nat_rest = true",
-    },
-    "bounds": {
-        "drives": "drives = { x = 3 }", "drive_rates": "drive_rates = { x = 3 }", "joints": "joints = { x = 3 }",
-        "speeds": "speeds = { x = 3 }", "margins": "margins = { bead = [1, 2] }",
-        "points": "points = { bead = { x = 1 } }",
-        "reactions": "reactions = { x = { force = 5 } }", "expressions": 'expressions = { "q_x*u_z" = 2 }',
-        "distances": 'distances = [{ between = ["bead", "post"], range = [0.01, 9] }]',
-    },
-    "objectives": {
-        "type": 'type = "peak"', "weight": 'type = "effort"\nweight = 3',
-        "weights": 'type = "effort"\nweights = { x = 3 }',
-        "preload": 'type = "preload"\npreload = { x = 3 }', "expression": 'type = "expression"\nexpression = "u_x^4"',
-    },
-    "transcription": {
-        "method": 'method = "gauss"', "degree": "degree = 2", "intervals": "intervals = 3",
-        "second_order": "second_order = false", "formulation": 'formulation = "forward"', "mesh": "mesh = [0.3, 1]",
-    },
-    "solver": {
-        "name": 'name = "sqpmethod"', "tolerance": "tolerance = 1e-6", "iterations": "iterations = 7",
-        "time_limit": "time_limit = 5",
-        "options": "options = { mu_init = 1e-3 }",
-    },
-    "whole": {
-        "effects": '[[effects]]\ntype = "gravity"',
-        "design": "[design]\nm = [1, 2]", "parameters": "[parameters]\nm = 2",
-        "preload": '[preload]\nx = 1\n[[objectives]]\ntype = "preload"',
-        "inputs": '[[effects]]\ntype = "external_wrench"\npoint = "bead"\n[inputs]\nload_bead = [1, 2, 3, 0, 0, 0]',
-        "guess": "[guess]\nx = [0, 1, 0]\nz = [0, 0, 1]",
-    },
-}  # fmt: skip
+TEXTS = {
+    section: {name: key.example for name, key in keys.items()}
+    for section, keys in {**problem_keys.SECTIONS, "whole": problem_keys.OWN}.items()
+}
 
 
 def text(section: str = "", key: str = "") -> str:
@@ -103,7 +67,7 @@ def text(section: str = "", key: str = "") -> str:
         "start": ["coordinates = { x = 0, z = 0 }"], "end": [], "bounds": [], "transcription": [], "solver": [],
     }  # fmt: skip
     if section in ("start", "end", "via"):
-        given = TEXTS["conditions"][key]
+        given = TEXTS["via"][key]
         parts[section] = [given if section != "via" or key == "time" else f"{given}\ntime = 0.5"]
     elif section in parts:
         parts[section] = [*parts[section], TEXTS[section][key]]
@@ -148,10 +112,31 @@ EVERY = [
 ]  # fmt: skip
 
 
-def test_every_key_is_in_the_table() -> None:
-    assert set(TEXTS["whole"]) == set(SECTIONS) - set(KEYS)
-    for section, keys in KEYS.items():
-        assert set(keys) <= set(TEXTS["conditions" if section in ("start", "end", "via") else section])
+def test_every_field_of_a_problem_has_a_key() -> None:
+    """What Python can say a file can say too."""
+    elsewhere = {"effects", "start", "end", "via", "bounds", "objectives", "design", "parameters", "preload", "inputs",
+                 "guess", "transcription", "solver", "text"}  # fmt: skip
+    for section, holder in problem_keys.HOLDERS.items():
+        names = {f.name for f in dataclasses.fields(holder)} - (elsewhere if section == "problem" else set())
+        keys = problem_keys.SECTIONS[section]
+        held = {key.field or name for name, key in keys.items() if key.field != "-"}
+        assert held == names - ({"time"} if section in ("start", "end") else set())
+
+
+def test_the_page_lists_every_key_with_its_default() -> None:
+    page = (Path(__file__).parents[2] / "docs" / "how_to" / "optimise.md").read_text()
+    assert page.endswith(problem_keys.tables_of_keys())
+    assert "| `intervals` | - | 50 |" in page and "| `violation` | 1 | 1e-05 |" in page
+    assert "| `accuracy` | rad, m; 1 | [5e-07, 1e-09] |" in page and "| `at_rest` | - | false |" in page
+
+
+def test_help_points_to_the_keys(capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit) as ended:
+        main(["optimise", "--keys"])
+    assert ended.value.code == 0 and capsys.readouterr().out == problem_keys.tables_of_keys()
+    with pytest.raises(SystemExit):
+        main(["optimise", "--help"])
+    assert "docs/how_to/optimise.md" in capsys.readouterr().out
 
 
 @pytest.fixture(scope="module")
