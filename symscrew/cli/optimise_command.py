@@ -30,6 +30,9 @@ def add_options(command: argparse.ArgumentParser) -> None:
     command.add_argument("--plot", metavar="FILE.png", help="a picture of the motion")
     command.add_argument("--rate", type=float, metavar="HZ", help="samples per second in the file; default: 501 in all")
     command.add_argument("--time-limit", type=float, metavar="S", help="seconds for all that is solved; default: none")
+    command.add_argument(
+        "--starts", type=int, metavar="N", help="guesses on all cores, the usual one and random ones; default: 1"
+    )
     command.add_argument("--json", action="store_true", help="the outcome as JSON")
     add_no_cache(command)
 
@@ -59,6 +62,10 @@ def run(options: argparse.Namespace) -> int:
         if not options.time_limit > 0:
             raise UsageError(f"--time-limit: expected seconds above 0, got {options.time_limit:g}")
         problem = replace(problem, solver=replace(problem.solver, time_limit=options.time_limit))
+    if options.starts is not None:
+        if options.starts < 1:
+            raise UsageError(f"--starts: expected at least 1, got {options.starts}")
+        problem = replace(problem, starts=options.starts)
     found = solve(problem, progress=lambda text: print(text, file=sys.stderr))
     written = [write_plan(found, out, rate=options.rate)]
     again = replay(found) if found.ok else None

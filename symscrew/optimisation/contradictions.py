@@ -38,6 +38,7 @@ def check_problem(problem: TrajectoryProblem) -> None:
         if count > 1 and kind in ONCE:
             raise DescriptionError(f"objectives: {kind!r} stands {count} times; give it once, with the sum of weights")
     _check_preload(problem)
+    _check_starts(problem)
     _check_method(problem.transcription, problem.solver)
     for name, value in problem.parameters.items():
         low, high = problem.design.get(name, (-math.inf, math.inf))
@@ -119,6 +120,15 @@ def _check_preload(problem: TrajectoryProblem) -> None:
                 f"preload.{label}: nothing reads it; it takes drive_rule = 'least_squares', or an objective 'preload' "
                 "without a value of its own"
             )
+
+
+def _check_starts(problem: TrajectoryProblem) -> None:
+    if problem.starts < 1 or problem.seed < 0:
+        raise DescriptionError(
+            f"problem: expected at least one of starts and a seed from 0, got {problem.starts} and {problem.seed}"
+        )
+    if problem.seed != 1 and problem.starts == 1:
+        raise DescriptionError("problem.seed: random guesses take starts above 1; leave the seed out, or give starts")
 
 
 def _check_method(given: Transcription, solver: Solver) -> None:

@@ -161,7 +161,8 @@ class TrajectoryProblem:
     `inputs`: port of an effect -> its constant values. `accuracy`: (dynamic, kinematic) errors until which the mesh
     is refined: how far a replay ends off the plan [rad, m], opening of the loops between the points; None for no
     refinement and no judgement of either. `violation`: the most by which a bound may be broken between the points,
-    as a part of its size. `guess`: name of a coordinate of y -> values at equal times.
+    as a part of its size. `starts`: guesses from which it is solved, the usual one and random ones by `seed`.
+    `guess`: name of a coordinate of y -> values at equal times.
     """
 
     mechanism: Mechanism
@@ -184,6 +185,8 @@ class TrajectoryProblem:
     solver: Solver = Solver()
     accuracy: tuple[float, float] | None = ACCURACY
     violation: float = VIOLATION
+    starts: int = 1
+    seed: int = 1
     name: str = "trajectory"
     text: str = ""
 

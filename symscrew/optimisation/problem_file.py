@@ -94,6 +94,8 @@ def parse_problem(text: str, *, folder: Path | None = None, name: str = "traject
         solver=_solver(tables.get("solver", {}), read),
         accuracy=read.pair(head["accuracy"], "problem.accuracy") if "accuracy" in head else ACCURACY,
         violation=read.number(head.get("violation", str(VIOLATION)), "problem.violation"),
+        starts=_whole(head.get("starts", 1), "problem.starts"),
+        seed=_whole(head.get("seed", 1), "problem.seed"),
         name=check_name(head.get("name", name if name.isidentifier() else "trajectory"), "problem.name"),
         text=text,
     )

@@ -72,6 +72,8 @@ SECTIONS: Mapping[str, Mapping[str, Key]] = {
             "until then, and the verdict asks for it; [inf, inf]: neither",
             "accuracy = [1e-3, 1e-3]",
         ),
+        "starts": Key("", "guesses from which it is solved on all cores: the usual one and random ones", "starts = 3"),
+        "seed": Key("", "of the random guesses", "seed = 2\nstarts = 3"),
         "violation": Key(
             "1", "the most by which a bound may be broken between the points, as a part of its size", "violation = 1e-3"
         ),

@@ -12,6 +12,7 @@ from functools import cached_property
 import numpy as np
 
 from symscrew.optimisation.followed_branch import Branch, Followed
+from symscrew.optimisation.many_starts import Search
 from symscrew.optimisation.mesh_errors import Errors, costates_of, errors_of
 from symscrew.optimisation.planned_motion import PlannedMotion
 
@@ -55,7 +56,7 @@ class Trajectory(PlannedMotion):
     own vectors; `cost` is in the units of the objectives; `parameters` the design found, by name. `status` is one
     sentence, `reasons` say which constraints cannot be met, where; `notes` say what was not
     tried to make it more exact, or by which coordinates a passage was found; `replayed` is the replay that
-    confirmed it, None where none was made.
+    confirmed it, None where none was made; `search` what came of other guesses, where several were asked for.
     """
 
     x: np.ndarray
@@ -70,6 +71,7 @@ class Trajectory(PlannedMotion):
     refinements: int = 0
     notes: tuple[str, ...] = ()
     replayed: Replay | None = None
+    search: Search | None = None
 
     def __repr__(self) -> str:
         return f"<Trajectory {self.problem.name}: {self.duration:g} s, cost {self.cost:.6g}, {self.status}>"

@@ -6,7 +6,7 @@ problem --PointEquations--> programs --first_guess--> scales --Collocation--> fa
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -19,6 +19,7 @@ from symscrew.optimisation.contradictions import check_inputs, check_problem
 from symscrew.optimisation.explanation import STATUS, broken_rows, pressing_bounds
 from symscrew.optimisation.guess import Guess, first_guess, unit_scales
 from symscrew.optimisation.interruption import interruptible
+from symscrew.optimisation.many_starts import Attempt, Values, searched
 from symscrew.optimisation.motion_equations import PointEquations
 from symscrew.optimisation.passages import passages
 from symscrew.optimisation.plan_verdict import judged
@@ -28,6 +29,7 @@ from symscrew.optimisation.refinement import refinement_of
 from symscrew.optimisation.result import Statistics, Trajectory
 from symscrew.optimisation.shooting import Shooting
 from symscrew.optimisation.sparse import NonlinearProgram, assemble, cost_of
+from symscrew.optimisation.tie_breaking import can_break_ties, continued, without_effort
 from symscrew.optimisation.transcription import Discretisation, Transcribed
 from symscrew.optimisation.warm_start import carried_multipliers, carried_unknowns
 
@@ -105,6 +107,14 @@ def solve(
     began, until = _clock(), time.perf_counter() + problem.solver.time_limit
     say = progress or (lambda text: None)
     found = prepared or prepare(problem)
+    search = None
+    if problem.starts > 1 and warm is None:
+        search = searched(problem, found.model, found.guess, attempts)
+        say(str(search))
+        best = search.best
+        if best is not None and best.guess is not None:
+            problem = replace(problem, guess=best.guess)
+            found = prepare(problem)
     trajectory = None
     if found.guess.parted and warm is None:
         say("the way of the guess leads to another assembly mode than the goal's: looking for a passage")
@@ -118,7 +128,24 @@ def solve(
     if found.guess.parted and warm is None and not trajectory.ok:
         trajectory = _refused(trajectory)
     say(trajectory.status)
+    if search is not None:
+        trajectory = replace(trajectory, search=search, notes=(*trajectory.notes, str(search)))
     return replace(trajectory, statistics=_whole(trajectory.statistics, _clock() - began))
+
+
+def attempts(problem: TrajectoryProblem, guesses: Sequence[Values | None]) -> list[Attempt]:
+    """What comes of guesses on the first mesh, with the equations derived once."""
+    found: list[Attempt] = []
+    usual = prepare(problem)
+    for values in guesses:
+        if values is None:
+            made = solve(problem, prepared=usual)
+        else:
+            model = PointModel(replace(problem, guess=values), usual.model.equations, usual.guess.scales)
+            guess = first_guess(model)
+            made = solve(model.problem, prepared=Prepared(model.problem, model, guess))
+        found.append(Attempt(values, made.ok, made.cost, made.status))
+    return found
 
 
 def _accurate(
@@ -134,8 +161,20 @@ def _accurate(
     model = PointModel(problem, found.model.equations, found.guess.scales)
     say(f"model: {model.d} independent coordinates {', '.join(model.equations.labels)}")
     trajectory = _once(model, found.guess, warm=warm, say=say, began=began, until=until)
+    part = 0.0
+    if warm is None and can_break_ties(trajectory) and time.perf_counter() < until:
+
+        def once(posed: TrajectoryProblem, near: Trajectory | None) -> Trajectory:
+            other = PointModel(posed, model.equations, model.scales)
+            return _once(other, found.guess, warm=near, say=say, began=_clock(), until=until)
+
+        say("not solved as it is: effort is added, and taken away again")
+        trajectory, part = continued(trajectory, once) or (trajectory, 0.0)
     if problem.accuracy and trajectory.ok and not trajectory.followed.trouble:
         trajectory = _refined(trajectory, found.guess, problem.accuracy, say, until=until)
+    if part:
+        mesh = replace(problem, transcription=trajectory.problem.transcription)
+        trajectory = without_effort(trajectory, problem, transcribe(PointModel(mesh, model.equations, model.scales)))
     return trajectory
 
 

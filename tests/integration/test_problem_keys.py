@@ -16,6 +16,7 @@ from symscrew.cli.parser import main
 from symscrew.errors import DescriptionError
 from symscrew.optimisation import problem_keys
 from symscrew.optimisation.contradictions import READ, check_problem
+from symscrew.optimisation.many_starts import random_guesses
 from symscrew.optimisation.problem import OBJECTIVES, Bounds, Conditions, Objective, Solver, TrajectoryProblem
 from symscrew.optimisation.problem_file import KEYS, load_problem
 from symscrew.optimisation.solution import prepare, transcribe
@@ -98,6 +99,7 @@ def fingerprint(folder: Path, given: str) -> list[object]:
         at = random.uniform(0.5, 1.5, f.arguments.numel())
         parts += [[r.label for r in f.rows], [(r.lower, r.upper) for r in f.rows], family.tau, family.weights]
         parts += [np.array(v) for v in values(at)]
+    parts += [str(random_guesses(problem, made.model, made.guess))]
     return [*parts, problem.accuracy, problem.violation, problem.solver, problem.name]
 
 
