@@ -34,6 +34,7 @@ absolute axes, screws at the origin O.
     load_scene("fall.toml")           -> Scene: mechanism, effects, start, drives, integrator
     simulate(scene)                   -> Run: .t, .q, .v, energies, closure error; .ok, .status
     optimise(problem)                 -> Trajectory: of a problem from `symscrew.optimisation.load_problem`
+    optimisation_problem(problem)     built once, solved often: .solve(start=..., goal=..., warm=...) -> Trajectory
     __version__                       of the package
 
 The map: rooms in the order of the flow. A file imports only from rooms above its own, through their doors (what
@@ -41,6 +42,7 @@ their `__init__` names); `tests/unit/test_structure.py` reads the order from her
 
     errors          what input can do wrong, in one sentence
     doors           rooms whose parts are imported when somebody asks for them
+    garbage         times at which nobody searches for unused objects
     workers         processes that end with the one that started them
     whole_files     files and folders that are there whole or not at all
     array_archives  archives of arrays by anybody, read within bounds
@@ -100,6 +102,7 @@ if TYPE_CHECKING:
     from symscrew.mobility import analyse_mobility as analyse_mobility
     from symscrew.model import Model as Model
     from symscrew.model import derive as derive
+    from symscrew.optimisation import optimisation_problem as optimisation_problem
     from symscrew.optimisation import solve as optimise
     from symscrew.runtime import load as load
     from symscrew.scene import load_scene as load_scene
@@ -128,6 +131,7 @@ __all__ = [
     "load_catalogue",
     "load_description",
     "load_scene",
+    "optimisation_problem",
     "optimise",
     "simulate",
     "view",

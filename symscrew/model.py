@@ -7,9 +7,7 @@ mechanism --System--> tape, tree, frames, closure
 
 from __future__ import annotations
 
-import gc
-from collections.abc import Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -38,9 +36,11 @@ from symscrew.functions import (
     moves_mass,
     platform_functions,
     regressor_functions,
+    second_order_functions,
     second_paths,
     untried_notes,
 )
+from symscrew.garbage import nothing_to_collect
 from symscrew.kinematics import System
 from symscrew.loops import hub_links, operation_mode
 from symscrew.program import (
@@ -101,21 +101,6 @@ class Model:
         return evaluate(program, arguments)
 
 
-@contextmanager
-def nothing_to_collect() -> Iterator[None]:
-    """No search for unused cycles: nodes belong to their tape, and what is printed is text.
-
-    Searching takes a fifth of the time of deriving, and a fifth of that of printing.
-    """
-    searching = gc.isenabled()
-    gc.disable()
-    try:
-        yield
-    finally:
-        if searching:
-            gc.enable()
-
-
 @nothing_to_collect()
 def derive(
     mechanism: Mechanism,
@@ -124,6 +109,7 @@ def derive(
     independent: Sequence[str] | None = None,
     length: Any = None,
     derivatives: bool = False,
+    second_derivatives: bool = False,
     regressor: bool = False,
     one_mode: bool = False,
     checked: bool = False,
@@ -134,6 +120,7 @@ def derive(
     hangs on one joint, else the drives). `length` [m] is the characteristic length by which norms of mixed
     quantities divide lengths: a number or text with an expression of the parameters, in place of the description's.
     `derivatives` adds the derivatives of the dynamic functions, the larger part of the code where it is given,
+    `second_derivatives` products with the Hessians of drives, accelerations, closure and margins, and these Hessians,
     `regressor` the regressors of the inertial parameters. `one_mode`: functions of closed loops for the operation
     mode of the reference configuration only, where coordinates that follow from others are not read; they fail
     elsewhere (see `symscrew.loops.modes`). `checked` adds `<function>_checked`, which look whether q, v and a are of
@@ -146,13 +133,14 @@ def derive(
         mechanism = replace(mechanism, characteristic_length=read)
     known = tuple(effects)
     plain = _where_they_save(mechanism, known, independent) if any(effect.undone() for effect in known) else None
-    if plain and not (derivatives or regressor or one_mode or checked):
+    if plain and not (derivatives or second_derivatives or regressor or one_mode or checked):
         return plain
     return _derived(
         mechanism,
         plain.effects if plain else known,
         independent=independent,
         derivatives=derivatives,
+        second_derivatives=second_derivatives,
         regressor=regressor,
         one_mode=one_mode,
         checked=checked,
@@ -177,6 +165,7 @@ def _derived(
     *,
     independent: Sequence[str] | None,
     derivatives: bool = False,
+    second_derivatives: bool = False,
     regressor: bool = False,
     one_mode: bool = False,
     checked: bool = False,
@@ -203,6 +192,8 @@ def _derived(
         functions += regressor_functions(system, effects, loops)
     if derivatives:
         functions += derivative_functions(system, effects, loops, functions)
+    if second_derivatives:
+        functions += second_order_functions(system, loops, [*functions, *margin_functions(system)])
     if checked:
         functions += checked_functions(system, functions)
     if one_mode:

@@ -2,19 +2,33 @@
 
 from __future__ import annotations
 
-import multiprocessing
 import os
+import pickle
+import signal
 import threading
-from concurrent.futures import ProcessPoolExecutor
+import warnings
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, BinaryIO, TypeVar
+
+if TYPE_CHECKING:
+    from concurrent.futures import ProcessPoolExecutor
+
+Result = TypeVar("Result")
 
 
 def pool(count: int, method: str) -> ProcessPoolExecutor:
     """A pool of so many processes, started by "fork" or "spawn", none of which outlives this one."""
+    import multiprocessing  # as long to import as a fifth of this package, for nothing where no pool is asked for
+    from concurrent.futures import ProcessPoolExecutor
+
     return ProcessPoolExecutor(count, multiprocessing.get_context(method), initializer=_end_with_parent)
 
 
 def _end_with_parent() -> None:
     """Watch the parent from a thread of its own: a process that is killed cannot tell its workers to end."""
+    import multiprocessing
+
     parent = multiprocessing.parent_process()
     if parent is None:  # run in the process itself
         return
@@ -24,3 +38,63 @@ def _end_with_parent() -> None:
         os._exit(1)
 
     threading.Thread(target=watch, name="symscrew parent", daemon=True).start()
+
+
+@contextmanager
+def beside(work: Callable[[], Result]) -> Iterator[Callable[[], Result]]:
+    """Have something done by a copy of this process, while this one does something else.
+
+    What is given waits for the result, which must be something that `pickle` takes. Where processes have no copies,
+    or this one's did not get to its end, the work is done here when it is asked for.
+    """
+    found = _copied(work)
+    if found is None:
+        yield work
+        return
+    process, source = found
+    ended = False
+
+    def result() -> Result:
+        nonlocal ended
+        data = source.read()
+        ended, status = True, os.waitpid(process, 0)[1]
+        made: Result = pickle.loads(data) if status == 0 else work()  # the bytes are our own
+        return made
+
+    try:
+        with source:
+            yield result
+    finally:
+        if not ended:
+            os.kill(process, signal.SIGKILL)
+            os.waitpid(process, 0)
+
+
+def _copied(work: Callable[[], object]) -> tuple[int, BinaryIO] | None:
+    """A copy of this process that does some work and ends, and where its result is to be read; None without copies."""
+    if not hasattr(os, "fork"):
+        return None
+    reading, writing = os.pipe()
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", DeprecationWarning)  # of threads: those of NumPy's BLAS, which expects it
+            process = os.fork()
+    except OSError:  # no room for a further process
+        os.close(reading)
+        os.close(writing)
+        return None
+    if process == 0:
+        _send(work, writing)
+    os.close(writing)
+    return process, open(reading, "rb")
+
+
+def _send(work: Callable[[], object], place: int) -> None:
+    """Do the work, write its result and end, without anything else that a process does at its end."""
+    status = 1
+    try:
+        with open(place, "wb") as target:
+            target.write(pickle.dumps(work(), protocol=pickle.HIGHEST_PROTOCOL))
+        status = 0
+    finally:
+        os._exit(status)

@@ -85,6 +85,7 @@ from symscrew.algebra.screws import (
 )
 from symscrew.algebra.sympy_form import sympy_expression
 from symscrew.algebra.traversal import (
+    LEAVES,
     cost,
     count_operations,
     evaluation_order,
@@ -99,6 +100,7 @@ __all__ = [
     "ARITHMETIC",
     "CONTEXT",
     "IDENTITY",
+    "LEAVES",
     "NEGLIGIBLE",
     "QUANTITIES",
     "SAFE",

@@ -18,6 +18,8 @@ EXACT = mpmath.ctx_mp.MPContext()
 EXACT.dps = 400  # reduces the largest double, 1.8e308, by multiples of pi to 90 digits
 # The parts of pi/2 below are exact in their products up to 2^20 quarter turns; larger angles are reduced in many digits
 LARGEST = 2.0**19
+# Arrays up to this size are faster number by number: one costs 3 us, the array operations 37 us whatever its size
+FEW = 8
 # pi/2 in four parts of 33 bits each but the last
 HALF_PI = (1.57079632673412561417, 6.07710050630396597660e-11, 2.02226624871116645580e-21, 8.47842766036889956997e-32)
 TURNS = 2.0 / np.pi  # quarter turns of a radian
@@ -122,6 +124,8 @@ def _circular(x: Any, shift: int, name: str) -> Any:
         return np.float64(-value if (turns + shift) % 4 >= 2 else value)
     x = np.asarray(x, dtype=float)[()]
     large = np.abs(x) > LARGEST
+    if 0 < np.size(x) <= FEW and np.ndim(x) and np.isfinite(x).all() and not large.any():
+        return np.array([_circular(value, shift, name) for value in x.ravel().tolist()]).reshape(x.shape)
     if np.any(large & np.isfinite(x)):
         exact = np.frompyfunc(lambda value: float(getattr(EXACT, name)(float(value))), 1, 1)
         chosen = np.where(np.isfinite(x), x, 0.0)

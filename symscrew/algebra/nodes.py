@@ -117,6 +117,7 @@ class Tape:
 
     def __init__(self) -> None:
         self.nodes: list[Node] = []
+        self.constants: dict[Node, float] = {}  # those that are not negative, in the order of the tape, as doubles
         self._known: dict[tuple[Any, ...], Node] = {}
         # by the indices of two nodes: nine in ten that a derivation asks for are there already
         self.sums: dict[tuple[int, int], Node] = {}
@@ -124,6 +125,7 @@ class Tape:
         self._folded: dict[tuple[str, int, int], Node] = {}
         self._samples: dict[int, np.ndarray] = {}
         self.magnitudes: dict[tuple[int, float], tuple[float, float]] = {}  # at the samples, by node and unit scale
+        self.counted: tuple[tuple[Node, ...], Mapping[int, int]] | None = None  # see `uses`: what was counted last
         self._parameter_values: list[dict[int, Any]] = []
         self._settled: dict[int, Node] = {}
         self.symbols: dict[str, Node] = {}
@@ -171,7 +173,12 @@ class Tape:
             found = Node(self, len(self.nodes), "const", (exact,), value=number)
             self._known[key] = found
             self.nodes.append(found)
+            self.constants[found] = float(number)
         return found
+
+    def double(self, constant: Node) -> float:
+        """The value of a constant in double precision."""
+        return -self.constants[constant.args[0]] if constant.op == "neg" else self.constants[constant]
 
     def neg(self, x: Node) -> Node:
         """-x."""
@@ -340,7 +347,7 @@ class Tape:
             if current.index in known:
                 stack.pop()
             elif current.value is not None:
-                known[current.index] = np.asarray(float(current.value))
+                known[current.index] = np.asarray(self.double(current))
             elif current.op == "symbol":
                 raise KeyError(f"input {current.args[0].name} has no sample values yet")
             else:

@@ -11,6 +11,7 @@ from symscrew.algebra.naming import handed_on
 from symscrew.algebra.nodes import Node, Tape
 
 TURNS = frozenset(("sin", "cos"))
+LEAVES = frozenset(("symbol", "const"))  # nodes that read no others
 # Operations that a machine does while a division waits for another one: a division or root takes 13 to 20 cycles, and
 # about every second one finds something else to do. With 0, `cost` would prefer few operations in one long chain.
 WAIT = 8
@@ -84,11 +85,19 @@ def cost(results: Sequence[Node]) -> int:
             angles.add(read[0])
 
 
-def uses(roots: Sequence[Node]) -> dict[int, int]:
-    """How often each node that the roots need, by index, is an operand or a root."""
+def uses(roots: Sequence[Node]) -> Mapping[int, int]:
+    """How often each node that the roots need, by index, is an operand or a root; in the order of the tape.
+
+    The tape keeps the last answer: passes that change nothing hand on the same roots.
+    """
+    if not roots:
+        return {}
+    tape, asked = roots[0].tape, tuple(roots)
+    if tape.counted is not None and tape.counted[0] == asked:
+        return tape.counted[1]
     found: dict[int, int] = {}
     stack: list[Node] = []
-    read: Sequence[Node] = roots
+    read: Sequence[Node] = asked
     while True:
         for node in read:
             index = node.index
@@ -96,10 +105,11 @@ def uses(roots: Sequence[Node]) -> dict[int, int]:
                 found[index] += 1
             else:
                 found[index] = 1
-                if node.op not in ("symbol", "const"):
+                if node.op not in LEAVES:
                     stack.append(node)
         if not stack:
-            return found
+            tape.counted = asked, dict(sorted(found.items()))
+            return tape.counted[1]
         read = stack.pop().args
 
 

@@ -16,6 +16,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
     """Options of `symscrew convert`."""
     add_mechanism(command)
     command.add_argument("--out", metavar="FILE", required=True, help="a new file: .toml, .urdf, .xml or .mjcf (MJCF)")
+    command.add_argument("--replace", action="store_true", help="write over a file that exists; its comments are lost")
 
 
 def run(options: argparse.Namespace) -> int:
@@ -26,6 +27,8 @@ def run(options: argparse.Namespace) -> int:
     path = Path(options.out)
     if path.suffix not in WRITERS:
         raise UsageError(f"--out: expected a name that ends in {', '.join(WRITERS)}, got {options.out!r}")
+    if path.exists() and not options.replace:
+        raise UsageError(f"--out: {path} exists and is left as it is; choose another name, or say --replace")
     mechanism = catalogue.find(options.mechanism)
     writable_folder(str(path.parent))
     save_as(mechanism, path)

@@ -6,10 +6,12 @@ mechanism, effects --derive--> model --only the chosen functions--> generate -->
 from __future__ import annotations
 
 import argparse
+import os
 from typing import TYPE_CHECKING
 
 from symscrew.cli.help import DONE, UsageError
 from symscrew.cli.shared_options import add_effects, add_independent, add_mechanism, chosen_effects
+from symscrew.garbage import nothing_to_collect
 from symscrew.generation import TARGETS, USUAL, printable, with_brought
 
 if TYPE_CHECKING:
@@ -47,6 +49,8 @@ def add_options(command: argparse.ArgumentParser) -> None:
     add_independent(command)
     command.add_argument("--length", metavar="METRES", help="characteristic length for norms of mixed quantities")
     command.add_argument("--derivatives", action="store_true", help="also derivatives and the linearisation")
+    text = "also Hessians of drives, accelerations, closure and margins, and their products with a direction"
+    command.add_argument("--second-derivatives", action="store_true", help=text)
     command.add_argument("--regressor", action="store_true", help="also regressors of the inertial parameters")
     text = "code for the operation mode of the reference configuration only, where coordinates may follow from others"
     command.add_argument("--one-mode", action="store_true", help=text)
@@ -69,6 +73,7 @@ def profiled(options: argparse.Namespace) -> argparse.Namespace:
     return chosen
 
 
+@nothing_to_collect()  # of modules that are imported here neither
 def run(options: argparse.Namespace) -> int:
     """Read, derive, measure, write, print."""
     from symscrew.display import Progress, print_table
@@ -89,7 +94,7 @@ def run(options: argparse.Namespace) -> int:
     with progress.step(f"write {', '.join(targets)} to {options.out}"):
         files = generate(
             model, options.out, targets, precision=options.precision, measured=measured,
-            hashes_only=options.hashes_only, form=form,
+            hashes_only=options.hashes_only, form=form, processes=os.cpu_count() or 1,
         )  # fmt: skip
     print(f"{model.name}: {len(model.programs)} functions, {len(files)} files in {options.out}")
     rows = [[name, str(p.operations["total"])] for name, p in model.programs.items()]
@@ -127,6 +132,7 @@ def _derived(options: argparse.Namespace, progress: Progress) -> Model:
             independent=options.independent,
             length=options.length,
             derivatives=options.derivatives,
+            second_derivatives=options.second_derivatives,
             regressor=options.regressor,
             one_mode=options.one_mode,
             checked=options.checked,

@@ -43,8 +43,9 @@ def add_options(command: argparse.ArgumentParser) -> None:
         help="also what holds along the motion, and the singular poses on the coordinate lines (seconds)",
     )  # fmt: skip
     command.add_argument(
-        "--components", action="store_true", help="also the components of the configuration space of a four-bar loop"
-    )
+        "--components", action="store_true",
+        help="also the operation modes: components of the configuration space (exact, by Singular where installed)",
+    )  # fmt: skip
     command.add_argument("--expect", type=int, metavar="N", help="exit 1 unless the finite mobility is N, verified")
     command.add_argument("--json", action="store_true", help="as JSON")
     command.add_argument("--out", metavar="FILE", help="write the report: .md, .html or .tex")
@@ -58,9 +59,6 @@ def run(options: argparse.Namespace) -> int:
     from symscrew import catalogue
     from symscrew.mobility import (
         analyse_mobility,
-        component_lines,
-        component_values,
-        components_of,
         mobility_latex,
         mobility_markdown,
         mobility_page,
@@ -83,7 +81,7 @@ def run(options: argparse.Namespace) -> int:
         if options.along:
             values["along"] = _along_values(found)
         if options.components:
-            values["components"] = component_values(components_of(found.mechanism, found.network))
+            values["components"] = _components(found)[1]
         print(json.dumps(values, indent=1))
     else:
         print(found.report().splitlines()[0])  # the rest of it follows in more words
@@ -91,8 +89,7 @@ def run(options: argparse.Namespace) -> int:
         if options.along:
             print("\n    ".join(["Along the motion", *_along_lines(found)]))
         if options.components:
-            lines = component_lines(components_of(found.mechanism, found.network))
-            print("\n    ".join(["Components of the configuration space", *lines]))
+            print("\n    ".join(["Components of the configuration space", *_components(found)[0]]))
         print(verdict)
     if writer is not None:
         _write(Path(options.out), writer(found))
@@ -100,6 +97,26 @@ def run(options: argparse.Namespace) -> int:
         return FAILED
     unexpected = options.expect is not None and found.finite.dof != options.expect
     return FAILED if failed or unexpected else DONE
+
+
+def _components(found: Mobility) -> tuple[list[str], dict[str, Any]]:
+    """The components in words and as JSON values; four-bars have a way of their own, which needs no program."""
+    from symscrew.mobility import (
+        component_lines,
+        component_values,
+        components_of,
+        configuration_space,
+        space_lines,
+        space_values,
+    )
+
+    curves = components_of(found.mechanism, found.network)
+    if not isinstance(curves, str):
+        return component_lines(curves), component_values(curves)
+    space = configuration_space(found.mechanism, found.network)
+    if isinstance(space, str):
+        return [space], {"decided": False, "why": space}
+    return space_lines(space), space_values(space)
 
 
 def _along_lines(found: Mobility) -> list[str]:

@@ -24,6 +24,7 @@ from symscrew.description.mechanism import Body, Limb, Mechanism, Parameter
 from symscrew.description.names import check_mechanism_name, check_name, check_text
 from symscrew.description.number_range import check_range
 from symscrew.description.reader import Reader
+from symscrew.description.units import in_si
 from symscrew.description.validation import validate
 from symscrew.errors import DescriptionError, shorten
 
@@ -64,21 +65,25 @@ class MechanismBuilder:
     def parameter(
         self, name: str, value: Any, unit: str = "1", *, description: str = "", run_time: bool = False
     ) -> MechanismBuilder:
-        """Add a parameter; its value may refer to other parameters that are not run-time inputs.
+        """Add a parameter; its value may refer to other parameters, whose changes it follows.
 
-        A `run_time` parameter is an input of every generated function, any other is baked into the code.
+        A `run_time` parameter is an input of every generated function, any other is baked into the code: as a number,
+        or as a formula where it follows a run-time parameter. A number in another unit than SI's is converted, 500 in
+        "mm" to 0.5 in "m"; a formula of other parameters is in SI units already.
 
         Raises:
-            DescriptionError: a name that is taken or cannot be one, a unit or text that is too long.
+            DescriptionError: a name that is taken or cannot be one, a unit that is not known, a text that is too long.
         """
         where = f"parameters.{check_name(name, 'parameters')}"
         if name in FUNCTIONS or name in CONSTANTS:
             raise DescriptionError(f"{where}: {name!r} is a function or constant of expressions; use another name")
         if not isinstance(run_time, bool):
             raise DescriptionError(f"{where}.run_time: expected true or false, got {shorten(run_time)}")
-        check_text(unit, f"{where}.unit", limit=40)
+        factor, si = in_si(check_text(unit, f"{where}.unit", limit=40), f"{where}.unit")
         check_text(description, f"{where}.description")
-        self._add(self._parameters, "parameters", name, value=value, unit=unit, description=description)
+        if factor != 1:
+            value = factor * _number_in(unit, value, f"{where}.value")
+        self._add(self._parameters, "parameters", name, value=value, unit=si, description=description)
         self._parameters[name]["run_time"] = run_time
         return self
 
@@ -171,6 +176,9 @@ class MechanismBuilder:
             DescriptionError: names the first part that is wrong, with the cure.
         """
         reader = Reader(_resolve(self._parameters))
+        for name, raw in self._parameters.items():
+            parameter = reader.parameters[name]
+            reader.wrote(parameter.value if parameter.formula is None else parameter.formula, raw["value"])
         features = {name: reader.feature(name, raw) for name, raw in self._joints.items()}
         bodies = {self._ground: Body(self._ground)}
         bodies |= {name: reader.body(name, raw) for name, raw in self._bodies.items()}
@@ -186,6 +194,7 @@ class MechanismBuilder:
             description=self._description,
             source=self._source,
             characteristic_length=reader.characteristic_length(self._characteristic_length),
+            written=reader.written,
         )
         warnings = validate(mechanism, {name: f for name, f in features.items() if f is not None})
         return dataclasses.replace(mechanism, warnings=warnings)
@@ -196,6 +205,14 @@ class MechanismBuilder:
         if name in parts:
             raise DescriptionError(f"{section}.{name}: this name is given twice; names of {section} must differ")
         parts[name] = values
+
+
+def _number_in(unit: str, value: Any, where: str) -> sympy.Expr:
+    """A number that is to be converted: no formula of other parameters, which have units already."""
+    try:
+        return exact(value, where=where)
+    except DescriptionError as error:
+        raise DescriptionError(f"{error}; of a value in {unit!r} only a number is converted to SI units") from error
 
 
 def _resolve(raw: Mapping[str, dict[str, Any]]) -> dict[str, Parameter]:
@@ -215,19 +232,17 @@ def _resolve(raw: Mapping[str, dict[str, Any]]) -> dict[str, Parameter]:
             )
         for name in ready:
             where = f"parameters.{name}.value"
-            for symbol in sorted(map(str, defined[name].free_symbols)):
-                if raw[symbol]["run_time"]:
-                    raise DescriptionError(
-                        f"{where}: depends on the run-time parameter {symbol!r}, whose changes it would not "
-                        "follow; write the expression where it is used, or bake the parameter in"
-                    )
             # Read again with the values put in: the limits on size must hold for the number as well.
             values[name] = exact(raw[name]["value"], values, where=where)
             check_range(values[name], where)
             if node_count(values[name]) > MAX_NODES // 10:
                 raise DescriptionError(f"{where}: the value has too many terms once its parameters are put in")
         waiting = [name for name in waiting if name not in values]
-    return {name: Parameter(name, **{**part, "value": values[name]}) for name, part in raw.items()}
+    formulas = {name: value if value.free_symbols else None for name, value in defined.items()}
+    return {
+        name: Parameter(name, **{**part, "value": values[name], "formula": formulas[name]})
+        for name, part in raw.items()
+    }
 
 
 def _cycle(defined: Mapping[str, sympy.Expr], waiting: Sequence[str]) -> list[str]:

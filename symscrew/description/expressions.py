@@ -118,6 +118,7 @@ def exact(value: object, names: Mapping[str, sympy.Expr] | None = None, *, where
     )
 
 
+@lru_cache(maxsize=4096)  # as many as `_fifty_digits`
 def to_text(expression: sympy.Expr) -> str:
     """`expression` in the grammar of `parse`; the inverse of `parse` for everything it returns.
 

@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 
 import sympy
 
@@ -25,8 +26,9 @@ Matrix3 = tuple[Vector, Vector, Vector]
 class Parameter:
     """A named quantity of the description.
 
-    `value` is an exact number (after resolving the parameters it refers to). A run-time parameter is an
-    input of every generated function; any other is baked into the code.
+    `value` is an exact number; `formula` is what it was given as where it refers to other parameters, in their
+    symbols. A run-time parameter is an input of every generated function; any other is baked into the code, as its
+    value or, where its formula follows a run-time parameter, as that formula.
     """
 
     name: str
@@ -34,6 +36,7 @@ class Parameter:
     unit: str = "1"
     description: str = ""
     run_time: bool = False
+    formula: sympy.Expr | None = None
 
     @property
     def symbol(self) -> sympy.Symbol:
@@ -101,7 +104,7 @@ class Mechanism:
     """A validated mechanism. Mappings keep the order of the description.
 
     `characteristic_length` [m] is what norms of mixed quantities divide lengths by; None for the default
-    (`System.length`).
+    (`System.length`). `written` are the texts that expressions were given as, for those who write them again.
     """
 
     name: str
@@ -116,17 +119,47 @@ class Mechanism:
     source: str = ""
     characteristic_length: sympy.Expr | None = None
     warnings: tuple[str, ...] = ()
+    written: Mapping[sympy.Expr, str] = field(default_factory=dict, compare=False, repr=False)
 
     def __repr__(self) -> str:
         counts = f"{len(self.bodies)} bodies with the ground, {len(self.joints)} joints"
         return f"Mechanism({self.name!r}: {counts}, {sum(j.kind.freedom for j in self.joints.values())} joint freedoms)"
 
     def baked(self, expression: sympy.Expr) -> sympy.Expr:
-        """`expression` with every parameter that is not a run-time input replaced by its value."""
-        values = {p.symbol: p.value for p in self.parameters.values() if not p.run_time}
-        return expression.xreplace(values) if values else expression
+        """`expression` in run-time parameters alone: others are replaced by value, or by formula if they follow one."""
+        return expression.xreplace(self._baked) if self._baked else expression
 
     def number(self, expression: sympy.Expr) -> sympy.Expr:
         """`expression` with every parameter replaced by its value: an exact number."""
-        values = {p.symbol: p.value for p in self.parameters.values()}
-        return expression.xreplace(values) if values else expression
+        return expression.xreplace(self._numbers) if self._numbers else expression
+
+    def values(self, chosen: Mapping[str, sympy.Expr] | None = None) -> dict[str, sympy.Expr]:
+        """The value of every parameter by name, where run-time parameters have the `chosen` ones and others follow."""
+        given = {p.symbol: (chosen or {}).get(p.name, p.value) for p in self.parameters.values() if p.run_time}
+        return {p.name: given.get(p.symbol, self.baked(p.symbol)).xreplace(given) for p in self.parameters.values()}
+
+    @cached_property
+    def _numbers(self) -> dict[sympy.Symbol, sympy.Expr]:
+        return {p.symbol: p.value for p in self.parameters.values()}
+
+    @cached_property
+    def _baked(self) -> dict[sympy.Symbol, sympy.Expr]:
+        return baked_values(self.parameters)
+
+
+def baked_values(parameters: Mapping[str, Parameter]) -> dict[sympy.Symbol, sympy.Expr]:
+    """What stands in the code for every parameter that is no run-time input: its value, or its formula in those."""
+    known: dict[sympy.Symbol, sympy.Expr] = {}
+
+    def found(parameter: Parameter) -> sympy.Expr:
+        if parameter.run_time:
+            return parameter.symbol
+        if parameter.symbol not in known:
+            formula = parameter.value if parameter.formula is None else parameter.formula
+            formula = formula.xreplace({s: found(parameters[str(s)]) for s in formula.free_symbols})
+            known[parameter.symbol] = formula if formula.free_symbols else parameter.value
+        return known[parameter.symbol]
+
+    for parameter in parameters.values():
+        found(parameter)
+    return known

@@ -10,7 +10,7 @@ import sympy
 from symscrew.description.expressions import exact, numeric
 from symscrew.description.joints import JOINT_TYPES, JointType
 from symscrew.description.limb_letters import Between
-from symscrew.description.mechanism import Body, Joint, Matrix3, Parameter, Point, Vector
+from symscrew.description.mechanism import Body, Joint, Matrix3, Parameter, Point, Vector, baked_values
 from symscrew.description.names import check_name
 from symscrew.description.number_range import check_range
 from symscrew.description.validation import Feature, check_axes_triad
@@ -26,6 +26,7 @@ class Reader:
         self.symbols = {name: p.symbol for name, p in parameters.items()}
         self.values = {name: p.value for name, p in parameters.items()}
         self._read: dict[str, sympy.Expr] = {}  # a description repeats its expressions: limbs are equal
+        self.written: dict[sympy.Expr, str] = {}
 
     def number(self, value: Any, where: str) -> sympy.Expr:
         """One number, finite and real at the parameters' values, and of a size that code can hold."""
@@ -38,7 +39,13 @@ class Reader:
             check_range(expression, where)
         if isinstance(value, str):
             self._read[value] = expression
+        self.wrote(expression, value)
         return expression
+
+    def wrote(self, expression: sympy.Expr, value: Any) -> None:
+        """Keep the text that an expression was given as: the first, and none of SymPy's own."""
+        if not isinstance(value, sympy.Basic):
+            self.written.setdefault(expression, str(value).strip())
 
     def characteristic_length(self, value: Any) -> sympy.Expr | None:
         """The mechanism's characteristic length [m]: positive, the same for all values of run-time parameters."""
@@ -46,7 +53,7 @@ class Reader:
             return None
         where = "mechanism.characteristic_length"
         length = self.number(value, where)
-        changing = sorted(n for n, p in self.parameters.items() if p.run_time and p.symbol in length.free_symbols)
+        changing = sorted(map(str, length.xreplace(baked_values(self.parameters)).free_symbols))
         if changing:
             raise DescriptionError(
                 f"{where}: depends on the run-time parameter {changing[0]!r}, but scales must not change while the "

@@ -17,7 +17,7 @@ from __future__ import annotations
 import re
 import tomllib
 from collections.abc import Mapping, Sequence
-from decimal import Decimal
+from decimal import Decimal, Inexact, localcontext
 from pathlib import Path
 from typing import Any
 
@@ -56,6 +56,11 @@ REQUIRED: dict[str, tuple[str, ...]] = {
     "points": ("body", "at"),
     "limbs": (),
 }
+
+Texts = Mapping[sympy.Expr, str]
+
+_PLAIN = re.compile(r"[+-]?(?:0|[1-9]\d{0,17})(?:\.\d{1,17})?(?:[eE][+-]?\d{1,3})?")
+"""Numbers that TOML has itself, and few enough digits that whoever reads doubles loses none that counts."""
 
 _STRUCTURE = re.compile(
     r'"""(?:[^"\\]|\\.|"(?!""))*"{3,5}' + r"|'''(?:[^']|'(?!''))*'{3,5}"
@@ -173,24 +178,25 @@ def _check_keys(section: str, where: str, values: Mapping[str, Any]) -> None:
 
 
 def to_toml(mechanism: Mechanism) -> str:
-    """TOML text that describes `mechanism` exactly: `loads(dumps(m)) == m`."""
+    """TOML text that describes `mechanism` exactly, numbers as they were given: `loads(dumps(m)) == m`."""
+    written = mechanism.written
     head = {"name": mechanism.name, "ground": mechanism.ground}
     for key in ("platform", "description", "source"):
         if getattr(mechanism, key):
             head[key] = getattr(mechanism, key)
     entries = {key: _quote(value) for key, value in head.items()}
     if mechanism.characteristic_length is not None:
-        entries["characteristic_length"] = _number(mechanism.characteristic_length)
+        entries["characteristic_length"] = _number(mechanism.characteristic_length, written)
     blocks = [_block("mechanism", entries)]
-    blocks += [_block(f"parameters.{p.name}", _parameter(p)) for p in mechanism.parameters.values()]
+    blocks += [_block(f"parameters.{p.name}", _parameter(p, written)) for p in mechanism.parameters.values()]
     blocks += [
-        _block(f"bodies.{body.name}", _body(body))
+        _block(f"bodies.{body.name}", _body(body, written))
         for body in mechanism.bodies.values()
         if body != Body(mechanism.ground)
     ]
-    blocks += [_block(f"joints.{joint.name}", _joint(joint)) for joint in mechanism.joints.values()]
+    blocks += [_block(f"joints.{joint.name}", _joint(joint, written)) for joint in mechanism.joints.values()]
     blocks += [
-        _block(f"points.{point.name}", {"body": _quote(point.body), "at": _vector(point.at)})
+        _block(f"points.{point.name}", {"body": _quote(point.body), "at": _vector(point.at, written)})
         for point in mechanism.points.values()
     ]
     blocks += [
@@ -204,8 +210,9 @@ def _block(header: str, entries: Mapping[str, str]) -> str:
     return f"[{header}]\n" + "".join(f"{key} = {value}\n" for key, value in entries.items())
 
 
-def _parameter(parameter: Parameter) -> dict[str, str]:
-    entries = {"value": _number(parameter.value), "unit": _quote(parameter.unit)}
+def _parameter(parameter: Parameter, written: Texts) -> dict[str, str]:
+    value = parameter.value if parameter.formula is None else parameter.formula
+    entries = {"value": _number(value, written), "unit": _quote(parameter.unit)}
     if parameter.description:
         entries["description"] = _quote(parameter.description)
     if parameter.run_time:
@@ -213,38 +220,48 @@ def _parameter(parameter: Parameter) -> dict[str, str]:
     return entries
 
 
-def _body(body: Body) -> dict[str, str]:
+def _body(body: Body, written: Texts) -> dict[str, str]:
     entries = {}
     if body.mass is not None:
-        entries["mass"] = _number(body.mass)
+        entries["mass"] = _number(body.mass, written)
     if body.com is not None:
-        entries["com"] = _vector(body.com)
+        entries["com"] = _vector(body.com, written)
     if body.inertia is not None:
-        entries["inertia"] = "[" + ", ".join(_vector(row) for row in body.inertia) + "]"
+        entries["inertia"] = "[" + ", ".join(_vector(row, written) for row in body.inertia) + "]"
     return entries
 
 
-def _joint(joint: Joint) -> dict[str, str]:
+def _joint(joint: Joint, written: Texts) -> dict[str, str]:
     entries = {key: _quote(getattr(joint, key)) for key in ("type", "parent", "child")}
-    entries["point"] = _vector(joint.point)
+    entries["point"] = _vector(joint.point, written)
     if joint.axes:
-        entries["axes"] = "[" + ", ".join(_vector(axis) for axis in joint.axes) + "]"
+        entries["axes"] = "[" + ", ".join(_vector(axis, written) for axis in joint.axes) + "]"
     if joint.pitch is not None:
-        entries["pitch"] = _number(joint.pitch)
+        entries["pitch"] = _number(joint.pitch, written)
     if joint.driven:
         entries["driven"] = str(list(joint.driven))
     if joint.reference:
-        entries["reference"] = "[" + ", ".join(_number(value) for value in joint.reference) + "]"
+        entries["reference"] = "[" + ", ".join(_number(value, written) for value in joint.reference) + "]"
     return entries
 
 
-def _number(value: sympy.Expr) -> str:
-    text = to_text(value)
-    return text if value.is_Integer and len(text) < 19 else f'"{text}"'
+def _number(value: sympy.Expr, written: Texts) -> str:
+    """As it was given, else exactly: 0.45 for 9/20, and an expression where there is no such decimal."""
+    text = written.get(value) or (_decimal(value) if value.is_Rational else "") or to_text(value)
+    if _PLAIN.fullmatch(text):
+        text = str(Decimal(text))  # which is how it is read: writing what was read changes nothing
+    return text if _PLAIN.fullmatch(text) else _quote(text)
 
 
-def _vector(vector: Vector) -> str:
-    return "[" + ", ".join(_number(entry) for entry in vector) + "]"
+def _decimal(value: sympy.Rational) -> str:
+    """The decimal that a fraction is exactly, or nothing."""
+    with localcontext(prec=17) as context:
+        found = Decimal(int(value.p)) / Decimal(int(value.q))
+        return "" if context.flags[Inexact] else str(found)
+
+
+def _vector(vector: Vector, written: Texts) -> str:
+    return "[" + ", ".join(_number(entry, written) for entry in vector) + "]"
 
 
 def _quote(text: str) -> str:

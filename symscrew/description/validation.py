@@ -30,6 +30,10 @@ NO_LENGTH = 1e-30
 PARALLEL_AXES = 1e-12
 """Sine of the angle between two axes of a joint below which they are one: the joint would have one freedom less."""
 
+SKEW_AXES = 1e-6
+"""Cosine of the angle between the axes of a universal joint above which they are called not perpendicular: axes that
+were written in six digits are."""
+
 CLOSURE_TOLERANCE = 1e-12
 """Accepted gap of a loop, relative to the mechanism's size, and accepted angle [rad]: places of 13 digits meet; what is
 further apart is a slip, whose gap every generated function would carry along."""
@@ -71,7 +75,7 @@ def validate(mechanism: Mechanism, features: Mapping[str, Feature] | None = None
         _check_closure(mechanism, mechanism.joints[name], feature, size)
     moments = {body.name: _check_inertia(mechanism, body) for body in mechanism.bodies.values()}
     extents = [_extent_warning(mechanism, name, largest) for name, largest in moments.items()]
-    return (*(warning for warning in extents if warning), *_far_warnings(mechanism))
+    return (*(warning for warning in extents if warning), *_far_warnings(mechanism), *_skew_warnings(mechanism))
 
 
 def mechanism_size(mechanism: Mechanism) -> float:
@@ -284,18 +288,35 @@ def _extent_warning(mechanism: Mechanism, name: str, largest: mpmath.mpf | None)
     )
 
 
+def _skew_warnings(mechanism: Mechanism) -> list[str]:
+    """Universal joints whose axes are not perpendicular: geometry that is computed as it is, and seldom meant."""
+    found = []
+    for joint in mechanism.joints.values():
+        if len(joint.axes) == 2:
+            product = _dot(*(_numbers(mechanism, axis, f"joints.{joint.name}.axes") for axis in joint.axes))
+            if abs(product) > SKEW_AXES:
+                angle = mpmath.nstr(_CONTEXT.degrees(_CONTEXT.acos(product)), 8)
+                found.append(
+                    f"joints.{joint.name}: the axes of this {joint.kind.name} joint are {angle} degrees apart, not 90"
+                )
+    return found
+
+
 def _far_warnings(mechanism: Mechanism) -> list[str]:
     """Centres of mass, joint points and named points that lie far from all (other) joint points and named points."""
     fixed = {f"joints.{j.name}: the joint point": j.point for j in mechanism.joints.values()}
     fixed |= {f"points.{p.name}: the point": p.at for p in mechanism.points.values()}
     centres = {f"bodies.{b.name}: the centre of mass": b.com for b in mechanism.bodies.values() if b.com is not None}
     places = {label: _numbers(mechanism, at, label) for label, at in (fixed | centres).items()}
+    distinct = {place for name, place in places.items() if name in fixed}
+    orders = [sorted(place[k] for place in distinct) for k in range(3)]
     found = []
     for label, place in places.items():
-        others = {other for name, other in places.items() if name in fixed and other != place}
-        if len(others) < (3 if label in fixed else 2):  # one or two places do not tell the size of a mechanism
+        own = place in distinct  # of the others the least and the greatest come next to its own
+        if len(distinct) - own < (3 if label in fixed else 2):  # one or two places do not tell the size of a mechanism
             continue
-        low, high = ([extreme(p[k] for p in others) for k in range(3)] for extreme in (min, max))
+        low = [order[own and order[0] == x] for order, x in zip(orders, place, strict=True)]
+        high = [order[-2 if own and order[-1] == x else -1] for order, x in zip(orders, place, strict=True)]
         extent = _length([b - a for a, b in zip(low, high, strict=True)])
         away = _length([max(a - x, x - b, 0) for a, x, b in zip(low, place, high, strict=True)])
         if away > FAR * extent:

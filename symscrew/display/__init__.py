@@ -6,6 +6,7 @@ from symscrew.doors import doors
 
 if TYPE_CHECKING:
     from symscrew.display.drawing import mechanism_figure
+    from symscrew.display.installed_parts import installation
     from symscrew.display.plots import (
         COLOURS,
         DASHES,
@@ -22,7 +23,7 @@ if TYPE_CHECKING:
         reaction_figure,
         save_figure,
     )
-    from symscrew.display.terminal import Progress, aligned_table, colours, installation, one_line, print_table
+    from symscrew.display.terminal import Progress, aligned_table, colours, one_line, print_table
     from symscrew.display.view import open_page, read_mechanism_and_motion, write_page
 
 __all__ = [

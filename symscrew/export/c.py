@@ -34,16 +34,23 @@ __all__ = [
 
 
 def print_c(
-    model: Model, *, precision: Precision = DOUBLE, batches: bool = True, lanes: bool = True, several: bool = False
+    model: Model,
+    *,
+    precision: Precision = DOUBLE,
+    batches: bool = True,
+    lanes: bool = True,
+    several: bool = False,
+    processes: int = 1,
 ) -> dict[str, str]:
     """File name to text: `<name>.h` and `<name>.c`, or `several` sources by families of functions (see `c_files`).
 
-    Without batch functions, or limbs side by side, if they are not needed.
+    Without batch functions, or limbs side by side, if they are not needed; `several` may be printed by two `processes`.
     """
     check_names(model)
     header = {f"{model.name}.h": print_header(model, precision=precision, batches=batches)}
     if several:
-        return header | print_sources(Pieces(model, precision, batches=batches, lanes=lanes and batches))
+        pieces = Pieces(model, precision, batches=batches, lanes=lanes and batches, processes=processes)
+        return header | print_sources(pieces)
     source = print_source(model, precision=precision, batches=batches, lanes=lanes and batches)
     return header | {f"{model.name}.c": source}
 

@@ -74,11 +74,11 @@ class Constants:
             inner = _positive(node)
             if inner.value is not None and meaning not in self._meanings.setdefault(inner.index, []):
                 self._meanings[inner.index].append(meaning)
-        for node in system.tape.nodes:
-            if node.op == "const" and (node.args[0] is not None or node.index in self._meanings):
-                known = self._nodes.setdefault(float(node.value), node)
+        for node, size in system.tape.constants.items():
+            if node.args[0] is not None or node.index in self._meanings:
+                known = self._nodes.setdefault(size, node)
                 if node.index in self._meanings and known.index not in self._meanings:
-                    self._nodes[float(node.value)] = node
+                    self._nodes[size] = node
 
     def text(self, value: float) -> str:
         """A number as it stands in a statement: its name, or the number where it has none."""
@@ -233,9 +233,9 @@ def _scales(system: Any) -> Iterator[tuple[Node, Meaning]]:
     text = "characteristic length"
     scales = {length: ("characteristic_length", "m", text), 1 / length: ("per_length", "1/m", f"1 over the {text}")}
     scales[(1 / length) ** 2] = ("per_length_squared", "1/m^2", f"1 over the square of the {text}")
-    for node in system.tape.nodes:
-        if node.op == "const" and node.args[0] is None and float(node.value) in scales:
-            symbol, unit, words = scales[float(node.value)]
+    for node, size in system.tape.constants.items():
+        if node.args[0] is None and size in scales:
+            symbol, unit, words = scales[size]
             yield node, Meaning("", symbol, unit, words)
 
 

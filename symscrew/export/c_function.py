@@ -256,15 +256,8 @@ def packed_lane(printed: Printed, packing: Packing) -> list[str]:
 
     At a small pivot this sum is NaN, and pivots are not given: the lane of limb after limb finds out what is wrong.
     """
-    program = printed.program
-    read = _read(printed)
-    entered = [slot for slot in printed.entries if slot in read]
-    body = c_lanes.Body(printed.model, packing, printed.precision, printed.prefix, set(entered))
-    stored = [(place(name, k), slot) for name, k, slot in printed.stored]
-    c_lanes.statements(body, {i.target: i for i in printed.angles.rest}, stored)
-    c_lanes.total(body, checked_slots(program), program, printed.inputs)
-    statements = grouped([*printed.loads(entered, printed.alone), *body.lines])
-    lines = [line for text in statements for line in wrapped_code(text)]
+    told = grouped(c_lanes.statements(printed, packing))
+    lines = [line for text in told for line in ([f"    {text}"] if "/*" in text else wrapped_code(text))]
     head = f"{inlined(printed)} {printed.precision.real} "
     lines = _lane(printed, f"{printed.symbol}_packed_lane", head, lines, pivots=False)
     return [f"#if {c_lanes.condition(printed.model, packing.width, printed.precision)}", *lines, "#endif"]

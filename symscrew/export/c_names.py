@@ -22,9 +22,9 @@ NAMES_OF_LOCALS += " angle sine cosine pivot stride pitch lane index first some 
 NAMES_OF_LOCALS += " checked0 checked1 checked2 checked3 result_ in out read written work place together there"
 NAMES_OF_LOCALS += " size sized outcome function inputs outputs called batched"
 NAMES_OF_LOCALS += " every fours sum sum0 sum1 sum2 sum3 waiting at constant"
-# a declaration that reads an entry of an array or of a vector, and what a line of several may take
-READS = re.compile(r"const (\w+) (\w+ = -?(?:\w+\(\w+, \d+\)|\w+\[\d+\]));")
-TOGETHER = 112
+# a declaration, with what is said behind it
+DECLARED = re.compile(r"(const \w+) (\w+ = .*);((?: /\*.*\*/)?)")
+TOGETHER = 100  # characters of a line of several declarations, its indentation not counted
 TAKEN = frozenset(f"{NAMES_OF_MATH} {NAMES_OF_LOCALS}".split())
 
 
@@ -58,20 +58,28 @@ def declare(symbol: str, given: Sequence[str], prefix: str = "int ", *, width: i
 
 
 def grouped(statements: Iterable[str]) -> list[str]:
-    """Statements with declarations that follow each other and only read something joined, some a line.
+    """Statements with declarations of one type that follow each other as one, as many of them on a line as fit.
 
-    >>> grouped(["const REAL a = READ(v, 0);", "const REAL b = READ(v, 1);", "const REAL c = a * b;"])
-    ['const REAL a = READ(v, 0), b = READ(v, 1);', 'const REAL c = a * b;']
+    >>> grouped(["const REAL a = READ(v, 0);", "const REAL b = 2.0 * a; /* base */", "const REAL c = a * b;", "f(c);"])
+    ['const REAL a = READ(v, 0), b = 2.0 * a, /* base */', '  c = a * b;', 'f(c);']
     """
     found: list[str] = []
-    before = ""  # the type of the last line, if more of it may follow there
+    before = ""  # the type of the last statement, if it is a declaration, which is still without its end
+    said = ""  # behind its last line
     for text in statements:
-        read = READS.fullmatch(text)
-        if read and read[1] == before and len(found[-1]) + len(read[2]) + 2 <= TOGETHER:
-            found[-1] = f"{found[-1][:-1]}, {read[2]};"
+        declared = DECLARED.fullmatch(text)
+        if declared is None or declared[1] != before:
+            if before:
+                found[-1] += f";{said}"
+            found.append(text if declared is None else f"{declared[1]} {declared[2]}")
+        elif not said and len(found[-1]) + len(declared[2]) + len(declared[3]) < TOGETHER:
+            found[-1] += f", {declared[2]}"
         else:
-            found.append(text)
-            before = read[1] if read else ""
+            found[-1] += f",{said}"
+            found.append(f"  {declared[2]}")
+        before, said = (declared[1], declared[3]) if declared is not None else ("", "")
+    if before:
+        found[-1] += f";{said}"
     return found
 
 

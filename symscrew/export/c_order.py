@@ -35,13 +35,18 @@ def short_lived(instructions: Sequence[Instruction]) -> list[Instruction]:
 
 def _graph(instructions: Sequence[Instruction]) -> _Graph:
     place = {i.target: k for k, i in enumerate(instructions)}
-    read = [tuple(dict.fromkeys([place[a] for a in i.args if type(a) is int and a in place])) for i in instructions]
+    read: list[tuple[int, ...]] = []
     users: list[list[int]] = [[] for _ in instructions]
     chain: list[int] = []
-    for k, own in enumerate(read):
-        chain.append(1 + max([chain[a] for a in own], default=0))
+    for k, (_, _, args) in enumerate(instructions):
+        own = tuple(dict.fromkeys([place[a] for a in args if type(a) is int and a in place]))
+        read.append(own)
+        longest = 0
         for a in own:
             users[a].append(k)
+            if chain[a] > longest:
+                longest = chain[a]
+        chain.append(longest + 1)
     return _Graph(read, users, chain)
 
 
@@ -51,66 +56,69 @@ def _walk(graph: _Graph, *, last: bool) -> list[int]:
     done = [False] * len(read)
     order: list[int] = []
     for root in [k for k, users in enumerate(graph.users) if not users][:: -1 if last else 1]:
-        stack = [root]
+        stack = [root]  # places to come to, and the complements of those whose operands are done
         while stack:
-            k = stack[-1]
-            left = [a for a in read[k] if not done[a]]
-            if left:
-                stack.append(left[0] if len(left) == 1 else max(left, key=longest))
+            k = stack.pop()
+            if k < 0:
+                k = ~k
+            elif done[k]:
                 continue
-            stack.pop()
-            if not done[k]:
-                done[k] = True
-                order.append(k)
+            else:
+                left = [a for a in read[k] if not done[a]]
+                if left:
+                    stack.append(~k)
+                    stack += left if len(left) == 1 else sorted(left, key=longest, reverse=True)[::-1]
+                    continue
+            done[k] = True
+            order.append(k)
     return order
 
 
 def _alive(graph: _Graph, order: Sequence[int]) -> int:
     """The sum over all instructions of how many computed values are read later."""
-    at = [0] * len(order)
+    until = [-1] * len(order)
+    total = 0
     for n, k in enumerate(order):
-        at[k] = n
-    return sum(max([at[user] for user in users]) - at[k] for k, users in enumerate(graph.users) if users)
+        until[k] = n  # unless it is read
+        total -= n
+        for a in graph.read[k]:
+            until[a] = n
+    return total + sum(until)
 
 
 def _ending_lives(graph: _Graph, walk: Sequence[int]) -> list[int]:
     """What ends most lives first, of equals what the walk comes to first."""
-    read, users = graph.read, graph.users
-    rank = [0] * len(walk)
+    read, users, size = graph.read, graph.users, len(walk)
+    rank = [0] * size
     for n, k in enumerate(walk):
         rank[k] = n
     missing = [len(own) for own in read]
     waiting = [len(some) for some in users]  # readers of a value that are left, and the sum of their places
     readers = [sum(some) for some in users]
-    gain = [-1 if some else 0 for some in users]
-    done = [False] * len(walk)
-    heap = [(-gain[k], rank[k]) for k, count in enumerate(missing) if not count]
+    # what comes first has the least key: its place in the walk, less the size for every life that it ends
+    key = [rank[k] + size if some else rank[k] for k, some in enumerate(users)]
+    done = [False] * size
+    heap = [key[k] for k, count in enumerate(missing) if not count]
     heapify(heap)
     order: list[int] = []
-
-    def last_reader(value: int) -> None:
-        """One reader is left: it ends the life of a value."""
-        k = readers[value]
-        gain[k] += 1
-        if not missing[k]:
-            heappush(heap, (-gain[k], rank[k]))
-
     while heap:
-        negative, n = heappop(heap)
-        k = walk[n]
-        if done[k] or -negative != gain[k]:
+        found = heappop(heap)
+        k = walk[found % size]
+        if done[k] or found != key[k]:
             continue
         done[k] = True
         order.append(k)
-        for value in read[k]:
-            waiting[value] -= 1
-            readers[value] -= k
-            if waiting[value] == 1:
-                last_reader(value)
-        if waiting[k] == 1:
-            last_reader(k)
+        for value in (*read[k], k):
+            if value != k:
+                waiting[value] -= 1
+                readers[value] -= k
+            if waiting[value] == 1:  # one reader is left: it ends the life of the value
+                last = readers[value]
+                key[last] -= size
+                if not missing[last]:
+                    heappush(heap, key[last])
         for user in users[k]:
             missing[user] -= 1
             if not missing[user]:
-                heappush(heap, (-gain[user], rank[user]))
+                heappush(heap, key[user])
     return order

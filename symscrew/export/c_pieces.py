@@ -13,7 +13,8 @@ from symscrew.export.c_printed import Printed, Shared
 from symscrew.export.c_rank_revealing import routines, second_path
 from symscrew.export.listing import filled, plain
 from symscrew.model import Model
-from symscrew.program import Iteration, Program, RankRevealing, status_texts
+from symscrew.program import Iteration, Packing, Program, RankRevealing, status_texts
+from symscrew.workers import beside
 
 IN_LANES = frozenset((  # what is called once per step of a control or a simulation: tried with equal limbs side by side
     "acceleration",
@@ -27,6 +28,9 @@ IN_LANES = frozenset((  # what is called once per step of a control or a simulat
     "joint_reactions",
     "velocity",
 ))  # fmt: skip
+LANES = 3  # with its lanes a function takes so many times as long to print
+# Instructions, weighted so, for which a second process is made: copying this one takes as long as printing a tenth.
+WORTH_A_PROCESS = 8000
 HEAD = """\
 #include "MODEL.h"
 
@@ -83,8 +87,8 @@ class Pieces:
         wide: the functions of blocks.
     """
 
-    def __init__(self, model: Model, precision: Precision, *, batches: bool, lanes: bool) -> None:
-        """Everything is printed."""
+    def __init__(self, model: Model, precision: Precision, *, batches: bool, lanes: bool, processes: int = 1) -> None:
+        """Everything is printed, what takes longest by two processes if there may be several."""
         self.model, self.precision, self.batches, self.name = model, precision, batches, model.name
         self.shared = Shared(model, precision)
         self.dense: dict[tuple[object, ...], str] = {}  # programs of second paths, and the functions that they are
@@ -96,17 +100,43 @@ class Pieces:
         }
         straight = [f for f, program in model.programs.items() if not isinstance(program, Iteration)]
         self.blocks = [f for f in straight if batches and c_batch.by_lanes(self.printed[f])]
+        self._bodies = self._arranged([f for f in straight if not self.printed[f].in_parts], processes)
+        self.bodies = {f: self._bodies[f] for f in self.blocks}
         self.functions = {f: self._function(f) for f in model.programs}
         self.wide = [line for f in self.blocks for line in ("", *c_batch.block(self.printed[f]))]
-        self.bodies = {f: body(self.printed[f]) for f in self.blocks}
 
     def _function(self, name: str) -> list[str]:
         """A function of one state, with its body if that has no second form."""
         program, symbol = self.model.programs[name], f"{self.name}_{name}"
         if isinstance(program, Iteration):
             return ["", *iteration_functions(self.name, symbol, program, self.precision, shared=self.shared)]
-        own = [] if name in self.blocks else ["", *_body(self.printed[name])]
-        return [*own, "", *_one_state(self.printed[name], program, self.dense)]
+        printed = self.printed[name]
+        lane = c_parts.lane_in_parts(printed) if printed.in_parts else self._bodies[name]
+        return [*([] if name in self.blocks else ["", *lane]), "", *_one_state(printed, program, self.dense)]
+
+    def _arranged(self, functions: Sequence[str], processes: int) -> dict[str, list[str]]:
+        """Bodies of functions, by another process too; their packed forms are found with them."""
+        sizes = {f: len(self.printed[f].program.instructions) * (LANES if f in IN_LANES else 1) for f in functions}
+        if processes < 2 or sum(sizes.values()) < WORTH_A_PROCESS:
+            return self._half(functions)[0]
+        halves: tuple[list[str], list[str]] = ([], [])
+        loads = [0, 0]
+        for f in sorted(functions, key=lambda f: -sizes[f]):
+            lighter = loads.index(min(loads))
+            halves[lighter].append(f)
+            loads[lighter] += sizes[f]
+        with beside(lambda: self._half(halves[1])) as other:
+            bodies, _, _ = self._half(halves[0])
+            more, packings, used = other()
+        for f, packing in packings.items():
+            self.printed[f].take(packing)
+        self.shared.constants.used |= used
+        return bodies | more
+
+    def _half(self, functions: Sequence[str]) -> tuple[dict[str, list[str]], dict[str, Packing | None], set[float]]:
+        """Bodies and packed forms of some functions, and the constants that have been used up to then."""
+        packings = {f: self.printed[f].packing for f in functions}
+        return {f: body(self.printed[f]) for f in functions}, packings, self.shared.constants.used
 
     def batch_routines(self) -> list[str]:
         """Types and routines of batch functions."""

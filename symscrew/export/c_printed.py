@@ -102,6 +102,10 @@ class Printed:
         origins, limbs = self.program.origins, self.program.limbs
         return packed(self.angles.rest, kept, checked, arrays, origins=origins, limbs=limbs)
 
+    def take(self, packing: Packing | None) -> None:
+        """Its packed form, found by another process."""
+        self.__dict__["packing"] = packing  # where `cached_property` keeps it
+
     @cached_property
     def names(self) -> dict[str, str]:
         """Port name to argument name."""

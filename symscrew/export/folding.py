@@ -20,7 +20,8 @@ OPERATIONS = 6  # of a statement: more are hard to follow
 WIDTH = 92  # characters of the right-hand side: with a name in front it stays on one line, nearly always
 LOOSE, SUM, PRODUCT, ATOM = range(4)  # how tightly a text holds together
 # operation -> how tightly its operands must hold together, and how tightly it does itself
-BINDING: Mapping[str, tuple[tuple[int, ...], int]] = {
+Bindings = Mapping[str, tuple[tuple[int, ...], int]]
+BINDING: Bindings = {
     "add": ((SUM, PRODUCT), SUM),
     "sub": ((SUM, PRODUCT), SUM),
     "mul": ((PRODUCT, ATOM), PRODUCT),
@@ -50,9 +51,9 @@ class Found(NamedTuple):
     text: str = ""
 
 
-def expression(op: str, table: Mapping[str, str], operands: Sequence[Text]) -> Text:
-    """An operation on printed operands; functions and what else is not in `BINDING` is an atom in the table."""
-    needs, own = BINDING.get(op, ((LOOSE,) * len(operands), ATOM))
+def expression(op: str, table: Mapping[str, str], operands: Sequence[Text], binding: Bindings = BINDING) -> Text:
+    """An operation on printed operands; functions and what else is not in `binding` is an atom in the table."""
+    needs, own = binding.get(op, ((LOOSE,) * len(operands), ATOM))
     texts = [operand.within(need) for operand, need in zip(operands, needs, strict=True)]
     return Text(table[op].format(*texts), own, 1 + sum(operand.operations for operand in operands))
 
@@ -65,11 +66,13 @@ def folded(
     name: Callable[[int | float], str],
     places: Mapping[int, str],
     ends: Callable[[int], bool],
+    binding: Bindings = BINDING,
 ) -> Iterator[Found]:
     """Statements in order.
 
     `uses`: how often a slot is read, by instructions and as a result; `places`: what reads slots that are there from
-    the start, which is written out where it is read once; `ends`: slots that are read once, and by no instruction.
+    the start, which is written out where it is read once; `ends`: slots that are read once, and by no instruction;
+    `binding`: how tightly operations hold together that are in the table beside those of every program.
     """
     waiting: dict[int, Text] = {}
     known: set[int] = set()
@@ -97,7 +100,7 @@ def folded(
                     known.add(arg)
                     yield Found("read", arg)
                 operands.append(Text(name(arg)))
-        made, target = expression(instruction.op, table, operands), instruction.target
+        made, target = expression(instruction.op, table, operands, binding), instruction.target
         if uses[target] == 1 and not ends(target):
             waiting[target] = made
             continue

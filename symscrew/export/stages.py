@@ -10,7 +10,7 @@ itself. A value that the theory has no name for is of the stage of what reads it
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 from itertools import pairwise
 from typing import NamedTuple
@@ -49,6 +49,7 @@ STAGES: Mapping[str, str] = {
 STAGE_OF = {quantity: stage for stage, quantities in STAGES.items() for quantity in quantities.split()}
 RESULTS = "results"
 MECHANISM = "mechanism"  # what is of no part of it
+TOGETHER = "limbs together"  # what vectors serve
 AHEAD = 12  # lines that are looked at where a stage may begin: shorter ones are in the middle of others
 MOST = 8  # of these must be of another limb, or stage, for a heading: fewer and the statements are still of the last
 TOLD = 3  # stages that a heading names: of more it would say everything
@@ -124,8 +125,25 @@ class Stages:
         return Stage(limb, STAGE_OF.get(origin.quantity, RESULTS), place)
 
 
-def headed(lines: Sequence[tuple[str, int | None]], stages: Stages, named: Callable[[int], str]) -> Iterator[str]:
+class LaneStages(Stages):
+    """The stages of a program in lanes; `numbers` are the vectors, and of each the slot of one of its lanes."""
+
+    def __init__(self, program: Program, numbers: Mapping[int, int], entered: Collection[int]) -> None:
+        """Nothing is looked at yet; slots of `entered` are there from the start, and mostly put together."""
+        super().__init__(program)
+        self.numbers, self.entered = numbers, entered
+
+    def of(self, slot: int) -> Stage | None:
+        """That of a slot, or of equal limbs together; None of a vector that is put together."""
+        if slot >= 0:
+            return None if slot in self.entered else super().of(slot)
+        stage = super().of(self.numbers[slot]) if slot in self.numbers else None
+        return Stage(TOGETHER, stage.text, TOGETHER) if stage is not None else None
+
+
+def headed(lines: Iterable[tuple[str, int | None]], stages: Stages, named: Callable[[int], str]) -> Iterator[str]:
     """The lines with comments where another limb, or another stage, begins; `lines` come with the slot they serve."""
+    lines = list(lines)
     known = [stages.of(slot) if slot is not None else None for _, slot in lines]
     heads = {k: (limb, text) for k, limb, text in _runs(known)}
     current = ""

@@ -40,10 +40,13 @@ from symscrew.functions.ports import (
 )
 from symscrew.functions.quantities import Quantities, Quantity
 from symscrew.functions.regressor import regressor_functions
+from symscrew.functions.second_order import HESSIAN, PRODUCT, second_order_functions
 from symscrew.functions.untried import untried_notes
 
 __all__ = [
+    "HESSIAN",
     "NO_DRIVE",
+    "PRODUCT",
     "REASONS",
     "SUFFIX",
     "THRESHOLD",
@@ -86,6 +89,7 @@ __all__ = [
     "platform_functions",
     "q_port",
     "regressor_functions",
+    "second_order_functions",
     "second_paths",
     "u_port",
     "untried_notes",

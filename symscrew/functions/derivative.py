@@ -114,7 +114,7 @@ def _force_changes(loops: Loops, acting: Acting, a: Sequence[Node], groups: Sequ
     system = acting.system
     steps = null_space(system, loops) if groups[0].name == "y" else _units(system.tape, len(a))
     keys = [key for group in groups for key in group.keys]
-    return tree_derivative.force_changes(acting, a, directions=keys, steps=steps, seeds=_merged(groups))
+    return tree_derivative.force_changes(acting, a, directions=keys, steps=steps, seeds=merged(groups))
 
 
 def _groups(system: System, loops: Loops, function: Function, *, independent: bool) -> list[Directions]:
@@ -204,7 +204,7 @@ def _implicit(
     solved = [admissible.solve([-c for c in substitute(tape, column, put)])[0] for column in changes]
     values = loops.second_rates(held, system.joint_rates(a), w) if independent else a
     keys = [key for group in groups for key in group.keys]
-    seeds = _merged(groups)
+    seeds = merged(groups)
     for k, node in enumerate(held):
         seeds[node] = {key: column[k] for key, column in zip(keys, solved, strict=True)}
     rows = [substitute(tape, row, put) for row in differentiate(tape, values, seeds, keys)]
@@ -288,7 +288,7 @@ def _given(
 
 def _columns(outputs: Sequence[Node], groups: Sequence[Directions]) -> list[list[list[Node]]]:
     """Per group and direction the derivatives of all outputs."""
-    seeds = _merged(groups)
+    seeds = merged(groups)
     tape = next(iter(seeds)).tape
     keys = [key for group in groups for key in group.keys]
     rows = differentiate(tape, outputs, seeds, keys)
@@ -296,7 +296,8 @@ def _columns(outputs: Sequence[Node], groups: Sequence[Directions]) -> list[list
     return [[next(columns) for _ in group.keys] for group in groups]
 
 
-def _merged(groups: Sequence[Directions]) -> Seeds:
+def merged(groups: Sequence[Directions]) -> Seeds:
+    """How nodes change along the directions of all groups."""
     seeds: Seeds = {}
     for group in groups:
         for node, changes in group.seeds.items():

@@ -39,7 +39,11 @@ def files(order: Order) -> Mapping[str, str]:
     """<name>.h, its sources, <name>.hpp, example.c, CMakeLists.txt."""
     model, precision, form = order.model, order.precision, order.form
     printed = print_c(
-        _noted(model, order.measured), precision=precision, batches=form.batches, several=not form.one_file
+        _noted(model, order.measured),
+        precision=precision,
+        batches=form.batches,
+        several=not form.one_file,
+        processes=order.processes,
     )
     sources = library_sources(printed, model.name)
     example = print_example(model, precision, sources)

@@ -34,9 +34,10 @@ from symscrew.export import (
     read_hashes,
     read_manifest,
 )
+from symscrew.garbage import nothing_to_collect
 from symscrew.generation.target_file import Order
 from symscrew.generation.targets import TARGETS, USUAL, by_value, printable, with_brought
-from symscrew.model import Model, nothing_to_collect
+from symscrew.model import Model
 from symscrew.whole_files import PENDING, is_staging, one_at_a_time, put_files
 
 EMBEDDED = "embedded"  # among the functions of ops.json: what microcontrollers were measured to take
@@ -52,6 +53,7 @@ def generate(
     measured: Sequence[Mapping[str, Any]] = (),
     hashes_only: bool = False,
     form: Form = USUAL_FORM,
+    processes: int = 1,
 ) -> tuple[Path, ...]:
     """Write the files of a model into `out_dir` and return their paths, sorted.
 
@@ -65,6 +67,7 @@ def generate(
         hashes_only: write what a reader learns from, and of the rest hashes.json with its hashes: enough for
             `check`, at most a tenth of the size, and no code that could be called.
         form: of the C, in one file or in several, with functions of many states or without.
+        processes: how many may print; two take two thirds of the time of one where there are as many processors.
 
     Raises:
         OutputError: the directory holds something else; nothing has been written then.
@@ -73,7 +76,7 @@ def generate(
     directory = Path(os.path.abspath(out_dir))
     with one_at_a_time(directory.parent):  # whoever writes there has an end
         _earlier_files(directory)
-    files = render(model, targets, precision=precision, measured=measured, form=form)
+    files = render(model, targets, precision=precision, measured=measured, form=form, processes=processes)
     files = with_hashes(files) if hashes_only else files
 
     def check() -> None:
@@ -99,6 +102,7 @@ def render(
     precision: str = "double",
     measured: Sequence[Mapping[str, Any]] = (),
     form: Form = USUAL_FORM,
+    processes: int = 1,
 ) -> dict[str, bytes]:
     """File name to content of everything that `generate` writes, without hashes.json.
 
@@ -112,7 +116,7 @@ def render(
     for target in targets:
         if target not in possible:
             raise ValueError(f"expected targets among {', '.join(possible)} in {precision} precision, got {target!r}")
-    order = Order(model, PRECISIONS[precision], measured, form)
+    order = Order(model, PRECISIONS[precision], measured, form, processes)
     made: dict[str, str | bytes] = {}
     further: list[str] = []
     for target in chosen:

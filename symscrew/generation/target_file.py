@@ -25,13 +25,15 @@ Finding = tuple[bool, str]
 class Order:
     """What is to be written: a model, the type of its numbers, what its C was measured to take on microcontrollers.
 
-    `form`: of the C, in one file or in several, with functions of many states or without.
+    `form`: of the C, in one file or in several, with functions of many states or without. `processes`: how many may
+    print it.
     """
 
     model: Model
     precision: Precision
     measured: Sequence[Mapping[str, Any]] = ()
     form: Form = USUAL_FORM
+    processes: int = 1
 
 
 @dataclass(frozen=True)

@@ -10,6 +10,7 @@
     System    --margins/--> numbers of q that vanish at singularities --singularities--> their values
     all of it --analysis--> Mobility --findings/--> words, documents, JSON;  --checks--> every claim again
     Mobility  --motions/--> every branch: tangents, screw systems, joints at rest
+    Mechanism --components/--> operation modes, components of the configuration space
     Mobility  --proofs/--> a file of exact numbers that a checker judges alone
 
 Away from these stands nothing: a stranger starts at `analysis`, whose last function is the pipeline.
@@ -22,6 +23,7 @@ from symscrew.doors import doors
 if TYPE_CHECKING:
     from symscrew.mobility.analysis import Mobility, analyse_mobility
     from symscrew.mobility.checks import Check, verified, verify
+    from symscrew.mobility.components import ConfigurationSpace, configuration_space, space_lines, space_values
     from symscrew.mobility.findings import (
         formulas,
         key_figures,
@@ -61,6 +63,7 @@ __all__ = [
     "Check",
     "Component",
     "Components",
+    "ConfigurationSpace",
     "LimbMobility",
     "Margin",
     "Margins",
@@ -76,6 +79,7 @@ __all__ = [
     "component_lines",
     "component_values",
     "components_of",
+    "configuration_space",
     "constraint_margins",
     "formulas",
     "key_figures",
@@ -91,6 +95,8 @@ __all__ = [
     "motion_values",
     "screw_class",
     "sections",
+    "space_lines",
+    "space_values",
     "verified",
     "verify",
     "write_proof",

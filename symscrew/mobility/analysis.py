@@ -267,9 +267,10 @@ class Mobility:
         """What moves along each branch through the configuration; None where the finite mobility is not decided."""
         if self.finite.dof is None:
             return None
-        complete = why_complete(self.finite, self.motion_proof)
+        proof = None if self.finite.smooth and self.finite.proved else self.motion_proof  # one branch, as is proved
+        complete = why_complete(self.finite, proof)
         table = branches_through(self.network, self.finite, self.platform.body, complete=complete)
-        return with_proof(table, self.finite, self.motion_proof)
+        return with_proof(table, self.finite, proof)
 
     @cached_property
     def along(self) -> WholeMotion | str:
@@ -420,8 +421,10 @@ def analyse_mobility(
     ranks = NumericRanks(network, first_order, platform, limbs, constraints)
     decisions = decide(mechanism, ranks, displaced=bool(coordinates))
     finite = judged(network, first_order, decisions)
-    if not coordinates and not finite.proved and finite.dof is not None:
-        finite = confirmed(finite, motion_proof(mechanism, network, platform.body))
     found = Mobility(mechanism, network, first_order, finite, platform, limbs, constraints, decisions, residual,
                      coordinates)  # fmt: skip
+    if not coordinates and not finite.proved and finite.dof is not None:
+        proof = found.motion_proof
+        found = replace(found, finite=confirmed(finite, proof))
+        vars(found)["motion_proof"] = proof  # which does not rest on the judgement, and takes a second
     return found if tolerance is None else as_meant(found, tolerance)

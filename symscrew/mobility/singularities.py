@@ -9,7 +9,8 @@ configuration (`symscrew.mobility.symbols`, drive_loci).
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, field
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -49,6 +50,21 @@ Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
+class Zeros:
+    """The nearest zeros of the margins that are not zero at q: all of them in one batch, when one is asked for."""
+
+    system: System
+    margins: tuple[Margin, ...]
+    q: Array
+
+    @cached_property
+    def found(self) -> dict[tuple[str, str], Displaced | None]:
+        """(kind, name) of a margin -> its nearest zero."""
+        zeros = find_zeros(self.system, self.margins, self.q)
+        return {(m.kind, m.name): zero for m, zero in zip(self.margins, zeros, strict=True)}
+
+
+@dataclass(frozen=True)
 class MarginValue:
     """A margin at the configuration; see `symscrew.mobility.margins.Margin`."""
 
@@ -59,13 +75,18 @@ class MarginValue:
     meaning: str
     size: float = 1.0
     """The largest value at the sample states, with which it is compared."""
-    nearest: Displaced | None = None
-    """Where it is zero along its gradient; None where no zero was found, or it is zero here."""
+    zeros: Zeros | None = field(default=None, repr=False, compare=False)
+    """What finds the nearest zeros of all margins when one is asked for."""
     note: str = ""
     """What a rank of the configuration says that the value does not: it is the volume of the rank that there is on
     the whole branch, and stays above zero where rank is lost all along it. Empty where both agree."""
     regular: bool = False
     """Whether the rank was decided to be full here, so that a small value is not zero."""
+
+    @property
+    def nearest(self) -> Displaced | None:
+        """Where it is zero along its gradient; None where no zero was found, or it is zero here."""
+        return None if self.zeros is None else self.zeros.found.get((self.kind, self.name))
 
     @property
     def vanishes(self) -> bool:
@@ -121,9 +142,9 @@ def _values(system: System, margins: Sequence[Margin], q: Array) -> tuple[Margin
     values = system.numeric([m.value for m in margins], (system.inputs.q, q[None]))[0]
     sizes = [size_of(system, m, q) for m in margins]
     away = [m for m, value, size in zip(margins, values, sizes, strict=True) if abs(value) >= SINGULAR * size]
-    nearest = {(m.kind, m.name): found for m, found in zip(away, find_zeros(system, away, q), strict=True)}
+    zeros = Zeros(system, tuple(away), q)
     return tuple(
-        MarginValue(m.kind, m.name, m.form, float(value), m.meaning, size, nearest.get((m.kind, m.name)))
+        MarginValue(m.kind, m.name, m.form, float(value), m.meaning, size, zeros)
         for m, value, size in zip(margins, values, sizes, strict=True)
     )
 

@@ -1,6 +1,7 @@
 """Trajectory optimisation on generated models.
 
 problem file --> TrajectoryProblem --guess--> PointModel --transcription--> nonlinear program --solution--> Trajectory
+             --built_problem--> the same program with numbers as parameters, compiled, solved again and again
              --mesh_errors, refinement--> finer mesh;   Trajectory --followed_motion--> replay --plan_file--> files
 """
 
@@ -9,6 +10,7 @@ from typing import TYPE_CHECKING
 from symscrew.doors import doors
 
 if TYPE_CHECKING:
+    from symscrew.optimisation.built_problem import OptimisationProblem, optimisation_problem
     from symscrew.optimisation.followed_motion import replay
     from symscrew.optimisation.plan_file import plot_plan, write_plan
     from symscrew.optimisation.problem import (
@@ -30,6 +32,7 @@ __all__ = [
     "Conditions",
     "Distance",
     "Objective",
+    "OptimisationProblem",
     "Prepared",
     "Replay",
     "Solver",
@@ -37,6 +40,7 @@ __all__ = [
     "TrajectoryProblem",
     "Transcription",
     "load_problem",
+    "optimisation_problem",
     "plot_plan",
     "prepare",
     "replay",

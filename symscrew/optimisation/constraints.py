@@ -14,7 +14,8 @@ import numpy as np
 from symscrew.errors import DescriptionError, did_you_mean
 from symscrew.optimisation.casadi_graph import symbolic_outputs
 from symscrew.optimisation.motion_quantities import MotionQuantities
-from symscrew.optimisation.problem import Conditions
+from symscrew.optimisation.problem import Conditions, Range, TrajectoryProblem
+from symscrew.optimisation.problem_numbers import Get
 from symscrew.optimisation.rows import INFINITY, Row
 from symscrew.optimisation.terms import expression
 
@@ -72,8 +73,12 @@ def rule_rows(at: MotionQuantities) -> list[Row]:
     u = at.blocks["u"]
     residual = symbolic_outputs(model.equations.dynamics, at.known)["residual"]
     matrix = ca.jacobian(residual, u)
-    about = ca.DM([model.problem.preload.get(label, 0.0) for label in model.drive_labels])
-    values = u - about - matrix.T @ at.blocks["distribution"]
+
+    def of(label: str) -> Get:
+        return lambda problem: problem.preload.get(label, 0.0)
+
+    about = [model.number(f"preload of {label}", of(label)) for label in model.drive_labels]
+    values = u - ca.vertcat(ca.SX(0, 1), *about) - matrix.T @ at.blocks["distribution"]
     return [
         Row(f"least-squares rule of drive {label}", values[k], scale=float(model.scales.u[k]))
         for k, label in enumerate(model.drive_labels)
@@ -82,30 +87,51 @@ def rule_rows(at: MotionQuantities) -> list[Row]:
 
 def bound_rows(at: MotionQuantities) -> list[Row]:
     """Bounds that are not those of an unknown itself."""
-    bounds, scales = at.model.problem.bounds, at.model.scales
-    length = at.model.system.length
+    problem, scales = at.model.problem, at.model.scales
+    bounds, length = problem.bounds, at.model.system.length
     rows = []
-    for label, (low, high) in bounds.joints.items():
-        rows.append(Row(f"travel of {label}", at.coordinates[label], low, high))
-    for label, (low, high) in bounds.speeds.items():
-        rows.append(Row(f"speed of {label}", at.rate(label), low, high, 1.0 / scales.duration))
-    for name, (low, high) in bounds.margins.items():
+
+    def add(what: str, value: Any, limits: Callable[[TrajectoryProblem], Range], scale: float = 1.0) -> None:
+        rows.append(Row(what, value, *limits(problem), scale, limits))
+
+    for label in bounds.joints:
+        add(f"travel of {label}", at.coordinates[label], _bound("joints", label))
+    for label in bounds.speeds:
+        add(f"speed of {label}", at.rate(label), _bound("speeds", label), 1.0 / scales.duration)
+    for name in bounds.margins:
         if name not in at.margins:
             raise DescriptionError(f"bounds.margins: unknown margin {name!r}; {did_you_mean(name, at.margins)}")
-        rows.append(Row(f"margin {name}", at.margins[name], low, high))
-    for (name, axis), (low, high) in bounds.points.items():
-        rows.append(Row(f"{'xyz'[axis]} of point {name}", at.points[name][axis], low, high, length))
-    for d in bounds.distances:
+        add(f"margin {name}", at.margins[name], _bound("margins", name))
+    for name, axis in bounds.points:
+        limits = _bound("points", (name, axis))
+        add(f"{'xyz'[axis]} of point {name}", at.points[name][axis], limits, length)
+    for k, d in enumerate(bounds.distances):
         apart = at.points[d.first] - at.points[d.second]
-        low, high = max(d.range[0], 0.0), d.range[1]
         what = f"distance of {d.first} and {d.second}"
+        low, high = max(d.range[0], 0.0), d.range[1]
         bound = low if low > 0 else high  # a small post is to be kept as well as a large one: parts of the bound
         measure = bound * bound if 0 < bound < INFINITY else length * length
-        rows.append(Row(what, ca.dot(apart, apart), low * low, high * high, length * length, measure))
-    for text, (low, high) in bounds.expressions.items():
+        limits = _squared_distance(k)
+        rows.append(Row(what, ca.dot(apart, apart), *limits(problem), length * length, limits, measure))
+    for text in bounds.expressions:
         value = expression(text, at.names, where="bounds.expressions")
-        rows.append(Row(text, value, low, high))
+        add(text, value, _bound("expressions", text))
     return rows + _reaction_rows(at)
+
+
+def _bound(group: str, key: object) -> Callable[[TrajectoryProblem], Range]:
+    """A range of a problem's bounds."""
+    return lambda problem: getattr(problem.bounds, group)[key]
+
+
+def _squared_distance(k: int) -> Callable[[TrajectoryProblem], Range]:
+    """Range of the square of a distance."""
+
+    def limits(problem: TrajectoryProblem) -> Range:
+        low, high = problem.bounds.distances[k].range
+        return max(low, 0.0) ** 2, high**2
+
+    return limits
 
 
 def _reaction_rows(at: MotionQuantities) -> list[Row]:
@@ -118,34 +144,52 @@ def _reaction_rows(at: MotionQuantities) -> list[Row]:
         k = names.index(joint)
         f, m = at.reactions[6 * k : 6 * k + 3], at.reactions[6 * k + 3 : 6 * k + 6]
         if force is not None:
-            rows.append(Row(f"reaction force of {joint}", ca.dot(f, f), -INFINITY, force**2, force**2))
+            limits = _largest(joint, 0)
+            rows.append(Row(f"reaction force of {joint}", ca.dot(f, f), -INFINITY, force**2, force**2, limits))
         if moment is not None:
             own = m - ca.cross(points[3 * k : 3 * k + 3], f)
-            rows.append(Row(f"reaction moment of {joint}", ca.dot(own, own), -INFINITY, moment**2, moment**2))
+            limits = _largest(joint, 1)
+            rows.append(Row(f"reaction moment of {joint}", ca.dot(own, own), -INFINITY, moment**2, moment**2, limits))
     return rows
+
+
+def _largest(joint: str, part: int) -> Callable[[TrajectoryProblem], Range]:
+    """Range of the square of a joint's reaction force (0) or moment (1)."""
+    return lambda problem: (-INFINITY, (problem.bounds.reactions[joint][part] or 0.0) ** 2)
 
 
 def condition_rows(at: MotionQuantities, conditions: Conditions, where: str) -> list[Row]:
     """Conditions that need the configuration."""
     rows, length = [], at.model.system.length
     linear = set(at.model.equations.labels)
-    for label, value in conditions.coordinates.items():
+
+    def add(what: str, value: Any, target: Callable[[Conditions], float | None], scale: float = 1.0) -> None:
+        def limits(problem: TrajectoryProblem) -> Range:
+            wanted = target(problem.conditions[where])
+            assert wanted is not None  # of the same shape
+            return wanted, wanted
+
+        wanted = target(conditions)
+        assert wanted is not None
+        rows.append(Row(what, value, wanted, wanted, scale, limits))
+
+    for label in conditions.coordinates:
         if label not in linear:
-            rows.append(Row(f"{label} at {where}", at.coordinates[label], value, value))
-    for label, value in conditions.rates.items():
+            add(f"{label} at {where}", at.coordinates[label], _target("coordinates", label))
+    for label in conditions.rates:
         if label not in linear:
-            rows.append(Row(f"rate of {label} at {where}", at.rate(label), value, value))
-    for name, target in conditions.points.items():
-        for axis, place in enumerate(target):
+            add(f"rate of {label} at {where}", at.rate(label), _target("rates", label))
+    for name, places in conditions.points.items():
+        for axis, place in enumerate(places):
             if place is not None:
                 what = f"{'xyz'[axis]} of point {name} at {where}"
-                rows.append(Row(what, at.points[name][axis], place, place, length))
+                add(what, at.points[name][axis], _target("points", name, axis), length)
     if conditions.platform_normal is not None:
         rows += _normal_rows(at, np.array(conditions.platform_normal, dtype=float), where)
     if conditions.platform_position is not None:
-        for axis, shift in enumerate(conditions.platform_position):
+        for axis in range(3):
             what = f"{'xyz'[axis]} of the platform at {where}"
-            rows.append(Row(what, at.platform_pose[1][axis], shift, shift, length))
+            add(what, at.platform_pose[1][axis], _target("platform_position", axis), length)
     if conditions.platform_rotation is not None:
         goal = _rotation(np.array(conditions.platform_rotation, dtype=float))
         off = ca.DM(goal).T @ at.platform_pose[0]
@@ -153,6 +197,18 @@ def condition_rows(at: MotionQuantities, conditions: Conditions, where: str) -> 
             rows.append(Row(f"rotation {'xyz'[k]} of the platform at {where}", (off[i, j] - off[j, i]) / 2))
         rows.append(Row(f"sense of the platform's rotation at {where}", (ca.trace(off) - 1) / 2, *FORWARDS))
     return rows
+
+
+def _target(group: str, *keys: object) -> Callable[[Conditions], float | None]:
+    """A value that conditions ask for."""
+
+    def found(conditions: Conditions) -> float | None:
+        value = getattr(conditions, group)
+        for key in keys:
+            value = value[key]
+        return None if value is None else float(value)
+
+    return found
 
 
 def _normal_rows(at: MotionQuantities, normal: np.ndarray, where: str) -> list[Row]:

@@ -24,7 +24,8 @@ def add_conditions(rows: LinearRows) -> None:
                 row = rows.new([f"{label} at {where}"], tau, c.coordinates[label], c.coordinates[label])
                 _add_entry(rows, row, k, tau, order=0)
             value = 0.0 if c.at_rest else c.rates.get(label)
-            if value is not None and (inside or value != 0.0):
+            at_an_end = not inside and (value == 0.0 or not problem.free_duration)  # a bound of the unknown itself
+            if value is not None and not at_an_end:
                 _add_rate_condition(rows, k, where, tau=tau, value=value)
 
 

@@ -15,6 +15,8 @@ from symscrew.errors import DescriptionError
 from symscrew.functions import moving_bodies
 from symscrew.optimisation.casadi_graph import symbolic_outputs
 from symscrew.optimisation.point_model import PointModel
+from symscrew.optimisation.problem import TrajectoryProblem, fixed_duration
+from symscrew.program import Port
 
 
 class MotionQuantities:
@@ -23,8 +25,7 @@ class MotionQuantities:
     def __init__(self, model: PointModel, blocks: Mapping[str, ca.SX]) -> None:
         self.model, self.blocks = model, blocks
         problem = model.problem
-        fixed = problem.duration if isinstance(problem.duration, int | float) else None
-        self.T = ca.SX(float(fixed)) if fixed is not None else blocks["T"]
+        self.T = blocks["T"] if problem.free_duration else ca.SX(model.number("duration", fixed_duration))
         self.y, self.z = blocks["y"], blocks["z"]
         self.y_dot = blocks["y_1"] / self.T
         self.y_ddot = blocks["y_2"] / self.T**2 if "y_2" in blocks else ca.SX(0, 1)
@@ -33,7 +34,13 @@ class MotionQuantities:
             "u": blocks.get("u", ca.SX(0, 1)), "x": blocks.get("x", ca.SX(0, 1)), "p": self._parameters(),
         }  # fmt: skip
         for port, _ in model.equations.acting.own_inputs:
-            self.known[port.name] = ca.DM(problem.inputs.get(port.name, (0.0,) * port.size))
+            self.known[port.name] = ca.vertcat(ca.SX(0, 1), *[self._input(port, k) for k in range(port.size)])
+
+    def _input(self, port: Port, k: int) -> ca.SX:
+        def get(problem: TrajectoryProblem) -> float:
+            return float(problem.inputs.get(port.name, (0.0,) * port.size)[k])
+
+        return ca.SX(self.model.number(f"input {port.name}[{k}]", get))
 
     def _parameters(self) -> ca.SX:
         model, values = self.model, []
@@ -42,7 +49,11 @@ class MotionQuantities:
             if name in model.design:
                 values.append(self.blocks["p"][model.design.index(name)])
             else:
-                values.append(ca.SX(model.problem.parameters.get(name, defaults[name])))
+
+                def get(problem: TrajectoryProblem, name: str = name) -> float:
+                    return problem.parameters.get(name, defaults[name])
+
+                values.append(ca.SX(model.number(f"parameter {name}", get)))
         return ca.vertcat(ca.SX(0, 1), *values)
 
     # -- quantities ---------------------------------------------------------------------------------------------

@@ -18,6 +18,7 @@ from symscrew.optimisation.linear_rows import LinearRows
 from symscrew.optimisation.motion_quantities import MotionQuantities
 from symscrew.optimisation.point_model import PointModel
 from symscrew.optimisation.problem import Objective
+from symscrew.optimisation.problem_numbers import Get
 from symscrew.optimisation.rows import INFINITY, Row
 from symscrew.optimisation.terms import expression
 from symscrew.optimisation.unknowns import UnknownGroup
@@ -73,16 +74,26 @@ def integrand(at: MotionQuantities) -> Term:
     total, rows = ca.SX(0), list[Row]()
     for k, objective in enumerate(at.model.problem.objectives):
         value, needed = OBJECTIVE_TYPES[objective.type].term(at, objective, f"objectives[{k}]")
-        total = total + objective.weight * value
+        if not ca.SX(value).is_zero():  # "time" and "peak" count unknowns of the whole motion
+            total = total + at.model.number(f"weight of objective {k}", _weight_of(k)) * value
         rows += needed
     return total * at.T, rows
 
 
-def _weights(at: MotionQuantities, objective: Objective, usual: float = 1.0) -> list[float]:
-    return [objective.weights.get(label, usual) for label in at.model.drive_labels]
+def _weight_of(k: int) -> Get:
+    return lambda problem: problem.objectives[k].weight
 
 
-def _squares(weights: list[float], values: list[Any]) -> Any:
+def _weights(at: MotionQuantities, objective: Objective, usual: float = 1.0) -> list[Any]:
+    k = at.model.problem.objectives.index(objective)
+
+    def of(label: str) -> Get:
+        return lambda problem: problem.objectives[k].weights.get(label, usual)
+
+    return [at.model.number(f"weight of {label} in objective {k}", of(label)) for label in at.model.drive_labels]
+
+
+def _squares(weights: list[Any], values: list[Any]) -> Any:
     return sum((w * value**2 for w, value in zip(weights, values, strict=True)), start=ca.SX(0))
 
 
@@ -95,8 +106,12 @@ def _effort(at: MotionQuantities, objective: Objective, where: str) -> Term:
 
 
 def _preload(at: MotionQuantities, objective: Objective, where: str) -> Term:
-    usual = at.model.problem.preload
-    about = [objective.preload.get(label, usual.get(label, 0.0)) for label in at.model.drive_labels]
+    k = at.model.problem.objectives.index(objective)
+
+    def of(label: str) -> Get:
+        return lambda problem: problem.objectives[k].preload.get(label, problem.preload.get(label, 0.0))
+
+    about = [at.model.number(f"preload of {label} in objective {k}", of(label)) for label in at.model.drive_labels]
     return _squares(_weights(at, objective), [u - a for u, a in zip(_drives(at), about, strict=True)]), []
 
 

@@ -8,20 +8,30 @@ objectives, rules and effects add.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from copy import copy
 from functools import cached_property
+from typing import Any
 
 from symscrew.errors import DescriptionError, did_you_mean
 from symscrew.functions import joint_freedom_labels, u_port
 from symscrew.optimisation.motion_equations import PointEquations
 from symscrew.optimisation.problem import TrajectoryProblem
+from symscrew.optimisation.problem_numbers import Get, ProblemNumbers
 from symscrew.optimisation.rows import INFINITY, Scales
 
 
 class PointModel:
     """A problem, its equations of motion and the sizes of its quantities: `scales` are those of the guess."""
 
-    def __init__(self, problem: TrajectoryProblem, equations: PointEquations, scales: Scales) -> None:
-        self.problem, self.equations, self.scales = problem, equations, scales
+    def __init__(
+        self,
+        problem: TrajectoryProblem,
+        equations: PointEquations,
+        scales: Scales,
+        numbers: ProblemNumbers | None = None,
+    ) -> None:
+        """`numbers` takes the problem's numbers that are to stay symbols; None: they are put in as they are."""
+        self.problem, self.equations, self.scales, self.numbers = problem, equations, scales, numbers
         system = equations.system
         self.system = system
         self.drive_labels = u_port(system).labels if system.drives else ()
@@ -36,6 +46,16 @@ class PointModel:
     def d(self) -> int:
         """Number of independent coordinates."""
         return len(self.equations.labels)
+
+    def number(self, name: str, get: Get) -> Any:
+        """A number of the problem as functions of a point hold it: its symbol, or its value."""
+        return get(self.problem) if self.numbers is None else self.numbers(name, get)
+
+    def of(self, problem: TrajectoryProblem) -> PointModel:
+        """The same for a problem of the same shape, with its numbers as they are."""
+        result = copy(self)
+        result.problem, result.numbers = problem, None
+        return result
 
     def _check_names(self) -> None:
         problem, bounds = self.problem, self.problem.bounds

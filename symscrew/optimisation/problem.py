@@ -200,6 +200,12 @@ class TrajectoryProblem:
         """Whether the duration is chosen by the optimiser."""
         return isinstance(self.duration, tuple)
 
+    @property
+    def conditions(self) -> dict[str, Conditions]:
+        """The conditions by where they hold, in words."""
+        via = {f"via point {k + 1}": c for k, c in enumerate(self.via)}
+        return {"the start": self.start, "the end": self.end, **via}
+
     def __post_init__(self) -> None:
         low, high = self.duration if isinstance(self.duration, tuple) else (self.duration, self.duration)
         if not 0 < low <= high:
@@ -222,6 +228,12 @@ class TrajectoryProblem:
             if via.time is None or not 0 < via.time < 1:
                 raise DescriptionError(f"via: expected a time between 0 and 1 (part of the duration), got {via.time!r}")
         check_ranges(self)
+
+
+def fixed_duration(problem: TrajectoryProblem) -> float:
+    """The duration [s] of a problem that does not leave it free."""
+    assert not isinstance(problem.duration, tuple)
+    return float(problem.duration)
 
 
 def check_ranges(problem: TrajectoryProblem) -> None:

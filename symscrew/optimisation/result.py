@@ -6,7 +6,7 @@ PlannedMotion + multipliers --costates, mesh_errors--> Trajectory: status, error
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -84,7 +84,8 @@ class Trajectory(PlannedMotion):
     @cached_property
     def errors(self) -> Errors:
         """Errors between the points."""
-        return errors_of(self, self.costates, self.branch, self.followed)
+        settled = replace(self, transcribed=self.transcribed.settled())
+        return errors_of(settled, self.costates, self.branch, self.followed)
 
     @cached_property
     def branch(self) -> Branch:

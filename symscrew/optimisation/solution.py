@@ -5,6 +5,7 @@ problem --PointEquations--> programs --first_guess--> scales --Collocation--> fa
 
 from __future__ import annotations
 
+import math
 import time
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -51,6 +52,8 @@ REFINING: Mapping[str, Any] = {"warm_start_init_point": "yes", "mu_init": 1e-6} 
     ("warm_start_bound_push", "warm_start_bound_frac", "warm_start_slack_bound_push", "warm_start_slack_bound_frac",
      "warm_start_mult_bound_push"), 1e-7
 )  # fmt: skip
+# No gradient of the Lagrangian by the parameters: nobody asks for it, and compiled points do not derive themselves.
+NO_GRADIENT: Mapping[str, Any] = {"no_nlp_grad": True, "calc_lam_p": False}
 
 
 @dataclass(frozen=True)
@@ -104,7 +107,7 @@ def solve(
     Raises:
         DescriptionError: the problem cannot be used as it is given.
     """
-    began, until = _clock(), time.perf_counter() + problem.solver.time_limit
+    began, until = clock(), time.perf_counter() + problem.solver.time_limit
     say = progress or (lambda text: None)
     found = prepared or prepare(problem)
     search = None
@@ -130,7 +133,7 @@ def solve(
     say(trajectory.status)
     if search is not None:
         trajectory = replace(trajectory, search=search, notes=(*trajectory.notes, str(search)))
-    return replace(trajectory, statistics=_whole(trajectory.statistics, _clock() - began))
+    return replace(trajectory, statistics=_whole(trajectory.statistics, clock() - began))
 
 
 def attempts(problem: TrajectoryProblem, guesses: Sequence[Values | None]) -> list[Attempt]:
@@ -166,7 +169,7 @@ def _accurate(
 
         def once(posed: TrajectoryProblem, near: Trajectory | None) -> Trajectory:
             other = PointModel(posed, model.equations, model.scales)
-            return _once(other, found.guess, warm=near, say=say, began=_clock(), until=until)
+            return _once(other, found.guess, warm=near, say=say, began=clock(), until=until)
 
         say("not solved as it is: effort is added, and taken away again")
         trajectory, part = continued(trajectory, once) or (trajectory, 0.0)
@@ -184,7 +187,7 @@ def _passed(found: Prepared, say: Progress, until: float) -> Trajectory | None:
         other = prepare(problem)
         if other.guess.trouble or other.guess.parted:
             continue
-        trajectory = _accurate(other, problem, warm=None, say=say, began=_clock(), until=until)
+        trajectory = _accurate(other, problem, warm=None, say=say, began=clock(), until=until)
         if trajectory.ok and not trajectory.followed.trouble:
             labels = ", ".join(problem.independent or ())
             return replace(trajectory, notes=(*trajectory.notes, f"through a passage, by the coordinates {labels}"))
@@ -213,7 +216,7 @@ def _refined(
         say(f"refinement {count + 1}: {len(mesh)} intervals, drift {trajectory.errors.drift:.1e} so far")
         transcription = replace(model.problem.transcription, mesh=mesh, intervals=len(mesh))
         model = PointModel(replace(model.problem, transcription=transcription), model.equations, model.scales)
-        again = _once(model, guess, warm=trajectory, say=say, began=_clock(), until=until, start_options=REFINING)
+        again = _once(model, guess, warm=trajectory, say=say, began=clock(), until=until, start_options=REFINING)
         spent = _sum(trajectory.statistics, again.statistics)
         if not again.ok:  # the coarser motion is an optimum still
             say(f"the finer mesh is given up: {again.status}")
@@ -249,7 +252,7 @@ def _whole(parts: Statistics, spent: np.ndarray) -> Statistics:
     return Statistics(parts.iterations, times, processor)
 
 
-def _clock() -> np.ndarray:
+def clock() -> np.ndarray:
     """Wall and processor time [s]."""
     return np.array([time.perf_counter(), time.process_time()])
 
@@ -269,30 +272,30 @@ def _once(
     until: float,
     start_options: Mapping[str, Any] = WARM,
 ) -> Trajectory:
-    ready = _clock()
+    ready = clock()
     transcribed = transcribe(model)
     unknowns = transcribed.unknowns
-    _check_bounds(transcribed)
+    check_bounds(transcribed)
     arrays = (
         carried_unknowns(warm, transcribed) if warm else guess.arrays(model, transcribed.mesh, transcribed.point_tau)
     )
-    arrays["u"] = _control_points(transcribed, arrays["u"])
+    arrays["u"] = control_points(transcribed, arrays["u"])
     start = np.clip(np.nan_to_num(unknowns.pack(arrays)), unknowns.lower, unknowns.upper)
     if guess.trouble and warm is None:
         return _not_started(transcribed, start, guess.trouble)
-    scale = _cost_scale(transcribed, start)
+    scale = cost_scale_of(transcribed, start)
     program = assemble(transcribed.families, transcribed.linear, transcribed.cost, scale)
     say(f"program: {unknowns.size} unknowns, {len(program.labels)} constraints")
-    clock = {} if until == np.inf else {"max_wall_time": max(until - time.perf_counter(), LEAST_TIME)}
-    solver = _solver(model.problem, program, {**(start_options if warm else {}), **clock})
-    made = _clock()
+    limit = {} if until == np.inf else {"max_wall_time": max(until - time.perf_counter(), LEAST_TIME)}
+    solver = solver_of(model.problem, program, {**(start_options if warm else {}), **limit})
+    made = clock()
     extra = {}
     if warm is not None and (carried := carried_multipliers(warm, transcribed, program, scale)):
         extra = {"lam_g0": carried[0], "lam_x0": carried[1]}
     with interruptible():
         answer = solver(x0=start, lbx=unknowns.lower, ubx=unknowns.upper, lbg=program.lower, ubg=program.upper, **extra)
     stats = solver.stats()
-    done = _clock()
+    done = clock()
     x = np.array(answer["x"]).ravel()
     ok = bool(stats["success"])
     word = stats.get("return_status", "")
@@ -304,11 +307,11 @@ def _once(
     return Trajectory(
         model.problem, transcribed, unknowns.unpack(x), x, np.array(answer["lam_g"]).ravel(),
         pressure, float(answer["f"]) * scale, scale, ok, status,
-        _statistics(stats, ready - began, made - ready, done - made), reasons,
+        statistics_of(stats, ready - began, made - ready, done - made), reasons,
     )  # fmt: skip
 
 
-def _control_points(transcribed: Transcribed, u: np.ndarray) -> np.ndarray:
+def control_points(transcribed: Transcribed, u: np.ndarray) -> np.ndarray:
     """Coefficients of the drives' polynomials from their values at the points (points, drives)."""
     if transcribed.scheme is None:
         return u
@@ -326,13 +329,14 @@ def _not_started(transcribed: Transcribed, start: np.ndarray, trouble: str) -> T
     )  # fmt: skip
 
 
-def _cost_scale(transcribed: Transcribed, start: np.ndarray) -> float:
+def cost_scale_of(transcribed: Transcribed, start: np.ndarray) -> float:
     """A power of ten near the cost at the guess."""
     value = abs(float(transcribed.cost @ start) + sum(cost_of(f, start) for f in transcribed.families))
     return 10.0 ** round(float(np.log10(value))) if np.isfinite(value) and value > LEAST_COST else 1.0
 
 
-def _check_bounds(transcribed: Transcribed) -> None:
+def check_bounds(transcribed: Transcribed) -> None:
+    """Refuse bounds of an unknown that no value satisfies."""
     unknowns = transcribed.unknowns
     bad = np.flatnonzero(unknowns.lower > unknowns.upper)
     if len(bad):
@@ -343,24 +347,27 @@ def _check_bounds(transcribed: Transcribed) -> None:
         )
 
 
-def _solver(problem: TrajectoryProblem, program: NonlinearProgram, start: Mapping[str, Any]) -> ca.Function:
+def solver_of(problem: TrajectoryProblem, program: NonlinearProgram, start: Mapping[str, Any]) -> ca.Function:
+    """The problem's solver of a program, with `start` among its options."""
     given = problem.solver
     if not ca.has_nlpsol(given.name):
         raise DescriptionError(f"solver.name: this CasADi has no solver {given.name!r}; 'ipopt' comes with it")
-    nlp = {"x": program.x, "f": program.f, "g": program.g}
-    options: dict[str, Any] = {"print_time": False, "error_on_fail": False}
+    nlp = {"x": program.x, "p": program.p, "f": program.f, "g": program.g}
+    options: dict[str, Any] = {"print_time": False, "error_on_fail": False, **NO_GRADIENT}
     if given.name == "ipopt":
         own: dict[str, Any] = {
             "print_level": 0, "sb": "yes", "tol": given.tolerance, "max_iter": given.iterations,
             "constr_viol_tol": min(1e-8, given.tolerance), "nlp_scaling_method": "none",
         }  # fmt: skip
+        if math.isfinite(given.time_limit):
+            own["max_wall_time"] = given.time_limit
         own |= start
         derivatives = {"grad_f": program.gradient, "jac_g": program.jacobian, "hess_lag": program.hessian}
         options |= {**derivatives, "ipopt": own | dict(given.options)}
     else:
         options |= dict(given.options)
         if given.name == "sqpmethod":
-            options |= {"hess_lag": _symmetric(program.hessian), "max_iter": given.iterations}
+            options |= {"hess_lag": symmetric(program.hessian), "max_iter": given.iterations}
             options |= {"print_header": False, "print_iteration": False, "print_status": False}
     try:
         return ca.nlpsol("trajectory", given.name, nlp, options)
@@ -369,16 +376,17 @@ def _solver(problem: TrajectoryProblem, program: NonlinearProgram, start: Mappin
         raise DescriptionError(f"solver: {given.name} does not take these options: {reason}") from error
 
 
-def _symmetric(hessian: ca.Function) -> ca.Function:
+def symmetric(hessian: ca.Function) -> ca.Function:
     """The whole Hessian from its upper part."""
     inputs = hessian.mx_in()
     whole = ca.triu2symm(hessian(*inputs))
     return ca.Function(hessian.name(), inputs, [whole], hessian.name_in(), ["hess_gamma_x_x"])
 
 
-def _statistics(
+def statistics_of(
     stats: Mapping[str, Any], model: np.ndarray, transcription: np.ndarray, solver: np.ndarray
 ) -> Statistics:
+    """Iterations, and times of a solver's functions apart from the rest of it."""
     parts = []
     for k, kind in enumerate(("t_wall_nlp_", "t_proc_nlp_")):
         functions = sum(float(v) for name, v in stats.items() if name.startswith(kind))

@@ -11,13 +11,14 @@ once, for one point.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
 import casadi as ca
 import numpy as np
 
+from symscrew.optimisation.problem import TrajectoryProblem
 from symscrew.optimisation.rows import PointFunction
 
 
@@ -100,9 +101,13 @@ class Linear:
 
 @dataclass(frozen=True)
 class NonlinearProgram:
-    """The nonlinear program in the solver's unknowns, with its functions and the meaning of every row."""
+    """The nonlinear program in the solver's unknowns, with its functions and the meaning of every row.
+
+    `p` are its parameters: the problem's numbers that stay symbols and the linear cost, or nothing.
+    """
 
     x: ca.MX
+    p: ca.MX
     f: ca.MX
     g: ca.MX
     gradient: ca.Function
@@ -148,34 +153,49 @@ class _Parts:
         return ca.MX(_pattern(unique, shape), nonzeros)
 
 
-def assemble(families: Sequence[Family], linear: Linear, cost: np.ndarray, cost_scale: float) -> NonlinearProgram:
+PointFunctions = Mapping[str, ca.Function]  # of one point: "value", "slope", "jacobian", "hessian"
+
+
+def assemble(
+    families: Sequence[Family],
+    linear: Linear,
+    cost: np.ndarray,
+    cost_scale: float,
+    *,
+    points: Callable[[Family], PointFunctions] | None = None,
+) -> NonlinearProgram:
     """The program of families, linear constraints, and a linear `cost` (n,) beside the families' integrals.
 
-    The objective is divided by `cost_scale`.
+    The objective is divided by `cost_scale`. `points` gives the functions of a family's points (default: interpreted).
+    Where they hold numbers of the problem, those and the linear cost are the program's parameters.
     """
     n = len(cost)
     x = ca.MX.sym("x", n)
+    given = families[0].function.numbers.numel() if families else 0
+    p = ca.MX.sym("p", given + (n if given else 0))
+    numbers = p[:given]
     matrix = linear.map.matrix(n)
     count = sum(f.count * len(f.function.rows) for f in families) + len(linear.labels)
-    lam, sigma, none = ca.MX.sym("lam", count), ca.MX.sym("sigma"), ca.MX.sym("none", 0)
-    objective = ca.dot(ca.DM(cost / cost_scale), x)
-    gradient = ca.MX(ca.DM(cost / cost_scale))
+    lam, sigma = ca.MX.sym("lam", count), ca.MX.sym("sigma")
+    gradient = p[given:] / cost_scale if given else ca.MX(ca.DM(cost / cost_scale))
+    objective = ca.dot(gradient, x)
     values, jacobian, hessian = [], _Parts(), _Parts()
     row = 0
     for family in families:
-        made = _derivatives(family)
+        made = (points or point_functions)(family)
         size, m = family.function.arguments.numel(), len(family.function.rows)
         big = ca.MX(family.map.matrix(n))
         z = ca.reshape(ca.mtimes(big, x) + ca.DM(family.offset), size, family.count)
         weights = ca.DM(family.weights / cost_scale).T
         block = lam[row : row + m * family.count]
-        g, cost_here = made["value"].map(family.count)(z)
+        g, cost_here = _at_points(made["value"], family.count, z, numbers)
         values.append(ca.vec(g))
         objective = objective + ca.dot(weights, cost_here)
-        slope = made["slope"].map(family.count)(z)
+        slope = _at_points(made["slope"], family.count, z, numbers)
         gradient = gradient + ca.mtimes(big.T, ca.vec(slope * ca.repmat(weights, size, 1)))
-        _add_jacobian(jacobian, family, made["jacobian"], z, first=row)
-        _add_hessian(hessian, family, made["hessian"], (z, ca.reshape(block, m, family.count), sigma * weights))
+        _add_jacobian(jacobian, family, made["jacobian"], (z, numbers), first=row)
+        at_points = (z, numbers, ca.reshape(block, m, family.count), sigma * weights)
+        _add_hessian(hessian, family, made["hessian"], at_points)
         row += m * family.count
     values.append(ca.mtimes(ca.MX(matrix), x))
     jacobian.source(ca.MX(1))
@@ -184,22 +204,35 @@ def assemble(families: Sequence[Family], linear: Linear, cost: np.ndarray, cost_
     names = ["x", "p"]
     return NonlinearProgram(
         x,
+        p,
         objective,
         g,
-        ca.Function("nlp_grad_f", [x, none], [objective, gradient], names, ["f", "grad_f_x"]),
-        ca.Function("nlp_jac_g", [x, none], [g, jacobian.assembled((count, n))], names, ["g", "jac_g_x"]),
+        ca.Function("nlp_grad_f", [x, p], [objective, gradient], names, ["f", "grad_f_x"]),
+        ca.Function("nlp_jac_g", [x, p], [g, jacobian.assembled((count, n))], names, ["g", "jac_g_x"]),
         ca.Function(
             "nlp_hess_l",
-            [x, none, sigma, lam],
+            [x, p, sigma, lam],
             [hessian.assembled((n, n))],
             [*names, "lam_f", "lam_g"],
             ["triu_hess_gamma_x_x"],
         ),
-        np.concatenate([*(f.repeated([r.lower / r.scale for r in f.function.rows]) for f in families), linear.lower]),
-        np.concatenate([*(f.repeated([r.upper / r.scale for r in f.function.rows]) for f in families), linear.upper]),
+        *row_bounds(families, linear),
         (*(label for f in families for label in f.count * [r.label for r in f.function.rows]), *linear.labels),
         np.concatenate([*(np.repeat(f.tau, len(f.function.rows)) for f in families), linear.tau]),
     )
+
+
+def row_bounds(
+    families: Sequence[Family], linear: Linear, problem: TrajectoryProblem | None = None
+) -> tuple[np.ndarray, np.ndarray]:
+    """Lower and upper bounds of all rows, scaled: those of the rows, or in another problem of the same shape."""
+    lower, upper = [], []
+    for family in families:
+        ranges = [(r.lower, r.upper) if problem is None else r.range_in(problem) for r in family.function.rows]
+        scaled = [(low / r.scale, high / r.scale) for (low, high), r in zip(ranges, family.function.rows, strict=True)]
+        lower.append(family.repeated([low for low, _ in scaled]))
+        upper.append(family.repeated([high for _, high in scaled]))
+    return np.concatenate([*lower, linear.lower]), np.concatenate([*upper, linear.upper])
 
 
 def cost_of(family: Family, x: np.ndarray) -> float:
@@ -214,24 +247,32 @@ def cost_of(family: Family, x: np.ndarray) -> float:
     return float(values @ family.weights)
 
 
-def _derivatives(family: Family) -> dict[str, ca.Function]:
+def point_functions(family: Family) -> PointFunctions:
     """Constraints and integrand of one point, slope of the integrand, Jacobian, Hessian of the Lagrangian."""
-    z, rows = family.function.arguments, family.function.rows
+    z, numbers, rows = family.function.arguments, family.function.numbers, family.function.rows
     g = ca.vertcat(ca.SX(0, 1), *[r.value / r.scale for r in rows])
     integrand = ca.SX(family.function.integrand) if family.function.integrand is not None else ca.SX(0)
     lam, sigma = ca.SX.sym("lam", g.numel()), ca.SX.sym("sigma")
     jacobian = ca.jacobian(g, z)
     slope = ca.densify(ca.gradient(integrand, z))
     full, _ = ca.hessian(ca.dot(lam, g) + sigma * integrand, z)
-    return {
-        "value": ca.Function("value", [z], [g, integrand]),
-        "slope": ca.Function("slope", [z], [slope]),
-        "jacobian": ca.Function("jacobian", [z], [jacobian]),
-        "hessian": ca.Function("hessian", [z, lam, sigma], [full]),
+    made = {
+        "value": ([z, numbers], [g, integrand]),
+        "slope": ([z, numbers], [slope]),
+        "jacobian": ([z, numbers], [jacobian]),
+        "hessian": ([z, numbers, lam, sigma], [full]),
     }
+    return {kind: ca.Function(f"{family.name}_{kind}", *signature) for kind, signature in made.items()}
 
 
-def _add_jacobian(parts: _Parts, family: Family, function: ca.Function, z: Any, *, first: int) -> None:
+def _at_points(function: ca.Function, count: int, z: Any, numbers: Any, *more: Any) -> Any:
+    """The function at all points, whose columns stand side by side; the numbers are those of all."""
+    return function.map("points", "serial", count, [1], [])(z, numbers, *more)
+
+
+def _add_jacobian(
+    parts: _Parts, family: Family, function: ca.Function, arguments: Sequence[Any], *, first: int
+) -> None:
     pattern = function.sparsity_out(0)
     if pattern.nnz() == 0 or family.count == 0:
         return
@@ -241,7 +282,7 @@ def _add_jacobian(parts: _Parts, family: Family, function: ca.Function, z: Any, 
     source, columns, values = family.map.expand((at * size + local_columns).ravel())
     rows = (first + at * m + local_rows).ravel()[source]
     parts.add(rows, columns, values, source)
-    parts.source(_stacked(function, count, [z]))
+    parts.source(_stacked(function, count, arguments))
 
 
 def _add_hessian(parts: _Parts, family: Family, function: ca.Function, arguments: Sequence[Any]) -> None:
@@ -261,5 +302,5 @@ def _add_hessian(parts: _Parts, family: Family, function: ca.Function, arguments
 
 def _stacked(function: ca.Function, count: int, arguments: Sequence[Any]) -> Any:
     """Nonzeros of all points below each other."""
-    found = function.map(count)(*arguments).nz[:]
+    found = _at_points(function, count, *arguments).nz[:]
     return found if found.size2() == 1 else found.T  # the nonzeros of a row come as a row

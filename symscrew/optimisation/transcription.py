@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -21,6 +21,7 @@ from symscrew.optimisation.linear_rows import LinearRows
 from symscrew.optimisation.objectives import objectives_by_type
 from symscrew.optimisation.point import observation_point
 from symscrew.optimisation.point_model import PointModel
+from symscrew.optimisation.problem import TrajectoryProblem, fixed_duration
 from symscrew.optimisation.rows import PointFunction
 from symscrew.optimisation.sparse import Family, Linear, SparseMap
 from symscrew.optimisation.tableau import Tableau
@@ -32,15 +33,23 @@ from symscrew.optimisation.unknowns import Terms, UnknownGroup, Unknowns
 class Transcribed:
     """A problem as families of points, linear constraints and linear costs over named unknowns; dynamics come first.
 
-    `cost` (unknowns,) is what objectives count linearly, in the solver's unknowns.
+    `cost` (unknowns,) is what objectives count linearly, in the solver's unknowns; `free` are the unknowns without the
+    bounds of the problem; `numbers` are the values of the symbols in the families' functions, mostly none.
     """
 
     unknowns: Unknowns
+    free: Unknowns
     families: tuple[Family, ...]
     linear: Linear
     cost: np.ndarray
     grid: TimeGrid
     model: PointModel
+    numbers: np.ndarray
+
+    def settled(self) -> Transcribed:
+        """The same with the problem's numbers put into the functions of the points."""
+        families = tuple(replace(f, function=f.function.settled(self.numbers.tolist())) for f in self.families)
+        return replace(self, families=families, numbers=np.zeros(0)) if len(self.numbers) else self
 
     @property
     def mesh(self) -> np.ndarray:
@@ -82,6 +91,8 @@ class Discretisation(ABC):
         """The transcription."""
         self._add_unknowns()
         families = (self.family(), *self._observation_families())
+        free = self.unknowns.copy()
+        bound_by_problem(self.unknowns, self.model, self.problem)
         rows = LinearRows(self.model, self.grid, self.unknowns)
         self.add_continuity(rows)
         add_conditions(rows)
@@ -89,18 +100,13 @@ class Discretisation(ABC):
         for made, objective in objectives_by_type(self.model):
             made.linear(rows, objective)
         add_periodicity(rows)
-        return Transcribed(self.unknowns, families, rows.linear(), self._linear_cost(), self.grid, self.model)
-
-    def _linear_cost(self) -> np.ndarray:
-        """What objectives add to the cost linearly in the unknowns: duration, peak."""
-        cost = np.zeros(self.unknowns.size)
-        every = {objective.type: made for made, objective in objectives_by_type(self.model)}
-        for objective in self.problem.objectives:
-            name = every[objective.type].cost_on
-            if name:
-                at = self.unknowns.index[name][0]
-                cost[at] += objective.weight * self.unknowns.scale[at]
-        return cost
+        numbers = self.model.numbers
+        values = np.zeros(0)
+        if numbers is not None:  # all have been asked for by now
+            values, symbols = numbers.values(self.problem), numbers.vector
+            families = tuple(replace(f, function=replace(f.function, numbers=symbols)) for f in families)
+        cost = linear_cost(self.unknowns, self.model, self.problem)
+        return Transcribed(self.unknowns, free, families, rows.linear(), cost, self.grid, self.model, values)
 
     # -- unknowns --------------------------------------------------------------------------------------------
 
@@ -114,7 +120,6 @@ class Discretisation(ABC):
             if group.name in self.function.blocks:
                 known.add(group.name, self.grid.point_tau, group.labels, group.size)
                 known.bound(known.index[group.name], group.lower, group.upper)
-        self._bound_drives_and_ends()
         self._add_whole_unknowns()
 
     def _groups(self) -> list[UnknownGroup]:
@@ -131,39 +136,15 @@ class Discretisation(ABC):
             UnknownGroup("x_1", [f"rate of the state {name}" for name in model.states], s.x),
         ]
 
-    def _bound_drives_and_ends(self) -> None:
-        """Bounds of the drives' control points; values and zero rates of y at both ends; states at the start."""
-        model, known = self.model, self.unknowns
-        for k, label in enumerate(model.drive_labels):
-            known.bound(known.index["u"][..., k], *model.drive_range(label))
-        for name, tau, c in (("start", 0, self.problem.start), ("end", -1, self.problem.end)):
-            for k, label in enumerate(model.equations.labels):
-                if label in c.coordinates:
-                    value = c.coordinates[label]
-                    low, high = self.problem.bounds.joints.get(label, (-np.inf, np.inf))
-                    if not low <= value <= high:
-                        raise DescriptionError(
-                            f"{name}.coordinates: {label} = {value:g} contradicts its bounds {low:g} to {high:g}"
-                        )
-                    known.bound(known.index["y"][tau, k], value, value)
-                if c.at_rest or c.rates.get(label) == 0.0:
-                    known.bound(known.index["y_1"][tau, k], 0.0, 0.0)
-        if model.states and not self.problem.periodic:
-            for k, state in enumerate(model.equations.acting.states):
-                known.bound(known.index["x"][0, k], state.initial, state.initial)
-
     def _add_whole_unknowns(self) -> None:
         model, known, problem = self.model, self.unknowns, self.problem
         once = np.zeros(())
         if isinstance(problem.duration, tuple):
             known.add("T", once, ["duration"], np.array([model.scales.duration]))
-            known.bound(known.index["T"], *problem.duration)
         if model.design:
             values = {p.name: float(p.value) for p in model.system.mechanism.parameters.values()}
             sizes = [max(abs(values[n]), max(map(abs, problem.design[n])) * 1e-3) or 1.0 for n in model.design]
             known.add("p", once, [f"parameter {n}" for n in model.design], np.array(sizes))
-            for k, name in enumerate(model.design):
-                known.bound(known.index["p"][k], *problem.design[name])
         for made, objective in objectives_by_type(model):
             if made.whole:
                 known.add(made.whole.name, once, [made.whole.label], np.array([made.whole.size(model, objective)]))
@@ -195,6 +176,46 @@ class Discretisation(ABC):
         terms.add(place.rows["z"], entries)
         place.add_common(terms)
         return place.family(name, terms, np.array([tau]), np.zeros(1))
+
+
+def bound_by_problem(known: Unknowns, model: PointModel, problem: TrajectoryProblem) -> None:
+    """Narrow the unknowns to a problem: drives' control points, y and y' at both ends, states at the start, duration,
+    design."""
+    for k, label in enumerate(model.drive_labels):
+        known.bound(known.index["u"][..., k], *problem.bounds.drives.get(label, (-np.inf, np.inf)))
+    for name, tau, c in (("start", 0, problem.start), ("end", -1, problem.end)):
+        for k, label in enumerate(model.equations.labels):
+            if label in c.coordinates:
+                value = c.coordinates[label]
+                low, high = problem.bounds.joints.get(label, (-np.inf, np.inf))
+                if not low <= value <= high:
+                    raise DescriptionError(
+                        f"{name}.coordinates: {label} = {value:g} contradicts its bounds {low:g} to {high:g}"
+                    )
+                known.bound(known.index["y"][tau, k], value, value)
+            rate = 0.0 if c.at_rest else c.rates.get(label)
+            if rate is not None and (rate == 0.0 or not isinstance(problem.duration, tuple)):
+                value = rate * fixed_duration(problem) if rate else 0.0
+                known.bound(known.index["y_1"][tau, k], value, value)
+    if model.states and not problem.periodic:
+        for k, state in enumerate(model.equations.acting.states):
+            known.bound(known.index["x"][0, k], state.initial, state.initial)
+    if isinstance(problem.duration, tuple):
+        known.bound(known.index["T"], *problem.duration)
+    for k, name in enumerate(model.design):
+        known.bound(known.index["p"][k], *problem.design[name])
+
+
+def linear_cost(known: Unknowns, model: PointModel, problem: TrajectoryProblem) -> np.ndarray:
+    """What objectives add to the cost linearly in the unknowns: duration, peak."""
+    cost = np.zeros(known.size)
+    every = {objective.type: made for made, objective in objectives_by_type(model)}
+    for objective in problem.objectives:
+        name = every[objective.type].cost_on
+        if name:
+            at = known.index[name][0]
+            cost[at] += objective.weight * known.scale[at]
+    return cost
 
 
 class Placer:

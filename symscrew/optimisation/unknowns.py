@@ -6,7 +6,7 @@ arrays by name --pack--> X (what the solver sees, of size one) --unpack--> array
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -62,6 +62,10 @@ class Unknowns:
         at = np.atleast_1d(entries)
         self.lower[at] = np.maximum(self.lower[at], lower / self.scale[at])
         self.upper[at] = np.minimum(self.upper[at], upper / self.scale[at])
+
+    def copy(self) -> Unknowns:
+        """The same with bounds of its own."""
+        return replace(self, lower=self.lower.copy(), upper=self.upper.copy())
 
     def pack(self, values: dict[str, np.ndarray]) -> np.ndarray:
         """The solver's vector of given arrays; what is not given is 0."""

@@ -34,6 +34,32 @@ def carried_unknowns(warm: Trajectory, transcribed: Transcribed) -> dict[str, np
     return result
 
 
+def shifted(warm: Trajectory, shift: float) -> tuple[np.ndarray, np.ndarray]:
+    """Unknowns and multipliers of constraints of a motion `shift` seconds later, on its own mesh; its end is held."""
+    made = warm.transcribed
+    scheme, unknowns, part = made.scheme, made.unknowns, shift / warm.duration
+    assert scheme is not None  # no shooting
+    at_mesh = warm.blocks(np.clip(made.mesh + part, 0.0, 1.0))
+    later = np.clip(made.point_tau.ravel() + part, 0.0, 1.0)
+    inside = warm.blocks(later)
+    k = np.clip(np.searchsorted(made.mesh, later, side="right") - 1, 0, len(made.mesh) - 2)
+    weights = scheme.basis((later - made.mesh[k]) / np.diff(made.mesh)[k])
+    inside["z"] = np.einsum("nj,njd->nd", weights, warm.arrays["z"][k])
+    shape = (*made.point_tau.shape, -1)
+    inside["u"] = np.einsum("ij,njm->nim", np.linalg.inv(scheme.control), inside["u"].reshape(shape))
+    arrays = {**warm.arrays, **{name: array for name, array in inside.items() if name in unknowns.index}}
+    x = unknowns.pack(arrays | {name: at_mesh[name] for name in ("y", "y_1", "x")})
+    rows, first = warm.multipliers.copy(), 0
+    for family in made.families:
+        count = len(family.function.rows)
+        own = rows[first : first + family.count * count].reshape(family.count, count)
+        if family.weights.any():
+            density = own / family.weights[:, None]
+            own[:] = _interpolated(family.tau, density, family.tau + part) * family.weights[:, None]
+        first += family.count * count
+    return x, rows
+
+
 def carried_multipliers(
     warm: Trajectory, transcribed: Transcribed, program: NonlinearProgram, cost_scale: float
 ) -> tuple[np.ndarray, np.ndarray] | None:

@@ -17,6 +17,7 @@ from symscrew.program.equal_limbs import NO_LIMBS, Limbs
 from symscrew.program.passes import PASSES
 from symscrew.program.straight_line import Instruction, Port, Program
 
+FORMED = frozenset(("mul", "neg"))  # operations that may be printed as others: see `_Lowering._form`
 NodeLimit = tuple[Node, float | None, float | None, int]
 
 
@@ -135,31 +136,32 @@ class _Lowering:
 
     def value(self, root: Node) -> int | float:
         """Slot or constant of a node, emitting what it needs first (without recursion in depth)."""
-        slot = self.slot
-        stack = [root]
+        slot, emit = self.slot, self._emit
+        stack: list[Node | tuple[int, str, tuple[Node, ...]]] = [root]  # to come to; or operands are there, to emit
         while stack:
-            node = stack[-1]
+            item = stack.pop()
+            if type(item) is tuple:
+                index, op, args = item
+                slot[index] = emit(op, tuple([slot[a.index] for a in args]))
+                continue
+            node: Node = item  # type: ignore[assignment]
             if node.index in slot:
-                stack.pop()
                 continue
             if node.value is not None:
-                slot[node.index] = float(node.value)
-                stack.pop()
+                slot[node.index] = node.tape.double(node)
                 continue
             if node.op == "symbol":
                 raise ValueError(
                     f"function {self.function.name} uses {node.args[0].name}, which is not among its inputs "
                     f"({', '.join(p.name for p in self.function.inputs)})"
                 )
-            op, args = self._form(node)
-            ready = True
-            for arg in args[::-1]:
-                if arg.index not in slot:
-                    stack.append(arg)
-                    ready = False
-            if ready:
-                stack.pop()
-                slot[node.index] = self._emit(op, tuple([slot[a.index] for a in args]))
+            op, args = self._form(node) if node.op in FORMED else (node.op, node.args)
+            missing = [arg for arg in args if arg.index not in slot]
+            if missing:
+                stack.append((node.index, op, args))
+                stack += missing[::-1]
+            else:
+                slot[node.index] = emit(op, tuple([slot[a.index] for a in args]))
         return slot[root.index]
 
     def _single(self, node: Node) -> bool:

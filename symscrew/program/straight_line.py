@@ -11,6 +11,7 @@ or constants. It knows its inputs and outputs by name, shape, unit and label, it
 from __future__ import annotations
 
 import hashlib
+from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -118,8 +119,8 @@ class Program:
     @cached_property
     def _counted(self) -> Mapping[str, int]:
         count = dict.fromkeys(CLASSES, 0)
-        for instruction in self.instructions:
-            count[COUNTED[instruction.op]] += 1
+        for op, times in Counter([op for _, op, _ in self.instructions]).items():
+            count[COUNTED[op]] += times
         # each guard costs an absolute value and a comparison; the sum of what is checked is tested for NaN and Inf
         count["compare"] += 2 * len(self.guards) + bool(self.checked)
         count["compare"] += sum(bound is not None for _, low, high, _ in self.limits for bound in (low, high))
@@ -139,14 +140,14 @@ class Program:
         watched = results | {slot for slot, _ in self.guards}
         seen: set[int] = set()
         found = []
-        for instruction in reversed(self.instructions):
-            if instruction.op == "less" and instruction.target in watched and instruction.target not in results:
-                watched |= {arg for arg in instruction.args if isinstance(arg, int)}
-            elif instruction.target in watched and instruction.target not in seen:
-                found.append(instruction.target)
-            elif instruction.target not in seen:
-                continue
-            seen |= {arg for arg in instruction.args[: PASSING.get(instruction.op, 0)] if isinstance(arg, int)}
+        for target, op, args in reversed(self.instructions):
+            if op == "less" and target in watched and target not in results:
+                watched |= {arg for arg in args if isinstance(arg, int)}
+            elif target not in seen:
+                if target not in watched:
+                    continue
+                found.append(target)
+            seen.update([arg for arg in args[: PASSING.get(op, 0)] if type(arg) is int])
         return (*found[::-1], *(slot for slot in range(sum(port.size for port in self.inputs)) if slot not in seen))
 
     @property
@@ -160,9 +161,10 @@ class Program:
         needed = {*self.checked, *self.tested}
         found = []
         for instruction in reversed(self.instructions):
-            if instruction.target in needed:
+            target, _, args = instruction
+            if target in needed:
                 found.append(instruction)
-                needed.update([arg for arg in instruction.args if type(arg) is int])
+                needed.update([arg for arg in args if type(arg) is int])
         return found[::-1], needed
 
     @cached_property

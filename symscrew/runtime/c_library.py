@@ -23,7 +23,7 @@ from symscrew.runtime.state_arrays import BYTES, place
 from symscrew.runtime.strided_c import MISFIT, NUMPY_AS_EXPECTED, strided_source
 
 # States of a thread, at least: making it takes as long as a thousand states of a short function.
-LEAST_SHARE = 4096
+C_THREAD_STATES = 4096
 Ports = Mapping[str, tuple[tuple[Port, ...], tuple[Port, ...]]]  # function -> inputs, outputs
 
 
@@ -212,7 +212,7 @@ def _direct(call: Any, inputs: Sequence[Port], outputs: Sequence[Port]) -> Direc
             count = len(results[0]) if results else count
             batch = (count,)
         status = empty(batch, integer) if told else None
-        shares = min(threads, count // LEAST_SHARE) if threads > 1 else 1
+        shares = min(threads, count // C_THREAD_STATES) if threads > 1 else 1
         worst = call(count, shares, like, tuple(given), tuple(results), status)
         return None if worst == MISFIT else (worst, results, status, batch)
 

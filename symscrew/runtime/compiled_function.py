@@ -35,7 +35,7 @@ Called = tuple[int, Sequence[np.ndarray], "np.ndarray | None", tuple[int, ...]]
 # there are some; None, where arguments are something else.
 Direct = Callable[[Sequence[object], int, "Sequence[np.ndarray] | None", bool], "Called | None"]
 # States of a thread of Python, at least: starting it takes as long as some thousands of states of a short function.
-LEAST_SHARE = 16384
+PYTHON_THREAD_STATES = 16384
 SHARE_UNIT = 64  # states: shares begin where blocks begin, so that every state has the neighbours it has in one thread
 
 
@@ -183,7 +183,7 @@ class CompiledFunction:
         if layout == COLUMNS:
             inputs, results = [a.T for a in inputs], [r.T for r in results]
         count = len(status)
-        shares = min(threads, count // LEAST_SHARE)
+        shares = min(threads, count // PYTHON_THREAD_STATES)
         if shares < 2:
             worst = evaluator(inputs, results, status)
             return int(status.max(initial=0)) if worst is None else worst

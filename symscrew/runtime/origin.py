@@ -44,6 +44,7 @@ from symscrew.export import (
     read_manifest,
     read_port,
 )
+from symscrew.functions import PRODUCT
 from symscrew.model import Model, derive
 from symscrew.program import STATUS, Port, status_texts
 from symscrew.runtime import user_cache
@@ -177,6 +178,7 @@ def model_of(directory: Path, content: Mapping[str, Any]) -> Model:
     functions = content.get("functions", {})
     wanted: dict[str, Any] = {
         "derivatives": any(name == "linearisation" or name.endswith("_derivatives") for name in functions),
+        "second_derivatives": any(name.endswith(PRODUCT) for name in functions),
         "regressor": any("regressor" in name for name in functions),
         "one_mode": content.get("one_mode") is True,
         "checked": any(name.endswith("_checked") for name in functions),

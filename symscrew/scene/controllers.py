@@ -102,9 +102,8 @@ class _Expressions:
             tuple(tape.symbol(name, unit, f"{name} of the scene") for name, unit in entries) for _, entries in groups
         )
         self.symbols: dict[sympy.Symbol, Node] = {}
-        self.names: dict[str, sympy.Expr] = {
-            p.name: p.value for p in model.mechanism.parameters.values() if not p.run_time
-        }
+        inputs = {p.name: _symbol(p.name) for p in model.mechanism.parameters.values() if p.run_time}
+        self.names = model.mechanism.values(inputs)
         for port, nodes in zip(self.ports, self.arguments, strict=True):
             for name, node in zip(port.labels, nodes, strict=True):
                 self._name(name, node)
@@ -112,9 +111,8 @@ class _Expressions:
             self._name(name, self.node(text, f"signals.{name}"))
 
     def _name(self, name: str, node: Node) -> None:
-        symbol = sympy.Symbol(f"scene {name}", real=True)
-        self.names[name] = symbol
-        self.symbols[symbol] = node
+        self.names[name] = _symbol(name)
+        self.symbols[_symbol(name)] = node
 
     def node(self, text: str, where: str) -> Node:
         """The node of an expression."""
@@ -124,6 +122,11 @@ class _Expressions:
             if isinstance(error, DescriptionError):
                 raise
             raise DescriptionError(f"{where}: this expression cannot be evaluated at run time: {error}") from error
+
+
+def _symbol(name: str) -> sympy.Symbol:
+    """What a name of the scene is in its expressions."""
+    return sympy.Symbol(f"scene {name}", real=True)
 
 
 def parameter_values(scene: Scene, model: Model) -> Mapping[str, float]:

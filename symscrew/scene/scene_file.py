@@ -81,6 +81,8 @@ def parse_scene(text: str, *, folder: Path | None = None, name: str = "scene") -
     head = tables["scene"]
     mechanism = _mechanism(head, folder)
     read = _Reader(mechanism)
+    parameters = _parameters(tables.get("parameters", {}), mechanism, read)
+    read.names = mechanism.values({name: exact(value) for name, value in parameters.items()})
     effects = tuple(effect_from_table(t, f"effects[{k}]") for k, t in enumerate(tables.get("effects", ())))
     check_effects(mechanism, effects)
     duration = read.number(_needed(head, "duration", "scene"), "scene.duration", above=0)
@@ -106,7 +108,7 @@ def parse_scene(text: str, *, folder: Path | None = None, name: str = "scene") -
         tables=time_tables,
         states=states,
         inputs={n: _several(v, f"inputs.{n}") for n, v in tables.get("inputs", {}).items()},
-        parameters=_parameters(tables.get("parameters", {}), mechanism, read),
+        parameters=parameters,
         integrator=_integrator(tables.get("integrator", {}), read),
         reactions=reactions,
         description=check_text(head.get("description", ""), "scene.description"),
@@ -130,7 +132,7 @@ class _Reader:
     """Numbers of a scene, as expressions in the mechanism's parameters at their values."""
 
     def __init__(self, mechanism: Mechanism) -> None:
-        self.names = {p.name: p.value for p in mechanism.parameters.values()}
+        self.names = mechanism.values()
 
     def number(self, value: Any, where: str, *, above: float | None = None, least: float | None = None) -> float:
         number = float(numeric(exact(value, self.names, where=where), where=where))

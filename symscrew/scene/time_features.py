@@ -89,8 +89,8 @@ _TIME = sympy.Symbol("t", real=True)
 
 def _expressions(scene: Scene, model: Model) -> Iterator[tuple[str, sympy.Expr]]:
     """The scene's expressions with numbers for parameters, and where they stand."""
-    names: dict[str, sympy.Expr] = {p.name: p.value for p in model.mechanism.parameters.values()}
-    names |= {name: sympy.Float(value, 30) for name, value in scene.parameters.items()}
+    chosen = {name: sympy.Float(value, 30) for name, value in scene.parameters.items()}
+    names = model.mechanism.values(chosen)
     forward = model.programs["forward_dynamics"]
     states = [label for port in forward.inputs if port.name == "x" for label in port.labels]
     tree = model.system.tree

@@ -19,7 +19,7 @@ from symscrew.runtime import compile_c
 from symscrew.scene import INTEGRATION_METHODS, UNCHANGING, Scene, TimeFeatures, features_in_time
 from symscrew.simulation.native_contacts import MOST_EVENTS, NativeContacts
 from symscrew.simulation.recording import History, Passage, State, shown_time
-from symscrew.simulation.run_source import source, table_code
+from symscrew.simulation.run_source import sources, table_code
 from symscrew.simulation.state_programs import Plant
 from symscrew.simulation.verdict import estimated
 
@@ -27,6 +27,7 @@ NATIVE_FLAGS = ("-O3", "-fno-trapping-math")
 NATIVE_METHODS = {name: m.kernel for name, m in INTEGRATION_METHODS.items() if m.kernel is not None}
 GOING_ON = 1  # outcome of the compiled loop: its portion of steps is used up
 EVENT = 8  # outcome of the compiled loop: the mode of a contact has ended
+NEEDS_PRECISION = 11  # outcome of the compiled loop: it is near a singular configuration for the first time
 
 
 MOST_CROSSINGS = 10_000  # singular configurations that a run records; it goes on beyond, and an event says so
@@ -61,12 +62,10 @@ class Library:
 
     def __init__(self, plant: Plant, tables: str = "", flags: Sequence[str] | None = None) -> None:
         self.plant = plant
-        text = source(plant, tables)
-        with tempfile.TemporaryDirectory(prefix="symscrew_") as temporary:
-            file, library = Path(temporary) / "run.c", Path(temporary) / "run.so"
-            file.write_text(text, encoding="utf-8")
-            compile_c(file, library, flags=NATIVE_FLAGS if flags is None else flags)
-            self.code = ctypes.CDLL(str(library))  # stays mapped when the file is gone
+        self._flags = tuple(NATIVE_FLAGS if flags is None else flags)
+        text, self._near_text = sources(plant, tables)
+        self.code = _compiled(text, self._flags)
+        self._precise: ctypes.CDLL | None = None
         self.hash = hashlib.sha256(text.encode()).hexdigest()[:16]
         for name in ("simulation_size", "crossing_size"):
             getattr(self.code, name).restype = ctypes.c_size_t
@@ -90,13 +89,25 @@ class Library:
         d = ctypes.c_double
         self.features = features  # the loop reads these arrays as long as it runs
         arrays = [np.ascontiguousarray(a, dtype=float) for a in (q, v, x)]
-        return int(
+        outcome = int(
             self.code.simulation_start(
                 _pointer(self.state), d(t), *map(_pointer, arrays), ctypes.c_int(NATIVE_METHODS[method]), d(h), d(rtol),
                 d(atol), d(longest), ctypes.c_long(budget), _pointer(features.edges), _pointer(features.lefts),
                 ctypes.c_size_t(len(features.edges)),
             )
         )  # fmt: skip
+        self._offer_precision()
+        return outcome
+
+    def _offer_precision(self) -> None:
+        """Hand the loop the branch in extended precision, if it is compiled; else it says when it needs that."""
+        found, rounding = self._precise, 1.0
+        if found is not None:
+            found.precise_rounding.restype = ctypes.c_double
+            rounding = found.precise_rounding()
+        names = ("precise_anchor", "precise_state")
+        doors = [ctypes.c_void_p() if found is None else ctypes.cast(found[n], ctypes.c_void_p) for n in names]
+        self.code.simulation_precision(_pointer(self.state), *doors, ctypes.c_double(rounding))
 
     def change(self, q: np.ndarray, v: np.ndarray, modes: Sequence[int]) -> int:
         """Go on from another state and other modes of the contacts; 0 where that is possible."""
@@ -111,14 +122,22 @@ class Library:
         return a[: self.plant.sizes["v"]] if outcome == 0 else np.full(self.plant.sizes["v"], np.nan)
 
     def advance(self, most: int, log: RunLog) -> int:
-        """Go on for at most `most` steps, into the log; see simulation.c for the outcome."""
-        return int(
+        """Go on for at most `most` steps, into the log; see simulation.c for the outcome.
+
+        What is needed near singular configurations is compiled when the first run comes there.
+        """
+        outcome = int(
             self.code.simulation_advance(
                 _pointer(self.state), ctypes.c_long(most), _pointer(log.times), ctypes.c_size_t(len(log.times)),
                 _pointer(log.written), *map(_pointer, (log.q, log.v, log.x, log.crossings)),
                 ctypes.c_size_t(len(log.crossings)), _pointer(log.met),
             )
         )  # fmt: skip
+        if outcome == NEEDS_PRECISION:
+            self._precise = _compiled(self._near_text, self._flags)
+            self._offer_precision()
+            return GOING_ON
+        return outcome
 
     def report(self) -> tuple[float, State, dict[str, float]]:
         """Time, (q, v, x) and counters now."""
@@ -129,6 +148,15 @@ class Library:
         names = ("steps", "rejected", "careful", "evaluations", "pivot", "h", "reason", "event")
         state = q[: sizes["q"]], v[: sizes["v"]], x[: sizes["x"]]
         return float(t[0]), state, dict(zip(names, numbers.tolist(), strict=False))
+
+
+def _compiled(text: str, flags: Sequence[str]) -> ctypes.CDLL:
+    """A C file as a library; it stays mapped when its file is gone."""
+    with tempfile.TemporaryDirectory(prefix="symscrew_") as temporary:
+        file, library = Path(temporary) / "run.c", Path(temporary) / "run.so"
+        file.write_text(text, encoding="utf-8")
+        compile_c(file, library, flags=flags)
+        return ctypes.CDLL(str(library))
 
 
 def _pointer(array: np.ndarray) -> ctypes.c_void_p:

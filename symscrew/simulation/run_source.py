@@ -51,6 +51,10 @@ THRESHOLDS = {
     "MOST_MOVED": 1e-5,
     "REACH": 0.6,  # longest step in local coordinates: a chart is a good one within about half a radian
     "CAREFUL_TOLERANCE": 4e-13,  # least local tolerance of careful steps: near the zone accelerations are noise
+    # The same where the branch is computed with a rounding below the second number (5e-20 of 80 bits, 1e-34 of 128):
+    # what is noise in double precision is smooth by three digits more, and a step can be as exact as elsewhere.
+    "PRECISE_TOLERANCE": 3e-15,
+    "ROUNDING_OF_PRECISE": 1e-18,
     # A repeated step whose error does not fall, as that of a smooth motion would, is rounding of the accelerations: its
     # local tolerance is raised from the first to at most the second, tenfold each time. Without, steps shrink without
     # end and a tighter tolerance ends in a stopped run (governor at 1e-11); the second is what a run may lose there.
@@ -66,6 +70,15 @@ MOST_CORRECTIONS = 12
 SPAN = 4
 # what stands for the tables of a scene that has none
 NO_TABLES = "static void tables_at(double t, double *s)\n{\n    (void)t;\n    (void)s;\n}\n"
+# The type of a file that computes in extended precision: kernels and generated functions say `double` of whatever they
+# compute with, and <tgmath.h> takes the functions of that type. Its literals are those of double precision, so that
+# both are of the same mechanism. Vectors are of four numbers in double precision: without them.
+EXTENDED = """#include <math.h>
+#include <stddef.h>
+#include <string.h>
+#include <tgmath.h>
+typedef double Rounded;
+#define double long double"""
 
 
 def generated(plant: Plant) -> dict[str, str]:
@@ -259,19 +272,30 @@ def adapters(plant: Plant, forces: str = "forces_at") -> str:
 
 def source(plant: Plant, tables: str = "") -> str:
     """The whole C file of a run."""
+    return sources(plant, tables)[0]
+
+
+def sources(plant: Plant, tables: str = "") -> tuple[str, str]:
+    """The C file of a run, and the one that follows branches near singular configurations in extended precision."""
+    functions = _functions(plant, tables)
+    near = ("rows.c", "manifold.c", "contacts.c", "chart.c", "branch.c", "anchor.c")
+    steps = ("steps.c", "adaptive.c", "events.c", "simulation.c")
+    head = ["#include <math.h>", "#include <stddef.h>", "#include <string.h>"]
+    run = [*head, *functions, *map(kernel_text, (*near, *steps))]
+    scalar = f"#define {plant.model.name.upper()}_SCALAR 1"
+    return "\n".join(run), "\n".join([EXTENDED, scalar, *functions, *map(kernel_text, (*near, "precise.c"))])
+
+
+def _functions(plant: Plant, tables: str) -> list[str]:
+    """What the kernels call: generated functions, constants, adapters."""
     files = generated(plant)
     name = plant.model.name
     code = files[f"{name}.c"].replace(f'#include "{name}.h"', files[f"{name}.h"])
     rules = laws(plant.model, [c for e in plant.model.effects for c in e.contacts()]) if plant.outside else ()
-    parts = (
-        "rows.c", "manifold.c", "contacts.c", "chart.c", "branch.c", "anchor.c", "steps.c", "adaptive.c", "events.c",
-        "simulation.c",
-    )  # fmt: skip
-    kernels = [kernel_text(file) for file in parts]
-    head = ["#include <math.h>", "#include <stddef.h>", "#include <string.h>", code, constants(plant)]
+    head = [code, constants(plant)]
     head += ["static long evaluations;", "#define COUNT_EVALUATION ++evaluations", contact_constants(rules)]
     plain = adapters(plant, "plain_forces_at" if rules else "forces_at")
-    return "\n".join([*head, kernel_text("dop853_error.h"), tables or NO_TABLES, plain, *kernels])
+    return [*head, kernel_text("dop853_error.h"), tables or NO_TABLES, plain]
 
 
 def table_code(tables: Sequence[Table]) -> str:

@@ -11,7 +11,6 @@ from __future__ import annotations
 import contextlib
 import os
 import re
-import secrets
 import shutil
 from collections.abc import Iterator
 from pathlib import Path
@@ -72,7 +71,7 @@ def _begin(target: Path) -> str:
 def _made(target: Path) -> tuple[Path, int | None]:
     """A new place and the lock on it; another process may have found it between the two and removed it."""
     while True:
-        place = target.parent / f"{_begin(target)}{secrets.token_hex(6)}"
+        place = target.parent / f"{_begin(target)}{os.urandom(6).hex()}"
         place.mkdir(mode=0o700)
         try:
             held = hold(place, wait=True)

@@ -18,6 +18,7 @@ from . import (
     growth,
     inverse_dynamics,
     lean,
+    mobility,
     optimisation,
     reposed,
     simulation,
@@ -36,6 +37,7 @@ BENCHMARKS = {
     "work_precision": (work_precision.run, 5),
     "generation": (generation.run, 5),
     "optimisation": (optimisation.run, 3),
+    "mobility": (mobility.run, 1),
     "reposed": (reposed.run, 1),
     "attacks": (attacks.run, 1),
 }

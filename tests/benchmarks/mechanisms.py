@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+from fractions import Fraction
+from typing import Any
 
 from symscrew.description.builder import MechanismBuilder
 from symscrew.description.mechanism import Mechanism
@@ -120,3 +122,28 @@ def _axes(foot: list, head: list) -> tuple[list, list, list]:
     radial, tangent = [f"{x}/{level}", f"{y}/{level}", "0"], [f"-{y}/{level}", f"{x}/{level}", "0"]
     normal = [f"{x}*{z}/{level}/{length}", f"{y}*{z}/{level}/{length}", f"-{level}/{length}"]
     return [radial, tangent], [f"{x}/{length}", f"{y}/{length}", f"{z}/{length}"], normal
+
+
+def hinged_octahedron() -> Mechanism:
+    """Eight plates hinged along the twelve edges of an octahedron of generic vertices: rigid, with 12 square roots."""
+    corners: list[tuple[Any, ...]] = [
+        (3, "1/7", "-2/9"),
+        (-2, "11/10", "3/8"),
+        ("1/5", 3, "17/16"),
+        (1, -3, "5/13"),
+        ("-3/11", 1, 4),
+        ("19/18", "2/15", -3),
+    ]
+    faces = [(a, b, c) for a in (0, 1) for b in (2, 3) for c in (4, 5)]
+    names = {face: f"face{k}" if k else "base" for k, face in enumerate(faces)}
+    builder = MechanismBuilder("hinged_octahedron")
+    for face in faces[1:]:
+        builder.body(names[face])
+    edges = [(i, k) for i in range(6) for k in range(i + 1, 6) if i // 2 != k // 2]
+    for i, k in edges:
+        parent, child = (names[face] for face in faces if i in face and k in face)
+        along = [Fraction(q) - Fraction(p) for p, q in zip(corners[i], corners[k], strict=True)]
+        size = f"sqrt({sum(c * c for c in along)})"
+        axis = [f"{c}/{size}" for c in along]
+        builder.joint(f"edge{i}{k}", "R", parent=parent, child=child, point=list(corners[i]), axes=[axis])
+    return builder.build()

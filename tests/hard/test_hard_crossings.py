@@ -65,8 +65,9 @@ def test_singular_positions_crossed_in_motion(integrator: dict) -> None:
 
 @pytest.mark.slow
 def test_without_following_the_branch_the_crossings_go_wrong(monkeypatch: pytest.MonkeyPatch) -> None:
-    """The guard taken out, in both of its places: no step begins with care (CAREFUL), and a step that was repeated
-    with care finds no zone to step over (ZONE). Either alone does: a step whose error is too large is repeated so.
+    """The guard taken out, in all of its places: no step begins with care (CAREFUL), and a step that was repeated with
+    care finds no zone to step over (ZONE), in double precision. Each alone does: a step whose error is too large is
+    repeated so, and with more digits a branch is followed as near as that.
 
     As seen: at 1e-10 the run gets stuck in the first crossing; at 1e-8 and in steps of 4 ms three of ten crossings
     are reported, the latter with an error of 3e-6.
@@ -86,6 +87,7 @@ def test_without_following_the_branch_the_crossings_go_wrong(monkeypatch: pytest
     _, plant, _ = compiled("n_four_bar")
     monkeypatch.setattr(run_source, "constants", careless)
     library = native.Library(plant, native.table_code([]))
+    monkeypatch.setattr(library, "_offer_precision", lambda: None)
     for integrator in ({"tolerance": 1e-8}, {"tolerance": 1e-10}, {"method": "rk4", "step": 4e-3}):
         run = run_of("n_four_bar", scene_of("n_four_bar", most_steps=20_000, **integrator), library)
         assert not run.ok or error_of("n_four_bar", run) > 1e-6 or len(run.crossings) < 10, integrator

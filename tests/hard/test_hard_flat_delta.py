@@ -70,6 +70,7 @@ def passing(angle: float, rate: float) -> tuple[np.ndarray, np.ndarray]:
     return q, v
 
 
+@pytest.mark.slow
 def test_flat_delta_from_both_sides() -> None:
     """All rods pass the platform's plane at speed: accelerations lose eps/angle and have one limit."""
     found, u = flat(), np.array([3.0, 3.0, 3.0])

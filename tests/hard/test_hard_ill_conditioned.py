@@ -12,6 +12,7 @@ from functools import cache
 
 import numpy as np
 import pytest
+from support.marks import slow
 from support.model_states import relative
 from support.runs import error_of, run_of, scene_of
 
@@ -67,7 +68,7 @@ def test_mass_ratios_in_a_loop(ratio: str) -> None:
 
 
 @needs_compiler
-@pytest.mark.parametrize("ratio", ["1e-9", "1e-6", "1e6", "1e9"])
+@pytest.mark.parametrize("ratio", ["1e-9", slow("1e-6"), slow("1e6"), "1e9"])
 def test_mass_ratios_through_singular_positions(ratio: str) -> None:
     """A02 with N = 2 and couplers of 1e-9 ... 1e9 kg: 10 s through ten singular positions to 1e-8.
 
@@ -277,7 +278,7 @@ def planar_bar() -> Model:
     return derive(tilted_bar("0"), DOWN)
 
 
-@pytest.mark.parametrize("angle", ["1e-3", "1e-6", "1e-9", "1e-12"])
+@pytest.mark.parametrize("angle", [slow("1e-3"), slow("1e-6"), slow("1e-9"), "1e-12"])
 def test_one_axis_nearly_parallel_to_the_others(angle: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """Exactly, the loop is rigid for every angle > 0, and mobility says so with the smallest singular value.
 

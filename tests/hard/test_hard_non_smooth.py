@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 from scipy.linalg import expm
 from scipy.optimize import brentq
+from support.marks import slow
 
 from hard import case
 from hard.mechanisms import chain
@@ -76,7 +77,9 @@ def test_stick_slip_of_a_block_pulled_by_a_spring() -> None:
 # -- Coulomb friction at zero speed ---------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("slope, holds", [("0.19", True), ("0.2 - 1e-9", True), ("0.2 + 1e-6", False), ("0.25", False)])
+@pytest.mark.parametrize(
+    "slope, holds", [slow("0.19", True), ("0.2 - 1e-9", True), ("0.2 + 1e-6", False), slow("0.25", False)]
+)
 def test_block_at_rest_on_a_slope(slope: str, holds: bool) -> None:
     """tan(slope) against mu = 0.2: below it the block stays to the last digit, above it slides off at once.
 

@@ -253,6 +253,7 @@ def test_spherical_joint_at_every_lock_of_every_set_of_euler_angles() -> None:
 # -- platforms and arms ---------------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 def test_hexapod_turned_by_ninety_degrees() -> None:
     """Fichter's singularity: accelerations are regular, drives have a status at it and digits as the margin around it.
 

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from scipy.special import ellipk
 from support.four_bars_in_a_row import crank_angle, crossing_times, n_four_bar
+from support.marks import slow
 from support.runs import EXAMPLES, error_of, run_of, scene_of
 
 from symscrew.effects.gravity import Gravity
@@ -27,7 +28,7 @@ def test_the_closed_form_is_that_of_the_reference() -> None:
     assert np.abs(crank_angle(2, times) - values[:, 0]).max() < 1e-9
 
 
-@pytest.mark.parametrize("step", [1e-3, 7e-4, 3.3e-4])
+@pytest.mark.parametrize("step", [1e-3, slow(7e-4), slow(3.3e-4)])
 def test_rk4_through_ten_singular_positions(step: float) -> None:
     run = run_of("n_four_bar", scene_of("n_four_bar", method="rk4", step=step))
     assert run.ok

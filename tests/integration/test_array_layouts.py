@@ -262,8 +262,8 @@ def test_threads_give_the_same_bits(found: Model, monkeypatch: pytest.MonkeyPatc
     """Threads of POSIX, and threads of Python where the compiler has none."""
     if not native:
         monkeypatch.setattr("symscrew.runtime.compiled.THREADS", ("-fno-such-option",))
-    monkeypatch.setattr(c_library, "LEAST_SHARE", 64)
-    monkeypatch.setattr(compiled_function, "LEAST_SHARE", 64)
+    monkeypatch.setattr(c_library, "C_THREAD_STATES", 64)
+    monkeypatch.setattr(compiled_function, "PYTHON_THREAD_STATES", 64)
     few = only(found, "inverse_dynamics", "assemble")
     compiled = load(few, backend="c")
     for function in compiled.functions.values():
@@ -281,7 +281,7 @@ def test_threads_give_the_same_bits(found: Model, monkeypatch: pytest.MonkeyPatc
 
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="no fork here")
 def test_threads_after_a_fork_do_not_wait_for_ever(found: Model, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(c_library, "LEAST_SHARE", 64)
+    monkeypatch.setattr(c_library, "C_THREAD_STATES", 64)
     few = only(found, "inverse_dynamics")
     function = load(few, backend="c", threads=2).inverse_dynamics
     arrays = inputs(few, "inverse_dynamics", 1003)

@@ -6,6 +6,7 @@ import io
 import json
 import os
 import re
+import shutil
 import subprocess
 import sys
 
@@ -52,8 +53,8 @@ def test_pipe_gets_markdown() -> None:
 
 
 def test_doctor_says_what_to_do(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
-    real = terminal.shutil.which
-    monkeypatch.setattr(terminal.shutil, "which", lambda name: None if name == "valgrind" else real(name))
+    real = shutil.which
+    monkeypatch.setattr(shutil, "which", lambda name: None if name == "valgrind" else real(name))
     assert main(["doctor", "--json"]) == 0
     rows = {row["part"]: row for row in json.loads(capsys.readouterr().out)}
     assert rows["valgrind"]["found"] == "not found" and rows["valgrind"]["to get it"] == "apt install valgrind"

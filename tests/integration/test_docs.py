@@ -36,6 +36,8 @@ SLOW = (
     "tutorial.md",
     "theory.md",
     "how_to/arrays.md",
+    "how_to/casadi.md",
+    "how_to/own_effect.md",
     "how_to/workspace.md",
     "how_to/own_mechanism.md",
     "how_to/microcontroller.md",

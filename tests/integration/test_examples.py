@@ -10,6 +10,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from support.marks import slow
 from support.model_states import model
 
 ROOT = Path(__file__).parents[2]
@@ -59,7 +60,7 @@ def test_readme_names_only_commands_that_exist() -> None:
         assert command in commands.choices, command
 
 
-@pytest.mark.parametrize("name", ["three_ups_upu_s", "stewart_6ups", "delta", "ur5", "panda"])
+@pytest.mark.parametrize("name", ["three_ups_upu_s", slow("stewart_6ups"), slow("delta"), "ur5", "panda"])
 def test_readme_operation_counts_are_those_of_the_code(name: str) -> None:
 
     functions = ("inverse_dynamics", "inverse_dynamics_platform", "joint_reactions", "forward_dynamics")

@@ -109,6 +109,7 @@ def test_the_jacobian_is_sparse_and_can_be_mapped(four_bar):
     assert np.array(mapped(q, v, y)) == pytest.approx(expected.T, abs=1e-12)
 
 
+@pytest.mark.slow
 def test_ipopt_with_external_functions_and_their_derivatives(four_bar):
     """The crank angle at which gravity needs no torque: a stationary point of the potential energy."""
     assemble = ca.external("four_bar_casadi_assemble", str(four_bar))
@@ -131,6 +132,7 @@ def test_ipopt_with_external_functions_and_their_derivatives(four_bar):
     assert float(again["x"]) == pytest.approx(float(found["x"]), abs=1e-5)
 
 
+@pytest.mark.slow
 def test_second_derivatives_are_refused_and_can_be_had_from_the_other_target(four_bar):
     """IPOPT on external functions, with the Hessian of the Lagrangian by CasADi's own: fewer steps, the same point."""
     energy, closure = (ca.external(f"four_bar_casadi_{name}", str(four_bar)) for name in ("energy", "closure"))

@@ -48,7 +48,7 @@ def in_lanes(program: Program) -> Packing | None:
     return packed(live_instructions(program)[0], checked_slots(program), origins=program.origins, limbs=program.limbs)
 
 
-@pytest.mark.parametrize(("name", "function"), [CASES[0], ("stewart_6ups", PLATFORM)])
+@pytest.mark.parametrize(("name", "function"), [CASES[0], slow("stewart_6ups", PLATFORM)])
 def test_a_packed_program_computes_the_same_bits(name: str, function: str) -> None:
     program, found = packing(name, function)
     state = [float(x) for port in model(name).test_inputs[function] for x in np.atleast_2d(port)[0]]
@@ -62,7 +62,9 @@ def test_a_packed_program_computes_the_same_bits(name: str, function: str) -> No
     assert sorted(targets) == sorted(found.operations)  # each once
 
 
-@pytest.mark.parametrize(("name", "limbs", "part"), [("three_ups_upu_s_physical", 4, 0.5), ("stewart_6ups", 6, 0.6)])
+@pytest.mark.parametrize(
+    ("name", "limbs", "part"), [("three_ups_upu_s_physical", 4, 0.5), slow("stewart_6ups", 6, 0.6)]
+)
 def test_lanes_are_the_limbs(name: str, limbs: int, part: float) -> None:
     """Corresponding operations have one name, but for the limb; most operations are in rows."""
     program = straight(name, PLATFORM)

@@ -77,7 +77,7 @@ def looped_parts(source: str) -> int:
     return sum("for (size_t k" in part for part in parts)
 
 
-@pytest.mark.parametrize("name", MECHANISMS)
+@pytest.mark.parametrize("name", [slow("limbs"), slow("chain"), "loops"])
 def test_a_place_holds_what_is_read_from_it(name: str, everything_long: None) -> None:
     """Places are given away only after their last reader, those of loops one behind the other."""
     for program in sized(name).programs.values():

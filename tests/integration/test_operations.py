@@ -81,6 +81,7 @@ def recorded() -> list[Path]:
     return found
 
 
+@pytest.mark.slow
 def test_counts_are_the_committed_ones() -> None:
     for path in recorded():
         now = json.loads(render(model(path.parent.name), ())["ops.json"])

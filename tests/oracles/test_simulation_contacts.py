@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from support.marks import slow
 
 from symscrew.description.builder import MechanismBuilder
 from symscrew.description.mechanism import Mechanism
@@ -107,7 +108,7 @@ def test_what_contacts_cannot_do_is_refused() -> None:
         simulate(scene(block([1, 0, 0]), stop, duration=1.0, start={"slide": -0.1}))
 
 
-@pytest.mark.parametrize(("friction", "last"), [(2, "slide sticks"), (5, "slide sticks")])
+@pytest.mark.parametrize(("friction", "last"), [slow(2, "slide sticks"), (5, "slide sticks")])
 def test_a_slider_turns_back_at_the_dead_points_of_its_crank(friction: float, last: str) -> None:
     """No friction holds the slide where the crank's motion does not move it; later, away from them, it sticks."""
     from dataclasses import replace

@@ -72,7 +72,12 @@ def test_forward_dynamics_undoes_inverse_dynamics(case: str) -> None:
     assert np.abs(a - given["a"]).max() < 1e-10 * max(1.0, np.abs(given["a"]).max())
 
 
-LONGER = ("clearance", "clearance_axis", "rolling")  # half a second each; quick tests of their own hold the same
+LONGER = (
+    "clearance",
+    "clearance_axis",
+    "rolling",
+    "screw",
+)  # half a second and more; quick tests hold the same
 
 
 @pytest.mark.parametrize("case", [pytest.param(c, marks=[pytest.mark.slow] * (c in LONGER)) for c in BOOKS])

@@ -135,7 +135,7 @@ def test_all_ways_give_the_same_accelerations(name: str, by_contacts: bool) -> N
     assert count_operations(chosen[1]) == min(count_operations(way[1]) for way in (columns, *others))
 
 
-@pytest.mark.parametrize("name", [*NAMES, "ur5", "panda"])
+@pytest.mark.parametrize("name", [*NAMES, "ur5", slow("panda")])
 def test_christoffel_symbols_and_the_recursion_give_the_same_forces(name: str) -> None:
     system = system_of(name)
     acting = given_drives(system, [Gravity(), *([ViscousFriction(FRICTION[name], 0.3)] if name in FRICTION else [])])

@@ -120,6 +120,7 @@ def test_the_mode_goes_on_where_it_meets_another_one() -> None:
     assert np.allclose(found, (sides[0][0][0] + sides[1][0][0]) / 2, rtol=1e-5, atol=1e-5)
 
 
+@pytest.mark.slow
 def test_rates_off_the_mode_are_noticed() -> None:
     """At a configuration of the mode rates may still lead away from it."""
     _, alone = models("delta")

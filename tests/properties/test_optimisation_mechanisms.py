@@ -10,6 +10,7 @@ from types import ModuleType
 import numpy as np
 import pytest
 import sympy
+from support.marks import slow
 from support.optimal_problems import MINIMUM_TIME, SEED_DRIVES, seed
 
 from symscrew.model import derive
@@ -82,7 +83,7 @@ def test_transcriptions_agree() -> None:
     assert 3.5 < shot[0] / shot[1] < 4.5  # constant drives: an error of second order
 
 
-@pytest.mark.parametrize("preload", [0.0, 20.0])
+@pytest.mark.parametrize("preload", [slow(0.0), 20.0])
 def test_least_time_of_the_seed(preload: float) -> None:
     """Drives stand on the bound that their switching function asks for, except in the interval of a switching."""
     rule = {"drive_rule": "least_squares", "preload": dict.fromkeys(SEED_DRIVES, preload)} if preload else {}

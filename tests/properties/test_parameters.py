@@ -11,9 +11,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 import sympy
+from support.marks import slow
 from support.model_states import pendulum
 
 from symscrew import catalogue
+from symscrew.description import parse_description, to_toml
 from symscrew.description.mechanism import Mechanism
 from symscrew.export.c import print_c
 from symscrew.export.c_precision import PRECISIONS
@@ -37,7 +39,7 @@ def run_time() -> Model:
     return derive(with_parameters(catalogue.load("three_ups_upu_s"), run_time=True))
 
 
-@pytest.mark.parametrize("scale", ["1", "11/10", "3/4"])
+@pytest.mark.parametrize("scale", [slow("1"), slow("11/10"), "3/4"])
 def test_run_time_parameters_equal_baked_ones(run_time: Model, scale: str) -> None:
     baked = derive(with_parameters(catalogue.load("three_ups_upu_s"), run_time=False, scale=scale))
     q, v, a = baked.system.sample_states
@@ -50,6 +52,52 @@ def test_run_time_parameters_equal_baked_ones(run_time: Model, scale: str) -> No
         assert np.all(status == 0)
         for x, y in zip(got, expected, strict=True):
             assert np.abs(x - y).max() < 1e-10 * np.abs(y).max(), name
+
+
+DELTA = (Path(catalogue.__file__).parent / "delta.toml").read_text()
+PENDULUM = """
+[mechanism]
+name = "pendulum"
+[parameters.length]
+value = "0.5"
+[parameters.half]
+value = "length/2"
+[parameters.moment]
+value = "half^2/3"
+[bodies.rod]
+mass = 1
+com = [0, 0, "-half"]
+inertia = ["moment", "moment", 0]
+[joints.pivot]
+type = "R"
+parent = "base"
+child = "rod"
+point = [0, 0, 0]
+axes = [[0, 1, 0]]
+driven = true
+"""
+
+
+@pytest.mark.parametrize(
+    "text, name, given, new", [(PENDULUM, "length", "0.5", "0.8"), slow(DELTA, "rods", "0.7", "0.65")]
+)
+def test_what_is_computed_from_a_parameter_follows_it(text: str, name: str, given: str, new: str) -> None:
+    """Read at run time, or written again and then changed there: as if the description had said it."""
+    baked = derive(parse_description(text.replace(f'value = "{given}"', f'value = "{new}"', 1)))
+    read = derive(parse_description(text, run_time=[name]))
+    again = to_toml(parse_description(text))
+    assert again.count(f"value = {given}\n") == 1
+    changed = derive(parse_description(again.replace(f"value = {given}\n", f"value = {new}\n")))
+    q, v, a = baked.system.sample_states
+    values = np.full((len(q), 1), float(new))
+    for function in ("inverse_dynamics", "energy", "mass_matrix"):
+        state = [{"q": q, "v": v, "a": a}[port.name] for port in baked.programs[function].inputs]
+        expected, _ = baked(function, *state)
+        for found, arguments in ((read, [*state, values]), (changed, state)):
+            got, status = found(function, *arguments)
+            assert np.all(status == 0)
+            for x, y in zip(got, expected, strict=True):
+                assert np.abs(x - y).max() < 1e-12 * np.abs(y).max(), function
 
 
 def test_only_run_time_parameters_become_an_input(run_time: Model) -> None:

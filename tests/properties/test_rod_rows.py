@@ -70,7 +70,10 @@ def rods_of(closure: Closure) -> list[RodRows]:
     return [part for part in closure.parts if isinstance(part, RodRows)]
 
 
-@pytest.mark.parametrize("name", [slow(name) if name == "rotary_hexapod" else name for name in MECHANISMS])
+DEAR = ("hung_platform", "rotary_hexapod", "second_rods_first")  # derived in a second or two each
+
+
+@pytest.mark.parametrize("name", [slow(name) if name in DEAR else name for name in MECHANISMS])
 def test_rates_and_bias_are_those_of_the_plain_rows(name: str) -> None:
     system = system_of(name)
     tape, plain = system.tape, Loops(system)
@@ -103,7 +106,7 @@ def test_a_rod_s_rows_hold_its_own_rates_one_by_one() -> None:
         assert angles & set(read) == {system.inputs.q[rod.limb.second.q.start]}
 
 
-@pytest.mark.parametrize("name", ["delta", "hexapod", slow("rotary_hexapod"), "braced_arm"])
+@pytest.mark.parametrize("name", ["delta", slow("hexapod"), slow("rotary_hexapod"), "braced_arm"])
 def test_functions_of_rods_by_consistent_states(name: str) -> None:
     """Rates and accelerations of samples on the closure, found by Newton's method on the plain rows."""
     found = model(name)

@@ -98,6 +98,7 @@ def _filled(entries: np.ndarray) -> np.ndarray:
 
 
 @needs_compiler
+@pytest.mark.slow
 def test_the_projection_is_that_by_singular_values() -> None:
     """Three fronts: rates go back onto the closure by the shortest way, positions onto it, as NumPy does it."""
     model = derive(four_bars(4), (Gravity((0, "-9.81", 0)),))

@@ -160,13 +160,14 @@ CPPCHECK = ["cppcheck", "--quiet", "--std=c99", "--enable=warning,performance,po
 
 @needs("gcc")
 def test_the_analyzer_of_gcc_finds_nothing(tmp_path: Path) -> None:
-    """All of double precision with its blocks of eight states, and what a microcontroller is given in single."""
+    """What a microcontroller is given in single precision. (All of the seed in double is read below; the one function
+    that is left out, reactions of forward dynamics, takes 16 s and is clean.)"""
     (tmp_path / "embedded").mkdir()
-    host = sources(tmp_path, "four_bar", "double")
-    embedded_one = sources(tmp_path / "embedded", "four_bar", "single", batches=False)
+    functions = [name for name in model("four_bar").programs if name != "forward_dynamics_reactions"]
+    embedded_one = sources(tmp_path / "embedded", "four_bar", "single", *functions, batches=False)
     cross = shutil.which(emulation.COMPILER)
     compiler = [cross, "-mthumb", *emulation.CORES["m4f"].flags] if cross else ["gcc"]
-    silent([["gcc", *ANALYZER, str(host)], [*compiler, *ANALYZER, str(embedded_one)]])
+    silent([[*compiler, *ANALYZER, str(embedded_one)]])
 
 
 @pytest.mark.slow

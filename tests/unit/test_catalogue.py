@@ -32,7 +32,7 @@ EXPECTED = {
 }
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="session")
 def mechanisms():
     return {name: catalogue.load(name) for name in catalogue.names()}
 

@@ -7,6 +7,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 import sympy
+from support.marks import slow
 from support.reference_mechanisms import ENTRIES, build
 from support.rewritten import four_bar_with
 from sympy import Rational, cos, pi, sin, sqrt
@@ -93,7 +94,9 @@ def test_catalogue_is_exact(name: str) -> None:
     assert found.exact and found.method.startswith("exact: "), found.method
 
 
-@pytest.mark.parametrize("name", ["planar_3rrr-type1", "3rps-mode_transition", "bennett_perturbed", "double_watt_cusp"])
+@pytest.mark.parametrize(
+    "name", ["planar_3rrr-type1", "3rps-mode_transition", "bennett_perturbed", slow("double_watt_cusp")]
+)
 def test_reference_is_exact(name: str) -> None:
     assert analyse_mobility(build(ENTRIES[name])).decisions.exact
 

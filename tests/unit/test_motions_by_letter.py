@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import ast
-from pathlib import Path
+from collections.abc import Iterable
 
-import symscrew
+from support.sources import FILES, name_of, nodes
+
 from symscrew.description.joints import JOINT_TYPES
 from symscrew.kinematics.pairs import PAIRS
 
-PACKAGE = Path(symscrew.__file__).parent
 ASKED = ("kind", "type", "kinds", "types", "letter", "letters")
 FOREIGN = {
     "loops/limbs/planar_limbs.py",  # its three closed forms, by the limb's two motions
@@ -35,9 +35,9 @@ def asks(node: ast.AST) -> bool:
     return not names.isdisjoint(ASKED) and "dtype" not in names
 
 
-def compares_letters(source: str) -> bool:
-    """Whether a file compares what a joint or a motion calls itself with letters."""
-    for node in ast.walk(ast.parse(source)):
+def compares_letters(nodes: Iterable[ast.AST]) -> bool:
+    """Whether one of these nodes compares what a joint or a motion calls itself with letters."""
+    for node in nodes:
         if isinstance(node, ast.Compare):
             sides = [node.left, *node.comparators]
             if any(map(letters, sides)) and any(map(asks, sides)):
@@ -45,17 +45,21 @@ def compares_letters(source: str) -> bool:
     return False
 
 
+def in_text(source: str) -> bool:
+    return compares_letters(ast.walk(ast.parse(source)))
+
+
 def test_a_handful_of_files_name_motions_by_letter() -> None:
-    found = {str(path.relative_to(PACKAGE)) for path in PACKAGE.rglob("*.py") if compares_letters(path.read_text())}
+    found = {name_of(path) for path in FILES if compares_letters(nodes(path))}
     assert found == FOREIGN
 
 
 def test_a_comparison_with_a_letter_would_be_found() -> None:
-    assert compares_letters('if link.motion.kind == "S": ...')
-    assert compares_letters('if joint.type in ("E", "free"): ...')
-    assert compares_letters('slides = any(m.kind in "PH" for m in motions)')
-    assert not compares_letters('if array.dtype.kind != "U": ...')
-    assert not compares_letters('if link.motion.spherical or coordinate.kind == "length": ...')
+    assert in_text('if link.motion.kind == "S": ...')
+    assert in_text('if joint.type in ("E", "free"): ...')
+    assert in_text('slides = any(m.kind in "PH" for m in motions)')
+    assert not in_text('if array.dtype.kind != "U": ...')
+    assert not in_text('if link.motion.spherical or coordinate.kind == "length": ...')
 
 
 def test_every_motion_of_the_table_has_a_lower_pair() -> None:

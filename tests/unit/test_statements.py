@@ -17,6 +17,7 @@ from support.model_states import model
 from symscrew.algebra import Origin, apply_numpy
 from symscrew.export.c_names import TAKEN, TOGETHER, grouped
 from symscrew.export.folding import OPERATIONS, WIDTH, folded
+from symscrew.export.lane_names import vector_name
 from symscrew.export.numpy import TABLE, print_numpy
 from symscrew.export.value_names import LONGEST, identifier, value_names
 from symscrew.program import Instruction, Iteration, Program
@@ -129,11 +130,31 @@ def test_long_names_give_way(letters: int, kept: bool) -> None:
     assert (value_names(program, ())[slot][0] == "p") == kept
 
 
-def test_reads_share_a_line_and_nothing_else_does() -> None:
+def test_declarations_of_one_type_are_one_statement_and_nothing_is_lost() -> None:
     reads = [f"const REAL a_{k} = READ(q, {k});" for k in range(9)]
-    other = ["const REAL b_1 = a_1 * a_2;", "REAL checked0 = a_1;", "const double c_1 = -pack3[1];"]
-    found = grouped([*reads, *other, reads[0]])
-    assert len(found) == 2 + len(other) + 1 and max(map(len, found)) <= TOGETHER and found[2:5] == other
-    assert [part for line in found[:2] for part in re.findall(r"a_\d = READ\(q, \d\)", line)] == [
-        text[11:-1] for text in reads
-    ]
+    other = ["/* limb2 */", "REAL checked0 = a_1;", "const double c_1 = -pack3[1];", "RESULT(checked0, u, 0, a_1);"]
+    said = "const REAL b_1 = (a_1 * (a_2 + a_3)); /* limb1 */"
+    found = grouped([*reads, said, reads[0], *other, reads[1]])
+    assert max(map(len, found)) <= TOGETHER + 1 and found[-5:-1] == other and found[-1] == reads[1]
+    own = " ".join(found[:-5])
+    assert own.count("const REAL") == 1 and own.endswith(";") and own.count(";") == 1
+    assert found[-6].endswith("a_0 = READ(q, 0);") and found[-7].endswith(" /* limb1 */")  # nothing behind a comment
+    parts = re.split(r", (?:/\* limb1 \*/)? *(?=[ab]_\d = )", own.removeprefix("const REAL ").removesuffix(";"))
+    assert parts == [text[11:].partition(";")[0] for text in (*reads, said, reads[0])]
+
+
+@pytest.mark.parametrize(
+    ("lanes", "name"),
+    [
+        ([("limb1_arm_x", 1), ("limb2_arm_x", 1)], "limb_arm_x"),
+        ([("minus_limb1_arm_x", -1), ("limb2_arm_x", 1)], "limb_arm_x"),
+        ([("minus_limb1_arm_x", 1), ("limb2_arm_x", -1)], "minus_limb_arm_x"),
+        ([("minus_limb1_arm_x", 1), ("limb2_arm_x", 1)], "signed_limb_arm_x"),
+        ([("t4", 1), ("limb2_arm_x", 1), ("limb3_arm_y", 1)], "each_limb2_arm_x"),
+        ([("t4", 1), ("t5", 1)], ""),
+        ([("limb1_" + "p" * LONGEST, 1), ("limb2_" + "p" * LONGEST, 1)], ""),
+        ([], ""),
+    ],
+)
+def test_vectors_are_called_by_what_is_in_their_lanes(lanes: list[tuple[str, int]], name: str) -> None:
+    assert vector_name(lanes) == name

@@ -28,7 +28,15 @@ from symscrew.mobility.finite.joint_changes import (
     sizes,
     slots_of,
 )
-from symscrew.mobility.finite.local_solutions import Local, flatten, local_at, quadratic_forms, solve_dependent
+from symscrew.mobility.finite.local_solutions import (
+    CLOSED,
+    Local,
+    flatten,
+    local_at,
+    quadratic_forms,
+    refine,
+    solve_dependent,
+)
 from symscrew.mobility.finite.variety import DIGITS_60, Array, ClosureVariety
 from symscrew.mobility.joint_network import Network
 
@@ -93,11 +101,15 @@ def nearest_special(network: Network, claims: Sequence[RankClaim], *, moves: boo
         off = CLOSES * noise if almost else NEAR
         here = local_at(coarse, np.zeros(coarse.columns), rank=closure.rank)
         points = _motions(coarse, here, off)
+        if points and not almost and not _open(network, coarse, points):
+            return ()  # what was typed moves so itself
         if points:
-            found = _solved(network, points, ranks, noise) or _solved(network, [], ranks, noise)
+            found = _solved(network, points, ranks, noise)
+            if found is None and almost:  # else ranks alone are those of what was typed
+                found = _solved(network, [], ranks, noise)
             return () if found is None else (found,)
         zeros = zeros_nearby(coarse, here, quadratic_forms(coarse, here), off)
-        points = [(point, _rank(coarse, point)) for point in zeros]
+        points = _open(network, coarse, [(point, _rank(coarse, point)) for point in zeros])
     tried: list[list[tuple[Array, int]]] = [[]] if almost else []
     tried += [points] if points else []
     found_all = (_solved(network, given, ranks, noise) for given in tried)
@@ -131,6 +143,12 @@ def _walked(coarse: ClosureVariety, here: Local, motion: Array, off: float) -> A
         ahead = after.kernel.T @ (place.kernel @ direction)
         place, q, direction, gone = after, trial, ahead / np.linalg.norm(ahead), gone + step
     return q
+
+
+def _open(network: Network, coarse: ClosureVariety, points: Sequence[tuple[Array, int]]) -> list[tuple[Array, int]]:
+    """Those of the configurations in which the loops do not close as typed, in 60 digits."""
+    fine = ClosureVariety(network, DIGITS_60)
+    return [(q, rank) for q, rank in points if refine(coarse, fine, q, rank)[1] > CLOSED]
 
 
 def _rank(coarse: ClosureVariety, q: Array) -> int:

@@ -12,7 +12,7 @@ derivative at a point of the variety are the signed screws of the displaced join
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -28,6 +28,7 @@ Array = np.ndarray[Any, Any]
 """Doubles, or objects that are numbers of 60 digits."""
 Pose = tuple[Array, Array]
 Step = tuple[Array, Array, Array | None]
+"""(rotation, translation, screws in the axes before the step where they change on the way: those of a sphere)."""
 
 
 @dataclass(frozen=True)
@@ -81,6 +82,30 @@ class Motion:
     pitch: Any
 
 
+@dataclass(frozen=True)
+class _Alike:
+    """The elementary motions by kind, with the arrays of all of one kind."""
+
+    sliding: list[Motion]
+    turning: list[Motion]
+    spherical: list[Motion]
+    hats: Array
+    squares: Array
+    points: Array
+    centres: Array
+    screws: Array
+
+    @classmethod
+    def of(cls, motions: Sequence[Motion]) -> _Alike:
+        """Revolute and helical ones are turning."""
+        sliding = [m for m in motions if m.motion.prismatic]
+        spherical = [m for m in motions if m.motion.spherical]
+        turning = [m for m in motions if not (m.motion.prismatic or m.motion.spherical)]
+        arrays = [[m.hat for m in turning], [m.square for m in turning], [m.point for m in turning],
+                  [m.point for m in spherical], [m.screws for m in spherical]]  # fmt: skip
+        return cls(sliding, turning, spherical, *(np.array(array) for array in arrays))
+
+
 class ClosureVariety:
     """Closure residuals and Jacobians of a mechanism; coordinates are displacements from the reference.
 
@@ -92,8 +117,10 @@ class ClosureVariety:
         edges = list(network.edges.values())
         self.centre = centre = [sum(edge.point[k] for edge in edges) / len(edges) for k in range(3)]
         self._motions = {edge.name: _motions(edge, centre, arithmetic) for edge in edges}
+        self._alike = _Alike.of([motion for motions in self._motions.values() for motion in motions])
         self.columns = network.freedoms
         self.rows = 6 * len(network.chords)
+        self._places = _places(network)
         self._fixed = None if arithmetic is DOUBLE else ClosureResidual(network, centre)
 
     def evaluate(self, q: Array) -> tuple[Array, Array]:
@@ -108,25 +135,23 @@ class ClosureVariety:
 
     def forward(self, q: Array) -> tuple[Array, dict[str, tuple[Array, Array]]]:
         """(displaced screws N x columns x 6, displacement (rotation, translation) of every body), about the centre."""
-        count = len(q)
-        screws = self._zeros(count, self.columns, 6)
+        count, starts = len(q), dict[int, Pose]()
         poses = {self.network.ground: (self._identity(count), self._zeros(count, 3))}
+        every = self._steps(q)
         for name, sign in self.network.tree:
             edge = self.network.edges[name]
-            steps = [self._step(motion, q) for motion in self._motions[name]]
             if sign > 0:
-                poses[edge.child] = self._fill(name, steps, poses[edge.parent], screws)
+                poses[edge.child] = self._passed(name, every, poses[edge.parent], starts)
             else:
                 total = poses[edge.child]
-                for step in reversed(steps):
-                    total = _product(total, _inverse((step[0], step[1])))
+                for motion in reversed(self._motions[name]):
+                    total = _product(total, _inverse(every[motion.column][:2]))
                 poses[edge.parent] = total
-                self._fill(name, steps, total, screws)
+                self._passed(name, every, total, starts)
         for name in self.network.chords:
-            edge = self.network.edges[name]
-            steps = [self._step(motion, q) for motion in self._motions[name]]
-            poses[f"{name} closed"] = self._fill(name, steps, poses[edge.parent], screws)
-        return screws, poses
+            start = poses[self.network.edges[name].parent]
+            poses[f"{name} closed"] = self._passed(name, every, start, starts)
+        return self._displaced(count, every, starts), poses
 
     def residual(self, q: Array) -> Array:
         """The residual at one point."""
@@ -136,11 +161,11 @@ class ClosureVariety:
 
     def stations(self, q: Array) -> dict[str, list[Pose]]:
         """Joint -> displacements, about the centre, before, between and after its motions, at the points q."""
-        poses, result = self.forward(q)[1], {}
+        poses, result, every = self.forward(q)[1], {}, self._steps(q)
         for name, edge in self.network.edges.items():
             found = [poses[edge.parent]]
             for motion in self._motions[name]:
-                rotation, translation, _ = self._step(motion, q)
+                rotation, translation, _ = every[motion.column]
                 found.append(_product(found[-1], (rotation, translation)))
             result[name] = found
         return result
@@ -148,43 +173,70 @@ class ClosureVariety:
     def jacobians(self, screws: Array) -> Array:
         """The Jacobians N x rows x columns at points with these displaced screws."""
         result = self._zeros(len(screws), self.rows, self.columns)
-        for k, loop in enumerate(self.network.loops()):
-            for name, sign in loop:
-                for column in self.network.edges[name].columns:
-                    result[:, 6 * k : 6 * k + 6, column] = sign * screws[:, column]
+        chords, columns, signs = self._places
+        blocks = result.reshape(len(screws), -1, 6, self.columns)
+        blocks[:, chords, :, columns] = np.swapaxes(screws[:, columns], 0, 1) * signs[:, None, None]
         return result
 
-    def _fill(self, name: str, steps: list[Step], start: Pose, screws: Array) -> Pose:
-        """The displaced screws of a joint whose parent body has the displacement `start`; that of the child body."""
-        for motion, (rotation, translation, jacobian) in zip(self._motions[name], steps, strict=True):
-            local = motion.screws if jacobian is None else np.swapaxes(jacobian, 1, 2) @ motion.screws
-            turned = np.swapaxes(start[0], 1, 2)
-            angular = local[..., :3] @ turned
-            linear = local[..., 3:] @ turned + _cross(start[1][:, None, :], angular)
-            columns = slice(motion.column, motion.column + len(motion.screws))
-            screws[:, columns, :3], screws[:, columns, 3:] = angular, linear
-            start = _product(start, (rotation, translation))
+    def _passed(self, name: str, steps: Mapping[int, Step], start: Pose, starts: dict[int, Pose]) -> Pose:
+        """The displacement behind a joint, from that of its parent; those before its motions go into `starts`."""
+        for motion in self._motions[name]:
+            starts[motion.column] = start
+            start = _product(start, steps[motion.column][:2])
         return start
 
-    def _step(self, motion: Motion, q: Array) -> Step:
-        """(rotation, translation, left Jacobian of a spherical motion) of one elementary motion."""
-        if motion.motion.prismatic:
-            return self._identity(len(q)), q[:, motion.column, None] * motion.screws[0, 3:], None
-        if motion.motion.spherical:
-            rotation, jacobian = self._rotation_vector(q[:, motion.column : motion.column + 3])
-            return rotation, motion.point - rotation @ motion.point, jacobian
-        angle = q[:, motion.column]
-        sine, versine = self.arithmetic.sin(angle), 1 - self.arithmetic.cos(angle)
-        rotation = self._identity(len(q)) + sine[:, None, None] * motion.hat + versine[:, None, None] * motion.square
-        moved = motion.point - rotation @ motion.point
-        if motion.motion.helical:
-            moved = moved + angle[:, None] * (motion.pitch * motion.screws[0, :3])
-        return rotation, moved, None
+    def _displaced(self, count: int, steps: Mapping[int, Step], starts: Mapping[int, Pose]) -> Array:
+        """The screws N x columns x 6 of all motions, displaced by what comes before them."""
+        alike = self._alike
+        screws = self._zeros(count, self.columns, 6)
+        for motions in (alike.turning + alike.sliding, alike.spherical):
+            if not motions:
+                continue
+            first = [m.column for m in motions]
+            rotations = np.stack([starts[c][0] for c in first], axis=1)
+            shifts = np.stack([starts[c][1] for c in first], axis=1)[:, :, None, :]
+            if motions is alike.spherical:
+                local = np.stack([changed for c in first if (changed := steps[c][2]) is not None], axis=1)
+            else:
+                local = np.array([m.screws for m in motions])[None]
+            turned = np.swapaxes(rotations, 2, 3)
+            angular = local[..., :3] @ turned
+            linear = local[..., 3:] @ turned + _cross(shifts, angular)
+            columns = np.array(first)[:, None] + np.arange(local.shape[2])
+            screws[:, columns, :3], screws[:, columns, 3:] = angular, linear
+        return screws
+
+    def _steps(self, q: Array) -> dict[int, Step]:
+        """First column of every elementary motion -> its step at the points q; all of one kind are computed at once."""
+        result: dict[int, Step] = {}
+        alike, count = self._alike, len(q)
+        for motion in alike.sliding:
+            result[motion.column] = (self._identity(count), q[:, motion.column, None] * motion.screws[0, 3:], None)
+        if alike.turning:
+            angle = q[:, [motion.column for motion in alike.turning]]
+            sine, versine = self.arithmetic.sin(angle), 1 - self.arithmetic.cos(angle)
+            rotation = sine[..., None, None] * alike.hats + versine[..., None, None] * alike.squares
+            rotation[..., range(3), range(3)] += self.arithmetic.read(1)
+            moved = alike.points - (rotation @ alike.points[..., None])[..., 0]
+            for k, motion in enumerate(alike.turning):
+                shift = moved[:, k]
+                if motion.motion.helical:
+                    shift = shift + angle[:, k, None] * (motion.pitch * motion.screws[0, :3])
+                result[motion.column] = (rotation[:, k], shift, None)
+        if alike.spherical:
+            vectors = np.stack([q[:, m.column : m.column + 3] for m in alike.spherical], axis=1)
+            parts = self._rotation_vector(vectors.reshape(-1, 3))
+            rotation, jacobian = (part.reshape(count, -1, 3, 3) for part in parts)
+            moved = alike.centres - (rotation @ alike.centres[..., None])[..., 0]
+            screws = np.swapaxes(jacobian, 2, 3) @ alike.screws
+            for k, motion in enumerate(alike.spherical):
+                result[motion.column] = (rotation[:, k], moved[:, k], screws[:, k])
+        return result
 
     def _rotation_vector(self, vector: Array) -> tuple[Array, Array]:
         """(rotation, left Jacobian) of rotation vectors: omega = J_l(w) dw/dt."""
         square = (vector * vector).sum(axis=1)
-        small = np.array([bool(s < self.arithmetic.tiny) for s in square])
+        small = np.asarray(square < self.arithmetic.tiny, dtype=bool)
         safe = np.where(small, 1 + 0 * square, square)
         angle = self.arithmetic.sqrt(safe)
         half = self.arithmetic.sin(angle / 2) / angle
@@ -231,6 +283,14 @@ def moved(network: Network, fine: ClosureVariety, point: Array) -> Network:
                 rows.append((*w, *(a + b for a, b in zip(v, shift, strict=True))))
         edges[edge.name] = replace(edge, point=place, screws=tuple(rows))
     return replace(network, edges=edges)
+
+
+def _places(network: Network) -> tuple[Array, Array, Array]:
+    """Of every column in every loop: (number of the loop, column, sign)."""
+    found = [(k, column, sign) for k, loop in enumerate(network.loops()) for name, sign in loop
+             for column in network.edges[name].columns]  # fmt: skip
+    chords, columns, signs = np.array(found, dtype=int).reshape(-1, 3).T
+    return chords, columns, signs
 
 
 def _motions(edge: Edge, centre: Sequence[Real], arithmetic: Arithmetic) -> tuple[Motion, ...]:

@@ -1,9 +1,10 @@
 """How far a margin's zero is, in displacements of joints: along its gradient, with all loops closed.
 
-    q, margins --tangent of the closure, differences along it--> gradients --Newton's method, loops closed--> zeros
+    q, margins --closure there--> tangent and least closing step --differences along it--> gradients
+               --Newton's method for the margin and the closure at once--> zeros
 
-Every margin is followed by itself, all of them in one batch. What is found is checked there: the margin's value and
-the closure of the loops are evaluated at the end.
+Every margin is followed by itself, all of them in one batch: two evaluations a step, of which the first gives values,
+closure residual and Jacobian together. What is found is checked there by the margin's value and the closure.
 """
 
 from __future__ import annotations
@@ -14,6 +15,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from symscrew.algebra import Node
 from symscrew.kinematics import System
 from symscrew.mobility.margins.three_kinds import Margin
 
@@ -22,9 +24,9 @@ Array = NDArray[np.float64]
 STEP = 0.15
 """Longest step in radians or characteristic lengths: Newton's method for the loops closes from there, and no zero that
 a machine reaches is jumped over."""
-STEPS = 30
-"""Steps: what is more than four radians away is not near; close to a zero five suffice, as step sizes are doubled for
-double ones."""
+STEPS = 80
+"""Evaluations: what is more than four radians away is not near. Close to a zero five steps suffice, as step sizes are
+doubled for double ones, each with two or three that close the loops."""
 DIFFERENCE = 1e-5
 """Half the step of differences along the tangent: the derivative is right to 1e-10."""
 FOUND = 1e-10
@@ -34,8 +36,21 @@ LEVEL = 1e-9
 """A gradient below this, of the margin's size, leads nowhere."""
 CLOSED = 1e-11
 """Closure residual in characteristic lengths at which the loops count as closed."""
-CLOSINGS = 8
-"""Steps of Newton's method that close the loops again: two or three from a regular configuration."""
+LOOSELY = 1e-2
+"""Closure residual above which a step only closes the loops: a step of `STEP` leaves about half its square."""
+NEAR = 0.2
+"""A margin below this, of its size, is followed with all loops closed: where rank is lost, what closes them is as long
+as the step, so that both at once do not converge."""
+DOUBLE_ZERO = (0.2, 0.3)
+"""What a whole step leaves of a margin with a double zero is a quarter, with a triple one 8/27: steps are then doubled.
+With a simple zero it leaves next to nothing."""
+LOST = 1.0
+"""Closure residual in characteristic lengths from which Newton's method is not expected back."""
+IDLE = 8
+"""Steps without a tenth less of the margin after which it is followed no more: it has a minimum above zero there, and
+Newton's method jumps about it."""
+LESS = 0.9
+"""What counts as less: see `IDLE`."""
 CUT_OFF = 1e-9
 """Relative singular values below this are zero: redundant equations have 1e-16."""
 
@@ -73,40 +88,79 @@ def find_zeros(system: System, margins: Sequence[Margin], start: Array) -> list[
     """For each margin the zero along its gradient from the configuration `start` (nq,); None where none was found."""
     if not margins:
         return []
-    nodes = [m.value for m in margins]
     sizes = np.array([size_of(system, m, start) for m in margins])
-    double = np.array([1.0 if m.form == "signed" else 2.0 for m in margins])
-    q = np.repeat(start[None], len(margins), axis=0)
-    active = list(range(len(margins)))
-    found: dict[int, Array] = {}
+    walks = [_Walk(k, start, 1.0 if m.form == "signed" else 2.0) for k, m in enumerate(margins)]
     for _ in range(STEPS):
-        if not active:
+        going = [walk for walk in walks if walk.going]
+        if not going:
             break
-        values = system.numeric(nodes, (system.inputs.q, q[active]))
-        now = {i: values[row, i] / sizes[i] for row, i in enumerate(active)}
-        for i in active:
-            if abs(now[i]) < FOUND:
-                found[i] = q[i].copy()
-        active = [i for i in active if i not in found]
-        tangents = _tangents(system, q[active]) if active else []
-        slopes = _slopes(system, nodes, q[active], tangents) if active else []
-        moved = []
-        for row, i in enumerate(active):
-            slope = slopes[row][:, i] / sizes[i]
-            square = float(slope @ slope)
-            if square < LEVEL**2:
-                continue
-            step = -double[i] * now[i] / square * (tangents[row] @ slope)
-            length = float(np.linalg.norm(step))
-            q[i] = system.advance(q[[i]], (system.scales * step * min(1.0, STEP / length))[None])[0]
-            moved.append(i)
-        closed = _closed(system, q[moved]) if moved else np.zeros((0, q.shape[1]))
-        active = []
-        for row, i in enumerate(moved):
-            if np.isfinite(closed[row]).all():
-                q[i] = closed[row]
-                active.append(i)
-    return [_displaced(system, margins[i], found.get(i), (start, sizes[i])) for i in range(len(margins))]
+        heres = _looked_at(system, margins, np.array([walk.q for walk in going]))
+        for walk, here in zip(going, heres, strict=True):
+            walk.judge(here, here.values[walk.margin] / sizes[walk.margin])
+        moving = [(walk, here) for walk, here in zip(going, heres, strict=True) if walk.going]
+        slopes = _slopes(system, [m.value for m in margins], [(walk.q, here.tangent) for walk, here in moving])
+        steps = [
+            walk.step(here, slope[:, walk.margin] / sizes[walk.margin])
+            for (walk, here), slope in zip(moving, slopes, strict=True)
+        ]
+        if moving:
+            moved = system.advance(np.array([walk.q for walk, _ in moving]), system.scales * np.array(steps))
+            for (walk, _), q in zip(moving, moved, strict=True):
+                walk.q = q
+    ends = [walk.q if walk.found else None for walk in walks]
+    return [_displaced(system, margins[k], end, (start, sizes[k])) for k, end in enumerate(ends)]
+
+
+@dataclass(frozen=True)
+class _Here:
+    """At a configuration: values of all margins, closure residual [lengths], rates that keep or close the loops."""
+
+    values: Array
+    residual: float
+    tangent: Array
+    closing: Array
+
+
+class _Walk:
+    """Where one margin has been followed to, and whether it is followed on."""
+
+    def __init__(self, margin: int, start: Array, double: float) -> None:
+        self.margin, self.double = margin, double  # a step twice as long for a double zero
+        self.q = start.copy()
+        self.going, self.found = True, False
+        self._value, self._least, self._idle = np.inf, np.inf, 0
+        self._before = np.inf  # the value from which a whole step was made; infinite: none was
+
+    def judge(self, here: _Here, value: float) -> None:
+        """Whether it has arrived, or goes no further."""
+        self._value = value
+        closed = here.residual < CLOSED
+        self.found = closed and abs(value) < FOUND
+        if here.residual < (CLOSED if abs(value) < NEAR else LOOSELY):
+            if abs(value) < LESS * self._least:
+                self._least, self._idle = abs(value), 0
+            else:
+                self._idle += 1
+        lost = not (np.isfinite(value) and here.residual < LOST)
+        self.going = not (self.found or lost or self._idle > IDLE)
+
+    def step(self, here: _Here, slope: Array) -> Array:
+        """Rates without unit: towards the margin's zero and towards closed loops."""
+        square = float(slope @ slope)
+        near = abs(self._value) < NEAR
+        if here.residual > (CLOSED if near else LOOSELY) or abs(self._value) < FOUND:
+            return here.closing
+        if square < LEVEL**2:
+            self.going = False
+            return here.closing
+        least, most = DOUBLE_ZERO
+        if near and least < self._value / self._before < most:
+            self.double *= 2
+        step = -self.double * self._value / square * (here.tangent @ slope)
+        part = min(1.0, STEP / float(np.linalg.norm(step)))
+        self._before = self._value if part == 1.0 else np.inf
+        step *= part
+        return np.asarray(step if near else step + here.closing)
 
 
 def size_of(system: System, margin: Margin, start: Array) -> float:
@@ -117,65 +171,48 @@ def size_of(system: System, margin: Margin, start: Array) -> float:
     return max(usual, here) or 1.0
 
 
-def _jacobians(system: System, q: Array) -> Array:
-    """Closure over rates without unit, N x rows x nv."""
-    count = len(system.scales)
-    found = system.numeric(system.closure.dense(), (system.inputs.q, q))
-    return np.asarray(found.reshape(len(q), -1, count) * system.scales)
+def _looked_at(system: System, margins: Sequence[Margin], q: Array) -> list[_Here]:
+    """What each configuration needs to be judged and left, by one evaluation."""
+    nodes = [m.value for m in margins]
+    count, free = len(nodes), len(system.scales)
+    residual = list(system.residual) if system.cuts else []
+    closure = list(system.closure.dense()) if system.cuts else []
+    found = system.numeric([*nodes, *residual, *closure], (system.inputs.q, q))
+    heres = []
+    for row in found:
+        values, left = row[:count], row[count : count + len(residual)]
+        if not residual:
+            heres.append(_Here(values, 0.0, np.eye(free), np.zeros(free)))
+            continue
+        jacobian = row[count + len(residual) :].reshape(-1, free) * system.scales
+        if not np.isfinite(row).all():
+            heres.append(_Here(values, np.inf, np.zeros((free, 0)), np.zeros(free)))
+            continue
+        u, s, vt = np.linalg.svd(jacobian)
+        rank = int((s > CUT_OFF * s[0]).sum())
+        closing = -vt[:rank].T @ ((u[:, :rank].T @ left) / s[:rank])
+        heres.append(_Here(values, float(np.abs(left).max()) / max(1.0, system.length), vt[rank:].T, closing))
+    return heres
 
 
-def _tangents(system: System, q: Array) -> list[Array]:
-    """Orthonormal motions that keep the loops closed, without unit, as columns, at every configuration."""
-    count = len(system.scales)
-    if not system.cuts:
-        return [np.eye(count)] * len(q)
-    bases = []
-    for jacobian in _jacobians(system, q):
-        _, s, vt = np.linalg.svd(jacobian)
-        bases.append(vt[int((s > CUT_OFF * s[0]).sum()) :].T)
-    return bases
-
-
-def _slopes(system: System, nodes: Sequence[object], q: Array, tangents: Sequence[Array]) -> list[Array]:
-    """Derivatives of all nodes along the columns of each tangent: (columns, nodes) for every configuration."""
-    points: list[tuple[Array, Array]] = []
-    places: list[int] = []
-    for here, tangent in zip(q, tangents, strict=True):
-        places.append(len(points))
-        for column in tangent.T:
-            for sign in (1, -1):
-                points.append((here, sign * DIFFERENCE * system.scales * column))
+def _slopes(system: System, nodes: Sequence[Node], places: Sequence[tuple[Array, Array]]) -> list[Array]:
+    """Derivatives of all nodes along the columns of the tangent at every configuration: (columns, nodes) each."""
+    points = [(q, column) for q, tangent in places for column in tangent.T]
     if not points:
-        return [np.zeros((0, len(nodes)))] * len(q)
-    moved = system.advance(np.array([p for p, _ in points]), np.array([s for _, s in points]))
-    values = system.numeric(nodes, (system.inputs.q, moved))  # type: ignore[arg-type]
+        return [np.zeros((0, len(nodes)))] * len(places)
+    starts = np.repeat(np.array([q for q, _ in points]), 2, axis=0)
+    steps = np.array([sign * DIFFERENCE * system.scales * column for _, column in points for sign in (1, -1)])
+    values = system.numeric(nodes, (system.inputs.q, system.advance(starts, steps)))
     rates = (values[0::2] - values[1::2]) / (2 * DIFFERENCE)
-    return [rates[p // 2 : p // 2 + t.shape[1]] for p, t in zip(places, tangents, strict=True)]
+    ends = np.cumsum([tangent.shape[1] for _, tangent in places])
+    return [rates[end - tangent.shape[1] : end] for end, (_, tangent) in zip(ends, places, strict=True)]
 
 
-def _residuals(system: System, q: Array) -> Array:
-    """Closure residual in characteristic lengths, N."""
+def _residual(system: System, q: Array) -> float:
+    """Closure residual in characteristic lengths."""
     if not system.cuts:
-        return np.zeros(len(q))
-    found = np.abs(system.numeric(system.residual, (system.inputs.q, q))).max(axis=1)
-    return np.asarray(found / max(1.0, system.length))
-
-
-def _closed(system: System, q: Array) -> Array:
-    """The configurations with loops closed, by the least change; not numbers where they do not close."""
-    if not system.cuts:
-        return q
-    q = q.copy()
-    for _ in range(CLOSINGS):
-        if (_residuals(system, q) < CLOSED).all():
-            return q
-        residuals = system.numeric(system.residual, (system.inputs.q, q))
-        steps = [
-            np.linalg.lstsq(j, -r, rcond=CUT_OFF)[0] for j, r in zip(_jacobians(system, q), residuals, strict=True)
-        ]
-        q = system.advance(q, np.array(steps) * system.scales)
-    q[~(_residuals(system, q) < CLOSED)] = np.nan
-    return q
+        return 0.0
+    return float(np.abs(system.numeric(system.residual, (system.inputs.q, q[None]))).max() / max(1.0, system.length))
 
 
 def _displaced(system: System, margin: Margin, end: Array | None, scale: tuple[Array, float]) -> Displaced | None:
@@ -193,4 +230,4 @@ def _displaced(system: System, margin: Margin, end: Array | None, scale: tuple[A
         return None
     _, _, coordinate, by = max(moves, key=lambda move: move[:2])
     value = float(system.numeric([margin.value], (system.inputs.q, end[None]))[0, 0]) / size
-    return Displaced(coordinate.label, by, coordinate.kind, float(abs(value)), float(_residuals(system, end[None])[0]))
+    return Displaced(coordinate.label, by, coordinate.kind, float(abs(value)), _residual(system, end))

@@ -44,8 +44,11 @@ def _minor(numbers: ProofNumbers, matrix: Matrix, most: int | None = None) -> tu
     """Rows and columns of the largest minor that is shown to be regular."""
     if not matrix or not matrix[0]:
         return [], []
-    found = _by_doubles(np.array([[numbers.value(c) for c in row] for row in matrix]))
-    for rows, columns in (found, _by_digits(numbers, matrix)) if found is not None else (_by_digits(numbers, matrix),):
+    for places in (_by_doubles, _by_digits):  # 60 digits only where doubles do not tell
+        found = places(numbers, matrix)
+        if found is None:
+            continue
+        rows, columns = found
         minor = {"rows": rows[:most], "columns": columns[:most]}
         try:
             at_least(numbers.read.numbers, matrix, minor)
@@ -55,8 +58,9 @@ def _minor(numbers: ProofNumbers, matrix: Matrix, most: int | None = None) -> tu
     return [], []
 
 
-def _by_doubles(values: np.ndarray[Any, Any]) -> tuple[list[int], list[int]] | None:
+def _by_doubles(numbers: ProofNumbers, matrix: Matrix) -> tuple[list[int], list[int]] | None:
     """Full pivoting; None where a pivot is neither clear nor rounding."""
+    values = np.array([[numbers.value(c) for c in row] for row in matrix])
     largest = float(np.abs(values).max(initial=0.0)) or 1.0
     left, rows, columns = values / largest, list[int](), list[int]()
     while len(rows) < min(values.shape):

@@ -12,9 +12,12 @@ What is not of reasonable size is given up with a sentence (`EliminationTooLongE
 """
 
 from symscrew.mobility.symbols.drive_loci import ActuationLoci, actuation_loci
+from symscrew.mobility.symbols.exact_field import Field
 from symscrew.mobility.symbols.exact_numbers import Exact, Generator, NotDecidableError, generator_itself, terms_of
+from symscrew.mobility.symbols.exact_numbers import inverse as exact_inverse
+from symscrew.mobility.symbols.exact_numbers import value as exact_value
 from symscrew.mobility.symbols.exact_ranks import exact_rank, null_vectors, reduced
-from symscrew.mobility.symbols.exact_screws import ExactSystem, Row, exact_system, loop_rows
+from symscrew.mobility.symbols.exact_screws import ExactSystem, Row, across, exact_system, loop_rows
 from symscrew.mobility.symbols.generators import NotPolynomialError
 from symscrew.mobility.symbols.limb_poses import LimbPose, limb_pose, rounded_axis
 from symscrew.mobility.symbols.loop_groups import group_dimensions
@@ -32,6 +35,7 @@ __all__ = [
     "ActuationLoci",
     "Exact",
     "ExactSystem",
+    "Field",
     "Generator",
     "LimbPose",
     "Locus",
@@ -41,9 +45,12 @@ __all__ = [
     "SymbolicLoops",
     "SymbolicMobility",
     "Vector",
+    "across",
     "actuation_loci",
+    "exact_inverse",
     "exact_rank",
     "exact_system",
+    "exact_value",
     "generator_itself",
     "group_dimensions",
     "limb_pose",

@@ -198,24 +198,23 @@ class _Pairing:
         """What is beside two members of a row at the same places corresponds, too."""
         for mine, others in zip(self.beside[p], self.beside[q], strict=True):
             for op, some in mine.items():
-                more = others.get(op)
-                if more:
+                if op in others:
+                    more = others[op]
                     self._vote(some, more, ALONE if len(some) == len(more) == 1 else AMONG, changed)
 
     def _vote(self, some: Sequence[int], more: Sequence[int], amount: int, changed: set[int]) -> None:
         """So many votes for each of some with each of others, but for pairs of which some limb has members in both."""
-        votes, taken, made, outer, base = self.votes, self.taken, self.made, self.outer, self.base
-        hints = self.lanes.hints
+        votes, taken, base = self.votes, self.taken, self.base
         for x in some:
             own = taken[x]
             for y in more:
-                if own & taken[y]:
-                    continue
-                pair = x * base + y if x < y else y * base + x
-                weight = votes.get(pair)
-                if weight is None:  # what two slots have in common by themselves
-                    weight = HINT * (x in hints and hints[x] == hints.get(y))
-                    if x in made:
-                        weight += len(outer[x] & outer[y])
-                votes[pair] = weight + amount
-                changed.add(pair)
+                if not own & taken[y]:
+                    pair = x * base + y if x < y else y * base + x
+                    votes[pair] = (votes[pair] if pair in votes else self._alike(x, y)) + amount
+                    changed.add(pair)
+
+    def _alike(self, x: int, y: int) -> int:
+        """The votes of what two slots have in common by themselves."""
+        hints = self.lanes.hints
+        hinted = HINT if x in hints and hints[x] == hints.get(y) else 0
+        return hinted + len(self.outer[x] & self.outer[y]) if x in self.made else hinted

@@ -9,18 +9,25 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from symscrew.algebra import Node, handed_on, remade, uses
+from symscrew.algebra import LEAVES, Node, handed_on, remade, uses
+
+SUMS = frozenset(("add", "sub"))
 
 
 def factored(roots: Sequence[Node]) -> list[Node]:
     """The same expressions with common factors taken out."""
     read = uses(roots)
+    nodes = roots[0].tape.nodes if roots else []
     new: dict[int, Node] = {}  # what is written in another way
-    for index in sorted(read):  # arguments come first on the tape
-        node = roots[0].tape.nodes[index]
-        if node.op in ("add", "sub"):
+    for index in read:  # arguments come first on the tape
+        node = nodes[index]
+        if node.op in SUMS:
+            x, y = node.args
+            changed = x.index in new or y.index in new
+            if not changed and not (x.op == y.op == "mul" and read[x.index] == read[y.index] == 1):
+                continue
             made = _factor(node, read, new)
-        elif node.op not in ("symbol", "const") and any(a.index in new for a in node.args):
+        elif new and node.op not in LEAVES and any(a.index in new for a in node.args):
             made = remade(node.tape, node.op, [new.get(a.index, a) for a in node.args])
         else:
             continue

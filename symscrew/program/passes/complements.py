@@ -9,22 +9,25 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from symscrew.algebra import Node, needed, substitute, uses
+from symscrew.algebra import Node, substitute, uses
 
 OTHER = {"cos": "sin", "sin": "cos"}
 
 
 def complemented(roots: Sequence[Node]) -> list[Node]:
     """The same expressions without differences that lose digits."""
-    nodes = sorted(needed(roots), key=lambda node: node.index)  # the same on every run
-    functions = {(node.op, node.args[0].index): node for node in nodes if node.op in OTHER}
-    read = uses(roots)
+    read, nodes = uses(roots), roots[0].tape.nodes if roots else []
+    tried = [node for node in map(nodes.__getitem__, read) if node.op == "sub" and node.args[0].value is not None]
+    tried = [node for node in tried if read[node.args[1].index] == 1]
+    if not tried:
+        return list(roots)
+    turned = (node for node in map(nodes.__getitem__, read) if node.op in OTHER)
+    functions = {(node.op, node.args[0].index): node for node in turned}
     found: dict[Node, Node] = {}
-    for node in nodes:
-        if node.op == "sub" and node.args[0].value is not None and read[node.args[1].index] == 1:
-            made = _complement(node, functions, read)
-            if made is not None:
-                found[node] = made
+    for node in tried:  # in the order of the tape, the same on every run
+        made = _complement(node, functions, read)
+        if made is not None:
+            found[node] = made
     return substitute(roots[0].tape, roots, found) if found else list(roots)
 
 

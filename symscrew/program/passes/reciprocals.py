@@ -13,14 +13,17 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from symscrew.algebra import Node, evaluation_order, handed_on, remade
+from symscrew.algebra import Node, handed_on, remade, uses
+
+INVERTED = frozenset(("reciprocal", "mul"))
 
 
 def shared_reciprocals(roots: Sequence[Node]) -> list[Node]:
     """The same expressions with fewer divisions."""
     if not any(root.chain for root in roots):
         return list(roots)  # none has a division
-    order = evaluation_order(roots, {})
+    nodes = roots[0].tape.nodes
+    order = [node for node in map(nodes.__getitem__, uses(roots)) if node.op in INVERTED]
     inverted = {node.args[0].index for node in order if node.op == "reciprocal"}
     replaced: dict[int, tuple[Node, Node]] = {}  # reciprocal of x -> (y, 1 / (x y))
     for product in (node for node in order if node.op == "mul" and node.index in inverted):

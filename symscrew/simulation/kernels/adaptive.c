@@ -72,7 +72,7 @@ static int state_within(Step *s, int method, double t, double *q, double *v, dou
     memcpy(x, y + 2 * NV, sizeof(double) * NX);
 #if NR && FREE
     if (s->careful) {
-        return branch_state(&s->chart, t, y, y + NV, x, q, v, NULL, NULL, pivot, s->u);
+        return near_state(s, t, y, q, v, NULL, NULL, pivot);
     }
 #endif
     retract(s->base, y, q);

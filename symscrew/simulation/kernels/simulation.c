@@ -1,6 +1,6 @@
 /* A run: steps, their control, samples at given times, and what happens on the way. */
 
-enum { DONE = 0, GOING_ON, STEP_TOO_SMALL, TOO_MANY_STEPS, NOT_CLOSED, NOT_DEFINED, STUCK, FULL, EVENT };
+enum { DONE = 0, GOING_ON, STEP_TOO_SMALL, TOO_MANY_STEPS, NOT_CLOSED, NOT_DEFINED, STUCK, FULL, EVENT, NEEDS_PRECISION = 11 };
 
 typedef struct {
     double t, x[NX1], q[NQ1], v[NV1];
@@ -20,6 +20,8 @@ typedef struct {
     const double *lefts;          /* where inputs change at once: the latest time before the edge; else 0 */
     size_t edge_count, edge_at;   /* the first one behind t */
     double lands;      /* the edge on which the step ends exactly; 0: on none */
+    int asks;          /* for the branch in extended precision before the first careful step */
+    double careful_tolerance; /* least local tolerance of careful steps */
     Step step;
 } Simulation;
 
@@ -86,9 +88,22 @@ int simulation_start(Simulation *s, double t, const double *q, const double *v, 
     s->edge_count = edge_count;
     without_dust(s->v, NV);
     without_dust(s->x, NX);
+    s->careful_tolerance = CAREFUL_TOLERANCE;
     const int outcome = settle(s->q, s->v, &s->pivot);
     s->pivot_rate = pivot_rate(s->q, s->v);
     return outcome == 0 ? 0 : NOT_CLOSED;
+}
+
+/* The branch in extended precision, whose rounding is `rounding`; both NULL: the run returns NEEDS_PRECISION where it
+ * would be called. A run that was told nothing takes double precision. */
+void simulation_precision(Simulation *s, int (*anchor)(const double *, const double *, const int *, double *),
+                          int (*state)(double, const double *, double *, double *, double *, double *, double *),
+                          double rounding)
+{
+    s->step.precise.anchor = anchor;
+    s->step.precise.state = state;
+    s->asks = state == NULL;
+    s->careful_tolerance = state != NULL && rounding < ROUNDING_OF_PRECISE ? PRECISE_TOLERANCE : CAREFUL_TOLERANCE;
 }
 
 static int begin(const Simulation *s, Step *step, double h, int careful)
@@ -99,7 +114,14 @@ static int begin(const Simulation *s, Step *step, double h, int careful)
     step->u = NULL;
 #if NR && FREE
     if (careful) {
-        const int outcome = anchored(s->q, s->v, &step->chart);
+#if CONTACTS
+        const int *modes = contact_mode;
+#else
+        const int *modes = NULL;
+#endif
+        const Precise *precise = &step->precise;
+        const int outcome = precise->anchor != NULL ? precise->anchor(s->q, s->v, modes, step->chart.base)
+                                                    : anchored(s->q, s->v, &step->chart);
         if (outcome != 0) {
             return outcome;
         }
@@ -312,6 +334,9 @@ static int advance(Simulation *s, double target)
             h = shortened(s, whole, limit, left);
         }
         const int careful = cautious || needs_care(s, h);
+        if (careful && s->asks) {
+            return NEEDS_PRECISION;
+        }
         const int fresh = !s->started || careful || step->careful;
         if (fresh) {
             int outcome = begin(s, step, h, careful);
@@ -348,8 +373,8 @@ static int advance(Simulation *s, double target)
             return STEP_TOO_SMALL;
         }
         int outcome = take(step, s->method);
-        if (outcome == 0 && adaptive) { /* near the zone accelerations are noise below CAREFUL_TOLERANCE */
-            const double floor = fmax(careful ? CAREFUL_TOLERANCE : 0.0, noise);
+        if (outcome == 0 && adaptive) { /* near the zone accelerations are noise below that tolerance */
+            const double floor = fmax(careful ? s->careful_tolerance : 0.0, noise);
             step->error = dop853_error(step, fmax(s->rtol, floor), fmax(s->atol, floor));
             if (step->error >= 1.0 && last_error > 0.0 && step->error > 0.05 * last_error && noise < MOST_NOISE) {
                 noise = fmax(10.0 * noise, LEAST_NOISE); /* of order 8 it would have fallen: rounding is what is left */

@@ -2,9 +2,16 @@
 
 enum { EULER, SEMI_IMPLICIT_EULER, RK4, RK8, DOP853 };
 
+/* The branch in extended precision (precise.c), where the caller has it compiled; else NULL. */
+typedef struct {
+    int (*anchor)(const double *q, const double *v, const int *modes, double *base);
+    int (*state)(double t, const double *y, double *q, double *v, double *dv, double *dx, double *smallest);
+} Precise;
+
 typedef struct {
     int careful;
     double base[NQ1];
+    Precise precise;
 #if NR && FREE
     Chart chart;
 #endif
@@ -19,6 +26,18 @@ typedef struct {
     double error;
 } Step;
 
+#if NR && FREE
+/* The branch over y = (local coordinates, rates, states): q, v and, if dv is not NULL, slopes. */
+static int near_state(const Step *s, double t, const double *y, double *q, double *v, double *dv, double *dx,
+                      double *pivot)
+{
+    if (s->precise.state != NULL) {
+        return s->precise.state(t, y, q, v, dv, dx, pivot);
+    }
+    return branch_state(&s->chart, t, y, y + NV, y + 2 * NV, q, v, dv, dx, pivot, s->u);
+}
+#endif
+
 static int slope(Step *s, double t, const double *y, double *dy)
 {
     double q[NQ1];
@@ -27,7 +46,7 @@ static int slope(Step *s, double t, const double *y, double *dy)
 #if NR && FREE
     if (s->careful) {
         double v[NV1], z[NV1], pivot;
-        const int outcome = branch_state(&s->chart, t, y, y + NV, y + 2 * NV, q, v, dy + NV, dy + 2 * NV, &pivot, s->u);
+        const int outcome = near_state(s, t, y, q, v, dy + NV, dy + 2 * NV, &pivot);
         if (outcome == 0) {
             local_coordinates(s->base, q, z);
             local_rates(z, v, dy);
@@ -111,8 +130,7 @@ static int finish(Step *s)
 #if NR && FREE
     if (s->careful) {
         const double end = s->until > 0.0 && s->t + s->h > s->until ? s->until : s->t + s->h;
-        const int outcome = branch_state(&s->chart, end, s->end, s->end + NV, s->x, s->q, s->v, NULL, NULL,
-                                         &s->pivot, s->u);
+        const int outcome = near_state(s, end, s->end, s->q, s->v, NULL, NULL, &s->pivot);
         local_coordinates(s->base, s->q, s->end);
         memcpy(s->end + NV, s->v, sizeof(double) * NV);
         return outcome;

@@ -1,0 +1,80 @@
+"""All components of the configuration space of a mechanism, exactly where that ends: dimension, degree, equations.
+
+    Mechanism --closure_equations--> polynomials --exact_parts--> components, proved to be all of them
+              --real_configurations--> each lies on one of these, or the list is withdrawn
+
+Components are over the complex numbers: one may have few real points, or none.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from symscrew.description import Mechanism
+from symscrew.mobility.components.algebraic_closure import NotAlgebraicError, closure_equations
+from symscrew.mobility.components.exact_parts import SECONDS, Part, exact_parts
+from symscrew.mobility.components.real_configurations import real_configurations, variables_at
+from symscrew.mobility.joint_network import Network
+
+Array = np.ndarray[Any, Any]
+
+ON = 1e-5
+"""A polynomial is zero where its value is below this part of what its terms can be with variables of that size: loops
+are closed to 1e-12, and where branches touch Newton's method gives half these digits."""
+
+
+@dataclass(frozen=True)
+class ConfigurationSpace:
+    """The components with the variables in which their degree is counted.
+
+    `subject`: what the variables fix; `reason`: what was not done, empty where all parts are irreducible; `found`: real
+    configurations from random starts; `on`: how many of them lie on each part.
+    """
+
+    subject: str
+    variables: tuple[str, ...]
+    field: str
+    parts: tuple[Part, ...]
+    reason: str
+    found: int
+    on: tuple[int, ...]
+
+    @property
+    def proved(self) -> bool:
+        """Whether every part is irreducible, by exact algebra."""
+        return all(part.irreducible for part in self.parts)
+
+
+def configuration_space(mechanism: Mechanism, network: Network, seconds: float = SECONDS) -> ConfigurationSpace | str:
+    """The components, or why they are not decided; exact algebra is given up after so many seconds."""
+    try:
+        closure = closure_equations(mechanism, network)
+    except NotAlgebraicError as error:
+        return f"not decided: {error}"
+    exact = exact_parts(closure, seconds)
+    if not exact.complete:
+        return f"not decided: {exact.reason}"
+    values = variables_at(closure, network, real_configurations(network))
+    if values is None:
+        values = np.zeros((0, len(closure.variables)))
+    members = np.array([_on(part, values) for part in exact.parts]).reshape(len(exact.parts), len(values))
+    if not members.any(axis=0).all():
+        return "not decided: a configuration was found that is on none of the components of the equations"
+    on = tuple(int(row.sum()) for row in members)
+    return ConfigurationSpace(
+        closure.subject, closure.variables, str(closure.field), exact.parts, exact.reason, len(values), on
+    )
+
+
+def _on(part: Part, values: Array) -> Array:
+    """Which rows of values are zeros of all equations of the part."""
+    inside = np.ones(len(values), dtype=bool)
+    largest = np.abs(values).max(axis=1, initial=1.0)
+    for polynomial in part.polynomials:
+        value = sum(c * np.prod(values ** np.array(key), axis=1) for key, c in polynomial.items())
+        size = sum(abs(c) * largest ** sum(key) for key, c in polynomial.items())
+        inside &= np.abs(value) <= ON * size
+    return inside

@@ -1,0 +1,58 @@
+"""The components of a configuration space in words and as JSON values."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from symscrew.mobility.components.all_components import ConfigurationSpace
+from symscrew.mobility.components.exact_parts import Part
+
+MOST_SHOWN = 6
+"""Equations of a component in words; all are in the JSON."""
+LONGEST_SHOWN = 60
+"""Letters of an equation that is shown; a longer one says nothing to a reader."""
+
+
+def space_lines(found: ConfigurationSpace) -> list[str]:
+    """A line for each component, and what is proved."""
+    count = len(found.parts)
+    judged = "proved: minimal primes" if found.proved else f"a union of these, proved; {found.reason}"
+    lines = [
+        f"{count} component{'s' * (count != 1)} of the {found.subject}, all of them ({judged} over {found.field}); "
+        f"degrees in {_variables(found.variables)}; over the complex numbers"
+    ]
+    lines += [_line(part, f"{on} of {found.found}") for part, on in zip(found.parts, found.on, strict=True)]
+    return [
+        *lines,
+        f"Looked at by another route: all of {found.found} real configurations from random starts lie on these",
+    ]
+
+
+def _variables(names: tuple[str, ...]) -> str:
+    study = " and Study's parameters x, y" if "x0" in names else ""
+    others = [n for n in names if n[0] not in "xy" or "_" in n]
+    shown = ", ".join(others[:4]) + (" ..." if len(others) > 4 else "")
+    return f"{shown}{study}" if others else "Study's parameters x, y"
+
+
+def _line(part: Part, on: str) -> str:
+    where = "through the reference" if part.through else "elsewhere"
+    divided = "" if part.irreducible else ", not divided further"
+    short = [e for e in part.equations if len(e) <= LONGEST_SHOWN]
+    shown = "; ".join(f"{e} = 0" for e in short[:MOST_SHOWN])
+    more = len(part.equations) - min(len(short), MOST_SHOWN)
+    equations = shown + (f"; and {more} more" if shown and more else f"{more} equations" if more else "")
+    return f"dimension {part.dimension}, degree {part.degree}, {where}{divided}, {on} real configurations: {equations}"
+
+
+def space_values(found: ConfigurationSpace) -> dict[str, Any]:
+    """The same as JSON values."""
+    parts = [
+        {"dimension": p.dimension, "degree": p.degree, "through_reference": p.through, "irreducible": p.irreducible,
+         "real_configurations": on, "equations": [f"{e} = 0" for e in p.equations]}
+        for p, on in zip(found.parts, found.on, strict=True)
+    ]  # fmt: skip
+    return {
+        "decided": True, "subject": found.subject, "variables": list(found.variables), "field": found.field,
+        "proved": found.proved, "not_done": found.reason, "real_configurations": found.found, "components": parts,
+    }  # fmt: skip

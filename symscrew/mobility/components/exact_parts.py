@@ -1,0 +1,218 @@
+"""Components of the zeros of polynomials, by exact algebra: Groebner bases that factorise, and minimal primes.
+
+    ClosureEquations --Singular: facstd--> parts whose union is all zeros --minAssGTZ--> irreducible ones
+
+Singular (W. Decker, G.-M. Greuel, G. Pfister, H. Schoenemann) is a program of its own, found on the path. Every part
+has its dimension and degree from a Groebner basis; what is not divided to the end in the time given is said to be so.
+(P. Gianni, B. Trager, G. Zacharias, J. Symb. Comp. 6 (1988) 149-167: minimal primes.)
+"""
+
+from __future__ import annotations
+
+import re
+import shutil
+import subprocess
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+
+from symscrew.mobility.components.algebraic_closure import ClosureEquations
+from symscrew.mobility.components.polynomials import Exponents, Polynomial
+from symscrew.mobility.symbols import exact_value, generator_itself
+
+PROGRAM = "Singular"
+"""The program's name on the path; Debian's package is singular-ui."""
+SECONDS = 20.0
+"""For one decomposition. Those of the literature here end in a tenth of it, or not in hours."""
+PART = re.compile(r"@part (\d+) (\d+) (-?\d+) (\d+) (\d) (\d)")
+AWAY = 2
+"""In a part's mark: it lies where no configuration is."""
+
+
+@dataclass(frozen=True)
+class Part:
+    """A component: dimension and degree, its first equations, whether the reference is on it.
+
+    `irreducible`: over the field of the description; otherwise it may consist of several of its dimension and lower.
+    `polynomials`: the equations in doubles.
+    """
+
+    dimension: int
+    degree: int
+    equations: tuple[str, ...]
+    through: bool
+    irreducible: bool
+    polynomials: tuple[Mapping[Exponents, float], ...] = ()
+
+
+@dataclass(frozen=True)
+class ExactParts:
+    """All components, or why there are none; `complete`: whether their union is proved to be all configurations."""
+
+    parts: tuple[Part, ...]
+    complete: bool
+    reason: str = ""
+
+
+def exact_parts(closure: ClosureEquations, seconds: float = SECONDS) -> ExactParts:
+    """The components of all configurations over the field of the description."""
+    generators = closure.field.generators
+    if len(generators) > 1:
+        return ExactParts((), False, f"the numbers are in {closure.field}: expected one root at most")
+    program = shutil.which(PROGRAM)
+    if program is None:
+        return ExactParts((), False, f"exact algebra needs the program {PROGRAM}, which is not on the path")
+    try:
+        done = subprocess.run(
+            [program, "--quiet", "--no-rc"], input=_script(closure), capture_output=True, text=True, timeout=seconds
+        )
+        output, ended = done.stdout, done.returncode == 0 and "@end" in done.stdout
+    except subprocess.TimeoutExpired as error:
+        given = error.stdout or b""
+        output, ended = given.decode(errors="replace") if isinstance(given, bytes) else given, False
+    return _read(closure, output, ended=ended, seconds=seconds)
+
+
+def _script(closure: ClosureEquations) -> str:
+    names = [f"v{k + 1}" for k in range(len(closure.variables))]
+    generators = closure.field.generators
+
+    def text(polynomials: Sequence[Polynomial]) -> str:
+        return ",\n".join(p.text(names, generators, ["a"] * len(generators)) for p in polynomials) or "0"
+
+    modulus = ""
+    if generators:
+        low = [f"({c})*a^{k}" for k, c in enumerate(generators[0].modulus) if c]
+        modulus = f"minpoly = a^{generators[0].degree}+{'+'.join(low)};"
+    reference = "".join(f"q = subst(q, v{k + 1}, {value});" for k, value in enumerate(closure.reference))
+    field = "(0,a)" if generators else "0"
+    return f"""
+LIB "primdec.lib";
+ring r = {field}, ({",".join(names)}), dp; {modulus}
+option(redSB); short = 0;
+ideal closure = {text(closure.equations)};
+ideal never = {text(closure.excluded)};
+proc shown(ideal K, int mark, int whole) {{
+  int i; int on = 1; int away = 0; poly q; poly n;
+  for (i = 1; i <= size(K); i++) {{ q = K[i]; {reference} if (q != 0) {{ on = 0; }} }}
+  for (i = 1; i <= size(never); i++) {{ n = never[i]; if (n != 0 and reduce(n, K) == 0) {{ away = 1; }} }}
+  print("@part " + string(mark) + " " + string(dim(K)) + " " + string(mult(K)) + " " + string(size(K)) + " "
+    + string(on) + " " + string(whole + 2 * away));
+  for (i = 1; i <= size(K); i++) {{ print(string(K[i])); }}
+  print("@shown");
+}}
+proc within(ideal K, ideal L) {{ int i; for (i = 1; i <= size(L); i++) {{ if (reduce(L[i], K) != 0) {{ return(0); }} }}
+  return(1); }}
+list pieces = {"facstd(closure, never)" if closure.excluded else "facstd(closure)"};
+int i; int j; int k; int mark; int drop; list all; list marks;
+for (i = 1; i <= size(pieces); i++) {{ shown(std(pieces[i]), i, 0); }}
+print("@pieces");
+for (i = 1; i <= size(pieces); i++) {{
+  list minimal = minAssGTZ(pieces[i]);
+  for (j = 1; j <= size(minimal); j++) {{
+    ideal K = std(minimal[j]); drop = 0;
+    for (k = 1; k <= size(all); k++) {{
+      if (drop == 0) {{
+        if (within(K, all[k])) {{ drop = 1; }}
+        else {{ if (within(all[k], K)) {{ print("@drop " + string(marks[k])); }} }}
+      }}
+    }}
+    if (drop == 0) {{
+      mark++; all[size(all) + 1] = K; marks[size(marks) + 1] = mark; shown(K, mark, 1);
+    }}
+    kill K;
+  }}
+  print("@divided " + string(i));
+  kill minimal;
+}}
+print("@end");
+quit;
+"""
+
+
+def _read(closure: ClosureEquations, output: str, *, ended: bool, seconds: float) -> ExactParts:
+    """The parts that the program has printed: primes of divided pieces, the others as they are."""
+    pieces: dict[int, Part] = {}
+    primes: dict[int, Part] = {}
+    if re.search(r"^ *\? ", output, re.MULTILINE):
+        return ExactParts((), False, f"{PROGRAM} did not accept the equations")
+    lines = iter(output.splitlines())
+    split = False
+    divided: set[int] = set()
+    for line in lines:
+        word = line.split()
+        if line.startswith("@pieces"):
+            split = True
+        elif line.startswith("@divided"):
+            divided.add(int(word[1]))
+        elif line.startswith("@drop"):
+            primes.pop(int(word[1]), None)
+        elif found := PART.match(line):
+            number, dimension, degree, _, on, kind = map(int, found.groups())
+            equations = []
+            for inner in lines:
+                if inner.startswith("@shown"):
+                    break
+                equations.append(inner)
+            part = _part(closure, (dimension, degree), equations, through=bool(on), prime=split)
+            if kind >= AWAY:
+                continue
+            if split:
+                primes[number] = part
+            else:
+                pieces[number] = part
+        left = [pieces[k] for k in pieces if k not in divided]
+    if not split:
+        return ExactParts((), False, f"exact algebra did not end within {seconds:g} s")
+    reason = "" if ended else f"not divided to the end within {seconds:g} s"
+    parts = sorted([*primes.values(), *left], key=lambda part: (-part.dimension, part.degree, part.equations))
+    return ExactParts(tuple(parts), True, reason)
+
+
+def _part(
+    closure: ClosureEquations, size: tuple[int, int], equations: Sequence[str], *, through: bool, prime: bool
+) -> Part:
+    dimension = size[0] - (1 if closure.scaled else 0)
+    named = tuple(_named(closure, e) for e in equations)
+    return Part(dimension, size[1], named, through, prime, tuple(_doubles(closure, e) for e in equations))
+
+
+TERM = re.compile(r"[-+]?(?:\([^()]*\)|[^-+()])+")
+"""A term of a printed polynomial: signs within brackets do not end it."""
+
+
+def _doubles(closure: ClosureEquations, equation: str) -> dict[Exponents, float]:
+    """A printed polynomial with its coefficients as doubles."""
+    generators = closure.field.generators
+    root = float(exact_value(generator_itself(generators[0]))) if generators else 0.0
+    terms: dict[Exponents, float] = {}
+    for term in TERM.findall(equation):
+        value, key = (-1.0 if term[0] == "-" else 1.0), [0] * len(closure.variables)
+        for factor in (
+            term.lstrip("+-").split("*") if "(" not in term else re.split(r"\*(?![^(]*\))", term.lstrip("+-"))
+        ):
+            base, _, power = factor.partition("^")
+            if factor[0] == "(":
+                value *= sum(_number(inner, root) for inner in TERM.findall(factor[1:-1]))
+            elif base[0] == "v":
+                key[int(base[1:]) - 1] += int(power or 1)
+            else:
+                value *= _number(factor, root)
+        terms[tuple(key)] = terms.get(tuple(key), 0.0) + value
+    return terms
+
+
+def _number(term: str, root: float) -> float:
+    """A product of fractions and powers of the field's generator `a`."""
+    value = -1.0 if term[0] == "-" else 1.0
+    for factor in term.lstrip("+-").split("*"):
+        base, _, power = factor.partition("^")
+        value *= float(root ** int(power or 1)) if base == "a" else float(Fraction(base))
+    return value
+
+
+def _named(closure: ClosureEquations, equation: str) -> str:
+    text = re.sub(r"v(\d+)", lambda m: closure.variables[int(m[1]) - 1], equation)
+    for generator in closure.field.generators:
+        text = re.sub(r"\ba\b", str(generator.name), text)
+    return text

@@ -1,0 +1,198 @@
+"""Problems built once: other numbers give what `solve` gives from scratch, warm or cold, compiled or interpreted."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import cache
+
+import numpy as np
+import pytest
+
+from symscrew.description import Mechanism, MechanismBuilder
+from symscrew.errors import DescriptionError
+from symscrew.optimisation import (
+    Bounds,
+    Conditions,
+    Objective,
+    OptimisationProblem,
+    TrajectoryProblem,
+    Transcription,
+    compiled_points,
+    solve,
+)
+from symscrew.runtime import CompileError
+from tests.support.optimal_problems import cart_pole_problem, seed
+
+MESH = Transcription("radau", 3, 8)
+
+
+def problem() -> TrajectoryProblem:
+    """A swing of a cart-pole, with two objectives and a parameter."""
+    return replace(
+        cart_pole_problem(MESH),
+        start=Conditions(coordinates={"slide": 0.0, "hinge": 0.2}, rates={"slide": 0.1, "hinge": 0.0}),
+        end=Conditions(coordinates={"slide": 0.4, "hinge": -0.1}, at_rest=True),
+        bounds=Bounds(drives={"slide": (-20.0, 20.0)}, joints={"slide": (-2.0, 2.0)}, speeds={"hinge": (-9.0, 9.0)}),
+        objectives=(Objective("effort"), Objective("jerk", weight=1e-4)),
+    )
+
+
+@cache
+def interpreted() -> OptimisationProblem:
+    """Built without a compiler."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(compiled_points, "compile_c", _no_compiler)
+        made = OptimisationProblem(problem())
+        assert not made.compiled(wait=60)
+    return made
+
+
+def _no_compiler(*_: object, **__: object) -> None:
+    raise CompileError("no C compiler (cc); install one")
+
+
+CHANGES = {
+    "start": {"start": {"slide": 0.05}},
+    "rates at the start": {
+        "start": Conditions(coordinates={"slide": 0.0, "hinge": 0.1}, rates={"slide": -0.2, "hinge": 0.5})
+    },
+    "rest at the start": {"start": Conditions(coordinates={"slide": 0.0, "hinge": 0.1}, at_rest=True)},
+    "goal": {"goal": {"slide": 0.3, "hinge": 0.0}},
+    "less at the goal": {"goal": Conditions(coordinates={"slide": 0.3}, rates={"slide": 0.1})},
+    "duration": {"duration": 1.7},
+    "bounds": {
+        "bounds": Bounds(drives={"slide": (-1.6, 1.6)}, joints={"slide": (-2.0, 2.0)}, speeds={"hinge": (-2.0, 0.9)})
+    },
+    "weights": {"weights": (1.0, 1e-2)},
+}
+
+
+@pytest.mark.parametrize("name", CHANGES)
+def test_other_numbers_give_what_a_new_problem_gives(name: str) -> None:
+    changes, base = dict(CHANGES[name]), problem()
+    made = interpreted()
+    first, warm = made.solve(), made.solve(**changes, warm=made.solve())
+    given = {"end" if key == "goal" else key: value for key, value in changes.items()}
+    for end in ("start", "end"):
+        if isinstance(given.get(end), dict):
+            before = getattr(base, end)
+            given[end] = replace(before, coordinates={**before.coordinates, **given[end]})
+    if "weights" in given:
+        weights = given.pop("weights")
+        given["objectives"] = tuple(replace(o, weight=w) for o, w in zip(base.objectives, weights, strict=True))
+    known = solve(replace(base, **given))
+    assert known.ok and warm.ok and abs(first.cost - known.cost) > 1e-4 * known.cost  # the change matters
+    assert warm.cost == pytest.approx(known.cost, rel=1e-6)
+    assert np.abs(warm.arrays["y"] - known.arrays["y"]).max() < 1e-4
+    assert warm.problem.duration == known.problem.duration and warm.errors.drift == pytest.approx(
+        known.errors.drift, rel=1e-2
+    )
+
+
+def test_parameters_of_the_mechanism_are_numbers_too() -> None:
+    base = replace(problem(), mechanism=_with_length(), parameters={"length": 0.5})
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(compiled_points, "compile_c", _no_compiler)
+        made = OptimisationProblem(base)
+    first = made.solve()
+    other = made.solve(parameters={"length": 0.55}, warm=first)
+    known = solve(replace(base, parameters={"length": 0.55}))
+    assert other.ok and known.ok and abs(known.cost - first.cost) > 1e-3 * known.cost
+    assert other.cost == pytest.approx(known.cost, rel=1e-6)
+
+
+def _with_length() -> Mechanism:
+    """The cart-pole with the pole's length as a parameter."""
+    made = MechanismBuilder("cart_pole")
+    made.parameter("length", "0.5", unit="m", description="length of the pole")
+    made.body("cart", mass="1", com=[0, 0, 0])
+    made.body("pole", mass="0.3", com=[0, 0, "-length"])
+    made.joint("slide", "P", parent="base", child="cart", point=[0, 0, 0], axes=[[1, 0, 0]], driven=True)
+    made.joint("hinge", "R", parent="cart", child="pole", point=[0, 0, 0], axes=[[0, -1, 0]])
+    return made.build()
+
+
+def test_a_warm_start_takes_few_steps_to_full_accuracy() -> None:
+    made = interpreted()
+    warm = made.solve()
+    near = made.solve(start={"slide": 0.003}, warm=warm)
+    cold = made.solve(start={"slide": 0.003})
+    assert near.ok and near.cost == pytest.approx(cold.cost, rel=1e-7)
+    assert 1 <= near.statistics.iterations <= 3 < cold.statistics.iterations
+
+
+def test_a_shifted_start_is_the_motion_as_it_goes_on() -> None:
+    made = interpreted()
+    plan = made.solve()
+    later = 0.1
+    at = plan.sampled(np.array([later / plan.duration]))
+    now = Conditions(
+        coordinates=dict(zip(plan.labels, at.y[0].tolist(), strict=True)),
+        rates=dict(zip(plan.labels, at.y_dot[0].tolist(), strict=True)),
+    )
+    rest = plan.duration - later
+    steps = [made.solve(start=now, duration=rest, warm=plan, shift=shift).statistics.iterations for shift in (later, 0)]
+    moved = made.solve(start=now, duration=rest, warm=plan, shift=later)
+    assert moved.ok and steps[0] <= steps[1]
+    assert moved.cost < plan.cost and np.abs(moved.arrays["y"][0] - at.y[0]).max() < 1e-9
+
+
+def test_what_changes_more_than_numbers_is_refused() -> None:
+    made = interpreted()
+    with pytest.raises(
+        DescriptionError,
+        match=r"platform_normal at the end: .* build another optimisation_problem",
+    ):
+        made.solve(goal=Conditions(coordinates={"slide": 1.0}, platform_normal=(0.0, 0.0, 1.0)))
+    with pytest.raises(DescriptionError, match="duration: the problem was built with a fixed one"):
+        made.solve(duration=(1.0, 2.0))
+    with pytest.raises(DescriptionError, match=r"bounds\.joints"):
+        made.solve(bounds=Bounds())
+    with pytest.raises(DescriptionError, match="weights: expected 2"):
+        made.solve(weights=(1.0,))
+    with pytest.raises(DescriptionError, match="parameters: l became numbers"):
+        made.solve(parameters={"l": 1.0})
+    with pytest.raises(DescriptionError, match="contradicts its bounds"):
+        made.solve(start={"slide": 3.0})
+
+
+def test_compiled_functions_are_those_that_were_interpreted(monkeypatch: pytest.MonkeyPatch) -> None:
+    made = OptimisationProblem(problem())
+    assert made.compiled(wait=300) and not made.trouble
+    assert made.solve().cost == pytest.approx(interpreted().solve().cost, rel=1e-9)
+    calls = []
+    monkeypatch.setattr("symscrew.runtime.compilers._compile", lambda *a: calls.append(a))
+    again = OptimisationProblem(problem())
+    assert again.compiled(wait=60) and not calls  # the cache had it
+
+
+def test_compiled_functions_that_differ_are_not_used(monkeypatch: pytest.MonkeyPatch) -> None:
+    printed = compiled_points._printed
+
+    def wrong(functions: object) -> str:
+        return printed(functions).replace("=sin(", "=1.01*sin(")  # type: ignore[arg-type]
+
+    monkeypatch.setattr(compiled_points, "_printed", wrong)
+    made = OptimisationProblem(problem())
+    code = wrong(made._points.interpreted)
+    assert code != printed(made._points.interpreted)
+    assert not made.compiled(wait=300) and "differ from interpreted ones" in made.trouble
+    assert made.solve().ok
+
+
+def test_without_a_compiler_the_interpreter_goes_on() -> None:
+    assert "no C compiler" in interpreted().trouble and interpreted().solve().ok
+
+
+@pytest.mark.slow
+def test_the_seed_is_solved_again_within_three_steps() -> None:
+    base = seed(transcription=Transcription("radau", 3, 20))
+    made = OptimisationProblem(base)
+    assert made.compiled(wait=600), made.trouble
+    first = made.solve()
+    for step in (1e-2, 1e-3):
+        given = {label: value + step for label, value in base.start.coordinates.items()}
+        found = made.solve(start=given, warm=first)
+        known = solve(replace(base, start=replace(base.start, coordinates=given)))
+        assert found.ok and found.statistics.iterations <= 3
+        assert found.cost == pytest.approx(known.cost, rel=1e-8) and found.errors.closure < 1e-9

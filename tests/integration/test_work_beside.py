@@ -1,0 +1,88 @@
+"""Work that another process does beside this one: the same results, whatever becomes of that process."""
+
+from __future__ import annotations
+
+import os
+import signal
+import time
+from collections.abc import Callable
+
+import pytest
+from support.model_states import model
+
+from symscrew import workers
+from symscrew.export import c_pieces, print_c
+from symscrew.workers import beside
+
+DEATHS: tuple[Callable[[], object], ...] = (
+    lambda: os.kill(os.getpid(), signal.SIGKILL),
+    lambda: os._exit(3),
+    lambda: 1 / 0,
+)
+LONG = 60.0  # s that a process takes for what nobody waits for
+
+
+def test_another_process_does_it() -> None:
+    with beside(os.getpid) as result:
+        assert result() != os.getpid()
+
+
+def test_it_is_done_here_where_processes_have_no_copies(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delattr(os, "fork")
+    with beside(os.getpid) as result:
+        assert result() == os.getpid()
+
+
+def test_it_is_done_here_where_there_is_no_room_for_a_process(monkeypatch: pytest.MonkeyPatch) -> None:
+    def full() -> int:
+        raise BlockingIOError
+
+    before = len(os.listdir("/proc/self/fd"))
+    monkeypatch.setattr(os, "fork", full)
+    with beside(os.getpid) as result:
+        assert result() == os.getpid()
+    assert len(os.listdir("/proc/self/fd")) == before
+
+
+@pytest.mark.parametrize("death", DEATHS)
+def test_it_is_done_here_where_the_other_process_does_not_get_to_its_end(death: Callable[[], object]) -> None:
+    here = os.getpid()
+
+    def work() -> int:
+        if os.getpid() != here:
+            death()
+        return os.getpid()
+
+    with beside(work) as result:
+        assert result() == here
+
+
+def test_an_error_of_the_work_is_raised_here() -> None:
+    def work() -> None:
+        raise ValueError("no")
+
+    with beside(work) as result, pytest.raises(ValueError, match="no"):
+        result()
+
+
+def test_nobody_waits_for_what_is_not_asked_for(monkeypatch: pytest.MonkeyPatch) -> None:
+    copies: list[int] = []
+    fork = os.fork
+    monkeypatch.setattr(os, "fork", lambda: copies.append(fork()) or copies[-1])
+    start = time.monotonic()
+    with pytest.raises(KeyError), beside(lambda: time.sleep(LONG)):
+        raise KeyError
+    assert time.monotonic() - start < LONG
+    with pytest.raises(ProcessLookupError):
+        os.kill(copies[0], 0)
+
+
+@pytest.mark.parametrize("name", ["four_bar", "planar_3rrr"])
+def test_two_processes_print_what_one_does(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The second one has lanes and functions that share constants."""
+    made: list[object] = []
+    copied = workers._copied
+    monkeypatch.setattr(workers, "_copied", lambda work: made.append(copied(work)) or made[-1])
+    monkeypatch.setattr(c_pieces, "WORTH_A_PROCESS", 0)
+    assert print_c(model(name), several=True, processes=2) == print_c(model(name), several=True)
+    assert len(made) == 1 and made[0] is not None

@@ -1,0 +1,71 @@
+"""Closure as polynomials against motion by exponentials: they vanish at real configurations, and only there."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import numpy as np
+import pytest
+from support.marks import slow
+from support.parallel_mechanisms import four_ruu, snu
+from support.reference_mechanisms import ENTRIES, build
+
+from symscrew.description.mechanism import Mechanism
+from symscrew.mobility.components.algebraic_closure import NotAlgebraicError, closure_equations
+from symscrew.mobility.components.limb_equations import null_space
+from symscrew.mobility.components.polynomials import Polynomial
+from symscrew.mobility.components.real_configurations import real_configurations, variables_at
+from symscrew.mobility.joint_network import network_of
+
+OTHERS = {"snu": snu, "four_ruu": four_ruu}
+EXACT = 1e-11  # of the largest term
+
+
+def mechanism(name: str) -> Mechanism:
+    return OTHERS[name]() if name in OTHERS else build(ENTRIES[name])
+
+
+def residual(polynomial: Polynomial, values: np.ndarray) -> np.ndarray:
+    terms = np.array([c * np.prod(values ** np.array(key), axis=1) for key, c in polynomial.floats().items()])
+    return np.asarray(np.abs(terms.sum(axis=0)) / np.maximum(1.0, np.abs(terms).max(axis=0)))
+
+
+@pytest.mark.parametrize(
+    "name, variables",
+    [
+        ("slider_crank", 5), ("oldham", 4), ("bennett", 8), ("sarrus", 10), ("bricard_box", 10), ("tripteron_cpm", 8),
+        slow("andrews_7body", 14), slow("schatz_turbula", 10), slow("3rps", 8), slow("snu", 8), slow("four_ruu", 12),
+    ],
+)  # fmt: skip
+def test_equations_vanish_at_configurations_and_not_beside_them(name: str, variables: int) -> None:
+    network = network_of(mechanism(name))
+    closure = closure_equations(mechanism(name), network)
+    assert len(closure.variables) == variables and not any(p.at(closure.reference) for p in closure.equations)
+    found = real_configurations(network)
+    values = variables_at(closure, network, found)
+    assert values is not None and len(values) > 10
+    assert max(residual(p, values).max() for p in closure.equations) < EXACT
+    beside = variables_at(closure, network, found + 0.1 * np.random.default_rng(1).normal(size=found.shape))
+    assert beside is not None  # poses along the tree: loops are open there
+    assert min(np.max([residual(p, beside) for p in closure.equations], axis=0)) > 1e-6
+
+
+@pytest.mark.parametrize(
+    "name, reason",
+    [("delassus_4h", "screw joint"), ("serial_6r_wrist", "no loops"), ("delta_rrpar", "join more than two joints")],
+)
+def test_what_has_no_such_equations_is_said(name: str, reason: str) -> None:
+    with pytest.raises(NotAlgebraicError, match=reason):
+        closure_equations(mechanism(name), network_of(mechanism(name)))
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_null_spaces_of_sparse_rows(seed: int) -> None:
+    random = np.random.default_rng(seed)
+    rows = random.integers(-3, 4, size=(5, 9)) * (random.random((5, 9)) < 0.5)
+    rows[4] = rows[0] + 2 * rows[1]
+    sparse = [{j: Fraction(int(c)) for j, c in enumerate(row) if c} for row in rows]
+    found = null_space(sparse, 9)
+    assert len(found) == 9 - np.linalg.matrix_rank(rows)
+    for vector in found:
+        assert all(sum(row.get(j, 0) * c for j, c in vector.items()) == 0 for row in sparse)

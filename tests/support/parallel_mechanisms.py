@@ -1,0 +1,66 @@
+"""Parallel and planar mechanisms whose operation modes are published, in exact numbers, a source each."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import sympy
+from sympy import Rational, sqrt
+
+from symscrew.description.builder import MechanismBuilder
+from symscrew.description.mechanism import Mechanism
+
+HALF = Rational(1, 2)
+THIRDS = ((1, 0), (-HALF, sqrt(3) / 2), (-HALF, -sqrt(3) / 2))
+QUARTERS = ((1, 0), (0, 1), (-1, 0), (0, -1))
+
+
+def turned(vector: Sequence[Any], place: tuple[Any, Any]) -> list[Any]:
+    """The vector turned about z to a place on the unit circle."""
+    (x, y, z), (c, s) = vector, place
+    return [sympy.nsimplify(c * x - s * y), sympy.nsimplify(s * x + c * y), z]
+
+
+def three_upu(first: Sequence[Any], second: Sequence[Any]) -> Mechanism:
+    """Three equal limbs between triangles of radius 5 and 2, four apart; axes of the first limb's universal joints."""
+    builder = MechanismBuilder("three_upu", platform="plate").body("plate")
+    for k, place in enumerate(THIRDS):
+        outer, inner = turned(first, place), turned(second, place)
+        foot, top = turned([5, 0, 0], place), turned([2, 0, 4], place)
+        builder.body(f"low{k}").body(f"high{k}")
+        builder.joint(f"A{k}", "U", parent="base", child=f"low{k}", point=foot, axes=[outer, inner])
+        axis = turned([-Rational(3, 5), 0, Rational(4, 5)], place)
+        builder.joint(f"P{k}", "P", parent=f"low{k}", child=f"high{k}", point=foot, axes=[axis], driven=True)
+        builder.joint(f"C{k}", "U", parent=f"high{k}", child="plate", point=top, axes=[inner, outer])
+        builder.limb(f"limb{k}", joints=[f"A{k}", f"P{k}", f"C{k}"])
+    return builder.build()
+
+
+def snu() -> Mechanism:
+    """The 3-UPU of Seoul National University: outer axes meet in the centres of base and platform."""
+    return three_upu([1, 0, 0], [0, 1, 0])
+
+
+def four_ruu() -> Mechanism:
+    """Four limbs whose outer axes are vertical (Nurahmi, Caro, Wenger, Schadlbauer, Husty 2016)."""
+    builder = MechanismBuilder("four_ruu", platform="plate").body("plate")
+    for k, place in enumerate(QUARTERS):
+        foot, knee, top = (turned(p, place) for p in ([6, 0, 0], [6, 5, 0], [3, 1, 4]))
+        inner = turned([Rational(4, 5), -Rational(3, 5), 0], place)
+        builder.body(f"low{k}").body(f"high{k}")
+        builder.joint(f"A{k}", "R", parent="base", child=f"low{k}", point=foot, axes=[[0, 0, 1]], driven=True)
+        builder.joint(f"B{k}", "U", parent=f"low{k}", child=f"high{k}", point=knee, axes=[[0, 0, 1], inner])
+        builder.joint(f"C{k}", "U", parent=f"high{k}", child="plate", point=top, axes=[inner, [0, 0, 1]])
+        builder.limb(f"limb{k}", joints=[f"A{k}", f"B{k}", f"C{k}"])
+    return builder.build()
+
+
+def double_parallelogram() -> Mechanism:
+    """Two parallelograms side by side on one coupler: three equal parallel cranks (Hunt 1978, ch. 12)."""
+    builder = MechanismBuilder("double_parallelogram", platform="coupler").body("coupler")
+    for k, x in enumerate((0, 3, 5)):
+        builder.body(f"crank{k}")
+        builder.joint(f"A{k}", "R", parent="base", child=f"crank{k}", point=[x, 0, 0], axes=[[0, 0, 1]])
+        builder.joint(f"B{k}", "R", parent=f"crank{k}", child="coupler", point=[x + HALF * 3, 2, 0], axes=[[0, 0, 1]])
+    return builder.build()

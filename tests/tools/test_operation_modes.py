@@ -1,0 +1,98 @@
+"""Operation modes by exact algebra: published components, and what real configurations say of them. Needs Singular."""
+
+from __future__ import annotations
+
+import json
+import shutil
+from collections.abc import Callable
+
+import pytest
+from support.further_mechanisms import CASES
+from support.parallel_mechanisms import double_parallelogram, snu
+from support.reference_mechanisms import ENTRIES, build
+
+from symscrew.cli.parser import main
+from symscrew.description.mechanism import Mechanism
+from symscrew.mobility import analyse_mobility
+from symscrew.mobility.components import ConfigurationSpace, configuration_space
+from symscrew.mobility.components.exact_parts import PROGRAM
+from symscrew.mobility.joint_network import network_of
+
+pytestmark = pytest.mark.skipif(shutil.which(PROGRAM) is None, reason="Singular is not installed (singular-ui)")
+
+GIVEN_UP = 6.0  # seconds after which a division is given up that would not end in hours: its first half takes one
+OTHERS: dict[str, Callable[[], Mechanism]] = {"snu": snu, "double parallelogram": double_parallelogram}
+
+
+def mechanism(name: str) -> Mechanism:
+    return OTHERS[name]() if name in OTHERS else build(ENTRIES[name]) if name in ENTRIES else CASES[name].make()
+
+
+def space(name: str, **options: float) -> ConfigurationSpace:
+    found = configuration_space(mechanism(name), network_of(mechanism(name)), **options)
+    assert isinstance(found, ConfigurationSpace), found
+    return found
+
+
+@pytest.mark.parametrize(
+    "name, sizes, through",
+    [
+        ("planar_4bar", [(1, 6)], 1),  # one curve (Hunt 1978)
+        ("parallelogram", [(1, 2), (1, 4)], 1),  # translation in a circle, antiparallelogram (Hunt 1978, ch. 12)
+        ("parallelogram-change_point", [(1, 2), (1, 4)], 2),
+        ("bennett", [(1, 2)], 1),  # a conic in Study's quadric (Brunnthaler, Schroecker, Husty 2005)
+        ("goldberg_5r", [(1, 4)], 1),
+        # Sarrus: the translation, with the knees to one side or to two; the plate on the base turns about its hinges
+        ("sarrus", [(2, 1), (1, 4), (1, 4)], 1),
+        ("sarrus-flat_folded", [(2, 1), (1, 4), (1, 4)], 2),
+        # kinematotropic: the rocker moves with one freedom, or stands while both folded dyads turn
+        ("kinematotropic_double_fold-transition", [(2, 4), (1, 4), (1, 4)], 2),
+        ("double_hooke", [(1, 12)], 1),
+    ],
+)
+def test_published_components(name: str, sizes: list[tuple[int, int]], through: int) -> None:
+    found = space(name)
+    real = [part for part, on in zip(found.parts, found.on, strict=True) if on]
+    assert found.proved and [(p.dimension, p.degree) for p in real] == sizes
+    assert sum(part.through for part in real) == through
+    dimensions = {part.dimension for part in found.parts if part.through}
+    finite = analyse_mobility(mechanism(name)).finite
+    assert dimensions == ({finite.dof} if finite.branches is None else set(finite.branches))
+
+
+def test_a_double_parallelogram_keeps_its_coupler_parallel_or_is_stiff() -> None:
+    """The third crank takes the antiparallelogram away: of that mode two poses are left (Hunt 1978, ch. 12)."""
+    found = space("double parallelogram")
+    assert found.proved and [(p.dimension, p.degree) for p in found.parts if p.dimension] == [(1, 2)]
+
+
+def test_modes_of_the_3_upu_of_seoul() -> None:
+    """Walter, Husty and Pfurner 2009: translations, twisted ones, planar ones upright and upside down, general ones."""
+    found = space("snu")
+    assert found.proved and {part.dimension for part in found.parts} == {3}
+    assert sum(part.degree for part in found.parts) == 15  # four quadrics, without the plane of x = 0, which is no pose
+    equations = [set(part.equations) for part in found.parts if part.degree == 1]
+    assert {"y0", "x1", "x2", "x3"} in equations and {"y3", "x0", "x1", "x2"} in equations
+    assert len([e for e in equations if {"x1", "x2"} <= e]) == 3  # these two, and the planar one
+    assert [part.degree for part in found.parts if part.degree > 1] == [8] and all(found.on)
+
+
+def test_the_two_modes_of_the_3_rps() -> None:
+    """Schadlbauer, Walter and Husty 2014: x0 = 0 and x3 = 0 (there x1), of dimension 3; proved to be all of it."""
+    found = space("3rps", seconds=GIVEN_UP)
+    assert [(p.dimension, p.degree) for p in found.parts] == [(3, 8), (3, 8)]
+    assert {part.equations[0] for part in found.parts} == {"x0", "x3"}
+    assert not found.proved and "not divided to the end" in found.reason
+
+
+def test_bricard() -> None:
+    found = space("bricard_box", seconds=GIVEN_UP)
+    assert [p.dimension for p in found.parts if p.through] == [1] and found.on[0] == found.found > 10
+
+
+def test_in_words_and_json(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["mobility", "bennett", "--components", "--json"]) == 0
+    values = json.loads(capsys.readouterr().out)["components"]
+    assert values["proved"] and [(c["dimension"], c["degree"]) for c in values["components"]] == [(1, 2)]
+    assert main(["mobility", "bennett", "--components"]) == 0
+    assert "1 component of the pose of" in capsys.readouterr().out
