@@ -37,6 +37,8 @@ def check_problem(problem: TrajectoryProblem) -> None:
     for kind, count in Counter(o.type for o in problem.objectives).items():
         if count > 1 and kind in ONCE:
             raise DescriptionError(f"objectives: {kind!r} stands {count} times; give it once, with the sum of weights")
+    if problem.turns and not problem.periodic:
+        raise DescriptionError(f"problem.turns: those of {', '.join(problem.turns)} count in a periodic motion only")
     _check_preload(problem)
     _check_starts(problem)
     _check_method(problem.transcription, problem.solver)

@@ -211,11 +211,12 @@ def _path(model: PointModel, place: _Places) -> tuple[Path, np.ndarray, tuple[np
         found.append(q)
     end = model.problem.end
     last = start if model.problem.periodic and end.is_empty else q
+    turned = np.array([2 * np.pi * model.problem.turns.get(label, 0) for label in model.equations.labels])
     if not end.is_empty:
         last = place(end, "the goal", q)
         found.append(last)
     stamps.append(1.0)
-    places.append(last[entries])
+    places.append(last[entries] + (turned if end.is_empty else 0.0))
     points = np.array(places)
     slopes = np.zeros_like(points)
     if len(points) > 2:

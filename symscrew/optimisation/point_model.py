@@ -70,6 +70,7 @@ class PointModel:
             ("design", list(problem.design), list(self.system.mechanism.parameters)),
             ("parameters", list(problem.parameters), list(self.system.mechanism.parameters)),
             ("guess", list(problem.guess), self.equations.labels),
+            ("turns", list(problem.turns), self._angles),
         ]
         for o in problem.objectives:
             groups.append((f"objective {o.type}", [*o.weights, *o.preload], self.drive_labels))
@@ -83,6 +84,12 @@ class PointModel:
             for name in names:
                 if name not in known:
                     raise DescriptionError(f"{where}: unknown name {name!r}; {did_you_mean(name, known)}")
+
+    @property
+    def _angles(self) -> list[str]:
+        """Labels of the independent coordinates that can turn round."""
+        units = {c.label: c.kind for c in self.system.tree.q}
+        return [label for label in self.equations.labels if units[label] == "angle"]
 
     @cached_property
     def joint_labels(self) -> tuple[str, ...]:

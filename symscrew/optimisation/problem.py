@@ -155,7 +155,8 @@ class Solver:
 class TrajectoryProblem:
     """A motion to be found.
 
-    `duration` [s] is a number, or a range (lower, upper) for a free one. `independent` names the independent
+    `duration` [s] is a number, or a range (lower, upper) for a free one. `turns`: angle of y -> whole turns by which it
+    ends further on in a periodic motion. `independent` names the independent
     coordinates y by labels of q. `design`: name of a parameter of the mechanism -> range in which it is chosen.
     `drive_rule`: "free" within the bounds, or "least_squares" distribution of redundant drives about `preload`.
     `inputs`: port of an effect -> its constant values. `accuracy`: (dynamic, kinematic) errors until which the mesh
@@ -172,6 +173,7 @@ class TrajectoryProblem:
     end: Conditions = Conditions()
     via: Sequence[Conditions] = ()
     periodic: bool = False
+    turns: Mapping[str, int] = field(default_factory=dict)
     bounds: Bounds = Bounds()
     objectives: Sequence[Objective] = (Objective("effort"),)
     design: Mapping[str, Range] = field(default_factory=dict)

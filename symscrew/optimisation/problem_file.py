@@ -81,6 +81,7 @@ def parse_problem(text: str, *, folder: Path | None = None, name: str = "traject
         end=read.conditions(tables.get("end", {}), "end"),
         via=tuple(read.conditions(t, f"via[{k}]") for k, t in enumerate(tables.get("via", ()))),
         periodic=_flag(head, "periodic", "problem"),
+        turns=read.turns(head.get("turns", {})),
         bounds=read.bounds(tables.get("bounds", {})),
         objectives=tuple(read.objective(t, f"objectives[{k}]") for k, t in enumerate(objectives)),
         design=read.ranges(tables.get("design", {}), "design"),
@@ -174,6 +175,9 @@ class _Reader:
 
     def numbers(self, table: Any, where: str) -> dict[str, float]:
         return {k: self.number(v, f"{where}.{k}") for k, v in self.flat(table, where).items()}
+
+    def turns(self, table: Any) -> dict[str, int]:
+        return {k: _whole(v, f"problem.turns.{k}") for k, v in self.flat(table, "problem.turns").items()}
 
     def ranges(self, table: Any, where: str) -> dict[str, Range]:
         return {k: self.range(v, f"{where}.{k}") for k, v in self.flat(table, where).items()}

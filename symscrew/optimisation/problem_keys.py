@@ -56,6 +56,11 @@ SECTIONS: Mapping[str, Mapping[str, Key]] = {
         "description": Key("", "for readers; kept with the motion", 'description = "about it"', "-"),
         "duration": Key("s", "a number, or [lower, upper] for one that is chosen; no default", "duration = 2"),
         "periodic": Key("", "the motion ends as it began", "periodic = true"),
+        "turns": Key(
+            "1",
+            "whole turns by which angles of y end further on in a periodic motion",
+            "periodic = true\nturns = { hinge = 1 }",
+        ),
         "independent": Key(
             "",
             "labels of the independent coordinates y; default: the drives' where they are regular",

@@ -151,6 +151,12 @@ def test_every_key_counts(tmp_path: Path, usual: list[object], section: str, key
     beside = usual
     if (section, key) == ("whole", "inputs"):  # beside the effect that has them
         beside = fingerprint(tmp_path, text(section, key).replace("[1, 2, 3, 0, 0, 0]", "[0, 0, 0, 0, 0, 0]"))
+    if key == "turns":  # of a mechanism that can turn
+        crank = 'mechanism = "four_bar"'
+        made = text(section, key).replace('mechanism = "mechanism.toml"', crank).replace("x = 0, z = 0", "A = 0.1")
+        made = made.replace("hinge", "A")
+        assert not same(fingerprint(tmp_path, made), fingerprint(tmp_path, made.replace("A = 1 }", "A = 2 }")))
+        return
     assert not same(fingerprint(tmp_path, text(section, key)), beside)
 
 
@@ -213,6 +219,8 @@ def test_objectives_refuse_what_they_do_not_read(kind: str) -> None:
         ("nothing is asked for", {"via": (Conditions(time=0.5),)}),
         ("all three coordinates are free", {"end": Conditions(points={"bob": (None, None, None)})}),
         ("stands 2 times", {"objectives": (Objective("peak"), Objective("peak", 2.0))}),
+        ("turns: those of hinge count in a periodic motion only", {"turns": {"hinge": 1}}),
+        ("turns: unknown name 'slide'", {"turns": {"slide": 1}, "periodic": True}),
         ("preload.hinge: nothing reads it", {"preload": {"hinge": 1.0}}),
         ("solver.tolerance: it is IPOPT's", {"solver": Solver("sqpmethod", tolerance=1e-4)}),
         ("solver.iterations", {"solver": Solver("blocksqp", iterations=10)}),
