@@ -11,7 +11,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import fields, is_dataclass
 
 from symscrew.errors import DescriptionError, did_you_mean
-from symscrew.optimisation.problem import Conditions, Objective, Solver, TrajectoryProblem, Transcription
+from symscrew.optimisation.obstacles import SHAPES
+from symscrew.optimisation.problem import Conditions, Objective, Obstacle, Solver, TrajectoryProblem, Transcription
 
 # What an objective of a type reads besides its weight.
 READ: Mapping[str, tuple[str, ...]] = {
@@ -39,6 +40,8 @@ def check_problem(problem: TrajectoryProblem) -> None:
             raise DescriptionError(f"objectives: {kind!r} stands {count} times; give it once, with the sum of weights")
     if problem.turns and not problem.periodic:
         raise DescriptionError(f"problem.turns: those of {', '.join(problem.turns)} count in a periodic motion only")
+    for k, obstacle in enumerate(problem.bounds.obstacles):
+        _check_obstacle(f"bounds.obstacles[{k}]", obstacle)
     _check_preload(problem)
     _check_starts(problem)
     _check_method(problem.transcription, problem.solver)
@@ -109,6 +112,18 @@ def _check_objective(where: str, given: Objective) -> None:
         raise DescriptionError(f"{where}.expression: expected a text in t, q_, v_, u_ of labels, got none")
     if given.type == "peak" and any(not w > 0 for w in given.weights.values()):
         raise DescriptionError(f"{where}.weights: expected positive numbers, the drives are divided by them")
+
+
+def _check_obstacle(where: str, given: Obstacle) -> None:
+    wanted = SHAPES[given.type].points
+    if len(given.at) != len(wanted):
+        raise DescriptionError(f"{where}.at: a {given.type} has {len(wanted)} points ({', '.join(wanted)}), got "
+                               f"{len(given.at)}")  # fmt: skip
+    if not given.points:
+        raise DescriptionError(f"{where}.points: expected names of points that keep off, got none")
+    flat = given.type == "plane"
+    if not (given.distance > 0 or (flat and given.distance == 0)):
+        raise DescriptionError(f"{where}.distance: expected a length above 0, got {given.distance:g}")
 
 
 def _check_preload(problem: TrajectoryProblem) -> None:

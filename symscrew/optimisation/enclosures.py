@@ -322,6 +322,28 @@ class Arithmetic:
         (u, u1), (v, v1) = x.middle, y.middle
         return self._cut([-every, d1[0], d2[0]], [every, d1[1], d2[1]], [centre, (u * v1 - v * u1) / (u * u + v * v)])
 
+    def larger(self, a: Enclosure, b: Enclosure) -> Enclosure:
+        """The larger of a and b; its slope is one of both where either may be larger, and has a kink."""
+        n = min(a.orders, b.orders)
+        first, second = a.low[0] >= b.high[0], b.low[0] >= a.high[0]
+        low = np.where(first, a.low[:n], np.where(second, b.low[:n], np.minimum(a.low[:n], b.low[:n])))
+        high = np.where(first, a.high[:n], np.where(second, b.high[:n], np.maximum(a.high[:n], b.high[:n])))
+        low[0], high[0] = np.maximum(a.low[0], b.low[0]), np.maximum(a.high[0], b.high[0])
+        middle = np.where(a.middle[0] >= b.middle[0], a.middle, b.middle)
+        if n == 1:
+            return interval(low[0], high[0])
+        either = ~(first | second)
+        low[2], high[2] = np.where(either, -np.inf, low[2]), np.where(either, np.inf, high[2])
+        return Enclosure(low, high, np.broadcast_to(middle, (2, low.shape[1])))
+
+    def smaller(self, a: Enclosure, b: Enclosure) -> Enclosure:
+        """The smaller of a and b."""
+        minus = [self.scaled(x, -1.0) for x in (a, b)]
+        assert isinstance(minus[0], Enclosure) and isinstance(minus[1], Enclosure)
+        found = self.scaled(self.larger(minus[0], minus[1]), -1.0)
+        assert isinstance(found, Enclosure)
+        return found
+
     def power(self, a: Number, exponent: Number) -> Number:
         """a to a constant exponent."""
         if isinstance(exponent, Enclosure):
@@ -388,6 +410,8 @@ def _operated(at: Arithmetic, op: int, args: list[Number]) -> Number:
         return at.power(args[0], args[1])
     size = next((len(a.low[0]) for a in args if isinstance(a, Enclosure)), 1)
     full = [a if isinstance(a, Enclosure) else _constant(a, size) for a in args]
+    if op in (ca.OP_FMAX, ca.OP_FMIN):
+        return at.larger(full[0], full[1]) if op == ca.OP_FMAX else at.smaller(full[0], full[1])
     if op == ca.OP_ATAN2:
         return at.angle(full[0], full[1])
     if op in ELEMENTARY:

@@ -16,11 +16,12 @@ from symscrew.errors import DescriptionError, did_you_mean
 Range = tuple[float, float]
 INFINITY = float("inf")
 # The words of problems. What each of them does: `objectives.OBJECTIVE_TYPES`, `solution.METHODS`,
-# `constraints.FORMULATIONS`.
+# `constraints.FORMULATIONS`, `obstacles.SHAPES`.
 OBJECTIVES = ("effort", "time", "energy", "electrical", "jerk", "peak", "preload", "expression")
 METHODS = ("radau", "gauss", "shooting")
 FORMULATIONS = ("inverse", "forward")
 RULES = ("free", "least_squares")
+SHAPE_TYPES = ("sphere", "plane", "capsule", "box")
 # Half of what a replay may miss the goal by, for defects are of first order; opening of the loops without units.
 ACCURACY = (5e-7, 1e-9)
 # Of a bound between the points, as a part of its size: a hundredth of a millimetre for a length of a metre.
@@ -64,6 +65,21 @@ class Distance:
 
 
 @dataclass(frozen=True)
+class Obstacle:
+    """Named points keep off a shape by at least `distance` [m], which counts from its centre, segment, plane or box.
+
+    `type`: "sphere" about the point `at`; "plane" through the first of two points `at`, allowed is the side of the
+    second; "capsule" about the segment between two; "box" from a corner to its three neighbours. The points `at` may
+    stand on any body, fixed or moving; edges of a box are right-angled.
+    """
+
+    type: str
+    at: tuple[str, ...]
+    points: tuple[str, ...]
+    distance: float
+
+
+@dataclass(frozen=True)
 class Bounds:
     """Ranges (lower, upper) that hold during the whole motion; infinite where there is none.
 
@@ -83,6 +99,7 @@ class Bounds:
     margins: Mapping[str, Range] = field(default_factory=dict)
     points: Mapping[tuple[str, int], Range] = field(default_factory=dict)
     distances: Sequence[Distance] = ()
+    obstacles: Sequence[Obstacle] = ()
     expressions: Mapping[str, Range] = field(default_factory=dict)
 
 
@@ -229,6 +246,11 @@ class TrajectoryProblem:
         for via in self.via:
             if via.time is None or not 0 < via.time < 1:
                 raise DescriptionError(f"via: expected a time between 0 and 1 (part of the duration), got {via.time!r}")
+        for obstacle in self.bounds.obstacles:
+            if obstacle.type not in SHAPE_TYPES:
+                raise DescriptionError(
+                    f"bounds.obstacles: unknown type {obstacle.type!r}; {did_you_mean(obstacle.type, SHAPE_TYPES)}"
+                )
         check_ranges(self)
 
 

@@ -36,6 +36,7 @@ from symscrew.optimisation.problem import (
     Conditions,
     Distance,
     Objective,
+    Obstacle,
     Range,
     Solver,
     TrajectoryProblem,
@@ -86,7 +87,7 @@ def parse_problem(text: str, *, folder: Path | None = None, name: str = "traject
         objectives=tuple(read.objective(t, f"objectives[{k}]") for k, t in enumerate(objectives)),
         design=read.ranges(tables.get("design", {}), "design"),
         parameters={**base.parameters, **read.numbers(tables.get("parameters", {}), "parameters")},
-        independent=_labels(head["independent"]) if "independent" in head else None,
+        independent=_labels(head["independent"], "problem.independent") if "independent" in head else None,
         drive_rule=_text(head.get("drive_rule", "free"), "problem.drive_rule"),
         preload=read.numbers(tables.get("preload", {}), "preload"),
         inputs={**base.inputs, **read.lists(tables.get("inputs", {}), "inputs")},
@@ -239,6 +240,7 @@ class _Reader:
             points=points,
             reactions=self._reactions(table.get("reactions", {})),
             distances=tuple(self._distance(d, k) for k, d in enumerate(table.get("distances", ()))),
+            obstacles=tuple(self._obstacle(o, k) for k, o in enumerate(table.get("obstacles", ()))),
             expressions=self.ranges(table.get("expressions", {}), "bounds.expressions"),
         )
 
@@ -262,6 +264,13 @@ class _Reader:
         if not isinstance(names, list) or len(names) != 2 or not all(isinstance(n, str) for n in names):
             raise DescriptionError(f"{where}.between: expected the names of two points, got {shorten(names)}")
         return Distance(names[0], names[1], self.pair(table.get("range"), f"{where}.range"))
+
+    def _obstacle(self, table: Any, k: int) -> Obstacle:
+        where = f"bounds.obstacles[{k}]"
+        check_keys(where, table, ("type", "at", "points", "distance"))
+        kind = _text(table.get("type"), f"{where}.type")
+        at, points = (_labels(table.get(name), f"{where}.{name}") for name in ("at", "points"))
+        return Obstacle(kind, at, points, self.number(table.get("distance"), f"{where}.distance"))
 
     def objective(self, table: Mapping[str, Any], where: str) -> Objective:
         if "type" not in table:
@@ -324,7 +333,7 @@ def _whole(value: Any, where: str) -> int:
     return value
 
 
-def _labels(value: Any) -> tuple[str, ...]:
+def _labels(value: Any, where: str) -> tuple[str, ...]:
     if not isinstance(value, list) or not all(isinstance(v, str) for v in value):
-        raise DescriptionError(f"problem.independent: expected a list of labels, got {shorten(value)}")
+        raise DescriptionError(f"{where}: expected a list of labels, got {shorten(value)}")
     return tuple(value)

@@ -102,6 +102,12 @@ SECTIONS: Mapping[str, Mapping[str, Key]] = {
             "N, N m", "largest force of a joint, and moment about its point", "reactions = { x = { force = 5 } }"
         ),
         "distances": Key("m", "of two named points", 'distances = [{ between = ["bead", "post"], range = [0.01, 9] }]'),
+        "obstacles": Key(
+            "m",
+            "shapes at named points of any body that points keep off by a distance: sphere (centre), plane (a point, "
+            "one above), capsule (both ends), box (a corner, its neighbours)",
+            'obstacles = [{ type = "sphere", at = ["post"], points = ["bead"], distance = 0.01 }]',
+        ),
         "expressions": Key(
             "",
             "of texts in t, T, q_, v_, u_ of labels, point_x of points, parameters",

@@ -92,7 +92,6 @@ def run(*, repeats: int) -> tuple[str, dict[str, Any]]:
         best = f"{search.optima[0][0]:.7g}" if search.optima else "-"
         rows.append([name, best, f"{100 * search.share:.0f} %", others, str(none),
                      f"{usual.cost:.6g}" if usual.ok else "none", f"{spent:.0f}"])  # fmt: skip
-        print(rows[-1], flush=True)
     header = ("problem", "best cost", f"share of {repeats} guesses", "next costs (guesses)", "no motion",
               "usual guess", "wall time [s]")  # fmt: skip
     return table(header, rows), raw

@@ -17,7 +17,7 @@ from symscrew.errors import DescriptionError
 from symscrew.optimisation import problem_keys
 from symscrew.optimisation.contradictions import READ, check_problem
 from symscrew.optimisation.many_starts import random_guesses
-from symscrew.optimisation.problem import OBJECTIVES, Bounds, Conditions, Objective, Solver, TrajectoryProblem
+from symscrew.optimisation.problem import OBJECTIVES, Bounds, Conditions, Objective, Obstacle, Solver, TrajectoryProblem
 from symscrew.optimisation.problem_file import KEYS, load_problem
 from symscrew.optimisation.solution import prepare, transcribe
 
@@ -211,6 +211,9 @@ def test_objectives_refuse_what_they_do_not_read(kind: str) -> None:
             check_problem(swing(objectives=(Objective(kind, **own, **{name: parts[name]}),), duration=duration))  # type: ignore[arg-type]
 
 
+CAPSULE = Obstacle("capsule", ("bob",), ("bob",), 0.0)
+
+
 @pytest.mark.parametrize(
     "said, settings",
     [
@@ -221,6 +224,8 @@ def test_objectives_refuse_what_they_do_not_read(kind: str) -> None:
         ("stands 2 times", {"objectives": (Objective("peak"), Objective("peak", 2.0))}),
         ("turns: those of hinge count in a periodic motion only", {"turns": {"hinge": 1}}),
         ("turns: unknown name 'slide'", {"turns": {"slide": 1}, "periodic": True}),
+        (r"obstacles\[0\].at: a capsule has 2 points", {"bounds": Bounds(obstacles=(CAPSULE,))}),
+        ("distance: expected a length above 0", {"bounds": Bounds(obstacles=(replace(CAPSULE, type="sphere"),))}),
         ("preload.hinge: nothing reads it", {"preload": {"hinge": 1.0}}),
         ("solver.tolerance: it is IPOPT's", {"solver": Solver("sqpmethod", tolerance=1e-4)}),
         ("solver.iterations", {"solver": Solver("blocksqp", iterations=10)}),

@@ -46,6 +46,18 @@ def test_every_value_is_enclosed_and_hardly_more(name: str) -> None:
     assert excess[1] <= excess[0] / 30 + 1e-12 and excess[2] <= excess[1] / 30 + 1e-12
 
 
+@pytest.mark.parametrize("value", [ca.fmax(x, x**2 - 0.1), ca.fmin(ca.fmax(2 * x, 0), 0.5), ca.fmax(x, 0) ** 2])
+def test_kinks_are_enclosed(value: ca.SX) -> None:
+    """Near a kink the excess falls with the width, elsewhere as usual."""
+    function = ca.Function("f", [x], [value])
+    for width in (0.3, 0.03, 0.003):
+        low, high = enclosed(value, width)
+        at = CENTRES[:, None] + np.linspace(-width, width, 41)
+        seen = np.array(function.map(at.size)(at.reshape(1, -1))).reshape(at.shape)
+        assert (low <= seen.min(axis=1) + 1e-13).all() and (seen.max(axis=1) - 1e-13 <= high).all()
+        assert ((high - low) - np.ptp(seen, axis=1)).max() < 3 * width
+
+
 def test_what_cannot_be_enclosed_is_everything() -> None:
     for value in (1 / x, ca.sqrt(x), ca.log(x), ca.atan2(x, -1 - x * x)):  # poles, ends, the cut of an angle
         low, high = enclosed(value, 2.0)

@@ -23,6 +23,7 @@ from symscrew.optimisation import (
 from symscrew.optimisation import problem as words
 from symscrew.optimisation.constraints import FORMULATIONS
 from symscrew.optimisation.objectives import OBJECTIVE_TYPES
+from symscrew.optimisation.obstacles import SHAPES
 from symscrew.optimisation.problem import Bounds, Conditions, Objective, Solver, TrajectoryProblem, Transcription
 from symscrew.optimisation.refinement import refinement_of
 from symscrew.optimisation.result import Trajectory
@@ -55,6 +56,7 @@ def test_every_word_of_a_problem_has_its_entry() -> None:
     assert set(OBJECTIVE_TYPES) == set(words.OBJECTIVES)
     assert set(METHODS) == set(words.METHODS)
     assert set(FORMULATIONS) == set(words.FORMULATIONS)
+    assert set(SHAPES) == set(words.SHAPE_TYPES)
 
 
 def test_one_line_of_a_problem_and_of_a_trajectory(coarse: Trajectory) -> None:
