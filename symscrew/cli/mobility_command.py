@@ -44,9 +44,10 @@ def add_options(command: argparse.ArgumentParser) -> None:
     )  # fmt: skip
     command.add_argument(
         "--components", action="store_true",
-        help="also the operation modes: components of the configuration space (exact, by Singular where installed)",
+        help="also the operation modes: components of the configuration space, exact by Singular, else sampled",
     )  # fmt: skip
     command.add_argument("--expect", type=int, metavar="N", help="exit 1 unless the finite mobility is N, verified")
+    command.add_argument("--full", action="store_true", help="all of a long text; without it, it is cut to 5 kB")
     command.add_argument("--json", action="store_true", help="as JSON")
     command.add_argument("--out", metavar="FILE", help="write the report: .md, .html or .tex")
     command.add_argument(
@@ -85,7 +86,7 @@ def run(options: argparse.Namespace) -> int:
         print(json.dumps(values, indent=1))
     else:
         print(found.report().splitlines()[0])  # the rest of it follows in more words
-        print(mobility_text(found))
+        print(mobility_text(found, full=options.full))
         if options.along:
             print("\n    ".join(["Along the motion", *_along_lines(found)]))
         if options.components:
@@ -106,6 +107,9 @@ def _components(found: Mobility) -> tuple[list[str], dict[str, Any]]:
         component_values,
         components_of,
         configuration_space,
+        mode_lines,
+        mode_values,
+        sampled_modes,
         space_lines,
         space_values,
     )
@@ -114,9 +118,12 @@ def _components(found: Mobility) -> tuple[list[str], dict[str, Any]]:
     if not isinstance(curves, str):
         return component_lines(curves), component_values(curves)
     space = configuration_space(found.mechanism, found.network)
-    if isinstance(space, str):
+    if not isinstance(space, str):
+        return space_lines(space), space_values(space)
+    if not found.network.chords:
         return [space], {"decided": False, "why": space}
-    return space_lines(space), space_values(space)
+    modes = sampled_modes(found.network, found.platform.body)
+    return [space, *mode_lines(modes)], {"decided": False, "why": space, "operation_modes": mode_values(modes)}
 
 
 def _along_lines(found: Mobility) -> list[str]:

@@ -8,6 +8,7 @@ What an elementary motion does with nodes is in `pairs`, a file each.
 """
 
 from symscrew.kinematics.closure_jacobian import ClosureJacobian
+from symscrew.kinematics.coupled_coordinates import Relation
 from symscrew.kinematics.cut_joints import Cut, Row, drive_row, on_hub, universal_axes
 from symscrew.kinematics.joint_displacements import cut_displacement, tree_displacement
 from symscrew.kinematics.link_inertias import combined, regrouped, without_gyroscopic_moment
@@ -28,7 +29,7 @@ from symscrew.kinematics.recursion import acceleration_matrix, inertial_wrench, 
 from symscrew.kinematics.screws_at_origin import BodyMotion, body_motions, displacement, joint_screws, motion_screws
 from symscrew.kinematics.structure import characteristic_length
 from symscrew.kinematics.system import System
-from symscrew.kinematics.tree import GROUND, Link, Tree, spanning_tree
+from symscrew.kinematics.tree import GROUND, Link, Tree, spanning_tree, virtual_joint
 
 __all__ = [
     "GROUND",
@@ -45,6 +46,7 @@ __all__ = [
     "MassProperties",
     "Placement",
     "Rates",
+    "Relation",
     "Row",
     "System",
     "Tree",
@@ -77,5 +79,6 @@ __all__ = [
     "twists",
     "unit_quaternion",
     "universal_axes",
+    "virtual_joint",
     "without_gyroscopic_moment",
 ]

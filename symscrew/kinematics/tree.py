@@ -132,12 +132,15 @@ def spanning_tree(mechanism: Mechanism, read: Collection[str] = ()) -> Tree:
 
     `read`: joints whose displacements effects ask for, over any number of turns; see `keeping`.
     """
-    virtual = _virtual_joint(mechanism)
+    virtual = virtual_joint(mechanism)
     joints = dict(mechanism.joints)
     if virtual is not None:
         joints[virtual.name] = virtual
     reached = _grow(mechanism, joints, virtual)
-    reached = keeping(mechanism, joints, reached, read=read, grow=lambda some: _grow(mechanism, some, virtual))
+    coupled = {term.joint for coupling in mechanism.couplings.values() for term in coupling.terms}
+    reached = keeping(
+        mechanism, joints, reached, read=read, coupled=coupled, grow=lambda some: _grow(mechanism, some, virtual)
+    )
     tree_joints = {name for name, _ in reached.values()}
     order = [j for j in joints.values() if j.name in tree_joints]
     coordinates = _coordinates(order)
@@ -187,7 +190,7 @@ def _grow(mechanism: Mechanism, joints: dict[str, Joint], virtual: Joint | None)
     return reached
 
 
-def _virtual_joint(mechanism: Mechanism) -> Joint | None:
+def virtual_joint(mechanism: Mechanism) -> Joint | None:
     """The joint on which a platform hangs that three or more limbs hold, or None.
 
     Free where the shortest path to the platform has five freedoms or more, planar where all joints of the

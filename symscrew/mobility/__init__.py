@@ -23,7 +23,16 @@ from symscrew.doors import doors
 if TYPE_CHECKING:
     from symscrew.mobility.analysis import Mobility, analyse_mobility
     from symscrew.mobility.checks import Check, verified, verify
-    from symscrew.mobility.components import ConfigurationSpace, configuration_space, space_lines, space_values
+    from symscrew.mobility.components import (
+        ConfigurationSpace,
+        SampledModes,
+        configuration_space,
+        mode_lines,
+        mode_values,
+        sampled_modes,
+        space_lines,
+        space_values,
+    )
     from symscrew.mobility.findings import (
         formulas,
         key_figures,
@@ -38,12 +47,9 @@ if TYPE_CHECKING:
     from symscrew.mobility.instantaneous import BodyFreedoms, LimbMobility
     from symscrew.mobility.margins import FORMS, Margin, Margins, actuation_margins, constraint_margins, limb_margins
     from symscrew.mobility.motions import (
-        BranchRow,
         BranchTable,
-        Component,
         Components,
         ScrewClass,
-        SingularPose,
         WholeMotion,
         component_lines,
         component_values,
@@ -58,19 +64,17 @@ if TYPE_CHECKING:
 __all__ = [
     "FORMS",
     "BodyFreedoms",
-    "BranchRow",
     "BranchTable",
     "Check",
-    "Component",
     "Components",
     "ConfigurationSpace",
     "LimbMobility",
     "Margin",
     "Margins",
     "Mobility",
+    "SampledModes",
     "ScrewClass",
     "ScrewSystem",
-    "SingularPose",
     "Verdict",
     "WholeMotion",
     "actuation_margins",
@@ -91,8 +95,11 @@ __all__ = [
     "mobility_proof",
     "mobility_text",
     "mobility_values",
+    "mode_lines",
+    "mode_values",
     "motion_lines",
     "motion_values",
+    "sampled_modes",
     "screw_class",
     "sections",
     "space_lines",

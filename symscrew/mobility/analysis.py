@@ -14,7 +14,6 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
-from symscrew.algebra import CONTEXT
 from symscrew.description import Mechanism
 from symscrew.errors import DescriptionError
 from symscrew.mobility.almost_singular import NEARLY_SINGULAR, almost_lower, almost_singular
@@ -52,6 +51,7 @@ from symscrew.mobility.symbols import (
     NotPolynomialError,
     SymbolicLoops,
     SymbolicMobility,
+    conditions,
     limb_pose,
     rounded_axis,
     symbolic_loops,
@@ -66,6 +66,7 @@ WITHDRAWN = {
     "finite": "undecided: another route does not confirm how the configuration was judged",
 }
 """Statement that falls with a failed check -> what is said instead of it."""
+TIED = "no symbols: couplings of coordinates are not sines and cosines of them"
 AS_MEANT = "no symbols: the geometry meant was solved for in numbers of 60 digits"
 
 
@@ -83,7 +84,8 @@ class Mobility:
         constraints: their union; None without limbs or platform.
         decisions: how every rank was decided.
         closed_to: closure residual of the configuration, in units of the mechanism's size.
-        coordinates: joint coordinates that were asked for [rad, m].
+        coordinates: joint coordinates and poses that were asked for [rad, m].
+        parameters: values of parameters that were asked for.
         withdrawn: statements whose check failed (keys of `WITHDRAWN`); they are not made.
         taken: this is special geometry, taken for the one typed; None for what was typed itself.
     """
@@ -98,6 +100,7 @@ class Mobility:
     decisions: Decisions
     closed_to: float = 0.0
     coordinates: Mapping[str, Any] = field(default_factory=dict)
+    parameters: Mapping[str, Any] = field(default_factory=dict)
     withdrawn: frozenset[str] = frozenset()
     taken: Taken | None = None
 
@@ -122,6 +125,16 @@ class Mobility:
         return not self.coordinates
 
     @property
+    def configuration(self) -> str:
+        """Which configuration and which parameters, in words."""
+        given, changed = (
+            ", ".join(f"{name} = {value}" for name, value in asked.items())
+            for asked in (self.coordinates, self.parameters)
+        )
+        where = f"at {given}" if given else "in the reference configuration"
+        return f"{where} with {changed}" if changed else where
+
+    @property
     def verdict(self) -> tuple[object, ...]:
         """What it says in numbers: freedoms, branches, the platform's type, what drives hold, what limbs constrain."""
         finite, limbs = self.finite, tuple(len(limb.constraints.basis) for limb in self.limbs)
@@ -131,7 +144,7 @@ class Mobility:
     @cached_property
     def near(self) -> Near | None:
         """The verdict on special geometry close to what was typed; None where there is none, or it is undecided."""
-        if self.taken is not None:
+        if self.taken is not None or self.network.ties:
             return None
         claims = rank_claims(self.network, self.platform.body, [limb.joints for limb in self.limbs])
         found = nearest_special(self.network, claims, moves=self.finite.smooth)
@@ -155,7 +168,7 @@ class Mobility:
         decisions = Decisions(None, (), reason, singular_values(first_order))
         finite = judged(network, first_order, decisions)
         return Mobility(self.mechanism, network, first_order, finite, platform, limbs, constraints, decisions, 0.0,
-                        self.coordinates, frozenset(WITHDRAWN))  # fmt: skip
+                        self.coordinates, self.parameters, frozenset(WITHDRAWN))  # fmt: skip
 
     @property
     def nearly_special(self) -> tuple[str, ...]:
@@ -220,7 +233,7 @@ class Mobility:
 
         Symbols describe the reference configuration.
         """
-        if not self.in_reference or "symbols" in self.withdrawn:
+        if not self.in_reference or "symbols" in self.withdrawn or self.network.ties:
             return None
         return symbolic_mobility(self.mechanism)
 
@@ -231,6 +244,8 @@ class Mobility:
             return None
         if not self.in_reference:
             return "symbols describe the reference configuration only"
+        if self.network.ties:
+            return TIED
         if self.taken is not None:
             return AS_MEANT
         if "symbols" in self.withdrawn:
@@ -248,6 +263,8 @@ class Mobility:
             return "no symbols away from the reference configuration"
         if not self.network.chords:
             return "no loops"
+        if self.network.ties:
+            return TIED
         if "loops" in self.withdrawn:
             return WITHDRAWN["loops"] if self.taken is None else AS_MEANT
         if rounded := rounded_axis(self.mechanism.joints.values(), self.mechanism):
@@ -280,7 +297,9 @@ class Mobility:
     @cached_property
     def motion_proof(self) -> MotionProof | None:
         """What is proved of the real motion, by evidence that a checker can judge; None where it is not as a whole."""
-        return motion_proof(self.mechanism, self.network, self.platform.body) if self.in_reference else None
+        if not self.in_reference or self.network.ties:
+            return None
+        return motion_proof(self.mechanism, self.network, self.platform.body)
 
     @cached_property
     def counts(self) -> FieldCounts:
@@ -313,14 +332,14 @@ class Mobility:
     def loci(self) -> tuple[Locus, ...]:
         """Where, in the parameters, something degenerates in the reference configuration."""
         loops = () if self.limbs or isinstance(self.loops, str) else self.loops.loci
-        return (*(self.symbolic.loci if self.symbolic is not None else ()), *loops, *self.singularities.loci)
+        return conditions(
+            (*(self.symbolic.loci if self.symbolic is not None else ()), *loops, *self.singularities.loci)
+        )
 
     def report(self) -> str:
         """The result in words, one line a fact."""
-        given = ", ".join(f"{name} = {value}" for name, value in self.coordinates.items())
-        where = f"at {given}" if given else "in the reference configuration"
         lines = [
-            f"{self.mechanism.name}: mobility {self.dof} {where} "
+            f"{self.mechanism.name}: mobility {self.dof} {self.configuration} "
             f"(Kutzbach-Gruebler {self.kutzbach}, redundant constraints {self.overconstraints})"
         ]
         for limb in self.limbs:
@@ -349,19 +368,9 @@ class Near:
     changes: tuple[tuple[str, float], ...]
 
     def places(self) -> dict[str, tuple[tuple[str, ...], tuple[tuple[str, ...], ...]]]:
-        """Joint -> (point [m], axes) of the special geometry in 25 digits: what to type instead."""
-        found = {}
-        for name, _ in self.changes:
-            edge = self.meant.network.edges[name]
-            point = tuple(CONTEXT.nstr(c * self.meant.network.length, 25) for c in edge.point)
-            axes = []
-            for motion, column in edge.motions:
-                if motion.single:
-                    screw = edge.screws[column - edge.start]
-                    part = screw[:3] if motion.turns else screw[3:]
-                    axes.append(tuple(CONTEXT.nstr(c, 25) for c in part))
-            found[name] = (point, tuple(axes))
-        return found
+        """Joint -> (point [m], axes) of the special geometry in 40 digits: what to type instead."""
+        length = self.meant.network.length
+        return {name: self.meant.network.edges[name].as_typed(length) for name, _ in self.changes}
 
 
 @dataclass(frozen=True)
@@ -412,7 +421,9 @@ def analyse_mobility(
     >>> found.dof, found.kutzbach, found.finite.dof
     (1, -2, 1)
     """
-    mechanism, coordinates = with_parameters(mechanism, at or {})
+    asked = at or {}
+    mechanism, coordinates = with_parameters(mechanism, asked)
+    parameters = {name: value for name, value in asked.items() if name not in coordinates}
     network, residual = displaced(mechanism, network_of(mechanism), coordinates)
     first_order = instantaneous_mobility(network)
     limbs = tuple(limb_mobility(network, name, limb.joints) for name, limb in mechanism.limbs.items())
@@ -422,8 +433,8 @@ def analyse_mobility(
     decisions = decide(mechanism, ranks, displaced=bool(coordinates))
     finite = judged(network, first_order, decisions)
     found = Mobility(mechanism, network, first_order, finite, platform, limbs, constraints, decisions, residual,
-                     coordinates)  # fmt: skip
-    if not coordinates and not finite.proved and finite.dof is not None:
+                     coordinates, parameters)  # fmt: skip
+    if not coordinates and not finite.proved and finite.dof is not None and not network.ties:
         proof = found.motion_proof
         found = replace(found, finite=confirmed(finite, proof))
         vars(found)["motion_proof"] = proof  # which does not rest on the judgement, and takes a second

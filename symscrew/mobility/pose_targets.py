@@ -2,22 +2,24 @@
 
 "joint", "joint.i"              the displacement of a single freedom [rad, m]
 "joint.qx", "joint.rx" ...      of a spherical joint: vector part of its quaternion; its rotation vector [rad]
+"platform_pose.0", ".qx"        of the joint on which the package hangs a platform that many limbs hold: as it names it
 "body.x", "body.qx", "body.rx"  of a body: how far it is displaced [m], how it is turned, from the reference
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from symscrew.algebra import CONTEXT, high_precision
-from symscrew.description import Mechanism, exact
+from symscrew.description import Joint, Mechanism, exact
 from symscrew.errors import DescriptionError, did_you_mean
+from symscrew.kinematics import virtual_joint
 from symscrew.mobility.finite import Array, ClosureVariety
-from symscrew.mobility.joint_network import Edge, Network
+from symscrew.mobility.joint_network import Edge, Network, edge_of
 from symscrew.mobility.screw_systems import Real
 
 DIFFERENCE = 1e-6
@@ -25,6 +27,8 @@ DIFFERENCE = 1e-6
 STRAIGHT = 1e-10
 """Half a rotation vector shorter than this [rad] is its quaternion's vector part, to better than rounding."""
 VECTOR = "xyz"
+SPATIAL = 6
+"""Freedoms of the joint on which a spatial platform hangs: the only one with a quaternion."""
 
 
 @dataclass(frozen=True)
@@ -60,6 +64,9 @@ def target_of(mechanism: Mechanism, network: Network, name: str, value: Any) -> 
         DescriptionError: no joint or body of this name, or it has no such coordinate.
     """
     owner, _, part = name.partition(".")
+    virtual = virtual_joint(mechanism)
+    if virtual is not None and owner == virtual.name:
+        return _of_virtual(mechanism, network, virtual, (name, part, high_precision(exact(value, where=name))))
     if owner not in network.edges and owner not in network.bodies:
         known = [*mechanism.parameters, *network.edges, *network.bodies]
         raise DescriptionError(f"at {name}: no parameter, joint or body of this name; {did_you_mean(owner, known)}")
@@ -84,6 +91,33 @@ def target_of(mechanism: Mechanism, network: Network, name: str, value: Any) -> 
     raise DescriptionError(
         f"at {name}: expected {owner}.x, .y, .z [m], .qx, .qy, .qz, or .rx, .ry, .rz [rad] of a body"
     )
+
+
+def _of_virtual(mechanism: Mechanism, network: Network, joint: Joint, asked: tuple[str, str, Real]) -> Target:
+    """A coordinate of the joint on which the package hangs the platform: of its point's place, of its turn."""
+    name, part, goal = asked
+    edge, body = edge_of(mechanism, joint, network.length, 0), joint.child
+    if part in _turns() and part[0] == "q" and joint.kind.freedom == SPATIAL:
+        axis = VECTOR.index(part[1])
+        return Target(goal, lambda variety, q: _each(_half_turn(r)[axis] for r, _ in _moved(variety, q, body)))
+    singles = [(motion, column) for motion, column in edge.motions if motion.single]
+    if not part.isdecimal() or int(part) >= len(singles):
+        numbers = ", ".join(f".{k}" for k in range(len(singles)))
+        turned = " or .qx, .qy, .qz" if joint.kind.freedom == SPATIAL else ""
+        raise DescriptionError(f"at {name}: expected {joint.name} with {numbers}{turned}")
+    place = int(part)
+    motion, column = singles[place]
+    screw = edge.screws[column]
+    reference = high_precision(mechanism.number(joint.reference[place])) if place < len(joint.reference) else 0
+    if motion.turns:
+        return Target(goal - reference, lambda variety, q: _each(
+            _along(screw[:3], _rotation_vector(r)) for r, _ in _moved(variety, q, body)))  # fmt: skip
+    return Target((goal - reference) / network.length, lambda variety, q: _each(
+        _along(screw[3:], t) for _, t in _moved(variety, q, body, edge.point)))  # fmt: skip
+
+
+def _along(axis: Sequence[Real], vector: Iterable[Real]) -> Real:
+    return sum(a * b for a, b in zip(axis, vector, strict=True))
 
 
 def _turns() -> tuple[str, ...]:
@@ -133,9 +167,15 @@ def _each(values: Iterable[Real]) -> Array:
     return np.array(list(values), dtype=object)
 
 
-def _moved(variety: ClosureVariety, q: Array, body: str) -> Iterator[tuple[Array, Array]]:
-    """(rotation, displacement of the centre of the body's joints) of a body from the reference, at every point."""
+def _moved(
+    variety: ClosureVariety, q: Array, body: str, place: Sequence[Real] | None = None
+) -> Iterator[tuple[Array, Array]]:
+    """(rotation, displacement of a place) of a body from the reference, at every point.
+
+    The place is the centre of the body's joints unless one is given.
+    """
     points = [e.point for e in variety.network.edges.values() if body in (e.parent, e.child)]
+    points = points if place is None else [tuple(place)]
     middle = [sum(p[k] for p in points) / len(points) - variety.centre[k] for k in range(3)]
     point = np.array([variety.arithmetic.read(c) for c in middle], dtype=variety.arithmetic.dtype)
     for rotation, translation in zip(*variety.forward(q)[1][body], strict=True):

@@ -60,5 +60,6 @@ def _direction(vector: Sequence[Real]) -> str:
 
 
 def text(vector: Sequence[Real]) -> str:
-    """The components with six digits."""
-    return ", ".join(f"{float(c):.6g}" for c in vector)
+    """The components with six digits; what is rounding beside the largest is zero."""
+    size = max((abs(c) for c in vector), default=0)
+    return ", ".join(f"{float(c):.6g}" if abs(c) > ZERO_BELOW * size else "0" for c in vector)

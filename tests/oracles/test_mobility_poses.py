@@ -8,6 +8,7 @@ from support import model_states
 
 from symscrew import catalogue
 from symscrew.errors import DescriptionError
+from symscrew.kinematics import virtual_joint
 from symscrew.mobility import analyse_mobility
 from symscrew.mobility.joint_network import Network
 
@@ -26,6 +27,29 @@ def test_every_coordinate_that_the_package_calls_independent_can_be_given(name: 
     for label in port.labels:
         found = analyse_mobility(catalogue.load(name), at={label: "-1/10"})
         assert found.dof == freedoms and found.closed_to < 1e-26 and label in found.report()
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["stewart_6ups", "delta"])
+def test_the_joint_that_the_package_hangs_a_platform_on_can_be_given(name: str) -> None:
+    """What `assemble` takes: the place of a point, absolute, and a quaternion. By hand the platform's joints are where
+    that motion takes them."""
+    mechanism = catalogue.load(name)
+    labels = model_states.model(name).programs["assemble"].inputs[0].labels
+    joint = virtual_joint(mechanism)
+    assert joint is not None and all(label.startswith(f"{joint.name}.") for label in labels)
+    point = np.array([float(mechanism.number(c)) for c in joint.point])
+    step, vector = np.array([0.01, -0.02, 0.03]), np.array([0.02, 0.01, -0.03]) if len(labels) == 6 else np.zeros(3)
+    given = [*(point + step), *vector][: len(labels)]
+    there = analyse_mobility(mechanism, at={label: repr(float(y)) for label, y in zip(labels, given, strict=True)})
+    hat = np.array([[0, -vector[2], vector[1]], [vector[2], 0, -vector[0]], [-vector[1], vector[0], 0]])
+    turn = np.eye(3) + 2 * np.sqrt(1 - vector @ vector) * hat + 2 * hat @ hat
+    before, after = analyse_mobility(mechanism).network, there.network
+    for edge in (e for e in before.edges.values() if mechanism.platform in (e.parent, e.child)):
+        old, new = (np.array([float(c * net.length) for c in net.edges[edge.name].point]) for net in (before, after))
+        assert np.abs(new - (point + step + turn @ (old - point))).max() < 1e-14
+    with pytest.raises(DescriptionError, match=r"expected platform_pose with \.0, \.1, \.2 or \.qx"):
+        analyse_mobility(mechanism, at={f"{joint.name}.9": "1/10"})
 
 
 @pytest.mark.slow

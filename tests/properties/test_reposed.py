@@ -69,6 +69,24 @@ def test_special_geometry_is_found_beside_what_was_typed(name: str, digits: str)
     assert {name for name, _ in near.changes} == set(near.places())
 
 
+def test_numbers_to_type_instead_are_the_special_geometry() -> None:
+    """Typed as the report says them they move, by the ranks alone, and nothing special is near any more."""
+    typed = reference("bennett", seed=3, digits="double", unit="m").found
+    assert typed is not None and typed.near is not None and typed.dof == 0
+    places = typed.near.places()
+
+    def instead(joints: list[dict[str, Any]]) -> list[dict[str, Any]]:
+        return [{**joint, "point": [sympy.Rational(c) for c in places[joint["name"]][0]],
+                 "axes": [[sympy.Rational(c) for c in axis] for axis in places[joint["name"]][1]]}
+                for joint in joints]  # fmt: skip
+
+    meant = analyse_mobility(build(ENTRIES["bennett"], instead))
+    assert (meant.dof, meant.finite.dof, meant.near) == (1, 1, None)
+    (lines,) = [lines for heading, lines in sections(typed) if heading.startswith("To type for")]
+    for name, (point, _) in places.items():
+        assert any(line.startswith(f"{name}: point ({', '.join(point)})") for line in lines)
+
+
 @pytest.mark.parametrize("digits", ["double", slow("6")])
 def test_within_a_tolerance_special_geometry_is_taken_as_meant(digits: str) -> None:
     typed = reference("bennett", seed=3, digits=digits, unit="m").found

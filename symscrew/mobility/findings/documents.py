@@ -11,7 +11,8 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from symscrew.description import markdown_text
-from symscrew.mobility.findings.in_words import NOT_TRIED, key_figures, sections
+from symscrew.mobility.findings.in_words import key_figures, sections
+from symscrew.mobility.findings.short_text import plain_lines, shortened
 from symscrew.mobility.findings.typeset import formulas, typed_formulas
 
 if TYPE_CHECKING:
@@ -26,14 +27,16 @@ STYLE = (
 )
 
 
-def mobility_text(found: Mobility) -> str:
-    """Plain text, one line a fact; formulas as they are typed."""
+def mobility_text(found: Mobility, *, full: bool = True) -> str:
+    """Plain text, one line a fact; formulas as they are typed.
+
+    Args:
+        found: the result.
+        full: everything; else at most `SHORT` letters, with long lines and lists cut, which is said where it is.
+    """
     typed = typed_formulas(found)
-    lines = []
-    for heading, facts in sections(found):
-        if heading != NOT_TRIED:  # the terminal shows what was found; documents and `Mobility.not_tried` the rest
-            lines += [heading, *(f"    {_with(fact, typed, str)}" for fact in facts)]
-    return "\n".join(lines)
+    said = [(heading, [_with(fact, typed, str) for fact in facts]) for heading, facts in sections(found)]
+    return "\n".join(plain_lines(said) if full else shortened(said))
 
 
 def mobility_markdown(found: Mobility) -> str:

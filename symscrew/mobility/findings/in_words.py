@@ -5,16 +5,19 @@ Mobility --sections--> [(heading, lines)] --documents--> text, Markdown, HTML, L
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
+import numpy as np
 import sympy
 
 from symscrew.mobility.field_counts import as_lines as counts_in_words
-from symscrew.mobility.findings.typeset import inline
+from symscrew.mobility.findings.typeset import inline, presentable
 from symscrew.mobility.finite import named_spins
 from symscrew.mobility.motions import branch_lines
 from symscrew.mobility.screw_text import describe_twist, describe_wrench
 from symscrew.mobility.singularities import as_lines
+from symscrew.mobility.symbols import conditions
 
 if TYPE_CHECKING:
     from symscrew.mobility.analysis import Mobility, Near
@@ -47,16 +50,17 @@ def sections(found: Mobility) -> list[tuple[str, list[str]]]:
     result.append((f"Freedoms of {found.platform.body}", lines))
     if found.branches is not None:
         result.append(("Branches through the configuration", branch_lines(found.branches, found.network)))
-    if not found.limbs and found.network.chords:
-        result.append(("Motions of the loops in symbols", _motions(found)))
+    if not found.limbs and found.network.chords and (lines := _motions(found)):
+        result.append(("Motions of the loops in symbols", lines))
     if found.loci:
-        lines = [f"{_zero(locus)} ({locus.where}): {locus.meaning}" for locus in found.loci]
-        result.append(("Where it degenerates", lines))
+        result.append(("Where it degenerates", _loci(found.loci)))
     if lines := as_lines(found.singularities):
         result.append(("How far from singularities (0 at one)", lines))
     result.append(("In the field's words", counts_in_words(found.counts)))
     if found.redundant.count:
         result.append(("Redundant constraints", _redundant(found)))
+    if found.near is not None:
+        result.append(("To type for the special geometry, lengths in m", _instead(found.near)))
     if found.nearly_parallel:
         result.append(("Almost parallel", list(found.nearly_parallel)))
     if found.not_tried:
@@ -74,6 +78,7 @@ def key_figures(found: Mobility) -> list[tuple[str, str]]:
     finite = found.finite
     branches = "smooth" if finite.branches is None else ", ".join(map(str, finite.branches)) or "isolated"
     figures = [
+        ("configuration", found.configuration),
         ("instantaneous mobility", str(found.dof)),
         ("finite mobility", "not decided" if finite.dof is None else f"{finite.dof} ({finite.judgement})"),
         ("branches", branches),
@@ -151,8 +156,22 @@ def _near(found: Mobility, near: Near) -> list[str]:
     return [
         f"That is as typed. Within {near.distance:.1e} m of a special geometry with " + ", ".join(facts),
         "Largest changes to it: " + ", ".join(f"{name} {size:.1e} m" for name, size in first)
-        + "; the numbers to type instead are in the JSON (`near`)",
+        + f"; --tolerance {_above(near.distance)} takes it as meant, the numbers to type for it stand below",
     ]  # fmt: skip
+
+
+def _above(distance: float) -> str:
+    """A round length above the distance."""
+    return f"1e{int(np.floor(np.log10(distance))) + 1}"
+
+
+def _instead(near: Near) -> list[str]:
+    """What to type for every joint."""
+    lines = []
+    for name, (point, axes) in near.places().items():
+        turned = "".join(f", axis ({', '.join(axis)})" for axis in axes)
+        lines.append(f"{name}: point ({', '.join(point)}){turned}")
+    return lines
 
 
 def _displaced(found: Mobility, limb: str) -> list[str]:
@@ -162,7 +181,7 @@ def _displaced(found: Mobility, limb: str) -> list[str]:
         return [f"away from the reference configuration: {pose}"] if pose else []
     names = ", ".join(f"${sympy.latex(s)}$ of {joint}" for s, joint in zip(pose.displacements, pose.of, strict=True))
     lines = [f"displaced by {names}, in axes that move with {pose.carried_by} (f ; m): {inline(pose.constraints)}"]
-    return lines + [f"{locus.meaning} where ${sympy.latex(locus.expression)} = 0$" for locus in pose.loci]
+    return lines + [f"{locus.meaning} where {_zero(locus)}" for locus in conditions(pose.loci)]
 
 
 def _motions(found: Mobility) -> list[str]:
@@ -172,7 +191,7 @@ def _motions(found: Mobility) -> list[str]:
         return [loops]
     lines = []
     for rates in loops.rates:
-        moving = [(joint, rate) for joint, rate in zip(loops.joints, rates, strict=True) if rate != 0]
+        moving = [(joint, presentable(rate)) for joint, rate in zip(loops.joints, rates, strict=True) if rate != 0]
         lines.append("rates " + ", ".join(f"{joint} ${sympy.latex(rate)}$" for joint, rate in moving))
         if resting := [joint for joint, rate in zip(loops.joints, rates, strict=True) if rate == 0]:
             lines.append(f"at rest in it: {', '.join(resting)}")
@@ -191,4 +210,21 @@ def _redundant(found: Mobility) -> list[str]:
 
 
 def _zero(locus: Locus) -> str:
-    return f"${sympy.latex(locus.expression)} = 0$" if locus.expression != 0 else "always"
+    return f"${sympy.latex(presentable(locus.expression))} = 0$" if locus.expression != 0 else "always"
+
+
+def _loci(loci: Sequence[Locus]) -> list[str]:
+    """A line for each condition and what it means, with all limbs or sets of drives of which it says the same."""
+    alike: dict[tuple[str, str], list[Locus]] = {}
+    for locus in loci:
+        alike.setdefault((_zero(locus), locus.meaning.replace(locus.where, "{}")), []).append(locus)
+    lines = []
+    for (zero, meaning), group in alike.items():
+        first = group[0]
+        said = first.meaning if len(group) == 1 else meaning.format("one of these sets")
+        lines.append(f"{zero} ({_names([locus.where for locus in group])}): {said}")
+    return lines
+
+
+def _names(names: Sequence[str]) -> str:
+    return ("; " if any(" " in name for name in names) else ", ").join(names)

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from symscrew.mobility.finite import named_spins
 from symscrew.mobility.motions import branch_values
 from symscrew.mobility.singularities import as_values
+from symscrew.mobility.symbols import conditions
 
 if TYPE_CHECKING:
     from symscrew.mobility.analysis import Mobility
@@ -19,6 +20,11 @@ def mobility_values(found: Mobility) -> dict[str, Any]:
     exact = {limb.name: limb.constraints for limb in symbolic.limbs} if symbolic else {}
     return {
         "mechanism": found.mechanism.name,
+        "configuration": {
+            "in_words": found.configuration,
+            "coordinates": {name: str(value) for name, value in found.coordinates.items()},
+            "parameters": {name: str(value) for name, value in found.parameters.items()},
+        },
         "kutzbach": found.kutzbach,
         "dof": found.dof,
         "dof_finite": finite.dof,
@@ -139,7 +145,7 @@ def _pose(found: Mobility, limb: str) -> dict[str, Any] | None:
     return {
         "displacements": {str(symbol): joint for symbol, joint in zip(pose.displacements, pose.of, strict=True)},
         "constraints": [[str(c) for c in w] for w in pose.constraints],
-        "loci": [{"kind": locus.kind, "zero": str(locus.expression)} for locus in pose.loci],
+        "loci": [{"kind": locus.kind, "zero": str(locus.expression)} for locus in conditions(pose.loci)],
     }
 
 

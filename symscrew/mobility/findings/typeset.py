@@ -10,6 +10,8 @@ from typing import TYPE_CHECKING
 
 import sympy
 
+from symscrew.mobility.symbols import conditions
+
 if TYPE_CHECKING:
     from symscrew.mobility.analysis import Mobility
     from symscrew.mobility.symbols import Vector
@@ -19,9 +21,36 @@ LONG = 100
 which a line may end."""
 
 
+LONGEST_NUMBER = 10**9
+"""Numerators and denominators beyond this are written as decimals of six digits: nobody reads or pastes them. The JSON
+has them exactly."""
+
+
+def presentable(expression: sympy.Expr) -> sympy.Expr:
+    """The expression as it is shown: numbers with many digits as decimals."""
+    long = {n: sympy.Float(n, 6) for n in expression.atoms(sympy.Rational) if max(abs(n.p), n.q) > LONGEST_NUMBER}
+    if not long:
+        return expression
+    shown = expression.xreplace(long)
+    return shown if shown.free_symbols else shown.evalf(6)
+
+
+def shown(vector: Vector) -> Vector:
+    """A screw as it is shown: of unit direction where its length is a number, with presentable components.
+
+    A screw in parameters whose length depends on them stays as it is: divided, it would have poles.
+    """
+    lead = vector[:3] if any(vector[:3]) else vector[3:]
+    square = sympy.expand(sum(c * c for c in lead))
+    if square.is_number and square != 1 and square != 0:
+        size = sympy.sqrt(square)
+        vector = tuple(sympy.radsimp(c / size) if c else c for c in vector)
+    return tuple(presentable(c) for c in vector)
+
+
 def inline(vectors: Sequence[Vector]) -> str:
     """Screws as LaTeX between dollar signs."""
-    return ", ".join("$" + screw_latex(vector) + "$" for vector in vectors)
+    return ", ".join("$" + screw_latex(shown(vector)) + "$" for vector in vectors)
 
 
 def screw_latex(vector: Vector) -> str:
@@ -42,12 +71,12 @@ def _expressions(found: Mobility) -> tuple[list[Vector], list[sympy.Expr], list[
     for pose in found.limb_poses.values():
         if not isinstance(pose, str):
             vectors += pose.constraints
-            loci += [locus.expression for locus in pose.loci]
+            loci += [locus.expression for locus in conditions(pose.loci)]
             single += pose.displacements
     if not found.limbs and not isinstance(found.loops, str):
         vectors += found.loops.freedoms
         single += [rate for motion in found.loops.rates for rate in motion]
-    return vectors, loci, single
+    return [shown(v) for v in vectors], [presentable(e) for e in loci], [presentable(e) for e in single]
 
 
 def typed_formulas(found: Mobility) -> dict[str, str]:
@@ -68,10 +97,15 @@ def mathml(expression: sympy.Expr) -> str:
     return f"<math>{_presented(expression)}</math>"
 
 
+OPENING, CLOSING = (f'<mo fence="true" stretchy="true" form="{form}">' for form in ("prefix", "postfix"))
+"""A bracket as high as what it is around, where a browser does not take it for one by its place."""
+
+
 def _presented(expression: sympy.Expr) -> str:
     from sympy.printing.mathml import mathml as printed
 
     text = str(printed(expression, printer="presentation")).replace("<mo>-</mo>", "<mo>&#x2212;</mo>")
+    text = text.replace("<mo>(</mo>", f"{OPENING}(</mo>").replace("<mo>)</mo>", f"{CLOSING})</mo>")
     for function in ("sin", "cos"):
         text = text.replace(f"<mi>{function}</mi>", f'<mspace width="0.15em"/><mi>{function}</mi>')
     return text
@@ -85,14 +119,18 @@ def formulas(found: Mobility) -> dict[str, str]:
         cells = [_presented(c) for c in vector]
         if sum(len(sympy.latex(c)) for c in vector) > LONG:
             rows = "".join(f"<mtr><mtd>{cell}</mtd></mtr>" for cell in cells)
-            result[screw_latex(vector)] = f"<math><mo>(</mo><mtable>{rows}</mtable><mo>)</mo></math>"
+            result[screw_latex(vector)] = _fenced(f"<mtable>{rows}</mtable>")
             continue
         inside = "<mo>,</mo>".join(cells[:3]) + "<mo>;</mo>" + "<mo>,</mo>".join(cells[3:])
-        result[screw_latex(vector)] = f"<math><mo>(</mo>{inside}<mo>)</mo></math>"
+        result[screw_latex(vector)] = _fenced(inside)
     for expression in loci:
         result[f"{sympy.latex(expression)} = 0"] = _equation(expression)
     result.update({sympy.latex(e): f"<math>{_presented(e)}</math>" for e in single})
     return result
+
+
+def _fenced(inside: str) -> str:
+    return f"<math><mrow>{OPENING}(</mo>{inside}{CLOSING})</mo></mrow></math>"
 
 
 def _equation(expression: sympy.Expr) -> str:
