@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import json
 import sys
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from symscrew.cli.help import DONE, FAILED, UsageError
@@ -20,16 +21,34 @@ FORMATS = (".npz", ".csv")
 
 def add_options(command: argparse.ArgumentParser) -> None:
     """Options of `symscrew optimise`."""
-    command.add_argument("problem", metavar="PROBLEM.toml", help="mechanism or scene, conditions, bounds, objectives")
+    command.add_argument(
+        "problem", metavar="PROBLEM.toml",
+        help="mechanism or scene, conditions, bounds, objectives; all its keys: --keys, or docs/how_to/optimise.md",
+    )  # fmt: skip
+    command.add_argument("--keys", action=_Keys, nargs=0, help="print every key of a problem file, and end")
     command.add_argument("--out", metavar="FILE", required=True, help="the motion: .npz (everything) or .csv (a table)")
     command.add_argument("--plot", metavar="FILE.png", help="a picture of the motion")
     command.add_argument("--rate", type=float, metavar="HZ", help="samples per second in the file; default: 501 in all")
+    command.add_argument("--time-limit", type=float, metavar="S", help="seconds for all that is solved; default: none")
+    command.add_argument(
+        "--starts", type=int, metavar="N", help="guesses on all cores, the usual one and random ones; default: 1"
+    )
     command.add_argument("--json", action="store_true", help="the outcome as JSON")
     add_no_cache(command)
 
 
+class _Keys(argparse.Action):
+    """Prints the keys of a problem file."""
+
+    def __call__(self, parser: argparse.ArgumentParser, *_: object) -> None:
+        from symscrew.optimisation import tables_of_keys
+
+        print(tables_of_keys(), end="")
+        parser.exit(DONE)
+
+
 def run(options: argparse.Namespace) -> int:
-    """Read, derive, optimise, write; 1 where no optimum was found (the best iterate is written all the same)."""
+    """Read, derive, optimise, write; 1 where no motion was found and confirmed (the last iterate is written then)."""
     from symscrew.optimisation import load_problem, replay, solve, write_plan
 
     out = destination(options.out, FORMATS, "--out")
@@ -39,6 +58,14 @@ def run(options: argparse.Namespace) -> int:
     if options.rate is not None and not options.rate > 0:
         raise UsageError(f"--rate: expected samples per second above 0, got {options.rate:g}")
     problem = load_problem(options.problem)
+    if options.time_limit is not None:
+        if not options.time_limit > 0:
+            raise UsageError(f"--time-limit: expected seconds above 0, got {options.time_limit:g}")
+        problem = replace(problem, solver=replace(problem.solver, time_limit=options.time_limit))
+    if options.starts is not None:
+        if options.starts < 1:
+            raise UsageError(f"--starts: expected at least 1, got {options.starts}")
+        problem = replace(problem, starts=options.starts)
     found = solve(problem, progress=lambda text: print(text, file=sys.stderr))
     written = [write_plan(found, out, rate=options.rate)]
     again = replay(found) if found.ok else None
@@ -62,7 +89,7 @@ def summary(found: Trajectory, again: Replay | None = None) -> list[str]:
     lines = [f"{found.problem.name}: {found.status}"]
     if not found.ok:
         lines += [f"  {reason}" for reason in found.reasons if reason not in found.status]
-        lines.append("  what is written is the best iterate, no solution")
+        lines.append("  what is written is the last iterate, no motion to be relied on")
         return lines
     errors = found.errors
     lines.append(f"cost {found.cost:.10g} (estimated error {errors.cost:.1e}), duration {found.duration:.10g} s")
@@ -75,14 +102,15 @@ def summary(found: Trajectory, again: Replay | None = None) -> list[str]:
         lines.append(f"drive {label}: {u.min():.6g} to {u.max():.6g}, on a bound at {share:.0f} % of the points")
     lines.append(
         f"between the points: closure {errors.closure:.1e}, dynamic error {errors.dynamic:.1e} 1/s^2 (at the end "
-        f"{errors.drift:.1e}), bounds exceeded by {errors.violation:.1e} (scaled); smallest pivot of the coordinates "
-        f"{errors.pivot:.2g}"
+        f"{errors.drift:.1e}), bounds broken by at most {errors.violation:.1e} of their size; smallest pivot of the "
+        f"coordinates {errors.pivot:.2g}"
     )
     if again is not None:
         lines.append(
             f"replayed by forward simulation: ends {again.end_error:.1e} from the plan, closure {again.closure:.1e}, "
             f"integration error {again.integration:.1e}"
         )
+    lines += found.notes
     spent = found.statistics
     rows = [[name, f"{seconds:.3f}", f"{spent.processor[name]:.3f}"] for name, seconds in spent.times.items()]
     lines.append(f"{spent.iterations} iterations, {found.refinements} refinements to {len(found.mesh) - 1} intervals")
@@ -95,6 +123,7 @@ def _numbers(found: Trajectory, again: Replay | None) -> dict[str, object]:
         "ok": found.ok,
         "status": found.status,
         "reasons": list(found.reasons),
+        "notes": list(found.notes),
         "cost": found.cost if found.ok else None,
         "duration": found.duration,
         "parameters": found.parameters,

@@ -11,19 +11,21 @@ from symscrew.doors import doors
 
 if TYPE_CHECKING:
     from symscrew.optimisation.built_problem import OptimisationProblem, optimisation_problem
-    from symscrew.optimisation.followed_motion import Replay, replay
+    from symscrew.optimisation.followed_motion import replay
     from symscrew.optimisation.plan_file import plot_plan, write_plan
     from symscrew.optimisation.problem import (
         Bounds,
         Conditions,
         Distance,
         Objective,
+        Obstacle,
         Solver,
         TrajectoryProblem,
         Transcription,
     )
     from symscrew.optimisation.problem_file import load_problem
-    from symscrew.optimisation.result import Trajectory
+    from symscrew.optimisation.problem_keys import tables_of_keys
+    from symscrew.optimisation.result import Replay, Trajectory
     from symscrew.optimisation.solution import Prepared, prepare, solve
 
 __all__ = [
@@ -31,6 +33,7 @@ __all__ = [
     "Conditions",
     "Distance",
     "Objective",
+    "Obstacle",
     "OptimisationProblem",
     "Prepared",
     "Replay",
@@ -44,6 +47,7 @@ __all__ = [
     "prepare",
     "replay",
     "solve",
+    "tables_of_keys",
     "write_plan",
 ]
 

@@ -109,6 +109,8 @@ class OptimisationProblem:
         """
         if problem.transcription.method == "shooting":
             raise DescriptionError("transcription.method: an optimisation_problem takes collocation; got shooting")
+        if problem.starts > 1:
+            raise DescriptionError("problem.starts: an optimisation_problem starts from one motion; solve takes many")
         self.problem = problem
         found = prepared or prepare(problem)
         model = PointModel(problem, found.model.equations, found.guess.scales, ProblemNumbers())

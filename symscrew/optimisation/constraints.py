@@ -14,7 +14,8 @@ import numpy as np
 from symscrew.errors import DescriptionError, did_you_mean
 from symscrew.optimisation.casadi_graph import symbolic_outputs
 from symscrew.optimisation.motion_quantities import MotionQuantities
-from symscrew.optimisation.problem import Conditions, Range, TrajectoryProblem
+from symscrew.optimisation.obstacles import SHAPES
+from symscrew.optimisation.problem import Conditions, Obstacle, Range, TrajectoryProblem
 from symscrew.optimisation.problem_numbers import Get
 from symscrew.optimisation.rows import INFINITY, Row
 from symscrew.optimisation.terms import expression
@@ -108,11 +109,34 @@ def bound_rows(at: MotionQuantities) -> list[Row]:
     for k, d in enumerate(bounds.distances):
         apart = at.points[d.first] - at.points[d.second]
         what = f"distance of {d.first} and {d.second}"
-        add(what, ca.dot(apart, apart), _squared_distance(k), length * length)
+        low, high = max(d.range[0], 0.0), d.range[1]
+        bound = low if low > 0 else high  # a small post is to be kept as well as a large one: parts of the bound
+        measure = bound * bound if 0 < bound < INFINITY else length * length
+        limits = _squared_distance(k)
+        rows.append(Row(what, ca.dot(apart, apart), *limits(problem), length * length, limits, measure))
+    for k, obstacle in enumerate(bounds.obstacles):
+        rows += _obstacle_rows(at, k, obstacle)
     for text in bounds.expressions:
         value = expression(text, at.names, where="bounds.expressions")
         add(text, value, _bound("expressions", text))
     return rows + _reaction_rows(at)
+
+
+def _obstacle_rows(at: MotionQuantities, k: int, obstacle: Obstacle) -> list[Row]:
+    shape, length = SHAPES[obstacle.type], at.model.system.length
+
+    def limits(problem: TrajectoryProblem) -> Range:
+        return shape.least(problem.bounds.obstacles[k].distance), INFINITY
+
+    places = [at.points[name] for name in obstacle.at]
+    unit, least = length * length if shape.squared else length, limits(at.model.problem)[0]
+    return [
+        Row(
+            f"{obstacle.type} at {', '.join(obstacle.at)} kept off by {name}", shape.value(places, at.points[name]),
+            *limits(at.model.problem), unit, limits, least if least > 0 else unit,
+        )
+        for name in obstacle.points
+    ]  # fmt: skip
 
 
 def _bound(group: str, key: object) -> Callable[[TrajectoryProblem], Range]:

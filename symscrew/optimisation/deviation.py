@@ -32,8 +32,10 @@ class Deviation:
     rate: np.ndarray
     duration: float
 
-    def at_the_end(self, steps: np.ndarray, nodes: np.ndarray, weights: np.ndarray) -> np.ndarray:
-        """What the error in every interval makes of y and, times the duration, of y_dot at the end: (intervals,).
+    def at_the_end(self, steps: np.ndarray, nodes: np.ndarray, weights: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """What the error in every interval makes of y and, times the duration, of y_dot: (intervals,) twice.
+
+        First at the end of the motion, then at the end of the interval itself.
 
         `steps`: relative lengths of the intervals; `nodes`, `weights`: Gauss-Legendre rule on [-1, 1] of the samples.
         """
@@ -52,7 +54,7 @@ class Deviation:
         for k in reversed(range(n)):
             result[k] = np.abs(carried @ own[k]).max(initial=0.0)
             carried = carried @ transition[k]
-        return np.nan_to_num(result, nan=np.inf)
+        return np.nan_to_num(result, nan=np.inf), np.nan_to_num(np.abs(own).max(axis=1, initial=0.0), nan=np.inf)
 
 
 def deviation_of(motion: PlannedMotion, blocks: dict[str, np.ndarray], tau: np.ndarray) -> Deviation:

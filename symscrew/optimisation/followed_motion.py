@@ -7,7 +7,6 @@ gives the error of the integration itself.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 import casadi as ca
@@ -15,36 +14,22 @@ import numpy as np
 
 from symscrew.functions import forward_functions
 from symscrew.optimisation.casadi_graph import numeric_function, symbolic_outputs
-from symscrew.optimisation.result import Trajectory
+from symscrew.optimisation.result import Replay, Trajectory
 from symscrew.program import lower
 
 STEPS = 4  # of a first replay, in every interval
 # Then the steps are up to 256 per interval; what the last halving still changed is the replay's `integration`.
 MOST_HALVINGS = 7
+TOLERANCE = 1e-9  # [rad, m, rad/s, m/s] of the integration: well below what a plan is refined to
 
 
-@dataclass(frozen=True)
-class Replay:
-    """How the replayed motion differs from the planned one: t (n,), y, planned (n, d) at the ends of the intervals.
-
-    `end_error`: largest difference of y and, times the duration, of y_dot at the end; `integration`: how much halving
-    the last step changed the end; `closure`: largest opening of the loops without units.
-    """
-
-    t: np.ndarray
-    y: np.ndarray
-    planned: np.ndarray
-    end_error: float
-    largest_error: float
-    integration: float
-    closure: float
-
-
-def replay(trajectory: Trajectory, *, tolerance: float = 1e-9) -> Replay:
+def replay(trajectory: Trajectory, *, tolerance: float = TOLERANCE) -> Replay:
     """Simulate the mechanism under the drives found, from the start of the motion.
 
     `tolerance`: change of the end [rad, m, rad/s, m/s] by halving the steps below which no more halving is tried.
     """
+    if trajectory.replayed is not None and tolerance == TOLERANCE:
+        return trajectory.replayed
     stepper = _Stepper(trajectory)
     steps, before = STEPS, None
     for _ in range(MOST_HALVINGS):
@@ -61,7 +46,10 @@ def replay(trajectory: Trajectory, *, tolerance: float = 1e-9) -> Replay:
     rates = stepper.rates(states)
     off = np.abs(y - planned["y"])
     end = max(float(off[-1].max()), float(np.abs(rates[-1] * trajectory.duration - planned["y_1"][-1]).max()))
-    return Replay(mesh * trajectory.duration, y, planned["y"], end, float(off.max()), change, stepper.opening(states))
+    local = stepper.local_errors(steps, planned)
+    return Replay(
+        mesh * trajectory.duration, y, planned["y"], end, float(off.max()), change, stepper.opening(states), local
+    )
 
 
 class _Stepper:
@@ -153,6 +141,24 @@ class _Stepper:
             state = np.array(moved)[:, -1]
             states.append(state)
         return np.array(states)
+
+    def local_errors(self, steps: int, planned: dict[str, np.ndarray]) -> np.ndarray:
+        """What intervals end off the plan, each from the plan at its start: (intervals,)."""
+        found = self.trajectory
+        mesh = found.transcribed.mesh * found.duration
+        starts, n, p = found.sampled(found.transcribed.mesh[:-1]), len(mesh) - 1, found.parameter_values
+        states = np.concatenate([starts.q, starts.v, starts.x], axis=1).T
+        length, u = np.diff(mesh), found.nodal_drives
+        t = mesh[:-1, None] + length[:, None] * np.arange(steps) / steps
+        values = np.repeat(u.transpose(0, 2, 1)[:, :, None], steps, 2)  # (intervals, drives, steps, points)
+        values = values.transpose(1, 0, 2, 3).reshape(u.shape[2], -1)
+        many = [np.repeat(x, steps)[None] for x in (length / steps, mesh[:-1], length)]
+        folded = self.step.mapaccum(steps).map(n)
+        moved = folded(states, t.reshape(1, -1), many[0], values, many[1], many[2], np.repeat(p[:, None], steps * n, 1))
+        ends = np.array(moved)[:, steps - 1 :: steps].T
+        off = np.abs(ends[:, [e.q for e in self.equations.loops.entries]] - planned["y"][1:])
+        rates = np.abs(self.rates(ends) * found.duration - planned["y_1"][1:])
+        return np.asarray(np.maximum(off.max(axis=1), rates.max(axis=1)))
 
     def rates(self, states: np.ndarray) -> np.ndarray:
         """Rates of y of states."""

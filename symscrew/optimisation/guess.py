@@ -28,6 +28,7 @@ SINGULAR = 1e-5
 LONGEST = 100.0  # [s] a free duration is looked for up to here; a longer one is found by the solver, from here
 # Durations tried, in equal ratios: neighbours differ by less than a factor of two in ranges of up to 1 : 8e6.
 TRIALS = 24
+SAME = 1e-6  # [rad, m]: configurations that both close to 1e-12 are one; branches apart differ by far more
 BALANCED = 1e-6  # of the largest singular value: directions that the drives move less are left out of the guess
 
 
@@ -77,6 +78,8 @@ class Guess:
     """Path, configurations q (n, nq) at `tau` (n,), duration, and the scales of the problem.
 
     `trouble` says why no motion can start from here: a condition out of reach, a singular start; else empty.
+    `stops`: configurations that meet the conditions at via points and the end; `parted`: the path of y does not lead
+    to the last of them on the assembly mode of the start.
     """
 
     path: Path
@@ -85,6 +88,8 @@ class Guess:
     duration: float
     scales: Scales
     trouble: str = ""
+    stops: tuple[np.ndarray, ...] = ()
+    parted: bool = False
 
     def arrays(self, model: PointModel, mesh: np.ndarray, points: np.ndarray) -> dict[str, np.ndarray]:
         """Values of a transcription's unknowns: mesh (n + 1,), points (n, K)."""
@@ -137,14 +142,24 @@ def first_guess(model: PointModel) -> Guess:
     """The guess of a problem; where a condition is out of reach it leads to the nearest configuration found."""
     kinematics = Kinematics(model, default_parameters(model))
     places = _Places(model, kinematics)
-    path, start = _path(model, places)
+    path, start, stops = _path(model, places)
     tau = np.linspace(0.0, 1.0, FINEST + 1)
     y, y_1, y_2 = path(tau)
     q = kinematics.follow(y, start)
     at = PointValues(tau, y, y_1, y_2, q[:, list(model.equations.layout.z)])
     duration = _duration(model, at)
     scales = _scales(model, duration, at, drives(model, duration, at))
-    return Guess(path, tau, q, duration, scales, places.trouble or _singular_start(kinematics, start))
+    parted = bool(stops) and not same_place(model, q[-1], stops[-1])
+    trouble = places.trouble or _singular_start(kinematics, start)
+    return Guess(path, tau, q, duration, scales, trouble, stops, parted)
+
+
+def same_place(model: PointModel, q: np.ndarray, other: np.ndarray) -> bool:
+    """Whether two configurations are one, whole turns of joints aside."""
+    apart = np.abs(q - other)
+    turns = np.array([c.kind == "angle" for c in model.system.tree.q])
+    apart = np.where(turns, np.abs((apart + np.pi) % (2 * np.pi) - np.pi), apart)
+    return bool((apart < SAME).all())
 
 
 def _singular_start(kinematics: Kinematics, start: np.ndarray) -> str:
@@ -174,7 +189,8 @@ class _Places:
         return found.q
 
 
-def _path(model: PointModel, place: _Places) -> tuple[Path, np.ndarray]:
+def _path(model: PointModel, place: _Places) -> tuple[Path, np.ndarray, tuple[np.ndarray, ...]]:
+    """The path of y, the start's configuration, those of via points and the end (none where values are given)."""
     given, entries = model.problem.guess, list(model.equations.layout.y)
     start = place(model.problem.start, "the start", model.system.reference)
     if given:
@@ -184,19 +200,23 @@ def _path(model: PointModel, place: _Places) -> tuple[Path, np.ndarray]:
         if len(values) < 2:
             raise DescriptionError("guess: expected at least two values of every coordinate")
         times = np.linspace(0.0, 1.0, len(values))
-        return Path(times, values, np.gradient(values, times, axis=0)), start
+        return Path(times, values, np.gradient(values, times, axis=0)), start, ()
     stamps, places, q = [0.0], [start[entries]], start
+    found: list[np.ndarray] = []
     stops = sorted(model.problem.via, key=lambda c: float(c.time or 0))
     for k, c in enumerate(stops):
         q = place(c, f"via point {k + 1}", q)
         stamps.append(float(c.time or 0))
         places.append(q[entries])
+        found.append(q)
     end = model.problem.end
     last = start if model.problem.periodic and end.is_empty else q
+    turned = np.array([2 * np.pi * model.problem.turns.get(label, 0) for label in model.equations.labels])
     if not end.is_empty:
         last = place(end, "the goal", q)
+        found.append(last)
     stamps.append(1.0)
-    places.append(last[entries])
+    places.append(last[entries] + (turned if end.is_empty else 0.0))
     points = np.array(places)
     slopes = np.zeros_like(points)
     if len(points) > 2:
@@ -204,7 +224,7 @@ def _path(model: PointModel, place: _Places) -> tuple[Path, np.ndarray]:
     for k, c in enumerate(stops):
         if c.at_rest:
             slopes[1 + k] = 0.0
-    return Path(np.array(stamps), points, slopes), start
+    return Path(np.array(stamps), points, slopes), start, tuple(found)
 
 
 def _dynamics(model: PointModel) -> tuple[ca.Function, int]:

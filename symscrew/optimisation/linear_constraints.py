@@ -97,6 +97,8 @@ def add_periodicity(rows: LinearRows) -> None:
     groups += [("x", [f"periodicity of the state {name}" for name in model.states])]
     for name, labels in groups:
         if labels:
-            row = rows.new(labels, 1.0)
+            further = [2 * np.pi * model.problem.turns.get(label, 0) for label in model.equations.labels]
+            target = further if name == "y" else np.zeros(len(labels))
+            row = rows.new(labels, 1.0, target, target)
             rows.terms.add(row[0], index[name][-1])
             rows.terms.add(row[0], index[name][0], -1.0)

@@ -15,13 +15,18 @@ import casadi as ca
 import numpy as np
 from numpy.polynomial import legendre
 
+from symscrew.optimisation.bounds_between import Violations, violations_of
 from symscrew.optimisation.deviation import deviation_of, stacked
+from symscrew.optimisation.followed_branch import Branch, Followed
 from symscrew.optimisation.objectives import objectives_by_type
 from symscrew.optimisation.planned_motion import PlannedMotion
 from symscrew.optimisation.rows import PointFunction
 from symscrew.optimisation.sparse import Family
 
 SAFETY = 2.0  # the residuals' part is of first order: what higher orders may add is covered by doubling it
+# An error may grow so much on its way to the end before it counts as what feedback has to mend: no mesh makes a motion
+# repeatable whose errors grow by more, for rounding and a millionth in a mass would grow as well.
+MOST_GROWTH = 100.0
 
 
 @dataclass(frozen=True)
@@ -32,9 +37,11 @@ class Errors:
     solver's own configurations at the points; `dynamic`: largest error of y_ddot against the drives'
     polynomial [1/s^2];
     `defects` (intervals,): what the error in an interval makes of the end of a replay, the larger of y and, times the
-    duration, y_dot; `drift`: their sum, above which a replay does not end off the plan; `cost`: estimated error
+    duration, y_dot; `drift`: their sum, above which a replay does not end off the plan; `local` (intervals,): the
+    same at the end of the interval itself; `cost`: estimated error
     of the cost, in its units; `pivot`: smallest pivot of the closure (0: the coordinates y are singular);
-    `violation`: largest violation of a bound between the points, scaled.
+    `violation`: largest violation of a bound between the points as a part of its size, `violations` in detail: never
+    less than that of the motion.
     """
 
     closure: float
@@ -45,9 +52,22 @@ class Errors:
     cost: float
     pivot: float
     violation: float
+    local: np.ndarray
+    violations: Violations
+
+    @property
+    def judged(self) -> np.ndarray:
+        """What counts of the defects (intervals,): growth on the way to the end only up to `MOST_GROWTH`."""
+        return np.asarray(np.minimum(self.defects, MOST_GROWTH * self.local))
+
+    @property
+    def growth(self) -> float:
+        """By how much errors grow on the way to the end."""
+        total = float(self.local.sum())
+        return self.drift / total if total > 0 else 1.0
 
 
-def errors_of(motion: PlannedMotion, costates: np.ndarray) -> Errors:
+def errors_of(motion: PlannedMotion, costates: np.ndarray, branch: Branch, followed: Followed) -> Errors:
     """The errors at Gauss points between the nodes; `costates` (points, rows) of the rows at the points."""
     mesh = motion.transcribed.mesh
     scheme = motion.transcribed.scheme
@@ -62,10 +82,9 @@ def errors_of(motion: PlannedMotion, costates: np.ndarray) -> Errors:
     nodal = _nodal_closure(motion)
     deviation = deviation_of(motion, blocks, tau)
     size = np.abs(deviation.acceleration).max(axis=1, initial=0.0)
-    defects = deviation.at_the_end(steps, nodes, weights)
-    cost, violation = (
-        (np.nan, np.nan) if scheme is None else _cost_error(motion, costates, blocks, tau=tau, weight=weight)
-    )
+    defects, local = deviation.at_the_end(steps, nodes, weights)
+    bounds = violations_of(motion, branch, followed, motion.problem.violation)
+    cost, beyond = (np.nan, np.nan) if scheme is None else _cost_error(motion, costates, blocks, tau=tau, weight=weight)
     failed = not samples.assembled.all()
     return Errors(
         closure=np.inf if failed else closure,
@@ -75,7 +94,9 @@ def errors_of(motion: PlannedMotion, costates: np.ndarray) -> Errors:
         cost=cost,
         pivot=float(motion.kinematics.pivots(samples.q).min()),
         defects=defects,
-        violation=violation,
+        violation=max(bounds.largest, beyond),
+        local=local,
+        violations=bounds,
     )
 
 
@@ -128,7 +149,7 @@ def _cost_error(
     tau: np.ndarray,
     weight: np.ndarray,
 ) -> tuple[float, float]:
-    """Estimated error of the cost, and the largest violation of a bound, scaled."""
+    """Estimated error of the cost, and how far drives leave their bounds between the points, scaled."""
     transcribed = motion.transcribed
     family, scheme = transcribed.families[0], transcribed.scheme
     assert scheme is not None
@@ -153,7 +174,7 @@ def _cost_error(
     coarse = np.array(ca.Function("cost", [z], [integrand]).map(family.count)(at_nodes)).ravel() @ family.weights
     quadrature = abs(float(cost.ravel() @ weight) - float(coarse))
     excess, beyond = _excess(motion, blocks["u"], slopes.T, np.broadcast_to(curves, slopes.shape).T)
-    return residual_part + quadrature + float(excess @ weight), max(float(over[low < high].max(initial=0.0)), beyond)
+    return residual_part + quadrature + float(excess @ weight), beyond
 
 
 def _excess(motion: PlannedMotion, u: np.ndarray, slope: np.ndarray, curvature: np.ndarray) -> tuple[np.ndarray, float]:

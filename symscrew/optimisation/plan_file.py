@@ -12,8 +12,7 @@ import numpy as np
 
 from symscrew.description import to_toml
 from symscrew.display import TIME, Curve, draw_curves, empty_figure, save_figure
-from symscrew.optimisation.followed_motion import Replay
-from symscrew.optimisation.result import Trajectory
+from symscrew.optimisation.result import Replay, Trajectory
 from symscrew.whole_files import replaced
 
 FINE = 501  # samples of a file without a rate

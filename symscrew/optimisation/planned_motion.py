@@ -164,7 +164,7 @@ class PlannedMotion:
 
     def configurations(self, tau: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """q (n, nq) assembled at ascending relative times, and where that succeeded (n,)."""
-        return self.kinematics.assemble_all(y, self._nearest(tau))
+        return self.kinematics.assemble_all(y, self.nearest(tau))
 
     @cached_property
     def kinematics(self) -> Kinematics:
@@ -179,7 +179,8 @@ class PlannedMotion:
         z = self.arrays["z"].reshape(len(blocks["y"]), len(layout.z))
         return self.kinematics.closure(blocks["y"], z)[0]
 
-    def _nearest(self, tau: np.ndarray) -> np.ndarray:
+    def nearest(self, tau: np.ndarray) -> np.ndarray:
+        """The solver's configurations q (n, nq) at the points nearest to relative times."""
         points = self.transcribed.point_tau.ravel()
         right = (
             np.clip(np.searchsorted(points, tau), 1, len(points) - 1) if len(points) > 1 else np.zeros(len(tau), int)

@@ -70,9 +70,12 @@ class PointModel:
             ("design", list(problem.design), list(self.system.mechanism.parameters)),
             ("parameters", list(problem.parameters), list(self.system.mechanism.parameters)),
             ("guess", list(problem.guess), self.equations.labels),
+            ("turns", list(problem.turns), self._angles),
         ]
         for o in problem.objectives:
             groups.append((f"objective {o.type}", [*o.weights, *o.preload], self.drive_labels))
+        for shape in bounds.obstacles:
+            groups.append(("bounds.obstacles", (*shape.at, *shape.points), list(self.system.mechanism.points)))
         for d in bounds.distances:
             groups.append(("bounds.distances", (d.first, d.second), list(self.system.mechanism.points)))
         for which, c in (("start", problem.start), ("end", problem.end), *(("via", v) for v in problem.via)):
@@ -83,6 +86,12 @@ class PointModel:
             for name in names:
                 if name not in known:
                     raise DescriptionError(f"{where}: unknown name {name!r}; {did_you_mean(name, known)}")
+
+    @property
+    def _angles(self) -> list[str]:
+        """Labels of the independent coordinates that can turn round."""
+        units = {c.label: c.kind for c in self.system.tree.q}
+        return [label for label in self.equations.labels if units[label] == "angle"]
 
     @cached_property
     def joint_labels(self) -> tuple[str, ...]:

@@ -14,14 +14,18 @@ from symscrew.effects import Effect, Gravity
 from symscrew.errors import DescriptionError, did_you_mean
 
 Range = tuple[float, float]
+INFINITY = float("inf")
 # The words of problems. What each of them does: `objectives.OBJECTIVE_TYPES`, `solution.METHODS`,
-# `constraints.FORMULATIONS`.
+# `constraints.FORMULATIONS`, `obstacles.SHAPES`.
 OBJECTIVES = ("effort", "time", "energy", "electrical", "jerk", "peak", "preload", "expression")
 METHODS = ("radau", "gauss", "shooting")
 FORMULATIONS = ("inverse", "forward")
 RULES = ("free", "least_squares")
+SHAPE_TYPES = ("sphere", "plane", "capsule", "box")
 # Half of what a replay may miss the goal by, for defects are of first order; opening of the loops without units.
 ACCURACY = (5e-7, 1e-9)
+# Of a bound between the points, as a part of its size: a hundredth of a millimetre for a length of a metre.
+VIOLATION = 1e-5
 
 
 @dataclass(frozen=True)
@@ -61,6 +65,21 @@ class Distance:
 
 
 @dataclass(frozen=True)
+class Obstacle:
+    """Named points keep off a shape by at least `distance` [m], which counts from its centre, segment, plane or box.
+
+    `type`: "sphere" about the point `at`; "plane" through the first of two points `at`, allowed is the side of the
+    second; "capsule" about the segment between two; "box" from a corner to its three neighbours. The points `at` may
+    stand on any body, fixed or moving; edges of a box are right-angled.
+    """
+
+    type: str
+    at: tuple[str, ...]
+    points: tuple[str, ...]
+    distance: float
+
+
+@dataclass(frozen=True)
 class Bounds:
     """Ranges (lower, upper) that hold during the whole motion; infinite where there is none.
 
@@ -80,6 +99,7 @@ class Bounds:
     margins: Mapping[str, Range] = field(default_factory=dict)
     points: Mapping[tuple[str, int], Range] = field(default_factory=dict)
     distances: Sequence[Distance] = ()
+    obstacles: Sequence[Obstacle] = ()
     expressions: Mapping[str, Range] = field(default_factory=dict)
 
 
@@ -136,11 +156,15 @@ class Transcription:
 
 @dataclass(frozen=True)
 class Solver:
-    """Which solver of CasADi, its tolerance, the most iterations, and further options of its own."""
+    """Which solver of CasADi, its tolerance, the most iterations, and further options of its own.
+
+    `time_limit` [s] of all that is solved for a problem, refinements included; IPOPT's.
+    """
 
     name: str = "ipopt"
     tolerance: float = 1e-8
     iterations: int = 500
+    time_limit: float = INFINITY
     options: Mapping[str, object] = field(default_factory=dict)
 
 
@@ -148,12 +172,15 @@ class Solver:
 class TrajectoryProblem:
     """A motion to be found.
 
-    `duration` [s] is a number, or a range (lower, upper) for a free one. `independent` names the independent
+    `duration` [s] is a number, or a range (lower, upper) for a free one. `turns`: angle of y -> whole turns by which it
+    ends further on in a periodic motion. `independent` names the independent
     coordinates y by labels of q. `design`: name of a parameter of the mechanism -> range in which it is chosen.
     `drive_rule`: "free" within the bounds, or "least_squares" distribution of redundant drives about `preload`.
     `inputs`: port of an effect -> its constant values. `accuracy`: (dynamic, kinematic) errors until which the mesh
     is refined: how far a replay ends off the plan [rad, m], opening of the loops between the points; None for no
-    refinement. `guess`: name of a coordinate of y -> values at equal times.
+    refinement and no judgement of either. `violation`: the most by which a bound may be broken between the points,
+    as a part of its size. `starts`: guesses from which it is solved, the usual one and random ones by `seed`.
+    `guess`: name of a coordinate of y -> values at equal times.
     """
 
     mechanism: Mechanism
@@ -163,6 +190,7 @@ class TrajectoryProblem:
     end: Conditions = Conditions()
     via: Sequence[Conditions] = ()
     periodic: bool = False
+    turns: Mapping[str, int] = field(default_factory=dict)
     bounds: Bounds = Bounds()
     objectives: Sequence[Objective] = (Objective("effort"),)
     design: Mapping[str, Range] = field(default_factory=dict)
@@ -175,6 +203,9 @@ class TrajectoryProblem:
     transcription: Transcription = Transcription()
     solver: Solver = Solver()
     accuracy: tuple[float, float] | None = ACCURACY
+    violation: float = VIOLATION
+    starts: int = 1
+    seed: int = 1
     name: str = "trajectory"
     text: str = ""
 
@@ -215,6 +246,11 @@ class TrajectoryProblem:
         for via in self.via:
             if via.time is None or not 0 < via.time < 1:
                 raise DescriptionError(f"via: expected a time between 0 and 1 (part of the duration), got {via.time!r}")
+        for obstacle in self.bounds.obstacles:
+            if obstacle.type not in SHAPE_TYPES:
+                raise DescriptionError(
+                    f"bounds.obstacles: unknown type {obstacle.type!r}; {did_you_mean(obstacle.type, SHAPE_TYPES)}"
+                )
         check_ranges(self)
 
 

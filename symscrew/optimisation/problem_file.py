@@ -1,22 +1,6 @@
 """A trajectory problem from a TOML file.
 
-    [problem]          mechanism (a catalogue name, or a file beside the problem's) or scene (a scene's file: its
-                       mechanism, effects, inputs and parameters), name, description, duration (a number, or
-                       [lower, upper]), periodic, independent = [labels of q], drive_rule,
-                       accuracy = [dynamic, kinematic] until which the mesh is refined ([inf, inf]: never)
-    [[effects]]        type and the effect's own keys, as in scenes; no gravity acts unless named
-    [start], [end], [[via]]   coordinates, rates = {LABEL = value}, points = {NAME = [x, y, z]} with "free" for a
-                       coordinate that is free, platform_normal, platform_position, platform_rotation, at_rest;
-                       [[via]] also time (part of the duration)
-    [bounds]           drives, drive_rates, joints, speeds, margins = {LABEL = [lower, upper] or a number for +-,
-                       "*" for all drives}, points = {NAME = {x = [lower, upper]}},
-                       reactions = {JOINT = {force = largest, moment = largest}}, distances = [{between, range}],
-                       expressions = {"TEXT" = range} (texts as in objectives)
-    [[objectives]]     type, weight, weights = {LABEL = value}, preload, expression; default: effort
-    [preload], [design], [parameters], [inputs], [guess]   tables of numbers, ranges, lists
-    [transcription]    method, degree, intervals, second_order, formulation, mesh
-    [solver]           name, tolerance, iterations, options
-
+Sections and keys, with units, defaults and examples: `symscrew.optimisation.problem_keys`, docs/how_to/optimise.md.
 Numbers may be expressions in the mechanism's parameters. Keys are fixed: an unknown one is an error.
 """
 
@@ -43,34 +27,24 @@ from symscrew.effects import Effect, check_effects, effect_from_table
 from symscrew.errors import DescriptionError, shorten
 from symscrew.functions import u_port
 from symscrew.kinematics import System
+from symscrew.optimisation import problem_keys
+from symscrew.optimisation.contradictions import check_problem
 from symscrew.optimisation.problem import (
     ACCURACY,
+    VIOLATION,
     Bounds,
     Conditions,
     Distance,
     Objective,
+    Obstacle,
     Range,
     Solver,
     TrajectoryProblem,
     Transcription,
 )
 
-# keys of the sections, as people write them
-CONDITIONS = ("coordinates", "rates", "points", "platform_normal", "platform_position", "platform_rotation", "at_rest")
-KEYS: dict[str, tuple[str, ...]] = {
-    "problem": ("mechanism", "scene", "name", "description", "duration", "periodic", "independent", "drive_rule",
-                "accuracy"),
-    "start": CONDITIONS,
-    "end": CONDITIONS,
-    "via": (*CONDITIONS, "time"),
-    "bounds": ("drives", "drive_rates", "joints", "speeds", "margins", "points", "reactions", "distances",
-               "expressions"),
-    "objectives": ("type", "weight", "weights", "preload", "expression"),
-    "transcription": ("method", "degree", "intervals", "second_order", "formulation", "mesh"),
-    "solver": ("name", "tolerance", "iterations", "options"),
-}  # fmt: skip
-LISTS = ("effects", "via", "objectives")
-SECTIONS = (*KEYS, "effects", "preload", "design", "parameters", "inputs", "guess")
+KEYS = {section: tuple(keys) for section, keys in problem_keys.SECTIONS.items()}
+SECTIONS = (*KEYS, *problem_keys.OWN)
 
 
 def load_problem(path: str | Path) -> TrajectoryProblem:
@@ -85,7 +59,7 @@ def load_problem(path: str | Path) -> TrajectoryProblem:
 def parse_problem(text: str, *, folder: Path | None = None, name: str = "trajectory") -> TrajectoryProblem:
     """The problem that a TOML text describes; files it names are looked for in `folder`."""
     tables = read_tables(text)
-    check_sections(tables, SECTIONS, KEYS, LISTS)
+    check_sections(tables, SECTIONS, KEYS, problem_keys.LISTS)
     if "problem" not in tables:
         raise DescriptionError("the section [problem] is missing; expected at least mechanism or scene, and duration")
     head = tables["problem"]
@@ -100,7 +74,7 @@ def parse_problem(text: str, *, folder: Path | None = None, name: str = "traject
         read.range(given, "problem.duration") if isinstance(given, list) else read.number(given, "problem.duration")
     )
     objectives = tables.get("objectives", [{"type": "effort"}])
-    return TrajectoryProblem(
+    problem = TrajectoryProblem(
         base.mechanism,
         effects,
         duration=duration,
@@ -108,11 +82,12 @@ def parse_problem(text: str, *, folder: Path | None = None, name: str = "traject
         end=read.conditions(tables.get("end", {}), "end"),
         via=tuple(read.conditions(t, f"via[{k}]") for k, t in enumerate(tables.get("via", ()))),
         periodic=_flag(head, "periodic", "problem"),
+        turns=read.turns(head.get("turns", {})),
         bounds=read.bounds(tables.get("bounds", {})),
         objectives=tuple(read.objective(t, f"objectives[{k}]") for k, t in enumerate(objectives)),
         design=read.ranges(tables.get("design", {}), "design"),
         parameters={**base.parameters, **read.numbers(tables.get("parameters", {}), "parameters")},
-        independent=_labels(head["independent"]) if "independent" in head else None,
+        independent=_labels(head["independent"], "problem.independent") if "independent" in head else None,
         drive_rule=_text(head.get("drive_rule", "free"), "problem.drive_rule"),
         preload=read.numbers(tables.get("preload", {}), "preload"),
         inputs={**base.inputs, **read.lists(tables.get("inputs", {}), "inputs")},
@@ -120,9 +95,14 @@ def parse_problem(text: str, *, folder: Path | None = None, name: str = "traject
         transcription=_transcription(tables.get("transcription", {}), read),
         solver=_solver(tables.get("solver", {}), read),
         accuracy=read.pair(head["accuracy"], "problem.accuracy") if "accuracy" in head else ACCURACY,
+        violation=read.number(head.get("violation", str(VIOLATION)), "problem.violation"),
+        starts=_whole(head.get("starts", 1), "problem.starts"),
+        seed=_whole(head.get("seed", 1), "problem.seed"),
         name=check_name(head.get("name", name if name.isidentifier() else "trajectory"), "problem.name"),
         text=text,
     )
+    check_problem(problem)
+    return problem
 
 
 class _Base:
@@ -197,6 +177,9 @@ class _Reader:
     def numbers(self, table: Any, where: str) -> dict[str, float]:
         return {k: self.number(v, f"{where}.{k}") for k, v in self.flat(table, where).items()}
 
+    def turns(self, table: Any) -> dict[str, int]:
+        return {k: _whole(v, f"problem.turns.{k}") for k, v in self.flat(table, "problem.turns").items()}
+
     def ranges(self, table: Any, where: str) -> dict[str, Range]:
         return {k: self.range(v, f"{where}.{k}") for k, v in self.flat(table, where).items()}
 
@@ -257,6 +240,7 @@ class _Reader:
             points=points,
             reactions=self._reactions(table.get("reactions", {})),
             distances=tuple(self._distance(d, k) for k, d in enumerate(table.get("distances", ()))),
+            obstacles=tuple(self._obstacle(o, k) for k, o in enumerate(table.get("obstacles", ()))),
             expressions=self.ranges(table.get("expressions", {}), "bounds.expressions"),
         )
 
@@ -281,6 +265,13 @@ class _Reader:
             raise DescriptionError(f"{where}.between: expected the names of two points, got {shorten(names)}")
         return Distance(names[0], names[1], self.pair(table.get("range"), f"{where}.range"))
 
+    def _obstacle(self, table: Any, k: int) -> Obstacle:
+        where = f"bounds.obstacles[{k}]"
+        check_keys(where, table, ("type", "at", "points", "distance"))
+        kind = _text(table.get("type"), f"{where}.type")
+        at, points = (_labels(table.get(name), f"{where}.{name}") for name in ("at", "points"))
+        return Obstacle(kind, at, points, self.number(table.get("distance"), f"{where}.distance"))
+
     def objective(self, table: Mapping[str, Any], where: str) -> Objective:
         if "type" not in table:
             raise DescriptionError(f"{where}: the key 'type' is missing")
@@ -295,6 +286,8 @@ class _Reader:
 
 def _transcription(table: Mapping[str, Any], read: _Reader) -> Transcription:
     usual = Transcription()
+    if "mesh" in table and "intervals" in table:
+        raise DescriptionError("transcription: 'mesh' says how many intervals there are; leave 'intervals' out")
     mesh = read.lists({"mesh": table["mesh"]}, "transcription")["mesh"] if "mesh" in table else ()
     return Transcription(
         _text(table.get("method", usual.method), "transcription.method"),
@@ -316,6 +309,7 @@ def _solver(table: Mapping[str, Any], read: _Reader) -> Solver:
         _text(table.get("name", usual.name), "solver.name"),
         read.number(table.get("tolerance", "1e-8"), "solver.tolerance"),
         _whole(table.get("iterations", usual.iterations), "solver.iterations"),
+        read.number(table["time_limit"], "solver.time_limit") if "time_limit" in table else usual.time_limit,
         plain,
     )
 
@@ -339,7 +333,7 @@ def _whole(value: Any, where: str) -> int:
     return value
 
 
-def _labels(value: Any) -> tuple[str, ...]:
+def _labels(value: Any, where: str) -> tuple[str, ...]:
     if not isinstance(value, list) or not all(isinstance(v, str) for v in value):
-        raise DescriptionError(f"problem.independent: expected a list of labels, got {shorten(value)}")
+        raise DescriptionError(f"{where}: expected a list of labels, got {shorten(value)}")
     return tuple(value)

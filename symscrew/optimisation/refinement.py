@@ -28,20 +28,25 @@ class Refinement:
 
 
 def refinement_of(trajectory: Trajectory, accuracy: tuple[float, float]) -> Refinement:
-    """A finer mesh, or none where both errors are reached or no finer mesh would do.
+    """A finer mesh, or none where all errors are reached or no finer mesh would do.
 
     `accuracy`: (dynamic, kinematic): the sum of the intervals' defects (how far a replay ends off the plan, to first
-    order), and the opening of the loops between the points. An interval is cut in as many parts as the order of the
-    scheme needs for its share, at most 4.
+    order), and the opening of the loops between the points; bounds may be broken between the points by the problem's
+    `violation`. An interval is cut in as many parts as the order of the scheme needs for its share, at most 4.
     """
     errors, (dynamic, kinematic) = trajectory.errors, accuracy
-    if errors.drift <= dynamic and errors.closure <= kinematic:
+    defects, allowed = errors.judged, trajectory.problem.violation
+    if defects.sum() <= dynamic and errors.closure <= kinematic and errors.violation <= allowed:
         return Refinement(None)
     scheme = trajectory.transcribed.scheme
     # a smooth motion's defect falls with a power of twice the degree, less where a drive switches
     order = (scheme.degree if scheme else 2) + 1
-    ratio = np.maximum(errors.defects * len(errors.defects) / (MARGIN * dynamic), 1e-12)
-    parts = np.clip(np.ceil(ratio ** (1.0 / order)), 1, MOST_PARTS).astype(int)
+    ratio = np.maximum(defects * len(defects) / (MARGIN * dynamic), 1e-12)
+    # between points at which a bound is kept a motion leaves it by its curvature: by the square of their distance
+    broken = np.maximum(errors.violations.per_interval / (MARGIN * allowed), 1e-12)
+    broken = np.where(errors.violations.per_interval > allowed, broken, 1e-12)
+    wanted = np.maximum(ratio ** (1.0 / order), broken**0.5)
+    parts = np.clip(np.ceil(wanted), 1, MOST_PARTS).astype(int)
     mesh = trajectory.transcribed.mesh
     if parts.max() == 1:
         return Refinement(None, "a finer mesh would not bring them nearer")

@@ -11,6 +11,8 @@ from functools import cached_property
 
 import numpy as np
 
+from symscrew.optimisation.followed_branch import Branch, Followed
+from symscrew.optimisation.many_starts import Search
 from symscrew.optimisation.mesh_errors import Errors, costates_of, errors_of
 from symscrew.optimisation.planned_motion import PlannedMotion
 
@@ -27,6 +29,25 @@ class Statistics:
     processor: Mapping[str, float]
 
 
+@dataclass(frozen=True)
+class Replay:
+    """How the replayed motion differs from the planned one: t (n,), y, planned (n, d) at the ends of the intervals.
+
+    `end_error`: largest difference of y and, times the duration, of y_dot at the end; `integration`: how much halving
+    the last step changed the end; `closure`: largest opening of the loops without units; `local_errors` (intervals,):
+    what replays of single intervals, from the plan at their starts, end off the plan.
+    """
+
+    t: np.ndarray
+    y: np.ndarray
+    planned: np.ndarray
+    end_error: float
+    largest_error: float
+    integration: float
+    closure: float
+    local_errors: np.ndarray
+
+
 @dataclass(frozen=True, repr=False)
 class Trajectory(PlannedMotion):
     """The outcome of an optimisation; `ok` is False where it is only the best iterate.
@@ -34,7 +55,8 @@ class Trajectory(PlannedMotion):
     `arrays` are the unknowns by name (rates by relative time), `x`, `multipliers`, `bound_multipliers` the solver's
     own vectors; `cost` is in the units of the objectives; `parameters` the design found, by name. `status` is one
     sentence, `reasons` say which constraints cannot be met, where; `notes` say what was not
-    tried to make it more exact.
+    tried to make it more exact, or by which coordinates a passage was found; `replayed` is the replay that
+    confirmed it, None where none was made; `search` what came of other guesses, where several were asked for.
     """
 
     x: np.ndarray
@@ -48,6 +70,8 @@ class Trajectory(PlannedMotion):
     reasons: tuple[str, ...] = ()
     refinements: int = 0
     notes: tuple[str, ...] = ()
+    replayed: Replay | None = None
+    search: Search | None = None
 
     def __repr__(self) -> str:
         return f"<Trajectory {self.problem.name}: {self.duration:g} s, cost {self.cost:.6g}, {self.status}>"
@@ -60,4 +84,15 @@ class Trajectory(PlannedMotion):
     @cached_property
     def errors(self) -> Errors:
         """Errors between the points."""
-        return errors_of(replace(self, transcribed=self.transcribed.settled()), self.costates)
+        settled = replace(self, transcribed=self.transcribed.settled())
+        return errors_of(settled, self.costates, self.branch, self.followed)
+
+    @cached_property
+    def branch(self) -> Branch:
+        """The loops on enclosures."""
+        return Branch(self)
+
+    @cached_property
+    def followed(self) -> Followed:
+        """The motion followed from its start on its assembly mode."""
+        return self.branch.followed()

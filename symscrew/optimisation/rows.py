@@ -22,6 +22,7 @@ class Row:
     """One constraint: lower <= value <= upper, divided by `scale` for the solver.
 
     `limits`: both bounds in a problem of the same shape with other numbers; None where they are the same in all.
+    `measure`: what a violation between the points is divided by (default: `scale`).
     """
 
     label: str
@@ -30,6 +31,7 @@ class Row:
     upper: float = 0.0
     scale: float = 1.0
     limits: Callable[[TrajectoryProblem], Range] | None = None
+    measure: float | None = None
 
     def range_in(self, problem: TrajectoryProblem) -> Range:
         """Both bounds in a problem of the same shape."""

@@ -5,8 +5,9 @@ problem --PointEquations--> programs --first_guess--> scales --Collocation--> fa
 
 from __future__ import annotations
 
+import math
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -15,18 +16,25 @@ import numpy as np
 
 from symscrew.errors import DescriptionError, did_you_mean
 from symscrew.optimisation.collocation import Collocation
+from symscrew.optimisation.contradictions import check_inputs, check_problem
 from symscrew.optimisation.explanation import STATUS, broken_rows, pressing_bounds
 from symscrew.optimisation.guess import Guess, first_guess, unit_scales
+from symscrew.optimisation.interruption import interruptible
+from symscrew.optimisation.many_starts import Attempt, Values, searched
 from symscrew.optimisation.motion_equations import PointEquations
+from symscrew.optimisation.passages import passages
+from symscrew.optimisation.plan_verdict import judged
 from symscrew.optimisation.point_model import PointModel
 from symscrew.optimisation.problem import TrajectoryProblem
 from symscrew.optimisation.refinement import refinement_of
 from symscrew.optimisation.result import Statistics, Trajectory
 from symscrew.optimisation.shooting import Shooting
 from symscrew.optimisation.sparse import NonlinearProgram, assemble, cost_of
+from symscrew.optimisation.tie_breaking import can_break_ties, continued, without_effort
 from symscrew.optimisation.transcription import Discretisation, Transcribed
 from symscrew.optimisation.warm_start import carried_multipliers, carried_unknowns
 
+LEAST_TIME = 1e-3  # [s] where the time is used up already: IPOPT refuses 0, and ends before its first iteration
 LEAST_COST = 1e-6  # a cost at the guess below this says nothing on its size: it is left as it is
 Progress = Callable[[str], None]
 METHODS: Mapping[str, Callable[[PointModel], Discretisation]] = {
@@ -36,7 +44,7 @@ METHODS: Mapping[str, Callable[[PointModel], Discretisation]] = {
 }
 # Meshes tried after the first one; a motion that still misses its accuracy is handed out as it is, and `errors` and
 # `Trajectory.notes` say so.
-MOST_REFINEMENTS = 6
+MOST_REFINEMENTS = 12
 # IPOPT from an earlier motion: of another problem, or of the same one on a coarser mesh. The barrier begins low (0.1 by
 # default), so that the start is not pushed into the middle of its bounds; a refined mesh begins nearer still.
 WARM: Mapping[str, Any] = {"warm_start_init_point": "yes", "mu_init": 1e-4}
@@ -63,6 +71,7 @@ def prepare(problem: TrajectoryProblem) -> Prepared:
     Raises:
         DescriptionError: the problem names what does not exist, or contradicts itself.
     """
+    check_problem(problem)
     mechanism = problem.mechanism
     chosen = {*problem.design, *problem.parameters}
     for name in chosen:
@@ -70,6 +79,7 @@ def prepare(problem: TrajectoryProblem) -> Prepared:
             raise DescriptionError(f"design: no parameter {name!r}; {did_you_mean(name, mechanism.parameters)}")
     parameters = {n: replace(p, run_time=p.run_time or n in chosen) for n, p in mechanism.parameters.items()}
     equations = PointEquations(replace(mechanism, parameters=parameters), problem.effects, problem.independent)
+    check_inputs(problem.inputs, {port.name: port.size for port, _ in equations.acting.own_inputs})
     sizes = (len(equations.layout.z), len(equations.system.drives), len(equations.acting.states))
     model = PointModel(problem, equations, unit_scales(len(equations.labels), *sizes))
     if not equations.labels:
@@ -97,18 +107,103 @@ def solve(
     Raises:
         DescriptionError: the problem cannot be used as it is given.
     """
-    began = clock()
+    began, until = clock(), time.perf_counter() + problem.solver.time_limit
     say = progress or (lambda text: None)
     found = prepared or prepare(problem)
-    model = PointModel(problem, found.model.equations, found.guess.scales)
-    say(f"model: {model.d} independent coordinates {', '.join(model.equations.labels)}")
-    trajectory = _once(model, found.guess, warm=warm, say=say, began=began)
-    if problem.accuracy and trajectory.ok:
-        trajectory = _refined(trajectory, found.guess, problem.accuracy, say)
+    search = None
+    if problem.starts > 1 and warm is None:
+        search = searched(problem, found.model, found.guess, attempts)
+        say(str(search))
+        best = search.best
+        if best is not None and best.guess is not None:
+            problem = replace(problem, guess=best.guess)
+            found = prepare(problem)
+    trajectory = None
+    if found.guess.parted and warm is None:
+        say("the way of the guess leads to another assembly mode than the goal's: looking for a passage")
+        trajectory = _passed(found, say, until)
+    if trajectory is None:
+        trajectory = _accurate(found, problem, warm=warm, say=say, began=began, until=until)
+        if trajectory.ok and trajectory.followed.trouble and not found.guess.parted:
+            say(trajectory.followed.trouble)
+            trajectory = _passed(found, say, until) or trajectory
+    trajectory = judged(trajectory)
+    if found.guess.parted and warm is None and not trajectory.ok:
+        trajectory = _refused(trajectory)
+    say(trajectory.status)
+    if search is not None:
+        trajectory = replace(trajectory, search=search, notes=(*trajectory.notes, str(search)))
     return replace(trajectory, statistics=_whole(trajectory.statistics, clock() - began))
 
 
-def _refined(trajectory: Trajectory, guess: Guess, accuracy: tuple[float, float], say: Progress) -> Trajectory:
+def attempts(problem: TrajectoryProblem, guesses: Sequence[Values | None]) -> list[Attempt]:
+    """What comes of guesses on the first mesh, with the equations derived once."""
+    found: list[Attempt] = []
+    usual = prepare(problem)
+    for values in guesses:
+        if values is None:
+            made = solve(problem, prepared=usual)
+        else:
+            model = PointModel(replace(problem, guess=values), usual.model.equations, usual.guess.scales)
+            guess = first_guess(model)
+            made = solve(model.problem, prepared=Prepared(model.problem, model, guess))
+        found.append(Attempt(values, made.ok, made.cost, made.status))
+    return found
+
+
+def _accurate(
+    found: Prepared,
+    problem: TrajectoryProblem,
+    *,
+    warm: Trajectory | None,
+    say: Progress,
+    began: np.ndarray,
+    until: float,
+) -> Trajectory:
+    """The optimum on a mesh that is fine enough, as far as it is found and stays on its branch."""
+    model = PointModel(problem, found.model.equations, found.guess.scales)
+    say(f"model: {model.d} independent coordinates {', '.join(model.equations.labels)}")
+    trajectory = _once(model, found.guess, warm=warm, say=say, began=began, until=until)
+    part = 0.0
+    if warm is None and can_break_ties(trajectory) and time.perf_counter() < until:
+
+        def once(posed: TrajectoryProblem, near: Trajectory | None) -> Trajectory:
+            other = PointModel(posed, model.equations, model.scales)
+            return _once(other, found.guess, warm=near, say=say, began=clock(), until=until)
+
+        say("not solved as it is: effort is added, and taken away again")
+        trajectory, part = continued(trajectory, once) or (trajectory, 0.0)
+    if problem.accuracy and trajectory.ok and not trajectory.followed.trouble:
+        trajectory = _refined(trajectory, found.guess, problem.accuracy, say, until=until)
+    if part:
+        mesh = replace(problem, transcription=trajectory.problem.transcription)
+        trajectory = without_effort(trajectory, problem, transcribe(PointModel(mesh, model.equations, model.scales)))
+    return trajectory
+
+
+def _passed(found: Prepared, say: Progress, until: float) -> Trajectory | None:
+    """The optimum by coordinates that stay regular on a way to the goal; None where there is none that is a motion."""
+    for problem in passages(found.model, found.guess):
+        other = prepare(problem)
+        if other.guess.trouble or other.guess.parted:
+            continue
+        trajectory = _accurate(other, problem, warm=None, say=say, began=clock(), until=until)
+        if trajectory.ok and not trajectory.followed.trouble:
+            labels = ", ".join(problem.independent or ())
+            return replace(trajectory, notes=(*trajectory.notes, f"through a passage, by the coordinates {labels}"))
+        say(f"no motion was found through the passage: {trajectory.followed.trouble or trajectory.status}")
+    return None
+
+
+def _refused(trajectory: Trajectory) -> Trajectory:
+    """Why there is no motion to a goal on another branch."""
+    reason = "the goal lies on another assembly mode than the start, and no motion through a passage was found"
+    return replace(trajectory, ok=False, status=f"{reason}; {trajectory.status}", reasons=(reason, *trajectory.reasons))
+
+
+def _refined(
+    trajectory: Trajectory, guess: Guess, accuracy: tuple[float, float], say: Progress, *, until: float
+) -> Trajectory:
     """The motion on finer meshes until its errors are as wanted; its notes say why they are not."""
     for count in range(MOST_REFINEMENTS + 1):
         model, finer = trajectory.model, refinement_of(trajectory, accuracy)
@@ -121,11 +216,15 @@ def _refined(trajectory: Trajectory, guess: Guess, accuracy: tuple[float, float]
         say(f"refinement {count + 1}: {len(mesh)} intervals, drift {trajectory.errors.drift:.1e} so far")
         transcription = replace(model.problem.transcription, mesh=mesh, intervals=len(mesh))
         model = PointModel(replace(model.problem, transcription=transcription), model.equations, model.scales)
-        again = _once(model, guess, warm=trajectory, say=say, began=clock(), start_options=REFINING)
+        again = _once(model, guess, warm=trajectory, say=say, began=clock(), until=until, start_options=REFINING)
         spent = _sum(trajectory.statistics, again.statistics)
         if not again.ok:  # the coarser motion is an optimum still
             say(f"the finer mesh is given up: {again.status}")
             reason = f"a finer mesh of {len(mesh)} intervals was given up: {again.status}"
+            trajectory = replace(trajectory, statistics=spent)
+            break
+        if again.followed.trouble:
+            reason = f"a finer mesh of {len(mesh)} intervals was given up: {again.followed.trouble}"
             trajectory = replace(trajectory, statistics=spent)
             break
         trajectory = replace(again, refinements=count + 1, statistics=spent)
@@ -170,6 +269,7 @@ def _once(
     warm: Trajectory | None,
     say: Progress,
     began: np.ndarray,
+    until: float,
     start_options: Mapping[str, Any] = WARM,
 ) -> Trajectory:
     ready = clock()
@@ -186,12 +286,14 @@ def _once(
     scale = cost_scale_of(transcribed, start)
     program = assemble(transcribed.families, transcribed.linear, transcribed.cost, scale)
     say(f"program: {unknowns.size} unknowns, {len(program.labels)} constraints")
-    solver = solver_of(model.problem, program, start_options if warm else {})
+    limit = {} if until == np.inf else {"max_wall_time": max(until - time.perf_counter(), LEAST_TIME)}
+    solver = solver_of(model.problem, program, {**(start_options if warm else {}), **limit})
     made = clock()
     extra = {}
     if warm is not None and (carried := carried_multipliers(warm, transcribed, program, scale)):
         extra = {"lam_g0": carried[0], "lam_x0": carried[1]}
-    answer = solver(x0=start, lbx=unknowns.lower, ubx=unknowns.upper, lbg=program.lower, ubg=program.upper, **extra)
+    with interruptible():
+        answer = solver(x0=start, lbx=unknowns.lower, ubx=unknowns.upper, lbg=program.lower, ubg=program.upper, **extra)
     stats = solver.stats()
     done = clock()
     x = np.array(answer["x"]).ravel()
@@ -257,6 +359,8 @@ def solver_of(problem: TrajectoryProblem, program: NonlinearProgram, start: Mapp
             "print_level": 0, "sb": "yes", "tol": given.tolerance, "max_iter": given.iterations,
             "constr_viol_tol": min(1e-8, given.tolerance), "nlp_scaling_method": "none",
         }  # fmt: skip
+        if math.isfinite(given.time_limit):
+            own["max_wall_time"] = given.time_limit
         own |= start
         derivatives = {"grad_f": program.gradient, "jac_g": program.jacobian, "hess_lag": program.hessian}
         options |= {**derivatives, "ipopt": own | dict(given.options)}

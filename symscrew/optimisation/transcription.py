@@ -168,12 +168,15 @@ class Discretisation(ABC):
 
     def _observation(self, function: PointFunction, tau: float, name: str, where: str) -> Family:
         known, model = self.unknowns, self.model
-        labels = [f"coordinate {model.system.tree.q[k].label} at {where}" for k in model.equations.layout.z]
-        known.add(name, np.array([tau]), labels, model.scales.z)
+        if tau == 1.0 and self.grid.scheme is not None and self.grid.scheme.nodes[-1] == 1.0:
+            entries = known.index["z"][-1, -1][None]  # the last point stands there: its configuration is the one
+        else:
+            labels = [f"coordinate {model.system.tree.q[k].label} at {where}" for k in model.equations.layout.z]
+            entries = known.add(name, np.array([tau]), labels, model.scales.z)
         place, terms = Placer(function, 1), Terms(known)
         for block, order in (("y", 0), ("y_1", 1)):
             self.grid.add_interpolated(terms, place.rows[block][0], tau, order=order)
-        terms.add(place.rows["z"], known.index[name])
+        terms.add(place.rows["z"], entries)
         if "x" in place.rows:
             terms.add(place.rows["x"], known.index["x"][:1])
         place.add_common(terms)

@@ -22,6 +22,7 @@ from . import (
     optimisation,
     reposed,
     simulation,
+    starts,
     work_precision,
 )
 from .tables import table
@@ -38,6 +39,7 @@ BENCHMARKS = {
     "generation": (generation.run, 5),
     "optimisation": (optimisation.run, 3),
     "mobility": (mobility.run, 1),
+    "starts": (starts.run, 30),
     "reposed": (reposed.run, 1),
     "attacks": (attacks.run, 1),
 }

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 import csv
 import json
+import signal
+import subprocess
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -181,3 +184,27 @@ def test_events_cannot_be_optimised() -> None:
 
     with pytest.raises(DescriptionError, match="events"):
         solve(parse_problem(text))
+
+
+def test_a_time_limit_is_kept_and_told(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    code, _ = run(tmp_path, FIVE_BAR, "--time-limit", "0.001")
+    assert code == 1 and "the time was used up" in capsys.readouterr().out
+    assert run(tmp_path, FIVE_BAR, "--time-limit", "-1")[0] == 2 and "--time-limit" in capsys.readouterr().err
+
+
+@pytest.mark.slow
+def test_an_interruption_ends_the_program_while_the_solver_runs(tmp_path: Path) -> None:
+    """At the first iteration of the solver, which would take it for a wish to hand out what it has."""
+    problem, out = tmp_path / "problem.toml", tmp_path / "motion.npz"
+    text = FIVE_BAR.replace("intervals = 8", "intervals = 400").replace('{ "*" = 8 }', '{ "*" = 0.05 }')
+    problem.write_text(text)
+    command = [sys.executable, "-m", "symscrew", "optimise", str(problem), "--out", str(out)]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as started:
+        assert started.stderr is not None
+        for line in started.stderr:
+            if line.startswith("program:"):
+                break
+        started.send_signal(signal.SIGINT)
+        said = started.stderr.read()
+    assert started.returncode == 130 and "interrupted" in said and "Traceback" not in said
+    assert not out.exists() and [p.name for p in tmp_path.iterdir()] == ["problem.toml"]

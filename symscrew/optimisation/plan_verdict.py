@@ -1,0 +1,67 @@
+"""The verdict on a plan: what the solver found is good only if it was followed, accurate enough, and replayed.
+
+Trajectory --branch, errors between the points, bounds between the points, replay--> the same with `ok` and `status`
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from symscrew.optimisation.followed_motion import replay
+from symscrew.optimisation.mesh_errors import MOST_GROWTH
+from symscrew.optimisation.result import Replay, Trajectory
+
+# A replay may end off the plan by so many times the accuracy that the mesh was refined to: its defects are known to
+# first order.
+REPLAYED = 2.0
+
+
+def judged(trajectory: Trajectory) -> Trajectory:
+    """The trajectory with the verdict of looks by other routes; one that is not `ok` already stays so."""
+    if not trajectory.ok:
+        return trajectory
+    if trouble := trajectory.followed.trouble:
+        return _refused(trajectory, "impossible", (trouble,))
+    accuracy = trajectory.problem.accuracy
+    if accuracy is None:
+        return trajectory  # no accuracy was asked for
+    missed = _missed(trajectory, accuracy)
+    if not missed:
+        played = replay(trajectory)
+        trajectory = replace(trajectory, replayed=played)
+        missed = _off(trajectory, played, REPLAYED * accuracy[0])
+    return _refused(trajectory, "not confirmed", missed) if missed else trajectory
+
+
+def _refused(trajectory: Trajectory, word: str, reasons: tuple[str, ...]) -> Trajectory:
+    return replace(trajectory, ok=False, status=f"{word}: {reasons[0]}", reasons=(*reasons, *trajectory.notes))
+
+
+def _missed(trajectory: Trajectory, accuracy: tuple[float, float]) -> tuple[str, ...]:
+    """What of the asked accuracy is not reached between the points."""
+    errors, (dynamic, kinematic) = trajectory.errors, accuracy
+    found = []
+    if not errors.violation <= trajectory.problem.violation:
+        worst = errors.violations
+        what = worst.label or "a drive's bound"
+        found.append(
+            f"{what} is broken between the points by {errors.violation:.2g} of its size near "
+            f"{100 * worst.tau:.1f} % of the duration"
+        )
+    total = float(errors.judged.sum())
+    if not total <= dynamic:
+        found.append(f"its equations are missed by {total:.1e} between the points, {dynamic:.1e} were asked for")
+    if not errors.closure <= kinematic:
+        found.append(f"its loops open by {errors.closure:.1e} between the points, {kinematic:.1e} were asked for")
+    return tuple(found)
+
+
+def _off(trajectory: Trajectory, played: Replay, allowed: float) -> tuple[str, ...]:
+    """Why a replay does not confirm the plan."""
+    apart, grows = float(played.local_errors.sum()), trajectory.errors.growth > MOST_GROWTH
+    if played.end_error + played.integration <= allowed or (grows and apart <= allowed):
+        return ()
+    return (
+        f"replayed by forward simulation it ends {played.end_error:.1e} off the plan (integration error "
+        f"{played.integration:.1e}; intervals by themselves {apart:.1e} in all)",
+    )
