@@ -5,7 +5,6 @@ Port("count", ...) --> const double *restrict count_     (what the code itself c
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Sequence
 
 from symscrew.export.c_precision import Precision
@@ -22,8 +21,6 @@ NAMES_OF_LOCALS += " angle sine cosine pivot stride pitch lane index first some 
 NAMES_OF_LOCALS += " checked0 checked1 checked2 checked3 result_ in out read written work place together there"
 NAMES_OF_LOCALS += " size sized outcome function inputs outputs called batched"
 NAMES_OF_LOCALS += " every fours sum sum0 sum1 sum2 sum3 waiting at constant"
-# a declaration, with what is said behind it
-DECLARED = re.compile(r"(const \w+) (\w+ = .*);((?: /\*.*\*/)?)")
 TOGETHER = 112  # characters of a line of several declarations, its indentation not counted
 TAKEN = frozenset(f"{NAMES_OF_MATH} {NAMES_OF_LOCALS}".split())
 
@@ -67,17 +64,22 @@ def grouped(statements: Iterable[str]) -> list[str]:
     before = ""  # the type of the last statement, if it is a declaration, which is still without its end
     said = ""  # behind its last line
     for text in statements:
-        declared = DECLARED.fullmatch(text)
-        if declared is None or declared[1] != before:
-            if before:
-                found[-1] += f";{said}"
-            found.append(text if declared is None else f"{declared[1]} {declared[2]}")
-        elif not said and len(found[-1]) + len(declared[2]) + len(declared[3]) < TOGETHER:
-            found[-1] += f", {declared[2]}"
+        code, mark, comment = text.partition("; /*")
+        kind, _, declared = code.removesuffix(";").removeprefix("const ").partition(" ")
+        if not code.startswith("const "):
+            kind = ""
+        if kind != before and before:
+            found[-1] += f";{said}"
+        if not kind:
+            found.append(text)
+        elif kind != before:
+            found.append(f"const {kind} {declared}")
+        elif not said and len(found[-1]) + len(declared) + len(comment) + 6 * bool(mark) < TOGETHER:
+            found[-1] += f", {declared}"
         else:
             found[-1] += f",{said}"
-            found.append(f"  {declared[2]}")
-        before, said = (declared[1], declared[3]) if declared is not None else ("", "")
+            found.append(f"  {declared}")
+        before, said = kind, f" /*{comment}" if mark and kind else ""
     if before:
         found[-1] += f";{said}"
     return found
