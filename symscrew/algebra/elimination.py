@@ -16,7 +16,7 @@ from typing import Any
 
 import numpy as np
 
-from symscrew.algebra.nodes import Node, Tape
+from symscrew.algebra.nodes import Node, Tape, is_zero
 from symscrew.algebra.screws import Vector, cross, dot
 from symscrew.algebra.traversal import needed
 
@@ -177,8 +177,9 @@ class Elimination:
         """
         values = list(right)
         for row, _, _, factors in self.steps:
-            for other, factor in factors.items():
-                values[other] = values[other] - factor * values[row]
+            if not is_zero(values[row]):
+                for other, factor in factors.items():
+                    values[other] = values[other] - factor * values[row]
         solution: dict[Column, Node] = dict(free or {})
         for row, column, pivot, _ in reversed(self.steps):
             over = 1 / pivot
@@ -187,6 +188,8 @@ class Elimination:
                 if c == column or c not in solution:
                     continue
                 part = entry * over
+                if is_zero(solution[c]):
+                    continue
                 if part.value is not None:
                     whole = whole - part * solution[c]
                 else:

@@ -13,6 +13,7 @@ few sample states (`Tape.set_samples`), which is how eliminations choose pivots 
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -23,6 +24,7 @@ import sympy
 
 from symscrew.algebra.operations import CONTEXT, apply_high_precision, apply_numpy, evaluate_constant
 from symscrew.algebra.origins import Origin
+from symscrew.description import sixty_digits
 
 # Constants carry 60 digits, and a derivation loses a few of them. What is left of a zero is 1e-58 or so, and the
 # smallest constant that somebody means is far above 1e-45: in between a constant is zero.
@@ -65,11 +67,7 @@ class Node:
 
     def __add__(self, other: Any) -> Node:
         if type(other) is Node:
-            sums, key = self.tape.sums, (self.index, other.index)
-            found = sums.get(key)
-            if found is None:
-                sums[key] = found = self.tape.add(self, other)
-            return found
+            return self.tape.add(self, other)
         if type(other) is int and other == 0:  # structural: most vectors have some
             return self
         return self.tape.add(self, self.tape.node(other))
@@ -84,11 +82,7 @@ class Node:
 
     def __mul__(self, other: Any) -> Node:
         if type(other) is Node:
-            products, key = self.tape.products, (self.index, other.index)
-            found = products.get(key)
-            if found is None:
-                products[key] = found = self.tape.mul(self, other)
-            return found
+            return self.tape.mul(self, other)
         if type(other) is int and other in UNITS:
             return self if other else self.tape.zero
         return self.tape.mul(self, self.tape.node(other))
@@ -118,10 +112,8 @@ class Tape:
     def __init__(self) -> None:
         self.nodes: list[Node] = []
         self.constants: dict[Node, float] = {}  # those that are not negative, in the order of the tape, as doubles
-        self._known: dict[tuple[Any, ...], Node] = {}
-        # by the indices of two nodes: nine in ten that a derivation asks for are there already
-        self.sums: dict[tuple[int, int], Node] = {}
-        self.products: dict[tuple[int, int], Node] = {}
+        self._known: defaultdict[str, dict[Any, Node]] = defaultdict(dict)  # by operation and operands
+        self._negatives: dict[Node, Node] = {}
         self._folded: dict[tuple[str, int, int], Node] = {}
         self._samples: dict[int, np.ndarray] = {}
         self.magnitudes: dict[tuple[int, float], tuple[float, float]] = {}  # at the samples, by node and unit scale
@@ -167,11 +159,10 @@ class Tape:
         if sign:
             inner = self.constant(-number, None if exact is None else _negative(exact))
             return self._make("neg", (inner,), number)
-        key = ("const", _rounded(number))
-        found = self._known.get(key)
+        known, key = self._known["const"], _rounded(number)
+        found = known.get(key)
         if found is None:
-            found = Node(self, len(self.nodes), "const", (exact,), value=number)
-            self._known[key] = found
+            known[key] = found = Node(self, len(self.nodes), "const", (exact,), value=number)
             self.nodes.append(found)
             self.constants[found] = float(number)
         return found
@@ -182,12 +173,16 @@ class Tape:
 
     def neg(self, x: Node) -> Node:
         """-x."""
-        if x.op == "neg":
-            inner: Node = x.args[0]
-            return inner
-        if x.op == "const" and x.value == 0:
-            return x
-        return self._make("neg", (x,), None if x.value is None else -x.value)
+        found = self._negatives.get(x)
+        if found is None:
+            if x.op == "neg":
+                found = x.args[0]
+            elif x is self.zero:
+                found = x
+            else:
+                found = self._make("neg", (x,), None if x.value is None else -x.value)
+            self._negatives[x] = found
+        return found
 
     def add(self, x: Node, y: Node) -> Node:
         """x + y; differences and sums of negatives are normalised, and in (u + v) - u and the like u is left out."""
@@ -205,18 +200,25 @@ class Tape:
         a, b = (x.args[0] if x_negative else x), (y.args[0] if y_negative else y)
         if a is b:
             return self.zero if x_negative != y_negative else self.mul(self.node(-2 if x_negative else 2), a)
-        for whole, inverted, part, sign in ((a, x_negative, b, y_negative), (b, y_negative, a, x_negative)):
+        inverted = x_negative if x_negative == y_negative else b.index < a.index if y_negative else a.index < b.index
+        op, args = "add" if x_negative == y_negative else "sub", (a, b) if a.index < b.index else (b, a)
+        total = self._known[op].get(args)
+        if total is None:
+            rest = self._left_of(a, x_negative, b, y_negative)
+            if rest is not None:
+                return rest
+            total = self._make(op, args)
+        return self.neg(total) if inverted else total
+
+    def _left_of(self, a: Node, a_negative: bool, b: Node, b_negative: bool) -> Node | None:
+        """What is left of (u + v) - u and the like; None of other sums."""
+        for whole, inverted, part, sign in ((a, a_negative, b, b_negative), (b, b_negative, a, a_negative)):
             if whole.op in ("add", "sub"):
                 terms = [(whole.args[0], inverted), (whole.args[1], inverted != (whole.op == "sub"))]
                 if (part, not sign) in terms:
                     rest, negative = terms[1 - terms.index((part, not sign))]
                     return self.neg(rest) if negative else rest
-        if x_negative == y_negative:
-            total = self._make("add", (a, b) if a.index < b.index else (b, a))
-            return self.neg(total) if x_negative else total
-        if x_negative:
-            a, b = b, a
-        return self._make("sub", (a, b)) if a.index < b.index else self.neg(self._make("sub", (b, a)))
+        return None
 
     def _fold(self, op: str, x: Node, y: Node) -> Node:
         """The sum or product of two constants, computed once."""
@@ -262,10 +264,10 @@ class Tape:
             x, y = self.mul(x, y.args[0]), y.args[1]
             if x is self.one:
                 return self.neg(y) if negative else y
-        rest = self._cancelled(x, y)
-        if rest is not None:
-            return self.neg(rest) if negative else rest
-        result = self._make("mul", (y, x) if x.value is None and y.index < x.index else (x, y))
+        args = (y, x) if x.value is None and y.index < x.index else (x, y)
+        result = self._known["mul"].get(args)
+        if result is None:
+            result = self._cancelled(x, y) or self._make("mul", args)
         return self.neg(result) if negative else result
 
     def _cancelled(self, x: Node, y: Node) -> Node | None:
@@ -310,14 +312,16 @@ class Tape:
         return self.function("sqrt", x)
 
     def _make(self, op: str, args: tuple[Any, ...], value: Any = None) -> Node:
-        key = (op, args)  # nodes are equal if they are one
-        found = self._known.get(key)
+        known = self._known[op]
+        found = known.get(args)  # nodes are equal if they are one
         if found is None:
             chain = 0
             if value is None and op != "symbol":
-                chain = max([arg.chain for arg in args]) + (op in WAITS)
-            found = Node(self, len(self.nodes), op, args, value=value, chain=chain)
-            self._known[key] = found
+                for arg in args:
+                    if arg.chain > chain:
+                        chain = arg.chain
+                chain += op in WAITS
+            known[args] = found = Node(self, len(self.nodes), op, args, value=value, chain=chain)
             self.nodes.append(found)
         return found
 
@@ -388,7 +392,7 @@ def is_zero(entry: Node | int) -> bool:
 
 def high_precision(number: sympy.Expr) -> Any:
     """An exact SymPy number as a 60-digit float of `CONTEXT`."""
-    return CONTEXT.mpf(int(number)) if number.is_Integer else CONTEXT.mpf(number.evalf(60)._mpf_)
+    return CONTEXT.mpf(int(number)) if number.is_Integer else CONTEXT.mpf(sixty_digits(number)._mpf_)
 
 
 def _rounded(number: Any) -> Any:

@@ -65,19 +65,21 @@ def cost(results: Sequence[Node]) -> int:
 
     Operations, `WAIT` for each division or root in the longest chain of them, and `ANGLE` for each angle.
     """
-    found: set[Node] = set()
+    seen: set[Node] = set()
     angles: set[Node] = set()
-    longest = 0
+    operations = longest = 0
     stack: list[Node] = []
     read: Sequence[Node] = results
     while True:
         for node in read:
-            if node.value is None and node not in found and node.op != "symbol":
-                found.add(node)
-                stack.append(node)
+            if node not in seen:
+                seen.add(node)
+                if node.value is None and node.op != "symbol":
+                    stack.append(node)
         if not stack:
-            return len(found) + WAIT * longest + ANGLE * len(angles)
+            return operations + WAIT * longest + ANGLE * len(angles)
         node = stack.pop()
+        operations += 1
         read = node.args
         if node.chain > longest:
             longest = node.chain

@@ -6,9 +6,9 @@ mechanism, scene, folder or problem --_subject--> model --study_of (a table in s
 from __future__ import annotations
 
 import argparse
-import os
 from collections.abc import Mapping, Sequence
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING
 
 from symscrew.cli.help import DONE, FAILED, UsageError
@@ -117,9 +117,11 @@ def _directory(name: str) -> Path:
     if path.exists() and not path.is_dir():
         raise UsageError(f"--out: expected a directory, {shorten(name)} is a file")
     parent = next(p for p in (path, *path.absolute().parents) if p.exists())
-    if not os.access(parent, os.W_OK | os.X_OK):
-        raise UsageError(f"--out: no permission to write to {shorten(str(parent))}")
-    return path
+    try:
+        with TemporaryDirectory(dir=parent, prefix=".symscrew-"):  # studies take minutes: not for nothing
+            return path
+    except OSError as error:
+        raise UsageError(f"--out: cannot write to {shorten(str(parent))}: {error.strerror or error}") from error
 
 
 def _subject(name: str, progress: Progress) -> tuple[Subject | None, Path | None]:

@@ -3,13 +3,18 @@
 from __future__ import annotations
 
 import argparse
+import os
 import sys
 from pathlib import Path
 
 from symscrew.cli.help import DONE, UsageError
 from symscrew.cli.shared_options import add_mechanism, writable_folder
 
-EXAMPLES = ("symscrew convert robot.urdf --out robot.toml", "symscrew convert ur5 --out ur5.xml")
+EXAMPLES = (
+    "symscrew convert robot.urdf --out robot.toml",
+    "symscrew convert robot.xml --out robot.toml --scene robot_scene.toml",
+    "symscrew convert ur5 --out ur5.xml",
+)
 
 
 def add_options(command: argparse.ArgumentParser) -> None:
@@ -17,22 +22,51 @@ def add_options(command: argparse.ArgumentParser) -> None:
     add_mechanism(command)
     command.add_argument("--out", metavar="FILE", required=True, help="a new file: .toml, .urdf, .xml or .mjcf (MJCF)")
     command.add_argument("--replace", action="store_true", help="write over a file that exists; its comments are lost")
+    command.add_argument(
+        "--scene",
+        metavar="FILE",
+        help="also the effects that a URDF or MJCF file names, as a scene for it: a new .toml",
+    )
+    command.add_argument(
+        "--snap", type=float, default=0.0, metavar="GAP", help="close loops that are open by up to GAP [m, rad]"
+    )
+    command.add_argument("--repair", action="store_true", help="the nearest possible inertia for one no body can have")
+    command.add_argument("--accept", action="store_true", help="leave out what numbers depend on and is not read")
+    command.add_argument("--floating", action="store_true", help="the root link of a URDF moves freely in space")
 
 
 def run(options: argparse.Namespace) -> int:
-    """Read, write; what the format lost on the way in is noted on stderr."""
+    """Read, write; what became of all that the file says is on stderr."""
     from symscrew import catalogue
-    from symscrew.formats import WRITERS, save_as
+    from symscrew.formats import READABLE, WRITERS, ImportOptions, save_as
+    from symscrew.scene import load_robot, scene_text
+    from symscrew.whole_files import write_text
 
-    path = Path(options.out)
+    path, source = Path(options.out), Path(options.mechanism)
     if path.suffix not in WRITERS:
         raise UsageError(f"--out: expected a name that ends in {', '.join(WRITERS)}, got {options.out!r}")
     if path.exists() and not options.replace:
         raise UsageError(f"--out: {path} exists and is left as it is; choose another name, or say --replace")
-    mechanism = catalogue.find(options.mechanism)
+    foreign = source.suffix in READABLE and source.is_file()
+    if not foreign and (options.scene or options.snap or options.repair or options.accept or options.floating):
+        raise UsageError("--scene, --snap, --repair, --accept and --floating belong to URDF and MJCF files")
+    if not 0 <= options.snap < 1:
+        raise UsageError(f"--snap: expected a gap from 0 to 1 [m, rad], got {options.snap}")
+    if not foreign:
+        writable_folder(str(path.parent))
+        save_as(catalogue.find(options.mechanism), path)
+        print(path)
+        return DONE
+    chosen = ImportOptions(options.snap, options.repair, options.accept, options.floating)
+    robot = load_robot(source, chosen)
     writable_folder(str(path.parent))
-    save_as(mechanism, path)
+    save_as(robot.mechanism, path)
     print(path)
-    for note in mechanism.source.split("; ")[1:] if mechanism.source.startswith("imported from") else ():
-        print(f"note: {note}", file=sys.stderr)
+    if options.scene:
+        scene = Path(options.scene)
+        writable_folder(str(scene.parent))
+        write_text(scene, scene_text(robot, os.path.relpath(path, scene.parent)))
+        print(scene)
+    for line in robot.account.lines():
+        print(line, file=sys.stderr)
     return DONE

@@ -8,13 +8,14 @@ from pathlib import Path
 from symscrew.cli.help import DONE, UsageError
 from symscrew.cli.shared_options import add_mechanism, need_matplotlib, writable_folder
 
-EXAMPLES = ("symscrew draw three_ups_upu_s --out seed.png",)
+EXAMPLES = ("symscrew draw three_ups_upu_s --out seed.png", "symscrew draw delta --out delta.pdf")
+FORMATS = (".png", ".pdf", ".svg")
 
 
 def add_options(command: argparse.ArgumentParser) -> None:
     """Options of `symscrew draw`."""
     add_mechanism(command)
-    command.add_argument("--out", metavar="FILE.png", required=True, help="the picture")
+    command.add_argument("--out", metavar="FILE", required=True, help=f"the picture: {', '.join(FORMATS)}")
 
 
 def run(options: argparse.Namespace) -> int:
@@ -22,8 +23,8 @@ def run(options: argparse.Namespace) -> int:
     from symscrew import catalogue
 
     path = Path(options.out)
-    if path.suffix != ".png":
-        raise UsageError(f"--out: expected a file name that ends in .png, got {options.out!r}")
+    if path.suffix not in FORMATS:
+        raise UsageError(f"--out: expected a file name that ends in {' or '.join(FORMATS)}, got {options.out!r}")
     mechanism = catalogue.find(options.mechanism)
     writable_folder(str(path.parent))
     need_matplotlib()

@@ -125,14 +125,15 @@ def _derived(options: argparse.Namespace, progress: Progress) -> Model:
     with progress.step(f"read {options.mechanism}"):
         mechanism = catalogue.find(options.mechanism)
         effects = chosen_effects(options, mechanism)
+    reduced = "reduced" in (options.target or ())  # which needs both
     with progress.step(f"derive {mechanism.name}"):
         return derive(
             mechanism,
             effects,
             independent=options.independent,
             length=options.length,
-            derivatives=options.derivatives,
-            second_derivatives=options.second_derivatives,
+            derivatives=options.derivatives or reduced,
+            second_derivatives=options.second_derivatives or reduced,
             regressor=options.regressor,
             one_mode=options.one_mode,
             checked=options.checked,

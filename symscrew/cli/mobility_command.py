@@ -44,7 +44,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
     )  # fmt: skip
     command.add_argument(
         "--components", action="store_true",
-        help="also the operation modes: components of the configuration space (exact, by Singular where installed)",
+        help="also the operation modes: components of the configuration space, exact by Singular, else sampled",
     )  # fmt: skip
     command.add_argument("--expect", type=int, metavar="N", help="exit 1 unless the finite mobility is N, verified")
     command.add_argument("--full", action="store_true", help="all of a long text; without it, it is cut to 5 kB")
@@ -107,6 +107,9 @@ def _components(found: Mobility) -> tuple[list[str], dict[str, Any]]:
         component_values,
         components_of,
         configuration_space,
+        mode_lines,
+        mode_values,
+        sampled_modes,
         space_lines,
         space_values,
     )
@@ -115,9 +118,12 @@ def _components(found: Mobility) -> tuple[list[str], dict[str, Any]]:
     if not isinstance(curves, str):
         return component_lines(curves), component_values(curves)
     space = configuration_space(found.mechanism, found.network)
-    if isinstance(space, str):
+    if not isinstance(space, str):
+        return space_lines(space), space_values(space)
+    if not found.network.chords:
         return [space], {"decided": False, "why": space}
-    return space_lines(space), space_values(space)
+    modes = sampled_modes(found.network, found.platform.body)
+    return [space, *mode_lines(modes)], {"decided": False, "why": space, "operation_modes": mode_values(modes)}
 
 
 def _along_lines(found: Mobility) -> list[str]:

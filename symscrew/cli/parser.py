@@ -14,7 +14,7 @@ import sys
 from collections.abc import Sequence
 
 from symscrew import __version__
-from symscrew.cli.help import FAILED, CommandsAction, Parser, UsageError, complete
+from symscrew.cli.help import DONE, FAILED, CommandsAction, Parser, UsageError, complete
 
 BAD_INPUT, INTERRUPTED = 2, 130  # exit codes; 130 is what shells give to a command that Ctrl-C ended
 
@@ -59,9 +59,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except KeyboardInterrupt:
         return _fail("interrupted", INTERRUPTED)
     except BrokenPipeError:
-        # whoever reads our output has gone; what is still buffered must not raise again at exit
+        # whoever reads our output, `head` say, has what it wanted; what is still buffered must not raise again at exit
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        return FAILED
+        return DONE
     except OSError as error:
         where = f"{error.filename}: " if error.filename else ""
         return _fail(f"{where}{error.strerror or error}", BAD_INPUT)

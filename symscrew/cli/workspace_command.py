@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import math
 import sys
 from collections.abc import Mapping
 from pathlib import Path
@@ -35,6 +36,7 @@ LIMIT = (
 )
 TOLERANCE = "a parameter with the standard deviation of its normal distribution"
 ROUNDING = 1e-12  # of a tilt in degrees turned into radians twice: a tilt as expected is not missed by this part
+TURN = 2 * math.pi  # a bare number beyond a whole turn was meant in degrees, most likely
 MOST_SAMPLES = 1_000_000  # per place; more is a slip of the finger, and MOST_CASES would refuse it later with less help
 
 
@@ -85,6 +87,10 @@ def run(options: argparse.Namespace) -> int:
     if expected is not None and not {TILT, AZIMUTH} <= {axis.name for axis in plan.axes}:
         raise UsageError("--expect-tilt needs the axes tilt and azimuth: --over tilt=0:20deg:21 azimuth=0:360deg:73")
     made = prepare_sweep(plan)
+    for axis in plan.axes:
+        if made.units.get(axis.name) == "rad" and not axis.unit and max(abs(axis.low), abs(axis.high)) > TURN:
+            said = f"{axis.name} is in rad: {axis.high:g} are {math.degrees(axis.high):.0f} degrees"
+            print(f"note: {said}; {axis.high:g}deg are {axis.high:g} degrees", file=sys.stderr)
     folder = out.with_name(f".{out.name}.pieces") if single else out / "pieces"
     if out.is_dir() and not folder.is_dir() and any(out.iterdir()):
         raise UsageError(f"--out: {shorten(options.out)} is not empty and holds no sweep; use another one")

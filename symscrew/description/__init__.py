@@ -6,9 +6,20 @@ A `Mechanism` is data: numbers are exact SymPy expressions of parameters, read b
 """
 
 from symscrew.description.builder import MechanismBuilder
-from symscrew.description.expressions import CONSTANTS, FUNCTIONS, exact, numeric, parse, to_text
+from symscrew.description.coupled import slope, terms_of
+from symscrew.description.expressions import CONSTANTS, FUNCTIONS, exact, numeric, parse, sixty_digits, to_text
 from symscrew.description.joints import JOINT_TYPES, NO_MOTION, JointType, Motion, rotation
-from symscrew.description.mechanism import Body, Joint, Matrix3, Mechanism, Parameter, Point, Vector
+from symscrew.description.mechanism import (
+    Body,
+    CoupledTerm,
+    Coupling,
+    Joint,
+    Matrix3,
+    Mechanism,
+    Parameter,
+    Point,
+    Vector,
+)
 from symscrew.description.names import RESERVED, check_name, check_text, markdown_text
 from symscrew.description.number_range import check_range
 from symscrew.description.reader import Reader
@@ -25,6 +36,8 @@ __all__ = [
     "NO_MOTION",
     "RESERVED",
     "Body",
+    "CoupledTerm",
+    "Coupling",
     "Joint",
     "JointType",
     "Matrix3",
@@ -52,7 +65,10 @@ __all__ = [
     "read_tables",
     "read_text",
     "rotation",
+    "sixty_digits",
+    "slope",
     "taken_as_file",
+    "terms_of",
     "to_text",
     "to_toml",
     "validate",

@@ -18,6 +18,7 @@ from typing import Any
 
 import sympy
 
+from symscrew.description.coupled import check_couplings, read_coupling
 from symscrew.description.expressions import CONSTANTS, FUNCTIONS, MAX_NODES, exact, node_count
 from symscrew.description.limb_letters import plan_limb
 from symscrew.description.mechanism import Body, Limb, Mechanism, Parameter
@@ -61,6 +62,7 @@ class MechanismBuilder:
         self._joints: dict[str, dict[str, Any]] = {}
         self._points: dict[str, dict[str, Any]] = {}
         self._limbs: dict[str, tuple[str, ...]] = {}
+        self._couplings: dict[str, dict[str, Any]] = {}
 
     def parameter(
         self, name: str, value: Any, unit: str = "1", *, description: str = "", run_time: bool = False
@@ -132,6 +134,16 @@ class MechanismBuilder:
         self._add(self._points, "points", name, body=body, at=at)
         return self
 
+    def coupling(self, name: str, *, terms: Mapping[str, Any]) -> MechanismBuilder:
+        """Add a relation between coordinates: gears, a belt, a mimic joint, a tendon over fixed points.
+
+        `terms`: coordinate (`joint`, or `joint.k` of a joint with several) -> its factor, or the coefficients of its
+        powers from the first on. The sum of the terms stays what it is in the reference configuration:
+        `terms={"wheel": 20, "pinion": 8}` are gears of 20 and 8 teeth.
+        """
+        self._add(self._couplings, "couplings", name, terms=terms)
+        return self
+
     def limb(
         self,
         name: str,
@@ -182,14 +194,18 @@ class MechanismBuilder:
         features = {name: reader.feature(name, raw) for name, raw in self._joints.items()}
         bodies = {self._ground: Body(self._ground)}
         bodies |= {name: reader.body(name, raw) for name, raw in self._bodies.items()}
+        joints = {name: reader.joint(name, raw) for name, raw in self._joints.items()}
         mechanism = Mechanism(
             name=self._name,
             ground=self._ground,
             bodies=bodies,
-            joints={name: reader.joint(name, raw) for name, raw in self._joints.items()},
+            joints=joints,
             points={name: reader.point(name, raw) for name, raw in self._points.items()},
             parameters=reader.parameters,
             limbs={name: Limb(name, joints) for name, joints in self._limbs.items()},
+            couplings={
+                name: read_coupling(reader, name, raw["terms"], joints) for name, raw in self._couplings.items()
+            },
             platform=self._platform,
             description=self._description,
             source=self._source,
@@ -197,6 +213,7 @@ class MechanismBuilder:
             written=reader.written,
         )
         warnings = validate(mechanism, {name: f for name, f in features.items() if f is not None})
+        check_couplings(mechanism)
         return dataclasses.replace(mechanism, warnings=warnings)
 
     @staticmethod

@@ -60,6 +60,7 @@ FUNCTIONS: dict[str, tuple[int, Callable[..., sympy.Expr]]] = {
     "exp": (1, sympy.exp),
     "abs": (1, sympy.Abs),
 }
+UNBOUNDED = frozenset(map(type, (sympy.zoo, sympy.nan, sympy.oo, -sympy.oo)))
 CONSTANTS: dict[str, sympy.Expr] = {"pi": sympy.pi}
 
 _TOKEN = re.compile(
@@ -118,7 +119,7 @@ def exact(value: object, names: Mapping[str, sympy.Expr] | None = None, *, where
     )
 
 
-@lru_cache(maxsize=4096)  # as many as `_fifty_digits`
+@lru_cache(maxsize=4096)  # as many as `sixty_digits`
 def to_text(expression: sympy.Expr) -> str:
     """`expression` in the grammar of `parse`; the inverse of `parse` for everything it returns.
 
@@ -129,8 +130,8 @@ def to_text(expression: sympy.Expr) -> str:
 
 
 def numeric(expression: sympy.Expr, *, where: str = "number") -> sympy.Float | sympy.Integer:
-    """Value of a constant expression to 50 digits; raises DescriptionError unless real and finite."""
-    value = expression if expression.is_Integer else _fifty_digits(expression)
+    """Value of a constant expression to 60 digits; raises DescriptionError unless real and finite."""
+    value = expression if expression.is_Integer else sixty_digits(expression)
     if value.is_number and value.is_real and value.is_finite:
         return value
     raise DescriptionError(
@@ -139,9 +140,9 @@ def numeric(expression: sympy.Expr, *, where: str = "number") -> sympy.Float | s
 
 
 @lru_cache(maxsize=4096)
-def _fifty_digits(expression: sympy.Expr) -> sympy.Expr:
-    """A description repeats its lengths and angles many times."""
-    return sympy.N(expression, 50)
+def sixty_digits(expression: sympy.Expr) -> sympy.Expr:
+    """A constant expression with as many digits as the tape's constants: descriptions repeat lengths and angles."""
+    return sympy.N(expression, 60)
 
 
 class _GrammarPrinter(_Printer):
@@ -214,7 +215,7 @@ def _too_large(where: str) -> NoReturn:
 
 def _limited(value: sympy.Expr, where: str) -> sympy.Expr:
     """`value`, after a look at its top only: infinities and large numbers come up there first."""
-    if value in (sympy.zoo, sympy.nan, sympy.oo, -sympy.oo):
+    if type(value) in UNBOUNDED:
         raise DescriptionError(f"{where}: expected a finite number, got {value} (division by zero?)")
     for number in (value, *value.args) if not value.is_Atom else (value,):
         if number is sympy.I:

@@ -100,6 +100,34 @@ class Limb:
 
 
 @dataclass(frozen=True)
+class CoupledTerm:
+    """What one coordinate adds to a coupling: c_1 x + c_2 x^2 + ..., with its `coefficients` (c_1, c_2, ...).
+
+    x is the coordinate of a joint's elementary motion number `motion` (0 for joints with one): an angle or a length.
+    """
+
+    joint: str
+    motion: int
+    coefficients: tuple[sympy.Expr, ...]
+
+
+@dataclass(frozen=True)
+class Coupling:
+    """A relation between coordinates: the sum of its terms is what it is in the reference configuration.
+
+    Gears, belts, mimic joints and tendons over fixed points are such relations; see `symscrew.description.coupled`.
+    """
+
+    name: str
+    terms: tuple[CoupledTerm, ...]
+
+    @property
+    def linear(self) -> bool:
+        """Whether all its terms are: a ratio that does not change."""
+        return all(len(term.coefficients) == 1 for term in self.terms)
+
+
+@dataclass(frozen=True)
 class Mechanism:
     """A validated mechanism. Mappings keep the order of the description.
 
@@ -114,6 +142,7 @@ class Mechanism:
     points: Mapping[str, Point] = field(default_factory=dict)
     parameters: Mapping[str, Parameter] = field(default_factory=dict)
     limbs: Mapping[str, Limb] = field(default_factory=dict)
+    couplings: Mapping[str, Coupling] = field(default_factory=dict)
     platform: str | None = None
     description: str = ""
     source: str = ""

@@ -6,6 +6,7 @@
     [joints.NAME]               type, parent, child, point, axes, pitch, driven, reference,
                                 child_point, child_axes
     [points.NAME]               body, at
+    [couplings.NAME]            terms: coordinate -> factor, or coefficients of its powers
     [limbs.NAME]                type and the options of `limb_letters.plan_limb`, or only joints = [...]
 
 Any number may be a string with an expression of the parameters, or a decimal of any length; both are read
@@ -24,8 +25,9 @@ from typing import Any
 import sympy
 
 from symscrew.description.builder import MechanismBuilder
+from symscrew.description.coupled import terms_of
 from symscrew.description.expressions import to_text
-from symscrew.description.mechanism import Body, Joint, Mechanism, Parameter, Vector
+from symscrew.description.mechanism import Body, Coupling, Joint, Mechanism, Parameter, Vector
 from symscrew.errors import DescriptionError, did_you_mean, in_file, shorten
 
 # The reader of TOML descends once per bracket and per dot: beyond these limits a file is refused before it is read.
@@ -42,6 +44,7 @@ KEYS: dict[str, tuple[str, ...]] = {
         "child_axes",
     ),
     "points": ("body", "at"),
+    "couplings": ("terms",),
     "limbs": (
         "type", "base", "tip", "points", "axes", "joints", "bodies", "driven", "pitch", "reference", "mass",
         "com", "inertia", "tip_point",
@@ -54,6 +57,7 @@ REQUIRED: dict[str, tuple[str, ...]] = {
     "bodies": (),
     "joints": ("type", "parent", "child", "point"),
     "points": ("body", "at"),
+    "couplings": ("terms",),
     "limbs": (),
 }
 
@@ -153,6 +157,7 @@ def _build(tables: Mapping[str, Any]) -> Mechanism:
         "bodies": builder.body,
         "joints": builder.joint,
         "points": builder.point,
+        "couplings": builder.coupling,
         "limbs": builder.limb,
     }
     for section, make in makers.items():
@@ -200,6 +205,10 @@ def to_toml(mechanism: Mechanism) -> str:
         for point in mechanism.points.values()
     ]
     blocks += [
+        _block(f"couplings.{coupling.name}", {"terms": _terms(mechanism, coupling)})
+        for coupling in mechanism.couplings.values()
+    ]
+    blocks += [
         _block(f"limbs.{limb.name}", {"joints": "[" + ", ".join(map(_quote, limb.joints)) + "]"})
         for limb in mechanism.limbs.values()
     ]
@@ -243,6 +252,13 @@ def _joint(joint: Joint, written: Texts) -> dict[str, str]:
     if joint.reference:
         entries["reference"] = "[" + ", ".join(_number(value, written) for value in joint.reference) + "]"
     return entries
+
+
+def _terms(mechanism: Mechanism, coupling: Coupling) -> str:
+    parts = []
+    for label, numbers in terms_of(coupling, mechanism.joints).items():
+        parts.append(f"{_quote(label)} = [{', '.join(_number(x, mechanism.written) for x in numbers)}]")
+    return "{ " + ", ".join(parts) + " }"
 
 
 def _number(value: sympy.Expr, written: Texts) -> str:

@@ -40,6 +40,10 @@ def check_sections(
         DescriptionError: names the section or key, and those that are nearest.
     """
     for section, content in tables.items():
+        if section not in sections and section in ("mechanism", "bodies", "joints"):
+            raise DescriptionError(
+                f"this file describes a mechanism; expected one with [{sections[0]}], which names it by mechanism = ..."
+            )
         if section not in sections:
             raise DescriptionError(f"unknown section {shorten(section)}; {did_you_mean(section, sections)}")
         expected = list if section in lists else dict

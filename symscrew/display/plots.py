@@ -91,10 +91,14 @@ def empty_figure(rows: int, columns: int, *, width: float = 7.0, height: float =
 
 
 def save_figure(made: Figure, path: Path, *, tight: bool = False) -> Path:
-    """Write a figure as PNG, whole or not at all, without empty margins if `tight`; equal figures give equal bytes."""
-    with curve_style():
-        box = "tight" if tight else None
-        look: dict[str, Any] = {"dpi": DPI, "metadata": {"Software": None}, "bbox_inches": box, "pad_inches": 0.04}
+    """Write a figure as PNG, PDF or SVG, whole or not at all, without empty margins if `tight`.
+
+    Equal figures give equal bytes: no date, no version of who wrote it, names in an SVG by their content.
+    """
+    silent = {".pdf": ("CreationDate", "Creator", "Producer"), ".svg": ("Date", "Creator")}
+    with curve_style(), matplotlib.rc_context({"svg.hashsalt": "symscrew"}):
+        look: dict[str, Any] = {"dpi": DPI, "bbox_inches": "tight" if tight else None, "pad_inches": 0.04}
+        look["metadata"] = dict.fromkeys(silent.get(path.suffix, ("Software",)))
         return replaced(path, lambda part: made.savefig(part, **look))
 
 

@@ -233,6 +233,9 @@ class _Elimination:
         known = self.setting.joint_forces.get(v_index)
         if known is not None:
             row[ONE] = row.get(ONE, self.setting.tape.zero) - known
+        for c, entry in self.setting.ties.get(v_index, ()):
+            for column, factor in self.solved["multiplier", c, 0].items():
+                row[column] = row.get(column, self.setting.tape.zero) - entry * factor
         drive = self.setting.drives.get(v_index)
         if drive is not None:
             row["drive", drive] = row.get(("drive", drive), self.setting.tape.zero) - self.setting.tape.one

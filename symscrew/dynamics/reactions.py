@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 
@@ -99,6 +100,9 @@ def joint_wrenches(
     waiting: dict[int, Wrenches] = {link.index: {} for link in tree.links}
     result: dict[str, JointWrench] = {}
     for c, cut in enumerate(setting.cuts):
+        if cut.relation is not None:
+            result[cut.joint.name] = _tie(setting, c, multipliers["multiplier", c, 0])
+            continue
         at_tip = setting.cut_wrench(c, multipliers, lambda _: {})
         sign = -1 if cut.tip_is_parent else 1
         place = Pose(pose[cut.tip].rotation, pose[cut.tip].point(cut.tip_point))
@@ -115,7 +119,8 @@ def joint_wrenches(
         joint = tree.joints[link.joint]
         last = tree.links_of(joint.name)[-1]
         if link is last and joint.name != tree.virtual:
-            result[joint.name] = _tree_reaction(setting, pose, link, before=before, u=u)
+            known = partial(_known_shares, setting, multipliers, u)
+            result[joint.name] = _tree_reaction(setting, pose, link, before=before, known=known)
         for column, (f, m) in before.items():
             f, m = transform(placed.rotation, f), transform(placed.rotation, m)
             if link.parent != GROUND:
@@ -123,8 +128,18 @@ def joint_wrenches(
     return list(result.values())
 
 
+def _tie(setting: Setting, c: int, multiplier: Affine) -> JointWrench:
+    """The multiplier of a coupling as a force or moment along x: what it weighs, and where it is read."""
+    tape, row = setting.tape, setting.cuts[c].rows[0]
+    columns: Wrenches = {}
+    for column, factor in multiplier.items():
+        along = (factor, tape.zero, tape.zero)
+        accumulate(columns, column, *((along, ZERO) if row.unit == "N" else (ZERO, along)))
+    return JointWrench(setting.cuts[c].joint.name, columns, Pose())
+
+
 def _tree_reaction(
-    setting: Setting, pose: Sequence[Pose], link: Link, *, before: Wrenches, u: Sequence[Node]
+    setting: Setting, pose: Sequence[Pose], link: Link, *, before: Wrenches, known: Callable[[int], Affine]
 ) -> JointWrench:
     """What the joint transmits, its own freedoms cleared: passive ones carry nothing, driven ones the drive."""
     frame, placed, parent = setting.frames[link.index], setting.placed[link.index], pose[link.parent]
@@ -135,7 +150,7 @@ def _tree_reaction(
         columns[column] = scale(sign, f), scale(sign, m)
     rotation = Pose(parent.rotation) @ Pose(placed.rotation)
     place = Pose(rotation.rotation, pose[link.index].translation)
-    _remove_other_drives(setting, pose, link, columns=columns, place=place, u=u)
+    _remove_known(setting, pose, link, columns=columns, place=place, known=known)
     return _named(JointWrench(link.joint, columns, place))
 
 
@@ -146,25 +161,40 @@ def _named(joint: JointWrench) -> JointWrench:
     return joint
 
 
-def _remove_other_drives(
-    setting: Setting, pose: Sequence[Pose], last: Link, *, columns: Wrenches, place: Pose, u: Sequence[Node]
+def _known_shares(setting: Setting, multipliers: Mapping[Column, Affine], u: Sequence[Node], k: int) -> Affine:
+    """What drives, known forces and couplings exert on a freedom of the tree, per column."""
+    drive, force = setting.drives.get(k), setting.joint_forces.get(k)
+    found: Affine = {}
+    for share in (None if drive is None else u[drive], force):
+        if share is not None:
+            found[ONE] = found[ONE] + share if ONE in found else share
+    for c, entry in setting.ties.get(k, ()):
+        for column, factor in multipliers["multiplier", c, 0].items():
+            found[column] = found.get(column, setting.tape.zero) + entry * factor
+    return found
+
+
+def _remove_known(
+    setting: Setting,
+    pose: Sequence[Pose],
+    last: Link,
+    *,
+    columns: Wrenches,
+    place: Pose,
+    known: Callable[[int], Affine],
 ) -> None:
-    """Take the shares of drives and known forces on a joint's other motions (compound, helical) out of column 1."""
+    """Take what acts on a joint's other motions (compound, helical) along them out of what it transmits."""
     sign = -1 if last.inverted else 1
     for link in setting.tree.links_of(last.joint):
         if not link.motion.single or (link is last and not link.motion.helical):
             continue
-        drive, known = setting.drives.get(link.v.start), setting.joint_forces.get(link.v.start)
-        if drive is None and known is None:
-            continue
-        share = setting.tape.zero if drive is None else u[drive]
-        share = share if known is None else share + known
-        if link.motion.prismatic:
-            axis = pose[link.parent].direction(setting.frames[link.index].axis)
-        else:
-            axis = transpose(pose[link.index].rotation)[2]
-        local = scale(-sign * share, transform(transpose(place.rotation), axis))
-        accumulate(columns, ONE, *((local, ZERO) if link.motion.prismatic else (ZERO, local)))
+        for column, share in known(link.v.start).items():
+            if link.motion.prismatic:
+                axis = pose[link.parent].direction(setting.frames[link.index].axis)
+            else:
+                axis = transpose(pose[link.index].rotation)[2]
+            local = scale(-sign * share, transform(transpose(place.rotation), axis))
+            accumulate(columns, column, *((local, ZERO) if link.motion.prismatic else (ZERO, local)))
 
 
 def solve_reactions(setting: Setting, found: Sequence[JointWrench], free: Sequence[Column]) -> Reactions:

@@ -102,6 +102,15 @@ class Setting:
         return result
 
     @cached_property
+    def ties(self) -> dict[int, list[tuple[int, Node]]]:
+        """Index into v -> (index of a coupling among the cuts, what its multiplier is on this freedom per unit)."""
+        found: dict[int, list[tuple[int, Node]]] = {}
+        for c, cut in enumerate(self.cuts):
+            for k, entry in (cut.relation.row if cut.relation else {}).items():
+                found.setdefault(k, []).append((c, entry))
+        return found
+
+    @cached_property
     def drive_labels(self) -> dict[int, str]:
         """What the drives are called, by index into u: the freedoms that they act on, or their cut joints."""
         labels = {u: self.tree.v[k].label for k, u in self.drives.items()}

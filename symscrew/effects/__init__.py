@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from symscrew.effects.acting import Acting
 from symscrew.effects.effect import Effect, joints_read, transformed
+from symscrew.effects.of_files import effects_of_file, stops_of_file
 from symscrew.effects.records import AddedInertia, Contact, State
 from symscrew.effects.registry import (
     check_effects,
@@ -36,10 +37,12 @@ __all__ = [
     "check_effects",
     "effect_from_table",
     "effect_to_table",
+    "effects_of_file",
     "joints_read",
     "known_effects",
     "load_effects",
     "simplifications",
+    "stops_of_file",
     "transformed",
     "type_name",
 ]

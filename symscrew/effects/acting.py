@@ -154,7 +154,10 @@ class Acting(Parts):
 
     def inertial_wrench(self, link: int, inertia: Inertia, moving: Sequence[Rates]) -> tuple[Vector, Vector]:
         """Rate of the link's momentum screw at its origin, link axes, with the declared simplifications."""
-        force, moment = inertial_wrench(inertia, moving[link])
+        key, known = ("inertial_wrench", inertia, moving[link]), self.system.linkage.answers
+        if key not in known:
+            known[key] = inertial_wrench(inertia, moving[link])
+        force, moment = known[key]
         for bending in self.bendings:
             if bending.link == link:
                 more, couple = bending.wrench(moving[link])

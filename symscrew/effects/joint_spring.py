@@ -23,7 +23,8 @@ class JointSpring(Effect):
     `preload` F0 [N or N m] pulls s downwards where x = 0; `cubic` k3 of either sign, softening if negative.
     For any other law, `energy` E(x) [J] is a text with x and the parameters instead of k, k3 and F0; the force is
     -dE/dx, so that the spring stores what it takes. Stored: F0 x + k x^2/2 + k3 x^4/4, or E(x); the damper
-    dissipates c s_dot^2 [W]. In a spherical joint only k and c act, on the rotation vector and omega.
+    dissipates c s_dot^2 [W]. In a spherical joint only k and c act, on the rotation vector and omega: the shortest
+    one, of at most pi, so that beyond half a turn it pulls on the other way round.
 
         [[effects]]
         type = "joint_spring"

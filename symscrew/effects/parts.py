@@ -174,7 +174,7 @@ class Parts:
             )
         cut = next((c for c in self.system.cuts if c.joint.name == joint), None)
         lost = cut is not None and turns_are_lost(cut, self.system.linkage, self.system.geometry)
-        if lost and not found.kind.universal and found.kind.freedoms[freedom].turns:
+        if lost and found.kind.freedoms[freedom].turns:
             raise DescriptionError(
                 f"{what}: a loop is cut at joint {joint!r}, where whole turns are not known; an effect that asks for a "
                 "displacement names the joint in its property 'reads', so that the loop is cut elsewhere"
@@ -197,7 +197,7 @@ class Parts:
         motions = cut.joint.kind.freedoms
         rows = tuple(drive_row(cut, k, system.linkage) for k in range(len(motions)))
         sign = -1 if cut.tip_is_parent else 1
-        seen = closure_rate(replace(cut, rows=rows), system.linkage, system.twist)
+        seen = closure_rate(replace(cut, rows=rows), system.linkage, system.twist, system.inputs.v)
         turning = [k for k, m in enumerate(motions) if m.revolute]
         if len(turning) == 2:  # of skew axes, each row sees a part of the other rate too: solve the two for both
             skew = system.tape.settle(dot(cut.tip_axes[0], cut.tip_axes[1]))

@@ -28,6 +28,7 @@ HELPERS = (
     "acting",
     "contact_law",
     "effect",
+    "of_files",
     "parts",
     "records",
     "registry",

@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     from symscrew.export.markdown import print_markdown
     from symscrew.export.numpy import print_numpy
     from symscrew.export.readme import print_readme
+    from symscrew.export.reduced import configuration_function, ode_function, print_reduced
     from symscrew.export.written_folder import MANIFEST, own_files, read_manifest
 
 __all__ = [
@@ -49,6 +50,7 @@ __all__ = [
     "Precision",
     "banner",
     "casadi_functions",
+    "configuration_function",
     "decimal",
     "effect_from_json",
     "file_hash",
@@ -58,6 +60,7 @@ __all__ = [
     "live_instructions",
     "manifest",
     "model_hash",
+    "ode_function",
     "own_files",
     "packed",
     "plain",
@@ -71,6 +74,7 @@ __all__ = [
     "print_markdown",
     "print_numpy",
     "print_readme",
+    "print_reduced",
     "print_script",
     "program_function",
     "read_form",

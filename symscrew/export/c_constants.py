@@ -20,7 +20,7 @@ from symscrew.errors import DescriptionError
 from symscrew.export.c_names import TAKEN
 from symscrew.export.c_precision import Precision
 from symscrew.export.listing import plain, wrapped
-from symscrew.export.value_names import identifier
+from symscrew.export.value_names import LEGEND, identifier
 from symscrew.model import Model
 from symscrew.program import Iteration, Program, RankRevealing
 
@@ -111,7 +111,11 @@ class Constants:
         return ""
 
     def lines(self) -> list[str]:
-        """The block: a line a constant, those of a part together, what is folded of several last."""
+        """How values are called; then the block: a line a constant, those of a part together, what is folded last."""
+        legend = wrapped(" ".join(LEGEND), first="/* ", later="   ", width=WIDTH)
+        return [*legend[:-1], f"{legend[-1]} */", *self._block()]
+
+    def _block(self) -> list[str]:
         used = [(size, name) for size, name in self.names.items() if size in self.used]
         if not used:
             return []

@@ -5,7 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-NOT_THE_LIBRARY = ("example.c", "_external.c", "_jacobians.c")  # endings of C files of a folder beside the functions
+NOT_THE_LIBRARY = (
+    "example.c",
+    "_external.c",
+    "_jacobians.c",
+    "_reduced.c",
+)  # endings of C files of a folder beside the functions
 
 
 @dataclass(frozen=True)

@@ -144,25 +144,28 @@ class _Body:
         printed, real = self.printed, self.printed.precision.real
         read = {a for i in self.order for a in i.args if isinstance(a, int)} | set(self.uses)
         self.uses.update(a for i in self.order for a in i.args if isinstance(a, int))
-        for slot, places in self.places.items():
-            self.uses[slot] += len(places)
-        entered = {slot: self.names.entered(slot) for slot in printed.entries}
+        for slot, written in self.places.items():
+            self.uses[slot] += len(written)
+        places = {slot: self.names.entered(slot) for slot in printed.entries}
+        for slot, text in places.items():  # first, as a compiler may: where they are first read, calls take 1 % more
+            if self.uses[slot] > 1:
+                yield f"const {real} {self.name(slot)} = {text};", slot
         found = folded(
-            self.order, self.uses, self.table, name=self.name, places=entered,
+            self.order, self.uses, self.table, name=self.name, places=places,
             ends=lambda slot: slot not in read, binding=self.binding,
         )  # fmt: skip
         for item in found:
+            if item.kind == "read":
+                continue
             if item.kind == "last":
                 if item.slot in self.places:
                     (at,) = self.places.pop(item.slot)
                     yield f"{at} = {item.text};", item.slot
                 continue
-            vector = item.slot < 0
-            text = (item.text or entered[item.slot]).removeprefix(f"({self.type})") if vector else item.text
-            if vector and not (text.startswith("{") and text.endswith("}") and text.count("{") == 1):
-                text = item.text
-            kind = self.type if vector else real
-            yield f"const {kind} {self.name(item.slot)} = {text or entered[item.slot]};", item.slot
+            text, vector = item.text, item.slot < 0
+            if vector and text.count("{") == 1 and text.endswith("}"):  # a list is enough where it is declared
+                text = text.removeprefix(f"({self.type})")
+            yield f"const {self.type if vector else real} {self.name(item.slot)} = {text};", item.slot
             for at in self.places.pop(item.slot, ()):
                 yield f"{at} = {self.name(item.slot)};", item.slot
 

@@ -109,12 +109,12 @@ class Parts:
     def _last_readers(self) -> dict[int, int]:
         """Slots that wait, and the last part that reads each."""
         last: dict[int, int] = {}
+        defined = self.defined
         for k, piece in enumerate(self.pieces):
             if isinstance(piece, Loop):
                 last |= dict.fromkeys(piece.read_from_arrays(), k)
-            for slot in (a for i in self.lists[k] for a in i.args if isinstance(a, int)):
-                if self.defined.get(slot, k) < k:
-                    last[slot] = k
+            read = {a for _, _, args in self.lists[k] for a in args if type(a) is int}
+            last |= dict.fromkeys([slot for slot in read if defined.get(slot, k) < k], k)
         return last
 
     @property

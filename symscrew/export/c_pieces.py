@@ -28,9 +28,9 @@ IN_LANES = frozenset((  # what is called once per step of a control or a simulat
     "joint_reactions",
     "velocity",
 ))  # fmt: skip
-LANES = 3  # with its lanes a function takes so many times as long to print
+LANES = 6  # with its lanes a function takes so many times as long to print: from 4 (seed) to 7 (Stewart, delta)
 # Instructions, weighted so, for which a second process is made: copying this one takes as long as printing a tenth.
-WORTH_A_PROCESS = 8000
+WORTH_A_PROCESS = 12000
 HEAD = """\
 #include "MODEL.h"
 
@@ -116,7 +116,7 @@ class Pieces:
 
     def _arranged(self, functions: Sequence[str], processes: int) -> dict[str, list[str]]:
         """Bodies of functions, by another process too; their packed forms are found with them."""
-        sizes = {f: len(self.printed[f].program.instructions) * (LANES if f in IN_LANES else 1) for f in functions}
+        sizes = {f: self._size(f) for f in functions}
         if processes < 2 or sum(sizes.values()) < WORTH_A_PROCESS:
             return self._half(functions)[0]
         halves: tuple[list[str], list[str]] = ([], [])
@@ -132,6 +132,11 @@ class Pieces:
             self.printed[f].take(packing)
         self.shared.constants.used |= used
         return bodies | more
+
+    def _size(self, function: str) -> int:
+        """How long a function takes to print, in instructions without lanes."""
+        program = self.printed[function].program
+        return len(program.instructions) * (LANES if function in IN_LANES and program.limbs.families else 1)
 
     def _half(self, functions: Sequence[str]) -> tuple[dict[str, list[str]], dict[str, Packing | None], set[float]]:
         """Bodies and packed forms of some functions, and the constants that have been used up to then."""

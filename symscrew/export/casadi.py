@@ -5,6 +5,7 @@ gave (they stay differentiable), so look at the status first. A saved function l
 
     f = casadi.Function.load("inverse_dynamics.casadi")
     result = f(q=q, v=v, a=a); result["u"], result["status"]
+    f.sx_in()    # its arguments as symbols by entry: limb1_U_q_0, limb1_U_q_1, ...
 
 An iteration takes a fixed number of steps that change nothing once it has converged; the attempts with more
 substeps are only evaluated when the ones before them failed, as in the C code.
@@ -14,11 +15,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
+from itertools import islice
 from typing import Any
 
 import casadi as ca
 
 from symscrew.export.listing import check_names, checked_slots, live_instructions
+from symscrew.export.value_names import value_names
 from symscrew.model import Model
 from symscrew.program import NO_ROTATION, Iteration, Port, Program
 
@@ -53,11 +56,15 @@ def casadi_functions(model: Model) -> dict[str, ca.Function]:
 
 
 def program_function(program: Program) -> ca.Function:
-    """A straight-line program as a function of SX."""
-    symbols = [_symbol(ca.SX, port) for port in program.inputs]
+    """A straight-line program as a function of SX, whose entries have their names in the theory."""
+    called = value_names(program, ())
     slots: list[Any] = [None] * max(program.slots, 1 + max((i.target for i in program.instructions), default=0))
-    entries = [entry for symbol in symbols for entry in ca.vertsplit(ca.vec(symbol)) if entry.numel()]
+    entries = [ca.SX.sym(called[slot]) for slot in range(sum(port.size for port in program.inputs))]
     slots[: len(entries)] = entries
+    waiting = iter(entries)
+    symbols = [
+        ca.reshape(ca.vertcat(ca.SX(0, 1), *islice(waiting, port.size)), *_dimensions(port)) for port in program.inputs
+    ]
 
     constants: dict[float, Any] = {}
 

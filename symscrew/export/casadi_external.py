@@ -128,10 +128,10 @@ def _function(model: str, name: str, program: Program | Iteration) -> list[str]:
     words = sum(port.size for port in (*inputs, *outputs))
     given = [(port, f"input(arg[{i}], &w, {port.size})") for i, port in enumerate(inputs)]
     lines = [f"EXTERNAL({symbol}, {len(inputs)}, {len(outputs)}, {words})", ""]
-    lines += _names(symbol, "in", [port.name for port in inputs])
-    lines += _names(symbol, "out", [port.name for port in outputs])
-    lines += _sparsities(symbol, "in", [_dense(port) for port in inputs])
-    lines += _sparsities(symbol, "out", [_dense(port) for port in outputs])
+    lines += names_of(symbol, "in", [port.name for port in inputs])
+    lines += names_of(symbol, "out", [port.name for port in outputs])
+    lines += sparsities_of(symbol, "in", [dense_pattern(port) for port in inputs])
+    lines += sparsities_of(symbol, "out", [dense_pattern(port) for port in outputs])
     return [*lines, *_body(symbol, f"{model}_{name}", inputs=given, results=list(enumerate(outputs)))]
 
 
@@ -144,15 +144,15 @@ def _jacobian(model: str, name: str, made: Jacobian) -> list[str]:
     words = sum(port.size for port in (*inputs, *made.program.inputs, *made.program.outputs))
     count = len(inputs) + len(outputs)
     lines = [f"EXTERNAL({symbol}, {count}, {len(inputs) * len(outputs)}, {words})", ""]
-    lines += _names(symbol, "in", [*(p.name for p in inputs), *(f"out_{p.name}" for p in outputs)])
-    lines += _names(symbol, "out", [f"jac_{o.name}_{i.name}" for o in outputs for i in inputs])
-    lines += _sparsities(symbol, "in", [_dense(port) for port in (*inputs, *outputs)])
+    lines += names_of(symbol, "in", [*(p.name for p in inputs), *(f"out_{p.name}" for p in outputs)])
+    lines += names_of(symbol, "out", [f"jac_{o.name}_{i.name}" for o in outputs for i in inputs])
+    lines += sparsities_of(symbol, "in", [dense_pattern(port) for port in (*inputs, *outputs)])
     patterns = [
         _pattern(o, i, blocks[r, c][1] if (r, c) in blocks else None)
         for r, o in enumerate(outputs)
         for c, i in enumerate(inputs)
     ]
-    lines += _sparsities(symbol, "out", patterns)
+    lines += sparsities_of(symbol, "out", patterns)
     # the solution of an iteration is the first output, which CasADi hands over after the inputs
     order = [len(inputs), 0, *range(2, len(inputs))] if iteration else list(range(len(inputs)))
     given = [(port, f"input(arg[{k}], &w, {port.size})") for k, port in zip(order, made.program.inputs, strict=True)]
@@ -194,12 +194,13 @@ def _body(
     ]
 
 
-def _names(symbol: str, side: str, names: Sequence[str]) -> list[str]:
+def names_of(symbol: str, side: str, names: Sequence[str]) -> list[str]:
+    """The function that tells names of inputs ("in") or outputs ("out")."""
     cases = [f'    case {k}: return "{name}";' for k, name in enumerate(names)]
     return _choice(f"const char *{symbol}_name_{side}(casadi_int i)", cases, "NULL")
 
 
-def _sparsities(symbol: str, side: str, patterns: Sequence[Sequence[int]]) -> list[str]:
+def sparsities_of(symbol: str, side: str, patterns: Sequence[Sequence[int]]) -> list[str]:
     """A static array per pattern and the function that chooses it."""
     known: dict[tuple[int, ...], str] = {}
     arrays, cases = [], []
@@ -217,7 +218,8 @@ def _choice(signature: str, cases: Sequence[str], default: str, before: Sequence
     return [signature, "{", *before, "    switch (i) {", *cases, f"    default: return {default};", "    }", "}", ""]
 
 
-def _dense(port: Port) -> list[int]:
+def dense_pattern(port: Port) -> list[int]:
+    """CasADi's pattern of a matrix without zeros."""
     rows, columns = (port.shape[0], port.shape[1]) if len(port.shape) == 2 else (port.size, 1)
     return [rows, columns, 1]
 

@@ -111,15 +111,15 @@ def folded(
 
 def statements(
     program: Program, order: Sequence[Instruction], table: Mapping[str, str], name: Callable[[int | float], str]
-) -> Iterator[tuple[str, str]]:
-    """(name, right-hand side) of statements in a language that reads results at the end, by their names."""
+) -> Iterator[tuple[int, str]]:
+    """(slot, right-hand side) of statements in a language that reads results at the end, by their names."""
     uses = Counter(a for i in order for a in i.args if isinstance(a, int))
     kept = [*(s for slots in program.results for s in slots), *program.tested, *program.checked]
     for slot in kept:
         if isinstance(slot, int):
             uses[slot] += 2  # more than once: it must have a name
     for found in folded(order, uses, table, name=name, places={}, ends=lambda slot: False):
-        yield name(found.slot), found.text
+        yield found.slot, found.text
 
 
 def _too_long(operands: Sequence[Text]) -> bool:

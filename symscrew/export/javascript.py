@@ -23,6 +23,7 @@ from symscrew.export.listing import (
     live_instructions,
     wrapped,
 )
+from symscrew.export.stages import Stages, headed
 from symscrew.export.value_names import value_names
 from symscrew.model import Model
 from symscrew.program import NO_ROTATION, Iteration, Program, RankRevealing
@@ -177,6 +178,7 @@ def _function(name: str, program: Program) -> list[str]:
         return called[value] if isinstance(value, int) else decimal(value)
 
     live, read = live_instructions(program)
+    body = ((f"const {called[k]} = {text};", k) for k, text in statements(program, live, TABLE, operand))
     place = {port.name: i for i, port in enumerate(program.inputs)}
     loads = [
         f"  const {operand(slot)} = given[{place[port.name]}][{k}];"
@@ -198,7 +200,7 @@ def _function(name: str, program: Program) -> list[str]:
         f"function {name}(...given) {{",
         f'  check("{name}", {_sizes(program)}, given);',
         *loads,
-        *(f"  const {slot} = {text};" for slot, text in statements(program, live, TABLE, operand)),
+        *(f"  {line}" for line in headed(body, Stages(program), operand, "// {}")),
         f"  const guard = {f'Math.min({pivots})' if pivots else 'Infinity'};",
         f"  return finish({status}, {total}, {{",
         *outputs,

@@ -21,6 +21,7 @@ from symscrew.export.listing import (
     live_instructions,
     wrapped,
 )
+from symscrew.export.stages import Stages, headed
 from symscrew.export.value_names import value_names
 from symscrew.model import Model
 from symscrew.program import NO_ROTATION, RANK, Iteration, Program, RankRevealing, second_path
@@ -194,7 +195,8 @@ def _function(name: str, about: Sequence[str], program: Program) -> list[str]:
     tested = [(operand(slot), _bound(low), _bound(high), code) for slot, low, high, code in program.limits]
     limits = f", {several([f'({slot}, {low}, {high}, {code})' for slot, low, high, code in tested])}" if tested else ""
     outputs = [several([operand(slot) for slot in slots]) for slots in program.results]
-    body = [f"{slot} = {text}" for slot, text in statements(program, live_instructions(program)[0], TABLE, operand)]
+    found = statements(program, live_instructions(program)[0], TABLE, operand)
+    body = headed(((f"{called[k]} = {text}", k) for k, text in found), Stages(program), operand, "# {}")
     return [
         f"def {name}(*arguments):",
         *_docstring(about),

@@ -141,19 +141,22 @@ class LaneStages(Stages):
         return Stage(TOGETHER, stage.text, TOGETHER) if stage is not None else None
 
 
-def headed(lines: Iterable[tuple[str, int | None]], stages: Stages, named: Callable[[int], str]) -> Iterator[str]:
+def headed(
+    lines: Iterable[tuple[str, int | None]], stages: Stages, named: Callable[[int], str], comment: str = "/* {} */"
+) -> Iterator[str]:
     """The lines with comments where another limb, or another stage, begins; `lines` come with the slot they serve."""
     lines = list(lines)
+    space = "  " if comment.startswith("#") else " "  # in front of what is said behind a line: so Python has it
     known = [stages.of(slot) if slot is not None else None for _, slot in lines]
     heads = {k: (limb, text) for k, limb, text in _runs(known)}
     current = ""
     for k, ((text, slot), stage) in enumerate(zip(lines, known, strict=True)):
         if k in heads:
             current, heading = heads[k]
-            yield f"/* {heading} */"
+            yield comment.format(heading)
         silent = slot is not None and ANONYMOUS.fullmatch(named(slot))
         foreign = stage is not None and stage.limb != current and silent
-        yield f"{text} /* {stage.place or MECHANISM} */" if foreign and stage is not None else text
+        yield f"{text}{space}{comment.format(stage.place or MECHANISM)}" if foreign and stage is not None else text
 
 
 def _runs(known: Sequence[Stage | None]) -> Iterator[tuple[int, str, str]]:

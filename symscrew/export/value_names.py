@@ -34,14 +34,39 @@ SHORT = {
 }
 
 
+# What a reader of the code is told of its names.
+LEGEND = (
+    "Names of values: part, quantity, component: limb1_lower_omega_x. Components of screws: fx ... mz of wrenches, "
+    "wx ... vz of twists, px ... Lz of momenta. Quantities: omega, alpha; U = [alpha]x + [omega]x^2; vel, acc of a "
+    "link's origin; rate, of the momentum screw; force_x ... moment_z, what a link and all that hangs on it need; "
+    "sent, what it transmits; still: at joint accelerations zero; by: what a coefficient belongs to; "
+    "minus_: the opposite; t1, t2 ...: the theory has no name for it.",
+    "Vectors of equal limbs: limb_lower_omega_x; signed_: each lane up to its sign; each_limb1_: what corresponds to "
+    "that of limb1 in every limb; lanes_1 ...: no name.",
+)
+
+# components of screws as labels call them, fx ... mz, wx ... vz; of momentum screws as in the theory: (p ; L_O)
+OF_SCREWS = {"force": "f", "moment": "m", "angular": "w", "linear": "v"}
+OF_MOMENTA = {"force": "p", "moment": "L"}
+
+
+def _component(origin: Origin) -> str:
+    """The component, short where the name says of which quantity it is."""
+    first, _, axis = origin.component.partition("_")
+    if origin.quantity == "force" or axis not in ("x", "y", "z"):
+        return origin.component  # force_x and moment_x of the force say by themselves what they are
+    words = OF_MOMENTA if origin.quantity == "momentum" else OF_SCREWS
+    return words[first] + axis if first in words else origin.component
+
+
 @lru_cache(maxsize=16384)  # a value has its name in every function and in every target
 def identifier(origin: Origin) -> str:
     """A name of letters, digits and underscores: part, quantity, component, and what it belongs to."""
     quantity = SHORT.get(origin.quantity, origin.quantity)
-    if origin.component.startswith(f"{quantity}_"):  # force_x of the force
+    if quantity == "force" and origin.component:
         quantity = ""
     words = ["minus"] if origin.negative else []
-    words += [word for word in (origin.part, quantity, origin.component) if word]
+    words += [word for word in (origin.part, quantity, _component(origin)) if word]
     words += ["by", origin.by] if origin.by else []
     text = re.sub(r"[^A-Za-z0-9]+", "_", "_".join(words)).strip("_")
     return text if "_" in text and not text[0].isdigit() else f"value_{text}"  # no word of a language has one

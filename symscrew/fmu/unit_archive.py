@@ -88,12 +88,12 @@ def unit_contents(scene: Scene, *, version: int = 3) -> dict[str, bytes]:
     q, v = initial_state(scene, plant.model, plant.parameters)
     start = (q, v, initial_states(scene, plant.model, q, v))
     entries = [entry for port in given.values() for entry in port]
-    listed = variables(plant, start, entries)
+    step = scene.integrator.step or DEFAULT_STEP
+    listed = variables(plant, start, entries, step=step)
     # the token names the sources, in which it stands itself: hashed first, then put in its place
-    text = source(scene, plant, start, outside=len(entries), version=version)
+    text = source(scene, plant, start, outside=len(entries), version=version, step=step)
     token = hashlib.sha256(text.encode()).hexdigest()[:32]
     text = text.replace("@TOKEN@", token)
-    step = scene.integrator.step or DEFAULT_STEP
     about = scene.mechanism.description or scene.mechanism.name
     xml = describe(
         listed, version=version, name=scene.name, token=token, text=about,
@@ -119,8 +119,8 @@ def outside_inputs(scene: Scene) -> dict[str, list[tuple[str, str]]]:
     }
 
 
-def source(scene: Scene, plant: Plant, start: Start, *, outside: int, version: int) -> str:
-    """All C of the unit in one file; `outside` counts the effects' inputs that are given from outside."""
+def source(scene: Scene, plant: Plant, start: Start, *, outside: int, version: int, step: float) -> str:
+    """All C of the unit in one file; `outside` counts the effects' inputs from outside, `step` [s] is the longest."""
 
     def numbers(values: Iterable[float]) -> str:
         return "{" + (", ".join(decimal(float(x)) for x in values) or "0.0") + "}"
@@ -132,7 +132,7 @@ def source(scene: Scene, plant: Plant, start: Start, *, outside: int, version: i
         "#define PARAMETERS_STORAGE static THREAD_LOCAL",
         f"#define NP {len(plant.parameters)}", f"#define NO {outside}",
         f"static THREAD_LOCAL double OUTSIDE[{outside + 1}];", "#define OUTSIDE_INPUTS OUTSIDE",
-        f"#define FMU_STEP {decimal(DEFAULT_STEP)}", '#define TOKEN "@TOKEN@"',
+        f"#define FMU_STEP {decimal(float(step))}", '#define TOKEN "@TOKEN@"',
         f"#define START_Q {numbers(q)}", f"#define START_V {numbers(v)}", f"#define START_X {numbers(x)}",
         f"#define START_P {numbers(plant.parameters)}",
     ]  # fmt: skip

@@ -27,15 +27,17 @@ class Variable:
     derivative: int | None = None
 
 
-def variables(plant: Plant, start: Start, outside: Sequence[tuple[str, str]]) -> list[Variable]:
+def variables(
+    plant: Plant, start: Start, outside: Sequence[tuple[str, str]], *, step: float = DEFAULT_STEP
+) -> list[Variable]:
     """Time, step, inputs u and those of effects, parameters, states q, v, x, and the states' rates.
 
-    `outside`: (name, unit) of every entry of the effects' inputs that are given from outside.
+    `outside`: (name, unit) of every entry of the effects' inputs that are given from outside; `step` [s]: the longest.
     """
     ports = {port.name: port for port in plant.slopes.inputs}
     result = [
         Variable("time", "independent", "continuous", "s", "time"),
-        Variable("step", "parameter", "tunable", "s", "largest step of co-simulation", DEFAULT_STEP),
+        Variable("step", "parameter", "tunable", "s", "largest step of co-simulation", float(step)),
     ]
     for label, unit in zip(ports["u"].labels, ports["u"].units, strict=True):
         result.append(Variable(structured("u", label), "input", "continuous", unit, f"drive of {label}", 0.0))

@@ -4,8 +4,10 @@ mechanism = load_format("robot.urdf")      # .urdf, .xml and .mjcf; the root ele
 text = text_of(mechanism, ".xml")          # ".urdf", ".xml" or ".mjcf", ".toml"
 
 by_suffix               the table of formats: a further one is a file and a line in it
-urdf_reader, mjcf_reader    what is read and what is refused: file -> Draft
-draft, from_draft       what a file says; as a mechanism (with file_names, merged_joints)
+urdf_reader, mjcf_reader    what is read and what is refused: file -> Draft (with files of loops, forces, couplings)
+draft, from_draft       what a file says; as a mechanism and what is beside it (with file_names, merged_joints)
+import_options, imported    what whoever imports allows; the mechanism, effects, limits, and what became of everything
+open_loops, physical_inertias, mesh_inertias   open loops, impossible inertias, bodies bounded by triangles
 elementary_chains       a mechanism as a tree of elementary joints, which the writers want
 urdf_writer, mjcf_writer    what is written, and as what
 safe_xml, rigid_displacements   XML without traps; poses from angles and quaternions with 50 digits
@@ -17,9 +19,23 @@ from typing import TYPE_CHECKING
 from symscrew.doors import doors
 
 if TYPE_CHECKING:
-    from symscrew.formats.by_suffix import READABLE, WRITERS, load_format, save_as, text_of
+    from symscrew.formats.by_suffix import READABLE, WRITERS, import_file, load_format, save_as, text_of
+    from symscrew.formats.import_options import ImportOptions
+    from symscrew.formats.imported import Account, Imported, JointLimits
     from symscrew.formats.round_trip import difference
 
-__all__ = ["READABLE", "WRITERS", "difference", "load_format", "save_as", "text_of"]
+__all__ = [
+    "READABLE",
+    "WRITERS",
+    "Account",
+    "ImportOptions",
+    "Imported",
+    "JointLimits",
+    "difference",
+    "import_file",
+    "load_format",
+    "save_as",
+    "text_of",
+]
 
 __getattr__ = doors(__name__)

@@ -14,7 +14,9 @@ from pathlib import Path
 from symscrew.description import Mechanism, to_toml
 from symscrew.errors import DescriptionError, in_file, shorten
 from symscrew.formats.draft import Draft
-from symscrew.formats.from_draft import mechanism
+from symscrew.formats.from_draft import imported
+from symscrew.formats.import_options import ImportOptions
+from symscrew.formats.imported import Imported
 from symscrew.formats.mjcf_reader import read_mjcf
 from symscrew.formats.mjcf_writer import print_mjcf
 from symscrew.formats.safe_xml import Element, read
@@ -30,13 +32,13 @@ class Format:
     Attributes:
         root: tag of the root element, by which a file is known.
         suffixes: of its files; several formats may share one.
-        read: (root element, name of the file) -> what the file says; None for a format that is only written.
+        read: (root element, path of the file, options) -> what the file says; None for a format that is only written.
         write: mechanism -> text of a file; None for a format that is only read.
     """
 
     root: str
     suffixes: tuple[str, ...]
-    read: Callable[[Element, str], Draft] | None = None
+    read: Callable[[Element, Path, ImportOptions], Draft] | None = None
     write: Callable[[Mechanism], str] | None = None
 
 
@@ -71,14 +73,32 @@ def load_format(path: str | Path, *, formats: Sequence[Format] = FORMATS) -> Mec
     Raises:
         DescriptionError: the file cannot be read, or holds what a mechanism cannot.
     """
-    file = Path(path)
+    return import_file(path, formats=formats).mechanism
+
+
+def import_file(
+    path: str | Path, options: ImportOptions | None = None, *, formats: Sequence[Format] = FORMATS
+) -> Imported:
+    """The mechanism in a file with its effects, limits and configurations, and what became of all that the file says.
+
+    Args:
+        path: of the file; its root element says which format it has, whatever its suffix is.
+        options: what is accepted beside what is read without asking.
+        formats: those that are known.
+
+    Raises:
+        DescriptionError: the file cannot be read, or holds what a mechanism cannot, or what numbers depend on is left
+            out and not accepted.
+    """
+    file, given = Path(path), options or ImportOptions()
     root = read(file)
     readers = {f.root: f.read for f in formats if f.read is not None}
     if root.tag not in readers:
         expected = " or ".join(f"<{tag}>" for tag in readers)
         raise DescriptionError(f"{file.name}: expected the root element {expected}, got <{shorten(root.tag)}>")
     try:
-        return mechanism(readers[root.tag](root, file.name))
+        draft = readers[root.tag](root, file, given)
+        return imported(draft, given)
     except DescriptionError as error:
         raise in_file(file.name, error) from error
 

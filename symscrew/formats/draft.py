@@ -7,9 +7,11 @@ Everything is in absolute axes in the reference configuration, with 50 digits, u
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
+from typing import Any
 
-from symscrew.formats.rigid_displacements import Real, Rotation, Triple
+from symscrew.formats.rigid_displacements import Pose, Real, Rotation, Triple
 
 
 @dataclass(frozen=True)
@@ -37,11 +39,62 @@ class RawJoint:
     reference: tuple[Real, ...] = ()
 
 
+@dataclass(frozen=True)
+class RawCoupling:
+    """A relation between joints with one coordinate each: joint -> coefficients of its powers, from the first on."""
+
+    name: str
+    terms: Mapping[str, tuple[Real, ...]]
+
+
+@dataclass(frozen=True)
+class RawEffect:
+    """An effect on a joint of the file: the keys of its table besides the joint and its freedom."""
+
+    joint: str
+    table: Mapping[str, Any]
+
+
+@dataclass
+class Limits:
+    """What a file says of the reach, speed and effort of a joint [rad or m, and per s; N m or N]; None: nothing."""
+
+    lower: Real | None = None
+    upper: Real | None = None
+    velocity: Real | None = None
+    effort: Real | None = None
+
+
+@dataclass
+class Ledger:
+    """What became of everything that a file says, by kind, with how often it occurs."""
+
+    effects: dict[str, int] = field(default_factory=dict)
+    harmless: dict[str, int] = field(default_factory=dict)
+    influence: dict[str, int] = field(default_factory=dict)
+    changed: list[str] = field(default_factory=list)
+
+    def turned(self, what: str, count: int = 1) -> None:
+        """Became an effect or a limit."""
+        self.effects[what] = self.effects.get(what, 0) + count
+
+    def passed(self, what: str, count: int = 1) -> None:
+        """Left out, without influence on any number here."""
+        self.harmless[what] = self.harmless.get(what, 0) + count
+
+    def lost(self, what: str, count: int = 1) -> None:
+        """Left out, although numbers depend on it."""
+        self.influence[what] = self.influence.get(what, 0) + count
+
+
 @dataclass
 class Draft:
     """The contents of a file; a reader fills it from top to bottom.
 
-    `notes` say what the file holds that a mechanism does not: for people, nothing depends on them.
+    `ledger` says what became of what the file holds besides; `gravity` [m/s^2] is the file's own where it is not the
+    usual one; `configurations`: coordinates by name, in the file's order; `parts_of`: name of a joint that is part of
+    another now -> that one and its freedom there (None: none of its own); `frames`: joints' own axes;
+    `notes` are for people, nothing depends on them.
     """
 
     name: str
@@ -53,4 +106,12 @@ class Draft:
     bodies: list[RawBody] = field(default_factory=list)
     joints: list[RawJoint] = field(default_factory=list)
     points: list[tuple[str, str, Triple]] = field(default_factory=list)
+    couplings: list[RawCoupling] = field(default_factory=list)
+    effects: list[RawEffect] = field(default_factory=list)
+    limits: dict[str, Limits] = field(default_factory=dict)
+    ledger: Ledger = field(default_factory=Ledger)
+    gravity: tuple[str, ...] | None = None
+    configurations: dict[str, tuple[Real, ...]] = field(default_factory=dict)
+    parts_of: dict[str, tuple[str, int | None]] = field(default_factory=dict)
+    frames: dict[str, Pose] = field(default_factory=dict)
     notes: list[str] = field(default_factory=list)

@@ -1,34 +1,73 @@
-"""A draft as a validated mechanism: names that are none of ours are changed, chains become one joint where they can.
+"""A draft as a validated mechanism and what is beside it.
+
+Names that are none of ours are changed, chains become one joint where they can.
 
 Draft --merged_joints--> bodies, joints --file_names--> names --MechanismBuilder--> Mechanism
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Mapping, Sequence
+
 from symscrew.description import Mechanism, MechanismBuilder
 from symscrew.errors import DescriptionError
-from symscrew.formats.draft import Draft
-from symscrew.formats.file_names import mechanism_name, printable, safe_names
+from symscrew.formats.beside import account_of, forces_of, limits_of
+from symscrew.formats.draft import Draft, RawBody, RawJoint
+from symscrew.formats.file_names import fresh, mechanism_name, printable, safe_names
+from symscrew.formats.import_options import ImportOptions
+from symscrew.formats.imported import Imported
 from symscrew.formats.merged_joints import merged
+from symscrew.formats.physical_inertias import POINT_MASS, physical
 from symscrew.formats.rigid_displacements import ZERO, Real, Rotation, exact, exact_matrix, exact_vector
 
-POINT_MASS = 1e-15
-"""Inertia over mass [m^2] below which a body of a file is a point: what rounding leaves of a zero. A real body of that
-size would be of 30 nm."""
 LONGEST_TEXT = 4000
 """Letters of a description or source, as in descriptions; a file's longer ones are cut off."""
 
 
-def mechanism(draft: Draft) -> Mechanism:
-    """The validated mechanism; raises DescriptionError."""
+def imported(draft: Draft, options: ImportOptions) -> Imported:
+    """The validated mechanism with what is beside it; raises DescriptionError."""
     if not draft.joints:
         raise DescriptionError(f"{draft.origin}: it has no joints; expected at least one moving body")
-    bodies, joints = merged(draft)
+    bodies, joints, parts = merged(draft)
     named_bodies = safe_names([draft.ground, *(body.name for body in bodies)])
     named_joints = safe_names(joint.name for joint in joints)
-    named_points = safe_names(name for name, _, _ in draft.points)
     renamed = [f"{old} -> {new}" for names in (named_bodies, named_joints) for old, new in names.items() if old != new]
-    notes = [*draft.notes, *(["names: " + ", ".join(renamed)] if renamed else [])]
+    bodies = [physical(body, draft.ledger, repair=options.repair) for body in bodies]
+    account = account_of(draft)
+    if account.influence and not options.accept:
+        raise DescriptionError(
+            f"what numbers depend on would be left out: {', '.join(account.influence)}; accept that with --accept "
+            "(symscrew convert FILE --accept --out NAME.toml), or remove it from the file"
+        )
+    notes = [*account.lines()[1:], *draft.notes, *(["names: " + ", ".join(renamed)] if renamed else [])]
+    made = _mechanism(draft, bodies, joints, names=(named_bodies, named_joints), notes=notes)
+    places = {**{joint.name: (joint.name, None) for joint in joints}, **draft.parts_of, **parts}
+    kinds = {joint.name: made.joints[named_joints[joint.name]].kind for joint in joints}
+
+    def named(joint: str) -> tuple[str, int | None]:
+        whole, freedom = places[joint]
+        return named_joints[whole], freedom if kinds[whole].freedom > 1 else None
+
+    return Imported(
+        made,
+        forces_of(draft, named),
+        {named(joint)[0]: limits_of(found) for joint, found in draft.limits.items() if joint in places},
+        {name: tuple(map(float, values)) for name, values in draft.configurations.items()},
+        account,
+        None if draft.gravity is None else tuple(map(float, draft.gravity)),
+    )
+
+
+def _mechanism(
+    draft: Draft,
+    bodies: Sequence[RawBody],
+    joints: Sequence[RawJoint],
+    *,
+    names: tuple[Mapping[str, str], Mapping[str, str]],
+    notes: Sequence[str],
+) -> Mechanism:
+    named_bodies, named_joints = names
+    named_points = safe_names(name for name, _, _ in draft.points)
     builder = MechanismBuilder(
         mechanism_name(draft.name),
         ground=named_bodies[draft.ground],
@@ -61,7 +100,19 @@ def mechanism(draft: Draft) -> Mechanism:
         )
     for name, body_name, place in draft.points:
         builder.point(named_points[name], body=named_bodies[body_name], at=exact_vector(place))
+    for coupling, name in zip(draft.couplings, _coupling_names(draft, named_joints.values()), strict=True):
+        terms = {named_joints[joint]: [exact(c) for c in powers] for joint, powers in coupling.terms.items()}
+        builder.coupling(name, terms=terms)
     return builder.build()
+
+
+def _coupling_names(draft: Draft, taken: Iterable[str]) -> list[str]:
+    """A name for each coupling that no joint has."""
+    wanted = [f"{c.name}_coupling" if c.name in set(taken) else c.name for c in draft.couplings]
+    made: list[str] = []
+    for name in wanted:
+        made.append(fresh(next(iter(safe_names([name]).values())), [*made, *taken]))
+    return made
 
 
 def _without_rounding(mass: Real, inertia: Rotation) -> Rotation:

@@ -19,15 +19,20 @@ NEAR = 1e-12
 whose axes miss by more stays a chain, which moves the same."""
 
 
-def merged(draft: Draft) -> tuple[list[RawBody], list[RawJoint]]:
-    """Bodies and joints, chains `stem.0`, `stem.1` ... over bodies without mass as one joint where they are one."""
+def merged(draft: Draft) -> tuple[list[RawBody], list[RawJoint], dict[str, tuple[str, int | None]]]:
+    """Bodies and joints, chains `stem.0`, `stem.1` ... over bodies without mass as one joint where they are one.
+
+    Also: joint of such a chain -> (the whole one, its freedom there).
+    """
     massless = {body.name for body in draft.bodies if body.mass is None}
     used = [end for joint in draft.joints for end in (joint.parent, joint.child)]
     marked = {body for _, body, _ in draft.points} | {draft.ground, draft.platform}
     inner = {name for name in massless if used.count(name) == 2 and name not in marked}
     after = {joint.parent: joint for joint in draft.joints if joint.parent in inner}
+    tied = {name for coupling in draft.couplings for name in coupling.terms}  # they keep a coordinate of their own
     dropped: set[str] = set()
     joints, removed = [], set()
+    parts: dict[str, tuple[str, int | None]] = {}
     for joint in draft.joints:
         if joint.name in removed:
             continue
@@ -38,14 +43,15 @@ def merged(draft: Draft) -> tuple[list[RawBody], list[RawJoint]]:
             if following.name != f"{stem}.{len(chain)}":
                 break
             chain.append(following)
-        whole = one_joint(chain, stem) if len(chain) > 1 else None
+        whole = one_joint(chain, stem) if len(chain) > 1 and not tied & {part.name for part in chain} else None
         if whole is None:
             joints.append(joint)
             continue
         joints.append(whole)
+        parts |= {part.name: (whole.name, k) for k, part in enumerate(chain)}
         removed |= {part.name for part in chain}
         dropped |= {part.child for part in chain[:-1]}
-    return [body for body in draft.bodies if body.name not in dropped], joints
+    return [body for body in draft.bodies if body.name not in dropped], joints, parts
 
 
 def one_joint(chain: Sequence[RawJoint], name: str) -> RawJoint | None:

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from symscrew.errors import DescriptionError, shorten
+from symscrew.formats.mesh_inertias import Bulk, Meshes
 from symscrew.formats.mjcf_settings import Attributes, Settings, turn_to
 from symscrew.formats.rigid_displacements import (
     CONTEXT,
@@ -42,7 +43,7 @@ class Solid:
     inertia: Rotation
 
 
-def solid(attributes: Attributes, settings: Settings, outer: Pose, where: str) -> Solid | None:
+def solid(attributes: Attributes, settings: Settings, outer: Pose, *, where: str, meshes: Meshes) -> Solid | None:
     """The homogeneous solid of a geom, None where it has no mass; raises DescriptionError."""
     kind = attributes.get("type", "sphere")
     group = int(number(attributes.get("group", "0"), f"{where}, group"))
@@ -52,6 +53,11 @@ def solid(attributes: Attributes, settings: Settings, outer: Pose, where: str) -
     density = real(number(attributes.get("density", WATER), f"{where}, density"))
     if mass == 0 or (mass is None and density == 0):
         return None
+    if kind == "mesh" and attributes.get("shellinertia", "false") == "false" and "mesh" in attributes:
+        bulk = meshes.bulk(attributes["mesh"], where)
+        return _bulky(
+            bulk, mass if mass is not None else density * bulk.volume, outer @ settings.pose(attributes, where)
+        )
     if kind not in SIZES or "mesh" in attributes or attributes.get("shellinertia", "false") != "false":
         what = "shellinertia" if kind in SIZES and "mesh" not in attributes else f"a geom of type {shorten(kind)}"
         raise DescriptionError(
@@ -66,6 +72,18 @@ def solid(attributes: Attributes, settings: Settings, outer: Pose, where: str) -
     frame = outer @ place
     matrix: Rotation = ((x, zero, zero), (zero, y, zero), (zero, zero, z))
     return Solid(total, frame.translation, turned_inertia(frame.rotation, matrix))
+
+
+def _bulky(bulk: Bulk, mass: Real, frame: Pose) -> Solid:
+    """A homogeneous body of any form: its inertia is the trace of its spread less the spread."""
+    per_volume = mass / bulk.volume
+    total = sum((bulk.spread[i][i] for i in range(3)), start=ZERO[0])
+    x, y, z = (tuple(per_volume * (total * UNITS[i][j] - bulk.spread[i][j]) for j in range(3)) for i in range(3))
+    return Solid(
+        mass,
+        frame.point(bulk.centre),
+        turned_inertia(frame.rotation, ((x[0], x[1], x[2]), (y[0], y[1], y[2]), (z[0], z[1], z[2]))),
+    )
 
 
 def together(solids: Sequence[Solid]) -> Solid | None:

@@ -6,11 +6,12 @@ refused by name, so that nothing that changes the mechanics is passed over.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from decimal import Decimal
 
 from symscrew.errors import DescriptionError, did_you_mean, shorten
+from symscrew.formats.draft import Draft
 from symscrew.formats.rigid_displacements import (
     CONTEXT,
     UNITS,
@@ -59,6 +60,7 @@ READ: dict[str, tuple[str, ...]] = {
         "torquescale",
     ),
     "couple": ("name", "class", "active", "solref", "solimp", "joint1", "joint2", "polycoef"),
+    "tie": ("name", "class", "active", "solref", "solimp", "tendon1", "tendon2", "polycoef"),
     "equality": ("class", "active", "solref", "solimp"),
 }  # fmt: skip
 # attributes of <compiler>: with the values that are supported; that must be zero; that do not change the mechanics
@@ -70,6 +72,10 @@ COMPILER_ZERO = ("boundmass", "boundinertia")
 COMPILER_FREE = (
     "autolimits", "strippath", "meshdir", "texturedir", "assetdir", "discardvisual", "usethread", "fusestatic",
     "convexhull", "saveinertial", "fitaabb", "exactmeshinertia", "conflict",
+)  # fmt: skip
+CHECKED_DEFAULTS = ("joint", "geom", "site", "equality")
+ACTUATORS = (
+    "motor", "position", "velocity", "intvelocity", "damper", "cylinder", "muscle", "general", "dcmotor", "adhesion",
 )  # fmt: skip
 ALREADY_THERE = CONTEXT.mpf(10) ** -20
 """Sine of the angle to z below which a direction is z, or -z: it has no normal to turn about that 50 digits know."""
@@ -85,6 +91,8 @@ class Settings:
     from_geoms: str = "auto"
     groups: tuple[int, int] = (0, 5)
     defaults: Mapping[str, Mapping[str, Attributes]] = field(default_factory=dict)
+    assets: str = "."
+    auto_limits: bool = True
 
     def merged(self, element: Element, kind: str, inherited: str | None) -> dict[str, str]:
         """The attributes of an element over those of its class (its own, its body's, or the main one)."""
@@ -95,6 +103,16 @@ class Settings:
                 f"{label(element)}: no default class {shorten(name)}; {did_you_mean(name, self.defaults)}"
             )
         return {**self.defaults[name].get(kind, {}), **element.attrib}
+
+    def actuator(self, element: Element) -> dict[str, str]:
+        """The attributes of an actuator over those of its class; a class gives them to every kind, or to one."""
+        name = element.get("class") or "main"
+        if name not in self.defaults:
+            raise DescriptionError(
+                f"{label(element)}: no default class {shorten(name)}; {did_you_mean(name, self.defaults)}"
+            )
+        found = self.defaults[name]
+        return {**found.get("general", {}), **found.get(element.tag, {}), **element.attrib}
 
     def angle(self, value: Decimal) -> Real:
         """An angle of the file [rad]; whole degrees that have round sines give these."""
@@ -142,8 +160,8 @@ def turn_to(direction: Triple, where: str) -> Rotation:
     return about(scaled(normal, 1 / sine), CONTEXT.atan2(sine, goal[2]))
 
 
-def settings(root: Element) -> tuple[Settings, list[str]]:
-    """Settings of a <mujoco>, and notes about what a mechanism does not hold; raises DescriptionError."""
+def settings(root: Element, draft: Draft) -> Settings:
+    """Settings of a <mujoco>; what of them a mechanism does not hold goes to the draft. Raises DescriptionError."""
     given: dict[str, str] = {}
     for compiler in elements(root, "compiler"):
         _check_compiler(compiler)
@@ -161,8 +179,12 @@ def settings(root: Element) -> tuple[Settings, list[str]]:
         from_geoms=given.get("inertiafromgeom", "auto"),
         groups=(first, last),
         defaults=found,
+        assets=given.get("meshdir") or given.get("assetdir") or ".",
+        auto_limits=given.get("autolimits", "true") == "true",
     )
-    return made, [note for option in elements(root, "option") for note in _option(option)]
+    for option in elements(root, "option"):
+        _option(option, draft)
+    return made
 
 
 def _check_compiler(compiler: Element) -> None:
@@ -187,22 +209,27 @@ def _read_defaults(default: Element, found: dict[str, dict[str, dict[str, str]]]
         raise DescriptionError("<default>: a default inside another needs a class")
     values = {kind: dict(attributes) for kind, attributes in found[above or "main"].items()}
     for child in elements(default):
-        if child.tag in ("joint", "geom", "site", "equality"):
+        if child.tag in CHECKED_DEFAULTS:
             check_attributes(child, READ[child.tag], f"<default class={shorten(name)}>, <{child.tag}>")
+        if child.tag in (*CHECKED_DEFAULTS, *ACTUATORS):
             values[child.tag] = {**values.get(child.tag, {}), **child.attrib}
     found[name] = values
     for child in elements(default, "default"):
         _read_defaults(child, found, name)
 
 
-def _option(option: Element) -> Iterable[str]:
+def _option(option: Element, draft: Draft) -> None:
     """What the options add to the mechanics that a mechanism does not hold."""
-    standard = {"gravity": "0 0 -9.81", "wind": "0 0 0", "density": "0", "viscosity": "0"}
-    for key, value in standard.items():
-        text = option.get(key, value)
-        if numbers(text, f"<option>, {key}") != numbers(value, key):
-            yield f"not taken over: {key} {text}" + ("; give --gravity" if key == "gravity" else "")
+    gravity = option.get("gravity", "0 0 -9.81")
+    if numbers(gravity, "<option>, gravity") != numbers("0 0 -9.81", ""):
+        x, y, z = gravity.split()
+        draft.gravity = (x, y, z)
+        draft.ledger.turned("gravity")
+    medium = ("wind", "density", "viscosity")
+    for key in medium:
+        if any(value != 0 for value in numbers(option.get(key, "0"), f"<option>, {key}")):
+            draft.ledger.lost(f"{key} of the medium")
     for flag in elements(option, "flag"):
         for key in ("gravity", "equality", "actuation"):
             if flag.get(key, "enable") != "enable":
-                yield f"not taken over: flag {key}={flag.get(key)}"
+                draft.ledger.lost(f"flag {key}={flag.get(key)}")

@@ -25,6 +25,7 @@ import numpy as np
 from symscrew.description import Joint, Mechanism
 from symscrew.formats.elementary_chains import Array, Branch, Step, chains, numbers, steps
 from symscrew.formats.file_names import fresh
+from symscrew.formats.mjcf_couplings import add_couplings, tied_joints
 from symscrew.formats.rigid_displacements import CONTEXT
 from symscrew.formats.safe_xml import decimals, text_of
 from symscrew.reference import NumericMechanism, numeric
@@ -85,11 +86,13 @@ def print_mjcf(mechanism: Mechanism) -> str:
             taken.append(names[body])
     origins = {mechanism.ground: np.zeros(3)}
     writing = Writing(mechanism, numeric(mechanism), names, {mechanism.ground: world}, origins, equality, actuator)
-    tree = chains(mechanism, _rank)
+    tied = tied_joints(mechanism)
+    tree = chains(mechanism, lambda joint: -1 if joint.name in tied else _rank(joint))
     for branch in tree.branches:
         _add_body(writing, branch)
     for joint in tree.cut:
         _close(writing, joint)
+    add_couplings(mechanism, root, equality)
     for body in writing.elements:
         _add_capsules(writing, body)
     for point in mechanism.points.values():

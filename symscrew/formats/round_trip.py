@@ -8,13 +8,15 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from symscrew.description import Joint, Mechanism
+from symscrew.description import Joint, Mechanism, slope
 from symscrew.reference import NumericMechanism, numeric
 
 PLACES = 1e-14
 """Of the mechanism's size, at least 1 m: what doubles in a file lose of a coordinate. More is another place."""
 INERTIA = 1.1e-9
 """Of the whole: what MJCF raises bodies without inertia to (1e-9), and rounding. More is another inertia."""
+RATIO = 1e-12
+"""Of a ratio of a coupling: what doubles in a file lose of it."""
 KEPT = ("R", "P", "fixed")
 """Types of joints that every format has; others come back as chains of them where a format lacks them."""
 
@@ -46,7 +48,27 @@ def difference(written: Mechanism, read: Mechanism) -> str | None:
                 return f"joint {name}: {found}"
         elif other is None and joint.type in KEPT:
             return f"joint {name} is missing"
+    return _couplings(written, read)
+
+
+def _couplings(written: Mechanism, read: Mechanism) -> str | None:
+    """Couplings come back with the same ratios of their slopes in the reference configuration, under any name."""
+    wanted, found = ({name: _ratios(m, name) for name in m.couplings} for m in (written, read))
+    for name, ratios in wanted.items():
+        if not any(_equal(ratios, other) for other in found.values()):
+            return f"coupling {name} is missing, or has another ratio"
     return None
+
+
+def _ratios(mechanism: Mechanism, name: str) -> dict[tuple[str, int], float]:
+    terms = mechanism.couplings[name].terms
+    values = {(term.joint, term.motion): float(mechanism.number(slope(mechanism, term))) for term in terms}
+    first = next(value for key, value in sorted(values.items()) if value)
+    return {key: value / first for key, value in values.items()}
+
+
+def _equal(one: dict[tuple[str, int], float], other: dict[tuple[str, int], float]) -> bool:
+    return set(one) == set(other) and all(abs(one[key] - other[key]) <= RATIO * abs(one[key]) for key in one)
 
 
 def _joint(a: NumericMechanism, b: NumericMechanism, one: Joint, other: Joint) -> str | None:

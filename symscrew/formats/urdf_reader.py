@@ -1,10 +1,10 @@
-"""A mechanism from a URDF: links, joints of all standard types, transmissions.
+"""A mechanism from a URDF: links, joints of all standard types, mimic joints, transmissions, loops.
 
-Read: fixed, revolute, continuous, prismatic, planar and floating joints with origin and axis; inertial
-elements; transmissions and the command interfaces of ros2_control, whose joints are driven (without any, all
-revolute, continuous and prismatic joints are). The root link is the ground. Refused by name: mimic joints,
-other joint types, links with two parents. Named in the mechanism's `source` and not taken over: limits,
-damping, friction, safety controllers, elements of links that the format does not define.
+Read: fixed, revolute, continuous, prismatic, planar and floating joints with origin and axis; inertial elements; mimic
+joints as couplings; transmissions and the command interfaces of ros2_control, whose joints are driven (without any, all
+revolute, continuous and prismatic joints that mimic none are); damping, friction, limits, reductions and rotor inertias
+as effects and limits beside the mechanism. Loops: <loop> elements, <gazebo> joints and a Gepetto robot.yaml beside the
+file. The root link is the ground, or with `floating` moves freely. Everything else is in the draft's ledger.
 
     links and joints, relative poses --products from the root--> Draft: absolute axes and points
 
@@ -14,44 +14,57 @@ Source: the URDF specification, https://wiki.ros.org/urdf/XML (angles in rad, rp
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
+from pathlib import Path
 
 from symscrew.description import JOINT_TYPES
 from symscrew.errors import DescriptionError, did_you_mean, shorten
-from symscrew.formats.draft import Draft, RawBody, RawJoint
+from symscrew.formats.draft import Draft, RawBody, RawCoupling, RawJoint
+from symscrew.formats.file_names import fresh
+from symscrew.formats.import_options import ImportOptions
+from symscrew.formats.open_loops import Closing
 from symscrew.formats.rigid_displacements import (
     UNITS,
+    ZERO,
     Pose,
+    Real,
     Rotation,
     Triple,
     about,
+    length,
+    minus,
     product,
+    real,
+    scaled,
     triple,
     turned_inertia,
     unit,
 )
 from symscrew.formats.safe_xml import Element, attribute, check_attributes, elements, label, number, numbers
+from symscrew.formats.urdf_forces import joint_forces, transmission_forces
+from symscrew.formats.urdf_loops import is_loop, loops
 
 TYPES = {
     "fixed": "fixed", "revolute": "R", "continuous": "R", "prismatic": "P", "planar": "E", "floating": "free",
 }  # fmt: skip
-# elements of a <robot>, a <joint> and a <link> that are known; others are refused, or named in `source`
-WITHOUT_MECHANICS = ("material", "gazebo", "ros2_control", "sensor")
-IN_JOINT = ("origin", "parent", "child", "axis", "limit", "dynamics", "calibration", "safety_controller")
-IN_LINK = ("inertial", "visual", "collision", "sensor", "contact", "collision_checking", "self_collision_checking")
+SINGLE = ("revolute", "continuous", "prismatic")
+READ = ("link", "joint", "transmission", "ros2_control", "loop", "loop_joint", "gazebo")
+# elements of a <joint> and a <link> that are known; others are listed
+IN_JOINT = ("origin", "parent", "child", "axis", "limit", "dynamics", "mimic", "joint_properties")
+FREE_JOINT = "root_joint"
+WORLD = "world"
 
 
-def read_urdf(root: Element, file: str) -> Draft:
+def read_urdf(root: Element, path: Path, options: ImportOptions) -> Draft:
     """What a <robot> says; raises DescriptionError for what a mechanism cannot hold.
 
     Args:
         root: the file's root element.
-        file: its name, for the mechanism's `source`.
+        path: of the file: its name is in the mechanism's `source`, a robot.yaml beside it is read.
+        options: what else is accepted.
     """
-    for child in elements(root):
-        if child.tag not in ("link", "joint", "transmission", *WITHOUT_MECHANICS):
-            raise DescriptionError(f"{label(child)}: this element of a URDF is not supported; remove it")
     links = _named(elements(root, "link"), "link")
-    joints = _named(elements(root, "joint"), "joint")
+    joints = _named((joint for joint in elements(root, "joint") if not is_loop(joint)), "joint")
     if not links:
         raise DescriptionError("<robot>: expected links, found none")
     carrier = _carriers(links, joints)
@@ -59,19 +72,95 @@ def read_urdf(root: Element, file: str) -> Draft:
     if len(roots) != 1:
         found = "none: the joints go in a circle" if not roots else ", ".join(shorten(name) for name in roots[:5])
         raise DescriptionError(f"<robot>: expected one link that is no joint's child, found {found}")
-    poses = _poses(roots[0], joints)
+    mimics = _mimics(joints)
+    offsets = _offsets(mimics)
+    poses = _poses(roots[0], joints, offsets)
     lost = next((name for name in links if name not in poses), None)
     if lost is not None:
         raise DescriptionError(f"{label(links[lost])}: no chain of joints leads to it from {shorten(roots[0])}")
-    driven, noted = _driven(root, joints)
     name = root.get("name") or "robot"
-    result = Draft(name, roots[0], f"imported from the URDF {file}", f"robot {name}")
+    result = Draft(name, roots[0], f"imported from the URDF {path.name}", f"robot {name}")
+    driven, noted = _driven(root, joints, mimics)
     result.bodies += [_body(link, poses[name]) for name, link in links.items() if name != roots[0]]
-    result.joints += [_joint(joint, name, poses, driven) for name, joint in joints.items()]
+    result.joints += [_joint(joint, poses, driven, offsets) for joint in joints.values()]
+    _couple(result, mimics)
+    if options.floating:
+        _set_free(result, _body(links[roots[0]], poses[roots[0]]), joints)
+    elif list(elements(links[roots[0]], "inertial")):
+        result.ledger.passed("inertia of the root link, which is the ground (--floating frees it)")
+    for joint_name, joint in joints.items():
+        joint_forces(result, joint_name, joint)
+    transmission_forces(result, root, joints)
+    points = [joint.point for joint in result.joints]
+    result.frames = {name: poses[attribute(_one(joint, "child"), "link")] for name, joint in joints.items()}
+    extent = max((length(minus(point, points[0])) for point in points), default=ZERO[0])
+    closed = loops(root, path, result, poses=poses, closing=Closing(result.ledger, extent, options.snap))
+    if closed.driven is not None:
+        result.joints = [replace(j, driven=(0,) if j.name in closed.driven else ()) for j in result.joints]
+        noted = []
+    result.joints += closed.joints
     tips = [name for name in links if all(attribute(_one(j, "parent"), "link") != name for j in joints.values())]
-    result.platform = tips[0] if len(tips) == 1 and joints else None
-    result.notes += [*noted, *_left_out(links.values(), joints.values())]
+    result.platform = tips[0] if len(tips) == 1 and joints and not closed.joints else None
+    result.notes += noted
+    _left_out(result, root, links.values(), joints.values())
     return result
+
+
+def _mimics(joints: Mapping[str, Element]) -> dict[str, tuple[str, Real, Real]]:
+    """Joint -> (the one that it follows, multiplier, offset)."""
+    found = {}
+    for name, joint in joints.items():
+        for mimic in elements(joint, "mimic") if joint.get("type") != "fixed" else ():
+            where = f"{label(joint)}, mimic"
+            check_attributes(mimic, ("joint", "multiplier", "offset"), where)
+            other = mimic.get("joint", "")
+            if other not in joints or other == name:
+                raise DescriptionError(
+                    f"{where}: there is no other joint {shorten(other)}; {did_you_mean(other, joints)}"
+                )
+            for one in (name, other):
+                if joints[one].get("type") not in SINGLE:
+                    raise DescriptionError(f"{where}: {shorten(one)} has not one coordinate: {', '.join(SINGLE)} have")
+            values = [real(number(mimic.get(key, text), f"{where}, {key}"))
+                      for key, text in (("multiplier", "1"), ("offset", "0"))]  # fmt: skip
+            found[name] = (other, values[0], values[1])
+    return found
+
+
+def _offsets(mimics: Mapping[str, tuple[str, Real, Real]]) -> dict[str, Real]:
+    """Mimic joint -> its coordinate where all joints that mimic none are at 0."""
+    found: dict[str, Real] = {}
+
+    def of(name: str, way: tuple[str, ...]) -> Real:
+        if name not in mimics:
+            return ZERO[0]
+        if name in way:
+            raise DescriptionError(f"<joint name={shorten(name)}>: mimic joints follow each other in a circle")
+        other, multiplier, offset = mimics[name]
+        if name not in found:
+            found[name] = multiplier * of(other, (*way, name)) + offset
+        return found[name]
+
+    for name in mimics:
+        of(name, ())
+    return found
+
+
+def _couple(result: Draft, mimics: Mapping[str, tuple[str, Real, Real]]) -> None:
+    for name, (other, multiplier, _) in mimics.items():
+        terms = {name: (real(1),)} | ({other: (-multiplier,)} if multiplier != 0 else {})
+        result.couplings.append(RawCoupling(f"{name}_mimic", terms))
+
+
+def _set_free(result: Draft, root: RawBody, joints: Mapping[str, Element]) -> None:
+    """The root on a joint with six freedoms, from a ground that is new."""
+    taken = [result.ground, *(body.name for body in result.bodies)]
+    ground = fresh(WORLD, taken)
+    result.bodies.insert(0, root)
+    place = ZERO if root.com is None else root.com
+    result.joints.insert(0, RawJoint(fresh(FREE_JOINT, joints), "free", ground, result.ground, place))
+    result.ground = ground
+    result.ledger.changed.append(f"the root link {root.name} moves freely in space")
 
 
 def _named(found: Iterable[Element], what: str) -> dict[str, Element]:
@@ -95,14 +184,6 @@ def _carriers(links: Mapping[str, Element], joints: Mapping[str, Element]) -> di
     """Link -> the joint whose child it is."""
     carrier: dict[str, Element] = {}
     for joint in joints.values():
-        for element in elements(joint):
-            if element.tag == "mimic":
-                raise DescriptionError(
-                    f"{label(joint)}: mimic joints are not supported (a coordinate must move on its own); "
-                    "remove the <mimic>, or make the joint fixed"
-                )
-            if element.tag not in IN_JOINT:
-                raise DescriptionError(f"{label(joint)}: the element <{element.tag}> is not supported")
         for end in ("parent", "child"):
             name = attribute(_one(joint, end), "link")
             if name not in links:
@@ -111,14 +192,14 @@ def _carriers(links: Mapping[str, Element], joints: Mapping[str, Element]) -> di
         if child in carrier:
             raise DescriptionError(
                 f"{label(links[child])}: it is the child of {label(carrier[child])} and of {label(joint)}; a URDF "
-                "is a tree (use MJCF or a TOML description for loops)"
+                "is a tree (<loop> elements close loops, or use MJCF or a TOML description)"
             )
         carrier[child] = joint
     return carrier
 
 
-def _poses(ground: str, joints: Mapping[str, Element]) -> dict[str, Pose]:
-    """Pose of every link that the ground leads to, all coordinates zero."""
+def _poses(ground: str, joints: Mapping[str, Element], offsets: Mapping[str, Real]) -> dict[str, Pose]:
+    """Pose of every link that the ground leads to, all coordinates zero but those with offsets of mimic joints."""
     leaving: dict[str, list[Element]] = {}
     for joint in joints.values():
         leaving.setdefault(attribute(_one(joint, "parent"), "link"), []).append(joint)
@@ -127,9 +208,24 @@ def _poses(ground: str, joints: Mapping[str, Element]) -> dict[str, Pose]:
         parent = front.pop()
         for joint in leaving.get(parent, []):
             child = attribute(_one(joint, "child"), "link")
-            poses[child] = poses[parent] @ _origin(joint)
+            poses[child] = poses[parent] @ _origin(joint) @ _displacement(joint, offsets)
             front.append(child)
     return poses
+
+
+def _displacement(joint: Element, offsets: Mapping[str, Real]) -> Pose:
+    """What a mimic joint does at its offset, in its own frame."""
+    amount = offsets.get(joint.get("name", ""), ZERO[0])
+    if amount == 0:
+        return Pose()
+    axis = _axis(joint)
+    return Pose(UNITS, scaled(axis, amount)) if joint.get("type") == "prismatic" else Pose(about(axis, amount))
+
+
+def _axis(joint: Element) -> Triple:
+    found = list(elements(joint, "axis"))
+    text = attribute(found[0], "xyz") if found else "1 0 0"
+    return unit(_triple(text, f"{label(joint)}, axis"), f"{label(joint)}, axis")
 
 
 def _origin(element: Element) -> Pose:
@@ -166,7 +262,8 @@ def _body(link: Element, pose: Pose) -> RawBody:
     return RawBody(name, mass, frame.translation, turned_inertia(frame.rotation, matrix))
 
 
-def _joint(joint: Element, name: str, poses: Mapping[str, Pose], driven: Sequence[str]) -> RawJoint:
+def _joint(joint: Element, poses: Mapping[str, Pose], driven: Sequence[str], offsets: Mapping[str, Real]) -> RawJoint:
+    name = attribute(joint, "name")
     kind = attribute(joint, "type")
     if kind not in TYPES:
         raise DescriptionError(
@@ -174,17 +271,17 @@ def _joint(joint: Element, name: str, poses: Mapping[str, Pose], driven: Sequenc
         )
     parent, child = (attribute(_one(joint, end), "link") for end in ("parent", "child"))
     pose = poses[child]
-    axes: tuple[Triple, ...] = ()
-    if JOINT_TYPES[TYPES[kind]].axes:
-        found = list(elements(joint, "axis"))
-        text = attribute(found[0], "xyz") if found else "1 0 0"
-        axes = (pose.direction(unit(_triple(text, f"{label(joint)}, axis"), f"{label(joint)}, axis")),)
-    return RawJoint(name, TYPES[kind], parent, child, pose.translation, axes, driven=(0,) if name in driven else ())
+    axes = (pose.direction(_axis(joint)),) if JOINT_TYPES[TYPES[kind]].axes else ()
+    given = offsets.get(name, ZERO[0])
+    return RawJoint(
+        name, TYPES[kind], parent, child, pose.translation, axes, driven=(0,) if name in driven else (),
+        reference=(given,) if given != 0 else (),
+    )  # fmt: skip
 
 
-def _driven(root: Element, joints: Mapping[str, Element]) -> tuple[list[str], list[str]]:
+def _driven(root: Element, joints: Mapping[str, Element], mimics: Mapping[str, object]) -> tuple[list[str], list[str]]:
     """Names of the driven joints, and a note about how they were found."""
-    single = [name for name, j in joints.items() if j.get("type") in ("revolute", "continuous", "prismatic")]
+    single = [name for name, j in joints.items() if j.get("type") in SINGLE and name not in mimics]
     transmissions = list(elements(root, "transmission"))
     controls = list(elements(root, "ros2_control"))
     if not transmissions and not controls:
@@ -206,16 +303,24 @@ def _driven(root: Element, joints: Mapping[str, Element]) -> tuple[list[str], li
     return [name for name in named if name in single], notes
 
 
-def _left_out(links: Iterable[Element], joints: Iterable[Element]) -> list[str]:
-    """What of links and joints a mechanism does not hold: said, not used."""
-    counts = {"limits": 0, "damping": 0, "friction": 0, "safety controllers": 0}
+def _left_out(result: Draft, root: Element, links: Iterable[Element], joints: Iterable[Element]) -> None:
+    """What of the file a mechanism does not hold: pictures, contacts, sensors, plugins, and whatever is not known."""
+    for element in elements(root):
+        if element.tag not in READ:
+            result.ledger.passed(f"<{_short(element)}>")
+        elif element.tag == "gazebo" and not any(True for _ in elements(element, "joint")):
+            result.ledger.passed("<gazebo>")
+    for link in links:
+        for element in elements(link):
+            if element.tag != "inertial":
+                result.ledger.passed(f"<{_short(element)}> of links")
     for joint in joints:
-        counts["limits"] += any(True for _ in elements(joint, "limit"))
-        counts["safety controllers"] += any(True for _ in elements(joint, "safety_controller"))
-        for dynamics in elements(joint, "dynamics"):
-            for key in ("damping", "friction"):
-                counts[key] += number(dynamics.get(key, "0"), f"{label(joint)}, {key}") != 0
-    found = [f"{what} of {n} joint{'s' * (n > 1)}" for what, n in counts.items() if n]
-    others = {element.tag for link in links for element in elements(link) if element.tag not in IN_LINK}
-    found += [f"<{tag}> of links" for tag in sorted(others)]
-    return ["not taken over: " + ", ".join(found)] if found else []
+        if joint.get("type") == "fixed" and any(True for _ in elements(joint, "mimic")):
+            result.ledger.passed("<mimic> of fixed joints")
+        for element in elements(joint):
+            if element.tag not in IN_JOINT:
+                result.ledger.passed(f"<{_short(element)}> of joints")
+
+
+def _short(element: Element) -> str:
+    return element.tag.rpartition("}")[2][:40]

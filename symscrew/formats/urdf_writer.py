@@ -11,11 +11,12 @@ Prismatic joints get wide limits, which the format demands. Driven joints get a 
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from xml.etree.ElementTree import Element, SubElement
 
 import numpy as np
 
-from symscrew.description import NO_MOTION, Body, Mechanism, rotation
+from symscrew.description import NO_MOTION, Body, Coupling, Mechanism, rotation
 from symscrew.errors import DescriptionError
 from symscrew.formats.elementary_chains import Array, Branch, Step, chains, numbers, steps
 from symscrew.formats.file_names import fresh
@@ -50,6 +51,8 @@ def print_urdf(mechanism: Mechanism) -> str:
         shift = origins[branch.body] - origins[branch.parent]
         driven += _add_joint(root, mechanism, branch, shift=shift, used=used)
         _add_link(root, mechanism, mechanism.bodies[branch.body], origins[branch.body])
+    for coupling in mechanism.couplings.values():
+        _add_mimic(root, mechanism, coupling, driven)
     if not driven:  # a file without both would say that every joint is driven
         SubElement(root, "ros2_control", name="passive", type="system")
     for name in driven:
@@ -61,6 +64,26 @@ def print_urdf(mechanism: Mechanism) -> str:
         SubElement(SubElement(transmission, "actuator", name=f"motor_{name}"), "mechanicalReduction").text = "1"
     head = [f"{mechanism.name}, {mechanism.description}", "Written by symscrew. Units m, kg, rad, s."]
     return text_of(root, head)
+
+
+def _add_mimic(root: Element, mechanism: Mechanism, coupling: Coupling, driven: Sequence[str]) -> None:
+    """One joint that mimics another; coordinates of the file are 0 in the reference configuration.
+
+    Raises:
+        DescriptionError: the coupling has another form, or both joints are driven or mimic others.
+    """
+    made = {joint.attrib["name"]: joint for joint in root if joint.tag == "joint"}
+    names = [mechanism.joints[t.joint].kind.motion_names(t.joint)[t.motion] for t in coupling.terms]
+    factors = [float(mechanism.number(t.coefficients[0])) for t in coupling.terms]
+    free = [k for k, name in enumerate(names) if name not in driven and made[name].find("mimic") is None]
+    if not coupling.linear or len(names) > 2 or not free or (len(names) == 2 and len(set(names)) == 1):
+        raise DescriptionError(
+            f"couplings.{coupling.name}: a URDF holds joints that mimic one other joint by a factor; write MJCF (.xml)"
+        )
+    k = free[-1]
+    other = names[1 - k] if len(names) == 2 else next(name for name in made if name != names[k])
+    factor = -factors[1 - k] / factors[k] if len(names) == 2 else 0.0
+    SubElement(made[names[k]], "mimic", joint=other, multiplier=decimals([factor]))
 
 
 def _add_joint(root: Element, mechanism: Mechanism, branch: Branch, *, shift: Array, used: list[str]) -> list[str]:

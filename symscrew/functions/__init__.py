@@ -2,6 +2,7 @@
 
 from symscrew.functions.checked import SUFFIX, checked_functions
 from symscrew.functions.closing import THRESHOLD, assembly, closure_functions, loop_notes, moved_by
+from symscrew.functions.coupling_forces import coupling_functions
 from symscrew.functions.derivative import derivative_functions
 from symscrew.functions.dynamic import NO_DRIVE, Equations, all_reactions, dynamic_functions
 from symscrew.functions.effect_outputs import effect_functions
@@ -37,6 +38,7 @@ from symscrew.functions.ports import (
     q_port,
     u_port,
     v_port,
+    y_port,
 )
 from symscrew.functions.quantities import Quantities, Quantity
 from symscrew.functions.regressor import regressor_functions
@@ -67,6 +69,7 @@ __all__ = [
     "closing_functions",
     "closure_functions",
     "columns_port",
+    "coupling_functions",
     "derivative_functions",
     "driven",
     "dynamic_functions",
@@ -94,4 +97,5 @@ __all__ = [
     "u_port",
     "untried_notes",
     "v_port",
+    "y_port",
 ]

@@ -13,7 +13,7 @@ from dataclasses import replace
 from symscrew.algebra import Node
 from symscrew.functions.closing import closed, squares
 from symscrew.functions.ports import rotations
-from symscrew.kinematics import Row, System, closure_rate
+from symscrew.kinematics import Row, System
 from symscrew.program import Function, NodeLimit
 
 OPEN = ("closure", "close_position", "close_velocity")
@@ -45,10 +45,9 @@ def on_mechanism(system: System, given: set[Node]) -> tuple[NodeLimit, ...]:
     rows = [row for cut in system.cuts for row in cut.rows]
     limits = closed(system, with_rows(system.residual, rows))
     if v:
-        rates = [value for cut in system.cuts for value in closure_rate(cut, system.linkage, system.twist)]
-        limits += closed(system, with_rows(rates, rows), motion_size(system))
+        limits += closed(system, with_rows(system.opening_rates, rows), motion_size(system))
     if v and a:
-        openings = system.bias(system.rates(system.inputs.a))
+        openings = system.bias(system.rates(system.inputs.a), system.inputs.a)
         limits += closed(system, with_rows(openings, rows), motion_size(system, second=True))
     return limits
 

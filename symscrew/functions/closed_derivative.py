@@ -53,7 +53,8 @@ class Derivatives:
 def covers(system: System, acting: Acting) -> bool:
     """Whether the equations here hold for a system and what acts on it."""
     plain = not (acting.needs_reactions or acting.simplified or acting.transmissions or acting.bendings)
-    return bool(system.cuts) and not system.cut_drives() and plain
+    changing = any(not coupling.linear for coupling in system.mechanism.couplings.values())  # J^T m changes with q
+    return bool(system.cuts) and not system.cut_drives() and plain and not changing
 
 
 def inverse_derivatives(system: System, effects: Sequence[Effect], loops: Loops) -> Derivatives | None:

@@ -206,7 +206,8 @@ def dynamic_functions(system: System, effects: Sequence[Effect], loops: Loops) -
     return functions
 
 
-def _inputs(equations: Equations) -> list[tuple[Port, Sequence[Node]]]:
+def reactions_inputs(equations: Equations) -> list[tuple[Port, Sequence[Node]]]:
+    """The inputs of functions of a consistent state: q, v, a and those of what acts."""
     system = equations.system
     state = [
         (q_port(system), system.inputs.q),
@@ -223,7 +224,7 @@ def _inverse_dynamics(equations: Equations) -> Function:
         system,
         "inverse_dynamics",
         text,
-        inputs=_inputs(equations),
+        inputs=reactions_inputs(equations),
         outputs=[equations.command(equations.lean_solution)],
         guards=guarded(equations.lean_guards),
         notes=equations.notes,
@@ -271,7 +272,7 @@ def _with_preload(equations: Equations) -> Function:
     labels = tuple(drive_label(system, k) for k in range(count))
     units = u_port(system).units
     inputs = [
-        *_inputs(equations),
+        *reactions_inputs(equations),
         (Port("weights", (count,), ("1",) * count, labels, "positive weights of the squares"), weights),
         (
             Port("preload", (count,), units, labels, "drives to stay close to: their internal part is kept"),
@@ -302,7 +303,7 @@ def _joint_reactions(equations: Equations) -> Function:
     text = "Drives and all joint reactions at once, at O in absolute axes."
     every = (*equations.notes, *notes)
     return function(
-        system, "joint_reactions", text, inputs=_inputs(equations), outputs=outputs, guards=guards, notes=every
+        system, "joint_reactions", text, inputs=reactions_inputs(equations), outputs=outputs, guards=guards, notes=every
     )
 
 

@@ -12,7 +12,7 @@ from symscrew.functions.checked import SUFFIX, motion_size
 from symscrew.functions.closing import closed, guarded
 from symscrew.functions.dynamic import Equations
 from symscrew.functions.ports import a_port, function, q_port, v_port
-from symscrew.kinematics import Row, System, Turn, closure_rate
+from symscrew.kinematics import Row, System, Turn
 from symscrew.loops import (
     CrankLimb,
     LengthRow,
@@ -101,10 +101,9 @@ def _looking(function: Function, moving: System, rows: Sequence[tuple[Node, Row]
     """The variant that looks whether a motion keeps the loops closed, to first order or to second, too."""
     kept = {row.label for _, row in rows}
     every = [row for cut in moving.cuts for row in cut.rows]
-    rates = [value for cut in moving.cuts for value in closure_rate(cut, moving.linkage, moving.twist)]
-    limits = closed(moving, _of(rates, every, kept), motion_size(moving))
+    limits = closed(moving, _of(moving.opening_rates, every, kept), motion_size(moving))
     if second:
-        openings = moving.bias(moving.rates(moving.inputs.a))
+        openings = moving.bias(moving.rates(moving.inputs.a), moving.inputs.a)
         limits += closed(moving, _of(openings, every, kept), motion_size(moving, second=True))
     return replace(function, name=function.name + SUFFIX, limits=(*function.limits, *limits))
 
@@ -148,13 +147,13 @@ def _motion(
     """v and a of the tree from those of the platform, link `hub`, with rows of rods' lengths in place of others."""
     solver, guards = _limb_elimination(placed, set(hub_v), lengths)
     alone = placed.at(placed.inputs.q, turns, _filled(placed, hub_v))
-    opening = [value for cut in alone.cuts for value in closure_rate(cut, alone.linkage, alone.twist)]
+    opening = alone.opening_rates
     for row in lengths:
         opening[row.index] = row.opening(alone)
     v = _all_rates(placed, solver, hub_v, opening)
     moving = placed.at(placed.inputs.q, turns, v)
     rates = moving.rates(_filled(placed, hub_a))
-    bias = moving.bias(rates)
+    bias = moving.bias(rates, _filled(placed, hub_a))
     for row in lengths:
         bias[row.index] = row.bias(moving, rates[hub])
     return _Motion(v, _all_rates(placed, solver, hub_a, bias), guards)

@@ -7,6 +7,7 @@ import os
 import tempfile
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -18,9 +19,14 @@ from symscrew.generation.value_comparison import Results, compare_values, evalua
 
 def files(order: Order) -> Mapping[str, bytes]:
     """<function>.casadi of every function."""
+    return saved(casadi_functions(order.model))
+
+
+def saved(functions: Mapping[str, Any]) -> Mapping[str, bytes]:
+    """CasADi functions by name as files."""
     made = {}
     with tempfile.TemporaryDirectory(prefix="symscrew_") as temporary:
-        for name, function in casadi_functions(order.model).items():
+        for name, function in functions.items():
             path = Path(temporary) / f"{name}.casadi"
             function.save(str(path))
             _whole(path)

@@ -58,6 +58,7 @@ class Target:
 ROOM = "symscrew.generation"
 C = "`{0}.h` and sources: C99; `{0}.hpp`: the same for C++17; `example.c`, `CMakeLists.txt`: a program to start from"
 EXTERNAL = "`{0}_external.c`, `{0}_jacobians.h`, `{0}_jacobians.c`: the C code as external functions of CasADi"
+REDUCED = "`{0}_reduced.c`, `{0}_ode.casadi`, `{0}_configuration.casadi`: the motion in y alone, for CasADi and acados"
 UNIT = "`{0}.fmu`: functional mock-up unit, FMI 3.0, co-simulation and model exchange, C sources only"
 BOTH = ("double", "single")
 
@@ -66,6 +67,7 @@ TARGETS: dict[str, Target] = {
     "casadi": Target(f"{ROOM}.casadi_target", "`*.casadi`: CasADi functions, one per file", by_value=(".casadi",)),
     "numpy": Target(f"{ROOM}.numpy_target", "`{0}_numpy.py`: NumPy functions on batches of states, without this tool"),
     "external": Target(f"{ROOM}.external_target", EXTERNAL, brings=("c",)),
+    "reduced": Target(f"{ROOM}.reduced_target", REDUCED, brings=("c",), by_value=(".casadi",)),
     "javascript": Target(f"{ROOM}.javascript_target", "`{0}.js`: JavaScript for a page or Node"),
     "fmu": Target(f"{ROOM}.fmu_target", UNIT),
     "mjcf": Target(f"{ROOM}.mjcf_target", "`{0}.xml`: MJCF for MuJoCo, loops as equality constraints"),

@@ -8,6 +8,7 @@ What an elementary motion does with nodes is in `pairs`, a file each.
 """
 
 from symscrew.kinematics.closure_jacobian import ClosureJacobian
+from symscrew.kinematics.coupled_coordinates import Relation
 from symscrew.kinematics.cut_joints import Cut, Row, drive_row, on_hub, universal_axes
 from symscrew.kinematics.joint_displacements import cut_displacement, tree_displacement
 from symscrew.kinematics.link_inertias import combined, regrouped, without_gyroscopic_moment
@@ -45,6 +46,7 @@ __all__ = [
     "MassProperties",
     "Placement",
     "Rates",
+    "Relation",
     "Row",
     "System",
     "Tree",

@@ -48,12 +48,16 @@ class ClosureJacobian:
         """How far the loops are open, one number per row [m, or rad for couples]."""
         return [value for cut in self.cuts for value in closure_residual(cut, self.linkage, self.geometry)]
 
-    def bias(self, twist: Sequence[Twist], rate: Sequence[Rates]) -> list[Node]:
-        """(dJ/dt) v per row, from twists of the links and their rates at zero accelerations of the tree."""
-        return [value for cut in self.cuts for value in closure_bias(cut, self.linkage, twist, rate)]
+    def bias(
+        self, twist: Sequence[Twist], rate: Sequence[Rates], v: Sequence[Node], a: Sequence[Node] | None = None
+    ) -> list[Node]:
+        """(dJ/dt) v per row, from twists of the links and their rates at accelerations a (None: 0) of the tree."""
+        return [value for cut in self.cuts for value in closure_bias(cut, self.linkage, twist, rate, v=v, a=a)]
 
     def cut_rows(self, cut: Cut) -> list[dict[int, Node]]:
         """Rows of one cut joint."""
+        if cut.relation is not None:
+            return [cut.relation.row]
         tree = self.linkage.tree
         common = tree.common(cut.tip, cut.hub)
         rows = []

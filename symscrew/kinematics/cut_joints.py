@@ -13,6 +13,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
+import sympy
+
 from symscrew.algebra import (
     IDENTITY,
     ZERO,
@@ -27,8 +29,9 @@ from symscrew.algebra import (
     transform,
     transpose,
 )
-from symscrew.description import Joint
+from symscrew.description import Coupling, Joint
 from symscrew.errors import DescriptionError
+from symscrew.kinematics.coupled_coordinates import Relation, relation
 from symscrew.kinematics.geometry_nodes import Geometry
 from symscrew.kinematics.linkage import Linkage
 from symscrew.kinematics.tree import GROUND
@@ -50,9 +53,11 @@ class Cut:
 
     `hub_point` is the joint's point in the hub, `contact` the hub's point that is now at the tip's point (the
     same unless the joint slides), `arm` the way to it from the hub's origin through the limb, in tip axes (None:
-    it is better seen through the hub). `triad` holds in its rows two unit vectors across the joint's single axis
-    and the axis, tip axes. `reference` is hub_R_tip in the reference configuration. The rows of `parent_axes`
-    are the absolute axes of the reference configuration, carried by the joint's parent, in that link's axes.
+    it is better seen through the hub). A coupling of coordinates is among them as well: it has a `relation` in place of
+    all that, holds no bodies together, and its row has no wrench. `triad` holds in its rows two unit vectors across the
+    joint's single axis and the axis, tip axes. `reference` is hub_R_tip in the reference configuration. The rows of
+    `parent_axes` are the absolute axes of the reference configuration, carried by the joint's parent, in that link's
+    axes.
     """
 
     joint: Joint
@@ -69,10 +74,11 @@ class Cut:
     tip_is_parent: bool
     arm: Vector | None = None
     rows: tuple[Row, ...] = ()
+    relation: Relation | None = None
 
 
 def cuts(at: Linkage, geometry: Geometry, *, through_limbs: bool = True) -> tuple[Cut, ...]:
-    """Every cut joint with its reciprocal wrenches, for given placements of links whose loops are closed.
+    """Every cut joint with its reciprocal wrenches, for given placements of links whose loops are closed; couplings.
 
     Without `through_limbs` places on a hub are seen through the hub: where limbs follow from it, that is known.
     """
@@ -88,7 +94,29 @@ def cuts(at: Linkage, geometry: Geometry, *, through_limbs: bool = True) -> tupl
         cut = _cut(at, geometry, joint, (parent, child) if parent_first else (child, parent))
         arm = _arm(at, cut) if through_limbs else None
         result.append(replace(cut, arm=arm and named_vector(arm, "arm", joint.name)))
-    return tuple(result)
+    return (*result, *(_coupled(at, geometry, coupling) for coupling in geometry.mechanism.couplings.values()))
+
+
+def _coupled(at: Linkage, geometry: Geometry, coupling: Coupling) -> Cut:
+    """A coupling among the cut joints: a row of the closure that acts on freedoms, at no place."""
+    found = relation(at, geometry, coupling)
+    ground = geometry.mechanism.ground
+    return Cut(
+        joint=Joint(coupling.name, "free", ground, ground, (sympy.S.Zero,) * 3),
+        tip=GROUND,
+        hub=GROUND,
+        tip_point=ZERO,
+        hub_point=ZERO,
+        contact=ZERO,
+        tip_axes=(),
+        hub_axes=(),
+        triad=IDENTITY,
+        parent_axes=IDENTITY,
+        reference=IDENTITY,
+        tip_is_parent=False,
+        rows=(Row(f"{coupling.name}.tie", "N" if found.sliding else "N m", ZERO, ZERO),),
+        relation=found,
+    )
 
 
 def _cut(at: Linkage, geometry: Geometry, joint: Joint, ends: tuple[int, int]) -> Cut:

@@ -27,9 +27,10 @@ def keeping(
     reached: Reached,
     *,
     read: Collection[str],
+    coupled: Collection[str] = (),
     grow: Callable[[dict[str, Joint]], Reached],
 ) -> Reached:
-    """A tree with all joints of `read` and all helical ones whose turns its coordinates do not add up to.
+    """A tree with all joints of `read` and all helical ones whose turns its coordinates do not add up to, all coupled.
 
     `grow` makes the tree of some joints. Of a loop a joint without a drive and with most freedoms is cut instead.
 
@@ -39,19 +40,19 @@ def keeping(
     # A ball's turns add up to nothing: it has no displacement beyond half a turn.
     turning = {name for name, joint in joints.items() if len(joint.kind.turning) == 1 and not joint.kind.spherical}
     turning |= {name for name, joint in joints.items() if joint.kind.universal}
-    must = {name for name in turning if joints[name].kind.helical or name in read}
+    must = {name for name in turning if joints[name].kind.helical or name in read} | set(coupled)
     for name in [name for name in mechanism.joints if name in must]:
         used = {joint for joint, _ in reached.values()}
         if name in used:
             continue
         loop = _loop(mechanism, joints, reached, joints[name])
-        if _parallel(mechanism, [*loop, joints[name]]):
+        if name not in coupled and _parallel(mechanism, [*loop, joints[name]]):
             continue
         free = [j for j in loop if j.name not in must and j.name in mechanism.joints]
         if not free:
             raise DescriptionError(
-                f"joints.{name}: its displacement is asked for over whole turns, and so is that of every joint of its "
-                "loop, of which one has to be cut; divide one of them into two with a body between them"
+                f"joints.{name}: its displacement is asked for over whole turns or coupled, and so is that of every "
+                "joint of its loop, of which one has to be cut; divide one of them into two with a body between them"
             )
         cut = max(free, key=lambda j: (not j.driven, j.kind.freedom))
         reached = grow({n: j for n, j in joints.items() if (n in used and n != cut.name) or n == name})

@@ -7,7 +7,7 @@ Every quantity stands in the link's own axes, at the link's own origin, unless i
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from symscrew.algebra import Matrix, Node, Vector, add, transform, transpose
 
@@ -45,24 +45,39 @@ class Placement:
     """Where a link is on its parent, for given coordinates.
 
     `turn` rotates link axes to the axes before the motion, `rotation` those to the parent's axes; `offset`
-    is the link's origin in the parent's coordinates.
+    is the link's origin in the parent's coordinates. Vectors that were turned before are known: a model's functions
+    turn the same ones again and again.
     """
 
     rotation: Matrix
     turn: Matrix
     offset: Vector
+    known: dict[tuple[str, Vector], Vector] = field(default_factory=dict, init=False, repr=False, compare=False)
 
     def outwards(self, vector: Vector) -> Vector:
         """A vector from parent axes to link axes."""
-        return transform(transpose(self.turn), transform(transpose(self.rotation), vector))
+        key = ("outwards", vector)
+        if key not in self.known:
+            self.known[key] = transform(transpose(self.turn), transform(transpose(self.rotation), vector))
+        return self.known[key]
 
     def before(self, vector: Vector) -> Vector:
         """A vector from link axes to the axes before the joint's motion."""
-        return transform(self.turn, vector)
+        key = ("before", vector)
+        if key not in self.known:
+            self.known[key] = transform(self.turn, vector)
+        return self.known[key]
+
+    def from_before(self, vector: Vector) -> Vector:
+        """A vector from the axes before the joint's motion to parent axes."""
+        key = ("from_before", vector)
+        if key not in self.known:
+            self.known[key] = transform(self.rotation, vector)
+        return self.known[key]
 
     def inwards(self, vector: Vector) -> Vector:
         """A vector from link axes to parent axes."""
-        return transform(self.rotation, transform(self.turn, vector))
+        return self.from_before(self.before(vector))
 
 
 @dataclass(frozen=True)

@@ -9,9 +9,10 @@ wrenches that arrive from outboard meet.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Hashable, Iterator, Sequence
+from dataclasses import dataclass, field
 from functools import cached_property
+from typing import Any
 
 from symscrew.algebra import (
     ZERO,
@@ -41,6 +42,7 @@ class Linkage:
     frames: tuple[Frame, ...]
     placed: tuple[Placement, ...]
     q: tuple[Node, ...] = ()
+    answers: dict[Hashable, Any] = field(default_factory=dict, init=False, repr=False)  # what was asked of it before
 
     @cached_property
     def poses(self) -> tuple[Pose, ...]:
@@ -95,14 +97,14 @@ class Linkage:
 
     def carry_before(self, source: int, target: int, vector: Vector) -> Vector:
         """A vector from the axes that a link has before its own motion to the axes of another link outside it."""
-        return self.carry(self.tree.links[source].parent, target, transform(self.placed[source].rotation, vector))
+        return self.carry(self.tree.links[source].parent, target, self.placed[source].from_before(vector))
 
     def carry_across(self, source: int, target: int, vector: Vector) -> Vector:
         """A vector from the axes that one link has before its motion to those that another one has."""
         if source == target:
             return vector
         if source != GROUND:
-            vector = transform(self.placed[source].rotation, vector)
+            vector = self.placed[source].from_before(vector)
         return self.carry(self.tree.links[source].parent, target, vector, before=target != GROUND)
 
     def seen_before(self, source: int, target: int, point: Vector) -> Vector:
@@ -143,8 +145,8 @@ class Linkage:
         while True:
             link, placed = self.tree.links[index], self.placed[index]
             powers = link.pair.powers(self.frames[index], force, moment)
-            force = transform(placed.rotation, force)
-            moment = add(transform(placed.rotation, moment), cross(placed.offset, force))
+            force = placed.from_before(force)
+            moment = add(placed.from_before(moment), cross(placed.offset, force))
             yield index, powers, (force, moment)
             index = link.parent
             if index == inside:

@@ -32,12 +32,23 @@ from symscrew.kinematics.linkage import Linkage
 from symscrew.kinematics.tree import GROUND
 
 
-def closure_bias(cut: Cut, at: Linkage, twist: Sequence[Twist], rate: Sequence[Rates]) -> tuple[Node, ...]:
+def closure_bias(
+    cut: Cut,
+    at: Linkage,
+    twist: Sequence[Twist],
+    rate: Sequence[Rates],
+    *,
+    v: Sequence[Node],
+    a: Sequence[Node] | None = None,
+) -> tuple[Node, ...]:
     """The part of d/dt (w_k . (V_tip - V_hub)) that is free of the accelerations in `rate` or adds to them.
 
     With `rate` taken at a = 0 this is (dJ/dt) v; the closure of accelerations is J a + bias = 0. In the tip's
-    own axes only the couple of a universal joint moves.
+    own axes only the couple of a universal joint moves. A coupling asks for the rates v of the tree, and for the
+    accelerations a that `rate` was taken at (None: 0).
     """
+    if cut.relation is not None:
+        return _named([cut.relation.bias(v, a)], "opening_bias", cut)
 
     def seen(vector: Vector) -> Vector:
         return at.carry(cut.hub, cut.tip, vector)
@@ -77,8 +88,10 @@ def _hub_acceleration(cut: Cut, at: Linkage, hub: Rates) -> Vector:
     return at.carry_before(cut.hub, cut.tip, before)
 
 
-def closure_rate(cut: Cut, at: Linkage, twist: Sequence[Twist]) -> tuple[Node, ...]:
-    """w_k . (V_tip - V_hub) per row, from twists of the links at their origins in their axes."""
+def closure_rate(cut: Cut, at: Linkage, twist: Sequence[Twist], v: Sequence[Node]) -> tuple[Node, ...]:
+    """w_k . (V_tip - V_hub) per row, from twists of the links at their origins in their axes; of couplings from v."""
+    if cut.relation is not None:
+        return _named([cut.relation.rate(v)], "opening_rate", cut)
     hub, tip = twist[cut.hub], twist[cut.tip]
     if cut.hub == GROUND or not at.tree.links[cut.hub].motion.spherical:
         velocity = at.carry(cut.hub, cut.tip, hub.velocity_at(cut.contact))
@@ -96,6 +109,8 @@ def closure_rate(cut: Cut, at: Linkage, twist: Sequence[Twist]) -> tuple[Node, .
 
 def closure_residual(cut: Cut, at: Linkage, geometry: Geometry) -> tuple[Node, ...]:
     """How far the loop is open, one number per row [m, or rad for couples]; its rate is J v where it is 0."""
+    if cut.relation is not None:
+        return _named([cut.relation.residual], "opening", cut)
     tape, pose = geometry.tape, at.poses
     back = transpose(pose[cut.tip].rotation)
     gap = transform(back, subtract(pose[cut.tip].point(cut.tip_point), pose[cut.hub].point(cut.hub_point)))

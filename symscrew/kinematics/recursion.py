@@ -52,7 +52,18 @@ def own_screws(link: Link, frame: Frame, v: Sequence[Scalar]) -> Twist:
 
 
 def rates(at: Linkage, v: Sequence[Node], a: Sequence[Node], *, ground: Rates | None = None) -> tuple[Rates, ...]:
-    """Rates of every link; `ground` carries gravity as the ground's acceleration -g, and a moving base."""
+    """Rates of every link; `ground` carries gravity as the ground's acceleration -g, and a moving base.
+
+    The linkage keeps the answer: several functions ask for it.
+    """
+    key = ("rates", tuple(v), tuple(a), ground)
+    if key not in at.answers:
+        at.answers[key] = _rates(at, v, a, ground)
+    found: tuple[Rates, ...] = at.answers[key]
+    return found
+
+
+def _rates(at: Linkage, v: Sequence[Node], a: Sequence[Node], ground: Rates | None) -> tuple[Rates, ...]:
     result = [ground or Rates(ZERO, ZERO, ZERO, NO_SPREAD)]
     still = "_still" if all(is_zero(x) for x in a) else ""
     for link in at.tree.links[1:]:

@@ -117,7 +117,7 @@ class SampleStates:
             w[i] -= scales * least_norm(j * scales, (j * w[i]).sum(axis=1))
         v = structure.numeric(linkage.tree_rates(inputs.v), (inputs.q, q), (inputs.v, w))
         still = rates(linkage, inputs.v, [structure.tape.zero] * n)
-        opening = closure.bias(twists(linkage, inputs.v), still)
+        opening = closure.bias(twists(linkage, inputs.v), still, inputs.v)
         bias = structure.numeric(opening, (inputs.q, q), (inputs.v, v))
         for i, j in enumerate(jacobian):
             gain[i] -= scales * least_norm(j * scales, (j * gain[i]).sum(axis=1) + bias[i])

@@ -21,6 +21,7 @@ from symscrew.kinematics.closure_jacobian import ClosureJacobian
 from symscrew.kinematics.cut_joints import Cut, Row, cuts, drive_row
 from symscrew.kinematics.link_quantities import Inertia, Placement, Rates
 from symscrew.kinematics.linkage import Linkage
+from symscrew.kinematics.loop_closure import closure_rate
 from symscrew.kinematics.pairs import Turn
 from symscrew.kinematics.recursion import rates, twists
 from symscrew.kinematics.sample_states import Array, SampleStates, States
@@ -125,9 +126,15 @@ class System:
         """How far the loops are open, one number per row."""
         return self.closure.residual
 
-    def bias(self, rate: Sequence[Rates]) -> list[Node]:
-        """(dJ/dt) v per row, from rates taken at zero accelerations of the tree."""
-        return self.closure.bias(self.twist, rate)
+    def bias(self, rate: Sequence[Rates], a: Sequence[Node] | None = None) -> list[Node]:
+        """(dJ/dt) v per row, from rates taken at zero accelerations of the tree; J a + (dJ/dt) v from rates at a."""
+        return self.closure.bias(self.twist, rate, self.inputs.v, a)
+
+    @property
+    def opening_rates(self) -> list[Node]:
+        """How fast the loops open, one number per row: J v."""
+        v = self.inputs.v
+        return [value for cut in self.cuts for value in closure_rate(cut, self.linkage, self.twist, v)]
 
     def powers(self, index: int, force: Vector, moment: Vector, inside: int) -> dict[int, Node]:
         """Power per joint rate, down to link `inside`, of a wrench on a link (axes before its motion, its origin)."""

@@ -137,7 +137,10 @@ def spanning_tree(mechanism: Mechanism, read: Collection[str] = ()) -> Tree:
     if virtual is not None:
         joints[virtual.name] = virtual
     reached = _grow(mechanism, joints, virtual)
-    reached = keeping(mechanism, joints, reached, read=read, grow=lambda some: _grow(mechanism, some, virtual))
+    coupled = {term.joint for coupling in mechanism.couplings.values() for term in coupling.terms}
+    reached = keeping(
+        mechanism, joints, reached, read=read, coupled=coupled, grow=lambda some: _grow(mechanism, some, virtual)
+    )
     tree_joints = {name for name, _ in reached.values()}
     order = [j for j in joints.values() if j.name in tree_joints]
     coordinates = _coordinates(order)

@@ -178,10 +178,11 @@ class Loops:
         """
         zero = self.system.tape.zero
         known = dict(zip(self.free, free, strict=True))
+        given = {k: value for k, value in known.items() if value is not zero}
         values = [*right, *[zero] * (len(self.rows) - len(right))]
         moved = list(values)
         for i, row in enumerate(self.rows):
-            for k, value in known.items():
+            for k, value in given.items():
                 if k in row:
                     moved[i] = moved[i] - row[k] * value
         ways = [{**self.elimination.solve(moved), **known}]

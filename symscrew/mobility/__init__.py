@@ -23,7 +23,16 @@ from symscrew.doors import doors
 if TYPE_CHECKING:
     from symscrew.mobility.analysis import Mobility, analyse_mobility
     from symscrew.mobility.checks import Check, verified, verify
-    from symscrew.mobility.components import ConfigurationSpace, configuration_space, space_lines, space_values
+    from symscrew.mobility.components import (
+        ConfigurationSpace,
+        SampledModes,
+        configuration_space,
+        mode_lines,
+        mode_values,
+        sampled_modes,
+        space_lines,
+        space_values,
+    )
     from symscrew.mobility.findings import (
         formulas,
         key_figures,
@@ -63,6 +72,7 @@ __all__ = [
     "Margin",
     "Margins",
     "Mobility",
+    "SampledModes",
     "ScrewClass",
     "ScrewSystem",
     "Verdict",
@@ -85,8 +95,11 @@ __all__ = [
     "mobility_proof",
     "mobility_text",
     "mobility_values",
+    "mode_lines",
+    "mode_values",
     "motion_lines",
     "motion_values",
+    "sampled_modes",
     "screw_class",
     "sections",
     "space_lines",

@@ -66,6 +66,7 @@ WITHDRAWN = {
     "finite": "undecided: another route does not confirm how the configuration was judged",
 }
 """Statement that falls with a failed check -> what is said instead of it."""
+TIED = "no symbols: couplings of coordinates are not sines and cosines of them"
 AS_MEANT = "no symbols: the geometry meant was solved for in numbers of 60 digits"
 
 
@@ -143,7 +144,7 @@ class Mobility:
     @cached_property
     def near(self) -> Near | None:
         """The verdict on special geometry close to what was typed; None where there is none, or it is undecided."""
-        if self.taken is not None:
+        if self.taken is not None or self.network.ties:
             return None
         claims = rank_claims(self.network, self.platform.body, [limb.joints for limb in self.limbs])
         found = nearest_special(self.network, claims, moves=self.finite.smooth)
@@ -232,7 +233,7 @@ class Mobility:
 
         Symbols describe the reference configuration.
         """
-        if not self.in_reference or "symbols" in self.withdrawn:
+        if not self.in_reference or "symbols" in self.withdrawn or self.network.ties:
             return None
         return symbolic_mobility(self.mechanism)
 
@@ -243,6 +244,8 @@ class Mobility:
             return None
         if not self.in_reference:
             return "symbols describe the reference configuration only"
+        if self.network.ties:
+            return TIED
         if self.taken is not None:
             return AS_MEANT
         if "symbols" in self.withdrawn:
@@ -260,6 +263,8 @@ class Mobility:
             return "no symbols away from the reference configuration"
         if not self.network.chords:
             return "no loops"
+        if self.network.ties:
+            return TIED
         if "loops" in self.withdrawn:
             return WITHDRAWN["loops"] if self.taken is None else AS_MEANT
         if rounded := rounded_axis(self.mechanism.joints.values(), self.mechanism):
@@ -292,7 +297,9 @@ class Mobility:
     @cached_property
     def motion_proof(self) -> MotionProof | None:
         """What is proved of the real motion, by evidence that a checker can judge; None where it is not as a whole."""
-        return motion_proof(self.mechanism, self.network, self.platform.body) if self.in_reference else None
+        if not self.in_reference or self.network.ties:
+            return None
+        return motion_proof(self.mechanism, self.network, self.platform.body)
 
     @cached_property
     def counts(self) -> FieldCounts:
@@ -427,7 +434,7 @@ def analyse_mobility(
     finite = judged(network, first_order, decisions)
     found = Mobility(mechanism, network, first_order, finite, platform, limbs, constraints, decisions, residual,
                      coordinates, parameters)  # fmt: skip
-    if not coordinates and not finite.proved and finite.dof is not None:
+    if not coordinates and not finite.proved and finite.dof is not None and not network.ties:
         proof = found.motion_proof
         found = replace(found, finite=confirmed(finite, proof))
         vars(found)["motion_proof"] = proof  # which does not rest on the judgement, and takes a second

@@ -8,6 +8,7 @@ misses them by tens of powers of ten.
 
 from __future__ import annotations
 
+import json
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
@@ -19,6 +20,7 @@ from symscrew.algebra import CONTEXT
 from symscrew.mobility.analysis import Mobility
 from symscrew.mobility.finite import DIGITS_60, ClosureVariety, moved, recheck
 from symscrew.mobility.joint_network import network_of
+from symscrew.mobility.proofs import check_proof, mobility_proof
 from symscrew.mobility.screw_systems import ZERO_BELOW, Real, Screw, eliminate, unit_rows
 from symscrew.mobility.symbols import Vector, numbers_at
 
@@ -30,6 +32,8 @@ CLOSURE = 1e-25
 """Velocity of closure of the numeric motions: zeros of a rank are taken from 1e-27 (`ZERO_BELOW`)."""
 POWER = 1e-20
 """Power of a freedom on a constraint that is reciprocal to it: zeros from 1e-27, times conditions and metres."""
+OF_MOTION = ("finite mobility", "smooth", "branches")
+"""Claims of a proof file about the real motion begin with one of these."""
 NEGLECTED = 1e-11
 """Relative singular value, in double precision, that may belong to a redundant row."""
 
@@ -56,7 +60,8 @@ def verify(found: Mobility) -> tuple[Check, ...]:
     """Every claim by a route that it was not found by.
 
     Ranks by singular values and over an exact field, reciprocity, motions in the closure, finite mobility by power
-    series (smooth points and branches) or by displacements (isolated points), symbols against numbers.
+    series (smooth points and branches) or by displacements (isolated points), symbols against numbers, and what is
+    proved by the checker of proof files.
     """
     checks = [_rank(found), _closure(found), _reciprocity(found)]
     count = found.kutzbach + found.overconstraints == found.dof
@@ -71,7 +76,18 @@ def verify(found: Mobility) -> tuple[Check, ...]:
     checks += [Check(*recheck(witness), withdraws="finite") for witness in found.finite.witnesses]
     if found.decisions.field is not None:
         checks.append(_over_the_field(found))
-    return (*checks, *_symbols(found), *_displaced(found), *_motions(found))
+    return (*checks, *_symbols(found), *_displaced(found), *_motions(found), *_by_the_checker(found))
+
+
+def _by_the_checker(found: Mobility) -> list[Check]:
+    """The proof file, judged by its checker, which makes screws, loops and matrices from the description by itself."""
+    if found.taken is not None or not found.in_reference:
+        return []  # geometry that was solved for has no exact numbers that a file could hold
+    verdict = check_proof(json.loads(json.dumps(mobility_proof(found))))
+    real = all(text.startswith(OF_MOTION) for text in verdict.refused)
+    text = f"{len(verdict.proved)} claims proved from exact numbers, {len(verdict.not_proved)} not"
+    evidence = "; ".join(verdict.refused) if verdict.refused else text
+    return [Check("proof file, by its checker", verdict.holds, evidence, "finite" if real else "")]
 
 
 def _displaced(found: Mobility) -> list[Check]:

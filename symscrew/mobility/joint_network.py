@@ -27,6 +27,7 @@ from symscrew.algebra import (
 )
 from symscrew.description import Joint, Mechanism, Motion
 from symscrew.kinematics import motion_screws
+from symscrew.mobility.coupled_rates import Tie, ties_of
 from symscrew.mobility.screw_systems import Real, Row, Screw
 
 SAME_POINT = CONTEXT.mpf(10) ** -25
@@ -77,7 +78,7 @@ class Network:
     """A mechanism as a graph. `tree`: (joint, +1 from parent to child or -1) in order from the ground.
 
     `chords`: the joints that close loops. `length`: the characteristic length [m] that lengths are divided by.
-    `driven`: columns of the driven freedoms.
+    `driven`: columns of the driven freedoms. `ties`: couplings of coordinates, whose rows follow those of the loops.
     """
 
     ground: str
@@ -87,6 +88,7 @@ class Network:
     chords: tuple[str, ...]
     length: Any
     driven: tuple[int, ...]
+    ties: tuple[Tie, ...] = ()
 
     def __repr__(self) -> str:
         return f"<Network: {len(self.bodies)} bodies, {len(self.edges)} joints, {len(self.chords)} loops>"
@@ -103,8 +105,8 @@ class Network:
 
     @property
     def kutzbach(self) -> int:
-        """Kutzbach-Gruebler: sum of the joint freedoms - 6 times the number of independent loops."""
-        return self.freedoms - 6 * len(self.chords)
+        """Kutzbach-Gruebler: sum of the joint freedoms - 6 times the number of independent loops - couplings."""
+        return self.freedoms - 6 * len(self.chords) - len(self.ties)
 
     def path(self, body: str) -> tuple[tuple[str, int], ...]:
         """The tree's joints from the ground to `body`, with the sense in which each is passed."""
@@ -137,8 +139,18 @@ class Network:
         return self._rows(self.path(body))
 
     def loop_rows(self) -> list[Row]:
-        """Six rows per independent loop: the signed screws of its joints add up to zero."""
-        return [row for loop in self.loops() for row in self._rows(loop)]
+        """Six rows per independent loop: the signed screws of its joints add up to zero; one per coupling."""
+        return [*(row for loop in self.loops() for row in self._rows(loop)), *map(self._tie_row, self.ties)]
+
+    def tied_column(self, joint: str, motion: int) -> int:
+        """The column of a coupled coordinate."""
+        return self.edges[joint].motions[motion][1]
+
+    def _tie_row(self, tie: Tie) -> Row:
+        row: Row = [CONTEXT.zero] * self.freedoms
+        for term in tie.terms:
+            row[self.tied_column(term.joint, term.motion)] += term.coefficients[0]
+        return row
 
     def _rows(self, steps: Sequence[tuple[str, int]]) -> list[Row]:
         block: list[Row] = [[CONTEXT.zero] * self.freedoms for _ in range(6)]
@@ -164,7 +176,7 @@ def network_of(mechanism: Mechanism) -> Network:
     used = {name for name, _ in tree}
     driven = tuple(edges[joint.name].start + index for joint in mechanism.joints.values() for index in joint.driven)
     chords = tuple(name for name in edges if name not in used)
-    return Network(mechanism.ground, bodies, edges, tree, chords, length, driven)
+    return Network(mechanism.ground, bodies, edges, tree, chords, length, driven, ties_of(mechanism, length))
 
 
 def screw_axes(

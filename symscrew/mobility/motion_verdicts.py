@@ -33,7 +33,7 @@ def judged(network: Network, first_order: Instantaneous, decisions: Decisions) -
         )
         return smooth_mobility(network, dof, text)
     found = finite_mobility(network)
-    if not found.proved or decisions.closure_exact or not network.chords:
+    if not found.proved or decisions.closure_exact or not first_order.rows:
         return found
     if full and first_order.closure.smallest_pivot > WELL_ABOVE:  # no rounding of 60 digits makes such a pivot
         return found

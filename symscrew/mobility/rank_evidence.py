@@ -27,13 +27,16 @@ from symscrew.mobility.screw_systems import ScrewSystem, swapped
 from symscrew.mobility.symbols import (
     Exact,
     ExactSystem,
+    ExactTie,
     NotDecidableError,
     Row,
     exact_rank,
     exact_system,
+    exact_ties,
     group_dimensions,
     loop_rows,
     null_vectors,
+    tie_row,
 )
 
 NEARLY_PARALLEL = 1e-6
@@ -127,27 +130,31 @@ def decide(mechanism: Mechanism, given: NumericRanks, *, displaced: bool) -> Dec
         return Decisions(None, (), reason, values)
     try:
         system = exact_system(mechanism)
+        couplings = exact_ties(mechanism, system)
     except NotDecidableError as error:
         return Decisions(None, (), str(error), values)
     found: list[Decision] = []
     reasons: list[str] = []
-    for claim, numeric, work in _claims(given, system):
+    for claim, numeric, work in _claims(given, system, couplings):
         try:
             found.append(Decision(claim, numeric, work()))
         except NotDecidableError as error:
             found.append(Decision(claim, numeric, None))
             reasons.append(f"{error} ({claim})")
     try:
-        groups = group_dimensions(given.network, system)
+        groups = None if couplings else group_dimensions(given.network, system)
     except NotDecidableError:  # the numbers grow too long: it is not known
         groups = None
     return Decisions(str(system.field), tuple(found), "; ".join(dict.fromkeys(reasons)), values, groups)
 
 
-def _claims(given: NumericRanks, system: ExactSystem) -> Iterator[tuple[str, int, Callable[[], int]]]:
+def _claims(
+    given: NumericRanks, system: ExactSystem, couplings: Sequence[ExactTie]
+) -> Iterator[tuple[str, int, Callable[[], int]]]:
     """(what, numeric rank, function that finds the exact one)."""
     network, first_order, platform, field = given.network, given.first_order, given.platform, system.field
     closure = [row for loop in network.loops() for row in loop_rows(network, system, loop)]
+    closure += [tie_row(network, system, coupling) for coupling in couplings]
     body = loop_rows(network, system, network.path(platform.body))
     yield "rank of the closure", first_order.closure.rank, lambda: exact_rank(closure, field)
     rank = network.freedoms - first_order.dof

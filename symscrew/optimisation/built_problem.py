@@ -3,9 +3,9 @@
 TrajectoryProblem --transcription with symbols for its numbers--> nonlinear program with parameters
     --point functions as C--> solvers;    solve(start, goal, ..., warm) --numbers, bounds--> Trajectory
 
-A motion that starts near an optimum is found by sequential quadratic programming with exact second derivatives: two or
-three steps, where an interior-point method would first leave the bounds that the motion stands on. Everything else, and
-what that does not reach, is left to IPOPT, as `solve` does it.
+A motion that starts near an optimum is found by sequential quadratic programming with exact second derivatives, stage
+by stage where the program falls into stages: two or three steps, where an interior-point method on the whole would
+first leave the bounds that the motion stands on. What that does not reach is left to IPOPT, as `solve` does it.
 """
 
 from __future__ import annotations
@@ -40,6 +40,7 @@ from symscrew.optimisation.solution import (
     transcribe,
 )
 from symscrew.optimisation.sparse import NonlinearProgram, assemble, point_functions, row_bounds
+from symscrew.optimisation.stages import StagedSolver, Stages, stages_of
 from symscrew.optimisation.transcription import Transcribed, bound_by_problem, linear_cost
 from symscrew.optimisation.unknowns import Unknowns
 from symscrew.optimisation.warm_start import carried_multipliers, carried_unknowns, shifted
@@ -54,6 +55,15 @@ AGREEING = 1e-9
 # Multipliers (of a cost near 1) below which a bound does not start as active: an interior-point method leaves some
 # 1e-8 / distance on every bound, and an active set that begins with all of them has nowhere to go.
 INACTIVE = 1e-5
+
+# What a step may leave, as a part of the tolerance of the whole: the last step's rest is not to be seen in the result.
+PART = 0.1
+# Stands for infinity in steps by stages [typical sizes of the unknowns]: a step that is longer is cut, and the next one
+# goes on. The method's own 1e8 costs it half of its digits.
+UNBOUNDED = 1e2
+# The barrier that a step by stages begins with, of a cost near 1: the method's own 100 takes two iterations more, and
+# one below 0.1, too near the bounds, as well.
+BARRIER = 1.0
 
 Given = Conditions | Mapping[str, float]
 
@@ -113,7 +123,8 @@ class OptimisationProblem:
         self._points = CompiledPoints({f.name: point_functions(f) for f in self._made.families})
         self._compiled = False
         self._program = self._assembled()
-        self._solvers: dict[str, ca.Function] = {}
+        self._stages = stages_of(self._made, self._program) if ca.has_conic("hpipm") else None
+        self._solvers: dict[str, Any] = {}
 
     # -- compiled functions ---------------------------------------------------------------------------------------
 
@@ -200,8 +211,7 @@ class OptimisationProblem:
         begin = self._start(warm, shift)
         self.compiled()
         ready = clock()
-        names = ("warm", "ipopt, warm") if begin.rows is not None else ("ipopt",)
-        for name in names:
+        for name in self._ways(begin):
             solver = self._solver(name)
             answer = self._answer(solver, given, begin)
             stats = solver.stats()
@@ -245,7 +255,9 @@ class OptimisationProblem:
         made = self._made
         known = made.free.copy()
         bound_by_problem(known, made.model, problem)
-        lower, upper = row_bounds(made.families, made.linear, problem)
+        lower, upper = self._program.lower, self._program.upper
+        if any(row.limits for family in made.families for row in family.function.rows):
+            lower, upper = row_bounds(made.families, made.linear, problem)
         collected = made.model.numbers
         assert collected is not None
         values = collected.values(problem)
@@ -268,7 +280,7 @@ class OptimisationProblem:
         x, rows = shifted(warm, shift) if shift else (warm.x, warm.multipliers)
         return _Start(x, ratio * rows, ratio * warm.bound_multipliers)
 
-    def _answer(self, solver: ca.Function, given: _Numbers, begin: _Start) -> Mapping[str, Any]:
+    def _answer(self, solver: Any, given: _Numbers, begin: _Start) -> Mapping[str, Any]:
         known = given.known
         extra: dict[str, Any] = {} if begin.rows is None else {"lam_g0": begin.rows, "lam_x0": begin.bounds}
         found: Mapping[str, Any] = solver(
@@ -277,10 +289,18 @@ class OptimisationProblem:
         )  # fmt: skip
         return found
 
-    def _solver(self, name: str) -> ca.Function:
+    def _ways(self, begin: _Start) -> tuple[str, ...]:
+        """The solvers to try in turn."""
+        if begin.rows is None:
+            return ("ipopt",)
+        return (*(("stages",) if self._stages else ()), "active sets", "ipopt, warm")
+
+    def _solver(self, name: str) -> Any:
         if name not in self._solvers:
-            if name == "warm":
-                self._solvers[name] = _quadratic(self.problem, self._program)
+            if name == "stages" and self._stages is not None:
+                self._solvers[name] = _by_stages(self.problem, self._program, self._stages)
+            elif name == "active sets":
+                self._solvers[name] = _by_active_sets(self.problem, self._program)
             else:
                 self._solvers[name] = solver_of(self.problem, self._program, WARM if "warm" in name else {})
         return self._solvers[name]
@@ -312,19 +332,33 @@ def _conditions(before: Conditions, given: Given) -> Conditions:
     return replace(before, coordinates={**before.coordinates, **given})
 
 
-def _quadratic(problem: TrajectoryProblem, program: NonlinearProgram) -> ca.Function:
-    """Sequential quadratic programming with an active-set method, both of CasADi, on our derivatives."""
-    x, p = program.x, program.p
-    inputs = ["x", "p"]
-    both = [*program.gradient(x, p), *program.jacobian(x, p)]
-    first = ca.Function("nlp_jac_fg", [x, p], both, inputs, ["f", "grad_f_x", "g", "jac_g_x"])
-    options = {
-        "jac_fg": first, "hess_lag": symmetric(program.hessian), "qpsol": "qrqp", "max_iter": MOST_STEPS,
-        "qpsol_options": {"print_iter": False, "print_header": False, "print_info": False, "error_on_fail": False,
-                          "min_lam": INACTIVE},
-        "tol_pr": problem.solver.tolerance, "tol_du": problem.solver.tolerance, **NO_GRADIENT,
+def _quadratic(problem: TrajectoryProblem) -> dict[str, Any]:
+    """Options of CasADi's sequential quadratic programming."""
+    return {
+        "max_iter": MOST_STEPS, "tol_pr": problem.solver.tolerance, "tol_du": problem.solver.tolerance, **NO_GRADIENT,
         "print_header": False, "print_iteration": False, "print_status": False, "print_time": False,
         "error_on_fail": False,
     }  # fmt: skip
-    nlp = {"x": x, "p": p, "f": program.f, "g": program.g}
-    return ca.nlpsol("warm", "sqpmethod", nlp, options)
+
+
+def _by_stages(problem: TrajectoryProblem, program: NonlinearProgram, stages: Stages) -> StagedSolver:
+    """Steps by HPIPM, an interior-point method that goes from stage to stage."""
+    wanted = dict.fromkeys(("res_g_max", "res_b_max", "res_d_max", "res_m_max"), PART * problem.solver.tolerance)
+    own = {**stages.options, "inf": UNBOUNDED, "hpipm": {**wanted, "mu0": BARRIER}, "error_on_fail": False}
+    return StagedSolver(stages, program, {**_quadratic(problem), "qpsol": "hpipm", "qpsol_options": own})
+
+
+def _by_active_sets(problem: TrajectoryProblem, program: NonlinearProgram) -> ca.Function:
+    """Steps by an active-set method on the whole, sparse."""
+    x, p = program.x, program.p
+    both = [*program.gradient(x, p), *program.jacobian(x, p)]
+    first = ca.Function("nlp_jac_fg", [x, p], both, ["x", "p"], ["f", "grad_f_x", "g", "jac_g_x"])
+    own = {"print_iter": False, "print_header": False, "print_info": False, "error_on_fail": False, "min_lam": INACTIVE}
+    options: dict[str, Any] = {
+        "jac_fg": first,
+        "hess_lag": symmetric(program.hessian),
+        "qpsol": "qrqp",
+        "qpsol_options": own,
+    }
+    nlp: dict[str, Any] = {"x": x, "p": p, "f": program.f, "g": program.g}
+    return ca.nlpsol("warm", "sqpmethod", nlp, {**_quadratic(problem), **options})

@@ -207,6 +207,17 @@ def _target(group: str, *keys: object) -> Callable[[Conditions], float | None]:
     return found
 
 
+def starting_rows(at: MotionQuantities) -> list[Row]:
+    """States at the start: their initial values, and what the motion there gives them."""
+    carried = symbolic_outputs(at.model.equations.carried, at.known)["carried"]
+    states, scales = at.model.equations.acting.states, at.model.scales.x
+    return [
+        Row(f"state {state.name} at the start", at.known["x"][k] - carried[k], state.initial, state.initial, scales[k])
+        for k, state in enumerate(states)
+        if state.carried is not None
+    ]
+
+
 def _normal_rows(at: MotionQuantities, normal: np.ndarray, where: str) -> list[Row]:
     size = np.linalg.norm(normal)
     if not size > 0:

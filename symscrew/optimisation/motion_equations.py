@@ -196,6 +196,15 @@ class PointEquations:
         outputs = [(_plain("residual", len(residual)), residual), (_plain("x_dot", len(rates)), rates)]
         return lower(function(system, "dynamics_point", "", inputs=inputs, outputs=outputs))
 
+    @cached_property
+    def carried(self) -> Program:
+        """(y, z, y_dot) -> carried: what the motion gives the states at the start beside their initial values."""
+        moving, y_dot, _ = self._moving
+        states = self._acting(moving).states
+        values = [moving.tape.zero if state.carried is None else state.carried for state in states]
+        outputs = [(_plain("carried", len(values)), values)]
+        return lower(function(self.system, "carried_point", "", inputs=self._state(y_dot), outputs=outputs))
+
     def _acting(self, moving: System) -> Acting:
         acting, drives = driven(moving, self.effects)
         loads = None

@@ -7,7 +7,14 @@ from __future__ import annotations
 
 import casadi as ca
 
-from symscrew.optimisation.constraints import bound_rows, closure_rows, condition_rows, dynamic_rows, rule_rows
+from symscrew.optimisation.constraints import (
+    bound_rows,
+    closure_rows,
+    condition_rows,
+    dynamic_rows,
+    rule_rows,
+    starting_rows,
+)
 from symscrew.optimisation.motion_quantities import MotionQuantities
 from symscrew.optimisation.objectives import integrand, objectives_by_type
 from symscrew.optimisation.point_model import PointModel
@@ -41,8 +48,14 @@ def collocation_point(model: PointModel) -> PointFunction:
     return PointFunction(blocks, (*rows, *needed), cost)
 
 
-def observation_point(model: PointModel, conditions: Conditions, where: str) -> PointFunction:
-    """A point at which conditions hold that are not linear in y and its rates."""
+def observation_point(
+    model: PointModel, conditions: Conditions, where: str, *, starting: bool = False
+) -> PointFunction:
+    """A point at which conditions hold that are not linear in y and its rates; `starting`: the states' values too."""
     blocks = point_symbols(model, moving=False)
+    if starting:
+        common = {name: blocks.pop(name) for name in ("T", "p", "tau")}
+        blocks |= {"x": ca.SX.sym("x", len(model.states)), **common}
     at = MotionQuantities(model, blocks)
-    return PointFunction(blocks, (*closure_rows(at, where), *condition_rows(at, conditions, where)))
+    started = starting_rows(at) if starting else []
+    return PointFunction(blocks, (*closure_rows(at, where), *condition_rows(at, conditions, where), *started))

@@ -158,9 +158,12 @@ class Discretisation(ABC):
         given += [(f"via point {k + 1}", float(c.time or 0), c) for k, c in enumerate(self.problem.via)]
         for k, (where, tau, c) in enumerate(given):
             placed = (c.platform_normal, c.platform_position, c.platform_rotation)
-            if set(c.coordinates) <= linear and set(c.rates) <= linear and not c.points and placed == (None,) * 3:
+            starting = k == 0 and starts_with_motion(self.model, self.problem)
+            plain = set(c.coordinates) <= linear and set(c.rates) <= linear and not c.points
+            if plain and placed == (None,) * 3 and not starting:
                 continue  # linear constraints and bounds say it all
-            found.append(self._observation(observation_point(self.model, c, where), tau, f"observed_{k}", where))
+            function = observation_point(self.model, c, where, starting=starting)
+            found.append(self._observation(function, tau, f"observed_{k}", where))
         return found
 
     def _observation(self, function: PointFunction, tau: float, name: str, where: str) -> Family:
@@ -171,8 +174,16 @@ class Discretisation(ABC):
         for block, order in (("y", 0), ("y_1", 1)):
             self.grid.add_interpolated(terms, place.rows[block][0], tau, order=order)
         terms.add(place.rows["z"], known.index[name])
+        if "x" in place.rows:
+            terms.add(place.rows["x"], known.index["x"][:1])
         place.add_common(terms)
         return place.family(name, terms, np.array([tau]), np.zeros(1))
+
+
+def starts_with_motion(model: PointModel, problem: TrajectoryProblem) -> bool:
+    """Whether the motion at the start gives states a value: it is none where the start is at rest."""
+    carried = any(state.carried is not None for state in model.equations.acting.states)
+    return carried and not problem.periodic and not problem.start.at_rest
 
 
 def bound_by_problem(known: Unknowns, model: PointModel, problem: TrajectoryProblem) -> None:
@@ -196,6 +207,8 @@ def bound_by_problem(known: Unknowns, model: PointModel, problem: TrajectoryProb
                 known.bound(known.index["y_1"][tau, k], value, value)
     if model.states and not problem.periodic:
         for k, state in enumerate(model.equations.acting.states):
+            if state.carried is not None and starts_with_motion(model, problem):
+                continue  # of the coordinates and rates there too: a row of the start's family
             known.bound(known.index["x"][0, k], state.initial, state.initial)
     if isinstance(problem.duration, tuple):
         known.bound(known.index["T"], *problem.duration)

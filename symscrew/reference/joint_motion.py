@@ -77,12 +77,16 @@ def joint_displacements(mechanism: Mechanism | NumericMechanism, states: Mapping
     """
     numbers = numeric(mechanism)
     whole = stack_states(numbers, states)
-    displacements = {}
-    for j, name in enumerate(numbers.joints):
-        found = _displacements(numbers, j, *_relative_pose(numbers, whole, j))
-        reference = numbers.references[j]
-        displacements[name] = found + reference if reference.size == found.shape[-1] else found
-    return displacements
+    return {name: displacements_of(numbers, whole, name) for name in numbers.joints}
+
+
+def displacements_of(numbers: NumericMechanism, whole: BodyState, joint: str) -> Array:
+    """Displacements (..., freedom) of one joint from the stacked states of all bodies, as `joint_displacements`."""
+    j = numbers.joints.index(joint)
+    found = _displacements(numbers, j, *_relative_pose(numbers, whole, j))
+    reference = numbers.references[j]
+    total: Array = found + reference if reference.size == found.shape[-1] else found
+    return total
 
 
 def rotation_about(vector: Array) -> Array:

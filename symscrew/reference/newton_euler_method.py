@@ -29,6 +29,7 @@ from symscrew.reference.maximal_coordinates import (
     numeric,
     stack_states,
 )
+from symscrew.reference.tied_freedoms import tied_freedoms
 
 __all__ = [
     "BodyState",
@@ -197,8 +198,12 @@ def _solve(
     com = np.einsum("...ij,...j->...i", whole.rotation, numbers.com) + whole.translation
     needed = _needed(numbers, whole, com, gravity=gravity, loads=loads)
     supports = _supports(numbers, screws)
-    drives = _drives(numbers, screws)
+    drives = _efforts(numbers, screws, numbers.driven, [numbers.joints.index(name) for name in numbers.drive_joints])
     reaction_columns = _balance(numbers, screws, com, supports)
+    if numbers.mechanism.couplings:
+        tied = tied_freedoms(numbers, whole)
+        on_freedoms = _balance(numbers, screws, com, _efforts(numbers, screws, tied.freedoms, tied.joints))
+        reaction_columns = np.concatenate([reaction_columns, on_freedoms @ np.swapaxes(tied.slopes, -1, -2)], axis=-1)
     drive_columns = _balance(numbers, screws, com, drives)
 
     motions, inverse, null, reaction_redundancy = _split(reaction_columns)
@@ -210,12 +215,12 @@ def _solve(
     rest = needed - np.einsum("nij,nj->ni", drive_columns, force)
     amount = np.einsum("nij,nj->ni", inverse, rest)
     unbalanced = rest - np.einsum("nij,nj->ni", reaction_columns, amount)
-    size = np.linalg.norm(needed, axis=-1)
+    size, count = np.linalg.norm(needed, axis=-1), len(supports.owners)
     return _Piece(
         drives=force,
-        reactions=_totals(numbers, screws, supports, amount[..., None])[..., 0],
+        reactions=_totals(numbers, screws, supports, amount[:, :count, None])[..., 0],
         shares=_totals(numbers, screws, drives, force[..., None])[..., 0],
-        null=_totals(numbers, screws, supports, null),
+        null=_totals(numbers, screws, supports, null[:, :count]),
         drive_redundancy=np.rint(np.trace(preloads, axis1=-2, axis2=-1)).astype(int),
         reaction_redundancy=reaction_redundancy,
         residual=np.linalg.norm(unbalanced, axis=-1) / np.where(size > 0, size, 1.0),
@@ -260,14 +265,15 @@ def _supports(numbers: NumericMechanism, screws: JointScrews) -> _UnitWrenches:
     return _UnitWrenches(owner, basis[:, owner, column])
 
 
-def _drives(numbers: NumericMechanism, screws: JointScrews) -> _UnitWrenches:
-    """The wrench of each unit drive: a force along a translation or a couple about a rotation.
+def _efforts(
+    numbers: NumericMechanism, screws: JointScrews, freedoms: Sequence[int], owners: Sequence[int]
+) -> _UnitWrenches:
+    """The wrench of a unit drive on each of these freedoms of joints `owners`: a force along or a couple about an axis.
 
     It does unit work on its own freedom and none on the joint's other freedoms.
     """
-    wrenches = np.zeros((len(screws.axis), len(numbers.driven), 6))
-    owners = [numbers.joints.index(name) for name in numbers.drive_joints]
-    for k, (index, j) in enumerate(zip(numbers.driven, owners, strict=True)):
+    wrenches = np.zeros((len(screws.axis), len(freedoms), 6))
+    for k, (index, j) in enumerate(zip(freedoms, owners, strict=True)):
         turns = numbers.turns[index] > 0
         alike = numbers.freedoms[j][(numbers.turns[numbers.freedoms[j]] > 0) == turns]
         dual = screws.axis[:, index]

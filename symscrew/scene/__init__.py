@@ -6,6 +6,7 @@
 from symscrew.scene.contents import Initial, Integrator, Scene, Table
 from symscrew.scene.controllers import controller, parameter_values
 from symscrew.scene.integration_methods import INTEGRATION_METHODS
+from symscrew.scene.robot_files import Robot, load_robot, robot_of, scene_text
 from symscrew.scene.scene_file import load_scene, parse_scene
 from symscrew.scene.time_features import UNCHANGING, TimeFeatures, features_in_time
 
@@ -14,12 +15,16 @@ __all__ = [
     "UNCHANGING",
     "Initial",
     "Integrator",
+    "Robot",
     "Scene",
     "Table",
     "TimeFeatures",
     "controller",
     "features_in_time",
+    "load_robot",
     "load_scene",
     "parameter_values",
     "parse_scene",
+    "robot_of",
+    "scene_text",
 ]

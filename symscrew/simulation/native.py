@@ -24,6 +24,7 @@ from symscrew.simulation.state_programs import Plant
 from symscrew.simulation.verdict import estimated
 
 NATIVE_FLAGS = ("-O3", "-fno-trapping-math")
+NEAR_FLAGS = ("-O1",)  # of what a run calls near singular places only: compiled in a third of the time
 NATIVE_METHODS = {name: m.kernel for name, m in INTEGRATION_METHODS.items() if m.kernel is not None}
 GOING_ON = 1  # outcome of the compiled loop: its portion of steps is used up
 EVENT = 8  # outcome of the compiled loop: the mode of a contact has ended
@@ -62,9 +63,9 @@ class Library:
 
     def __init__(self, plant: Plant, tables: str = "", flags: Sequence[str] | None = None) -> None:
         self.plant = plant
-        self._flags = tuple(NATIVE_FLAGS if flags is None else flags)
         text, self._near_text = sources(plant, tables)
-        self.code = _compiled(text, self._flags)
+        self._near_flags = NEAR_FLAGS if flags is None else tuple(flags)
+        self.code = _compiled(text, NATIVE_FLAGS if flags is None else flags)
         self._precise: ctypes.CDLL | None = None
         self.hash = hashlib.sha256(text.encode()).hexdigest()[:16]
         for name in ("simulation_size", "crossing_size"):
@@ -134,7 +135,7 @@ class Library:
             )
         )  # fmt: skip
         if outcome == NEEDS_PRECISION:
-            self._precise = _compiled(self._near_text, self._flags)
+            self._precise = _compiled(self._near_text, self._near_flags)
             self._offer_precision()
             return GOING_ON
         return outcome

@@ -20,8 +20,8 @@ from symscrew.description import to_toml
 from symscrew.description.mechanism import Mechanism
 from symscrew.studies.accuracy.growth_study import four_bars
 
-from .mechanisms import chain, humanoid
-from .tables import table
+from .mechanisms import chain, humanoid, platform
+from .tables import exponent, table
 
 COMMAND = "import sys; from symscrew.cli.parser import main; sys.exit(main())"  # what the script `symscrew` does
 TARGETS = {"C": ["--target", "c"], "C, CasADi, NumPy": ["--target", "c", "casadi", "numpy"]}
@@ -39,9 +39,13 @@ class Case:
         """What the command line takes."""
         if self.make is None:
             return self.name
-        file = folder / f"{self.name}.toml"
-        file.write_text(to_toml(self.make()), encoding="utf-8")
-        return str(file)
+        return _file(self.make(), folder)
+
+
+def _file(mechanism: Mechanism, folder: Path) -> str:
+    file = folder / f"{mechanism.name}.toml"
+    file.write_text(to_toml(mechanism), encoding="utf-8")
+    return str(file)
 
 
 CASES = (
@@ -54,6 +58,14 @@ CASES = (
     Case("chain_100", 6.0, lambda: chain(100)),
     Case("four_bars_40", 5.0, lambda: four_bars(40)),
 )
+
+
+GROWTH: dict[str, tuple[Callable[[int], Mechanism], tuple[int, ...]]] = {
+    "serial joints": (chain, (12, 25, 50, 100)),
+    "loops, four-bars in a row": (four_bars, (5, 10, 20, 40)),
+    "limbs UPS of one platform": (platform, (2, 4, 8, 16)),
+}
+"""What of a mechanism grows, how it is made, and how many there are; exponents are those of the larger half."""
 
 
 def run(*, repeats: int = 5) -> tuple[str, dict[str, Any]]:
@@ -74,7 +86,29 @@ def run(*, repeats: int = 5) -> tuple[str, dict[str, Any]]:
         rows.append([case.name, what, f"{wall:.2f}", f"{used:.2f}", goal])
         raw[f"{case.name}: {what}"] = {"wall": wall, "processor": used, "goal": case.goal}
     text = f"Least of {repeats} interleaved repeats; a busy machine shows in wall time first.\n\n"
-    return text + table(["mechanism", "targets", "wall s", "processor s", "goal s"], rows), raw
+    text += table(["mechanism", "targets", "wall s", "processor s", "goal s"], rows)
+    growth = _growth(repeats)
+    raw["growth"] = growth
+    lines = [[what, *found["sizes"], f"{found['exponent']:.2f}"] for what, found in growth.items()]
+    text += "\n\nProcessor time [s] of C, by size\n\n"
+    return text + table(["what grows", *["size: s"] * 4, "exponent"], lines), raw
+
+
+def _growth(repeats: int) -> dict[str, Any]:
+    """Processor time of the command for C by size, with an exponent."""
+    found: dict[str, Any] = {}
+    with tempfile.TemporaryDirectory(prefix="benchmark_") as name:
+        folder = Path(name)
+        for what, (make, sizes) in GROWTH.items():
+            files = [_file(make(n), folder) for n in sizes]
+            rounds = [[_command(file, TARGETS["C"], folder)[1] for file in files] for _ in range(repeats)]
+            times = [min(column) for column in zip(*rounds, strict=True)]
+            found[what] = {
+                "sizes": [f"{n}: {t:.2f}" for n, t in zip(sizes, times, strict=True)],
+                "times": dict(zip(map(str, sizes), times, strict=True)),
+                "exponent": exponent(sizes, times),
+            }
+    return found
 
 
 def _command(argument: str, targets: list[str], folder: Path) -> tuple[float, float]:

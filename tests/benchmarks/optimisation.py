@@ -23,7 +23,6 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-from symscrew import catalogue
 from symscrew.optimisation.followed_motion import replay
 from symscrew.optimisation.guess import first_guess
 from symscrew.optimisation.problem import TrajectoryProblem
@@ -31,6 +30,8 @@ from symscrew.optimisation.problem_file import load_problem
 from symscrew.optimisation.solution import prepare, solve
 from symscrew.optimisation.tableau import tableau
 
+from . import re_optimisation
+from .newton_euler import newton_euler
 from .tables import table
 
 EXAMPLES = Path(__file__).parents[2] / "examples" / "optimisation"
@@ -54,7 +55,9 @@ def run(*, repeats: int) -> tuple[str, dict[str, Any]]:
     text += "\n\nPanda, least effort in 0.5 s, 20 intervals, Radau 3: beside plain CasADi SX.\n\n" + beside
     other, more = _cart_pole_beside_opty(repeats)
     text += "\n\nPendulum on a cart, swing-up in 2 s: beside opty.\n\n" + other
-    return text, {**raw, "panda_by_hand": numbers, "opty": more}
+    again, rates = re_optimisation.run()
+    text += "\n\nThe same problem again and again, 20 intervals of Radau 3, least effort, one thread.\n\n" + again
+    return text, {**raw, "panda_by_hand": numbers, "opty": more, "again": rates}
 
 
 def _timed(job: Callable[[], Any]) -> tuple[float, Any]:
@@ -83,47 +86,6 @@ def _panda() -> TrajectoryProblem:
         transcription=Transcription("radau", 3, 20),
         accuracy=None,
     )
-
-
-def newton_euler(q: ca.SX, v: ca.SX, a: ca.SX) -> ca.SX:
-    """Torques of the Panda by the recursive Newton-Euler algorithm in link frames (Featherstone 2008, table 5.1)."""
-    mechanism = catalogue.load("panda")
-    joints = list(mechanism.joints.values())
-
-    def number(x: Any) -> float:
-        return float(mechanism.number(x))
-
-    points = [np.array([number(c) for c in j.point]) for j in joints]
-    axes = [np.array([number(c) for c in j.axes[0]]) for j in joints]
-    angular, linear, turn = ca.SX.zeros(3), ca.SX([0, 0, 9.81]), []
-    omega = ca.SX.zeros(3)
-    forces, moments = [], []
-    for k, joint in enumerate(joints):
-        body = mechanism.bodies[joint.child]
-        c, s, e = ca.cos(q[k]), ca.sin(q[k]), ca.DM(axes[k])
-        cross = ca.DM([[0, -axes[k][2], axes[k][1]], [axes[k][2], 0, -axes[k][0]], [-axes[k][1], axes[k][0], 0]])
-        rotation = ca.DM.eye(3) + s * cross + (1 - c) * (cross @ cross)
-        turn.append(rotation)
-        arm = ca.DM(points[k] - (points[k - 1] if k else np.zeros(3)))
-        moved = linear + ca.cross(angular, arm) + ca.cross(omega, ca.cross(omega, arm))
-        linear, before = rotation.T @ moved, rotation.T @ omega
-        angular = rotation.T @ angular + ca.cross(before, e * v[k]) + e * a[k]
-        omega = before + e * v[k]
-        com = ca.DM([number(x) for x in body.com]) - ca.DM(points[k])
-        inertia = ca.DM(np.array([[number(x) for x in row] for row in body.inertia]))
-        mass = number(body.mass)
-        force = mass * (linear + ca.cross(angular, com) + ca.cross(omega, ca.cross(omega, com)))
-        forces.append(force)
-        moments.append(inertia @ angular + ca.cross(omega, inertia @ omega) + ca.cross(com, force))
-    torques = [None] * len(joints)
-    force, moment = ca.SX.zeros(3), ca.SX.zeros(3)
-    for k in reversed(range(len(joints))):
-        force, moment = force + forces[k], moment + moments[k]
-        torques[k] = ca.dot(ca.DM(axes[k]), moment)
-        arm = ca.DM(points[k] - (points[k - 1] if k else np.zeros(3)))
-        force = turn[k] @ force
-        moment = turn[k] @ moment + ca.cross(arm, force)
-    return ca.vertcat(*torques)
 
 
 def by_hand(problem: TrajectoryProblem, values: dict[str, np.ndarray]) -> tuple[float, int]:

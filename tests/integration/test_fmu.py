@@ -6,6 +6,7 @@ import ctypes
 import shutil
 import subprocess
 import zipfile
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -287,3 +288,34 @@ def test_steps_that_do_not_end_are_refused(units: dict[int, Path], tmp_path: Pat
     assert step(one.own, zero, ctypes.c_double(length), 0) == 3
     assert step(one.own, zero, ctypes.c_double(0.01), 0) == 0
     one.library.fmi2FreeInstance(one.own)
+
+
+EFFECTS = Path(__file__).parents[2] / "examples" / "effects"
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    "name, step, steps", [("loose_crank", 2e-7, 2000), ("geared_pendulum", 5e-4, 200), ("rolling_wheel", 1e-4, 500),
+                          ("flexible_slider_crank", 1e-5, 500)],
+)  # fmt: skip
+def test_units_of_effects_with_states_and_contacts_move_as_our_own_loop(
+    name: str, step: float, steps: int, tmp_path: Path
+) -> None:
+    """Clearance, backlash, rolling and bending: q and every state of the effects after some steps of RK4. A unit that
+    takes another step than the scene's, or starts a flexible link without its own velocity, is off at once."""
+    scene = scenes.load_scene(EFFECTS / f"{name}.toml")
+    integrator = replace(scene.integrator, method="rk4", step=step)
+    scene = replace(scene, integrator=integrator, duration=steps * step, rate=4 / (steps * step))
+    expected = simulate(scene)
+    assert expected.q.shape[0] == 5, expected.status
+    build_unit(scene, tmp_path / "unit.fmu")
+    result = fmpy.simulate_fmu(
+        str(tmp_path / "unit.fmu"), fmi_type="CoSimulation", stop_time=steps * step, output_interval=steps * step / 4
+    )
+    got, wanted = coordinates(result, expected)
+    assert np.abs(got - wanted).max() < 1e-11
+    states = [k for k, label in enumerate(expected.x_labels) if structured("x", label) in (result.dtype.names or ())]
+    assert len(states) >= (name not in ("loose_crank",))
+    for k in states:
+        moved = result[structured("x", expected.x_labels[k])][-1]
+        assert moved == pytest.approx(expected.x[-1, k], rel=1e-9, abs=1e-12)

@@ -121,6 +121,30 @@ def test_a_warm_start_takes_few_steps_to_full_accuracy() -> None:
     assert 1 <= near.statistics.iterations <= 3 < cold.statistics.iterations
 
 
+def test_steps_by_stages_and_by_active_sets_find_the_same() -> None:
+    made, found = interpreted(), []
+    warm = made.solve()
+    assert made._stages is None  # continuous second rates join three stages
+    alone = _built(replace(problem(), objectives=(Objective("effort"),), bounds=problem().bounds))
+    assert alone._stages is not None and alone._stages.states == (4,) * 9 and alone._stages.controls[-1] == 0
+    warm = alone.solve()
+    for stages in (alone._stages, None):
+        alone._stages = stages
+        found.append(alone.solve(start={"slide": 0.02}, warm=warm))
+    assert all(f.ok and f.statistics.iterations <= 4 for f in found)
+    assert found[0].cost == pytest.approx(found[1].cost, rel=1e-9)
+    assert np.abs(found[0].x - found[1].x).max() < 1e-6
+    assert np.abs(found[0].multipliers - found[1].multipliers).max() < 1e-5
+    free = _built(replace(problem(), duration=(1.0, 3.0), objectives=(Objective("time"), Objective("effort"))))
+    assert free._stages is None  # the duration is everywhere
+
+
+def _built(given: TrajectoryProblem) -> OptimisationProblem:
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(compiled_points, "compile_c", _no_compiler)
+        return OptimisationProblem(given)
+
+
 def test_a_shifted_start_is_the_motion_as_it_goes_on() -> None:
     made = interpreted()
     plan = made.solve()

@@ -317,3 +317,18 @@ def test_bad_input(arguments: list[str], text: str, tmp_path: Path, capsys: pyte
 def test_reading() -> None:
     assert read_axis("tilt=0:90deg:3").values == pytest.approx([0, math.pi / 4, math.pi / 2])
     assert read_limit("limb1_P=-5mm:") == ("limb1_P", -0.005, math.inf)
+
+
+def test_units_of_axes_are_those_of_what_they_move(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """A bare number beyond a turn draws a notice; lengths for angles, and ends in two units, are refused."""
+    out = ["--out", str(tmp_path / "map.csv")]
+    for over, said in (
+        ("A=0:30mm:3", "A is an angle [rad, deg]; its values are given in m"),
+        ("A=-20:20deg:3", "expected both ends in one unit"),
+    ):
+        assert main(["workspace", "four_bar", "--over", over, *out]) == 2
+        assert said in capsys.readouterr().err and not list(tmp_path.iterdir())
+    assert main(["workspace", "four_bar", "--over", "A=0:30:3", *out]) == 0
+    assert "note: A is in rad: 30 are 1719 degrees; 30deg are 30 degrees" in capsys.readouterr().err
+    assert main(["workspace", "four_bar", "--over", "A=0:30deg:3", *out]) == 0
+    assert "note:" not in capsys.readouterr().err

@@ -198,7 +198,7 @@ def test_a_foreign_file_means_the_same_as_to_mujoco(tmp_path):
         assert numbers.points[i] == pytest.approx(data.xanchor[k], abs=1e-12)
     assert found.ground == "base_link" and found.platform is None
     assert found.joints["flange"].type == "fixed"
-    assert "limits of 2 joints, damping of 1 joint" in found.source and "friction" not in found.source
+    assert "damping, limits (2)" in found.source and "friction" not in found.source
     assert "upper-arm -> upper_arm" in found.source
 
 
@@ -215,7 +215,7 @@ def test_what_rounding_leaves_of_no_inertia_is_none(tmp_path):
     found = load(text, tmp_path)
     name = next(n for n in found.bodies if n != "sled" and found.bodies[n].mass)
     assert found.bodies[name].mass > 0 and not any(x for row in found.bodies[name].inertia for x in row)
-    with pytest.raises(DescriptionError, match="expected principal moments of at least 0"):
+    with pytest.raises(DescriptionError, match="no body has the principal moments"):
         load(text.replace("1.35525e-20", "1.35525e-8"), tmp_path)
 
 
@@ -236,10 +236,9 @@ def test_driven_joints(tmp_path):
     ("change", "message"),
     [
         (('type="planar"', 'type="screw"'), "joints of type 'screw' are not supported"),
-        (('<axis xyz="0 0 2"/>', '<mimic joint="rail"/>'), "mimic joints are not supported"),
+        (('<axis xyz="0 0 2"/>', '<mimic joint="rail"/>'), "'puck' has not one coordinate"),
         (('<axis xyz="0 0 2"/>', '<axis xyz="0 0 0"/>'), "expected a direction"),
         (('<axis xyz="0 0 2"/>', '<axis xyz="0 0 ${x}"/>'), "expand the file with xacro"),
-        (('<axis xyz="0 0 2"/>', "<spring/>"), "the element <spring> is not supported"),
         (('<child link="mount"/>', '<child link="sled"/>'), "a URDF is a tree"),
         (('<child link="mount"/>', '<child link="mont"/>'), "no child link 'mont'; did you mean 'mount'"),
         (
@@ -250,7 +249,7 @@ def test_driven_joints(tmp_path):
         (('<link name="mount"/>', '<link name="tool"/>'), "two links have this name"),
         (('value="2.5"', 'value="heavy"'), "expected decimal numbers, got 'heavy'"),
         (('value="2.5"', 'value="-1"'), "expected a mass of at least 0 kg"),
-        (("%s", "<loop_joint/>"), "<loop_joint>: this element of a URDF is not supported"),
+        (("%s", "<loop_joint/>"), "expected the two links of a loop"),
         (("%s", '<transmission><joint name="rial"/></transmission>'), "did you mean 'rail'"),
         (("</robot>", ""), "not a valid XML file"),
     ],

@@ -64,3 +64,41 @@ def double_parallelogram() -> Mechanism:
         builder.joint(f"A{k}", "R", parent="base", child=f"crank{k}", point=[x, 0, 0], axes=[[0, 0, 1]])
         builder.joint(f"B{k}", "R", parent=f"crank{k}", child="coupler", point=[x + HALF * 3, 2, 0], axes=[[0, 0, 1]])
     return builder.build()
+
+
+LIMBS: dict[str, tuple[tuple[tuple[str, Sequence[Any], Sequence[Sequence[Any]]], ...], ...]] = {
+    # Kong and Gosselin 2002: cylinders along the axes of a frame, two hinges parallel to each
+    "3-CRR": tuple(
+        tuple((kind, [p[(i - k) % 3] for i in range(3)], [[int(i == k) for i in range(3)]])
+              for kind, p in (("C", (0, 5, 1)), ("R", (0, 4, 3)), ("R", (1, 1, 2))))
+        for k in range(3)
+    ),
+    # Zhao and Huang 2000: hinges tangential, the last with a slide
+    "3-RRC": tuple(
+        tuple((kind, turned(p, place), [turned([0, 1, 0], place)])
+              for kind, p in (("R", [5, 0, 0]), ("R", [6, 0, 3]), ("C", [2, 0, 4])))
+        for place in THIRDS
+    ),
+    # Richard, Gosselin and Kong 2007: slides, hinges and first axes of universal joints horizontal, the last vertical
+    "quadrupteron": tuple(
+        tuple((kind, turned(p, place), [turned(a, place) for a in axes])
+              for kind, p, axes in (("P", [6, 0, 0], [[0, 1, 0]]), ("R", [6, 1, 0], [[0, 1, 0]]),
+                                    ("R", [5, 1, 3], [[0, 1, 0]]), ("U", [2, 1, 4], [[0, 1, 0], [0, 0, 1]])))
+        for place in QUARTERS
+    ),
+}  # fmt: skip
+"""Mechanism -> its limbs, each joints (type, point, axes) from base to platform."""
+
+
+def of_limbs(name: str) -> Mechanism:
+    """The mechanism of `LIMBS`."""
+    builder = MechanismBuilder("made_of_limbs", platform="plate").body("plate")
+    for k, joints in enumerate(LIMBS[name]):
+        bodies = ["base", *(f"b{k}_{i}" for i in range(len(joints) - 1)), "plate"]
+        for body in bodies[1:-1]:
+            builder.body(body)
+        for i, (kind, point, axes) in enumerate(joints):
+            builder.joint(f"J{k}_{i}", kind, parent=bodies[i], child=bodies[i + 1], point=list(point),
+                          axes=[list(a) for a in axes])  # fmt: skip
+        builder.limb(f"limb{k}", joints=[f"J{k}_{i}" for i in range(len(joints))])
+    return builder.build()

@@ -17,7 +17,10 @@ from symscrew.effects.quasi_static import QuasiStatic
 from symscrew.kinematics import System
 
 PACKAGE = Path(symscrew.__file__).parent
-FOREIGN = {("formats/mjcf_settings.py", "gravity")}  # an attribute of MuJoCo's <option>
+FOREIGN = {  # an attribute of MuJoCo's <option>; an element of Drake's <transmission>
+    ("formats/mjcf_settings.py", "gravity"),
+    ("formats/urdf_forces.py", "rotor_inertia"),
+}
 
 
 def type_names(source: str) -> set[str]:

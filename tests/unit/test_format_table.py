@@ -31,13 +31,14 @@ from symscrew.formats import (
 )
 from symscrew.formats.by_suffix import FORMATS, Format, readable, writers
 from symscrew.formats.draft import Draft, RawBody, RawJoint
+from symscrew.formats.import_options import ImportOptions
 from symscrew.formats.rigid_displacements import UNITS, ZERO, from_quaternion, real, triple
 from symscrew.formats.safe_xml import Element, attribute, elements
 
 
-def read_tiny(root: Element, file: str) -> Draft:
+def read_tiny(root: Element, path: Path, options: ImportOptions) -> Draft:
     """<tiny><hinge name="" from="" to="" z=""/></tiny>: revolute joints about z, above each other."""
-    result = Draft(attribute(root, "name"), "base", f"imported from the tiny {file}")
+    result = Draft(attribute(root, "name"), "base", f"imported from the tiny {path.name}")
     for hinge in elements(root, "hinge"):
         child, point = attribute(hinge, "to"), triple([0, 0, Decimal(attribute(hinge, "z"))])
         result.bodies.append(RawBody(child))
@@ -150,7 +151,7 @@ def test_files_beyond_a_size_are_refused(monkeypatch: pytest.MonkeyPatch, tmp_pa
         safe_xml.read(path)
 
 
-@pytest.mark.parametrize("gap, closed", [("1e-10", True), ("1e-8", False)])
+@pytest.mark.parametrize("gap, closed", [("1e-10", True), ("1e-7", True), ("1e-5", False)])
 def test_loops_of_a_file_close_or_are_refused(tmp_path: Path, gap: str, closed: bool) -> None:
     path = tmp_path / "loop.xml"
     inertial = '<inertial pos="0 0 0" mass="1" diaginertia="1 1 1"/>'

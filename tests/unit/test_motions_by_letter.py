@@ -13,7 +13,7 @@ from symscrew.kinematics.pairs import PAIRS
 ASKED = ("kind", "type", "kinds", "types", "letter", "letters")
 FOREIGN = {
     "loops/limbs/planar_limbs.py",  # its three closed forms, by the limb's two motions
-    "formats/mjcf_reader.py",  # a slide and a hinge that an equality couples
+    "formats/mjcf_bodies.py",  # a slide and a hinge that an equality couples
     "formats/merged_joints.py",  # chains of elementary joints that are one joint here
     "studies/accuracy/load_sharing.py",  # limbs of the seed by their letters
     "mobility/proofs/proof_checker.py",  # imports nothing of the package, so that who doubts it need not trust it

@@ -7,14 +7,17 @@ import re
 from dataclasses import replace
 from pathlib import Path
 
+import casadi as ca
 import pytest
 from support import handmade
+from support.model_states import model as support_model
 
 from symscrew.description.builder import MechanismBuilder
 from symscrew.export import c, casadi, listing
 from symscrew.export import numpy as numpy_printer
 from symscrew.export.conventions import CONVENTIONS, conventions
 from symscrew.export.manifest_file import OutputError, effect_from_json, effect_to_json
+from symscrew.export.value_names import LEGEND
 from symscrew.generation.folder import render
 from symscrew.model import derive
 from symscrew.program.straight_line import COUNTED, Port
@@ -45,6 +48,8 @@ def test_conventions_are_said_once_and_everywhere_the_same(model):
     """In the header, in the manifest and on their page; those of ball joints only where there is one."""
     page = (Path(__file__).parents[2] / "docs/conventions.md").read_text(encoding="utf-8")
     page = " ".join(page.split())
+    for text in LEGEND:  # said where the constants stand, and there
+        assert text in page.replace("`", "") and text in " ".join(c.print_source(model).split())
     for subject, text in CONVENTIONS.items():
         assert f"- **{subject}**: {text}" in page
     header = " ".join(c.print_header(model).replace("\n *", " ").split())
@@ -52,6 +57,19 @@ def test_conventions_are_said_once_and_everywhere_the_same(model):
     ball = "ball", (4,), ("1",) * 4, tuple(f"S.q{x}" for x in "wxyz"), ""
     guarded = replace(model.programs["guarded"], inputs=(*model.programs["guarded"].inputs, Port(*ball)))
     assert set(conventions(replace(model, programs={"guarded": guarded}))) == set(CONVENTIONS)
+
+
+def test_entries_of_casadi_functions_have_the_names_of_the_c_code(tmp_path):
+    """After saving and reading, too: `sx_in` and every expression in them say what they are of."""
+    found = support_model("four_bar")
+    program = found.programs["inverse_dynamics"]
+    casadi.program_function(program).save(str(tmp_path / "f.casadi"))
+    symbols = ca.Function.load(str(tmp_path / "f.casadi")).sx_in()
+    entries = [str(entry) for symbol in symbols for entry in ca.symvar(symbol)]
+    assert entries[:3] == ["A_q", "B_q", "D_q"] and len(entries) == sum(port.size for port in program.inputs)
+    read = re.findall(r"(\w+_\w+) = READ\(", c.print_source(found.only(["inverse_dynamics"])))
+    assert read and set(read) <= set(entries)
+    assert [symbol.shape for symbol in symbols] == [(port.size, 1) for port in program.inputs]
 
 
 def test_no_storage_of_its_own(model):

@@ -11,6 +11,8 @@ from support.model_states import model
 
 from symscrew.algebra import QUANTITIES, Origin
 from symscrew.export.c import print_source
+from symscrew.export.javascript import print_javascript
+from symscrew.export.numpy import print_numpy
 from symscrew.export.pivots import pivot_text
 from symscrew.export.stages import MOST, STAGE_OF, STAGES, Stages, headed
 from symscrew.export.value_names import value_names
@@ -94,3 +96,17 @@ def test_every_pivot_of_a_function_has_a_name_and_a_meaning(name: str) -> None:
     tests = re.findall(r"^        SMALL\((\w+), [^)]*\)(.*)$", source, re.M)
     assert tests and all(re.search(r"/\* where .* \*/$", rest) for _, rest in tests)
     assert not [pivot for pivot, _ in tests if re.fullmatch(r"t\d+", pivot)]
+
+
+def test_every_language_has_the_names_and_the_headings() -> None:
+    """What NumPy and JavaScript compute has the names that C gives it, under headings of the same stages."""
+    found = model("four_bar").only(["inverse_dynamics"])
+    source = print_source(found)
+    (python,), (script,) = print_numpy(found).values(), print_javascript(found).values()
+    texts = (source.partition("BODY(")[2].partition("\n}")[0], python, script)
+    c, numpy, javascript = (set(re.findall(r"\b([A-Za-z]+\w*_\w*) = [^;\n]* [-+*/] ", text)) for text in texts)
+    program = found.programs["inverse_dynamics"]
+    assert isinstance(program, Program)
+    assert numpy == javascript and c | numpy <= set(value_names(program, ()).values()) and len(c & numpy) > 5
+    told = [re.findall(rf"^ +{mark} (\w+: .*)$", text, re.M) for text, mark in ((python, "#"), (script, "//"))]
+    assert told[0] and told[0] == told[1]

@@ -111,6 +111,10 @@ def test_names_are_identifiers_of_their_own() -> None:
 def test_names_say_what_a_value_is() -> None:
     assert identifier(Origin("omega", "limb1_arm", "x")) == "limb1_arm_omega_x"
     assert identifier(Origin("force", "platform", "force_z")) == "platform_force_z"
+    assert identifier(Origin("force", "platform", "moment_z")) == "platform_moment_z"
+    assert identifier(Origin("twist", "arm", "angular_x")) == "arm_twist_wx"
+    assert identifier(Origin("momentum_rate", "arm", "moment_y")) == "arm_rate_my"
+    assert identifier(Origin("momentum", "arm", "moment_y")) == "arm_momentum_Ly"
     assert identifier(Origin("cos", "limb1_U.0", negative=True)) == "minus_limb1_U_0_cos"
     assert identifier(Origin("balance", "hub", "wy", by="limb4_P")) == "hub_balance_wy_by_limb4_P"
 

@@ -11,6 +11,7 @@ from collections.abc import Sequence
 
 from symscrew.algebra import Node, Vector, add, cross, differentiate, dot, scale, subtract, transform, transpose
 from symscrew.dynamics.derivatives.motion_variations import (
+    Direction,
     Variation,
     Varied,
     matrix_change,
@@ -21,7 +22,7 @@ from symscrew.dynamics.derivatives.motion_variations import (
     times,
     with_changes,
 )
-from symscrew.kinematics import GROUND, Cut, Rates, acceleration_matrix, closure_bias
+from symscrew.kinematics import GROUND, Cut, Rates, Relation, acceleration_matrix, closure_bias
 
 Changes = Sequence[Sequence[Rates]]
 
@@ -37,10 +38,25 @@ def closure_changes(variation: Variation) -> list[list[Node]]:
     changes = variation.rate_changes(moving)
     by: list[list[Node]] = [[] for _ in variation.directions]
     for cut in system.cuts:
+        if cut.relation is not None:
+            for column, direction in zip(by, variation.directions, strict=True):
+                column.append(_tied(variation, cut.relation, direction))
+            continue
         rows = (_sliding if cut.joint.kind.slides else _meeting)(variation, cut, moving, changes)
         for column, more in zip(by, rows, strict=True):
             column += more
     return by
+
+
+def _tied(variation: Variation, relation: Relation, direction: Direction) -> Node:
+    """Change of the second rate of a coupling along a direction; its coordinates are joint rates themselves."""
+    total = variation.system.tape.zero
+    for share in relation.shares:
+        k, v, a = share.v, variation.w[share.v], variation.w_dot[share.v]
+        total = total + share.slope() * direction.gain[k]
+        total = total + share.slope(2) * (direction.step[k] * a + 2 * (v * direction.rate[k]))
+        total = total + share.slope(3) * (direction.step[k] * (v * v))
+    return total
 
 
 def _sliding(variation: Variation, cut: Cut, moving: Sequence[Rates], changes: Changes) -> list[list[Node]]:
@@ -49,7 +65,7 @@ def _sliding(variation: Variation, cut: Cut, moving: Sequence[Rates], changes: C
     for name, change in zip(variation.names, changes, strict=True):
         for link in (cut.tip, cut.hub):
             seed_rates(seeds, name, moving[link], change[link])
-    rows = closure_bias(cut, system.linkage, system.twist, moving)
+    rows = closure_bias(cut, system.linkage, system.twist, moving, v=system.inputs.v)
     found = differentiate(system.tape, rows, seeds, variation.names, order="forward")
     return [[row[k] for row in found] for k in range(len(changes))]
 

@@ -51,7 +51,7 @@ class CutRows:
 
         `cut` is the joint as that system has it, `still` are the rates of its links at zero joint accelerations.
         """
-        return closure_bias(cut, moving.linkage, moving.twist, still)
+        return closure_bias(cut, moving.linkage, moving.twist, still, v=moving.inputs.v)
 
 
 def unit_scales(system: System, cut: Cut) -> tuple[float, ...]:

@@ -88,7 +88,12 @@ def any_rods(limbs: Sequence[LimbForm]) -> bool:
 
 
 def _limb(system: System, cut: Cut, covered: Set[int]) -> LimbForm | None:
-    """The cut joint's limb, all links of which are new and hang on one that is covered, if it has a closed form."""
+    """The cut joint's limb, all links of which are new and hang on one that is covered, if it has a closed form.
+
+    A coupling has none, and the limbs that it ties to each other are not solved one by one.
+    """
+    if cut.relation is not None:
+        return None
     for form in FORMS:
         limb = form(system, cut)
         if limb and limb.links[0].parent in covered and not covered & {link.index for link in limb.links}:

@@ -1,21 +1,29 @@
 """Operation modes and components of the configuration space: closure as polynomials, taken apart.
 
-Mechanism --limb_equations, closure_equations--> polynomials over an exact field (polynomials)
-          --exact_parts--> irreducible components, proved --configuration_space--> result --component_texts--> words
+Mechanism --limb_equations, algebraic_closure--> polynomials over an exact field (polynomials)
+          --exact_parts--> irreducible components, proved; real_configurations lie on them --all_components--> result
+Network   --mode_sampling--> modes that random configurations show, where exact algebra does not end
+both      --component_texts--> words, JSON
 """
 
 from symscrew.mobility.components.algebraic_closure import ClosureEquations, NotAlgebraicError, closure_equations
 from symscrew.mobility.components.all_components import ConfigurationSpace, configuration_space
-from symscrew.mobility.components.component_texts import space_lines, space_values
+from symscrew.mobility.components.component_texts import mode_lines, mode_values, space_lines, space_values
 from symscrew.mobility.components.exact_parts import Part
+from symscrew.mobility.components.mode_sampling import SampledMode, SampledModes, sampled_modes
 
 __all__ = [
     "ClosureEquations",
     "ConfigurationSpace",
     "NotAlgebraicError",
     "Part",
+    "SampledMode",
+    "SampledModes",
     "closure_equations",
     "configuration_space",
+    "mode_lines",
+    "mode_values",
+    "sampled_modes",
     "space_lines",
     "space_values",
 ]

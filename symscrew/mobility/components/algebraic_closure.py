@@ -91,6 +91,8 @@ def closure_equations(mechanism: Mechanism, network: Network) -> ClosureEquation
     """The polynomials of a mechanism; raises NotAlgebraicError with the reason where there are none."""
     if not network.chords:
         raise NotAlgebraicError("no loops")
+    if network.ties:
+        raise NotAlgebraicError("couplings of coordinates are not among the polynomials")
     looped = {name for loop in network.loops() for name, _ in loop}
     for name in looped:
         if any(motion.helical for motion, _ in network.edges[name].motions):

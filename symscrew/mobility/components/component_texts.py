@@ -6,6 +6,7 @@ from typing import Any
 
 from symscrew.mobility.components.all_components import ConfigurationSpace
 from symscrew.mobility.components.exact_parts import Part
+from symscrew.mobility.components.mode_sampling import SampledMode, SampledModes
 
 MOST_SHOWN = 6
 """Equations of a component in words; all are in the JSON."""
@@ -56,3 +57,31 @@ def space_values(found: ConfigurationSpace) -> dict[str, Any]:
         "decided": True, "subject": found.subject, "variables": list(found.variables), "field": found.field,
         "proved": found.proved, "not_done": found.reason, "real_configurations": found.found, "components": parts,
     }  # fmt: skip
+
+
+def mode_lines(found: SampledModes) -> list[str]:
+    """A line for each sampled mode."""
+    count = len(found.modes)
+    head = (
+        f"{count} operation mode{'s' * (count != 1)} of {found.body}, sampled: {found.found} configurations from "
+        "random starts; Study's parameters x, y with lengths in sizes of the mechanism; others may be missing"
+    )
+    return [head, *(_mode(mode, found) for mode in found.modes)]
+
+
+def _mode(mode: SampledMode, found: SampledModes) -> str:
+    places = {True: "through the reference", False: "elsewhere", None: "not known whether through the reference"}
+    where = places[mode.through]
+    shown = "; ".join(f"{e} = 0" for e in mode.equations) or "no linear equation"
+    text = f"dimension {mode.dimension} ({mode.poses} of the poses), {where}, {mode.count} of {found.found}: {shown}"
+    return f"{text}; {mode.quadrics} quadrics" if mode.quadrics > 1 else text
+
+
+def mode_values(found: SampledModes) -> dict[str, Any]:
+    """The same as JSON values."""
+    modes = [
+        {"dimension": m.dimension, "dimension_of_poses": m.poses, "through_reference": m.through,
+         "linear_equations": [f"{e} = 0" for e in m.equations], "quadrics": m.quadrics, "configurations": m.count}
+        for m in found.modes
+    ]  # fmt: skip
+    return {"body": found.body, "judgement": "sampled", "configurations": found.found, "modes": modes}

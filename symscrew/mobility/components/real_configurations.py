@@ -43,9 +43,25 @@ def real_configurations(network: Network, starts: int = STARTS) -> Array:
         residuals, jacobians = variety.evaluate(q)
         step = (np.linalg.pinv(jacobians, rcond=CUT_OFF) @ residuals[..., None])[..., 0]
         size = np.linalg.norm(step, axis=1, keepdims=True)
-        q = q - step / np.maximum(1.0, size)
+        q = wrapped(network, q - step / np.maximum(1.0, size))
     residuals, _ = variety.evaluate(q)
     return np.asarray(q[(np.abs(residuals).max(axis=1, initial=0.0) < CLOSED) & np.isfinite(q).all(axis=1)])
+
+
+def wrapped(network: Network, q: Array) -> Array:
+    """The same configurations with rotation vectors of ball joints no longer than half a turn.
+
+    At a whole turn they stop being coordinates: all directions are the same rotation.
+    """
+    q = q.copy()
+    for edge in network.edges.values():
+        for motion, start in edge.motions:
+            if motion.spherical:
+                vector = q[:, start : start + 3]
+                size = np.linalg.norm(vector, axis=1, keepdims=True)
+                turns = np.round(size / (2 * np.pi))
+                q[:, start : start + 3] = vector * (1 - 2 * np.pi * turns / np.maximum(size, 1.0))
+    return q
 
 
 def variables_at(closure: ClosureEquations, network: Network, q: Array) -> Array | None:
@@ -66,10 +82,16 @@ def variables_at(closure: ClosureEquations, network: Network, q: Array) -> Array
     lengths = [_displacement(length, network, q) for length in closure.lengths]
     columns += lengths
     if closure.body:
-        centre = np.array([float(c) for c in variety.centre])
-        columns += list(_study(_about_origin(poses[closure.base], centre, float(network.length)),
-                               _about_origin(poses[closure.body], centre, float(network.length))).T)  # fmt: skip
+        columns += list(body_pose(network, variety, q, closure.base, closure.body).T)
     return np.stack(columns, axis=1)
+
+
+def body_pose(network: Network, variety: ClosureVariety, q: Array, *between: str) -> Array:
+    """Study's parameters of the displacement of the second body against the first, lengths in metres, one a row."""
+    centre = np.array([float(c) for c in variety.centre])
+    poses = variety.forward(q)[1]
+    base, body = (_about_origin(poses[name], centre, float(network.length)) for name in between)
+    return _study(base, body)
 
 
 def _displacement(length: Length, network: Network, q: Array) -> Array:

@@ -107,7 +107,7 @@ def _block_mobility(network: Network) -> FiniteMobility:
     rows = network.loop_rows()
     motions = null_space(rows, network.freedoms).basis
     dof = len(motions)
-    if not network.chords:
+    if not rows:
         return _smooth(network, dof, "joints outside of loops move freely", proved=True)
     if dof == 0:
         return _smooth(network, 0, "no instantaneous motion, hence none", proved=True)
@@ -156,6 +156,8 @@ def _by_reduced_closure(network: Network, motions: Sequence[Screw], dof: int) ->
             proved=False,
         )
     text = _missed(trials)
+    if network.ties:
+        raise UndecidedError(f"{text}; with couplings of coordinates nothing beyond that was looked at")
     if dof == 1:
         arc = continued(network, motions[0], ORDERS)
         if arc.order is not None and arc.obstruction < RESOLVED:

@@ -14,7 +14,9 @@ from symscrew.mobility.joint_network import Edge, Network, spanning_tree
 
 
 def blocks_of(network: Network) -> tuple[Network, ...]:
-    """The mechanism's blocks, each a network with one of its bodies as ground."""
+    """The mechanism's blocks, each a network with one of its bodies as ground; the whole where there are couplings."""
+    if network.ties:
+        return (network,)
     return tuple(_block(network, names) for names in _components(network))
 
 

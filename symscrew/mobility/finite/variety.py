@@ -119,8 +119,12 @@ class ClosureVariety:
         self._motions = {edge.name: _motions(edge, centre, arithmetic) for edge in edges}
         self._alike = _Alike.of([motion for motions in self._motions.values() for motion in motions])
         self.columns = network.freedoms
-        self.rows = 6 * len(network.chords)
         self._places = _places(network)
+        self.rows = 6 * len(network.chords) + len(network.ties)
+        self._ties = [
+            [(network.tied_column(term.joint, term.motion), term.read(arithmetic.read)) for term in tie.terms]
+            for tie in network.ties
+        ]
         self._fixed = None if arithmetic is DOUBLE else ClosureResidual(network, centre)
 
     def evaluate(self, q: Array) -> tuple[Array, Array]:
@@ -131,7 +135,16 @@ class ClosureVariety:
             edge = self.network.edges[name]
             gap = _product(poses[f"{name} closed"], _inverse(poses[edge.child]))
             residuals[:, 6 * k : 6 * k + 6] = _small_twist(gap)
-        return residuals, self.jacobians(screws)
+        residuals[:, 6 * len(self.network.chords) :] = self._tied(q)
+        return residuals, self.jacobians(screws, q)
+
+    def _tied(self, q: Array) -> Array:
+        """How far the couplings are off at the points q."""
+        values = self._zeros(len(q), len(self._ties))
+        for k, terms in enumerate(self._ties):
+            for column, term in terms:
+                values[:, k] = values[:, k] + term.value(q[:, column])
+        return values
 
     def forward(self, q: Array) -> tuple[Array, dict[str, tuple[Array, Array]]]:
         """(displaced screws N x columns x 6, displacement (rotation, translation) of every body), about the centre."""
@@ -156,7 +169,7 @@ class ClosureVariety:
     def residual(self, q: Array) -> Array:
         """The residual at one point."""
         if self._fixed is not None:
-            return np.array(self._fixed(list(q)), dtype=object)
+            return np.array([*self._fixed(list(q)), *self._tied(q[None])[0]], dtype=object)
         return np.asarray(self.evaluate(q[None])[0][0])
 
     def stations(self, q: Array) -> dict[str, list[Pose]]:
@@ -170,12 +183,16 @@ class ClosureVariety:
             result[name] = found
         return result
 
-    def jacobians(self, screws: Array) -> Array:
-        """The Jacobians N x rows x columns at points with these displaced screws."""
+    def jacobians(self, screws: Array, q: Array) -> Array:
+        """The Jacobians N x rows x columns at the points q with these displaced screws."""
         result = self._zeros(len(screws), self.rows, self.columns)
         chords, columns, signs = self._places
-        blocks = result.reshape(len(screws), -1, 6, self.columns)
+        loops = 6 * len(self.network.chords)
+        blocks = result[:, :loops].reshape(len(screws), -1, 6, self.columns)  # a view: splitting an axis copies nothing
         blocks[:, chords, :, columns] = np.swapaxes(screws[:, columns], 0, 1) * signs[:, None, None]
+        for k, terms in enumerate(self._ties, start=loops):
+            for column, term in terms:
+                result[:, k, column] = result[:, k, column] + term.slope(q[:, column])
         return result
 
     def _passed(self, name: str, steps: Mapping[int, Step], start: Pose, starts: dict[int, Pose]) -> Pose:
@@ -282,7 +299,11 @@ def moved(network: Network, fine: ClosureVariety, point: Array) -> Network:
                          centre[0] * w[1] - centre[1] * w[0])  # fmt: skip
                 rows.append((*w, *(a + b for a, b in zip(v, shift, strict=True))))
         edges[edge.name] = replace(edge, point=place, screws=tuple(rows))
-    return replace(network, edges=edges)
+    ties = tuple(
+        replace(tie, terms=tuple(t.moved(point[network.tied_column(t.joint, t.motion)]) for t in tie.terms))
+        for tie in network.ties
+    )
+    return replace(network, edges=edges, ties=ties)
 
 
 def _places(network: Network) -> tuple[Array, Array, Array]:

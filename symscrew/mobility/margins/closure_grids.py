@@ -92,7 +92,7 @@ class ClosureGrids:
         rows = []
         for c, (cut, own) in enumerate(zip(self.system.cuts, self.rows, strict=True)):
             held = [row for u, row in self.cut_drives.get(c, ()) if u in locked]
-            rows.append([*own, *self._entries(cut, held)])
+            rows.append([*own, *(self._entries(cut, held) if held else [])])
         return columns, rows
 
     def grid(self, locked: Sequence[int], held: Iterable[int] = ()) -> Grid:

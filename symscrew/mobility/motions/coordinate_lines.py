@@ -95,7 +95,7 @@ def pose_at(setting: Setting, q: Array, held: Sequence[int], before: Array | Non
     """The pose with its margins; its direction continues the one before."""
     variety = setting.variety
     screws = variety.forward(q[None])[0][0]
-    jacobian = variety.jacobians(screws[None])[0]
+    jacobian = variety.jacobians(screws[None], q[None])[0]
     rank = variety.columns - setting.dimension
     _, s, vt = np.linalg.svd(jacobian)
     motions = vt[rank:].T

@@ -101,7 +101,7 @@ def _smooth(network: Network, dimension: int) -> Germ:
     variety = ClosureVariety(network)
     generator = np.random.default_rng(SEED)
     points = []
-    if not network.chords:
+    if not (network.chords or network.ties):
         points = [0.3 * generator.normal(size=network.freedoms) for _ in range(2)]
         return Germ(network, dimension, tuple(points), np.eye(network.freedoms))
     here = local_at(variety, np.zeros(variety.columns), rank=variety.columns - dimension)

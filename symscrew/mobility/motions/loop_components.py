@@ -57,6 +57,8 @@ def components_of(mechanism: Mechanism, network: Network) -> Components | str:
         return "not decided: only loops of four hinges are decomposed, by factors of one equation"
     if any(len(e.motions) != 1 or not e.motions[0][0].revolute for e in network.edges.values()):
         return "not decided: only hinges are decomposed, by factors of one equation"
+    if network.ties:
+        return "not decided: couplings of coordinates are not among the equations"
     try:
         system = exact_system(mechanism)
         names = [name for name, _ in network.loops()[0]]

@@ -17,7 +17,16 @@ from symscrew.mobility.symbols.exact_numbers import Exact, Generator, NotDecidab
 from symscrew.mobility.symbols.exact_numbers import inverse as exact_inverse
 from symscrew.mobility.symbols.exact_numbers import value as exact_value
 from symscrew.mobility.symbols.exact_ranks import exact_rank, null_vectors, reduced
-from symscrew.mobility.symbols.exact_screws import ExactSystem, Row, across, exact_system, loop_rows
+from symscrew.mobility.symbols.exact_screws import (
+    ExactSystem,
+    ExactTie,
+    Row,
+    across,
+    exact_system,
+    exact_ties,
+    loop_rows,
+    tie_row,
+)
 from symscrew.mobility.symbols.generators import NotPolynomialError
 from symscrew.mobility.symbols.limb_poses import LimbPose, limb_pose, rounded_axis
 from symscrew.mobility.symbols.loop_groups import group_dimensions
@@ -36,6 +45,7 @@ __all__ = [
     "ActuationLoci",
     "Exact",
     "ExactSystem",
+    "ExactTie",
     "Field",
     "Generator",
     "LimbPose",
@@ -53,6 +63,7 @@ __all__ = [
     "exact_inverse",
     "exact_rank",
     "exact_system",
+    "exact_ties",
     "exact_value",
     "generator_itself",
     "group_dimensions",
@@ -66,4 +77,5 @@ __all__ = [
     "symbolic_mobility",
     "symbolic_screws",
     "terms_of",
+    "tie_row",
 ]

@@ -12,11 +12,11 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from symscrew.algebra import IDENTITY, Vector, cross, dot, scale, subtract
-from symscrew.description import Joint, Mechanism
+from symscrew.description import Joint, Mechanism, slope
 from symscrew.kinematics import motion_screws
 from symscrew.mobility.joint_network import Network
 from symscrew.mobility.symbols.exact_field import Field
-from symscrew.mobility.symbols.exact_numbers import Exact
+from symscrew.mobility.symbols.exact_numbers import Exact, NotDecidableError
 
 Row = list[Exact]
 
@@ -81,3 +81,37 @@ def loop_rows(network: Network, system: ExactSystem, loop: Sequence[tuple[str, i
             for i in range(6):
                 rows[i][column] = sign * screw[i]
     return rows
+
+
+ExactTie = tuple[tuple[str, int, Exact], ...]
+"""The slopes of a coupling in the reference configuration: (joint, motion, slope)."""
+
+
+def exact_ties(mechanism: Mechanism, system: ExactSystem) -> tuple[ExactTie, ...]:
+    """The couplings' slopes over the field of the screws.
+
+    Raises:
+        NotDecidableError: a slope is no rational number, or an exact direction of a coupled joint is no unit vector, so
+            that a rate along it is not the coordinate's.
+    """
+    made = []
+    for coupling in mechanism.couplings.values():
+        entries = []
+        for term in coupling.terms:
+            value = mechanism.number(slope(mechanism, term))
+            screw = system.screws[term.joint][mechanism.joints[term.joint].kind.starts[term.motion]]
+            turns = mechanism.joints[term.joint].kind.motions[term.motion].turns
+            axis = screw[:3] if turns else screw[3:]
+            if not value.is_Rational or sum((c * c for c in axis), Fraction(0)) != 1:
+                raise NotDecidableError(f"the coupling {coupling.name} has a ratio that is not rational")
+            entries.append((term.joint, term.motion, Fraction(int(value.p), int(value.q))))
+        made.append(tuple(entries))
+    return tuple(made)
+
+
+def tie_row(network: Network, system: ExactSystem, tie: ExactTie) -> Row:
+    """The row of a coupling over all joint freedoms."""
+    row: Row = [Fraction(0)] * network.freedoms
+    for joint, motion, value in tie:
+        row[network.tied_column(joint, motion)] += value
+    return row

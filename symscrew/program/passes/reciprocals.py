@@ -13,7 +13,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from symscrew.algebra import Node, handed_on, remade, uses
+from symscrew.algebra import LEAVES, Node, handed_on, remade, uses
 
 INVERTED = frozenset(("reciprocal", "mul"))
 
@@ -45,7 +45,7 @@ def _depends(node: Node, on: Node, replaced: dict[int, tuple[Node, Node]]) -> bo
         here = stack.pop()
         if here is on:
             return True
-        if here.index not in seen and here.op not in ("symbol", "const"):
+        if here.index not in seen and here.op not in LEAVES:
             seen.add(here.index)
             stack += replaced.get(here.index, here.args)
     return False
@@ -53,14 +53,18 @@ def _depends(node: Node, on: Node, replaced: dict[int, tuple[Node, Node]]) -> bo
 
 def _rebuilt(roots: Sequence[Node], replaced: dict[int, tuple[Node, Node]]) -> list[Node]:
     """The roots with their reciprocals replaced; arguments first, in an order of their own."""
-    new: dict[int, Node] = {}
+    nodes, new = roots[0].tape.nodes, dict[int, Node]()
+    for index in uses(roots):  # arguments come first
+        node = nodes[index]
+        if index not in replaced and (node.op in LEAVES or all(arg.index in new for arg in node.args)):
+            new[index] = node  # nothing behind it is replaced
     stack = list(roots)
     while stack:
         node = stack[-1]
         if node.index in new:
             stack.pop()
             continue
-        if node.op in ("symbol", "const"):
+        if node.op in LEAVES:
             new[node.index] = node
             continue
         needed = replaced.get(node.index, node.args)

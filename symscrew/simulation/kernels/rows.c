@@ -176,8 +176,9 @@ static void front_space(const Opening *o, double floor, int index, Rows *f)
         order[best] = order[r];
         order[r] = chosen;
         double *row = rows[chosen];
-        const int every = product(row, row, width) < 1e-10 * whole[chosen];
-        for (int j = 0; j < r; ++j) { /* once more: rounding must not tilt a short row */
+        const double left = product(row, row, width);
+        const int every = left < 1e-10 * whole[chosen];
+        for (int j = 0; j < r && left < TILTED * whole[chosen]; ++j) { /* once more: rounding tilts a short row */
             if (every || lower[chosen][j] != 0.0) {
                 without(row, vectors + j * width, width);
             }

@@ -116,6 +116,10 @@ def _check(plan: Plan, made: Prepared) -> None:
                 f"--over: {axis.name!r} is neither an independent coordinate nor a parameter; "
                 f"{did_you_mean(axis.name, known)}"
             )
+        unit = made.units.get(axis.name, "")
+        if axis.unit and unit in ("m", "rad") and axis.unit != unit:
+            wanted = "a length [m, mm]" if unit == "m" else "an angle [rad, deg]"
+            raise DescriptionError(f"--over: {axis.name} is {wanted}; its values are given in {axis.unit}")
     names = [axis.name for axis in plan.axes]
     twice = sorted({n for n in names if names.count(n) > 1})
     if twice:

@@ -15,6 +15,7 @@ from symscrew.effects import Effect, type_name
 from symscrew.errors import DescriptionError, shorten
 
 UNITS = {"": 1.0, "m": 1.0, "mm": 1e-3, "rad": 1.0, "deg": math.pi / 180}
+OF = {"": "", "m": "m", "mm": "m", "rad": "rad", "deg": "rad"}  # what they are converted to
 TILT, AZIMUTH = "tilt", "azimuth"
 MOST_CASES = 50_000_000  # of a sweep: 0.4 GB for every result, of which there are dozens; more is refused
 _NUMBER = re.compile(r"([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*([a-z]*)")
@@ -22,12 +23,16 @@ _NUMBER = re.compile(r"([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*([a-z]*)")
 
 @dataclass(frozen=True)
 class Axis:
-    """A coordinate or parameter with its values, evenly from `low` to `high` [rad, m, or the parameter's unit]."""
+    """A coordinate or parameter with its values, evenly from `low` to `high` [rad, m, or the parameter's unit].
+
+    `unit` is "m" or "rad" where the values were given as lengths or angles, and empty for plain numbers.
+    """
 
     name: str
     low: float
     high: float
     count: int
+    unit: str = ""
 
     @property
     def values(self) -> np.ndarray:
@@ -113,13 +118,15 @@ def read_axis(text: str) -> Axis:
         raise DescriptionError(
             f"--over: expected COORDINATE=from:to:count such as tilt=0:20deg:21, got {shorten(text)}"
         )
-    low, high = (read_number(part, "--over") for part in parts[:2])
+    (low, one), (high, other) = (read_quantity(part, "--over") for part in parts[:2])
+    if one != other and low and high:  # a zero needs no unit
+        raise DescriptionError(f"--over: expected both ends in one unit, such as -20deg:20deg, got {shorten(text)}")
     count = int(parts[2][:9])
     if count < 1 or (count > 1) == (low == high):
         raise DescriptionError(
             f"--over: expected from below to and at least 2 values, or one value, in {shorten(text)}"
         )
-    return Axis(name.strip(), low, high, count)
+    return Axis(name.strip(), low, high, count, other if high else one)
 
 
 def read_number(text: str, where: str) -> float:
@@ -128,13 +135,18 @@ def read_number(text: str, where: str) -> float:
     Raises:
         DescriptionError: it is none, not finite, or of another unit; begins with `where`.
     """
+    return read_quantity(text, where)[0]
+
+
+def read_quantity(text: str, where: str) -> tuple[float, str]:
+    """A number as `read_number` takes it, and "m" for a length, "rad" for an angle, nothing without a unit."""
     match = _NUMBER.fullmatch(text.strip())
     if match is None or match.group(2) not in UNITS:
         raise DescriptionError(f"{where}: expected a number with m, mm, rad, deg or no unit, got {shorten(text)}")
     value = float(match.group(1)) * UNITS[match.group(2)]
     if not math.isfinite(value):
         raise DescriptionError(f"{where}: expected a finite number, got {shorten(text)}")
-    return value
+    return value, OF[match.group(2)]
 
 
 def read_limit(text: str) -> tuple[str, float, float]:

@@ -1,0 +1,44 @@
+"""What a draft has beside its mechanism: effects, limits, and the account of everything."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+from symscrew.formats.draft import Draft, Limits
+from symscrew.formats.imported import Account, JointLimits
+
+Named = Callable[[str], tuple[str, int | None]]
+
+
+def forces_of(draft: Draft, named: Named) -> tuple[Mapping[str, Any], ...]:
+    """The draft's forces of joints; `named`: joint of the file -> (joint of the mechanism, freedom or None)."""
+    tables: list[dict[str, Any]] = []
+    for effect in draft.effects:
+        joint, freedom = named(effect.joint)
+        table = {"kind": effect.table["kind"], "joint": joint, **effect.table}
+        if freedom is not None:
+            table["freedom"] = freedom
+        tables.append(table)
+    return tuple(tables)
+
+
+def limits_of(found: Limits) -> JointLimits:
+    """Limits as doubles."""
+    values = (found.lower, found.upper, found.velocity, found.effort)
+    lower, upper, velocity, effort = (None if value is None else float(value) for value in values)
+    return JointLimits(lower, upper, velocity, effort)
+
+
+def account_of(draft: Draft) -> Account:
+    """What became of everything that the file says."""
+    taken = {
+        "bodies": len(draft.bodies),
+        "joints": len(draft.joints),
+        "driven joints": sum(bool(joint.driven) for joint in draft.joints),
+        "couplings": len(draft.couplings),
+        "points": len(draft.points),
+    }
+    found = {what: count for what, count in taken.items() if count}
+    ledger = draft.ledger
+    return Account(found, dict(ledger.effects), dict(ledger.harmless), dict(ledger.influence), tuple(ledger.changed))

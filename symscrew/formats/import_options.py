@@ -1,0 +1,22 @@
+"""What whoever imports a file allows beside what is read without asking."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class ImportOptions:
+    """How a file is read.
+
+    Attributes:
+        snap: gap [m, rad] up to which open loops are closed, beside what rounding explains.
+        repair: inertias that no body can have become the nearest that one can.
+        accept: what is left out although numbers depend on it is left out all the same.
+        floating: the root of a tree that stands on nothing moves freely in space.
+    """
+
+    snap: float = 0.0
+    repair: bool = False
+    accept: bool = False
+    floating: bool = False

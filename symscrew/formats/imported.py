@@ -1,0 +1,70 @@
+"""What an import gives: the mechanism, effects, limits and configurations beside it, and what became of everything.
+
+taken over | turned into effects and limits | left out without influence | left out with influence
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from symscrew.description import Mechanism
+
+
+@dataclass(frozen=True)
+class JointLimits:
+    """Reach [rad or m], greatest rate [per s] and effort [N m or N] of a joint; None where the file gives none."""
+
+    lower: float | None = None
+    upper: float | None = None
+    velocity: float | None = None
+    effort: float | None = None
+
+
+@dataclass(frozen=True)
+class Account:
+    """What became of what a file says, how often it occurs; `changed`: numbers that are not the file's, in words."""
+
+    taken: Mapping[str, int]
+    effects: Mapping[str, int]
+    harmless: Mapping[str, int]
+    influence: Mapping[str, int]
+    changed: tuple[str, ...] = ()
+
+    def lines(self) -> list[str]:
+        """The table, a line a kind; kinds that do not occur are left out."""
+        kinds = (
+            ("taken over", self.taken),
+            ("turned into effects and limits", self.effects),
+            ("left out, without influence", self.harmless),
+            ("left out, WITH influence on numbers", self.influence),
+        )
+        lines = [f"{what}: {_counted(counts)}" for what, counts in kinds if counts]
+        return lines + [f"changed: {text}" for text in self.changed]
+
+
+@dataclass(frozen=True)
+class Imported:
+    """A file as it was read.
+
+    Attributes:
+        mechanism: bodies, joints, couplings.
+        forces: what the file says of forces at joints: kind (armature, damping, friction, spring, servo), the joint,
+            the freedom of a joint with several, and its numbers; see `symscrew.effects.effects_of_file`.
+        limits: joint -> its limits.
+        configurations: name -> coordinates in the file's own order.
+        account: what became of everything.
+        gravity: the file's own [m/s^2]; None where it is the usual one.
+    """
+
+    mechanism: Mechanism
+    forces: tuple[Mapping[str, Any], ...] = ()
+    limits: Mapping[str, JointLimits] = field(default_factory=dict)
+    configurations: Mapping[str, tuple[float, ...]] = field(default_factory=dict)
+    account: Account = field(default_factory=lambda: Account({}, {}, {}, {}))
+    gravity: tuple[float, ...] | None = None
+
+
+def _counted(counts: Mapping[str, int]) -> str:
+    return ", ".join(f"{what} ({count})" if count > 1 else what for what, count in counts.items())

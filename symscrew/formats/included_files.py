@@ -1,0 +1,59 @@
+"""Files that an MJCF file includes, put in the place of the elements that name them.
+
+Only files in the folder of the main one or below it are read, each once on its way and few in all, so that a file
+cannot reach outside or grow without bound.
+"""
+
+from __future__ import annotations
+
+from copy import copy
+from pathlib import Path
+
+from symscrew.errors import DescriptionError, shorten
+from symscrew.formats.safe_xml import Element, attribute, read
+
+MOST_FILES = 100
+"""Files that one model may be made of; those that people publish are made of a few."""
+DEEPEST = 10
+"""Files that include each other in a row."""
+
+
+def inside(folder: Path, name: str, where: str) -> Path:
+    """The path of a file named in another one; raises DescriptionError for one that is not below the folder."""
+    if "\0" in name:
+        raise DescriptionError(f"{where}: a path must not contain a null character")
+    path = (folder / name).resolve()
+    if not path.is_relative_to(folder.resolve()):
+        raise DescriptionError(
+            f"{where}: {shorten(name)} is outside of the model's folder; only files below it are read"
+        )
+    return path
+
+
+def expanded(root: Element, path: Path) -> Element:
+    """The root element with the contents of all included files in their places."""
+    return _Expansion(path.parent).of(root, (path.resolve(),))
+
+
+class _Expansion:
+    def __init__(self, folder: Path) -> None:
+        self.folder, self.count = folder, 0
+
+    def of(self, element: Element, way: tuple[Path, ...]) -> Element:
+        if not any(child.tag == "include" for child in element.iter()):
+            return element
+        made = copy(element)
+        made[:] = []
+        for child in element:
+            if child.tag == "include":
+                made.extend(self._included(child, way))
+            else:
+                made.append(self.of(child, way))
+        return made
+
+    def _included(self, element: Element, way: tuple[Path, ...]) -> list[Element]:
+        path = inside(self.folder, attribute(element, "file"), "<include>")
+        if path in way or len(way) > DEEPEST or self.count >= MOST_FILES:
+            raise DescriptionError(f"<include>: {path.name} includes itself, or too many files are included")
+        self.count += 1
+        return list(self.of(read(path), (*way, path)))

@@ -1,0 +1,290 @@
+"""Bodies of an MJCF file: poses, inertias, joints with their forces, sites.
+
+    <worldbody> --from the world outwards--> RawBody, RawJoint, points: absolute axes in the reference configuration
+
+A joint whose coupling has an offset is displaced by it: the reference configuration obeys all couplings.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+
+from symscrew.description import JOINT_TYPES
+from symscrew.errors import DescriptionError, shorten
+from symscrew.formats.draft import Draft, RawBody, RawJoint
+from symscrew.formats.file_names import fresh
+from symscrew.formats.merged_joints import one_joint
+from symscrew.formats.mesh_inertias import Meshes
+from symscrew.formats.mjcf_couplings import Tied
+from symscrew.formats.mjcf_forces import joint_forces
+from symscrew.formats.mjcf_geoms import Solid, solid, together
+from symscrew.formats.mjcf_settings import READ, Attributes, Settings
+from symscrew.formats.rigid_displacements import (
+    UNITS,
+    ZERO,
+    Pose,
+    Real,
+    Rotation,
+    about,
+    apply,
+    minus,
+    real,
+    scaled,
+    triple,
+    turned_inertia,
+    unit,
+)
+from symscrew.formats.safe_xml import Element, check_attributes, elements, label, number, numbers
+
+IN_BODY = ("body", "frame", "joint", "freejoint", "geom", "site", "inertial", "camera", "light")
+
+
+@dataclass
+class Reading:
+    """What has been read so far: the draft, poses of bodies and sites.
+
+    `screws`: slide -> the coupling that may make a screw of it and its hinge; `values`: hinge or slide -> its
+    coordinate in the reference configuration; `displaced`: joint -> by how much that differs from the file's.
+    """
+
+    settings: Settings
+    screws: dict[str, Tied]
+    driven: dict[str, tuple[int, ...]]
+    result: Draft
+    meshes: Meshes
+    displaced: Mapping[str, Real] = field(default_factory=dict)
+    poses: dict[str, Pose] = field(default_factory=dict)
+    sites: dict[str, tuple[str, Pose]] = field(default_factory=dict)
+    values: dict[str, Real] = field(default_factory=dict)
+    seen: set[str] = field(default_factory=set)
+    made_screws: set[str] = field(default_factory=set)
+
+
+@dataclass(frozen=True)
+class Place:
+    """Where the reader is: in which body, at which pose, and the default class that is inherited there."""
+
+    body: str
+    pose: Pose
+    childclass: str | None
+
+
+@dataclass(frozen=True)
+class Part:
+    """A joint, geom or inertial of a body, with the class that it inherits and the pose that it refers to."""
+
+    element: Element
+    childclass: str | None
+    pose: Pose
+
+
+def read_children(reading: Reading, parent: Element, place: Place) -> None:
+    """Bodies, sites and frames inside a body or frame."""
+    for child in elements(parent):
+        if child.tag not in IN_BODY:
+            raise DescriptionError(f"{label(parent)}: the element <{child.tag}> of MJCF is not supported")
+        if child.tag == "frame":
+            check_attributes(child, READ["frame"])
+            inner = place.pose @ reading.settings.pose(child.attrib, label(child))
+            read_children(reading, child, Place(place.body, inner, child.get("childclass") or place.childclass))
+        elif child.tag == "body":
+            _read_body(reading, child, place)
+        elif child.tag == "site":
+            _read_site(reading, child, place)
+
+
+def _read_body(reading: Reading, element: Element, outer: Place) -> None:
+    where = label(element)
+    check_attributes(element, READ["body"])
+    if element.get("mocap", "false") != "false":
+        raise DescriptionError(f"{where}: mocap bodies are not supported; remove the body or its mocap")
+    if number(element.get("gravcomp", "0"), f"{where}, gravcomp") != 0:
+        reading.result.ledger.lost("gravcomp of a body")
+    inherited = element.get("childclass") or outer.childclass
+    name = element.get("name")
+    if name in reading.poses:
+        raise DescriptionError(f"{where}: two bodies have this name")
+    name = name or fresh("body", reading.poses)
+    pose = outer.pose @ reading.settings.pose(element.attrib, where)
+    own = _own(element, inherited, pose, reading.settings)
+    joints, moved = _joints(reading, outer.body, Place(name, pose, inherited), own)
+    pose = moved @ pose
+    own = [replace(part, pose=moved @ part.pose) for part in own]
+    reading.poses[name] = pose
+    place = Place(name, pose, inherited)
+    reading.result.bodies.append(_body(reading, name, own))
+    reading.result.joints += joints
+    read_children(reading, element, place)
+
+
+def _own(element: Element, inherited: str | None, pose: Pose, settings: Settings) -> list[Part]:
+    """Joints, geoms and inertials of a body, through its frames."""
+    found: list[Part] = []
+    for child in elements(element):
+        if child.tag == "frame":
+            inner = pose @ settings.pose(child.attrib, label(child))
+            found += _own(child, child.get("childclass") or inherited, inner, settings)
+        elif child.tag in ("joint", "freejoint", "geom", "inertial"):
+            found.append(Part(child, inherited, pose))
+    return found
+
+
+def _body(reading: Reading, name: str, own: Sequence[Part]) -> RawBody:
+    """The body's inertia, from its inertial element or its geoms."""
+    chosen = reading.settings
+    given = [part for part in own if part.element.tag == "inertial"]
+    geoms = [part for part in own if part.element.tag == "geom"]
+    for part in geoms:
+        attributes = chosen.merged(part.element, "geom", part.childclass)
+        if attributes.get("contype", "1") != "0" or attributes.get("conaffinity", "1") != "0":
+            reading.result.ledger.passed("contacts of geoms")
+    found: Solid | None = None
+    if chosen.from_geoms == "true" or (chosen.from_geoms == "auto" and not given):
+        solids = [
+            solid(
+                attributes,
+                chosen,
+                part.pose,
+                where=f"<body name={name!r}>, {label(part.element)}",
+                meshes=reading.meshes,
+            )
+            for part, attributes in ((p, chosen.merged(p.element, "geom", p.childclass)) for p in geoms)
+        ]
+        found = together([solid for solid in solids if solid is not None])
+    elif given:
+        found = _inertial(chosen, given[0].element, given[0].pose, f"<body name={name!r}>, <inertial>")
+    return RawBody(name) if found is None else RawBody(name, found.mass, found.com, found.inertia)
+
+
+def _inertial(chosen: Settings, element: Element, pose: Pose, where: str) -> Solid | None:
+    check_attributes(element, READ["inertial"], where)
+    for key in ("mass", "pos"):
+        if key not in element.attrib:
+            raise DescriptionError(f"{where}: the attribute {key!r} is missing")
+    mass = real(number(element.attrib["mass"], f"{where}, mass"))
+    frame = pose @ chosen.pose(element.attrib, where)
+    zero = ZERO[0]
+    if "fullinertia" in element.attrib:
+        if "diaginertia" in element.attrib:
+            raise DescriptionError(f"{where}: expected diaginertia or fullinertia, got both")
+        xx, yy, zz, xy, xz, yz = (real(v) for v in numbers(element.attrib["fullinertia"], f"{where}, fullinertia", 6))
+    else:
+        text = element.attrib.get("diaginertia", "0 0 0")
+        xx, yy, zz = (real(v) for v in numbers(text, f"{where}, diaginertia", 3))
+        xy = xz = yz = zero
+    if mass == 0 and not any((xx, yy, zz, xy, xz, yz)):
+        return None
+    matrix: Rotation = ((xx, xy, xz), (xy, yy, yz), (xz, yz, zz))
+    return Solid(mass, frame.translation, turned_inertia(frame.rotation, matrix))
+
+
+def _joints(reading: Reading, parent: str, place: Place, own: Sequence[Part]) -> tuple[list[RawJoint], Pose]:
+    """The chain of joints from the parent to a body, over new bodies without mass where there are several.
+
+    Also the displacement by which those of them that have one move the body from where the file has it.
+    """
+    body, pose = place.body, place.pose
+    single, moved = [], Pose()
+    for part in own:
+        if part.element.tag in ("joint", "freejoint"):
+            joint = _joint(reading, replace(part, pose=moved @ part.pose), moved @ pose)
+            single.append(joint)
+            moved = _displacement(joint, reading.displaced.get(joint.name)) @ moved
+    parts = _screwed(reading, single)
+    if not parts:
+        return [RawJoint(fresh(f"{body}_fixed", reading.seen), "fixed", parent, body, pose.translation)], moved
+    links = [parent]
+    for k in range(1, len(parts)):
+        name = fresh(f"{body}_{k}", reading.poses)
+        reading.poses[name] = pose
+        reading.result.bodies.append(RawBody(name))
+        links.append(name)
+    links.append(body)
+    return [replace(part, parent=links[k], child=links[k + 1]) for k, part in enumerate(parts)], moved
+
+
+def _displacement(joint: RawJoint, amount: Real | None) -> Pose:
+    """What a hinge or slide does when it is displaced."""
+    if amount is None or amount == 0:
+        return Pose()
+    if JOINT_TYPES[joint.type].slider:
+        return Pose(UNITS, scaled(joint.axes[0], amount))
+    turn = about(joint.axes[0], amount)
+    return Pose(turn, minus(joint.point, apply(turn, joint.point)))
+
+
+def _joint(reading: Reading, part: Part, body: Pose) -> RawJoint:
+    """One joint of a body that is at the pose `body`; its ends are filled in later."""
+    element, place, chosen = part.element, part.pose, reading.settings
+    if element.tag == "freejoint":
+        check_attributes(element, READ["freejoint"])
+        if element.get("align", "false") not in ("false", "auto"):
+            raise DescriptionError(f"{label(element)}: align is not supported")
+        attributes: Attributes = {**element.attrib, "type": "free"}
+    else:
+        attributes = chosen.merged(element, "joint", part.childclass)
+    kind = attributes.get("type", "hinge")
+    name = element.get("name")
+    if name in reading.seen:
+        raise DescriptionError(f"{label(element)}: two joints have this name")
+    name = name or fresh("joint", reading.seen)
+    reading.seen.add(name)
+    where = label(element)
+    if element.tag == "joint":
+        joint_forces(reading.result, chosen, name, attributes=attributes, kind=kind)
+    driven = reading.driven.get(name, ())
+    if kind == "free":
+        return RawJoint(name, "free", "", "", body.translation, driven=driven)
+    if kind not in ("hinge", "slide", "ball"):
+        raise DescriptionError(f"{where}: expected a type among hinge, slide, ball, free, got {shorten(kind)}")
+    point = place.point(triple(numbers(attributes.get("pos", "0 0 0"), f"{where}, pos", 3)))
+    if kind == "ball":
+        return RawJoint(name, "S", "", "", point, driven=driven)
+    axis = unit(triple(numbers(attributes.get("axis", "0 0 1"), f"{where}, axis", 3)), f"{where}, axis")
+    reference = number(attributes.get("ref", "0"), f"{where}, ref")
+    value: Real = chosen.angle(reference) if kind == "hinge" else real(reference)
+    value = value + reading.displaced.get(name, ZERO[0])
+    reading.values[name] = value
+    letter = "R" if kind == "hinge" else "P"
+    if any(index > 0 for index in driven):
+        raise DescriptionError(f"{where}: it has one freedom, but an actuator's gear drives another")
+    return RawJoint(name, letter, "", "", point, (place.direction(axis),), driven=driven, reference=(value,))
+
+
+def _screwed(reading: Reading, parts: list[RawJoint]) -> list[RawJoint]:
+    """A slide and the hinge after it on one axis, coupled by a factor and neither displaced, as one helical joint."""
+    result: list[RawJoint] = []
+    for part in parts:
+        before = result[-1] if result else None
+        tied = reading.screws.get(before.name) if before else None
+        chain = one_joint([before, part], part.name) if before and tied and part.name in tied.second else None
+        if before is None or tied is None or chain is None or chain.type != "C" or before.driven:
+            result.append(part)
+            continue
+        stem = part.name.removesuffix(".1") if before.name == part.name.removesuffix(".1") + ".0" else part.name
+        result[-1] = replace(
+            chain, name=stem, type="H", pitch=tied.powers[1], driven=part.driven, reference=part.reference
+        )
+        reading.seen.add(stem)
+        reading.made_screws.add(before.name)
+        for name in (before.name, part.name):
+            reading.result.parts_of[name] = (stem, 0 if name == part.name else None)
+    return result
+
+
+def _read_site(reading: Reading, element: Element, outer: Place) -> None:
+    attributes = reading.settings.merged(element, "site", outer.childclass)
+    pose = outer.pose @ reading.settings.pose(attributes, label(element))
+    if "fromto" in attributes:
+        ends = numbers(attributes["fromto"], f"{label(element)}, fromto", 6)
+        start, end = triple(ends[:3]), triple(ends[3:])
+        middle = ((start[0] + end[0]) / 2, (start[1] + end[1]) / 2, (start[2] + end[2]) / 2)
+        pose = Pose(pose.rotation, outer.pose.point(middle))
+    name = element.get("name")
+    if name is None:
+        return
+    if name in reading.sites:
+        raise DescriptionError(f"{label(element)}: two sites have this name")
+    reading.sites[name] = (outer.body, pose)
+    reading.result.points.append((name, outer.body, pose.translation))

@@ -1,0 +1,50 @@
+"""Loops of a file that are not quite closed in its own pose: what rounding explains is closed, and said.
+
+The joint of such a loop goes to the middle between where its two bodies have it, so that each is moved by half the
+gap; nothing else moves.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import mpmath
+
+from symscrew.errors import DescriptionError
+from symscrew.formats.draft import Ledger
+from symscrew.formats.rigid_displacements import CONTEXT, Real, Triple, length, minus, plus, real, scaled
+
+CLOSED = CONTEXT.mpf(10) ** -9
+"""Gap [m, rad] of a loop that counts as closed without a word: files have about ten digits, and MuJoCo itself closes
+loops softly."""
+SIX_DIGITS = CONTEXT.mpf(10) ** -6
+"""Gap [of the file's extent, rad] that numbers of six digits explain, as C++ prints them by default: two ends, each off
+by half a unit of the sixth digit. A larger one is refused unless `snap` allows it: the joint is at neither place."""
+
+
+@dataclass(frozen=True)
+class Closing:
+    """How open a loop may be: `snap` [m, rad] beside what rounding explains for a file of this `extent` [m]."""
+
+    ledger: Ledger
+    extent: Real
+    snap: float = 0.0
+
+    def middle(self, what: str, one: Triple, other: Triple) -> Triple:
+        """Where a joint goes that its two bodies have at these places."""
+        self.accept(what, length(minus(one, other)))
+        return scaled(plus(one, other), real("0.5"))
+
+    def accept(self, what: str, gap: Real) -> None:
+        """Raise DescriptionError for a gap [m, rad] that is too large; say one that is not nothing."""
+        if gap <= CLOSED:
+            return
+        if gap > max(SIX_DIGITS * max(self.extent, 1), real(self.snap)):
+            raise DescriptionError(
+                f"{what}: the loop does not close in the reference configuration: its two sides are "
+                f"{mpmath.nstr(gap, 6)} m or rad apart; move the bodies, leave out the relative pose, or accept it: "
+                f"--snap {mpmath.nstr(gap * real('1.001'), 4)}"
+            )
+        self.ledger.changed.append(
+            f"{what}: open by {mpmath.nstr(gap, 3)} m or rad in the file's pose; each side is moved by half of it"
+        )

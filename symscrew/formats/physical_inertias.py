@@ -1,0 +1,63 @@
+"""Inertias of a file that no body can have: found, and on request made the nearest that one can.
+
+principal moments a <= b <= c of a body: a >= 0, a + b >= c
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import mpmath
+
+from symscrew.errors import DescriptionError
+from symscrew.formats.draft import Ledger, RawBody
+from symscrew.formats.rigid_displacements import CONTEXT, Real, Rotation, product, transposed
+
+ROUNDING = CONTEXT.mpf(10) ** -12
+"""Of the largest moment, as in descriptions: what doubles leave of a thin body's equality, far below a slip."""
+POINT_MASS = 1e-15
+"""Inertia over mass [m^2] below which a body of a file is a point: what rounding leaves of a zero. A real body of that
+size would be of 30 nm."""
+
+
+def physical(body: RawBody, ledger: Ledger, *, repair: bool) -> RawBody:
+    """The body, its inertia the nearest possible one where it is impossible and `repair` is asked for.
+
+    Raises:
+        DescriptionError: the inertia is impossible, or the mass negative.
+    """
+    if body.mass is None or body.inertia is None:
+        return body
+    rows = CONTEXT.matrix([[(body.inertia[i][j] + body.inertia[j][i]) / 2 for j in range(3)] for i in range(3)])
+    moments, columns = CONTEXT.eigsy(rows)
+    a, b, c = (moments[k] for k in range(3))
+    if max(abs(a), abs(c)) < POINT_MASS * body.mass or (a >= -ROUNDING * c and a + b - c >= -ROUNDING * c):
+        return body
+    mended = _nearest(a, b, c)
+    change = max(abs(x - y) for x, y in zip((a, b, c), mended, strict=True))
+    text = f"{mpmath.nstr(change, 3)} kg m^2 of {mpmath.nstr(c, 3)}"
+    if not repair:
+        raise DescriptionError(
+            f"bodies.{body.name}: no body has the principal moments {', '.join(mpmath.nstr(x, 6) for x in (a, b, c))} "
+            f"kg m^2 (each is at most the sum of the others, none negative); correct them, or give --repair for the "
+            f"nearest possible ones, which differ by {text}"
+        )
+    ledger.changed.append(f"inertia of {body.name}: its principal moments are the nearest possible ones, by {text}")
+    axes = tuple(tuple(columns[i, k] for k in range(3)) for i in range(3))
+    turn: Rotation = (
+        (axes[0][0], axes[0][1], axes[0][2]),
+        (axes[1][0], axes[1][1], axes[1][2]),
+        (axes[2][0], axes[2][1], axes[2][2]),
+    )
+    zero = CONTEXT.mpf(0)
+    diagonal: Rotation = ((mended[0], zero, zero), (zero, mended[1], zero), (zero, zero, mended[2]))
+    return replace(body, inertia=product(product(turn, diagonal), transposed(turn)))
+
+
+def _nearest(a: Real, b: Real, c: Real) -> tuple[Real, Real, Real]:
+    """The possible moments with the least sum of squares of changes, of ascending a, b, c."""
+    a, b = max(a, CONTEXT.mpf(0)), max(b, CONTEXT.mpf(0))
+    if a + b >= c:
+        return a, b, c
+    miss = (c - a - b) / 3
+    return a + miss, b + miss, c - miss

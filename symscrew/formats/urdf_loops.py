@@ -1,0 +1,247 @@
+"""Loops of a URDF, which is a tree: in the forms that people have found.
+
+    <loop> of URDF+, <loop_joint>, <gazebo><joint>, robot.yaml beside robot.urdf (Gepetto)  -->  joints that close loops
+
+- URDF+: `<loop name type><predecessor link><origin/></predecessor><successor link><origin/></successor><axis/></loop>`.
+- Gepetto: `closed_loop` pairs of frames, `type` 3d (a ball) or 6d (fixed) for each, `name_mot` the driven joints,
+  `joint_name` with `joint_type` SPHERICAL, FIXED or UJOINT_XY for joints that the URDF holds otherwise.
+Sources: https://github.com/Gepetto/example-parallel-robots, http://sdformat.org/spec?elem=joint.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from symscrew.description import JOINT_TYPES
+from symscrew.errors import DescriptionError, did_you_mean, shorten
+from symscrew.formats.assembled import Side, assembled
+from symscrew.formats.draft import Draft, RawJoint
+from symscrew.formats.file_names import fresh
+from symscrew.formats.open_loops import CLOSED, Closing
+from symscrew.formats.rigid_displacements import (
+    UNITS,
+    ZERO,
+    Pose,
+    Real,
+    Triple,
+    about,
+    length,
+    minus,
+    product,
+    triple,
+    unit,
+)
+from symscrew.formats.safe_xml import Element, elements, label, numbers
+
+TYPES = {
+    "fixed": "fixed", "revolute": "R", "continuous": "R", "prismatic": "P", "planar": "E", "spherical": "S",
+    "ball": "S", "cylindrical": "C", "universal": "U",
+}  # fmt: skip
+KINDS = {"3d": "S", "6d": "fixed"}
+MOST_BYTES = 100_000
+"""Of a robot.yaml: those that people publish have some thousand."""
+_TOKEN = re.compile(r"""\s*(?:#[^\n]*|"([^"\n]*)"|'([^'\n]*)'|([\[\],])|([^\s\[\],#"']+))""")
+_KEY = re.compile(r"^([A-Za-z_]+):", re.MULTILINE)
+
+
+@dataclass(frozen=True)
+class FoundLoops:
+    """The joints that close loops, and the driven joints where the file beside says so."""
+
+    joints: list[RawJoint]
+    driven: frozenset[str] | None = None
+
+
+def is_loop(joint: Element) -> bool:
+    """Whether a <joint> among those of the tree is one of a loop: two sides with their own origins."""
+    return any(True for _ in elements(joint, "predecessor", "successor"))
+
+
+def loops(root: Element, path: Path, draft: Draft, *, poses: Mapping[str, Pose], closing: Closing) -> FoundLoops:
+    """The joints that close loops; raises DescriptionError for what is not supported or does not close."""
+    found = []
+    for element in _elements(root):
+        sides = list(_sides(element, poses))
+        if len(sides) != 2:
+            raise DescriptionError(f"{label(element)}: expected the two links of a loop, each with its origin")
+        kind = element.get("type", "fixed")
+        if kind not in TYPES:
+            raise DescriptionError(f"{label(element)}: loops of type {shorten(kind)}; {did_you_mean(kind, TYPES)}")
+        found.append(_joined(element.get("name") or "loop", TYPES[kind], sides, axes=_axes(element), closing=closing))
+    beside = path.with_suffix(".yaml")
+    driven = None
+    if beside.is_file():
+        given = _lists(beside)
+        _change_types(draft, given)
+        found += _gepetto(draft, given, poses, closing)
+        if "name_mot" in given:
+            wanted = {str(name) for name in given["name_mot"]}
+            driven = frozenset(joint.name for joint in draft.joints if joint.name in wanted)
+    taken = [joint.name for joint in draft.joints]
+    named = []
+    for joint in found:
+        named.append(replace(joint, name=fresh(joint.name, taken)))
+        taken.append(named[-1].name)
+    return FoundLoops(named, driven)
+
+
+def _elements(root: Element) -> Iterator[Element]:
+    yield from elements(root, "loop", "loop_joint")
+    yield from (joint for joint in elements(root, "joint") if is_loop(joint))
+    for section in elements(root, "gazebo"):
+        yield from (joint for joint in elements(section, "joint") if list(elements(joint, "parent", "child")))
+
+
+def _sides(element: Element, poses: Mapping[str, Pose]) -> Iterator[tuple[str, Pose]]:
+    """(link, pose of the joint's frame as it has it) for both links."""
+    names = ("predecessor", "successor", "parent", "child", "link1", "link2")
+    pose = _pose(element)
+    for side in elements(element, *names):
+        link = side.get("link") or (side.text or "").strip()
+        if link not in poses:
+            raise DescriptionError(f"{label(element)}: there is no link {shorten(link)}; {did_you_mean(link, poses)}")
+        origins = list(elements(side, "origin"))
+        yield link, poses[link] @ (_origin(origins[0]) if origins else _attributes(side))
+    if pose is not None:
+        raise DescriptionError(f"{label(element)}: a pose of the whole joint is not supported; give each link's origin")
+
+
+def _pose(element: Element) -> Element | None:
+    return next(elements(element, "pose"), None)
+
+
+def _origin(origin: Element) -> Pose:
+    return _attributes(origin)
+
+
+def _attributes(element: Element) -> Pose:
+    where = label(element)
+    roll, pitch, yaw = triple(numbers(element.get("rpy", "0 0 0"), f"{where}, rpy", 3))
+    place = triple(numbers(element.get("xyz", "0 0 0"), f"{where}, xyz", 3))
+    x, y, z = UNITS
+    return Pose(product(about(z, yaw), product(about(y, pitch), about(x, roll))), place)
+
+
+def _axes(element: Element) -> list[Triple]:
+    """The axes in the joint's frame: `<axis xyz>` of URDF, `<axis><xyz>` of SDF."""
+    found = []
+    for axis in elements(element, "axis", "axis2"):
+        text = axis.get("xyz") or next((xyz.text or "" for xyz in elements(axis, "xyz")), "")
+        found.append(unit(triple(numbers(text, f"{label(element)}, axis", 3)), f"{label(element)}, axis"))
+    return found
+
+
+def _joined(
+    name: str, kind: str, sides: Sequence[tuple[str, Pose]], *, axes: Sequence[Triple], closing: Closing
+) -> RawJoint:
+    """The joint between the frames of two links, which must be one where its type says so."""
+    (parent, one), (child, other) = sides
+    place = other.translation
+    count, joint = JOINT_TYPES[kind].axes, JOINT_TYPES[kind]
+    if not joint.slides:
+        place = closing.middle(f"loop {name!r}", one.translation, other.translation)
+    if len(axes) < count:
+        axes = [*axes, *UNITS[: count - len(axes)]]
+    found = tuple(one.direction(axis) for axis in axes[:count])
+    if not joint.freedom:
+        turned = max(length(minus(a, b)) for a, b in zip(one.rotation, other.rotation, strict=True))
+        closing.accept(f"loop {name!r}", turned)
+    elif count == 1:
+        closing.accept(f"loop {name!r}, axis", length(minus(found[0], other.direction(axes[0]))))
+    return RawJoint(name, kind, parent, child, place, found)
+
+
+def _lists(path: Path) -> dict[str, list[object]]:
+    """The lists of a file `key: [...]`, nested at most twice, of words; anything else of YAML is refused."""
+    try:
+        text = path.read_bytes()[: MOST_BYTES + 1].decode("utf-8")
+    except (OSError, UnicodeDecodeError) as error:
+        raise DescriptionError(f"{path.name}: the file beside the URDF cannot be read") from error
+    if len(text) > MOST_BYTES:
+        raise DescriptionError(f"{path.name}: the file beside the URDF has more than {MOST_BYTES} bytes")
+    starts = [*_KEY.finditer(text)]
+    found: dict[str, list[object]] = {}
+    for start, following in zip(starts, [*starts[1:], None], strict=True):
+        part = text[start.end() : following.start() if following else len(text)]
+        found[start.group(1)] = _list(part, f"{path.name}, {start.group(1)}")
+    return found
+
+
+def _list(text: str, where: str) -> list[object]:
+    stack: list[list[object]] = [[]]
+    for token in _TOKEN.finditer(text):
+        double, single, mark, word = token.groups()
+        if mark == "[":
+            if len(stack) > 3:
+                raise DescriptionError(f"{where}: expected a list of words or of pairs of them")
+            stack[-1].append([])
+            stack.append(stack[-1][-1])  # type: ignore[arg-type]
+        elif mark == "]":
+            if len(stack) < 2:
+                raise DescriptionError(f"{where}: a bracket closes that none has opened")
+            stack.pop()
+        elif mark != ",":
+            value = double if double is not None else single if single is not None else word
+            if value is not None:
+                stack[-1].append(value)
+    inner = stack[0][0] if len(stack[0]) == 1 else None
+    return inner if isinstance(inner, list) else stack[0]
+
+
+def _gepetto(
+    draft: Draft, given: Mapping[str, list[object]], poses: Mapping[str, Pose], closing: Closing
+) -> list[RawJoint]:
+    """The loops of the file beside, whose frames need not meet in the URDF's own pose: the joints are moved there."""
+    pairs, kinds = given.get("closed_loop", []), given.get("type", [])
+    children = {joint.name: joint.child for joint in draft.joints}
+    sides: list[tuple[Side, Side, bool]] = []
+    for k, pair in enumerate(pairs):
+        kind = str(kinds[k]).lower() if k < len(kinds) else "6d"
+        if not isinstance(pair, list) or len(pair) != 2 or kind not in KINDS:
+            raise DescriptionError(f"closed_loop: expected two frames and the type 3d or 6d, got {shorten(pair)}")
+        ends: list[Side] = []
+        for frame in map(str, pair):
+            link = children.get(frame, frame)
+            if link not in poses:
+                known = [*children, *poses]
+                raise DescriptionError(f"closed_loop: there is no frame {shorten(frame)}; {did_you_mean(frame, known)}")
+            ends.append((link, poses[link]))
+        sides.append((ends[0], ends[1], kind == "6d"))
+    if any(_gap(side) > CLOSED for side in sides):
+        moved = assembled(draft, sides)
+        sides = [((a, moved[a] @ one), (b, moved[b] @ other), turning) for (a, one), (b, other), turning in sides]
+    return [
+        _joined(f"closing_{k}", KINDS["6d" if turning else "3d"], (one, other), axes=[], closing=closing)
+        for k, (one, other, turning) in enumerate(sides, start=1)
+    ]
+
+
+def _gap(side: tuple[Side, Side, bool]) -> Real:
+    """How far two frames are apart [m, and rad where their turning counts]."""
+    (_, one), (_, other), turning = side
+    turned = [length(minus(a, b)) for a, b in zip(one.rotation, other.rotation, strict=True)] if turning else []
+    return max(length(minus(one.translation, other.translation)), *turned, ZERO[0])
+
+
+def _change_types(draft: Draft, given: Mapping[str, list[object]]) -> None:
+    """Joints of the tree that the file beside says to be balls or universal joints."""
+    names, kinds = given.get("joint_name", []), given.get("joint_type", [])
+    wanted = dict(zip(map(str, names), map(str, kinds), strict=False))
+    for k, joint in enumerate(draft.joints):
+        kind = wanted.get(joint.name)
+        if kind is None:
+            continue
+        if kind == "SPHERICAL":
+            draft.joints[k] = replace(joint, type="S", axes=(), driven=())
+        elif kind == "FIXED":
+            draft.joints[k] = replace(joint, type="fixed", axes=(), driven=())
+        elif kind.startswith("UJOINT_") and len(kind) == 9 and set(kind[7:]) <= set("XYZ"):
+            turn = draft.frames[joint.name]
+            axes = tuple(turn.direction(UNITS["XYZ".index(letter)]) for letter in kind[7:])
+            draft.joints[k] = replace(joint, type="U", axes=axes, driven=())
+        else:
+            raise DescriptionError(f"joint_type: expected SPHERICAL, FIXED or UJOINT_XY, got {shorten(kind)}")
+        draft.ledger.changed.append(f"joint {joint.name}: {kind}, as the file beside the URDF says")

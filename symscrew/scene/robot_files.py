@@ -1,0 +1,96 @@
+"""Robots from URDF and MJCF files in one call: the mechanism, the effects that the file names, limits and account.
+
+    robot = load_robot("arm.xml")
+    model = symscrew.derive(robot.mechanism, robot.effects)
+
+Gravity is the file's, or 9.81 m/s^2 along -z. Limits are no effects unless `stops` asks for them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from symscrew.description import Mechanism
+from symscrew.effects import Effect, effect_to_table, effects_of_file, stops_of_file, type_name
+from symscrew.formats import Account, Imported, ImportOptions, JointLimits, import_file
+
+
+@dataclass(frozen=True)
+class Robot:
+    """A robot as its file has it.
+
+    Attributes:
+        mechanism: bodies, joints, couplings.
+        effects: gravity, rotor inertias, friction, springs, servos.
+        limits: joint -> reach, rate, effort.
+        configurations: keyframes by name, coordinates in the file's order.
+        account: what became of everything that the file says; `account.lines()` in words.
+    """
+
+    mechanism: Mechanism
+    effects: tuple[Effect, ...]
+    limits: Mapping[str, JointLimits]
+    configurations: Mapping[str, tuple[float, ...]]
+    account: Account
+
+
+def load_robot(
+    path: str | Path, options: ImportOptions | None = None, *, without: Collection[str] = (), stops: bool = False
+) -> Robot:
+    """The robot in a URDF or MJCF file.
+
+    Args:
+        path: of the file.
+        options: what is accepted beside what is read without asking: `snap`, `repair`, `accept`, `floating`.
+        without: types of effects to leave out, by their names in a scene.
+        stops: whether limits of joints become rigid end stops, for simulation.
+
+    Raises:
+        DescriptionError: the file cannot be read, or numbers depend on what would be left out.
+    """
+    return robot_of(import_file(path, options), without=without, stops=stops)
+
+
+def robot_of(found: Imported, *, without: Collection[str] = (), stops: bool = False) -> Robot:
+    """An import as a robot; see `load_robot`."""
+    made = effects_of_file(found.forces, found.gravity)
+    made += _stops(found.limits) if stops else []
+    effects = tuple(effect for effect in made if type_name(effect) not in without)
+    return Robot(found.mechanism, effects, found.limits, found.configurations, found.account)
+
+
+def _stops(limits: Mapping[str, JointLimits]) -> list[Effect]:
+    return stops_of_file({joint: (limit.lower, limit.upper) for joint, limit in limits.items()})
+
+
+def scene_text(robot: Robot, mechanism: str) -> str:
+    """The text of a scene with the robot's effects, limits in comments, for the mechanism in the file of this name."""
+    lines = [f"# {robot.mechanism.name}: what acts on it, as its file says. Blocks that are removed do not act."]
+    lines += [f"# {line}" for line in robot.account.lines()]
+    lines += ["", "[scene]", f'name = "{robot.mechanism.name}_scene"', f'mechanism = "{mechanism}"', "duration = 1"]
+    lines += ["rate = 100"]
+    for effect in robot.effects:
+        lines += ["", *_block(effect_to_table(effect))]
+    stops = _stops(robot.limits)
+    if stops:
+        lines += ["", "# Limits as rigid stops: take the number signs away to have them in simulations."]
+    for stop in stops:
+        lines += [f"# {line}" for line in _block(effect_to_table(stop))]
+    return "\n".join([*lines, ""])
+
+
+def _block(table: Mapping[str, Any]) -> list[str]:
+    return ["[[effects]]", *(f"{key} = {_toml(value)}" for key, value in table.items())]
+
+
+def _toml(value: Any) -> str:
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, str):
+        return '"' + value.replace("\\", "\\\\").replace('"', '\\"') + '"'
+    if isinstance(value, list | tuple):
+        return "[" + ", ".join(map(_toml, value)) + "]"
+    return repr(value)

@@ -1,0 +1,287 @@
+"""`python -m tests.benchmarks.robot_files FOLDER ... [--seconds N] [--accept]`: robots of a folder beside engines.
+
+Every URDF and MJCF file below the folders is opened as it is and compared at random states near its reference:
+
+    MJCF with MuJoCo    mass matrix along the motions that all constraints allow, forces of gravity along them (closed
+                        chains), or mass matrix and all forces of inertia and gravity (trees); the velocities that we
+                        allow in MuJoCo's own constraint Jacobian
+    URDF with Pinocchio mass matrix and forces of the tree; couplings and loops hold in none of the two
+
+A line per file: ok with the largest difference, relative; not ok; or why the file is not opened. Nothing is changed and
+nothing is fetched: which models there are is for whoever calls.
+"""
+
+from __future__ import annotations
+
+import argparse
+import signal
+import time
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from symscrew.dynamics import generalised_forces, mass_matrix
+from symscrew.effects import Acting, Effect, joints_read, transformed, type_name
+from symscrew.errors import DescriptionError
+from symscrew.formats import ImportOptions, import_file
+from symscrew.functions import Motion, kinematic_functions
+from symscrew.kinematics import System
+from symscrew.program import evaluate, lower
+from symscrew.reference import rotation_about
+from symscrew.scene import robot_of
+
+Array = np.ndarray[Any, Any]
+STATES = 3
+EQUAL = 1e-9  # relative, as for everything that is compared with other engines
+COMPARED = ("gravity", "rotor_inertia")  # what both engines have in M a + h
+
+
+class Ours:
+    """A robot on our side: its system, and numbers of it at states that keep its loops and couplings."""
+
+    def __init__(self, path: Path, options: ImportOptions) -> None:
+        self.found = import_file(path, options)
+        robot = robot_of(self.found)
+        effects: list[Effect] = [effect for effect in robot.effects if type_name(effect) in COMPARED]
+        self.mechanism = robot.mechanism
+        self.system = System(robot.mechanism, transformed(robot.mechanism, effects), read=joints_read(effects))
+        self.acting = Acting(self.system, effects)
+        self.q, self.v, _ = self.system.states(STATES, 1)
+
+    def mass(self) -> Array:
+        """Mass matrices of the tree (states, n, n)."""
+        rows = mass_matrix(self.system, self.acting.added_inertia)
+        n = len(rows)
+        flat = self.system.numeric([x for row in rows for x in row], (self.system.inputs.q, self.q))
+        return flat.reshape(-1, n, n)
+
+    def forces(self, *, still: bool) -> Array:
+        """Forces (states, n) that the tree needs without accelerations; `still`: without rates as well."""
+        system = self.system
+        nodes = generalised_forces(system, self.acting, [system.tape.zero] * len(system.tree.v))
+        inputs = system.inputs
+        return system.numeric(nodes, (inputs.q, self.q), (inputs.v, 0 * self.v if still else self.v))
+
+    def null_spaces(self) -> list[Array]:
+        """Bases (n, freedoms) of the rates v that keep loops and couplings."""
+        system, n = self.system, len(self.system.tree.v)
+        if not system.cuts:
+            return [np.eye(n) for _ in self.q]
+        from symscrew.functions.closing import jacobian_in_v
+
+        columns = jacobian_in_v(system)
+        flat = system.numeric([entry for column in columns for entry in column], (system.inputs.q, self.q))
+        bases = []
+        for matrix in flat.reshape(len(self.q), n, -1).transpose(0, 2, 1):
+            _, s, vt = np.linalg.svd(matrix)
+            bases.append(vt[int((s > 1e-9 * s[0]).sum()) :].T)
+        return bases
+
+    def joints(self, v: Array) -> tuple[dict[str, Array], dict[str, Array]]:
+        """Displacements and rates of every joint by name, at all states."""
+        functions = {f.name: f for f in kinematic_functions(self.system, Motion(self.system))}
+        found = []
+        for name, inputs in (("joint_displacements", [self.q]), ("joint_rates", [self.q, v])):
+            values = evaluate(lower(functions[name]), inputs)[0][0]
+            parts, start = {}, 0
+            for joint in self.mechanism.joints.values():
+                parts[joint.name] = values[..., start : start + joint.kind.freedom]
+                start += joint.kind.freedom
+            found.append(parts)
+        return found[0], found[1]
+
+
+def relative(a: Array, b: Array) -> float:
+    """The largest difference, of the largest entry."""
+    return float(np.abs(a - b).max(initial=0) / max(np.abs(b).max(initial=0), 1e-12))
+
+
+def with_mujoco(path: Path, options: ImportOptions) -> tuple[float, str]:
+    """(largest difference, what was compared)."""
+    import mujoco
+
+    ours = Ours(path, options)
+    engine = mujoco_model(path)
+    engine.opt.disableflags |= int(mujoco.mjtDisableBit.mjDSBL_CONTACT | mujoco.mjtDisableBit.mjDSBL_LIMIT)
+    engine.opt.jacobian = mujoco.mjtJacobian.mjJAC_DENSE
+    data = mujoco.MjData(engine)
+    mujoco.mj_forward(engine, data)
+    reference = data.xmat.reshape(-1, 3, 3).copy()
+    start = data.xpos.copy()
+    bases, mass = ours.null_spaces(), ours.mass()
+    closed = bool(ours.system.cuts)
+    forces = ours.forces(still=closed)
+    places = names_in(engine, ours)
+    worst = 0.0
+    for k, basis in enumerate(bases):
+        columns = []
+        for direction in (ours.v[k], *basis.T):
+            displacements, rates = ours.joints(np.repeat(direction[None], len(ours.q), 0))
+            columns.append(place(engine, data, places, (displacements, rates, k), reference, start))
+        data.qvel[:] = 0 if closed else columns[0]
+        mujoco.mj_forward(engine, data)
+        full = np.zeros((engine.nv, engine.nv))
+        mujoco.mj_fullM(engine, data, full)
+        motions = np.array(columns[1:]).reshape(-1, engine.nv).T
+        if engine.neq and motions.size:
+            kept = data.efc_type == mujoco.mjtConstraint.mjCNSTR_EQUALITY
+            rows = data.efc_J.reshape(-1, engine.nv)[kept] if data.nefc else np.zeros((0, engine.nv))
+            worst = max(worst, float(np.abs(rows @ motions).max(initial=0)))
+        worst = max(worst, relative(basis.T @ mass[k] @ basis, motions.T @ full @ motions))
+        worst = max(worst, relative(basis.T @ forces[k], motions.T @ data.qfrc_bias))
+    what = "closed: M and gravity along its motions" if closed else "tree: M, forces"
+    return worst, f"{what}; {bases[0].shape[1]} freedoms"
+
+
+def mujoco_model(path: Path) -> Any:
+    """MuJoCo's model; where meshes are missing, without the geoms of bodies that give their inertia themselves."""
+    import mujoco
+    from defusedxml import ElementTree
+
+    try:
+        return mujoco.MjModel.from_xml_path(str(path))
+    except ValueError as error:
+        if "file" not in str(error):
+            raise
+    root = ElementTree.parse(str(path)).getroot()
+    for body in root.iter("body"):
+        if body.find("inertial") is not None:
+            for geom in body.findall("geom"):
+                body.remove(geom)
+    for geom in [g for parent in root.iter() for g in parent.findall("geom") if g.get("material")]:
+        geom.attrib.pop("material")
+    for section in root.findall("asset") + root.findall("contact") + root.findall("sensor"):
+        root.remove(section)
+    return mujoco.MjModel.from_xml_string(ElementTree.tostring(root, encoding="unicode"))
+
+
+def names_in(engine: Any, ours: Ours) -> dict[str, int]:
+    """Joint of ours -> index of MuJoCo's; joints without a name got one in the order of the file."""
+    from symscrew.formats.file_names import fresh, safe_names
+
+    listed: list[str] = []
+    for i in range(engine.njnt):
+        listed.append(engine.joint(i).name or fresh("joint", listed))
+    renamed = safe_names(listed)
+    found = {renamed[name]: i for i, name in enumerate(listed) if renamed[name] in ours.mechanism.joints}
+    if len(found) < engine.njnt:
+        raise NotImplementedError("joints that were merged are not compared")
+    return found
+
+
+def place(engine: Any, data: Any, places: dict[str, int], ours: Any, reference: Array, start: Array) -> Array:
+    """Put MuJoCo's coordinates where ours are; its rates for ours."""
+    displacements, rates, k = ours
+    velocity = np.zeros(engine.nv)
+    for name, i in places.items():
+        at, dof, body = engine.jnt_qposadr[i], engine.jnt_dofadr[i], engine.jnt_bodyid[i]
+        d, w, turned = displacements[name][k], rates[name][k], reference[body]
+        if engine.jnt_type[i] in (2, 3):
+            data.qpos[at], velocity[dof] = d[0], w[0]
+        else:
+            turn = rotation_about(d[-3:])
+            if engine.jnt_type[i] == 1:
+                data.qpos[at : at + 4] = quaternion(turned.T @ turn @ turned)
+                velocity[dof : dof + 3] = turned.T @ turn.T @ w
+            else:
+                data.qpos[at : at + 3] = start[body] + d[:3]
+                data.qpos[at + 3 : at + 7] = quaternion(turn @ turned)
+                velocity[dof : dof + 3], velocity[dof + 3 : dof + 6] = w[:3], turned.T @ turn.T @ w[3:]
+    return velocity
+
+
+def quaternion(rotation: Array) -> Array:
+    import mujoco
+
+    found = np.zeros(4)
+    mujoco.mju_mat2Quat(found, np.ascontiguousarray(rotation).ravel())
+    return found
+
+
+def with_pinocchio(path: Path, options: ImportOptions) -> tuple[float, str]:
+    """(largest difference, what was compared)."""
+    import pinocchio
+
+    from symscrew.formats.file_names import safe_names
+
+    ours = Ours(path, options)
+    engine = pinocchio.buildModelFromUrdf(str(path))
+    data = engine.createData()
+    ours.system.use_samples()
+    mass, forces = ours.mass(), ours.forces(still=False)
+    listed = [str(name) for name in engine.names][1:]
+    renamed = safe_names(listed)
+    labels = [c.label for c in ours.system.tree.v]
+    try:
+        order = [labels.index(renamed[name]) for name in listed]
+        entries = [[c.label for c in ours.system.tree.q].index(renamed[name]) for name in listed]
+    except ValueError as error:
+        raise NotImplementedError(f"joints with several freedoms are not compared: {error}") from error
+    worst = 0.0
+    for k, q in enumerate(ours.q):
+        given = []
+        for i in range(1, engine.njoints):
+            value = q[entries[i - 1]]
+            given += [np.cos(value), np.sin(value)] if engine.joints[i].nq == 2 else [value]
+        found = pinocchio.crba(engine, data, np.array(given))
+        found = np.triu(found) + np.triu(found, 1).T
+        worst = max(worst, relative(mass[k][np.ix_(order, order)], found))
+        bias = pinocchio.rnea(engine, data, np.array(given), ours.v[k][order], np.zeros(engine.nv))
+        worst = max(worst, relative(forces[k][order], bias))
+    closed = " of its tree" if ours.system.cuts else ""
+    return worst, f"tree: M, forces{closed}; {engine.nv} freedoms"
+
+
+def files_below(folders: list[Path]) -> Iterator[Path]:
+    """URDF and MJCF files that describe a model of their own: MJCF with bodies, no scenes around included ones."""
+    for folder in folders:
+        for path in sorted([folder] if folder.is_file() else folder.rglob("*")):
+            if path.suffix == ".urdf":
+                yield path
+            elif path.suffix == ".xml" and path.is_file():
+                text = path.read_text(errors="replace")
+                if "<mujoco" in text and "<body" in text and "mujocoinclude" not in text:
+                    yield path
+
+
+def judged(path: Path, options: ImportOptions, seconds: int) -> tuple[str, str]:
+    """(verdict, details) of one file, within a time."""
+
+    def late(*_: object) -> None:
+        raise TimeoutError
+
+    signal.signal(signal.SIGALRM, late)
+    signal.alarm(seconds)
+    try:
+        worst, what = (with_pinocchio if path.suffix == ".urdf" else with_mujoco)(path, options)
+        return ("ok" if worst < EQUAL else "DIFFERS"), f"{worst:.1e} {what}"
+    except DescriptionError as error:
+        return "refused", str(error)[:200]
+    except TimeoutError:
+        return "late", f"more than {seconds} s"
+    except Exception as error:  # the other engine's word, or ours: either is the file's verdict
+        return "failed", f"{type(error).__name__}: {str(error)[:150]}"
+    finally:
+        signal.alarm(0)
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
+    parser.add_argument("folders", nargs="+", type=Path)
+    parser.add_argument("--seconds", type=int, default=60)
+    parser.add_argument("--accept", action="store_true", help="as `symscrew convert --accept --repair`")
+    options = parser.parse_args()
+    chosen = ImportOptions(accept=options.accept, repair=options.accept)
+    counts: dict[str, int] = {}
+    for path in files_below(options.folders):
+        begun = time.process_time()
+        verdict, text = judged(path, chosen, options.seconds)
+        counts[verdict] = counts.get(verdict, 0) + 1
+        print(f"{verdict:8} {time.process_time() - begun:5.1f} s  {path}: {text}", flush=True)
+    print(", ".join(f"{count} {verdict}" for verdict, count in sorted(counts.items())))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,59 @@
+"""Operation modes that random configurations show, against publications; the same in another place and unit."""
+
+from __future__ import annotations
+
+import pytest
+from support.marks import slow
+from support.parallel_mechanisms import four_ruu, snu
+from support.reference_mechanisms import ENTRIES, build
+
+from symscrew.description.mechanism import Mechanism
+from symscrew.mobility.components import SampledModes, mode_lines, mode_values, sampled_modes
+from symscrew.mobility.joint_network import network_of
+
+
+def mechanism(name: str) -> Mechanism:
+    return {"snu": snu, "four_ruu": four_ruu}[name]() if name in ("snu", "four_ruu") else build(ENTRIES[name])
+
+
+def modes(name: str) -> SampledModes:
+    made = mechanism(name)
+    assert made.platform is not None
+    return sampled_modes(network_of(made), made.platform)
+
+
+@pytest.mark.parametrize(
+    "name, expected",
+    [
+        # Hunt 1978: the plate goes up and down; with the plate on the base both knees turn about its hinges
+        ("sarrus", [(2, 0, True), (1, 1, True)]),
+        # Kim and Tsai 2002; Gosselin and Kong 2002: translations only
+        slow("tripteron_cpm", [(3, 3, True)]),
+        # Schadlbauer, Walter and Husty 2014
+        slow("3rps", [(3, 3, "x0"), (3, 3, "x3")]),
+        # Nurahmi, Caro, Wenger, Schadlbauer and Husty 2016: two Schoenflies modes and one of two freedoms
+        slow("four_ruu", [(4, 4, "x0 x3"), (4, 4, "x1 x2"), (2, 2, "")]),
+    ],
+)
+def test_published_modes(name: str, expected: list[tuple[int, int, object]]) -> None:
+    found = modes(name)
+    assert [(m.dimension, m.poses) for m in found.modes] == [e[:2] for e in expected]
+    for mode, (_, _, linear) in zip(found.modes, expected, strict=True):
+        if isinstance(linear, str):
+            assert " ".join(mode.equations) == linear
+    assert sum(mode.count for mode in found.modes) > found.found / 2
+
+
+@pytest.mark.slow
+def test_modes_of_the_3_upu_of_seoul() -> None:
+    """Walter, Husty and Pfurner 2009: translations upright and half a turn about the vertical, planar ones, others."""
+    found = modes("snu")
+    assert {(m.dimension, m.poses) for m in found.modes if m.count > 1} == {(3, 3)}
+    assert {("x1", "x2", "x3", "y0"), ("x0", "x1", "x2", "y3")} <= {m.equations for m in found.modes}
+
+
+def test_in_words_and_json() -> None:
+    found = modes("sarrus")
+    lines, values = mode_lines(found), mode_values(found)
+    assert "sampled" in lines[0] and "others may be missing" in lines[0] and len(lines) == 3
+    assert values["judgement"] == "sampled" and [m["dimension"] for m in values["modes"]] == [2, 1]
