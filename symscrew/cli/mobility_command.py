@@ -46,6 +46,10 @@ def add_options(command: argparse.ArgumentParser) -> None:
         "--components", action="store_true",
         help="also the operation modes: components of the configuration space, exact by Singular, else sampled",
     )  # fmt: skip
+    command.add_argument(
+        "--connections", action="store_true",
+        help="also the assembly modes at the drives of the reference, and paths between them without a singularity",
+    )  # fmt: skip
     command.add_argument("--expect", type=int, metavar="N", help="exit 1 unless the finite mobility is N, verified")
     command.add_argument("--full", action="store_true", help="all of a long text; without it, it is cut to 5 kB")
     command.add_argument("--json", action="store_true", help="as JSON")
@@ -83,6 +87,8 @@ def run(options: argparse.Namespace) -> int:
             values["along"] = _along_values(found)
         if options.components:
             values["components"] = _components(found)[1]
+        if options.connections:
+            values["assembly_modes"] = _connections(found)[1]
         print(json.dumps(values, indent=1))
     else:
         print(found.report().splitlines()[0])  # the rest of it follows in more words
@@ -91,6 +97,8 @@ def run(options: argparse.Namespace) -> int:
             print("\n    ".join(["Along the motion", *_along_lines(found)]))
         if options.components:
             print("\n    ".join(["Components of the configuration space", *_components(found)[0]]))
+        if options.connections:
+            print("\n    ".join(["Assembly modes", *_connections(found)[0]]))
         print(verdict)
     if writer is not None:
         _write(Path(options.out), writer(found))
@@ -124,6 +132,14 @@ def _components(found: Mobility) -> tuple[list[str], dict[str, Any]]:
         return [space], {"decided": False, "why": space}
     modes = sampled_modes(found.network, found.platform.body)
     return [space, *mode_lines(modes)], {"decided": False, "why": space, "operation_modes": mode_values(modes)}
+
+
+def _connections(found: Mobility) -> tuple[list[str], dict[str, Any]]:
+    """The assembly modes and paths between them, in words and as JSON values."""
+    from symscrew.mobility import assembly_connections, connection_lines, connection_values
+
+    modes = assembly_connections(found.network)
+    return connection_lines(modes, found.network), connection_values(modes, found.network)
 
 
 def _along_lines(found: Mobility) -> list[str]:

@@ -4,23 +4,36 @@ Mechanism --limb_equations, algebraic_closure--> polynomials over an exact field
           --exact_parts--> irreducible components, proved; real_configurations lie on them --all_components--> result
 Network   --mode_sampling--> modes that random configurations show, where exact algebra does not end
 both      --component_texts--> words, JSON
+Network   --mode_connections--> assembly modes of the reference, paths between them without a singularity
 """
 
 from symscrew.mobility.components.algebraic_closure import ClosureEquations, NotAlgebraicError, closure_equations
 from symscrew.mobility.components.all_components import ConfigurationSpace, configuration_space
 from symscrew.mobility.components.component_texts import mode_lines, mode_values, space_lines, space_values
 from symscrew.mobility.components.exact_parts import Part
+from symscrew.mobility.components.mode_connections import (
+    Mode,
+    ModeConnections,
+    assembly_connections,
+    connection_lines,
+    connection_values,
+)
 from symscrew.mobility.components.mode_sampling import SampledMode, SampledModes, sampled_modes
 
 __all__ = [
     "ClosureEquations",
     "ConfigurationSpace",
+    "Mode",
+    "ModeConnections",
     "NotAlgebraicError",
     "Part",
     "SampledMode",
     "SampledModes",
+    "assembly_connections",
     "closure_equations",
     "configuration_space",
+    "connection_lines",
+    "connection_values",
     "mode_lines",
     "mode_values",
     "sampled_modes",

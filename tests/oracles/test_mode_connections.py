@@ -1,0 +1,82 @@
+"""Assembly modes and paths between them without a singularity, against publications; every path is walked again."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+import pytest
+from support.reference_mechanisms import ENTRIES, build
+
+from symscrew.cli.parser import main
+from symscrew.description.builder import MechanismBuilder
+from symscrew.description.mechanism import Mechanism
+from symscrew.mobility.components import ModeConnections, assembly_connections, connection_lines
+from symscrew.mobility.joint_network import Network, network_of
+
+
+def platform() -> Mechanism:
+    """The 3-RPR with six assembly modes, three of each sign; those of one sign lie in one aspect.
+
+    C. Innocenti, V. Parenti-Castelli 1992; P. R. McAree, R. W. Daniel 1999; M. Zein, P. Wenger, D. Chablat 2006: base
+    points (0, 0), (15.91, 0), (0, 10), sides of the platform 17.04, 16.54, 20.84, lengths of the legs 14.98, 15.38, 12.
+    """
+    one, two, three = 17.04, 16.54, 20.84
+    along = (one**2 + three**2 - two**2) / (2 * one)
+    corners = np.array([[0.0, 0.0], [one, 0.0], [along, np.sqrt(three**2 - along**2)]])
+    feet, lengths = np.array([[0.0, 0.0], [15.91, 0.0], [0.0, 10.0]]), (14.98, 15.38, 12.0)
+    pose = np.array([-13.41993901, -6.65624796, 0.58567278])  # one of the six, then to all digits
+    for _ in range(5):
+        c, s = np.cos(pose[2]), np.sin(pose[2])
+        legs = pose[:2] + corners @ np.array([[c, s], [-s, c]]) - feet
+        turned = corners @ np.array([[-s, c], [-c, -s]])
+        slopes = np.column_stack([legs, (legs * turned).sum(axis=1)])
+        pose = pose - np.linalg.solve(slopes, ((legs**2).sum(axis=1) - np.square(lengths)) / 2)
+    builder = MechanismBuilder("platform", platform="plate").body("plate")
+    for k, (foot, leg) in enumerate(zip(feet, legs, strict=True)):
+        builder.body(f"low{k}").body(f"high{k}")
+        near, far = [*map(float, foot), 0], [*map(float, foot + leg), 0]
+        axis = [*map(float, leg / np.linalg.norm(leg)), 0]
+        builder.joint(f"A{k}", "R", parent="base", child=f"low{k}", point=near, axes=[[0, 0, 1]])
+        builder.joint(f"P{k}", "P", parent=f"low{k}", child=f"high{k}", point=near, axes=[axis], driven=True)
+        builder.joint(f"B{k}", "R", parent=f"high{k}", child="plate", point=far, axes=[[0, 0, 1]])
+    return builder.build()
+
+
+def modes(network: Network, *drives: int) -> ModeConnections:
+    found = assembly_connections(network, drives)
+    assert isinstance(found, ModeConnections), found
+    return found
+
+
+def test_the_modes_of_a_driven_crank_are_apart() -> None:
+    """Hunt 1978, ch. 4: the two closures of a crank-rocker, on either side of the stretched coupler and rocker."""
+    network = network_of(build(ENTRIES["planar_4bar"]))
+    found = modes(network, 0)
+    assert sorted(m.sign for m in found.modes) == [-1, 1] and [m.corners is None for m in found.modes] == [False, True]
+    assert "a singularity on every way" in connection_lines(found, network)[2]
+
+
+def test_what_has_no_modes_is_said() -> None:
+    network = network_of(build(ENTRIES["kinematotropic_double_fold-transition"]))
+    assert assembly_connections(network) == "not decided: no drives"
+    assert str(assembly_connections(network, (0,))).startswith("not decided: with the drives locked")
+
+
+@pytest.mark.slow
+def test_a_planar_platform_goes_from_mode_to_mode_without_a_singularity() -> None:
+    network = network_of(platform())
+    found = modes(network)
+    assert sorted(m.sign for m in found.modes) == [-1] * 3 + [1] * 3
+    first = found.modes[0]
+    for mode in found.modes:
+        assert (mode.corners is not None) == (mode.sign == first.sign)
+        assert np.abs(mode.q[list(found.drives)]).max() == 0
+    assert min(m.margin for m in found.modes if m.corners is not None) > 0.01
+    assert [line.partition(", ")[2][:9] for line in connection_lines(found, network)[1:]].count("connected") == 2
+
+
+def test_as_json(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["mobility", "four_bar", "--connections", "--json"]) == 0
+    values = json.loads(capsys.readouterr().out)["assembly_modes"]
+    assert values["decided"] and values["judgement"] == "sampled" and len(values["modes"]) == 2
