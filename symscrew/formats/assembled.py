@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -30,6 +31,7 @@ from symscrew.formats.rigid_displacements import (
     scaled,
     turned_inertia,
 )
+from symscrew.reference import rotation_vector
 
 Array = np.ndarray[Any, Any]
 Side = tuple[str, Pose]
@@ -45,12 +47,19 @@ DAMPING = 1e-10
 
 @dataclass(frozen=True)
 class Freedom:
-    """A turn or slide of one joint, in the file's own pose."""
+    """A turn or slide of one joint, in the file's own pose; axis, point and cross products with the axis as doubles."""
 
     joint: int
     turns: bool
     axis: Triple
     point: Triple
+
+    @cached_property
+    def doubles(self) -> tuple[Array, Array, Array, Array]:
+        """Axis, point, and the matrices of one and of two cross products with the axis."""
+        axis, point = _numbers(self.axis), _numbers(self.point)
+        hat = _hat(axis)
+        return axis, point, hat, hat @ hat
 
 
 def assembled(draft: Draft, sides: Sequence[tuple[Side, Side, bool]]) -> dict[str, Pose]:
@@ -116,17 +125,16 @@ def _open(
             rotation, shift, screws = _pushed(freedoms, ways[link], q)
             place = rotation @ _numbers(pose.translation) + shift
             ends.append((rotation @ np.array([_numbers(row) for row in pose.rotation]), place))
-            slope = np.zeros((6, len(q)))
+            slope, around = np.zeros((6, len(q))), _hat(place)
             for k, (omega, linear) in screws.items():
-                slope[:3, k], slope[3:, k] = np.cross(omega, place) + linear, omega
+                slope[:3, k], slope[3:, k] = linear - around @ omega, omega
             slopes.append(slope)
         (first, here), (second, there) = ends
         gap, by = here - there, slopes[0] - slopes[1]
         residuals.append(gap)
         rows.append(by[:3])
         if turning:
-            turn = first @ second.T
-            residuals.append(np.array([turn[2, 1] - turn[1, 2], turn[0, 2] - turn[2, 0], turn[1, 0] - turn[0, 1]]) / 2)
+            residuals.append(rotation_vector(first @ second.T))
             rows.append(by[3:])
     return np.concatenate(residuals), np.concatenate(rows)
 
@@ -138,19 +146,22 @@ def _pushed(
     rotation, shift = np.eye(3), np.zeros(3)
     screws: dict[int, tuple[Array, Array]] = {}
     for k in way:
-        axis, point = (_numbers(v) for v in (freedoms[k].axis, freedoms[k].point))
+        axis, point, hat, twice = freedoms[k].doubles
         there, at = rotation @ axis, rotation @ point + shift
         if freedoms[k].turns:
-            screws[k] = (there, np.cross(at, there))
-            x, y, z = axis
-            hat = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
-            turn = np.eye(3) + np.sin(q[k]) * hat + (1 - np.cos(q[k])) * hat @ hat
+            screws[k] = (there, _hat(at) @ there)
+            turn = np.eye(3) + np.sin(q[k]) * hat + (1 - np.cos(q[k])) * twice
             shift = shift + rotation @ (point - turn @ point)
             rotation = rotation @ turn
         else:
             screws[k] = (np.zeros(3), there)
             shift = shift + there * q[k]
     return rotation, shift, screws
+
+
+def _hat(vector: Array) -> Array:
+    x, y, z = vector
+    return np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
 
 
 def _numbers(vector: Triple) -> Array:

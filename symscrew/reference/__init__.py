@@ -5,8 +5,16 @@
 Nothing here uses a tape, a tree or a program: what agrees with it was found by another route.
 """
 
-from symscrew.reference.joint_motion import rotation_about
+from symscrew.reference.joint_motion import rotation_about, rotation_vector
 from symscrew.reference.maximal_coordinates import BodyState, NumericMechanism, numeric, plane_axes
 from symscrew.reference.newton_euler_method import newton_euler
 
-__all__ = ["BodyState", "NumericMechanism", "newton_euler", "numeric", "plane_axes", "rotation_about"]
+__all__ = [
+    "BodyState",
+    "NumericMechanism",
+    "newton_euler",
+    "numeric",
+    "plane_axes",
+    "rotation_about",
+    "rotation_vector",
+]

@@ -182,6 +182,16 @@ FRAMES = (
 )
 
 
+def test_a_frame_that_is_turned_round_is_found(tmp_path: Path) -> None:
+    """Two frames half a turn apart, where the sine of the turn is zero: the joints go half a turn."""
+    frames = FRAMES.replace('<origin xyz="0.3 0 1.2"/>', '<origin xyz="0 0 0.5" rpy="0 3.141592653589793 0"/>')
+    path = saved(arm(frames.replace('"0 0 0.5"/>', '"0 0 -0.5"/>', 1)), tmp_path, "robot.urdf")
+    (tmp_path / "robot.yaml").write_text("closed_loop: [['tip_frame', 'anchor_frame']]\ntype: ['6d']\n")
+    joints = load_format(path).joints
+    turned = sum(float(joints[name].reference[0]) for name in "AB")
+    assert np.cos(turned) == pytest.approx(-1, abs=1e-12)
+
+
 @pytest.mark.parametrize(("kind", "closes"), [("3d", True), ("6d", False)])
 def test_loops_of_a_file_beside_the_urdf(tmp_path: Path, kind: str, closes: bool) -> None:
     """As Gepetto's models have them: open in the URDF's pose, the joints go where they close, drives by name.

@@ -51,6 +51,8 @@ def _obstacle(compiled: Compiled, name: str, known: Sequence[str], package: str)
         return f"it has no function of this kind; expected {' or '.join(known)}"
     if compiled.model.effects != (Gravity(),):
         return "compared under usual gravity and no other effect only"
+    if compiled.model.mechanism.couplings:
+        return "mechanisms with couplings of coordinates are not compared: the others have none, or soft ones"
     if not compiled.model.system.cuts and any(len(j.driven) != 1 for j in compiled.model.mechanism.joints.values()):
         return "open chains are compared if all their joints are driven R and P joints"
     return None
