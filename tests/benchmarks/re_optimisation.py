@@ -48,7 +48,9 @@ def problems() -> dict[str, TrajectoryProblem]:
     seed = load_problem(EXAMPLES / "seed_rest_to_rest.toml")
     panda = load_problem(EXAMPLES / "panda_point_to_point.toml")
     places = [f"platform_pose.{k}" for k in range(3)]
-    ends = [Conditions(dict(zip(places, at, strict=True)), at_rest=True) for at in ((-0.1, 0, 0.02), (0.1, 0.05, 0.02))]
+    ends = [
+        Conditions(dict(zip(places, at, strict=True)), at_rest=True) for at in ((-0.1, 0, -0.55), (0.1, 0.05, -0.55))
+    ]
     delta = TrajectoryProblem(
         catalogue.load("delta"), duration=0.3, start=ends[0], end=ends[1], independent=tuple(places)
     )
