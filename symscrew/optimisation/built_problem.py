@@ -40,7 +40,7 @@ from symscrew.optimisation.solution import (
     transcribe,
 )
 from symscrew.optimisation.sparse import NonlinearProgram, assemble, point_functions, row_bounds
-from symscrew.optimisation.stages import StagedSolver, Stages, stages_of
+from symscrew.optimisation.stage_order import StagedSolver, Stages, stages_of
 from symscrew.optimisation.transcription import Transcribed, bound_by_problem, linear_cost
 from symscrew.optimisation.unknowns import Unknowns
 from symscrew.optimisation.warm_start import carried_multipliers, carried_unknowns, shifted
@@ -64,6 +64,11 @@ UNBOUNDED = 1e2
 # The barrier that a step by stages begins with, of a cost near 1: the method's own 100 takes two iterations more, and
 # one below 0.1, too near the bounds, as well.
 BARRIER = 1.0
+# Iterations of such a step: it takes 8 to 12 where it can be done. Where the Hessian is indefinite across constraints
+# of a stage (serial arms) it cannot, and is not tried again for this problem.
+MOST_BARRIERS = 25
+
+STAGED = "stages"  # the first way to be tried
 
 Given = Conditions | Mapping[str, float]
 
@@ -219,6 +224,8 @@ class OptimisationProblem:
             stats = solver.stats()
             if stats["success"]:
                 break
+            if name == STAGED:
+                self._stages = None
         return self._trajectory(given, answer, stats, (began, ready, clock()))
 
     def _changed(
@@ -295,11 +302,11 @@ class OptimisationProblem:
         """The solvers to try in turn."""
         if begin.rows is None:
             return ("ipopt",)
-        return (*(("stages",) if self._stages else ()), "active sets", "ipopt, warm")
+        return (*((STAGED,) if self._stages else ()), "active sets", "ipopt, warm")
 
     def _solver(self, name: str) -> Any:
         if name not in self._solvers:
-            if name == "stages" and self._stages is not None:
+            if name == STAGED and self._stages is not None:
                 self._solvers[name] = _by_stages(self.problem, self._program, self._stages)
             elif name == "active sets":
                 self._solvers[name] = _by_active_sets(self.problem, self._program)
@@ -346,7 +353,8 @@ def _quadratic(problem: TrajectoryProblem) -> dict[str, Any]:
 def _by_stages(problem: TrajectoryProblem, program: NonlinearProgram, stages: Stages) -> StagedSolver:
     """Steps by HPIPM, an interior-point method that goes from stage to stage."""
     wanted = dict.fromkeys(("res_g_max", "res_b_max", "res_d_max", "res_m_max"), PART * problem.solver.tolerance)
-    own = {**stages.options, "inf": UNBOUNDED, "hpipm": {**wanted, "mu0": BARRIER}, "error_on_fail": False}
+    own = {**stages.options, "inf": UNBOUNDED, "error_on_fail": False}
+    own["hpipm"] = {**wanted, "mu0": BARRIER, "iter_max": MOST_BARRIERS}
     return StagedSolver(stages, program, {**_quadratic(problem), "qpsol": "hpipm", "qpsol_options": own})
 
 
