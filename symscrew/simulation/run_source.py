@@ -57,7 +57,7 @@ THRESHOLDS = {
     "CAREFUL_TOLERANCE": 4e-13,  # least local tolerance of careful steps: near the zone accelerations are noise
     # The same where the branch is computed with a rounding below the second number (5e-20 of 80 bits, 1e-34 of 128):
     # what is noise in double precision is smooth by three digits more, and a step can be as exact as elsewhere.
-    "PRECISE_TOLERANCE": 3e-15,
+    "PRECISE_TOLERANCE": 1e-14,
     "ROUNDING_OF_PRECISE": 1e-18,
     # A repeated step whose error does not fall, as that of a smooth motion would, is rounding of the accelerations: its
     # local tolerance is raised from the first to at most the second, tenfold each time. Without, steps shrink without

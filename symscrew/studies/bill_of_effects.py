@@ -152,8 +152,10 @@ def bill(
     return Bill(name or mechanism.name, mechanism.name, motion_text, tuple(items), full, measured, notes)
 
 
-def alone(whole: Model, k: int, rest: Model) -> int:
+def alone(whole: Model, k: int, rest: Model, *, reactions: bool = False) -> int:
     """Operations that effect k of a model may add at most; `rest` is the model without it.
+
+    To drives and accelerations, or to the `reactions`: to these as many as the reactions to the effect alone take.
 
     Drives and accelerations are linear in the wrenches that act. So no more is needed than the effect's own program
     standing alone: its force screws and their projection on what the mechanism can do, without the inertial forces
@@ -167,11 +169,13 @@ def alone(whole: Model, k: int, rest: Model) -> int:
     if "inertia" in effect.depends_on:
         light = replace(mechanism, bodies={name: Body(name) for name in mechanism.bodies})
         program = derive(light, whole.effects)
+        if reactions:
+            return _reactions(program)
         count, free = len(program.system.tree.v), len(program.independent) or len(program.system.tree.v)
         return _largest(program) + program.programs["mass_matrix"].operations["total"] + 2 * free * count * count
     still = next(one for one in simplifications().values() if not one.keeps_motion)
     program, acting = derive(mechanism, (still, effect)), Acting(whole.system, whole.effects)
-    own = _largest(program)
+    own = _reactions(program) if reactions else _largest(program)
     if "reactions" in effect.depends_on:
         return own + acting.passes * (_reactions(rest) + max(_operations(rest).values(), default=0))
     return own + acting.passes * (_reactions(program) + own) if acting.needs_reactions else own

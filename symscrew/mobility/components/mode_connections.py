@@ -137,7 +137,7 @@ class _Paths:
     def jacobian(self, q: Array) -> tuple[Array, Array]:
         """(screws, the closure's Jacobian)."""
         screws = self.variety.forward(q[None])[0]
-        return screws[0], self.variety.jacobians(screws)[0]
+        return screws[0], self.variety.jacobians(screws, q[None])[0]
 
     def smallest(self, q: Array) -> float:
         """The smallest singular value of the passive joints' matrix."""
@@ -155,7 +155,7 @@ class _Paths:
     def _space(self) -> Array | None:
         """A basis of what the passive joints' matrix maps to at all configurations, if it has as many dimensions."""
         q = np.random.default_rng(SEED).normal(size=(2 * len(self.passive), self.columns))
-        parts = self.variety.jacobians(self.variety.forward(q)[0])[:, :, self.passive]
+        parts = self.variety.jacobians(self.variety.forward(q)[0], q)[:, :, self.passive]
         u, s, _ = np.linalg.svd(np.concatenate(list(parts), axis=1), full_matrices=False)
         return np.asarray(u[:, : len(self.passive)]) if (s > NEAR * s[0]).sum() == len(self.passive) else None
 
@@ -216,12 +216,13 @@ class _Paths:
     def _stepped(self, q: Array, left: Array) -> tuple[Array, Array]:
         """A step along the closure towards what is left of a way; smallest singular values, 0 where it fails."""
         screws = self.variety.forward(q)[0]
-        jacobian = self.variety.jacobians(screws)
+        jacobian = self.variety.jacobians(screws, q)
         smallest = np.linalg.svd(jacobian[:, :, self.passive], compute_uv=False)[:, -1]
         inverse = np.linalg.pinv(jacobian, rcond=CUT_OFF)
         rate = left - (inverse @ (jacobian @ left[..., None]))[..., 0]
         size = np.maximum(np.linalg.norm(rate, axis=1), ARRIVED**2)
-        slope = self.variety.jacobians(self.variety.forward(q + DIFFERENCE * rate / size[:, None])[0]) - jacobian
+        beside = q + DIFFERENCE * rate / size[:, None]
+        slope = self.variety.jacobians(self.variety.forward(beside)[0], beside) - jacobian
         first = np.linalg.norm(slope[:, :, self.passive], ord=2, axis=(1, 2)) / DIFFERENCE
         second = _curvature(screws, rate / size[:, None])
         # first h + second h^2 / 2 = a part of the smallest singular value
