@@ -12,31 +12,26 @@ BODY(four_bar_inverse_dynamics)(size_t stride, const double *restrict q, const d
     (void)q;
     REAL checked0 = READ(v, 2);
     /* A: accelerations */
-    const REAL A_v = READ(v, 0), crank_cos = SINES(cosine, 0), coupler_sin = SINES(sine, 1), A_a = READ(a, 0);
-    const REAL crank_sin = SINES(sine, 0), coupler_cos = SINES(cosine, 1);
-    const REAL t8 = coupler_sin * (B_at_z * (A_v * A_v) - gravity_z * crank_cos); /* coupler */
-    const REAL t12 = coupler_com_z * (t8 + coupler_cos * (B_at_z * A_a - gravity_z * crank_sin)); /* coupler */
-    const REAL coupler_twist_rate_angular_y = A_a + READ(a, 1);
-    const REAL C_multiplier_fy = 2.0 * (coupler_sxx * coupler_twist_rate_angular_y + t12);
-    const REAL t32 = coupler_cos * (coupler_com_z * coupler_twist_rate_angular_y); /* coupler */
+    const REAL A_v = READ(v, 0), crank_cos = SINES(cosine, 0), coupler_sin = SINES(sine, 1), A_a = READ(a, 0),
+      crank_sin = SINES(sine, 0), coupler_cos = SINES(cosine, 1),
+      t7 = coupler_sin * (B_at_z * (A_v * A_v) - gravity_z * crank_cos), /* coupler */
+      t11 = coupler_com_z * (t7 + coupler_cos * (B_at_z * A_a - gravity_z * crank_sin)), /* coupler */
+      coupler_twist_rate_wy = A_a + READ(a, 1), C_multiplier_fy = 2.0 * (coupler_sxx * coupler_twist_rate_wy + t11),
+      t30 = coupler_cos * (coupler_com_z * coupler_twist_rate_wy); /* coupler */
     /* rocker: balance, eqs. (40)-(47); geometry */
-    const REAL t13 = coupler_sin * C_multiplier_fy;
-    const REAL t15 = coupler_cos * C_multiplier_fy;
-    const REAL t20 = crank_cos * t13;
-    const REAL t17 = crank_sin * t13 - crank_cos * t15;
-    const REAL t4 = k6 * SINES(cosine, 2);
-    const REAL minus_rocker_sin = SINES(sine, 2);
-    const REAL t18 = t4 * t17;
-    const REAL t22 = t20 + crank_sin * t15;
-    const REAL t19 = k6 * minus_rocker_sin;
-    const REAL rocker_joint_force_moment_z = gravity_z_rocker_mx * minus_rocker_sin + rocker_sxx * READ(a, 2) - (t18 + t19 * t22);
-    const REAL t27 = (crank_sin * coupler_cos + crank_cos * coupler_sin) * t4; /* C */
-    const REAL minus_C_closure_fx_by_D = t27 - (crank_sin * coupler_sin - crank_cos * coupler_cos) * t19;
+    const REAL t12 = coupler_sin * C_multiplier_fy, t14 = coupler_cos * C_multiplier_fy, t18 = crank_cos * t12,
+      t16 = crank_sin * t12 - crank_cos * t14, minus_rocker_joint_force_my_by_C_fz = k6 * SINES(cosine, 2),
+      minus_rocker_sin = SINES(sine, 2), t17 = minus_rocker_joint_force_my_by_C_fz * t16, t20 = t18 + crank_sin * t14,
+      minus_rocker_joint_force_mx_by_C_fz = k6 * minus_rocker_sin,
+      t22 = t17 + minus_rocker_joint_force_mx_by_C_fz * t20,
+      rocker_joint_force_mz = gravity_z_rocker_mx * minus_rocker_sin + rocker_sxx * READ(a, 2) - t22,
+      t25 = (crank_sin * coupler_cos + crank_cos * coupler_sin) * minus_rocker_joint_force_my_by_C_fz, /* C */
+      minus_C_closure_fx_by_D = t25 - (crank_sin * coupler_sin - crank_cos * coupler_cos) * minus_rocker_joint_force_mx_by_C_fz;
     REAL checked1 = minus_C_closure_fx_by_D;
-    const REAL t31 = B_at_z * coupler_sin * (rocker_joint_force_moment_z / minus_C_closure_fx_by_D); /* A */
-    const REAL coupler_omega_z = A_v + READ(v, 1);
-    const REAL t34 = B_at_z * (coupler_sin * (coupler_com_z * (coupler_omega_z * coupler_omega_z)) - t32 + t15); /* crank */
-    const REAL A_balance = t31 - (t34 + (k10 * crank_sin - k7 * A_a));
+    const REAL t29 = B_at_z * coupler_sin * (rocker_joint_force_mz / minus_C_closure_fx_by_D), /* A */
+      coupler_omega_z = A_v + READ(v, 1),
+      t32 = B_at_z * (coupler_sin * (coupler_com_z * (coupler_omega_z * coupler_omega_z)) - t30 + t14), /* crank */
+      A_balance = t29 - (t32 + (k10 * crank_sin - k7 * A_a));
     WRITE(u, 0, A_balance);
     REAL checked2 = A_balance;
     FINITE_UNLESS( /* status 1 where a pivot is smaller than its limit: */
@@ -50,56 +45,48 @@ BODY(four_bar_inverse_dynamics_independent)(size_t stride, const double *restric
 {
     (void)q;
     /* crank: geometry; reciprocal wrenches, eq. (10); balance, eqs. (40)-(47) */
-    const REAL crank_sin = SINES(sine, 0), coupler_cos = SINES(cosine, 1), crank_cos = SINES(cosine, 0);
-    const REAL coupler_sin = SINES(sine, 1);
-    const REAL coupler_rotation_xx = crank_sin * coupler_cos + crank_cos * coupler_sin;
-    const REAL rocker_cos = SINES(cosine, 2);
-    const REAL t5 = k6 * rocker_cos; /* rocker */
-    const REAL t6 = coupler_rotation_xx * t5; /* C */
-    const REAL minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos;
-    const REAL minus_rocker_sin = SINES(sine, 2);
-    const REAL t9 = k6 * minus_rocker_sin; /* rocker */
-    const REAL t30 = coupler_rotation_xx * t9; /* C */
-    const REAL minus_C_closure_fx_by_D = t6 - minus_coupler_rotation_xy * t9;
+    const REAL crank_sin = SINES(sine, 0), coupler_cos = SINES(cosine, 1), crank_cos = SINES(cosine, 0),
+      coupler_sin = SINES(sine, 1), coupler_rotation_xx = crank_sin * coupler_cos + crank_cos * coupler_sin,
+      rocker_cos = SINES(cosine, 2), minus_rocker_joint_force_my_by_C_fz = k6 * rocker_cos,
+      t5 = coupler_rotation_xx * minus_rocker_joint_force_my_by_C_fz, /* C */
+      minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos,
+      minus_rocker_sin = SINES(sine, 2), minus_rocker_joint_force_mx_by_C_fz = k6 * minus_rocker_sin,
+      t28 = coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz, /* C */
+      minus_C_closure_fx_by_D = t5 - minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz;
     REAL checked0 = minus_C_closure_fx_by_D;
-    const REAL t11 = 1.0 / minus_C_closure_fx_by_D; /* C */
-    const REAL C_closure_fy_by_D = minus_coupler_rotation_xy * t5 + t30;
-    const REAL crank_lever_moment_z_by_C_fx = B_at_z * coupler_sin;
-    const REAL A_y_dot = READ(y_dot, 0);
-    const REAL D_joint_rate = crank_lever_moment_z_by_C_fx * A_y_dot * t11;
-    const REAL t14 = k6 * (D_joint_rate * D_joint_rate); /* rocker */
-    const REAL t31 = C_closure_fy_by_D * D_joint_rate; /* B */
-    const REAL t15 = rocker_cos * t14; /* rocker */
-    const REAL t17 = minus_rocker_sin * t14; /* rocker */
-    const REAL t21 = crank_sin * t15; /* C */
-    const REAL t19 = crank_cos * t15 - crank_sin * t17; /* C */
-    const REAL t23 = t21 + crank_cos * t17; /* C */
-    const REAL t25 = coupler_cos * t19 - coupler_sin * t23; /* C */
-    const REAL t40 = coupler_sin * t19 + coupler_cos * t23; /* C */
-    const REAL crank_lever_moment_z_by_C_fy = 0.5 + B_at_z * coupler_cos;
-    const REAL coupler_omega_z = A_y_dot - 2.0 * (crank_lever_moment_z_by_C_fy * A_y_dot + t31);
-    const REAL minus_coupler_U_still_xx = coupler_omega_z * coupler_omega_z;
-    const REAL A_y_ddot = READ(y_ddot, 0);
-    const REAL t37 = crank_lever_moment_z_by_C_fy * A_y_ddot; /* B */
-    const REAL t33 = 0.5 * minus_coupler_U_still_xx; /* coupler */
-    const REAL minus_crank_force_y = coupler_sin * (coupler_com_z * minus_coupler_U_still_xx);
-    const REAL t26 = B_at_z * (A_y_dot * A_y_dot);
-    const REAL D_joint_acc = t11 * (crank_lever_moment_z_by_C_fx * A_y_ddot + (t25 - (coupler_cos * t26 + t33)));
-    const REAL t36 = rocker_sxx * D_joint_acc; /* D */
-    const REAL minus_B_joint_acc = 2.0 * (t37 + (coupler_sin * t26 - t40) + C_closure_fy_by_D * D_joint_acc);
-    const REAL coupler_alpha_z = A_y_ddot - minus_B_joint_acc;
-    const REAL t44 = coupler_sxx * coupler_alpha_z; /* coupler */
-    const REAL minus_coupler_joint_force_force_y = minus_crank_force_y - coupler_cos * (coupler_com_z * coupler_alpha_z);
-    const REAL t46 = coupler_sin * (gravity_z * crank_cos - t26); /* coupler */
-    const REAL t50 = coupler_com_z * (t46 + coupler_cos * (gravity_z * crank_sin - B_at_z * A_y_ddot)); /* coupler */
-    const REAL C_multiplier_fy = 2.0 * (t44 - t50);
-    const REAL t51 = coupler_sin * C_multiplier_fy; /* rocker */
-    const REAL t53 = coupler_cos * C_multiplier_fy; /* rocker */
-    const REAL t65 = B_at_z * (minus_coupler_joint_force_force_y + t53);
-    const REAL t56 = t5 * (crank_sin * t51 - crank_cos * t53); /* rocker */
-    const REAL t61 = t56 + t9 * (crank_cos * t51 + crank_sin * t53); /* rocker */
-    const REAL t62 = crank_lever_moment_z_by_C_fx * (t11 * (gravity_z_rocker_mx * minus_rocker_sin + t36 - t61)); /* A */
-    const REAL A_balance = t62 - (t65 + (k10 * crank_sin - k7 * A_y_ddot));
+    const REAL t9 = 1.0 / minus_C_closure_fx_by_D, /* C */
+      C_closure_fy_by_D = minus_coupler_rotation_xy * minus_rocker_joint_force_my_by_C_fz + t28,
+      crank_lever_mz_by_C_fx = B_at_z * coupler_sin, A_y_dot = READ(y_dot, 0),
+      D_joint_rate = crank_lever_mz_by_C_fx * A_y_dot * t9, t12 = k6 * (D_joint_rate * D_joint_rate), /* rocker */
+      t29 = C_closure_fy_by_D * D_joint_rate, /* B */
+      t13 = rocker_cos * t12, /* rocker */
+      t15 = minus_rocker_sin * t12, /* rocker */
+      t19 = crank_sin * t13, /* C */
+      t17 = crank_cos * t13 - crank_sin * t15, /* C */
+      t21 = t19 + crank_cos * t15, /* C */
+      t23 = coupler_cos * t17 - coupler_sin * t21, /* C */
+      t38 = coupler_sin * t17 + coupler_cos * t21, /* C */
+      crank_lever_mz_by_C_fy = 0.5 + B_at_z * coupler_cos,
+      coupler_omega_z = A_y_dot - 2.0 * (crank_lever_mz_by_C_fy * A_y_dot + t29),
+      minus_coupler_U_still_xx = coupler_omega_z * coupler_omega_z, A_y_ddot = READ(y_ddot, 0),
+      t35 = crank_lever_mz_by_C_fy * A_y_ddot, /* B */
+      t31 = 0.5 * minus_coupler_U_still_xx, /* coupler */
+      minus_crank_force_y = coupler_sin * (coupler_com_z * minus_coupler_U_still_xx),
+      t24 = B_at_z * (A_y_dot * A_y_dot),
+      D_joint_acc = t9 * (crank_lever_mz_by_C_fx * A_y_ddot + (t23 - (coupler_cos * t24 + t31))),
+      t34 = rocker_sxx * D_joint_acc, /* D */
+      minus_B_joint_acc = 2.0 * (t35 + (coupler_sin * t24 - t38) + C_closure_fy_by_D * D_joint_acc),
+      coupler_alpha_z = A_y_ddot - minus_B_joint_acc, t42 = coupler_sxx * coupler_alpha_z, /* coupler */
+      minus_coupler_joint_force_fy = minus_crank_force_y - coupler_cos * (coupler_com_z * coupler_alpha_z),
+      t44 = coupler_sin * (gravity_z * crank_cos - t24), /* coupler */
+      t48 = coupler_com_z * (t44 + coupler_cos * (gravity_z * crank_sin - B_at_z * A_y_ddot)), /* coupler */
+      C_multiplier_fy = 2.0 * (t42 - t48), t49 = coupler_sin * C_multiplier_fy, /* rocker */
+      t51 = coupler_cos * C_multiplier_fy, /* rocker */
+      t63 = B_at_z * (minus_coupler_joint_force_fy + t51),
+      t54 = minus_rocker_joint_force_my_by_C_fz * (crank_sin * t49 - crank_cos * t51), /* rocker */
+      t59 = t54 + minus_rocker_joint_force_mx_by_C_fz * (crank_cos * t49 + crank_sin * t51), /* rocker */
+      t60 = crank_lever_mz_by_C_fx * (t9 * (gravity_z_rocker_mx * minus_rocker_sin + t34 - t59)), /* A */
+      A_balance = t60 - (t63 + (k10 * crank_sin - k7 * A_y_ddot));
     WRITE(u, 0, A_balance);
     REAL checked1 = A_balance;
     FINITE_UNLESS( /* status 1 where a pivot is smaller than its limit: */
@@ -113,88 +100,61 @@ BODY(four_bar_inverse_dynamics_platform)(size_t stride, const double *restrict p
 {
     (void)pose;
     /* rocker: geometry; balance, eqs. (40)-(47) */
-    const REAL minus_rocker_sin = SINES(sine, 0);
-    const REAL t4 = k6 * minus_rocker_sin;
+    const REAL minus_rocker_sin = SINES(sine, 0), minus_rocker_joint_force_mx_by_C_fz = k6 * minus_rocker_sin;
     /* rocker: reciprocal wrenches, eq. (10); geometry; balance, eqs. (40)-(47) */
-    const REAL t5 = D_at_x - t4;
-    const REAL rocker_cos = SINES(cosine, 0);
-    const REAL t6 = t5 * t5;
-    const REAL t2 = k6 * rocker_cos;
-    const REAL t7 = t2 * t2 + t6;
-    const REAL t8 = t7 - k12;
-    const REAL t9 = 0.5 * t8;
-    const REAL t11 = k14 - t9 * t9;
-    const REAL t12 = SQRT(t11);
-    const REAL t14 = SELECT(0.0, -t12, t12);
+    const REAL t3 = D_at_x - minus_rocker_joint_force_mx_by_C_fz, rocker_cos = SINES(cosine, 0), t4 = t3 * t3,
+      minus_rocker_joint_force_my_by_C_fz = k6 * rocker_cos,
+      t5 = minus_rocker_joint_force_my_by_C_fz * minus_rocker_joint_force_my_by_C_fz + t4, t6 = t5 - k12,
+      t7 = 0.5 * t6, t9 = k14 - t7 * t7, t10 = SQRT(t9), t12 = SELECT(0.0, -t10, t10);
     /* crank: reciprocal wrenches, eq. (10); geometry */
-    const REAL crank_lever_moment_x_by_C_fz = k15 * t14;
-    const REAL t21 = t5 * crank_lever_moment_x_by_C_fz;
-    const REAL t18 = t2 * crank_lever_moment_x_by_C_fz;
-    const REAL minus_crank_lever_moment_y_by_C_fz = B_at_z + k13 * t8;
-    const REAL t19 = t5 * minus_crank_lever_moment_y_by_C_fz - t18;
-    const REAL t22 = t2 * minus_crank_lever_moment_y_by_C_fz + t21;
-    const REAL coupler_cos = k15 * t8;
-    const REAL t16 = 1.0 / t7; /* rocker */
-    const REAL crank_cos = t16 * t22;
-    const REAL crank_sin = t16 * t19;
-    const REAL crank_lever_moment_z_by_C_fy = t7 + k20;
-    const REAL D_rate = READ(rate, 0);
-    const REAL t40 = k6 * D_rate; /* D */
+    const REAL crank_lever_mx_by_C_fz = k15 * t12, t19 = t3 * crank_lever_mx_by_C_fz,
+      t16 = minus_rocker_joint_force_my_by_C_fz * crank_lever_mx_by_C_fz,
+      minus_crank_lever_my_by_C_fz = B_at_z + k13 * t6, t17 = t3 * minus_crank_lever_my_by_C_fz - t16,
+      t20 = minus_rocker_joint_force_my_by_C_fz * minus_crank_lever_my_by_C_fz + t19, coupler_cos = k15 * t6,
+      t14 = 1.0 / t5, /* rocker */
+      crank_cos = t14 * t20, crank_sin = t14 * t17, crank_lever_mz_by_C_fy = t5 + k20, D_rate = READ(rate, 0),
+      t38 = k6 * D_rate; /* D */
     /* C: loop closure; balance, eqs. (40)-(47) */
-    const REAL t41 = minus_rocker_sin * t40;
-    const REAL t43 = rocker_cos * t40;
-    const REAL t47 = crank_sin * t41;
-    const REAL t45 = crank_cos * t41 + crank_sin * t43;
-    const REAL t49 = t47 - crank_cos * t43;
-    const REAL t46 = coupler_cos * t45;
-    const REAL coupler_sin = k19 * t14;
-    const REAL crank_lever_moment_z_by_C_fx = 2.0 * t14;
-    const REAL minus_C_opening_rate_fx = t46 - coupler_sin * t49;
-    const REAL C_opening_rate_fy = coupler_sin * t45 + coupler_cos * t49;
-    const REAL minus_C_part_fx_by_A = 1.0 / crank_lever_moment_z_by_C_fx;
-    const REAL crank_omega_z = minus_C_opening_rate_fx * minus_C_part_fx_by_A;
-    const REAL coupler_omega_z = crank_omega_z - 2.0 * (C_opening_rate_fy + crank_lever_moment_z_by_C_fy * crank_omega_z);
-    const REAL minus_coupler_U_xx = coupler_omega_z * coupler_omega_z;
-    const REAL t51 = B_at_z * (crank_omega_z * crank_omega_z); /* crank */
-    const REAL t90 = coupler_sin * (coupler_com_z * minus_coupler_U_xx); /* coupler */
-    const REAL t58 = coupler_cos * t51 + 0.5 * minus_coupler_U_xx; /* coupler */
-    const REAL t23 = k6 * (D_rate * D_rate); /* rocker */
-    const REAL D_acc = READ(acceleration, 0);
-    const REAL t24 = rocker_cos * t23; /* rocker */
-    const REAL t29 = minus_rocker_sin * t23; /* rocker */
-    const REAL t25 = k6 * D_acc; /* D */
-    const REAL t27 = t24 - minus_rocker_sin * t25;
-    const REAL t31 = t29 + rocker_cos * t25;
-    const REAL t35 = crank_sin * t27;
-    const REAL t33 = crank_cos * t27 - crank_sin * t31;
-    const REAL t37 = t35 + crank_cos * t31;
-    const REAL t59 = coupler_sin * t33;
-    const REAL minus_crank_alpha_z = minus_C_part_fx_by_A * (coupler_cos * t33 - coupler_sin * t37 - t58);
-    const REAL t62 = crank_lever_moment_z_by_C_fy * minus_crank_alpha_z; /* crank */
-    const REAL t64 = 2.0 * (coupler_sin * t51 - (t59 + coupler_cos * t37) - t62); /* coupler */
-    const REAL minus_coupler_alpha_z = minus_crank_alpha_z + t64;
-    const REAL t65 = coupler_sxx * minus_coupler_alpha_z; /* coupler */
-    const REAL minus_coupler_joint_force_force_y = t90 + coupler_cos * (coupler_com_z * minus_coupler_alpha_z);
-    const REAL t94 = k7 * minus_crank_alpha_z; /* crank */
-    const REAL t70 = coupler_cos * (gravity_z * crank_sin + B_at_z * minus_crank_alpha_z); /* coupler */
-    const REAL minus_coupler_rate_moment_z = t65 - coupler_com_z * (coupler_sin * (t51 - gravity_z * crank_cos) - t70);
-    const REAL minus_C_multiplier_fy = 2.0 * minus_coupler_rate_moment_z;
-    const REAL t72 = coupler_sin * minus_C_multiplier_fy; /* rocker */
-    const REAL t74 = coupler_cos * minus_C_multiplier_fy; /* rocker */
-    const REAL t93 = B_at_z * (minus_coupler_joint_force_force_y - t74); /* crank */
-    const REAL t77 = t2 * (crank_sin * t72 - crank_cos * t74); /* rocker */
-    const REAL t82 = t77 + t4 * (crank_cos * t72 + crank_sin * t74); /* rocker */
-    const REAL rocker_joint_force_moment_z = gravity_z_rocker_mx * minus_rocker_sin + rocker_sxx * D_acc + t82;
-    const REAL t85 = t2 * (crank_sin * coupler_cos + crank_cos * coupler_sin);
-    const REAL minus_C_closure_fx_by_D = t85 + t4 * (crank_cos * coupler_cos - crank_sin * coupler_sin);
+    const REAL t39 = minus_rocker_sin * t38, t41 = rocker_cos * t38, t45 = crank_sin * t39,
+      t43 = crank_cos * t39 + crank_sin * t41, t47 = t45 - crank_cos * t41, t44 = coupler_cos * t43,
+      coupler_sin = k19 * t12, crank_lever_mz_by_C_fx = 2.0 * t12, minus_C_opening_rate_fx = t44 - coupler_sin * t47,
+      C_opening_rate_fy = coupler_sin * t43 + coupler_cos * t47, minus_C_part_fx_by_A = 1.0 / crank_lever_mz_by_C_fx,
+      crank_omega_z = minus_C_opening_rate_fx * minus_C_part_fx_by_A,
+      coupler_omega_z = crank_omega_z - 2.0 * (C_opening_rate_fy + crank_lever_mz_by_C_fy * crank_omega_z),
+      minus_coupler_U_xx = coupler_omega_z * coupler_omega_z,
+      t49 = B_at_z * (crank_omega_z * crank_omega_z), /* crank */
+      t88 = coupler_sin * (coupler_com_z * minus_coupler_U_xx), /* coupler */
+      t56 = coupler_cos * t49 + 0.5 * minus_coupler_U_xx, /* coupler */
+      t21 = k6 * (D_rate * D_rate), /* rocker */
+      D_acc = READ(acceleration, 0), t22 = rocker_cos * t21, /* rocker */
+      t27 = minus_rocker_sin * t21, /* rocker */
+      t23 = k6 * D_acc, /* D */
+      t25 = t22 - minus_rocker_sin * t23, t29 = t27 + rocker_cos * t23, t33 = crank_sin * t25,
+      t31 = crank_cos * t25 - crank_sin * t29, t35 = t33 + crank_cos * t29, t57 = coupler_sin * t31,
+      minus_crank_alpha_z = minus_C_part_fx_by_A * (coupler_cos * t31 - coupler_sin * t35 - t56),
+      t61 = coupler_sin * t49 - (t57 + coupler_cos * t35) - crank_lever_mz_by_C_fy * minus_crank_alpha_z, /* coupler */
+      minus_coupler_alpha_z = minus_crank_alpha_z + 2.0 * t61,
+      t63 = coupler_sxx * minus_coupler_alpha_z, /* coupler */
+      minus_coupler_joint_force_fy = t88 + coupler_cos * (coupler_com_z * minus_coupler_alpha_z),
+      t92 = k7 * minus_crank_alpha_z, /* crank */
+      t68 = coupler_cos * (gravity_z * crank_sin + B_at_z * minus_crank_alpha_z), /* coupler */
+      minus_coupler_rate_mz = t63 - coupler_com_z * (coupler_sin * (t49 - gravity_z * crank_cos) - t68),
+      minus_C_multiplier_fy = 2.0 * minus_coupler_rate_mz, t70 = coupler_sin * minus_C_multiplier_fy, /* rocker */
+      t72 = coupler_cos * minus_C_multiplier_fy, /* rocker */
+      t91 = B_at_z * (minus_coupler_joint_force_fy - t72), /* crank */
+      t75 = minus_rocker_joint_force_my_by_C_fz * (crank_sin * t70 - crank_cos * t72), /* rocker */
+      t80 = t75 + minus_rocker_joint_force_mx_by_C_fz * (crank_cos * t70 + crank_sin * t72), /* rocker */
+      rocker_joint_force_mz = gravity_z_rocker_mx * minus_rocker_sin + rocker_sxx * D_acc + t80,
+      t83 = minus_rocker_joint_force_my_by_C_fz * (crank_sin * coupler_cos + crank_cos * coupler_sin),
+      minus_C_closure_fx_by_D = t83 + minus_rocker_joint_force_mx_by_C_fz * (crank_cos * coupler_cos - crank_sin * coupler_sin);
     REAL checked0 = minus_C_closure_fx_by_D;
-    const REAL t89 = crank_lever_moment_z_by_C_fx * (rocker_joint_force_moment_z / minus_C_closure_fx_by_D); /* A */
-    const REAL A_balance = t89 - (t93 + (t94 + k10 * crank_sin));
+    const REAL t87 = crank_lever_mz_by_C_fx * (rocker_joint_force_mz / minus_C_closure_fx_by_D), /* A */
+      A_balance = t87 - (t91 + (t92 + k10 * crank_sin));
     WRITE(u, 0, A_balance);
     REAL checked1 = A_balance;
-    NOT_BELOW(t11, 0.0, 11);
+    NOT_BELOW(t9, 0.0, 11);
     FINITE_UNLESS( /* status 1 where a pivot is smaller than its limit: */
-        SMALL(crank_lever_moment_z_by_C_fx, 3.01689e-10) OR /* where the reciprocal wrench C.fx has no power along crank, as in a stretched limb */
+        SMALL(crank_lever_mz_by_C_fx, 3.01689e-10) OR /* where the reciprocal wrench C.fx has no power along crank, as in a stretched limb */
         SMALL(minus_C_closure_fx_by_D, 5.057800000000001e-10), /* where D does not move the loop at C */
         checked0 + checked1);
 }

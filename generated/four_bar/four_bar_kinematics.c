@@ -38,13 +38,11 @@ BODY(four_bar_body_poses)(size_t stride, const double *restrict q, double *restr
     const REAL coupler_cos = SINES(cosine, 1), crank_cos = SINES(cosine, 0);
     WRITE(poses, 0, crank_cos);
     WRITE(poses, 8, crank_cos);
-    const REAL coupler_sin = SINES(sine, 1);
-    const REAL coupler_rotation_xx = crank_sin * coupler_cos + crank_cos * coupler_sin;
+    const REAL coupler_sin = SINES(sine, 1), coupler_rotation_xx = crank_sin * coupler_cos + crank_cos * coupler_sin;
     /* coupler: results; geometry */
-    const REAL t4 = k1 * coupler_rotation_xx;
-    const REAL t8 = k2 * coupler_rotation_xx;
-    const REAL minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos;
-    const REAL coupler_poses_Rxx = t4 - k2 * minus_coupler_rotation_xy;
+    const REAL t4 = k1 * coupler_rotation_xx, t8 = k2 * coupler_rotation_xx,
+      minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos,
+      coupler_poses_Rxx = t4 - k2 * minus_coupler_rotation_xy;
     WRITE(poses, 12, coupler_poses_Rxx);
     WRITE(poses, 20, coupler_poses_Rxx);
     RESULT(checked0, poses, 23, B_at_z * (crank_cos - coupler_poses_Rxx));
@@ -84,15 +82,14 @@ BODY(four_bar_body_twists)(size_t stride, const double *restrict q, const double
     /* A: velocities, eq. (6) */
     const REAL A_v = READ(v, 0);
     WRITE(twists, 1, A_v);
-    const REAL B_v = READ(v, 1);
-    const REAL coupler_omega_z = A_v + B_v;
+    const REAL B_v = READ(v, 1), coupler_omega_z = A_v + B_v;
     WRITE(twists, 7, coupler_omega_z);
     REAL checked2 = coupler_omega_z;
     const REAL D_v = READ(v, 2);
     WRITE(twists, 13, D_v);
-    const REAL rocker_twist_linear_z = D_at_x * D_v;
-    WRITE(twists, 17, rocker_twist_linear_z);
-    REAL checked3 = rocker_twist_linear_z;
+    const REAL rocker_twist_vz = D_at_x * D_v;
+    WRITE(twists, 17, rocker_twist_vz);
+    REAL checked3 = rocker_twist_vz;
     RESULT(checked0, twists, 9, -(B_v * (B_at_z * SINES(cosine, 0))));
     RESULT(checked1, twists, 11, B_v * (B_at_z * SINES(sine, 0)));
     WRITE(twists, 0, CONSTANT(0.0));
@@ -120,18 +117,16 @@ BODY(four_bar_body_twist_rates)(size_t stride, const double *restrict q, const d
     /* A: accelerations */
     const REAL A_a = READ(a, 0);
     WRITE(twist_rates, 1, A_a);
-    const REAL B_a = READ(a, 1);
-    const REAL coupler_twist_rate_angular_y = A_a + B_a;
-    WRITE(twist_rates, 7, coupler_twist_rate_angular_y);
-    REAL checked3 = coupler_twist_rate_angular_y;
+    const REAL B_a = READ(a, 1), coupler_twist_rate_wy = A_a + B_a;
+    WRITE(twist_rates, 7, coupler_twist_rate_wy);
+    REAL checked3 = coupler_twist_rate_wy;
     const REAL D_a = READ(a, 2);
     WRITE(twist_rates, 13, D_a);
     RESULT(checked0, twist_rates, 17, D_at_x * D_a);
-    const REAL coupler_position_x = B_at_z * SINES(sine, 0);
-    const REAL A_v = READ(v, 0), B_v = READ(v, 1);
-    const REAL t2 = B_v * (A_v * coupler_position_x); /* coupler */
-    const REAL t4 = B_a * coupler_position_x; /* coupler */
-    const REAL coupler_position_z = B_at_z * SINES(cosine, 0);
+    const REAL coupler_position_x = B_at_z * SINES(sine, 0), A_v = READ(v, 0), B_v = READ(v, 1),
+      t2 = B_v * (A_v * coupler_position_x), /* coupler */
+      t4 = B_a * coupler_position_x, /* coupler */
+      coupler_position_z = B_at_z * SINES(cosine, 0);
     RESULT(checked1, twist_rates, 9, t2 - B_a * coupler_position_z);
     RESULT(checked2, twist_rates, 11, t4 + B_v * (A_v * coupler_position_z));
     WRITE(twist_rates, 0, CONSTANT(0.0));
@@ -154,13 +149,10 @@ BODY(four_bar_forward_kinematics)(size_t stride, const double *restrict q, doubl
 {
     REAL checked0 = READ(q, 2);
     /* coupler: results */
-    const REAL t3 = B_at_z + k5 * SINES(cosine, 1);
-    const REAL crank_sin = SINES(sine, 0), crank_cos = SINES(cosine, 0);
+    const REAL t3 = B_at_z + k5 * SINES(cosine, 1), crank_sin = SINES(sine, 0), crank_cos = SINES(cosine, 0);
     /* coupler_middle: results */
-    const REAL t4 = crank_sin * t3;
-    const REAL t7 = crank_cos * t3;
-    const REAL t5 = k5 * SINES(sine, 1); /* coupler */
-    const REAL coupler_middle_positions_x = t4 + crank_cos * t5;
+    const REAL t4 = crank_sin * t3, t7 = crank_cos * t3, t5 = k5 * SINES(sine, 1), /* coupler */
+      coupler_middle_positions_x = t4 + crank_cos * t5;
     WRITE(positions, 0, coupler_middle_positions_x);
     REAL checked1 = coupler_middle_positions_x;
     const REAL coupler_middle_positions_z = t7 - crank_sin * t5;
@@ -179,32 +171,25 @@ BODY(four_bar_point_motion)(size_t stride, const double *restrict q, const doubl
     REAL checked1 = READ(v, 2);
     REAL checked2 = READ(a, 2);
     /* crank: geometry */
-    const REAL crank_sin = SINES(sine, 0), coupler_sin = SINES(sine, 1), crank_cos = SINES(cosine, 0);
-    const REAL coupler_cos = SINES(cosine, 1);
-    const REAL t7 = k5 * (crank_sin * coupler_sin - crank_cos * coupler_cos); /* coupler */
-    const REAL coupler_position_z = B_at_z * crank_cos;
-    const REAL coupler_middle_positions_z = coupler_position_z - t7;
+    const REAL crank_sin = SINES(sine, 0), coupler_sin = SINES(sine, 1), crank_cos = SINES(cosine, 0),
+      coupler_cos = SINES(cosine, 1), t7 = k5 * (crank_sin * coupler_sin - crank_cos * coupler_cos), /* coupler */
+      coupler_position_z = B_at_z * crank_cos, coupler_middle_positions_z = coupler_position_z - t7;
     WRITE(positions, 2, coupler_middle_positions_z);
-    const REAL A_v = READ(v, 0), B_v = READ(v, 1);
-    const REAL coupler_omega_z = A_v + B_v;
+    const REAL A_v = READ(v, 0), B_v = READ(v, 1), coupler_omega_z = A_v + B_v;
     /* coupler_middle: results */
-    const REAL t9 = B_v * coupler_position_z - coupler_omega_z * coupler_middle_positions_z;
-    const REAL coupler_middle_velocities_x = -t9;
+    const REAL t9 = B_v * coupler_position_z - coupler_omega_z * coupler_middle_positions_z,
+      coupler_middle_velocities_x = -t9;
     WRITE(velocities, 0, coupler_middle_velocities_x);
     REAL checked3 = coupler_middle_velocities_x;
-    const REAL t22 = coupler_omega_z * t9;
-    const REAL t4 = k5 * (crank_sin * coupler_cos + crank_cos * coupler_sin); /* coupler */
-    const REAL coupler_position_x = B_at_z * crank_sin;
-    const REAL coupler_middle_positions_x = coupler_position_x + t4;
+    const REAL t22 = coupler_omega_z * t9,
+      t4 = k5 * (crank_sin * coupler_cos + crank_cos * coupler_sin), /* coupler */
+      coupler_position_x = B_at_z * crank_sin, coupler_middle_positions_x = coupler_position_x + t4;
     WRITE(positions, 0, coupler_middle_positions_x);
     const REAL coupler_middle_velocities_z = B_v * coupler_position_x - coupler_omega_z * coupler_middle_positions_x;
     WRITE(velocities, 2, coupler_middle_velocities_z);
-    const REAL B_a = READ(a, 1);
-    const REAL t11 = coupler_omega_z * coupler_middle_velocities_z;
-    const REAL coupler_twist_rate_angular_y = READ(a, 0) + B_a;
-    const REAL t15 = coupler_twist_rate_angular_y * coupler_middle_positions_z;
-    const REAL t20 = coupler_twist_rate_angular_y * coupler_middle_positions_x;
-    const REAL t17 = B_a * coupler_position_x; /* coupler */
+    const REAL B_a = READ(a, 1), t11 = coupler_omega_z * coupler_middle_velocities_z,
+      coupler_twist_rate_wy = READ(a, 0) + B_a, t15 = coupler_twist_rate_wy * coupler_middle_positions_z,
+      t20 = coupler_twist_rate_wy * coupler_middle_positions_x, t17 = B_a * coupler_position_x; /* coupler */
     RESULT(checked0, accelerations, 0, t11 - (B_a * coupler_position_z - B_v * (A_v * coupler_position_x) - t15));
     RESULT(checked1, accelerations, 2, t17 + B_v * (A_v * coupler_position_z) - t20 + t22);
     WRITE(positions, 1, CONSTANT(0.0));
@@ -218,17 +203,15 @@ BODY(four_bar_joint_screws)(size_t stride, const double *restrict q, double *res
 {
     REAL checked0 = READ(q, 2);
     /* crank: geometry */
-    const REAL crank_sin = SINES(sine, 0), coupler_cos = SINES(cosine, 1), crank_cos = SINES(cosine, 0);
-    const REAL coupler_sin = SINES(sine, 1);
-    const REAL t7 = 0.5 * (crank_sin * coupler_cos + crank_cos * coupler_sin); /* coupler */
-    const REAL coupler_position_x = B_at_z * crank_sin;
+    const REAL crank_sin = SINES(sine, 0), coupler_cos = SINES(cosine, 1), crank_cos = SINES(cosine, 0),
+      coupler_sin = SINES(sine, 1), t7 = 0.5 * (crank_sin * coupler_cos + crank_cos * coupler_sin), /* coupler */
+      coupler_position_x = B_at_z * crank_sin;
     WRITE(screws, 11, coupler_position_x);
     const REAL C_screws_vz = coupler_position_x + t7;
     WRITE(screws, 17, C_screws_vz);
     REAL checked1 = C_screws_vz;
-    const REAL t4 = 0.5 * (crank_sin * coupler_sin - crank_cos * coupler_cos); /* coupler */
-    const REAL coupler_position_z = B_at_z * crank_cos;
-    const REAL C_screws_vx = t4 - coupler_position_z;
+    const REAL t4 = 0.5 * (crank_sin * coupler_sin - crank_cos * coupler_cos), /* coupler */
+      coupler_position_z = B_at_z * crank_cos, C_screws_vx = t4 - coupler_position_z;
     WRITE(screws, 15, C_screws_vx);
     REAL checked2 = C_screws_vx;
     const REAL minus_coupler_position_z = -coupler_position_z;
@@ -264,15 +247,14 @@ BODY(four_bar_joint_points)(size_t stride, const double *restrict q, double *res
     /* crank: geometry */
     const REAL crank_sin = SINES(sine, 0);
     /* coupler: geometry; results */
-    const REAL coupler_cos = SINES(cosine, 1), crank_cos = SINES(cosine, 0), coupler_sin = SINES(sine, 1);
-    const REAL t4 = 0.5 * (crank_sin * coupler_cos + crank_cos * coupler_sin);
-    const REAL coupler_position_x = B_at_z * crank_sin;
+    const REAL coupler_cos = SINES(cosine, 1), crank_cos = SINES(cosine, 0), coupler_sin = SINES(sine, 1),
+      t4 = 0.5 * (crank_sin * coupler_cos + crank_cos * coupler_sin), coupler_position_x = B_at_z * crank_sin;
     WRITE(points, 3, coupler_position_x);
     const REAL C_points_x = coupler_position_x + t4;
     WRITE(points, 6, C_points_x);
     REAL checked1 = C_points_x;
-    const REAL t7 = 0.5 * (crank_sin * coupler_sin - crank_cos * coupler_cos);
-    const REAL coupler_position_z = B_at_z * crank_cos;
+    const REAL t7 = 0.5 * (crank_sin * coupler_sin - crank_cos * coupler_cos),
+      coupler_position_z = B_at_z * crank_cos;
     WRITE(points, 5, coupler_position_z);
     const REAL C_points_z = coupler_position_z - t7;
     WRITE(points, 8, C_points_z);
@@ -356,53 +338,33 @@ BODY(four_bar_inverse_velocity)(size_t stride, const double *restrict pose, cons
 {
     (void)pose;
     /* rocker: geometry; balance, eqs. (40)-(47); reciprocal wrenches, eq. (10) */
-    const REAL minus_rocker_sin = SINES(sine, 0);
-    const REAL t5 = D_at_x - k6 * minus_rocker_sin;
-    const REAL rocker_cos = SINES(cosine, 0);
-    const REAL t6 = t5 * t5;
-    const REAL t2 = k6 * rocker_cos;
-    const REAL t7 = t2 * t2 + t6;
-    const REAL t8 = t7 - k12;
-    const REAL t11 = 0.5 * t8;
-    const REAL t13 = k14 - t11 * t11;
-    const REAL t14 = SQRT(t13);
-    const REAL t16 = SELECT(0.0, -t14, t14);
+    const REAL minus_rocker_sin = SINES(sine, 0), t3 = D_at_x - k6 * minus_rocker_sin, rocker_cos = SINES(cosine, 0),
+      t4 = t3 * t3, minus_rocker_joint_force_my_by_C_fz = k6 * rocker_cos,
+      t5 = minus_rocker_joint_force_my_by_C_fz * minus_rocker_joint_force_my_by_C_fz + t4, t6 = t5 - k12,
+      t9 = 0.5 * t6, t11 = k14 - t9 * t9, t12 = SQRT(t11), t14 = SELECT(0.0, -t12, t12);
     /* crank: reciprocal wrenches, eq. (10); geometry */
-    const REAL crank_lever_moment_x_by_C_fz = k15 * t16;
-    const REAL t17 = t5 * crank_lever_moment_x_by_C_fz;
-    const REAL t23 = t2 * crank_lever_moment_x_by_C_fz;
-    const REAL minus_crank_lever_moment_y_by_C_fz = B_at_z + k13 * t8;
-    const REAL t18 = t2 * minus_crank_lever_moment_y_by_C_fz + t17;
-    const REAL t24 = t5 * minus_crank_lever_moment_y_by_C_fz - t23;
-    const REAL coupler_cos = k15 * t8;
-    const REAL t9 = 1.0 / t7; /* rocker */
-    const REAL crank_cos = t9 * t18;
-    const REAL crank_sin = t9 * t24;
-    const REAL D_rate = READ(rate, 0);
+    const REAL crank_lever_mx_by_C_fz = k15 * t14, t15 = t3 * crank_lever_mx_by_C_fz,
+      t21 = minus_rocker_joint_force_my_by_C_fz * crank_lever_mx_by_C_fz,
+      minus_crank_lever_my_by_C_fz = B_at_z + k13 * t6,
+      t16 = minus_rocker_joint_force_my_by_C_fz * minus_crank_lever_my_by_C_fz + t15,
+      t22 = t3 * minus_crank_lever_my_by_C_fz - t21, coupler_cos = k15 * t6, t7 = 1.0 / t5, /* rocker */
+      crank_cos = t7 * t16, crank_sin = t7 * t22, D_rate = READ(rate, 0);
     WRITE(v, 2, D_rate);
-    const REAL crank_lever_moment_z_by_C_fy = t7 + k20;
-    const REAL t19 = k6 * D_rate; /* D */
+    const REAL crank_lever_mz_by_C_fy = t5 + k20, t17 = k6 * D_rate; /* D */
     /* C: loop closure */
-    const REAL t20 = minus_rocker_sin * t19;
-    const REAL t25 = rocker_cos * t19;
-    const REAL t29 = crank_sin * t20;
-    const REAL t27 = crank_cos * t20 + crank_sin * t25;
-    const REAL t31 = t29 - crank_cos * t25;
-    const REAL t28 = coupler_cos * t27;
-    const REAL t34 = coupler_cos * t31;
-    const REAL coupler_sin = k19 * t16;
-    const REAL minus_C_opening_rate_fx = t28 - coupler_sin * t31;
-    const REAL C_opening_rate_fy = coupler_sin * t27 + t34;
-    const REAL crank_lever_moment_z_by_C_fx = 2.0 * t16;
-    REAL checked0 = crank_lever_moment_z_by_C_fx;
-    const REAL crank_omega_z = minus_C_opening_rate_fx / crank_lever_moment_z_by_C_fx;
+    const REAL t18 = minus_rocker_sin * t17, t23 = rocker_cos * t17, t27 = crank_sin * t18,
+      t25 = crank_cos * t18 + crank_sin * t23, t29 = t27 - crank_cos * t23, t26 = coupler_cos * t25,
+      t32 = coupler_cos * t29, coupler_sin = k19 * t14, minus_C_opening_rate_fx = t26 - coupler_sin * t29,
+      C_opening_rate_fy = coupler_sin * t25 + t32, crank_lever_mz_by_C_fx = 2.0 * t14;
+    REAL checked0 = crank_lever_mz_by_C_fx;
+    const REAL crank_omega_z = minus_C_opening_rate_fx / crank_lever_mz_by_C_fx;
     WRITE(v, 0, crank_omega_z);
-    const REAL B_v = -(2.0 * (C_opening_rate_fy + crank_lever_moment_z_by_C_fy * crank_omega_z));
+    const REAL B_v = -(2.0 * (C_opening_rate_fy + crank_lever_mz_by_C_fy * crank_omega_z));
     WRITE(v, 1, B_v);
     REAL checked1 = B_v;
-    NOT_BELOW(t13, 0.0, 11);
+    NOT_BELOW(t11, 0.0, 11);
     FINITE_UNLESS( /* status 1 where a pivot is smaller than its limit: */
-        SMALL(crank_lever_moment_z_by_C_fx, 3.01689e-10), /* where the reciprocal wrench C.fx has no power along crank, as in a stretched limb */
+        SMALL(crank_lever_mz_by_C_fx, 3.01689e-10), /* where the reciprocal wrench C.fx has no power along crank, as in a stretched limb */
         checked0 + checked1);
 }
 
@@ -531,32 +493,24 @@ BODY(four_bar_inverse_kinematics)(size_t stride, const double *restrict pose, do
     const double *restrict sine, const double *restrict cosine, double *restrict total)
 {
     /* rocker: geometry; balance, eqs. (40)-(47); reciprocal wrenches, eq. (10) */
-    const REAL t5 = D_at_x - k6 * SINES(sine, 0);
-    const REAL t6 = t5 * t5;
-    const REAL t2 = k6 * SINES(cosine, 0);
-    const REAL t7 = t2 * t2 + t6;
-    const REAL t9 = t7 - k12;
-    const REAL t8 = 1.0 / t7;
-    const REAL t11 = 0.5 * t9;
-    const REAL t13 = k14 - t11 * t11;
-    const REAL t14 = SQRT(t13);
-    const REAL t16 = SELECT(0.0, -t14, t14);
-    const REAL crank_lever_moment_x_by_C_fz = k15 * t16;
-    const REAL t17 = t2 * crank_lever_moment_x_by_C_fz; /* crank */
-    const REAL t20 = t5 * crank_lever_moment_x_by_C_fz; /* crank */
-    const REAL minus_crank_lever_moment_y_by_C_fz = B_at_z + k13 * t9;
-    const REAL crank_sin = t8 * (t5 * minus_crank_lever_moment_y_by_C_fz - t17);
-    const REAL A_q = atan2(crank_sin, t8 * (t2 * minus_crank_lever_moment_y_by_C_fz + t20));
+    const REAL t3 = D_at_x - k6 * SINES(sine, 0), t4 = t3 * t3,
+      minus_rocker_joint_force_my_by_C_fz = k6 * SINES(cosine, 0),
+      t5 = minus_rocker_joint_force_my_by_C_fz * minus_rocker_joint_force_my_by_C_fz + t4, t7 = t5 - k12,
+      t6 = 1.0 / t5, t9 = 0.5 * t7, t11 = k14 - t9 * t9, t12 = SQRT(t11), t14 = SELECT(0.0, -t12, t12),
+      crank_lever_mx_by_C_fz = k15 * t14,
+      t15 = minus_rocker_joint_force_my_by_C_fz * crank_lever_mx_by_C_fz, /* crank */
+      t18 = t3 * crank_lever_mx_by_C_fz, /* crank */
+      minus_crank_lever_my_by_C_fz = B_at_z + k13 * t7, crank_sin = t6 * (t3 * minus_crank_lever_my_by_C_fz - t15),
+      A_q = atan2(crank_sin, t6 * (minus_rocker_joint_force_my_by_C_fz * minus_crank_lever_my_by_C_fz + t18));
     WRITE(q, 0, A_q);
     REAL checked0 = A_q;
-    const REAL t24 = k16 * t16 - k17 * t9;
-    const REAL B_q = atan2(t24, 4.0 * t9 + k18 * t16);
+    const REAL t22 = k16 * t14 - k17 * t7, B_q = atan2(t22, 4.0 * t7 + k18 * t14);
     WRITE(q, 1, B_q);
     REAL checked1 = B_q;
     const REAL D_pose = READ(pose, 0);
     WRITE(q, 2, D_pose);
     REAL checked2 = D_pose;
-    NOT_BELOW(t13, 0.0, 11);
+    NOT_BELOW(t11, 0.0, 11);
     FINITE((checked0 + checked1) + checked2);
 }
 

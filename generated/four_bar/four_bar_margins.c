@@ -23,24 +23,23 @@ BODY(four_bar_constraint_margin)(size_t stride, const double *restrict q, double
 {
     (void)q;
     /* crank: geometry */
-    const REAL crank_sin = SINES(sine, 0), coupler_sin = SINES(sine, 1), crank_cos = SINES(cosine, 0);
-    const REAL coupler_cos = SINES(cosine, 1);
-    const REAL minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos;
-    const REAL t8 = k6 * SINES(cosine, 2); /* rocker */
-    const REAL t9 = minus_coupler_rotation_xy * t8; /* C */
-    const REAL coupler_rotation_xx = crank_sin * coupler_cos + crank_cos * coupler_sin;
-    const REAL t16 = coupler_rotation_xx * t8; /* C */
-    const REAL t12 = k6 * SINES(sine, 2); /* rocker */
-    const REAL C_closure_fy_by_D = t9 + coupler_rotation_xx * t12;
-    const REAL minus_C_closure_fx_by_D = t16 - minus_coupler_rotation_xy * t12;
-    const REAL t15 = per_length_B_at_z * coupler_sin * (per_length * C_closure_fy_by_D); /* rocker */
-    const REAL t18 = per_length * minus_C_closure_fx_by_D; /* C */
-    const REAL t25 = k22 * minus_C_closure_fx_by_D; /* C */
-    const REAL t26 = t25 * t25; /* C */
-    const REAL t22 = t15 + t18 * (per_length * (0.5 + B_at_z * coupler_cos)); /* rocker */
-    const REAL t23 = t22 * t22; /* rocker */
-    const REAL t2 = k21 * coupler_sin; /* coupler */
-    const REAL rocker_margins = t2 * t2 + t23 + t26;
+    const REAL crank_sin = SINES(sine, 0), coupler_sin = SINES(sine, 1), crank_cos = SINES(cosine, 0),
+      coupler_cos = SINES(cosine, 1), minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos,
+      minus_rocker_joint_force_my_by_C_fz = k6 * SINES(cosine, 2),
+      t8 = minus_coupler_rotation_xy * minus_rocker_joint_force_my_by_C_fz, /* C */
+      coupler_rotation_xx = crank_sin * coupler_cos + crank_cos * coupler_sin,
+      t14 = coupler_rotation_xx * minus_rocker_joint_force_my_by_C_fz, /* C */
+      minus_rocker_joint_force_mx_by_C_fz = k6 * SINES(sine, 2),
+      C_closure_fy_by_D = t8 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz,
+      minus_C_closure_fx_by_D = t14 - minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz,
+      t13 = per_length_B_at_z * coupler_sin * (per_length * C_closure_fy_by_D), /* rocker */
+      t16 = per_length * minus_C_closure_fx_by_D, /* C */
+      t23 = k22 * minus_C_closure_fx_by_D, /* C */
+      t24 = t23 * t23, /* C */
+      t20 = t13 + t16 * (per_length * (0.5 + B_at_z * coupler_cos)), /* rocker */
+      t21 = t20 * t20, /* rocker */
+      t2 = k21 * coupler_sin, /* coupler */
+      rocker_margins = t2 * t2 + t21 + t24;
     WRITE(margins, 0, rocker_margins);
     REAL checked0 = rocker_margins;
     FINITE(checked0);
@@ -51,11 +50,11 @@ BODY(four_bar_actuation_margins)(size_t stride, const double *restrict q, double
 {
     (void)q;
     /* crank: geometry */
-    const REAL crank_sin = SINES(sine, 0), coupler_cos = SINES(cosine, 1), crank_cos = SINES(cosine, 0);
-    const REAL coupler_sin = SINES(sine, 1);
-    const REAL t6 = (crank_sin * coupler_cos + crank_cos * coupler_sin) * (k6 * SINES(cosine, 2)); /* C */
-    const REAL minus_C_closure_fx_by_D = t6 - (crank_sin * coupler_sin - crank_cos * coupler_cos) * (k6 * SINES(sine, 2));
-    const REAL all_drives_margins = k22 * minus_C_closure_fx_by_D;
+    const REAL crank_sin = SINES(sine, 0), coupler_cos = SINES(cosine, 1), crank_cos = SINES(cosine, 0),
+      coupler_sin = SINES(sine, 1),
+      t5 = (crank_sin * coupler_cos + crank_cos * coupler_sin) * (k6 * SINES(cosine, 2)), /* C */
+      minus_C_closure_fx_by_D = t5 - (crank_sin * coupler_sin - crank_cos * coupler_cos) * (k6 * SINES(sine, 2)),
+      all_drives_margins = k22 * minus_C_closure_fx_by_D;
     WRITE(margins, 0, all_drives_margins);
     REAL checked0 = all_drives_margins;
     FINITE(checked0);

@@ -200,10 +200,12 @@ def body_poses(*arguments):
         A_q, B_q, D_q,
     ) = entries
     with np.errstate(all="ignore"):
+        # crank: geometry
         crank_cos = np.cos(A_q)
         crank_sin = np.sin(A_q)
         minus_crank_sin = -crank_sin
-        t1 = 0.9272952180016122 + B_q
+        t1 = 0.9272952180016122 + B_q  # B
+        # coupler: geometry; results
         coupler_cos = np.cos(t1)
         t2 = crank_sin * coupler_cos
         coupler_sin = np.sin(t1)
@@ -215,7 +217,8 @@ def body_poses(*arguments):
         coupler_poses_Rzx = -coupler_poses_Rxz
         coupler_poses_x = 0.15 * (crank_sin - coupler_poses_Rxz)
         coupler_poses_z = 0.15 * (crank_cos - coupler_poses_Rxx)
-        t12 = 0.4899573262537283 - D_q
+        t12 = 0.4899573262537283 - D_q  # D
+        # rocker: geometry; results
         minus_rocker_sin = np.sin(t12)
         t13 = 0.47058823529411764 * minus_rocker_sin
         rocker_cos = np.cos(t12)
@@ -257,14 +260,14 @@ def body_twists(*arguments):
         A_q, B_q, D_q, A_v, B_v, D_v,
     ) = entries
     with np.errstate(all="ignore"):
+        # coupler: velocities, eq. (6)
         coupler_omega_z = A_v + B_v
-        coupler_twist_linear_x = -(B_v * (0.15 * np.cos(A_q)))
-        coupler_twist_linear_z = B_v * (0.15 * np.sin(A_q))
-        rocker_twist_linear_z = 0.64 * D_v
+        coupler_twist_vx = -(B_v * (0.15 * np.cos(A_q)))
+        coupler_twist_vz = B_v * (0.15 * np.sin(A_q))
+        rocker_twist_vz = 0.64 * D_v
         return _finish(batch, ((0.0, A_v, 0.0, 0.0, 0.0, 0.0, 0.0, coupler_omega_z, 0.0,
-            coupler_twist_linear_x, 0.0, coupler_twist_linear_z, 0.0, D_v, 0.0, 0.0, 0.0,
-            rocker_twist_linear_z),), (), (coupler_omega_z, coupler_twist_linear_x,
-            coupler_twist_linear_z, rocker_twist_linear_z, B_q, D_q))
+            coupler_twist_vx, 0.0, coupler_twist_vz, 0.0, D_v, 0.0, 0.0, 0.0, rocker_twist_vz),),
+            (), (coupler_omega_z, coupler_twist_vx, coupler_twist_vz, rocker_twist_vz, B_q, D_q))
 
 
 def body_twist_rates(*arguments):
@@ -293,18 +296,18 @@ def body_twist_rates(*arguments):
         A_q, B_q, D_q, A_v, B_v, D_v, A_a, B_a, D_a,
     ) = entries
     with np.errstate(all="ignore"):
-        coupler_twist_rate_angular_y = A_a + B_a
+        # coupler: accelerations; geometry
+        coupler_twist_rate_wy = A_a + B_a
         coupler_position_x = 0.15 * np.sin(A_q)
         t2 = B_v * (A_v * coupler_position_x)
         coupler_position_z = 0.15 * np.cos(A_q)
-        coupler_twist_rate_linear_x = t2 - B_a * coupler_position_z
-        coupler_twist_rate_linear_z = B_a * coupler_position_x + B_v * (A_v * coupler_position_z)
-        rocker_twist_rate_linear_z = 0.64 * D_a
-        return _finish(batch, ((0.0, A_a, 0.0, 0.0, 0.0, 0.0, 0.0, coupler_twist_rate_angular_y,
-            0.0, coupler_twist_rate_linear_x, 0.0, coupler_twist_rate_linear_z, 0.0, D_a, 0.0, 0.0,
-            0.0, rocker_twist_rate_linear_z),), (), (coupler_twist_rate_angular_y,
-            coupler_twist_rate_linear_x, coupler_twist_rate_linear_z, rocker_twist_rate_linear_z,
-            B_q, D_q, D_v))
+        coupler_twist_rate_vx = t2 - B_a * coupler_position_z
+        coupler_twist_rate_vz = B_a * coupler_position_x + B_v * (A_v * coupler_position_z)
+        rocker_twist_rate_vz = 0.64 * D_a
+        return _finish(batch, ((0.0, A_a, 0.0, 0.0, 0.0, 0.0, 0.0, coupler_twist_rate_wy, 0.0,
+            coupler_twist_rate_vx, 0.0, coupler_twist_rate_vz, 0.0, D_a, 0.0, 0.0, 0.0,
+            rocker_twist_rate_vz),), (), (coupler_twist_rate_wy, coupler_twist_rate_vx,
+            coupler_twist_rate_vz, rocker_twist_rate_vz, B_q, D_q, D_v))
 
 
 def forward_kinematics(*arguments):
@@ -325,12 +328,13 @@ def forward_kinematics(*arguments):
         A_q, B_q, D_q,
     ) = entries
     with np.errstate(all="ignore"):
+        # crank: geometry
         crank_sin = np.sin(A_q)
-        t1 = 0.9272952180016122 + B_q
-        t3 = 0.15 + 0.25 * np.cos(t1)
-        t4 = crank_sin * t3
+        t1 = 0.9272952180016122 + B_q  # B
+        t3 = 0.15 + 0.25 * np.cos(t1)  # coupler
+        t4 = crank_sin * t3  # coupler_middle
         crank_cos = np.cos(A_q)
-        t5 = 0.25 * np.sin(t1)
+        t5 = 0.25 * np.sin(t1)  # coupler
         coupler_middle_positions_x = t4 + crank_cos * t5
         coupler_middle_positions_z = crank_cos * t3 - crank_sin * t5
         return _finish(batch, ((coupler_middle_positions_x, 0.0, coupler_middle_positions_z),), (),
@@ -363,28 +367,28 @@ def point_motion(*arguments):
         A_q, B_q, D_q, A_v, B_v, D_v, A_a, B_a, D_a,
     ) = entries
     with np.errstate(all="ignore"):
+        # crank: geometry
         crank_sin = np.sin(A_q)
         coupler_position_x = 0.15 * crank_sin
-        t1 = 0.9272952180016122 + B_q
+        t1 = 0.9272952180016122 + B_q  # B
         coupler_cos = np.cos(t1)
-        t2 = crank_sin * coupler_cos
+        t2 = crank_sin * coupler_cos  # coupler
         crank_cos = np.cos(A_q)
         coupler_sin = np.sin(t1)
         coupler_middle_positions_x = coupler_position_x + 0.25 * (t2 + crank_cos * coupler_sin)
         coupler_position_z = 0.15 * crank_cos
         coupler_middle_positions_z = coupler_position_z - 0.25 * (crank_sin * coupler_sin - crank_cos * coupler_cos)
-        minus_coupler_twist_linear_x = B_v * coupler_position_z
+        minus_coupler_twist_vx = B_v * coupler_position_z
         coupler_omega_z = A_v + B_v
-        t9 = minus_coupler_twist_linear_x - coupler_omega_z * coupler_middle_positions_z
+        t9 = minus_coupler_twist_vx - coupler_omega_z * coupler_middle_positions_z  # coupler_middle
         coupler_middle_velocities_x = -t9
         coupler_middle_velocities_z = B_v * coupler_position_x - coupler_omega_z * coupler_middle_positions_x
-        t11 = coupler_omega_z * coupler_middle_velocities_z
-        minus_coupler_twist_rate_linear_x = B_a * coupler_position_z - B_v * (A_v * coupler_position_x)
-        coupler_twist_rate_angular_y = A_a + B_a
-        t16 = minus_coupler_twist_rate_linear_x - coupler_twist_rate_angular_y * coupler_middle_positions_z
-        coupler_middle_accelerations_x = t11 - t16
-        coupler_twist_rate_linear_z = B_a * coupler_position_x + B_v * (A_v * coupler_position_z)
-        t21 = coupler_twist_rate_linear_z - coupler_twist_rate_angular_y * coupler_middle_positions_x
+        t11 = coupler_omega_z * coupler_middle_velocities_z  # coupler_middle
+        minus_coupler_twist_rate_vx = B_a * coupler_position_z - B_v * (A_v * coupler_position_x)
+        coupler_twist_rate_wy = A_a + B_a
+        coupler_middle_accelerations_x = t11 - (minus_coupler_twist_rate_vx - coupler_twist_rate_wy * coupler_middle_positions_z)
+        coupler_twist_rate_vz = B_a * coupler_position_x + B_v * (A_v * coupler_position_z)
+        t21 = coupler_twist_rate_vz - coupler_twist_rate_wy * coupler_middle_positions_x  # coupler_middle
         coupler_middle_accelerations_z = t21 + coupler_omega_z * t9
         return _finish(batch, ((coupler_middle_positions_x, 0.0, coupler_middle_positions_z),
             (coupler_middle_velocities_x, 0.0, coupler_middle_velocities_z),
@@ -415,14 +419,15 @@ def joint_screws(*arguments):
         A_q, B_q, D_q,
     ) = entries
     with np.errstate(all="ignore"):
+        # crank: geometry
         crank_cos = np.cos(A_q)
         coupler_position_z = 0.15 * crank_cos
         minus_coupler_position_z = -coupler_position_z
         crank_sin = np.sin(A_q)
         coupler_position_x = 0.15 * crank_sin
-        t1 = 0.9272952180016122 + B_q
+        t1 = 0.9272952180016122 + B_q  # B
         coupler_sin = np.sin(t1)
-        t2 = crank_sin * coupler_sin
+        t2 = crank_sin * coupler_sin  # coupler
         coupler_cos = np.cos(t1)
         C_screws_vx = 0.5 * (t2 - crank_cos * coupler_cos) - coupler_position_z
         C_screws_vz = coupler_position_x + 0.5 * (crank_sin * coupler_cos + crank_cos * coupler_sin)
@@ -451,13 +456,14 @@ def joint_points(*arguments):
         A_q, B_q, D_q,
     ) = entries
     with np.errstate(all="ignore"):
+        # crank: geometry
         crank_sin = np.sin(A_q)
         coupler_position_x = 0.15 * crank_sin
         crank_cos = np.cos(A_q)
         coupler_position_z = 0.15 * crank_cos
-        t1 = 0.9272952180016122 + B_q
+        t1 = 0.9272952180016122 + B_q  # B
         coupler_cos = np.cos(t1)
-        t2 = crank_sin * coupler_cos
+        t2 = crank_sin * coupler_cos  # coupler
         coupler_sin = np.sin(t1)
         C_points_x = coupler_position_x + 0.5 * (t2 + crank_cos * coupler_sin)
         C_points_z = coupler_position_z - 0.5 * (crank_sin * coupler_sin - crank_cos * coupler_cos)
@@ -507,6 +513,7 @@ def joint_displacements(*arguments):
         A_q, B_q, D_q,
     ) = entries
     with np.errstate(all="ignore"):
+        # C: results
         C_displacements = -(B_q + (A_q - D_q))
         return _finish(batch, ((A_q, B_q, C_displacements, D_q),), (), (C_displacements,))
 
@@ -531,6 +538,7 @@ def joint_rates(*arguments):
         A_q, B_q, D_q, A_v, B_v, D_v,
     ) = entries
     with np.errstate(all="ignore"):
+        # C: results
         C_rates = D_v - (A_v + B_v)
         return _finish(batch, ((A_v, B_v, C_rates, D_v),), (), (C_rates, A_q, B_q, D_q))
 
@@ -576,21 +584,22 @@ def closure(*arguments):
         A_q, B_q, D_q,
     ) = entries
     with np.errstate(all="ignore"):
+        # crank: geometry
         crank_sin = np.sin(A_q)
-        t1 = 0.9272952180016122 + B_q
+        t1 = 0.9272952180016122 + B_q  # B
         coupler_cos = np.cos(t1)
-        t2 = crank_sin * coupler_cos
+        t2 = crank_sin * coupler_cos  # coupler
         crank_cos = np.cos(A_q)
         coupler_sin = np.sin(t1)
         coupler_rotation_xx = t2 + crank_cos * coupler_sin
-        t5 = 0.15 * crank_sin + 0.5 * coupler_rotation_xx
-        t6 = 0.4899573262537283 - D_q
-        t9 = t5 - (0.64 - 0.51 * np.sin(t6))
-        t10 = coupler_rotation_xx * t9
+        t5 = 0.15 * crank_sin + 0.5 * coupler_rotation_xx  # coupler
+        t6 = 0.4899573262537283 - D_q  # D
+        t8 = t5 - (0.64 - 0.51 * np.sin(t6))  # C
+        t9 = coupler_rotation_xx * t8  # C
         minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos
-        t16 = 0.15 * crank_cos - 0.5 * minus_coupler_rotation_xy - 0.51 * np.cos(t6)
-        C_opening_fx = t10 - minus_coupler_rotation_xy * t16
-        C_opening_fy = -(minus_coupler_rotation_xy * t9 + coupler_rotation_xx * t16)
+        t14 = 0.15 * crank_cos - 0.5 * minus_coupler_rotation_xy - 0.51 * np.cos(t6)  # C
+        C_opening_fx = t9 - minus_coupler_rotation_xy * t14
+        C_opening_fy = -(minus_coupler_rotation_xy * t8 + coupler_rotation_xx * t14)
         return _finish(batch, ((C_opening_fx, C_opening_fy, 0.0, 0.0, 0.0),), (), (C_opening_fx,
             C_opening_fy))
 
@@ -612,26 +621,27 @@ def closure_jacobian(*arguments):
         A_q, B_q, D_q,
     ) = entries
     with np.errstate(all="ignore"):
+        # B: geometry
         t1 = 0.9272952180016122 + B_q
         coupler_sin = np.sin(t1)
-        crank_lever_moment_z_by_C_fx = 0.15 * coupler_sin
+        crank_lever_mz_by_C_fx = 0.15 * coupler_sin
         coupler_cos = np.cos(t1)
-        crank_lever_moment_z_by_C_fy = 0.5 + 0.15 * coupler_cos
+        crank_lever_mz_by_C_fy = 0.5 + 0.15 * coupler_cos
         crank_sin = np.sin(A_q)
-        t3 = crank_sin * coupler_sin
+        t3 = crank_sin * coupler_sin  # coupler
         crank_cos = np.cos(A_q)
         minus_coupler_rotation_xy = t3 - crank_cos * coupler_cos
-        t5 = 0.4899573262537283 - D_q
-        t6 = 0.51 * np.sin(t5)
-        t7 = minus_coupler_rotation_xy * t6
+        t5 = 0.4899573262537283 - D_q  # D
+        minus_rocker_joint_force_mx_by_C_fz = 0.51 * np.sin(t5)
+        t6 = minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz  # C
         coupler_rotation_xx = crank_sin * coupler_cos + crank_cos * coupler_sin
-        t10 = 0.51 * np.cos(t5)
-        C_closure_fx_by_D = t7 - coupler_rotation_xx * t10
-        C_closure_fy_by_D = minus_coupler_rotation_xy * t10 + coupler_rotation_xx * t6
-        return _finish(batch, ((crank_lever_moment_z_by_C_fx, crank_lever_moment_z_by_C_fy, 0.0,
-            0.0, 0.0, 0.0, 0.5, 0.0, 0.0, 0.0, C_closure_fx_by_D, C_closure_fy_by_D, 0.0, 0.0,
-            0.0),), (), (crank_lever_moment_z_by_C_fx, crank_lever_moment_z_by_C_fy,
-            C_closure_fx_by_D, C_closure_fy_by_D))
+        minus_rocker_joint_force_my_by_C_fz = 0.51 * np.cos(t5)
+        C_closure_fx_by_D = t6 - coupler_rotation_xx * minus_rocker_joint_force_my_by_C_fz
+        t10 = minus_coupler_rotation_xy * minus_rocker_joint_force_my_by_C_fz  # C
+        C_closure_fy_by_D = t10 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz
+        return _finish(batch, ((crank_lever_mz_by_C_fx, crank_lever_mz_by_C_fy, 0.0, 0.0, 0.0, 0.0,
+            0.5, 0.0, 0.0, 0.0, C_closure_fx_by_D, C_closure_fy_by_D, 0.0, 0.0, 0.0),), (),
+            (crank_lever_mz_by_C_fx, crank_lever_mz_by_C_fy, C_closure_fx_by_D, C_closure_fy_by_D))
 
 
 def closure_bias(*arguments):
@@ -654,22 +664,23 @@ def closure_bias(*arguments):
         A_q, B_q, D_q, A_v, B_v, D_v,
     ) = entries
     with np.errstate(all="ignore"):
+        # B: geometry
         t1 = 0.9272952180016122 + B_q
         coupler_cos = np.cos(t1)
         crank_cos = np.cos(A_q)
-        t2 = 0.4899573262537283 - D_q
+        t2 = 0.4899573262537283 - D_q  # D
         rocker_cos = np.cos(t2)
-        t3 = 0.51 * (D_v * D_v)
-        t4 = rocker_cos * t3
-        t5 = crank_cos * t4
+        t3 = 0.51 * (D_v * D_v)  # rocker
+        t4 = rocker_cos * t3  # rocker
+        t5 = crank_cos * t4  # C
         crank_sin = np.sin(A_q)
-        t6 = np.sin(t2) * t3
-        t8 = t5 - crank_sin * t6
-        t9 = coupler_cos * t8
+        t6 = np.sin(t2) * t3  # rocker
+        t8 = t5 - crank_sin * t6  # C
+        t9 = coupler_cos * t8  # C
         coupler_sin = np.sin(t1)
-        t12 = crank_sin * t4 + crank_cos * t6
-        t14 = t9 - coupler_sin * t12
-        t15 = 0.15 * (A_v * A_v)
+        t12 = crank_sin * t4 + crank_cos * t6  # C
+        t14 = t9 - coupler_sin * t12  # C
+        t15 = 0.15 * (A_v * A_v)  # crank
         minus_coupler_acc_still_x = coupler_cos * t15
         coupler_omega_z = A_v + B_v
         C_opening_bias_fx = t14 - (minus_coupler_acc_still_x + 0.5 * (coupler_omega_z * coupler_omega_z))
@@ -701,23 +712,25 @@ def velocity(*arguments):
         A_q, B_q, D_q, A_y_dot,
     ) = entries
     with np.errstate(all="ignore"):
+        # B: geometry; velocities, eq. (6)
         t1 = 0.9272952180016122 + B_q
         coupler_cos = np.cos(t1)
         t3 = (0.5 + 0.15 * coupler_cos) * A_y_dot
         crank_sin = np.sin(A_q)
         coupler_sin = np.sin(t1)
-        t4 = crank_sin * coupler_sin
+        t4 = crank_sin * coupler_sin  # coupler
         crank_cos = np.cos(A_q)
         minus_coupler_rotation_xy = t4 - crank_cos * coupler_cos
-        t6 = 0.4899573262537283 - D_q
-        t7 = 0.51 * np.cos(t6)
-        t8 = minus_coupler_rotation_xy * t7
+        t6 = 0.4899573262537283 - D_q  # D
+        minus_rocker_joint_force_my_by_C_fz = 0.51 * np.cos(t6)
+        t7 = minus_coupler_rotation_xy * minus_rocker_joint_force_my_by_C_fz  # C
         coupler_rotation_xx = crank_sin * coupler_cos + crank_cos * coupler_sin
-        t11 = 0.51 * np.sin(t6)
-        C_closure_fy_by_D = t8 + coupler_rotation_xx * t11
-        t13 = 0.15 * coupler_sin * A_y_dot
-        minus_C_closure_fx_by_D = coupler_rotation_xx * t7 - minus_coupler_rotation_xy * t11
-        D_joint_rate = t13 / minus_C_closure_fx_by_D
+        minus_rocker_joint_force_mx_by_C_fz = 0.51 * np.sin(t6)
+        C_closure_fy_by_D = t7 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz
+        t11 = 0.15 * coupler_sin * A_y_dot  # D
+        t12 = coupler_rotation_xx * minus_rocker_joint_force_my_by_C_fz  # C
+        minus_C_closure_fx_by_D = t12 - minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz
+        D_joint_rate = t11 / minus_C_closure_fx_by_D
         B_joint_rate = -(2.0 * (t3 + C_closure_fy_by_D * D_joint_rate))
         return _finish(batch, ((A_y_dot, B_joint_rate, D_joint_rate),), ((minus_C_closure_fx_by_D,
             3.01689e-10),), (minus_C_closure_fx_by_D, B_joint_rate))
@@ -744,24 +757,26 @@ def null_space(*arguments):
         A_q, B_q, D_q,
     ) = entries
     with np.errstate(all="ignore"):
+        # B: geometry; rates that follow
         t1 = 0.9272952180016122 + B_q
         coupler_cos = np.cos(t1)
-        crank_lever_moment_z_by_C_fy = 0.5 + 0.15 * coupler_cos
+        crank_lever_mz_by_C_fy = 0.5 + 0.15 * coupler_cos
         crank_sin = np.sin(A_q)
         coupler_sin = np.sin(t1)
-        t3 = crank_sin * coupler_sin
+        t3 = crank_sin * coupler_sin  # coupler
         crank_cos = np.cos(A_q)
         minus_coupler_rotation_xy = t3 - crank_cos * coupler_cos
-        t5 = 0.4899573262537283 - D_q
-        t6 = 0.51 * np.cos(t5)
-        t7 = minus_coupler_rotation_xy * t6
+        t5 = 0.4899573262537283 - D_q  # D
+        minus_rocker_joint_force_my_by_C_fz = 0.51 * np.cos(t5)
+        t6 = minus_coupler_rotation_xy * minus_rocker_joint_force_my_by_C_fz  # C
         coupler_rotation_xx = crank_sin * coupler_cos + crank_cos * coupler_sin
-        t10 = 0.51 * np.sin(t5)
-        C_closure_fy_by_D = t7 + coupler_rotation_xx * t10
-        crank_lever_moment_z_by_C_fx = 0.15 * coupler_sin
-        minus_C_closure_fx_by_D = coupler_rotation_xx * t6 - minus_coupler_rotation_xy * t10
-        D_null_space_by_A = crank_lever_moment_z_by_C_fx / minus_C_closure_fx_by_D
-        B_null_space_by_A = -(2.0 * (crank_lever_moment_z_by_C_fy + C_closure_fy_by_D * D_null_space_by_A))
+        minus_rocker_joint_force_mx_by_C_fz = 0.51 * np.sin(t5)
+        C_closure_fy_by_D = t6 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz
+        crank_lever_mz_by_C_fx = 0.15 * coupler_sin
+        t10 = coupler_rotation_xx * minus_rocker_joint_force_my_by_C_fz  # C
+        minus_C_closure_fx_by_D = t10 - minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz
+        D_null_space_by_A = crank_lever_mz_by_C_fx / minus_C_closure_fx_by_D
+        B_null_space_by_A = -(2.0 * (crank_lever_mz_by_C_fy + C_closure_fy_by_D * D_null_space_by_A))
         return _finish(batch, ((1.0, B_null_space_by_A, D_null_space_by_A),),
             ((minus_C_closure_fx_by_D, 3.01689e-10),), (minus_C_closure_fx_by_D, B_null_space_by_A))
 
@@ -791,38 +806,40 @@ def acceleration(*arguments):
         A_q, B_q, D_q, A_v, B_v, D_v, A_y_ddot,
     ) = entries
     with np.errstate(all="ignore"):
+        # B: geometry; accelerations
         t1 = 0.9272952180016122 + B_q
         coupler_sin = np.sin(t1)
-        t2 = 0.15 * (A_v * A_v)
+        t2 = 0.15 * (A_v * A_v)  # crank
         coupler_acc_still_y = coupler_sin * t2
         crank_cos = np.cos(A_q)
-        t3 = 0.4899573262537283 - D_q
+        t3 = 0.4899573262537283 - D_q  # D
         rocker_cos = np.cos(t3)
-        t4 = 0.51 * (D_v * D_v)
-        t5 = rocker_cos * t4
-        t6 = crank_cos * t5
+        t4 = 0.51 * (D_v * D_v)  # rocker
+        t5 = rocker_cos * t4  # rocker
+        t6 = crank_cos * t5  # C
         crank_sin = np.sin(A_q)
         minus_rocker_sin = np.sin(t3)
-        t7 = minus_rocker_sin * t4
-        t9 = t6 - crank_sin * t7
-        t10 = coupler_sin * t9
+        t7 = minus_rocker_sin * t4  # rocker
+        t9 = t6 - crank_sin * t7  # C
+        t10 = coupler_sin * t9  # C
         coupler_cos = np.cos(t1)
-        t13 = crank_sin * t5 + crank_cos * t7
+        t13 = crank_sin * t5 + crank_cos * t7  # C
         C_opening_bias_fy = coupler_acc_still_y - (t10 + coupler_cos * t13)
         t18 = C_opening_bias_fy + (0.5 + 0.15 * coupler_cos) * A_y_ddot
         minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos
-        t21 = 0.51 * rocker_cos
-        t22 = minus_coupler_rotation_xy * t21
+        minus_rocker_joint_force_my_by_C_fz = 0.51 * rocker_cos
+        t21 = minus_coupler_rotation_xy * minus_rocker_joint_force_my_by_C_fz  # C
         coupler_rotation_xx = crank_sin * coupler_cos + crank_cos * coupler_sin
-        t25 = 0.51 * minus_rocker_sin
-        C_closure_fy_by_D = t22 + coupler_rotation_xx * t25
-        t29 = coupler_cos * t9 - coupler_sin * t13
+        minus_rocker_joint_force_mx_by_C_fz = 0.51 * minus_rocker_sin
+        C_closure_fy_by_D = t21 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz
+        t27 = coupler_cos * t9 - coupler_sin * t13  # C
         minus_coupler_acc_still_x = coupler_cos * t2
         coupler_omega_z = A_v + B_v
-        C_opening_bias_fx = t29 - (minus_coupler_acc_still_x + 0.5 * (coupler_omega_z * coupler_omega_z))
-        t33 = C_opening_bias_fx + 0.15 * coupler_sin * A_y_ddot
-        minus_C_closure_fx_by_D = coupler_rotation_xx * t21 - minus_coupler_rotation_xy * t25
-        D_joint_acc = t33 / minus_C_closure_fx_by_D
+        C_opening_bias_fx = t27 - (minus_coupler_acc_still_x + 0.5 * (coupler_omega_z * coupler_omega_z))
+        t31 = C_opening_bias_fx + 0.15 * coupler_sin * A_y_ddot  # D
+        t32 = coupler_rotation_xx * minus_rocker_joint_force_my_by_C_fz  # C
+        minus_C_closure_fx_by_D = t32 - minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz
+        D_joint_acc = t31 / minus_C_closure_fx_by_D
         B_joint_acc = -(2.0 * (t18 + C_closure_fy_by_D * D_joint_acc))
         return _finish(batch, ((A_y_ddot, B_joint_acc, D_joint_acc),), ((minus_C_closure_fx_by_D,
             3.01689e-10),), (minus_C_closure_fx_by_D, B_joint_acc))
@@ -854,38 +871,43 @@ def momentum_screws(*arguments):
         A_q, B_q, D_q, A_v, B_v, D_v,
     ) = entries
     with np.errstate(all="ignore"):
+        # crank: geometry; momentum, eq. (31)
         crank_cos = np.cos(A_q)
         t1 = 0.075 * crank_cos
-        crank_momentum_force_x = 0.5 * (A_v * t1)
+        crank_momentum_px = 0.5 * (A_v * t1)
         crank_sin = np.sin(A_q)
         t3 = 0.075 * crank_sin
-        minus_crank_momentum_force_z = 0.5 * (A_v * t3)
-        crank_momentum_force_z = -minus_crank_momentum_force_z
-        crank_momentum_moment_y = t1 * crank_momentum_force_x + t3 * minus_crank_momentum_force_z + 0.0009375 * A_v
+        minus_crank_momentum_pz = 0.5 * (A_v * t3)
+        crank_momentum_pz = -minus_crank_momentum_pz
+        crank_momentum_Ly = t1 * crank_momentum_px + t3 * minus_crank_momentum_pz + 0.0009375 * A_v
+        # coupler: geometry; velocities, eq. (6)
         coupler_position_z = 0.15 * crank_cos
-        minus_coupler_twist_linear_x = B_v * coupler_position_z
+        minus_coupler_twist_vx = B_v * coupler_position_z
         coupler_omega_z = A_v + B_v
-        t9 = 0.9272952180016122 + B_q
+        t9 = 0.9272952180016122 + B_q  # B
         coupler_cos = np.cos(t9)
         t10 = crank_sin * coupler_cos
         coupler_sin = np.sin(t9)
         coupler_rotation_xx = t10 + crank_cos * coupler_sin
+        # coupler: momentum, eq. (31); geometry; velocities, eq. (6)
         t12 = 0.8 * coupler_rotation_xx
         minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos
         t16 = t12 - 0.6 * minus_coupler_rotation_xy
         t18 = coupler_position_z - 0.15 * t16
         t21 = 0.6 * coupler_rotation_xx + 0.8 * minus_coupler_rotation_xy
         t25 = t18 - (0.2 * t21 - 0.3 * t16)
-        minus_coupler_momentum_force_x = 1.2 * (minus_coupler_twist_linear_x - coupler_omega_z * t25)
-        coupler_momentum_force_x = -minus_coupler_momentum_force_x
+        minus_coupler_momentum_px = 1.2 * (minus_coupler_twist_vx - coupler_omega_z * t25)
+        coupler_momentum_px = -minus_coupler_momentum_px
         coupler_position_x = 0.15 * crank_sin
-        coupler_twist_linear_z = B_v * coupler_position_x
+        coupler_twist_vz = B_v * coupler_position_x
         t33 = coupler_position_x - 0.15 * t21 + (0.2 * t16 + 0.3 * t21)
-        coupler_momentum_force_z = 1.2 * (coupler_twist_linear_z - coupler_omega_z * t33)
-        minus_coupler_momentum_moment_y = t25 * minus_coupler_momentum_force_x + t33 * coupler_momentum_force_z - 0.025 * coupler_omega_z
-        coupler_momentum_moment_y = -minus_coupler_momentum_moment_y
-        t40 = 0.4899573262537283 - D_q
+        coupler_momentum_pz = 1.2 * (coupler_twist_vz - coupler_omega_z * t33)
+        minus_coupler_momentum_Ly = t25 * minus_coupler_momentum_px + t33 * coupler_momentum_pz - 0.025 * coupler_omega_z
+        coupler_momentum_Ly = -minus_coupler_momentum_Ly
+        t40 = 0.4899573262537283 - D_q  # D
+        # rocker: geometry
         minus_rocker_sin = np.sin(t40)
+        # rocker: momentum, eq. (31); geometry
         t41 = 0.8823529411764706 * minus_rocker_sin
         rocker_cos = np.cos(t40)
         t43 = t41 - 0.47058823529411764 * rocker_cos
@@ -893,20 +915,19 @@ def momentum_screws(*arguments):
         t45 = 0.52 * t43
         t48 = 0.47058823529411764 * minus_rocker_sin + 0.8823529411764706 * rocker_cos
         t51 = t44 - (t45 + 0.225 * t48)
-        minus_rocker_momentum_force_x = 1.2 * (D_v * t51)
-        rocker_momentum_force_x = -minus_rocker_momentum_force_x
+        minus_rocker_momentum_px = 1.2 * (D_v * t51)
+        rocker_momentum_px = -minus_rocker_momentum_px
         t58 = 0.64 - 0.64 * t48 + (0.52 * t48 - 0.225 * t43)
-        rocker_momentum_force_z = 1.2 * (D_v * (0.64 - t58))
-        rocker_momentum_moment_y = 0.02601 * D_v + (t51 * minus_rocker_momentum_force_x - t58 * rocker_momentum_force_z)
-        px_total = crank_momentum_force_x - minus_coupler_momentum_force_x - minus_rocker_momentum_force_x
-        pz_total = rocker_momentum_force_z - (minus_crank_momentum_force_z - coupler_momentum_force_z)
-        Ly_total = crank_momentum_moment_y - minus_coupler_momentum_moment_y + rocker_momentum_moment_y
-        return _finish(batch, ((crank_momentum_force_x, 0.0, crank_momentum_force_z, 0.0,
-            crank_momentum_moment_y, 0.0, coupler_momentum_force_x, 0.0, coupler_momentum_force_z,
-            0.0, coupler_momentum_moment_y, 0.0, rocker_momentum_force_x, 0.0,
-            rocker_momentum_force_z, 0.0, rocker_momentum_moment_y, 0.0), (px_total, 0.0, pz_total,
-            0.0, Ly_total, 0.0)), (), (crank_momentum_force_z, coupler_momentum_force_x,
-            coupler_momentum_moment_y, rocker_momentum_force_x, px_total, pz_total, Ly_total))
+        rocker_momentum_pz = 1.2 * (D_v * (0.64 - t58))
+        rocker_momentum_Ly = 0.02601 * D_v + (t51 * minus_rocker_momentum_px - t58 * rocker_momentum_pz)
+        px_total = crank_momentum_px - minus_coupler_momentum_px - minus_rocker_momentum_px
+        pz_total = rocker_momentum_pz - (minus_crank_momentum_pz - coupler_momentum_pz)
+        Ly_total = crank_momentum_Ly - minus_coupler_momentum_Ly + rocker_momentum_Ly
+        return _finish(batch, ((crank_momentum_px, 0.0, crank_momentum_pz, 0.0, crank_momentum_Ly,
+            0.0, coupler_momentum_px, 0.0, coupler_momentum_pz, 0.0, coupler_momentum_Ly, 0.0,
+            rocker_momentum_px, 0.0, rocker_momentum_pz, 0.0, rocker_momentum_Ly, 0.0), (px_total,
+            0.0, pz_total, 0.0, Ly_total, 0.0)), (), (crank_momentum_pz, coupler_momentum_px,
+            coupler_momentum_Ly, rocker_momentum_px, px_total, pz_total, Ly_total))
 
 
 def momentum_rates(*arguments):
@@ -934,20 +955,22 @@ def momentum_rates(*arguments):
         A_q, B_q, D_q, A_v, B_v, D_v, A_a, B_a, D_a,
     ) = entries
     with np.errstate(all="ignore"):
+        # crank: geometry; momentum rate, eq. (35); momentum, eq. (31)
         crank_cos = np.cos(A_q)
         t1 = 0.075 * crank_cos
         t3 = 0.5 * (A_a * t1)
         crank_sin = np.sin(A_q)
         t4 = 0.075 * crank_sin
-        crank_rate_at_O_force_x = t3 - A_v * (0.5 * (A_v * t4))
+        crank_rate_at_O_fx = t3 - A_v * (0.5 * (A_v * t4))
         t8 = A_v * (0.5 * (A_v * t1))
         t10 = 0.5 * (A_a * t4)
-        crank_rate_at_O_force_z = -(t8 + t10)
-        crank_rate_at_O_moment_y = t1 * t3 + t4 * t10 + 0.0009375 * A_a
+        crank_rate_at_O_fz = -(t8 + t10)
+        crank_rate_at_O_my = t1 * t3 + t4 * t10 + 0.0009375 * A_a
+        # coupler: velocities, eq. (6); geometry; momentum, eq. (31)
         coupler_omega_z = A_v + B_v
         coupler_position_x = 0.15 * crank_sin
-        coupler_twist_linear_z = B_v * coupler_position_x
-        t15 = 0.9272952180016122 + B_q
+        coupler_twist_vz = B_v * coupler_position_x
+        t15 = 0.9272952180016122 + B_q  # B
         coupler_cos = np.cos(t15)
         t16 = crank_sin * coupler_cos
         coupler_sin = np.sin(t15)
@@ -958,26 +981,27 @@ def momentum_rates(*arguments):
         t24 = coupler_position_x - 0.15 * t22
         t27 = 0.8 * coupler_rotation_xx - 0.6 * minus_coupler_rotation_xy
         t31 = t24 + (0.2 * t27 + 0.3 * t22)
-        coupler_momentum_force_z = 1.2 * (coupler_twist_linear_z - coupler_omega_z * t31)
-        t34 = coupler_omega_z * coupler_momentum_force_z
+        coupler_momentum_pz = 1.2 * (coupler_twist_vz - coupler_omega_z * t31)
+        t34 = coupler_omega_z * coupler_momentum_pz
         coupler_position_z = 0.15 * crank_cos
-        minus_coupler_twist_rate_linear_x = B_a * coupler_position_z - B_v * (A_v * coupler_position_x)
-        coupler_twist_rate_angular_y = A_a + B_a
+        minus_coupler_twist_rate_vx = B_a * coupler_position_z - B_v * (A_v * coupler_position_x)
+        coupler_twist_rate_wy = A_a + B_a
+        # coupler: momentum rate, eq. (35); velocities, eq. (6); momentum, eq. (31)
         t43 = coupler_position_z - 0.15 * t27 - (0.2 * t22 - 0.3 * t27)
-        t46 = 1.2 * (minus_coupler_twist_rate_linear_x - coupler_twist_rate_angular_y * t43)
-        coupler_rate_at_O_force_x = t34 - t46
-        minus_coupler_twist_linear_x = B_v * coupler_position_z
-        minus_coupler_momentum_force_x = 1.2 * (minus_coupler_twist_linear_x - coupler_omega_z * t43)
-        t49 = coupler_omega_z * minus_coupler_momentum_force_x
-        coupler_twist_rate_linear_z = B_a * coupler_position_x + B_v * (A_v * coupler_position_z)
-        t55 = 1.2 * (coupler_twist_rate_linear_z - coupler_twist_rate_angular_y * t31)
-        coupler_rate_at_O_force_z = t49 + t55
-        t56 = coupler_twist_linear_z * minus_coupler_momentum_force_x
-        t58 = t56 - minus_coupler_twist_linear_x * coupler_momentum_force_z
-        minus_coupler_rate_at_O_moment_y = t58 + (t43 * t46 + t31 * t55 - 0.025 * coupler_twist_rate_angular_y)
-        coupler_rate_at_O_moment_y = -minus_coupler_rate_at_O_moment_y
-        rocker_twist_linear_z = 0.64 * D_v
-        t64 = 0.4899573262537283 - D_q
+        t46 = 1.2 * (minus_coupler_twist_rate_vx - coupler_twist_rate_wy * t43)
+        coupler_rate_at_O_fx = t34 - t46
+        minus_coupler_twist_vx = B_v * coupler_position_z
+        minus_coupler_momentum_px = 1.2 * (minus_coupler_twist_vx - coupler_omega_z * t43)
+        t49 = coupler_omega_z * minus_coupler_momentum_px
+        t54 = B_a * coupler_position_x + B_v * (A_v * coupler_position_z) - coupler_twist_rate_wy * t31
+        t55 = 1.2 * t54
+        coupler_rate_at_O_fz = t49 + t55
+        t58 = coupler_twist_vz * minus_coupler_momentum_px - minus_coupler_twist_vx * coupler_momentum_pz
+        minus_coupler_rate_at_O_my = t58 + (t43 * t46 + t31 * t55 - 0.025 * coupler_twist_rate_wy)
+        coupler_rate_at_O_my = -minus_coupler_rate_at_O_my
+        # rocker: velocities, eq. (6); geometry; momentum, eq. (31)
+        rocker_twist_vz = 0.64 * D_v
+        t64 = 0.4899573262537283 - D_q  # D
         minus_rocker_sin = np.sin(t64)
         t65 = 0.47058823529411764 * minus_rocker_sin
         rocker_cos = np.cos(t64)
@@ -986,23 +1010,23 @@ def momentum_rates(*arguments):
         t70 = 0.52 * t67
         t73 = 0.8823529411764706 * minus_rocker_sin - 0.47058823529411764 * rocker_cos
         t76 = t69 + (t70 - 0.225 * t73)
-        t79 = D_v * (1.2 * (rocker_twist_linear_z - D_v * t76))
+        # rocker: momentum rate, eq. (35); momentum, eq. (31)
+        t79 = D_v * (1.2 * (rocker_twist_vz - D_v * t76))
         t84 = 0.64 * t73 - (0.52 * t73 + 0.225 * t67)
         t86 = 1.2 * (D_a * t84)
-        rocker_rate_at_O_force_x = t79 - t86
-        minus_rocker_momentum_force_x = 1.2 * (D_v * t84)
-        t88 = D_v * minus_rocker_momentum_force_x
+        rocker_rate_at_O_fx = t79 - t86
+        minus_rocker_momentum_px = 1.2 * (D_v * t84)
+        t88 = D_v * minus_rocker_momentum_px
         t91 = 1.2 * (D_a * (0.64 - t76))
-        rocker_rate_at_O_force_z = t88 + t91
+        rocker_rate_at_O_fz = t88 + t91
         t96 = 0.02601 * D_a + (t84 * t86 - t76 * t91)
-        rocker_rate_at_O_moment_y = t96 - rocker_twist_linear_z * minus_rocker_momentum_force_x
-        return _finish(batch, ((crank_rate_at_O_force_x, 0.0, crank_rate_at_O_force_z, 0.0,
-            crank_rate_at_O_moment_y, 0.0, coupler_rate_at_O_force_x, 0.0,
-            coupler_rate_at_O_force_z, 0.0, coupler_rate_at_O_moment_y, 0.0,
-            rocker_rate_at_O_force_x, 0.0, rocker_rate_at_O_force_z, 0.0, rocker_rate_at_O_moment_y,
-            0.0),), (), (crank_rate_at_O_force_x, crank_rate_at_O_force_z, crank_rate_at_O_moment_y,
-            coupler_rate_at_O_force_x, coupler_rate_at_O_force_z, coupler_rate_at_O_moment_y,
-            rocker_rate_at_O_force_x, rocker_rate_at_O_force_z, rocker_rate_at_O_moment_y))
+        rocker_rate_at_O_my = t96 - rocker_twist_vz * minus_rocker_momentum_px
+        return _finish(batch, ((crank_rate_at_O_fx, 0.0, crank_rate_at_O_fz, 0.0,
+            crank_rate_at_O_my, 0.0, coupler_rate_at_O_fx, 0.0, coupler_rate_at_O_fz, 0.0,
+            coupler_rate_at_O_my, 0.0, rocker_rate_at_O_fx, 0.0, rocker_rate_at_O_fz, 0.0,
+            rocker_rate_at_O_my, 0.0),), (), (crank_rate_at_O_fx, crank_rate_at_O_fz,
+            crank_rate_at_O_my, coupler_rate_at_O_fx, coupler_rate_at_O_fz, coupler_rate_at_O_my,
+            rocker_rate_at_O_fx, rocker_rate_at_O_fz, rocker_rate_at_O_my))
 
 
 def energy(*arguments):
@@ -1025,17 +1049,18 @@ def energy(*arguments):
         A_q, B_q, D_q, A_v, B_v, D_v,
     ) = entries
     with np.errstate(all="ignore"):
+        # rocker: energy
         rocker_energy_kinetic_up_to = 0.03075 * (A_v * A_v) + 0.10404 * (D_v * D_v)
-        t2 = 0.9272952180016122 + B_q
+        t2 = 0.9272952180016122 + B_q  # B
         coupler_cos = np.cos(t2)
         coupler_vel_y = coupler_cos * (0.15 * A_v)
         coupler_omega_z = A_v + B_v
-        t6 = rocker_energy_kinetic_up_to + coupler_vel_y * (0.6 * coupler_omega_z)
+        t6 = rocker_energy_kinetic_up_to + coupler_vel_y * (0.6 * coupler_omega_z)  # coupler
         kinetic_energy = 0.5 * (t6 + 0.1 * (coupler_omega_z * coupler_omega_z))
         crank_cos = np.cos(A_q)
-        t11 = 0.367875 * crank_cos + 3.00186 * np.cos(0.4899573262537283 - D_q)
-        t12 = 0.18 * crank_cos
-        t15 = 0.3 * (np.sin(A_q) * np.sin(t2) - crank_cos * coupler_cos)
+        t11 = 0.367875 * crank_cos + 3.00186 * np.cos(0.4899573262537283 - D_q)  # potential
+        t12 = 0.18 * crank_cos  # crank
+        t15 = 0.3 * (np.sin(A_q) * np.sin(t2) - crank_cos * coupler_cos)  # coupler
         potential_energy = t11 + 9.81 * (t12 - t15)
         return _finish(batch, ((kinetic_energy, potential_energy),), (), (kinetic_energy,
             potential_energy))
@@ -1059,6 +1084,7 @@ def mass_matrix(*arguments):
         A_q, B_q, D_q,
     ) = entries
     with np.errstate(all="ignore"):
+        # coupler: geometry; inertia
         coupler_cos = np.cos(0.9272952180016122 + B_q)
         t3 = coupler_cos * (0.1 * coupler_cos)
         A_mass_matrix_by_A = 0.1 - t3 + (0.03075 + (t3 + 0.09 * coupler_cos))
@@ -1088,18 +1114,19 @@ def bias(*arguments):
         A_q, B_q, D_q, A_v, B_v, D_v,
     ) = entries
     with np.errstate(all="ignore"):
+        # B: geometry
         t1 = 0.9272952180016122 + B_q
         coupler_sin = np.sin(t1)
-        t4 = coupler_sin * (0.15 * (A_v * A_v) - 9.81 * np.cos(A_q))
+        t4 = coupler_sin * (0.15 * (A_v * A_v) - 9.81 * np.cos(A_q))  # coupler
         coupler_cos = np.cos(t1)
         crank_sin = np.sin(A_q)
-        coupler_rate_moment_z = 0.3 * (t4 - coupler_cos * (9.81 * crank_sin))
+        coupler_rate_mz = 0.3 * (t4 - coupler_cos * (9.81 * crank_sin))
         coupler_omega_z = A_v + B_v
-        t7 = coupler_rate_moment_z - 0.15 * (coupler_sin * (0.3 * (coupler_omega_z * coupler_omega_z)))
-        crank_force_moment_z = t7 - 2.133675 * crank_sin
-        rocker_rate_moment_z = 3.00186 * np.sin(0.4899573262537283 - D_q)
-        return _finish(batch, ((crank_force_moment_z, coupler_rate_moment_z,
-            rocker_rate_moment_z),), (), (crank_force_moment_z, rocker_rate_moment_z, D_v))
+        t7 = coupler_rate_mz - 0.15 * (coupler_sin * (0.3 * (coupler_omega_z * coupler_omega_z)))  # crank
+        crank_moment_z = t7 - 2.133675 * crank_sin
+        rocker_rate_mz = 3.00186 * np.sin(0.4899573262537283 - D_q)
+        return _finish(batch, ((crank_moment_z, coupler_rate_mz, rocker_rate_mz),), (),
+            (crank_moment_z, rocker_rate_mz, D_v))
 
 
 def inverse_dynamics(*arguments):
@@ -1125,35 +1152,36 @@ def inverse_dynamics(*arguments):
         A_q, B_q, D_q, A_v, B_v, D_v, A_a, B_a, D_a,
     ) = entries
     with np.errstate(all="ignore"):
+        # B: geometry
         t1 = 0.9272952180016122 + B_q
         coupler_sin = np.sin(t1)
-        crank_lever_moment_z_by_C_fx = 0.15 * coupler_sin
-        t2 = 0.4899573262537283 - D_q
+        crank_lever_mz_by_C_fx = 0.15 * coupler_sin
+        t2 = 0.4899573262537283 - D_q  # D
         minus_rocker_sin = np.sin(t2)
-        rocker_rate_moment_z_2 = 3.00186 * minus_rocker_sin + 0.10404 * D_a
-        t4 = 0.51 * np.cos(t2)
+        rocker_rate_mz_2 = 3.00186 * minus_rocker_sin + 0.10404 * D_a
+        minus_rocker_joint_force_my_by_C_fz = 0.51 * np.cos(t2)
         crank_sin = np.sin(A_q)
-        coupler_twist_rate_angular_y = A_a + B_a
-        t5 = 0.1 * coupler_twist_rate_angular_y
-        t6 = 0.15 * (A_v * A_v)
+        coupler_twist_rate_wy = A_a + B_a
+        t4 = 0.1 * coupler_twist_rate_wy  # coupler
+        t5 = 0.15 * (A_v * A_v)  # crank
         crank_cos = np.cos(A_q)
-        t8 = coupler_sin * (t6 - 9.81 * crank_cos)
+        t7 = coupler_sin * (t5 - 9.81 * crank_cos)  # coupler
         coupler_cos = np.cos(t1)
-        t12 = 0.3 * (t8 + coupler_cos * (0.15 * A_a - 9.81 * crank_sin))
-        C_multiplier_fy = 2.0 * (t5 + t12)
-        t13 = coupler_sin * C_multiplier_fy
-        t14 = crank_sin * t13
-        t15 = coupler_cos * C_multiplier_fy
-        t18 = t4 * (t14 - crank_cos * t15)
-        t19 = 0.51 * minus_rocker_sin
-        rocker_joint_force_moment_z = rocker_rate_moment_z_2 - (t18 + t19 * (crank_cos * t13 + crank_sin * t15))
-        t27 = (crank_sin * coupler_cos + crank_cos * coupler_sin) * t4
-        minus_C_closure_fx_by_D = t27 - (crank_sin * coupler_sin - crank_cos * coupler_cos) * t19
-        t31 = crank_lever_moment_z_by_C_fx * (rocker_joint_force_moment_z / minus_C_closure_fx_by_D)
+        t11 = 0.3 * (t7 + coupler_cos * (0.15 * A_a - 9.81 * crank_sin))  # coupler
+        C_multiplier_fy = 2.0 * (t4 + t11)
+        t12 = coupler_sin * C_multiplier_fy  # rocker
+        t13 = crank_sin * t12  # rocker
+        t14 = coupler_cos * C_multiplier_fy  # rocker
+        t17 = minus_rocker_joint_force_my_by_C_fz * (t13 - crank_cos * t14)  # rocker
+        minus_rocker_joint_force_mx_by_C_fz = 0.51 * minus_rocker_sin
+        rocker_joint_force_mz = rocker_rate_mz_2 - (t17 + minus_rocker_joint_force_mx_by_C_fz * (crank_cos * t12 + crank_sin * t14))
+        t25 = (crank_sin * coupler_cos + crank_cos * coupler_sin) * minus_rocker_joint_force_my_by_C_fz  # C
+        minus_C_closure_fx_by_D = t25 - (crank_sin * coupler_sin - crank_cos * coupler_cos) * minus_rocker_joint_force_mx_by_C_fz
+        t29 = crank_lever_mz_by_C_fx * (rocker_joint_force_mz / minus_C_closure_fx_by_D)  # A
         coupler_omega_z = A_v + B_v
         minus_crank_force_y = coupler_sin * (0.3 * (coupler_omega_z * coupler_omega_z))
-        t34 = 0.15 * (minus_crank_force_y - coupler_cos * (0.3 * coupler_twist_rate_angular_y) + t15)
-        A_balance = t31 - (t34 + (2.133675 * crank_sin - 0.03075 * A_a))
+        t32 = 0.15 * (minus_crank_force_y - coupler_cos * (0.3 * coupler_twist_rate_wy) + t14)  # crank
+        A_balance = t29 - (t32 + (2.133675 * crank_sin - 0.03075 * A_a))
         return _finish(batch, ((A_balance,),), ((minus_C_closure_fx_by_D, 5.057800000000001e-10),),
             (minus_C_closure_fx_by_D, A_balance, D_v))
 
@@ -1182,58 +1210,60 @@ def inverse_dynamics_independent(*arguments):
         A_q, B_q, D_q, A_y_dot, A_y_ddot,
     ) = entries
     with np.errstate(all="ignore"):
+        # B: geometry; velocities, eq. (6); accelerations
         t1 = 0.9272952180016122 + B_q
         coupler_sin = np.sin(t1)
-        crank_lever_moment_z_by_C_fx = 0.15 * coupler_sin
+        crank_lever_mz_by_C_fx = 0.15 * coupler_sin
         crank_sin = np.sin(A_q)
         coupler_cos = np.cos(t1)
-        t2 = crank_sin * coupler_cos
+        t2 = crank_sin * coupler_cos  # coupler
         crank_cos = np.cos(A_q)
         coupler_rotation_xx = t2 + crank_cos * coupler_sin
-        t4 = 0.4899573262537283 - D_q
+        t4 = 0.4899573262537283 - D_q  # D
         rocker_cos = np.cos(t4)
-        t5 = 0.51 * rocker_cos
-        t6 = coupler_rotation_xx * t5
+        minus_rocker_joint_force_my_by_C_fz = 0.51 * rocker_cos
+        t5 = coupler_rotation_xx * minus_rocker_joint_force_my_by_C_fz  # C
         minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos
         minus_rocker_sin = np.sin(t4)
-        t9 = 0.51 * minus_rocker_sin
-        minus_C_closure_fx_by_D = t6 - minus_coupler_rotation_xy * t9
-        t11 = 1.0 / minus_C_closure_fx_by_D
-        rocker_rate_moment_z = 3.00186 * minus_rocker_sin
-        t12 = crank_lever_moment_z_by_C_fx * A_y_ddot
-        D_joint_rate = crank_lever_moment_z_by_C_fx * A_y_dot * t11
-        t14 = 0.51 * (D_joint_rate * D_joint_rate)
-        t15 = rocker_cos * t14
-        t16 = crank_cos * t15
-        t17 = minus_rocker_sin * t14
-        t19 = t16 - crank_sin * t17
-        t20 = coupler_cos * t19
-        t23 = crank_sin * t15 + crank_cos * t17
-        t25 = t20 - coupler_sin * t23
-        t26 = 0.15 * (A_y_dot * A_y_dot)
-        minus_coupler_acc_still_x = coupler_cos * t26
-        crank_lever_moment_z_by_C_fy = 0.5 + 0.15 * coupler_cos
-        t28 = crank_lever_moment_z_by_C_fy * A_y_dot
-        C_closure_fy_by_D = minus_coupler_rotation_xy * t5 + coupler_rotation_xx * t9
-        coupler_omega_z = A_y_dot - 2.0 * (t28 + C_closure_fy_by_D * D_joint_rate)
+        minus_rocker_joint_force_mx_by_C_fz = 0.51 * minus_rocker_sin
+        minus_C_closure_fx_by_D = t5 - minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz
+        t9 = 1.0 / minus_C_closure_fx_by_D  # C
+        rocker_rate_mz = 3.00186 * minus_rocker_sin
+        t10 = crank_lever_mz_by_C_fx * A_y_ddot  # D
+        D_joint_rate = crank_lever_mz_by_C_fx * A_y_dot * t9
+        t12 = 0.51 * (D_joint_rate * D_joint_rate)  # rocker
+        t13 = rocker_cos * t12  # rocker
+        t14 = crank_cos * t13  # C
+        t15 = minus_rocker_sin * t12  # rocker
+        t17 = t14 - crank_sin * t15  # C
+        t18 = coupler_cos * t17  # C
+        t21 = crank_sin * t13 + crank_cos * t15  # C
+        t23 = t18 - coupler_sin * t21  # C
+        t24 = 0.15 * (A_y_dot * A_y_dot)  # crank
+        minus_coupler_acc_still_x = coupler_cos * t24
+        crank_lever_mz_by_C_fy = 0.5 + 0.15 * coupler_cos
+        t26 = crank_lever_mz_by_C_fy * A_y_dot
+        t27 = minus_coupler_rotation_xy * minus_rocker_joint_force_my_by_C_fz  # C
+        C_closure_fy_by_D = t27 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz
+        coupler_omega_z = A_y_dot - 2.0 * (t26 + C_closure_fy_by_D * D_joint_rate)
         minus_coupler_U_still_xx = coupler_omega_z * coupler_omega_z
-        D_joint_acc = t11 * (t12 + (t25 - (minus_coupler_acc_still_x + 0.5 * minus_coupler_U_still_xx)))
-        rocker_rate_moment_z_2 = rocker_rate_moment_z + 0.10404 * D_joint_acc
-        t37 = crank_lever_moment_z_by_C_fy * A_y_ddot
-        t41 = t37 + (coupler_sin * t26 - (coupler_sin * t19 + coupler_cos * t23))
-        coupler_alpha_z = A_y_ddot - 2.0 * (t41 + C_closure_fy_by_D * D_joint_acc)
-        t44 = 0.1 * coupler_alpha_z
-        t46 = coupler_sin * (9.81 * crank_cos - t26)
-        t50 = 0.3 * (t46 + coupler_cos * (9.81 * crank_sin - 0.15 * A_y_ddot))
-        C_multiplier_fy = 2.0 * (t44 - t50)
-        t51 = coupler_sin * C_multiplier_fy
-        t52 = crank_sin * t51
-        t53 = coupler_cos * C_multiplier_fy
-        t56 = t5 * (t52 - crank_cos * t53)
-        rocker_joint_force_moment_z = rocker_rate_moment_z_2 - (t56 + t9 * (crank_cos * t51 + crank_sin * t53))
-        t62 = crank_lever_moment_z_by_C_fx * (t11 * rocker_joint_force_moment_z)
-        t64 = coupler_sin * (0.3 * minus_coupler_U_still_xx) - coupler_cos * (0.3 * coupler_alpha_z) + t53
-        A_balance = t62 - (0.15 * t64 + (2.133675 * crank_sin - 0.03075 * A_y_ddot))
+        D_joint_acc = t9 * (t10 + (t23 - (minus_coupler_acc_still_x + 0.5 * minus_coupler_U_still_xx)))
+        rocker_rate_mz_2 = rocker_rate_mz + 0.10404 * D_joint_acc
+        t35 = crank_lever_mz_by_C_fy * A_y_ddot
+        t39 = t35 + (coupler_sin * t24 - (coupler_sin * t17 + coupler_cos * t21))
+        coupler_alpha_z = A_y_ddot - 2.0 * (t39 + C_closure_fy_by_D * D_joint_acc)
+        t42 = 0.1 * coupler_alpha_z  # coupler
+        t44 = coupler_sin * (9.81 * crank_cos - t24)  # coupler
+        t48 = 0.3 * (t44 + coupler_cos * (9.81 * crank_sin - 0.15 * A_y_ddot))  # coupler
+        C_multiplier_fy = 2.0 * (t42 - t48)
+        t49 = coupler_sin * C_multiplier_fy  # rocker
+        t50 = crank_sin * t49  # rocker
+        t51 = coupler_cos * C_multiplier_fy  # rocker
+        t54 = minus_rocker_joint_force_my_by_C_fz * (t50 - crank_cos * t51)  # rocker
+        rocker_joint_force_mz = rocker_rate_mz_2 - (t54 + minus_rocker_joint_force_mx_by_C_fz * (crank_cos * t49 + crank_sin * t51))
+        t60 = crank_lever_mz_by_C_fx * (t9 * rocker_joint_force_mz)  # A
+        t62 = coupler_sin * (0.3 * minus_coupler_U_still_xx) - coupler_cos * (0.3 * coupler_alpha_z) + t51  # crank
+        A_balance = t60 - (0.15 * t62 + (2.133675 * crank_sin - 0.03075 * A_y_ddot))
         return _finish(batch, ((A_balance,),), ((minus_C_closure_fx_by_D, 5.057800000000001e-10),),
             (minus_C_closure_fx_by_D, A_balance))
 
@@ -1270,122 +1300,126 @@ def joint_reactions(*arguments):
         A_q, B_q, D_q, A_v, B_v, D_v, A_a, B_a, D_a,
     ) = entries
     with np.errstate(all="ignore"):
+        # B: geometry; reactions, eq. (32)
         t1 = 0.9272952180016122 + B_q
         coupler_sin = np.sin(t1)
-        crank_lever_moment_z_by_C_fx = 0.15 * coupler_sin
-        t2 = 0.4899573262537283 - D_q
+        crank_lever_mz_by_C_fx = 0.15 * coupler_sin
+        t2 = 0.4899573262537283 - D_q  # D
         minus_rocker_sin = np.sin(t2)
-        rocker_rate_moment_z_2 = 3.00186 * minus_rocker_sin + 0.10404 * D_a
+        rocker_rate_mz_2 = 3.00186 * minus_rocker_sin + 0.10404 * D_a
         rocker_cos = np.cos(t2)
-        t4 = 0.51 * rocker_cos
+        minus_rocker_joint_force_my_by_C_fz = 0.51 * rocker_cos
         crank_sin = np.sin(A_q)
-        coupler_twist_rate_angular_y = A_a + B_a
-        t5 = 0.1 * coupler_twist_rate_angular_y
+        coupler_twist_rate_wy = A_a + B_a
+        t4 = 0.1 * coupler_twist_rate_wy  # coupler
         minus_crank_U_still_xx = A_v * A_v
-        t6 = 0.15 * minus_crank_U_still_xx
+        t5 = 0.15 * minus_crank_U_still_xx  # crank
         crank_cos = np.cos(A_q)
-        t7 = t6 - 9.81 * crank_cos
-        t8 = coupler_sin * t7
+        t6 = t5 - 9.81 * crank_cos  # crank
+        t7 = coupler_sin * t6  # coupler
         coupler_cos = np.cos(t1)
-        t10 = 0.15 * A_a - 9.81 * crank_sin
-        coupler_acc_y = t8 + coupler_cos * t10
-        C_multiplier_fy = 2.0 * (t5 + 0.3 * coupler_acc_y)
-        t13 = coupler_sin * C_multiplier_fy
-        t14 = crank_sin * t13
-        t15 = coupler_cos * C_multiplier_fy
-        t18 = t4 * (t14 - crank_cos * t15)
-        t19 = 0.51 * minus_rocker_sin
-        rocker_joint_force_moment_z = rocker_rate_moment_z_2 - (t18 + t19 * (crank_cos * t13 + crank_sin * t15))
+        t9 = 0.15 * A_a - 9.81 * crank_sin  # coupler
+        coupler_acc_y = t7 + coupler_cos * t9
+        C_multiplier_fy = 2.0 * (t4 + 0.3 * coupler_acc_y)
+        t12 = coupler_sin * C_multiplier_fy  # rocker
+        t13 = crank_sin * t12  # rocker
+        t14 = coupler_cos * C_multiplier_fy  # rocker
+        t17 = minus_rocker_joint_force_my_by_C_fz * (t13 - crank_cos * t14)  # rocker
+        minus_rocker_joint_force_mx_by_C_fz = 0.51 * minus_rocker_sin
+        rocker_joint_force_mz = rocker_rate_mz_2 - (t17 + minus_rocker_joint_force_mx_by_C_fz * (crank_cos * t12 + crank_sin * t14))
         coupler_rotation_xx = crank_sin * coupler_cos + crank_cos * coupler_sin
-        t27 = coupler_rotation_xx * t4
+        t25 = coupler_rotation_xx * minus_rocker_joint_force_my_by_C_fz  # C
         minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos
-        minus_C_closure_fx_by_D = t27 - minus_coupler_rotation_xy * t19
-        minus_C_multiplier_fx = rocker_joint_force_moment_z / minus_C_closure_fx_by_D
-        t31 = crank_lever_moment_z_by_C_fx * minus_C_multiplier_fx
+        minus_C_closure_fx_by_D = t25 - minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz
+        minus_C_multiplier_fx = rocker_joint_force_mz / minus_C_closure_fx_by_D
+        t29 = crank_lever_mz_by_C_fx * minus_C_multiplier_fx  # A
         coupler_omega_z = A_v + B_v
-        minus_coupler_rate_force_x = 0.3 * (coupler_omega_z * coupler_omega_z)
-        minus_crank_force_y = coupler_sin * minus_coupler_rate_force_x
-        coupler_rate_force_y = 0.3 * coupler_twist_rate_angular_y
-        t34 = 0.15 * (minus_crank_force_y - coupler_cos * coupler_rate_force_y + t15)
-        A_balance = t31 - (t34 + (2.133675 * crank_sin - 0.03075 * A_a))
-        coupler_sent_force_x = minus_C_multiplier_fx - (minus_coupler_rate_force_x + 1.2 * (coupler_cos * t7 - coupler_sin * t10))
-        t39 = coupler_cos * coupler_sent_force_x
-        minus_coupler_sent_force_y = C_multiplier_fy - (coupler_rate_force_y + 1.2 * coupler_acc_y)
-        coupler_joint_sent_force_x = t39 + coupler_sin * minus_coupler_sent_force_y
-        crank_sent_force_x = coupler_joint_sent_force_x + (4.905 * crank_cos - 0.0375 * minus_crank_U_still_xx)
-        t44 = crank_sin * crank_sent_force_x
-        coupler_joint_sent_force_y = coupler_sin * coupler_sent_force_x - coupler_cos * minus_coupler_sent_force_y
-        crank_sent_force_y = coupler_joint_sent_force_y - (4.905 * crank_sin - 0.0375 * A_a)
-        crank_joint_sent_force_y = t44 + crank_cos * crank_sent_force_y
-        crank_joint_sent_force_x = crank_cos * crank_sent_force_x - crank_sin * crank_sent_force_y
-        B_reaction_force_x = crank_sin * coupler_joint_sent_force_x + crank_cos * coupler_joint_sent_force_y
-        B_reaction_force_z = crank_cos * coupler_joint_sent_force_x - crank_sin * coupler_joint_sent_force_y
+        minus_coupler_rate_fx = 0.3 * (coupler_omega_z * coupler_omega_z)
+        minus_crank_force_y = coupler_sin * minus_coupler_rate_fx
+        coupler_rate_fy = 0.3 * coupler_twist_rate_wy
+        t32 = 0.15 * (minus_crank_force_y - coupler_cos * coupler_rate_fy + t14)  # crank
+        A_balance = t29 - (t32 + (2.133675 * crank_sin - 0.03075 * A_a))
+        coupler_sent_fx = minus_C_multiplier_fx - (minus_coupler_rate_fx + 1.2 * (coupler_cos * t6 - coupler_sin * t9))
+        t37 = coupler_cos * coupler_sent_fx  # coupler
+        minus_coupler_sent_fy = C_multiplier_fy - (coupler_rate_fy + 1.2 * coupler_acc_y)
+        coupler_joint_sent_fx = t37 + coupler_sin * minus_coupler_sent_fy
+        crank_sent_fx = coupler_joint_sent_fx + (4.905 * crank_cos - 0.0375 * minus_crank_U_still_xx)
+        t42 = crank_sin * crank_sent_fx  # crank
+        coupler_joint_sent_fy = coupler_sin * coupler_sent_fx - coupler_cos * minus_coupler_sent_fy
+        crank_sent_fy = coupler_joint_sent_fy - (4.905 * crank_sin - 0.0375 * A_a)
+        crank_joint_sent_fy = t42 + crank_cos * crank_sent_fy
+        crank_joint_sent_fx = crank_cos * crank_sent_fx - crank_sin * crank_sent_fy
+        B_reaction_fx = crank_sin * coupler_joint_sent_fx + crank_cos * coupler_joint_sent_fy
+        B_reaction_fz = crank_cos * coupler_joint_sent_fx - crank_sin * coupler_joint_sent_fy
         coupler_position_z = 0.15 * crank_cos
-        t56 = coupler_position_z * B_reaction_force_x
+        t54 = coupler_position_z * B_reaction_fx
         coupler_position_x = 0.15 * crank_sin
-        B_reaction_moment_y = t56 - coupler_position_x * B_reaction_force_z
-        C_reaction_force_x = coupler_rotation_xx * minus_C_multiplier_fx + minus_coupler_rotation_xy * C_multiplier_fy
-        minus_C_reaction_force_z = minus_coupler_rotation_xy * minus_C_multiplier_fx - coupler_rotation_xx * C_multiplier_fy
-        C_reaction_force_z = -minus_C_reaction_force_z
-        t64 = (coupler_position_z - 0.5 * minus_coupler_rotation_xy) * C_reaction_force_x
-        C_reaction_moment_y = t64 + (coupler_position_x + 0.5 * coupler_rotation_xx) * minus_C_reaction_force_z
-        minus_rocker_rate_force_x_2 = 0.306 * (D_v * D_v) - 11.772 * rocker_cos
-        t69 = minus_rocker_sin * minus_rocker_rate_force_x_2
-        rocker_rate_force_y_2 = 0.306 * D_a + 11.772 * minus_rocker_sin
-        t72 = t69 + rocker_cos * rocker_rate_force_y_2
-        t74 = t13 + coupler_cos * minus_C_multiplier_fx
-        t75 = crank_sin * t74
-        t77 = t15 - coupler_sin * minus_C_multiplier_fx
-        rocker_joint_sent_force_y = t72 - (t75 - crank_cos * t77)
-        t82 = rocker_cos * minus_rocker_rate_force_x_2 - minus_rocker_sin * rocker_rate_force_y_2
-        minus_rocker_joint_sent_force_x = t82 + (crank_cos * t74 + crank_sin * t77)
-        rocker_joint_sent_force_x = -minus_rocker_joint_sent_force_x
-        D_reaction_moment_y = 0.64 * minus_rocker_joint_sent_force_x
-        t86 = 1.6573358657425363 * coupler_sin
-        t88 = 2.0 + t86 * t86
-        t89 = 1.6573358657425363 * coupler_cos
-        t92 = 1.0 + (t88 + t89 * t89)
-        t93 = 1.690482583057387 * minus_rocker_sin
-        t95 = t92 + t93 * t93
-        t96 = 1.690482583057387 * rocker_cos
-        t99 = 1.0 + (t95 + t96 * t96)
-        crank_lever_moment_x_by_C_fz = 0.5 * coupler_sin
-        t100 = crank_cos * crank_lever_moment_x_by_C_fz
-        minus_crank_lever_moment_y_by_C_fz = 0.15 + 0.5 * coupler_cos
-        t102 = 3.3146717314850727 * (t100 + crank_sin * minus_crank_lever_moment_y_by_C_fz)
-        t104 = t99 + t102 * t102
-        t107 = 3.3146717314850727 * (crank_sin * crank_lever_moment_x_by_C_fz - crank_cos * minus_crank_lever_moment_y_by_C_fz)
-        pivot_0 = t104 + t107 * t107
-        t109 = 3.3146717314850727 * coupler_rotation_xx
+        B_reaction_my = t54 - coupler_position_x * B_reaction_fz
+        C_reaction_fx = coupler_rotation_xx * minus_C_multiplier_fx + minus_coupler_rotation_xy * C_multiplier_fy
+        minus_C_reaction_fz = minus_coupler_rotation_xy * minus_C_multiplier_fx - coupler_rotation_xx * C_multiplier_fy
+        C_reaction_fz = -minus_C_reaction_fz
+        t62 = (coupler_position_z - 0.5 * minus_coupler_rotation_xy) * C_reaction_fx  # C
+        C_reaction_my = t62 + (coupler_position_x + 0.5 * coupler_rotation_xx) * minus_C_reaction_fz
+        # rocker: momentum rate, eq. (35)
+        minus_rocker_rate_fx_2 = 0.306 * (D_v * D_v) - 11.772 * rocker_cos
+        # rocker: balance, eqs. (40)-(47); momentum rate, eq. (35); pivots
+        t67 = minus_rocker_sin * minus_rocker_rate_fx_2
+        rocker_rate_fy_2 = 0.306 * D_a + 11.772 * minus_rocker_sin
+        t70 = t67 + rocker_cos * rocker_rate_fy_2
+        t72 = t12 + coupler_cos * minus_C_multiplier_fx
+        t73 = crank_sin * t72
+        t75 = t14 - coupler_sin * minus_C_multiplier_fx
+        rocker_joint_sent_fy = t70 - (t73 - crank_cos * t75)
+        t80 = rocker_cos * minus_rocker_rate_fx_2 - minus_rocker_sin * rocker_rate_fy_2
+        minus_rocker_joint_sent_fx = t80 + (crank_cos * t72 + crank_sin * t75)
+        rocker_joint_sent_fx = -minus_rocker_joint_sent_fx
+        D_reaction_my = 0.64 * minus_rocker_joint_sent_fx
+        t84 = 1.6573358657425363 * coupler_sin  # coupler
+        t86 = 2.0 + t84 * t84  # coupler
+        t87 = 1.6573358657425363 * coupler_cos  # coupler
+        t90 = 1.0 + (t86 + t87 * t87)  # coupler
+        t91 = 1.690482583057387 * minus_rocker_sin
+        t93 = t90 + t91 * t91  # mechanism
+        t94 = 1.690482583057387 * rocker_cos
+        t97 = 1.0 + (t93 + t94 * t94)  # mechanism
+        crank_lever_mx_by_C_fz = 0.5 * coupler_sin
+        t98 = crank_cos * crank_lever_mx_by_C_fz  # crank
+        minus_crank_lever_my_by_C_fz = 0.15 + 0.5 * coupler_cos
+        t100 = 3.3146717314850727 * (t98 + crank_sin * minus_crank_lever_my_by_C_fz)  # base
+        t102 = t97 + t100 * t100  # mechanism
+        t105 = 3.3146717314850727 * (crank_sin * crank_lever_mx_by_C_fz - crank_cos * minus_crank_lever_my_by_C_fz)  # base
+        pivot_0 = t102 + t105 * t105
+        # coupler: pivots
+        t107 = 3.3146717314850727 * coupler_rotation_xx
+        t108 = t107 * t107
+        t109 = 3.3146717314850727 * minus_coupler_rotation_xy
         t110 = t109 * t109
-        t111 = 3.3146717314850727 * minus_coupler_rotation_xy
+        t111 = 3.3146717314850727 * coupler_cos
         t112 = t111 * t111
-        t113 = 3.3146717314850727 * coupler_cos
-        t114 = t113 * t113
-        t115 = 10.987048687506249 + t114
-        t116 = 3.3146717314850727 * coupler_sin
-        t117 = t116 * t116
-        t122 = t110 + (t112 + (t115 + t117 + t112 + t110))
-        t127 = t86 * t113 - t89 * t116 + t93 * t111
-        t133 = t127 - t96 * t109 - t102 * t111 + t107 * t109
-        t134 = 1.0 / pivot_0
-        pivot_1 = t122 - t133 * (t133 * t134)
-        t142 = t112 + (t110 + (t112 + (t110 + (t114 + (10.987048687506249 + t117)))))
-        t147 = t86 * t116 + t89 * t113 - t93 * t109
-        t153 = t147 - t96 * t111 + t102 * t109 + t107 * t111
-        t154 = t153 * t134
-        t155 = t153 * t154
-        t156 = t133 * t154
-        pivot_2 = t142 - (t155 + t156 * (t156 / pivot_1))
-        return _finish(batch, ((A_balance,), (crank_joint_sent_force_y, 0.0,
-            crank_joint_sent_force_x, 0.0, 0.0, 0.0, B_reaction_force_x, 0.0, B_reaction_force_z,
-            0.0, B_reaction_moment_y, 0.0, C_reaction_force_x, 0.0, C_reaction_force_z, 0.0,
-            C_reaction_moment_y, 0.0, rocker_joint_sent_force_y, 0.0, rocker_joint_sent_force_x,
-            0.0, D_reaction_moment_y, 0.0)), ((minus_C_closure_fx_by_D, 5.057800000000001e-10),
-            (pivot_0, 1.3789999999999998e-08), (pivot_1, 4.3948000000000004e-08), (pivot_2,
-            4.3948000000000004e-08)), (minus_C_closure_fx_by_D, A_balance, crank_joint_sent_force_y,
-            crank_joint_sent_force_x, B_reaction_moment_y, C_reaction_force_z, C_reaction_moment_y,
-            rocker_joint_sent_force_y, rocker_joint_sent_force_x, D_reaction_moment_y, pivot_0,
+        t113 = 10.987048687506249 + t112
+        t114 = 3.3146717314850727 * coupler_sin
+        t115 = t114 * t114
+        t120 = t108 + (t110 + (t113 + t115 + t110 + t108))
+        # mechanism: pivots
+        t125 = t84 * t111 - t87 * t114 + t91 * t109
+        t131 = t125 - t94 * t107 - t100 * t109 + t105 * t107
+        t132 = 1.0 / pivot_0
+        pivot_1 = t120 - t131 * (t131 * t132)
+        t140 = t110 + (t108 + (t110 + (t108 + (t112 + (10.987048687506249 + t115)))))  # coupler
+        t145 = t84 * t114 + t87 * t111 - t91 * t107
+        t151 = t145 - t94 * t109 + t100 * t107 + t105 * t109
+        t152 = t151 * t132
+        t153 = t151 * t152
+        t154 = t131 * t152
+        pivot_2 = t140 - (t153 + t154 * (t154 / pivot_1))
+        return _finish(batch, ((A_balance,), (crank_joint_sent_fy, 0.0, crank_joint_sent_fx, 0.0,
+            0.0, 0.0, B_reaction_fx, 0.0, B_reaction_fz, 0.0, B_reaction_my, 0.0, C_reaction_fx,
+            0.0, C_reaction_fz, 0.0, C_reaction_my, 0.0, rocker_joint_sent_fy, 0.0,
+            rocker_joint_sent_fx, 0.0, D_reaction_my, 0.0)), ((minus_C_closure_fx_by_D,
+            5.057800000000001e-10), (pivot_0, 1.3789999999999998e-08), (pivot_1,
+            4.3948000000000004e-08), (pivot_2, 4.3948000000000004e-08)), (minus_C_closure_fx_by_D,
+            A_balance, crank_joint_sent_fy, crank_joint_sent_fx, B_reaction_my, C_reaction_fz,
+            C_reaction_my, rocker_joint_sent_fy, rocker_joint_sent_fx, D_reaction_my, pivot_0,
             pivot_1, pivot_2))
 
 
@@ -1396,59 +1430,62 @@ def _forward_dynamics_first(*arguments):
         A_q, B_q, D_q, A_v, B_v, D_v, A_u,
     ) = entries
     with np.errstate(all="ignore"):
+        # crank: geometry; momentum rate, eq. (35); accelerations
         crank_sin = np.sin(A_q)
-        minus_crank_rate_moment_z = 2.133675 * crank_sin
-        t1 = 0.9272952180016122 + B_q
+        minus_crank_rate_mz = 2.133675 * crank_sin
+        t1 = 0.9272952180016122 + B_q  # B
         coupler_sin = np.sin(t1)
         t2 = 0.15 * (A_v * A_v)
         crank_cos = np.cos(A_q)
-        t4 = coupler_sin * (t2 - 9.81 * crank_cos)
+        t4 = coupler_sin * (t2 - 9.81 * crank_cos)  # coupler
         coupler_cos = np.cos(t1)
-        coupler_rate_moment_z = 0.3 * (t4 - coupler_cos * (9.81 * crank_sin))
+        coupler_rate_mz = 0.3 * (t4 - coupler_cos * (9.81 * crank_sin))
         coupler_acc_still_y_2 = coupler_sin * t2
-        t6 = 0.4899573262537283 - D_q
+        t6 = 0.4899573262537283 - D_q  # D
         rocker_cos = np.cos(t6)
-        t7 = 0.51 * (D_v * D_v)
-        t8 = rocker_cos * t7
-        t9 = crank_cos * t8
+        t7 = 0.51 * (D_v * D_v)  # rocker
+        t8 = rocker_cos * t7  # rocker
+        t9 = crank_cos * t8  # C
         minus_rocker_sin = np.sin(t6)
-        t10 = minus_rocker_sin * t7
-        t12 = t9 - crank_sin * t10
-        t13 = coupler_sin * t12
-        t16 = crank_sin * t8 + crank_cos * t10
+        t10 = minus_rocker_sin * t7  # rocker
+        t12 = t9 - crank_sin * t10  # C
+        t13 = coupler_sin * t12  # C
+        t16 = crank_sin * t8 + crank_cos * t10  # C
         C_opening_bias_fy = coupler_acc_still_y_2 - (t13 + coupler_cos * t16)
         minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos
-        t21 = 0.51 * rocker_cos
-        t22 = minus_coupler_rotation_xy * t21
+        minus_rocker_joint_force_my_by_C_fz = 0.51 * rocker_cos
+        t21 = minus_coupler_rotation_xy * minus_rocker_joint_force_my_by_C_fz  # C
         coupler_rotation_xx = crank_sin * coupler_cos + crank_cos * coupler_sin
-        t25 = 0.51 * minus_rocker_sin
-        C_closure_fy_by_D = t22 + coupler_rotation_xx * t25
-        t29 = coupler_cos * t12 - coupler_sin * t16
+        minus_rocker_joint_force_mx_by_C_fz = 0.51 * minus_rocker_sin
+        C_closure_fy_by_D = t21 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz
+        t27 = coupler_cos * t12 - coupler_sin * t16  # C
         minus_coupler_acc_still_x = coupler_cos * t2
         coupler_omega_z = A_v + B_v
         minus_coupler_U_still_xx = coupler_omega_z * coupler_omega_z
-        C_opening_bias_fx = t29 - (minus_coupler_acc_still_x + 0.5 * minus_coupler_U_still_xx)
-        minus_C_closure_fx_by_D = coupler_rotation_xx * t21 - minus_coupler_rotation_xy * t25
-        t34 = 1.0 / minus_C_closure_fx_by_D
-        D_joint_acc_still = C_opening_bias_fx * t34
-        t36 = C_opening_bias_fy + C_closure_fy_by_D * D_joint_acc_still
-        coupler_rate_moment_z_2 = coupler_rate_moment_z - 0.2 * t36
-        t39 = 0.15 * (coupler_sin * (0.3 * minus_coupler_U_still_xx) + coupler_cos * (0.6 * t36))
-        minus_A_generalised_force = A_u + (minus_crank_rate_moment_z - (coupler_rate_moment_z_2 - t39))
-        crank_lever_moment_z_by_C_fy = 0.5 + 0.15 * coupler_cos
-        D_null_space_by_A = 0.15 * coupler_sin * t34
-        t43 = crank_lever_moment_z_by_C_fy + C_closure_fy_by_D * D_null_space_by_A
-        minus_B_null_space_by_A = 2.0 * t43
-        t45 = minus_A_generalised_force + minus_B_null_space_by_A * coupler_rate_moment_z_2
-        A_reduced_force = t45 - D_null_space_by_A * (3.00186 * minus_rocker_sin + 0.10404 * D_joint_acc_still)
-        t49 = coupler_cos * (0.1 * coupler_cos)
-        A_mass_matrix_by_A = 0.1 - t49 + (0.03075 + (t49 + 0.09 * coupler_cos))
+        C_opening_bias_fx = t27 - (minus_coupler_acc_still_x + 0.5 * minus_coupler_U_still_xx)
+        t30 = coupler_rotation_xx * minus_rocker_joint_force_my_by_C_fz  # C
+        minus_C_closure_fx_by_D = t30 - minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz
+        t32 = 1.0 / minus_C_closure_fx_by_D  # C
+        D_joint_acc_still = C_opening_bias_fx * t32
+        t34 = C_opening_bias_fy + C_closure_fy_by_D * D_joint_acc_still  # coupler
+        coupler_rate_mz_2 = coupler_rate_mz - 0.2 * t34
+        t37 = 0.15 * (coupler_sin * (0.3 * minus_coupler_U_still_xx) + coupler_cos * (0.6 * t34))
+        minus_A_generalised_force = A_u + (minus_crank_rate_mz - (coupler_rate_mz_2 - t37))
+        crank_lever_mz_by_C_fy = 0.5 + 0.15 * coupler_cos
+        D_null_space_by_A = 0.15 * coupler_sin * t32
+        t41 = crank_lever_mz_by_C_fy + C_closure_fy_by_D * D_null_space_by_A  # B
+        minus_B_null_space_by_A = 2.0 * t41
+        # A: free motion; inertia; accelerations
+        t43 = minus_A_generalised_force + minus_B_null_space_by_A * coupler_rate_mz_2
+        A_reduced_force = t43 - D_null_space_by_A * (3.00186 * minus_rocker_sin + 0.10404 * D_joint_acc_still)
+        t47 = coupler_cos * (0.1 * coupler_cos)  # coupler
+        A_mass_matrix_by_A = 0.1 - t47 + (0.03075 + (t47 + 0.09 * coupler_cos))
         A_mass_matrix_by_B = 0.1 + 0.045 * coupler_cos
-        t54 = A_mass_matrix_by_A - minus_B_null_space_by_A * A_mass_matrix_by_B
-        t58 = t54 - minus_B_null_space_by_A * (A_mass_matrix_by_B - 0.2 * t43)
-        A_reduced_inertia_by_A = t58 + D_null_space_by_A * (0.10404 * D_null_space_by_A)
+        t52 = A_mass_matrix_by_A - minus_B_null_space_by_A * A_mass_matrix_by_B
+        t56 = t52 - minus_B_null_space_by_A * (A_mass_matrix_by_B - 0.2 * t41)
+        A_reduced_inertia_by_A = t56 + D_null_space_by_A * (0.10404 * D_null_space_by_A)
         A_joint_acc = A_reduced_force / A_reduced_inertia_by_A
-        B_joint_acc = -(2.0 * t36 + minus_B_null_space_by_A * A_joint_acc)
+        B_joint_acc = -(2.0 * t34 + minus_B_null_space_by_A * A_joint_acc)
         D_joint_acc = D_joint_acc_still + D_null_space_by_A * A_joint_acc
         return _finish(batch, ((A_joint_acc, B_joint_acc, D_joint_acc),), ((minus_C_closure_fx_by_D,
             3.01689e-06), (A_reduced_inertia_by_A, 3.264600000000001e-07)),
@@ -1462,54 +1499,56 @@ def _forward_dynamics_dense(*arguments):
         A_q, B_q, D_q, A_v, B_v, D_v, A_u,
     ) = entries
     with np.errstate(all="ignore"):
+        # B: geometry
         t1 = 0.9272952180016122 + B_q
         coupler_cos = np.cos(t1)
-        t3 = coupler_cos * (0.1 * coupler_cos)
+        t3 = coupler_cos * (0.1 * coupler_cos)  # coupler
         A_mass_matrix_by_A = 0.1 - t3 + (0.03075 + (t3 + 0.09 * coupler_cos))
         A_mass_matrix_by_B = 0.1 + 0.045 * coupler_cos
         crank_sin = np.sin(A_q)
-        minus_crank_rate_moment_z = 2.133675 * crank_sin
+        minus_crank_rate_mz = 2.133675 * crank_sin
         coupler_sin = np.sin(t1)
-        t7 = 0.15 * (A_v * A_v)
+        t7 = 0.15 * (A_v * A_v)  # crank
         crank_cos = np.cos(A_q)
         coupler_acc_still_y = coupler_sin * (t7 - 9.81 * crank_cos) - coupler_cos * (9.81 * crank_sin)
-        coupler_rate_moment_z = 0.3 * coupler_acc_still_y
+        coupler_rate_mz = 0.3 * coupler_acc_still_y
         coupler_omega_z = A_v + B_v
         minus_coupler_U_still_xx = coupler_omega_z * coupler_omega_z
-        minus_crank_force_moment_z = minus_crank_rate_moment_z - (coupler_rate_moment_z - 0.15 * (coupler_sin * (0.3 * minus_coupler_U_still_xx)))
-        minus_A_generalised_force = minus_crank_force_moment_z + A_u
-        minus_coupler_rate_moment_z = -coupler_rate_moment_z
-        t13 = 0.4899573262537283 - D_q
+        minus_crank_moment_z = minus_crank_rate_mz - (coupler_rate_mz - 0.15 * (coupler_sin * (0.3 * minus_coupler_U_still_xx)))
+        minus_A_generalised_force = minus_crank_moment_z + A_u
+        minus_coupler_rate_mz = -coupler_rate_mz
+        t13 = 0.4899573262537283 - D_q  # D
         minus_rocker_sin = np.sin(t13)
-        minus_rocker_rate_moment_z = -(3.00186 * minus_rocker_sin)
-        crank_lever_moment_z_by_C_fx = 0.15 * coupler_sin
-        crank_lever_moment_z_by_C_fy = 0.5 + 0.15 * coupler_cos
+        minus_rocker_rate_mz = -(3.00186 * minus_rocker_sin)
+        crank_lever_mz_by_C_fx = 0.15 * coupler_sin
+        crank_lever_mz_by_C_fy = 0.5 + 0.15 * coupler_cos
         minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos
-        t17 = 0.51 * minus_rocker_sin
-        t18 = minus_coupler_rotation_xy * t17
+        minus_rocker_joint_force_mx_by_C_fz = 0.51 * minus_rocker_sin
+        t17 = minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz  # C
         coupler_rotation_xx = crank_sin * coupler_cos + crank_cos * coupler_sin
         rocker_cos = np.cos(t13)
-        t21 = 0.51 * rocker_cos
-        C_closure_fx_by_D = t18 - coupler_rotation_xx * t21
-        C_closure_fy_by_D = minus_coupler_rotation_xy * t21 + coupler_rotation_xx * t17
-        t25 = 0.51 * (D_v * D_v)
-        t26 = rocker_cos * t25
-        t27 = crank_cos * t26
-        t28 = minus_rocker_sin * t25
-        t30 = t27 - crank_sin * t28
-        t31 = coupler_cos * t30
-        t34 = crank_sin * t26 + crank_cos * t28
-        C_opening_bias_fx = t31 - coupler_sin * t34 - (coupler_cos * t7 + 0.5 * minus_coupler_U_still_xx)
-        C_opening_bias_fy = coupler_sin * t7 - (coupler_sin * t30 + coupler_cos * t34)
+        minus_rocker_joint_force_my_by_C_fz = 0.51 * rocker_cos
+        # C: loop closure
+        C_closure_fx_by_D = t17 - coupler_rotation_xx * minus_rocker_joint_force_my_by_C_fz
+        t21 = minus_coupler_rotation_xy * minus_rocker_joint_force_my_by_C_fz
+        C_closure_fy_by_D = t21 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz
+        t23 = 0.51 * (D_v * D_v)  # rocker
+        t24 = rocker_cos * t23  # rocker
+        t25 = crank_cos * t24
+        t26 = minus_rocker_sin * t23  # rocker
+        t28 = t25 - crank_sin * t26
+        t29 = coupler_cos * t28
+        t32 = crank_sin * t24 + crank_cos * t26
+        C_opening_bias_fx = t29 - coupler_sin * t32 - (coupler_cos * t7 + 0.5 * minus_coupler_U_still_xx)
+        C_opening_bias_fy = coupler_sin * t7 - (coupler_sin * t28 + coupler_cos * t32)
         return _finish(batch, ((A_mass_matrix_by_A, A_mass_matrix_by_B, 0.0, A_mass_matrix_by_B,
-            0.1, 0.0, 0.0, 0.0, 0.10404), (minus_A_generalised_force, minus_coupler_rate_moment_z,
-            minus_rocker_rate_moment_z), (crank_lever_moment_z_by_C_fx,
-            crank_lever_moment_z_by_C_fy, 0.0, 0.0, 0.0, 0.0, 0.5, 0.0, 0.0, 0.0, C_closure_fx_by_D,
-            C_closure_fy_by_D, 0.0, 0.0, 0.0), (C_opening_bias_fx, C_opening_bias_fy, 0.0, 0.0,
-            0.0)), (), (A_mass_matrix_by_A, A_mass_matrix_by_B, minus_A_generalised_force,
-            minus_coupler_rate_moment_z, minus_rocker_rate_moment_z, crank_lever_moment_z_by_C_fx,
-            crank_lever_moment_z_by_C_fy, C_closure_fx_by_D, C_closure_fy_by_D, C_opening_bias_fx,
-            C_opening_bias_fy))
+            0.1, 0.0, 0.0, 0.0, 0.10404), (minus_A_generalised_force, minus_coupler_rate_mz,
+            minus_rocker_rate_mz), (crank_lever_mz_by_C_fx, crank_lever_mz_by_C_fy, 0.0, 0.0, 0.0,
+            0.0, 0.5, 0.0, 0.0, 0.0, C_closure_fx_by_D, C_closure_fy_by_D, 0.0, 0.0, 0.0),
+            (C_opening_bias_fx, C_opening_bias_fy, 0.0, 0.0, 0.0)), (), (A_mass_matrix_by_A,
+            A_mass_matrix_by_B, minus_A_generalised_force, minus_coupler_rate_mz,
+            minus_rocker_rate_mz, crank_lever_mz_by_C_fx, crank_lever_mz_by_C_fy, C_closure_fx_by_D,
+            C_closure_fy_by_D, C_opening_bias_fx, C_opening_bias_fy))
 
 
 def forward_dynamics(*arguments):
@@ -1561,59 +1600,63 @@ def forward_dynamics_independent(*arguments):
         A_q, B_q, D_q, A_y_dot, A_u,
     ) = entries
     with np.errstate(all="ignore"):
+        # crank: geometry; momentum rate, eq. (35); accelerations
         crank_sin = np.sin(A_q)
-        minus_crank_rate_moment_z = 2.133675 * crank_sin
-        t1 = 0.9272952180016122 + B_q
+        minus_crank_rate_mz = 2.133675 * crank_sin
+        t1 = 0.9272952180016122 + B_q  # B
         coupler_sin = np.sin(t1)
         t2 = 0.15 * (A_y_dot * A_y_dot)
         coupler_acc_still_y = coupler_sin * t2
         crank_cos = np.cos(A_q)
-        t3 = 0.4899573262537283 - D_q
+        t3 = 0.4899573262537283 - D_q  # D
         rocker_cos = np.cos(t3)
-        crank_lever_moment_z_by_C_fx = 0.15 * coupler_sin
-        t4 = crank_lever_moment_z_by_C_fx * A_y_dot
+        crank_lever_mz_by_C_fx = 0.15 * coupler_sin
+        t4 = crank_lever_mz_by_C_fx * A_y_dot  # D
         coupler_cos = np.cos(t1)
         coupler_rotation_xx = crank_sin * coupler_cos + crank_cos * coupler_sin
-        t7 = 0.51 * rocker_cos
-        t8 = coupler_rotation_xx * t7
+        minus_rocker_joint_force_my_by_C_fz = 0.51 * rocker_cos
+        t7 = coupler_rotation_xx * minus_rocker_joint_force_my_by_C_fz  # C
         minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos
         minus_rocker_sin = np.sin(t3)
-        t11 = 0.51 * minus_rocker_sin
-        minus_C_closure_fx_by_D = t8 - minus_coupler_rotation_xy * t11
-        t13 = 1.0 / minus_C_closure_fx_by_D
-        D_joint_rate = t4 * t13
-        t14 = 0.51 * (D_joint_rate * D_joint_rate)
-        t15 = rocker_cos * t14
-        t16 = crank_cos * t15
-        t17 = minus_rocker_sin * t14
-        t19 = t16 - crank_sin * t17
-        t20 = coupler_sin * t19
-        t23 = crank_sin * t15 + crank_cos * t17
-        C_opening_bias_fy = coupler_acc_still_y - (t20 + coupler_cos * t23)
-        C_closure_fy_by_D = minus_coupler_rotation_xy * t7 + coupler_rotation_xx * t11
-        t30 = coupler_cos * t19 - coupler_sin * t23
+        minus_rocker_joint_force_mx_by_C_fz = 0.51 * minus_rocker_sin
+        # C: loop closure; velocities, eq. (6)
+        minus_C_closure_fx_by_D = t7 - minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz
+        t11 = 1.0 / minus_C_closure_fx_by_D
+        D_joint_rate = t4 * t11
+        t12 = 0.51 * (D_joint_rate * D_joint_rate)  # rocker
+        t13 = rocker_cos * t12  # rocker
+        t14 = crank_cos * t13
+        t15 = minus_rocker_sin * t12  # rocker
+        t17 = t14 - crank_sin * t15
+        t18 = coupler_sin * t17
+        t21 = crank_sin * t13 + crank_cos * t15
+        C_opening_bias_fy = coupler_acc_still_y - (t18 + coupler_cos * t21)
+        t24 = minus_coupler_rotation_xy * minus_rocker_joint_force_my_by_C_fz
+        C_closure_fy_by_D = t24 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz
+        t28 = coupler_cos * t17 - coupler_sin * t21
         minus_coupler_acc_still_x = coupler_cos * t2
-        crank_lever_moment_z_by_C_fy = 0.5 + 0.15 * coupler_cos
-        coupler_omega_z = A_y_dot - 2.0 * (crank_lever_moment_z_by_C_fy * A_y_dot + C_closure_fy_by_D * D_joint_rate)
+        crank_lever_mz_by_C_fy = 0.5 + 0.15 * coupler_cos
+        coupler_omega_z = A_y_dot - 2.0 * (crank_lever_mz_by_C_fy * A_y_dot + C_closure_fy_by_D * D_joint_rate)
         minus_coupler_U_still_xx = coupler_omega_z * coupler_omega_z
-        D_joint_acc_still = t13 * (t30 - (minus_coupler_acc_still_x + 0.5 * minus_coupler_U_still_xx))
-        t38 = C_opening_bias_fy + C_closure_fy_by_D * D_joint_acc_still
-        t39 = 0.2 * t38
+        D_joint_acc_still = t11 * (t28 - (minus_coupler_acc_still_x + 0.5 * minus_coupler_U_still_xx))
+        t36 = C_opening_bias_fy + C_closure_fy_by_D * D_joint_acc_still  # coupler
+        t37 = 0.2 * t36  # coupler
         minus_coupler_acc_y = coupler_cos * (9.81 * crank_sin) + coupler_sin * (9.81 * crank_cos - t2)
-        minus_coupler_rate_moment_z_2 = t39 + 0.3 * minus_coupler_acc_y
-        t44 = 0.15 * (coupler_sin * (0.3 * minus_coupler_U_still_xx) + coupler_cos * (0.6 * t38))
-        minus_A_generalised_force = A_u + (minus_crank_rate_moment_z + (minus_coupler_rate_moment_z_2 + t44))
-        D_null_space_by_A = crank_lever_moment_z_by_C_fx * t13
-        t47 = crank_lever_moment_z_by_C_fy + C_closure_fy_by_D * D_null_space_by_A
-        minus_B_null_space_by_A = 2.0 * t47
-        t49 = minus_A_generalised_force - minus_B_null_space_by_A * minus_coupler_rate_moment_z_2
-        A_reduced_force = t49 - D_null_space_by_A * (3.00186 * minus_rocker_sin + 0.10404 * D_joint_acc_still)
-        t53 = coupler_cos * (0.1 * coupler_cos)
-        A_mass_matrix_by_A = 0.1 - t53 + (0.03075 + (t53 + 0.09 * coupler_cos))
+        minus_coupler_rate_mz_2 = t37 + 0.3 * minus_coupler_acc_y
+        t42 = 0.15 * (coupler_sin * (0.3 * minus_coupler_U_still_xx) + coupler_cos * (0.6 * t36))  # crank
+        # A: free motion; inertia; accelerations
+        minus_A_generalised_force = A_u + (minus_crank_rate_mz + (minus_coupler_rate_mz_2 + t42))
+        D_null_space_by_A = crank_lever_mz_by_C_fx * t11
+        t45 = crank_lever_mz_by_C_fy + C_closure_fy_by_D * D_null_space_by_A  # B
+        minus_B_null_space_by_A = 2.0 * t45
+        t47 = minus_A_generalised_force - minus_B_null_space_by_A * minus_coupler_rate_mz_2
+        A_reduced_force = t47 - D_null_space_by_A * (3.00186 * minus_rocker_sin + 0.10404 * D_joint_acc_still)
+        t51 = coupler_cos * (0.1 * coupler_cos)  # coupler
+        A_mass_matrix_by_A = 0.1 - t51 + (0.03075 + (t51 + 0.09 * coupler_cos))
         A_mass_matrix_by_B = 0.1 + 0.045 * coupler_cos
-        t58 = A_mass_matrix_by_A - minus_B_null_space_by_A * A_mass_matrix_by_B
-        t62 = t58 - minus_B_null_space_by_A * (A_mass_matrix_by_B - 0.2 * t47)
-        A_reduced_inertia_by_A = t62 + D_null_space_by_A * (0.10404 * D_null_space_by_A)
+        t56 = A_mass_matrix_by_A - minus_B_null_space_by_A * A_mass_matrix_by_B
+        t60 = t56 - minus_B_null_space_by_A * (A_mass_matrix_by_B - 0.2 * t45)
+        A_reduced_inertia_by_A = t60 + D_null_space_by_A * (0.10404 * D_null_space_by_A)
         A_joint_acc = A_reduced_force / A_reduced_inertia_by_A
         return _finish(batch, ((A_joint_acc,),), ((minus_C_closure_fx_by_D, 3.01689e-10),
             (A_reduced_inertia_by_A, 3.2646e-11)), (minus_C_closure_fx_by_D, A_reduced_inertia_by_A,
@@ -1627,159 +1670,165 @@ def _forward_dynamics_reactions_first(*arguments):
         A_q, B_q, D_q, A_v, B_v, D_v, A_u,
     ) = entries
     with np.errstate(all="ignore"):
+        # crank: geometry; momentum rate, eq. (35); accelerations
         crank_sin = np.sin(A_q)
-        minus_crank_rate_moment_z = 2.133675 * crank_sin
-        t1 = 0.9272952180016122 + B_q
+        minus_crank_rate_mz = 2.133675 * crank_sin
+        t1 = 0.9272952180016122 + B_q  # B
         coupler_sin = np.sin(t1)
         minus_crank_U_still_xx = A_v * A_v
         t2 = 0.15 * minus_crank_U_still_xx
         crank_cos = np.cos(A_q)
         t3 = t2 - 9.81 * crank_cos
-        t4 = coupler_sin * t3
+        t4 = coupler_sin * t3  # coupler
         coupler_cos = np.cos(t1)
         minus_crank_acc_y = 9.81 * crank_sin
-        coupler_rate_moment_z = 0.3 * (t4 - coupler_cos * minus_crank_acc_y)
+        coupler_rate_mz = 0.3 * (t4 - coupler_cos * minus_crank_acc_y)
         coupler_acc_still_y_2 = coupler_sin * t2
-        t6 = 0.4899573262537283 - D_q
+        t6 = 0.4899573262537283 - D_q  # D
         rocker_cos = np.cos(t6)
         minus_rocker_U_still_xx = D_v * D_v
-        t7 = 0.51 * minus_rocker_U_still_xx
-        t8 = rocker_cos * t7
-        t9 = crank_cos * t8
+        t7 = 0.51 * minus_rocker_U_still_xx  # rocker
+        t8 = rocker_cos * t7  # rocker
+        t9 = crank_cos * t8  # C
         minus_rocker_sin = np.sin(t6)
-        t10 = minus_rocker_sin * t7
-        t12 = t9 - crank_sin * t10
-        t13 = coupler_sin * t12
-        t16 = crank_sin * t8 + crank_cos * t10
+        t10 = minus_rocker_sin * t7  # rocker
+        t12 = t9 - crank_sin * t10  # C
+        t13 = coupler_sin * t12  # C
+        t16 = crank_sin * t8 + crank_cos * t10  # C
         C_opening_bias_fy = coupler_acc_still_y_2 - (t13 + coupler_cos * t16)
         minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos
-        t21 = 0.51 * rocker_cos
-        t22 = minus_coupler_rotation_xy * t21
+        minus_rocker_joint_force_my_by_C_fz = 0.51 * rocker_cos
+        t21 = minus_coupler_rotation_xy * minus_rocker_joint_force_my_by_C_fz  # C
         coupler_rotation_xx = crank_sin * coupler_cos + crank_cos * coupler_sin
-        t25 = 0.51 * minus_rocker_sin
-        C_closure_fy_by_D = t22 + coupler_rotation_xx * t25
-        t29 = coupler_cos * t12 - coupler_sin * t16
+        minus_rocker_joint_force_mx_by_C_fz = 0.51 * minus_rocker_sin
+        C_closure_fy_by_D = t21 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz
+        t27 = coupler_cos * t12 - coupler_sin * t16  # C
         minus_coupler_acc_still_x = coupler_cos * t2
         coupler_omega_z = A_v + B_v
         minus_coupler_U_still_xx = coupler_omega_z * coupler_omega_z
-        C_opening_bias_fx = t29 - (minus_coupler_acc_still_x + 0.5 * minus_coupler_U_still_xx)
-        minus_C_closure_fx_by_D = coupler_rotation_xx * t21 - minus_coupler_rotation_xy * t25
-        t34 = 1.0 / minus_C_closure_fx_by_D
-        D_joint_acc_still = C_opening_bias_fx * t34
-        t36 = C_opening_bias_fy + C_closure_fy_by_D * D_joint_acc_still
-        coupler_rate_moment_z_2 = coupler_rate_moment_z - 0.2 * t36
-        minus_coupler_rate_force_x = 0.3 * minus_coupler_U_still_xx
-        t40 = coupler_rate_moment_z_2 - 0.15 * (coupler_sin * minus_coupler_rate_force_x + coupler_cos * (0.6 * t36))
-        minus_A_generalised_force = A_u + (minus_crank_rate_moment_z - t40)
-        crank_lever_moment_z_by_C_fy = 0.5 + 0.15 * coupler_cos
-        D_null_space_by_A = 0.15 * coupler_sin * t34
-        t43 = crank_lever_moment_z_by_C_fy + C_closure_fy_by_D * D_null_space_by_A
-        minus_B_null_space_by_A = 2.0 * t43
-        t45 = minus_A_generalised_force + minus_B_null_space_by_A * coupler_rate_moment_z_2
-        rocker_rate_moment_z = 3.00186 * minus_rocker_sin
-        A_reduced_force = t45 - D_null_space_by_A * (rocker_rate_moment_z + 0.10404 * D_joint_acc_still)
-        t49 = coupler_cos * (0.1 * coupler_cos)
-        A_mass_matrix_by_A = 0.1 - t49 + (0.03075 + (t49 + 0.09 * coupler_cos))
+        C_opening_bias_fx = t27 - (minus_coupler_acc_still_x + 0.5 * minus_coupler_U_still_xx)
+        t30 = coupler_rotation_xx * minus_rocker_joint_force_my_by_C_fz  # C
+        minus_C_closure_fx_by_D = t30 - minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz
+        t32 = 1.0 / minus_C_closure_fx_by_D  # C
+        D_joint_acc_still = C_opening_bias_fx * t32
+        t34 = C_opening_bias_fy + C_closure_fy_by_D * D_joint_acc_still  # coupler
+        coupler_rate_mz_2 = coupler_rate_mz - 0.2 * t34
+        minus_coupler_rate_fx = 0.3 * minus_coupler_U_still_xx
+        t38 = coupler_rate_mz_2 - 0.15 * (coupler_sin * minus_coupler_rate_fx + coupler_cos * (0.6 * t34))
+        minus_A_generalised_force = A_u + (minus_crank_rate_mz - t38)
+        crank_lever_mz_by_C_fy = 0.5 + 0.15 * coupler_cos
+        D_null_space_by_A = 0.15 * coupler_sin * t32
+        t41 = crank_lever_mz_by_C_fy + C_closure_fy_by_D * D_null_space_by_A  # B
+        minus_B_null_space_by_A = 2.0 * t41
+        # A: free motion; inertia; accelerations
+        t43 = minus_A_generalised_force + minus_B_null_space_by_A * coupler_rate_mz_2
+        rocker_rate_mz = 3.00186 * minus_rocker_sin
+        A_reduced_force = t43 - D_null_space_by_A * (rocker_rate_mz + 0.10404 * D_joint_acc_still)
+        t47 = coupler_cos * (0.1 * coupler_cos)  # coupler
+        A_mass_matrix_by_A = 0.1 - t47 + (0.03075 + (t47 + 0.09 * coupler_cos))
         A_mass_matrix_by_B = 0.1 + 0.045 * coupler_cos
-        t54 = A_mass_matrix_by_A - minus_B_null_space_by_A * A_mass_matrix_by_B
-        t58 = t54 - minus_B_null_space_by_A * (A_mass_matrix_by_B - 0.2 * t43)
-        A_reduced_inertia_by_A = t58 + D_null_space_by_A * (0.10404 * D_null_space_by_A)
+        t52 = A_mass_matrix_by_A - minus_B_null_space_by_A * A_mass_matrix_by_B
+        t56 = t52 - minus_B_null_space_by_A * (A_mass_matrix_by_B - 0.2 * t41)
+        A_reduced_inertia_by_A = t56 + D_null_space_by_A * (0.10404 * D_null_space_by_A)
         A_joint_acc = A_reduced_force / A_reduced_inertia_by_A
-        minus_B_joint_acc = 2.0 * t36 + minus_B_null_space_by_A * A_joint_acc
+        minus_B_joint_acc = 2.0 * t34 + minus_B_null_space_by_A * A_joint_acc
         B_joint_acc = -minus_B_joint_acc
         D_joint_acc = D_joint_acc_still + D_null_space_by_A * A_joint_acc
-        crank_rate_force_x = 4.905 * crank_cos - 0.0375 * minus_crank_U_still_xx
-        rocker_rate_moment_z_3 = rocker_rate_moment_z + 0.10404 * D_joint_acc
+        crank_rate_fx = 4.905 * crank_cos - 0.0375 * minus_crank_U_still_xx
+        rocker_rate_mz_3 = rocker_rate_mz + 0.10404 * D_joint_acc
         coupler_alpha_z = A_joint_acc - minus_B_joint_acc
-        t66 = 0.1 * coupler_alpha_z
-        t68 = minus_crank_acc_y - 0.15 * A_joint_acc
-        coupler_acc_y = t4 - coupler_cos * t68
-        C_multiplier_fy = 2.0 * (t66 + 0.3 * coupler_acc_y)
-        t71 = coupler_sin * C_multiplier_fy
-        t72 = crank_sin * t71
-        t73 = coupler_cos * C_multiplier_fy
-        t76 = t21 * (t72 - crank_cos * t73)
-        rocker_joint_force_moment_z = rocker_rate_moment_z_3 - (t76 + t25 * (crank_cos * t71 + crank_sin * t73))
-        minus_C_multiplier_fx = t34 * rocker_joint_force_moment_z
-        coupler_sent_force_x = minus_C_multiplier_fx - (minus_coupler_rate_force_x + 1.2 * (coupler_cos * t3 + coupler_sin * t68))
-        t85 = coupler_cos * coupler_sent_force_x
-        minus_coupler_sent_force_y = C_multiplier_fy - (0.3 * coupler_alpha_z + 1.2 * coupler_acc_y)
-        coupler_joint_sent_force_x = t85 + coupler_sin * minus_coupler_sent_force_y
-        crank_sent_force_x = crank_rate_force_x + coupler_joint_sent_force_x
-        t88 = crank_sin * crank_sent_force_x
-        coupler_joint_sent_force_y = coupler_sin * coupler_sent_force_x - coupler_cos * minus_coupler_sent_force_y
-        crank_sent_force_y = coupler_joint_sent_force_y - (4.905 * crank_sin - 0.0375 * A_joint_acc)
-        crank_joint_sent_force_y = t88 + crank_cos * crank_sent_force_y
-        crank_joint_sent_force_x = crank_cos * crank_sent_force_x - crank_sin * crank_sent_force_y
-        B_reaction_force_x = crank_sin * coupler_joint_sent_force_x + crank_cos * coupler_joint_sent_force_y
-        B_reaction_force_z = crank_cos * coupler_joint_sent_force_x - crank_sin * coupler_joint_sent_force_y
+        t64 = 0.1 * coupler_alpha_z  # coupler
+        t66 = minus_crank_acc_y - 0.15 * A_joint_acc  # coupler
+        coupler_acc_y = t4 - coupler_cos * t66
+        C_multiplier_fy = 2.0 * (t64 + 0.3 * coupler_acc_y)
+        t69 = coupler_sin * C_multiplier_fy  # rocker
+        t70 = crank_sin * t69  # rocker
+        t71 = coupler_cos * C_multiplier_fy  # rocker
+        t74 = minus_rocker_joint_force_my_by_C_fz * (t70 - crank_cos * t71)  # rocker
+        rocker_joint_force_mz = rocker_rate_mz_3 - (t74 + minus_rocker_joint_force_mx_by_C_fz * (crank_cos * t69 + crank_sin * t71))
+        minus_C_multiplier_fx = t32 * rocker_joint_force_mz
+        coupler_sent_fx = minus_C_multiplier_fx - (minus_coupler_rate_fx + 1.2 * (coupler_cos * t3 + coupler_sin * t66))
+        t83 = coupler_cos * coupler_sent_fx  # coupler
+        minus_coupler_sent_fy = C_multiplier_fy - (0.3 * coupler_alpha_z + 1.2 * coupler_acc_y)
+        coupler_joint_sent_fx = t83 + coupler_sin * minus_coupler_sent_fy
+        crank_sent_fx = crank_rate_fx + coupler_joint_sent_fx
+        t86 = crank_sin * crank_sent_fx  # crank
+        coupler_joint_sent_fy = coupler_sin * coupler_sent_fx - coupler_cos * minus_coupler_sent_fy
+        crank_sent_fy = coupler_joint_sent_fy - (4.905 * crank_sin - 0.0375 * A_joint_acc)
+        crank_joint_sent_fy = t86 + crank_cos * crank_sent_fy
+        crank_joint_sent_fx = crank_cos * crank_sent_fx - crank_sin * crank_sent_fy
+        B_reaction_fx = crank_sin * coupler_joint_sent_fx + crank_cos * coupler_joint_sent_fy
+        B_reaction_fz = crank_cos * coupler_joint_sent_fx - crank_sin * coupler_joint_sent_fy
         coupler_position_z = 0.15 * crank_cos
-        t100 = coupler_position_z * B_reaction_force_x
+        t98 = coupler_position_z * B_reaction_fx  # B
         coupler_position_x = 0.15 * crank_sin
-        B_reaction_moment_y = t100 - coupler_position_x * B_reaction_force_z
-        C_reaction_force_x = coupler_rotation_xx * minus_C_multiplier_fx + minus_coupler_rotation_xy * C_multiplier_fy
-        minus_C_reaction_force_z = minus_coupler_rotation_xy * minus_C_multiplier_fx - coupler_rotation_xx * C_multiplier_fy
-        C_reaction_force_z = -minus_C_reaction_force_z
-        t108 = (coupler_position_z - 0.5 * minus_coupler_rotation_xy) * C_reaction_force_x
-        C_reaction_moment_y = t108 + (coupler_position_x + 0.5 * coupler_rotation_xx) * minus_C_reaction_force_z
-        minus_rocker_rate_force_x_2 = 0.306 * minus_rocker_U_still_xx - 11.772 * rocker_cos
-        t113 = minus_rocker_sin * minus_rocker_rate_force_x_2
-        rocker_rate_force_y_2 = 11.772 * minus_rocker_sin + 0.306 * D_joint_acc
-        t116 = t113 + rocker_cos * rocker_rate_force_y_2
-        t118 = t71 + coupler_cos * minus_C_multiplier_fx
-        t119 = crank_sin * t118
-        t121 = t73 - coupler_sin * minus_C_multiplier_fx
-        rocker_joint_sent_force_y = t116 - (t119 - crank_cos * t121)
-        t126 = rocker_cos * minus_rocker_rate_force_x_2 - minus_rocker_sin * rocker_rate_force_y_2
-        minus_rocker_joint_sent_force_x = t126 + (crank_cos * t118 + crank_sin * t121)
-        rocker_joint_sent_force_x = -minus_rocker_joint_sent_force_x
-        D_reaction_moment_y = 0.64 * minus_rocker_joint_sent_force_x
-        t130 = 1.6573358657425363 * coupler_sin
-        t132 = 2.0 + t130 * t130
-        t133 = 1.6573358657425363 * coupler_cos
-        t136 = 1.0 + (t132 + t133 * t133)
-        t137 = 1.690482583057387 * minus_rocker_sin
-        t139 = t136 + t137 * t137
-        t140 = 1.690482583057387 * rocker_cos
-        t143 = 1.0 + (t139 + t140 * t140)
-        crank_lever_moment_x_by_C_fz = 0.5 * coupler_sin
-        t144 = crank_cos * crank_lever_moment_x_by_C_fz
-        minus_crank_lever_moment_y_by_C_fz = 0.15 + 0.5 * coupler_cos
-        t146 = 3.3146717314850727 * (t144 + crank_sin * minus_crank_lever_moment_y_by_C_fz)
-        t148 = t143 + t146 * t146
-        t151 = 3.3146717314850727 * (crank_sin * crank_lever_moment_x_by_C_fz - crank_cos * minus_crank_lever_moment_y_by_C_fz)
-        pivot_0 = t148 + t151 * t151
-        t153 = 3.3146717314850727 * coupler_rotation_xx
+        B_reaction_my = t98 - coupler_position_x * B_reaction_fz
+        C_reaction_fx = coupler_rotation_xx * minus_C_multiplier_fx + minus_coupler_rotation_xy * C_multiplier_fy
+        minus_C_reaction_fz = minus_coupler_rotation_xy * minus_C_multiplier_fx - coupler_rotation_xx * C_multiplier_fy
+        C_reaction_fz = -minus_C_reaction_fz
+        t106 = (coupler_position_z - 0.5 * minus_coupler_rotation_xy) * C_reaction_fx  # C
+        C_reaction_my = t106 + (coupler_position_x + 0.5 * coupler_rotation_xx) * minus_C_reaction_fz
+        # rocker: momentum rate, eq. (35)
+        minus_rocker_rate_fx_2 = 0.306 * minus_rocker_U_still_xx - 11.772 * rocker_cos
+        # rocker: balance, eqs. (40)-(47); momentum rate, eq. (35); pivots
+        t111 = minus_rocker_sin * minus_rocker_rate_fx_2
+        rocker_rate_fy_2 = 11.772 * minus_rocker_sin + 0.306 * D_joint_acc
+        t114 = t111 + rocker_cos * rocker_rate_fy_2
+        t116 = t69 + coupler_cos * minus_C_multiplier_fx
+        t117 = crank_sin * t116
+        t119 = t71 - coupler_sin * minus_C_multiplier_fx
+        rocker_joint_sent_fy = t114 - (t117 - crank_cos * t119)
+        t124 = rocker_cos * minus_rocker_rate_fx_2 - minus_rocker_sin * rocker_rate_fy_2
+        minus_rocker_joint_sent_fx = t124 + (crank_cos * t116 + crank_sin * t119)
+        rocker_joint_sent_fx = -minus_rocker_joint_sent_fx
+        D_reaction_my = 0.64 * minus_rocker_joint_sent_fx
+        t128 = 1.6573358657425363 * coupler_sin  # coupler
+        t130 = 2.0 + t128 * t128  # coupler
+        t131 = 1.6573358657425363 * coupler_cos  # coupler
+        t134 = 1.0 + (t130 + t131 * t131)  # coupler
+        t135 = 1.690482583057387 * minus_rocker_sin
+        t137 = t134 + t135 * t135  # mechanism
+        t138 = 1.690482583057387 * rocker_cos
+        t141 = 1.0 + (t137 + t138 * t138)  # mechanism
+        crank_lever_mx_by_C_fz = 0.5 * coupler_sin
+        t142 = crank_cos * crank_lever_mx_by_C_fz  # crank
+        minus_crank_lever_my_by_C_fz = 0.15 + 0.5 * coupler_cos
+        t144 = 3.3146717314850727 * (t142 + crank_sin * minus_crank_lever_my_by_C_fz)  # base
+        t146 = t141 + t144 * t144  # mechanism
+        t149 = 3.3146717314850727 * (crank_sin * crank_lever_mx_by_C_fz - crank_cos * minus_crank_lever_my_by_C_fz)  # base
+        pivot_0 = t146 + t149 * t149
+        # coupler: pivots
+        t151 = 3.3146717314850727 * coupler_rotation_xx
+        t152 = t151 * t151
+        t153 = 3.3146717314850727 * minus_coupler_rotation_xy
         t154 = t153 * t153
-        t155 = 3.3146717314850727 * minus_coupler_rotation_xy
+        t155 = 3.3146717314850727 * coupler_cos
         t156 = t155 * t155
-        t157 = 3.3146717314850727 * coupler_cos
-        t158 = t157 * t157
-        t159 = 10.987048687506249 + t158
-        t160 = 3.3146717314850727 * coupler_sin
-        t161 = t160 * t160
-        t166 = t154 + (t156 + (t159 + t161 + t156 + t154))
-        t171 = t130 * t157 - t133 * t160 + t137 * t155
-        t177 = t171 - t140 * t153 - t146 * t155 + t151 * t153
-        t178 = 1.0 / pivot_0
-        pivot_1 = t166 - t177 * (t177 * t178)
-        t186 = t156 + (t154 + (t156 + (t154 + (t158 + (10.987048687506249 + t161)))))
-        t191 = t130 * t160 + t133 * t157 - t137 * t153
-        t197 = t191 - t140 * t155 + t146 * t153 + t151 * t155
-        t198 = t197 * t178
-        t199 = t197 * t198
-        t200 = t177 * t198
-        pivot_2 = t186 - (t199 + t200 * (t200 / pivot_1))
-        return _finish(batch, ((A_joint_acc, B_joint_acc, D_joint_acc), (crank_joint_sent_force_y,
-            0.0, crank_joint_sent_force_x, 0.0, 0.0, 0.0, B_reaction_force_x, 0.0,
-            B_reaction_force_z, 0.0, B_reaction_moment_y, 0.0, C_reaction_force_x, 0.0,
-            C_reaction_force_z, 0.0, C_reaction_moment_y, 0.0, rocker_joint_sent_force_y, 0.0,
-            rocker_joint_sent_force_x, 0.0, D_reaction_moment_y, 0.0)), ((minus_C_closure_fx_by_D,
-            5.057800000000001e-06), (A_reduced_inertia_by_A, 3.264600000000001e-07), (pivot_0,
-            0.0001379), (pivot_1, 0.00043948), (pivot_2, 0.00043948)), (minus_C_closure_fx_by_D,
-            A_reduced_inertia_by_A, B_joint_acc, crank_joint_sent_force_y, crank_joint_sent_force_x,
-            B_reaction_moment_y, C_reaction_force_z, C_reaction_moment_y, rocker_joint_sent_force_y,
-            rocker_joint_sent_force_x, D_reaction_moment_y, pivot_0, pivot_1, pivot_2))
+        t157 = 10.987048687506249 + t156
+        t158 = 3.3146717314850727 * coupler_sin
+        t159 = t158 * t158
+        t164 = t152 + (t154 + (t157 + t159 + t154 + t152))
+        # mechanism: pivots
+        t169 = t128 * t155 - t131 * t158 + t135 * t153
+        t175 = t169 - t138 * t151 - t144 * t153 + t149 * t151
+        t176 = 1.0 / pivot_0
+        pivot_1 = t164 - t175 * (t175 * t176)
+        t184 = t154 + (t152 + (t154 + (t152 + (t156 + (10.987048687506249 + t159)))))  # coupler
+        t189 = t128 * t158 + t131 * t155 - t135 * t151
+        t195 = t189 - t138 * t153 + t144 * t151 + t149 * t153
+        t196 = t195 * t176
+        t197 = t195 * t196
+        t198 = t175 * t196
+        pivot_2 = t184 - (t197 + t198 * (t198 / pivot_1))
+        return _finish(batch, ((A_joint_acc, B_joint_acc, D_joint_acc), (crank_joint_sent_fy, 0.0,
+            crank_joint_sent_fx, 0.0, 0.0, 0.0, B_reaction_fx, 0.0, B_reaction_fz, 0.0,
+            B_reaction_my, 0.0, C_reaction_fx, 0.0, C_reaction_fz, 0.0, C_reaction_my, 0.0,
+            rocker_joint_sent_fy, 0.0, rocker_joint_sent_fx, 0.0, D_reaction_my, 0.0)),
+            ((minus_C_closure_fx_by_D, 5.057800000000001e-06), (A_reduced_inertia_by_A,
+            3.264600000000001e-07), (pivot_0, 0.0001379), (pivot_1, 0.00043948), (pivot_2,
+            0.00043948)), (minus_C_closure_fx_by_D, A_reduced_inertia_by_A, B_joint_acc,
+            crank_joint_sent_fy, crank_joint_sent_fx, B_reaction_my, C_reaction_fz, C_reaction_my,
+            rocker_joint_sent_fy, rocker_joint_sent_fx, D_reaction_my, pivot_0, pivot_1, pivot_2))
 
 
 def _forward_dynamics_reactions_dense(*arguments):
@@ -1789,54 +1838,56 @@ def _forward_dynamics_reactions_dense(*arguments):
         A_q, B_q, D_q, A_v, B_v, D_v, A_u,
     ) = entries
     with np.errstate(all="ignore"):
+        # B: geometry
         t1 = 0.9272952180016122 + B_q
         coupler_cos = np.cos(t1)
-        t3 = coupler_cos * (0.1 * coupler_cos)
+        t3 = coupler_cos * (0.1 * coupler_cos)  # coupler
         A_mass_matrix_by_A = 0.1 - t3 + (0.03075 + (t3 + 0.09 * coupler_cos))
         A_mass_matrix_by_B = 0.1 + 0.045 * coupler_cos
         crank_sin = np.sin(A_q)
-        minus_crank_rate_moment_z = 2.133675 * crank_sin
+        minus_crank_rate_mz = 2.133675 * crank_sin
         coupler_sin = np.sin(t1)
-        t7 = 0.15 * (A_v * A_v)
+        t7 = 0.15 * (A_v * A_v)  # crank
         crank_cos = np.cos(A_q)
         coupler_acc_still_y = coupler_sin * (t7 - 9.81 * crank_cos) - coupler_cos * (9.81 * crank_sin)
-        coupler_rate_moment_z = 0.3 * coupler_acc_still_y
+        coupler_rate_mz = 0.3 * coupler_acc_still_y
         coupler_omega_z = A_v + B_v
         minus_coupler_U_still_xx = coupler_omega_z * coupler_omega_z
-        minus_crank_force_moment_z = minus_crank_rate_moment_z - (coupler_rate_moment_z - 0.15 * (coupler_sin * (0.3 * minus_coupler_U_still_xx)))
-        minus_A_generalised_force = minus_crank_force_moment_z + A_u
-        minus_coupler_rate_moment_z = -coupler_rate_moment_z
-        t13 = 0.4899573262537283 - D_q
+        minus_crank_moment_z = minus_crank_rate_mz - (coupler_rate_mz - 0.15 * (coupler_sin * (0.3 * minus_coupler_U_still_xx)))
+        minus_A_generalised_force = minus_crank_moment_z + A_u
+        minus_coupler_rate_mz = -coupler_rate_mz
+        t13 = 0.4899573262537283 - D_q  # D
         minus_rocker_sin = np.sin(t13)
-        minus_rocker_rate_moment_z = -(3.00186 * minus_rocker_sin)
-        crank_lever_moment_z_by_C_fx = 0.15 * coupler_sin
-        crank_lever_moment_z_by_C_fy = 0.5 + 0.15 * coupler_cos
+        minus_rocker_rate_mz = -(3.00186 * minus_rocker_sin)
+        crank_lever_mz_by_C_fx = 0.15 * coupler_sin
+        crank_lever_mz_by_C_fy = 0.5 + 0.15 * coupler_cos
         minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos
-        t17 = 0.51 * minus_rocker_sin
-        t18 = minus_coupler_rotation_xy * t17
+        minus_rocker_joint_force_mx_by_C_fz = 0.51 * minus_rocker_sin
+        t17 = minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz  # C
         coupler_rotation_xx = crank_sin * coupler_cos + crank_cos * coupler_sin
         rocker_cos = np.cos(t13)
-        t21 = 0.51 * rocker_cos
-        C_closure_fx_by_D = t18 - coupler_rotation_xx * t21
-        C_closure_fy_by_D = minus_coupler_rotation_xy * t21 + coupler_rotation_xx * t17
-        t25 = 0.51 * (D_v * D_v)
-        t26 = rocker_cos * t25
-        t27 = crank_cos * t26
-        t28 = minus_rocker_sin * t25
-        t30 = t27 - crank_sin * t28
-        t31 = coupler_cos * t30
-        t34 = crank_sin * t26 + crank_cos * t28
-        C_opening_bias_fx = t31 - coupler_sin * t34 - (coupler_cos * t7 + 0.5 * minus_coupler_U_still_xx)
-        C_opening_bias_fy = coupler_sin * t7 - (coupler_sin * t30 + coupler_cos * t34)
+        minus_rocker_joint_force_my_by_C_fz = 0.51 * rocker_cos
+        # C: loop closure
+        C_closure_fx_by_D = t17 - coupler_rotation_xx * minus_rocker_joint_force_my_by_C_fz
+        t21 = minus_coupler_rotation_xy * minus_rocker_joint_force_my_by_C_fz
+        C_closure_fy_by_D = t21 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz
+        t23 = 0.51 * (D_v * D_v)  # rocker
+        t24 = rocker_cos * t23  # rocker
+        t25 = crank_cos * t24
+        t26 = minus_rocker_sin * t23  # rocker
+        t28 = t25 - crank_sin * t26
+        t29 = coupler_cos * t28
+        t32 = crank_sin * t24 + crank_cos * t26
+        C_opening_bias_fx = t29 - coupler_sin * t32 - (coupler_cos * t7 + 0.5 * minus_coupler_U_still_xx)
+        C_opening_bias_fy = coupler_sin * t7 - (coupler_sin * t28 + coupler_cos * t32)
         return _finish(batch, ((A_mass_matrix_by_A, A_mass_matrix_by_B, 0.0, A_mass_matrix_by_B,
-            0.1, 0.0, 0.0, 0.0, 0.10404), (minus_A_generalised_force, minus_coupler_rate_moment_z,
-            minus_rocker_rate_moment_z), (crank_lever_moment_z_by_C_fx,
-            crank_lever_moment_z_by_C_fy, 0.0, 0.0, 0.0, 0.0, 0.5, 0.0, 0.0, 0.0, C_closure_fx_by_D,
-            C_closure_fy_by_D, 0.0, 0.0, 0.0), (C_opening_bias_fx, C_opening_bias_fy, 0.0, 0.0,
-            0.0)), (), (A_mass_matrix_by_A, A_mass_matrix_by_B, minus_A_generalised_force,
-            minus_coupler_rate_moment_z, minus_rocker_rate_moment_z, crank_lever_moment_z_by_C_fx,
-            crank_lever_moment_z_by_C_fy, C_closure_fx_by_D, C_closure_fy_by_D, C_opening_bias_fx,
-            C_opening_bias_fy))
+            0.1, 0.0, 0.0, 0.0, 0.10404), (minus_A_generalised_force, minus_coupler_rate_mz,
+            minus_rocker_rate_mz), (crank_lever_mz_by_C_fx, crank_lever_mz_by_C_fy, 0.0, 0.0, 0.0,
+            0.0, 0.5, 0.0, 0.0, 0.0, C_closure_fx_by_D, C_closure_fy_by_D, 0.0, 0.0, 0.0),
+            (C_opening_bias_fx, C_opening_bias_fy, 0.0, 0.0, 0.0)), (), (A_mass_matrix_by_A,
+            A_mass_matrix_by_B, minus_A_generalised_force, minus_coupler_rate_mz,
+            minus_rocker_rate_mz, crank_lever_mz_by_C_fx, crank_lever_mz_by_C_fy, C_closure_fx_by_D,
+            C_closure_fy_by_D, C_opening_bias_fx, C_opening_bias_fy))
 
 
 def _forward_dynamics_reactions_wrenches(*arguments):
@@ -1847,120 +1898,123 @@ def _forward_dynamics_reactions_wrenches(*arguments):
         multipliers_2, multipliers_3, multipliers_4,
     ) = entries
     with np.errstate(all="ignore"):
+        # crank: geometry; momentum rate, eq. (35); accelerations
         crank_sin = np.sin(A_q)
         crank_cos = np.cos(A_q)
         t1 = 4.905 * crank_cos
         minus_crank_U_still_xx = A_v * A_v
-        crank_rate_force_x = t1 - 0.0375 * minus_crank_U_still_xx
-        t3 = 0.9272952180016122 + B_q
+        crank_rate_fx = t1 - 0.0375 * minus_crank_U_still_xx
+        t3 = 0.9272952180016122 + B_q  # B
+        # coupler: geometry; momentum rate, eq. (35); balance, eqs. (40)-(47)
         coupler_cos = np.cos(t3)
         coupler_omega_z = A_v + B_v
-        minus_coupler_rate_force_x = 0.3 * (coupler_omega_z * coupler_omega_z)
-        t5 = 0.15 * minus_crank_U_still_xx - 9.81 * crank_cos
+        minus_coupler_rate_fx = 0.3 * (coupler_omega_z * coupler_omega_z)
+        t5 = 0.15 * minus_crank_U_still_xx - 9.81 * crank_cos  # crank
         t6 = coupler_cos * t5
         coupler_sin = np.sin(t3)
         t8 = 0.15 * A_a - 9.81 * crank_sin
-        minus_coupler_sent_force_x = minus_coupler_rate_force_x + 1.2 * (t6 - coupler_sin * t8) + multipliers_0
-        t11 = coupler_cos * minus_coupler_sent_force_x
-        coupler_rate_force_y = 0.3 * (A_a + B_a)
-        coupler_sent_force_y = coupler_rate_force_y + 1.2 * (coupler_sin * t5 + coupler_cos * t8) - multipliers_1
-        minus_coupler_joint_sent_force_x = t11 + coupler_sin * coupler_sent_force_y
-        crank_sent_force_x = crank_rate_force_x - minus_coupler_joint_sent_force_x
-        t16 = crank_sin * crank_sent_force_x
-        minus_crank_rate_force_y = 4.905 * crank_sin - 0.0375 * A_a
-        minus_coupler_joint_sent_force_y = coupler_sin * minus_coupler_sent_force_x - coupler_cos * coupler_sent_force_y
-        minus_crank_sent_force_y = minus_crank_rate_force_y + minus_coupler_joint_sent_force_y
-        crank_joint_sent_force_y = t16 - crank_cos * minus_crank_sent_force_y
-        C_joint_reaction_force_z = -multipliers_2
-        crank_joint_sent_force_x = crank_cos * crank_sent_force_x + crank_sin * minus_crank_sent_force_y
+        minus_coupler_sent_fx = minus_coupler_rate_fx + 1.2 * (t6 - coupler_sin * t8) + multipliers_0
+        t11 = coupler_cos * minus_coupler_sent_fx
+        coupler_rate_fy = 0.3 * (A_a + B_a)
+        coupler_sent_fy = coupler_rate_fy + 1.2 * (coupler_sin * t5 + coupler_cos * t8) - multipliers_1
+        minus_coupler_joint_sent_fx = t11 + coupler_sin * coupler_sent_fy
+        crank_sent_fx = crank_rate_fx - minus_coupler_joint_sent_fx
+        t16 = crank_sin * crank_sent_fx  # crank
+        minus_crank_rate_fy = 4.905 * crank_sin - 0.0375 * A_a
+        minus_coupler_joint_sent_fy = coupler_sin * minus_coupler_sent_fx - coupler_cos * coupler_sent_fy
+        minus_crank_sent_fy = minus_crank_rate_fy + minus_coupler_joint_sent_fy
+        crank_joint_sent_fy = t16 - crank_cos * minus_crank_sent_fy
+        C_joint_reaction_fz = -multipliers_2
+        crank_joint_sent_fx = crank_cos * crank_sent_fx + crank_sin * minus_crank_sent_fy
         t24 = coupler_cos * multipliers_3
-        minus_coupler_sent_moment_y = multipliers_4 - 0.5 * multipliers_2
-        minus_coupler_joint_sent_moment_x = t24 - coupler_sin * minus_coupler_sent_moment_y
-        t27 = crank_sin * minus_coupler_joint_sent_moment_x
+        minus_coupler_sent_my = multipliers_4 - 0.5 * multipliers_2
+        minus_coupler_joint_sent_mx = t24 - coupler_sin * minus_coupler_sent_my
+        t27 = crank_sin * minus_coupler_joint_sent_mx  # crank
         t28 = coupler_sin * multipliers_3
-        minus_coupler_joint_sent_moment_y = t28 + coupler_cos * minus_coupler_sent_moment_y
-        minus_crank_sent_moment_y = minus_coupler_joint_sent_moment_y - 0.15 * multipliers_2
-        minus_crank_joint_sent_moment_y = t27 + crank_cos * minus_crank_sent_moment_y
-        crank_joint_sent_moment_y = -minus_crank_joint_sent_moment_y
-        t32 = crank_cos * minus_coupler_joint_sent_moment_x
-        minus_crank_joint_sent_moment_x = t32 - crank_sin * minus_crank_sent_moment_y
-        crank_joint_sent_moment_x = -minus_crank_joint_sent_moment_x
-        t36 = crank_sin * minus_coupler_joint_sent_force_x + crank_cos * minus_coupler_joint_sent_force_y
+        minus_coupler_joint_sent_my = t28 + coupler_cos * minus_coupler_sent_my
+        minus_crank_sent_my = minus_coupler_joint_sent_my - 0.15 * multipliers_2
+        minus_crank_joint_sent_my = t27 + crank_cos * minus_crank_sent_my
+        crank_joint_sent_my = -minus_crank_joint_sent_my
+        t32 = crank_cos * minus_coupler_joint_sent_mx  # crank
+        minus_crank_joint_sent_mx = t32 - crank_sin * minus_crank_sent_my
+        crank_joint_sent_mx = -minus_crank_joint_sent_mx
+        t36 = crank_sin * minus_coupler_joint_sent_fx + crank_cos * minus_coupler_joint_sent_fy  # B
         B_reactions_fx = -t36
-        t39 = crank_cos * minus_coupler_joint_sent_force_x - crank_sin * minus_coupler_joint_sent_force_y
+        t39 = crank_cos * minus_coupler_joint_sent_fx - crank_sin * minus_coupler_joint_sent_fy  # B
         B_reactions_fz = -t39
         coupler_position_z = 0.15 * crank_cos
-        B_reactions_mx = coupler_position_z * multipliers_2 - (t27 + crank_cos * minus_coupler_joint_sent_moment_y)
+        B_reactions_mx = coupler_position_z * multipliers_2 - (t27 + crank_cos * minus_coupler_joint_sent_my)
         coupler_position_x = 0.15 * crank_sin
         B_reactions_my = coupler_position_x * t39 - coupler_position_z * t36
-        B_reactions_mz = -(t32 - crank_sin * minus_coupler_joint_sent_moment_y + coupler_position_x * multipliers_2)
+        B_reactions_mz = -(t32 - crank_sin * minus_coupler_joint_sent_my + coupler_position_x * multipliers_2)
         coupler_rotation_xx = crank_sin * coupler_cos + crank_cos * coupler_sin
+        # C: reactions, eq. (32)
         t51 = coupler_rotation_xx * multipliers_0
         minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos
         t55 = t51 - minus_coupler_rotation_xy * multipliers_1
         C_reactions_fx = -t55
         C_reactions_fz = minus_coupler_rotation_xy * multipliers_0 + coupler_rotation_xx * multipliers_1
-        t59 = coupler_position_z - 0.5 * minus_coupler_rotation_xy
+        t59 = coupler_position_z - 0.5 * minus_coupler_rotation_xy  # coupler
         t60 = t59 * multipliers_2
         C_reactions_mx = t60 - (coupler_rotation_xx * multipliers_3 - minus_coupler_rotation_xy * multipliers_4)
         t64 = t59 * t55
-        t66 = coupler_position_x + 0.5 * coupler_rotation_xx
+        t66 = coupler_position_x + 0.5 * coupler_rotation_xx  # coupler
         C_reactions_my = -(t64 + t66 * C_reactions_fz)
         t71 = minus_coupler_rotation_xy * multipliers_3 + coupler_rotation_xx * multipliers_4
         C_reactions_mz = t71 - t66 * multipliers_2
-        t73 = 0.4899573262537283 - D_q
+        t73 = 0.4899573262537283 - D_q  # D
+        # rocker: geometry; momentum rate, eq. (35)
         minus_rocker_sin = np.sin(t73)
-        minus_rocker_rate_force_x = 0.306 * (D_v * D_v)
+        minus_rocker_rate_fx = 0.306 * (D_v * D_v)
         rocker_cos = np.cos(t73)
-        minus_rocker_rate_force_x_2 = minus_rocker_rate_force_x - 11.772 * rocker_cos
-        t75 = minus_rocker_sin * minus_rocker_rate_force_x_2
-        rocker_rate_force_y_2 = 0.306 * D_a + 11.772 * minus_rocker_sin
-        t78 = t75 + rocker_cos * rocker_rate_force_y_2
+        minus_rocker_rate_fx_2 = minus_rocker_rate_fx - 11.772 * rocker_cos
+        # rocker: balance, eqs. (40)-(47); momentum rate, eq. (35)
+        t75 = minus_rocker_sin * minus_rocker_rate_fx_2
+        rocker_rate_fy_2 = 0.306 * D_a + 11.772 * minus_rocker_sin
+        t78 = t75 + rocker_cos * rocker_rate_fy_2
         t81 = coupler_cos * multipliers_0 - coupler_sin * multipliers_1
         t82 = crank_sin * t81
         t85 = coupler_sin * multipliers_0 + coupler_cos * multipliers_1
-        rocker_joint_sent_force_y = t78 + (t82 + crank_cos * t85)
-        t90 = rocker_cos * minus_rocker_rate_force_x_2 - minus_rocker_sin * rocker_rate_force_y_2
-        minus_rocker_joint_sent_force_x = t90 - (crank_cos * t81 - crank_sin * t85)
-        rocker_joint_sent_force_x = -minus_rocker_joint_sent_force_x
+        rocker_joint_sent_fy = t78 + (t82 + crank_cos * t85)
+        t90 = rocker_cos * minus_rocker_rate_fx_2 - minus_rocker_sin * rocker_rate_fy_2
+        minus_rocker_joint_sent_fx = t90 - (crank_cos * t81 - crank_sin * t85)
+        rocker_joint_sent_fx = -minus_rocker_joint_sent_fx
         t95 = t24 - coupler_sin * multipliers_4
         t96 = crank_sin * t95
         t98 = t28 + coupler_cos * multipliers_4
-        rocker_joint_sent_moment_y = t96 + crank_cos * t98 - 0.51 * rocker_cos * multipliers_2
-        D_reactions_my = 0.64 * minus_rocker_joint_sent_force_x
-        rocker_joint_sent_moment_x = crank_cos * t95 - crank_sin * t98 - 0.51 * minus_rocker_sin * multipliers_2
-        D_reactions_mz = rocker_joint_sent_moment_x + 0.64 * multipliers_2
-        sized_3 = -(3.3146717314850727 * minus_crank_joint_sent_moment_x)
-        sized_4 = -(3.3146717314850727 * minus_crank_joint_sent_moment_y)
-        coupler_joint_sent_force_x = -minus_coupler_joint_sent_force_x
-        coupler_joint_sent_force_y = -minus_coupler_joint_sent_force_y
-        sized_9 = -(3.3146717314850727 * minus_coupler_joint_sent_moment_x)
-        sized_10 = -(3.3146717314850727 * minus_coupler_joint_sent_moment_y)
-        C_joint_reaction_force_x = -multipliers_0
-        C_joint_reaction_force_y = -multipliers_1
+        rocker_joint_sent_my = t96 + crank_cos * t98 - 0.51 * rocker_cos * multipliers_2
+        D_reactions_my = 0.64 * minus_rocker_joint_sent_fx
+        rocker_joint_sent_mx = crank_cos * t95 - crank_sin * t98 - 0.51 * minus_rocker_sin * multipliers_2
+        D_reactions_mz = rocker_joint_sent_mx + 0.64 * multipliers_2
+        # mechanism: results
+        sized_3 = -(3.3146717314850727 * minus_crank_joint_sent_mx)
+        sized_4 = -(3.3146717314850727 * minus_crank_joint_sent_my)
+        coupler_joint_sent_fx = -minus_coupler_joint_sent_fx
+        coupler_joint_sent_fy = -minus_coupler_joint_sent_fy
+        sized_9 = -(3.3146717314850727 * minus_coupler_joint_sent_mx)
+        sized_10 = -(3.3146717314850727 * minus_coupler_joint_sent_my)
+        C_joint_reaction_fx = -multipliers_0
+        C_joint_reaction_fy = -multipliers_1
         sized_15 = -(3.3146717314850727 * multipliers_3)
         sized_16 = -(3.3146717314850727 * multipliers_4)
-        sized_21 = 3.3146717314850727 * rocker_joint_sent_moment_x
-        sized_22 = 3.3146717314850727 * rocker_joint_sent_moment_y
-        return _finish(batch, ((crank_joint_sent_force_y, C_joint_reaction_force_z,
-            crank_joint_sent_force_x, crank_joint_sent_moment_y, 0.0, crank_joint_sent_moment_x,
-            B_reactions_fx, C_joint_reaction_force_z, B_reactions_fz, B_reactions_mx,
-            B_reactions_my, B_reactions_mz, C_reactions_fx, C_joint_reaction_force_z,
-            C_reactions_fz, C_reactions_mx, C_reactions_my, C_reactions_mz,
-            rocker_joint_sent_force_y, multipliers_2, rocker_joint_sent_force_x,
-            rocker_joint_sent_moment_y, D_reactions_my, D_reactions_mz), (crank_joint_sent_force_x,
-            crank_joint_sent_force_y, C_joint_reaction_force_z, sized_3, sized_4, 0.0,
-            coupler_joint_sent_force_x, coupler_joint_sent_force_y, C_joint_reaction_force_z,
-            sized_9, sized_10, 0.0, C_joint_reaction_force_x, C_joint_reaction_force_y,
-            C_joint_reaction_force_z, sized_15, sized_16, 0.0, rocker_joint_sent_force_x,
-            rocker_joint_sent_force_y, multipliers_2, sized_21, sized_22, 0.0)), (),
-            (crank_joint_sent_force_y, C_joint_reaction_force_z, crank_joint_sent_force_x,
-            crank_joint_sent_moment_y, crank_joint_sent_moment_x, B_reactions_fx, B_reactions_fz,
-            B_reactions_mx, B_reactions_my, B_reactions_mz, C_reactions_fx, C_reactions_mx,
-            C_reactions_my, C_reactions_mz, rocker_joint_sent_force_y, rocker_joint_sent_force_x,
-            D_reactions_my, D_reactions_mz, sized_3, sized_4, coupler_joint_sent_force_x,
-            coupler_joint_sent_force_y, sized_9, sized_10, C_joint_reaction_force_x,
-            C_joint_reaction_force_y, sized_15, sized_16, sized_21, sized_22, A_u))
+        sized_21 = 3.3146717314850727 * rocker_joint_sent_mx
+        sized_22 = 3.3146717314850727 * rocker_joint_sent_my
+        return _finish(batch, ((crank_joint_sent_fy, C_joint_reaction_fz, crank_joint_sent_fx,
+            crank_joint_sent_my, 0.0, crank_joint_sent_mx, B_reactions_fx, C_joint_reaction_fz,
+            B_reactions_fz, B_reactions_mx, B_reactions_my, B_reactions_mz, C_reactions_fx,
+            C_joint_reaction_fz, C_reactions_fz, C_reactions_mx, C_reactions_my, C_reactions_mz,
+            rocker_joint_sent_fy, multipliers_2, rocker_joint_sent_fx, rocker_joint_sent_my,
+            D_reactions_my, D_reactions_mz), (crank_joint_sent_fx, crank_joint_sent_fy,
+            C_joint_reaction_fz, sized_3, sized_4, 0.0, coupler_joint_sent_fx,
+            coupler_joint_sent_fy, C_joint_reaction_fz, sized_9, sized_10, 0.0, C_joint_reaction_fx,
+            C_joint_reaction_fy, C_joint_reaction_fz, sized_15, sized_16, 0.0, rocker_joint_sent_fx,
+            rocker_joint_sent_fy, multipliers_2, sized_21, sized_22, 0.0)), (),
+            (crank_joint_sent_fy, C_joint_reaction_fz, crank_joint_sent_fx, crank_joint_sent_my,
+            crank_joint_sent_mx, B_reactions_fx, B_reactions_fz, B_reactions_mx, B_reactions_my,
+            B_reactions_mz, C_reactions_fx, C_reactions_mx, C_reactions_my, C_reactions_mz,
+            rocker_joint_sent_fy, rocker_joint_sent_fx, D_reactions_my, D_reactions_mz, sized_3,
+            sized_4, coupler_joint_sent_fx, coupler_joint_sent_fy, sized_9, sized_10,
+            C_joint_reaction_fx, C_joint_reaction_fy, sized_15, sized_16, sized_21, sized_22, A_u))
 
 
 def forward_dynamics_reactions(*arguments):
@@ -2020,42 +2074,45 @@ def close_position(*arguments):
         A_q, B_q, D_q,
     ) = entries
     with np.errstate(all="ignore"):
+        # B: geometry
         t1 = 0.9272952180016122 + B_q
         coupler_cos = np.cos(t1)
-        crank_lever_moment_z_by_C_fy = 0.5 + 0.15 * coupler_cos
+        crank_lever_mz_by_C_fy = 0.5 + 0.15 * coupler_cos
         crank_sin = np.sin(A_q)
         coupler_sin = np.sin(t1)
-        t3 = crank_sin * coupler_sin
+        t3 = crank_sin * coupler_sin  # coupler
         crank_cos = np.cos(A_q)
         minus_coupler_rotation_xy = t3 - crank_cos * coupler_cos
-        t5 = 0.4899573262537283 - D_q
-        t6 = 0.51 * np.cos(t5)
-        t7 = minus_coupler_rotation_xy * t6
+        t5 = 0.4899573262537283 - D_q  # D
+        minus_rocker_joint_force_my_by_C_fz = 0.51 * np.cos(t5)
+        t6 = minus_coupler_rotation_xy * minus_rocker_joint_force_my_by_C_fz  # C
         coupler_rotation_xx = crank_sin * coupler_cos + crank_cos * coupler_sin
-        t10 = 0.51 * np.sin(t5)
-        C_closure_fy_by_D = t7 + coupler_rotation_xx * t10
-        crank_lever_moment_z_by_C_fx = 0.15 * coupler_sin
-        minus_C_closure_fx_by_D = coupler_rotation_xx * t6 - minus_coupler_rotation_xy * t10
-        t14 = 1.0 / minus_C_closure_fx_by_D
-        D_null_space_by_A = crank_lever_moment_z_by_C_fx * t14
-        minus_B_null_space_by_A = 2.0 * (crank_lever_moment_z_by_C_fy + C_closure_fy_by_D * D_null_space_by_A)
-        t20 = 0.15 * crank_sin + 0.5 * coupler_rotation_xx - (0.64 - t10)
-        t21 = minus_coupler_rotation_xy * t20
-        t24 = 0.15 * crank_cos - 0.5 * minus_coupler_rotation_xy - t6
-        minus_C_opening_fy = t21 + coupler_rotation_xx * t24
-        C_opening_fx = coupler_rotation_xx * t20 - minus_coupler_rotation_xy * t24
-        t28 = C_opening_fx * t14
-        t31 = 2.0 * (minus_C_opening_fy - C_closure_fy_by_D * t28)
-        t34 = minus_B_null_space_by_A * t31 - D_null_space_by_A * t28
+        minus_rocker_joint_force_mx_by_C_fz = 0.51 * np.sin(t5)
+        # C: loop closure; rates that follow; results
+        C_closure_fy_by_D = t6 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz
+        crank_lever_mz_by_C_fx = 0.15 * coupler_sin
+        t10 = coupler_rotation_xx * minus_rocker_joint_force_my_by_C_fz
+        minus_C_closure_fx_by_D = t10 - minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz
+        t12 = 1.0 / minus_C_closure_fx_by_D
+        D_null_space_by_A = crank_lever_mz_by_C_fx * t12
+        minus_B_null_space_by_A = 2.0 * (crank_lever_mz_by_C_fy + C_closure_fy_by_D * D_null_space_by_A)
+        t18 = 0.15 * crank_sin + 0.5 * coupler_rotation_xx - (0.64 - minus_rocker_joint_force_mx_by_C_fz)
+        t19 = minus_coupler_rotation_xy * t18
+        t22 = 0.15 * crank_cos - 0.5 * minus_coupler_rotation_xy - minus_rocker_joint_force_my_by_C_fz
+        minus_C_opening_fy = t19 + coupler_rotation_xx * t22
+        C_opening_fx = coupler_rotation_xx * t18 - minus_coupler_rotation_xy * t22
+        t26 = C_opening_fx * t12
+        t29 = 2.0 * (minus_C_opening_fy - C_closure_fy_by_D * t26)
+        t32 = minus_B_null_space_by_A * t29 - D_null_space_by_A * t26  # A
         pivot_0 = 1.0 + minus_B_null_space_by_A * minus_B_null_space_by_A + D_null_space_by_A * D_null_space_by_A
-        t38 = t34 / pivot_0
-        A_q_next = A_q + t38
-        B_q_next = B_q + (t31 - minus_B_null_space_by_A * t38)
-        D_q_next = D_q + (t28 + D_null_space_by_A * t38)
-        t43 = 3.3146717314850727 * C_opening_fx
-        t44 = t43 * t43
-        t45 = 3.3146717314850727 * minus_C_opening_fy
-        residual_residual = np.sqrt(t44 + t45 * t45)
+        t36 = t32 / pivot_0  # A
+        A_q_next = A_q + t36
+        B_q_next = B_q + (t29 - minus_B_null_space_by_A * t36)
+        D_q_next = D_q + (t26 + D_null_space_by_A * t36)
+        t41 = 3.3146717314850727 * C_opening_fx
+        t42 = t41 * t41
+        t43 = 3.3146717314850727 * minus_C_opening_fy
+        residual_residual = np.sqrt(t42 + t43 * t43)
         return _finish(batch, ((A_q_next, B_q_next, D_q_next), (residual_residual,)),
             ((minus_C_closure_fx_by_D, 3.01689e-10), (pivot_0, 2.4194e-09)),
             (minus_C_closure_fx_by_D, pivot_0, A_q_next, B_q_next, D_q_next, residual_residual))
@@ -2082,27 +2139,29 @@ def close_velocity(*arguments):
         A_q, B_q, D_q, A_v, B_v, D_v,
     ) = entries
     with np.errstate(all="ignore"):
+        # B: geometry; rates that follow; results
         t1 = 0.9272952180016122 + B_q
         coupler_cos = np.cos(t1)
-        crank_lever_moment_z_by_C_fy = 0.5 + 0.15 * coupler_cos
+        crank_lever_mz_by_C_fy = 0.5 + 0.15 * coupler_cos
         crank_sin = np.sin(A_q)
         coupler_sin = np.sin(t1)
-        t3 = crank_sin * coupler_sin
+        t3 = crank_sin * coupler_sin  # coupler
         crank_cos = np.cos(A_q)
         minus_coupler_rotation_xy = t3 - crank_cos * coupler_cos
-        t5 = 0.4899573262537283 - D_q
-        t6 = 0.51 * np.cos(t5)
-        t7 = minus_coupler_rotation_xy * t6
+        t5 = 0.4899573262537283 - D_q  # D
+        minus_rocker_joint_force_my_by_C_fz = 0.51 * np.cos(t5)
+        t6 = minus_coupler_rotation_xy * minus_rocker_joint_force_my_by_C_fz  # C
         coupler_rotation_xx = crank_sin * coupler_cos + crank_cos * coupler_sin
-        t10 = 0.51 * np.sin(t5)
-        C_closure_fy_by_D = t7 + coupler_rotation_xx * t10
-        crank_lever_moment_z_by_C_fx = 0.15 * coupler_sin
-        minus_C_closure_fx_by_D = coupler_rotation_xx * t6 - minus_coupler_rotation_xy * t10
-        D_null_space_by_A = crank_lever_moment_z_by_C_fx / minus_C_closure_fx_by_D
-        minus_B_null_space_by_A = 2.0 * (crank_lever_moment_z_by_C_fy + C_closure_fy_by_D * D_null_space_by_A)
-        t19 = A_v - B_v * minus_B_null_space_by_A + D_v * D_null_space_by_A
+        minus_rocker_joint_force_mx_by_C_fz = 0.51 * np.sin(t5)
+        C_closure_fy_by_D = t6 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz
+        crank_lever_mz_by_C_fx = 0.15 * coupler_sin
+        t10 = coupler_rotation_xx * minus_rocker_joint_force_my_by_C_fz  # C
+        minus_C_closure_fx_by_D = t10 - minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz
+        D_null_space_by_A = crank_lever_mz_by_C_fx / minus_C_closure_fx_by_D
+        minus_B_null_space_by_A = 2.0 * (crank_lever_mz_by_C_fy + C_closure_fy_by_D * D_null_space_by_A)
+        t17 = A_v - B_v * minus_B_null_space_by_A + D_v * D_null_space_by_A  # A
         pivot_0 = 1.0 + minus_B_null_space_by_A * minus_B_null_space_by_A + D_null_space_by_A * D_null_space_by_A
-        A_v_next = t19 / pivot_0
+        A_v_next = t17 / pivot_0
         B_v_next = -(minus_B_null_space_by_A * A_v_next)
         D_v_next = D_null_space_by_A * A_v_next
         return _finish(batch, ((A_v_next, B_v_next, D_v_next),), ((minus_C_closure_fx_by_D,
@@ -2130,25 +2189,28 @@ def inverse_kinematics(*arguments):
         D_pose,
     ) = entries
     with np.errstate(all="ignore"):
+        # D: geometry
         t1 = 0.4899573262537283 - D_pose
-        t2 = 0.51 * np.cos(t1)
-        t3 = t2 * t2
-        t5 = 0.64 - 0.51 * np.sin(t1)
-        t7 = t3 + t5 * t5
-        t8 = 1.0 / t7
-        t9 = t7 - 0.2725
-        minus_crank_lever_moment_y_by_C_fz = 0.15 + 3.3333333333333335 * t9
-        t10 = t5 * minus_crank_lever_moment_y_by_C_fz
-        t11 = 0.5 * t9
-        t13 = 0.005625 - t11 * t11
-        t14 = np.sqrt(t13)
-        t16 = np.where(0.0 != 0.0, -t14, t14)
-        crank_lever_moment_x_by_C_fz = 6.666666666666667 * t16
-        crank_sin = t8 * (t10 - t2 * crank_lever_moment_x_by_C_fz)
-        A_q = np.arctan2(crank_sin, t8 * (t2 * minus_crank_lever_moment_y_by_C_fz + t5 * crank_lever_moment_x_by_C_fz))
-        t24 = 8.0 * t16 - 5.333333333333333 * t9
-        B_q = np.arctan2(t24, 4.0 * t9 + 10.666666666666666 * t16)
-        return _finish(batch, ((A_q, B_q, D_pose),), (), (A_q, B_q, D_pose), ((t13, 0.0, None,
+        # rocker: balance, eqs. (40)-(47); geometry; reciprocal wrenches, eq. (10)
+        minus_rocker_joint_force_my_by_C_fz = 0.51 * np.cos(t1)
+        t2 = minus_rocker_joint_force_my_by_C_fz * minus_rocker_joint_force_my_by_C_fz
+        t3 = 0.64 - 0.51 * np.sin(t1)
+        t5 = t2 + t3 * t3
+        t6 = 1.0 / t5
+        t7 = t5 - 0.2725
+        minus_crank_lever_my_by_C_fz = 0.15 + 3.3333333333333335 * t7
+        t8 = t3 * minus_crank_lever_my_by_C_fz  # crank
+        t9 = 0.5 * t7
+        t11 = 0.005625 - t9 * t9
+        t12 = np.sqrt(t11)
+        t14 = np.where(0.0 != 0.0, -t12, t12)
+        crank_lever_mx_by_C_fz = 6.666666666666667 * t14
+        crank_sin = t6 * (t8 - minus_rocker_joint_force_my_by_C_fz * crank_lever_mx_by_C_fz)
+        t17 = minus_rocker_joint_force_my_by_C_fz * minus_crank_lever_my_by_C_fz  # crank
+        A_q = np.arctan2(crank_sin, t6 * (t17 + t3 * crank_lever_mx_by_C_fz))
+        t22 = 8.0 * t14 - 5.333333333333333 * t7
+        B_q = np.arctan2(t22, 4.0 * t7 + 10.666666666666666 * t14)
+        return _finish(batch, ((A_q, B_q, D_pose),), (), (A_q, B_q, D_pose), ((t11, 0.0, None,
             11),))
 
 
@@ -2174,40 +2236,43 @@ def inverse_velocity(*arguments):
         D_pose, D_rate,
     ) = entries
     with np.errstate(all="ignore"):
+        # D: geometry
         t1 = 0.4899573262537283 - D_pose
+        # rocker: geometry; balance, eqs. (40)-(47); reciprocal wrenches, eq. (10)
         rocker_cos = np.cos(t1)
-        t2 = 0.51 * rocker_cos
-        t3 = t2 * t2
+        minus_rocker_joint_force_my_by_C_fz = 0.51 * rocker_cos
+        t2 = minus_rocker_joint_force_my_by_C_fz * minus_rocker_joint_force_my_by_C_fz
         minus_rocker_sin = np.sin(t1)
-        t5 = 0.64 - 0.51 * minus_rocker_sin
-        t7 = t3 + t5 * t5
-        t8 = t7 - 0.2725
-        coupler_cos = 6.666666666666667 * t8
-        t9 = 1.0 / t7
-        minus_crank_lever_moment_y_by_C_fz = 0.15 + 3.3333333333333335 * t8
-        t10 = t2 * minus_crank_lever_moment_y_by_C_fz
-        t11 = 0.5 * t8
-        t13 = 0.005625 - t11 * t11
-        t14 = np.sqrt(t13)
-        t16 = np.where(0.0 != 0.0, -t14, t14)
-        crank_lever_moment_x_by_C_fz = 6.666666666666667 * t16
-        crank_cos = t9 * (t10 + t5 * crank_lever_moment_x_by_C_fz)
-        t19 = 0.51 * D_rate
-        t20 = minus_rocker_sin * t19
-        t21 = crank_cos * t20
-        crank_sin = t9 * (t5 * minus_crank_lever_moment_y_by_C_fz - t2 * crank_lever_moment_x_by_C_fz)
-        t25 = rocker_cos * t19
-        t27 = t21 + crank_sin * t25
-        t28 = coupler_cos * t27
-        coupler_sin = 13.333333333333334 * t16
-        t31 = crank_sin * t20 - crank_cos * t25
-        minus_C_opening_rate_fx = t28 - coupler_sin * t31
-        crank_lever_moment_z_by_C_fx = 2.0 * t16
-        crank_omega_z = minus_C_opening_rate_fx / crank_lever_moment_z_by_C_fx
-        t36 = coupler_sin * t27 + coupler_cos * t31 + (t7 + 0.2275) * crank_omega_z
-        B_v = -(2.0 * t36)
-        return _finish(batch, ((crank_omega_z, B_v, D_rate),), ((crank_lever_moment_z_by_C_fx,
-            3.01689e-10),), (crank_lever_moment_z_by_C_fx, B_v), ((t13, 0.0, None, 11),))
+        t3 = 0.64 - 0.51 * minus_rocker_sin
+        t5 = t2 + t3 * t3
+        t6 = t5 - 0.2725
+        coupler_cos = 6.666666666666667 * t6
+        t7 = 1.0 / t5
+        minus_crank_lever_my_by_C_fz = 0.15 + 3.3333333333333335 * t6
+        t8 = minus_rocker_joint_force_my_by_C_fz * minus_crank_lever_my_by_C_fz  # crank
+        t9 = 0.5 * t6
+        t11 = 0.005625 - t9 * t9
+        t12 = np.sqrt(t11)
+        t14 = np.where(0.0 != 0.0, -t12, t12)
+        crank_lever_mx_by_C_fz = 6.666666666666667 * t14
+        crank_cos = t7 * (t8 + t3 * crank_lever_mx_by_C_fz)
+        t17 = 0.51 * D_rate  # D
+        t18 = minus_rocker_sin * t17  # C
+        t19 = crank_cos * t18  # C
+        t20 = t3 * minus_crank_lever_my_by_C_fz  # crank
+        crank_sin = t7 * (t20 - minus_rocker_joint_force_my_by_C_fz * crank_lever_mx_by_C_fz)
+        t23 = rocker_cos * t17  # C
+        t25 = t19 + crank_sin * t23  # C
+        t26 = coupler_cos * t25  # C
+        coupler_sin = 13.333333333333334 * t14
+        t29 = crank_sin * t18 - crank_cos * t23  # C
+        minus_C_opening_rate_fx = t26 - coupler_sin * t29
+        crank_lever_mz_by_C_fx = 2.0 * t14
+        crank_omega_z = minus_C_opening_rate_fx / crank_lever_mz_by_C_fx
+        t34 = coupler_sin * t25 + coupler_cos * t29 + (t5 + 0.2275) * crank_omega_z  # B
+        B_v = -(2.0 * t34)
+        return _finish(batch, ((crank_omega_z, B_v, D_rate),), ((crank_lever_mz_by_C_fx,
+            3.01689e-10),), (crank_lever_mz_by_C_fx, B_v), ((t11, 0.0, None, 11),))
 
 
 def inverse_dynamics_platform(*arguments):
@@ -2235,74 +2300,79 @@ def inverse_dynamics_platform(*arguments):
         D_pose, D_rate, D_acc,
     ) = entries
     with np.errstate(all="ignore"):
+        # D: geometry
         t1 = 0.4899573262537283 - D_pose
+        # rocker: geometry; balance, eqs. (40)-(47)
         rocker_cos = np.cos(t1)
-        t2 = 0.51 * rocker_cos
-        t3 = t2 * t2
+        minus_rocker_joint_force_my_by_C_fz = 0.51 * rocker_cos
+        # rocker: reciprocal wrenches, eq. (10); geometry; loop closure
+        t2 = minus_rocker_joint_force_my_by_C_fz * minus_rocker_joint_force_my_by_C_fz
         minus_rocker_sin = np.sin(t1)
-        t4 = 0.51 * minus_rocker_sin
-        t5 = 0.64 - t4
-        t7 = t3 + t5 * t5
-        t8 = t7 - 0.2725
-        t9 = 0.5 * t8
-        t11 = 0.005625 - t9 * t9
-        t12 = np.sqrt(t11)
-        t14 = np.where(0.0 != 0.0, -t12, t12)
-        crank_lever_moment_z_by_C_fx = 2.0 * t14
-        rocker_rate_moment_z_2 = 3.00186 * minus_rocker_sin + 0.10404 * D_acc
-        t16 = 1.0 / t7
-        minus_crank_lever_moment_y_by_C_fz = 0.15 + 3.3333333333333335 * t8
-        t17 = t5 * minus_crank_lever_moment_y_by_C_fz
-        crank_lever_moment_x_by_C_fz = 6.666666666666667 * t14
-        crank_sin = t16 * (t17 - t2 * crank_lever_moment_x_by_C_fz)
-        coupler_sin = 13.333333333333334 * t14
-        minus_C_part_fx_by_A = 1.0 / crank_lever_moment_z_by_C_fx
-        coupler_cos = 6.666666666666667 * t8
-        crank_cos = t16 * (t2 * minus_crank_lever_moment_y_by_C_fz + t5 * crank_lever_moment_x_by_C_fz)
-        t23 = 0.51 * (D_rate * D_rate)
-        t24 = rocker_cos * t23
-        t25 = 0.51 * D_acc
-        t27 = t24 - minus_rocker_sin * t25
-        t28 = crank_cos * t27
-        t31 = minus_rocker_sin * t23 + rocker_cos * t25
-        t33 = t28 - crank_sin * t31
-        t34 = coupler_cos * t33
-        t37 = crank_sin * t27 + crank_cos * t31
-        t39 = t34 - coupler_sin * t37
-        t40 = 0.51 * D_rate
-        t41 = minus_rocker_sin * t40
-        t42 = crank_cos * t41
-        t43 = rocker_cos * t40
-        t45 = t42 + crank_sin * t43
-        t46 = coupler_cos * t45
-        t49 = crank_sin * t41 - crank_cos * t43
-        crank_omega_z = (t46 - coupler_sin * t49) * minus_C_part_fx_by_A
-        t51 = 0.15 * (crank_omega_z * crank_omega_z)
-        minus_coupler_acc_x = coupler_cos * t51
-        C_opening_rate_fy = coupler_sin * t45 + coupler_cos * t49
-        crank_lever_moment_z_by_C_fy = t7 + 0.2275
-        coupler_omega_z = crank_omega_z - 2.0 * (C_opening_rate_fy + crank_lever_moment_z_by_C_fy * crank_omega_z)
+        minus_rocker_joint_force_mx_by_C_fz = 0.51 * minus_rocker_sin
+        t3 = 0.64 - minus_rocker_joint_force_mx_by_C_fz
+        t5 = t2 + t3 * t3
+        t6 = t5 - 0.2725
+        t7 = 0.5 * t6
+        t9 = 0.005625 - t7 * t7
+        t10 = np.sqrt(t9)
+        t12 = np.where(0.0 != 0.0, -t10, t10)
+        crank_lever_mz_by_C_fx = 2.0 * t12
+        rocker_rate_mz_2 = 3.00186 * minus_rocker_sin + 0.10404 * D_acc
+        t14 = 1.0 / t5
+        minus_crank_lever_my_by_C_fz = 0.15 + 3.3333333333333335 * t6
+        t15 = t3 * minus_crank_lever_my_by_C_fz  # crank
+        crank_lever_mx_by_C_fz = 6.666666666666667 * t12
+        crank_sin = t14 * (t15 - minus_rocker_joint_force_my_by_C_fz * crank_lever_mx_by_C_fz)
+        coupler_sin = 13.333333333333334 * t12
+        minus_C_part_fx_by_A = 1.0 / crank_lever_mz_by_C_fx
+        coupler_cos = 6.666666666666667 * t6
+        t18 = minus_rocker_joint_force_my_by_C_fz * minus_crank_lever_my_by_C_fz  # crank
+        crank_cos = t14 * (t18 + t3 * crank_lever_mx_by_C_fz)
+        t21 = 0.51 * (D_rate * D_rate)
+        t22 = rocker_cos * t21
+        t23 = 0.51 * D_acc  # D
+        # C: loop closure; balance, eqs. (40)-(47)
+        t25 = t22 - minus_rocker_sin * t23
+        t26 = crank_cos * t25
+        t29 = minus_rocker_sin * t21 + rocker_cos * t23
+        t31 = t26 - crank_sin * t29
+        t32 = coupler_cos * t31
+        t35 = crank_sin * t25 + crank_cos * t29
+        t37 = t32 - coupler_sin * t35
+        t38 = 0.51 * D_rate  # D
+        t39 = minus_rocker_sin * t38
+        t40 = crank_cos * t39
+        t41 = rocker_cos * t38
+        t43 = t40 + crank_sin * t41
+        t44 = coupler_cos * t43
+        t47 = crank_sin * t39 - crank_cos * t41
+        crank_omega_z = (t44 - coupler_sin * t47) * minus_C_part_fx_by_A
+        t49 = 0.15 * (crank_omega_z * crank_omega_z)  # crank
+        minus_coupler_acc_x = coupler_cos * t49
+        C_opening_rate_fy = coupler_sin * t43 + coupler_cos * t47
+        crank_lever_mz_by_C_fy = t5 + 0.2275
+        coupler_omega_z = crank_omega_z - 2.0 * (C_opening_rate_fy + crank_lever_mz_by_C_fy * crank_omega_z)
         minus_coupler_U_xx = coupler_omega_z * coupler_omega_z
-        minus_crank_alpha_z = minus_C_part_fx_by_A * (t39 - (minus_coupler_acc_x + 0.5 * minus_coupler_U_xx))
-        C_opening_bias_fy = coupler_sin * t51 - (coupler_sin * t33 + coupler_cos * t37)
-        minus_coupler_alpha_z = minus_crank_alpha_z + 2.0 * (C_opening_bias_fy - crank_lever_moment_z_by_C_fy * minus_crank_alpha_z)
-        t65 = 0.1 * minus_coupler_alpha_z
-        t67 = coupler_sin * (t51 - 9.81 * crank_cos)
-        t71 = 0.3 * (t67 - coupler_cos * (9.81 * crank_sin + 0.15 * minus_crank_alpha_z))
-        minus_C_multiplier_fy = 2.0 * (t65 - t71)
-        t72 = coupler_sin * minus_C_multiplier_fy
-        t73 = crank_sin * t72
-        t74 = coupler_cos * minus_C_multiplier_fy
-        t77 = t2 * (t73 - crank_cos * t74)
-        rocker_joint_force_moment_z = rocker_rate_moment_z_2 + (t77 + t4 * (crank_cos * t72 + crank_sin * t74))
-        t85 = t2 * (crank_sin * coupler_cos + crank_cos * coupler_sin)
-        minus_C_closure_fx_by_D = t85 + t4 * (crank_cos * coupler_cos - crank_sin * coupler_sin)
-        t89 = crank_lever_moment_z_by_C_fx * (rocker_joint_force_moment_z / minus_C_closure_fx_by_D)
-        t92 = coupler_sin * (0.3 * minus_coupler_U_xx) + coupler_cos * (0.3 * minus_coupler_alpha_z) - t74
-        A_balance = t89 - (0.15 * t92 + (0.03075 * minus_crank_alpha_z + 2.133675 * crank_sin))
-        return _finish(batch, ((A_balance,),), ((crank_lever_moment_z_by_C_fx, 3.01689e-10),
+        minus_crank_alpha_z = minus_C_part_fx_by_A * (t37 - (minus_coupler_acc_x + 0.5 * minus_coupler_U_xx))
+        C_opening_bias_fy = coupler_sin * t49 - (coupler_sin * t31 + coupler_cos * t35)
+        minus_coupler_alpha_z = minus_crank_alpha_z + 2.0 * (C_opening_bias_fy - crank_lever_mz_by_C_fy * minus_crank_alpha_z)
+        t63 = 0.1 * minus_coupler_alpha_z  # coupler
+        t65 = coupler_sin * (t49 - 9.81 * crank_cos)  # coupler
+        t69 = 0.3 * (t65 - coupler_cos * (9.81 * crank_sin + 0.15 * minus_crank_alpha_z))  # coupler
+        minus_C_multiplier_fy = 2.0 * (t63 - t69)
+        t70 = coupler_sin * minus_C_multiplier_fy  # rocker
+        t71 = crank_sin * t70  # rocker
+        t72 = coupler_cos * minus_C_multiplier_fy  # rocker
+        t75 = minus_rocker_joint_force_my_by_C_fz * (t71 - crank_cos * t72)  # rocker
+        rocker_joint_force_mz = rocker_rate_mz_2 + (t75 + minus_rocker_joint_force_mx_by_C_fz * (crank_cos * t70 + crank_sin * t72))
+        t83 = minus_rocker_joint_force_my_by_C_fz * (crank_sin * coupler_cos + crank_cos * coupler_sin)
+        minus_C_closure_fx_by_D = t83 + minus_rocker_joint_force_mx_by_C_fz * (crank_cos * coupler_cos - crank_sin * coupler_sin)
+        t87 = crank_lever_mz_by_C_fx * (rocker_joint_force_mz / minus_C_closure_fx_by_D)  # A
+        t90 = coupler_sin * (0.3 * minus_coupler_U_xx) + coupler_cos * (0.3 * minus_coupler_alpha_z) - t72  # crank
+        A_balance = t87 - (0.15 * t90 + (0.03075 * minus_crank_alpha_z + 2.133675 * crank_sin))
+        return _finish(batch, ((A_balance,),), ((crank_lever_mz_by_C_fx, 3.01689e-10),
             (minus_C_closure_fx_by_D, 5.057800000000001e-10)), (minus_C_closure_fx_by_D, A_balance),
-            ((t11, 0.0, None, 11),))
+            ((t9, 0.0, None, 11),))
 
 
 def _assemble_step(*arguments):
@@ -2312,46 +2382,50 @@ def _assemble_step(*arguments):
         A_q, B_q, D_q, A_y,
     ) = entries
     with np.errstate(all="ignore"):
+        # A: results
         t1 = A_q - A_y
         crank_sin = np.sin(A_q)
-        t2 = 0.9272952180016122 + B_q
+        t2 = 0.9272952180016122 + B_q  # B
         coupler_cos = np.cos(t2)
-        t3 = crank_sin * coupler_cos
+        t3 = crank_sin * coupler_cos  # coupler
         crank_cos = np.cos(A_q)
         coupler_sin = np.sin(t2)
         coupler_rotation_xx = t3 + crank_cos * coupler_sin
-        t6 = 0.15 * crank_sin + 0.5 * coupler_rotation_xx
-        t7 = 0.4899573262537283 - D_q
-        t8 = 0.51 * np.sin(t7)
-        t10 = t6 - (0.64 - t8)
-        t11 = coupler_rotation_xx * t10
+        t6 = 0.15 * crank_sin + 0.5 * coupler_rotation_xx  # coupler
+        t7 = 0.4899573262537283 - D_q  # D
+        minus_rocker_joint_force_mx_by_C_fz = 0.51 * np.sin(t7)
+        # C: loop closure; results
+        t9 = t6 - (0.64 - minus_rocker_joint_force_mx_by_C_fz)
+        t10 = coupler_rotation_xx * t9
         minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos
-        t15 = 0.15 * crank_cos - 0.5 * minus_coupler_rotation_xy
-        t16 = 0.51 * np.cos(t7)
-        t17 = t15 - t16
-        C_opening_fx = t11 - minus_coupler_rotation_xy * t17
-        minus_C_closure_fx_by_D = coupler_rotation_xx * t16 - minus_coupler_rotation_xy * t8
-        t21 = 1.0 / minus_C_closure_fx_by_D
-        t22 = C_opening_fx * t21
-        t24 = t21 * (0.15 * coupler_sin * t1)
-        t25 = t22 - t24
-        t26 = t25 * t25
-        t27 = t1 * t1
-        minus_C_opening_fy = minus_coupler_rotation_xy * t10 + coupler_rotation_xx * t17
-        C_closure_fy_by_D = minus_coupler_rotation_xy * t16 + coupler_rotation_xx * t8
-        t33 = minus_C_opening_fy - C_closure_fy_by_D * t22
-        t38 = t33 + ((0.5 + 0.15 * coupler_cos) * t1 + C_closure_fy_by_D * t24)
-        t39 = 2.0 * t38
-        step_step = np.sqrt(t26 + (t27 + t39 * t39))
-        t43 = np.where(step_step < 0.5, 1.0, 0.0)
-        t46 = np.where(t43 != 0.0, 1.0, 0.5 / np.where(t43 != 0.0, 1.0, step_step))
-        A_q_next = A_q - t1 * t46
-        B_q_next = B_q + t39 * t46
-        D_q_next = D_q + t25 * t46
-        t50 = 3.3146717314850727 * C_opening_fx
-        t51 = t50 * t50
-        t52 = 3.3146717314850727 * minus_C_opening_fy
-        residual_residual = np.sqrt(t51 + t52 * t52)
+        t14 = 0.15 * crank_cos - 0.5 * minus_coupler_rotation_xy  # coupler
+        minus_rocker_joint_force_my_by_C_fz = 0.51 * np.cos(t7)
+        t15 = t14 - minus_rocker_joint_force_my_by_C_fz
+        C_opening_fx = t10 - minus_coupler_rotation_xy * t15
+        t17 = coupler_rotation_xx * minus_rocker_joint_force_my_by_C_fz
+        minus_C_closure_fx_by_D = t17 - minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz
+        t19 = 1.0 / minus_C_closure_fx_by_D
+        t20 = C_opening_fx * t19
+        t22 = t19 * (0.15 * coupler_sin * t1)  # step
+        t23 = t20 - t22  # step
+        t24 = t23 * t23  # step
+        t25 = t1 * t1  # A
+        minus_C_opening_fy = minus_coupler_rotation_xy * t9 + coupler_rotation_xx * t15
+        t28 = minus_coupler_rotation_xy * minus_rocker_joint_force_my_by_C_fz
+        C_closure_fy_by_D = t28 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz
+        t31 = minus_C_opening_fy - C_closure_fy_by_D * t20
+        t36 = t31 + ((0.5 + 0.15 * coupler_cos) * t1 + C_closure_fy_by_D * t22)  # step
+        t37 = 2.0 * t36  # step
+        step_step = np.sqrt(t24 + (t25 + t37 * t37))
+        t41 = np.where(step_step < 0.5, 1.0, 0.0)  # step
+        t44 = np.where(t41 != 0.0, 1.0, 0.5 / np.where(t41 != 0.0, 1.0, step_step))  # step
+        A_q_next = A_q - t1 * t44
+        B_q_next = B_q + t37 * t44
+        D_q_next = D_q + t23 * t44
+        t48 = 3.3146717314850727 * C_opening_fx
+        t49 = t48 * t48
+        t50 = 3.3146717314850727 * minus_C_opening_fy
+        residual_residual = np.sqrt(t49 + t50 * t50)
         orientation_orientation = -(0.5 * minus_C_closure_fx_by_D)
         return _finish(batch, ((A_q_next, B_q_next, D_q_next), (residual_residual,), (step_step,),
             (orientation_orientation,)), ((minus_C_closure_fx_by_D, 3.01689e-13),), (step_step,
@@ -2401,6 +2475,7 @@ def limb_margins(*arguments):
         A_q, B_q, D_q,
     ) = entries
     with np.errstate(all="ignore"):
+        # rocker: results
         rocker_margins = 0.8240286515629687 * np.sin(0.9272952180016122 + B_q)
         return _finish(batch, ((rocker_margins,),), (), (rocker_margins, A_q, D_q))
 
@@ -2423,28 +2498,30 @@ def constraint_margin(*arguments):
         A_q, B_q, D_q,
     ) = entries
     with np.errstate(all="ignore"):
+        # B: geometry
         t1 = 0.9272952180016122 + B_q
         coupler_sin = np.sin(t1)
-        t2 = 0.8240286515629687 * coupler_sin
-        t3 = t2 * t2
-        t4 = 0.4972007597227609 * coupler_sin
+        t2 = 0.8240286515629687 * coupler_sin  # coupler
+        t3 = t2 * t2  # coupler
+        t4 = 0.4972007597227609 * coupler_sin  # coupler
         crank_sin = np.sin(A_q)
-        t5 = crank_sin * coupler_sin
+        t5 = crank_sin * coupler_sin  # coupler
         crank_cos = np.cos(A_q)
         coupler_cos = np.cos(t1)
         minus_coupler_rotation_xy = t5 - crank_cos * coupler_cos
-        t7 = 0.4899573262537283 - D_q
-        t8 = 0.51 * np.cos(t7)
-        t9 = minus_coupler_rotation_xy * t8
+        t7 = 0.4899573262537283 - D_q  # D
+        minus_rocker_joint_force_my_by_C_fz = 0.51 * np.cos(t7)
+        t8 = minus_coupler_rotation_xy * minus_rocker_joint_force_my_by_C_fz  # C
         coupler_rotation_xx = crank_sin * coupler_cos + crank_cos * coupler_sin
-        t12 = 0.51 * np.sin(t7)
-        t15 = t4 * (3.3146717314850727 * (t9 + coupler_rotation_xx * t12))
-        minus_C_closure_fx_by_D = coupler_rotation_xx * t8 - minus_coupler_rotation_xy * t12
-        t21 = 3.3146717314850727 * minus_C_closure_fx_by_D * (3.3146717314850727 * (0.5 + 0.15 * coupler_cos))
-        t22 = t15 + t21
-        t24 = t3 + t22 * t22
-        t25 = 5.4935243437531245 * minus_C_closure_fx_by_D
-        rocker_margins = t24 + t25 * t25
+        minus_rocker_joint_force_mx_by_C_fz = 0.51 * np.sin(t7)
+        t13 = t4 * (3.3146717314850727 * (t8 + coupler_rotation_xx * minus_rocker_joint_force_mx_by_C_fz))  # rocker
+        t14 = coupler_rotation_xx * minus_rocker_joint_force_my_by_C_fz  # C
+        minus_C_closure_fx_by_D = t14 - minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz
+        t19 = 3.3146717314850727 * minus_C_closure_fx_by_D * (3.3146717314850727 * (0.5 + 0.15 * coupler_cos))  # rocker
+        t20 = t13 + t19  # rocker
+        t22 = t3 + t20 * t20  # rocker
+        t23 = 5.4935243437531245 * minus_C_closure_fx_by_D  # C
+        rocker_margins = t22 + t23 * t23
         return _finish(batch, ((rocker_margins,),), (), (rocker_margins,))
 
 
@@ -2466,15 +2543,16 @@ def actuation_margins(*arguments):
         A_q, B_q, D_q,
     ) = entries
     with np.errstate(all="ignore"):
+        # crank: geometry
         crank_sin = np.sin(A_q)
-        t1 = 0.9272952180016122 + B_q
+        t1 = 0.9272952180016122 + B_q  # B
         coupler_cos = np.cos(t1)
-        t2 = crank_sin * coupler_cos
+        t2 = crank_sin * coupler_cos  # coupler
         crank_cos = np.cos(A_q)
         coupler_sin = np.sin(t1)
         coupler_rotation_xx = t2 + crank_cos * coupler_sin
-        t4 = 0.4899573262537283 - D_q
-        t6 = coupler_rotation_xx * (0.51 * np.cos(t4))
-        t10 = (crank_sin * coupler_sin - crank_cos * coupler_cos) * (0.51 * np.sin(t4))
-        all_drives_margins = 5.4935243437531245 * (t6 - t10)
+        t4 = 0.4899573262537283 - D_q  # D
+        t5 = coupler_rotation_xx * (0.51 * np.cos(t4))  # C
+        t8 = (crank_sin * coupler_sin - crank_cos * coupler_cos) * (0.51 * np.sin(t4))  # C
+        all_drives_margins = 5.4935243437531245 * (t5 - t8)
         return _finish(batch, ((all_drives_margins,),), (), (all_drives_margins,))

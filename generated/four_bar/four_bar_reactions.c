@@ -11,141 +11,111 @@ BODY(four_bar_joint_reactions)(size_t stride, const double *restrict q, const do
 {
     (void)q;
     /* A: accelerations */
-    const REAL A_v = READ(v, 0);
-    const REAL minus_crank_U_still_xx = A_v * A_v;
-    const REAL crank_cos = SINES(cosine, 0);
-    const REAL t43 = crank_mx * minus_crank_U_still_xx; /* crank */
-    const REAL t7 = B_at_z * minus_crank_U_still_xx - gravity_z * crank_cos; /* crank */
+    const REAL A_v = READ(v, 0), minus_crank_U_still_xx = A_v * A_v, crank_cos = SINES(cosine, 0),
+      t41 = crank_mx * minus_crank_U_still_xx, /* crank */
+      t6 = B_at_z * minus_crank_U_still_xx - gravity_z * crank_cos; /* crank */
     /* coupler: geometry; accelerations; momentum rate, eq. (35) */
-    const REAL coupler_sin = SINES(sine, 1), coupler_cos = SINES(cosine, 1), A_a = READ(a, 0);
-    const REAL crank_sin = SINES(sine, 0);
-    const REAL t8 = coupler_sin * t7;
-    const REAL t36 = coupler_cos * t7;
-    const REAL t10 = B_at_z * A_a - gravity_z * crank_sin;
-    const REAL coupler_acc_y = t8 + coupler_cos * t10;
-    const REAL t38 = rocker_m * (t36 - coupler_sin * t10);
-    const REAL t12 = coupler_com_z * coupler_acc_y;
-    const REAL t40 = rocker_m * coupler_acc_y;
-    const REAL coupler_twist_rate_angular_y = A_a + READ(a, 1);
-    const REAL C_multiplier_fy = 2.0 * (coupler_sxx * coupler_twist_rate_angular_y + t12);
-    const REAL coupler_rate_force_y = coupler_com_z * coupler_twist_rate_angular_y;
-    const REAL t32 = coupler_cos * coupler_rate_force_y;
-    const REAL minus_coupler_sent_force_y = C_multiplier_fy - (coupler_rate_force_y + t40);
+    const REAL coupler_sin = SINES(sine, 1), coupler_cos = SINES(cosine, 1), A_a = READ(a, 0),
+      crank_sin = SINES(sine, 0), t7 = coupler_sin * t6, t34 = coupler_cos * t6,
+      t9 = B_at_z * A_a - gravity_z * crank_sin, coupler_acc_y = t7 + coupler_cos * t9,
+      t36 = rocker_m * (t34 - coupler_sin * t9), t11 = coupler_com_z * coupler_acc_y, t38 = rocker_m * coupler_acc_y,
+      coupler_twist_rate_wy = A_a + READ(a, 1), C_multiplier_fy = 2.0 * (coupler_sxx * coupler_twist_rate_wy + t11),
+      coupler_rate_fy = coupler_com_z * coupler_twist_rate_wy, t30 = coupler_cos * coupler_rate_fy,
+      minus_coupler_sent_fy = C_multiplier_fy - (coupler_rate_fy + t38);
     /* rocker: balance, eqs. (40)-(47); geometry */
-    const REAL t13 = coupler_sin * C_multiplier_fy;
-    const REAL t14 = crank_sin * t13;
-    const REAL t15 = coupler_cos * C_multiplier_fy;
-    const REAL rocker_cos = SINES(cosine, 2);
-    const REAL t17 = t14 - crank_cos * t15;
-    const REAL t4 = k6 * rocker_cos;
-    const REAL minus_rocker_sin = SINES(sine, 2);
-    const REAL t18 = t4 * t17;
-    const REAL t22 = crank_cos * t13 + crank_sin * t15;
-    const REAL t19 = k6 * minus_rocker_sin;
-    const REAL D_a = READ(a, 2);
-    const REAL rocker_joint_force_moment_z = gravity_z_rocker_mx * minus_rocker_sin + rocker_sxx * D_a - (t18 + t19 * t22);
-    const REAL coupler_rotation_xx = crank_sin * coupler_cos + crank_cos * coupler_sin;
-    const REAL t27 = coupler_rotation_xx * t4; /* C */
-    const REAL minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos;
-    const REAL minus_C_closure_fx_by_D = t27 - minus_coupler_rotation_xy * t19;
+    const REAL t12 = coupler_sin * C_multiplier_fy, t13 = crank_sin * t12, t14 = coupler_cos * C_multiplier_fy,
+      rocker_cos = SINES(cosine, 2), t16 = t13 - crank_cos * t14,
+      minus_rocker_joint_force_my_by_C_fz = k6 * rocker_cos, minus_rocker_sin = SINES(sine, 2),
+      t17 = minus_rocker_joint_force_my_by_C_fz * t16, t20 = crank_cos * t12 + crank_sin * t14,
+      minus_rocker_joint_force_mx_by_C_fz = k6 * minus_rocker_sin, D_a = READ(a, 2),
+      t22 = t17 + minus_rocker_joint_force_mx_by_C_fz * t20,
+      rocker_joint_force_mz = gravity_z_rocker_mx * minus_rocker_sin + rocker_sxx * D_a - t22,
+      coupler_rotation_xx = crank_sin * coupler_cos + crank_cos * coupler_sin,
+      t25 = coupler_rotation_xx * minus_rocker_joint_force_my_by_C_fz, /* C */
+      minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos,
+      minus_C_closure_fx_by_D = t25 - minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz;
     REAL checked0 = minus_C_closure_fx_by_D;
-    const REAL minus_C_multiplier_fx = rocker_joint_force_moment_z / minus_C_closure_fx_by_D;
-    const REAL t31 = B_at_z * coupler_sin * minus_C_multiplier_fx; /* A */
-    const REAL coupler_omega_z = A_v + READ(v, 1);
-    const REAL minus_coupler_rate_force_x = coupler_com_z * (coupler_omega_z * coupler_omega_z);
-    const REAL t34 = B_at_z * (coupler_sin * minus_coupler_rate_force_x - t32 + t15); /* crank */
-    const REAL coupler_sent_force_x = minus_C_multiplier_fx - (minus_coupler_rate_force_x + t38);
-    const REAL A_balance = t31 - (t34 + (k10 * crank_sin - k7 * A_a));
+    const REAL minus_C_multiplier_fx = rocker_joint_force_mz / minus_C_closure_fx_by_D,
+      t29 = B_at_z * coupler_sin * minus_C_multiplier_fx, /* A */
+      coupler_omega_z = A_v + READ(v, 1), minus_coupler_rate_fx = coupler_com_z * (coupler_omega_z * coupler_omega_z),
+      t32 = B_at_z * (coupler_sin * minus_coupler_rate_fx - t30 + t14), /* crank */
+      coupler_sent_fx = minus_C_multiplier_fx - (minus_coupler_rate_fx + t36),
+      A_balance = t29 - (t32 + (k10 * crank_sin - k7 * A_a));
     WRITE(u, 0, A_balance);
     REAL checked1 = A_balance;
-    const REAL t45 = coupler_sin * coupler_sent_force_x; /* coupler */
-    const REAL coupler_joint_sent_force_x = coupler_cos * coupler_sent_force_x + coupler_sin * minus_coupler_sent_force_y;
-    const REAL coupler_joint_sent_force_y = t45 - coupler_cos * minus_coupler_sent_force_y;
+    const REAL t43 = coupler_sin * coupler_sent_fx, /* coupler */
+      coupler_joint_sent_fx = coupler_cos * coupler_sent_fx + coupler_sin * minus_coupler_sent_fy,
+      coupler_joint_sent_fy = t43 - coupler_cos * minus_coupler_sent_fy;
     /* crank: balance, eqs. (40)-(47) */
-    const REAL crank_sent_force_x = coupler_joint_sent_force_x + (crank_m_gravity_z * crank_cos - t43);
-    const REAL t44 = crank_sin * crank_sent_force_x;
-    const REAL t50 = crank_cos * crank_sent_force_x;
-    const REAL crank_sent_force_y = coupler_joint_sent_force_y - (crank_m_gravity_z * crank_sin - crank_mx * A_a);
-    const REAL crank_joint_sent_force_y = t44 + crank_cos * crank_sent_force_y;
-    WRITE(reactions, 0, crank_joint_sent_force_y);
-    REAL checked2 = crank_joint_sent_force_y;
-    const REAL crank_joint_sent_force_x = t50 - crank_sin * crank_sent_force_y;
-    WRITE(reactions, 2, crank_joint_sent_force_x);
-    REAL checked3 = crank_joint_sent_force_x;
-    const REAL t54 = crank_cos * coupler_joint_sent_force_x; /* B */
-    const REAL B_reaction_force_x = crank_sin * coupler_joint_sent_force_x + crank_cos * coupler_joint_sent_force_y;
-    WRITE(reactions, 6, B_reaction_force_x);
-    const REAL B_reaction_force_z = t54 - crank_sin * coupler_joint_sent_force_y;
-    WRITE(reactions, 8, B_reaction_force_z);
-    const REAL coupler_position_z = B_at_z * crank_cos;
-    const REAL t56 = coupler_position_z * B_reaction_force_x; /* B */
-    const REAL coupler_position_x = B_at_z * crank_sin;
-    RESULT(checked0, reactions, 10, t56 - coupler_position_x * B_reaction_force_z);
-    const REAL minus_C_reaction_force_z = minus_coupler_rotation_xy * minus_C_multiplier_fx - coupler_rotation_xx * C_multiplier_fy;
-    RESULT(checked1, reactions, 14, -minus_C_reaction_force_z);
-    const REAL C_reaction_force_x = coupler_rotation_xx * minus_C_multiplier_fx + minus_coupler_rotation_xy * C_multiplier_fy;
-    WRITE(reactions, 12, C_reaction_force_x);
-    const REAL t64 = (coupler_position_z - 0.5 * minus_coupler_rotation_xy) * C_reaction_force_x; /* C */
-    const REAL t111 = per_length * minus_coupler_rotation_xy; /* coupler */
-    RESULT(checked2, reactions, 16, t64 + (coupler_position_x + 0.5 * coupler_rotation_xx) * minus_C_reaction_force_z);
-    const REAL t109 = per_length * coupler_rotation_xx; /* coupler */
+    const REAL crank_sent_fx = coupler_joint_sent_fx + (crank_m_gravity_z * crank_cos - t41),
+      t42 = crank_sin * crank_sent_fx, t48 = crank_cos * crank_sent_fx,
+      crank_sent_fy = coupler_joint_sent_fy - (crank_m_gravity_z * crank_sin - crank_mx * A_a),
+      crank_joint_sent_fy = t42 + crank_cos * crank_sent_fy;
+    WRITE(reactions, 0, crank_joint_sent_fy);
+    REAL checked2 = crank_joint_sent_fy;
+    const REAL crank_joint_sent_fx = t48 - crank_sin * crank_sent_fy;
+    WRITE(reactions, 2, crank_joint_sent_fx);
+    REAL checked3 = crank_joint_sent_fx;
+    const REAL t52 = crank_cos * coupler_joint_sent_fx, /* B */
+      B_reaction_fx = crank_sin * coupler_joint_sent_fx + crank_cos * coupler_joint_sent_fy;
+    WRITE(reactions, 6, B_reaction_fx);
+    const REAL B_reaction_fz = t52 - crank_sin * coupler_joint_sent_fy;
+    WRITE(reactions, 8, B_reaction_fz);
+    const REAL coupler_position_z = B_at_z * crank_cos, t54 = coupler_position_z * B_reaction_fx, /* B */
+      coupler_position_x = B_at_z * crank_sin;
+    RESULT(checked0, reactions, 10, t54 - coupler_position_x * B_reaction_fz);
+    const REAL minus_C_reaction_fz = minus_coupler_rotation_xy * minus_C_multiplier_fx - coupler_rotation_xx * C_multiplier_fy;
+    RESULT(checked1, reactions, 14, -minus_C_reaction_fz);
+    const REAL C_reaction_fx = coupler_rotation_xx * minus_C_multiplier_fx + minus_coupler_rotation_xy * C_multiplier_fy;
+    WRITE(reactions, 12, C_reaction_fx);
+    const REAL t62 = (coupler_position_z - 0.5 * minus_coupler_rotation_xy) * C_reaction_fx, /* C */
+      t109 = per_length * minus_coupler_rotation_xy; /* coupler */
+    RESULT(checked2, reactions, 16, t62 + (coupler_position_x + 0.5 * coupler_rotation_xx) * minus_C_reaction_fz);
+    const REAL t107 = per_length * coupler_rotation_xx; /* coupler */
     /* rocker: balance, eqs. (40)-(47); momentum rate, eq. (35); pivots */
-    const REAL t74 = t13 + coupler_cos * minus_C_multiplier_fx;
-    const REAL t77 = t15 - coupler_sin * minus_C_multiplier_fx;
-    const REAL D_v = READ(v, 2);
-    const REAL t79 = crank_sin * t74 - crank_cos * t77;
-    const REAL t85 = crank_cos * t74 + crank_sin * t77;
-    const REAL minus_rocker_rate_force_x_2 = rocker_mx * (D_v * D_v) - rocker_m_gravity_z * rocker_cos;
-    const REAL t69 = minus_rocker_sin * minus_rocker_rate_force_x_2;
-    const REAL t80 = rocker_cos * minus_rocker_rate_force_x_2;
-    const REAL rocker_rate_force_y_2 = rocker_mx * D_a + rocker_m_gravity_z * minus_rocker_sin;
-    RESULT(checked3, reactions, 18, t69 + rocker_cos * rocker_rate_force_y_2 - t79);
-    const REAL minus_rocker_joint_sent_force_x = t80 - minus_rocker_sin * rocker_rate_force_y_2 + t85;
-    RESULT(checked0, reactions, 20, -minus_rocker_joint_sent_force_x);
-    RESULT(checked1, reactions, 22, D_at_x * minus_rocker_joint_sent_force_x);
-    const REAL t86 = per_length_crank_m * coupler_sin; /* coupler */
-    const REAL t88 = 2.0 + t86 * t86; /* coupler */
-    const REAL t89 = per_length_crank_m * coupler_cos; /* coupler */
-    const REAL t92 = 1.0 + (t88 + t89 * t89); /* coupler */
-    const REAL t93 = k11 * minus_rocker_sin;
-    const REAL t95 = t92 + t93 * t93; /* mechanism */
-    const REAL t96 = k11 * rocker_cos;
-    const REAL t99 = 1.0 + (t95 + t96 * t96); /* mechanism */
-    const REAL minus_crank_lever_moment_y_by_C_fz = B_at_z + 0.5 * coupler_cos;
-    const REAL t101 = crank_sin * minus_crank_lever_moment_y_by_C_fz; /* crank */
-    const REAL t106 = crank_cos * minus_crank_lever_moment_y_by_C_fz; /* crank */
-    const REAL crank_lever_moment_x_by_C_fz = 0.5 * coupler_sin;
-    const REAL t102 = per_length * (crank_cos * crank_lever_moment_x_by_C_fz + t101); /* base */
-    const REAL t107 = per_length * (crank_sin * crank_lever_moment_x_by_C_fz - t106); /* base */
-    const REAL pivot_0 = t99 + t102 * t102 + t107 * t107;
+    const REAL t72 = t12 + coupler_cos * minus_C_multiplier_fx, t75 = t14 - coupler_sin * minus_C_multiplier_fx,
+      D_v = READ(v, 2), t77 = crank_sin * t72 - crank_cos * t75, t83 = crank_cos * t72 + crank_sin * t75,
+      minus_rocker_rate_fx_2 = rocker_mx * (D_v * D_v) - rocker_m_gravity_z * rocker_cos,
+      t67 = minus_rocker_sin * minus_rocker_rate_fx_2, t78 = rocker_cos * minus_rocker_rate_fx_2,
+      rocker_rate_fy_2 = rocker_mx * D_a + rocker_m_gravity_z * minus_rocker_sin;
+    RESULT(checked3, reactions, 18, t67 + rocker_cos * rocker_rate_fy_2 - t77);
+    const REAL minus_rocker_joint_sent_fx = t78 - minus_rocker_sin * rocker_rate_fy_2 + t83;
+    RESULT(checked0, reactions, 20, -minus_rocker_joint_sent_fx);
+    RESULT(checked1, reactions, 22, D_at_x * minus_rocker_joint_sent_fx);
+    const REAL t84 = per_length_crank_m * coupler_sin, /* coupler */
+      t86 = 2.0 + t84 * t84, /* coupler */
+      t87 = per_length_crank_m * coupler_cos, /* coupler */
+      t90 = 1.0 + (t86 + t87 * t87), /* coupler */
+      t91 = k11 * minus_rocker_sin, t93 = t90 + t91 * t91, /* mechanism */
+      t94 = k11 * rocker_cos, t97 = 1.0 + (t93 + t94 * t94), /* mechanism */
+      minus_crank_lever_my_by_C_fz = B_at_z + 0.5 * coupler_cos,
+      t99 = crank_sin * minus_crank_lever_my_by_C_fz, /* crank */
+      t104 = crank_cos * minus_crank_lever_my_by_C_fz, /* crank */
+      crank_lever_mx_by_C_fz = 0.5 * coupler_sin,
+      t100 = per_length * (crank_cos * crank_lever_mx_by_C_fz + t99), /* base */
+      t105 = per_length * (crank_sin * crank_lever_mx_by_C_fz - t104), /* base */
+      pivot_0 = t97 + t100 * t100 + t105 * t105;
     checked2 = checked2 + pivot_0;
-    const REAL t134 = 1.0 / pivot_0; /* mechanism */
-    const REAL t126 = t93 * t111; /* mechanism */
-    const REAL t146 = t93 * t109; /* mechanism */
-    const REAL t113 = per_length * coupler_cos; /* coupler */
-    const REAL t123 = t86 * t113; /* coupler */
-    const REAL t116 = per_length * coupler_sin; /* coupler */
-    const REAL t143 = t86 * t116; /* coupler */
+    const REAL t132 = 1.0 / pivot_0, /* mechanism */
+      t124 = t91 * t109, /* mechanism */
+      t144 = t91 * t107, /* mechanism */
+      t111 = per_length * coupler_cos, /* coupler */
+      t121 = t84 * t111, /* coupler */
+      t114 = per_length * coupler_sin, /* coupler */
+      t141 = t84 * t114; /* coupler */
     /* mechanism: pivots */
-    const REAL t127 = t123 - t89 * t116 + t126;
-    const REAL t117 = t116 * t116; /* coupler */
-    const REAL t147 = t143 + t89 * t113 - t146;
-    const REAL t114 = t113 * t113; /* coupler */
-    const REAL t151 = t147 - t96 * t111 + t102 * t109;
-    const REAL t133 = t127 - t96 * t109 - t102 * t111 + t107 * t109;
-    const REAL t110 = t109 * t109; /* coupler */
-    const REAL t153 = t151 + t107 * t111;
-    const REAL t112 = t111 * t111; /* coupler */
-    const REAL t136 = t133 * (t133 * t134);
-    const REAL t154 = t153 * t134;
-    const REAL t156 = t133 * t154;
-    const REAL t155 = t153 * t154;
-    const REAL t122 = t110 + (t112 + (per_length_squared + t114 + t117 + t112 + t110)); /* coupler */
-    const REAL pivot_1 = t122 - t136;
+    const REAL t125 = t121 - t87 * t114 + t124, t115 = t114 * t114, /* coupler */
+      t145 = t141 + t87 * t111 - t144, t112 = t111 * t111, /* coupler */
+      t149 = t145 - t94 * t109 + t100 * t107, t131 = t125 - t94 * t107 - t100 * t109 + t105 * t107,
+      t108 = t107 * t107, /* coupler */
+      t151 = t149 + t105 * t109, t110 = t109 * t109, /* coupler */
+      t134 = t131 * (t131 * t132), t152 = t151 * t132, t154 = t131 * t152, t153 = t151 * t152,
+      t120 = t108 + (t110 + (per_length_squared + t112 + t115 + t110 + t108)), /* coupler */
+      pivot_1 = t120 - t134;
     checked3 = checked3 + pivot_1;
-    const REAL t159 = t155 + t156 * (t156 / pivot_1);
-    const REAL t142 = t112 + (t110 + (t112 + (t110 + (t114 + (per_length_squared + t117))))); /* coupler */
-    const REAL pivot_2 = t142 - t159;
+    const REAL t157 = t153 + t154 * (t154 / pivot_1),
+      t140 = t110 + (t108 + (t110 + (t108 + (t112 + (per_length_squared + t115))))), /* coupler */
+      pivot_2 = t140 - t157;
     checked0 = checked0 + pivot_2;
     WRITE(reactions, 1, CONSTANT(0.0));
     WRITE(reactions, 3, CONSTANT(0.0));

@@ -77,6 +77,13 @@ int four_bar_constrained(int n, int m, const double *mass, const double *force, 
                              const double *bias, double *v, double *work, double *a, double *multipliers);
 void four_bar_internal_load(int n, int m, const double *jacobian, int found, double *loads);
 
+/* Names of values: part, quantity, component: limb1_lower_omega_x. Components of screws: fx ... mz of
+   wrenches, wx ... vz of twists, px ... Lz of momenta. Quantities: omega, alpha; U = [alpha]x + [omega]x^2;
+   vel, acc of a link's origin; rate, of the momentum screw; force_x ... moment_z, what a link and all that
+   hangs on it need; sent, what it transmits; still: at joint accelerations zero; by: what a coefficient
+   belongs to; minus_: the opposite; t1, t2 ...: the theory has no name for it. Vectors of equal limbs:
+   limb_lower_omega_x; signed_: each lane up to its sign; each_limb1_: what corresponds to that of limb1 in
+   every limb; lanes_1 ...: no name. */
 /* Constants: numbers of the description, and what was folded of them. */
 FOUR_BAR_UNUSED static const double
     B_at_z = 0.15, /* [m] point, absolute axes, of B, also offset_x of coupler: 3/20 */

@@ -12,29 +12,19 @@ BODY(three_ups_upu_s_limb_margins)(size_t stride, const double *restrict q, doub
     REAL checked1 = READ(q, 6);
     REAL checked2 = READ(q, 9);
     /* limb5_S: geometry */
-    const REAL limb5_S_q_qw = READ(q, 12), limb5_S_q_qx = READ(q, 13);
-    const REAL t1 = limb5_S_q_qw * limb5_S_q_qw;
-    const REAL t2 = limb5_S_q_qx * limb5_S_q_qx;
-    const REAL limb5_S_q_qy = READ(q, 14), limb5_S_q_qz = READ(q, 15);
-    const REAL t3 = t1 + t2;
-    const REAL t4 = limb5_S_q_qy * limb5_S_q_qy;
-    const REAL t5 = limb5_S_q_qz * limb5_S_q_qz;
-    const REAL t7 = t3 + (t4 + t5);
-    const REAL t10 = t2 + t5;
-    const REAL t9 = 4.0 - 2.0 * t7;
+    const REAL limb5_S_q_qw = READ(q, 12), limb5_S_q_qx = READ(q, 13), t1 = limb5_S_q_qw * limb5_S_q_qw,
+      t2 = limb5_S_q_qx * limb5_S_q_qx, limb5_S_q_qy = READ(q, 14), limb5_S_q_qz = READ(q, 15), t3 = t1 + t2,
+      t4 = limb5_S_q_qy * limb5_S_q_qy, t5 = limb5_S_q_qz * limb5_S_q_qz, t7 = t3 + (t4 + t5), t10 = t2 + t5,
+      t9 = 4.0 - 2.0 * t7;
     /* limb1: reciprocal wrenches, eq. (10); geometry */
-    const REAL t12 = SINES(cosine, 0) * (1.0 - t9 * t10);
-    const REAL t17 = SINES(sine, 0) * (limb5_S_q_qy * (limb5_S_q_qz * t9) + limb5_S_q_qw * (limb5_S_q_qx * t9));
-    const REAL limb1_U2_constraint_mn_couple_x = t12 + t17;
-    const REAL limb1_upper_offset_x = limb_upper_phase + READ(q, 2);
+    const REAL t12 = SINES(cosine, 0) * (1.0 - t9 * t10),
+      t17 = SINES(sine, 0) * (limb5_S_q_qy * (limb5_S_q_qz * t9) + limb5_S_q_qw * (limb5_S_q_qx * t9)),
+      limb1_U2_constraint_mn_couple_x = t12 + t17, limb1_upper_offset_x = limb_upper_phase + READ(q, 2);
     /* limb1: results; geometry */
-    const REAL t19 = per_length * (limb1_upper_offset_x * limb1_U2_constraint_mn_couple_x);
-    const REAL t22 = per_length * limb1_upper_offset_x;
-    const REAL limb1_lower_sin = SINES(sine, 1);
-    const REAL t23 = limb1_lower_sin * t22;
-    const REAL t24 = t23 * t23;
-    const REAL t26 = SINES(cosine, 1) * t22;
-    const REAL limb1_margins = t19 * (limb1_lower_sin * limb1_lower_sin + t24 + t26 * t26);
+    const REAL t19 = per_length * (limb1_upper_offset_x * limb1_U2_constraint_mn_couple_x),
+      t22 = per_length * limb1_upper_offset_x, limb1_lower_sin = SINES(sine, 1), t23 = limb1_lower_sin * t22,
+      t24 = t23 * t23, t26 = SINES(cosine, 1) * t22,
+      limb1_margins = t19 * (limb1_lower_sin * limb1_lower_sin + t24 + t26 * t26);
     WRITE(margins, 0, limb1_margins);
     REAL checked3 = limb1_margins;
     const REAL t29 = per_length * (limb_upper_phase + READ(q, 5)); /* limb2 */
@@ -56,45 +46,34 @@ BODY(three_ups_upu_s_constraint_margin)(size_t stride, const double *restrict q,
     REAL checked0 = SUM_OF_FOUR(fours);
     REAL checked1 = READ(q, 11);
     /* limb5_S: geometry */
-    const REAL limb5_S_q_qw = READ(q, 12), limb5_S_q_qx = READ(q, 13);
-    const REAL t2 = limb5_S_q_qw * limb5_S_q_qw;
-    const REAL t3 = limb5_S_q_qx * limb5_S_q_qx;
-    const REAL limb5_S_q_qy = READ(q, 14), limb5_S_q_qz = READ(q, 15);
-    const REAL t4 = t2 + t3;
-    const REAL t5 = limb5_S_q_qy * limb5_S_q_qy;
-    const REAL t6 = limb5_S_q_qz * limb5_S_q_qz;
-    const REAL t8 = t4 + (t5 + t6);
-    const REAL t11 = t3 + t6;
-    const REAL t10 = 4.0 - 2.0 * t8;
-    const REAL platform_turn_yy = 1.0 - t10 * t11;
-    const REAL t14 = limb5_S_q_qz * t10;
-    const REAL t23 = limb5_S_q_qw * t14;
-    const REAL platform_turn_zy = limb5_S_q_qy * t14 + limb5_S_q_qw * (limb5_S_q_qx * t10);
+    const REAL limb5_S_q_qw = READ(q, 12), limb5_S_q_qx = READ(q, 13), t2 = limb5_S_q_qw * limb5_S_q_qw,
+      t3 = limb5_S_q_qx * limb5_S_q_qx, limb5_S_q_qy = READ(q, 14), limb5_S_q_qz = READ(q, 15), t4 = t2 + t3,
+      t5 = limb5_S_q_qy * limb5_S_q_qy, t6 = limb5_S_q_qz * limb5_S_q_qz, t8 = t4 + (t5 + t6), t11 = t3 + t6,
+      t10 = 4.0 - 2.0 * t8, platform_turn_yy = 1.0 - t10 * t11, t14 = limb5_S_q_qz * t10, t23 = limb5_S_q_qw * t14,
+      platform_turn_zy = limb5_S_q_qy * t14 + limb5_S_q_qw * (limb5_S_q_qx * t10);
     /* limb1: geometry */
-    const REAL limb1_lower_sin = SINES(sine, 1), limb1_U_0_cos = SINES(cosine, 0), limb1_U_0_sin = SINES(sine, 0);
-    const REAL limb1_lower_cos = SINES(cosine, 1);
+    const REAL limb1_lower_sin = SINES(sine, 1), limb1_U_0_cos = SINES(cosine, 0), limb1_U_0_sin = SINES(sine, 0),
+      limb1_lower_cos = SINES(cosine, 1);
     /* limb1: reciprocal wrenches, eq. (10) */
-    const REAL t24 = limb1_lower_sin * (limb5_S_q_qx * (limb5_S_q_qy * t10) - t23);
-    const REAL t27 = limb1_U_0_sin * platform_turn_zy;
-    const REAL limb1_U2_constraint_mn_couple_z = limb1_lower_cos * (limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos * platform_turn_zy) - t24;
-    const REAL limb1_U2_constraint_mn_couple_x = limb1_U_0_cos * platform_turn_yy + t27;
-    const REAL t25 = limb1_U_0_sin * limb1_U2_constraint_mn_couple_z;
-    const REAL t36 = limb1_U_0_cos * limb1_U2_constraint_mn_couple_z;
-    const REAL limb1_U_0_lever_moment_y_by_limb1_U2_mn = limb1_lower_cos * limb1_U2_constraint_mn_couple_x;
-    const REAL limb1_U_0_lever_moment_z_by_limb1_U2_mn = limb1_lower_sin * limb1_U2_constraint_mn_couple_x;
+    const REAL t24 = limb1_lower_sin * (limb5_S_q_qx * (limb5_S_q_qy * t10) - t23),
+      t27 = limb1_U_0_sin * platform_turn_zy,
+      limb1_U2_constraint_mn_couple_z = limb1_lower_cos * (limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos * platform_turn_zy) - t24,
+      limb1_U2_constraint_mn_couple_x = limb1_U_0_cos * platform_turn_yy + t27,
+      t25 = limb1_U_0_sin * limb1_U2_constraint_mn_couple_z, t36 = limb1_U_0_cos * limb1_U2_constraint_mn_couple_z,
+      limb1_U_0_lever_my_by_limb1_U2_mn = limb1_lower_cos * limb1_U2_constraint_mn_couple_x,
+      limb1_U_0_lever_mz_by_limb1_U2_mn = limb1_lower_sin * limb1_U2_constraint_mn_couple_x;
     /* base: reciprocal wrenches, eq. (10) */
-    const REAL base_lever_moment_z_by_limb1_U2_mn = t25 + limb1_U_0_cos * limb1_U_0_lever_moment_y_by_limb1_U2_mn;
-    const REAL base_lever_moment_y_by_limb1_U2_mn = t36 - limb1_U_0_sin * limb1_U_0_lever_moment_y_by_limb1_U2_mn;
-    const REAL limb1_upper_offset_x = limb_upper_phase + READ(q, 2);
-    const REAL t30 = limb1_upper_offset_x * (per_length * limb1_lower_cos); /* limb1 */
+    const REAL base_lever_mz_by_limb1_U2_mn = t25 + limb1_U_0_cos * limb1_U_0_lever_my_by_limb1_U2_mn,
+      base_lever_my_by_limb1_U2_mn = t36 - limb1_U_0_sin * limb1_U_0_lever_my_by_limb1_U2_mn,
+      limb1_upper_offset_x = limb_upper_phase + READ(q, 2),
+      t30 = limb1_upper_offset_x * (per_length * limb1_lower_cos); /* limb1 */
     /* platform: results */
-    const REAL t31 = base_lever_moment_z_by_limb1_U2_mn * t30;
-    const REAL t38 = base_lever_moment_y_by_limb1_U2_mn * t30;
-    const REAL minus_limb1_upper_position_x = param_R - limb1_lower_sin * limb1_upper_offset_x;
-    const REAL t33 = limb1_U_0_lever_moment_z_by_limb1_U2_mn * (per_length * (limb1_U_0_cos * minus_limb1_upper_position_x));
-    const REAL t35 = limb1_U_0_cos * (t31 - t33);
-    const REAL t40 = limb1_U_0_lever_moment_z_by_limb1_U2_mn * (per_length * (limb1_U_0_sin * minus_limb1_upper_position_x));
-    const REAL platform_margins = t35 - limb1_U_0_sin * (t38 + t40);
+    const REAL t31 = base_lever_mz_by_limb1_U2_mn * t30, t37 = base_lever_my_by_limb1_U2_mn * t30,
+      minus_limb1_upper_position_x = param_R - limb1_lower_sin * limb1_upper_offset_x,
+      t33 = limb1_U_0_lever_mz_by_limb1_U2_mn * (per_length * (limb1_U_0_cos * minus_limb1_upper_position_x)),
+      t35 = limb1_U_0_cos * (t31 - t33),
+      t39 = limb1_U_0_lever_mz_by_limb1_U2_mn * (per_length * (limb1_U_0_sin * minus_limb1_upper_position_x)),
+      platform_margins = t35 - limb1_U_0_sin * (t37 + t39);
     WRITE(margins, 0, platform_margins);
     REAL checked2 = platform_margins;
     NOT_BELOW(t8, 0.999999, 5);
@@ -109,97 +88,57 @@ BODY(three_ups_upu_s_actuation_margins)(size_t stride, const double *restrict q,
     REAL checked1 = READ(q, 8);
     REAL checked2 = READ(q, 11);
     /* limb5_S: geometry */
-    const REAL limb5_S_q_qw = READ(q, 12), limb5_S_q_qx = READ(q, 13);
-    const REAL t35 = limb5_S_q_qw * limb5_S_q_qw;
-    const REAL t36 = limb5_S_q_qx * limb5_S_q_qx;
-    const REAL limb5_S_q_qy = READ(q, 14), limb5_S_q_qz = READ(q, 15);
-    const REAL t37 = t35 + t36;
-    const REAL t38 = limb5_S_q_qy * limb5_S_q_qy;
-    const REAL t39 = limb5_S_q_qz * limb5_S_q_qz;
-    const REAL t41 = t37 + (t38 + t39);
-    const REAL t44 = t36 + t39;
-    const REAL t43 = 4.0 - 2.0 * t41;
-    const REAL platform_turn_yy = 1.0 - t43 * t44;
-    const REAL t47 = limb5_S_q_qz * t43;
-    const REAL t56 = limb5_S_q_qw * t47;
-    const REAL platform_turn_zy = limb5_S_q_qy * t47 + limb5_S_q_qw * (limb5_S_q_qx * t43);
+    const REAL limb5_S_q_qw = READ(q, 12), limb5_S_q_qx = READ(q, 13), t35 = limb5_S_q_qw * limb5_S_q_qw,
+      t36 = limb5_S_q_qx * limb5_S_q_qx, limb5_S_q_qy = READ(q, 14), limb5_S_q_qz = READ(q, 15), t37 = t35 + t36,
+      t38 = limb5_S_q_qy * limb5_S_q_qy, t39 = limb5_S_q_qz * limb5_S_q_qz, t41 = t37 + (t38 + t39), t44 = t36 + t39,
+      t43 = 4.0 - 2.0 * t41, platform_turn_yy = 1.0 - t43 * t44, t47 = limb5_S_q_qz * t43, t56 = limb5_S_q_qw * t47,
+      platform_turn_zy = limb5_S_q_qy * t47 + limb5_S_q_qw * (limb5_S_q_qx * t43);
     /* limb1: geometry */
-    const REAL limb1_lower_sin = SINES(sine, 1), limb1_U_0_cos = SINES(cosine, 0), limb1_U_0_sin = SINES(sine, 0);
-    const REAL limb1_lower_cos = SINES(cosine, 1);
+    const REAL limb1_lower_sin = SINES(sine, 1), limb1_U_0_cos = SINES(cosine, 0), limb1_U_0_sin = SINES(sine, 0),
+      limb1_lower_cos = SINES(cosine, 1);
     /* limb1: reciprocal wrenches, eq. (10) */
-    const REAL t57 = limb1_lower_sin * (limb5_S_q_qx * (limb5_S_q_qy * t43) - t56);
-    const REAL t60 = limb1_U_0_sin * platform_turn_zy;
-    const REAL limb1_U2_constraint_mn_couple_z = limb1_lower_cos * (limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos * platform_turn_zy) - t57;
-    const REAL limb1_U2_constraint_mn_couple_x = limb1_U_0_cos * platform_turn_yy + t60;
-    const REAL t58 = limb1_U_0_sin * limb1_U2_constraint_mn_couple_z;
-    const REAL t70 = limb1_U_0_cos * limb1_U2_constraint_mn_couple_z;
-    const REAL limb1_U_0_lever_moment_y_by_limb1_U2_mn = limb1_lower_cos * limb1_U2_constraint_mn_couple_x;
-    const REAL limb1_U_0_lever_moment_z_by_limb1_U2_mn = limb1_lower_sin * limb1_U2_constraint_mn_couple_x;
+    const REAL t57 = limb1_lower_sin * (limb5_S_q_qx * (limb5_S_q_qy * t43) - t56),
+      t60 = limb1_U_0_sin * platform_turn_zy,
+      limb1_U2_constraint_mn_couple_z = limb1_lower_cos * (limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos * platform_turn_zy) - t57,
+      limb1_U2_constraint_mn_couple_x = limb1_U_0_cos * platform_turn_yy + t60,
+      t58 = limb1_U_0_sin * limb1_U2_constraint_mn_couple_z, t70 = limb1_U_0_cos * limb1_U2_constraint_mn_couple_z,
+      limb1_U_0_lever_my_by_limb1_U2_mn = limb1_lower_cos * limb1_U2_constraint_mn_couple_x,
+      limb1_U_0_lever_mz_by_limb1_U2_mn = limb1_lower_sin * limb1_U2_constraint_mn_couple_x;
     /* base: reciprocal wrenches, eq. (10) */
-    const REAL base_lever_moment_z_by_limb1_U2_mn = t58 + limb1_U_0_cos * limb1_U_0_lever_moment_y_by_limb1_U2_mn;
-    const REAL base_lever_moment_y_by_limb1_U2_mn = t70 - limb1_U_0_sin * limb1_U_0_lever_moment_y_by_limb1_U2_mn;
-    const REAL limb1_upper_offset_x = limb_upper_phase + READ(q, 2);
-    const REAL t63 = limb1_upper_offset_x * (per_length * limb1_lower_cos); /* limb1 */
+    const REAL base_lever_mz_by_limb1_U2_mn = t58 + limb1_U_0_cos * limb1_U_0_lever_my_by_limb1_U2_mn,
+      base_lever_my_by_limb1_U2_mn = t70 - limb1_U_0_sin * limb1_U_0_lever_my_by_limb1_U2_mn,
+      limb1_upper_offset_x = limb_upper_phase + READ(q, 2),
+      t63 = limb1_upper_offset_x * (per_length * limb1_lower_cos); /* limb1 */
     /* all drives: results */
-    const REAL t64 = base_lever_moment_z_by_limb1_U2_mn * t63;
-    const REAL t72 = base_lever_moment_y_by_limb1_U2_mn * t63;
-    const REAL minus_limb1_upper_position_x = param_R - limb1_lower_sin * limb1_upper_offset_x;
-    const REAL t66 = limb1_U_0_lever_moment_z_by_limb1_U2_mn * (per_length * (limb1_U_0_cos * minus_limb1_upper_position_x));
-    const REAL t67 = t64 - t66;
-    const REAL t74 = limb1_U_0_lever_moment_z_by_limb1_U2_mn * (per_length * (limb1_U_0_sin * minus_limb1_upper_position_x));
-    const REAL t75 = t72 + t74;
-    const REAL limb2_lower_cos = SINES(cosine, 3);
-    const REAL t2 = per_length_param_R * (SINES(cosine, 2) * limb2_lower_cos); /* limb2 */
-    const REAL t68 = t2 * t67;
-    const REAL t16 = per_length_param_R * (limb1_U_0_cos * limb1_lower_cos); /* limb1 */
-    const REAL t69 = t16 * t68;
-    const REAL t76 = t2 * t75;
-    const REAL t20 = per_length_param_R * (limb1_U_0_sin * limb1_lower_cos); /* limb1 */
-    const REAL t78 = t69 - t20 * t76;
-    const REAL limb4_lower_cos = SINES(cosine, 7);
-    const REAL t79 = t78 * t78;
-    const REAL t10 = per_length_param_R * (SINES(cosine, 6) * limb4_lower_cos); /* limb4 */
-    const REAL t84 = t16 * (t10 * t67) - t20 * (t10 * t75);
-    const REAL limb3_lower_cos = SINES(cosine, 5);
-    const REAL t86 = t79 + t84 * t84;
-    const REAL t17 = per_length_param_R * (SINES(sine, 4) * limb3_lower_cos); /* limb3 */
-    const REAL t29 = t2 * t17;
-    const REAL t30 = t16 * t29;
-    const REAL t90 = t29 * t75;
-    const REAL t4 = per_length_param_R * (SINES(cosine, 4) * limb3_lower_cos); /* limb3 */
-    const REAL t31 = t2 * t4;
-    const REAL t33 = t30 - t20 * t31;
-    const REAL t87 = t33 * t33 + t86;
-    const REAL t92 = t90 - t31 * t67;
-    const REAL t93 = t92 * t92;
-    const REAL t6 = per_length_param_R * (SINES(sine, 6) * limb4_lower_cos); /* limb4 */
-    const REAL t24 = t2 * t6;
-    const REAL t8 = t2 * (t4 * t6);
-    const REAL t9 = per_length_param_R * (SINES(sine, 2) * limb2_lower_cos); /* limb2 */
-    const REAL t26 = t24 - t9 * t10;
-    const REAL t27 = t16 * t26;
-    const REAL t88 = t27 * t27 + t87;
-    const REAL t95 = t26 * t75;
-    const REAL limb2_P_limb4_P_margins = -t95;
+    const REAL t64 = base_lever_mz_by_limb1_U2_mn * t63, t71 = base_lever_my_by_limb1_U2_mn * t63,
+      minus_limb1_upper_position_x = param_R - limb1_lower_sin * limb1_upper_offset_x,
+      t66 = limb1_U_0_lever_mz_by_limb1_U2_mn * (per_length * (limb1_U_0_cos * minus_limb1_upper_position_x)),
+      t67 = t64 - t66,
+      t73 = limb1_U_0_lever_mz_by_limb1_U2_mn * (per_length * (limb1_U_0_sin * minus_limb1_upper_position_x)),
+      t74 = t71 + t73, limb2_lower_cos = SINES(cosine, 3),
+      t2 = per_length_param_R * (SINES(cosine, 2) * limb2_lower_cos), /* limb2 */
+      t68 = t2 * t67, t16 = per_length_param_R * (limb1_U_0_cos * limb1_lower_cos), /* limb1 */
+      t69 = t16 * t68, t75 = t2 * t74, t20 = per_length_param_R * (limb1_U_0_sin * limb1_lower_cos), /* limb1 */
+      t77 = t69 - t20 * t75, limb4_lower_cos = SINES(cosine, 7), t78 = t77 * t77,
+      t10 = per_length_param_R * (SINES(cosine, 6) * limb4_lower_cos), /* limb4 */
+      t83 = t16 * (t10 * t67) - t20 * (t10 * t74), limb3_lower_cos = SINES(cosine, 5), t85 = t78 + t83 * t83,
+      t17 = per_length_param_R * (SINES(sine, 4) * limb3_lower_cos), /* limb3 */
+      t29 = t2 * t17, t30 = t16 * t29, t89 = t29 * t74,
+      t4 = per_length_param_R * (SINES(cosine, 4) * limb3_lower_cos), /* limb3 */
+      t31 = t2 * t4, t33 = t30 - t20 * t31, t86 = t33 * t33 + t85, t91 = t89 - t31 * t67, t92 = t91 * t91,
+      t6 = per_length_param_R * (SINES(sine, 6) * limb4_lower_cos), /* limb4 */
+      t24 = t2 * t6, t8 = t2 * (t4 * t6), t9 = per_length_param_R * (SINES(sine, 2) * limb2_lower_cos), /* limb2 */
+      t26 = t24 - t9 * t10, t27 = t16 * t26, t87 = t27 * t27 + t86, t94 = t26 * t74, limb2_P_limb4_P_margins = -t94;
     WRITE(margins, 4, limb2_P_limb4_P_margins);
     REAL checked3 = limb2_P_limb4_P_margins;
-    const REAL t96 = t95 * t95;
-    const REAL t18 = t17 * t10;
-    const REAL t108 = t17 * t75;
-    const REAL t19 = t16 * t18;
-    const REAL t98 = t18 * t75;
-    const REAL t105 = t16 * t67 - t20 * t75;
-    const REAL t11 = t4 * t10;
-    const REAL t22 = t19 - t20 * t11;
-    const REAL t97 = t22 * t22 + t88 + t93 + t96;
-    const REAL t13 = t8 - t9 * t11;
-    const REAL t100 = t98 - t11 * t67;
-    const REAL t110 = t108 - t4 * t67;
-    RESULT(checked0, margins, 0, t13 * t13 + (t97 + t100 * t100));
-    RESULT(checked1, margins, 3, t2 * t110);
-    RESULT(checked2, margins, 5, t10 * t110);
-    RESULT(checked3, margins, 1, -(t2 * t105));
-    RESULT(checked0, margins, 2, -(t10 * t105));
+    const REAL t95 = t94 * t94, t18 = t17 * t10, t107 = t17 * t74, t19 = t16 * t18, t97 = t18 * t74,
+      t104 = t16 * t67 - t20 * t74, t11 = t4 * t10, t22 = t19 - t20 * t11, t96 = t22 * t22 + t87 + t92 + t95,
+      t13 = t8 - t9 * t11, t99 = t97 - t11 * t67, t109 = t107 - t4 * t67;
+    RESULT(checked0, margins, 0, t13 * t13 + (t96 + t99 * t99));
+    RESULT(checked1, margins, 3, t2 * t109);
+    RESULT(checked2, margins, 5, t10 * t109);
+    RESULT(checked3, margins, 1, -(t2 * t104));
+    RESULT(checked0, margins, 2, -(t10 * t104));
     NOT_BELOW(t41, 0.999999, 5);
     NOT_ABOVE(t41, 1.000001, 5);
     FINITE((checked0 + checked1) + (checked2 + checked3));

@@ -10,550 +10,382 @@ BODY(three_ups_upu_s_momentum_screws)(size_t stride, const double *restrict q, c
     const double *restrict cosine, double *restrict total)
 {
     /* limb1: geometry */
-    const REAL limb1_U_0_sin = SINES(sine, 0), limb1_lower_cos = SINES(cosine, 1);
-    const REAL minus_limb1_lower_rotation_yx = limb1_U_0_sin * limb1_lower_cos;
-    const REAL limb1_lower_sin = SINES(sine, 1);
+    const REAL limb1_U_0_sin = SINES(sine, 0), limb1_lower_cos = SINES(cosine, 1),
+      minus_limb1_lower_rotation_yx = limb1_U_0_sin * limb1_lower_cos, limb1_lower_sin = SINES(sine, 1);
     /* limb1: momentum, eq. (31); geometry; velocities, eq. (6) */
-    const REAL t139 = 0.5 * minus_limb1_lower_rotation_yx;
-    const REAL limb1_lower_rotation_yy = limb1_U_0_sin * limb1_lower_sin;
-    const REAL t141 = t139 - k1 * limb1_lower_rotation_yy;
-    const REAL t143 = limb_lower_com_x * t141;
-    const REAL t146 = k1 * minus_limb1_lower_rotation_yx + 0.5 * limb1_lower_rotation_yy;
-    const REAL t149 = param_R * t141 - (t143 - limb_lower_com_z * t146);
-    const REAL limb1_U_v_0 = READ(v, 0);
-    const REAL t168 = limb1_U_v_0 * t149;
-    const REAL t154 = 0.5 * limb1_lower_sin + k1 * limb1_lower_cos;
-    const REAL t156 = param_R - param_R * t154;
-    const REAL t157 = limb_lower_com_x * t154;
-    const REAL t160 = k1 * limb1_lower_sin - 0.5 * limb1_lower_cos;
-    const REAL t163 = t156 + (t157 - limb_lower_com_z * t160);
-    const REAL limb1_U_v_1 = READ(v, 1), limb1_U_0_cos = SINES(cosine, 0);
-    const REAL limb1_lower_twist_angular_y = limb1_U_v_1 * limb1_U_0_cos;
-    const REAL t170 = t168 - limb1_lower_twist_angular_y * t163;
-    const REAL minus_limb1_lower_twist_linear_z = limb1_U_v_1 * (param_R * limb1_U_0_cos);
-    const REAL minus_limb1_lower_momentum_force_z = limb_lower_m * (minus_limb1_lower_twist_linear_z + t170);
-    const REAL limb1_lower_momentum_force_z = -minus_limb1_lower_momentum_force_z;
-    WRITE(momenta, 8, limb1_lower_momentum_force_z);
-    REAL checked0 = limb1_lower_momentum_force_z;
-    const REAL limb1_lower_rotation_zx = limb1_U_0_cos * limb1_lower_cos;
-    const REAL t127 = 0.5 * limb1_lower_rotation_zx;
-    const REAL minus_limb1_lower_rotation_zy = limb1_U_0_cos * limb1_lower_sin;
-    const REAL t129 = t127 - k1 * minus_limb1_lower_rotation_zy;
-    const REAL t131 = limb_lower_com_x * t129;
-    const REAL t134 = k1 * limb1_lower_rotation_zx + 0.5 * minus_limb1_lower_rotation_zy;
-    const REAL t137 = param_R * t129 - (t131 - limb_lower_com_z * t134);
-    const REAL t165 = limb1_U_v_0 * t137;
-    const REAL limb1_lower_twist_angular_z = limb1_U_v_1 * limb1_U_0_sin;
-    const REAL t166 = limb1_lower_twist_angular_z * t163 + t165;
-    const REAL limb1_lower_twist_linear_y = limb1_U_v_1 * (param_R * limb1_U_0_sin);
-    const REAL limb1_lower_momentum_force_y = limb_lower_m * (limb1_lower_twist_linear_y - t166);
-    WRITE(momenta, 7, limb1_lower_momentum_force_y);
-    const REAL t223 = t163 * limb1_lower_momentum_force_y;
-    const REAL t196 = t163 * minus_limb1_lower_momentum_force_z;
-    const REAL limb1_lower_momentum_force_x = limb_lower_m * (limb1_lower_twist_angular_y * t137 + limb1_lower_twist_angular_z * t149);
-    WRITE(momenta, 6, limb1_lower_momentum_force_x);
-    const REAL t225 = t223 - t149 * limb1_lower_momentum_force_x;
-    const REAL t172 = t149 * minus_limb1_lower_momentum_force_z;
-    const REAL t228 = limb_lower_Ixx * t129 - limb_lower_Ixz * t134;
-    const REAL t236 = t141 * t228;
-    const REAL t237 = limb_lower_Iyy * limb1_U_0_sin;
-    const REAL t239 = t236 - limb1_U_0_cos * t237;
-    const REAL t245 = limb1_U_0_sin * t237;
-    const REAL t232 = limb_lower_Ixz * t129 - limb_lower_Izz * t134;
-    const REAL t242 = limb1_lower_twist_angular_y * (t239 - t146 * t232);
-    const REAL t243 = limb1_U_v_0 * (t154 * t228 - t160 * t232) - t242;
-    const REAL t250 = t243 + limb1_lower_twist_angular_z * (t129 * t228 + t245 - t134 * t232);
-    const REAL minus_limb1_lower_momentum_moment_z = t225 - t250;
-    const REAL limb1_lower_momentum_moment_z = -minus_limb1_lower_momentum_moment_z;
-    WRITE(momenta, 11, limb1_lower_momentum_moment_z);
-    REAL checked1 = limb1_lower_momentum_moment_z;
-    const REAL t262 = 0.5 * t141 - param_H * t146;
-    const REAL limb1_upper_offset_x = limb_upper_phase + READ(q, 2);
-    const REAL limb1_P_v = READ(v, 2);
-    const REAL t263 = limb1_upper_offset_x * minus_limb1_lower_rotation_yx + t262;
-    const REAL limb1_upper_twist_linear_y = limb1_lower_twist_linear_y - limb1_P_v * minus_limb1_lower_rotation_yx;
-    const REAL t267 = t263 - (limb_upper_com_x * t141 - limb_upper_com_z * t146);
-    const REAL t285 = limb1_U_v_0 * t267;
-    const REAL t275 = param_R - limb1_lower_sin * limb1_upper_offset_x - (0.5 * t154 - param_H * t160);
-    const REAL limb1_upper_position_z = limb1_upper_offset_x * limb1_lower_rotation_zx;
-    const REAL minus_limb1_upper_twist_linear_z = minus_limb1_lower_twist_linear_z - limb1_P_v * limb1_lower_rotation_zx;
-    const REAL t279 = t275 + (limb_upper_com_x * t154 - limb_upper_com_z * t160);
-    const REAL minus_limb1_upper_momentum_force_z = limb_lower_m * (minus_limb1_upper_twist_linear_z + (t285 - limb1_lower_twist_angular_y * t279));
-    const REAL limb1_upper_momentum_force_z = -minus_limb1_upper_momentum_force_z;
-    WRITE(momenta, 14, limb1_upper_momentum_force_z);
-    REAL checked2 = limb1_upper_momentum_force_z;
-    const REAL t254 = limb1_upper_position_z + (0.5 * t129 - param_H * t134);
-    const REAL t258 = t254 - (limb_upper_com_x * t129 - limb_upper_com_z * t134);
-    const REAL t269 = limb1_lower_twist_angular_y * t258 + limb1_lower_twist_angular_z * t267;
-    const REAL limb1_upper_momentum_force_x = limb_lower_m * (limb1_P_v * limb1_lower_sin + t269);
-    WRITE(momenta, 12, limb1_upper_momentum_force_x);
-    const REAL t294 = t258 * limb1_upper_momentum_force_x - t279 * minus_limb1_upper_momentum_force_z;
-    const REAL t200 = limb_lower_Ixx * t141 - limb_lower_Ixz * t146;
-    const REAL t208 = t141 * t200;
-    const REAL t209 = limb_lower_Iyy * limb1_U_0_cos;
-    const REAL t211 = t208 + limb1_U_0_cos * t209;
-    const REAL t217 = limb1_U_0_sin * t209;
-    const REAL t204 = limb_lower_Ixz * t141 - limb_lower_Izz * t146;
-    const REAL t214 = limb1_lower_twist_angular_y * (t211 - t146 * t204);
-    const REAL t215 = limb1_U_v_0 * (t154 * t200 - t160 * t204) - t214;
-    const REAL t222 = t215 + limb1_lower_twist_angular_z * (t129 * t200 - t217 - t134 * t204);
-    const REAL minus_limb1_upper_momentum_moment_y = t222 - t294;
-    const REAL limb1_upper_momentum_moment_y = -minus_limb1_upper_momentum_moment_y;
-    WRITE(momenta, 16, limb1_upper_momentum_moment_y);
-    REAL checked3 = limb1_upper_momentum_moment_y;
+    const REAL t139 = 0.5 * minus_limb1_lower_rotation_yx, limb1_lower_rotation_yy = limb1_U_0_sin * limb1_lower_sin,
+      t141 = t139 - k1 * limb1_lower_rotation_yy, t143 = limb_lower_com_x * t141,
+      t146 = k1 * minus_limb1_lower_rotation_yx + 0.5 * limb1_lower_rotation_yy,
+      t149 = param_R * t141 - (t143 - limb_lower_com_z * t146), limb1_U_v_0 = READ(v, 0), t168 = limb1_U_v_0 * t149,
+      t154 = 0.5 * limb1_lower_sin + k1 * limb1_lower_cos, t156 = param_R - param_R * t154,
+      t157 = limb_lower_com_x * t154, t160 = k1 * limb1_lower_sin - 0.5 * limb1_lower_cos,
+      t163 = t156 + (t157 - limb_lower_com_z * t160), limb1_U_v_1 = READ(v, 1), limb1_U_0_cos = SINES(cosine, 0),
+      limb1_lower_twist_wy = limb1_U_v_1 * limb1_U_0_cos, t170 = t168 - limb1_lower_twist_wy * t163,
+      minus_limb1_lower_twist_vz = limb1_U_v_1 * (param_R * limb1_U_0_cos),
+      minus_limb1_lower_momentum_pz = limb_lower_m * (minus_limb1_lower_twist_vz + t170),
+      limb1_lower_momentum_pz = -minus_limb1_lower_momentum_pz;
+    WRITE(momenta, 8, limb1_lower_momentum_pz);
+    REAL checked0 = limb1_lower_momentum_pz;
+    const REAL limb1_lower_rotation_zx = limb1_U_0_cos * limb1_lower_cos, t127 = 0.5 * limb1_lower_rotation_zx,
+      minus_limb1_lower_rotation_zy = limb1_U_0_cos * limb1_lower_sin,
+      t129 = t127 - k1 * minus_limb1_lower_rotation_zy, t131 = limb_lower_com_x * t129,
+      t134 = k1 * limb1_lower_rotation_zx + 0.5 * minus_limb1_lower_rotation_zy,
+      t137 = param_R * t129 - (t131 - limb_lower_com_z * t134), t165 = limb1_U_v_0 * t137,
+      limb1_lower_twist_wz = limb1_U_v_1 * limb1_U_0_sin, t166 = limb1_lower_twist_wz * t163 + t165,
+      limb1_lower_twist_vy = limb1_U_v_1 * (param_R * limb1_U_0_sin),
+      limb1_lower_momentum_py = limb_lower_m * (limb1_lower_twist_vy - t166);
+    WRITE(momenta, 7, limb1_lower_momentum_py);
+    const REAL t223 = t163 * limb1_lower_momentum_py, t196 = t163 * minus_limb1_lower_momentum_pz,
+      limb1_lower_momentum_px = limb_lower_m * (limb1_lower_twist_wy * t137 + limb1_lower_twist_wz * t149);
+    WRITE(momenta, 6, limb1_lower_momentum_px);
+    const REAL t225 = t223 - t149 * limb1_lower_momentum_px, t172 = t149 * minus_limb1_lower_momentum_pz,
+      t228 = limb_lower_Ixx * t129 - limb_lower_Ixz * t134, t236 = t141 * t228, t237 = limb_lower_Iyy * limb1_U_0_sin,
+      t239 = t236 - limb1_U_0_cos * t237, t245 = limb1_U_0_sin * t237,
+      t232 = limb_lower_Ixz * t129 - limb_lower_Izz * t134, t242 = limb1_lower_twist_wy * (t239 - t146 * t232),
+      t243 = limb1_U_v_0 * (t154 * t228 - t160 * t232) - t242,
+      t250 = t243 + limb1_lower_twist_wz * (t129 * t228 + t245 - t134 * t232),
+      minus_limb1_lower_momentum_Lz = t225 - t250, limb1_lower_momentum_Lz = -minus_limb1_lower_momentum_Lz;
+    WRITE(momenta, 11, limb1_lower_momentum_Lz);
+    REAL checked1 = limb1_lower_momentum_Lz;
+    const REAL t262 = 0.5 * t141 - param_H * t146, limb1_upper_offset_x = limb_upper_phase + READ(q, 2),
+      limb1_P_v = READ(v, 2), t263 = limb1_upper_offset_x * minus_limb1_lower_rotation_yx + t262,
+      limb1_upper_twist_vy = limb1_lower_twist_vy - limb1_P_v * minus_limb1_lower_rotation_yx,
+      t267 = t263 - (limb_upper_com_x * t141 - limb_upper_com_z * t146), t285 = limb1_U_v_0 * t267,
+      t275 = param_R - limb1_lower_sin * limb1_upper_offset_x - (0.5 * t154 - param_H * t160),
+      limb1_upper_position_z = limb1_upper_offset_x * limb1_lower_rotation_zx,
+      minus_limb1_upper_twist_vz = minus_limb1_lower_twist_vz - limb1_P_v * limb1_lower_rotation_zx,
+      t279 = t275 + (limb_upper_com_x * t154 - limb_upper_com_z * t160),
+      minus_limb1_upper_momentum_pz = limb_lower_m * (minus_limb1_upper_twist_vz + (t285 - limb1_lower_twist_wy * t279)),
+      limb1_upper_momentum_pz = -minus_limb1_upper_momentum_pz;
+    WRITE(momenta, 14, limb1_upper_momentum_pz);
+    REAL checked2 = limb1_upper_momentum_pz;
+    const REAL t254 = limb1_upper_position_z + (0.5 * t129 - param_H * t134),
+      t258 = t254 - (limb_upper_com_x * t129 - limb_upper_com_z * t134),
+      limb1_upper_momentum_px = limb_lower_m * (limb1_P_v * limb1_lower_sin + (limb1_lower_twist_wy * t258 + limb1_lower_twist_wz * t267));
+    WRITE(momenta, 12, limb1_upper_momentum_px);
+    const REAL t294 = t258 * limb1_upper_momentum_px - t279 * minus_limb1_upper_momentum_pz,
+      t200 = limb_lower_Ixx * t141 - limb_lower_Ixz * t146, t208 = t141 * t200, t209 = limb_lower_Iyy * limb1_U_0_cos,
+      t211 = t208 + limb1_U_0_cos * t209, t217 = limb1_U_0_sin * t209,
+      t204 = limb_lower_Ixz * t141 - limb_lower_Izz * t146, t214 = limb1_lower_twist_wy * (t211 - t146 * t204),
+      t215 = limb1_U_v_0 * (t154 * t200 - t160 * t204) - t214,
+      t222 = t215 + limb1_lower_twist_wz * (t129 * t200 - t217 - t134 * t204),
+      minus_limb1_upper_momentum_Ly = t222 - t294, limb1_upper_momentum_Ly = -minus_limb1_upper_momentum_Ly;
+    WRITE(momenta, 16, limb1_upper_momentum_Ly);
+    REAL checked3 = limb1_upper_momentum_Ly;
     /* limb2: geometry */
-    const REAL minus_limb2_U_0_cos = SINES(sine, 2), limb2_lower_cos = SINES(cosine, 3);
-    const REAL minus_limb2_lower_rotation_xx = minus_limb2_U_0_cos * limb2_lower_cos;
-    const REAL limb2_lower_sin = SINES(sine, 3);
+    const REAL minus_limb2_U_0_cos = SINES(sine, 2), limb2_lower_cos = SINES(cosine, 3),
+      minus_limb2_lower_rotation_xx = minus_limb2_U_0_cos * limb2_lower_cos, limb2_lower_sin = SINES(sine, 3);
     /* limb2: momentum, eq. (31); geometry; velocities, eq. (6) */
-    const REAL t326 = 0.5 * minus_limb2_lower_rotation_xx;
-    const REAL limb2_lower_rotation_xy = minus_limb2_U_0_cos * limb2_lower_sin;
-    const REAL t328 = t326 + k1 * limb2_lower_rotation_xy;
-    const REAL t330 = limb_lower_com_x * t328;
-    const REAL t333 = k1 * minus_limb2_lower_rotation_xx - 0.5 * limb2_lower_rotation_xy;
-    const REAL t336 = param_R * t328 - (t330 - limb_lower_com_z * t333);
-    const REAL limb2_U_v_0 = READ(v, 3);
-    const REAL t341 = limb2_U_v_0 * t336;
-    const REAL t313 = 0.5 * limb2_lower_sin - k1 * limb2_lower_cos;
-    const REAL t315 = param_R - param_R * t313;
-    const REAL t316 = limb_lower_com_x * t313;
-    const REAL t319 = k1 * limb2_lower_sin + 0.5 * limb2_lower_cos;
-    const REAL t322 = t315 + (t316 - limb_lower_com_z * t319);
-    const REAL limb2_U_v_1 = READ(v, 4), limb2_U_0_sin = SINES(cosine, 2);
-    const REAL limb2_lower_twist_angular_x = limb2_U_v_1 * limb2_U_0_sin;
-    const REAL t342 = limb2_lower_twist_angular_x * t322 - t341;
-    const REAL limb2_lower_twist_linear_z = limb2_U_v_1 * (param_R * limb2_U_0_sin);
-    const REAL limb2_lower_momentum_force_z = limb_lower_m * (limb2_lower_twist_linear_z - t342);
-    WRITE(momenta, 20, limb2_lower_momentum_force_z);
-    const REAL t344 = t322 * limb2_lower_momentum_force_z;
-    const REAL minus_limb2_lower_twist_angular_z = limb2_U_v_1 * minus_limb2_U_0_cos;
-    const REAL t337 = minus_limb2_lower_twist_angular_z * t336;
-    const REAL minus_limb2_lower_rotation_zx = limb2_U_0_sin * limb2_lower_cos;
-    const REAL t299 = 0.5 * minus_limb2_lower_rotation_zx;
-    const REAL limb2_lower_rotation_zy = limb2_U_0_sin * limb2_lower_sin;
-    const REAL t301 = t299 + k1 * limb2_lower_rotation_zy;
-    const REAL t303 = limb_lower_com_x * t301;
-    const REAL t306 = k1 * minus_limb2_lower_rotation_zx - 0.5 * limb2_lower_rotation_zy;
-    const REAL t309 = param_R * t301 - (t303 - limb_lower_com_z * t306);
-    const REAL limb2_lower_momentum_force_y = limb_lower_m * (t337 + limb2_lower_twist_angular_x * t309);
-    WRITE(momenta, 19, limb2_lower_momentum_force_y);
-    const REAL t346 = t344 - t309 * limb2_lower_momentum_force_y;
-    const REAL t351 = limb_lower_Ixx * t328 - limb_lower_Ixz * t333;
-    const REAL t352 = t328 * t351;
-    const REAL t347 = limb_lower_Iyy * limb2_U_0_sin;
-    const REAL t353 = limb2_U_0_sin * t347 + t352;
-    const REAL t365 = minus_limb2_U_0_cos * t347;
-    const REAL t356 = limb_lower_Ixz * t328 - limb_lower_Izz * t333;
-    const REAL t359 = limb2_lower_twist_angular_x * (t353 - t333 * t356);
-    const REAL t364 = t359 - limb2_U_v_0 * (t313 * t351 - t319 * t356);
-    const REAL t371 = t364 + minus_limb2_lower_twist_angular_z * (t365 - t301 * t351 + t306 * t356);
-    const REAL minus_limb2_lower_momentum_moment_x = t346 - t371;
-    RESULT(checked0, momenta, 21, -minus_limb2_lower_momentum_moment_x);
-    const REAL t324 = limb2_U_v_0 * t309 + minus_limb2_lower_twist_angular_z * t322;
-    const REAL limb2_lower_twist_linear_x = limb2_U_v_1 * (param_R * minus_limb2_U_0_cos);
-    const REAL limb2_lower_momentum_force_x = limb_lower_m * (limb2_lower_twist_linear_x - t324);
-    WRITE(momenta, 18, limb2_lower_momentum_force_x);
-    const REAL t374 = t309 * limb2_lower_momentum_force_x - t336 * limb2_lower_momentum_force_z;
-    const REAL t397 = t336 * limb2_lower_momentum_force_y - t322 * limb2_lower_momentum_force_x;
-    const REAL t377 = limb_lower_Ixx * t313 - limb_lower_Ixz * t319;
-    const REAL t378 = t328 * t377;
-    const REAL t381 = limb_lower_Ixz * t313 - limb_lower_Izz * t319;
-    const REAL t384 = limb2_lower_twist_angular_x * (t378 - t333 * t381);
-    const REAL t389 = t384 - limb2_U_v_0 * (t313 * t377 - t319 * t381);
-    const REAL t394 = t389 - minus_limb2_lower_twist_angular_z * (t301 * t377 - t306 * t381);
-    const REAL minus_limb2_lower_momentum_moment_y = t374 + t394;
-    RESULT(checked1, momenta, 22, -minus_limb2_lower_momentum_moment_y);
-    const REAL t402 = limb_lower_Ixx * t301 - limb_lower_Ixz * t306;
-    const REAL t403 = t328 * t402;
-    const REAL t398 = limb_lower_Iyy * minus_limb2_U_0_cos;
-    const REAL t404 = limb2_U_0_sin * t398 - t403;
-    const REAL t416 = minus_limb2_U_0_cos * t398;
-    const REAL t407 = limb_lower_Ixz * t301 - limb_lower_Izz * t306;
-    const REAL t410 = limb2_lower_twist_angular_x * (t404 + t333 * t407);
-    const REAL t415 = t410 + limb2_U_v_0 * (t313 * t402 - t319 * t407);
-    const REAL t422 = t415 + minus_limb2_lower_twist_angular_z * (t416 + t301 * t402 - t306 * t407);
-    const REAL minus_limb2_lower_momentum_moment_z = t397 + t422;
-    RESULT(checked2, momenta, 23, -minus_limb2_lower_momentum_moment_z);
-    const REAL t426 = 0.5 * t301 - param_H * t306;
-    const REAL t430 = limb_upper_com_x * t301 - limb_upper_com_z * t306;
-    const REAL limb2_upper_offset_x = limb_upper_phase + READ(q, 5);
-    const REAL t431 = limb2_upper_offset_x * minus_limb2_lower_rotation_zx + t426 - t430;
-    const REAL limb2_P_v = READ(v, 5);
-    const REAL limb2_upper_twist_linear_z = limb2_lower_twist_linear_z - limb2_P_v * minus_limb2_lower_rotation_zx;
-    const REAL t432 = limb2_U_v_0 * t431;
-    const REAL t439 = limb_upper_com_x * t313 - limb_upper_com_z * t319;
-    const REAL t436 = param_R - limb2_lower_sin * limb2_upper_offset_x - (0.5 * t313 - param_H * t319);
-    const REAL t440 = t436 + t439;
-    const REAL minus_limb2_upper_position_x = limb2_upper_offset_x * minus_limb2_lower_rotation_xx;
-    const REAL limb2_upper_twist_linear_x = limb2_lower_twist_linear_x - limb2_P_v * minus_limb2_lower_rotation_xx;
-    const REAL limb2_upper_momentum_force_x = limb_lower_m * (limb2_upper_twist_linear_x - (t432 + minus_limb2_lower_twist_angular_z * t440));
-    WRITE(momenta, 24, limb2_upper_momentum_force_x);
-    const REAL t464 = t431 * limb2_upper_momentum_force_x;
-    const REAL t447 = minus_limb2_upper_position_x + (0.5 * t328 - param_H * t333);
-    const REAL t451 = t447 - (limb_upper_com_x * t328 - limb_upper_com_z * t333);
-    const REAL t452 = minus_limb2_lower_twist_angular_z * t451;
-    const REAL limb2_upper_momentum_force_z = limb_lower_m * (limb2_upper_twist_linear_z - (limb2_lower_twist_angular_x * t440 - limb2_U_v_0 * t451));
-    WRITE(momenta, 26, limb2_upper_momentum_force_z);
-    const REAL t454 = t452 + limb2_lower_twist_angular_x * t431;
-    const REAL minus_limb2_upper_momentum_moment_y = t394 + (t464 - t451 * limb2_upper_momentum_force_z);
-    RESULT(checked3, momenta, 28, -minus_limb2_upper_momentum_moment_y);
-    const REAL limb2_upper_momentum_force_y = limb_lower_m * (limb2_P_v * limb2_lower_sin + t454);
-    WRITE(momenta, 25, limb2_upper_momentum_force_y);
-    const REAL t462 = t431 * limb2_upper_momentum_force_y;
-    const REAL minus_limb2_upper_momentum_moment_z = t422 + (t451 * limb2_upper_momentum_force_y - t440 * limb2_upper_momentum_force_x);
-    RESULT(checked0, momenta, 29, -minus_limb2_upper_momentum_moment_z);
-    const REAL limb2_upper_momentum_moment_x = t371 - (t440 * limb2_upper_momentum_force_z - t462);
-    WRITE(momenta, 27, limb2_upper_momentum_moment_x);
+    const REAL t326 = 0.5 * minus_limb2_lower_rotation_xx,
+      limb2_lower_rotation_xy = minus_limb2_U_0_cos * limb2_lower_sin, t328 = t326 + k1 * limb2_lower_rotation_xy,
+      t330 = limb_lower_com_x * t328, t333 = k1 * minus_limb2_lower_rotation_xx - 0.5 * limb2_lower_rotation_xy,
+      t336 = param_R * t328 - (t330 - limb_lower_com_z * t333), limb2_U_v_0 = READ(v, 3), t341 = limb2_U_v_0 * t336,
+      t313 = 0.5 * limb2_lower_sin - k1 * limb2_lower_cos, t315 = param_R - param_R * t313,
+      t316 = limb_lower_com_x * t313, t319 = k1 * limb2_lower_sin + 0.5 * limb2_lower_cos,
+      t322 = t315 + (t316 - limb_lower_com_z * t319), limb2_U_v_1 = READ(v, 4), limb2_U_0_sin = SINES(cosine, 2),
+      limb2_lower_twist_wx = limb2_U_v_1 * limb2_U_0_sin, t342 = limb2_lower_twist_wx * t322 - t341,
+      limb2_lower_twist_vz = limb2_U_v_1 * (param_R * limb2_U_0_sin),
+      limb2_lower_momentum_pz = limb_lower_m * (limb2_lower_twist_vz - t342);
+    WRITE(momenta, 20, limb2_lower_momentum_pz);
+    const REAL t344 = t322 * limb2_lower_momentum_pz, minus_limb2_lower_twist_wz = limb2_U_v_1 * minus_limb2_U_0_cos,
+      t337 = minus_limb2_lower_twist_wz * t336, minus_limb2_lower_rotation_zx = limb2_U_0_sin * limb2_lower_cos,
+      t299 = 0.5 * minus_limb2_lower_rotation_zx, limb2_lower_rotation_zy = limb2_U_0_sin * limb2_lower_sin,
+      t301 = t299 + k1 * limb2_lower_rotation_zy, t303 = limb_lower_com_x * t301,
+      t306 = k1 * minus_limb2_lower_rotation_zx - 0.5 * limb2_lower_rotation_zy,
+      t309 = param_R * t301 - (t303 - limb_lower_com_z * t306),
+      limb2_lower_momentum_py = limb_lower_m * (t337 + limb2_lower_twist_wx * t309);
+    WRITE(momenta, 19, limb2_lower_momentum_py);
+    const REAL t346 = t344 - t309 * limb2_lower_momentum_py, t351 = limb_lower_Ixx * t328 - limb_lower_Ixz * t333,
+      t352 = t328 * t351, t347 = limb_lower_Iyy * limb2_U_0_sin, t353 = limb2_U_0_sin * t347 + t352,
+      t365 = minus_limb2_U_0_cos * t347, t356 = limb_lower_Ixz * t328 - limb_lower_Izz * t333,
+      t359 = limb2_lower_twist_wx * (t353 - t333 * t356), t364 = t359 - limb2_U_v_0 * (t313 * t351 - t319 * t356),
+      t371 = t364 + minus_limb2_lower_twist_wz * (t365 - t301 * t351 + t306 * t356),
+      minus_limb2_lower_momentum_Lx = t346 - t371;
+    RESULT(checked0, momenta, 21, -minus_limb2_lower_momentum_Lx);
+    const REAL t324 = limb2_U_v_0 * t309 + minus_limb2_lower_twist_wz * t322,
+      limb2_lower_twist_vx = limb2_U_v_1 * (param_R * minus_limb2_U_0_cos),
+      limb2_lower_momentum_px = limb_lower_m * (limb2_lower_twist_vx - t324);
+    WRITE(momenta, 18, limb2_lower_momentum_px);
+    const REAL t374 = t309 * limb2_lower_momentum_px - t336 * limb2_lower_momentum_pz,
+      t397 = t336 * limb2_lower_momentum_py - t322 * limb2_lower_momentum_px,
+      t377 = limb_lower_Ixx * t313 - limb_lower_Ixz * t319, t378 = t328 * t377,
+      t381 = limb_lower_Ixz * t313 - limb_lower_Izz * t319, t384 = limb2_lower_twist_wx * (t378 - t333 * t381),
+      t389 = t384 - limb2_U_v_0 * (t313 * t377 - t319 * t381),
+      t394 = t389 - minus_limb2_lower_twist_wz * (t301 * t377 - t306 * t381),
+      minus_limb2_lower_momentum_Ly = t374 + t394;
+    RESULT(checked1, momenta, 22, -minus_limb2_lower_momentum_Ly);
+    const REAL t402 = limb_lower_Ixx * t301 - limb_lower_Ixz * t306, t403 = t328 * t402,
+      t398 = limb_lower_Iyy * minus_limb2_U_0_cos, t404 = limb2_U_0_sin * t398 - t403,
+      t416 = minus_limb2_U_0_cos * t398, t407 = limb_lower_Ixz * t301 - limb_lower_Izz * t306,
+      t410 = limb2_lower_twist_wx * (t404 + t333 * t407), t415 = t410 + limb2_U_v_0 * (t313 * t402 - t319 * t407),
+      t422 = t415 + minus_limb2_lower_twist_wz * (t416 + t301 * t402 - t306 * t407),
+      minus_limb2_lower_momentum_Lz = t397 + t422;
+    RESULT(checked2, momenta, 23, -minus_limb2_lower_momentum_Lz);
+    const REAL t426 = 0.5 * t301 - param_H * t306, t430 = limb_upper_com_x * t301 - limb_upper_com_z * t306,
+      limb2_upper_offset_x = limb_upper_phase + READ(q, 5),
+      t431 = limb2_upper_offset_x * minus_limb2_lower_rotation_zx + t426 - t430, limb2_P_v = READ(v, 5),
+      limb2_upper_twist_vz = limb2_lower_twist_vz - limb2_P_v * minus_limb2_lower_rotation_zx,
+      t432 = limb2_U_v_0 * t431, t439 = limb_upper_com_x * t313 - limb_upper_com_z * t319,
+      t436 = param_R - limb2_lower_sin * limb2_upper_offset_x - (0.5 * t313 - param_H * t319), t440 = t436 + t439,
+      minus_limb2_upper_position_x = limb2_upper_offset_x * minus_limb2_lower_rotation_xx,
+      limb2_upper_twist_vx = limb2_lower_twist_vx - limb2_P_v * minus_limb2_lower_rotation_xx,
+      limb2_upper_momentum_px = limb_lower_m * (limb2_upper_twist_vx - (t432 + minus_limb2_lower_twist_wz * t440));
+    WRITE(momenta, 24, limb2_upper_momentum_px);
+    const REAL t464 = t431 * limb2_upper_momentum_px,
+      t447 = minus_limb2_upper_position_x + (0.5 * t328 - param_H * t333),
+      t451 = t447 - (limb_upper_com_x * t328 - limb_upper_com_z * t333), t452 = minus_limb2_lower_twist_wz * t451,
+      limb2_upper_momentum_pz = limb_lower_m * (limb2_upper_twist_vz - (limb2_lower_twist_wx * t440 - limb2_U_v_0 * t451));
+    WRITE(momenta, 26, limb2_upper_momentum_pz);
+    const REAL t454 = t452 + limb2_lower_twist_wx * t431,
+      minus_limb2_upper_momentum_Ly = t394 + (t464 - t451 * limb2_upper_momentum_pz);
+    RESULT(checked3, momenta, 28, -minus_limb2_upper_momentum_Ly);
+    const REAL limb2_upper_momentum_py = limb_lower_m * (limb2_P_v * limb2_lower_sin + t454);
+    WRITE(momenta, 25, limb2_upper_momentum_py);
+    const REAL t462 = t431 * limb2_upper_momentum_py,
+      minus_limb2_upper_momentum_Lz = t422 + (t451 * limb2_upper_momentum_py - t440 * limb2_upper_momentum_px);
+    RESULT(checked0, momenta, 29, -minus_limb2_upper_momentum_Lz);
+    const REAL limb2_upper_momentum_Lx = t371 - (t440 * limb2_upper_momentum_pz - t462);
+    WRITE(momenta, 27, limb2_upper_momentum_Lx);
     /* limb3: geometry */
-    const REAL limb3_U_0_cos = SINES(cosine, 4), limb3_lower_cos = SINES(cosine, 5);
-    const REAL limb3_lower_rotation_zx = limb3_U_0_cos * limb3_lower_cos;
-    const REAL minus_limb3_lower_sin = SINES(sine, 5);
+    const REAL limb3_U_0_cos = SINES(cosine, 4), limb3_lower_cos = SINES(cosine, 5),
+      limb3_lower_rotation_zx = limb3_U_0_cos * limb3_lower_cos, minus_limb3_lower_sin = SINES(sine, 5);
     /* limb3: momentum, eq. (31); geometry; velocities, eq. (6) */
-    const REAL t471 = 0.5 * limb3_lower_rotation_zx;
-    const REAL limb3_lower_rotation_zy = limb3_U_0_cos * minus_limb3_lower_sin;
-    const REAL t473 = t471 - k1 * limb3_lower_rotation_zy;
-    const REAL t475 = limb_lower_com_x * t473;
-    const REAL t478 = k1 * limb3_lower_rotation_zx + 0.5 * limb3_lower_rotation_zy;
-    const REAL t481 = param_R * t473 - (t475 - limb_lower_com_z * t478);
-    const REAL limb3_U_v_0 = READ(v, 6);
-    const REAL t509 = limb3_U_v_0 * t481;
-    const REAL t498 = 0.5 * minus_limb3_lower_sin + k1 * limb3_lower_cos;
-    const REAL t500 = param_R - param_R * t498;
-    const REAL t501 = limb_lower_com_x * t498;
-    const REAL t504 = k1 * minus_limb3_lower_sin - 0.5 * limb3_lower_cos;
-    const REAL t507 = t500 + (t501 - limb_lower_com_z * t504);
-    const REAL limb3_U_v_1 = READ(v, 7), limb3_U_0_sin = SINES(sine, 4);
-    const REAL limb3_lower_twist_angular_z = limb3_U_v_1 * limb3_U_0_sin;
-    const REAL t510 = limb3_lower_twist_angular_z * t507 - t509;
-    const REAL minus_limb3_lower_twist_linear_y = limb3_U_v_1 * (param_R * limb3_U_0_sin);
-    const REAL minus_limb3_lower_momentum_force_y = limb_lower_m * (minus_limb3_lower_twist_linear_y - t510);
-    RESULT(checked1, momenta, 31, -minus_limb3_lower_momentum_force_y);
-    const REAL minus_limb3_lower_rotation_yx = limb3_U_0_sin * limb3_lower_cos;
-    const REAL t483 = 0.5 * minus_limb3_lower_rotation_yx;
-    const REAL minus_limb3_lower_rotation_yy = limb3_U_0_sin * minus_limb3_lower_sin;
-    const REAL t485 = t483 - k1 * minus_limb3_lower_rotation_yy;
-    const REAL t487 = limb_lower_com_x * t485;
-    const REAL t490 = k1 * minus_limb3_lower_rotation_yx + 0.5 * minus_limb3_lower_rotation_yy;
-    const REAL t493 = param_R * t485 - (t487 - limb_lower_com_z * t490);
-    const REAL t512 = limb3_U_v_0 * t493;
-    const REAL limb3_lower_twist_angular_y = limb3_U_v_1 * limb3_U_0_cos;
-    const REAL t514 = t512 + limb3_lower_twist_angular_y * t507;
-    const REAL limb3_lower_twist_linear_z = limb3_U_v_1 * (param_R * limb3_U_0_cos);
-    const REAL limb3_lower_momentum_force_z = limb_lower_m * (limb3_lower_twist_linear_z - t514);
-    WRITE(momenta, 32, limb3_lower_momentum_force_z);
-    const REAL t518 = t493 * limb3_lower_momentum_force_z - t481 * minus_limb3_lower_momentum_force_y;
-    const REAL t521 = limb_lower_Ixx * t498 - limb_lower_Ixz * t504;
-    const REAL t522 = t498 * t521;
-    const REAL t525 = limb_lower_Ixz * t498 - limb_lower_Izz * t504;
-    const REAL t528 = limb3_U_v_0 * (t522 - t504 * t525);
-    const REAL t533 = t528 + limb3_lower_twist_angular_y * (t485 * t521 - t490 * t525);
-    const REAL t538 = t533 - limb3_lower_twist_angular_z * (t473 * t521 - t478 * t525);
-    const REAL minus_limb3_lower_momentum_moment_x = t518 - t538;
-    RESULT(checked2, momenta, 33, -minus_limb3_lower_momentum_moment_x);
-    const REAL t567 = t507 * minus_limb3_lower_momentum_force_y;
-    const REAL t540 = t507 * limb3_lower_momentum_force_z;
-    const REAL limb3_lower_momentum_force_x = limb_lower_m * (limb3_lower_twist_angular_y * t481 + limb3_lower_twist_angular_z * t493);
-    WRITE(momenta, 30, limb3_lower_momentum_force_x);
-    const REAL t569 = t567 - t493 * limb3_lower_momentum_force_x;
-    const REAL t541 = t481 * limb3_lower_momentum_force_x - t540;
-    const REAL t572 = limb_lower_Ixx * t473 - limb_lower_Ixz * t478;
-    const REAL t580 = t485 * t572;
-    const REAL t581 = limb_lower_Iyy * limb3_U_0_sin;
-    const REAL t583 = t580 - limb3_U_0_cos * t581;
-    const REAL t589 = limb3_U_0_sin * t581;
-    const REAL t576 = limb_lower_Ixz * t473 - limb_lower_Izz * t478;
-    const REAL t586 = limb3_lower_twist_angular_y * (t583 - t490 * t576);
-    const REAL t587 = limb3_U_v_0 * (t498 * t572 - t504 * t576) + t586;
-    const REAL t594 = t587 - limb3_lower_twist_angular_z * (t473 * t572 + t589 - t478 * t576);
-    const REAL minus_limb3_lower_momentum_moment_z = t569 + t594;
-    RESULT(checked3, momenta, 35, -minus_limb3_lower_momentum_moment_z);
-    const REAL t597 = 0.5 * t473 - param_H * t478;
-    const REAL limb3_upper_offset_x = limb_upper_phase + READ(q, 8);
-    const REAL limb3_P_v = READ(v, 8);
-    const REAL t598 = limb3_upper_offset_x * limb3_lower_rotation_zx + t597;
-    const REAL limb3_upper_twist_linear_z = limb3_lower_twist_linear_z + limb3_P_v * limb3_lower_rotation_zx;
-    const REAL t602 = t598 - (limb_upper_com_x * t473 - limb_upper_com_z * t478);
-    const REAL t603 = limb3_lower_twist_angular_y * t602;
-    const REAL t607 = limb3_upper_offset_x * minus_limb3_lower_rotation_yx + (0.5 * t485 - param_H * t490);
-    const REAL limb3_upper_position_x = param_R - minus_limb3_lower_sin * limb3_upper_offset_x;
-    const REAL minus_limb3_upper_twist_linear_y = minus_limb3_lower_twist_linear_y + limb3_P_v * minus_limb3_lower_rotation_yx;
-    const REAL t611 = t607 - (limb_upper_com_x * t485 - limb_upper_com_z * t490);
-    const REAL minus_limb3_upper_momentum_force_x = limb_lower_m * (limb3_P_v * minus_limb3_lower_sin - (t603 + limb3_lower_twist_angular_z * t611));
-    RESULT(checked0, momenta, 36, -minus_limb3_upper_momentum_force_x);
-    const REAL t626 = limb3_U_v_0 * t602;
-    const REAL t620 = limb3_upper_position_x - (0.5 * t498 - param_H * t504);
-    const REAL t624 = t620 + (limb_upper_com_x * t498 - limb_upper_com_z * t504);
-    const REAL minus_limb3_upper_momentum_force_y = limb_lower_m * (minus_limb3_upper_twist_linear_y - (limb3_lower_twist_angular_z * t624 - t626));
-    RESULT(checked1, momenta, 37, -minus_limb3_upper_momentum_force_y);
-    const REAL minus_limb3_upper_momentum_moment_z = t594 + (t624 * minus_limb3_upper_momentum_force_y + t611 * minus_limb3_upper_momentum_force_x);
-    RESULT(checked2, momenta, 41, -minus_limb3_upper_momentum_moment_z);
+    const REAL t471 = 0.5 * limb3_lower_rotation_zx, limb3_lower_rotation_zy = limb3_U_0_cos * minus_limb3_lower_sin,
+      t473 = t471 - k1 * limb3_lower_rotation_zy, t475 = limb_lower_com_x * t473,
+      t478 = k1 * limb3_lower_rotation_zx + 0.5 * limb3_lower_rotation_zy,
+      t481 = param_R * t473 - (t475 - limb_lower_com_z * t478), limb3_U_v_0 = READ(v, 6), t509 = limb3_U_v_0 * t481,
+      t498 = 0.5 * minus_limb3_lower_sin + k1 * limb3_lower_cos, t500 = param_R - param_R * t498,
+      t501 = limb_lower_com_x * t498, t504 = k1 * minus_limb3_lower_sin - 0.5 * limb3_lower_cos,
+      t507 = t500 + (t501 - limb_lower_com_z * t504), limb3_U_v_1 = READ(v, 7), limb3_U_0_sin = SINES(sine, 4),
+      limb3_lower_twist_wz = limb3_U_v_1 * limb3_U_0_sin, t510 = limb3_lower_twist_wz * t507 - t509,
+      minus_limb3_lower_twist_vy = limb3_U_v_1 * (param_R * limb3_U_0_sin),
+      minus_limb3_lower_momentum_py = limb_lower_m * (minus_limb3_lower_twist_vy - t510);
+    RESULT(checked1, momenta, 31, -minus_limb3_lower_momentum_py);
+    const REAL minus_limb3_lower_rotation_yx = limb3_U_0_sin * limb3_lower_cos,
+      t483 = 0.5 * minus_limb3_lower_rotation_yx,
+      minus_limb3_lower_rotation_yy = limb3_U_0_sin * minus_limb3_lower_sin,
+      t485 = t483 - k1 * minus_limb3_lower_rotation_yy, t487 = limb_lower_com_x * t485,
+      t490 = k1 * minus_limb3_lower_rotation_yx + 0.5 * minus_limb3_lower_rotation_yy,
+      t493 = param_R * t485 - (t487 - limb_lower_com_z * t490), t512 = limb3_U_v_0 * t493,
+      limb3_lower_twist_wy = limb3_U_v_1 * limb3_U_0_cos, t514 = t512 + limb3_lower_twist_wy * t507,
+      limb3_lower_twist_vz = limb3_U_v_1 * (param_R * limb3_U_0_cos),
+      limb3_lower_momentum_pz = limb_lower_m * (limb3_lower_twist_vz - t514);
+    WRITE(momenta, 32, limb3_lower_momentum_pz);
+    const REAL t518 = t493 * limb3_lower_momentum_pz - t481 * minus_limb3_lower_momentum_py,
+      t521 = limb_lower_Ixx * t498 - limb_lower_Ixz * t504, t522 = t498 * t521,
+      t525 = limb_lower_Ixz * t498 - limb_lower_Izz * t504, t528 = limb3_U_v_0 * (t522 - t504 * t525),
+      t533 = t528 + limb3_lower_twist_wy * (t485 * t521 - t490 * t525),
+      t538 = t533 - limb3_lower_twist_wz * (t473 * t521 - t478 * t525), minus_limb3_lower_momentum_Lx = t518 - t538;
+    RESULT(checked2, momenta, 33, -minus_limb3_lower_momentum_Lx);
+    const REAL t567 = t507 * minus_limb3_lower_momentum_py, t540 = t507 * limb3_lower_momentum_pz,
+      limb3_lower_momentum_px = limb_lower_m * (limb3_lower_twist_wy * t481 + limb3_lower_twist_wz * t493);
+    WRITE(momenta, 30, limb3_lower_momentum_px);
+    const REAL t569 = t567 - t493 * limb3_lower_momentum_px, t541 = t481 * limb3_lower_momentum_px - t540,
+      t572 = limb_lower_Ixx * t473 - limb_lower_Ixz * t478, t580 = t485 * t572, t581 = limb_lower_Iyy * limb3_U_0_sin,
+      t583 = t580 - limb3_U_0_cos * t581, t589 = limb3_U_0_sin * t581,
+      t576 = limb_lower_Ixz * t473 - limb_lower_Izz * t478, t586 = limb3_lower_twist_wy * (t583 - t490 * t576),
+      t587 = limb3_U_v_0 * (t498 * t572 - t504 * t576) + t586,
+      t594 = t587 - limb3_lower_twist_wz * (t473 * t572 + t589 - t478 * t576),
+      minus_limb3_lower_momentum_Lz = t569 + t594;
+    RESULT(checked3, momenta, 35, -minus_limb3_lower_momentum_Lz);
+    const REAL t597 = 0.5 * t473 - param_H * t478, limb3_upper_offset_x = limb_upper_phase + READ(q, 8),
+      limb3_P_v = READ(v, 8), t598 = limb3_upper_offset_x * limb3_lower_rotation_zx + t597,
+      limb3_upper_twist_vz = limb3_lower_twist_vz + limb3_P_v * limb3_lower_rotation_zx,
+      t602 = t598 - (limb_upper_com_x * t473 - limb_upper_com_z * t478), t603 = limb3_lower_twist_wy * t602,
+      t607 = limb3_upper_offset_x * minus_limb3_lower_rotation_yx + (0.5 * t485 - param_H * t490),
+      limb3_upper_position_x = param_R - minus_limb3_lower_sin * limb3_upper_offset_x,
+      minus_limb3_upper_twist_vy = minus_limb3_lower_twist_vy + limb3_P_v * minus_limb3_lower_rotation_yx,
+      t611 = t607 - (limb_upper_com_x * t485 - limb_upper_com_z * t490),
+      minus_limb3_upper_momentum_px = limb_lower_m * (limb3_P_v * minus_limb3_lower_sin - (t603 + limb3_lower_twist_wz * t611));
+    RESULT(checked0, momenta, 36, -minus_limb3_upper_momentum_px);
+    const REAL t625 = limb3_U_v_0 * t602, t619 = limb3_upper_position_x - (0.5 * t498 - param_H * t504),
+      t623 = t619 + (limb_upper_com_x * t498 - limb_upper_com_z * t504),
+      minus_limb3_upper_momentum_py = limb_lower_m * (minus_limb3_upper_twist_vy - (limb3_lower_twist_wz * t623 - t625));
+    RESULT(checked1, momenta, 37, -minus_limb3_upper_momentum_py);
+    const REAL minus_limb3_upper_momentum_Lz = t594 + (t623 * minus_limb3_upper_momentum_py + t611 * minus_limb3_upper_momentum_px);
+    RESULT(checked2, momenta, 41, -minus_limb3_upper_momentum_Lz);
     /* limb4: geometry */
-    const REAL limb4_U_0_sin = SINES(cosine, 6), limb4_lower_cos = SINES(cosine, 7);
-    const REAL minus_limb4_lower_rotation_zx = limb4_U_0_sin * limb4_lower_cos;
-    const REAL minus_limb4_lower_sin = SINES(sine, 7);
+    const REAL limb4_U_0_sin = SINES(cosine, 6), limb4_lower_cos = SINES(cosine, 7),
+      minus_limb4_lower_rotation_zx = limb4_U_0_sin * limb4_lower_cos, minus_limb4_lower_sin = SINES(sine, 7);
     /* limb4: momentum, eq. (31); geometry; velocities, eq. (6) */
-    const REAL t644 = 0.5 * minus_limb4_lower_rotation_zx;
-    const REAL minus_limb4_lower_rotation_zy = limb4_U_0_sin * minus_limb4_lower_sin;
-    const REAL t646 = t644 + k1 * minus_limb4_lower_rotation_zy;
-    const REAL t648 = limb_lower_com_x * t646;
-    const REAL t651 = k1 * minus_limb4_lower_rotation_zx - 0.5 * minus_limb4_lower_rotation_zy;
-    const REAL t654 = param_R * t646 - (t648 - limb_lower_com_z * t651);
-    const REAL limb4_U_v_0 = READ(v, 9);
-    const REAL t655 = limb4_U_v_0 * t654;
-    const REAL t658 = 0.5 * minus_limb4_lower_sin - k1 * limb4_lower_cos;
-    const REAL t660 = param_R - param_R * t658;
-    const REAL t661 = limb_lower_com_x * t658;
-    const REAL t664 = k1 * minus_limb4_lower_sin + 0.5 * limb4_lower_cos;
-    const REAL t667 = t660 + (t661 - limb_lower_com_z * t664);
-    const REAL limb4_U_v_1 = READ(v, 10), minus_limb4_U_0_cos = SINES(sine, 6);
-    const REAL minus_limb4_lower_twist_angular_z = limb4_U_v_1 * minus_limb4_U_0_cos;
-    const REAL t669 = t655 - minus_limb4_lower_twist_angular_z * t667;
-    const REAL minus_limb4_lower_twist_linear_x = limb4_U_v_1 * (param_R * minus_limb4_U_0_cos);
-    const REAL minus_limb4_lower_momentum_force_x = limb_lower_m * (minus_limb4_lower_twist_linear_x + t669);
-    RESULT(checked3, momenta, 42, -minus_limb4_lower_momentum_force_x);
-    const REAL minus_limb4_lower_rotation_xx = minus_limb4_U_0_cos * limb4_lower_cos;
-    const REAL t671 = 0.5 * minus_limb4_lower_rotation_xx;
-    const REAL minus_limb4_lower_rotation_xy = minus_limb4_U_0_cos * minus_limb4_lower_sin;
-    const REAL t673 = t671 + k1 * minus_limb4_lower_rotation_xy;
-    const REAL t675 = limb_lower_com_x * t673;
-    const REAL t678 = k1 * minus_limb4_lower_rotation_xx - 0.5 * minus_limb4_lower_rotation_xy;
-    const REAL t681 = param_R * t673 - (t675 - limb_lower_com_z * t678);
-    const REAL t686 = limb4_U_v_0 * t681;
-    const REAL limb4_lower_twist_angular_x = limb4_U_v_1 * limb4_U_0_sin;
-    const REAL t687 = limb4_lower_twist_angular_x * t667 + t686;
-    const REAL minus_limb4_lower_twist_linear_z = limb4_U_v_1 * (param_R * limb4_U_0_sin);
-    const REAL minus_limb4_lower_momentum_force_z = limb_lower_m * (minus_limb4_lower_twist_linear_z - t687);
-    RESULT(checked0, momenta, 44, -minus_limb4_lower_momentum_force_z);
-    const REAL t689 = t667 * minus_limb4_lower_momentum_force_z;
-    const REAL t741 = t667 * minus_limb4_lower_momentum_force_x;
-    const REAL limb4_lower_momentum_force_y = limb_lower_m * (minus_limb4_lower_twist_angular_z * t681 + limb4_lower_twist_angular_x * t654);
-    WRITE(momenta, 43, limb4_lower_momentum_force_y);
-    const REAL t691 = t689 - t654 * limb4_lower_momentum_force_y;
-    const REAL t717 = t654 * minus_limb4_lower_momentum_force_x;
-    const REAL t696 = limb_lower_Ixx * t673 - limb_lower_Ixz * t678;
-    const REAL t697 = t673 * t696;
-    const REAL t692 = limb_lower_Iyy * limb4_U_0_sin;
-    const REAL t698 = limb4_U_0_sin * t692 + t697;
-    const REAL t710 = minus_limb4_U_0_cos * t692;
-    const REAL t701 = limb_lower_Ixz * t673 - limb_lower_Izz * t678;
-    const REAL t704 = limb4_lower_twist_angular_x * (t698 - t678 * t701);
-    const REAL t709 = t704 + limb4_U_v_0 * (t658 * t696 - t664 * t701);
-    const REAL t716 = t709 + minus_limb4_lower_twist_angular_z * (t710 - t646 * t696 + t651 * t701);
-    const REAL minus_limb4_lower_momentum_moment_x = t691 - t716;
-    RESULT(checked1, momenta, 45, -minus_limb4_lower_momentum_moment_x);
-    const REAL t742 = t681 * limb4_lower_momentum_force_y - t741;
-    const REAL t719 = t717 - t681 * minus_limb4_lower_momentum_force_z;
-    const REAL t747 = limb_lower_Ixx * t646 - limb_lower_Ixz * t651;
-    const REAL t748 = t673 * t747;
-    const REAL t743 = limb_lower_Iyy * minus_limb4_U_0_cos;
-    const REAL t749 = limb4_U_0_sin * t743 - t748;
-    const REAL t761 = minus_limb4_U_0_cos * t743;
-    const REAL t752 = limb_lower_Ixz * t646 - limb_lower_Izz * t651;
-    const REAL t755 = limb4_lower_twist_angular_x * (t749 + t678 * t752);
-    const REAL t760 = t755 - limb4_U_v_0 * (t658 * t747 - t664 * t752);
-    const REAL t767 = t760 + minus_limb4_lower_twist_angular_z * (t761 + t646 * t747 - t651 * t752);
-    const REAL minus_limb4_lower_momentum_moment_z = t742 + t767;
-    RESULT(checked2, momenta, 47, -minus_limb4_lower_momentum_moment_z);
-    const REAL t771 = 0.5 * t646 - param_H * t651;
-    const REAL limb4_upper_offset_x = limb_upper_phase + READ(q, 11);
-    const REAL limb4_P_v = READ(v, 11);
-    const REAL t772 = limb4_upper_offset_x * minus_limb4_lower_rotation_zx + t771;
-    const REAL minus_limb4_upper_twist_linear_z = minus_limb4_lower_twist_linear_z + limb4_P_v * minus_limb4_lower_rotation_zx;
-    const REAL t776 = t772 - (limb_upper_com_x * t646 - limb_upper_com_z * t651);
-    const REAL t777 = limb4_U_v_0 * t776;
-    const REAL t782 = param_R - minus_limb4_lower_sin * limb4_upper_offset_x - (0.5 * t658 - param_H * t664);
-    const REAL minus_limb4_upper_position_x = limb4_upper_offset_x * minus_limb4_lower_rotation_xx;
-    const REAL minus_limb4_upper_twist_linear_x = minus_limb4_lower_twist_linear_x + limb4_P_v * minus_limb4_lower_rotation_xx;
-    const REAL t786 = t782 + (limb_upper_com_x * t658 - limb_upper_com_z * t664);
-    const REAL minus_limb4_upper_momentum_force_x = limb_lower_m * (minus_limb4_upper_twist_linear_x + (t777 - minus_limb4_lower_twist_angular_z * t786));
-    RESULT(checked3, momenta, 48, -minus_limb4_upper_momentum_force_x);
-    const REAL t793 = minus_limb4_upper_position_x + (0.5 * t673 - param_H * t678);
-    const REAL t797 = t793 - (limb_upper_com_x * t673 - limb_upper_com_z * t678);
-    const REAL t800 = minus_limb4_lower_twist_angular_z * t797 + limb4_lower_twist_angular_x * t776;
-    const REAL minus_limb4_upper_momentum_force_y = limb_lower_m * (limb4_P_v * minus_limb4_lower_sin - t800);
-    RESULT(checked0, momenta, 49, -minus_limb4_upper_momentum_force_y);
-    const REAL minus_limb4_upper_momentum_force_z = limb_lower_m * (minus_limb4_upper_twist_linear_z - (limb4_lower_twist_angular_x * t786 + limb4_U_v_0 * t797));
-    RESULT(checked1, momenta, 50, -minus_limb4_upper_momentum_force_z);
-    const REAL t811 = t797 * minus_limb4_upper_momentum_force_z;
-    const REAL minus_limb4_upper_momentum_moment_z = t767 - (t797 * minus_limb4_upper_momentum_force_y + t786 * minus_limb4_upper_momentum_force_x);
-    RESULT(checked2, momenta, 53, -minus_limb4_upper_momentum_moment_z);
-    /* platform: geometry; momentum, eq. (31); results */
-    const REAL limb5_S_q_qw = READ(q, 12), limb5_S_q_qx = READ(q, 13);
-    const REAL t807 = t786 * minus_limb4_upper_momentum_force_z; /* limb4 */
-    const REAL t1 = limb5_S_q_qw * limb5_S_q_qw;
-    const REAL t2 = limb5_S_q_qx * limb5_S_q_qx;
-    const REAL limb5_S_q_qy = READ(q, 14);
-    const REAL t3 = t1 + t2;
-    const REAL t4 = limb5_S_q_qy * limb5_S_q_qy;
-    const REAL limb5_S_q_qz = READ(q, 15);
-    const REAL t5 = limb5_S_q_qz * limb5_S_q_qz;
-    const REAL t6 = t4 + t5;
-    const REAL t7 = t3 + t6;
-    const REAL t9 = 4.0 - 2.0 * t7;
-    const REAL t10 = t2 + t4;
-    const REAL platform_turn_yy = 1.0 - t9 * (t2 + t5);
-    const REAL platform_turn_zz = 1.0 - t9 * t10;
-    const REAL platform_turn_xx = 1.0 - t6 * t9;
-    const REAL t16 = limb5_S_q_qy * t9;
-    const REAL t17 = limb5_S_q_qx * t16;
-    const REAL t30 = limb5_S_q_qw * t16;
-    const REAL t18 = limb5_S_q_qz * t9;
-    const REAL t24 = limb5_S_q_qw * (limb5_S_q_qx * t9);
-    const REAL t19 = limb5_S_q_qw * t18;
-    const REAL platform_turn_yx = t17 + t19;
-    const REAL platform_turn_xy = t17 - t19;
-    const REAL limb5_S_v_wx = READ(v, 12), limb5_S_v_wy = READ(v, 13);
-    const REAL t21 = limb5_S_v_wy * platform_turn_yy + limb5_S_v_wx * platform_turn_yx;
-    const REAL t22 = limb5_S_q_qy * t18;
-    const REAL t29 = limb5_S_q_qx * t18;
-    const REAL platform_turn_yz = t22 - t24;
-    const REAL platform_turn_zy = t22 + t24;
-    const REAL limb5_S_v_wz = READ(v, 14);
-    const REAL platform_twist_angular_y = t21 + limb5_S_v_wz * platform_turn_yz;
-    const REAL t12 = param_H * platform_turn_zz;
-    const REAL t26 = t12 * platform_twist_angular_y;
-    const REAL platform_turn_zx = t29 - t30;
-    const REAL platform_turn_xz = t29 + t30;
-    const REAL t33 = limb5_S_v_wx * platform_turn_zx + limb5_S_v_wy * platform_turn_zy;
-    const REAL platform_twist_angular_z = limb5_S_v_wz * platform_turn_zz + t33;
-    const REAL t27 = param_H * platform_turn_yz;
-    const REAL platform_momentum_force_x = platform_m * (t26 - t27 * platform_twist_angular_z);
-    WRITE(momenta, 0, platform_momentum_force_x);
-    const REAL t818 = platform_momentum_force_x + limb1_lower_momentum_force_x + limb1_upper_momentum_force_x + limb2_lower_momentum_force_x;
-    const REAL t821 = t818 + limb2_upper_momentum_force_x + limb3_lower_momentum_force_x - minus_limb3_upper_momentum_force_x;
-    RESULT(checked3, total_, 0, t821 - minus_limb4_lower_momentum_force_x - minus_limb4_upper_momentum_force_x);
-    const REAL limb1_lower_momentum_moment_y = t137 * limb1_lower_momentum_force_x - t196 - t222;
-    WRITE(momenta, 10, limb1_lower_momentum_moment_y);
-    const REAL t174 = t172 - t137 * limb1_lower_momentum_force_y; /* limb1 */
-    const REAL t637 = t602 * minus_limb3_upper_momentum_force_x; /* limb3 */
-    const REAL t635 = t602 * minus_limb3_upper_momentum_force_y; /* limb3 */
-    const REAL t812 = t776 * minus_limb4_upper_momentum_force_x - t811; /* limb4 */
-    const REAL limb4_upper_momentum_moment_x = t716 - (t807 + t776 * minus_limb4_upper_momentum_force_y);
-    WRITE(momenta, 51, limb4_upper_momentum_moment_x);
-    const REAL t296 = t267 * limb1_upper_momentum_force_x; /* limb1 */
-    const REAL t289 = t267 * minus_limb1_upper_momentum_force_z; /* limb1 */
-    const REAL t36 = param_H * platform_turn_xz;
-    const REAL t37 = t36 * platform_twist_angular_z;
-    const REAL t41 = limb5_S_v_wx * platform_turn_xx + limb5_S_v_wy * platform_turn_xy;
-    const REAL platform_twist_angular_x = t41 + limb5_S_v_wz * platform_turn_xz;
-    const REAL platform_momentum_force_y = platform_m * (t37 - t12 * platform_twist_angular_x);
-    WRITE(momenta, 1, platform_momentum_force_y);
-    const REAL t823 = platform_momentum_force_y + limb1_lower_momentum_force_y;
-    const REAL limb1_upper_momentum_force_y = limb_lower_m * (limb1_upper_twist_linear_y - (limb1_lower_twist_angular_z * t279 + limb1_U_v_0 * t258));
-    WRITE(momenta, 13, limb1_upper_momentum_force_y);
-    const REAL t826 = t823 + limb1_upper_momentum_force_y + limb2_lower_momentum_force_y + limb2_upper_momentum_force_y;
-    const REAL t829 = t826 - minus_limb3_lower_momentum_force_y - minus_limb3_upper_momentum_force_y + limb4_lower_momentum_force_y;
-    RESULT(checked0, total_, 1, t829 - minus_limb4_upper_momentum_force_y);
-    const REAL t291 = t289 - t258 * limb1_upper_momentum_force_y; /* limb1 */
-    const REAL limb1_upper_momentum_moment_z = t250 - (t279 * limb1_upper_momentum_force_y - t296);
-    WRITE(momenta, 17, limb1_upper_momentum_moment_z);
-    const REAL platform_momentum_force_z = platform_m * (t27 * platform_twist_angular_x - t36 * platform_twist_angular_y);
-    WRITE(momenta, 2, platform_momentum_force_z);
-    const REAL t831 = platform_momentum_force_z - minus_limb1_lower_momentum_force_z - minus_limb1_upper_momentum_force_z;
-    const REAL t834 = t831 + limb2_lower_momentum_force_z + limb2_upper_momentum_force_z + limb3_lower_momentum_force_z;
-    const REAL limb3_upper_momentum_force_z = limb_lower_m * (limb3_upper_twist_linear_z - (limb3_U_v_0 * t611 + limb3_lower_twist_angular_y * t624));
-    WRITE(momenta, 38, limb3_upper_momentum_force_z);
-    RESULT(checked1, total_, 2, t834 + limb3_upper_momentum_force_z - minus_limb4_lower_momentum_force_z - minus_limb4_upper_momentum_force_z);
-    const REAL limb3_upper_momentum_moment_x = t538 - (t611 * limb3_upper_momentum_force_z - t635);
-    WRITE(momenta, 39, limb3_upper_momentum_moment_x);
-    const REAL t639 = t637 + t624 * limb3_upper_momentum_force_z; /* limb3 */
+    const REAL t643 = 0.5 * minus_limb4_lower_rotation_zx,
+      minus_limb4_lower_rotation_zy = limb4_U_0_sin * minus_limb4_lower_sin,
+      t645 = t643 + k1 * minus_limb4_lower_rotation_zy, t647 = limb_lower_com_x * t645,
+      t650 = k1 * minus_limb4_lower_rotation_zx - 0.5 * minus_limb4_lower_rotation_zy,
+      t653 = param_R * t645 - (t647 - limb_lower_com_z * t650), limb4_U_v_0 = READ(v, 9), t654 = limb4_U_v_0 * t653,
+      t657 = 0.5 * minus_limb4_lower_sin - k1 * limb4_lower_cos, t659 = param_R - param_R * t657,
+      t660 = limb_lower_com_x * t657, t663 = k1 * minus_limb4_lower_sin + 0.5 * limb4_lower_cos,
+      t666 = t659 + (t660 - limb_lower_com_z * t663), limb4_U_v_1 = READ(v, 10), minus_limb4_U_0_cos = SINES(sine, 6),
+      minus_limb4_lower_twist_wz = limb4_U_v_1 * minus_limb4_U_0_cos, t668 = t654 - minus_limb4_lower_twist_wz * t666,
+      minus_limb4_lower_twist_vx = limb4_U_v_1 * (param_R * minus_limb4_U_0_cos),
+      minus_limb4_lower_momentum_px = limb_lower_m * (minus_limb4_lower_twist_vx + t668);
+    RESULT(checked3, momenta, 42, -minus_limb4_lower_momentum_px);
+    const REAL minus_limb4_lower_rotation_xx = minus_limb4_U_0_cos * limb4_lower_cos,
+      t670 = 0.5 * minus_limb4_lower_rotation_xx,
+      minus_limb4_lower_rotation_xy = minus_limb4_U_0_cos * minus_limb4_lower_sin,
+      t672 = t670 + k1 * minus_limb4_lower_rotation_xy, t674 = limb_lower_com_x * t672,
+      t677 = k1 * minus_limb4_lower_rotation_xx - 0.5 * minus_limb4_lower_rotation_xy,
+      t680 = param_R * t672 - (t674 - limb_lower_com_z * t677), t685 = limb4_U_v_0 * t680,
+      limb4_lower_twist_wx = limb4_U_v_1 * limb4_U_0_sin, t686 = limb4_lower_twist_wx * t666 + t685,
+      minus_limb4_lower_twist_vz = limb4_U_v_1 * (param_R * limb4_U_0_sin),
+      minus_limb4_lower_momentum_pz = limb_lower_m * (minus_limb4_lower_twist_vz - t686);
+    RESULT(checked0, momenta, 44, -minus_limb4_lower_momentum_pz);
+    const REAL t688 = t666 * minus_limb4_lower_momentum_pz, t740 = t666 * minus_limb4_lower_momentum_px,
+      limb4_lower_momentum_py = limb_lower_m * (minus_limb4_lower_twist_wz * t680 + limb4_lower_twist_wx * t653);
+    WRITE(momenta, 43, limb4_lower_momentum_py);
+    const REAL t690 = t688 - t653 * limb4_lower_momentum_py, t716 = t653 * minus_limb4_lower_momentum_px,
+      t695 = limb_lower_Ixx * t672 - limb_lower_Ixz * t677, t696 = t672 * t695, t691 = limb_lower_Iyy * limb4_U_0_sin,
+      t697 = limb4_U_0_sin * t691 + t696, t709 = minus_limb4_U_0_cos * t691,
+      t700 = limb_lower_Ixz * t672 - limb_lower_Izz * t677, t703 = limb4_lower_twist_wx * (t697 - t677 * t700),
+      t708 = t703 + limb4_U_v_0 * (t657 * t695 - t663 * t700),
+      t715 = t708 + minus_limb4_lower_twist_wz * (t709 - t645 * t695 + t650 * t700),
+      minus_limb4_lower_momentum_Lx = t690 - t715;
+    RESULT(checked1, momenta, 45, -minus_limb4_lower_momentum_Lx);
+    const REAL t741 = t680 * limb4_lower_momentum_py - t740, t718 = t716 - t680 * minus_limb4_lower_momentum_pz,
+      t746 = limb_lower_Ixx * t645 - limb_lower_Ixz * t650, t747 = t672 * t746,
+      t742 = limb_lower_Iyy * minus_limb4_U_0_cos, t748 = limb4_U_0_sin * t742 - t747,
+      t760 = minus_limb4_U_0_cos * t742, t751 = limb_lower_Ixz * t645 - limb_lower_Izz * t650,
+      t754 = limb4_lower_twist_wx * (t748 + t677 * t751), t759 = t754 - limb4_U_v_0 * (t657 * t746 - t663 * t751),
+      t766 = t759 + minus_limb4_lower_twist_wz * (t760 + t645 * t746 - t650 * t751),
+      minus_limb4_lower_momentum_Lz = t741 + t766;
+    RESULT(checked2, momenta, 47, -minus_limb4_lower_momentum_Lz);
+    const REAL t770 = 0.5 * t645 - param_H * t650, limb4_upper_offset_x = limb_upper_phase + READ(q, 11),
+      limb4_P_v = READ(v, 11), t771 = limb4_upper_offset_x * minus_limb4_lower_rotation_zx + t770,
+      minus_limb4_upper_twist_vz = minus_limb4_lower_twist_vz + limb4_P_v * minus_limb4_lower_rotation_zx,
+      t775 = t771 - (limb_upper_com_x * t645 - limb_upper_com_z * t650), t776 = limb4_U_v_0 * t775,
+      t780 = param_R - minus_limb4_lower_sin * limb4_upper_offset_x - (0.5 * t657 - param_H * t663),
+      minus_limb4_upper_position_x = limb4_upper_offset_x * minus_limb4_lower_rotation_xx,
+      minus_limb4_upper_twist_vx = minus_limb4_lower_twist_vx + limb4_P_v * minus_limb4_lower_rotation_xx,
+      t784 = t780 + (limb_upper_com_x * t657 - limb_upper_com_z * t663),
+      minus_limb4_upper_momentum_px = limb_lower_m * (minus_limb4_upper_twist_vx + (t776 - minus_limb4_lower_twist_wz * t784));
+    RESULT(checked3, momenta, 48, -minus_limb4_upper_momentum_px);
+    const REAL t791 = minus_limb4_upper_position_x + (0.5 * t672 - param_H * t677),
+      t795 = t791 - (limb_upper_com_x * t672 - limb_upper_com_z * t677),
+      t798 = minus_limb4_lower_twist_wz * t795 + limb4_lower_twist_wx * t775,
+      minus_limb4_upper_momentum_py = limb_lower_m * (limb4_P_v * minus_limb4_lower_sin - t798);
+    RESULT(checked0, momenta, 49, -minus_limb4_upper_momentum_py);
+    const REAL minus_limb4_upper_momentum_pz = limb_lower_m * (minus_limb4_upper_twist_vz - (limb4_lower_twist_wx * t784 + limb4_U_v_0 * t795));
+    RESULT(checked1, momenta, 50, -minus_limb4_upper_momentum_pz);
+    const REAL t809 = t795 * minus_limb4_upper_momentum_pz,
+      minus_limb4_upper_momentum_Lz = t766 - (t795 * minus_limb4_upper_momentum_py + t784 * minus_limb4_upper_momentum_px);
+    RESULT(checked2, momenta, 53, -minus_limb4_upper_momentum_Lz);
+    /* platform: geometry; velocities, eq. (6); momentum, eq. (31) */
+    const REAL limb5_S_q_qw = READ(q, 12), limb5_S_q_qx = READ(q, 13),
+      t805 = t784 * minus_limb4_upper_momentum_pz, /* limb4 */
+      t1 = limb5_S_q_qw * limb5_S_q_qw, t2 = limb5_S_q_qx * limb5_S_q_qx, limb5_S_q_qy = READ(q, 14), t3 = t1 + t2,
+      t4 = limb5_S_q_qy * limb5_S_q_qy, limb5_S_q_qz = READ(q, 15), t5 = limb5_S_q_qz * limb5_S_q_qz, t6 = t4 + t5,
+      t7 = t3 + t6, t9 = 4.0 - 2.0 * t7, t10 = t2 + t4, platform_turn_yy = 1.0 - t9 * (t2 + t5),
+      platform_turn_zz = 1.0 - t9 * t10, platform_turn_xx = 1.0 - t6 * t9, t16 = limb5_S_q_qy * t9,
+      t17 = limb5_S_q_qx * t16, t30 = limb5_S_q_qw * t16, t18 = limb5_S_q_qz * t9,
+      t24 = limb5_S_q_qw * (limb5_S_q_qx * t9), t19 = limb5_S_q_qw * t18, platform_turn_yx = t17 + t19,
+      platform_turn_xy = t17 - t19, limb5_S_v_wx = READ(v, 12), limb5_S_v_wy = READ(v, 13),
+      t21 = limb5_S_v_wy * platform_turn_yy + limb5_S_v_wx * platform_turn_yx, t22 = limb5_S_q_qy * t18,
+      t29 = limb5_S_q_qx * t18, platform_turn_yz = t22 - t24, platform_turn_zy = t22 + t24,
+      limb5_S_v_wz = READ(v, 14), platform_twist_wy = t21 + limb5_S_v_wz * platform_turn_yz,
+      t12 = param_H * platform_turn_zz, t26 = t12 * platform_twist_wy, platform_turn_zx = t29 - t30,
+      platform_turn_xz = t29 + t30, t33 = limb5_S_v_wx * platform_turn_zx + limb5_S_v_wy * platform_turn_zy,
+      platform_twist_wz = limb5_S_v_wz * platform_turn_zz + t33, t27 = param_H * platform_turn_yz,
+      platform_momentum_px = platform_m * (t26 - t27 * platform_twist_wz);
+    WRITE(momenta, 0, platform_momentum_px);
+    const REAL t816 = platform_momentum_px + limb1_lower_momentum_px + limb1_upper_momentum_px + limb2_lower_momentum_px,
+      t820 = t816 + limb2_upper_momentum_px + limb3_lower_momentum_px - minus_limb3_upper_momentum_px - minus_limb4_lower_momentum_px;
+    RESULT(checked3, total_, 0, t820 - minus_limb4_upper_momentum_px);
+    const REAL limb1_lower_momentum_Ly = t137 * limb1_lower_momentum_px - t196 - t222;
+    WRITE(momenta, 10, limb1_lower_momentum_Ly);
+    const REAL t174 = t172 - t137 * limb1_lower_momentum_py, /* limb1 */
+      t636 = t602 * minus_limb3_upper_momentum_px, /* limb3 */
+      t634 = t602 * minus_limb3_upper_momentum_py, /* limb3 */
+      t810 = t775 * minus_limb4_upper_momentum_px - t809, /* limb4 */
+      limb4_upper_momentum_Lx = t715 - (t805 + t775 * minus_limb4_upper_momentum_py);
+    WRITE(momenta, 51, limb4_upper_momentum_Lx);
+    const REAL t296 = t267 * limb1_upper_momentum_px, /* limb1 */
+      t289 = t267 * minus_limb1_upper_momentum_pz, /* limb1 */
+      t36 = param_H * platform_turn_xz, t37 = t36 * platform_twist_wz,
+      t41 = limb5_S_v_wx * platform_turn_xx + limb5_S_v_wy * platform_turn_xy,
+      platform_twist_wx = t41 + limb5_S_v_wz * platform_turn_xz,
+      platform_momentum_py = platform_m * (t37 - t12 * platform_twist_wx);
+    WRITE(momenta, 1, platform_momentum_py);
+    const REAL t821 = platform_momentum_py + limb1_lower_momentum_py,
+      limb1_upper_momentum_py = limb_lower_m * (limb1_upper_twist_vy - (limb1_lower_twist_wz * t279 + limb1_U_v_0 * t258));
+    WRITE(momenta, 13, limb1_upper_momentum_py);
+    const REAL t825 = t821 + limb1_upper_momentum_py + limb2_lower_momentum_py + limb2_upper_momentum_py - minus_limb3_lower_momentum_py;
+    RESULT(checked0, total_, 1, t825 - minus_limb3_upper_momentum_py + limb4_lower_momentum_py - minus_limb4_upper_momentum_py);
+    const REAL t291 = t289 - t258 * limb1_upper_momentum_py, /* limb1 */
+      limb1_upper_momentum_Lz = t250 - (t279 * limb1_upper_momentum_py - t296);
+    WRITE(momenta, 17, limb1_upper_momentum_Lz);
+    const REAL platform_momentum_pz = platform_m * (t27 * platform_twist_wx - t36 * platform_twist_wy);
+    WRITE(momenta, 2, platform_momentum_pz);
+    const REAL t830 = platform_momentum_pz - minus_limb1_lower_momentum_pz - minus_limb1_upper_momentum_pz + limb2_lower_momentum_pz,
+      t832 = t830 + limb2_upper_momentum_pz + limb3_lower_momentum_pz,
+      limb3_upper_momentum_pz = limb_lower_m * (limb3_upper_twist_vz - (limb3_U_v_0 * t611 + limb3_lower_twist_wy * t623));
+    WRITE(momenta, 38, limb3_upper_momentum_pz);
+    RESULT(checked1, total_, 2, t832 + limb3_upper_momentum_pz - minus_limb4_lower_momentum_pz - minus_limb4_upper_momentum_pz);
+    const REAL limb3_upper_momentum_Lx = t538 - (t611 * limb3_upper_momentum_pz - t634);
+    WRITE(momenta, 39, limb3_upper_momentum_Lx);
+    const REAL t638 = t636 + t623 * limb3_upper_momentum_pz; /* limb3 */
     /* platform: momentum, eq. (31) */
-    const REAL t50 = t27 * platform_momentum_force_z - t12 * platform_momentum_force_y;
-    const REAL t76 = t12 * platform_momentum_force_x - t36 * platform_momentum_force_z;
-    const REAL t102 = t36 * platform_momentum_force_y - t27 * platform_momentum_force_x;
-    const REAL t53 = platform_Ixx * platform_turn_xy;
-    const REAL t54 = platform_turn_xy * t53;
-    const REAL t51 = platform_Ixx * platform_turn_xx;
-    const REAL t55 = platform_turn_xx * t51 + t54;
-    const REAL t56 = platform_Izz * platform_turn_xz;
-    const REAL t59 = platform_twist_angular_x * (t55 + platform_turn_xz * t56);
-    const REAL t69 = platform_turn_zx * t51 + platform_turn_zy * t53;
-    const REAL t65 = platform_twist_angular_y * (platform_turn_yx * t51 + platform_turn_yy * t53 + platform_turn_yz * t56);
-    const REAL platform_momentum_moment_x = t50 + (t59 + t65 + platform_twist_angular_z * (t69 + platform_turn_zz * t56));
-    WRITE(momenta, 3, platform_momentum_moment_x);
+    const REAL t50 = t27 * platform_momentum_pz - t12 * platform_momentum_py,
+      t76 = t12 * platform_momentum_px - t36 * platform_momentum_pz,
+      t102 = t36 * platform_momentum_py - t27 * platform_momentum_px, t53 = platform_Ixx * platform_turn_xy,
+      t54 = platform_turn_xy * t53, t51 = platform_Ixx * platform_turn_xx, t55 = platform_turn_xx * t51 + t54,
+      t56 = platform_Izz * platform_turn_xz, t59 = platform_twist_wx * (t55 + platform_turn_xz * t56),
+      t69 = platform_turn_zx * t51 + platform_turn_zy * t53,
+      t65 = platform_twist_wy * (platform_turn_yx * t51 + platform_turn_yy * t53 + platform_turn_yz * t56),
+      platform_momentum_Lx = t50 + (t59 + t65 + platform_twist_wz * (t69 + platform_turn_zz * t56));
+    WRITE(momenta, 3, platform_momentum_Lx);
     /* limb1: momentum, eq. (31) */
-    const REAL t177 = limb_lower_Ixx * t154 - limb_lower_Ixz * t160;
-    const REAL t185 = t141 * t177;
-    const REAL t190 = t129 * t177;
-    const REAL t178 = t154 * t177;
-    const REAL t181 = limb_lower_Ixz * t154 - limb_lower_Izz * t160;
-    const REAL t184 = limb1_U_v_0 * (t178 - t160 * t181);
-    const REAL t189 = t184 - limb1_lower_twist_angular_y * (t185 - t146 * t181);
-    const REAL t194 = t189 + limb1_lower_twist_angular_z * (t190 - t134 * t181);
-    const REAL limb1_lower_momentum_moment_x = t174 + t194;
-    WRITE(momenta, 9, limb1_lower_momentum_moment_x);
+    const REAL t177 = limb_lower_Ixx * t154 - limb_lower_Ixz * t160, t185 = t141 * t177, t190 = t129 * t177,
+      t178 = t154 * t177, t181 = limb_lower_Ixz * t154 - limb_lower_Izz * t160,
+      t184 = limb1_U_v_0 * (t178 - t160 * t181), t189 = t184 - limb1_lower_twist_wy * (t185 - t146 * t181),
+      t194 = t189 + limb1_lower_twist_wz * (t190 - t134 * t181), limb1_lower_momentum_Lx = t174 + t194;
+    WRITE(momenta, 9, limb1_lower_momentum_Lx);
     /* Lx: results */
-    const REAL t837 = platform_momentum_moment_x + limb1_lower_momentum_moment_x;
-    const REAL limb1_upper_momentum_moment_x = t194 + t291;
-    WRITE(momenta, 15, limb1_upper_momentum_moment_x);
-    const REAL t840 = t837 + limb1_upper_momentum_moment_x - minus_limb2_lower_momentum_moment_x + limb2_upper_momentum_moment_x;
-    const REAL t843 = t840 - minus_limb3_lower_momentum_moment_x + limb3_upper_momentum_moment_x - minus_limb4_lower_momentum_moment_x;
-    RESULT(checked2, total_, 3, t843 + limb4_upper_momentum_moment_x);
+    const REAL t835 = platform_momentum_Lx + limb1_lower_momentum_Lx, limb1_upper_momentum_Lx = t194 + t291;
+    WRITE(momenta, 15, limb1_upper_momentum_Lx);
+    const REAL t839 = t835 + limb1_upper_momentum_Lx - minus_limb2_lower_momentum_Lx + limb2_upper_momentum_Lx - minus_limb3_lower_momentum_Lx;
+    RESULT(checked2, total_, 3, t839 + limb3_upper_momentum_Lx - minus_limb4_lower_momentum_Lx + limb4_upper_momentum_Lx);
     /* platform: momentum, eq. (31); results */
-    const REAL t77 = platform_Ixx * platform_turn_yx;
-    const REAL t78 = platform_turn_xx * t77;
-    const REAL t79 = platform_Ixx * platform_turn_yy;
-    const REAL t81 = t78 + platform_turn_xy * t79;
-    const REAL t82 = platform_Izz * platform_turn_yz;
-    const REAL t85 = platform_twist_angular_x * (t81 + platform_turn_xz * t82);
-    const REAL t95 = platform_turn_zx * t77 + platform_turn_zy * t79;
-    const REAL t91 = platform_twist_angular_y * (platform_turn_yx * t77 + platform_turn_yy * t79 + platform_turn_yz * t82);
-    const REAL platform_momentum_moment_y = t76 + (t85 + t91 + platform_twist_angular_z * (t95 + platform_turn_zz * t82));
-    WRITE(momenta, 4, platform_momentum_moment_y);
-    const REAL t845 = platform_momentum_moment_y + limb1_lower_momentum_moment_y - minus_limb1_upper_momentum_moment_y;
-    const REAL t847 = t845 - minus_limb2_lower_momentum_moment_y - minus_limb2_upper_momentum_moment_y;
+    const REAL t77 = platform_Ixx * platform_turn_yx, t78 = platform_turn_xx * t77,
+      t79 = platform_Ixx * platform_turn_yy, t81 = t78 + platform_turn_xy * t79,
+      t82 = platform_Izz * platform_turn_yz, t85 = platform_twist_wx * (t81 + platform_turn_xz * t82),
+      t95 = platform_turn_zx * t77 + platform_turn_zy * t79,
+      t91 = platform_twist_wy * (platform_turn_yx * t77 + platform_turn_yy * t79 + platform_turn_yz * t82),
+      platform_momentum_Ly = t76 + (t85 + t91 + platform_twist_wz * (t95 + platform_turn_zz * t82));
+    WRITE(momenta, 4, platform_momentum_Ly);
+    const REAL t844 = platform_momentum_Ly + limb1_lower_momentum_Ly - minus_limb1_upper_momentum_Ly - minus_limb2_lower_momentum_Ly,
+      t845 = t844 - minus_limb2_upper_momentum_Ly;
     /* limb3: momentum, eq. (31) */
-    const REAL t544 = limb_lower_Ixx * t485 - limb_lower_Ixz * t490;
-    const REAL t545 = t498 * t544;
-    const REAL t560 = t473 * t544;
-    const REAL t552 = t485 * t544;
-    const REAL t546 = limb_lower_Ixz * t485;
-    const REAL t553 = limb_lower_Iyy * limb3_U_0_cos;
-    const REAL t555 = t552 + limb3_U_0_cos * t553;
-    const REAL t562 = t560 - limb3_U_0_sin * t553;
-    const REAL t548 = t546 - limb_lower_Izz * t490;
-    const REAL t558 = limb3_lower_twist_angular_y * (t555 - t490 * t548);
-    const REAL t565 = limb3_lower_twist_angular_z * (t562 - t478 * t548);
-    const REAL t566 = limb3_U_v_0 * (t545 - t504 * t548) + t558 - t565;
-    const REAL limb3_lower_momentum_moment_y = t541 + t566;
-    WRITE(momenta, 34, limb3_lower_momentum_moment_y);
-    const REAL t848 = t847 + limb3_lower_momentum_moment_y; /* Ly */
-    const REAL limb3_upper_momentum_moment_y = t566 - t639;
-    WRITE(momenta, 40, limb3_upper_momentum_moment_y);
-    const REAL t849 = t848 + limb3_upper_momentum_moment_y; /* Ly */
+    const REAL t544 = limb_lower_Ixx * t485 - limb_lower_Ixz * t490, t545 = t498 * t544, t560 = t473 * t544,
+      t552 = t485 * t544, t546 = limb_lower_Ixz * t485, t553 = limb_lower_Iyy * limb3_U_0_cos,
+      t555 = t552 + limb3_U_0_cos * t553, t562 = t560 - limb3_U_0_sin * t553, t548 = t546 - limb_lower_Izz * t490,
+      t558 = limb3_lower_twist_wy * (t555 - t490 * t548), t565 = limb3_lower_twist_wz * (t562 - t478 * t548),
+      t566 = limb3_U_v_0 * (t545 - t504 * t548) + t558 - t565, limb3_lower_momentum_Ly = t541 + t566;
+    WRITE(momenta, 34, limb3_lower_momentum_Ly);
+    const REAL t846 = t845 + limb3_lower_momentum_Ly, /* Ly */
+      limb3_upper_momentum_Ly = t566 - t638;
+    WRITE(momenta, 40, limb3_upper_momentum_Ly);
+    const REAL t847 = t846 + limb3_upper_momentum_Ly; /* Ly */
     /* limb4: momentum, eq. (31) */
-    const REAL t722 = limb_lower_Ixx * t658 - limb_lower_Ixz * t664;
-    const REAL t723 = t673 * t722;
-    const REAL t735 = t646 * t722;
-    const REAL t730 = t658 * t722;
-    const REAL t726 = limb_lower_Ixz * t658 - limb_lower_Izz * t664;
-    const REAL t729 = limb4_lower_twist_angular_x * (t723 - t678 * t726);
-    const REAL t738 = minus_limb4_lower_twist_angular_z * (t735 - t651 * t726);
-    const REAL t739 = t729 + limb4_U_v_0 * (t730 - t664 * t726) - t738;
-    const REAL limb4_lower_momentum_moment_y = t719 + t739;
-    WRITE(momenta, 46, limb4_lower_momentum_moment_y);
+    const REAL t721 = limb_lower_Ixx * t657 - limb_lower_Ixz * t663, t722 = t672 * t721, t734 = t645 * t721,
+      t729 = t657 * t721, t725 = limb_lower_Ixz * t657 - limb_lower_Izz * t663,
+      t728 = limb4_lower_twist_wx * (t722 - t677 * t725), t737 = minus_limb4_lower_twist_wz * (t734 - t650 * t725),
+      t738 = t728 + limb4_U_v_0 * (t729 - t663 * t725) - t737, limb4_lower_momentum_Ly = t718 + t738;
+    WRITE(momenta, 46, limb4_lower_momentum_Ly);
     /* Ly: results */
-    const REAL t850 = t849 + limb4_lower_momentum_moment_y;
-    const REAL limb4_upper_momentum_moment_y = t739 + t812;
-    WRITE(momenta, 52, limb4_upper_momentum_moment_y);
-    RESULT(checked3, total_, 4, t850 + limb4_upper_momentum_moment_y);
+    const REAL t848 = t847 + limb4_lower_momentum_Ly, limb4_upper_momentum_Ly = t738 + t810;
+    WRITE(momenta, 52, limb4_upper_momentum_Ly);
+    RESULT(checked3, total_, 4, t848 + limb4_upper_momentum_Ly);
     /* platform: momentum, eq. (31); results */
-    const REAL t103 = platform_Ixx * platform_turn_zx;
-    const REAL t104 = platform_turn_xx * t103;
-    const REAL t112 = platform_turn_yx * t103;
-    const REAL t119 = platform_turn_zx * t103;
-    const REAL t105 = platform_Ixx * platform_turn_zy;
-    const REAL t107 = t104 + platform_turn_xy * t105;
-    const REAL t114 = t112 + platform_turn_yy * t105;
-    const REAL t121 = t119 + platform_turn_zy * t105;
-    const REAL t108 = platform_Izz * platform_turn_zz;
-    const REAL t111 = platform_twist_angular_x * (t107 + platform_turn_xz * t108);
-    const REAL t118 = t111 + platform_twist_angular_y * (t114 + platform_turn_yz * t108);
-    const REAL platform_momentum_moment_z = t102 + (t118 + platform_twist_angular_z * (t121 + platform_turn_zz * t108));
-    WRITE(momenta, 5, platform_momentum_moment_z);
-    const REAL t852 = platform_momentum_moment_z - minus_limb1_lower_momentum_moment_z + limb1_upper_momentum_moment_z;
-    const REAL t855 = t852 - minus_limb2_lower_momentum_moment_z - minus_limb2_upper_momentum_moment_z - minus_limb3_lower_momentum_moment_z;
-    RESULT(checked0, total_, 5, t855 - minus_limb3_upper_momentum_moment_z - minus_limb4_lower_momentum_moment_z - minus_limb4_upper_momentum_moment_z);
+    const REAL t103 = platform_Ixx * platform_turn_zx, t104 = platform_turn_xx * t103, t112 = platform_turn_yx * t103,
+      t119 = platform_turn_zx * t103, t105 = platform_Ixx * platform_turn_zy, t107 = t104 + platform_turn_xy * t105,
+      t114 = t112 + platform_turn_yy * t105, t121 = t119 + platform_turn_zy * t105,
+      t108 = platform_Izz * platform_turn_zz, t111 = platform_twist_wx * (t107 + platform_turn_xz * t108),
+      t118 = t111 + platform_twist_wy * (t114 + platform_turn_yz * t108),
+      platform_momentum_Lz = t102 + (t118 + platform_twist_wz * (t121 + platform_turn_zz * t108));
+    WRITE(momenta, 5, platform_momentum_Lz);
+    const REAL t851 = platform_momentum_Lz - minus_limb1_lower_momentum_Lz + limb1_upper_momentum_Lz - minus_limb2_lower_momentum_Lz,
+      t854 = t851 - minus_limb2_upper_momentum_Lz - minus_limb3_lower_momentum_Lz - minus_limb3_upper_momentum_Lz;
+    RESULT(checked0, total_, 5, t854 - minus_limb4_lower_momentum_Lz - minus_limb4_upper_momentum_Lz);
     NOT_BELOW(t7, 0.999999, 5);
     NOT_ABOVE(t7, 1.000001, 5);
     FINITE((checked0 + checked1) + (checked2 + checked3));
@@ -563,919 +395,620 @@ BODY(three_ups_upu_s_momentum_rates)(size_t stride, const double *restrict q, co
     const double *restrict a, double *restrict momentum_rates, const double *restrict sine,
     const double *restrict cosine, double *restrict total)
 {
-    /* limb5_S: geometry; velocities, eq. (6); momentum, eq. (31) */
-    const REAL limb5_S_q_qw = READ(q, 12), limb5_S_q_qx = READ(q, 13);
-    const REAL t1 = limb5_S_q_qw * limb5_S_q_qw;
-    const REAL t2 = limb5_S_q_qx * limb5_S_q_qx;
-    const REAL limb5_S_q_qy = READ(q, 14);
-    const REAL t3 = t1 + t2;
-    const REAL t4 = limb5_S_q_qy * limb5_S_q_qy;
-    const REAL limb5_S_q_qz = READ(q, 15);
-    const REAL t5 = limb5_S_q_qz * limb5_S_q_qz;
-    const REAL t6 = t4 + t5;
-    const REAL t7 = t3 + t6;
-    const REAL t9 = 4.0 - 2.0 * t7;
-    const REAL platform_turn_xx = 1.0 - t6 * t9;
-    const REAL t36 = t2 + t4;
-    const REAL platform_turn_yy = 1.0 - t9 * (t2 + t5);
-    const REAL platform_turn_zz = 1.0 - t9 * t36;
-    const REAL t13 = limb5_S_q_qy * t9;
-    const REAL t14 = limb5_S_q_qx * t13;
-    const REAL t29 = limb5_S_q_qw * t13;
-    const REAL t15 = limb5_S_q_qz * t9;
-    const REAL t21 = limb5_S_q_qw * (limb5_S_q_qx * t9);
-    const REAL t16 = limb5_S_q_qw * t15;
-    const REAL platform_turn_xy = t14 - t16;
-    const REAL platform_turn_yx = t14 + t16;
-    const REAL limb5_S_v_wy = READ(v, 13), limb5_S_v_wx = READ(v, 12);
-    const REAL t27 = limb5_S_v_wx * platform_turn_xx + limb5_S_v_wy * platform_turn_xy;
-    const REAL t28 = limb5_S_q_qx * t15;
-    const REAL t19 = limb5_S_q_qy * t15;
-    const REAL platform_turn_xz = t28 + t29;
-    const REAL platform_turn_zx = t28 - t29;
-    const REAL limb5_S_v_wz = READ(v, 14);
-    const REAL platform_twist_angular_x = t27 + limb5_S_v_wz * platform_turn_xz;
-    const REAL platform_turn_yz = t19 - t21;
-    const REAL platform_turn_zy = t19 + t21;
-    const REAL t23 = param_H * platform_turn_yz;
-    const REAL t31 = t23 * platform_twist_angular_x;
-    const REAL t18 = limb5_S_v_wy * platform_turn_yy + limb5_S_v_wx * platform_turn_yx;
-    const REAL platform_twist_angular_y = t18 + limb5_S_v_wz * platform_turn_yz;
-    const REAL t32 = param_H * platform_turn_xz;
-    const REAL platform_momentum_force_z = platform_m * (t31 - t32 * platform_twist_angular_y);
-    const REAL t35 = platform_twist_angular_y * platform_momentum_force_z;
-    const REAL t41 = limb5_S_v_wx * platform_turn_zx + limb5_S_v_wy * platform_turn_zy;
-    const REAL platform_twist_angular_z = limb5_S_v_wz * platform_turn_zz + t41;
-    const REAL t42 = t32 * platform_twist_angular_z;
-    const REAL t43 = param_H * platform_turn_zz;
-    const REAL platform_momentum_force_y = platform_m * (t42 - t43 * platform_twist_angular_x);
-    const REAL limb5_S_a_wx = READ(a, 12), limb5_S_a_wy = READ(a, 13), limb5_S_a_wz = READ(a, 14);
-    const REAL t47 = t35 - platform_twist_angular_z * platform_momentum_force_y;
-    const REAL t50 = limb5_S_a_wx * platform_turn_yx + limb5_S_a_wy * platform_turn_yy;
-    const REAL platform_twist_rate_angular_y = t50 + limb5_S_a_wz * platform_turn_yz;
-    /* platform: momentum rate, eq. (35); accelerations; momentum, eq. (31) */
-    const REAL t52 = t43 * platform_twist_rate_angular_y;
-    const REAL t55 = limb5_S_a_wx * platform_turn_zx + limb5_S_a_wy * platform_turn_zy;
-    const REAL platform_twist_rate_angular_z = t55 + limb5_S_a_wz * platform_turn_zz;
-    const REAL t59 = platform_m * (t52 - t23 * platform_twist_rate_angular_z);
-    const REAL platform_rate_at_O_force_x = t47 + t59;
-    WRITE(momentum_rates, 0, platform_rate_at_O_force_x);
-    REAL checked0 = platform_rate_at_O_force_x;
-    const REAL platform_momentum_force_x = platform_m * (t43 * platform_twist_angular_y - t23 * platform_twist_angular_z);
-    const REAL t63 = platform_twist_angular_z * platform_momentum_force_x;
-    const REAL t65 = t63 - platform_twist_angular_x * platform_momentum_force_z;
-    const REAL t66 = t32 * platform_twist_rate_angular_z;
-    const REAL t69 = limb5_S_a_wx * platform_turn_xx + limb5_S_a_wy * platform_turn_xy;
-    const REAL platform_twist_rate_angular_x = t69 + limb5_S_a_wz * platform_turn_xz;
-    const REAL t73 = platform_m * (t66 - t43 * platform_twist_rate_angular_x);
-    const REAL platform_rate_at_O_force_y = t65 + t73;
-    WRITE(momentum_rates, 1, platform_rate_at_O_force_y);
-    REAL checked1 = platform_rate_at_O_force_y;
-    const REAL t74 = platform_twist_angular_x * platform_momentum_force_y;
-    const REAL t76 = t74 - platform_twist_angular_y * platform_momentum_force_x;
-    const REAL t80 = platform_m * (t23 * platform_twist_rate_angular_x - t32 * platform_twist_rate_angular_y);
-    const REAL platform_rate_at_O_force_z = t76 + t80;
-    WRITE(momentum_rates, 2, platform_rate_at_O_force_z);
-    REAL checked2 = platform_rate_at_O_force_z;
+    /* platform: geometry; velocities, eq. (6); momentum, eq. (31) */
+    const REAL limb5_S_q_qw = READ(q, 12), limb5_S_q_qx = READ(q, 13), t1 = limb5_S_q_qw * limb5_S_q_qw,
+      t2 = limb5_S_q_qx * limb5_S_q_qx, limb5_S_q_qy = READ(q, 14), t3 = t1 + t2, t4 = limb5_S_q_qy * limb5_S_q_qy,
+      limb5_S_q_qz = READ(q, 15), t5 = limb5_S_q_qz * limb5_S_q_qz, t6 = t4 + t5, t7 = t3 + t6, t9 = 4.0 - 2.0 * t7,
+      platform_turn_xx = 1.0 - t6 * t9, t36 = t2 + t4, platform_turn_yy = 1.0 - t9 * (t2 + t5),
+      platform_turn_zz = 1.0 - t9 * t36, t13 = limb5_S_q_qy * t9, t14 = limb5_S_q_qx * t13, t29 = limb5_S_q_qw * t13,
+      t15 = limb5_S_q_qz * t9, t21 = limb5_S_q_qw * (limb5_S_q_qx * t9), t16 = limb5_S_q_qw * t15,
+      platform_turn_xy = t14 - t16, platform_turn_yx = t14 + t16, limb5_S_v_wy = READ(v, 13),
+      limb5_S_v_wx = READ(v, 12), t27 = limb5_S_v_wx * platform_turn_xx + limb5_S_v_wy * platform_turn_xy,
+      t28 = limb5_S_q_qx * t15, t19 = limb5_S_q_qy * t15, platform_turn_xz = t28 + t29, platform_turn_zx = t28 - t29,
+      limb5_S_v_wz = READ(v, 14), platform_twist_wx = t27 + limb5_S_v_wz * platform_turn_xz,
+      platform_turn_yz = t19 - t21, platform_turn_zy = t19 + t21, t23 = param_H * platform_turn_yz,
+      t31 = t23 * platform_twist_wx, t18 = limb5_S_v_wy * platform_turn_yy + limb5_S_v_wx * platform_turn_yx,
+      platform_twist_wy = t18 + limb5_S_v_wz * platform_turn_yz, t32 = param_H * platform_turn_xz,
+      platform_momentum_pz = platform_m * (t31 - t32 * platform_twist_wy),
+      t35 = platform_twist_wy * platform_momentum_pz,
+      t41 = limb5_S_v_wx * platform_turn_zx + limb5_S_v_wy * platform_turn_zy,
+      platform_twist_wz = limb5_S_v_wz * platform_turn_zz + t41, t42 = t32 * platform_twist_wz,
+      t43 = param_H * platform_turn_zz, platform_momentum_py = platform_m * (t42 - t43 * platform_twist_wx),
+      limb5_S_a_wx = READ(a, 12), limb5_S_a_wy = READ(a, 13), limb5_S_a_wz = READ(a, 14),
+      t47 = t35 - platform_twist_wz * platform_momentum_py,
+      t50 = limb5_S_a_wx * platform_turn_yx + limb5_S_a_wy * platform_turn_yy,
+      platform_twist_rate_wy = t50 + limb5_S_a_wz * platform_turn_yz, t52 = t43 * platform_twist_rate_wy,
+      t55 = limb5_S_a_wx * platform_turn_zx + limb5_S_a_wy * platform_turn_zy,
+      platform_twist_rate_wz = t55 + limb5_S_a_wz * platform_turn_zz;
+    /* platform: momentum rate, eq. (35); momentum, eq. (31); accelerations */
+    const REAL t59 = platform_m * (t52 - t23 * platform_twist_rate_wz), platform_rate_at_O_fx = t47 + t59;
+    WRITE(momentum_rates, 0, platform_rate_at_O_fx);
+    REAL checked0 = platform_rate_at_O_fx;
+    const REAL platform_momentum_px = platform_m * (t43 * platform_twist_wy - t23 * platform_twist_wz),
+      t65 = platform_twist_wz * platform_momentum_px - platform_twist_wx * platform_momentum_pz,
+      t66 = t32 * platform_twist_rate_wz, t69 = limb5_S_a_wx * platform_turn_xx + limb5_S_a_wy * platform_turn_xy,
+      platform_twist_rate_wx = t69 + limb5_S_a_wz * platform_turn_xz,
+      t73 = platform_m * (t66 - t43 * platform_twist_rate_wx), platform_rate_at_O_fy = t65 + t73;
+    WRITE(momentum_rates, 1, platform_rate_at_O_fy);
+    REAL checked1 = platform_rate_at_O_fy;
+    const REAL t76 = platform_twist_wx * platform_momentum_py - platform_twist_wy * platform_momentum_px,
+      t80 = platform_m * (t23 * platform_twist_rate_wx - t32 * platform_twist_rate_wy),
+      platform_rate_at_O_fz = t76 + t80;
+    WRITE(momentum_rates, 2, platform_rate_at_O_fz);
+    REAL checked2 = platform_rate_at_O_fz;
     /* platform: momentum, eq. (31); momentum rate, eq. (35) */
-    const REAL t164 = t43 * platform_momentum_force_y;
-    const REAL t83 = t32 * platform_momentum_force_y - t23 * platform_momentum_force_x;
-    const REAL t108 = t43 * platform_momentum_force_x;
-    const REAL t84 = platform_Ixx * platform_turn_zx;
-    const REAL t85 = platform_turn_xx * t84;
-    const REAL t86 = platform_Ixx * platform_turn_zy;
-    const REAL t88 = t85 + platform_turn_xy * t86;
-    const REAL t89 = platform_Izz * platform_turn_zz;
-    const REAL t91 = t88 + platform_turn_xz * t89;
-    const REAL t92 = platform_twist_angular_x * t91;
-    const REAL t189 = platform_twist_rate_angular_x * t91;
-    const REAL t102 = platform_turn_zx * t84 + platform_turn_zy * t86;
-    const REAL t97 = platform_turn_yx * t84 + platform_turn_yy * t86 + platform_turn_yz * t89;
-    const REAL t104 = t102 + platform_turn_zz * t89;
-    const REAL t191 = t189 + platform_twist_rate_angular_y * t97;
-    const REAL platform_momentum_moment_z = t83 + (t92 + platform_twist_angular_y * t97 + platform_twist_angular_z * t104);
-    const REAL t193 = t191 + platform_twist_rate_angular_z * t104;
-    const REAL t107 = platform_twist_angular_y * platform_momentum_moment_z;
-    const REAL t172 = platform_twist_angular_x * platform_momentum_moment_z;
-    const REAL t110 = t108 - t32 * platform_momentum_force_z;
-    const REAL t165 = t23 * platform_momentum_force_z - t164;
-    const REAL t111 = platform_Ixx * platform_turn_yx;
-    const REAL t112 = platform_turn_xx * t111;
-    const REAL t113 = platform_Ixx * platform_turn_yy;
-    const REAL t115 = t112 + platform_turn_xy * t113;
-    const REAL t116 = platform_Izz * platform_turn_yz;
-    const REAL t118 = t115 + platform_turn_xz * t116;
-    const REAL t119 = platform_twist_angular_x * t118;
+    const REAL t164 = t43 * platform_momentum_py, t83 = t32 * platform_momentum_py - t23 * platform_momentum_px,
+      t108 = t43 * platform_momentum_px, t84 = platform_Ixx * platform_turn_zx, t85 = platform_turn_xx * t84,
+      t86 = platform_Ixx * platform_turn_zy, t88 = t85 + platform_turn_xy * t86,
+      t89 = platform_Izz * platform_turn_zz, t91 = t88 + platform_turn_xz * t89, t92 = platform_twist_wx * t91,
+      t189 = platform_twist_rate_wx * t91, t102 = platform_turn_zx * t84 + platform_turn_zy * t86,
+      t97 = platform_turn_yx * t84 + platform_turn_yy * t86 + platform_turn_yz * t89,
+      t104 = t102 + platform_turn_zz * t89, t191 = t189 + platform_twist_rate_wy * t97,
+      platform_momentum_Lz = t83 + (t92 + platform_twist_wy * t97 + platform_twist_wz * t104),
+      t193 = t191 + platform_twist_rate_wz * t104, t107 = platform_twist_wy * platform_momentum_Lz,
+      t172 = platform_twist_wx * platform_momentum_Lz, t110 = t108 - t32 * platform_momentum_pz,
+      t165 = t23 * platform_momentum_pz - t164, t111 = platform_Ixx * platform_turn_yx,
+      t112 = platform_turn_xx * t111, t113 = platform_Ixx * platform_turn_yy, t115 = t112 + platform_turn_xy * t113,
+      t116 = platform_Izz * platform_turn_yz, t118 = t115 + platform_turn_xz * t116, t119 = platform_twist_wx * t118;
     /* platform: momentum rate, eq. (35); momentum, eq. (31) */
-    const REAL t177 = platform_twist_rate_angular_x * t118;
-    const REAL t129 = platform_turn_zx * t111 + platform_turn_zy * t113;
-    const REAL t124 = platform_turn_yx * t111 + platform_turn_yy * t113 + platform_turn_yz * t116;
-    const REAL t131 = t129 + platform_turn_zz * t116;
-    const REAL t179 = t177 + platform_twist_rate_angular_y * t124;
-    const REAL platform_momentum_moment_y = t110 + (t119 + platform_twist_angular_y * t124 + platform_twist_angular_z * t131);
-    const REAL t135 = t107 - platform_twist_angular_z * platform_momentum_moment_y;
-    const REAL t183 = platform_twist_angular_x * platform_momentum_moment_y;
-    const REAL t138 = t23 * t80 - t43 * t73;
-    const REAL t182 = t43 * t59 - t32 * t80 + (t179 + platform_twist_rate_angular_z * t131);
-    const REAL t194 = t32 * t73 - t23 * t59 + t193;
-    const REAL t141 = platform_Ixx * platform_turn_xy;
-    const REAL t142 = platform_turn_xy * t141;
-    const REAL t149 = platform_turn_yy * t141;
-    const REAL t156 = platform_turn_zy * t141;
-    const REAL t139 = platform_Ixx * platform_turn_xx;
-    const REAL t143 = platform_turn_xx * t139 + t142;
-    const REAL t150 = platform_turn_yx * t139 + t149;
-    const REAL t157 = platform_turn_zx * t139 + t156;
-    const REAL t144 = platform_Izz * platform_turn_xz;
-    const REAL t146 = t143 + platform_turn_xz * t144;
-    const REAL t147 = platform_twist_rate_angular_x * t146;
-    const REAL t166 = platform_twist_angular_x * t146;
-    const REAL t152 = t150 + platform_turn_yz * t144;
-    const REAL t159 = t157 + platform_turn_zz * t144;
-    const REAL platform_rate_at_O_moment_x = t135 + (t138 + (t147 + platform_twist_rate_angular_y * t152 + platform_twist_rate_angular_z * t159));
-    WRITE(momentum_rates, 3, platform_rate_at_O_moment_x);
-    REAL checked3 = platform_rate_at_O_moment_x;
-    const REAL platform_momentum_moment_x = t165 + (t166 + platform_twist_angular_y * t152 + platform_twist_angular_z * t159);
-    RESULT(checked0, momentum_rates, 4, platform_twist_angular_z * platform_momentum_moment_x - t172 + t182);
-    RESULT(checked1, momentum_rates, 5, t183 - platform_twist_angular_y * platform_momentum_moment_x + t194);
+    const REAL t177 = platform_twist_rate_wx * t118, t129 = platform_turn_zx * t111 + platform_turn_zy * t113,
+      t124 = platform_turn_yx * t111 + platform_turn_yy * t113 + platform_turn_yz * t116,
+      t131 = t129 + platform_turn_zz * t116, t179 = t177 + platform_twist_rate_wy * t124,
+      platform_momentum_Ly = t110 + (t119 + platform_twist_wy * t124 + platform_twist_wz * t131),
+      t135 = t107 - platform_twist_wz * platform_momentum_Ly, t183 = platform_twist_wx * platform_momentum_Ly,
+      t138 = t23 * t80 - t43 * t73, t182 = t43 * t59 - t32 * t80 + (t179 + platform_twist_rate_wz * t131),
+      t194 = t32 * t73 - t23 * t59 + t193, t141 = platform_Ixx * platform_turn_xy, t142 = platform_turn_xy * t141,
+      t149 = platform_turn_yy * t141, t156 = platform_turn_zy * t141, t139 = platform_Ixx * platform_turn_xx,
+      t143 = platform_turn_xx * t139 + t142, t150 = platform_turn_yx * t139 + t149,
+      t157 = platform_turn_zx * t139 + t156, t144 = platform_Izz * platform_turn_xz,
+      t146 = t143 + platform_turn_xz * t144, t147 = platform_twist_rate_wx * t146, t166 = platform_twist_wx * t146,
+      t152 = t150 + platform_turn_yz * t144, t159 = t157 + platform_turn_zz * t144,
+      platform_rate_at_O_mx = t135 + (t138 + (t147 + platform_twist_rate_wy * t152 + platform_twist_rate_wz * t159));
+    WRITE(momentum_rates, 3, platform_rate_at_O_mx);
+    REAL checked3 = platform_rate_at_O_mx;
+    const REAL platform_momentum_Lx = t165 + (t166 + platform_twist_wy * t152 + platform_twist_wz * t159);
+    RESULT(checked0, momentum_rates, 4, platform_twist_wz * platform_momentum_Lx - t172 + t182);
+    RESULT(checked1, momentum_rates, 5, t183 - platform_twist_wy * platform_momentum_Lx + t194);
     /* limb1: geometry; momentum rate, eq. (35); momentum, eq. (31) */
-    const REAL limb1_U_0_sin = SINES(sine, 0), limb1_lower_cos = SINES(cosine, 1);
-    const REAL minus_limb1_lower_rotation_yx = limb1_U_0_sin * limb1_lower_cos;
-    const REAL limb1_lower_sin = SINES(sine, 1);
-    const REAL t214 = 0.5 * minus_limb1_lower_rotation_yx;
-    const REAL limb1_lower_rotation_yy = limb1_U_0_sin * limb1_lower_sin;
-    const REAL t216 = t214 - k1 * limb1_lower_rotation_yy;
-    const REAL t218 = limb_lower_com_x * t216;
-    const REAL t221 = k1 * minus_limb1_lower_rotation_yx + 0.5 * limb1_lower_rotation_yy;
-    const REAL t224 = param_R * t216 - (t218 - limb_lower_com_z * t221);
-    const REAL limb1_U_v_0 = READ(v, 0);
-    const REAL t228 = limb1_U_v_0 * t224;
-    const REAL t231 = 0.5 * limb1_lower_sin + k1 * limb1_lower_cos;
-    const REAL t233 = param_R - param_R * t231;
-    const REAL t234 = limb_lower_com_x * t231;
-    const REAL t237 = k1 * limb1_lower_sin - 0.5 * limb1_lower_cos;
-    const REAL t240 = t233 + (t234 - limb_lower_com_z * t237);
-    const REAL limb1_U_v_1 = READ(v, 1), limb1_U_0_cos = SINES(cosine, 0);
-    const REAL limb1_lower_twist_angular_y = limb1_U_v_1 * limb1_U_0_cos;
-    const REAL t242 = t228 - limb1_lower_twist_angular_y * t240;
-    const REAL minus_limb1_U_1_screw_linear_z = param_R * limb1_U_0_cos;
-    const REAL minus_limb1_lower_twist_linear_z = limb1_U_v_1 * minus_limb1_U_1_screw_linear_z;
-    const REAL minus_limb1_lower_momentum_force_z = limb_lower_m * (minus_limb1_lower_twist_linear_z + t242);
-    const REAL t244 = limb1_lower_twist_angular_y * minus_limb1_lower_momentum_force_z;
-    const REAL limb1_lower_rotation_zx = limb1_U_0_cos * limb1_lower_cos;
-    const REAL t199 = 0.5 * limb1_lower_rotation_zx;
-    const REAL minus_limb1_lower_rotation_zy = limb1_U_0_cos * limb1_lower_sin;
-    const REAL t201 = t199 - k1 * minus_limb1_lower_rotation_zy;
-    const REAL t203 = limb_lower_com_x * t201;
-    const REAL t206 = k1 * limb1_lower_rotation_zx + 0.5 * minus_limb1_lower_rotation_zy;
-    const REAL t209 = param_R * t201 - (t203 - limb_lower_com_z * t206);
-    const REAL t246 = limb1_U_v_0 * t209;
-    const REAL limb1_lower_twist_angular_z = limb1_U_v_1 * limb1_U_0_sin;
-    const REAL t247 = limb1_lower_twist_angular_z * t240 + t246;
-    const REAL limb1_U_1_screw_linear_y = param_R * limb1_U_0_sin;
-    const REAL limb1_lower_twist_linear_y = limb1_U_v_1 * limb1_U_1_screw_linear_y;
-    const REAL limb1_lower_momentum_force_y = limb_lower_m * (limb1_lower_twist_linear_y - t247);
-    const REAL limb1_U_a_1 = READ(a, 1);
+    const REAL limb1_U_0_sin = SINES(sine, 0), limb1_lower_cos = SINES(cosine, 1),
+      minus_limb1_lower_rotation_yx = limb1_U_0_sin * limb1_lower_cos, limb1_lower_sin = SINES(sine, 1),
+      t214 = 0.5 * minus_limb1_lower_rotation_yx, limb1_lower_rotation_yy = limb1_U_0_sin * limb1_lower_sin,
+      t216 = t214 - k1 * limb1_lower_rotation_yy, t218 = limb_lower_com_x * t216,
+      t221 = k1 * minus_limb1_lower_rotation_yx + 0.5 * limb1_lower_rotation_yy,
+      t224 = param_R * t216 - (t218 - limb_lower_com_z * t221), limb1_U_v_0 = READ(v, 0), t228 = limb1_U_v_0 * t224,
+      t231 = 0.5 * limb1_lower_sin + k1 * limb1_lower_cos, t233 = param_R - param_R * t231,
+      t234 = limb_lower_com_x * t231, t237 = k1 * limb1_lower_sin - 0.5 * limb1_lower_cos,
+      t240 = t233 + (t234 - limb_lower_com_z * t237), limb1_U_v_1 = READ(v, 1), limb1_U_0_cos = SINES(cosine, 0),
+      limb1_lower_twist_wy = limb1_U_v_1 * limb1_U_0_cos, t242 = t228 - limb1_lower_twist_wy * t240,
+      minus_limb1_U_1_screw_vz = param_R * limb1_U_0_cos,
+      minus_limb1_lower_twist_vz = limb1_U_v_1 * minus_limb1_U_1_screw_vz,
+      minus_limb1_lower_momentum_pz = limb_lower_m * (minus_limb1_lower_twist_vz + t242),
+      t244 = limb1_lower_twist_wy * minus_limb1_lower_momentum_pz,
+      limb1_lower_rotation_zx = limb1_U_0_cos * limb1_lower_cos, t199 = 0.5 * limb1_lower_rotation_zx,
+      minus_limb1_lower_rotation_zy = limb1_U_0_cos * limb1_lower_sin,
+      t201 = t199 - k1 * minus_limb1_lower_rotation_zy, t203 = limb_lower_com_x * t201,
+      t206 = k1 * limb1_lower_rotation_zx + 0.5 * minus_limb1_lower_rotation_zy,
+      t209 = param_R * t201 - (t203 - limb_lower_com_z * t206), t246 = limb1_U_v_0 * t209,
+      limb1_lower_twist_wz = limb1_U_v_1 * limb1_U_0_sin, t247 = limb1_lower_twist_wz * t240 + t246,
+      limb1_U_1_screw_vy = param_R * limb1_U_0_sin, limb1_lower_twist_vy = limb1_U_v_1 * limb1_U_1_screw_vy,
+      limb1_lower_momentum_py = limb_lower_m * (limb1_lower_twist_vy - t247), limb1_U_a_1 = READ(a, 1);
     /* limb1: momentum rate, eq. (35); accelerations; momentum, eq. (31) */
-    const REAL t250 = t244 + limb1_lower_twist_angular_z * limb1_lower_momentum_force_y;
-    const REAL limb1_lower_twist_rate_angular_y = limb1_U_a_1 * limb1_U_0_cos - limb1_U_v_1 * (limb1_U_v_0 * limb1_U_0_sin);
-    const REAL t210 = limb1_lower_twist_rate_angular_y * t209;
-    const REAL limb1_lower_twist_rate_angular_z = limb1_U_a_1 * limb1_U_0_sin + limb1_U_v_1 * (limb1_U_v_0 * limb1_U_0_cos);
-    const REAL t227 = limb_lower_m * (t210 + limb1_lower_twist_rate_angular_z * t224);
+    const REAL t250 = t244 + limb1_lower_twist_wz * limb1_lower_momentum_py,
+      limb1_lower_twist_rate_wy = limb1_U_a_1 * limb1_U_0_cos - limb1_U_v_1 * (limb1_U_v_0 * limb1_U_0_sin),
+      t210 = limb1_lower_twist_rate_wy * t209,
+      limb1_lower_twist_rate_wz = limb1_U_a_1 * limb1_U_0_sin + limb1_U_v_1 * (limb1_U_v_0 * limb1_U_0_cos),
+      t227 = limb_lower_m * (t210 + limb1_lower_twist_rate_wz * t224);
     RESULT(checked2, momentum_rates, 6, t227 - t250);
-    const REAL t255 = limb1_U_v_0 * minus_limb1_lower_momentum_force_z;
-    const REAL limb1_lower_momentum_force_x = limb_lower_m * (limb1_lower_twist_angular_y * t209 + limb1_lower_twist_angular_z * t224);
-    const REAL limb1_U_a_0 = READ(a, 0);
-    const REAL t256 = limb1_lower_twist_angular_z * limb1_lower_momentum_force_x + t255;
-    const REAL t262 = limb1_lower_twist_rate_angular_z * t240 + limb1_U_a_0 * t209;
-    const REAL t259 = limb1_U_v_1 * (limb1_U_v_0 * minus_limb1_U_1_screw_linear_z);
-    const REAL t268 = limb1_U_a_1 * minus_limb1_U_1_screw_linear_z;
-    const REAL limb1_lower_twist_rate_linear_y = limb1_U_a_1 * limb1_U_1_screw_linear_y + t259;
-    const REAL t264 = limb_lower_m * (limb1_lower_twist_rate_linear_y - t262);
+    const REAL t255 = limb1_U_v_0 * minus_limb1_lower_momentum_pz,
+      limb1_lower_momentum_px = limb_lower_m * (limb1_lower_twist_wy * t209 + limb1_lower_twist_wz * t224),
+      limb1_U_a_0 = READ(a, 0), t256 = limb1_lower_twist_wz * limb1_lower_momentum_px + t255,
+      t262 = limb1_lower_twist_rate_wz * t240 + limb1_U_a_0 * t209, t268 = limb1_U_a_1 * minus_limb1_U_1_screw_vz,
+      limb1_lower_twist_rate_vy = limb1_U_a_1 * limb1_U_1_screw_vy + limb1_U_v_1 * (limb1_U_v_0 * minus_limb1_U_1_screw_vz),
+      t264 = limb_lower_m * (limb1_lower_twist_rate_vy - t262);
     RESULT(checked3, momentum_rates, 7, t256 + t264);
-    const REAL minus_limb1_lower_twist_rate_linear_z = t268 - limb1_U_v_1 * (limb1_U_v_0 * limb1_U_1_screw_linear_y);
-    const REAL t265 = limb1_U_v_0 * limb1_lower_momentum_force_y;
-    const REAL t267 = t265 - limb1_lower_twist_angular_y * limb1_lower_momentum_force_x;
-    const REAL t274 = minus_limb1_lower_twist_rate_linear_z + (limb1_U_a_0 * t224 - limb1_lower_twist_rate_angular_y * t240);
-    const REAL t275 = limb_lower_m * t274;
+    const REAL minus_limb1_lower_twist_rate_vz = t268 - limb1_U_v_1 * (limb1_U_v_0 * limb1_U_1_screw_vy),
+      t267 = limb1_U_v_0 * limb1_lower_momentum_py - limb1_lower_twist_wy * limb1_lower_momentum_px,
+      t275 = limb_lower_m * (minus_limb1_lower_twist_rate_vz + (limb1_U_a_0 * t224 - limb1_lower_twist_rate_wy * t240));
     RESULT(checked0, momentum_rates, 8, t267 - t275);
     /* limb1: momentum, eq. (31); momentum rate, eq. (35) */
-    const REAL t302 = t240 * limb1_lower_momentum_force_y - t224 * limb1_lower_momentum_force_x;
-    const REAL t305 = limb_lower_Ixx * t201 - limb_lower_Ixz * t206;
-    const REAL t313 = t216 * t305;
-    const REAL t314 = limb_lower_Iyy * limb1_U_0_sin;
-    const REAL t316 = t313 - limb1_U_0_cos * t314;
-    const REAL t322 = limb1_U_0_sin * t314;
-    const REAL t309 = limb_lower_Ixz * t201 - limb_lower_Izz * t206;
-    const REAL t318 = t316 - t221 * t309;
-    const REAL t319 = limb1_lower_twist_angular_y * t318;
-    const REAL t394 = limb1_lower_twist_rate_angular_y * t318;
-    const REAL t323 = t201 * t305 + t322;
-    const REAL t311 = t231 * t305 - t237 * t309;
-    const REAL t325 = t323 - t206 * t309;
-    const REAL t395 = limb1_U_a_0 * t311 - t394;
-    const REAL t327 = limb1_U_v_0 * t311 - t319 + limb1_lower_twist_angular_z * t325;
-    const REAL minus_limb1_lower_momentum_moment_z = t302 - t327;
-    const REAL t397 = t395 + limb1_lower_twist_rate_angular_z * t325;
-    const REAL t328 = limb1_lower_twist_angular_y * minus_limb1_lower_momentum_moment_z;
-    const REAL t372 = limb1_U_v_0 * minus_limb1_lower_momentum_moment_z;
-    const REAL t331 = t209 * limb1_lower_momentum_force_x - t240 * minus_limb1_lower_momentum_force_z;
-    const REAL t334 = limb_lower_Ixx * t216 - limb_lower_Ixz * t221;
-    const REAL t342 = t216 * t334;
-    const REAL t343 = limb_lower_Iyy * limb1_U_0_cos;
-    const REAL t345 = t342 + limb1_U_0_cos * t343;
-    const REAL t351 = limb1_U_0_sin * t343;
-    const REAL t338 = limb_lower_Ixz * t216 - limb_lower_Izz * t221;
-    const REAL t347 = t345 - t221 * t338;
-    const REAL t348 = limb1_lower_twist_angular_y * t347;
-    const REAL t380 = limb1_lower_twist_rate_angular_y * t347;
-    const REAL t352 = t201 * t334 - t351;
-    const REAL t340 = t231 * t334 - t237 * t338;
-    const REAL t354 = t352 - t206 * t338;
+    const REAL t302 = t240 * limb1_lower_momentum_py - t224 * limb1_lower_momentum_px,
+      t305 = limb_lower_Ixx * t201 - limb_lower_Ixz * t206, t313 = t216 * t305, t314 = limb_lower_Iyy * limb1_U_0_sin,
+      t316 = t313 - limb1_U_0_cos * t314, t322 = limb1_U_0_sin * t314,
+      t309 = limb_lower_Ixz * t201 - limb_lower_Izz * t206, t318 = t316 - t221 * t309,
+      t319 = limb1_lower_twist_wy * t318, t394 = limb1_lower_twist_rate_wy * t318, t323 = t201 * t305 + t322,
+      t311 = t231 * t305 - t237 * t309, t325 = t323 - t206 * t309, t395 = limb1_U_a_0 * t311 - t394,
+      t327 = limb1_U_v_0 * t311 - t319 + limb1_lower_twist_wz * t325, minus_limb1_lower_momentum_Lz = t302 - t327,
+      t397 = t395 + limb1_lower_twist_rate_wz * t325, t328 = limb1_lower_twist_wy * minus_limb1_lower_momentum_Lz,
+      t372 = limb1_U_v_0 * minus_limb1_lower_momentum_Lz,
+      t331 = t209 * limb1_lower_momentum_px - t240 * minus_limb1_lower_momentum_pz,
+      t334 = limb_lower_Ixx * t216 - limb_lower_Ixz * t221, t342 = t216 * t334, t343 = limb_lower_Iyy * limb1_U_0_cos,
+      t345 = t342 + limb1_U_0_cos * t343, t351 = limb1_U_0_sin * t343,
+      t338 = limb_lower_Ixz * t216 - limb_lower_Izz * t221, t347 = t345 - t221 * t338,
+      t348 = limb1_lower_twist_wy * t347, t380 = limb1_lower_twist_rate_wy * t347, t352 = t201 * t334 - t351,
+      t340 = t231 * t334 - t237 * t338, t354 = t352 - t206 * t338;
     /* limb1: momentum rate, eq. (35); momentum, eq. (31); accelerations */
-    const REAL t381 = limb1_U_a_0 * t340 - t380;
-    const REAL t356 = limb1_U_v_0 * t340 - t348 + limb1_lower_twist_angular_z * t354;
-    const REAL limb1_lower_momentum_moment_y = t331 - t356;
-    const REAL t383 = t381 + limb1_lower_twist_rate_angular_z * t354;
-    const REAL t358 = t328 + limb1_lower_twist_angular_z * limb1_lower_momentum_moment_y;
-    const REAL t385 = limb1_U_v_0 * limb1_lower_momentum_moment_y;
-    const REAL t359 = limb1_lower_twist_linear_y * minus_limb1_lower_momentum_force_z;
-    const REAL t362 = t358 + (t359 - minus_limb1_lower_twist_linear_z * limb1_lower_momentum_force_y);
-    const REAL t365 = t224 * minus_limb1_lower_momentum_force_z - t209 * limb1_lower_momentum_force_y;
-    const REAL t278 = t224 * t275 - t209 * t264;
-    const REAL t384 = t209 * t227 - t240 * t275 - t383;
-    const REAL t398 = t240 * t264 - t224 * t227 - t397;
-    const REAL t281 = limb_lower_Ixx * t231 - limb_lower_Ixz * t237;
-    const REAL t282 = t231 * t281;
-    const REAL t285 = limb_lower_Ixz * t231 - limb_lower_Izz * t237;
-    const REAL t287 = t282 - t237 * t285;
-    const REAL t288 = limb1_U_a_0 * t287;
-    const REAL t366 = limb1_U_v_0 * t287;
-    const REAL t294 = t201 * t281;
-    const REAL t291 = t216 * t281 - t221 * t285;
-    const REAL t296 = t294 - t206 * t285;
-    const REAL t368 = t366 - limb1_lower_twist_angular_y * t291;
-    const REAL t298 = t288 - limb1_lower_twist_rate_angular_y * t291 + limb1_lower_twist_rate_angular_z * t296;
+    const REAL t381 = limb1_U_a_0 * t340 - t380, t356 = limb1_U_v_0 * t340 - t348 + limb1_lower_twist_wz * t354,
+      limb1_lower_momentum_Ly = t331 - t356, t383 = t381 + limb1_lower_twist_rate_wz * t354,
+      t358 = t328 + limb1_lower_twist_wz * limb1_lower_momentum_Ly, t385 = limb1_U_v_0 * limb1_lower_momentum_Ly,
+      t359 = limb1_lower_twist_vy * minus_limb1_lower_momentum_pz,
+      t362 = t358 + (t359 - minus_limb1_lower_twist_vz * limb1_lower_momentum_py),
+      t365 = t224 * minus_limb1_lower_momentum_pz - t209 * limb1_lower_momentum_py, t278 = t224 * t275 - t209 * t264,
+      t384 = t209 * t227 - t240 * t275 - t383, t398 = t240 * t264 - t224 * t227 - t397,
+      t281 = limb_lower_Ixx * t231 - limb_lower_Ixz * t237, t282 = t231 * t281,
+      t285 = limb_lower_Ixz * t231 - limb_lower_Izz * t237, t287 = t282 - t237 * t285, t288 = limb1_U_a_0 * t287,
+      t366 = limb1_U_v_0 * t287, t294 = t201 * t281, t291 = t216 * t281 - t221 * t285, t296 = t294 - t206 * t285,
+      t368 = t366 - limb1_lower_twist_wy * t291,
+      t298 = t288 - limb1_lower_twist_rate_wy * t291 + limb1_lower_twist_rate_wz * t296;
     RESULT(checked1, momentum_rates, 9, t278 + t298 - t362);
-    const REAL t370 = t368 + limb1_lower_twist_angular_z * t296;
-    const REAL limb1_lower_momentum_moment_x = t365 + t370;
-    const REAL t373 = limb1_lower_twist_angular_z * limb1_lower_momentum_moment_x + t372;
-    const REAL t387 = t385 - limb1_lower_twist_angular_y * limb1_lower_momentum_moment_x;
-    RESULT(checked2, momentum_rates, 10, t373 - minus_limb1_lower_twist_linear_z * limb1_lower_momentum_force_x + t384);
-    RESULT(checked3, momentum_rates, 11, t387 - limb1_lower_twist_linear_y * limb1_lower_momentum_force_x - t398);
-    const REAL t415 = 0.5 * t216 - param_H * t221;
-    const REAL t419 = limb_upper_com_x * t216 - limb_upper_com_z * t221;
-    const REAL limb1_upper_offset_x = limb_upper_phase + READ(q, 2);
-    const REAL t420 = limb1_upper_offset_x * minus_limb1_lower_rotation_yx + t415 - t419;
-    const REAL t426 = limb1_U_v_0 * t420;
-    const REAL t433 = limb_upper_com_x * t231 - limb_upper_com_z * t237;
-    const REAL t430 = param_R - limb1_lower_sin * limb1_upper_offset_x - (0.5 * t231 - param_H * t237);
-    const REAL t434 = t430 + t433;
-    const REAL limb1_P_v = READ(v, 2);
-    const REAL limb1_upper_position_z = limb1_upper_offset_x * limb1_lower_rotation_zx;
-    const REAL t436 = t426 - limb1_lower_twist_angular_y * t434;
-    const REAL minus_limb1_upper_twist_linear_z = minus_limb1_lower_twist_linear_z - limb1_P_v * limb1_lower_rotation_zx;
-    const REAL minus_limb1_upper_momentum_force_z = limb_lower_m * (minus_limb1_upper_twist_linear_z + t436);
-    const REAL t438 = limb1_lower_twist_angular_y * minus_limb1_upper_momentum_force_z;
-    const REAL t407 = limb1_upper_position_z + (0.5 * t201 - param_H * t206);
-    const REAL t411 = t407 - (limb_upper_com_x * t201 - limb_upper_com_z * t206);
-    const REAL t442 = limb1_lower_twist_angular_z * t434 + limb1_U_v_0 * t411;
-    const REAL limb1_upper_twist_linear_y = limb1_lower_twist_linear_y - limb1_P_v * minus_limb1_lower_rotation_yx;
-    const REAL limb1_upper_momentum_force_y = limb_lower_m * (limb1_upper_twist_linear_y - t442);
-    const REAL t445 = t438 + limb1_lower_twist_angular_z * limb1_upper_momentum_force_y;
-    const REAL t474 = limb1_lower_twist_rate_angular_y * t434;
-    const REAL t422 = limb1_lower_twist_rate_angular_y * t411 + limb1_lower_twist_rate_angular_z * t420;
-    const REAL t459 = limb1_lower_twist_rate_angular_z * t434;
-    const REAL t400 = limb1_lower_rotation_zx * limb1_lower_twist_angular_y;
-    const REAL limb1_P_a = READ(a, 2);
-    const REAL t403 = limb1_P_v * (t400 + minus_limb1_lower_rotation_yx * limb1_lower_twist_angular_z);
-    const REAL t424 = limb_lower_m * (limb1_P_a * limb1_lower_sin + t403 + t422);
+    const REAL t370 = t368 + limb1_lower_twist_wz * t296, limb1_lower_momentum_Lx = t365 + t370,
+      t373 = limb1_lower_twist_wz * limb1_lower_momentum_Lx + t372,
+      t387 = t385 - limb1_lower_twist_wy * limb1_lower_momentum_Lx;
+    RESULT(checked2, momentum_rates, 10, t373 - minus_limb1_lower_twist_vz * limb1_lower_momentum_px + t384);
+    RESULT(checked3, momentum_rates, 11, t387 - limb1_lower_twist_vy * limb1_lower_momentum_px - t398);
+    const REAL t415 = 0.5 * t216 - param_H * t221, t419 = limb_upper_com_x * t216 - limb_upper_com_z * t221,
+      limb1_upper_offset_x = limb_upper_phase + READ(q, 2),
+      t420 = limb1_upper_offset_x * minus_limb1_lower_rotation_yx + t415 - t419, t426 = limb1_U_v_0 * t420,
+      t433 = limb_upper_com_x * t231 - limb_upper_com_z * t237,
+      t430 = param_R - limb1_lower_sin * limb1_upper_offset_x - (0.5 * t231 - param_H * t237), t434 = t430 + t433,
+      limb1_P_v = READ(v, 2), limb1_upper_position_z = limb1_upper_offset_x * limb1_lower_rotation_zx,
+      t436 = t426 - limb1_lower_twist_wy * t434,
+      minus_limb1_upper_twist_vz = minus_limb1_lower_twist_vz - limb1_P_v * limb1_lower_rotation_zx,
+      minus_limb1_upper_momentum_pz = limb_lower_m * (minus_limb1_upper_twist_vz + t436),
+      t438 = limb1_lower_twist_wy * minus_limb1_upper_momentum_pz,
+      t407 = limb1_upper_position_z + (0.5 * t201 - param_H * t206),
+      t411 = t407 - (limb_upper_com_x * t201 - limb_upper_com_z * t206),
+      t442 = limb1_lower_twist_wz * t434 + limb1_U_v_0 * t411,
+      limb1_upper_twist_vy = limb1_lower_twist_vy - limb1_P_v * minus_limb1_lower_rotation_yx,
+      limb1_upper_momentum_py = limb_lower_m * (limb1_upper_twist_vy - t442),
+      t445 = t438 + limb1_lower_twist_wz * limb1_upper_momentum_py, t474 = limb1_lower_twist_rate_wy * t434,
+      t422 = limb1_lower_twist_rate_wy * t411 + limb1_lower_twist_rate_wz * t420,
+      t459 = limb1_lower_twist_rate_wz * t434, t400 = limb1_lower_rotation_zx * limb1_lower_twist_wy,
+      limb1_P_a = READ(a, 2), t403 = limb1_P_v * (t400 + minus_limb1_lower_rotation_yx * limb1_lower_twist_wz),
+      t424 = limb_lower_m * (limb1_P_a * limb1_lower_sin + t403 + t422);
     RESULT(checked0, momentum_rates, 12, t424 - t445);
-    const REAL t448 = limb1_lower_twist_angular_y * t411 + limb1_lower_twist_angular_z * t420;
-    const REAL limb1_upper_twist_linear_x = limb1_P_v * limb1_lower_sin;
-    const REAL limb1_upper_momentum_force_x = limb_lower_m * (limb1_upper_twist_linear_x + t448);
-    const REAL t450 = limb1_lower_twist_angular_z * limb1_upper_momentum_force_x;
-    const REAL t452 = t450 + limb1_U_v_0 * minus_limb1_upper_momentum_force_z;
-    const REAL t461 = t459 + limb1_U_a_0 * t411;
-    const REAL t454 = limb1_lower_twist_rate_linear_y - limb1_P_a * minus_limb1_lower_rotation_yx;
-    const REAL t469 = limb1_U_v_0 * minus_limb1_lower_rotation_yx;
-    const REAL t458 = limb1_P_v * (limb1_lower_sin * limb1_lower_twist_angular_z - limb1_U_v_0 * limb1_lower_rotation_zx);
-    const REAL t463 = limb_lower_m * (t454 + t458 - t461);
+    const REAL t448 = limb1_lower_twist_wy * t411 + limb1_lower_twist_wz * t420,
+      limb1_upper_twist_vx = limb1_P_v * limb1_lower_sin,
+      limb1_upper_momentum_px = limb_lower_m * (limb1_upper_twist_vx + t448),
+      t452 = limb1_lower_twist_wz * limb1_upper_momentum_px + limb1_U_v_0 * minus_limb1_upper_momentum_pz,
+      t461 = t459 + limb1_U_a_0 * t411, t454 = limb1_lower_twist_rate_vy - limb1_P_a * minus_limb1_lower_rotation_yx,
+      t469 = limb1_U_v_0 * minus_limb1_lower_rotation_yx,
+      limb1_upper_twist_rate_vy = t454 + limb1_P_v * (limb1_lower_sin * limb1_lower_twist_wz - limb1_U_v_0 * limb1_lower_rotation_zx),
+      t463 = limb_lower_m * (limb1_upper_twist_rate_vy - t461);
     RESULT(checked1, momentum_rates, 13, t452 + t463);
-    const REAL t468 = minus_limb1_lower_twist_rate_linear_z - limb1_P_a * limb1_lower_rotation_zx;
-    const REAL t464 = limb1_U_v_0 * limb1_upper_momentum_force_y;
-    const REAL t466 = t464 - limb1_lower_twist_angular_y * limb1_upper_momentum_force_x;
-    const REAL t475 = limb1_U_a_0 * t420 - t474;
-    const REAL t477 = limb_lower_m * (t468 + limb1_P_v * (t469 + limb1_lower_sin * limb1_lower_twist_angular_y) + t475);
+    const REAL t468 = minus_limb1_lower_twist_rate_vz - limb1_P_a * limb1_lower_rotation_zx,
+      t466 = limb1_U_v_0 * limb1_upper_momentum_py - limb1_lower_twist_wy * limb1_upper_momentum_px,
+      t475 = limb1_U_a_0 * t420 - t474,
+      t477 = limb_lower_m * (t468 + limb1_P_v * (t469 + limb1_lower_sin * limb1_lower_twist_wy) + t475);
     RESULT(checked2, momentum_rates, 14, t466 - t477);
-    const REAL limb1_upper_momentum_moment_z = t327 - (t434 * limb1_upper_momentum_force_y - t420 * limb1_upper_momentum_force_x);
-    const REAL t481 = limb1_lower_twist_angular_y * limb1_upper_momentum_moment_z;
-    const REAL t499 = limb1_U_v_0 * limb1_upper_momentum_moment_z;
-    const REAL minus_limb1_upper_momentum_moment_y = t356 - (t411 * limb1_upper_momentum_force_x - t434 * minus_limb1_upper_momentum_force_z);
-    const REAL t486 = t481 + limb1_lower_twist_angular_z * minus_limb1_upper_momentum_moment_y;
-    const REAL t513 = limb1_U_v_0 * minus_limb1_upper_momentum_moment_y;
-    const REAL t487 = limb1_upper_twist_linear_y * minus_limb1_upper_momentum_force_z;
-    const REAL t517 = limb1_upper_twist_linear_y * limb1_upper_momentum_force_x;
-    const REAL t501 = minus_limb1_upper_twist_linear_z * limb1_upper_momentum_force_x;
-    const REAL t490 = t486 - (t487 - minus_limb1_upper_twist_linear_z * limb1_upper_momentum_force_y);
-    const REAL t506 = t434 * t477;
-    const REAL t509 = t434 * t463;
+    const REAL limb1_upper_momentum_Lz = t327 - (t434 * limb1_upper_momentum_py - t420 * limb1_upper_momentum_px),
+      t481 = limb1_lower_twist_wy * limb1_upper_momentum_Lz, t499 = limb1_U_v_0 * limb1_upper_momentum_Lz,
+      minus_limb1_upper_momentum_Ly = t356 - (t411 * limb1_upper_momentum_px - t434 * minus_limb1_upper_momentum_pz),
+      t486 = t481 + limb1_lower_twist_wz * minus_limb1_upper_momentum_Ly,
+      t513 = limb1_U_v_0 * minus_limb1_upper_momentum_Ly, t487 = limb1_upper_twist_vy * minus_limb1_upper_momentum_pz,
+      t517 = limb1_upper_twist_vy * limb1_upper_momentum_px,
+      t501 = minus_limb1_upper_twist_vz * limb1_upper_momentum_px,
+      t490 = t486 - (t487 - minus_limb1_upper_twist_vz * limb1_upper_momentum_py), t506 = t434 * t477,
+      t509 = t434 * t463;
     RESULT(checked3, momentum_rates, 15, t490 + (t298 + (t420 * t477 - t411 * t463)));
-    const REAL t503 = t501 - limb1_upper_twist_linear_x * minus_limb1_upper_momentum_force_z;
-    const REAL t518 = limb1_upper_twist_linear_x * limb1_upper_momentum_force_y - t517;
-    const REAL limb1_upper_momentum_moment_x = t370 + (t420 * minus_limb1_upper_momentum_force_z - t411 * limb1_upper_momentum_force_y);
-    const REAL t504 = limb1_lower_twist_angular_z * limb1_upper_momentum_moment_x - t499 - t503;
-    const REAL t519 = t513 + limb1_lower_twist_angular_y * limb1_upper_momentum_moment_x - t518;
+    const REAL t503 = t501 - limb1_upper_twist_vx * minus_limb1_upper_momentum_pz,
+      t518 = limb1_upper_twist_vx * limb1_upper_momentum_py - t517,
+      limb1_upper_momentum_Lx = t370 + (t420 * minus_limb1_upper_momentum_pz - t411 * limb1_upper_momentum_py),
+      t504 = limb1_lower_twist_wz * limb1_upper_momentum_Lx - t499 - t503,
+      t519 = t513 + limb1_lower_twist_wy * limb1_upper_momentum_Lx - t518;
     RESULT(checked0, momentum_rates, 16, t504 - (t383 - (t411 * t424 - t506)));
     RESULT(checked1, momentum_rates, 17, t397 - (t509 - t420 * t424) - t519);
     /* limb2: geometry */
-    const REAL minus_limb2_U_0_cos = SINES(sine, 2), limb2_lower_cos = SINES(cosine, 3);
-    const REAL minus_limb2_lower_rotation_xx = minus_limb2_U_0_cos * limb2_lower_cos;
-    const REAL limb2_lower_sin = SINES(sine, 3);
+    const REAL minus_limb2_U_0_cos = SINES(sine, 2), limb2_lower_cos = SINES(cosine, 3),
+      minus_limb2_lower_rotation_xx = minus_limb2_U_0_cos * limb2_lower_cos, limb2_lower_sin = SINES(sine, 3);
     /* limb2: momentum, eq. (31); momentum rate, eq. (35); accelerations */
-    const REAL t534 = 0.5 * minus_limb2_lower_rotation_xx;
-    const REAL limb2_lower_rotation_xy = minus_limb2_U_0_cos * limb2_lower_sin;
-    const REAL t536 = t534 + k1 * limb2_lower_rotation_xy;
-    const REAL t538 = limb_lower_com_x * t536;
-    const REAL t541 = k1 * minus_limb2_lower_rotation_xx - 0.5 * limb2_lower_rotation_xy;
-    const REAL t544 = param_R * t536 - (t538 - limb_lower_com_z * t541);
-    const REAL limb2_U_v_0 = READ(v, 3);
-    const REAL t545 = limb2_U_v_0 * t544;
-    const REAL t523 = 0.5 * limb2_lower_sin - k1 * limb2_lower_cos;
-    const REAL t525 = param_R - param_R * t523;
-    const REAL t526 = limb_lower_com_x * t523;
-    const REAL t529 = k1 * limb2_lower_sin + 0.5 * limb2_lower_cos;
-    const REAL t532 = t525 + (t526 - limb_lower_com_z * t529);
-    const REAL limb2_U_v_1 = READ(v, 4), limb2_U_0_sin = SINES(cosine, 2);
-    const REAL limb2_lower_twist_angular_x = limb2_U_v_1 * limb2_U_0_sin;
-    const REAL t546 = limb2_lower_twist_angular_x * t532 - t545;
-    const REAL limb2_U_1_screw_linear_z = param_R * limb2_U_0_sin;
-    const REAL limb2_lower_twist_linear_z = limb2_U_v_1 * limb2_U_1_screw_linear_z;
-    const REAL limb2_lower_momentum_force_z = limb_lower_m * (limb2_lower_twist_linear_z - t546);
-    const REAL t548 = limb2_U_v_0 * limb2_lower_momentum_force_z;
-    const REAL minus_limb2_lower_twist_angular_z = limb2_U_v_1 * minus_limb2_U_0_cos;
-    const REAL t549 = minus_limb2_lower_twist_angular_z * t544;
-    const REAL minus_limb2_lower_rotation_zx = limb2_U_0_sin * limb2_lower_cos;
-    const REAL t550 = 0.5 * minus_limb2_lower_rotation_zx;
-    const REAL limb2_lower_rotation_zy = limb2_U_0_sin * limb2_lower_sin;
-    const REAL t552 = t550 + k1 * limb2_lower_rotation_zy;
-    const REAL t554 = limb_lower_com_x * t552;
-    const REAL t557 = k1 * minus_limb2_lower_rotation_zx - 0.5 * limb2_lower_rotation_zy;
-    const REAL t560 = param_R * t552 - (t554 - limb_lower_com_z * t557);
-    const REAL limb2_lower_momentum_force_y = limb_lower_m * (t549 + limb2_lower_twist_angular_x * t560);
-    const REAL limb2_U_a_0 = READ(a, 3), limb2_U_a_1 = READ(a, 4);
-    const REAL t564 = t548 + minus_limb2_lower_twist_angular_z * limb2_lower_momentum_force_y;
-    const REAL t568 = limb2_U_a_0 * t560;
-    const REAL minus_limb2_lower_twist_rate_angular_z = limb2_U_a_1 * minus_limb2_U_0_cos + limb2_U_v_1 * (limb2_U_v_0 * limb2_U_0_sin);
-    const REAL t573 = t568 + minus_limb2_lower_twist_rate_angular_z * t532;
-    const REAL t567 = limb2_U_v_1 * (limb2_U_v_0 * limb2_U_1_screw_linear_z);
-    const REAL t593 = limb2_U_a_1 * limb2_U_1_screw_linear_z;
-    const REAL limb2_U_1_screw_linear_x = param_R * minus_limb2_U_0_cos;
-    const REAL limb2_lower_twist_rate_linear_x = limb2_U_a_1 * limb2_U_1_screw_linear_x + t567;
-    const REAL t575 = limb_lower_m * (limb2_lower_twist_rate_linear_x - t573);
+    const REAL t534 = 0.5 * minus_limb2_lower_rotation_xx,
+      limb2_lower_rotation_xy = minus_limb2_U_0_cos * limb2_lower_sin, t536 = t534 + k1 * limb2_lower_rotation_xy,
+      t538 = limb_lower_com_x * t536, t541 = k1 * minus_limb2_lower_rotation_xx - 0.5 * limb2_lower_rotation_xy,
+      t544 = param_R * t536 - (t538 - limb_lower_com_z * t541), limb2_U_v_0 = READ(v, 3), t545 = limb2_U_v_0 * t544,
+      t523 = 0.5 * limb2_lower_sin - k1 * limb2_lower_cos, t525 = param_R - param_R * t523,
+      t526 = limb_lower_com_x * t523, t529 = k1 * limb2_lower_sin + 0.5 * limb2_lower_cos,
+      t532 = t525 + (t526 - limb_lower_com_z * t529), limb2_U_v_1 = READ(v, 4), limb2_U_0_sin = SINES(cosine, 2),
+      limb2_lower_twist_wx = limb2_U_v_1 * limb2_U_0_sin, t546 = limb2_lower_twist_wx * t532 - t545,
+      limb2_U_1_screw_vz = param_R * limb2_U_0_sin, limb2_lower_twist_vz = limb2_U_v_1 * limb2_U_1_screw_vz,
+      limb2_lower_momentum_pz = limb_lower_m * (limb2_lower_twist_vz - t546),
+      t548 = limb2_U_v_0 * limb2_lower_momentum_pz, minus_limb2_lower_twist_wz = limb2_U_v_1 * minus_limb2_U_0_cos,
+      t549 = minus_limb2_lower_twist_wz * t544, minus_limb2_lower_rotation_zx = limb2_U_0_sin * limb2_lower_cos,
+      t550 = 0.5 * minus_limb2_lower_rotation_zx, limb2_lower_rotation_zy = limb2_U_0_sin * limb2_lower_sin,
+      t552 = t550 + k1 * limb2_lower_rotation_zy, t554 = limb_lower_com_x * t552,
+      t557 = k1 * minus_limb2_lower_rotation_zx - 0.5 * limb2_lower_rotation_zy,
+      t560 = param_R * t552 - (t554 - limb_lower_com_z * t557),
+      limb2_lower_momentum_py = limb_lower_m * (t549 + limb2_lower_twist_wx * t560), limb2_U_a_0 = READ(a, 3),
+      limb2_U_a_1 = READ(a, 4), t564 = t548 + minus_limb2_lower_twist_wz * limb2_lower_momentum_py,
+      t568 = limb2_U_a_0 * t560,
+      minus_limb2_lower_twist_rate_wz = limb2_U_a_1 * minus_limb2_U_0_cos + limb2_U_v_1 * (limb2_U_v_0 * limb2_U_0_sin),
+      t573 = t568 + minus_limb2_lower_twist_rate_wz * t532, t567 = limb2_U_v_1 * (limb2_U_v_0 * limb2_U_1_screw_vz),
+      t593 = limb2_U_a_1 * limb2_U_1_screw_vz, limb2_U_1_screw_vx = param_R * minus_limb2_U_0_cos,
+      limb2_lower_twist_rate_vx = limb2_U_a_1 * limb2_U_1_screw_vx + t567,
+      t575 = limb_lower_m * (limb2_lower_twist_rate_vx - t573);
     RESULT(checked2, momentum_rates, 18, t564 + t575);
-    const REAL t585 = limb2_U_v_0 * t560 + minus_limb2_lower_twist_angular_z * t532;
-    const REAL limb2_lower_twist_linear_x = limb2_U_v_1 * limb2_U_1_screw_linear_x;
-    const REAL limb2_lower_momentum_force_x = limb_lower_m * (limb2_lower_twist_linear_x - t585);
-    const REAL limb2_lower_twist_rate_linear_z = t593 - limb2_U_v_1 * (limb2_U_v_0 * limb2_U_1_screw_linear_x);
+    const REAL t585 = limb2_U_v_0 * t560 + minus_limb2_lower_twist_wz * t532,
+      limb2_lower_twist_vx = limb2_U_v_1 * limb2_U_1_screw_vx,
+      limb2_lower_momentum_px = limb_lower_m * (limb2_lower_twist_vx - t585),
+      limb2_lower_twist_rate_vz = t593 - limb2_U_v_1 * (limb2_U_v_0 * limb2_U_1_screw_vx);
     /* limb2: momentum rate, eq. (35); accelerations */
-    const REAL t587 = minus_limb2_lower_twist_angular_z * limb2_lower_momentum_force_x;
-    const REAL t589 = t587 + limb2_lower_twist_angular_x * limb2_lower_momentum_force_z;
-    const REAL t576 = minus_limb2_lower_twist_rate_angular_z * t544;
-    const REAL limb2_lower_twist_rate_angular_x = limb2_U_a_1 * limb2_U_0_sin - limb2_U_v_1 * (limb2_U_v_0 * minus_limb2_U_0_cos);
-    const REAL t582 = limb_lower_m * (t576 + limb2_lower_twist_rate_angular_x * t560);
+    const REAL t587 = minus_limb2_lower_twist_wz * limb2_lower_momentum_px,
+      t589 = t587 + limb2_lower_twist_wx * limb2_lower_momentum_pz, t576 = minus_limb2_lower_twist_rate_wz * t544,
+      limb2_lower_twist_rate_wx = limb2_U_a_1 * limb2_U_0_sin - limb2_U_v_1 * (limb2_U_v_0 * minus_limb2_U_0_cos),
+      t582 = limb_lower_m * (t576 + limb2_lower_twist_rate_wx * t560);
     RESULT(checked3, momentum_rates, 19, t582 - t589);
-    const REAL t591 = limb2_U_v_0 * limb2_lower_momentum_force_x;
-    const REAL t592 = limb2_lower_twist_angular_x * limb2_lower_momentum_force_y - t591;
-    const REAL t599 = limb2_lower_twist_rate_linear_z - (limb2_lower_twist_rate_angular_x * t532 - limb2_U_a_0 * t544);
-    const REAL t600 = limb_lower_m * t599;
+    const REAL t592 = limb2_lower_twist_wx * limb2_lower_momentum_py - limb2_U_v_0 * limb2_lower_momentum_px,
+      t600 = limb_lower_m * (limb2_lower_twist_rate_vz - (limb2_lower_twist_rate_wx * t532 - limb2_U_a_0 * t544));
     RESULT(checked0, momentum_rates, 20, t592 + t600);
     /* limb2: momentum, eq. (31); momentum rate, eq. (35) */
-    const REAL t603 = t544 * limb2_lower_momentum_force_y - t532 * limb2_lower_momentum_force_x;
-    const REAL t608 = limb_lower_Ixx * t552 - limb_lower_Ixz * t557;
-    const REAL t609 = t536 * t608;
-    const REAL t604 = limb_lower_Iyy * minus_limb2_U_0_cos;
-    const REAL t610 = limb2_U_0_sin * t604 - t609;
-    const REAL t622 = minus_limb2_U_0_cos * t604;
-    const REAL t613 = limb_lower_Ixz * t552 - limb_lower_Izz * t557;
-    const REAL t615 = t610 + t541 * t613;
-    const REAL t616 = limb2_lower_twist_angular_x * t615;
-    const REAL t718 = limb2_lower_twist_rate_angular_x * t615;
-    const REAL t624 = t622 + t552 * t608;
-    const REAL t619 = t523 * t608 - t529 * t613;
-    const REAL t626 = t624 - t557 * t613;
-    const REAL t720 = t718 + limb2_U_a_0 * t619;
-    const REAL t628 = t616 + limb2_U_v_0 * t619 + minus_limb2_lower_twist_angular_z * t626;
-    const REAL minus_limb2_lower_momentum_moment_z = t603 + t628;
-    const REAL t722 = t720 + minus_limb2_lower_twist_rate_angular_z * t626;
-    const REAL t629 = limb2_U_v_0 * minus_limb2_lower_momentum_moment_z;
-    const REAL t695 = limb2_lower_twist_angular_x * minus_limb2_lower_momentum_moment_z;
-    const REAL t697 = limb2_lower_twist_linear_z * limb2_lower_momentum_force_x;
-    const REAL t632 = t560 * limb2_lower_momentum_force_x - t544 * limb2_lower_momentum_force_z;
-    const REAL t635 = limb_lower_Ixx * t523 - limb_lower_Ixz * t529;
-    const REAL t636 = t536 * t635;
-    const REAL t639 = limb_lower_Ixz * t523 - limb_lower_Izz * t529;
-    const REAL t641 = t636 - t541 * t639;
-    const REAL t642 = limb2_lower_twist_angular_x * t641;
-    const REAL t704 = limb2_lower_twist_rate_angular_x * t641;
-    const REAL t648 = t552 * t635;
-    const REAL t645 = t523 * t635 - t529 * t639;
-    const REAL t650 = t648 - t557 * t639;
+    const REAL t603 = t544 * limb2_lower_momentum_py - t532 * limb2_lower_momentum_px,
+      t608 = limb_lower_Ixx * t552 - limb_lower_Ixz * t557, t609 = t536 * t608,
+      t604 = limb_lower_Iyy * minus_limb2_U_0_cos, t610 = limb2_U_0_sin * t604 - t609,
+      t622 = minus_limb2_U_0_cos * t604, t613 = limb_lower_Ixz * t552 - limb_lower_Izz * t557,
+      t615 = t610 + t541 * t613, t616 = limb2_lower_twist_wx * t615, t718 = limb2_lower_twist_rate_wx * t615,
+      t624 = t622 + t552 * t608, t619 = t523 * t608 - t529 * t613, t626 = t624 - t557 * t613,
+      t720 = t718 + limb2_U_a_0 * t619, t628 = t616 + limb2_U_v_0 * t619 + minus_limb2_lower_twist_wz * t626,
+      minus_limb2_lower_momentum_Lz = t603 + t628, t722 = t720 + minus_limb2_lower_twist_rate_wz * t626,
+      t629 = limb2_U_v_0 * minus_limb2_lower_momentum_Lz, t695 = limb2_lower_twist_wx * minus_limb2_lower_momentum_Lz,
+      t697 = limb2_lower_twist_vz * limb2_lower_momentum_px,
+      t632 = t560 * limb2_lower_momentum_px - t544 * limb2_lower_momentum_pz,
+      t635 = limb_lower_Ixx * t523 - limb_lower_Ixz * t529, t636 = t536 * t635,
+      t639 = limb_lower_Ixz * t523 - limb_lower_Izz * t529, t641 = t636 - t541 * t639,
+      t642 = limb2_lower_twist_wx * t641, t704 = limb2_lower_twist_rate_wx * t641, t648 = t552 * t635,
+      t645 = t523 * t635 - t529 * t639, t650 = t648 - t557 * t639;
     /* limb2: momentum rate, eq. (35); momentum, eq. (31) */
-    const REAL t706 = t704 - limb2_U_a_0 * t645;
-    const REAL t652 = t642 - limb2_U_v_0 * t645 - minus_limb2_lower_twist_angular_z * t650;
-    const REAL minus_limb2_lower_momentum_moment_y = t632 + t652;
-    const REAL t708 = t706 - minus_limb2_lower_twist_rate_angular_z * t650;
-    const REAL t654 = t629 + minus_limb2_lower_twist_angular_z * minus_limb2_lower_momentum_moment_y;
-    const REAL t710 = limb2_lower_twist_angular_x * minus_limb2_lower_momentum_moment_y;
-    const REAL t656 = t654 + limb2_lower_twist_linear_z * limb2_lower_momentum_force_y;
-    const REAL t702 = t544 * t600;
-    const REAL t715 = t544 * t582;
-    const REAL t659 = t532 * t600 - t560 * t582;
-    const REAL t664 = limb_lower_Ixx * t536 - limb_lower_Ixz * t541;
-    const REAL t665 = t536 * t664;
-    const REAL t660 = limb_lower_Iyy * limb2_U_0_sin;
-    const REAL t666 = limb2_U_0_sin * t660 + t665;
-    const REAL t678 = minus_limb2_U_0_cos * t660;
-    const REAL t669 = limb_lower_Ixz * t536 - limb_lower_Izz * t541;
-    const REAL t671 = t666 - t541 * t669;
-    const REAL t672 = limb2_lower_twist_rate_angular_x * t671;
-    const REAL t689 = limb2_lower_twist_angular_x * t671;
-    const REAL t680 = t678 - t552 * t664;
-    const REAL t675 = t523 * t664 - t529 * t669;
-    const REAL t682 = t680 + t557 * t669;
-    const REAL t691 = t689 - limb2_U_v_0 * t675;
-    const REAL t684 = t672 - limb2_U_a_0 * t675 + minus_limb2_lower_twist_rate_angular_z * t682;
+    const REAL t706 = t704 - limb2_U_a_0 * t645, t652 = t642 - limb2_U_v_0 * t645 - minus_limb2_lower_twist_wz * t650,
+      minus_limb2_lower_momentum_Ly = t632 + t652, t708 = t706 - minus_limb2_lower_twist_rate_wz * t650,
+      t654 = t629 + minus_limb2_lower_twist_wz * minus_limb2_lower_momentum_Ly,
+      t710 = limb2_lower_twist_wx * minus_limb2_lower_momentum_Ly,
+      t656 = t654 + limb2_lower_twist_vz * limb2_lower_momentum_py, t702 = t544 * t600, t715 = t544 * t582,
+      t659 = t532 * t600 - t560 * t582, t664 = limb_lower_Ixx * t536 - limb_lower_Ixz * t541, t665 = t536 * t664,
+      t660 = limb_lower_Iyy * limb2_U_0_sin, t666 = limb2_U_0_sin * t660 + t665, t678 = minus_limb2_U_0_cos * t660,
+      t669 = limb_lower_Ixz * t536 - limb_lower_Izz * t541, t671 = t666 - t541 * t669,
+      t672 = limb2_lower_twist_rate_wx * t671, t689 = limb2_lower_twist_wx * t671, t680 = t678 - t552 * t664,
+      t675 = t523 * t664 - t529 * t669, t682 = t680 + t557 * t669, t691 = t689 - limb2_U_v_0 * t675,
+      t684 = t672 - limb2_U_a_0 * t675 + minus_limb2_lower_twist_rate_wz * t682;
     RESULT(checked1, momentum_rates, 21, -(t656 + (t659 - t684)));
-    const REAL t693 = t691 + minus_limb2_lower_twist_angular_z * t682;
-    const REAL t699 = t697 - limb2_lower_twist_linear_x * limb2_lower_momentum_force_z;
-    const REAL t717 = t715 - t532 * t575;
-    const REAL t703 = t560 * t575 - t702;
-    const REAL minus_limb2_lower_momentum_moment_x = t532 * limb2_lower_momentum_force_z - t560 * limb2_lower_momentum_force_y - t693;
-    const REAL t709 = t703 + t708;
-    const REAL t713 = limb2_lower_twist_linear_x * limb2_lower_momentum_force_y;
-    const REAL t723 = t717 + t722;
-    RESULT(checked2, momentum_rates, 22, minus_limb2_lower_twist_angular_z * minus_limb2_lower_momentum_moment_x + t695 + t699 - t709);
-    RESULT(checked3, momentum_rates, 23, -(t710 - limb2_U_v_0 * minus_limb2_lower_momentum_moment_x - t713 + t723));
+    const REAL t693 = t691 + minus_limb2_lower_twist_wz * t682,
+      t699 = t697 - limb2_lower_twist_vx * limb2_lower_momentum_pz, t717 = t715 - t532 * t575,
+      t703 = t560 * t575 - t702,
+      minus_limb2_lower_momentum_Lx = t532 * limb2_lower_momentum_pz - t560 * limb2_lower_momentum_py - t693,
+      t713 = limb2_lower_twist_vx * limb2_lower_momentum_py, t723 = t717 + t722;
+    RESULT(checked2, momentum_rates, 22, minus_limb2_lower_twist_wz * minus_limb2_lower_momentum_Lx + t695 + t699 - (t703 + t708));
+    RESULT(checked3, momentum_rates, 23, -(t710 - limb2_U_v_0 * minus_limb2_lower_momentum_Lx - t713 + t723));
     /* limb2: momentum, eq. (31); velocities, eq. (6); momentum rate, eq. (35) */
-    const REAL t736 = 0.5 * t536 - param_H * t541;
-    const REAL t740 = limb_upper_com_x * t536 - limb_upper_com_z * t541;
-    const REAL limb2_upper_offset_x = limb_upper_phase + READ(q, 5);
-    const REAL t741 = limb2_upper_offset_x * minus_limb2_lower_rotation_xx + t736 - t740;
-    const REAL t742 = limb2_U_v_0 * t741;
-    const REAL t731 = limb_upper_com_x * t523 - limb_upper_com_z * t529;
-    const REAL t728 = param_R - limb2_lower_sin * limb2_upper_offset_x - (0.5 * t523 - param_H * t529);
-    const REAL t732 = t728 + t731;
-    const REAL limb2_P_v = READ(v, 5);
-    const REAL minus_limb2_upper_position_z = limb2_upper_offset_x * minus_limb2_lower_rotation_zx;
-    const REAL t743 = limb2_lower_twist_angular_x * t732 - t742;
-    const REAL limb2_upper_twist_linear_z = limb2_lower_twist_linear_z - limb2_P_v * minus_limb2_lower_rotation_zx;
-    const REAL limb2_upper_momentum_force_z = limb_lower_m * (limb2_upper_twist_linear_z - t743);
-    const REAL t745 = limb2_U_v_0 * limb2_upper_momentum_force_z;
-    const REAL t746 = minus_limb2_lower_twist_angular_z * t741;
-    const REAL t750 = minus_limb2_upper_position_z + (0.5 * t552 - param_H * t557);
-    const REAL t754 = t750 - (limb_upper_com_x * t552 - limb_upper_com_z * t557);
-    const REAL t756 = t746 + limb2_lower_twist_angular_x * t754;
-    const REAL limb2_upper_twist_linear_y = limb2_P_v * limb2_lower_sin;
-    const REAL limb2_upper_momentum_force_y = limb_lower_m * (limb2_upper_twist_linear_y + t756);
-    const REAL limb2_P_a = READ(a, 5);
-    const REAL t759 = t745 + minus_limb2_lower_twist_angular_z * limb2_upper_momentum_force_y;
-    const REAL t768 = limb2_U_a_0 * t754 + minus_limb2_lower_twist_rate_angular_z * t732;
-    const REAL t776 = minus_limb2_lower_twist_rate_angular_z * t741;
-    const REAL t761 = limb2_lower_twist_rate_linear_x - limb2_P_a * minus_limb2_lower_rotation_xx;
-    const REAL t762 = limb2_U_v_0 * minus_limb2_lower_rotation_zx;
-    const REAL t770 = limb_lower_m * (t761 - limb2_P_v * (t762 - limb2_lower_sin * minus_limb2_lower_twist_angular_z) - t768);
+    const REAL t736 = 0.5 * t536 - param_H * t541, t740 = limb_upper_com_x * t536 - limb_upper_com_z * t541,
+      limb2_upper_offset_x = limb_upper_phase + READ(q, 5),
+      t741 = limb2_upper_offset_x * minus_limb2_lower_rotation_xx + t736 - t740, t742 = limb2_U_v_0 * t741,
+      t731 = limb_upper_com_x * t523 - limb_upper_com_z * t529,
+      t728 = param_R - limb2_lower_sin * limb2_upper_offset_x - (0.5 * t523 - param_H * t529), t732 = t728 + t731,
+      limb2_P_v = READ(v, 5), minus_limb2_upper_position_z = limb2_upper_offset_x * minus_limb2_lower_rotation_zx,
+      t743 = limb2_lower_twist_wx * t732 - t742,
+      limb2_upper_twist_vz = limb2_lower_twist_vz - limb2_P_v * minus_limb2_lower_rotation_zx,
+      limb2_upper_momentum_pz = limb_lower_m * (limb2_upper_twist_vz - t743),
+      t745 = limb2_U_v_0 * limb2_upper_momentum_pz, t746 = minus_limb2_lower_twist_wz * t741,
+      t750 = minus_limb2_upper_position_z + (0.5 * t552 - param_H * t557),
+      t754 = t750 - (limb_upper_com_x * t552 - limb_upper_com_z * t557), t756 = t746 + limb2_lower_twist_wx * t754,
+      limb2_upper_twist_vy = limb2_P_v * limb2_lower_sin,
+      limb2_upper_momentum_py = limb_lower_m * (limb2_upper_twist_vy + t756), limb2_P_a = READ(a, 5),
+      t759 = t745 + minus_limb2_lower_twist_wz * limb2_upper_momentum_py,
+      t768 = limb2_U_a_0 * t754 + minus_limb2_lower_twist_rate_wz * t732,
+      t776 = minus_limb2_lower_twist_rate_wz * t741,
+      t761 = limb2_lower_twist_rate_vx - limb2_P_a * minus_limb2_lower_rotation_xx,
+      t765 = limb2_P_v * (limb2_U_v_0 * minus_limb2_lower_rotation_zx - limb2_lower_sin * minus_limb2_lower_twist_wz),
+      t770 = limb_lower_m * (t761 - t765 - t768);
     RESULT(checked0, momentum_rates, 24, t759 + t770);
-    const REAL t784 = limb2_U_v_0 * t754 + minus_limb2_lower_twist_angular_z * t732;
-    const REAL limb2_upper_twist_linear_x = limb2_lower_twist_linear_x - limb2_P_v * minus_limb2_lower_rotation_xx;
-    const REAL limb2_upper_momentum_force_x = limb_lower_m * (limb2_upper_twist_linear_x - t784);
+    const REAL t784 = limb2_U_v_0 * t754 + minus_limb2_lower_twist_wz * t732,
+      limb2_upper_twist_vx = limb2_lower_twist_vx - limb2_P_v * minus_limb2_lower_rotation_xx,
+      limb2_upper_momentum_px = limb_lower_m * (limb2_upper_twist_vx - t784);
     /* limb2: momentum rate, eq. (35); accelerations; momentum, eq. (31) */
-    const REAL t786 = minus_limb2_lower_twist_angular_z * limb2_upper_momentum_force_x;
-    const REAL t788 = t786 + limb2_lower_twist_angular_x * limb2_upper_momentum_force_z;
-    const REAL t778 = t776 + limb2_lower_twist_rate_angular_x * t754;
-    const REAL t798 = limb2_lower_twist_rate_angular_x * t732;
-    const REAL t772 = minus_limb2_lower_rotation_xx * minus_limb2_lower_twist_angular_z;
-    const REAL t795 = limb2_U_v_0 * minus_limb2_lower_rotation_xx;
-    const REAL t775 = limb2_P_v * (t772 + minus_limb2_lower_rotation_zx * limb2_lower_twist_angular_x);
-    const REAL t793 = limb2_lower_twist_rate_linear_z - limb2_P_a * minus_limb2_lower_rotation_zx;
-    const REAL t780 = limb_lower_m * (limb2_P_a * limb2_lower_sin + t775 + t778);
+    const REAL t786 = minus_limb2_lower_twist_wz * limb2_upper_momentum_px,
+      t788 = t786 + limb2_lower_twist_wx * limb2_upper_momentum_pz, t778 = t776 + limb2_lower_twist_rate_wx * t754,
+      t798 = limb2_lower_twist_rate_wx * t732, t772 = minus_limb2_lower_rotation_xx * minus_limb2_lower_twist_wz,
+      t795 = limb2_U_v_0 * minus_limb2_lower_rotation_xx,
+      t775 = limb2_P_v * (t772 + minus_limb2_lower_rotation_zx * limb2_lower_twist_wx),
+      t793 = limb2_lower_twist_rate_vz - limb2_P_a * minus_limb2_lower_rotation_zx,
+      t780 = limb_lower_m * (limb2_P_a * limb2_lower_sin + t775 + t778);
     RESULT(checked1, momentum_rates, 25, t780 - t788);
-    const REAL t789 = limb2_lower_twist_angular_x * limb2_upper_momentum_force_y;
-    const REAL t791 = t789 - limb2_U_v_0 * limb2_upper_momentum_force_x;
-    const REAL t800 = t798 - limb2_U_a_0 * t741;
-    const REAL t802 = limb_lower_m * (t793 + limb2_P_v * (limb2_lower_sin * limb2_lower_twist_angular_x + t795) - t800);
+    const REAL t791 = limb2_lower_twist_wx * limb2_upper_momentum_py - limb2_U_v_0 * limb2_upper_momentum_px,
+      t800 = t798 - limb2_U_a_0 * t741,
+      t802 = limb_lower_m * (t793 + limb2_P_v * (limb2_lower_sin * limb2_lower_twist_wx + t795) - t800);
     RESULT(checked2, momentum_rates, 26, t791 + t802);
-    const REAL minus_limb2_upper_momentum_moment_z = t628 + (t741 * limb2_upper_momentum_force_y - t732 * limb2_upper_momentum_force_x);
-    const REAL t810 = limb2_U_v_0 * minus_limb2_upper_momentum_moment_z;
-    const REAL t824 = limb2_lower_twist_angular_x * minus_limb2_upper_momentum_moment_z;
-    const REAL minus_limb2_upper_momentum_moment_y = t652 + (t754 * limb2_upper_momentum_force_x - t741 * limb2_upper_momentum_force_z);
-    const REAL t834 = limb2_lower_twist_angular_x * minus_limb2_upper_momentum_moment_y;
-    const REAL t815 = t810 + minus_limb2_lower_twist_angular_z * minus_limb2_upper_momentum_moment_y;
-    const REAL t816 = limb2_upper_twist_linear_y * limb2_upper_momentum_force_z;
-    const REAL t838 = limb2_upper_twist_linear_y * limb2_upper_momentum_force_x;
-    const REAL t826 = limb2_upper_twist_linear_z * limb2_upper_momentum_force_x;
-    const REAL t819 = t815 - (t816 - limb2_upper_twist_linear_z * limb2_upper_momentum_force_y);
-    const REAL t831 = t741 * t802;
-    const REAL t841 = t741 * t780;
-    RESULT(checked3, momentum_rates, 27, t684 - (t732 * t802 - t754 * t780) - t819);
-    const REAL t828 = t826 - limb2_upper_twist_linear_x * limb2_upper_momentum_force_z;
-    const REAL t839 = limb2_upper_twist_linear_x * limb2_upper_momentum_force_y - t838;
-    const REAL limb2_upper_momentum_moment_x = t693 - (t732 * limb2_upper_momentum_force_z - t754 * limb2_upper_momentum_force_y);
-    const REAL t829 = minus_limb2_lower_twist_angular_z * limb2_upper_momentum_moment_x - t824 - t828;
+    const REAL minus_limb2_upper_momentum_Lz = t628 + (t741 * limb2_upper_momentum_py - t732 * limb2_upper_momentum_px),
+      t810 = limb2_U_v_0 * minus_limb2_upper_momentum_Lz, t824 = limb2_lower_twist_wx * minus_limb2_upper_momentum_Lz,
+      minus_limb2_upper_momentum_Ly = t652 + (t754 * limb2_upper_momentum_px - t741 * limb2_upper_momentum_pz),
+      t834 = limb2_lower_twist_wx * minus_limb2_upper_momentum_Ly,
+      t815 = t810 + minus_limb2_lower_twist_wz * minus_limb2_upper_momentum_Ly,
+      t838 = limb2_upper_twist_vy * limb2_upper_momentum_px, t826 = limb2_upper_twist_vz * limb2_upper_momentum_px,
+      t818 = limb2_upper_twist_vy * limb2_upper_momentum_pz - limb2_upper_twist_vz * limb2_upper_momentum_py,
+      t831 = t741 * t802, t841 = t741 * t780;
+    RESULT(checked3, momentum_rates, 27, t684 - (t732 * t802 - t754 * t780) - (t815 - t818));
+    const REAL t828 = t826 - limb2_upper_twist_vx * limb2_upper_momentum_pz,
+      t839 = limb2_upper_twist_vx * limb2_upper_momentum_py - t838,
+      limb2_upper_momentum_Lx = t693 - (t732 * limb2_upper_momentum_pz - t754 * limb2_upper_momentum_py),
+      t829 = minus_limb2_lower_twist_wz * limb2_upper_momentum_Lx - t824 - t828;
     RESULT(checked0, momentum_rates, 28, -(t829 + (t708 + (t754 * t770 - t831))));
     const REAL t844 = t722 + (t841 - t732 * t770);
-    RESULT(checked1, momentum_rates, 29, -(t834 + limb2_U_v_0 * limb2_upper_momentum_moment_x - t839 + t844));
+    RESULT(checked1, momentum_rates, 29, -(t834 + limb2_U_v_0 * limb2_upper_momentum_Lx - t839 + t844));
     /* limb3: geometry */
-    const REAL limb3_U_0_sin = SINES(sine, 4), limb3_lower_cos = SINES(cosine, 5);
-    const REAL minus_limb3_lower_rotation_yx = limb3_U_0_sin * limb3_lower_cos;
-    const REAL minus_limb3_lower_sin = SINES(sine, 5);
+    const REAL limb3_U_0_sin = SINES(sine, 4), limb3_lower_cos = SINES(cosine, 5),
+      minus_limb3_lower_rotation_yx = limb3_U_0_sin * limb3_lower_cos, minus_limb3_lower_sin = SINES(sine, 5);
     /* limb3: momentum, eq. (31); geometry; velocities, eq. (6) */
-    const REAL t846 = 0.5 * minus_limb3_lower_rotation_yx;
-    const REAL minus_limb3_lower_rotation_yy = limb3_U_0_sin * minus_limb3_lower_sin;
-    const REAL t848 = t846 - k1 * minus_limb3_lower_rotation_yy;
-    const REAL t850 = limb_lower_com_x * t848;
-    const REAL t853 = k1 * minus_limb3_lower_rotation_yx + 0.5 * minus_limb3_lower_rotation_yy;
-    const REAL t856 = param_R * t848 - (t850 - limb_lower_com_z * t853);
-    const REAL limb3_U_v_0 = READ(v, 6);
-    const REAL t857 = limb3_U_v_0 * t856;
-    const REAL t860 = 0.5 * minus_limb3_lower_sin + k1 * limb3_lower_cos;
-    const REAL t862 = param_R - param_R * t860;
-    const REAL t863 = limb_lower_com_x * t860;
-    const REAL t866 = k1 * minus_limb3_lower_sin - 0.5 * limb3_lower_cos;
-    const REAL t869 = t862 + (t863 - limb_lower_com_z * t866);
-    const REAL limb3_U_v_1 = READ(v, 7), limb3_U_0_cos = SINES(cosine, 4);
-    const REAL limb3_lower_twist_angular_y = limb3_U_v_1 * limb3_U_0_cos;
-    const REAL t871 = t857 + limb3_lower_twist_angular_y * t869;
-    const REAL limb3_U_1_screw_linear_z = param_R * limb3_U_0_cos;
-    const REAL limb3_lower_twist_linear_z = limb3_U_v_1 * limb3_U_1_screw_linear_z;
-    const REAL limb3_lower_momentum_force_z = limb_lower_m * (limb3_lower_twist_linear_z - t871);
-    const REAL t873 = limb3_lower_twist_angular_y * limb3_lower_momentum_force_z;
-    const REAL limb3_lower_rotation_zx = limb3_U_0_cos * limb3_lower_cos;
-    const REAL t875 = 0.5 * limb3_lower_rotation_zx;
-    const REAL limb3_lower_rotation_zy = limb3_U_0_cos * minus_limb3_lower_sin;
-    const REAL t877 = t875 - k1 * limb3_lower_rotation_zy;
-    const REAL t879 = limb_lower_com_x * t877;
-    const REAL t882 = k1 * limb3_lower_rotation_zx + 0.5 * limb3_lower_rotation_zy;
-    const REAL t885 = param_R * t877 - (t879 - limb_lower_com_z * t882);
-    const REAL t886 = limb3_U_v_0 * t885;
-    const REAL limb3_lower_twist_angular_z = limb3_U_v_1 * limb3_U_0_sin;
-    const REAL t887 = limb3_lower_twist_angular_z * t869 - t886;
-    const REAL minus_limb3_U_1_screw_linear_y = param_R * limb3_U_0_sin;
-    const REAL minus_limb3_lower_twist_linear_y = limb3_U_v_1 * minus_limb3_U_1_screw_linear_y;
-    const REAL minus_limb3_lower_momentum_force_y = limb_lower_m * (minus_limb3_lower_twist_linear_y - t887);
-    const REAL limb3_U_a_1 = READ(a, 7);
+    const REAL t846 = 0.5 * minus_limb3_lower_rotation_yx,
+      minus_limb3_lower_rotation_yy = limb3_U_0_sin * minus_limb3_lower_sin,
+      t848 = t846 - k1 * minus_limb3_lower_rotation_yy, t850 = limb_lower_com_x * t848,
+      t853 = k1 * minus_limb3_lower_rotation_yx + 0.5 * minus_limb3_lower_rotation_yy,
+      t856 = param_R * t848 - (t850 - limb_lower_com_z * t853), limb3_U_v_0 = READ(v, 6), t857 = limb3_U_v_0 * t856,
+      t860 = 0.5 * minus_limb3_lower_sin + k1 * limb3_lower_cos, t862 = param_R - param_R * t860,
+      t863 = limb_lower_com_x * t860, t866 = k1 * minus_limb3_lower_sin - 0.5 * limb3_lower_cos,
+      t869 = t862 + (t863 - limb_lower_com_z * t866), limb3_U_v_1 = READ(v, 7), limb3_U_0_cos = SINES(cosine, 4),
+      limb3_lower_twist_wy = limb3_U_v_1 * limb3_U_0_cos, t871 = t857 + limb3_lower_twist_wy * t869,
+      limb3_U_1_screw_vz = param_R * limb3_U_0_cos, limb3_lower_twist_vz = limb3_U_v_1 * limb3_U_1_screw_vz,
+      limb3_lower_momentum_pz = limb_lower_m * (limb3_lower_twist_vz - t871),
+      t873 = limb3_lower_twist_wy * limb3_lower_momentum_pz,
+      limb3_lower_rotation_zx = limb3_U_0_cos * limb3_lower_cos, t875 = 0.5 * limb3_lower_rotation_zx,
+      limb3_lower_rotation_zy = limb3_U_0_cos * minus_limb3_lower_sin, t877 = t875 - k1 * limb3_lower_rotation_zy,
+      t879 = limb_lower_com_x * t877, t882 = k1 * limb3_lower_rotation_zx + 0.5 * limb3_lower_rotation_zy,
+      t885 = param_R * t877 - (t879 - limb_lower_com_z * t882), t886 = limb3_U_v_0 * t885,
+      limb3_lower_twist_wz = limb3_U_v_1 * limb3_U_0_sin, t887 = limb3_lower_twist_wz * t869 - t886,
+      minus_limb3_U_1_screw_vy = param_R * limb3_U_0_sin,
+      minus_limb3_lower_twist_vy = limb3_U_v_1 * minus_limb3_U_1_screw_vy,
+      minus_limb3_lower_momentum_py = limb_lower_m * (minus_limb3_lower_twist_vy - t887), limb3_U_a_1 = READ(a, 7);
     /* limb3: momentum rate, eq. (35); accelerations; momentum, eq. (31) */
-    const REAL t890 = t873 + limb3_lower_twist_angular_z * minus_limb3_lower_momentum_force_y;
-    const REAL limb3_lower_twist_rate_angular_y = limb3_U_a_1 * limb3_U_0_cos - limb3_U_v_1 * (limb3_U_v_0 * limb3_U_0_sin);
-    const REAL t894 = limb3_lower_twist_rate_angular_y * t885;
-    const REAL limb3_lower_twist_rate_angular_z = limb3_U_a_1 * limb3_U_0_sin + limb3_U_v_1 * (limb3_U_v_0 * limb3_U_0_cos);
-    const REAL t900 = limb_lower_m * (t894 + limb3_lower_twist_rate_angular_z * t856);
+    const REAL t890 = t873 + limb3_lower_twist_wz * minus_limb3_lower_momentum_py,
+      limb3_lower_twist_rate_wy = limb3_U_a_1 * limb3_U_0_cos - limb3_U_v_1 * (limb3_U_v_0 * limb3_U_0_sin),
+      t894 = limb3_lower_twist_rate_wy * t885,
+      limb3_lower_twist_rate_wz = limb3_U_a_1 * limb3_U_0_sin + limb3_U_v_1 * (limb3_U_v_0 * limb3_U_0_cos),
+      t900 = limb_lower_m * (t894 + limb3_lower_twist_rate_wz * t856);
     RESULT(checked2, momentum_rates, 30, t890 + t900);
-    const REAL t905 = limb3_U_v_0 * limb3_lower_momentum_force_z;
-    const REAL limb3_lower_momentum_force_x = limb_lower_m * (limb3_lower_twist_angular_y * t885 + limb3_lower_twist_angular_z * t856);
-    const REAL limb3_U_a_0 = READ(a, 6);
-    const REAL t906 = limb3_lower_twist_angular_z * limb3_lower_momentum_force_x - t905;
-    const REAL t912 = limb3_lower_twist_rate_angular_z * t869 - limb3_U_a_0 * t885;
-    const REAL t909 = limb3_U_v_1 * (limb3_U_v_0 * limb3_U_1_screw_linear_z);
-    const REAL t915 = limb3_U_a_1 * limb3_U_1_screw_linear_z;
-    const REAL minus_limb3_lower_twist_rate_linear_y = limb3_U_a_1 * minus_limb3_U_1_screw_linear_y + t909;
-    const REAL t914 = limb_lower_m * (minus_limb3_lower_twist_rate_linear_y - t912);
+    const REAL t905 = limb3_U_v_0 * limb3_lower_momentum_pz,
+      limb3_lower_momentum_px = limb_lower_m * (limb3_lower_twist_wy * t885 + limb3_lower_twist_wz * t856),
+      limb3_U_a_0 = READ(a, 6), t906 = limb3_lower_twist_wz * limb3_lower_momentum_px - t905,
+      t912 = limb3_lower_twist_rate_wz * t869 - limb3_U_a_0 * t885, t915 = limb3_U_a_1 * limb3_U_1_screw_vz,
+      minus_limb3_lower_twist_rate_vy = limb3_U_a_1 * minus_limb3_U_1_screw_vy + limb3_U_v_1 * (limb3_U_v_0 * limb3_U_1_screw_vz),
+      t914 = limb_lower_m * (minus_limb3_lower_twist_rate_vy - t912);
     RESULT(checked3, momentum_rates, 31, t906 - t914);
-    const REAL limb3_lower_twist_rate_linear_z = t915 - limb3_U_v_1 * (limb3_U_v_0 * minus_limb3_U_1_screw_linear_y);
-    const REAL t923 = limb3_U_v_0 * minus_limb3_lower_momentum_force_y;
-    const REAL t925 = t923 + limb3_lower_twist_angular_y * limb3_lower_momentum_force_x;
-    const REAL t921 = limb3_lower_twist_rate_linear_z - (limb3_U_a_0 * t856 + limb3_lower_twist_rate_angular_y * t869);
-    const REAL t922 = limb_lower_m * t921;
+    const REAL limb3_lower_twist_rate_vz = t915 - limb3_U_v_1 * (limb3_U_v_0 * minus_limb3_U_1_screw_vy),
+      t925 = limb3_U_v_0 * minus_limb3_lower_momentum_py + limb3_lower_twist_wy * limb3_lower_momentum_px,
+      t922 = limb_lower_m * (limb3_lower_twist_rate_vz - (limb3_U_a_0 * t856 + limb3_lower_twist_rate_wy * t869));
     RESULT(checked0, momentum_rates, 32, t922 - t925);
     /* limb3: momentum, eq. (31); momentum rate, eq. (35) */
-    const REAL t928 = t869 * minus_limb3_lower_momentum_force_y - t856 * limb3_lower_momentum_force_x;
-    const REAL t931 = limb_lower_Ixx * t877 - limb_lower_Ixz * t882;
-    const REAL t939 = t848 * t931;
-    const REAL t940 = limb_lower_Iyy * limb3_U_0_sin;
-    const REAL t942 = t939 - limb3_U_0_cos * t940;
-    const REAL t948 = limb3_U_0_sin * t940;
-    const REAL t935 = limb_lower_Ixz * t877 - limb_lower_Izz * t882;
-    const REAL t944 = t942 - t853 * t935;
-    const REAL t945 = limb3_lower_twist_angular_y * t944;
-    const REAL t1044 = limb3_lower_twist_rate_angular_y * t944;
-    const REAL t949 = t877 * t931 + t948;
-    const REAL t937 = t860 * t931 - t866 * t935;
-    const REAL t951 = t949 - t882 * t935;
-    const REAL t1045 = limb3_U_a_0 * t937 + t1044;
-    const REAL t953 = limb3_U_v_0 * t937 + t945 - limb3_lower_twist_angular_z * t951;
-    const REAL minus_limb3_lower_momentum_moment_z = t928 + t953;
-    const REAL t1047 = t1045 - limb3_lower_twist_rate_angular_z * t951;
-    const REAL t954 = limb3_lower_twist_angular_y * minus_limb3_lower_momentum_moment_z;
-    const REAL t1031 = limb3_U_v_0 * minus_limb3_lower_momentum_moment_z;
-    const REAL t957 = t885 * limb3_lower_momentum_force_x - t869 * limb3_lower_momentum_force_z;
-    const REAL t960 = limb_lower_Ixx * t848 - limb_lower_Ixz * t853;
-    const REAL t968 = t848 * t960;
-    const REAL t969 = limb_lower_Iyy * limb3_U_0_cos;
-    const REAL t971 = t968 + limb3_U_0_cos * t969;
-    const REAL t977 = limb3_U_0_sin * t969;
-    const REAL t964 = limb_lower_Ixz * t848 - limb_lower_Izz * t853;
-    const REAL t973 = t971 - t853 * t964;
-    const REAL t974 = limb3_lower_twist_angular_y * t973;
-    const REAL t1017 = limb3_lower_twist_rate_angular_y * t973;
-    const REAL t978 = t877 * t960 - t977;
-    const REAL t966 = t860 * t960 - t866 * t964;
-    const REAL t980 = t978 - t882 * t964;
+    const REAL t928 = t869 * minus_limb3_lower_momentum_py - t856 * limb3_lower_momentum_px,
+      t931 = limb_lower_Ixx * t877 - limb_lower_Ixz * t882, t939 = t848 * t931, t940 = limb_lower_Iyy * limb3_U_0_sin,
+      t942 = t939 - limb3_U_0_cos * t940, t948 = limb3_U_0_sin * t940,
+      t935 = limb_lower_Ixz * t877 - limb_lower_Izz * t882, t944 = t942 - t853 * t935,
+      t945 = limb3_lower_twist_wy * t944, t1044 = limb3_lower_twist_rate_wy * t944, t949 = t877 * t931 + t948,
+      t937 = t860 * t931 - t866 * t935, t951 = t949 - t882 * t935, t1045 = limb3_U_a_0 * t937 + t1044,
+      t953 = limb3_U_v_0 * t937 + t945 - limb3_lower_twist_wz * t951, minus_limb3_lower_momentum_Lz = t928 + t953,
+      t1047 = t1045 - limb3_lower_twist_rate_wz * t951, t954 = limb3_lower_twist_wy * minus_limb3_lower_momentum_Lz,
+      t1031 = limb3_U_v_0 * minus_limb3_lower_momentum_Lz,
+      t957 = t885 * limb3_lower_momentum_px - t869 * limb3_lower_momentum_pz,
+      t960 = limb_lower_Ixx * t848 - limb_lower_Ixz * t853, t968 = t848 * t960, t969 = limb_lower_Iyy * limb3_U_0_cos,
+      t971 = t968 + limb3_U_0_cos * t969, t977 = limb3_U_0_sin * t969,
+      t964 = limb_lower_Ixz * t848 - limb_lower_Izz * t853, t973 = t971 - t853 * t964,
+      t974 = limb3_lower_twist_wy * t973, t1017 = limb3_lower_twist_rate_wy * t973, t978 = t877 * t960 - t977,
+      t966 = t860 * t960 - t866 * t964, t980 = t978 - t882 * t964;
     /* limb3: momentum rate, eq. (35); momentum, eq. (31) */
-    const REAL t1018 = limb3_U_a_0 * t966 + t1017;
-    const REAL t982 = limb3_U_v_0 * t966 + t974 - limb3_lower_twist_angular_z * t980;
-    const REAL limb3_lower_momentum_moment_y = t957 + t982;
-    const REAL t1020 = t1018 - limb3_lower_twist_rate_angular_z * t980;
-    const REAL t984 = t954 + limb3_lower_twist_angular_z * limb3_lower_momentum_moment_y;
-    const REAL t1035 = limb3_U_v_0 * limb3_lower_momentum_moment_y;
-    const REAL t985 = minus_limb3_lower_twist_linear_y * limb3_lower_momentum_force_z;
-    const REAL t988 = t984 + (t985 - limb3_lower_twist_linear_z * minus_limb3_lower_momentum_force_y);
-    const REAL t1024 = t856 * limb3_lower_momentum_force_z - t885 * minus_limb3_lower_momentum_force_y;
-    const REAL t991 = t856 * t922 - t885 * t914;
-    const REAL t1021 = t885 * t900 - t869 * t922 + t1020;
-    const REAL t1048 = t869 * t914 - t856 * t900 + t1047;
-    const REAL t994 = limb_lower_Ixx * t860 - limb_lower_Ixz * t866;
-    const REAL t995 = t860 * t994;
-    const REAL t998 = limb_lower_Ixz * t860 - limb_lower_Izz * t866;
-    const REAL t1000 = t995 - t866 * t998;
-    const REAL t1001 = limb3_U_a_0 * t1000;
-    const REAL t1025 = limb3_U_v_0 * t1000;
-    const REAL t1007 = t877 * t994;
-    const REAL t1004 = t848 * t994 - t853 * t998;
-    const REAL t1009 = t1007 - t882 * t998;
-    const REAL t1027 = t1025 + limb3_lower_twist_angular_y * t1004;
-    const REAL t1011 = t1001 + limb3_lower_twist_rate_angular_y * t1004 - limb3_lower_twist_rate_angular_z * t1009;
+    const REAL t1018 = limb3_U_a_0 * t966 + t1017, t982 = limb3_U_v_0 * t966 + t974 - limb3_lower_twist_wz * t980,
+      limb3_lower_momentum_Ly = t957 + t982, t1020 = t1018 - limb3_lower_twist_rate_wz * t980,
+      t984 = t954 + limb3_lower_twist_wz * limb3_lower_momentum_Ly, t1035 = limb3_U_v_0 * limb3_lower_momentum_Ly,
+      t985 = minus_limb3_lower_twist_vy * limb3_lower_momentum_pz,
+      t988 = t984 + (t985 - limb3_lower_twist_vz * minus_limb3_lower_momentum_py),
+      t1024 = t856 * limb3_lower_momentum_pz - t885 * minus_limb3_lower_momentum_py, t991 = t856 * t922 - t885 * t914,
+      t1021 = t885 * t900 - t869 * t922 + t1020, t1048 = t869 * t914 - t856 * t900 + t1047,
+      t994 = limb_lower_Ixx * t860 - limb_lower_Ixz * t866, t995 = t860 * t994,
+      t998 = limb_lower_Ixz * t860 - limb_lower_Izz * t866, t1000 = t995 - t866 * t998, t1001 = limb3_U_a_0 * t1000,
+      t1025 = limb3_U_v_0 * t1000, t1007 = t877 * t994, t1004 = t848 * t994 - t853 * t998,
+      t1009 = t1007 - t882 * t998, t1027 = t1025 + limb3_lower_twist_wy * t1004,
+      t1011 = t1001 + limb3_lower_twist_rate_wy * t1004 - limb3_lower_twist_rate_wz * t1009;
     RESULT(checked1, momentum_rates, 33, -(t988 + (t991 - t1011)));
-    const REAL t1029 = t1027 - limb3_lower_twist_angular_z * t1009;
-    const REAL minus_limb3_lower_momentum_moment_x = t1024 - t1029;
-    const REAL t1032 = limb3_lower_twist_angular_z * minus_limb3_lower_momentum_moment_x - t1031;
-    const REAL t1037 = t1035 + limb3_lower_twist_angular_y * minus_limb3_lower_momentum_moment_x;
-    RESULT(checked2, momentum_rates, 34, t1021 - (t1032 - limb3_lower_twist_linear_z * limb3_lower_momentum_force_x));
-    RESULT(checked3, momentum_rates, 35, t1037 + minus_limb3_lower_twist_linear_y * limb3_lower_momentum_force_x - t1048);
+    const REAL t1029 = t1027 - limb3_lower_twist_wz * t1009, minus_limb3_lower_momentum_Lx = t1024 - t1029,
+      t1032 = limb3_lower_twist_wz * minus_limb3_lower_momentum_Lx - t1031,
+      t1037 = t1035 + limb3_lower_twist_wy * minus_limb3_lower_momentum_Lx;
+    RESULT(checked2, momentum_rates, 34, t1021 - (t1032 - limb3_lower_twist_vz * limb3_lower_momentum_px));
+    RESULT(checked3, momentum_rates, 35, t1037 + minus_limb3_lower_twist_vy * limb3_lower_momentum_px - t1048);
     /* limb3: momentum, eq. (31); velocities, eq. (6); momentum rate, eq. (35) */
-    const REAL t1052 = 0.5 * t848 - param_H * t853;
-    const REAL t1056 = limb_upper_com_x * t848 - limb_upper_com_z * t853;
-    const REAL limb3_upper_offset_x = limb_upper_phase + READ(q, 8);
-    const REAL t1057 = limb3_upper_offset_x * minus_limb3_lower_rotation_yx + t1052 - t1056;
-    const REAL t1058 = limb3_U_v_0 * t1057;
-    const REAL t1066 = limb_upper_com_x * t860 - limb_upper_com_z * t866;
-    const REAL t1063 = param_R - minus_limb3_lower_sin * limb3_upper_offset_x - (0.5 * t860 - param_H * t866);
-    const REAL t1067 = t1063 + t1066;
-    const REAL limb3_P_v = READ(v, 8);
-    const REAL limb3_upper_position_z = limb3_upper_offset_x * limb3_lower_rotation_zx;
-    const REAL t1069 = t1058 + limb3_lower_twist_angular_y * t1067;
-    const REAL limb3_upper_twist_linear_z = limb3_lower_twist_linear_z + limb3_P_v * limb3_lower_rotation_zx;
-    const REAL limb3_upper_momentum_force_z = limb_lower_m * (limb3_upper_twist_linear_z - t1069);
-    const REAL t1071 = limb3_lower_twist_angular_y * limb3_upper_momentum_force_z;
-    const REAL t1077 = limb3_upper_position_z + (0.5 * t877 - param_H * t882);
-    const REAL t1081 = t1077 - (limb_upper_com_x * t877 - limb_upper_com_z * t882);
-    const REAL t1083 = limb3_lower_twist_angular_z * t1067 - limb3_U_v_0 * t1081;
-    const REAL minus_limb3_upper_twist_linear_y = minus_limb3_lower_twist_linear_y + limb3_P_v * minus_limb3_lower_rotation_yx;
-    const REAL minus_limb3_upper_momentum_force_y = limb_lower_m * (minus_limb3_upper_twist_linear_y - t1083);
-    const REAL t1086 = t1071 + limb3_lower_twist_angular_z * minus_limb3_upper_momentum_force_y;
-    const REAL t1122 = limb3_lower_twist_rate_angular_y * t1067;
-    const REAL t1094 = limb3_lower_twist_rate_angular_y * t1081 + limb3_lower_twist_rate_angular_z * t1057;
-    const REAL t1110 = limb3_lower_twist_rate_angular_z * t1067;
-    const REAL t1088 = limb3_lower_rotation_zx * limb3_lower_twist_angular_y;
-    const REAL limb3_P_a = READ(a, 8);
-    const REAL t1091 = limb3_P_v * (t1088 + minus_limb3_lower_rotation_yx * limb3_lower_twist_angular_z);
-    const REAL t1096 = limb_lower_m * (limb3_P_a * minus_limb3_lower_sin - t1091 - t1094);
-    RESULT(checked0, momentum_rates, 36, t1086 - t1096);
-    const REAL t1099 = limb3_lower_twist_angular_y * t1081 + limb3_lower_twist_angular_z * t1057;
-    const REAL minus_limb3_upper_twist_linear_x = limb3_P_v * minus_limb3_lower_sin;
-    const REAL minus_limb3_upper_momentum_force_x = limb_lower_m * (minus_limb3_upper_twist_linear_x - t1099);
+    const REAL t1052 = 0.5 * t848 - param_H * t853, t1056 = limb_upper_com_x * t848 - limb_upper_com_z * t853,
+      limb3_upper_offset_x = limb_upper_phase + READ(q, 8),
+      t1057 = limb3_upper_offset_x * minus_limb3_lower_rotation_yx + t1052 - t1056, t1058 = limb3_U_v_0 * t1057,
+      t1065 = limb_upper_com_x * t860 - limb_upper_com_z * t866,
+      t1062 = param_R - minus_limb3_lower_sin * limb3_upper_offset_x - (0.5 * t860 - param_H * t866),
+      t1066 = t1062 + t1065, limb3_P_v = READ(v, 8),
+      limb3_upper_position_z = limb3_upper_offset_x * limb3_lower_rotation_zx,
+      t1068 = t1058 + limb3_lower_twist_wy * t1066,
+      limb3_upper_twist_vz = limb3_lower_twist_vz + limb3_P_v * limb3_lower_rotation_zx,
+      limb3_upper_momentum_pz = limb_lower_m * (limb3_upper_twist_vz - t1068),
+      t1070 = limb3_lower_twist_wy * limb3_upper_momentum_pz,
+      t1076 = limb3_upper_position_z + (0.5 * t877 - param_H * t882),
+      t1080 = t1076 - (limb_upper_com_x * t877 - limb_upper_com_z * t882),
+      t1082 = limb3_lower_twist_wz * t1066 - limb3_U_v_0 * t1080,
+      minus_limb3_upper_twist_vy = minus_limb3_lower_twist_vy + limb3_P_v * minus_limb3_lower_rotation_yx,
+      minus_limb3_upper_momentum_py = limb_lower_m * (minus_limb3_upper_twist_vy - t1082),
+      t1085 = t1070 + limb3_lower_twist_wz * minus_limb3_upper_momentum_py, t1121 = limb3_lower_twist_rate_wy * t1066,
+      t1093 = limb3_lower_twist_rate_wy * t1080 + limb3_lower_twist_rate_wz * t1057,
+      t1109 = limb3_lower_twist_rate_wz * t1066, t1087 = limb3_lower_rotation_zx * limb3_lower_twist_wy,
+      limb3_P_a = READ(a, 8), t1090 = limb3_P_v * (t1087 + minus_limb3_lower_rotation_yx * limb3_lower_twist_wz),
+      t1095 = limb_lower_m * (limb3_P_a * minus_limb3_lower_sin - t1090 - t1093);
+    RESULT(checked0, momentum_rates, 36, t1085 - t1095);
+    const REAL t1098 = limb3_lower_twist_wy * t1080 + limb3_lower_twist_wz * t1057,
+      minus_limb3_upper_twist_vx = limb3_P_v * minus_limb3_lower_sin,
+      minus_limb3_upper_momentum_px = limb_lower_m * (minus_limb3_upper_twist_vx - t1098);
     /* limb3: momentum rate, eq. (35); accelerations; momentum, eq. (31) */
-    const REAL t1101 = limb3_lower_twist_angular_z * minus_limb3_upper_momentum_force_x;
-    const REAL t1103 = t1101 + limb3_U_v_0 * limb3_upper_momentum_force_z;
-    const REAL t1112 = t1110 - limb3_U_a_0 * t1081;
-    const REAL t1105 = minus_limb3_lower_twist_rate_linear_y + limb3_P_a * minus_limb3_lower_rotation_yx;
-    const REAL t1117 = limb3_U_v_0 * minus_limb3_lower_rotation_yx;
-    const REAL t1109 = limb3_P_v * (minus_limb3_lower_sin * limb3_lower_twist_angular_z + limb3_U_v_0 * limb3_lower_rotation_zx);
-    const REAL t1114 = limb_lower_m * (t1105 + t1109 - t1112);
-    RESULT(checked1, momentum_rates, 37, -(t1103 + t1114));
-    const REAL t1116 = limb3_lower_twist_rate_linear_z + limb3_P_a * limb3_lower_rotation_zx;
-    const REAL t1126 = limb3_U_v_0 * minus_limb3_upper_momentum_force_y;
-    const REAL t1128 = t1126 - limb3_lower_twist_angular_y * minus_limb3_upper_momentum_force_x;
-    const REAL t1123 = limb3_U_a_0 * t1057 + t1122;
-    const REAL t1125 = limb_lower_m * (t1116 - limb3_P_v * (t1117 - minus_limb3_lower_sin * limb3_lower_twist_angular_y) - t1123);
-    RESULT(checked2, momentum_rates, 38, t1125 - t1128);
-    const REAL minus_limb3_upper_momentum_moment_z = t953 + (t1067 * minus_limb3_upper_momentum_force_y + t1057 * minus_limb3_upper_momentum_force_x);
-    const REAL t1136 = limb3_lower_twist_angular_y * minus_limb3_upper_momentum_moment_z;
-    const REAL t1150 = limb3_U_v_0 * minus_limb3_upper_momentum_moment_z;
-    const REAL limb3_upper_momentum_moment_y = t982 - (t1081 * minus_limb3_upper_momentum_force_x + t1067 * limb3_upper_momentum_force_z);
-    const REAL t1141 = t1136 + limb3_lower_twist_angular_z * limb3_upper_momentum_moment_y;
-    const REAL t1160 = limb3_U_v_0 * limb3_upper_momentum_moment_y;
-    const REAL t1142 = minus_limb3_upper_twist_linear_y * limb3_upper_momentum_force_z;
-    const REAL t1164 = minus_limb3_upper_twist_linear_y * minus_limb3_upper_momentum_force_x;
-    const REAL t1152 = limb3_upper_twist_linear_z * minus_limb3_upper_momentum_force_x;
-    const REAL t1145 = t1141 + (t1142 - limb3_upper_twist_linear_z * minus_limb3_upper_momentum_force_y);
-    const REAL t1157 = t1067 * t1125;
-    const REAL t1167 = t1067 * t1114;
-    RESULT(checked3, momentum_rates, 39, t1011 - (t1057 * t1125 - t1081 * t1114) - t1145);
-    const REAL t1154 = t1152 - minus_limb3_upper_twist_linear_x * limb3_upper_momentum_force_z;
-    const REAL t1165 = minus_limb3_upper_twist_linear_x * minus_limb3_upper_momentum_force_y - t1164;
-    const REAL limb3_upper_momentum_moment_x = t1029 - (t1057 * limb3_upper_momentum_force_z - t1081 * minus_limb3_upper_momentum_force_y);
-    const REAL t1155 = limb3_lower_twist_angular_z * limb3_upper_momentum_moment_x + t1150 - t1154;
-    const REAL t1166 = t1160 - limb3_lower_twist_angular_y * limb3_upper_momentum_moment_x + t1165;
-    RESULT(checked0, momentum_rates, 40, t1155 + (t1020 - (t1081 * t1096 + t1157)));
-    RESULT(checked1, momentum_rates, 41, t1166 - (t1047 + (t1167 + t1057 * t1096)));
+    const REAL t1102 = limb3_lower_twist_wz * minus_limb3_upper_momentum_px + limb3_U_v_0 * limb3_upper_momentum_pz,
+      t1111 = t1109 - limb3_U_a_0 * t1080,
+      t1104 = minus_limb3_lower_twist_rate_vy + limb3_P_a * minus_limb3_lower_rotation_yx,
+      t1116 = limb3_U_v_0 * minus_limb3_lower_rotation_yx,
+      t1108 = limb3_P_v * (minus_limb3_lower_sin * limb3_lower_twist_wz + limb3_U_v_0 * limb3_lower_rotation_zx),
+      t1113 = limb_lower_m * (t1104 + t1108 - t1111);
+    RESULT(checked1, momentum_rates, 37, -(t1102 + t1113));
+    const REAL t1115 = limb3_lower_twist_rate_vz + limb3_P_a * limb3_lower_rotation_zx,
+      t1125 = limb3_U_v_0 * minus_limb3_upper_momentum_py,
+      t1127 = t1125 - limb3_lower_twist_wy * minus_limb3_upper_momentum_px, t1122 = limb3_U_a_0 * t1057 + t1121,
+      t1124 = limb_lower_m * (t1115 - limb3_P_v * (t1116 - minus_limb3_lower_sin * limb3_lower_twist_wy) - t1122);
+    RESULT(checked2, momentum_rates, 38, t1124 - t1127);
+    const REAL minus_limb3_upper_momentum_Lz = t953 + (t1066 * minus_limb3_upper_momentum_py + t1057 * minus_limb3_upper_momentum_px),
+      t1135 = limb3_lower_twist_wy * minus_limb3_upper_momentum_Lz,
+      t1149 = limb3_U_v_0 * minus_limb3_upper_momentum_Lz,
+      limb3_upper_momentum_Ly = t982 - (t1080 * minus_limb3_upper_momentum_px + t1066 * limb3_upper_momentum_pz),
+      t1140 = t1135 + limb3_lower_twist_wz * limb3_upper_momentum_Ly, t1159 = limb3_U_v_0 * limb3_upper_momentum_Ly,
+      t1141 = minus_limb3_upper_twist_vy * limb3_upper_momentum_pz,
+      t1163 = minus_limb3_upper_twist_vy * minus_limb3_upper_momentum_px,
+      t1151 = limb3_upper_twist_vz * minus_limb3_upper_momentum_px,
+      t1144 = t1140 + (t1141 - limb3_upper_twist_vz * minus_limb3_upper_momentum_py), t1156 = t1066 * t1124,
+      t1166 = t1066 * t1113;
+    RESULT(checked3, momentum_rates, 39, t1011 - (t1057 * t1124 - t1080 * t1113) - t1144);
+    const REAL t1153 = t1151 - minus_limb3_upper_twist_vx * limb3_upper_momentum_pz,
+      t1164 = minus_limb3_upper_twist_vx * minus_limb3_upper_momentum_py - t1163,
+      limb3_upper_momentum_Lx = t1029 - (t1057 * limb3_upper_momentum_pz - t1080 * minus_limb3_upper_momentum_py),
+      t1154 = limb3_lower_twist_wz * limb3_upper_momentum_Lx + t1149 - t1153,
+      t1165 = t1159 - limb3_lower_twist_wy * limb3_upper_momentum_Lx + t1164;
+    RESULT(checked0, momentum_rates, 40, t1154 + (t1020 - (t1080 * t1095 + t1156)));
+    RESULT(checked1, momentum_rates, 41, t1165 - (t1047 + (t1166 + t1057 * t1095)));
     /* limb4: geometry */
-    const REAL minus_limb4_U_0_cos = SINES(sine, 6), limb4_lower_cos = SINES(cosine, 7);
-    const REAL minus_limb4_lower_rotation_xx = minus_limb4_U_0_cos * limb4_lower_cos;
-    const REAL minus_limb4_lower_sin = SINES(sine, 7);
+    const REAL minus_limb4_U_0_cos = SINES(sine, 6), limb4_lower_cos = SINES(cosine, 7),
+      minus_limb4_lower_rotation_xx = minus_limb4_U_0_cos * limb4_lower_cos, minus_limb4_lower_sin = SINES(sine, 7);
     /* limb4: momentum, eq. (31); momentum rate, eq. (35); accelerations */
-    const REAL t1185 = 0.5 * minus_limb4_lower_rotation_xx;
-    const REAL minus_limb4_lower_rotation_xy = minus_limb4_U_0_cos * minus_limb4_lower_sin;
-    const REAL t1187 = t1185 + k1 * minus_limb4_lower_rotation_xy;
-    const REAL t1189 = limb_lower_com_x * t1187;
-    const REAL t1192 = k1 * minus_limb4_lower_rotation_xx - 0.5 * minus_limb4_lower_rotation_xy;
-    const REAL t1195 = param_R * t1187 - (t1189 - limb_lower_com_z * t1192);
-    const REAL limb4_U_v_0 = READ(v, 9);
-    const REAL t1196 = limb4_U_v_0 * t1195;
-    const REAL t1174 = 0.5 * minus_limb4_lower_sin - k1 * limb4_lower_cos;
-    const REAL t1176 = param_R - param_R * t1174;
-    const REAL t1177 = limb_lower_com_x * t1174;
-    const REAL t1180 = k1 * minus_limb4_lower_sin + 0.5 * limb4_lower_cos;
-    const REAL t1183 = t1176 + (t1177 - limb_lower_com_z * t1180);
-    const REAL limb4_U_v_1 = READ(v, 10), limb4_U_0_sin = SINES(cosine, 6);
-    const REAL limb4_lower_twist_angular_x = limb4_U_v_1 * limb4_U_0_sin;
-    const REAL t1197 = limb4_lower_twist_angular_x * t1183 + t1196;
-    const REAL minus_limb4_U_1_screw_linear_z = param_R * limb4_U_0_sin;
-    const REAL minus_limb4_lower_twist_linear_z = limb4_U_v_1 * minus_limb4_U_1_screw_linear_z;
-    const REAL minus_limb4_lower_momentum_force_z = limb_lower_m * (minus_limb4_lower_twist_linear_z - t1197);
-    const REAL t1199 = limb4_U_v_0 * minus_limb4_lower_momentum_force_z;
-    const REAL minus_limb4_lower_twist_angular_z = limb4_U_v_1 * minus_limb4_U_0_cos;
-    const REAL t1200 = minus_limb4_lower_twist_angular_z * t1195;
-    const REAL minus_limb4_lower_rotation_zx = limb4_U_0_sin * limb4_lower_cos;
-    const REAL t1201 = 0.5 * minus_limb4_lower_rotation_zx;
-    const REAL minus_limb4_lower_rotation_zy = limb4_U_0_sin * minus_limb4_lower_sin;
-    const REAL t1203 = t1201 + k1 * minus_limb4_lower_rotation_zy;
-    const REAL t1205 = limb_lower_com_x * t1203;
-    const REAL t1208 = k1 * minus_limb4_lower_rotation_zx - 0.5 * minus_limb4_lower_rotation_zy;
-    const REAL t1211 = param_R * t1203 - (t1205 - limb_lower_com_z * t1208);
-    const REAL limb4_lower_momentum_force_y = limb_lower_m * (t1200 + limb4_lower_twist_angular_x * t1211);
-    const REAL limb4_U_a_0 = READ(a, 9), limb4_U_a_1 = READ(a, 10);
-    const REAL t1215 = t1199 - minus_limb4_lower_twist_angular_z * limb4_lower_momentum_force_y;
-    const REAL t1219 = limb4_U_a_0 * t1211;
-    const REAL minus_limb4_lower_twist_rate_angular_z = limb4_U_a_1 * minus_limb4_U_0_cos + limb4_U_v_1 * (limb4_U_v_0 * limb4_U_0_sin);
-    const REAL t1224 = t1219 - minus_limb4_lower_twist_rate_angular_z * t1183;
-    const REAL t1218 = limb4_U_v_1 * (limb4_U_v_0 * minus_limb4_U_1_screw_linear_z);
-    const REAL t1244 = limb4_U_a_1 * minus_limb4_U_1_screw_linear_z;
-    const REAL minus_limb4_U_1_screw_linear_x = param_R * minus_limb4_U_0_cos;
-    const REAL minus_limb4_lower_twist_rate_linear_x = limb4_U_a_1 * minus_limb4_U_1_screw_linear_x + t1218;
-    const REAL t1226 = limb_lower_m * (minus_limb4_lower_twist_rate_linear_x + t1224);
-    RESULT(checked2, momentum_rates, 42, -(t1215 + t1226));
-    const REAL t1229 = limb4_U_v_0 * t1211 - minus_limb4_lower_twist_angular_z * t1183;
-    const REAL minus_limb4_lower_twist_linear_x = limb4_U_v_1 * minus_limb4_U_1_screw_linear_x;
-    const REAL minus_limb4_lower_momentum_force_x = limb_lower_m * (minus_limb4_lower_twist_linear_x + t1229);
-    const REAL minus_limb4_lower_twist_rate_linear_z = t1244 - limb4_U_v_1 * (limb4_U_v_0 * minus_limb4_U_1_screw_linear_x);
+    const REAL t1184 = 0.5 * minus_limb4_lower_rotation_xx,
+      minus_limb4_lower_rotation_xy = minus_limb4_U_0_cos * minus_limb4_lower_sin,
+      t1186 = t1184 + k1 * minus_limb4_lower_rotation_xy, t1188 = limb_lower_com_x * t1186,
+      t1191 = k1 * minus_limb4_lower_rotation_xx - 0.5 * minus_limb4_lower_rotation_xy,
+      t1194 = param_R * t1186 - (t1188 - limb_lower_com_z * t1191), limb4_U_v_0 = READ(v, 9),
+      t1195 = limb4_U_v_0 * t1194, t1173 = 0.5 * minus_limb4_lower_sin - k1 * limb4_lower_cos,
+      t1175 = param_R - param_R * t1173, t1176 = limb_lower_com_x * t1173,
+      t1179 = k1 * minus_limb4_lower_sin + 0.5 * limb4_lower_cos, t1182 = t1175 + (t1176 - limb_lower_com_z * t1179),
+      limb4_U_v_1 = READ(v, 10), limb4_U_0_sin = SINES(cosine, 6), limb4_lower_twist_wx = limb4_U_v_1 * limb4_U_0_sin,
+      t1196 = limb4_lower_twist_wx * t1182 + t1195, minus_limb4_U_1_screw_vz = param_R * limb4_U_0_sin,
+      minus_limb4_lower_twist_vz = limb4_U_v_1 * minus_limb4_U_1_screw_vz,
+      minus_limb4_lower_momentum_pz = limb_lower_m * (minus_limb4_lower_twist_vz - t1196),
+      t1198 = limb4_U_v_0 * minus_limb4_lower_momentum_pz,
+      minus_limb4_lower_twist_wz = limb4_U_v_1 * minus_limb4_U_0_cos, t1199 = minus_limb4_lower_twist_wz * t1194,
+      minus_limb4_lower_rotation_zx = limb4_U_0_sin * limb4_lower_cos, t1200 = 0.5 * minus_limb4_lower_rotation_zx,
+      minus_limb4_lower_rotation_zy = limb4_U_0_sin * minus_limb4_lower_sin,
+      t1202 = t1200 + k1 * minus_limb4_lower_rotation_zy, t1204 = limb_lower_com_x * t1202,
+      t1207 = k1 * minus_limb4_lower_rotation_zx - 0.5 * minus_limb4_lower_rotation_zy,
+      t1210 = param_R * t1202 - (t1204 - limb_lower_com_z * t1207),
+      limb4_lower_momentum_py = limb_lower_m * (t1199 + limb4_lower_twist_wx * t1210), limb4_U_a_0 = READ(a, 9),
+      limb4_U_a_1 = READ(a, 10), t1214 = t1198 - minus_limb4_lower_twist_wz * limb4_lower_momentum_py,
+      t1218 = limb4_U_a_0 * t1210,
+      minus_limb4_lower_twist_rate_wz = limb4_U_a_1 * minus_limb4_U_0_cos + limb4_U_v_1 * (limb4_U_v_0 * limb4_U_0_sin),
+      t1223 = t1218 - minus_limb4_lower_twist_rate_wz * t1182,
+      t1217 = limb4_U_v_1 * (limb4_U_v_0 * minus_limb4_U_1_screw_vz), t1243 = limb4_U_a_1 * minus_limb4_U_1_screw_vz,
+      minus_limb4_U_1_screw_vx = param_R * minus_limb4_U_0_cos,
+      minus_limb4_lower_twist_rate_vx = limb4_U_a_1 * minus_limb4_U_1_screw_vx + t1217,
+      t1225 = limb_lower_m * (minus_limb4_lower_twist_rate_vx + t1223);
+    RESULT(checked2, momentum_rates, 42, -(t1214 + t1225));
+    const REAL t1228 = limb4_U_v_0 * t1210 - minus_limb4_lower_twist_wz * t1182,
+      minus_limb4_lower_twist_vx = limb4_U_v_1 * minus_limb4_U_1_screw_vx,
+      minus_limb4_lower_momentum_px = limb_lower_m * (minus_limb4_lower_twist_vx + t1228),
+      minus_limb4_lower_twist_rate_vz = t1243 - limb4_U_v_1 * (limb4_U_v_0 * minus_limb4_U_1_screw_vx);
     /* limb4: momentum rate, eq. (35); accelerations */
-    const REAL t1231 = minus_limb4_lower_twist_angular_z * minus_limb4_lower_momentum_force_x;
-    const REAL t1233 = t1231 + limb4_lower_twist_angular_x * minus_limb4_lower_momentum_force_z;
-    const REAL t1234 = minus_limb4_lower_twist_rate_angular_z * t1195;
-    const REAL limb4_lower_twist_rate_angular_x = limb4_U_a_1 * limb4_U_0_sin - limb4_U_v_1 * (limb4_U_v_0 * minus_limb4_U_0_cos);
-    const REAL t1240 = limb_lower_m * (t1234 + limb4_lower_twist_rate_angular_x * t1211);
-    RESULT(checked3, momentum_rates, 43, t1233 + t1240);
-    const REAL t1242 = limb4_U_v_0 * minus_limb4_lower_momentum_force_x;
-    const REAL t1243 = limb4_lower_twist_angular_x * limb4_lower_momentum_force_y + t1242;
-    const REAL t1250 = minus_limb4_lower_twist_rate_linear_z - (limb4_lower_twist_rate_angular_x * t1183 + limb4_U_a_0 * t1195);
-    const REAL t1251 = limb_lower_m * t1250;
-    RESULT(checked0, momentum_rates, 44, t1243 - t1251);
+    const REAL t1230 = minus_limb4_lower_twist_wz * minus_limb4_lower_momentum_px,
+      t1232 = t1230 + limb4_lower_twist_wx * minus_limb4_lower_momentum_pz,
+      t1233 = minus_limb4_lower_twist_rate_wz * t1194,
+      limb4_lower_twist_rate_wx = limb4_U_a_1 * limb4_U_0_sin - limb4_U_v_1 * (limb4_U_v_0 * minus_limb4_U_0_cos),
+      t1239 = limb_lower_m * (t1233 + limb4_lower_twist_rate_wx * t1210);
+    RESULT(checked3, momentum_rates, 43, t1232 + t1239);
+    const REAL t1242 = limb4_lower_twist_wx * limb4_lower_momentum_py + limb4_U_v_0 * minus_limb4_lower_momentum_px,
+      t1250 = limb_lower_m * (minus_limb4_lower_twist_rate_vz - (limb4_lower_twist_rate_wx * t1182 + limb4_U_a_0 * t1194));
+    RESULT(checked0, momentum_rates, 44, t1242 - t1250);
     /* limb4: momentum, eq. (31); momentum rate, eq. (35) */
-    const REAL t1254 = t1195 * limb4_lower_momentum_force_y - t1183 * minus_limb4_lower_momentum_force_x;
-    const REAL t1259 = limb_lower_Ixx * t1203 - limb_lower_Ixz * t1208;
-    const REAL t1260 = t1187 * t1259;
-    const REAL t1255 = limb_lower_Iyy * minus_limb4_U_0_cos;
-    const REAL t1261 = limb4_U_0_sin * t1255 - t1260;
-    const REAL t1273 = minus_limb4_U_0_cos * t1255;
-    const REAL t1264 = limb_lower_Ixz * t1203 - limb_lower_Izz * t1208;
-    const REAL t1266 = t1261 + t1192 * t1264;
-    const REAL t1267 = limb4_lower_twist_angular_x * t1266;
-    const REAL t1369 = limb4_lower_twist_rate_angular_x * t1266;
-    const REAL t1275 = t1273 + t1203 * t1259;
-    const REAL t1270 = t1174 * t1259 - t1180 * t1264;
-    const REAL t1277 = t1275 - t1208 * t1264;
-    const REAL t1371 = t1369 - limb4_U_a_0 * t1270;
-    const REAL t1279 = t1267 - limb4_U_v_0 * t1270 + minus_limb4_lower_twist_angular_z * t1277;
-    const REAL minus_limb4_lower_momentum_moment_z = t1254 + t1279;
-    const REAL t1373 = t1371 + minus_limb4_lower_twist_rate_angular_z * t1277;
-    const REAL t1280 = limb4_U_v_0 * minus_limb4_lower_momentum_moment_z;
-    const REAL t1346 = limb4_lower_twist_angular_x * minus_limb4_lower_momentum_moment_z;
-    const REAL t1348 = minus_limb4_lower_twist_linear_z * minus_limb4_lower_momentum_force_x;
-    const REAL t1283 = t1211 * minus_limb4_lower_momentum_force_x - t1195 * minus_limb4_lower_momentum_force_z;
-    const REAL t1286 = limb_lower_Ixx * t1174 - limb_lower_Ixz * t1180;
-    const REAL t1287 = t1187 * t1286;
-    const REAL t1290 = limb_lower_Ixz * t1174 - limb_lower_Izz * t1180;
-    const REAL t1292 = t1287 - t1192 * t1290;
-    const REAL t1293 = limb4_lower_twist_angular_x * t1292;
-    const REAL t1355 = limb4_lower_twist_rate_angular_x * t1292;
-    const REAL t1299 = t1203 * t1286;
-    const REAL t1296 = t1174 * t1286 - t1180 * t1290;
-    const REAL t1301 = t1299 - t1208 * t1290;
+    const REAL t1253 = t1194 * limb4_lower_momentum_py - t1182 * minus_limb4_lower_momentum_px,
+      t1258 = limb_lower_Ixx * t1202 - limb_lower_Ixz * t1207, t1259 = t1186 * t1258,
+      t1254 = limb_lower_Iyy * minus_limb4_U_0_cos, t1260 = limb4_U_0_sin * t1254 - t1259,
+      t1272 = minus_limb4_U_0_cos * t1254, t1263 = limb_lower_Ixz * t1202 - limb_lower_Izz * t1207,
+      t1265 = t1260 + t1191 * t1263, t1266 = limb4_lower_twist_wx * t1265, t1368 = limb4_lower_twist_rate_wx * t1265,
+      t1274 = t1272 + t1202 * t1258, t1269 = t1173 * t1258 - t1179 * t1263, t1276 = t1274 - t1207 * t1263,
+      t1370 = t1368 - limb4_U_a_0 * t1269, t1278 = t1266 - limb4_U_v_0 * t1269 + minus_limb4_lower_twist_wz * t1276,
+      minus_limb4_lower_momentum_Lz = t1253 + t1278, t1372 = t1370 + minus_limb4_lower_twist_rate_wz * t1276,
+      t1279 = limb4_U_v_0 * minus_limb4_lower_momentum_Lz,
+      t1345 = limb4_lower_twist_wx * minus_limb4_lower_momentum_Lz,
+      t1347 = minus_limb4_lower_twist_vz * minus_limb4_lower_momentum_px,
+      t1282 = t1210 * minus_limb4_lower_momentum_px - t1194 * minus_limb4_lower_momentum_pz,
+      t1285 = limb_lower_Ixx * t1173 - limb_lower_Ixz * t1179, t1286 = t1186 * t1285,
+      t1289 = limb_lower_Ixz * t1173 - limb_lower_Izz * t1179, t1291 = t1286 - t1191 * t1289,
+      t1292 = limb4_lower_twist_wx * t1291, t1354 = limb4_lower_twist_rate_wx * t1291, t1298 = t1202 * t1285,
+      t1295 = t1173 * t1285 - t1179 * t1289, t1300 = t1298 - t1207 * t1289;
     /* limb4: momentum rate, eq. (35); momentum, eq. (31) */
-    const REAL t1357 = t1355 + limb4_U_a_0 * t1296;
-    const REAL t1303 = t1293 + limb4_U_v_0 * t1296 - minus_limb4_lower_twist_angular_z * t1301;
-    const REAL limb4_lower_momentum_moment_y = t1283 + t1303;
-    const REAL t1359 = t1357 - minus_limb4_lower_twist_rate_angular_z * t1301;
-    const REAL t1305 = t1280 - minus_limb4_lower_twist_angular_z * limb4_lower_momentum_moment_y;
-    const REAL t1361 = limb4_lower_twist_angular_x * limb4_lower_momentum_moment_y;
-    const REAL t1307 = t1305 - minus_limb4_lower_twist_linear_z * limb4_lower_momentum_force_y;
-    const REAL t1353 = t1195 * t1251;
-    const REAL t1366 = t1195 * t1240;
-    const REAL t1310 = t1183 * t1251 - t1211 * t1240;
-    const REAL t1315 = limb_lower_Ixx * t1187 - limb_lower_Ixz * t1192;
-    const REAL t1316 = t1187 * t1315;
-    const REAL t1311 = limb_lower_Iyy * limb4_U_0_sin;
-    const REAL t1317 = limb4_U_0_sin * t1311 + t1316;
-    const REAL t1329 = minus_limb4_U_0_cos * t1311;
-    const REAL t1320 = limb_lower_Ixz * t1187 - limb_lower_Izz * t1192;
-    const REAL t1322 = t1317 - t1192 * t1320;
-    const REAL t1323 = limb4_lower_twist_rate_angular_x * t1322;
-    const REAL t1340 = limb4_lower_twist_angular_x * t1322;
-    const REAL t1331 = t1329 - t1203 * t1315;
-    const REAL t1326 = t1174 * t1315 - t1180 * t1320;
-    const REAL t1333 = t1331 + t1208 * t1320;
-    const REAL t1342 = t1340 + limb4_U_v_0 * t1326;
-    const REAL t1335 = t1323 + limb4_U_a_0 * t1326 + minus_limb4_lower_twist_rate_angular_z * t1333;
-    RESULT(checked1, momentum_rates, 45, -(t1307 + (t1310 - t1335)));
-    const REAL t1344 = t1342 + minus_limb4_lower_twist_angular_z * t1333;
-    const REAL t1350 = t1348 - minus_limb4_lower_twist_linear_x * minus_limb4_lower_momentum_force_z;
-    const REAL t1368 = t1366 - t1183 * t1226;
-    const REAL t1354 = t1211 * t1226 - t1353;
-    const REAL minus_limb4_lower_momentum_moment_x = t1183 * minus_limb4_lower_momentum_force_z - t1211 * limb4_lower_momentum_force_y - t1344;
-    const REAL t1360 = t1354 + t1359;
-    const REAL t1364 = minus_limb4_lower_twist_linear_x * limb4_lower_momentum_force_y;
-    const REAL t1374 = t1368 + t1373;
-    RESULT(checked2, momentum_rates, 46, minus_limb4_lower_twist_angular_z * minus_limb4_lower_momentum_moment_x + t1346 + t1350 + t1360);
-    RESULT(checked3, momentum_rates, 47, t1361 + limb4_U_v_0 * minus_limb4_lower_momentum_moment_x - t1364 - t1374);
+    const REAL t1356 = t1354 + limb4_U_a_0 * t1295,
+      t1302 = t1292 + limb4_U_v_0 * t1295 - minus_limb4_lower_twist_wz * t1300,
+      limb4_lower_momentum_Ly = t1282 + t1302, t1358 = t1356 - minus_limb4_lower_twist_rate_wz * t1300,
+      t1304 = t1279 - minus_limb4_lower_twist_wz * limb4_lower_momentum_Ly,
+      t1360 = limb4_lower_twist_wx * limb4_lower_momentum_Ly,
+      t1306 = t1304 - minus_limb4_lower_twist_vz * limb4_lower_momentum_py, t1352 = t1194 * t1250,
+      t1365 = t1194 * t1239, t1309 = t1182 * t1250 - t1210 * t1239,
+      t1314 = limb_lower_Ixx * t1186 - limb_lower_Ixz * t1191, t1315 = t1186 * t1314,
+      t1310 = limb_lower_Iyy * limb4_U_0_sin, t1316 = limb4_U_0_sin * t1310 + t1315,
+      t1328 = minus_limb4_U_0_cos * t1310, t1319 = limb_lower_Ixz * t1186 - limb_lower_Izz * t1191,
+      t1321 = t1316 - t1191 * t1319, t1322 = limb4_lower_twist_rate_wx * t1321, t1339 = limb4_lower_twist_wx * t1321,
+      t1330 = t1328 - t1202 * t1314, t1325 = t1173 * t1314 - t1179 * t1319, t1332 = t1330 + t1207 * t1319,
+      t1341 = t1339 + limb4_U_v_0 * t1325,
+      t1334 = t1322 + limb4_U_a_0 * t1325 + minus_limb4_lower_twist_rate_wz * t1332;
+    RESULT(checked1, momentum_rates, 45, -(t1306 + (t1309 - t1334)));
+    const REAL t1343 = t1341 + minus_limb4_lower_twist_wz * t1332,
+      t1349 = t1347 - minus_limb4_lower_twist_vx * minus_limb4_lower_momentum_pz, t1367 = t1365 - t1182 * t1225,
+      t1353 = t1210 * t1225 - t1352,
+      minus_limb4_lower_momentum_Lx = t1182 * minus_limb4_lower_momentum_pz - t1210 * limb4_lower_momentum_py - t1343,
+      t1363 = minus_limb4_lower_twist_vx * limb4_lower_momentum_py, t1373 = t1367 + t1372;
+    RESULT(checked2, momentum_rates, 46, minus_limb4_lower_twist_wz * minus_limb4_lower_momentum_Lx + t1345 + t1349 + (t1353 + t1358));
+    RESULT(checked3, momentum_rates, 47, t1360 + limb4_U_v_0 * minus_limb4_lower_momentum_Lx - t1363 - t1373);
     /* limb4: momentum, eq. (31); velocities, eq. (6); momentum rate, eq. (35) */
-    const REAL t1388 = 0.5 * t1187 - param_H * t1192;
-    const REAL t1392 = limb_upper_com_x * t1187 - limb_upper_com_z * t1192;
-    const REAL limb4_upper_offset_x = limb_upper_phase + READ(q, 11);
-    const REAL t1393 = limb4_upper_offset_x * minus_limb4_lower_rotation_xx + t1388 - t1392;
-    const REAL t1394 = limb4_U_v_0 * t1393;
-    const REAL t1383 = limb_upper_com_x * t1174 - limb_upper_com_z * t1180;
-    const REAL t1380 = param_R - minus_limb4_lower_sin * limb4_upper_offset_x - (0.5 * t1174 - param_H * t1180);
-    const REAL t1384 = t1380 + t1383;
-    const REAL limb4_P_v = READ(v, 11);
-    const REAL minus_limb4_upper_position_z = limb4_upper_offset_x * minus_limb4_lower_rotation_zx;
-    const REAL t1395 = limb4_lower_twist_angular_x * t1384 + t1394;
-    const REAL minus_limb4_upper_twist_linear_z = minus_limb4_lower_twist_linear_z + limb4_P_v * minus_limb4_lower_rotation_zx;
-    const REAL minus_limb4_upper_momentum_force_z = limb_lower_m * (minus_limb4_upper_twist_linear_z - t1395);
-    const REAL t1397 = limb4_U_v_0 * minus_limb4_upper_momentum_force_z;
-    const REAL t1398 = minus_limb4_lower_twist_angular_z * t1393;
-    const REAL t1402 = minus_limb4_upper_position_z + (0.5 * t1203 - param_H * t1208);
-    const REAL t1406 = t1402 - (limb_upper_com_x * t1203 - limb_upper_com_z * t1208);
-    const REAL t1408 = t1398 + limb4_lower_twist_angular_x * t1406;
-    const REAL minus_limb4_upper_twist_linear_y = limb4_P_v * minus_limb4_lower_sin;
-    const REAL minus_limb4_upper_momentum_force_y = limb_lower_m * (minus_limb4_upper_twist_linear_y - t1408);
-    const REAL limb4_P_a = READ(a, 11);
-    const REAL t1411 = t1397 + minus_limb4_lower_twist_angular_z * minus_limb4_upper_momentum_force_y;
-    const REAL t1420 = limb4_U_a_0 * t1406 - minus_limb4_lower_twist_rate_angular_z * t1384;
-    const REAL t1436 = minus_limb4_lower_twist_rate_angular_z * t1393;
-    const REAL t1413 = minus_limb4_lower_twist_rate_linear_x + limb4_P_a * minus_limb4_lower_rotation_xx;
-    const REAL t1414 = limb4_U_v_0 * minus_limb4_lower_rotation_zx;
-    const REAL t1421 = t1413 + limb4_P_v * (t1414 + minus_limb4_lower_sin * minus_limb4_lower_twist_angular_z) + t1420;
-    const REAL t1422 = limb_lower_m * t1421;
-    RESULT(checked0, momentum_rates, 48, -(t1411 + t1422));
-    const REAL t1426 = limb4_U_v_0 * t1406 - minus_limb4_lower_twist_angular_z * t1384;
-    const REAL minus_limb4_upper_twist_linear_x = minus_limb4_lower_twist_linear_x + limb4_P_v * minus_limb4_lower_rotation_xx;
-    const REAL minus_limb4_upper_momentum_force_x = limb_lower_m * (minus_limb4_upper_twist_linear_x + t1426);
+    const REAL t1386 = 0.5 * t1186 - param_H * t1191, t1390 = limb_upper_com_x * t1186 - limb_upper_com_z * t1191,
+      limb4_upper_offset_x = limb_upper_phase + READ(q, 11),
+      t1391 = limb4_upper_offset_x * minus_limb4_lower_rotation_xx + t1386 - t1390, t1392 = limb4_U_v_0 * t1391,
+      t1381 = limb_upper_com_x * t1173 - limb_upper_com_z * t1179,
+      t1378 = param_R - minus_limb4_lower_sin * limb4_upper_offset_x - (0.5 * t1173 - param_H * t1179),
+      t1382 = t1378 + t1381, limb4_P_v = READ(v, 11),
+      minus_limb4_upper_position_z = limb4_upper_offset_x * minus_limb4_lower_rotation_zx,
+      t1393 = limb4_lower_twist_wx * t1382 + t1392,
+      minus_limb4_upper_twist_vz = minus_limb4_lower_twist_vz + limb4_P_v * minus_limb4_lower_rotation_zx,
+      minus_limb4_upper_momentum_pz = limb_lower_m * (minus_limb4_upper_twist_vz - t1393),
+      t1395 = limb4_U_v_0 * minus_limb4_upper_momentum_pz, t1396 = minus_limb4_lower_twist_wz * t1391,
+      t1400 = minus_limb4_upper_position_z + (0.5 * t1202 - param_H * t1207),
+      t1404 = t1400 - (limb_upper_com_x * t1202 - limb_upper_com_z * t1207),
+      t1406 = t1396 + limb4_lower_twist_wx * t1404, minus_limb4_upper_twist_vy = limb4_P_v * minus_limb4_lower_sin,
+      minus_limb4_upper_momentum_py = limb_lower_m * (minus_limb4_upper_twist_vy - t1406), limb4_P_a = READ(a, 11),
+      t1409 = t1395 + minus_limb4_lower_twist_wz * minus_limb4_upper_momentum_py,
+      t1418 = limb4_U_a_0 * t1404 - minus_limb4_lower_twist_rate_wz * t1382,
+      t1434 = minus_limb4_lower_twist_rate_wz * t1391,
+      t1411 = minus_limb4_lower_twist_rate_vx + limb4_P_a * minus_limb4_lower_rotation_xx,
+      t1412 = limb4_U_v_0 * minus_limb4_lower_rotation_zx,
+      t1420 = limb_lower_m * (t1411 + limb4_P_v * (t1412 + minus_limb4_lower_sin * minus_limb4_lower_twist_wz) + t1418);
+    RESULT(checked0, momentum_rates, 48, -(t1409 + t1420));
+    const REAL t1424 = limb4_U_v_0 * t1404 - minus_limb4_lower_twist_wz * t1382,
+      minus_limb4_upper_twist_vx = minus_limb4_lower_twist_vx + limb4_P_v * minus_limb4_lower_rotation_xx,
+      minus_limb4_upper_momentum_px = limb_lower_m * (minus_limb4_upper_twist_vx + t1424);
     /* limb4: momentum rate, eq. (35); accelerations; momentum, eq. (31) */
-    const REAL t1428 = minus_limb4_lower_twist_angular_z * minus_limb4_upper_momentum_force_x;
-    const REAL t1430 = t1428 + limb4_lower_twist_angular_x * minus_limb4_upper_momentum_force_z;
-    const REAL t1438 = t1436 + limb4_lower_twist_rate_angular_x * t1406;
-    const REAL t1450 = limb4_lower_twist_rate_angular_x * t1384;
-    const REAL t1432 = minus_limb4_lower_rotation_xx * minus_limb4_lower_twist_angular_z;
-    const REAL t1447 = limb4_U_v_0 * minus_limb4_lower_rotation_xx;
-    const REAL t1435 = limb4_P_v * (t1432 + minus_limb4_lower_rotation_zx * limb4_lower_twist_angular_x);
-    const REAL t1445 = minus_limb4_lower_twist_rate_linear_z + limb4_P_a * minus_limb4_lower_rotation_zx;
-    const REAL t1440 = limb_lower_m * (limb4_P_a * minus_limb4_lower_sin - t1435 - t1438);
-    RESULT(checked1, momentum_rates, 49, t1430 - t1440);
-    const REAL t1441 = limb4_lower_twist_angular_x * minus_limb4_upper_momentum_force_y;
-    const REAL t1443 = t1441 - limb4_U_v_0 * minus_limb4_upper_momentum_force_x;
-    const REAL t1452 = t1450 + limb4_U_a_0 * t1393;
-    const REAL t1454 = limb_lower_m * (t1445 + limb4_P_v * (minus_limb4_lower_sin * limb4_lower_twist_angular_x - t1447) - t1452);
-    RESULT(checked2, momentum_rates, 50, -(t1443 + t1454));
-    const REAL minus_limb4_upper_momentum_moment_z = t1279 - (t1393 * minus_limb4_upper_momentum_force_y + t1384 * minus_limb4_upper_momentum_force_x);
-    const REAL t1462 = limb4_U_v_0 * minus_limb4_upper_momentum_moment_z;
-    const REAL t1480 = limb4_lower_twist_angular_x * minus_limb4_upper_momentum_moment_z;
-    const REAL limb4_upper_momentum_moment_y = t1303 + (t1406 * minus_limb4_upper_momentum_force_x - t1393 * minus_limb4_upper_momentum_force_z);
-    const REAL t1486 = limb4_lower_twist_angular_x * limb4_upper_momentum_moment_y;
-    const REAL t1467 = t1462 - minus_limb4_lower_twist_angular_z * limb4_upper_momentum_moment_y;
-    const REAL t1468 = minus_limb4_upper_twist_linear_y * minus_limb4_upper_momentum_force_z;
-    const REAL t1490 = minus_limb4_upper_twist_linear_y * minus_limb4_upper_momentum_force_x;
-    const REAL t1482 = minus_limb4_upper_twist_linear_z * minus_limb4_upper_momentum_force_x;
-    const REAL t1471 = t1467 - (t1468 - minus_limb4_upper_twist_linear_z * minus_limb4_upper_momentum_force_y);
-    const REAL t1473 = t1393 * t1454;
-    const REAL t1493 = t1393 * t1440;
-    RESULT(checked3, momentum_rates, 51, t1335 - (t1384 * t1454 + t1406 * t1440) - t1471);
-    const REAL t1484 = t1482 - minus_limb4_upper_twist_linear_x * minus_limb4_upper_momentum_force_z;
-    const REAL t1491 = minus_limb4_upper_twist_linear_x * minus_limb4_upper_momentum_force_y - t1490;
-    const REAL limb4_upper_momentum_moment_x = t1344 - (t1384 * minus_limb4_upper_momentum_force_z + t1406 * minus_limb4_upper_momentum_force_y);
-    const REAL t1485 = minus_limb4_lower_twist_angular_z * limb4_upper_momentum_moment_x - t1480 - t1484;
-    RESULT(checked0, momentum_rates, 52, t1359 + (t1406 * t1422 - t1473) - t1485);
-    const REAL t1496 = t1373 - (t1493 + t1384 * t1422);
-    RESULT(checked1, momentum_rates, 53, t1486 - limb4_U_v_0 * limb4_upper_momentum_moment_x + t1491 - t1496);
+    const REAL t1426 = minus_limb4_lower_twist_wz * minus_limb4_upper_momentum_px,
+      t1428 = t1426 + limb4_lower_twist_wx * minus_limb4_upper_momentum_pz,
+      t1436 = t1434 + limb4_lower_twist_rate_wx * t1404, t1448 = limb4_lower_twist_rate_wx * t1382,
+      t1430 = minus_limb4_lower_rotation_xx * minus_limb4_lower_twist_wz,
+      t1445 = limb4_U_v_0 * minus_limb4_lower_rotation_xx,
+      t1433 = limb4_P_v * (t1430 + minus_limb4_lower_rotation_zx * limb4_lower_twist_wx),
+      t1443 = minus_limb4_lower_twist_rate_vz + limb4_P_a * minus_limb4_lower_rotation_zx,
+      t1438 = limb_lower_m * (limb4_P_a * minus_limb4_lower_sin - t1433 - t1436);
+    RESULT(checked1, momentum_rates, 49, t1428 - t1438);
+    const REAL t1439 = limb4_lower_twist_wx * minus_limb4_upper_momentum_py,
+      t1441 = t1439 - limb4_U_v_0 * minus_limb4_upper_momentum_px, t1450 = t1448 + limb4_U_a_0 * t1391,
+      t1452 = limb_lower_m * (t1443 + limb4_P_v * (minus_limb4_lower_sin * limb4_lower_twist_wx - t1445) - t1450);
+    RESULT(checked2, momentum_rates, 50, -(t1441 + t1452));
+    const REAL minus_limb4_upper_momentum_Lz = t1278 - (t1391 * minus_limb4_upper_momentum_py + t1382 * minus_limb4_upper_momentum_px),
+      t1460 = limb4_U_v_0 * minus_limb4_upper_momentum_Lz,
+      t1478 = limb4_lower_twist_wx * minus_limb4_upper_momentum_Lz,
+      limb4_upper_momentum_Ly = t1302 + (t1404 * minus_limb4_upper_momentum_px - t1391 * minus_limb4_upper_momentum_pz),
+      t1484 = limb4_lower_twist_wx * limb4_upper_momentum_Ly,
+      t1465 = t1460 - minus_limb4_lower_twist_wz * limb4_upper_momentum_Ly,
+      t1466 = minus_limb4_upper_twist_vy * minus_limb4_upper_momentum_pz,
+      t1488 = minus_limb4_upper_twist_vy * minus_limb4_upper_momentum_px,
+      t1480 = minus_limb4_upper_twist_vz * minus_limb4_upper_momentum_px,
+      t1469 = t1465 - (t1466 - minus_limb4_upper_twist_vz * minus_limb4_upper_momentum_py), t1471 = t1391 * t1452,
+      t1491 = t1391 * t1438;
+    RESULT(checked3, momentum_rates, 51, t1334 - (t1382 * t1452 + t1404 * t1438) - t1469);
+    const REAL t1482 = t1480 - minus_limb4_upper_twist_vx * minus_limb4_upper_momentum_pz,
+      t1489 = minus_limb4_upper_twist_vx * minus_limb4_upper_momentum_py - t1488,
+      limb4_upper_momentum_Lx = t1343 - (t1382 * minus_limb4_upper_momentum_pz + t1404 * minus_limb4_upper_momentum_py),
+      t1483 = minus_limb4_lower_twist_wz * limb4_upper_momentum_Lx - t1478 - t1482;
+    RESULT(checked0, momentum_rates, 52, t1358 + (t1404 * t1420 - t1471) - t1483);
+    const REAL t1494 = t1372 - (t1491 + t1382 * t1420);
+    RESULT(checked1, momentum_rates, 53, t1484 - limb4_U_v_0 * limb4_upper_momentum_Lx + t1489 - t1494);
     NOT_BELOW(t7, 0.999999, 5);
     NOT_ABOVE(t7, 1.000001, 5);
     FINITE((checked0 + checked1) + (checked2 + checked3));
@@ -1486,118 +1019,99 @@ BODY(three_ups_upu_s_energy)(size_t stride, const double *restrict q, const doub
     double *restrict total)
 {
     /* limb1: accelerations; velocities, eq. (6); energy */
-    const REAL limb1_U_v_0 = READ(v, 0);
-    const REAL limb1_lower_omega_x = limb1_U_v_0 * SINES(sine, 1);
-    const REAL limb1_lower_cos = SINES(cosine, 1);
-    const REAL t3 = limb1_lower_omega_x * limb1_lower_omega_x;
-    const REAL limb1_lower_omega_y = limb1_U_v_0 * limb1_lower_cos;
-    const REAL limb1_U_v_1 = READ(v, 1);
-    const REAL t6 = k4 * (limb1_U_v_1 * limb1_U_v_1 + (t3 + limb1_lower_omega_y * limb1_lower_omega_y));
-    const REAL t8 = limb1_lower_omega_x * (k4 * limb1_lower_omega_x);
-    const REAL t14 = t8 + limb1_lower_omega_y * (k5 * limb1_lower_omega_y) - limb1_U_v_1 * (k5 * limb1_U_v_1);
+    const REAL limb1_U_v_0 = READ(v, 0), limb1_lower_omega_x = limb1_U_v_0 * SINES(sine, 1),
+      limb1_lower_cos = SINES(cosine, 1), t3 = limb1_lower_omega_x * limb1_lower_omega_x,
+      limb1_lower_omega_y = limb1_U_v_0 * limb1_lower_cos, limb1_U_v_1 = READ(v, 1),
+      t6 = k4 * (limb1_U_v_1 * limb1_U_v_1 + (t3 + limb1_lower_omega_y * limb1_lower_omega_y)),
+      t8 = limb1_lower_omega_x * (k4 * limb1_lower_omega_x),
+      t14 = t8 + limb1_lower_omega_y * (k5 * limb1_lower_omega_y) - limb1_U_v_1 * (k5 * limb1_U_v_1);
     /* limb2: accelerations; energy; velocities, eq. (6) */
-    const REAL limb2_U_v_0 = READ(v, 3);
-    const REAL limb1_lower_energy_kinetic_up_to = k3 * (limb1_U_v_0 * limb1_U_v_0) + (t6 - t14);
-    const REAL limb2_U_0_energy_kinetic_up_to = limb1_lower_energy_kinetic_up_to + k3 * (limb2_U_v_0 * limb2_U_v_0);
-    const REAL limb2_lower_omega_x = limb2_U_v_0 * SINES(sine, 3);
-    const REAL limb2_lower_cos = SINES(cosine, 3);
-    const REAL t19 = limb2_lower_omega_x * limb2_lower_omega_x;
-    const REAL limb2_lower_omega_y = limb2_U_v_0 * limb2_lower_cos;
-    const REAL limb2_U_v_1 = READ(v, 4);
-    const REAL t22 = k4 * (limb2_U_v_1 * limb2_U_v_1 + (t19 + limb2_lower_omega_y * limb2_lower_omega_y));
-    const REAL t24 = limb2_lower_omega_x * (k4 * limb2_lower_omega_x);
-    const REAL t30 = t24 + limb2_lower_omega_y * (k5 * limb2_lower_omega_y) - limb2_U_v_1 * (k5 * limb2_U_v_1);
+    const REAL limb2_U_v_0 = READ(v, 3),
+      limb1_lower_energy_kinetic_up_to = k3 * (limb1_U_v_0 * limb1_U_v_0) + (t6 - t14),
+      limb2_U_0_energy_kinetic_up_to = limb1_lower_energy_kinetic_up_to + k3 * (limb2_U_v_0 * limb2_U_v_0),
+      limb2_lower_omega_x = limb2_U_v_0 * SINES(sine, 3), limb2_lower_cos = SINES(cosine, 3),
+      t19 = limb2_lower_omega_x * limb2_lower_omega_x, limb2_lower_omega_y = limb2_U_v_0 * limb2_lower_cos,
+      limb2_U_v_1 = READ(v, 4),
+      t22 = k4 * (limb2_U_v_1 * limb2_U_v_1 + (t19 + limb2_lower_omega_y * limb2_lower_omega_y)),
+      t24 = limb2_lower_omega_x * (k4 * limb2_lower_omega_x),
+      t30 = t24 + limb2_lower_omega_y * (k5 * limb2_lower_omega_y) - limb2_U_v_1 * (k5 * limb2_U_v_1);
     /* limb3: accelerations; energy; velocities, eq. (6) */
-    const REAL limb3_U_v_0 = READ(v, 6);
-    const REAL limb3_U_0_energy_kinetic_up_to = limb2_U_0_energy_kinetic_up_to + (t22 - t30) + k3 * (limb3_U_v_0 * limb3_U_v_0);
-    const REAL minus_limb3_lower_omega_x = limb3_U_v_0 * SINES(sine, 5);
-    const REAL limb3_lower_cos = SINES(cosine, 5);
-    const REAL t35 = minus_limb3_lower_omega_x * minus_limb3_lower_omega_x;
-    const REAL limb3_lower_omega_y = limb3_U_v_0 * limb3_lower_cos;
-    const REAL limb3_U_v_1 = READ(v, 7);
-    const REAL t38 = k4 * (limb3_U_v_1 * limb3_U_v_1 + (t35 + limb3_lower_omega_y * limb3_lower_omega_y));
-    const REAL t40 = minus_limb3_lower_omega_x * (k4 * minus_limb3_lower_omega_x);
-    const REAL t46 = t40 + limb3_lower_omega_y * (k5 * limb3_lower_omega_y) - limb3_U_v_1 * (k5 * limb3_U_v_1);
+    const REAL limb3_U_v_0 = READ(v, 6),
+      limb3_U_0_energy_kinetic_up_to = limb2_U_0_energy_kinetic_up_to + (t22 - t30) + k3 * (limb3_U_v_0 * limb3_U_v_0),
+      minus_limb3_lower_omega_x = limb3_U_v_0 * SINES(sine, 5), limb3_lower_cos = SINES(cosine, 5),
+      t35 = minus_limb3_lower_omega_x * minus_limb3_lower_omega_x,
+      limb3_lower_omega_y = limb3_U_v_0 * limb3_lower_cos, limb3_U_v_1 = READ(v, 7),
+      t38 = k4 * (limb3_U_v_1 * limb3_U_v_1 + (t35 + limb3_lower_omega_y * limb3_lower_omega_y)),
+      t40 = minus_limb3_lower_omega_x * (k4 * minus_limb3_lower_omega_x),
+      t46 = t40 + limb3_lower_omega_y * (k5 * limb3_lower_omega_y) - limb3_U_v_1 * (k5 * limb3_U_v_1);
     /* limb4: accelerations; energy; velocities, eq. (6) */
-    const REAL limb4_U_v_0 = READ(v, 9);
-    const REAL limb4_U_0_energy_kinetic_up_to = limb3_U_0_energy_kinetic_up_to + (t38 - t46) + k3 * (limb4_U_v_0 * limb4_U_v_0);
-    const REAL minus_limb4_lower_omega_x = limb4_U_v_0 * SINES(sine, 7);
-    const REAL limb4_lower_cos = SINES(cosine, 7);
-    const REAL t51 = minus_limb4_lower_omega_x * minus_limb4_lower_omega_x;
-    const REAL limb4_lower_omega_y = limb4_U_v_0 * limb4_lower_cos;
-    const REAL limb4_U_v_1 = READ(v, 10);
-    const REAL t54 = k4 * (limb4_U_v_1 * limb4_U_v_1 + (t51 + limb4_lower_omega_y * limb4_lower_omega_y));
-    const REAL t56 = minus_limb4_lower_omega_x * (k4 * minus_limb4_lower_omega_x);
-    const REAL t62 = t56 + limb4_lower_omega_y * (k5 * limb4_lower_omega_y) - limb4_U_v_1 * (k5 * limb4_U_v_1);
-    const REAL limb5_S_v_wx = READ(v, 12), limb5_S_v_wy = READ(v, 13), limb5_S_v_wz = READ(v, 14);
-    const REAL limb4_lower_energy_kinetic_up_to = limb4_U_0_energy_kinetic_up_to + (t54 - t62);
-    const REAL t68 = k6 * (limb5_S_v_wz * limb5_S_v_wz + (limb5_S_v_wx * limb5_S_v_wx + limb5_S_v_wy * limb5_S_v_wy)); /* platform */
-    const REAL t73 = limb5_S_v_wx * (platform_sxx * limb5_S_v_wx) + limb5_S_v_wy * (platform_sxx * limb5_S_v_wy); /* limb5_S */
-    const REAL platform_energy_kinetic_up_to = limb4_lower_energy_kinetic_up_to + (t68 - (t73 + limb5_S_v_wz * (platform_szz * limb5_S_v_wz)));
+    const REAL limb4_U_v_0 = READ(v, 9),
+      limb4_U_0_energy_kinetic_up_to = limb3_U_0_energy_kinetic_up_to + (t38 - t46) + k3 * (limb4_U_v_0 * limb4_U_v_0),
+      minus_limb4_lower_omega_x = limb4_U_v_0 * SINES(sine, 7), limb4_lower_cos = SINES(cosine, 7),
+      t51 = minus_limb4_lower_omega_x * minus_limb4_lower_omega_x,
+      limb4_lower_omega_y = limb4_U_v_0 * limb4_lower_cos, limb4_U_v_1 = READ(v, 10),
+      t54 = k4 * (limb4_U_v_1 * limb4_U_v_1 + (t51 + limb4_lower_omega_y * limb4_lower_omega_y)),
+      t56 = minus_limb4_lower_omega_x * (k4 * minus_limb4_lower_omega_x),
+      t62 = t56 + limb4_lower_omega_y * (k5 * limb4_lower_omega_y) - limb4_U_v_1 * (k5 * limb4_U_v_1),
+      limb5_S_v_wx = READ(v, 12), limb5_S_v_wy = READ(v, 13), limb5_S_v_wz = READ(v, 14),
+      limb4_lower_energy_kinetic_up_to = limb4_U_0_energy_kinetic_up_to + (t54 - t62),
+      t68 = k6 * (limb5_S_v_wz * limb5_S_v_wz + (limb5_S_v_wx * limb5_S_v_wx + limb5_S_v_wy * limb5_S_v_wy)), /* platform */
+      t73 = limb5_S_v_wx * (platform_sxx * limb5_S_v_wx) + limb5_S_v_wy * (platform_sxx * limb5_S_v_wy), /* limb5_S */
+      platform_energy_kinetic_up_to = limb4_lower_energy_kinetic_up_to + (t68 - (t73 + limb5_S_v_wz * (platform_szz * limb5_S_v_wz)));
     /* limb1: geometry; velocities, eq. (6); energy */
-    const REAL limb1_upper_offset_x = limb_upper_phase + READ(q, 2);
-    const REAL limb1_upper_vel_y = limb1_U_v_1 * limb1_upper_offset_x;
-    const REAL limb1_P_v = READ(v, 2);
-    const REAL t83 = limb1_upper_vel_y * (k7 * limb1_U_v_1 - limb_lower_m * limb1_upper_vel_y);
-    const REAL t84 = limb1_P_v * (limb_lower_m * limb1_P_v) - t83;
-    const REAL minus_limb1_upper_vel_z = limb1_upper_offset_x * limb1_lower_omega_y;
-    const REAL t88 = minus_limb1_upper_vel_z * (k7 * limb1_lower_omega_y - limb_lower_m * minus_limb1_upper_vel_z);
-    const REAL limb1_upper_energy_kinetic_up_to = platform_energy_kinetic_up_to + (t84 - t88);
+    const REAL limb1_upper_offset_x = limb_upper_phase + READ(q, 2),
+      limb1_upper_vel_y = limb1_U_v_1 * limb1_upper_offset_x, limb1_P_v = READ(v, 2),
+      t83 = limb1_upper_vel_y * (k7 * limb1_U_v_1 - limb_lower_m * limb1_upper_vel_y),
+      t84 = limb1_P_v * (limb_lower_m * limb1_P_v) - t83,
+      minus_limb1_upper_vel_z = limb1_upper_offset_x * limb1_lower_omega_y,
+      t88 = minus_limb1_upper_vel_z * (k7 * limb1_lower_omega_y - limb_lower_m * minus_limb1_upper_vel_z),
+      limb1_upper_energy_kinetic_up_to = platform_energy_kinetic_up_to + (t84 - t88);
     /* limb2: geometry; velocities, eq. (6); energy */
-    const REAL limb2_upper_offset_x = limb_upper_phase + READ(q, 5);
-    const REAL limb2_upper_vel_y = limb2_U_v_1 * limb2_upper_offset_x;
-    const REAL limb2_P_v = READ(v, 5);
-    const REAL t95 = limb2_upper_vel_y * (k7 * limb2_U_v_1 - limb_lower_m * limb2_upper_vel_y);
-    const REAL t96 = limb2_P_v * (limb_lower_m * limb2_P_v) - t95;
-    const REAL minus_limb2_upper_vel_z = limb2_upper_offset_x * limb2_lower_omega_y;
-    const REAL t100 = minus_limb2_upper_vel_z * (k7 * limb2_lower_omega_y - limb_lower_m * minus_limb2_upper_vel_z);
-    const REAL limb2_upper_energy_kinetic_up_to = limb1_upper_energy_kinetic_up_to + (t96 - t100);
+    const REAL limb2_upper_offset_x = limb_upper_phase + READ(q, 5),
+      limb2_upper_vel_y = limb2_U_v_1 * limb2_upper_offset_x, limb2_P_v = READ(v, 5),
+      t95 = limb2_upper_vel_y * (k7 * limb2_U_v_1 - limb_lower_m * limb2_upper_vel_y),
+      t96 = limb2_P_v * (limb_lower_m * limb2_P_v) - t95,
+      minus_limb2_upper_vel_z = limb2_upper_offset_x * limb2_lower_omega_y,
+      t100 = minus_limb2_upper_vel_z * (k7 * limb2_lower_omega_y - limb_lower_m * minus_limb2_upper_vel_z),
+      limb2_upper_energy_kinetic_up_to = limb1_upper_energy_kinetic_up_to + (t96 - t100);
     /* limb3: geometry; velocities, eq. (6); energy */
-    const REAL limb3_upper_offset_x = limb_upper_phase + READ(q, 8);
-    const REAL limb3_upper_vel_y = limb3_U_v_1 * limb3_upper_offset_x;
-    const REAL limb3_P_v = READ(v, 8);
-    const REAL t107 = limb3_upper_vel_y * (k7 * limb3_U_v_1 - limb_lower_m * limb3_upper_vel_y);
-    const REAL t108 = limb3_P_v * (limb_lower_m * limb3_P_v) - t107;
-    const REAL minus_limb3_upper_vel_z = limb3_upper_offset_x * limb3_lower_omega_y;
-    const REAL t112 = minus_limb3_upper_vel_z * (k7 * limb3_lower_omega_y - limb_lower_m * minus_limb3_upper_vel_z);
-    const REAL limb3_upper_energy_kinetic_up_to = limb2_upper_energy_kinetic_up_to + (t108 - t112);
-    const REAL limb4_upper_offset_x = limb_upper_phase + READ(q, 11);
-    const REAL limb4_upper_vel_y = limb4_U_v_1 * limb4_upper_offset_x;
-    const REAL limb4_P_v = READ(v, 11);
-    const REAL t119 = limb4_upper_vel_y * (k7 * limb4_U_v_1 - limb_lower_m * limb4_upper_vel_y); /* limb4 */
-    const REAL t120 = limb4_P_v * (limb_lower_m * limb4_P_v) - t119; /* limb4 */
-    const REAL minus_limb4_upper_vel_z = limb4_upper_offset_x * limb4_lower_omega_y;
-    const REAL t124 = minus_limb4_upper_vel_z * (k7 * limb4_lower_omega_y - limb_lower_m * minus_limb4_upper_vel_z); /* limb4 */
+    const REAL limb3_upper_offset_x = limb_upper_phase + READ(q, 8),
+      limb3_upper_vel_y = limb3_U_v_1 * limb3_upper_offset_x, limb3_P_v = READ(v, 8),
+      t107 = limb3_upper_vel_y * (k7 * limb3_U_v_1 - limb_lower_m * limb3_upper_vel_y),
+      t108 = limb3_P_v * (limb_lower_m * limb3_P_v) - t107,
+      minus_limb3_upper_vel_z = limb3_upper_offset_x * limb3_lower_omega_y,
+      t112 = minus_limb3_upper_vel_z * (k7 * limb3_lower_omega_y - limb_lower_m * minus_limb3_upper_vel_z),
+      limb3_upper_energy_kinetic_up_to = limb2_upper_energy_kinetic_up_to + (t108 - t112),
+      limb4_upper_offset_x = limb_upper_phase + READ(q, 11), limb4_upper_vel_y = limb4_U_v_1 * limb4_upper_offset_x,
+      limb4_P_v = READ(v, 11),
+      t119 = limb4_upper_vel_y * (k7 * limb4_U_v_1 - limb_lower_m * limb4_upper_vel_y), /* limb4 */
+      t120 = limb4_P_v * (limb_lower_m * limb4_P_v) - t119, /* limb4 */
+      minus_limb4_upper_vel_z = limb4_upper_offset_x * limb4_lower_omega_y,
+      t124 = minus_limb4_upper_vel_z * (k7 * limb4_lower_omega_y - limb_lower_m * minus_limb4_upper_vel_z); /* limb4 */
     /* kinetic: energy */
     const REAL kinetic_energy = 0.5 * (limb3_upper_energy_kinetic_up_to + (t120 - t124));
     WRITE(energy, 0, kinetic_energy);
     REAL checked0 = kinetic_energy;
     /* limb5_S: geometry; energy */
-    const REAL limb5_S_q_qw = READ(q, 12), limb5_S_q_qx = READ(q, 13);
-    const REAL t142 = limb5_S_q_qw * limb5_S_q_qw;
-    const REAL t143 = limb5_S_q_qx * limb5_S_q_qx;
-    const REAL limb5_S_q_qy = READ(q, 14);
-    const REAL t144 = t142 + t143;
-    const REAL t145 = limb5_S_q_qy * limb5_S_q_qy;
-    const REAL limb5_S_q_qz = READ(q, 15);
-    const REAL t151 = t143 + t145;
-    const REAL t148 = t144 + (t145 + limb5_S_q_qz * limb5_S_q_qz);
-    const REAL t153 = gravity_z_platform_mz * (1.0 - (4.0 - 2.0 * t148) * t151);
-    const REAL limb1_lower_rotation_zx = SINES(cosine, 0) * limb1_lower_cos;
-    const REAL t139 = limb_lower_m * (limb1_upper_offset_x * limb1_lower_rotation_zx); /* limb1 */
-    const REAL minus_limb2_lower_rotation_zx = SINES(cosine, 2) * limb2_lower_cos;
-    const REAL t135 = limb_lower_m * (limb2_upper_offset_x * minus_limb2_lower_rotation_zx); /* limb2 */
-    const REAL t154 = limb1_lower_rotation_zx - minus_limb2_lower_rotation_zx;
-    const REAL t141 = gravity_z * (limb_lower_mx * limb1_lower_rotation_zx - t139); /* limb1 */
-    const REAL t137 = gravity_z * (limb_lower_mx * minus_limb2_lower_rotation_zx - t135); /* limb2 */
-    const REAL limb3_lower_rotation_zx = SINES(cosine, 4) * limb3_lower_cos;
-    const REAL t155 = limb3_lower_rotation_zx + t154;
-    const REAL t131 = limb_lower_m * (limb3_upper_offset_x * limb3_lower_rotation_zx); /* limb3 */
-    const REAL t133 = gravity_z * (limb_lower_mx * limb3_lower_rotation_zx - t131); /* limb3 */
-    const REAL minus_limb4_lower_rotation_zx = SINES(cosine, 6) * limb4_lower_cos;
-    const REAL t161 = t133 - (t137 - (t141 - (t153 - gravity_z_limb_lower_mx * (minus_limb4_lower_rotation_zx - t155))));
-    const REAL t127 = limb_lower_m * (limb4_upper_offset_x * minus_limb4_lower_rotation_zx); /* limb4 */
-    const REAL potential_energy = gravity_z * (limb_lower_mx * minus_limb4_lower_rotation_zx - t127) - t161;
+    const REAL limb5_S_q_qw = READ(q, 12), limb5_S_q_qx = READ(q, 13), t142 = limb5_S_q_qw * limb5_S_q_qw,
+      t143 = limb5_S_q_qx * limb5_S_q_qx, limb5_S_q_qy = READ(q, 14), t144 = t142 + t143,
+      t145 = limb5_S_q_qy * limb5_S_q_qy, limb5_S_q_qz = READ(q, 15), t151 = t143 + t145,
+      t148 = t144 + (t145 + limb5_S_q_qz * limb5_S_q_qz),
+      t153 = gravity_z_platform_mz * (1.0 - (4.0 - 2.0 * t148) * t151),
+      limb1_lower_rotation_zx = SINES(cosine, 0) * limb1_lower_cos,
+      t139 = limb_lower_m * (limb1_upper_offset_x * limb1_lower_rotation_zx), /* limb1 */
+      minus_limb2_lower_rotation_zx = SINES(cosine, 2) * limb2_lower_cos,
+      t135 = limb_lower_m * (limb2_upper_offset_x * minus_limb2_lower_rotation_zx), /* limb2 */
+      t154 = limb1_lower_rotation_zx - minus_limb2_lower_rotation_zx,
+      t141 = gravity_z * (limb_lower_mx * limb1_lower_rotation_zx - t139), /* limb1 */
+      t137 = gravity_z * (limb_lower_mx * minus_limb2_lower_rotation_zx - t135), /* limb2 */
+      limb3_lower_rotation_zx = SINES(cosine, 4) * limb3_lower_cos, t155 = limb3_lower_rotation_zx + t154,
+      t131 = limb_lower_m * (limb3_upper_offset_x * limb3_lower_rotation_zx), /* limb3 */
+      t133 = gravity_z * (limb_lower_mx * limb3_lower_rotation_zx - t131), /* limb3 */
+      minus_limb4_lower_rotation_zx = SINES(cosine, 6) * limb4_lower_cos,
+      t161 = t133 - (t137 - (t141 - (t153 - gravity_z_limb_lower_mx * (minus_limb4_lower_rotation_zx - t155)))),
+      t127 = limb_lower_m * (limb4_upper_offset_x * minus_limb4_lower_rotation_zx), /* limb4 */
+      potential_energy = gravity_z * (limb_lower_mx * minus_limb4_lower_rotation_zx - t127) - t161;
     WRITE(energy, 1, potential_energy);
     REAL checked1 = potential_energy;
     NOT_BELOW(t148, 0.999999, 5);
@@ -1618,23 +1132,23 @@ BODY(three_ups_upu_s_mass_matrix)(size_t stride, const double *restrict q, doubl
     checked2 = checked2 + (READ(q, 14));
     checked3 = checked3 + (READ(q, 15));
     /* limb1: geometry; inertia */
-    const REAL limb1_upper_offset_x = limb_upper_phase + READ(q, 2);
-    const REAL t3 = limb1_upper_offset_x * (k7 - limb_lower_m * limb1_upper_offset_x);
+    const REAL limb1_upper_offset_x = limb_upper_phase + READ(q, 2),
+      t3 = limb1_upper_offset_x * (k7 - limb_lower_m * limb1_upper_offset_x);
     RESULT(checked0, mass_matrix, 16, k9 - t3);
     const REAL limb1_lower_cos = SINES(cosine, 0);
     RESULT(checked1, mass_matrix, 0, k3 - limb1_lower_cos * (limb1_lower_cos * (t3 - k8)));
-    const REAL limb2_upper_offset_x = limb_upper_phase + READ(q, 5);
-    const REAL t9 = limb2_upper_offset_x * (k7 - limb_lower_m * limb2_upper_offset_x); /* limb2 */
+    const REAL limb2_upper_offset_x = limb_upper_phase + READ(q, 5),
+      t9 = limb2_upper_offset_x * (k7 - limb_lower_m * limb2_upper_offset_x); /* limb2 */
     RESULT(checked2, mass_matrix, 64, k9 - t9);
     const REAL limb2_lower_cos = SINES(cosine, 1);
     RESULT(checked3, mass_matrix, 48, k3 - limb2_lower_cos * (limb2_lower_cos * (t9 - k8)));
-    const REAL limb3_upper_offset_x = limb_upper_phase + READ(q, 8);
-    const REAL t15 = limb3_upper_offset_x * (k7 - limb_lower_m * limb3_upper_offset_x); /* limb3 */
+    const REAL limb3_upper_offset_x = limb_upper_phase + READ(q, 8),
+      t15 = limb3_upper_offset_x * (k7 - limb_lower_m * limb3_upper_offset_x); /* limb3 */
     RESULT(checked0, mass_matrix, 112, k9 - t15);
     const REAL limb3_lower_cos = SINES(cosine, 2);
     RESULT(checked1, mass_matrix, 96, k3 - limb3_lower_cos * (limb3_lower_cos * (t15 - k8)));
-    const REAL limb4_upper_offset_x = limb_upper_phase + READ(q, 11);
-    const REAL t21 = limb4_upper_offset_x * (k7 - limb_lower_m * limb4_upper_offset_x); /* limb4 */
+    const REAL limb4_upper_offset_x = limb_upper_phase + READ(q, 11),
+      t21 = limb4_upper_offset_x * (k7 - limb_lower_m * limb4_upper_offset_x); /* limb4 */
     RESULT(checked2, mass_matrix, 160, k9 - t21);
     const REAL limb4_lower_cos = SINES(cosine, 3);
     RESULT(checked3, mass_matrix, 144, k3 - limb4_lower_cos * (limb4_lower_cos * (t21 - k8)));
@@ -1652,156 +1166,137 @@ BODY(three_ups_upu_s_bias)(size_t stride, const double *restrict q, const double
     double *restrict bias, const double *restrict sine, const double *restrict cosine, double *restrict total)
 {
     /* limb5_S: geometry; balance, eqs. (40)-(47); momentum rate, eq. (35) */
-    const REAL limb5_S_q_qw = READ(q, 12), limb5_S_q_qx = READ(q, 13), limb5_S_q_qy = READ(q, 14);
-    const REAL limb5_S_q_qz = READ(q, 15);
-    const REAL t80 = limb5_S_q_qw * limb5_S_q_qw + limb5_S_q_qx * limb5_S_q_qx;
-    const REAL t84 = t80 + (limb5_S_q_qy * limb5_S_q_qy + limb5_S_q_qz * limb5_S_q_qz);
-    const REAL t86 = 4.0 - 2.0 * t84;
-    const REAL t87 = limb5_S_q_qz * t86;
-    const REAL limb5_S_v_wz = READ(v, 14);
-    const REAL platform_force_moment_y = gravity_z_platform_mz * (limb5_S_q_qx * t87 - limb5_S_q_qw * (limb5_S_q_qy * t86));
-    const REAL minus_platform_force_moment_x = gravity_z_platform_mz * (limb5_S_q_qy * t87 + limb5_S_q_qw * (limb5_S_q_qx * t86));
-    const REAL platform_rate_moment_y = platform_force_moment_y - k12 * (READ(v, 12) * limb5_S_v_wz);
-    WRITE(bias, 13, platform_rate_moment_y);
-    REAL checked0 = platform_rate_moment_y;
-    const REAL platform_rate_moment_x = k12 * (READ(v, 13) * limb5_S_v_wz) - minus_platform_force_moment_x;
-    WRITE(bias, 12, platform_rate_moment_x);
-    REAL checked1 = platform_rate_moment_x;
+    const REAL limb5_S_q_qw = READ(q, 12), limb5_S_q_qx = READ(q, 13), limb5_S_q_qy = READ(q, 14),
+      limb5_S_q_qz = READ(q, 15), t80 = limb5_S_q_qw * limb5_S_q_qw + limb5_S_q_qx * limb5_S_q_qx,
+      t84 = t80 + (limb5_S_q_qy * limb5_S_q_qy + limb5_S_q_qz * limb5_S_q_qz), t86 = 4.0 - 2.0 * t84,
+      t87 = limb5_S_q_qz * t86, limb5_S_v_wz = READ(v, 14),
+      platform_moment_y = gravity_z_platform_mz * (limb5_S_q_qx * t87 - limb5_S_q_qw * (limb5_S_q_qy * t86)),
+      minus_platform_moment_x = gravity_z_platform_mz * (limb5_S_q_qy * t87 + limb5_S_q_qw * (limb5_S_q_qx * t86)),
+      platform_rate_my = platform_moment_y - k12 * (READ(v, 12) * limb5_S_v_wz);
+    WRITE(bias, 13, platform_rate_my);
+    REAL checked0 = platform_rate_my;
+    const REAL platform_rate_mx = k12 * (READ(v, 13) * limb5_S_v_wz) - minus_platform_moment_x;
+    WRITE(bias, 12, platform_rate_mx);
+    REAL checked1 = platform_rate_mx;
     /* limb4: velocities, eq. (6); accelerations; momentum rate, eq. (35) */
-    const REAL limb4_U_v_0 = READ(v, 9), limb4_lower_cos = SINES(cosine, 7);
-    const REAL limb4_lower_omega_y = limb4_U_v_0 * limb4_lower_cos;
-    const REAL limb4_U_v_1 = READ(v, 10);
-    const REAL minus_limb4_lower_U_still_xx = limb4_lower_omega_y * limb4_lower_omega_y + limb4_U_v_1 * limb4_U_v_1;
-    const REAL limb4_upper_offset_x = limb_upper_phase + READ(q, 11);
-    const REAL minus_limb4_upper_acc_still_x = limb4_upper_offset_x * minus_limb4_lower_U_still_xx;
-    const REAL minus_limb4_lower_rate_force_x = limb_lower_mx * minus_limb4_lower_U_still_xx;
-    const REAL minus_limb4_U_0_acc_y = gravity_z * SINES(cosine, 6);
-    const REAL limb4_upper_rate_force_x = minus_limb4_lower_rate_force_x - limb_lower_m * (minus_limb4_upper_acc_still_x + limb4_lower_cos * minus_limb4_U_0_acc_y);
-    WRITE(bias, 11, limb4_upper_rate_force_x);
-    REAL checked2 = limb4_upper_rate_force_x;
-    const REAL minus_limb4_lower_sin = SINES(sine, 7);
-    const REAL minus_limb4_lower_acc_y = minus_limb4_lower_sin * minus_limb4_U_0_acc_y;
-    const REAL minus_limb4_lower_omega_x = limb4_U_v_0 * minus_limb4_lower_sin;
-    const REAL minus_limb4_lower_U_still_xy = minus_limb4_lower_omega_x * limb4_lower_omega_y;
-    const REAL limb4_lower_alpha_still_y = limb4_U_v_1 * minus_limb4_lower_omega_x;
-    const REAL limb4_P_v = READ(v, 11);
-    const REAL t72 = limb4_upper_offset_x * minus_limb4_lower_U_still_xy + minus_limb4_lower_acc_y;
-    const REAL limb4_upper_force_moment_z = limb_lower_mx * minus_limb4_lower_acc_y;
-    const REAL limb4_upper_acc_still_y = limb4_P_v * (2.0 * limb4_U_v_1) - t72;
-    const REAL minus_limb4_upper_rate_moment_z = limb_lower_mx * limb4_upper_acc_still_y;
+    const REAL limb4_U_v_0 = READ(v, 9), limb4_lower_cos = SINES(cosine, 7),
+      limb4_lower_omega_y = limb4_U_v_0 * limb4_lower_cos, limb4_U_v_1 = READ(v, 10),
+      minus_limb4_lower_U_still_xx = limb4_lower_omega_y * limb4_lower_omega_y + limb4_U_v_1 * limb4_U_v_1,
+      limb4_upper_offset_x = limb_upper_phase + READ(q, 11),
+      minus_limb4_upper_acc_still_x = limb4_upper_offset_x * minus_limb4_lower_U_still_xx,
+      minus_limb4_lower_rate_fx = limb_lower_mx * minus_limb4_lower_U_still_xx,
+      minus_limb4_U_0_acc_y = gravity_z * SINES(cosine, 6),
+      limb4_upper_rate_fx = minus_limb4_lower_rate_fx - limb_lower_m * (minus_limb4_upper_acc_still_x + limb4_lower_cos * minus_limb4_U_0_acc_y);
+    WRITE(bias, 11, limb4_upper_rate_fx);
+    REAL checked2 = limb4_upper_rate_fx;
+    const REAL minus_limb4_lower_sin = SINES(sine, 7),
+      minus_limb4_lower_acc_y = minus_limb4_lower_sin * minus_limb4_U_0_acc_y,
+      minus_limb4_lower_omega_x = limb4_U_v_0 * minus_limb4_lower_sin,
+      minus_limb4_lower_U_still_xy = minus_limb4_lower_omega_x * limb4_lower_omega_y,
+      limb4_lower_alpha_still_y = limb4_U_v_1 * minus_limb4_lower_omega_x, limb4_P_v = READ(v, 11),
+      t72 = limb4_upper_offset_x * minus_limb4_lower_U_still_xy + minus_limb4_lower_acc_y,
+      limb4_upper_moment_z = limb_lower_mx * minus_limb4_lower_acc_y,
+      limb4_upper_acc_still_y = limb4_P_v * (2.0 * limb4_U_v_1) - t72,
+      minus_limb4_upper_rate_mz = limb_lower_mx * limb4_upper_acc_still_y;
     /* limb4: balance, eqs. (40)-(47); geometry; accelerations */
-    const REAL t73 = limb4_upper_offset_x * (limb_lower_mx * minus_limb4_lower_U_still_xy + limb_lower_m * limb4_upper_acc_still_y);
-    const REAL t74 = minus_limb4_upper_rate_moment_z - t73;
-    const REAL limb4_lower_force_moment_z = -(k8 * minus_limb4_lower_U_still_xy + limb4_upper_force_moment_z + t74);
-    WRITE(bias, 10, limb4_lower_force_moment_z);
-    REAL checked3 = limb4_lower_force_moment_z;
-    const REAL minus_limb4_U_0_cos = SINES(sine, 6);
-    const REAL t63 = limb4_upper_offset_x * (2.0 * limb4_lower_alpha_still_y) + gravity_z * minus_limb4_U_0_cos;
-    const REAL minus_limb4_upper_acc_still_z = limb4_P_v * (2.0 * limb4_lower_omega_y) + t63;
-    const REAL t59 = minus_limb4_lower_sin * (k10 * (limb4_U_v_1 * limb4_lower_omega_y));
-    const REAL minus_limb4_upper_rate_moment_y = limb_lower_mx * minus_limb4_upper_acc_still_z;
-    const REAL t64 = limb4_upper_offset_x * (k7 * limb4_lower_alpha_still_y - limb_lower_m * minus_limb4_upper_acc_still_z);
-    const REAL t65 = minus_limb4_upper_rate_moment_y + t64;
-    const REAL t67 = limb4_lower_cos * (t65 - (gravity_z_limb_lower_mx * minus_limb4_U_0_cos + k11 * limb4_lower_alpha_still_y));
+    const REAL t73 = limb4_upper_offset_x * (limb_lower_mx * minus_limb4_lower_U_still_xy + limb_lower_m * limb4_upper_acc_still_y),
+      limb4_lower_moment_z = -(k8 * minus_limb4_lower_U_still_xy + limb4_upper_moment_z + (minus_limb4_upper_rate_mz - t73));
+    WRITE(bias, 10, limb4_lower_moment_z);
+    REAL checked3 = limb4_lower_moment_z;
+    const REAL minus_limb4_U_0_cos = SINES(sine, 6),
+      t63 = limb4_upper_offset_x * (2.0 * limb4_lower_alpha_still_y) + gravity_z * minus_limb4_U_0_cos,
+      minus_limb4_upper_acc_still_z = limb4_P_v * (2.0 * limb4_lower_omega_y) + t63,
+      t59 = minus_limb4_lower_sin * (k10 * (limb4_U_v_1 * limb4_lower_omega_y)),
+      minus_limb4_upper_rate_my = limb_lower_mx * minus_limb4_upper_acc_still_z,
+      t64 = limb4_upper_offset_x * (k7 * limb4_lower_alpha_still_y - limb_lower_m * minus_limb4_upper_acc_still_z),
+      t65 = minus_limb4_upper_rate_my + t64,
+      t67 = limb4_lower_cos * (t65 - (gravity_z_limb_lower_mx * minus_limb4_U_0_cos + k11 * limb4_lower_alpha_still_y));
     RESULT(checked0, bias, 9, -(t59 + t67));
     /* limb3: velocities, eq. (6); geometry; accelerations */
-    const REAL limb3_U_v_0 = READ(v, 6), limb3_lower_cos = SINES(cosine, 5);
-    const REAL limb3_lower_omega_y = limb3_U_v_0 * limb3_lower_cos;
-    const REAL limb3_U_v_1 = READ(v, 7);
-    const REAL minus_limb3_lower_U_still_xx = limb3_lower_omega_y * limb3_lower_omega_y + limb3_U_v_1 * limb3_U_v_1;
-    const REAL limb3_upper_offset_x = limb_upper_phase + READ(q, 8);
-    const REAL minus_limb3_upper_acc_still_x = limb3_upper_offset_x * minus_limb3_lower_U_still_xx;
-    const REAL minus_limb3_lower_rate_force_x = limb_lower_mx * minus_limb3_lower_U_still_xx;
-    const REAL limb3_U_0_acc_y = gravity_z * SINES(cosine, 4);
-    RESULT(checked1, bias, 8, minus_limb3_lower_rate_force_x - limb_lower_m * (minus_limb3_upper_acc_still_x - limb3_lower_cos * limb3_U_0_acc_y));
-    const REAL minus_limb3_lower_sin = SINES(sine, 5);
-    const REAL limb3_lower_acc_y = minus_limb3_lower_sin * limb3_U_0_acc_y;
-    const REAL minus_limb3_lower_omega_x = limb3_U_v_0 * minus_limb3_lower_sin;
-    const REAL minus_limb3_lower_U_still_xy = minus_limb3_lower_omega_x * limb3_lower_omega_y;
-    const REAL limb3_lower_alpha_still_y = limb3_U_v_1 * minus_limb3_lower_omega_x;
-    const REAL limb3_P_v = READ(v, 8);
-    const REAL t53 = limb3_upper_offset_x * minus_limb3_lower_U_still_xy - limb3_lower_acc_y;
-    const REAL minus_limb3_upper_force_moment_z = limb_lower_mx * limb3_lower_acc_y;
-    const REAL limb3_upper_acc_still_y = limb3_P_v * (2.0 * limb3_U_v_1) - t53;
-    const REAL minus_limb3_upper_rate_moment_z = limb_lower_mx * limb3_upper_acc_still_y;
+    const REAL limb3_U_v_0 = READ(v, 6), limb3_lower_cos = SINES(cosine, 5),
+      limb3_lower_omega_y = limb3_U_v_0 * limb3_lower_cos, limb3_U_v_1 = READ(v, 7),
+      minus_limb3_lower_U_still_xx = limb3_lower_omega_y * limb3_lower_omega_y + limb3_U_v_1 * limb3_U_v_1,
+      limb3_upper_offset_x = limb_upper_phase + READ(q, 8),
+      minus_limb3_upper_acc_still_x = limb3_upper_offset_x * minus_limb3_lower_U_still_xx,
+      minus_limb3_lower_rate_fx = limb_lower_mx * minus_limb3_lower_U_still_xx,
+      limb3_U_0_acc_y = gravity_z * SINES(cosine, 4);
+    RESULT(checked1, bias, 8, minus_limb3_lower_rate_fx - limb_lower_m * (minus_limb3_upper_acc_still_x - limb3_lower_cos * limb3_U_0_acc_y));
+    const REAL minus_limb3_lower_sin = SINES(sine, 5), limb3_lower_acc_y = minus_limb3_lower_sin * limb3_U_0_acc_y,
+      minus_limb3_lower_omega_x = limb3_U_v_0 * minus_limb3_lower_sin,
+      minus_limb3_lower_U_still_xy = minus_limb3_lower_omega_x * limb3_lower_omega_y,
+      limb3_lower_alpha_still_y = limb3_U_v_1 * minus_limb3_lower_omega_x, limb3_P_v = READ(v, 8),
+      t53 = limb3_upper_offset_x * minus_limb3_lower_U_still_xy - limb3_lower_acc_y,
+      minus_limb3_upper_moment_z = limb_lower_mx * limb3_lower_acc_y,
+      limb3_upper_acc_still_y = limb3_P_v * (2.0 * limb3_U_v_1) - t53,
+      minus_limb3_upper_rate_mz = limb_lower_mx * limb3_upper_acc_still_y;
     /* limb3: balance, eqs. (40)-(47); geometry; accelerations */
-    const REAL t54 = limb3_upper_offset_x * (limb_lower_mx * minus_limb3_lower_U_still_xy + limb_lower_m * limb3_upper_acc_still_y);
-    const REAL t55 = minus_limb3_upper_rate_moment_z - t54;
-    RESULT(checked2, bias, 7, -(k8 * minus_limb3_lower_U_still_xy - minus_limb3_upper_force_moment_z + t55));
-    const REAL limb3_U_0_sin = SINES(sine, 4);
-    const REAL t44 = limb3_upper_offset_x * (2.0 * limb3_lower_alpha_still_y) - gravity_z * limb3_U_0_sin;
-    const REAL minus_limb3_upper_acc_still_z = limb3_P_v * (2.0 * limb3_lower_omega_y) + t44;
-    const REAL t40 = minus_limb3_lower_sin * (k10 * (limb3_U_v_1 * limb3_lower_omega_y));
-    const REAL minus_limb3_upper_rate_moment_y = limb_lower_mx * minus_limb3_upper_acc_still_z;
-    const REAL t45 = limb3_upper_offset_x * (k7 * limb3_lower_alpha_still_y - limb_lower_m * minus_limb3_upper_acc_still_z);
-    const REAL t46 = minus_limb3_upper_rate_moment_y + t45;
-    const REAL t48 = limb3_lower_cos * (t46 + (gravity_z_limb_lower_mx * limb3_U_0_sin - k11 * limb3_lower_alpha_still_y));
+    const REAL t54 = limb3_upper_offset_x * (limb_lower_mx * minus_limb3_lower_U_still_xy + limb_lower_m * limb3_upper_acc_still_y),
+      t55 = minus_limb3_upper_rate_mz - t54;
+    RESULT(checked2, bias, 7, -(k8 * minus_limb3_lower_U_still_xy - minus_limb3_upper_moment_z + t55));
+    const REAL limb3_U_0_sin = SINES(sine, 4),
+      t44 = limb3_upper_offset_x * (2.0 * limb3_lower_alpha_still_y) - gravity_z * limb3_U_0_sin,
+      minus_limb3_upper_acc_still_z = limb3_P_v * (2.0 * limb3_lower_omega_y) + t44,
+      t40 = minus_limb3_lower_sin * (k10 * (limb3_U_v_1 * limb3_lower_omega_y)),
+      minus_limb3_upper_rate_my = limb_lower_mx * minus_limb3_upper_acc_still_z,
+      t45 = limb3_upper_offset_x * (k7 * limb3_lower_alpha_still_y - limb_lower_m * minus_limb3_upper_acc_still_z),
+      t46 = minus_limb3_upper_rate_my + t45,
+      t48 = limb3_lower_cos * (t46 + (gravity_z_limb_lower_mx * limb3_U_0_sin - k11 * limb3_lower_alpha_still_y));
     RESULT(checked3, bias, 6, -(t40 + t48));
-    /* limb2: velocities, eq. (6); geometry; accelerations */
-    const REAL limb2_U_v_0 = READ(v, 3), limb2_lower_cos = SINES(cosine, 3);
-    const REAL limb2_lower_omega_y = limb2_U_v_0 * limb2_lower_cos;
-    const REAL limb2_U_v_1 = READ(v, 4);
-    const REAL minus_limb2_lower_U_still_xx = limb2_lower_omega_y * limb2_lower_omega_y + limb2_U_v_1 * limb2_U_v_1;
-    const REAL limb2_upper_offset_x = limb_upper_phase + READ(q, 5);
-    const REAL minus_limb2_upper_acc_still_x = limb2_upper_offset_x * minus_limb2_lower_U_still_xx;
-    const REAL minus_limb2_lower_rate_force_x = limb_lower_mx * minus_limb2_lower_U_still_xx;
-    const REAL minus_limb2_U_0_acc_y = gravity_z * SINES(cosine, 2);
-    RESULT(checked0, bias, 5, minus_limb2_lower_rate_force_x - limb_lower_m * (minus_limb2_upper_acc_still_x + limb2_lower_cos * minus_limb2_U_0_acc_y));
-    const REAL limb2_lower_sin = SINES(sine, 3);
-    const REAL limb2_lower_acc_y = limb2_lower_sin * minus_limb2_U_0_acc_y;
-    const REAL limb2_lower_omega_x = limb2_U_v_0 * limb2_lower_sin;
-    const REAL limb2_lower_U_still_xy = limb2_lower_omega_x * limb2_lower_omega_y;
-    const REAL minus_limb2_lower_alpha_still_y = limb2_U_v_1 * limb2_lower_omega_x;
-    const REAL limb2_P_v = READ(v, 5);
-    const REAL t34 = limb2_upper_offset_x * limb2_lower_U_still_xy + limb2_lower_acc_y;
-    const REAL minus_limb2_upper_force_moment_z = limb_lower_mx * limb2_lower_acc_y;
-    const REAL limb2_upper_acc_still_y = limb2_P_v * (2.0 * limb2_U_v_1) + t34;
-    const REAL minus_limb2_upper_rate_moment_z = limb_lower_mx * limb2_upper_acc_still_y;
-    /* limb2: balance, eqs. (40)-(47); geometry; accelerations */
-    const REAL t35 = limb2_upper_offset_x * (limb_lower_mx * limb2_lower_U_still_xy - limb_lower_m * limb2_upper_acc_still_y);
-    const REAL t36 = minus_limb2_upper_rate_moment_z + t35;
-    RESULT(checked1, bias, 4, k8 * limb2_lower_U_still_xy + minus_limb2_upper_force_moment_z - t36);
-    const REAL minus_limb2_U_0_cos = SINES(sine, 2);
-    const REAL t24 = limb2_upper_offset_x * (2.0 * minus_limb2_lower_alpha_still_y);
-    const REAL minus_limb2_upper_acc_still_z = limb2_P_v * (2.0 * limb2_lower_omega_y) - (t24 - gravity_z * minus_limb2_U_0_cos);
-    const REAL t21 = limb2_lower_sin * (k10 * (limb2_U_v_1 * limb2_lower_omega_y));
-    const REAL minus_limb2_upper_rate_moment_y = limb_lower_mx * minus_limb2_upper_acc_still_z;
-    const REAL t26 = limb2_upper_offset_x * (k7 * minus_limb2_lower_alpha_still_y + limb_lower_m * minus_limb2_upper_acc_still_z);
-    const REAL t27 = minus_limb2_upper_rate_moment_y - t26;
-    const REAL minus_limb2_lower_force_moment_y = t27 - (gravity_z_limb_lower_mx * minus_limb2_U_0_cos - k11 * minus_limb2_lower_alpha_still_y);
-    RESULT(checked2, bias, 3, t21 - limb2_lower_cos * minus_limb2_lower_force_moment_y);
-    /* limb1: velocities, eq. (6); geometry; accelerations */
-    const REAL limb1_U_v_0 = READ(v, 0), limb1_lower_cos = SINES(cosine, 1);
-    const REAL limb1_lower_omega_y = limb1_U_v_0 * limb1_lower_cos;
-    const REAL limb1_U_v_1 = READ(v, 1);
-    const REAL minus_limb1_lower_U_still_xx = limb1_lower_omega_y * limb1_lower_omega_y + limb1_U_v_1 * limb1_U_v_1;
-    const REAL limb1_upper_offset_x = limb_upper_phase + READ(q, 2);
-    const REAL minus_limb1_upper_acc_still_x = limb1_upper_offset_x * minus_limb1_lower_U_still_xx;
-    const REAL minus_limb1_lower_rate_force_x = limb_lower_mx * minus_limb1_lower_U_still_xx;
-    const REAL limb1_U_0_acc_y = gravity_z * SINES(cosine, 0);
-    RESULT(checked3, bias, 2, minus_limb1_lower_rate_force_x - limb_lower_m * (minus_limb1_upper_acc_still_x - limb1_lower_cos * limb1_U_0_acc_y));
-    const REAL limb1_lower_sin = SINES(sine, 1);
-    const REAL minus_limb1_lower_acc_y = limb1_lower_sin * limb1_U_0_acc_y;
-    const REAL limb1_lower_omega_x = limb1_U_v_0 * limb1_lower_sin;
-    const REAL limb1_lower_U_still_xy = limb1_lower_omega_x * limb1_lower_omega_y;
-    const REAL minus_limb1_lower_alpha_still_y = limb1_U_v_1 * limb1_lower_omega_x;
-    const REAL limb1_P_v = READ(v, 2);
-    const REAL t15 = limb1_upper_offset_x * limb1_lower_U_still_xy - minus_limb1_lower_acc_y;
-    const REAL limb1_upper_force_moment_z = limb_lower_mx * minus_limb1_lower_acc_y;
-    const REAL limb1_upper_acc_still_y = limb1_P_v * (2.0 * limb1_U_v_1) + t15;
-    const REAL minus_limb1_upper_rate_moment_z = limb_lower_mx * limb1_upper_acc_still_y;
-    /* limb1: balance, eqs. (40)-(47); geometry; accelerations */
-    const REAL t16 = limb1_upper_offset_x * (limb_lower_mx * limb1_lower_U_still_xy - limb_lower_m * limb1_upper_acc_still_y);
-    const REAL t17 = minus_limb1_upper_rate_moment_z + t16;
-    RESULT(checked0, bias, 1, k8 * limb1_lower_U_still_xy - limb1_upper_force_moment_z - t17);
-    const REAL limb1_U_0_sin = SINES(sine, 0);
-    const REAL t6 = limb1_upper_offset_x * (2.0 * minus_limb1_lower_alpha_still_y) + gravity_z * limb1_U_0_sin;
-    const REAL minus_limb1_upper_acc_still_z = limb1_P_v * (2.0 * limb1_lower_omega_y) - t6;
-    const REAL t2 = limb1_lower_sin * (k10 * (limb1_U_v_1 * limb1_lower_omega_y));
-    const REAL minus_limb1_upper_rate_moment_y = limb_lower_mx * minus_limb1_upper_acc_still_z;
-    const REAL t7 = limb1_upper_offset_x * (k7 * minus_limb1_lower_alpha_still_y + limb_lower_m * minus_limb1_upper_acc_still_z);
-    const REAL t8 = minus_limb1_upper_rate_moment_y - t7;
-    const REAL t10 = limb1_lower_cos * (t8 + (gravity_z_limb_lower_mx * limb1_U_0_sin + k11 * minus_limb1_lower_alpha_still_y));
+    /* limb2: geometry; accelerations; balance, eqs. (40)-(47) */
+    const REAL limb2_U_v_0 = READ(v, 3), limb2_lower_cos = SINES(cosine, 3),
+      limb2_lower_omega_y = limb2_U_v_0 * limb2_lower_cos, limb2_U_v_1 = READ(v, 4),
+      minus_limb2_lower_U_still_xx = limb2_lower_omega_y * limb2_lower_omega_y + limb2_U_v_1 * limb2_U_v_1,
+      limb2_upper_offset_x = limb_upper_phase + READ(q, 5),
+      minus_limb2_upper_acc_still_x = limb2_upper_offset_x * minus_limb2_lower_U_still_xx,
+      minus_limb2_lower_rate_fx = limb_lower_mx * minus_limb2_lower_U_still_xx,
+      minus_limb2_U_0_acc_y = gravity_z * SINES(cosine, 2);
+    RESULT(checked0, bias, 5, minus_limb2_lower_rate_fx - limb_lower_m * (minus_limb2_upper_acc_still_x + limb2_lower_cos * minus_limb2_U_0_acc_y));
+    const REAL limb2_lower_sin = SINES(sine, 3), limb2_lower_acc_y = limb2_lower_sin * minus_limb2_U_0_acc_y,
+      limb2_lower_omega_x = limb2_U_v_0 * limb2_lower_sin,
+      limb2_lower_U_still_xy = limb2_lower_omega_x * limb2_lower_omega_y,
+      minus_limb2_lower_alpha_still_y = limb2_U_v_1 * limb2_lower_omega_x, limb2_P_v = READ(v, 5),
+      t34 = limb2_upper_offset_x * limb2_lower_U_still_xy + limb2_lower_acc_y,
+      minus_limb2_upper_moment_z = limb_lower_mx * limb2_lower_acc_y,
+      limb2_upper_acc_still_y = limb2_P_v * (2.0 * limb2_U_v_1) + t34,
+      minus_limb2_upper_rate_mz = limb_lower_mx * limb2_upper_acc_still_y,
+      t35 = limb2_upper_offset_x * (limb_lower_mx * limb2_lower_U_still_xy - limb_lower_m * limb2_upper_acc_still_y);
+    RESULT(checked1, bias, 4, k8 * limb2_lower_U_still_xy + minus_limb2_upper_moment_z - (minus_limb2_upper_rate_mz + t35));
+    const REAL minus_limb2_U_0_cos = SINES(sine, 2),
+      t24 = limb2_upper_offset_x * (2.0 * minus_limb2_lower_alpha_still_y),
+      minus_limb2_upper_acc_still_z = limb2_P_v * (2.0 * limb2_lower_omega_y) - (t24 - gravity_z * minus_limb2_U_0_cos),
+      t21 = limb2_lower_sin * (k10 * (limb2_U_v_1 * limb2_lower_omega_y)),
+      minus_limb2_upper_rate_my = limb_lower_mx * minus_limb2_upper_acc_still_z,
+      t26 = limb2_upper_offset_x * (k7 * minus_limb2_lower_alpha_still_y + limb_lower_m * minus_limb2_upper_acc_still_z),
+      t27 = minus_limb2_upper_rate_my - t26,
+      minus_limb2_lower_moment_y = t27 - (gravity_z_limb_lower_mx * minus_limb2_U_0_cos - k11 * minus_limb2_lower_alpha_still_y);
+    RESULT(checked2, bias, 3, t21 - limb2_lower_cos * minus_limb2_lower_moment_y);
+    /* limb1: geometry; accelerations; balance, eqs. (40)-(47) */
+    const REAL limb1_U_v_0 = READ(v, 0), limb1_lower_cos = SINES(cosine, 1),
+      limb1_lower_omega_y = limb1_U_v_0 * limb1_lower_cos, limb1_U_v_1 = READ(v, 1),
+      minus_limb1_lower_U_still_xx = limb1_lower_omega_y * limb1_lower_omega_y + limb1_U_v_1 * limb1_U_v_1,
+      limb1_upper_offset_x = limb_upper_phase + READ(q, 2),
+      minus_limb1_upper_acc_still_x = limb1_upper_offset_x * minus_limb1_lower_U_still_xx,
+      minus_limb1_lower_rate_fx = limb_lower_mx * minus_limb1_lower_U_still_xx,
+      limb1_U_0_acc_y = gravity_z * SINES(cosine, 0);
+    RESULT(checked3, bias, 2, minus_limb1_lower_rate_fx - limb_lower_m * (minus_limb1_upper_acc_still_x - limb1_lower_cos * limb1_U_0_acc_y));
+    const REAL limb1_lower_sin = SINES(sine, 1), minus_limb1_lower_acc_y = limb1_lower_sin * limb1_U_0_acc_y,
+      limb1_lower_omega_x = limb1_U_v_0 * limb1_lower_sin,
+      limb1_lower_U_still_xy = limb1_lower_omega_x * limb1_lower_omega_y,
+      minus_limb1_lower_alpha_still_y = limb1_U_v_1 * limb1_lower_omega_x, limb1_P_v = READ(v, 2),
+      t15 = limb1_upper_offset_x * limb1_lower_U_still_xy - minus_limb1_lower_acc_y,
+      limb1_upper_moment_z = limb_lower_mx * minus_limb1_lower_acc_y,
+      limb1_upper_acc_still_y = limb1_P_v * (2.0 * limb1_U_v_1) + t15,
+      minus_limb1_upper_rate_mz = limb_lower_mx * limb1_upper_acc_still_y,
+      t16 = limb1_upper_offset_x * (limb_lower_mx * limb1_lower_U_still_xy - limb_lower_m * limb1_upper_acc_still_y);
+    RESULT(checked0, bias, 1, k8 * limb1_lower_U_still_xy - limb1_upper_moment_z - (minus_limb1_upper_rate_mz + t16));
+    const REAL limb1_U_0_sin = SINES(sine, 0),
+      t6 = limb1_upper_offset_x * (2.0 * minus_limb1_lower_alpha_still_y) + gravity_z * limb1_U_0_sin,
+      minus_limb1_upper_acc_still_z = limb1_P_v * (2.0 * limb1_lower_omega_y) - t6,
+      t2 = limb1_lower_sin * (k10 * (limb1_U_v_1 * limb1_lower_omega_y)),
+      minus_limb1_upper_rate_my = limb_lower_mx * minus_limb1_upper_acc_still_z,
+      t7 = limb1_upper_offset_x * (k7 * minus_limb1_lower_alpha_still_y + limb_lower_m * minus_limb1_upper_acc_still_z),
+      t8 = minus_limb1_upper_rate_my - t7,
+      t10 = limb1_lower_cos * (t8 + (gravity_z_limb_lower_mx * limb1_U_0_sin + k11 * minus_limb1_lower_alpha_still_y));
     RESULT(checked1, bias, 0, t2 - t10);
     WRITE(bias, 14, CONSTANT(0.0));
     NOT_BELOW(t84, 0.999999, 5);
