@@ -242,8 +242,10 @@ class _Body:
         slot = self._single(value) if value >= 0 else value
         if not isinstance(slot, int):
             return self.printed.number(slot)
-        self.uses[slot] += 2  # more than once: it has a name, unless it is read where it is
-        return self.names.entered(slot) if slot in self.printed.entries else self.name(slot)
+        if slot in self.printed.entries:
+            return self.names.entered(slot)  # read where it is
+        self.uses[slot] += 2  # more than once: it has a name
+        return self.name(slot)
 
     def _total(self) -> None:
         """The sum of what must be finite is returned, NaN where a pivot is small or a value beyond its limits.

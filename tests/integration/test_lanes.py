@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import platform
 import subprocess
 from dataclasses import replace
 from pathlib import Path
@@ -15,8 +16,9 @@ from support.packed_numbers import evaluated
 
 from symscrew import catalogue
 from symscrew.algebra import Origin
-from symscrew.export.c import IN_LANES, print_source
+from symscrew.export.c import IN_LANES, print_c, print_source
 from symscrew.export.listing import checked_slots, live_instructions
+from symscrew.generation.c_target import STRICT
 from symscrew.model import derive
 from symscrew.program.equal_limbs import Limb, Limbs
 from symscrew.program.lanes.lane_padding import padded
@@ -227,3 +229,16 @@ def test_drives_of_a_delta_are_packed_arm_by_arm() -> None:
     found = in_lanes(program)
     assert found is not None and len(found.items) < 0.6 * len(operations)
     assert {sum(t is not None for t in item.targets) for item in found.items if isinstance(item, Pack)} <= {2, 3}
+
+
+@pytest.mark.skipif(find_compiler() is None or platform.machine() != "x86_64", reason="needs a C compiler for x86-64")
+@pytest.mark.parametrize("name", ["planar_3rrr", slow("delta"), slow("stewart_6ups")])
+def test_lanes_are_clean_with_every_warning(name: str, tmp_path: Path) -> None:
+    """What a packed function reads once, or only where its sum is taken, has no name that nobody reads."""
+    files = print_c(model(name))
+    for file, text in files.items():
+        (tmp_path / file).write_text(text)
+    assert "_packed_lane(" in files[f"{name}.c"]
+    command = [str(find_compiler()), *STRICT, "-Wshadow", "-march=haswell", "-fsyntax-only", f"{name}.c"]
+    done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stderr) == (0, "")

@@ -36,8 +36,8 @@ def test_generic_mechanisms_keep_their_verdict(digits: str) -> None:
 @pytest.mark.parametrize("digits", DIGITS)
 @pytest.mark.parametrize("unit", UNITS)
 def test_every_generic_mechanism_keeps_its_verdict(digits: str, unit: str) -> None:
-    """A third of the thirty in each, all of them in every unit; `python -m tests.benchmarks reposed` runs all."""
-    for seed in range(list(DIGITS).index(digits) % 3, 30, 3):
+    """A quarter of the thirty in each, all of them in every unit; `python -m tests.benchmarks reposed` runs all."""
+    for seed in range(list(DIGITS).index(digits), 30, 4):
         assert generic_posed(seed, digits=digits, unit=unit).verdict == "kept"
 
 
@@ -52,7 +52,10 @@ def test_of_special_mechanisms_in_doubles_what_was_meant_is_found(name: str) -> 
 @pytest.mark.slow
 @pytest.mark.parametrize("digits", ["double", "6"])
 def test_every_special_mechanism_keeps_its_verdict_or_says_what_was_meant(digits: str) -> None:
+    """Every other one in each, and those whose digits do not tell; `python -m tests.benchmarks reposed` runs all."""
     for k, name in enumerate(ENTRIES):
+        if k % 2 == (digits == "6") and name not in NOT_FOUND.get(digits, ()):
+            continue
         verdict = reference(name, seed=k, digits=digits, unit="mm").verdict
         assert verdict in (("warned",) if name in NOT_FOUND.get(digits, ()) else ("kept", "explained")), name
 

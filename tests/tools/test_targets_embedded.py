@@ -39,11 +39,15 @@ CASES = [
 ]
 
 
+# Of the arm those without a like in the others, whose functions are all measured.
+SOME = {"ur5": ["inverse_dynamics", "mass_matrix", "forward_dynamics", "forward_kinematics", "joint_reactions"]}
+
+
 @pytest.fixture(scope="module")
 def measured() -> dict[tuple[str, str, str], dict]:
     """What every function of the cases takes: compilers and emulators of two cases at a time."""
     with ThreadPoolExecutor(2) as pool:
-        found = [pool.submit(measure, model(name), core, precision) for name, core, precision in CASES]
+        found = [pool.submit(measure, model(name), core, precision, SOME.get(name)) for name, core, precision in CASES]
         return {case: one.result() for case, one in zip(CASES, found, strict=True)}
 
 
@@ -51,7 +55,7 @@ def measured() -> dict[tuple[str, str, str], dict]:
 @pytest.mark.parametrize("name, core, precision", CASES)
 def test_every_function_gives_the_same_numbers_there(name: str, core: str, precision: str, measured) -> None:
     limit, found = 1e-4 if precision == "single" else 1e-12, measured[name, core, precision]
-    assert set(found["functions"]) == set(model(name).programs)
+    assert set(found["functions"]) == set(SOME.get(name, model(name).programs))
     for function, entry in found["functions"].items():
         assert entry["error"] < limit, function
         assert 0 < entry["flash"] < 50_000 and entry["instructions"] > 0 and 0 < entry["stack"] < 20_000, function
