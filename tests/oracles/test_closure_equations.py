@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from functools import cache
 
 import numpy as np
 import pytest
@@ -13,6 +14,7 @@ from support.reference_mechanisms import ENTRIES, build
 from symscrew.description.mechanism import Mechanism
 from symscrew.mobility.components import ConfigurationSpace, Part, space_lines, space_values
 from symscrew.mobility.components.algebraic_closure import (
+    ClosureEquations,
     NotAlgebraicError,
     _settled,
     closure_equations,
@@ -24,7 +26,7 @@ from symscrew.mobility.components.real_configurations import (
     resting_angles,
     variables_at,
 )
-from symscrew.mobility.joint_network import network_of
+from symscrew.mobility.joint_network import Network, network_of
 
 OTHERS = {"snu": snu, "four_ruu": four_ruu}
 EXACT = 1e-11  # of the largest term
@@ -32,6 +34,13 @@ EXACT = 1e-11  # of the largest term
 
 def mechanism(name: str) -> Mechanism:
     return OTHERS[name]() if name in OTHERS else build(ENTRIES[name])
+
+
+@cache
+def closure_of(name: str) -> tuple[Network, ClosureEquations]:
+    made = mechanism(name)
+    network = network_of(made)
+    return network, closure_equations(made, network)
 
 
 def residual(polynomial: Polynomial, values: np.ndarray) -> np.ndarray:
@@ -47,8 +56,7 @@ def residual(polynomial: Polynomial, values: np.ndarray) -> np.ndarray:
     ],
 )  # fmt: skip
 def test_equations_vanish_at_configurations_and_not_beside_them(name: str, variables: int) -> None:
-    network = network_of(mechanism(name))
-    closure = closure_equations(mechanism(name), network)
+    network, closure = closure_of(name)
     assert len(closure.variables) == variables and not any(p.at(closure.reference) for p in closure.equations)
     found = real_configurations(network)
     values = variables_at(closure, network, found)
@@ -71,8 +79,7 @@ def test_what_has_no_such_equations_is_said(name: str, reason: str) -> None:
 @pytest.mark.parametrize("name", ["sarrus", "bricard_box", slow("double_hooke"), slow("schatz_turbula")])
 def test_variables_have_no_value_at_the_angles_named_and_nowhere_else(name: str) -> None:
     """The tangent of half an angle changes its sign there through infinity: beside it it is as large as it is near."""
-    network = network_of(mechanism(name))
-    closure = closure_equations(mechanism(name), network)
+    network, closure = closure_of(name)
     angles = resting_angles(closure, network)
     assert len(angles) == len([n for n in closure.variables if n.startswith("t")]) > 0
     for place, (joint, angle) in enumerate(angles):
@@ -91,8 +98,7 @@ def test_variables_have_no_value_at_the_angles_named_and_nowhere_else(name: str)
 )  # fmt: skip
 def test_what_the_components_leave_open_is_said(name: str, settles: bool, tangents: int) -> None:
     """Limbs of three and more freedoms after the pose, and joints with a chart, are the limits of what is proved."""
-    network = network_of(mechanism(name))
-    closure = closure_equations(mechanism(name), network)
+    network, closure = closure_of(name)
     angles = resting_angles(closure, network)
     assert (closure.settles, len(angles)) == (settles, tangents)
     part = Part(1, 1, ("x0",), True, True)
