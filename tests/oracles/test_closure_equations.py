@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from functools import cache
 
 import numpy as np
 import pytest
@@ -11,11 +12,21 @@ from support.parallel_mechanisms import four_ruu, snu
 from support.reference_mechanisms import ENTRIES, build
 
 from symscrew.description.mechanism import Mechanism
-from symscrew.mobility.components.algebraic_closure import NotAlgebraicError, closure_equations
+from symscrew.mobility.components import ConfigurationSpace, Part, space_lines, space_values
+from symscrew.mobility.components.algebraic_closure import (
+    ClosureEquations,
+    NotAlgebraicError,
+    _settled,
+    closure_equations,
+)
 from symscrew.mobility.components.limb_equations import null_space
 from symscrew.mobility.components.polynomials import Polynomial
-from symscrew.mobility.components.real_configurations import real_configurations, variables_at
-from symscrew.mobility.joint_network import network_of
+from symscrew.mobility.components.real_configurations import (
+    real_configurations,
+    resting_angles,
+    variables_at,
+)
+from symscrew.mobility.joint_network import Network, network_of
 
 OTHERS = {"snu": snu, "four_ruu": four_ruu}
 EXACT = 1e-11  # of the largest term
@@ -23,6 +34,13 @@ EXACT = 1e-11  # of the largest term
 
 def mechanism(name: str) -> Mechanism:
     return OTHERS[name]() if name in OTHERS else build(ENTRIES[name])
+
+
+@cache
+def closure_of(name: str) -> tuple[Network, ClosureEquations]:
+    made = mechanism(name)
+    network = network_of(made)
+    return network, closure_equations(made, network)
 
 
 def residual(polynomial: Polynomial, values: np.ndarray) -> np.ndarray:
@@ -38,8 +56,7 @@ def residual(polynomial: Polynomial, values: np.ndarray) -> np.ndarray:
     ],
 )  # fmt: skip
 def test_equations_vanish_at_configurations_and_not_beside_them(name: str, variables: int) -> None:
-    network = network_of(mechanism(name))
-    closure = closure_equations(mechanism(name), network)
+    network, closure = closure_of(name)
     assert len(closure.variables) == variables and not any(p.at(closure.reference) for p in closure.equations)
     found = real_configurations(network)
     values = variables_at(closure, network, found)
@@ -57,6 +74,46 @@ def test_equations_vanish_at_configurations_and_not_beside_them(name: str, varia
 def test_what_has_no_such_equations_is_said(name: str, reason: str) -> None:
     with pytest.raises(NotAlgebraicError, match=reason):
         closure_equations(mechanism(name), network_of(mechanism(name)))
+
+
+@pytest.mark.parametrize("name", ["sarrus", "bricard_box", slow("double_hooke"), slow("schatz_turbula")])
+def test_variables_have_no_value_at_the_angles_named_and_nowhere_else(name: str) -> None:
+    """The tangent of half an angle changes its sign there through infinity: beside it it is as large as it is near."""
+    network, closure = closure_of(name)
+    angles = resting_angles(closure, network)
+    assert len(angles) == len([n for n in closure.variables if n.startswith("t")]) > 0
+    for place, (joint, angle) in enumerate(angles):
+        near = np.zeros((2, len(network.screws)))
+        near[:, network.edges[joint].start] = angle + 1e-6, angle - 1e-6
+        values = variables_at(closure, network, near)
+        assert values is not None and np.abs(values[:, place]).min() > 1e5 and np.prod(np.sign(values[:, place])) < 0
+
+
+@pytest.mark.parametrize(
+    "name, settles, tangents",
+    [
+        ("slider_crank", True, 0), ("bennett", True, 0), ("sarrus", True, 2), ("tripteron_cpm", False, 0),
+        slow("3rps", False, 0), slow("four_ruu", False, 4),
+    ],
+)  # fmt: skip
+def test_what_the_components_leave_open_is_said(name: str, settles: bool, tangents: int) -> None:
+    """Limbs of three and more freedoms after the pose, and joints with a chart, are the limits of what is proved."""
+    network, closure = closure_of(name)
+    angles = resting_angles(closure, network)
+    assert (closure.settles, len(angles)) == (settles, tangents)
+    part = Part(1, 1, ("x0",), True, True)
+    found = ConfigurationSpace("pose", closure.variables, "Q", (part,), "", 5, (5,), angles, closure.settles)
+    head, *lines = space_lines(found)
+    values = space_values(found)
+    assert ("all of them" in head) == (not tangents) and all(f"{j} at {a:.6g} rad" in head for j, a in angles)
+    assert any("beyond a limb's reach" in line for line in lines) != settles == values["all_joints_settled"]
+    assert [(v["joint"], v["angle"]) for v in values["all_but_with_a_joint_held_at"]] == list(angles)
+
+
+def test_two_hinges_on_one_line_are_not_settled_by_the_pose() -> None:
+    z, beside = [Fraction(c) for c in (0, 0, 1, 0, 0, 0)], [Fraction(c) for c in (0, 0, 1, 0, -1, 0)]
+    assert _settled([z, beside]) and _settled([z]) and not _settled([z, [2 * c for c in z]])
+    assert not _settled([z, beside, beside])
 
 
 @pytest.mark.parametrize("seed", range(3))

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 import pytest
 from support.marks import slow
 from support.parallel_mechanisms import four_ruu, snu
@@ -16,6 +18,7 @@ def mechanism(name: str) -> Mechanism:
     return {"snu": snu, "four_ruu": four_ruu}[name]() if name in ("snu", "four_ruu") else build(ENTRIES[name])
 
 
+@cache
 def modes(name: str) -> SampledModes:
     made = mechanism(name)
     assert made.platform is not None

@@ -2,21 +2,23 @@
 
 from __future__ import annotations
 
+from functools import cache
 from typing import Any
 
 import pytest
 import sympy
 from support.marks import slow
 from support.reference_mechanisms import ENTRIES, build
-from support.reposed import DIGITS, UNITS, generic_posed, reference
+from support.reposed import DIGITS, UNITS, Posed, generic_posed, reference
 
 from symscrew.errors import DescriptionError
 from symscrew.mobility import analyse_mobility, sections, verify
 from symscrew.mobility.analysis import as_meant
 
 BESIDE = (
-    "parallelogram", "slider_crank-dead_centre", "threebar_parallel_equal",
+    "parallelogram",
     *(pytest.param(name, marks=pytest.mark.slow) for name in (
+        "slider_crank-dead_centre", "threebar_parallel_equal",
         "planar_3rrr-type1", "bricard_box", "sarrus-stretched", "3upu_tsai-constraint_sing_cylinder",
     )),
 )  # fmt: skip
@@ -25,11 +27,16 @@ NOT_FOUND = {"6": {"double_watt_cusp", "delta_4s-parallel_forearms"}}
 """What rounding to six digits hides: singular points of second order, where only the almost lost rank is said."""
 
 
-@pytest.mark.parametrize("digits", DIGITS)
+@cache
+def third(name: str, digits: str) -> Posed:
+    return reference(name, seed=3, digits=digits, unit="m")
+
+
+@pytest.mark.parametrize("digits", [slow("double"), "6"])
 def test_generic_mechanisms_keep_their_verdict(digits: str) -> None:
-    for seed in range(2):
-        posed = generic_posed(seed, digits=digits, unit="m")
-        assert (posed.verdict, posed.failed) == ("kept", ())
+    """The fewest digits; the slow test below has all, and thirty mechanisms."""
+    posed = generic_posed(0, digits=digits, unit="m")
+    assert (posed.verdict, posed.failed) == ("kept", ())
 
 
 @pytest.mark.slow
@@ -60,10 +67,13 @@ def test_every_special_mechanism_keeps_its_verdict_or_says_what_was_meant(digits
         assert verdict in (("warned",) if name in NOT_FOUND.get(digits, ()) else ("kept", "explained")), name
 
 
-@pytest.mark.parametrize("digits", DIGITS)
-@pytest.mark.parametrize("name", ["bennett", "slider_crank"])
+@pytest.mark.parametrize(
+    "name, digits",
+    [("bennett", "double"), ("bennett", "6"), slow("bennett", "12"), slow("bennett", "9"),
+     *(slow("slider_crank", d) for d in DIGITS)],
+)  # fmt: skip
 def test_special_geometry_is_found_beside_what_was_typed(name: str, digits: str) -> None:
-    posed = reference(name, seed=3, digits=digits, unit="m")
+    posed = third(name, digits)
     assert posed.verdict == "explained" and posed.found is not None
     near = posed.found.near
     assert near is not None and posed.found.dof == 0 and near.meant.finite.dof == 1
@@ -74,7 +84,7 @@ def test_special_geometry_is_found_beside_what_was_typed(name: str, digits: str)
 
 def test_numbers_to_type_instead_are_the_special_geometry() -> None:
     """Typed as the report says them they move, by the ranks alone, and nothing special is near any more."""
-    typed = reference("bennett", seed=3, digits="double", unit="m").found
+    typed = third("bennett", "double").found
     assert typed is not None and typed.near is not None and typed.dof == 0
     places = typed.near.places()
 
@@ -92,7 +102,7 @@ def test_numbers_to_type_instead_are_the_special_geometry() -> None:
 
 @pytest.mark.parametrize("digits", ["double", slow("6")])
 def test_within_a_tolerance_special_geometry_is_taken_as_meant(digits: str) -> None:
-    typed = reference("bennett", seed=3, digits=digits, unit="m").found
+    typed = third("bennett", digits).found
     assert typed is not None and typed.near is not None
     taken = as_meant(typed, 2 * typed.near.distance)
     assert (taken.dof, taken.finite.dof) == (1, 1) and taken.near is None and taken.taken is not None

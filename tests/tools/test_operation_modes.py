@@ -15,12 +15,12 @@ from symscrew.cli.parser import main
 from symscrew.description.mechanism import Mechanism
 from symscrew.mobility import analyse_mobility
 from symscrew.mobility.components import ConfigurationSpace, configuration_space
-from symscrew.mobility.components.exact_parts import PROGRAM
+from symscrew.mobility.components.exact_parts import PROGRAM, _answer
 from symscrew.mobility.joint_network import network_of
 
 pytestmark = pytest.mark.skipif(shutil.which(PROGRAM) is None, reason="Singular is not installed (singular-ui)")
 
-GIVEN_UP = 6.0  # seconds after which a division is given up that would not end in hours: its first half takes one
+GIVEN_UP = 4.0  # of the processor, for a division that would not end in hours: its first half takes one
 OTHERS: dict[str, Callable[[], Mechanism]] = {"snu": snu, "double parallelogram": double_parallelogram}
 
 
@@ -90,9 +90,18 @@ def test_bricard() -> None:
     assert [p.dimension for p in found.parts if p.through] == [1] and found.on[0] == found.found > 10
 
 
+def test_time_is_the_processors_and_what_is_endless_is_given_up() -> None:
+    """A program that only waits spends none of it: the clock, which may be slow, ends it much later."""
+    output, ended = _answer(PROGRAM, 'print("@pieces"); int i; while (1) { i = 1 - i; }', 1.0)
+    assert "@pieces" in output and not ended
+    output, ended = _answer(PROGRAM, 'int i = system("sh", "sleep 1.5"); print("@end"); quit;', 1.0)
+    assert ended, output
+
+
 def test_in_words_and_json(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["mobility", "bennett", "--components", "--json"]) == 0
     values = json.loads(capsys.readouterr().out)["components"]
     assert values["proved"] and [(c["dimension"], c["degree"]) for c in values["components"]] == [(1, 2)]
+    assert values["all_joints_settled"] and values["all_but_with_a_joint_held_at"] == []
     assert main(["mobility", "bennett", "--components"]) == 0
     assert "1 component of the pose of" in capsys.readouterr().out

@@ -39,8 +39,10 @@ from symscrew.mobility.symbols import Exact, ExactSystem, Field, NotDecidableErr
 MOST_VARIABLES = 40
 """Beyond it no decomposition ends in reasonable time: twenty planar bodies."""
 CHARTS = tuple(Fraction(a, b) for a, b in ((3, 7), (-5, 11), (2, 9), (-4, 13), (6, 17), (-1, 5)))
-"""Tangents, negative, at which joint variables are in the reference: a component on which a joint rests exactly half a
-turn from one of these would be missed, and nothing in a description prefers these."""
+"""Tangents, negative, at which joint variables are in the reference. A component on which a joint rests exactly half a
+turn from where its variable is zero is missed (`ConfigurationSpace.resting` names it); no description prefers these."""
+SETTLED = 2
+"""Freedoms at the end of a limb, with independent screws, whose displacements the pose and the other variables fix."""
 Vector = tuple[Exact, Exact, Exact]
 
 
@@ -70,7 +72,9 @@ class ClosureEquations:
     `reference`: the variables' values there; `scaled`: those of which only ratios matter (Study's parameters, none
     for planar ones); `excluded`: polynomials that vanish at no configuration; `subject`: what the variables fix;
     `body`: whose pose against `base` it is; empty of planar mechanisms, for which `axis` and `turning` name the axis
-    and the bodies of the cosines and sines; `lengths`: the variables of single freedoms, slides or joints of limbs.
+    and the bodies of the cosines and sines; `lengths`: the variables of single freedoms, slides or joints of limbs;
+    `settles`: whether the variables fix the displacements of all joints of the loops, so that no two configurations are
+    one zero, and no zero is beyond the reach of a limb.
     """
 
     variables: tuple[str, ...]
@@ -85,6 +89,7 @@ class ClosureEquations:
     axis: Vector | None = None
     turning: tuple[str, ...] = ()
     lengths: tuple[Length, ...] = ()
+    settles: bool = True
 
 
 def closure_equations(mechanism: Mechanism, network: Network) -> ClosureEquations:
@@ -204,6 +209,7 @@ class _Limb:
 
     heads: tuple[Step, ...]
     forms: tuple[Form, ...]
+    settled: bool
 
 
 def _between_two_bodies(network: Network, system: ExactSystem, looped: set[str]) -> ClosureEquations:
@@ -241,7 +247,7 @@ def _between_two_bodies(network: Network, system: ExactSystem, looped: set[str])
     what = f"pose of {body} against {base}" + (f" and {first} joint displacements" if first else "")
     return ClosureEquations(
         tuple(names), tuple(p for p in made if p), tuple(reference), tuple(range(first, count)), tuple(excluded),
-        system.field, what, base, body, lengths=tuple(lengths),
+        system.field, what, base, body, lengths=tuple(lengths), settles=all(limb.settled for limb in limbs),
     )  # fmt: skip
 
 
@@ -260,8 +266,17 @@ def _limb(steps: Sequence[Step], *, single: bool) -> _Limb:
         if len(tail) <= LARGEST_CHAIN:
             forms = implicit_forms(tail)
             if cut_out(tail, forms):
-                return _Limb(tuple(steps[:heads]), tuple(forms))
+                return _Limb(tuple(steps[:heads]), tuple(forms), _settled(tail))
     raise NotAlgebraicError("a limb that its equations do not cut out")
+
+
+def _settled(tail: Sequence[Screw]) -> bool:
+    """Whether a pose of the tail fixes its displacements: of two freedoms unless they are about or along one line."""
+    if len(tail) < SETTLED:
+        return True
+    one, two = tail[0], tail[-1]
+    pairs = ((i, j) for i in range(len(one)) for j in range(i))
+    return len(tail) == SETTLED and any(one[i] * two[j] - one[j] * two[i] for i, j in pairs)
 
 
 def limbs_between(network: Network, looped: set[str]) -> tuple[str, str, list[list[tuple[str, int]]]]:

@@ -3,7 +3,11 @@
     Mechanism --closure_equations--> polynomials --exact_parts--> components, proved to be all of them
               --real_configurations--> each lies on one of these, or the list is withdrawn
 
-Components are over the complex numbers: one may have few real points, or none.
+Components are over the complex numbers: one may have few real points, or none. What is proved: every configuration lies
+on one of these, but for components on all of which a joint rests at the one angle where its variable has no value.
+Where the variables do not settle all joints, components are of the body's poses: those of configurations that differ
+with the body at the same poses are one, motions of limbs with the body at rest are none of their own, and a part of the
+zeros may be beyond the reach of a limb.
 """
 
 from __future__ import annotations
@@ -16,7 +20,11 @@ import numpy as np
 from symscrew.description import Mechanism
 from symscrew.mobility.components.algebraic_closure import NotAlgebraicError, closure_equations
 from symscrew.mobility.components.exact_parts import SECONDS, Part, exact_parts
-from symscrew.mobility.components.real_configurations import real_configurations, variables_at
+from symscrew.mobility.components.real_configurations import (
+    real_configurations,
+    resting_angles,
+    variables_at,
+)
 from symscrew.mobility.joint_network import Network
 
 Array = np.ndarray[Any, Any]
@@ -30,8 +38,10 @@ are closed to 1e-12, and where branches touch Newton's method gives half these d
 class ConfigurationSpace:
     """The components with the variables in which their degree is counted.
 
-    `subject`: what the variables fix; `reason`: what was not done, empty where all parts are irreducible; `found`: real
-    configurations from random starts; `on`: how many of them lie on each part.
+    `subject`: what the variables fix, `settles`: whether all joints of the loops; `resting`: (joint, angle [rad]) such
+    that a component on all of which the joint stands at the angle would be missed; `reason`: what was not done, empty
+    where all parts are irreducible; `found`: real configurations from random starts; `on`: how many of them lie on each
+    part.
     """
 
     subject: str
@@ -41,10 +51,12 @@ class ConfigurationSpace:
     reason: str
     found: int
     on: tuple[int, ...]
+    resting: tuple[tuple[str, float], ...] = ()
+    settles: bool = True
 
     @property
     def proved(self) -> bool:
-        """Whether every part is irreducible, by exact algebra."""
+        """Whether every part is irreducible, by exact algebra; of all but what `resting` and `settles` leave out."""
         return all(part.irreducible for part in self.parts)
 
 
@@ -65,8 +77,9 @@ def configuration_space(mechanism: Mechanism, network: Network, seconds: float =
         return "not decided: a configuration was found that is on none of the components of the equations"
     on = tuple(int(row.sum()) for row in members)
     return ConfigurationSpace(
-        closure.subject, closure.variables, str(closure.field), exact.parts, exact.reason, len(values), on
-    )
+        closure.subject, closure.variables, str(closure.field), exact.parts, exact.reason, len(values), on,
+        resting_angles(closure, network), closure.settles,
+    )  # fmt: skip
 
 
 def _on(part: Part, values: Array) -> Array:

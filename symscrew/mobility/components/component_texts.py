@@ -12,21 +12,37 @@ MOST_SHOWN = 6
 """Equations of a component in words; all are in the JSON."""
 LONGEST_SHOWN = 60
 """Letters of an equation that is shown; a longer one says nothing to a reader."""
+UNSETTLED = (
+    "Not all joints are among the variables: components are of the body's poses, those that differ only in the limbs "
+    "are one, motions of limbs with the body at rest are not listed, and what is listed may be beyond a limb's reach"
+)
+"""What components leave open whose variables do not fix the displacements of all joints."""
 
 
 def space_lines(found: ConfigurationSpace) -> list[str]:
     """A line for each component, and what is proved."""
     count = len(found.parts)
     judged = "proved: minimal primes" if found.proved else f"a union of these, proved; {found.reason}"
+    kinds = f"{count} component{'s' * (count != 1)}"
     lines = [
-        f"{count} component{'s' * (count != 1)} of the {found.subject}, all of them ({judged} over {found.field}); "
+        f"{kinds} of the {found.subject}, {_extent(found)} ({judged} over {found.field}); "
         f"degrees in {_variables(found.variables)}; over the complex numbers"
     ]
     lines += [_line(part, f"{on} of {found.found}") for part, on in zip(found.parts, found.on, strict=True)]
+    if not found.settles:
+        lines.append(UNSETTLED)
     return [
         *lines,
         f"Looked at by another route: all of {found.found} real configurations from random starts lie on these",
     ]
+
+
+def _extent(found: ConfigurationSpace) -> str:
+    """Which components the list has."""
+    if not found.resting:
+        return "all of them"
+    angles = " or ".join(f"{joint} at {angle:.6g} rad" for joint, angle in found.resting)
+    return f"all but such as would hold {angles} from the reference"
 
 
 def _variables(names: tuple[str, ...]) -> str:
@@ -55,7 +71,10 @@ def space_values(found: ConfigurationSpace) -> dict[str, Any]:
     ]  # fmt: skip
     return {
         "decided": True, "subject": found.subject, "variables": list(found.variables), "field": found.field,
-        "proved": found.proved, "not_done": found.reason, "real_configurations": found.found, "components": parts,
+        "proved": found.proved, "not_done": found.reason,
+        "all_but_with_a_joint_held_at": [{"joint": j, "angle": a} for j, a in found.resting],
+        "all_joints_settled": found.settles, "not_settled": "" if found.settles else UNSETTLED,
+        "real_configurations": found.found, "components": parts,
     }  # fmt: skip
 
 

@@ -9,6 +9,7 @@ has its dimension and degree from a Groebner basis; what is not divided to the e
 
 from __future__ import annotations
 
+import math
 import re
 import shutil
 import subprocess
@@ -23,7 +24,9 @@ from symscrew.mobility.symbols import exact_value, generator_itself
 PROGRAM = "Singular"
 """The program's name on the path; Debian's package is singular-ui."""
 SECONDS = 20.0
-"""For one decomposition. Those of the literature here end in a tenth of it, or not in hours."""
+"""Of the processor, for one decomposition. Those of the literature here end in a tenth of it, or not in hours."""
+BACKSTOP = 15
+"""Times as long by the clock ends what waits: a busy machine gives a process a tenth of a processor."""
 PART = re.compile(r"@part (\d+) (\d+) (-?\d+) (\d+) (\d) (\d)")
 AWAY = 2
 """In a part's mark: it lies where no configuration is."""
@@ -62,15 +65,23 @@ def exact_parts(closure: ClosureEquations, seconds: float = SECONDS) -> ExactPar
     program = shutil.which(PROGRAM)
     if program is None:
         return ExactParts((), False, f"exact algebra needs the program {PROGRAM}, which is not on the path")
-    try:
-        done = subprocess.run(
-            [program, "--quiet", "--no-rc"], input=_script(closure), capture_output=True, text=True, timeout=seconds
-        )
-        output, ended = done.stdout, done.returncode == 0 and "@end" in done.stdout
-    except subprocess.TimeoutExpired as error:
-        given = error.stdout or b""
-        output, ended = given.decode(errors="replace") if isinstance(given, bytes) else given, False
+    output, ended = _answer(program, _script(closure), seconds)
     return _read(closure, output, ended=ended, seconds=seconds)
+
+
+def _answer(program: str, script: str, seconds: float) -> tuple[str, bool]:
+    """What the program prints within so many seconds of the processor, and whether it came to the end."""
+    command, clock = [program, "--quiet", "--no-rc"], seconds
+    shell = shutil.which("sh")
+    if shell is not None:  # what sets limits wherever there is one; it counts whole seconds
+        command = [shell, "-c", 'ulimit -t "$0" && exec "$@"', str(math.ceil(seconds)), *command]
+        clock = BACKSTOP * seconds
+    try:
+        done = subprocess.run(command, input=script, capture_output=True, text=True, timeout=clock)
+        return done.stdout, done.returncode == 0 and "@end" in done.stdout
+    except subprocess.TimeoutExpired as error:
+        output = error.stdout or b""
+        return output.decode(errors="replace") if isinstance(output, bytes) else output, False
 
 
 def _script(closure: ClosureEquations) -> str:
@@ -163,8 +174,8 @@ def _read(closure: ClosureEquations, output: str, *, ended: bool, seconds: float
                 pieces[number] = part
         left = [pieces[k] for k in pieces if k not in divided]
     if not split:
-        return ExactParts((), False, f"exact algebra did not end within {seconds:g} s")
-    reason = "" if ended else f"not divided to the end within {seconds:g} s"
+        return ExactParts((), False, f"exact algebra did not end within {seconds:g} s of the processor")
+    reason = "" if ended else f"not divided to the end within {seconds:g} s of the processor"
     parts = sorted([*primes.values(), *left], key=lambda part: (-part.dimension, part.degree, part.equations))
     return ExactParts(tuple(parts), True, reason)
 
