@@ -72,14 +72,14 @@ def rates(problem: TrajectoryProblem) -> dict[str, Any]:
     built, made = timed(lambda: OptimisationProblem(problem, prepared=prepared))
     compiled = made.compiled(wait=COMPILER)
     cold, first = timed(made.solve)
-    assert first.ok, first.status
+    assert first.solved, first.status
     found: dict[str, Any] = {"built": built, "compiled": compiled, "cold": min(cold, timed(made.solve)[0])}
     for share in SHARES:
         spent, plan, costs = [], first, []
         for k in range(SOLVES):
             start = moved(problem, share * (k + 1))
             seconds, plan = timed(lambda start=start, warm=plan: made.solve(start=start, warm=warm))
-            assert plan.ok, plan.status
+            assert plan.solved, plan.status
             spent.append(seconds)
             costs.append(plan.cost)
         found[f"warm {share:g}"] = {
