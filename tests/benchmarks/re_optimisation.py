@@ -4,7 +4,8 @@
 0.1 to 1 % of the motion off the last start, with the last motion as its own start. The rival for the Panda is what a
 good engineer writes: recursive Newton-Euler in SX for one point, `map` over all points in MX, states and accelerations
 as unknowns, the bounds of the start as parameters, IPOPT from the last motion and multipliers; the whole program,
-derivatives included, printed by CasADi and compiled. The same interpreted stands beside it.
+derivatives included, printed by CasADi and compiled. The same interpreted stands beside it. From its own guess it
+ends in another local optimum of the same program, so that the rates are of different motions.
 """
 
 from __future__ import annotations
