@@ -65,7 +65,7 @@ def _with_derivatives(function: Any) -> Any:
     nx, nu = function.size1_in(0), function.size1_in(1)
     v, lam = ca.MX.sym("v", nx + nu), ca.MX.sym("lam", nx)
     value = function(v[:nx], v[nx:])
-    hessian, _ = ca.hessian(ca.dot(lam, value), v)
+    hessian = ca.jacobian(ca.gradient(ca.dot(lam, value), v), v)  # both triangles: ca.hessian reads one of them
     every = [value, ca.densify(ca.jacobian(value, v)), ca.densify(hessian)]
     x, u = ca.MX.sym("x", nx), ca.MX.sym("u", nu)
     at = ca.Function("at", [v, lam], every)

@@ -20,6 +20,7 @@ import numpy as np
 from symscrew.errors import DescriptionError
 from symscrew.optimisation.compiled_points import CompiledPoints
 from symscrew.optimisation.explanation import STATUS, broken_rows, pressing_bounds
+from symscrew.optimisation.plan_verdict import judged
 from symscrew.optimisation.point_model import PointModel
 from symscrew.optimisation.problem import Bounds, Conditions, Range, TrajectoryProblem
 from symscrew.optimisation.problem_numbers import ProblemNumbers
@@ -69,6 +70,7 @@ BARRIER = 1.0
 MOST_BARRIERS = 25
 
 STAGED = "stages"  # the first way to be tried
+NOT_JUDGED = "not judged: the solver's constraints hold on its mesh, and nothing else was looked at"
 
 Given = Conditions | Mapping[str, float]
 
@@ -189,10 +191,13 @@ class OptimisationProblem:
         inputs: Mapping[str, tuple[float, ...]] | None = None,
         warm: Trajectory | None = None,
         shift: float = 0.0,
+        judge: bool = False,
     ) -> Trajectory:
-        """The optimal trajectory with other numbers; look at `ok` and `status`. It is not replayed.
+        """The solver's trajectory with other numbers; look at `solved`, and at `ok` and `status` where it was judged.
 
-        What is not given stays as in the problem.
+        What is not given stays as in the problem. A motion as the solver leaves it may leave its assembly mode, break
+        bounds between the points or differ from what its drives do: `ok` is None until it was judged, False where the
+        solver failed.
 
         Args:
             start: conditions, or values of coordinates by label that replace those of the problem [rad, m].
@@ -204,6 +209,9 @@ class OptimisationProblem:
             inputs: constant values of effects' inputs, by port.
             warm: the motion to start from, such as the last one.
             shift: time by which `warm` is over already [s]; its end is held.
+            judge: follow the branch and, where the problem has an `accuracy`, enclose what is between the points and
+                replay, as `symscrew.optimisation.solve` does; it takes longer than a warm solve. The mesh is not
+                refined: one that is too coarse for the accuracy is "not confirmed".
 
         Raises:
             DescriptionError: what is given changes the shape of the problem, or contradicts itself.
@@ -226,7 +234,8 @@ class OptimisationProblem:
                 break
             if name == STAGED:
                 self._stages = None
-        return self._trajectory(given, answer, stats, (began, ready, clock()))
+        found = self._trajectory(given, answer, stats, (began, ready, clock()))
+        return judged(found) if judge else found
 
     def _changed(
         self,
@@ -319,18 +328,20 @@ class OptimisationProblem:
     ) -> Trajectory:
         x, g, pressure = (np.array(answer[name]).ravel() for name in ("x", "g", "lam_x"))
         program = replace(self._program, lower=given.lower, upper=given.upper)
-        ok = bool(stats["success"])
-        reasons = () if ok else (*broken_rows(program, given.known, x, g), *pressing_bounds(given.known, x, pressure))
+        solved = bool(stats["success"])
+        reasons: tuple[str, ...] = ()
+        if not solved:
+            reasons = (*broken_rows(program, given.known, x, g), *pressing_bounds(given.known, x, pressure))
         word = str(stats.get("return_status", ""))
-        status = STATUS["Solve_Succeeded"] if ok else STATUS.get(word, f"the solver ended with {word}")
-        if self._trouble and not ok:
+        status = NOT_JUDGED if solved else STATUS.get(word, f"the solver ended with {word}")
+        if self._trouble and not solved:
             status, reasons = f"not solved: {self._trouble}", (self._trouble, *reasons)
         made = replace(self._made, unknowns=given.known, model=self._made.model.of(given.problem), numbers=given.values)
         began, ready, done = times
         return Trajectory(
             given.problem, made, given.known.unpack(x), x, np.array(answer["lam_g"]).ravel(), pressure,
-            float(answer["f"]) * self._scale, self._scale, ok, status,
-            statistics_of(stats, np.zeros(2), ready - began, done - ready), reasons,
+            float(answer["f"]) * self._scale, self._scale, None if solved else False, status,
+            statistics_of(stats, np.zeros(2), ready - began, done - ready), reasons, solved=solved,
         )  # fmt: skip
 
 

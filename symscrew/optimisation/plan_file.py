@@ -22,7 +22,7 @@ def write_plan(trajectory: Trajectory, path: Path, *, rate: float | None = None)
     """Write a trajectory to .npz or .csv; the file appears whole or not at all.
 
     Args:
-        trajectory: may be one that is not `ok`.
+        trajectory: may be one that is not `ok`, or not judged: `ok` is false in the archive then.
         path: ends in .csv for a table of t, u and all joints' displacements and rates; else an archive of everything.
         rate: samples per second; default 501 samples.
     """
@@ -57,7 +57,8 @@ def _archive(trajectory: Trajectory, path: Path, rate: float | None) -> None:
         "joint_labels": np.array(model.joint_labels),
         "joint_names": np.array(list(model.system.mechanism.joints)),
         "cost": np.array(trajectory.cost),
-        "ok": np.array(trajectory.ok),
+        "ok": np.array(bool(trajectory.ok)),  # a plan that was not judged is not good yet
+        "solved": np.array(trajectory.solved),
         "status": np.array(trajectory.status),
         "mechanism": np.array(to_toml(trajectory.problem.mechanism)),
         "problem": np.array(trajectory.problem.text),

@@ -1,12 +1,13 @@
 """The verdict on a plan: what the solver found is good only if it was followed, accurate enough, and replayed.
 
-Trajectory --branch, errors between the points, bounds between the points, replay--> the same with `ok` and `status`
+Trajectory, solved --branch, errors between the points, bounds between the points, replay--> `ok` and `status`
 """
 
 from __future__ import annotations
 
 from dataclasses import replace
 
+from symscrew.optimisation.explanation import STATUS
 from symscrew.optimisation.followed_motion import replay
 from symscrew.optimisation.mesh_errors import MOST_GROWTH
 from symscrew.optimisation.result import Replay, Trajectory
@@ -17,7 +18,9 @@ REPLAYED = 2.0
 
 
 def judged(trajectory: Trajectory) -> Trajectory:
-    """The trajectory with the verdict of looks by other routes; one that is not `ok` already stays so."""
+    """The trajectory with the verdict of looks by other routes; one that failed or was refused already stays so."""
+    if trajectory.ok is None and trajectory.solved:
+        trajectory = replace(trajectory, ok=True, status=STATUS["Solve_Succeeded"])
     if not trajectory.ok:
         return trajectory
     if trouble := trajectory.followed.trouble:

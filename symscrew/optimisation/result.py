@@ -50,8 +50,10 @@ class Replay:
 
 @dataclass(frozen=True, repr=False)
 class Trajectory(PlannedMotion):
-    """The outcome of an optimisation; `ok` is False where it is only the best iterate.
+    """The outcome of an optimisation; `ok` is the verdict on it, None where it was not judged.
 
+    `ok` is False where the motion is only the best iterate, or a look by another route did not confirm it; `solved` is
+    the solver's own word, on the points of the mesh alone.
     `arrays` are the unknowns by name (rates by relative time), `x`, `multipliers`, `bound_multipliers` the solver's
     own vectors; `cost` is in the units of the objectives; `parameters` the design found, by name. `status` is one
     sentence, `reasons` say which constraints cannot be met, where; `notes` say what was not
@@ -64,7 +66,7 @@ class Trajectory(PlannedMotion):
     bound_multipliers: np.ndarray
     cost: float
     cost_scale: float
-    ok: bool
+    ok: bool | None
     status: str
     statistics: Statistics
     reasons: tuple[str, ...] = ()
@@ -72,6 +74,7 @@ class Trajectory(PlannedMotion):
     notes: tuple[str, ...] = ()
     replayed: Replay | None = None
     search: Search | None = None
+    solved: bool = False
 
     def __repr__(self) -> str:
         return f"<Trajectory {self.problem.name}: {self.duration:g} s, cost {self.cost:.6g}, {self.status}>"

@@ -147,7 +147,7 @@ def attempts(problem: TrajectoryProblem, guesses: Sequence[Values | None]) -> li
             model = PointModel(replace(problem, guess=values), usual.model.equations, usual.guess.scales)
             guess = first_guess(model)
             made = solve(model.problem, prepared=Prepared(model.problem, model, guess))
-        found.append(Attempt(values, made.ok, made.cost, made.status))
+        found.append(Attempt(values, bool(made.ok), made.cost, made.status))
     return found
 
 
@@ -307,7 +307,7 @@ def _once(
     return Trajectory(
         model.problem, transcribed, unknowns.unpack(x), x, np.array(answer["lam_g"]).ravel(),
         pressure, float(answer["f"]) * scale, scale, ok, status,
-        statistics_of(stats, ready - began, made - ready, done - made), reasons,
+        statistics_of(stats, ready - began, made - ready, done - made), reasons, solved=ok,
     )  # fmt: skip
 
 

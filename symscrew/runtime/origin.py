@@ -44,7 +44,7 @@ from symscrew.export import (
     read_manifest,
     read_port,
 )
-from symscrew.functions import PRODUCT
+from symscrew.functions import HESSIAN, PRODUCT
 from symscrew.model import Model, derive
 from symscrew.program import STATUS, Port, status_texts
 from symscrew.runtime import user_cache
@@ -178,18 +178,23 @@ def model_of(directory: Path, content: Mapping[str, Any]) -> Model:
     functions = content.get("functions", {})
     wanted: dict[str, Any] = {
         "derivatives": any(name == "linearisation" or name.endswith("_derivatives") for name in functions),
-        "second_derivatives": any(name.endswith(PRODUCT) for name in functions),
+        "second_derivatives": any(name.endswith((PRODUCT, HESSIAN)) for name in functions),
         "regressor": any("regressor" in name for name in functions),
         "one_mode": content.get("one_mode") is True,
         "checked": any(name.endswith("_checked") for name in functions),
     }
-    # the derivation's own choice of coordinates first: where it gives the model of the manifest, none were named
+    # the derivation's own choice of coordinates first: where it gives the model of the manifest, none were named; of a
+    # selection without first derivatives nothing says whether they were derived, and second ones are written by them
     chosen = content.get("independent") or None
-    model = _selected(derive(mechanism, effects, **wanted), content)
-    if chosen and model_hash(model) != content.get("hash"):
-        other = _selected(derive(mechanism, effects, independent=chosen, **wanted), content)
-        model = other if model_hash(other) == content.get("hash") else model
-    return model
+    unnamed = wanted["second_derivatives"] and not wanted["derivatives"]
+    ways = [wanted, *([{**wanted, "derivatives": True}] if unnamed else [])]
+    ways += [{**way, "independent": chosen} for way in ways] if chosen else []
+    model = first = _selected(derive(mechanism, effects, **wanted), content)
+    for way in ways[1:]:
+        if model_hash(model) == content.get("hash"):
+            return model
+        model = _selected(derive(mechanism, effects, **way), content)
+    return model if model_hash(model) == content.get("hash") else first
 
 
 def _selected(model: Model, content: Mapping[str, Any]) -> Model:

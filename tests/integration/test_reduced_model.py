@@ -9,13 +9,27 @@ import casadi as ca
 import numpy as np
 import pytest
 from support.marks import slow
+from support.optimal_problems import pendulum
 
 from symscrew import catalogue
+from symscrew.cli.parser import main
+from symscrew.description import Mechanism
 from symscrew.errors import DescriptionError
-from symscrew.export import configuration_function, library_sources, ode_function, print_c, print_reduced
+from symscrew.export import (
+    configuration_function,
+    library_sources,
+    model_hash,
+    ode_function,
+    print_c,
+    print_reduced,
+    read_manifest,
+)
 from symscrew.export.reduced import reduced
+from symscrew.generation import reduced_target
+from symscrew.generation.folder import generate
 from symscrew.model import Model, derive
 from symscrew.runtime import compile_c
+from symscrew.runtime.origin import model_of
 
 NAMES = ["four_bar", slow("three_ups_upu_s_physical")]
 NEEDED = (
@@ -144,7 +158,8 @@ def test_functions_by_the_names_of_acados(name: str, folders: dict[str, Path]) -
             near(a, b)
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["four_bar", "three_ups_upu_s_physical"])
 def test_opti_takes_them_with_the_exact_hessian(name: str, folders: dict[str, Path]) -> None:
     """A small motion by multiple shooting: the same optimum on C and on CasADi's functions."""
     found, place = model(name), str(library(name, folders[name]))
@@ -171,3 +186,36 @@ def test_opti_takes_them_with_the_exact_hessian(name: str, folders: dict[str, Pa
 def test_what_cannot_be_reduced_is_refused() -> None:
     with pytest.raises(DescriptionError, match="derive it with derivatives=True and second_derivatives=True"):
         print_reduced(derive(catalogue.load("four_bar")))
+
+
+@pytest.mark.parametrize("mechanism", [pendulum(), slow(catalogue.load("four_bar"))], ids=lambda m: m.name)
+def test_a_selection_of_second_derivatives_is_derived_again(mechanism: Mechanism, tmp_path: Path) -> None:
+    """What `check` and `load` compare a folder with: `--functions` may leave the Hessian alone.
+
+    The first derivatives, which are not in the folder, have a share in how it is written.
+    """
+    chosen = "forward_dynamics_independent_hessian"
+    whole = derive(mechanism, derivatives=True, second_derivatives=True)
+    generate(whole.only((chosen,)), tmp_path, ["numpy"])
+    again = model_of(tmp_path, read_manifest(tmp_path))
+    assert list(again.programs) == [chosen] and model_hash(again) == read_manifest(tmp_path)["hash"]
+
+
+@pytest.mark.slow
+def test_check_judges_the_reduced_model(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The folder of the documentation's command, and one whose C has a wrong Hessian, in the same bytes again."""
+    command = ["generate", "four_bar", "--target", "reduced", "--functions", *NEEDED, "--out", str(tmp_path)]
+    assert main(command) == 0 and main(["check", str(tmp_path)]) == 0
+    assert "the reduced model and its derivatives agree with CasADi's own" in capsys.readouterr().out
+
+    def wrong(found: Model) -> dict[str, str]:
+        printed = print_reduced(found)
+        files = {name: text.replace("hessian[2 * NV + 0] = block2[0];", "") for name, text in printed.items()}
+        assert files != printed
+        return files
+
+    monkeypatch.setattr(reduced_target, "print_reduced", wrong)
+    assert main(command) == 0 and main(["check", str(tmp_path)]) == 1
+    assert "FAILED: the reduced model and its derivatives" in capsys.readouterr().out

@@ -17,7 +17,7 @@ from symscrew.model import Model, derive
 from symscrew.program import Iteration, evaluate, jacobian
 
 Array = np.ndarray
-FEW = ["four_bar", "five_bar", slow("three_ups_upu_s_physical")]
+FEW = ["four_bar", slow("five_bar"), slow("three_ups_upu_s_physical")]
 
 STEP = 2e-2  # [rad, m, ...]; four halvings extrapolated to order 8, so the rounding of 1e-16 / STEP^2 is the limit
 
@@ -147,7 +147,7 @@ def test_a_product_costs_at_most_four_times_the_first_derivatives(name: str) -> 
 
 
 def test_what_cannot_differ_from_zero_is_no_entry() -> None:
-    found = model("five_bar")
+    found = model("four_bar")
     names = [port.name for port in found.programs[f"inverse_dynamics_independent{HESSIAN}"].outputs]
     assert names == ["hessian_y_y", "hessian_y_y_dot", "hessian_y_y_ddot", "hessian_y_dot_y_dot"]  # linear in y_ddot
     forward = [port.name for port in found.programs[f"forward_dynamics_independent{HESSIAN}"].outputs]
