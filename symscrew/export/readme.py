@@ -58,7 +58,7 @@ def print_readme(
         "mjcf": [_mjcf],
         "urdf": [_urdf],
     }
-    for target in targets:
+    for target in targets if any(port.size for port in program.outputs) else ():  # else there is nothing to show
         for example in examples.get(target, ()):
             lines += ["", *example(model, name, program)]
     lines += ["", *further] if further else []
@@ -79,9 +79,14 @@ def _sources(model: Model, sources: Sequence[str]) -> list[str]:
 
 
 def _shown(model: Model) -> str:
-    """The function of the examples: inverse dynamics with the fewest numbers to type."""
+    """The function of the examples: inverse dynamics with the fewest numbers to type, and one to print."""
     known = [name for name in SHOWN if name in model.programs] or list(model.programs)
-    return min(known, key=lambda name: sum(port.size for port in model.programs[name].inputs))
+
+    def numbers(name: str) -> tuple[bool, int]:
+        program = model.programs[name]
+        return not any(port.size for port in program.outputs), sum(port.size for port in program.inputs)
+
+    return min(known, key=numbers)
 
 
 def _ports(ports: Sequence[Port]) -> str:

@@ -9,9 +9,12 @@ from pathlib import Path
 
 import pytest
 from support import handmade
+from support.model_states import pendulum
 
 from symscrew.export.manifest_file import OutputError
+from symscrew.export.readme import print_readme
 from symscrew.generation.folder import generate
+from symscrew.model import derive
 from symscrew.program.straight_line import Instruction
 
 
@@ -97,3 +100,10 @@ def test_nothing_is_half_written(model, tmp_path, monkeypatch):
     with pytest.raises(OutputError, match=r"out: cannot be written \(no space left\); nothing was, use another place"):
         generate(model, tmp_path / "out")
     assert list(tmp_path.iterdir()) == []
+
+
+def test_functions_without_a_number_to_print_have_no_example() -> None:
+    """An open chain has no loops whose margins could change: their derivatives have no entries."""
+    model = derive(pendulum().mechanism, second_derivatives=True).only(["limb_margins_hessian"])
+    text = print_readme(model, {"c": "C", "numpy": "NumPy", "javascript": "JavaScript"})
+    assert "`limb_margins_hessian`" in text and "int main" not in text
