@@ -9,6 +9,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from support.marks import slow
+from support.optimal_problems import cart_pole_problem, seed
 
 from symscrew.description import Mechanism, MechanismBuilder, load_description
 from symscrew.errors import DescriptionError
@@ -25,8 +27,6 @@ from symscrew.optimisation import (
 )
 from symscrew.optimisation.plan_verdict import judged
 from symscrew.runtime import CompileError
-from tests.support.marks import slow
-from tests.support.optimal_problems import cart_pole_problem, seed
 
 MESH = Transcription("radau", 3, 8)
 FIVE_BAR_DRIVES = ("base_left", "base_right")
