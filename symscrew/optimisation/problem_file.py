@@ -64,15 +64,32 @@ def load_problem(path: str | Path) -> TrajectoryProblem:
 def parse_problem(text: str, *, folder: Path | None = None, name: str = "trajectory") -> TrajectoryProblem:
     """The problem that a TOML text describes; files it names are looked for in `folder`."""
     tables = read_tables(text)
+    if found := [section for section in problem_keys.PARTS if section in tables]:
+        raise DescriptionError(f"[[{found[0]}]]: a problem with several motions is read by load_problem_file")
     check_sections(tables, SECTIONS, KEYS, problem_keys.LISTS)
+    return replace(problem_of(tables, folder=folder, name=name), text=text)
+
+
+def reader_of(tables: Mapping[str, Any], folder: Path | None) -> _Reader:
+    """What reads the numbers of a problem's sections."""
+    return _given(tables, folder)[0]
+
+
+def _given(tables: Mapping[str, Any], folder: Path | None) -> tuple[_Reader, _Base, dict[str, Range], dict[str, float]]:
+    """The reader, mechanism and effects, ranges of the design, values of parameters."""
     if "problem" not in tables:
         raise DescriptionError("the section [problem] is missing; expected at least mechanism or scene, and duration")
-    head = tables["problem"]
-    base = _base(head, folder)
+    base = _base(tables["problem"], folder)
     read = _Reader(base.mechanism)
     design = read.ranges(tables.get("design", {}), "design")
     parameters = {**base.parameters, **read.numbers(tables.get("parameters", {}), "parameters")}
-    read = _Reader(base.mechanism, parameters, tuple(design))
+    return _Reader(base.mechanism, parameters, tuple(design)), base, design, parameters
+
+
+def problem_of(tables: Mapping[str, Any], *, folder: Path | None, name: str) -> TrajectoryProblem:
+    """The problem of sections that were read."""
+    read, base, design, parameters = _given(tables, folder)
+    head = tables["problem"]
     effects = (*base.effects, *(effect_from_table(t, f"effects[{k}]") for k, t in enumerate(tables.get("effects", ()))))
     check_effects(base.mechanism, effects)
     if "duration" not in head:
@@ -107,7 +124,6 @@ def parse_problem(text: str, *, folder: Path | None = None, name: str = "traject
         starts=_whole(head.get("starts", 1), "problem.starts"),
         seed=_whole(head.get("seed", 1), "problem.seed"),
         name=check_name(head.get("name", name if name.isidentifier() else "trajectory"), "problem.name"),
-        text=text,
     )
     check_problem(problem)
     return problem
