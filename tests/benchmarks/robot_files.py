@@ -93,9 +93,9 @@ class Ours:
         return found[0], found[1]
 
 
-def relative(a: Array, b: Array) -> float:
-    """The largest difference, of the largest entry."""
-    return float(np.abs(a - b).max(initial=0) / max(np.abs(b).max(initial=0), 1e-12))
+def relative(a: Array, b: Array, least: float = 1e-12) -> float:
+    """The largest difference, of the largest entry, or of `least` where that is larger."""
+    return float(np.abs(a - b).max(initial=0) / max(np.abs(b).max(initial=0), least))
 
 
 def with_mujoco(path: Path, options: ImportOptions) -> tuple[float, str]:
@@ -130,31 +130,34 @@ def with_mujoco(path: Path, options: ImportOptions) -> tuple[float, str]:
             rows = data.efc_J.reshape(-1, engine.nv)[kept] if data.nefc else np.zeros((0, engine.nv))
             worst = max(worst, float(np.abs(rows @ motions).max(initial=0)))
         worst = max(worst, relative(basis.T @ mass[k] @ basis, motions.T @ full @ motions))
-        worst = max(worst, relative(basis.T @ forces[k], motions.T @ data.qfrc_bias))
+        unit = np.abs(full).max(initial=0)  # forces that are zero have the size of one unit of acceleration
+        worst = max(worst, relative(basis.T @ forces[k], motions.T @ data.qfrc_bias, unit))
     what = "closed: M and gravity along its motions" if closed else "tree: M, forces"
     return worst, f"{what}; {bases[0].shape[1]} freedoms"
 
 
 def mujoco_model(path: Path) -> Any:
-    """MuJoCo's model; where meshes are missing, without the geoms of bodies that give their inertia themselves."""
+    """MuJoCo's model; where files are missing, without pictures and without geoms of bodies that give their inertia."""
     import mujoco
-    from defusedxml import ElementTree
 
     try:
         return mujoco.MjModel.from_xml_path(str(path))
     except ValueError as error:
         if "file" not in str(error):
             raise
-    root = ElementTree.parse(str(path)).getroot()
-    for body in root.iter("body"):
-        if body.find("inertial") is not None:
-            for geom in body.findall("geom"):
-                body.remove(geom)
-    for geom in [g for parent in root.iter() for g in parent.findall("geom") if g.get("material")]:
-        geom.attrib.pop("material")
-    for section in root.findall("asset") + root.findall("contact") + root.findall("sensor"):
-        root.remove(section)
-    return mujoco.MjModel.from_xml_string(ElementTree.tostring(root, encoding="unicode"))
+    spec = mujoco.MjSpec.from_file(str(path))
+    for listed in (spec.skins, spec.textures, spec.materials):
+        for element in list(listed):
+            spec.delete(element)
+    there = {mesh.name for mesh in spec.meshes if (path.parent / spec.meshdir / mesh.file).is_file()}
+    for body in spec.bodies:
+        for geom in list(body.geoms):
+            geom.material = ""
+            if body.explicitinertial and (geom.meshname and geom.meshname not in there):
+                spec.delete(geom)
+    for mesh in [mesh for mesh in spec.meshes if mesh.name not in there]:
+        spec.delete(mesh)
+    return spec.compile()
 
 
 def names_in(engine: Any, ours: Ours) -> dict[str, int]:
@@ -229,7 +232,7 @@ def with_pinocchio(path: Path, options: ImportOptions) -> tuple[float, str]:
         found = np.triu(found) + np.triu(found, 1).T
         worst = max(worst, relative(mass[k][np.ix_(order, order)], found))
         bias = pinocchio.rnea(engine, data, np.array(given), ours.v[k][order], np.zeros(engine.nv))
-        worst = max(worst, relative(forces[k][order], bias))
+        worst = max(worst, relative(forces[k][order], bias, np.abs(found).max(initial=0)))
     closed = " of its tree" if ours.system.cuts else ""
     return worst, f"tree: M, forces{closed}; {engine.nv} freedoms"
 
@@ -247,24 +250,24 @@ def files_below(folders: list[Path]) -> Iterator[Path]:
 
 
 def judged(path: Path, options: ImportOptions, seconds: int) -> tuple[str, str]:
-    """(verdict, details) of one file, within a time."""
+    """(verdict, details) of one file, within a processor time."""
 
     def late(*_: object) -> None:
         raise TimeoutError
 
-    signal.signal(signal.SIGALRM, late)
-    signal.alarm(seconds)
+    signal.signal(signal.SIGPROF, late)
+    signal.setitimer(signal.ITIMER_PROF, seconds)
     try:
         worst, what = (with_pinocchio if path.suffix == ".urdf" else with_mujoco)(path, options)
         return ("ok" if worst < EQUAL else "DIFFERS"), f"{worst:.1e} {what}"
     except DescriptionError as error:
         return "refused", str(error)[:200]
     except TimeoutError:
-        return "late", f"more than {seconds} s"
+        return "late", f"more than {seconds} processor seconds"
     except Exception as error:  # the other engine's word, or ours: either is the file's verdict
         return "failed", f"{type(error).__name__}: {str(error)[:150]}"
     finally:
-        signal.alarm(0)
+        signal.setitimer(signal.ITIMER_PROF, 0)
 
 
 def main() -> None:
