@@ -18,6 +18,7 @@ from pathlib import Path
 
 from symscrew.errors import DescriptionError, did_you_mean, shorten
 from symscrew.formats.draft import Draft
+from symscrew.formats.exact_digits import with_exact_digits
 from symscrew.formats.import_options import ImportOptions
 from symscrew.formats.included_files import expanded
 from symscrew.formats.mesh_inertias import Meshes
@@ -52,6 +53,7 @@ def read_mjcf(root: Element, path: Path, options: ImportOptions) -> Draft:
     texts = {t.get("name"): t.get("data") or "" for c in elements(root, "custom") for t in elements(c, "text")}
     ground = texts.get("symscrew_ground", WORLD)
     result = Draft(model, ground, f"imported from the MJCF {path.name}", texts.get("symscrew_description", ""))
+    root = with_exact_digits(root, result.ledger) if options.exact else root
     _check_sections(root, result)
     chosen = settings(root, result)
     if "symscrew_characteristic_length" in texts:

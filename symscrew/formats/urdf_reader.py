@@ -20,6 +20,7 @@ from pathlib import Path
 from symscrew.description import JOINT_TYPES
 from symscrew.errors import DescriptionError, did_you_mean, shorten
 from symscrew.formats.draft import Draft, Ledger, RawBody, RawCoupling, RawJoint
+from symscrew.formats.exact_digits import with_exact_digits
 from symscrew.formats.file_names import fresh
 from symscrew.formats.import_options import ImportOptions
 from symscrew.formats.open_loops import Closing
@@ -63,6 +64,8 @@ def read_urdf(root: Element, path: Path, options: ImportOptions) -> Draft:
         path: of the file: its name is in the mechanism's `source`, a robot.yaml beside it is read.
         options: what else is accepted.
     """
+    ledger = Ledger()
+    root = with_exact_digits(root, ledger) if options.exact else root
     links = _named(elements(root, "link"), "link")
     joints = _named((joint for joint in elements(root, "joint") if not is_loop(joint)), "joint")
     if not links:
@@ -72,7 +75,6 @@ def read_urdf(root: Element, path: Path, options: ImportOptions) -> Draft:
     if len(roots) != 1:
         found = "none: the joints go in a circle" if not roots else ", ".join(shorten(name) for name in roots[:5])
         raise DescriptionError(f"<robot>: expected one link that is no joint's child, found {found}")
-    ledger = Ledger()
     mimics = _mimics(joints, ledger)
     offsets = _offsets(mimics)
     poses = _poses(roots[0], joints, offsets)
