@@ -8,6 +8,7 @@ A `Mechanism` is data: numbers are exact SymPy expressions of parameters, read b
 from symscrew.description.builder import MechanismBuilder
 from symscrew.description.coupled import slope, terms_of
 from symscrew.description.expressions import CONSTANTS, FUNCTIONS, exact, numeric, parse, sixty_digits, to_text
+from symscrew.description.given_values import GivenValue, given_value
 from symscrew.description.joints import JOINT_TYPES, NO_MOTION, JointType, Motion, rotation
 from symscrew.description.mechanism import (
     Body,
@@ -19,6 +20,7 @@ from symscrew.description.mechanism import (
     Parameter,
     Point,
     Vector,
+    followed,
 )
 from symscrew.description.names import RESERVED, check_name, check_text, markdown_text
 from symscrew.description.number_range import check_range
@@ -38,6 +40,7 @@ __all__ = [
     "Body",
     "CoupledTerm",
     "Coupling",
+    "GivenValue",
     "Joint",
     "JointType",
     "Matrix3",
@@ -54,7 +57,9 @@ __all__ = [
     "check_sections",
     "check_text",
     "exact",
+    "followed",
     "from_file",
+    "given_value",
     "load_description",
     "markdown_text",
     "members",
