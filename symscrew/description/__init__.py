@@ -5,6 +5,7 @@
 A `Mechanism` is data: numbers are exact SymPy expressions of parameters, read by a grammar of our own.
 """
 
+from symscrew.description.architectures import ARCHITECTURES, architecture
 from symscrew.description.builder import MechanismBuilder
 from symscrew.description.coupled import slope, terms_of
 from symscrew.description.expressions import CONSTANTS, FUNCTIONS, exact, numeric, parse, sixty_digits, to_text
@@ -26,12 +27,13 @@ from symscrew.description.names import RESERVED, check_name, check_text, markdow
 from symscrew.description.number_range import check_range
 from symscrew.description.reader import Reader
 from symscrew.description.taken_names import members, namespace, taken_as_file
-from symscrew.description.template import write_template
+from symscrew.description.template import renamed_text, write_new, write_template
 from symscrew.description.toml_file import load_description, parse_description, read_tables, read_text, to_toml
 from symscrew.description.toml_tables import check_keys, check_sections, from_file
 from symscrew.description.validation import validate
 
 __all__ = [
+    "ARCHITECTURES",
     "CONSTANTS",
     "FUNCTIONS",
     "JOINT_TYPES",
@@ -51,6 +53,7 @@ __all__ = [
     "Point",
     "Reader",
     "Vector",
+    "architecture",
     "check_keys",
     "check_name",
     "check_range",
@@ -69,6 +72,7 @@ __all__ = [
     "parse_description",
     "read_tables",
     "read_text",
+    "renamed_text",
     "rotation",
     "sixty_digits",
     "slope",
@@ -77,5 +81,6 @@ __all__ = [
     "to_text",
     "to_toml",
     "validate",
+    "write_new",
     "write_template",
 ]
