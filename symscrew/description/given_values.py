@@ -18,7 +18,9 @@ from symscrew.errors import DescriptionError, shorten
 LARGEST_BARE = 3.2
 """A bare number above it [rad], half a turn and a little, is more likely meant in degrees: a notice says so."""
 
-_NUMBER_AND_UNIT = re.compile(r"([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*([A-Za-z%][\w%^/· ]*)", re.ASCII)
+_NUMBER_AND_UNIT = re.compile(
+    r"([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*(?![eE][-+]?\d)([A-Za-z%][\w%^/· ]*)", re.ASCII
+)
 _EXPRESSION_AND_UNIT = re.compile(r"(.*[\w.)])\s+([A-Za-z%]+)", re.ASCII)
 
 

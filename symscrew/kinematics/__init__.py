@@ -9,6 +9,7 @@ What an elementary motion does with nodes is in `pairs`, a file each.
 
 from symscrew.kinematics.body_pose import (
     PoseRow,
+    body_centre,
     half_turn,
     pose_read,
     pose_rows,
@@ -76,6 +77,7 @@ __all__ = [
     "Wrench",
     "acceleration_matrix",
     "angle_notices",
+    "body_centre",
     "body_motions",
     "characteristic_length",
     "closure_bias",

@@ -13,6 +13,9 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Protocol
 
+import numpy as np
+
+from symscrew.description import Mechanism
 from symscrew.errors import DescriptionError
 
 AXES = "xyz"
@@ -84,12 +87,19 @@ def _moved_by(axis: int, goal: Number) -> PoseRow:
 
 def _tilted(tilt: Number, azimuth: Number, tan: Callable[[Number], Number]) -> list[PoseRow]:
     """(cos a, sin a) tan(tilt / 2), cosine and sine of the azimuth a by its half angle's tangent."""
-    if not abs(tilt) < math.pi:
-        raise DescriptionError(f"tilt: expected less than half a turn, 180deg, got {float(tilt):g} rad")
+    largest = float(np.max(np.abs(tilt)))
+    if not largest < math.pi:
+        raise DescriptionError(f"tilt: expected less than half a turn, 180deg, got {largest:g} rad")
     half, slope = tan(tilt / 2), tan(azimuth / 2)
     size = half / (1 + slope * slope)
     goals = (size * (1 - slope * slope), size * 2 * slope)
     return [_turned(lambda r: half_tilt(r)[0], goals[0]), _turned(lambda r: half_tilt(r)[1], goals[1])]
+
+
+def body_centre(mechanism: Mechanism, body: str) -> np.ndarray:
+    """The centre of a body's joints in the reference configuration [m]: the place whose displacement is the body's."""
+    points = [j.point for j in mechanism.joints.values() if body in (j.parent, j.child)]
+    return np.asarray(np.mean([[float(mechanism.number(c)) for c in point] for point in points], axis=0))
 
 
 def half_tilt(r: Any) -> tuple[Number, Number]:

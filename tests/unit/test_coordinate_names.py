@@ -37,7 +37,7 @@ class Doubles:
         ("10mm", sympy.Rational(1, 100), "m"), ("-2.5e1 cm", sympy.Rational(-1, 4), "m"),
         ("30deg", sympy.pi / 6, "rad"),
         ("pi/6 rad", sympy.pi / 6, "rad"), ("2 N m/deg", 360 / sympy.pi, "N m/rad"),
-        ("1e-3", sympy.Rational(1, 1000), ""),
+        ("1e-3", sympy.Rational(1, 1000), ""), ("1e6", sympy.Integer(10**6), ""),
         ("sqrt(3)/5", sympy.sqrt(3) / 5, ""), (".5", sympy.Rational(1, 2), ""), (0.25, sympy.Rational(1, 4), ""),
     ],
 )  # fmt: skip
