@@ -295,7 +295,9 @@ def test_command(tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch
         (["--over", "tild=0:1:3"], "did you mean 'tilt'?"),
         (["--over", "tilt=0:1"], "COORDINATE=from:to:count"),
         (["--over", "tilt=1:1:3"], "from below to"),
-        (["--over", "tilt=0:1ft:3"], "a number with"),
+        (["--over", "tilt=0:1ft:3"], "tilt is an angle [rad, deg]"),
+        (["--over", "tilt=0:1furlong:3"], "a number with"),
+        (["--over", "platform_tilt=0:1:3"], "did you mean 'platform.tilt'?"),
         (["--over", "azimuth=0:1:3"], "azimuth needs tilt"),
         (["--over", "tilt=0:1:3", "tilt=0:1:3"], "given twice"),
         (["--over", "tilt=0:1:3", "limb5_S.qx=0:1:3"], "already say"),
@@ -312,6 +314,17 @@ def test_bad_input(arguments: list[str], text: str, tmp_path: Path, capsys: pyte
     assert main(["workspace", "three_ups_upu_s", *arguments, "--out", str(tmp_path / "map")]) == 2
     assert text in capsys.readouterr().err
     assert not list(tmp_path.iterdir())
+
+
+def test_poses_and_passive_joints_are_axes_like_independent_coordinates() -> None:
+    """The configurations of a crank's map, asked for by the other joints and by the rocker's pose."""
+    crank = whole(plan_of("four_bar", Axis("A", -20 * DEG, 20 * DEG, 5)))
+    for name, like in (("B", "B"), ("C", "C"), ("D", "D"), ("rocker.pitch", "D")):
+        first, last = crank[like][[0, -1]]
+        found = whole(plan_of("four_bar", Axis(name, min(first, last), max(first, last), 2)))
+        assert found["reached"].all() and np.allclose(np.sort(found["A"]), [-20 * DEG, 20 * DEG], atol=1e-9)
+    beyond = whole(plan_of("four_bar", Axis("rocker.pitch", 0.0, 2.0, 2)))
+    assert beyond["reached"].tolist() == [1.0, 0.0] and np.isnan(beyond["A"][1])
 
 
 def test_reading() -> None:

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 
 import numpy as np
 
-from symscrew.errors import DescriptionError, did_you_mean
+from symscrew.errors import DescriptionError
+from symscrew.kinematics import BODY_PARTS, coordinate_units, full_name, nearest_names
 from symscrew.model import Model, derive
 from symscrew.runtime import load
 from symscrew.studies.workspace.configurations import (
@@ -19,13 +20,15 @@ from symscrew.studies.workspace.configurations import (
     start_margins,
     walk,
 )
+from symscrew.studies.workspace.named_coordinates import NamedCoordinates
 from symscrew.studies.workspace.plan import AZIMUTH, TILT, Plan
 
 Array = np.ndarray
 SINGULAR = 1e-9  # of R, relative: below, the platform has twists that no rates give, and the condition is infinite
 NEEDED = (
     "assemble", "joint_displacements", "drive_rates", "null_space", "platform_jacobian", "forward_kinematics",
-    "limb_margins", "constraint_margin", "actuation_margins", "inverse_dynamics",
+    "limb_margins", "constraint_margin", "actuation_margins", "inverse_dynamics", "body_poses", "closure",
+    "closure_jacobian",
 )  # fmt: skip
 
 
@@ -75,7 +78,10 @@ def prepare_sweep(plan: Plan) -> Prepared:
     """
     made = prepared(plan.hash, PlanHolder(plan))
     _check(plan, made)
-    return made
+    units = coordinate_units(made.model.mechanism)
+    named = {axis.name: full_name(made.model.mechanism, axis.name) for axis in plan.axes}
+    own = {typed: made.units.get(name, units.get(name, "")) for typed, name in named.items()}
+    return replace(made, units={**own, **made.units})
 
 
 def evaluate(plan: Plan, chunk: int) -> dict[str, Array]:
@@ -85,7 +91,8 @@ def evaluate(plan: Plan, chunk: int) -> dict[str, Array]:
     values = plan.cases(chunk)
     y, p = _wanted(plan, made, values, plan.deviations(chunk))
     with np.errstate(all="ignore"):
-        q, status, least = walk(model, call, y, p, steps=plan.steps)
+        named = _named(plan, made, values)
+        q, status, least = walk(model, call, y, p, steps=plan.steps, reach=named.reached if named else None)
         extra = (p,) if p is not None else ()
         results = {axis.name: values[:, k] for k, axis in enumerate(plan.axes)}
         if p is not None:
@@ -107,31 +114,45 @@ def evaluate(plan: Plan, chunk: int) -> dict[str, Array]:
 
 
 def _check(plan: Plan, made: Prepared) -> None:
-    known = [*made.labels, *made.model.mechanism.parameters]
-    if _spherical(made) is not None:
-        known += [TILT, AZIMUTH]
+    mechanism = made.model.mechanism
+    units = coordinate_units(mechanism)
+    known = {**dict.fromkeys(made.labels, ""), **{n: p.unit for n, p in mechanism.parameters.items()}, **units}
     for axis in plan.axes:
-        if axis.name not in known:
-            raise DescriptionError(
-                f"--over: {axis.name!r} is neither an independent coordinate nor a parameter; "
-                f"{did_you_mean(axis.name, known)}"
-            )
-        unit = made.units.get(axis.name, "")
-        if axis.unit and unit in ("m", "rad") and axis.unit != unit:
-            wanted = "a length [m, mm]" if unit == "m" else "an angle [rad, deg]"
+        name = full_name(mechanism, axis.name)
+        if name not in known or name.endswith(".turn"):
+            short = [end for end in BODY_PARTS if mechanism.platform and end != "turn"]
+            near = nearest_names(axis.name, [*made.labels, *mechanism.parameters, *short, *units])
+            raise DescriptionError(f"--over: {axis.name!r} is neither a coordinate nor a parameter; {near}")
+        unit = made.units.get(name, known[name])
+        if axis.unit and unit and axis.unit != unit:
+            wanted = {"m": "a length [m, mm]", "rad": "an angle [rad, deg]"}.get(unit, f"a value in {unit}")
             raise DescriptionError(f"--over: {axis.name} is {wanted}; its values are given in {axis.unit}")
-    names = [axis.name for axis in plan.axes]
+    names = [full_name(mechanism, axis.name) for axis in plan.axes]
     twice = sorted({n for n in names if names.count(n) > 1})
     if twice:
         raise DescriptionError(f"--over: {twice[0]!r} is given twice")
-    spherical = _spherical(made)
-    if spherical is not None and {TILT, AZIMUTH} & set(names) and set(spherical) & set(names):
+    spherical, tilted = _spherical(made), {n.rpartition(".")[2] for n in names} & {TILT, AZIMUTH}
+    if spherical is not None and tilted and set(spherical) & set(names):
         raise DescriptionError("--over: tilt and azimuth already say what the quaternion's components are")
-    if AZIMUTH in names and TILT not in names:
+    if tilted == {AZIMUTH}:
         raise DescriptionError("--over: azimuth needs tilt: azimuth is the direction of the axis of the tilt")
+    _named(plan, made, plan.cases(0)[:1])
     for name, _, _ in plan.limits:
         if name not in made.units:
-            raise DescriptionError(f"--limit: no result {name!r}; {did_you_mean(name, made.units)}")
+            raise DescriptionError(f"--limit: no result {name!r}; {nearest_names(name, made.units)}")
+
+
+def _named(plan: Plan, made: Prepared, values: Array) -> NamedCoordinates | None:
+    """What is wanted by names that are no independent coordinates; None where these say all."""
+    mechanism = made.model.mechanism
+    names = [full_name(mechanism, axis.name) for axis in plan.axes]
+    own = {*made.labels, *mechanism.parameters}
+    if _spherical(made) is not None and mechanism.platform is not None:
+        own |= {f"{mechanism.platform}.{TILT}", f"{mechanism.platform}.{AZIMUTH}"}
+    if all(name in own for name in names):
+        return None
+    wanted = {n: values[:, k] for k, n in enumerate(names) if n not in mechanism.parameters}
+    return NamedCoordinates(made.model, made.call, wanted)
 
 
 def _spherical(made: Prepared) -> tuple[str, str] | None:
@@ -145,13 +166,14 @@ def _spherical(made: Prepared) -> tuple[str, str] | None:
 def _wanted(plan: Plan, made: Prepared, values: Array, deviations: Array) -> tuple[Array, Array | None]:
     """Independent coordinates and run-time parameters of the cases."""
     y = np.repeat(reference_coordinates(made.model)[None, :], len(values), 0)
-    column = {axis.name: values[:, k] for k, axis in enumerate(plan.axes)}
+    own = f"{made.model.mechanism.platform}."
+    column = {axis.name.removeprefix(own): values[:, k] for k, axis in enumerate(plan.axes)}
+    column |= {axis.name: values[:, k] for k, axis in enumerate(plan.axes)}
     for name, value in column.items():
         if name in made.labels:
             y[:, made.labels.index(name)] = value
-    if TILT in column:
-        spherical = _spherical(made)
-        assert spherical is not None
+    spherical = _spherical(made)
+    if TILT in column and spherical is not None:
         azimuth = column.get(AZIMUTH, np.zeros(len(values)))
         x, z = (made.labels.index(label) for label in spherical)
         y[:, x], y[:, z] = (np.sin(column[TILT] / 2) * turn(azimuth) for turn in (np.cos, np.sin))

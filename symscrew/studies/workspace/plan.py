@@ -5,20 +5,16 @@ from __future__ import annotations
 import hashlib
 import json
 import math
-import re
 from dataclasses import asdict, dataclass, field, fields, replace
 
 import numpy as np
 
-from symscrew.description import Mechanism, to_toml
+from symscrew.description import Mechanism, given_value, numeric, to_toml
 from symscrew.effects import Effect, type_name
 from symscrew.errors import DescriptionError, shorten
 
-UNITS = {"": 1.0, "m": 1.0, "mm": 1e-3, "rad": 1.0, "deg": math.pi / 180}
-OF = {"": "", "m": "m", "mm": "m", "rad": "rad", "deg": "rad"}  # what they are converted to
 TILT, AZIMUTH = "tilt", "azimuth"
 MOST_CASES = 50_000_000  # of a sweep: 0.4 GB for every result, of which there are dozens; more is refused
-_NUMBER = re.compile(r"([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*([a-z]*)")
 
 
 @dataclass(frozen=True)
@@ -139,14 +135,17 @@ def read_number(text: str, where: str) -> float:
 
 
 def read_quantity(text: str, where: str) -> tuple[float, str]:
-    """A number as `read_number` takes it, and "m" for a length, "rad" for an angle, nothing without a unit."""
-    match = _NUMBER.fullmatch(text.strip())
-    if match is None or match.group(2) not in UNITS:
-        raise DescriptionError(f"{where}: expected a number with m, mm, rad, deg or no unit, got {shorten(text)}")
-    value = float(match.group(1)) * UNITS[match.group(2)]
+    """A number as `read_number` takes it, and the SI unit it is in, nothing without a unit."""
+    try:
+        found = given_value(text, where=where)
+        value = float(numeric(found.value, where=where))
+    except DescriptionError as error:
+        raise DescriptionError(
+            f"{where}: expected a number with m, mm, rad, deg or no unit, got {shorten(text)}"
+        ) from error
     if not math.isfinite(value):
         raise DescriptionError(f"{where}: expected a finite number, got {shorten(text)}")
-    return value, OF[match.group(2)]
+    return value, found.unit
 
 
 def read_limit(text: str) -> tuple[str, float, float]:
