@@ -35,6 +35,7 @@ absolute axes, screws at the origin O.
     simulate(scene)                   -> Run: .t, .q, .v, energies, closure error; .ok, .status
     optimise(problem)                 -> Trajectory: of a problem from `symscrew.optimisation.load_problem`
     optimisation_problem(problem)     built once, solved often: .solve(start=..., goal=..., warm=...) -> Trajectory
+    joint_wrenches(model, q, v, a)    -> JointWrenches: ["limb2_S"].about_joint().in_body_axes().force
     __version__                       of the package
 
 The map: rooms in the order of the flow. A file imports only from rooms above its own, through their doors (what
@@ -44,6 +45,7 @@ their `__init__` names); `tests/unit/test_structure.py` reads the order from her
     doors           rooms whose parts are imported when somebody asks for them
     garbage         times at which nobody searches for unused objects
     workers         processes that end with the one that started them
+    notebook        how objects look in a notebook: tables and texts as HTML
     whole_files     files and folders that are there whole or not at all
     array_archives  archives of arrays by anybody, read within bounds
     description     mechanisms as people write them: bodies, joints, limbs, parameters; TOML
@@ -61,6 +63,7 @@ their `__init__` names); `tests/unit/test_structure.py` reads the order from her
     model           the pipeline on one page: `derive`
     export          printers: C, CasADi, NumPy, JavaScript, LaTeX, Markdown
     runtime         compiled libraries, called from Python
+    results         wrenches of joints by name; columns over time for pandas, xarray, files
     display         terminal, plots, drawings, the page in 3-D
     scene           scenes: start, drives, effects, integrator
     simulation      motion of a scene
@@ -104,6 +107,7 @@ if TYPE_CHECKING:
     from symscrew.model import derive as derive
     from symscrew.optimisation import optimisation_problem as optimisation_problem
     from symscrew.optimisation import solve as optimise
+    from symscrew.results import joint_wrenches as joint_wrenches
     from symscrew.runtime import load as load
     from symscrew.scene import load_scene as load_scene
     from symscrew.simulation import simulate as simulate
@@ -127,6 +131,7 @@ __all__ = [
     "derive",
     "generate",
     "inertial_parameters",
+    "joint_wrenches",
     "load",
     "load_catalogue",
     "load_description",
