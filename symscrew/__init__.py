@@ -39,6 +39,7 @@ absolute axes, screws at the origin O.
     optimisation_problem(problem)     built once, solved often: .solve(start=..., goal=..., warm=...) -> Trajectory
     assemble(model, {"A": 0.3})       -> Configuration: ["B"], .q, .ok, .status
     workspace(mechanism, over)        -> Sweep: ["margin"], .summary; over {"tilt": "0:20deg:21", "azimuth": ...}
+    drives(mechanism, motion)         -> DriveStudy: .u, .wrenches, .margins, .columns; of a file or expressions in t
     joint_wrenches(model, q, v, a)    -> JointWrenches: ["limb2_S"].about_joint().in_body_axes().force
     __version__                       of the package
 
@@ -77,6 +78,7 @@ their `__init__` names); `tests/unit/test_structure.py` reads the order from her
     verification    whether a folder is what the tool would write, and agrees by number
     studies         timing, machine, bill of effects
     studies/demo    the source paper's example from end to end
+    studies/given_motion    motion in, tables out: joints, rates, drives, reactions, margins
     studies/accuracy    what accuracy costs in time
     studies/benchmark   functions beside other libraries
     studies/workspace   maps over coordinates and parameters
@@ -118,6 +120,7 @@ if TYPE_CHECKING:
     from symscrew.runtime import load as load
     from symscrew.scene import load_scene as load_scene
     from symscrew.simulation import simulate as simulate
+    from symscrew.studies.given_motion import drives as drives
     from symscrew.studies.workspace import workspace as workspace
     from symscrew.verification import check as check
 
@@ -139,6 +142,7 @@ __all__ = [
     "check",
     "derive",
     "draw",
+    "drives",
     "generate",
     "inertial_parameters",
     "joint_wrenches",
