@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from symscrew.studies.workspace.maps import draw_maps
     from symscrew.studies.workspace.plan import AZIMUTH, MOST_CASES, TILT, Plan, read_axis, read_limit, read_number
     from symscrew.studies.workspace.store import Results, Store, held_store, save_csv, save_npz
+    from symscrew.studies.workspace.sweep_call import Sweep, workspace
 
 __all__ = [
     "AZIMUTH",
@@ -32,6 +33,7 @@ __all__ = [
     "Plan",
     "Results",
     "Store",
+    "Sweep",
     "calls_of",
     "draw_maps",
     "held_store",
@@ -50,6 +52,7 @@ __all__ = [
     "sweep_summary_text",
     "walk",
     "watched_margins",
+    "workspace",
 ]
 
 __getattr__ = doors(__name__)
