@@ -33,6 +33,8 @@ if TYPE_CHECKING:
     from symscrew.export.numpy import print_numpy
     from symscrew.export.readme import print_readme
     from symscrew.export.reduced import configuration_function, ode_function, print_reduced
+    from symscrew.export.rust import print_rust
+    from symscrew.export.rust_names import RustNames
     from symscrew.export.written_folder import MANIFEST, own_files, read_manifest
 
 __all__ = [
@@ -48,6 +50,7 @@ __all__ = [
     "Form",
     "OutputError",
     "Precision",
+    "RustNames",
     "banner",
     "casadi_functions",
     "configuration_function",
@@ -75,6 +78,7 @@ __all__ = [
     "print_numpy",
     "print_readme",
     "print_reduced",
+    "print_rust",
     "print_script",
     "program_function",
     "read_form",
