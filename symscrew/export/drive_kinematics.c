@@ -5,7 +5,8 @@ enum { /* statuses of this part, beside those of the functions, 1 ... 6 and from
     FOLLOW_SINGULAR = 100, /* a step of Newton's iteration meets a singularity */
     FOLLOW_JUMP = 101, /* no small steps lead there: the result would be on another mode */
     FOLLOW_INCONSISTENT = 102, /* more drives than freedoms, which do not agree */
-    FOLLOW_NOT_CONVERGED = 103
+    FOLLOW_NOT_CONVERGED = 103,
+    FOLLOW_OTHER_MODE = 104 /* a pose beyond a singularity of the drives */
 };
 
 typedef struct {
@@ -265,6 +266,19 @@ static int follow_axes(DriveState *state, const double *goal, double *q)
     return FOLLOW_NOT_CONVERGED;
 }
 
+/* The sign of the branch at q: of the determinant of the loops; 0 where it cannot be told. */
+static int mode_at(const double *q)
+{
+    double y[N_FREE], next[N_Q], residual[1], change[1], orientation[1];
+    for (int j = 0; j < N_FREE; ++j) {
+        y[j] = q[chosen_q[j]];
+    }
+    if (ASSEMBLE_STEP(q, y, next, residual, change, orientation) > 0) {
+        return 0;
+    }
+    return orientation[0] > 0.0 ? 1 : -1;
+}
+
 #if CLOSED_FORM
 /* The configuration at a pose, in closed form. */
 static int drive_backward(DriveState *state, const double *world, double *q)
@@ -288,7 +302,8 @@ static int drive_backward(DriveState *state, const double *world, double *q)
     for (int k = 0; k < 7; ++k) {
         pose[k] = entry[pose_entry[k]];
     }
-    return INVERSE_KINEMATICS(pose, q);
+    const int status = INVERSE_KINEMATICS(pose, q);
+    return status > 0 ? status : mode_at(q) * mode_at(state->q) > 0 ? FOLLOW_OK : FOLLOW_OTHER_MODE;
 }
 #else
 /* The configuration at the commanded axes, by Newton's iteration along the straight way from the last one. */
@@ -350,19 +365,6 @@ static int drive_inverse(DriveState *state, const double *world, double *joint)
         }
     }
     return FOLLOW_OK;
-}
-
-/* The sign of the branch that is followed at the last configuration: of the determinant of the loops. */
-static int drive_mode(const DriveState *state)
-{
-    double y[N_FREE], next[N_Q], residual[1], change[1], orientation[1];
-    for (int j = 0; j < N_FREE; ++j) {
-        y[j] = state->q[chosen_q[j]];
-    }
-    if (ASSEMBLE_STEP(state->q, y, next, residual, change, orientation) > 0) {
-        return 0;
-    }
-    return orientation[0] > 0.0 ? 1 : -1;
 }
 
 /* The smallest margin to a singularity at the last configuration: 0 there; without units. */

@@ -87,6 +87,8 @@ def find_drive_kinematics(model: Model) -> DriveKinematics:
         raise DescriptionError(
             f"{name}: expected a mechanism with loops; of open chains the controllers have their own"
         )
+    if not model.mechanism.platform:
+        raise DescriptionError(f"{name}: expected a platform, the body that carries the tool; name it in [mechanism]")
     q_labels, v_labels = [x.label for x in system.tree.q], [x.label for x in system.tree.v]
     drives = tuple(_drive_label(joint, freedom, q_labels) for joint, freedom in system.drives)
     lost = [label for label in drives if label not in q_labels]

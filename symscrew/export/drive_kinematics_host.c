@@ -33,7 +33,5 @@ int host_jacobian(const double *q, const double *tool, double *jacobian, double 
 
 int host_mode(const double *q)
 {
-    DriveState state = {.tolerance = 1e-6};
-    memcpy(state.q, q, sizeof state.q);
-    return drive_mode(&state);
+    return mode_at(q);
 }

@@ -44,7 +44,7 @@ static int told(int status)
     *haldata->status = status;
     *haldata->iterations = (hal_u32_t)state.iterations;
     *haldata->margin = drive_margin(&state);
-    *haldata->mode = drive_mode(&state);
+    *haldata->mode = mode_at(state.q);
     if (tool_axes(&state, state.q, world, at) == FOLLOW_OK && tool_jacobian(state.q, world, at, jacobian) == FOLLOW_OK) {
         for (int j = 0; j < N_FREE; ++j) {
             for (int i = 0; i < N_FREE; ++i) {

@@ -28,6 +28,7 @@ class Way:
 
     poses: int
     refused: int
+    wrong: int
     error: float
     inverse_time: float
     inverse_steps: float
@@ -54,11 +55,12 @@ def built(found: Model, kinematics: DriveKinematics, folder: Path, headers: Path
 
 
 def followed(program: Path, kinematics: DriveKinematics, poses: int, amplitudes: dict[str, float]) -> Way:
-    """The harness on ways of so many poses."""
+    """The harness on ways of so many poses, forward kinematics started at that of the reference."""
     joints = home(kinematics)
     axes = [text for letter, size in amplitudes.items() for text in (str("XYZABC".index(letter)), str(size))]
     command = [str(program), str(poses), str(len(joints)), *joints, *axes]
-    lines = subprocess.run(command, capture_output=True, text=True, check=True).stdout.splitlines()
+    start = {"START_Z": repr(1000 * kinematics.tool[2])}
+    lines = subprocess.run(command, capture_output=True, text=True, check=True, env=start).stdout.splitlines()
     first = lines[0].split()
     pins = {name: float(value) for name, value in (line.split() for line in lines[1:])}
-    return Way(int(first[0]), int(first[1]), *map(float, first[2:]), pins)
+    return Way(*map(int, first[:3]), *map(float, first[3:]), pins)

@@ -51,7 +51,7 @@ def test_there_and_back_on_ways_of_poses(name: str, headers: Path, tmp_path: Pat
         pytest.skip("needs LinuxCNC's headers (Debian: linuxcnc-uspace-dev)")
     own = kinematics(name)
     way = followed(built(model(name), own, tmp_path, headers), own, POSES, AMPLITUDES[name])
-    assert way.refused == 0 and way.error < 1e-8  # mm or degrees; a micrometre is 1e-3
+    assert way.refused == way.wrong == 0 and way.error < 1e-8  # mm or degrees; a micrometre is 1e-3
     assert way.pins[f"{name}kins.status"] == 0 and abs(way.pins[f"{name}kins.mode"]) == 1
     assert way.pins[f"{name}kins.margin"] > 0 and way.forward_steps < 1.5
 
@@ -124,6 +124,18 @@ def test_what_no_small_steps_lead_to_is_refused(follower) -> None:
     assert follower("three_ups_upu_s").forward(seed, joints + np.array([0, 0, 1e-4, 0]))[0] == 102
 
 
+def test_poses_beyond_a_singularity_are_refused(follower) -> None:
+    """The hexapod turned past where its legs leave a freedom: the way back is a closed form there too, of another mode."""
+    own = kinematics("stewart_6ups")
+    q = reference("stewart_6ups")
+    turned = [np.array([*own.tool, 0.0, 0.0, angle]) for angle in np.linspace(-2.4, 2.4, 13)]
+    found = [follower("stewart_6ups").inverse(q.copy(), world)[0] for world in turned]
+    middle = len(found) // 2
+    assert found[middle] == 0 and found[0] == found[-1] == 104
+    signs = [status == 0 for status in found]
+    assert signs == sorted(signs[: middle + 1]) + sorted(signs[middle + 1 :], reverse=True)
+
+
 def test_a_mode_is_kept_where_another_is_as_near(follower) -> None:
     """The five-bar with its tool below the bases: joints of one mode have another configuration, which is not taken."""
     own = kinematics("five_bar")
@@ -161,6 +173,8 @@ def test_what_has_no_such_kinematics_says_so() -> None:
         for n, j in found.mechanism.joints.items()
     }
 
+    with pytest.raises(DescriptionError, match="expected a platform"):
+        find_drive_kinematics(dataclasses.replace(found, mechanism=dataclasses.replace(found.mechanism, platform=None)))
     lazy = derive(dataclasses.replace(found.mechanism, joints=joints))
     with pytest.raises(DescriptionError, match="1 of 2 freedoms; drive more joints"):
         find_drive_kinematics(lazy)
