@@ -48,7 +48,7 @@ def prepared(key: str, holder: PlanHolder) -> Prepared:
     small = Model(
         model.name, model.mechanism, model.effects, wanted, {n: model.test_inputs[n] for n in wanted}, model.system
     )
-    return Prepared(small, calls_of(load(small)), independent_labels(model), _units(model))
+    return Prepared(small, calls_of(load(small)), independent_labels(model), result_units(model))
 
 
 class PlanHolder:
@@ -74,7 +74,7 @@ def prepare_sweep(plan: Plan) -> Prepared:
         DescriptionError: axes, tolerances or limits that the mechanism does not have.
     """
     made = prepared(plan.hash, PlanHolder(plan))
-    _check(plan, made)
+    check_plan(plan, made.model, made.units)
     return made
 
 
@@ -106,9 +106,16 @@ def evaluate(plan: Plan, chunk: int) -> dict[str, Array]:
     return results
 
 
-def _check(plan: Plan, made: Prepared) -> None:
-    known = [*made.labels, *made.model.mechanism.parameters]
-    if _spherical(made) is not None:
+def check_plan(plan: Plan, model: Model, units: Mapping[str, str] | None = None) -> None:
+    """Whether a mechanism has what a plan names.
+
+    Raises:
+        DescriptionError: axes, tolerances or limits that it does not have.
+    """
+    units = result_units(model) if units is None else units
+    spherical = quaternion_labels(model)
+    known = [*independent_labels(model), *model.mechanism.parameters]
+    if spherical is not None:
         known += [TILT, AZIMUTH]
     for axis in plan.axes:
         if axis.name not in known:
@@ -116,7 +123,7 @@ def _check(plan: Plan, made: Prepared) -> None:
                 f"--over: {axis.name!r} is neither an independent coordinate nor a parameter; "
                 f"{did_you_mean(axis.name, known)}"
             )
-        unit = made.units.get(axis.name, "")
+        unit = units.get(axis.name, "")
         if axis.unit and unit in ("m", "rad") and axis.unit != unit:
             wanted = "a length [m, mm]" if unit == "m" else "an angle [rad, deg]"
             raise DescriptionError(f"--over: {axis.name} is {wanted}; its values are given in {axis.unit}")
@@ -124,20 +131,20 @@ def _check(plan: Plan, made: Prepared) -> None:
     twice = sorted({n for n in names if names.count(n) > 1})
     if twice:
         raise DescriptionError(f"--over: {twice[0]!r} is given twice")
-    spherical = _spherical(made)
     if spherical is not None and {TILT, AZIMUTH} & set(names) and set(spherical) & set(names):
         raise DescriptionError("--over: tilt and azimuth already say what the quaternion's components are")
     if AZIMUTH in names and TILT not in names:
         raise DescriptionError("--over: azimuth needs tilt: azimuth is the direction of the axis of the tilt")
     for name, _, _ in plan.limits:
-        if name not in made.units:
-            raise DescriptionError(f"--limit: no result {name!r}; {did_you_mean(name, made.units)}")
+        if name not in units:
+            raise DescriptionError(f"--limit: no result {name!r}; {did_you_mean(name, units)}")
 
 
-def _spherical(made: Prepared) -> tuple[str, str] | None:
+def quaternion_labels(model: Model) -> tuple[str, str] | None:
     """Labels of the x and y components of the quaternion among the independent coordinates."""
-    for label in made.labels:
-        if label.endswith(".qx") and label[:-1] + "y" in made.labels:
+    labels = independent_labels(model)
+    for label in labels:
+        if label.endswith(".qx") and label[:-1] + "y" in labels:
             return label, label[:-1] + "y"
     return None
 
@@ -150,7 +157,7 @@ def _wanted(plan: Plan, made: Prepared, values: Array, deviations: Array) -> tup
         if name in made.labels:
             y[:, made.labels.index(name)] = value
     if TILT in column:
-        spherical = _spherical(made)
+        spherical = quaternion_labels(made.model)
         assert spherical is not None
         azimuth = column.get(AZIMUTH, np.zeros(len(values)))
         x, z = (made.labels.index(label) for label in spherical)
@@ -168,7 +175,7 @@ def _wanted(plan: Plan, made: Prepared, values: Array, deviations: Array) -> tup
     return y, p
 
 
-def _units(model: Model) -> dict[str, str]:
+def result_units(model: Model) -> dict[str, str]:
     """Result -> unit."""
     units: dict[str, str] = {
         "condition": "1",

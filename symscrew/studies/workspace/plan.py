@@ -103,8 +103,8 @@ class Plan:
         return stream.standard_normal((count, len(self.tolerances))) * [sigma for _, sigma in self.tolerances]
 
 
-def read_axis(text: str) -> Axis:
-    """An axis as it is typed: NAME=from:to:count, numbers with mm, m, deg or rad if wanted.
+def read_axis(text: str, count: int | None = None) -> Axis:
+    """An axis as it is typed: NAME=from:to:count, numbers with mm, m, deg or rad if wanted; `count`: if none is typed.
 
     >>> read_axis("x=-1:1:5").values.tolist()
     [-1.0, -0.5, 0.0, 0.5, 1.0]
@@ -114,6 +114,8 @@ def read_axis(text: str) -> Axis:
     """
     name, equals, rest = text.partition("=")
     parts = rest.split(":")
+    if count is not None and len(parts) == 2 and all(part.strip() for part in parts):
+        parts.append(str(count))
     if not equals or not name or len(parts) != 3 or not parts[2].strip().isdecimal():
         raise DescriptionError(
             f"--over: expected COORDINATE=from:to:count such as tilt=0:20deg:21, got {shorten(text)}"
@@ -121,12 +123,12 @@ def read_axis(text: str) -> Axis:
     (low, one), (high, other) = (read_quantity(part, "--over") for part in parts[:2])
     if one != other and low and high:  # a zero needs no unit
         raise DescriptionError(f"--over: expected both ends in one unit, such as -20deg:20deg, got {shorten(text)}")
-    count = int(parts[2][:9])
-    if count < 1 or (count > 1) == (low == high):
+    number = int(parts[2][:9])
+    if number < 1 or (number > 1) == (low == high):
         raise DescriptionError(
             f"--over: expected from below to and at least 2 values, or one value, in {shorten(text)}"
         )
-    return Axis(name.strip(), low, high, count, other if high else one)
+    return Axis(name.strip(), low, high, number, other if high else one)
 
 
 def read_number(text: str, where: str) -> float:
