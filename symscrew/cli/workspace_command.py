@@ -77,7 +77,6 @@ def run(options: argparse.Namespace) -> int:
         TILT,
         held_store,
         prepare_sweep,
-        read_number,
         save_csv,
         save_npz,
         sweep_summary,
@@ -93,7 +92,7 @@ def run(options: argparse.Namespace) -> int:
         )
     if not out.parent.is_dir():
         raise UsageError(f"--out: no folder {shorten(str(out.parent), 200)} to write into")
-    expected = read_number(options.expect_tilt, "--expect-tilt") if options.expect_tilt else None
+    expected = _in_unit(options.expect_tilt, "--expect-tilt", "rad") if options.expect_tilt else None
     if options.certify:
         return run_certificate(options, out, expected)
     plan = read_plan(options)
@@ -129,17 +128,20 @@ def run(options: argparse.Namespace) -> int:
 def read_plan(options: argparse.Namespace) -> Plan:
     """The plan that the options describe; raises UsageError or DescriptionError."""
     from symscrew import catalogue
-    from symscrew.studies.workspace import MOST_CASES, Plan, read_axis, read_limit, read_number
+    from symscrew.studies.workspace import MOST_CASES, Plan, read_axis, read_limit, read_quantity
 
     finest = FINEST.get(len(options.over or ()), FINEST_OF_MORE) if options.certify else None
     axes = tuple(read_axis(item, finest) for item in options.over or ())
-    tolerances = []
+    tolerances, typed = [], []
     for item in options.tolerance or ():
         name, equals, value = item.partition("=")
-        sigma = read_number(value, "--tolerance") if equals else -1.0
+        sigma, unit = read_quantity(value, "--tolerance") if equals else (-1.0, "")
         if sigma <= 0:
             raise UsageError(f"--tolerance: expected PARAMETER=standard deviation above 0, got {shorten(item)}")
         tolerances.append((name.strip(), sigma))
+        typed.append(("--tolerance", name.strip(), unit))
+    limits = [read_limit(item) for item in options.limit or ()]
+    typed += [("--limit", limit[0], unit) for limit, unit in limits]
     samples = options.samples if tolerances else 1
     if not 1 <= samples <= MOST_SAMPLES:
         raise UsageError(f"--samples: expected a number from 1 to {MOST_SAMPLES}, got {samples}")
@@ -159,15 +161,26 @@ def read_plan(options: argparse.Namespace) -> Plan:
         tuple(tolerances),
         samples,
         options.seed,
-        tuple(read_limit(item) for item in options.limit or ()),
-        read_number(options.stiffness, "--stiffness"),
+        tuple(limit for limit, _ in limits),
+        _in_unit(options.stiffness, "--stiffness", "N/m"),
         parameters=varied,
+        typed=tuple(typed),
     )
     if not axes and not tolerances:
         raise UsageError("nothing to sweep: give --over COORDINATE=from:to:count, or --tolerance PARAMETER=deviation")
     if plan.count > MOST_CASES and not options.certify:
         raise UsageError(f"{plan.count} cases; at most {MOST_CASES // 10**6} million are computed in one sweep")
     return plan
+
+
+def _in_unit(text: str, option: str, wanted: str) -> float:
+    """A number in this SI unit; raises UsageError where another one is typed."""
+    from symscrew.studies.workspace import read_quantity
+
+    value, unit = read_quantity(text, option)
+    if unit not in ("", wanted):
+        raise UsageError(f"{option}: expected a number in {wanted} or a unit of its kind, got {shorten(text)}")
+    return value
 
 
 def run_certificate(options: argparse.Namespace, out: Path, expected: float | None) -> int:

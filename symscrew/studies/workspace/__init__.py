@@ -30,7 +30,7 @@ if TYPE_CHECKING:
         Plan,
         read_axis,
         read_limit,
-        read_number,
+        read_quantity,
     )
     from symscrew.studies.workspace.store import Results, Store, held_store, save_csv, save_npz
 
@@ -53,7 +53,7 @@ __all__ = [
     "quaternion_labels",
     "read_axis",
     "read_limit",
-    "read_number",
+    "read_quantity",
     "reference_coordinates",
     "result_units",
     "run_locally",

@@ -8,6 +8,7 @@ from functools import lru_cache
 
 import numpy as np
 
+from symscrew.description import in_si
 from symscrew.errors import DescriptionError, did_you_mean
 from symscrew.model import Model, derive
 from symscrew.runtime import load
@@ -23,6 +24,7 @@ from symscrew.studies.workspace.plan import AZIMUTH, TILT, Plan
 
 Array = np.ndarray
 SINGULAR = 1e-9  # of R, relative: below, the platform has twists that no rates give, and the condition is infinite
+WORDS = {"m": "a length [m, mm]", "rad": "an angle [rad, deg]", "1": "a plain number"}
 NEEDED = (
     "assemble", "joint_displacements", "drive_rates", "null_space", "platform_jacobian", "forward_kinematics",
     "limb_margins", "constraint_margin", "actuation_margins", "inverse_dynamics",
@@ -123,10 +125,7 @@ def check_plan(plan: Plan, model: Model, units: Mapping[str, str] | None = None)
                 f"--over: {axis.name!r} is neither an independent coordinate nor a parameter; "
                 f"{did_you_mean(axis.name, known)}"
             )
-        unit = units.get(axis.name, "")
-        if axis.unit and unit in ("m", "rad") and axis.unit != unit:
-            wanted = "a length [m, mm]" if unit == "m" else "an angle [rad, deg]"
-            raise DescriptionError(f"--over: {axis.name} is {wanted}; its values are given in {axis.unit}")
+        _check_unit("--over", axis.name, axis.unit, units)
     names = [axis.name for axis in plan.axes]
     twice = sorted({n for n in names if names.count(n) > 1})
     if twice:
@@ -138,6 +137,16 @@ def check_plan(plan: Plan, model: Model, units: Mapping[str, str] | None = None)
     for name, _, _ in plan.limits:
         if name not in units:
             raise DescriptionError(f"--limit: no result {name!r}; {did_you_mean(name, units)}")
+    for option, name, unit in plan.typed:
+        _check_unit(option, name, unit, units)
+
+
+def _check_unit(option: str, name: str, typed: str, units: Mapping[str, str]) -> None:
+    """Raises DescriptionError where a unit was typed that is not that of the result or parameter."""
+    unit = in_si(units[name], name)[1] if units.get(name) else "1"
+    if typed and typed != unit:
+        wanted = WORDS.get(unit, f"in {unit}")
+        raise DescriptionError(f"{option}: {name} is {wanted}; its values are given in {typed}")
 
 
 def quaternion_labels(model: Model) -> tuple[str, str] | None:
