@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from symscrew.export.example import SPILLS, print_cmake, print_example
     from symscrew.export.hash_file import HASHES, FileHash, file_hash, print_hashes, read_hashes
     from symscrew.export.javascript import print_javascript, print_script
+    from symscrew.export.jax import print_jax
     from symscrew.export.listing import banner, decimal, live_instructions, model_hash, packed, plain
     from symscrew.export.manifest_file import (
         OutputError,
@@ -71,6 +72,7 @@ __all__ = [
     "print_external",
     "print_hashes",
     "print_javascript",
+    "print_jax",
     "print_markdown",
     "print_numpy",
     "print_readme",
