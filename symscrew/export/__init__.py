@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from symscrew.export.casadi import TABLE, casadi_functions, program_function
     from symscrew.export.casadi_external import jacobians_model, print_external
     from symscrew.export.cpp import print_cpp
+    from symscrew.export.cuda import CUDA_THREADS, print_cuda
     from symscrew.export.example import SPILLS, print_cmake, print_example
     from symscrew.export.hash_file import HASHES, FileHash, file_hash, print_hashes, read_hashes
     from symscrew.export.javascript import print_javascript, print_script
@@ -37,6 +38,7 @@ if TYPE_CHECKING:
     from symscrew.export.written_folder import MANIFEST, own_files, read_manifest
 
 __all__ = [
+    "CUDA_THREADS",
     "DOUBLE",
     "HASHES",
     "MANIFEST",
@@ -68,6 +70,7 @@ __all__ = [
     "print_c",
     "print_cmake",
     "print_cpp",
+    "print_cuda",
     "print_example",
     "print_external",
     "print_hashes",
