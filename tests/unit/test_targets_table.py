@@ -95,7 +95,7 @@ def test_every_target_has_its_file(name: str) -> None:
 
 
 def test_what_the_table_says_of_precisions_and_of_targets_that_come_along() -> None:
-    assert printable("single") == ("c", "rust", "markdown") and printable("double") == tuple(TARGETS)
+    assert printable("single") == ("c", "rust", "cuda", "markdown") and printable("double") == tuple(TARGETS)
     assert with_brought(["external"]) == ("c", "external")
     assert with_brought(["numpy", "c", "numpy"]) == ("c", "numpy")
     assert set(USUAL) <= set(TARGETS)
