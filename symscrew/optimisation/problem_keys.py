@@ -135,7 +135,11 @@ SECTIONS: Mapping[str, Mapping[str, Key]] = {
     },
     "transcription": {
         "method": Key("", "radau or gauss collocation, or multiple shooting", 'method = "gauss"'),
-        "degree": Key("", "points in an interval (steps of Runge-Kutta where shooting)", "degree = 2"),
+        "degree": Key(
+            "",
+            "points in an interval, more where intervals would be many (shooting: steps of Runge-Kutta)",
+            "degree = 2",
+        ),
         "intervals": Key("", "of the first mesh", "intervals = 3"),
         "second_order": Key("", "collocation keeps y' the derivative of y between the points", "second_order = false"),
         "formulation": Key(
