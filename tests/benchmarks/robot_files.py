@@ -36,6 +36,7 @@ from symscrew.scene import robot_of
 Array = np.ndarray[Any, Any]
 STATES = 3
 EQUAL = 1e-9  # relative, as for everything that is compared with other engines
+POINTER = 200  # bytes up to which a mesh is the pointer of a large file that was not fetched
 COMPARED = ("gravity", "rotor_inertia")  # what both engines have in M a + h
 
 
@@ -128,8 +129,9 @@ def with_mujoco(path: Path, options: ImportOptions) -> tuple[float, str]:
         data.qvel[:] = 0 if closed else columns[0]
         mujoco.mj_forward(engine, data)
         full = np.zeros((engine.nv, engine.nv))
-        mujoco.mj_fullM(engine, data, full)
-        motions = np.array(columns[1:]).reshape(-1, engine.nv).T
+        if engine.nv:
+            mujoco.mj_fullM(engine, data, full)
+        motions = np.array(columns[1:]).reshape(len(columns) - 1, engine.nv).T
         if engine.neq and motions.size:
             kept = data.efc_type == mujoco.mjtConstraint.mjCNSTR_EQUALITY
             rows = data.efc_J.reshape(-1, engine.nv)[kept] if data.nefc else np.zeros((0, engine.nv))
@@ -147,14 +149,13 @@ def mujoco_model(path: Path) -> Any:
 
     try:
         return mujoco.MjModel.from_xml_path(str(path))
-    except ValueError as error:
-        if "file" not in str(error):
-            raise
-    spec = mujoco.MjSpec.from_file(str(path))
-    for listed in (spec.skins, spec.textures, spec.materials):
+    except ValueError:
+        spec = mujoco.MjSpec.from_file(str(path))
+    for listed in (spec.skins, spec.textures, spec.materials, spec.excludes, spec.pairs, spec.sensors):
         for element in list(listed):
             spec.delete(element)
-    there = {mesh.name for mesh in spec.meshes if (path.parent / spec.meshdir / mesh.file).is_file()}
+    files = {mesh.name or Path(mesh.file).stem: path.parent / spec.meshdir / mesh.file for mesh in spec.meshes}
+    there = {name for name, file in files.items() if file.is_file() and file.stat().st_size > POINTER}
     for body in spec.bodies:
         for geom in list(body.geoms):
             geom.material = ""
@@ -163,7 +164,7 @@ def mujoco_model(path: Path) -> Any:
                 spec.delete(geom)
     for ground in list(spec.hfields):
         spec.delete(ground)
-    for mesh in [mesh for mesh in spec.meshes if mesh.name not in there]:
+    for mesh in [mesh for mesh in spec.meshes if (mesh.name or Path(mesh.file).stem) not in there]:
         spec.delete(mesh)
     return spec.compile()
 
