@@ -8,8 +8,8 @@ from typing import Any, cast
 from symscrew.description import Mechanism, MechanismBuilder
 from symscrew.effects import Gravity, effect_from_table
 from symscrew.export.c_lanes import in_order
+from symscrew.kinematics import System
 from symscrew.mobility import analyse_mobility
-from symscrew.model import derive
 from symscrew.program.lanes.signed_operations import Operation
 from symscrew.simulation.derived_model import derived_model
 
@@ -36,9 +36,8 @@ def test_a_simulation_has_the_tree_of_its_effects() -> None:
     """A spring far from the drives asks for whole turns, for which the loop is cut elsewhere: in both, or in none."""
     leg = rod_leg()
     effects = (Gravity(), effect_from_table({"type": "joint_spring", "joint": "C", "stiffness": 30}))
-    assert list(derive(leg).system.tree.joints) != list(derive(leg, effects).system.tree.joints)
     kept = derived_model(leg, effects)
-    assert list(kept.system.tree.joints) == list(derive(leg, effects).system.tree.joints)
+    assert "C" in kept.system.tree.joints and "C" not in System(leg).tree.joints
     assert kept.programs["forward_dynamics"].inputs[0].size == len(kept.system.tree.q)
 
 

@@ -81,6 +81,7 @@ def test_a_urdf_keeps_what_it_holds(tmp_path: Path, capsys: pytest.CaptureFixtur
     assert "left out of less.urdf: spring of l" in capsys.readouterr().err
 
 
+@pytest.mark.slow
 def test_effects_of_a_scene_go_into_the_file(tmp_path: Path) -> None:
     scene = tmp_path / "acts.toml"
     effects = (
