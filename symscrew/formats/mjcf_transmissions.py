@@ -13,6 +13,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
+from symscrew.description import JOINT_TYPES
 from symscrew.errors import DescriptionError, did_you_mean, shorten
 from symscrew.formats.draft import Draft, RawBody, RawCoupling, RawEffect, RawJoint
 from symscrew.formats.file_names import fresh
@@ -174,7 +175,7 @@ def add_pulleys(draft: Draft, found: Transmissions, values: dict[str, Real], dri
                     f"{label(found.given[tendon])}: expected a hinge or slide joint, got {shorten(name)}; "
                     f"{did_you_mean(name, values)}"
                 )
-        hinges = {j.name for j in draft.joints if j.type == "R"}
+        hinges = {j.name for j in draft.joints if JOINT_TYPES[j.type].hinge}
         body = fresh(f"{tendon}_pulley", [draft.ground, *(b.name for b in draft.bodies)])
         value = sum((c * values[name] for name, c in terms.items()), start=ZERO[0])
         draft.bodies.append(RawBody(body))

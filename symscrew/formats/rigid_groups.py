@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 
+from symscrew.description import JOINT_TYPES
 from symscrew.formats.draft import Draft, RawBody
 from symscrew.formats.mjcf_geoms import Solid, together
 from symscrew.formats.physical_inertias import impossible
@@ -58,7 +59,7 @@ def _fixed_to(draft: Draft, bodies: Mapping[str, RawBody], start: str) -> str | 
         if here == draft.ground or (here != start and bodies[here].mass):
             return here
         for joint in draft.joints:
-            if joint.type == "fixed" and here in (joint.parent, joint.child):
+            if not JOINT_TYPES[joint.type].freedom and here in (joint.parent, joint.child):
                 other = joint.child if here == joint.parent else joint.parent
                 if other not in seen:
                     seen.add(other)
