@@ -130,6 +130,23 @@ def test_armature_and_friction_of_a_ball(tmp_path: Path) -> None:
     assert model("mass_matrix", [1.0, 0, 0, 0])[0][0].reshape(3, 3) == pytest.approx(full, abs=1e-14)
 
 
+def test_masses_as_the_compiler_wants_them(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Least masses and moments, balanced moments, a total: bodies as MuJoCo has them."""
+    monkeypatch.chdir(tmp_path)  # where the engine writes that it deprecates one of them
+    text = f"""<mujoco><compiler boundmass="0.5" boundinertia="0.012" balanceinertia="true" settotalmass="7"/>
+    <worldbody><body name="a"><joint name="j"/>{INERTIAL}<body name="b" pos="0 0 1"><joint name="k"/>
+    <inertial pos="0 0 0.1" mass="0.2" diaginertia="0.01 0.02 0.07" euler="20 0 0"/></body></body></worldbody>
+    </mujoco>"""
+    found = import_file(saved(text, tmp_path))
+    engine = mujoco.MjModel.from_xml_string(text)
+    for k, name in ((1, "a"), (2, "b")):
+        body = found.mechanism.bodies[name]
+        assert float(body.mass or 0) == pytest.approx(engine.body_mass[k], rel=1e-12)
+        moments = np.linalg.eigvalsh(np.array(body.inertia, dtype=float))
+        assert moments == pytest.approx(np.sort(engine.body_inertia[k]), rel=1e-9)
+    assert {"boundmass", "boundinertia", "balanceinertia"} < set(found.account.effects)
+
+
 def test_forces_at_sites_are_inputs_and_mocap_bodies_stand(tmp_path: Path) -> None:
     text = f"""<mujoco><worldbody><body name="hull"><freejoint/>{INERTIAL}<site name="rotor" pos="0.2 0 0.1"/></body>
     <body name="goal" mocap="true" pos="1 0 0"/></worldbody>
