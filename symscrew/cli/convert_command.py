@@ -8,7 +8,7 @@ import sys
 from pathlib import Path
 
 from symscrew.cli.help import DONE, UsageError
-from symscrew.cli.shared_options import add_mechanism, writable_folder
+from symscrew.cli.shared_options import add_mechanism, check_folder, writable_folder
 
 EXAMPLES = (
     "symscrew convert robot.urdf --out robot.toml",
@@ -47,6 +47,9 @@ def run(options: argparse.Namespace) -> int:
         raise UsageError(f"--out: expected a name that ends in {', '.join(WRITERS)}, got {options.out!r}")
     if path.exists() and not options.replace:
         raise UsageError(f"--out: {path} exists and is left as it is; choose another name, or say --replace")
+    for file, option in ((options.out, "--out"), (options.scene, "--scene")):
+        if file:
+            check_folder(Path(file).parent, option)
     foreign = source.suffix in READABLE and source.is_file()
     if not foreign and (options.scene or options.snap or options.repair or options.accept or options.floating):
         raise UsageError("--scene, --snap, --repair, --accept and --floating belong to URDF and MJCF files")
