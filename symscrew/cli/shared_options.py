@@ -102,7 +102,7 @@ def check_folder(directory: str | Path, option: str = "--out") -> None:
         raise UsageError(f"{option}: a path must not contain a null character")
     there = next((p for p in (path, *path.absolute().parents) if p.exists()), Path("/"))
     if not there.is_dir():
-        raise UsageError(f"{option}: {shorten(str(there), 200)} is a file; expected a folder")
+        raise UsageError(f"{option}: expected a folder, found a file: {shorten(str(there), 200)}")
     if not os.access(there, os.W_OK | os.X_OK):
         raise UsageError(f"{option}: no permission to write into {shorten(str(there), 200)}")
 

@@ -30,6 +30,7 @@ from symscrew.description.taken_names import members, namespace, taken_as_file
 from symscrew.description.template import renamed_text, write_new, write_template
 from symscrew.description.toml_file import load_description, parse_description, read_tables, read_text, to_toml
 from symscrew.description.toml_tables import check_keys, check_sections, from_file
+from symscrew.description.units import in_si
 from symscrew.description.validation import validate
 
 __all__ = [
@@ -63,6 +64,7 @@ __all__ = [
     "followed",
     "from_file",
     "given_value",
+    "in_si",
     "load_description",
     "markdown_text",
     "members",

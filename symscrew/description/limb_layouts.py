@@ -100,11 +100,7 @@ def _leg(limb: LimbType, base: sympy.Expr, top: sympy.Expr, *, hub: bool, paired
     axes = []
     for k in range(len(letters)):
         along = points[k + 1] - points[k] if k + 1 < len(points) else points[k] - points[k - 1]
-        flat = sympy.sqrt(sympy.simplify(along.dot(along)))
-        normal = radial if paired else (along.dot(Z) * radial - along.dot(radial) * Z) / flat
-        normal = normal.applyfunc(sympy.simplify)
-        line = (along / flat).applyfunc(sympy.simplify)
-        axes.append(_axes(kinds, k, Directions(radial, tangential, normal, line), hub=hub))
+        axes.append(_axes(kinds, k, Directions(radial, tangential, along, paired), hub=hub))
     for k in limb.parallelograms:  # opens along the circle, so that its bars stay in planes across the limb's
         axes[k + 1] = axes[k] = (_across(points[k + 1] - points[k], tangential),)
     axes = _behind_parallelograms(limb, axes, tangential)
@@ -130,12 +126,30 @@ def _behind_parallelograms(
 
 @dataclass(frozen=True)
 class Directions:
-    """Unit vectors at a limb: away from the middle, around it, across the limb in its plane, and along it."""
+    """Unit vectors at a limb: away from the middle, around it, across the limb in its plane, and along it.
+
+    Those of the limb's line take a second to simplify, and most joints need neither.
+    """
 
     radial: Point
     tangential: Point
-    normal: Point
-    line: Point
+    along: Point
+    paired: bool
+
+    @property
+    def normal(self) -> Point:
+        """Across the limb."""
+        along, radial = self.along, self.radial
+        across = radial if self.paired else (along.dot(Z) * radial - along.dot(radial) * Z) / self._length()
+        return across.applyfunc(sympy.simplify)
+
+    @property
+    def line(self) -> Point:
+        """Along the limb."""
+        return (self.along / self._length()).applyfunc(sympy.simplify)
+
+    def _length(self) -> sympy.Expr:
+        return sympy.sqrt(sympy.simplify(self.along.dot(self.along)))
 
 
 def _axes(kinds: Sequence[JointType], k: int, at: Directions, *, hub: bool) -> tuple[Point, ...]:

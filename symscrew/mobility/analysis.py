@@ -14,6 +14,7 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
+from symscrew import notebook
 from symscrew.description import Mechanism
 from symscrew.errors import DescriptionError
 from symscrew.mobility.almost_singular import NEARLY_SINGULAR, almost_lower, almost_singular
@@ -332,6 +333,9 @@ class Mobility:
         return conditions(
             (*(self.symbolic.loci if self.symbolic is not None else ()), *loops, *self.singularities.loci)
         )
+
+    def _repr_html_(self) -> str:
+        return notebook.lines(self.mechanism.name, self.report().splitlines())
 
     def report(self) -> str:
         """The result in words, one line a fact."""

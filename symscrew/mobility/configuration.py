@@ -54,7 +54,7 @@ class UnreachedError(DescriptionError):
         self.numbers, self.free = numbers, free
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Reached:
     """A configuration: the network with the screws there, and how far its loops are open, in units of its size.
 
@@ -65,6 +65,9 @@ class Reached:
     network: Network
     closed_to: float
     values: Mapping[str, float]
+
+    def __repr__(self) -> str:
+        return f"Reached({len(self.values)} coordinates, loops closed to {self.closed_to:.1e})"
 
     def tree(self, system: System) -> Array:
         """The coordinates q of the spanning tree."""

@@ -88,7 +88,7 @@ def test_bad_file(name: str, command: str, tmp_path: Path, capsys: pytest.Captur
         (["generate", "four_bar"], "--out"),
         (["generate", "four_bra", "--out", "made"], "did you mean 'four_bar'"),
         (["generate", "nothing.toml", "--out", "made"], "there is no file"),
-        (["generate", "four_bar", "--out", "made", "--target", "rust"], "unknown 'rust'"),
+        (["generate", "four_bar", "--out", "made", "--target", "cobol"], "unknown 'cobol'"),
         (["generate", "four_bar", "--out", "made", "--gravity", "0", "0", "heavy"], "finite numbers"),
         (["generate", "four_bar", "--out", "made", "--gravity", "0", "0", "inf"], "finite numbers"),
         (["generate", "four_bar", "--out", "made", "--no-gravity", "--gravity", "0", "0", "1"], "not allowed with"),
