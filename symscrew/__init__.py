@@ -23,6 +23,7 @@ absolute axes, screws at the origin O.
     ExternalWrench("tool")            an Effect: force and moment at a named point, as an input or given
   to look at
     analyse_mobility(mechanism)       -> Mobility: constraints and freedoms by reciprocal screws; .report() in words
+    inverse_kinematics(mechanism, at)  -> Configuration: all coordinates from some, {"z": "1mm"}: .status, .drives
     Quantities(mechanism)             screws, twists, momenta, constraints as formulas: .twist("tool").latex()
     inertial_parameters(mechanism)    -> the parameters pi (10 per body) in which the dynamics are linear
     base_parameters(mechanism)        -> those combinations of pi that a motion can tell apart
@@ -111,6 +112,7 @@ if TYPE_CHECKING:
     from symscrew.functions import inertial_parameters as inertial_parameters
     from symscrew.generation import generate as generate
     from symscrew.mobility import analyse_mobility as analyse_mobility
+    from symscrew.mobility import inverse_kinematics as inverse_kinematics
     from symscrew.model import Model as Model
     from symscrew.model import derive as derive
     from symscrew.optimisation import optimisation_problem as optimisation_problem
@@ -146,6 +148,7 @@ __all__ = [
     "drives",
     "generate",
     "inertial_parameters",
+    "inverse_kinematics",
     "joint_wrenches",
     "load",
     "load_catalogue",

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from symscrew.cli.help import DONE, UsageError
-from symscrew.cli.shared_options import add_mechanism, writable_folder
+from symscrew.cli.shared_options import add_mechanism, check_folder, writable_folder
 
 if TYPE_CHECKING:
     from symscrew.description import Mechanism
@@ -61,6 +61,9 @@ def run(options: argparse.Namespace) -> int:
         raise UsageError(f"--out: expected a name that ends in {', '.join(WRITERS)}, got {options.out!r}")
     if path.exists() and not options.replace:
         raise UsageError(f"--out: {path} exists and is left as it is; choose another name, or say --replace")
+    for file, option in ((options.out, "--out"), (options.scene, "--scene")):
+        if file:
+            check_folder(Path(file).parent, option)
     foreign = source.suffix in READABLE and source.is_file()
     asked = (options.scene, options.snap, options.repair, options.floating, options.exact, options.bare)
     if not foreign and (any(asked) or (options.accept and not options.effects)):
