@@ -84,6 +84,7 @@ their `__init__` names); `tests/unit/test_structure.py` reads the order from her
     studies/accuracy    what accuracy costs in time
     studies/benchmark   functions beside other libraries
     studies/workspace   maps over coordinates and parameters
+    studies/certificate boxes of coordinates that are proved free of singularities
     reporting       one document on a mechanism
     cli             the command line
 

@@ -11,7 +11,7 @@ SymPy expressions, free of floating point, in the mechanism's parameters.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import sympy
@@ -198,6 +198,23 @@ def _short(expression: sympy.Expr) -> str:
     """A mass as a number, or as the formula it is where that is short."""
     text = str(expression if expression.free_symbols else float(expression))
     return text if len(text) <= MOST_LETTERS else "a formula in"
+
+
+def followed(parameters: Mapping[str, Parameter], given: Mapping[str, sympy.Expr]) -> dict[str, Parameter]:
+    """The parameters with `given` values, and those whose formulas refer to them with the values that follow."""
+    values: dict[sympy.Symbol, sympy.Expr] = {}
+
+    def found(parameter: Parameter) -> sympy.Expr:
+        if parameter.symbol not in values:
+            formula = given.get(parameter.name, parameter.formula)
+            if formula is None:
+                formula = parameter.value
+            values[parameter.symbol] = formula.xreplace({s: found(parameters[str(s)]) for s in formula.free_symbols})
+        return values[parameter.symbol]
+
+    return {
+        name: replace(p, value=found(p), formula=None if name in given else p.formula) for name, p in parameters.items()
+    }
 
 
 def baked_values(parameters: Mapping[str, Parameter]) -> dict[sympy.Symbol, sympy.Expr]:

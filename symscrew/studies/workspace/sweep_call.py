@@ -19,7 +19,7 @@ from symscrew.errors import DescriptionError, did_you_mean
 from symscrew.studies.workspace.engine import run_locally
 from symscrew.studies.workspace.evaluation import prepare_sweep
 from symscrew.studies.workspace.map_summary import sweep_summary, sweep_summary_text
-from symscrew.studies.workspace.plan import Plan, read_axis, read_limit, read_number
+from symscrew.studies.workspace.plan import Plan, read_axis, read_limit, read_quantity
 from symscrew.studies.workspace.store import save_csv, save_npz
 
 
@@ -92,7 +92,11 @@ def workspace(
         DescriptionError: axes, tolerances or limits that the mechanism does not have.
     """
     axes = tuple(read_axis(f"{name}={values}") for name, values in over.items())
-    spread = tuple((name, read_number(value, f"tolerance of {name}")) for name, value in (tolerances or {}).items())
+    quantities = {name: read_quantity(value, f"tolerance of {name}") for name, value in (tolerances or {}).items()}
+    spread = tuple((name, value) for name, (value, _) in quantities.items())
+    allowed = [read_limit(f"{name}={value}") for name, value in (limits or {}).items()]
+    typed = [("tolerances", name, unit) for name, (_, unit) in quantities.items()]
+    typed += [("limits", limit[0], unit) for limit, unit in allowed]
     varied = tuple(dict.fromkeys(n for n in (*over, *(n for n, _ in spread)) if n in mechanism.parameters))
     inputs = {n: replace(p, run_time=p.run_time or n in varied) for n, p in mechanism.parameters.items()}
     plan = Plan(
@@ -102,8 +106,9 @@ def workspace(
         tolerances=spread,
         samples=samples if spread else 1,
         seed=seed,
-        limits=tuple(read_limit(f"{name}={value}") for name, value in (limits or {}).items()),
+        limits=tuple(limit for limit, _ in allowed),
         parameters=varied,
+        typed=tuple(typed),
     )
     made = prepare_sweep(plan)
     pieces = dict(run_locally(plan, range(plan.chunks), processes))
