@@ -38,6 +38,7 @@ if TYPE_CHECKING:
     from symscrew.export.reduced import configuration_function, ode_function, print_reduced
     from symscrew.export.rust import print_rust
     from symscrew.export.rust_names import RustNames
+    from symscrew.export.structured_text import block_ports, print_structured_text
     from symscrew.export.written_folder import MANIFEST, own_files, read_manifest
 
 __all__ = [
@@ -57,6 +58,7 @@ __all__ = [
     "RustNames",
     "axes_text",
     "banner",
+    "block_ports",
     "casadi_functions",
     "configuration_function",
     "decimal",
@@ -88,6 +90,7 @@ __all__ = [
     "print_reduced",
     "print_rust",
     "print_script",
+    "print_structured_text",
     "program_function",
     "read_form",
     "read_hashes",

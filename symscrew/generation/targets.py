@@ -62,6 +62,7 @@ REDUCED = "`{0}_reduced.c`, `{0}_ode.casadi`, `{0}_configuration.casadi`: the mo
 UNIT = "`{0}.fmu`: functional mock-up unit, FMI 3.0, co-simulation and model exchange, C sources only"
 RUST = "`{0}.rs`, `Cargo.toml`: a crate for Rust 1.63 and later, no_std, without unsafe and allocation"
 LINUXCNC = "`{0}kins.c`, `{0}_drives.h`, `{0}_drives.c`: kinematics module of LinuxCNC, for `halcompile`"
+TEXT = "`{0}.st`: function blocks in structured text, IEC 61131-3, for CODESYS, TwinCAT and others"
 BOTH = ("double", "single")
 
 TARGETS: dict[str, Target] = {
@@ -73,6 +74,7 @@ TARGETS: dict[str, Target] = {
     "javascript": Target(f"{ROOM}.javascript_target", "`{0}.js`: JavaScript for a page or Node"),
     "rust": Target(f"{ROOM}.rust_target", RUST, precisions=BOTH),
     "linuxcnc": Target(f"{ROOM}.linuxcnc_target", LINUXCNC),
+    "st": Target(f"{ROOM}.structured_text_target", TEXT),
     "fmu": Target(f"{ROOM}.fmu_target", UNIT),
     "mjcf": Target(f"{ROOM}.mjcf_target", "`{0}.xml`: MJCF for MuJoCo, loops as equality constraints"),
     "urdf": Target(f"{ROOM}.urdf_target", "`{0}.urdf`: URDF"),
