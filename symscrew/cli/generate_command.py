@@ -35,7 +35,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
     command.add_argument("--out", metavar="DIR", required=True, help="a new, empty or earlier generated directory")
     text = "default: c casadi numpy; external: C for casadi.external, with derivatives; fmu: FMI 3.0, sources only"
     command.add_argument("--target", nargs="+", choices=TARGETS, help=text)
-    command.add_argument("--precision", choices=("double", "single"), help="single: C of type float, no other target")
+    command.add_argument("--precision", choices=("double", "single"), help="single: C of type float, Rust of f32")
     text = (
         "microcontroller: C of type float for one state at a time and one operation mode, no functions of many states"
     )

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import argparse
 import json
-import math
 import sys
 from collections.abc import Mapping
 from pathlib import Path
@@ -29,8 +28,8 @@ EXAMPLES = (
     "symscrew workspace three_ups_upu_s --certify --over tilt=0:10deg azimuth=0:360deg --expect-tilt 10deg --out proof",
 )
 OVER = (
-    "an axis: an independent coordinate, a parameter, tilt (of the platform's z-axis) or azimuth (of the tilt's "
-    "axis); numbers in m, mm, rad, deg"
+    "an axis: a parameter or a coordinate, of any joint (limb1_P) or of a body (tilt, azimuth, z, roll ... are the "
+    "platform's); numbers in m, mm, rad, deg"
 )
 LIMIT = (
     "what is allowed of a joint (limb1_P=-50mm:50mm), a drive at rest ('drive limb1_P=-500:500' [N, N m]), "
@@ -45,7 +44,6 @@ FINEST_OF_MORE = 17  # ... and the same in three dimensions and more
 TOLERANCE = "a parameter with the standard deviation of its normal distribution"
 ROUNDING = 1e-12  # of a tilt in degrees turned into radians twice: a tilt as expected is not missed by this part
 PROVED_PART = 1e-8  # of a tilt by which claims are rounded down: the tilt asked for is not missed by it
-TURN = 2 * math.pi  # a bare number beyond a whole turn was meant in degrees, most likely
 MOST_SAMPLES = 1_000_000  # per place; more is a slip of the finger, and MOST_CASES would refuse it later with less help
 
 
@@ -72,6 +70,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Read, sweep, write, print; 1 if an expected tilt is not reached."""
+    from symscrew.description import GivenValue, exact
     from symscrew.studies.workspace import (
         AZIMUTH,
         TILT,
@@ -100,9 +99,9 @@ def run(options: argparse.Namespace) -> int:
         raise UsageError("--expect-tilt needs the axes tilt and azimuth: --over tilt=0:20deg:21 azimuth=0:360deg:73")
     made = prepare_sweep(plan)
     for axis in plan.axes:
-        if made.units.get(axis.name) == "rad" and not axis.unit and max(abs(axis.low), abs(axis.high)) > TURN:
-            said = f"{axis.name} is in rad: {axis.high:g} are {math.degrees(axis.high):.0f} degrees"
-            print(f"note: {said}; {axis.high:g}deg are {axis.high:g} degrees", file=sys.stderr)
+        far = GivenValue(exact(max(axis.low, axis.high, key=abs)), axis.unit)
+        if notice := far.notice(made.units.get(axis.name, ""), axis.name):
+            print(f"note: {notice}", file=sys.stderr)
     folder = out.with_name(f".{out.name}.pieces") if single else out / "pieces"
     if out.is_dir() and not folder.is_dir() and any(out.iterdir()):
         raise UsageError(f"--out: {shorten(options.out)} is not empty and holds no sweep; use another one")

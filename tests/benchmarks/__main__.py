@@ -12,6 +12,7 @@ from symscrew.studies.this_machine import machine
 from . import (
     arrays,
     attacks,
+    controllers,
     derivatives,
     forward_dynamics,
     generation,
@@ -42,6 +43,7 @@ BENCHMARKS = {
     "starts": (starts.run, 30),
     "reposed": (reposed.run, 1),
     "attacks": (attacks.run, 1),
+    "controllers": (controllers.run, 1),
 }
 
 

@@ -57,7 +57,7 @@ def test_nothing_proved_is_a_failure(tmp_path: Path, capsys: pytest.CaptureFixtu
         (["--over", "base_left=0:1", "--limit", "condition=:20"], "no bounds are known of 'condition'"),
         (["--over", "base_left=0:1", "--limit", "conditon=:20"], "no result 'conditon'"),
         (["--over", "base_left=0:0:1"], "nothing to certify"),
-        (["--over", "elbow=0:1"], "neither an independent coordinate"),
+        (["--over", "elbow=0:1"], "neither a coordinate nor a parameter"),
         (["--over", "base_left=0:1", "--expect-tilt", "1deg"], "needs the axes tilt and azimuth"),
         (["--over", "base_left=1m:2m"], "is an angle"),
         (["--over", "base_left=-65deg:-55deg", "base_right=55deg:65deg"], "no configuration was found at"),

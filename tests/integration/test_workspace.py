@@ -295,7 +295,9 @@ def test_command(tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch
         (["--over", "tild=0:1:3"], "did you mean 'tilt'?"),
         (["--over", "tilt=0:1"], "COORDINATE=from:to:count"),
         (["--over", "tilt=1:1:3"], "from below to"),
-        (["--over", "tilt=0:1furlong:3"], "unknown unit 'furlong'"),
+        (["--over", "tilt=0:1ft:3"], "tilt is an angle [rad, deg]"),
+        (["--over", "tilt=0:1furlong:3"], "perhaps with a unit such as mm"),
+        (["--over", "platform_tilt=0:1:3"], "did you mean 'platform.tilt'?"),
         (["--over", "tilt=0:x:3"], "expected a number"),
         (["--over", "azimuth=0:1:3"], "azimuth needs tilt"),
         (["--over", "tilt=0:1:3", "tilt=0:1:3"], "given twice"),
@@ -315,6 +317,17 @@ def test_bad_input(arguments: list[str], text: str, tmp_path: Path, capsys: pyte
     assert not list(tmp_path.iterdir())
 
 
+def test_poses_and_passive_joints_are_axes_like_independent_coordinates() -> None:
+    """The configurations of a crank's map, asked for by the other joints and by the rocker's pose."""
+    crank = whole(plan_of("four_bar", Axis("A", -20 * DEG, 20 * DEG, 5)))
+    for name, like in (("B", "B"), ("C", "C"), ("D", "D"), ("rocker.pitch", "D")):
+        first, last = crank[like][[0, -1]]
+        found = whole(plan_of("four_bar", Axis(name, min(first, last), max(first, last), 2)))
+        assert found["reached"].all() and np.allclose(np.sort(found["A"]), [-20 * DEG, 20 * DEG], atol=1e-9)
+    beyond = whole(plan_of("four_bar", Axis("rocker.pitch", 0.0, 2.0, 2)))
+    assert beyond["reached"].tolist() == [1.0, 0.0] and np.isnan(beyond["A"][1])
+
+
 def test_reading() -> None:
     assert read_axis("tilt=0:90deg:3").values == pytest.approx([0, math.pi / 4, math.pi / 2])
     assert read_limit("limb1_P=-5mm:") == (("limb1_P", -0.005, math.inf), "m")
@@ -331,7 +344,7 @@ def test_units_of_axes_are_those_of_what_they_move(tmp_path: Path, capsys: pytes
         ([*some, "--limit", "condition=:20deg"], "condition is a plain number; its values are given in rad"),
         ([*some, "--limit", "drive A=-5N:5N"], "--limit: drive A is in N m; its values are given in N"),
         ([*some, "--limit", "B=-1:20deg"], "expected both ends in one unit"),
-        ([*some, "--limit", "B=-1furlong:"], "unknown unit 'furlong'"),
+        ([*some, "--limit", "B=-1furlong:"], "perhaps with a unit such as mm"),
         ([*some, "--stiffness", "5mm"], "--stiffness: expected a number in N/m"),
         ([*some, "--expect-tilt", "5mm"], "--expect-tilt: expected a number in rad"),
     ):

@@ -27,7 +27,17 @@ from symscrew.studies.certificate.certificate_checker import (
 )
 from symscrew.studies.certificate.file_equations import file_equations, reference_margins
 from symscrew.studies.certificate.splitting import Box, Splitting
-from symscrew.studies.workspace import AZIMUTH, SINGULAR, TILT, Axis, Plan, check_plan, quaternion_labels
+from symscrew.studies.workspace import (
+    AZIMUTH,
+    SINGULAR,
+    TILT,
+    Axis,
+    Plan,
+    check_plan,
+    has_own_axes,
+    independent_labels,
+    quaternion_labels,
+)
 from symscrew.whole_files import write_text
 
 Array = np.ndarray
@@ -112,6 +122,11 @@ def certify(plan: Plan, progress: Callable[[int], None] = lambda count: None) ->
         raise DescriptionError("--certify: no tolerances; give the parameter's range as an axis: --over r=0.49:0.51")
     model = derive(plan.mechanism, plan.effects, independent=plan.independent)
     check_plan(plan, model)
+    if not has_own_axes(plan, model):
+        raise DescriptionError(
+            f"--over: certificates are over independent coordinates ({', '.join(independent_labels(model))}) and what "
+            "tilt and azimuth say of these"
+        )
     region = region_of(plan, model)
     start = _start(model, region)
     values = file_equations(model, region.names, plan.limits, start)
@@ -125,7 +140,8 @@ def certify(plan: Plan, progress: Callable[[int], None] = lambda count: None) ->
 
 def region_of(plan: Plan, model: Model) -> Region:
     """The ranges of a plan as edges of a box; tilt and azimuth as the square about the disk of all directions."""
-    axes = {axis.name: axis for axis in plan.axes}
+    own = {f"{model.mechanism.platform}.{part}": part for part in (TILT, AZIMUTH)}
+    axes = {own.get(axis.name, axis.name): axis for axis in plan.axes}
     if TILT in axes:
         first, second = quaternion_labels(model) or ("", "")
         tilt = axes.pop(TILT)

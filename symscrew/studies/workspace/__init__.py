@@ -19,7 +19,13 @@ if TYPE_CHECKING:
         watched_margins,
     )
     from symscrew.studies.workspace.engine import run_locally, run_on_dask
-    from symscrew.studies.workspace.evaluation import check_plan, prepare_sweep, quaternion_labels, result_units
+    from symscrew.studies.workspace.evaluation import (
+        check_plan,
+        has_own_axes,
+        prepare_sweep,
+        quaternion_labels,
+        result_units,
+    )
     from symscrew.studies.workspace.map_summary import sweep_summary, sweep_summary_text
     from symscrew.studies.workspace.maps import draw_maps
     from symscrew.studies.workspace.plan import (
@@ -33,6 +39,7 @@ if TYPE_CHECKING:
         read_quantity,
     )
     from symscrew.studies.workspace.store import Results, Store, held_store, save_csv, save_npz
+    from symscrew.studies.workspace.sweep_call import Sweep, workspace
 
 __all__ = [
     "AZIMUTH",
@@ -44,9 +51,11 @@ __all__ = [
     "Plan",
     "Results",
     "Store",
+    "Sweep",
     "calls_of",
     "check_plan",
     "draw_maps",
+    "has_own_axes",
     "held_store",
     "independent_labels",
     "prepare_sweep",
@@ -65,6 +74,7 @@ __all__ = [
     "sweep_summary_text",
     "walk",
     "watched_margins",
+    "workspace",
 ]
 
 __getattr__ = doors(__name__)

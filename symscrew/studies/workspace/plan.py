@@ -5,18 +5,16 @@ from __future__ import annotations
 import hashlib
 import json
 import math
-import re
 from dataclasses import asdict, dataclass, field, fields, replace
 
 import numpy as np
 
-from symscrew.description import Mechanism, in_si, to_toml
+from symscrew.description import Mechanism, given_value, numeric, to_toml
 from symscrew.effects import Effect, type_name
 from symscrew.errors import DescriptionError, shorten
 
 TILT, AZIMUTH = "tilt", "azimuth"
 MOST_CASES = 50_000_000  # of a sweep: 0.4 GB for every result, of which there are dozens; more is refused
-_NUMBER = re.compile(r"([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*(.*)")
 
 
 @dataclass(frozen=True)
@@ -132,21 +130,17 @@ def read_axis(text: str, count: int | None = None) -> Axis:
 
 
 def read_quantity(text: str, where: str) -> tuple[float, str]:
-    """A finite number in SI, and its unit there: 0.005 and "m" for 5 mm, "" where none is typed.
-
-    Raises:
-        DescriptionError: it is none, not finite, or of a unit that descriptions do not know; begins with `where`.
-    """
-    match = _NUMBER.fullmatch(text.strip())
-    if match is None:
+    """A number as `read_number` takes it, and the SI unit it is in, nothing without a unit."""
+    try:
+        found = given_value(text, where=where)
+        value = float(numeric(found.value, where=where))
+    except DescriptionError as error:
         raise DescriptionError(
             f"{where}: expected a number, perhaps with a unit such as mm or deg, got {shorten(text)}"
-        )
-    factor, unit = in_si(match[2], where) if match[2] else (1, "")
-    value = float(match[1]) * float(factor)
+        ) from error
     if not math.isfinite(value):
         raise DescriptionError(f"{where}: expected a finite number, got {shorten(text)}")
-    return value, unit
+    return value, found.unit
 
 
 def read_limit(text: str) -> tuple[tuple[str, float, float], str]:
