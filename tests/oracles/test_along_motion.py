@@ -129,7 +129,7 @@ def test_a_sarrus_linkage_folds_at_four_poses() -> None:
     ("name", "type_", "order"),
     [
         ("four_bar", "1R", 1),  # the rocker
-        ("planar_4bar", "1R2T", 3),  # a coupler in the plane: one freedom, three in its group
+        slow("planar_4bar", "1R2T", 3),  # a coupler in the plane: one freedom, three in its group
         slow("sarrus", "1T", 1),  # P. T. Sarrus, C. R. Acad. Sci. Paris 36 (1853) 1036
         slow("tripteron_cpm", "3T", 3),
         slow("agile_eye", "3R", 3),

@@ -101,7 +101,9 @@ def test_what_the_table_says_of_precisions_and_of_targets_that_come_along() -> N
     assert set(USUAL) <= set(TARGETS)
     with pytest.raises(ValueError, match=r"expected targets among c, casadi, .*, got 'fortran'"):
         render(model("four_bar"), ["fortran"])
-    with pytest.raises(ValueError, match="expected targets among c, rust, cuda, markdown in single precision, got 'numpy'"):
+    with pytest.raises(
+        ValueError, match="expected targets among c, rust, cuda, markdown in single precision, got 'numpy'"
+    ):
         render(model("four_bar"), ["c", "numpy"], precision="single")
 
 

@@ -125,7 +125,7 @@ def certify(plan: Plan, progress: Callable[[int], None] = lambda count: None) ->
     if not has_own_axes(plan, model):
         raise DescriptionError(
             f"--over: certificates are over independent coordinates ({', '.join(independent_labels(model))}) and what "
-            "tilt and azimuth say of these"
+            "tilt and azimuth say of these; --independent chooses others"
         )
     region = region_of(plan, model)
     start = _start(model, region)
@@ -139,7 +139,11 @@ def certify(plan: Plan, progress: Callable[[int], None] = lambda count: None) ->
 
 
 def region_of(plan: Plan, model: Model) -> Region:
-    """The ranges of a plan as edges of a box; tilt and azimuth as the square about the disk of all directions."""
+    """The ranges of a plan as edges of a box; tilt and azimuth as the square about the disk of all directions.
+
+    Raises:
+        DescriptionError: axes that are no coordinates of the model, or an azimuth over a part of a turn.
+    """
     own = {f"{model.mechanism.platform}.{part}": part for part in (TILT, AZIMUTH)}
     axes = {own.get(axis.name, axis.name): axis for axis in plan.axes}
     if TILT in axes:
