@@ -49,6 +49,24 @@ def test_nothing_proved_is_a_failure(tmp_path: Path, capsys: pytest.CaptureFixtu
     assert not (tmp_path / "a.json").exists()
 
 
+def test_a_singular_reference_is_not_left_out() -> None:
+    """The wrist of the UR5 is stretched in its zero pose, whatever the elbow does; bent a little it is not."""
+    elbow = Axis("elbow_joint", 0.5, 0.7, 3)
+    found = certify(Plan(catalogue.load("ur5"), (), (elbow,)))
+    assert not found.ok and found.summary["undecided"].keys() == {"limb arm"} and not found.summary["left_out"]
+    bent = certify(Plan(catalogue.load("ur5"), (), (elbow, Axis("wrist_2_joint", 0.4, 0.5, 2))))
+    assert bent.ok and bent.summary["whole"] and bent.summary["least_margins"]["limb arm"]["at_least"] > 0
+    assert any("drives" in text for text in bent.summary["assumed"])
+
+
+@pytest.mark.slow
+def test_six_legs_over_three_of_six_coordinates() -> None:
+    """Most dependent coordinates do not change to second order: tubes as thin as rounding are joined, too."""
+    axes = tuple(Axis(f"platform_pose.{k}", x - 0.01, x + 0.01, 3) for k, x in enumerate((0, 0, 1)))
+    found = certify(Plan(catalogue.load("stewart_6ups"), (), axes))
+    assert found.ok and found.summary["whole"] and found.summary["fixed"] == {}
+
+
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [
