@@ -25,6 +25,7 @@ absolute axes, screws at the origin O.
     analyse_mobility(mechanism)       -> Mobility: constraints and freedoms by reciprocal screws; .report() in words
     Quantities(mechanism)             screws, twists, momenta, constraints as formulas: .twist("tool").latex()
     inertial_parameters(mechanism)    -> the parameters pi (10 per body) in which the dynamics are linear
+    assembly_modes(mechanism, drives) -> AssemblyModes: every solution of the closure, certified, with names
     base_parameters(mechanism)        -> those combinations of pi that a motion can tell apart
     view(model)                       -> Path: a page with the mechanism in 3-D, opened in the browser
   to compute
@@ -61,6 +62,7 @@ their `__init__` names); `tests/unit/test_structure.py` reads the order from her
     model           the pipeline on one page: `derive`
     export          printers: C, CasADi, NumPy, JavaScript, LaTeX, Markdown
     runtime         compiled libraries, called from Python
+    assembly        every assembly mode: the closure in Study's parameters, all its zeros, certified
     display         terminal, plots, drawings, the page in 3-D
     scene           scenes: start, drives, effects, integrator
     simulation      motion of a scene
@@ -86,6 +88,7 @@ from typing import TYPE_CHECKING
 from symscrew.doors import doors
 
 if TYPE_CHECKING:
+    from symscrew.assembly import assembly_modes as assembly_modes
     from symscrew.catalogue import load as load_catalogue
     from symscrew.description import Mechanism as Mechanism
     from symscrew.description import MechanismBuilder as MechanismBuilder
@@ -122,6 +125,7 @@ __all__ = [
     "Quantities",
     "__version__",
     "analyse_mobility",
+    "assembly_modes",
     "base_parameters",
     "check",
     "derive",

@@ -24,6 +24,7 @@ COMMANDS = {
     "new": ("new_command", "a commented description to start from, with sensible geometry"),
     "generate": ("generate_command", "C, CasADi and NumPy functions of a mechanism"),
     "check": ("check_command", "is generated output up to date, clean and right?"),
+    "assemble": ("assemble_command", "every assembly mode for given drives, certified"),
     "mobility": ("mobility_command", "constraints and freedoms by reciprocal screws"),
     "cost": ("cost_command", "what each effect of a scene costs, and what it changes"),
     "accuracy": ("accuracy_command", "what accuracy costs in time: methods side by side"),

@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from symscrew.mobility.checks import Check, verified, verify
     from symscrew.mobility.components import (
         ConfigurationSpace,
+        NotAlgebraicError,
         SampledModes,
         assembly_connections,
         configuration_space,
@@ -36,6 +37,7 @@ if TYPE_CHECKING:
         space_lines,
         space_values,
     )
+    from symscrew.mobility.configuration import with_parameters
     from symscrew.mobility.findings import (
         formulas,
         key_figures,
@@ -47,7 +49,9 @@ if TYPE_CHECKING:
         mobility_values,
         sections,
     )
+    from symscrew.mobility.finite import ClosureVariety, moved
     from symscrew.mobility.instantaneous import BodyFreedoms, LimbMobility
+    from symscrew.mobility.joint_network import Network, network_of
     from symscrew.mobility.margins import FORMS, Margin, Margins, actuation_margins, constraint_margins, limb_margins
     from symscrew.mobility.motions import (
         BranchTable,
@@ -61,6 +65,7 @@ if TYPE_CHECKING:
         motion_values,
         screw_class,
     )
+    from symscrew.mobility.pose_targets import target_of
     from symscrew.mobility.proofs import Verdict, check_proof, mobility_proof, write_proof
     from symscrew.mobility.screw_systems import ScrewSystem
 
@@ -69,12 +74,15 @@ __all__ = [
     "BodyFreedoms",
     "BranchTable",
     "Check",
+    "ClosureVariety",
     "Components",
     "ConfigurationSpace",
     "LimbMobility",
     "Margin",
     "Margins",
     "Mobility",
+    "Network",
+    "NotAlgebraicError",
     "SampledModes",
     "ScrewClass",
     "ScrewSystem",
@@ -105,13 +113,17 @@ __all__ = [
     "mode_values",
     "motion_lines",
     "motion_values",
+    "moved",
+    "network_of",
     "sampled_modes",
     "screw_class",
     "sections",
     "space_lines",
     "space_values",
+    "target_of",
     "verified",
     "verify",
+    "with_parameters",
     "write_proof",
 ]
 
