@@ -26,6 +26,7 @@ absolute axes, screws at the origin O.
     inverse_kinematics(mechanism, at)  -> Configuration: all coordinates from some, {"z": "1mm"}: .status, .drives
     Quantities(mechanism)             screws, twists, momenta, constraints as formulas: .twist("tool").latex()
     inertial_parameters(mechanism)    -> the parameters pi (10 per body) in which the dynamics are linear
+    assembly_modes(mechanism, drives) -> AssemblyModes: every solution of the closure, certified, with names
     base_parameters(mechanism)        -> those combinations of pi that a motion can tell apart
     view(mechanism)                   -> Page: in 3-D, of a model or a run too; opened in the browser, or in a notebook
     draw(mechanism)                   -> Picture: .save("seed.pdf"); a notebook shows it
@@ -72,6 +73,7 @@ their `__init__` names); `tests/unit/test_structure.py` reads the order from her
     export          printers: C, CasADi, NumPy, JavaScript, LaTeX, Markdown
     runtime         compiled libraries, called from Python
     results         wrenches of joints by name; columns over time for pandas, xarray, files
+    assembly        every assembly mode: the closure in Study's parameters, all its zeros, certified
     display         terminal, plots, drawings, the page in 3-D
     scene           scenes: start, drives, effects, integrator
     simulation      motion of a scene
@@ -99,6 +101,7 @@ from typing import TYPE_CHECKING
 from symscrew.doors import doors
 
 if TYPE_CHECKING:
+    from symscrew.assembly import assembly_modes as assembly_modes
     from symscrew.catalogue import load as load_catalogue
     from symscrew.description import Mechanism as Mechanism
     from symscrew.description import MechanismBuilder as MechanismBuilder
@@ -144,6 +147,7 @@ __all__ = [
     "__version__",
     "analyse_mobility",
     "assemble",
+    "assembly_modes",
     "base_parameters",
     "check",
     "derive",

@@ -24,6 +24,7 @@ COMMANDS = {
     "new": ("new_command", "a commented description to start from, with sensible geometry"),
     "generate": ("generate_command", "C, CasADi and NumPy functions of a mechanism"),
     "check": ("check_command", "is generated output up to date, clean and right?"),
+    "assemble": ("assemble_command", "every assembly mode for given drives, certified"),
     "mobility": ("mobility_command", "constraints and freedoms by reciprocal screws"),
     "formulas": ("formulas_command", "formulas for a paper: screws, limbs, wrenches, inverse kinematics"),
     "drives": ("drives_command", "a motion in, tables out: drives, rates, reactions, margins"),

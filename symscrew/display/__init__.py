@@ -7,6 +7,7 @@ from symscrew.doors import doors
 if TYPE_CHECKING:
     from symscrew.display.drawing import mechanism_figure
     from symscrew.display.installed_parts import installation
+    from symscrew.display.modes_picture import modes_figure
     from symscrew.display.plots import (
         COLOURS,
         DASHES,
@@ -48,6 +49,7 @@ __all__ = [
     "installation",
     "joint_figure",
     "mechanism_figure",
+    "modes_figure",
     "one_line",
     "open_page",
     "print_table",

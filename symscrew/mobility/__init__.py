@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from symscrew.mobility.checks import Check, verified, verify
     from symscrew.mobility.components import (
         ConfigurationSpace,
+        NotAlgebraicError,
         SampledModes,
         assembly_connections,
         configuration_space,
@@ -37,6 +38,7 @@ if TYPE_CHECKING:
         space_lines,
         space_values,
     )
+    from symscrew.mobility.configuration import with_parameters
     from symscrew.mobility.findings import (
         formulas,
         key_figures,
@@ -48,7 +50,9 @@ if TYPE_CHECKING:
         mobility_values,
         sections,
     )
+    from symscrew.mobility.finite import ClosureVariety, moved
     from symscrew.mobility.instantaneous import BodyFreedoms, LimbMobility
+    from symscrew.mobility.joint_network import Network, network_of
     from symscrew.mobility.margins import FORMS, Margin, Margins, actuation_margins, constraint_margins, limb_margins
     from symscrew.mobility.motions import (
         BranchTable,
@@ -63,6 +67,7 @@ if TYPE_CHECKING:
         screw_class,
     )
     from symscrew.mobility.placing import Configuration, inverse_kinematics
+    from symscrew.mobility.pose_targets import targets_of
     from symscrew.mobility.proofs import Verdict, check_proof, mobility_proof, write_proof
     from symscrew.mobility.screw_systems import ScrewSystem
 
@@ -71,6 +76,7 @@ __all__ = [
     "BodyFreedoms",
     "BranchTable",
     "Check",
+    "ClosureVariety",
     "Components",
     "Configuration",
     "ConfigurationSpace",
@@ -78,6 +84,8 @@ __all__ = [
     "Margin",
     "Margins",
     "Mobility",
+    "Network",
+    "NotAlgebraicError",
     "SampledModes",
     "ScrewClass",
     "ScrewSystem",
@@ -109,13 +117,17 @@ __all__ = [
     "mode_values",
     "motion_lines",
     "motion_values",
+    "moved",
+    "network_of",
     "sampled_modes",
     "screw_class",
     "sections",
     "space_lines",
     "space_values",
+    "targets_of",
     "verified",
     "verify",
+    "with_parameters",
     "write_proof",
 ]
 

@@ -1,0 +1,20 @@
+"""Every assembly mode: the closure as forms in Study's parameters, all its zeros, certified, with names.
+
+Mechanism, values of drives --what_is_held, elementary_graph, held_structure--> unknowns, forms (dual_forms), numbers
+structure --root_bounds--> a proved bound on isolated zeros;  --start_system--> all zeros of a general member, kept
+--batch_equations, path_tracking, target_roots--> ends of all paths at the given numbers (families)
+--certified_roots--> a box with one zero;  --joint_angles, mode_signs, mode_names--> modes --all_modes--> result
+result --mode_texts--> words, JSON
+"""
+
+from typing import TYPE_CHECKING
+
+from symscrew.doors import doors
+
+if TYPE_CHECKING:
+    from symscrew.assembly.all_modes import AssemblyMode, AssemblyModes, assembly_modes
+    from symscrew.assembly.mode_texts import mode_lines, mode_values
+
+__all__ = ["AssemblyMode", "AssemblyModes", "assembly_modes", "mode_lines", "mode_values"]
+
+__getattr__ = doors(__name__)

@@ -1,0 +1,131 @@
+"""Families that a mechanism is a member of, and ways between their members, over the complex numbers.
+
+all numbers   points, axes, lengths of the structure: every mechanism that is built alike
+what is held  the drives of one mechanism, where its numbers are special: overconstrained ones close only with them
+"""
+
+from __future__ import annotations
+
+import cmath
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, Protocol
+
+import numpy as np
+
+from symscrew.assembly.batch_equations import BatchEquations, Way, straight
+from symscrew.assembly.slot_numbers import Displacements, Scalars
+
+COMPLEX = Scalars(cmath.cos, cmath.sin, complex)
+DEGREE = 24
+"""Of polynomials for cosines of up to half a turn: right to rounding."""
+
+
+class Family(Protocol):
+    """`own`: the mechanism as a member at its reference; `whole`: whether all numbers are free."""
+
+    @property
+    def equations(self) -> BatchEquations:
+        """Those of the structure."""
+
+    @property
+    def whole(self) -> bool:
+        """Whether all numbers are free."""
+
+    @property
+    def key(self) -> str:
+        """The same of two families that are one."""
+
+    @property
+    def own(self) -> Sequence[Any]:
+        """The mechanism as a member, with what is held as in the reference."""
+
+    def random(self, random: np.random.Generator) -> Sequence[Any]:
+        """A complex member."""
+
+    def way(self, start: Sequence[Any], end: Sequence[Any]) -> Way:
+        """From a member to another."""
+
+    def member(self, values: dict[int, float]) -> Sequence[Any]:
+        """The mechanism with these displacements of what is held."""
+
+
+@dataclass(frozen=True)
+class AllNumbers:
+    """The mechanisms of one structure."""
+
+    equations: BatchEquations
+    whole: bool = True
+
+    @property
+    def key(self) -> str:
+        """That of the structure."""
+        return self.equations.structure.key
+
+    @cached_property
+    def own(self) -> Sequence[Any]:
+        """The numbers in the reference."""
+        return self.member({})
+
+    def member(self, values: dict[int, float]) -> Sequence[Any]:
+        """The numbers in the slots."""
+        return Displacements(self.equations.structure, COMPLEX, values).slots()
+
+    def random(self, random: np.random.Generator) -> Sequence[Any]:
+        """Complex numbers in all slots; a planar mechanism stays planar."""
+        structure = self.equations.structure
+        hinges = {k for g in structure.groups if g.kind == "turn" for k in g.slots[:1]} if structure.planar else set()
+        slots: list[Any] = []
+        for k, slot in enumerate(structure.slots):
+            numbers = random.normal(size=3) + 1j * random.normal(size=3)
+            if slot.kind in ("number", "distance"):
+                slots.append(2 * numbers[0])
+            elif k in hinges:
+                slots.append(np.array([0, 0, 1], dtype=complex))
+            else:
+                slots.append(numbers * np.array([1, 1, 0 if structure.planar else 1]))
+        return slots
+
+    def way(self, start: Sequence[Any], end: Sequence[Any]) -> Way:
+        """Straight."""
+        return Way(self.equations, straight(start, end), 2)
+
+
+@dataclass(frozen=True)
+class WhatIsHeld:
+    """One mechanism with complex values of what is held, displacements in the order of `columns`."""
+
+    equations: BatchEquations
+    columns: tuple[int, ...]
+    whole: bool = False
+
+    @property
+    def key(self) -> str:
+        """Structure and numbers."""
+        numbers = [np.asarray(s, dtype=complex).round(15).tolist() for s in self._slots(self.own)]
+        return repr((self.equations.structure.key, self.columns, numbers))
+
+    @cached_property
+    def own(self) -> Sequence[Any]:
+        """No displacements."""
+        return [0j] * len(self.columns)
+
+    def member(self, values: dict[int, float]) -> Sequence[Any]:
+        """The displacements."""
+        return [complex(values.get(c, 0.0)) for c in self.columns]
+
+    def random(self, random: np.random.Generator) -> Sequence[Any]:
+        """Complex displacements."""
+        return list(random.normal(size=len(self.columns)) + 1j * random.normal(size=len(self.columns)))
+
+    def way(self, start: Sequence[Any], end: Sequence[Any]) -> Way:
+        """Straight in what is held."""
+        return Way(
+            self.equations,
+            lambda s: self._slots([(1 - s) * a + s * b for a, b in zip(start, end, strict=True)]),
+            DEGREE,
+        )
+
+    def _slots(self, values: Sequence[Any]) -> list[Any]:
+        return Displacements(self.equations.structure, COMPLEX, dict(zip(self.columns, values, strict=True))).slots()

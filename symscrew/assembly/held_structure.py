@@ -1,0 +1,338 @@
+"""Unknowns and equations of a mechanism with some freedoms held, as a structure with numbers in its slots.
+
+    HeldGraph --bodies between two points--> distances --tree of runs--> groups of homogeneous coordinates
+              --what is left--> loops: forms of `dual_forms` in the displacement of one cluster against another
+    slots --slot_numbers--> numbers, for values of what is held
+
+A body that hangs on distances alone has Study's parameters as coordinates. Two mechanisms of one structure differ in
+the numbers of their slots only: points, axes, lengths.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from symscrew.algebra import IDENTITY, cross, dot, scale, subtract
+from symscrew.assembly.elementary_graph import Edge, HeldGraph, Point, Run
+from symscrew.mobility import NotAlgebraicError
+
+Array = np.ndarray[Any, Any]
+
+WIDTH = {"turn": 2, "slide": 2, "ball": 4, "planar": 4, "free": 8}
+"""Homogeneous coordinates of a group."""
+EQUATIONS = {"distance": 1, "ball": 3, "hook": 4, "turn": 5, "slide": 5}
+"""Of a run that closes a spatial loop, independent ones."""
+PLANAR_EQUATIONS = {"distance": 1, "turn": 2, "slide": 2}
+SPATIAL_FREEDOMS, PLANAR_FREEDOMS = 6, 3
+"""Of all displacements."""
+TELESCOPE = 3
+"""Runs of a leg that turns about two points and slides between them."""
+SPANNED = 1e-9
+"""Singular value of screws, in sizes of the mechanism, below which they are dependent: rounding leaves 1e-15."""
+TOGETHER = 1e-12
+"""Points of one body this close, in sizes of the mechanism, are one point."""
+
+
+@dataclass(frozen=True)
+class Slot:
+    """Numbers of a structure: a point or an axis fixed in a body, or a number.
+
+    `kind`: "point", "axis", "number", "distance" (of slots 0 and 1, with a rod between two places as length).
+    `body`: that carries it; `at`: where in the reference.
+    """
+
+    kind: str
+    body: str = ""
+    at: Any = None
+    of: tuple[int, ...] = ()
+    rod: tuple[tuple[str, Point], tuple[str, Point]] | None = None
+
+
+@dataclass(frozen=True)
+class Group:
+    """Homogeneous coordinates: of a joint of the tree, or of a cluster against the ground. `edge`: of a joint."""
+
+    kind: str
+    cluster: str
+    parent: str
+    slots: tuple[int, ...]
+    edge: Edge | None = None
+    forward: bool = True
+
+
+@dataclass(frozen=True)
+class Form:
+    """An equation or four: "distance", "angle", "meeting" or "parallel", and its slots."""
+
+    kind: str
+    slots: tuple[int, ...]
+
+
+@dataclass(frozen=True)
+class Loop:
+    """All forms in the displacement of cluster `body` against cluster `base`."""
+
+    base: str
+    body: str
+    forms: tuple[Form, ...]
+
+
+@dataclass(frozen=True)
+class Rod:
+    """A cluster that only holds two points at a distance: its runs, from base to body."""
+
+    cluster: str
+    runs: tuple[Run, Run]
+
+
+@dataclass(frozen=True)
+class Structure:
+    """Groups, loops, slots. `unknowns`, `equations`: their numbers, equal where nothing is redundant.
+
+    `chains`: cluster -> its groups from the ground. `open_limbs`: chains that hold nothing. `frame`: rows are the axes
+    that coordinates are counted in, about
+    `centre`; a planar mechanism lies in the first two.
+    """
+
+    graph: HeldGraph
+    groups: tuple[Group, ...]
+    loops: tuple[Loop, ...]
+    slots: tuple[Slot, ...]
+    chains: Mapping[str, tuple[int, ...]]
+    rods: tuple[Rod, ...]
+    unknowns: int
+    equations: int
+    frame: tuple[Point, Point, Point]
+    centre: Point
+    open_limbs: tuple[tuple[Run, ...], ...] = ()
+
+    @property
+    def planar(self) -> bool:
+        """Whether all motion is along one plane."""
+        return self.graph.axis is not None
+
+    @property
+    def key(self) -> str:
+        """The same of two mechanisms of one structure."""
+        groups = [
+            (g.kind, g.slots, [k for k, c in enumerate(self.groups) if c.cluster == g.parent]) for g in self.groups
+        ]
+        loops = [
+            (self.chains[loop.base], self.chains[loop.body], [(f.kind, f.slots) for f in loop.forms])
+            for loop in self.loops
+        ]
+        return repr((self.planar, groups, loops, [(s.kind, s.of) for s in self.slots]))
+
+    def local(self, point: Point) -> Point:
+        """A point in the frame about the centre; of a planar mechanism on the plane."""
+        return self.turned(subtract(point, self.centre))
+
+    def turned(self, vector: Point) -> Point:
+        """A vector in the frame."""
+        x, y, z = (dot(axis, vector) for axis in self.frame)
+        return (x, y, 0 * z) if self.planar else (x, y, z)
+
+
+def held_structure(graph: HeldGraph, centre: Point, platform: str | None) -> Structure:
+    """The structure of a mechanism with held freedoms.
+
+    Raises:
+        NotAlgebraicError: closures that no form stands for.
+    """
+    return _Planner(graph, centre, platform).structure()
+
+
+class _Planner:
+    def __init__(self, graph: HeldGraph, centre: Point, platform: str | None) -> None:
+        self.graph, self.centre = graph, centre
+        self.platform = graph.cluster.get(platform or "", "")
+        self.slots: list[Slot] = []
+        self.points: list[tuple[str, Point, int]] = []
+        self.groups: list[Group] = []
+        self.chains: dict[str, tuple[int, ...]] = {graph.ground: ()}
+        self.forms: dict[tuple[str, str], list[Form]] = {}
+        self.counts = {"equations": 0}
+
+    def structure(self) -> Structure:
+        self.runs, open_limbs = self._open_limbs(list(self.graph.runs))
+        runs, rods = self._rods()
+        clusters = dict.fromkeys(e for r in runs for e in (r.near, r.far))
+        clusters |= dict.fromkeys(e for rod in rods for e in (rod.runs[0].near, rod.runs[1].far))
+        left = [c for c in clusters if c not in self.chains]
+        cuts = list(runs)
+        while left:
+            found = self._nearest(cuts)
+            if found is None:
+                hub = max(left, key=lambda c: (c == self.platform, self._held_by(c, cuts, rods)))
+                self._add_group(Group("planar" if self.graph.axis else "free", hub, self.graph.ground, ()))
+            else:
+                cuts.remove(found[0])
+                self._hang(found[1])
+            left = [c for c in left if c not in self.chains]
+        for run in cuts:
+            self._close(run)
+        for rod in rods:
+            self._distance(rod)
+        widths = [WIDTH[g.kind] - 1 - (g.kind == "free") for g in self.groups]
+        loops = tuple(Loop(*ends, tuple(found)) for ends, found in self.forms.items())
+        return Structure(
+            self.graph, tuple(self.groups), loops, tuple(self.slots), dict(self.chains), tuple(rods), sum(widths),
+            self.counts["equations"], self._frame(), self.centre, tuple(open_limbs),
+        )  # fmt: skip
+
+    def _open_limbs(self, runs: list[Run]) -> tuple[list[Run], list[tuple[Run, ...]]]:
+        """(other runs, chains between two clusters with so many freedoms that they hold nothing)."""
+        found = list[tuple[Run, ...]]()
+        hubs = {self.graph.ground, self.platform}
+        hubs |= {b for b in self._ends(runs) if sum(b in (r.near, r.far) for r in runs) != 2}
+        for hub in hubs:
+            for first in [run for run in runs if hub in (run.near, run.far)]:
+                chain = [first if first.near == hub else first.reversed()]
+                while chain[-1].far not in hubs:
+                    body = chain[-1].far
+                    more = next(r for r in runs if body in (r.near, r.far) and r.edges not in
+                                (chain[-1].edges, chain[-1].edges[::-1]))  # fmt: skip
+                    chain.append(more if more.near == body else more.reversed())
+                if chain[-1].far != hub and self._reaches_all(chain):
+                    used = [set(run.edges) for run in chain]
+                    runs = [run for run in runs if set(run.edges) not in used]
+                    found.append(tuple(chain))
+        return runs, found
+
+    @staticmethod
+    def _ends(runs: Sequence[Run]) -> list[str]:
+        return list(dict.fromkeys(end for run in runs for end in (run.near, run.far)))
+
+    def _reaches_all(self, chain: Sequence[Run]) -> bool:
+        """Whether a leg that slides has all displacements of its ends, in the reference."""
+        rows = list[list[float]]()
+        for edge in (e for run in chain for e in run.edges):
+            point = [float(c) for c in edge.point]
+            axes = np.eye(3) if edge.axis is None else np.array([[float(c) for c in edge.axis]])
+            for axis in axes:
+                slides = edge.kind == "slide"
+                rows.append([*([0.0] * 3 if slides else axis), *(axis if slides else np.cross(point, axis))])
+        if len(chain) != TELESCOPE or chain[1].kind != "slide":  # of others the ways to hold the same ends differ
+            return False
+        wanted = PLANAR_FREEDOMS if self.graph.axis else SPATIAL_FREEDOMS
+        return len(rows) >= wanted and int(np.linalg.matrix_rank(np.array(rows), tol=SPANNED)) == wanted
+
+    def _frame(self) -> tuple[Point, Point, Point]:
+        if self.graph.axis is None:
+            return IDENTITY
+        normal = self.graph.axis
+        sizes = [abs(float(c)) for c in normal]
+        near = IDENTITY[sizes.index(min(sizes))]
+        rest = subtract(near, scale(dot(near, normal), normal))
+        first = scale(1 / dot(rest, rest) ** 0.5, rest)
+        return first, cross(normal, first), normal
+
+    @staticmethod
+    def _held_by(cluster: str, runs: Sequence[Run], rods: Sequence[Rod]) -> int:
+        return sum(cluster in (r.near, r.far) for r in runs) + sum(
+            cluster in (rod.runs[0].near, rod.runs[1].far) for rod in rods
+        )
+
+    def _rods(self) -> tuple[list[Run], list[Rod]]:
+        """Bodies between two others, with a point held on each, become distances."""
+        runs, rods = list(self.runs), list[Rod]()
+        for body in dict.fromkeys(end for run in runs for end in (run.near, run.far)):
+            at = [run for run in runs if body in (run.near, run.far)]
+            ends = [end for rod in rods for end in (rod.runs[0].near, rod.runs[1].far)]
+            if len(at) != 2 or body in (self.graph.ground, self.platform) or body in ends:
+                continue
+            kinds = sorted(run.kind for run in at)
+            holds = kinds == ["turn", "turn"] if self.graph.axis else kinds in (["ball", "ball"], ["ball", "hook"])
+            one = at[0] if at[0].far == body else at[0].reversed()
+            two = at[1] if at[1].near == body else at[1].reversed()
+            if holds and one.near != two.far:
+                rods.append(Rod(body, (one, two)))
+                runs = [run for run in runs if run not in at]
+        return runs, rods
+
+    def _nearest(self, runs: Sequence[Run]) -> tuple[Run, Run] | None:
+        """(run, the same from a cluster that has a place): the platform's on the ground, else with fewest freedoms."""
+        found = [(run, run if run.near in self.chains else run.reversed()) for run in runs
+                 if (run.near in self.chains) != (run.far in self.chains)]  # fmt: skip
+        hub = {self.graph.ground, self.platform}  # on the shortest way forms have the lowest degree
+        return min(found, key=lambda pair: (hub != {pair[0].near, pair[0].far}, pair[0].freedoms), default=None)
+
+    def _add_group(self, group: Group) -> None:
+        self.chains[group.cluster] = (*self.chains[group.parent], len(self.groups))
+        self.groups.append(group)
+
+    def _hang(self, run: Run) -> None:
+        """The groups of a run of the tree; between the edges of a hook is a body of its own."""
+        start, body = run.near, self._end(run, near=True)
+        if run.kind == "ball":
+            edge = run.edges[0] if len(run.edges) == 1 else None
+            slot = self._point(body, run.edges[0].point)
+            self._add_group(Group("ball", run.far, start, (slot,), edge, self._forward(run, 0)))
+            return
+        for k, edge in enumerate(run.edges):
+            assert edge.axis is not None
+            far = run.far if k == len(run.edges) - 1 else f"{run.near}>{edge.joint}:{edge.columns[0]}"
+            slots = [self._slot(Slot("axis", body, edge.axis))]
+            if edge.kind == "turn":
+                slots.append(self._point(body, edge.point))
+            self._add_group(Group(edge.kind, far, start, tuple(slots), edge, self._forward(run, k)))
+            start = far
+
+    def _forward(self, run: Run, place: int) -> bool:
+        """Whether an edge of a run is passed from parent to child."""
+        edge, bodies = run.edges[place], self.graph.cluster
+        return bodies[edge.parent] == run.near if place == 0 else bodies[edge.child] == run.far
+
+    def _end(self, run: Run, *, near: bool) -> str:
+        """The body that a run starts or ends on."""
+        edge, cluster = (run.edges[0], run.near) if near else (run.edges[-1], run.far)
+        return edge.parent if self.graph.cluster[edge.parent] == cluster else edge.child
+
+    def _slot(self, slot: Slot) -> int:
+        self.slots.append(slot)
+        return len(self.slots) - 1
+
+    def _point(self, body: str, at: Point) -> int:
+        """The slot of a point of a body; that of the same point if there is one."""
+        for owner, place, number in self.points:
+            if owner == body and all(abs(float(a - b)) < TOGETHER for a, b in zip(at, place, strict=True)):
+                return number
+        self.points.append((body, at, self._slot(Slot("point", body, at))))
+        return self.points[-1][2]
+
+    def _form(self, run_ends: tuple[str, str], form: Form) -> None:
+        self.forms.setdefault(run_ends, []).append(form)
+
+    def _close(self, run: Run) -> None:
+        """The forms of a run that closes a loop: its points meet, its axes keep their angle."""
+        one, two = self._end(run, near=True), self._end(run, near=False)
+        first, last = run.edges[0], run.edges[-1]
+        ends = (run.near, run.far)
+        table = PLANAR_EQUATIONS if self.graph.axis else EQUATIONS
+        self.counts["equations"] += table[run.kind]
+        if run.kind == "slide":
+            raise NotAlgebraicError(f"a loop of slides alone, closed by {first.joint}")
+        self._form(ends, Form("meeting", (self._point(two, last.point), self._point(one, first.point))))
+        if run.kind == "ball" or self.graph.axis:
+            return
+        assert first.axis is not None and last.axis is not None
+        w, u = self._slot(Slot("axis", two, last.axis)), self._slot(Slot("axis", one, first.axis))
+        if run.kind == "hook":
+            number = self._slot(Slot("number", at=dot(first.axis, last.axis)))
+            self._form(ends, Form("angle", (w, u, number)))
+        else:
+            self._form(ends, Form("parallel", (w, u)))
+
+    def _distance(self, rod: Rod) -> None:
+        one, two = rod.runs
+        places = (one.edges[0].point, two.edges[-1].point)
+        a = self._point(self._end(one, near=True), places[0])
+        p = self._point(self._end(two, near=False), places[1])
+        ends = ((self._end(one, near=False), places[0]), (self._end(two, near=True), places[1]))
+        number = self._slot(Slot("distance", of=(p, a), rod=ends))
+        self.counts["equations"] += 1
+        self._form((one.near, two.far), Form("distance", (p, a, number)))

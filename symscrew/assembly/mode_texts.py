@@ -1,0 +1,93 @@
+"""Assembly modes in words and as JSON values."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from symscrew.assembly.all_modes import AssemblyMode, AssemblyModes
+
+SHOWN = 14
+"""Decimals in words: what follows is rounding. The JSON has all."""
+
+
+def mode_lines(found: AssemblyModes) -> list[str]:
+    """What was found, how complete it is, and a line for each mode."""
+    count = len(found.modes)
+    held = ", ".join(f"{name} = {value:.9g}" for name, value in found.held.items())
+    lines = [f"{count} assembly mode{'s' * (count != 1)} of {found.mechanism.name} with {held}", _verdict(found)]
+    account = found.account
+    if account.paths:
+        kinds = ("real", "complex", "infinity", "lost")
+        words = dict(zip(kinds, ("to real solutions", "to complex ones", "to infinity", "lost"), strict=True))
+        told = [f"{account.count(kind)} {words[kind]}" for kind in kinds if account.count(kind)]
+        again = f", {account.again} times again with shorter steps" if account.again else ""
+        lines.append(f"{account.paths} paths: {', '.join(told)}{again}")
+    if found.curves:
+        lines.append(f"{found.curves} paths end on solutions without end: somewhere it moves with what is held")
+    if found.out_of_reach:
+        lines.append(f"{found.out_of_reach} further solutions of the closure that joints of a limb do not reach")
+    lines += [f"{mode.name:6} {_mode(mode, found.body)}" for mode in found.modes]
+    return lines
+
+
+def _verdict(found: AssemblyModes) -> str:
+    words = {
+        "proved": "complete, proved",
+        "tracked": "complete by tracking, not proved",
+        "sampled": "not known to be all",
+    }
+    return f"{words[found.complete]}: {found.why}"
+
+
+def _mode(mode: AssemblyMode, body: str) -> str:
+    turn = np.degrees(np.arccos(np.clip((np.trace(mode.rotation) - 1) / 2, -1, 1)))
+    place = ", ".join(f"{c:.6g}" for c in mode.translation.round(SHOWN) + 0.0)
+    turned = ", ".join(f"{c:.6g}" for c in mode.quaternion.round(SHOWN) + 0.0)
+    told = f"{body} turned by {turn:.4g} deg, quaternion ({turned}), "
+    told += f"O moved by ({place}) m; smallest singular value {mode.smallest:.3g}, loops open by {mode.residual:.1e}"
+    signs = ", ".join(f"{name} {sign}" for name, sign in mode.signs.items())
+    told += f"; {signs}" if signs else ""
+    if mode.curve:
+        told += "; solutions beside it without end: it moves with what is held"
+    elif mode.paths > 1:
+        told += f"; {mode.paths} solutions in one place, singular"
+    else:
+        told += "; certified" if mode.certified else "; not certified"
+    return told + (f"; {mode.ways} ways to hold it" if mode.ways > 1 else "")
+
+
+def mode_values(found: AssemblyModes) -> dict[str, Any]:
+    """The same as JSON values, numbers with all digits; rotations as quaternions (w, x, y, z), lengths in m."""
+    account, bound = found.account, found.bound
+    return {
+        "mechanism": found.mechanism.name,
+        "body": found.body,
+        "held": dict(found.held),
+        "complete": found.complete,
+        "why": found.why,
+        "bound": None if bound is None else {"count": bound.count, "dimension": bound.dimension, "how": bound.how},
+        "paths": {kind: account.count(kind) for kind in ("real", "complex", "infinity", "lost")},
+        "on_curves": found.curves,
+        "out_of_reach": found.out_of_reach,
+        "modes": [_values(mode) for mode in found.modes],
+    }
+
+
+def _values(mode: AssemblyMode) -> dict[str, Any]:
+    return {
+        "name": mode.name,
+        "quaternion_wxyz": [float(c) for c in mode.quaternion],
+        "translation": [float(c) for c in mode.translation],
+        "coordinates": dict(mode.values),
+        "residual": mode.residual,
+        "smallest_singular_value": mode.smallest,
+        "margin": mode.volume,
+        "signs": dict(mode.signs),
+        "certified": mode.certified,
+        "radius": mode.radius,
+        "paths": mode.paths,
+        "curve": mode.curve,
+        "ways": mode.ways,
+    }

@@ -1,0 +1,207 @@
+"""How many zeros a structure can have, by a Groebner basis modulo a prime: a proof, not a sample.
+
+    numbers modulo p in the slots --forms--> polynomials --Singular--> dimension of the zeros, their number
+
+Linear algebra over the rationals has at least the rank that it has modulo p. A Groebner basis modulo p is such linear
+algebra, so a system of fractions has at most as many zeros, with multiplicity, as its image modulo p, and so has the
+general member of a family of which one member was looked at. A member of the family has then at most as many isolated
+zeros (A. Morgan, A. Sommese, 1989: parameter continuation). Homogeneous coordinates are cut by |x|^2 = 1, which gives
+every zero once for each of two signs, and leaves out none.
+"""
+
+from __future__ import annotations
+
+import random
+import re
+import shutil
+import subprocess
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+
+from symscrew.algebra import CONTEXT
+from symscrew.assembly.dual_forms import PRODUCT
+from symscrew.assembly.held_structure import WIDTH, Structure
+from symscrew.assembly.slot_numbers import matrices
+
+Array = np.ndarray[Any, Any]
+
+PROGRAM = "Singular"
+"""Of W. Decker, G.-M. Greuel, G. Pfister, H. Schoenemann; Debian's package is singular-ui."""
+PRIME = 2147483629
+"""The largest prime below 2^31 - 1: coefficients of 31 bits are what the program takes."""
+SECONDS = 20.0
+"""By the clock; a platform on six legs takes 0.2 s."""
+SEED = 20231009
+"""Of the member of the family: always the same, so that results repeat."""
+LARGEST = 10**24
+"""Denominator of a number that is read as a fraction; those of descriptions have half of its digits."""
+DIGITS = 50
+"""To which it is that fraction: numbers have 60, and two such fractions differ in the 48th."""
+
+
+@dataclass(frozen=True)
+class Bound:
+    """At most `count` isolated zeros; `dimension` of all zeros over the complex numbers, -1 without any.
+
+    `how`: the way it was found, for people.
+    """
+
+    count: int
+    dimension: int
+    how: str
+
+
+def family_bound(structure: Structure) -> Bound | str:
+    """That of all mechanisms of one structure, or why there is none."""
+    rng = random.Random(SEED)
+    slots: list[Any] = []
+    for slot in structure.slots:
+        if slot.kind in ("point", "axis"):
+            if structure.planar and slot.kind == "axis" and _hinge(structure, len(slots)):
+                slots.append([0, 0, 1])
+                continue
+            depth = 0 if structure.planar else rng.randrange(PRIME)
+            slots.append([rng.randrange(PRIME), rng.randrange(PRIME), depth])
+        else:
+            slots.append(rng.randrange(PRIME))
+    return _bound(
+        structure, slots, "for every mechanism of this structure: Groebner basis modulo a prime at one of them"
+    )
+
+
+def _hinge(structure: Structure, slot: int) -> bool:
+    """Whether an axis is that of a hinge: in a planar mechanism it is no free choice."""
+    return any(slot in group.slots and group.kind == "turn" for group in structure.groups)
+
+
+def own_bound(structure: Structure, slots: Sequence[Any], length: Any) -> Bound | str:
+    """That of a mechanism with these numbers, in 60 digits and in units of `length` [m], where they are fractions."""
+    powers = {"point": length, "distance": length * length}  # in metres, as descriptions have them
+    metres = [s * powers.get(slot.kind, 1) for slot, s in zip(structure.slots, slots, strict=True)]
+    try:
+        residues = [_residue(s) if np.ndim(s) == 0 else [_residue(c) for c in s] for s in metres]
+    except ValueError as error:
+        return str(error)
+    return _bound(structure, residues, "for this very mechanism: Groebner basis of its fractions modulo a prime")
+
+
+def _residue(value: Any) -> int:
+    found = fraction(value)
+    if found is None:
+        raise ValueError("its numbers are not all fractions")
+    return found.numerator * pow(found.denominator, -1, PRIME) % PRIME
+
+
+def fraction(value: Any) -> Fraction | None:
+    """The fraction that a number of 60 digits is, if its denominator is small."""
+    number = CONTEXT.mpf(value)
+    a, b, c, d = 0, 1, 1, 0
+    rest = number
+    for _ in range(80):
+        whole = int(CONTEXT.floor(rest))
+        a, b, c, d = c, d, a + whole * c, b + whole * d
+        if d > LARGEST:
+            return None
+        if abs(number - CONTEXT.mpf(c) / d) <= CONTEXT.mpf(10) ** -DIGITS * max(1, abs(number)):
+            return Fraction(c, d)
+        rest = 1 / (rest - whole)
+    return None
+
+
+def _bound(structure: Structure, slots: Sequence[Any], how: str) -> Bound | str:
+    program = shutil.which(PROGRAM)
+    if program is None:
+        return f"a bound needs the program {PROGRAM}, which is not on the path"
+    script, covers = _script(structure, slots)
+    try:
+        done = subprocess.run(
+            [program, "--quiet", "--no-rc"], input=script, capture_output=True, text=True, timeout=SECONDS
+        )
+    except subprocess.TimeoutExpired:
+        return f"the Groebner basis did not end within {SECONDS:g} s"
+    found = re.search(r"@zeros (-?\d+) (-?\d+)", done.stdout)
+    if found is None:
+        return f"{PROGRAM} did not accept the equations"
+    dimension, count = int(found[1]), int(found[2])
+    if dimension < 0:
+        return Bound(0, -1, how)
+    if dimension > 0:
+        return Bound(-1, dimension, how)
+    return Bound(count // covers, 0, how)
+
+
+def _script(structure: Structure, slots: Sequence[Any]) -> tuple[str, int]:
+    """(the program, how often every zero is counted)."""
+    motions, loops = matrices(structure, slots)
+    names, made, cuts = list[str](), list[str](), list[str]()
+    covers = 1
+    for k, group in enumerate(structure.groups):
+        own = [f"z{k}_{i}" for i in range(WIDTH[group.kind])]
+        names += own
+        made += [_sum([(motions[k][i, j], own[j]) for j in range(len(own))]) for i in range(8)]
+        cuts.append(_cut(structure, k, own, slots))
+        covers *= 1 if group.kind == "slide" else 2
+        if group.kind == "free":
+            cuts.append("+".join(f"{own[i]}*{own[4 + i]}" for i in range(4)))
+    lines = [f"poly f{k // 8}_{k % 8} = {text};" for k, text in enumerate(made)]
+    equations = [*cuts]
+    for n, (square, linear) in enumerate(loops):
+        lines += _loop_lines(structure, n)
+        g = [f"g{n}_{i}" for i in range(8)]
+        for form in square:
+            equations.append(
+                _sum([(form[i, j] * (1 if i == j else 2), f"{g[i]}*{g[j]}") for i in range(8) for j in range(i, 8)])
+            )
+        equations += [_sum([(row[i], g[i]) for i in range(8)]) for row in linear]
+    text = "\n".join(lines)
+    ideal = ",\n".join(equations)
+    return (
+        f"ring r = {PRIME},({','.join(names)}),dp;\n{text}\nideal i = {ideal};\nideal s = slimgb(i);\n"
+        "int d = dim(s); int v = 0; if (d == 0) { v = vdim(s); }\n"
+        'print("@zeros " + string(d) + " " + string(v));\nquit;\n'
+    ), covers
+
+
+def _cut(structure: Structure, k: int, names: Sequence[str], slots: Sequence[Any]) -> str:
+    """The equation that leaves one point, or two, of each displacement of a group."""
+    group = structure.groups[k]
+    if group.kind == "slide":
+        return f"{names[0]}-1"
+    if group.kind == "turn":
+        axis = slots[group.slots[0]]
+        return f"{names[0]}^2+{sum(c * c for c in axis) % PRIME}*{names[1]}^2-1"
+    return "+".join(f"{name}^2" for name in names[: 2 if group.kind == "planar" else 4]) + "-1"
+
+
+def _loop_lines(structure: Structure, n: int) -> list[str]:
+    """The displacement around a loop as a product."""
+    loop = structure.loops[n]
+    one, two = structure.chains[loop.base], structure.chains[loop.body]
+    common = 0
+    while common < min(len(one), len(two)) and one[common] == two[common]:
+        common += 1
+    factors = [(k, True) for k in reversed(one[common:])] + [(k, False) for k in two[common:]]
+    lines = []
+    before: list[str] = []
+    for place, (k, back) in enumerate(factors):
+        sign = ["", "-", "-", "-"] * 2 if back else [""] * 8
+        own = [f"{sign[i]}f{k}_{i}" for i in range(8)]
+        after = own if not before else _product(before, own)
+        last = place == len(factors) - 1
+        names = [f"g{n}_{i}" if last else f"h{n}_{place}_{i}" for i in range(8)]
+        lines += [f"poly {name} = {text};" for name, text in zip(names, after, strict=True)]
+        before = names
+    return lines
+
+
+def _product(a: Sequence[str], b: Sequence[str]) -> list[str]:
+    return [_sum([(int(PRODUCT[k, i, j]), f"{a[i]}*({b[j]})") for i in range(8) for j in range(8)]) for k in range(8)]
+
+
+def _sum(terms: Sequence[tuple[Any, str]]) -> str:
+    parts = [f"{int(c) % PRIME}*{name}" for c, name in terms if int(c) % PRIME]
+    return "+".join(parts) or "0"

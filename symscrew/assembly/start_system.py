@@ -1,0 +1,141 @@
+"""All zeros of one general member of a structure's family, found once: by monodromy, up to the proved bound.
+
+    a known zero of the mechanism --way to random complex numbers--> a zero of a general member
+    zeros --loops through other random members--> further zeros, until there are as many as the bound or no more come
+
+Where all numbers are free, loops permute the zeros so that each comes from each: every equation has a number of its own
+that it fixes, so that pairs of members and zeros are one piece. Where only what is held is free, there may be several
+pieces, and the search is a sample. (T. Duff, C. Hill, A. Jensen, K. Lee, A. Leykin, J.
+Sommars, Solving polynomial systems via homotopy continuation and monodromy, 2019.) What was found is kept: in the
+package for common structures, else in the user's cache.
+"""
+
+from __future__ import annotations
+
+import base64
+import json
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from symscrew.assembly.batch_equations import BatchEquations
+from symscrew.assembly.families import Family
+from symscrew.assembly.path_tracking import Tracker
+from symscrew.assembly.root_bounds import Bound, family_bound
+from symscrew.runtime import entry, key_of
+
+Array = np.ndarray[Any, Any]
+
+SEED = 20231009
+"""Of the random members: always the same, so that results repeat."""
+MOST_LOOPS = 40
+"""Through three members each; forty zeros take eight."""
+QUIET = 8
+"""Loops after the last new zero at which a search without a bound ends."""
+SAME = 1 - 1e-9
+"""Points of length one whose product is above this are one: zeros of random members are 1e-3 apart."""
+FORMAT = "2"
+"""Of what is kept: another one is not read."""
+STORED = Path(__file__).with_name("start_systems.json")
+
+
+@dataclass(frozen=True)
+class StartSystem:
+    """A general member of the family, its zeros [count x coordinates], the bound, whether all are found.
+
+    `bound`: None where the program for it is missing or the family has none. `why`: then, the reason.
+    """
+
+    member: tuple[Any, ...]
+    zeros: Array
+    bound: Bound | None
+    why: str = ""
+
+    @property
+    def complete(self) -> bool:
+        """Whether there are as many zeros as the bound has: no other member has more isolated ones."""
+        return self.bound is not None and self.bound.count == len(self.zeros)
+
+
+def start_system(family: Family, known: Array, progress: Callable[[str], None] = lambda _: None) -> StartSystem:
+    """The kept one of this family, or a new one from a zero of the mechanism itself."""
+    key = key_of(b"start system", FORMAT.encode(), family.key.encode())
+    stored = _stored().get(key)
+    if stored is not None:
+        return decoded(stored)
+    with entry(key) as kept:
+        content = kept.read()
+        if content is not None:
+            return decoded(json.loads(content))
+        made = searched(family, known, progress)
+        kept.write(json.dumps(encoded(made)).encode())
+    return made
+
+
+@cache
+def _stored() -> dict[str, Any]:
+    return dict(json.loads(STORED.read_text())) if STORED.is_file() else {}
+
+
+def searched(family: Family, known: Array, progress: Callable[[str], None] = lambda _: None) -> StartSystem:
+    """A start system by monodromy."""
+    random, equations = np.random.default_rng(SEED), family.equations
+    found = family_bound(equations.structure) if family.whole else "only what is held is free in this family"
+    bound = found if isinstance(found, Bound) and found.dimension == 0 else None
+    tracker = Tracker(equations)
+    member = family.random(random)
+    first = tracker.follow(known[None], family.way(family.own, member).at)
+    zeros, quiet = first.z[first.reached], 0
+    for _ in range(MOST_LOOPS):
+        if not len(zeros) or (bound is not None and len(zeros) >= bound.count) or (bound is None and quiet == QUIET):
+            break
+        back, here = zeros, member
+        for there in (family.random(random), family.random(random), member):
+            ends = tracker.follow(back, family.way(here, there).at)
+            back, here = ends.z[ends.reached], there
+        before = len(zeros)
+        for z in back:
+            if not together(equations, zeros, z).any():
+                zeros = np.concatenate([zeros, z[None]])
+        quiet = 0 if len(zeros) > before else quiet + 1
+        progress(f"start system: {len(zeros)} of {'an unknown number' if bound is None else bound.count}")
+    why = "" if bound is not None else found if isinstance(found, str) else "general members have no isolated zeros"
+    return StartSystem(tuple(member), zeros, bound, why)
+
+
+def together(equations: BatchEquations, zeros: Array, z: Array) -> Array:
+    """Which of the zeros, groups of length one, is the same as z."""
+    same = np.ones(len(zeros), dtype=bool)
+    for part in equations.parts:
+        same &= np.abs(zeros[:, part].conj() @ z[part]) > SAME
+    return same
+
+
+def encoded(system: StartSystem) -> dict[str, Any]:
+    """As JSON values: numbers to the last bit."""
+    return {
+        "member": [[_bytes(np.asarray(s, dtype=complex)), np.ndim(s)] for s in system.member],
+        "zeros": [_bytes(system.zeros), len(system.zeros)],
+        "bound": None if system.bound is None else [system.bound.count, system.bound.dimension, system.bound.how],
+        "why": system.why,
+    }
+
+
+def decoded(values: dict[str, Any]) -> StartSystem:
+    """What `encoded` has made."""
+    member = [_array(text) if ndim else complex(_array(text)[0]) for text, ndim in values["member"]]
+    text, count = values["zeros"]
+    bound = None if values["bound"] is None else Bound(*values["bound"])
+    return StartSystem(tuple(member), _array(text).reshape(count, -1), bound, values["why"])
+
+
+def _bytes(values: Array) -> str:
+    return base64.b64encode(np.ascontiguousarray(values).astype("<c16").tobytes()).decode()
+
+
+def _array(text: str) -> Array:
+    return np.frombuffer(base64.b64decode(text), dtype="<c16").astype(complex)

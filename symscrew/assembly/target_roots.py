@@ -1,0 +1,224 @@
+"""Zeros of a given mechanism from those of a general member of its family, with an account of every path.
+
+    start system --paths--> regular ends: real, complex, at infinity;  singular ends --around s = 1--> where they lie
+    paths that end in one regular point --again, with shorter steps--> apart
+
+At infinity: the ends at which a group is no displacement, |x|^2 = 0. Several paths in one finite point: a multiple
+zero, or a point of a curve of zeros, along which Newton's method can be led.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from symscrew.assembly.batch_equations import BatchEquations
+from symscrew.assembly.families import Family
+from symscrew.assembly.path_tracking import CORRECTION, NEARLY, Coefficients, Tracker
+from symscrew.assembly.start_system import StartSystem, together
+
+Array = np.ndarray[Any, Any]
+
+SINGULAR = 1e-9
+"""Relative singular value of a singular end: rounding of doubles, squared root of it where two zeros meet."""
+NO_DISPLACEMENT = 1e-7
+"""|x|^2 of points of length one at infinity; regular ends there have 1e-14, singular ones 1e-9 by the mean around."""
+REAL = 1e-9
+"""Imaginary part of a real zero that is regular."""
+RADIUS = 1e-5
+"""Of the circle around s = 1: no other singular s lies inside but for almost singular mechanisms."""
+TURNS = 12
+"""Most rounds until a path comes back: as many as zeros that meet."""
+ARCS = 16
+"""Pieces of a round: the mean of as many points is right to `RADIUS` to this power over the rounds."""
+BACK = 1e-7
+"""Distance at which a path has come back to where its round began."""
+TIGHTER = (1e-2, 1e-4)
+"""Of the correction's length, where two paths have ended in one point: one of them jumped."""
+ALONG = (1e-2, 1e-3)
+"""Steps along a null vector, of points of length one, on which a curve of zeros is told from a multiple zero."""
+FLAT = 1e-13
+"""Residual at which a point beside a singular zero is a zero too."""
+CLOSE = 1e-5
+"""Distance of singular ends that are one: half the digits, and less where three and more zeros meet."""
+
+
+@dataclass(frozen=True)
+class End:
+    """Where paths end: coordinates, "real", "complex", "infinity" or "lost", how many paths, whether it is regular.
+
+    `curve`: whether more zeros are beside it, without end.
+    """
+
+    z: Array
+    kind: str
+    paths: int = 1
+    regular: bool = True
+    curve: bool = False
+
+
+@dataclass(frozen=True)
+class Account:
+    """All ends; how many paths there were, how often some were followed again."""
+
+    ends: tuple[End, ...]
+    paths: int
+    again: int
+
+    def count(self, kind: str) -> int:
+        """Of the paths that end so."""
+        return sum(end.paths for end in self.ends if end.kind == kind)
+
+
+def target_roots(family: Family, start: StartSystem, member: Sequence[Any]) -> Account:
+    """The ends of all paths from the start system to a member of its family."""
+    return _Roots(family.equations, start, family.way(start.member, member).at).account()
+
+
+class _Roots:
+    def __init__(self, equations: BatchEquations, start: StartSystem, way: Coefficients) -> None:
+        self.equations, self.start, self.way = equations, start, way
+        self.goal = way(np.ones(1))
+        self.again = 0
+
+    def account(self) -> Account:
+        """Regular ends first, then what the others come to."""
+        count = len(self.start.zeros)
+        ends = Tracker(self.equations).follow(self.start.zeros, self.way)
+        z, reached = ends.z.copy(), ends.reached.copy()
+        late = np.flatnonzero(~reached)
+        if len(late):
+            more = Tracker(self.equations, nearly=NEARLY[1]).follow(self.start.zeros[late], self.way)
+            z[late], reached[late] = more.z, more.reached
+        good = reached & (self.smallest(z) > SINGULAR)
+        for tighter in TIGHTER:
+            doubled = self._doubled(z, good)
+            if not len(doubled):
+                break
+            self.again += 1
+            more = Tracker(self.equations, tighter * CORRECTION).follow(self.start.zeros[doubled], self.way)
+            z[doubled], good[doubled] = more.z, more.reached & (self.smallest(more.z) > SINGULAR)
+        found = [self._regular(z[k]) for k in np.flatnonzero(good)]
+        found += self._singular(np.flatnonzero(~good), z, reached)
+        return Account(tuple(found), count, self.again)
+
+    def smallest(self, z: Array) -> Array:
+        """Relative smallest singular values of the derivative across the groups."""
+        if not len(z):
+            return np.zeros(0)
+        _, slopes = self.equations.evaluate(z, self.goal)
+        whole = np.concatenate([slopes, self.equations.patches(z)], axis=1)
+        values = np.linalg.svd(np.nan_to_num(whole), compute_uv=False)
+        return np.asarray(values[:, self.equations.width - 1] / values[:, 0])
+
+    def _doubled(self, z: Array, good: Array) -> Array:
+        """Paths that end where another one does."""
+        places = np.flatnonzero(good)
+        return np.array([k for k in places if together(self.equations, z[places], z[k]).sum() > 1], dtype=int)
+
+    def _regular(self, z: Array) -> End:
+        if self.equations.norms(z[None]).min() < NO_DISPLACEMENT:
+            return End(z, "infinity")
+        turned = realised(self.equations, z)
+        return End(turned, "real" if np.abs(turned.imag).max() < REAL else "complex")
+
+    def _singular(self, places: Array, z: Array, reached: Array) -> list[End]:
+        """What paths come to that do not end in regular points."""
+        result: list[End] = []
+        if not len(places):
+            return result
+        centres, back = self._around(places)
+        for k, place in enumerate(places):
+            z_end = centres[k] if back[k] else z[place]
+            if not back[k] and not reached[place]:
+                lost = self.equations.norms(z[place][None]).min() < NO_DISPLACEMENT**0.5
+                result.append(End(z[place], "infinity" if lost else "lost", regular=False))
+            elif self.equations.norms(z_end[None]).min() < NO_DISPLACEMENT:
+                result.append(End(z_end, "infinity", regular=False))
+            else:
+                turned = realised(self.equations, z_end)
+                kind = "real" if np.abs(turned.imag).max() < CLOSE else "complex"
+                _gather(result, End(turned, kind, regular=False, curve=self._curve(turned)))
+        return result
+
+    def _around(self, places: Array) -> tuple[Array, Array]:
+        """(the means of paths around s = 1, whether they came back)."""
+        tracker, radius = Tracker(self.equations, nearly=RADIUS), RADIUS
+        ends = tracker.follow(self.start.zeros[places], self.way, until=1 - radius)
+        z = self._fixed(ends.z, ends.z)
+        begin, total = z.copy(), np.zeros_like(z)
+        centres, back = z.copy(), np.zeros(len(places), dtype=bool)
+        good = ends.reached.copy()
+        for turn in range(1, TURNS + 1):
+            for arc in range(ARCS):
+                total += z
+                angle = 2 * np.pi * (np.arange(2) + arc) / ARCS
+                piece = tracker.follow(z, self._arc(radius, angle[0], angle[1]))
+                z = self._fixed(piece.z, begin)
+                good &= piece.reached
+            closed = good & ~back & (np.abs(z - begin).max(axis=1) < BACK)
+            centres[closed] = total[closed] / (ARCS * turn)
+            back |= closed
+            if (back | ~good).all():
+                break
+        return self.equations.scaled(centres), back
+
+    def _arc(self, radius: float, start: float, end: float) -> Coefficients:
+        """Coefficients on an arc around s = 1."""
+        return lambda t: self.way(1 - radius * np.exp(1j * (start + t * (end - start))))
+
+    def _fixed(self, z: Array, like: Array) -> Array:
+        """Points with the coordinate of each group that is largest in `like` made 1."""
+        result = z.copy()
+        rows = np.arange(len(z))
+        for part in self.equations.parts:
+            largest = part.start + np.abs(like[:, part]).argmax(axis=1)
+            result[:, part] /= z[rows, largest][:, None]
+        return result
+
+    def _curve(self, z: Array) -> bool:
+        """Whether zeros go on along a null vector, as far as a step of twice the length goes twice as far."""
+        _, slopes = self.equations.evaluate(z[None], self.goal)
+        whole = np.concatenate([slopes, self.equations.patches(z[None])], axis=1)[0]
+        _, values, rows = np.linalg.svd(whole)
+        rank = int((values > CLOSE * values[0]).sum())
+        kernel = rows[rank:].conj()
+        if not len(kernel):
+            return False
+        random = np.random.default_rng(0).normal(size=len(kernel))
+        for step in ALONG:
+            there = z + step * (random @ kernel) / np.linalg.norm(random)
+            for _ in range(8):  # Newton's method from beside a curve takes three
+                value, slope = self.equations.evaluate(there[None], self.goal)
+                matrix = np.concatenate([slope, self.equations.patches(there[None])], axis=1)[0]
+                right = np.concatenate([value[0], np.zeros(len(self.equations.parts))])
+                if not np.isfinite(matrix).all():
+                    return False
+                there = there - np.linalg.pinv(matrix, rcond=CLOSE) @ right
+            value, _ = self.equations.evaluate(there[None], self.goal)
+            if np.abs(value).max() > FLAT or not 0.5 * step < np.linalg.norm(there - z) < 2 * step:
+                return False
+        return True
+
+
+def _gather(ends: list[End], new: End) -> None:
+    """Puts an end to the one that it is at, or beside them."""
+    for k, end in enumerate(ends):
+        if end.kind == new.kind and np.abs(end.z - new.z).max() < CLOSE:
+            ends[k] = End(end.z, end.kind, end.paths + 1, end.regular, end.curve or new.curve)
+            return
+    ends.append(new)
+
+
+def realised(equations: BatchEquations, z: Array) -> Array:
+    """The same point with real coordinates, if it has such: the largest of each group is positive."""
+    result = z.copy()
+    for part in equations.parts:
+        largest = z[part][np.abs(z[part]).argmax()]
+        result[part] = z[part] * np.conj(largest) / np.abs(largest)
+        first = next((c for c in result[part] if abs(c) > CLOSE), 1.0)
+        result[part] *= np.sign(first.real) or 1.0
+    return result

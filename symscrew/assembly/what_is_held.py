@@ -1,0 +1,133 @@
+"""What is held of a mechanism: its drives, or coordinates that were given, at their values.
+
+A platform with more drives than freedoms is held by as many as it needs; solutions that miss the others are left out.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from symscrew.algebra import CONTEXT, high_precision
+from symscrew.description import Mechanism
+from symscrew.errors import DescriptionError, did_you_mean
+from symscrew.kinematics import given_coordinates
+from symscrew.mobility import ClosureVariety, Network, network_of, targets_of, with_parameters
+
+Array = np.ndarray[Any, Any]
+
+RANK = 1e-9
+"""Relative singular value below which a closure of the reference has no such row."""
+
+
+@dataclass(frozen=True)
+class Held:
+    """`exact`: held column -> displacement from the reference in 60 digits; `values`: in doubles.
+
+    `chosen`: columns that hold the mechanism; `extra`: those held too. `shown`: values as the description counts them.
+    """
+
+    mechanism: Mechanism
+    network: Network
+    exact: Mapping[int, Any]
+    values: Mapping[int, float]
+    chosen: tuple[int, ...]
+    extra: tuple[int, ...]
+    shown: Mapping[str, float]
+    body: str
+
+    def fewer(self) -> Held:
+        """Only as much held as holds the mechanism in the reference; the rest is checked."""
+        chosen = _independent(self.network, tuple(self.exact))
+        extra = tuple(c for c in self.exact if c not in chosen)
+        return replace(self, exact={c: self.exact[c] for c in chosen}, chosen=chosen, extra=extra)
+
+    def error(self, text: str) -> DescriptionError:
+        """An error about what is held."""
+        return DescriptionError(
+            f"assembly modes of {self.mechanism.name} with {', '.join(self.shown) or 'nothing'} held: {text}"
+        )
+
+    def off(self, column: int, displacement: float) -> float:
+        """How far a column is from its value; angles by whole turns."""
+        gap = displacement - self.values[column]
+        turns = any(
+            motion.revolute and start == column for e in self.network.edges.values() for motion, start in e.motions
+        )
+        return float((gap + np.pi) % (2 * np.pi) - np.pi) if turns else float(gap)
+
+    def labelled(self, q: Array) -> dict[str, float]:
+        """Values of all single coordinates [rad, m] as the description counts them."""
+        return {
+            name: float(reference + q[column] * (float(self.network.length) if slides else 1.0))
+            for name, column, reference, slides in singles(self.mechanism, self.network)
+        }
+
+
+def singles(mechanism: Mechanism, network: Network) -> list[tuple[str, int, float, bool]]:
+    """(name, column, value in the reference, whether it is a length) of all coordinates with one freedom."""
+    result = []
+    for edge in network.edges.values():
+        given = mechanism.joints[edge.name].reference
+        alone = [(motion, start) for motion, start in edge.motions if motion.single]
+        for place, (motion, start) in enumerate(alone):
+            name = edge.name if len(edge.motions) == 1 else f"{edge.name}.{start - edge.start}"
+            reference = float(high_precision(mechanism.number(given[place]))) if place < len(given) else 0.0
+            result.append((name, start, reference, motion.prismatic))
+    return result
+
+
+def held_by(mechanism: Mechanism, drives: Mapping[str, Any], at: Mapping[str, Any]) -> Held:
+    """What drives and given coordinates hold.
+
+    Raises:
+        DescriptionError: unknown names, coordinates that cannot be held, nothing to hold.
+    """
+    mechanism, coordinates = with_parameters(mechanism, at)
+    network = network_of(mechanism)
+    known = {name: column for name, column, *_ in singles(mechanism, network)}
+    driven = {name: column for name, column in known.items() if column in network.driven}
+    for name in drives:
+        if name not in driven:
+            raise DescriptionError(f"drives {name}: no driven coordinate of this name; {did_you_mean(name, driven)}")
+    for name in coordinates:
+        if name not in known:
+            raise DescriptionError(f"at {name}: no parameter or coordinate of this name; "
+                                   f"{did_you_mean(name, [*mechanism.parameters, *known])}")  # fmt: skip
+    if network.ties:
+        raise DescriptionError(
+            f"assembly modes of {mechanism.name}: couplings of coordinates are not among the polynomials"
+        )
+    exact = {} if coordinates else dict.fromkeys(driven.values(), CONTEXT.zero)
+    for target in targets_of(mechanism, network, given_coordinates(mechanism, {**coordinates, **drives})):
+        assert target.column is not None
+        exact[target.column] = target.goal
+    if not exact:
+        raise DescriptionError(f"assembly modes of {mechanism.name}: nothing is driven; give coordinates to hold (at)")
+    values = {column: float(goal) for column, goal in exact.items()}
+    shown = {
+        name: reference + values[column] * (float(network.length) if slides else 1.0)
+        for name, column, reference, slides in singles(mechanism, network) if column in values
+    }  # fmt: skip
+    body = mechanism.platform or next(reversed(network.bodies))
+    return Held(mechanism, network, exact, values, tuple(exact), (), shown, body)
+
+
+def _independent(network: Network, columns: tuple[int, ...]) -> tuple[int, ...]:
+    """The columns that hold the mechanism in the reference, one after the other; all of a mechanism without loops."""
+    if not network.chords:
+        return columns
+    variety = ClosureVariety(network)
+    q = np.random.default_rng(0).normal(size=(1, variety.columns)) * 0
+    jacobian = variety.evaluate(q)[1][0]
+    _, values, rows = np.linalg.svd(jacobian)
+    motions = rows[int((values > RANK * values[0]).sum()) :]
+    chosen: list[int] = []
+    for column in columns:
+        part = motions[:, [*chosen, column]]
+        if np.linalg.svd(part, compute_uv=False)[-1] > RANK and len(chosen) < len(motions):
+            chosen.append(column)
+    return tuple(chosen)

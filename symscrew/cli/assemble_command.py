@@ -1,0 +1,86 @@
+"""`symscrew assemble`: every assembly mode for given drives, certified, as text, JSON or a picture."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from symscrew.cli.help import DONE, FAILED, UsageError
+from symscrew.cli.shared_options import add_mechanism, need_matplotlib, writable_folder
+from symscrew.errors import shorten
+
+if TYPE_CHECKING:
+    from symscrew.assembly import AssemblyModes
+
+EXAMPLES = (
+    "symscrew assemble stewart_6ups",
+    "symscrew assemble planar_3rrr --drives limb1_R1=0.2 --picture modes.png",
+    "symscrew assemble four_bar --json",
+)
+FORMATS = (".png", ".pdf", ".svg")
+
+
+def add_options(command: argparse.ArgumentParser) -> None:
+    """Options of `symscrew assemble`."""
+    add_mechanism(command)
+    command.add_argument(
+        "--drives", nargs="+", action="extend", default=[], metavar="KEY=VALUE",
+        help="driven coordinates (joint, joint.i) [rad, m]; others are as in the reference",
+    )  # fmt: skip
+    command.add_argument(
+        "--at", nargs="+", action="extend", default=[], metavar="KEY=VALUE",
+        help="parameters, or coordinates of joints that are held in place of the drives",
+    )  # fmt: skip
+    command.add_argument("--expect", type=int, metavar="N", help="exit 1 unless there are N modes, certified")
+    command.add_argument("--json", action="store_true", help="as JSON")
+    command.add_argument("--picture", metavar="FILE", help=f"all modes side by side: {', '.join(FORMATS)}")
+
+
+def run(options: argparse.Namespace) -> int:
+    """Solve, print, draw; 1 when a mode is neither certified nor singular, or there are others than expected."""
+    from symscrew import catalogue
+    from symscrew.assembly import assembly_modes, mode_lines, mode_values
+
+    picture = _picture(options.picture)
+    drives, at = (dict(_setting(name, text) for text in getattr(options, name)) for name in ("drives", "at"))
+    mechanism = catalogue.find(options.mechanism)
+    found = assembly_modes(mechanism, drives, at=at, progress=_progress if sys.stderr.isatty() else lambda _: None)
+    print(json.dumps(mode_values(found), indent=1) if options.json else "\n".join(mode_lines(found)))
+    if picture is not None:
+        from symscrew.display import modes_figure, save_figure
+
+        print(save_figure(modes_figure(found), picture, tight=True), file=sys.stderr)
+    return DONE if _good(found, options.expect) else FAILED
+
+
+def _good(found: AssemblyModes, expect: int | None) -> bool:
+    """Whether what was found judges itself good: no path lost, every regular mode certified where it can be."""
+    if expect is not None:
+        return len(found.modes) == expect and all(mode.certified for mode in found.modes)
+    certified = all(mode.certified or mode.paths > 1 or mode.curve for mode in found.modes)
+    return not found.account.count("lost") and (certified or found.complete == "sampled")
+
+
+def _picture(name: str | None) -> Path | None:
+    if name is None:
+        return None
+    path = Path(name)
+    if path.suffix not in FORMATS:
+        raise UsageError(f"--picture: expected a file name that ends in {' or '.join(FORMATS)}, got {shorten(name)}")
+    writable_folder(str(path.parent))
+    need_matplotlib()
+    return path
+
+
+def _setting(option: str, text: str) -> tuple[str, str]:
+    name, mark, value = text.partition("=")
+    if not mark or not name or not value:
+        raise UsageError(f"--{option}: expected KEY=VALUE, got {shorten(text)}")
+    return name.strip(), value.strip()
+
+
+def _progress(text: str) -> None:
+    print(text, file=sys.stderr)
