@@ -262,11 +262,11 @@ def _judged(plan: JoinedPlan) -> JoinedPlan:
             part = replace(part, problem=replace(part.problem, start=_whole(part.model, q)))
         parts.append(judged(part))
     plan = replace(plan, parts=tuple(parts))
-    for k, part in enumerate(parts):
-        if not part.ok:
-            where = plan.problem.called(k)
-            reasons = (f"{where}: {part.status}", *(f"{where}: {r}" for r in part.reasons if r not in part.status))
-            return replace(plan, ok=False, status=reasons[0], reasons=reasons)
+    # what is impossible comes first: meshes of the others are not refined then, so that they lack accuracy too
+    for k in sorted((k for k, part in enumerate(parts) if not part.ok), key=lambda k: not parts[k].followed.trouble):
+        where, part = plan.problem.called(k), parts[k]
+        reasons = (f"{where}: {part.status}", *(f"{where}: {r}" for r in part.reasons if r not in part.status))
+        return replace(plan, ok=False, status=reasons[0], reasons=reasons)
     return linked(plan)
 
 

@@ -165,6 +165,19 @@ def test_phases_that_do_not_fit_are_not_confirmed() -> None:
     assert not bad.ok and "replayed from phase to phase it ends" in bad.status
 
 
+@pytest.mark.slow
+def test_a_phase_that_would_change_its_branch_is_refused() -> None:
+    """The tool of the five-bar below its elbows: no motion of these coordinates leads there."""
+    home = Conditions(coordinates={"base_left": 0.0, "base_right": 0.0}, at_rest=True)
+    first = TrajectoryProblem(
+        SHORT_FIVE_BAR, duration=0.6, start=home, end=Conditions(coordinates={"base_left": 0.1, "base_right": 0.1}),
+        transcription=Transcription(intervals=8), independent=("base_left", "base_right"),
+    )  # fmt: skip
+    below = replace(home, points={"tool": (None, None, 0.2 - math.sqrt(13) / 20)})
+    found = solve_joined(JoinedProblem((first, replace(first, start=Conditions(), end=below)), (Link(),)))
+    assert not found.ok and "phase 2: impossible: the plan leaves its assembly mode" in found.status
+
+
 # -- files -------------------------------------------------------------------------------------------------------
 
 MECHANISM = """
