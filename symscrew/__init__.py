@@ -26,7 +26,9 @@ absolute axes, screws at the origin O.
     Quantities(mechanism)             screws, twists, momenta, constraints as formulas: .twist("tool").latex()
     inertial_parameters(mechanism)    -> the parameters pi (10 per body) in which the dynamics are linear
     base_parameters(mechanism)        -> those combinations of pi that a motion can tell apart
-    view(model)                       -> Path: a page with the mechanism in 3-D, opened in the browser
+    view(mechanism)                   -> Page: in 3-D, of a model or a run too; opened in the browser, or in a notebook
+    draw(mechanism)                   -> Picture: .save("seed.pdf"); a notebook shows it
+    report(mechanism)                 -> Document: all that is known of it; .save("seed.html")
   to compute
     generate(model, "out")            -> paths of the files: C, CasADi, NumPy and further targets, in one folder
     check("out")                      -> CheckResult: is the folder what would be written today, clean and right?
@@ -35,6 +37,10 @@ absolute axes, screws at the origin O.
     simulate(scene)                   -> Run: .t, .q, .v, energies, closure error; .ok, .status
     optimise(problem)                 -> Trajectory: of a problem from `symscrew.optimisation.load_problem`
     optimisation_problem(problem)     built once, solved often: .solve(start=..., goal=..., warm=...) -> Trajectory
+    assemble(model, {"A": 0.3})       -> Configuration: ["B"], .q, .ok, .status
+    workspace(mechanism, over)        -> Sweep: ["margin"], .summary; over {"tilt": "0:20deg:21", "azimuth": ...}
+    drives(mechanism, motion)         -> DriveStudy: .u, .wrenches, .margins, .columns; of a file or expressions in t
+    joint_wrenches(model, q, v, a)    -> JointWrenches: ["limb2_S"].about_joint().in_body_axes().force
     __version__                       of the package
 
 The map: rooms in the order of the flow. A file imports only from rooms above its own, through their doors (what
@@ -44,6 +50,7 @@ their `__init__` names); `tests/unit/test_structure.py` reads the order from her
     doors           rooms whose parts are imported when somebody asks for them
     garbage         times at which nobody searches for unused objects
     workers         processes that end with the one that started them
+    notebook        how objects look in a notebook: tables and texts as HTML
     whole_files     files and folders that are there whole or not at all
     array_archives  archives of arrays by anybody, read within bounds
     description     mechanisms as people write them: bodies, joints, limbs, parameters; TOML
@@ -61,6 +68,7 @@ their `__init__` names); `tests/unit/test_structure.py` reads the order from her
     model           the pipeline on one page: `derive`
     export          printers: C, CasADi, NumPy, JavaScript, LaTeX, Markdown
     runtime         compiled libraries, called from Python
+    results         wrenches of joints by name; columns over time for pandas, xarray, files
     display         terminal, plots, drawings, the page in 3-D
     scene           scenes: start, drives, effects, integrator
     simulation      motion of a scene
@@ -70,10 +78,12 @@ their `__init__` names); `tests/unit/test_structure.py` reads the order from her
     verification    whether a folder is what the tool would write, and agrees by number
     studies         timing, machine, bill of effects
     studies/demo    the source paper's example from end to end
+    studies/given_motion    motion in, tables out: joints, rates, drives, reactions, margins
     studies/accuracy    what accuracy costs in time
     studies/benchmark   functions beside other libraries
     studies/workspace   maps over coordinates and parameters
-    report          one document on a mechanism
+    studies/certificate boxes of coordinates that are proved free of singularities
+    reporting       one document on a mechanism
     cli             the command line
 
 Nothing heavy is imported before it is used.
@@ -90,7 +100,8 @@ if TYPE_CHECKING:
     from symscrew.description import Mechanism as Mechanism
     from symscrew.description import MechanismBuilder as MechanismBuilder
     from symscrew.description import load_description as load_description
-    from symscrew.display import open_page as view
+    from symscrew.display import draw as draw
+    from symscrew.display import show_page as view
     from symscrew.effects import Effect as Effect
     from symscrew.effects import ExternalWrench as ExternalWrench
     from symscrew.effects import Gravity as Gravity
@@ -104,9 +115,14 @@ if TYPE_CHECKING:
     from symscrew.model import derive as derive
     from symscrew.optimisation import optimisation_problem as optimisation_problem
     from symscrew.optimisation import solve as optimise
+    from symscrew.reporting import report as report
+    from symscrew.results import assemble as assemble
+    from symscrew.results import joint_wrenches as joint_wrenches
     from symscrew.runtime import load as load
     from symscrew.scene import load_scene as load_scene
     from symscrew.simulation import simulate as simulate
+    from symscrew.studies.given_motion import drives as drives
+    from symscrew.studies.workspace import workspace as workspace
     from symscrew.verification import check as check
 
 __version__ = "0.1.0"
@@ -122,19 +138,25 @@ __all__ = [
     "Quantities",
     "__version__",
     "analyse_mobility",
+    "assemble",
     "base_parameters",
     "check",
     "derive",
+    "draw",
+    "drives",
     "generate",
     "inertial_parameters",
+    "joint_wrenches",
     "load",
     "load_catalogue",
     "load_description",
     "load_scene",
     "optimisation_problem",
     "optimise",
+    "report",
     "simulate",
     "view",
+    "workspace",
 ]
 
 __getattr__ = doors(__name__)

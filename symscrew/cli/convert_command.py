@@ -33,6 +33,9 @@ def add_options(command: argparse.ArgumentParser) -> None:
     command.add_argument("--repair", action="store_true", help="the nearest possible inertia for one no body can have")
     command.add_argument("--accept", action="store_true", help="leave out what numbers depend on and is not read")
     command.add_argument("--floating", action="store_true", help="the root link of a URDF moves freely in space")
+    command.add_argument(
+        "--exact", action="store_true", help="digits that mean an angle or a zero are that: 1.5708 is pi/2"
+    )
 
 
 def run(options: argparse.Namespace) -> int:
@@ -48,8 +51,9 @@ def run(options: argparse.Namespace) -> int:
     if path.exists() and not options.replace:
         raise UsageError(f"--out: {path} exists and is left as it is; choose another name, or say --replace")
     foreign = source.suffix in READABLE and source.is_file()
-    if not foreign and (options.scene or options.snap or options.repair or options.accept or options.floating):
-        raise UsageError("--scene, --snap, --repair, --accept and --floating belong to URDF and MJCF files")
+    asked = (options.scene, options.snap, options.repair, options.accept, options.floating, options.exact)
+    if not foreign and any(asked):
+        raise UsageError("--scene, --snap, --repair, --accept, --floating and --exact belong to URDF and MJCF files")
     if not 0 <= options.snap < 1:
         raise UsageError(f"--snap: expected a gap from 0 to 1 [m, rad], got {options.snap}")
     if not foreign:
@@ -57,7 +61,7 @@ def run(options: argparse.Namespace) -> int:
         save_as(catalogue.find(options.mechanism), path)
         print(path)
         return DONE
-    chosen = ImportOptions(options.snap, options.repair, options.accept, options.floating)
+    chosen = ImportOptions(options.snap, options.repair, options.accept, options.floating, options.exact)
     robot = load_robot(source, chosen)
     writable_folder(str(path.parent))
     save_as(robot.mechanism, path)

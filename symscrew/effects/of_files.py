@@ -17,6 +17,7 @@ TYPES: Mapping[str, str] = {
     "friction": "dry_friction",
     "spring": "joint_spring",
     "servo": "position_servo",
+    "load": "external_wrench",
 }
 """What a file calls a force -> the type of its effect."""
 USUAL = (0, 0, "-9.81")

@@ -17,11 +17,13 @@ if TYPE_CHECKING:
     from symscrew.export.casadi import TABLE, casadi_functions, program_function
     from symscrew.export.casadi_external import jacobians_model, print_external
     from symscrew.export.cpp import print_cpp
+    from symscrew.export.cuda import CUDA_THREADS, print_cuda
     from symscrew.export.drive_kinematics import DriveKinematics, find_drive_kinematics
     from symscrew.export.drive_kinematics_c import axes_text, print_drive_host
     from symscrew.export.example import SPILLS, print_cmake, print_example
     from symscrew.export.hash_file import HASHES, FileHash, file_hash, print_hashes, read_hashes
     from symscrew.export.javascript import print_javascript, print_script
+    from symscrew.export.jax import print_jax
     from symscrew.export.linuxcnc import print_linuxcnc
     from symscrew.export.listing import banner, decimal, live_instructions, model_hash, packed, plain
     from symscrew.export.manifest_file import (
@@ -43,6 +45,7 @@ if TYPE_CHECKING:
     from symscrew.export.written_folder import MANIFEST, own_files, read_manifest
 
 __all__ = [
+    "CUDA_THREADS",
     "DOUBLE",
     "HASHES",
     "MANIFEST",
@@ -79,11 +82,13 @@ __all__ = [
     "print_c",
     "print_cmake",
     "print_cpp",
+    "print_cuda",
     "print_drive_host",
     "print_example",
     "print_external",
     "print_hashes",
     "print_javascript",
+    "print_jax",
     "print_linuxcnc",
     "print_markdown",
     "print_numpy",

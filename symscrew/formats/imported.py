@@ -50,8 +50,9 @@ class Imported:
 
     Attributes:
         mechanism: bodies, joints, couplings.
-        forces: what the file says of forces at joints: kind (armature, damping, friction, spring, servo), the joint,
-            the freedom of a joint with several, and its numbers; see `symscrew.effects.effects_of_file`.
+        forces: what the file says of forces: kind (armature, damping, friction, spring, servo), the joint, the freedom
+            of a joint with several, and its numbers; kind load, the point, and the wrench where it is no input. See
+            `symscrew.effects.effects_of_file`.
         limits: joint -> its limits.
         configurations: name -> coordinates in the file's own order.
         account: what became of everything.

@@ -7,6 +7,7 @@ refused by name, so that nothing that changes the mechanics is passed over.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from copy import copy
 from dataclasses import dataclass, field
 from decimal import Decimal
 
@@ -74,6 +75,7 @@ COMPILER_FREE = (
     "convexhull", "saveinertial", "fitaabb", "exactmeshinertia", "conflict",
 )  # fmt: skip
 CHECKED_DEFAULTS = ("joint", "geom", "site", "equality")
+OTHER_DEFAULTS = ("tendon", "mesh")
 ACTUATORS = (
     "motor", "position", "velocity", "intvelocity", "damper", "cylinder", "muscle", "general", "dcmotor", "adhesion",
 )  # fmt: skip
@@ -93,6 +95,7 @@ class Settings:
     defaults: Mapping[str, Mapping[str, Attributes]] = field(default_factory=dict)
     assets: str = "."
     auto_limits: bool = True
+    fits_boxes: bool = False
 
     def merged(self, element: Element, kind: str, inherited: str | None) -> dict[str, str]:
         """The attributes of an element over those of its class (its own, its body's, or the main one)."""
@@ -113,6 +116,12 @@ class Settings:
             )
         found = self.defaults[name]
         return {**found.get("general", {}), **found.get(element.tag, {}), **element.attrib}
+
+    def with_defaults(self, element: Element, kind: str) -> Element:
+        """An element, a tendon or a mesh, with the attributes of its class; none of them is refused."""
+        whole = copy(element)
+        whole.attrib = {**self.defaults.get(element.get("class") or "main", {}).get(kind, {}), **element.attrib}
+        return whole
 
     def angle(self, value: Decimal) -> Real:
         """An angle of the file [rad]; whole degrees that have round sines give these."""
@@ -181,6 +190,7 @@ def settings(root: Element, draft: Draft) -> Settings:
         defaults=found,
         assets=given.get("meshdir") or given.get("assetdir") or ".",
         auto_limits=given.get("autolimits", "true") == "true",
+        fits_boxes=given.get("fitaabb", "false") == "true",
     )
     for option in elements(root, "option"):
         _option(option, draft)
@@ -211,7 +221,7 @@ def _read_defaults(default: Element, found: dict[str, dict[str, dict[str, str]]]
     for child in elements(default):
         if child.tag in CHECKED_DEFAULTS:
             check_attributes(child, READ[child.tag], f"<default class={shorten(name)}>, <{child.tag}>")
-        if child.tag in (*CHECKED_DEFAULTS, *ACTUATORS):
+        if child.tag in (*CHECKED_DEFAULTS, *ACTUATORS, *OTHER_DEFAULTS):
             values[child.tag] = {**values.get(child.tag, {}), **child.attrib}
     found[name] = values
     for child in elements(default, "default"):

@@ -6,6 +6,7 @@ principal moments a <= b <= c of a body: a >= 0, a + b >= c
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
 import mpmath
 
@@ -26,13 +27,10 @@ def physical(body: RawBody, ledger: Ledger, *, repair: bool) -> RawBody:
     Raises:
         DescriptionError: the inertia is impossible, or the mass negative.
     """
-    if body.mass is None or body.inertia is None:
+    found = _principal(body)
+    if found is None or not impossible(body):
         return body
-    rows = CONTEXT.matrix([[(body.inertia[i][j] + body.inertia[j][i]) / 2 for j in range(3)] for i in range(3)])
-    moments, columns = CONTEXT.eigsy(rows)
-    a, b, c = (moments[k] for k in range(3))
-    if max(abs(a), abs(c)) < POINT_MASS * body.mass or (a >= -ROUNDING * c and a + b - c >= -ROUNDING * c):
-        return body
+    (a, b, c), columns = found
     mended = _nearest(a, b, c)
     change = max(abs(x - y) for x, y in zip((a, b, c), mended, strict=True))
     text = f"{mpmath.nstr(change, 3)} kg m^2 of {mpmath.nstr(c, 3)}"
@@ -52,6 +50,25 @@ def physical(body: RawBody, ledger: Ledger, *, repair: bool) -> RawBody:
     zero = CONTEXT.mpf(0)
     diagonal: Rotation = ((mended[0], zero, zero), (zero, mended[1], zero), (zero, zero, mended[2]))
     return replace(body, inertia=product(product(turn, diagonal), transposed(turn)))
+
+
+def impossible(body: RawBody) -> bool:
+    """Whether no body has the principal moments of this one, beyond rounding."""
+    found = _principal(body)
+    if found is None or body.mass is None:
+        return False
+    a, b, c = found[0]
+    small = max(abs(a), abs(c)) < POINT_MASS * body.mass
+    return not small and not (a >= -ROUNDING * c and a + b - c >= -ROUNDING * c)
+
+
+def _principal(body: RawBody) -> tuple[tuple[Real, Real, Real], Any] | None:
+    """Principal moments, ascending, and axes as columns; None for a body without mass."""
+    if body.mass is None or body.inertia is None:
+        return None
+    rows = CONTEXT.matrix([[(body.inertia[i][j] + body.inertia[j][i]) / 2 for j in range(3)] for i in range(3)])
+    moments, columns = CONTEXT.eigsy(rows)
+    return (moments[0], moments[1], moments[2]), columns
 
 
 def _nearest(a: Real, b: Real, c: Real) -> tuple[Real, Real, Real]:

@@ -291,7 +291,7 @@ class OptimisationProblem:
         if not np.array_equal(warm.transcribed.mesh, made.mesh) or len(warm.x) != len(self._guess):
             arrays = carried_unknowns(warm, made)
             arrays["u"] = control_points(made, arrays["u"])
-            carried = carried_multipliers(warm, made, self._program, self._scale)
+            carried = carried_multipliers(warm, made, self._scale)
             rows, pressure = carried or (None, None)
             return _Start(np.nan_to_num(made.unknowns.pack(arrays)), rows, pressure)
         ratio = warm.cost_scale / self._scale

@@ -44,7 +44,9 @@ def refinement_of(trajectory: Trajectory, accuracy: tuple[float, float]) -> Refi
     ratio = np.maximum(defects * len(defects) / (MARGIN * dynamic), 1e-12)
     # between points at which a bound is kept a motion leaves it by its curvature: by the square of their distance
     broken = np.maximum(errors.violations.per_interval / (MARGIN * allowed), 1e-12)
-    broken = np.where(errors.violations.per_interval > allowed, broken, 1e-12)
+    # what nothing bounds over the shortest pieces of time is not bounded over shorter intervals either
+    mended = np.isfinite(broken) & (errors.violations.per_interval > allowed)
+    broken = np.where(mended, broken, 1e-12)
     wanted = np.maximum(ratio ** (1.0 / order), broken**0.5)
     parts = np.clip(np.ceil(wanted), 1, MOST_PARTS).astype(int)
     mesh = trajectory.transcribed.mesh

@@ -290,7 +290,7 @@ def _once(
     solver = solver_of(model.problem, program, {**(start_options if warm else {}), **limit})
     made = clock()
     extra = {}
-    if warm is not None and (carried := carried_multipliers(warm, transcribed, program, scale)):
+    if warm is not None and (carried := carried_multipliers(warm, transcribed, scale)):
         extra = {"lam_g0": carried[0], "lam_x0": carried[1]}
     with interruptible():
         answer = solver(x0=start, lbx=unknowns.lower, ubx=unknowns.upper, lbg=program.lower, ubg=program.upper, **extra)

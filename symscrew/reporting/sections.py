@@ -18,9 +18,9 @@ from symscrew.kinematics import motion_screws
 from symscrew.mobility import Mobility, analyse_mobility, formulas, key_figures, mathml, sections
 from symscrew.model import Model
 from symscrew.program import Iteration
-from symscrew.report import margin_maps
-from symscrew.report.blocks import Block, Bullets, Document, Picture, Section, Table, Text
-from symscrew.report.study_pages import accuracy_section, bill_section
+from symscrew.reporting import margin_maps
+from symscrew.reporting.blocks import Block, Bullets, Document, Picture, Section, Table, Text
+from symscrew.reporting.study_pages import accuracy_section, bill_section
 from symscrew.studies import Bill, Times
 from symscrew.studies.workspace import Call
 
