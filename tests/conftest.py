@@ -15,7 +15,7 @@ from symscrew.generation.folder import USUAL, generate
 from symscrew.runtime import compilers
 
 FUNCTIONS = {"-O2": "-O0", "-O3": "-O1"}  # of functions that are called a few times, of runs that take milliseconds
-HARD = {"-O2": "-O0", "-O3": "-O0"}  # each run has a loop of its own: compiling at -O0 takes half the time
+HARD = {"-O2": "-O0", "-O3": "-O0"}  # of `hard` and of tests marked `short_runs`, whose runs have loops of their own
 
 
 RARELY = 100_000
@@ -63,7 +63,8 @@ def common(tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest.hookimpl(tryfirst=True)
 def pytest_runtest_setup(item: pytest.Item) -> None:
     """Levels of optimisation change no results, as tests marked `optimised` hold, at the levels of users."""
-    quickly = HARD if item.path.parent.name == "hard" else FUNCTIONS
+    short = item.get_closest_marker("short_runs")
+    quickly = HARD if item.path.parent.name == "hard" or (short and short.args != (False,)) else FUNCTIONS
     Levels.instead = {} if item.get_closest_marker("optimised") else quickly
 
 

@@ -13,6 +13,8 @@ from symscrew.runtime.compiled import find_compiler
 from symscrew.scene.scene_file import load_scene, parse_scene
 from symscrew.simulation.motion import evaluated, prepare, simulate
 
+pytestmark = pytest.mark.short_runs
+
 needs_compiler = pytest.mark.skipif(find_compiler() is None, reason="no C compiler: these runs would take minutes")
 
 
@@ -234,6 +236,7 @@ def test_reactions_at_every_output_balance_the_momentum_of_the_whole_system() ->
 
 @pytest.mark.slow
 @needs_compiler
+@pytest.mark.short_runs(False)
 @pytest.mark.parametrize("name, duration", [("hanging_platform", 100.0), ("hanging_delta", 30.0)])
 def test_energy_drift_over_a_long_time(name: str, duration: float) -> None:
     run = simulate(replace(load_scene(EXAMPLES / "scenes" / f"{name}.toml"), duration=duration))

@@ -14,6 +14,8 @@ from symscrew.errors import DescriptionError
 from symscrew.scene.contents import Initial, Integrator, Scene
 from symscrew.simulation.motion import simulate
 
+pytestmark = pytest.mark.short_runs
+
 
 def block(axis: list) -> Mechanism:
     """2 kg on a slider."""

@@ -20,6 +20,8 @@ from symscrew.simulation.native import Library, RunLog
 from symscrew.simulation.scene_functions import PlantFunctions
 from symscrew.simulation.state_programs import plant
 
+pytestmark = pytest.mark.short_runs
+
 needs_compiler = pytest.mark.skipif(find_compiler() is None, reason="no C compiler")
 
 
