@@ -23,6 +23,7 @@ absolute axes, screws at the origin O.
     ExternalWrench("tool")            an Effect: force and moment at a named point, as an input or given
   to look at
     analyse_mobility(mechanism)       -> Mobility: constraints and freedoms by reciprocal screws; .report() in words
+    inverse_kinematics(mechanism, at)  -> Configuration: all coordinates from some, {"z": "1mm"}: .status, .drives
     Quantities(mechanism)             screws, twists, momenta, constraints as formulas: .twist("tool").latex()
     inertial_parameters(mechanism)    -> the parameters pi (10 per body) in which the dynamics are linear
     base_parameters(mechanism)        -> those combinations of pi that a motion can tell apart
@@ -39,6 +40,7 @@ absolute axes, screws at the origin O.
     optimisation_problem(problem)     built once, solved often: .solve(start=..., goal=..., warm=...) -> Trajectory
     assemble(model, {"A": 0.3})       -> Configuration: ["B"], .q, .ok, .status
     workspace(mechanism, over)        -> Sweep: ["margin"], .summary; over {"tilt": "0:20deg:21", "azimuth": ...}
+    formulas(mechanism)               -> Paper: screws, limbs, wrenches, inverse kinematics; .save("seed.tex")
     drives(mechanism, motion)         -> DriveStudy: .u, .wrenches, .margins, .columns; of a file or expressions in t
     joint_wrenches(model, q, v, a)    -> JointWrenches: ["limb2_S"].about_joint().in_body_axes().force
     __version__                       of the package
@@ -66,6 +68,7 @@ their `__init__` names); `tests/unit/test_structure.py` reads the order from her
     dynamics        balance of every body, drives, reactions, free motion, and derivatives of all these
     functions       the named functions of a model
     model           the pipeline on one page: `derive`
+    paper_formulas  formulas for a paper, in names that an author writes
     export          printers: C, CasADi, NumPy, JavaScript, LaTeX, Markdown
     runtime         compiled libraries, called from Python
     results         wrenches of joints by name; columns over time for pandas, xarray, files
@@ -111,10 +114,12 @@ if TYPE_CHECKING:
     from symscrew.functions import inertial_parameters as inertial_parameters
     from symscrew.generation import generate as generate
     from symscrew.mobility import analyse_mobility as analyse_mobility
+    from symscrew.mobility import inverse_kinematics as inverse_kinematics
     from symscrew.model import Model as Model
     from symscrew.model import derive as derive
     from symscrew.optimisation import optimisation_problem as optimisation_problem
     from symscrew.optimisation import solve as optimise
+    from symscrew.paper_formulas import paper_formulas as formulas
     from symscrew.reporting import report as report
     from symscrew.results import assemble as assemble
     from symscrew.results import joint_wrenches as joint_wrenches
@@ -144,8 +149,10 @@ __all__ = [
     "derive",
     "draw",
     "drives",
+    "formulas",
     "generate",
     "inertial_parameters",
+    "inverse_kinematics",
     "joint_wrenches",
     "load",
     "load_catalogue",

@@ -10,7 +10,7 @@ import os
 from typing import TYPE_CHECKING
 
 from symscrew.cli.help import DONE, UsageError
-from symscrew.cli.shared_options import add_effects, add_independent, add_mechanism, chosen_effects
+from symscrew.cli.shared_options import add_effects, add_independent, add_mechanism, check_folder, chosen_effects
 from symscrew.garbage import nothing_to_collect
 from symscrew.generation import TARGETS, USUAL, printable, with_brought
 
@@ -83,6 +83,7 @@ def run(options: argparse.Namespace) -> int:
     options = profiled(options)
     form = Form(one_file=options.one_file, batches=options.profile is None)
     targets = chosen_targets(options)
+    check_folder(options.out)
     progress = Progress()
     model = _chosen_functions(options, _derived(options, progress))
     measured = []

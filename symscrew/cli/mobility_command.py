@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from symscrew.cli.help import DONE, FAILED, UsageError
-from symscrew.cli.shared_options import add_mechanism
+from symscrew.cli.shared_options import add_mechanism, check_folder
 from symscrew.errors import shorten
 from symscrew.whole_files import write_text
 
@@ -78,6 +78,9 @@ def run(options: argparse.Namespace) -> int:
     writer = writers.get(Path(options.out).suffix) if options.out else None
     if options.out and writer is None:
         raise UsageError(f"--out: expected a file name in {', '.join(writers)}, got {shorten(options.out)}")
+    for file, option in ((options.out, "--out"), (options.proof, "--proof")):
+        if file:
+            check_folder(Path(file).parent, option)
     mechanism = catalogue.find(options.mechanism)
     at = dict(_setting(text) for text in options.at)
     for notice in angle_notices(mechanism, at):

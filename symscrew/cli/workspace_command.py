@@ -14,7 +14,14 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from symscrew.cli.help import DONE, FAILED, UsageError
-from symscrew.cli.shared_options import add_effects, add_independent, add_mechanism, add_no_cache, chosen_effects
+from symscrew.cli.shared_options import (
+    add_effects,
+    add_independent,
+    add_mechanism,
+    add_no_cache,
+    check_folder,
+    chosen_effects,
+)
 from symscrew.errors import did_you_mean, shorten
 from symscrew.whole_files import discard, write_text
 
@@ -91,9 +98,13 @@ def run(options: argparse.Namespace) -> int:
         )
     if not out.parent.is_dir():
         raise UsageError(f"--out: no folder {shorten(str(out.parent), 200)} to write into")
+    check_folder(out.parent if single else out)
     expected = _in_unit(options.expect_tilt, "--expect-tilt", "rad") if options.expect_tilt else None
     if options.certify:
         return run_certificate(options, out, expected)
+    folder = out.with_name(f".{out.name}.pieces") if single else out / "pieces"
+    if out.is_dir() and not folder.is_dir() and any(out.iterdir()):
+        raise UsageError(f"--out: {shorten(options.out)} is not empty and holds no sweep; use another one")
     plan = read_plan(options)
     if expected is not None and not {TILT, AZIMUTH} <= {axis.name for axis in plan.axes}:
         raise UsageError("--expect-tilt needs the axes tilt and azimuth: --over tilt=0:20deg:21 azimuth=0:360deg:73")
@@ -102,9 +113,6 @@ def run(options: argparse.Namespace) -> int:
         far = GivenValue(exact(max(axis.low, axis.high, key=abs)), axis.unit)
         if notice := far.notice(made.units.get(axis.name, ""), axis.name):
             print(f"note: {notice}", file=sys.stderr)
-    folder = out.with_name(f".{out.name}.pieces") if single else out / "pieces"
-    if out.is_dir() and not folder.is_dir() and any(out.iterdir()):
-        raise UsageError(f"--out: {shorten(options.out)} is not empty and holds no sweep; use another one")
     with held_store(folder, plan) as kept:
         sweep(plan, kept, scheduler=options.dask, processes=options.processes)
         results = kept.whole()

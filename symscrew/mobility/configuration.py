@@ -42,6 +42,18 @@ REFINED = 1e-52
 """Closure residual that is rounding of 60 digits."""
 
 
+class UnreachedError(DescriptionError):
+    """No configuration has these coordinates: how many numbers were given, and how many the mechanism leaves free."""
+
+    def __init__(self, names: str, numbers: int, free: int) -> None:
+        many = f"; {numbers} numbers are given and {free} are free: leave some out, and they follow"
+        super().__init__(
+            f"at {names}: the loops cannot be assembled there from the reference configuration"
+            + many * (numbers > free)
+        )
+        self.numbers, self.free = numbers, free
+
+
 @dataclass(frozen=True, repr=False)
 class Reached:
     """A configuration: the network with the screws there, and how far its loops are open, in units of its size.
@@ -164,8 +176,4 @@ def _closed(variety: ClosureVariety, q: Array, targets: Sequence[Target], *, goa
     if np.linalg.norm(residual) < NEARLY:
         return q
     free = q.size - int(np.linalg.matrix_rank(variety.evaluate(np.zeros((1, q.size)))[1][0], tol=CUT_OFF))
-    many = f"; {len(targets)} numbers are given and {free} are free: leave some out, and they follow"
-    raise DescriptionError(
-        f"at {names}: the loops cannot be assembled there from the reference configuration"
-        + many * (len(targets) > free)
-    )
+    raise UnreachedError(names, len(targets), free)

@@ -317,6 +317,7 @@ def test_bad_input(arguments: list[str], text: str, tmp_path: Path, capsys: pyte
     assert not list(tmp_path.iterdir())
 
 
+@pytest.mark.slow
 def test_poses_and_passive_joints_are_axes_like_independent_coordinates() -> None:
     """The configurations of a crank's map, asked for by the other joints and by the rocker's pose."""
     crank = whole(plan_of("four_bar", Axis("A", -20 * DEG, 20 * DEG, 5)))
