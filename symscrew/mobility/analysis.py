@@ -290,7 +290,7 @@ class Mobility:
     @cached_property
     def along(self) -> WholeMotion | str:
         """What holds along the coordinate lines through the configuration, with singular poses. May take seconds."""
-        found = motion_along(self.network, self.finite, self.platform.body, self.mechanism)
+        found = motion_along(self.network, self.finite, self.platform, self.mechanism, exact=self.decisions.all_exact)
         if isinstance(found, str) or not found.idle or not self.in_reference:
             return found
         still = analyse_mobility(found.locked(self.mechanism), body=self.platform.body)

@@ -82,6 +82,11 @@ class Decisions:
         return bool(self.ranks) and self.ranks[0].exact == self.ranks[0].numeric
 
     @property
+    def all_exact(self) -> bool:
+        """All ranks were decided in the field, and not differently from the numbers."""
+        return bool(self.ranks) and all(rank.exact == rank.numeric for rank in self.ranks)
+
+    @property
     def exact(self) -> bool:
         """Every rank was decided in the field, and none differently from the numbers."""
         return not self.reason and all(d.exact == d.numeric for d in self.ranks)

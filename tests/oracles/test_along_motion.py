@@ -145,6 +145,13 @@ def test_groups_of_motion_are_those_of_the_literature(name: str, type_: str, ord
     assert any(("of the branch (proved" if filled else "stays in a group of displacements") in line for line in lines)
 
 
+@pytest.mark.slow
+def test_axes_at_the_ground_are_proved_where_the_group_has_them() -> None:
+    """Agile eye: the hinges on the ground are in the spherical group; those that are carried along were only seen."""
+    proved = {axis[-2:]: bool(why) for axis, why in along("agile_eye").axes.items()}
+    assert {name for name, sure in proved.items() if sure} == {"A0", "A1", "A2"} and len(proved) > 3
+
+
 def test_joints_that_rest_are_proved_by_locking_them() -> None:
     """The transition's second mode: three joints rest, and so does the body, whose twists are rounding alone."""
     name = "kinematotropic_double_fold-mode2"

@@ -26,6 +26,7 @@ from symscrew.mobility.symbols import (
     ExactSystem,
     NotDecidableError,
     Row,
+    exact_rank,
     exact_system,
     exact_value,
     null_vectors,
@@ -46,11 +47,13 @@ class CommonGroup:
         twists: a basis of its algebra (n, 6), (omega ; v) at O [1, m].
         system: its class.
         chains: how many chains were looked at.
+        fixed: joints of one freedom at the ground whose screws are in it: the body can move so wherever it is.
     """
 
     twists: Array
     system: ScrewClass
     chains: int
+    fixed: tuple[str, ...] = ()
 
     def holds(self, twists: Array, length: float) -> bool:
         """Whether twists (n, 6), (omega ; v/length) of unit motions, are in it, up to rounding of their poses."""
@@ -70,7 +73,7 @@ def common_group(mechanism: Mechanism, network: Network, body: str) -> CommonGro
     try:
         system = exact_system(mechanism)
         found: list[Row] | None = None
-        count = 0
+        count, fixed = 0, tuple[str, ...]()
         for chain in _chains(network, body):
             algebra = screw_algebra([s for name in chain for s in system.screws[name]], system)
             if algebra is None:
@@ -79,12 +82,21 @@ def common_group(mechanism: Mechanism, network: Network, body: str) -> CommonGro
             found = algebra if found is None else _in_both(found, algebra, system)
             if not found or count == MOST_CHAINS:
                 break
+        fixed = _at_the_ground(network, system, found or [])
     except NotDecidableError:
         return None
     if found is None:
         return None
     twists = np.array([[exact_value(c) for c in row] for row in found], dtype=float).reshape(-1, 6)
-    return CommonGroup(twists, screw_class(twists, float(network.length)), count)
+    return CommonGroup(twists, screw_class(twists, float(network.length)), count, fixed)
+
+
+def _at_the_ground(network: Network, system: ExactSystem, algebra: list[Row]) -> tuple[str, ...]:
+    """Joints of one freedom at the ground whose screws are in an algebra."""
+    ends = {e.name: (e.parent, e.child) for e in network.edges.values() if len(e.screws) == 1}
+    alone = [name for name, pair in ends.items() if network.ground in pair]
+    inside = (exact_rank([*algebra, [*system.screws[n][0]]], system.field) == len(algebra) for n in alone)
+    return tuple(name for name, yes in zip(alone, inside, strict=True) if yes)
 
 
 def _chains(network: Network, body: str) -> Iterator[tuple[str, ...]]:

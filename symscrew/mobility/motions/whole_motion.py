@@ -14,6 +14,7 @@ import numpy as np
 
 from symscrew.description import Mechanism
 from symscrew.mobility.finite import ClosureVariety, FiniteMobility
+from symscrew.mobility.instantaneous import BodyFreedoms
 from symscrew.mobility.joint_network import Network
 from symscrew.mobility.motions.branch_table import AT_REST, body_twists, joint_axes
 from symscrew.mobility.motions.coordinate_lines import Pose, Setting, Track, independent_columns, pose_at, track
@@ -75,25 +76,34 @@ class WholeMotion:
         why = "with them locked there are as many freedoms"
         if group is None or not smaller:
             return replace(self, idle_proof=why)
-        proof = _type_proof(group, self.classes)
+        proof = _type_proof(group, self.classes, None)
         return replace(self, idle_proof=why, group=group, type_proof=proof or self.type_proof)
 
 
-def motion_along(network: Network, finite: FiniteMobility, body: str, mechanism: Mechanism) -> WholeMotion | str:
+def motion_along(
+    network: Network, finite: FiniteMobility, platform: BodyFreedoms, mechanism: Mechanism, *, exact: bool
+) -> WholeMotion | str:
     """What holds along the coordinate lines through the configuration and the singular poses on them; or why not.
 
     Args:
         network: the configuration.
         finite: what really moves: lines are followed from smooth points only.
-        body: whose freedoms.
+        platform: the body and its freedoms in the configuration.
         mechanism: whose limbs.
+        exact: whether these freedoms were decided over the exact field.
     """
     if finite.dof is None or not finite.smooth:
         return "the configuration is no smooth point: its branches are in the table, --at goes to one of them"
     limbs = {name: limb.joints for name, limb in mechanism.limbs.items()}
     if not finite.dof:
         return "nothing moves"
-    return _followed(network, finite.dof, body, limbs, group=common_group(mechanism, network, body))
+    body = platform.body
+    found = _followed(network, finite.dof, body, limbs, group=common_group(mechanism, network, body))
+    proof = _type_proof(found.group, found.classes, platform.dof if exact else None)
+    if found.group is None or not proof:
+        return found
+    axes = {name: why or _held(network, name, found.group) for name, why in found.axes.items()}
+    return replace(found, type_proof=proof, axes=axes)
 
 
 def _followed(
@@ -132,12 +142,17 @@ def _followed(
     total = sum(len(t.poses) for t in tracks)
     classes_seen = tuple(g[0] for g in order)
     return WholeMotion(columns, total, classes_seen, same, idle, axes, singular_poses(setting, tracks), ends,
-                       group, _type_proof(group, classes_seen))  # fmt: skip
+                       group)  # fmt: skip
 
 
-def _type_proof(group: CommonGroup | None, classes: tuple[ScrewClass, ...]) -> str:
-    """Why the class is the same all along: the body has all the freedoms of a group, and can have no other."""
+def _type_proof(group: CommonGroup | None, classes: tuple[ScrewClass, ...], freedoms: int | None) -> str:
+    """Why the class is the same all along: the body has all the freedoms of a group, and can have no other.
+
+    It has them at regular poses where it has them, decided exactly, in the configuration: ranks fall only at some.
+    """
     if group is None or len(classes) != 1 or classes[0].order != group.system.order:
+        return ""
+    if group.system.order and freedoms != group.system.order:
         return ""
     chains = f"the groups of {group.chains} chains" if group.chains > 1 else "the group of its chain"
     if not group.system.order:
@@ -188,4 +203,12 @@ def _proof(network: Network, body: str, axis: str, found: ScrewClass) -> str:
         named = axis.endswith(f" of {edge.name}")
         if named and ends == {network.ground, body} and len(edge.screws) == found.order:
             return f"{edge.name} joins {body} to {network.ground} and has no other freedom"
+    return ""
+
+
+def _held(network: Network, axis: str, group: CommonGroup) -> str:
+    """Why a body that has all freedoms of a group moves about an axis all along; empty where that was only seen."""
+    for name in group.fixed:
+        if axis.endswith(f" of {name}"):
+            return f"{name} is at rest on {network.ground}, and its screw is in the {group.system.type} group"
     return ""
