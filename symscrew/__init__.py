@@ -25,7 +25,7 @@ absolute axes, screws at the origin O.
     analyse_mobility(mechanism)       -> Mobility: constraints and freedoms by reciprocal screws; .report() in words
     Quantities(mechanism)             screws, twists, momenta, constraints as formulas: .twist("tool").latex()
     inertial_parameters(mechanism)    -> the parameters pi (10 per body) in which the dynamics are linear
-    assembly_modes(mechanism, drives) -> AssemblyModes: every solution of the closure, certified, with names
+    assembly_modes(mechanism)         -> AssemblyModes: every solution of the closure, certified, with names
     base_parameters(mechanism)        -> those combinations of pi that a motion can tell apart
     view(model)                       -> Path: a page with the mechanism in 3-D, opened in the browser
   to compute
