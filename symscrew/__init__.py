@@ -26,7 +26,7 @@ absolute axes, screws at the origin O.
     inverse_kinematics(mechanism, at)  -> Configuration: all coordinates from some, {"z": "1mm"}: .status, .drives
     Quantities(mechanism)             screws, twists, momenta, constraints as formulas: .twist("tool").latex()
     inertial_parameters(mechanism)    -> the parameters pi (10 per body) in which the dynamics are linear
-    assembly_modes(mechanism, drives) -> AssemblyModes: every solution of the closure, certified, with names
+    assembly_modes(mechanism)         -> AssemblyModes: every solution of the closure, certified, with names
     base_parameters(mechanism)        -> those combinations of pi that a motion can tell apart
     view(mechanism)                   -> Page: in 3-D, of a model or a run too; opened in the browser, or in a notebook
     draw(mechanism)                   -> Picture: .save("seed.pdf"); a notebook shows it

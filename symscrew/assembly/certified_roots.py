@@ -30,6 +30,8 @@ RADII = (1e-7, 1e-10, 1e-13)
 are; the smallest is a hundred times rounding."""
 REFINEMENTS = 3
 """Steps of eight digits or more each: boxes contract that much."""
+TWICE = 2.0
+"""A step of half the box leaves the other half for how the derivative varies in it."""
 TERMS = [(k, i, j, int(PRODUCT[k, i, j])) for k in range(SIZE) for i in range(SIZE) for j in range(SIZE)
          if PRODUCT[k, i, j]]  # fmt: skip
 
@@ -128,6 +130,16 @@ def certified(equations: BatchEquations, slots: Sequence[Any], z: Array) -> Cert
         if test.holds(radius):
             return Certificate(radius, test.refined())
     return None
+
+
+def held_by_box(equations: BatchEquations, slots: Sequence[Any], z: Array, least: float) -> bool:
+    """Whether for all numbers within these rectangles one zero lies in a box around z, and a regular one.
+
+    The box reaches as far as `least` or farther: twice as far as a step of Newton's method with any of the numbers.
+    """
+    test = _Krawczyk(equations, slots, z)
+    longest = max((max(-s.real[0], s.real[1]) for s in test.step), default=0) / ONE
+    return test.holds(max(least, TWICE * longest))
 
 
 class _Krawczyk:

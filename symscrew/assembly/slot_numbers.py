@@ -97,7 +97,7 @@ class Displacements:
         c, s = self.scalars.cos(value), self.scalars.sin(value)
         x, y, z = axis
         hat = np.array([[0 * x, -z, y], [z, 0 * x, -x], [-y, x, 0 * x]], dtype=object)
-        return np.asarray(self._still()[0] + s * hat + (1 - c) * hat.dot(hat))
+        return np.asarray(self._still()[0] + hat * s + hat.dot(hat) * (1 - c))
 
     def point(self, body: str, at: Point) -> Array:
         """A point of a body."""

@@ -9,7 +9,7 @@ import pytest
 from support.platforms import SHIFT, hexapod, lengths, planar_3rpr, published
 
 import symscrew
-from symscrew.assembly import AssemblyModes
+from symscrew.assembly import AssemblyModes, follow_mode
 
 Array = np.ndarray
 
@@ -38,7 +38,8 @@ def test_all_forty_postures_of_dietmaier_are_found_and_proved_to_be_all():
     assert max(mode.residual for mode in found.modes) < 1e-13
 
 
-@pytest.mark.parametrize("case", [0, pytest.param(slice(1, 5), marks=pytest.mark.slow)])
+@pytest.mark.slow
+@pytest.mark.parametrize("case", [0, slice(3, 4)])
 def test_the_modes_of_linuxcncs_hexapod_are_eight_of_sixteen_solutions(case):
     given = published("linuxcnc_genhexkins")
     shift = ("3.1", "-1.7", "21.3")
@@ -73,7 +74,7 @@ def by_elimination(base: Array, platform: Array, squares: Array) -> Array:
     return np.sort(2 * np.arctan(real))
 
 
-@pytest.mark.parametrize("seed", range(3))
+@pytest.mark.parametrize("seed", [2, *(pytest.param(k, marks=pytest.mark.slow) for k in range(2))])
 def test_planar_platforms_have_the_modes_that_elimination_finds(seed):
     random = np.random.default_rng(seed)
     base = np.array([[0, 0], [2, 0], [1, 2]]) + random.uniform(-0.3, 0.3, (3, 2)).round(3)
@@ -111,6 +112,7 @@ def test_two_modes_that_meet_are_reported_as_a_double_one():
     assert np.abs(place - [1, 0, 0]).max() < 1e-5
 
 
+@pytest.mark.slow
 def test_a_platform_like_its_base_with_legs_alike_moves_and_is_said_to():
     corners = [["0", "0"], ["2", "0"], ["0.5", "1.5"]]
     found = symscrew.assembly_modes(planar_3rpr(corners, corners), lengths(["1", "1", "1"]))
@@ -120,7 +122,14 @@ def test_a_platform_like_its_base_with_legs_alike_moves_and_is_said_to():
 
 
 @pytest.mark.parametrize(
-    ("name", "count"), [("four_bar", 2), ("five_bar", 2), ("slider_crank", 2), ("andrews", 4), ("planar_3rrr", 2)]
+    ("name", "count"),
+    [
+        ("four_bar", 2),
+        ("five_bar", 2),
+        ("slider_crank", 2),
+        ("andrews", 4),
+        pytest.param("planar_3rrr", 2, marks=pytest.mark.slow),
+    ],
 )
 def test_mechanisms_of_the_catalogue_have_their_known_modes(name, count):
     found = symscrew.assembly_modes(symscrew.load_catalogue(name))
@@ -129,6 +138,7 @@ def test_mechanisms_of_the_catalogue_have_their_known_modes(name, count):
     assert np.abs(found.modes[0].rotation - np.eye(3)).max() < 1e-12
 
 
+@pytest.mark.slow
 def test_a_delta_has_two_modes_with_its_platform_as_it_is_and_others_turned():
     found = symscrew.assembly_modes(symscrew.load_catalogue("delta"))
     level = [m for m in found.modes if np.abs(m.rotation - np.eye(3)).max() < 1e-9]
@@ -137,6 +147,7 @@ def test_a_delta_has_two_modes_with_its_platform_as_it_is_and_others_turned():
     assert len(found.modes) > 2 and found.complete == "tracked"
 
 
+@pytest.mark.slow
 def test_names_stay_along_a_motion_and_between_runs():
     mechanism = symscrew.load_catalogue("planar_3rrr")
     places = {}
@@ -149,3 +160,28 @@ def test_names_stay_along_a_motion_and_between_runs():
         assert len(turns) == 3
         steps = [np.linalg.norm(b - a) for a, b in pairwise(turns)]
         assert max(steps) < 0.3  # modes are 1.2 apart
+
+
+@pytest.mark.slow
+def test_a_mode_is_led_on_and_refused_where_it_ends():
+    base, platform = [[0, 0], [2, 0], [1, 2]], [[0, 0], [1, 0], ["0.4", "0.8"]]
+    mechanism = planar_3rpr(base, platform, ("0.7", "0.2"))
+    start = symscrew.assembly_modes(mechanism)
+    longer, shorter = start.held["leg1"] + 0.05, start.held["leg1"] - 0.15
+    end = symscrew.assembly_modes(mechanism, {"leg1": longer})
+    led = follow_mode(start, "home", {"leg1": longer})
+    assert led.reached == 1.0 and not led.refused and led.residual < 1e-13
+    assert led.q is not None and np.abs(led.q - end.mode("home").q).max() < 1e-9
+    refused = follow_mode(start, "home", {"leg1": shorter})  # there the modes have met and are gone
+    assert refused.refused and 0.0 < refused.reached < 1.0 and refused.smallest < 0.01
+    assert not symscrew.assembly_modes(mechanism, {"leg1": shorter}).modes
+
+
+def test_a_mode_that_is_led_arrives_at_the_mode_of_its_name():
+    mechanism = symscrew.load_catalogue("four_bar")
+    start = symscrew.assembly_modes(mechanism)
+    end = symscrew.assembly_modes(mechanism, {"A": 0.2})
+    for name in ("home", "-1"):
+        led = follow_mode(start, name, {"A": 0.2})
+        assert led.reached == 1.0 and led.held == {"A": pytest.approx(0.2)}
+        assert np.abs(led.q - end.mode(name).q).max() < 1e-9
