@@ -33,6 +33,18 @@ def forces_of(draft: Draft, named: Named) -> tuple[Mapping[str, Any], ...]:
     return tuple(tables)
 
 
+def starts_of(draft: Draft, named: Named) -> dict[str, dict[str, float]]:
+    """Keyframe -> label of a coordinate -> value; parts of joints that have no coordinate of their own are left out."""
+    found: dict[str, dict[str, float]] = {}
+    for name, values in draft.starts.items():
+        found[name] = {}
+        for (joint, part), value in values.items():
+            whole, freedom = named(joint)
+            suffix = part or ("" if freedom is None else str(freedom))
+            found[name][f"{whole}.{suffix}" if suffix else whole] = float(value)
+    return found
+
+
 def limits_of(found: Limits) -> JointLimits:
     """Limits as doubles."""
     values = (found.lower, found.upper, found.velocity, found.effort)

@@ -100,8 +100,9 @@ class Draft:
     """The contents of a file; a reader fills it from top to bottom.
 
     `ledger` says what became of what the file holds besides; `gravity` [m/s^2] is the file's own where it is not the
-    usual one; `configurations`: coordinates by name, in the file's order; `parts_of`: name of a joint that is part of
-    another now -> that one and its freedom there (None: none of its own); `frames`: joints' own axes;
+    usual one; `configurations`: coordinates by name, in the file's order; `starts`: the same by joint and coordinate;
+    `parts_of`: name of a joint that is part of another now -> that one and its freedom there (None: none of its own);
+    `frames`: joints' own axes;
     `notes` are for people, nothing depends on them.
     """
 
@@ -121,6 +122,7 @@ class Draft:
     ledger: Ledger = field(default_factory=Ledger)
     gravity: tuple[str, ...] | None = None
     configurations: dict[str, tuple[Real, ...]] = field(default_factory=dict)
+    starts: dict[str, Mapping[tuple[str, str], Real]] = field(default_factory=dict)
     parts_of: dict[str, tuple[str, int | None]] = field(default_factory=dict)
     frames: dict[str, Pose] = field(default_factory=dict)
     notes: list[str] = field(default_factory=list)

@@ -11,7 +11,7 @@ from collections.abc import Iterable, Mapping, Sequence
 
 from symscrew.description import Mechanism, MechanismBuilder
 from symscrew.errors import DescriptionError
-from symscrew.formats.beside import account_of, forces_of, limits_of, loads_of
+from symscrew.formats.beside import account_of, forces_of, limits_of, loads_of, starts_of
 from symscrew.formats.draft import Draft, RawBody, RawJoint
 from symscrew.formats.file_names import fresh, mechanism_name, printable, safe_names
 from symscrew.formats.import_options import ImportOptions
@@ -57,6 +57,7 @@ def imported(draft: Draft, options: ImportOptions) -> Imported:
         {name: tuple(map(float, values)) for name, values in draft.configurations.items()},
         account,
         None if draft.gravity is None else tuple(map(float, draft.gravity)),
+        starts_of(draft, named),
     )
 
 

@@ -71,6 +71,7 @@ class Imported:
         configurations: name -> coordinates in the file's own order.
         account: what became of everything.
         gravity: the file's own [m/s^2]; None where it is the usual one.
+        starts: name -> values of coordinates by their labels, as scenes take them.
     """
 
     mechanism: Mechanism
@@ -79,6 +80,7 @@ class Imported:
     configurations: Mapping[str, tuple[float, ...]] = field(default_factory=dict)
     account: Account = field(default_factory=lambda: Account({}, {}, {}, {}))
     gravity: tuple[float, ...] | None = None
+    starts: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
 
 
 def _counted(counts: Mapping[str, int]) -> str:

@@ -19,6 +19,7 @@ from symscrew.formats.mesh_inertias import Meshes
 from symscrew.formats.mjcf_couplings import Tied
 from symscrew.formats.mjcf_forces import joint_forces
 from symscrew.formats.mjcf_geoms import Solid, solid, together
+from symscrew.formats.mjcf_keyframes import Listed
 from symscrew.formats.mjcf_settings import READ, Attributes, Settings
 from symscrew.formats.rigid_displacements import (
     UNITS,
@@ -46,7 +47,8 @@ class Reading:
     """What has been read so far: the draft, poses of bodies and sites.
 
     `screws`: slide -> the coupling that may make a screw of it and its hinge; `values`: hinge or slide -> its
-    coordinate in the reference configuration; `displaced`: joint -> by how much that differs from the file's.
+    coordinate in the reference configuration; `displaced`: joint -> by how much that differs from the file's;
+    `listed`: joints in the order of the file's coordinates.
     """
 
     settings: Settings
@@ -60,6 +62,7 @@ class Reading:
     values: dict[str, Real] = field(default_factory=dict)
     seen: set[str] = field(default_factory=set)
     made_screws: set[str] = field(default_factory=set)
+    listed: list[Listed] = field(default_factory=list)
 
 
 @dataclass(frozen=True)
@@ -246,6 +249,7 @@ def _joint(reading: Reading, part: Part, body: Pose) -> RawJoint:
     if element.tag == "joint":
         joint_forces(reading.result, chosen, name, attributes=attributes, kind=kind)
     driven = reading.driven.get(name, ())
+    reading.listed.append(Listed(name, kind, body))
     if kind == "free":
         return RawJoint(name, "free", "", "", body.translation, driven=driven)
     if kind not in ("hinge", "slide", "ball"):

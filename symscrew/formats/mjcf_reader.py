@@ -25,6 +25,7 @@ from symscrew.formats.mesh_inertias import Meshes
 from symscrew.formats.mjcf_actuators import Actuators, actuator_forces
 from symscrew.formats.mjcf_bodies import Place, Reading, read_children
 from symscrew.formats.mjcf_couplings import Tied, raw_coupling, read_couplings
+from symscrew.formats.mjcf_keyframes import keyframes
 from symscrew.formats.mjcf_loops import Placed, loops
 from symscrew.formats.mjcf_masses import settle_masses
 from symscrew.formats.mjcf_settings import settings
@@ -87,6 +88,7 @@ def read_mjcf(root: Element, path: Path, options: ImportOptions) -> Draft:
     ]
     add_pulleys(result, pulled, reading.values, reading.driven)
     result.configurations = _keyframes(root, reading)
+    result.starts = keyframes(root, reading.listed)
     platform = texts.get("symscrew_platform")
     parents = {joint.parent for joint in result.joints}
     tips = [body.name for body in result.bodies if body.name not in parents]

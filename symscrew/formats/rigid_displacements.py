@@ -169,6 +169,20 @@ def from_quaternion(quaternion: Sequence[Real], where: str) -> Rotation:
     )
 
 
+def to_quaternion(rotation: Rotation) -> tuple[Real, Real, Real, Real]:
+    """The unit quaternion (w, x, y, z) of a rotation, with its largest entry positive, accurate at every angle."""
+    (a, b, c), (d, e, f), (g, h, i) = rotation
+    outer = (
+        (1 + a + e + i, h - f, c - g, d - b),
+        (h - f, 1 + a - e - i, b + d, c + g),
+        (c - g, b + d, 1 - a + e - i, f + h),
+        (d - b, c + g, f + h, 1 - a - e + i),
+    )
+    w, x, y, z = max((row for row in enumerate(outer)), key=lambda pair: pair[1][pair[0]])[1]
+    size = CONTEXT.sqrt(w * w + x * x + y * y + z * z)
+    return w / size, x / size, y / size, z / size
+
+
 def snapped(rotation: Rotation) -> Rotation:
     """A rotation whose entries near round values are these, where its rows then are unit vectors.
 

@@ -9,7 +9,7 @@ Gravity is the file's, or 9.81 m/s^2 along -z. Limits are no effects unless `sto
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
@@ -19,11 +19,14 @@ from symscrew.effects import (
     effect_to_table,
     effects_of_file,
     forces_of_effects,
+    joints_read,
     stops_of_file,
+    transformed,
     type_name,
 )
-from symscrew.errors import DescriptionError
+from symscrew.errors import DescriptionError, did_you_mean, shorten
 from symscrew.formats import Account, Beside, Imported, ImportOptions, JointLimits, import_file, save_as
+from symscrew.kinematics import System
 from symscrew.mobility import analyse_mobility
 
 
@@ -37,6 +40,7 @@ class Robot:
         limits: joint -> reach, rate, effort.
         configurations: keyframes by name, coordinates in the file's order.
         account: what became of everything that the file says; `account.lines()` in words.
+        starts: keyframes by name, values of coordinates by their labels.
     """
 
     mechanism: Mechanism
@@ -44,6 +48,7 @@ class Robot:
     limits: Mapping[str, JointLimits]
     configurations: Mapping[str, tuple[float, ...]]
     account: Account
+    starts: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
 
     def named(self, name: str) -> Robot:
         """The same robot under another name."""
@@ -91,7 +96,7 @@ def robot_of(found: Imported, *, without: Collection[str] = (), stops: bool = Fa
     made = effects_of_file(found.forces, found.gravity)
     made += _stops(found.limits) if stops else []
     effects = tuple(effect for effect in made if type_name(effect) not in without)
-    return Robot(found.mechanism, effects, found.limits, found.configurations, found.account)
+    return Robot(found.mechanism, effects, found.limits, found.configurations, found.account, found.starts)
 
 
 def _stops(limits: Mapping[str, JointLimits]) -> list[Effect]:
@@ -125,12 +130,20 @@ def save_robot(
     return save_as(mechanism, path, beside=Beside(forces, limits or {}, field, others, accept))
 
 
-def scene_text(robot: Robot, mechanism: str) -> str:
-    """The text of a scene with the robot's effects, limits in comments, for the mechanism in the file of this name."""
+def scene_text(robot: Robot, mechanism: str, start: str | None = None) -> str:
+    """The text of a scene with the robot's effects, limits in comments, for the mechanism in the file of this name.
+
+    `start`: the keyframe that it begins at. Of a robot with loops, which keyframes close to few digits only, the driven
+    joints are held and the others follow.
+    """
     lines = [f"# {robot.mechanism.name}: what acts on it, as its file says. Blocks that are removed do not act."]
     lines += [f"# {line}" for line in robot.account.lines()]
     lines += ["", "[scene]", f'name = "{robot.mechanism.name}_scene"', f'mechanism = "{mechanism}"', "duration = 1"]
     lines += ["rate = 100"]
+    if start is not None:
+        lines += ["", *_initial(robot, start)]
+    elif robot.starts:
+        lines += [f"# Keyframes of the file to begin at, with --start: {', '.join(robot.starts)}"]
     for effect in robot.effects:
         lines += ["", *_block(effect_to_table(effect))]
     stops = _stops(robot.limits)
@@ -139,6 +152,22 @@ def scene_text(robot: Robot, mechanism: str) -> str:
     for stop in stops:
         lines += [f"# {line}" for line in _block(effect_to_table(stop))]
     return "\n".join([*lines, ""])
+
+
+def _initial(robot: Robot, start: str) -> list[str]:
+    if start not in robot.starts:
+        raise DescriptionError(f"there is no keyframe {shorten(start)}; {did_you_mean(start, robot.starts)}")
+    mechanism = robot.mechanism
+    effects = tuple(robot.effects)
+    tree = System(mechanism, transformed(mechanism, effects), read=joints_read(effects)).tree
+    known = {c.label: robot.starts[start][c.label] for c in tree.q if c.label in robot.starts[start]}
+    listed = ", ".join(f'"{name}" = {value!r}' for name, value in known.items())
+    lines = ["[initial]", f"coordinates = {{{listed}}}"]
+    if len(mechanism.joints) >= len(mechanism.bodies) or mechanism.couplings:
+        sure = {name for name, joint in mechanism.joints.items() if joint.driven or joint.kind.unconstrained}
+        held = [name for name in known if name.partition(".")[0] in sure]
+        lines.append(f"hold = [{', '.join(f'{chr(34)}{name}{chr(34)}' for name in held)}]")
+    return lines
 
 
 def _block(table: Mapping[str, Any]) -> list[str]:

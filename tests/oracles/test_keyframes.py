@@ -1,0 +1,57 @@
+"""Keyframes of an MJCF are starts of scenes: sites are where MuJoCo has them."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import mujoco
+import numpy as np
+import pytest
+
+from symscrew.cli import main
+from symscrew.errors import DescriptionError
+from symscrew.formats import import_file
+from symscrew.model import derive
+from symscrew.scene import load_scene
+
+from .test_import_details import INERTIAL, saved
+
+FLYING = f"""<mujoco model="flying"><worldbody><body name="hull" pos="1 2 3" euler="30 40 50"><freejoint name="base"/>
+{INERTIAL}<site name="nose" pos="0.5 0 0.1"/>
+<body name="neck" pos="0.3 0 0" quat="0.6 0 0.8 0"><joint name="ball" type="ball"/>
+{INERTIAL}<site name="eye" pos="0 0.2 0.1"/><body name="jaw" pos="0 0 0.2"><joint name="hinge" axis="1 2 0" ref="20"/>
+{INERTIAL}<site name="tooth" pos="0.1 0.1 0.1"/></body></body></body></worldbody>
+<keyframe><key name="bite" qpos="0.1 0.2 0.3 0.5 -0.5 0.7 0.1 0.3 0.4 -0.5 0.7 0.8"/>
+<key qpos="0 0 0 1 0 0 0 1 0 0 0 0"/>
+</keyframe></mujoco>"""
+
+
+def test_sites_are_where_the_engine_has_them(tmp_path: Path) -> None:
+    path = saved(FLYING, tmp_path)
+    found = import_file(path)
+    model = derive(found.mechanism)
+    engine = mujoco.MjModel.from_xml_path(str(path))
+    data = mujoco.MjData(engine)
+    labels = [c.label for c in model.system.tree.q]
+    assert list(found.starts) == ["bite", "key_1"] and set(found.starts["bite"]) == set(labels)
+    for k, values in enumerate(found.starts.values()):
+        q = np.array([values[name] for name in labels])
+        places = model("point_motion", q, 0 * q[:-2], 0 * q[:-2])[0][0].reshape(-1, 3)
+        mujoco.mj_resetDataKeyframe(engine, data, k)
+        mujoco.mj_forward(engine, data)
+        names = list(found.mechanism.points)
+        assert places == pytest.approx(np.array([data.site(name).xpos for name in names]), abs=1e-12)
+
+
+def test_a_scene_begins_there(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = saved(FLYING, tmp_path)
+    command = ["convert", str(path), "--out", str(tmp_path / "flying.toml"), "--scene", str(tmp_path / "scene.toml")]
+    assert main([*command, "--start", "bit"]) == 2
+    assert "no keyframe 'bit'; did you mean 'bite'" in capsys.readouterr().err
+    assert not (tmp_path / "scene.toml").exists()
+    assert main([*command, "--replace", "--start", "bite"]) == 0
+    assert load_scene(tmp_path / "scene.toml").initial.coordinates == pytest.approx(import_file(path).starts["bite"])
+    assert main([*command[:4], "--replace", "--start", "bite"]) == 2
+    short = FLYING.replace(" 0.7 0.8", "")
+    with pytest.raises(DescriptionError, match="qpos: expected 12 numbers, got 10"):
+        import_file(saved(short, tmp_path))
