@@ -21,7 +21,11 @@ def add_options(command: argparse.ArgumentParser) -> None:
     """Options of `symscrew convert`."""
     add_mechanism(command)
     command.add_argument("--out", metavar="FILE", required=True, help="a new file: .toml, .urdf, .xml or .mjcf (MJCF)")
-    command.add_argument("--replace", action="store_true", help="write over a file that exists; its comments are lost")
+    command.add_argument(
+        "--replace",
+        action="store_true",
+        help="write over a file that exists; of a .toml comments stay with sections and keys",
+    )
     command.add_argument(
         "--scene",
         metavar="FILE",
@@ -41,7 +45,8 @@ def add_options(command: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """Read, write; what became of all that the file says is on stderr."""
     from symscrew import catalogue
-    from symscrew.formats import READABLE, WRITERS, ImportOptions, save_as
+    from symscrew.description import read_text, with_comments
+    from symscrew.formats import READABLE, WRITERS, ImportOptions, save_as, text_of
     from symscrew.scene import load_robot, scene_text
     from symscrew.whole_files import write_text
 
@@ -60,8 +65,12 @@ def run(options: argparse.Namespace) -> int:
     if not 0 <= options.snap < 1:
         raise UsageError(f"--snap: expected a gap from 0 to 1 [m, rad], got {options.snap}")
     if not foreign:
+        mechanism = catalogue.find(options.mechanism)
+        text = text_of(mechanism, path.suffix)
+        if path.suffix == source.suffix == ".toml":
+            text = with_comments(text, read_text(source))
         writable_folder(str(path.parent))
-        save_as(catalogue.find(options.mechanism), path)
+        write_text(path, text)
         print(path)
         return DONE
     chosen = ImportOptions(options.snap, options.repair, options.accept, options.floating, options.exact)
