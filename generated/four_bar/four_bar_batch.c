@@ -1621,6 +1621,30 @@ int four_bar_inverse_kinematics_batch_soa(size_t count, size_t stride, const dou
     return stride == 0 && count > 0 ? 2 : four_bar_states(&four_bar_inverse_kinematics_batched, count, stride, in, out, status);
 }
 
+static int four_bar_drive_positions_called(const double *const *in, double *const *out)
+{
+    return four_bar_drive_positions(in[0], out[0]);
+}
+static const four_bar_batched four_bar_drive_positions_batched = {
+    1, 1, {1, 1}, four_bar_drive_positions_called, NULL
+};
+
+int four_bar_drive_positions_batch(size_t count, const double *restrict pose, double *restrict positions,
+    int *restrict status)
+{
+    const double *const in[] = {pose};
+    double *const out[] = {positions};
+    return four_bar_states(&four_bar_drive_positions_batched, count, 0, in, out, status);
+}
+
+int four_bar_drive_positions_batch_soa(size_t count, size_t stride, const double *restrict pose,
+    double *restrict positions, int *restrict status)
+{
+    const double *const in[] = {pose};
+    double *const out[] = {positions};
+    return stride == 0 && count > 0 ? 2 : four_bar_states(&four_bar_drive_positions_batched, count, stride, in, out, status);
+}
+
 static int four_bar_inverse_velocity_called(const double *const *in, double *const *out)
 {
     return four_bar_inverse_velocity(in[0], in[1], out[0]);

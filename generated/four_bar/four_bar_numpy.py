@@ -2,7 +2,7 @@
 
 Mechanism: four_bar, planar crank-rocker, one driven crank
 Effects: Gravity(acceleration=(0, 0, '-9.81'))
-Programs: a0c731ff08fbdb23
+Programs: 014a4499b4fcd2c0
 Note: independent coordinates y: A
 Note: redundant closure constraints (satisfied by the others): C.fz, C.mx, C.my
 Note: overconstrained: 3 internal loads are undetermined and take the minimum-norm values (moments
@@ -2212,6 +2212,46 @@ def inverse_kinematics(*arguments):
         B_q = np.arctan2(t22, 4.0 * t7 + 10.666666666666666 * t14)
         return _finish(batch, ((A_q, B_q, D_pose),), (), (A_q, B_q, D_pose), ((t11, 0.0, None,
             11),))
+
+
+def drive_positions(*arguments):
+    """drive_positions: Coordinates of the drives from the platform's own, limbs in closed form.
+    Inputs
+      pose[1] [rad]: coordinates of the platform's joint, consistent
+          D
+    Outputs
+      positions[1] [rad]: coordinates of the driven freedoms
+          A
+    Returns
+      0 success
+      2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
+      11 out of reach: limb A does not get there; all outputs are NaN
+    Operations: 32 (add 10, mul 14, div 1, sqrt 1, trig 3, compare 3)
+    """
+    entries, batch = _entries("drive_positions", {"pose": 1}, arguments)
+    (
+        D_pose,
+    ) = entries
+    with np.errstate(all="ignore"):
+        # D: geometry
+        t1 = 0.4899573262537283 - D_pose
+        # rocker: balance, eqs. (40)-(47); geometry; reciprocal wrenches, eq. (10)
+        minus_rocker_joint_force_my_by_C_fz = 0.51 * np.cos(t1)
+        t2 = minus_rocker_joint_force_my_by_C_fz * minus_rocker_joint_force_my_by_C_fz
+        t3 = 0.64 - 0.51 * np.sin(t1)
+        t5 = t2 + t3 * t3
+        t6 = 1.0 / t5
+        t7 = t5 - 0.2725
+        minus_crank_lever_my_by_C_fz = 0.15 + 3.3333333333333335 * t7
+        t8 = t3 * minus_crank_lever_my_by_C_fz  # crank
+        t9 = 0.5 * t7
+        t11 = 0.005625 - t9 * t9
+        t12 = np.sqrt(t11)
+        crank_lever_mx_by_C_fz = 6.666666666666667 * np.where(0.0 != 0.0, -t12, t12)
+        crank_sin = t6 * (t8 - minus_rocker_joint_force_my_by_C_fz * crank_lever_mx_by_C_fz)
+        t17 = minus_rocker_joint_force_my_by_C_fz * minus_crank_lever_my_by_C_fz  # crank
+        A_positions = np.arctan2(crank_sin, t6 * (t17 + t3 * crank_lever_mx_by_C_fz))
+        return _finish(batch, ((A_positions,),), (), (A_positions, D_pose), ((t11, 0.0, None, 11),))
 
 
 def inverse_velocity(*arguments):

@@ -245,6 +245,7 @@ const char *const four_bar_interface[] = {
     "closure_bias(q 3, v 3) -> (bias 5)",
     "closure_jacobian(q 3) -> (jacobian 15)",
     "constraint_margin(q 3) -> (margins 1)",
+    "drive_positions(pose 1) -> (positions 1)",
     "drive_rates(q 3, v 3) -> (rates 1)",
     "energy(q 3, v 3) -> (energy 2)",
     "forward_dynamics(q 3, v 3, u 1) -> (a 3)",

@@ -308,6 +308,7 @@ THREE_UPS_UPU_S_UNUSED static inline THREE_UPS_UPU_S_INLINE void three_ups_upu_s
 #include "three_ups_upu_s_inverse_dynamics.c"
 #include "three_ups_upu_s_reactions.c"
 #include "three_ups_upu_s_forward_dynamics.c"
+#include "three_ups_upu_s_further.c"
 #include "three_ups_upu_s_margins.c"
 #undef BODY
 #undef REAL
@@ -822,6 +823,15 @@ static void three_ups_upu_s_close_velocity_block(size_t stride, const double *co
     for (size_t lane = 0; lane < 8; lane += THREE_UPS_UPU_S_WIDE) {
         three_ups_upu_s_close_velocity_wide(stride, q + lane, v + lane, v_next + lane, sine + lane, cosine +
             lane, total + lane);
+    }
+}
+
+static void three_ups_upu_s_drive_positions_block(size_t stride, const double *const *in, double *const *out, double *total)
+{
+    const double *restrict pose = in[0];
+    double *restrict positions = out[0];
+    for (size_t lane = 0; lane < 8; lane += THREE_UPS_UPU_S_WIDE) {
+        three_ups_upu_s_drive_positions_wide(stride, pose + lane, positions + lane, total + lane);
     }
 }
 
@@ -1668,6 +1678,30 @@ int three_ups_upu_s_inverse_kinematics_batch_soa(size_t count, size_t stride, co
     const double *const in[] = {pose};
     double *const out[] = {q};
     return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_inverse_kinematics_batched, count, stride, in, out, status);
+}
+
+static int three_ups_upu_s_drive_positions_called(const double *const *in, double *const *out)
+{
+    return three_ups_upu_s_drive_positions(in[0], out[0]);
+}
+static const three_ups_upu_s_batched three_ups_upu_s_drive_positions_batched = {
+    1, 1, {4, 4}, three_ups_upu_s_drive_positions_called, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_drive_positions_block)
+};
+
+int three_ups_upu_s_drive_positions_batch(size_t count, const double *restrict pose,
+    double *restrict positions, int *restrict status)
+{
+    const double *const in[] = {pose};
+    double *const out[] = {positions};
+    return three_ups_upu_s_states(&three_ups_upu_s_drive_positions_batched, count, 0, in, out, status);
+}
+
+int three_ups_upu_s_drive_positions_batch_soa(size_t count, size_t stride, const double *restrict pose,
+    double *restrict positions, int *restrict status)
+{
+    const double *const in[] = {pose};
+    double *const out[] = {positions};
+    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_drive_positions_batched, count, stride, in, out, status);
 }
 
 static int three_ups_upu_s_inverse_velocity_called(const double *const *in, double *const *out)

@@ -2,7 +2,7 @@
 
 Mechanism: three_ups_upu_s, two rotations about O, four driven sliders; inertias as printed in Table 3
 Effects: Gravity(acceleration=(0, 0, '-9.81'))
-Programs: 8c3e05768f976836
+Programs: 2fd06d9eacb34fa6
 Note: bodies.platform: the radius of gyration 5.665 m exceeds the body's extent 1.0 m (joint points,
   named points and centre of mass); are inertia and units right?
 Note: bodies.limb1_lower, bodies.limb1_upper, bodies.limb2_lower, bodies.limb2_upper,
@@ -11737,6 +11737,94 @@ def inverse_kinematics(*arguments):
             limb1_U_q_1, limb1_P_q, limb2_U_q_0, limb2_U_q_1, limb2_P_q, limb3_U_q_0, limb3_U_q_1,
             limb3_P_q, limb4_U_q_0, limb4_U_q_1, limb4_P_q), ((t7, 0.999999, 1.000001, 5), (t90,
             None, 1.0e-12, 6)))
+
+
+def drive_positions(*arguments):
+    """drive_positions: Coordinates of the drives from the platform's own, limbs in closed form.
+    Inputs
+      pose[4] [1]: coordinates of the platform's joint, consistent
+          0 limb5_S.qw; 1 limb5_S.qx; 2 limb5_S.qy; 3 limb5_S.qz
+    Outputs
+      positions[4] [m]: coordinates of the driven freedoms
+          0 limb1_P; 1 limb2_P; 2 limb3_P; 3 limb4_P
+    Returns
+      0 success
+      2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
+      5 no rotation: the length of a quaternion differs from 1 by more than rounding; all outputs are
+        NaN
+      6 not on the mechanism: its loops do not close where, or as, the inputs say; all outputs are NaN
+    Operations: 106 (add 48, mul 47, div 2, sqrt 5, compare 4)
+    """
+    entries, batch = _entries("drive_positions", {"pose": 4}, arguments)
+    (
+        limb5_S_pose_qw, limb5_S_pose_qx, limb5_S_pose_qy, limb5_S_pose_qz,
+    ) = entries
+    with np.errstate(all="ignore"):
+        # limb5_S: geometry
+        t1 = limb5_S_pose_qw * limb5_S_pose_qw
+        t2 = limb5_S_pose_qx * limb5_S_pose_qx
+        t3 = t1 + t2
+        t4 = limb5_S_pose_qy * limb5_S_pose_qy
+        t5 = limb5_S_pose_qz * limb5_S_pose_qz
+        t6 = t4 + t5
+        t7 = t3 + t6
+        t9 = 4.0 - 2.0 * t7
+        t10 = limb5_S_pose_qy * t9
+        t11 = limb5_S_pose_qx * t10
+        t12 = limb5_S_pose_qz * t9
+        t13 = limb5_S_pose_qw * t12
+        t14 = 0.5 * (t11 + t13)
+        t15 = limb5_S_pose_qy * t12
+        t17 = limb5_S_pose_qw * (limb5_S_pose_qx * t9)
+        t18 = 0.5196152422706631 * (t15 - t17)
+        minus_limb1_lower_limb_target_x = t14 - t18
+        t19 = minus_limb1_lower_limb_target_x * minus_limb1_lower_limb_target_x  # limb1
+        t20 = limb5_S_pose_qx * t12
+        t21 = limb5_S_pose_qw * t10
+        t22 = 0.5 * (t20 - t21)
+        t25 = 0.5196152422706631 * (1.0 - t9 * (t2 + t4))
+        minus_limb1_lower_limb_target_y = t22 - t25
+        t27 = t19 + minus_limb1_lower_limb_target_y * minus_limb1_lower_limb_target_y  # limb1
+        t29 = 0.5 * (1.0 - t6 * t9)
+        t30 = 0.5196152422706631 * (t20 + t21)
+        limb1_lower_limb_target_z = 0.8 - (t29 - t30)
+        limb1_lower_limb_length = np.sqrt(t27 + limb1_lower_limb_target_z * limb1_lower_limb_target_z)
+        limb1_P_positions = limb1_lower_limb_length - 0.3
+        platform_turn_zy = t15 + t17
+        t33 = 0.5 * platform_turn_zy
+        limb2_lower_limb_target_x = t25 - t33
+        t34 = limb2_lower_limb_target_x * limb2_lower_limb_target_x  # limb2
+        platform_turn_xy = t11 - t13
+        t35 = 0.5 * platform_turn_xy
+        limb2_lower_limb_target_y = t30 - t35
+        t37 = t34 + limb2_lower_limb_target_y * limb2_lower_limb_target_y  # limb2
+        platform_turn_yy = 1.0 - t9 * (t2 + t5)
+        t40 = 0.5 * platform_turn_yy
+        limb2_lower_limb_target_z = 0.8 + (t18 - t40)
+        limb2_P_positions = np.sqrt(t37 + limb2_lower_limb_target_z * limb2_lower_limb_target_z) - 0.3
+        limb3_lower_limb_target_x = t14 + t18
+        t43 = limb3_lower_limb_target_x * limb3_lower_limb_target_x  # limb3
+        limb3_lower_limb_target_y = t22 + t25
+        t45 = t43 + limb3_lower_limb_target_y * limb3_lower_limb_target_y  # limb3
+        minus_limb3_lower_limb_target_z = 0.8 - (t29 + t30)
+        limb3_P_positions = np.sqrt(t45 + minus_limb3_lower_limb_target_z * minus_limb3_lower_limb_target_z) - 0.3
+        limb4_lower_limb_target_x = t25 + t33
+        t48 = limb4_lower_limb_target_x * limb4_lower_limb_target_x  # limb4
+        limb4_lower_limb_target_y = t30 + t35
+        t50 = t48 + limb4_lower_limb_target_y * limb4_lower_limb_target_y  # limb4
+        minus_limb4_lower_limb_target_z = 0.8 - (t18 + t40)
+        limb4_P_positions = np.sqrt(t50 + minus_limb4_lower_limb_target_z * minus_limb4_lower_limb_target_z) - 0.3
+        t53 = 1.0 / limb1_lower_limb_length  # limb1
+        limb1_lower_sin = limb1_lower_limb_target_z * t53
+        minus_limb1_U_0_lever_mz_by_limb1_U2_fz = np.sqrt(t27)
+        t54 = 1.0 / minus_limb1_U_0_lever_mz_by_limb1_U2_fz  # limb1
+        t55 = platform_turn_yy * (minus_limb1_lower_limb_target_x * t54)  # limb1
+        t58 = limb1_lower_sin * (t55 + platform_turn_zy * (minus_limb1_lower_limb_target_y * t54))  # limb1
+        limb1_U2_opening_mn = t58 + platform_turn_xy * (minus_limb1_U_0_lever_mz_by_limb1_U2_fz * t53)
+        t60 = limb1_U2_opening_mn * limb1_U2_opening_mn
+        return _finish(batch, ((limb1_P_positions, limb2_P_positions, limb3_P_positions,
+            limb4_P_positions),), (), (limb1_P_positions, limb2_P_positions, limb3_P_positions,
+            limb4_P_positions), ((t7, 0.999999, 1.000001, 5), (t60, None, 1.0e-12, 6)))
 
 
 def inverse_velocity(*arguments):

@@ -244,6 +244,7 @@ const char *const three_ups_upu_s_interface[] = {
     "closure_bias(q 16, v 15) -> (bias 13)",
     "closure_jacobian(q 16) -> (jacobian 195)",
     "constraint_margin(q 16) -> (margins 1)",
+    "drive_positions(pose 4) -> (positions 4)",
     "drive_rates(q 16, v 15) -> (rates 4)",
     "energy(q 16, v 15) -> (energy 2)",
     "forward_dynamics(q 16, v 15, u 4) -> (a 15)",

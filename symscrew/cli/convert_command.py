@@ -29,7 +29,11 @@ def add_options(command: argparse.ArgumentParser) -> None:
     """Options of `symscrew convert`."""
     add_mechanism(command)
     command.add_argument("--out", metavar="FILE", required=True, help="a new file: .toml, .urdf, .xml or .mjcf (MJCF)")
-    command.add_argument("--replace", action="store_true", help="write over a file that exists; its comments are lost")
+    command.add_argument(
+        "--replace",
+        action="store_true",
+        help="write over a file that exists; of a .toml comments stay with sections and keys",
+    )
     command.add_argument(
         "--scene",
         metavar="FILE",
@@ -52,8 +56,9 @@ def add_options(command: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """Read, write; what became of all that the file says is on stderr."""
     from symscrew import catalogue
+    from symscrew.description import read_text, with_comments
     from symscrew.effects import load_effects
-    from symscrew.formats import READABLE, WRITERS, ImportOptions
+    from symscrew.formats import READABLE, WRITERS, ImportOptions, text_of
     from symscrew.scene import load_robot, scene_text
     from symscrew.whole_files import write_text
 
@@ -74,10 +79,14 @@ def run(options: argparse.Namespace) -> int:
     if not 0 <= options.snap < 1:
         raise UsageError(f"--snap: expected a gap from 0 to 1 [m, rad], got {options.snap}")
     if not foreign:
+        mechanism = catalogue.find(options.mechanism)
+        effects = load_effects(options.effects) if options.effects else None
         writable_folder(str(path.parent))
-        _save(
-            options, catalogue.find(options.mechanism), load_effects(options.effects) if options.effects else None, {}
-        )
+        if path.suffix == source.suffix == ".toml":
+            write_text(path, with_comments(text_of(mechanism, path.suffix), read_text(source)))
+            print(path)
+        else:
+            _save(options, mechanism, effects, {})
         return DONE
     if options.start and not options.scene:
         raise UsageError("--start belongs to --scene: it says where the scene begins")

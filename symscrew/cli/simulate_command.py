@@ -47,6 +47,8 @@ def run(options: argparse.Namespace) -> int:
     if options.emit_c:
         check_folder(options.emit_c, "--emit-c")
     scene = load_scene(options.scene)
+    for notice in scene.initial.notices:
+        print(f"note: {notice}", file=sys.stderr)
     if options.emit_c:
         for path in write_loop(scene, Path(options.emit_c)):
             print(path)

@@ -11,6 +11,7 @@ from symscrew.description.coupled import slope, terms_of
 from symscrew.description.expressions import CONSTANTS, FUNCTIONS, exact, numeric, parse, sixty_digits, to_text
 from symscrew.description.given_values import GivenValue, given_value
 from symscrew.description.joints import JOINT_TYPES, NO_MOTION, JointType, Motion, rotation
+from symscrew.description.kept_comments import with_comments
 from symscrew.description.mechanism import (
     Body,
     CoupledTerm,
@@ -83,6 +84,7 @@ __all__ = [
     "to_text",
     "to_toml",
     "validate",
+    "with_comments",
     "write_new",
     "write_template",
 ]

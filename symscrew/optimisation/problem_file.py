@@ -11,7 +11,9 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from decimal import Decimal
+from functools import cached_property
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any
 
 import sympy
@@ -24,13 +26,14 @@ from symscrew.description import (
     check_sections,
     exact,
     from_file,
+    given_value,
     numeric,
     read_tables,
 )
 from symscrew.effects import Effect, check_effects, effect_from_table
 from symscrew.errors import DescriptionError, shorten
 from symscrew.functions import u_port
-from symscrew.kinematics import System
+from symscrew.kinematics import System, coordinate_units
 from symscrew.optimisation import problem_keys
 from symscrew.optimisation.contradictions import check_problem
 from symscrew.optimisation.problem import (
@@ -155,6 +158,9 @@ def _base(head: Mapping[str, Any], folder: Path | None) -> _Base:
     return base
 
 
+NO_UNITS: Mapping[str, str] = MappingProxyType({})  # of numbers that are given without
+
+
 class _Reader:
     """Numbers, ranges and groups of them, as expressions in the mechanism's parameters at their `chosen` values.
 
@@ -169,12 +175,21 @@ class _Reader:
         posed = {n: replace(p, run_time=p.run_time or n in given) for n, p in mechanism.parameters.items()}
         self.names = replace(mechanism, parameters=posed).values(given)
 
-    def number(self, value: Any, where: str) -> float:
+    @cached_property
+    def units(self) -> Mapping[str, str]:
+        """Coordinate -> unit."""
+        return coordinate_units(self.mechanism)
+
+    def number(self, value: Any, where: str, unit: str | None = None) -> float:
+        """A number; of a quantity whose unit is known it may be given with one, "10mm"."""
         if isinstance(value, float | Decimal) and math.isinf(value):
             return float(value)
         if isinstance(value, bool) or not isinstance(value, int | float | str | Decimal):
             raise DescriptionError(f"{where}: expected a number, got {shorten(value)}")
-        found = exact(value, self.names, where=where)
+        if unit is None:
+            found = exact(value, self.names, where=where)
+        else:
+            found = given_value(value, self.names, where=where).measured_in(unit, where)
         if unknown := sorted(str(symbol) for symbol in found.free_symbols):
             raise DescriptionError(
                 f"{where}: {shorten(value)} depends on the {', '.join(unknown)}, which the optimiser chooses; expected "
@@ -185,15 +200,15 @@ class _Reader:
             raise DescriptionError(f"{where}: expected a finite number, got {shorten(value)}")
         return number
 
-    def pair(self, value: Any, where: str) -> tuple[float, float]:
+    def pair(self, value: Any, where: str, unit: str | None = None) -> tuple[float, float]:
         if not isinstance(value, list) or len(value) != 2:
             raise DescriptionError(f"{where}: expected two numbers, got {shorten(value)}")
-        return self.number(value[0], where), self.number(value[1], where)
+        return self.number(value[0], where, unit), self.number(value[1], where, unit)
 
-    def range(self, value: Any, where: str) -> Range:
+    def range(self, value: Any, where: str, unit: str | None = None) -> Range:
         if isinstance(value, list):
-            return self.pair(value, where)
-        size = self.number(value, where)
+            return self.pair(value, where, unit)
+        size = self.number(value, where, unit)
         return -size, size
 
     def flat(self, table: Any, where: str) -> dict[str, Any]:
@@ -208,14 +223,14 @@ class _Reader:
                 result[name] = value
         return result
 
-    def numbers(self, table: Any, where: str) -> dict[str, float]:
-        return {k: self.number(v, f"{where}.{k}") for k, v in self.flat(table, where).items()}
+    def numbers(self, table: Any, where: str, units: Mapping[str, str] = NO_UNITS) -> dict[str, float]:
+        return {k: self.number(v, f"{where}.{k}", units.get(k)) for k, v in self.flat(table, where).items()}
 
     def turns(self, table: Any) -> dict[str, int]:
         return {k: _whole(v, f"problem.turns.{k}") for k, v in self.flat(table, "problem.turns").items()}
 
-    def ranges(self, table: Any, where: str) -> dict[str, Range]:
-        return {k: self.range(v, f"{where}.{k}") for k, v in self.flat(table, where).items()}
+    def ranges(self, table: Any, where: str, units: Mapping[str, str] = NO_UNITS) -> dict[str, Range]:
+        return {k: self.range(v, f"{where}.{k}", units.get(k)) for k, v in self.flat(table, where).items()}
 
     def lists(self, table: Any, where: str) -> dict[str, tuple[float, ...]]:
         result = {}
@@ -230,7 +245,8 @@ class _Reader:
         value = table[key]
         if not isinstance(value, list) or len(value) != 3:
             raise DescriptionError(f"{where}.{key}: expected three numbers, got {shorten(value)}")
-        x, y, z = (self.number(v, f"{where}.{key}") for v in value)
+        unit = {"platform_position": "m", "platform_rotation": "rad"}.get(key)
+        x, y, z = (self.number(v, f"{where}.{key}", unit) for v in value)
         return x, y, z
 
     def conditions(self, table: Mapping[str, Any], where: str) -> Conditions:
@@ -238,10 +254,10 @@ class _Reader:
         for name, place in self.flat(table.get("points", {}), f"{where}.points").items():
             if not isinstance(place, list) or len(place) != 3:
                 raise DescriptionError(f"{where}.points.{name}: expected three numbers, got {shorten(place)}")
-            x, y, z = (None if v == "free" else self.number(v, f"{where}.points.{name}") for v in place)
+            x, y, z = (None if v == "free" else self.number(v, f"{where}.points.{name}", "m") for v in place)
             points[name] = (x, y, z)
         return Conditions(
-            coordinates=self.numbers(table.get("coordinates", {}), f"{where}.coordinates"),
+            coordinates=self.numbers(table.get("coordinates", {}), f"{where}.coordinates", self.units),
             rates=self.numbers(table.get("rates", {}), f"{where}.rates"),
             points=points,
             platform_normal=self.vector(table, "platform_normal", where),
@@ -268,7 +284,7 @@ class _Reader:
         return Bounds(
             drives=drives("drives"),
             drive_rates=drives("drive_rates"),
-            joints=self.ranges(table.get("joints", {}), "bounds.joints"),
+            joints=self.ranges(table.get("joints", {}), "bounds.joints", self.units),
             speeds=self.ranges(table.get("speeds", {}), "bounds.speeds"),
             margins=self.ranges(table.get("margins", {}), "bounds.margins"),
             points=points,

@@ -63,12 +63,13 @@ class Initial:
     Coordinates that are not given stay as near to the reference configuration as the loops allow; rates that are
     not given are the smallest that the loops allow. Values that the loops contradict are refused, unless `hold` names
     the coordinates that are sure: these keep their values and rates, the other given ones are changed by as little as
-    closes the loops, and the run's events say from what to what.
+    closes the loops, and the run's events say from what to what. `notices`: of bare angles that look like degrees.
     """
 
     coordinates: Mapping[str, float] = field(default_factory=dict)
     rates: Mapping[str, float] = field(default_factory=dict)
     hold: tuple[str, ...] | None = None
+    notices: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)

@@ -2,8 +2,9 @@
 
     [scene]        name, mechanism (a catalogue name, or a file beside the scene's), description, duration [s],
                    rate (outputs per second), reactions (whether to record them)
-    [initial]      coordinates = {LABEL = value, ...}, rates = {LABEL = value, ...}, hold = [LABELS]: the given values
-                   that are kept while the others are put onto the loops (all are kept without it)
+    [initial]      coordinates = {NAME = value, ...}, rates = {LABEL = value, ...}, hold = [LABELS]: the given values
+                   that are kept while the others are put onto the loops (all are kept without it); a coordinate of any
+                   joint or of the platform's pose, values with units ("30deg") or in rad and m
     [[effects]]    type and the effect's own keys (`symscrew.effects`)
     [parameters]   NAME = value of a run-time parameter
     [tables.NAME]  times, values, interpolation ("linear" or "cubic")
@@ -37,11 +38,13 @@ from symscrew.description import (
     check_text,
     exact,
     from_file,
+    given_value,
     numeric,
     read_tables,
 )
 from symscrew.effects import check_effects, effect_from_table
 from symscrew.errors import DescriptionError, did_you_mean, shorten
+from symscrew.kinematics import coordinate_units, full_name
 from symscrew.scene.contents import INTERPOLATIONS, Initial, Integrator, Scene, Table
 from symscrew.scene.integration_methods import INTEGRATION_METHODS
 
@@ -102,7 +105,7 @@ def parse_scene(text: str, *, folder: Path | None = None, name: str = "scene") -
         effects=effects,
         duration=duration,
         rate=rate,
-        initial=_initial(tables.get("initial", {}), read),
+        initial=_initial(tables.get("initial", {}), read, mechanism),
         drives=_texts(tables.get("drives", {}), "drives", labels=True),
         signals=signals,
         tables=time_tables,
@@ -133,6 +136,13 @@ class _Reader:
 
     def __init__(self, mechanism: Mechanism) -> None:
         self.names = mechanism.values()
+
+    def quantity(self, value: Any, where: str, unit: str | None) -> tuple[float, str]:
+        """A coordinate in its unit, given with one or without, and what is said of a bare angle."""
+        if unit is None:
+            return self.number(value, where), ""
+        given = given_value(value, self.names, where=where)
+        return self.number(given.measured_in(unit, where), where), given.notice(unit, where)
 
     def number(self, value: Any, where: str, *, above: float | None = None, least: float | None = None) -> float:
         number = float(numeric(exact(value, self.names, where=where), where=where))
@@ -222,8 +232,10 @@ def _check_names(mechanism: Mechanism, *groups: Mapping[str, Any]) -> None:
         taken.add(name)
 
 
-def _initial(table: Mapping[str, Any], read: _Reader) -> Initial:
-    def values(key: str) -> dict[str, float]:
+def _initial(table: Mapping[str, Any], read: _Reader, mechanism: Mechanism) -> Initial:
+    units, notices = coordinate_units(mechanism), list[str]()
+
+    def values(key: str, per: str) -> dict[str, float]:
         content = table.get(key, {})
         if not isinstance(content, dict):
             raise DescriptionError(f"initial.{key}: expected a table of labels and numbers, got {shorten(content)}")
@@ -234,15 +246,17 @@ def _initial(table: Mapping[str, Any], read: _Reader) -> Initial:
                 label = f"{prefix}{name}"
                 if isinstance(value, dict):
                     visit(f"{label}.", value)
-                else:
-                    flat[label] = read.number(value, f"initial.{key}.{label}")
+                    continue
+                unit = units.get(full_name(mechanism, label))
+                flat[label], notice = read.quantity(value, f"initial.{key}.{label}", unit and f"{unit}{per}")
+                notices.extend([notice] if notice else [])
 
         visit("", content)
         return flat
 
-    coordinates, rates, hold = values("coordinates"), values("rates"), table.get("hold")
+    coordinates, rates, hold = values("coordinates", ""), values("rates", "/s"), table.get("hold")
     if hold is None:
-        return Initial(coordinates, rates)
+        return Initial(coordinates, rates, notices=tuple(notices))
     if not isinstance(hold, list) or not all(isinstance(label, str) for label in hold):
         raise DescriptionError(f"initial.hold: expected a list of labels, got {shorten(hold)}")
     for label in hold:
@@ -251,7 +265,7 @@ def _initial(table: Mapping[str, Any], read: _Reader) -> Initial:
                 f"initial.hold: {shorten(label)} has no value to keep in initial.coordinates or initial.rates; "
                 f"{did_you_mean(label, [*coordinates, *rates])}"
             )
-    return Initial(coordinates, rates, tuple(hold))
+    return Initial(coordinates, rates, tuple(hold), tuple(notices))
 
 
 def _parameters(table: Mapping[str, Any], mechanism: Mechanism, read: _Reader) -> dict[str, float]:

@@ -11,7 +11,8 @@ import numpy as np
 
 from symscrew.effects import Acting
 from symscrew.errors import DescriptionError, did_you_mean
-from symscrew.kinematics import System
+from symscrew.kinematics import System, coordinate_units, full_name, nearest_names
+from symscrew.mobility import inverse_kinematics
 from symscrew.model import Model
 from symscrew.scene import Scene
 from symscrew.simulation.start_branch import leaves_every_branch
@@ -40,8 +41,12 @@ def initial_state(scene: Scene, model: Model, parameters: np.ndarray) -> tuple[n
     """
     system, closure = model.system, _Closure(model, parameters)
     known = {c.label: k for k, c in enumerate(system.tree.q)}
-    target = _unit_quaternions(system, dict(_labelled(scene.initial.coordinates, known, "initial.coordinates")))
     hold = scene.initial.hold
+    if hold is None and any(label not in known for label in scene.initial.coordinates):
+        placed = _by_names(scene, model)
+        rates = {c.label: k for k, c in enumerate(system.tree.v)}
+        return placed, _rates(closure, placed, dict(_labelled(scene.initial.rates, rates, "initial.rates")), scene)
+    target = _unit_quaternions(system, dict(_labelled(scene.initial.coordinates, known, "initial.coordinates")))
     if hold is None:
         q = next((q for n in STRIDES if (q := _followed(model, closure, target, n)) is not None), None)
     else:
@@ -58,6 +63,19 @@ def initial_state(scene: Scene, model: Model, parameters: np.ndarray) -> tuple[n
         )
     known = {c.label: k for k, c in enumerate(system.tree.v)}
     return q, _rates(closure, q, dict(_labelled(scene.initial.rates, known, "initial.rates")), scene)
+
+
+def _by_names(scene: Scene, model: Model) -> np.ndarray:
+    """The configuration where coordinates that are not all of the tree have their values: passive joints, poses."""
+    mechanism, values = model.mechanism, scene.initial.coordinates
+    known = [*(c.label for c in model.system.tree.q), *coordinate_units(mechanism)]
+    for label in values:
+        if full_name(mechanism, label) not in known:
+            raise DescriptionError(f"initial.coordinates: there is no {label!r}; {nearest_names(label, known)}")
+    found = inverse_kinematics(mechanism, {**scene.parameters, **values})
+    if not found.ok:
+        raise DescriptionError(f"initial.coordinates: {_shown(values)}: {found.text}")
+    return found.q
 
 
 def moves(scene: Scene, model: Model, q: np.ndarray, v: np.ndarray) -> tuple[str, ...]:

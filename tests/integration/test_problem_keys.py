@@ -18,7 +18,7 @@ from symscrew.optimisation import problem_keys
 from symscrew.optimisation.contradictions import READ, check_problem
 from symscrew.optimisation.many_starts import random_guesses
 from symscrew.optimisation.problem import OBJECTIVES, Bounds, Conditions, Objective, Obstacle, Solver, TrajectoryProblem
-from symscrew.optimisation.problem_file import KEYS, load_problem
+from symscrew.optimisation.problem_file import KEYS, load_problem, parse_problem
 from symscrew.optimisation.solution import prepare, transcribe
 
 MECHANISM = """
@@ -244,3 +244,17 @@ CAPSULE = Obstacle("capsule", ("bob",), ("bob",), 0.0)
 def test_what_could_not_count_is_refused(said: str, settings: dict[str, object]) -> None:
     with pytest.raises(DescriptionError, match=said):
         prepare(swing(**settings))
+
+
+def test_coordinates_of_a_problem_are_given_with_units() -> None:
+    head = '[problem]\nmechanism = "four_bar"\nduration = 1\n'
+    problem = parse_problem(
+        head + '[start]\ncoordinates = { A = "30deg" }\n[end]\ncoordinates = { A = 0.5 }\n'
+        '[bounds]\njoints = { B = ["-90deg", "pi/2"], C = "45 deg" }\n'
+    )
+    assert problem.start.coordinates["A"] == pytest.approx(math.pi / 6, abs=1e-15)
+    assert problem.bounds.joints["B"] == pytest.approx((-math.pi / 2, math.pi / 2))
+    assert problem.bounds.joints["C"] == pytest.approx((-math.pi / 4, math.pi / 4))
+    for text in ('[start]\ncoordinates = { A = "30mm" }', '[bounds]\njoints = { B = ["1m", 2] }'):
+        with pytest.raises(DescriptionError, match=r"expected an angle \[rad, deg\], got one in m"):
+            parse_problem(head + text)

@@ -9,6 +9,7 @@ import pytest
 
 from symscrew.cli.parser import main
 from symscrew.errors import DescriptionError
+from symscrew.mobility import inverse_kinematics
 from symscrew.scene.contents import Table
 from symscrew.scene.scene_file import load_scene, parse_scene
 from symscrew.simulation.initial import initial_state
@@ -95,6 +96,8 @@ def test_what_cannot_work_is_refused(text: str, message: str) -> None:
         ('[drives]\nA = "exp(t) + asin(2"', "expected ')'"),
         ("[inputs]\nload_E = [1, 2]", "no effect of this scene has the input 'load_E'"),
         ("[initial.coordinates]\nnope = 1", "there is no 'nope'"),
+        ("[initial.coordinates]\nrockr.pitch = 1", "did you mean 'rocker.pitch'"),
+        ('[initial.coordinates]\nrocker.pitch = "170deg"', "out of reach: "),
         ("[initial.coordinates]\nA = 0.3\nD = 3", "the loops of four_bar cannot be closed with A = 0.3, D = 3"),
         ("[initial.rates]\nA = 1\nD = 7", "the loops do not allow A = 1, D = 7"),
     ],
@@ -118,6 +121,29 @@ def test_the_start_is_assembled_from_what_is_given() -> None:
     (jacobian,), _ = model("closure_jacobian", q)
     assert np.abs(residual).max() < 1e-13
     assert np.abs(jacobian.reshape(len(v), -1).T @ v).max() < 1e-13
+
+
+@pytest.mark.parametrize("name", ["C", "rocker.pitch"])
+def test_a_start_by_any_coordinate_is_the_start_by_the_crank(name: str) -> None:
+    """Passive joints, the one that closes the loop, the rocker's pose; in degrees as in rad."""
+    crank = parse_scene(with_lines('[initial.coordinates]\nA = "20deg"'))
+    model, plant = prepare(crank)
+    q, _ = initial_state(crank, model, plant.parameters)
+    labels = [c.label for c in model.system.tree.q]
+    assert q[labels.index("A")] == pytest.approx(np.radians(20), abs=1e-13) and not crank.initial.notices
+    there = inverse_kinematics(crank.mechanism, A="20deg").values[name]
+    text = f'[initial.coordinates]\n"{name}" = "{np.degrees(there):.15g} deg"\n[initial.rates]\nA = "1deg/s"'
+    other, v = initial_state(parse_scene(with_lines(text)), model, plant.parameters)
+    assert np.abs(other - q).max() < 1e-12 and v[labels.index("A")] == pytest.approx(np.radians(1), abs=1e-13)
+
+
+def test_units_of_a_start_are_those_of_its_coordinates() -> None:
+    assert parse_scene(with_lines("[initial.coordinates]\nA = 30")).initial.notices == (
+        "initial.coordinates.A is in rad: 30 are 1719 degrees; 30deg are 30 degrees",
+    )
+    for text in ('coordinates]\nA = "30mm"', 'rates]\nA = "30deg"', 'coordinates]\nrocker.z = "3deg"'):
+        with pytest.raises(DescriptionError, match="got one in"):
+            parse_scene(with_lines(f"[initial.{text}"))
 
 
 def test_tables_interpolate_and_stay_constant_outside() -> None:
