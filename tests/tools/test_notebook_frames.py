@@ -1,4 +1,4 @@
-"""What a notebook shows of a mechanism, in a real browser: the page works in its frame, and reaches nothing outside it."""
+"""What a notebook shows of a mechanism, in a real browser: the page works in its frame and reaches nothing outside."""
 
 from __future__ import annotations
 
