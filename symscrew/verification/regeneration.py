@@ -68,9 +68,7 @@ class CheckResult:
         if not self.ok:
             return "FAILED"
         if self.skipped:
-            return (
-                f"no check failed, but {len(self.skipped)} of {len(self.lines)} were skipped: a tool is missing"
-            )
+            return f"no check failed, but {len(self.skipped)} of {len(self.lines)} were skipped: a tool is missing"
         return "all checks passed"
 
 
