@@ -27,8 +27,9 @@ def run(options: argparse.Namespace) -> int:
     with progress.step(f"check {options.directory}"):
         result = check(options.directory)
     if options.json:
-        print(json.dumps({"ok": result.ok, "lines": result.lines}, indent=1, ensure_ascii=False))
+        told = {"ok": result.ok, "verdict": result.verdict, "skipped": result.skipped, "lines": result.lines}
+        print(json.dumps(told, indent=1, ensure_ascii=False))
     else:
         print("\n".join(result.lines))
-        print("all checks passed" if result.ok else "FAILED")
+        print(result.verdict)
     return DONE if result.ok else FAILED

@@ -24,6 +24,8 @@ from symscrew.functions.kinematic import Motion, all_joint_screws
 from symscrew.functions.momenta import mass_properties
 from symscrew.kinematics import BodyMotion, MassProperties, System, momentum_rate, momentum_screw
 
+NOISE = 1e-40  # [any unit] of a constant: rounding of 60 digits is below, no length or mass of a mechanism is
+
 
 @dataclass(frozen=True)
 class Quantity:
@@ -148,10 +150,16 @@ class Quantities:
         definitions = []
         for node, symbol in named.items():
             earlier = {other: s for other, s in named.items() if other.index < node.index}
-            definitions.append((symbol, sympy_expression(node, earlier)))
+            definitions.append((symbol, without_noise(sympy_expression(node, earlier))))
         rows = len(nodes[0]) if nodes else 0
-        matrix = sympy.Matrix(rows, len(nodes), lambda i, j: sympy_expression(nodes[j][i], named))
+        matrix = sympy.Matrix(rows, len(nodes), lambda i, j: without_noise(sympy_expression(nodes[j][i], named)))
         return Quantity(name, matrix, tuple(definitions), _symbols(self.system))
+
+
+def without_noise(expression: sympy.Expr) -> sympy.Expr:
+    """The expression without what 60 digits leave of a zero: -1.9e-62 z_3 is none."""
+    noise = {n: sympy.Integer(0) for n in expression.atoms(sympy.Float) if abs(n) < NOISE}
+    return expression.xreplace(noise) if noise else expression
 
 
 def _shared(roots: Sequence[Node]) -> list[Node]:

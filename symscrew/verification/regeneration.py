@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import dataclasses
 import os
+import re
 import tempfile
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -39,9 +40,13 @@ VECTORS = "test_vectors.json"
 FIGURES = {"flash", "frame", "stack", "instructions"}  # of a measured function, in ops.json
 
 
+NOT_LOOKED_AT = re.compile(r"no [^:]+ here\b|.*: not compared$")
+"""How a target says that a tool is not here, or another one than that of a record."""
+
+
 @dataclass(frozen=True)
 class CheckResult:
-    """`ok`, and a line per check: "<mechanism>: ok ..." or "<mechanism>: FAILED ..."."""
+    """`ok`, and a line per check: "<mechanism>: ok: ...", "... FAILED: ..." or "... skipped: ..."."""
 
     ok: bool
     lines: tuple[str, ...]
@@ -49,7 +54,22 @@ class CheckResult:
     def __repr__(self) -> str:
         failed = sum(": FAILED: " in line for line in self.lines)
         count = f"{failed} of {len(self.lines)}" if failed else str(len(self.lines))
-        return f"CheckResult({'ok' if self.ok else 'FAILED'}: {count} checks)"
+        left_out = f", {len(self.skipped)} skipped" if self.skipped else ""
+        return f"CheckResult({'ok' if self.ok else 'FAILED'}: {count} checks{left_out})"
+
+    @property
+    def skipped(self) -> tuple[str, ...]:
+        """Lines of what was not looked at, because a tool for it is not here."""
+        return tuple(line for line in self.lines if ": skipped: " in line)
+
+    @property
+    def verdict(self) -> str:
+        """What is said at the end: that all passed only where all was looked at."""
+        if not self.ok:
+            return "FAILED"
+        if self.skipped:
+            return f"no check failed, but {len(self.skipped)} of {len(self.lines)} were skipped: a tool is missing"
+        return "all checks passed"
 
 
 def check(directory: str | Path) -> CheckResult:
@@ -80,7 +100,7 @@ def check(directory: str | Path) -> CheckResult:
         with pool(min(len(found), os.cpu_count() or 1), "spawn") as processes:
             results = list(processes.map(_check_all, found))
     lines = [
-        f"{path.name}: {'ok' if passed else 'FAILED'}: {text}"
+        f"{path.name}: {'FAILED' if not passed else 'skipped' if NOT_LOOKED_AT.match(text) else 'ok'}: {text}"
         for path, result in zip(found, results, strict=True)
         for passed, text in result
     ]

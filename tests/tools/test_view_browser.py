@@ -37,6 +37,9 @@ class Page:
         driver.set_window_size(*size)
         driver.get(file.as_uri())
         self.wait(lambda: self.script("return document.documentElement.dataset.ready") == "yes")
+        self.first = [layer for layer in LAYERS if self.find(f"#show-{layer}").is_selected()]
+        for layer in {"constraints", "freedoms"} & set(self.first):  # each test says which screws it looks at
+            self.toggle(layer)
         self.settle()
 
     def script(self, text: str, *arguments: Any) -> Any:
@@ -117,6 +120,15 @@ def files(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], Path]:
 def differing(a: Array, b: Array) -> int:
     """How many pixels of two pictures differ visibly."""
     return int((np.abs(a - b).max(axis=2) > 24).sum())
+
+
+def test_screws_explain_the_mechanism_from_the_first_moment(driver, files) -> None:
+    page = Page(driver, files("three_ups_upu_s"))
+    assert page.first == ["constraints", "freedoms", "axes", "points"]
+    page.toggle("constraints")
+    page.settle()
+    assert page.find("#listing").get_attribute("open") is not None
+    assert "force along (0, 1, 0) through (0.4, 0, 0)" in page.text("#listing")
 
 
 @pytest.mark.parametrize("name", ["run", "stewart_6ups", "delta", "four_bar", "ur5", "bennett"])

@@ -15,6 +15,7 @@ from support.model_states import model
 
 from symscrew import notebook
 from symscrew.functions import Quantities
+from symscrew.functions.quantities import without_noise
 from symscrew.mobility import analyse_mobility
 from symscrew.results import Columns
 
@@ -67,6 +68,13 @@ def test_formulas_in_a_notebook() -> None:
     assert sympy.latex(quantity) == sympy.latex(quantity.substituted(), symbol_names=symbols)
     shown = quantity._repr_latex_()
     assert shown.startswith("$$") and shown.endswith("$$") and quantity.latex() in shown
+
+
+def test_rounding_of_zero_is_never_printed() -> None:
+    x = sympy.Symbol("x")
+    tiny, small = sympy.Float("-1.9e-62", 60), sympy.Float("1e-12", 60)
+    assert without_noise(sympy.cos(x) + tiny * x) == sympy.cos(x)
+    assert without_noise(small * x) == small * x and without_noise(tiny * x) == 0
 
 
 class _Tags(HTMLParser):

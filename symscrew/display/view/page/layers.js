@@ -31,7 +31,7 @@ const Layers = (() => {
   class Set {
     constructor(data, model, stage) {
       Object.assign(this, { data, model, stage });
-      this.shown = new globalThis.Set(["points", "axes"]);
+      this.shown = new globalThis.Set(["points", "axes", "constraints", "freedoms"].filter((id) => this.available(id)));
       this.size = stage.size;
       this.boost = 1;
       this.listing = [];
