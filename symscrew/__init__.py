@@ -23,11 +23,14 @@ absolute axes, screws at the origin O.
     ExternalWrench("tool")            an Effect: force and moment at a named point, as an input or given
   to look at
     analyse_mobility(mechanism)       -> Mobility: constraints and freedoms by reciprocal screws; .report() in words
+    inverse_kinematics(mechanism, at)  -> Configuration: all coordinates from some, {"z": "1mm"}: .status, .drives
     Quantities(mechanism)             screws, twists, momenta, constraints as formulas: .twist("tool").latex()
     inertial_parameters(mechanism)    -> the parameters pi (10 per body) in which the dynamics are linear
     assembly_modes(mechanism)         -> AssemblyModes: every solution of the closure, certified, with names
     base_parameters(mechanism)        -> those combinations of pi that a motion can tell apart
-    view(model)                       -> Path: a page with the mechanism in 3-D, opened in the browser
+    view(mechanism)                   -> Page: in 3-D, of a model or a run too; opened in the browser, or in a notebook
+    draw(mechanism)                   -> Picture: .save("seed.pdf"); a notebook shows it
+    report(mechanism)                 -> Document: all that is known of it; .save("seed.html")
   to compute
     generate(model, "out")            -> paths of the files: C, CasADi, NumPy and further targets, in one folder
     check("out")                      -> CheckResult: is the folder what would be written today, clean and right?
@@ -36,6 +39,11 @@ absolute axes, screws at the origin O.
     simulate(scene)                   -> Run: .t, .q, .v, energies, closure error; .ok, .status
     optimise(problem)                 -> Trajectory: of a problem from `symscrew.optimisation.load_problem`
     optimisation_problem(problem)     built once, solved often: .solve(start=..., goal=..., warm=...) -> Trajectory
+    assemble(model, {"A": 0.3})       -> Configuration: ["B"], .q, .ok, .status
+    workspace(mechanism, over)        -> Sweep: ["margin"], .summary; over {"tilt": "0:20deg:21", "azimuth": ...}
+    formulas(mechanism)               -> Paper: screws, limbs, wrenches, inverse kinematics; .save("seed.tex")
+    drives(mechanism, motion)         -> DriveStudy: .u, .wrenches, .margins, .columns; of a file or expressions in t
+    joint_wrenches(model, q, v, a)    -> JointWrenches: ["limb2_S"].about_joint().in_body_axes().force
     __version__                       of the package
 
 The map: rooms in the order of the flow. A file imports only from rooms above its own, through their doors (what
@@ -45,6 +53,7 @@ their `__init__` names); `tests/unit/test_structure.py` reads the order from her
     doors           rooms whose parts are imported when somebody asks for them
     garbage         times at which nobody searches for unused objects
     workers         processes that end with the one that started them
+    notebook        how objects look in a notebook: tables and texts as HTML
     whole_files     files and folders that are there whole or not at all
     array_archives  archives of arrays by anybody, read within bounds
     description     mechanisms as people write them: bodies, joints, limbs, parameters; TOML
@@ -60,9 +69,11 @@ their `__init__` names); `tests/unit/test_structure.py` reads the order from her
     dynamics        balance of every body, drives, reactions, free motion, and derivatives of all these
     functions       the named functions of a model
     model           the pipeline on one page: `derive`
+    paper_formulas  formulas for a paper, in names that an author writes
     export          printers: C, CasADi, NumPy, JavaScript, LaTeX, Markdown
     runtime         compiled libraries, called from Python
     assembly        every assembly mode: the closure in Study's parameters, all its zeros, certified
+    results         wrenches of joints by name; columns over time for pandas, xarray, files
     display         terminal, plots, drawings, the page in 3-D
     scene           scenes: start, drives, effects, integrator
     simulation      motion of a scene
@@ -72,10 +83,12 @@ their `__init__` names); `tests/unit/test_structure.py` reads the order from her
     verification    whether a folder is what the tool would write, and agrees by number
     studies         timing, machine, bill of effects
     studies/demo    the source paper's example from end to end
+    studies/given_motion    motion in, tables out: joints, rates, drives, reactions, margins
     studies/accuracy    what accuracy costs in time
     studies/benchmark   functions beside other libraries
     studies/workspace   maps over coordinates and parameters
-    report          one document on a mechanism
+    studies/certificate boxes of coordinates that are proved free of singularities
+    reporting       one document on a mechanism
     cli             the command line
 
 Nothing heavy is imported before it is used.
@@ -93,7 +106,8 @@ if TYPE_CHECKING:
     from symscrew.description import Mechanism as Mechanism
     from symscrew.description import MechanismBuilder as MechanismBuilder
     from symscrew.description import load_description as load_description
-    from symscrew.display import open_page as view
+    from symscrew.display import draw as draw
+    from symscrew.display import show_page as view
     from symscrew.effects import Effect as Effect
     from symscrew.effects import ExternalWrench as ExternalWrench
     from symscrew.effects import Gravity as Gravity
@@ -103,13 +117,20 @@ if TYPE_CHECKING:
     from symscrew.functions import inertial_parameters as inertial_parameters
     from symscrew.generation import generate as generate
     from symscrew.mobility import analyse_mobility as analyse_mobility
+    from symscrew.mobility import inverse_kinematics as inverse_kinematics
     from symscrew.model import Model as Model
     from symscrew.model import derive as derive
     from symscrew.optimisation import optimisation_problem as optimisation_problem
     from symscrew.optimisation import solve as optimise
+    from symscrew.paper_formulas import paper_formulas as formulas
+    from symscrew.reporting import report as report
+    from symscrew.results import assemble as assemble
+    from symscrew.results import joint_wrenches as joint_wrenches
     from symscrew.runtime import load as load
     from symscrew.scene import load_scene as load_scene
     from symscrew.simulation import simulate as simulate
+    from symscrew.studies.given_motion import drives as drives
+    from symscrew.studies.workspace import workspace as workspace
     from symscrew.verification import check as check
 
 __version__ = "0.1.0"
@@ -125,20 +146,28 @@ __all__ = [
     "Quantities",
     "__version__",
     "analyse_mobility",
+    "assemble",
     "assembly_modes",
     "base_parameters",
     "check",
     "derive",
+    "draw",
+    "drives",
+    "formulas",
     "generate",
     "inertial_parameters",
+    "inverse_kinematics",
+    "joint_wrenches",
     "load",
     "load_catalogue",
     "load_description",
     "load_scene",
     "optimisation_problem",
     "optimise",
+    "report",
     "simulate",
     "view",
+    "workspace",
 ]
 
 __getattr__ = doors(__name__)

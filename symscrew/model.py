@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 
+from symscrew import notebook
 from symscrew.description import Mechanism, Reader
 from symscrew.effects import Effect, Gravity, joints_read, transformed
 from symscrew.functions import (
@@ -87,6 +88,13 @@ class Model:
         parts += ["one operation mode"] if self.one_mode else []
         parts += ["a selection"] if self.selected else []
         return f"Model({self.name!r}, {', '.join(parts)})"
+
+    def _repr_html_(self) -> str:
+        rows = [
+            (name, *(", ".join(f"{p.name}[{p.size}]" for p in ports) for ports in (f.inputs, f.outputs)), _total(f))
+            for name, f in self.programs.items()
+        ]
+        return notebook.table(repr(self), ("function", "of", "gives", "operations"), rows)
 
     def only(self, names: Sequence[str]) -> Model:
         """The model with those functions of these names that it has, and no others."""

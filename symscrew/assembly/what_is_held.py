@@ -14,7 +14,8 @@ import numpy as np
 from symscrew.algebra import CONTEXT, high_precision
 from symscrew.description import Mechanism
 from symscrew.errors import DescriptionError, did_you_mean
-from symscrew.mobility import ClosureVariety, Network, network_of, target_of, with_parameters
+from symscrew.kinematics import given_coordinates
+from symscrew.mobility import ClosureVariety, Network, network_of, targets_of, with_parameters
 
 Array = np.ndarray[Any, Any]
 
@@ -102,7 +103,7 @@ def held_by(mechanism: Mechanism, drives: Mapping[str, Any], at: Mapping[str, An
         )
     exact = {} if coordinates else dict.fromkeys(driven.values(), CONTEXT.zero)
     for name, value in {**coordinates, **drives}.items():
-        target = target_of(mechanism, network, name, value)
+        (target,) = targets_of(mechanism, network, given_coordinates(mechanism, {name: value}))
         assert target.column is not None
         exact[target.column] = target.goal
     if not exact:

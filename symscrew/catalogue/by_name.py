@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import cache
 from pathlib import Path
 
 from symscrew import formats
@@ -25,7 +26,20 @@ def load(name: str) -> Mechanism:
     """
     if name not in names():
         raise DescriptionError(f"the catalogue has no mechanism {shorten(name)}; {did_you_mean(name, names())}")
+    return _own(name)
+
+
+@cache
+def _own(name: str) -> Mechanism:
+    """Read once in a process: exact numbers take tenths of a second, and nobody changes a mechanism."""
     return load_description(_FOLDER / f"{name}.toml")
+
+
+def text(name: str) -> str:
+    """The catalogue's description `name` as it was written, with its comments; raises DescriptionError."""
+    if name not in names():
+        raise DescriptionError(f"the catalogue has no mechanism {shorten(name)}; {did_you_mean(name, names())}")
+    return (_FOLDER / f"{name}.toml").read_text(encoding="utf-8")
 
 
 def find(name_or_path: str | Path, *, run_time: Sequence[str] = ()) -> Mechanism:
@@ -36,19 +50,19 @@ def find(name_or_path: str | Path, *, run_time: Sequence[str] = ()) -> Mechanism
     Raises:
         DescriptionError: neither, or the file does not describe a mechanism.
     """
-    text = str(name_or_path)
-    if text in names():
-        return load_description(_FOLDER / f"{text}.toml", run_time=run_time)
-    path = Path(text)
-    if "\0" not in text and (path.suffix == ".toml" or path.suffix in formats.READABLE or path.is_file()):
+    asked = str(name_or_path)
+    if asked in names():
+        return load_description(_FOLDER / f"{asked}.toml", run_time=run_time) if run_time else _own(asked)
+    path = Path(asked)
+    if "\0" not in asked and (path.suffix == ".toml" or path.suffix in formats.READABLE or path.is_file()):
         if not path.is_file():
-            raise DescriptionError(f"there is no file {shorten(text, 200)}; expected a description of a mechanism")
+            raise DescriptionError(f"there is no file {shorten(asked, 200)}; expected a description of a mechanism")
         if path.suffix != ".toml" and path.suffix in formats.READABLE:
             if run_time:
-                raise DescriptionError(f"{shorten(text, 200)} has no parameters; convert it to .toml and add them")
+                raise DescriptionError(f"{shorten(asked, 200)} has no parameters; convert it to .toml and add them")
             return formats.load_format(path)
         return load_description(path, run_time=run_time)
     raise DescriptionError(
-        f"{shorten(text)} is neither a mechanism of the catalogue nor a .toml, .urdf, .xml or .mjcf file; "
-        f"{did_you_mean(text, names())}"
+        f"{shorten(asked)} is neither a mechanism of the catalogue nor a .toml, .urdf, .xml or .mjcf file; "
+        f"{did_you_mean(asked, names())}"
     )

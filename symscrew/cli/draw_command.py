@@ -6,7 +6,7 @@ import argparse
 from pathlib import Path
 
 from symscrew.cli.help import DONE, UsageError
-from symscrew.cli.shared_options import add_mechanism, need_matplotlib, writable_folder
+from symscrew.cli.shared_options import add_mechanism, check_folder, need_matplotlib, writable_folder
 
 EXAMPLES = ("symscrew draw three_ups_upu_s --out seed.png", "symscrew draw delta --out delta.pdf")
 FORMATS = (".png", ".pdf", ".svg")
@@ -25,6 +25,7 @@ def run(options: argparse.Namespace) -> int:
     path = Path(options.out)
     if path.suffix not in FORMATS:
         raise UsageError(f"--out: expected a file name that ends in {' or '.join(FORMATS)}, got {options.out!r}")
+    check_folder(path.parent)
     mechanism = catalogue.find(options.mechanism)
     writable_folder(str(path.parent))
     need_matplotlib()

@@ -10,7 +10,7 @@ import os
 from typing import TYPE_CHECKING
 
 from symscrew.cli.help import DONE, UsageError
-from symscrew.cli.shared_options import add_effects, add_independent, add_mechanism, chosen_effects
+from symscrew.cli.shared_options import add_effects, add_independent, add_mechanism, check_folder, chosen_effects
 from symscrew.garbage import nothing_to_collect
 from symscrew.generation import TARGETS, USUAL, printable, with_brought
 
@@ -35,7 +35,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
     command.add_argument("--out", metavar="DIR", required=True, help="a new, empty or earlier generated directory")
     text = "default: c casadi numpy; external: C for casadi.external, with derivatives; fmu: FMI 3.0, sources only"
     command.add_argument("--target", nargs="+", choices=TARGETS, help=text)
-    command.add_argument("--precision", choices=("double", "single"), help="single: C of type float, no other target")
+    command.add_argument("--precision", choices=("double", "single"), help="single: C of type float, Rust of f32")
     text = (
         "microcontroller: C of type float for one state at a time and one operation mode, no functions of many states"
     )
@@ -83,6 +83,7 @@ def run(options: argparse.Namespace) -> int:
     options = profiled(options)
     form = Form(one_file=options.one_file, batches=options.profile is None)
     targets = chosen_targets(options)
+    check_folder(options.out)
     progress = Progress()
     model = _chosen_functions(options, _derived(options, progress))
     measured = []

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from symscrew.cli.help import DONE, FAILED, UsageError
-from symscrew.cli.shared_options import add_mechanism
+from symscrew.cli.shared_options import add_mechanism, check_folder
 from symscrew.errors import shorten
 from symscrew.whole_files import write_text
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 EXAMPLES = (
     "symscrew mobility three_ups_upu_s",
-    "symscrew mobility wrist.toml --at R=0.6 --out wrist.html",
+    "symscrew mobility wrist.toml --at R=60cm tilt=10deg azimuth=45deg --out wrist.html",
     "symscrew mobility bennett.toml --tolerance 1e-6",
     "symscrew mobility wrist.toml --expect 2 && echo as designed",
     "symscrew mobility wrist.toml --proof wrist.json && python -m symscrew.mobility.proofs.proof_checker wrist.json",
@@ -30,8 +30,9 @@ def add_options(command: argparse.ArgumentParser) -> None:
     add_mechanism(command)
     command.add_argument(
         "--at", nargs="+", action="extend", default=[], metavar="KEY=VALUE",
-        help="a parameter, a joint coordinate (joint, joint.i; of a spherical joint joint.qx or joint.rx) [rad, m], or "
-        "how far a body is displaced and turned (body.x [m], body.rx [rad], body.qx)",
+        help="parameters and coordinates with units (z=10mm tilt=30deg): joint, joint.i, joint.rx, and of a body, by "
+        "default the platform, x, rx, roll, pitch, yaw, tilt, azimuth, torsion, turn='30deg about 1,1,0'; all others "
+        "follow and are listed",
     )  # fmt: skip
     command.add_argument(
         "--tolerance", type=float, metavar="LENGTH",
@@ -62,6 +63,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """Analyse, print, write; 1 when a claim is not verified."""
     from symscrew import catalogue
+    from symscrew.kinematics import angle_notices
     from symscrew.mobility import (
         analyse_mobility,
         mobility_latex,
@@ -76,8 +78,13 @@ def run(options: argparse.Namespace) -> int:
     writer = writers.get(Path(options.out).suffix) if options.out else None
     if options.out and writer is None:
         raise UsageError(f"--out: expected a file name in {', '.join(writers)}, got {shorten(options.out)}")
+    for file, option in ((options.out, "--out"), (options.proof, "--proof")):
+        if file:
+            check_folder(Path(file).parent, option)
     mechanism = catalogue.find(options.mechanism)
     at = dict(_setting(text) for text in options.at)
+    for notice in angle_notices(mechanism, at):
+        print(f"note: {notice}", file=sys.stderr)
     found, checks = verified(analyse_mobility(mechanism, body=options.body, at=at, tolerance=options.tolerance))
     failed = [check.claim for check in checks if not check.holds]
     verdict = _verdict(found, options.expect, failed)

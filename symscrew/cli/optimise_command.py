@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import json
 import sys
+from collections.abc import Iterable
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -13,7 +14,9 @@ from symscrew.cli.shared_options import add_no_cache, need_matplotlib
 from symscrew.whole_files import destination
 
 if TYPE_CHECKING:
-    from symscrew.optimisation import Replay, Trajectory
+    from pathlib import Path
+
+    from symscrew.optimisation import JoinedPlan, JoinedProblem, Replay, Trajectory
 
 EXAMPLES = ("symscrew optimise examples/optimisation/seed_rest_to_rest.toml --out motion.npz --plot motion.png",)
 FORMATS = (".npz", ".csv")
@@ -49,7 +52,7 @@ class _Keys(argparse.Action):
 
 def run(options: argparse.Namespace) -> int:
     """Read, derive, optimise, write; 1 where no motion was found and confirmed (the last iterate is written then)."""
-    from symscrew.optimisation import load_problem, replay, solve, write_plan
+    from symscrew.optimisation import JoinedProblem, load_problem_file, replay, solve, write_plan
 
     out = destination(options.out, FORMATS, "--out")
     picture = destination(options.plot, (".png",), "--plot") if options.plot else None
@@ -57,7 +60,9 @@ def run(options: argparse.Namespace) -> int:
         need_matplotlib("--plot needs")
     if options.rate is not None and not options.rate > 0:
         raise UsageError(f"--rate: expected samples per second above 0, got {options.rate:g}")
-    problem = load_problem(options.problem)
+    problem = load_problem_file(options.problem)
+    if isinstance(problem, JoinedProblem):
+        return _run_joined(problem, options, out)
     if options.time_limit is not None:
         if not options.time_limit > 0:
             raise UsageError(f"--time-limit: expected seconds above 0, got {options.time_limit:g}")
@@ -80,6 +85,75 @@ def run(options: argparse.Namespace) -> int:
     for path in written:
         print(f"wrote {path}", file=sys.stderr)
     return DONE if found.ok else FAILED
+
+
+def _run_joined(problem: JoinedProblem, options: argparse.Namespace, out: Path) -> int:
+    """The same for phases or load cases."""
+    from symscrew.optimisation import solve_joined, write_joined
+
+    for name in ("plot", "starts"):
+        if getattr(options, name) is not None:
+            raise UsageError(f"--{name}: a problem with several motions has none; leave it out")
+    if options.time_limit is not None:
+        if not options.time_limit > 0:
+            raise UsageError(f"--time-limit: expected seconds above 0, got {options.time_limit:g}")
+        limit = options.time_limit
+        parts = tuple(replace(p, solver=replace(p.solver, time_limit=limit)) for p in problem.parts)
+        problem = replace(problem, parts=parts)
+    found = solve_joined(problem, progress=lambda text: print(text, file=sys.stderr))
+    path = write_joined(found, out, rate=options.rate)
+    print(json.dumps(_joined_numbers(found), indent=1) if options.json else "\n".join(joined_summary(found)))
+    print(f"wrote {path}", file=sys.stderr)
+    return DONE if found.ok else FAILED
+
+
+def joined_summary(found: JoinedPlan) -> list[str]:
+    """The outcome of phases or load cases in words."""
+    problem = found.problem
+    lines = [f"{problem.name}: {found.status}"]
+    if not found.ok:
+        lines += [f"  {reason}" for reason in found.reasons if reason not in found.status]
+        return [*lines, "  what is written is the last iterate, no motions to be relied on"]
+    lines.append(f"cost {found.cost:.10g}, {len(found.parts)} parts")
+    lines += [f"{name} = {value:.10g}" for name, value in found.parameters.items()]
+    for k, part in enumerate(found.parts):
+        lines.append(
+            f"{problem.called(k)}: cost {part.cost:.10g}, duration {part.duration:.10g} s, {len(part.mesh) - 1} "
+            f"intervals, bounds broken by at most {part.errors.violation:.1e} of their size"
+        )
+        link = found.links[k] if k < len(found.links) else None
+        if link is not None:
+            lines.append(
+                f"  then rates {_vector(link.before)} become {_vector(link.behind)}, which takes {link.lost:.6g} J"
+            )
+    if found.end_error is not None:
+        lines.append(f"replayed from phase to phase: ends {found.end_error:.1e} from the plan")
+    return [*lines, *found.notes, f"{found.statistics.iterations} iterations, {found.refinements} refinements"]
+
+
+def _vector(values: Iterable[float]) -> str:
+    return "(" + ", ".join(f"{value:.6g}" for value in values) + ")"
+
+
+def _joined_numbers(found: JoinedPlan) -> dict[str, object]:
+    parts = []
+    for k, part in enumerate(found.parts):
+        own = {key: value for key, value in _numbers(part, part.replayed).items() if key not in UNSHARED}
+        parts.append({"part": found.problem.called(k), **own})
+    links = [
+        None if x is None else {"before": x.before.tolist(), "behind": x.behind.tolist(), "lost": x.lost}
+        for x in found.links
+    ]
+    return {
+        "problem": found.problem.name, "ok": found.ok, "status": found.status, "reasons": list(found.reasons),
+        "notes": list(found.notes), "cost": found.cost if found.ok else None, "parameters": found.parameters,
+        "iterations": found.statistics.iterations, "refinements": found.refinements, "parts": parts, "links": links,
+        "end_error": found.end_error, "times": dict(found.statistics.times),
+        "processor_times": dict(found.statistics.processor),
+    }  # fmt: skip
+
+
+UNSHARED = ("problem", "iterations", "refinements", "times", "processor_times", "parameters")  # of all parts together
 
 
 def summary(found: Trajectory, again: Replay | None = None) -> list[str]:

@@ -26,6 +26,8 @@ COMMANDS = {
     "check": ("check_command", "is generated output up to date, clean and right?"),
     "assemble": ("assemble_command", "every assembly mode for given drives, certified"),
     "mobility": ("mobility_command", "constraints and freedoms by reciprocal screws"),
+    "formulas": ("formulas_command", "formulas for a paper: screws, limbs, wrenches, inverse kinematics"),
+    "drives": ("drives_command", "a motion in, tables out: drives, rates, reactions, margins"),
     "cost": ("cost_command", "what each effect of a scene costs, and what it changes"),
     "accuracy": ("accuracy_command", "what accuracy costs in time: methods side by side"),
     "convert": ("convert_command", "a mechanism as TOML, URDF or MJCF"),

@@ -35,7 +35,7 @@ def run(options: argparse.Namespace) -> int:
     from symscrew import catalogue
     from symscrew.display import Progress
     from symscrew.model import derive
-    from symscrew.report import document, write_document
+    from symscrew.reporting import document, write_document
     from symscrew.runtime import load
     from symscrew.scene import load_scene
     from symscrew.studies import Times, scene_bill, time_every_function

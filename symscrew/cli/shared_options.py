@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from symscrew.cli.help import UsageError
+from symscrew.errors import shorten
 
 if TYPE_CHECKING:
     from symscrew.description import Mechanism
@@ -92,6 +93,18 @@ def writable_folder(directory: str) -> Path:
     if not os.access(path, os.W_OK | os.X_OK):
         raise UsageError(f"{directory}: no permission to write here")
     return path
+
+
+def check_folder(directory: str | Path, option: str = "--out") -> None:
+    """Before anything is derived: whether a folder can be written into, or can be made where it is not there yet."""
+    path = Path(directory)
+    if "\0" in str(directory):
+        raise UsageError(f"{option}: a path must not contain a null character")
+    there = next((p for p in (path, *path.absolute().parents) if p.exists()), Path("/"))
+    if not there.is_dir():
+        raise UsageError(f"{option}: expected a folder, found a file: {shorten(str(there), 200)}")
+    if not os.access(there, os.W_OK | os.X_OK):
+        raise UsageError(f"{option}: no permission to write into {shorten(str(there), 200)}")
 
 
 def need_matplotlib(what: str = "figures need") -> None:

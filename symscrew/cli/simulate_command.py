@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from symscrew.cli.help import DONE, FAILED
-from symscrew.cli.shared_options import add_no_cache, need_matplotlib
+from symscrew.cli.shared_options import add_no_cache, check_folder, need_matplotlib
 from symscrew.whole_files import destination
 
 if TYPE_CHECKING:
@@ -44,6 +44,8 @@ def run(options: argparse.Namespace) -> int:
     picture = destination(options.plot, (".png",), "--plot") if options.plot is not None else None
     if picture is not None:
         need_matplotlib("--plot needs")
+    if options.emit_c:
+        check_folder(options.emit_c, "--emit-c")
     scene = load_scene(options.scene)
     if options.emit_c:
         for path in write_loop(scene, Path(options.emit_c)):

@@ -6,7 +6,14 @@ import argparse
 from pathlib import Path
 
 from symscrew.cli.help import DONE, UsageError
-from symscrew.cli.shared_options import add_gravity, add_independent, add_no_cache, chosen_effects, writable_folder
+from symscrew.cli.shared_options import (
+    add_gravity,
+    add_independent,
+    add_no_cache,
+    check_folder,
+    chosen_effects,
+    writable_folder,
+)
 
 EXAMPLES = ("symscrew view three_ups_upu_s", "symscrew view run.npz --out run.html")
 
@@ -27,6 +34,8 @@ def run(options: argparse.Namespace) -> int:
 
     if options.out and Path(options.out).suffix != ".html":
         raise UsageError(f"--out: expected a file name that ends in .html, got {options.out!r}")
+    if options.out:
+        check_folder(Path(options.out).parent)
     progress = Progress()
     with progress.step(f"read {options.mechanism}"):
         mechanism, motion = read_mechanism_and_motion(options.mechanism)

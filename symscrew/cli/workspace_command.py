@@ -1,20 +1,27 @@
 """`symscrew workspace`: a sweep over coordinates and parameters, as a folder or one file, and its summary.
 
 options --read_plan--> Plan --sweep (pieces, in parallel)--> Store --> results, summary, maps
+                       Plan --run_certificate--> boxes with a proof, summary, picture
 """
 
 from __future__ import annotations
 
 import argparse
 import json
-import math
 import sys
 from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from symscrew.cli.help import DONE, FAILED, UsageError
-from symscrew.cli.shared_options import add_effects, add_independent, add_mechanism, add_no_cache, chosen_effects
+from symscrew.cli.shared_options import (
+    add_effects,
+    add_independent,
+    add_mechanism,
+    add_no_cache,
+    check_folder,
+    chosen_effects,
+)
 from symscrew.errors import did_you_mean, shorten
 from symscrew.whole_files import discard, write_text
 
@@ -25,18 +32,25 @@ EXAMPLES = (
     "symscrew workspace three_ups_upu_s --over tilt=0:20deg:21 azimuth=0:360deg:73 --expect-tilt 10deg --out seed",
     "symscrew workspace ur5 --over elbow=-150deg:150deg:121 --out elbow.csv",
     "symscrew workspace wrist.toml --over R=0.4:0.6:21 --tolerance r=1mm --samples 1000 --out study",
+    "symscrew workspace three_ups_upu_s --certify --over tilt=0:10deg azimuth=0:360deg --expect-tilt 10deg --out proof",
 )
 OVER = (
-    "an axis: an independent coordinate, a parameter, tilt (of the platform's z-axis) or azimuth (of the tilt's "
-    "axis); numbers in m, mm, rad, deg"
+    "an axis: a parameter or a coordinate, of any joint (limb1_P) or of a body (tilt, azimuth, z, roll ... are the "
+    "platform's); numbers in m, mm, rad, deg"
 )
 LIMIT = (
     "what is allowed of a joint (limb1_P=-50mm:50mm), a drive at rest ('drive limb1_P=-500:500' [N, N m]), "
     "condition, margin or another result"
 )
+CERTIFY = (
+    "prove in boxes what a sweep samples: one configuration, no singularity, no passed limit; N is then how fine boxes "
+    "get, (TO - FROM)/(N - 1), and may be left out"
+)
+FINEST = {1: 257, 2: 65}  # N where none is given, by the number of axes: thousands of boxes at most along an edge ...
+FINEST_OF_MORE = 17  # ... and the same in three dimensions and more
 TOLERANCE = "a parameter with the standard deviation of its normal distribution"
 ROUNDING = 1e-12  # of a tilt in degrees turned into radians twice: a tilt as expected is not missed by this part
-TURN = 2 * math.pi  # a bare number beyond a whole turn was meant in degrees, most likely
+PROVED_PART = 1e-8  # of a tilt by which claims are rounded down: the tilt asked for is not missed by it
 MOST_SAMPLES = 1_000_000  # per place; more is a slip of the finger, and MOST_CASES would refuse it later with less help
 
 
@@ -47,6 +61,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
     command.add_argument("--out", metavar="DIR|FILE", required=True, help="a new folder, or a file: .npz or .csv")
     command.add_argument("--limit", nargs="+", action="extend", metavar="RESULT=MIN:MAX", help=LIMIT)
     command.add_argument("--tolerance", nargs="+", action="extend", metavar="PARAM=SIGMA", help=TOLERANCE)
+    command.add_argument("--certify", action="store_true", help=CERTIFY)
     text = "per place, with --tolerance; default 100"
     command.add_argument("--samples", type=int, default=100, metavar="N", help=text)
     command.add_argument("--seed", type=int, default=0, metavar="N", help="of the random numbers; default 0")
@@ -62,12 +77,12 @@ def add_options(command: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Read, sweep, write, print; 1 if an expected tilt is not reached."""
+    from symscrew.description import GivenValue, exact
     from symscrew.studies.workspace import (
         AZIMUTH,
         TILT,
         held_store,
         prepare_sweep,
-        read_number,
         save_csv,
         save_npz,
         sweep_summary,
@@ -75,25 +90,29 @@ def run(options: argparse.Namespace) -> int:
     )
 
     out = Path(options.out)
-    single = out.suffix in (".npz", ".csv")
+    endings = (".json",) if options.certify else (".npz", ".csv")
+    single = out.suffix in endings
     if out.suffix and not single:
         raise UsageError(
-            f"--out: expected a folder or a file name that ends in .npz or .csv, got {shorten(options.out)}"
+            f"--out: expected a folder or a file name that ends in {' or '.join(endings)}, got {shorten(options.out)}"
         )
     if not out.parent.is_dir():
         raise UsageError(f"--out: no folder {shorten(str(out.parent), 200)} to write into")
-    expected = read_number(options.expect_tilt, "--expect-tilt") if options.expect_tilt else None
+    check_folder(out.parent if single else out)
+    expected = _in_unit(options.expect_tilt, "--expect-tilt", "rad") if options.expect_tilt else None
+    if options.certify:
+        return run_certificate(options, out, expected)
+    folder = out.with_name(f".{out.name}.pieces") if single else out / "pieces"
+    if out.is_dir() and not folder.is_dir() and any(out.iterdir()):
+        raise UsageError(f"--out: {shorten(options.out)} is not empty and holds no sweep; use another one")
     plan = read_plan(options)
     if expected is not None and not {TILT, AZIMUTH} <= {axis.name for axis in plan.axes}:
         raise UsageError("--expect-tilt needs the axes tilt and azimuth: --over tilt=0:20deg:21 azimuth=0:360deg:73")
     made = prepare_sweep(plan)
     for axis in plan.axes:
-        if made.units.get(axis.name) == "rad" and not axis.unit and max(abs(axis.low), abs(axis.high)) > TURN:
-            said = f"{axis.name} is in rad: {axis.high:g} are {math.degrees(axis.high):.0f} degrees"
-            print(f"note: {said}; {axis.high:g}deg are {axis.high:g} degrees", file=sys.stderr)
-    folder = out.with_name(f".{out.name}.pieces") if single else out / "pieces"
-    if out.is_dir() and not folder.is_dir() and any(out.iterdir()):
-        raise UsageError(f"--out: {shorten(options.out)} is not empty and holds no sweep; use another one")
+        far = GivenValue(exact(max(axis.low, axis.high, key=abs)), axis.unit)
+        if notice := far.notice(made.units.get(axis.name, ""), axis.name):
+            print(f"note: {notice}", file=sys.stderr)
     with held_store(folder, plan) as kept:
         sweep(plan, kept, scheduler=options.dask, processes=options.processes)
         results = kept.whole()
@@ -116,16 +135,20 @@ def run(options: argparse.Namespace) -> int:
 def read_plan(options: argparse.Namespace) -> Plan:
     """The plan that the options describe; raises UsageError or DescriptionError."""
     from symscrew import catalogue
-    from symscrew.studies.workspace import MOST_CASES, Plan, read_axis, read_limit, read_number
+    from symscrew.studies.workspace import MOST_CASES, Plan, read_axis, read_limit, read_quantity
 
-    axes = tuple(read_axis(item) for item in options.over or ())
-    tolerances = []
+    finest = FINEST.get(len(options.over or ()), FINEST_OF_MORE) if options.certify else None
+    axes = tuple(read_axis(item, finest) for item in options.over or ())
+    tolerances, typed = [], []
     for item in options.tolerance or ():
         name, equals, value = item.partition("=")
-        sigma = read_number(value, "--tolerance") if equals else -1.0
+        sigma, unit = read_quantity(value, "--tolerance") if equals else (-1.0, "")
         if sigma <= 0:
             raise UsageError(f"--tolerance: expected PARAMETER=standard deviation above 0, got {shorten(item)}")
         tolerances.append((name.strip(), sigma))
+        typed.append(("--tolerance", name.strip(), unit))
+    limits = [read_limit(item) for item in options.limit or ()]
+    typed += [("--limit", limit[0], unit) for limit, unit in limits]
     samples = options.samples if tolerances else 1
     if not 1 <= samples <= MOST_SAMPLES:
         raise UsageError(f"--samples: expected a number from 1 to {MOST_SAMPLES}, got {samples}")
@@ -145,15 +168,56 @@ def read_plan(options: argparse.Namespace) -> Plan:
         tuple(tolerances),
         samples,
         options.seed,
-        tuple(read_limit(item) for item in options.limit or ()),
-        read_number(options.stiffness, "--stiffness"),
+        tuple(limit for limit, _ in limits),
+        _in_unit(options.stiffness, "--stiffness", "N/m"),
         parameters=varied,
+        typed=tuple(typed),
     )
     if not axes and not tolerances:
         raise UsageError("nothing to sweep: give --over COORDINATE=from:to:count, or --tolerance PARAMETER=deviation")
-    if plan.count > MOST_CASES:
+    if plan.count > MOST_CASES and not options.certify:
         raise UsageError(f"{plan.count} cases; at most {MOST_CASES // 10**6} million are computed in one sweep")
     return plan
+
+
+def _in_unit(text: str, option: str, wanted: str) -> float:
+    """A number in this SI unit; raises UsageError where another one is typed."""
+    from symscrew.studies.workspace import read_quantity
+
+    value, unit = read_quantity(text, option)
+    if unit not in ("", wanted):
+        raise UsageError(f"{option}: expected a number in {wanted} or a unit of its kind, got {shorten(text)}")
+    return value
+
+
+def run_certificate(options: argparse.Namespace, out: Path, expected: float | None) -> int:
+    """Prove, write, print; 1 where nothing is proved, the checker refuses it, or an expected tilt is not proved."""
+    from tqdm import tqdm
+
+    from symscrew.studies.certificate import certificate_text, certify, draw_certificate
+
+    if options.dask:
+        raise UsageError("--certify runs on this machine: leave out --dask")
+    plan = read_plan(options)
+    if expected is not None and not {"tilt", "azimuth"} <= {axis.name for axis in plan.axes}:
+        raise UsageError("--expect-tilt needs the axes tilt and azimuth: --over tilt=0:20deg azimuth=0:360deg")
+    if out.is_dir() and any(out.iterdir()):
+        raise UsageError(f"--out: {shorten(options.out)} is not empty; use another one")
+    with tqdm(unit="box", disable=not sys.stderr.isatty(), leave=False) as bar:
+        found = certify(plan, bar.update)
+    written = []
+    if out.suffix:
+        written += [found.write(out)] if found.ok else []
+    else:
+        out.mkdir(exist_ok=True)
+        written += [found.write(out / "certificate.json")] if found.ok else []
+        written.append(write_text(out / "summary.json", json.dumps(found.summary, indent=1) + "\n"))
+        if _can_draw():
+            written.append(draw_certificate(found, out / "certificate.png"))
+    print(json.dumps(found.summary, indent=1) if options.json else certificate_text(found.summary))
+    print("wrote " + ", ".join(map(str, written)) if written else "no file is written", file=sys.stderr)
+    reached = expected is None or found.summary["tilt"]["every_direction"] >= expected * (1 - PROVED_PART)
+    return DONE if found.ok and reached else FAILED
 
 
 def sweep(plan: Plan, kept: Store, *, scheduler: str | None = None, processes: int | None = None) -> None:
@@ -175,10 +239,14 @@ def sweep(plan: Plan, kept: Store, *, scheduler: str | None = None, processes: i
 
 def _picture(plan: Plan, results: Results, units: Mapping[str, str], path: Path) -> Path | None:
     """The maps as a picture, where matplotlib is installed: a sweep is worth having without it."""
-    import importlib.util
-
-    if importlib.util.find_spec("matplotlib") is None:
+    if not _can_draw():
         return None
     from symscrew.studies.workspace import draw_maps
 
     return draw_maps(plan, results, units, path)
+
+
+def _can_draw() -> bool:
+    import importlib.util
+
+    return importlib.util.find_spec("matplotlib") is not None

@@ -5,9 +5,11 @@
 A `Mechanism` is data: numbers are exact SymPy expressions of parameters, read by a grammar of our own.
 """
 
+from symscrew.description.architectures import ARCHITECTURES, architecture
 from symscrew.description.builder import MechanismBuilder
 from symscrew.description.coupled import slope, terms_of
 from symscrew.description.expressions import CONSTANTS, FUNCTIONS, exact, numeric, parse, sixty_digits, to_text
+from symscrew.description.given_values import GivenValue, given_value
 from symscrew.description.joints import JOINT_TYPES, NO_MOTION, JointType, Motion, rotation
 from symscrew.description.mechanism import (
     Body,
@@ -19,17 +21,20 @@ from symscrew.description.mechanism import (
     Parameter,
     Point,
     Vector,
+    followed,
 )
 from symscrew.description.names import RESERVED, check_name, check_text, markdown_text
 from symscrew.description.number_range import check_range
 from symscrew.description.reader import Reader
 from symscrew.description.taken_names import members, namespace, taken_as_file
-from symscrew.description.template import write_template
+from symscrew.description.template import renamed_text, write_new, write_template
 from symscrew.description.toml_file import load_description, parse_description, read_tables, read_text, to_toml
 from symscrew.description.toml_tables import check_keys, check_sections, from_file
+from symscrew.description.units import in_si
 from symscrew.description.validation import validate
 
 __all__ = [
+    "ARCHITECTURES",
     "CONSTANTS",
     "FUNCTIONS",
     "JOINT_TYPES",
@@ -38,6 +43,7 @@ __all__ = [
     "Body",
     "CoupledTerm",
     "Coupling",
+    "GivenValue",
     "Joint",
     "JointType",
     "Matrix3",
@@ -48,13 +54,17 @@ __all__ = [
     "Point",
     "Reader",
     "Vector",
+    "architecture",
     "check_keys",
     "check_name",
     "check_range",
     "check_sections",
     "check_text",
     "exact",
+    "followed",
     "from_file",
+    "given_value",
+    "in_si",
     "load_description",
     "markdown_text",
     "members",
@@ -64,6 +74,7 @@ __all__ = [
     "parse_description",
     "read_tables",
     "read_text",
+    "renamed_text",
     "rotation",
     "sixty_digits",
     "slope",
@@ -72,5 +83,6 @@ __all__ = [
     "to_text",
     "to_toml",
     "validate",
+    "write_new",
     "write_template",
 ]

@@ -5,14 +5,15 @@ U universal, S spherical, E planar. Stars after a letter mark its driven freedom
 first: `"UP*S"` drives the slider.
 
 Without a star the rule is: the first P is driven; in a limb without P the first joint, when it is an R or
-H (a motor on the base); a limb with neither (`"S"`, `"SS"`, `"UU"`) is passive.
+H (a motor on the base); a limb with neither (`"S"`, `"SS"`, `"UU"`) is passive. A tilde before a limb makes it passive:
+`"3-UPS+~UP"`. In mechanism strings `Pa` is a parallelogram of four hinges: `"3-RRPaR"`.
 """
 
 from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from symscrew.description.joints import JOINT_TYPES
@@ -39,24 +40,33 @@ MAX_JOINTS = 30
 MAX_COUNT = 100
 """Limbs of a mechanism string; beyond it the text is refused before anything is made of it."""
 
-_LIMB = re.compile(r"(?:[A-Za-z]\**)+", re.ASCII)
+PARALLELOGRAM = "Pa"
+_LIMB = re.compile(r"~?(?:[A-Za-z]\**)+", re.ASCII)
 
 
 @dataclass(frozen=True)
 class LimbType:
-    """The letters of a limb from base to tip, and for each joint the indices of its driven freedoms."""
+    """The letters of a limb from base to tip, and for each joint the indices of its driven freedoms.
+
+    `parallelograms`: where two hinges, an R and the next, are the ends of one bar of a parallelogram, whose other bar
+    is beside it. `passive`: whether it was said to have no drive.
+    """
 
     letters: str
     driven: tuple[tuple[int, ...], ...]
+    parallelograms: tuple[int, ...] = ()
+    passive: bool = False
 
     @property
     def marked(self) -> str:
-        """The letters with a star for each driven freedom.
+        """The letters with a star for each driven freedom, or the tilde of a passive limb.
 
-        >>> parse_limb_string("UPS").marked
-        'UP*S'
+        >>> parse_limb_string("UPS").marked, parse_limb_string("~UP").marked
+        ('UP*S', '~UP')
         """
-        return "".join(letter + "*" * len(d) for letter, d in zip(self.letters, self.driven, strict=True))
+        return "~" * self.passive + "".join(
+            letter + "*" * len(d) for letter, d in zip(self.letters, self.driven, strict=True)
+        )
 
     @property
     def freedom(self) -> int:
@@ -75,7 +85,16 @@ def parse_limb_string(text: str, *, where: str = "limb") -> LimbType:
             f"{where}: expected the letters of the joints from base to tip such as 'UPS' or 'UP*S', got "
             f"{shorten(text)}; letters are {', '.join(LETTERS)}, a star marks a driven joint"
         )
-    joints = re.findall(r"([A-Za-z])(\**)", text)
+    if PARALLELOGRAM in text:
+        raise DescriptionError(
+            f"{where}: {PARALLELOGRAM} in {shorten(text)} is a parallelogram, a loop in the limb; write its joints one "
+            f"by one, as `symscrew new NAME --limbs 3-RR{PARALLELOGRAM}R` does"
+        )
+    passive, joints = text[0] == "~", re.findall(r"([A-Za-z])(\**)", text)
+    if passive and "*" in text:
+        raise DescriptionError(
+            f"{where}: {shorten(text)} is passive by its tilde and driven by its star; leave one out"
+        )
     if len(joints) > MAX_JOINTS:
         raise DescriptionError(f"{where}: a limb of {len(joints)} joints; at most {MAX_JOINTS} are allowed")
     for letter, stars in joints:
@@ -93,7 +112,24 @@ def parse_limb_string(text: str, *, where: str = "limb") -> LimbType:
             )
     letters = "".join(letter for letter, _ in joints)
     driven = tuple(tuple(range(len(stars))) for _, stars in joints)
-    return LimbType(letters, driven if any(driven) else _default_drive(letters))
+    driven = driven if any(driven) or passive else _default_drive(letters)
+    return LimbType(letters, driven, passive=passive)
+
+
+def _with_parallelograms(text: str, where: str) -> LimbType:
+    """A limb of a mechanism string: `Pa` becomes the two hinges of one of its bars."""
+    plain = re.sub(PARALLELOGRAM, "RR", text)
+    if PARALLELOGRAM + "*" in text:
+        raise DescriptionError(f"{where}: a parallelogram has no drive of its own, got {shorten(text)}")
+    limb = parse_limb_string(plain, where=where)
+    tokens = re.findall(f"{PARALLELOGRAM}|[A-Za-z]", text)
+    found, place = [], 0
+    for token in tokens:
+        found += [place] if token == PARALLELOGRAM else []
+        place += len(token)
+    if found and tokens[0] == PARALLELOGRAM and "*" not in text:
+        limb = replace(limb, driven=((),) * len(limb.letters))
+    return replace(limb, parallelograms=tuple(found))
 
 
 def parse_mechanism_string(text: str) -> tuple[LimbType, ...]:
@@ -110,7 +146,7 @@ def parse_mechanism_string(text: str) -> tuple[LimbType, ...]:
     limbs: list[LimbType] = []
     count: int | None = None
     for part in re.split(r"[-+]", text):
-        match = re.fullmatch(r"\s*(\d{0,9})\s*([A-Za-z*]*)\s*", part, re.ASCII)
+        match = re.fullmatch(r"\s*(\d{0,9})\s*([~A-Za-z*]*)\s*", part, re.ASCII)
         if match is None or not part.strip():
             raise DescriptionError(
                 f"{where}: cannot read {shorten(part)} in {shorten(text)}; expected a count and letters, "
@@ -124,7 +160,7 @@ def parse_mechanism_string(text: str) -> tuple[LimbType, ...]:
             if not 1 <= count <= MAX_COUNT:
                 raise DescriptionError(f"{where}: expected a count from 1 to {MAX_COUNT}, got {count}")
         if letters:
-            limbs += [parse_limb_string(letters, where=where)] * (count or 1)
+            limbs += [_with_parallelograms(letters, where)] * (count or 1)
             count = None
     if count is not None:
         raise DescriptionError(f"{where}: the count {count} at the end of {shorten(text)} has no limb after it")

@@ -11,12 +11,15 @@ SymPy expressions, free of floating point, in the mechanism's parameters.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import sympy
 
+from symscrew import notebook
 from symscrew.description.joints import JOINT_TYPES, JointType
+
+MOST_LETTERS = 40  # of a formula that stands in a line of text
 
 Vector = tuple[sympy.Expr, sympy.Expr, sympy.Expr]
 Matrix3 = tuple[Vector, Vector, Vector]
@@ -56,6 +59,9 @@ class Body:
     com: Vector | None = None
     inertia: Matrix3 | None = None
 
+    def __repr__(self) -> str:
+        return f"Body({self.name!r}, {'without inertia' if self.mass is None else _short(self.mass) + ' kg'})"
+
 
 @dataclass(frozen=True)
 class Joint:
@@ -75,6 +81,10 @@ class Joint:
     pitch: sympy.Expr | None = None
     driven: tuple[int, ...] = ()
     reference: tuple[sympy.Expr, ...] = ()
+
+    def __repr__(self) -> str:
+        driven = ", driven" if self.driven else ""
+        return f"Joint({self.name!r}, {self.type} from {self.parent!r} to {self.child!r}{driven})"
 
     @property
     def kind(self) -> JointType:
@@ -174,6 +184,37 @@ class Mechanism:
     @cached_property
     def _baked(self) -> dict[sympy.Symbol, sympy.Expr]:
         return baked_values(self.parameters)
+
+    def _repr_html_(self) -> str:
+        rows = [
+            (j.name, j.kind.name, j.parent, j.child, ", ".join(str(k + 1) for k in j.driven) or "")
+            for j in self.joints.values()
+        ]
+        header = ("joint", "type", "from", "to", "driven freedoms")
+        return notebook.table(f"{self.name}: {self.description or 'a mechanism'}", header, rows)
+
+
+def _short(expression: sympy.Expr) -> str:
+    """A mass as a number, or as the formula it is where that is short."""
+    text = str(expression if expression.free_symbols else float(expression))
+    return text if len(text) <= MOST_LETTERS else "a formula in"
+
+
+def followed(parameters: Mapping[str, Parameter], given: Mapping[str, sympy.Expr]) -> dict[str, Parameter]:
+    """The parameters with `given` values, and those whose formulas refer to them with the values that follow."""
+    values: dict[sympy.Symbol, sympy.Expr] = {}
+
+    def found(parameter: Parameter) -> sympy.Expr:
+        if parameter.symbol not in values:
+            formula = given.get(parameter.name, parameter.formula)
+            if formula is None:
+                formula = parameter.value
+            values[parameter.symbol] = formula.xreplace({s: found(parameters[str(s)]) for s in formula.free_symbols})
+        return values[parameter.symbol]
+
+    return {
+        name: replace(p, value=found(p), formula=None if name in given else p.formula) for name, p in parameters.items()
+    }
 
 
 def baked_values(parameters: Mapping[str, Parameter]) -> dict[sympy.Symbol, sympy.Expr]:

@@ -24,6 +24,7 @@ if TYPE_CHECKING:
         reaction_figure,
         save_figure,
     )
+    from symscrew.display.shown import Page, Picture, draw, show_page
     from symscrew.display.terminal import Progress, aligned_table, colours, one_line, print_table
     from symscrew.display.view import open_page, read_mechanism_and_motion, write_page
 
@@ -33,11 +34,14 @@ __all__ = [
     "DPI",
     "TIME",
     "Curve",
+    "Page",
+    "Picture",
     "Progress",
     "aligned_table",
     "assumption_figure",
     "colours",
     "curve_style",
+    "draw",
     "draw_curves",
     "drive_figure",
     "empty_figure",
@@ -52,6 +56,7 @@ __all__ = [
     "reaction_figure",
     "read_mechanism_and_motion",
     "save_figure",
+    "show_page",
     "write_page",
 ]
 

@@ -61,6 +61,7 @@ STYLE: dict[str, Any] = {
     "axes.formatter.useoffset": False,
     "axes.formatter.limits": (-4, 5),
 }
+LETTERS, LINE = 120, 5  # of a legend across a figure; what the piece of line before a name takes of them
 DPI = 200  # of pictures: sharp in print
 
 
@@ -189,13 +190,15 @@ def _envelope(t: Array, values: Array, windows: int = 100) -> tuple[Array, Array
     return np.array([t[p].mean() for p in parts]), np.array([max(values[p].max(), 1e-18) for p in parts])
 
 
-def reaction_figure(t: Array, places: Mapping[str, Sequence[Curve]], *, label: str) -> Figure:
-    """Joint reactions (figure 11): a frame per place, three components each."""
-    columns = min(3, len(places))
+def reaction_figure(t: Array, places: Mapping[str, Sequence[Curve]], *, label: str, across: int = 3) -> Figure:
+    """Joint reactions (figure 11): a frame per place, three components each; at most `across` frames side by side."""
+    columns = min(across, len(places))
     rows = -(-len(places) // columns)
     made, axes = empty_figure(rows, columns, height=1.95)
     for k, (frame, (title, curves)) in enumerate(zip(axes, places.items(), strict=False)):
-        draw_curves(frame, t, curves, title=f"({_letter(k)}) {title}", label=label)
+        longest = max((len(curve.name) for curve in curves), default=0)
+        beside = max(1, min(3, LETTERS // columns // (longest + LINE)))
+        draw_curves(frame, t, curves, title=f"({_letter(k)}) {title}", label=label, columns=beside)
     _finish(axes, len(places), columns)
     return made
 

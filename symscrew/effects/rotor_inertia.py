@@ -17,7 +17,8 @@ class RotorInertia(Effect):
     turns, [rad/m] for one that slides, "2*pi/lead"; default 1, for an inertia that is reflected already). From the
     rotor's momentum J N s_dot about its own axis and the power of the gear; what the rotor's axis does besides
     turning with its joint's parent is left out (its mass belongs to the parent's). Kinetic energy J N^2 s_dot^2/2.
-    The joint must belong to the spanning tree, as driven joints do.
+    The joint must belong to the spanning tree, as driven joints do. In a spherical joint it is the same about every
+    axis, a force -J N^2 omega_dot (what MuJoCo calls armature of a ball).
 
         [[effects]]
         type = "rotor_inertia"
@@ -34,9 +35,12 @@ class RotorInertia(Effect):
     def act(self, acting: Acting) -> None:
         """An inertia that moves with one freedom."""
         what = f"rotor inertia of joint {self.joint!r}"
-        k = acting.freedom(self.joint, self.freedom, what)
-        if acting.joint(self.joint, what).kind.freedoms[k].spherical:
+        kind = acting.joint(self.joint, what).kind
+        whole = kind.ball and self.freedom is None
+        freedoms = range(kind.freedom) if whole else [acting.freedom(self.joint, self.freedom, what)]
+        if not whole and kind.freedoms[freedoms[0]].spherical:
             raise DescriptionError(f"{what}: expected a freedom with an axis of its own, got one of a spherical joint")
         inertia = acting.number(self.inertia, f"{what}: inertia", least=0)
         ratio = acting.number(self.ratio, f"{what}: ratio")
-        acting.reflect(self.joint, k, acting.system.tape.settle(inertia * ratio * ratio), what)
+        for k in freedoms:
+            acting.reflect(self.joint, k, acting.system.tape.settle(inertia * ratio * ratio), what)

@@ -17,9 +17,14 @@ if TYPE_CHECKING:
     from symscrew.export.casadi import TABLE, casadi_functions, program_function
     from symscrew.export.casadi_external import jacobians_model, print_external
     from symscrew.export.cpp import print_cpp
+    from symscrew.export.cuda import CUDA_THREADS, print_cuda
+    from symscrew.export.drive_kinematics import DriveKinematics, find_drive_kinematics
+    from symscrew.export.drive_kinematics_c import axes_text, print_drive_host
     from symscrew.export.example import SPILLS, print_cmake, print_example
     from symscrew.export.hash_file import HASHES, FileHash, file_hash, print_hashes, read_hashes
     from symscrew.export.javascript import print_javascript, print_script
+    from symscrew.export.jax import print_jax
+    from symscrew.export.linuxcnc import print_linuxcnc
     from symscrew.export.listing import banner, decimal, live_instructions, model_hash, packed, plain
     from symscrew.export.manifest_file import (
         OutputError,
@@ -33,9 +38,14 @@ if TYPE_CHECKING:
     from symscrew.export.numpy import print_numpy
     from symscrew.export.readme import print_readme
     from symscrew.export.reduced import configuration_function, ode_function, print_reduced
+    from symscrew.export.ros2 import print_ros2
+    from symscrew.export.rust import print_rust
+    from symscrew.export.rust_names import RustNames
+    from symscrew.export.structured_text import block_ports, print_structured_text
     from symscrew.export.written_folder import MANIFEST, own_files, read_manifest
 
 __all__ = [
+    "CUDA_THREADS",
     "DOUBLE",
     "HASHES",
     "MANIFEST",
@@ -44,16 +54,21 @@ __all__ = [
     "SPILLS",
     "TABLE",
     "USUAL_FORM",
+    "DriveKinematics",
     "FileHash",
     "Form",
     "OutputError",
     "Precision",
+    "RustNames",
+    "axes_text",
     "banner",
+    "block_ports",
     "casadi_functions",
     "configuration_function",
     "decimal",
     "effect_from_json",
     "file_hash",
+    "find_drive_kinematics",
     "interface",
     "jacobians_model",
     "library_sources",
@@ -67,15 +82,22 @@ __all__ = [
     "print_c",
     "print_cmake",
     "print_cpp",
+    "print_cuda",
+    "print_drive_host",
     "print_example",
     "print_external",
     "print_hashes",
     "print_javascript",
+    "print_jax",
+    "print_linuxcnc",
     "print_markdown",
     "print_numpy",
     "print_readme",
     "print_reduced",
+    "print_ros2",
+    "print_rust",
     "print_script",
+    "print_structured_text",
     "program_function",
     "read_form",
     "read_hashes",

@@ -5,12 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-NOT_THE_LIBRARY = (
-    "example.c",
-    "_external.c",
-    "_jacobians.c",
-    "_reduced.c",
-)  # endings of C files of a folder beside the functions
+# C files of a folder beside the functions: after the model's name, or as they are
+NOT_THE_LIBRARY = ("_external.c", "_jacobians.c", "_reduced.c", "_drives.c", "_drives_host.c", "kins.c")
+ALONE = ("example.c",)
 
 
 @dataclass(frozen=True)
@@ -29,6 +26,9 @@ def library_sources(files: Iterable[str], name: str) -> list[str]:
 
     >>> library_sources(["arm_support.c", "arm.h", "arm_batch.c", "example.c", "arm_external.c"], "arm")
     ['arm_batch.c', 'arm_support.c']
+    >>> library_sources(["two_drives.h", "two_drives.c"], "two_drives")
+    ['two_drives.c']
     """
-    own = [file for file in files if file.endswith(".c") and not file.endswith(NOT_THE_LIBRARY)]
+    others = {*ALONE, *(f"{name}{ending}" for ending in NOT_THE_LIBRARY)}
+    own = [file for file in files if file.endswith(".c") and file not in others]
     return sorted(own, key=lambda file: (file != f"{name}.c", file))

@@ -184,7 +184,7 @@ def angles_symbol(printed: Printed) -> str:
     program, real, angles = printed.program, printed.precision.real, printed.angles
     form = Form(real, printed.precision.table, "stride", "pitch")
     read = {a for i in angles.first for a in i.args if isinstance(a, int)} | {a for a, *_ in angles.gathered}
-    given = ["size_t stride", "size_t pitch", *_angle_inputs(printed, "const {} *restrict {}")]
+    given = ["size_t stride", "size_t pitch", *angle_inputs(printed, "const {} *restrict {}")]
     first = {i.target: f"angle{k}" for k, i in enumerate(angles.first)}
     entered = {**printed.entered(form), **first}
 
@@ -207,7 +207,7 @@ def angles_symbol(printed: Printed) -> str:
     return printed.shared.symbol("angles", "\n".join(lines))
 
 
-def _angle_inputs(printed: Printed, form: str) -> list[str]:
+def angle_inputs(printed: Printed, form: str) -> list[str]:
     """The inputs that angles are made of, in a form of type and name."""
     angles = printed.angles
     read = {a for i in angles.first for a in i.args if isinstance(a, int)} | {a for a, *_ in angles.gathered}
@@ -219,8 +219,8 @@ def sines_symbol(printed: Printed) -> str:
     """The function that takes sines and cosines of one state's angles."""
     real, count, group = printed.precision.real, len(printed.angles.gathered), printed.precision.group
     size, zero = -(-count // group) * group, printed.precision.number(0.0)
-    inputs = _angle_inputs(printed, "{1}")
-    given = [*_angle_inputs(printed, "const {} *restrict {}"), f"{real} *restrict sine", f"{real} *restrict cosine"]
+    inputs = angle_inputs(printed, "{1}")
+    given = [*angle_inputs(printed, "const {} *restrict {}"), f"{real} *restrict sine", f"{real} *restrict cosine"]
     lines = [
         declare("NAME", given, f"{inlined(printed)} void "),
         "{",
@@ -240,7 +240,7 @@ def block_sines(printed: Printed, lanes: int) -> list[str]:
     count, real = len(printed.angles.gathered), printed.precision.real
     if not count:
         return []
-    inputs = [f"{name} + lane" for name in _angle_inputs(printed, "{1}")]
+    inputs = [f"{name} + lane" for name in angle_inputs(printed, "{1}")]
     handed = ", ".join(["stride", str(lanes), *inputs, "angle + lane"])
     return [
         f"    {real} angle[{count * lanes}], sine[{count * lanes}], cosine[{count * lanes}];",
@@ -347,7 +347,7 @@ def _sines(printed: Printed) -> list[str]:
     if not count:
         return []
     size, zero = -(-count // group) * group, printed.precision.number(0.0)
-    handed = ", ".join([*_angle_inputs(printed, "{1}"), "sine", "cosine"])
+    handed = ", ".join([*angle_inputs(printed, "{1}"), "sine", "cosine"])
     return [
         f"    {real} sine[{size}] = {{{zero}}}, cosine[{size}] = {{{zero}}};",
         *wrapped_code(f"{sines_symbol(printed)}({handed});"),

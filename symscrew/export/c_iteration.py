@@ -19,7 +19,20 @@ def iteration_functions(
     printed = Printed(model, f"{symbol}_step", step, precision, shared=shared)
     lines = lane_in_parts(printed) if printed.in_parts else body(printed)
     lines += ["", *function(printed, declare(f"{symbol}_step", arguments(step, precision), "static int "))]
-    lines += ["", *_newton(symbol, iteration, precision), "", *_substeps(symbol, iteration, precision)]
+    return [*lines, *solver(model, symbol, iteration, precision)]
+
+
+def solver(
+    model: str,
+    symbol: str,
+    iteration: Iteration,
+    precision: Precision,
+    *,
+    inner: str = "static int ",
+    outer: str = "int ",
+) -> list[str]:
+    """What calls `<symbol>_step`: Newton's iteration, its substeps, the function; `inner`, `outer` begin these."""
+    lines = ["", *_newton(symbol, iteration, precision, inner), "", *_substeps(symbol, iteration, precision, inner)]
     real, zero = precision.real, precision.number(0.0)
     names = argument_names((*iteration.inputs, *iteration.outputs))
     y, guess, q = names[0], names[1], names[-1]
@@ -29,7 +42,7 @@ def iteration_functions(
     finite = [f"{name}[{k}]" for name, port in named for k in range(port.size)]
     lines += [
         "",
-        declare(symbol, arguments(iteration, precision)),
+        declare(symbol, arguments(iteration, precision), outer),
         "{",
         *([f"    (void){y};"] if not m else []),
         *(f"    (void){name};" for name, port in named[2:] if not port.size),
@@ -68,14 +81,14 @@ def _going(iteration: Iteration) -> str:
     return f"outcome != 0 && outcome < {NO_ROTATION}" if iteration.step.limits else "outcome != 0"
 
 
-def _newton(symbol: str, iteration: Iteration, precision: Precision) -> list[str]:
+def _newton(symbol: str, iteration: Iteration, precision: Precision, begin: str) -> list[str]:
     real = precision.real
     names = [f"p{i}" for i in range(len(step_ports(iteration)))]
     arguments = [f"{real} *q", f"const {real} *y", *(f"const {real} *{n}" for n in names), f"{real} branch"]
     extra = "".join(f", {name}" for name in names)
     tolerance, n = precision.threshold(iteration.tolerance), iteration.outputs[0].size
     return [
-        declare(f"{symbol}_newton", arguments, "static int "),
+        declare(f"{symbol}_newton", arguments, begin),
         "{",
         f"    {real} next[{n}], residual[1], change[1], orientation[1];",
         f"    for (int step = 0; step < {iteration.max_steps}; ++step) {{",
@@ -94,7 +107,7 @@ def _newton(symbol: str, iteration: Iteration, precision: Precision) -> list[str
     ]
 
 
-def _substeps(symbol: str, iteration: Iteration, precision: Precision) -> list[str]:
+def _substeps(symbol: str, iteration: Iteration, precision: Precision, begin: str) -> list[str]:
     real = precision.real
     names = [f"p{i}" for i in range(len(step_ports(iteration)))]
     arguments = [
@@ -104,7 +117,7 @@ def _substeps(symbol: str, iteration: Iteration, precision: Precision) -> list[s
     extra = "".join(f", {name}" for name in names)
     n, m = iteration.outputs[0].size, iteration.inputs[0].size
     return [
-        declare(f"{symbol}_attempt", arguments, "static int "),
+        declare(f"{symbol}_attempt", arguments, begin),
         "{",
         f"    {real} target[{max(m, 1)}] = {{{precision.number(0.0)}}};",
         *(["    (void)y;", "    (void)start;"] if not m else []),

@@ -9,7 +9,6 @@ statuses are the same, and results are NaN where the status is not 0. Rank-revea
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import fields
 
 from symscrew.export.folding import statements
 from symscrew.export.listing import (
@@ -18,6 +17,7 @@ from symscrew.export.listing import (
     check_names,
     checked_slots,
     decimal,
+    first_path,
     function_lines,
     input_entries,
     live_instructions,
@@ -26,7 +26,7 @@ from symscrew.export.listing import (
 from symscrew.export.stages import Stages, headed
 from symscrew.export.value_names import value_names
 from symscrew.model import Model
-from symscrew.program import NO_ROTATION, Iteration, Program, RankRevealing
+from symscrew.program import NO_ROTATION, Iteration, Program
 
 TABLE = {
     "add": "{0} + {1}",
@@ -145,21 +145,12 @@ def print_script(model: Model, constant: str, functions: Iterable[str] | None = 
     lines = ["/*", *(f" * {line}".rstrip() for line in banner(model)), " */", '"use strict";']
     lines += [f"const {constant} = (() => {{", *RUNTIME.replace("REFUSED", str(NO_ROTATION)).strip("\n").splitlines()]
     for name in chosen:
-        program = _first_path(model.programs[name])
+        program = first_path(model.programs[name], "the JavaScript")
         body = _iteration(name, program) if isinstance(program, Iteration) else _function(name, program)
         lines += ["", *(f"  {line}".rstrip() for line in [*_comment(function_lines(name, program)), *body])]
     lines += ["", *wrapped(f"return {{ {', '.join(chosen)} }};", first="  ", later="    "), "})();"]
     lines += ['if (typeof module !== "undefined") {', f"  module.exports = {constant};", "}"]
     return "\n".join([*lines, ""])
-
-
-def _first_path(program: Program | Iteration) -> Program | Iteration:
-    """The program as it is printed: straight-line code alone, status 1 where the other targets go on."""
-    if not isinstance(program, RankRevealing):
-        return program
-    parts = {part.name: getattr(program, part.name) for part in fields(Program)}
-    note = "the rank-revealing path behind small pivots is not in the JavaScript: status 1 there"
-    return Program(**{**parts, "notes": (*program.notes, note)})
 
 
 def _comment(lines: Sequence[str]) -> list[str]:

@@ -10,6 +10,7 @@ import math
 import re
 import textwrap
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import fields
 
 from symscrew import __version__
 from symscrew.description import check_name
@@ -18,6 +19,15 @@ from symscrew.program import Instruction, Iteration, Port, Program, RankRevealin
 
 Operand = Callable[[int | float], str]
 MAX_LABELS = 96  # entries of a port that are named in comments: more are not read there, and all are in the manifest
+
+
+def first_path(program: Program | Iteration, where: str) -> Program | Iteration:
+    """The program as it is printed where there is no second path: straight-line code alone, status 1 there."""
+    if not isinstance(program, RankRevealing):
+        return program
+    parts = {part.name: getattr(program, part.name) for part in fields(Program)}
+    note = f"the rank-revealing path behind small pivots is not in {where}: status 1 there"
+    return Program(**{**parts, "notes": (*program.notes, note)})
 
 
 def live_instructions(program: Program) -> tuple[list[Instruction], set[int]]:

@@ -25,7 +25,7 @@ from symscrew.export import decimal
 from symscrew.fmu.model_description import describe
 from symscrew.fmu.unit_variables import DEFAULT_STEP, Start, Variable, structured, variables
 from symscrew.runtime import compile_c, find_compiler
-from symscrew.scene import Scene
+from symscrew.scene import Integrator, Scene
 from symscrew.simulation import REAL_TIME, Plant, initial_state, initial_states, loop_plant, loop_source
 from symscrew.whole_files import replaced
 
@@ -41,7 +41,8 @@ binary for your system, compile the one C file in <code>sources</code>."""
 
 def at_rest(mechanism: Mechanism, effects: Sequence[Effect]) -> Scene:
     """A mechanism that starts at rest in its reference configuration, with the drives as inputs."""
-    return Scene(mechanism.name, mechanism, tuple(effects), duration=1.0, rate=100.0)
+    loop = Integrator("rk4", step=DEFAULT_STEP)
+    return Scene(mechanism.name, mechanism, tuple(effects), duration=1.0, rate=100.0, integrator=loop)
 
 
 def build_unit(scene: Scene, path: Path, *, version: int = 3) -> list[str]:
@@ -57,9 +58,20 @@ def build_unit(scene: Scene, path: Path, *, version: int = 3) -> list[str]:
         CompileError: the compiler refused the unit's C.
     """
     files = unit_contents(scene, version=version)
-    notes = _add_binary(scene.name, files[f"sources/{scene.name}.c"], version, files)
+    notes = [*_other_steps(scene), *_add_binary(scene.name, files[f"sources/{scene.name}.c"], version, files)]
     replaced(path, lambda target: _fill(target, files))
     return notes
+
+
+def _other_steps(scene: Scene) -> list[str]:
+    """What co-simulation does otherwise than the scene's own integrator."""
+    method = scene.integrator.method
+    if method in REAL_TIME:
+        return []
+    return [
+        f"co-simulation of this unit takes steps of {DEFAULT_STEP:g} s by rk4 (its parameter `step`), not the scene's "
+        f"{method} with its tolerance; name a fixed-step method under [integrator] to choose ({', '.join(REAL_TIME)})"
+    ]
 
 
 def archive(files: Mapping[str, bytes]) -> bytes:

@@ -10,15 +10,13 @@ displacements. What is then still open is for `open_loops` to judge.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
-from functools import cached_property
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
 from symscrew.description import JOINT_TYPES
 from symscrew.formats.draft import Draft, RawBody, RawJoint
-from symscrew.formats.merged_joints import plane_axes
 from symscrew.formats.rigid_displacements import (
     UNITS,
     Pose,
@@ -31,6 +29,7 @@ from symscrew.formats.rigid_displacements import (
     scaled,
     turned_inertia,
 )
+from symscrew.formats.tree_freedoms import Freedom, cross_matrix, doubles, freedoms_of, ways_to
 from symscrew.reference import rotation_vector
 
 Array = np.ndarray[Any, Any]
@@ -45,30 +44,13 @@ DAMPING = 1e-10
 """Square of the singular values below which a direction is not used: redundant rows of loops have such."""
 
 
-@dataclass(frozen=True)
-class Freedom:
-    """A turn or slide of one joint, in the file's own pose; axis, point and cross products with the axis as doubles."""
-
-    joint: int
-    turns: bool
-    axis: Triple
-    point: Triple
-
-    @cached_property
-    def doubles(self) -> tuple[Array, Array, Array, Array]:
-        """Axis, point, and the matrices of one and of two cross products with the axis."""
-        axis, point = _numbers(self.axis), _numbers(self.point)
-        hat = _hat(axis)
-        return axis, point, hat, hat @ hat
-
-
 def assembled(draft: Draft, sides: Sequence[tuple[Side, Side, bool]]) -> dict[str, Pose]:
     """Displacement of every body that closes the loops best; the draft is moved along.
 
     `sides`: the two links of every loop with the pose of its frame in each, and whether it holds their turning, too.
     """
-    freedoms = [f for k, joint in enumerate(draft.joints) for f in _freedoms(k, joint)]
-    ways = _ways(draft, freedoms)
+    freedoms = [f for k, joint in enumerate(draft.joints) for f in freedoms_of(k, joint)]
+    ways = ways_to(draft, freedoms)
     q = np.zeros(len(freedoms))
     for _ in range(MOST_STEPS):
         residual, jacobian = _open(freedoms, ways, sides, q)
@@ -81,33 +63,6 @@ def assembled(draft: Draft, sides: Sequence[tuple[Side, Side, bool]]) -> dict[st
             break
         q = q + step * min(1.0, LONGEST / size)
     return _moved(draft, freedoms, ways, q)
-
-
-def _freedoms(index: int, joint: RawJoint) -> list[Freedom]:
-    kind = JOINT_TYPES[joint.type]
-    axes = kind.motion_axes(joint.axes, UNITS, plane_axes)
-    found: list[Freedom] = []
-    for motion in kind.motions:
-        along = UNITS if motion.spherical else (axes[motion.axis or 0],)
-        found += [Freedom(index, motion.turns, axis, joint.point) for axis in along]
-    return found
-
-
-def _ways(draft: Draft, freedoms: Sequence[Freedom]) -> dict[str, list[int]]:
-    """Body -> indices of the freedoms that carry it, from the ground outwards."""
-    own: dict[int, list[int]] = {}
-    for k, freedom in enumerate(freedoms):
-        own.setdefault(freedom.joint, []).append(k)
-    ways = {draft.ground: list[int]()}
-    waiting = list(enumerate(draft.joints))
-    while waiting:
-        ready = [(k, joint) for k, joint in waiting if joint.parent in ways]
-        if not ready:
-            break
-        for k, joint in ready:
-            ways[joint.child] = [*ways[joint.parent], *own.get(k, [])]
-        waiting = [entry for entry in waiting if entry not in ready]
-    return ways
 
 
 def _open(
@@ -123,9 +78,9 @@ def _open(
         ends, slopes = [], []
         for link, pose in (one, other):
             rotation, shift, screws = _pushed(freedoms, ways[link], q)
-            place = rotation @ _numbers(pose.translation) + shift
-            ends.append((rotation @ np.array([_numbers(row) for row in pose.rotation]), place))
-            slope, around = np.zeros((6, len(q))), _hat(place)
+            place = rotation @ doubles(pose.translation) + shift
+            ends.append((rotation @ np.array([doubles(row) for row in pose.rotation]), place))
+            slope, around = np.zeros((6, len(q))), cross_matrix(place)
             for k, (omega, linear) in screws.items():
                 slope[:3, k], slope[3:, k] = linear - around @ omega, omega
             slopes.append(slope)
@@ -149,7 +104,7 @@ def _pushed(
         axis, point, hat, twice = freedoms[k].doubles
         there, at = rotation @ axis, rotation @ point + shift
         if freedoms[k].turns:
-            screws[k] = (there, _hat(at) @ there)
+            screws[k] = (there, cross_matrix(at) @ there)
             turn = np.eye(3) + np.sin(q[k]) * hat + (1 - np.cos(q[k])) * twice
             shift = shift + rotation @ (point - turn @ point)
             rotation = rotation @ turn
@@ -157,15 +112,6 @@ def _pushed(
             screws[k] = (np.zeros(3), there)
             shift = shift + there * q[k]
     return rotation, shift, screws
-
-
-def _hat(vector: Array) -> Array:
-    x, y, z = vector
-    return np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
-
-
-def _numbers(vector: Triple) -> Array:
-    return np.array([float(c) for c in vector])
 
 
 def _moved(draft: Draft, freedoms: Sequence[Freedom], ways: Mapping[str, list[int]], q: Array) -> dict[str, Pose]:

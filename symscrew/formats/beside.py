@@ -11,13 +11,23 @@ from symscrew.formats.imported import Account, JointLimits
 Named = Callable[[str], tuple[str, int | None]]
 
 
+def loads_of(draft: Draft, points: Mapping[str, str]) -> tuple[Mapping[str, Any], ...]:
+    """The draft's wrenches; `points`: point of the file -> point of the mechanism."""
+    tables: list[dict[str, Any]] = []
+    for load in draft.loads:
+        table: dict[str, Any] = {"kind": "load", "point": points[load.point]}
+        more = {"axes": "body"} if load.wrench is None else {"wrench": [float(c) for c in load.wrench]}
+        tables.append({**table, **more})
+    return tuple(tables)
+
+
 def forces_of(draft: Draft, named: Named) -> tuple[Mapping[str, Any], ...]:
     """The draft's forces of joints; `named`: joint of the file -> (joint of the mechanism, freedom or None)."""
     tables: list[dict[str, Any]] = []
     for effect in draft.effects:
         joint, freedom = named(effect.joint)
         table = {"kind": effect.table["kind"], "joint": joint, **effect.table}
-        if freedom is not None:
+        if freedom is not None and "freedom" not in table:
             table["freedom"] = freedom
         tables.append(table)
     return tuple(tables)

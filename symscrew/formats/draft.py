@@ -55,6 +55,14 @@ class RawEffect:
     table: Mapping[str, Any]
 
 
+@dataclass(frozen=True)
+class RawLoad:
+    """A wrench at a named point: force [N] and moment [N m] in absolute axes, constant, or None: an input."""
+
+    point: str
+    wrench: tuple[Real, ...] | None = None
+
+
 @dataclass
 class Limits:
     """What a file says of the reach, speed and effort of a joint [rad or m, and per s; N m or N]; None: nothing."""
@@ -108,6 +116,7 @@ class Draft:
     points: list[tuple[str, str, Triple]] = field(default_factory=list)
     couplings: list[RawCoupling] = field(default_factory=list)
     effects: list[RawEffect] = field(default_factory=list)
+    loads: list[RawLoad] = field(default_factory=list)
     limits: dict[str, Limits] = field(default_factory=dict)
     ledger: Ledger = field(default_factory=Ledger)
     gravity: tuple[str, ...] | None = None

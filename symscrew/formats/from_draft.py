@@ -11,7 +11,7 @@ from collections.abc import Iterable, Mapping, Sequence
 
 from symscrew.description import Mechanism, MechanismBuilder
 from symscrew.errors import DescriptionError
-from symscrew.formats.beside import account_of, forces_of, limits_of
+from symscrew.formats.beside import account_of, forces_of, limits_of, loads_of
 from symscrew.formats.draft import Draft, RawBody, RawJoint
 from symscrew.formats.file_names import fresh, mechanism_name, printable, safe_names
 from symscrew.formats.import_options import ImportOptions
@@ -19,6 +19,7 @@ from symscrew.formats.imported import Imported
 from symscrew.formats.merged_joints import merged
 from symscrew.formats.physical_inertias import POINT_MASS, physical
 from symscrew.formats.rigid_displacements import ZERO, Real, Rotation, exact, exact_matrix, exact_vector
+from symscrew.formats.rigid_groups import settle_rigid_groups
 
 LONGEST_TEXT = 4000
 """Letters of a description or source, as in descriptions; a file's longer ones are cut off."""
@@ -28,6 +29,7 @@ def imported(draft: Draft, options: ImportOptions) -> Imported:
     """The validated mechanism with what is beside it; raises DescriptionError."""
     if not draft.joints:
         raise DescriptionError(f"{draft.origin}: it has no joints; expected at least one moving body")
+    settle_rigid_groups(draft)
     bodies, joints, parts = merged(draft)
     named_bodies = safe_names([draft.ground, *(body.name for body in bodies)])
     named_joints = safe_names(joint.name for joint in joints)
@@ -50,7 +52,7 @@ def imported(draft: Draft, options: ImportOptions) -> Imported:
 
     return Imported(
         made,
-        forces_of(draft, named),
+        forces_of(draft, named) + loads_of(draft, safe_names(name for name, _, _ in draft.points)),
         {named(joint)[0]: limits_of(found) for joint, found in draft.limits.items() if joint in places},
         {name: tuple(map(float, values)) for name, values in draft.configurations.items()},
         account,

@@ -14,9 +14,11 @@ class ImportOptions:
         repair: inertias that no body can have become the nearest that one can.
         accept: what is left out although numbers depend on it is left out all the same.
         floating: the root of a tree that stands on nothing moves freely in space.
+        exact: digits that mean an angle, a zero or a short decimal are that (`exact_digits`).
     """
 
     snap: float = 0.0
     repair: bool = False
     accept: bool = False
     floating: bool = False
+    exact: bool = False

@@ -23,6 +23,20 @@ class JointLimits:
 
 
 @dataclass(frozen=True)
+class Beside:
+    """What is written to a file beside its mechanism: forces as in `Imported`, limits, gravity [m/s^2].
+
+    `others` are effects that no file names, in words; what a file does not hold is left out where `accept` says so.
+    """
+
+    forces: tuple[Mapping[str, Any], ...] = ()
+    limits: Mapping[str, JointLimits] = field(default_factory=dict)
+    gravity: tuple[float, ...] | None = None
+    others: tuple[str, ...] = ()
+    accept: bool = False
+
+
+@dataclass(frozen=True)
 class Account:
     """What became of what a file says, how often it occurs; `changed`: numbers that are not the file's, in words."""
 
@@ -50,8 +64,9 @@ class Imported:
 
     Attributes:
         mechanism: bodies, joints, couplings.
-        forces: what the file says of forces at joints: kind (armature, damping, friction, spring, servo), the joint,
-            the freedom of a joint with several, and its numbers; see `symscrew.effects.effects_of_file`.
+        forces: what the file says of forces: kind (armature, damping, friction, spring, servo), the joint, the freedom
+            of a joint with several, and its numbers; kind load, the point, and the wrench where it is no input. See
+            `symscrew.effects.effects_of_file`.
         limits: joint -> its limits.
         configurations: name -> coordinates in the file's own order.
         account: what became of everything.

@@ -4,8 +4,9 @@
 
 Exact for a closed surface of triangles that are turned outwards. MuJoCo's default ("legacy") takes every tetrahedron
 from the surface's middle with a positive volume, which is the same for convex bodies only; both are here, as the file
-asks. Sources: https://mujoco.readthedocs.io/en/stable/XMLreference.html#asset-mesh; S. Lien and J. Kajiya, IEEE
-Computer Graphics and Applications 4, 1984, 35-42.
+asks, and a shell, whose mass is in the triangles. Sources:
+https://mujoco.readthedocs.io/en/stable/XMLreference.html#asset-mesh; S. Lien and J. Kajiya, IEEE Computer Graphics and
+Applications 4, 1984, 35-42.
 """
 
 from __future__ import annotations
@@ -20,6 +21,7 @@ import numpy as np
 
 from symscrew.errors import DescriptionError, did_you_mean, shorten
 from symscrew.formats.included_files import inside
+from symscrew.formats.mjcf_settings import Settings
 from symscrew.formats.rigid_displacements import Pose, Real, Rotation, Triple, from_quaternion, real, triple
 from symscrew.formats.safe_xml import Element, elements, label, numbers
 
@@ -32,7 +34,10 @@ NO_VOLUME = 1e-12
 
 @dataclass(frozen=True)
 class Bulk:
-    """Volume [m^3], centre [m] and integral of x x^T about the centre [m^5] of a body of density 1."""
+    """Volume [m^3], centre [m] and integral of x x^T about the centre [m^5] of a body of density 1.
+
+    Of a shell: area [m^2] and the integral over the surface [m^4].
+    """
 
     volume: Real
     centre: Triple
@@ -48,14 +53,14 @@ class Meshes:
     given: Mapping[str, Element]
 
     @classmethod
-    def of(cls, root: Element, path: Path, assets: str) -> Meshes:
+    def of(cls, root: Element, path: Path, settings: Settings) -> Meshes:
         """Of the <asset> sections."""
         given = {}
         for section in elements(root, "asset"):
             for mesh in elements(section, "mesh"):
                 name = mesh.get("name") or Path(mesh.get("file", "")).stem
-                given[name] = mesh
-        return cls(path.parent, assets, given)
+                given[name] = settings.with_defaults(mesh, "mesh")
+        return cls(path.parent, settings.assets, given)
 
     def bulk(self, name: str, where: str) -> Bulk:
         """The bulk of a mesh by its name; raises DescriptionError."""
@@ -63,7 +68,7 @@ class Meshes:
             raise DescriptionError(f"{where}: there is no mesh {shorten(name)}; {did_you_mean(name, self.given)}")
         mesh = self.given[name]
         kind = mesh.get("inertia", "legacy")
-        if kind not in ("legacy", "exact"):
+        if kind not in ("legacy", "exact", "shell"):
             raise DescriptionError(
                 f"{label(mesh)}: inertia={shorten(kind)} is not supported; write 'exact' or an <inertial>"
             )
@@ -80,35 +85,68 @@ class Meshes:
         back = Pose(from_quaternion(turn, label(mesh)), shift).inverse()
         rotation = np.array([[float(c) for c in row] for row in back.rotation])
         triangles = triangles @ rotation.T + np.array([float(c) for c in back.translation])
-        return bulk_of(triangles, where, legacy=kind == "legacy")
+        return shell_of(triangles, where) if kind == "shell" else bulk_of(triangles, where, legacy=kind == "legacy")
 
 
 def bulk_of(triangles: Array, where: str, *, legacy: bool = False) -> Bulk:
     """The bulk inside a surface of triangles (n, 3, 3) [m]; `legacy` takes all tetrahedra as positive, see above."""
     if not len(triangles) or not np.isfinite(triangles).all():
         raise DescriptionError(f"{where}: the mesh has no triangles, or numbers that are not finite")
-    corners = triangles.reshape(-1, 3)
-    middle = corners.mean(axis=0)
-    if legacy:
-        across = np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0])
-        areas = np.linalg.norm(across, axis=1)
-        middle = (triangles.mean(axis=1) * areas[:, None]).sum(axis=0) / areas.sum()
-    moved = triangles - middle
-    volumes = np.linalg.det(moved) / 6
-    volumes = np.abs(volumes) if legacy else volumes
-    volume = float(volumes.sum())
-    extent = float(np.ptp(corners, axis=0).max())
-    if abs(volume) < NO_VOLUME * extent**3:
-        raise DescriptionError(f"{where}: the mesh encloses no volume; give the body an <inertial>")
-    if volume < 0:
-        volume, volumes = -volume, -volumes
-    sums = moved.sum(axis=1)
-    centre = (volumes[:, None] * sums).sum(axis=0) / (4 * volume)
+    across = np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0])
+    areas = np.linalg.norm(across, axis=1)
+    apex = (triangles.mean(axis=1) * areas[:, None]).sum(axis=0) / areas.sum() if areas.any() else triangles[0, 0]
+    extent = float(np.ptp(triangles.reshape(-1, 3), axis=0).max())
+    for step in ("centre", "moments"):  # of an open or not convex surface, both depend on the apex, as in MuJoCo
+        moved = triangles - apex
+        volumes = np.linalg.det(moved) / 6
+        volumes = np.abs(volumes) if legacy else volumes
+        volume = float(volumes.sum())
+        if abs(volume) < NO_VOLUME * extent**3:
+            raise DescriptionError(f"{where}: the mesh encloses no volume; give the body an <inertial>")
+        sums = moved.sum(axis=1)
+        if step == "centre":
+            apex = apex + (volumes[:, None] * sums).sum(axis=0) / (4 * volume)
     # over a tetrahedron at the origin: integral of x x^T = V / 20 (s s^T + sum of c c^T)
     spread = np.einsum("n,ni,nj->ij", volumes, sums, sums) + np.einsum("n,nki,nkj->ij", volumes, moved, moved)
-    spread = spread / 20 - volume * np.outer(centre, centre)
+    sign = 1 if volume > 0 else -1  # triangles that are turned inwards
+    return _exactly(sign * volume, apex, sign * spread / 20)
+
+
+def shell_of(triangles: Array, where: str) -> Bulk:
+    """Area, centre and spread of a surface of triangles (n, 3, 3) [m]."""
+    if not len(triangles) or not np.isfinite(triangles).all():
+        raise DescriptionError(f"{where}: the mesh has no triangles, or numbers that are not finite")
+    across = np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0])
+    areas = np.linalg.norm(across, axis=1) / 2
+    area = float(areas.sum())
+    if area < NO_VOLUME * float(np.ptp(triangles.reshape(-1, 3), axis=0).max()) ** 2:
+        raise DescriptionError(f"{where}: the mesh has no area; give the body an <inertial>")
+    centre = (areas[:, None] * triangles.mean(axis=1)).sum(axis=0) / area
+    moved = triangles - centre
+    sums = moved.sum(axis=1)
+    # over a triangle: integral of x x^T = A / 12 (s s^T + sum of c c^T)
+    spread = np.einsum("n,ni,nj->ij", areas, sums, sums) + np.einsum("n,nki,nkj->ij", areas, moved, moved)
+    return _exactly(area, centre, spread / 12)
+
+
+def _exactly(size: float, centre: Array, spread: Array) -> Bulk:
     rows = [triple([repr(float(c)) for c in row]) for row in spread]
-    return Bulk(real(repr(volume)), triple([repr(float(c)) for c in middle + centre]), (rows[0], rows[1], rows[2]))
+    return Bulk(real(repr(size)), triple([repr(float(c)) for c in centre]), (rows[0], rows[1], rows[2]))
+
+
+def fitted(bulk: Bulk, kind: str) -> tuple[Pose, list[Real]]:
+    """Pose and sizes of the box, sphere, capsule, cylinder or ellipsoid with the moments of a mesh, as MuJoCo fits it.
+
+    Half the sides of the box of equal density with the same principal moments, longest along z, are averaged.
+    """
+    spread, columns = np.linalg.eigh(np.array([[float(c) for c in row] for row in bulk.spread]))
+    if np.linalg.det(columns) < 0:
+        columns[:, 0] = -columns[:, 0]
+    x, y, z = (float(np.sqrt(3 * max(s, 0.0) / float(bulk.volume))) for s in spread)
+    sizes = {"sphere": [(x + y + z) / 3], "capsule": [(x + y) / 2, max(0.0, z - (x + y) / 4)],
+             "cylinder": [(x + y) / 2, z], "ellipsoid": [x, y, z], "box": [x, y, z]}[kind]  # fmt: skip
+    rows = [triple([repr(float(c)) for c in row]) for row in columns]
+    return Pose((rows[0], rows[1], rows[2]), bulk.centre), [real(repr(size)) for size in sizes]
 
 
 def read_triangles(path: Path) -> Array:
@@ -140,7 +178,7 @@ def _stl(content: bytes) -> Array:
 
 
 def _obj(content: bytes) -> Array:
-    """Faces of `f` over vertices of `v`, in fans."""
+    """Faces of `f` over vertices of `v`, in fans; quadrilaterals along their shorter diagonal."""
     places: list[list[float]] = []
     corners: list[int] = []
     for line in content.decode("utf-8", errors="replace").splitlines():
@@ -150,10 +188,18 @@ def _obj(content: bytes) -> Array:
         elif words[:1] == ["f"]:
             index = [int(word.partition("/")[0]) for word in words[1:]]
             index = [k - 1 if k > 0 else len(places) + k for k in index]
+            if len(index) == 4 and _across(places, index[1], index[3]) < _across(places, index[0], index[2]):
+                index = index[1:] + index[:1]
             for k in range(1, len(index) - 1):
                 corners += [index[0], index[k], index[k + 1]]
-    found: Array = np.array(places, dtype=float).reshape(-1, 3)[np.array(corners, dtype=int)].reshape(-1, 3, 3)
+    single = np.array(places, dtype=np.float32).reshape(-1, 3)  # as engines store vertices, and STL files
+    found: Array = single[np.array(corners, dtype=int)].reshape(-1, 3, 3).astype(float)
     return found
+
+
+def _across(places: list[list[float]], a: int, b: int) -> float:
+    """Square of the distance of two vertices: quadrilaterals are divided along the shorter diagonal."""
+    return sum((x - y) ** 2 for x, y in zip(places[a], places[b], strict=True))
 
 
 def _written(mesh: Element) -> Array:

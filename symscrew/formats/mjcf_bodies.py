@@ -12,7 +12,7 @@ from dataclasses import dataclass, field, replace
 
 from symscrew.description import JOINT_TYPES
 from symscrew.errors import DescriptionError, shorten
-from symscrew.formats.draft import Draft, RawBody, RawJoint
+from symscrew.formats.draft import Draft, RawBody, RawJoint, RawLoad
 from symscrew.formats.file_names import fresh
 from symscrew.formats.merged_joints import one_joint
 from symscrew.formats.mesh_inertias import Meshes
@@ -37,6 +37,7 @@ from symscrew.formats.rigid_displacements import (
 )
 from symscrew.formats.safe_xml import Element, check_attributes, elements, label, number, numbers
 
+USUAL_GRAVITY = ("0", "0", "-9.81")
 IN_BODY = ("body", "frame", "joint", "freejoint", "geom", "site", "inertial", "camera", "light")
 
 
@@ -98,9 +99,7 @@ def _read_body(reading: Reading, element: Element, outer: Place) -> None:
     where = label(element)
     check_attributes(element, READ["body"])
     if element.get("mocap", "false") != "false":
-        raise DescriptionError(f"{where}: mocap bodies are not supported; remove the body or its mocap")
-    if number(element.get("gravcomp", "0"), f"{where}, gravcomp") != 0:
-        reading.result.ledger.lost("gravcomp of a body")
+        reading.result.ledger.passed("motion of mocap bodies, which stand still here")
     inherited = element.get("childclass") or outer.childclass
     name = element.get("name")
     if name in reading.poses:
@@ -113,9 +112,22 @@ def _read_body(reading: Reading, element: Element, outer: Place) -> None:
     own = [replace(part, pose=moved @ part.pose) for part in own]
     reading.poses[name] = pose
     place = Place(name, pose, inherited)
-    reading.result.bodies.append(_body(reading, name, own))
+    body = _body(reading, name, own)
+    _carry(reading.result, body, real(number(element.get("gravcomp", "0"), f"{where}, gravcomp")))
+    reading.result.bodies.append(body)
     reading.result.joints += joints
     read_children(reading, element, place)
+
+
+def _carry(draft: Draft, body: RawBody, share: Real) -> None:
+    """The force at the centre of mass that carries a share of the body's weight (gravcomp)."""
+    if share == 0 or body.mass is None or body.com is None:
+        return
+    field = [real(c) for c in draft.gravity or USUAL_GRAVITY]
+    point = fresh(f"{body.name}_com", [name for name, _, _ in draft.points])
+    draft.points.append((point, body.name, body.com))
+    draft.loads.append(RawLoad(point, (*(-share * body.mass * c for c in field), *ZERO)))
+    draft.ledger.turned("gravcomp: a force at the centre of mass")
 
 
 def _own(element: Element, inherited: str | None, pose: Pose, settings: Settings) -> list[Part]:

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from symscrew.errors import DescriptionError, shorten
-from symscrew.formats.mesh_inertias import Bulk, Meshes
+from symscrew.formats.mesh_inertias import Bulk, Meshes, fitted
 from symscrew.formats.mjcf_settings import Attributes, Settings, turn_to
 from symscrew.formats.rigid_displacements import (
     CONTEXT,
@@ -58,13 +58,19 @@ def solid(attributes: Attributes, settings: Settings, outer: Pose, *, where: str
         return _bulky(
             bulk, mass if mass is not None else density * bulk.volume, outer @ settings.pose(attributes, where)
         )
-    if kind not in SIZES or "mesh" in attributes or attributes.get("shellinertia", "false") != "false":
-        what = "shellinertia" if kind in SIZES and "mesh" not in attributes else f"a geom of type {shorten(kind)}"
+    if kind not in SIZES or attributes.get("shellinertia", "false") != "false":
+        what = "shellinertia" if kind in SIZES else f"a geom of type {shorten(kind)}"
         raise DescriptionError(
             f"{where}: the inertia of {what} is not computed here; give the body an <inertial> (and "
             'inertiafromgeom="false"), or the geom mass="0"'
         )
-    place, size = _placed(attributes, settings, kind, where)
+    if "mesh" in attributes:
+        if settings.fits_boxes or "fitscale" in attributes:
+            raise DescriptionError(f"{where}: a {kind} fitted to the bounds of a mesh is not supported; give its size")
+        place, size = fitted(meshes.bulk(attributes["mesh"], where), kind)
+        place = settings.pose(attributes, where) @ place
+    else:
+        place, size = _placed(attributes, settings, kind, where)
     volume, radii = _volume_and_radii(kind, size)
     total = mass if mass is not None else density * volume
     x, y, z = (total * radius for radius in radii)

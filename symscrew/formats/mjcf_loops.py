@@ -8,13 +8,13 @@ the line through their points, a weld a fixed joint. All must hold in the refere
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 from symscrew.errors import DescriptionError, did_you_mean, shorten
-from symscrew.formats.draft import Ledger, RawJoint
+from symscrew.formats.draft import RawJoint
 from symscrew.formats.file_names import fresh
-from symscrew.formats.mjcf_settings import ACTUATORS, Settings
+from symscrew.formats.mjcf_settings import Settings
 from symscrew.formats.open_loops import CLOSED, Closing
 from symscrew.formats.rigid_displacements import (
     Pose,
@@ -26,9 +26,6 @@ from symscrew.formats.rigid_displacements import (
     unit,
 )
 from symscrew.formats.safe_xml import Element, attribute, elements, label, numbers
-
-ON_OTHERS = ("tendon", "site", "body", "slidersite", "cranksite", "refsite")
-"""What an actuator may act on in place of a joint."""
 
 
 @dataclass(frozen=True)
@@ -141,31 +138,3 @@ def _check_weld(element: Element, placed: Placed, wanted: Pose, found: Pose) -> 
     """That two poses are one, up to rounding: a fixed joint holds what the reference configuration has."""
     turned = max(length(minus(a, b)) for a, b in zip(wanted.rotation, found.rotation, strict=True))
     placed.closing.accept(label(element), max(length(minus(wanted.translation, found.translation)), turned))
-
-
-def driven_freedoms(root: Element, settings: Settings, ledger: Ledger) -> dict[str, tuple[int, ...]]:
-    """Joint -> its freedoms that an actuator drives, by the gear where there are several.
-
-    Actuators on anything else drive no freedom of their own; the ledger has them.
-    """
-    found: dict[str, set[int]] = {}
-    for section in elements(root, "actuator"):
-        for element in elements(section):
-            if element.tag not in ACTUATORS:
-                raise DescriptionError(f"{label(element)} in <actuator>: only actuators of joints are supported")
-            given = settings.actuator(element)
-            name = given.get("joint") or given.get("jointinparent")
-            if name is None:
-                what = next((key for key in ON_OTHERS if key in given), "nothing that is known")
-                ledger.lost(f"<{element.tag}> actuators on a {what}: they drive no joint of their own")
-                continue
-            gear = numbers(given.get("gear", "1"), f"{label(element)}, gear")
-            found.setdefault(name, set()).update(_geared(gear, label(element)))
-    return {name: tuple(sorted(indices)) for name, indices in found.items()}
-
-
-def _geared(gear: Sequence[object], where: str) -> list[int]:
-    indices = [k for k, value in enumerate(gear) if value != 0]
-    if len(indices) != 1:
-        raise DescriptionError(f"{where}, gear: expected one entry that is not zero, got {len(indices)}")
-    return indices

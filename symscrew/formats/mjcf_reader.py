@@ -13,18 +13,22 @@ Source: https://mujoco.readthedocs.io/en/stable/XMLreference.html.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from pathlib import Path
 
 from symscrew.errors import DescriptionError, did_you_mean, shorten
 from symscrew.formats.draft import Draft
+from symscrew.formats.exact_digits import with_exact_digits
 from symscrew.formats.import_options import ImportOptions
 from symscrew.formats.included_files import expanded
 from symscrew.formats.mesh_inertias import Meshes
+from symscrew.formats.mjcf_actuators import Actuators, actuator_forces
 from symscrew.formats.mjcf_bodies import Place, Reading, read_children
 from symscrew.formats.mjcf_couplings import Tied, raw_coupling, read_couplings
-from symscrew.formats.mjcf_forces import actuator_forces
-from symscrew.formats.mjcf_loops import Placed, driven_freedoms, loops
+from symscrew.formats.mjcf_loops import Placed, loops
+from symscrew.formats.mjcf_masses import settle_masses
 from symscrew.formats.mjcf_settings import settings
+from symscrew.formats.mjcf_transmissions import add_pulleys, tendon_forces, transmissions
 from symscrew.formats.open_loops import Closing
 from symscrew.formats.rigid_displacements import ZERO, Pose, Real, length, minus, real
 from symscrew.formats.safe_xml import Element, attribute, check_attributes, elements, label, number, numbers
@@ -50,25 +54,30 @@ def read_mjcf(root: Element, path: Path, options: ImportOptions) -> Draft:
     texts = {t.get("name"): t.get("data") or "" for c in elements(root, "custom") for t in elements(c, "text")}
     ground = texts.get("symscrew_ground", WORLD)
     result = Draft(model, ground, f"imported from the MJCF {path.name}", texts.get("symscrew_description", ""))
+    root = with_exact_digits(root, result.ledger) if options.exact else root
     _check_sections(root, result)
     chosen = settings(root, result)
     if "symscrew_characteristic_length" in texts:
         result.characteristic_length = real(number(texts["symscrew_characteristic_length"], "<custom>, length"))
     ties = read_couplings(root, chosen)
+    pulled = transmissions(root, chosen, ties)
+    actuators = Actuators.of(root, chosen, pulled)
     reading = Reading(
         chosen,
         {next(iter(tied.first)): tied for tied in ties if tied.screw and not tied.powers[0]},
-        driven_freedoms(root, chosen, result.ledger),
+        actuators.driven(),
         result,
-        Meshes.of(root, path, chosen.assets),
+        Meshes.of(root, path, chosen),
         displaced=_offsets(ties),
     )
     reading.poses[ground] = Pose()
     for world in elements(root, "worldbody"):
         check_attributes(world, ("name", "childclass"))
         read_children(reading, world, Place(ground, Pose(), world.get("childclass")))
-    _check_all_found(reading)
-    actuator_forces(result, root, chosen)
+    settle_masses(result, chosen, reading.poses)
+    _check_all_found(reading, pulled.pulleys.values())
+    tendon_forces(result, pulled, reading.values)
+    actuator_forces(result, actuators, reading.sites, displaced=any(reading.displaced.values()))
     extent = _extent(result)
     result.joints += loops(
         root, chosen, Placed(reading.poses, reading.sites, ground, Closing(result.ledger, extent, options.snap))
@@ -76,6 +85,7 @@ def read_mjcf(root: Element, path: Path, options: ImportOptions) -> Draft:
     result.couplings += [
         raw_coupling(t, reading.values) for t in ties if next(iter(t.first)) not in reading.made_screws
     ]
+    add_pulleys(result, pulled, reading.values, reading.driven)
     result.configurations = _keyframes(root, reading)
     platform = texts.get("symscrew_platform")
     parents = {joint.parent for joint in result.joints}
@@ -92,21 +102,8 @@ def _check_sections(root: Element, result: Draft) -> None:
                 result.ledger.passed(f"<{child.tag}>")
         elif child.tag in WITH_INFLUENCE and len(child):
             result.ledger.lost(f"<{child.tag}>")
-        elif child.tag == "tendon":
-            _check_tendons(child, result)
         elif child.tag not in (*SECTIONS, *WITHOUT_MECHANICS) and (len(child) or child.attrib):
             raise DescriptionError(f"<{child.tag}>: this element of MJCF is not supported; remove it")
-
-
-def _check_tendons(section: Element, result: Draft) -> None:
-    """Tendons are couplings where an equality names them; forces along them are left out."""
-    for tendon in elements(section):
-        given = [key for key in ("stiffness", "damping", "frictionloss", "armature") if key in tendon.attrib]
-        moving = [key for key in given if any(v != 0 for v in numbers(tendon.attrib[key], f"{label(tendon)}, {key}"))]
-        for key in moving:
-            result.ledger.lost(f"{key} of a tendon")
-        if "range" in tendon.attrib:
-            result.ledger.passed("range of a tendon")
 
 
 def _offsets(ties: list[Tied]) -> dict[str, Real]:
@@ -122,8 +119,8 @@ def _offsets(ties: list[Tied]) -> dict[str, Real]:
     return found
 
 
-def _check_all_found(reading: Reading) -> None:
-    names = {joint.name for joint in reading.result.joints} | reading.seen
+def _check_all_found(reading: Reading, pulleys: Iterable[str]) -> None:
+    names = {joint.name for joint in reading.result.joints} | reading.seen | set(pulleys)
     for name in reading.driven:
         if name not in names:
             raise DescriptionError(f"<actuator>: there is no joint {shorten(name)}; {did_you_mean(name, names)}")

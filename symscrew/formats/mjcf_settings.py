@@ -7,6 +7,7 @@ refused by name, so that nothing that changes the mechanics is passed over.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from copy import copy
 from dataclasses import dataclass, field
 from decimal import Decimal
 
@@ -66,14 +67,15 @@ READ: dict[str, tuple[str, ...]] = {
 # attributes of <compiler>: with the values that are supported; that must be zero; that do not change the mechanics
 COMPILER = {
     "angle": ("degree", "radian"), "coordinate": ("local",), "inertiafromgeom": ("false", "true", "auto"),
-    "balanceinertia": ("false",), "alignfree": ("false",),
+    "balanceinertia": ("false", "true"), "alignfree": ("false",),
 }  # fmt: skip
-COMPILER_ZERO = ("boundmass", "boundinertia")
+COMPILER_MASSES = ("boundmass", "boundinertia", "settotalmass")
 COMPILER_FREE = (
     "autolimits", "strippath", "meshdir", "texturedir", "assetdir", "discardvisual", "usethread", "fusestatic",
     "convexhull", "saveinertial", "fitaabb", "exactmeshinertia", "conflict",
 )  # fmt: skip
 CHECKED_DEFAULTS = ("joint", "geom", "site", "equality")
+OTHER_DEFAULTS = ("tendon", "mesh")
 ACTUATORS = (
     "motor", "position", "velocity", "intvelocity", "damper", "cylinder", "muscle", "general", "dcmotor", "adhesion",
 )  # fmt: skip
@@ -93,6 +95,11 @@ class Settings:
     defaults: Mapping[str, Mapping[str, Attributes]] = field(default_factory=dict)
     assets: str = "."
     auto_limits: bool = True
+    fits_boxes: bool = False
+    least_mass: Real = 0
+    least_inertia: Real = 0
+    balanced: bool = False
+    total_mass: Real = 0
 
     def merged(self, element: Element, kind: str, inherited: str | None) -> dict[str, str]:
         """The attributes of an element over those of its class (its own, its body's, or the main one)."""
@@ -113,6 +120,12 @@ class Settings:
             )
         found = self.defaults[name]
         return {**found.get("general", {}), **found.get(element.tag, {}), **element.attrib}
+
+    def with_defaults(self, element: Element, kind: str) -> Element:
+        """An element, a tendon or a mesh, with the attributes of its class; none of them is refused."""
+        whole = copy(element)
+        whole.attrib = {**self.defaults.get(element.get("class") or "main", {}).get(kind, {}), **element.attrib}
+        return whole
 
     def angle(self, value: Decimal) -> Real:
         """An angle of the file [rad]; whole degrees that have round sines give these."""
@@ -181,6 +194,11 @@ def settings(root: Element, draft: Draft) -> Settings:
         defaults=found,
         assets=given.get("meshdir") or given.get("assetdir") or ".",
         auto_limits=given.get("autolimits", "true") == "true",
+        fits_boxes=given.get("fitaabb", "false") == "true",
+        least_mass=real(given.get("boundmass", "0")),
+        least_inertia=real(given.get("boundinertia", "0")),
+        balanced=given.get("balanceinertia", "false") == "true",
+        total_mass=real(given.get("settotalmass", "-1")),
     )
     for option in elements(root, "option"):
         _option(option, draft)
@@ -188,15 +206,13 @@ def settings(root: Element, draft: Draft) -> Settings:
 
 
 def _check_compiler(compiler: Element) -> None:
-    known = (*COMPILER, *COMPILER_ZERO, *COMPILER_FREE, "settotalmass", "eulerseq", "inertiagrouprange")
+    known = (*COMPILER, *COMPILER_MASSES, *COMPILER_FREE, "eulerseq", "inertiagrouprange")
     check_attributes(compiler, known)
     for key, value in compiler.attrib.items():
         if key in COMPILER and value not in COMPILER[key]:
             raise DescriptionError(f"<compiler>: {key}={shorten(value)} is not supported; {' or '.join(COMPILER[key])}")
-        if key in COMPILER_ZERO and number(value, f"<compiler>, {key}") != 0:
-            raise DescriptionError(f"<compiler>: {key} is not supported; write masses and inertias out")
-        if key == "settotalmass" and number(value, f"<compiler>, {key}") > 0:
-            raise DescriptionError("<compiler>: settotalmass is not supported; write the masses out")
+        if key in COMPILER_MASSES:
+            number(value, f"<compiler>, {key}")
     for child in elements(compiler):
         if child.tag != "lengthrange":
             raise DescriptionError(f"<compiler>: the element <{child.tag}> is not supported")
@@ -211,7 +227,7 @@ def _read_defaults(default: Element, found: dict[str, dict[str, dict[str, str]]]
     for child in elements(default):
         if child.tag in CHECKED_DEFAULTS:
             check_attributes(child, READ[child.tag], f"<default class={shorten(name)}>, <{child.tag}>")
-        if child.tag in (*CHECKED_DEFAULTS, *ACTUATORS):
+        if child.tag in (*CHECKED_DEFAULTS, *ACTUATORS, *OTHER_DEFAULTS):
             values[child.tag] = {**values.get(child.tag, {}), **child.attrib}
     found[name] = values
     for child in elements(default, "default"):

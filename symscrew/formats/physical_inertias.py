@@ -5,7 +5,9 @@ principal moments a <= b <= c of a body: a >= 0, a + b >= c
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
+from typing import Any
 
 import mpmath
 
@@ -26,13 +28,10 @@ def physical(body: RawBody, ledger: Ledger, *, repair: bool) -> RawBody:
     Raises:
         DescriptionError: the inertia is impossible, or the mass negative.
     """
-    if body.mass is None or body.inertia is None:
+    found = _principal(body)
+    if found is None or not impossible(body):
         return body
-    rows = CONTEXT.matrix([[(body.inertia[i][j] + body.inertia[j][i]) / 2 for j in range(3)] for i in range(3)])
-    moments, columns = CONTEXT.eigsy(rows)
-    a, b, c = (moments[k] for k in range(3))
-    if max(abs(a), abs(c)) < POINT_MASS * body.mass or (a >= -ROUNDING * c and a + b - c >= -ROUNDING * c):
-        return body
+    (a, b, c), _ = found
     mended = _nearest(a, b, c)
     change = max(abs(x - y) for x, y in zip((a, b, c), mended, strict=True))
     text = f"{mpmath.nstr(change, 3)} kg m^2 of {mpmath.nstr(c, 3)}"
@@ -43,6 +42,18 @@ def physical(body: RawBody, ledger: Ledger, *, repair: bool) -> RawBody:
             f"nearest possible ones, which differ by {text}"
         )
     ledger.changed.append(f"inertia of {body.name}: its principal moments are the nearest possible ones, by {text}")
+    return turned_moments(body, lambda *_: mended)
+
+
+def turned_moments(body: RawBody, change: Callable[[Real, Real, Real], tuple[Real, Real, Real]]) -> RawBody:
+    """The body with other principal moments about the same axes: `change` makes them of its own, ascending."""
+    found = _principal(body)
+    if found is None:
+        return body
+    moments, columns = found
+    mended = change(*moments)
+    if mended == moments:
+        return body
     axes = tuple(tuple(columns[i, k] for k in range(3)) for i in range(3))
     turn: Rotation = (
         (axes[0][0], axes[0][1], axes[0][2]),
@@ -52,6 +63,25 @@ def physical(body: RawBody, ledger: Ledger, *, repair: bool) -> RawBody:
     zero = CONTEXT.mpf(0)
     diagonal: Rotation = ((mended[0], zero, zero), (zero, mended[1], zero), (zero, zero, mended[2]))
     return replace(body, inertia=product(product(turn, diagonal), transposed(turn)))
+
+
+def impossible(body: RawBody) -> bool:
+    """Whether no body has the principal moments of this one, beyond rounding."""
+    found = _principal(body)
+    if found is None or body.mass is None:
+        return False
+    a, b, c = found[0]
+    small = max(abs(a), abs(c)) < POINT_MASS * body.mass
+    return not small and not (a >= -ROUNDING * c and a + b - c >= -ROUNDING * c)
+
+
+def _principal(body: RawBody) -> tuple[tuple[Real, Real, Real], Any] | None:
+    """Principal moments, ascending, and axes as columns; None for a body without mass."""
+    if body.mass is None or body.inertia is None:
+        return None
+    rows = CONTEXT.matrix([[(body.inertia[i][j] + body.inertia[j][i]) / 2 for j in range(3)] for i in range(3)])
+    moments, columns = CONTEXT.eigsy(rows)
+    return (moments[0], moments[1], moments[2]), columns
 
 
 def _nearest(a: Real, b: Real, c: Real) -> tuple[Real, Real, Real]:

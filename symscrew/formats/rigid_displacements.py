@@ -29,6 +29,8 @@ a file's 1e-17 for zero, are kept; those of rotations are snapped."""
 SNAP = CONTEXT.mpf(5) * CONTEXT.mpf(10) ** -15
 """An entry of an elementary rotation this close to a round value is that: half a unit of the 15th digit of a right
 angle in a file. Further off it stays what the file says, which is a different mechanism by that much."""
+UNIT = CONTEXT.mpf(10) ** -40
+"""Square of a row's length less 1 beyond which round entries do not belong together: others are exact to 50 digits."""
 NO_DIRECTION = CONTEXT.mpf(10) ** -12
 """A vector shorter than this gives no direction: it is refused, since its digits would be rounding of a zero."""
 NO_QUATERNION = CONTEXT.mpf(10) ** -20
@@ -168,8 +170,13 @@ def from_quaternion(quaternion: Sequence[Real], where: str) -> Rotation:
 
 
 def snapped(rotation: Rotation) -> Rotation:
-    """A rotation whose entries near round values are these."""
+    """A rotation whose entries near round values are these, where its rows then are unit vectors.
+
+    A cosine is near 1 up to angles of 1e-7, whose sines are no rounding: such rows stay as they are.
+    """
     rows = [tuple(_snap(entry) for entry in row) for row in rotation]
+    if any(abs(dot(row, row) - 1) > UNIT for row in rows):
+        return rotation
     return (rows[0], rows[1], rows[2])
 
 

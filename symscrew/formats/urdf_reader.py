@@ -19,7 +19,8 @@ from pathlib import Path
 
 from symscrew.description import JOINT_TYPES
 from symscrew.errors import DescriptionError, did_you_mean, shorten
-from symscrew.formats.draft import Draft, RawBody, RawCoupling, RawJoint
+from symscrew.formats.draft import Draft, Ledger, RawBody, RawCoupling, RawJoint
+from symscrew.formats.exact_digits import with_exact_digits
 from symscrew.formats.file_names import fresh
 from symscrew.formats.import_options import ImportOptions
 from symscrew.formats.open_loops import Closing
@@ -63,6 +64,8 @@ def read_urdf(root: Element, path: Path, options: ImportOptions) -> Draft:
         path: of the file: its name is in the mechanism's `source`, a robot.yaml beside it is read.
         options: what else is accepted.
     """
+    ledger = Ledger()
+    root = with_exact_digits(root, ledger) if options.exact else root
     links = _named(elements(root, "link"), "link")
     joints = _named((joint for joint in elements(root, "joint") if not is_loop(joint)), "joint")
     if not links:
@@ -72,19 +75,19 @@ def read_urdf(root: Element, path: Path, options: ImportOptions) -> Draft:
     if len(roots) != 1:
         found = "none: the joints go in a circle" if not roots else ", ".join(shorten(name) for name in roots[:5])
         raise DescriptionError(f"<robot>: expected one link that is no joint's child, found {found}")
-    mimics = _mimics(joints)
+    mimics = _mimics(joints, ledger)
     offsets = _offsets(mimics)
     poses = _poses(roots[0], joints, offsets)
     lost = next((name for name in links if name not in poses), None)
     if lost is not None:
         raise DescriptionError(f"{label(links[lost])}: no chain of joints leads to it from {shorten(roots[0])}")
     name = root.get("name") or "robot"
-    result = Draft(name, roots[0], f"imported from the URDF {path.name}", f"robot {name}")
-    driven, noted = _driven(root, joints, mimics)
+    result = Draft(name, roots[0], f"imported from the URDF {path.name}", f"robot {name}", ledger=ledger)
+    driven, noted = _driven(root, joints, mimics, ledger)
     result.bodies += [_body(link, poses[name]) for name, link in links.items() if name != roots[0]]
     result.joints += [_joint(joint, poses, driven, offsets) for joint in joints.values()]
     _couple(result, mimics)
-    if options.floating:
+    if options.floating or not joints:
         _set_free(result, _body(links[roots[0]], poses[roots[0]]), joints)
     elif list(elements(links[roots[0]], "inertial")):
         result.ledger.passed("inertia of the root link, which is the ground (--floating frees it)")
@@ -106,7 +109,7 @@ def read_urdf(root: Element, path: Path, options: ImportOptions) -> Draft:
     return result
 
 
-def _mimics(joints: Mapping[str, Element]) -> dict[str, tuple[str, Real, Real]]:
+def _mimics(joints: Mapping[str, Element], ledger: Ledger) -> dict[str, tuple[str, Real, Real]]:
     """Joint -> (the one that it follows, multiplier, offset)."""
     found = {}
     for name, joint in joints.items():
@@ -114,10 +117,11 @@ def _mimics(joints: Mapping[str, Element]) -> dict[str, tuple[str, Real, Real]]:
             where = f"{label(joint)}, mimic"
             check_attributes(mimic, ("joint", "multiplier", "offset"), where)
             other = mimic.get("joint", "")
-            if other not in joints or other == name:
-                raise DescriptionError(
-                    f"{where}: there is no other joint {shorten(other)}; {did_you_mean(other, joints)}"
-                )
+            if other == name:
+                raise DescriptionError(f"{where}: expected another joint than itself")
+            if other not in joints:
+                ledger.lost(f"<mimic> of {shorten(name)}, which names no joint of the file: {shorten(other)}")
+                continue
             for one in (name, other):
                 if joints[one].get("type") not in SINGLE:
                     raise DescriptionError(f"{where}: {shorten(one)} has not one coordinate: {', '.join(SINGLE)} have")
@@ -279,7 +283,9 @@ def _joint(joint: Element, poses: Mapping[str, Pose], driven: Sequence[str], off
     )  # fmt: skip
 
 
-def _driven(root: Element, joints: Mapping[str, Element], mimics: Mapping[str, object]) -> tuple[list[str], list[str]]:
+def _driven(
+    root: Element, joints: Mapping[str, Element], mimics: Mapping[str, object], ledger: Ledger
+) -> tuple[list[str], list[str]]:
     """Names of the driven joints, and a note about how they were found."""
     single = [name for name, j in joints.items() if j.get("type") in SINGLE and name not in mimics]
     transmissions = list(elements(root, "transmission"))
@@ -293,11 +299,9 @@ def _driven(root: Element, joints: Mapping[str, Element], mimics: Mapping[str, o
         j for c in controls for j in elements(c, "joint") if any(True for _ in elements(j, "command_interface"))
     ]
     named += [attribute(joint, "name") for joint in commanded]
-    for name in named:
-        if name not in joints:
-            raise DescriptionError(
-                f"<transmission> or <ros2_control>: no joint {shorten(name)}; {did_you_mean(name, joints)}"
-            )
+    for name in [name for name in named if name not in joints]:
+        ledger.lost(f"drive of {shorten(name)}, which is no joint of the file ({did_you_mean(name, joints)})")
+    named = [name for name in named if name in joints]
     idle = [name for name in named if name not in single]
     notes = ["not taken over: drives of joints that have not one freedom: " + ", ".join(idle)] if idle else []
     return [name for name in named if name in single], notes

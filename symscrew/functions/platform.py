@@ -11,8 +11,8 @@ from symscrew.effects import Effect
 from symscrew.functions.checked import SUFFIX, motion_size
 from symscrew.functions.closing import closed, guarded
 from symscrew.functions.dynamic import Equations
-from symscrew.functions.ports import a_port, function, q_port, v_port
-from symscrew.kinematics import Row, System, Turn
+from symscrew.functions.ports import a_port, function, q_port, u_port, v_port
+from symscrew.kinematics import Row, System, Turn, cut_displacement, tree_displacement
 from symscrew.loops import (
     CrankLimb,
     LengthRow,
@@ -31,7 +31,7 @@ from symscrew.program import OUT_OF_REACH, Function, NodeLimit, Port, roots_of
 def platform_functions(
     system: System, effects: Sequence[Effect], loops: Loops, *, checked: bool = False
 ) -> list[Function]:
-    """`inverse_kinematics`, `inverse_velocity`, `inverse_dynamics_platform`; none without closed forms.
+    """`inverse_kinematics`, `drive_positions`, `inverse_velocity`, `inverse_dynamics_platform`; only by closed forms.
 
     The pose is always looked at. `checked`: also variants of the others that look at rates and accelerations.
     """
@@ -64,6 +64,7 @@ def platform_functions(
             inputs=[(pose, q_in)],
             outputs=[(q_port(system), found.q)],
         ),
+        *_drive_positions(placed, (pose, q_in)),
         function(
             system,
             "inverse_velocity",
@@ -85,7 +86,26 @@ def platform_functions(
     rows = left_open(placed, limbs, found.openings)
     result = _limited(result, found.reach, closed(system, rows))
     moving = placed.at(found.q, found.turns, shortest.v, shortest.a)
-    return [*result, *(_looking(result[k], moving, rows, second=k > 1) for k in range(1, len(result)) if checked)]
+    moves = [f for f in result if any(port.name == "rate" for port in f.inputs)]
+    return [*result, *(_looking(f, moving, rows, second=len(f.inputs) > 2) for f in moves if checked)]
+
+
+def _drive_positions(placed: System, pose: tuple[Port, list[Node]]) -> list[Function]:
+    """What the motors are to be at for a pose: their coordinates alone, in the order of the drives."""
+    values = []
+    for joint, freedom in placed.drives:
+        if joint in placed.tree.joints:
+            values.append(tree_displacement(placed, placed.mechanism.joints[joint])[freedom])
+        else:
+            cut = next(cut for cut in placed.cuts if cut.joint.name == joint)
+            values.append(cut_displacement(placed, cut)[freedom])
+    if not values:
+        return []
+    force = u_port(placed)
+    units = tuple("m" if unit == "N" else "rad" for unit in force.units)
+    port = Port("positions", force.shape, units, force.labels, "coordinates of the driven freedoms")
+    text = "Coordinates of the drives from the platform's own, limbs in closed form."
+    return [function(placed, "drive_positions", text, inputs=[pose], outputs=[(port, values)])]
 
 
 def _limited(

@@ -37,6 +37,18 @@ class Quantity:
     definitions: tuple[tuple[sympy.Symbol, sympy.Expr], ...]
     symbols: tuple[tuple[sympy.Symbol, str, str, str], ...]
 
+    def __repr__(self) -> str:
+        rows, columns = self.matrix.shape
+        return f"Quantity({self.name}: {rows} x {columns}, {len(self.definitions)} intermediate symbols)"
+
+    def _repr_latex_(self) -> str:
+        return "$$\\begin{gathered}\n" + self.latex() + "\n\\end{gathered}$$"
+
+    def _latex(self, printer: object) -> str:
+        """What `sympy.latex` prints of it: the matrix in the inputs alone, as one expression can hold it."""
+        names = {symbol: text for symbol, text, _, _ in self.symbols}
+        return str(sympy.latex(self.substituted(), symbol_names=names))
+
     def substituted(self) -> sympy.Matrix:
         """The matrix in the inputs alone; nothing is simplified."""
         known: dict[sympy.Symbol, sympy.Expr] = {}
@@ -64,6 +76,9 @@ class Quantities:
         self.system = System(self.mechanism)
         self.motion = Motion(self.system)
         self._screws = all_joint_screws(self.system, self.motion)
+
+    def __repr__(self) -> str:
+        return f"Quantities({self.mechanism.name!r}: joints, limbs, bodies and cut joints by name)"
 
     def joint_screws(self, joint: str) -> Quantity:
         """Unit screws of a joint as columns (omega ; v), 6 x freedoms, eq. (5)."""

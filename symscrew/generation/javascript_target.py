@@ -11,7 +11,7 @@ import numpy as np
 
 from symscrew.export import print_javascript
 from symscrew.generation.target_file import Case, Finding, Order
-from symscrew.generation.value_comparison import Results, compare_values
+from symscrew.generation.value_comparison import Results, compare_values, first_path
 
 LIMIT = 120  # seconds for the functions of a model at their test states, which take milliseconds
 NODE = """
@@ -61,10 +61,4 @@ def compare(case: Case) -> Iterator[Finding]:
         arrays = tuple(np.array([row[p.name] for row in rows], dtype=float).reshape(-1, p.size) for p in ports)
         return arrays, np.array([row["status"] for row in rows])
 
-    yield compare_values("JavaScript", model, {name: _first_path(*found) for name, found in expected.items()}, evaluate)
-
-
-def _first_path(arrays: tuple[np.ndarray, ...], status: np.ndarray) -> Results:
-    """Results of code without a second path: near a small pivot NaN and status 1."""
-    second = np.asarray(status) < 0
-    return tuple(np.where(second[..., None], np.nan, array) for array in arrays), np.where(second, 1, status)
+    yield compare_values("JavaScript", model, {name: first_path(*found) for name, found in expected.items()}, evaluate)

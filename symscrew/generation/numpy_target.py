@@ -19,11 +19,11 @@ def files(order: Order) -> Mapping[str, str]:
 
 def compare(case: Case) -> Iterator[Finding]:
     """The module, imported from the file just generated."""
-    module = _imported(case.fresh / f"{case.model.name}_numpy.py")
+    module = imported(case.fresh / f"{case.model.name}_numpy.py")
     yield compare_values("NumPy module", case.model, case.expected, lambda name, x: getattr(module, name)(*x))
 
 
-def _imported(path: Path) -> ModuleType:
+def imported(path: Path) -> ModuleType:
     """A module from a file, without entering it among the imported modules."""
     spec = importlib.util.spec_from_file_location(path.stem, path)
     assert spec is not None and spec.loader is not None

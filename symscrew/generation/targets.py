@@ -59,7 +59,13 @@ ROOM = "symscrew.generation"
 C = "`{0}.h` and sources: C99; `{0}.hpp`: the same for C++17; `example.c`, `CMakeLists.txt`: a program to start from"
 EXTERNAL = "`{0}_external.c`, `{0}_jacobians.h`, `{0}_jacobians.c`: the C code as external functions of CasADi"
 REDUCED = "`{0}_reduced.c`, `{0}_ode.casadi`, `{0}_configuration.casadi`: the motion in y alone, for CasADi and acados"
+JAX = "`{0}_jax.py`: JAX functions with derivatives of every order, under jit, vmap, grad"
+CUDA = "`{0}.cu`, `{0}_cuda.h`: CUDA kernels, one thread a state; the same file compiles as C++"
 UNIT = "`{0}.fmu`: functional mock-up unit, FMI 3.0, co-simulation and model exchange, C sources only"
+RUST = "`{0}.rs`, `Cargo.toml`: a crate for Rust 1.63 and later, no_std, without unsafe and allocation"
+LINUXCNC = "`{0}kins.c`, `{0}_drives.h`, `{0}_drives.c`: kinematics module of LinuxCNC, for `halcompile`"
+TEXT = "`{0}.st`: function blocks in structured text, IEC 61131-3, for CODESYS, TwinCAT and others"
+ROS = "`{0}_kinematics.hpp`: C++17 without ROS; `{0}_transmission.hpp`, `package.xml` ...: a package of ros2_control"
 BOTH = ("double", "single")
 
 TARGETS: dict[str, Target] = {
@@ -69,6 +75,12 @@ TARGETS: dict[str, Target] = {
     "external": Target(f"{ROOM}.external_target", EXTERNAL, brings=("c",)),
     "reduced": Target(f"{ROOM}.reduced_target", REDUCED, brings=("c",), by_value=(".casadi",)),
     "javascript": Target(f"{ROOM}.javascript_target", "`{0}.js`: JavaScript for a page or Node"),
+    "rust": Target(f"{ROOM}.rust_target", RUST, precisions=BOTH),
+    "linuxcnc": Target(f"{ROOM}.linuxcnc_target", LINUXCNC),
+    "jax": Target(f"{ROOM}.jax_target", JAX),
+    "cuda": Target(f"{ROOM}.cuda_target", CUDA, precisions=BOTH),
+    "st": Target(f"{ROOM}.structured_text_target", TEXT),
+    "ros2": Target(f"{ROOM}.ros2_target", ROS),
     "fmu": Target(f"{ROOM}.fmu_target", UNIT),
     "mjcf": Target(f"{ROOM}.mjcf_target", "`{0}.xml`: MJCF for MuJoCo, loops as equality constraints"),
     "urdf": Target(f"{ROOM}.urdf_target", "`{0}.urdf`: URDF"),

@@ -53,6 +53,12 @@ def relative_difference(expected: np.ndarray, got: np.ndarray) -> float:
     return largest / scale
 
 
+def first_path(arrays: tuple[np.ndarray, ...], status: np.ndarray) -> Results:
+    """Results of code without a second path: near a small pivot NaN and status 1."""
+    second = np.asarray(status) < 0
+    return tuple(np.where(second[..., None], np.nan, array) for array in arrays), np.where(second, 1, status)
+
+
 def evaluated(evaluator: Evaluator, sizes: Sequence[int], inputs: Sequence[np.ndarray]) -> Results:
     """Outputs of these sizes and statuses that an evaluator of `symscrew.runtime` writes for inputs (states, size)."""
     states = len(inputs[0]) if inputs else 1

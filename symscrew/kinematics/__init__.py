@@ -7,7 +7,27 @@ Mechanism --tree--> links, joints to be cut --link_frames--> frames --structure-
 What an elementary motion does with nodes is in `pairs`, a file each.
 """
 
+from symscrew.kinematics.body_pose import (
+    PoseRow,
+    body_centre,
+    half_turn,
+    pose_read,
+    pose_rows,
+    rotation_of,
+    rotation_vector,
+)
 from symscrew.kinematics.closure_jacobian import ClosureJacobian
+from symscrew.kinematics.coordinate_names import (
+    BODY_PARTS,
+    SPHERICAL_PARTS,
+    angle_notices,
+    coordinate_units,
+    full_name,
+    given_coordinates,
+    given_parameter,
+    nearest_names,
+    quaternion_entry,
+)
 from symscrew.kinematics.coupled_coordinates import Relation
 from symscrew.kinematics.cut_joints import Cut, Row, drive_row, on_hub, universal_axes
 from symscrew.kinematics.joint_displacements import cut_displacement, tree_displacement
@@ -32,9 +52,11 @@ from symscrew.kinematics.system import System
 from symscrew.kinematics.tree import GROUND, Link, Tree, spanning_tree, virtual_joint
 
 __all__ = [
+    "BODY_PARTS",
     "GROUND",
     "NO_SPREAD",
     "ROUNDED",
+    "SPHERICAL_PARTS",
     "BodyMotion",
     "ClosureJacobian",
     "Cut",
@@ -45,6 +67,7 @@ __all__ = [
     "LowerPair",
     "MassProperties",
     "Placement",
+    "PoseRow",
     "Rates",
     "Relation",
     "Row",
@@ -53,25 +76,38 @@ __all__ = [
     "Turn",
     "Wrench",
     "acceleration_matrix",
+    "angle_notices",
+    "body_centre",
     "body_motions",
     "characteristic_length",
     "closure_bias",
     "closure_rate",
     "combined",
+    "coordinate_units",
     "cut_displacement",
     "displacement",
     "drive_row",
+    "full_name",
+    "given_coordinates",
+    "given_parameter",
+    "half_turn",
     "inertial_wrench",
     "joint_screws",
     "momentum_rate",
     "momentum_screw",
     "motion_screws",
+    "nearest_names",
     "on_hub",
     "own_screws",
     "pair_of",
+    "pose_read",
+    "pose_rows",
+    "quaternion_entry",
     "quaternion_matrix",
     "rates",
     "regrouped",
+    "rotation_of",
+    "rotation_vector",
     "spanning_tree",
     "squared_length",
     "tree_displacement",

@@ -28,6 +28,9 @@ class ClosureJacobian:
     linkage: Linkage
     cuts: tuple[Cut, ...]
 
+    def __repr__(self) -> str:
+        return f"ClosureJacobian({len(self.cuts)} cut joints, {len(self.linkage.tree.v)} rates)"
+
     @property
     def tape(self) -> Tape:
         """The tape of all nodes."""

@@ -74,7 +74,12 @@ class Cut:
     tip_is_parent: bool
     arm: Vector | None = None
     rows: tuple[Row, ...] = ()
+
     relation: Relation | None = None
+
+    def __repr__(self) -> str:
+        between = f"between links {self.hub} and {self.tip}"
+        return f"Cut({self.joint.name!r}, {self.joint.type} {between}, {len(self.rows)} rows)"
 
 
 def cuts(at: Linkage, geometry: Geometry, *, through_limbs: bool = True) -> tuple[Cut, ...]:

@@ -44,6 +44,9 @@ class Linkage:
     q: tuple[Node, ...] = ()
     answers: dict[Hashable, Any] = field(default_factory=dict, init=False, repr=False)  # what was asked of it before
 
+    def __repr__(self) -> str:
+        return f"Linkage({len(self.tree.links)} links, {len(self.q)} coordinates)"
+
     @cached_property
     def poses(self) -> tuple[Pose, ...]:
         """absolute_T_link of every link."""

@@ -62,6 +62,11 @@ class Link:
     v: slice
     position: int = 0
 
+    def __repr__(self) -> str:
+        return (
+            f"Link({self.index} on {self.parent} by {self.joint or 'nothing'}, carries {', '.join(self.bodies) or '-'})"
+        )
+
     @property
     def pair(self) -> LowerPair:
         """What its motion does with nodes."""
@@ -79,6 +84,9 @@ class Tree:
     q: tuple[Coordinate, ...]
     v: tuple[Coordinate, ...]
     virtual: str | None
+
+    def __repr__(self) -> str:
+        return f"Tree({len(self.links)} links, {len(self.q)} coordinates, {len(self.cut)} cut joints)"
 
     def path(self, link: int) -> tuple[int, ...]:
         """Links from `link` down to, not including, the ground."""

@@ -37,8 +37,8 @@ HALF = 0.5  # between what a comparison gives, 0 and 1
 NOTHING = 1e-12
 """Rates [rad/s, or characteristic lengths per second] below this are none: rounding at rest is not off the mode."""
 
-SOLVED = ("velocity", "acceleration", "null_space", "inverse_dynamics", "inverse_kinematics", "inverse_velocity",
-          "joint_reactions", "forward_dynamics", "linearisation")  # fmt: skip
+SOLVED = ("velocity", "acceleration", "null_space", "inverse_dynamics", "inverse_kinematics", "drive_positions",
+          "inverse_velocity", "joint_reactions", "forward_dynamics", "linearisation")  # fmt: skip
 """Functions (and those named after them) that take closed loops for granted. Others are true of open loops too."""
 
 

@@ -3,6 +3,7 @@
     Mechanism --joint_network--> Network: a graph with a screw in 60 digits for every freedom
               --configuration--> the same, elsewhere: parameters and joint coordinates that were asked for
     Network   --screw_systems, instantaneous--> freedoms, constraints of limbs, overconstraint: self-stresses
+    Mechanism --placing--> the configuration with some coordinates given, or which limb does not get there
               --finite/--> what really moves: smooth, isolated, or branches of some dimensions
               --field_counts--> Kutzbach, modified Kutzbach, Gogu, groups of loops, Waldron
               --rank_evidence--> every rank again over an exact field (symbols/), or why not
@@ -65,7 +66,8 @@ if TYPE_CHECKING:
         motion_values,
         screw_class,
     )
-    from symscrew.mobility.pose_targets import target_of
+    from symscrew.mobility.placing import Configuration, inverse_kinematics
+    from symscrew.mobility.pose_targets import targets_of
     from symscrew.mobility.proofs import Verdict, check_proof, mobility_proof, write_proof
     from symscrew.mobility.screw_systems import ScrewSystem
 
@@ -76,6 +78,7 @@ __all__ = [
     "Check",
     "ClosureVariety",
     "Components",
+    "Configuration",
     "ConfigurationSpace",
     "LimbMobility",
     "Margin",
@@ -100,6 +103,7 @@ __all__ = [
     "connection_values",
     "constraint_margins",
     "formulas",
+    "inverse_kinematics",
     "key_figures",
     "limb_margins",
     "mathml",
@@ -120,7 +124,7 @@ __all__ = [
     "sections",
     "space_lines",
     "space_values",
-    "target_of",
+    "targets_of",
     "verified",
     "verify",
     "with_parameters",

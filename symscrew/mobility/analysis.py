@@ -14,10 +14,11 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
+from symscrew import notebook
 from symscrew.description import Mechanism
 from symscrew.errors import DescriptionError
 from symscrew.mobility.almost_singular import NEARLY_SINGULAR, almost_lower, almost_singular
-from symscrew.mobility.configuration import displaced, with_parameters
+from symscrew.mobility.configuration import Reached, displaced, in_words, with_parameters
 from symscrew.mobility.field_counts import FieldCounts, field_counts
 from symscrew.mobility.finite import (
     FiniteMobility,
@@ -88,6 +89,7 @@ class Mobility:
         parameters: values of parameters that were asked for.
         withdrawn: statements whose check failed (keys of `WITHDRAWN`); they are not made.
         taken: this is special geometry, taken for the one typed; None for what was typed itself.
+        reached: the configuration with every coordinate's value there.
     """
 
     mechanism: Mechanism
@@ -103,6 +105,7 @@ class Mobility:
     parameters: Mapping[str, Any] = field(default_factory=dict)
     withdrawn: frozenset[str] = frozenset()
     taken: Taken | None = None
+    reached: Reached | None = None
 
     def __repr__(self) -> str:
         finite = "not decided" if self.finite.dof is None else self.finite.dof
@@ -127,12 +130,7 @@ class Mobility:
     @property
     def configuration(self) -> str:
         """Which configuration and which parameters, in words."""
-        given, changed = (
-            ", ".join(f"{name} = {value}" for name, value in asked.items())
-            for asked in (self.coordinates, self.parameters)
-        )
-        where = f"at {given}" if given else "in the reference configuration"
-        return f"{where} with {changed}" if changed else where
+        return in_words(self.coordinates, self.parameters)
 
     @property
     def verdict(self) -> tuple[object, ...]:
@@ -168,7 +166,7 @@ class Mobility:
         decisions = Decisions(None, (), reason, singular_values(first_order))
         finite = judged(network, first_order, decisions)
         return Mobility(self.mechanism, network, first_order, finite, platform, limbs, constraints, decisions, 0.0,
-                        self.coordinates, self.parameters, frozenset(WITHDRAWN))  # fmt: skip
+                        self.coordinates, self.parameters, frozenset(WITHDRAWN), reached=self.reached)  # fmt: skip
 
     @property
     def nearly_special(self) -> tuple[str, ...]:
@@ -292,7 +290,13 @@ class Mobility:
     @cached_property
     def along(self) -> WholeMotion | str:
         """What holds along the coordinate lines through the configuration, with singular poses. May take seconds."""
-        return motion_along(self.network, self.finite, self.platform.body, self.mechanism)
+        found = motion_along(self.network, self.finite, self.platform.body, self.mechanism)
+        if isinstance(found, str) or not found.idle or not self.in_reference:
+            return found
+        still = analyse_mobility(found.locked(self.mechanism), body=self.platform.body)
+        bounded = self.finite.proved or (self.decisions.closure_exact and self.dof == still.finite.dof)
+        same = bounded and still.finite.proved and still.finite.dof == self.finite.dof
+        return found.at_rest(still.mechanism, still.network, self.platform.body) if same else found
 
     @cached_property
     def motion_proof(self) -> MotionProof | None:
@@ -314,7 +318,7 @@ class Mobility:
     @cached_property
     def singularities(self) -> Singularities:
         """Margins from limb, constraint and actuation singularities, and actuation loci in the parameters."""
-        found = singularities(self.mechanism, self.coordinates)
+        found = singularities(self.mechanism, None if self.in_reference else self.reached)
         if found.margins is None:
             return found
         joints = {name: joint.type for name, joint in self.mechanism.joints.items()}
@@ -335,6 +339,9 @@ class Mobility:
         return conditions(
             (*(self.symbolic.loci if self.symbolic is not None else ()), *loops, *self.singularities.loci)
         )
+
+    def _repr_html_(self) -> str:
+        return notebook.lines(self.mechanism.name, self.report().splitlines())
 
     def report(self) -> str:
         """The result in words, one line a fact."""
@@ -408,8 +415,9 @@ def analyse_mobility(
     Args:
         mechanism: any mechanism; loops are found from its graph.
         body: whose freedoms to report; default the platform, without one the body farthest from the ground.
-        at: values of parameters, and of joint coordinates (`joint`, `joint.i`; [rad], [m]) that the loops are
-            assembled to from the reference configuration.
+        at: values of parameters, and of coordinates (`joint`, `joint.i`, `platform.z`, `tilt` ...: the names are those
+            of `symscrew.kinematics.coordinate_names`) that the loops are assembled to from the reference configuration;
+            numbers [rad, m], or texts with a unit such as "10mm", "30deg".
         tolerance: special geometry within this of the one typed [m; axes times the mechanism's size] is taken for it,
             and the result says so (`Mobility.taken`); default none is.
 
@@ -424,7 +432,8 @@ def analyse_mobility(
     asked = at or {}
     mechanism, coordinates = with_parameters(mechanism, asked)
     parameters = {name: value for name, value in asked.items() if name not in coordinates}
-    network, residual = displaced(mechanism, network_of(mechanism), coordinates)
+    reached = displaced(mechanism, network_of(mechanism), coordinates)
+    network = reached.network
     first_order = instantaneous_mobility(network)
     limbs = tuple(limb_mobility(network, name, limb.joints) for name, limb in mechanism.limbs.items())
     platform = body_freedoms(network, first_order, body or moved_body(mechanism))
@@ -432,8 +441,8 @@ def analyse_mobility(
     ranks = NumericRanks(network, first_order, platform, limbs, constraints)
     decisions = decide(mechanism, ranks, displaced=bool(coordinates))
     finite = judged(network, first_order, decisions)
-    found = Mobility(mechanism, network, first_order, finite, platform, limbs, constraints, decisions, residual,
-                     coordinates, parameters)  # fmt: skip
+    found = Mobility(mechanism, network, first_order, finite, platform, limbs, constraints, decisions,
+                     reached.closed_to, coordinates, parameters, reached=reached)  # fmt: skip
     if not coordinates and not finite.proved and finite.dof is not None and not network.ties:
         proof = found.motion_proof
         found = replace(found, finite=confirmed(finite, proof))

@@ -9,17 +9,18 @@ end is refined to 60 digits. The mechanism then has the screws of the displaced 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
 from symscrew.algebra import CONTEXT
-from symscrew.description import Mechanism, exact, numeric, validate
+from symscrew.description import Mechanism, followed, given_value, numeric, validate
 from symscrew.errors import DescriptionError
+from symscrew.kinematics import System, given_coordinates, given_parameter, quaternion_entry
 from symscrew.mobility.finite import CLOSED, DIGITS_60, Array, ClosureVariety, moved
 from symscrew.mobility.joint_network import Network
-from symscrew.mobility.pose_targets import Target, target_of
+from symscrew.mobility.pose_targets import VECTOR, Target, read_coordinates, targets_of
 
 STEPS = 24
 """Steps from the reference to the given coordinates: a turn by pi in steps of 7.5 degrees, from which Newton's method
@@ -41,36 +42,73 @@ REFINED = 1e-52
 """Closure residual that is rounding of 60 digits."""
 
 
+class UnreachedError(DescriptionError):
+    """No configuration has these coordinates: how many numbers were given, and how many the mechanism leaves free."""
+
+    def __init__(self, names: str, numbers: int, free: int) -> None:
+        many = f"; {numbers} numbers are given and {free} are free: leave some out, and they follow"
+        super().__init__(
+            f"at {names}: the loops cannot be assembled there from the reference configuration"
+            + many * (numbers > free)
+        )
+        self.numbers, self.free = numbers, free
+
+
+@dataclass(frozen=True, repr=False)
+class Reached:
+    """A configuration: the network with the screws there, and how far its loops are open, in units of its size.
+
+    `values`: every coordinate of every joint, and of the platform, by its name [rad, m]; of a spherical joint its
+    rotation vector.
+    """
+
+    network: Network
+    closed_to: float
+    values: Mapping[str, float]
+
+    def __repr__(self) -> str:
+        return f"Reached({len(self.values)} coordinates, loops closed to {self.closed_to:.1e})"
+
+    def tree(self, system: System) -> Array:
+        """The coordinates q of the spanning tree."""
+        found = np.array(system.reference, dtype=float)
+        for link in system.tree.links[1:]:
+            if link.motion.spherical:
+                vector = np.array([self.values[f"{link.joint}.r{c}"] for c in VECTOR])
+                vector = -vector if link.inverted else vector
+                angle = float(np.linalg.norm(vector))
+                found[link.q] = [np.cos(angle / 2), *(np.sinc(angle / (2 * np.pi)) / 2 * vector)]
+            elif link.motion.single:
+                found[link.q] = self.values[system.tree.q[link.q.start].label]
+        return found
+
+
 def with_parameters(mechanism: Mechanism, at: Mapping[str, Any]) -> tuple[Mechanism, dict[str, Any]]:
-    """(the mechanism with the parameters among `at` changed, the other entries of `at`)."""
-    changed, others = dict(mechanism.parameters), {}
-    for name, value in at.items():
-        if name in changed:
-            number = exact(value, where=name)
-            numeric(number, where=name)
-            changed[name] = replace(changed[name], value=number)
-        else:
-            others[name] = value
+    """(the mechanism with the parameters among `at` changed and all that follow them, the other entries of `at`)."""
+    others = {name: value for name, value in at.items() if name not in mechanism.parameters}
     if len(others) == len(at):
         return mechanism, others
-    result = replace(mechanism, parameters=changed)
+    given = {n: given_parameter(mechanism, n, value) for n, value in at.items() if n not in others}
+    for name, number in given.items():
+        numeric(number, where=name)
+    result = replace(mechanism, parameters=followed(mechanism.parameters, given))
     validate(result)
     return result, others
 
 
-def displaced(mechanism: Mechanism, network: Network, at: Mapping[str, Any]) -> tuple[Network, float]:
-    """(the network where the named joint coordinates have the given values, closure residual).
+def displaced(mechanism: Mechanism, network: Network, at: Mapping[str, Any]) -> Reached:
+    """The configuration where the named coordinates have the given values, assembled from the reference.
 
-    Names are those of `symscrew.mobility.pose_targets`: `joint`, `joint.i`, `joint.qx`, `body.x` and so on; values are
-    angles [rad] and lengths [m] as the description counts them, of a body its displacement from the reference.
+    Names are those of `symscrew.kinematics.coordinate_names`, values texts with units or numbers [rad, m].
 
     Raises:
         DescriptionError: unknown coordinate, or the loops cannot be assembled there.
     """
+    fine = ClosureVariety(network, DIGITS_60)
     if not at:
-        return network, 0.0
-    targets = [target_of(mechanism, network, name, value) for name, value in at.items()]
-    coarse, fine = ClosureVariety(network), ClosureVariety(network, DIGITS_60)
+        return Reached(network, 0.0, read_coordinates(mechanism, fine, np.full(fine.columns, CONTEXT.zero)))
+    targets = targets_of(mechanism, network, given_coordinates(mechanism, at))
+    coarse = ClosureVariety(network)
     q = np.zeros(coarse.columns)
     goal = np.array([float(target.goal) for target in targets])
     for k in range(1, STEPS + 1):
@@ -83,7 +121,20 @@ def displaced(mechanism: Mechanism, network: Network, at: Mapping[str, Any]) -> 
         point, left = _refined(coarse, fine, q, targets)
     if left > CLOSED:
         raise DescriptionError(f"at {', '.join(at)}: the loops close only to {left:.1e}; a singular configuration?")
-    return moved(network, fine, point), left
+    return Reached(moved(network, fine, point), left, read_coordinates(mechanism, fine, point))
+
+
+def in_words(coordinates: Mapping[str, Any], parameters: Mapping[str, Any]) -> str:
+    """Which configuration and which parameters were asked for; what an entry of a quaternion is as an angle."""
+    given = ", ".join(f"{name} = {value}{_in_degrees(name, value)}" for name, value in coordinates.items())
+    where = f"at {given}" if given else "in the reference configuration"
+    changed = ", ".join(f"{name} = {value}" for name, value in parameters.items())
+    return f"{where} with {changed}" if changed else where
+
+
+def _in_degrees(name: str, value: Any) -> str:
+    said = quaternion_entry(name, float(given_value(value, where=name).value)) if name[-3:-1] == ".q" else ""
+    return f" ({said})" if said else ""
 
 
 def _coordinate(column: int) -> Callable[[ClosureVariety, Array], Array]:
@@ -124,4 +175,5 @@ def _closed(variety: ClosureVariety, q: Array, targets: Sequence[Target], *, goa
         q = q - np.linalg.pinv(jacobian, rcond=CUT_OFF) @ residual
     if np.linalg.norm(residual) < NEARLY:
         return q
-    raise DescriptionError(f"at {names}: the loops cannot be assembled there from the reference configuration")
+    free = q.size - int(np.linalg.matrix_rank(variety.evaluate(np.zeros((1, q.size)))[1][0], tol=CUT_OFF))
+    raise UnreachedError(names, len(targets), free)

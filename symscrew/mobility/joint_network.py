@@ -58,6 +58,9 @@ class Edge:
     screws: tuple[Screw, ...]
     start: int
 
+    def __repr__(self) -> str:
+        return f"Edge({self.name!r}, {self.type} from {self.parent!r} to {self.child!r}, columns from {self.start})"
+
     @property
     def columns(self) -> range:
         """Columns of the joint's freedoms among those of the mechanism."""

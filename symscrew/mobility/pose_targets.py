@@ -1,23 +1,31 @@
 """What a configuration is asked for by: a coordinate of a joint, a rotation of a spherical one, the pose of a body.
 
-"joint", "joint.i"              the displacement of a single freedom [rad, m]
-"joint.qx", "joint.rx" ...      of a spherical joint: vector part of its quaternion; its rotation vector [rad]
-"platform_pose.0", ".qx"        of the joint on which the package hangs a platform that many limbs hold: as it names it
-"body.x", "body.qx", "body.rx"  of a body: how far it is displaced [m], how it is turned, from the reference
+Names are those of `symscrew.kinematics.coordinate_names`. Displacements of a body are of the centre of its joints.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
+import sympy
 
 from symscrew.algebra import CONTEXT, high_precision
-from symscrew.description import Joint, Mechanism, exact
-from symscrew.errors import DescriptionError, did_you_mean
-from symscrew.kinematics import virtual_joint
+from symscrew.description import Joint, Mechanism
+from symscrew.errors import DescriptionError
+from symscrew.kinematics import (
+    BODY_PARTS,
+    SPHERICAL_PARTS,
+    PoseRow,
+    coordinate_units,
+    half_turn,
+    nearest_names,
+    pose_read,
+    pose_rows,
+    rotation_vector,
+    virtual_joint,
+)
 from symscrew.mobility.finite import Array, ClosureVariety
 from symscrew.mobility.joint_network import Edge, Network, edge_of
 from symscrew.mobility.screw_systems import Real
@@ -57,49 +65,72 @@ class Target:
         return self.of_all(variety, q[None])[0]
 
 
-def target_of(mechanism: Mechanism, network: Network, name: str, value: Any) -> Target:
-    """The target that a name and a value mean.
+def targets_of(mechanism: Mechanism, network: Network, given: Mapping[str, sympy.Expr]) -> list[Target]:
+    """The targets that names and their exact values [rad, m] mean.
 
     Raises:
         DescriptionError: no joint or body of this name, or it has no such coordinate.
     """
-    owner, _, part = name.partition(".")
     virtual = virtual_joint(mechanism)
-    if virtual is not None and owner == virtual.name:
-        return _of_virtual(mechanism, network, virtual, (name, part, high_precision(exact(value, where=name))))
-    if owner not in network.edges and owner not in network.bodies:
-        known = [*mechanism.parameters, *network.edges, *network.bodies]
-        raise DescriptionError(f"at {name}: no parameter, joint or body of this name; {did_you_mean(owner, known)}")
-    goal = high_precision(exact(value, where=name))
-    if owner in network.edges:
-        edge = network.edges[owner]
-        spherical = [column for motion, column in edge.motions if motion.spherical]
-        if spherical and part in _turns():
-            first = spherical[0]
-            turned = _quaternion_of if part[0] == "q" else _vector_of
-            column = first + VECTOR.index(part[1]) if part[0] == "r" else None
-            axis = VECTOR.index(part[1])
-            return Target(goal, lambda _, q: _each(turned(v)[axis] for v in q[:, first : first + 3]), column)
-        return _single(mechanism, network, edge, (name, part, goal))
-    if part in VECTOR and len(part) == 1:
-        axis = VECTOR.index(part)
-        return Target(goal / network.length, lambda variety, q: _each(t[axis] for _, t in _moved(variety, q, owner)))
-    if part in _turns():
-        axis = VECTOR.index(part[1])
-        read = _half_turn if part[0] == "q" else _rotation_vector
-        return Target(goal, lambda variety, q: _each(read(r)[axis] for r, _ in _moved(variety, q, owner)))
-    raise DescriptionError(
-        f"at {name}: expected {owner}.x, .y, .z [m], .qx, .qy, .qz, or .rx, .ry, .rz [rad] of a body"
-    )
+    found: list[Target] = []
+    poses: dict[str, dict[str, Real]] = {}
+    for name, value in given.items():
+        owner, _, part = name.partition(".")
+        goal = high_precision(value)
+        if virtual is not None and owner == virtual.name:
+            found.append(_of_virtual(mechanism, network, virtual, (name, part, goal)))
+        elif owner in network.edges:
+            found.append(_of_joint(mechanism, network, network.edges[owner], (name, part, goal)))
+        elif owner not in network.bodies:
+            known = [*mechanism.parameters, *network.bodies, *coordinate_units(mechanism)]
+            raise DescriptionError(f"at {name}: no parameter, joint or body of this name; {nearest_names(name, known)}")
+        elif part not in BODY_PARTS:
+            angles = ".rx, .ry, .rz, .tilt, .azimuth, .torsion, .roll, .pitch, .yaw [rad]"
+            raise DescriptionError(
+                f"at {name}: expected {owner}.x, .y, .z [m], {angles}, .turn, or .qx, .qy, .qz of a body"
+            )
+        else:
+            poses.setdefault(owner, {})[part] = goal
+    for body, given_parts in poses.items():
+        found += _of_pose(network, body, given_parts)
+    return found
+
+
+def _of_pose(network: Network, body: str, parts: Mapping[str, Real]) -> list[Target]:
+    """The pose of a body, or some of it."""
+
+    def target(row: PoseRow) -> Target:
+        goal = row.goal / network.length if row.is_length else row.goal
+        return Target(goal, lambda variety, q: _each(
+            row.of(r, t) for r, t in _moved(variety, variety.forward(q)[1], body)))  # fmt: skip
+
+    return [target(row) for row in pose_rows(parts, CONTEXT, CONTEXT.tan)]
+
+
+def _of_joint(mechanism: Mechanism, network: Network, edge: Edge, asked: tuple[str, str, Real]) -> Target:
+    """A coordinate of a joint."""
+    _, part, goal = asked
+    spherical = [column for motion, column in edge.motions if motion.spherical]
+    if not spherical or part not in SPHERICAL_PARTS:
+        return _single(mechanism, network, edge, asked)
+    first, axis = spherical[0], VECTOR.index(part[1])
+    turned = _quaternion_of if part[0] == "q" else _vector_of
+    column = first + axis if part[0] == "r" else None
+    return Target(goal, lambda _, q: _each(turned(v)[axis] for v in q[:, first : first + 3]), column)
 
 
 def _of_virtual(mechanism: Mechanism, network: Network, joint: Joint, asked: tuple[str, str, Real]) -> Target:
     """A coordinate of the joint on which the package hangs the platform: of its point's place, of its turn."""
     name, part, goal = asked
     edge, body = edge_of(mechanism, joint, network.length, 0), joint.child
-    if part in _turns() and part[0] == "q" and joint.kind.freedom == SPATIAL:
+    if part in SPHERICAL_PARTS and part[0] == "q" and joint.kind.freedom == SPATIAL:
         axis = VECTOR.index(part[1])
-        return Target(goal, lambda variety, q: _each(_half_turn(r)[axis] for r, _ in _moved(variety, q, body)))
+        return Target(
+            goal,
+            lambda variety, q: _each(
+                half_turn(r, CONTEXT)[axis] for r, _ in _moved(variety, variety.forward(q)[1], body)
+            ),
+        )
     singles = [(motion, column) for motion, column in edge.motions if motion.single]
     if not part.isdecimal() or int(part) >= len(singles):
         numbers = ", ".join(f".{k}" for k in range(len(singles)))
@@ -108,20 +139,21 @@ def _of_virtual(mechanism: Mechanism, network: Network, joint: Joint, asked: tup
     place = int(part)
     motion, column = singles[place]
     screw = edge.screws[column]
-    reference = high_precision(mechanism.number(joint.reference[place])) if place < len(joint.reference) else 0
-    if motion.turns:
-        return Target(goal - reference, lambda variety, q: _each(
-            _along(screw[:3], _rotation_vector(r)) for r, _ in _moved(variety, q, body)))  # fmt: skip
-    return Target((goal - reference) / network.length, lambda variety, q: _each(
-        _along(screw[3:], t) for _, t in _moved(variety, q, body, edge.point)))  # fmt: skip
+    reference = _reference(mechanism, joint, place)
+    goal, length = goal - reference, network.length
+
+    def turned_by(variety: ClosureVariety, q: Array) -> Array:
+        moved = _moved(variety, variety.forward(q)[1], body)
+        return _each(_along(screw[:3], rotation_vector(r, CONTEXT)) for r, _ in moved)
+
+    def shifted_by(variety: ClosureVariety, q: Array) -> Array:
+        return _each(_along(screw[3:], t) for _, t in _moved(variety, variety.forward(q)[1], body, edge.point))
+
+    return Target(goal, turned_by) if motion.turns else Target(goal / length, shifted_by)
 
 
 def _along(axis: Sequence[Real], vector: Iterable[Real]) -> Real:
     return sum(a * b for a, b in zip(axis, vector, strict=True))
-
-
-def _turns() -> tuple[str, ...]:
-    return tuple(kind + axis for kind in "qr" for axis in VECTOR)
 
 
 def _single(mechanism: Mechanism, network: Network, edge: Edge, asked: tuple[str, str, Real]) -> Target:
@@ -140,8 +172,7 @@ def _single(mechanism: Mechanism, network: Network, edge: Edge, asked: tuple[str
             f"at {name}: expected {edge.name} or {edge.name}.i for a single coordinate; this joint of type {edge.type} "
             f"has {has}"
         )
-    reference = mechanism.joints[edge.name].reference
-    start = high_precision(mechanism.number(reference[place])) if place < len(reference) else CONTEXT.zero
+    start = _reference(mechanism, mechanism.joints[edge.name], place)
     column = edge.motions[place][1]
     displacement = goal - start
     return Target(
@@ -168,7 +199,7 @@ def _each(values: Iterable[Real]) -> Array:
 
 
 def _moved(
-    variety: ClosureVariety, q: Array, body: str, place: Sequence[Real] | None = None
+    variety: ClosureVariety, poses: Mapping[str, tuple[Array, Array]], body: str, place: Sequence[Real] | None = None
 ) -> Iterator[tuple[Array, Array]]:
     """(rotation, displacement of a place) of a body from the reference, at every point.
 
@@ -178,19 +209,53 @@ def _moved(
     points = points if place is None else [tuple(place)]
     middle = [sum(p[k] for p in points) / len(points) - variety.centre[k] for k in range(3)]
     point = np.array([variety.arithmetic.read(c) for c in middle], dtype=variety.arithmetic.dtype)
-    for rotation, translation in zip(*variety.forward(q)[1][body], strict=True):
+    for rotation, translation in zip(*poses[body], strict=True):
         yield rotation, rotation @ point + translation - point
 
 
-def _half_turn(rotation: Array) -> list[Real]:
-    """The vector part of a rotation's unit quaternion, whose scalar part is positive."""
-    scalar = CONTEXT.sqrt(CONTEXT.mpf(1 + rotation[0, 0] + rotation[1, 1] + rotation[2, 2])) / 2
-    return [(rotation[(k + 2) % 3, (k + 1) % 3] - rotation[(k + 1) % 3, (k + 2) % 3]) / (4 * scalar) for k in range(3)]
+def read_coordinates(mechanism: Mechanism, variety: ClosureVariety, point: Array) -> dict[str, float]:
+    """Every coordinate of the joints and of the platform by name at one point [rad, m]; what `targets_of` takes."""
+    network, found = variety.network, dict[str, float]()
+    for edge in network.edges.values():
+        joint = mechanism.joints[edge.name]
+        for k, (label, (motion, column)) in enumerate(
+            zip(joint.kind.motion_names(joint.name), edge.motions, strict=True)
+        ):
+            if motion.spherical:
+                found |= {f"{joint.name}.r{c}": float(point[column + i]) for i, c in enumerate(VECTOR)}
+            else:
+                moved = point[column] * network.length if motion.prismatic else point[column]
+                found[label] = float(_reference(mechanism, joint, k) + moved)
+    poses = variety.forward(point[None])[1]
+    virtual = virtual_joint(mechanism)
+    if virtual is not None:
+        found |= _read_virtual(mechanism, variety, virtual, poses)
+    if mechanism.platform is not None:
+        for r, t in _moved(variety, poses, mechanism.platform):
+            read = pose_read(r, t * network.length, CONTEXT)
+            found |= {f"{mechanism.platform}.{part}": float(value) for part, value in read.items()}
+    return found
 
 
-def _rotation_vector(rotation: Array) -> list[Real]:
-    half = _half_turn(rotation)
-    sine = CONTEXT.sqrt(sum(c * c for c in half))
-    if sine < STRAIGHT**2:
-        return [2 * c for c in half]
-    return [2 * CONTEXT.asin(min(sine, CONTEXT.one)) / sine * c for c in half]
+def _read_virtual(
+    mechanism: Mechanism, variety: ClosureVariety, joint: Joint, poses: Mapping[str, tuple[Array, Array]]
+) -> dict[str, float]:
+    """The coordinates of the joint on which the package hangs the platform."""
+    found: dict[str, float] = {}
+    edge = edge_of(mechanism, joint, variety.network.length, 0)
+    ((r, t),) = _moved(variety, poses, joint.child, edge.point)
+    vector = rotation_vector(r, CONTEXT)
+    for k, (label, (motion, column)) in enumerate(zip(joint.kind.motion_names(joint.name), edge.motions, strict=True)):
+        if motion.spherical:
+            found |= {f"{joint.name}.r{c}": float(v) for c, v in zip(VECTOR, vector, strict=True)}
+        else:
+            screw = edge.screws[column]
+            moved = _along(screw[:3], vector) if motion.turns else _along(screw[3:], t) * variety.network.length
+            found[label] = float(_reference(mechanism, joint, k) + moved)
+    return found
+
+
+def _reference(mechanism: Mechanism, joint: Joint, place: int) -> Real:
+    """The value of a joint's coordinate in the reference configuration [rad, m]."""
+    given = joint.reference
+    return high_precision(mechanism.number(given[place])) if place < len(given) else CONTEXT.zero

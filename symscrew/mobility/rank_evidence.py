@@ -72,6 +72,10 @@ class Decisions:
     groups: tuple[int, ...] | None = None
     """Dimension of the group of displacements in which each loop moves, over the field; None where not known."""
 
+    def __repr__(self) -> str:
+        exact = f"exact over {self.field}" if self.field else "by singular values alone"
+        return f"Decisions({len(self.ranks)} ranks, {exact})"
+
     @property
     def closure_exact(self) -> bool:
         """The rank of the closure was decided in the field, and not differently from the numbers."""

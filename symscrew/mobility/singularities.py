@@ -1,6 +1,6 @@
 """Singularities of three kinds at a configuration: the margins' values there, and actuation loci in symbols.
 
-    Mechanism, coordinates --Newton from the reference--> q --margins--> numbers, zero at a singularity
+    Mechanism, the configuration reached --> q --margins--> numbers, zero at a singularity
 
 The margins are those that every model has as functions (`symscrew.mobility.margins`). The loci hold in the reference
 configuration (`symscrew.mobility.symbols`, drive_loci).
@@ -8,7 +8,7 @@ configuration (`symscrew.mobility.symbols`, drive_loci).
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import asdict, dataclass, field
 from functools import cached_property
 from typing import Any
@@ -16,8 +16,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from symscrew.description import Mechanism, exact
+from symscrew.description import Mechanism
 from symscrew.kinematics import System
+from symscrew.mobility.configuration import Reached
 from symscrew.mobility.margins import (
     FORMS,
     Displaced,
@@ -34,17 +35,9 @@ SINGULAR = 1e-9
 """A margin below this, of its size over the sample states, is said to be zero: seven digits above what rounding leaves
 of a determinant of six screws, and far below any configuration that is meant to be regular. The value itself is in the
 JSON. Where the rank in 60 digits is full all the same, it is said to be almost zero."""
-STEPS = 24
-"""Steps from the reference configuration to the given coordinates: a turn by pi in steps of 7.5 degrees, from
-which Newton's method stays on the assembly branch. Where it fails, the margins are said not to be known."""
-CLOSED = 1e-13
-"""Closure residual over the mechanism's size at which Newton's method stops: rounding of double precision."""
-NEARLY_CLOSED = 1e-10
-"""What a closure may be off after 30 steps of Newton's method (a singular pose converges slowly) and still count."""
-WALKS = 30
-"""Steps of Newton's method: quadratic convergence needs five, a singular pose gains a bit a step."""
-CUT = "what was given is no coordinate of the spanning tree"
-TURNED = "a component of a quaternion was given"
+OPEN = 1e-9
+"""How far the loops may be open by the tree's own coordinates, over the mechanism's size: those of a configuration that
+is known to 60 digits are right to rounding; beyond, they are not this configuration, and the margins are not known."""
 
 Array = NDArray[np.float64]
 
@@ -114,24 +107,18 @@ class Singularities:
     unknown: str = ""
 
 
-def singularities(mechanism: Mechanism, coordinates: Mapping[str, Any]) -> Singularities:
-    """Margins in the reference configuration, or where the given joint coordinates take the mechanism.
-
-    Args:
-        mechanism: any mechanism.
-        coordinates: label of a coordinate of the spanning tree -> value [rad or m].
-
-    Raises:
-        DescriptionError: a value is not a number.
-    """
+def singularities(mechanism: Mechanism, reached: Reached | None) -> Singularities:
+    """Margins in the configuration that was reached, or in the reference configuration where it is None."""
     system = System(mechanism)
     system.use_samples()
-    q = _configuration(system, {name: float(exact(value, where=name)) for name, value in coordinates.items()})
+    q = np.asarray(system.reference if reached is None else reached.tree(system))
     kinds = (limb_margins(system), constraint_margins(system), actuation_margins(system))
-    loci = actuation_loci(mechanism) if not coordinates else ActuationLoci()
+    loci = actuation_loci(mechanism) if reached is None else ActuationLoci()
     not_tried = (*(text for kind in kinds for text in kind.not_tried), *loci.not_tried)
-    if isinstance(q, str):
-        return Singularities(system.length, None, loci.found, not_tried, q)
+    gap = system.numeric(system.residual, (system.inputs.q, q[None])) if system.cuts else np.zeros(1)
+    if not np.abs(gap).max() < OPEN * max(1.0, system.length):
+        reason = "the coordinates of the spanning tree do not close the loops"
+        return Singularities(system.length, None, loci.found, not_tried, reason)
     values = _values(system, [margin for kind in kinds for margin in kind], q)
     return Singularities(system.length, values, loci.found, not_tried)
 
@@ -147,49 +134,6 @@ def _values(system: System, margins: Sequence[Margin], q: Array) -> tuple[Margin
         MarginValue(m.kind, m.name, m.form, float(value), m.meaning, size, zeros)
         for m, value, size in zip(margins, values, sizes, strict=True)
     )
-
-
-def _configuration(system: System, targets: Mapping[str, float]) -> Array | str:
-    """q with the given coordinates, walked to from the reference, or why it is not known."""
-    q: Array = system.reference[None].copy()
-    if not targets:
-        return np.asarray(q[0])
-    tree = system.tree
-    entry = {c.label: k for k, c in enumerate(tree.q)}
-    if any(label not in entry for label in targets):
-        return CUT
-    if any(tree.q[entry[label]].kind == "quaternion" for label in targets):
-        return TURNED
-    links = {link.q.start: link for link in tree.links[1:] if link.q.stop > link.q.start}
-    held = {links[entry[label]].v.start: (entry[label], value) for label, value in targets.items()}
-    free = [k for k in range(len(tree.v)) if k not in held]
-    scales = system.scales
-    start = q[0].copy()
-    for step in range(1, STEPS + 1):
-        for index, value in held.values():
-            q[0, index] = start[index] + (value - start[index]) * step / STEPS
-        if system.cuts:
-            closed = _closed(system, q, free, scales)
-            if closed is None:
-                return "the loops did not close on the way to the given coordinates"
-            q = closed
-    return np.asarray(q[0])
-
-
-def _closed(system: System, start: Array, free: Sequence[int], scales: Array) -> Array | None:
-    """The coordinates (1, n) with the loops closed by Newton's method in the free rates, or None."""
-    q = start
-    size = max(1.0, system.length)
-    for _ in range(WALKS):
-        residual = system.numeric(system.residual, (system.inputs.q, q))[0]
-        if np.abs(residual).max() < CLOSED * size:
-            return q
-        jacobian = system.numeric(system.closure.dense(), (system.inputs.q, q)).reshape(-1, len(scales)) * scales
-        step = np.zeros(len(scales))
-        step[free] = np.linalg.lstsq(jacobian[:, free], -residual, rcond=1e-9)[0]
-        q = system.advance(q, (scales * step)[None])
-    left = np.abs(system.numeric(system.residual, (system.inputs.q, q))).max()
-    return q if left < NEARLY_CLOSED * size else None
 
 
 # -- for people ------------------------------------------------------------------------------------------

@@ -13,7 +13,8 @@ import casadi as ca
 import numpy as np
 
 from symscrew.optimisation.constraints import bound_rows
-from symscrew.optimisation.enclosures import Arithmetic, EnclosedFunction, Enclosure, Number, bounds_of
+from symscrew.optimisation.enclosed_functions import EnclosedFunction
+from symscrew.optimisation.enclosures import Arithmetic, Enclosure, Number, bounds_of
 from symscrew.optimisation.followed_branch import Boxes, Branch, Followed
 from symscrew.optimisation.motion_quantities import MotionQuantities
 from symscrew.optimisation.planned_motion import PlannedMotion
@@ -22,6 +23,8 @@ from symscrew.optimisation.rows import Row
 
 # Halvings of a piece: a millionth of an interval. What is not settled then counts with its enclosure.
 MOST_HALVINGS = 20
+# What nothing bounds over pieces of a thousandth of an interval is hardly bounded over shorter ones.
+MOST_UNBOUNDED = 10
 # Pieces at a time: more would fill the memory (a kilobyte for each operation of a function).
 MOST_PIECES = 20_000
 KNOWN = 1.1  # an enclosure within a tenth of a violation that was seen is settled: the mesh is to be mended anyway
@@ -112,7 +115,8 @@ def violations_of(motion: PlannedMotion, branch: Branch, followed: Followed, all
                     seen[row, k[i]], where[row, k[i]] = does[row, i], tau[i]
         open_ = may > np.maximum(allowed, KNOWN * seen[:, k])
         last = halving == MOST_HALVINGS or 2 * int(open_.any(axis=0).sum()) > MOST_PIECES
-        settled = np.asarray(~open_.any(axis=0)) | last
+        hopeless = np.isinf(may).any(axis=0) & (halving >= MOST_UNBOUNDED)
+        settled = np.asarray(~open_.any(axis=0)) | last | hopeless
         for row in range(len(bounded.rows)):
             np.maximum.at(result[row], k[settled], may[row, settled])
         if settled.all():

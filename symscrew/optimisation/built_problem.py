@@ -27,7 +27,7 @@ from symscrew.optimisation.problem_numbers import ProblemNumbers
 from symscrew.optimisation.problem_shape import other_shape
 from symscrew.optimisation.result import Trajectory
 from symscrew.optimisation.solution import (
-    NO_GRADIENT,
+    USUAL,
     WARM,
     Prepared,
     check_bounds,
@@ -291,7 +291,7 @@ class OptimisationProblem:
         if not np.array_equal(warm.transcribed.mesh, made.mesh) or len(warm.x) != len(self._guess):
             arrays = carried_unknowns(warm, made)
             arrays["u"] = control_points(made, arrays["u"])
-            carried = carried_multipliers(warm, made, self._program, self._scale)
+            carried = carried_multipliers(warm, made, self._scale)
             rows, pressure = carried or (None, None)
             return _Start(np.nan_to_num(made.unknowns.pack(arrays)), rows, pressure)
         ratio = warm.cost_scale / self._scale
@@ -355,7 +355,7 @@ def _conditions(before: Conditions, given: Given) -> Conditions:
 def _quadratic(problem: TrajectoryProblem) -> dict[str, Any]:
     """Options of CasADi's sequential quadratic programming."""
     return {
-        "max_iter": MOST_STEPS, "tol_pr": problem.solver.tolerance, "tol_du": problem.solver.tolerance, **NO_GRADIENT,
+        "max_iter": MOST_STEPS, "tol_pr": problem.solver.tolerance, "tol_du": problem.solver.tolerance, **USUAL,
         "print_header": False, "print_iteration": False, "print_status": False, "print_time": False,
         "error_on_fail": False,
     }  # fmt: skip

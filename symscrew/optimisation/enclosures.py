@@ -345,90 +345,29 @@ class Arithmetic:
         return found
 
     def power(self, a: Number, exponent: Number) -> Number:
-        """a to a constant exponent."""
-        if isinstance(exponent, Enclosure):
-            raise NotImplementedError("powers with exponents that vary")
-        if not isinstance(a, Enclosure):
+        """a to an exponent; everything where a may be negative and the exponent is not a small whole number."""
+        if not isinstance(a, Enclosure) and not isinstance(exponent, Enclosure):
             return float(a**exponent)
-        whole = int(exponent) if float(exponent).is_integer() and 0 < abs(exponent) <= 8 else 0
-        if not whole:
-            logarithm = self.of(ELEMENTARY[ca.OP_LOG], a)
-            times = self.scaled(logarithm, float(exponent))
-            assert isinstance(times, Enclosure)
-            return self.of(ELEMENTARY[ca.OP_EXP], times)
+        fixed = None if isinstance(exponent, Enclosure) else float(exponent)
+        whole = int(fixed) if fixed is not None and fixed.is_integer() and 0 < abs(fixed) <= 8 else 0
+        if not whole or not isinstance(a, Enclosure):
+            return self._by_logarithm(a, exponent)
         total: Number = a
         for _ in range(abs(whole) - 1):
             total = self.multiply(total, a)
         assert isinstance(total, Enclosure)
         return total if whole > 0 else self.of(ELEMENTARY[ca.OP_INV], total)
 
-
-class EnclosedFunction:
-    """A CasADi function of scalars on enclosures, instruction by instruction."""
-
-    def __init__(self, function: ca.Function) -> None:
-        self.size = function.sz_w()
-        self.shapes = [function.size_out(k) for k in range(function.n_out())]
-        self.code = [
-            (
-                op := function.instruction_id(k),
-                function.instruction_input(k),
-                function.instruction_output(k),
-                float(function.instruction_constant(k)) if op == ca.OP_CONST else 0.0,
-            )
-            for k in range(function.n_instructions())
-        ]
-
-    def __call__(self, arithmetic: Arithmetic, inputs: Sequence[Sequence[Number]]) -> list[list[Number]]:
-        """Enclosures of all entries of all outputs, column by column."""
-        work: list[Number] = [0.0] * self.size
-        results: list[list[Number]] = [[0.0] * (rows * columns) for rows, columns in self.shapes]
-        with np.errstate(all="ignore"):
-            for op, given, made, constant in self.code:
-                if op == ca.OP_INPUT:
-                    work[made[0]] = inputs[given[0]][given[1]]
-                elif op == ca.OP_OUTPUT:
-                    results[made[0]][made[1]] = work[given[0]]
-                elif op == ca.OP_CONST:
-                    work[made[0]] = constant
-                else:
-                    work[made[0]] = _operated(arithmetic, op, [work[k] for k in given])
-        return results
-
-
-def _operated(at: Arithmetic, op: int, args: list[Number]) -> Number:
-    if op in SUMS:
-        return at.add(args[0], args[1], SUMS[op])
-    if op == ca.OP_MUL:
-        return at.multiply(args[0], args[1])
-    if op == ca.OP_DIV:
-        over = args[1]
-        return at.multiply(args[0], at.of(ELEMENTARY[ca.OP_INV], over) if isinstance(over, Enclosure) else 1.0 / over)
-    if op in FACTORS:
-        return at.scaled(args[0], FACTORS[op])
-    if op in (ca.OP_POW, ca.OP_CONSTPOW):
-        return at.power(args[0], args[1])
-    size = next((len(a.low[0]) for a in args if isinstance(a, Enclosure)), 1)
-    full = [a if isinstance(a, Enclosure) else _constant(a, size) for a in args]
-    if op in (ca.OP_FMAX, ca.OP_FMIN):
-        return at.larger(full[0], full[1]) if op == ca.OP_FMAX else at.smaller(full[0], full[1])
-    if op == ca.OP_ATAN2:
-        return at.angle(full[0], full[1])
-    if op in ELEMENTARY:
-        return at.of(ELEMENTARY[op], full[0])
-    if op == ca.OP_ASSIGN:
-        return args[0]
-    raise NotImplementedError(f"operation {op} of CasADi has no enclosure")
-
-
-SUMS: Mapping[int, float] = {ca.OP_ADD: 1.0, ca.OP_SUB: -1.0}
-FACTORS: Mapping[int, float] = {ca.OP_NEG: -1.0, ca.OP_TWICE: 2.0}
-
-
-def _constant(value: float, n: int) -> Enclosure:
-    parts = np.zeros((3, n))
-    parts[0] = value
-    return Enclosure(parts, parts, parts[:2])
+    def _by_logarithm(self, a: Number, exponent: Number) -> Enclosure:
+        """exp(exponent log(a)), for a that is not negative."""
+        if not isinstance(a, Enclosure):
+            times = self.scaled(exponent, float(np.log(a)) if a > 0 else np.nan)
+            defined = np.array([a > 0])
+        else:
+            times, defined = self.multiply(exponent, self.of(ELEMENTARY[ca.OP_LOG], a)), a.low[0] >= 0
+        assert isinstance(times, Enclosure)
+        found = self.of(ELEMENTARY[ca.OP_EXP], times)
+        return Enclosure(np.where(defined, found.low, -np.inf), np.where(defined, found.high, np.inf), found.middle)
 
 
 def bounds_of(value: Number, n: int) -> Pair:
@@ -437,3 +376,15 @@ def bounds_of(value: Number, n: int) -> Pair:
         low, high = (np.broadcast_to(v, (n,)) for v in value.value)
         return np.where(np.isnan(low), -np.inf, low), np.where(np.isnan(high), np.inf, high)
     return np.full(n, float(value)), np.full(n, float(value))
+
+
+def constant(value: float, n: int, orders: int = 3) -> Enclosure:
+    """A number over n ranges."""
+    parts = np.zeros((orders, n))
+    parts[0] = value
+    return Enclosure(parts, parts, np.concatenate([parts[:1], np.zeros((1, n))]))
+
+
+def everything(n: int) -> Enclosure:
+    """Of which nothing is known over n ranges."""
+    return Enclosure(np.full((3, n), -np.inf), np.full((3, n), np.inf), np.full((2, n), np.nan))

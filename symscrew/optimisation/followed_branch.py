@@ -20,7 +20,8 @@ import casadi as ca
 import numpy as np
 
 from symscrew.optimisation.casadi_graph import symbolic_outputs
-from symscrew.optimisation.enclosures import Arithmetic, EnclosedFunction, Enclosure, Number, bounds_of, interval
+from symscrew.optimisation.enclosed_functions import EnclosedFunction
+from symscrew.optimisation.enclosures import Arithmetic, Enclosure, Number, bounds_of, interval
 from symscrew.optimisation.guess import observed
 from symscrew.optimisation.motion_pieces import MotionPolynomials, Pieces
 from symscrew.optimisation.planned_motion import PlannedMotion

@@ -30,15 +30,8 @@ def replay(trajectory: Trajectory, *, tolerance: float = TOLERANCE) -> Replay:
     """
     if trajectory.replayed is not None and tolerance == TOLERANCE:
         return trajectory.replayed
-    stepper = _Stepper(trajectory)
-    steps, before = STEPS, None
-    for _ in range(MOST_HALVINGS):
-        states = stepper.run(steps)
-        change = np.inf if before is None else float(np.abs(states[-1] - before[-1]).max())
-        before = states
-        if change < tolerance:
-            break
-        steps *= 2
+    stepper = Stepper(trajectory)
+    states, change, steps = settled(stepper, tolerance=tolerance)
     entries = [e.q for e in trajectory.model.equations.loops.entries]
     mesh = trajectory.transcribed.mesh
     planned = trajectory.blocks(mesh)
@@ -52,7 +45,25 @@ def replay(trajectory: Trajectory, *, tolerance: float = TOLERANCE) -> Replay:
     )
 
 
-class _Stepper:
+def settled(
+    stepper: Stepper, start: np.ndarray | None = None, *, tolerance: float = TOLERANCE
+) -> tuple[np.ndarray, float, int]:
+    """States at the ends of the intervals, what halving the steps changed last at the end, steps in an interval.
+
+    `start`: (q, v, x) to start from, default the plan's.
+    """
+    steps, change, before = STEPS, np.inf, None
+    for _ in range(MOST_HALVINGS):
+        states = stepper.run(steps, start)
+        change = np.inf if before is None else float(np.abs(states[-1] - before[-1]).max())
+        before = states
+        if change < tolerance:
+            break
+        steps *= 2
+    return states, change, steps
+
+
+class Stepper:
     """Runge-Kutta steps of q, v and the effects' states with the drives of one interval."""
 
     def __init__(self, trajectory: Trajectory) -> None:
@@ -124,12 +135,12 @@ class _Stepper:
             v = symbolic_outputs(self.programs["close_velocity"], {"q": q, "v": v, "p": p})["v_next"]
         return ca.vertcat(q, v, x)
 
-    def run(self, steps: int) -> np.ndarray:
-        """States at the ends of the intervals: (intervals + 1, nq + nv + states)."""
+    def run(self, steps: int, start: np.ndarray | None = None) -> np.ndarray:
+        """States at the ends of the intervals: (intervals + 1, nq + nv + states), from the plan's start or another."""
         found = self.trajectory
         mesh = found.transcribed.mesh * found.duration
-        start = found.sampled(np.array([0.0]))
-        state = np.concatenate([start.q[0], start.v[0], start.x[0]])
+        planned = found.sampled(np.array([0.0]))
+        state = np.concatenate([planned.q[0], planned.v[0], planned.x[0]]) if start is None else start
         states, p = [state], found.parameter_values
         folded, drives = self.step.mapaccum(steps), found.nodal_drives
         for k in range(len(mesh) - 1):

@@ -7,6 +7,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+import numpy as np
+
 from symscrew.optimisation.explanation import STATUS
 from symscrew.optimisation.followed_motion import replay
 from symscrew.optimisation.mesh_errors import MOST_GROWTH
@@ -46,10 +48,12 @@ def _missed(trajectory: Trajectory, accuracy: tuple[float, float]) -> tuple[str,
     found = []
     if not errors.violation <= trajectory.problem.violation:
         worst = errors.violations
-        what = worst.label or "a drive's bound"
+        what, near = worst.label or "a drive's bound", f"near {100 * worst.tau:.1f} % of the duration"
+        size = f"{errors.violation:.2g} of its size"
         found.append(
-            f"{what} is broken between the points by {errors.violation:.2g} of its size near "
-            f"{100 * worst.tau:.1f} % of the duration"
+            f"{what} is broken between the points by {size} {near}"
+            if np.isfinite(errors.violation)
+            else f"{what} is not settled between the points {near}: nothing bounds it there"
         )
     total = float(errors.judged.sum())
     if not total <= dynamic:

@@ -1,16 +1,20 @@
 """A trajectory problem from a TOML file.
 
 Sections and keys, with units, defaults and examples: `symscrew.optimisation.problem_keys`, docs/how_to/optimise.md.
-Numbers may be expressions in the mechanism's parameters. Keys are fixed: an unknown one is an error.
+Numbers may be expressions in the mechanism's parameters, at the values of the run. Keys are fixed: an unknown one is an
+error.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from decimal import Decimal
 from pathlib import Path
 from typing import Any
+
+import sympy
 
 from symscrew import catalogue, scene
 from symscrew.description import (
@@ -43,6 +47,7 @@ from symscrew.optimisation.problem import (
     Transcription,
 )
 
+Names = tuple[str, ...]
 KEYS = {section: tuple(keys) for section, keys in problem_keys.SECTIONS.items()}
 SECTIONS = (*KEYS, *problem_keys.OWN)
 
@@ -59,12 +64,32 @@ def load_problem(path: str | Path) -> TrajectoryProblem:
 def parse_problem(text: str, *, folder: Path | None = None, name: str = "trajectory") -> TrajectoryProblem:
     """The problem that a TOML text describes; files it names are looked for in `folder`."""
     tables = read_tables(text)
+    if found := [section for section in problem_keys.PARTS if section in tables]:
+        raise DescriptionError(f"[[{found[0]}]]: a problem with several motions is read by load_problem_file")
     check_sections(tables, SECTIONS, KEYS, problem_keys.LISTS)
+    return replace(problem_of(tables, folder=folder, name=name), text=text)
+
+
+def reader_of(tables: Mapping[str, Any], folder: Path | None) -> _Reader:
+    """What reads the numbers of a problem's sections."""
+    return _given(tables, folder)[0]
+
+
+def _given(tables: Mapping[str, Any], folder: Path | None) -> tuple[_Reader, _Base, dict[str, Range], dict[str, float]]:
+    """The reader, mechanism and effects, ranges of the design, values of parameters."""
     if "problem" not in tables:
         raise DescriptionError("the section [problem] is missing; expected at least mechanism or scene, and duration")
-    head = tables["problem"]
-    base = _base(head, folder)
+    base = _base(tables["problem"], folder)
     read = _Reader(base.mechanism)
+    design = read.ranges(tables.get("design", {}), "design")
+    parameters = {**base.parameters, **read.numbers(tables.get("parameters", {}), "parameters")}
+    return _Reader(base.mechanism, parameters, tuple(design)), base, design, parameters
+
+
+def problem_of(tables: Mapping[str, Any], *, folder: Path | None, name: str) -> TrajectoryProblem:
+    """The problem of sections that were read."""
+    read, base, design, parameters = _given(tables, folder)
+    head = tables["problem"]
     effects = (*base.effects, *(effect_from_table(t, f"effects[{k}]") for k, t in enumerate(tables.get("effects", ()))))
     check_effects(base.mechanism, effects)
     if "duration" not in head:
@@ -85,12 +110,12 @@ def parse_problem(text: str, *, folder: Path | None = None, name: str = "traject
         turns=read.turns(head.get("turns", {})),
         bounds=read.bounds(tables.get("bounds", {})),
         objectives=tuple(read.objective(t, f"objectives[{k}]") for k, t in enumerate(objectives)),
-        design=read.ranges(tables.get("design", {}), "design"),
-        parameters={**base.parameters, **read.numbers(tables.get("parameters", {}), "parameters")},
+        design=design,
+        parameters=parameters,
         independent=_labels(head["independent"], "problem.independent") if "independent" in head else None,
         drive_rule=_text(head.get("drive_rule", "free"), "problem.drive_rule"),
         preload=read.numbers(tables.get("preload", {}), "preload"),
-        inputs={**base.inputs, **read.lists(tables.get("inputs", {}), "inputs")},
+        inputs={**read.lists(base.inputs, "the scene's inputs"), **read.lists(tables.get("inputs", {}), "inputs")},
         guess=read.lists(tables.get("guess", {}), "guess"),
         transcription=_transcription(tables.get("transcription", {}), read),
         solver=_solver(tables.get("solver", {}), read),
@@ -99,7 +124,6 @@ def parse_problem(text: str, *, folder: Path | None = None, name: str = "traject
         starts=_whole(head.get("starts", 1), "problem.starts"),
         seed=_whole(head.get("seed", 1), "problem.seed"),
         name=check_name(head.get("name", name if name.isidentifier() else "trajectory"), "problem.name"),
-        text=text,
     )
     check_problem(problem)
     return problem
@@ -111,7 +135,7 @@ class _Base:
     def __init__(self, mechanism: Mechanism, effects: Sequence[Effect] = ()) -> None:
         self.mechanism, self.effects = mechanism, tuple(effects)
         self.parameters: dict[str, float] = {}
-        self.inputs: dict[str, tuple[float, ...]] = {}
+        self.inputs: dict[str, list[str]] = {}
 
 
 def _base(head: Mapping[str, Any], folder: Path | None) -> _Base:
@@ -127,26 +151,36 @@ def _base(head: Mapping[str, Any], folder: Path | None) -> _Base:
     found = scene.load_scene(path)
     base = _Base(found.mechanism, found.effects)
     base.parameters = dict(found.parameters)
-    names = {p.name: p.value for p in found.mechanism.parameters.values()}
-    for port, texts in found.inputs.items():
-        where = f"the scene's inputs.{port}"
-        base.inputs[port] = tuple(float(numeric(exact(t, names, where=where), where=where)) for t in texts)
+    base.inputs = {port: list(texts) for port, texts in found.inputs.items()}
     return base
 
 
 class _Reader:
-    """Numbers, ranges and groups of them, as expressions in the mechanism's parameters."""
+    """Numbers, ranges and groups of them, as expressions in the mechanism's parameters at their `chosen` values.
 
-    def __init__(self, mechanism: Mechanism) -> None:
+    Those of the `design`, and what follows from them, stand for no number: the optimiser chooses them.
+    """
+
+    def __init__(self, mechanism: Mechanism, chosen: Mapping[str, float] | None = None, design: Names = ()) -> None:
         self.mechanism = mechanism
-        self.names = {p.name: p.value for p in mechanism.parameters.values()}
+        given: dict[str, Any] = {name: exact(value) for name, value in (chosen or {}).items()}
+        given |= {name: sympy.Symbol(f"design parameter {name}", real=True) for name in design}
+        # what a problem names becomes a parameter of its program, whatever the description makes of it
+        posed = {n: replace(p, run_time=p.run_time or n in given) for n, p in mechanism.parameters.items()}
+        self.names = replace(mechanism, parameters=posed).values(given)
 
     def number(self, value: Any, where: str) -> float:
         if isinstance(value, float | Decimal) and math.isinf(value):
             return float(value)
         if isinstance(value, bool) or not isinstance(value, int | float | str | Decimal):
             raise DescriptionError(f"{where}: expected a number, got {shorten(value)}")
-        number = float(numeric(exact(value, self.names, where=where), where=where))
+        found = exact(value, self.names, where=where)
+        if unknown := sorted(str(symbol) for symbol in found.free_symbols):
+            raise DescriptionError(
+                f"{where}: {shorten(value)} depends on the {', '.join(unknown)}, which the optimiser chooses; expected "
+                "a number (a bound that depends on it can stand under bounds.expressions)"
+            )
+        number = float(numeric(found, where=where))
         if not math.isfinite(number):
             raise DescriptionError(f"{where}: expected a finite number, got {shorten(value)}")
         return number
@@ -267,10 +301,21 @@ class _Reader:
 
     def _obstacle(self, table: Any, k: int) -> Obstacle:
         where = f"bounds.obstacles[{k}]"
-        check_keys(where, table, ("type", "at", "points", "distance"))
+        check_keys(where, table, ("type", "at", "points", "segments", "distance"))
         kind = _text(table.get("type"), f"{where}.type")
-        at, points = (_labels(table.get(name), f"{where}.{name}") for name in ("at", "points"))
-        return Obstacle(kind, at, points, self.number(table.get("distance"), f"{where}.distance"))
+        at, points = (
+            _labels(table.get(name, usual), f"{where}.{name}") for name, usual in (("at", None), ("points", []))
+        )
+        given = table.get("segments", [])
+        if not isinstance(given, list):
+            raise DescriptionError(f"{where}.segments: expected a list of pairs of points, got {shorten(given)}")
+        segments = []
+        for pair in given:
+            names = _labels(pair, f"{where}.segments")
+            if len(names) != 2:
+                raise DescriptionError(f"{where}.segments: expected pairs of points, got {shorten(pair)}")
+            segments.append((names[0], names[1]))
+        return Obstacle(kind, at, points, self.number(table.get("distance"), f"{where}.distance"), tuple(segments))
 
     def objective(self, table: Mapping[str, Any], where: str) -> Objective:
         if "type" not in table:

@@ -104,8 +104,8 @@ SECTIONS: Mapping[str, Mapping[str, Key]] = {
         "distances": Key("m", "of two named points", 'distances = [{ between = ["bead", "post"], range = [0.01, 9] }]'),
         "obstacles": Key(
             "m",
-            "shapes at named points of any body that points keep off by a distance: sphere (centre), plane (a point, "
-            "one above), capsule (both ends), box (a corner, its neighbours)",
+            "shapes at named points of any body that points, or segments between two, keep off by a distance: sphere "
+            "(centre), plane (a point, one above), capsule (both ends), box (a corner, its neighbours; points only)",
             'obstacles = [{ type = "sphere", at = ["post"], points = ["bead"], distance = 0.01 }]',
         ),
         "expressions": Key(
@@ -135,7 +135,11 @@ SECTIONS: Mapping[str, Mapping[str, Key]] = {
     },
     "transcription": {
         "method": Key("", "radau or gauss collocation, or multiple shooting", 'method = "gauss"'),
-        "degree": Key("", "points in an interval (steps of Runge-Kutta where shooting)", "degree = 2"),
+        "degree": Key(
+            "",
+            "points in an interval, more where intervals would be many (shooting: steps of Runge-Kutta)",
+            "degree = 2",
+        ),
         "intervals": Key("", "of the first mesh", "intervals = 3"),
         "second_order": Key("", "collocation keeps y' the derivative of y between the points", "second_order = false"),
         "formulation": Key(
@@ -184,6 +188,38 @@ HOLDERS: Mapping[str, type] = {
     "transcription": Transcription,
     "solver": Solver,
 }
+SHARED: Mapping[str, Key] = {
+    "duration": Key("s", "of this part, in place of [problem]'s", "duration = 0.5"),
+    "weight": Key("1", "of its cost in the sum; default 1", "weight = 2"),
+    "end": Key("", "as [end]", "end = { coordinates = { x = 0.2 } }"),
+    "via": Key("", "as [[via]]", "via = [{ time = 0.5, coordinates = { x = 0.3 } }]"),
+    "bounds": Key("", "as [bounds], beside those of all parts", "bounds = { speeds = { x = 2 } }"),
+    "objectives": Key("", "as [[objectives]], in place of those of all parts", 'objectives = [{ type = "jerk" }]'),
+    "effects": Key("", "as [[effects]], beside those of all parts", 'effects = [{ type = "gravity" }]'),
+    "inputs": Key(
+        "", "as [inputs]",
+        'effects = [{ type = "external_wrench", point = "bead" }]\ninputs = { load_bead = [1, 2, 3, 0, 0, 0] }',
+    ),
+    "preload": Key("", "as [preload]", 'preload = { x = 1 }\nobjectives = [{ type = "preload" }]'),
+    "guess": Key("", "as [guess]", "guess = { x = [0, 1, 0], z = [0, 0, 1] }"),
+    "transcription": Key("", "as [transcription]", "transcription = { intervals = 3 }"),
+}  # fmt: skip
+PARTS: Mapping[str, Mapping[str, Key]] = {
+    "phases": {
+        **SHARED,
+        "impact": Key(
+            "1",
+            "at its end these freedoms of joints are stopped (0) or thrown back (up to 1), with an impulse along each",
+            "impact = { x = 0.5 }",
+        ),
+        "catches": Key("", "the mass that the next phase has more was at rest; else it moved along", "catches = true"),
+    },
+    "cases": {
+        **SHARED,
+        "start": Key("", "as [start]", "start = { coordinates = { x = 0.1, z = 0 } }"),
+        "parameters": Key("", "as [parameters]", "parameters = { m = 2 }"),
+    },
+}
 LISTS = ("effects", "via", "objectives")
 
 
@@ -224,6 +260,16 @@ def tables_of_keys() -> str:
         parts.append(f"## `{title}`\n\n{note}{HEAD}" + "\n".join(rows))
     rows = [_row(f"`[[{name}]]`" if name in LISTS else f"`[{name}]`", key, "none") for name, key in OWN.items()]
     parts.append("## Sections whose keys are names of yours\n\n" + HEAD.replace("key", "section") + "\n".join(rows))
+    heads = {
+        "phases": "Two or more motions, each from where the one before ends; what stands outside them holds for all, "
+        "[start] for the first one, [end] for the last one. Effects may differ; bodies that are there later keep their "
+        "rate unless `impact` or `catches` says otherwise.",
+        "cases": "Two or more motions that share the parameters under [design] and nothing else; what stands outside "
+        "them holds for all.",
+    }
+    for section, keys in PARTS.items():
+        rows = [_row(f"`{name}`", key, "-") for name, key in keys.items()]
+        parts.append(f"## `[[{section}]]`\n\n{heads[section]}\n\n{HEAD}" + "\n".join(rows))
     return "\n\n".join(parts) + "\n"
 
 

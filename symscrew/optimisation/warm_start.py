@@ -9,7 +9,6 @@ from __future__ import annotations
 import numpy as np
 
 from symscrew.optimisation.result import Trajectory
-from symscrew.optimisation.sparse import NonlinearProgram
 from symscrew.optimisation.transcription import Transcribed
 from symscrew.optimisation.unknowns import Unknowns
 
@@ -61,12 +60,13 @@ def shifted(warm: Trajectory, shift: float) -> tuple[np.ndarray, np.ndarray]:
 
 
 def carried_multipliers(
-    warm: Trajectory, transcribed: Transcribed, program: NonlinearProgram, cost_scale: float
+    warm: Trajectory, transcribed: Transcribed, cost_scale: float
 ) -> tuple[np.ndarray, np.ndarray] | None:
     """Multipliers of all constraints and of all unknowns' bounds; None where the two problems differ in kind."""
     before = warm.transcribed
     ratio = warm.cost_scale / cost_scale
-    if len(warm.multipliers) == len(program.labels) and len(warm.x) == transcribed.unknowns.size:
+    count = sum(f.count * len(f.function.rows) for f in transcribed.families) + len(transcribed.linear.labels)
+    if len(warm.multipliers) == count and len(warm.x) == transcribed.unknowns.size:
         return ratio * warm.multipliers, ratio * warm.bound_multipliers
     alike = [[r.label for r in f.function.rows] for f in before.families] == [
         [r.label for r in f.function.rows] for f in transcribed.families

@@ -8,6 +8,8 @@ if TYPE_CHECKING:
     from symscrew.runtime.compiled import CompiledModel, casadi_evaluator, load
     from symscrew.runtime.compiled_function import CompiledFunction, EvaluationError, Evaluator
     from symscrew.runtime.compilers import FLAGS, CompileError, compile_c, find_compiler, run_tool
+    from symscrew.runtime.cuda_kernels import CudaModel, load_cuda
+    from symscrew.runtime.nvrtc import CudaCode, KernelSize, compile_cuda, find_nvrtc
     from symscrew.runtime.origin import model_of, version
     from symscrew.runtime.user_cache import CacheState, entry, key_of
     from symscrew.runtime.user_cache import clear as clear_cache
@@ -20,16 +22,22 @@ __all__ = [
     "CompileError",
     "CompiledFunction",
     "CompiledModel",
+    "CudaCode",
+    "CudaModel",
     "EvaluationError",
     "Evaluator",
+    "KernelSize",
     "cache_state",
     "casadi_evaluator",
     "clear_cache",
     "compile_c",
+    "compile_cuda",
     "entry",
     "find_compiler",
+    "find_nvrtc",
     "key_of",
     "load",
+    "load_cuda",
     "model_of",
     "run_tool",
     "version",

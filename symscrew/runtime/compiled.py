@@ -26,6 +26,7 @@ from typing import Any
 
 import numpy as np
 
+from symscrew import notebook
 from symscrew.export import DOUBLE, library_sources
 from symscrew.model import Model
 from symscrew.runtime.c_library import Evaluators, Made, evaluators, library_of
@@ -65,6 +66,13 @@ class CompiledModel:
 
     def __repr__(self) -> str:
         return f"CompiledModel({self.name}: {len(self.functions)} functions in {self.backend})"
+
+    def _repr_html_(self) -> str:
+        rows = [
+            (name, *(", ".join(f"{p.name}[{p.size}]" for p in ports) for ports in (f.inputs, f.outputs)))
+            for name, f in self.functions.items()
+        ]
+        return notebook.table(repr(self), ("function", "of", "gives"), rows)
 
     def __getitem__(self, name: str) -> CompiledFunction:
         """The function of this name."""

@@ -9,13 +9,22 @@ Gravity is the file's, or 9.81 m/s^2 along -z. Limits are no effects unless `sto
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
 from symscrew.description import Mechanism
-from symscrew.effects import Effect, effect_to_table, effects_of_file, stops_of_file, type_name
-from symscrew.formats import Account, Imported, ImportOptions, JointLimits, import_file
+from symscrew.effects import (
+    Effect,
+    effect_to_table,
+    effects_of_file,
+    forces_of_effects,
+    stops_of_file,
+    type_name,
+)
+from symscrew.errors import DescriptionError
+from symscrew.formats import Account, Beside, Imported, ImportOptions, JointLimits, import_file, save_as
+from symscrew.mobility import analyse_mobility
 
 
 @dataclass(frozen=True)
@@ -36,6 +45,10 @@ class Robot:
     configurations: Mapping[str, tuple[float, ...]]
     account: Account
 
+    def named(self, name: str) -> Robot:
+        """The same robot under another name."""
+        return replace(self, mechanism=replace(self.mechanism, name=name))
+
 
 def load_robot(
     path: str | Path, options: ImportOptions | None = None, *, without: Collection[str] = (), stops: bool = False
@@ -44,14 +57,33 @@ def load_robot(
 
     Args:
         path: of the file.
-        options: what is accepted beside what is read without asking: `snap`, `repair`, `accept`, `floating`.
+        options: what is accepted beside what is read without asking: `snap`, `repair`, `accept`, `floating`, `exact`.
         without: types of effects to leave out, by their names in a scene.
         stops: whether limits of joints become rigid end stops, for simulation.
 
     Raises:
-        DescriptionError: the file cannot be read, or numbers depend on what would be left out.
+        DescriptionError: the file cannot be read, or numbers depend on what would be left out, or `exact` digits make
+            another mobility of its loops.
     """
-    return robot_of(import_file(path, options), without=without, stops=stops)
+    found = import_file(path, options)
+    if options is not None and options.exact:
+        _check_verdict(Path(path), options, found)
+    return robot_of(found, without=without, stops=stops)
+
+
+def _check_verdict(path: Path, options: ImportOptions, found: Imported) -> None:
+    """Refuse digits as angles where a loop then has another mobility than with the numbers as they are written."""
+    made = found.mechanism
+    if options.accept or (len(made.joints) < len(made.bodies) and not made.couplings):
+        return  # a tree moves as its joints do
+    written = import_file(path, replace(options, exact=False)).mechanism
+    before, after = (analyse_mobility(mechanism) for mechanism in (written, made))
+    if (before.dof, before.overconstraints) != (after.dof, after.overconstraints):
+        raise DescriptionError(
+            f"{path.name}: with digits taken as angles it has {after.dof} freedoms and {after.overconstraints} "
+            f"redundant constraints, with the numbers as they are written {before.dof} and {before.overconstraints}; "
+            "correct the file, leave --exact out, or take it with --accept"
+        )
 
 
 def robot_of(found: Imported, *, without: Collection[str] = (), stops: bool = False) -> Robot:
@@ -64,6 +96,33 @@ def robot_of(found: Imported, *, without: Collection[str] = (), stops: bool = Fa
 
 def _stops(limits: Mapping[str, JointLimits]) -> list[Effect]:
     return stops_of_file({joint: (limit.lower, limit.upper) for joint, limit in limits.items()})
+
+
+def save_robot(
+    mechanism: Mechanism,
+    path: str | Path,
+    effects: Collection[Effect],
+    *,
+    limits: Mapping[str, JointLimits] | None = None,
+    accept: bool = False,
+) -> list[str]:
+    """Write a mechanism and what acts on it to a URDF or MJCF file, as that file's own words.
+
+    Args:
+        mechanism: of the robot.
+        path: of the file; its suffix says as what.
+        effects: that the file is to have: rotor inertias, viscous and dry friction, springs, servos, gravity.
+        limits: joint -> reach, rate, effort.
+        accept: leave out what the file does not hold.
+
+    Returns:
+        What the file does not hold and was left out, in words.
+
+    Raises:
+        DescriptionError: the file does not hold the mechanism, or an effect and that is not accepted.
+    """
+    forces, field, others = forces_of_effects(mechanism, effects)
+    return save_as(mechanism, path, beside=Beside(forces, limits or {}, field, others, accept))
 
 
 def scene_text(robot: Robot, mechanism: str) -> str:

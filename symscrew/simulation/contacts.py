@@ -51,13 +51,17 @@ class Law:
         return self.coulomb + (self.static - self.coulomb) / (1 + (rate / self.stribeck) ** 2)
 
 
-def laws(model: Model, contacts: Sequence[Contact]) -> tuple[Law, ...]:
-    """The contacts with numbers.
+def laws(model: Model, contacts: Sequence[Contact], parameters: np.ndarray | None = None) -> tuple[Law, ...]:
+    """The contacts with numbers; `parameters`: the run-time ones in the program's order, default the description's.
 
     Raises:
         DescriptionError: a contact in a cut joint, or friction that depends on the load.
     """
-    names = {p.name: p.value for p in model.mechanism.parameters.values()}
+    if not contacts:
+        return ()
+    chosen = [p.name for p in model.mechanism.parameters.values() if p.run_time]
+    given = model.system.parameter_values if parameters is None else parameters
+    names = model.mechanism.values({n: exact(float(value)) for n, value in zip(chosen, given, strict=True)})
     tree = model.system.tree
 
     def number(value: object, default: float) -> float:

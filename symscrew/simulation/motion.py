@@ -15,6 +15,7 @@ from symscrew.errors import DescriptionError
 from symscrew.functions import REASONS
 from symscrew.model import Model
 from symscrew.program import Program
+from symscrew.results import Columns, JointWrenches
 from symscrew.runtime import CompileError, find_compiler
 from symscrew.scene import Scene, parameter_values
 from symscrew.scene import controller as controller_of
@@ -24,6 +25,7 @@ from symscrew.simulation.initial import initial_state, initial_states, moves
 from symscrew.simulation.native import NATIVE_METHODS, integrate_natively
 from symscrew.simulation.portable import Controller, integrate
 from symscrew.simulation.recording import Estimate, History, State
+from symscrew.simulation.run_columns import columns_of, wrenches_along
 from symscrew.simulation.stability import with_longest_stable_step
 from symscrew.simulation.state_programs import Plant, commands, plant
 from symscrew.simulation.verdict import estimated, verdict
@@ -72,6 +74,26 @@ class Run:
     def __repr__(self) -> str:
         end = float(self.t[-1]) if len(self.t) else 0.0
         return f"<Run {self.scene.name}: {len(self.t)} outputs to t = {end:g} s, {self.status}>"
+
+    def _repr_html_(self) -> str:
+        return self.columns._repr_html_()
+
+    @property
+    def columns(self) -> Columns:
+        """Columns by name over t: `q.LABEL`, `v.LABEL`, `u.LABEL`, energies, errors; `.pandas()`, `.xarray()`."""
+        parts = {"q": self.q, "v": self.v, "u": self.u, "x": self.x, "energy": self.energy}
+        parts |= {"closure_error": self.closure_error, "energy_balance": self.energy_balance}
+        return columns_of(self.scene.name, self.model, self.t, parts, x_labels=self.x_labels)
+
+    @property
+    def wrenches(self) -> JointWrenches:
+        """What joints transmit, by the joint's name: `run.wrenches["crank_R"].about_joint().force`.
+
+        Raises:
+            DescriptionError: the scene does not record reactions.
+        """
+        values = np.array(list(parameter_values(self.scene, self.model).values()), dtype=float)
+        return wrenches_along(self.model, self.q, self.reactions, values)
 
     @property
     def unbalanced(self) -> float:

@@ -48,7 +48,7 @@ class NativeContacts:
         self.library, self.start = library, start
         plant = library.plant
         found = [c for e in plant.model.effects for c in e.contacts()] if plant.outside else []
-        self.rules: tuple[Law, ...] = laws(plant.model, found)
+        self.rules: tuple[Law, ...] = laws(plant.model, found, plant.parameters)
         self.modes = Modes(())
         self.course: list[tuple[float, Modes]] = []
         self.events: tuple[str, ...] = ()

@@ -56,7 +56,7 @@ def integrate(
     Raises:
         DescriptionError: the method cannot have contacts or a controller, or SciPy is missing.
     """
-    rules = contact.laws(plant.model, contacts)
+    rules = contact.laws(plant.model, contacts, plant.parameters)
     method = scene.integrator.method
     marching = INTEGRATION_METHODS[method].marching
     if rules and marching != "projected":

@@ -13,6 +13,7 @@ from symscrew.description import to_toml
 from symscrew.errors import DescriptionError
 from symscrew.simulation.motion import Run
 from symscrew.simulation.recording import shown_time
+from symscrew.simulation.run_columns import labels_of
 from symscrew.whole_files import replaced
 
 FORMATS = (".npz", ".csv")  # ends of names of files that a run can be written into
@@ -28,18 +29,12 @@ def write_run(run: Run, path: Path) -> Path:
     """
     if path.suffix not in FORMATS:
         raise DescriptionError(f"expected a file name that ends in .npz or .csv, got {path.name!r}")
-    return replaced(path, lambda target: _archive(run, target) if path.suffix == ".npz" else _table(run, target))
+    return run.columns.save(path) if path.suffix == ".csv" else replaced(path, lambda target: _archive(run, target))
 
 
 def labels(run: Run) -> dict[str, list[str]]:
     """Labels of the columns of q, v and u."""
-    tree = run.model.system.tree
-    u = next((p.labels for p in run.model.programs["forward_dynamics"].inputs if p.name == "u"), ())
-    return {
-        "q": [c.label for c in tree.q],
-        "v": [c.label for c in tree.v],
-        "u": list(u) if run.u.shape[1] else [],
-    }
+    return labels_of(run.model, driven=run.u.shape[1] > 0)
 
 
 def arrays(run: Run) -> dict[str, np.ndarray]:
@@ -73,18 +68,6 @@ def arrays(run: Run) -> dict[str, np.ndarray]:
 
 def _archive(run: Run, path: Path) -> None:
     np.savez_compressed(path, **arrays(run))  # type: ignore[arg-type]
-
-
-def _table(run: Run, path: Path) -> None:
-    names = labels(run)
-    columns = [("t", run.t)]
-    for key in ("q", "v", "u"):
-        columns += [(f"{key}.{label}", run.__dict__[key][:, k]) for k, label in enumerate(names[key])]
-    columns += [(f"x.{label}", run.x[:, k]) for k, label in enumerate(run.x_labels)]
-    columns += [("energy.kinetic", run.energy[:, 0]), ("energy.potential", run.energy[:, 1])]
-    columns += [("closure_error", run.closure_error), ("energy_balance", run.energy_balance)]
-    header = ",".join(name for name, _ in columns)
-    np.savetxt(path, np.stack([c for _, c in columns], 1), delimiter=",", header=header, comments="", fmt="%.17g")
 
 
 def run_summary(run: Run) -> list[str]:

@@ -295,7 +295,8 @@ def _functions(plant: Plant, tables: str) -> list[str]:
     files = generated(plant)
     name = plant.model.name
     code = files[f"{name}.c"].replace(f'#include "{name}.h"', files[f"{name}.h"])
-    rules = laws(plant.model, [c for e in plant.model.effects for c in e.contacts()]) if plant.outside else ()
+    found = [c for e in plant.model.effects for c in e.contacts()] if plant.outside else []
+    rules = laws(plant.model, found, plant.parameters)
     head = [code, constants(plant)]
     head += ["static long evaluations;", "#define COUNT_EVALUATION ++evaluations", contact_constants(rules)]
     plain = adapters(plant, "plain_forces_at" if rules else "forces_at")

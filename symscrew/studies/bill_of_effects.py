@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from symscrew.description import Body, Mechanism
+from symscrew.description import Body, Mechanism, exact
 from symscrew.display import Progress, aligned_table
 from symscrew.effects import Acting, Effect, simplifications, type_name
 from symscrew.errors import DescriptionError
@@ -217,8 +217,8 @@ def scene_bill(scene: Scene, *, timed: bool = True, progress: Progress | None = 
     known = {"q": run.q, "v": run.v, "u": run.u, "t": run.t[:, None], **run.inputs}
     states = _states(run.model)
     known["x"] = run.x[:, : len(states)]
-    values = {**{p.name: float(p.value) for p in scene.mechanism.parameters.values()}, **scene.parameters}
-    chosen = [values[p.name] for p in scene.mechanism.parameters.values() if p.run_time]
+    values = scene.mechanism.values({name: exact(value) for name, value in scene.parameters.items()})
+    chosen = [float(values[p.name]) for p in scene.mechanism.parameters.values() if p.run_time]
     known["p"] = np.repeat(np.array(chosen, dtype=float)[None, :], len(run.t), 0)
     text = f"simulated motion of {run.t[-1]:g} s, {len(run.t)} outputs" + ("" if run.ok else f" ({run.status})")
     return bill(

@@ -12,11 +12,14 @@ from symscrew.studies.this_machine import machine
 from . import (
     arrays,
     attacks,
+    controllers,
     derivatives,
     forward_dynamics,
     generation,
     growth,
     inverse_dynamics,
+    jax_modules,
+    kernels,
     lean,
     mobility,
     optimisation,
@@ -42,6 +45,9 @@ BENCHMARKS = {
     "starts": (starts.run, 30),
     "reposed": (reposed.run, 1),
     "attacks": (attacks.run, 1),
+    "jax": (jax_modules.run, 5),
+    "kernels": (kernels.run, 1),
+    "controllers": (controllers.run, 1),
 }
 
 

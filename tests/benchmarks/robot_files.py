@@ -15,6 +15,7 @@ from __future__ import annotations
 
 import argparse
 import signal
+import tempfile
 import time
 from collections.abc import Iterator
 from pathlib import Path
@@ -35,6 +36,7 @@ from symscrew.scene import robot_of
 Array = np.ndarray[Any, Any]
 STATES = 3
 EQUAL = 1e-9  # relative, as for everything that is compared with other engines
+POINTER = 200  # bytes up to which a mesh is the pointer of a large file that was not fetched
 COMPARED = ("gravity", "rotor_inertia")  # what both engines have in M a + h
 
 
@@ -54,6 +56,8 @@ class Ours:
         """Mass matrices of the tree (states, n, n)."""
         rows = mass_matrix(self.system, self.acting.added_inertia)
         n = len(rows)
+        if not n:
+            return np.zeros((len(self.q), 0, 0))
         flat = self.system.numeric([x for row in rows for x in row], (self.system.inputs.q, self.q))
         return flat.reshape(-1, n, n)
 
@@ -61,6 +65,8 @@ class Ours:
         """Forces (states, n) that the tree needs without accelerations; `still`: without rates as well."""
         system = self.system
         nodes = generalised_forces(system, self.acting, [system.tape.zero] * len(system.tree.v))
+        if not nodes:
+            return np.zeros((len(self.q), 0))
         inputs = system.inputs
         return system.numeric(nodes, (inputs.q, self.q), (inputs.v, 0 * self.v if still else self.v))
 
@@ -93,9 +99,9 @@ class Ours:
         return found[0], found[1]
 
 
-def relative(a: Array, b: Array) -> float:
-    """The largest difference, of the largest entry."""
-    return float(np.abs(a - b).max(initial=0) / max(np.abs(b).max(initial=0), 1e-12))
+def relative(a: Array, b: Array, least: float = 1e-12) -> float:
+    """The largest difference, of the largest entry, or of `least` where that is larger."""
+    return float(np.abs(a - b).max(initial=0) / max(np.abs(b).max(initial=0), least, 1e-12))
 
 
 def with_mujoco(path: Path, options: ImportOptions) -> tuple[float, str]:
@@ -123,38 +129,44 @@ def with_mujoco(path: Path, options: ImportOptions) -> tuple[float, str]:
         data.qvel[:] = 0 if closed else columns[0]
         mujoco.mj_forward(engine, data)
         full = np.zeros((engine.nv, engine.nv))
-        mujoco.mj_fullM(engine, data, full)
-        motions = np.array(columns[1:]).reshape(-1, engine.nv).T
+        if engine.nv:
+            mujoco.mj_fullM(engine, data, full)
+        motions = np.array(columns[1:]).reshape(len(columns) - 1, engine.nv).T
         if engine.neq and motions.size:
             kept = data.efc_type == mujoco.mjtConstraint.mjCNSTR_EQUALITY
             rows = data.efc_J.reshape(-1, engine.nv)[kept] if data.nefc else np.zeros((0, engine.nv))
             worst = max(worst, float(np.abs(rows @ motions).max(initial=0)))
         worst = max(worst, relative(basis.T @ mass[k] @ basis, motions.T @ full @ motions))
-        worst = max(worst, relative(basis.T @ forces[k], motions.T @ data.qfrc_bias))
+        unit = np.abs(full).max(initial=0)  # forces that are zero have the size of one unit of acceleration
+        worst = max(worst, relative(basis.T @ forces[k], motions.T @ data.qfrc_bias, unit))
     what = "closed: M and gravity along its motions" if closed else "tree: M, forces"
     return worst, f"{what}; {bases[0].shape[1]} freedoms"
 
 
 def mujoco_model(path: Path) -> Any:
-    """MuJoCo's model; where meshes are missing, without the geoms of bodies that give their inertia themselves."""
+    """MuJoCo's model; where files are missing, without pictures and without geoms of bodies that give their inertia."""
     import mujoco
-    from defusedxml import ElementTree
 
     try:
         return mujoco.MjModel.from_xml_path(str(path))
-    except ValueError as error:
-        if "file" not in str(error):
-            raise
-    root = ElementTree.parse(str(path)).getroot()
-    for body in root.iter("body"):
-        if body.find("inertial") is not None:
-            for geom in body.findall("geom"):
-                body.remove(geom)
-    for geom in [g for parent in root.iter() for g in parent.findall("geom") if g.get("material")]:
-        geom.attrib.pop("material")
-    for section in root.findall("asset") + root.findall("contact") + root.findall("sensor"):
-        root.remove(section)
-    return mujoco.MjModel.from_xml_string(ElementTree.tostring(root, encoding="unicode"))
+    except ValueError:
+        spec = mujoco.MjSpec.from_file(str(path))
+    for listed in (spec.skins, spec.textures, spec.materials, spec.excludes, spec.pairs, spec.sensors):
+        for element in list(listed):
+            spec.delete(element)
+    files = {mesh.name or Path(mesh.file).stem: path.parent / spec.meshdir / mesh.file for mesh in spec.meshes}
+    there = {name for name, file in files.items() if file.is_file() and file.stat().st_size > POINTER}
+    for body in spec.bodies:
+        for geom in list(body.geoms):
+            geom.material = ""
+            missing = geom.hfieldname or (body.explicitinertial and geom.meshname and geom.meshname not in there)
+            if missing:
+                spec.delete(geom)
+    for ground in list(spec.hfields):
+        spec.delete(ground)
+    for mesh in [mesh for mesh in spec.meshes if (mesh.name or Path(mesh.file).stem) not in there]:
+        spec.delete(mesh)
+    return spec.compile()
 
 
 def names_in(engine: Any, ours: Ours) -> dict[str, int]:
@@ -206,8 +218,13 @@ def with_pinocchio(path: Path, options: ImportOptions) -> tuple[float, str]:
 
     from symscrew.formats.file_names import safe_names
 
-    ours = Ours(path, options)
-    engine = pinocchio.buildModelFromUrdf(str(path))
+    if path.with_suffix(
+        ".yaml"
+    ).is_file():  # it changes joints, which Pinocchio does not read: opened, compared without
+        import_file(path, options)
+    text, mended = possible(path)
+    ours = tree_of(path, options)
+    engine = pinocchio.buildModelFromXML(text)
     data = engine.createData()
     ours.system.use_samples()
     mass, forces = ours.mass(), ours.forces(still=False)
@@ -229,9 +246,50 @@ def with_pinocchio(path: Path, options: ImportOptions) -> tuple[float, str]:
         found = np.triu(found) + np.triu(found, 1).T
         worst = max(worst, relative(mass[k][np.ix_(order, order)], found))
         bias = pinocchio.rnea(engine, data, np.array(given), ours.v[k][order], np.zeros(engine.nv))
-        worst = max(worst, relative(forces[k][order], bias))
+        worst = max(worst, relative(forces[k][order], bias, np.abs(found).max(initial=0)))
     closed = " of its tree" if ours.system.cuts else ""
-    return worst, f"tree: M, forces{closed}; {engine.nv} freedoms"
+    repaired = f"; {mended} inertias repaired in both" if mended else ""
+    return worst, f"tree: M, forces{closed}; {engine.nv} freedoms{repaired}"
+
+
+def tree_of(path: Path, options: ImportOptions) -> Ours:
+    """Our side of a URDF alone, without the file beside it; links without joints stand still, as in Pinocchio."""
+    with tempfile.TemporaryDirectory() as folder:
+        copy = Path(folder) / path.name
+        copy.write_bytes(path.read_bytes())
+        return Ours(copy, options)
+
+
+def possible(path: Path) -> tuple[str, int]:
+    """(text of a URDF with the nearest possible inertias for those that no body has, how many), for the other engine.
+
+    Links on fixed joints are left as they are, as Pinocchio adds them up.
+    """
+    from defusedxml import ElementTree
+
+    root = ElementTree.parse(str(path)).getroot()
+    heavy = {link.get("name") for link in root.findall("link") if link.find("inertial") is not None}
+    ends = [{end.get("link") for end in joint if end.tag in ("parent", "child")} for joint in root.findall("joint")
+            if joint.get("type") == "fixed"]  # fmt: skip
+    fixed = {name for pair in ends if pair <= heavy for name in pair}
+    mended = 0
+    for link in root.findall("link"):
+        for moments in link.findall("inertial/inertia"):
+            given = np.zeros((3, 3))
+            for i, j in ((0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)):
+                given[i, j] = given[j, i] = float(moments.get(f"i{'xyz'[i]}{'xyz'[j]}", "0"))
+            values, axes = np.linalg.eigh(given)
+            low = values.clip(min=0)
+            miss = (low[2] - low[0] - low[1]) / 3
+            if link.get("name") in fixed or (values[0] >= -1e-12 * values[2] and miss <= 1e-12 * values[2]):
+                continue
+            mended += 1
+            whole = axes @ np.diag(low + max(miss, 0) * np.array([1, 1, -1])) @ axes.T
+            for i, j in ((0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)):
+                moments.set(f"i{'xyz'[i]}{'xyz'[j]}", repr(float(whole[i, j])))
+    if not mended:
+        return path.read_text(), 0
+    return ElementTree.tostring(root, encoding="unicode"), mended
 
 
 def files_below(folders: list[Path]) -> Iterator[Path]:
@@ -247,24 +305,30 @@ def files_below(folders: list[Path]) -> Iterator[Path]:
 
 
 def judged(path: Path, options: ImportOptions, seconds: int) -> tuple[str, str]:
-    """(verdict, details) of one file, within a time."""
+    """(verdict, details) of one file, within a processor time."""
 
     def late(*_: object) -> None:
         raise TimeoutError
 
-    signal.signal(signal.SIGALRM, late)
-    signal.alarm(seconds)
+    signal.signal(signal.SIGPROF, late)
+    signal.setitimer(signal.ITIMER_PROF, seconds)
     try:
         worst, what = (with_pinocchio if path.suffix == ".urdf" else with_mujoco)(path, options)
-        return ("ok" if worst < EQUAL else "DIFFERS"), f"{worst:.1e} {what}"
+        return ("ok" if worst < EQUAL else "DIFFERS"), f"{worst:.1e} {what}{open_by(path, options)}"
     except DescriptionError as error:
         return "refused", str(error)[:200]
     except TimeoutError:
-        return "late", f"more than {seconds} s"
+        return "late", f"more than {seconds} processor seconds"
     except Exception as error:  # the other engine's word, or ours: either is the file's verdict
         return "failed", f"{type(error).__name__}: {str(error)[:150]}"
     finally:
-        signal.alarm(0)
+        signal.setitimer(signal.ITIMER_PROF, 0)
+
+
+def open_by(path: Path, options: ImportOptions) -> str:
+    """How far the file's own loops are open: two engines that close them agree to that only."""
+    found = [text.partition("open by ")[2] for text in import_file(path, options).account.changed if "open by" in text]
+    return f"; loops of the file open by {found[0].partition(' in ')[0]}" if found else ""
 
 
 def main() -> None:

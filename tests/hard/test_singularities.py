@@ -84,11 +84,18 @@ def test_the_report_names_what_is_singular() -> None:
     assert "limb (arm): SINGULAR here" in findings.mobility_markdown(found)
 
 
-def test_a_coordinate_of_a_joint_that_closes_a_loop_gives_no_margins() -> None:
-    found = analyse_mobility(catalogue.load("four_bar"), at={"C": "0.1"})
-    assert found.singularities.margins is None
-    assert findings.mobility_values(found)["singularities"]["limb"] is None
-    assert "not known here" in findings.mobility_text(found)
+def test_margins_do_not_depend_on_the_coordinate_by_which_the_configuration_is_given() -> None:
+    """By the crank, by the joint that closes the loop, by a pose of the rocker: one configuration, the same margins."""
+    mechanism = catalogue.load("four_bar")
+    first = analyse_mobility(mechanism, at={"A": "20deg"})
+    assert first.reached is not None and first.singularities.margins
+    for name in ("C", "rocker.pitch", "rocker.x"):
+        other = analyse_mobility(mechanism, at={name: first.reached.values[name]}).singularities.margins
+        assert other is not None
+        for one, same in zip(first.singularities.margins, other, strict=True):
+            assert abs(one.value - same.value) < 1e-12 * one.size
+    reference = analyse_mobility(mechanism).singularities.margins
+    assert reference is not None and abs(reference[0].value - first.singularities.margins[0].value) > 1e-3
 
 
 def test_the_nearest_zero_of_a_margin_is_where_the_rank_is_lost() -> None:

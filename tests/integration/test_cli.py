@@ -88,7 +88,7 @@ def test_bad_file(name: str, command: str, tmp_path: Path, capsys: pytest.Captur
         (["generate", "four_bar"], "--out"),
         (["generate", "four_bra", "--out", "made"], "did you mean 'four_bar'"),
         (["generate", "nothing.toml", "--out", "made"], "there is no file"),
-        (["generate", "four_bar", "--out", "made", "--target", "rust"], "unknown 'rust'"),
+        (["generate", "four_bar", "--out", "made", "--target", "cobol"], "unknown 'cobol'"),
         (["generate", "four_bar", "--out", "made", "--gravity", "0", "0", "heavy"], "finite numbers"),
         (["generate", "four_bar", "--out", "made", "--gravity", "0", "0", "inf"], "finite numbers"),
         (["generate", "four_bar", "--out", "made", "--no-gravity", "--gravity", "0", "0", "1"], "not allowed with"),
@@ -250,3 +250,26 @@ def test_output_into_a_closed_pipe_ends_quietly() -> None:
     command = f"set -o pipefail; {sys.executable} -m symscrew list | head -1"
     shown = subprocess.run(["bash", "-c", command], capture_output=True, text=True, check=True)
     assert shown.stderr == ""
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ("generate", "four_bar", "--out", "{file}/x"), ("view", "four_bar", "--out", "{file}/x/y.html"),
+        ("mobility", "four_bar", "--out", "{file}/x.md"), ("mobility", "four_bar", "--proof", "{file}/x.json"),
+        ("convert", "four_bar", "--out", "{file}/x.toml"), ("draw", "four_bar", "--out", "{file}/x.png"),
+        ("workspace", "four_bar", "--over", "A=0:1:2", "--out", "{file}/x"),
+        ("simulate", "nowhere.toml", "--emit-c", "{file}/x"),
+    ],
+)  # fmt: skip
+def test_places_to_write_to_are_looked_at_before_anything_is_derived(
+    words: tuple[str, ...], tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A file stands where a folder should be: said before the mechanism is read, which would fail here."""
+    file = tmp_path / "taken"
+    file.write_text("kept")
+    monkeypatch.setattr(catalogue, "find", lambda *_, **__: pytest.fail("the mechanism was read"))
+    assert main([word.format(file=file) for word in words]) == 2
+    said = capsys.readouterr().err
+    assert "taken" in said and ("expected a folder" in said or "no folder" in said)
+    assert file.read_text() == "kept" and [p.name for p in tmp_path.iterdir()] == ["taken"]

@@ -17,7 +17,7 @@ from support.model_states import pendulum
 from symscrew import scene as scenes
 from symscrew.cli.parser import main
 from symscrew.description import toml_file
-from symscrew.fmu.unit_archive import build_unit
+from symscrew.fmu.unit_archive import _other_steps, build_unit
 from symscrew.fmu.unit_variables import structured
 from symscrew.runtime.compiled import find_compiler
 from symscrew.scene.contents import Scene
@@ -176,12 +176,24 @@ def test_equal_scenes_give_equal_bytes(units: dict[int, Path], tmp_path: Path) -
         assert all(first.read(name) == second.read(name) for name in names)
 
 
+@pytest.mark.parametrize("method", ["dop853", "radau"])
+def test_other_steps_than_the_scene_asks_for_are_told(tmp_path: Path, method: str) -> None:
+    text = SWINGING.format(method=method, rest="tolerance = 1e-9")
+    scene = scenes.parse_scene(text)
+    noted = _other_steps(scene)
+    assert len(noted) == 1 and "steps of 0.001 s by rk4" in noted[0] and f"not the scene's {method}" in noted[0]
+    for fixed in ("rk4", "rk8"):
+        kept = replace(scene, integrator=replace(scene.integrator, method=fixed, step=1e-3))
+        assert _other_steps(kept) == []
+
+
 def test_command_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     own = tmp_path / "own.toml"
     own.write_text(toml_file.to_toml(pendulum().mechanism))
     for given, version in (("four_bar", "2"), (str(own), "3")):
         unit = tmp_path / f"{Path(given).stem}.fmu"
         assert main(["fmu", given, "--out", str(unit), "--fmi", version]) == 0
+        assert "note:" not in capsys.readouterr().err
         assert validate_fmu(str(unit)) == []
         unit.unlink()
     own.unlink()

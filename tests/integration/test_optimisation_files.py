@@ -46,6 +46,112 @@ def run(tmp_path: Path, text: str, *options: str) -> tuple[int, Path]:
     return parser.main(["optimise", str(problem), "--out", str(out), *options]), out
 
 
+LIFTED = """
+[scene]
+name = "lifted"
+mechanism = "lifted.toml"
+duration = 1
+
+[parameters]
+m = 3
+
+[inputs]
+load_bead = ["0", "0", "-2*heft", "0", "0", "0"]
+
+[[effects]]
+type = "external_wrench"
+point = "bead"
+"""
+LIFT = """
+[mechanism]
+name = "lift"
+
+[parameters.m]
+value = 1
+unit = "kg"
+run_time = true
+
+[parameters.heft]
+value = "m*9.81"
+unit = "N"
+
+[parameters.reach]
+value = "0.3"
+unit = "m"
+
+[parameters.top]
+value = "reach + 0.1"
+unit = "m"
+
+[bodies.bead]
+mass = "m"
+com = [0, 0, 0]
+
+[joints.z]
+type = "P"
+parent = "base"
+child = "bead"
+point = [0, 0, 0]
+axes = [[0, 0, 1]]
+driven = true
+
+[points.bead]
+body = "bead"
+at = [0, 0, 0]
+"""
+
+
+@pytest.mark.parametrize("given", [{}, {"m": 2.0}, {"reach": 0.5}, {"m": 4.0, "reach": 0.7}])
+def test_numbers_follow_the_parameters_of_the_problem(tmp_path: Path, given: dict[str, float]) -> None:
+    """Those of the scene, and of the problem before them, whatever the description calls a run-time parameter."""
+    (tmp_path / "lifted.toml").write_text(LIFT)
+    (tmp_path / "scene.toml").write_text(LIFTED)
+    chosen = "".join(f"{name} = {value}\n" for name, value in given.items())
+    text = f"""
+[problem]
+scene = "scene.toml"
+duration = 1
+[parameters]
+{chosen}
+[end]
+coordinates = {{ z = "top" }}
+[bounds]
+drives = {{ z = "10*heft" }}
+"""
+    found = parse_problem(text, folder=tmp_path)
+    m, reach = given.get("m", 3.0), given.get("reach", 0.3)
+    assert found.end.coordinates["z"] == pytest.approx(reach + 0.1, abs=1e-15)
+    assert found.bounds.drives["z"][1] == pytest.approx(98.1 * m, rel=1e-15)
+    assert found.inputs["load_bead"][2] == pytest.approx(-19.62 * m, rel=1e-15)
+
+
+@pytest.mark.parametrize("named", ["reach", "2*top", "top - reach + 1"])
+def test_numbers_that_depend_on_the_design_are_refused(tmp_path: Path, named: str) -> None:
+    (tmp_path / "lifted.toml").write_text(LIFT)
+    head = '[problem]\nmechanism = "lifted.toml"\nduration = 1\n[design]\nreach = ["reach", "2*reach"]\n'
+    text = head + f'[end]\ncoordinates = {{ z = "{named}" }}'
+    if named == "top - reach + 1":  # whatever is chosen it is a number
+        assert parse_problem(text, folder=tmp_path).end.coordinates == {"z": 1.1}
+        return
+    with pytest.raises(DescriptionError, match="depends on the design parameter reach, which the optimiser chooses"):
+        parse_problem(text, folder=tmp_path)
+    assert parse_problem(head, folder=tmp_path).design == {"reach": (0.3, 0.6)}
+
+
+def test_segments_of_obstacles_are_read() -> None:
+    """Beside points or without them."""
+    text = FIVE_BAR.replace(
+        "[bounds]",
+        """[bounds]
+obstacles = [{ type = "sphere", at = ["tool"], segments = [["a", "b"], ["b", "c"]], distance = 0.05 }]""",
+    )
+    (found,) = parse_problem(text).bounds.obstacles
+    assert found.segments == (("a", "b"), ("b", "c")) and found.points == ()
+    for wrong in ('[["a"]]', '["a", "b"]', '"a"'):
+        with pytest.raises(DescriptionError, match=r"bounds.obstacles\[0\].segments"):
+            parse_problem(text.replace('[["a", "b"], ["b", "c"]]', wrong))
+
+
 @pytest.mark.slow
 def test_everything_is_written(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     picture = tmp_path / "motion.png"

@@ -12,8 +12,8 @@ import pytest
 from support.model_states import model as derived
 
 from symscrew.cli.parser import main
-from symscrew.report.blocks import Document, Picture, Section, Table, Text, page, write_document
-from symscrew.report.sections import _unit_screws, document
+from symscrew.reporting.blocks import Document, Picture, Section, Table, Text, page, write_document
+from symscrew.reporting.sections import _unit_screws, document
 from symscrew.studies.timing import Times
 
 VOID = {"meta", "br", "img", "mspace", "link", "input", "path", "use", "rect", "circle", "line", "mprescripts"}

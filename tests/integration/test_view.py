@@ -17,14 +17,17 @@ from support.samples import some_quickly
 
 from symscrew.cli.parser import main
 from symscrew.description import toml_file
+from symscrew.display.view import page_data
 from symscrew.display.view.motion_file import read_motion
 from symscrew.display.view.page import make_page
 from symscrew.display.view.page_data import MAX_FRAMES, page_scene
 from symscrew.errors import DescriptionError
 from symscrew.export.javascript import print_javascript
 from symscrew.export.listing import live_instructions
+from symscrew.kinematics import coordinate_units
 from symscrew.model import derive
 from symscrew.program.straight_line import Iteration
+from symscrew.studies.workspace import start_margins
 
 Array = np.ndarray
 NAMES = ("three_ups_upu_s", "four_bar", "sarrus", "ur5")
@@ -103,12 +106,27 @@ def _in_plane(point: Array, corners: Array) -> bool:
     return np.linalg.matrix_rank(np.vstack([corners[1:] - corners[0], point - corners[0]]), tol=1e-9) == 2
 
 
-def test_which_margins_are_squared_is_read_from_the_functions() -> None:
-    squared = {m["name"]: m["squared"] for m in page_scene(model("three_ups_upu_s"))["margins"]}
-    assert squared == {
-        "limb1": False, "limb2": False, "limb3": False, "limb4": False, "limb5": False, "constraint": False,
-        "actuation": True,
-    }  # fmt: skip
+def test_margins_have_the_scale_of_maps_and_reports() -> None:
+    """Parts of the volumes in the reference configuration, which are those that maps divide by."""
+    found = model("three_ups_upu_s")
+    known = start_margins(found, lambda name, *arrays: found(name, *arrays))
+    page = {m["name"]: m["start"] for m in page_scene(found)["margins"]}
+    assert page.keys() == {"limb1", "limb2", "limb3", "limb4", "limb5", "constraint", "actuation"}
+    for name, value in known.items():
+        kind, _, of = name.partition(" ")
+        assert page[of if kind == "limb" else kind] == value != 0
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_coordinates_are_shown_as_they_are_typed(name: str) -> None:
+    found = model(name)
+    data, known = page_scene(found), coordinate_units(found.mechanism)
+    for entry in data["independent"]:
+        assert known[entry["name"]] == ("m" if entry["kind"] == "length" else "rad")
+    panel = Path(page_data.__file__).parent / "page"
+    assert not any(
+        "_" in found for file in panel.glob("*.js") for found in re.findall(r"\.replace\w*\([^)]*\)", file.read_text())
+    )
 
 
 def test_hostile_texts_stay_texts() -> None:

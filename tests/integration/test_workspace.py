@@ -22,7 +22,7 @@ from symscrew.errors import DescriptionError
 from symscrew.studies.workspace import engine
 from symscrew.studies.workspace.evaluation import evaluate, prepare_sweep, prepared
 from symscrew.studies.workspace.map_summary import sweep_summary, tilt_reach
-from symscrew.studies.workspace.plan import Axis, Plan, read_axis, read_limit
+from symscrew.studies.workspace.plan import Axis, Plan, read_axis, read_limit, read_quantity
 from symscrew.studies.workspace.store import Store
 
 DEG = math.pi / 180
@@ -295,7 +295,10 @@ def test_command(tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch
         (["--over", "tild=0:1:3"], "did you mean 'tilt'?"),
         (["--over", "tilt=0:1"], "COORDINATE=from:to:count"),
         (["--over", "tilt=1:1:3"], "from below to"),
-        (["--over", "tilt=0:1ft:3"], "a number with"),
+        (["--over", "tilt=0:1ft:3"], "tilt is an angle [rad, deg]"),
+        (["--over", "tilt=0:1furlong:3"], "perhaps with a unit such as mm"),
+        (["--over", "platform_tilt=0:1:3"], "did you mean 'platform.tilt'?"),
+        (["--over", "tilt=0:x:3"], "expected a number"),
         (["--over", "azimuth=0:1:3"], "azimuth needs tilt"),
         (["--over", "tilt=0:1:3", "tilt=0:1:3"], "given twice"),
         (["--over", "tilt=0:1:3", "limb5_S.qx=0:1:3"], "already say"),
@@ -314,21 +317,52 @@ def test_bad_input(arguments: list[str], text: str, tmp_path: Path, capsys: pyte
     assert not list(tmp_path.iterdir())
 
 
+@pytest.mark.slow
+def test_poses_and_passive_joints_are_axes_like_independent_coordinates() -> None:
+    """The configurations of a crank's map, asked for by the other joints and by the rocker's pose."""
+    crank = whole(plan_of("four_bar", Axis("A", -20 * DEG, 20 * DEG, 5)))
+    for name, like in (("B", "B"), ("C", "C"), ("D", "D"), ("rocker.pitch", "D")):
+        first, last = crank[like][[0, -1]]
+        found = whole(plan_of("four_bar", Axis(name, min(first, last), max(first, last), 2)))
+        assert found["reached"].all() and np.allclose(np.sort(found["A"]), [-20 * DEG, 20 * DEG], atol=1e-9)
+    beyond = whole(plan_of("four_bar", Axis("rocker.pitch", 0.0, 2.0, 2)))
+    assert beyond["reached"].tolist() == [1.0, 0.0] and np.isnan(beyond["A"][1])
+
+
 def test_reading() -> None:
     assert read_axis("tilt=0:90deg:3").values == pytest.approx([0, math.pi / 4, math.pi / 2])
-    assert read_limit("limb1_P=-5mm:") == ("limb1_P", -0.005, math.inf)
+    assert read_limit("limb1_P=-5mm:") == (("limb1_P", -0.005, math.inf), "m")
 
 
 def test_units_of_axes_are_those_of_what_they_move(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """A bare number beyond a turn draws a notice; lengths for angles, and ends in two units, are refused."""
     out = ["--out", str(tmp_path / "map.csv")]
-    for over, said in (
-        ("A=0:30mm:3", "A is an angle [rad, deg]; its values are given in m"),
-        ("A=-20:20deg:3", "expected both ends in one unit"),
+    some = ["--over", "A=0:30deg:3"]
+    for typed, said in (
+        (["--over", "A=0:30mm:3"], "A is an angle [rad, deg]; its values are given in m"),
+        (["--over", "A=-20:20deg:3"], "expected both ends in one unit"),
+        ([*some, "--limit", "B=-5cm:5cm"], "--limit: B is an angle [rad, deg]; its values are given in m"),
+        ([*some, "--limit", "condition=:20deg"], "condition is a plain number; its values are given in rad"),
+        ([*some, "--limit", "drive A=-5N:5N"], "--limit: drive A is in N m; its values are given in N"),
+        ([*some, "--limit", "B=-1:20deg"], "expected both ends in one unit"),
+        ([*some, "--limit", "B=-1furlong:"], "perhaps with a unit such as mm"),
+        ([*some, "--stiffness", "5mm"], "--stiffness: expected a number in N/m"),
+        ([*some, "--expect-tilt", "5mm"], "--expect-tilt: expected a number in rad"),
     ):
-        assert main(["workspace", "four_bar", "--over", over, *out]) == 2
+        assert main(["workspace", "four_bar", *typed, *out]) == 2
         assert said in capsys.readouterr().err and not list(tmp_path.iterdir())
     assert main(["workspace", "four_bar", "--over", "A=0:30:3", *out]) == 0
     assert "note: A is in rad: 30 are 1719 degrees; 30deg are 30 degrees" in capsys.readouterr().err
-    assert main(["workspace", "four_bar", "--over", "A=0:30deg:3", *out]) == 0
+    assert main(["workspace", "four_bar", *some, "--limit", "drive A=-5Nm:900Nmm", "B=-0.2rev:", *out]) == 0
     assert "note:" not in capsys.readouterr().err
+
+
+def test_tolerances_are_in_units_of_their_parameter(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    short, out = str(Path(__file__).parents[1] / "data" / "short_five_bar.toml"), str(tmp_path / "map.csv")
+    assert main(["workspace", short, "--tolerance", "rise=1deg", "--out", out]) == 2
+    assert "--tolerance: rise is a length [m, mm]; its values are given in rad" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("text, value", [("5mm", 0.005), ("2 in", 0.0508), ("0.5rev", math.pi), ("3 N mm", 0.003)])
+def test_quantities_are_read_as_descriptions_are(text: str, value: float) -> None:
+    assert read_quantity(text, "here")[0] == pytest.approx(value, rel=1e-15)

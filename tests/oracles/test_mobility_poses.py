@@ -2,14 +2,20 @@
 
 from __future__ import annotations
 
+import json
+
 import numpy as np
 import pytest
+import sympy
+from scipy.spatial.transform import Rotation
 from support import model_states
 
 from symscrew import catalogue
+from symscrew.cli.parser import main
 from symscrew.errors import DescriptionError
 from symscrew.kinematics import virtual_joint
 from symscrew.mobility import analyse_mobility
+from symscrew.mobility.configuration import with_parameters
 from symscrew.mobility.joint_network import Network
 
 SEED = "three_ups_upu_s"
@@ -82,3 +88,50 @@ def test_coordinates_that_are_none_are_refused_with_those_that_are() -> None:
                        ("nothing.x", "no parameter, joint or body of this name")):  # fmt: skip
         with pytest.raises(DescriptionError, match=text):
             analyse_mobility(catalogue.load(SEED), at={name: "1/10"})
+
+
+@pytest.mark.slow
+def test_a_pose_in_degrees_and_millimetres_has_the_legs_that_geometry_gives() -> None:
+    """The hexapod at a pose by roll, pitch and yaw: its legs' lengths by hand, from the points of both plates."""
+    mechanism = catalogue.load("stewart_6ups")
+    given = {"x": "10mm", "y": "-2cm", "z": "0.03", "roll": "5deg", "pitch": "-8deg", "yaw": "12deg"}
+    found = analyse_mobility(mechanism, at=given)
+    assert found.reached is not None
+    turn = Rotation.from_euler("xyz", [5, -8, 12], degrees=True)
+    ends = {k: [np.array([float(mechanism.number(c)) for c in mechanism.joints[f"leg{k}_{letter}"].point])
+                for letter in "US"] for k in range(1, 7)}  # fmt: skip
+    middle = np.mean([top for _, top in ends.values()], axis=0)
+    for k, (base, top) in ends.items():
+        moved = turn.apply(top - middle) + middle + [0.01, -0.02, 0.03]
+        start = float(mechanism.number(mechanism.joints[f"leg{k}_P"].reference[0]))
+        longer = np.linalg.norm(moved - base) - np.linalg.norm(top - base)
+        assert abs(found.reached.values[f"leg{k}_P"] - start - longer) < 1e-14
+    assert abs(np.degrees(found.reached.values["platform.yaw"]) - 12) < 1e-12
+    with pytest.raises(DescriptionError, match=r"7 numbers are given and 6 are free: leave some out"):
+        analyse_mobility(mechanism, at=given | {"leg1_P": "0.1"})
+
+
+def test_the_report_lists_what_the_other_coordinates_are(capsys: pytest.CaptureFixture[str]) -> None:
+    """Four-bar: the angles add up around the loop, in what is printed and in the JSON; bare angles draw a notice."""
+    assert main(["mobility", "four_bar", "--at", "A=20deg", "--json"]) == 0
+    made = capsys.readouterr()
+    said = json.loads(made.out)["configuration"]
+    assert not made.err and said["in_words"] == "at A = 20deg" and said["all"]["A"]["shown"] == "20deg"
+    angles = {name: said["all"][name]["value"] for name in "ABCD"}
+    assert abs(angles["A"] + angles["B"] + angles["C"] - angles["D"]) < 1e-12 and abs(angles["B"]) > 0.1
+    assert main(["mobility", "four_bar", "--at", "A=7"]) == 0
+    made = capsys.readouterr()
+    assert "note: A is in rad: 7 are 401 degrees" in made.err
+    assert "given: A = 7; all others follow" in made.out and "joints: A = 401.07deg, B = " in made.out
+    assert main(["mobility", "four_bar", "--at", "rocker.tlt=7deg"]) == 2
+    assert main(["mobility", "four_bar", "--at", "rockr.tilt=7deg"]) == 2
+    assert "did you mean 'rocker.tilt'" in capsys.readouterr().err
+
+
+def test_parameters_that_follow_one_that_is_given_follow_it() -> None:
+    """The delta's depth is a formula of its rods: the loops close for other rods, given with a unit."""
+    mechanism = catalogue.load("delta")
+    derived = [p for p in mechanism.parameters.values() if p.formula is not None]
+    changed, _ = with_parameters(mechanism, {"rods": "650mm"})
+    assert derived and changed.parameters["rods"].value == sympy.Rational(13, 20)
+    assert any(changed.parameters[p.name].value != p.value for p in derived)

@@ -37,13 +37,26 @@ def test_inverse_kinematics_finds_the_sampled_configuration(found: Model) -> Non
     assert np.abs(direct - drives).max() < 1e-9 * np.abs(drives).max()
 
 
+def test_the_drives_of_a_pose_are_those_of_its_configuration(found: Model) -> None:
+    """In the order of u, by the function that measures displacements of all joints, tree or not."""
+    (pose,) = found.test_inputs["inverse_kinematics"]
+    program = found.programs["drive_positions"]
+    (positions,), status = found("drive_positions", pose)
+    (every,), _ = found("joint_displacements", found.system.sample_states[0])
+    labels = found.programs["joint_displacements"].outputs[0].labels
+    chosen = [labels.index(label) for label in program.outputs[0].labels]
+    assert np.all(status == 0) and np.abs(positions - every[:, chosen]).max() < 1e-12 and np.ptp(positions) > 1e-3
+    assert program.operations["total"] < found.programs["inverse_kinematics"].operations["total"]
+
+
 def test_out_of_reach_is_reported(found: Model) -> None:
     if found.mechanism.name == "three_rps":
         return  # its slides have no end
     pose = found.test_inputs["inverse_kinematics"][0].copy()
     pose[:, :3] += 50.0
-    (got,), status = found("inverse_kinematics", pose)
-    assert np.all(status >= OUT_OF_REACH) and np.isnan(got).all()
+    for function in ("inverse_kinematics", "drive_positions"):
+        (got,), status = found(function, pose)
+        assert np.all(status >= OUT_OF_REACH) and np.isnan(got).all()
 
 
 def test_assembly_follows_the_guess_to_its_own_branch(found: Model) -> None:

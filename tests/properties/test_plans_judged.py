@@ -6,13 +6,16 @@ import math
 from dataclasses import replace
 from pathlib import Path
 
+import casadi as ca
 import numpy as np
 import pytest
 from support.marks import slow
 from support.optimal_problems import bead, cart_pole_problem, rest_to_rest
 
+from symscrew import catalogue
 from symscrew.description import load_description
-from symscrew.optimisation import plan_verdict
+from symscrew.effects import EndStop
+from symscrew.optimisation import enclosed_functions, enclosures, plan_verdict
 from symscrew.optimisation.bounds_between import violations_of
 from symscrew.optimisation.followed_branch import Branch
 from symscrew.optimisation.followed_motion import replay
@@ -176,6 +179,36 @@ def test_quantities_of_closed_loops_are_bounded_between_the_points(above: Trajec
         bounded = replace(bounded, transcribed=replace(above.transcribed, model=model))
         found = violations_of(bounded, Branch(bounded), above.followed, 1e-5)
         assert found.label == label and seen - 1e-7 <= found.largest <= 1.11 * seen, label
+
+
+def test_effects_that_choose_are_bounded_between_the_points() -> None:
+    """A stop that the crank meets on its way: a joint's load as samples show it."""
+    stop = EndStop("A", upper="0.45", stiffness=30, exponent=2, damping="0.5")
+    problem = TrajectoryProblem(
+        catalogue.load("four_bar"), (stop,), duration=0.5, **rest_to_rest({"A": 0.1}, {"A": 0.6}),
+        transcription=Transcription(intervals=6), accuracy=None,
+    )  # fmt: skip
+    found = solve(problem)
+    assert found.ok
+    at = found.sample(count=501)
+    assert at.y[0, 0] < 0.45 < at.y[-1, 0]
+    forces = found.reactions(at).reshape(len(at.t), -1, 6)[:, :, :3]
+    seen = (np.linalg.norm(forces[:, list(problem.mechanism.joints).index("B")], axis=1).max() / 0.1) ** 2 - 1
+    bounded = replace(found, problem=replace(problem, bounds=Bounds(reactions={"B": (0.1, None)})))
+    model = type(found.model)(bounded.problem, found.model.equations, found.model.scales)
+    bounded = replace(bounded, transcribed=replace(found.transcribed, model=model))
+    bad = violations_of(bounded, Branch(bounded), found.followed, 1e-5)
+    assert seen > 0 and seen * (1 - 1e-6) <= bad.largest <= 1.11 * seen
+
+
+def test_what_nothing_bounds_is_not_settled(monkeypatch: pytest.MonkeyPatch) -> None:
+    """An operation without an enclosure: no traceback and no optimum, but a sentence that names the quantity."""
+    kept = {op: made for op, made in enclosures.ELEMENTARY.items() if op != ca.OP_EXP}
+    monkeypatch.setattr(enclosed_functions, "ELEMENTARY", kept)
+    problem = around(0.05, 0.0, transcription=Transcription(intervals=4))
+    problem = replace(problem, bounds=Bounds(expressions={"exp(q_x)": (0.0, 99.0)}))
+    found = solve(problem)
+    assert not found.ok and "exp(q_x) is not settled between the points" in found.status and len(found.mesh) == 5
 
 
 # -- replay ------------------------------------------------------------------------------------------------------

@@ -14,22 +14,22 @@ from support.model_states import model
 pytest.importorskip("selenium", reason='needs selenium: pip install ".[browser]"')
 from support.browser import start
 
-from symscrew.report.blocks import Document, write_document
-from symscrew.report.sections import document
+from symscrew.reporting.blocks import Document, write_document
+from symscrew.reporting.sections import document
 
 pytestmark = pytest.mark.slow
-NAMES = ("four_bar", "ur5", "three_ups_upu_s", "stewart_6ups")
-PAPER = round(178 / 25.4 * 96)  # px of A4 between the margins of report.css
+NAMES = ("four_bar", "ur5", "three_ups_upu_s")  # a loop, an open chain, limbs with wide tables
+PAPER = round(178 / 25.4 * 96)  # px of A4 between the margins of style.css
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="session")  # tests of one mechanism stand together, not those of one file
 def driver(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Any]:
     made = start(tmp_path_factory.mktemp("profile"))
     yield made
     made.quit()
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="session")
 def reports(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], tuple[Document, Path]]:
     folder, known = tmp_path_factory.mktemp("reports"), dict[str, tuple[Document, Path]]()
 

@@ -17,8 +17,8 @@ from symscrew.display.view.motion_file import RecordedMotion
 from symscrew.effects import Gravity
 from symscrew.errors import DescriptionError
 from symscrew.model import derive
-from symscrew.report import margin_maps, sections
-from symscrew.report.blocks import Document, Picture, Section
+from symscrew.reporting import margin_maps, sections
+from symscrew.reporting.blocks import Document, Picture, Section
 from symscrew.studies.accuracy import study_plots
 from symscrew.studies.accuracy.measuring import Point, Study
 from symscrew.studies.accuracy.study_tables import front

@@ -10,7 +10,7 @@ from support import handmade
 
 from symscrew.description.names import markdown_text
 from symscrew.export.readme import print_readme
-from symscrew.report.blocks import Bullets, Document, Picture, Section, Table, Text, markdown
+from symscrew.reporting.blocks import Bullets, Document, Picture, Section, Table, Text, markdown
 
 HOSTILE = (
     "<script>alert(1)</script>", "![x](http://evil)", "[x](javascript:alert(1))", "a|b", "`code`", "**bold**", "_it_",

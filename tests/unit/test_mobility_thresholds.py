@@ -235,21 +235,18 @@ def test_a_margin_below_rounding_is_said_to_be_zero(monkeypatch: pytest.MonkeyPa
     assert any("SINGULAR here" in line for line in singularities.as_lines(found.singularities)) == (smallest < value)
 
 
-@pytest.mark.parametrize("name, value", [("WALKS", 0), ("STEPS", 24)])
-def test_margins_at_a_place_that_the_loops_do_not_reach(monkeypatch: pytest.MonkeyPatch, name: str, value: int) -> None:
+@pytest.mark.parametrize("limit", [1e-9, 0.0])
+def test_margins_where_the_trees_coordinates_do_not_close_the_loops(
+    monkeypatch: pytest.MonkeyPatch, limit: float
+) -> None:
     mechanism = catalogue.load("four_bar")
-    monkeypatch.setattr(singularities, name, value)
-    found = singularities.singularities(mechanism, {"A": 0.3})
-    if name == "STEPS":
-        assert found.margins and not found.unknown
-        monkeypatch.setattr(singularities, "CLOSED", 0.0)
-        assert singularities.singularities(mechanism, {"A": 0.3}).margins
-        monkeypatch.setattr(singularities, "NEARLY_CLOSED", 0.0)
-        assert singularities.singularities(mechanism, {"A": 0.3}).margins is None
-    else:
-        assert found.margins is None
+    reached = analyse_mobility(mechanism, at={"A": 0.3}).reached
+    monkeypatch.setattr(singularities, "OPEN", limit)
+    found = singularities.singularities(mechanism, reached)
+    assert bool(found.margins) == (limit > 0)
+    if not limit:
         assert singularities.as_lines(found) == [
-            "Margins are not known here: the loops did not close on the way to the given coordinates"
+            "Margins are not known here: the coordinates of the spanning tree do not close the loops"
         ]
 
 

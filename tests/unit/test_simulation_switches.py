@@ -17,7 +17,7 @@ from symscrew.model import derive
 from symscrew.scene import INTEGRATION_METHODS, scene_file
 from symscrew.scene.contents import Initial, Integrator, Scene
 from symscrew.scene.scene_file import parse_scene
-from symscrew.simulation import contacts, fronts, initial, portable, scene_functions, stability
+from symscrew.simulation import contacts, fronts, initial, portable, run_source, scene_functions, stability
 from symscrew.simulation.motion import Run, prepare, simulate
 from symscrew.simulation.native import NATIVE_METHODS
 from symscrew.simulation.real_time_loop import REAL_TIME
@@ -195,6 +195,32 @@ def test_a_run_with_too_many_changes_of_contact_says_so(monkeypatch: pytest.Monk
     monkeypatch.setattr(portable, "MOST_EVENTS", 2)
     stopped = sliding(*effects, start=0.5, duration=3.0)
     assert not stopped.ok and "more than 2 changes of contact" in stopped.status
+
+
+@pytest.mark.parametrize("chosen", [{}, {"reach": 0.15}, {"reach": 0.2, "grip": 0.5}])
+def test_laws_of_contacts_follow_the_parameters_of_the_run(chosen: dict[str, float]) -> None:
+    """A stop at twice `reach`, and friction `grip`, both of run time: met where s = v t - F t^2 / 2m is there."""
+    made = MechanismBuilder("block")
+    made.parameter("reach", "0.1", unit="m", run_time=True)
+    made.parameter("end", "2*reach", unit="m")
+    made.parameter("grip", "0.2", unit="N", run_time=True)
+    made.body("block", mass=2, com=[0, 0, 0], inertia=[1, 1, 1])
+    made.joint("slide", "P", parent="base", child="block", point=[0, 0, 0], axes=[[1, 0, 0]])
+    effects = (
+        EndStop("slide", upper="end", mode="impact", restitution=1), DryFriction("slide", coulomb="grip", mode="event"),
+    )  # fmt: skip
+    scene = Scene("stopped", made.build(), effects, 1.0, 50.0, Initial({}, {"slide": 1.0}), parameters=chosen)
+    run = simulate(scene, backend="numpy")
+    values = {"reach": 0.1, "grip": 0.2, **chosen}
+    slowing = values["grip"] / 2
+    when = (1 - np.sqrt(1 - 2 * slowing * 2 * values["reach"])) / slowing
+    assert run.ok and float(run.events[0].split()[2]) == pytest.approx(when, abs=1e-6)
+    assert run.q.max() <= 2 * values["reach"] + 1e-9
+    found = [c for effect in effects for c in effect.contacts()]
+    compiled = run_source.sources(prepare(scene)[1])[0]
+    rules = contacts.laws(run.model, found, np.array([values["reach"], values["grip"]]))
+    assert rules[0].upper == 2 * values["reach"] and rules[1].coulomb == values["grip"]
+    assert run_source.contact_constants(rules) in compiled
 
 
 def test_places_where_contacts_are_watched(monkeypatch: pytest.MonkeyPatch) -> None:

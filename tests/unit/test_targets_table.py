@@ -95,13 +95,15 @@ def test_every_target_has_its_file(name: str) -> None:
 
 
 def test_what_the_table_says_of_precisions_and_of_targets_that_come_along() -> None:
-    assert printable("single") == ("c", "markdown") and printable("double") == tuple(TARGETS)
+    assert printable("single") == ("c", "rust", "cuda", "markdown") and printable("double") == tuple(TARGETS)
     assert with_brought(["external"]) == ("c", "external")
     assert with_brought(["numpy", "c", "numpy"]) == ("c", "numpy")
     assert set(USUAL) <= set(TARGETS)
     with pytest.raises(ValueError, match=r"expected targets among c, casadi, .*, got 'fortran'"):
         render(model("four_bar"), ["fortran"])
-    with pytest.raises(ValueError, match="expected targets among c, markdown in single precision, got 'numpy'"):
+    with pytest.raises(
+        ValueError, match="expected targets among c, rust, cuda, markdown in single precision, got 'numpy'"
+    ):
         render(model("four_bar"), ["c", "numpy"], precision="single")
 
 

@@ -26,6 +26,7 @@ FUNCTIONS = (
 )  # fmt: skip
 MARGINS = {"limb_margins": "limb", "constraint_margin": "constraint", "actuation_margins": "actuation"}
 ALL_DRIVES = "all drives"
+SINGULAR = 1e-9  # a margin below it in the reference is 0 there, as in maps: nothing can be compared with it
 MAX_FRAMES = 1500  # of a motion in the page: 25 s at 60 a second; more are thinned evenly
 MAX_VALUES = 400_000  # of a motion in the page: 2 MB of text; mechanisms with many joints have fewer frames
 
@@ -168,13 +169,14 @@ def _independent(model: Model) -> list[dict[str, Any]]:
         )
         kind = "turn" if start is not None else tree.q[entry].kind
         axis = pose.get(entry) if start is None else label[-1]
-        made = {"label": label, "q": entry, "kind": kind, "unit": tree.q[entry].unit, "quaternion": start}
+        name = label if start is None else f"{label[:-2]}r{label[-1]}"  # the slider is an angle, no entry
+        made = {"label": label, "name": name, "q": entry, "kind": kind, "unit": tree.q[entry].unit, "quaternion": start}
         result.append(made | {"axis": axis})
     return result
 
 
 def _margins(model: Model) -> list[dict[str, Any]]:
-    """Every margin from a singularity: function, entry, name, and whether it is a squared volume.
+    """Every margin from a singularity: function, entry, name, and its value in the reference; 0 if singular there.
 
     Of the actuation margins only that of all drives: those of some drives are for who locks only these.
     """
@@ -183,10 +185,13 @@ def _margins(model: Model) -> list[dict[str, Any]]:
         if function not in model.programs:
             continue
         port = model.programs[function].outputs[0]
-        for k, (label, form) in enumerate(zip(port.labels, port.forms, strict=True)):
+        values = model.system.parameter_values
+        (found,), _ = model(function, model.system.reference[None], *([values[None]] if len(values) else []))
+        for k, (label, start) in enumerate(zip(port.labels, found[0], strict=True)):
             if function != "actuation_margins" or label == ALL_DRIVES:
                 name = label if function == "limb_margins" else MARGINS[function]
-                made.append({"function": function, "entry": k, "name": name, "squared": form == "squared"})
+                known = float(start) if abs(start) > SINGULAR else 0.0
+                made.append({"function": function, "entry": k, "name": name, "start": known})
     return made
 
 

@@ -12,6 +12,7 @@ import numpy as np
 import sympy
 
 from symscrew.mobility.field_counts import as_lines as counts_in_words
+from symscrew.mobility.findings.places import place_lines
 from symscrew.mobility.findings.typeset import inline, presentable
 from symscrew.mobility.finite import named_spins
 from symscrew.mobility.motions import branch_lines
@@ -31,6 +32,8 @@ NOT_TRIED = "What was not tried"
 def sections(found: Mobility) -> list[tuple[str, list[str]]]:
     """(heading, lines) of the whole report in words; formulas between dollar signs."""
     result = [("Mobility", _summary(found))]
+    if lines := place_lines(found):
+        result.append(("Configuration", lines))
     symbolic = {limb.name: limb for limb in found.symbolic.limbs} if found.symbolic else {}
     limbs: dict[tuple[str, ...], list[str]] = {}
     for limb in found.limbs:

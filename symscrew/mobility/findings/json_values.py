@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
+from symscrew.mobility.findings.places import place_values
 from symscrew.mobility.finite import named_spins
 from symscrew.mobility.motions import branch_values
 from symscrew.mobility.singularities import as_values
@@ -24,6 +25,7 @@ def mobility_values(found: Mobility) -> dict[str, Any]:
             "in_words": found.configuration,
             "coordinates": {name: str(value) for name, value in found.coordinates.items()},
             "parameters": {name: str(value) for name, value in found.parameters.items()},
+            "all": place_values(found),
         },
         "kutzbach": found.kutzbach,
         "dof": found.dof,

@@ -71,6 +71,9 @@ class FiniteMobility:
     proved: bool
     witnesses: tuple[Witness, ...] = ()
 
+    def __repr__(self) -> str:
+        return f"FiniteMobility({'not decided' if self.dof is None else self.dof}, {self.kind}, {self.judgement})"
+
     @property
     def judgement(self) -> str:
         """`proved`, `sampled`, or `undecided`."""

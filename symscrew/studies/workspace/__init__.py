@@ -9,6 +9,7 @@ from symscrew.doors import doors
 
 if TYPE_CHECKING:
     from symscrew.studies.workspace.configurations import (
+        SINGULAR,
         Call,
         calls_of,
         independent_labels,
@@ -18,29 +19,52 @@ if TYPE_CHECKING:
         watched_margins,
     )
     from symscrew.studies.workspace.engine import run_locally, run_on_dask
-    from symscrew.studies.workspace.evaluation import prepare_sweep
+    from symscrew.studies.workspace.evaluation import (
+        check_plan,
+        has_own_axes,
+        prepare_sweep,
+        quaternion_labels,
+        result_units,
+    )
     from symscrew.studies.workspace.map_summary import sweep_summary, sweep_summary_text
     from symscrew.studies.workspace.maps import draw_maps
-    from symscrew.studies.workspace.plan import AZIMUTH, MOST_CASES, TILT, Plan, read_axis, read_limit, read_number
+    from symscrew.studies.workspace.plan import (
+        AZIMUTH,
+        MOST_CASES,
+        TILT,
+        Axis,
+        Plan,
+        read_axis,
+        read_limit,
+        read_quantity,
+    )
     from symscrew.studies.workspace.store import Results, Store, held_store, save_csv, save_npz
+    from symscrew.studies.workspace.sweep_call import Sweep, workspace
 
 __all__ = [
     "AZIMUTH",
     "MOST_CASES",
+    "SINGULAR",
     "TILT",
+    "Axis",
     "Call",
     "Plan",
     "Results",
     "Store",
+    "Sweep",
     "calls_of",
+    "check_plan",
     "draw_maps",
+    "has_own_axes",
     "held_store",
     "independent_labels",
     "prepare_sweep",
+    "quaternion_labels",
     "read_axis",
     "read_limit",
-    "read_number",
+    "read_quantity",
     "reference_coordinates",
+    "result_units",
     "run_locally",
     "run_on_dask",
     "save_csv",
@@ -50,6 +74,7 @@ __all__ = [
     "sweep_summary_text",
     "walk",
     "watched_margins",
+    "workspace",
 ]
 
 __getattr__ = doors(__name__)

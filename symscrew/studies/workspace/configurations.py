@@ -17,6 +17,9 @@ Array = np.ndarray
 Call = Callable[..., tuple[Sequence[Array], Array]]
 """(function, arrays (cases, size)) -> results and status (cases), 0 where it worked."""
 
+Reach = Callable[[float, Array, Sequence[Array]], tuple[Array, Array]]
+"""(part of the way, configurations (cases, nq), parameters) -> configurations there and status (cases)."""
+
 
 def calls_of(compiled: CompiledModel) -> Call:
     """A compiled model's functions as a `Call`."""
@@ -48,7 +51,14 @@ def reference_coordinates(model: Model) -> Array:
 
 
 def walk(
-    model: Model, call: Call, y: Array, parameters: Array | None = None, *, steps: int = STEPS, watch: bool = True
+    model: Model,
+    call: Call,
+    y: Array,
+    parameters: Array | None = None,
+    *,
+    steps: int = STEPS,
+    watch: bool = True,
+    reach: Reach | None = None,
 ) -> tuple[Array, Array, dict[str, Array]]:
     """Configurations q (cases, nq) at independent coordinates y (cases, ny), by equal steps from the reference.
 
@@ -59,6 +69,7 @@ def walk(
         parameters: run-time parameters (cases, np), walked to from their values in the description; None if none.
         steps: of the walk.
         watch: whether to look at the margins on the way.
+        reach: takes over from y: what brings all cases to a part of the way to where they are wanted.
 
     Returns:
         q, NaN where the loops cannot be closed; status of the last assembly; and per watched margin
@@ -77,9 +88,9 @@ def walk(
         part = k / steps
         extra = ((1 - part) * p0 + part * p1,) if p0.shape[1] else ()
         target = (1 - part) * start + part * y if k < steps else y
-        if "assemble" in model.programs:
-            results, new = call("assemble", target, q, *extra)
-            q = np.where((new == 0)[:, None] & (status == 0)[:, None], results[0], np.nan)
+        if reach is not None or "assemble" in model.programs:
+            found, new = reach(part, q, extra) if reach else _assembled(call, target, q, extra)
+            q = np.where((new == 0)[:, None] & (status == 0)[:, None], found, np.nan)
             status = np.where(status == 0, new, status)
         else:
             q = target.copy()
@@ -87,6 +98,11 @@ def walk(
         for name, value in first.items():
             least[name] = np.fmin(least[name], now[name] / value)
     return q, status, least
+
+
+def _assembled(call: Call, target: Array, q: Array, extra: Sequence[Array]) -> tuple[Array, Array]:
+    results, status = call("assemble", target, q, *extra)
+    return results[0], status
 
 
 def watched_margins(model: Model, call: Call, q: Array, extra: Sequence[Array]) -> dict[str, Array]:

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 
 import numpy as np
 
-from symscrew.errors import DescriptionError, did_you_mean
+from symscrew.description import in_si
+from symscrew.errors import DescriptionError
+from symscrew.kinematics import BODY_PARTS, coordinate_units, full_name, nearest_names
 from symscrew.model import Model, derive
 from symscrew.runtime import load
 from symscrew.studies.workspace.configurations import (
@@ -19,13 +21,16 @@ from symscrew.studies.workspace.configurations import (
     start_margins,
     walk,
 )
+from symscrew.studies.workspace.named_coordinates import NamedCoordinates
 from symscrew.studies.workspace.plan import AZIMUTH, TILT, Plan
 
 Array = np.ndarray
 SINGULAR = 1e-9  # of R, relative: below, the platform has twists that no rates give, and the condition is infinite
+WORDS = {"m": "a length [m, mm]", "rad": "an angle [rad, deg]", "1": "a plain number"}
 NEEDED = (
     "assemble", "joint_displacements", "drive_rates", "null_space", "platform_jacobian", "forward_kinematics",
-    "limb_margins", "constraint_margin", "actuation_margins", "inverse_dynamics",
+    "limb_margins", "constraint_margin", "actuation_margins", "inverse_dynamics", "body_poses", "closure",
+    "closure_jacobian",
 )  # fmt: skip
 
 
@@ -48,7 +53,7 @@ def prepared(key: str, holder: PlanHolder) -> Prepared:
     small = Model(
         model.name, model.mechanism, model.effects, wanted, {n: model.test_inputs[n] for n in wanted}, model.system
     )
-    return Prepared(small, calls_of(load(small)), independent_labels(model), _units(model))
+    return Prepared(small, calls_of(load(small)), independent_labels(model), result_units(model))
 
 
 class PlanHolder:
@@ -74,8 +79,12 @@ def prepare_sweep(plan: Plan) -> Prepared:
         DescriptionError: axes, tolerances or limits that the mechanism does not have.
     """
     made = prepared(plan.hash, PlanHolder(plan))
-    _check(plan, made)
-    return made
+    check_plan(plan, made.model, made.units)
+    _named(plan, made, plan.cases(0)[:1])
+    units = coordinate_units(made.model.mechanism)
+    named = {axis.name: full_name(made.model.mechanism, axis.name) for axis in plan.axes}
+    own = {typed: made.units.get(name, units.get(name, "")) for typed, name in named.items()}
+    return replace(made, units={**own, **made.units})
 
 
 def evaluate(plan: Plan, chunk: int) -> dict[str, Array]:
@@ -85,7 +94,8 @@ def evaluate(plan: Plan, chunk: int) -> dict[str, Array]:
     values = plan.cases(chunk)
     y, p = _wanted(plan, made, values, plan.deviations(chunk))
     with np.errstate(all="ignore"):
-        q, status, least = walk(model, call, y, p, steps=plan.steps)
+        named = _named(plan, made, values)
+        q, status, least = walk(model, call, y, p, steps=plan.steps, reach=named.reached if named else None)
         extra = (p,) if p is not None else ()
         results = {axis.name: values[:, k] for k, axis in enumerate(plan.axes)}
         if p is not None:
@@ -106,38 +116,69 @@ def evaluate(plan: Plan, chunk: int) -> dict[str, Array]:
     return results
 
 
-def _check(plan: Plan, made: Prepared) -> None:
-    known = [*made.labels, *made.model.mechanism.parameters]
-    if _spherical(made) is not None:
-        known += [TILT, AZIMUTH]
-    for axis in plan.axes:
-        if axis.name not in known:
-            raise DescriptionError(
-                f"--over: {axis.name!r} is neither an independent coordinate nor a parameter; "
-                f"{did_you_mean(axis.name, known)}"
-            )
-        unit = made.units.get(axis.name, "")
-        if axis.unit and unit in ("m", "rad") and axis.unit != unit:
-            wanted = "a length [m, mm]" if unit == "m" else "an angle [rad, deg]"
-            raise DescriptionError(f"--over: {axis.name} is {wanted}; its values are given in {axis.unit}")
-    names = [axis.name for axis in plan.axes]
+def check_plan(plan: Plan, model: Model, units: Mapping[str, str] | None = None) -> None:
+    """Whether a mechanism has what a plan names.
+
+    Raises:
+        DescriptionError: axes, tolerances or limits that it does not have.
+    """
+    units, mechanism = result_units(model) if units is None else units, model.mechanism
+    labels, own = independent_labels(model), coordinate_units(model.mechanism)
+    known = {**dict.fromkeys(labels, ""), **{n: p.unit for n, p in mechanism.parameters.items()}, **own}
+    names = [full_name(mechanism, axis.name) for axis in plan.axes]
+    for axis, name in zip(plan.axes, names, strict=True):
+        if name not in known or name.endswith(".turn"):
+            short = [end for end in BODY_PARTS if mechanism.platform and end != "turn"]
+            near = nearest_names(axis.name, [*labels, *mechanism.parameters, *short, *own])
+            raise DescriptionError(f"--over: {axis.name!r} is neither a coordinate nor a parameter; {near}")
+        _check_unit("--over", axis.name, axis.unit, units.get(name, known[name]))
     twice = sorted({n for n in names if names.count(n) > 1})
     if twice:
         raise DescriptionError(f"--over: {twice[0]!r} is given twice")
-    spherical = _spherical(made)
-    if spherical is not None and {TILT, AZIMUTH} & set(names) and set(spherical) & set(names):
+    spherical, tilted = quaternion_labels(model), {n.rpartition(".")[2] for n in names} & {TILT, AZIMUTH}
+    if spherical is not None and tilted and set(spherical) & set(names):
         raise DescriptionError("--over: tilt and azimuth already say what the quaternion's components are")
-    if AZIMUTH in names and TILT not in names:
+    if tilted == {AZIMUTH}:
         raise DescriptionError("--over: azimuth needs tilt: azimuth is the direction of the axis of the tilt")
     for name, _, _ in plan.limits:
-        if name not in made.units:
-            raise DescriptionError(f"--limit: no result {name!r}; {did_you_mean(name, made.units)}")
+        if name not in units:
+            raise DescriptionError(f"--limit: no result {name!r}; {nearest_names(name, units)}")
+    for option, name, typed in plan.typed:
+        _check_unit(option, name, typed, units.get(name, ""))
 
 
-def _spherical(made: Prepared) -> tuple[str, str] | None:
+def has_own_axes(plan: Plan, model: Model) -> bool:
+    """Whether all axes are independent coordinates, parameters, or tilt and azimuth in their place."""
+    mechanism = model.mechanism
+    own = {*independent_labels(model), *mechanism.parameters}
+    if quaternion_labels(model) is not None and mechanism.platform is not None:
+        own |= {f"{mechanism.platform}.{TILT}", f"{mechanism.platform}.{AZIMUTH}"}
+    return all(full_name(mechanism, axis.name) in own for axis in plan.axes)
+
+
+def _named(plan: Plan, made: Prepared, values: Array) -> NamedCoordinates | None:
+    """What is wanted by names that are no independent coordinates; None where these say all."""
+    mechanism = made.model.mechanism
+    if has_own_axes(plan, made.model):
+        return None
+    names = [full_name(mechanism, axis.name) for axis in plan.axes]
+    wanted = {n: values[:, k] for k, n in enumerate(names) if n not in mechanism.parameters}
+    return NamedCoordinates(made.model, made.call, wanted)
+
+
+def _check_unit(option: str, name: str, typed: str, own: str) -> None:
+    """Raises DescriptionError where a unit was typed that is not that of the result or parameter."""
+    unit = in_si(own, name)[1] if own else "1"
+    if typed and typed != unit:
+        wanted = WORDS.get(unit, f"in {unit}")
+        raise DescriptionError(f"{option}: {name} is {wanted}; its values are given in {typed}")
+
+
+def quaternion_labels(model: Model) -> tuple[str, str] | None:
     """Labels of the x and y components of the quaternion among the independent coordinates."""
-    for label in made.labels:
-        if label.endswith(".qx") and label[:-1] + "y" in made.labels:
+    labels = independent_labels(model)
+    for label in labels:
+        if label.endswith(".qx") and label[:-1] + "y" in labels:
             return label, label[:-1] + "y"
     return None
 
@@ -145,13 +186,14 @@ def _spherical(made: Prepared) -> tuple[str, str] | None:
 def _wanted(plan: Plan, made: Prepared, values: Array, deviations: Array) -> tuple[Array, Array | None]:
     """Independent coordinates and run-time parameters of the cases."""
     y = np.repeat(reference_coordinates(made.model)[None, :], len(values), 0)
-    column = {axis.name: values[:, k] for k, axis in enumerate(plan.axes)}
+    own = f"{made.model.mechanism.platform}."
+    column = {axis.name.removeprefix(own): values[:, k] for k, axis in enumerate(plan.axes)}
+    column |= {axis.name: values[:, k] for k, axis in enumerate(plan.axes)}
     for name, value in column.items():
         if name in made.labels:
             y[:, made.labels.index(name)] = value
-    if TILT in column:
-        spherical = _spherical(made)
-        assert spherical is not None
+    spherical = quaternion_labels(made.model)
+    if TILT in column and spherical is not None:
         azimuth = column.get(AZIMUTH, np.zeros(len(values)))
         x, z = (made.labels.index(label) for label in spherical)
         y[:, x], y[:, z] = (np.sin(column[TILT] / 2) * turn(azimuth) for turn in (np.cos, np.sin))
@@ -168,7 +210,7 @@ def _wanted(plan: Plan, made: Prepared, values: Array, deviations: Array) -> tup
     return y, p
 
 
-def _units(model: Model) -> dict[str, str]:
+def result_units(model: Model) -> dict[str, str]:
     """Result -> unit."""
     units: dict[str, str] = {
         "condition": "1",

@@ -5,27 +5,23 @@ from __future__ import annotations
 import hashlib
 import json
 import math
-import re
 from dataclasses import asdict, dataclass, field, fields, replace
 
 import numpy as np
 
-from symscrew.description import Mechanism, to_toml
+from symscrew.description import Mechanism, given_value, numeric, to_toml
 from symscrew.effects import Effect, type_name
 from symscrew.errors import DescriptionError, shorten
 
-UNITS = {"": 1.0, "m": 1.0, "mm": 1e-3, "rad": 1.0, "deg": math.pi / 180}
-OF = {"": "", "m": "m", "mm": "m", "rad": "rad", "deg": "rad"}  # what they are converted to
 TILT, AZIMUTH = "tilt", "azimuth"
 MOST_CASES = 50_000_000  # of a sweep: 0.4 GB for every result, of which there are dozens; more is refused
-_NUMBER = re.compile(r"([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*([a-z]*)")
 
 
 @dataclass(frozen=True)
 class Axis:
     """A coordinate or parameter with its values, evenly from `low` to `high` [rad, m, or the parameter's unit].
 
-    `unit` is "m" or "rad" where the values were given as lengths or angles, and empty for plain numbers.
+    `unit` is that in SI, "m" or "rad", of the unit that was typed, and empty for plain numbers.
     """
 
     name: str
@@ -47,7 +43,8 @@ class Plan:
     `tolerances`: parameter -> standard deviation of a normal distribution about its value, samples drawn with `seed`
     by the number of the case. `limits`: result -> (least, largest). `stiffness` is that of a drive: [N/m] of one that
     slides, and times the square of the characteristic length [N m/rad] of one that turns. `steps`: of the walk from
-    the reference configuration. `chunk`: cases per piece of work.
+    the reference configuration. `chunk`: cases per piece of work. `typed`: (option, result or parameter, SI unit) of
+    limits and tolerances that were typed with a unit; `check_plan` holds them to those of the mechanism.
     """
 
     mechanism: Mechanism
@@ -62,6 +59,7 @@ class Plan:
     steps: int = 16
     chunk: int = 1024
     parameters: tuple[str, ...] = field(default=())
+    typed: tuple[tuple[str, str, str], ...] = ()
 
     def __repr__(self) -> str:
         over = ", ".join(axis.name for axis in self.axes) or "samples alone"
@@ -81,7 +79,7 @@ class Plan:
     def hash(self) -> str:
         """SHA-256 of all that determines the results, 16 hex digits."""
         effects = [(type_name(e), {field.name: getattr(e, field.name) for field in fields(e)}) for e in self.effects]
-        rest = asdict(replace(self, mechanism=None, effects=()))  # type: ignore[arg-type]
+        rest = asdict(replace(self, mechanism=None, effects=(), typed=()))  # type: ignore[arg-type]
         text = json.dumps([to_toml(self.mechanism), effects, rest], sort_keys=True, default=repr)
         return hashlib.sha256(text.encode()).hexdigest()[:16]
 
@@ -103,8 +101,8 @@ class Plan:
         return stream.standard_normal((count, len(self.tolerances))) * [sigma for _, sigma in self.tolerances]
 
 
-def read_axis(text: str) -> Axis:
-    """An axis as it is typed: NAME=from:to:count, numbers with mm, m, deg or rad if wanted.
+def read_axis(text: str, count: int | None = None) -> Axis:
+    """An axis as it is typed: NAME=from:to:count, numbers with a unit if wanted; `count`: if none is typed.
 
     >>> read_axis("x=-1:1:5").values.tolist()
     [-1.0, -0.5, 0.0, 0.5, 1.0]
@@ -114,6 +112,8 @@ def read_axis(text: str) -> Axis:
     """
     name, equals, rest = text.partition("=")
     parts = rest.split(":")
+    if count is not None and len(parts) == 2 and all(part.strip() for part in parts):
+        parts.append(str(count))
     if not equals or not name or len(parts) != 3 or not parts[2].strip().isdecimal():
         raise DescriptionError(
             f"--over: expected COORDINATE=from:to:count such as tilt=0:20deg:21, got {shorten(text)}"
@@ -121,39 +121,36 @@ def read_axis(text: str) -> Axis:
     (low, one), (high, other) = (read_quantity(part, "--over") for part in parts[:2])
     if one != other and low and high:  # a zero needs no unit
         raise DescriptionError(f"--over: expected both ends in one unit, such as -20deg:20deg, got {shorten(text)}")
-    count = int(parts[2][:9])
-    if count < 1 or (count > 1) == (low == high):
+    number = int(parts[2][:9])
+    if number < 1 or (number > 1) == (low == high):
         raise DescriptionError(
             f"--over: expected from below to and at least 2 values, or one value, in {shorten(text)}"
         )
-    return Axis(name.strip(), low, high, count, other if high else one)
-
-
-def read_number(text: str, where: str) -> float:
-    """A finite number with a unit (mm, m, deg, rad or none), in m or rad.
-
-    Raises:
-        DescriptionError: it is none, not finite, or of another unit; begins with `where`.
-    """
-    return read_quantity(text, where)[0]
+    return Axis(name.strip(), low, high, number, other if high else one)
 
 
 def read_quantity(text: str, where: str) -> tuple[float, str]:
-    """A number as `read_number` takes it, and "m" for a length, "rad" for an angle, nothing without a unit."""
-    match = _NUMBER.fullmatch(text.strip())
-    if match is None or match.group(2) not in UNITS:
-        raise DescriptionError(f"{where}: expected a number with m, mm, rad, deg or no unit, got {shorten(text)}")
-    value = float(match.group(1)) * UNITS[match.group(2)]
+    """A number as `read_number` takes it, and the SI unit it is in, nothing without a unit."""
+    try:
+        found = given_value(text, where=where)
+        value = float(numeric(found.value, where=where))
+    except DescriptionError as error:
+        raise DescriptionError(
+            f"{where}: expected a number, perhaps with a unit such as mm or deg, got {shorten(text)}"
+        ) from error
     if not math.isfinite(value):
         raise DescriptionError(f"{where}: expected a finite number, got {shorten(text)}")
-    return value, OF[match.group(2)]
+    return value, found.unit
 
 
-def read_limit(text: str) -> tuple[str, float, float]:
-    """A limit as it is typed: RESULT=least:largest, one of them may be left out.
+def read_limit(text: str) -> tuple[tuple[str, float, float], str]:
+    """A limit as it is typed: RESULT=least:largest, one of them may be left out; and the unit that was typed, in SI.
+
+    >>> read_limit("limb1_P=-5mm:")
+    (('limb1_P', -0.005, inf), 'm')
 
     Raises:
-        DescriptionError: it is typed otherwise.
+        DescriptionError: it is typed otherwise, or with two units.
     """
     name, equals, rest = text.partition("=")
     low, colon, high = rest.partition(":")
@@ -161,8 +158,8 @@ def read_limit(text: str) -> tuple[str, float, float]:
         raise DescriptionError(
             f"--limit: expected RESULT=least:largest such as limb1_P=-50mm:50mm, got {shorten(text)}"
         )
-    return (
-        name.strip(),
-        read_number(low, "--limit") if low.strip() else -math.inf,
-        read_number(high, "--limit") if high.strip() else math.inf,
-    )
+    least, one = read_quantity(low, "--limit") if low.strip() else (-math.inf, "")
+    most, other = read_quantity(high, "--limit") if high.strip() else (math.inf, "")
+    if one != other and least and most and math.isfinite(most - least):  # a zero needs no unit
+        raise DescriptionError(f"--limit: expected both ends in one unit, such as -5mm:5mm, got {shorten(text)}")
+    return (name.strip(), least, most), one or other

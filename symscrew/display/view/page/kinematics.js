@@ -240,22 +240,20 @@ const Kinematics = (() => {
         .filter((twist) => Screws.norm([...Screws.scale(data.length, Screws.first(twist)), ...Screws.second(twist)]) > 1e-7 * data.length);
     }
 
-    // -- margins from singularities: volumes without units, as parts of their largest values met in this page --
+    // -- margins from singularities: volumes as parts of those in the reference configuration, as in maps and reports;
+    // one that is zero there has nothing to be compared with but the largest met in this page --
 
-    const largest = data.margins.map(() => 0);
+    const largest = data.margins.map(({ start }) => Math.abs(start));
 
     function margins(q) {
-      return data.margins.map(({ function: name, entry, squared }) => {
-        const value = Math.abs(call(name, { q }).margins[entry]);
-        return squared ? Math.sqrt(value) : value;
-      });
+      return data.margins.map(({ function: name, entry }) => Math.abs(call(name, { q }).margins[entry]));
     }
 
     function raise(q) {
-      margins(q).forEach((value, k) => { largest[k] = Math.max(largest[k], value); });
+      margins(q).forEach((value, k) => { largest[k] = data.margins[k].start === 0 ? Math.max(largest[k], value) : largest[k]; });
     }
 
-    /* The smallest margin: { value (1: as far as it gets in this page, 0: singular), name }; null if there is none. */
+    /* The smallest margin: { value (1: as in the reference, 0: singular), name }; null if there is none. */
     function margin(q) {
       if (data.margins.length > 0) {
         raise(q);

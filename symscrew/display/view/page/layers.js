@@ -367,7 +367,7 @@ const Layers = (() => {
     }
 
     draw_joints() {
-      this.data.joints.forEach((joint, j) => this.label(joint.name.replaceAll("_", " "), this.points[j], "joints", 0.5));
+      this.data.joints.forEach((joint, j) => this.label(joint.name, this.points[j], "joints", 0.5));
     }
   }
 

@@ -38,7 +38,7 @@
   }
 
   function rows() {
-    const made = data.drives.map((drive, k) => [`drive ${drive.label.replaceAll("_", " ")}`, state.u ? layers.amount(state.u[k], drive.unit === "N" ? "drive" : "torque", 4) : "–", drive.unit]);
+    const made = data.drives.map((drive, k) => [`drive ${drive.label}`, state.u ? layers.amount(state.u[k], drive.unit === "N" ? "drive" : "torque", 4) : "–", drive.unit]);
     if (model.has("energy")) {
       const [kinetic, potential] = model.call("energy", state).energy;
       made.push(["kinetic energy", Layers.digits(kinetic, 4), "J"], ["potential energy", Layers.digits(potential, 4), "J"]);
@@ -206,7 +206,7 @@
   if (data.independent.length > 1) {
     options.push(["-1", "sweep: all together"]);
   }
-  data.independent.forEach((entry, k) => options.push([String(k), `sweep: ${entry.label.replaceAll("_", " ")}`]));
+  data.independent.forEach((entry, k) => options.push([String(k), `sweep: ${entry.name}`]));
   options.forEach(([value, textContent]) => find("#motion").append(element("option", { value, textContent })));
   find("#motion").addEventListener("change", () => choose(find("#motion").value));
   find("#play").addEventListener("click", toggle);

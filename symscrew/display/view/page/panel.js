@@ -59,7 +59,7 @@ const Panel = (() => {
   }
 
   function header(data) {
-    find("h1").textContent = data.name.replaceAll("_", " ");
+    find("h1").textContent = data.name;
     find("#about").textContent = data.description;
     find("canvas").setAttribute("aria-label", `${data.name}: the mechanism in three dimensions`);
   }
@@ -84,7 +84,7 @@ const Panel = (() => {
       const shown = element("output", {}), problem = element("p", { className: "problem", hidden: true, role: "alert" });
       shown.htmlFor = id;
       input.addEventListener("input", () => onMove(k, Number(input.value)));
-      const label = element("label", { htmlFor: id, textContent: `${entry.label.replace(/_/g, " ")}${axis}` });
+      const label = element("label", { htmlFor: id, textContent: `${entry.name}${axis}` });
       const row = element("div", { className: "slider" }, element("div", { className: "line" }, label, shown), input, problem);
       holder.append(row);
       return {
@@ -159,9 +159,9 @@ const Panel = (() => {
     if (found !== null) {
       const [state, mark, words] = level >= 1 ? ["none", "✕", "singular"] : level > 0 ? ["low", "▲", "near a singularity"] : ["good", "✓", "no singularity near"];
       chip.dataset.level = state;
-      chip.title = "Smallest of the margins from limb, constraint and actuation singularities, as a part of the largest value met in this page";
+      chip.title = "Smallest of the margins from limb, constraint and actuation singularities: 1 in the reference configuration, 0 at a singularity";
       chip.querySelector(".mark").textContent = mark;
-      chip.querySelector(".text").textContent = `${words}: margin ${digits(found.value < 1e-9 ? 0 : found.value, 2)} (${found.name.replaceAll("_", " ")})`;
+      chip.querySelector(".text").textContent = `${words}: margin ${digits(found.value < 1e-9 ? 0 : found.value, 2)} (${found.name})`;
     }
   }
 

@@ -8,9 +8,10 @@ from typing import TYPE_CHECKING
 from symscrew.doors import doors
 
 if TYPE_CHECKING:
-    from symscrew.report.blocks import Document, write_document
-    from symscrew.report.sections import document
+    from symscrew.reporting.blocks import Document, write_document
+    from symscrew.reporting.report_call import report
+    from symscrew.reporting.sections import document
 
-__all__ = ["Document", "document", "write_document"]
+__all__ = ["Document", "document", "report", "write_document"]
 
 __getattr__ = doors(__name__)

@@ -76,7 +76,7 @@ def figure(model: Model, call: Call) -> Any:
         for axes in frames[len(shown) :]:
             axes.set_visible(False)
         for axes in frames[::columns]:
-            axes.set_ylabel("margin / reference  [1]")
+            axes.set_ylabel("margin  [1]")
         handles, texts = frames[0].get_legend_handles_labels()
         made.legend(handles, texts, loc="outside upper center", ncols=3)
     return made

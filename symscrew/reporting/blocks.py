@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import TypeAlias
 from urllib.parse import quote
 
+from symscrew import notebook
 from symscrew.description import markdown_text
 from symscrew.errors import DescriptionError, shorten
 from symscrew.whole_files import replaced
@@ -81,6 +82,13 @@ class Document:
     def __repr__(self) -> str:
         return f"Document({self.title}: {', '.join(section.title for section in self.sections)})"
 
+    def save(self, path: str | Path) -> Path:
+        """Write .html, one file, or .md with its pictures beside it; see `write_document`."""
+        return write_document(self, path)[-1]
+
+    def _repr_html_(self) -> str:
+        return notebook.framed(page(self), self.title)
+
 
 def write_document(document: Document, path: str | Path) -> list[Path]:
     """Write the document: .html as one file, .md with its pictures beside it; whole or not at all.
@@ -107,7 +115,7 @@ def _written(file: Path, data: bytes) -> Path:
 
 def page(document: Document) -> str:
     """The document as one HTML page: no scripts, style and pictures inside, formulas as MathML."""
-    style = resources.files("symscrew.report").joinpath("report.css").read_text(encoding="utf-8")
+    style = resources.files("symscrew.reporting").joinpath("style.css").read_text(encoding="utf-8")
     title = html.escape(document.title)
     lines = [
         '<!doctype html>\n<html lang="en"><head><meta charset="utf-8">',

@@ -18,9 +18,9 @@ from symscrew.kinematics import motion_screws
 from symscrew.mobility import Mobility, analyse_mobility, formulas, key_figures, mathml, sections
 from symscrew.model import Model
 from symscrew.program import Iteration
-from symscrew.report import margin_maps
-from symscrew.report.blocks import Block, Bullets, Document, Picture, Section, Table, Text
-from symscrew.report.study_pages import accuracy_section, bill_section
+from symscrew.reporting import margin_maps
+from symscrew.reporting.blocks import Block, Bullets, Document, Picture, Section, Table, Text
+from symscrew.reporting.study_pages import accuracy_section, bill_section
 from symscrew.studies import Bill, Times
 from symscrew.studies.workspace import Call
 
@@ -296,31 +296,32 @@ def _functions(model: Model, times: Mapping[str, Times]) -> list[Block]:
 def _singularities(model: Model, found: Mobility, call: Call) -> list[Block]:
     blocks: list[Block] = [
         Text(
-            "A margin is a volume of screws or wrenches with lengths divided by the characteristic length: it is 0 "
-            "exactly at a singularity of its kind, and signed ones change their sign there. Limb: joint screws of a "
-            "limb become dependent. Constraint: a freedom appears whatever the drives do. Actuation: a freedom is left "
-            "with these drives locked."
+            "A volume of screws or wrenches, with lengths divided by the characteristic length, is 0 exactly at a "
+            "singularity of its kind, and signed ones change their sign there. A margin is the volume as a part of its "
+            "value in the reference configuration: 1 there, 0 at a singularity, as in maps and in the view. Limb: "
+            "joint screws of a limb become dependent. Constraint: a freedom appears whatever the drives do. Actuation: "
+            "a freedom is left with these drives locked."
         )
     ]
     values = found.singularities.margins or ()
     rows = tuple((v.kind, v.name, _number(v.value), v.form, "singular here" if v.singular else "") for v in values)
     if rows:
-        header = ("kind", "of", "margin", "form", "")
+        header = ("kind", "of", "volume", "form", "")
         blocks.append(Table(header, rows, frozenset({2}), "In the reference configuration"))
     else:
         blocks.append(Text("This mechanism has no margins: no limb and no loop whose rank could be lost."))
     figure = margin_maps.figure(model, call)
     if figure is not None:
         text = (
-            "Margins relative to the reference configuration along each independent coordinate, the others at rest: 0 "
-            "is a singularity. Curves end where the loops cannot be closed."
+            "Margins along each independent coordinate, the others as in the reference configuration: 0 is a "
+            "singularity. Curves end where the loops cannot be closed."
         )
         if rest := margin_maps.left_out(model):
             text += f" Not drawn: {', '.join(rest)}."
         blocks.append(Picture("margins", svg(figure), text))
     elif rows:
         blocks.append(
-            Text("Every margin is 0 in the reference configuration: there is nothing to compare others with.")
+            Text("Every volume is 0 in the reference configuration: there is nothing to compare others with.")
         )
     return blocks
 

@@ -9,7 +9,7 @@ from typing import Any
 
 from symscrew.description import check_name, read_text
 from symscrew.errors import DescriptionError, shorten
-from symscrew.report.blocks import Block, Bullets, Picture, Section, Table, Text
+from symscrew.reporting.blocks import Block, Bullets, Picture, Section, Table, Text
 from symscrew.studies import BILLED_FUNCTIONS, Bill
 
 COSTS = {"ns": 1e9, "ms": 1e3, "s": 1.0}

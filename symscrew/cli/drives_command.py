@@ -1,0 +1,86 @@
+"""`symscrew drives`: a motion in, tables out: joints, rates, drives, reactions, margins."""
+
+from __future__ import annotations
+
+import argparse
+import importlib.util
+import json
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from symscrew.cli.help import DONE, FAILED, UsageError
+from symscrew.cli.shared_options import add_effects, add_mechanism, add_no_cache, chosen_effects, writable_folder
+
+if TYPE_CHECKING:
+    from symscrew.description import Mechanism
+    from symscrew.studies.given_motion import WantedMotion
+
+EXAMPLES = (
+    "symscrew drives three_ups_upu_s --motion examples/motions/section_5.toml --out section_5",
+    "symscrew drives delta --motion 'platform.x=0.05*sin(2*t)' platform.y=0 'platform.z=0.02*t' --duration 3",
+    "symscrew drives delta --motion poses.csv --out tables --json",
+)
+MOTION = (
+    "a file: .toml (expressions or a twist; loads), .csv or .npz (samples over t); or NAME=EXPRESSION in t, several: a "
+    "coordinate, platform.x .y .z, .rx .ry .rz, .qw .qx .qy .qz, or POINT.x .y .z"
+)
+
+
+def add_options(command: argparse.ArgumentParser) -> None:
+    """Options of `symscrew drives`."""
+    add_mechanism(command)
+    command.add_argument("--motion", nargs="+", required=True, metavar="FILE|NAME=EXPR", help=MOTION)
+    command.add_argument("--duration", type=float, metavar="S", help="seconds, with expressions")
+    command.add_argument("--rate", type=float, metavar="HZ", help="samples per second, with expressions; default: 100")
+    command.add_argument("--out", metavar="DIR", help="motion.npz (for `symscrew view`), motion.csv, pictures, JSON")
+    command.add_argument("--json", action="store_true", help="the numbers as JSON")
+    add_effects(command)
+    add_no_cache(command)
+
+
+def run(options: argparse.Namespace) -> int:
+    """Read, follow, compute, compare, write; 1 where another method does not give the same."""
+    from symscrew import catalogue
+    from symscrew.display import Progress
+    from symscrew.studies.given_motion import drives, study_json, study_text, write_study
+
+    mechanism = catalogue.find(options.mechanism)
+    effects = chosen_effects(options, mechanism)
+    if options.load:
+        raise UsageError("--load: give the wrench in the motion's file, [loads.POINT] with fx ... mz as expressions")
+    wanted = _motion(options, mechanism)
+    folder = writable_folder(options.out) if options.out else None
+    found = drives(mechanism, wanted, effects, progress=Progress())
+    print(json.dumps(study_json(found), indent=1) if options.json else study_text(found))
+    if folder is not None:
+        drawn = importlib.util.find_spec("matplotlib") is not None
+        for path in write_study(found, folder, drawn=drawn):
+            print(f"wrote {path}", file=sys.stderr)
+        if not drawn:
+            print('no pictures: matplotlib is not installed: pip install "symscrew[plot]"', file=sys.stderr)
+    return DONE if found.ok else FAILED
+
+
+def _motion(options: argparse.Namespace, mechanism: Mechanism) -> WantedMotion:
+    from symscrew.studies.given_motion import load_motion, motion_of
+
+    expressions = dict[str, str]()
+    for item in options.motion:
+        name, equals, text = item.partition("=")
+        if equals and not Path(item).is_file():
+            if name.strip() in expressions:
+                raise UsageError(f"--motion: {name.strip()} is given twice")
+            expressions[name.strip()] = text
+    if expressions and len(expressions) != len(options.motion):
+        raise UsageError("--motion: expected one file, or NAME=EXPRESSION for each name")
+    if not expressions:
+        if len(options.motion) > 1:
+            raise UsageError(f"--motion: expected one file, got {len(options.motion)}")
+        if options.duration is not None or options.rate is not None:
+            raise UsageError("--duration and --rate are for expressions; a file says its own")
+        return load_motion(options.motion[0], mechanism)
+    if options.duration is None:
+        raise UsageError("--duration is missing: how many seconds the motion takes")
+    rate = {} if options.rate is None else {"rate": options.rate}
+    return motion_of(expressions, mechanism, duration=options.duration, **rate)

@@ -1,0 +1,158 @@
+"""What calls show: a page in 3-D and a picture, in a notebook, the browser or a file.
+
+mechanism, model or run --show_page--> Page        mechanism --draw--> Picture
+"""
+
+from __future__ import annotations
+
+import io
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from typing import Any, Protocol
+
+import numpy as np
+
+from symscrew import notebook
+from symscrew.description import Mechanism
+from symscrew.display.view import RecordedMotion, make_page, open_page, write_page
+from symscrew.errors import DescriptionError
+from symscrew.model import Model, derive
+
+PICTURES = (".png", ".pdf", ".svg")  # ends of names of files that a picture can be written into
+
+
+class Moved(Protocol):
+    """A motion of a model: of a run, of drives. t (n,) [s], q (n, nq), v (n, nv), u (n, nu), reactions or None."""
+
+    @property
+    def model(self) -> Model:
+        """What moved."""
+
+    @property
+    def t(self) -> np.ndarray:
+        """Times."""
+
+    @property
+    def q(self) -> np.ndarray:
+        """Configurations."""
+
+    @property
+    def v(self) -> np.ndarray:
+        """Rates."""
+
+    @property
+    def u(self) -> np.ndarray:
+        """Drives."""
+
+    @property
+    def reactions(self) -> np.ndarray | None:
+        """(n, 6 joints), the columns of the joints one after another."""
+
+
+@dataclass(frozen=True, repr=False)
+class Page:
+    """A mechanism in 3-D, with a motion if there is one; a notebook shows it, `open` a browser, `save` writes it."""
+
+    model: Model
+    motion: RecordedMotion | None = None
+
+    def __repr__(self) -> str:
+        return f"Page({self.model.name}{'' if self.motion is None else f', {len(self.motion.t)} states'})"
+
+    @cached_property
+    def text(self) -> str:
+        """The page, one HTML document that asks the network for nothing."""
+        return make_page(self.model, self.motion)
+
+    def save(self, path: str | Path) -> Path:
+        """Write the page into a file. Raises OSError where that cannot be written."""
+        return write_page(self.model, path, self.motion)
+
+    def open(self) -> Path:
+        """Open the page in the browser; the file it stands in, in a new temporary folder."""
+        return open_page(self.model, self.motion)
+
+    def _repr_html_(self) -> str:
+        return notebook.framed(self.text, self.model.name)
+
+
+@dataclass(frozen=True, repr=False)
+class Picture:
+    """A drawing: a notebook shows it, `save` writes it; `figure` is matplotlib's."""
+
+    name: str
+    figure: Any
+
+    def __repr__(self) -> str:
+        width, height = self.figure.get_size_inches()
+        return f"Picture({self.name}, {width:g} x {height:g} inches)"
+
+    def save(self, path: str | Path) -> Path:
+        """Write .png, .pdf or .svg; equal pictures give equal bytes.
+
+        Raises:
+            DescriptionError: the name ends in something else.
+        """
+        from symscrew.display.plots import save_figure
+
+        file = Path(path)
+        if file.suffix not in PICTURES:
+            raise DescriptionError(f"expected a file name that ends in {', '.join(PICTURES)}, got {file.name!r}")
+        return save_figure(self.figure, file, tight=True)
+
+    def _repr_png_(self) -> bytes:
+        from symscrew.display.plots import curve_style
+
+        content = io.BytesIO()
+        with curve_style():
+            self.figure.savefig(content, format="png", dpi=110, bbox_inches="tight")  # as wide as a notebook's column
+        return content.getvalue()
+
+
+def show_page(subject: Mechanism | Model | Moved, motion: RecordedMotion | None = None) -> Page:
+    """The page in 3-D of a mechanism or model, or of a motion: a run, or what `drives` found.
+
+    Outside of a notebook it is opened in the browser as well; in one, it shows itself.
+
+    Raises:
+        DescriptionError: the motion does not belong to the model.
+    """
+    if isinstance(subject, Mechanism):
+        made = Page(derive(subject), motion)
+    elif isinstance(subject, Model):
+        made = Page(subject, motion)
+    else:
+        made = Page(subject.model, recorded(subject))
+    if not notebook.here():
+        made.open()
+    return made
+
+
+def recorded(moved: Moved) -> RecordedMotion:
+    """A motion as the page takes it."""
+    model = moved.model
+    labels = tuple(c.label for c in model.system.tree.q)
+    drives = next((p.labels for p in model.programs["inverse_dynamics"].outputs if p.name == "u"), ()) if (
+        "inverse_dynamics" in model.programs) else ()  # fmt: skip
+    u = moved.u if moved.u.shape[1] and len(drives) == moved.u.shape[1] else None
+    reactions = moved.reactions
+    flat = None if reactions is None else reactions.reshape(len(moved.t), -1)
+    return RecordedMotion(
+        model.mechanism, moved.t, moved.q, moved.v, u, flat, labels, tuple(drives) if u is not None else ()
+    )
+
+
+def draw(mechanism: Mechanism, *, elevation: float = 20.0, azimuth: float = -62.0, labels: bool = True) -> Picture:
+    """A picture of a mechanism in its reference configuration; needs matplotlib.
+
+    Args:
+        mechanism: what to draw.
+        elevation: of the viewer above the x-y plane [degrees].
+        azimuth: of the viewer about z, from x [degrees].
+        labels: whether joints and points have their names.
+    """
+    from symscrew.display.drawing import mechanism_figure
+
+    figure = mechanism_figure(mechanism, elevation=elevation, azimuth=azimuth, labels=labels)
+    return Picture(mechanism.name, figure)

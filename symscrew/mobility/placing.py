@@ -1,0 +1,158 @@
+"""Inverse kinematics that knows the mechanism: a configuration by some coordinates, and why where there is none.
+
+coordinates by name --loops closed, what is given reached--> all others: parasitic motion, motors, passive joints
+                    --not reached, least squares--> which limb stays open, or that the mechanism cannot move so
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from symscrew.description import Mechanism
+from symscrew.kinematics import System, given_coordinates
+from symscrew.mobility.configuration import CUT_OFF, Reached, UnreachedError, displaced, with_parameters
+from symscrew.mobility.finite import Array, ClosureVariety
+from symscrew.mobility.joint_network import network_of
+from symscrew.mobility.pose_targets import Target, targets_of
+
+OK, OUT_OF_REACH, NOT_ON_MECHANISM = "ok", "out of reach", "not on the mechanism"
+DAMPED_STEPS = 200
+"""Of least squares towards what cannot be reached: they only name what is missed most, which settles after a few."""
+DAMPING = 1e-3
+"""Levenberg's damping at first, without units: a step of a rad or a length is taken as it is, one of a hundred not."""
+WORTH_TRYING = 1e-15
+"""Damping at which nothing is gained any more: the step is then rounding."""
+
+STIFF = 100.0
+"""Weight of what is given against the loops: the pose is held, and the limb that cannot follow opens."""
+
+
+@dataclass(frozen=True)
+class Configuration:
+    """Where a mechanism is when some of its coordinates are given.
+
+    Attributes:
+        status: "ok", "out of reach" (a limb cannot get there; `limb` names it), or "not on the mechanism" (its
+            constraints do not let it move so: more is given than it has freedoms, and it does not fit together).
+        text: the same in a sentence.
+        values: every coordinate by its name [rad, m], see `symscrew.kinematics.coordinate_names`; empty unless ok.
+        limb: the limb, or joint that closes a loop, that stays open most; empty where ok.
+    """
+
+    mechanism: Mechanism
+    asked: Mapping[str, Any]
+    status: str
+    text: str
+    values: Mapping[str, float] = field(default_factory=dict)
+    limb: str = ""
+    reached: Reached | None = field(default=None, repr=False)
+
+    def __repr__(self) -> str:
+        return f"<Configuration of {self.mechanism.name}: {self.text}>"
+
+    @property
+    def ok(self) -> bool:
+        """Whether the mechanism is there."""
+        return self.status == OK
+
+    @property
+    def pose(self) -> dict[str, float]:
+        """The platform's pose by its parts, `z`, `tilt`, `torsion` ... [m, rad]: parasitic motion included."""
+        own = f"{self.mechanism.platform}."
+        return {name.removeprefix(own): value for name, value in self.values.items() if name.startswith(own)}
+
+    @property
+    def drives(self) -> dict[str, float]:
+        """Coordinates of the driven freedoms by name [rad, m]: where the motors are to be."""
+        if not self.ok:
+            return {}
+        return {
+            name: self.values[name.replace(".", ".r") if joint.kind.ball else name]
+            for joint in self.mechanism.joints.values()
+            for k, name in enumerate(joint.kind.freedom_names(joint.name))
+            if k in joint.driven
+        }
+
+    @property
+    def q(self) -> np.ndarray:
+        """Coordinates of the spanning tree (nq,), as the functions of a model take them; not numbers unless ok."""
+        system = System(self.mechanism)
+        if self.reached is None:
+            return np.full(len(system.tree.q), np.nan)
+        return self.reached.tree(system)
+
+
+def inverse_kinematics(mechanism: Mechanism, at: Mapping[str, Any] | None = None, **coordinates: Any) -> Configuration:
+    """The configuration with the given coordinates, assembled from the reference; all others follow.
+
+    Args:
+        mechanism: any mechanism.
+        at: name -> value, for names with dots such as "limb1_U.0"; parameters too.
+        coordinates: the same as keywords: `z="-20mm", tilt="10deg"`, of the platform, or a joint's name.
+
+    Raises:
+        DescriptionError: a name or value that cannot be read; what cannot be reached is a status.
+
+    >>> from symscrew import catalogue
+    >>> inverse_kinematics(catalogue.load("four_bar"), A="20deg").ok
+    True
+    """
+    asked = {**(at or {}), **coordinates}
+    mechanism, wanted = with_parameters(mechanism, asked)
+    network = network_of(mechanism)
+    given = given_coordinates(mechanism, wanted)
+    try:
+        reached = displaced(mechanism, network, given)
+    except UnreachedError as error:
+        return _unreached(mechanism, asked, targets_of(mechanism, network, given), error)
+    where = ", ".join(f"{name} = {value}" for name, value in asked.items()) or "the reference configuration"
+    return Configuration(mechanism, asked, OK, f"at {where}", reached.values, reached=reached)
+
+
+def _unreached(
+    mechanism: Mechanism, asked: Mapping[str, Any], targets: Sequence[Target], error: UnreachedError
+) -> Configuration:
+    """Why it is not reached: by least squares the loops stay open, of one limb most; or there is no freedom for it."""
+    network = network_of(mechanism)
+    if error.numbers > error.free:
+        return Configuration(mechanism, asked, NOT_ON_MECHANISM, f"{NOT_ON_MECHANISM}: {error}")
+    rows = _least_missed(ClosureVariety(network), targets)[: 6 * len(network.chords)].reshape(-1, 6)
+    if not len(rows):
+        return Configuration(mechanism, asked, OUT_OF_REACH, f"{OUT_OF_REACH}: {error}")
+    worst = network.chords[int(np.argmax(np.abs(rows).max(axis=1)))]
+    limb = next((name for name, one in mechanism.limbs.items() if worst in one.joints), worst)
+    return Configuration(mechanism, asked, OUT_OF_REACH, f"{OUT_OF_REACH}: {limb} does not get there", limb=limb)
+
+
+def _least_missed(variety: ClosureVariety, targets: Sequence[Target]) -> Array:
+    """What the loops miss, in units of the mechanism's size, where the targets are met as well as they can be."""
+    q, damping = np.zeros(variety.columns), DAMPING
+    goal = np.array([float(target.goal) for target in targets])
+
+    def missed(q: Array) -> Array:
+        now = np.array([float(target.of(variety, q)) for target in targets])
+        return np.concatenate([variety.residual(q), STIFF * (now - goal)])
+
+    def slopes(q: Array) -> Array:
+        picked = np.array([target.gradient(variety, q) for target in targets]).reshape(len(targets), len(q))
+        return np.concatenate([variety.evaluate(q[None])[1][0], STIFF * picked])
+
+    error = missed(q)
+    for _ in range(DAMPED_STEPS):
+        matrix = slopes(q)
+        step = np.linalg.lstsq(matrix.T @ matrix + damping * np.eye(len(q)), -matrix.T @ error, rcond=CUT_OFF)[0]
+        new = missed(q + step)
+        if not new @ new < error @ error:
+            damping *= 10
+            if np.linalg.norm(step) < WORTH_TRYING:
+                break
+            continue
+        gained = error @ error - new @ new
+        q, error, damping = q + step, new, damping / 10
+        if gained < CUT_OFF * (error @ error):
+            break
+    return error

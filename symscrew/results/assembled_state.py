@@ -1,0 +1,89 @@
+"""Configurations by name: where all coordinates are when the independent ones are given.
+
+model, {"limb5_S.qx": 0.05} --assemble--> Configuration: .q, ["limb1_P"], .status
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from symscrew import notebook
+from symscrew.errors import DescriptionError, did_you_mean
+from symscrew.model import Model
+from symscrew.program import status_texts
+
+Array = np.ndarray
+
+
+@dataclass(frozen=True, repr=False)
+class Configuration:
+    """Coordinates q (nq,) of a mechanism's tree with their labels and units; `ok` unless the loops do not close."""
+
+    mechanism: str
+    q: Array
+    labels: tuple[str, ...]
+    units: tuple[str, ...]
+    code: int
+    status: str
+
+    def __repr__(self) -> str:
+        return f"Configuration({self.mechanism}: {len(self.q)} coordinates, {self.status})"
+
+    @property
+    def ok(self) -> bool:
+        """Whether the loops are closed."""
+        return self.code <= 0
+
+    def __getitem__(self, label: str) -> float:
+        """The coordinate of this label [rad, m]. Raises DescriptionError where there is none."""
+        if label not in self.labels:
+            raise DescriptionError(
+                f"expected the label of a coordinate, got {label!r}; {did_you_mean(label, self.labels)}"
+            )
+        return float(self.q[self.labels.index(label)])
+
+    def _repr_html_(self) -> str:
+        rows = [(n, f"{x:.9g}", u) for n, x, u in zip(self.labels, self.q, self.units, strict=True)]
+        return notebook.table(repr(self), ("coordinate", "value", "unit"), rows)
+
+
+def assemble(model: Model, y: Mapping[str, float], guess: object = None) -> Configuration:
+    """The configuration in which independent coordinates have these values.
+
+    Args:
+        model: whose loops are closed.
+        y: label of an independent coordinate -> its value [rad, m]; those not named stay as in the guess.
+        guess: q (nq,) nearby, on the same assembly branch; default: the reference configuration.
+
+    Returns:
+        The configuration; `ok` is False, with NaN, where the loops do not close from this guess.
+
+    Raises:
+        DescriptionError: a coordinate that is not independent.
+        ValueError: a guess of another size.
+    """
+    tree = model.system.tree
+    labels = tuple(c.label for c in tree.q)
+    start = np.asarray(model.system.reference if guess is None else guess, dtype=float)
+    if start.shape != (len(labels),):
+        raise ValueError(f"expected a guess of shape ({len(labels)},), got {start.shape}")
+    program = model.programs.get("assemble")
+    independent = program.inputs[0].labels if program is not None else labels
+    for label in y:
+        if label not in independent:
+            raise DescriptionError(
+                f"{label}: expected one of the independent coordinates {', '.join(independent)}; "
+                f"{did_you_mean(label, independent)}"
+            )
+    wanted = np.array([y.get(label, start[labels.index(label)]) for label in independent])
+    if program is None:
+        q, code = wanted, 0
+    else:
+        known = {"y": wanted, "guess": start, "p": model.system.parameter_values}
+        (found, *_), codes = model("assemble", *[known[port.name] for port in program.inputs])
+        q, code = np.asarray(found), int(codes)
+    text = status_texts(*model.programs.values())[code]
+    return Configuration(model.name, q, labels, tuple(c.unit for c in tree.q), code, text)

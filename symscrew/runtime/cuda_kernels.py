@@ -1,0 +1,89 @@
+"""Kernels of a model on a CUDA device, called with CuPy's arrays.
+
+    kernels = load_cuda(model)
+    u, status = kernels.inverse_dynamics(q, v, a)         arrays (size, states) on the device, status (states)
+
+The code is that of the target "cuda", compiled by the NVRTC that CuPy brings for the device that is there.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+from symscrew.export import CUDA_THREADS, PRECISIONS, print_cuda
+from symscrew.model import Model
+from symscrew.program import Iteration, Program
+from symscrew.runtime.compilers import CompileError
+
+MOST_BLOCKS = 2**20  # of a launch; with more states, a thread takes several
+
+
+@dataclass(frozen=True)
+class CudaModel:
+    """The functions of a model as attributes: each takes an array (size, states) per input, by position or name.
+
+    It returns an array (size, states) per output, and the status (states) last; outputs of failed states are NaN. A
+    call does not wait for the device. TypeError and ValueError say which argument does not fit.
+    """
+
+    model: Model
+    module: Any
+    library: Any
+    real: str
+
+    def __getattr__(self, name: str) -> Callable[..., tuple[Any, ...]]:
+        """The function of this name."""
+        program = self.model.programs.get(name)
+        if program is None:
+            known = ", ".join(self.model.programs)
+            raise AttributeError(f"expected a function of {self.model.name} ({known}), got {name!r}")
+        kernel = self.module.get_function(f"{self.model.name}_{name}_kernel")
+        return lambda *arrays, **named: self._call(kernel, program, arrays, named)
+
+    def _call(
+        self, kernel: Any, program: Program | Iteration, arrays: tuple[Any, ...], named: dict[str, Any]
+    ) -> tuple[Any, ...]:
+        names = [port.name for port in program.inputs]
+        given = dict(zip(names, arrays, strict=False)) | named
+        if len(arrays) > len(names) or set(given) != set(names):
+            raise TypeError(f"{program.name} expects the arrays {', '.join(names)}, got {len(arrays)} and {[*named]}")
+        read = []
+        for port in program.inputs:
+            array = self.library.ascontiguousarray(given[port.name], dtype=self.real)
+            if array.ndim != 2 or array.shape[0] != port.size:
+                raise ValueError(f"{program.name}: expected {port.name} of ({port.size}, states), got {array.shape}")
+            read.append(array)
+        states = {array.shape[1] for array in read}
+        if len(states) != 1:
+            raise ValueError(f"{program.name}: expected as many states in every array, got {sorted(states)}")
+        count = states.pop()
+        written = [self.library.empty((port.size, count), dtype=self.real) for port in program.outputs]
+        status = self.library.empty(count, dtype="int32")
+        if count:
+            size = self.library.uint64(count)
+            blocks = min(-(-count // CUDA_THREADS), MOST_BLOCKS)
+            kernel((blocks,), (CUDA_THREADS,), (size, size, *read, *written, status))
+        return (*written, status)
+
+
+def load_cuda(model: Model, *, precision: str = "double") -> CudaModel:
+    """The functions of a model on the CUDA device that is there, in "double" or "single" precision.
+
+    Raises:
+        CompileError: CuPy is not installed, no device is there, or the code is refused.
+    """
+    try:
+        import cupy
+    except ImportError as error:
+        raise CompileError("no CuPy here: pip install 'symscrew[cuda]' on a machine with a CUDA device") from error
+    try:
+        devices = cupy.cuda.runtime.getDeviceCount()
+    except cupy.cuda.runtime.CUDARuntimeError as error:
+        raise CompileError(f"no CUDA device here ({error}); symscrew.load runs on processors") from error
+    if not devices:
+        raise CompileError("no CUDA device here; symscrew.load runs on processors")
+    kind = PRECISIONS[precision]
+    module = cupy.RawModule(code=print_cuda(model, kind)[f"{model.name}.cu"], options=("-std=c++11",))
+    return CudaModel(model, module, cupy, "float64" if precision == "double" else "float32")

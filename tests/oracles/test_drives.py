@@ -1,0 +1,269 @@
+"""Motions in, tables out: against statics and dynamics by hand, differences in time, and what cannot be."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from support.model_states import model
+
+from symscrew.cli.parser import main
+from symscrew.description import parse_description
+from symscrew.display.view import read_motion
+from symscrew.errors import DescriptionError
+from symscrew.runtime import load
+from symscrew.studies.given_motion import drives, load_motion, study_json, study_text
+from symscrew.studies.given_motion.goals import SMALL, goals_of, quaternion_of, turn_of_vector
+from symscrew.studies.given_motion.wanted_motion import FEWER, NEIGHBOURS, WantedMotion, derivatives
+
+Array = np.ndarray
+ROD = """
+[mechanism]
+name = "rod"
+platform = "rod"
+[parameters]
+l = { value = "0.5", unit = "m" }
+[bodies.rod]
+mass = 2
+com = [0, 0, "-l"]
+inertia = ["0.03", "0.03", 0]
+[joints.pivot]
+type = "R"
+parent = "base"
+child = "rod"
+point = [0, 0, 0]
+axes = [[0, 1, 0]]
+driven = true
+[points.tip]
+body = "rod"
+at = [0, 0, "-l"]
+"""
+MASS, LENGTH, INERTIA, FALL = 2.0, 0.5, 0.03 + 2 * 0.5**2, 9.81
+
+
+@pytest.fixture(scope="module")
+def rod() -> object:
+    return parse_description(ROD)
+
+
+def test_a_rod_that_swings_as_it_is_told(rod, tmp_path: Path) -> None:
+    """phi = 0.3 sin 2t about y: moment J phi_ddot + m g l sin phi, and a force of 5 N along x at the tip taken off."""
+    file = tmp_path / "swing.toml"
+    file.write_text(
+        '[motion]\nduration = 1.0\nrate = 40\n[coordinates]\npivot = "0.3*sin(2*t)"\n[loads.tip]\nfx = "5*t"\n'
+    )
+    found = drives(rod, file, backend="casadi")
+    t = np.linspace(0, 1, 41)
+    phi, gain = 0.3 * np.sin(2 * t), -1.2 * np.sin(2 * t)
+    # tip at (-l sin phi, 0, -l cos phi): moment of (5t, 0, 0) about y is z fx
+    load = 5 * t * -LENGTH * np.cos(phi)
+    by_hand = INERTIA * gain + MASS * FALL * LENGTH * np.sin(phi) - load
+    np.testing.assert_allclose(found.u[:, 0], by_hand, atol=1e-11)
+    np.testing.assert_allclose(found.powers[:, 0], by_hand * 0.6 * np.cos(2 * t), atol=1e-11)
+    rate = 0.6 * np.cos(2 * t)
+    # acceleration of the tip, where the mass is: tangent (-cos, 0, sin) l, towards the pivot (sin, 0, cos) l
+    along = LENGTH * (gain[:, None] * np.stack([-np.cos(phi), 0 * t, np.sin(phi)], 1)
+                      + rate[:, None] ** 2 * np.stack([np.sin(phi), 0 * t, np.cos(phi)], 1))  # fmt: skip
+    force = MASS * (along + np.array([0, 0, FALL])) - np.stack([5 * t, 0 * t, 0 * t], 1)
+    np.testing.assert_allclose(found.wrenches["pivot"].force, force, atol=1e-11)
+    assert found.ok and "agree" in found.status and found.difference is not None and found.difference < 1e-12
+    told = study_json(found)
+    assert told["drives"]["pivot"]["largest"] == pytest.approx(np.abs(by_hand).max(), rel=1e-12)
+    assert "pivot" in study_text(found) and max(len(line) for line in study_text(found).splitlines()) < 120
+
+
+@pytest.mark.slow  # seven models
+def test_the_same_motion_by_other_names(rod, tmp_path: Path) -> None:
+    """By the coordinate, the rotation vector, a quaternion's entry, the tip's place; by samples in either file."""
+    angle = "0.3*sin(2*t)+0.2"
+    first = drives(rod, {"pivot": angle}, duration=1, rate=60, backend="casadi")
+    t = first.t
+    phi = 0.3 * np.sin(2 * t) + 0.2
+    for texts in (
+        {"rod.rx": "0", "rod.ry": angle, "rod.rz": "0"},
+        {"rod.qy": f"sin(({angle})/2)"},
+        {"tip.x": f"-l*sin({angle})"},
+        {"rod.qw": f"cos(({angle})/2)", "rod.qy": f"sin(({angle})/2)"},
+    ):
+        other = drives(rod, texts, duration=1, rate=60, backend="casadi")
+        np.testing.assert_allclose(other.u, first.u, atol=1e-9, err_msg=str(texts))
+    (tmp_path / "swing.csv").write_text(
+        "t,pivot\n" + "\n".join(f"{a:.17g},{b:.17g}" for a, b in zip(t, phi, strict=True))
+    )
+    np.savez(tmp_path / "swing.npz", t=t + 7.0, pivot=phi)  # times may begin anywhere
+    for name in ("swing.csv", "swing.npz"):
+        other = drives(rod, tmp_path / name, backend="casadi")
+        assert 0 < other.wanted.uncertain < 1e-4
+        np.testing.assert_allclose(other.u, first.u, atol=2 * other.wanted.uncertain * np.abs(first.u).max())
+
+
+@pytest.mark.parametrize("name", ["four_bar", pytest.param("three_ups_upu_s", marks=pytest.mark.slow)])
+def test_rates_of_goals_are_their_differences(name: str) -> None:
+    """Of coordinates, quaternions' entries, places: along a motion by its Taylor polynomial, at random states."""
+    found = model(name)
+    body = found.mechanism.platform
+    names = [*(c.label for c in found.system.tree.q), *(f"{body}.{k}" for k in ("x", "y", "z", "qw", "qx", "qy", "qz"))]
+    names += [f"{p.name}.{k}" for p in found.mechanism.points.values() if p.body == body for k in "xz"][:2]
+    empty = np.zeros((2, len(names)))
+    used = ("body_poses", "body_twists", "body_twist_rates")
+    functions = load(found.only(used), backend="casadi")
+    goals, _ = goals_of(found, functions, WantedMotion(tuple(names), np.array([0.0, 1.0]), empty, empty, empty))
+    q, v, a = (states[:4] for states in found.system.sample_states)
+    rates, gains = goals.rates(q, v), goals.accelerations(q, v, a)
+    np.testing.assert_allclose(goals.along(q, v[:, :, None])[:, :, 0], rates, atol=1e-12)
+    steps = 1e-3 * np.array([-2.0, -1, 0, 1, 2])
+    moved = np.stack([goals.values(_moved(found, q, v, a, h)) for h in steps])
+    first = np.einsum("k,knm->nm", np.array([1, -8, 0, 8, -1]) / 12e-3, moved)
+    second = np.einsum("k,knm->nm", np.array([-1, 16, -30, 16, -1]) / 12e-6, moved)
+    scale = np.abs(v).max() ** 2 + np.abs(a).max()
+    np.testing.assert_allclose(rates, first, atol=1e-7 * scale)
+    np.testing.assert_allclose(gains, second, atol=1e-5 * scale)
+
+
+def _moved(found: object, q: Array, v: Array, a: Array, h: float) -> Array:
+    """q after h of the motion with rates v + a t, by the method of order 4."""
+    from symscrew.studies.platform_motion import coordinate_rates
+
+    def slope(state: Array, t: float) -> Array:
+        return coordinate_rates(found, state, v + a * t)
+
+    one = slope(q, 0.0)
+    two = slope(q + h / 2 * one, h / 2)
+    three = slope(q + h / 2 * two, h / 2)
+    return q + h / 6 * (one + 2 * two + 2 * three + slope(q + h * three, h))
+
+
+@pytest.mark.parametrize("size", [0.0, SMALL * 0.99, SMALL * 1.01, 1.0, 3.0])
+def test_rotation_vectors_as_quaternions(size: float) -> None:
+    """On both sides of the series: differences in time, and the quaternion of the matrix by Rodrigues' formula."""
+    rng = np.random.default_rng(3)
+    at, rate, gain = (rng.normal(size=3) for _ in range(3))
+    at *= size / np.linalg.norm(at)
+
+    def vector(t: float) -> Array:
+        return at + rate * t + gain * t**2 / 2
+
+    turn, first, second = turn_of_vector(at[None], rate[None], gain[None])
+    h = 1e-3
+    near = [turn_of_vector(vector(k * h)[None], rate[None], gain[None])[0][0] for k in range(-2, 3)]
+    np.testing.assert_allclose(first[0], np.array([1, -8, 0, 8, -1]) @ near / (12 * h), atol=1e-9)
+    np.testing.assert_allclose(second[0], np.array([-1, 16, -30, 16, -1]) @ near / (12 * h**2), atol=1e-7)
+    x = float(np.linalg.norm(at))
+    skew = np.array([[0, -at[2], at[1]], [at[2], 0, -at[0]], [-at[1], at[0], 0]])
+    rotation = np.eye(3) + np.sinc(x / np.pi) * skew + np.sinc(x / 2 / np.pi) ** 2 / 2 * skew @ skew
+    found = quaternion_of(rotation[None])[0]
+    np.testing.assert_allclose(found, turn[0] * np.sign(turn[0, 0]), atol=1e-12)
+
+
+def test_quaternions_of_half_turns() -> None:
+    """Where the scalar part is zero, and where each of the other entries is the largest."""
+    for axis in (*np.eye(3), np.array([1, 1, 1]) / np.sqrt(3)):
+        rotation = 2 * np.outer(axis, axis) - np.eye(3)
+        found = quaternion_of(rotation[None])[0]
+        assert abs(found[0]) < 1e-12
+        np.testing.assert_allclose(np.abs(found[1:]), np.abs(axis), atol=1e-12)
+
+
+def test_derivatives_of_samples_are_exact_for_polynomials() -> None:
+    rng = np.random.default_rng(11)
+    t = np.cumsum(rng.uniform(0.01, 0.03, 30))
+    for count in (FEWER, NEIGHBOURS):
+        p = np.polynomial.Polynomial(rng.normal(size=count))
+        first, second = derivatives(t, p(t)[:, None], count)
+        np.testing.assert_allclose(first[:, 0], p.deriv()(t), atol=1e-8)
+        np.testing.assert_allclose(second[:, 0], p.deriv(2)(t), atol=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("texts", "message"),
+    [
+        ({"pivot": "0.1*t", "tip.x": "0.4"}, "does not get there"),
+        ({"tip.x": "2"}, "does not get there"),
+        ({"tip.y": "0"}, "leave 1 of them open"),
+        ({"pivt": "0"}, r"did you mean 'pivot'"),
+        ({"rod.rx": "0", "rod.ry": "t"}, r"rod\.rz: missing"),
+        ({"pivot": "abs(t - 1/2)"}, "two derivatives"),
+        ({"pivot": "sqrt(t)"}, "not finite, or without derivatives, at t = 0"),
+        ({"pivot": "open('x')"}, "pivot"),
+        ({"wx": "1"}, "determine its freedoms"),
+    ],
+)
+def test_motions_that_cannot_be(rod, texts, message) -> None:
+    with pytest.raises(DescriptionError, match=message):
+        drives(rod, texts, duration=1, rate=10, backend="casadi")
+
+
+@pytest.mark.parametrize(
+    ("name", "content", "message"),
+    [
+        ("a.csv", "pivot\n1\n", "column t"),
+        ("a.csv", "t,pivot\n0,1\n1,2\n", "at least 7 samples"),
+        ("a.csv", "t,pivot\n0,1\n1,x\n", "row 3: expected numbers"),
+        ("a.csv", "t,pivot\n0,1,2\n", "row 2: expected 2 numbers"),
+        ("a.csv", "t,pivot\n" + "\n".join(f"{k % 3},0" for k in range(9)), "increasing times"),
+        ("a.csv", "t,pivot\n" + "\n".join(f"{k},nan" for k in range(9)), "finite"),
+        ("a.csv", "t,wx\n" + "\n".join(f"{k},0" for k in range(9)), "expressions of t"),
+        ("a.csv", "", "column t"),
+        ("a.toml", "[motion]\nrate = 1\n[coordinates]\npivot = 0\n", "duration is missing"),
+        ("a.toml", "[motion]\nduration = 1\n", "either"),
+        ("a.toml", '[motion]\nduration = 1\n[twist]\nwq = "1"\n', "no component 'wq'"),
+        ("a.toml", "[motion]\nduration = -1.5\n[coordinates]\npivot = 0\n", "above 0"),
+        ("a.toml", "[motion]\nduration = 1e9\n[coordinates]\npivot = 0\n", "lower the rate"),
+        ("a.toml", "[motion]\nduration = 1\n[coordinates]\npivot = true\n", "expected an expression"),
+        ("a.toml", "[motion]\nduration = 1\n[coordinates]\npivot = 0\n[loads.tip]\nfq = 1\n", "no component 'fq'"),
+        ("a.xls", "", "ends in .toml"),
+    ],
+)
+def test_files_that_say_nothing_of_use(rod, tmp_path: Path, name: str, content: str, message: str) -> None:
+    (tmp_path / name).write_text(content)
+    with pytest.raises(DescriptionError, match=message):
+        load_motion(tmp_path / name, rod)
+
+
+def test_the_command(rod, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    file, out = tmp_path / "rod.toml", tmp_path / "out"
+    file.write_text(ROD)
+    words = ["drives", str(file), "--motion", "pivot=0.3*sin(2*t)", "--duration", "1", "--rate", "20"]
+    assert main([*words, "--out", str(out), "--json"]) == 0
+    told = json.loads(capsys.readouterr().out)
+    assert told["ok"] and told["states"] == 21
+    assert json.loads((out / "summary.json").read_text()) == told
+    motion = read_motion(out / "motion.npz")
+    assert motion.mechanism.name == "rod" and motion.u is not None and motion.u.shape == (21, 1)
+    rows = (out / "motion.csv").read_text().splitlines()
+    assert rows[0].startswith("t,q.pivot,v.pivot,a.pivot,joint.pivot,rate.pivot,u.pivot,power.pivot,reactions.pivot.fx")
+    table = np.array([[float(x) for x in row.split(",")] for row in rows[1:]])
+    np.testing.assert_array_equal(table[:, 1], motion.q[:, 0])
+    assert {p.suffix for p in out.iterdir()} == {".npz", ".csv", ".json", ".png"}
+    for bad, said in (
+        (["drives", str(file), "--motion", "pivot=t"], "--duration is missing"),
+        (["drives", str(file), "--motion", "nothing.csv"], "cannot be read"),
+        (["drives", str(file), "--motion", "a.csv", "b.csv"], "expected one file"),
+        (["drives", str(file), "--motion", "a.csv", "--duration", "1"], "a file says its own"),
+        ([*words, "--load", "tip"], r"loads.POINT"),
+        ([*words[:4], "pivot=2", *words[4:]], "given twice"),
+    ):
+        assert main([*bad, "--out", str(tmp_path / "not")]) == 2, bad
+        assert said in capsys.readouterr().err
+    assert not (tmp_path / "not").exists()
+
+
+@pytest.mark.slow
+def test_section_5_of_the_paper() -> None:
+    """The example is the paper's motion, as the demo reads it: the same drives."""
+    from symscrew.studies.demo import SECTION_5
+    from symscrew.studies.platform_motion import integrate
+
+    seed = model("three_ups_upu_s")
+    whole = load_motion(Path(__file__).parents[2] / "examples" / "motions" / "section_5.toml", seed.mechanism)
+    np.testing.assert_allclose(whole.t, SECTION_5.time, atol=1e-12)
+    first = {name: getattr(whole, name)[:201] for name in ("t", "values", "rates", "accelerations")}
+    found = drives(seed.mechanism, replace(whole, **first), backend="casadi")
+    used = ("null_space", "platform_jacobian", "acceleration", "assemble", "body_twist_rates", "body_twists", "closure")
+    expected = integrate(seed, load(seed.only(used), backend="casadi"), SECTION_5.motion, SECTION_5.time[:201])
+    np.testing.assert_allclose(found.q, expected.q, atol=1e-12)
+    np.testing.assert_allclose(found.u, seed("inverse_dynamics", expected.q, expected.v, expected.a)[0][0], atol=1e-9)
+    assert found.ok

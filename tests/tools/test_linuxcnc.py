@@ -1,0 +1,195 @@
+"""Kinematics between drives and a tool, and LinuxCNC's modules around it: ways of poses, refusals, units, pins."""
+
+from __future__ import annotations
+
+import dataclasses
+import shutil
+import subprocess
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation
+from support.drive_ways import AMPLITUDES, HEADERS, STUB, built, followed
+from support.marks import slow
+from support.model_states import model
+
+from symscrew.errors import DescriptionError
+from symscrew.export import DriveKinematics, find_drive_kinematics, print_linuxcnc
+from symscrew.generation.drive_round_trip import Follower, compiled
+from symscrew.model import derive
+
+POSES = 20_000  # along ways in steps of a two-hundredth of their length
+
+
+@cache
+def kinematics(name: str) -> DriveKinematics:
+    return find_drive_kinematics(model(name))
+
+
+@pytest.fixture(scope="module")
+def follower(tmp_path_factory: pytest.TempPathFactory):
+    made: dict[str, Follower] = {}
+
+    def of(name: str) -> Follower:
+        if name not in made:
+            made[name] = compiled(kinematics(name), tmp_path_factory.mktemp(name))
+        return made[name]
+
+    return of
+
+
+def reference(name: str) -> np.ndarray:
+    return np.array(kinematics(name).model.system.reference)
+
+
+@pytest.mark.parametrize("headers", [STUB, slow(HEADERS)], ids=["stub", "linuxcnc"])
+@pytest.mark.parametrize("name", ["five_bar", "three_ups_upu_s", slow("delta"), slow("stewart_6ups")])
+def test_there_and_back_on_ways_of_poses(name: str, headers: Path, tmp_path: Path) -> None:
+    if not headers.is_dir():
+        pytest.skip("needs LinuxCNC's headers (Debian: linuxcnc-uspace-dev)")
+    own = kinematics(name)
+    way = followed(built(model(name), own, tmp_path, headers), own, POSES, AMPLITUDES[name])
+    assert way.refused == way.wrong == 0 and way.error < 1e-8  # mm or degrees; a micrometre is 1e-3
+    assert way.pins[f"{name}kins.status"] == 0 and abs(way.pins[f"{name}kins.mode"]) == 1
+    assert way.pins[f"{name}kins.margin"] > 0 and way.forward_steps < 1.5
+
+
+@pytest.mark.parametrize(("name", "letters"), [("five_bar", "XZ"), ("three_ups_upu_s", "AB"), ("delta", "XYZ")])
+def test_axes_are_those_that_move(name: str, letters: str) -> None:
+    found = kinematics(name)
+    assert "".join("XYZABC"[k] for k in found.axes) == letters
+    assert bool(found.pose.entries) == (name == "delta")
+
+
+@pytest.mark.parametrize("name", ["five_bar", "three_ups_upu_s", "delta"])
+def test_tool_is_where_the_rotation_says(name: str, follower) -> None:
+    """X ... C and a tool frame against an independent rotation from the same angles."""
+    own = kinematics(name)
+    offset = np.array([0.03, -0.02, 0.05])
+    q = np.atleast_2d(own.model.system.sample_states[0])[1]
+    (found,), _ = own.model("body_poses", q[None])
+    body = found[0, 12 * own.platform :][:12].reshape(4, 3)
+    joints = q[list(own.driven)]
+    now = reference(name)
+    status, world = follower(name).forward(now, joints, offset)
+    assert status == 0 and np.allclose(now, q, atol=1e-9)
+    turned = Rotation.from_euler("xyz", world[3:]).as_matrix()
+    assert np.allclose(turned, body[:3].T, atol=1e-12)
+    assert np.allclose(world[:3], turned @ (np.array(own.tool) + offset) + body[3], atol=1e-12)
+    status, back = follower(name).inverse(now, world, offset)
+    assert status == 0 and np.allclose(back, joints, atol=1e-10)
+
+
+@pytest.mark.parametrize("name", ["five_bar", "three_ups_upu_s"])
+def test_jacobian_is_the_slope_of_forward(name: str, follower) -> None:
+    own = kinematics(name)
+    q = np.atleast_2d(own.model.system.sample_states[0])[2]
+    status, jacobian, margin = follower(name).jacobian(q)
+    assert status == 0 and margin > 0
+    h = 1e-5
+    for j in range(len(own.chosen)):
+        ends = []
+        for sign in (1, -1):
+            (null,), _ = own.model("null_space", q[None])
+            start, (moved,) = q.copy(), own.model("assemble", *_y(own, q, j, sign * h))[0]
+            joints = moved[0][list(own.driven)]
+            done, world = follower(name).forward(start, joints)
+            assert done == 0 and null.size
+            ends.append(world)
+        assert np.allclose((ends[0] - ends[1]) / (2 * h), jacobian[:, j], atol=1e-7)
+
+
+def _y(own: DriveKinematics, q: np.ndarray, j: int, step: float) -> tuple[np.ndarray, np.ndarray]:
+    y = q[[own.driven[k] for k in own.chosen]].copy()
+    y[j] += step
+    return y[None], q[None]
+
+
+def test_what_no_small_steps_lead_to_is_refused(follower) -> None:
+    """Joints beyond where the loops close, others that do not agree, poses out of reach, what is not finite."""
+    delta = reference("delta")
+    for joints in ([-1.4, 1.4, 1.4], [3.0, 0.0, 0.0]):
+        status, _ = follower("delta").forward(delta, joints)
+        assert status == 101 and np.array_equal(delta, reference("delta"))
+    five = reference("five_bar")
+    assert follower("five_bar").forward(five, [np.nan, 0.0])[0] == 2
+    status, _ = follower("five_bar").inverse(five, [0.0, 0.0, 9.0, 0.0, 0.0, 0.0])
+    assert status > 0 and np.array_equal(five, reference("five_bar"))
+    assert follower("five_bar").inverse(five, [np.inf] * 6)[0] == 2
+    seed = reference("three_ups_upu_s")
+    joints = seed[list(kinematics("three_ups_upu_s").driven)]
+    assert follower("three_ups_upu_s").forward(seed, joints)[0] == 0
+    assert follower("three_ups_upu_s").forward(seed, joints + np.array([0, 0, 1e-4, 0]))[0] == 102
+
+
+def test_poses_beyond_a_singularity_are_refused(follower) -> None:
+    """The hexapod turned past where its legs leave a freedom: the closed form answers there, on another mode."""
+    own = kinematics("stewart_6ups")
+    q = reference("stewart_6ups")
+    turned = [np.array([*own.tool, 0.0, 0.0, angle]) for angle in np.linspace(-2.4, 2.4, 13)]
+    found = [follower("stewart_6ups").inverse(q.copy(), world)[0] for world in turned]
+    middle = len(found) // 2
+    assert found[middle] == 0 and found[0] == found[-1] == 104
+    signs = [status == 0 for status in found]
+    assert signs == sorted(signs[: middle + 1]) + sorted(signs[middle + 1 :], reverse=True)
+
+
+def test_a_mode_is_kept_where_another_is_as_near(follower) -> None:
+    """The five-bar with its tool below the bases: joints of one mode have another configuration, which is not taken."""
+    own = kinematics("five_bar")
+    q = reference("five_bar")
+    other = q.copy()
+    (null,), _ = own.model("null_space", q[None])
+    assert null.size
+    mirrored = [k for k in range(len(q)) if k not in own.driven]
+    rng = np.random.default_rng(1)
+    found = None
+    for _ in range(200):  # another assembly of the same joints, found from random guesses
+        guess = other.copy()
+        guess[mirrored] += rng.uniform(-np.pi, np.pi, len(mirrored))
+        (q2,), status = own.model("assemble", q[list(own.driven)][None], guess[None])
+        if status[0] == 0 and np.abs(np.sin((q2[0] - q) / 2)).max() > 0.1:
+            found = q2[0]
+            break
+    assert found is not None
+    joints = q[list(own.driven)] + 1e-3
+    modes = {}
+    for name, start in (("one", q.copy()), ("other", found.copy())):
+        first = start.copy()
+        status, world = follower("five_bar").forward(start, joints)
+        assert status == 0 and np.abs(start - first).max() < 0.02
+        modes[name] = (follower("five_bar").mode(start), world)
+    assert modes["one"][0] == -modes["other"][0] and np.abs(modes["one"][1] - modes["other"][1]).max() > 0.1
+
+
+def test_what_has_no_such_kinematics_says_so() -> None:
+    with pytest.raises(DescriptionError, match="ur5: expected a mechanism with loops"):
+        find_drive_kinematics(model("ur5"))
+    found = model("five_bar")
+    joints = {
+        n: dataclasses.replace(j, driven=() if n == "base_right" else j.driven)
+        for n, j in found.mechanism.joints.items()
+    }
+
+    with pytest.raises(DescriptionError, match="expected a platform"):
+        find_drive_kinematics(dataclasses.replace(found, mechanism=dataclasses.replace(found.mechanism, platform=None)))
+    lazy = derive(dataclasses.replace(found.mechanism, joints=joints))
+    with pytest.raises(DescriptionError, match="1 of 2 freedoms; drive more joints"):
+        find_drive_kinematics(lazy)
+
+
+@pytest.mark.parametrize("name", ["five_bar", slow("three_ups_upu_s")])
+def test_halcompile_takes_it(name: str, tmp_path: Path) -> None:
+    if shutil.which("halcompile") is None:
+        pytest.skip("needs halcompile (Debian: linuxcnc-uspace-dev)")
+    for file, text in print_linuxcnc(model(name), kinematics(name)).items():
+        (tmp_path / file).write_text(text)
+    done = subprocess.run(
+        ["halcompile", "--compile", f"{name}kins.c"], cwd=tmp_path, capture_output=True, text=True, check=False
+    )
+    assert done.returncode == 0 and "warning" not in done.stderr, done.stderr
+    symbols = subprocess.run(["nm", "-D", f"{name}kins.so"], cwd=tmp_path, capture_output=True, text=True, check=True)
+    for symbol in ("kinematicsForward", "kinematicsInverse", "kinematicsType", "kinematicsSwitch", "rtapi_app_main"):
+        assert f" T {symbol}\n" in symbols.stdout

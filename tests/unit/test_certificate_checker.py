@@ -1,0 +1,277 @@
+"""The checker of certificates: its arithmetic against many digits, Krawczyk's operator by hand, tampered files."""
+
+from __future__ import annotations
+
+import copy
+import json
+import math
+import re
+import subprocess
+import sys
+from itertools import pairwise
+from pathlib import Path
+from typing import Any
+
+import mpmath
+import numpy as np
+import pytest
+
+from symscrew.studies.certificate import certificate_checker as checker
+from symscrew.studies.certificate.certificate_checker import (
+    FORMAT,
+    Equations,
+    Form,
+    Program,
+    UnreadableError,
+    check_certificate,
+    sine_cosine,
+    tubes,
+)
+
+MP = mpmath.mp.clone()
+MP.dps = 40
+EXACT: dict[str, Any] = {
+    "add": lambda a, b: a + b, "sub": lambda a, b: a - b, "mul": lambda a, b: a * b, "neg": lambda a: -a,
+    "div": lambda a, b: a / b, "reciprocal": lambda a: 1 / a, "sqrt": MP.sqrt, "sin": MP.sin, "cos": MP.cos,
+    "tan": MP.tan, "atan2": MP.atan2, "abs": abs, "less": lambda a, b: MP.mpf(a < b),
+    "select": lambda c, a, b: a if c else b,
+}  # fmt: skip
+ARITY = {"add": 2, "sub": 2, "mul": 2, "div": 2, "atan2": 2, "less": 2, "select": 3}
+SMOOTH = ("add", "sub", "mul", "div", "neg", "reciprocal", "sqrt", "sin", "cos")
+
+
+def random_program(rng: np.random.Generator, names: tuple[str, ...], length: int = 12) -> Program:
+    """Of two inputs; constants are irrational numbers that are rounded."""
+    instructions: list[list[Any]] = []
+    for target in range(2, 2 + length):
+        op = str(rng.choice(names))
+        args = [
+            int(rng.integers(target)) if rng.random() < 0.85 else float(rng.normal()) for _ in range(ARITY.get(op, 1))
+        ]
+        if not any(isinstance(a, int) for a in args):
+            args[0] = 0
+        instructions.append([target, op, *args])
+    slots = list(range(2, 2 + length))
+    return Program.read({"inputs": [["q", 2]], "instructions": instructions, "results": slots})
+
+
+def exactly(program: Program, inputs: list[Any], off: float) -> dict[int, Any]:
+    """Every slot with 40 digits, constants moved by a part of their last digit; those after a failure are left out."""
+    values: dict[int, Any] = dict(enumerate(inputs))
+    for target, op, args in program.instructions:
+        if all(not isinstance(a, int) or a in values for a in args):
+            given = [
+                values[a] if isinstance(a, int) else MP.mpf(a) * (1 + MP.mpf(off) * MP.mpf(2) ** -53) for a in args
+            ]
+            try:
+                made = EXACT[op](*given)
+            except ZeroDivisionError:
+                continue
+            if isinstance(made, MP.mpf):
+                values[target] = made
+    return values
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_forms_hold_what_a_program_gives_with_many_digits(seed: int) -> None:
+    """Random programs of every operation, over boxes from a rounding to a radian wide."""
+    rng = np.random.default_rng([7, seed])
+    known = 0
+    for _ in range(8):
+        program = random_program(rng, tuple(EXACT))
+        middle, half = rng.normal(size=2), 10.0 ** rng.uniform(-14, 0, size=2)
+        forms = checker.edges_of((middle - half)[:, None], (middle + half)[:, None])
+        with np.errstate(all="ignore"):
+            results = program.run({"q": forms, "p": []})[0]
+        for d in ((-1, -1), (1, 1), (1, -1), *rng.uniform(-1, 1, size=(3, 2))):
+            point = [
+                MP.mpf(float(m)) + MP.mpf(float(h)) * MP.mpf(float(x)) for m, h, x in zip(middle, half, d, strict=True)
+            ]
+            values = exactly(program, point, float(rng.uniform(-1, 1)))
+            for slot, form in enumerate(results, 2):
+                if slot not in values or not np.isfinite(form.r[0]):
+                    continue
+                along = MP.mpf(float(form.c[0]))
+                for k, x in enumerate(d):  # forms reach a little further than the box: d is a little smaller there
+                    along += (
+                        MP.mpf(float(form.l[k, 0]))
+                        * MP.mpf(float(x))
+                        * MP.mpf(float(half[k]))
+                        / MP.mpf(float(forms[k].l[k, 0]))
+                    )
+                assert abs(values[slot] - along) <= MP.mpf(float(form.r[0])), (program, d, slot)
+                known += 1
+    assert known > 100
+
+
+def test_slopes_hold_derivatives() -> None:
+    rng = np.random.default_rng(11)
+    known = 0
+    for _ in range(12):
+        program = random_program(rng, SMOOTH, 8)
+        middle, half = rng.normal(size=2), 10.0 ** rng.uniform(-8, -1, size=2)
+        forms = checker.edges_of((middle - half)[:, None], (middle + half)[:, None])
+        with np.errstate(all="ignore"):
+            results, rates = program.run({"q": forms, "p": []}, slopes=True)
+        d = rng.uniform(-1, 1, size=2)
+        point = [MP.mpf(float(m + h * x)) for m, h, x in zip(middle, half, d, strict=True)]
+        step = MP.mpf(10) ** -15
+        for column in range(2):
+            ends = [exactly(program, [x + s * step * (k == column) for k, x in enumerate(point)], 0.0) for s in (1, -1)]
+            for slot, (form, rate) in enumerate(zip(results, rates, strict=True), 2):
+                if rate is None or slot not in ends[0] or slot not in ends[1] or not np.isfinite(rate.r[column, 0]):
+                    continue
+                slope = (ends[0][slot] - ends[1][slot]) / (2 * step)
+                low, high = rate.bounds
+                wide = MP.mpf(10) ** -20 * (1 + abs(slope))
+                assert low[column, 0] - wide <= slope <= high[column, 0] + wide, (program, slot, form)
+                known += 1
+    assert known > 50
+
+
+def test_sine_and_cosine_are_within_their_bound() -> None:
+    rng = np.random.default_rng(3)
+    near = np.arange(-40, 41) * (math.pi / 2)
+    x = np.concatenate(
+        [rng.uniform(-1500, 1500, 300), near, np.nextafter(near, 9), rng.normal(size=100) * 1e-8, near / 2]
+    )
+    s, c = sine_cosine(x)
+    for value, a, b in zip(x, s, c, strict=True):
+        assert abs(MP.sin(MP.mpf(float(value))) - MP.mpf(float(a))) < checker.SINE_ERROR
+        assert abs(MP.cos(MP.mpf(float(value))) - MP.mpf(float(b))) < checker.SINE_ERROR
+    assert np.isnan(sine_cosine(np.array([1e5, np.nan, np.inf]))[0]).all()
+
+
+def root_file() -> dict[str, Any]:
+    """x^2 = z, held up by nothing else: z from 1/4 to 9/4 in four boxes, on the branch of x = 1 at z = 1."""
+    cuts = [0.25, 0.75, 1.25, 1.75, 2.25]
+    return {
+        "format": FORMAT,
+        "mechanism": {"name": "root"},
+        "equations": {
+            "closure": {"inputs": [["q", 2]], "instructions": [[2, "mul", 1, 1], [3, "sub", 2, 0]], "results": [3]},
+            "labels": ["opening"], "rows": [0], "quaternions": [], "count": 2, "axes": [["q", 0]], "held": [],
+            "parameters": [], "driven": None,
+            "conditions": [
+                {"program": {"inputs": [["q", 2]], "instructions": [[2, "add", 1, 0]], "results": [2]},
+                 "names": ["limb one"], "limits": None},
+                {"program": {"inputs": [["q", 2]], "instructions": [], "results": [1]},
+                 "names": ["limit x"], "limits": [[0.4, 1.6]]},
+            ],
+        },
+        "region": {"names": ["z"], "low": [0.25], "high": [2.25]},
+        "disk": None,
+        "splitting": [0, 0, -1, -1, 0, -1, -1],
+        "configurations": [[math.sqrt((a + b) / 2)] for a, b in pairwise(cuts)],
+        "joints": [[1, 0], [1, 2], [2, 3]],
+        "start": {"box": 1, "z": [1.0], "q": [1.0]},
+        "claims": {"boxes": 4, "whole": True, "share": 0.999, "least": {"limb one": 0.7}},
+    }  # fmt: skip
+
+
+def test_a_sound_file_is_taken() -> None:
+    verdict = check_certificate(root_file())
+    assert verdict.holds and verdict.facts["whole"]
+    assert 0.7 < verdict.facts["least"]["limb one"] <= 0.75  # at z = 1/4
+
+
+def test_tubes_hold_the_root_and_no_other_and_none_reaches_the_fold() -> None:
+    equations = Equations.read(root_file()["equations"])
+    low, high = np.array([[0.9, 0.2, -0.1, 1e-4]]), np.array([[1.1, 0.4, 0.3, 0.2]])
+    found = tubes(equations, low, high, np.sqrt(np.maximum((low + high) / 2, 0.1)))
+    assert found.closed.tolist() == [True, True, False, False]
+    for k in range(2):
+        z = np.linspace(low[0, k], high[0, k], 41)
+        d = np.linspace(-1, 1, 41)
+        held = found.centre[0, k] + found.slope[0, 0, k] * d
+        assert (np.abs(np.sqrt(z) - held) <= found.tight[0, k]).all()
+        assert (np.abs(-np.sqrt(z) - held) > found.radius[0, k]).all()
+
+
+def spoiled(path: tuple[Any, ...], value: Any) -> dict[str, Any]:
+    values = copy.deepcopy(root_file())
+    place: Any = values
+    for key in path[:-1]:
+        place = place[key]
+    place[path[-1]] = value
+    return values
+
+
+@pytest.mark.parametrize(
+    ("path", "value", "why"),
+    [
+        (("claims", "boxes"), 5, "boxes 5"),
+        (("claims", "share"), 1.01, "share 1.01"),
+        (("claims", "least", "limb one"), 0.8, "least"),
+        (("claims", "least", "limb two"), 0.1, "least"),
+        (("claims", "tilt"), 0.1, "tilt"),
+        (("configurations", 2), [-math.sqrt(1.5)], "hold different|limb one|limit x"),
+        (("configurations", 0), [0.1], "more or less than one"),
+        (("region", "low"), [-0.25], "more or less than one"),
+        (("start", "q"), [-1.0], "at the start"),
+        (("start", "z"), [1.5], "at the start"),
+        (("start", "box"), 3, "at the start"),
+        (("joints",), [[1, 0], [1, 2]], "not joined to the start"),
+        (("joints",), [[1, 0], [1, 2], [1, 3]], "where they meet"),
+        (("joints",), [[1, 0], [2, 3], [1, 2]], "before"),
+        (("equations", "conditions", 1, "limits"), [[0.6, 1.6]], "limit x may be too small"),
+        (("equations", "conditions", 1, "limits"), [[0.4, 1.4]], "limit x may be too large"),
+        (("equations", "conditions", 0, "program", "instructions"), [[2, "sub", 1, 1.0]], "limb one may be zero"),
+        (("equations", "driven"), [1], None),
+        (("equations", "driven"), [], "a freedom may be left"),
+        (("splitting",), [0, 0, -1, -1, 0, -1, -2], UnreadableError),
+        (("splitting",), [0, 0, -1, -1, 0, -1], UnreadableError),
+        (("splitting",), [3, -1, -1], UnreadableError),
+        (("equations", "rows"), [], UnreadableError),
+        (("equations", "held"), [[1, 1.0]], UnreadableError),
+        (("equations", "closure", "instructions"), [[2, "mul", 1, 3], [3, "sub", 2, 0]], UnreadableError),
+        (("equations", "closure", "instructions"), [[2, "exec", 1], [3, "sub", 2, 0]], UnreadableError),
+        (("joints",), [[1, 9]], UnreadableError),
+        (("format",), "something", UnreadableError),
+    ],
+)  # fmt: skip
+def test_a_spoiled_file_is_refused(path: tuple[Any, ...], value: Any, why: Any) -> None:
+    values = spoiled(path, value)
+    if why is UnreadableError:
+        with pytest.raises(UnreadableError):
+            check_certificate(values)
+        return
+    verdict = check_certificate(values)
+    assert verdict.holds == (why is None)
+    if why is not None:
+        assert any(re.search(why, text) for text in verdict.refused), verdict.refused
+
+
+def test_an_undecided_box_is_not_counted() -> None:
+    values = root_file()
+    values |= {"splitting": [0, 0, -1, -1, 0, -1, -2], "joints": [[1, 0], [1, 2]]}
+    values["configurations"].pop()
+    assert check_certificate(values).refused  # claims four boxes, and the whole
+    values["claims"] = {"boxes": 3, "whole": False, "share": 0.75}
+    verdict = check_certificate(values)
+    assert verdict.holds and not verdict.facts["whole"]
+    values["claims"]["share"] = 0.76
+    assert not check_certificate(values).holds
+
+
+def test_rank_of_a_tall_matrix_is_decided_only_where_it_is() -> None:
+    """Columns at an angle: independent while what is unknown of them is smaller than the angle leaves."""
+    matrix = np.array([[1.0, 1.0], [0.0, 0.2], [0.0, 0.0]])[:, :, None]
+    for radius, holds in ((0.0, True), (0.04, True), (0.11, False)):
+        form = Form(matrix, np.zeros((1, *matrix.shape)), np.full(matrix.shape, radius))
+        assert bool(checker.full_rank(form)[0]) == holds
+
+
+def test_the_file_runs_without_the_package(tmp_path: Path) -> None:
+    good, bad, none = (tmp_path / f"{name}.json" for name in ("good", "bad", "none"))
+    good.write_text(json.dumps(root_file()))
+    bad.write_text(json.dumps(spoiled(("claims", "boxes"), 5)))
+    none.write_text("[]")
+    alone = tmp_path / "alone.py"
+    alone.write_text(Path(checker.__file__).read_text())
+    codes = []
+    for file in (good, bad, none):
+        run = subprocess.run([sys.executable, "-I", alone, file], capture_output=True, text=True, check=False)
+        codes.append(run.returncode)
+        assert "Traceback" not in run.stderr
+    assert codes == [0, 1, 2]
