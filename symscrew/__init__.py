@@ -72,8 +72,8 @@ their `__init__` names); `tests/unit/test_structure.py` reads the order from her
     paper_formulas  formulas for a paper, in names that an author writes
     export          printers: C, CasADi, NumPy, JavaScript, LaTeX, Markdown
     runtime         compiled libraries, called from Python
-    results         wrenches of joints by name; columns over time for pandas, xarray, files
     assembly        every assembly mode: the closure in Study's parameters, all its zeros, certified
+    results         wrenches of joints by name; columns over time for pandas, xarray, files
     display         terminal, plots, drawings, the page in 3-D
     scene           scenes: start, drives, effects, integrator
     simulation      motion of a scene

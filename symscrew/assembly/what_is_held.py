@@ -102,7 +102,8 @@ def held_by(mechanism: Mechanism, drives: Mapping[str, Any], at: Mapping[str, An
             f"assembly modes of {mechanism.name}: couplings of coordinates are not among the polynomials"
         )
     exact = {} if coordinates else dict.fromkeys(driven.values(), CONTEXT.zero)
-    for target in targets_of(mechanism, network, given_coordinates(mechanism, {**coordinates, **drives})):
+    for name, value in {**coordinates, **drives}.items():
+        (target,) = targets_of(mechanism, network, given_coordinates(mechanism, {name: value}))
         assert target.column is not None
         exact[target.column] = target.goal
     if not exact:
