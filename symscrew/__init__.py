@@ -40,6 +40,7 @@ absolute axes, screws at the origin O.
     optimisation_problem(problem)     built once, solved often: .solve(start=..., goal=..., warm=...) -> Trajectory
     assemble(model, {"A": 0.3})       -> Configuration: ["B"], .q, .ok, .status
     workspace(mechanism, over)        -> Sweep: ["margin"], .summary; over {"tilt": "0:20deg:21", "azimuth": ...}
+    formulas(mechanism)               -> Paper: screws, limbs, wrenches, inverse kinematics; .save("seed.tex")
     drives(mechanism, motion)         -> DriveStudy: .u, .wrenches, .margins, .columns; of a file or expressions in t
     joint_wrenches(model, q, v, a)    -> JointWrenches: ["limb2_S"].about_joint().in_body_axes().force
     __version__                       of the package
@@ -67,6 +68,7 @@ their `__init__` names); `tests/unit/test_structure.py` reads the order from her
     dynamics        balance of every body, drives, reactions, free motion, and derivatives of all these
     functions       the named functions of a model
     model           the pipeline on one page: `derive`
+    paper_formulas  formulas for a paper, in names that an author writes
     export          printers: C, CasADi, NumPy, JavaScript, LaTeX, Markdown
     runtime         compiled libraries, called from Python
     results         wrenches of joints by name; columns over time for pandas, xarray, files
@@ -117,6 +119,7 @@ if TYPE_CHECKING:
     from symscrew.model import derive as derive
     from symscrew.optimisation import optimisation_problem as optimisation_problem
     from symscrew.optimisation import solve as optimise
+    from symscrew.paper_formulas import paper_formulas as formulas
     from symscrew.reporting import report as report
     from symscrew.results import assemble as assemble
     from symscrew.results import joint_wrenches as joint_wrenches
@@ -146,6 +149,7 @@ __all__ = [
     "derive",
     "draw",
     "drives",
+    "formulas",
     "generate",
     "inertial_parameters",
     "inverse_kinematics",

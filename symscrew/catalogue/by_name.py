@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import cache
 from pathlib import Path
 
 from symscrew import formats
@@ -25,6 +26,12 @@ def load(name: str) -> Mechanism:
     """
     if name not in names():
         raise DescriptionError(f"the catalogue has no mechanism {shorten(name)}; {did_you_mean(name, names())}")
+    return _own(name)
+
+
+@cache
+def _own(name: str) -> Mechanism:
+    """Read once in a process: exact numbers take tenths of a second, and nobody changes a mechanism."""
     return load_description(_FOLDER / f"{name}.toml")
 
 
@@ -45,7 +52,7 @@ def find(name_or_path: str | Path, *, run_time: Sequence[str] = ()) -> Mechanism
     """
     asked = str(name_or_path)
     if asked in names():
-        return load_description(_FOLDER / f"{asked}.toml", run_time=run_time)
+        return load_description(_FOLDER / f"{asked}.toml", run_time=run_time) if run_time else _own(asked)
     path = Path(asked)
     if "\0" not in asked and (path.suffix == ".toml" or path.suffix in formats.READABLE or path.is_file()):
         if not path.is_file():

@@ -5,15 +5,23 @@ from __future__ import annotations
 import argparse
 import os
 import sys
+from collections.abc import Collection, Mapping
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from symscrew.cli.help import DONE, UsageError
 from symscrew.cli.shared_options import add_mechanism, check_folder, writable_folder
+
+if TYPE_CHECKING:
+    from symscrew.description import Mechanism
+    from symscrew.effects import Effect
+    from symscrew.formats import JointLimits
 
 EXAMPLES = (
     "symscrew convert robot.urdf --out robot.toml",
     "symscrew convert robot.xml --out robot.toml --scene robot_scene.toml",
     "symscrew convert ur5 --out ur5.xml",
+    "symscrew convert leg.toml --effects leg_scene.toml --out leg.xml",
 )
 
 
@@ -31,6 +39,8 @@ def add_options(command: argparse.ArgumentParser) -> None:
         metavar="FILE",
         help="also the effects that a URDF or MJCF file names, as a scene for it: a new .toml",
     )
+    command.add_argument("--effects", metavar="FILE", help="a scene whose effects a .urdf or .xml is to have as well")
+    command.add_argument("--bare", action="store_true", help="the mechanism alone, without the effects of its file")
     command.add_argument(
         "--snap", type=float, default=0.0, metavar="GAP", help="close loops that are open by up to GAP [m, rad]"
     )
@@ -46,7 +56,8 @@ def run(options: argparse.Namespace) -> int:
     """Read, write; what became of all that the file says is on stderr."""
     from symscrew import catalogue
     from symscrew.description import read_text, with_comments
-    from symscrew.formats import READABLE, WRITERS, ImportOptions, save_as, text_of
+    from symscrew.effects import load_effects
+    from symscrew.formats import READABLE, WRITERS, ImportOptions, text_of
     from symscrew.scene import load_robot, scene_text
     from symscrew.whole_files import write_text
 
@@ -59,25 +70,29 @@ def run(options: argparse.Namespace) -> int:
         if file:
             check_folder(Path(file).parent, option)
     foreign = source.suffix in READABLE and source.is_file()
-    asked = (options.scene, options.snap, options.repair, options.accept, options.floating, options.exact)
-    if not foreign and any(asked):
-        raise UsageError("--scene, --snap, --repair, --accept, --floating and --exact belong to URDF and MJCF files")
+    asked = (options.scene, options.snap, options.repair, options.floating, options.exact, options.bare)
+    if not foreign and (any(asked) or (options.accept and not options.effects)):
+        raise UsageError(
+            "--scene, --snap, --repair, --accept, --floating, --exact and --bare belong to URDF and MJCF files"
+        )
     if not 0 <= options.snap < 1:
         raise UsageError(f"--snap: expected a gap from 0 to 1 [m, rad], got {options.snap}")
     if not foreign:
         mechanism = catalogue.find(options.mechanism)
-        text = text_of(mechanism, path.suffix)
-        if path.suffix == source.suffix == ".toml":
-            text = with_comments(text, read_text(source))
+        effects = load_effects(options.effects) if options.effects else None
         writable_folder(str(path.parent))
-        write_text(path, text)
-        print(path)
+        if path.suffix == source.suffix == ".toml":
+            write_text(path, with_comments(text_of(mechanism, ".toml"), read_text(source)))
+            print(path)
+        else:
+            _save(options, mechanism, effects, {})
         return DONE
+    if options.effects:
+        raise UsageError("--effects belongs to descriptions; a URDF or MJCF file has its own")
     chosen = ImportOptions(options.snap, options.repair, options.accept, options.floating, options.exact)
     robot = load_robot(source, chosen)
     writable_folder(str(path.parent))
-    save_as(robot.mechanism, path)
-    print(path)
+    _save(options, robot.mechanism, None if options.bare else robot.effects, robot.limits)
     if options.scene:
         scene = Path(options.scene)
         writable_folder(str(scene.parent))
@@ -86,3 +101,22 @@ def run(options: argparse.Namespace) -> int:
     for line in robot.account.lines():
         print(line, file=sys.stderr)
     return DONE
+
+
+def _save(
+    options: argparse.Namespace,
+    mechanism: Mechanism,
+    effects: Collection[Effect] | None,
+    limits: Mapping[str, JointLimits],
+) -> None:
+    """Write the file, with effects in its own words where it can have any and there are any."""
+    from symscrew.formats import save_as
+    from symscrew.scene import save_robot
+
+    path = Path(options.out)
+    if effects is None or path.suffix == ".toml":
+        save_as(mechanism, path)
+    else:
+        for left in save_robot(mechanism, path, effects, limits=limits, accept=options.accept):
+            print(f"left out of {path.name}: {left}", file=sys.stderr)
+    print(path)

@@ -4,12 +4,20 @@ from __future__ import annotations
 
 import argparse
 import json
+from pathlib import Path
+from typing import TYPE_CHECKING
 
-from symscrew.cli.help import DONE
+from symscrew.cli.help import DONE, FAILED
 from symscrew.cli.shared_options import add_described_mechanism
 from symscrew.whole_files import destination, write_text
 
-EXAMPLES = ("symscrew embedded three_ups_upu_s --core m4f --out embedded.json",)
+if TYPE_CHECKING:
+    from symscrew.model import Model
+
+EXAMPLES = (
+    "symscrew embedded three_ups_upu_s --core m4f --out embedded.json",
+    "symscrew embedded four_bar --core m4f --function velocity --report evidence.md",
+)
 USUAL_FUNCTIONS = (
     "inverse_dynamics",
     "inverse_dynamics_platform",
@@ -28,6 +36,8 @@ def add_options(command: argparse.ArgumentParser) -> None:
     command.add_argument("--precision", choices=("single", "double"), help="default: single on m4f, double on m7")
     command.add_argument("--function", nargs="+", metavar="NAME", help="default: dynamics and assembly; all: every one")
     command.add_argument("--out", metavar="FILE.json", help="also write the numbers here")
+    text = "evidence for an assessor: MISRA C:2012 findings, loops, stack, vectors, branches; of the first core"
+    command.add_argument("--report", metavar="FILE.md", help=text)
     command.add_argument("--json", action="store_true", help="numbers as JSON instead of the table")
 
 
@@ -39,12 +49,15 @@ def run(options: argparse.Namespace) -> int:
     from symscrew.verification import measure
 
     path = destination(options.out, (".json",), "--out") if options.out else None
+    report = destination(options.report, (".md",), "--report") if options.report else None
     progress = Progress()
     mechanism = catalogue.find(options.mechanism)
     with progress.step(f"derive {mechanism.name}"):
         model = derive(mechanism)
     functions = options.function or [name for name in USUAL_FUNCTIONS if name in model.programs]
     functions = list(model.programs) if functions == ["all"] else functions
+    if report is not None:
+        return _report(model, functions, options, path=report)
     found = []
     for core in dict.fromkeys(options.core):
         precision = options.precision or ("single" if core == "m4f" else "double")
@@ -64,3 +77,26 @@ def run(options: argparse.Namespace) -> int:
     if path is not None:
         write_text(path, text)
     return DONE
+
+
+def _report(model: Model, functions: list[str], options: argparse.Namespace, *, path: Path) -> int:
+    """Collect the evidence on one core, write it, say the verdict; exit code 1 where it is not ok."""
+    from symscrew.display import Progress
+    from symscrew.verification import collect
+
+    progress, core = Progress(), options.core[0]
+    precision = options.precision or ("single" if core == "m4f" else "double")
+    with progress.step(f"collect evidence on {core}, {precision} precision"):
+        evidence = collect(model, core, precision, functions)
+    write_text(path, evidence.text)
+    if options.out:
+        write_text(destination(options.out, (".json",), "--out"), json.dumps(evidence.facts, indent=1) + "\n")
+    if options.json:
+        print(json.dumps({"ok": evidence.ok, "reasons": evidence.reasons, **evidence.facts}, indent=1))
+    else:
+        branches = evidence.facts["branches"]
+        told = f"branches {branches['branches']} % of {branches['of']}"
+        print(f"{path}: {'ok' if evidence.ok else 'not ok'}, {told}")
+        for reason in evidence.reasons:
+            print(f"  {reason}")
+    return DONE if evidence.ok else FAILED

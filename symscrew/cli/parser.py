@@ -25,6 +25,7 @@ COMMANDS = {
     "generate": ("generate_command", "C, CasADi and NumPy functions of a mechanism"),
     "check": ("check_command", "is generated output up to date, clean and right?"),
     "mobility": ("mobility_command", "constraints and freedoms by reciprocal screws"),
+    "formulas": ("formulas_command", "formulas for a paper: screws, limbs, wrenches, inverse kinematics"),
     "drives": ("drives_command", "a motion in, tables out: drives, rates, reactions, margins"),
     "cost": ("cost_command", "what each effect of a scene costs, and what it changes"),
     "accuracy": ("accuracy_command", "what accuracy costs in time: methods side by side"),

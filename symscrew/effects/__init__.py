@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from symscrew.effects.acting import Acting
 from symscrew.effects.effect import Effect, joints_read, transformed
-from symscrew.effects.of_files import effects_of_file, stops_of_file
+from symscrew.effects.of_files import effects_of_file, forces_of_effects, stops_of_file
 from symscrew.effects.records import AddedInertia, Contact, State
 from symscrew.effects.registry import (
     check_effects,
@@ -38,6 +38,7 @@ __all__ = [
     "effect_from_table",
     "effect_to_table",
     "effects_of_file",
+    "forces_of_effects",
     "joints_read",
     "known_effects",
     "load_effects",

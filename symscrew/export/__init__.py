@@ -38,8 +38,10 @@ if TYPE_CHECKING:
     from symscrew.export.numpy import print_numpy
     from symscrew.export.readme import print_readme
     from symscrew.export.reduced import configuration_function, ode_function, print_reduced
+    from symscrew.export.ros2 import print_ros2
     from symscrew.export.rust import print_rust
     from symscrew.export.rust_names import RustNames
+    from symscrew.export.structured_text import block_ports, print_structured_text
     from symscrew.export.written_folder import MANIFEST, own_files, read_manifest
 
 __all__ = [
@@ -60,6 +62,7 @@ __all__ = [
     "RustNames",
     "axes_text",
     "banner",
+    "block_ports",
     "casadi_functions",
     "configuration_function",
     "decimal",
@@ -91,8 +94,10 @@ __all__ = [
     "print_numpy",
     "print_readme",
     "print_reduced",
+    "print_ros2",
     "print_rust",
     "print_script",
+    "print_structured_text",
     "program_function",
     "read_form",
     "read_hashes",

@@ -55,10 +55,11 @@ def _type(model: str, width: int, precision: Precision, *, root: bool) -> list[s
 def in_order(packing: Packing) -> list[int | Pack]:
     """The items of a packing in an order that suits registers."""
     targets = [_targets(item) for item in packing.items]
-    known: dict[int | float, int] = {slot: k for k, slots in enumerate(targets) for slot in slots}
+    known = {slot: k for k, slots in enumerate(targets) for slot in slots}
 
     def proxy(k: int, slots: Sequence[int]) -> Instruction:
-        read = dict.fromkeys(known[a] for s in slots for a, _ in packing.operations[s].args if a in known)
+        given = (a for s in slots for a, _ in packing.operations[s].args if isinstance(a, int))  # 2.0 is not slot 2
+        read = dict.fromkeys(known[a] for a in given if a in known)
         return Instruction(k, packing.operations[slots[0]].op, tuple(read))
 
     proxies = [proxy(k, slots) for k, slots in enumerate(targets)]

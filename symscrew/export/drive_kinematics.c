@@ -153,6 +153,72 @@ static int tool_jacobian(const double *q, const double *world, const double *at,
     return FOLLOW_OK;
 }
 
+/* Drives [m, rad] -> axes of the tool [m, rad], from the last configuration, which this one becomes. */
+static int drive_forward(DriveState *state, const double *joint, double *world)
+{
+    double y[N_FREE], q[N_Q], at[3];
+    state->iterations = 0;
+    if (!follow_finite(joint, N_JOINTS)) {
+        return 2;
+    }
+    for (int j = 0; j < N_FREE; ++j) {
+        y[j] = joint[chosen_joint[j]];
+    }
+    int status = follow_mode(y, state->q, q, &state->iterations);
+    if (status == FOLLOW_OK) {
+        status = tool_axes(state, q, world, at);
+    }
+    for (int k = 0; k < N_JOINTS && status == FOLLOW_OK; ++k) {
+        if (fabs(q[driven_q[k]] - joint[k]) > state->tolerance) {
+            status = FOLLOW_INCONSISTENT;
+        }
+    }
+    for (int k = 0; k < N_Q && status == FOLLOW_OK; ++k) {
+        state->q[k] = q[k];
+    }
+    return status;
+}
+
+/* The sign of the branch at q: of the determinant of the loops; 0 where it cannot be told. */
+static int mode_at(const double *q)
+{
+    double y[N_FREE], next[N_Q], residual[1], change[1], orientation[1];
+    for (int j = 0; j < N_FREE; ++j) {
+        y[j] = q[chosen_q[j]];
+    }
+    if (ASSEMBLE_STEP(q, y, next, residual, change, orientation) > 0) {
+        return 0;
+    }
+    return orientation[0] > 0.0 ? 1 : -1;
+}
+
+#if CLOSED_FORM
+/* The configuration at a pose, in closed form. */
+static int drive_backward(DriveState *state, const double *world, double *q)
+{
+    const double sa = sin(0.5 * world[3]), ca = cos(0.5 * world[3]), sb = sin(0.5 * world[4]);
+    const double cb = cos(0.5 * world[4]), sc = sin(0.5 * world[5]), cc = cos(0.5 * world[5]);
+    const double w = cc * cb * ca + sc * sb * sa, x = cc * cb * sa - sc * sb * ca;
+    const double y = cc * sb * ca + sc * cb * sa, z = sc * cb * ca - cc * sb * sa;
+    const double rotation[9] = {
+        1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y + w * z), 2.0 * (x * z - w * y),
+        2.0 * (x * y - w * z), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z + w * x),
+        2.0 * (x * z + w * y), 2.0 * (y * z - w * x), 1.0 - 2.0 * (x * x + y * y)};
+    double place[3], pose[7];
+    for (int i = 0; i < 3; ++i) {
+        place[i] = world[i];
+        for (int j = 0; j < 3; ++j) {
+            place[i] += rotation[i + 3 * j] * (pose_centre[j] - tool_point[j] - state->tool[j]);
+        }
+    }
+    const double entry[7] = {place[0], place[1], place[2], w, x, y, z};
+    for (int k = 0; k < 7; ++k) {
+        pose[k] = entry[pose_entry[k]];
+    }
+    const int status = INVERSE_KINEMATICS(pose, q);
+    return status > 0 ? status : mode_at(q) * mode_at(state->q) > 0 ? FOLLOW_OK : FOLLOW_OTHER_MODE;
+}
+#else
 /* Solves a x = b of N_FREE equations in place, rows of comparable size; 1 where a pivot is lost. */
 static int follow_solve(double *a, double *b)
 {
@@ -187,32 +253,6 @@ static int follow_solve(double *a, double *b)
         b[j] /= a[j + j * N_FREE];
     }
     return 0;
-}
-
-/* Drives [m, rad] -> axes of the tool [m, rad], from the last configuration, which this one becomes. */
-static int drive_forward(DriveState *state, const double *joint, double *world)
-{
-    double y[N_FREE], q[N_Q], at[3];
-    state->iterations = 0;
-    if (!follow_finite(joint, N_JOINTS)) {
-        return 2;
-    }
-    for (int j = 0; j < N_FREE; ++j) {
-        y[j] = joint[chosen_joint[j]];
-    }
-    int status = follow_mode(y, state->q, q, &state->iterations);
-    if (status == FOLLOW_OK) {
-        status = tool_axes(state, q, world, at);
-    }
-    for (int k = 0; k < N_JOINTS && status == FOLLOW_OK; ++k) {
-        if (fabs(q[driven_q[k]] - joint[k]) > state->tolerance) {
-            status = FOLLOW_INCONSISTENT;
-        }
-    }
-    for (int k = 0; k < N_Q && status == FOLLOW_OK; ++k) {
-        state->q[k] = q[k];
-    }
-    return status;
 }
 
 /* Newton's iteration from q to the commanded axes of `goal`; q is changed where it arrives only. */
@@ -266,46 +306,6 @@ static int follow_axes(DriveState *state, const double *goal, double *q)
     return FOLLOW_NOT_CONVERGED;
 }
 
-/* The sign of the branch at q: of the determinant of the loops; 0 where it cannot be told. */
-static int mode_at(const double *q)
-{
-    double y[N_FREE], next[N_Q], residual[1], change[1], orientation[1];
-    for (int j = 0; j < N_FREE; ++j) {
-        y[j] = q[chosen_q[j]];
-    }
-    if (ASSEMBLE_STEP(q, y, next, residual, change, orientation) > 0) {
-        return 0;
-    }
-    return orientation[0] > 0.0 ? 1 : -1;
-}
-
-#if CLOSED_FORM
-/* The configuration at a pose, in closed form. */
-static int drive_backward(DriveState *state, const double *world, double *q)
-{
-    const double sa = sin(0.5 * world[3]), ca = cos(0.5 * world[3]), sb = sin(0.5 * world[4]);
-    const double cb = cos(0.5 * world[4]), sc = sin(0.5 * world[5]), cc = cos(0.5 * world[5]);
-    const double w = cc * cb * ca + sc * sb * sa, x = cc * cb * sa - sc * sb * ca;
-    const double y = cc * sb * ca + sc * cb * sa, z = sc * cb * ca - cc * sb * sa;
-    const double rotation[9] = {
-        1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y + w * z), 2.0 * (x * z - w * y),
-        2.0 * (x * y - w * z), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z + w * x),
-        2.0 * (x * z + w * y), 2.0 * (y * z - w * x), 1.0 - 2.0 * (x * x + y * y)};
-    double place[3], pose[7];
-    for (int i = 0; i < 3; ++i) {
-        place[i] = world[i];
-        for (int j = 0; j < 3; ++j) {
-            place[i] += rotation[i + 3 * j] * (pose_centre[j] - tool_point[j] - state->tool[j]);
-        }
-    }
-    const double entry[7] = {place[0], place[1], place[2], w, x, y, z};
-    for (int k = 0; k < 7; ++k) {
-        pose[k] = entry[pose_entry[k]];
-    }
-    const int status = INVERSE_KINEMATICS(pose, q);
-    return status > 0 ? status : mode_at(q) * mode_at(state->q) > 0 ? FOLLOW_OK : FOLLOW_OTHER_MODE;
-}
-#else
 /* The configuration at the commanded axes, by Newton's iteration along the straight way from the last one. */
 static int drive_backward(DriveState *state, const double *world, double *q)
 {

@@ -57,20 +57,27 @@ def tables(kinematics: DriveKinematics) -> list[str]:
     pairs = kinematics.scalar
     lines += ["", *_array("double", "reference_q", np.array(system.reference))]
     lines += _array("int", "chosen_joint", kinematics.chosen) + _array("int", "chosen_q", chosen)
-    lines += _array("double", "chosen_unit", [length if k in sliding else 1.0 for k in chosen])
+    if not kinematics.pose.entries:
+        lines += _array("double", "chosen_unit", [length if k in sliding else 1.0 for k in chosen])
+        lines += _array("int", "commanded", kinematics.axes)
     lines += _array("int", "driven_q", kinematics.driven)
-    lines += _array("int", "joint_sliding", [int(k in sliding) for k in kinematics.driven])
     lines += _array("int", "scalar_q", [k for k, _ in pairs]) + _array("int", "scalar_v", [k for _, k in pairs])
     lines += _array("double", "scalar_unit", [1 / length if k in sliding else 1.0 for k, _ in pairs])
     lines += _array("int", "turn_q", [k for k, _ in kinematics.turns]) + _array(
         "int", "turn_v", [k for _, k in kinematics.turns]
     )
-    lines += _array("int", "commanded", kinematics.axes) + _array("double", "tool_point", kinematics.tool)
+    lines += _array("double", "tool_point", kinematics.tool)
     if kinematics.pose.entries:
         lines += _array("int", "pose_entry", [AXES.index(name) for name in kinematics.pose.entries])
         lines += _array("double", "pose_centre", kinematics.pose.centre)
-    lines += _array("double", "parameters", np.array(system.parameter_values, dtype=float))
-    return lines
+    values = np.array(system.parameter_values, dtype=float)
+    return [*lines, *(_array("double", "parameters", values) if len(values) else [])]
+
+
+def unit_tables(kinematics: DriveKinematics) -> list[str]:
+    """Which joints are lengths, and which axes are commanded, for controllers with units of their own."""
+    axes = _array("int", "commanded", kinematics.axes) if kinematics.pose.entries else []
+    return axes + _array("int", "joint_sliding", [int(k in kinematics.sliding) for k in kinematics.driven])
 
 
 def _array(kind: str, name: str, values: Sequence[float] | np.ndarray) -> list[str]:
@@ -128,7 +135,9 @@ def kinematics_part(kinematics: DriveKinematics) -> list[str]:
 def print_drive_host(kinematics: DriveKinematics) -> dict[str, str]:
     """The part for a program on this machine: <name>_drives_host.c and what it includes."""
     name = kinematics.model.name
-    lines = [f'#include "{name}.c"', "", "#include <string.h>", *kinematics_part(kinematics), template(HOST)]
+    lines = [f'#include "{name}.c"', "", "#include <string.h>", *kinematics_part(kinematics)]
+    lines += [_array("int", "driven_v", [dict(kinematics.scalar)[k] for k in kinematics.driven])[0], ""]
+    lines += [template(HOST).replace("NAME_", f"{name}_")]
     return {f"{name}_host.c": "\n".join(lines), **print_functions(kinematics)}
 
 

@@ -1,6 +1,6 @@
 /* ---- For a program on this machine: the state is the caller's, drives in m and rad. ---- */
 
-int host_forward(double *q, const double *tool, const double *joint, double *world)
+int NAME_forward(double *q, const double *tool, const double *joint, double *world)
 {
     DriveState state = {.tolerance = 1e-6};
     memcpy(state.q, q, sizeof state.q);
@@ -10,7 +10,7 @@ int host_forward(double *q, const double *tool, const double *joint, double *wor
     return status;
 }
 
-int host_inverse(double *q, const double *tool, const double *world, double *joint)
+int NAME_inverse(double *q, const double *tool, const double *world, double *joint)
 {
     DriveState state = {.tolerance = 1e-6};
     memcpy(state.q, q, sizeof state.q);
@@ -20,7 +20,7 @@ int host_inverse(double *q, const double *tool, const double *world, double *joi
     return status;
 }
 
-int host_jacobian(const double *q, const double *tool, double *jacobian, double *margin)
+int NAME_jacobian(const double *q, const double *tool, double *jacobian, double *margin)
 {
     DriveState state = {.tolerance = 1e-6};
     double world[6], at[3];
@@ -31,7 +31,29 @@ int host_jacobian(const double *q, const double *tool, double *jacobian, double 
     return status != FOLLOW_OK ? status : tool_jacobian(q, world, at, jacobian);
 }
 
-int host_mode(const double *q)
+int NAME_mode(const double *q)
 {
     return mode_at(q);
+}
+
+/* Rates of all drives by the chosen ones, (N_JOINTS x N_FREE) by columns. */
+int NAME_joint_rates(const double *q, double *rates)
+{
+    double null[N_V * N_FREE];
+    if (NULL_SPACE(q, null) > 0) {
+        return FOLLOW_SINGULAR;
+    }
+    for (int j = 0; j < N_FREE; ++j) {
+        for (int k = 0; k < N_JOINTS; ++k) {
+            rates[k + j * N_JOINTS] = null[driven_v[k] + j * N_V];
+        }
+    }
+    return FOLLOW_OK;
+}
+
+void NAME_home(double *q)
+{
+    DriveState state = {.tolerance = 1e-6};
+    drive_home(&state);
+    memcpy(q, state.q, sizeof state.q);
 }

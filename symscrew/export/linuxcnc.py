@@ -10,7 +10,7 @@ or a tool frame, so that these are pins.
 from __future__ import annotations
 
 from symscrew.export.drive_kinematics import DriveKinematics
-from symscrew.export.drive_kinematics_c import axes_text, kinematics_part, print_functions, template
+from symscrew.export.drive_kinematics_c import axes_text, kinematics_part, print_functions, template, unit_tables
 from symscrew.export.listing import banner, check_names, plain, wrapped
 from symscrew.model import Model
 
@@ -25,6 +25,11 @@ def print_linuxcnc(model: Model, kinematics: DriveKinematics) -> dict[str, str]:
     about = [*banner(model)[:3], *wrapped(plain(axes_text(kinematics)), later="  ")]
     lines = ["/*", *(f" * {line}".rstrip() for line in about), " */"]
     lines += [*(f"#include <{file}>" for file in INCLUDES), "", f'#include "{kinematics.model.name}.c"', ""]
-    lines += [*kinematics_part(kinematics), "", *template(TEMPLATE).replace("KINS.", f"{name}.").splitlines()]
+    lines += [
+        *kinematics_part(kinematics),
+        *unit_tables(kinematics),
+        "",
+        *template(TEMPLATE).replace("KINS.", f"{name}.").splitlines(),
+    ]
     text = "\n".join([*lines, ""]).replace('hal_init("KINS")', f'hal_init("{name}")')
     return {f"{name}.c": text, **print_functions(kinematics)}

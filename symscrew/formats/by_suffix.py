@@ -8,21 +8,26 @@ A further format is a file with a reader, a writer or both, and a line in `FORMA
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import Any
 
 from symscrew.description import Mechanism, to_toml
 from symscrew.errors import DescriptionError, in_file, shorten
+from symscrew.formats import mjcf_effects, urdf_effects
 from symscrew.formats.draft import Draft
 from symscrew.formats.from_draft import imported
 from symscrew.formats.import_options import ImportOptions
-from symscrew.formats.imported import Imported
+from symscrew.formats.imported import Beside, Imported
 from symscrew.formats.mjcf_reader import read_mjcf
 from symscrew.formats.mjcf_writer import print_mjcf
 from symscrew.formats.safe_xml import Element, read
 from symscrew.formats.urdf_reader import read_urdf
 from symscrew.formats.urdf_writer import print_urdf
 from symscrew.whole_files import write_text
+
+USUAL_GRAVITY = (0.0, 0.0, -9.81)
+"""The field [m/s^2] that a file means which says nothing of it."""
 
 
 @dataclass(frozen=True)
@@ -33,18 +38,23 @@ class Format:
         root: tag of the root element, by which a file is known.
         suffixes: of its files; several formats may share one.
         read: (root element, path of the file, options) -> what the file says; None for a format that is only written.
-        write: mechanism -> text of a file; None for a format that is only read.
+        write: mechanism -> text of a file; None for a format that is only read. It takes what stands beside the
+            mechanism as its second argument where it `holds` any of that.
+        holds: (mechanism, force) -> whether its files hold that force; None where they hold none.
+        gravity: whether they hold the field of gravity.
     """
 
     root: str
     suffixes: tuple[str, ...]
     read: Callable[[Element, Path, ImportOptions], Draft] | None = None
-    write: Callable[[Mechanism], str] | None = None
+    write: Callable[..., str] | None = None
+    holds: Callable[[Mechanism, Mapping[str, Any]], bool] | None = None
+    gravity: bool = False
 
 
 FORMATS = (
-    Format("robot", (".urdf",), read_urdf, print_urdf),
-    Format("mujoco", (".xml", ".mjcf"), read_mjcf, print_mjcf),
+    Format("robot", (".urdf",), read_urdf, print_urdf, urdf_effects.holds),
+    Format("mujoco", (".xml", ".mjcf"), read_mjcf, print_mjcf, mjcf_effects.holds, gravity=True),
 )
 
 
@@ -53,14 +63,14 @@ def readable(formats: Sequence[Format] = FORMATS) -> tuple[str, ...]:
     return tuple(dict.fromkeys(suffix for f in formats if f.read is not None for suffix in f.suffixes))
 
 
-def writers(formats: Sequence[Format] = FORMATS) -> dict[str, Callable[[Mechanism], str]]:
+def writers(formats: Sequence[Format] = FORMATS) -> dict[str, Callable[..., str]]:
     """Suffix -> what writes its files, the TOML of descriptions as well."""
     found = {suffix: f.write for f in formats if f.write is not None for suffix in f.suffixes}
     return {**found, ".toml": to_toml}
 
 
 READABLE = readable()
-WRITERS: Mapping[str, Callable[[Mechanism], str]] = writers()
+WRITERS: Mapping[str, Callable[..., str]] = writers()
 
 
 def load_format(path: str | Path, *, formats: Sequence[Format] = FORMATS) -> Mechanism:
@@ -103,24 +113,49 @@ def import_file(
         raise in_file(file.name, error) from error
 
 
-def save_as(model: Mechanism, path: str | Path) -> None:
+def save_as(model: Mechanism, path: str | Path, *, beside: Beside | None = None) -> list[str]:
     """Write a mechanism to a file; its suffix says as what. An existing file is replaced at the end, or not at all.
 
+    `beside`: forces, limits and gravity that the file is to have as well. Returns what of it the file does not hold.
+
     Raises:
-        DescriptionError: no format has this suffix, or the format does not hold such a mechanism.
+        DescriptionError: no format has this suffix, or the format does not hold such a mechanism, or what stands
+            beside it and is not accepted.
     """
     file = Path(path)
-    text = text_of(model, file.suffix)
+    text, left = _text_and_rest(model, file.suffix, beside, FORMATS)
     write_text(file, text)
+    return left
 
 
-def text_of(model: Mechanism, suffix: str, *, formats: Sequence[Format] = FORMATS) -> str:
+def text_of(model: Mechanism, suffix: str, *, beside: Beside | None = None, formats: Sequence[Format] = FORMATS) -> str:
     """The text of a file of this suffix that describes a mechanism.
 
     Raises:
-        DescriptionError: no format has this suffix, or the format does not hold such a mechanism (a URDF no loops).
+        DescriptionError: no format has this suffix, or the format does not hold such a mechanism (a URDF no loops), or
+            what stands beside it and is not accepted.
     """
+    return _text_and_rest(model, suffix, beside, formats)[0]
+
+
+def _text_and_rest(
+    model: Mechanism, suffix: str, beside: Beside | None, formats: Sequence[Format]
+) -> tuple[str, list[str]]:
+    """(text, what stands beside the mechanism and is not in it)."""
     known = writers(formats)
     if suffix not in known:
         raise DescriptionError(f"expected a file name that ends in {', '.join(known)}, got {shorten(suffix)}")
-    return known[suffix](model)
+    form = next((f for f in formats if suffix in f.suffixes and f.write is not None), None)
+    if beside is None or form is None or form.holds is None:
+        return known[suffix](model), []
+    left = [*beside.others]
+    kept = tuple(force for force in beside.forces if form.holds(model, force))
+    left += [f"{f['kind']} of {f.get('joint', f.get('point'))}" for f in beside.forces if f not in kept]
+    if not form.gravity and beside.gravity not in (None, USUAL_GRAVITY):
+        left.append(f"gravity {beside.gravity}")
+    if left and not beside.accept:
+        raise DescriptionError(
+            f"a {suffix} file does not hold {', '.join(left)}; write another format, leave these effects out (--bare), "
+            "or accept that with --accept"
+        )
+    return known[suffix](model, replace(beside, forces=kept)), left

@@ -23,6 +23,20 @@ class JointLimits:
 
 
 @dataclass(frozen=True)
+class Beside:
+    """What is written to a file beside its mechanism: forces as in `Imported`, limits, gravity [m/s^2].
+
+    `others` are effects that no file names, in words; what a file does not hold is left out where `accept` says so.
+    """
+
+    forces: tuple[Mapping[str, Any], ...] = ()
+    limits: Mapping[str, JointLimits] = field(default_factory=dict)
+    gravity: tuple[float, ...] | None = None
+    others: tuple[str, ...] = ()
+    accept: bool = False
+
+
+@dataclass(frozen=True)
 class Account:
     """What became of what a file says, how often it occurs; `changed`: numbers that are not the file's, in words."""
 

@@ -43,7 +43,7 @@ class Actuators:
         listed = []
         for section in elements(root, "actuator"):
             for element in elements(section):
-                if element.tag not in ACTUATORS:
+                if element.tag not in (*ACTUATORS, "plugin"):
                     raise DescriptionError(f"{label(element)} in <actuator>: only actuators of joints are supported")
                 listed.append((element, settings.actuator(element)))
         return cls(listed, transmissions)

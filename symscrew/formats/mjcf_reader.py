@@ -26,6 +26,7 @@ from symscrew.formats.mjcf_actuators import Actuators, actuator_forces
 from symscrew.formats.mjcf_bodies import Place, Reading, read_children
 from symscrew.formats.mjcf_couplings import Tied, raw_coupling, read_couplings
 from symscrew.formats.mjcf_loops import Placed, loops
+from symscrew.formats.mjcf_masses import settle_masses
 from symscrew.formats.mjcf_settings import settings
 from symscrew.formats.mjcf_transmissions import add_pulleys, tendon_forces, transmissions
 from symscrew.formats.open_loops import Closing
@@ -73,6 +74,7 @@ def read_mjcf(root: Element, path: Path, options: ImportOptions) -> Draft:
     for world in elements(root, "worldbody"):
         check_attributes(world, ("name", "childclass"))
         read_children(reading, world, Place(ground, Pose(), world.get("childclass")))
+    settle_masses(result, chosen, reading.poses)
     _check_all_found(reading, pulled.pulleys.values())
     tendon_forces(result, pulled, reading.values)
     actuator_forces(result, actuators, reading.sites, displaced=any(reading.displaced.values()))

@@ -67,9 +67,9 @@ READ: dict[str, tuple[str, ...]] = {
 # attributes of <compiler>: with the values that are supported; that must be zero; that do not change the mechanics
 COMPILER = {
     "angle": ("degree", "radian"), "coordinate": ("local",), "inertiafromgeom": ("false", "true", "auto"),
-    "balanceinertia": ("false",), "alignfree": ("false",),
+    "balanceinertia": ("false", "true"), "alignfree": ("false",),
 }  # fmt: skip
-COMPILER_ZERO = ("boundmass", "boundinertia")
+COMPILER_MASSES = ("boundmass", "boundinertia", "settotalmass")
 COMPILER_FREE = (
     "autolimits", "strippath", "meshdir", "texturedir", "assetdir", "discardvisual", "usethread", "fusestatic",
     "convexhull", "saveinertial", "fitaabb", "exactmeshinertia", "conflict",
@@ -96,6 +96,10 @@ class Settings:
     assets: str = "."
     auto_limits: bool = True
     fits_boxes: bool = False
+    least_mass: Real = 0
+    least_inertia: Real = 0
+    balanced: bool = False
+    total_mass: Real = 0
 
     def merged(self, element: Element, kind: str, inherited: str | None) -> dict[str, str]:
         """The attributes of an element over those of its class (its own, its body's, or the main one)."""
@@ -191,6 +195,10 @@ def settings(root: Element, draft: Draft) -> Settings:
         assets=given.get("meshdir") or given.get("assetdir") or ".",
         auto_limits=given.get("autolimits", "true") == "true",
         fits_boxes=given.get("fitaabb", "false") == "true",
+        least_mass=real(given.get("boundmass", "0")),
+        least_inertia=real(given.get("boundinertia", "0")),
+        balanced=given.get("balanceinertia", "false") == "true",
+        total_mass=real(given.get("settotalmass", "-1")),
     )
     for option in elements(root, "option"):
         _option(option, draft)
@@ -198,15 +206,13 @@ def settings(root: Element, draft: Draft) -> Settings:
 
 
 def _check_compiler(compiler: Element) -> None:
-    known = (*COMPILER, *COMPILER_ZERO, *COMPILER_FREE, "settotalmass", "eulerseq", "inertiagrouprange")
+    known = (*COMPILER, *COMPILER_MASSES, *COMPILER_FREE, "eulerseq", "inertiagrouprange")
     check_attributes(compiler, known)
     for key, value in compiler.attrib.items():
         if key in COMPILER and value not in COMPILER[key]:
             raise DescriptionError(f"<compiler>: {key}={shorten(value)} is not supported; {' or '.join(COMPILER[key])}")
-        if key in COMPILER_ZERO and number(value, f"<compiler>, {key}") != 0:
-            raise DescriptionError(f"<compiler>: {key} is not supported; write masses and inertias out")
-        if key == "settotalmass" and number(value, f"<compiler>, {key}") > 0:
-            raise DescriptionError("<compiler>: settotalmass is not supported; write the masses out")
+        if key in COMPILER_MASSES:
+            number(value, f"<compiler>, {key}")
     for child in elements(compiler):
         if child.tag != "lengthrange":
             raise DescriptionError(f"<compiler>: the element <{child.tag}> is not supported")

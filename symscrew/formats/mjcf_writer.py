@@ -25,7 +25,9 @@ import numpy as np
 from symscrew.description import Joint, Mechanism
 from symscrew.formats.elementary_chains import Array, Branch, Step, chains, numbers, steps
 from symscrew.formats.file_names import fresh
+from symscrew.formats.imported import Beside
 from symscrew.formats.mjcf_couplings import add_couplings, tied_joints
+from symscrew.formats.mjcf_effects import add_effects, joints_acted_on
 from symscrew.formats.rigid_displacements import CONTEXT
 from symscrew.formats.safe_xml import decimals, text_of
 from symscrew.reference import NumericMechanism, numeric
@@ -62,8 +64,8 @@ class Writing:
         return float(self.numbers.mass.sum()) or 1.0
 
 
-def print_mjcf(mechanism: Mechanism) -> str:
-    """The text of the MJCF of any mechanism."""
+def print_mjcf(mechanism: Mechanism, beside: Beside | None = None) -> str:
+    """The text of the MJCF of any mechanism, with the forces and limits beside it where they are given."""
     root = Element("mujoco", model=mechanism.name)
     SubElement(root, "compiler", angle="radian", inertiafromgeom="false", autolimits="true")
     SubElement(root, "option", gravity="0 0 -9.81")
@@ -86,7 +88,7 @@ def print_mjcf(mechanism: Mechanism) -> str:
             taken.append(names[body])
     origins = {mechanism.ground: np.zeros(3)}
     writing = Writing(mechanism, numeric(mechanism), names, {mechanism.ground: world}, origins, equality, actuator)
-    tied = tied_joints(mechanism)
+    tied = tied_joints(mechanism) | (joints_acted_on(beside) if beside else set())
     tree = chains(mechanism, lambda joint: -1 if joint.name in tied else _rank(joint))
     for branch in tree.branches:
         _add_body(writing, branch)
@@ -98,6 +100,8 @@ def print_mjcf(mechanism: Mechanism) -> str:
     for point in mechanism.points.values():
         place = numbers(mechanism, point.at) - writing.origins[point.body]
         SubElement(writing.elements[point.body], "site", name=point.name, pos=decimals(place))
+    if beside is not None:
+        add_effects(root, mechanism, beside, names)
     for section in (equality, actuator):
         if not len(section):
             root.remove(section)

@@ -39,12 +39,16 @@ class Closing:
         """Raise DescriptionError for a gap [m, rad] that is too large; say one that is not nothing."""
         if gap <= CLOSED:
             return
+        self.check(what, gap)
+        self.ledger.changed.append(
+            f"{what}: open by {mpmath.nstr(gap, 3)} m or rad in the file's pose; each side is moved by half of it"
+        )
+
+    def check(self, what: str, gap: Real) -> None:
+        """Raise DescriptionError for a gap [m, rad] that is too large."""
         if gap > max(SIX_DIGITS * max(self.extent, 1), real(self.snap)):
             raise DescriptionError(
                 f"{what}: the loop does not close in the reference configuration: its two sides are "
                 f"{mpmath.nstr(gap, 6)} m or rad apart; move the bodies, leave out the relative pose, or accept it: "
                 f"--snap {mpmath.nstr(gap * real('1.001'), 4)}"
             )
-        self.ledger.changed.append(
-            f"{what}: open by {mpmath.nstr(gap, 3)} m or rad in the file's pose; each side is moved by half of it"
-        )

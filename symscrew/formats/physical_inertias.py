@@ -5,6 +5,7 @@ principal moments a <= b <= c of a body: a >= 0, a + b >= c
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
@@ -30,7 +31,7 @@ def physical(body: RawBody, ledger: Ledger, *, repair: bool) -> RawBody:
     found = _principal(body)
     if found is None or not impossible(body):
         return body
-    (a, b, c), columns = found
+    (a, b, c), _ = found
     mended = _nearest(a, b, c)
     change = max(abs(x - y) for x, y in zip((a, b, c), mended, strict=True))
     text = f"{mpmath.nstr(change, 3)} kg m^2 of {mpmath.nstr(c, 3)}"
@@ -41,6 +42,18 @@ def physical(body: RawBody, ledger: Ledger, *, repair: bool) -> RawBody:
             f"nearest possible ones, which differ by {text}"
         )
     ledger.changed.append(f"inertia of {body.name}: its principal moments are the nearest possible ones, by {text}")
+    return turned_moments(body, lambda *_: mended)
+
+
+def turned_moments(body: RawBody, change: Callable[[Real, Real, Real], tuple[Real, Real, Real]]) -> RawBody:
+    """The body with other principal moments about the same axes: `change` makes them of its own, ascending."""
+    found = _principal(body)
+    if found is None:
+        return body
+    moments, columns = found
+    mended = change(*moments)
+    if mended == moments:
+        return body
     axes = tuple(tuple(columns[i, k] for k in range(3)) for i in range(3))
     turn: Rotation = (
         (axes[0][0], axes[0][1], axes[0][2]),

@@ -213,6 +213,8 @@ def _gepetto(
     if any(_gap(side) > CLOSED for side in sides):
         moved = assembled(draft, sides)
         sides = [((a, moved[a] @ one), (b, moved[b] @ other), turning) for (a, one), (b, other), turning in sides]
+        worst = max(range(len(sides)), key=lambda k: _gap(sides[k]))
+        closing.check(f"loop 'closing_{worst + 1}'", _gap(sides[worst]))
     return [
         _joined(f"closing_{k}", KINDS["6d" if turning else "3d"], (one, other), axes=[], closing=closing)
         for k, (one, other, turning) in enumerate(sides, start=1)

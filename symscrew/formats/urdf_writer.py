@@ -20,7 +20,9 @@ from symscrew.description import NO_MOTION, Body, Coupling, Mechanism, rotation
 from symscrew.errors import DescriptionError
 from symscrew.formats.elementary_chains import Array, Branch, Step, chains, numbers, steps
 from symscrew.formats.file_names import fresh
+from symscrew.formats.imported import Beside
 from symscrew.formats.safe_xml import decimals, text_of
+from symscrew.formats.urdf_effects import add_effects
 from symscrew.reference import rotation_about
 
 WIDE = "1000000"
@@ -31,8 +33,8 @@ both are well defined, to the digits that the cosine has."""
 TYPES = {"R": "continuous", "P": "prismatic"}
 
 
-def print_urdf(mechanism: Mechanism) -> str:
-    """The text of the URDF.
+def print_urdf(mechanism: Mechanism, beside: Beside | None = None) -> str:
+    """The text of the URDF, with the forces and limits beside the mechanism where they are given.
 
     Raises:
         DescriptionError: the mechanism has loops, or a joint that the format does not know.
@@ -62,6 +64,8 @@ def print_urdf(mechanism: Mechanism) -> str:
             SubElement(transmission, "joint", name=name), "hardwareInterface"
         ).text = "hardware_interface/EffortJointInterface"
         SubElement(SubElement(transmission, "actuator", name=f"motor_{name}"), "mechanicalReduction").text = "1"
+    if beside is not None:
+        add_effects(root, mechanism, beside)
     head = [f"{mechanism.name}, {mechanism.description}", "Written by symscrew. Units m, kg, rad, s."]
     return text_of(root, head)
 

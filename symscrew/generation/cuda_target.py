@@ -51,7 +51,7 @@ def compare(case: Case) -> Iterator[Finding]:
             return
         yield _compared(case, ctypes.CDLL(str(library)))
     if runtime.find_nvrtc() is None:
-        yield True, "no CUDA compiler here (pip install 'symscrew[cuda]'): CUDA code not compiled for a device"
+        yield True, "no CUDA compiler here (pip install 'symscrew[nvrtc]'): CUDA code not compiled for a device"
         return
     try:
         kernels = runtime.compile_cuda((case.fresh / f"{name}.cu").read_text()).kernels

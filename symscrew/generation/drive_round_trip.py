@@ -35,25 +35,27 @@ class Follower:
     def forward(self, q: np.ndarray, joints: Floats, tool: Floats = (0, 0, 0)) -> tuple[int, np.ndarray]:
         """Status and axes X ... C of the tool; `q` is where it starts, and where it is afterwards."""
         world = np.zeros(6)
-        return self._call("host_forward", q, np.array(tool, float), np.array(joints, float), world), world
+        return self._call("forward", q, np.array(tool, float), np.array(joints, float), world), world
 
     def inverse(self, q: np.ndarray, world: Floats, tool: Floats = (0, 0, 0)) -> tuple[int, np.ndarray]:
         """Status and drives for axes of the tool."""
         joints = np.zeros(len(self.kinematics.drives))
-        return self._call("host_inverse", q, np.array(tool, float), np.array(world, float), joints), joints
+        return self._call("inverse", q, np.array(tool, float), np.array(world, float), joints), joints
 
     def jacobian(self, q: np.ndarray, tool: Floats = (0, 0, 0)) -> tuple[int, np.ndarray, float]:
         """Status, rates (6, freedoms) of the axes by the chosen drives, and the least margin to a singularity."""
         found, margin = np.zeros((len(self.kinematics.chosen), 6)), np.zeros(1)
-        status = self._call("host_jacobian", q, np.array(tool, float), found, margin)
+        status = self._call("jacobian", q, np.array(tool, float), found, margin)
         return status, found.T, float(margin[0])
 
     def mode(self, q: np.ndarray) -> int:
         """The sign of the branch."""
-        return self._call("host_mode", q)
+        return self._call("mode", q)
 
     def _call(self, name: str, *arrays: np.ndarray) -> int:
-        return int(self.library[name](*[ctypes.c_void_p(x.ctypes.data) for x in arrays]))
+        return int(
+            self.library[f"{self.kinematics.model.name}_{name}"](*[ctypes.c_void_p(x.ctypes.data) for x in arrays])
+        )
 
 
 def compiled(kinematics: DriveKinematics, directory: Path) -> Follower:

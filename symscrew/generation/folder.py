@@ -120,7 +120,11 @@ def render(
     made: dict[str, str | bytes] = {}
     further: list[str] = []
     for target in chosen:
-        made |= TARGETS[target].files(order)
+        files = TARGETS[target].files(order)
+        both = sorted(file for file in files if made.get(file, files[file]) != files[file])
+        if both:
+            raise OutputError(f"target {target}: another target writes {both[0]}, too; use a directory for each")
+        made |= files
         further += TARGETS[target].section(order)
     about = {target: TARGETS[target].about for target in chosen}
     counts: dict[str, Any] = {name: p.operations for name, p in model.programs.items()}

@@ -162,7 +162,7 @@ def call(
     counts = {name: len(given[name][0]) if given.get(name) else int(name in given) for name in model.programs}
     data = []
     for name, count in counts.items():
-        columns = [np.reshape(x, (count, -1)) for x in given.get(name, ())]
+        columns = [np.asarray(x).reshape(count, x.shape[-1]) for x in given.get(name, ())]
         data += [np.array([count], kind), *((np.hstack(columns) if columns else np.zeros(0)).astype(kind).ravel(),)]
     command = [str(directory / "main")]
     made = subprocess.run(command, input=np.concatenate(data).tobytes(), capture_output=True, check=True, timeout=LIMIT)
@@ -170,7 +170,7 @@ def call(
     found = {}
     for name, count in counts.items():
         sizes = [port.size for port in model.programs[name].outputs]
-        rows = numbers[: count * (sum(sizes) + 1)].reshape(count, -1)
+        rows = numbers[: count * (sum(sizes) + 1)].reshape(count, sum(sizes) + 1)
         numbers = numbers[rows.size :]
         found[name] = (tuple(np.split(rows[:, :-1], np.cumsum(sizes)[:-1], axis=1)), rows[:, -1].astype(int))
     return found

@@ -64,6 +64,8 @@ CUDA = "`{0}.cu`, `{0}_cuda.h`: CUDA kernels, one thread a state; the same file 
 UNIT = "`{0}.fmu`: functional mock-up unit, FMI 3.0, co-simulation and model exchange, C sources only"
 RUST = "`{0}.rs`, `Cargo.toml`: a crate for Rust 1.63 and later, no_std, without unsafe and allocation"
 LINUXCNC = "`{0}kins.c`, `{0}_drives.h`, `{0}_drives.c`: kinematics module of LinuxCNC, for `halcompile`"
+TEXT = "`{0}.st`: function blocks in structured text, IEC 61131-3, for CODESYS, TwinCAT and others"
+ROS = "`{0}_kinematics.hpp`: C++17 without ROS; `{0}_transmission.hpp`, `package.xml` ...: a package of ros2_control"
 BOTH = ("double", "single")
 
 TARGETS: dict[str, Target] = {
@@ -77,6 +79,8 @@ TARGETS: dict[str, Target] = {
     "linuxcnc": Target(f"{ROOM}.linuxcnc_target", LINUXCNC),
     "jax": Target(f"{ROOM}.jax_target", JAX),
     "cuda": Target(f"{ROOM}.cuda_target", CUDA, precisions=BOTH),
+    "st": Target(f"{ROOM}.structured_text_target", TEXT),
+    "ros2": Target(f"{ROOM}.ros2_target", ROS),
     "fmu": Target(f"{ROOM}.fmu_target", UNIT),
     "mjcf": Target(f"{ROOM}.mjcf_target", "`{0}.xml`: MJCF for MuJoCo, loops as equality constraints"),
     "urdf": Target(f"{ROOM}.urdf_target", "`{0}.urdf`: URDF"),

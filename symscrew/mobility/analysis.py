@@ -290,7 +290,13 @@ class Mobility:
     @cached_property
     def along(self) -> WholeMotion | str:
         """What holds along the coordinate lines through the configuration, with singular poses. May take seconds."""
-        return motion_along(self.network, self.finite, self.platform.body, self.mechanism)
+        found = motion_along(self.network, self.finite, self.platform.body, self.mechanism)
+        if isinstance(found, str) or not found.idle or not self.in_reference:
+            return found
+        still = analyse_mobility(found.locked(self.mechanism), body=self.platform.body)
+        bounded = self.finite.proved or (self.decisions.closure_exact and self.dof == still.finite.dof)
+        same = bounded and still.finite.proved and still.finite.dof == self.finite.dof
+        return found.at_rest(still.mechanism, still.network, self.platform.body) if same else found
 
     @cached_property
     def motion_proof(self) -> MotionProof | None:

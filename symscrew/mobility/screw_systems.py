@@ -13,6 +13,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from mpmath.libmp import fzero, mpf_cmp, mpf_div, mpf_mul, mpf_sub
+
 from symscrew.algebra import CONTEXT
 
 Real = Any
@@ -70,36 +72,48 @@ class Elimination:
 
 
 def eliminate(rows: Vectors, columns: int) -> Elimination:
-    """Gauss-Jordan elimination with full pivoting; pivots relative to the largest entry."""
-    matrix = [list(row) for row in rows]
-    largest = max((abs(c) for row in matrix for c in row), default=CONTEXT.one) or CONTEXT.one
+    """Gauss-Jordan elimination with full pivoting; pivots relative to the largest entry.
+
+    On the tuples that mpmath's numbers hold, in its arithmetic: the numbers around them take more time than it does.
+    """
+    matrix = [[CONTEXT.convert(c)._mpf_ for c in row] for row in rows]
+    own: tuple[int, str] = CONTEXT._prec_rounding
+    largest = max((abs(c) for row in rows for c in row), default=CONTEXT.one) or CONTEXT.one
     pivots: list[int] = []
     smallest, residue = float("inf"), 0.0
     for r in range(len(matrix)):
-        free = [j for j in range(columns) if j not in pivots]
-        size, i, j = CONTEXT.zero, r, 0
-        for row in range(r, len(matrix)):
-            for column in free:
-                entry = matrix[row][column]
-                if entry and abs(entry) > size:
-                    size, i, j = abs(entry), row, column
+        found, i, j = _largest(matrix, r, [j for j in range(columns) if j not in pivots])
+        size = CONTEXT.make_mpf(found)
         if size < ZERO_BELOW * largest:
             residue = float(size / largest)
             break
         smallest = min(smallest, float(size / largest))
         matrix[r], matrix[i] = matrix[i], matrix[r]
         pivot = matrix[r][j]
-        matrix[r] = [c / pivot if c else c for c in matrix[r]]
-        support = [(k, c) for k, c in enumerate(matrix[r]) if c]
+        matrix[r] = [mpf_div(c, pivot, *own) if c[1] else c for c in matrix[r]]
+        support = [(k, c) for k, c in enumerate(matrix[r]) if c[1]]
         for k, other in enumerate(matrix):
             factor = other[j]
-            if k != r and factor:
+            if k != r and factor[1]:
                 for column, c in support:
-                    other[column] -= factor * c
-                other[j] = CONTEXT.zero
+                    other[column] = mpf_sub(other[column], mpf_mul(factor, c, *own), *own)
+                other[j] = fzero
         pivots.append(j)
-    reduced = tuple(tuple(_clean(c) for c in matrix[r]) for r in range(len(pivots)))
+    reduced = tuple(tuple(_clean(CONTEXT.make_mpf(c)) for c in matrix[r]) for r in range(len(pivots)))
     return Elimination(reduced, tuple(pivots), smallest if pivots else float("nan"), residue)
+
+
+def _largest(matrix: Sequence[Sequence[Any]], start: int, free: Sequence[int]) -> tuple[Any, int, int]:
+    """Size, row and column of the largest entry from a row on, in the columns that are free; the first of equals."""
+    size, i, j = fzero, start, 0
+    for row in range(start, len(matrix)):
+        for column in free:
+            entry = matrix[row][column]
+            if entry[1]:  # the mantissa; the sign stands before it
+                magnitude = (0, *entry[1:])
+                if mpf_cmp(magnitude, size) > 0:
+                    size, i, j = magnitude, row, column
+    return size, i, j
 
 
 def null_space(rows: Vectors, columns: int) -> ScrewSystem:

@@ -27,7 +27,7 @@ from symscrew.optimisation.problem_numbers import ProblemNumbers
 from symscrew.optimisation.problem_shape import other_shape
 from symscrew.optimisation.result import Trajectory
 from symscrew.optimisation.solution import (
-    NO_GRADIENT,
+    USUAL,
     WARM,
     Prepared,
     check_bounds,
@@ -355,7 +355,7 @@ def _conditions(before: Conditions, given: Given) -> Conditions:
 def _quadratic(problem: TrajectoryProblem) -> dict[str, Any]:
     """Options of CasADi's sequential quadratic programming."""
     return {
-        "max_iter": MOST_STEPS, "tol_pr": problem.solver.tolerance, "tol_du": problem.solver.tolerance, **NO_GRADIENT,
+        "max_iter": MOST_STEPS, "tol_pr": problem.solver.tolerance, "tol_du": problem.solver.tolerance, **USUAL,
         "print_header": False, "print_iteration": False, "print_status": False, "print_time": False,
         "error_on_fail": False,
     }  # fmt: skip

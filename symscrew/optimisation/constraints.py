@@ -130,12 +130,16 @@ def _obstacle_rows(at: MotionQuantities, k: int, obstacle: Obstacle) -> list[Row
 
     places = [at.points[name] for name in obstacle.at]
     unit, least = length * length if shape.squared else length, limits(at.model.problem)[0]
+    kept = [(name, shape.value(places, at.points[name])) for name in obstacle.points]
+    if shape.between is not None:
+        pairs = [(pair, [at.points[name] for name in pair]) for pair in obstacle.segments]
+        kept += [(f"the segment {' to '.join(pair)}", shape.between(places, ends)) for pair, ends in pairs]
     return [
         Row(
-            f"{obstacle.type} at {', '.join(obstacle.at)} kept off by {name}", shape.value(places, at.points[name]),
-            *limits(at.model.problem), unit, limits, least if least > 0 else unit,
+            f"{obstacle.type} at {', '.join(obstacle.at)} kept off by {name}", value, *limits(at.model.problem), unit,
+            limits, least if least > 0 else unit,
         )
-        for name in obstacle.points
+        for name, value in kept
     ]  # fmt: skip
 
 

@@ -119,8 +119,18 @@ def _check_obstacle(where: str, given: Obstacle) -> None:
     if len(given.at) != len(wanted):
         raise DescriptionError(f"{where}.at: a {given.type} has {len(wanted)} points ({', '.join(wanted)}), got "
                                f"{len(given.at)}")  # fmt: skip
-    if not given.points:
-        raise DescriptionError(f"{where}.points: expected names of points that keep off, got none")
+    if not given.points and not given.segments:
+        raise DescriptionError(f"{where}.points: expected names of points that keep off, or segments, got none")
+    if given.segments and SHAPES[given.type].between is None:
+        raise DescriptionError(f"{where}.segments: nothing tells how far a segment is from a {given.type}; give points")
+    for pair in given.segments:
+        if len(pair) != 2 or pair[0] == pair[1]:
+            raise DescriptionError(f"{where}.segments: expected pairs of different points, got {list(pair)}")
+        if given.type == "capsule" and set(pair) & set(given.at):
+            shared = sorted(set(pair) & set(given.at))
+            raise DescriptionError(
+                f"{where}.segments: {shared[0]} is an end of both capsules, which touch there always"
+            )
     flat = given.type == "plane"
     if not (given.distance > 0 or (flat and given.distance == 0)):
         raise DescriptionError(f"{where}.distance: expected a length above 0, got {given.distance:g}")

@@ -229,7 +229,8 @@ def _refined(
         for part, f in zip(found.parts, finer, strict=True):
             given = part.model.problem
             if f.mesh is not None:
-                mesh = replace(given.transcription, mesh=f.mesh, intervals=len(f.mesh))
+                degree = f.degree or given.transcription.degree
+                mesh = replace(given.transcription, mesh=f.mesh, intervals=len(f.mesh), degree=degree)
                 given = replace(given, transcription=mesh)
             models.append(PointModel(given, part.model.equations, part.model.scales))
         sizes = ", ".join(str(len(m.problem.transcription.mesh) or m.problem.transcription.intervals) for m in models)

@@ -12,7 +12,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from symscrew.optimisation.guess import Guess
+from symscrew.optimisation.consistent_poses import Kinematics
+from symscrew.optimisation.guess import Guess, Path, default_parameters
 from symscrew.optimisation.point_model import PointModel
 from symscrew.optimisation.problem import TrajectoryProblem
 from symscrew.workers import pool
@@ -21,6 +22,7 @@ Values = Mapping[str, Sequence[float]]
 VALUES = 9  # of a random guess: three waves and the way between them
 WAVES = 3  # sines that end with the motion, of falling size: what a motion swings back and forth more often is rare
 LEAST_SWING = 1.0  # [rad, the mechanism's length] a coordinate that ends where it starts is varied by so much
+MOST_HALVINGS = 6  # of a random way that leaves the reach of the loops: a swing of a radian becomes one of a degree
 CHUNK = 2  # guesses a process takes at a time, for which it derives the equations once
 SAME_COST = 1e-4  # relative: optima on one mesh are alike to 1e-8 of their cost, so what differs more is another
 
@@ -93,7 +95,10 @@ def searched(problem: TrajectoryProblem, model: PointModel, guess: Guess, attemp
 
 
 def random_guesses(problem: TrajectoryProblem, model: PointModel, guess: Guess) -> list[Values]:
-    """Ways around that of the usual guess: (starts - 1) times values of all y at equal times, by the problem's seed."""
+    """Ways around that of the usual guess: (starts - 1) times values of all y at equal times, by the problem's seed.
+
+    What leaves the reach of closed loops is drawn nearer to the usual way: no solver starts from there.
+    """
     random = np.random.default_rng(problem.seed)
     part = np.linspace(0.0, 1.0, VALUES)
     way = guess.path(part)[0]
@@ -102,8 +107,16 @@ def random_guesses(problem: TrajectoryProblem, model: PointModel, guess: Guess) 
     units = np.array([length if model.system.tree.q[k].kind == "length" else 1.0 for k in entries])
     swing = np.maximum(np.ptp(way, axis=0), LEAST_SWING * units)
     waves = np.sin(np.pi * part[:, None] * np.arange(1, WAVES + 1)) / np.arange(1, WAVES + 1)
+    kinematics = Kinematics(model, default_parameters(model))
     found: list[Values] = []
     for _ in range(problem.starts - 1):
-        values = way + waves @ random.standard_normal((WAVES, len(entries))) * swing
+        beside = waves @ random.standard_normal((WAVES, len(entries))) * swing
+        for halving in range(MOST_HALVINGS):
+            path = Path(part, way + beside, np.gradient(way + beside, part, axis=0))
+            if kinematics.assemble_all(path(guess.tau)[0], guess.q)[1].all():
+                beside = beside / 2 if halving else beside  # not just within reach, where drives are endless
+                break
+            beside = beside / 2
+        values = way + beside
         found.append({label: values[:, k].tolist() for k, label in enumerate(model.equations.labels)})
     return found

@@ -75,7 +75,8 @@ class PointModel:
         for o in problem.objectives:
             groups.append((f"objective {o.type}", [*o.weights, *o.preload], self.drive_labels))
         for shape in bounds.obstacles:
-            groups.append(("bounds.obstacles", (*shape.at, *shape.points), list(self.system.mechanism.points)))
+            named = (*shape.at, *shape.points, *(name for pair in shape.segments for name in pair))
+            groups.append(("bounds.obstacles", named, list(self.system.mechanism.points)))
         for d in bounds.distances:
             groups.append(("bounds.distances", (d.first, d.second), list(self.system.mechanism.points)))
         for which, c in (("start", problem.start), ("end", problem.end), *(("via", v) for v in problem.via)):

@@ -66,7 +66,10 @@ class Distance:
 
 @dataclass(frozen=True)
 class Obstacle:
-    """Named points keep off a shape by at least `distance` [m], which counts from its centre, segment, plane or box.
+    """Named points, and segments between two of them, keep off a shape by at least `distance` [m].
+
+    The distance counts from the shape's centre, segment, plane or box; bodies as capsules keep off each other by the
+    sum of their radii.
 
     `type`: "sphere" about the point `at`; "plane" through the first of two points `at`, allowed is the side of the
     second; "capsule" about the segment between two; "box" from a corner to its three neighbours. The points `at` may
@@ -77,6 +80,7 @@ class Obstacle:
     at: tuple[str, ...]
     points: tuple[str, ...]
     distance: float
+    segments: tuple[tuple[str, str], ...] = ()
 
 
 @dataclass(frozen=True)

@@ -317,10 +317,21 @@ class _Reader:
 
     def _obstacle(self, table: Any, k: int) -> Obstacle:
         where = f"bounds.obstacles[{k}]"
-        check_keys(where, table, ("type", "at", "points", "distance"))
+        check_keys(where, table, ("type", "at", "points", "segments", "distance"))
         kind = _text(table.get("type"), f"{where}.type")
-        at, points = (_labels(table.get(name), f"{where}.{name}") for name in ("at", "points"))
-        return Obstacle(kind, at, points, self.number(table.get("distance"), f"{where}.distance"))
+        at, points = (
+            _labels(table.get(name, usual), f"{where}.{name}") for name, usual in (("at", None), ("points", []))
+        )
+        given = table.get("segments", [])
+        if not isinstance(given, list):
+            raise DescriptionError(f"{where}.segments: expected a list of pairs of points, got {shorten(given)}")
+        segments = []
+        for pair in given:
+            names = _labels(pair, f"{where}.segments")
+            if len(names) != 2:
+                raise DescriptionError(f"{where}.segments: expected pairs of points, got {shorten(pair)}")
+            segments.append((names[0], names[1]))
+        return Obstacle(kind, at, points, self.number(table.get("distance"), f"{where}.distance"), tuple(segments))
 
     def objective(self, table: Mapping[str, Any], where: str) -> Objective:
         if "type" not in table:

@@ -104,8 +104,8 @@ SECTIONS: Mapping[str, Mapping[str, Key]] = {
         "distances": Key("m", "of two named points", 'distances = [{ between = ["bead", "post"], range = [0.01, 9] }]'),
         "obstacles": Key(
             "m",
-            "shapes at named points of any body that points keep off by a distance: sphere (centre), plane (a point, "
-            "one above), capsule (both ends), box (a corner, its neighbours)",
+            "shapes at named points of any body that points, or segments between two, keep off by a distance: sphere "
+            "(centre), plane (a point, one above), capsule (both ends), box (a corner, its neighbours; points only)",
             'obstacles = [{ type = "sphere", at = ["post"], points = ["bead"], distance = 0.01 }]',
         ),
         "expressions": Key(
@@ -135,7 +135,11 @@ SECTIONS: Mapping[str, Mapping[str, Key]] = {
     },
     "transcription": {
         "method": Key("", "radau or gauss collocation, or multiple shooting", 'method = "gauss"'),
-        "degree": Key("", "points in an interval (steps of Runge-Kutta where shooting)", "degree = 2"),
+        "degree": Key(
+            "",
+            "points in an interval, more where intervals would be many (shooting: steps of Runge-Kutta)",
+            "degree = 2",
+        ),
         "intervals": Key("", "of the first mesh", "intervals = 3"),
         "second_order": Key("", "collocation keeps y' the derivative of y between the points", "second_order = false"),
         "formulation": Key(

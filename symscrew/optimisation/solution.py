@@ -52,8 +52,9 @@ REFINING: Mapping[str, Any] = {"warm_start_init_point": "yes", "mu_init": 1e-6} 
     ("warm_start_bound_push", "warm_start_bound_frac", "warm_start_slack_bound_push", "warm_start_slack_bound_frac",
      "warm_start_mult_bound_push"), 1e-7
 )  # fmt: skip
-# No gradient of the Lagrangian by the parameters: nobody asks for it, and compiled points do not derive themselves.
-NO_GRADIENT: Mapping[str, Any] = {"no_nlp_grad": True, "calc_lam_p": False}
+# No gradient of the Lagrangian by the parameters: nobody asks for it, and compiled points do not derive themselves. And
+# no lines on the standard error where a trial step leaves what is defined: solvers shorten it, and the status tells.
+USUAL: Mapping[str, Any] = {"no_nlp_grad": True, "calc_lam_p": False, "show_eval_warnings": False}
 
 
 @dataclass(frozen=True)
@@ -213,8 +214,10 @@ def _refined(
         if count == MOST_REFINEMENTS:
             reason = f"a finer mesh of {len(mesh)} intervals was not tried after {count} refinements"
             break
-        say(f"refinement {count + 1}: {len(mesh)} intervals, drift {trajectory.errors.drift:.1e} so far")
-        transcription = replace(model.problem.transcription, mesh=mesh, intervals=len(mesh))
+        what = f" of degree {finer.degree}" if finer.degree else ""
+        say(f"refinement {count + 1}: {len(mesh)} intervals{what}, drift {trajectory.errors.drift:.1e} so far")
+        before = model.problem.transcription
+        transcription = replace(before, mesh=mesh, intervals=len(mesh), degree=finer.degree or before.degree)
         model = PointModel(replace(model.problem, transcription=transcription), model.equations, model.scales)
         again = _once(model, guess, warm=trajectory, say=say, began=clock(), until=until, start_options=REFINING)
         spent = _sum(trajectory.statistics, again.statistics)
@@ -353,7 +356,7 @@ def solver_of(problem: TrajectoryProblem, program: NonlinearProgram, start: Mapp
     if not ca.has_nlpsol(given.name):
         raise DescriptionError(f"solver.name: this CasADi has no solver {given.name!r}; 'ipopt' comes with it")
     nlp = {"x": program.x, "p": program.p, "f": program.f, "g": program.g}
-    options: dict[str, Any] = {"print_time": False, "error_on_fail": False, **NO_GRADIENT}
+    options: dict[str, Any] = {"print_time": False, "error_on_fail": False, **USUAL}
     if given.name == "ipopt":
         own: dict[str, Any] = {
             "print_level": 0, "sb": "yes", "tol": given.tolerance, "max_iter": given.iterations,

@@ -40,6 +40,7 @@ KNOWN = re.compile(
     r"|f(?!plugin|profile|auto-profile|dump|diagnostics|wrapper)[\w=+-]+|-param=[\w=-]+)",
     re.ASCII,
 )
+DEMANDED = "-Werror"  # who compiles with it wants to hear of a warning, not to get a library made without the option
 SOURCES = (".c", ".h")  # endings of files that are read here to find out what goes into a library
 # Variables of the environment that change what a compiler finds and makes.
 VARIABLES = ("CPATH", "C_INCLUDE_PATH", "LIBRARY_PATH", "COMPILER_PATH", "GCC_EXEC_PREFIX", "CCC_OVERRIDE_OPTIONS")
@@ -57,7 +58,10 @@ def find_compiler() -> str | None:
 
 
 def attempts(flags: Sequence[str], *, native: bool) -> tuple[tuple[str, ...], ...]:
-    """Options to try in turn: a compiler that does not know one of those that only make it faster refuses the file."""
+    """Options to try in turn: a compiler that does not know one of those that only make it faster refuses the file.
+
+    With `DEMANDED` among them the next are tried only where it does not know them.
+    """
     own: tuple[str, ...] = ("-march=native",) if native else ()
     return tuple((*FLAGS, *machine, *flags) for machine in dict.fromkeys(((*own, SPILLS), own, ())))
 
@@ -97,7 +101,16 @@ def _compile(source: Path, library: Path, command: str, tried: Sequence[Sequence
                 what = f"{len(made)} bytes that are no library" if made else "no library"
                 raise CompileError(f"{command} ended well on {source.name}, but wrote {what}; is it a C compiler?")
             return
+        if DEMANDED in options and _knows(command, options):
+            break
     raise CompileError(f"{command} refused {source.name}:\n{said}")
+
+
+def _knows(command: str, options: Sequence[str]) -> bool:
+    """Whether a compiler takes these options for an empty file: what it refuses with them is then the file."""
+    known = [word for word in options if not word.endswith(SOURCES)]
+    outcome, _ = run_tool([command, *known, "-fsyntax-only", "-x", "c", os.devnull], "an empty file")
+    return outcome == 0
 
 
 def run_tool(arguments: Sequence[str], name: str, *, folder: Path | None = None) -> tuple[int, str]:

@@ -2,7 +2,7 @@
 
     text of <name>.cu --compile_cuda--> PTX, machine code, and what every kernel takes: registers, stack, spills
 
-The wheel is `nvidia-cuda-nvrtc-cu12` (the extra `cuda` has it). Running what it makes needs a device, see `cuda`.
+The wheel is `nvidia-cuda-nvrtc-cu12`, of the extras `nvrtc` and `cuda`. Running what it makes needs a device.
 """
 
 from __future__ import annotations
@@ -60,7 +60,7 @@ def compile_cuda(text: str, *, architecture: str = "sm_90", flags: Sequence[str]
     """
     path = find_nvrtc()
     if path is None:
-        raise CompileError("no CUDA compiler here: pip install 'symscrew[cuda]', which has NVRTC")
+        raise CompileError("no CUDA compiler here: pip install 'symscrew[nvrtc]'")
     library = ctypes.CDLL(str(path))
     program = ctypes.c_void_p()
     _sound(library, library.nvrtcCreateProgram(ctypes.byref(program), text.encode(), b"model.cu", 0, None, None))

@@ -6,7 +6,7 @@
 from symscrew.scene.contents import Initial, Integrator, Scene, Table
 from symscrew.scene.controllers import controller, parameter_values
 from symscrew.scene.integration_methods import INTEGRATION_METHODS
-from symscrew.scene.robot_files import Robot, load_robot, robot_of, scene_text
+from symscrew.scene.robot_files import Robot, load_robot, robot_of, save_robot, scene_text
 from symscrew.scene.scene_file import load_scene, parse_scene
 from symscrew.scene.time_features import UNCHANGING, TimeFeatures, features_in_time
 
@@ -26,5 +26,6 @@ __all__ = [
     "parameter_values",
     "parse_scene",
     "robot_of",
+    "save_robot",
     "scene_text",
 ]

@@ -14,9 +14,16 @@ from pathlib import Path
 from typing import Any
 
 from symscrew.description import Mechanism
-from symscrew.effects import Effect, effect_to_table, effects_of_file, stops_of_file, type_name
+from symscrew.effects import (
+    Effect,
+    effect_to_table,
+    effects_of_file,
+    forces_of_effects,
+    stops_of_file,
+    type_name,
+)
 from symscrew.errors import DescriptionError
-from symscrew.formats import Account, Imported, ImportOptions, JointLimits, import_file
+from symscrew.formats import Account, Beside, Imported, ImportOptions, JointLimits, import_file, save_as
 from symscrew.mobility import analyse_mobility
 
 
@@ -89,6 +96,33 @@ def robot_of(found: Imported, *, without: Collection[str] = (), stops: bool = Fa
 
 def _stops(limits: Mapping[str, JointLimits]) -> list[Effect]:
     return stops_of_file({joint: (limit.lower, limit.upper) for joint, limit in limits.items()})
+
+
+def save_robot(
+    mechanism: Mechanism,
+    path: str | Path,
+    effects: Collection[Effect],
+    *,
+    limits: Mapping[str, JointLimits] | None = None,
+    accept: bool = False,
+) -> list[str]:
+    """Write a mechanism and what acts on it to a URDF or MJCF file, as that file's own words.
+
+    Args:
+        mechanism: of the robot.
+        path: of the file; its suffix says as what.
+        effects: that the file is to have: rotor inertias, viscous and dry friction, springs, servos, gravity.
+        limits: joint -> reach, rate, effort.
+        accept: leave out what the file does not hold.
+
+    Returns:
+        What the file does not hold and was left out, in words.
+
+    Raises:
+        DescriptionError: the file does not hold the mechanism, or an effect and that is not accepted.
+    """
+    forces, field, others = forces_of_effects(mechanism, effects)
+    return save_as(mechanism, path, beside=Beside(forces, limits or {}, field, others, accept))
 
 
 def scene_text(robot: Robot, mechanism: str) -> str:

@@ -16,7 +16,7 @@ from typing import Any, TypeVar
 import numpy as np
 
 from symscrew.description import Mechanism, to_toml
-from symscrew.effects import Effect, effect_to_table, transformed
+from symscrew.effects import Effect, effect_to_table, joints_read, transformed
 from symscrew.errors import DescriptionError
 from symscrew.kinematics import System
 from symscrew.model import Model, derive
@@ -66,7 +66,8 @@ def derived_model(mechanism: Mechanism, effects: Sequence[Effect]) -> Model:
             text = json.dumps(found)
             kept.write(text.encode("ascii"))
             found = json.loads(text)  # the same way, whether it was there or not
-    system = System(mechanism, transformed(mechanism, tuple(effects)))
+    known = tuple(effects)
+    system = System(mechanism, transformed(mechanism, known), read=joints_read(known))
     programs: Mapping[str, Program | Iteration] = Asked(found["programs"], from_lists)
     shaped = {name: list(zip(found["states"][name], found["sizes"][name], strict=True)) for name in found["states"]}
     states = Asked(shaped, lambda of: tuple(np.array(x, dtype=float).reshape(shape) for x, shape in of))

@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING
 from symscrew.doors import doors
 
 if TYPE_CHECKING:
-    from symscrew.verification.embedded import measure
+    from symscrew.verification.embedded import collect, measure
     from symscrew.verification.regeneration import check
 
-__all__ = ["check", "measure"]
+__all__ = ["check", "collect", "measure"]
 
 __getattr__ = doors(__name__)

@@ -18,6 +18,8 @@ from . import (
     generation,
     growth,
     inverse_dynamics,
+    jax_modules,
+    kernels,
     lean,
     mobility,
     optimisation,
@@ -43,6 +45,8 @@ BENCHMARKS = {
     "starts": (starts.run, 30),
     "reposed": (reposed.run, 1),
     "attacks": (attacks.run, 1),
+    "jax": (jax_modules.run, 5),
+    "kernels": (kernels.run, 1),
     "controllers": (controllers.run, 1),
 }
 

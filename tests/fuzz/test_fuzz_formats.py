@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import io
 import json
+import struct
 from pathlib import Path
 from typing import Any
 
@@ -27,11 +28,14 @@ from symscrew.effects.registry import load_effects
 from symscrew.errors import DescriptionError
 from symscrew.export import effect_from_json, manifest, read_manifest
 from symscrew.export.manifest_file import effect_to_json
+from symscrew.formats import ImportOptions
 from symscrew.formats.by_suffix import WRITERS, load_format
+from symscrew.formats.mesh_inertias import bulk_of, read_triangles, shell_of
 from symscrew.generation.folder import render
 from symscrew.model import derive
 from symscrew.optimisation.problem_file import parse_problem
 from symscrew.runtime.origin import model_of, read_interface
+from symscrew.scene import load_robot, save_robot
 from symscrew.scene.scene_file import parse_scene
 from symscrew.studies.workspace.plan import Axis, Plan
 from symscrew.studies.workspace.store import Store
@@ -222,6 +226,79 @@ def test_robot_files(profile: str, suffix: str, tmp_path: Path) -> None:
         assert to_toml(parse_description(again)) == again
 
     found = fuzz(profile, changed_text(wholes), read)
+    assert profile == "short" or found["refused"] > 0
+
+
+HAND = """<mujoco><compiler angle="radian"/><default><tendon stiffness="3"/><mesh scale="0.1 0.1 0.1"/></default>
+<asset><mesh name="m" vertex="0 0 0 1 0 0 0 1 0 0 0 1" face="0 2 1 0 1 3 0 3 2 1 2 3" inertia="exact"/></asset>
+<worldbody><body name="a" gravcomp="0.5"><joint name="n" armature="0.1" damping="2"/><geom type="mesh" mesh="m"/>
+<body name="b" quat="0.9239 0 0 0.3827"><joint name="f" axis="0 1 0"/><geom size="0.1"/><site name="s"/></body></body>
+</worldbody><tendon><fixed name="cord"><joint joint="n" coef="0.5"/><joint joint="f" coef="-1.25"/></fixed></tendon>
+<equality><joint joint1="n" joint2="f" polycoef="0.1 1 0 0 0"/></equality>
+<actuator><position tendon="cord" kp="40" dampratio="0.7"/><motor site="s" gear="0 0 1 0 0 0"/></actuator></mujoco>"""
+LEG = """<robot name="r"><link name="base"/><link name="a"><inertial><mass value="1"/>
+<inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial></link><link name="b"/><link name="c"/>
+<joint name="A" type="revolute"><parent link="base"/><child link="a"/><origin rpy="1.5708 0 0" xyz="0 0 1"/>
+<dynamics damping="0.1"/><limit lower="-1" upper="1" effort="3" velocity="2"/></joint>
+<joint name="B" type="continuous"><parent link="a"/><child link="b"/><mimic joint="A" multiplier="2"/></joint>
+<joint name="C" type="fixed"><parent link="b"/><child link="c"/></joint>
+<transmission name="t"><joint name="A"/><actuator name="m"><rotorInertia>1e-5</rotorInertia></actuator></transmission>
+<loop name="l" type="spherical"><predecessor link="c"><origin xyz="0 0 0"/></predecessor><successor link="a"/></loop>
+</robot>"""
+
+
+@PROFILE
+@pytest.mark.parametrize(("suffix", "whole"), [(".xml", HAND), (".urdf", LEG)])
+def test_robot_files_with_all_they_have(profile: str, suffix: str, whole: str, tmp_path: Path) -> None:
+    """Forces, tendons, meshes, couplings, loops, digits as angles: read, and written with what acts on them."""
+    file = tmp_path / f"robot{suffix}"
+
+    def read(text: str) -> None:
+        file.write_text(text, encoding="utf-8", errors="replace")
+        robot = load_robot(file, ImportOptions(exact=True, repair=True, accept=True))
+        assert to_toml(parse_description(to_toml(robot.mechanism))) == to_toml(robot.mechanism)
+        save_robot(robot.mechanism, tmp_path / f"again{suffix}", robot.effects, limits=robot.limits, accept=True)
+
+    read(whole) if suffix == ".xml" else None  # a loop has no place in a URDF that is written
+    found = fuzz(profile, changed_text([whole]), read, share=8)
+    assert profile == "short" or found["refused"] > 0
+
+
+@PROFILE
+@pytest.mark.parametrize("suffix", [".stl", ".obj"])
+def test_meshes(profile: str, suffix: str, tmp_path: Path) -> None:
+    """Binary and written triangles: a mass that is finite and positive, or one clear error."""
+    corners = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], dtype=float)
+    faces = ((0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3))
+    binary = bytes(80) + struct.pack("<I", 4)
+    binary += b"".join(struct.pack("<12fH", 0, 0, 0, *corners[list(face)].ravel(), 0) for face in faces)
+    written = "solid x\n" + "".join(f"vertex {x} {y} {z}\n" for face in faces for x, y, z in corners[list(face)])
+    lines = [f"v {x} {y} {z}" for x, y, z in corners] + [f"f {a + 1} {b + 1}/1 {c + 1}" for a, b, c in faces]
+    wholes = {".stl": [binary, written.encode()], ".obj": ["\n".join(lines).encode()]}[suffix]
+    file = tmp_path / f"mesh{suffix}"
+
+    def read(content: bytes) -> None:
+        file.write_bytes(content)
+        triangles = read_triangles(file)
+        for made in (bulk_of(triangles, "mesh"), bulk_of(triangles, "mesh", legacy=True), shell_of(triangles, "mesh")):
+            assert made.volume > 0 and all(abs(c) < 1e300 for c in made.centre)
+
+    found = fuzz(profile, changed_bytes(wholes), read, share=3)
+    assert profile == "short" or min(found["refused"], found["accepted"]) > 0
+
+
+@PROFILE
+def test_lists_beside_a_urdf(profile: str, tmp_path: Path) -> None:
+    file = tmp_path / "robot.urdf"
+    file.write_text(LEG)
+    whole = "closed_loop: [['C', 'A']] # one\ntype: ['3d']\nname_mot: [ 'A' ]\n"
+    whole += "joint_name: ['B']\njoint_type: ['SPHERICAL']"
+
+    def read(text: str) -> None:
+        file.with_suffix(".yaml").write_text(text, encoding="utf-8", errors="replace")
+        load_format(file)
+
+    found = fuzz(profile, changed_text([whole]), read, share=3)
     assert profile == "short" or found["refused"] > 0
 
 

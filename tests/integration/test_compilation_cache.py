@@ -18,7 +18,7 @@ from support.samples import some_quickly
 from symscrew.cli.parser import main
 from symscrew.model import Model
 from symscrew.runtime import CompileError, cache_state, compilers, find_compiler, load
-from symscrew.runtime.compilers import compile_c
+from symscrew.runtime.compilers import FLAGS, compile_c
 
 pytestmark = [
     pytest.mark.skipif(find_compiler() is None, reason="no C compiler"),
@@ -144,6 +144,22 @@ def test_compilers_that_go_wrong_end_in_one_error(folder: Path, kind: str) -> No
     with pytest.raises(CompileError, match=f"(?s)cc {said}") as caught:
         answer(folder)
     assert len(str(caught.value)) < 4500 and cache_state().entries == 0
+
+
+@pytest.mark.parametrize("first", ["-DODD", "-fno-such-option"])
+def test_demanded_cleanliness_is_no_reason_for_weaker_options(
+    folder: Path, monkeypatch: pytest.MonkeyPatch, first: str
+) -> None:
+    """A file that warns with the options of users is refused, though it is clean without; unknown options are left."""
+    (folder / "answer.h").write_text("#define ANSWER 42\n#ifdef ODD\nstatic int unused;\n#endif\n")
+    ways = ((first,), ())
+    monkeypatch.setattr(compilers, "attempts", lambda flags, native: tuple((*FLAGS, *w, *flags) for w in ways))
+    assert answer(folder, flags=["-Wall"]) == 42
+    if first == "-DODD":
+        with pytest.raises(CompileError, match="unused"):
+            answer(folder, flags=["-Wall", "-Werror"])
+    else:
+        assert answer(folder, flags=["-Wall", "-Werror"]) == 42
 
 
 def test_a_compiler_that_cannot_be_run(folder: Path) -> None:

@@ -48,7 +48,7 @@ def test_parallel_and_serial_mechanisms(tmp_path: Path, name: str) -> None:
 def test_nvidias_compiler_takes_the_code() -> None:
     """Every function is a kernel; those of a step of control keep everything in registers."""
     if find_nvrtc() is None:
-        pytest.skip("needs NVRTC (pip install 'symscrew[cuda]')")
+        pytest.skip("needs NVRTC (pip install 'symscrew[nvrtc]')")
     derived = model("three_ups_upu_s").only(["inverse_dynamics", "forward_dynamics"])
     code = compile_cuda(print_cuda(derived)["three_ups_upu_s.cu"])
     assert [*code.kernels] and len(code.kernels) == 2
@@ -62,7 +62,7 @@ def test_nvidias_compiler_takes_the_code() -> None:
 
 def test_no_compiler_and_no_device_are_said(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("symscrew.runtime.nvrtc.find_nvrtc", lambda: None)
-    with pytest.raises(CompileError, match=r"no CUDA compiler here: pip install 'symscrew\[cuda\]'"):
+    with pytest.raises(CompileError, match=r"no CUDA compiler here: pip install 'symscrew\[nvrtc\]'"):
         compile_cuda("")
     monkeypatch.setitem(sys.modules, "cupy", None)
     with pytest.raises(CompileError, match="no CuPy here"):

@@ -38,6 +38,7 @@ SLOW = (
     "how_to/own_effect.md",
     "how_to/results.md",
     "how_to/robots.md",
+    "how_to/which_function.md",
     "how_to/workspace.md",
     "how_to/own_mechanism.md",
     "how_to/microcontroller.md",

@@ -138,6 +138,20 @@ def test_numbers_that_depend_on_the_design_are_refused(tmp_path: Path, named: st
     assert parse_problem(head, folder=tmp_path).design == {"reach": (0.3, 0.6)}
 
 
+def test_segments_of_obstacles_are_read() -> None:
+    """Beside points or without them."""
+    text = FIVE_BAR.replace(
+        "[bounds]",
+        """[bounds]
+obstacles = [{ type = "sphere", at = ["tool"], segments = [["a", "b"], ["b", "c"]], distance = 0.05 }]""",
+    )
+    (found,) = parse_problem(text).bounds.obstacles
+    assert found.segments == (("a", "b"), ("b", "c")) and found.points == ()
+    for wrong in ('[["a"]]', '["a", "b"]', '"a"'):
+        with pytest.raises(DescriptionError, match=r"bounds.obstacles\[0\].segments"):
+            parse_problem(text.replace('[["a", "b"], ["b", "c"]]', wrong))
+
+
 @pytest.mark.slow
 def test_everything_is_written(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     picture = tmp_path / "motion.png"

@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import cache
 
 import numpy as np
 import pytest
+from support.marks import slow
 from support.reference_mechanisms import ENTRIES, build
 
 from symscrew import catalogue
 from symscrew.cli.parser import main
 from symscrew.mobility import Mobility, WholeMotion, analyse_mobility, motion_lines, motion_values
 from symscrew.mobility.finite import ClosureVariety
+from symscrew.mobility.motions.screw_classes import class_of_motions
 
 
 @cache
@@ -120,3 +123,56 @@ def test_a_sarrus_linkage_folds_at_four_poses() -> None:
     poses = along("sarrus").singular
     assert len(poses) == 4 and all("closure" in pose.kinds for pose in poses)
     assert sorted(len(pose.branches) for pose in poses) == [2, 2, 2, 2]
+
+
+@pytest.mark.parametrize(
+    ("name", "type_", "order"),
+    [
+        ("four_bar", "1R", 1),  # the rocker
+        slow("planar_4bar", "1R2T", 3),  # a coupler in the plane: one freedom, three in its group
+        slow("sarrus", "1T", 1),  # P. T. Sarrus, C. R. Acad. Sci. Paris 36 (1853) 1036
+        slow("tripteron_cpm", "3T", 3),
+        slow("agile_eye", "3R", 3),
+    ],
+)
+def test_groups_of_motion_are_those_of_the_literature(name: str, type_: str, order: int) -> None:
+    """Proved of the whole branch: the class of the motion where it has all freedoms of the group, else the group."""
+    motion = along(name)
+    assert motion.group is not None and (motion.group.system.type, motion.group.system.order) == (type_, order)
+    filled = motion.classes[0].order == order
+    assert bool(motion.type_proof) == filled
+    lines = motion_lines(motion, found(name).network, found(name).mechanism, found(name).platform.body)
+    assert any(("of the branch (proved" if filled else "stays in a group of displacements") in line for line in lines)
+
+
+def test_joints_that_rest_are_proved_by_locking_them() -> None:
+    """The transition's second mode: three joints rest, and so does the body, whose twists are rounding alone."""
+    name = "kinematotropic_double_fold-mode2"
+    motion = along(name)
+    assert motion.idle == ("J1", "J4", "J5") and motion.idle_proof
+    assert [c.order for c in motion.classes] == [0] and motion.type_proof
+    fixed = analyse_mobility(motion.locked(found(name).mechanism), body=found(name).platform.body)
+    assert fixed.finite.proved and fixed.finite.dof == found(name).finite.dof
+    values = motion_values(motion, found(name).network, found(name).mechanism)
+    assert values["idle_proved"] and values["class_proved"] and values["group"]["order"] == 0
+
+
+def test_a_joint_that_moves_is_not_proved_to_rest() -> None:
+    """Were the crank of a four-bar among the joints at rest, locking it would leave nothing to move."""
+    wrong = replace(along("four_bar"), idle=("A",))
+    assert analyse_mobility(wrong.locked(found("four_bar").mechanism)).finite.dof == 0
+    assert not along("four_bar").idle_proof
+
+
+def test_a_linkage_without_a_group_has_no_proof() -> None:
+    """Bennett's: two screws of each chain generate all displacements, and what it does along the motion is sampled."""
+    motion = along("bennett")
+    assert not motion.type_proof and not motion.idle_proof
+    assert motion.group is None or motion.group.system.order == 6
+
+
+def test_twists_of_a_body_at_rest_have_no_class() -> None:
+    """Rounding has a direction, too: a body whose twists are 1e-16 is at rest, one with 1e-3 is not."""
+    noise = np.random.default_rng(5).normal(size=(6, 2))
+    assert class_of_motions(1e-16 * noise, 1.0).order == 0
+    assert class_of_motions(noise * [1e-16, 1e-3], 1.0).order == 1

@@ -37,8 +37,9 @@ def platform(row: object) -> ScrewClass:
         # Hunt 1978, ch. 12: at the change point the coupler goes on translating, or turns with crossed cranks
         ("parallelogram-change_point", ["1R", "1T"], True),
         ("rhombus, two branches", ["1R", "1T"], True),
-        # Galletti and Fanghella 2001 (kinematotropic): the flat-folded Sarrus linkage has a planar mode of dimension 2
-        ("sarrus-flat_folded", ["1R1T", "1T"], False),
+        # Galletti and Fanghella 2001 (kinematotropic): the flat-folded Sarrus linkage has a mode of dimension 2, where
+        # each leg turns about its two hinges that coincide, and the platform rests: its freedoms there are none
+        ("sarrus-flat_folded", ["0", "1T"], False),
         ("sarrus-stretched", ["1T", "1T"], False),
         # Connelly and Servatius 1994: one curve with a cusp
         slow("double_watt_cusp", ["1R"], False),

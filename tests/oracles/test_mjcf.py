@@ -330,7 +330,7 @@ BODY = '<mujoco>%s<worldbody><body name="a"><joint name="j"/>%s<geom size="0.1"/
         (BODY % ("", "", "<actuator><motor body='a'/></actuator>"), "they drive no joint of their own"),
         (BODY % ("", "", "<actuator><motor joint='nope'/></actuator>"), "there is no joint 'nope'"),
         (BODY % ('<compiler coordinate="global"/>', "", ""), "coordinate='global' is not supported"),
-        (BODY % ('<compiler settotalmass="3"/>', "", ""), "settotalmass is not supported"),
+        (BODY % ('<compiler settotalmass="much"/>', "", ""), "settotalmass: expected decimal numbers"),
         (BODY % ('<compiler eulerseq="abc"/>', "", ""), "eulerseq of three of xyzXYZ"),
         (BODY % ("", '<geom type="mesh" mesh="m"/>', ""), "there is no mesh 'm'"),
         (BODY % ("", '<geom size="0.1" class="no"/>', ""), "no default class 'no'"),

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
 from support.optimal_problems import cart_pole_problem, rest_to_rest, slider
 
+from symscrew.description import load_description
 from symscrew.errors import DescriptionError
 from symscrew.optimisation import solution, tie_breaking
 from symscrew.optimisation.many_starts import Attempt, Search, random_guesses
@@ -37,6 +39,26 @@ def test_random_guesses_are_those_of_the_seed_and_keep_the_ends() -> None:
         assert values["slide"][0] == pytest.approx(0, abs=1e-12) and values["hinge"][-1] == pytest.approx(np.pi)
         assert np.ptp(values["hinge"]) > 0.5
     assert len({a.cost for a in attempts(replace(problem, starts=1, seed=1), [None, *first])}) > 1
+
+
+def test_random_guesses_of_closed_loops_stay_within_reach() -> None:
+    """A five-bar's elbows are at most two rods of 0.35 m apart at every time of every guess."""
+    mechanism = load_description(Path(__file__).parents[1] / "data" / "short_five_bar.toml")
+    motion = rest_to_rest({"base_left": 0.0, "base_right": 0.0}, {"base_left": 0.3, "base_right": 0.2})
+    problem = TrajectoryProblem(mechanism, starts=6, **motion, independent=("base_left", "base_right"))
+    made = prepare(problem)
+
+    def elbow(side: int, angle: float) -> np.ndarray:
+        """x and z: the crank (side 0.15, 0.2) about y, from its foot at side 0.15."""
+        c, s = np.cos(angle), np.sin(angle)
+        return np.array([side * 0.15 * (1 + c) + 0.2 * s, 0.2 * c - side * 0.15 * s])
+
+    widest = 0.0
+    for values in random_guesses(problem, made.model, made.guess):
+        for left, right in zip(values["base_left"], values["base_right"], strict=True):
+            assert np.linalg.norm(elbow(-1, left) - elbow(1, right)) <= 0.7
+            widest = max(widest, abs(left))
+    assert widest > 0.35  # beside the usual way
 
 
 @pytest.mark.slow

@@ -11,8 +11,9 @@ import numpy as np
 import pytest
 import sympy
 from support.marks import slow
-from support.optimal_problems import MINIMUM_TIME, SEED_DRIVES, seed
+from support.optimal_problems import MINIMUM_TIME, SEED_DRIVES, rest_to_rest, seed
 
+from symscrew import catalogue
 from symscrew.model import derive
 from symscrew.optimisation.followed_motion import replay
 from symscrew.optimisation.mesh_errors import switching
@@ -138,11 +139,13 @@ def test_objectives_are_what_they_say() -> None:
 
 
 def test_expressions_of_a_user() -> None:
-    text = " + ".join(f"u_{label}^2" for label in SEED_DRIVES)
-    own = solve(seed(transcription=COARSE, objectives=(Objective("expression", expression=text),)))
-    assert own.cost == pytest.approx(solve(seed(transcription=COARSE)).cost, rel=1e-9)
+    motion = rest_to_rest({"A": 0.1}, {"A": 1.1})
+    usual = TrajectoryProblem(catalogue.load("four_bar"), **motion, transcription=COARSE, accuracy=None)
+    own = solve(replace(usual, objectives=(Objective("expression", expression="3*u_A^2 - 2*u_A^2"),)))
+    assert own.ok and own.cost == pytest.approx(solve(usual).cost, rel=1e-9)
 
 
+@pytest.mark.slow
 def test_periodic_scan() -> None:
     found = solve(example("seed_periodic_scan"))
     assert found.ok and found.cost == pytest.approx(618.179, abs=0.01)

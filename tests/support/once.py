@@ -10,11 +10,15 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import ClassVar
 
+NATIVE = "-march=native"
 Attempts = Callable[..., tuple[tuple[str, ...], ...]]
 
 
 class Levels:
-    """Levels of optimisation in the place of those that users get: -O0 compiles in a quarter of the time of -O2."""
+    """Levels of optimisation in the place of those that users get: -O0 compiles in a quarter of the time of -O2.
+
+    Code for this processor is what a test compares that asks for it: none gets other code because that was refused.
+    """
 
     instead: ClassVar[dict[str, str]] = {}
 
@@ -23,7 +27,7 @@ class Levels:
         self.attempts = attempts
 
     def __call__(self, flags: Sequence[str], *, native: bool) -> tuple[tuple[str, ...], ...]:
-        tried = self.attempts(flags, native=native)
+        tried = [words for words in self.attempts(flags, native=native) if NATIVE in words or not native]
         return tuple(tuple(self.instead.get(word, word) for word in words) for words in tried)
 
 

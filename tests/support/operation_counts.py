@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Iterable
+from functools import cache
 from pathlib import Path
 
 from benchmarks.mechanisms import chain, platform
@@ -26,6 +27,7 @@ def in_one_mode(name: str) -> Model:
     return derive(catalogue.load(name), one_mode=True)
 
 
+@cache
 def differentiated_tree(name: str) -> Model:
     return derive(spatial_tree(), derivatives=True)
 

@@ -210,3 +210,11 @@ def test_the_module_needs_nothing_of_this_package(tmp_path: Path) -> None:
     command = [sys.executable, "-c", text]
     done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=True)
     assert json.loads(done.stdout) == [1.0, 0]
+
+
+def test_the_example_of_a_design() -> None:
+    """It asserts that its gradient is that of the cost, and that it gets lower; fewer poses than by itself."""
+    text = (Path(__file__).parents[2] / "examples" / "jax" / "design_by_gradient.py").read_text()
+    exec(
+        compile(text.replace("POSES, STEPS = 10_000, 8", "POSES, STEPS = 100, 2"), "example", "exec"), {"__name__": "x"}
+    )

@@ -125,7 +125,7 @@ def test_what_no_small_steps_lead_to_is_refused(follower) -> None:
 
 
 def test_poses_beyond_a_singularity_are_refused(follower) -> None:
-    """The hexapod turned past where its legs leave a freedom: the way back is a closed form there, of another mode."""
+    """The hexapod turned past where its legs leave a freedom: the closed form answers there, on another mode."""
     own = kinematics("stewart_6ups")
     q = reference("stewart_6ups")
     turned = [np.array([*own.tool, 0.0, 0.0, angle]) for angle in np.linspace(-2.4, 2.4, 13)]

@@ -87,6 +87,28 @@ def test_a_mesh_of_too_many_intervals_is_not_tried(monkeypatch: pytest.MonkeyPat
     assert found.refinements == 0 and f"{len(mesh)} intervals was not tried, {len(mesh) - 1} are" in found.notes[0]
 
 
+def test_points_are_added_where_intervals_would_be_many(monkeypatch: pytest.MonkeyPatch, coarse: Trajectory) -> None:
+    wanted = (1e-9, 1e-9)
+    cut = refinement_of(coarse, wanted)
+    assert cut.mesh is not None and len(cut.mesh) > len(coarse.mesh) - 1 and cut.degree == 0
+    monkeypatch.setattr(refinement, "MANY", 4)
+    more = refinement_of(coarse, wanted)
+    degree = coarse.problem.transcription.degree
+    assert more.mesh == tuple(coarse.transcribed.mesh[1:]) and more.degree == degree + 2
+    found = solve(replace(swing(), accuracy=wanted))
+    scheme = found.transcribed.scheme
+    assert found.ok and scheme is not None and scheme.degree > degree + 2 and len(found.mesh) == len(coarse.mesh)
+    monkeypatch.setattr(refinement, "MOST_DEGREE", degree)
+    assert refinement_of(coarse, wanted) == cut
+
+
+def test_trial_steps_that_are_undefined_print_nothing(capfd: pytest.CaptureFixture[str]) -> None:
+    """A cost that is no number where the solver first goes: its line searches say nothing themselves."""
+    problem = replace(swing(), objectives=(Objective("expression", expression="(1.5 - u_hinge)^0.5"),), accuracy=None)
+    solve(replace(problem, solver=Solver(iterations=5)))
+    assert "WARNING" not in "".join(capfd.readouterr())
+
+
 def test_parts_and_margin_of_a_refinement(monkeypatch: pytest.MonkeyPatch, coarse: Trajectory) -> None:
     nearly = (0.9 * coarse.errors.drift, 1e-9)
     usual = len(refinement_of(coarse, nearly).mesh or ())

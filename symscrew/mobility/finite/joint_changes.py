@@ -93,7 +93,8 @@ def closure_rates(variety: ClosureVariety, slots: Slots, q: Array) -> Array:
         parts = []
         for slot in slots[name]:
             moved = [k for k, (motion, _) in enumerate(edge.motions) if slot in (PLACE, motion.axis or 0)]
-            across = sum(carried[k] - carried[k + 1] for k in moved)
+            # a fixed joint moves nothing, wherever it is
+            across = sum((carried[k] - carried[k + 1] for k in moved), start=np.zeros_like(carried[0]))
             parts.append(across @ np.array(_carriers(slot, point)).T)
         by_joint[name] = np.concatenate(parts, axis=2)
     zero = {name: np.zeros_like(part) for name, part in by_joint.items()}

@@ -16,11 +16,13 @@ from symscrew.mobility.motions.loop_components import (
 from symscrew.mobility.motions.motion_words import motion_lines, motion_values
 from symscrew.mobility.motions.screw_classes import ScrewClass, screw_class
 from symscrew.mobility.motions.singular_poses import SingularPose
+from symscrew.mobility.motions.whole_branch import CommonGroup, common_group
 from symscrew.mobility.motions.whole_motion import WholeMotion, motion_along
 
 __all__ = [
     "BranchRow",
     "BranchTable",
+    "CommonGroup",
     "Component",
     "Components",
     "ScrewClass",
@@ -29,6 +31,7 @@ __all__ = [
     "branch_lines",
     "branch_values",
     "branches_through",
+    "common_group",
     "component_lines",
     "component_values",
     "components_of",

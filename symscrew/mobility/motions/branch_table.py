@@ -20,7 +20,7 @@ import numpy as np
 from symscrew.mobility.finite import ClosureVariety, FiniteMobility, Witness, rotation_vector
 from symscrew.mobility.joint_network import Edge, Network
 from symscrew.mobility.motions.germs import Germ, germs_of
-from symscrew.mobility.motions.screw_classes import ScrewClass, screw_class
+from symscrew.mobility.motions.screw_classes import ScrewClass, class_of_motions
 
 Array = np.ndarray[Any, Any]
 
@@ -118,7 +118,7 @@ def _row(network: Network, body: str, germs: Sequence[Germ]) -> BranchRow:
         twists.append(body_twists(network, variety, screws, body) @ tangent)
         axes.append(joint_axes(network, variety, screws, twists[-1]))
     length = float(network.length)
-    classes = [screw_class(t.T * [1, 1, 1, length, length, length], length) for t in twists]
+    classes = [class_of_motions(t, length) for t in twists]
     platform = max(classes, key=lambda c: c.order)
     moving = np.max([np.abs(t).max(axis=1, initial=0.0) for t in tangents], axis=0)
     idle = tuple(e.name for e in network.edges.values() if e.screws and moving[list(e.columns)].max() < AT_REST)

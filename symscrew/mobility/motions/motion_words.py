@@ -14,6 +14,7 @@ from symscrew.mobility.motions.whole_motion import WholeMotion
 
 MOST_POSES = 12
 """Singular poses in words; of more, how many there are. All are in the JSON."""
+ALL = 6  # freedoms of a body that moves as it likes: no group worth a word
 KINDS = {
     "closure": "constraint singularity: the closure loses rank",
     "drives": "actuation singularity: a freedom is left with all drives locked",
@@ -29,11 +30,16 @@ def motion_lines(found: WholeMotion, network: Network, mechanism: Mechanism, bod
     for system in found.classes[:1]:
         kept = "at every regular pose" if len(found.classes) == 1 else "at most regular poses"
         pitch = "" if found.constant else ", pitches not constant"
-        lines.append(f"{body} {system.type}, {system}: {kept}{pitch}")
+        why = f" of the branch (proved: {found.type_proof})" if found.type_proof else ""
+        lines.append(f"{body} {system.type}, {system}: {kept}{why}{pitch}")
     lines += [f"{body} {system.type}, {system}: elsewhere" for system in found.classes[1:]]
+    group = found.group.system if found.group is not None else None
+    if group is not None and not found.type_proof and 0 < group.order < ALL:
+        lines.append(f"{body} stays in a group of displacements, {group.type}, {group}, on the whole branch (proved)")
     for axis, why in found.axes.items():
         lines.append(f"{body} moves about or along {axis} all along ({f'proved: {why}' if why else 'sampled'})")
-    lines.append(f"never move: {', '.join(found.idle)} (sampled)" if found.idle else "every joint moves")
+    judged = f"proved: {found.idle_proof}" if found.idle_proof else "sampled"
+    lines.append(f"never move: {', '.join(found.idle)} ({judged})" if found.idle else "every joint moves")
     for pose in found.singular[:MOST_POSES]:
         lines.append(_pose(pose, network, mechanism, body))
     if len(found.singular) > MOST_POSES:
@@ -79,13 +85,19 @@ def _value(pose: SingularPose, network: Network, mechanism: Mechanism) -> str:
 def motion_values(found: WholeMotion, network: Network, mechanism: Mechanism) -> dict[str, Any]:
     """The same as JSON values."""
     names = freedom_names(network)
+    group = found.group.system if found.group is not None else None
     return {
         "coordinates": [names[c] for c in found.columns],
         "poses": found.poses,
         "judgement": "sampled",
         "classes": [{"type": c.type, "class": c.name, "principal_pitches": list(c.pitches)} for c in found.classes],
         "constant": found.constant,
+        "class_proved": bool(found.type_proof),
+        "class_proof": found.type_proof,
+        "group": None if group is None else {"type": group.type, "class": group.name, "order": group.order},
         "idle_joints": list(found.idle),
+        "idle_proved": bool(found.idle_proof),
+        "idle_proof": found.idle_proof,
         "axes": [{"axis": axis, "proved": bool(why), "why": why} for axis, why in found.axes.items()],
         "lines": [{"coordinate": names[c], "direction": sign, "end": end} for c, sign, end in found.ends],
         "singular_poses": [_singular(pose, network, mechanism) for pose in found.singular],

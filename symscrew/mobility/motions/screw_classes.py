@@ -81,6 +81,16 @@ def screw_class(twists: Array, length: float) -> ScrewClass:
     return ScrewClass(order, name, tuple(float(p * length) for p in pitches), order - rotations, rotations)
 
 
+def class_of_motions(twists: Array, length: float) -> ScrewClass:
+    """The class of a body's twists (6, N), (omega ; v/length), in N unit motions: of those in which it is not at rest.
+
+    What is left of a body at rest is rounding, which has a direction like any other twist.
+    """
+    columns = np.asarray(twists, dtype=float)
+    moving = columns[:, np.linalg.norm(columns, axis=0) > NONE]
+    return screw_class(moving.T * [1, 1, 1, length, length, length], length)
+
+
 def _basis(rows: Array) -> Array:
     """Orthonormal rows of the row space; each row counts with its own size."""
     sizes = np.linalg.norm(rows, axis=1)

@@ -7,7 +7,7 @@ smooth configuration --coordinate_lines--> poses --tangents--> type, joints at r
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -17,8 +17,9 @@ from symscrew.mobility.finite import ClosureVariety, FiniteMobility
 from symscrew.mobility.joint_network import Network
 from symscrew.mobility.motions.branch_table import AT_REST, body_twists, joint_axes
 from symscrew.mobility.motions.coordinate_lines import Pose, Setting, Track, independent_columns, pose_at, track
-from symscrew.mobility.motions.screw_classes import ScrewClass, screw_class
+from symscrew.mobility.motions.screw_classes import ScrewClass, class_of_motions
 from symscrew.mobility.motions.singular_poses import SingularPose, singular_poses
+from symscrew.mobility.motions.whole_branch import CommonGroup, common_group
 
 Array = np.ndarray[Any, Any]
 
@@ -41,6 +42,9 @@ class WholeMotion:
         axes: joint axes that are axes of the platform's freedoms at every regular pose -> why that is proved, or "".
         singular: singular poses.
         ends: how each line ended, by column and direction.
+        group: what the groups of all chains to the body have in common; None where that was not asked.
+        type_proof: why the first class is that of every regular pose of the branch; empty where that was only seen.
+        idle_proof: why the joints `idle` never move on the whole branch; empty where that was only seen.
     """
 
     columns: tuple[int, ...]
@@ -51,6 +55,28 @@ class WholeMotion:
     axes: Mapping[str, str]
     singular: tuple[SingularPose, ...]
     ends: tuple[tuple[int, int, str], ...]
+    group: CommonGroup | None = None
+    type_proof: str = ""
+    idle_proof: str = ""
+
+    def locked(self, mechanism: Mechanism) -> Mechanism:
+        """The mechanism with the joints `idle` replaced by such as cannot move."""
+        none = {"type": "fixed", "axes": (), "pitch": None, "driven": (), "reference": ()}
+        fixed = {name: replace(mechanism.joints[name], **none) for name in self.idle}  # type: ignore[arg-type]
+        return replace(mechanism, joints={**mechanism.joints, **fixed})
+
+    def at_rest(self, mechanism: Mechanism, network: Network, body: str) -> WholeMotion:
+        """With what follows where the mechanism with the joints `idle` locked is as mobile: they rest on the branch.
+
+        Its chains have smaller groups, in which the body moves, too.
+        """
+        group = common_group(mechanism, network, body)
+        smaller = group is not None and (self.group is None or group.system.order < self.group.system.order)
+        why = "with them locked there are as many freedoms"
+        if group is None or not smaller:
+            return replace(self, idle_proof=why)
+        proof = _type_proof(group, self.classes)
+        return replace(self, idle_proof=why, group=group, type_proof=proof or self.type_proof)
 
 
 def motion_along(network: Network, finite: FiniteMobility, body: str, mechanism: Mechanism) -> WholeMotion | str:
@@ -65,10 +91,14 @@ def motion_along(network: Network, finite: FiniteMobility, body: str, mechanism:
     if finite.dof is None or not finite.smooth:
         return "the configuration is no smooth point: its branches are in the table, --at goes to one of them"
     limbs = {name: limb.joints for name, limb in mechanism.limbs.items()}
-    return _followed(network, finite.dof, body, limbs) if finite.dof else "nothing moves"
+    if not finite.dof:
+        return "nothing moves"
+    return _followed(network, finite.dof, body, limbs, group=common_group(mechanism, network, body))
 
 
-def _followed(network: Network, dimension: int, body: str, limbs: Mapping[str, tuple[str, ...]]) -> WholeMotion:
+def _followed(
+    network: Network, dimension: int, body: str, limbs: Mapping[str, tuple[str, ...]], *, group: CommonGroup | None
+) -> WholeMotion:
     variety = ClosureVariety(network)
     origin = np.zeros(variety.columns)
     first = Setting(network, variety, dimension, body, 0, network.driven, {})
@@ -86,7 +116,9 @@ def _followed(network: Network, dimension: int, body: str, limbs: Mapping[str, t
     for pose in regular:
         screws = variety.forward(pose.q[None])[0][0]
         twists = body_twists(network, variety, screws, body) @ pose.motions
-        found = screw_class(twists.T * [1, 1, 1, length, length, length], length)
+        if group is not None and not group.holds(twists.T, length):
+            group = None  # a proof that the poses contradict is none
+        found = class_of_motions(twists, length)
         classes.setdefault((found.type, found.name), []).append(found)
         own = set(joint_axes(network, variety, screws, twists))
         common = own if common is None else common & own
@@ -98,8 +130,19 @@ def _followed(network: Network, dimension: int, body: str, limbs: Mapping[str, t
     axes = {name: _proof(network, body, name, order[0][0]) for name in sorted(common or ())} if order else {}
     ends = tuple((t.column, 1 if k % 2 == 0 else -1, t.end) for k, t in enumerate(tracks))
     total = sum(len(t.poses) for t in tracks)
-    return WholeMotion(columns, total, tuple(g[0] for g in order), same, idle, axes,
-                       singular_poses(setting, tracks), ends)  # fmt: skip
+    classes_seen = tuple(g[0] for g in order)
+    return WholeMotion(columns, total, classes_seen, same, idle, axes, singular_poses(setting, tracks), ends,
+                       group, _type_proof(group, classes_seen))  # fmt: skip
+
+
+def _type_proof(group: CommonGroup | None, classes: tuple[ScrewClass, ...]) -> str:
+    """Why the class is the same all along: the body has all the freedoms of a group, and can have no other."""
+    if group is None or len(classes) != 1 or classes[0].order != group.system.order:
+        return ""
+    chains = f"the groups of {group.chains} chains" if group.chains > 1 else "the group of its chain"
+    if not group.system.order:
+        return f"no displacement is in {chains} to the body"
+    return f"what is in {chains} to the body is a {group.system.type} group, and it moves so"
 
 
 def _limbs(network: Network, limbs: Mapping[str, tuple[str, ...]]) -> dict[str, tuple[tuple[int, ...], int]]:

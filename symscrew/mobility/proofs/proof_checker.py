@@ -209,11 +209,13 @@ def _pivots(matrix: list[list[Interval]], *, exchange: bool) -> list[Interval]:
         need(low > 0 or high < 0, "a minor or a form that is not shown to be regular")
         found.append((low, high))
         back = ((ONE << BITS) // high, -(-(ONE << BITS) // low))
+        support = [(j, b) for j, b in enumerate(left[k]) if j > k and b != (0, 0)]  # columns before are done with
         for i in range(k + 1, len(left)):
             factor = _product(left[i][k], back)
             if factor != (0, 0):
-                down = (-factor[1], -factor[0])
-                left[i] = [_sum(a, _product(down, b)) for a, b in zip(left[i], left[k], strict=True)]
+                down, row = (-factor[1], -factor[0]), left[i]
+                for j, b in support:
+                    row[j] = _sum(row[j], _product(down, b))
     return found
 
 

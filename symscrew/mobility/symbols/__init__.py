@@ -29,7 +29,7 @@ from symscrew.mobility.symbols.exact_screws import (
 )
 from symscrew.mobility.symbols.generators import NotPolynomialError
 from symscrew.mobility.symbols.limb_poses import LimbPose, limb_pose, rounded_axis
-from symscrew.mobility.symbols.loop_groups import group_dimensions
+from symscrew.mobility.symbols.loop_groups import group_dimensions, screw_algebra
 from symscrew.mobility.symbols.loop_motions import SymbolicLoops, symbolic_loops
 from symscrew.mobility.symbols.polynomial_screws import (
     Locus,
@@ -73,6 +73,7 @@ __all__ = [
     "numbers_at",
     "reduced",
     "rounded_axis",
+    "screw_algebra",
     "symbolic_loops",
     "symbolic_mobility",
     "symbolic_screws",

@@ -28,10 +28,16 @@ def group_dimensions(network: Network, system: ExactSystem) -> tuple[int, ...] |
     """Dimension of the Lie algebra of each loop's screws; None where the field is too large to ask."""
     if system.field.degree > LARGEST_DEGREE:
         return None
-    return tuple(_dimension([s for name, _ in loop for s in system.screws[name]], system) for loop in network.loops())
+    screws = ([s for name, _ in loop for s in system.screws[name]] for loop in network.loops())
+    return tuple(len(_algebra(own, system)) for own in screws)
 
 
-def _dimension(screws: Sequence[Sequence[Exact]], system: ExactSystem) -> int:
+def screw_algebra(screws: Sequence[Sequence[Exact]], system: ExactSystem) -> list[Row] | None:
+    """A basis of the Lie algebra that screws generate; None where the field is too large to ask."""
+    return _algebra(screws, system) if system.field.degree <= LARGEST_DEGREE else None
+
+
+def _algebra(screws: Sequence[Sequence[Exact]], system: ExactSystem) -> list[Row]:
     basis = _independent([list(screw) for screw in screws], system.field)
     new = basis
     while new and len(basis) < 6:
@@ -39,7 +45,7 @@ def _dimension(screws: Sequence[Sequence[Exact]], system: ExactSystem) -> int:
         wider = _independent([*basis, *brackets], system.field)
         new = wider[len(basis) :]
         basis = wider
-    return len(basis)
+    return basis
 
 
 def _independent(rows: Sequence[Row], field: Field) -> list[Row]:

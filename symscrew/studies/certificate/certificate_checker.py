@@ -45,6 +45,7 @@ AT_ONCE = 256  # boxes that are looked at together: all numbers of a mechanism o
 NEWTON = 8  # steps to a configuration: from a tenth of a radian away five are enough
 STILL = 1e-13  # a step after which the next one would only move the last digits
 WIDEN = (1.1, 1.3, 1.3, 1.5)  # by which the tube is wider than its fixed point seems to be: trials, more bring nothing
+LEAST = 1e-11  # radius of a tube where nothing else makes it wider: a point, which is known to 1e-13, is well inside
 SETTLING = 12  # steps to that fixed point, which come to rest where the tube can be enclosed at all
 SETTLED = 1.05  # growth in the last of these steps that is rest
 
@@ -608,7 +609,7 @@ def _tubes(equations: Equations, low: Array, high: Array, centre: Array) -> Tube
         moving = [Form(x, l, np.zeros(count)) for x, l in zip(centre, slope, strict=True)]
         fixed, image, missed, closed, rows = off, off, off, np.zeros(count, dtype=bool), []
         for wide in WIDEN:
-            trial = np.maximum(wide * fixed, missed) + 1e-14 * (1.0 + np.abs(centre))
+            trial = np.maximum(wide * fixed, missed) + LEAST * (1.0 + np.abs(centre))
             trial = np.where(closed, radius, trial)
             inside = [f.wider(e) for f, e in zip(moving, trial, strict=True)]
             rows = equations.residual(equations.inputs(z, inside), slopes=True)[1]

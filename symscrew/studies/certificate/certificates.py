@@ -25,11 +25,10 @@ from symscrew.studies.certificate.certificate_checker import (
     check_certificate,
     configurations,
 )
-from symscrew.studies.certificate.file_equations import file_equations, reference_margins
+from symscrew.studies.certificate.file_equations import file_equations, sampled_margins, vanishing_margins
 from symscrew.studies.certificate.splitting import Box, Splitting
 from symscrew.studies.workspace import (
     AZIMUTH,
-    SINGULAR,
     TILT,
     Axis,
     Plan,
@@ -125,7 +124,7 @@ def certify(plan: Plan, progress: Callable[[int], None] = lambda count: None) ->
     if not has_own_axes(plan, model):
         raise DescriptionError(
             f"--over: certificates are over independent coordinates ({', '.join(independent_labels(model))}) and what "
-            "tilt and azimuth say of these"
+            "tilt and azimuth say of these; --independent chooses others"
         )
     region = region_of(plan, model)
     start = _start(model, region)
@@ -139,7 +138,11 @@ def certify(plan: Plan, progress: Callable[[int], None] = lambda count: None) ->
 
 
 def region_of(plan: Plan, model: Model) -> Region:
-    """The ranges of a plan as edges of a box; tilt and azimuth as the square about the disk of all directions."""
+    """The ranges of a plan as edges of a box; tilt and azimuth as the square about the disk of all directions.
+
+    Raises:
+        DescriptionError: axes that are no coordinates of the model, or an azimuth over a part of a turn.
+    """
     own = {f"{model.mechanism.platform}.{part}": part for part in (TILT, AZIMUTH)}
     axes = {own.get(axis.name, axis.name): axis for axis in plan.axes}
     if TILT in axes:
@@ -282,14 +285,14 @@ def _summary(asked: tuple[Plan, Model, Region], root: Box, verdict: Verdict) -> 
         "undecided": dict(sorted(reasons.items(), key=lambda item: -item[1])),
         "limits": {n: [_bound(low), _bound(high)] for n, low, high in plan.limits},
         "least_margins": {},
-        "left_out": [n for n, x in reference_margins(model).items() if abs(x) <= SINGULAR],
+        "left_out": vanishing_margins(model),
         "proved": verdict.holds and bool(facts),
         "refused": list(verdict.refused),
         "assumed": list(verdict.assumed),
     }
-    reference = reference_margins(model)
+    reference = sampled_margins(model)
     for name, value in facts.get("least", {}).items():
-        found["least_margins"][name] = {"at_least": value, "reference": abs(reference[name])}
+        found["least_margins"][name] = {"at_least": value, "reference": float(abs(reference[name][0]))}
     if "radius" in facts:
         found["tilt"] = {"every_direction": 2 * math.asin(min(1.0, facts["radius"] * (1 - CLAIMED_LESS)))}
     return found
@@ -307,7 +310,9 @@ def certificate_text(found: Mapping[str, Any]) -> str:
     lines = [
         f"{found['mechanism']}: {axes}{fixed}",
         f"proved in {found['boxes']} boxes, {_percent(shares['certified'])} of the region: one configuration for every "
-        "point, on the branch of the reference; no singularity" + (", all limits hold" if found["limits"] else "")
+        "point, on the branch of the reference; no singularity"
+        + (" of those that were looked at" if found["left_out"] else "")
+        + (", all limits hold" if found["limits"] else "")
         if found["proved"]
         else "nothing is proved",
     ]
@@ -328,7 +333,7 @@ def certificate_text(found: Mapping[str, Any]) -> str:
         f"{name}: at least {m['at_least']:.4g}, in the reference configuration {m['reference']:.4g}"
         for name, m in found["least_margins"].items()
     ]
-    lines += [f"left out, as it is zero in the reference configuration: {name}" for name in found["left_out"]]
+    lines += [f"not looked at, as it is zero wherever it was tried: {name}" for name in found["left_out"]]
     lines += [f"refused: {text}" for text in found["refused"]]
     lines += [f"assumed: {text}" for text in found["assumed"]]
     return "\n".join(lines)

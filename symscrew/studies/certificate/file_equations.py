@@ -81,21 +81,26 @@ def program_lists(program: Program, wanted: Sequence[int]) -> dict[str, Any]:
     }
 
 
-def reference_margins(model: Model) -> dict[str, float]:
-    """The margins that are looked at, in the reference configuration [1]: of all drives, not of sets of them."""
-    found: dict[str, float] = {}
+def sampled_margins(model: Model) -> dict[str, Array]:
+    """The margins that are looked at [1], of all drives and not of sets of them: in the reference, then near it."""
+    found: dict[str, Array] = {}
     for name in MARGINS:
         if name not in model.programs:
             continue
         program = model.programs[name]
         assert isinstance(program, Program)
-        p = model.system.parameter_values
-        given = [p if port.name == "p" else model.system.reference for port in program.inputs]
+        p, q = model.system.parameter_values, model.system.sample_states[0]
+        given = [p if port.name == "p" else q for port in program.inputs]
         labels = program.outputs[0].labels
-        values = evaluate(program, given)[0][0]
+        values = np.atleast_2d(evaluate(program, given)[0][0])
         kept = labels[:1] if name == "actuation_margins" else labels
-        found |= {f"{name.split('_')[0]} {n}": float(x) for n, x in zip(kept, values, strict=False)}
+        found |= {f"{name.split('_')[0]} {n}": values[:, k] for k, n in enumerate(kept)}
     return found
+
+
+def vanishing_margins(model: Model) -> list[str]:
+    """Those that are zero in the reference configuration and at the sample states near it: nothing holds anywhere."""
+    return [name for name, values in sampled_margins(model).items() if (np.abs(values) <= SINGULAR).all()]
 
 
 def limited_results(model: Model) -> dict[str, tuple[str, int, str]]:
@@ -122,16 +127,16 @@ def _margins(model: Model, values: dict[str, Any]) -> list[dict[str, Any]]:
     """Margins that are looked at by their programs: the others are volumes of matrices whose rank is looked at.
 
     The constraint margin vanishes where the closure loses rank, that of all drives where the closure with driven
-    coordinates locked does. Margins that are zero in the reference configuration are left out: nothing holds near it.
+    coordinates locked does. Margins that are zero all over are left out.
     """
-    reference = reference_margins(model)
+    known, none = sampled_margins(model), vanishing_margins(model)
     by_rank = {"constraint_margin"} if values["rows"] else set()
     by_rank |= {"actuation_margins"} if values["driven"] is not None else set()
     found = []
     for function in MARGINS:
         if function in model.programs and function not in by_rank:
             names = [f"{function.split('_')[0]} {n}" for n in model.programs[function].outputs[0].labels]
-            kept = [k for k, n in enumerate(names) if abs(reference.get(n, 0.0)) > SINGULAR]
+            kept = [k for k, n in enumerate(names) if n in known and n not in none]
             found += [_condition(model, function, kept, [names[k] for k in kept])] if kept else []
     return found
 

@@ -1,0 +1,143 @@
+"""Forces, limits and gravity of a mechanism as attributes of an MJCF's joints, and as its actuators.
+
+armature, damping, friction, spring --> <joint armature damping frictionloss stiffness springref>
+servo --> <position> in place of the motor          carried weight --> <body gravcomp>
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+from xml.etree.ElementTree import Element, SubElement
+
+import numpy as np
+
+from symscrew.description import Mechanism
+from symscrew.errors import DescriptionError
+from symscrew.formats.imported import Beside, JointLimits
+from symscrew.formats.safe_xml import decimals
+
+CARRIED = 1e-12
+"""Of a weight: what rounding leaves of a force that carries a share of it."""
+
+
+def holds(mechanism: Mechanism, force: Mapping[str, Any]) -> bool:
+    """Whether MJCF holds a force: a servo on a driven freedom, a wrench that carries a share of a body's weight."""
+    if force["kind"] == "servo":
+        return (force.get("freedom") or 0) in mechanism.joints[str(force["joint"])].driven
+    if force["kind"] == "load":
+        point = mechanism.points[str(force["point"])]
+        body = mechanism.bodies[point.body]
+        return body.com == point.at and bool(body.mass) and not any(force["wrench"][3:])
+    return True
+
+
+def joints_acted_on(beside: Beside) -> set[str]:
+    """Joints that a force or limit names: they stay in the tree, where they have an element."""
+    return {str(force["joint"]) for force in beside.forces if "joint" in force} | set(beside.limits)
+
+
+def add_effects(root: Element, mechanism: Mechanism, beside: Beside, bodies: Mapping[str, str]) -> None:
+    """Write what stands beside a mechanism into its MJCF; `bodies`: body -> its name in the file.
+
+    Raises:
+        DescriptionError: a force that MJCF does not hold.
+    """
+    made = {element.attrib["name"]: element for element in root.iter("joint") if "type" in element.attrib}
+    made |= {element.attrib["name"]: element for element in root.iter("freejoint")}
+    field = beside.gravity or (0.0, 0.0, -9.81)
+    for option in root.iter("option"):
+        option.set("gravity", decimals(field))
+    for force in beside.forces:
+        if force["kind"] == "load":
+            _carry(root, mechanism, force, field=field, bodies=bodies)
+            continue
+        name = _element_name(mechanism, str(force["joint"]), force.get("freedom"))
+        if force["kind"] == "servo":
+            _servo(root, name, force)
+        else:
+            _attributes(made[name], force)
+    for joint, limits in beside.limits.items():
+        name = _element_name(mechanism, joint, None)
+        if name in made:
+            _limit(made[name], limits)
+
+
+def _element_name(mechanism: Mechanism, joint: str, freedom: int | None) -> str:
+    """The name of the file's joint with a freedom: of a screw that of its hinge."""
+    kind = mechanism.joints[joint].kind
+    if kind.unconstrained:
+        return joint
+    sizes = [motion.freedom for motion in kind.motions]
+    index = next(k for k in range(len(sizes)) if (freedom or 0) < sum(sizes[: k + 1]))
+    name = kind.motion_names(joint)[index]
+    return f"{name}.1" if kind.motions[index].helical else name
+
+
+def _attributes(element: Element, force: Mapping[str, Any]) -> None:
+    def add(key: str, value: float) -> None:
+        element.set(key, decimals([float(element.get(key, "0")) + value]))
+
+    if force["kind"] == "armature":
+        add("armature", force["inertia"] * force.get("ratio", 1.0) ** 2)
+    elif force["kind"] == "damping":
+        add("damping", force["coefficient"])
+    elif force["kind"] == "friction":
+        if force.get("freedom", 0) in (0, None) or element.get("type") != "ball":
+            add("frictionloss", force["coulomb"])
+    else:
+        if "stiffness" in element.attrib:
+            raise DescriptionError(f"joints.{force['joint']}: MJCF holds one spring of a joint, got two")
+        add("stiffness", force["stiffness"])
+        add("springref", force.get("rest", 0.0))
+        if force.get("damping"):
+            add("damping", force["damping"])
+
+
+def _servo(root: Element, name: str, force: Mapping[str, Any]) -> None:
+    """A position actuator, in place of the motor: read back, it drives the joint and has the servo beside it."""
+    section = root.find("actuator")
+    motor = None if section is None else next((m for m in section if m.get("joint") == name), None)
+    if section is None or motor is None or motor.tag != "motor":
+        raise DescriptionError(
+            f"joints.{force['joint']}: a servo of a file drives its joint; expected one servo on a driven freedom"
+        )
+    section.remove(motor)
+    made = SubElement(section, "position", name=name, joint=name, kp=decimals([force["stiffness"]]))
+    if force.get("damping"):
+        made.set("kv", decimals([force["damping"]]))
+    if "limit" in force:
+        made.set("forcerange", decimals([-force["limit"], force["limit"]]))
+
+
+def _limit(element: Element, limits: JointLimits) -> None:
+    if limits.lower is not None and limits.upper is not None and limits.lower < limits.upper:
+        element.set("range", decimals([limits.lower, limits.upper]))
+    if limits.effort is not None and limits.effort > 0:
+        element.set("actuatorfrcrange", decimals([-limits.effort, limits.effort]))
+
+
+def _carry(
+    root: Element,
+    mechanism: Mechanism,
+    force: Mapping[str, Any],
+    *,
+    field: tuple[float, ...],
+    bodies: Mapping[str, str],
+) -> None:
+    """The share of a body's weight that a constant force at its centre of mass carries."""
+    point = mechanism.points[str(force["point"])]
+    body = mechanism.bodies[point.body]
+    push, moment = np.array(force["wrench"][:3], dtype=float), np.array(force["wrench"][3:], dtype=float)
+    weight = np.array(field) * (0.0 if body.mass is None else float(mechanism.number(body.mass)))
+    square = float(weight @ weight)
+    share = -float(push @ weight) / square if square else 0.0
+    if body.com != point.at or moment.any() or np.abs(push + share * weight).max() > CARRIED * np.abs(weight).max():
+        raise DescriptionError(
+            f"points.{point.name}: MJCF holds forces that carry a share of a body's weight, at its centre of mass, "
+            f"got {force['wrench']}"
+        )
+    element = next(e for e in root.iter("body") if e.get("name") == bodies[point.body])
+    element.set("gravcomp", decimals([float(element.get("gravcomp", "0")) + share]))
+    for site in [site for site in element.findall("site") if site.get("name") == point.name]:
+        element.remove(site)  # the body's centre of mass: whoever reads the share names it again

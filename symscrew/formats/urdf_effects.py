@@ -1,0 +1,63 @@
+"""Forces and limits of a mechanism as elements of a URDF's joints and transmissions.
+
+damping, friction --> <dynamics>    limits --> <limit>    armature --> rotor inertia and reduction of a transmission
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+from xml.etree.ElementTree import Element, SubElement
+
+from symscrew.description import Mechanism
+from symscrew.formats.imported import Beside, JointLimits
+from symscrew.formats.safe_xml import decimals
+
+
+def holds(mechanism: Mechanism, force: Mapping[str, Any]) -> bool:
+    """Whether a URDF holds a force: damping and friction, and rotors of driven joints; of none that is spherical."""
+    if force["kind"] not in ("armature", "damping", "friction"):
+        return False
+    joint = mechanism.joints[str(force["joint"])]
+    driven = (force.get("freedom") or 0) in joint.driven
+    return not joint.kind.spherical and (driven or force["kind"] != "armature")
+
+
+def add_effects(root: Element, mechanism: Mechanism, beside: Beside) -> None:
+    """Write what stands beside a mechanism into its URDF: forces that it holds, limits."""
+    made = {element.attrib["name"]: element for element in root if element.tag == "joint"}
+    for force in beside.forces:
+        kind = mechanism.joints[str(force["joint"])].kind
+        name = kind.motion_names(str(force["joint"]))[force.get("freedom") or 0]
+        if force["kind"] == "armature":
+            _armature(root, name, force)
+            continue
+        found = made[name].find("dynamics")
+        element = SubElement(made[name], "dynamics") if found is None else found
+        key, value = ("damping", "coefficient") if force["kind"] == "damping" else ("friction", "coulomb")
+        element.set(key, decimals([float(element.get(key, "0")) + force[value]]))
+    for joint, limits in beside.limits.items():
+        if mechanism.joints[joint].kind.freedom == 1:
+            _limit(made[joint], limits)
+
+
+def _armature(root: Element, name: str, force: Mapping[str, Any]) -> None:
+    """In the transmission of the driven joint."""
+    for transmission in root.findall("transmission"):
+        joint, actuator = transmission.find("joint"), transmission.find("actuator")
+        if joint is not None and actuator is not None and joint.get("name") == name:
+            for old in actuator.findall("mechanicalReduction"):
+                old.text = repr(float(force.get("ratio", 1.0)))
+            SubElement(actuator, "rotorInertia").text = repr(float(force["inertia"]))
+
+
+def _limit(element: Element, limits: JointLimits) -> None:
+    given = {"lower": limits.lower, "upper": limits.upper, "effort": limits.effort, "velocity": limits.velocity}
+    for old in element.findall("limit"):
+        element.remove(old)
+    reach = limits.lower is not None and limits.upper is not None
+    if element.get("type") == "continuous" and reach:
+        element.set("type", "revolute")
+    known = {key: decimals([value]) for key, value in given.items() if value is not None}
+    if known:
+        SubElement(element, "limit", known)

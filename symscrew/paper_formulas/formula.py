@@ -1,0 +1,65 @@
+"""What is printed: a name, what it is equal to in LaTeX, and what the code calls the same."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+import sympy
+
+DIGITS = 12  # of a number that is no short fraction or root: more than a page has, fewer than rounding leaves
+LONG_NUMBER = 24  # letters of an exact number that is still read at a glance
+
+
+@dataclass(frozen=True)
+class Formula:
+    r"""An equation `name = latex`.
+
+    `latex` holds numbers, symbols, names of formulas printed before it, sums, products, fractions, roots, powers,
+    \times of vectors, and vectors as pmatrix; nothing else, so that a test can read it back. `code` says what the
+    package calls the same: (kind, names).
+    """
+
+    name: str
+    latex: str
+    code: tuple[str, ...] = ()
+
+    @property
+    def text(self) -> str:
+        """The equation."""
+        return f"{self.name} = {self.latex}"
+
+
+@dataclass(frozen=True)
+class Part:
+    """A heading, a sentence or two, and equations below it."""
+
+    title: str
+    words: str
+    formulas: tuple[Formula, ...] = ()
+    symbols: Mapping[str, str] = field(default_factory=dict)
+    """LaTeX of symbols that appear here first -> what they are, with units."""
+
+
+def latex_of(expression: sympy.Expr, names: Mapping[sympy.Symbol, str]) -> str:
+    """LaTeX of an expression; numbers of many digits as decimals."""
+    shown = expression
+    numbers = {n: _decimal(n) for n in _numbers(shown) if len(str(n)) > LONG_NUMBER}
+    return str(sympy.latex(shown.xreplace(numbers), symbol_names=dict(names), fold_short_frac=False, full_prec=False))
+
+
+def _numbers(expression: sympy.Expr) -> set[sympy.Expr]:
+    """Largest parts without symbols."""
+    if expression.is_number:
+        return {expression}
+    return {number for arg in expression.args for number in _numbers(arg)}
+
+
+def _decimal(number: sympy.Expr) -> sympy.Expr:
+    return sympy.Float(str(sympy.N(number, DIGITS + 3)), DIGITS)
+
+
+def vector_latex(vector: sympy.MatrixBase, names: Mapping[sympy.Symbol, str]) -> str:
+    """A column of three, or of six with its parts apart."""
+    rows = [latex_of(entry, names) for entry in vector]
+    return r"\begin{pmatrix} " + r" \\ ".join(rows) + r" \end{pmatrix}"

@@ -1,0 +1,247 @@
+r"""The screws of a limb, from the base to the platform: axes and points as they are carried along, then the columns.
+
+joints --Rodrigues, step by step--> e_{ik} unit vectors, r_{ik} points --> S_{ik} = (e_{ik} ; r_{ik} x e_{ik})
+
+Angles are counted as an author counts them: from where the next axis or link would lie along an absolute axis, so that
+a leg that leans by 30 degrees in the reference configuration has the angle 30 degrees there, and no sum of sines. With
+G the rotation back by that constant, T_k = T_{k-1} Rot(G a, theta + phi) carries G u to where the joint carries u.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import sympy
+
+from symscrew.description import Joint, Mechanism
+from symscrew.paper_formulas.formula import Formula, Part, latex_of, vector_latex
+from symscrew.paper_formulas.named_lengths import Lengths
+
+LONG = 230  # letters of LaTeX of a column that still fits a line of a paper; longer ones stay (e ; r x e)
+MOST_OPERATIONS = 60  # of the entries of a matrix that is carried on: longer ones get names, and formulas stay short
+ZERO = sympy.zeros(3, 1)
+PLAIN = ("R", "P", "U", "C", "S", "fixed")  # joint types whose motions are turns and translations along given axes
+
+
+@dataclass(frozen=True)
+class Freedom:
+    """A freedom of a limb: its name in the code, whether it turns, axis and point in the reference configuration."""
+
+    label: str
+    turns: bool
+    axis: sympy.Matrix
+    point: sympy.Matrix
+    spherical: bool = False
+
+
+def freedoms_of(mechanism: Mechanism, joints: Sequence[str]) -> list[Freedom] | str:
+    """The freedoms of a chain in order from the ground, or a sentence why there are no formulas for it."""
+    made: list[Freedom] = []
+    body = mechanism.ground
+    for name in joints:
+        joint = mechanism.joints[name]
+        if joint.parent != body:
+            return f"{name} is not described from the base to the platform"
+        if joint.type not in PLAIN:
+            return f"{name} is a {joint.kind.name} joint, for which there are none yet"
+        body = joint.child
+        made += _of_joint(joint)
+    return made
+
+
+def _of_joint(joint: Joint) -> list[Freedom]:
+    point = sympy.Matrix(joint.point)
+    labels = joint.kind.freedom_names(joint.name)
+    if joint.kind.ball:
+        return [Freedom(n, True, sympy.eye(3)[:, k], point, True) for k, n in enumerate(labels)]
+    motions = zip(labels, joint.kind.freedoms, strict=True)
+    return [Freedom(n, m.turns, sympy.Matrix(joint.axes[m.axis or 0]), point) for n, m in motions]
+
+
+class Chain:
+    """A limb's formulas, step by step."""
+
+    def __init__(self, number: int, freedoms: Sequence[Freedom], lengths: Lengths) -> None:
+        """`number` is the limb's index in all names."""
+        self.number, self.lengths = number, lengths
+        self.freedoms = freedoms
+        self.names = dict(lengths.names)
+        self.symbols: dict[str, str] = {}
+        self.made: list[Formula] = []
+        self.points: dict[str, str] = {}
+        self._run()
+
+    def _run(self) -> None:
+        turn, back = sympy.eye(3), sympy.eye(3)
+        at = self._constant(self.freedoms[0].point) if self.freedoms else ZERO
+        columns: list[str] = []
+        for k, freedom in enumerate(self.freedoms):
+            index = f"{{{self.number}{k + 1}}}" if k < 9 and self.number < 10 else f"{{{self.number},{k + 1}}}"
+            if k:
+                way = self._constant(back @ (freedom.point - self.freedoms[k - 1].point))
+                at = self._tidy(at + turn @ way)
+            still = self._constant(back @ freedom.axis)
+            axis = freedom.axis if freedom.spherical else self._tidy(turn @ still)
+            columns.append(rf"\boldsymbol{{S}}_{index}")
+            if freedom.spherical:
+                self._column(freedom, index, axis, at)
+                continue
+            if freedom.turns:
+                self._column(freedom, index, axis, at)
+                if self._leads(k):
+                    cosine, sine = self._lean(still, back, k)
+                    self._angle(freedom, index, cosine, sine)
+                    turn = self._tidy(turn @ _rotation(still, *self._cosine_and_sine(index)))
+                    back = self._exact(_rotation(still, cosine, -sine) @ back)
+                    turn = self._frozen(turn, "T", index)
+            else:
+                slide = sympy.Symbol(f"d {index}", real=True)
+                self.names[slide] = f"d_{index}"
+                self.symbols[f"d_{index}"] = f"displacement of {freedom.label} from the reference configuration [m]"
+                self._column(freedom, index, axis, at)
+                at = self._tidy(at + slide * axis)
+            at = self._frozen(at, "p", index)
+        matrix = r"\begin{bmatrix} " + " & ".join(columns) + r" \end{bmatrix}"
+        self.made.append(Formula(rf"\boldsymbol{{S}}_{{{self.number}}}", matrix, ("matrix",)))
+
+    def _frozen(self, matrix: sympy.Matrix, letter: str, index: str) -> sympy.Matrix:
+        """The matrix with names for its entries, once they are long: T_{ik} carries vectors, p_{ik} is a point."""
+        if sum(sympy.count_ops(entry) for entry in matrix) <= MOST_OPERATIONS:
+            return matrix
+        name = rf"\boldsymbol{{{letter}}}_{index}"
+        rows = [" & ".join(latex_of(e, self.names) for e in matrix.row(i)) for i in range(matrix.rows)]
+        self.made.append(Formula(name, r"\begin{pmatrix} " + r" \\ ".join(rows) + r" \end{pmatrix}", ("entries",)))
+        named = matrix.copy()
+        for i in range(matrix.rows):
+            for j in range(matrix.cols):
+                if not matrix[i, j].is_number:
+                    place = f"{i + 1}{j + 1}" if matrix.cols > 1 else str(i + 1)
+                    entry = sympy.Symbol(f"{letter} {index} {place}", real=True)
+                    self.names[entry] = f"{letter}_{{{index[1:-1]},{place}}}"
+                    named[i, j] = entry
+        return named
+
+    def _leads(self, k: int) -> bool:
+        """Whether the k-th freedom carries anything that is printed: an axis, or a point that is not its own."""
+        rest = self.freedoms[k + 1 :]
+        return any(not f.spherical or f.point != self.freedoms[k].point for f in rest)
+
+    def _lean(self, still: sympy.Matrix, back: sympy.Matrix, k: int) -> tuple[sympy.Expr, sympy.Expr]:
+        """Cosine and sine of the angle by which what follows leans from an absolute axis, about an absolute axis."""
+        one, zero = sympy.Integer(1), sympy.Integer(0)
+        along = [j for j in range(3) if still[j] != 0]
+        if len(along) != 1:
+            return one, zero
+        a, sign = along[0], still[along[0]]
+        b, c = (a + 1) % 3, (a + 2) % 3
+        for vector in self._following(k):
+            here = self._constant(back @ vector)
+            if here[b] == 0 and here[c] == 0:
+                continue
+            size = sympy.sqrt(sympy.expand(self.lengths.written(here[b] ** 2 + here[c] ** 2)))
+            first, second = self.lengths.written(here[b]) / size, self.lengths.written(here[c]) / size
+            if abs(self.lengths.number(first)) >= abs(self.lengths.number(second)):  # from the nearer absolute axis
+                flip = sympy.sign(self.lengths.number(first))
+                return self._simple(flip * first), self._simple(flip * sign * second)
+            flip = sympy.sign(self.lengths.number(second))
+            return self._simple(flip * second), self._simple(-flip * sign * first)
+        return one, zero
+
+    def _following(self, k: int) -> list[sympy.Matrix]:
+        """What the k-th freedom carries: links and axes in order."""
+        made = []
+        for before, freedom in zip(self.freedoms[k:], self.freedoms[k + 1 :], strict=False):
+            made.append(freedom.point - before.point)
+            if not freedom.spherical:
+                made.append(freedom.axis)
+        return made
+
+    def _angle(self, freedom: Freedom, index: str, cosine: sympy.Expr, sine: sympy.Expr) -> None:
+        angle = rf"\theta_{index}"
+        lean = "" if sine == 0 else rf" + \varphi_{index}"
+        words = f"angle of {freedom.label} from the reference configuration [rad]"
+        self.symbols[angle] = words
+        if lean:
+            self.made.append(
+                Formula(rf"\cos \varphi_{index}", latex_of(self.lengths.named(cosine), self.names), ("lean cosine",))
+            )
+            self.made.append(
+                Formula(rf"\sin \varphi_{index}", latex_of(self.lengths.named(sine), self.names), ("lean sine",))
+            )
+        self.made.append(Formula(f"c_{index}", rf"\cos({angle}{lean})", ("cosine", freedom.label)))
+        self.made.append(Formula(f"s_{index}", rf"\sin({angle}{lean})", ("sine", freedom.label)))
+
+    def _cosine_and_sine(self, index: str) -> tuple[sympy.Symbol, sympy.Symbol]:
+        cosine, sine = (sympy.Symbol(f"{letter} {index}", real=True) for letter in ("c", "s"))
+        self.names |= {cosine: f"c_{index}", sine: f"s_{index}"}
+        return cosine, sine
+
+    def _column(self, freedom: Freedom, index: str, axis: sympy.Matrix, at: sympy.Matrix) -> None:
+        """A unit screw: (e ; r x e) of a turn, (0 ; e) of a translation."""
+        lower = self._tidy(at.cross(axis)) if freedom.turns else axis
+        name, code = rf"\boldsymbol{{S}}_{index}", ("screw", freedom.label)
+        whole = vector_latex(sympy.Matrix([*(axis if freedom.turns else ZERO), *lower]), self.names)
+        if len(whole) <= LONG:
+            self.made.append(Formula(name, whole, code))
+            return
+        e, r = rf"\boldsymbol{{e}}_{index}", rf"\boldsymbol{{r}}_{index}"
+        self.made.append(Formula(e, vector_latex(axis, self.names)))
+        if not freedom.turns:
+            self.made.append(Formula(name, rf"\begin{{pmatrix}} \boldsymbol{{0}} \\ {e} \end{{pmatrix}}", code))
+            return
+        point = vector_latex(at, self.names)
+        if point in self.points:
+            r = self.points[point]
+        else:
+            self.points[point] = r
+            self.made.append(Formula(r, point))
+        self.made.append(Formula(name, rf"\begin{{pmatrix}} {e} \\ {r} \times {e} \end{{pmatrix}}", code))
+
+    def _constant(self, vector: sympy.Matrix) -> sympy.Matrix:
+        """A vector in the parameters, with lengths named, as short as it becomes."""
+        return vector.applyfunc(lambda e: self.lengths.named(self._simple(self.lengths.written(e))))
+
+    def _exact(self, matrix: sympy.Matrix) -> sympy.Matrix:
+        return matrix.applyfunc(lambda e: self._simple(self.lengths.written(e)))
+
+    def _simple(self, expression: sympy.Expr) -> sympy.Expr:
+        """An expression in the parameters, shorter if it can be; zero where it is zero."""
+        if expression.is_Atom or expression.is_Rational:
+            return expression
+        if abs(self.lengths.number(expression)) < ZERO_NUMBER and abs(self.lengths.number(expression, other=True)) < (
+            ZERO_NUMBER
+        ):
+            return sympy.Integer(0)
+        if not expression.free_symbols:
+            tried = sympy.radsimp(sympy.expand(expression), max_terms=2)
+        else:
+            tried = sympy.factor(sympy.cancel(sympy.radsimp(sympy.together(sympy.expand(expression)), max_terms=2)))
+        return min((expression, tried), key=sympy.count_ops)
+
+    def _tidy(self, matrix: sympy.Matrix) -> sympy.Matrix:
+        return matrix.applyfunc(self.lengths.tidy)
+
+
+ZERO_NUMBER = 1e-25
+"""Of an exact expression with 30 digits at two values of the parameters: what is smaller at both is zero."""
+
+
+def _rotation(axis: sympy.Matrix, cosine: sympy.Expr, sine: sympy.Expr) -> sympy.Matrix:
+    """cos I + sin [u]x + (1 - cos) u u^T (Rodrigues)."""
+    u = axis
+    skew = sympy.Matrix([[0, -u[2], u[1]], [u[2], 0, -u[0]], [-u[1], u[0], 0]])
+    return cosine * sympy.eye(3) + sine * skew + (1 - cosine) * (u @ u.T)
+
+
+def limb_part(mechanism: Mechanism, joints: Sequence[str], number: int, lengths: Lengths) -> Part:
+    """Axes, points and screws of a limb."""
+    found = freedoms_of(mechanism, joints)
+    title = f"Limb {number}"
+    if isinstance(found, str):
+        return Part(title, f"No formulas: {found}.")
+    chain = Chain(number, found, lengths)
+    letters = "".join(mechanism.joints[name].type for name in joints)
+    ball = any(freedom.spherical for freedom in found)
+    more = " Columns of the spherical joint are about the absolute axes through its centre." if ball else ""
+    return Part(title, f"Joints from the base: {letters}.{more}", tuple(chain.made), chain.symbols)

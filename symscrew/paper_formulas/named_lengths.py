@@ -1,0 +1,167 @@
+"""Lengths that a geometry repeats, named once: sqrt(H^2 + (R - r)^2) is l from there on.
+
+expressions of the parameters --Lengths--> the same with symbols for their roots
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import cached_property
+
+import sympy
+
+from symscrew.description import Mechanism
+from symscrew.paper_formulas.formula import Formula, latex_of
+
+MOST_OPERATIONS = 80  # of an expression whose factors are looked for: a second
+LETTER = "l"  # of named lengths; followed by a number where there are several, or where a parameter has it
+
+
+class Lengths:
+    """Roots in a mechanism's joints as symbols, positive as lengths are."""
+
+    def __init__(self, mechanism: Mechanism) -> None:
+        """Roots in points and axes of joints and in named points, in the order in which they appear."""
+        self.mechanism = mechanism
+        self._roots: dict[sympy.Expr, sympy.Symbol] = {}
+        positive = {p.symbol: sympy.Symbol(p.name, positive=True) for p in mechanism.parameters.values() if p.value > 0}
+        self.positive = positive
+        found: list[sympy.Expr] = []
+        for joint in mechanism.joints.values():
+            for vector in (joint.point, *joint.axes):
+                for entry in vector:
+                    found += [r for r in _radicands(entry.xreplace(positive)) if r not in found]
+        letters = [LETTER] if len(found) == 1 else [f"{LETTER}{k}" for k in range(1, len(found) + 1)]
+        for radicand, letter in zip(found, letters, strict=True):
+            name = letter
+            while name in mechanism.parameters:
+                name = f"{name}_0"
+            self._roots[radicand] = sympy.Symbol(f"named {name}", positive=True)
+        self._letters = {symbol: str(symbol).removeprefix("named ") for symbol in self._roots.values()}
+
+    def named(self, expression: sympy.Expr) -> sympy.Expr:
+        """The expression with its roots named."""
+        here = expression.xreplace(self.positive)
+        return here.replace(
+            lambda e: e.is_Pow and e.exp.is_Rational and e.exp.q == 2 and sympy.expand(e.base) in self._roots,
+            lambda e: self._roots[sympy.expand(e.base)] ** e.exp.p,
+        )
+
+    def written(self, expression: sympy.Expr) -> sympy.Expr:
+        """The expression with its roots written out, in positive parameters."""
+        roots = {symbol: sympy.sqrt(radicand) for radicand, symbol in self._roots.items()}
+        return expression.xreplace(self.positive).xreplace(roots)
+
+    def number(self, expression: sympy.Expr, *, other: bool = False) -> float:
+        """The expression in the parameters' values, or at `other` ones, with 30 digits."""
+        return float(sympy.N(self.written(expression).xreplace(self._elsewhere if other else self._numbers), 30))
+
+    @cached_property
+    def _numbers(self) -> dict[sympy.Symbol, sympy.Expr]:
+        return {self.positive.get(p.symbol, p.symbol): p.value for p in self.mechanism.parameters.values()}
+
+    @cached_property
+    def _elsewhere(self) -> dict[sympy.Symbol, sympy.Expr]:
+        """Values of no special position near the given ones."""
+        far = [sympy.Rational(1000 + 7 * k + 3 * k**2, 1000) for k in range(len(self._numbers))]
+        return {symbol: value * f for (symbol, value), f in zip(self._numbers.items(), far, strict=True)}
+
+    def tidy(self, expression: sympy.Expr) -> sympy.Expr:
+        """The expression with the roots' squares written out where that makes it shorter, and factors taken out.
+
+        Numbers that are no fractions are taken for symbols meanwhile, and long expressions stay as they are: factors of
+        either take minutes.
+        """
+        if expression.is_Atom or sympy.count_ops(expression) > MOST_OPERATIONS:
+            return expression
+        kept = {number: sympy.Dummy(positive=True) for number in _irrational(expression)}
+        plain = expression.xreplace(kept)
+        flat = sympy.expand(plain)
+        ways = [plain, flat, sympy.factor(plain), *(sympy.collect(flat, s) for s in sorted(flat.free_symbols, key=str))]
+        if not kept and self._roots:
+            squares = self._squares(flat)
+            ways += [squares, sympy.factor(squares)]
+        best = min(ways, key=lambda e: (sympy.count_ops(e), len(str(e))))
+        return best.xreplace({dummy: number for number, dummy in kept.items()})
+
+    def _squares(self, expression: sympy.Expr) -> sympy.Expr:
+        """l^2 in place of H^2 + (R - r)^2, wherever a sum holds it."""
+        result = sympy.expand(expression)
+        for radicand, symbol in self._roots.items():
+            lead = sympy.Poly(radicand, *sorted(radicand.free_symbols, key=str)).terms()[0]
+            of = sorted(radicand.free_symbols, key=str)
+            monomial = sympy.prod([s**k for s, k in zip(of, lead[0], strict=True)])
+            rest = (symbol**2 - (radicand - lead[1] * monomial)) / lead[1]
+            swapped = sympy.expand(sympy.expand(result).subs(monomial, rest))
+            result = min((result, swapped), key=sympy.count_ops)
+        return result
+
+    @cached_property
+    def names(self) -> Mapping[sympy.Symbol, str]:
+        """LaTeX of parameters and lengths."""
+        made = {self.positive.get(p.symbol, p.symbol): symbol_latex(p.name) for p in self.mechanism.parameters.values()}
+        return made | {symbol: symbol_latex(letter) for symbol, letter in self._letters.items()}
+
+    @property
+    def formulas(self) -> tuple[Formula, ...]:
+        """l = sqrt(...), each."""
+        return tuple(
+            Formula(self.names[symbol], latex_of(sympy.sqrt(_short(radicand)), self.names), ("length", str(symbol)))
+            for radicand, symbol in self._roots.items()
+        )
+
+    @property
+    def values(self) -> dict[sympy.Symbol, float]:
+        """Every parameter and length as a number."""
+        numbers = {self.positive.get(p.symbol, p.symbol): p.value for p in self.mechanism.parameters.values()}
+        roots = {symbol: sympy.sqrt(radicand.xreplace(numbers)) for radicand, symbol in self._roots.items()}
+        return {symbol: float(value) for symbol, value in {**numbers, **roots}.items()}
+
+
+def symbol_latex(name: str) -> str:
+    r"""A name as a symbol: one letter with an index, or upright words.
+
+    >>> symbol_latex("R"), symbol_latex("l1"), symbol_latex("half_spacing"), symbol_latex("theta")
+    ('R', 'l_{1}', '\\mathrm{half\\_spacing}', '\\theta')
+    """
+    stem = name.rstrip("0123456789")
+    digits = name[len(stem) :]
+    stem = stem.rstrip("_") if digits else stem
+    greek = sympy.latex(sympy.Symbol(stem)) if stem.isalpha() else ""
+    if len(stem) == 1 or greek.startswith("\\"):
+        return (greek or stem) + (f"_{{{digits}}}" if digits else "")
+    return rf"\mathrm{{{name.replace('_', chr(92) + '_')}}}"
+
+
+def _radicands(expression: sympy.Expr) -> list[sympy.Expr]:
+    roots = [e for e in sympy.preorder_traversal(expression) if e.is_Pow and e.exp.is_Rational and e.exp.q == 2]
+    return [sympy.expand(e.base) for e in roots if e.base.free_symbols]
+
+
+def _short(radicand: sympy.Expr) -> sympy.Expr:
+    """A sum of squares where it is one of differences: H^2 + (R - r)^2 rather than written out."""
+    squares = sympy.Integer(0)
+    rest = sympy.expand(radicand)
+    symbols = sorted(rest.free_symbols, key=str)
+    for one in symbols:
+        for other in symbols:
+            if one == other or rest.coeff(one * other) == 0 or str(one) > str(other):
+                continue
+            for sign in (1, -1):
+                square = (one + sign * other) ** 2
+                left = sympy.expand(rest - square)
+                if sympy.count_ops(left) < sympy.count_ops(rest) and len(left.as_ordered_terms()) + 3 <= len(
+                    rest.as_ordered_terms()
+                ) + (left == 0):
+                    squares, rest = squares + square, left
+                    break
+    return min((radicand, squares + rest), key=sympy.count_ops)
+
+
+def _irrational(expression: sympy.Expr) -> set[sympy.Expr]:
+    """Largest parts without symbols that are no fractions."""
+    if expression.is_Rational:
+        return set()
+    if expression.is_number:
+        return {expression}
+    return {number for arg in expression.args for number in _irrational(arg)}

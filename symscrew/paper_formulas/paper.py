@@ -1,0 +1,165 @@
+"""All formulas of a mechanism, as parts of a paper: LaTeX to put in by \\input, or a document of its own.
+
+mechanism --Lengths, limb_part, spoke_part, platform_parts--> Paper --tex--> text
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from symscrew.description import Mechanism
+from symscrew.errors import DescriptionError
+from symscrew.mobility import analyse_mobility
+from symscrew.paper_formulas.equal_turns import Turned, families
+from symscrew.paper_formulas.formula import Formula, Part
+from symscrew.paper_formulas.limb_formulas import Freedom, freedoms_of, limb_part
+from symscrew.paper_formulas.named_lengths import Lengths
+from symscrew.paper_formulas.platform_formulas import platform_parts
+from symscrew.paper_formulas.spokes import spoke_part
+from symscrew.whole_files import write_text
+
+WHOLE = 1e-6  # of a degree by which an angle between equal limbs may be off a whole number: rounding of doubles
+HEAD = r"""\documentclass[11pt]{article}
+\usepackage[a4paper,margin=20mm]{geometry}
+\usepackage{amsmath}
+\allowdisplaybreaks
+\begin{document}
+"""
+
+
+@dataclass(frozen=True, repr=False)
+class Paper:
+    """Formulas of a mechanism by part."""
+
+    mechanism: Mechanism
+    parts: tuple[Part, ...]
+    lengths: Lengths
+
+    def __repr__(self) -> str:
+        count = sum(len(part.formulas) for part in self.parts)
+        return f"Paper({self.mechanism.name}: {count} formulas in {len(self.parts)} parts)"
+
+    @property
+    def formulas(self) -> tuple[Formula, ...]:
+        """All of them, in order."""
+        return tuple(formula for part in self.parts for formula in part.formulas)
+
+    def tex(self, *, document: bool = False) -> str:
+        r"""LaTeX for \input into a paper that uses amsmath; or a whole document."""
+        lines = [rf"% Formulas of {self.mechanism.name} by symscrew; needs \usepackage{{amsmath}}."]
+        for part in self.parts:
+            lines += ["", rf"\subsection*{{{_text(part.title)}}}", _text(part.words)]
+            if part.symbols:
+                said = "; ".join(f"${symbol}$: {_text(words)}" for symbol, words in part.symbols.items())
+                lines.append(rf"\par\noindent {said}.")
+            lines += [rf"\begin{{equation*}}{chr(10)}{f.text}{chr(10)}\end{{equation*}}" for f in part.formulas]
+        body = "\n".join(lines) + "\n"
+        return f"{HEAD}{body}\\end{{document}}\n" if document else body
+
+    def save(self, path: str | Path, *, document: bool = False) -> Path:
+        """Write a .tex file. Raises DescriptionError where the name ends in something else."""
+        return write_formulas(self, path, document=document)
+
+    def _repr_latex_(self) -> str:
+        rows = r" \\ ".join(formula.text for formula in self.formulas)
+        return rf"$$\begin{{gathered}} {rows} \end{{gathered}}$$"
+
+
+def paper_formulas(mechanism: Mechanism) -> Paper:
+    """The formulas of a mechanism: lengths, limbs, what equal limbs are, inverse kinematics, constraints, loci.
+
+    Of a mechanism without limbs the chain from the ground to the platform is taken for one.
+
+    Raises:
+        DescriptionError: neither limbs nor a chain that reaches the platform.
+    """
+    lengths = Lengths(mechanism)
+    names, limbs = _limbs(mechanism)
+    parts: list[Part] = []
+    if mechanism.parameters:
+        symbols = {
+            lengths.names[lengths.positive.get(p.symbol, p.symbol)]: f"{p.description or p.name} [{p.unit}]"
+            for p in mechanism.parameters.values()
+        }
+        parts.append(Part("Lengths", "", lengths.formulas, symbols))
+    read = [freedoms_of(mechanism, joints) for joints in limbs]
+    for family in families(read, lengths):
+        first = next(iter(family))
+        parts.append(limb_part(mechanism, limbs[first], first + 1, lengths))
+        if len(family) > 1:
+            parts.append(_turned(family, first, read))
+    spokes = spoke_part(mechanism, limbs, lengths)
+    if spokes is not None:
+        parts.append(spokes)
+    if names:
+        parts += platform_parts(analyse_mobility(mechanism), lengths)
+    return Paper(mechanism, tuple(parts), lengths)
+
+
+def _limbs(mechanism: Mechanism) -> tuple[list[str], list[tuple[str, ...]]]:
+    if mechanism.limbs:
+        return list(mechanism.limbs), [limb.joints for limb in mechanism.limbs.values()]
+    by_child = {joint.child: joint for joint in mechanism.joints.values()}
+    body, chain = mechanism.platform or list(mechanism.bodies)[-1], list[str]()
+    while body != mechanism.ground:
+        if body not in by_child or by_child[body].name in chain:
+            raise DescriptionError(f"{mechanism.name}: expected limbs ([limbs]) or a chain from the ground to {body!r}")
+        chain.insert(0, by_child[body].name)
+        body = by_child[body].parent
+    return [], [tuple(chain)]
+
+
+def _turned(family: dict[int, Turned], first: int, read: list[list[Freedom] | str]) -> Part:
+    """Limbs that are the first of a family turned about z: a formula each."""
+    others = {k: turned for k, turned in family.items() if k != first}
+    formulas = []
+    for k, turned in others.items():
+        name, of = (rf"\boldsymbol{{S}}_{{{n + 1}}}" for n in (k, first))
+        text = rf"\boldsymbol{{Z}}({_degrees(turned.angle)}^{{\circ}}) {of}"
+        if -1 in turned.signs:
+            text += rf" \operatorname{{diag}}({', '.join(map(str, turned.signs))})"
+        formulas.append(Formula(name, text, ("turned", str(first), str(k))))
+    said = ", ".join(f"limb {k + 1} by {_degrees(turned.angle)} degrees" for k, turned in others.items())
+    words = (
+        f"These are limb {first + 1} turned about z: {said}, each with its own displacements. $\\boldsymbol{{Z}}$ "
+        "turns the angular and the linear part of every screw."
+    )
+    if any(-1 in turned.signs for turned in others.values()):
+        words += " Where a column is negative, its displacement counts the other way."
+    limb = read[first]
+    if not isinstance(limb, str) and any(f.spherical for f in limb):
+        words += " Columns of spherical joints are about axes turned likewise."
+    return Part(
+        ("Limb " if len(others) == 1 else "Limbs ") + ", ".join(str(k + 1) for k in others), words, tuple(formulas)
+    )
+
+
+def _degrees(angle: float) -> str:
+    whole = round(angle) % 360
+    return str(whole) if abs(angle - round(angle)) < WHOLE else f"{angle % 360:.9f}"
+
+
+def _text(words: str) -> str:
+    """Words with mathematics between dollar signs, as LaTeX; what a description says is escaped."""
+    pieces = words.split("$")
+    return "$".join(piece if k % 2 else _escaped(piece) for k, piece in enumerate(pieces))
+
+
+def _escaped(text: str) -> str:
+    made = text.replace("\\", r"\textbackslash ")
+    for character in "#%&_{}":
+        made = made.replace(character, "\\" + character)
+    return made.replace("^", r"\textasciicircum ").replace("~", r"\textasciitilde ")
+
+
+def write_formulas(paper: Paper, path: str | Path, *, document: bool = False) -> Path:
+    """Write the formulas into a .tex file, whole or not at all.
+
+    Raises:
+        DescriptionError: the name ends in something else.
+    """
+    file = Path(path)
+    if file.suffix != ".tex":
+        raise DescriptionError(f"--out: expected a file name that ends in .tex, got {file.name!r}")
+    return write_text(file, paper.tex(document=document))

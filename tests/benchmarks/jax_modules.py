@@ -1,0 +1,89 @@
+"""Generated JAX modules on this processor: time to trace and compile, time a state, beside the same C and JAX's own AD.
+
+The rival of gradients is JAX on the operations one by one, as a printer without an engine would have it.
+"""
+
+from __future__ import annotations
+
+import importlib.util
+import tempfile
+import time
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import numpy as np
+
+from symscrew import catalogue
+from symscrew.export import print_jax
+from symscrew.model import Model, derive
+from symscrew.runtime import load
+
+from .tables import table
+
+NAMES = ("three_ups_upu_s", "ur5", "panda", "delta", "stewart_6ups")
+STATES = 10_000
+
+
+def run(*, repeats: int = 5) -> tuple[str, dict[str, Any]]:
+    """Markdown and raw numbers."""
+    import jax
+
+    rows, raw = [], []
+    with jax.enable_x64(True):
+        for name in NAMES:
+            model = derive(catalogue.load(name)).only(["inverse_dynamics"])
+            module = _imported(model)
+            inputs = [np.resize(x, (STATES, x.shape[-1])) for x in model.test_inputs["inverse_dynamics"]]
+            for what, function in _functions(module).items():
+                found = {"mechanism": name, "what": what, **_measured(function, inputs, repeats)}
+                raw.append(found)
+                rows.append([name, what, *(f"{found[k]:.2f}" for k in ("trace", "compile")), f"{found['ns']:.0f}"])
+            compiled = load(model, backend="c").inverse_dynamics
+            seconds = min(_timed(lambda c=compiled, x=inputs: c(*x)) for _ in range(repeats))
+            rows.append([name, "C, one thread", "", "", f"{seconds / STATES * 1e9:.0f}"])
+    head = ["mechanism", "inverse dynamics", "trace, s", "compile, s", "ns a state"]
+    return table(head, rows), {"states": STATES, "rows": raw}
+
+
+def _functions(module: ModuleType) -> dict[str, Any]:
+    import jax
+    import jax.numpy as jnp
+
+    def cost(*x: Any) -> Any:
+        return jnp.sum(module.inverse_dynamics(*x).u ** 2)
+
+    return {
+        "values": module.inverse_dynamics,
+        "gradient by all inputs": jax.grad(cost, argnums=(0, 1, 2)),
+        "Hessian times a direction": lambda *x: jax.jvp(jax.grad(cost, argnums=(0, 1, 2)), x, x)[1],
+    }
+
+
+def _imported(model: Model) -> ModuleType:
+    with tempfile.TemporaryDirectory(prefix="benchmark_") as folder:
+        path = Path(folder) / f"{model.name}_jax.py"
+        path.write_text(print_jax(model)[path.name])
+        spec = importlib.util.spec_from_file_location(path.stem, path)
+        assert spec is not None and spec.loader is not None
+        module = importlib.util.module_from_spec(spec)
+        spec.loader.exec_module(module)
+    return module
+
+
+def _measured(function: Any, inputs: list[np.ndarray], repeats: int) -> dict[str, float]:
+    import jax
+
+    begin = time.perf_counter()
+    lowered = jax.jit(function).lower(*inputs)
+    traced = time.perf_counter()
+    compiled = lowered.compile()
+    done = time.perf_counter()
+    seconds = min(_timed(lambda: jax.block_until_ready(compiled(*inputs))) for _ in range(repeats + 1))
+    return {"trace": traced - begin, "compile": done - traced, "ns": seconds / STATES * 1e9}
+
+
+def _timed(call: Any) -> float:
+    begin = time.perf_counter()
+    call()
+    return time.perf_counter() - begin

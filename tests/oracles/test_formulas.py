@@ -1,0 +1,236 @@
+"""Formulas for a paper: every one is read back from its LaTeX and compared with the functions at random states."""
+
+from __future__ import annotations
+
+import re
+import shutil
+import subprocess
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import pytest
+import sympy
+from support.latex_values import Values
+from support.model_states import model
+
+from symscrew.cli.parser import main
+from symscrew.errors import DescriptionError
+from symscrew.mobility import analyse_mobility
+from symscrew.paper_formulas import Paper, paper_formulas
+from symscrew.paper_formulas.named_lengths import symbol_latex
+from symscrew.studies.platform_motion import platform_index
+
+Array = np.ndarray
+QUICK = ("planar_3rrr", "sarrus", "slider_crank")
+LARGE = ("three_ups_upu_s", "delta", "ur5", "five_bar")
+NAMES = [*QUICK, *(pytest.param(name, marks=pytest.mark.slow) for name in LARGE)]
+
+
+@cache
+def paper(name: str) -> Paper:
+    return paper_formulas(model(name).mechanism)
+
+
+class Reader:
+    """Values of a paper's formulas at a state, from what is printed, and of the same things from the functions."""
+
+    def __init__(self, name: str, state: int) -> None:
+        self.paper, self.model = paper(name), model(name)
+        q, v, _ = self.model.system.sample_states
+        self.q, self.v = q[state], v[state]
+        port = self.model.programs["joint_displacements"].outputs[0]
+        moved = self.model("joint_displacements", self.q)[0][0] - self.model(
+            "joint_displacements", self.model.system.reference
+        )[0][0]  # fmt: skip
+        self.moved = dict(zip(port.labels, moved, strict=True))
+        rates = self.model("joint_rates", self.q, self.v)[0][0]
+        self.rates = dict(zip(port.labels, rates, strict=True))
+        screws = self.model("joint_screws", self.q)[0][0].reshape(-1, 6)
+        labels = [n.rpartition(".")[0] for n in self.model.programs["joint_screws"].outputs[0].labels[::6]]
+        self.screws = dict(zip(labels, screws, strict=True))
+        k = platform_index(self.model)
+        pose = self.model("body_poses", self.q)[0][0].reshape(-1, 12)[k]
+        self.twist = self.model("body_twists", self.q, self.v)[0][0].reshape(-1, 6)[k]
+        self.names: dict[str, object] = {r"\boldsymbol{Q}": pose[:9].reshape(3, 3).T, r"\boldsymbol{t}": pose[9:]}
+        self.names |= {r"\boldsymbol{0}": np.zeros(3)}
+        for p in self.model.mechanism.parameters.values():
+            self.names[symbol_latex(p.name)] = float(p.value)
+        for part in self.paper.parts:
+            for symbol, words in part.symbols.items():
+                found = re.search(r"of (\S+) from the reference", words)
+                if found:
+                    self.names[symbol] = self.moved[found[1]]
+
+    def value(self, latex: str) -> Array:
+        return Values(latex, self.names).run()
+
+    def define(self, name: str, value: Array) -> None:
+        self.names[name] = float(value) if value.ndim == 0 else value
+        index = re.fullmatch(r"\\sin \\varphi_(\{.*\})", name)
+        if index:
+            lean = np.arctan2(float(value), float(self.names[rf"\cos \varphi_{index[1]}"]))
+            self.names[rf"\varphi_{index[1]}"] = lean
+        entries = re.fullmatch(r"\\boldsymbol\{([Tp])\}_\{(.*)\}", name)
+        if entries:
+            for place, entry in np.ndenumerate(value):
+                here = "".join(str(k + 1) for k in place)
+                self.names[f"{entries[1]}_{{{entries[2]},{here}}}"] = float(entry)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_every_formula_is_what_the_code_computes(name: str) -> None:
+    compared = 0
+    for state in range(3):
+        reader = Reader(name, state)
+        for formula in reader.paper.formulas:
+            compared += _compared(reader, formula.name, formula.latex, formula.code)
+    assert compared >= 3 * sum(formula.code[:1] == ("screw",) for formula in reader.paper.formulas) > 0
+
+
+def _compared(reader: Reader, name: str, latex: str, code: tuple[str, ...]) -> bool:
+    """Whether a formula was compared with something of the code; what is printed before others is defined."""
+    kind = code[0] if code else ""
+    if kind == "matrix":
+        columns = re.findall(r"\\boldsymbol\{S\}_\{[^}]*\}", latex)
+        reader.define(name, np.stack([reader.names[c] for c in columns], axis=1))
+        return False
+    if kind == "turned":
+        _turned(reader, name, latex, code)
+        return True
+    if kind == "each":
+        for number in code[1:]:
+            reader.define(name.replace("_{i}", f"_{{{number}}}"), reader.value(latex.replace("_{i}", f"_{{{number}}}")))
+            if name == r"\lambda_{i}":
+                for other in reader.paper.formulas:
+                    if other.code[:1] == ("displacement",) and other.code[2] == number:
+                        expected = reader.moved[other.code[1]]
+                        np.testing.assert_allclose(reader.value(other.latex), expected, atol=1e-9)
+            if name == r"\boldsymbol{w}_{i}":
+                wrench = reader.names[f"\\boldsymbol{{w}}_{{{number}}}"]
+                given = next(
+                    f for f in reader.paper.formulas if f.code[:1] == ("displacement",) and f.code[2] == number
+                )
+                rate = wrench[:3] @ reader.twist[3:] + wrench[3:] @ reader.twist[:3]
+                sign = -1 if given.latex.startswith("-") else 1
+                np.testing.assert_allclose(sign * rate, reader.rates[given.code[1]], atol=1e-9)
+        return True
+    if kind == "displacement":
+        return False  # looked at as soon as the length is printed
+    value = reader.value(latex)
+    reader.define(name, value)
+    if kind == "screw":
+        return _screw(reader, code[1], value)
+    if kind in ("constraint", "freedom", "locus"):
+        return _platform(reader, kind, code, value)
+    return False
+
+
+def _screw(reader: Reader, label: str, value: Array) -> bool:
+    joint = label.split(".")[0]
+    spherical = reader.paper.mechanism.joints[joint].kind.ball
+    if not spherical:
+        np.testing.assert_allclose(value, reader.screws[label], atol=1e-9, err_msg=label)
+        return True
+    basis = np.stack([s for n, s in reader.screws.items() if n.split(".")[0] == joint], axis=1)
+    rest = value - basis @ np.linalg.lstsq(basis, value, rcond=None)[0]
+    np.testing.assert_allclose(rest, 0, atol=1e-9, err_msg=label)  # the same three-system, about absolute axes
+    return True
+
+
+def _turned(reader: Reader, name: str, latex: str, code: tuple[str, ...]) -> None:
+    """The columns of a limb by turning those of another, at the displacements of its own."""
+    limbs = list(reader.paper.mechanism.limbs.values())
+    first, other = (limbs[int(k)] for k in code[1:])
+    angle = np.radians(float(re.search(r"\((\d+(?:\.\d+)?)\^", latex)[1]))
+    given = re.search(r"diag\}\(([-\d, ]+)\)", latex)
+    freedoms = [n for j in first.joints for n in reader.paper.mechanism.joints[j].kind.freedom_names(j)]
+    signs = [int(s) for s in given[1].split(",")] if given else [1] * len(freedoms)
+    own = [n for j in other.joints for n in reader.paper.mechanism.joints[j].kind.freedom_names(j)]
+    at_first = Reader(reader.model.name, 0)
+    at_first.moved = {a: s * reader.moved[b] for a, b, s in zip(freedoms, own, signs, strict=True)}
+    number = int(code[1]) + 1
+    part = next(p for p in reader.paper.parts if p.title == f"Limb {number}")
+    for symbol, words in part.symbols.items():
+        at_first.names[symbol] = at_first.moved[re.search(r"of (\S+) from the reference", words)[1]]
+    columns = []
+    for formula in (f for p in reader.paper.parts if p.title in ("Lengths", f"Limb {number}") for f in p.formulas):
+        if formula.code[:1] != ("matrix",):
+            at_first.define(formula.name, at_first.value(formula.latex))
+        if formula.code[:1] == ("screw",):
+            columns.append(at_first.names[formula.name])
+    turn = np.array([[np.cos(angle), -np.sin(angle), 0], [np.sin(angle), np.cos(angle), 0], [0, 0, 1]])
+    both = np.kron(np.eye(2), turn)
+    for column, sign, label in zip(columns, signs, own, strict=True):
+        _screw(reader, label, sign * both @ column)
+
+
+def _platform(reader: Reader, kind: str, code: tuple[str, ...], value: Array) -> bool:
+    """Constraints and freedoms of the reference configuration, by their reciprocal products with the code's screws."""
+    rest = model(reader.model.name)
+    screws = rest("joint_screws", rest.system.reference)[0][0].reshape(-1, 6)
+    by_label = dict(zip(reader.screws, screws, strict=True))
+    limbs = rest.mechanism.limbs
+    if kind == "constraint":
+        own = [s for n, s in by_label.items() if n.split(".")[0] in limbs[code[1]].joints]
+        products = [value[:3] @ s[3:] + value[3:] @ s[:3] for s in own]
+        np.testing.assert_allclose(products, 0, atol=1e-9)
+        assert np.abs(value).max() > 1e-6
+    elif kind == "freedom":
+        for limb in limbs.values():
+            basis = np.stack([s for n, s in by_label.items() if n.split(".")[0] in limb.joints], axis=1)
+            rest_of = value - basis @ np.linalg.lstsq(basis, value, rcond=None)[0]
+            np.testing.assert_allclose(rest_of, 0, atol=1e-9)
+    else:
+        found = mobility(reader.model.name).symbolic
+        numbers = {p.symbol: p.value for p in rest.mechanism.parameters.values()}
+        expected = complex(sympy.N(found.loci[int(code[1])].expression.xreplace(numbers))).real
+        np.testing.assert_allclose(value, expected, rtol=1e-9, atol=1e-12)
+    return True
+
+
+@cache
+def mobility(name: str):
+    return analyse_mobility(model(name).mechanism)
+
+
+def test_the_seed_as_its_authors_write_it() -> None:
+    """Eq. (11) of the paper, with the reading of its last columns: the leg leans by theta from the vertical."""
+    found = {f.name: f.latex for f in paper("planar_3rrr").formulas}
+    assert found[r"\boldsymbol{S}_{12}"].count("c_{11}") == 1
+    assert not any(re.search(r"e-\d|e\+\d|\d{14}", f.latex) for f in paper("sarrus").formulas)
+
+
+@pytest.mark.slow
+def test_the_seed() -> None:
+    found = {f.name: f.latex for f in paper("three_ups_upu_s").formulas}
+    assert found["l"] == r"\sqrt{H^{2} + \left(R - r\right)^{2}}"
+    assert found[r"\boldsymbol{S}_{13}"] == (
+        r"\begin{pmatrix} 0 \\ 0 \\ 0 \\ s_{12} \\ - c_{12} s_{11} \\ c_{11} c_{12} \end{pmatrix}"
+    )
+    assert [n for n in found if re.fullmatch(r"\\boldsymbol\{S\}_\{[34]\}", n)], "limbs 3 and 4 are limb 2 turned"
+    assert not [n for n in found if re.match(r"\\boldsymbol\{S\}_\{[34]\d", n)]
+
+
+def test_the_command(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["formulas", "slider_crank"]) == 0
+    fragment = capsys.readouterr().out
+    assert r"\documentclass" not in fragment and r"\boldsymbol{S}" in fragment
+    assert main(["formulas", "slider_crank", "--out", str(tmp_path / "a.tex"), "--document"]) == 0
+    text = (tmp_path / "a.tex").read_text()
+    assert text.count(r"\begin{document}") == text.count(r"\end{document}") == 1
+    assert fragment in text
+    assert main(["formulas", "slider_crank", "--out", str(tmp_path / "a.pdf")]) == 2
+    with pytest.raises(DescriptionError, match=r"\.tex"):
+        paper("slider_crank").save(tmp_path / "a.txt")
+    assert paper("slider_crank")._repr_latex_().startswith("$$")
+
+
+@pytest.mark.slow
+def test_documents_compile(tmp_path: Path) -> None:
+    if shutil.which("pdflatex") is None:
+        pytest.skip("pdflatex is not installed")
+    paper("three_ups_upu_s").save(tmp_path / "seed.tex", document=True)
+    command = ["pdflatex", "-interaction=nonstopmode", "-halt-on-error", "seed.tex"]
+    done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, errors="replace", timeout=120)
+    assert done.returncode == 0, done.stdout[-2000:]

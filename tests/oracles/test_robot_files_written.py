@@ -1,0 +1,112 @@
+"""What acts on a robot in the files that are written: read back it is the same, and MuJoCo sees the same forces."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import mujoco
+import numpy as np
+import pytest
+
+from symscrew import catalogue
+from symscrew.cli import main
+from symscrew.effects import Effect, effect_from_table, effect_to_table, load_effects
+from symscrew.errors import DescriptionError
+from symscrew.model import derive
+from symscrew.scene import Robot, load_robot, save_robot
+
+from .test_imports import GRIPPER, arm, saved
+
+MORE = GRIPPER.replace('<body name="thumb"', '<body name="thumb" gravcomp="0.25"').replace(
+    '<motor joint="lift"', '<position joint="r" kp="7"/><motor joint="lift"'
+)
+
+
+def tables(robot: Robot) -> list[tuple[str, ...]]:
+    """The effects of a robot, numbers as doubles, in an order of their own."""
+
+    def plain(value: object) -> str:
+        if isinstance(value, list | tuple):
+            return " ".join(map(plain, value))
+        try:
+            return f"{float(value):.12g}"  # type: ignore[arg-type]
+        except ValueError:
+            return str(value)
+
+    def table(effect: Effect) -> tuple[str, ...]:
+        return tuple(f"{key}={plain(value)}" for key, value in sorted(effect_to_table(effect).items()))
+
+    return sorted(map(table, robot.effects))
+
+
+def test_an_mjcf_keeps_effects_couplings_and_limits(tmp_path: Path) -> None:
+    robot = load_robot(saved(MORE, tmp_path))
+    assert save_robot(robot.mechanism, tmp_path / "again.xml", robot.effects, limits=robot.limits) == []
+    again = load_robot(tmp_path / "again.xml")
+    assert tables(again) == tables(robot) and again.limits == robot.limits
+    assert len(again.mechanism.couplings) == len(robot.mechanism.couplings) == 2
+    engines = [mujoco.MjModel.from_xml_path(str(tmp_path / name)) for name in ("robot.xml", "again.xml")]
+    found = []
+    for engine in engines:
+        data = mujoco.MjData(engine)
+        data.qpos[:], data.qvel[:] = np.add(engine.qpos0, [0.1, 0.2, 0.3, 0.4]), [0.5, -0.6, 0.7, -0.8]
+        mujoco.mj_forward(engine, data)
+        full = np.zeros((4, 4))
+        mujoco.mj_fullM(engine, data, full)
+        found.append((full, data.qfrc_bias.copy(), data.qfrc_passive.copy(), data.qfrc_actuator.sum()))
+    for one, other in zip(*found, strict=True):
+        assert other == pytest.approx(one, rel=1e-7, abs=1e-7)
+
+
+def test_a_urdf_keeps_what_it_holds(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    drive = (
+        '<transmission name="t"><joint name="A"/><actuator name="m"><mechanicalReduction>50</mechanicalReduction>'
+        "<rotorInertia>1e-5</rotorInertia></actuator></transmission>"
+    )
+    text = arm(drive, end='<mimic joint="A" multiplier="-2"/><dynamics damping="0.5" friction="0.125"/>')
+    robot = load_robot(saved(text, tmp_path, "robot.urdf"))
+    save_robot(robot.mechanism, tmp_path / "again.urdf", robot.effects, limits=robot.limits)
+    again = load_robot(tmp_path / "again.urdf")
+    assert tables(again) == tables(robot) and again.limits["A"] == robot.limits["A"]
+    assert list(again.mechanism.couplings) == ["B_mimic"]
+    saved(MORE, tmp_path)
+    arguments = ["convert", str(tmp_path / "robot.xml"), "--out", str(tmp_path / "less.urdf")]
+    assert main([*arguments, "--bare"]) == 2  # a polynomial coupling is no mimic joint
+    plain = MORE.replace("0 -1 0.2 0 0", "0 -1 0 0 0").replace('<tendon tendon1="both" polycoef="0"/>', "")
+    plain = plain.replace('<position joint="r" kp="7"/>', "")
+    saved(plain, tmp_path)
+    assert main(arguments) == 2
+    assert "a .urdf file does not hold" in capsys.readouterr().err and not (tmp_path / "less.urdf").exists()
+    assert main([*arguments, "--accept"]) == 0
+    assert "left out of less.urdf: spring of l" in capsys.readouterr().err
+
+
+@pytest.mark.slow
+def test_effects_of_a_scene_go_into_the_file(tmp_path: Path) -> None:
+    scene = tmp_path / "acts.toml"
+    effects = (
+        ("rotor_inertia", 'joint = "A"\ninertia = "2e-3"\nratio = 4'),
+        ("viscous_friction", 'joint = "D"\ncoefficient = 0.3'),
+        ("gravity", "acceleration = [0, 0, -1.6]"),
+    )
+    scene.write_text("".join(f'[[effects]]\ntype = "{kind}"\n{keys}\n' for kind, keys in effects))
+    out = tmp_path / "four_bar.xml"
+    assert main(["convert", "four_bar", "--effects", str(scene), "--out", str(out)]) == 0
+    robot = load_robot(out)
+    gathered = {type(effect).__name__ for effect in robot.effects}
+    assert gathered == {"Gravity", "RotorInertia", "ViscousFriction"}
+    first, second = derive(catalogue.load("four_bar"), load_effects(scene)), derive(robot.mechanism, robot.effects)
+    rotor = next(effect for effect in second.effects if type(effect).__name__ == "RotorInertia")
+    assert float(rotor.inertia) == pytest.approx(2e-3 * 16)  # MJCF's armature is reflected already
+    assert len(first.system.drives) == len(second.system.drives) == 1
+    start = np.array([float(second.system.reference[k]) for k in range(len(second.system.tree.q))])
+    drive = [
+        m("inverse_dynamics", m.system.reference, 0 * m.system.reference, 0 * m.system.reference)[0][0]
+        for m in (first, second)
+    ]
+    assert start.size == 3 and drive[1] == pytest.approx(drive[0], rel=1e-6)  # weights under the moon's gravity
+    motor = effect_from_table(
+        {"type": "dc_motor", "joint": "A", "torque_constant": 1, "resistance": 1, "inductance": 1}
+    )
+    with pytest.raises(DescriptionError, match=r"does not hold dc_motor.*--accept"):
+        save_robot(catalogue.load("four_bar"), out, [motor])

@@ -1,0 +1,106 @@
+"""The transmission of ros2_control, compiled with a stub of its interface and driven by handles."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+from functools import cache
+from pathlib import Path
+from xml.etree import ElementTree
+
+import numpy as np
+import pytest
+from support.marks import slow
+from support.model_states import model
+
+from symscrew.export import DriveKinematics, OutputError, find_drive_kinematics, print_ros2
+from symscrew.generation import generate
+from symscrew.generation.drive_round_trip import tool_axes
+
+STUB = Path(__file__).parents[1] / "support" / "ros2"
+STRICT = ("-std=c++17", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wshadow", "-Werror")
+
+
+@cache
+def kinematics(name: str) -> DriveKinematics:
+    return find_drive_kinematics(model(name))
+
+
+def built(name: str, folder: Path) -> Path:
+    """The package's plugin in a program, every warning an error."""
+    if shutil.which("g++") is None:
+        pytest.skip("needs g++")
+    for file, text in print_ros2(model(name), kinematics(name)).items():
+        (folder / file).write_text(text)
+    own = f"{model(name).name}_drives_host"
+    c = ["cc", "-std=c99", "-O1", "-Wall", "-Wextra", "-Werror", "-c", f"{own}.c", "-o", "own.o"]
+    subprocess.run(c, cwd=folder, check=True)
+    sources = [f"{model(name).name}_transmission.cpp", str(STUB / "main.cpp"), "own.o"]
+    subprocess.run(["g++", *STRICT, f"-I{STUB}", "-I.", *sources, "-o", "main", "-lm"], cwd=folder, check=True)
+    return folder / "main"
+
+
+def asked(program: Path, lines: list[tuple[str, np.ndarray]], *options: str) -> list[np.ndarray]:
+    text = "\n".join(f"{side} {' '.join(repr(float(x)) for x in values.ravel())}" for side, values in lines)
+    done = subprocess.run([str(program), *options], input=text, capture_output=True, text=True, check=True)
+    return [np.array(line.split(), float).reshape(3, -1) for line in done.stdout.splitlines()]
+
+
+@pytest.mark.parametrize("name", ["five_bar", "three_ups_upu_s", slow("stewart_6ups")])
+def test_positions_rates_and_efforts_go_through(name: str, tmp_path: Path) -> None:
+    """Positions and rates against the evaluator; of efforts the work, along the axes as in the drives."""
+    own, program = kinematics(name), built(name, tmp_path)
+    found = own.model
+    q = np.atleast_2d(found.system.sample_states[0])[1]
+    rng = np.random.default_rng(4)
+    y_dot = rng.uniform(-1, 1, len(own.chosen))
+    (null,), _ = found("null_space", q[None])
+    v = null[0].reshape(len(own.chosen), -1).T @ y_dot
+    place = dict(own.scalar)
+    rates = np.array([v[place[k]] for k in own.driven])
+    effort = rng.uniform(-5, 5, len(own.drives))
+    drives = np.array([q[list(own.driven)], rates, effort])
+    (axes,) = asked(program, [("a", drives)])
+    assert np.allclose(axes[0], tool_axes(own, q[None])[0][list(own.axes)], atol=1e-9)
+    h = 1e-6
+    ends = [
+        found("assemble", (q[[own.driven[k] for k in own.chosen]] + s * h * y_dot)[None], q[None])[0][0]
+        for s in (1, -1)
+    ]
+    slope = (tool_axes(own, ends[0])[0] - tool_axes(own, ends[1])[0])[list(own.axes)] / (2 * h)
+    assert np.allclose(axes[1], slope, atol=1e-6)
+    assert axes[1] @ axes[2] == pytest.approx(rates @ effort, rel=1e-9)
+    there, back = asked(program, [("a", drives), ("j", axes)])
+    assert np.allclose(there, axes) and np.allclose(back[:2], drives[:2], atol=1e-9)
+    assert back[1] @ back[2] == pytest.approx(axes[1] @ axes[2], rel=1e-9)
+
+
+def test_what_fails_writes_nothing(tmp_path: Path) -> None:
+    program = built("five_bar", tmp_path)
+    own = kinematics("five_bar")
+    good = np.array([np.array(own.model.system.reference)[list(own.driven)], [0.1, 0.2], [1.0, 2.0]])
+    lost = good.copy()
+    lost[0, 0] = np.nan
+    first, second = asked(program, [("a", good), ("a", lost)])
+    assert np.array_equal(first, second)
+    done = subprocess.run([str(program), "few"], input="", capture_output=True, text=True, check=False)
+    assert done.returncode == 3 and "expected 2 joints with the interface position, got 1" in done.stdout
+
+
+def test_the_package_names_what_it_installs(tmp_path: Path) -> None:
+    texts = print_ros2(model("five_bar"), kinematics("five_bar"))
+    package = ElementTree.fromstring(texts["package.xml"])
+    (plugin,) = ElementTree.fromstring(texts["transmission_plugins.xml"])
+    assert f"project({package.findtext('name')} " in texts["CMakeLists.txt"]
+    assert (
+        f"PLUGINLIB_EXPORT_CLASS({plugin.get('type')}, {plugin.get('base_class_type')})"
+        in texts["five_bar_transmission.cpp"]
+    )
+    assert not [
+        file
+        for file, text in texts.items()
+        if "@" in text and file != "package.xml" and not file.endswith((".c", ".h"))
+    ]
+    with pytest.raises(OutputError, match=r"another target writes CMakeLists\.txt"):
+        generate(model("five_bar"), tmp_path / "both", ["c", "ros2"])
+    assert not (tmp_path / "both").exists()
