@@ -41,7 +41,7 @@ def is_spoke(mechanism: Mechanism, joints: Sequence[str], lengths: Lengths) -> b
     if len(joints) != 3:
         return False
     first, slider, last = (mechanism.joints[name] for name in joints)
-    if first.type not in ENDS or last.type not in ENDS or slider.type != "P" or not slider.driven:
+    if first.type not in ENDS or last.type not in ENDS or not slider.kind.slider or not slider.driven:
         return False
     way = sympy.Matrix(last.point) - sympy.Matrix(first.point)
     across = way.cross(sympy.Matrix(slider.axes[0]))

@@ -19,6 +19,7 @@ from symscrew.kinematics import System
 PACKAGE = Path(symscrew.__file__).parent
 FOREIGN = {  # an attribute of MuJoCo's <option>; an element of Drake's <transmission>
     ("formats/mjcf_settings.py", "gravity"),
+    ("formats/mjcf_effects.py", "gravity"),
     ("formats/urdf_forces.py", "rotor_inertia"),
 }
 
