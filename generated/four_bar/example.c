@@ -4,8 +4,8 @@
  * Effects: Gravity(acceleration=(0, 0, '-9.81'))
  *
  * cc -std=c99 -O2 -fno-math-errno example.c four_bar_batch.c four_bar_forward_dynamics.c
- * four_bar_further.c four_bar_inverse_dynamics.c four_bar_kinematics.c four_bar_loops.c
- * four_bar_margins.c four_bar_momentum.c four_bar_reactions.c four_bar_support.c -lm -o example
+ * four_bar_inverse_dynamics.c four_bar_kinematics.c four_bar_loops.c four_bar_margins.c
+ * four_bar_momentum.c four_bar_reactions.c four_bar_support.c -lm -o example
  * ./example
  */
 #include "four_bar.h"

@@ -4,9 +4,9 @@
  * Effects: Gravity(acceleration=(0, 0, '-9.81'))
  *
  * cc -std=c99 -O2 -fno-math-errno example.c three_ups_upu_s_batch.c three_ups_upu_s_forward_dynamics.c
- * three_ups_upu_s_further.c three_ups_upu_s_inverse_dynamics.c three_ups_upu_s_kinematics.c
- * three_ups_upu_s_loops.c three_ups_upu_s_margins.c three_ups_upu_s_momentum.c
- * three_ups_upu_s_reactions.c three_ups_upu_s_support.c -lm -o example
+ * three_ups_upu_s_inverse_dynamics.c three_ups_upu_s_kinematics.c three_ups_upu_s_loops.c
+ * three_ups_upu_s_margins.c three_ups_upu_s_momentum.c three_ups_upu_s_reactions.c
+ * three_ups_upu_s_support.c -lm -o example
  * ./example
  */
 #include "three_ups_upu_s.h"

@@ -308,7 +308,6 @@ THREE_UPS_UPU_S_UNUSED static inline THREE_UPS_UPU_S_INLINE void three_ups_upu_s
 #include "three_ups_upu_s_inverse_dynamics.c"
 #include "three_ups_upu_s_reactions.c"
 #include "three_ups_upu_s_forward_dynamics.c"
-#include "three_ups_upu_s_further.c"
 #include "three_ups_upu_s_margins.c"
 #undef BODY
 #undef REAL

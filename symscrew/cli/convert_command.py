@@ -39,6 +39,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
         metavar="FILE",
         help="also the effects that a URDF or MJCF file names, as a scene for it: a new .toml",
     )
+    command.add_argument("--start", metavar="KEYFRAME", help="where the scene begins: a keyframe of an MJCF file")
     command.add_argument("--effects", metavar="FILE", help="a scene whose effects a .urdf or .xml is to have as well")
     command.add_argument("--bare", action="store_true", help="the mechanism alone, without the effects of its file")
     command.add_argument(
@@ -70,10 +71,10 @@ def run(options: argparse.Namespace) -> int:
         if file:
             check_folder(Path(file).parent, option)
     foreign = source.suffix in READABLE and source.is_file()
-    asked = (options.scene, options.snap, options.repair, options.floating, options.exact, options.bare)
+    asked = (options.scene, options.snap, options.repair, options.floating, options.exact, options.bare, options.start)
     if not foreign and (any(asked) or (options.accept and not options.effects)):
         raise UsageError(
-            "--scene, --snap, --repair, --accept, --floating, --exact and --bare belong to URDF and MJCF files"
+            "--scene, --snap, --repair, --accept, --floating, --exact, --bare and --start belong to URDF and MJCF files"
         )
     if not 0 <= options.snap < 1:
         raise UsageError(f"--snap: expected a gap from 0 to 1 [m, rad], got {options.snap}")
@@ -87,16 +88,19 @@ def run(options: argparse.Namespace) -> int:
         else:
             _save(options, mechanism, effects, {})
         return DONE
+    if options.start and not options.scene:
+        raise UsageError("--start belongs to --scene: it says where the scene begins")
     if options.effects:
         raise UsageError("--effects belongs to descriptions; a URDF or MJCF file has its own")
     chosen = ImportOptions(options.snap, options.repair, options.accept, options.floating, options.exact)
     robot = load_robot(source, chosen)
+    scene = Path(options.scene) if options.scene else None
+    acts = scene_text(robot, os.path.relpath(path, scene.parent), options.start) if scene else ""
     writable_folder(str(path.parent))
     _save(options, robot.mechanism, None if options.bare else robot.effects, robot.limits)
-    if options.scene:
-        scene = Path(options.scene)
+    if scene:
         writable_folder(str(scene.parent))
-        write_text(scene, scene_text(robot, os.path.relpath(path, scene.parent)))
+        write_text(scene, acts)
         print(scene)
     for line in robot.account.lines():
         print(line, file=sys.stderr)

@@ -28,7 +28,7 @@ FAMILIES = {
     "forward_dynamics": r"^forward_dynamics",  # with its reactions: they share a second path
     "inverse_dynamics": r"^inverse_dynamics",
     "reactions": r"reactions",
-    "kinematics": r"^(body_|forward_kinematics|point_|joint_|drive_rates|platform_|inverse_(kinematics|velocity))",
+    "kinematics": r"^(body_|forward_kinematics|point_|joint_|drive_(rate|position)s|platform_|inverse_(kinem|veloc))",
     "loops": r"^(clos|velocity|acceleration|null_space|assemble)",
     "momentum": r"momentum|energy|mass_matrix|bias|power|force",
 }
