@@ -8,7 +8,25 @@ import json
 import sys
 import zipfile
 
-OURS = (".py", ".toml", ".h", ".c", ".cpp", ".css", ".html", ".js", ".json", ".typed", ".ld", ".s", ".S", ".md", ".txt")
+OURS = (
+    ".py",
+    ".toml",
+    ".h",
+    ".hpp",
+    ".c",
+    ".cpp",
+    ".rs",
+    ".css",
+    ".html",
+    ".js",
+    ".json",
+    ".typed",
+    ".ld",
+    ".s",
+    ".S",
+    ".md",
+    ".txt",
+)
 
 with zipfile.ZipFile(sys.argv[1]) as wheel:
     names = [name for name in wheel.namelist() if ".dist-info/" not in name and not name.endswith("/")]

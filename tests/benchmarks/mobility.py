@@ -15,16 +15,14 @@ from pathlib import Path
 from statistics import median
 from typing import Any
 
+from support.further_mechanisms import CASES
+from support.reference_mechanisms import ENTRIES, build
+
 from symscrew import catalogue
 from symscrew.description.toml_file import to_toml
 
 from .mechanisms import hinged_octahedron
 from .tables import table
-
-sys.path.insert(0, str(Path(__file__).parents[1]))
-
-from support.further_mechanisms import CASES
-from support.reference_mechanisms import ENTRIES, build
 
 SHOWN = 12
 """The dearest of each kind that have a line of their own; all are in the raw numbers."""
