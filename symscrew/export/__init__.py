@@ -10,7 +10,7 @@ from symscrew.doors import doors
 
 if TYPE_CHECKING:
     from symscrew.export.c import print_c
-    from symscrew.export.c_form import USUAL_FORM, Form, library_sources
+    from symscrew.export.c_form import USUAL_FORM, Form, library_sources, readable_sources
     from symscrew.export.c_interface import interface
     from symscrew.export.c_precision import DOUBLE, PRECISIONS, SINGLE, Precision
     from symscrew.export.c_single import rounded, single_errors
@@ -104,6 +104,7 @@ __all__ = [
     "read_json",
     "read_manifest",
     "read_port",
+    "readable_sources",
     "rounded",
     "single_errors",
 ]

@@ -6,7 +6,8 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 # C files of a folder beside the functions: after the model's name, or as they are
-NOT_THE_LIBRARY = ("_external.c", "_jacobians.c", "_reduced.c", "_drives.c", "_drives_host.c", "kins.c")
+FOREIGN = ("kins.c",)  # these include headers of a controller
+NOT_THE_LIBRARY = ("_external.c", "_jacobians.c", "_reduced.c", "_drives.c", "_drives_host.c", *FOREIGN)
 ALONE = ("example.c",)
 
 
@@ -19,6 +20,12 @@ class Form:
 
 
 USUAL_FORM = Form()
+
+
+def readable_sources(files: Iterable[str], name: str) -> list[str]:
+    """The C files of a folder that a compiler can read with what stands in the folder and in C's library."""
+    foreign = {f"{name}{ending}" for ending in FOREIGN}
+    return sorted(file for file in files if file.endswith(".c") and file not in foreign)
 
 
 def library_sources(files: Iterable[str], name: str) -> list[str]:

@@ -73,6 +73,10 @@ class DriveKinematics:
     axes: tuple[int, ...]
     pose: Pose
 
+    def values(self, name: str, q: np.ndarray) -> np.ndarray:
+        """The first output (states, size) of a function of q, where run-time parameters have their declared values."""
+        return at_declared(self.model, name, q)
+
 
 def find_drive_kinematics(model: Model) -> DriveKinematics:
     """The kinematics between the drives of a model's mechanism and its platform.
@@ -136,9 +140,17 @@ def _drive_rates(model: Model, drives: Sequence[str], labels: Sequence[str]) -> 
     return np.array([null[labels.index(drive)] for drive in drives])
 
 
+def at_declared(model: Model, name: str, q: np.ndarray) -> np.ndarray:
+    """The first output (states, size) of a function of q, where run-time parameters have their declared values."""
+    parameters = (np.array(model.system.parameter_values),) if len(model.programs[name].inputs) > 1 else ()
+    outputs, _ = model(name, q, *parameters)
+    found: np.ndarray = outputs[0]
+    return found
+
+
 def _null_space(model: Model, q: np.ndarray) -> np.ndarray:
     """(rates, freedoms), the columns of unit size."""
-    (found,), _ = model("null_space", np.array(q)[None])
+    found = at_declared(model, "null_space", np.array(q)[None])
     null: np.ndarray = found[0].reshape(model.programs["null_space"].outputs[0].shape[::-1]).T
     sized: np.ndarray = null / np.linalg.norm(null, axis=0)
     return sized
@@ -167,7 +179,7 @@ def _platform(model: Model) -> int:
 
 def poses(model: Model, q: np.ndarray, body: int) -> tuple[np.ndarray, np.ndarray]:
     """Rotations (states, 3, 3) and displacements (states, 3) of a body, from the reference."""
-    (found,), _ = model("body_poses", q)
+    found = at_declared(model, "body_poses", q)
     own = found[:, 12 * body : 12 * body + 12].reshape(-1, 4, 3)
     return own[:, :3].swapaxes(1, 2), own[:, 3]
 
@@ -192,7 +204,7 @@ def tool_point(model: Model) -> np.ndarray:
 
 def _twists(model: Model, q: np.ndarray) -> np.ndarray:
     """Angular velocity and velocity of O (6, freedoms) of the platform for unit motions."""
-    (found,), _ = model("platform_jacobian", np.array(q)[None])
+    found = at_declared(model, "platform_jacobian", np.array(q)[None])
     jacobian = found[0].reshape(-1, 6).T
     twists: np.ndarray = jacobian @ _null_space(model, q)
     return twists

@@ -87,9 +87,10 @@ def read_urdf(root: Element, path: Path, options: ImportOptions) -> Draft:
     result.bodies += [_body(link, poses[name]) for name, link in links.items() if name != roots[0]]
     result.joints += [_joint(joint, poses, driven, offsets) for joint in joints.values()]
     _couple(result, mimics)
-    if options.floating or not joints:
+    weighs = bool(list(elements(links[roots[0]], "inertial")))
+    if options.floating or (weighs and not joints):
         _set_free(result, _body(links[roots[0]], poses[roots[0]]), joints)
-    elif list(elements(links[roots[0]], "inertial")):
+    elif weighs:
         result.ledger.passed("inertia of the root link, which is the ground (--floating frees it)")
     for joint_name, joint in joints.items():
         joint_forces(result, joint_name, joint)

@@ -22,6 +22,7 @@ from symscrew.export import (
     print_cmake,
     print_cpp,
     print_example,
+    readable_sources,
     rounded,
     single_errors,
 )
@@ -133,7 +134,7 @@ def _compile(directory: Path, name: str) -> Iterator[Finding]:
     if not compilers:
         yield True, "no C compiler here (apt install gcc): C neither compiled nor run"
     for compiler in compilers:  # what warnings need of an optimiser, they get where the library is compiled
-        sources = sorted(path.name for path in directory.glob("*.c"))
+        sources = readable_sources((path.name for path in directory.iterdir()), name)
         yield _run([compiler, *STRICT, "-fsyntax-only", *sources], directory, "reads it without warnings")
     plus = next((path for path in map(shutil.which, ("g++", "clang++")) if path), None)
     if plus:

@@ -73,7 +73,7 @@ def compiled(kinematics: DriveKinematics, directory: Path) -> Follower:
 
 def tool_axes(kinematics: DriveKinematics, q: np.ndarray) -> np.ndarray:
     """Axes X ... C (states, 6) of the tool by the evaluator."""
-    (found,), _ = kinematics.model("body_poses", q)
+    found = kinematics.values("body_poses", q)
     own = found[:, 12 * kinematics.platform : 12 * kinematics.platform + 12].reshape(-1, 4, 3)
     at = own[:, 3] + np.einsum("nji,j->ni", own[:, :3], np.array(kinematics.tool))
     x, y, z = own[:, 0], own[:, 1], own[:, 2]

@@ -38,12 +38,37 @@ def run(*, repeats: int = 5) -> tuple[str, dict[str, Any]]:
             for what, function in _functions(module).items():
                 found = {"mechanism": name, "what": what, **_measured(function, inputs, repeats)}
                 raw.append(found)
-                rows.append([name, what, *(f"{found[k]:.2f}" for k in ("trace", "compile")), f"{found['ns']:.0f}"])
+                rows.append(_row(found))
+            if name == NAMES[0]:
+                found = {"mechanism": name, "what": "gradient by JAX, operation by operation"}
+                raw.append(found | _measured(_one_by_one(module, model), inputs, 1))
+                rows.append(_row(raw[-1]))
             compiled = load(model, backend="c").inverse_dynamics
             seconds = min(_timed(lambda c=compiled, x=inputs: c(*x)) for _ in range(repeats))
             rows.append([name, "C, one thread", "", "", f"{seconds / STATES * 1e9:.0f}"])
     head = ["mechanism", "inverse dynamics", "trace, s", "compile, s", "ns a state"]
     return table(head, rows), {"states": STATES, "rows": raw}
+
+
+def _row(found: dict[str, Any]) -> list[str]:
+    times = (f"{found[k]:.2f}" for k in ("trace", "compile"))
+    return [found["mechanism"], found["what"], *times, f"{found['ns']:.0f}"]
+
+
+def _one_by_one(module: ModuleType, model: Model) -> Any:
+    """The gradient that JAX makes of single operations, as a printer without an engine would have it."""
+    import jax
+    import jax.numpy as jnp
+
+    program = model.programs["inverse_dynamics"]
+    size = sum(port.size for port in program.inputs)
+    recorded = module.record(module._inverse_dynamics, size)
+
+    def cost(*x: Any) -> Any:
+        entries = jnp.concatenate([array.T for array in x])
+        return jnp.sum(module._unrolled(recorded, entries)[: program.outputs[0].size] ** 2)
+
+    return jax.grad(cost, argnums=(0, 1, 2))
 
 
 def _functions(module: ModuleType) -> dict[str, Any]:
@@ -80,7 +105,7 @@ def _measured(function: Any, inputs: list[np.ndarray], repeats: int) -> dict[str
     compiled = lowered.compile()
     done = time.perf_counter()
     seconds = min(_timed(lambda: jax.block_until_ready(compiled(*inputs))) for _ in range(repeats + 1))
-    return {"trace": traced - begin, "compile": done - traced, "ns": seconds / STATES * 1e9}
+    return {"trace": traced - begin, "compile": done - traced, "ns": seconds / len(inputs[0]) * 1e9}
 
 
 def _timed(call: Any) -> float:

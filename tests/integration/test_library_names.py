@@ -146,9 +146,11 @@ def test_odd_names_in_every_target(tmp_path: Path) -> None:
     """`check` compiles and runs all of them; the example in C++ with every header before it, and gnu dialects."""
     found = derive(parse_description(ODD)).only(SOME)
     out = tmp_path / "out"
-    generate(found, out, [t for t in TARGETS if t not in ("urdf", "fmu", "reduced")])
-    result = check(out)
-    assert result.ok, result.lines
+    generate(found, out, [t for t in TARGETS if t not in ("urdf", "fmu", "reduced", "ros2")])
+    generate(found, tmp_path / "package", ["ros2"])
+    for folder in (out, tmp_path / "package"):
+        result = check(folder)
+        assert result.ok, result.lines
     program = found.programs["inverse_dynamics"]
     q, v, a, p = (np.atleast_2d(x)[0] for x in found.test_inputs["inverse_dynamics"])
     assert [port.name for port in program.inputs] == ["q", "v", "a", "p"]

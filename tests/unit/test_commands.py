@@ -101,7 +101,7 @@ def completions(line: str) -> set[str]:
 
 def test_completion_knows_commands_options_and_choices() -> None:
     pytest.importorskip("argcomplete", reason='not installed: pip install "symscrew[completion]"')
-    assert {"draw", "doctor", "demo"} == completions("symscrew d")
+    assert {"draw", "doctor", "demo", "drives"} == completions("symscrew d")
     assert completions("symscrew generate --reg") == {"--regressor"}
     assert completions("symscrew generate four_bar --target cas") == {"casadi"}
 
