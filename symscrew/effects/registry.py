@@ -26,6 +26,7 @@ from symscrew.errors import DescriptionError, did_you_mean, shorten
 
 HELPERS = (
     "acting",
+    "ball_turns",
     "contact_law",
     "effect",
     "of_files",

@@ -90,6 +90,7 @@ EFFECT_KEYS = {
         "cubic": ("N/m^3 or N m/rad^3", "of either sign"),
         "damping": ("N s/m or N m s/rad", "at least 0"),
         "energy": ("J", "a text E(x) in place of stiffness, cubic and preload"),
+        "nearest": ("", "true: of a ball joint's rotation vectors the shortest one; without states"),
     },
     "leg_compliance": {
         "stiffness": ("N/m", "of the leg, above 0"),
