@@ -46,6 +46,7 @@ from symscrew.kinematics.pairs import (
     unit_quaternion,
 )
 from symscrew.kinematics.recursion import acceleration_matrix, inertial_wrench, own_screws, rates, twists
+from symscrew.kinematics.rolling import Rolling
 from symscrew.kinematics.screws_at_origin import BodyMotion, body_motions, displacement, joint_screws, motion_screws
 from symscrew.kinematics.structure import characteristic_length
 from symscrew.kinematics.system import System
@@ -70,6 +71,7 @@ __all__ = [
     "PoseRow",
     "Rates",
     "Relation",
+    "Rolling",
     "Row",
     "System",
     "Tree",

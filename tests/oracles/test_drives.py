@@ -200,7 +200,7 @@ def test_motions_that_cannot_be(rod, texts, message) -> None:
 @pytest.mark.parametrize(
     ("effect", "message"),
     [
-        (DcMotor("pivot", torque_constant=1, resistance=1, inductance=1, ratio=1), "voltage_pivot follow from no motion"),
+        (DcMotor("pivot", 1, 1, 1), "voltage_pivot follow from no motion"),
         (DryFriction("pivot", coulomb=1, mode="event"), "friction_pivot follows from no motion"),
     ],
 )
