@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 from symscrew.cli.help import DONE, UsageError
 from symscrew.cli.shared_options import add_effects, add_independent, add_mechanism, check_folder, chosen_effects
+from symscrew.errors import DescriptionError
 from symscrew.garbage import nothing_to_collect
 from symscrew.generation import TARGETS, USUAL, printable, with_brought
 
@@ -23,6 +24,7 @@ EXAMPLES = (
     "symscrew generate wrist.toml --out wrist --target c --derivatives",
     "symscrew generate ur5 --out ur5_single --precision single",
     "symscrew generate delta --out small --profile microcontroller --functions inverse_dynamics",
+    "symscrew generate delta --out controller --functions control",
 )
 
 
@@ -58,7 +60,9 @@ def add_options(command: argparse.ArgumentParser) -> None:
     command.add_argument("--checked", action="store_true", help=text)
     text = "write header, counts, manifest and description, of all other files the hashes: enough for symscrew check"
     command.add_argument("--hashes-only", action="store_true", help=text)
-    text = "these functions only; default: all, which README.md of the output describes"
+    text = (
+        "these functions only, or those of kinematics, control, all (the default; README.md of the output has tables)"
+    )
     command.add_argument("--functions", nargs="+", metavar="NAME", help=text)
 
 
@@ -100,9 +104,23 @@ def run(options: argparse.Namespace) -> int:
     print(f"{model.name}: {len(model.programs)} functions, {len(files)} files in {options.out}")
     rows = [[name, str(p.operations["total"])] for name, p in model.programs.items()]
     print_table(("function", "operations"), rows)
+    if not model.selected:
+        print(f"fewer of them: {_presets(model)}")
     for note in model.notes:
         print(f"note: {note}")
     return DONE
+
+
+def _presets(model: Model) -> str:
+    """The selections by name, with what each takes."""
+    from symscrew.functions import PRESETS, preset
+
+    texts = []
+    for name in PRESETS:
+        functions = preset(name, model.programs)
+        operations = sum(model.programs[f].operations["total"] for f in functions)
+        texts.append(f"--functions {name} ({len(functions)} functions, {operations} operations)")
+    return ", ".join(texts)
 
 
 def chosen_targets(options: argparse.Namespace) -> list[str]:
@@ -142,10 +160,13 @@ def _derived(options: argparse.Namespace, progress: Progress) -> Model:
 
 
 def _chosen_functions(options: argparse.Namespace, model: Model) -> Model:
-    """The model with the functions that the options name, or all."""
-    from symscrew.errors import did_you_mean
+    """The model with the functions that the options name, by themselves or by presets, or all."""
+    from symscrew.functions import ALL, selected
 
-    for name in options.functions or ():
-        if name not in model.programs:
-            raise UsageError(f"--functions: no {name!r} in {model.name}; {did_you_mean(name, model.programs)}")
-    return model.only(options.functions) if options.functions else model
+    if not options.functions:
+        return model
+    try:
+        names = selected(options.functions, model.programs, model.name)
+    except DescriptionError as error:
+        raise UsageError(f"--functions: {error}") from error
+    return model if ALL in options.functions else model.only(names)

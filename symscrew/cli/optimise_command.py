@@ -61,6 +61,9 @@ def run(options: argparse.Namespace) -> int:
     if options.rate is not None and not options.rate > 0:
         raise UsageError(f"--rate: expected samples per second above 0, got {options.rate:g}")
     problem = load_problem_file(options.problem)
+    parts = problem.parts if isinstance(problem, JoinedProblem) else (problem,)
+    for notice in dict.fromkeys(notice for part in parts for notice in part.notices):
+        print(f"note: {notice}", file=sys.stderr)
     if isinstance(problem, JoinedProblem):
         return _run_joined(problem, options, out)
     if options.time_limit is not None:

@@ -129,7 +129,7 @@ def render(
     about = {target: TARGETS[target].about for target in chosen}
     counts: dict[str, Any] = {name: p.operations for name, p in model.programs.items()}
     made |= {
-        "README.md": print_readme(model, about, order.precision, further, files=[*made]),
+        "README.md": print_readme(model, about, order.precision, further, files=_sizes(made)),
         "ops.json": _table_text(counts | ({EMBEDDED: list(measured)} if measured else {})),
         "test_vectors.json": _vectors_text(model),
         "mechanism.toml": to_toml(model.mechanism),
@@ -147,6 +147,11 @@ def with_hashes(files: Mapping[str, bytes]) -> dict[str, bytes]:
     kept = {name: data for name, data in files.items() if name.endswith(READ) and not name.endswith("_support.h")}
     others = {name: data for name, data in files.items() if name not in kept and not by_value(name)}
     return kept | {HASHES: print_hashes(others).encode("utf-8")}
+
+
+def _sizes(files: Mapping[str, str | bytes]) -> dict[str, int]:
+    """Bytes of every file."""
+    return {name: len(data.encode("utf-8") if isinstance(data, str) else data) for name, data in files.items()}
 
 
 def _table_text(table: Mapping[str, Any]) -> str:
