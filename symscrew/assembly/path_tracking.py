@@ -65,7 +65,7 @@ def solve(slopes: Array, values: Array) -> Array:
             return np.asarray(steps[..., 0])
         except np.linalg.LinAlgError:  # one of them is singular or no number: the others are solved all the same
             pass
-    good: Array = np.isfinite(slopes).all(axis=(1, 2))
+    good = np.asarray(np.isfinite(slopes).all(axis=(1, 2)))
     inverses = np.linalg.pinv(np.where(good[:, None, None], slopes, 0.0))
     return np.where(good[:, None], (inverses @ values[..., None])[..., 0], np.nan)
 
