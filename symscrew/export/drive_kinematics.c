@@ -91,29 +91,44 @@ static int tool_axes(const DriveState *state, const double *q, double *world, do
     return FOLLOW_OK;
 }
 
-/* Rates of all six axes by the chosen drives, (6 x N_FREE) by columns, at q, where the axes are `world`. */
-static int tool_jacobian(const double *q, const double *world, const double *at, double *jacobian)
+/* Velocity of the tool at `at` and angular velocity of the platform by the chosen drives, (6 x N_FREE) by columns. */
+static int tool_twists(const double *q, const double *at, double *twists)
 {
     double null[N_V * N_FREE], screws[6 * N_V];
     if (NULL_SPACE(q, null) > 0 || PLATFORM_JACOBIAN(q, screws) > 0) {
         return FOLLOW_SINGULAR;
     }
-    const double sb = sin(world[4]), cb = cos(world[4]), sc = sin(world[5]), cc = cos(world[5]);
     for (int j = 0; j < N_FREE; ++j) {
         double twist[6] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
-        double *column = jacobian + 6 * j;
+        double *column = twists + 6 * j;
         for (int k = 0; k < N_V; ++k) {
             for (int i = 0; i < 6; ++i) {
                 twist[i] += screws[i + 6 * k] * null[k + j * N_V];
             }
         }
-        const double along = cc * twist[0] + sc * twist[1];
         column[0] = twist[3] + twist[1] * at[2] - twist[2] * at[1];
         column[1] = twist[4] + twist[2] * at[0] - twist[0] * at[2];
         column[2] = twist[5] + twist[0] * at[1] - twist[1] * at[0];
+        for (int i = 0; i < 3; ++i) {
+            column[3 + i] = twist[i];
+        }
+    }
+    return FOLLOW_OK;
+}
+
+/* Rates of all six axes by the chosen drives, (6 x N_FREE) by columns, at q, where the axes are `world`. */
+static int tool_jacobian(const double *q, const double *world, const double *at, double *jacobian)
+{
+    const double sb = sin(world[4]), cb = cos(world[4]), sc = sin(world[5]), cc = cos(world[5]);
+    if (tool_twists(q, at, jacobian) != FOLLOW_OK) {
+        return FOLLOW_SINGULAR;
+    }
+    for (int j = 0; j < N_FREE; ++j) {
+        double *column = jacobian + 6 * j;
+        const double x = column[3], y = column[4], along = cc * x + sc * y;
         column[3] = along / cb;
-        column[4] = cc * twist[1] - sc * twist[0];
-        column[5] = twist[2] + along * sb / cb;
+        column[4] = cc * y - sc * x;
+        column[5] += along * sb / cb;
     }
     return FOLLOW_OK;
 }
