@@ -9,6 +9,7 @@ from symscrew.doors import doors
 
 if TYPE_CHECKING:
     from symscrew.simulation.initial import initial_state, initial_states
+    from symscrew.simulation.kept_model import derived_model
     from symscrew.simulation.linking import Linker, Operand
     from symscrew.simulation.motion import prepare, simulate
     from symscrew.simulation.native import NATIVE_FLAGS, NATIVE_METHODS, Library, RunLog, run_natively
@@ -33,6 +34,7 @@ __all__ = [
     "PlantFunctions",
     "RunError",
     "RunLog",
+    "derived_model",
     "initial_state",
     "initial_states",
     "kernel_text",
