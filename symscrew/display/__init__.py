@@ -26,7 +26,15 @@ if TYPE_CHECKING:
     )
     from symscrew.display.shown import Page, Picture, draw, show_page
     from symscrew.display.terminal import Progress, aligned_table, colours, one_line, print_table
-    from symscrew.display.view import open_page, read_mechanism_and_motion, write_page
+    from symscrew.display.view import (
+        RecordedMotion,
+        make_page,
+        open_made,
+        open_page,
+        read_mechanism_and_motion,
+        write_made,
+        write_page,
+    )
 
 __all__ = [
     "COLOURS",
@@ -37,6 +45,7 @@ __all__ = [
     "Page",
     "Picture",
     "Progress",
+    "RecordedMotion",
     "aligned_table",
     "assumption_figure",
     "colours",
@@ -48,15 +57,18 @@ __all__ = [
     "indexed_symbol",
     "installation",
     "joint_figure",
+    "make_page",
     "mechanism_figure",
     "modes_figure",
     "one_line",
+    "open_made",
     "open_page",
     "print_table",
     "reaction_figure",
     "read_mechanism_and_motion",
     "save_figure",
     "show_page",
+    "write_made",
     "write_page",
 ]
 

@@ -10,6 +10,7 @@ from symscrew.doors import doors
 
 if TYPE_CHECKING:
     from symscrew.simulation.initial import initial_state, initial_states
+    from symscrew.simulation.kept_model import derived_model
     from symscrew.simulation.linking import Linker, Operand
     from symscrew.simulation.many_file import runs_numbers, runs_summary, write_runs
     from symscrew.simulation.many_runs import Runs, simulate_many
@@ -37,6 +38,7 @@ __all__ = [
     "RunError",
     "RunLog",
     "Runs",
+    "derived_model",
     "initial_state",
     "initial_states",
     "kernel_text",
