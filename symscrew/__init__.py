@@ -37,6 +37,7 @@ absolute axes, screws at the origin O.
     load("out")                       -> CompiledModel: compiled.velocity(q, y_dot) on one state or on many
     load_scene("fall.toml")           -> Scene: mechanism, effects, start, drives, integrator
     simulate(scene)                   -> Run: .t, .q, .v, energies, closure error; .ok, .status
+    simulate_many(scene, starts)      -> Runs: arrays by name in, arrays of all runs out; .ok, .status of each
     optimise(problem)                 -> Trajectory: of a problem from `symscrew.optimisation.load_problem`
     optimisation_problem(problem)     built once, solved often: .solve(start=..., goal=..., warm=...) -> Trajectory
     assemble(model, {"A": 0.3})       -> AssembledConfiguration: the one nearby: ["B"], .q, .ok; all: assembly_modes
@@ -129,6 +130,7 @@ if TYPE_CHECKING:
     from symscrew.runtime import load as load
     from symscrew.scene import load_scene as load_scene
     from symscrew.simulation import simulate as simulate
+    from symscrew.simulation import simulate_many as simulate_many
     from symscrew.studies.given_motion import drives as drives
     from symscrew.studies.workspace import workspace as workspace
     from symscrew.verification import check as check
@@ -166,6 +168,7 @@ __all__ = [
     "optimise",
     "report",
     "simulate",
+    "simulate_many",
     "view",
     "workspace",
 ]

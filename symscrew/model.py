@@ -15,7 +15,8 @@ import numpy as np
 
 from symscrew import notebook
 from symscrew.description import Mechanism, Reader
-from symscrew.effects import Effect, Gravity, joints_read, transformed
+from symscrew.effects import Effect, Gravity, system_under
+from symscrew.errors import DescriptionError
 from symscrew.functions import (
     SUFFIX,
     Motion,
@@ -38,6 +39,7 @@ from symscrew.functions import (
     moves_mass,
     platform_functions,
     regressor_functions,
+    rolling_functions,
     second_order_functions,
     second_paths,
     untried_notes,
@@ -179,7 +181,12 @@ def _derived(
     one_mode: bool = False,
     checked: bool = False,
 ) -> Model:
-    system = System(mechanism, transformed(mechanism, effects), read=joints_read(effects))
+    system = system_under(mechanism, effects)
+    if system.structure.rolled and (derivatives or second_derivatives):
+        raise DescriptionError(
+            "effects: derivatives along the independent coordinates are not known where rolling constrains rates "
+            "alone; derive without them, or take 'rolling_contact'"
+        )
     system.use_samples()
     ways = fewest_operations(system, effects, independent)
     loops = ways.plain
@@ -193,6 +200,7 @@ def _derived(
         *momentum_functions(system, motion, effects),
         *dynamic_functions(system, effects, ways.rates),
         *coupling_functions(system, effects, ways.dynamics),
+        *rolling_functions(system, effects, ways.dynamics),
         *forward_functions(system, effects, ways.dynamics),
         *closing_functions(system, loops),
         *platform_functions(system, effects, loops, checked=checked),

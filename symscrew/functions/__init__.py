@@ -2,7 +2,7 @@
 
 from symscrew.functions.checked import SUFFIX, checked_functions
 from symscrew.functions.closing import THRESHOLD, assembly, closure_functions, loop_notes, moved_by
-from symscrew.functions.coupling_forces import coupling_functions
+from symscrew.functions.coupling_forces import coupling_functions, rolling_functions
 from symscrew.functions.derivative import derivative_functions
 from symscrew.functions.dynamic import NO_DRIVE, Equations, all_reactions, dynamic_functions
 from symscrew.functions.effect_outputs import effect_functions
@@ -96,6 +96,7 @@ __all__ = [
     "preset",
     "q_port",
     "regressor_functions",
+    "rolling_functions",
     "second_order_functions",
     "second_paths",
     "selected",

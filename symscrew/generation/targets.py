@@ -65,7 +65,7 @@ UNIT = "`{0}.fmu`: functional mock-up unit, FMI 3.0, co-simulation and model exc
 RUST = "`{0}.rs`, `Cargo.toml`: a crate for Rust 1.63 and later, no_std, without unsafe and allocation"
 LINUXCNC = "`{0}kins.c`, `{0}_drives.h`, `{0}_drives.c`: kinematics module of LinuxCNC, for `halcompile`"
 TEXT = "`{0}.st`: function blocks in structured text, IEC 61131-3, for CODESYS, TwinCAT and others"
-ROS = "`{0}_kinematics.hpp`: C++17 without ROS; `{0}_transmission.hpp`, `package.xml` ...: a package of ros2_control"
+ROS = "`{0}_kinematics.hpp`: C++17 without ROS; `{0}_transmission.hpp`, `package.xml` ...: two plugins of ros2_control"
 BOTH = ("double", "single")
 
 TARGETS: dict[str, Target] = {

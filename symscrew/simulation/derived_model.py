@@ -16,9 +16,8 @@ from typing import Any, TypeVar
 import numpy as np
 
 from symscrew.description import Mechanism, to_toml
-from symscrew.effects import Effect, effect_to_table, joints_read, transformed
+from symscrew.effects import Effect, effect_to_table, system_under
 from symscrew.errors import DescriptionError
-from symscrew.kinematics import System
 from symscrew.model import Model, derive
 from symscrew.program import Iteration, Program, from_lists, to_lists
 from symscrew.runtime import entry, key_of, version
@@ -67,7 +66,7 @@ def derived_model(mechanism: Mechanism, effects: Sequence[Effect]) -> Model:
             kept.write(text.encode("ascii"))
             found = json.loads(text)  # the same way, whether it was there or not
     known = tuple(effects)
-    system = System(mechanism, transformed(mechanism, known), read=joints_read(known))
+    system = system_under(mechanism, known)
     programs: Mapping[str, Program | Iteration] = Asked(found["programs"], from_lists)
     shaped = {name: list(zip(found["states"][name], found["sizes"][name], strict=True)) for name in found["states"]}
     states = Asked(shaped, lambda of: tuple(np.array(x, dtype=float).reshape(shape) for x, shape in of))
