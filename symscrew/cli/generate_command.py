@@ -7,16 +7,27 @@ from __future__ import annotations
 
 import argparse
 import os
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from symscrew.cli.help import DONE, UsageError
-from symscrew.cli.shared_options import add_effects, add_independent, add_mechanism, check_folder, chosen_effects
+from symscrew.cli.shared_options import (
+    add_effects,
+    add_independent,
+    add_mechanism,
+    add_no_cache,
+    check_folder,
+    chosen_effects,
+)
 from symscrew.errors import DescriptionError
 from symscrew.garbage import nothing_to_collect
 from symscrew.generation import TARGETS, USUAL, printable, with_brought
 
 if TYPE_CHECKING:
+    from symscrew.cli.kept_outcomes import Outcome
+    from symscrew.description import Mechanism
     from symscrew.display import Progress
+    from symscrew.effects import Effect
     from symscrew.model import Model
 
 EXAMPLES = (
@@ -64,6 +75,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
         "these functions only, or those of kinematics, control, all (the default; README.md of the output has tables)"
     )
     command.add_argument("--functions", nargs="+", metavar="NAME", help=text)
+    add_no_cache(command)
 
 
 def profiled(options: argparse.Namespace) -> argparse.Namespace:
@@ -79,36 +91,74 @@ def profiled(options: argparse.Namespace) -> argparse.Namespace:
 
 @nothing_to_collect()  # of modules that are imported here neither
 def run(options: argparse.Namespace) -> int:
-    """Read, derive, measure, write, print."""
+    """Read, derive, measure, write, print; what was printed before of the same input is taken from the cache."""
+    from symscrew import catalogue
+    from symscrew.cli.kept_outcomes import once
     from symscrew.display import Progress, print_table
-    from symscrew.export import Form
-    from symscrew.generation import generate
+    from symscrew.generation import check_place, write_folder
 
     options = profiled(options)
-    form = Form(one_file=options.one_file, batches=options.profile is None)
     targets = chosen_targets(options)
     check_folder(options.out)
+    check_place(options.out)
     progress = Progress()
-    model = _chosen_functions(options, _derived(options, progress))
+    with progress.step(f"read {options.mechanism}"):
+        mechanism = catalogue.find(options.mechanism)
+        effects = chosen_effects(options, mechanism)
+    given = (mechanism, effects, targets, {name: getattr(options, name) for name in ASKED})
+    key: Sequence[object] = (object(),) if options.embedded else given  # what is measured is measured each time
+    made = once("generate", key, lambda: _made(options, mechanism, effects, targets=targets, progress=progress))
+    with progress.step(f"write {', '.join(targets)} to {options.out}" + ", as in an earlier run" * made.earlier):
+        files = write_folder(made.files, options.out)
+    operations = made.facts["operations"]
+    print(f"{made.facts['name']}: {len(operations)} functions, {len(files)} files in {options.out}")
+    print_table(("function", "operations"), [[name, str(count)] for name, count in operations.items()])
+    if made.facts["presets"]:
+        print(f"fewer of them: {made.facts['presets']}")
+    for note in made.facts["notes"]:
+        print(f"note: {note}")
+    return DONE
+
+
+ASKED = (
+    "precision", "profile", "one_file", "independent", "length", "derivatives", "second_derivatives", "regressor",
+    "one_mode", "checked", "hashes_only", "functions",
+)  # fmt: skip
+"""Options that what is written depends on, beside mechanism, effects and targets."""
+
+
+def _made(
+    options: argparse.Namespace,
+    mechanism: Mechanism,
+    effects: Sequence[Effect],
+    *,
+    targets: Sequence[str],
+    progress: Progress,
+) -> Outcome:
+    """Derived, measured and printed."""
+    from symscrew.cli.kept_outcomes import Outcome
+    from symscrew.export import Form
+    from symscrew.generation import render, with_hashes
+
+    model = _chosen_functions(options, _derived(options, mechanism, effects, progress))
     measured = []
     for core in dict.fromkeys(options.embedded):
         from symscrew.verification import measure
 
         with progress.step(f"measure on {core}"):
             measured.append(measure(model, core, options.precision))
-    with progress.step(f"write {', '.join(targets)} to {options.out}"):
-        files = generate(
-            model, options.out, targets, precision=options.precision, measured=measured,
-            hashes_only=options.hashes_only, form=form, processes=os.cpu_count() or 1,
-        )  # fmt: skip
-    print(f"{model.name}: {len(model.programs)} functions, {len(files)} files in {options.out}")
-    rows = [[name, str(p.operations["total"])] for name, p in model.programs.items()]
-    print_table(("function", "operations"), rows)
-    if not model.selected:
-        print(f"fewer of them: {_presets(model)}")
-    for note in model.notes:
-        print(f"note: {note}")
-    return DONE
+    form = Form(one_file=options.one_file, batches=options.profile is None)
+    with progress.step(f"print {', '.join(targets)}"):
+        files = render(
+            model, targets, precision=options.precision, measured=measured, form=form, processes=os.cpu_count() or 1
+        )
+    facts = {
+        "name": model.name,
+        "operations": {name: p.operations["total"] for name, p in model.programs.items()},
+        "presets": "" if model.selected else _presets(model),
+        "notes": list(model.notes),
+    }
+    return Outcome(facts, with_hashes(files) if options.hashes_only else files)
 
 
 def _presets(model: Model) -> str:
@@ -136,14 +186,10 @@ def chosen_targets(options: argparse.Namespace) -> list[str]:
     return targets
 
 
-def _derived(options: argparse.Namespace, progress: Progress) -> Model:
-    """The model of the mechanism and effects that the options name; all bad input ends here."""
-    from symscrew import catalogue
+def _derived(options: argparse.Namespace, mechanism: Mechanism, effects: Sequence[Effect], progress: Progress) -> Model:
+    """The model with the functions that the options ask for."""
     from symscrew.model import derive
 
-    with progress.step(f"read {options.mechanism}"):
-        mechanism = catalogue.find(options.mechanism)
-        effects = chosen_effects(options, mechanism)
     reduced = "reduced" in (options.target or ())  # which needs both
     with progress.step(f"derive {mechanism.name}"):
         return derive(

@@ -79,11 +79,29 @@ def generate(
         OutputError: the directory holds something else; nothing has been written then.
         DescriptionError: a format cannot hold the mechanism; nothing has been written then.
     """
+    check_place(out_dir)
+    files = render(model, targets, precision=precision, measured=measured, form=form, processes=processes)
+    return write_folder(with_hashes(files) if hashes_only else files, out_dir)
+
+
+def check_place(out_dir: str | Path) -> None:
+    """Whether a folder can be written anew; waits for whoever writes there.
+
+    Raises:
+        OutputError: it holds something that this tool did not write.
+    """
     directory = Path(os.path.abspath(out_dir))
     with one_at_a_time(directory.parent):  # whoever writes there has an end
         _earlier_files(directory)
-    files = render(model, targets, precision=precision, measured=measured, form=form, processes=processes)
-    files = with_hashes(files) if hashes_only else files
+
+
+def write_folder(files: Mapping[str, bytes], out_dir: str | Path) -> tuple[Path, ...]:
+    """Write the files of `render` as a folder and return their paths, sorted.
+
+    Raises:
+        OutputError: the folder holds something else, or cannot be written; nothing has been written then.
+    """
+    directory = Path(os.path.abspath(out_dir))
 
     def check() -> None:
         earlier = _earlier_files(directory)
