@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from symscrew.export.javascript import print_javascript, print_script
     from symscrew.export.jax import print_jax
     from symscrew.export.linuxcnc import print_linuxcnc
-    from symscrew.export.listing import banner, decimal, live_instructions, model_hash, packed, plain
+    from symscrew.export.listing import banner, decimal, live_instructions, model_hash, packed, plain, wrapped
     from symscrew.export.manifest_file import (
         OutputError,
         effect_from_json,
@@ -107,6 +107,7 @@ __all__ = [
     "readable_sources",
     "rounded",
     "single_errors",
+    "wrapped",
 ]
 
 __getattr__ = doors(__name__)
