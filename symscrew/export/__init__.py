@@ -35,12 +35,14 @@ if TYPE_CHECKING:
         read_port,
     )
     from symscrew.export.markdown import print_markdown
+    from symscrew.export.modelica import print_modelica
     from symscrew.export.numpy import print_numpy
     from symscrew.export.readme import print_readme
     from symscrew.export.reduced import configuration_function, ode_function, print_reduced
     from symscrew.export.ros2 import print_ros2
     from symscrew.export.rust import print_rust
     from symscrew.export.rust_names import RustNames
+    from symscrew.export.simulink import print_simulink
     from symscrew.export.structured_text import block_ports, print_structured_text
     from symscrew.export.written_folder import MANIFEST, own_files, read_manifest
 
@@ -91,12 +93,14 @@ __all__ = [
     "print_jax",
     "print_linuxcnc",
     "print_markdown",
+    "print_modelica",
     "print_numpy",
     "print_readme",
     "print_reduced",
     "print_ros2",
     "print_rust",
     "print_script",
+    "print_simulink",
     "print_structured_text",
     "program_function",
     "read_form",
