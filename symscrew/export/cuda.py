@@ -112,6 +112,22 @@ def print_cuda(model: Model, precision: Precision = DOUBLE) -> dict[str, str]:
     return {f"{model.name}.cu": "\n".join([*lines, ""]), f"{model.name}_cuda.h": _header(model, precision)}
 
 
+def print_device(model: Model) -> str:
+    """Functions on arrays of one state, `int <name>_<function>(inputs ..., outputs ...)`, for code around them.
+
+    As CUDA they run on the device; the text is C++, too. Functions are straight-line ones, in double precision.
+    """
+    shared, bodies = Shared(model, DOUBLE), list[str]()
+    for name, program in model.programs.items():
+        straight = first_path(program, "the CUDA code")
+        assert isinstance(straight, Program)
+        step = Printed(model.name, f"{model.name}_{name}", straight, DOUBLE, shared=shared)
+        bodies += ["", *body(step), "", *_step(step)]
+    texts = {"UPPER": model.name.upper(), "MODEL": model.name, **_words(DOUBLE)}
+    lines = [*_filled(PROLOGUE, texts), "", *shared.constants.lines(), "", *shared.lines()]
+    return "\n".join([*lines, "", *_filled(MACROS, texts), *bodies, ""])
+
+
 def _words(precision: Precision) -> dict[str, str]:
     """What differs between the types of numbers."""
     return {
