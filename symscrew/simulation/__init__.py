@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from symscrew.doors import doors
 
 if TYPE_CHECKING:
+    from symscrew.simulation.cuda_steps import print_steps, write_steps
     from symscrew.simulation.initial import initial_state, initial_states
     from symscrew.simulation.kept_model import derived_model
     from symscrew.simulation.linking import Linker, Operand
@@ -46,6 +47,7 @@ __all__ = [
     "loop_source",
     "plot_run",
     "prepare",
+    "print_steps",
     "run_natively",
     "run_summary",
     "runs_numbers",
@@ -57,6 +59,7 @@ __all__ = [
     "write_loop",
     "write_run",
     "write_runs",
+    "write_steps",
 ]
 
 __getattr__ = doors(__name__)
