@@ -20,7 +20,7 @@ from matplotlib.lines import Line2D
 from symscrew.description import JOINT_TYPES, Joint, Mechanism
 from symscrew.display.label_places import label_places
 from symscrew.display.plots import COLOURS, curve_style, indexed_symbol
-from symscrew.display.shape import along, body_points, numbers, plate
+from symscrew.display.shape import FLAT, along, body_points, numbers, plate
 
 Array = np.ndarray
 Pose = tuple[Array, Array]
@@ -129,7 +129,7 @@ def drawn_in(
     behind: Sequence[Mapping[str, Pose]] = (),
 ) -> Figure:
     """The mechanism with its bodies in poses; `behind`: others, drawn pale under it."""
-    points = body_points(mechanism)
+    points = drawn_points(mechanism)
     every = [Sketch(mechanism, camera(np.zeros((1, 3)), 0, 0), 1.0, given) for given in (*behind, poses)]
     all_of_it = [s.moved(body, p) for s in every for body, p in points.items() if len(p)]
     whole = np.concatenate(all_of_it or [np.zeros((1, 3))])
@@ -157,13 +157,25 @@ def drawn_in(
     return made
 
 
+def drawn_points(mechanism: Mechanism) -> dict[str, Array]:
+    """Points of every body (n, 3); of one with a single point, a pendulum's say, its centre of mass as well."""
+    found = body_points(mechanism)
+    for name, places in found.items():
+        body = mechanism.bodies.get(name)
+        if name != mechanism.ground and len(places) == 1 and body is not None and body.com is not None:
+            com = numbers(mechanism, body.com)
+            if np.linalg.norm(com - places[0]) > FLAT:
+                found[name] = np.vstack([places, com])
+    return found
+
+
 # -- bodies ----------------------------------------------------------------------------------------------
 
 
 def draw_bodies(axes: Axes, sketch: Sketch, *, fade: float = 1.0) -> None:
     """Bodies from far to near; `fade` below 1: pale."""
     mechanism = sketch.mechanism
-    bodies = [(name, places) for name, places in body_points(mechanism).items() if len(places)]
+    bodies = [(name, places) for name, places in drawn_points(mechanism).items() if len(places)]
     if fade == 1.0:
         _base(axes, sketch)
     far_to_near = sorted(bodies, key=lambda item: _depth(sketch, item[0], sketch.moved(*item)))
@@ -298,7 +310,7 @@ def _labels(axes: Axes, sketch: Sketch) -> None:
         return
     names = [indexed_symbol(name) for name in mechanism.points]
     wide = [max(1, len(name.replace("$", "").replace("_", "").replace("{", "").replace("}", ""))) for name in names]
-    lines = [line for body, p in body_points(mechanism).items() if len(p) for line in _lines(sketch, body, p)]
+    lines = [line for body, p in drawn_points(mechanism).items() if len(p) for line in _lines(sketch, body, p)]
     pieces = [(typed(a), typed(b)) for line in lines for a, b in zip(line.points, line.points[1:], strict=False)]
     axis = [(typed(sketch.view(np.zeros(3))), typed(sketch.view(0.36 * sketch.size * e))) for e in np.eye(3)]
     joints = [(*typed(sketch.joint(j)), SIZES.get(j.type, 6.0) / 2 + 1) for j in mechanism.joints.values()]

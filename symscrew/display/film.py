@@ -13,9 +13,8 @@ from typing import Any
 
 import numpy as np
 
-from symscrew.display.drawing import Pose, Sketch, camera, draw_bodies, draw_joints, usual_view
+from symscrew.display.drawing import Pose, Sketch, camera, draw_bodies, draw_joints, drawn_points, usual_view
 from symscrew.display.plots import curve_style
-from symscrew.display.shape import body_points
 from symscrew.display.view import RecordedMotion
 from symscrew.errors import DescriptionError
 from symscrew.functions import moving_bodies
@@ -111,7 +110,7 @@ def pictures(model: Model, frames: Sequence[dict[str, Pose]]) -> Iterator[Array]
     from matplotlib.figure import Figure
 
     mechanism = model.mechanism
-    points = body_points(mechanism)
+    points = drawn_points(mechanism)
     still = Sketch(mechanism, camera(np.zeros((1, 3)), 0, 0), 1.0, {})
     whole = np.concatenate(
         [Sketch(mechanism, still.view, 1.0, poses).moved(body, p) for poses in frames for body, p in points.items()
