@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -20,7 +21,8 @@ from symscrew.errors import shorten
 
 if TYPE_CHECKING:
     from symscrew.description import Mechanism
-    from symscrew.display import Limits
+    from symscrew.display import Limits, Progress, RecordedMotion
+    from symscrew.effects import Effect
 
 EXAMPLES = (
     "symscrew view three_ups_upu_s",
@@ -50,7 +52,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Read, derive, write or open, print the places."""
-    from symscrew.display import Progress, open_page, write_film, write_page
+    from symscrew.display import Progress, open_made, write_film, write_made
     from symscrew.model import derive
 
     files = _files(options)
@@ -59,19 +61,49 @@ def run(options: argparse.Namespace) -> int:
         mechanism, motion = _mechanism(options)
         effects = chosen_effects(options, mechanism)
         limits = _limits(options, mechanism)
-    with progress.step(f"derive {mechanism.name}"):
-        model = derive(mechanism, effects, independent=options.independent)
-    if not files:
-        print(open_page(model, motion, limits))
-    for name, path in files.items():
+    if not files or "out" in files:
+        page = _page(mechanism, effects, options.independent, shown=(motion, limits), progress=progress)
+        if not files:
+            print(open_made(page, mechanism.name))
+            return DONE
+        writable_folder(str(files["out"].parent))
+        print(write_made(page, files["out"]))
+    films = {name: path for name, path in files.items() if name != "out"}
+    if films:
+        with progress.step(f"derive {mechanism.name}"):
+            model = derive(mechanism, effects, independent=options.independent)
+    for path in films.values():
         writable_folder(str(path.parent))
-        if name == "out":
-            print(write_page(model, path, motion, limits))
-            continue
         with progress.step(f"draw {path}"):
             written = write_film(model, path, motion)
         print(written)
     return DONE
+
+
+def _page(
+    mechanism: Mechanism,
+    effects: Sequence[Effect],
+    independent: Sequence[str] | None,
+    *,
+    shown: tuple[RecordedMotion | None, Limits],
+    progress: Progress,
+) -> str:
+    """The page as text: that of the user's cache, if it shows neither a motion nor limits and was made before."""
+    from symscrew.display import make_page
+    from symscrew.model import derive
+    from symscrew.runtime import entry, model_key
+
+    motion, limits = shown
+    bare = motion is None and not limits
+    with entry(model_key(mechanism, effects, independent, of=b"page") if bare else None) as kept:
+        found = kept.read()
+        if found is not None:
+            return found.decode("utf-8")
+        with progress.step(f"derive {mechanism.name}"):
+            model = derive(mechanism, effects, independent=independent)
+        page = make_page(model, motion, limits)
+        kept.write(page.encode("utf-8"))
+        return page
 
 
 def _files(options: argparse.Namespace) -> dict[str, Path]:

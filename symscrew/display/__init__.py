@@ -28,7 +28,16 @@ if TYPE_CHECKING:
     )
     from symscrew.display.shown import Page, Picture, draw, show_page
     from symscrew.display.terminal import Progress, aligned_table, colours, one_line, print_table
-    from symscrew.display.view import Limits, open_page, read_mechanism_and_motion, write_page
+    from symscrew.display.view import (
+        Limits,
+        RecordedMotion,
+        make_page,
+        open_made,
+        open_page,
+        read_mechanism_and_motion,
+        write_made,
+        write_page,
+    )
 
 __all__ = [
     "COLOURS",
@@ -41,6 +50,7 @@ __all__ = [
     "Page",
     "Picture",
     "Progress",
+    "RecordedMotion",
     "aligned_table",
     "assumption_figure",
     "colours",
@@ -53,9 +63,11 @@ __all__ = [
     "installation",
     "joint_figure",
     "label_ends",
+    "make_page",
     "mechanism_figure",
     "modes_figure",
     "one_line",
+    "open_made",
     "open_page",
     "print_table",
     "reaction_figure",
@@ -63,6 +75,7 @@ __all__ = [
     "save_figure",
     "show_page",
     "write_film",
+    "write_made",
     "write_page",
 ]
 

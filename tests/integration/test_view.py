@@ -328,3 +328,26 @@ def test_a_word_of_javascript_is_no_constant() -> None:
 
 
 # -- screws in the page ------------------------------------------------------------------------------------
+
+
+def test_a_page_is_made_once_and_again_where_anything_differs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The second time nothing is derived; other gravity, other coordinates and a motion ask for another page."""
+    monkeypatch.setenv("SYMSCREW_CACHE", str(tmp_path / "cache"))
+    made: list[str] = []
+
+    def counted(mechanism: Any, *more: Any, **ways: Any) -> Any:
+        made.append(mechanism.name)
+        return derive(mechanism, *more, **ways)
+
+    monkeypatch.setattr("symscrew.model.derive", counted)
+
+    def page(*options: str) -> bytes:
+        out = tmp_path / "page.html"
+        assert main(["view", "four_bar", "--out", str(out), *options]) == 0
+        return out.read_bytes()
+
+    first = page()
+    assert page() == first and len(made) == 1
+    assert page("--gravity", "1", "0", "0") != first and len(made) == 2
+    assert page("--independent", "B") != first and len(made) == 3
+    assert page() == first and len(made) == 3

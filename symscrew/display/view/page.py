@@ -57,13 +57,22 @@ def write_page(
     model: Model, path: str | Path, motion: RecordedMotion | None = None, limits: Limits | None = None
 ) -> Path:
     """Write the page of a model; the file is there whole or not at all. Raises OSError where it cannot be written."""
-    text = make_page(model, motion, limits)
-    return replaced(Path(path), lambda part: part.write_text(text, encoding="utf-8"))
+    return write_made(make_page(model, motion, limits), path)
+
+
+def write_made(page: str, path: str | Path) -> Path:
+    """Write a page that is made; the file is there whole or not at all. Raises OSError where it cannot be written."""
+    return replaced(Path(path), lambda part: part.write_text(page, encoding="utf-8"))
 
 
 def open_page(model: Model, motion: RecordedMotion | None = None, limits: Limits | None = None) -> Path:
     """Write the page into a new temporary directory and open it in the browser, if there is one."""
-    file = write_page(model, Path(tempfile.mkdtemp(prefix="symscrew_view_")) / f"{model.name}.html", motion, limits)
+    return open_made(make_page(model, motion, limits), model.name)
+
+
+def open_made(page: str, name: str) -> Path:
+    """Write a page that is made into a new temporary directory and open it in the browser, if there is one."""
+    file = write_made(page, Path(tempfile.mkdtemp(prefix="symscrew_view_")) / f"{name}.html")
     webbrowser.open(file.as_uri())
     return file
 
