@@ -13,8 +13,9 @@ from typing import Any
 
 import numpy as np
 
-from symscrew.display.drawing import Pose, Sketch, camera, draw_bodies, draw_joints, drawn_points, usual_view
+from symscrew.display.drawing import Pose, Sketch, camera, draw_bodies, draw_joints, usual_view
 from symscrew.display.plots import curve_style
+from symscrew.display.shape import drawn_points
 from symscrew.display.view import RecordedMotion
 from symscrew.errors import DescriptionError
 from symscrew.functions import moving_bodies
@@ -120,6 +121,9 @@ def pictures(model: Model, frames: Sequence[dict[str, Pose]]) -> Iterator[Array]
     seen = view(whole)
     low, high = seen.min(axis=0) - 0.12 * size, seen.max(axis=0) + 0.12 * size
     tall = float(np.clip((high - low)[1] / (high - low)[0], 0.4, 1.2))
+    spans = high - low
+    wider = np.array([max(spans[0], spans[1] / tall), max(spans[1], spans[0] * tall)]) - spans
+    low, high = low - wider / 2, high + wider / 2  # in the shape of the picture, so that both scales are one
     with curve_style():
         made = Figure(figsize=(WIDTH, EVEN * round(WIDTH * tall * DPI / EVEN) / DPI), dpi=DPI)
         canvas: Any = FigureCanvasAgg(made)
@@ -131,7 +135,6 @@ def pictures(model: Model, frames: Sequence[dict[str, Pose]]) -> Iterator[Array]
             draw_joints(axes, sketch)
             axes.set_xlim(low[0], high[0])
             axes.set_ylim(low[1], high[1])
-            axes.set_aspect("equal", adjustable="datalim")
             axes.set_axis_off()
             canvas.draw()
             yield np.asarray(canvas.buffer_rgba())[..., :3].copy()
