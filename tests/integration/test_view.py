@@ -17,7 +17,7 @@ from support.samples import some_quickly
 
 from symscrew.cli.parser import main
 from symscrew.description import toml_file
-from symscrew.display import film
+from symscrew.display import film, show_page
 from symscrew.display.view import page_data
 from symscrew.display.view.motion_file import read_motion
 from symscrew.display.view.page import make_page
@@ -247,6 +247,12 @@ def test_limits_are_those_of_end_stops_and_those_given() -> None:
     assert (rows["A"]["low"], rows["A"]["high"], rows["B"]["low"]) == (0.0, 0.5, -1.0)
     displaced = found.programs["joint_displacements"].outputs[0].labels
     assert all(displaced[row["at"]] == label for label, row in rows.items())
+
+
+def test_limits_in_python_are_in_the_page(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("webbrowser.open", lambda place: True)
+    (row,) = data_of(show_page(model("four_bar"), limits={"A": (-0.5, None)}).text)["limits"]
+    assert (row["label"], row["low"], row["high"]) == ("A", -0.5, None)
 
 
 @pytest.mark.parametrize(("limits", "text"), [({"A": (1.0, 1.0)}, "lower < upper"), ({"a": (0.0, 1.0)}, "no joint")])
