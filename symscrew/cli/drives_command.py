@@ -30,13 +30,18 @@ MOTION = (
 def add_options(command: argparse.ArgumentParser) -> None:
     """Options of `symscrew drives`."""
     add_mechanism(command)
-    command.add_argument("--motion", nargs="+", required=True, metavar="FILE|NAME=EXPR", help=MOTION)
-    command.add_argument("--duration", type=float, metavar="S", help="seconds, with expressions")
-    command.add_argument("--rate", type=float, metavar="HZ", help="samples per second, with expressions; default: 100")
+    add_motion(command, required=True)
     command.add_argument("--out", metavar="DIR", help="motion.npz (for `symscrew view`), motion.csv, pictures, JSON")
     command.add_argument("--json", action="store_true", help="the numbers as JSON")
     add_effects(command)
     add_no_cache(command)
+
+
+def add_motion(command: argparse.ArgumentParser, *, required: bool) -> None:
+    """A motion by a file or by expressions; `motion_of_options` reads it."""
+    command.add_argument("--motion", nargs="+", required=required, metavar="FILE|NAME=EXPR", help=MOTION)
+    command.add_argument("--duration", type=float, metavar="S", help="seconds, with expressions")
+    command.add_argument("--rate", type=float, metavar="HZ", help="samples per second, with expressions; default: 100")
 
 
 def run(options: argparse.Namespace) -> int:
@@ -49,7 +54,7 @@ def run(options: argparse.Namespace) -> int:
     effects = chosen_effects(options, mechanism)
     if options.load:
         raise UsageError("--load: give the wrench in the motion's file, [loads.POINT] with fx ... mz as expressions")
-    wanted = _motion(options, mechanism)
+    wanted = motion_of_options(options, mechanism)
     folder = writable_folder(options.out) if options.out else None
     found = drives(mechanism, wanted, effects, progress=Progress())
     print(json.dumps(study_json(found), indent=1) if options.json else study_text(found))
@@ -62,7 +67,8 @@ def run(options: argparse.Namespace) -> int:
     return DONE if found.ok else FAILED
 
 
-def _motion(options: argparse.Namespace, mechanism: Mechanism) -> WantedMotion:
+def motion_of_options(options: argparse.Namespace, mechanism: Mechanism) -> WantedMotion:
+    """The motion that the options of `add_motion` name."""
     from symscrew.studies.given_motion import load_motion, motion_of
 
     expressions = dict[str, str]()

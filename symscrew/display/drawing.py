@@ -20,7 +20,7 @@ from matplotlib.lines import Line2D
 from symscrew.description import JOINT_TYPES, Joint, Mechanism
 from symscrew.display.label_places import label_places
 from symscrew.display.plots import COLOURS, curve_style, indexed_symbol
-from symscrew.display.shape import along, body_points, numbers, plate
+from symscrew.display.shape import along, body_points, drawn_points, numbers, plate
 
 Array = np.ndarray
 Pose = tuple[Array, Array]
@@ -36,6 +36,7 @@ ALONG = ((0.0, 0.0), (0.0, -90.0), (90.0, -90.0))  # the same, along x, y and z
 PARALLEL = 1 - 1e-9  # cosine of two directions that are one: beyond what rounding leaves of unit vectors
 HATCH = 0.055  # width of the base's sign, of the mechanism's size
 AXIS = 0.16  # length of a joint's axis, of the mechanism's size
+NAMED = 6.5  # from an axis' end to the middle of its name [points of type], which is as wide
 LETTER = (5.0, 9.5)  # width of a letter and height of a line [points of type], of names at 9 points
 
 
@@ -129,7 +130,7 @@ def drawn_in(
     behind: Sequence[Mapping[str, Pose]] = (),
 ) -> Figure:
     """The mechanism with its bodies in poses; `behind`: others, drawn pale under it."""
-    points = body_points(mechanism)
+    points = drawn_points(mechanism)
     every = [Sketch(mechanism, camera(np.zeros((1, 3)), 0, 0), 1.0, given) for given in (*behind, poses)]
     all_of_it = [s.moved(body, p) for s in every for body, p in points.items() if len(p)]
     whole = np.concatenate(all_of_it or [np.zeros((1, 3))])
@@ -163,7 +164,7 @@ def drawn_in(
 def draw_bodies(axes: Axes, sketch: Sketch, *, fade: float = 1.0) -> None:
     """Bodies from far to near; `fade` below 1: pale."""
     mechanism = sketch.mechanism
-    bodies = [(name, places) for name, places in body_points(mechanism).items() if len(places)]
+    bodies = [(name, places) for name, places in drawn_points(mechanism).items() if len(places)]
     if fade == 1.0:
         _base(axes, sketch)
     far_to_near = sorted(bodies, key=lambda item: _depth(sketch, item[0], sketch.moved(*item)))
@@ -273,10 +274,15 @@ def _frame(axes: Axes, view: Camera, size: float) -> None:
             "", xy=_pair(end), xytext=_pair(start), arrowprops={**arrow, "shrinkA": 0, "shrinkB": 0}, zorder=4
         )
         axes.plot(*end, alpha=0.0)  # an arrow alone does not count for the limits
-        along = (end - start) / (np.linalg.norm(end - start) or 1.0)
-        along = along if abs(along[1]) < 0.95 else np.array([-0.9, -0.4])
-        place: dict[str, Any] = {"xy": _pair(end), "xytext": _pair(6.5 * along), "textcoords": "offset points"}
+        beside = _pair(NAMED * _name_of_axis(start, end))
+        place: dict[str, Any] = {"xy": _pair(end), "xytext": beside, "textcoords": "offset points"}
         axes.annotate(f"${name}$", **place, color=COLOURS[2], ha="center", va="center", zorder=7)
+
+
+def _name_of_axis(start: Array, end: Array) -> Array:
+    """Where the name of an axis stands from its end: before it, of one that is upright to its left."""
+    ahead: Array = (end - start) / (np.linalg.norm(end - start) or 1.0)
+    return ahead if abs(ahead[1]) < 0.95 else np.array([-0.9, -0.4])
 
 
 def _pair(vector: Array) -> tuple[float, float]:
@@ -298,11 +304,11 @@ def _labels(axes: Axes, sketch: Sketch) -> None:
         return
     names = [indexed_symbol(name) for name in mechanism.points]
     wide = [max(1, len(name.replace("$", "").replace("_", "").replace("{", "").replace("}", ""))) for name in names]
-    lines = [line for body, p in body_points(mechanism).items() if len(p) for line in _lines(sketch, body, p)]
+    lines = [line for body, p in drawn_points(mechanism).items() if len(p) for line in _lines(sketch, body, p)]
     pieces = [(typed(a), typed(b)) for line in lines for a, b in zip(line.points, line.points[1:], strict=False)]
     axis = [(typed(sketch.view(np.zeros(3))), typed(sketch.view(0.36 * sketch.size * e))) for e in np.eye(3)]
     joints = [(*typed(sketch.joint(j)), SIZES.get(j.type, 6.0) / 2 + 1) for j in mechanism.joints.values()]
-    joints += [(*(end + 6), 4.0) for _, end in axis]  # the names of the axes
+    joints += [(*(end + NAMED * _name_of_axis(start, end)), NAMED) for start, end in axis]
     sizes = np.array([(LETTER[0] * count, LETTER[1]) for count in wide])
     middle = typed(np.asarray(at)).mean(axis=0)
     found = label_places(typed(at), sizes, bars=[*pieces, *axis], joints=np.array(joints), middle=middle)

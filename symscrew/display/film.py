@@ -15,7 +15,7 @@ import numpy as np
 
 from symscrew.display.drawing import Pose, Sketch, camera, draw_bodies, draw_joints, usual_view
 from symscrew.display.plots import curve_style
-from symscrew.display.shape import body_points
+from symscrew.display.shape import drawn_points
 from symscrew.display.view import RecordedMotion
 from symscrew.errors import DescriptionError
 from symscrew.functions import moving_bodies
@@ -111,7 +111,7 @@ def pictures(model: Model, frames: Sequence[dict[str, Pose]]) -> Iterator[Array]
     from matplotlib.figure import Figure
 
     mechanism = model.mechanism
-    points = body_points(mechanism)
+    points = drawn_points(mechanism)
     still = Sketch(mechanism, camera(np.zeros((1, 3)), 0, 0), 1.0, {})
     whole = np.concatenate(
         [Sketch(mechanism, still.view, 1.0, poses).moved(body, p) for poses in frames for body, p in points.items()
@@ -121,6 +121,9 @@ def pictures(model: Model, frames: Sequence[dict[str, Pose]]) -> Iterator[Array]
     seen = view(whole)
     low, high = seen.min(axis=0) - 0.12 * size, seen.max(axis=0) + 0.12 * size
     tall = float(np.clip((high - low)[1] / (high - low)[0], 0.4, 1.2))
+    spans = high - low
+    wider = np.array([max(spans[0], spans[1] / tall), max(spans[1], spans[0] * tall)]) - spans
+    low, high = low - wider / 2, high + wider / 2  # in the shape of the picture, so that both scales are one
     with curve_style():
         made = Figure(figsize=(WIDTH, EVEN * round(WIDTH * tall * DPI / EVEN) / DPI), dpi=DPI)
         canvas: Any = FigureCanvasAgg(made)
@@ -132,7 +135,6 @@ def pictures(model: Model, frames: Sequence[dict[str, Pose]]) -> Iterator[Array]
             draw_joints(axes, sketch)
             axes.set_xlim(low[0], high[0])
             axes.set_ylim(low[1], high[1])
-            axes.set_aspect("equal", adjustable="datalim")
             axes.set_axis_off()
             canvas.draw()
             yield np.asarray(canvas.buffer_rgba())[..., :3].copy()

@@ -30,6 +30,18 @@ def body_points(mechanism: Mechanism) -> dict[str, Array]:
     return {body: _distinct(places) for body, places in found.items()}
 
 
+def drawn_points(mechanism: Mechanism) -> dict[str, Array]:
+    """Points of every body (n, 3); of one with a single point, a pendulum's say, its centre of mass as well."""
+    found = body_points(mechanism)
+    for name, places in found.items():
+        body = mechanism.bodies.get(name)
+        if name != mechanism.ground and len(places) == 1 and body is not None and body.com is not None:
+            com = numbers(mechanism, body.com)
+            if np.linalg.norm(com - places[0]) > FLAT:
+                found[name] = np.vstack([places, com])
+    return found
+
+
 def _distinct(places: Sequence[Array]) -> Array:
     kept: list[Array] = []
     for place in places:

@@ -15,7 +15,7 @@ import numpy as np
 
 from symscrew import notebook
 from symscrew.description import Mechanism
-from symscrew.display.view import RecordedMotion, make_page, open_page, write_page
+from symscrew.display.view import Limits, RecordedMotion, make_page, open_page, write_page
 from symscrew.errors import DescriptionError
 from symscrew.model import Model, derive
 
@@ -56,6 +56,7 @@ class Page:
 
     model: Model
     motion: RecordedMotion | None = None
+    limits: Limits | None = None
 
     def __repr__(self) -> str:
         return f"Page({self.model.name}{'' if self.motion is None else f', {len(self.motion.t)} states'})"
@@ -63,15 +64,15 @@ class Page:
     @cached_property
     def text(self) -> str:
         """The page, one HTML document that asks the network for nothing."""
-        return make_page(self.model, self.motion)
+        return make_page(self.model, self.motion, self.limits)
 
     def save(self, path: str | Path) -> Path:
         """Write the page into a file. Raises OSError where that cannot be written."""
-        return write_page(self.model, path, self.motion)
+        return write_page(self.model, path, self.motion, self.limits)
 
     def open(self) -> Path:
         """Open the page in the browser; the file it stands in, in a new temporary folder."""
-        return open_page(self.model, self.motion)
+        return open_page(self.model, self.motion, self.limits)
 
     def _repr_html_(self) -> str:
         return notebook.framed(self.text, self.model.name)
@@ -110,20 +111,23 @@ class Picture:
         return content.getvalue()
 
 
-def show_page(subject: Mechanism | Model | Moved, motion: RecordedMotion | None = None) -> Page:
+def show_page(
+    subject: Mechanism | Model | Moved, motion: RecordedMotion | None = None, *, limits: Limits | None = None
+) -> Page:
     """The page in 3-D of a mechanism or model, or of a motion: a run, or what `drives` found.
 
-    Outside of a notebook it is opened in the browser as well; in one, it shows itself.
+    Outside of a notebook it is opened in the browser as well; in one, it shows itself. `limits`: how far joints may go,
+    {"limb1_P": (-0.05, 0.1)} [rad or m], drawn and kept beside the end stops among the effects.
 
     Raises:
         DescriptionError: the motion does not belong to the model.
     """
     if isinstance(subject, Mechanism):
-        made = Page(derive(subject), motion)
+        made = Page(derive(subject), motion, limits)
     elif isinstance(subject, Model):
-        made = Page(subject, motion)
+        made = Page(subject, motion, limits)
     else:
-        made = Page(subject.model, recorded(subject))
+        made = Page(subject.model, recorded(subject), limits)
     if not notebook.here():
         made.open()
     return made

@@ -13,15 +13,26 @@ from symscrew.reporting.blocks import Document
 from symscrew.reporting.sections import document
 from symscrew.runtime import load
 from symscrew.studies import Times, time_every_function
+from symscrew.studies.given_motion import DriveStudy
+from symscrew.studies.workspace import Sweep
 
 
-def report(subject: Mechanism | Model, *, timed: bool = False, accuracy: str | Path | None = None) -> Document:
+def report(
+    subject: Mechanism | Model,
+    *,
+    timed: bool = False,
+    accuracy: str | Path | None = None,
+    motion: DriveStudy | None = None,
+    sweep: Sweep | None = None,
+) -> Document:
     """One document on a mechanism: mobility, screws, functions, singularities.
 
     Args:
         subject: a mechanism, taken under gravity alone, or a model with its effects.
         timed: whether functions are compiled and timed; where there is no C compiler nothing is.
         accuracy: a folder that `symscrew accuracy` wrote, to include.
+        motion: what `symscrew.drives` found along a motion, to include.
+        sweep: what `symscrew.workspace` found, to include.
 
     Returns:
         The document: `.save("seed.html")` writes it, a notebook shows it.
@@ -34,4 +45,5 @@ def report(subject: Mechanism | Model, *, timed: bool = False, accuracy: str | P
     if timed:
         compiled = load(model)
         times = time_every_function(model, compiled) if compiled.backend == "c" else {}
-    return document(model, times=times, accuracy=Path(accuracy) if accuracy is not None else None)
+    return document(model, times=times, accuracy=Path(accuracy) if accuracy is not None else None,
+                    motion=motion, sweep=sweep)  # fmt: skip

@@ -20,9 +20,11 @@ from symscrew.model import Model
 from symscrew.program import Iteration
 from symscrew.reporting import margin_maps
 from symscrew.reporting.blocks import Block, Bullets, Document, Picture, Section, Table, Text
+from symscrew.reporting.motion_pages import motion_section, sweep_section
 from symscrew.reporting.study_pages import accuracy_section, bill_section
 from symscrew.studies import Bill, Times
-from symscrew.studies.workspace import Call
+from symscrew.studies.given_motion import DriveStudy
+from symscrew.studies.workspace import Call, Sweep
 
 LONG_SCREW = 160  # characters of LaTeX: a longer screw does not fit the page, and is given by number
 SIGNIFICANT = ("inverse_dynamics", "forward_dynamics", "joint_reactions")
@@ -35,6 +37,8 @@ def document(
     times: Mapping[str, Times] | None = None,
     accuracy: Path | None = None,
     bill: Bill | None = None,
+    motion: DriveStudy | None = None,
+    sweep: Sweep | None = None,
     progress: Progress | None = None,
 ) -> Document:
     """The report of a model.
@@ -45,6 +49,8 @@ def document(
         times: quartiles of nanoseconds per call by function, where they were measured.
         accuracy: a directory that `symscrew accuracy` wrote.
         bill: what the effects of a scene cost.
+        motion: what a motion needs of the drives.
+        sweep: a map over the workspace.
         progress: for messages.
 
     Raises:
@@ -66,6 +72,8 @@ def document(
     ]
     with progress.step("singularities"):
         made.append(Section("Singularities", tuple(_singularities(model, found, call or margin_maps.compiled(model)))))
+    made += [motion_section(motion)] if motion is not None else []
+    made += [sweep_section(sweep)] if sweep is not None else []
     if accuracy is not None:
         made += accuracy_section(accuracy)
     if bill is not None:

@@ -63,7 +63,7 @@ def test_a_narrow_terminal_breaks_no_name_and_no_command(monkeypatch: pytest.Mon
         assert "three_ups_upu_s_physical" in plain and 'pip install "a[b]"' in plain
 
 
-@pytest.mark.parametrize("command", [["list"], ["doctor"]])
+@pytest.mark.parametrize("command", [["list"], pytest.param(["doctor"], marks=pytest.mark.slow)])
 def test_tables_fit_sixty_columns(command: list[str], monkeypatch: pytest.MonkeyPatch) -> None:
     stream = Terminal()
     monkeypatch.setattr(sys, "stdout", stream)

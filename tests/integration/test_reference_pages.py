@@ -22,6 +22,11 @@ def test_pages_are_what_the_code_gives(place: str) -> None:
     assert (DOCS / place).read_text(encoding="utf-8") == pages.PAGES[place]()
 
 
+def test_every_public_name_is_in_the_reference_by_its_public_path() -> None:
+    named = re.findall(r"^::: symscrew\.(\w+)$", (DOCS / "reference/public.md").read_text(), re.M)
+    assert sorted(named) == sorted(set(symscrew.__all__) - {"__version__"})
+
+
 def test_every_key_of_every_effect_is_there() -> None:
     assert EFFECT_KEYS.keys() == known_effects().keys()
     for name, kind in known_effects().items():

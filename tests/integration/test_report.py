@@ -14,7 +14,9 @@ from support.model_states import model as derived
 from symscrew.cli.parser import main
 from symscrew.reporting.blocks import Document, Picture, Section, Table, Text, page, write_document
 from symscrew.reporting.sections import _unit_screws, document
+from symscrew.studies.given_motion import drives
 from symscrew.studies.timing import Times
+from symscrew.studies.workspace import workspace
 
 VOID = {"meta", "br", "img", "mspace", "link", "input", "path", "use", "rect", "circle", "line", "mprescripts"}
 
@@ -160,3 +162,24 @@ def test_bad_input(arguments: list[str], text: str, tmp_path: Path, capsys, monk
     assert main(["report", "four_bar", "--no-timing", *arguments]) == 2
     assert text in capsys.readouterr().err
     assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.slow
+def test_numbers_along_a_motion_and_of_the_workspace(tmp_path: Path) -> None:
+    mechanism = derived("four_bar").mechanism
+    motion = drives(mechanism, {"A": "0.3*sin(2*t)"}, duration=1.0, rate=50)
+    sweep = workspace(mechanism, {"A": "-20deg:20deg:5"}, processes=1)
+    made = document(derived("four_bar"), motion=motion, sweep=sweep)
+    text = write_document(made, tmp_path / "r.md")[-1].read_text()
+    assert f"| A | N m | {np.abs(motion.u[:, 0]).max():.4g} | {np.sqrt(np.mean(motion.u[:, 0] ** 2)):.4g} |" in text
+    turned = motion.displacements[:, motion.labels["joint"].index("A")]
+    assert f"| A | {turned.min():.4g} | {turned.max():.4g} | rad |" in text
+    assert "5 cases over A in 5 steps" in text and (tmp_path / "r_workspace.png").stat().st_size > 5000
+    assert (tmp_path / "r_motion_drives.png").stat().st_size > 5000
+
+
+@pytest.mark.parametrize("words", [["--over", "A"], ["--motion", "A=t"], ["--motion", "B.q=t", "--duration", "1"]])
+def test_a_motion_or_map_that_is_none(words: list[str], tmp_path: Path, capsys, monkeypatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert main(["report", "four_bar", "--no-timing", "--out", "a.html", *words]) == 2
+    assert "error: " in capsys.readouterr().err and not list(tmp_path.iterdir())

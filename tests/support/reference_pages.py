@@ -11,6 +11,7 @@ import re
 from collections.abc import Mapping
 from pathlib import Path
 
+import symscrew
 from support.effect_keys import COMMON, EFFECT_KEYS
 from symscrew.description.toml_file import KEYS as MECHANISM_KEYS
 from symscrew.description.toml_file import REQUIRED
@@ -54,6 +55,24 @@ API = (
     "::: symscrew.effects.registry",
     "    options: {members: [known_effects, load_effects]}",
 )
+
+
+def public_page() -> str:
+    """Every name that `import symscrew` gives, by the path that users type, in the order of the package's own page."""
+    text = (inspect.getdoc(symscrew) or "").partition("The names")[2].partition("The map:")[0]
+    lines = [
+        "# Public names",
+        "",
+        "What `import symscrew` gives, by the names that you type. Parts of the package that are named elsewhere in",
+        "these pages by longer paths are for those who build on its inside; they may change. This page is made of the",
+        "code.",
+    ]
+    for line in text.splitlines():
+        if heading := re.fullmatch(r"  (to .*)", line):
+            lines += [f"## {heading[1][0].upper()}{heading[1][1:]}", ""]
+        elif (name := re.match(r"    (\w+)(?:\(.*?\))? {2,}\S", line)) and name[1] != "__version__":
+            lines += [f"::: symscrew.{name[1]}"]
+    return "\n".join([*lines, ""]).replace("\n##", "\n\n##")
 
 
 def _parts(text: str) -> tuple[str, str]:
@@ -215,7 +234,11 @@ FILES_API = (
 )
 
 
-PAGES = {"reference/effects.md": effects_page, "reference/files.md": files_page}
+PAGES = {
+    "reference/effects.md": effects_page,
+    "reference/files.md": files_page,
+    "reference/public.md": public_page,
+}
 OF_CODE = {"mechanism": (MECHANISM, MECHANISM_KEYS), "scene": (SCENE, SCENE_KEYS), "motion": (MOTION, MOTION_KEYS)}
 NEEDED = {section: set(keys) for section, keys in REQUIRED.items()}
 

@@ -69,3 +69,24 @@ def test_panels_that_show_nothing_are_left_out() -> None:
     failed = Point("b", "n", None, None, "failed", {"panel": "two"})
     both = Study("claims", "Two", (*shown, failed), **LABELS, reference_error=None)  # type: ignore[arg-type]
     assert [frame.title for frame in frames_of(both)] == ["one"] and len(work_precision(both).axes) == 1
+
+
+def test_growth_has_a_line_a_way_and_the_slope_of_one() -> None:
+    points = [
+        Point(f"{way}, N = {n}", "set", 1e-9, quartiles([1e-4 * n]), "", {"N": n, "operations": 300 * n, "series": way})
+        for way in ("one way", "another")
+        for n in (1, 10, 40)
+    ]
+    times, operations = work_precision(
+        Study("growth", "Loops", tuple(points), **LABELS, reference_error=None)  # type: ignore[arg-type]
+    ).axes
+    assert {text.get_text().split("\n")[0] for text in times.texts} == {"one way", "another"}
+    assert [len(axes.lines) for axes in (times, operations)] == [4, 2]  # each beside its dashes
+
+
+def test_problems_are_no_methods_of_which_one_is_recommended() -> None:
+    points = [Point(name, "t", 1e-3, quartiles([1e-3])) for name in "abcdefghijk"]
+    made = Study("problems", "Eleven", tuple(points), **LABELS, reference_error=None)  # type: ignore[arg-type]
+    (axes,) = work_precision(made).axes
+    assert {text.get_text().split("\n")[0] for text in axes.texts} == set("abcdefghijk")
+    assert axes.get_title(loc="left") == "Eleven" and "grey" not in axes.get_xlabel()

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from symscrew.description import Joint, Mechanism
-from symscrew.display.shape import along, body_points, numbers, plate
+from symscrew.display.shape import along, drawn_points, numbers, plate
 from symscrew.display.view.motion_file import RecordedMotion
 from symscrew.display.view.reaches import Reach, joint_limits
 from symscrew.display.view.run_time_shape import Outline, tunable
@@ -50,7 +50,7 @@ def page_scene(
     mechanism, system = model.mechanism, model.system
     bodies = [mechanism.ground, *moving_bodies(system)]
     index = {name: k for k, name in enumerate(bodies)}
-    points = body_points(mechanism)
+    points = drawn_points(mechanism)
     platform = mechanism.platform or bodies[-1]
     shape = Outline(model) if model.system.parameters else None
     return {

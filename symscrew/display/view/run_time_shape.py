@@ -27,8 +27,8 @@ class Outline:
         mechanism = model.mechanism
         points = [joint.point for joint in mechanism.joints.values()]
         points += [point.at for point in mechanism.points.values()]
+        points += [body.com for body in mechanism.bodies.values() if body.com is not None]
         others = [axis for joint in mechanism.joints.values() for axis in joint.axes]
-        others += [body.com for body in mechanism.bodies.values() if body.com is not None]
         self.vectors: list[Vector] = list(dict.fromkeys(tuple(v) for v in (*points, *others)))
         self.places = np.array([numbers(mechanism, v) for v in points]).reshape(-1, 3)
         self._of_place = [self.at(v) for v in points]
