@@ -9,6 +9,7 @@ from collections.abc import Iterator, Mapping
 
 import numpy as np
 
+from symscrew.assembly import configuration_in_mode
 from symscrew.effects import Acting
 from symscrew.errors import DescriptionError, did_you_mean
 from symscrew.kinematics import System, coordinate_units, full_name, nearest_names
@@ -42,8 +43,9 @@ def initial_state(scene: Scene, model: Model, parameters: np.ndarray) -> tuple[n
     system, closure = model.system, _Closure(model, parameters)
     known = {c.label: k for k, c in enumerate(system.tree.q)}
     hold = scene.initial.hold
-    if hold is None and any(label not in known for label in scene.initial.coordinates):
-        placed = _by_names(scene, model)
+    in_mode, others = scene.initial.mode, any(label not in known for label in scene.initial.coordinates)
+    if in_mode or (hold is None and others):
+        placed = _in_mode(scene, model) if in_mode else _by_names(scene, model)
         rates = {c.label: k for k, c in enumerate(system.tree.v)}
         return placed, _rates(closure, placed, dict(_labelled(scene.initial.rates, rates, "initial.rates")), scene)
     target = _unit_quaternions(system, dict(_labelled(scene.initial.coordinates, known, "initial.coordinates")))
@@ -63,6 +65,12 @@ def initial_state(scene: Scene, model: Model, parameters: np.ndarray) -> tuple[n
         )
     known = {c.label: k for k, c in enumerate(system.tree.v)}
     return q, _rates(closure, q, dict(_labelled(scene.initial.rates, known, "initial.rates")), scene)
+
+
+def _in_mode(scene: Scene, model: Model) -> np.ndarray:
+    """The configuration of the named assembly mode, where the given coordinates have their values."""
+    given = {**scene.parameters, **scene.initial.coordinates}
+    return configuration_in_mode(model.system, scene.initial.mode, given, "initial.mode")
 
 
 def _by_names(scene: Scene, model: Model) -> np.ndarray:
