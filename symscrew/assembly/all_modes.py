@@ -118,6 +118,8 @@ def assembly_modes(
 ) -> AssemblyModes:
     """Every assembly mode for given drives, certified; `symscrew assemble` on the command line.
 
+    The one configuration near a guess, from the independent coordinates, is what `symscrew.assemble` gives.
+
     Args:
         mechanism: a mechanism, or a model of one.
         drives: driven coordinate (`joint`, `joint.i`) -> value [rad, m]; others are as in the reference.
