@@ -90,9 +90,7 @@ SECTIONS: Mapping[str, Mapping[str, Key]] = {
     },
     "start": {
         **CONDITIONS,
-        "mode": Key(
-            "", "[start] alone: assembly mode, see `symscrew assemble`; else the reference's", 'mode = "-1"'
-        ),
+        "mode": Key("", "[start] alone: assembly mode, see `symscrew assemble`; else the reference's", 'mode = "-1"'),
     },
     "end": CONDITIONS,
     "via": {
