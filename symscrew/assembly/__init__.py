@@ -19,12 +19,14 @@ if TYPE_CHECKING:
     from symscrew.assembly.followed_mode import FollowedMode, follow_mode
     from symscrew.assembly.mode_texts import mode_lines, mode_values
     from symscrew.assembly.modes_c import ModesModel, modes_model, print_modes
+    from symscrew.assembly.ways_to_solve import WaysToSolve
 
 __all__ = [
     "AssemblyMode",
     "AssemblyModes",
     "FollowedMode",
     "ModesModel",
+    "WaysToSolve",
     "assembly_modes",
     "configuration_in_mode",
     "follow_mode",
