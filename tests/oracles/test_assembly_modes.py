@@ -128,7 +128,7 @@ def test_a_platform_like_its_base_with_legs_alike_moves_and_is_said_to():
         ("five_bar", 2),
         ("slider_crank", 2),
         ("andrews", 4),
-        ("planar_3rrr", 2),
+        pytest.param("planar_3rrr", 2, marks=pytest.mark.slow),
         pytest.param("three_ups_upu_s", 1, marks=pytest.mark.slow),
         pytest.param("stewart_6ups", 8, marks=pytest.mark.slow),
     ],

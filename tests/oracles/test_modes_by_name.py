@@ -69,6 +69,7 @@ def test_configurations_in_modes_close_the_loops_of_the_model(name):
         assert np.abs(opening).max() < 1e-12
 
 
+@pytest.mark.slow
 def test_a_map_in_a_mode_is_on_it_and_says_so():
     mechanism = symscrew.load_catalogue("five_bar")
     maps = {

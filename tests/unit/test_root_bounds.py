@@ -23,7 +23,7 @@ def flat(slots: list) -> list:
 
 
 @pytest.mark.parametrize(("name", "count"), [("planar_3rrr", 2), ("three_ups_upu_s", 8), ("delta", 28),
-                                             ("stewart_6ups", 28), ("four_bar", 2)])  # fmt: skip
+                                             pytest.param("stewart_6ups", 28, marks=pytest.mark.slow), ("four_bar", 2)])  # fmt: skip
 def test_references_of_the_catalogue_have_bounds_of_their_own(name, count):
     held = held_by(load_catalogue(name), {}, {})
     structure = structure_of(held)
