@@ -154,7 +154,8 @@ typedef struct {
 int NAME_assembly_modes(const double *drives, NAME_mode *modes, int *count);
 
 /* The mode led to other drives, by steps of which each is proved to stay on it: for all drives between, one solution
-   lies in a box around it, bounded in doubles with their rounding. Refused, the mode stays as it was. */
+   lies in a box around it, bounded in doubles with their rounding: not to be compiled with -ffast-math. Refused, the
+   mode stays as it was. */
 int NAME_nearest_mode(NAME_mode *mode, const double *drives);
 
 #ifdef __cplusplus
