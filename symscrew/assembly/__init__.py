@@ -5,6 +5,7 @@ structure --root_bounds--> a proved bound on isolated zeros;  --start_system--> 
 --batch_equations, path_tracking, target_roots--> ends of all paths at the given numbers (families)
 --certified_roots--> a box with one zero;  --joint_angles, mode_signs, mode_names--> modes --all_modes--> result
 structure, start system --modes_c--> C that finds all modes, and leads one
+result --configurations_in_modes--> where a run, a map or a plan in a mode begins
 result --mode_texts--> words, JSON;  --followed_mode--> a mode led along a motion, every step proved
 """
 
@@ -14,16 +15,20 @@ from symscrew.doors import doors
 
 if TYPE_CHECKING:
     from symscrew.assembly.all_modes import AssemblyMode, AssemblyModes, assembly_modes
+    from symscrew.assembly.configurations_in_modes import configuration_in_mode
     from symscrew.assembly.followed_mode import FollowedMode, follow_mode
     from symscrew.assembly.mode_texts import mode_lines, mode_values
     from symscrew.assembly.modes_c import ModesModel, modes_model, print_modes
+    from symscrew.assembly.ways_to_solve import WaysToSolve
 
 __all__ = [
     "AssemblyMode",
     "AssemblyModes",
     "FollowedMode",
     "ModesModel",
+    "WaysToSolve",
     "assembly_modes",
+    "configuration_in_mode",
     "follow_mode",
     "mode_lines",
     "mode_values",

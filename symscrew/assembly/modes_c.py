@@ -103,7 +103,8 @@ def print_modes(model: ModesModel, top: Sequence[str] = ()) -> dict[str, str]:
     parts = [*comment, f'#include "{name}_modes.h"', "", "#include <math.h>", "", *_tables(model), ""]
     balls, paths, equations = (_text(f) for f in ("modes_balls.c", "modes_paths.c", "closure_equations.c"))
     parts += [*balls, "", *_kind("ball", "Ball"), *equations, *_UNDEFINED, "", *_text("modes_solver.c"), ""]
-    parts += [*paths, "", *_kind("lanes", "Lanes"), *equations, *_UNDEFINED, "", *_text("modes_search.c"), ""]
+    parts += [*_text("modes_planar.c"), "", *paths, "", *_kind("lanes", "Lanes"), *equations, *_UNDEFINED, ""]
+    parts += [*_text("modes_search.c"), ""]
     return {f"{name}_modes.h": "\n".join(_header(model, comment)), f"{name}_modes.c": "\n".join(parts)}
 
 
@@ -153,7 +154,8 @@ typedef struct {
 int NAME_assembly_modes(const double *drives, NAME_mode *modes, int *count);
 
 /* The mode led to other drives, by steps of which each is proved to stay on it: for all drives between, one solution
-   lies in a box around it, bounded in doubles with their rounding. Refused, the mode stays as it was. */
+   lies in a box around it, bounded in doubles with their rounding: not to be compiled with -ffast-math. Refused, the
+   mode stays as it was. */
 int NAME_nearest_mode(NAME_mode *mode, const double *drives);
 
 #ifdef __cplusplus
@@ -187,7 +189,8 @@ def _tables(model: ModesModel) -> list[str]:
         "WIDTH": equations.width, "UNKNOWNS": equations.width - len(structure.groups),
         "LONGEST": max(map(len, ways)), "LARGEST_LOOP": max(rows), "N_PATHS": len(model.start.zeros),
         "N_CHAIN": len(structure.chains.get(hub, ())), "PLATFORM_BODY": bodies.index(model.held.body),
-        "PLANAR": int(structure.planar), "ONE_OF_EACH": int(bool(model.held.mechanism.limbs)), **LAYOUT,
+        "PLANAR": int(structure.planar), "ONE_OF_EACH": int(bool(model.held.mechanism.limbs)),
+        "CLOSED_PLANAR": int(_three_circles(structure)), **LAYOUT,
     }  # fmt: skip
     lines = [f"#define {key} {value}" for key, value in sizes.items()]
     lines += [f"#define {key} {decimal(value)}" for key, value in NUMBERS.items()]
@@ -206,6 +209,17 @@ def _tables(model: ModesModel) -> list[str]:
     lines += _array("double", "centre", [float(c) for c in structure.centre])
     lines += _array("int", "platform_chain", structure.chains.get(hub, ()))
     return lines + _of_start(model)
+
+
+def _three_circles(structure: Structure) -> bool:
+    """Whether it is one planar body on three rods from the ground: solved in closed form."""
+    one_loop = len(structure.loops) == len(structure.groups) == 1 and structure.groups[0].kind == "planar"
+    ground = structure.graph.ground
+    return (
+        one_loop
+        and structure.loops[0].base == ground
+        and [f.kind for f in structure.loops[0].forms] == ["distance"] * 3
+    )
 
 
 def _rows(structure: Structure, kind: str) -> int:

@@ -307,10 +307,32 @@ static double realised(double (*z)[2], double *real)
     return worst;
 }
 
+/* Certifies a zero and puts it to the modes, unless it is there; 1 where there is no certificate. */
+static int added(
+    const double *drives, const Place *places, Ball (*slots)[3], const double *z, MODE *modes, int *count)
+{
+    MODE *mode = &modes[*count];
+    if (settled(drives, places, slots, z, mode)) {
+        return 1;
+    }
+    for (int i = 0; i < *count; ++i) {
+        double far = ONE_OF_EACH ? 0.0 : 1.0; /* limbs may hold one pose of the platform in several ways */
+        for (int j = 0; j < 12; ++j) {
+            far += fabs(modes[i].pose[j] - mode->pose[j]) / (j < 9 ? 1.0 : SIZE);
+        }
+        if (far < 1e-9) {
+            return 0;
+        }
+    }
+    ++*count;
+    return 0;
+}
+
 int MODES(const double *drives, MODE *modes, int *count)
 {
     Ball balls[N_DRIVES], slots[N_SLOTS][3];
-    double goal[N_SLOTS][3], zeros[N_PATHS][WIDTH][2], real[WIDTH], sum = 0.0;
+    Place places[N_BODIES];
+    double goal[N_SLOTS][3], zeros[N_PATHS][WIDTH][2], closed[N_PATHS][WIDTH], real[WIDTH], sum = 0.0;
     int ends[N_PATHS], list[N_PATHS + LANES], size = N_PATHS, lost = 0;
     *count = 0;
     for (int k = 0; k < N_DRIVES; ++k) {
@@ -320,11 +342,19 @@ int MODES(const double *drives, MODE *modes, int *count)
         return 2;
     }
     exactly(drives, balls);
-    slots_of(balls, slots);
+    slots_of(balls, places, slots);
     for (int k = 0; k < N_SLOTS; ++k) {
         for (int i = 0; i < 3; ++i) {
             goal[k][i] = slots[k][i].m;
         }
+    }
+    const int known = planar_zeros(goal, closed);
+    for (int k = 0; k < known; ++k) {
+        const int before = *count;
+        lost += added(drives, places, slots, closed[k], modes, count) || *count == before; /* two came to one */
+    }
+    if (known >= 0) {
+        return lost > 0 ? MODES_INCOMPLETE : 0;
     }
     for (int k = 0; k < N_PATHS; ++k) {
         list[k] = k;
@@ -352,17 +382,7 @@ int MODES(const double *drives, MODE *modes, int *count)
         if (displaces(zeros[k]) < 1e-11 || realised(zeros[k], real) > 1e-7) {
             continue;
         }
-        const int bad = settled(drives, real, &modes[*count]);
-        int known = 0;
-        for (int i = 0; i < *count && !bad; ++i) {
-            double far = ONE_OF_EACH ? 0.0 : 1.0; /* limbs may hold one pose of the platform in several ways */
-            for (int j = 0; j < 12; ++j) {
-                far += fabs(modes[i].pose[j] - modes[*count].pose[j]) / (j < 9 ? 1.0 : SIZE);
-            }
-            known = known || far < 1e-9;
-        }
-        lost += bad;
-        *count += !bad && !known;
+        lost += added(drives, places, slots, real, modes, count);
     }
     return lost > 0 ? MODES_INCOMPLETE : 0;
 }

@@ -111,9 +111,8 @@ static void places_of(const Ball *drives, Place *places)
     }
 }
 
-static void slots_of(const Ball *drives, Ball (*slots)[3])
+static void slots_of(const Ball *drives, Place *places, Ball (*slots)[3])
 {
-    Place places[N_BODIES];
     places_of(drives, places);
     for (int slot = 0; slot < N_SLOTS; ++slot) {
         const Place *place = &places[slot_body[slot]];
@@ -278,7 +277,6 @@ static const double nowhere[WIDTH] = {0.0};
 static int polished(Ball (*slots)[3], double *z, Chart *chart)
 {
     Ball step[UNKNOWNS];
-    double last = 1e300;
     for (int count = 0; count < MOST_NEWTON; ++count) {
         double size = 0.0;
         if (linearised(slots, z, nowhere, chart, step)) {
@@ -291,10 +289,9 @@ static int polished(Ball (*slots)[3], double *z, Chart *chart)
         if (!(size < 10.0)) {
             return 1;
         }
-        if (size < 1e-13 || (size < 1e-9 && size >= 0.5 * last)) { /* the last digits do not come closer */
+        if (size < 1e-9) { /* the next step would be below rounding, or not come closer */
             return 0;
         }
-        last = size;
     }
     return 1;
 }
@@ -344,12 +341,9 @@ static int boxed(Ball (*slots)[3], const double *z, const double *way, Chart *ch
 /* ---- A mode, and where it stands. ---- */
 
 /* Rotation by columns, then displacement of what is at O [m], of the platform from the reference. */
-static void pose_of(const Ball *drives, const double *z, double *pose)
+static void pose_of(const Place *places, Ball (*slots)[3], const double *z, double *pose)
 {
-    Place places[N_BODIES];
-    Ball slots[N_SLOTS][3], at[WIDTH], g[8], own[8], next[8];
-    places_of(drives, places);
-    slots_of(drives, slots);
+    Ball at[WIDTH], g[8], own[8], next[8];
     for (int k = 0; k < WIDTH; ++k) {
         at[k] = ball_of(z[k]);
     }
@@ -413,13 +407,11 @@ static void exactly(const double *drives, Ball *balls)
 }
 
 /* Certifies the zero z of these drives and writes the mode; 1 where there is no certificate. */
-static int settled(const double *drives, const double *z, MODE *mode)
+static int settled(
+    const double *drives, const Place *places, Ball (*slots)[3], const double *z, MODE *mode)
 {
-    Ball balls[N_DRIVES], slots[N_SLOTS][3];
     Chart chart;
     double radius = 0.0, error = 0.0;
-    exactly(drives, balls);
-    slots_of(balls, slots);
     for (int k = 0; k < WIDTH; ++k) {
         mode->z[k] = z[k];
     }
@@ -432,7 +424,7 @@ static int settled(const double *drives, const double *z, MODE *mode)
     for (int k = 0; k < N_DRIVES; ++k) {
         mode->drives[k] = drives[k];
     }
-    pose_of(balls, mode->z, mode->pose);
+    pose_of(places, slots, mode->z, mode->pose);
     return mode->certified ? 0 : 1;
 }
 
@@ -441,10 +433,13 @@ static int settled(const double *drives, const double *z, MODE *mode)
 static int stepped(MODE *mode, const double *drives)
 {
     Ball balls[N_DRIVES], slots[N_SLOTS][3], middle_slots[N_SLOTS][3];
+    Place places[N_BODIES];
     MODE next;
     Chart chart;
     double middle[N_DRIVES], z[WIDTH], way[WIDTH], radius = 0.0, error = 0.0, farthest = 0.0;
-    if (settled(drives, mode->z, &next)) {
+    exactly(drives, balls);
+    slots_of(balls, places, slots);
+    if (settled(drives, places, slots, mode->z, &next)) {
         return 1;
     }
     for (int k = 0; k < N_DRIVES; ++k) {
@@ -453,9 +448,9 @@ static int stepped(MODE *mode, const double *drives)
         balls[k].c = 0.5 * (drives[k] - mode->drives[k]);
         balls[k].r = 2.0 * UNIT * (fabs(drives[k]) + fabs(mode->drives[k]));
     }
-    slots_of(balls, slots);
+    slots_of(balls, places, slots);
     exactly(middle, balls);
-    slots_of(balls, middle_slots);
+    slots_of(balls, places, middle_slots);
     for (int k = 0; k < WIDTH; ++k) {
         z[k] = mode->z[k];
     }

@@ -127,7 +127,7 @@ def _numbers(found: Run) -> dict[str, object]:
         if found.estimate is not None and np.isfinite(found.estimate.error)
         else None,
         "impacts_took": dict(found.losses),
-        "assembly_mode": {"start": found.modes[0], "end": found.modes[1]},
+        "assembly_mode": {"name": found.mode, "start": found.modes[0], "end": found.modes[1]},
         "outputs": len(found.t),
         "end": float(found.t[-1]),
         "closure_error": float(found.closure_error.max(initial=0.0)),

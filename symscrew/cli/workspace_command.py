@@ -67,6 +67,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
     command.add_argument("--seed", type=int, default=0, metavar="N", help="of the random numbers; default 0")
     command.add_argument("--expect-tilt", metavar="ANGLE", help="exit 1 unless this tilt is reached in every direction")
     command.add_argument("--stiffness", default="1e6", metavar="K", help="of a drive [N/m]; default 1e6")
+    command.add_argument("--mode", default="", metavar="NAME", help="assembly mode (`symscrew assemble` lists them)")
     add_independent(command)
     add_effects(command)
     command.add_argument("--processes", type=int, metavar="N", help="default: one per core")
@@ -172,7 +173,10 @@ def read_plan(options: argparse.Namespace) -> Plan:
         _in_unit(options.stiffness, "--stiffness", "N/m"),
         parameters=varied,
         typed=tuple(typed),
+        mode=options.mode,
     )
+    if options.mode and options.certify:
+        raise UsageError("--mode: certificates begin in the reference configuration; leave one of both out")
     if not axes and not tolerances:
         raise UsageError("nothing to sweep: give --over COORDINATE=from:to:count, or --tolerance PARAMETER=deviation")
     if plan.count > MOST_CASES and not options.certify:

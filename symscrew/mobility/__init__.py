@@ -38,7 +38,7 @@ if TYPE_CHECKING:
         space_lines,
         space_values,
     )
-    from symscrew.mobility.configuration import with_parameters
+    from symscrew.mobility.configuration import Reached, with_parameters
     from symscrew.mobility.findings import (
         formulas,
         key_figures,
@@ -67,7 +67,7 @@ if TYPE_CHECKING:
         screw_class,
     )
     from symscrew.mobility.placing import Configuration, inverse_kinematics
-    from symscrew.mobility.pose_targets import targets_of
+    from symscrew.mobility.pose_targets import read_coordinates, targets_of
     from symscrew.mobility.proofs import Verdict, check_proof, mobility_proof, write_proof
     from symscrew.mobility.screw_systems import ScrewSystem
     from symscrew.mobility.symbols import Exact, Field, NotDecidableError, exact_system, exact_value
@@ -91,6 +91,7 @@ __all__ = [
     "Network",
     "NotAlgebraicError",
     "NotDecidableError",
+    "Reached",
     "SampledModes",
     "ScrewClass",
     "ScrewSystem",
@@ -126,6 +127,7 @@ __all__ = [
     "motion_values",
     "moved",
     "network_of",
+    "read_coordinates",
     "sampled_modes",
     "screw_class",
     "sections",

@@ -13,6 +13,8 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
+from symscrew.assembly import configuration_in_mode
+from symscrew.kinematics import System
 from symscrew.optimisation.casadi_graph import numeric_function
 from symscrew.optimisation.constraints import closure_rows, condition_rows
 from symscrew.optimisation.motion_coordinates import poses_of
@@ -45,6 +47,13 @@ class Placement:
     def reached(self) -> bool:
         """Whether the conditions are met."""
         return self.error < REACHED
+
+
+def beginning(system: System, start: Conditions) -> np.ndarray:
+    """The configuration (nq,) near which a motion starts: the reference, or the start's assembly mode."""
+    if not start.mode:
+        return np.asarray(system.reference)
+    return configuration_in_mode(system, start.mode, start.coordinates, "start.mode")
 
 
 class Kinematics:

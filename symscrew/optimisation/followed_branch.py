@@ -20,6 +20,7 @@ import casadi as ca
 import numpy as np
 
 from symscrew.optimisation.casadi_graph import symbolic_outputs
+from symscrew.optimisation.consistent_poses import beginning
 from symscrew.optimisation.enclosed_functions import EnclosedFunction
 from symscrew.optimisation.enclosures import Arithmetic, Enclosure, Number, bounds_of, interval
 from symscrew.optimisation.guess import observed
@@ -247,7 +248,8 @@ class Branch:
         motion, layout = self.motion, self.motion.model.equations.layout
         if not self.size:
             return ""
-        near = motion.kinematics.place(motion.problem.start, "the start", motion.model.system.reference).q
+        start = motion.problem.start
+        near = motion.kinematics.place(start, "the start", beginning(motion.model.system, start)).q
         first = boxes.chosen(np.zeros(1, int))
         goal = self.polynomials.at("y", first.pieces, -1.0)[0]
         q: np.ndarray | None = near

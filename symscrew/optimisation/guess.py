@@ -13,7 +13,7 @@ import numpy as np
 
 from symscrew.errors import DescriptionError
 from symscrew.optimisation.casadi_graph import symbolic_outputs
-from symscrew.optimisation.consistent_poses import Kinematics
+from symscrew.optimisation.consistent_poses import Kinematics, beginning
 from symscrew.optimisation.motion_quantities import MotionQuantities
 from symscrew.optimisation.objectives import objectives_by_type
 from symscrew.optimisation.point import point_symbols
@@ -192,7 +192,7 @@ class _Places:
 def _path(model: PointModel, place: _Places) -> tuple[Path, np.ndarray, tuple[np.ndarray, ...]]:
     """The path of y, the start's configuration, those of via points and the end (none where values are given)."""
     given, entries = model.problem.guess, list(model.equations.layout.y)
-    start = place(model.problem.start, "the start", model.system.reference)
+    start = place(model.problem.start, "the start", beginning(model.system, model.problem.start))
     if given:
         if set(given) != set(model.equations.labels):
             raise DescriptionError(f"guess: expected values of all of {', '.join(model.equations.labels)}")

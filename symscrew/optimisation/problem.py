@@ -37,7 +37,8 @@ class Conditions:
     point -> three coordinates [m], None where free. `platform_normal`: where the direction that was `z` in the
     reference configuration points; `platform_position`: displacement of the platform's body, in absolute axes,
     from the reference [m]; `platform_rotation`: its rotation vector from the reference [rad]. `at_rest`: all
-    rates are zero. `time` is the part of the duration that has passed, 0 to 1 (of a via condition).
+    rates are zero. `time` is the part of the duration that has passed, 0 to 1 (of a via condition). `mode`: name of
+    the assembly mode in which a motion starts; that of the reference where empty.
     """
 
     coordinates: Mapping[str, float] = field(default_factory=dict)
@@ -48,6 +49,7 @@ class Conditions:
     platform_rotation: tuple[float, float, float] | None = None
     at_rest: bool = False
     time: float | None = None
+    mode: str = ""
 
     @property
     def is_empty(self) -> bool:

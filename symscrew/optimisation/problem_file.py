@@ -24,6 +24,7 @@ from symscrew.description import (
     check_keys,
     check_name,
     check_sections,
+    check_text,
     exact,
     from_file,
     given_value,
@@ -286,6 +287,7 @@ class _Reader:
             platform_rotation=self.vector(table, "platform_rotation", where),
             at_rest=_flag(table, "at_rest", where),
             time=self.number(table["time"], f"{where}.time") if "time" in table else None,
+            mode=check_text(table.get("mode", ""), f"{where}.mode"),
         )
 
     def bounds(self, table: Mapping[str, Any]) -> Bounds:

@@ -88,7 +88,10 @@ SECTIONS: Mapping[str, Mapping[str, Key]] = {
             "1", "the most by which a bound may be broken between the points, as a part of its size", "violation = 1e-3"
         ),
     },
-    "start": CONDITIONS,
+    "start": {
+        **CONDITIONS,
+        "mode": Key("", "[start] alone: assembly mode, see `symscrew assemble`; else the reference's", 'mode = "-1"'),
+    },
     "end": CONDITIONS,
     "via": {
         **CONDITIONS,

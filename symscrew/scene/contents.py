@@ -64,12 +64,14 @@ class Initial:
     not given are the smallest that the loops allow. Values that the loops contradict are refused, unless `hold` names
     the coordinates that are sure: these keep their values and rates, the other given ones are changed by as little as
     closes the loops, and the run's events say from what to what. `notices`: of bare angles that look like degrees.
+    `mode`: name of an assembly mode (`symscrew assemble` lists them) in place of that of the reference.
     """
 
     coordinates: Mapping[str, float] = field(default_factory=dict)
     rates: Mapping[str, float] = field(default_factory=dict)
     hold: tuple[str, ...] | None = None
     notices: tuple[str, ...] = ()
+    mode: str = ""
 
 
 @dataclass(frozen=True)

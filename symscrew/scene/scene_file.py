@@ -4,7 +4,8 @@
                    rate (outputs per second), reactions (whether to record them)
     [initial]      coordinates = {NAME = value, ...}, rates = {LABEL = value, ...}, hold = [LABELS]: the given values
                    that are kept while the others are put onto the loops (all are kept without it); a coordinate of any
-                   joint or of the platform's pose, values with units ("30deg") or in rad and m
+                   joint or of the platform's pose, values with units ("30deg") or in rad and m; mode = NAME of an
+                   assembly mode with these values (`symscrew assemble` lists them)
     [[effects]]    type and the effect's own keys (`symscrew.effects`)
     [parameters]   NAME = value of a run-time parameter
     [tables.NAME]  times, values, interpolation ("linear" or "cubic")
@@ -51,7 +52,7 @@ from symscrew.scene.integration_methods import INTEGRATION_METHODS
 # sections and their keys, as people write them
 KEYS: dict[str, tuple[str, ...]] = {
     "scene": ("name", "mechanism", "description", "duration", "rate", "reactions"),
-    "initial": ("coordinates", "rates", "hold"),
+    "initial": ("coordinates", "rates", "hold", "mode"),
     "integrator": ("method", "tolerance", "step", "longest_step", "most_steps"),
 }
 SECTIONS = (*KEYS, "effects", "parameters", "tables", "signals", "states", "drives", "inputs")
@@ -255,8 +256,11 @@ def _initial(table: Mapping[str, Any], read: _Reader, mechanism: Mechanism) -> I
         return flat
 
     coordinates, rates, hold = values("coordinates", ""), values("rates", "/s"), table.get("hold")
+    mode = table.get("mode", "")
+    if not isinstance(mode, str) or (mode and hold is not None):
+        raise DescriptionError(f"initial.mode: expected the name of a mode, without hold, got {shorten(mode)}")
     if hold is None:
-        return Initial(coordinates, rates, notices=tuple(notices))
+        return Initial(coordinates, rates, notices=tuple(notices), mode=mode)
     if not isinstance(hold, list) or not all(isinstance(label, str) for label in hold):
         raise DescriptionError(f"initial.hold: expected a list of labels, got {shorten(hold)}")
     for label in hold:

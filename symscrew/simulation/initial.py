@@ -13,6 +13,7 @@ from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 
+from symscrew.assembly import configuration_in_mode
 from symscrew.effects import Acting
 from symscrew.errors import DescriptionError, did_you_mean
 from symscrew.kinematics import System, coordinate_units, full_name, nearest_names
@@ -102,8 +103,9 @@ def _begun(scene: Scene, model: Model, closure: _Closure) -> Asking[State]:
     system = model.system
     known = {c.label: k for k, c in enumerate(system.tree.q)}
     hold = scene.initial.hold
-    if hold is None and any(label not in known for label in scene.initial.coordinates):
-        placed = _by_names(scene, model)
+    in_mode, others = scene.initial.mode, any(label not in known for label in scene.initial.coordinates)
+    if in_mode or (hold is None and others):
+        placed = _in_mode(scene, model) if in_mode else _by_names(scene, model)
         labels = {c.label: k for k, c in enumerate(system.tree.v)}
         given = dict(_labelled(scene.initial.rates, labels, "initial.rates"))
         return placed, (yield from _rates(closure, placed, given, scene))
@@ -130,6 +132,12 @@ def _begun(scene: Scene, model: Model, closure: _Closure) -> Asking[State]:
     known = {c.label: k for k, c in enumerate(system.tree.v)}
     rates = dict(_labelled(scene.initial.rates, known, "initial.rates"))
     return q, (yield from _rates(closure, q, rates, scene))
+
+
+def _in_mode(scene: Scene, model: Model) -> np.ndarray:
+    """The configuration of the named assembly mode, where the given coordinates have their values."""
+    given = {**scene.parameters, **scene.initial.coordinates}
+    return configuration_in_mode(model.system, scene.initial.mode, given, "initial.mode")
 
 
 def _by_names(scene: Scene, model: Model) -> np.ndarray:

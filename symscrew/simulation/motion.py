@@ -71,6 +71,14 @@ class Run:
     verdict: str = ""
     modes: tuple[str, str] = ("", "")
 
+    @property
+    def mode(self) -> str:
+        """Name of the assembly mode that the scene began in and the run stayed on; "" where none was named, or left.
+
+        A motion on which no determinant vanishes keeps its mode; singular ones that are passed are `crossings`.
+        """
+        return self.scene.initial.mode if self.modes[0] == self.modes[1] and not self.crossings else ""
+
     def __repr__(self) -> str:
         end = float(self.t[-1]) if len(self.t) else 0.0
         return f"<Run {self.scene.name}: {len(self.t)} outputs to t = {end:g} s, {self.status}>"

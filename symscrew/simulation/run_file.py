@@ -45,6 +45,7 @@ def arrays(run: Run) -> dict[str, np.ndarray]:
         "scene": run.scene.text,
         "status": run.verdict or run.status,
         "backend": run.backend,
+        "assembly_mode": run.mode,
         "assembly_mode_at_start": run.modes[0],
         "assembly_mode_at_end": run.modes[1],
     }
@@ -91,7 +92,7 @@ def run_summary(run: Run) -> list[str]:
     start, end = run.modes
     if start:
         same = "the same at start and end" if start == end else f"at the start; {end} at the end"
-        lines.append(f"assembly mode: {start}, {same}")
+        lines.append(f"assembly mode: {f'{run.mode}; ' if run.mode else ''}{start}, {same}")
     names = labels(run)["q"]
     for c in run.crossings:
         place = ", ".join(f"{n} = {value:.6g}" for n, value in list(zip(names, c.q, strict=True))[:8])

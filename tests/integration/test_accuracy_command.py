@@ -53,14 +53,14 @@ def test_studies_that_a_scene_does_not_have_are_named_in_what_is_left(
     usual = every_study.study_of
 
     def function(name: str, *arguments: object, full: bool):  # type: ignore[no-untyped-def]
-        fails = name in ("kinematics", "momentum", "claims")
+        fails = name in ("kinematics", "momentum", "claims", "modes")
         return usual(name, *arguments, full=full) if fails else lambda *_, **__: given
 
     monkeypatch.setattr(every_study, "study_of", function)
     monkeypatch.setattr("symscrew.studies.accuracy.study_plots.save_study_plots", lambda *_: [])
     assert main(["accuracy", str(EXAMPLES / "simple_pendulum.toml"), "--study", "all", "--out", str(tmp_path)]) == 0
     content, table = (json.loads((tmp_path / "accuracy.json").read_text()), (tmp_path / "accuracy.md").read_text())
-    assert [reason.split(":")[0] for reason in content["left_out"]] == ["kinematics", "momentum", "claims"]
+    assert [reason.split(":")[0] for reason in content["left_out"]] == ["kinematics", "momentum", "claims", "modes"]
     assert [len(study["points"]) for study in content["studies"]] == [2, 2, 2]
     for text in (*content["left_out"], "failed: a pivot is small"):
         assert text in table

@@ -163,6 +163,7 @@ SCENE: Mapping[str, Mapping[str, Meaning]] = {
         "coordinates": ("rad, m", "the reference", "label -> value"),
         "rates": ("rad/s, m/s", "0", "label -> value"),
         "hold": ("", "all given", "labels of the given values that are kept while the loops are closed"),
+        "mode": ("", "the reference's", "assembly mode with the given coordinates; `symscrew assemble` lists them"),
     },
     "integrator": {
         "method": ("", f"`{INTEGRATOR['method']!r}`", "as `symscrew simulate --help` and the theory name them"),

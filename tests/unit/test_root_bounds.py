@@ -22,8 +22,12 @@ def flat(slots: list) -> list:
     return [c for s in slots for c in (s if isinstance(s, list | tuple | np.ndarray) else [s])]
 
 
-@pytest.mark.parametrize(("name", "count"), [("planar_3rrr", 2), ("three_ups_upu_s", 8), ("delta", 28),
-                                             ("stewart_6ups", 28), ("four_bar", 2)])  # fmt: skip
+LARGE = pytest.param("stewart_6ups", 28, marks=pytest.mark.slow)
+
+
+@pytest.mark.parametrize(
+    ("name", "count"), [("planar_3rrr", 2), ("three_ups_upu_s", 8), ("delta", 28), LARGE, ("four_bar", 2)]
+)
 def test_references_of_the_catalogue_have_bounds_of_their_own(name, count):
     held = held_by(load_catalogue(name), {}, {})
     structure = structure_of(held)

@@ -44,6 +44,7 @@ STUDIES: dict[str, StudyFile] = {
     "precision": StudyFile("precision_study", "mechanism"),
     "effects": StudyFile("effects_study", "mechanism"),
     "claims": StudyFile("claims_study", "mechanism"),
+    "modes": StudyFile("modes_study", "mechanism"),
     "growth": StudyFile("growth_study", "scene", reads_files=True, note="over the number of loops"),
     "problems": StudyFile("problems_study", "folder", reads_files=True),
     "transcription": StudyFile("transcription_study", "problem"),

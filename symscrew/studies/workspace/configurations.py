@@ -44,10 +44,11 @@ def independent_labels(model: Model) -> tuple[str, ...]:
     return tuple(c.label for c in model.system.tree.q)
 
 
-def reference_coordinates(model: Model) -> Array:
+def reference_coordinates(model: Model, begin: Array | None = None) -> Array:
     """y in the reference configuration."""
     labels = [c.label for c in model.system.tree.q]
-    return model.system.reference[[labels.index(label) for label in independent_labels(model)]]
+    q = model.system.reference if begin is None else begin
+    return np.asarray(q[[labels.index(label) for label in independent_labels(model)]])
 
 
 def walk(
@@ -59,6 +60,7 @@ def walk(
     steps: int = STEPS,
     watch: bool = True,
     reach: Reach | None = None,
+    begin: Array | None = None,
 ) -> tuple[Array, Array, dict[str, Array]]:
     """Configurations q (cases, nq) at independent coordinates y (cases, ny), by equal steps from the reference.
 
@@ -69,6 +71,7 @@ def walk(
         parameters: run-time parameters (cases, np), walked to from their values in the description; None if none.
         steps: of the walk.
         watch: whether to look at the margins on the way.
+        begin: configuration (nq,) from which it starts in place of the reference.
         reach: takes over from y: what brings all cases to a part of the way to where they are wanted.
 
     Returns:
@@ -77,12 +80,13 @@ def walk(
         singularity was passed.
     """
     count = len(y)
-    start = np.repeat(reference_coordinates(model)[None, :], count, 0)
+    start = np.repeat(reference_coordinates(model, begin)[None, :], count, 0)
     p0 = np.repeat(model.system.parameter_values[None, :], count, 0)
     p1 = p0 if parameters is None else parameters
-    q, status = np.repeat(model.system.reference[None, :], count, 0), np.zeros(count, dtype=int)
+    first_q = model.system.reference if begin is None else begin
+    q, status = np.repeat(first_q[None, :], count, 0), np.zeros(count, dtype=int)
     extra = (p0,) if p0.shape[1] else ()
-    first = start_margins(model, call) if watch else {}
+    first = start_margins(model, call, begin) if watch else {}
     least = {name: np.ones(count) for name in first}
     for k in range(1, steps + 1):
         part = k / steps
@@ -121,9 +125,10 @@ def watched_margins(model: Model, call: Call, q: Array, extra: Sequence[Array]) 
     return found
 
 
-def start_margins(model: Model, call: Call) -> dict[str, float]:
-    """The watched margins in the reference configuration; those that are zero there are left out."""
+def start_margins(model: Model, call: Call, begin: Array | None = None) -> dict[str, float]:
+    """The watched margins where a walk begins, usually in the reference; those that are zero there are left out."""
     values = model.system.parameter_values
     extra = (values[None, :],) if len(values) else ()
-    found = watched_margins(model, call, model.system.reference[None, :], extra)
+    q = model.system.reference if begin is None else begin
+    found = watched_margins(model, call, q[None, :], extra)
     return {name: float(value[0]) for name, value in found.items() if abs(value[0]) > SINGULAR}

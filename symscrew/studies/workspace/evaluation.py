@@ -8,6 +8,7 @@ from functools import lru_cache
 
 import numpy as np
 
+from symscrew.assembly import configuration_in_mode
 from symscrew.description import in_si
 from symscrew.errors import DescriptionError
 from symscrew.kinematics import BODY_PARTS, coordinate_units, full_name, nearest_names
@@ -43,6 +44,7 @@ class Prepared:
     call: Call
     labels: tuple[str, ...]
     units: Mapping[str, str]
+    begin: Array | None = None
 
 
 @lru_cache(maxsize=2)
@@ -54,7 +56,8 @@ def prepared(key: str, holder: PlanHolder) -> Prepared:
     small = Model(
         model.name, model.mechanism, model.effects, wanted, {n: model.test_inputs[n] for n in wanted}, model.system
     )
-    return Prepared(small, calls_of(load(small)), independent_labels(model), result_units(model))
+    begin = configuration_in_mode(model.system, plan.mode, {}, "mode") if plan.mode else None
+    return Prepared(small, calls_of(load(small)), independent_labels(model), result_units(model), begin)
 
 
 class PlanHolder:
@@ -96,7 +99,8 @@ def evaluate(plan: Plan, chunk: int) -> dict[str, Array]:
     y, p = _wanted(plan, made, values, plan.deviations(chunk))
     with np.errstate(all="ignore"):
         named = _named(plan, made, values)
-        q, status, least = walk(model, call, y, p, steps=plan.steps, reach=named.reached if named else None)
+        reach = named.reached if named else None
+        q, status, least = walk(model, call, y, p, steps=plan.steps, reach=reach, begin=made.begin)
         extra = (p,) if p is not None else ()
         results = {axis.name: values[:, k] for k, axis in enumerate(plan.axes)}
         if p is not None:
@@ -141,6 +145,9 @@ def check_plan(plan: Plan, model: Model, units: Mapping[str, str] | None = None)
         raise DescriptionError("--over: tilt and azimuth already say what the quaternion's components are")
     if tilted == {AZIMUTH}:
         raise DescriptionError("--over: azimuth needs tilt: azimuth is the direction of the axis of the tilt")
+    if plan.mode and not has_own_axes(plan, model):
+        own_axes = ", ".join([*labels, *mechanism.parameters])
+        raise DescriptionError(f"mode {plan.mode}: a map in a mode is over independent coordinates: {own_axes}")
     for name, _, _ in plan.limits:
         if name not in units:
             raise DescriptionError(f"--limit: no result {name!r}; {nearest_names(name, units)}")
@@ -186,7 +193,7 @@ def quaternion_labels(model: Model) -> tuple[str, str] | None:
 
 def _wanted(plan: Plan, made: Prepared, values: Array, deviations: Array) -> tuple[Array, Array | None]:
     """Independent coordinates and run-time parameters of the cases."""
-    y = np.repeat(reference_coordinates(made.model)[None, :], len(values), 0)
+    y = np.repeat(reference_coordinates(made.model, made.begin)[None, :], len(values), 0)
     own = f"{made.model.mechanism.platform}."
     column = {axis.name.removeprefix(own): values[:, k] for k, axis in enumerate(plan.axes)}
     column |= {axis.name: values[:, k] for k, axis in enumerate(plan.axes)}

@@ -24,6 +24,7 @@ def sweep_summary(plan: Plan, results: Results, units: Mapping[str, str]) -> dic
         "reached": int((results["reached"] > 0).sum()),
         "regular": int(((results["reached"] > 0) & (results["regular"] > 0)).sum()),
         "allowed": int(allowed.sum()),
+        **({"mode": plan.mode} if plan.mode else {}),
         "axes": {a.name: [a.low, a.high, a.count] for a in plan.axes},
         "limits": {name: [_bound(low), _bound(high)] for name, low, high in plan.limits},
         "ranges": {},
@@ -102,8 +103,9 @@ def _tolerances(plan: Plan, results: Results, units: Mapping[str, str]) -> dict[
 def sweep_summary_text(found: Mapping[str, Any]) -> str:
     """The summary as text and tables."""
     axes = ", ".join(f"{n} {low:.6g} to {high:.6g} ({count})" for n, (low, high, count) in found["axes"].items())
+    in_mode = f" in mode {found['mode']}" if "mode" in found else ""
     lines = [
-        f"{found['mechanism']}: {found['cases']} cases{': ' if axes else ''}{axes}",
+        f"{found['mechanism']}{in_mode}: {found['cases']} cases{': ' if axes else ''}{axes}",
         f"{found['reached']} can be assembled, {found['regular']} of them without passing a singularity, "
         f"{found['allowed']} also within all limits",
     ]

@@ -73,6 +73,7 @@ def workspace(
     tolerances: Mapping[str, str] | None = None,
     samples: int = 100,
     seed: int = 0,
+    mode: str = "",
     processes: int | None = None,
 ) -> Sweep:
     """What a mechanism reaches, and how well, over coordinates and parameters.
@@ -86,6 +87,7 @@ def workspace(
         tolerances: parameter -> standard deviation of a normal distribution.
         samples: per place, where there are tolerances.
         seed: of the random numbers.
+        mode: name of an assembly mode (`symscrew.assembly_modes`) in which the map is; that of the reference if none.
         processes: how many compute; default: one per core.
 
     Raises:
@@ -109,6 +111,7 @@ def workspace(
         limits=tuple(limit for limit, _ in allowed),
         parameters=varied,
         typed=tuple(typed),
+        mode=mode,
     )
     made = prepare_sweep(plan)
     pieces = dict(run_locally(plan, range(plan.chunks), processes))
