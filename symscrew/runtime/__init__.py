@@ -9,6 +9,7 @@ if TYPE_CHECKING:
     from symscrew.runtime.compiled_function import CompiledFunction, EvaluationError, Evaluator
     from symscrew.runtime.compilers import FLAGS, CompileError, compile_c, find_compiler, run_tool
     from symscrew.runtime.cuda_kernels import CudaModel, load_cuda, load_cuda_as_cpp
+    from symscrew.runtime.jax_functions import load_jax
     from symscrew.runtime.nvrtc import CudaCode, KernelSize, compile_cuda, find_nvrtc
     from symscrew.runtime.origin import model_of, version
     from symscrew.runtime.user_cache import CacheState, entry, key_of
@@ -39,6 +40,7 @@ __all__ = [
     "load",
     "load_cuda",
     "load_cuda_as_cpp",
+    "load_jax",
     "model_of",
     "run_tool",
     "version",

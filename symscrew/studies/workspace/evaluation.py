@@ -12,15 +12,14 @@ from symscrew.description import in_si
 from symscrew.errors import DescriptionError
 from symscrew.kinematics import BODY_PARTS, coordinate_units, full_name, nearest_names
 from symscrew.model import Model, derive
-from symscrew.runtime import load
 from symscrew.studies.workspace.configurations import (
     Call,
-    calls_of,
     independent_labels,
     reference_coordinates,
     start_margins,
     walk,
 )
+from symscrew.studies.workspace.engines import Engine, fastest
 from symscrew.studies.workspace.named_coordinates import NamedCoordinates
 from symscrew.studies.workspace.plan import AZIMUTH, TILT, Plan
 
@@ -39,21 +38,26 @@ class Prepared:
     """A model ready to evaluate, with what the columns of its results mean."""
 
     model: Model
-    call: Call
     labels: tuple[str, ...]
     units: Mapping[str, str]
+    engine: Engine
+
+    @property
+    def call(self) -> Call:
+        """Its functions, by the engine."""
+        return self.engine.call
 
 
 @lru_cache(maxsize=2)
 def prepared(key: str, holder: PlanHolder) -> Prepared:
-    """The derived and compiled model of a plan, once per process; `key` is the plan's hash."""
+    """The derived and compiled model of a plan, once per process; `key` is the plan's hash and engine."""
     plan = holder.plan
     model = derive(plan.mechanism, plan.effects, independent=plan.independent)
     wanted = {name: p for name, p in model.programs.items() if name in NEEDED}
     small = Model(
         model.name, model.mechanism, model.effects, wanted, {n: model.test_inputs[n] for n in wanted}, model.system
     )
-    return Prepared(small, calls_of(load(small)), independent_labels(model), result_units(model))
+    return Prepared(small, independent_labels(model), result_units(model), fastest(small, plan.engine))
 
 
 class PlanHolder:
@@ -78,7 +82,7 @@ def prepare_sweep(plan: Plan) -> Prepared:
     Raises:
         DescriptionError: axes, tolerances or limits that the mechanism does not have.
     """
-    made = prepared(plan.hash, PlanHolder(plan))
+    made = prepared(f"{plan.hash} {plan.engine}", PlanHolder(plan))
     check_plan(plan, made.model, made.units)
     _named(plan, made, plan.cases(0)[:1])
     units = coordinate_units(made.model.mechanism)

@@ -44,7 +44,8 @@ class Plan:
     by the number of the case. `limits`: result -> (least, largest). `stiffness` is that of a drive: [N/m] of one that
     slides, and times the square of the characteristic length [N m/rad] of one that turns. `steps`: of the walk from
     the reference configuration. `chunk`: cases per piece of work. `typed`: (option, result or parameter, SI unit) of
-    limits and tolerances that were typed with a unit; `check_plan` holds them to those of the mechanism.
+    limits and tolerances that were typed with a unit; `check_plan` holds them to those of the mechanism. `engine`: what
+    evaluates the functions, a name of `engines.ENGINES`; "": the fastest that is there. It does not change the hash.
     """
 
     mechanism: Mechanism
@@ -60,6 +61,7 @@ class Plan:
     chunk: int = 1024
     parameters: tuple[str, ...] = field(default=())
     typed: tuple[tuple[str, str, str], ...] = ()
+    engine: str = ""
 
     def __repr__(self) -> str:
         over = ", ".join(axis.name for axis in self.axes) or "samples alone"
@@ -80,6 +82,7 @@ class Plan:
         """SHA-256 of all that determines the results, 16 hex digits."""
         effects = [(type_name(e), {field.name: getattr(e, field.name) for field in fields(e)}) for e in self.effects]
         rest = asdict(replace(self, mechanism=None, effects=(), typed=()))  # type: ignore[arg-type]
+        del rest["engine"]
         text = json.dumps([to_toml(self.mechanism), effects, rest], sort_keys=True, default=repr)
         return hashlib.sha256(text.encode()).hexdigest()[:16]
 

@@ -74,6 +74,7 @@ def workspace(
     samples: int = 100,
     seed: int = 0,
     processes: int | None = None,
+    engine: str = "",
 ) -> Sweep:
     """What a mechanism reaches, and how well, over coordinates and parameters.
 
@@ -87,9 +88,10 @@ def workspace(
         samples: per place, where there are tolerances.
         seed: of the random numbers.
         processes: how many compute; default: one per core.
+        engine: "cuda", "jax", "c" or "casadi"; default: the fastest that is there. Numbers are the same to rounding.
 
     Raises:
-        DescriptionError: axes, tolerances or limits that the mechanism does not have.
+        DescriptionError: axes, tolerances or limits that the mechanism does not have, an engine that is not here.
     """
     axes = tuple(read_axis(f"{name}={values}") for name, values in over.items())
     quantities = {name: read_quantity(value, f"tolerance of {name}") for name, value in (tolerances or {}).items()}
@@ -109,8 +111,9 @@ def workspace(
         limits=tuple(limit for limit, _ in allowed),
         parameters=varied,
         typed=tuple(typed),
+        engine=engine,
     )
     made = prepare_sweep(plan)
     pieces = dict(run_locally(plan, range(plan.chunks), processes))
     results = {name: np.concatenate([pieces[k][name] for k in range(plan.chunks)]) for name in pieces[0]}
-    return Sweep(plan, results, made.units, sweep_summary(plan, results, made.units))
+    return Sweep(plan, results, made.units, sweep_summary(plan, results, made.units, made.engine.text))
