@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from support.marks import slow
 from support.model_states import model, pendulum
 
 from symscrew import Model
@@ -25,7 +26,7 @@ COMPILED = pytest.mark.skipif(shutil.which("g++") is None, reason="needs g++")
 
 
 @COMPILED
-@pytest.mark.parametrize("precision", ["double", "single"])
+@pytest.mark.parametrize("precision", ["double", slow("single")])
 def test_generate_and_check(tmp_path: Path, precision: str) -> None:
     generate(model("four_bar").only(FUNCTIONS), tmp_path, targets=["cuda"], precision=precision)
     result = check(tmp_path)

@@ -16,12 +16,10 @@ from support.runs import EXAMPLES
 from symscrew.cli.parser import main
 from symscrew.errors import DescriptionError
 from symscrew.runtime import compile_cuda, find_nvrtc
-from symscrew.scene.contents import Integrator, Scene
+from symscrew.scene.contents import Initial, Integrator, Scene
 from symscrew.scene.scene_file import load_scene, parse_scene
 from symscrew.simulation.cuda_steps import print_steps
-from symscrew.simulation.initial import initial_state
-from symscrew.simulation.many_runs import simulate_many
-from symscrew.simulation.motion import prepare
+from symscrew.simulation.initial import initial_state, initial_states_together
 from symscrew.simulation.real_time_loop import loop_plant, print_loop
 
 COMPILED = pytest.mark.skipif(shutil.which("g++") is None, reason="needs g++")
@@ -96,6 +94,7 @@ def stepped(library: ctypes.CDLL, scene: Scene, arrays: tuple[np.ndarray, ...], 
         slow("three_ups_upu_s_physical", "", "rk4"),
         slow("ur5", "", "rk8"),
     ],
+    ids=["four_bar-driven", "four_bar-semi_implicit_euler", "seed-rk4", "ur5-rk8"],
 )
 def test_many_states_take_the_steps_of_the_loop(
     mechanism: str, drives: str, method: str, tmp_path: Path, request: pytest.FixtureRequest
@@ -109,11 +108,10 @@ def test_many_states_take_the_steps_of_the_loop(
     made, count, random = loop_plant(scene), 3, np.random.default_rng(5)
     tree = made.system.tree
     label = next(c.label for c in tree.v if c.label in {x.label for x in tree.q})
-    adaptive = replace(scene, drives={}, tables={}, integrator=replace(scene.integrator, method="dop853", step=None))
-    starts = {f"initial.rates.{label}": random.uniform(-0.3, 0.3, count)}
-    runs = simulate_many(adaptive, starts, prepared=prepare(adaptive))
-    assert runs.all_ok
-    arrays = tuple(np.ascontiguousarray(a[:, 0].T) for a in (runs.q, runs.v))
+    rates = random.uniform(-0.3, 0.3, count)
+    begins = [replace(scene, initial=Initial(rates={label: float(rate)})) for rate in rates]
+    starts = initial_states_together(made.model, [(begin, made.parameters) for begin in begins])
+    arrays = tuple(np.ascontiguousarray(np.array([start[k] for start in starts]).T) for k in (0, 1))
     x, u = np.zeros((max(made.sizes["x"], 1), count)), random.normal(0, 1, (max(made.sizes["u"], 1), count))
     assert bool(made.sizes["u"]) == (not drives and bool(made.system.drives))
     found = (arrays[0].copy(), arrays[1].copy(), x.copy(), u)
