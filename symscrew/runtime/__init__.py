@@ -8,7 +8,7 @@ if TYPE_CHECKING:
     from symscrew.runtime.compiled import CompiledModel, casadi_evaluator, load
     from symscrew.runtime.compiled_function import CompiledFunction, EvaluationError, Evaluator
     from symscrew.runtime.compilers import FLAGS, CompileError, compile_c, find_compiler, run_tool
-    from symscrew.runtime.cuda_kernels import CudaModel, load_cuda, load_cuda_as_cpp
+    from symscrew.runtime.cuda_kernels import CudaModel, cpp_module, cuda_module, load_cuda, load_cuda_as_cpp
     from symscrew.runtime.jax_functions import load_jax
     from symscrew.runtime.nvrtc import CudaCode, KernelSize, compile_cuda, find_nvrtc
     from symscrew.runtime.origin import model_of, version
@@ -33,6 +33,8 @@ __all__ = [
     "clear_cache",
     "compile_c",
     "compile_cuda",
+    "cpp_module",
+    "cuda_module",
     "entry",
     "find_compiler",
     "find_nvrtc",

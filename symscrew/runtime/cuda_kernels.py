@@ -81,6 +81,16 @@ def load_cuda(model: Model, *, precision: str = "double") -> CudaModel:
     Raises:
         CompileError: CuPy is not installed, no device is there, or the code is refused.
     """
+    module, library = cuda_module(print_cuda(model, PRECISIONS[precision])[f"{model.name}.cu"])
+    return CudaModel(model, module, library, "float64" if precision == "double" else "float32")
+
+
+def cuda_module(text: str) -> tuple[Any, Any]:
+    """Kernels of a text compiled for the device that is there, and the library of its arrays, CuPy.
+
+    Raises:
+        CompileError: as `load_cuda`.
+    """
     try:
         import cupy
     except ImportError as error:
@@ -91,9 +101,7 @@ def load_cuda(model: Model, *, precision: str = "double") -> CudaModel:
         raise CompileError(f"no CUDA device here ({error}); symscrew.load runs on processors") from error
     if not devices:
         raise CompileError("no CUDA device here; symscrew.load runs on processors")
-    kind = PRECISIONS[precision]
-    module = cupy.RawModule(code=print_cuda(model, kind)[f"{model.name}.cu"], options=("-std=c++11",))
-    return CudaModel(model, module, cupy, "float64" if precision == "double" else "float32")
+    return cupy.RawModule(code=text, options=("-std=c++11",)), cupy
 
 
 CPP_COMPILERS = ("g++", "clang++", "c++")  # the first that is there
@@ -121,14 +129,25 @@ class _Loops:
         loop.restype = None
 
         def launched(_grid: object, _block: object, arguments: Sequence[Any]) -> None:
-            count, stride, *arrays = arguments
-            loop(
-                ctypes.c_size_t(int(count)),
-                ctypes.c_size_t(int(stride)),
-                *[ctypes.c_void_p(a.ctypes.data) for a in arrays],
-            )
+            loop(*map(_passed, arguments))
 
         return launched
+
+
+def _passed(argument: Any) -> Any:
+    """An array by its address, numbers by their types."""
+    if isinstance(argument, np.ndarray):
+        return ctypes.c_void_p(argument.ctypes.data)
+    if isinstance(argument, np.floating):
+        return ctypes.c_double(float(argument))
+    if isinstance(argument, np.unsignedinteger):
+        return ctypes.c_size_t(int(argument))
+    return ctypes.c_int(int(argument))
+
+
+def cpp_module(text: str, name: str, flags: Sequence[str] = CPP_FLAGS) -> tuple[Any, Any]:
+    """The same text as C++, and NumPy in place of CuPy; raises CompileError as `load_cuda_as_cpp`."""
+    return _Loops(text, name, flags), np
 
 
 def load_cuda_as_cpp(model: Model, *, precision: str = "double", flags: Sequence[str] = CPP_FLAGS) -> CudaModel:
@@ -140,4 +159,4 @@ def load_cuda_as_cpp(model: Model, *, precision: str = "double", flags: Sequence
     files = print_cuda(model, PRECISIONS[precision])
     text = files[f"{model.name}.cu"].replace(f'#include "{model.name}_cuda.h"', files[f"{model.name}_cuda.h"])
     real = "float64" if precision == "double" else "float32"
-    return CudaModel(model, _Loops(text, model.name, flags), np, real)
+    return CudaModel(model, *cpp_module(text, model.name, flags), real)

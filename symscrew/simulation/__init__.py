@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from symscrew.doors import doors
 
 if TYPE_CHECKING:
-    from symscrew.simulation.cuda_steps import print_steps, write_steps
+    from symscrew.simulation.cuda_steps import ManySteps, load_steps, print_steps, write_steps
     from symscrew.simulation.initial import initial_state, initial_states
     from symscrew.simulation.linking import Linker, Operand
     from symscrew.simulation.many_file import runs_numbers, runs_summary, write_runs
@@ -32,6 +32,7 @@ __all__ = [
     "REAL_TIME",
     "Library",
     "Linker",
+    "ManySteps",
     "Operand",
     "Plant",
     "PlantFunctions",
@@ -41,6 +42,7 @@ __all__ = [
     "initial_state",
     "initial_states",
     "kernel_text",
+    "load_steps",
     "loop_plant",
     "loop_source",
     "plot_run",

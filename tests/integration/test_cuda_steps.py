@@ -5,6 +5,7 @@ from __future__ import annotations
 import ctypes
 import shutil
 import subprocess
+import sys
 from dataclasses import replace
 from pathlib import Path
 
@@ -15,10 +16,10 @@ from support.runs import EXAMPLES
 
 from symscrew.cli.parser import main
 from symscrew.errors import DescriptionError
-from symscrew.runtime import compile_cuda, find_nvrtc
+from symscrew.runtime import CompileError, compile_cuda, find_nvrtc
 from symscrew.scene.contents import Initial, Integrator, Scene
 from symscrew.scene.scene_file import load_scene, parse_scene
-from symscrew.simulation.cuda_steps import print_steps
+from symscrew.simulation.cuda_steps import load_steps, print_steps
 from symscrew.simulation.initial import initial_state, initial_states_together
 from symscrew.simulation.real_time_loop import loop_plant, print_loop
 
@@ -155,6 +156,32 @@ def test_a_state_that_comes_near_a_singular_configuration_stops_before_it(tmp_pa
     assert status.tolist() == [3] and 0 < taken[0] < 2000
     closure = made.model("closure", arrays[0][:, 0])[0][0]
     assert np.abs(closure).max() < 1e-12 and np.abs(arrays[0][:, 0] - state[0]).max() > 0.1
+
+
+@COMPILED
+@pytest.mark.slow
+def test_the_loader_hands_over_arrays_in_order(
+    four_bar: tuple[Scene, tuple[ctypes.CDLL, ctypes.CDLL]], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """As C++ in place of a device: the same as by the call from C; what does not fit is refused."""
+    scene, (library, _) = four_bar
+    loaded = load_steps(scene, as_cpp=True)
+    q = np.repeat(loaded.plant.system.reference[:, None], 2, 1)
+    v, given = np.zeros((loaded.plant.sizes["v"], 2)), q.copy()
+    found = loaded.advance(q, v, h=H, steps=3)
+    np.testing.assert_array_equal(q, given)
+    status, taken = stepped(library, scene, (q, v, np.zeros((1, 2)), np.zeros((1, 2))), 3)
+    np.testing.assert_allclose(found[0], q, rtol=0, atol=1e-13)  # the compilers may fuse operations
+    np.testing.assert_array_equal(found[3], status)
+    np.testing.assert_array_equal(found[4], taken)
+    assert found[2].shape == (0, 2)
+    with pytest.raises(ValueError, match=r"expected v of \(\d, states\), got \(2, \d\)"):
+        loaded.advance(q, v.T, h=H, steps=3)
+    with pytest.raises(ValueError, match=r"expected u of \(0, states\), got \(1, 2\)"):
+        loaded.advance(q, v, u=np.zeros((1, 2)), h=H, steps=3)
+    monkeypatch.setitem(sys.modules, "cupy", None)
+    with pytest.raises(CompileError, match="no CuPy here"):
+        load_steps(scene)
 
 
 def test_methods_without_a_fixed_step_are_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
