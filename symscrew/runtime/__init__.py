@@ -10,6 +10,7 @@ if TYPE_CHECKING:
     from symscrew.runtime.compilers import FLAGS, CompileError, compile_c, find_compiler, run_tool
     from symscrew.runtime.cuda_kernels import CudaModel, cpp_module, cuda_module, load_cuda, load_cuda_as_cpp
     from symscrew.runtime.jax_functions import load_jax
+    from symscrew.runtime.model_keys import model_key
     from symscrew.runtime.nvrtc import CudaCode, KernelSize, compile_cuda, find_nvrtc
     from symscrew.runtime.origin import model_of, version
     from symscrew.runtime.user_cache import CacheState, entry, key_of
@@ -43,6 +44,7 @@ __all__ = [
     "load_cuda",
     "load_cuda_as_cpp",
     "load_jax",
+    "model_key",
     "model_of",
     "run_tool",
     "version",

@@ -11,6 +11,7 @@ from symscrew.doors import doors
 if TYPE_CHECKING:
     from symscrew.simulation.cuda_steps import ManySteps, load_steps, print_steps, write_steps
     from symscrew.simulation.initial import initial_state, initial_states
+    from symscrew.simulation.kept_model import derived_model
     from symscrew.simulation.linking import Linker, Operand
     from symscrew.simulation.many_file import runs_numbers, runs_summary, write_runs
     from symscrew.simulation.many_runs import Runs, simulate_many
@@ -39,6 +40,7 @@ __all__ = [
     "RunError",
     "RunLog",
     "Runs",
+    "derived_model",
     "initial_state",
     "initial_states",
     "kernel_text",

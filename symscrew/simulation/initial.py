@@ -197,6 +197,11 @@ class _Closure:
         self.model, self.system = model, system
         self.rows = np.array([1 / system.length if r.unit == "N" else 1.0 for cut in system.cuts for r in cut.rows])
         self.units = np.array([system.length if c.kind == "length" else 1.0 for c in system.tree.v])
+        self.of_places = np.array([row.holonomic for cut in system.cuts for row in cut.rows], dtype=bool)
+
+    def of_coordinates(self, residual: np.ndarray, matrix: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """The rows that coordinates must obey: rolling may get a wheel anywhere."""
+        return residual[self.of_places], matrix[self.of_places]
 
     def answers(
         self, questions: Mapping[int, _Question], parameters: Sequence[np.ndarray]
@@ -298,7 +303,7 @@ def _solved(system: System, closure: _Closure, q: np.ndarray, wanted: Mapping[in
     for i, k in enumerate(held):
         pick[len(plain) + i, k] = 1.0
     for _ in range(MOST_STEPS):
-        residual, jacobian = yield _At(moved)
+        residual, jacobian = closure.of_coordinates(*(yield _At(moved)))
         away = [(value - moved[k]) / closure.units[column[k]] for k, value in plain.items()] + [0.0] * len(held)
         right = np.concatenate([away, -residual])
         if np.abs(residual).max(initial=0) < CLOSED and np.abs(away).max(initial=0) < CLOSED:

@@ -25,6 +25,7 @@ from . import (
     mobility,
     optimisation,
     reposed,
+    rust_beside_c,
     simulation,
     starts,
     work_precision,
@@ -50,6 +51,7 @@ BENCHMARKS = {
     "kernels": (kernels.run, 5),
     "mjx": (mjx.run, 5),
     "controllers": (controllers.run, 1),
+    "rust": (rust_beside_c.run, 7),
 }
 
 
