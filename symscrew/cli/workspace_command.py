@@ -71,6 +71,8 @@ def add_options(command: argparse.ArgumentParser) -> None:
     add_independent(command)
     add_effects(command)
     command.add_argument("--processes", type=int, metavar="N", help="default: one per core")
+    text = "cuda, jax, c or casadi; default: the fastest that is there"
+    command.add_argument("--engine", default="", metavar="NAME", help=text)
     command.add_argument("--dask", metavar="ADDRESS", help="of a Dask scheduler, to run there: tcp://host:8786")
     command.add_argument("--json", action="store_true", help="the summary as JSON")
     add_no_cache(command)
@@ -117,7 +119,7 @@ def run(options: argparse.Namespace) -> int:
     with held_store(folder, plan) as kept:
         sweep(plan, kept, scheduler=options.dask, processes=options.processes)
         results = kept.whole()
-        found = sweep_summary(plan, results, made.units)
+        found = sweep_summary(plan, results, made.units, made.engine.text)
         if single:
             written = [(save_npz if out.suffix == ".npz" else save_csv)(out, results)]
         else:
@@ -174,6 +176,7 @@ def read_plan(options: argparse.Namespace) -> Plan:
         parameters=varied,
         typed=tuple(typed),
         mode=options.mode,
+        engine=options.engine,
     )
     if options.mode and options.certify:
         raise UsageError("--mode: certificates begin in the reference configuration; leave one of both out")

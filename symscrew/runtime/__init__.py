@@ -8,7 +8,8 @@ if TYPE_CHECKING:
     from symscrew.runtime.compiled import CompiledModel, casadi_evaluator, load
     from symscrew.runtime.compiled_function import CompiledFunction, EvaluationError, Evaluator
     from symscrew.runtime.compilers import FLAGS, CompileError, compile_c, find_compiler, run_tool
-    from symscrew.runtime.cuda_kernels import CudaModel, load_cuda
+    from symscrew.runtime.cuda_kernels import CudaModel, cpp_module, cuda_module, load_cuda, load_cuda_as_cpp
+    from symscrew.runtime.jax_functions import load_jax
     from symscrew.runtime.model_keys import model_key
     from symscrew.runtime.nvrtc import CudaCode, KernelSize, compile_cuda, find_nvrtc
     from symscrew.runtime.origin import model_of, version
@@ -33,12 +34,16 @@ __all__ = [
     "clear_cache",
     "compile_c",
     "compile_cuda",
+    "cpp_module",
+    "cuda_module",
     "entry",
     "find_compiler",
     "find_nvrtc",
     "key_of",
     "load",
     "load_cuda",
+    "load_cuda_as_cpp",
+    "load_jax",
     "model_key",
     "model_of",
     "run_tool",

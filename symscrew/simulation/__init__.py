@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from symscrew.doors import doors
 
 if TYPE_CHECKING:
-    from symscrew.simulation.cuda_steps import print_steps, write_steps
+    from symscrew.simulation.cuda_steps import ManySteps, load_steps, print_steps, write_steps
     from symscrew.simulation.initial import initial_state, initial_states
     from symscrew.simulation.kept_model import derived_model
     from symscrew.simulation.linking import Linker, Operand
@@ -33,6 +33,7 @@ __all__ = [
     "REAL_TIME",
     "Library",
     "Linker",
+    "ManySteps",
     "Operand",
     "Plant",
     "PlantFunctions",
@@ -43,6 +44,7 @@ __all__ = [
     "initial_state",
     "initial_states",
     "kernel_text",
+    "load_steps",
     "loop_plant",
     "loop_source",
     "plot_run",

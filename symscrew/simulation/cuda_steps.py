@@ -12,12 +12,14 @@ from __future__ import annotations
 
 import re
 import textwrap
-from collections.abc import Mapping
-from dataclasses import replace
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import Any
 
 from symscrew.export import CUDA_THREADS, banner, print_device
 from symscrew.model import Model
+from symscrew.runtime import cpp_module, cuda_module
 from symscrew.scene import Scene
 from symscrew.simulation.native import NATIVE_METHODS
 from symscrew.simulation.real_time_loop import labelled, loop_plant
@@ -75,11 +77,61 @@ def write_steps(scene: Scene, folder: Path) -> list[Path]:
     return [replaced(folder / name, _writer(text)) for name, text in files.items()]
 
 
-def _writer(text: str):  # type: ignore[no-untyped-def]
+@dataclass(frozen=True)
+class ManySteps:
+    """The step of a scene on many states, on a device or as C++: `advance` takes arrays (size, states) of `library`."""
+
+    plant: Plant
+    kernel: Any
+    library: Any
+
+    def advance(
+        self, q: Any, v: Any, x: Any = None, *, u: Any = None, t: float = 0.0, h: float, steps: int
+    ) -> tuple[Any, Any, Any, Any, Any]:
+        """q, v, x, status and the number of steps taken (states) after so many steps of h [s] from the time t [s].
+
+        `u`: drives that are held, where the scene commands none. States whose status is not 0 are those of their last
+        good step: 1, they cannot go on; 3, near a singular configuration.
+
+        Raises:
+            ValueError: an array of another shape, or one that is missing.
+        """
+        make, sizes = self.library, self.plant.sizes
+        count = q.shape[-1] if getattr(q, "ndim", 0) == 2 else -1
+        arrays = []
+        for name, given in (("q", q), ("v", v), ("x", x), ("u", u)):
+            given = make.zeros((0, count)) if given is None else given
+            if getattr(given, "shape", None) != (sizes[name], count):
+                raise ValueError(f"expected {name} of ({sizes[name]}, states), got {getattr(given, 'shape', given)}")
+            room = make.zeros((max(sizes[name], 1), count))
+            room[: sizes[name]] = given
+            arrays.append(room)
+        status, taken = make.zeros(count, dtype="int32"), make.zeros(count, dtype="int32")
+        if count:
+            numbers = (make.uint64(count), make.uint64(count), make.float64(t), make.float64(h), make.int32(steps))
+            self.kernel((-(-count // CUDA_THREADS),), (CUDA_THREADS,), (*numbers, *arrays, status, taken))
+        q, v, x, _ = arrays
+        return q, v, x[: sizes["x"]], status, taken
+
+
+def load_steps(scene: Scene, *, as_cpp: bool = False) -> ManySteps:
+    """The step of a scene on the CUDA device that is there; `as_cpp`: as loops on this processor, on NumPy's arrays.
+
+    Raises:
+        DescriptionError: as `print_steps`.
+        CompileError: CuPy or a device is missing, or for `as_cpp` a C++ compiler.
+    """
+    made = loop_plant(scene)
+    text = _source(scene, made, launched=False)
+    module, library = cpp_module(text, scene.name) if as_cpp else cuda_module(text)
+    return ManySteps(made, module.get_function(f"{scene.name}_steps_kernel"), library)
+
+
+def _writer(text: str) -> Callable[[Path], object]:
     return lambda path: path.write_text(text, encoding="utf-8")
 
 
-def _source(scene: Scene, made: Plant) -> str:
+def _source(scene: Scene, made: Plant, *, launched: bool = True) -> str:
     programs = {"slopes": made.slopes}
     if made.closure is not None:
         programs["closure_both"] = replace(made.closure, name="closure_both")
@@ -93,7 +145,7 @@ def _source(scene: Scene, made: Plant) -> str:
         on_device(constants(made)),
         f"#define NU1 {max(made.sizes['u'], 1)}", f"#define METHOD {NATIVE_METHODS[method]}",
         f"#define STEPS_KERNEL {scene.name}_steps_kernel", on_device(tables), _adapters(made),
-        *(on_device(kernel_text(name)) for name in KERNELS), kernel_text("march.c"), _launch(scene),
+        *(on_device(kernel_text(name)) for name in KERNELS), kernel_text("march.c"), _launch(scene) if launched else "",
     ]  # fmt: skip
     return "\n".join(parts)
 

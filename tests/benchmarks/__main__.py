@@ -21,6 +21,7 @@ from . import (
     jax_modules,
     kernels,
     lean,
+    mjx,
     mobility,
     optimisation,
     reposed,
@@ -47,7 +48,8 @@ BENCHMARKS = {
     "reposed": (reposed.run, 1),
     "attacks": (attacks.run, 1),
     "jax": (jax_modules.run, 5),
-    "kernels": (kernels.run, 1),
+    "kernels": (kernels.run, 5),
+    "mjx": (mjx.run, 5),
     "controllers": (controllers.run, 1),
     "rust": (rust_beside_c.run, 7),
 }

@@ -33,7 +33,7 @@ def run(*, repeats: int = 5) -> tuple[str, dict[str, Any]]:
     with jax.enable_x64(True):
         for name in NAMES:
             model = derive(catalogue.load(name)).only(["inverse_dynamics"])
-            module = _imported(model)
+            module = imported(model)
             inputs = [np.resize(x, (STATES, x.shape[-1])) for x in model.test_inputs["inverse_dynamics"]]
             for what, function in _functions(module).items():
                 found = {"mechanism": name, "what": what, **_measured(function, inputs, repeats)}
@@ -85,7 +85,8 @@ def _functions(module: ModuleType) -> dict[str, Any]:
     }
 
 
-def _imported(model: Model) -> ModuleType:
+def imported(model: Model) -> ModuleType:
+    """The generated module, imported."""
     with tempfile.TemporaryDirectory(prefix="benchmark_") as folder:
         path = Path(folder) / f"{model.name}_jax.py"
         path.write_text(print_jax(model)[path.name])

@@ -61,7 +61,7 @@ def test_studies_that_a_scene_does_not_have_are_named_in_what_is_left(
     assert main(["accuracy", str(EXAMPLES / "simple_pendulum.toml"), "--study", "all", "--out", str(tmp_path)]) == 0
     content, table = (json.loads((tmp_path / "accuracy.json").read_text()), (tmp_path / "accuracy.md").read_text())
     assert [reason.split(":")[0] for reason in content["left_out"]] == ["kinematics", "momentum", "claims", "modes"]
-    assert [len(study["points"]) for study in content["studies"]] == [2, 2, 2]
+    assert [len(study["points"]) for study in content["studies"]] == [2, 2, 2, 2]
     for text in (*content["left_out"], "failed: a pivot is small"):
         assert text in table
     shown = capsys.readouterr().out

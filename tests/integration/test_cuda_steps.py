@@ -5,6 +5,7 @@ from __future__ import annotations
 import ctypes
 import shutil
 import subprocess
+import sys
 from dataclasses import replace
 from pathlib import Path
 
@@ -15,13 +16,11 @@ from support.runs import EXAMPLES
 
 from symscrew.cli.parser import main
 from symscrew.errors import DescriptionError
-from symscrew.runtime import compile_cuda, find_nvrtc
-from symscrew.scene.contents import Integrator, Scene
+from symscrew.runtime import CompileError, compile_cuda, find_nvrtc
+from symscrew.scene.contents import Initial, Integrator, Scene
 from symscrew.scene.scene_file import load_scene, parse_scene
-from symscrew.simulation.cuda_steps import print_steps
-from symscrew.simulation.initial import initial_state
-from symscrew.simulation.many_runs import simulate_many
-from symscrew.simulation.motion import prepare
+from symscrew.simulation.cuda_steps import load_steps, print_steps
+from symscrew.simulation.initial import initial_state, initial_states_together
 from symscrew.simulation.real_time_loop import loop_plant, print_loop
 
 COMPILED = pytest.mark.skipif(shutil.which("g++") is None, reason="needs g++")
@@ -96,6 +95,7 @@ def stepped(library: ctypes.CDLL, scene: Scene, arrays: tuple[np.ndarray, ...], 
         slow("three_ups_upu_s_physical", "", "rk4"),
         slow("ur5", "", "rk8"),
     ],
+    ids=["four_bar-driven", "four_bar-semi_implicit_euler", "seed-rk4", "ur5-rk8"],
 )
 def test_many_states_take_the_steps_of_the_loop(
     mechanism: str, drives: str, method: str, tmp_path: Path, request: pytest.FixtureRequest
@@ -109,11 +109,10 @@ def test_many_states_take_the_steps_of_the_loop(
     made, count, random = loop_plant(scene), 3, np.random.default_rng(5)
     tree = made.system.tree
     label = next(c.label for c in tree.v if c.label in {x.label for x in tree.q})
-    adaptive = replace(scene, drives={}, tables={}, integrator=replace(scene.integrator, method="dop853", step=None))
-    starts = {f"initial.rates.{label}": random.uniform(-0.3, 0.3, count)}
-    runs = simulate_many(adaptive, starts, prepared=prepare(adaptive))
-    assert runs.all_ok
-    arrays = tuple(np.ascontiguousarray(a[:, 0].T) for a in (runs.q, runs.v))
+    rates = random.uniform(-0.3, 0.3, count)
+    begins = [replace(scene, initial=Initial(rates={label: float(rate)})) for rate in rates]
+    starts = initial_states_together(made.model, [(begin, made.parameters) for begin in begins])
+    arrays = tuple(np.ascontiguousarray(np.array([start[k] for start in starts]).T) for k in (0, 1))
     x, u = np.zeros((max(made.sizes["x"], 1), count)), random.normal(0, 1, (max(made.sizes["u"], 1), count))
     assert bool(made.sizes["u"]) == (not drives and bool(made.system.drives))
     found = (arrays[0].copy(), arrays[1].copy(), x.copy(), u)
@@ -157,6 +156,32 @@ def test_a_state_that_comes_near_a_singular_configuration_stops_before_it(tmp_pa
     assert status.tolist() == [3] and 0 < taken[0] < 2000
     closure = made.model("closure", arrays[0][:, 0])[0][0]
     assert np.abs(closure).max() < 1e-12 and np.abs(arrays[0][:, 0] - state[0]).max() > 0.1
+
+
+@COMPILED
+@pytest.mark.slow
+def test_the_loader_hands_over_arrays_in_order(
+    four_bar: tuple[Scene, tuple[ctypes.CDLL, ctypes.CDLL]], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """As C++ in place of a device: the same as by the call from C; what does not fit is refused."""
+    scene, (library, _) = four_bar
+    loaded = load_steps(scene, as_cpp=True)
+    q = np.repeat(loaded.plant.system.reference[:, None], 2, 1)
+    v, given = np.zeros((loaded.plant.sizes["v"], 2)), q.copy()
+    found = loaded.advance(q, v, h=H, steps=3)
+    np.testing.assert_array_equal(q, given)
+    status, taken = stepped(library, scene, (q, v, np.zeros((1, 2)), np.zeros((1, 2))), 3)
+    np.testing.assert_allclose(found[0], q, rtol=0, atol=1e-13)  # the compilers may fuse operations
+    np.testing.assert_array_equal(found[3], status)
+    np.testing.assert_array_equal(found[4], taken)
+    assert found[2].shape == (0, 2)
+    with pytest.raises(ValueError, match=r"expected v of \(\d, states\), got \(2, \d\)"):
+        loaded.advance(q, v.T, h=H, steps=3)
+    with pytest.raises(ValueError, match=r"expected u of \(0, states\), got \(1, 2\)"):
+        loaded.advance(q, v, u=np.zeros((1, 2)), h=H, steps=3)
+    monkeypatch.setitem(sys.modules, "cupy", None)
+    with pytest.raises(CompileError, match="no CuPy here"):
+        load_steps(scene)
 
 
 def test_methods_without_a_fixed_step_are_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -190,6 +190,34 @@ def test_study_of_precision() -> None:
     assert np.float64(1e-310) / 2 > 0  # -ffast-math would flush denormals in all of this process (seen: IPOPT fails)
 
 
+@needs_compiler
+@pytest.mark.slow
+def test_study_of_digits(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Float keeps its seven digits less what a function loses; who subtracts nearly equal numbers loses more."""
+    from symscrew.studies.accuracy import digits_study
+
+    monkeypatch.setattr(digits_study, "FUNCTIONS", ("inverse_dynamics", "drive_rates"))
+    study = digits_study.study(Subject(derive(catalogue.load("four_bar"))), QUIET, repeats=1, seconds=0.1)
+    ((head, rows),) = study.tables.values()
+    ways = [name for name in head if "float" in name and "loses" not in name]
+    assert "C, float32" in ways and ("CUDA as C++, float32" in ways or any("C++" in text for text in study.left_out))
+    assert any("CUDA, float64" in text or "CUDA, float32" in text for text in study.left_out)  # no device is here
+    for row in rows:
+        told = dict(zip(head, row, strict=True))
+        for way in ways:
+            digits = 17.0 if told[way] == "all" else float(told[way])
+            assert 5.0 < digits < 9.0 if "32" in way and told[way] != "all" else digits > 13.0
+    errors = {(p.curve, p.setting): p.error for p in study.points}
+    assert all(0 <= error < 1e-13 for (way, _), error in errors.items() if "64" in way)
+    assert 1e-9 < errors["C, float32", "inverse_dynamics"] < 1e-4
+    exact = (np.array([[1.0, 2.0], [3.0, 4.0]]),), np.array([0, 0])
+    spoiled = (np.array([[1.0, 2.0], [3.0 + 1e-3, 4.0]]),), np.array([0, 0])
+    assert digits_study._worst(spoiled, exact)[1:] == (0, 1, 0)
+    assert digits_study._worst(spoiled, exact)[0] == pytest.approx(1e-3 / 4)
+    failed = (np.array([[1.0, 2.0], [np.nan, np.nan]]),), np.array([0, 2])
+    assert digits_study._worst(failed, exact)[0] == 0.0
+
+
 def test_newton_euler_program_gives_the_rates_of_the_momentum_screws() -> None:
     found = states()
     (wrenches,), _ = evaluate(newton_euler_program(seed().system), [found.q, found.v, found.a])

@@ -169,13 +169,35 @@ def test_failing_states_are_nan_and_spoil_no_others(imported: Any) -> None:
     np.testing.assert_array_equal(lost.status, [2, 2])
 
 
-def test_single_precision(imported: Any) -> None:
-    derived, module = imported("three_ups_upu_s", "inverse_dynamics")
-    exact, _ = derived("inverse_dynamics", *derived.test_inputs["inverse_dynamics"])
-    with jax.enable_x64(False):
-        found = module.inverse_dynamics(*(np.float32(x) for x in derived.test_inputs["inverse_dynamics"]))
-    assert found.u.dtype == np.float32
-    np.testing.assert_allclose(found.u, exact[0], rtol=0, atol=1e-4 * np.abs(exact[0]).max())
+@pytest.mark.parametrize("function", ["inverse_dynamics", "assemble"])
+def test_single_precision(imported: Any, function: str) -> None:
+    """Values and gradients in float: of that type throughout, and float's digits of those in double; failures are NaN.
+
+    An error of 1e-4 of the largest entry is three of its seven digits: the functions lose one (the study "digits"),
+    derivatives another one.
+    """
+    derived, module = imported("four_bar", "velocity", "inverse_dynamics", "forward_dynamics", "assemble")
+    inputs = [np.asarray(x)[:4] for x in derived.test_inputs[function]]
+    spoiled = [np.where(np.arange(4)[:, None] == 2, np.nan, x) for x in inputs]
+
+    def both(*given: Any) -> Any:
+        weights = [np.ones((4, port.size), given[0].dtype) for port in derived.programs[function].outputs]
+        priced = weighted(getattr(module, function), weights)
+        return getattr(module, function)(*given), jax.grad(priced, argnums=tuple(range(len(given))))(*given)
+
+    found = []
+    for real in (np.float64, np.float32):
+        with jax.enable_x64(real is np.float64):
+            compiled = jax.jit(both)
+            (*values, status), gradient = compiled(*(np.asarray(x, dtype=real) for x in inputs))
+            assert {x.dtype for x in (*values, *gradient)} == {np.dtype(real)}
+            assert (np.asarray(status) == 0).all()
+            found.append([np.asarray(x, dtype=float) for x in (*values, *gradient)])
+            (*values, status), _ = compiled(*(np.asarray(x, dtype=real) for x in spoiled))
+            assert np.asarray(status).tolist() == [0, 0, 2, 0]
+            assert all(np.isnan(x[2]).all() and np.isfinite(x[3]).all() for x in map(np.asarray, values))
+    for double, single in zip(*found, strict=True):
+        np.testing.assert_allclose(single, double, rtol=0, atol=1e-4 * max(1.0, np.abs(double).max(initial=0.0)))
 
 
 def test_operations_traced_one_by_one_are_the_same(imported: Any) -> None:

@@ -42,6 +42,7 @@ STUDIES: dict[str, StudyFile] = {
     "momentum": StudyFile("momentum_study", "mechanism"),
     "forward": StudyFile("forward_study", "mechanism", reads_files=True),
     "precision": StudyFile("precision_study", "mechanism"),
+    "digits": StudyFile("digits_study", "mechanism", note="single against double"),
     "effects": StudyFile("effects_study", "mechanism"),
     "claims": StudyFile("claims_study", "mechanism"),
     "modes": StudyFile("modes_study", "mechanism"),

@@ -29,8 +29,8 @@ def run_locally(plan: Plan, chunks: Iterable[int], processes: int | None = None)
     Pieces of a process that dies are given to a new pool, three times at most.
     """
     left = list(chunks)
-    count = min(processes or os.cpu_count() or 1, len(left))
-    prepare_sweep(plan)
+    device = prepare_sweep(plan).engine.device  # which one process keeps busy, and cannot hand to its copies
+    count = 1 if device else min(processes or os.cpu_count() or 1, len(left))
     if count <= 1:
         for chunk in left:
             yield chunk, evaluate(plan, chunk)

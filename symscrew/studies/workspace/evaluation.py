@@ -13,16 +13,15 @@ from symscrew.description import in_si
 from symscrew.errors import DescriptionError
 from symscrew.kinematics import BODY_PARTS, coordinate_units, full_name, nearest_names
 from symscrew.model import Model
-from symscrew.runtime import load
 from symscrew.simulation import derived_model
 from symscrew.studies.workspace.configurations import (
     Call,
-    calls_of,
     independent_labels,
     reference_coordinates,
     start_margins,
     walk,
 )
+from symscrew.studies.workspace.engines import Engine, fastest
 from symscrew.studies.workspace.named_coordinates import NamedCoordinates
 from symscrew.studies.workspace.plan import AZIMUTH, TILT, Plan
 
@@ -41,15 +40,20 @@ class Prepared:
     """A model ready to evaluate, with what the columns of its results mean."""
 
     model: Model
-    call: Call
     labels: tuple[str, ...]
     units: Mapping[str, str]
+    engine: Engine
     begin: Array | None = None
+
+    @property
+    def call(self) -> Call:
+        """Its functions, by the engine."""
+        return self.engine.call
 
 
 @lru_cache(maxsize=2)
 def prepared(key: str, holder: PlanHolder) -> Prepared:
-    """The derived and compiled model of a plan, once per process; `key` is the plan's hash."""
+    """The derived and compiled model of a plan, once per process; `key` is the plan's hash and engine."""
     plan = holder.plan
     model = derived_model(plan.mechanism, plan.effects, plan.independent)
     wanted = {name: p for name, p in model.programs.items() if name in NEEDED}
@@ -57,7 +61,7 @@ def prepared(key: str, holder: PlanHolder) -> Prepared:
         model.name, model.mechanism, model.effects, wanted, {n: model.test_inputs[n] for n in wanted}, model.system
     )
     begin = configuration_in_mode(model.system, plan.mode, {}, "mode") if plan.mode else None
-    return Prepared(small, calls_of(load(small)), independent_labels(model), result_units(model), begin)
+    return Prepared(small, independent_labels(model), result_units(model), fastest(small, plan.engine), begin)
 
 
 class PlanHolder:
@@ -82,7 +86,7 @@ def prepare_sweep(plan: Plan) -> Prepared:
     Raises:
         DescriptionError: axes, tolerances or limits that the mechanism does not have.
     """
-    made = prepared(plan.hash, PlanHolder(plan))
+    made = prepared(f"{plan.hash} {plan.engine}", PlanHolder(plan))
     check_plan(plan, made.model, made.units)
     _named(plan, made, plan.cases(0)[:1])
     units = coordinate_units(made.model.mechanism)

@@ -14,13 +14,17 @@ Results = Mapping[str, np.ndarray]
 DEGREE = 180 / np.pi  # per radian
 
 
-def sweep_summary(plan: Plan, results: Results, units: Mapping[str, str]) -> dict[str, Any]:
-    """Counts, ranges over the allowed cases, the reach of the tilt and the effect of tolerances, as JSON values."""
+def sweep_summary(plan: Plan, results: Results, units: Mapping[str, str], engine: str = "") -> dict[str, Any]:
+    """Counts, ranges over the allowed cases, the reach of the tilt and the effect of tolerances, as JSON values.
+
+    `engine`: what computed them, in words.
+    """
     allowed = results["allowed"] > 0
     found: dict[str, Any] = {
         "mechanism": plan.mechanism.name,
         "plan": plan.hash,
         "cases": plan.count,
+        **({"engine": engine} if engine else {}),
         "reached": int((results["reached"] > 0).sum()),
         "regular": int(((results["reached"] > 0) & (results["regular"] > 0)).sum()),
         "allowed": int(allowed.sum()),
@@ -109,6 +113,8 @@ def sweep_summary_text(found: Mapping[str, Any]) -> str:
         f"{found['reached']} can be assembled, {found['regular']} of them without passing a singularity, "
         f"{found['allowed']} also within all limits",
     ]
+    if "engine" in found:
+        lines.append(f"computed by {found['engine']}")
     if "tilt" in found:
         worst = found["tilt"]["every_direction"] * DEGREE
         where = found["tilt"]["azimuth"][int(np.argmin(found["tilt"]["reach"]))] * DEGREE

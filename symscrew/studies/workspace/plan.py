@@ -45,7 +45,8 @@ class Plan:
     slides, and times the square of the characteristic length [N m/rad] of one that turns. `steps`: of the walk from
     the reference configuration. `chunk`: cases per piece of work. `typed`: (option, result or parameter, SI unit) of
     limits and tolerances that were typed with a unit; `check_plan` holds them to those of the mechanism. `mode`: name
-    of the assembly mode in which the walk begins; that of the reference where empty.
+    of the assembly mode in which the walk begins; that of the reference where empty. `engine`: what evaluates the
+    functions, a name of `engines.ENGINES`; "": the fastest that is there. It does not change the hash.
     """
 
     mechanism: Mechanism
@@ -62,6 +63,7 @@ class Plan:
     parameters: tuple[str, ...] = field(default=())
     typed: tuple[tuple[str, str, str], ...] = ()
     mode: str = ""
+    engine: str = ""
 
     def __repr__(self) -> str:
         over = ", ".join(axis.name for axis in self.axes) or "samples alone"
@@ -83,6 +85,7 @@ class Plan:
         effects = [(type_name(e), {field.name: getattr(e, field.name) for field in fields(e)}) for e in self.effects]
         rest = asdict(replace(self, mechanism=None, effects=(), typed=()))  # type: ignore[arg-type]
         rest = {key: value for key, value in rest.items() if key != "mode" or value}  # sweeps without one stay theirs
+        del rest["engine"]
         text = json.dumps([to_toml(self.mechanism), effects, rest], sort_keys=True, default=repr)
         return hashlib.sha256(text.encode()).hexdigest()[:16]
 

@@ -75,6 +75,7 @@ def workspace(
     seed: int = 0,
     mode: str = "",
     processes: int | None = None,
+    engine: str = "",
 ) -> Sweep:
     """What a mechanism reaches, and how well, over coordinates and parameters.
 
@@ -89,9 +90,10 @@ def workspace(
         seed: of the random numbers.
         mode: name of an assembly mode (`symscrew.assembly_modes`) in which the map is; that of the reference if none.
         processes: how many compute; default: one per core.
+        engine: "cuda", "jax", "c" or "casadi"; default: the fastest that is there. Numbers are the same to rounding.
 
     Raises:
-        DescriptionError: axes, tolerances or limits that the mechanism does not have.
+        DescriptionError: axes, tolerances or limits that the mechanism does not have, an engine that is not here.
     """
     axes = tuple(read_axis(f"{name}={values}") for name, values in over.items())
     quantities = {name: read_quantity(value, f"tolerance of {name}") for name, value in (tolerances or {}).items()}
@@ -112,8 +114,9 @@ def workspace(
         parameters=varied,
         typed=tuple(typed),
         mode=mode,
+        engine=engine,
     )
     made = prepare_sweep(plan)
     pieces = dict(run_locally(plan, range(plan.chunks), processes))
     results = {name: np.concatenate([pieces[k][name] for k in range(plan.chunks)]) for name in pieces[0]}
-    return Sweep(plan, results, made.units, sweep_summary(plan, results, made.units))
+    return Sweep(plan, results, made.units, sweep_summary(plan, results, made.units, made.engine.text))
