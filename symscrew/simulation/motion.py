@@ -10,7 +10,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from symscrew.effects import Contact
+from symscrew.effects import Contact, Passed
 from symscrew.errors import DescriptionError
 from symscrew.functions import REASONS
 from symscrew.model import Model
@@ -274,7 +274,10 @@ def _observed(scene: Scene, model: Model, programs: Plant, history: History) -> 
     closure = np.zeros(n)
     if programs.closure is not None:
         closure = np.abs(evaluated(model, "closure", known)["residual"] * programs.rows).max(axis=1, initial=0.0)
-    reactions = evaluated(model, "forward_dynamics_reactions", known)["reactions"] if scene.reactions else None
+    looked = any(effect.looks_back for effect in model.effects) and n > 0
+    wanted = scene.reactions or looked
+    reactions = evaluated(model, "forward_dynamics_reactions", known)["reactions"] if wanted else None
+    told = _told(model, known, reactions) if reactions is not None and looked else ()
     named = AssemblyModes(model, programs.parameters)
     modes = (named.name(history.q[0]), named.name(history.q[-1])) if n else ("", "")
     labels = [row.label for cut in model.system.cuts for row in cut.rows]
@@ -282,9 +285,23 @@ def _observed(scene: Scene, model: Model, programs: Plant, history: History) -> 
         Crossing(c.t, c.q, c.pivot / programs.pivot, c.lost, tuple(labels[k] for k in c.rows))
         for c in history.crossings
     )
+    events = (*history.events, *changed(*modes), *told)
     return Run(
-        scene, model, history.t, history.q, history.v, u, history.x, energy, closure, balance, reactions, crossings,
-        (*history.events, *changed(*modes)), history.ok, history.status, history.counters, programs.x_labels,
-        history.backend, {name: array for name, array in found.items() if name != "u"}, losses, history.estimate,
-        history.doubts, modes=modes,
+        scene, model, history.t, history.q, history.v, u, history.x, energy, closure, balance,
+        reactions if scene.reactions else None, crossings, events, history.ok, history.status, history.counters,
+        programs.x_labels, history.backend, {name: array for name, array in found.items() if name != "u"}, losses,
+        history.estimate, history.doubts, modes=modes,
     )  # fmt: skip
+
+
+def _told(model: Model, known: Mapping[str, np.ndarray], reactions: np.ndarray) -> tuple[str, ...]:
+    """What effects say of the motion that was computed with them: what they leave out, where it counts."""
+    mechanism, n = model.mechanism, len(reactions)
+    places = evaluated(model, "forward_kinematics", known)["positions"].reshape(n, -1, 3)
+    forces = reactions.reshape(n, -1, 6)[:, :, :3]
+    passed = Passed(
+        mechanism,
+        {name: places[:, k] for k, name in enumerate(mechanism.points)},
+        {name: forces[:, k] for k, name in enumerate(mechanism.joints)},
+    )
+    return tuple(text for effect in model.effects if (text := effect.seen(passed)))
