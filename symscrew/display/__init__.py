@@ -6,6 +6,8 @@ from symscrew.doors import doors
 
 if TYPE_CHECKING:
     from symscrew.display.drawing import mechanism_figure
+    from symscrew.display.end_labels import End, label_ends
+    from symscrew.display.film import write_film
     from symscrew.display.installed_parts import installation
     from symscrew.display.modes_picture import modes_figure
     from symscrew.display.plots import (
@@ -27,6 +29,7 @@ if TYPE_CHECKING:
     from symscrew.display.shown import Page, Picture, draw, show_page
     from symscrew.display.terminal import Progress, aligned_table, colours, one_line, print_table
     from symscrew.display.view import (
+        Limits,
         RecordedMotion,
         make_page,
         open_made,
@@ -42,6 +45,8 @@ __all__ = [
     "DPI",
     "TIME",
     "Curve",
+    "End",
+    "Limits",
     "Page",
     "Picture",
     "Progress",
@@ -57,6 +62,7 @@ __all__ = [
     "indexed_symbol",
     "installation",
     "joint_figure",
+    "label_ends",
     "make_page",
     "mechanism_figure",
     "modes_figure",
@@ -68,6 +74,7 @@ __all__ = [
     "read_mechanism_and_motion",
     "save_figure",
     "show_page",
+    "write_film",
     "write_made",
     "write_page",
 ]
