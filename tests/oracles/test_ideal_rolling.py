@@ -130,6 +130,9 @@ def test_accelerations_and_forces_are_those_of_newton_and_euler(name: str) -> No
     found = derive(body(R * lean * n, inertia, table), [Gravity(tuple(map(str, gravity))), rolls])
     assert len(found.independent) == (4 if table else 3)
     known, forces = motion(found)
+    if not table:  # a joint with six freedoms bears nothing, not even rounding, which a comparison would stumble over
+        arrays, _ = found("forward_dynamics_reactions", *found.system.sample_states[:2])
+        assert not arrays[-1].any()
     for k in range(len(forces)):
         a, alpha, force, ahead = expected(known, k, inertia, gravity, n, axis)
         assert known["a"][k] == pytest.approx(a, abs=1e-9 * max(1.0, np.abs(a).max()))
