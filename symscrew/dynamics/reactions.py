@@ -118,7 +118,7 @@ def joint_wrenches(
         placed = setting.placed[link.index]
         joint = tree.joints[link.joint]
         last = tree.links_of(joint.name)[-1]
-        if link is last and joint.name != tree.virtual:
+        if link is last and joint.name != tree.virtual and not joint.kind.unconstrained:  # which transmits nothing
             known = partial(_known_shares, setting, multipliers, u)
             result[joint.name] = _tree_reaction(setting, pose, link, before=before, known=known)
         for column, (f, m) in before.items():

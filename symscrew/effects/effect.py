@@ -16,7 +16,7 @@ from typing import Any, ClassVar
 
 from symscrew.description import Mechanism
 from symscrew.effects.acting import Acting
-from symscrew.effects.records import Contact
+from symscrew.effects.records import Contact, Passed
 from symscrew.errors import DescriptionError
 from symscrew.kinematics import Rolling, System
 
@@ -38,6 +38,7 @@ class Effect:
     """
 
     simplifies: ClassVar[str] = ""
+    looks_back: ClassVar[bool] = False  # whether `seen` says anything of a motion
     keeps_motion: ClassVar[bool] = True
     keeps_gyroscopic_moments: ClassVar[bool] = True
 
@@ -80,6 +81,10 @@ class Effect:
     def rolled(self, mechanism: Mechanism) -> tuple[Rolling, ...]:
         """Bodies that it lets roll on others without sliding: constraints of the rates."""
         return ()
+
+    def seen(self, motion: Passed) -> str:
+        """What a user must know of a motion that was computed with it: what it leaves out, where that counts; or ""."""
+        return ""
 
     def __post_init__(self) -> None:
         """Exact numbers as texts and lists as tuples, so that an effect read back from a file is the same."""

@@ -2,20 +2,30 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import ClassVar
 
 import mpmath
+import numpy as np
 
 from symscrew.algebra import CONTEXT, Node, Vector, cross, dot, scale, subtract, transform, transpose
-from symscrew.description import Point
+from symscrew.description import Mechanism, Point, Reader
 from symscrew.effects.acting import Acting
 from symscrew.effects.effect import Effect, Number
-from symscrew.effects.records import Bending
+from symscrew.effects.records import Bending, Passed
 from symscrew.errors import DescriptionError, shorten
 from symscrew.kinematics import GROUND
 
 MOST = 8
 """Modes at most: the next one of a pinned rod is a hundred times stiffer than the first and moves by a thousandth."""
+
+
+COUNTS = 0.01
+"""Part of the buckling load from which on a run tells the axial force: the square of a frequency is off by that part,
+and the deflections' truncation to few modes by 0.001 to 0.01."""
+BUCKLING = {"pinned": 1.0, "clamped": 0.25}
+"""Euler's load by EI pi^2/L^2."""
 
 
 @dataclass(frozen=True, repr=False)
@@ -39,8 +49,10 @@ class FlexibleLink(Effect):
 
     and the body's rate of momentum gets the inertial forces of w: those of w_ddot, of Coriolis, and the inertia of the
     deflected shape. Kinetic energy and momentum are exact for this motion of the points. Left out are what the ends
-    come nearer by when the rod bends, and the stiffness that an axial force gives or takes (it counts where that force
-    is not small against EI pi^2/L^2), rotary inertia, and shear. Points of joints stay where they are on the body.
+    come nearer by when the rod bends, and the stiffness that an axial force gives or takes, rotary inertia, and shear.
+    A run says how large the axial force gets beside the rod's buckling load, where it is more than `COUNTS` of it:
+    deflections are off by about as much, and more as they fall out of step. Points of joints stay where they are on
+    the body.
 
     States, per mode: eta_k, at first `initial`, and eta_k_dot + integral rho phi_k e . v(x) dx/m_k [m/s], the velocity
     that includes the body's own: so no rate needs an acceleration. They start without eta_dot. Stored: k_k eta_k^2/2.
@@ -54,6 +66,8 @@ class FlexibleLink(Effect):
         line_density = 0.22
         modes = 2
     """
+
+    looks_back: ClassVar[bool] = True
 
     start: str
     end: str
@@ -75,6 +89,31 @@ class FlexibleLink(Effect):
     def depends_on(self) -> frozenset[str]:
         """The inertia: gravity and accelerations bend the body."""
         return frozenset({"inertia"})
+
+    def seen(self, motion: Passed) -> str:
+        """The largest axial force at either end, beside Euler's load."""
+        mechanism = motion.mechanism
+        start, end = (mechanism.points[name] for name in (self.start, self.end))
+        along = motion.points[self.end] - motion.points[self.start]
+        length = np.linalg.norm(along, axis=1, keepdims=True)
+        pulled = [np.zeros(len(along))]
+        for point in (start, end):
+            total = np.zeros_like(along)
+            for joint in mechanism.joints.values():
+                if start.body in (joint.parent, joint.child) and _same(mechanism, joint.point, point.at):
+                    total += (1 if joint.child == start.body else -1) * motion.forces[joint.name]
+            pulled.append(np.abs((total * along / length).sum(axis=1)))
+        reader = Reader(dict(mechanism.parameters))
+        stiffness = float(mechanism.number(reader.number(self.bending_stiffness, "bending_stiffness")))
+        load = BUCKLING[self.shape] * stiffness * float((np.pi / length[0, 0]) ** 2)
+        largest = float(max(part.max() for part in pulled))
+        if largest < COUNTS * load:
+            return ""
+        return (
+            f"the rod from {self.start} to {self.end} bears {largest:.3g} N along it, {100 * largest / load:.2g} % of "
+            "its buckling load: what such a force does to the bending is left out, and deflections are off by about as "
+            "much"
+        )
 
     def conclude(self, acting: Acting) -> None:
         """States, energy and inertia of every mode."""
@@ -179,3 +218,9 @@ class FlexibleLink(Effect):
         found = (2 * ratio / beta / tip, 2 / beta**2 / tip, CONTEXT.mpf(1) / 4, beta**4 / 4)
         first, second, square, bent = (tape.constant(value) for value in found)
         return first, second, square, bent
+
+
+def _same(mechanism: Mechanism, a: Sequence[object], b: Sequence[object]) -> bool:
+    """Whether two points are one, to rounding."""
+    one, other = (np.array([float(mechanism.number(c)) for c in place]) for place in (a, b))
+    return bool(np.abs(one - other).max() <= 1e-12 * max(1.0, np.abs(one).max()))

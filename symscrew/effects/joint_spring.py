@@ -26,8 +26,9 @@ class JointSpring(Effect):
     -dE/dx, so that the spring stores what it takes. Stored: F0 x + k x^2/2 + k3 x^4/4, or E(x); the damper
     dissipates c s_dot^2 [W]. In a spherical joint only k and c act, on the rotation vector and omega. The vector goes
     on over whole turns, for which its three components are states (`turn_<joint>_x` ..., rad), at the start the
-    shortest one; with `nearest` it is the shortest one always, without states: beyond half a turn the spring then pulls
-    on the other way round.
+    shortest one; a motion that passes a whole turn beside the axis of its turning comes back from the other side there,
+    as two turns of a ball can be undone, within 1e-3 rad of the axis it turns on. With `nearest` the vector is the
+    shortest one always, without states: beyond half a turn the spring then pulls on the other way round.
 
         [[effects]]
         type = "joint_spring"

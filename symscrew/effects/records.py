@@ -6,7 +6,10 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
+import numpy as np
+
 from symscrew.algebra import Node, Vector, add, cross, dot, scale, transform
+from symscrew.description import Mechanism
 from symscrew.kinematics import Inertia, Rates
 
 
@@ -43,6 +46,18 @@ class Contact:
     lower: Any = None
     upper: Any = None
     restitution: Any = 0
+
+
+@dataclass(frozen=True)
+class Passed:
+    """A motion that was computed, at its n outputs: places of named points and forces in joints, absolute axes.
+
+    `points`: name -> (n, 3) [m]; `forces`: joint -> (n, 3) [N], from parent on child.
+    """
+
+    mechanism: Mechanism
+    points: Mapping[str, np.ndarray]
+    forces: Mapping[str, np.ndarray]
 
 
 @dataclass(frozen=True)

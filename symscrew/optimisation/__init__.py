@@ -17,7 +17,8 @@ if TYPE_CHECKING:
     from symscrew.optimisation.joined_plan import JoinedPlan
     from symscrew.optimisation.joined_problem import JoinedProblem, Link
     from symscrew.optimisation.joined_solution import solve_joined
-    from symscrew.optimisation.plan_file import plot_plan, write_joined, write_plan
+    from symscrew.optimisation.plan_file import write_joined, write_plan
+    from symscrew.optimisation.plan_picture import plot_plan
     from symscrew.optimisation.problem import (
         Bounds,
         Conditions,

@@ -106,6 +106,13 @@ def _begun(scene: Scene, model: Model, closure: _Closure) -> Asking[State]:
     in_mode, others = scene.initial.mode, any(label not in known for label in scene.initial.coordinates)
     if in_mode or (hold is None and others):
         placed = _in_mode(scene, model) if in_mode else _by_names(scene, model)
+        residual, _ = closure.of_coordinates(*(yield _At(placed)))
+        if np.abs(residual).max(initial=0.0) > FOLLOWED:  # what effects constrain, the mechanism alone does not know
+            raise DescriptionError(
+                f"initial.coordinates: {_shown(scene.initial.coordinates)}: there the wheels of 'ideal_rolling' are "
+                f"{np.abs(residual).max():.3g} off their ground (lengths divided by {system.length:g} m); expected a "
+                "pose where they touch, or coordinates of the tree, the others of which are found"
+            )
         labels = {c.label: k for k, c in enumerate(system.tree.v)}
         given = dict(_labelled(scene.initial.rates, labels, "initial.rates"))
         return placed, (yield from _rates(closure, placed, given, scene))

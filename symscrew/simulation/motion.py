@@ -10,7 +10,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from symscrew.effects import Contact
+from symscrew.effects import Contact, Passed
 from symscrew.errors import DescriptionError
 from symscrew.functions import REASONS
 from symscrew.model import Model
@@ -311,9 +311,17 @@ def _evaluated_together(model: Model, of: Sequence[tuple[Scene, Plant, History]]
     if programs.closure is not None:
         residual = evaluated(model, "closure", known)["residual"]
         seen["closure"] = np.abs(residual * programs.rows).max(axis=1, initial=0.0)
-    if scene.reactions:
+    looked = _looked(model)
+    if scene.reactions or looked:
         seen["reactions"] = evaluated(model, "forward_dynamics_reactions", known)["reactions"]
+    if looked:
+        seen["places"] = evaluated(model, "forward_kinematics", known)["positions"]
     return found, seen
+
+
+def _looked(model: Model) -> bool:
+    """Whether an effect says something of the motion that was computed with it."""
+    return any(effect.looks_back for effect in model.effects)
 
 
 def _run(
@@ -334,9 +342,24 @@ def _run(
         for c in history.crossings
     )
     u = inputs.pop("u", np.zeros((n, 0)))
+    events = (*history.events, *changed(*modes), *_told(model, looks))
     return Run(
         scene, model, history.t, history.q, history.v, u, history.x, energy, looks["closure"], balance,
-        looks.get("reactions"), crossings, (*history.events, *changed(*modes)), history.ok, history.status,
+        looks.get("reactions") if scene.reactions else None, crossings, events, history.ok, history.status,
         history.counters, programs.x_labels, history.backend, inputs, losses, history.estimate, history.doubts,
         modes=modes,
     )  # fmt: skip
+
+
+def _told(model: Model, looks: Arrays) -> tuple[str, ...]:
+    """What effects say of the motion that was computed with them: what they leave out, where it counts."""
+    n, mechanism = len(looks["energy"]), model.mechanism
+    if not _looked(model) or n == 0:
+        return ()
+    places, forces = looks["places"].reshape(n, -1, 3), looks["reactions"].reshape(n, -1, 6)[:, :, :3]
+    passed = Passed(
+        mechanism,
+        {name: places[:, k] for k, name in enumerate(mechanism.points)},
+        {name: forces[:, k] for k, name in enumerate(mechanism.joints)},
+    )
+    return tuple(text for effect in model.effects if (text := effect.seen(passed)))

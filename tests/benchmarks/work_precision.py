@@ -2,7 +2,8 @@
 
 The seed, hanging and swinging, is measured against itself at 1e-13. A bare loop is DOP853 with projection around the
 same generated functions and nothing else: `bare` with our stages and projection (lean/bare_loop.c), `other` by another
-hand, with SciPy's tableau and dense normal equations (lean/other_loop.c). Where one fails or goes astray there is no
+hand, with SciPy's tableau and dense normal equations (lean/other_loop.c), `raw` the same whose outputs are left off
+the mechanism. Where one fails or goes astray there is no
 ratio. Of the seed instructions are compared too, counted by valgrind where it is there, at equal error: those that the
 other loop would need for ours, between the tolerances that it was run at.
 """
@@ -45,16 +46,17 @@ def run(*, repeats: int = 5, names: tuple[str, ...] | None = None) -> tuple[str,
 
 def at_equal_error(case: Compiled, repeats: int) -> str:
     """Instructions and time of ours by those of the two bare loops, at the errors that ours reaches."""
-    found = compared(case, EQUAL, repeats=repeats, count=True, names=("ours", "bare", "other"))
+    found = compared(case, EQUAL, repeats=repeats, count=True, names=("ours", "bare", "other", "raw"))
     rows = []
     for tolerance, at in zip(EQUAL, found, strict=True):
         ours, cells = at["ours"], []
-        for name in ("bare", "other"):
+        for name in ("bare", "other", "raw"):
             for quantity in ("instructions", "seconds"):
                 needed = _needed([f[name] for f in found], ours.error, quantity)
                 cells.append(f"{getattr(ours, quantity) / needed:.2f}" if needed > 0 else "-")
         rows.append([f"{tolerance:g}", f"{ours.error:.1e}", ours.instructions, *cells])
     header = ["tolerance", "error", "instructions", "by bare", "time", "by another hand's", "time"]
+    header += ["outputs off it", "time"]
     return table(header, rows)
 
 

@@ -15,7 +15,7 @@ import pytest
 
 from symscrew.description.builder import MechanismBuilder
 from symscrew.description.toml_file import load_description
-from symscrew.effects import BaseMotion, FlexibleLink
+from symscrew.effects import BaseMotion, FlexibleLink, Passed
 from symscrew.effects.effect import Effect
 from symscrew.effects.gravity import Gravity
 from symscrew.effects.registry import check_effects
@@ -91,6 +91,82 @@ def test_the_flexible_slider_crank_bends_as_finite_elements_do() -> None:
     got, expected = eta @ np.sin(np.arange(1, 4) * np.pi / 2), middle(run.t, 8)
     assert 0.01 < np.abs(expected).max() / ROD < 0.03
     assert np.abs(got - expected).max() < 1e-3 * np.abs(expected).max()  # of the modes beyond the third
+
+
+def chained(times: np.ndarray, links: int, slider: float, rate: float) -> np.ndarray:
+    """The same of a geometrically exact rod: rigid links with springs EI/h between them, the last hinge on the rail.
+
+    Angles of the links, Lagrange's equations and the multiplier of the rail, whose drift is damped; to O(1/links^2).
+    """
+    from scipy.integrate import solve_ivp
+
+    h = ROD / links
+    arms = np.tril(np.full((links, links), h), -1) + np.diag(np.full(links, h / 2))  # of the links' centres
+    arms = np.vstack([arms, np.full(links, h)])
+    masses = np.append(np.full(links, RHO * h), slider)
+    pairs, first = (arms.T * masses) @ arms, masses @ arms
+    own = np.diag(np.full(links, RHO * h**3 / 12))
+    bends = np.zeros((links, links))
+    for i in range(links - 1):
+        bends[i : i + 2, i : i + 2] += EI / h * np.array([[1, -1], [-1, 1]])
+    stiff = 2000.0  # 1/s, of the drift on the rail
+
+    def slopes(t: float, y: np.ndarray) -> np.ndarray:
+        angle, omega = y[:links], y[links:]
+        c, s, turned = np.cos(angle), np.sin(angle), rate * t
+        pin = -CRANK * rate**2 * np.array([np.cos(turned), np.sin(turned)])
+        apart = angle[:, None] - angle
+        right = -(pairs * np.sin(apart)) @ omega**2 - first * (c * pin[1] - s * pin[0]) - bends @ angle
+        off, speed = CRANK * np.sin(turned) + h * s.sum(), CRANK * rate * np.cos(turned) + h * c @ omega
+        matrix = np.zeros((links + 1, links + 1))
+        matrix[:links, :links], matrix[:links, links], matrix[links, :links] = (
+            pairs * np.cos(apart) + own,
+            -h * c,
+            h * c,
+        )
+        rail = -pin[1] + h * s @ omega**2 - 2 * stiff * speed - stiff**2 * off
+        return np.append(omega, np.linalg.solve(matrix, np.append(right, rail))[:links])
+
+    start = np.append(np.zeros(links), np.full(links, -CRANK * rate / ROD))
+    found = solve_ivp(slopes, (0, times[-1]), start, "DOP853", times, rtol=1e-7, atol=1e-9).y[:links]
+    x, y = (h * np.cumsum(part, axis=0) for part in (np.cos(found), np.sin(found)))
+    k = links // 2 - 1
+    return (x[-1] * y[k] - y[-1] * x[k]) / np.hypot(x[-1], y[-1])
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("rate", "share", "off"), [(150.0, 0.32, (0.1, 0.35)), (30.0, 0.013, (0.003, 0.03))])
+def test_how_far_a_linear_rod_is_from_an_exact_one_is_said(rate: float, share: float, off: tuple[float, float]) -> None:
+    """The stiffness of the axial force and the ends' approach are left out: of the benchmark a fifth of the deflection
+    is, over two turns, and the run says that the force is a third of the buckling load."""
+    scene = load_scene(EXAMPLES / "flexible_slider_crank.toml")
+    bodies = scene.mechanism.bodies
+    heavy = replace(
+        bodies["crank"], inertia=tuple(tuple(100000 * c for c in row) for row in bodies["crank"].inertia or ())
+    )
+    run = simulate(
+        replace(
+            scene, mechanism=replace(scene.mechanism, bodies={**bodies, "crank": heavy}),
+            initial=replace(scene.initial, rates={"A": rate}), duration=0.08, rate=1000.0,
+        )
+    )  # fmt: skip
+    eta = run.x[:, [k for k, label in enumerate(run.x_labels) if label.startswith("bend_piston")]]
+    coarse, fine = (chained(run.t, links, 0.15 * RHO, rate) for links in (4, 8))
+    exact = (4 * fine - coarse) / 3
+    away = np.abs(eta @ np.sin(np.arange(1, 4) * np.pi / 2) - exact).max() / np.abs(exact).max()
+    assert off[0] < away < off[1]
+    (said,) = [event for event in run.events if "buckling load" in event]
+    assert float(said.split(" % of")[0].split()[-1]) == pytest.approx(100 * share, rel=0.1)
+
+
+def test_a_small_axial_force_is_not_worth_a_word() -> None:
+    points = {"crank_pin": np.tile([0.15, 0, 0], (2, 1)), "piston_pin": np.tile([0.45, 0, 0], (2, 1))}
+    scene = load_scene(EXAMPLES / "flexible_slider_crank.toml")
+    (rod,) = scene.effects
+    for force, words in ((13.0, False), (15.0, True)):  # 1 % of EI pi^2/L^2 = 13.9 N
+        forces = {name: np.zeros((2, 3)) for name in scene.mechanism.joints}
+        forces["B"][1, 0] = force
+        assert bool(rod.seen(Passed(scene.mechanism, points, forces))) == words
 
 
 # -- books of energy, and the equations among themselves ---------------------------------------------------------------

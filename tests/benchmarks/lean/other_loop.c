@@ -4,7 +4,8 @@
  * OTHER_NEXT, OTHER_FIVE, OTHER_THREE, and OTHER_MORE, OTHER_DENSE_0 ... 3 for its dense output), its error norm and its
  * control of steps. State (q, v), quaternions as four numbers; after every step these are
  * made of length one, q is put onto the closure by Gauss and Newton, v into its tangent space, with dense normal
- * equations; outputs too, so that they are on the mechanism. Rows of the closure must be independent. */
+ * equations; outputs too, so that they are on the mechanism, unless OTHER_RAW is 1. Rows of the closure must be
+ * independent. */
 #define DIM (NQ + NV)
 
 static void other_rates(const double *q, const double *v, double *dq)
@@ -182,7 +183,7 @@ static int other_outputs(double (*k)[DIM], double t, double h, const double *y, 
             }
             at[i] = y[i] + sum;
         }
-        if (other_project(at) != 0) {
+        if (!OTHER_RAW && other_project(at) != 0) {
             return 1;
         }
         memcpy(q + *written * NQ, at, sizeof(double) * NQ);
