@@ -311,8 +311,12 @@ def _driven(
         j for c in controls for j in elements(c, "joint") if any(True for _ in elements(j, "command_interface"))
     ]
     named += [attribute(joint, "name") for joint in commanded]
+    idle_joints = [name for name in single if name not in named]  # one of them may be meant by a name of nothing
     for name in [name for name in named if name not in joints]:
-        ledger.lost(f"drive of {shorten(name)}, which is no joint of the file ({did_you_mean(name, joints)})")
+        if idle_joints:
+            ledger.lost(f"drive of {shorten(name)}, which is no joint of the file ({did_you_mean(name, joints)})")
+        else:
+            ledger.passed(f"drive of {shorten(name)}, which is no joint of the file")
     named = [name for name in named if name in joints]
     idle = [name for name in named if name not in single]
     notes = ["not taken over: drives of joints that have not one freedom: " + ", ".join(idle)] if idle else []
