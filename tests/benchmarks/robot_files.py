@@ -25,11 +25,10 @@ from typing import Any
 import numpy as np
 
 from symscrew.dynamics import generalised_forces, mass_matrix
-from symscrew.effects import Acting, Effect, joints_read, transformed, type_name
+from symscrew.effects import Acting, Effect, system_under, type_name
 from symscrew.errors import DescriptionError
 from symscrew.formats import ImportOptions, import_file
 from symscrew.functions import Motion, kinematic_functions
-from symscrew.kinematics import System
 from symscrew.program import evaluate, lower
 from symscrew.reference import rotation_about
 from symscrew.scene import robot_of
@@ -49,7 +48,7 @@ class Ours:
         robot = robot_of(self.found)
         effects: list[Effect] = [effect for effect in robot.effects if type_name(effect) in COMPARED]
         self.mechanism = robot.mechanism
-        self.system = System(robot.mechanism, transformed(robot.mechanism, effects), read=joints_read(effects))
+        self.system = system_under(robot.mechanism, effects)
         self.acting = Acting(self.system, effects)
         self.q, self.v, _ = self.system.states(STATES, 1)
 

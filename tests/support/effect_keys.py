@@ -79,6 +79,15 @@ EFFECT_KEYS = {
         "acceleration": ("m/s^2", "three components, absolute axes"),
         "input": ("", '"switch" or "field": a factor or the field is an input'),
     },
+    "ideal_rolling": {
+        "wheel": ("", "the point at the wheel's centre"),
+        "ground": ("", "a point of the plane, or the circle's centre, on another body"),
+        "radius": ("m", "of the wheel, above 0"),
+        "normal": ("1", "across the plane"),
+        "axis": ("1", "of a disc; without it a ball"),
+        "circle": ("m", "its radius in place of the plane, < 0: within it"),
+        "holds": ("", "false: joints hold the wheel at its ground"),
+    },
     "joint_clearance": {
         "hole": ("", "the point at the hole's centre"),
         "pin": ("", "the point at the pin's centre, on another body"),
@@ -98,6 +107,7 @@ EFFECT_KEYS = {
         "cubic": ("N/m^3 or N m/rad^3", "of either sign"),
         "damping": ("N s/m or N m s/rad", "at least 0"),
         "energy": ("J", "a text E(x) in place of stiffness, cubic and preload"),
+        "nearest": ("", "true: of a ball joint's rotation vectors the shortest one; without states"),
     },
     "leg_compliance": {
         "stiffness": ("N/m", "of the leg, above 0"),
