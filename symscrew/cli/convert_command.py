@@ -49,6 +49,9 @@ def add_options(command: argparse.ArgumentParser) -> None:
     command.add_argument("--accept", action="store_true", help="leave out what numbers depend on and is not read")
     command.add_argument("--floating", action="store_true", help="the root link of a URDF moves freely in space")
     command.add_argument(
+        "--folder", metavar="DIR", type=Path, help="below which files that an MJCF names may be; default: its own"
+    )
+    command.add_argument(
         "--exact", action="store_true", help="digits that mean an angle or a zero are that: 1.5708 is pi/2"
     )
 
@@ -71,10 +74,12 @@ def run(options: argparse.Namespace) -> int:
         if file:
             check_folder(Path(file).parent, option)
     foreign = source.suffix in READABLE and source.is_file()
-    asked = (options.scene, options.snap, options.repair, options.floating, options.exact, options.bare, options.start)
+    keys = ("scene", "snap", "repair", "floating", "exact", "folder", "bare", "start")
+    asked = [getattr(options, key) for key in keys]
     if not foreign and (any(asked) or (options.accept and not options.effects)):
         raise UsageError(
-            "--scene, --snap, --repair, --accept, --floating, --exact, --bare and --start belong to URDF and MJCF files"
+            "--scene, --snap, --repair, --accept, --floating, --exact, --folder, --bare and --start belong to URDF and "
+            "MJCF files"
         )
     if not 0 <= options.snap < 1:
         raise UsageError(f"--snap: expected a gap from 0 to 1 [m, rad], got {options.snap}")
@@ -92,7 +97,8 @@ def run(options: argparse.Namespace) -> int:
         raise UsageError("--start belongs to --scene: it says where the scene begins")
     if options.effects:
         raise UsageError("--effects belongs to descriptions; a URDF or MJCF file has its own")
-    chosen = ImportOptions(options.snap, options.repair, options.accept, options.floating, options.exact)
+    switches = (options.snap, options.repair, options.accept, options.floating, options.exact)
+    chosen = ImportOptions(*switches, options.folder)
     robot = load_robot(source, chosen)
     scene = Path(options.scene) if options.scene else None
     acts = scene_text(robot, os.path.relpath(path, scene.parent), options.start) if scene else ""

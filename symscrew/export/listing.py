@@ -161,10 +161,13 @@ def wrapped(text: str, *, first: str = "", later: str = "", width: int = 100) ->
 
 
 def filled(text: str, words: Mapping[str, str]) -> list[str]:
-    """The lines of a text of the target, some of its words replaced, those of a model last: nothing looks into them."""
-    for word, meaning in words.items():
-        text = text.replace(word, meaning)
-    return text.splitlines()
+    """The lines of a text of the target, some of its words replaced, all at once: nothing looks into what they become.
+
+    >>> filled("UPPER_SIZE MODEL_size", {"UPPER": "A_MODEL", "MODEL": "a_MODEL"})
+    ['A_MODEL_SIZE a_MODEL_size']
+    """
+    longest_first = "|".join(map(re.escape, sorted(words, key=len, reverse=True)))
+    return re.sub(longest_first, lambda found: words[found[0]], text).splitlines() if words else text.splitlines()
 
 
 def packed(entries: Sequence[str], *, indent: str = "      ", width: int = 100) -> list[str]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from pathlib import Path
 
 
 @dataclass(frozen=True)
@@ -15,6 +16,7 @@ class ImportOptions:
         accept: what is left out although numbers depend on it is left out all the same.
         floating: the root of a tree that stands on nothing moves freely in space.
         exact: digits that mean an angle, a zero or a short decimal are that (`exact_digits`).
+        folder: below which files that the file names may be; by default the file's own folder.
     """
 
     snap: float = 0.0
@@ -22,3 +24,4 @@ class ImportOptions:
     accept: bool = False
     floating: bool = False
     exact: bool = False
+    folder: Path | None = None

@@ -1,7 +1,7 @@
 """Files that an MJCF file includes, put in the place of the elements that name them.
 
-Only files in the folder of the main one or below it are read, each once on its way and few in all, so that a file
-cannot reach outside or grow without bound.
+Only files in the folder of the main one, or in one that whoever imports names, or below it are read, each once on its
+way and few in all, so that a file cannot reach outside or grow without bound.
 """
 
 from __future__ import annotations
@@ -18,26 +18,30 @@ DEEPEST = 10
 """Files that include each other in a row."""
 
 
-def inside(folder: Path, name: str, where: str) -> Path:
-    """The path of a file named in another one; raises DescriptionError for one that is not below the folder."""
+def inside(folder: Path, name: str, where: str, within: Path | None = None) -> Path:
+    """The path of a file named relative to a folder; raises DescriptionError for one that is not below `within`.
+
+    `within`: by default the folder itself.
+    """
     if "\0" in name:
         raise DescriptionError(f"{where}: a path must not contain a null character")
     path = (folder / name).resolve()
-    if not path.is_relative_to(folder.resolve()):
+    if not path.is_relative_to((within or folder).resolve()):
         raise DescriptionError(
-            f"{where}: {shorten(name)} is outside of the model's folder; only files below it are read"
+            f"{where}: {shorten(name)} is outside of the model's folder; only files below it are read, or below the "
+            "one that --folder DIR names"
         )
     return path
 
 
-def expanded(root: Element, path: Path) -> Element:
-    """The root element with the contents of all included files in their places."""
-    return _Expansion(path.parent).of(root, (path.resolve(),))
+def expanded(root: Element, path: Path, within: Path | None = None) -> Element:
+    """The root element with the contents of all included files, which are below `within`, in their places."""
+    return _Expansion(path.parent, within).of(root, (path.resolve(),))
 
 
 class _Expansion:
-    def __init__(self, folder: Path) -> None:
-        self.folder, self.count = folder, 0
+    def __init__(self, folder: Path, within: Path | None) -> None:
+        self.folder, self.within, self.count = folder, within, 0
 
     def of(self, element: Element, way: tuple[Path, ...]) -> Element:
         if not any(child.tag == "include" for child in element.iter()):
@@ -52,7 +56,7 @@ class _Expansion:
         return made
 
     def _included(self, element: Element, way: tuple[Path, ...]) -> list[Element]:
-        path = inside(self.folder, attribute(element, "file"), "<include>")
+        path = inside(self.folder, attribute(element, "file"), "<include>", self.within)
         if path in way or len(way) > DEEPEST or self.count >= MOST_FILES:
             raise DescriptionError(f"<include>: {path.name} includes itself, or too many files are included")
         self.count += 1

@@ -46,21 +46,22 @@ class Bulk:
 
 @dataclass(frozen=True)
 class Meshes:
-    """The meshes that an MJCF file names, and the folder that they are in."""
+    """The meshes that an MJCF file names, the folder that they are in, and the one below which that must be."""
 
     folder: Path
     assets: str
     given: Mapping[str, Element]
+    within: Path | None = None
 
     @classmethod
-    def of(cls, root: Element, path: Path, settings: Settings) -> Meshes:
+    def of(cls, root: Element, path: Path, settings: Settings, within: Path | None = None) -> Meshes:
         """Of the <asset> sections."""
         given = {}
         for section in elements(root, "asset"):
             for mesh in elements(section, "mesh"):
                 name = mesh.get("name") or Path(mesh.get("file", "")).stem
                 given[name] = settings.with_defaults(mesh, "mesh")
-        return cls(path.parent, settings.assets, given)
+        return cls(path.parent, settings.assets, given, within)
 
     def bulk(self, name: str, where: str) -> Bulk:
         """The bulk of a mesh by its name; raises DescriptionError."""
@@ -73,7 +74,8 @@ class Meshes:
                 f"{label(mesh)}: inertia={shorten(kind)} is not supported; write 'exact' or an <inertial>"
             )
         if "file" in mesh.attrib:
-            triangles = read_triangles(inside(self.folder, f"{self.assets}/{mesh.attrib['file']}", label(mesh)))
+            name = f"{self.assets}/{mesh.attrib['file']}"
+            triangles = read_triangles(inside(self.folder, name, label(mesh), self.within))
         else:
             triangles = _written(mesh)
         factors = [float(v) for v in numbers(mesh.get("scale", "1 1 1"), f"{label(mesh)}, scale", 3)]

@@ -62,20 +62,22 @@ class Composed:
     parts: tuple[tuple[Settings, Meshes], ...]
 
 
-def composed(root: Element, path: Path, draft: Draft, prepare: Callable[[Element], Element]) -> Composed:
+def composed(
+    root: Element, path: Path, draft: Draft, prepare: Callable[[Element], Element], *, within: Path | None = None
+) -> Composed:
     """A <mujoco> with everything in its place; raises DescriptionError.
 
-    `prepare` is what the root of every file goes through before it is used.
+    `prepare` is what the root of every file goes through before it is used; files are below `within`.
     """
-    composition = _Composition(draft, prepare)
+    composition = _Composition(draft, prepare, within)
     made = composition.of(prepare(root), path, ())
     classes = {name: values for chosen, _ in composition.parts for name, values in chosen.defaults.items()}
     return Composed(made, tuple((replace(chosen, defaults=classes), meshes) for chosen, meshes in composition.parts))
 
 
 class _Composition:
-    def __init__(self, draft: Draft, prepare: Callable[[Element], Element]) -> None:
-        self.draft, self.prepare = draft, prepare
+    def __init__(self, draft: Draft, prepare: Callable[[Element], Element], within: Path | None) -> None:
+        self.draft, self.prepare, self.within = draft, prepare, within
         self.parts: list[tuple[Settings, Meshes]] = []
 
     def of(self, root: Element, path: Path, way: tuple[Path, ...]) -> Element:
@@ -86,7 +88,8 @@ class _Composition:
             main = {f"#{index}" if name == "main" else name: values for name, values in chosen.defaults.items()}
             chosen = replace(chosen, defaults=main)
             _check_masses(chosen, path)
-        self.parts.append((chosen, Meshes.of(root, path, replace(chosen, defaults={"main": {}, **chosen.defaults}))))
+        known = replace(chosen, defaults={"main": {}, **chosen.defaults})
+        self.parts.append((chosen, Meshes.of(root, path, known, self.within)))
         root = replicated(root, chosen)
         models: dict[str, Element] = {}
         for section in elements(root, "asset"):
@@ -119,10 +122,10 @@ class _Composition:
         (path, way), name = at, element.get("model", "")
         if name not in models:
             raise DescriptionError(f"<attach>: there is no <model> {shorten(name)}; {did_you_mean(name, models)}")
-        file = inside(path.parent, attribute(models[name], "file"), label(models[name]))
+        file = inside(path.parent, attribute(models[name], "file"), label(models[name]), self.within)
         if file in way or len(way) > DEEPEST or len(self.parts) >= MOST_FILES:
             raise DescriptionError(f"<attach>: {file.name} attaches itself, or too many models are attached")
-        given = expanded(read(file), file)
+        given = expanded(read(file), file, self.within)
         if given.tag != "mujoco":
             raise DescriptionError(f"<attach>: {file.name}: expected the root element <mujoco>")
         for left in sorted({child.tag for child in elements(given, *LEFT)}):

@@ -50,7 +50,7 @@ def read_mjcf(root: Element, path: Path, options: ImportOptions) -> Draft:
         path: of the file: its name is in the mechanism's `source`, files that it names are looked for in its folder.
         options: what else is accepted.
     """
-    root = expanded(root, path)
+    root = expanded(root, path, options.folder)
     check_attributes(root, ("model",))
     model = root.get("model") or "mujoco_model"
     texts = {t.get("name"): t.get("data") or "" for c in elements(root, "custom") for t in elements(c, "text")}
@@ -61,7 +61,7 @@ def read_mjcf(root: Element, path: Path, options: ImportOptions) -> Draft:
         _check_sections(given, result)
         return with_exact_digits(given, result.ledger) if options.exact else given
 
-    whole = composed(root, path, result, prepared)
+    whole = composed(root, path, result, prepared, within=options.folder)
     root, (chosen, meshes) = whole.root, whole.parts[0]
     if "symscrew_characteristic_length" in texts:
         result.characteristic_length = real(number(texts["symscrew_characteristic_length"], "<custom>, length"))

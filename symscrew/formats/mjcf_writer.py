@@ -123,7 +123,8 @@ def _add_body(writing: Writing, branch: Branch) -> None:
     body = SubElement(writing.elements[branch.parent], "body", name=writing.names[branch.body])
     body.set("pos", decimals(point - writing.origins[branch.parent]))
     writing.elements[branch.body], writing.origins[branch.body] = body, point
-    _add_inertial(writing, branch.body, point)
+    if mechanism.bodies[branch.body].mass is not None or branch.joint.kind.freedom:
+        _add_inertial(writing, branch.body, point)  # without mass and fixed to another, it needs none
     alone = branch.joint.kind.unconstrained and branch.parent == mechanism.ground and not branch.inverted
     _add_joints(writing, body, branch.joint, inverted=branch.inverted, floating=alone)
 

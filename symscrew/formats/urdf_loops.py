@@ -1,11 +1,16 @@
 """Loops of a URDF, which is a tree: in the forms that people have found.
 
-    <loop> of URDF+, <loop_joint>, <gazebo><joint>, robot.yaml beside robot.urdf (Gepetto)  -->  joints that close loops
+    <loop> of URDF+, <loop_joint>, <gazebo><joint>, <drake:ball_constraint>, robot.yaml beside robot.urdf (Gepetto)
+    --> joints that close loops
 
 - URDF+: `<loop name type><predecessor link><origin/></predecessor><successor link><origin/></successor><axis/></loop>`.
+- SDF, inside `<gazebo>`: `<joint type><parent>link</parent><child>link</child><pose/><axis><xyz/></axis></joint>`, with
+  the links where they are: its frame is the child's, displaced by `pose`, or that of the link `relative_to`.
+- Drake: `<drake:ball_constraint>` with two bodies and a point in each.
 - Gepetto: `closed_loop` pairs of frames, `type` 3d (a ball) or 6d (fixed) for each, `name_mot` the driven joints,
   `joint_name` with `joint_type` SPHERICAL, FIXED or UJOINT_XY for joints that the URDF holds otherwise.
-Sources: https://github.com/Gepetto/example-parallel-robots, http://sdformat.org/spec?elem=joint.
+Sources: https://github.com/Gepetto/example-parallel-robots, http://sdformat.org/spec?elem=joint,
+https://drake.mit.edu/doxygen_cxx/group__multibody__parsing.html.
 """
 
 from __future__ import annotations
@@ -40,6 +45,8 @@ TYPES = {
     "fixed": "fixed", "revolute": "R", "continuous": "R", "prismatic": "P", "planar": "E", "spherical": "S",
     "ball": "S", "cylindrical": "C", "universal": "U",
 }  # fmt: skip
+DRAKE = "{http://drake.mit.edu}"
+"""Namespace of Drake's own elements."""
 KINDS = {"3d": "S", "6d": "fixed"}
 MOST_BYTES = 100_000
 """Of a robot.yaml: those that people publish have some thousand."""
@@ -71,6 +78,7 @@ def loops(root: Element, path: Path, draft: Draft, *, poses: Mapping[str, Pose],
         if kind not in TYPES:
             raise DescriptionError(f"{label(element)}: loops of type {shorten(kind)}; {did_you_mean(kind, TYPES)}")
         found.append(_joined(element.get("name") or "loop", TYPES[kind], sides, axes=_axes(element), closing=closing))
+    found += [_ball_constraint(element, poses, closing) for element in root.iter(f"{DRAKE}ball_constraint")]
     beside = path.with_suffix(".yaml")
     driven = None
     if beside.is_file():
@@ -98,19 +106,45 @@ def _elements(root: Element) -> Iterator[Element]:
 def _sides(element: Element, poses: Mapping[str, Pose]) -> Iterator[tuple[str, Pose]]:
     """(link, pose of the joint's frame as it has it) for both links."""
     names = ("predecessor", "successor", "parent", "child", "link1", "link2")
-    pose = _pose(element)
-    for side in elements(element, *names):
-        link = side.get("link") or (side.text or "").strip()
-        if link not in poses:
-            raise DescriptionError(f"{label(element)}: there is no link {shorten(link)}; {did_you_mean(link, poses)}")
+    sides = list(elements(element, *names))
+    whole = _frame(element, poses) if sides and all(not side.get("link") for side in sides) else None
+    for side in sides:
+        link = _known(element, side.get("link") or (side.text or "").strip(), poses)
         origins = list(elements(side, "origin"))
-        yield link, poses[link] @ (_origin(origins[0]) if origins else _attributes(side))
-    if pose is not None:
-        raise DescriptionError(f"{label(element)}: a pose of the whole joint is not supported; give each link's origin")
+        own = poses[link] @ (_origin(origins[0]) if origins else _attributes(side))
+        yield link, own if whole is None else whole
 
 
-def _pose(element: Element) -> Element | None:
-    return next(elements(element, "pose"), None)
+def _known(element: Element, link: str, poses: Mapping[str, Pose]) -> str:
+    if link not in poses:
+        raise DescriptionError(f"{label(element)}: there is no link {shorten(link)}; {did_you_mean(link, poses)}")
+    return link
+
+
+def _frame(element: Element, poses: Mapping[str, Pose]) -> Pose:
+    """The frame of an SDF's joint, which both links have where they are."""
+    child = next(((side.text or "").strip() for side in elements(element, "child")), "")
+    for pose in elements(element, "pose"):
+        where = f"{label(element)}, pose"
+        if pose.get("degrees", "false") != "false" or pose.get("rotation_format", "euler_rpy") != "euler_rpy":
+            raise DescriptionError(f"{where}: expected x y z roll pitch yaw in m and rad")
+        values = (pose.text or "").split()
+        six = numbers(" ".join(values or ["0"] * 6), where, 6)
+        own = _displacement(triple(six[3:]), triple(six[:3]))
+        return poses[_known(element, pose.get("relative_to") or child, poses)] @ own
+    return poses[_known(element, child, poses)]
+
+
+def _ball_constraint(element: Element, poses: Mapping[str, Pose], closing: Closing) -> RawJoint:
+    """Drake's: a point of one body at a point of the other."""
+    sides = []
+    for one, point in (("body_A", "p_AP"), ("body_B", "p_BQ")):
+        where = f"<drake:ball_constraint>, {point}"
+        body = next((e.get("name", "") for e in element.iter(f"{DRAKE}ball_constraint_{one}")), "")
+        at = next((e.get("value", "") for e in element.iter(f"{DRAKE}ball_constraint_{point}")), "")
+        place = triple(numbers(at, where, 3))
+        sides.append((_known(element, body, poses), poses[_known(element, body, poses)] @ Pose(UNITS, place)))
+    return _joined("ball_constraint", "S", sides, axes=[], closing=closing)
 
 
 def _origin(origin: Element) -> Pose:
@@ -119,9 +153,13 @@ def _origin(origin: Element) -> Pose:
 
 def _attributes(element: Element) -> Pose:
     where = label(element)
-    roll, pitch, yaw = triple(numbers(element.get("rpy", "0 0 0"), f"{where}, rpy", 3))
-    place = triple(numbers(element.get("xyz", "0 0 0"), f"{where}, xyz", 3))
-    x, y, z = UNITS
+    turn = triple(numbers(element.get("rpy", "0 0 0"), f"{where}, rpy", 3))
+    return _displacement(turn, triple(numbers(element.get("xyz", "0 0 0"), f"{where}, xyz", 3)))
+
+
+def _displacement(turn: Triple, place: Triple) -> Pose:
+    """By roll, pitch and yaw about fixed axes, and a place."""
+    (roll, pitch, yaw), (x, y, z) = turn, UNITS
     return Pose(product(about(z, yaw), product(about(y, pitch), about(x, roll))), place)
 
 

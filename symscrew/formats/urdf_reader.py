@@ -1,10 +1,11 @@
 """A mechanism from a URDF: links, joints of all standard types, mimic joints, transmissions, loops.
 
-Read: fixed, revolute, continuous, prismatic, planar and floating joints with origin and axis; inertial elements; mimic
-joints as couplings; transmissions and the command interfaces of ros2_control, whose joints are driven (without any, all
-revolute, continuous and prismatic joints that mimic none are); damping, friction, limits, reductions and rotor inertias
-as effects and limits beside the mechanism. Loops: <loop> elements, <gazebo> joints and a Gepetto robot.yaml beside the
-file. The root link is the ground, or with `floating` moves freely. Everything else is in the draft's ledger.
+Read: fixed, revolute, continuous, prismatic, planar and floating joints, Drake's ball and universal ones, with origin
+and axis; inertial elements; mimic joints as couplings; transmissions and the command interfaces of ros2_control,
+whose joints are driven (without any, all revolute, continuous and prismatic joints that mimic none are); damping,
+friction, limits, reductions and rotor inertias as effects and limits beside the mechanism. Loops: <loop> elements,
+<gazebo> joints and a Gepetto robot.yaml beside the file. The root link is the ground, or with `floating` moves
+freely. Everything else is in the draft's ledger.
 
     links and joints, relative poses --products from the root--> Draft: absolute axes and points
 
@@ -43,13 +44,25 @@ from symscrew.formats.rigid_displacements import (
 )
 from symscrew.formats.safe_xml import Element, attribute, check_attributes, elements, label, number, numbers
 from symscrew.formats.urdf_forces import joint_forces, transmission_forces
-from symscrew.formats.urdf_loops import is_loop, loops
+from symscrew.formats.urdf_loops import DRAKE, is_loop, loops
 
 TYPES = {
     "fixed": "fixed", "revolute": "R", "continuous": "R", "prismatic": "P", "planar": "E", "floating": "free",
+    "ball": "S", "universal": "U",
 }  # fmt: skip
 SINGLE = ("revolute", "continuous", "prismatic")
-READ = ("link", "joint", "transmission", "ros2_control", "loop", "loop_joint", "gazebo")
+READ = (
+    "link",
+    "joint",
+    "transmission",
+    "ros2_control",
+    "loop",
+    "loop_joint",
+    "gazebo",
+    f"{DRAKE}joint",
+    f"{DRAKE}ball_constraint",
+)
+WITH_INFLUENCE = tuple(f"{DRAKE}{name}" for name in ("linear_bushing_rpy", "linear_spring_damper"))
 # elements of a <joint> and a <link> that are known; others are listed
 IN_JOINT = ("origin", "parent", "child", "axis", "limit", "dynamics", "mimic", "joint_properties")
 FREE_JOINT = "root_joint"
@@ -68,7 +81,8 @@ def read_urdf(root: Element, path: Path, options: ImportOptions) -> Draft:
     _check_expanded(root)
     root = with_exact_digits(root, ledger) if options.exact else root
     links = _named(elements(root, "link"), "link")
-    joints = _named((joint for joint in elements(root, "joint") if not is_loop(joint)), "joint")
+    every = elements(root, "joint", f"{DRAKE}joint")
+    joints = _named((joint for joint in every if not is_loop(joint)), "joint")
     if not links:
         raise DescriptionError("<robot>: expected links, found none (a xacro file that only defines macros gives none)")
     carrier = _carriers(links, joints)
@@ -287,7 +301,8 @@ def _joint(joint: Element, poses: Mapping[str, Pose], driven: Sequence[str], off
         )
     parent, child = (attribute(_one(joint, end), "link") for end in ("parent", "child"))
     pose = poses[child]
-    axes = (pose.direction(_axis(joint)),) if JOINT_TYPES[TYPES[kind]].axes else ()
+    count = JOINT_TYPES[TYPES[kind]].axes
+    axes = (pose.direction(_axis(joint)),) if count == 1 else tuple(pose.direction(u) for u in UNITS[:count])
     given = offsets.get(name, ZERO[0])
     return RawJoint(
         name, TYPES[kind], parent, child, pose.translation, axes, driven=(0,) if name in driven else (),
@@ -311,8 +326,12 @@ def _driven(
         j for c in controls for j in elements(c, "joint") if any(True for _ in elements(j, "command_interface"))
     ]
     named += [attribute(joint, "name") for joint in commanded]
+    idle_joints = [name for name in single if name not in named]  # one of them may be meant by a name of nothing
     for name in [name for name in named if name not in joints]:
-        ledger.lost(f"drive of {shorten(name)}, which is no joint of the file ({did_you_mean(name, joints)})")
+        if idle_joints:
+            ledger.lost(f"drive of {shorten(name)}, which is no joint of the file ({did_you_mean(name, joints)})")
+        else:
+            ledger.passed(f"drive of {shorten(name)}, which is no joint of the file")
     named = [name for name in named if name in joints]
     idle = [name for name in named if name not in single]
     notes = ["not taken over: drives of joints that have not one freedom: " + ", ".join(idle)] if idle else []
@@ -322,7 +341,9 @@ def _driven(
 def _left_out(result: Draft, root: Element, links: Iterable[Element], joints: Iterable[Element]) -> None:
     """What of the file a mechanism does not hold: pictures, contacts, sensors, plugins, and whatever is not known."""
     for element in elements(root):
-        if element.tag not in READ:
+        if element.tag in WITH_INFLUENCE:
+            result.ledger.lost(f"<{_short(element)}>")
+        elif element.tag not in READ:
             result.ledger.passed(f"<{_short(element)}>")
         elif element.tag == "gazebo" and not any(True for _ in elements(element, "joint")):
             result.ledger.passed("<gazebo>")

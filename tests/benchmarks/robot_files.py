@@ -18,6 +18,7 @@ import signal
 import tempfile
 import time
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -306,16 +307,17 @@ def possible(path: Path) -> tuple[str, int]:
     return ElementTree.tostring(root, encoding="unicode"), mended
 
 
-def files_below(folders: list[Path]) -> Iterator[Path]:
-    """URDF and MJCF files that describe a model of their own: MJCF with bodies, no scenes around included ones."""
+def files_below(folders: list[Path]) -> Iterator[tuple[Path, Path]]:
+    """URDF and MJCF files that describe a model of their own, MJCF with bodies, no scenes around included ones; each
+    with the folder below which files that it names are read: the one that was given."""
     for folder in folders:
         for path in sorted([folder] if folder.is_file() else folder.rglob("*")):
             if path.suffix == ".urdf":
-                yield path
+                yield path, folder
             elif path.suffix == ".xml" and path.is_file():
                 text = path.read_text(errors="replace")
                 if "<mujoco" in text and "<body" in text and "mujocoinclude" not in text:
-                    yield path
+                    yield path, folder if folder.is_dir() else folder.parent
 
 
 def judged(path: Path, options: ImportOptions, seconds: int) -> tuple[str, str]:
@@ -353,9 +355,9 @@ def main() -> None:
     options = parser.parse_args()
     chosen = ImportOptions(accept=options.accept, repair=options.accept)
     counts: dict[str, int] = {}
-    for path in files_below(options.folders):
+    for path, folder in files_below(options.folders):
         begun = time.process_time()
-        verdict, text = judged(path, chosen, options.seconds)
+        verdict, text = judged(path, replace(chosen, folder=folder), options.seconds)
         counts[verdict] = counts.get(verdict, 0) + 1
         print(f"{verdict:8} {time.process_time() - begun:5.1f} s  {path}: {text}", flush=True)
     print(", ".join(f"{count} {verdict}" for verdict, count in sorted(counts.items())))

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from symscrew.errors import DescriptionError
-from symscrew.formats import import_file
+from symscrew.formats import ImportOptions, import_file
 from symscrew.formats.file_names import safe_names
 
 GEOM = '<geom type="box" size="0.1 0.05 0.02" pos="0.1 0 0"/>'
@@ -88,6 +88,22 @@ def test_replicated_elements(tmp_path: Path, count: int) -> None:
 def test_attached_models(tmp_path: Path, attached: str) -> None:
     """With their own units, classes and prefixes; of one body without what refers to others."""
     agrees(written(tmp_path, MAIN.replace("ATTACHED", attached)))
+
+
+def test_files_beside_the_model_are_read_where_whoever_imports_says_so(tmp_path: Path) -> None:
+    """Attached and included ones, below the folder that is named and nowhere else."""
+    written(tmp_path, "")
+    scene = MAIN.replace("ATTACHED", '<attach model="leg"/>').replace("parts/leg", "../parts/leg")
+    (tmp_path / "scenes").mkdir()
+    path = tmp_path / "scenes" / "main.xml"
+    path.write_text(scene)
+    for text in (scene, '<mujoco><include file="../parts/leg.xml"/></mujoco>'):
+        path.write_text(text)
+        with pytest.raises(DescriptionError, match=r"outside of the model's folder.*--folder DIR"):
+            import_file(path)
+        with pytest.raises(DescriptionError, match="outside"):
+            import_file(path, ImportOptions(folder=tmp_path / "scenes"))
+        assert {"hip", "shin"} <= set(import_file(path, ImportOptions(folder=tmp_path)).mechanism.bodies)
 
 
 @pytest.mark.parametrize(

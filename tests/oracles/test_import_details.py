@@ -229,6 +229,12 @@ def test_names_of_nothing_and_single_bodies(tmp_path: Path) -> None:
     with pytest.raises(DescriptionError, match="drive of 'gone', which is no joint of the file"):
         load_format(path)
     assert not import_file(path, ImportOptions(accept=True)).mechanism.joints["A"].driven
+    both = drive.replace("</transmission>", '<joint name="A"/></transmission>')  # no joint is left that may be meant
+    found = import_file(saved(text.replace(ends, "").replace("</robot>", both), tmp_path, "robot.urdf"))
+    assert (
+        found.mechanism.joints["A"].driven
+        and "drive of 'gone', which is no joint of the file" in found.account.harmless
+    )
     alone = import_file(saved(f'<robot name="r">{link}</robot>', tmp_path, "robot.urdf"))
     assert [joint.type for joint in alone.mechanism.joints.values()] == ["free"]
 

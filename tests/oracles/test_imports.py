@@ -197,6 +197,42 @@ def test_loops_of_urdf_files(tmp_path: Path) -> None:
     assert import_file(path, ImportOptions(snap=0.0011)).mechanism.joints["close"].point[2] == pytest.approx(1.5005)
 
 
+SPACE = '<robot name="arm" xmlns:drake="http://drake.mit.edu">'
+
+
+def test_loops_as_sdf_and_drake_write_them(tmp_path: Path) -> None:
+    """A frame for both links, of the child or of a named link, turned; points of two bodies; other joints of a tree."""
+    turned = '<gazebo><joint name="g" type="{0}"><parent>base</parent><child>two</child>{1}</joint></gazebo>'
+    axis, shift = "<axis><xyz>0 0 1</xyz></axis>", "<pose{0}>0.1 0 0.2 1.5707963267948966 0 0</pose>"
+    for pose, height in ((shift.format(""), "1.2"), (shift.format(' relative_to="one"'), "0.7"), ("", "1")):
+        path = saved(arm(turned.format("revolute", pose + axis)), tmp_path, "robot.urdf")
+        joint = load_format(path).joints["g"]
+        assert (joint.type, joint.parent, joint.child) == ("R", "base", "two")
+        assert joint.point == (sympy.Rational(1, 10) if pose else 0, 0, sympy.Rational(height))
+        assert joint.axes == (((0, -1, 0),) if pose else ((0, 0, 1),))
+    ball = (
+        '<drake:ball_constraint><drake:ball_constraint_body_A name="base"/>'
+        '<drake:ball_constraint_p_AP value="0 0 {0}"/><drake:ball_constraint_body_B name="two"/>'
+        '<drake:ball_constraint_p_BQ value="0 0 0.5"/></drake:ball_constraint>'
+    )
+    made = arm(ball.format("1.5")).replace('<robot name="arm">', SPACE)
+    joint = load_format(saved(made, tmp_path, "robot.urdf")).joints["ball_constraint"]
+    assert (joint.type, joint.point) == ("S", (0, 0, sympy.Rational(3, 2)))
+    with pytest.raises(DescriptionError, match=r"sides are 0.1 m or rad apart"):
+        load_format(saved(made.replace("0 0 1.5", "0 0 1.6"), tmp_path, "robot.urdf"))
+    with pytest.raises(DescriptionError, match="there is no link 'tow'; did you mean 'two'"):
+        load_format(saved(made.replace('_B name="two"', '_B name="tow"'), tmp_path, "robot.urdf"))
+    tail = LINK.format("three") + LINK.format("four")
+    for k, (kind, ends) in enumerate((("ball", ("two", "three")), ("universal", ("three", "four")))):
+        tail += HINGE.format(f"D{k}", *ends, "").replace("joint", "drake:joint").replace("revolute", kind)
+    found = load_format(saved(arm(tail).replace('<robot name="arm">', SPACE), tmp_path, "robot.urdf"))
+    assert [found.joints[name].type for name in ("D0", "D1")] == ["S", "U"]
+    assert found.joints["D1"].axes == ((1, 0, 0), (0, 1, 0))
+    bushing = made.replace("</robot>", "<drake:linear_bushing_rpy/></robot>")
+    with pytest.raises(DescriptionError, match="would be left out: <linear_bushing_rpy>"):
+        load_format(saved(bushing, tmp_path, "robot.urdf"))
+
+
 FRAMES = (
     '<link name="tip"/><joint name="tip_frame" type="fixed"><parent link="two"/><child link="tip"/>'
     '<origin xyz="0 0 0.5"/></joint><link name="anchor"/><joint name="anchor_frame" type="fixed">'
