@@ -2,7 +2,8 @@
 
 Run it: python examples/hexapod_tolerances.py [SAMPLES] [PICTURE.png]        a million samples without
 
-Centres of the twelve joints are off by 20 um in every direction, the six legs by 10 um (standard deviations). The tool stands at a pose off the middle, where the controller of the nominal machine puts it: every sample is a whole
+Centres of the twelve joints are off by 20 um in every direction, the six legs by 10 um (standard deviations).
+The tool stands at a pose off the middle, where the controller of the nominal machine puts it: every sample is a whole
 forward solution of its own geometry, by compiled code on all processors. Linear propagation, covariance = J S J^T with
 J by central differences, says what to expect for small errors; the samples say whether they are small.
 """

@@ -102,6 +102,12 @@ class Model:
         """The model with those functions of these names that it has, and no others."""
         return replace(self, programs={name: p for name, p in self.programs.items() if name in names}, selected=True)
 
+    @property
+    def sample_q(self) -> np.ndarray:
+        """q (samples, nq) at the system's sample states, from the functions' inputs: finding them again takes long."""
+        at = self.test_inputs.get("closure_jacobian")
+        return np.asarray(at[0]) if at is not None else self.system.sample_states[0]
+
     def __call__(self, function: str, *arguments: object) -> tuple[tuple[np.ndarray, ...], np.ndarray]:
         """Evaluate a function on NumPy arrays (*batch, size): its results and the status."""
         program = self.programs[function]

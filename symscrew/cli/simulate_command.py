@@ -37,6 +37,8 @@ def add_options(command: argparse.ArgumentParser) -> None:
     command.add_argument("--threads", type=int, metavar="N", help="with --many; default: one per processor")
     command.add_argument("--plot", metavar="FILE.png", help="a picture of the run")
     command.add_argument("--emit-c", metavar="DIR", help="write the loop for real time: one step of fixed size in C99")
+    text = "the same steps on many states at once, a thread a state: CUDA, which is C++, too"
+    command.add_argument("--emit-cuda", metavar="DIR", help=text)
     command.add_argument("--json", action="store_true", help="numbers of the run as JSON")
     add_no_cache(command)
 
@@ -46,22 +48,25 @@ def run(options: argparse.Namespace) -> int:
     from tqdm import tqdm
 
     from symscrew.scene import load_scene
-    from symscrew.simulation import FORMATS, prepare, run_summary, simulate, write_loop, write_run
+    from symscrew.simulation import FORMATS, prepare, run_summary, simulate, write_loop, write_run, write_steps
 
     out = destination(options.out, FORMATS if options.many is None else (".npz",), "--out") if options.out else None
     picture = destination(options.plot, (".png",), "--plot") if options.plot is not None else None
     if picture is not None:
         need_matplotlib("--plot needs")
-    if options.emit_c:
-        check_folder(options.emit_c, "--emit-c")
+    for name, folder in (("--emit-c", options.emit_c), ("--emit-cuda", options.emit_cuda)):
+        if folder:
+            check_folder(folder, name)
     _check_many(options)
     scene = load_scene(options.scene)
     for notice in scene.initial.notices:
         print(f"note: {notice}", file=sys.stderr)
     if options.many is not None:
         return _run_many(scene, options, out)
-    if options.emit_c:
-        for path in write_loop(scene, Path(options.emit_c)):
+    if options.emit_c or options.emit_cuda:
+        written = write_loop(scene, Path(options.emit_c)) if options.emit_c else []
+        written += write_steps(scene, Path(options.emit_cuda)) if options.emit_cuda else []
+        for path in written:
             print(path)
         if not (out or picture or options.json):
             return DONE
@@ -86,7 +91,7 @@ def _check_many(options: argparse.Namespace) -> None:
     """Raises UsageError where options do not go together, or the number of threads is none."""
     if options.threads is not None and (options.many is None or options.threads < 1):
         raise UsageError("--threads: expected a number above 0, beside --many")
-    for name, given in (("--plot", options.plot), ("--emit-c", options.emit_c)):
+    for name, given in (("--plot", options.plot), ("--emit-c", options.emit_c), ("--emit-cuda", options.emit_cuda)):
         if options.many is not None and given is not None:
             raise UsageError(f"{name} is of one run: leave it out, or --many")
 

@@ -103,6 +103,10 @@ class Effect:
         """Forces with events (stick and slip, impacts), which come in as inputs for a simulation to determine."""
         return ()
 
+    def stops(self) -> tuple[tuple[str, int, Number | None, Number | None], ...]:
+        """Reaches that it holds joints in: (joint, freedom, lower, upper), each end a displacement or None."""
+        return ()
+
     def shown_fields(self) -> dict[str, Any]:
         """Fields that are required or differ from their default, by name."""
         return {

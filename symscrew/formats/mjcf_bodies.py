@@ -49,7 +49,8 @@ class Reading:
 
     `screws`: slide -> the coupling that may make a screw of it and its hinge; `values`: hinge or slide -> its
     coordinate in the reference configuration; `displaced`: joint -> by how much that differs from the file's;
-    `listed`: joints in the order of the file's coordinates; `parts`: settings and meshes of the models in the file.
+    `listed`: joints in the order of the file's coordinates; `parts`: settings and meshes of the models in the file;
+    `in_medium`: bodies have drag.
     """
 
     settings: Settings
@@ -65,6 +66,7 @@ class Reading:
     made_screws: set[str] = field(default_factory=set)
     listed: list[Listed] = field(default_factory=list)
     parts: Sequence[tuple[Settings, Meshes]] = ()
+    in_medium: bool = False
 
     def within(self, attached: Element) -> Reading:
         """The same reading with the units, classes and meshes of a model that is attached."""
@@ -174,6 +176,8 @@ def _body(reading: Reading, name: str, own: Sequence[Part]) -> RawBody:
         attributes = part.attributes
         if attributes.get("contype", "1") != "0" or attributes.get("conaffinity", "1") != "0":
             reading.result.ledger.passed("contacts of geoms")
+        if reading.in_medium and attributes.get("fluidshape", "none") != "none":
+            reading.result.ledger.lost("fluidshape of geoms: a model of the medium of their own")
     found: Solid | None = None
     if chosen.from_geoms == "true" or (chosen.from_geoms == "auto" and not given):
         solids = [
@@ -189,7 +193,7 @@ def _body(reading: Reading, name: str, own: Sequence[Part]) -> RawBody:
         found = together([solid for solid in solids if solid is not None])
     elif given:
         found = _inertial(given[0], f"<body name={name!r}>, <inertial>")
-    return RawBody(name) if found is None else RawBody(name, found.mass, found.com, found.inertia)
+    return RawBody(name) if found is None else RawBody(name, found.mass, found.com, found.inertia, found.axes)
 
 
 def _inertial(part: Part, where: str) -> Solid | None:
@@ -212,7 +216,8 @@ def _inertial(part: Part, where: str) -> Solid | None:
     if mass == 0 and not any((xx, yy, zz, xy, xz, yz)):
         return None
     matrix: Rotation = ((xx, xy, xz), (xy, yy, yz), (xz, yz, zz))
-    return Solid(mass, frame.translation, turned_inertia(frame.rotation, matrix))
+    axes = None if "fullinertia" in element.attrib else frame.rotation
+    return Solid(mass, frame.translation, turned_inertia(frame.rotation, matrix), axes)
 
 
 def _joints(reading: Reading, parent: str, place: Place, own: Sequence[Part]) -> tuple[list[RawJoint], Pose]:

@@ -29,6 +29,7 @@ from symscrew.formats.mjcf_couplings import Tied, raw_coupling, read_couplings
 from symscrew.formats.mjcf_keyframes import keyframes
 from symscrew.formats.mjcf_loops import Placed, loops
 from symscrew.formats.mjcf_masses import settle_masses
+from symscrew.formats.mjcf_medium import add_drags, medium
 from symscrew.formats.mjcf_transmissions import add_pulleys, tendon_forces, transmissions
 from symscrew.formats.open_loops import Closing
 from symscrew.formats.rigid_displacements import ZERO, Pose, Real, length, minus, real
@@ -64,7 +65,7 @@ def read_mjcf(root: Element, path: Path, options: ImportOptions) -> Draft:
     root, (chosen, meshes) = whole.root, whole.parts[0]
     if "symscrew_characteristic_length" in texts:
         result.characteristic_length = real(number(texts["symscrew_characteristic_length"], "<custom>, length"))
-    ties = read_couplings(root, chosen)
+    ties, around = read_couplings(root, chosen), medium(root)
     pulled = transmissions(root, chosen, ties)
     actuators = Actuators.of(root, chosen, pulled)
     reading = Reading(
@@ -75,12 +76,14 @@ def read_mjcf(root: Element, path: Path, options: ImportOptions) -> Draft:
         meshes,
         displaced=_offsets(ties),
         parts=whole.parts,
+        in_medium=around is not None,
     )
     reading.poses[ground] = Pose()
     for world in elements(root, "worldbody"):
         check_attributes(world, ("name", "childclass"))
         read_children(reading, world, Place(ground, Pose(), world.get("childclass")))
     settle_masses(result, chosen, reading.poses)
+    add_drags(result, around)
     _check_all_found(reading, pulled.pulleys.values())
     tendon_forces(result, pulled, reading.values)
     actuator_forces(result, actuators, reading.sites, displaced=any(reading.displaced.values()))

@@ -13,7 +13,8 @@ from __future__ import annotations
 import json
 import math
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from contextlib import AbstractContextManager, nullcontext
 from pathlib import Path
 from typing import Any
 
@@ -38,9 +39,14 @@ from symscrew.garbage import nothing_to_collect
 from symscrew.generation.target_file import Order
 from symscrew.generation.targets import TARGETS, USUAL, by_value, printable, with_brought
 from symscrew.model import Model
+from symscrew.program import Iteration
 from symscrew.whole_files import PENDING, is_staging, one_at_a_time, put_files
+from symscrew.workers import beside
 
 EMBEDDED = "embedded"  # among the functions of ops.json: what microcontrollers were measured to take
+# Instructions of all functions whose values at the test states are computed by a process of their own: copying this one
+# takes as long as computing so many.
+EVALUATED_BESIDE = 5000
 READ = (".h", "ops.json", "manifest.json", "mechanism.toml")  # endings of what stays beside hashes.json
 
 
@@ -135,6 +141,17 @@ def render(
         if target not in possible:
             raise ValueError(f"expected targets among {', '.join(possible)} in {precision} precision, got {target!r}")
     order = Order(model, PRECISIONS[precision], measured, form, processes)
+    with _vectors(model, processes) as vectors:
+        made = _made(order, chosen)
+        made["test_vectors.json"] = vectors()
+    content = manifest(model, targets=chosen, files=[*made, "manifest.json"], precision=precision, form=form)
+    made["manifest.json"] = json.dumps(content, indent=1, ensure_ascii=False) + "\n"
+    return {name: data.encode("utf-8") if isinstance(data, str) else data for name, data in made.items()}
+
+
+def _made(order: Order, chosen: Sequence[str]) -> dict[str, str | bytes]:
+    """The files of all targets, and of what stands beside them those that are read."""
+    model, measured = order.model, order.measured
     made: dict[str, str | bytes] = {}
     further: list[str] = []
     for target in chosen:
@@ -149,12 +166,17 @@ def render(
     made |= {
         "README.md": print_readme(model, about, order.precision, further, files=_sizes(made)),
         "ops.json": _table_text(counts | ({EMBEDDED: list(measured)} if measured else {})),
-        "test_vectors.json": _vectors_text(model),
         "mechanism.toml": to_toml(model.mechanism),
     }
-    content = manifest(model, targets=chosen, files=[*made, "manifest.json"], precision=precision, form=form)
-    made["manifest.json"] = json.dumps(content, indent=1, ensure_ascii=False) + "\n"
-    return {name: data.encode("utf-8") if isinstance(data, str) else data for name, data in made.items()}
+    return made
+
+
+def _vectors(model: Model, processes: int) -> AbstractContextManager[Callable[[], str]]:
+    """What gives the text of test_vectors.json; with several processes it is made beside what is done meanwhile."""
+    programs = [p.step if isinstance(p, Iteration) else p for p in model.programs.values()]
+    if processes > 1 and sum(len(p.instructions) for p in programs) > EVALUATED_BESIDE:
+        return beside(lambda: _vectors_text(model))
+    return nullcontext(lambda: _vectors_text(model))
 
 
 def with_hashes(files: Mapping[str, bytes]) -> dict[str, bytes]:

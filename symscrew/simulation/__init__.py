@@ -9,7 +9,9 @@ from typing import TYPE_CHECKING
 from symscrew.doors import doors
 
 if TYPE_CHECKING:
+    from symscrew.simulation.cuda_steps import print_steps, write_steps
     from symscrew.simulation.initial import initial_state, initial_states
+    from symscrew.simulation.kept_model import derived_model
     from symscrew.simulation.linking import Linker, Operand
     from symscrew.simulation.many_file import runs_numbers, runs_summary, write_runs
     from symscrew.simulation.many_runs import Runs, simulate_many
@@ -37,6 +39,7 @@ __all__ = [
     "RunError",
     "RunLog",
     "Runs",
+    "derived_model",
     "initial_state",
     "initial_states",
     "kernel_text",
@@ -44,6 +47,7 @@ __all__ = [
     "loop_source",
     "plot_run",
     "prepare",
+    "print_steps",
     "run_natively",
     "run_summary",
     "runs_numbers",
@@ -55,6 +59,7 @@ __all__ = [
     "write_loop",
     "write_run",
     "write_runs",
+    "write_steps",
 ]
 
 __getattr__ = doors(__name__)

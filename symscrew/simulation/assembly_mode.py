@@ -65,7 +65,7 @@ class AssemblyModes:
         self.blocks: dict[str, tuple[Block, ...]] = {}
         if not system.cuts or "closure_jacobian" not in model.programs:
             return
-        states = [self._jacobian(q) for q in (system.reference, *system.sample_states[0])]
+        states = [self._jacobian(q) for q in (system.reference, *model.sample_q)]
         for way, held in self._held().items():
             self.blocks[way] = tuple(self._of(states, held))
 

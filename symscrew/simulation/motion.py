@@ -20,8 +20,8 @@ from symscrew.runtime import CompileError, find_compiler
 from symscrew.scene import Scene, parameter_values
 from symscrew.scene import controller as controller_of
 from symscrew.simulation.assembly_mode import AssemblyModes, changed
-from symscrew.simulation.derived_model import derived_model
 from symscrew.simulation.initial import initial_state, initial_states, moves
+from symscrew.simulation.kept_model import derived_model
 from symscrew.simulation.native import NATIVE_METHODS, integrate_natively
 from symscrew.simulation.portable import Controller, integrate
 from symscrew.simulation.recording import Estimate, History, State

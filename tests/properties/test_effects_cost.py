@@ -64,6 +64,7 @@ ADDED = {
     "clearance": effect("JointClearance", "frame", "piston", "0.001", 100000, friction="0.1", velocity="0.01"),
     "flexible": effect("FlexibleLink", "pin", "far", (0, 1, 0), 50, "0.5", damping="0.01"),
     "screw": effect("ScrewTransmission", "slider_P", "0.05", "0.8", velocity="0.01"),
+    "drag": effect("FluidDrag", "rod", ("0.1", "0.2", "0.3"), 800, 2),
     "payload": effect("Payload", "rod", 2, ("0.1", 0, "0.2")),
 }
 EVERY = {**LEFT_OUT, **ADDED}

@@ -67,6 +67,14 @@ EFFECT_KEYS = {
         "damping": ("1", "ratio of every mode, at least 0"),
         "initial": ("m", "deflection of every mode at the start"),
     },
+    "fluid_drag": {
+        "body": ("", "the body that it acts on"),
+        "sides": ("m", "of the box, at least 0"),
+        "density": ("kg/m^3", "of the medium, at least 0"),
+        "viscosity": ("Pa s", "of the medium, at least 0"),
+        "wind": ("m/s", "velocity of the medium, absolute axes"),
+        "axes": ("1", "of the box: three unit vectors, absolute in the reference configuration"),
+    },
     "gravity": {
         "acceleration": ("m/s^2", "three components, absolute axes"),
         "input": ("", '"switch" or "field": a factor or the field is an input'),

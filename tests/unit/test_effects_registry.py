@@ -55,6 +55,7 @@ ADDING = {
     "leg": effect("LegCompliance", "limb4_P", 20000, 4, "0.02"),
     "lash": effect("Backlash", "limb1_P", "0.002", 20000, 4, "1.5", 3),
     "rolling": effect("RollingContact", "E", "A1", "0.6", 20, "0.1", axis=(0, 1, 0), stiffness=1000, friction="0.3"),
+    "drag": effect("FluidDrag", "platform", ("0.1", "0.2", "0.3"), 800, "0.5", (1, 0, "0.2")),
     "clearance": effect("JointClearance", "A1", "E", "0.01", 1000, friction="0.1", velocity="0.1"),
 }
 DEPENDING = {
