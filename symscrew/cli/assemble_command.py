@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from symscrew.cli.help import DONE, FAILED, UsageError
-from symscrew.cli.shared_options import add_mechanism, need_matplotlib, writable_folder
+from symscrew.cli.shared_options import add_mechanism, check_folder, need_matplotlib, writable_folder
 from symscrew.errors import shorten
 
 if TYPE_CHECKING:
@@ -46,15 +46,19 @@ def run(options: argparse.Namespace) -> int:
     """Solve, print, draw; 1 when a mode is neither certified nor singular, or there are others than expected."""
     from symscrew import catalogue
     from symscrew.assembly import assembly_modes, mode_lines, mode_values
+    from symscrew.kinematics import angle_notices
 
     picture = _picture(options.picture)
     drives, at = (dict(_setting(name, text) for text in getattr(options, name)) for name in ("drives", "at"))
     mechanism = catalogue.find(options.mechanism)
+    for notice in angle_notices(mechanism, {**drives, **at}):
+        print(f"note: {notice}", file=sys.stderr)
     found = assembly_modes(mechanism, drives, at=at, progress=_progress if sys.stderr.isatty() else lambda _: None)
     print(json.dumps(mode_values(found), indent=1) if options.json else "\n".join(mode_lines(found)))
     if picture is not None:
         from symscrew.display import modes_figure, save_figure
 
+        writable_folder(str(picture.parent))
         print(save_figure(modes_figure(found), picture, tight=True), file=sys.stderr)
     return DONE if _good(found, options.expect) else FAILED
 
@@ -73,7 +77,7 @@ def _picture(name: str | None) -> Path | None:
     path = Path(name)
     if path.suffix not in FORMATS:
         raise UsageError(f"--picture: expected a file name that ends in {' or '.join(FORMATS)}, got {shorten(name)}")
-    writable_folder(str(path.parent))
+    check_folder(path.parent, "--picture")
     need_matplotlib()
     return path
 

@@ -24,9 +24,9 @@ def run(options: argparse.Namespace) -> int:
     from symscrew.display import Progress
     from symscrew.studies.demo import demo_facts, demo_summary, demo_values, study_paper, write_figures
 
-    directory = writable_folder(options.out) if options.out else None
-    if directory:
+    if options.out:
         need_matplotlib()
+    directory = writable_folder(options.out) if options.out else None
     progress = Progress()
     result = study_paper(progress=progress)
     written = write_figures(result, directory, progress) if directory else []

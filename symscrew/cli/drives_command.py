@@ -10,7 +10,14 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from symscrew.cli.help import DONE, FAILED, UsageError
-from symscrew.cli.shared_options import add_effects, add_mechanism, add_no_cache, chosen_effects, writable_folder
+from symscrew.cli.shared_options import (
+    add_effects,
+    add_mechanism,
+    add_no_cache,
+    check_folder,
+    chosen_effects,
+    writable_folder,
+)
 
 if TYPE_CHECKING:
     from symscrew.description import Mechanism
@@ -55,10 +62,12 @@ def run(options: argparse.Namespace) -> int:
     if options.load:
         raise UsageError("--load: give the wrench in the motion's file, [loads.POINT] with fx ... mz as expressions")
     wanted = motion_of_options(options, mechanism)
-    folder = writable_folder(options.out) if options.out else None
+    if options.out:
+        check_folder(options.out)
     found = drives(mechanism, wanted, effects, progress=Progress())
     print(json.dumps(study_json(found), indent=1) if options.json else study_text(found))
-    if folder is not None:
+    if options.out:
+        folder = writable_folder(options.out)
         drawn = importlib.util.find_spec("matplotlib") is not None
         for path in write_study(found, folder, drawn=drawn):
             print(f"wrote {path}", file=sys.stderr)

@@ -13,10 +13,12 @@ from collections.abc import Iterator, Sequence
 import sympy
 
 from symscrew.description import Mechanism, Vector, markdown_text, to_text
+from symscrew.errors import DescriptionError
 from symscrew.export.latex import markdown, matrix_latex
 from symscrew.export.listing import banner, plain
 from symscrew.functions import Quantities, Quantity
 from symscrew.model import Model
+from symscrew.paper_formulas import paper_formulas
 
 READABLE = 120  # operations of a formula that is printed: two lines or three; of more only their number is
 
@@ -33,8 +35,20 @@ def print_markdown(model: Model) -> dict[str, str]:
     lines += [*_symbols(quantities, used), ""]
     for title, quantity in shown:
         lines += [title, ""] if quantity is None else [_formula(title, quantity)]
-    lines += _equations(model)
+    lines += [*_equations(model), *_for_a_paper(mechanism)]
     return {"model.md": "\n".join([*lines, ""])}
+
+
+def _for_a_paper(mechanism: Mechanism) -> list[str]:
+    """The formulas of `symscrew formulas`; none where no chain leads to the platform."""
+    try:
+        paper = paper_formulas(mechanism)
+    except DescriptionError:
+        return []
+    said = (
+        "In the names of an author, screws at O in the present configuration; `symscrew formulas` writes them as LaTeX."
+    )
+    return ["", "## Formulas for a paper", "", said, "", paper.markdown(level=3)]
 
 
 def _table(header: Sequence[str], rows: Sequence[Sequence[str]]) -> list[str]:

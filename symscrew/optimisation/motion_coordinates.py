@@ -124,15 +124,20 @@ def pose_conditions(
         return pose_rows(values, ARITHMETIC, math.tan)
 
     upright = dict.fromkeys(parts, 0.0)
-    what = f"{', '.join(parts.values())} of {body}" if all("." not in n for n in parts.values()) else body
+    names = [name for part, typed in parts.items() if part != "azimuth" for name in _rows_named(part, typed)]
 
     def goal(k: int) -> Callable[[Mapping[str, float]], float]:
         return lambda given: goals(given)[k]
 
     return [
-        (f"pose of {what}, part {k + 1}", row.of(turn, moved), goal(k), row.is_length)
-        for k, row in enumerate(rows(upright))
+        (name, row.of(turn, moved), goal(k), row.is_length)
+        for k, (name, row) in enumerate(zip(names, rows(upright), strict=True))
     ]
+
+
+def _rows_named(part: str, typed: str) -> list[str]:
+    """What the rows of a part of a pose are called: a tilt with its direction is two."""
+    return [f"{typed}, about x", f"{typed}, about y"] if part == "tilt" else [typed]
 
 
 def bounded(at: MotionQuantities, typed: str, limits: Range) -> tuple[Any, Callable[[Range], Range], float | None]:

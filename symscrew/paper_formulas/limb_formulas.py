@@ -20,6 +20,7 @@ from symscrew.paper_formulas.named_lengths import Lengths
 
 LONG = 230  # letters of LaTeX of a column that still fits a line of a paper; longer ones stay (e ; r x e)
 MOST_OPERATIONS = 60  # of the entries of a matrix that is carried on: longer ones get names, and formulas stay short
+MOST_OF_A_VECTOR = 12  # the same of an axis or a link as it lies: it enters every product of a rotation
 ZERO = sympy.zeros(3, 1)
 PLAIN = ("R", "P", "U", "C", "S", "fixed")  # joint types whose motions are turns and translations along given axes
 
@@ -80,8 +81,8 @@ class Chain:
             index = f"{{{self.number}{k + 1}}}" if k < 9 and self.number < 10 else f"{{{self.number},{k + 1}}}"
             if k:
                 way = self._constant(back @ (freedom.point - self.freedoms[k - 1].point))
-                at = self._tidy(at + turn @ way)
-            still = self._constant(back @ freedom.axis)
+                at = self._tidy(at + turn @ self._skew(way, "b", index))
+            still = self._skew(self._constant(back @ freedom.axis), "u", index)
             axis = freedom.axis if freedom.spherical else self._tidy(turn @ still)
             columns.append(rf"\boldsymbol{{S}}_{index}")
             if freedom.spherical:
@@ -105,9 +106,13 @@ class Chain:
         matrix = r"\begin{bmatrix} " + " & ".join(columns) + r" \end{bmatrix}"
         self.made.append(Formula(rf"\boldsymbol{{S}}_{{{self.number}}}", matrix, ("matrix",)))
 
-    def _frozen(self, matrix: sympy.Matrix, letter: str, index: str) -> sympy.Matrix:
+    def _skew(self, vector: sympy.Matrix, letter: str, index: str) -> sympy.Matrix:
+        """A vector of the geometry, with names where it is long and along no absolute axis: u_{ik}, a link b_{ik}."""
+        return self._frozen(vector, letter, index, most=MOST_OF_A_VECTOR) if sum(e != 0 for e in vector) > 1 else vector
+
+    def _frozen(self, matrix: sympy.Matrix, letter: str, index: str, most: int = MOST_OPERATIONS) -> sympy.Matrix:
         """The matrix with names for its entries, once they are long: T_{ik} carries vectors, p_{ik} is a point."""
-        if sum(sympy.count_ops(entry) for entry in matrix) <= MOST_OPERATIONS:
+        if sum(sympy.count_ops(entry) for entry in matrix) <= most:
             return matrix
         name = rf"\boldsymbol{{{letter}}}_{index}"
         rows = [" & ".join(latex_of(e, self.names) for e in matrix.row(i)) for i in range(matrix.rows)]

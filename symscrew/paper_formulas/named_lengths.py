@@ -13,7 +13,8 @@ import sympy
 from symscrew.description import Mechanism
 from symscrew.paper_formulas.formula import Formula, latex_of
 
-MOST_OPERATIONS = 80  # of an expression whose factors are looked for: a second
+MOST_OPERATIONS = 30  # of an expression whose factors are looked for: a tenth of a second; longer ones have few
+MOST_SYMBOLS = 8  # of the same: polynomials in more take seconds each
 LETTER = "l"  # of named lengths; followed by a number where there are several, or where a parameter has it
 
 
@@ -74,6 +75,8 @@ class Lengths:
         """
         if expression.is_Atom or sympy.count_ops(expression) > MOST_OPERATIONS:
             return expression
+        if len(expression.free_symbols) > MOST_SYMBOLS:
+            return expression
         kept = {number: sympy.Dummy(positive=True) for number in _irrational(expression)}
         plain = expression.xreplace(kept)
         flat = sympy.expand(plain)
@@ -88,6 +91,8 @@ class Lengths:
         """l^2 in place of H^2 + (R - r)^2, wherever a sum holds it."""
         result = sympy.expand(expression)
         for radicand, symbol in self._roots.items():
+            if not radicand.free_symbols <= result.free_symbols:
+                continue
             lead = sympy.Poly(radicand, *sorted(radicand.free_symbols, key=str)).terms()[0]
             of = sorted(radicand.free_symbols, key=str)
             monomial = sympy.prod([s**k for s, k in zip(of, lead[0], strict=True)])

@@ -8,7 +8,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
-from symscrew.description import Mechanism
+from symscrew.description import Mechanism, markdown_text
 from symscrew.errors import DescriptionError
 from symscrew.mobility import analyse_mobility
 from symscrew.paper_formulas.equal_turns import Turned, families
@@ -60,6 +60,21 @@ class Paper:
     def save(self, path: str | Path, *, document: bool = False) -> Path:
         """Write a .tex file. Raises DescriptionError where the name ends in something else."""
         return write_formulas(self, path, document=document)
+
+    def markdown(self, level: int = 2) -> str:
+        """Markdown with equations between dollar signs, as notebooks and repositories show it; headings begin there."""
+        lines: list[str] = []
+        for part in self.parts:
+            lines += ["#" * level + f" {markdown_text(part.title)}", ""]
+            lines += [_marked(part.words), ""] if part.words else []
+            if part.symbols:
+                said = "; ".join(f"${symbol}$: {markdown_text(words)}" for symbol, words in part.symbols.items())
+                lines += [f"{said}.", ""]
+            lines += [line for f in part.formulas for line in ("$$", f.text, "$$", "")]
+        return "\n".join(lines)
+
+    def _repr_markdown_(self) -> str:
+        return self.markdown(level=4)
 
     def _repr_latex_(self) -> str:
         rows = r" \\ ".join(formula.text for formula in self.formulas)
@@ -144,6 +159,12 @@ def _text(words: str) -> str:
     """Words with mathematics between dollar signs, as LaTeX; what a description says is escaped."""
     pieces = words.split("$")
     return "$".join(piece if k % 2 else _escaped(piece) for k, piece in enumerate(pieces))
+
+
+def _marked(words: str) -> str:
+    """Words with mathematics between dollar signs, as Markdown; what a description says is escaped."""
+    pieces = words.split("$")
+    return "$".join(piece if k % 2 else markdown_text(f"x{piece}x")[1:-1] for k, piece in enumerate(pieces))
 
 
 def _escaped(text: str) -> str:

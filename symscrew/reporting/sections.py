@@ -21,6 +21,7 @@ from symscrew.program import Iteration
 from symscrew.reporting import margin_maps
 from symscrew.reporting.blocks import Block, Bullets, Document, Picture, Section, Table, Text
 from symscrew.reporting.motion_pages import motion_section, sweep_section
+from symscrew.reporting.paper_section import formula_sections
 from symscrew.reporting.study_pages import accuracy_section, bill_section
 from symscrew.studies import Bill, Times
 from symscrew.studies.given_motion import DriveStudy
@@ -63,10 +64,13 @@ def document(
         mobility = _mobility(found)
         known = formulas(found)
     screws, more = _screws(mechanism)
+    with progress.step("formulas"):
+        paper, of_paper = formula_sections(mechanism)
     made = [
         Section("Overview", tuple(_overview(model, found))),
         *mobility,
         Section("Joint screws", tuple(screws)),
+        *paper,
         Section("Size and cost of the model", tuple(_size(model, times or {}))),
         Section("Generated functions", tuple(_functions(model, times or {}))),
     ]
@@ -83,7 +87,7 @@ def document(
         made.append(Section("Notes", (Bullets(notes),)))
     subtitle = "; ".join(t for t in (mechanism.description, mechanism.source) if t) or "Report of a mechanism"
     footer = f"symscrew {__version__}. SI units; vectors in absolute axes, screws at the origin O."
-    return Document(f"Mechanism {model.name}", subtitle, tuple(made), {**known, **more}, footer)
+    return Document(f"Mechanism {model.name}", subtitle, tuple(made), {**known, **more, **of_paper}, footer)
 
 
 # -- overview and mobility --------------------------------------------------------------------------------

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from symscrew import notebook
+from symscrew.description import given_value, numeric
 from symscrew.errors import DescriptionError, did_you_mean
 from symscrew.model import Model
 from symscrew.program import status_texts
@@ -50,7 +51,7 @@ class AssembledConfiguration:
         return notebook.table(repr(self), ("coordinate", "value", "unit"), rows)
 
 
-def assemble(model: Model, y: Mapping[str, float], guess: object = None) -> AssembledConfiguration:
+def assemble(model: Model, y: Mapping[str, float | str], guess: object = None) -> AssembledConfiguration:
     """The one configuration near a guess in which independent coordinates have these values.
 
     Every configuration in which the drives have given values, the assembly modes, is what `symscrew.assembly_modes` and
@@ -59,14 +60,15 @@ def assemble(model: Model, y: Mapping[str, float], guess: object = None) -> Asse
 
     Args:
         model: whose loops are closed.
-        y: label of an independent coordinate -> its value [rad, m]; those not named stay as in the guess.
+        y: label of an independent coordinate -> its value [rad, m], or text with a unit, "20deg"; those not named stay
+            as in the guess.
         guess: q (nq,) nearby, on the same assembly branch; default: the reference configuration.
 
     Returns:
         The configuration; `ok` is False, with NaN, where the loops do not close from this guess.
 
     Raises:
-        DescriptionError: a coordinate that is not independent.
+        DescriptionError: a coordinate that is not independent, or a value that is no number or in another unit.
         ValueError: a guess of another size.
     """
     tree = model.system.tree
@@ -82,7 +84,9 @@ def assemble(model: Model, y: Mapping[str, float], guess: object = None) -> Asse
                 f"{label}: expected one of the independent coordinates {', '.join(independent)}; "
                 f"{did_you_mean(label, independent)}"
             )
-    wanted = np.array([y.get(label, start[labels.index(label)]) for label in independent])
+    units = {c.label: c.unit for c in tree.q}
+    given = {label: _number(value, units[label], label) for label, value in y.items()}
+    wanted = np.array([given.get(label, start[labels.index(label)]) for label in independent])
     if program is None:
         q, code = wanted, 0
     else:
@@ -91,3 +95,9 @@ def assemble(model: Model, y: Mapping[str, float], guess: object = None) -> Asse
         q, code = np.asarray(found), int(codes)
     text = status_texts(*model.programs.values())[code]
     return AssembledConfiguration(model.name, q, labels, tuple(c.unit for c in tree.q), code, text)
+
+
+def _number(value: float | str, unit: str, label: str) -> float:
+    if not isinstance(value, str):
+        return float(value)
+    return float(numeric(given_value(value, where=label).measured_in(unit, label), where=label))

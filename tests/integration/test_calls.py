@@ -36,6 +36,10 @@ def test_coordinates_that_are_not_there_or_do_not_close() -> None:
         assemble(four_bar, {"B": 0.1})
     with pytest.raises(ValueError, match="shape"):
         assemble(four_bar, {"A": 0.1}, guess=[0.0])
+    assert assemble(four_bar, {"A": "20deg"})["A"] == pytest.approx(np.radians(20), rel=1e-15)
+    for wrong, said in (("20mm", "expected an angle"), ("twenty", "unknown name")):
+        with pytest.raises(DescriptionError, match=f"A: .*{said}"):
+            assemble(four_bar, {"A": wrong})
     far = assemble(four_bar, {"A": np.nan})
     assert not far.ok and np.isnan(far.q).all() and "not finite" in repr(far)
     with pytest.raises(DescriptionError, match="label of a coordinate"):

@@ -178,6 +178,21 @@ def test_a_function_that_does_not_exist(tmp_path: Path, capsys: pytest.CaptureFi
     assert not os.listdir(tmp_path)
 
 
+@pytest.mark.parametrize("command", [
+    ("generate", "nosuch", "--out", "made"), ("draw", "nosuch", "--out", "made/a.png"),
+    ("assemble", "nosuch", "--picture", "made/a.png"), ("view", "nosuch", "--out", "made/a.html"),
+    ("drives", "planar_3rrr", "--motion", "nosuch.csv", "--out", "made"), ("accuracy", "nosuch", "--out", "made"),
+    ("convert", "nosuch", "--out", "made/a.toml"), ("report", "nosuch", "--out", "made/a.html"),
+    ("formulas", "nosuch", "--out", "made/a.tex"), ("new", "x", "--limbs", "9-XXX", "--out", "made/a.toml"),
+])  # fmt: skip
+def test_no_folder_is_made_for_what_cannot_be_read(
+    command: tuple[str, ...], tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert_one_clear_line(*run(*command, capsys=capsys))
+    assert not os.listdir(tmp_path)
+
+
 def test_functions_by_preset(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """They are named with their size, and can be had together with others; `all` is all, with nothing to choose."""
     more = ("--target", "numpy", "--out")

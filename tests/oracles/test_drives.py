@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import sympy
 from support.model_states import model
 
 from symscrew.cli.parser import main
@@ -15,8 +16,9 @@ from symscrew.description import parse_description
 from symscrew.display.view import read_motion
 from symscrew.effects import DcMotor, DryFriction
 from symscrew.errors import DescriptionError
+from symscrew.mobility import inverse_kinematics
 from symscrew.runtime import load
-from symscrew.studies.given_motion import drives, load_motion, study_json, study_text
+from symscrew.studies.given_motion import drives, load_motion, study, study_json, study_text
 from symscrew.studies.given_motion.goals import SMALL, goals_of, quaternion_of, turn_of_vector
 from symscrew.studies.given_motion.wanted_motion import FEWER, NEIGHBOURS, WantedMotion, derivatives
 
@@ -280,3 +282,53 @@ def test_section_5_of_the_paper() -> None:
     np.testing.assert_allclose(found.q, expected.q, atol=1e-12)
     np.testing.assert_allclose(found.u, seed("inverse_dynamics", expected.q, expected.v, expected.a)[0][0], atol=1e-9)
     assert found.ok
+
+
+PARTS_OF_POSES = [
+    ("planar_3rrr", {"yaw": "0.2*sin(2*t)", "x": "0.01*t^2", "platform.y": "0.01"}),
+    ("three_ups_upu_s", {"tilt": "0.2+0.05*t", "azimuth": "2*t"}),
+    ("three_ups_upu_s", {"roll": "0.2*sin(t)", "pitch": "0.1*t"}),
+]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("name", "texts"), PARTS_OF_POSES)
+def test_poses_by_the_names_of_everywhere(name: str, texts: dict[str, str]) -> None:
+    """The platform is where inverse kinematics says that these are, and rates are what differences of places give."""
+    found = drives(model(name).mechanism, texts, duration=0.5, rate=100, backend="casadi")
+    assert found.ok and found.difference is not None, found.status
+    names = [k if "." in k else f"platform.{k}" for k in texts]
+    for k in (0, 50):
+        asked = {
+            n: str(sympy.sympify(text).subs("t", found.t[k])) for n, text in zip(names, texts.values(), strict=True)
+        }
+        placed = inverse_kinematics(model(name).mechanism, asked)
+        np.testing.assert_allclose(found.q[k], placed.q, atol=1e-8)
+    tree, step = found.model.system.tree, found.t[1]
+    q = found.q[:, [k for k, c in enumerate(tree.q) if c.kind != "quaternion"]]
+    v, a = (x[:, [k for k, c in enumerate(tree.v) if c.kind != "rotation"]] for x in (found.v, found.a))
+    for values, rates in ((q, v), (v, a)):
+        between = (8 * (values[3:-1] - values[1:-3]) - (values[4:] - values[:-4])) / (12 * step)
+        np.testing.assert_allclose(rates[2:-2], between, atol=1e-5 * max(1.0, np.abs(rates).max()))
+
+
+def test_internal_loads_are_of_least_norm_and_hide_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A plane mechanism under its weight is overconstrained: other internal loads and other reactions are both seen."""
+    call, texts = study._difference, {"yaw": "0.1*sin(2*t)", "x": "0.01*t^2", "platform.y": "0.01"}
+    seen: dict[str, float] = {}
+
+    def compared(*given, reactions, **more):
+        rng = np.random.default_rng(1)
+        mechanism, states = given[0].mechanism, []
+        solve = study.newton_euler
+        monkeypatch.setattr(study, "newton_euler", lambda *a, **k: states.append(solve(*a, **k)) or states[-1])
+        right = call(*given, reactions=reactions, **more)
+        inside = np.stack([states[0].null_wrenches[n] for n in mechanism.joints], axis=-2)
+        seen["inside"] = call(*given, reactions=reactions + 1e-3 * inside[..., 0], **more)
+        seen["other"] = call(*given, reactions=reactions + 1e-3 * rng.normal(size=reactions.shape), **more)
+        return right
+
+    monkeypatch.setattr(study, "_difference", compared)
+    found = drives(model("planar_3rrr").mechanism, texts, duration=0.5, rate=20, backend="casadi")
+    assert found.ok and found.difference < 1e-11
+    assert min(seen.values()) > 1e3 * study.AGREED, seen

@@ -22,8 +22,8 @@ from symscrew.paper_formulas.named_lengths import symbol_latex
 from symscrew.studies.platform_motion import platform_index
 
 Array = np.ndarray
-QUICK = ("planar_3rrr", "sarrus", "slider_crank")
-LARGE = ("three_ups_upu_s", "delta", "ur5", "five_bar")
+QUICK = ("planar_3rrr", "sarrus", "slider_crank", "bennett")
+LARGE = ("three_ups_upu_s", "delta", "ur5", "five_bar", "stewart_6ups")
 NAMES = [*QUICK, *(pytest.param(name, marks=pytest.mark.slow) for name in LARGE)]
 
 
@@ -71,7 +71,7 @@ class Reader:
         if index:
             lean = np.arctan2(float(value), float(self.names[rf"\cos \varphi_{index[1]}"]))
             self.names[rf"\varphi_{index[1]}"] = lean
-        entries = re.fullmatch(r"\\boldsymbol\{([Tp])\}_\{(.*)\}", name)
+        entries = re.fullmatch(r"\\boldsymbol\{([Tpub])\}_\{(.*)\}", name)
         if entries:
             for place, entry in np.ndenumerate(value):
                 here = "".join(str(k + 1) for k in place)

@@ -5,19 +5,24 @@ name --goals_of--> Goals: values (n, m), rows of their Jacobian in v (n, m, nv),
 "limb5_S.qx", "arm1_R"          a coordinate of the tree, by its label [rad, m, or an entry of a quaternion]
 "platform.x"                    how far the middle of the platform's joints is displaced from the reference [m]
 "platform.qx", "platform.rx"    how the platform is turned from the reference: quaternion, rotation vector [rad]
+"platform.tilt", "platform.yaw" the same as tilt, azimuth, torsion, or roll, pitch, yaw; `tilt` alone is the platform's
 "tool.x"                        where a named point of the platform is [m]
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 import numpy as np
 
+from symscrew.description import Mechanism
 from symscrew.errors import DescriptionError, did_you_mean
+from symscrew.kinematics import PoseRow, full_name
 from symscrew.model import Model
 from symscrew.runtime import CompiledModel
+from symscrew.studies.given_motion.pose_parts import PARTS, Jet, met_rows, rows_of, wanted_rows
 from symscrew.studies.given_motion.wanted_motion import WantedMotion
 from symscrew.studies.platform_motion import coordinate_rates, platform_index
 
@@ -25,6 +30,7 @@ Array = np.ndarray
 AXES = "xyz"
 TURNED = ("qw", "qx", "qy", "qz")
 VECTOR = ("rx", "ry", "rz")
+PART = "platform's"  # begins the names of rows of a pose; no name of a user has an apostrophe
 SMALL = 1e-2  # rotation vectors below this [rad] by the series below, whose next term is 1e-18 of the first there
 
 
@@ -43,7 +49,8 @@ class Goals:
     """Numbers of configurations, in the order of the motion's names.
 
     `coordinates`: columns into q; `turned`: entries of the platform's quaternion; `places`: (point [m] in the
-    reference, axis, what is taken off). Each entry of `order` is (kind, place among its kind).
+    reference, axis, what is taken off); `parts`: functions of the platform's rotation. Each entry of `order` is (kind,
+    place among its kind).
     """
 
     model: Model
@@ -51,6 +58,7 @@ class Goals:
     coordinates: tuple[int, ...]
     turned: tuple[int, ...]
     places: tuple[tuple[tuple[float, float, float], int, float], ...]
+    parts: tuple[PoseRow, ...]
     order: tuple[tuple[str, int], ...]
 
     def __repr__(self) -> str:
@@ -78,12 +86,12 @@ class Goals:
         second = _second_rates(self.model, q, v, a)[:, list(self.coordinates)]
         return self._picked(second, *self._of_body(self._body(q, v, a), 2))
 
-    def _picked(self, coordinates: Array, turned: Array, places: Array) -> Array:
-        kinds = {"coordinate": coordinates, "turned": turned, "place": places}
+    def _picked(self, coordinates: Array, turned: Array, places: Array, parts: Array) -> Array:
+        kinds = {"coordinate": coordinates, "turned": turned, "place": places, "part": parts}
         return np.stack([kinds[kind][:, k] for kind, k in self.order], axis=1)
 
     def _body(self, q: Array, v: Array, a: Array) -> Body | None:
-        if not self.turned and not self.places:
+        if not self.turned and not self.places and not self.parts:
             return None
         k = platform_index(self.model)
         pose = np.asarray(self.functions.body_poses(q))[:, :, k]
@@ -92,10 +100,10 @@ class Goals:
         rotation = pose[:, :9].reshape(-1, 3, 3).transpose(0, 2, 1)
         return Body(rotation, pose[:, 9:], twist, rate, quaternion_of(rotation))
 
-    def _of_body(self, body: Body | None, order: int) -> tuple[Array, Array]:
-        """Quaternion's entries and places, or their first or second derivatives."""
+    def _of_body(self, body: Body | None, order: int) -> tuple[Array, Array, Array]:
+        """Quaternion's entries, places and parts of the pose, or their first or second derivatives."""
         if body is None:
-            return np.zeros((0, 0)), np.zeros((0, 0))
+            return np.zeros((0, 0)), np.zeros((0, 0)), np.zeros((0, 0))
         spin, gain = body.twist[:, :3], body.rate[:, :3]
         turn = body.turn
         if order:
@@ -111,7 +119,9 @@ class Goals:
             second = body.rate[:, 3:] + np.cross(gain, here) + np.cross(spin, moved)
             made.append((moved if order == 1 else second)[:, axis])
         places = np.stack(made, axis=1) if made else np.zeros((len(turn), 0))
-        return turn[:, list(self.turned)], places
+        jets = met_rows(self.parts, body.rotation, spin, gain)
+        parts = [(jet.value, jet.first, jet.second)[order] for jet in jets]
+        return turn[:, list(self.turned)], places, np.stack(parts, axis=1) if parts else np.zeros((len(turn), 0))
 
 
 def quaternion_of(rotation: Array) -> Array:
@@ -154,9 +164,9 @@ def goals_of(model: Model, functions: CompiledModel, wanted: WantedMotion) -> tu
     Raises:
         DescriptionError: a name that is no coordinate, body or point of the platform.
     """
-    wanted = _quaternions(wanted)
     mechanism, labels = model.mechanism, [c.label for c in model.system.tree.q]
     platform = mechanism.platform or list(mechanism.bodies)[-1]
+    wanted, parts = _parts(_quaternions(_with_owners(wanted, mechanism, labels)), platform, labels)
     own = {p.name: p for p in mechanism.points.values() if p.body == platform}
     coordinates: list[int] = []
     turned: list[int] = []
@@ -170,18 +180,52 @@ def goals_of(model: Model, functions: CompiledModel, wanted: WantedMotion) -> tu
         elif owner == platform and part in TURNED:
             order.append(("turned", len(turned)))
             turned.append(TURNED.index(part))
+        elif name.startswith(PART):
+            order.append(("part", int(part)))
         elif part in tuple(AXES) and (owner == platform or owner in own):
             at = _middle(model, platform) if owner == platform else _numbers(mechanism, own[owner].at)
             axis = AXES.index(part)
             order.append(("place", len(places)))
             places.append((at, axis, at[axis] if owner == platform else 0.0))
         else:
-            known = [*labels, *(f"{platform}.{k}" for k in (*AXES, *VECTOR, *TURNED))]
+            known = [*labels, *(f"{platform}.{k}" for k in (*AXES, *VECTOR, *TURNED, *PARTS))]
             known += [f"{point}.{k}" for point in own for k in AXES]
             raise DescriptionError(
                 f"{name}: expected a coordinate, {platform!r} or a point of it with .x ...; {did_you_mean(name, known)}"
             )
-    return Goals(model, functions, tuple(coordinates), tuple(turned), tuple(places), tuple(order)), wanted
+    return Goals(model, functions, tuple(coordinates), tuple(turned), tuple(places), parts, tuple(order)), wanted
+
+
+def _with_owners(wanted: WantedMotion, mechanism: Mechanism, labels: Sequence[str]) -> WantedMotion:
+    """The motion with full names: `tilt` and `z` alone are the platform's."""
+    names = tuple(name if name in labels else full_name(mechanism, name) for name in wanted.names)
+    if len(set(names)) < len(names):
+        twice = next(name for name in names if names.count(name) > 1)
+        raise DescriptionError(f"{twice}: is given twice, with its owner and without")
+    return replace(wanted, names=names)
+
+
+def _parts(wanted: WantedMotion, platform: str, labels: Sequence[str]) -> tuple[WantedMotion, tuple[PoseRow, ...]]:
+    """The motion with rows of a pose in place of tilt, azimuth ... yaw, and the functions that these are."""
+    at = {part: f"{platform}.{part}" for part in PARTS}
+    given = {p: wanted.names.index(name) for p, name in at.items() if name in wanted.names and name not in labels}
+    if not given:
+        return wanted, ()
+    rows = tuple(rows_of(tuple(given)))
+    jets = {p: Jet(wanted.values[:, k], wanted.rates[:, k], wanted.accelerations[:, k]) for p, k in given.items()}
+    found = wanted_rows(jets)
+    kept = [k for k in range(len(wanted.names)) if k not in given.values()]
+    names = [wanted.names[k] for k in kept] + [f"{PART} {' '.join(given)}.{k}" for k in range(len(rows))]
+    histories = (
+        np.concatenate([before[:, kept], np.stack(more, axis=1)], axis=1)
+        for before, more in (
+            (wanted.values, [jet.value for jet in found]),
+            (wanted.rates, [jet.first for jet in found]),
+            (wanted.accelerations, [jet.second for jet in found]),
+        )
+    )
+    values, rates, accelerations = histories
+    return replace(wanted, names=tuple(names), values=values, rates=rates, accelerations=accelerations), rows
 
 
 def _numbers(mechanism: object, at: object) -> tuple[float, float, float]:

@@ -36,6 +36,7 @@ USED = (
 """The functions that a study calls: only these are compiled."""
 MARGINS = {"limb_margins": "limb", "constraint_margin": "constraint", "actuation_margins": "actuation"}
 REST = 1e-3  # of the reactions: a drive that carries less is held against that
+INSIDE = 1e-9  # of the largest: internal loads of which a state has fewer are exact zeros
 AGREED = 1e-8
 """Largest difference of drives and reactions between momentum screws and Newton-Euler, by the largest of each: rounding
 leaves 1e-12 in well-posed states and grows with their condition; a term that one of them lacks leaves far more."""
@@ -243,16 +244,30 @@ def _study(model: Model, functions: CompiledModel, wanted: WantedMotion, followe
     return DriveStudy(
         model, wanted, followed, u, called["joint_reactions"][-1], called["joint_displacements"][0],
         called["joint_rates"][0], drive_rates, margins, called["joint_points"][0], called["body_poses"][0],
-        _difference(model, functions, wanted, followed, u=u, reactions=called["joint_reactions"][-1]),
+        _difference(
+            model, functions, wanted, followed, u=u, reactions=called["joint_reactions"][-1],
+            points=called["joint_points"][0],
+        ),
         {"joint": joint.labels, "u": ports["u"].labels if ports["u"] else ()},
         {"joint": joint.units, "rate": rate.units, "u": ports["u"].units if ports["u"] else ()},
     )  # fmt: skip
 
 
 def _difference(
-    model: Model, functions: CompiledModel, wanted: WantedMotion, followed: Followed, *, u: Array, reactions: Array
+    model: Model,
+    functions: CompiledModel,
+    wanted: WantedMotion,
+    followed: Followed,
+    *,
+    u: Array,
+    reactions: Array,
+    points: Array,
 ) -> float | None:
-    """Difference from Newton-Euler by the largest drive, force and moment; None for effects it does not know."""
+    """Difference from Newton-Euler by the largest drive, force and moment; None for effects it does not know.
+
+    Of an overconstrained mechanism internal loads are left out of the difference, for nothing determines them; instead
+    the reactions must have no part along them, which makes them those of least norm.
+    """
     gravity = [e for e in model.effects if isinstance(e, Gravity)]
     others = [e for e in model.effects if not isinstance(e, Gravity) and getattr(e, "point", None) not in wanted.loads]
     if others or len(gravity) > 1 or model.mechanism.couplings:
@@ -275,11 +290,40 @@ def _difference(
     length = model.system.length  # so that moments that are rounding are held against the forces that make it
     force = float(np.abs(expected[:, :3]).max(initial=0.0))
     moment = max(float(np.abs(expected[:, 3:]).max(initial=0.0)), force * length)
+    off, share = reactions - expected, np.zeros_like(reactions)
+    if other.reaction_redundancy.any():
+        loads_inside = np.stack([other.null_wrenches[name] for name in model.mechanism.joints], axis=-2)
+        off, share = _without_internal(off, reactions, loads_inside, points=points, length=length)
     slides = np.array([unit == "N" for unit in model.programs["joint_reactions"].outputs[0].units[: u.shape[1]]])
     drive_scale = np.where(slides, max(force, moment / length), moment) if u.shape[1] else 1.0
     offs = [
         (u - other.drives) / np.maximum(np.abs(other.drives).max(axis=0), REST * drive_scale) if u.shape[1] else u,
-        (reactions[:, :3] - expected[:, :3]) / (force or 1.0),
-        (reactions[:, 3:] - expected[:, 3:]) / (moment or 1.0),
+        *(part[:, :3] / (force or 1.0) for part in (off, share)),
+        *(part[:, 3:] / (moment or 1.0) for part in (off, share)),
     ]
-    return max(float(np.abs(off).max(initial=0.0)) for off in offs)
+    return max(float(np.abs(part).max(initial=0.0)) for part in offs)
+
+
+def _without_internal(
+    off: Array, reactions: Array, inside: Array, *, points: Array, length: float
+) -> tuple[Array, Array]:
+    """(a difference without its part along internal loads, the reactions' part along them), about the joints' points.
+
+    Wrenches (f ; m_O) (n, 6, joints), internal loads (n, 6, joints, k); norms have moments divided by the length.
+    """
+
+    def flat(wrenches: Array) -> Array:
+        """About the joints' points: (n, 6 joints, k)."""
+        f, m = wrenches[:, :3], wrenches[:, 3:]
+        about = m - np.cross(points[..., None], f, axis=1)
+        return np.concatenate([f, about / length], axis=1).reshape(len(wrenches), -1, wrenches.shape[-1])
+
+    basis = flat(inside)
+    back = np.linalg.pinv(basis, rcond=INSIDE)
+
+    def shaped(vectors: Array) -> Array:
+        made = vectors.reshape(len(off), 6, -1)
+        return np.concatenate([made[:, :3], made[:, 3:] * length], axis=1)
+
+    left, own = flat(off[..., None]), flat(reactions[..., None])
+    return shaped(left - basis @ (back @ left)), shaped(basis @ (back @ own))

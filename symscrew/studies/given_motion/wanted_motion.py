@@ -6,7 +6,7 @@
     [motion]
     duration = 10                      # [s]
     rate = 100                         # samples per second
-    [coordinates]                      # joints by label; the platform's .x .y .z, .rx .ry .rz or .qx .qy .qz; points
+    [coordinates]                      # joints by label; the platform's x y z, rx ry rz, qx qy qz, tilt ... yaw; points
     platform.z = "0.1*sin(2*t)"
     [twist]                            # in place of [coordinates]: wx wy wz [rad/s], vx vy vz [m/s] at O
     wx = "-0.1*sin(t)"
