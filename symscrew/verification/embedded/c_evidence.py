@@ -253,8 +253,8 @@ ABOUT = """\
 `instructions`: the largest of two ordinary states, library included.
 """
 CYCLES = """\
-Every instruction that the emulator executes, at the most that it takes by the manual of the core (Arm DDI 0439): no wait
-states of the memory, no interrupts. The dearest call of states of every status, second paths included; of an iteration
+Every instruction that the emulator executes, at the most that it takes by the manual of the core (Arm DDI 0439): no
+wait states of the memory, no interrupts. The dearest call of states of every status, second paths included; of an iteration
 the most steps that it can make, each the dearest that was seen.
 """
 NO_CYCLES = "Arm publishes no cycles of this core's instructions: none are counted."

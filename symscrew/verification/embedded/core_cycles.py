@@ -30,7 +30,7 @@ from symscrew.verification.embedded.emulation import CORES, EmbeddedError
 LISTING = "arm-none-eabi-objdump"
 TABLED = "m4f"  # the core whose cycles are published
 REFILL = 3  # of the pipeline, at most
-DIVISION, ROOT = 12, 14
+DIVISION, ROOT = 12, 14  # of whole numbers, and in the floating-point unit: tables 3-1 and 7-1
 ENDLESS = (3, 4)  # statuses that an iteration gives after thousands of steps: those are counted, not traced
 ORDINARY = 3  # states of every status
 QUIET = ("paint", "painted_over", "put_hex", "put_word", "board_print")  # of the board, which write no lines of a trace
