@@ -254,8 +254,8 @@ ABOUT = """\
 """
 CYCLES = """\
 Every instruction that the emulator executes, at the most that it takes by the manual of the core (Arm DDI 0439): no
-wait states of the memory, no interrupts. The dearest call of states of every status, second paths included; of an iteration
-the most steps that it can make, each the dearest that was seen.
+wait states of the memory, no interrupts. The dearest call of states of every status, second paths included; of an
+iteration the most steps that it can make, each the dearest that was seen.
 """
 NO_CYCLES = "Arm publishes no cycles of this core's instructions: none are counted."
 
