@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
-from support.drive_ways import AMPLITUDES, HEADERS, HERE, STUB, built, followed
+from support.drive_ways import AMPLITUDES, HEADERS, HERE, STUB, built, followed, home
 from support.marks import slow
 from support.model_states import model
 
@@ -192,6 +192,19 @@ def test_what_has_no_such_kinematics_says_so() -> None:
 
 
 @pytest.mark.parametrize("name", ["five_bar", slow("three_ups_upu_s")])
+def test_jacobian_and_frame_that_newer_sources_ask_for(name: str, tmp_path: Path) -> None:
+    """Rates of joints by axes in machine units beside differences of the inverse; the tool's axis beside A, B, C."""
+    own = kinematics(name)
+    program = built(model(name), own, tmp_path, STUB, level="-O0")
+    axes = [text for letter, size in AMPLITUDES[name].items() for text in (str("XYZABC".index(letter)), str(size))]
+    command = [str(program), "137", str(len(own.drives)), *home(own), *axes]
+    done = subprocess.run(command, capture_output=True, text=True, check=True, env={"SLOPES": "1"})
+    first, second = (np.array(line.split(), float) for line in done.stdout.splitlines())
+    assert first[0] < 1e-6 * max(1.0, first[1]) and first[1] > 0.1
+    assert np.allclose(first[2:], Rotation.from_euler("xyz", second, degrees=True).as_matrix()[:, 2], atol=1e-9)
+
+
+@pytest.mark.parametrize("name", ["five_bar", slow("three_ups_upu_s")])
 def test_halcompile_takes_it(name: str, tmp_path: Path) -> None:
     if shutil.which("halcompile") is None:
         pytest.skip("needs halcompile (Debian: linuxcnc-uspace-dev)")
@@ -202,7 +215,16 @@ def test_halcompile_takes_it(name: str, tmp_path: Path) -> None:
     )
     assert done.returncode == 0 and "warning" not in done.stderr, done.stderr
     symbols = subprocess.run(["nm", "-D", f"{name}kins.so"], cwd=tmp_path, capture_output=True, text=True, check=True)
-    for symbol in ("kinematicsForward", "kinematicsInverse", "kinematicsType", "kinematicsSwitch", "rtapi_app_main"):
+    for symbol in (
+        "kinematicsForward",
+        "kinematicsInverse",
+        "kinematicsType",
+        "kinematicsSwitch",
+        "kinematicsJacobian",
+        "kinematicsToolFrame",
+        "kinematicsWorkFrame",
+        "rtapi_app_main",
+    ):
         assert f" T {symbol}\n" in symbols.stdout
 
 
