@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from symscrew.export.casadi import TABLE, casadi_functions, program_function
     from symscrew.export.casadi_external import jacobians_model, print_external
     from symscrew.export.cpp import print_cpp
-    from symscrew.export.cuda import CUDA_THREADS, print_cuda
+    from symscrew.export.cuda import CUDA_THREADS, print_cuda, print_device
     from symscrew.export.drive_kinematics import DriveKinematics, find_drive_kinematics
     from symscrew.export.drive_kinematics_c import axes_text, print_drive_host
     from symscrew.export.example import SPILLS, print_cmake, print_example
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from symscrew.export.javascript import print_javascript, print_script
     from symscrew.export.jax import print_jax
     from symscrew.export.linuxcnc import print_linuxcnc
-    from symscrew.export.listing import banner, decimal, live_instructions, model_hash, packed, plain
+    from symscrew.export.listing import banner, decimal, live_instructions, model_hash, packed, plain, wrapped
     from symscrew.export.manifest_file import (
         OutputError,
         effect_from_json,
@@ -86,6 +86,7 @@ __all__ = [
     "print_cmake",
     "print_cpp",
     "print_cuda",
+    "print_device",
     "print_drive_host",
     "print_example",
     "print_external",
@@ -113,6 +114,7 @@ __all__ = [
     "readable_sources",
     "rounded",
     "single_errors",
+    "wrapped",
 ]
 
 __getattr__ = doors(__name__)

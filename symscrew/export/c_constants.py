@@ -54,7 +54,7 @@ class Constants:
         self.names: dict[float, str] = {}
         self.used: set[float] = set()
         self._nodes: dict[float, Node] = {}
-        self._meanings: dict[int, list[Meaning]] = {}
+        self._meanings: dict[int, dict[Meaning, None]] = {}  # each once, in order
         system = getattr(model, "system", None)
         if system is None:
             return
@@ -72,8 +72,8 @@ class Constants:
         every = (*_given(system), *_links(system), *_of_effects(system, self.model.effects), *_scales(system))
         for node, meaning in every:
             inner = _positive(node)
-            if inner.value is not None and meaning not in self._meanings.setdefault(inner.index, []):
-                self._meanings[inner.index].append(meaning)
+            if inner.value is not None:
+                self._meanings.setdefault(inner.index, {})[meaning] = None
         for node, size in system.tape.constants.items():
             if node.args[0] is not None or node.index in self._meanings:
                 known = self._nodes.setdefault(size, node)
@@ -101,7 +101,7 @@ class Constants:
         """A name from what the number is, or from what it is made of; none where that would be too long."""
         meanings = self._meanings.get(node.index)
         if meanings:
-            first = meanings[0].symbol
+            first = next(iter(meanings)).symbol
             return identifier(Origin(first, common([m.part for m in meanings if m.symbol == first])))
         made = node.args[0]
         if isinstance(made, tuple) and made[0] == "mul":
@@ -132,7 +132,7 @@ class Constants:
 
     def _told(self, node: Node) -> str:
         """Unit, words and formula."""
-        meanings = self._meanings.get(node.index, [])
+        meanings = tuple(self._meanings.get(node.index, ()))
         made = self._formula(node.args[0], DEEPEST)
         if not meanings:
             return plain(made or "of the geometry")

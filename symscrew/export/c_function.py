@@ -314,15 +314,18 @@ def _within(printed: Printed) -> Iterator[str]:
         yield f"!({' && '.join(bounds)}) ? isfinite(pivot[{k}]) ? {status} : 2 : "
 
 
-def function(printed: Printed, signature: str, second: str = "") -> list[str]:
-    """A function of one state: its lane, checked; `second` is its way out of small pivots."""
-    if not printed.packing:
+def function(printed: Printed, signature: str, second: str = "", *, packed: Sequence[str] = ()) -> list[str]:
+    """A function of one state: its lane, checked.
+
+    `second` is its way out of small pivots, `packed` its lane with equal limbs side by side.
+    """
+    if not printed.packing or not packed:
         return _one_by_one(printed, signature, second)
     condition = f"#if {c_lanes.condition(printed.model, printed.packing.width, printed.precision)}"
     apart = declare(f"{printed.symbol}_limb_by_limb", arguments(printed.program, printed.precision), "int ")
     handed = [*printed.handed(), *(["sine", "cosine"] if printed.angles.gathered else [])]
     return [
-        *packed_lane(printed, printed.packing),
+        *packed,
         "",
         *(condition, "__attribute__((noinline))", "#endif"),
         *_one_by_one(printed, f"static {apart}", second),

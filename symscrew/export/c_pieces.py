@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import NamedTuple
 
 from symscrew.export import c_angles, c_batch, c_lanes, c_parts, c_unread
-from symscrew.export.c_function import body, function
+from symscrew.export.c_function import body, function, packed_lane
 from symscrew.export.c_iteration import iteration_functions
 from symscrew.export.c_names import arguments, declare
 from symscrew.export.c_precision import Precision
@@ -28,6 +29,7 @@ IN_LANES = frozenset((  # what is called once per step of a control or a simulat
     "joint_reactions",
     "velocity",
 ))  # fmt: skip
+IN_PARTS = 4  # an instruction of a long function, most of whose instructions stand in loops, takes so much less
 LANES = 6  # with its lanes a function takes so many times as long to print: from 4 (seed) to 7 (Stewart, delta)
 # Instructions, weighted so, for which a second process is made: copying this one takes as long as printing a tenth.
 WORTH_A_PROCESS = 12000
@@ -77,6 +79,13 @@ CASES
 """
 
 
+class _Text(NamedTuple):
+    """A function's body, in parts if it is long, and its form with equal limbs side by side, if it has one."""
+
+    body: list[str]
+    packed: list[str]
+
+
 class Pieces:
     """The pieces of the C of a model; `blocks` are the functions that take states in blocks.
 
@@ -100,8 +109,8 @@ class Pieces:
         }
         straight = [f for f, program in model.programs.items() if not isinstance(program, Iteration)]
         self.blocks = [f for f in straight if batches and c_batch.by_lanes(self.printed[f])]
-        self._bodies = self._arranged([f for f in straight if not self.printed[f].in_parts], processes)
-        self.bodies = {f: self._bodies[f] for f in self.blocks}
+        self._texts = self._arranged(straight, processes)
+        self.bodies = {f: self._texts[f].body for f in self.blocks}
         self.functions = {f: self._function(f) for f in model.programs}
         self.wide = [line for f in self.blocks for line in ("", *c_batch.block(self.printed[f]))]
 
@@ -110,12 +119,12 @@ class Pieces:
         program, symbol = self.model.programs[name], f"{self.name}_{name}"
         if isinstance(program, Iteration):
             return ["", *iteration_functions(self.name, symbol, program, self.precision, shared=self.shared)]
-        printed = self.printed[name]
-        lane = c_parts.lane_in_parts(printed) if printed.in_parts else self._bodies[name]
-        return [*([] if name in self.blocks else ["", *lane]), "", *_one_state(printed, program, self.dense)]
+        text = self._texts[name]
+        lane = [] if name in self.blocks else ["", *text.body]
+        return [*lane, "", *_one_state(self.printed[name], program, self.dense, text.packed)]
 
-    def _arranged(self, functions: Sequence[str], processes: int) -> dict[str, list[str]]:
-        """Bodies of functions, by another process too; their packed forms are found with them."""
+    def _arranged(self, functions: Sequence[str], processes: int) -> dict[str, _Text]:
+        """Texts of functions, by another process too; their packed forms are found with them."""
         sizes = {f: self._size(f) for f in functions}
         if processes < 2 or sum(sizes.values()) < WORTH_A_PROCESS:
             return self._half(functions)[0]
@@ -126,22 +135,25 @@ class Pieces:
             halves[lighter].append(f)
             loads[lighter] += sizes[f]
         with beside(lambda: self._half(halves[1])) as other:
-            bodies, _, _ = self._half(halves[0])
+            texts, _, _ = self._half(halves[0])
             more, packings, used = other()
         for f, packing in packings.items():
             self.printed[f].take(packing)
         self.shared.constants.used |= used
-        return bodies | more
+        return texts | more
 
     def _size(self, function: str) -> int:
         """How long a function takes to print, in instructions without lanes."""
         program = self.printed[function].program
-        return len(program.instructions) * (LANES if function in IN_LANES and program.limbs.families else 1)
+        count = len(program.instructions)
+        if self.printed[function].in_parts:
+            return count // IN_PARTS
+        return count * (LANES if function in IN_LANES and program.limbs.families else 1)
 
-    def _half(self, functions: Sequence[str]) -> tuple[dict[str, list[str]], dict[str, Packing | None], set[float]]:
-        """Bodies and packed forms of some functions, and the constants that have been used up to then."""
-        packings = {f: self.printed[f].packing for f in functions}
-        return {f: body(self.printed[f]) for f in functions}, packings, self.shared.constants.used
+    def _half(self, functions: Sequence[str]) -> tuple[dict[str, _Text], dict[str, Packing | None], set[float]]:
+        """Texts and packed forms of some functions, and the constants that have been used up to then."""
+        packings = {f: self.printed[f].packing for f in functions if not self.printed[f].in_parts}
+        return {f: _text(self.printed[f]) for f in functions}, packings, self.shared.constants.used
 
     def batch_routines(self) -> list[str]:
         """Types and routines of batch functions."""
@@ -198,24 +210,29 @@ def _angles(pieces: Pieces) -> bool:
     return any(p.angles.gathered for p in pieces.printed.values())
 
 
-def _body(printed: Printed) -> list[str]:
-    """The body of a function, in parts if it is long."""
-    return c_parts.lane_in_parts(printed) if printed.in_parts else body(printed)
+def _text(printed: Printed) -> _Text:
+    """Nearly all that is printed of a function."""
+    if printed.in_parts:
+        return _Text(c_parts.lane_in_parts(printed), [])
+    return _Text(body(printed), packed_lane(printed, printed.packing) if printed.packing else [])
 
 
-def _one_state(printed: Printed, program: Program, known: dict[tuple[object, ...], str]) -> list[str]:
+def _one_state(
+    printed: Printed, program: Program, known: dict[tuple[object, ...], str], packed: Sequence[str]
+) -> list[str]:
     """The function of one state; if it has a second path, this comes before it.
 
-    `known`: dense programs that functions before this one have, each of which is printed once.
+    `known`: dense programs that functions before this one have, each of which is printed once; `packed`: its form with
+    equal limbs side by side.
     """
     signature = declare(printed.symbol, arguments(program, printed.precision))
     if not isinstance(program, RankRevealing):
-        return function(printed, signature)
+        return function(printed, signature, packed=packed)
     precision = printed.precision
 
     def define(name: str, part: Program) -> list[str]:
         inner = Printed(printed.model, name, part, precision, shared=printed.shared)
-        return [*_body(inner), "", *function(inner, declare(name, arguments(part, precision), "static int "))]
+        return [*_text(inner).body, "", *function(inner, declare(name, arguments(part, precision), "static int "))]
 
     second = f"{printed.symbol}_rank_revealing"
     way_out = declare(second, arguments(program, precision), "static int ")
@@ -225,7 +242,7 @@ def _one_state(printed: Printed, program: Program, known: dict[tuple[object, ...
     key = (dense.inputs, dense.instructions, dense.results, dense.guards)
     lines = second_path(printed, way_out, define, known.get(key, ""))
     known.setdefault(key, f"{printed.symbol}_dense")
-    return [*lines, "", *function(printed, signature, call)]
+    return [*lines, "", *function(printed, signature, call, packed=packed)]
 
 
 def straight_line(program: Program | Iteration) -> Program:

@@ -13,7 +13,8 @@ from __future__ import annotations
 import json
 import math
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from contextlib import AbstractContextManager, nullcontext
 from pathlib import Path
 from typing import Any
 
@@ -38,9 +39,14 @@ from symscrew.garbage import nothing_to_collect
 from symscrew.generation.target_file import Order
 from symscrew.generation.targets import TARGETS, USUAL, by_value, printable, with_brought
 from symscrew.model import Model
+from symscrew.program import Iteration
 from symscrew.whole_files import PENDING, is_staging, one_at_a_time, put_files
+from symscrew.workers import beside
 
 EMBEDDED = "embedded"  # among the functions of ops.json: what microcontrollers were measured to take
+# Instructions of all functions whose values at the test states are computed by a process of their own: copying this one
+# takes as long as computing so many.
+EVALUATED_BESIDE = 5000
 READ = (".h", "ops.json", "manifest.json", "mechanism.toml")  # endings of what stays beside hashes.json
 
 
@@ -73,11 +79,29 @@ def generate(
         OutputError: the directory holds something else; nothing has been written then.
         DescriptionError: a format cannot hold the mechanism; nothing has been written then.
     """
+    check_place(out_dir)
+    files = render(model, targets, precision=precision, measured=measured, form=form, processes=processes)
+    return write_folder(with_hashes(files) if hashes_only else files, out_dir)
+
+
+def check_place(out_dir: str | Path) -> None:
+    """Whether a folder can be written anew; waits for whoever writes there.
+
+    Raises:
+        OutputError: it holds something that this tool did not write.
+    """
     directory = Path(os.path.abspath(out_dir))
     with one_at_a_time(directory.parent):  # whoever writes there has an end
         _earlier_files(directory)
-    files = render(model, targets, precision=precision, measured=measured, form=form, processes=processes)
-    files = with_hashes(files) if hashes_only else files
+
+
+def write_folder(files: Mapping[str, bytes], out_dir: str | Path) -> tuple[Path, ...]:
+    """Write the files of `render` as a folder and return their paths, sorted.
+
+    Raises:
+        OutputError: the folder holds something else, or cannot be written; nothing has been written then.
+    """
+    directory = Path(os.path.abspath(out_dir))
 
     def check() -> None:
         earlier = _earlier_files(directory)
@@ -117,6 +141,17 @@ def render(
         if target not in possible:
             raise ValueError(f"expected targets among {', '.join(possible)} in {precision} precision, got {target!r}")
     order = Order(model, PRECISIONS[precision], measured, form, processes)
+    with _vectors(model, processes) as vectors:
+        made = _made(order, chosen)
+        made["test_vectors.json"] = vectors()
+    content = manifest(model, targets=chosen, files=[*made, "manifest.json"], precision=precision, form=form)
+    made["manifest.json"] = json.dumps(content, indent=1, ensure_ascii=False) + "\n"
+    return {name: data.encode("utf-8") if isinstance(data, str) else data for name, data in made.items()}
+
+
+def _made(order: Order, chosen: Sequence[str]) -> dict[str, str | bytes]:
+    """The files of all targets, and of what stands beside them those that are read."""
+    model, measured = order.model, order.measured
     made: dict[str, str | bytes] = {}
     further: list[str] = []
     for target in chosen:
@@ -129,14 +164,19 @@ def render(
     about = {target: TARGETS[target].about for target in chosen}
     counts: dict[str, Any] = {name: p.operations for name, p in model.programs.items()}
     made |= {
-        "README.md": print_readme(model, about, order.precision, further, files=[*made]),
+        "README.md": print_readme(model, about, order.precision, further, files=_sizes(made)),
         "ops.json": _table_text(counts | ({EMBEDDED: list(measured)} if measured else {})),
-        "test_vectors.json": _vectors_text(model),
         "mechanism.toml": to_toml(model.mechanism),
     }
-    content = manifest(model, targets=chosen, files=[*made, "manifest.json"], precision=precision, form=form)
-    made["manifest.json"] = json.dumps(content, indent=1, ensure_ascii=False) + "\n"
-    return {name: data.encode("utf-8") if isinstance(data, str) else data for name, data in made.items()}
+    return made
+
+
+def _vectors(model: Model, processes: int) -> AbstractContextManager[Callable[[], str]]:
+    """What gives the text of test_vectors.json; with several processes it is made beside what is done meanwhile."""
+    programs = [p.step if isinstance(p, Iteration) else p for p in model.programs.values()]
+    if processes > 1 and sum(len(p.instructions) for p in programs) > EVALUATED_BESIDE:
+        return beside(lambda: _vectors_text(model))
+    return nullcontext(lambda: _vectors_text(model))
 
 
 def with_hashes(files: Mapping[str, bytes]) -> dict[str, bytes]:
@@ -147,6 +187,11 @@ def with_hashes(files: Mapping[str, bytes]) -> dict[str, bytes]:
     kept = {name: data for name, data in files.items() if name.endswith(READ) and not name.endswith("_support.h")}
     others = {name: data for name, data in files.items() if name not in kept and not by_value(name)}
     return kept | {HASHES: print_hashes(others).encode("utf-8")}
+
+
+def _sizes(files: Mapping[str, str | bytes]) -> dict[str, int]:
+    """Bytes of every file."""
+    return {name: len(data.encode("utf-8") if isinstance(data, str) else data) for name, data in files.items()}
 
 
 def _table_text(table: Mapping[str, Any]) -> str:

@@ -66,6 +66,7 @@ RUST = "`{0}.rs`, `Cargo.toml`: a crate for Rust 1.63 and later, no_std, without
 LINUXCNC = "`{0}kins.c`, `{0}_drives.h`, `{0}_drives.c`: kinematics module of LinuxCNC, for `halcompile`"
 TEXT = "`{0}.st`: function blocks in structured text, IEC 61131-3, for CODESYS, TwinCAT and others"
 DRIVES = "`{0}_drives.st`: a function block between drives and the tool, with what it calls, in structured text"
+MODES = "`{0}_modes.c`, `{0}_modes.h`: all assembly modes as C, and the one that a motion stays on, certified"
 ROS = "`{0}_kinematics.hpp`: C++17 without ROS; `{0}_transmission.hpp`, `package.xml` ...: two plugins of ros2_control"
 SFUN = "`{0}_sfun.c`: level-2 S-function of Simulink around the C, a block per function"
 MODELICA = "`{0}.mo`: Modelica package of external functions and blocks around the C"
@@ -85,6 +86,7 @@ TARGETS: dict[str, Target] = {
     "st": Target(f"{ROOM}.structured_text_target", TEXT),
     "st_drives": Target(f"{ROOM}.structured_text_drives_target", DRIVES),
     "ros2": Target(f"{ROOM}.ros2_target", ROS),
+    "modes": Target(f"{ROOM}.modes_target", MODES),
     "simulink": Target(f"{ROOM}.simulink_target", SFUN, brings=("c",)),
     "modelica": Target(f"{ROOM}.modelica_target", MODELICA, brings=("c",)),
     "fmu": Target(f"{ROOM}.fmu_target", UNIT),

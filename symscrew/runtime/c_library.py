@@ -17,16 +17,17 @@ import numpy as np
 
 from symscrew.export import DOUBLE, OutputError, Precision, interface
 from symscrew.program import Port
-from symscrew.runtime.compiled_function import Called, Direct, Evaluator
+from symscrew.runtime import numpy_call
+from symscrew.runtime.compiled_function import Called, Evaluator
 from symscrew.runtime.compilers import CompileError, compile_c
 from symscrew.runtime.state_arrays import BYTES, place
 from symscrew.runtime.strided_c import MISFIT, NUMPY_AS_EXPECTED, strided_source
 
-# States of a thread, at least: making it takes as long as a thousand states of a short function.
-C_THREAD_STATES = 4096
 Ports = Mapping[str, tuple[tuple[Port, ...], tuple[Port, ...]]]  # function -> inputs, outputs
 
 
+# Of the arguments as they are: with new results, where that can be, and into arrays.
+Direct = tuple[Callable[..., "Called | None"] | None, Callable[..., "Called | None"]]
 # By rows, by columns, by strides, and of the arguments as they are.
 Made = tuple[Evaluator, Evaluator, Evaluator, Direct | None]
 
@@ -63,14 +64,19 @@ class Evaluators:
         """Arrays (states, entries) of any strides."""
         return (self._made or self.ready())[2](inputs, outputs, status)
 
-    def direct(
-        self, given: Sequence[object], threads: int, results: Sequence[np.ndarray] | None, told: bool
-    ) -> Called | None:
-        """The arguments as they are."""
-        call = (self._made or self.ready())[3]
-        if threads > 1 and call is not None:
-            call = self._with_threads()[3]
-        return call(given, threads, results, told) if call is not None else None
+    def new(self, given: Sequence[object], threads: int, told: bool) -> Called | None:
+        """The arguments as they are, results in new arrays."""
+        direct = (self._made or self.ready())[3]
+        if threads > 1 and direct is not None:
+            direct = self._with_threads()[3]
+        return direct[0](threads, told, *given) if direct is not None and direct[0] is not None else None
+
+    def into(self, given: Sequence[np.ndarray], threads: int, results: Sequence[np.ndarray]) -> Called | None:
+        """Arrays (states, entries) of any strides, and those for the results."""
+        direct = (self._made or self.ready())[3]
+        if threads > 1 and direct is not None:
+            direct = self._with_threads()[3]
+        return direct[1](given, threads, results) if direct is not None else None
 
     def _with_threads(self) -> Made:
         """Those of a library with threads of its own; without, where the compiler does not know how."""
@@ -104,7 +110,9 @@ def library_of(
         beside = []
         for number, (function, (inputs, outputs)) in enumerate(ports.items()):
             beside.append(Path(temporary) / f"strided_{number}.c")
-            beside[-1].write_text(strided_source(f"{name}_{function}", inputs, outputs, precision), encoding="utf-8")
+            symbol = f"{name}_{function}"
+            text = strided_source(symbol, inputs, outputs, precision) + numpy_call.call_source(symbol, inputs, outputs)
+            beside[-1].write_text(text, encoding="utf-8")
         library = folder / f"lib{name}.so"
         further = [str(path) for path in (*sources[1:], *beside)]
         compile_c(sources[0], library, flags=[f"-D{name.upper()}_INTERFACE", *flags, *further])
@@ -174,49 +182,26 @@ def evaluators(
     def turned(given: Sequence[np.ndarray], found: Sequence[np.ndarray], status: np.ndarray) -> int:
         return strided([a.T for a in given], [a.T for a in found], status)
 
-    direct = _direct(_symbol(library, f"{symbol}_numpy"), inputs, outputs) if NUMPY_AS_EXPECTED else None
+    direct = _direct(library, symbol, inputs) if NUMPY_AS_EXPECTED else None
     return (rows, columns, strided, direct) if precision is DOUBLE else (strided, turned, strided, direct)
 
 
-def _direct(call: Any, inputs: Sequence[Port], outputs: Sequence[Port]) -> Direct:
-    """What calls <symbol>_numpy; with matrices, only for arrays (states, entries) that it is given for its results."""
+def _direct(library: ctypes.CDLL, symbol: str, inputs: Sequence[Port]) -> Direct:
+    """What calls <symbol>_call for new results, and <symbol>_numpy for arrays (states, entries) that are given."""
+    call = _symbol(library, f"{symbol}_numpy")
     call.argtypes = [ctypes.c_size_t, ctypes.c_size_t, *([ctypes.py_object] * 4)]
     call.restype = ctypes.c_int
-    like, sizes = np.zeros(1), [port.size for port in outputs]
-    array, empty, integer = np.ndarray, np.empty, np.dtype(np.intc)
+    like = np.zeros(1)
     matrices = any(len(port.shape) != 1 for port in inputs)  # whose entries stand in another order
 
-    def direct(
-        given: Sequence[object], threads: int, results: Sequence[np.ndarray] | None, told: bool
-    ) -> Called | None:
-        count, first = 1, None
-        for argument in given:
-            if type(argument) is not array:
-                return None
-            if argument.ndim == 2:
-                count, entries = argument.shape
-                first = argument
-                if entries > 1:
-                    break
-        if results is None:
-            if matrices or (count < 2 and any(argument.ndim != 1 for argument in given)):  # type: ignore[attr-defined]
-                return None
-            if count < 2:
-                results = tuple([empty(size) for size in sizes])
-            elif first.strides[0] == BYTES:  # type: ignore[union-attr]
-                results = tuple([empty((size, count)).T for size in sizes])
-            else:
-                results = tuple([empty((count, size)) for size in sizes])
-            batch = (count,) if first is not None else ()
-        else:
-            count = len(results[0]) if results else count
-            batch = (count,)
-        status = empty(batch, integer) if told else None
-        shares = min(threads, count // C_THREAD_STATES) if threads > 1 else 1
+    def into(given: Sequence[np.ndarray], threads: int, results: Sequence[np.ndarray]) -> Called | None:
+        count = len(results[0]) if results else len(given[0]) if given else 1
+        status = np.empty(count, np.intc)
+        shares = min(threads, count // numpy_call.THREAD_STATES) if threads > 1 else 1
         worst = call(count, shares, like, tuple(given), tuple(results), status)
-        return None if worst == MISFIT else (worst, results, status, batch)
+        return None if worst == MISFIT else (worst, results, status, (count,))
 
-    return direct
+    return (None if matrices else numpy_call.callable_of(library, symbol)), into
 
 
 def _symbol(library: ctypes.CDLL, symbol: str) -> Any:

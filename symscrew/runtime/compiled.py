@@ -237,7 +237,7 @@ def _functions(origin: Origin, made: Mapping[str, Evaluators]) -> dict[str, Comp
     own = origin.precision is DOUBLE  # numbers of another type are converted on the way
     return {
         f: CompiledFunction(
-            f, *origin.ports[f], of.rows, of.columns if own else None, of.strided, of.direct, texts=origin.texts
+            f, *origin.ports[f], of.rows, of.columns if own else None, of.strided, of.new, of.into, texts=origin.texts
         )
         for f, of in made.items()
     }

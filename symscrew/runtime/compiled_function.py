@@ -31,9 +31,10 @@ from symscrew.runtime.state_arrays import (
 Evaluator = Callable[[Sequence[np.ndarray], Sequence[np.ndarray], np.ndarray], "int | None"]
 # The largest status, results (states, entries), the status of every state if that was to be told, shape of the batch.
 Called = tuple[int, Sequence[np.ndarray], "np.ndarray | None", tuple[int, ...]]
-# All at once, of arguments that are arrays (states, entries) or (entries) of float64, in threads, into results where
-# there are some; None, where arguments are something else.
-Direct = Callable[[Sequence[object], int, "Sequence[np.ndarray] | None", bool], "Called | None"]
+# All at once, in threads; None, where arguments are something else. First of arguments that are arrays of float64
+# (states, entries) or (entries), with or without the status of every state; then of such arrays, into others.
+New = Callable[[Sequence[object], int, bool], "Called | None"]
+Into = Callable[[Sequence[np.ndarray], int, Sequence[np.ndarray]], "Called | None"]
 # States of a thread of Python, at least: starting it takes as long as some thousands of states of a short function.
 PYTHON_THREAD_STATES = 16384
 SHARE_UNIT = 64  # states: shares begin where blocks begin, so that every state has the neighbours it has in one thread
@@ -64,7 +65,8 @@ class CompiledFunction:
     evaluator: Evaluator
     columns: Evaluator | None = None
     strided: Evaluator | None = None
-    direct: Direct | None = None
+    new: New | None = None
+    into: Into | None = None
     threads: int = 1
     texts: Mapping[int, str] = field(default_factory=lambda: STATUS, repr=False)
 
@@ -92,13 +94,13 @@ class CompiledFunction:
         """
         given = arguments if not named and len(arguments) == len(self.inputs) else self._ordered(arguments, named)
         shares = self.threads if threads is None else threads
-        found = self.direct(given, shares, None, not check) if self.direct is not None and out is None else None
+        found = self.new(given, shares, not check) if self.new is not None and out is None else None
         if found is not None and (found[0] <= 0 or not check):
             _, results, codes, batch = found
             shaped = results if self._flat else self._shaped(results, batch)
-            if codes is None:
-                return shaped[0] if len(shaped) == 1 else tuple(shaped)
-            return (*shaped, codes)
+            if codes is not None:
+                return (*shaped, codes)
+            return shaped[0] if len(shaped) == 1 else tuple(shaped)
         worst, shaped, status, batch = self._anyhow(given, out, shares)
         if not check:
             return (*shaped, status.reshape(batch))
@@ -131,7 +133,7 @@ class CompiledFunction:
         else:
             results, shaped = self._targets(out, batch, arrays)
             layout = layout if self.strided is None or layout_of(results, batch) == layout else STRIDED
-        found = self.direct(arrays, shares, results, True) if self.direct is not None else None
+        found = self.into(arrays, shares, results) if self.into is not None else None
         if found is not None and found[2] is not None:
             worst, status = found[0], found[2]
         else:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import sys
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import replace
@@ -25,6 +26,7 @@ from symscrew.runtime import (
     compiled_function,
     find_compiler,
     load,
+    numpy_call,
     strided_c,
 )
 
@@ -262,7 +264,7 @@ def test_threads_give_the_same_bits(found: Model, monkeypatch: pytest.MonkeyPatc
     """Threads of POSIX, and threads of Python where the compiler has none."""
     if not native:
         monkeypatch.setattr("symscrew.runtime.compiled.THREADS", ("-fno-such-option",))
-    monkeypatch.setattr(c_library, "C_THREAD_STATES", 64)
+    monkeypatch.setattr(numpy_call, "THREAD_STATES", 64)
     monkeypatch.setattr(compiled_function, "PYTHON_THREAD_STATES", 64)
     few = only(found, "inverse_dynamics", "assemble")
     compiled = load(few, backend="c")
@@ -281,7 +283,7 @@ def test_threads_give_the_same_bits(found: Model, monkeypatch: pytest.MonkeyPatc
 
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="no fork here")
 def test_threads_after_a_fork_do_not_wait_for_ever(found: Model, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(c_library, "C_THREAD_STATES", 64)
+    monkeypatch.setattr(numpy_call, "THREAD_STATES", 64)
     few = only(found, "inverse_dynamics")
     function = load(few, backend="c", threads=2).inverse_dynamics
     arrays = inputs(few, "inverse_dynamics", 1003)
@@ -309,6 +311,58 @@ def test_where_numpy_is_not_as_expected_addresses_are_asked_for(found: Model, mo
     expected = one_by_one(load(few, backend="c", flags=EXACT).inverse_dynamics, arrays)
     monkeypatch.setattr(c_library, "NUMPY_AS_EXPECTED", False)
     function = load(few, backend="c", flags=EXACT).inverse_dynamics
-    assert function.direct is not None and function.direct(arrays, 1, None, True) is None
+    assert function.new is not None and function.new(arrays, 1, True) is None
     for layout in LAYOUTS.values():
         same(expected, function(*map(layout, arrays), check=False))
+
+
+def test_where_numpy_makes_arrays_in_another_way_python_makes_them(
+    found: Model, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    few = only(found, "inverse_dynamics")
+    arrays = inputs(few, "inverse_dynamics", COUNT)
+    expected = one_by_one(load(few, backend="c", flags=EXACT).inverse_dynamics, arrays)
+    numpy_call._table.cache_clear()
+    monkeypatch.setattr(numpy_call, "_makes_arrays", lambda address: False)
+    function = load(few, backend="c", flags=EXACT).inverse_dynamics
+    numpy_call._table.cache_clear()
+    assert function.new is not None and function.new(arrays, 1, True) is None
+    for layout in LAYOUTS.values():
+        same(expected, function(*map(layout, arrays), check=False))
+
+
+def test_calls_of_the_library_by_itself(found: Model) -> None:
+    """What it takes, what it leaves to others, and that nothing is kept or given away of any object."""
+    few = only(found, "inverse_dynamics")
+    function = load(few, backend="c").inverse_dynamics
+    arrays = inputs(few, "inverse_dynamics", COUNT)
+    q, *others = arrays
+    taken = [
+        arrays,
+        [thinned(q), *others],
+        [q, *(x[0] for x in others)],
+        [x[0] for x in arrays],
+    ]
+    left = [
+        [x[:1] for x in arrays],
+        [q.tolist(), *others],
+        [q.astype("f4"), *others],
+        [q[:, 1:], *others],
+        [q[1:], *others],
+    ]
+    assert function.new is not None and all(function.new(given, 1, True) is not None for given in taken)
+    assert all(function.new(given, 1, True) is None for given in [*left, arrays[:-1], [*arrays, q]])
+
+    def counted() -> list[int]:
+        return [sys.getrefcount(x) for x in (*arrays, None, np.ndarray, np.dtype(float), np.dtype(np.intc), 0, ())]
+
+    before = counted()
+    for _ in range(200):
+        for told in (False, True):
+            for given in taken[:2] + left[1:3]:
+                function.new(given, 1, told)
+    worst, (u,), status, batch = function.new(arrays, 1, True)
+    assert sys.getrefcount(u) == sys.getrefcount(status) == 2 and u.flags.owndata and u.flags.c_contiguous
+    assert (worst, batch, status.dtype) == (0, (COUNT,), np.dtype(np.intc))
+    del u, status, worst, batch
+    assert max(abs(a - b) for a, b in zip(before, counted(), strict=True)) < 100

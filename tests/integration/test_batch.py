@@ -53,7 +53,7 @@ def test_columns_are_read_and_written_in_place(found: Model, vectorised: Compile
         seen.extend(x.__array_interface__["data"][0] for x in given)
         results[0][:], status[:] = 0.0, 0
 
-    replace(vectorised["forward_dynamics"], direct=None, columns=spy)(q, v, u)
+    replace(vectorised["forward_dynamics"], new=None, into=None, columns=spy)(q, v, u)
     assert seen == [x.__array_interface__["data"][0] for x in (q, v, u)]
 
 

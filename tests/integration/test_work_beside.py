@@ -11,7 +11,8 @@ import pytest
 from support.model_states import model
 
 from symscrew import workers
-from symscrew.export import c_pieces, print_c
+from symscrew.export import c_pieces, c_printed, print_c
+from symscrew.generation import folder
 from symscrew.workers import beside
 
 DEATHS: tuple[Callable[[], object], ...] = (
@@ -77,12 +78,22 @@ def test_nobody_waits_for_what_is_not_asked_for(monkeypatch: pytest.MonkeyPatch)
         os.kill(copies[0], 0)
 
 
-@pytest.mark.parametrize("name", ["four_bar", "planar_3rrr"])
-def test_two_processes_print_what_one_does(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    """The second one has lanes and functions that share constants."""
+@pytest.mark.parametrize(("name", "long"), [("four_bar", 5500), ("planar_3rrr", 5500), ("four_bar", 60)])
+def test_two_processes_print_what_one_does(name: str, long: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The second mechanism has lanes and functions that share constants, the third functions in parts."""
+    monkeypatch.setattr(c_printed, "LONG", long)
     made: list[object] = []
     copied = workers._copied
     monkeypatch.setattr(workers, "_copied", lambda work: made.append(copied(work)) or made[-1])
     monkeypatch.setattr(c_pieces, "WORTH_A_PROCESS", 0)
     assert print_c(model(name), several=True, processes=2) == print_c(model(name), several=True)
     assert len(made) == 1 and made[0] is not None
+
+
+def test_a_folder_is_the_same_whoever_evaluates_the_test_states(monkeypatch: pytest.MonkeyPatch) -> None:
+    copies: list[object] = []
+    copied = workers._copied
+    monkeypatch.setattr(workers, "_copied", lambda work: copies.append(copied(work)) or copies[-1])
+    monkeypatch.setattr(folder, "EVALUATED_BESIDE", 0)
+    assert folder.render(model("four_bar"), ("c",), processes=2) == folder.render(model("four_bar"), ("c",))
+    assert len(copies) == 1 and copies[0] is not None
