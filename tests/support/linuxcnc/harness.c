@@ -18,6 +18,10 @@
 #include <time.h>
 
 int rtapi_app_main(void);
+/* of newer sources: other modules may not have them */
+__attribute__((weak)) int kinematicsJacobian(const double *joint, const EmcPose *pos, double (*jac)[EMCMOT_MAX_AXIS],
+                                             const unsigned long *flags);
+__attribute__((weak)) int kinematicsToolFrame(const double *joint, PmRotationMatrix *rot, const unsigned long *flags);
 
 static union { char bytes[1 << 16]; double aligned; } store;
 static size_t used;
@@ -153,8 +157,6 @@ int main(int argc, char **argv)
         worst = off > worst ? off : worst;
     }
     if (getenv("SLOPES") != NULL) { /* the Jacobian beside differences of the inverse, and the tool's frame */
-        int kinematicsJacobian(const double *, const EmcPose *, double (*)[EMCMOT_MAX_AXIS], const unsigned long *);
-        int kinematicsToolFrame(const double *, PmRotationMatrix *, const unsigned long *);
         double jac[EMCMOT_MAX_JOINTS][EMCMOT_MAX_AXIS], low[16], high[16], off = 0, size = 0;
         PmRotationMatrix frame;
         if (kinematicsJacobian(joint, &found, jac, &flags) != 0 || kinematicsToolFrame(joint, &frame, &flags) != 0) {
