@@ -44,6 +44,7 @@ if TYPE_CHECKING:
     from symscrew.export.rust_names import RustNames
     from symscrew.export.simulink import print_simulink
     from symscrew.export.structured_text import block_ports, print_structured_text
+    from symscrew.export.structured_text_drives import print_structured_text_drives
     from symscrew.export.written_folder import MANIFEST, own_files, read_manifest
 
 __all__ = [
@@ -103,6 +104,7 @@ __all__ = [
     "print_script",
     "print_simulink",
     "print_structured_text",
+    "print_structured_text_drives",
     "program_function",
     "read_form",
     "read_hashes",

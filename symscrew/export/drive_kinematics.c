@@ -172,33 +172,7 @@ static int mode_at(const double *q)
     return orientation[0] > 0.0 ? 1 : -1;
 }
 
-#if CLOSED_FORM
-/* The configuration at a pose, in closed form. */
-static int drive_backward(DriveState *state, const double *world, double *q)
-{
-    const double sa = sin(0.5 * world[3]), ca = cos(0.5 * world[3]), sb = sin(0.5 * world[4]);
-    const double cb = cos(0.5 * world[4]), sc = sin(0.5 * world[5]), cc = cos(0.5 * world[5]);
-    const double w = cc * cb * ca + sc * sb * sa, x = cc * cb * sa - sc * sb * ca;
-    const double y = cc * sb * ca + sc * cb * sa, z = sc * cb * ca - cc * sb * sa;
-    const double rotation[9] = {
-        1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y + w * z), 2.0 * (x * z - w * y),
-        2.0 * (x * y - w * z), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z + w * x),
-        2.0 * (x * z + w * y), 2.0 * (y * z - w * x), 1.0 - 2.0 * (x * x + y * y)};
-    double place[3], pose[7];
-    for (int i = 0; i < 3; ++i) {
-        place[i] = world[i];
-        for (int j = 0; j < 3; ++j) {
-            place[i] += rotation[i + 3 * j] * (pose_centre[j] - tool_point[j] - state->tool[j]);
-        }
-    }
-    const double entry[7] = {place[0], place[1], place[2], w, x, y, z};
-    for (int k = 0; k < 7; ++k) {
-        pose[k] = entry[pose_entry[k]];
-    }
-    const int status = INVERSE_KINEMATICS(pose, q);
-    return status > 0 ? status : mode_at(q) * mode_at(state->q) > 0 ? FOLLOW_OK : FOLLOW_OTHER_MODE;
-}
-#else
+#if !CLOSED_FORM || defined FOLLOW_SOLVES
 /* Solves a x = b of N_FREE equations in place, rows of comparable size; 1 where a pivot is lost. */
 static int follow_solve(double *a, double *b)
 {
@@ -234,7 +208,35 @@ static int follow_solve(double *a, double *b)
     }
     return 0;
 }
+#endif
 
+#if CLOSED_FORM
+/* The configuration at a pose, in closed form. */
+static int drive_backward(DriveState *state, const double *world, double *q)
+{
+    const double sa = sin(0.5 * world[3]), ca = cos(0.5 * world[3]), sb = sin(0.5 * world[4]);
+    const double cb = cos(0.5 * world[4]), sc = sin(0.5 * world[5]), cc = cos(0.5 * world[5]);
+    const double w = cc * cb * ca + sc * sb * sa, x = cc * cb * sa - sc * sb * ca;
+    const double y = cc * sb * ca + sc * cb * sa, z = sc * cb * ca - cc * sb * sa;
+    const double rotation[9] = {
+        1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y + w * z), 2.0 * (x * z - w * y),
+        2.0 * (x * y - w * z), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z + w * x),
+        2.0 * (x * z + w * y), 2.0 * (y * z - w * x), 1.0 - 2.0 * (x * x + y * y)};
+    double place[3], pose[7];
+    for (int i = 0; i < 3; ++i) {
+        place[i] = world[i];
+        for (int j = 0; j < 3; ++j) {
+            place[i] += rotation[i + 3 * j] * (pose_centre[j] - tool_point[j] - state->tool[j]);
+        }
+    }
+    const double entry[7] = {place[0], place[1], place[2], w, x, y, z};
+    for (int k = 0; k < 7; ++k) {
+        pose[k] = entry[pose_entry[k]];
+    }
+    const int status = INVERSE_KINEMATICS(pose, q);
+    return status > 0 ? status : mode_at(q) * mode_at(state->q) > 0 ? FOLLOW_OK : FOLLOW_OTHER_MODE;
+}
+#else
 /* Newton's iteration from q to the commanded axes of `goal`; q is changed where it arrives on its mode only. */
 static int follow_axes(DriveState *state, const double *goal, double *q)
 {

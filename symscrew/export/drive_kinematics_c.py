@@ -36,7 +36,6 @@ def tables(kinematics: DriveKinematics) -> list[str]:
     """Sizes, tables and calls for the template."""
     model, system = kinematics.model, kinematics.model.system
     length = float(system.length)
-    sliding = set(kinematics.sliding)
     chosen = [kinematics.driven[k] for k in kinematics.chosen]
     poses = model.programs["body_poses"].outputs[0].size
     count = max((model.programs[name].outputs[0].size for name in MARGINS if name in model.programs), default=1)
@@ -56,7 +55,7 @@ def tables(kinematics: DriveKinematics) -> list[str]:
     lines += ["", *_array("double", "reference_q", np.array(system.reference))]
     lines += _array("int", "chosen_joint", kinematics.chosen) + _array("int", "chosen_q", chosen)
     if not kinematics.pose.entries:
-        lines += _array("double", "chosen_unit", [length if k in sliding else 1.0 for k in chosen])
+        lines += _array("double", "chosen_unit", _chosen_units(kinematics))
         lines += _array("int", "commanded", kinematics.axes)
     lines += _array("int", "driven_q", kinematics.driven)
     lines += _array("double", "tool_point", kinematics.tool)
@@ -68,9 +67,20 @@ def tables(kinematics: DriveKinematics) -> list[str]:
 
 
 def unit_tables(kinematics: DriveKinematics) -> list[str]:
-    """Which joints are lengths, and which axes are commanded, for controllers with units of their own."""
-    axes = _array("int", "commanded", kinematics.axes) if kinematics.pose.entries else []
-    return axes + _array("int", "joint_sliding", [int(k in kinematics.sliding) for k in kinematics.driven])
+    """Which joints are lengths, which axes are commanded, rates of drives: for controllers with units of their own."""
+    places, lines = dict(kinematics.scalar), list[str]()
+    if kinematics.pose.entries:  # else they are there
+        lines += _array("int", "commanded", kinematics.axes) + _array(
+            "double", "chosen_unit", _chosen_units(kinematics)
+        )
+    lines += _array("int", "joint_sliding", [int(k in kinematics.sliding) for k in kinematics.driven])
+    return [*lines, *_array("int", "joint_rate", [places[k] for k in kinematics.driven])]
+
+
+def _chosen_units(kinematics: DriveKinematics) -> list[float]:
+    """What each chosen drive is divided by, to be a number without a unit: the characteristic length, or 1."""
+    length = float(kinematics.model.system.length)
+    return [length if kinematics.driven[k] in kinematics.sliding else 1.0 for k in kinematics.chosen]
 
 
 def _array(kind: str, name: str, values: Sequence[float] | np.ndarray) -> list[str]:

@@ -3,8 +3,8 @@
     halcompile --compile <name>kins.c          KINEMATICS = <name>kins in the ini file
 
 The forward kinematics follow the mode of the last pose in steps that are proved, and refuse what none lead to.
-The interface is that of `kinematics.h` of LinuxCNC 2.9 and of its master branch; neither has functions for a Jacobian
-or a tool frame, so that these are pins.
+The interface is that of `kinematics.h` of LinuxCNC 2.9 and of its master branch of 2026, which also asks for the
+Jacobian of the inverse and for frames of tool and work; 2.9 does not call these, and has the Jacobian as pins.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from symscrew.export.listing import banner, check_names, plain, wrapped
 from symscrew.model import Model
 
 TEMPLATE = "linuxcnc_kins.c"
-INCLUDES = ("rtapi.h", "rtapi_app.h", "hal.h", "kinematics.h")
+INCLUDES = ("rtapi.h", "rtapi_app.h", "hal.h", "emcmotcfg.h", "kinematics.h")
 
 
 def print_linuxcnc(model: Model, kinematics: DriveKinematics) -> dict[str, str]:
@@ -26,6 +26,7 @@ def print_linuxcnc(model: Model, kinematics: DriveKinematics) -> dict[str, str]:
     lines = ["/*", *(f" * {line}".rstrip() for line in about), " */"]
     lines += [*(f"#include <{file}>" for file in INCLUDES), "", f'#include "{kinematics.model.name}.c"', ""]
     lines += [
+        "#define FOLLOW_SOLVES 1",
         *kinematics_part(kinematics),
         *unit_tables(kinematics),
         "",

@@ -96,6 +96,90 @@ int kinematicsInverse(const EmcPose *pos, double *joint, const KINEMATICS_INVERS
     return told(status);
 }
 
+/* Where the machine is led to from its place by these joints; the place stays what it is. */
+static const DriveState *led(const double *joint, double *world)
+{
+    static DriveState probe; /* too large for the stack of a controller */
+    double drive[N_JOINTS];
+    taken();
+    probe = state;
+    for (int k = 0; k < N_JOINTS; ++k) {
+        drive[k] = joint[k] / joint_unit(k);
+    }
+    return drive_forward(&probe, drive, world) == FOLLOW_OK ? &probe : NULL;
+}
+
+/* d joint / d pose in machine units, rows of joints, columns x y z a b c u v w: what newer sources ask for. Columns of axes
+   that are not commanded are zero. */
+int kinematicsJacobian(const double *joint, const EmcPose *pos, double jac[EMCMOT_MAX_JOINTS][EMCMOT_MAX_AXIS],
+                       const KINEMATICS_INVERSE_FLAGS *iflags);
+int kinematicsJacobian(const double *joint, const EmcPose *pos, double jac[EMCMOT_MAX_JOINTS][EMCMOT_MAX_AXIS],
+                       const KINEMATICS_INVERSE_FLAGS *iflags)
+{
+    double world[6], at[3], forward[6 * N_FREE], null[N_V * N_FREE], square[N_FREE * N_FREE], right[N_FREE];
+    const DriveState *const now = led(joint, world);
+    (void)pos;
+    (void)iflags;
+    if (now == NULL || tool_axes(now, now->q, world, at) != FOLLOW_OK ||
+        tool_jacobian(now->q, world, at, forward) != FOLLOW_OK || NULL_SPACE(now->q, null) > 0) {
+        return -1;
+    }
+    for (int k = 0; k < EMCMOT_MAX_JOINTS; ++k) {
+        for (int a = 0; a < EMCMOT_MAX_AXIS; ++a) {
+            jac[k][a] = 0.0;
+        }
+    }
+    for (int c = 0; c < N_FREE; ++c) {
+        for (int i = 0; i < N_FREE; ++i) {
+            const double unit = commanded[i] < 3 ? PER_LENGTH : 1.0;
+            right[i] = i == c ? unit : 0.0;
+            for (int j = 0; j < N_FREE; ++j) {
+                square[i + j * N_FREE] = forward[commanded[i] + 6 * j] * unit * chosen_unit[j];
+            }
+        }
+        if (follow_solve(square, right) != 0) {
+            return -1;
+        }
+        for (int k = 0; k < N_JOINTS; ++k) {
+            double rate = 0.0;
+            for (int j = 0; j < N_FREE; ++j) {
+                rate += null[joint_rate[k] + j * N_V] * right[j] * chosen_unit[j];
+            }
+            jac[k][commanded[c]] = rate * joint_unit(k) / world_unit(commanded[c]);
+        }
+    }
+    return 0;
+}
+
+/* The platform's axes, which are those of the ground at the reference. */
+int kinematicsToolFrame(const double *joint, PmRotationMatrix *rot, const KINEMATICS_FORWARD_FLAGS *fflags);
+int kinematicsToolFrame(const double *joint, PmRotationMatrix *rot, const KINEMATICS_FORWARD_FLAGS *fflags)
+{
+    double world[6], poses[N_POSES];
+    const DriveState *const now = led(joint, world);
+    (void)fflags;
+    if (now == NULL || BODY_POSES(now->q, poses) > 0) {
+        return -1;
+    }
+    const double *r = poses + PLATFORM;
+    rot->x = (PmCartesian){r[0], r[1], r[2]};
+    rot->y = (PmCartesian){r[3], r[4], r[5]};
+    rot->z = (PmCartesian){r[6], r[7], r[8]};
+    return 0;
+}
+
+/* The work stands still. */
+int kinematicsWorkFrame(const double *joint, PmRotationMatrix *rot, const KINEMATICS_FORWARD_FLAGS *fflags);
+int kinematicsWorkFrame(const double *joint, PmRotationMatrix *rot, const KINEMATICS_FORWARD_FLAGS *fflags)
+{
+    (void)joint;
+    (void)fflags;
+    rot->x = (PmCartesian){1.0, 0.0, 0.0};
+    rot->y = (PmCartesian){0.0, 1.0, 0.0};
+    rot->z = (PmCartesian){0.0, 0.0, 1.0};
+    return 0;
+}
+
 KINEMATICS_TYPE kinematicsType(void)
 {
     return KINEMATICS_BOTH;
@@ -105,6 +189,9 @@ KINS_NOT_SWITCHABLE
 EXPORT_SYMBOL(kinematicsType);
 EXPORT_SYMBOL(kinematicsForward);
 EXPORT_SYMBOL(kinematicsInverse);
+EXPORT_SYMBOL(kinematicsJacobian);
+EXPORT_SYMBOL(kinematicsToolFrame);
+EXPORT_SYMBOL(kinematicsWorkFrame);
 MODULE_LICENSE("GPL");
 
 int rtapi_app_main(void)

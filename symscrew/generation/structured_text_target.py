@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import shutil
 import subprocess
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
 import numpy as np
@@ -88,13 +88,18 @@ def compare(case: Case) -> Iterator[Finding]:
 
 def build(model: Model, directory: Path) -> str:
     """The file <name>.st in a folder as a program `main` that calls its blocks; "" or what matiec says."""
+    declared = [f"  a_{name} : {model.name}_{name};" for name in model.programs]
+    return translated(directory, f"{model.name}.st", declared, _calls(model))
+
+
+def translated(directory: Path, file: str, declared: Sequence[str], calls: Sequence[str]) -> str:
+    """A file in a folder, and a program of C around its blocks, as `main`; "" or what matiec and the compiler say."""
     translator = shutil.which("iec2c")
     assert translator is not None
     library = Path(translator).resolve().parent / "lib"
-    declared = "\n".join(f"  a_{name} : {model.name}_{name};" for name in model.programs)
-    text = (directory / f"{model.name}.st").read_text() + AROUND.replace("DECLARED", declared)
+    text = (directory / file).read_text() + AROUND.replace("DECLARED", "\n".join(declared))
     (directory / "whole.st").write_text(text)
-    (directory / "main.c").write_text(MAIN.replace("CALLS", "\n".join(_calls(model))))
+    (directory / "main.c").write_text(MAIN.replace("CALLS", "\n".join(calls)))
     compiler = [find_compiler() or "cc", "-O0", "-w", "-ffp-contract=off", f"-I{library / 'C'}", "main.c", "-o", "main"]
     for command in ([translator, "-I", str(library), "whole.st"], [*compiler, "-lm"]):
         try:
@@ -103,9 +108,9 @@ def build(model: Model, directory: Path) -> str:
                 timeout=LIMIT,
             )  # fmt: skip
         except (OSError, subprocess.TimeoutExpired) as error:
-            return f"{command[0]} does not translate {model.name}.st: {error}"
+            return f"{command[0]} does not translate {file}: {error}"
         if done.returncode:
-            return f"{Path(command[0]).name} on {model.name}.st: {done.stderr.strip()[:300]}"
+            return f"{Path(command[0]).name} on {file}: {done.stderr.strip()[:300]}"
     return ""
 
 

@@ -65,6 +65,7 @@ UNIT = "`{0}.fmu`: functional mock-up unit, FMI 3.0, co-simulation and model exc
 RUST = "`{0}.rs`, `Cargo.toml`: a crate for Rust 1.63 and later, no_std, without unsafe and allocation"
 LINUXCNC = "`{0}kins.c`, `{0}_drives.h`, `{0}_drives.c`: kinematics module of LinuxCNC, for `halcompile`"
 TEXT = "`{0}.st`: function blocks in structured text, IEC 61131-3, for CODESYS, TwinCAT and others"
+DRIVES = "`{0}_drives.st`: a function block between drives and the tool, with what it calls, in structured text"
 MODES = "`{0}_modes.c`, `{0}_modes.h`: all assembly modes as C, and the one that a motion stays on, certified"
 ROS = "`{0}_kinematics.hpp`: C++17 without ROS; `{0}_transmission.hpp`, `package.xml` ...: two plugins of ros2_control"
 SFUN = "`{0}_sfun.c`: level-2 S-function of Simulink around the C, a block per function"
@@ -83,6 +84,7 @@ TARGETS: dict[str, Target] = {
     "jax": Target(f"{ROOM}.jax_target", JAX),
     "cuda": Target(f"{ROOM}.cuda_target", CUDA, precisions=BOTH),
     "st": Target(f"{ROOM}.structured_text_target", TEXT),
+    "st_drives": Target(f"{ROOM}.structured_text_drives_target", DRIVES),
     "ros2": Target(f"{ROOM}.ros2_target", ROS),
     "modes": Target(f"{ROOM}.modes_target", MODES),
     "simulink": Target(f"{ROOM}.simulink_target", SFUN, brings=("c",)),

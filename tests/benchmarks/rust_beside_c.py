@@ -104,7 +104,10 @@ def built(model: Model, function: str, place: Path) -> dict[str, tuple[Path, Pat
     (place / "states").write_bytes(states.astype("<f8").tobytes())
     made = sum(port.size for port in program.outputs)
     offsets = np.concatenate([[0], np.cumsum([port.size for port in program.inputs])]).tolist()
-    given = [f"&{names.of(p)}(at[{a}..{a + p.size}].try_into().unwrap())" for p, a in zip(program.inputs, offsets, strict=False)]
+    given = [
+        f"&{names.of(p)}(at[{a}..{a + p.size}].try_into().unwrap())"
+        for p, a in zip(program.inputs, offsets, strict=False)
+    ]
     shared = {
         "CRATE": names.crate, "NAME": model.name, "CALLS": CALLS, "STATES": len(states), "SIZE": states.shape[1],
         "MADE": made,

@@ -43,6 +43,10 @@ SLOW = (
     "how_to/own_mechanism.md",
     "how_to/many_runs.md",
     "how_to/microcontroller.md",
+    "how_to/linuxcnc.md",
+    "how_to/modelica.md",
+    "how_to/plc.md",
+    "how_to/ros2_control.md",
 )
 
 

@@ -88,7 +88,7 @@ def block(node: Any, types: dict[str, int]) -> list[str]:
         *fields,
         "    def __call__(self, **given):",
         "        for name, value in given.items():",
-        "            setattr(self, name, list(value))",
+        "            setattr(self, name, copy.copy(value))",
         *statements,
     ]
 

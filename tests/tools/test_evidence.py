@@ -13,6 +13,7 @@ from symscrew.cli.parser import main
 from symscrew.export import print_c
 from symscrew.verification.embedded import c_evidence as evidence
 from symscrew.verification.embedded.c_evidence import DEVIATIONS, collect
+from symscrew.verification.embedded.core_cycles import most
 from symscrew.verification.embedded.emulation import missing_tools
 
 MISSING = [*missing_tools(), *(tool for tool in ("cppcheck", "gcov", "gcc", "nm") if shutil.which(tool) is None)]
@@ -37,9 +38,29 @@ def test_what_the_command_says_of_good_code(tmp_path: Path, capsys: pytest.Captu
     assert found["branches"]["lines"] == 100 and found["branches"]["branches"] > 99
     assert all("pivot is smaller" in line for line in found["branches"]["missed"])
     assert set(found["misra"]) <= set(DEVIATIONS) and found["loops"]["unbounded"] == []
+    for name, entry in found["measured"]["functions"].items():  # an instruction takes one to some ten, a branch four
+        dearest = found["cycles"][name]["step" if name == "assemble" else "cycles"]
+        assert dearest < 10_000 if name != "forward_dynamics" else dearest > 10 * entry["instructions"]
+        assert dearest > entry["instructions"] or name == "assemble"
+    bound = found["cycles"]["assemble"]
+    assert bound["steps"] == 25 * 127 + 1 and bound["cycles"] == bound["steps"] * bound["step"]
     text = report.read_text()
+    assert f"| `velocity` | {found['cycles']['velocity']['cycles']} |" in text
     assert "Verdict: **ok**" in text and all(f"| `{name}` |" in text for name in FUNCTIONS)
     assert all(f"- `{line}`" in text for line in found["branches"]["missed"])
+
+
+@pytest.mark.parametrize(
+    ("instruction", "cycles"),
+    [
+        ("ldr.w r0, [r1]", 2), ("push {r4, r5, lr}", 4), ("vdiv.f32 s0, s1, s2", 14), ("adds r0, #1", 1),
+        ("udiv r0, r1, r2", 12), ("vldmia r3!, {s16-s19}", 5), ("vfma.f32 s0, s1, s2", 4), ("vldr d7, [sp]", 3),
+    ],
+)  # fmt: skip
+def test_the_table_of_the_core(instruction: str, cycles: int) -> None:
+    """Arm DDI 0439, tables 3-1 and 7-1; arithmetic of the floating-point unit with a cycle that the next one waits."""
+    name, _, operands = instruction.partition(" ")
+    assert most(name.replace("vldr", "vldr.64"), operands) == cycles
 
 
 BAD = """

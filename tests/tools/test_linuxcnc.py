@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import dataclasses
+import json
+import os
 import shutil
 import subprocess
 from functools import cache
@@ -11,7 +13,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
-from support.drive_ways import AMPLITUDES, HEADERS, STUB, built, followed
+from support.drive_ways import AMPLITUDES, HEADERS, HERE, STUB, built, followed, home
 from support.marks import slow
 from support.model_states import model
 
@@ -20,6 +22,7 @@ from symscrew.export import DriveKinematics, find_drive_kinematics, print_linuxc
 from symscrew.generation.drive_round_trip import Follower, compiled
 from symscrew.model import derive
 
+MODULES = Path("/usr/lib/linuxcnc/modules")
 POSES = 20_000  # along ways in steps of a two-hundredth of their length
 
 
@@ -44,8 +47,16 @@ def reference(name: str) -> np.ndarray:
     return np.array(kinematics(name).model.system.reference)
 
 
-@pytest.mark.parametrize("headers", [STUB, slow(HEADERS)], ids=["stub", "linuxcnc"])
-@pytest.mark.parametrize("name", ["five_bar", "three_ups_upu_s", slow("delta"), slow("stewart_6ups")])
+@pytest.mark.parametrize(
+    ("name", "headers"),
+    [
+        ("five_bar", STUB),
+        slow("five_bar", HEADERS),
+        ("three_ups_upu_s", STUB),
+        slow("delta", STUB),
+        slow("stewart_6ups", STUB),
+    ],
+)
 def test_there_and_back_on_ways_of_poses(name: str, headers: Path, tmp_path: Path) -> None:
     if not headers.is_dir():
         pytest.skip("needs LinuxCNC's headers (Debian: linuxcnc-uspace-dev)")
@@ -181,6 +192,19 @@ def test_what_has_no_such_kinematics_says_so() -> None:
 
 
 @pytest.mark.parametrize("name", ["five_bar", slow("three_ups_upu_s")])
+def test_jacobian_and_frame_that_newer_sources_ask_for(name: str, tmp_path: Path) -> None:
+    """Rates of joints by axes in machine units beside differences of the inverse; the tool's axis beside A, B, C."""
+    own = kinematics(name)
+    program = built(model(name), own, tmp_path, STUB, level="-O0")
+    axes = [text for letter, size in AMPLITUDES[name].items() for text in (str("XYZABC".index(letter)), str(size))]
+    command = [str(program), "137", str(len(own.drives)), *home(own), *axes]
+    done = subprocess.run(command, capture_output=True, text=True, check=True, env={"SLOPES": "1"})
+    first, second = (np.array(line.split(), float) for line in done.stdout.splitlines())
+    assert first[0] < 1e-6 * max(1.0, first[1]) and first[1] > 0.1
+    assert np.allclose(first[2:], Rotation.from_euler("xyz", second, degrees=True).as_matrix()[:, 2], atol=1e-9)
+
+
+@pytest.mark.parametrize("name", ["five_bar", slow("three_ups_upu_s")])
 def test_halcompile_takes_it(name: str, tmp_path: Path) -> None:
     if shutil.which("halcompile") is None:
         pytest.skip("needs halcompile (Debian: linuxcnc-uspace-dev)")
@@ -191,5 +215,55 @@ def test_halcompile_takes_it(name: str, tmp_path: Path) -> None:
     )
     assert done.returncode == 0 and "warning" not in done.stderr, done.stderr
     symbols = subprocess.run(["nm", "-D", f"{name}kins.so"], cwd=tmp_path, capture_output=True, text=True, check=True)
-    for symbol in ("kinematicsForward", "kinematicsInverse", "kinematicsType", "kinematicsSwitch", "rtapi_app_main"):
+    for symbol in (
+        "kinematicsForward",
+        "kinematicsInverse",
+        "kinematicsType",
+        "kinematicsSwitch",
+        "kinematicsJacobian",
+        "kinematicsToolFrame",
+        "kinematicsWorkFrame",
+        "rtapi_app_main",
+    ):
         assert f" T {symbol}\n" in symbols.stdout
+
+
+@pytest.mark.slow
+def test_the_simulator_of_linuxcnc_moves_the_machine(tmp_path: Path) -> None:
+    """The whole of LinuxCNC without a screen: homing, moves by G-code there and back, one out of reach refused."""
+    missing = [tool for tool in ("linuxcnc", "halcompile", "halcmd") if shutil.which(tool) is None]
+    if missing or os.geteuid() != 0 or not MODULES.is_dir():
+        pytest.skip("needs LinuxCNC (Debian: linuxcnc-uspace-dev), and to install a module as root")
+    for file, text in print_linuxcnc(model("five_bar"), kinematics("five_bar")).items():
+        (tmp_path / file).write_text(text)
+    shutil.copytree(HERE / "simulator", tmp_path, dirs_exist_ok=True)
+    (tmp_path / "drive.py").chmod(0o755)
+    (tmp_path / "sim.tbl").touch()
+    before = MODULES / "five_barkins.so"
+    kept = before.read_bytes() if before.is_file() else None
+    try:
+        subprocess.run(["halcompile", "--install", "five_barkins.c"], cwd=tmp_path, capture_output=True, check=True)
+        own = {"RTAPI_UID": "65534", "RTAPI_FIFO_PATH": str(tmp_path / "fifo"), "HOME": str(tmp_path)}
+        environment = {**os.environ, **own}  # a process of root needs somebody to be
+        for folder in (tmp_path, *tmp_path.parents[:2]):
+            folder.chmod(0o755 if folder != tmp_path else 0o777)
+        done = subprocess.run(
+            ["linuxcnc", "-r", "five_bar.ini"], cwd=tmp_path, env=environment, capture_output=True, text=True,
+            timeout=120, check=False,
+        )  # fmt: skip
+        assert (tmp_path / "found.json").is_file(), done.stdout[-2000:]
+    finally:
+        before.unlink(missing_ok=True)
+        if kept is not None:
+            before.write_bytes(kept)
+    found = json.loads((tmp_path / "found.json").read_text())
+    assert found["homed"] == [1, 1] and np.allclose(found["home"], [0, 0, 600])
+    *moves, far = found["moves"]
+    own_kinematics = compiled(kinematics("five_bar"), tmp_path)
+    for move in moves:
+        assert move["said"] == [] and np.abs(np.array(move["place"])[[0, 2]] - move["wanted"]).max() < 1e-8
+        world = np.array([*move["place"], 0, 0, 0]) / 1000
+        status, joints = own_kinematics.inverse(reference("five_bar"), world)
+        assert status == 0 and np.allclose(np.degrees(joints), move["joints"], atol=1e-6)
+    assert any("fails kinematicsInverse" in text for text in far["said"])
+    assert np.allclose(far["place"], found["home"], atol=1e-8) and found["pins"]["refused"] == "0x00000000"

@@ -16,9 +16,16 @@ from support.marks import slow
 from support.model_states import model
 from support.structured_text import blocks
 
-from symscrew.export import block_ports, print_structured_text
+from symscrew.export import (
+    block_ports,
+    find_drive_kinematics,
+    print_structured_text,
+    print_structured_text_drives,
+)
 from symscrew.generation import generate, structured_text_target
+from symscrew.generation.drive_round_trip import tool_axes
 from symscrew.generation.rust_target import call
+from symscrew.generation.structured_text_drives_target import there_and_back
 from symscrew.model import Model, derive
 from symscrew.program import NOT_ON_MECHANISM, OUT_OF_REACH
 from symscrew.verification import check
@@ -133,3 +140,36 @@ def test_matiec_takes_it(name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPa
     assert structured_text_target.build(found, tmp_path) == ""
     (v,), _ = call(found, tmp_path, given, np.dtype("<f8"))["velocity"]
     assert np.abs(v - found("velocity", *given["velocity"])[0][0]).max() < LIMIT
+
+
+@pytest.mark.parametrize("name", ["five_bar", slow("three_ups_upu_s"), slow("delta")])
+def test_drives_to_tool_and_back(name: str, grammar: None) -> None:
+    """The block that keeps the configuration: axes of the evaluator with a tool, back to the drives, refusals of C."""
+    own = find_drive_kinematics(model(name))
+    (text,) = print_structured_text_drives(model(name), own).values()
+    machine = blocks(text)[f"{own.model.name}_kinematics"]()
+    offset, idle = [0.03, -0.02, 0.05], {"joint": [0.0] * len(own.drives), "world": [0.0] * 6, "tool": [0.0] * 3}
+    states = np.atleast_2d(own.model.system.sample_states[0])[:3]
+    tooled = dataclasses.replace(own, tool=tuple(np.add(own.tool, offset)))
+    for q, axes in zip(states, tool_axes(tooled, states), strict=True):
+        joints = q[list(own.driven)].tolist()
+        machine(**{**idle, "inverse": False, "reset": True, "joint": joints, "tool": offset})
+        assert machine.status == 0 and machine.valid and np.abs(np.array(machine.axes) - axes).max() < 1e-10
+        for reset in (False, True):  # from here, and from the reference
+            machine(**{**idle, "inverse": True, "reset": reset, "world": list(machine.axes), "tool": offset})
+            assert machine.status == 0 and np.abs(np.array(machine.drives) - joints).max() < 1e-9
+    here = list(machine.q)
+    machine(**{**idle, "inverse": True, "reset": False, "world": [0.0, 0.0, 9.0, 3.0, 1.4, 0.0]})
+    assert machine.status > 0 and not machine.valid and machine.q == here
+    machine(**{**idle, "inverse": False, "reset": False, "joint": [np.nan] * len(own.drives)})
+    assert machine.status == 2 and machine.q == here
+
+
+def test_matiec_takes_the_drives(tmp_path: Path) -> None:
+    if shutil.which("iec2c") is None:
+        pytest.skip("needs iec2c of matiec, from its sources, with its folder lib beside it")
+    own = find_drive_kinematics(model("five_bar"))
+    for file, text in print_structured_text_drives(model("five_bar"), own).items():
+        (tmp_path / file).write_text(text)
+    good, text = there_and_back(own, tmp_path)
+    assert good and "there and back to" in text

@@ -79,10 +79,10 @@ def function_vectors(model: Model, name: str, real: Precision) -> list[np.ndarra
             at = [k for k, form in enumerate(program.inputs[i].forms) if form == QUATERNION]
             rows.append([y[0].copy() for y in own])
             rows[-1][i][at] *= length
-    rows += _at_pivots(program, own, rng)
-    if isinstance(program, RankRevealing):
-        rows += _beside_pivots(program, own, rng)
-    with np.errstate(over="ignore"):
+    with np.errstate(all="ignore"):
+        rows += _at_pivots(program, own, rng)
+        if isinstance(program, RankRevealing):
+            rows += _beside_pivots(program, own, rng)
         return [np.array([row[i] for row in rows]).astype(kind) for i in range(len(own))]
 
 

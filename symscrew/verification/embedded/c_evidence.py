@@ -2,7 +2,7 @@
 
     C of the functions --cppcheck, MISRA C:2012--> rules, each with its justification or open
                        --its text, the compiler's graph of calls--> loops, recursion, heap, worst stack
-                       --emulator--> instructions
+                       --emulator--> instructions, cycles at most
                        --vectors, gcov--> statuses, numbers that are not finite on success, branches
 
 `ok` is the verdict: no open rule, no allocation, no unbounded loop, no number that is not finite on a status up to 0.
@@ -28,6 +28,7 @@ from symscrew.export import PRECISIONS, Precision, model_hash, print_c
 from symscrew.model import Model
 from symscrew.program import status_texts
 from symscrew.verification.embedded.branch_vectors import direct_calls, function_vectors
+from symscrew.verification.embedded.core_cycles import worst_cycles
 from symscrew.verification.embedded.emulation import EmbeddedError, measure
 
 LIMIT = 900  # [s] of a tool: the checker takes a minute for the longest functions of the catalogue
@@ -104,6 +105,7 @@ def collect(model: Model, core: str, precision: str, functions: Sequence[str]) -
             "programs": model_hash(chosen),
             "source": hashlib.sha256(source.encode()).hexdigest(),
             "measured": measured,
+            "cycles": worst_cycles(model, core, precision, functions),
             "misra": _rules(folder, model.name),
             "loops": _loops(source),
             "calls": _called(folder, model.name),
@@ -248,8 +250,14 @@ def _branches(folder: Path, name: str) -> dict[str, Any]:
 HEAD = "| function | flash [B] | frame [B] | instructions | vectors | statuses (times) | not finite on success |"
 ABOUT = """\
 `frame`: the most stack that the code can take, by the compiler's graph of calls, which has no recursion.
-`instructions`: the largest of the states that were run, library included; not a bound, and not cycles.
+`instructions`: the largest of two ordinary states, library included.
 """
+CYCLES = """\
+Every instruction that the emulator executes, at the most that it takes by the manual of the core (Arm DDI 0439): no
+wait states of the memory, no interrupts. The dearest call of states of every status, second paths included; of an
+iteration the most steps that it can make, each the dearest that was seen.
+"""
+NO_CYCLES = "Arm publishes no cycles of this core's instructions: none are counted."
 
 
 def _markdown(evidence: Evidence) -> str:
@@ -267,6 +275,11 @@ def _markdown(evidence: Evidence) -> str:
         seen = ", ".join(f"{status} ({times})" for status, times in entry["statuses"].items())
         cells = [f"`{name}`", *(row[k] for k in ("flash", "frame", "instructions"))]
         lines.append(f"| {' | '.join(map(str, [*cells, entry['vectors'], seen, entry['not_finite']]))} |")
+    lines += ["", "## Cycles, at most", ""]
+    lines += [*CYCLES.splitlines(), "", "| function | cycles |", "|---|---|"] if facts["cycles"] else [NO_CYCLES]
+    for name, entry in facts["cycles"].items():
+        more = f": {entry['steps']} steps at most, {entry['step']} each" if "step" in entry else ""
+        lines.append(f"| `{name}` | {entry['cycles']}{more} |")
     loops, calls = facts["loops"]["count"], ", ".join(facts["calls"]) or "none"
     lines += ["", "## Structure", "", f"{loops} loops, counted against a bound in their head, unless listed above."]
     lines += [f"Functions of libraries that are called: {calls}; none allocates.", ""]

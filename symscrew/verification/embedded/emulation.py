@@ -121,7 +121,7 @@ def measure(
             "frame": frames[symbol],
             **measured[name],
         }
-    version = _call([COMPILER, "-dumpfullversion"], Path.cwd()).strip()
+    version = called([COMPILER, "-dumpfullversion"], Path.cwd()).strip()
     return {
         "mechanism": model.name,
         "core": target.name,
@@ -136,16 +136,21 @@ def _built_and_run(model: Model, core: Core, real: Precision) -> tuple[dict[str,
     """Bytes of flash per symbol, bytes of the frames per function, and what the program has printed."""
     with tempfile.TemporaryDirectory(prefix="symscrew_") as temporary:
         folder = Path(temporary)
-        main = print_main(model, list(model.programs), real)
-        files = {**print_c(model, precision=real, batches=False), "main.c": main}
-        for name, text in files.items():
-            (folder / name).write_text(text, encoding="utf-8")
-        (folder / BOARD).mkdir()  # a mechanism may be called like one of its files
-        for file in resources.files(__package__).joinpath(BOARD).iterdir():
-            (folder / BOARD / file.name).write_bytes(file.read_bytes())
-        _compile(model, core, folder)
+        build(model, core, real, folder)
         lines = _run(core, folder)
         return _flash(folder, model.name), deepest_frames((folder / "model.ci").read_text()), lines
+
+
+def build(model: Model, core: Core, real: Precision, folder: Path, *, states: int = STATES) -> None:
+    """An image in a folder that calls every function at its first test states, up to `states` of them."""
+    main = print_main(model, list(model.programs), real, states=states)
+    files = {**print_c(model, precision=real, batches=False), "main.c": main}
+    for name, text in files.items():
+        (folder / name).write_text(text, encoding="utf-8")
+    (folder / BOARD).mkdir()  # a mechanism may be called like one of its files
+    for file in resources.files(__package__).joinpath(BOARD).iterdir():
+        (folder / BOARD / file.name).write_bytes(file.read_bytes())
+    _compile(model, core, folder)
 
 
 def _belongs(symbol: str, function: str, model: Model) -> bool:
@@ -158,13 +163,13 @@ def _belongs(symbol: str, function: str, model: Model) -> bool:
     )
 
 
-def print_main(model: Model, functions: Sequence[str], real: Precision) -> str:
+def print_main(model: Model, functions: Sequence[str], real: Precision, *, states: int = STATES) -> str:
     """The program: calls at test states, their statuses, ticks of the timer, stack and results as hexadecimal bits."""
     lines = [f'#include "{model.name}.h"', f'#include "{BOARD}/measure.h"', ""]
     for f, name in enumerate(functions):
         program = model.programs[name]
-        states = _states(model, name, real)
-        for i, (port, rows) in enumerate(zip(program.inputs, states, strict=True)):
+        given_states = _states(model, name, real, states)
+        for i, (port, rows) in enumerate(zip(program.inputs, given_states, strict=True)):
             if port.size:
                 body = ", ".join("{" + ", ".join(real.number(x) for x in row) + "}" for row in rows)
                 lines.append(f"static const {real.real} in{f}_{i}[{len(rows)}][{port.size}] = {{{body}}};")
@@ -196,23 +201,23 @@ def print_main(model: Model, functions: Sequence[str], real: Precision) -> str:
         lines += ['    board_print("\\n");', "}", ""]
     lines += ["int main(void)", "{", "    start_timer();"]
     for f, name in enumerate(functions):
-        lines += [f"    run{f}({state});" for state in range(_count(model, name))]
+        lines += [f"    run{f}({state});" for state in range(_count(model, name, states))]
     return "\n".join([*lines, "    return 0;", "}", ""])
 
 
-def _count(model: Model, name: str) -> int:
-    return min(STATES, *(len(np.atleast_2d(x)) for x in model.test_inputs[name]))
+def _count(model: Model, name: str, states: int = STATES) -> int:
+    return min(states, *(len(np.atleast_2d(x)) for x in model.test_inputs[name]))
 
 
-def _states(model: Model, name: str, real: Precision) -> list[np.ndarray]:
-    count = _count(model, name)
+def _states(model: Model, name: str, real: Precision, states: int = STATES) -> list[np.ndarray]:
+    count = _count(model, name, states)
     arrays = [np.atleast_2d(x)[:count] for x in model.test_inputs[name]]
     return [rounded(x) for x in arrays] if real.suffix else arrays
 
 
 def _compile(model: Model, core: Core, folder: Path) -> None:
     common = [COMPILER, *FLAGS, *core.flags]
-    _call([*common, *WARNINGS, "-fcallgraph-info=su", "-c", f"{model.name}.c", "-o", "model.o"], folder)
+    called([*common, *WARNINGS, "-fcallgraph-info=su", "-c", f"{model.name}.c", "-o", "model.o"], folder)
     linked = [
         "-nostartfiles",
         "-Wl,--gc-sections",
@@ -225,10 +230,15 @@ def _compile(model: Model, core: Core, folder: Path) -> None:
         "-o",
         "image",
     ]
-    _call([*common, "-std=gnu99", *linked], folder)
+    called([*common, "-std=gnu99", *linked], folder)
 
 
-def _call(command: Sequence[str], folder: Path) -> str:
+def called(command: Sequence[str], folder: Path) -> str:
+    """What a tool prints.
+
+    Raises:
+        EmbeddedError: it is not there, refuses, or does not end.
+    """
     try:
         done = subprocess.run(
             command, cwd=folder, capture_output=True, encoding="utf-8", errors="replace", check=False, timeout=BUILD
@@ -259,7 +269,7 @@ def _run(core: Core, folder: Path) -> list[str]:
 
 def _flash(folder: Path, model: str) -> dict[str, int]:
     """Bytes per symbol of the object file."""
-    rows = [line.split() for line in _call([NAMES, "-S", "model.o"], folder).splitlines()]
+    rows = [line.split() for line in called([NAMES, "-S", "model.o"], folder).splitlines()]
     sized = [row for row in rows if len(row) == 4 and row[2].lower() in "trd"]
     return {
         row[3].split(".")[0] if row[2].lower() == "t" else row[3]: int(row[1], 16) for row in sized if model in row[3]

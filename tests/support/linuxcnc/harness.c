@@ -4,6 +4,7 @@
    AMPLITUDE [mm or degrees] along each AXIS (0 ... 5: X ... C), in small steps. Prints
    "poses refused wrong error inverse_us inverse_iterations forward_us forward_iterations", and the pins afterwards;
    wrong are those that came back to another pose, by more than 1e-3. */
+#include <emcmotcfg.h>
 #include <hal.h>
 #include <kinematics.h>
 #include <math.h>
@@ -17,6 +18,10 @@
 #include <time.h>
 
 int rtapi_app_main(void);
+/* of newer sources: other modules may not have them */
+__attribute__((weak)) int kinematicsJacobian(const double *joint, const EmcPose *pos, double (*jac)[EMCMOT_MAX_AXIS],
+                                             const unsigned long *flags);
+__attribute__((weak)) int kinematicsToolFrame(const double *joint, PmRotationMatrix *rot, const unsigned long *flags);
 
 static union { char bytes[1 << 16]; double aligned; } store;
 static size_t used;
@@ -150,6 +155,28 @@ int main(int argc, char **argv)
         }
         wrong += off > 1e-3;
         worst = off > worst ? off : worst;
+    }
+    if (getenv("SLOPES") != NULL) { /* the Jacobian beside differences of the inverse, and the tool's frame */
+        double jac[EMCMOT_MAX_JOINTS][EMCMOT_MAX_AXIS], low[16], high[16], off = 0, size = 0;
+        PmRotationMatrix frame;
+        if (kinematicsJacobian(joint, &found, jac, &flags) != 0 || kinematicsToolFrame(joint, &frame, &flags) != 0) {
+            return 3;
+        }
+        for (int x = 0; x < axes; ++x) {
+            EmcPose beside = found;
+            const int letter = atoi(given[2 * x]);
+            *axis(&beside, letter) += 1e-3;
+            int lost = kinematicsInverse(&beside, high, &flags, &flags);
+            *axis(&beside, letter) -= 2e-3;
+            lost += kinematicsInverse(&beside, low, &flags, &flags);
+            for (int k = 0; k < joints; ++k) {
+                off = fmax(off, lost != 0 ? 1 : fabs((high[k] - low[k]) / 2e-3 - jac[k][letter]));
+                size = fmax(size, fabs(jac[k][letter]));
+            }
+        }
+        printf("%.3e %.3e %.17g %.17g %.17g\n", off, size, frame.z.x, frame.z.y, frame.z.z);
+        printf("%.17g %.17g %.17g\n", found.a, found.b, found.c);
+        return 0;
     }
     printf("%d %ld %ld %.3e %.3f %.3f %.3f %.3f\n", poses, refused, wrong, worst, 1e6 * inverse / poses,
            (double)inverse_steps / poses, 1e6 * forward / poses, (double)forward_steps / poses);

@@ -2,6 +2,7 @@
 #ifndef STUB_KINEMATICS_H
 #define STUB_KINEMATICS_H
 typedef struct { double x, y, z; } PmCartesian;
+typedef struct { PmCartesian x, y, z; } PmRotationMatrix;
 typedef struct EmcPose { PmCartesian tran; double a, b, c, u, v, w; } EmcPose;
 typedef enum { KINEMATICS_IDENTITY = 1, KINEMATICS_FORWARD_ONLY, KINEMATICS_INVERSE_ONLY, KINEMATICS_BOTH } KINEMATICS_TYPE;
 typedef unsigned long int KINEMATICS_FORWARD_FLAGS;
