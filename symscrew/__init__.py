@@ -26,7 +26,7 @@ absolute axes, screws at the origin O.
     inverse_kinematics(mechanism, at)  -> Configuration: all coordinates from some, {"z": "1mm"}: .status, .drives
     Quantities(mechanism)             screws, twists, momenta, constraints as formulas: .twist("tool").latex()
     inertial_parameters(mechanism)    -> the parameters pi (10 per body) in which the dynamics are linear
-    assembly_modes(mechanism)         -> AssemblyModes: every solution of the closure, certified, with names
+    assembly_modes(mechanism)         -> AssemblyModes: every solution of the closure, certified; of one: assemble
     base_parameters(mechanism)        -> those combinations of pi that a motion can tell apart
     view(mechanism)                   -> Page: in 3-D, of a model or a run too; opened in the browser, or in a notebook
     draw(mechanism)                   -> Picture: .save("seed.pdf"); a notebook shows it
@@ -37,9 +37,10 @@ absolute axes, screws at the origin O.
     load("out")                       -> CompiledModel: compiled.velocity(q, y_dot) on one state or on many
     load_scene("fall.toml")           -> Scene: mechanism, effects, start, drives, integrator
     simulate(scene)                   -> Run: .t, .q, .v, energies, closure error; .ok, .status
+    simulate_many(scene, starts)      -> Runs: arrays by name in, arrays of all runs out; .ok, .status of each
     optimise(problem)                 -> Trajectory: of a problem from `symscrew.optimisation.load_problem`
     optimisation_problem(problem)     built once, solved often: .solve(start=..., goal=..., warm=...) -> Trajectory
-    assemble(model, {"A": 0.3})       -> Configuration: ["B"], .q, .ok, .status
+    assemble(model, {"A": 0.3})       -> AssembledConfiguration: the one nearby: ["B"], .q, .ok; all: assembly_modes
     workspace(mechanism, over)        -> Sweep: ["margin"], .summary; over {"tilt": "0:20deg:21", "azimuth": ...}
     formulas(mechanism)               -> Paper: screws, limbs, wrenches, inverse kinematics; .save("seed.tex")
     drives(mechanism, motion)         -> DriveStudy: .u, .wrenches, .margins, .columns; of a file or expressions in t
@@ -129,6 +130,7 @@ if TYPE_CHECKING:
     from symscrew.runtime import load as load
     from symscrew.scene import load_scene as load_scene
     from symscrew.simulation import simulate as simulate
+    from symscrew.simulation import simulate_many as simulate_many
     from symscrew.studies.given_motion import drives as drives
     from symscrew.studies.workspace import workspace as workspace
     from symscrew.verification import check as check
@@ -166,6 +168,7 @@ __all__ = [
     "optimise",
     "report",
     "simulate",
+    "simulate_many",
     "view",
     "workspace",
 ]

@@ -15,7 +15,8 @@ import numpy as np
 
 from symscrew import notebook
 from symscrew.description import Mechanism, Reader
-from symscrew.effects import Effect, Gravity, joints_read, transformed
+from symscrew.effects import Effect, Gravity, system_under
+from symscrew.errors import DescriptionError
 from symscrew.functions import (
     SUFFIX,
     Motion,
@@ -38,6 +39,7 @@ from symscrew.functions import (
     moves_mass,
     platform_functions,
     regressor_functions,
+    rolling_functions,
     second_order_functions,
     second_paths,
     untried_notes,
@@ -99,6 +101,12 @@ class Model:
     def only(self, names: Sequence[str]) -> Model:
         """The model with those functions of these names that it has, and no others."""
         return replace(self, programs={name: p for name, p in self.programs.items() if name in names}, selected=True)
+
+    @property
+    def sample_q(self) -> np.ndarray:
+        """q (samples, nq) at the system's sample states, from the functions' inputs: finding them again takes long."""
+        at = self.test_inputs.get("closure_jacobian")
+        return np.asarray(at[0]) if at is not None else self.system.sample_states[0]
 
     def __call__(self, function: str, *arguments: object) -> tuple[tuple[np.ndarray, ...], np.ndarray]:
         """Evaluate a function on NumPy arrays (*batch, size): its results and the status."""
@@ -179,7 +187,12 @@ def _derived(
     one_mode: bool = False,
     checked: bool = False,
 ) -> Model:
-    system = System(mechanism, transformed(mechanism, effects), read=joints_read(effects))
+    system = system_under(mechanism, effects)
+    if system.structure.rolled and (derivatives or second_derivatives):
+        raise DescriptionError(
+            "effects: derivatives along the independent coordinates are not known where rolling constrains rates "
+            "alone; derive without them, or take 'rolling_contact'"
+        )
     system.use_samples()
     ways = fewest_operations(system, effects, independent)
     loops = ways.plain
@@ -193,6 +206,7 @@ def _derived(
         *momentum_functions(system, motion, effects),
         *dynamic_functions(system, effects, ways.rates),
         *coupling_functions(system, effects, ways.dynamics),
+        *rolling_functions(system, effects, ways.dynamics),
         *forward_functions(system, effects, ways.dynamics),
         *closing_functions(system, loops),
         *platform_functions(system, effects, loops, checked=checked),

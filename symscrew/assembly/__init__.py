@@ -4,6 +4,7 @@ Mechanism, values of drives --what_is_held, elementary_graph, held_structure--> 
 structure --root_bounds--> a proved bound on isolated zeros;  --start_system--> all zeros of a general member, kept
 --batch_equations, path_tracking, target_roots--> ends of all paths at the given numbers (families)
 --certified_roots--> a box with one zero;  --joint_angles, mode_signs, mode_names--> modes --all_modes--> result
+structure, start system --modes_c--> C that finds all modes, and leads one
 result --mode_texts--> words, JSON;  --followed_mode--> a mode led along a motion, every step proved
 """
 
@@ -15,15 +16,19 @@ if TYPE_CHECKING:
     from symscrew.assembly.all_modes import AssemblyMode, AssemblyModes, assembly_modes
     from symscrew.assembly.followed_mode import FollowedMode, follow_mode
     from symscrew.assembly.mode_texts import mode_lines, mode_values
+    from symscrew.assembly.modes_c import ModesModel, modes_model, print_modes
 
 __all__ = [
     "AssemblyMode",
     "AssemblyModes",
     "FollowedMode",
+    "ModesModel",
     "assembly_modes",
     "follow_mode",
     "mode_lines",
     "mode_values",
+    "modes_model",
+    "print_modes",
 ]
 
 __getattr__ = doors(__name__)

@@ -26,7 +26,7 @@ from symscrew.assembly.path_tracking import Tracker
 from symscrew.assembly.root_bounds import Bound, own_bound
 from symscrew.assembly.slot_numbers import Displacements, Scalars
 from symscrew.assembly.start_system import StartSystem, start_system, together
-from symscrew.assembly.target_roots import Account, End, target_roots
+from symscrew.assembly.target_roots import APART, Account, End, target_roots
 from symscrew.assembly.what_is_held import Held, held_by
 from symscrew.description import Mechanism
 from symscrew.mobility import Network, NotAlgebraicError
@@ -118,6 +118,8 @@ def assembly_modes(
 ) -> AssemblyModes:
     """Every assembly mode for given drives, certified; `symscrew assemble` on the command line.
 
+    The one configuration near a guess, from the independent coordinates, is what `symscrew.assemble` gives.
+
     Args:
         mechanism: a mechanism, or a model of one.
         drives: driven coordinate (`joint`, `joint.i`) -> value [rad, m]; others are as in the reference.
@@ -171,6 +173,14 @@ def _alone(held: Held) -> AssemblyModes:
     )  # fmt: skip
 
 
+def known_zero(equations: BatchEquations) -> Array:
+    """The zero that the description gives."""
+    z = np.zeros(equations.width, dtype=complex)
+    for part in equations.parts:
+        z[part.start] = 1.0
+    return z
+
+
 class _Search:
     def __init__(self, held: Held, structure: Structure, progress: Callable[[str], None]) -> None:
         self.held, self.structure, self.progress = held, structure, progress
@@ -181,7 +191,7 @@ class _Search:
 
     def modes(self) -> AssemblyModes:
         """All of them, with what they rest on."""
-        start = start_system(self.family, self.reference(), self.progress)
+        start = start_system(self.family, known_zero(self.equations), self.progress)
         account = target_roots(self.family, start, self.family.member(dict(self.held.values)))
         fine = Displacements(self.structure, DIGITS_60, self.held.exact).slots()
         boxes = [read(s) if np.ndim(s) == 0 else [read(c) for c in s] for s in fine]
@@ -201,13 +211,6 @@ class _Search:
             bound, complete, why, self.family, self.held.values,
         )  # fmt: skip
 
-    def reference(self) -> Array:
-        """The zero that the description gives."""
-        z = np.zeros(self.equations.width, dtype=complex)
-        for part in self.equations.parts:
-            z[part.start] = 1.0
-        return z
-
     def _names(self, start: StartSystem, modes: Sequence[AssemblyMode]) -> list[str]:
         """Of modes at what is held, by straight ways to the reference."""
         still = not any(self.held.values.values())
@@ -219,7 +222,7 @@ class _Search:
             regular = [end for end in account.ends if end.kind == "real" and end.regular]
             others = _one_of_each(search._seen(regular, None)[0], self.held)
         known = [_named(m) for m in others]
-        home = together(self.equations, self._points(known), self.equations.scaled(self.reference()[None])[0])
+        home = together(self.equations, self._points(known), self.equations.scaled(known_zero(self.equations)[None])[0])
         names = numbered(known, int(np.flatnonzero(home)[0]) if home.any() else None)
         if still:
             return names
@@ -275,7 +278,7 @@ class _Search:
         ends = [end for end in account.ends if end.regular and end.kind in ("real", "complex")]
         own: Bound | None = None
         if wanted is None or every < wanted:
-            asked = own_bound(self.structure, numbers[1], self.held.network.length)
+            asked = own_bound(self.held)
             own = asked if isinstance(asked, Bound) else None
         best = own if own is not None and own.dimension <= 0 and own.count >= 0 else family
         if own is not None and own.dimension > 0:
@@ -302,7 +305,7 @@ class _Search:
     def _apart(self, ends: Sequence[End]) -> bool:
         """Whether no two zeros are nearer than boxes are wide."""
         zeros = np.array([self.equations.scaled(end.z[None])[0] for end in ends])
-        return all(together(self.equations, zeros, z).sum() == 1 for z in zeros)
+        return all(together(self.equations, zeros, z, APART).sum() == 1 for z in zeros)
 
 
 def _one_of_each(modes: Sequence[AssemblyMode], held: Held) -> list[AssemblyMode]:

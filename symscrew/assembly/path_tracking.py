@@ -60,8 +60,14 @@ def solve(slopes: Array, values: Array) -> Array:
     if slopes.shape[1] >= slopes.shape[2]:
         square = back @ slopes
         ridge = 1e-28 * np.trace(square, axis1=1, axis2=2).real[:, None, None]
-        return np.asarray(np.linalg.solve(square + ridge * np.eye(square.shape[1]), back @ values[..., None])[..., 0])
-    return np.asarray((np.linalg.pinv(slopes) @ values[..., None])[..., 0])
+        try:
+            steps = np.linalg.solve(square + ridge * np.eye(square.shape[1]), back @ values[..., None])
+            return np.asarray(steps[..., 0])
+        except np.linalg.LinAlgError:  # one of them is singular or no number: the others are solved all the same
+            pass
+    good = np.asarray(np.isfinite(slopes).all(axis=(1, 2)))
+    inverses = np.linalg.pinv(np.where(good[:, None, None], slopes, 0.0))
+    return np.where(good[:, None], (inverses @ values[..., None])[..., 0], np.nan)
 
 
 class Tracker:

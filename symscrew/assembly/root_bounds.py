@@ -11,36 +11,37 @@ every zero once for each of two signs, and leaves out none.
 
 from __future__ import annotations
 
+import json
 import random
 import re
 import shutil
 import subprocess
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from fractions import Fraction
+from functools import cache
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from symscrew.algebra import CONTEXT
 from symscrew.assembly.dual_forms import PRODUCT
-from symscrew.assembly.held_structure import WIDTH, Structure
+from symscrew.assembly.held_structure import WIDTH, Group, Structure
+from symscrew.assembly.residues import LARGEST_PRIME, residues_of
 from symscrew.assembly.slot_numbers import matrices
+from symscrew.assembly.what_is_held import Held
+from symscrew.mobility import NotDecidableError
+from symscrew.runtime import entry, key_of
 
 Array = np.ndarray[Any, Any]
 
 PROGRAM = "Singular"
 """Of W. Decker, G.-M. Greuel, G. Pfister, H. Schoenemann; Debian's package is singular-ui."""
-PRIME = 2147483629
-"""The largest prime below 2^31 - 1: coefficients of 31 bits are what the program takes."""
+STORED = Path(__file__).with_name("start_systems.json")
+"""Written by `python -m symscrew.assembly.stored_systems`."""
 SECONDS = 20.0
 """By the clock; a platform on six legs takes 0.2 s."""
 SEED = 20231009
 """Of the member of the family: always the same, so that results repeat."""
-LARGEST = 10**24
-"""Denominator of a number that is read as a fraction; those of descriptions have half of its digits."""
-DIGITS = 50
-"""To which it is that fraction: numbers have 60, and two such fractions differ in the 48th."""
 
 
 @dataclass(frozen=True)
@@ -64,10 +65,10 @@ def family_bound(structure: Structure) -> Bound | str:
             if structure.planar and slot.kind == "axis" and _hinge(structure, len(slots)):
                 slots.append([0, 0, 1])
                 continue
-            depth = 0 if structure.planar else rng.randrange(PRIME)
-            slots.append([rng.randrange(PRIME), rng.randrange(PRIME), depth])
+            depth = 0 if structure.planar else rng.randrange(LARGEST_PRIME)
+            slots.append([rng.randrange(LARGEST_PRIME), rng.randrange(LARGEST_PRIME), depth])
         else:
-            slots.append(rng.randrange(PRIME))
+            slots.append(rng.randrange(LARGEST_PRIME))
     return _bound(
         structure, slots, "for every mechanism of this structure: Groebner basis modulo a prime at one of them"
     )
@@ -78,45 +79,49 @@ def _hinge(structure: Structure, slot: int) -> bool:
     return any(slot in group.slots and group.kind == "turn" for group in structure.groups)
 
 
-def own_bound(structure: Structure, slots: Sequence[Any], length: Any) -> Bound | str:
-    """That of a mechanism with these numbers, in 60 digits and in units of `length` [m], where they are fractions."""
-    powers = {"point": length, "distance": length * length}  # in metres, as descriptions have them
-    metres = [s * powers.get(slot.kind, 1) for slot, s in zip(structure.slots, slots, strict=True)]
+def own_bound(held: Held) -> Bound | str:
+    """That of a mechanism with these values held, or why there is none."""
     try:
-        residues = [_residue(s) if np.ndim(s) == 0 else [_residue(c) for c in s] for s in metres]
-    except ValueError as error:
-        return str(error)
-    return _bound(structure, residues, "for this very mechanism: Groebner basis of its fractions modulo a prime")
+        structure, slots, prime = residues_of(held)
+    except NotDecidableError as error:
+        return f"its numbers are in no field that is decidable: {error}"
+    return _bound(structure, slots, "for this very mechanism: Groebner basis of its numbers modulo a prime", prime)
 
 
-def _residue(value: Any) -> int:
-    found = fraction(value)
-    if found is None:
-        raise ValueError("its numbers are not all fractions")
-    return found.numerator * pow(found.denominator, -1, PRIME) % PRIME
+def _bound(structure: Structure, slots: Sequence[Any], how: str, prime: int = LARGEST_PRIME) -> Bound | str:
+    script, covers = _script(structure, slots, prime)
+    key = key_of(b"root bound", script.encode())
+    stored = stored_entries().get(key)
+    if stored is not None:
+        count, dimension = stored["own"]
+        return Bound(count, dimension, how)
+    with entry(key) as kept:
+        content = kept.read()
+        if content is not None:
+            count, dimension = json.loads(content)
+            return Bound(count, dimension, how)
+        found = _run(script, covers, how)
+        if isinstance(found, Bound):
+            kept.write(json.dumps([found.count, found.dimension]).encode())
+    return found
 
 
-def fraction(value: Any) -> Fraction | None:
-    """The fraction that a number of 60 digits is, if its denominator is small."""
-    number = CONTEXT.mpf(value)
-    a, b, c, d = 0, 1, 1, 0
-    rest = number
-    for _ in range(80):
-        whole = int(CONTEXT.floor(rest))
-        a, b, c, d = c, d, a + whole * c, b + whole * d
-        if d > LARGEST:
-            return None
-        if abs(number - CONTEXT.mpf(c) / d) <= CONTEXT.mpf(10) ** -DIGITS * max(1, abs(number)):
-            return Fraction(c, d)
-        rest = 1 / (rest - whole)
-    return None
+def own_key(held: Held) -> str:
+    """Under which `own_bound` of these values is stored; raises NotDecidableError."""
+    structure, slots, prime = residues_of(held)
+    return key_of(b"root bound", _script(structure, slots, prime)[0].encode())
 
 
-def _bound(structure: Structure, slots: Sequence[Any], how: str) -> Bound | str:
+@cache
+def stored_entries() -> Mapping[str, Any]:
+    """What comes with the package: key -> start system, or bound of one mechanism at its reference."""
+    return dict(json.loads(STORED.read_text())) if STORED.is_file() else {}
+
+
+def _run(script: str, covers: int, how: str) -> Bound | str:
     program = shutil.which(PROGRAM)
     if program is None:
         return f"a bound needs the program {PROGRAM}, which is not on the path"
-    script, covers = _script(structure, slots)
     try:
         done = subprocess.run(
             [program, "--quiet", "--no-rc"], input=script, capture_output=True, text=True, timeout=SECONDS
@@ -134,7 +139,7 @@ def _bound(structure: Structure, slots: Sequence[Any], how: str) -> Bound | str:
     return Bound(count // covers, 0, how)
 
 
-def _script(structure: Structure, slots: Sequence[Any]) -> tuple[str, int]:
+def _script(structure: Structure, slots: Sequence[Any], prime: int) -> tuple[str, int]:
     """(the program, how often every zero is counted)."""
     motions, loops = matrices(structure, slots)
     names, made, cuts = list[str](), list[str](), list[str]()
@@ -142,42 +147,44 @@ def _script(structure: Structure, slots: Sequence[Any]) -> tuple[str, int]:
     for k, group in enumerate(structure.groups):
         own = [f"z{k}_{i}" for i in range(WIDTH[group.kind])]
         names += own
-        made += [_sum([(motions[k][i, j], own[j]) for j in range(len(own))]) for i in range(8)]
-        cuts.append(_cut(structure, k, own, slots))
+        made += [_sum([(motions[k][i, j], own[j]) for j in range(len(own))], prime) for i in range(8)]
+        cuts.append(_cut(structure.groups[k], own, slots, prime))
         covers *= 1 if group.kind == "slide" else 2
         if group.kind == "free":
             cuts.append("+".join(f"{own[i]}*{own[4 + i]}" for i in range(4)))
     lines = [f"poly f{k // 8}_{k % 8} = {text};" for k, text in enumerate(made)]
     equations = [*cuts]
     for n, (square, linear) in enumerate(loops):
-        lines += _loop_lines(structure, n)
+        lines += _loop_lines(structure, n, prime)
         g = [f"g{n}_{i}" for i in range(8)]
         for form in square:
             equations.append(
-                _sum([(form[i, j] * (1 if i == j else 2), f"{g[i]}*{g[j]}") for i in range(8) for j in range(i, 8)])
+                _sum(
+                    [(form[i, j] * (1 if i == j else 2), f"{g[i]}*{g[j]}") for i in range(8) for j in range(i, 8)],
+                    prime,
+                )
             )
-        equations += [_sum([(row[i], g[i]) for i in range(8)]) for row in linear]
+        equations += [_sum([(row[i], g[i]) for i in range(8)], prime) for row in linear]
     text = "\n".join(lines)
     ideal = ",\n".join(equations)
     return (
-        f"ring r = {PRIME},({','.join(names)}),dp;\n{text}\nideal i = {ideal};\nideal s = slimgb(i);\n"
+        f"ring r = {prime},({','.join(names)}),dp;\n{text}\nideal i = {ideal};\nideal s = slimgb(i);\n"
         "int d = dim(s); int v = 0; if (d == 0) { v = vdim(s); }\n"
         'print("@zeros " + string(d) + " " + string(v));\nquit;\n'
     ), covers
 
 
-def _cut(structure: Structure, k: int, names: Sequence[str], slots: Sequence[Any]) -> str:
+def _cut(group: Group, names: Sequence[str], slots: Sequence[Any], prime: int) -> str:
     """The equation that leaves one point, or two, of each displacement of a group."""
-    group = structure.groups[k]
     if group.kind == "slide":
         return f"{names[0]}-1"
     if group.kind == "turn":
         axis = slots[group.slots[0]]
-        return f"{names[0]}^2+{sum(c * c for c in axis) % PRIME}*{names[1]}^2-1"
+        return f"{names[0]}^2+{sum(c * c for c in axis) % prime}*{names[1]}^2-1"
     return "+".join(f"{name}^2" for name in names[: 2 if group.kind == "planar" else 4]) + "-1"
 
 
-def _loop_lines(structure: Structure, n: int) -> list[str]:
+def _loop_lines(structure: Structure, n: int, prime: int) -> list[str]:
     """The displacement around a loop as a product."""
     loop = structure.loops[n]
     one, two = structure.chains[loop.base], structure.chains[loop.body]
@@ -190,7 +197,7 @@ def _loop_lines(structure: Structure, n: int) -> list[str]:
     for place, (k, back) in enumerate(factors):
         sign = ["", "-", "-", "-"] * 2 if back else [""] * 8
         own = [f"{sign[i]}f{k}_{i}" for i in range(8)]
-        after = own if not before else _product(before, own)
+        after = own if not before else _product(before, own, prime)
         last = place == len(factors) - 1
         names = [f"g{n}_{i}" if last else f"h{n}_{place}_{i}" for i in range(8)]
         lines += [f"poly {name} = {text};" for name, text in zip(names, after, strict=True)]
@@ -198,10 +205,12 @@ def _loop_lines(structure: Structure, n: int) -> list[str]:
     return lines
 
 
-def _product(a: Sequence[str], b: Sequence[str]) -> list[str]:
-    return [_sum([(int(PRODUCT[k, i, j]), f"{a[i]}*({b[j]})") for i in range(8) for j in range(8)]) for k in range(8)]
+def _product(a: Sequence[str], b: Sequence[str], prime: int) -> list[str]:
+    return [
+        _sum([(int(PRODUCT[k, i, j]), f"{a[i]}*({b[j]})") for i in range(8) for j in range(8)], prime) for k in range(8)
+    ]
 
 
-def _sum(terms: Sequence[tuple[Any, str]]) -> str:
-    parts = [f"{int(c) % PRIME}*{name}" for c, name in terms if int(c) % PRIME]
+def _sum(terms: Sequence[tuple[Any, str]], prime: int) -> str:
+    parts = [f"{int(c) % prime}*{name}" for c, name in terms if int(c) % prime]
     return "+".join(parts) or "0"

@@ -16,8 +16,6 @@ import base64
 import json
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cache
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -25,7 +23,7 @@ import numpy as np
 from symscrew.assembly.batch_equations import BatchEquations
 from symscrew.assembly.families import Family
 from symscrew.assembly.path_tracking import Tracker
-from symscrew.assembly.root_bounds import Bound, family_bound
+from symscrew.assembly.root_bounds import Bound, family_bound, stored_entries
 from symscrew.runtime import entry, key_of
 
 Array = np.ndarray[Any, Any]
@@ -40,7 +38,6 @@ SAME = 1 - 1e-9
 """Points of length one whose product is above this are one: zeros of random members are 1e-3 apart."""
 FORMAT = "2"
 """Of what is kept: another one is not read."""
-STORED = Path(__file__).with_name("start_systems.json")
 
 
 @dataclass(frozen=True)
@@ -63,8 +60,8 @@ class StartSystem:
 
 def start_system(family: Family, known: Array, progress: Callable[[str], None] = lambda _: None) -> StartSystem:
     """The kept one of this family, or a new one from a zero of the mechanism itself."""
-    key = key_of(b"start system", FORMAT.encode(), family.key.encode())
-    stored = _stored().get(key)
+    key = start_key(family)
+    stored = stored_entries().get(key)
     if stored is not None:
         return decoded(stored)
     with entry(key) as kept:
@@ -76,9 +73,9 @@ def start_system(family: Family, known: Array, progress: Callable[[str], None] =
     return made
 
 
-@cache
-def _stored() -> dict[str, Any]:
-    return dict(json.loads(STORED.read_text())) if STORED.is_file() else {}
+def start_key(family: Family) -> str:
+    """Under which its start system is kept."""
+    return key_of(b"start system", FORMAT.encode(), family.key.encode())
 
 
 def searched(family: Family, known: Array, progress: Callable[[str], None] = lambda _: None) -> StartSystem:
@@ -107,11 +104,11 @@ def searched(family: Family, known: Array, progress: Callable[[str], None] = lam
     return StartSystem(tuple(member), zeros, bound, why)
 
 
-def together(equations: BatchEquations, zeros: Array, z: Array) -> Array:
+def together(equations: BatchEquations, zeros: Array, z: Array, same_above: float = SAME) -> Array:
     """Which of the zeros, groups of length one, is the same as z."""
     same = np.ones(len(zeros), dtype=bool)
     for part in equations.parts:
-        same &= np.abs(zeros[:, part].conj() @ z[part]) > SAME
+        same &= np.abs(zeros[:, part].conj() @ z[part]) > same_above
     return same
 
 

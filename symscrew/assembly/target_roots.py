@@ -25,7 +25,12 @@ Array = np.ndarray[Any, Any]
 SINGULAR = 1e-9
 """Relative singular value of a singular end: rounding of doubles, squared root of it where two zeros meet."""
 NO_DISPLACEMENT = 1e-7
-"""|x|^2 of points of length one at infinity; regular ends there have 1e-14, singular ones 1e-9 by the mean around."""
+"""|x|^2 of singular points of length one at infinity: they have 1e-9 by the mean around."""
+ROUNDING = 1e-14
+"""The same of regular ones, over the smallest singular value: what rounding leaves. Solutions a thousand sizes of the
+mechanism away, as almost singular mechanisms have them, are 1e-6 and more."""
+APART = 1 - 1e-13
+"""Regular ends of length one whose product is above this are one: tracked to 1e-11, those far away are 1e-5 apart."""
 REAL = 1e-9
 """Imaginary part of a real zero that is regular."""
 RADIUS = 1e-5
@@ -101,7 +106,8 @@ class _Roots:
             self.again += 1
             more = Tracker(self.equations, tighter * CORRECTION).follow(self.start.zeros[doubled], self.way)
             z[doubled], good[doubled] = more.z, more.reached & (self.smallest(more.z) > SINGULAR)
-        found = [self._regular(z[k]) for k in np.flatnonzero(good)]
+        least = self.smallest(z)
+        found = [self._regular(z[k], float(least[k])) for k in np.flatnonzero(good)]
         found += self._singular(np.flatnonzero(~good), z, reached)
         return Account(tuple(found), count, self.again)
 
@@ -117,10 +123,10 @@ class _Roots:
     def _doubled(self, z: Array, good: Array) -> Array:
         """Paths that end where another one does."""
         places = np.flatnonzero(good)
-        return np.array([k for k in places if together(self.equations, z[places], z[k]).sum() > 1], dtype=int)
+        return np.array([k for k in places if together(self.equations, z[places], z[k], APART).sum() > 1], dtype=int)
 
-    def _regular(self, z: Array) -> End:
-        if self.equations.norms(z[None]).min() < NO_DISPLACEMENT:
+    def _regular(self, z: Array, smallest: float) -> End:
+        if self.equations.norms(z[None]).min() < min(NO_DISPLACEMENT, ROUNDING / smallest):
             return End(z, "infinity")
         turned = realised(self.equations, z)
         return End(turned, "real" if np.abs(turned.imag).max() < REAL else "complex")

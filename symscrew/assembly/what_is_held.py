@@ -6,10 +6,11 @@ A platform with more drives than freedoms is held by as many as it needs; soluti
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
+import sympy
 
 from symscrew.algebra import CONTEXT, high_precision
 from symscrew.description import Mechanism
@@ -27,7 +28,8 @@ RANK = 1e-9
 class Held:
     """`exact`: held column -> displacement from the reference in 60 digits; `values`: in doubles.
 
-    `chosen`: columns that hold the mechanism; `extra`: those held too. `shown`: values as the description counts them.
+    `given`: exact displacements [rad, m]. `chosen`: columns that hold the mechanism; `extra`: those held too. `shown`:
+    values as the description counts them.
     """
 
     mechanism: Mechanism
@@ -38,6 +40,7 @@ class Held:
     extra: tuple[int, ...]
     shown: Mapping[str, float]
     body: str
+    given: Mapping[int, sympy.Expr] = field(default_factory=dict)
 
     def fewer(self) -> Held:
         """Only as much held as holds the mechanism in the reference; the rest is checked."""
@@ -80,6 +83,16 @@ def singles(mechanism: Mechanism, network: Network) -> list[tuple[str, int, floa
     return result
 
 
+def _references(mechanism: Mechanism, network: Network) -> dict[int, sympy.Expr]:
+    """Exact values [rad, m] in the reference, by column, of all coordinates with one freedom."""
+    result = dict[int, sympy.Expr]()
+    for edge in network.edges.values():
+        given = mechanism.joints[edge.name].reference
+        for place, (_, start) in enumerate((motion, start) for motion, start in edge.motions if motion.single):
+            result[start] = mechanism.number(given[place]) if place < len(given) else sympy.Integer(0)
+    return result
+
+
 def held_by(mechanism: Mechanism, drives: Mapping[str, Any], at: Mapping[str, Any]) -> Held:
     """What drives and given coordinates hold.
 
@@ -89,6 +102,7 @@ def held_by(mechanism: Mechanism, drives: Mapping[str, Any], at: Mapping[str, An
     mechanism, coordinates = with_parameters(mechanism, at)
     network = network_of(mechanism)
     known = {name: column for name, column, *_ in singles(mechanism, network)}
+    references = _references(mechanism, network)
     driven = {name: column for name, column in known.items() if column in network.driven}
     for name in drives:
         if name not in driven:
@@ -102,10 +116,13 @@ def held_by(mechanism: Mechanism, drives: Mapping[str, Any], at: Mapping[str, An
             f"assembly modes of {mechanism.name}: couplings of coordinates are not among the polynomials"
         )
     exact = {} if coordinates else dict.fromkeys(driven.values(), CONTEXT.zero)
+    displaced = dict[int, sympy.Expr]()
     for name, value in {**coordinates, **drives}.items():
-        (target,) = targets_of(mechanism, network, given_coordinates(mechanism, {name: value}))
+        given = given_coordinates(mechanism, {name: value})
+        (target,) = targets_of(mechanism, network, given)
         assert target.column is not None
         exact[target.column] = target.goal
+        displaced[target.column] = sympy.expand(next(iter(given.values())) - references[target.column])
     if not exact:
         raise DescriptionError(f"assembly modes of {mechanism.name}: nothing is driven; give coordinates to hold (at)")
     values = {column: float(goal) for column, goal in exact.items()}
@@ -114,7 +131,7 @@ def held_by(mechanism: Mechanism, drives: Mapping[str, Any], at: Mapping[str, An
         for name, column, reference, slides in singles(mechanism, network) if column in values
     }  # fmt: skip
     body = mechanism.platform or next(reversed(network.bodies))
-    return Held(mechanism, network, exact, values, tuple(exact), (), shown, body)
+    return Held(mechanism, network, exact, values, tuple(exact), (), shown, body, displaced)
 
 
 def _independent(network: Network, columns: tuple[int, ...]) -> tuple[int, ...]:

@@ -27,6 +27,7 @@ EXAMPLES = (
     "symscrew accuracy examples/benchmarks/n_four_bar.toml --study growth --out growth",
 )
 USUAL_OF_A_SCENE = ("forward",)
+NO_COMPILER, GET_COMPILER = "there is no C compiler", "; apt install gcc"  # what studies say, and what to do about it
 REPEATS, SECONDS = 9, 12.0  # repeats of every setting, as far as these seconds a study allow
 FULL_REPEATS, FULL_SECONDS = 25, 120.0  # with `--full`
 
@@ -50,7 +51,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Read, study, write; 1 where a study that was asked for has no point that worked."""
-    from symscrew.display import Progress, aligned_table
+    from symscrew.display import Progress, print_table
     from symscrew.studies import machine
     from symscrew.studies.accuracy import study_of, study_summary
 
@@ -81,14 +82,18 @@ def run(options: argparse.Namespace) -> int:
     directory.mkdir(parents=True, exist_ok=True)
     name = subject.model.name if subject is not None and path is None else Path(options.mechanism).stem
     written = _write(name, studies, directory, facts=facts, left_out=left_out)
-    print(study_summary(studies))
+    summary = study_summary(studies)
+    if summary[1]:
+        print_table(*summary)
     for study in studies:
+        left_out += [f"{study.name}: {what}" for what in study.left_out]
         own = "not known" if study.reference_error is None else f"{study.reference_error:.1e}"
         print(f"{study.name}: {study.error_label}; {study.cost_label}; error of the reference {own}")
         for title, (header, rows) in study.tables.items():
-            print(f"\n{title}\n\n{aligned_table(header, rows)}")
+            print(f"\n{title}\n")
+            print_table(header, rows)
     for reason in left_out:
-        print(f"left out: {reason}")
+        print(f"left out: {reason}{GET_COMPILER if NO_COMPILER in reason else ''}")
     print(f"wrote {', '.join(p.name for p in written)} to {directory}")
     worked = all(any(p.error is not None for p in s.points) or s.tables for s in studies)
     return DONE if studies and worked else FAILED

@@ -1,4 +1,7 @@
-"""`symscrew assemble`: every assembly mode for given drives, certified, as text, JSON or a picture."""
+"""`symscrew assemble`: every assembly mode for given drives, certified, as text, JSON or a picture.
+
+In Python that is `symscrew.assembly_modes`; `symscrew.assemble` gives the one configuration near a guess.
+"""
 
 from __future__ import annotations
 

@@ -37,7 +37,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """Measure, print, draw."""
     from symscrew import catalogue
-    from symscrew.display import Progress, aligned_table
+    from symscrew.display import Progress, print_table
     from symscrew.model import derive
     from symscrew.studies.benchmark import USUAL_FUNCTIONS, throughput, time_functions
 
@@ -65,14 +65,14 @@ def run(options: argparse.Namespace) -> int:
         print(json.dumps({"mechanism": mechanism.name, **content}, indent=1))
     else:
         header = ("function", "variant", "operations", "least ns", "median ns (quartiles)", "difference")
-        print(aligned_table(header, [_cells(row) for row in rows]))
+        print_table(header, [_cells(row) for row in rows])
         for note in notes:
             print(f"not compared: {note}")
         if batches:
             variants = [key for key in batches[0] if key != "states"]
             print(f"\n{functions[0]}, least ns per state; a batch is one call from Python on arrays of NumPy")
             cells = [[str(b["states"]), *(f"{b[v]['least']:.3g}" for v in variants)] for b in batches]
-            print(aligned_table(("states", *variants), cells))
+            print_table(("states", *variants), cells)
     if options.plot:
         from symscrew.studies.benchmark import draw_times
 

@@ -24,9 +24,9 @@ def add_options(command: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Read, derive with and without every effect, print, draw."""
-    from symscrew.display import Progress
+    from symscrew.display import Progress, print_table
     from symscrew.scene import load_scene
-    from symscrew.studies import bill_text, scene_bill
+    from symscrew.studies import bill_table, scene_bill
 
     path = _picture(options.plot) if options.plot else None
     found = scene_bill(load_scene(options.scene), timed=not options.no_timing, progress=Progress())
@@ -34,7 +34,9 @@ def run(options: argparse.Namespace) -> int:
         print(json.dumps(found.values(), indent=1, ensure_ascii=False))
     else:
         print(f"{found.name}: {found.mechanism}, {found.motion}")
-        print(bill_text(found))
+        print_table(*bill_table(found))
+        for note in found.notes:
+            print(note)
         print("operations, states and ns: with the effect less without it; drives, accelerations: change without it")
         print("at most: operations of the effect's own program alone, its force screws and their projection")
     if path is not None:

@@ -7,15 +7,27 @@ from __future__ import annotations
 
 import argparse
 import os
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from symscrew.cli.help import DONE, UsageError
-from symscrew.cli.shared_options import add_effects, add_independent, add_mechanism, check_folder, chosen_effects
+from symscrew.cli.shared_options import (
+    add_effects,
+    add_independent,
+    add_mechanism,
+    add_no_cache,
+    check_folder,
+    chosen_effects,
+)
+from symscrew.errors import DescriptionError
 from symscrew.garbage import nothing_to_collect
 from symscrew.generation import TARGETS, USUAL, printable, with_brought
 
 if TYPE_CHECKING:
+    from symscrew.cli.kept_outcomes import Outcome
+    from symscrew.description import Mechanism
     from symscrew.display import Progress
+    from symscrew.effects import Effect
     from symscrew.model import Model
 
 EXAMPLES = (
@@ -23,6 +35,7 @@ EXAMPLES = (
     "symscrew generate wrist.toml --out wrist --target c --derivatives",
     "symscrew generate ur5 --out ur5_single --precision single",
     "symscrew generate delta --out small --profile microcontroller --functions inverse_dynamics",
+    "symscrew generate delta --out controller --functions control",
 )
 
 
@@ -58,8 +71,11 @@ def add_options(command: argparse.ArgumentParser) -> None:
     command.add_argument("--checked", action="store_true", help=text)
     text = "write header, counts, manifest and description, of all other files the hashes: enough for symscrew check"
     command.add_argument("--hashes-only", action="store_true", help=text)
-    text = "these functions only; default: all, which README.md of the output describes"
+    text = (
+        "these functions only, or those of kinematics, control, all (the default; README.md of the output has tables)"
+    )
     command.add_argument("--functions", nargs="+", metavar="NAME", help=text)
+    add_no_cache(command)
 
 
 def profiled(options: argparse.Namespace) -> argparse.Namespace:
@@ -75,34 +91,86 @@ def profiled(options: argparse.Namespace) -> argparse.Namespace:
 
 @nothing_to_collect()  # of modules that are imported here neither
 def run(options: argparse.Namespace) -> int:
-    """Read, derive, measure, write, print."""
+    """Read, derive, measure, write, print; what was printed before of the same input is taken from the cache."""
+    from symscrew import catalogue
+    from symscrew.cli.kept_outcomes import once
     from symscrew.display import Progress, print_table
-    from symscrew.export import Form
-    from symscrew.generation import generate
+    from symscrew.generation import check_place, write_folder
 
     options = profiled(options)
-    form = Form(one_file=options.one_file, batches=options.profile is None)
     targets = chosen_targets(options)
     check_folder(options.out)
+    check_place(options.out)
     progress = Progress()
-    model = _chosen_functions(options, _derived(options, progress))
+    with progress.step(f"read {options.mechanism}"):
+        mechanism = catalogue.find(options.mechanism)
+        effects = chosen_effects(options, mechanism)
+    given = (mechanism, effects, targets, {name: getattr(options, name) for name in ASKED})
+    key: Sequence[object] = (object(),) if options.embedded else given  # what is measured is measured each time
+    made = once("generate", key, lambda: _made(options, mechanism, effects, targets=targets, progress=progress))
+    with progress.step(f"write {', '.join(targets)} to {options.out}" + ", as in an earlier run" * made.earlier):
+        files = write_folder(made.files, options.out)
+    operations = made.facts["operations"]
+    print(f"{made.facts['name']}: {len(operations)} functions, {len(files)} files in {options.out}")
+    print_table(("function", "operations"), [[name, str(count)] for name, count in operations.items()])
+    if made.facts["presets"]:
+        print(f"fewer of them: {made.facts['presets']}")
+    for note in made.facts["notes"]:
+        print(f"note: {note}")
+    return DONE
+
+
+ASKED = (
+    "precision", "profile", "one_file", "independent", "length", "derivatives", "second_derivatives", "regressor",
+    "one_mode", "checked", "hashes_only", "functions",
+)  # fmt: skip
+"""Options that what is written depends on, beside mechanism, effects and targets."""
+
+
+def _made(
+    options: argparse.Namespace,
+    mechanism: Mechanism,
+    effects: Sequence[Effect],
+    *,
+    targets: Sequence[str],
+    progress: Progress,
+) -> Outcome:
+    """Derived, measured and printed."""
+    from symscrew.cli.kept_outcomes import Outcome
+    from symscrew.export import Form
+    from symscrew.generation import render, with_hashes
+
+    model = _chosen_functions(options, _derived(options, mechanism, effects, progress))
     measured = []
     for core in dict.fromkeys(options.embedded):
         from symscrew.verification import measure
 
         with progress.step(f"measure on {core}"):
             measured.append(measure(model, core, options.precision))
-    with progress.step(f"write {', '.join(targets)} to {options.out}"):
-        files = generate(
-            model, options.out, targets, precision=options.precision, measured=measured,
-            hashes_only=options.hashes_only, form=form, processes=os.cpu_count() or 1,
-        )  # fmt: skip
-    print(f"{model.name}: {len(model.programs)} functions, {len(files)} files in {options.out}")
-    rows = [[name, str(p.operations["total"])] for name, p in model.programs.items()]
-    print_table(("function", "operations"), rows)
-    for note in model.notes:
-        print(f"note: {note}")
-    return DONE
+    form = Form(one_file=options.one_file, batches=options.profile is None)
+    with progress.step(f"print {', '.join(targets)}"):
+        files = render(
+            model, targets, precision=options.precision, measured=measured, form=form, processes=os.cpu_count() or 1
+        )
+    facts = {
+        "name": model.name,
+        "operations": {name: p.operations["total"] for name, p in model.programs.items()},
+        "presets": "" if model.selected else _presets(model),
+        "notes": list(model.notes),
+    }
+    return Outcome(facts, with_hashes(files) if options.hashes_only else files)
+
+
+def _presets(model: Model) -> str:
+    """The selections by name, with what each takes."""
+    from symscrew.functions import PRESETS, preset
+
+    texts = []
+    for name in PRESETS:
+        functions = preset(name, model.programs)
+        operations = sum(model.programs[f].operations["total"] for f in functions)
+        texts.append(f"--functions {name} ({len(functions)} functions, {operations} operations)")
+    return ", ".join(texts)
 
 
 def chosen_targets(options: argparse.Namespace) -> list[str]:
@@ -118,14 +186,10 @@ def chosen_targets(options: argparse.Namespace) -> list[str]:
     return targets
 
 
-def _derived(options: argparse.Namespace, progress: Progress) -> Model:
-    """The model of the mechanism and effects that the options name; all bad input ends here."""
-    from symscrew import catalogue
+def _derived(options: argparse.Namespace, mechanism: Mechanism, effects: Sequence[Effect], progress: Progress) -> Model:
+    """The model with the functions that the options ask for."""
     from symscrew.model import derive
 
-    with progress.step(f"read {options.mechanism}"):
-        mechanism = catalogue.find(options.mechanism)
-        effects = chosen_effects(options, mechanism)
     reduced = "reduced" in (options.target or ())  # which needs both
     with progress.step(f"derive {mechanism.name}"):
         return derive(
@@ -142,10 +206,13 @@ def _derived(options: argparse.Namespace, progress: Progress) -> Model:
 
 
 def _chosen_functions(options: argparse.Namespace, model: Model) -> Model:
-    """The model with the functions that the options name, or all."""
-    from symscrew.errors import did_you_mean
+    """The model with the functions that the options name, by themselves or by presets, or all."""
+    from symscrew.functions import ALL, selected
 
-    for name in options.functions or ():
-        if name not in model.programs:
-            raise UsageError(f"--functions: no {name!r} in {model.name}; {did_you_mean(name, model.programs)}")
-    return model.only(options.functions) if options.functions else model
+    if not options.functions:
+        return model
+    try:
+        names = selected(options.functions, model.programs, model.name)
+    except DescriptionError as error:
+        raise UsageError(f"--functions: {error}") from error
+    return model if ALL in options.functions else model.only(names)

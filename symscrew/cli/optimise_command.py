@@ -16,7 +16,8 @@ from symscrew.whole_files import destination
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from symscrew.optimisation import JoinedPlan, JoinedProblem, Replay, Trajectory
+    from symscrew.cli.kept_outcomes import Outcome
+    from symscrew.optimisation import JoinedPlan, JoinedProblem, Replay, Trajectory, TrajectoryProblem
 
 EXAMPLES = ("symscrew optimise examples/optimisation/seed_rest_to_rest.toml --out motion.npz --plot motion.png",)
 FORMATS = (".npz", ".csv")
@@ -52,7 +53,9 @@ class _Keys(argparse.Action):
 
 def run(options: argparse.Namespace) -> int:
     """Read, derive, optimise, write; 1 where no motion was found and confirmed (the last iterate is written then)."""
-    from symscrew.optimisation import JoinedProblem, load_problem_file, replay, solve, write_plan
+    from symscrew.cli.kept_outcomes import once
+    from symscrew.optimisation import JoinedProblem, load_problem_file
+    from symscrew.whole_files import replaced
 
     out = destination(options.out, FORMATS, "--out")
     picture = destination(options.plot, (".png",), "--plot") if options.plot else None
@@ -61,6 +64,9 @@ def run(options: argparse.Namespace) -> int:
     if options.rate is not None and not options.rate > 0:
         raise UsageError(f"--rate: expected samples per second above 0, got {options.rate:g}")
     problem = load_problem_file(options.problem)
+    parts = problem.parts if isinstance(problem, JoinedProblem) else (problem,)
+    for notice in dict.fromkeys(notice for part in parts for notice in part.notices):
+        print(f"note: {notice}", file=sys.stderr)
     if isinstance(problem, JoinedProblem):
         return _run_joined(problem, options, out)
     if options.time_limit is not None:
@@ -71,20 +77,38 @@ def run(options: argparse.Namespace) -> int:
         if options.starts < 1:
             raise UsageError(f"--starts: expected at least 1, got {options.starts}")
         problem = replace(problem, starts=options.starts)
-    found = solve(problem, progress=lambda text: print(text, file=sys.stderr))
-    written = [write_plan(found, out, rate=options.rate)]
-    again = replay(found) if found.ok else None
-    if picture is not None:
-        from symscrew.optimisation import plot_plan
+    outcome = once("optimise", (problem, out.suffix, options.rate, picture is not None), lambda: _solved(
+        problem, out, picture, rate=options.rate))  # fmt: skip
+    if outcome.earlier:
+        print(EARLIER, file=sys.stderr)
+    written = {"plan": out, "picture": picture}
+    for name, data in outcome.files.items():
+        if outcome.earlier and (path := written[name]) is not None:
+            replaced(path, lambda part, data=data: part.write_bytes(data))  # type: ignore[misc]
+    print(json.dumps(outcome.facts["numbers"], indent=1) if options.json else "\n".join(outcome.facts["lines"]))
+    for path in written.values():
+        if path is not None:
+            print(f"wrote {path}", file=sys.stderr)
+    return DONE if outcome.facts["numbers"]["ok"] else FAILED
 
-        written.append(plot_plan(found, picture, again))
-    if options.json:
-        print(json.dumps(_numbers(found, again), indent=1))
-    else:
-        print("\n".join(summary(found, again)))
-    for path in written:
-        print(f"wrote {path}", file=sys.stderr)
-    return DONE if found.ok else FAILED
+
+EARLIER = "found in an earlier run of the same problem (times are those of then); --no-cache solves it again"
+
+
+def _solved(problem: TrajectoryProblem, out: Path, picture: Path | None, *, rate: float | None) -> Outcome:
+    """The motion found and written; its numbers, words and files."""
+    from symscrew.cli.kept_outcomes import Outcome
+    from symscrew.optimisation import plot_plan, replay, solve, write_plan
+
+    found = solve(problem, progress=lambda text: print(text, file=sys.stderr))
+    write_plan(found, out, rate=rate)
+    again = replay(found) if found.ok else None
+    files = {"plan": out.read_bytes()}
+    if picture is not None:
+        plot_plan(found, picture, again)
+        files["picture"] = picture.read_bytes()
+    facts = {"numbers": _numbers(found, again), "lines": summary(found, again)}
+    return Outcome(facts, files, good=bool(found.ok) and problem.solver.time_limit == float("inf"))
 
 
 def _run_joined(problem: JoinedProblem, options: argparse.Namespace, out: Path) -> int:

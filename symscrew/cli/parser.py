@@ -40,7 +40,7 @@ COMMANDS = {
     "view": ("view_command", "a page with the mechanism in 3-D: to turn, move and play"),
     "benchmark": ("benchmark_command", "time of functions, beside other libraries"),
     "embedded": ("embedded_command", "what functions cost on a microcontroller, emulated"),
-    "cache": ("cache_command", "compiled libraries that are kept between runs"),
+    "cache": ("cache_command", "what is kept between runs: libraries, models, outcomes"),
     "doctor": ("doctor_command", "what is installed, and what each part is for"),
 }
 """Command -> its file in this folder, and what the help says it is, in the order of the help.

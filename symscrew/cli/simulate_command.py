@@ -1,4 +1,4 @@
-"""`symscrew simulate`: the motion of a scene, as a file, a picture, numbers, or the loop in C."""
+"""`symscrew simulate`: the motion of a scene, or many of it, as a file, a picture, numbers, or the loop in C."""
 
 from __future__ import annotations
 
@@ -8,16 +8,22 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from symscrew.cli.help import DONE, FAILED
+from symscrew.cli.help import DONE, FAILED, UsageError
 from symscrew.cli.shared_options import add_no_cache, check_folder, need_matplotlib
 from symscrew.whole_files import destination
 
 if TYPE_CHECKING:
+    from symscrew.scene import Scene
     from symscrew.simulation import Run
 
 EXAMPLES = (
     "symscrew simulate examples/scenes/hanging_platform.toml --out run.npz --plot run.png",
+    "symscrew simulate scene.toml --many starts.npz --out runs.npz",
     "symscrew simulate scene.toml --emit-c loop",
+)
+MANY = (
+    "a run per entry of the arrays of this .npz file: initial.coordinates.LABEL, initial.rates.LABEL, parameters.NAME "
+    "(runs,), or whole states q, v, x (runs, size); on all processors"
 )
 
 
@@ -27,8 +33,12 @@ def add_options(command: argparse.ArgumentParser) -> None:
         "scene", metavar="SCENE", help="a TOML file with mechanism, effects, start, drives, integrator"
     )
     command.add_argument("--out", metavar="FILE", help="the run: .npz (everything) or .csv")
+    command.add_argument("--many", metavar="FILE.npz", help=MANY)
+    command.add_argument("--threads", type=int, metavar="N", help="with --many; default: one per processor")
     command.add_argument("--plot", metavar="FILE.png", help="a picture of the run")
     command.add_argument("--emit-c", metavar="DIR", help="write the loop for real time: one step of fixed size in C99")
+    text = "the same steps on many states at once, a thread a state: CUDA, which is C++, too"
+    command.add_argument("--emit-cuda", metavar="DIR", help=text)
     command.add_argument("--json", action="store_true", help="numbers of the run as JSON")
     add_no_cache(command)
 
@@ -38,19 +48,25 @@ def run(options: argparse.Namespace) -> int:
     from tqdm import tqdm
 
     from symscrew.scene import load_scene
-    from symscrew.simulation import FORMATS, prepare, run_summary, simulate, write_loop, write_run
+    from symscrew.simulation import FORMATS, prepare, run_summary, simulate, write_loop, write_run, write_steps
 
-    out = destination(options.out, FORMATS, "--out") if options.out is not None else None
+    out = destination(options.out, FORMATS if options.many is None else (".npz",), "--out") if options.out else None
     picture = destination(options.plot, (".png",), "--plot") if options.plot is not None else None
     if picture is not None:
         need_matplotlib("--plot needs")
-    if options.emit_c:
-        check_folder(options.emit_c, "--emit-c")
+    for name, folder in (("--emit-c", options.emit_c), ("--emit-cuda", options.emit_cuda)):
+        if folder:
+            check_folder(folder, name)
+    _check_many(options)
     scene = load_scene(options.scene)
     for notice in scene.initial.notices:
         print(f"note: {notice}", file=sys.stderr)
-    if options.emit_c:
-        for path in write_loop(scene, Path(options.emit_c)):
+    if options.many is not None:
+        return _run_many(scene, options, out)
+    if options.emit_c or options.emit_cuda:
+        written = write_loop(scene, Path(options.emit_c)) if options.emit_c else []
+        written += write_steps(scene, Path(options.emit_cuda)) if options.emit_cuda else []
+        for path in written:
             print(path)
         if not (out or picture or options.json):
             return DONE
@@ -69,6 +85,34 @@ def run(options: argparse.Namespace) -> int:
     for path in written:
         print(f"wrote {path}", file=sys.stderr)
     return DONE if found.ok and found.accurate else FAILED
+
+
+def _check_many(options: argparse.Namespace) -> None:
+    """Raises UsageError where options do not go together, or the number of threads is none."""
+    if options.threads is not None and (options.many is None or options.threads < 1):
+        raise UsageError("--threads: expected a number above 0, beside --many")
+    for name, given in (("--plot", options.plot), ("--emit-c", options.emit_c), ("--emit-cuda", options.emit_cuda)):
+        if options.many is not None and given is not None:
+            raise UsageError(f"{name} is of one run: leave it out, or --many")
+
+
+def _run_many(scene: Scene, options: argparse.Namespace, out: Path | None) -> int:
+    """As `run`, from the starts of a file; 1 where any run ended early or is not as good as asked for."""
+    from tqdm import tqdm
+
+    from symscrew.array_archives import read_archive
+    from symscrew.simulation import runs_numbers, runs_summary, simulate_many, write_runs
+
+    starts = read_archive(options.many)
+    with tqdm(unit="run", desc=scene.name, leave=False, disable=not sys.stderr.isatty(), file=sys.stderr) as bar:
+        found = simulate_many(
+            scene, starts, threads=options.threads, progress=lambda done: bar.update(max(0, done - bar.n))
+        )
+    written = write_runs(found, out) if out else None
+    print(json.dumps(runs_numbers(found), indent=1) if options.json else "\n".join(runs_summary(found)))
+    if written:
+        print(f"wrote {written}", file=sys.stderr)
+    return DONE if found.all_ok else FAILED
 
 
 def _numbers(found: Run) -> dict[str, object]:

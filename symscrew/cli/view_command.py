@@ -1,50 +1,158 @@
-"""`symscrew view`: a page with a mechanism in 3-D."""
+"""`symscrew view`: a page with a mechanism in 3-D, or its motion as a film or a picture."""
 
 from __future__ import annotations
 
 import argparse
+from collections.abc import Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from symscrew.cli.help import DONE, UsageError
 from symscrew.cli.shared_options import (
-    add_gravity,
+    add_effects,
     add_independent,
     add_no_cache,
     check_folder,
     chosen_effects,
+    need_matplotlib,
     writable_folder,
 )
+from symscrew.errors import shorten
 
-EXAMPLES = ("symscrew view three_ups_upu_s", "symscrew view run.npz --out run.html")
+if TYPE_CHECKING:
+    from symscrew.description import Mechanism
+    from symscrew.display import Limits, Progress, RecordedMotion
+    from symscrew.effects import Effect
+
+EXAMPLES = (
+    "symscrew view three_ups_upu_s",
+    "symscrew view run.npz --out run.html --gif run.gif",
+    "symscrew view delta --limit arm1_R=-20deg:45deg --out delta.html",
+)
+FILES = {"out": ".html", "gif": ".gif", "mp4": ".mp4", "png": ".png"}  # option -> how its file's name ends
 
 
 def add_options(command: argparse.ArgumentParser) -> None:
     """Options of `symscrew view`."""
     command.add_argument("mechanism", metavar="NAME|FILE|RUN.npz", help="a mechanism, or a recorded motion to play")
-    command.add_argument("--out", metavar="FILE.html", help="the page; without it the page is opened in the browser")
-    add_gravity(command)
+    command.add_argument("--out", metavar="FILE.html", help="the page; without a file it is opened in the browser")
+    command.add_argument("--gif", metavar="FILE.gif", help="the motion as a film, or a sweep of a mechanism")
+    command.add_argument("--mp4", metavar="FILE.mp4", help="the same; needs ffmpeg")
+    command.add_argument("--png", metavar="FILE.png", help="where the motion begins, as a picture")
+    command.add_argument(
+        "--limit", action="append", default=[], metavar="JOINT=LOW:HIGH",
+        help="how far a joint may go, drawn and kept: limb1_P=-5cm:10cm, hip=-30deg:90deg; beside those of end stops "
+        "and of URDF and MJCF files",
+    )  # fmt: skip
+    command.add_argument("--run-time", nargs="+", default=[], metavar="NAME", help="parameters that get a slider")
+    add_effects(command)
     add_independent(command)
     add_no_cache(command)
 
 
 def run(options: argparse.Namespace) -> int:
-    """Read, derive, write or open, print the place."""
-    from symscrew.display import Progress, open_page, read_mechanism_and_motion, write_page
+    """Read, derive, write or open, print the places."""
+    from symscrew.display import Progress, open_made, write_film, write_made
     from symscrew.model import derive
 
-    if options.out and Path(options.out).suffix != ".html":
-        raise UsageError(f"--out: expected a file name that ends in .html, got {options.out!r}")
-    if options.out:
-        check_folder(Path(options.out).parent)
+    files = _files(options)
     progress = Progress()
     with progress.step(f"read {options.mechanism}"):
-        mechanism, motion = read_mechanism_and_motion(options.mechanism)
+        mechanism, motion = _mechanism(options)
         effects = chosen_effects(options, mechanism)
-    with progress.step(f"derive {mechanism.name}"):
-        model = derive(mechanism, effects, independent=options.independent)
-    if options.out is None:
-        print(open_page(model, motion))
-    else:
-        writable_folder(str(Path(options.out).parent))
-        print(write_page(model, options.out, motion))
+        limits = _limits(options, mechanism)
+    if not files or "out" in files:
+        page = _page(mechanism, effects, options.independent, shown=(motion, limits), progress=progress)
+        if not files:
+            print(open_made(page, mechanism.name))
+            return DONE
+        writable_folder(str(files["out"].parent))
+        print(write_made(page, files["out"]))
+    films = {name: path for name, path in files.items() if name != "out"}
+    if films:
+        with progress.step(f"derive {mechanism.name}"):
+            model = derive(mechanism, effects, independent=options.independent)
+    for path in films.values():
+        writable_folder(str(path.parent))
+        with progress.step(f"draw {path}"):
+            written = write_film(model, path, motion)
+        print(written)
     return DONE
+
+
+def _page(
+    mechanism: Mechanism,
+    effects: Sequence[Effect],
+    independent: Sequence[str] | None,
+    *,
+    shown: tuple[RecordedMotion | None, Limits],
+    progress: Progress,
+) -> str:
+    """The page as text: that of the user's cache, if it shows neither a motion nor limits and was made before."""
+    from symscrew.display import make_page
+    from symscrew.model import derive
+    from symscrew.runtime import entry, model_key
+
+    motion, limits = shown
+    bare = motion is None and not limits
+    with entry(model_key(mechanism, effects, independent, of=b"page") if bare else None) as kept:
+        found = kept.read()
+        if found is not None:
+            return found.decode("utf-8")
+        with progress.step(f"derive {mechanism.name}"):
+            model = derive(mechanism, effects, independent=independent)
+        page = make_page(model, motion, limits)
+        kept.write(page.encode("utf-8"))
+        return page
+
+
+def _files(options: argparse.Namespace) -> dict[str, Path]:
+    """Option -> the file that it names, after a look whether that can be written."""
+    files = {name: Path(getattr(options, name)) for name in FILES if getattr(options, name)}
+    for name, path in files.items():
+        if path.suffix != FILES[name]:
+            raise UsageError(f"--{name}: expected a file name that ends in {FILES[name]}, got {shorten(str(path))}")
+        check_folder(path.parent, f"--{name}")
+    if files.keys() - {"out"}:
+        need_matplotlib("films and pictures need")
+    return files
+
+
+def _mechanism(options: argparse.Namespace):  # type: ignore[no-untyped-def]
+    """The mechanism, with what is a run-time parameter, and its motion."""
+    from symscrew import catalogue
+    from symscrew.display import read_mechanism_and_motion
+
+    if not options.run_time:
+        return read_mechanism_and_motion(options.mechanism)
+    if options.mechanism.endswith(".npz"):
+        raise UsageError("--run-time: a recorded motion has its parameters; give a mechanism")
+    return catalogue.find(options.mechanism, run_time=options.run_time), None
+
+
+def _limits(options: argparse.Namespace, mechanism: Mechanism) -> Limits:
+    """Limits of joints by name: those of a robot's file, and those that are given."""
+    from symscrew.description import given_value
+    from symscrew.formats import READABLE, import_file
+
+    found: dict[str, tuple[float | None, float | None]] = {}
+    path = Path(options.mechanism)
+    if path.suffix in READABLE and path.is_file():
+        for name, limits in import_file(path).limits.items():
+            if name in mechanism.joints and (limits.lower is not None or limits.upper is not None):
+                found[name] = limits.lower, limits.upper
+    for text in options.limit:
+        name, equals, ends = text.partition("=")
+        low, colon, high = ends.partition(":")
+        if not equals or not colon or not (low.strip() or high.strip()):
+            raise UsageError(f"--limit: expected JOINT=LOW:HIGH, either may be left out, got {shorten(text)}")
+        joint = mechanism.joints.get(name.partition(".")[0])
+        values: list[float | None] = []
+        for end in (low, high):
+            if not end.strip():
+                values.append(None)
+                continue
+            unit = "m" if joint is not None and joint.kind.freedoms[0].prismatic else "rad"
+            values.append(float(given_value(end, where=f"--limit {name}").measured_in(unit, f"--limit {name}")))
+        found[name] = values[0], values[1]
+    return found

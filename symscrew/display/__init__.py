@@ -6,6 +6,8 @@ from symscrew.doors import doors
 
 if TYPE_CHECKING:
     from symscrew.display.drawing import mechanism_figure
+    from symscrew.display.end_labels import End, label_ends
+    from symscrew.display.film import write_film
     from symscrew.display.installed_parts import installation
     from symscrew.display.modes_picture import modes_figure
     from symscrew.display.plots import (
@@ -26,7 +28,16 @@ if TYPE_CHECKING:
     )
     from symscrew.display.shown import Page, Picture, draw, show_page
     from symscrew.display.terminal import Progress, aligned_table, colours, one_line, print_table
-    from symscrew.display.view import open_page, read_mechanism_and_motion, write_page
+    from symscrew.display.view import (
+        Limits,
+        RecordedMotion,
+        make_page,
+        open_made,
+        open_page,
+        read_mechanism_and_motion,
+        write_made,
+        write_page,
+    )
 
 __all__ = [
     "COLOURS",
@@ -34,9 +45,12 @@ __all__ = [
     "DPI",
     "TIME",
     "Curve",
+    "End",
+    "Limits",
     "Page",
     "Picture",
     "Progress",
+    "RecordedMotion",
     "aligned_table",
     "assumption_figure",
     "colours",
@@ -48,15 +62,20 @@ __all__ = [
     "indexed_symbol",
     "installation",
     "joint_figure",
+    "label_ends",
+    "make_page",
     "mechanism_figure",
     "modes_figure",
     "one_line",
+    "open_made",
     "open_page",
     "print_table",
     "reaction_figure",
     "read_mechanism_and_motion",
     "save_figure",
     "show_page",
+    "write_film",
+    "write_made",
     "write_page",
 ]
 

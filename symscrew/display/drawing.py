@@ -1,11 +1,13 @@
-"""A picture of any mechanism in its reference configuration, drawn from its description.
+"""A picture of any mechanism, in its reference configuration or in poses of its bodies, drawn from its description.
 
-Bodies are bars between their joint points, or plates where three or more of their points lie in a plane;
-joints are markers by type, the driven ones filled. What is farther from the viewer is drawn first.
+Bodies are bars between their joint points, or plates where three or more of their points lie in a plane; joints are
+markers by type, the driven ones filled, their axes lines where the mechanism is an open chain; the base is hatched.
+What is farther from the viewer is drawn first.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -15,16 +17,26 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from symscrew.description import JOINT_TYPES, Mechanism
+from symscrew.description import JOINT_TYPES, Joint, Mechanism
+from symscrew.display.label_places import label_places
 from symscrew.display.plots import COLOURS, curve_style, indexed_symbol
 from symscrew.display.shape import along, body_points, numbers, plate
 
 Array = np.ndarray
+Pose = tuple[Array, Array]
+"""Rotation (3, 3) and translation (3,) of a body from the reference configuration, absolute axes."""
+STILL: Pose = (np.eye(3), np.zeros(3))
 
 MARKERS = {"R": "o", "P": "s", "H": "h", "C": "p", "U": "D", "S": "o", "E": "^", "fixed": "x", "free": "*"}
 OTHER_MARKER = "v"
 SIZES = {"R": 5.0, "P": 5.0, "S": 8.0, "U": 6.5}
 GROUND, PLATFORM, LINK = "#8a8a8a", COLOURS[0], "#3a3a3a"
+OBLIQUE = (20.0, -62.0)  # elevation and azimuth [degrees]: all three axes are seen, none is hidden by another
+ALONG = ((0.0, 0.0), (0.0, -90.0), (90.0, -90.0))  # the same, along x, y and z
+PARALLEL = 1 - 1e-9  # cosine of two directions that are one: beyond what rounding leaves of unit vectors
+HATCH = 0.055  # width of the base's sign, of the mechanism's size
+AXIS = 0.16  # length of a joint's axis, of the mechanism's size
+LETTER = (5.0, 9.5)  # width of a letter and height of a line [points of type], of names at 9 points
 
 
 @dataclass(frozen=True)
@@ -56,37 +68,146 @@ def camera(points: Array, elevation: float, azimuth: float) -> Camera:
     return Camera(np.stack([right, np.cross(towards, right), towards]), middle, 3.5 * extent)
 
 
+def usual_view(mechanism: Mechanism) -> tuple[float, float]:
+    """Elevation and azimuth [degrees]: along the axes of a planar mechanism, else obliquely from the front."""
+    turning = [j for j in mechanism.joints.values() if j.type not in ("fixed", "P")]
+    axes = [numbers(mechanism, j.axes[0]) for j in turning if j.type == "R"]
+    if axes and len(axes) == len(turning):
+        for k, seen in enumerate(ALONG):
+            if all(abs(axis[k]) > PARALLEL * np.linalg.norm(axis) for axis in axes):
+                return seen
+    return OBLIQUE
+
+
+@dataclass(frozen=True)
+class Sketch:
+    """A mechanism as it is drawn: where its bodies are, the view, and how large all of it is [m]."""
+
+    mechanism: Mechanism
+    view: Camera
+    size: float
+    poses: Mapping[str, Pose]
+
+    def moved(self, body: str, places: Array) -> Array:
+        """Places (..., 3) of a body in the reference, as it carries them."""
+        turn, shift = self.poses.get(body, STILL)
+        carried: Array = places @ turn.T + shift
+        return carried
+
+    def seen(self, body: str, places: Array) -> Array:
+        """The same on the picture (..., 2)."""
+        return self.view(self.moved(body, places))
+
+    def joint(self, joint: Joint) -> Array:
+        """Where a joint is drawn: at its child's point."""
+        return self.seen(joint.child, numbers(self.mechanism, joint.point))
+
+
 def mechanism_figure(
-    mechanism: Mechanism, *, elevation: float = 20.0, azimuth: float = -62.0, width: float = 4.6, labels: bool = True
+    mechanism: Mechanism,
+    *,
+    elevation: float | None = None,
+    azimuth: float | None = None,
+    width: float = 4.6,
+    labels: bool = True,
 ) -> Figure:
-    """The mechanism in its reference configuration, with its named points and absolute axes."""
+    """The mechanism in its reference configuration, with its named points and absolute axes.
+
+    Seen from `elevation` and `azimuth` [degrees]; by default along the axes where all joints turn about parallel ones.
+    """
+    return drawn_in(mechanism, {}, elevation=elevation, azimuth=azimuth, width=width, labels=labels)
+
+
+def drawn_in(
+    mechanism: Mechanism,
+    poses: Mapping[str, Pose],
+    *,
+    elevation: float | None = None,
+    azimuth: float | None = None,
+    width: float = 4.6,
+    labels: bool = True,
+    behind: Sequence[Mapping[str, Pose]] = (),
+) -> Figure:
+    """The mechanism with its bodies in poses; `behind`: others, drawn pale under it."""
     points = body_points(mechanism)
-    whole = np.concatenate([p for p in points.values() if len(p)] or [np.zeros((1, 3))])
-    view = camera(whole, elevation, azimuth)
-    length = 0.5 * float(np.ptp(whole, axis=0).max()) or 1.0
+    every = [Sketch(mechanism, camera(np.zeros((1, 3)), 0, 0), 1.0, given) for given in (*behind, poses)]
+    all_of_it = [s.moved(body, p) for s in every for body, p in points.items() if len(p)]
+    whole = np.concatenate(all_of_it or [np.zeros((1, 3))])
+    usual = usual_view(mechanism)
+    view = camera(whole, usual[0] if elevation is None else elevation, usual[1] if azimuth is None else azimuth)
+    size = 0.5 * float(np.ptp(whole, axis=0).max()) or 1.0
     with curve_style():
-        shape = np.ptp(view(np.concatenate([whole, 0.4 * length * np.eye(3)])), axis=0)
+        shape = np.ptp(view(np.concatenate([whole, 0.4 * size * np.eye(3)])), axis=0)
         made = Figure(figsize=(width, width * float(np.clip(shape[1] / shape[0], 0.3, 1.2))))
         FigureCanvasAgg(made)
         axes = made.add_axes((0.0, 0.0, 1.0, 1.0))
-        bodies = [(name, places) for name, places in points.items() if len(places)]
-        for order, (body, places) in enumerate(sorted(bodies, key=lambda item: _depth(mechanism, view, *item))):
-            colour, bar = _colour(mechanism, body), _bar(mechanism, body)
-            _body(axes, view, places, colour=colour, bar=bar, order=2 + 0.01 * order)
-        _frame(axes, view, length)
-        _joints(axes, view, mechanism)
-        if labels:
-            _labels(axes, view, mechanism, length)
+        for k, given in enumerate(behind):
+            draw_bodies(axes, Sketch(mechanism, view, size, given), fade=0.16 + 0.3 * k / len(behind))
+        sketch = Sketch(mechanism, view, size, poses)
+        draw_bodies(axes, sketch)
+        _frame(axes, view, size)
+        draw_joints(axes, sketch)
         axes.set_aspect("equal", adjustable="datalim")
-        axes.margins(0.06)
+        axes.margins(0.08)
         axes.set_axis_off()
+        if labels:
+            _labels(axes, sketch)
         handles = _legend(mechanism)
         axes.legend(handles=handles, loc="upper center", ncols=min(4, len(handles)), bbox_to_anchor=(0.5, -0.01))
     return made
 
 
-def _depth(mechanism: Mechanism, view: Camera, body: str, places: Array) -> float:
-    return -np.inf if body == mechanism.ground else view.depth(places)
+# -- bodies ----------------------------------------------------------------------------------------------
+
+
+def draw_bodies(axes: Axes, sketch: Sketch, *, fade: float = 1.0) -> None:
+    """Bodies from far to near; `fade` below 1: pale."""
+    mechanism = sketch.mechanism
+    bodies = [(name, places) for name, places in body_points(mechanism).items() if len(places)]
+    if fade == 1.0:
+        _base(axes, sketch)
+    far_to_near = sorted(bodies, key=lambda item: _depth(sketch, item[0], sketch.moved(*item)))
+    for order, (body, places) in enumerate(far_to_near):
+        if fade < 1.0 and body == mechanism.ground:
+            continue
+        for line in _lines(sketch, body, places):
+            colour = _colour(mechanism, body)
+            if line.filled:
+                axes.fill(
+                    *line.points.T, facecolor=colour, alpha=0.16 * fade, edgecolor="none", zorder=2 + 0.01 * order
+                )
+            look: dict[str, Any] = {"solid_capstyle": "round"} if line.style == "-" else {}
+            axes.plot(
+                *line.points.T, color=colour, linewidth=line.width, linestyle=line.style, alpha=fade,
+                zorder=2 + 0.01 * order, **look,
+            )  # fmt: skip
+
+
+@dataclass(frozen=True)
+class _Line:
+    points: Array
+    width: float
+    style: Any = "-"
+    filled: bool = False
+
+
+def _lines(sketch: Sketch, body: str, places: Array) -> Iterator[_Line]:
+    """A plate where three or more points lie in a plane, else a bar along the points: lines on the picture."""
+    flat = plate(places) if len(places) > 2 else None
+    bar = _bar(sketch.mechanism, body)
+    if flat is None:
+        if bar:
+            yield _Line(sketch.seen(body, along(places)), bar)
+        return
+    inside, corners = flat
+    yield _Line(sketch.seen(body, np.vstack([corners, corners[:1]])), 1.5, filled=True)
+    middle = corners.mean(axis=0)
+    for place in places[~inside]:
+        yield _Line(sketch.seen(body, np.vstack([middle, place])), 1.5, (0, (4, 1.5)))
+
+
+def _depth(sketch: Sketch, body: str, places: Array) -> float:
+    return -np.inf if body == sketch.mechanism.ground else sketch.view.depth(places)
 
 
 def _colour(mechanism: Mechanism, body: str) -> str:
@@ -102,36 +223,51 @@ def _bar(mechanism: Mechanism, body: str) -> float:
     return 4.6 if outer else 2.2
 
 
-def _body(axes: Axes, view: Camera, places: Array, *, colour: str, bar: float, order: float) -> None:
-    """A plate where three or more points lie in a plane, else a bar along the points."""
-    flat = plate(places) if len(places) > 2 else None
-    if flat is None:
-        if bar:
-            axes.plot(*view(along(places)).T, color=colour, linewidth=bar, solid_capstyle="round", zorder=order)
+def _base(axes: Axes, sketch: Sketch) -> None:
+    """The sign of what stands still under the joints of the ground, where that is no plate."""
+    mechanism = sketch.mechanism
+    places = body_points(mechanism)[mechanism.ground]
+    own = [numbers(mechanism, j.point) for j in mechanism.joints.values() if mechanism.ground in (j.parent, j.child)]
+    if len(places) > 2 and plate(places) is not None:
         return
-    inside, corners = flat
-    axes.fill(*view(corners).T, facecolor=colour, alpha=0.16, edgecolor="none", zorder=order)
-    axes.plot(*view(np.vstack([corners, corners[:1]])).T, color=colour, linewidth=1.5, zorder=order)
-    middle = corners.mean(axis=0)
-    for place in places[~inside]:
-        strut = view(np.vstack([middle, place]))
-        axes.plot(*strut.T, color=colour, linewidth=1.5, linestyle=(0, (4, 1.5)), zorder=order)
+    width = 2 * HATCH * sketch.size
+    for place in own:
+        x, y = sketch.view(place)
+        top = y - 0.55 * width
+        look: dict[str, Any] = {"color": GROUND, "linewidth": 0.9, "zorder": 1.5}
+        axes.plot([x - width, x, x + width, x - width], [top, y, top, top], **look)
+        for k in range(5):
+            left = x - width + (k + 0.4) * width / 2.2
+            axes.plot([left, left - 0.3 * width], [top, top - 0.3 * width], **look)
 
 
-def _joints(axes: Axes, view: Camera, mechanism: Mechanism) -> None:
+# -- joints ----------------------------------------------------------------------------------------------
+
+
+def draw_joints(axes: Axes, sketch: Sketch) -> None:
+    """A mark by type; the axes of an open chain, which its marks do not tell."""
+    mechanism = sketch.mechanism
+    open_chain = len(mechanism.joints) <= len(mechanism.bodies) - (mechanism.ground in mechanism.bodies)
     for joint in mechanism.joints.values():
+        if open_chain and joint.axes and joint.type in ("R", "P", "H", "C"):
+            axis = numbers(mechanism, joint.axes[0])
+            reach = AXIS * 2 * sketch.size * axis / np.linalg.norm(axis)
+            ends = sketch.seen(joint.parent, numbers(mechanism, joint.point) + np.array([-reach, reach]))
+            axes.plot(*ends.T, color=COLOURS[1], linewidth=0.8, linestyle=(0, (7, 2, 1.5, 2)), zorder=4.2)
         axes.plot(
-            *view(numbers(mechanism, joint.point)), **_marker(joint.type),
+            *sketch.joint(joint), **_marker(joint.type),
             color="black", markerfacecolor=COLOURS[1] if joint.driven else "white", markeredgewidth=0.9,
             linestyle="none", zorder=5,
         )  # fmt: skip
 
 
-def _frame(axes: Axes, view: Camera, length: float) -> None:
+def _frame(axes: Axes, view: Camera, size: float) -> None:
     """The absolute axes at O."""
     start = view(np.zeros(3))
     for axis, name in zip(np.eye(3), "xyz", strict=True):
-        end = view(0.36 * length * axis)
+        end = view(0.36 * size * axis)
+        if abs(axis @ view.axes[2]) > PARALLEL:  # it points at the viewer
+            continue
         arrow = {"arrowstyle": "-|>,head_width=0.18,head_length=0.4", "color": COLOURS[2], "linewidth": 1.1}
         axes.annotate(
             "", xy=_pair(end), xytext=_pair(start), arrowprops={**arrow, "shrinkA": 0, "shrinkB": 0}, zorder=4
@@ -147,25 +283,35 @@ def _pair(vector: Array) -> tuple[float, float]:
     return float(vector[0]), float(vector[1])
 
 
-def _labels(axes: Axes, view: Camera, mechanism: Mechanism, length: float) -> None:
-    """Names of the named points, moved outwards from the middle of the picture by a few points of type."""
-    places = {name: numbers(mechanism, point.at) for name, point in mechanism.points.items()}
-    middle = view(np.mean(list(places.values()) or [np.zeros(3)], axis=0))
-    for name, place in places.items():
-        at = view(place)
-        axes.plot(*at, marker=".", markersize=4.0, color="black", linestyle="none", zorder=4.5)
-        away = (at - middle) * (1.0, 0.6)
-        size = float(np.linalg.norm(away))
-        outwards = away / size if size > 0.12 * length else np.array([-0.75, -0.65 if at[1] < middle[1] else 0.65])
+def _labels(axes: Axes, sketch: Sketch) -> None:
+    """Names of the named points, off joints, bars and each other; the picture's limits are final."""
+    mechanism = sketch.mechanism
+    axes.apply_aspect()
+    per_point = axes.figure.dpi / 72  # pixels of a point of type
+
+    def typed(places: Array) -> Array:
+        made: Array = axes.transData.transform(places) / per_point
+        return made
+
+    at = np.array([sketch.seen(p.body, numbers(mechanism, p.at)) for p in mechanism.points.values()]).reshape(-1, 2)
+    if not len(at):
+        return
+    names = [indexed_symbol(name) for name in mechanism.points]
+    wide = [max(1, len(name.replace("$", "").replace("_", "").replace("{", "").replace("}", ""))) for name in names]
+    lines = [line for body, p in body_points(mechanism).items() if len(p) for line in _lines(sketch, body, p)]
+    pieces = [(typed(a), typed(b)) for line in lines for a, b in zip(line.points, line.points[1:], strict=False)]
+    axis = [(typed(sketch.view(np.zeros(3))), typed(sketch.view(0.36 * sketch.size * e))) for e in np.eye(3)]
+    joints = [(*typed(sketch.joint(j)), SIZES.get(j.type, 6.0) / 2 + 1) for j in mechanism.joints.values()]
+    joints += [(*(end + 6), 4.0) for _, end in axis]  # the names of the axes
+    sizes = np.array([(LETTER[0] * count, LETTER[1]) for count in wide])
+    middle = typed(np.asarray(at)).mean(axis=0)
+    found = label_places(typed(at), sizes, bars=[*pieces, *axis], joints=np.array(joints), middle=middle)
+    for name, place, box in zip(names, at, found, strict=True):
+        axes.plot(*place, marker=".", markersize=4.0, color="black", linestyle="none", zorder=4.5)
         axes.annotate(
-            indexed_symbol(name),
-            xy=_pair(at),
-            xytext=_pair(11.0 * outwards),
-            textcoords="offset points",
-            ha="center",
-            va="center",
-            zorder=7,
-        )
+            name, xy=_pair(place), xytext=_pair(box - typed(place)), textcoords="offset points",
+            ha="center", va="center", zorder=7,
+        )  # fmt: skip
 
 
 def _marker(letter: str) -> dict[str, Any]:

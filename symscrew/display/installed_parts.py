@@ -34,6 +34,7 @@ TOOLS = {
     "valgrind": ("a test of the generated C", "apt install valgrind"),
     "cmake": ("building generated code the way its users do", "apt install cmake"),
     "chromium": ("tests of the pages of view and report", "apt install chromium"),
+    "ffmpeg": ("view --mp4", "apt install ffmpeg"),
     "node": ("a test of the generated JavaScript", "apt install nodejs"),
     "arm-none-eabi-gcc": ("embedded: cost on a microcontroller", "apt install gcc-arm-none-eabi"),
     "qemu-system-arm": ("embedded: cost on a microcontroller", "apt install qemu-system-arm"),

@@ -143,13 +143,15 @@ def recorded(moved: Moved) -> RecordedMotion:
     )
 
 
-def draw(mechanism: Mechanism, *, elevation: float = 20.0, azimuth: float = -62.0, labels: bool = True) -> Picture:
+def draw(
+    mechanism: Mechanism, *, elevation: float | None = None, azimuth: float | None = None, labels: bool = True
+) -> Picture:
     """A picture of a mechanism in its reference configuration; needs matplotlib.
 
     Args:
         mechanism: what to draw.
-        elevation: of the viewer above the x-y plane [degrees].
-        azimuth: of the viewer about z, from x [degrees].
+        elevation: of the viewer above the x-y plane [degrees]; default: along the axes of a planar mechanism, else 20.
+        azimuth: of the viewer about z, from x [degrees]; default: likewise, else -62.
         labels: whether joints and points have their names.
     """
     from symscrew.display.drawing import mechanism_figure

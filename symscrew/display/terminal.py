@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 import os
+import shutil
 import sys
+import textwrap
 import time
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from typing import Any, TextIO
+from typing import Any, Literal, TextIO
 
+NARROW = 80
+"""Columns of a terminal below which wide tables become paragraphs; from here on cells with several lines are read."""
 MISSING = ("not installed", "not found", "no")
 
 
@@ -18,9 +22,16 @@ def colours(stream: TextIO) -> bool:
 
 
 def print_table(header: Sequence[str], rows: Sequence[Sequence[str]]) -> None:
-    """Print a table on stdout: coloured and as wide as the terminal there, in Markdown elsewhere."""
+    """Print a table on stdout: coloured and as wide as the terminal there, in Markdown elsewhere.
+
+    On a terminal too narrow for it every row is a paragraph, its words whole: names and commands can be copied.
+    """
     if not colours(sys.stdout):
         print(aligned_table(header, rows))
+        return
+    wide = shutil.get_terminal_size().columns
+    if wide < NARROW and wide < _natural_width(header, rows):
+        print("\n".join(stacked(header, rows, wide)))
         return
     from rich.box import SIMPLE_HEAD
     from rich.console import Console
@@ -30,10 +41,33 @@ def print_table(header: Sequence[str], rows: Sequence[Sequence[str]]) -> None:
     made = Table(box=SIMPLE_HEAD, header_style="bold cyan", pad_edge=False)
     for k, title in enumerate(header):
         numbers = all(_is_number(row[k]) for row in rows)
-        made.add_column(title, justify="right" if numbers else "left", style="bold" if k == 0 else "")
+        side: Literal["right", "left"] = "right" if numbers else "left"
+        made.add_column(title, justify=side, overflow="fold", style="bold" if k == 0 else "", no_wrap=k == 0)
     for row in rows:
         made.add_row(*(Text(cell, style="red" if cell in MISSING else "") for cell in row))
     Console().print(made)
+
+
+def _natural_width(header: Sequence[str], rows: Sequence[Sequence[str]]) -> int:
+    return max(map(len, aligned_table(header, rows).splitlines()))
+
+
+def stacked(header: Sequence[str], rows: Sequence[Sequence[str]], wide: int) -> list[str]:
+    """A paragraph a row: its first cell, then the others with their titles, in lines of at most `wide` characters.
+
+    >>> stacked(["part", "for"], [["gcc", "running the code"]], 16)
+    ['gcc', '  for: running', '    the code']
+    """
+    lines = []
+    for first, *rest in rows:
+        lines += textwrap.wrap(first, wide, break_long_words=False, break_on_hyphens=False) or [""]
+        for title, cell in zip(header[1:], rest, strict=True):
+            if cell:
+                lines += textwrap.wrap(
+                    f"{title}: {cell}", wide, initial_indent="  ", subsequent_indent="    ", break_long_words=False,
+                    break_on_hyphens=False,
+                )  # fmt: skip
+    return lines
 
 
 def _is_number(text: str) -> bool:

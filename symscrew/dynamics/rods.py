@@ -57,7 +57,7 @@ def thin_rods(system: System, acting: Acting) -> dict[int, Rod]:
     """The thin rods of a system by the index of their cut joint: only gravity and their neighbours act on them."""
     taken = {*acting.joint_forces, *acting.reflected_inertia, *system.drive_rows()}
     driven, loaded = system.cut_drives(), {*acting.loads, *(bending.link for bending in acting.bendings)}
-    found = {c: _rod(system, cut) for c, cut in enumerate(system.cuts) if c not in driven}
+    found = {c: _rod(system, cut) for c, cut in enumerate(system.cuts) if c not in driven and cut.is_joint}
     return {
         c: rod
         for c, rod in found.items()

@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from symscrew.effects.acting import Acting
-from symscrew.effects.effect import Effect, joints_read, transformed
+from symscrew.effects.effect import Effect, system_under, transformed
 from symscrew.effects.of_files import effects_of_file, forces_of_effects, stops_of_file
 from symscrew.effects.records import AddedInertia, Contact, State
 from symscrew.effects.registry import (
@@ -39,11 +39,11 @@ __all__ = [
     "effect_to_table",
     "effects_of_file",
     "forces_of_effects",
-    "joints_read",
     "known_effects",
     "load_effects",
     "simplifications",
     "stops_of_file",
+    "system_under",
     "transformed",
     "type_name",
 ]

@@ -17,6 +17,8 @@ from typing import Any, ClassVar
 from symscrew.description import Mechanism
 from symscrew.effects.acting import Acting
 from symscrew.effects.records import Contact
+from symscrew.errors import DescriptionError
+from symscrew.kinematics import Rolling, System
 
 Number = str | int | float | Decimal | Fraction  # texts are expressions of the mechanism's parameters
 ALWAYS = {"always": True}  # metadata of a field that is shown even at its default
@@ -75,6 +77,10 @@ class Effect:
         """Joints whose displacement it asks for, which a loop is then not cut at if turns would be lost."""
         return ()
 
+    def rolled(self, mechanism: Mechanism) -> tuple[Rolling, ...]:
+        """Bodies that it lets roll on others without sliding: constraints of the rates."""
+        return ()
+
     def __post_init__(self) -> None:
         """Exact numbers as texts and lists as tuples, so that an effect read back from a file is the same."""
         for f in dataclasses.fields(self):
@@ -95,6 +101,10 @@ class Effect:
 
     def contacts(self) -> tuple[Contact, ...]:
         """Forces with events (stick and slip, impacts), which come in as inputs for a simulation to determine."""
+        return ()
+
+    def stops(self) -> tuple[tuple[str, int, Number | None, Number | None], ...]:
+        """Reaches that it holds joints in: (joint, freedom, lower, upper), each end a displacement or None."""
         return ()
 
     def shown_fields(self) -> dict[str, Any]:
@@ -120,6 +130,19 @@ def transformed(mechanism: Mechanism, effects: tuple[Effect, ...]) -> Mechanism:
     for effect in sorted(effects, key=lambda e: not e.simplifies):
         mechanism = effect.transform(mechanism)
     return mechanism
+
+
+def system_under(mechanism: Mechanism, effects: tuple[Effect, ...]) -> System:
+    """The system of a mechanism under effects: its inertias, the loops cut where none of them reads, what rolls.
+
+    Raises:
+        DescriptionError: two wheels of one name, or a constraint that does not fit.
+    """
+    rolled = [one for effect in effects for one in effect.rolled(mechanism)]
+    twice = [one.name for k, one in enumerate(rolled) if one.name in [other.name for other in rolled[:k]]]
+    if twice:
+        raise DescriptionError(f"effects: two of them are called {twice[0]!r}; give one another name (key 'name')")
+    return System(mechanism, transformed(mechanism, effects), read=joints_read(effects), rolled=rolled)
 
 
 def joints_read(effects: tuple[Effect, ...]) -> tuple[str, ...]:

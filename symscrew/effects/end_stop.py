@@ -65,6 +65,10 @@ class EndStop(Effect):
             ),
         )  # fmt: skip
 
+    def stops(self) -> tuple[tuple[str, int, Number | None, Number | None], ...]:
+        """Its two ends."""
+        return ((self.joint, self.freedom or 0, self.lower, self.upper),)
+
     @property
     def reads(self) -> tuple[str, ...]:
         """Its joint."""

@@ -9,6 +9,7 @@ import sympy
 from symscrew.algebra import Node
 from symscrew.description import parse
 from symscrew.effects.acting import Acting
+from symscrew.effects.ball_turns import ball_turn
 from symscrew.effects.effect import Effect, Number
 from symscrew.errors import DescriptionError
 
@@ -23,8 +24,10 @@ class JointSpring(Effect):
     `preload` F0 [N or N m] pulls s downwards where x = 0; `cubic` k3 of either sign, softening if negative.
     For any other law, `energy` E(x) [J] is a text with x and the parameters instead of k, k3 and F0; the force is
     -dE/dx, so that the spring stores what it takes. Stored: F0 x + k x^2/2 + k3 x^4/4, or E(x); the damper
-    dissipates c s_dot^2 [W]. In a spherical joint only k and c act, on the rotation vector and omega: the shortest
-    one, of at most pi, so that beyond half a turn it pulls on the other way round.
+    dissipates c s_dot^2 [W]. In a spherical joint only k and c act, on the rotation vector and omega. The vector goes
+    on over whole turns, for which its three components are states (`turn_<joint>_x` ..., rad), at the start the
+    shortest one; with `nearest` it is the shortest one always, without states: beyond half a turn the spring then pulls
+    on the other way round.
 
         [[effects]]
         type = "joint_spring"
@@ -42,6 +45,7 @@ class JointSpring(Effect):
     damping: Number = 0
     energy: str = ""
     freedom: int | None = None
+    nearest: bool = False
 
     @property
     def reads(self) -> tuple[str, ...]:
@@ -56,6 +60,8 @@ class JointSpring(Effect):
         if joint.kind.ball and self.freedom is None:
             self._spherical(acting, what, c)
             return
+        if self.nearest:
+            raise DescriptionError(f"{what}: 'nearest' is of ball joints' rotation vectors; this joint has its turns")
         k = acting.freedom(self.joint, self.freedom, what)
         x = acting.displacement(self.joint, k, what) - acting.number(self.rest, f"{what}: rest")
         law = spring_law(acting, self, x, what)
@@ -68,7 +74,9 @@ class JointSpring(Effect):
         if any(value != 0 for value in (self.rest, self.preload, self.cubic)) or self.energy:
             raise DescriptionError(f"{what}: a spherical joint takes only stiffness and damping")
         stiffness = acting.number(self.stiffness, f"{what}: stiffness", least=0)
-        for k, angle in enumerate(acting.displacements(acting.joint(self.joint, what))):
+        joint = acting.joint(self.joint, what)
+        angles = acting.displacements(joint) if self.nearest else ball_turn(acting, joint)
+        for k, angle in enumerate(angles):
             rate = acting.rate(self.joint, k)
             acting.drive(self.joint, k, -(stiffness * angle) - c * rate)
             acting.store(acting.half * stiffness * angle * angle)

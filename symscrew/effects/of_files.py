@@ -19,6 +19,7 @@ TYPES: Mapping[str, str] = {
     "spring": "joint_spring",
     "servo": "position_servo",
     "load": "external_wrench",
+    "drag": "fluid_drag",
 }
 """What a file calls a force -> the type of its effect."""
 HELD: Mapping[str, frozenset[str]] = {
@@ -28,6 +29,7 @@ HELD: Mapping[str, frozenset[str]] = {
     "spring": frozenset({"joint", "freedom", "stiffness", "rest", "damping"}),
     "servo": frozenset({"joint", "freedom", "stiffness", "damping", "limit"}),
     "load": frozenset({"point", "wrench"}),
+    "drag": frozenset({"body", "sides", "axes", "density", "viscosity", "wind"}),
 }
 """What files say of each: an effect with other keys is more than a file holds."""
 USUAL = (0, 0, "-9.81")
@@ -66,7 +68,8 @@ def forces_of_effects(
             others.append(f"{name} with {', '.join(table)}" if kind else name)
             continue
         plain = {
-            k: _number(mechanism, reader, v) if k not in ("joint", "point", "freedom") else v for k, v in table.items()
+            k: _number(mechanism, reader, v) if k not in ("joint", "point", "body", "freedom") else v
+            for k, v in table.items()
         }
         forces.append({"kind": kind, **plain})
     return tuple(forces), field, tuple(others)

@@ -21,11 +21,12 @@ from types import UnionType
 from typing import Any, Union, get_args, get_origin, get_type_hints
 
 from symscrew.description import Mechanism, read_tables, read_text
-from symscrew.effects.effect import Effect, joints_read, transformed
+from symscrew.effects.effect import Effect, system_under
 from symscrew.errors import DescriptionError, did_you_mean, shorten
 
 HELPERS = (
     "acting",
+    "ball_turns",
     "contact_law",
     "effect",
     "of_files",
@@ -176,7 +177,6 @@ def check_effects(mechanism: Mechanism, effects: Iterable[Effect]) -> None:
         DescriptionError: names the effect, what was expected, what came, and the cure.
     """
     from symscrew.effects.acting import Acting
-    from symscrew.kinematics import System
 
     every = tuple(effects)
-    Acting(System(mechanism, transformed(mechanism, every), read=joints_read(every)), every)
+    Acting(system_under(mechanism, every), every)

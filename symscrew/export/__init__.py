@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from symscrew.export.casadi import TABLE, casadi_functions, program_function
     from symscrew.export.casadi_external import jacobians_model, print_external
     from symscrew.export.cpp import print_cpp
-    from symscrew.export.cuda import CUDA_THREADS, print_cuda
+    from symscrew.export.cuda import CUDA_THREADS, print_cuda, print_device
     from symscrew.export.drive_kinematics import DriveKinematics, find_drive_kinematics
     from symscrew.export.drive_kinematics_c import axes_text, print_drive_host
     from symscrew.export.example import SPILLS, print_cmake, print_example
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from symscrew.export.javascript import print_javascript, print_script
     from symscrew.export.jax import print_jax
     from symscrew.export.linuxcnc import print_linuxcnc
-    from symscrew.export.listing import banner, decimal, live_instructions, model_hash, packed, plain
+    from symscrew.export.listing import banner, decimal, live_instructions, model_hash, packed, plain, wrapped
     from symscrew.export.manifest_file import (
         OutputError,
         effect_from_json,
@@ -35,12 +35,14 @@ if TYPE_CHECKING:
         read_port,
     )
     from symscrew.export.markdown import print_markdown
+    from symscrew.export.modelica import print_modelica
     from symscrew.export.numpy import print_numpy
     from symscrew.export.readme import print_readme
     from symscrew.export.reduced import configuration_function, ode_function, print_reduced
     from symscrew.export.ros2 import print_ros2
     from symscrew.export.rust import print_rust
     from symscrew.export.rust_names import RustNames
+    from symscrew.export.simulink import print_simulink
     from symscrew.export.structured_text import block_ports, print_structured_text
     from symscrew.export.written_folder import MANIFEST, own_files, read_manifest
 
@@ -83,6 +85,7 @@ __all__ = [
     "print_cmake",
     "print_cpp",
     "print_cuda",
+    "print_device",
     "print_drive_host",
     "print_example",
     "print_external",
@@ -91,12 +94,14 @@ __all__ = [
     "print_jax",
     "print_linuxcnc",
     "print_markdown",
+    "print_modelica",
     "print_numpy",
     "print_readme",
     "print_reduced",
     "print_ros2",
     "print_rust",
     "print_script",
+    "print_simulink",
     "print_structured_text",
     "program_function",
     "read_form",
@@ -107,6 +112,7 @@ __all__ = [
     "readable_sources",
     "rounded",
     "single_errors",
+    "wrapped",
 ]
 
 __getattr__ = doors(__name__)

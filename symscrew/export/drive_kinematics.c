@@ -3,7 +3,7 @@
 enum { /* statuses of this part, beside those of the functions, 1 ... 6 and from 11 on */
     FOLLOW_OK = 0,
     FOLLOW_SINGULAR = 100, /* a step of Newton's iteration meets a singularity */
-    FOLLOW_JUMP = 101, /* no small steps lead there: the result would be on another mode */
+    FOLLOW_JUMP = 101, /* no proved steps lead there: the result may be on another mode */
     FOLLOW_INCONSISTENT = 102, /* more drives than freedoms, which do not agree */
     FOLLOW_NOT_CONVERGED = 103,
     FOLLOW_OTHER_MODE = 104 /* a pose beyond a singularity of the drives */
@@ -14,6 +14,7 @@ typedef struct {
     double tool[3]; /* the tool in the platform's axes, beyond the point of the description */
     double tolerance; /* of drives that the others determine [m or rad] */
     long iterations; /* of the last call: configurations that were computed */
+    CertificateWork proof;
 } DriveState;
 
 static int follow_finite(const double *x, int size)
@@ -32,45 +33,10 @@ static void drive_home(DriveState *state)
     }
 }
 
-/* Whether `next` is where the rates at q say that small changes `step` of the chosen drives lead: within a quarter. */
-static int follow_sure(const double *q, const double *step, const double *next)
+/* The configuration at `drive` (the chosen ones) on the mode of `from`: in steps that are halved until each is proved. */
+static int follow_mode(DriveState *state, const double *drive, const double *from, double *q)
 {
-    double null[N_V * N_FREE], v[N_V];
-    double size = 0.0, error = 0.0;
-    if (NULL_SPACE(q, null) > 0) {
-        return 0;
-    }
-    for (int i = 0; i < N_V; ++i) {
-        v[i] = 0.0;
-        for (int j = 0; j < N_FREE; ++j) {
-            v[i] += null[i + j * N_V] * step[j];
-        }
-    }
-    for (int k = 0; k < N_SCALAR; ++k) {
-        const double unit = scalar_unit[k], expected = v[scalar_v[k]] * unit;
-        const double found = (next[scalar_q[k]] - q[scalar_q[k]]) * unit;
-        size += expected * expected;
-        error += (found - expected) * (found - expected);
-    }
-    for (int k = 0; k < N_TURN; ++k) {
-        const double *a = q + turn_q[k], *b = next + turn_q[k], *w = v + turn_v[k];
-        const double rate[4] = {
-            -0.5 * (a[1] * w[0] + a[2] * w[1] + a[3] * w[2]), 0.5 * (a[0] * w[0] + a[2] * w[2] - a[3] * w[1]),
-            0.5 * (a[0] * w[1] + a[3] * w[0] - a[1] * w[2]), 0.5 * (a[0] * w[2] + a[1] * w[1] - a[2] * w[0])};
-        for (int i = 0; i < 4; ++i) {
-            const double off = b[i] - a[i] - rate[i];
-            size += rate[i] * rate[i];
-            error += off * off;
-        }
-    }
-    return error <= 0.0625 * size + 1e-20; /* of steps below 1e-10 only rounding is left */
-}
-
-/* The configuration at `drive` (the chosen ones) on the mode of `from`: in steps that are halved until each is sure.
-   This is the place for another way to the nearest mode. */
-static int follow_mode(const double *drive, const double *from, double *q, long *iterations)
-{
-    double target[N_FREE], start[N_FREE], step[N_FREE], next[N_Q];
+    double target[N_FREE], start[N_FREE], next[N_Q];
     double part = 1.0, done = 0.0;
     for (int k = 0; k < N_Q; ++k) {
         q[k] = from[k];
@@ -82,14 +48,13 @@ static int follow_mode(const double *drive, const double *from, double *q, long 
         const double until = done + part < 1.0 ? done + part : 1.0;
         for (int j = 0; j < N_FREE; ++j) {
             target[j] = until < 1.0 ? start[j] + (drive[j] - start[j]) * until : drive[j];
-            step[j] = target[j] - q[chosen_q[j]];
         }
-        ++*iterations;
+        ++state->iterations;
         const int status = ASSEMBLE(target, q, next);
         if (status == 2 || status == 5) {
             return status;
         }
-        if (status == 0 && follow_sure(q, step, next)) {
+        if (status == 0 && mode_certified(&state->proof, q, next)) {
             for (int k = 0; k < N_Q; ++k) {
                 q[k] = next[k];
             }
@@ -126,29 +91,44 @@ static int tool_axes(const DriveState *state, const double *q, double *world, do
     return FOLLOW_OK;
 }
 
-/* Rates of all six axes by the chosen drives, (6 x N_FREE) by columns, at q, where the axes are `world`. */
-static int tool_jacobian(const double *q, const double *world, const double *at, double *jacobian)
+/* Velocity of the tool at `at` and angular velocity of the platform by the chosen drives, (6 x N_FREE) by columns. */
+static int tool_twists(const double *q, const double *at, double *twists)
 {
     double null[N_V * N_FREE], screws[6 * N_V];
     if (NULL_SPACE(q, null) > 0 || PLATFORM_JACOBIAN(q, screws) > 0) {
         return FOLLOW_SINGULAR;
     }
-    const double sb = sin(world[4]), cb = cos(world[4]), sc = sin(world[5]), cc = cos(world[5]);
     for (int j = 0; j < N_FREE; ++j) {
         double twist[6] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
-        double *column = jacobian + 6 * j;
+        double *column = twists + 6 * j;
         for (int k = 0; k < N_V; ++k) {
             for (int i = 0; i < 6; ++i) {
                 twist[i] += screws[i + 6 * k] * null[k + j * N_V];
             }
         }
-        const double along = cc * twist[0] + sc * twist[1];
         column[0] = twist[3] + twist[1] * at[2] - twist[2] * at[1];
         column[1] = twist[4] + twist[2] * at[0] - twist[0] * at[2];
         column[2] = twist[5] + twist[0] * at[1] - twist[1] * at[0];
+        for (int i = 0; i < 3; ++i) {
+            column[3 + i] = twist[i];
+        }
+    }
+    return FOLLOW_OK;
+}
+
+/* Rates of all six axes by the chosen drives, (6 x N_FREE) by columns, at q, where the axes are `world`. */
+static int tool_jacobian(const double *q, const double *world, const double *at, double *jacobian)
+{
+    const double sb = sin(world[4]), cb = cos(world[4]), sc = sin(world[5]), cc = cos(world[5]);
+    if (tool_twists(q, at, jacobian) != FOLLOW_OK) {
+        return FOLLOW_SINGULAR;
+    }
+    for (int j = 0; j < N_FREE; ++j) {
+        double *column = jacobian + 6 * j;
+        const double x = column[3], y = column[4], along = cc * x + sc * y;
         column[3] = along / cb;
-        column[4] = cc * twist[1] - sc * twist[0];
-        column[5] = twist[2] + along * sb / cb;
+        column[4] = cc * y - sc * x;
+        column[5] += along * sb / cb;
     }
     return FOLLOW_OK;
 }
@@ -164,7 +144,7 @@ static int drive_forward(DriveState *state, const double *joint, double *world)
     for (int j = 0; j < N_FREE; ++j) {
         y[j] = joint[chosen_joint[j]];
     }
-    int status = follow_mode(y, state->q, q, &state->iterations);
+    int status = follow_mode(state, y, state->q, q);
     if (status == FOLLOW_OK) {
         status = tool_axes(state, q, world, at);
     }
@@ -255,7 +235,7 @@ static int follow_solve(double *a, double *b)
     return 0;
 }
 
-/* Newton's iteration from q to the commanded axes of `goal`; q is changed where it arrives only. */
+/* Newton's iteration from q to the commanded axes of `goal`; q is changed where it arrives on its mode only. */
 static int follow_axes(DriveState *state, const double *goal, double *q)
 {
     double own[N_Q], next[N_Q], world[6], at[3], jacobian[6 * N_FREE], square[N_FREE * N_FREE], right[N_FREE], y[N_FREE];
@@ -277,7 +257,10 @@ static int follow_axes(DriveState *state, const double *goal, double *q)
                 square[i + j * N_FREE] = jacobian[axis + 6 * j] * unit * chosen_unit[j];
             }
         }
-        if (largest < 1e-13) {
+        if (largest < 1e-13 || (count > 4 && largest < 1e-11)) { /* the last digits do not come closer */
+            if (!mode_certified(&state->proof, q, own)) {
+                return FOLLOW_JUMP;
+            }
             for (int k = 0; k < N_Q; ++k) {
                 q[k] = own[k];
             }
@@ -289,14 +272,9 @@ static int follow_axes(DriveState *state, const double *goal, double *q)
         for (int j = 0; j < N_FREE; ++j) {
             y[j] = own[chosen_q[j]] + right[j] * chosen_unit[j];
         }
-        if (count > 4 && largest < 1e-11) { /* the last digits do not come closer */
-            for (int k = 0; k < N_Q; ++k) {
-                q[k] = own[k];
-            }
-            return FOLLOW_OK;
-        }
-        const int status = follow_mode(y, own, next, &state->iterations);
-        if (status != FOLLOW_OK) {
+        ++state->iterations;
+        const int status = ASSEMBLE(y, own, next);
+        if (status != 0) {
             return status;
         }
         for (int k = 0; k < N_Q; ++k) {
@@ -318,7 +296,7 @@ static int drive_backward(DriveState *state, const double *world, double *q)
         return FOLLOW_SINGULAR;
     }
     int status = FOLLOW_OK;
-    for (int count = 0; count < 256 && done < 1.0; ++count) {
+    for (int count = 0; count < 4096 && done < 1.0; ++count) {
         const double until = done + part < 1.0 ? done + part : 1.0;
         for (int i = 0; i < 6; ++i) {
             const double way = i < 3 ? world[i] - start[i] : remainder(world[i] - start[i], 2.0 * PI);
@@ -330,7 +308,7 @@ static int drive_backward(DriveState *state, const double *world, double *q)
             part *= 2.0;
         } else {
             part *= 0.5;
-            if (part < 1.0 / 64.0) {
+            if (part < 1.0 / 1024.0) {
                 return status;
             }
         }
@@ -355,11 +333,7 @@ static int drive_inverse(DriveState *state, const double *world, double *joint)
     for (int k = 0; k < N_JOINTS; ++k) {
         joint[k] = q[driven_q[k]];
     }
-    double step[N_FREE];
-    for (int j = 0; j < N_FREE; ++j) {
-        step[j] = q[chosen_q[j]] - state->q[chosen_q[j]];
-    }
-    if (follow_sure(state->q, step, q)) { /* a question about a far pose does not move where the machine is */
+    if (mode_certified(&state->proof, state->q, q)) { /* a question about a far pose does not move where the machine is */
         for (int k = 0; k < N_Q; ++k) {
             state->q[k] = q[k];
         }

@@ -2,6 +2,7 @@
 
     drives (coordinates of q)  --assemble, from the last configuration-->  q  --body_poses-->  X Y Z A B C of the tool
 
+Every step is proved to stay on the mode of the one before (`symscrew.export.mode_certificate`).
 The functions are those of the mechanism derived with some of its drives as the independent coordinates: then `assemble`
 is the forward kinematics, on the branch of its guess. Of more drives than freedoms the others are compared with what q
 says. A controller commands as many axes as there are freedoms: a platform that turns about a fixed point of its own has
@@ -17,6 +18,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from symscrew.errors import DescriptionError
+from symscrew.export.mode_certificate import ModeCertificate, find_mode_certificate
 from symscrew.model import Model, derive
 
 LETTERS = "XYZABC"
@@ -53,12 +55,12 @@ class DriveKinematics:
         driven: entries of q that they are.
         chosen: those of the drives (places in `drives`) that `assemble` takes as y, in its order.
         scalar: pairs (entry of q, entry of v) of coordinates that are angles or lengths.
-        turns: pairs of first entries of quaternions in q and of their rates in v.
         sliding: entries of q that are lengths.
         platform: place of the platform among the bodies of `body_poses`.
         tool: point of the tool in absolute axes at the reference.
         axes: places in LETTERS of the axes that are commanded.
         pose: what `inverse_kinematics` takes, where it is the way back to the drives.
+        certificate: what proves that a step stays on its mode.
     """
 
     model: Model
@@ -66,12 +68,12 @@ class DriveKinematics:
     driven: tuple[int, ...]
     chosen: tuple[int, ...]
     scalar: tuple[tuple[int, int], ...]
-    turns: tuple[tuple[int, int], ...]
     sliding: tuple[int, ...]
     platform: int
     tool: tuple[float, ...]
     axes: tuple[int, ...]
     pose: Pose
+    certificate: ModeCertificate
 
     def values(self, name: str, q: np.ndarray) -> np.ndarray:
         """The first output (states, size) of a function of q, where run-time parameters have their declared values."""
@@ -113,19 +115,18 @@ def find_drive_kinematics(model: Model) -> DriveKinematics:
     known = len(axes) == len(LETTERS) or _orientation_is_constant(own, platform, axes)
     pose = _closed_form(own, platform) if known else NO_POSE
     keep = [f for f in (*NEEDED, *MARGINS, *(["inverse_kinematics"] if pose.entries else [])) if f in own.programs]
-    turned = [k for k, label in enumerate(q_labels) if label.endswith(".qw")]
     return DriveKinematics(
         model=replace(own.only(keep), name=f"{name}_drives"),
         drives=drives,
         driven=tuple(q_labels.index(label) for label in drives),
         chosen=order,
         scalar=tuple((k, v_labels.index(x)) for k, x in enumerate(q_labels) if x in v_labels),
-        turns=tuple((k, v_labels.index(f"{q_labels[k].removesuffix('.qw')}.wx")) for k in turned),
         sliding=tuple(k for k, x in enumerate(system.tree.q) if x.unit == "m"),
         platform=platform,
         tool=tuple(float(x) for x in point),
         axes=axes,
         pose=pose,
+        certificate=find_mode_certificate(own, [q_labels.index(drives[k]) for k in order]),
     )
 
 

@@ -14,6 +14,7 @@ import numpy as np
 from symscrew.export.c import print_c
 from symscrew.export.drive_kinematics import LETTERS, MARGINS, DriveKinematics
 from symscrew.export.listing import decimal, wrapped
+from symscrew.export.mode_certificate import certificate_part
 from symscrew.program import Iteration
 
 HOST = "drive_kinematics_host.c"
@@ -44,8 +45,6 @@ def tables(kinematics: DriveKinematics) -> list[str]:
         "N_FREE": len(chosen),
         "N_Q": len(system.tree.q),
         "N_V": len(system.tree.v),
-        "N_SCALAR": len(kinematics.scalar),
-        "N_TURN": len(kinematics.turns),
         "N_POSES": poses,
         "PLATFORM": 12 * kinematics.platform,
         "N_MARGINS": count,
@@ -54,18 +53,12 @@ def tables(kinematics: DriveKinematics) -> list[str]:
     lines = [f"#define {name} {size}" for name, size in sizes.items()]
     lines += [f"#define PER_LENGTH {decimal(1 / length)}", "#define PI 3.14159265358979323846", ""]
     lines += _calls(kinematics)
-    pairs = kinematics.scalar
     lines += ["", *_array("double", "reference_q", np.array(system.reference))]
     lines += _array("int", "chosen_joint", kinematics.chosen) + _array("int", "chosen_q", chosen)
     if not kinematics.pose.entries:
         lines += _array("double", "chosen_unit", [length if k in sliding else 1.0 for k in chosen])
         lines += _array("int", "commanded", kinematics.axes)
     lines += _array("int", "driven_q", kinematics.driven)
-    lines += _array("int", "scalar_q", [k for k, _ in pairs]) + _array("int", "scalar_v", [k for _, k in pairs])
-    lines += _array("double", "scalar_unit", [1 / length if k in sliding else 1.0 for k, _ in pairs])
-    lines += _array("int", "turn_q", [k for k, _ in kinematics.turns]) + _array(
-        "int", "turn_v", [k for _, k in kinematics.turns]
-    )
     lines += _array("double", "tool_point", kinematics.tool)
     if kinematics.pose.entries:
         lines += _array("int", "pose_entry", [AXES.index(name) for name in kinematics.pose.entries])
@@ -129,7 +122,8 @@ def margins(kinematics: DriveKinematics) -> str:
 def kinematics_part(kinematics: DriveKinematics) -> list[str]:
     """Tables and what follows a mode, for the file of a controller."""
     text = template(TEMPLATE).replace("    MARGINS\n", f"    {margins(kinematics)}\n" if margins(kinematics) else "")
-    return ["#include <math.h>", "", *tables(kinematics), "", *text.splitlines()]
+    proof = certificate_part(kinematics.certificate)
+    return ["#include <math.h>", "", *tables(kinematics), "", *proof, "", *text.splitlines()]
 
 
 def print_drive_host(kinematics: DriveKinematics) -> dict[str, str]:

@@ -31,6 +31,20 @@ int NAME_jacobian(const double *q, const double *tool, double *jacobian, double 
     return status != FOLLOW_OK ? status : tool_jacobian(q, world, at, jacobian);
 }
 
+/* Velocity of the tool, and of the platform's turning, by the chosen drives, (6 x N_FREE) by columns; rotation by columns
+   and place of the tool. */
+int NAME_twists(const double *q, const double *tool, double *twists, double *frame)
+{
+    DriveState state = {.tolerance = 1e-6};
+    double world[6], poses[N_POSES];
+    memcpy(state.tool, tool, sizeof state.tool);
+    if (tool_axes(&state, q, world, frame + 9) != FOLLOW_OK || BODY_POSES(q, poses) > 0) {
+        return FOLLOW_SINGULAR;
+    }
+    memcpy(frame, poses + PLATFORM, 9 * sizeof *frame);
+    return tool_twists(q, frame + 9, twists);
+}
+
 int NAME_mode(const double *q)
 {
     return mode_at(q);

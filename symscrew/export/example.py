@@ -15,6 +15,7 @@ from symscrew.program import Port
 # of gcc: without it the register allocation of a long function takes most of the time, for no faster code
 SPILLS = "--param=lra-max-considered-reload-pseudos=5"
 WIDTH = 112  # characters of a line of labels
+LONGEST = 190  # lines of the program: it is read as a whole
 SHOWN = (
     "assemble",
     "velocity",
@@ -25,7 +26,7 @@ SHOWN = (
     "joint_reactions",
 )
 
-PRINT = """/* Prints an array, an entry a line: its label and unit, and the number. */
+PRINT_ARRAY = """/* Prints an array, an entry a line: its label and unit, and the number. */
 static void print_array(
     const char *name, const REAL *array, size_t size, const char *const *labels)
 {
@@ -35,72 +36,115 @@ static void print_array(
     }
 }
 """
+PRINT_COLUMNS = """/* Prints a matrix, a column of it a line: what it is of, and the numbers. */
+static void print_columns(
+    const char *name, const REAL *array, size_t rows, size_t columns, const char *const *labels)
+{
+    printf("  %s\\n", name);
+    for (size_t k = 0; k < columns; ++k) {
+        printf("    %-24s", labels[k]);
+        for (size_t i = 0; i < rows; ++i) {
+            printf(" % .6g", (double)array[k * rows + i]);
+        }
+        printf("\\n");
+    }
+}
+"""
 
 
 def print_example(model: Model, precision: Precision = DOUBLE, sources: Sequence[str] = ()) -> str:
-    """`example.c`: calls what matters most at the first test state, prints results with labels and units."""
+    """`example.c`: calls what matters most at the first test state, prints results with labels and units.
+
+    It stays short enough to be read as a whole: of a large mechanism it calls fewer functions.
+    """
     names = [name for name in SHOWN if name in model.programs] or list(model.programs)[:3]
+    while len(lines := _lines(model, names, precision, sources)) > LONGEST and len(names) > 1:
+        names = names[:-1]
+    return "\n".join([*lines, ""])
+
+
+def _lines(model: Model, names: Sequence[str], precision: Precision, sources: Sequence[str]) -> list[str]:
     files = " ".join(sources or [f"{model.name}.c"])
     lines = ["/*", *(f" * {line}".rstrip() for line in banner(model)[:3]), " *"]
     lines += [f" * {line}" for line in wrapped(f"cc -std=c99 -O2 -fno-math-errno example.c {files} -lm -o example")]
     lines += [" * ./example", " */", f'#include "{model.name}.h"', "", "#include <stdio.h>", ""]
-    given = _Given(precision)
-    calls = [line for name in names for line in ("", *_call(model, name, given, precision=precision))]
-    lines += [*given.lines(), "", *PRINT.replace("REAL", precision.real).splitlines(), *calls]
-    lines += ["", "int main(void)", "{", "    int failures = 0;"]
+    given, labels = _Arrays("given"), _Arrays("labels")
+    calls = [line for name in names for line in ("", *_call(model, name, precision, given=given, labels=labels))]
+    lines += ["/* A state of the mechanism: replace it by your own. The header says what the entries are. */"]
+    for name, (port, numbers) in given.known.items():
+        units = unit_of(port) or ", ".join(dict.fromkeys(port.units))
+        lines.append(f"static const {precision.real} {name}[{port.size}] = {{ /* {plain(f'[{units}]')} */")
+        entries = ", ".join(number.strip("()") for number in numbers)
+        lines += [*wrapped(entries, first="    ", later="    ", width=WIDTH - 2), "};"]
+    lines += ["", "/* What entries of results are. */"] if labels.known else []
+    for name, (_, texts) in labels.known.items():
+        lines.append(f"static const char *const {name}[{len(texts)}] = {{")
+        lines += [*_packed([f'"{text}"' for text in texts], "    "), "};"]
+    for routine, text in (("print_array", PRINT_ARRAY), ("print_columns", PRINT_COLUMNS)):
+        if any(f" {routine}(" in line for line in calls):
+            lines += ["", *text.replace("REAL", precision.real).splitlines()]
+    lines += [*calls, "", "int main(void)", "{", "    int failures = 0;"]
     lines += [f"    failures += show_{name}() > 0;" for name in names]
-    return "\n".join([*lines, "    return failures != 0;", "}", ""])
+    return [*lines, "    return failures != 0;", "}"]
 
 
-class _Given:
-    """The arrays that functions are called with, each once."""
+class _Arrays:
+    """Constant arrays of the file, each once however many functions take it."""
 
-    def __init__(self, precision: Precision) -> None:
-        self.precision = precision
-        self.arrays: dict[tuple[str, tuple[str, ...]], tuple[str, Port]] = {}
+    def __init__(self, prefix: str) -> None:
+        self.prefix = prefix
+        self.known: dict[str, tuple[Port, tuple[str, ...]]] = {}
 
-    def name(self, port: Port, state: np.ndarray) -> str:
-        """What an array with these numbers is called."""
-        key = port.name, tuple(self.precision.number(x) for x in state)
-        if key not in self.arrays:
-            number = 1 + sum(name == port.name for name, _ in self.arrays)
-            self.arrays[key] = f"given_{port.name}{number if number > 1 else ''}", port
-        return self.arrays[key][0]
-
-    def lines(self) -> list[str]:
-        """Their definitions: some numbers a line, the first entry's label in front."""
-        lines = ["/* A state of the mechanism: replace it by your own. The header says what the entries are. */"]
-        for (_, numbers), (name, port) in self.arrays.items():
-            units = unit_of(port) or ", ".join(dict.fromkeys(port.units))
-            lines.append(f"static const {self.precision.real} {name}[{port.size}] = {{ /* {plain(f'[{units}]')} */")
-            lines += [*_several([number.strip("()") for number in numbers], "    "), "};"]
-        return lines
+    def name(self, port: Port, entries: Sequence[str]) -> str:
+        """What an array with these entries is called."""
+        same = [name for name, (p, known) in self.known.items() if p.name == port.name and known == tuple(entries)]
+        if same:
+            return same[0]
+        number = 1 + sum(p.name == port.name for p, _ in self.known.values())
+        name = f"{self.prefix}_{port.name}{number if number > 1 else ''}"
+        self.known[name] = port, tuple(entries)
+        return name
 
 
-def _several(entries: Sequence[str], indent: str) -> list[str]:
-    """Entries with commas, some a line."""
-    return wrapped(", ".join(entries), first=indent, later=indent, width=110)
-
-
-def _call(model: Model, name: str, given: _Given, *, precision: Precision) -> list[str]:
+def _call(model: Model, name: str, precision: Precision, *, given: _Arrays, labels: _Arrays) -> list[str]:
     """`show_<name>`: calls a function at one state and prints what it gives."""
     program, symbol = model.programs[name], f"{model.name}_{name}"
     states = [np.atleast_2d(array)[0] for array in model.test_inputs[name]]
     pairs = zip(program.inputs, states, strict=True)
-    arguments = [given.name(port, state) if port.size else "NULL" for port, state in pairs]
+    arguments = [
+        given.name(port, [precision.number(x) for x in state]) if port.size else "NULL" for port, state in pairs
+    ]
     outputs = [port for port in program.outputs if port.size]
     arguments += [f"{port.name}_found" if port.size else "NULL" for port in program.outputs]
     lines = [f"static int show_{name}(void)", "{"]
-    for port in outputs:
-        lines.append(f"    static const char *const {port.name}_labels[{port.size}] = {{")
-        lines += [*_packed([f'"{_entry(port, k)}"' for k in range(port.size)], "        "), "    };"]
     lines += [f"    {precision.real} {port.name}_found[{port.size}];" for port in outputs]
     lines += wrapped_code(f"const int status = {symbol}({', '.join(arguments)});")
     lines += [f'    printf("{symbol}: status %d, %s\\n", status, {model.name}_status_text(status));']
-    lines += [
-        f'    print_array("{port.name}", {port.name}_found, {port.size}, {port.name}_labels);' for port in outputs
-    ]
+    for port in outputs:
+        columns = _columns(port)
+        if columns is None:
+            of = labels.name(port, [_entry(port, k) for k in range(port.size)])
+            lines += wrapped_code(f'print_array("{port.name}", {port.name}_found, {port.size}, {of});')
+        else:
+            of, rows = labels.name(port, columns[0]), len(columns[1])
+            lines.append(f'    print_columns("{port.name}: {", ".join(columns[1])}",')
+            lines.append(f"        {port.name}_found, {rows}, {len(columns[0])}, {of});")
     return [*lines, "    return status;", "}"]
+
+
+def _columns(port: Port) -> tuple[list[str], list[str]] | None:
+    """(what the columns of a matrix are of, what its rows are with units), where labels say both; else None."""
+    if len(port.shape) != 2 or min(port.shape) < 2 or len(port.labels) != port.size:
+        return None
+    rows = port.shape[0]
+    pairs = [label.rpartition(".") for label in port.labels]
+    columns = [plain(pairs[k][0]).replace('"', "'") for k in range(0, port.size, rows)]
+    of_rows = [f"{pairs[k][2]} [{port.units[k]}]" for k in range(rows)]
+    same = all(
+        pair[0] == pairs[k - k % rows][0] and f"{pair[2]} [{port.units[k]}]" == of_rows[k % rows]
+        for k, pair in enumerate(pairs)
+    )
+    return (columns, [plain(text).replace('"', "'") for text in of_rows]) if same and all(columns) else None
 
 
 def _packed(entries: Sequence[str], indent: str) -> list[str]:

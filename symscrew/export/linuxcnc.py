@@ -2,7 +2,7 @@
 
     halcompile --compile <name>kins.c          KINEMATICS = <name>kins in the ini file
 
-The forward kinematics follow the mode of the last pose in steps that the rates confirm, and refuse what none lead to.
+The forward kinematics follow the mode of the last pose in steps that are proved, and refuse what none lead to.
 The interface is that of `kinematics.h` of LinuxCNC 2.9 and of its master branch; neither has functions for a Jacobian
 or a tool frame, so that these are pins.
 """

@@ -1,9 +1,11 @@
-"""README.md of a generated directory: what is in it, and an example of about ten lines per target that runs."""
+"""README.md of a generated directory: what is in it, what it means, and an example of about ten lines per target."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
+from types import MappingProxyType
 
 import numpy as np
 
@@ -12,6 +14,14 @@ from symscrew.export.c_files import family
 from symscrew.export.c_form import library_sources
 from symscrew.export.c_precision import DOUBLE, Precision
 from symscrew.export.listing import banner, plain
+from symscrew.export.readme_tables import (
+    convention_list,
+    coordinate_tables,
+    recipe_table,
+    size_section,
+    status_table,
+    table,
+)
 from symscrew.model import Model
 from symscrew.program import Iteration, Port, Program
 
@@ -28,7 +38,7 @@ def print_readme(
     precision: Precision = DOUBLE,
     further: Sequence[str] = (),
     *,
-    files: Sequence[str] = (),
+    files: Mapping[str, int] = MappingProxyType({}),
 ) -> str:
     """The text; deterministic, its examples use the first test state of one function.
 
@@ -37,7 +47,7 @@ def print_readme(
         targets: name to what its files are, in which {0} stands for the model's name.
         precision: of the C.
         further: lines at the end.
-        files: all files of the folder, among them the sources of C.
+        files: all files of the folder, among them the sources of C, with their bytes.
     """
     sources = library_sources(files, model.name) or [f"{model.name}.c"]
     name = _shown(model)
@@ -46,8 +56,11 @@ def print_readme(
     for target, about in targets.items():
         lines += [f"- {about.format(model.name)}", *(_sources(model, sources) if target == "c" else [])]
     lines += [f"- {text}" for text in ALWAYS]
-    lines += ["", "## Functions", "", "| function | arguments | results |", "|---|---|---|"]
-    lines += [f"| `{n}` | {_ports(p.inputs)} | {_ports(p.outputs)} |" for n, p in model.programs.items()]
+    lines += ["", *coordinate_tables(model), "", "## Functions", ""]
+    rows = [[f"`{n}`", _ports(p.inputs), _ports(p.outputs), _first_sentence(p)] for n, p in model.programs.items()]
+    lines += table(("function", "arguments", "results", "is"), rows)
+    for section in (recipe_table(model), status_table(model), convention_list(model), size_section(model, files)):
+        lines += ["", *section] if section else []
     lines += ["", *_about(program, name)]
     examples: dict[str, list[Callable[..., list[str]]]] = {
         "c": [partial(_c, precision=precision, sources=sources), partial(_cpp, precision=precision, sources=sources)],
@@ -91,6 +104,10 @@ def _shown(model: Model) -> str:
 
 def _ports(ports: Sequence[Port]) -> str:
     return ", ".join(f"{port.name}[{port.size}]" for port in ports)
+
+
+def _first_sentence(program: Program | Iteration) -> str:
+    return markdown_text(re.split(r"\. (?=[A-Z])", plain(program.description))[0].rstrip("."))
 
 
 def _about(program: Program | Iteration, name: str) -> list[str]:

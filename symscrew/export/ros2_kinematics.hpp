@@ -11,6 +11,7 @@ int @FOLLOW@_forward(double *q, const double *tool, const double *joint, double 
 int @FOLLOW@_inverse(double *q, const double *tool, const double *world, double *joint);
 int @FOLLOW@_jacobian(const double *q, const double *tool, double *jacobian, double *margin);
 int @FOLLOW@_joint_rates(const double *q, double *rates);
+int @FOLLOW@_twists(const double *q, const double *tool, double *twists, double *frame);
 int @FOLLOW@_mode(const double *q);
 void @FOLLOW@_home(double *q);
 }
@@ -23,9 +24,12 @@ class Kinematics {
 public:
     static constexpr std::size_t drives = @DRIVES@, freedoms = @FREEDOMS@, coordinates = @COORDINATES@;
     static constexpr std::array<std::size_t, freedoms> axes{@AXES@};     /* of X, Y, Z, A, B, C: those that are commanded */
+    static constexpr double per_length = @PER_LENGTH@; /* one over the characteristic length [1/m] */
     static constexpr std::array<std::size_t, freedoms> chosen{@CHOSEN@}; /* drives that the tool follows from */
     using Drives = std::array<double, drives>;
     using Axes = std::array<double, freedoms>;
+    using Twists = std::array<double, 6 * freedoms>;
+    using Frame = std::array<double, 12>;
     using Pose = std::array<double, 6>; /* X, Y, Z, A, B, C: R = Rz(C) Ry(B) Rx(A) */
 
     Kinematics() noexcept { home(); }
@@ -147,6 +151,50 @@ public:
             return status != 0 ? status : singular;
         }
         efforts = own;
+        return 0;
+    }
+
+    /* Velocity of the tool and angular velocity by the chosen drives, (6 x freedoms) by columns. */
+    int twists(Twists &found) const noexcept
+    {
+        Frame place{};
+        return @FOLLOW@_twists(q_.data(), tool_.data(), found.data(), place.data());
+    }
+
+    /* Where the tool is: rotation by columns, place. */
+    int frame(Frame &found) const noexcept
+    {
+        Twists by_drives{};
+        return @FOLLOW@_twists(q_.data(), tool_.data(), by_drives.data(), found.data());
+    }
+
+    /* Rates of all drives whose twist is nearest to the given one (v ; omega), lengths by the characteristic length. */
+    int drives_of_twist(const std::array<double, 6> &twist, Drives &drive_rates) const noexcept
+    {
+        Twists every{};
+        Square square{};
+        Axes own{};
+        int status = twists(every);
+        for (std::size_t i = 0; i < freedoms; ++i) {
+            for (std::size_t k = 0; k < 6; ++k) {
+                const double weight = k < 3 ? per_length * per_length : 1.0;
+                own[i] += weight * every[k + 6 * i] * twist[k];
+                for (std::size_t j = 0; j < freedoms; ++j) {
+                    square[i][j] += weight * every[k + 6 * i] * every[k + 6 * j];
+                }
+            }
+        }
+        std::array<double, drives * freedoms> rates{};
+        status = status != 0 ? status : @FOLLOW@_joint_rates(q_.data(), rates.data());
+        if (status != 0 || !solve(square, own)) {
+            return status != 0 ? status : singular;
+        }
+        for (std::size_t k = 0; k < drives; ++k) {
+            drive_rates[k] = 0.0;
+            for (std::size_t j = 0; j < freedoms; ++j) {
+                drive_rates[k] += rates[k + j * drives] * own[j];
+            }
+        }
         return 0;
     }
 

@@ -5,7 +5,7 @@ text = text_of(mechanism, ".xml")          # ".urdf", ".xml" or ".mjcf", ".toml"
 
 by_suffix               the table of formats: a further one is a file and a line in it
 urdf_reader, mjcf_reader    what is read and what is refused: file -> Draft (with files of loops, forces, couplings,
-                        actuators, transmissions, masses, keyframes)
+                        actuators, transmissions, masses, keyframes, models composed of others)
 draft, from_draft       what a file says; as a mechanism and what is beside it (with file_names, merged_joints)
 import_options, imported    what whoever imports allows; the mechanism, effects, limits, and what became of everything
 open_loops, physical_inertias, rigid_groups, mesh_inertias   open loops, impossible inertias, bodies of triangles

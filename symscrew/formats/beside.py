@@ -21,6 +21,11 @@ def loads_of(draft: Draft, points: Mapping[str, str]) -> tuple[Mapping[str, Any]
     return tuple(tables)
 
 
+def drags_of(draft: Draft, bodies: Mapping[str, str]) -> tuple[Mapping[str, Any], ...]:
+    """What a medium does to bodies; `bodies`: body of the file -> body of the mechanism."""
+    return tuple({"kind": "drag", "body": bodies[body], **table} for body, table in draft.drags.items())
+
+
 def forces_of(draft: Draft, named: Named) -> tuple[Mapping[str, Any], ...]:
     """The draft's forces of joints; `named`: joint of the file -> (joint of the mechanism, freedom or None)."""
     tables: list[dict[str, Any]] = []

@@ -150,7 +150,7 @@ def _text_and_rest(
         return known[suffix](model), []
     left = [*beside.others]
     kept = tuple(force for force in beside.forces if form.holds(model, force))
-    left += [f"{f['kind']} of {f.get('joint', f.get('point'))}" for f in beside.forces if f not in kept]
+    left += [f"{f['kind']} of {f.get('joint', f.get('point', f.get('body')))}" for f in beside.forces if f not in kept]
     if not form.gravity and beside.gravity not in (None, USUAL_GRAVITY):
         left.append(f"gravity {beside.gravity}")
     if left and not beside.accept:

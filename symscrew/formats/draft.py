@@ -16,12 +16,16 @@ from symscrew.formats.rigid_displacements import Pose, Real, Rotation, Triple
 
 @dataclass(frozen=True)
 class RawBody:
-    """A body: mass [kg], centre of mass [m] and inertia about it, or None for a body without mass."""
+    """A body: mass [kg], centre of mass [m] and inertia about it, or None for a body without mass.
+
+    `axes`: the principal ones as columns, where the file gives them.
+    """
 
     name: str
     mass: Real | None = None
     com: Triple | None = None
     inertia: Rotation | None = None
+    axes: Rotation | None = None
 
 
 @dataclass(frozen=True)
@@ -102,7 +106,7 @@ class Draft:
     `ledger` says what became of what the file holds besides; `gravity` [m/s^2] is the file's own where it is not the
     usual one; `configurations`: coordinates by name, in the file's order; `starts`: the same by joint and coordinate;
     `parts_of`: name of a joint that is part of another now -> that one and its freedom there (None: none of its own);
-    `frames`: joints' own axes;
+    `frames`: joints' own axes; `drags`: body -> what a medium does to it, as keys of a table;
     `notes` are for people, nothing depends on them.
     """
 
@@ -118,6 +122,7 @@ class Draft:
     couplings: list[RawCoupling] = field(default_factory=list)
     effects: list[RawEffect] = field(default_factory=list)
     loads: list[RawLoad] = field(default_factory=list)
+    drags: dict[str, Mapping[str, Any]] = field(default_factory=dict)
     limits: dict[str, Limits] = field(default_factory=dict)
     ledger: Ledger = field(default_factory=Ledger)
     gravity: tuple[str, ...] | None = None

@@ -11,7 +11,7 @@ from collections.abc import Iterable, Mapping, Sequence
 
 from symscrew.description import Mechanism, MechanismBuilder
 from symscrew.errors import DescriptionError
-from symscrew.formats.beside import account_of, forces_of, limits_of, loads_of, starts_of
+from symscrew.formats.beside import account_of, drags_of, forces_of, limits_of, loads_of, starts_of
 from symscrew.formats.draft import Draft, RawBody, RawJoint
 from symscrew.formats.file_names import fresh, mechanism_name, printable, safe_names
 from symscrew.formats.import_options import ImportOptions
@@ -52,7 +52,9 @@ def imported(draft: Draft, options: ImportOptions) -> Imported:
 
     return Imported(
         made,
-        forces_of(draft, named) + loads_of(draft, safe_names(name for name, _, _ in draft.points)),
+        forces_of(draft, named)
+        + loads_of(draft, safe_names(name for name, _, _ in draft.points))
+        + drags_of(draft, named_bodies),
         {named(joint)[0]: limits_of(found) for joint, found in draft.limits.items() if joint in places},
         {name: tuple(map(float, values)) for name, values in draft.configurations.items()},
         account,

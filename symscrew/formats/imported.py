@@ -65,7 +65,8 @@ class Imported:
     Attributes:
         mechanism: bodies, joints, couplings.
         forces: what the file says of forces: kind (armature, damping, friction, spring, servo), the joint, the freedom
-            of a joint with several, and its numbers; kind load, the point, and the wrench where it is no input. See
+            of a joint with several, and its numbers; kind load, the point, and the wrench where it is no input; kind
+            drag, the body, and its numbers. See
             `symscrew.effects.effects_of_file`.
         limits: joint -> its limits.
         configurations: name -> coordinates in the file's own order.

@@ -16,6 +16,7 @@ from symscrew.formats.draft import Draft, RawBody, RawJoint, RawLoad
 from symscrew.formats.file_names import fresh
 from symscrew.formats.merged_joints import one_joint
 from symscrew.formats.mesh_inertias import Meshes
+from symscrew.formats.mjcf_composed import ATTACHED
 from symscrew.formats.mjcf_couplings import Tied
 from symscrew.formats.mjcf_forces import joint_forces
 from symscrew.formats.mjcf_geoms import Solid, solid, together
@@ -39,7 +40,7 @@ from symscrew.formats.rigid_displacements import (
 from symscrew.formats.safe_xml import Element, check_attributes, elements, label, number, numbers
 
 USUAL_GRAVITY = ("0", "0", "-9.81")
-IN_BODY = ("body", "frame", "joint", "freejoint", "geom", "site", "inertial", "camera", "light")
+IN_BODY = ("body", "frame", "joint", "freejoint", "geom", "site", "inertial", "camera", "light", ATTACHED)
 
 
 @dataclass
@@ -48,7 +49,8 @@ class Reading:
 
     `screws`: slide -> the coupling that may make a screw of it and its hinge; `values`: hinge or slide -> its
     coordinate in the reference configuration; `displaced`: joint -> by how much that differs from the file's;
-    `listed`: joints in the order of the file's coordinates.
+    `listed`: joints in the order of the file's coordinates; `parts`: settings and meshes of the models in the file;
+    `in_medium`: bodies have drag.
     """
 
     settings: Settings
@@ -63,6 +65,13 @@ class Reading:
     seen: set[str] = field(default_factory=set)
     made_screws: set[str] = field(default_factory=set)
     listed: list[Listed] = field(default_factory=list)
+    parts: Sequence[tuple[Settings, Meshes]] = ()
+    in_medium: bool = False
+
+    def within(self, attached: Element) -> Reading:
+        """The same reading with the units, classes and meshes of a model that is attached."""
+        chosen, meshes = self.parts[int(attached.attrib["part"])]
+        return replace(self, settings=chosen, meshes=meshes)
 
 
 @dataclass(frozen=True)
@@ -76,11 +85,20 @@ class Place:
 
 @dataclass(frozen=True)
 class Part:
-    """A joint, geom or inertial of a body, with the class that it inherits and the pose that it refers to."""
+    """A joint, geom or inertial of a body, with the class that it inherits and the pose that it refers to.
+
+    `reading` has the settings of the model that it is of.
+    """
 
     element: Element
     childclass: str | None
     pose: Pose
+    reading: Reading
+
+    @property
+    def attributes(self) -> Attributes:
+        """Its own over those of its class."""
+        return self.reading.settings.merged(self.element, self.element.tag, self.childclass)
 
 
 def read_children(reading: Reading, parent: Element, place: Place) -> None:
@@ -92,6 +110,8 @@ def read_children(reading: Reading, parent: Element, place: Place) -> None:
             check_attributes(child, READ["frame"])
             inner = place.pose @ reading.settings.pose(child.attrib, label(child))
             read_children(reading, child, Place(place.body, inner, child.get("childclass") or place.childclass))
+        elif child.tag == ATTACHED:
+            read_children(reading.within(child), child, replace(place, childclass=child.attrib["childclass"]))
         elif child.tag == "body":
             _read_body(reading, child, place)
         elif child.tag == "site":
@@ -109,7 +129,7 @@ def _read_body(reading: Reading, element: Element, outer: Place) -> None:
         raise DescriptionError(f"{where}: two bodies have this name")
     name = name or fresh("body", reading.poses)
     pose = outer.pose @ reading.settings.pose(element.attrib, where)
-    own = _own(element, inherited, pose, reading.settings)
+    own = _own(reading, element, inherited, pose)
     joints, moved = _joints(reading, outer.body, Place(name, pose, inherited), own)
     pose = moved @ pose
     own = [replace(part, pose=moved @ part.pose) for part in own]
@@ -133,15 +153,17 @@ def _carry(draft: Draft, body: RawBody, share: Real) -> None:
     draft.ledger.turned("gravcomp: a force at the centre of mass")
 
 
-def _own(element: Element, inherited: str | None, pose: Pose, settings: Settings) -> list[Part]:
-    """Joints, geoms and inertials of a body, through its frames."""
+def _own(reading: Reading, element: Element, inherited: str | None, pose: Pose) -> list[Part]:
+    """Joints, geoms and inertials of a body, through its frames and what is attached to it."""
     found: list[Part] = []
     for child in elements(element):
         if child.tag == "frame":
-            inner = pose @ settings.pose(child.attrib, label(child))
-            found += _own(child, child.get("childclass") or inherited, inner, settings)
+            inner = pose @ reading.settings.pose(child.attrib, label(child))
+            found += _own(reading, child, child.get("childclass") or inherited, inner)
+        elif child.tag == ATTACHED:
+            found += _own(reading.within(child), child, child.attrib["childclass"], pose)
         elif child.tag in ("joint", "freejoint", "geom", "inertial"):
-            found.append(Part(child, inherited, pose))
+            found.append(Part(child, inherited, pose, reading))
     return found
 
 
@@ -151,34 +173,37 @@ def _body(reading: Reading, name: str, own: Sequence[Part]) -> RawBody:
     given = [part for part in own if part.element.tag == "inertial"]
     geoms = [part for part in own if part.element.tag == "geom"]
     for part in geoms:
-        attributes = chosen.merged(part.element, "geom", part.childclass)
+        attributes = part.attributes
         if attributes.get("contype", "1") != "0" or attributes.get("conaffinity", "1") != "0":
             reading.result.ledger.passed("contacts of geoms")
+        if reading.in_medium and attributes.get("fluidshape", "none") != "none":
+            reading.result.ledger.lost("fluidshape of geoms: a model of the medium of their own")
     found: Solid | None = None
     if chosen.from_geoms == "true" or (chosen.from_geoms == "auto" and not given):
         solids = [
             solid(
-                attributes,
-                chosen,
+                part.attributes,
+                part.reading.settings,
                 part.pose,
                 where=f"<body name={name!r}>, {label(part.element)}",
-                meshes=reading.meshes,
+                meshes=part.reading.meshes,
             )
-            for part, attributes in ((p, chosen.merged(p.element, "geom", p.childclass)) for p in geoms)
+            for part in geoms
         ]
         found = together([solid for solid in solids if solid is not None])
     elif given:
-        found = _inertial(chosen, given[0].element, given[0].pose, f"<body name={name!r}>, <inertial>")
-    return RawBody(name) if found is None else RawBody(name, found.mass, found.com, found.inertia)
+        found = _inertial(given[0], f"<body name={name!r}>, <inertial>")
+    return RawBody(name) if found is None else RawBody(name, found.mass, found.com, found.inertia, found.axes)
 
 
-def _inertial(chosen: Settings, element: Element, pose: Pose, where: str) -> Solid | None:
+def _inertial(part: Part, where: str) -> Solid | None:
+    element = part.element
     check_attributes(element, READ["inertial"], where)
     for key in ("mass", "pos"):
         if key not in element.attrib:
             raise DescriptionError(f"{where}: the attribute {key!r} is missing")
     mass = real(number(element.attrib["mass"], f"{where}, mass"))
-    frame = pose @ chosen.pose(element.attrib, where)
+    frame = part.pose @ part.reading.settings.pose(element.attrib, where)
     zero = ZERO[0]
     if "fullinertia" in element.attrib:
         if "diaginertia" in element.attrib:
@@ -191,7 +216,8 @@ def _inertial(chosen: Settings, element: Element, pose: Pose, where: str) -> Sol
     if mass == 0 and not any((xx, yy, zz, xy, xz, yz)):
         return None
     matrix: Rotation = ((xx, xy, xz), (xy, yy, yz), (xz, yz, zz))
-    return Solid(mass, frame.translation, turned_inertia(frame.rotation, matrix))
+    axes = None if "fullinertia" in element.attrib else frame.rotation
+    return Solid(mass, frame.translation, turned_inertia(frame.rotation, matrix), axes)
 
 
 def _joints(reading: Reading, parent: str, place: Place, own: Sequence[Part]) -> tuple[list[RawJoint], Pose]:
@@ -231,14 +257,14 @@ def _displacement(joint: RawJoint, amount: Real | None) -> Pose:
 
 def _joint(reading: Reading, part: Part, body: Pose) -> RawJoint:
     """One joint of a body that is at the pose `body`; its ends are filled in later."""
-    element, place, chosen = part.element, part.pose, reading.settings
+    element, place, chosen = part.element, part.pose, part.reading.settings
     if element.tag == "freejoint":
         check_attributes(element, READ["freejoint"])
         if element.get("align", "false") not in ("false", "auto"):
             raise DescriptionError(f"{label(element)}: align is not supported")
         attributes: Attributes = {**element.attrib, "type": "free"}
     else:
-        attributes = chosen.merged(element, "joint", part.childclass)
+        attributes = part.attributes
     kind = attributes.get("type", "hinge")
     name = element.get("name")
     if name in reading.seen:

@@ -23,6 +23,8 @@ CARRIED = 1e-12
 
 def holds(mechanism: Mechanism, force: Mapping[str, Any]) -> bool:
     """Whether MJCF holds a force: a servo on a driven freedom, a wrench that carries a share of a body's weight."""
+    if force["kind"] == "drag":
+        return False
     if force["kind"] == "servo":
         return (force.get("freedom") or 0) in mechanism.joints[str(force["joint"])].driven
     if force["kind"] == "load":

@@ -36,11 +36,15 @@ WATER = "1000"
 
 @dataclass(frozen=True)
 class Solid:
-    """Mass [kg], centre of mass [m] and inertia about it [kg m^2], in the axes of the outer frame."""
+    """Mass [kg], centre of mass [m] and inertia about it [kg m^2], in the axes of the outer frame.
+
+    `axes`: principal ones as columns, where the form or the file has them.
+    """
 
     mass: Real
     com: Triple
     inertia: Rotation
+    axes: Rotation | None = None
 
 
 def solid(attributes: Attributes, settings: Settings, outer: Pose, *, where: str, meshes: Meshes) -> Solid | None:
@@ -77,7 +81,7 @@ def solid(attributes: Attributes, settings: Settings, outer: Pose, *, where: str
     zero = ZERO[0]
     frame = outer @ place
     matrix: Rotation = ((x, zero, zero), (zero, y, zero), (zero, zero, z))
-    return Solid(total, frame.translation, turned_inertia(frame.rotation, matrix))
+    return Solid(total, frame.translation, turned_inertia(frame.rotation, matrix), frame.rotation)
 
 
 def _bulky(bulk: Bulk, mass: Real, frame: Pose) -> Solid:
@@ -94,8 +98,8 @@ def _bulky(bulk: Bulk, mass: Real, frame: Pose) -> Solid:
 
 def together(solids: Sequence[Solid]) -> Solid | None:
     """One body of several solids; None for none."""
-    if not solids:
-        return None
+    if len(solids) < 2:
+        return solids[0] if solids else None
     mass = sum((s.mass for s in solids), start=ZERO[0])
     com = ZERO
     for part in solids:

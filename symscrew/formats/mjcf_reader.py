@@ -1,6 +1,7 @@
 """A mechanism from an MJCF (MuJoCo) file: bodies, joints, loops, couplings, forces.
 
-Read: hinge, slide, ball and free joints, several in a body; default classes, frames, all orientations, included files;
+Read: hinge, slide, ball and free joints, several in a body; default classes, frames, all orientations, included files,
+replicated elements, attached models;
 inertial elements and the inertias of boxes, spheres, capsules, cylinders, ellipsoids and meshes, as compiler settings
 inertiafromgeom and inertiagrouprange want it; equality connect and weld, of bodies or sites, joint and fixed tendon;
 actuators on joints, whose joints are driven. Armature, damping, friction, springs, servos and limits become effects and
@@ -21,14 +22,14 @@ from symscrew.formats.draft import Draft
 from symscrew.formats.exact_digits import with_exact_digits
 from symscrew.formats.import_options import ImportOptions
 from symscrew.formats.included_files import expanded
-from symscrew.formats.mesh_inertias import Meshes
 from symscrew.formats.mjcf_actuators import Actuators, actuator_forces
 from symscrew.formats.mjcf_bodies import Place, Reading, read_children
+from symscrew.formats.mjcf_composed import composed
 from symscrew.formats.mjcf_couplings import Tied, raw_coupling, read_couplings
 from symscrew.formats.mjcf_keyframes import keyframes
 from symscrew.formats.mjcf_loops import Placed, loops
 from symscrew.formats.mjcf_masses import settle_masses
-from symscrew.formats.mjcf_settings import settings
+from symscrew.formats.mjcf_medium import add_drags, medium
 from symscrew.formats.mjcf_transmissions import add_pulleys, tendon_forces, transmissions
 from symscrew.formats.open_loops import Closing
 from symscrew.formats.rigid_displacements import ZERO, Pose, Real, length, minus, real
@@ -55,12 +56,16 @@ def read_mjcf(root: Element, path: Path, options: ImportOptions) -> Draft:
     texts = {t.get("name"): t.get("data") or "" for c in elements(root, "custom") for t in elements(c, "text")}
     ground = texts.get("symscrew_ground", WORLD)
     result = Draft(model, ground, f"imported from the MJCF {path.name}", texts.get("symscrew_description", ""))
-    root = with_exact_digits(root, result.ledger) if options.exact else root
-    _check_sections(root, result)
-    chosen = settings(root, result)
+
+    def prepared(given: Element) -> Element:
+        _check_sections(given, result)
+        return with_exact_digits(given, result.ledger) if options.exact else given
+
+    whole = composed(root, path, result, prepared)
+    root, (chosen, meshes) = whole.root, whole.parts[0]
     if "symscrew_characteristic_length" in texts:
         result.characteristic_length = real(number(texts["symscrew_characteristic_length"], "<custom>, length"))
-    ties = read_couplings(root, chosen)
+    ties, around = read_couplings(root, chosen), medium(root)
     pulled = transmissions(root, chosen, ties)
     actuators = Actuators.of(root, chosen, pulled)
     reading = Reading(
@@ -68,14 +73,17 @@ def read_mjcf(root: Element, path: Path, options: ImportOptions) -> Draft:
         {next(iter(tied.first)): tied for tied in ties if tied.screw and not tied.powers[0]},
         actuators.driven(),
         result,
-        Meshes.of(root, path, chosen),
+        meshes,
         displaced=_offsets(ties),
+        parts=whole.parts,
+        in_medium=around is not None,
     )
     reading.poses[ground] = Pose()
     for world in elements(root, "worldbody"):
         check_attributes(world, ("name", "childclass"))
         read_children(reading, world, Place(ground, Pose(), world.get("childclass")))
     settle_masses(result, chosen, reading.poses)
+    add_drags(result, around)
     _check_all_found(reading, pulled.pulleys.values())
     tendon_forces(result, pulled, reading.values)
     actuator_forces(result, actuators, reading.sites, displaced=any(reading.displaced.values()))

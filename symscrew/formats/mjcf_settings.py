@@ -235,16 +235,12 @@ def _read_defaults(default: Element, found: dict[str, dict[str, dict[str, str]]]
 
 
 def _option(option: Element, draft: Draft) -> None:
-    """What the options add to the mechanics that a mechanism does not hold."""
+    """What the options add to the mechanics that a mechanism does not hold; the medium is in `mjcf_medium`."""
     gravity = option.get("gravity", "0 0 -9.81")
     if numbers(gravity, "<option>, gravity") != numbers("0 0 -9.81", ""):
         x, y, z = gravity.split()
         draft.gravity = (x, y, z)
         draft.ledger.turned("gravity")
-    medium = ("wind", "density", "viscosity")
-    for key in medium:
-        if any(value != 0 for value in numbers(option.get(key, "0"), f"<option>, {key}")):
-            draft.ledger.lost(f"{key} of the medium")
     for flag in elements(option, "flag"):
         for key in ("gravity", "equality", "actuation"):
             if flag.get(key, "enable") != "enable":

@@ -65,11 +65,12 @@ def read_urdf(root: Element, path: Path, options: ImportOptions) -> Draft:
         options: what else is accepted.
     """
     ledger = Ledger()
+    _check_expanded(root)
     root = with_exact_digits(root, ledger) if options.exact else root
     links = _named(elements(root, "link"), "link")
     joints = _named((joint for joint in elements(root, "joint") if not is_loop(joint)), "joint")
     if not links:
-        raise DescriptionError("<robot>: expected links, found none")
+        raise DescriptionError("<robot>: expected links, found none (a xacro file that only defines macros gives none)")
     carrier = _carriers(links, joints)
     roots = [name for name in links if name not in carrier]
     if len(roots) != 1:
@@ -108,6 +109,16 @@ def read_urdf(root: Element, path: Path, options: ImportOptions) -> Draft:
     result.notes += noted
     _left_out(result, root, links.values(), joints.values())
     return result
+
+
+def _check_expanded(root: Element) -> None:
+    """Refuses macros and includes of xacro, of which only the expansion is a robot; what it writes is read as it is."""
+    left = next((element for element in root.iter() if isinstance(element.tag, str) and "xacro}" in element.tag), None)
+    if left is not None:
+        raise DescriptionError(
+            f"<xacro:{_short(left)}>: it is the source of a URDF, whose macros only xacro expands: "
+            "pip install xacro; xacro FILE > robot.urdf (its expressions run as Python: of files that you trust only)"
+        )
 
 
 def _mimics(joints: Mapping[str, Element], ledger: Ledger) -> dict[str, tuple[str, Real, Real]]:

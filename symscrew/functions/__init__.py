@@ -2,7 +2,7 @@
 
 from symscrew.functions.checked import SUFFIX, checked_functions
 from symscrew.functions.closing import THRESHOLD, assembly, closure_functions, loop_notes, moved_by
-from symscrew.functions.coupling_forces import coupling_functions
+from symscrew.functions.coupling_forces import coupling_functions, rolling_functions
 from symscrew.functions.derivative import derivative_functions
 from symscrew.functions.dynamic import NO_DRIVE, Equations, all_reactions, dynamic_functions
 from symscrew.functions.effect_outputs import effect_functions
@@ -40,14 +40,17 @@ from symscrew.functions.ports import (
     v_port,
     y_port,
 )
+from symscrew.functions.presets import ALL, PRESETS, preset, selected
 from symscrew.functions.quantities import Quantities, Quantity
 from symscrew.functions.regressor import regressor_functions
 from symscrew.functions.second_order import HESSIAN, PRODUCT, second_order_functions
 from symscrew.functions.untried import untried_notes
 
 __all__ = [
+    "ALL",
     "HESSIAN",
     "NO_DRIVE",
+    "PRESETS",
     "PRODUCT",
     "REASONS",
     "SUFFIX",
@@ -90,10 +93,13 @@ __all__ = [
     "moves_mass",
     "moving_bodies",
     "platform_functions",
+    "preset",
     "q_port",
     "regressor_functions",
+    "rolling_functions",
     "second_order_functions",
     "second_paths",
+    "selected",
     "u_port",
     "untried_notes",
     "v_port",

@@ -54,6 +54,7 @@ def covers(system: System, acting: Acting) -> bool:
     """Whether the equations here hold for a system and what acts on it."""
     plain = not (acting.needs_reactions or acting.simplified or acting.transmissions or acting.bendings)
     changing = any(not coupling.linear for coupling in system.mechanism.couplings.values())  # J^T m changes with q
+    changing = changing or bool(system.structure.rolled)
     return bool(system.cuts) and not system.cut_drives() and plain and not changing
 
 

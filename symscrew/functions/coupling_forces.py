@@ -1,9 +1,10 @@
-"""What couplings of coordinates exert: the moment between two gears, the force of a tendon."""
+"""What couplings of coordinates and rolling wheels exert: the moment between two gears, the force on a wheel."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 
+from symscrew.algebra import Node, dot
 from symscrew.effects import Effect
 from symscrew.functions.closing import guarded
 from symscrew.functions.dynamic import Equations, reactions_inputs
@@ -13,6 +14,7 @@ from symscrew.loops import Loops
 from symscrew.program import Function, Port
 
 NAME = "coupling_forces"
+ROLLING = "rolling_forces"
 
 
 def coupling_functions(system: System, effects: Sequence[Effect], loops: Loops) -> list[Function]:
@@ -38,6 +40,30 @@ def coupling_functions(system: System, effects: Sequence[Effect], loops: Loops) 
     return [
         function(
             system, NAME, what, inputs=reactions_inputs(equations), outputs=[(port, values)], guards=guards,
+            notes=equations.notes,
+        )
+    ]  # fmt: skip
+
+
+def rolling_functions(system: System, effects: Sequence[Effect], loops: Loops) -> list[Function]:
+    """The forces on wheels that roll ideally, for a consistent state: ahead, aside and from the ground [N]."""
+    cuts = [cut for cut in system.cuts if cut.touch is not None]
+    if not cuts:
+        return []
+    equations = Equations(system, effects, cost=loops.cost)
+    reactions = equations.reactions(equations.solution.u)
+    values: list[Node] = []
+    for cut in cuts:
+        force, _ = reactions.wrenches[cut.joint.name]
+        pose = system.pose[cut.tip]
+        values += [system.tape.node(dot(force, pose.direction(row.force))) for row in cut.rows]
+    labels = tuple(row.label for cut in cuts for row in cut.rows)
+    port = Port("forces", (len(values),), ("N",) * len(values), labels, "on the wheel; normal: pulled where it is < 0")
+    what = "Forces on wheels that roll without sliding, from a consistent state of the tree."
+    guards = guarded((*equations.balance.guards, *equations.solution.guards, *reactions.guards))
+    return [
+        function(
+            system, ROLLING, what, inputs=reactions_inputs(equations), outputs=[(port, values)], guards=guards,
             notes=equations.notes,
         )
     ]  # fmt: skip

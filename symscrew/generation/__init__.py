@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from symscrew.doors import doors
 
 if TYPE_CHECKING:
-    from symscrew.generation.folder import EMBEDDED, generate, render
+    from symscrew.generation.folder import EMBEDDED, check_place, generate, render, with_hashes, write_folder
     from symscrew.generation.target_file import Case, Finding
     from symscrew.generation.targets import TARGETS, USUAL, by_value, printable, with_brought
     from symscrew.generation.value_comparison import Results, compare_values
@@ -23,11 +23,14 @@ __all__ = [
     "Finding",
     "Results",
     "by_value",
+    "check_place",
     "compare_values",
     "generate",
     "printable",
     "render",
     "with_brought",
+    "with_hashes",
+    "write_folder",
 ]
 
 __getattr__ = doors(__name__)

@@ -79,11 +79,29 @@ def generate(
         OutputError: the directory holds something else; nothing has been written then.
         DescriptionError: a format cannot hold the mechanism; nothing has been written then.
     """
+    check_place(out_dir)
+    files = render(model, targets, precision=precision, measured=measured, form=form, processes=processes)
+    return write_folder(with_hashes(files) if hashes_only else files, out_dir)
+
+
+def check_place(out_dir: str | Path) -> None:
+    """Whether a folder can be written anew; waits for whoever writes there.
+
+    Raises:
+        OutputError: it holds something that this tool did not write.
+    """
     directory = Path(os.path.abspath(out_dir))
     with one_at_a_time(directory.parent):  # whoever writes there has an end
         _earlier_files(directory)
-    files = render(model, targets, precision=precision, measured=measured, form=form, processes=processes)
-    files = with_hashes(files) if hashes_only else files
+
+
+def write_folder(files: Mapping[str, bytes], out_dir: str | Path) -> tuple[Path, ...]:
+    """Write the files of `render` as a folder and return their paths, sorted.
+
+    Raises:
+        OutputError: the folder holds something else, or cannot be written; nothing has been written then.
+    """
+    directory = Path(os.path.abspath(out_dir))
 
     def check() -> None:
         earlier = _earlier_files(directory)
@@ -146,7 +164,7 @@ def _made(order: Order, chosen: Sequence[str]) -> dict[str, str | bytes]:
     about = {target: TARGETS[target].about for target in chosen}
     counts: dict[str, Any] = {name: p.operations for name, p in model.programs.items()}
     made |= {
-        "README.md": print_readme(model, about, order.precision, further, files=[*made]),
+        "README.md": print_readme(model, about, order.precision, further, files=_sizes(made)),
         "ops.json": _table_text(counts | ({EMBEDDED: list(measured)} if measured else {})),
         "mechanism.toml": to_toml(model.mechanism),
     }
@@ -169,6 +187,11 @@ def with_hashes(files: Mapping[str, bytes]) -> dict[str, bytes]:
     kept = {name: data for name, data in files.items() if name.endswith(READ) and not name.endswith("_support.h")}
     others = {name: data for name, data in files.items() if name not in kept and not by_value(name)}
     return kept | {HASHES: print_hashes(others).encode("utf-8")}
+
+
+def _sizes(files: Mapping[str, str | bytes]) -> dict[str, int]:
+    """Bytes of every file."""
+    return {name: len(data.encode("utf-8") if isinstance(data, str) else data) for name, data in files.items()}
 
 
 def _table_text(table: Mapping[str, Any]) -> str:

@@ -156,7 +156,7 @@ def _main(model: Model, real: str) -> str:
 
 
 def call(
-    model: Model, directory: Path, given: Mapping[str, Sequence[np.ndarray]], kind: np.dtype[np.floating]
+    model: Model, directory: Path, given: Mapping[str, Sequence[np.ndarray]], kind: np.dtype[np.floating], *options: str
 ) -> dict[str, Results]:
     """Results of functions by the program that `build` made, at inputs (states, size), none of the others."""
     counts = {name: len(given[name][0]) if given.get(name) else int(name in given) for name in model.programs}
@@ -164,7 +164,7 @@ def call(
     for name, count in counts.items():
         columns = [np.asarray(x).reshape(count, x.shape[-1]) for x in given.get(name, ())]
         data += [np.array([count], kind), *((np.hstack(columns) if columns else np.zeros(0)).astype(kind).ravel(),)]
-    command = [str(directory / "main")]
+    command = [str(directory / "main"), *options]
     made = subprocess.run(command, input=np.concatenate(data).tobytes(), capture_output=True, check=True, timeout=LIMIT)
     numbers = np.frombuffer(made.stdout, kind)
     found = {}

@@ -65,7 +65,10 @@ UNIT = "`{0}.fmu`: functional mock-up unit, FMI 3.0, co-simulation and model exc
 RUST = "`{0}.rs`, `Cargo.toml`: a crate for Rust 1.63 and later, no_std, without unsafe and allocation"
 LINUXCNC = "`{0}kins.c`, `{0}_drives.h`, `{0}_drives.c`: kinematics module of LinuxCNC, for `halcompile`"
 TEXT = "`{0}.st`: function blocks in structured text, IEC 61131-3, for CODESYS, TwinCAT and others"
-ROS = "`{0}_kinematics.hpp`: C++17 without ROS; `{0}_transmission.hpp`, `package.xml` ...: a package of ros2_control"
+MODES = "`{0}_modes.c`, `{0}_modes.h`: all assembly modes as C, and the one that a motion stays on, certified"
+ROS = "`{0}_kinematics.hpp`: C++17 without ROS; `{0}_transmission.hpp`, `package.xml` ...: two plugins of ros2_control"
+SFUN = "`{0}_sfun.c`: level-2 S-function of Simulink around the C, a block per function"
+MODELICA = "`{0}.mo`: Modelica package of external functions and blocks around the C"
 BOTH = ("double", "single")
 
 TARGETS: dict[str, Target] = {
@@ -81,6 +84,9 @@ TARGETS: dict[str, Target] = {
     "cuda": Target(f"{ROOM}.cuda_target", CUDA, precisions=BOTH),
     "st": Target(f"{ROOM}.structured_text_target", TEXT),
     "ros2": Target(f"{ROOM}.ros2_target", ROS),
+    "modes": Target(f"{ROOM}.modes_target", MODES),
+    "simulink": Target(f"{ROOM}.simulink_target", SFUN, brings=("c",)),
+    "modelica": Target(f"{ROOM}.modelica_target", MODELICA, brings=("c",)),
     "fmu": Target(f"{ROOM}.fmu_target", UNIT),
     "mjcf": Target(f"{ROOM}.mjcf_target", "`{0}.xml`: MJCF for MuJoCo, loops as equality constraints"),
     "urdf": Target(f"{ROOM}.urdf_target", "`{0}.urdf`: URDF"),

@@ -30,7 +30,7 @@ from symscrew.kinematics.coordinate_names import (
 )
 from symscrew.kinematics.coupled_coordinates import Relation
 from symscrew.kinematics.cut_joints import Cut, Row, drive_row, on_hub, universal_axes
-from symscrew.kinematics.joint_displacements import cut_displacement, tree_displacement
+from symscrew.kinematics.joint_displacements import cut_displacement, tree_displacement, whole_rotation_vector
 from symscrew.kinematics.link_inertias import combined, regrouped, without_gyroscopic_moment
 from symscrew.kinematics.link_quantities import NO_SPREAD, Frame, Inertia, Placement, Rates, Wrench
 from symscrew.kinematics.linkage import Linkage
@@ -46,6 +46,7 @@ from symscrew.kinematics.pairs import (
     unit_quaternion,
 )
 from symscrew.kinematics.recursion import acceleration_matrix, inertial_wrench, own_screws, rates, twists
+from symscrew.kinematics.rolling import Rolling
 from symscrew.kinematics.screws_at_origin import BodyMotion, body_motions, displacement, joint_screws, motion_screws
 from symscrew.kinematics.structure import characteristic_length
 from symscrew.kinematics.system import System
@@ -70,6 +71,7 @@ __all__ = [
     "PoseRow",
     "Rates",
     "Relation",
+    "Rolling",
     "Row",
     "System",
     "Tree",
@@ -116,5 +118,6 @@ __all__ = [
     "unit_quaternion",
     "universal_axes",
     "virtual_joint",
+    "whole_rotation_vector",
     "without_gyroscopic_moment",
 ]

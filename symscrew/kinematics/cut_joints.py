@@ -11,6 +11,7 @@ equilibrium of forces.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import sympy
@@ -34,17 +35,22 @@ from symscrew.errors import DescriptionError
 from symscrew.kinematics.coupled_coordinates import Relation, relation
 from symscrew.kinematics.geometry_nodes import Geometry
 from symscrew.kinematics.linkage import Linkage
+from symscrew.kinematics.rolling import Rolling, Touch, touch
 from symscrew.kinematics.tree import GROUND
 
 
 @dataclass(frozen=True)
 class Row:
-    """One reciprocal wrench at the cut point, tip axes: (force ; couple), with its multiplier's label."""
+    """One reciprocal wrench at the cut point, tip axes: (force ; couple), with its multiplier's label.
+
+    Not `holonomic`: it constrains rates alone, and no function of the coordinates has what it allows.
+    """
 
     label: str
     unit: str
     force: Vector
     couple: Vector
+    holonomic: bool = True
 
 
 @dataclass(frozen=True)
@@ -54,7 +60,8 @@ class Cut:
     `hub_point` is the joint's point in the hub, `contact` the hub's point that is now at the tip's point (the
     same unless the joint slides), `arm` the way to it from the hub's origin through the limb, in tip axes (None:
     it is better seen through the hub). A coupling of coordinates is among them as well: it has a `relation` in place of
-    all that, holds no bodies together, and its row has no wrench. `triad` holds in its rows two unit vectors across the
+    all that, holds no bodies together, and its row has no wrench. So is a body that rolls on another: it has a `touch`,
+    and its point in either link moves over it. `triad` holds in its rows two unit vectors across the
     joint's single axis and the axis, tip axes. `reference` is hub_R_tip in the reference configuration. The rows of
     `parent_axes` are the absolute axes of the reference configuration, carried by the joint's parent, in that link's
     axes.
@@ -76,14 +83,23 @@ class Cut:
     rows: tuple[Row, ...] = ()
 
     relation: Relation | None = None
+    touch: Touch | None = None
+
+    @property
+    def is_joint(self) -> bool:
+        """Whether it is a joint that was cut: no coupling, no rolling."""
+        return self.relation is None and self.touch is None
 
     def __repr__(self) -> str:
         between = f"between links {self.hub} and {self.tip}"
         return f"Cut({self.joint.name!r}, {self.joint.type} {between}, {len(self.rows)} rows)"
 
 
-def cuts(at: Linkage, geometry: Geometry, *, through_limbs: bool = True) -> tuple[Cut, ...]:
-    """Every cut joint with its reciprocal wrenches, for given placements of links whose loops are closed; couplings.
+def cuts(
+    at: Linkage, geometry: Geometry, *, through_limbs: bool = True, rolled: Sequence[Rolling] = ()
+) -> tuple[Cut, ...]:
+    """Every cut joint with its reciprocal wrenches, for given placements of links whose loops are closed; couplings,
+    and what is `rolled`.
 
     Without `through_limbs` places on a hub are seen through the hub: where limbs follow from it, that is known.
     """
@@ -99,7 +115,34 @@ def cuts(at: Linkage, geometry: Geometry, *, through_limbs: bool = True) -> tupl
         cut = _cut(at, geometry, joint, (parent, child) if parent_first else (child, parent))
         arm = _arm(at, cut) if through_limbs else None
         result.append(replace(cut, arm=arm and named_vector(arm, "arm", joint.name)))
-    return (*result, *(_coupled(at, geometry, coupling) for coupling in geometry.mechanism.couplings.values()))
+    couplings = (_coupled(at, geometry, coupling) for coupling in geometry.mechanism.couplings.values())
+    return (*result, *couplings, *(_rolled(at, geometry, given) for given in rolled))
+
+
+def _rolled(at: Linkage, geometry: Geometry, given: Rolling) -> Cut:
+    """Rolling among the cut joints: forces where the wheel touches, on it and on what it rolls on."""
+    tree, found = at.tree, touch(at, geometry, given)
+    tip, hub = tree.link_of_body[given.wheel.body], tree.link_of_body[given.ground.body]
+    place = add(found.centre, found.arm)
+    contact = at.carry_point(tip, hub, place)
+    ways = [("ahead", found.along[0], False), ("aside", found.along[1], False), ("normal", found.normal, True)]
+    rows = (Row(f"{given.name}.{name}", "N", way, ZERO, held) for name, way, held in ways[: 3 if given.held else 2])
+    return Cut(
+        joint=Joint(given.name, "free", given.ground.body, given.wheel.body, given.wheel.at),
+        tip=tip,
+        hub=hub,
+        tip_point=place,
+        hub_point=contact,
+        contact=contact,
+        tip_axes=(),
+        hub_axes=(),
+        triad=IDENTITY,
+        parent_axes=IDENTITY,
+        reference=IDENTITY,
+        tip_is_parent=False,
+        rows=tuple(rows),
+        touch=found,
+    )
 
 
 def _coupled(at: Linkage, geometry: Geometry, coupling: Coupling) -> Cut:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from symscrew.algebra import Node, Tape, Vector, cross, dot, product, subtract, transform, transpose
+from symscrew.algebra import Matrix, Node, Tape, Vector, cross, dot, product, subtract, transform, transpose
 from symscrew.description import Joint
 from symscrew.kinematics.cut_joints import Cut
 from symscrew.kinematics.loop_closure import hub_angle, relative_rotation
@@ -50,6 +50,35 @@ def matrix_rotation_vector(tape: Tape, m: Sequence[Vector]) -> list[Node]:
     return [factor * c for c in axial]
 
 
+def whole_rotation_vector(system: System, cut: Cut) -> list[Node]:
+    """Rotation vector [rad] of a cut ball joint, parent's axes, exact up to half a turn; in more operations.
+
+    By the quaternion whose largest component is found first: 4 q_i q_k are sums of the matrix's entries.
+    """
+    tape, m = system.tape, _ball_rotation(system, cut)
+    diagonal = [1 + m[0][0] + m[1][1] + m[2][2], *(1 + 2 * m[i][i] - m[0][0] - m[1][1] - m[2][2] for i in range(3))]
+    away = [m[2][1] - m[1][2], m[0][2] - m[2][0], m[1][0] - m[0][1]]
+    rows = [[diagonal[0], *away]]
+    for i in range(3):
+        both = [m[i][j] + m[j][i] if j != i else diagonal[1 + i] for j in range(3)]
+        rows.append([away[i], *both])
+    largest, row = diagonal[0], rows[0]
+    for size, other in zip(diagonal[1:], rows[1:], strict=True):
+        less = tape.function("less", largest, size)
+        largest = tape.function("select", less, size, largest)
+        row = [tape.function("select", less, b, a) for a, b in zip(row, other, strict=True)]
+    scale = 1 / (2 * tape.sqrt(tape.node(largest)))
+    return rotation_vector(tape, [tape.node(entry * scale) for entry in row])
+
+
+def _ball_rotation(system: System, cut: Cut) -> Matrix:
+    """Rotation of a cut ball joint's child against its parent, axes that the parent carries."""
+    relative = relative_rotation(cut, system.linkage)
+    axes = system.frames[cut.tip].axes
+    in_body = product(product(axes, relative), transpose(axes))
+    return in_body if cut.tip_is_parent else transpose(in_body)
+
+
 def cut_displacement(system: System, cut: Cut) -> list[Node]:
     """Displacements of a cut joint from the relative pose of its bodies."""
     tape, linkage = system.tape, system.linkage
@@ -58,10 +87,7 @@ def cut_displacement(system: System, cut: Cut) -> list[Node]:
     references = cut.joint.reference or (0,) * len(motions)
     offset = [system.geometry.scalar(r) if r != 0 else tape.zero for r in references]
     if kind.ball:
-        relative = relative_rotation(cut, linkage)
-        reference_axes = system.frames[cut.tip].axes
-        in_body = product(product(reference_axes, relative), transpose(reference_axes))
-        return matrix_rotation_vector(tape, in_body if cut.tip_is_parent else transpose(in_body))
+        return matrix_rotation_vector(tape, _ball_rotation(system, cut))
     gap = _gap_child_from_parent(system, cut)
     sign = 1 if cut.tip_is_parent else -1
     values: list[Node] = []

@@ -29,6 +29,7 @@ from symscrew.kinematics.geometry_nodes import Geometry
 from symscrew.kinematics.kept_joints import SAME_DIRECTION
 from symscrew.kinematics.link_quantities import Rates
 from symscrew.kinematics.linkage import Linkage
+from symscrew.kinematics.rolling import rolling_bias
 from symscrew.kinematics.tree import GROUND
 
 
@@ -49,6 +50,9 @@ def closure_bias(
     """
     if cut.relation is not None:
         return _named([cut.relation.bias(v, a)], "opening_bias", cut)
+    if cut.touch is not None:
+        gained = rolling_bias(at, (cut.tip, cut.hub), cut.touch, twist=twist, rate=rate)
+        return _named([dot(row.force, gained) for row in cut.rows], "opening_bias", cut)
 
     def seen(vector: Vector) -> Vector:
         return at.carry(cut.hub, cut.tip, vector)
@@ -111,6 +115,8 @@ def closure_residual(cut: Cut, at: Linkage, geometry: Geometry) -> tuple[Node, .
     """How far the loop is open, one number per row [m, or rad for couples]; its rate is J v where it is 0."""
     if cut.relation is not None:
         return _named([cut.relation.residual], "opening", cut)
+    if cut.touch is not None:
+        return _named([cut.touch.gap if row.holonomic else geometry.tape.zero for row in cut.rows], "opening", cut)
     tape, pose = geometry.tape, at.poses
     back = transpose(pose[cut.tip].rotation)
     gap = transform(back, subtract(pose[cut.tip].point(cut.tip_point), pose[cut.hub].point(cut.hub_point)))

@@ -33,6 +33,7 @@ from symscrew.kinematics.link_inertias import link_inertias
 from symscrew.kinematics.link_quantities import Frame, Inertia, Placement
 from symscrew.kinematics.linkage import Linkage
 from symscrew.kinematics.pairs import Turn
+from symscrew.kinematics.rolling import Rolling
 from symscrew.kinematics.tree import Coordinate, Link, Tree, spanning_tree
 from symscrew.program import Function, Limbs, Port, Program, evaluate, lower
 
@@ -51,11 +52,18 @@ class Coordinates:
 class Structure:
     """A mechanism on a tape of its own. Attributes are derived once and never change."""
 
-    def __init__(self, mechanism: Mechanism, loaded: Mechanism | None = None, read: Collection[str] = ()) -> None:
+    def __init__(
+        self,
+        mechanism: Mechanism,
+        loaded: Mechanism | None = None,
+        read: Collection[str] = (),
+        rolled: Sequence[Rolling] = (),
+    ) -> None:
         """The structure of a mechanism; `loaded` is the same one with other inertias, which are taken then.
 
-        `read`: joints whose displacements effects ask for.
+        `read`: joints whose displacements effects ask for; `rolled`: bodies that roll on others.
         """
+        self.rolled = tuple(rolled)
         self.mechanism = loaded or mechanism
         self.tape = Tape()
         self.geometry = Geometry(mechanism, self.tape)

@@ -24,6 +24,7 @@ from symscrew.kinematics.linkage import Linkage
 from symscrew.kinematics.loop_closure import closure_rate
 from symscrew.kinematics.pairs import Turn
 from symscrew.kinematics.recursion import rates, twists
+from symscrew.kinematics.rolling import Rolling
 from symscrew.kinematics.sample_states import Array, SampleStates, States
 from symscrew.kinematics.structure import Coordinates, Structure
 from symscrew.program import Port
@@ -48,14 +49,16 @@ class System:
         loaded: Mechanism | None = None,
         *,
         read: Collection[str] = (),
+        rolled: Sequence[Rolling] = (),
         configuration: Configuration | None = None,
     ) -> None:
         """The system of a mechanism; `loaded` is the same one with other inertias, which are taken then.
 
-        `read` names the joints whose displacements effects ask for, which then are no places to cut a loop.
+        `read` names the joints whose displacements effects ask for, which then are no places to cut a loop; `rolled`
+        says which bodies roll on others.
         With a `configuration` it is the system of that, else at the inputs of the tree.
         """
-        here = configuration or _at_inputs(Structure(mechanism, loaded, read))
+        here = configuration or _at_inputs(Structure(mechanism, loaded, read, rolled))
         self.structure, self.samples, self.inputs, self.closure = (
             here.structure,
             here.samples,
@@ -87,8 +90,11 @@ class System:
         """The same structure at other nodes for q, v, a; `turns` gives cosines and sines that are known."""
         inputs = Coordinates(tuple(q), tuple(v or self.inputs.v), tuple(a or self.inputs.a))
         linkage = self.structure.linkage(inputs.q, turns)
-        closure = ClosureJacobian(self.geometry, linkage, cuts(linkage, self.geometry, through_limbs=not turns))
+        closure = ClosureJacobian(self.geometry, linkage, self._cuts(linkage, turns))
         return System(self.mechanism, configuration=Configuration(self.structure, self.samples, inputs, closure))
+
+    def _cuts(self, linkage: Linkage, turns: Mapping[int, Turn]) -> tuple[Cut, ...]:
+        return cuts(linkage, self.geometry, through_limbs=not turns, rolled=self.structure.rolled)
 
     # -- kinematics at these nodes ----------------------------------------------------------------------
 
@@ -226,5 +232,5 @@ class System:
 def _at_inputs(structure: Structure) -> Configuration:
     """The configuration whose q, v, a are the inputs of every function."""
     linkage = structure.linkage(structure.inputs.q)
-    closure = ClosureJacobian(structure.geometry, linkage, cuts(linkage, structure.geometry))
+    closure = ClosureJacobian(structure.geometry, linkage, cuts(linkage, structure.geometry, rolled=structure.rolled))
     return Configuration(structure, SampleStates(structure, closure), structure.inputs, closure)

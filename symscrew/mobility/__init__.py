@@ -52,7 +52,7 @@ if TYPE_CHECKING:
     )
     from symscrew.mobility.finite import ClosureVariety, moved
     from symscrew.mobility.instantaneous import BodyFreedoms, LimbMobility
-    from symscrew.mobility.joint_network import Network, network_of
+    from symscrew.mobility.joint_network import Edge, Network, network_of
     from symscrew.mobility.margins import FORMS, Margin, Margins, actuation_margins, constraint_margins, limb_margins
     from symscrew.mobility.motions import (
         BranchTable,
@@ -70,6 +70,7 @@ if TYPE_CHECKING:
     from symscrew.mobility.pose_targets import targets_of
     from symscrew.mobility.proofs import Verdict, check_proof, mobility_proof, write_proof
     from symscrew.mobility.screw_systems import ScrewSystem
+    from symscrew.mobility.symbols import Exact, Field, NotDecidableError, exact_system, exact_value
 
 __all__ = [
     "FORMS",
@@ -80,12 +81,16 @@ __all__ = [
     "Components",
     "Configuration",
     "ConfigurationSpace",
+    "Edge",
+    "Exact",
+    "Field",
     "LimbMobility",
     "Margin",
     "Margins",
     "Mobility",
     "Network",
     "NotAlgebraicError",
+    "NotDecidableError",
     "SampledModes",
     "ScrewClass",
     "ScrewSystem",
@@ -102,6 +107,8 @@ __all__ = [
     "connection_lines",
     "connection_values",
     "constraint_margins",
+    "exact_system",
+    "exact_value",
     "formulas",
     "inverse_kinematics",
     "key_figures",

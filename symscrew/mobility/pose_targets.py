@@ -123,18 +123,16 @@ def _of_virtual(mechanism: Mechanism, network: Network, joint: Joint, asked: tup
     """A coordinate of the joint on which the package hangs the platform: of its point's place, of its turn."""
     name, part, goal = asked
     edge, body = edge_of(mechanism, joint, network.length, 0), joint.child
-    if part in SPHERICAL_PARTS and part[0] == "q" and joint.kind.freedom == SPATIAL:
-        axis = VECTOR.index(part[1])
+    if part in SPHERICAL_PARTS and joint.kind.freedom == SPATIAL:
+        axis, read = VECTOR.index(part[1]), half_turn if part[0] == "q" else rotation_vector
         return Target(
             goal,
-            lambda variety, q: _each(
-                half_turn(r, CONTEXT)[axis] for r, _ in _moved(variety, variety.forward(q)[1], body)
-            ),
+            lambda variety, q: _each(read(r, CONTEXT)[axis] for r, _ in _moved(variety, variety.forward(q)[1], body)),
         )
     singles = [(motion, column) for motion, column in edge.motions if motion.single]
     if not part.isdecimal() or int(part) >= len(singles):
         numbers = ", ".join(f".{k}" for k in range(len(singles)))
-        turned = " or .qx, .qy, .qz" if joint.kind.freedom == SPATIAL else ""
+        turned = " or .qx, .qy, .qz, .rx, .ry, .rz" if joint.kind.freedom == SPATIAL else ""
         raise DescriptionError(f"at {name}: expected {joint.name} with {numbers}{turned}")
     place = int(part)
     motion, column = singles[place]

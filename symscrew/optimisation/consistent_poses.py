@@ -15,6 +15,7 @@ import numpy as np
 
 from symscrew.optimisation.casadi_graph import numeric_function
 from symscrew.optimisation.constraints import closure_rows, condition_rows
+from symscrew.optimisation.motion_coordinates import poses_of
 from symscrew.optimisation.motion_quantities import MotionQuantities
 from symscrew.optimisation.point import point_symbols
 from symscrew.optimisation.point_model import PointModel
@@ -25,6 +26,7 @@ CLOSED = 1e-12  # step [1, rad, m] at which Newton's method ends: by its order t
 # Steps of all configurations at once; those that are not there after these are assembled one by one, with damping.
 MOST_COMMON_STEPS, MOST_STEPS = 8, 40
 LARGEST_STEP = 0.5  # [rad, m]: a longer one may lead to another assembly branch, so it is shortened
+STRIDES = 8  # towards a pose by name, as at the start of a simulation: in one stride limbs may change their branch
 REACHED = 1e-9  # without units: what conditions may be missed by; more is out of reach, and no solver is started
 # Levenberg's damping of the least squares towards conditions: at first, least, and where it is given up.
 DAMPING, LEAST_DAMPING, MOST_DAMPING = 1e-3, 1e-14, 1e8
@@ -168,7 +170,11 @@ class Kinematics:
         fixed = np.ones(others.numel())
         p = np.array([self.parameters[self.model.parameter_names.index(n)] for n in self.model.design])
         order = [*self.layout.y, *self.layout.z]
-        x, error = _least_missed(lambda x: function(x, fixed, p), near[order], target)
+        known = set(self.model.coordinate_labels)
+        strides = STRIDES if poses_of(self.system.mechanism, conditions.coordinates, known) else 1
+        x, begin = near[order], np.array(function(near[order], fixed, p)[0]).ravel()
+        for k in range(1, strides + 1):
+            x, error = _least_missed(lambda x: function(x, fixed, p), x, begin + (target - begin) * k / strides)
         q = np.array(near)
         q[order] = x
         worst = int(np.argmax(np.abs(error))) if len(error) else -1

@@ -13,6 +13,7 @@ import numpy as np
 
 from symscrew.errors import DescriptionError, did_you_mean
 from symscrew.optimisation.casadi_graph import symbolic_outputs
+from symscrew.optimisation.motion_coordinates import bounded, coordinate, pose_conditions, poses_of
 from symscrew.optimisation.motion_quantities import MotionQuantities
 from symscrew.optimisation.obstacles import SHAPES
 from symscrew.optimisation.problem import Conditions, Obstacle, Range, TrajectoryProblem
@@ -95,8 +96,7 @@ def bound_rows(at: MotionQuantities) -> list[Row]:
     def add(what: str, value: Any, limits: Callable[[TrajectoryProblem], Range], scale: float = 1.0) -> None:
         rows.append(Row(what, value, *limits(problem), scale, limits))
 
-    for label in bounds.joints:
-        add(f"travel of {label}", at.coordinates[label], _bound("joints", label))
+    rows += [_travel_row(at, label) for label in bounds.joints]
     for label in bounds.speeds:
         add(f"speed of {label}", at.rate(label), _bound("speeds", label), 1.0 / scales.duration)
     for name in bounds.margins:
@@ -120,6 +120,15 @@ def bound_rows(at: MotionQuantities) -> list[Row]:
         value = expression(text, at.names, where="bounds.expressions")
         add(text, value, _bound("expressions", text))
     return rows + _reaction_rows(at)
+
+
+def _travel_row(at: MotionQuantities, label: str) -> Row:
+    value, risen, size = bounded(at, label, at.model.problem.bounds.joints[label])
+
+    def limits(problem: TrajectoryProblem) -> Range:
+        return risen(problem.bounds.joints[label])
+
+    return Row(f"travel of {label}", value, *limits(at.model.problem), 1.0, limits, size)
 
 
 def _obstacle_rows(at: MotionQuantities, k: int, obstacle: Obstacle) -> list[Row]:
@@ -197,9 +206,14 @@ def condition_rows(at: MotionQuantities, conditions: Conditions, where: str) -> 
         assert wanted is not None
         rows.append(Row(what, value, wanted, wanted, scale, limits))
 
+    poses = poses_of(at.model.system.mechanism, conditions.coordinates, set(at.model.coordinate_labels))
+    of_poses = {typed for parts in poses.values() for typed in parts.values()}
     for label in conditions.coordinates:
-        if label not in linear:
-            add(f"{label} at {where}", at.coordinates[label], _target("coordinates", label))
+        if label not in linear and label not in of_poses:
+            add(f"{label} at {where}", coordinate(at, label), _target("coordinates", label))
+    for body, parts in poses.items():
+        for what, value, of_parts, is_length in pose_conditions(at, body, parts):
+            add(f"{what} at {where}", value, _of_coordinates(of_parts), length if is_length else 1.0)
     for label in conditions.rates:
         if label not in linear:
             add(f"rate of {label} at {where}", at.rate(label), _target("rates", label))
@@ -221,6 +235,11 @@ def condition_rows(at: MotionQuantities, conditions: Conditions, where: str) -> 
             rows.append(Row(f"rotation {'xyz'[k]} of the platform at {where}", (off[i, j] - off[j, i]) / 2))
         rows.append(Row(f"sense of the platform's rotation at {where}", (ca.trace(off) - 1) / 2, *FORWARDS))
     return rows
+
+
+def _of_coordinates(goal: Callable[[Mapping[str, float]], float]) -> Callable[[Conditions], float | None]:
+    """A value that follows from several coordinates that conditions ask for."""
+    return lambda conditions: goal(conditions.coordinates)
 
 
 def _target(group: str, *keys: object) -> Callable[[Conditions], float | None]:

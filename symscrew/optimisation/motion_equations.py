@@ -19,7 +19,7 @@ from functools import cached_property
 from symscrew.algebra import Node
 from symscrew.description import Mechanism
 from symscrew.dynamics import Admissible, generalised_forces
-from symscrew.effects import Acting, Effect, joints_read, transformed
+from symscrew.effects import Acting, Effect, system_under
 from symscrew.errors import DescriptionError
 from symscrew.functions import (
     Equations,
@@ -59,7 +59,7 @@ class PointEquations:
         self, mechanism: Mechanism, effects: Sequence[Effect], independent: Sequence[str] | None = None
     ) -> None:
         self.effects = tuple(effects)
-        self.system = System(mechanism, transformed(mechanism, self.effects), read=joints_read(self.effects))
+        self.system = system_under(mechanism, self.effects)
         self.system.use_samples()
         self.loops = Loops(self.system, independent)
         self.acting, self.drives = driven(self.system, self.effects)
@@ -69,6 +69,11 @@ class PointEquations:
                 raise DescriptionError(
                     f"effects: {type(effect).__name__} switches by events, which an optimiser cannot differentiate; "
                     "take its regularised mode"
+                )
+            if effect.rolled(mechanism):
+                raise DescriptionError(
+                    f"effects: {type(effect).__name__} constrains rates alone, which the equations of an optimal "
+                    "motion do not hold between their points; take 'rolling_contact'"
                 )
 
     @property

@@ -144,8 +144,16 @@ class MotionQuantities:
         platform = self.model.system.mechanism.platform
         if platform is None:
             raise DescriptionError("conditions on the platform: this mechanism names no platform")
-        at = moving_bodies(self.model.system).index(platform)
-        values = self.of_tree("body_poses")["poses"][12 * at : 12 * at + 12]
+        return self.body_pose(platform)
+
+    @cached_property
+    def _poses(self) -> ca.SX:
+        return self.of_tree("body_poses")["poses"]
+
+    def body_pose(self, body: str) -> tuple[ca.SX, ca.SX]:
+        """Rotation and translation of a body from the reference configuration."""
+        at = moving_bodies(self.model.system).index(body)
+        values = self._poses[12 * at : 12 * at + 12]
         return ca.reshape(values[:9], 3, 3), values[9:]
 
     @property
@@ -162,7 +170,12 @@ class MotionQuantities:
             if model.system.mechanism.points
             else {}
         )
-        return result | {name: self.known["p"][k] for k, name in enumerate(model.parameter_names)}
+        return result | self.parameters
+
+    @property
+    def parameters(self) -> dict[str, Any]:
+        """Parameters that are inputs, by name."""
+        return {name: self.known["p"][k] for k, name in enumerate(self.model.parameter_names)}
 
 
 def _plain(label: str) -> str:

@@ -18,6 +18,7 @@ from symscrew.optimisation.motion_equations import PointEquations
 from symscrew.optimisation.problem import TrajectoryProblem
 from symscrew.optimisation.problem_numbers import Get, ProblemNumbers
 from symscrew.optimisation.rows import INFINITY, Scales
+from symscrew.optimisation.typed_names import check_typed
 
 
 class PointModel:
@@ -62,7 +63,6 @@ class PointModel:
         groups: list[tuple[str, Sequence[str], Sequence[str]]] = [
             ("bounds.drives", list(bounds.drives), self.drive_labels),
             ("bounds.drive_rates", list(bounds.drive_rates), self.drive_labels),
-            ("bounds.joints", list(bounds.joints), self.coordinate_labels),
             ("bounds.speeds", list(bounds.speeds), self.rate_labels),
             ("bounds.reactions", list(bounds.reactions), list(self.system.mechanism.joints)),
             ("bounds.points", [name for name, _ in bounds.points], list(self.system.mechanism.points)),
@@ -72,6 +72,7 @@ class PointModel:
             ("guess", list(problem.guess), self.equations.labels),
             ("turns", list(problem.turns), self._angles),
         ]
+        check_typed(self.system.mechanism, self.coordinate_labels, "bounds.joints", bounds.joints)
         for o in problem.objectives:
             groups.append((f"objective {o.type}", [*o.weights, *o.preload], self.drive_labels))
         for shape in bounds.obstacles:
@@ -80,7 +81,7 @@ class PointModel:
         for d in bounds.distances:
             groups.append(("bounds.distances", (d.first, d.second), list(self.system.mechanism.points)))
         for which, c in (("start", problem.start), ("end", problem.end), *(("via", v) for v in problem.via)):
-            groups.append((f"{which}.coordinates", list(c.coordinates), self.coordinate_labels))
+            check_typed(self.system.mechanism, self.coordinate_labels, f"{which}.coordinates", c.coordinates)
             groups.append((f"{which}.rates", list(c.rates), self.rate_labels))
             groups.append((f"{which}.points", list(c.points), list(self.system.mechanism.points)))
         for where, names, known in groups:
@@ -101,7 +102,7 @@ class PointModel:
 
     @property
     def coordinate_labels(self) -> tuple[str, ...]:
-        """What a condition or bound on coordinates may name."""
+        """Labels of coordinates; what else a condition or bound on them may name is in `typed_names`."""
         return tuple(
             dict.fromkeys((*self.equations.labels, *(c.label for c in self.system.tree.q), *self.joint_labels))
         )

@@ -32,7 +32,8 @@ VIOLATION = 1e-5
 class Conditions:
     """What must hold at one time of the motion.
 
-    `coordinates`: label of q or of a joint's freedom -> value [rad, m]; `rates` the same for rates. `points`: named
+    `coordinates`: any name of `symscrew.kinematics.coordinate_names`, or label of q -> value [rad, m]; `rates`: label
+    of q or of a joint's freedom -> rate. `points`: named
     point -> three coordinates [m], None where free. `platform_normal`: where the direction that was `z` in the
     reference configuration points; `platform_position`: displacement of the platform's body, in absolute axes,
     from the reference [m]; `platform_rotation`: its rotation vector from the reference [rad]. `at_rest`: all
@@ -87,9 +88,9 @@ class Obstacle:
 class Bounds:
     """Ranges (lower, upper) that hold during the whole motion; infinite where there is none.
 
-    `drives` [N, N m] and `drive_rates` [N/s, N m/s] by labels of u; `joints` [m, rad] and `speeds` [m/s, rad/s] by
-    labels of joint freedoms, passive ones too; `reactions`: joint -> largest force [N] and largest moment about the
-    joint's point [N m] (None: free);
+    `drives` [N, N m] and `drive_rates` [N/s, N m/s] by labels of u; `joints` [m, rad] by names of coordinates, as in
+    conditions; `speeds` [m/s, rad/s] by labels of joint freedoms, passive ones too; `reactions`: joint -> largest force
+    [N] and largest moment about the joint's point [N m] (None: free);
     `margins`: name of a singularity margin -> range (see `symscrew.mobility.margins`); `points`: (point, 0 to 2) ->
     range of a coordinate [m]; `expressions`: text in t, T, the q_, v_, u_ of labels, points' coordinates (point_x) and
     parameters -> range, as in an objective of type "expression".
@@ -184,7 +185,7 @@ class TrajectoryProblem:
     is refined: how far a replay ends off the plan [rad, m], opening of the loops between the points; None for no
     refinement and no judgement of either. `violation`: the most by which a bound may be broken between the points,
     as a part of its size. `starts`: guesses from which it is solved, the usual one and random ones by `seed`.
-    `guess`: name of a coordinate of y -> values at equal times.
+    `guess`: name of a coordinate of y -> values at equal times. `notices`: of bare angles that look like degrees.
     """
 
     mechanism: Mechanism
@@ -212,6 +213,7 @@ class TrajectoryProblem:
     seed: int = 1
     name: str = "trajectory"
     text: str = ""
+    notices: tuple[str, ...] = ()
 
     def __repr__(self) -> str:
         duration = "{:g} to {:g}".format(*self.duration) if isinstance(self.duration, tuple) else f"{self.duration:g}"

@@ -33,7 +33,7 @@ from symscrew.description import (
 from symscrew.effects import Effect, check_effects, effect_from_table
 from symscrew.errors import DescriptionError, shorten
 from symscrew.functions import u_port
-from symscrew.kinematics import System, coordinate_units
+from symscrew.kinematics import BODY_PARTS, System, coordinate_units, full_name, given_coordinates
 from symscrew.optimisation import problem_keys
 from symscrew.optimisation.contradictions import check_problem
 from symscrew.optimisation.problem import (
@@ -129,7 +129,7 @@ def problem_of(tables: Mapping[str, Any], *, folder: Path | None, name: str) -> 
         name=check_name(head.get("name", name if name.isidentifier() else "trajectory"), "problem.name"),
     )
     check_problem(problem)
-    return problem
+    return replace(problem, notices=tuple(dict.fromkeys(read.notices)))
 
 
 class _Base:
@@ -172,13 +172,32 @@ class _Reader:
         given: dict[str, Any] = {name: exact(value) for name, value in (chosen or {}).items()}
         given |= {name: sympy.Symbol(f"design parameter {name}", real=True) for name in design}
         # what a problem names becomes a parameter of its program, whatever the description makes of it
+        self.notices: list[str] = []  # of bare angles that look like degrees
         posed = {n: replace(p, run_time=p.run_time or n in given) for n, p in mechanism.parameters.items()}
         self.names = replace(mechanism, parameters=posed).values(given)
 
     @cached_property
     def units(self) -> Mapping[str, str]:
-        """Coordinate -> unit."""
-        return coordinate_units(self.mechanism)
+        """Coordinate as it may be typed -> unit."""
+        units = coordinate_units(self.mechanism)
+        short = {part: full_name(self.mechanism, part) for part in BODY_PARTS}
+        return {**{part: units[name] for part, name in short.items() if name in units}, **units}
+
+    @cached_property
+    def rate_units(self) -> Mapping[str, str]:
+        """The same of rates."""
+        return {name: f"{unit}/s" for name, unit in self.units.items()}
+
+    def coordinates(self, table: Any, where: str) -> dict[str, float]:
+        """Values of coordinates by name; "30deg about 1,1,0" of a body is the three parts of its rotation vector."""
+        found: dict[str, float] = {}
+        for name, value in self.flat(table, where).items():
+            if full_name(self.mechanism, name) in self.units and name.rpartition(".")[2] == "turn":
+                parts = given_coordinates(self.mechanism, {name: value}, where)
+                found |= {part: float(numeric(entry, where=where)) for part, entry in parts.items()}
+            else:
+                found[name] = self.number(value, f"{where}.{name}", self.units.get(name))
+        return found
 
     def number(self, value: Any, where: str, unit: str | None = None) -> float:
         """A number; of a quantity whose unit is known it may be given with one, "10mm"."""
@@ -189,7 +208,9 @@ class _Reader:
         if unit is None:
             found = exact(value, self.names, where=where)
         else:
-            found = given_value(value, self.names, where=where).measured_in(unit, where)
+            given = given_value(value, self.names, where=where)
+            found = given.measured_in(unit, where)
+            self.notices += [text] if (text := given.notice(unit, where)) else []
         if unknown := sorted(str(symbol) for symbol in found.free_symbols):
             raise DescriptionError(
                 f"{where}: {shorten(value)} depends on the {', '.join(unknown)}, which the optimiser chooses; expected "
@@ -257,8 +278,8 @@ class _Reader:
             x, y, z = (None if v == "free" else self.number(v, f"{where}.points.{name}", "m") for v in place)
             points[name] = (x, y, z)
         return Conditions(
-            coordinates=self.numbers(table.get("coordinates", {}), f"{where}.coordinates", self.units),
-            rates=self.numbers(table.get("rates", {}), f"{where}.rates"),
+            coordinates=self.coordinates(table.get("coordinates", {}), f"{where}.coordinates"),
+            rates=self.numbers(table.get("rates", {}), f"{where}.rates", self.rate_units),
             points=points,
             platform_normal=self.vector(table, "platform_normal", where),
             platform_position=self.vector(table, "platform_position", where),
@@ -285,7 +306,7 @@ class _Reader:
             drives=drives("drives"),
             drive_rates=drives("drive_rates"),
             joints=self.ranges(table.get("joints", {}), "bounds.joints", self.units),
-            speeds=self.ranges(table.get("speeds", {}), "bounds.speeds"),
+            speeds=self.ranges(table.get("speeds", {}), "bounds.speeds", self.rate_units),
             margins=self.ranges(table.get("margins", {}), "bounds.margins"),
             points=points,
             reactions=self._reactions(table.get("reactions", {})),

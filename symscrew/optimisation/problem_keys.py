@@ -32,8 +32,13 @@ class Key:
 
 BOTH = "rad, m"
 CONDITIONS: Mapping[str, Key] = {
-    "coordinates": Key(BOTH, "labels of q or of any joint's freedom, passive ones too", "coordinates = { x = 0.1 }"),
-    "rates": Key("rad/s, m/s", "rates of labels; not beside at_rest", "rates = { x = 0.1 }"),
+    "coordinates": Key(
+        BOTH,
+        "any names that `--at` takes: of joints, passive ones too, of the platform (z, tilt, azimuth, roll, rx, turn) "
+        "and of other bodies, with units",
+        'coordinates = { x = "100mm", bead.z = 0 }',
+    ),
+    "rates": Key("rad/s, m/s", "rates of labels of joints; not beside at_rest", "rates = { x = 0.1 }"),
     "points": Key(
         "m", 'named points, absolute axes, "free" for a coordinate that is', 'points = { bead = [0.2, "free", "free"] }'
     ),
@@ -94,7 +99,9 @@ SECTIONS: Mapping[str, Mapping[str, Key]] = {
         "drive_rates": Key(
             "N/s, N m/s", "of the drives' rates; the drives then have no jumps", "drive_rates = { x = 3 }"
         ),
-        "joints": Key(BOTH, "of coordinates, passive ones too", "joints = { x = 3 }"),
+        "joints": Key(
+            BOTH, "of coordinates, by any name as in [start] but azimuth and turn", 'joints = { x = "30cm" }'
+        ),
         "speeds": Key("rad/s, m/s", "of their rates", "speeds = { x = 3 }"),
         "margins": Key("1", "of singularity margins (`symscrew mobility` names them)", "margins = { bead = [1, 2] }"),
         "points": Key("m", "of coordinates of named points", "points = { bead = { x = 1 } }"),

@@ -1,6 +1,6 @@
-"""Configurations by name: where all coordinates are when the independent ones are given.
+"""One configuration by name: where all coordinates are when the independent ones are given.
 
-model, {"limb5_S.qx": 0.05} --assemble--> Configuration: .q, ["limb1_P"], .status
+model, {"limb5_S.qx": 0.05} --assemble--> AssembledConfiguration: .q, ["limb1_P"], .status
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ Array = np.ndarray
 
 
 @dataclass(frozen=True, repr=False)
-class Configuration:
+class AssembledConfiguration:
     """Coordinates q (nq,) of a mechanism's tree with their labels and units; `ok` unless the loops do not close."""
 
     mechanism: str
@@ -30,7 +30,7 @@ class Configuration:
     status: str
 
     def __repr__(self) -> str:
-        return f"Configuration({self.mechanism}: {len(self.q)} coordinates, {self.status})"
+        return f"AssembledConfiguration({self.mechanism}: {len(self.q)} coordinates, {self.status})"
 
     @property
     def ok(self) -> bool:
@@ -50,8 +50,12 @@ class Configuration:
         return notebook.table(repr(self), ("coordinate", "value", "unit"), rows)
 
 
-def assemble(model: Model, y: Mapping[str, float], guess: object = None) -> Configuration:
-    """The configuration in which independent coordinates have these values.
+def assemble(model: Model, y: Mapping[str, float], guess: object = None) -> AssembledConfiguration:
+    """The one configuration near a guess in which independent coordinates have these values.
+
+    Every configuration in which the drives have given values, the assembly modes, is what `symscrew.assembly_modes` and
+    the command `symscrew assemble` find; coordinates of any kind, poses of the platform too, are what
+    `symscrew.inverse_kinematics` takes.
 
     Args:
         model: whose loops are closed.
@@ -86,4 +90,4 @@ def assemble(model: Model, y: Mapping[str, float], guess: object = None) -> Conf
         (found, *_), codes = model("assemble", *[known[port.name] for port in program.inputs])
         q, code = np.asarray(found), int(codes)
     text = status_texts(*model.programs.values())[code]
-    return Configuration(model.name, q, labels, tuple(c.unit for c in tree.q), code, text)
+    return AssembledConfiguration(model.name, q, labels, tuple(c.unit for c in tree.q), code, text)

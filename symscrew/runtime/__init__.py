@@ -9,6 +9,7 @@ if TYPE_CHECKING:
     from symscrew.runtime.compiled_function import CompiledFunction, EvaluationError, Evaluator
     from symscrew.runtime.compilers import FLAGS, CompileError, compile_c, find_compiler, run_tool
     from symscrew.runtime.cuda_kernels import CudaModel, load_cuda
+    from symscrew.runtime.model_keys import model_key
     from symscrew.runtime.nvrtc import CudaCode, KernelSize, compile_cuda, find_nvrtc
     from symscrew.runtime.origin import model_of, version
     from symscrew.runtime.user_cache import CacheState, entry, key_of
@@ -38,6 +39,7 @@ __all__ = [
     "key_of",
     "load",
     "load_cuda",
+    "model_key",
     "model_of",
     "run_tool",
     "version",

@@ -3,12 +3,17 @@
 `load_scene` reads a TOML file, `parse_scene` a text; see `symscrew.scene.scene_file` for the keys.
 """
 
-from symscrew.scene.contents import Initial, Integrator, Scene, Table
-from symscrew.scene.controllers import controller, parameter_values
-from symscrew.scene.integration_methods import INTEGRATION_METHODS
-from symscrew.scene.robot_files import Robot, load_robot, robot_of, save_robot, scene_text
-from symscrew.scene.scene_file import load_scene, parse_scene
-from symscrew.scene.time_features import UNCHANGING, TimeFeatures, features_in_time
+from typing import TYPE_CHECKING
+
+from symscrew.doors import doors
+
+if TYPE_CHECKING:
+    from symscrew.scene.contents import Initial, Integrator, Scene, Table
+    from symscrew.scene.controllers import controller, parameter_values
+    from symscrew.scene.integration_methods import INTEGRATION_METHODS
+    from symscrew.scene.robot_files import Robot, load_robot, robot_of, save_robot, scene_text
+    from symscrew.scene.scene_file import load_scene, parse_scene
+    from symscrew.scene.time_features import UNCHANGING, TimeFeatures, features_in_time
 
 __all__ = [
     "INTEGRATION_METHODS",
@@ -29,3 +34,5 @@ __all__ = [
     "save_robot",
     "scene_text",
 ]
+
+__getattr__ = doors(__name__)

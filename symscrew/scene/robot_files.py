@@ -19,14 +19,12 @@ from symscrew.effects import (
     effect_to_table,
     effects_of_file,
     forces_of_effects,
-    joints_read,
     stops_of_file,
-    transformed,
+    system_under,
     type_name,
 )
 from symscrew.errors import DescriptionError, did_you_mean, shorten
 from symscrew.formats import Account, Beside, Imported, ImportOptions, JointLimits, import_file, save_as
-from symscrew.kinematics import System
 from symscrew.mobility import analyse_mobility
 
 
@@ -159,7 +157,7 @@ def _initial(robot: Robot, start: str) -> list[str]:
         raise DescriptionError(f"there is no keyframe {shorten(start)}; {did_you_mean(start, robot.starts)}")
     mechanism = robot.mechanism
     effects = tuple(robot.effects)
-    tree = System(mechanism, transformed(mechanism, effects), read=joints_read(effects)).tree
+    tree = system_under(mechanism, effects).tree
     known = {c.label: robot.starts[start][c.label] for c in tree.q if c.label in robot.starts[start]}
     listed = ", ".join(f'"{name}" = {value!r}' for name, value in known.items())
     lines = ["[initial]", f"coordinates = {{{listed}}}"]

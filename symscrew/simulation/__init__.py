@@ -1,6 +1,7 @@
 """Simulation of a scene: from its programs to a run, its report and its files.
 
 Scene --prepare--> state programs --native (C) or portable (NumPy)--> Run --run_file, picture--> files
+Scene, arrays of starts --given_starts--> Starts --many_runs, loops in threads--> Runs --many_file--> file
 """
 
 from typing import TYPE_CHECKING
@@ -8,8 +9,12 @@ from typing import TYPE_CHECKING
 from symscrew.doors import doors
 
 if TYPE_CHECKING:
+    from symscrew.simulation.cuda_steps import print_steps, write_steps
     from symscrew.simulation.initial import initial_state, initial_states
+    from symscrew.simulation.kept_model import derived_model
     from symscrew.simulation.linking import Linker, Operand
+    from symscrew.simulation.many_file import runs_numbers, runs_summary, write_runs
+    from symscrew.simulation.many_runs import Runs, simulate_many
     from symscrew.simulation.motion import prepare, simulate
     from symscrew.simulation.native import NATIVE_FLAGS, NATIVE_METHODS, Library, RunLog, run_natively
     from symscrew.simulation.picture import plot_run
@@ -33,6 +38,8 @@ __all__ = [
     "PlantFunctions",
     "RunError",
     "RunLog",
+    "Runs",
+    "derived_model",
     "initial_state",
     "initial_states",
     "kernel_text",
@@ -40,13 +47,19 @@ __all__ = [
     "loop_source",
     "plot_run",
     "prepare",
+    "print_steps",
     "run_natively",
     "run_summary",
+    "runs_numbers",
+    "runs_summary",
     "simulate",
+    "simulate_many",
     "table_code",
     "whole_run",
     "write_loop",
     "write_run",
+    "write_runs",
+    "write_steps",
 ]
 
 __getattr__ = doors(__name__)

@@ -61,10 +61,11 @@ class AssemblyModes:
         self.model, system = model, model.system
         self._more = [parameters] if len(parameters) else []
         self.rows = np.array([1 / system.length if r.unit == "N" else 1.0 for cut in system.cuts for r in cut.rows])
+        self.of_places = np.array([row.holonomic for cut in system.cuts for row in cut.rows], dtype=bool)
         self.blocks: dict[str, tuple[Block, ...]] = {}
         if not system.cuts or "closure_jacobian" not in model.programs:
             return
-        states = [self._jacobian(q) for q in (system.reference, *system.sample_states[0])]
+        states = [self._jacobian(q) for q in (system.reference, *model.sample_q)]
         for way, held in self._held().items():
             self.blocks[way] = tuple(self._of(states, held))
 
@@ -86,7 +87,8 @@ class AssemblyModes:
         """The closure Jacobian (rows, nv) without units."""
         (found,), _ = self.model("closure_jacobian", q, *self._more)
         scales = np.asarray(self.model.system.scales, dtype=float)
-        return np.asarray(found.reshape(len(scales), len(self.rows)).T * self.rows[:, None] * scales)
+        matrix = found.reshape(len(scales), len(self.rows)).T * self.rows[:, None] * scales
+        return np.asarray(matrix[self.of_places])  # rolling has no modes: a wheel may turn anywhere
 
     def _held(self) -> dict[str, set[int]]:
         """Ways to hold the mechanism: entries of v that rest."""

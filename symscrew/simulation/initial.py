@@ -1,11 +1,15 @@
 """Where a run begins: the scene's coordinates and rates put in, everything else assembled.
 
 reference configuration --strides to the given coordinates, Newton's method--> q;    J v = 0, given rates --> v
+
+A start is a generator that asks for what it needs of the mechanism at some state (`_At`, `_Bias`, `_Moved`) and goes on
+with the answer: many starts ask side by side and are answered at once, in the same numbers as one.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
+from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 
@@ -30,7 +34,35 @@ MOST_STEPS, LARGEST_STEP = 40, 0.5  # of Newton's method; larger steps [1, rad] 
 STEP_RANK, RATE_RANK = 1e-10, 1e-11
 
 
-def initial_state(scene: Scene, model: Model, parameters: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+Found = TypeVar("Found")
+Asking = Generator["_Question", Any, Found]
+State = tuple[np.ndarray, np.ndarray]
+
+
+class _At(NamedTuple):
+    """Asks for residual and Jacobian of the loops at q."""
+
+    q: np.ndarray
+
+
+class _Bias(NamedTuple):
+    """Asks for (dJ/dt) v at q."""
+
+    q: np.ndarray
+    v: np.ndarray
+
+
+class _Moved(NamedTuple):
+    """Asks for q moved by a step in rates (nv,)."""
+
+    q: np.ndarray
+    step: np.ndarray
+
+
+_Question = _At | _Bias | _Moved
+
+
+def initial_state(scene: Scene, model: Model, parameters: np.ndarray) -> State:
     """Configuration (nq,) [rad, m] and rates (nv,) [rad/s, m/s] that close all loops and have the scene's values.
 
     `parameters`: values of the run-time parameters (np,).
@@ -39,22 +71,56 @@ def initial_state(scene: Scene, model: Model, parameters: np.ndarray) -> tuple[n
         DescriptionError: an unknown label, loops that cannot be closed with these values, rates that contradict
             each other.
     """
-    system, closure = model.system, _Closure(model, parameters)
+    (found,) = initial_states_together(model, [(scene, parameters)])
+    if isinstance(found, DescriptionError):
+        raise found
+    return found
+
+
+def initial_states_together(model: Model, of: Sequence[tuple[Scene, np.ndarray]]) -> list[State | DescriptionError]:
+    """`initial_state` of every scene with its parameters; where there is none, the error that says why."""
+    closure = _Closure(model)
+    asking = {k: _begun(scene, model, closure) for k, (scene, _) in enumerate(of)}
+    found: list[State | DescriptionError] = [DescriptionError("")] * len(of)
+    answers: dict[int, Any] = dict.fromkeys(asking)
+    while asking:
+        questions: dict[int, _Question] = {}
+        for k, work in list(asking.items()):
+            try:
+                questions[k] = work.send(answers[k])
+            except StopIteration as end:
+                found[k] = end.value
+                del asking[k]
+            except DescriptionError as error:
+                found[k] = error
+                del asking[k]
+        answers = dict(closure.answers(questions, [parameters for _, parameters in of]))
+    return found
+
+
+def _begun(scene: Scene, model: Model, closure: _Closure) -> Asking[State]:
+    system = model.system
     known = {c.label: k for k, c in enumerate(system.tree.q)}
     hold = scene.initial.hold
     if hold is None and any(label not in known for label in scene.initial.coordinates):
         placed = _by_names(scene, model)
-        rates = {c.label: k for k, c in enumerate(system.tree.v)}
-        return placed, _rates(closure, placed, dict(_labelled(scene.initial.rates, rates, "initial.rates")), scene)
+        labels = {c.label: k for k, c in enumerate(system.tree.v)}
+        given = dict(_labelled(scene.initial.rates, labels, "initial.rates"))
+        return placed, (yield from _rates(closure, placed, given, scene))
     target = _unit_quaternions(system, dict(_labelled(scene.initial.coordinates, known, "initial.coordinates")))
+    q = None
     if hold is None:
-        q = next((q for n in STRIDES if (q := _followed(model, closure, target, n)) is not None), None)
+        for strides in STRIDES:
+            q = yield from _followed(model, closure, target, strides)
+            if q is not None:
+                break
     else:
-        q = _nearest(model, closure, target, [k for label, k in known.items() if label in hold])
+        q = yield from _nearest(model, closure, target, [k for label, k in known.items() if label in hold])
     if q is None:
         opened = np.array(system.reference)
         opened[list(target)] = list(target.values())
-        gap = np.abs(closure.at(opened)[0]).max(initial=0.0)
+        residual, _ = yield _At(opened)
+        gap = np.abs(residual).max(initial=0.0)
         raise DescriptionError(
             "initial.coordinates: the loops of "
             f"{model.name} cannot be closed with {_shown(scene.initial.coordinates)}: they stay open by {gap:.3g} "
@@ -62,7 +128,8 @@ def initial_state(scene: Scene, model: Model, parameters: np.ndarray) -> tuple[n
             "only independent coordinates: the others are assembled"
         )
     known = {c.label: k for k, c in enumerate(system.tree.v)}
-    return q, _rates(closure, q, dict(_labelled(scene.initial.rates, known, "initial.rates")), scene)
+    rates = dict(_labelled(scene.initial.rates, known, "initial.rates"))
+    return q, (yield from _rates(closure, q, rates, scene))
 
 
 def _by_names(scene: Scene, model: Model) -> np.ndarray:
@@ -125,26 +192,50 @@ def _shown(values: Mapping[str, float]) -> str:
 class _Closure:
     """Residual and Jacobian of the loops without units; columns are rates v divided by their unit."""
 
-    def __init__(self, model: Model, parameters: np.ndarray) -> None:
+    def __init__(self, model: Model) -> None:
         system = model.system
         self.model, self.system = model, system
-        self.extra = [parameters] if len(parameters) else []
         self.rows = np.array([1 / system.length if r.unit == "N" else 1.0 for cut in system.cuts for r in cut.rows])
         self.units = np.array([system.length if c.kind == "length" else 1.0 for c in system.tree.v])
+        self.of_places = np.array([row.holonomic for cut in system.cuts for row in cut.rows], dtype=bool)
 
-    def at(self, q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def of_coordinates(self, residual: np.ndarray, matrix: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """The rows that coordinates must obey: rolling may get a wheel anywhere."""
+        return residual[self.of_places], matrix[self.of_places]
+
+    def answers(
+        self, questions: Mapping[int, _Question], parameters: Sequence[np.ndarray]
+    ) -> Iterator[tuple[int, Any]]:
+        """The answer of every question, each kind evaluated at once; `parameters` by the number of the start."""
+        kinds: tuple[tuple[type, Callable[..., Iterator[Any]]], ...] = (
+            (_At, self.at), (_Bias, self.bias), (_Moved, self.moved),
+        )  # fmt: skip
+        for kind, answer in kinds:
+            mine = [k for k, question in questions.items() if isinstance(question, kind)]
+            if mine:
+                arrays = [np.array(values) for values in zip(*(questions[k] for k in mine), strict=True)]
+                p = np.array([parameters[k] for k in mine])
+                yield from zip(mine, answer(*arrays, *([p] if p.shape[1] and kind is not _Moved else ())), strict=True)
+
+    def at(self, q: np.ndarray, *p: np.ndarray) -> Iterator[tuple[np.ndarray, np.ndarray]]:
+        """Residual (rows,) and Jacobian (rows, nv) of every state."""
         n = len(self.units)
         if not len(self.rows):
-            return np.zeros(0), np.zeros((0, n))
-        (residual,), _ = self.model("closure", q, *self.extra)
-        (jacobian,), _ = self.model("closure_jacobian", q, *self.extra)
-        matrix = jacobian.reshape(n, len(self.rows)).T
-        return residual * self.rows, matrix * self.rows[:, None] * self.units
+            yield from [(np.zeros(0), np.zeros((0, n)))] * len(q)
+            return
+        (residual,), _ = self.model("closure", q, *p)
+        (jacobian,), _ = self.model("closure_jacobian", q, *p)
+        for r, j in zip(residual, jacobian.reshape(len(q), -1), strict=True):
+            yield r * self.rows, j.reshape(n, len(self.rows)).T * self.rows[:, None] * self.units
 
-    def bias(self, q: np.ndarray, v: np.ndarray) -> np.ndarray:
-        """(dJ/dt) v, without units."""
-        (found,), _ = self.model("closure_bias", q, v, *self.extra)
-        return np.asarray(found * self.rows)
+    def bias(self, q: np.ndarray, v: np.ndarray, *p: np.ndarray) -> Iterator[np.ndarray]:
+        """(dJ/dt) v of every state, without units."""
+        (found,), _ = self.model("closure_bias", q, v, *p)
+        yield from found * self.rows
+
+    def moved(self, q: np.ndarray, step: np.ndarray) -> Iterator[np.ndarray]:
+        """q of every state after its step."""
+        yield from self.system.advance(q, _turned_rates(self.system, q, step))
 
 
 def _unit_quaternions(system: System, given: Mapping[int, float]) -> dict[int, float]:
@@ -169,7 +260,7 @@ def _unit_quaternions(system: System, given: Mapping[int, float]) -> dict[int, f
     return target
 
 
-def _followed(model: Model, closure: _Closure, target: dict[int, float], strides: int) -> np.ndarray | None:
+def _followed(model: Model, closure: _Closure, target: dict[int, float], strides: int) -> Asking[np.ndarray | None]:
     """Newton's method from the reference to the target, in strides."""
     system = model.system
     q = np.array(system.reference)
@@ -178,14 +269,14 @@ def _followed(model: Model, closure: _Closure, target: dict[int, float], strides
     for stride in range(1, strides + 1):
         part = stride / strides
         wanted = {k: start[k] + part * (target[k] - start[k]) for k in target}
-        found = _solved(system, closure, q, wanted)
+        found = yield from _solved(system, closure, q, wanted)
         if found is None:
             return None
         q = found
     return q
 
 
-def _nearest(model: Model, closure: _Closure, given: dict[int, float], held: list[int]) -> np.ndarray | None:
+def _nearest(model: Model, closure: _Closure, given: dict[int, float], held: list[int]) -> Asking[np.ndarray | None]:
     """By Newton's method from the given values, of which those at `held` are kept."""
     system = model.system
     start = np.array(system.reference)
@@ -193,14 +284,14 @@ def _nearest(model: Model, closure: _Closure, given: dict[int, float], held: lis
     start[plain] = [given[k] for k in plain]
     start = _turned(system, start, given)
     kept = {k: value for k, value in given.items() if k in held}
-    found = _solved(system, closure, start, kept)
+    found = yield from _solved(system, closure, start, kept)
     if found is not None:
         sure = [k for k in kept if k in plain]
         found[sure] = [kept[k] for k in sure]  # to the last bit
     return found
 
 
-def _solved(system: System, closure: _Closure, q: np.ndarray, wanted: Mapping[int, float]) -> np.ndarray | None:
+def _solved(system: System, closure: _Closure, q: np.ndarray, wanted: Mapping[int, float]) -> Asking[np.ndarray | None]:
     """Newton's method by least squares onto the closed loops with the wanted coordinates; None where it fails."""
     moved = _turned(system, q, wanted)
     plain = {k: value for k, value in wanted.items() if system.tree.q[k].kind != "quaternion"}
@@ -212,7 +303,7 @@ def _solved(system: System, closure: _Closure, q: np.ndarray, wanted: Mapping[in
     for i, k in enumerate(held):
         pick[len(plain) + i, k] = 1.0
     for _ in range(MOST_STEPS):
-        residual, jacobian = closure.at(moved)
+        residual, jacobian = closure.of_coordinates(*(yield _At(moved)))
         away = [(value - moved[k]) / closure.units[column[k]] for k, value in plain.items()] + [0.0] * len(held)
         right = np.concatenate([away, -residual])
         if np.abs(residual).max(initial=0) < CLOSED and np.abs(away).max(initial=0) < CLOSED:
@@ -223,7 +314,7 @@ def _solved(system: System, closure: _Closure, q: np.ndarray, wanted: Mapping[in
             good = np.abs(residual).max(initial=0) < STALLED and np.abs(away).max(initial=0) < FOLLOWED
             return moved if good else None
         step *= min(1.0, LARGEST_STEP / size) * closure.units
-        moved = system.advance(moved, _turned_rates(system, moved, step))
+        moved = yield _Moved(moved, step)
     return None
 
 
@@ -238,16 +329,16 @@ def _turned(system: System, q: np.ndarray, wanted: Mapping[int, float]) -> np.nd
 
 
 def _turned_rates(system: System, q: np.ndarray, v: np.ndarray) -> np.ndarray:
-    """Joint rates from rates v: spherical ones from the child's axes to those before the rotation."""
+    """Joint rates (n, nv) from rates v: spherical ones from the child's axes to those before the rotation."""
     at = system.inputs
-    return np.asarray(system.numeric(system.joint_rates(at.v), (at.q, q[None]), (at.v, v[None]))[0])
+    return np.asarray(system.numeric(system.joint_rates(at.v), (at.q, q), (at.v, v)))
 
 
-def _rates(closure: _Closure, q: np.ndarray, given: dict[int, float], scene: Scene) -> np.ndarray:
+def _rates(closure: _Closure, q: np.ndarray, given: dict[int, float], scene: Scene) -> Asking[np.ndarray]:
     n = len(closure.units)
     if not given:
         return np.zeros(n)
-    _, jacobian = closure.at(q)
+    _, jacobian = yield _At(q)
     hold, start = scene.initial.hold, np.zeros(n)
     labels = [c.label for c in closure.system.tree.v]
     kept = [k for k in given if hold is None or labels[k] in hold]
@@ -266,7 +357,8 @@ def _rates(closure: _Closure, q: np.ndarray, given: dict[int, float], scene: Sce
             f"initial.rates: the loops do not allow {_shown(scene.initial.rates)} in this configuration; check the "
             "values, or give only the rates of independent coordinates"
         )
-    if len(jacobian) and leaves_every_branch(jacobian, closure.bias(q, v * closure.units), v):
+    bias = (yield _Bias(q, v * closure.units)) if len(jacobian) else None
+    if bias is not None and leaves_every_branch(jacobian, bias, v):
         raise DescriptionError(
             f"initial.rates: the loops lose rank in this configuration, where branches of the motion meet, and "
             f"{_shown(scene.initial.rates)} with the smallest rates of all others belongs to none of them; give the "

@@ -20,8 +20,8 @@ from symscrew.runtime import CompileError, find_compiler
 from symscrew.scene import Scene, parameter_values
 from symscrew.scene import controller as controller_of
 from symscrew.simulation.assembly_mode import AssemblyModes, changed
-from symscrew.simulation.derived_model import derived_model
 from symscrew.simulation.initial import initial_state, initial_states, moves
+from symscrew.simulation.kept_model import derived_model
 from symscrew.simulation.native import NATIVE_METHODS, integrate_natively
 from symscrew.simulation.portable import Controller, integrate
 from symscrew.simulation.recording import Estimate, History, State
@@ -173,12 +173,12 @@ def simulate(
     x = initial_states(scene, model, q, v)
     x = np.concatenate([x, np.zeros(len(programs.x_labels) - len(x))])
     contacts = [c for e in scene.effects for c in e.contacts()]
-    history = _integrated(
+    history = integrated(
         scene, programs, (q, v, x), contacts=contacts, controller=controller, backend=backend, progress=progress
     )
     if controller is None:
         history = with_longest_stable_step(scene, programs, history, (q, v, x))
-    history = replace(history, events=(*moves(scene, model, q, v), *_of_steps(scene), *history.events))
+    history = replace(history, events=(*told_at_start(scene, model, q, v), *history.events))
     return judged(_observed(scene, model, programs, history))
 
 
@@ -191,16 +191,17 @@ def judged(run: Run) -> Run:
     return replace(run, accurate=accurate, verdict=text)
 
 
-def _integrated(
+def integrated(
     scene: Scene,
     programs: Plant,
     start: State,
     *,
     contacts: Sequence[Contact],
-    controller: Controller | None,
-    backend: str | None,
-    progress: Progress | None,
+    controller: Controller | None = None,
+    backend: str | None = None,
+    progress: Progress | None = None,
 ) -> History:
+    """The samples of a scene from a start on its loops; other arguments as of `simulate`."""
     own = scene.integrator.method in NATIVE_METHODS and controller is None
     chosen = backend or ("c" if find_compiler() else "numpy")
     if chosen not in ("c", "numpy"):
@@ -232,6 +233,11 @@ def one_line(error: Exception) -> str:
     return str(error).partition("\n")[0].rstrip(":")
 
 
+def told_at_start(scene: Scene, model: Model, q: np.ndarray, v: np.ndarray) -> tuple[str, ...]:
+    """Events of a run before it begins: what `hold` moved, what a fixed step becomes."""
+    return (*moves(scene, model, q, v), *_of_steps(scene))
+
+
 def _of_steps(scene: Scene) -> tuple[str, ...]:
     """What a fixed step becomes so that outputs fall on ends of steps: an event where it is another one."""
     step, between = scene.integrator.step, 1.0 / scene.rate
@@ -252,39 +258,77 @@ def evaluated(model: Model, name: str, known: Mapping[str, np.ndarray]) -> dict[
 
 
 def _observed(scene: Scene, model: Model, programs: Plant, history: History) -> Run:
-    n = len(history.t)
+    (run,) = observed(model, [(scene, programs, history)])
+    return run
+
+
+def observed(model: Model, of: Sequence[tuple[Scene, Plant, History]]) -> list[Run]:
+    """The runs of these samples; functions are evaluated at the samples of all runs at once.
+
+    `of`: scene, programs and samples of every run of one scene; they differ in starts and parameters.
+    """
+    if not of:
+        return []
+    commanded, seen = _evaluated_together(model, of)
+    ends = np.cumsum([0, *(len(history.t) for _, _, history in of)])
+    modes: dict[bytes, AssemblyModes] = {}
+    runs = []
+    for k, (scene, programs, history) in enumerate(of):
+        key = programs.parameters.tobytes()
+        if key not in modes:
+            modes[key] = AssemblyModes(model, programs.parameters)
+        own = slice(ends[k], ends[k + 1])
+        inputs, looks = ({name: array[own] for name, array in arrays.items()} for arrays in (commanded, seen))
+        runs.append(_run(scene, programs, history, inputs, looks=looks, named=modes[key]))
+    return runs
+
+
+Arrays = dict[str, np.ndarray]
+
+
+def _evaluated_together(model: Model, of: Sequence[tuple[Scene, Plant, History]]) -> tuple[Arrays, Arrays]:
+    """What the scene commands, and energies, openings and reactions, by name, run behind run (n, size)."""
+    (scene, programs, _), histories = of[0], [history for _, _, history in of]
+    t, q, v, x = (np.concatenate([getattr(history, name) for history in histories]) for name in "tqvx")
+    n = len(t)
     effect_states = sum(p.size for p in programs.forward.inputs if p.name == "x")
-    known = {
-        "t": history.t[:, None], "q": history.q, "v": history.v, "x": history.x[:, :effect_states],
-        "p": np.repeat(programs.parameters[None], n, 0),
-    }  # fmt: skip
-    tables = np.stack([table(history.t) for table in scene.tables.values()], 1) if scene.tables else np.zeros((n, 0))
-    held = history.u if history.u is not None else np.zeros((n, 0))
-    tables = np.concatenate([tables, history.forces], 1)
-    found = commands(programs, {**known, "x": history.x, "u": held, "s": tables})
+    values = [np.repeat(plant.parameters[None], len(history.t), 0) for _, plant, history in of]
+    known = {"t": t[:, None], "q": q, "v": v, "x": x[:, :effect_states], "p": np.concatenate(values)}
+    tables = np.stack([table(t) for table in scene.tables.values()], 1) if scene.tables else np.zeros((n, 0))
+    held = [h.u if h.u is not None else np.zeros((len(h.t), 0)) for h in histories]
+    tables = np.concatenate([tables, np.concatenate([history.forces for history in histories])], 1)
+    found = commands(programs, {**known, "x": x, "u": np.concatenate(held), "s": tables})
     known |= found
-    u = found.get("u", np.zeros((n, 0)))
-    energy = evaluated(model, "energy", known)["energy"]
+    seen = {"energy": evaluated(model, "energy", known)["energy"], "closure": np.zeros(n)}
+    if programs.closure is not None:
+        residual = evaluated(model, "closure", known)["residual"]
+        seen["closure"] = np.abs(residual * programs.rows).max(axis=1, initial=0.0)
+    if scene.reactions:
+        seen["reactions"] = evaluated(model, "forward_dynamics_reactions", known)["reactions"]
+    return found, seen
+
+
+def _run(
+    scene: Scene, programs: Plant, history: History, inputs: Arrays, *, looks: Arrays, named: AssemblyModes
+) -> Run:
+    """The run of these samples, with what was evaluated at them."""
+    model, n, energy = programs.model, len(history.t), looks["energy"]
     work = history.x[:, -1] if programs.works else np.zeros(n)
     taken = np.array([sum(loss for when, _, loss in history.losses if 0 < when < t) for t in history.t])
     balance = energy.sum(axis=1) - energy[:1].sum(axis=1) - work + taken
     losses: dict[str, float] = {}
     for _, name, loss in history.losses:
         losses[name] = losses.get(name, 0.0) + float(loss)
-    closure = np.zeros(n)
-    if programs.closure is not None:
-        closure = np.abs(evaluated(model, "closure", known)["residual"] * programs.rows).max(axis=1, initial=0.0)
-    reactions = evaluated(model, "forward_dynamics_reactions", known)["reactions"] if scene.reactions else None
-    named = AssemblyModes(model, programs.parameters)
     modes = (named.name(history.q[0]), named.name(history.q[-1])) if n else ("", "")
     labels = [row.label for cut in model.system.cuts for row in cut.rows]
     crossings = tuple(
         Crossing(c.t, c.q, c.pivot / programs.pivot, c.lost, tuple(labels[k] for k in c.rows))
         for c in history.crossings
     )
+    u = inputs.pop("u", np.zeros((n, 0)))
     return Run(
-        scene, model, history.t, history.q, history.v, u, history.x, energy, closure, balance, reactions, crossings,
-        (*history.events, *changed(*modes)), history.ok, history.status, history.counters, programs.x_labels,
-        history.backend, {name: array for name, array in found.items() if name != "u"}, losses, history.estimate,
-        history.doubts, modes=modes,
+        scene, model, history.t, history.q, history.v, u, history.x, energy, looks["closure"], balance,
+        looks.get("reactions"), crossings, (*history.events, *changed(*modes)), history.ok, history.status,
+        history.counters, programs.x_labels, history.backend, inputs, losses, history.estimate, history.doubts,
+        modes=modes,
     )  # fmt: skip

@@ -10,6 +10,7 @@ import hashlib
 import math
 import tempfile
 from collections.abc import Callable, Sequence
+from copy import copy
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -19,7 +20,7 @@ from symscrew.runtime import compile_c
 from symscrew.scene import INTEGRATION_METHODS, UNCHANGING, Scene, TimeFeatures, features_in_time
 from symscrew.simulation.native_contacts import MOST_EVENTS, NativeContacts
 from symscrew.simulation.recording import History, Passage, State, shown_time
-from symscrew.simulation.run_source import sources, table_code
+from symscrew.simulation.run_source import contact_numbers, rules_of, sources, table_code
 from symscrew.simulation.state_programs import Plant
 from symscrew.simulation.verdict import estimated
 
@@ -65,9 +66,20 @@ class Library:
         self.plant = plant
         text, self._near_text = sources(plant, tables)
         self._near_flags = NEAR_FLAGS if flags is None else tuple(flags)
-        self.code = _compiled(text, NATIVE_FLAGS if flags is None else flags)
-        self._precise: ctypes.CDLL | None = None
+        self._made = _compiled(text, NATIVE_FLAGS if flags is None else flags)
         self.hash = hashlib.sha256(text.encode()).hexdigest()[:16]
+        self._load()
+
+    def another(self) -> Library:
+        """The same loop once more, for another thread: with contacts, counters and parameters of its own."""
+        made = copy(self)
+        made._load()
+        return made
+
+    def _load(self) -> None:
+        plant = self.plant
+        self.code = _loaded(self._made)
+        self._precise: ctypes.CDLL | None = None
         for name in ("simulation_size", "crossing_size"):
             getattr(self.code, name).restype = ctypes.c_size_t
         self.code.simulation_start.restype = self.code.simulation_advance.restype = ctypes.c_int
@@ -78,6 +90,17 @@ class Library:
              ("rows", "f8", (max(nr, 1),))]
         )  # fmt: skip
         assert self.crossing.itemsize == self.code.crossing_size()
+        self.put(plant)
+
+    def put(self, plant: Plant) -> None:
+        """Other values of the run-time parameters, from the next start on; `plant` differs in nothing else."""
+        self.plant = plant
+        if len(plant.parameters):
+            numbers = [number for rule in rules_of(plant) for number in contact_numbers(rule)]
+            arrays = [np.ascontiguousarray(values, dtype=float) for values in (plant.parameters, numbers)]
+            self.code.simulation_parameters(*map(_pointer, arrays))
+            if self._precise is not None:
+                self._precise.precise_parameters(*map(_pointer, arrays))
 
     def start(
         self, t: float, q: np.ndarray, v: np.ndarray, x: np.ndarray, *, method: str, h: float, rtol: float,
@@ -135,7 +158,8 @@ class Library:
             )
         )  # fmt: skip
         if outcome == NEEDS_PRECISION:
-            self._precise = _compiled(self._near_text, self._near_flags)
+            self._precise = _loaded(_compiled(self._near_text, self._near_flags))
+            self.put(self.plant)
             self._offer_precision()
             return GOING_ON
         return outcome
@@ -151,13 +175,21 @@ class Library:
         return float(t[0]), state, dict(zip(names, numbers.tolist(), strict=False))
 
 
-def _compiled(text: str, flags: Sequence[str]) -> ctypes.CDLL:
-    """A C file as a library; it stays mapped when its file is gone."""
+def _compiled(text: str, flags: Sequence[str]) -> bytes:
+    """A C file as a library."""
     with tempfile.TemporaryDirectory(prefix="symscrew_") as temporary:
         file, library = Path(temporary) / "run.c", Path(temporary) / "run.so"
         file.write_text(text, encoding="utf-8")
         compile_c(file, library, flags=flags)
-        return ctypes.CDLL(str(library))
+        return library.read_bytes()
+
+
+def _loaded(library: bytes) -> ctypes.CDLL:
+    """A library, with variables of its own every time; it stays mapped when its file is gone."""
+    with tempfile.TemporaryDirectory(prefix="symscrew_") as temporary:
+        file = Path(temporary) / "run.so"
+        file.write_bytes(library)
+        return ctypes.CDLL(str(file))
 
 
 def _pointer(array: np.ndarray) -> ctypes.c_void_p:
@@ -190,15 +222,20 @@ def integrate_natively(
 
 
 def run_natively(
-    library: Library, scene: Scene, start: State, progress: Callable[[float], None] | None = None
+    library: Library,
+    scene: Scene,
+    start: State,
+    progress: Callable[[float], None] | None = None,
+    *,
+    features: TimeFeatures | None = None,
 ) -> History:
-    """The run of a scene by a compiled loop that is there already."""
+    """The run of a scene by a compiled loop that is there already; `features` of its inputs, if they are known."""
     choice, log = scene.integrator, RunLog.empty(library, scene.times)
     local = max(LOCAL * choice.tolerance, LEAST)
     h = choice.step or 0.0
     if h:  # outputs fall on ends of steps
         h = 1.0 / scene.rate / max(1, math.ceil(1.0 / scene.rate / h - 1e-9))
-    features = features_in_time(scene, library.plant.model)
+    features = features_in_time(scene, library.plant.model) if features is None else features
     contacts = NativeContacts(library, scene, start)
     outcome = library.start(
         0.0, *start, method=choice.method, h=h, rtol=local, atol=local,

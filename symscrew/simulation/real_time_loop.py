@@ -73,7 +73,8 @@ def write_loop(scene: Scene, folder: Path) -> list[Path]:
     return written
 
 
-def _labels(name: str, labels: tuple[str, ...]) -> list[str]:
+def labelled(name: str, labels: tuple[str, ...]) -> list[str]:
+    """Lines of a comment that say what the entries of an array are."""
     entries = packed([plain(f"{k} {label}") for k, label in enumerate(labels)])
     return [f" * {name}[{len(labels)}]:", *(f" * {line}" for line in entries)]
 
@@ -92,7 +93,7 @@ def _header(scene: Scene, made: Plant, start: tuple[np.ndarray, np.ndarray]) -> 
     lines += [f" * One step of {scene.integrator.method} of the scene {name}, projected onto the loops' closure."]
     lines += [" *"]
     for key in ("q", "v", "x", "u"):
-        lines += _labels(key, ports[key].labels)
+        lines += labelled(key, ports[key].labels)
     lines += [
         " *", " * Returns 0: done. 1: the state cannot be continued (loops open, not finite); q, v, x are unchanged.",
         " * 2: at rest in a singular configuration, where several motions begin; unchanged.", " */",

@@ -211,14 +211,19 @@ def _sums(counts: Sequence[int]) -> list[int]:
     return [0, *itertools.accumulate(counts)]
 
 
+def contact_numbers(rule: Law) -> list[float]:
+    """The numbers of a contact that parameters can change; there are no infinities in C99's text."""
+    reals = (rule.coulomb, rule.static, rule.stribeck, rule.lower, rule.upper)
+    return [float(np.clip(value, -1e300, 1e300)) for value in reals]
+
+
 def contact_constants(rules: Sequence[Law]) -> str:
     """The contacts of a run as constant data; "" for none."""
     if not rules:
         return ""
 
     def entry(rule: Law) -> str:
-        reals = (rule.coulomb, rule.static, rule.stribeck, rule.lower, rule.upper)
-        numbers = [decimal(float(np.clip(value, -1e300, 1e300))) for value in reals]  # no infinities in C99's text
+        numbers = [decimal(value) for value in contact_numbers(rule)]
         return f"{{{int(rule.contact.kind == 'stop')}, {rule.v}, {rule.q}, {', '.join(numbers)}}}"
 
     table = ", ".join(entry(rule) for rule in rules)
@@ -281,13 +286,36 @@ def source(plant: Plant, tables: str = "") -> str:
 
 def sources(plant: Plant, tables: str = "") -> tuple[str, str]:
     """The C file of a run, and the one that follows branches near singular configurations in extended precision."""
-    functions = _functions(plant, tables)
+    varied = len(plant.parameters)  # they are put in when the library is there, so that one serves all values
+    functions = _functions(replace(plant, parameters=plant.system.parameter_values), tables)
     near = ("rows.c", "manifold.c", "contacts.c", "chart.c", "branch.c", "anchor.c")
     steps = ("steps.c", "adaptive.c", "events.c", "simulation.c")
     head = ["#include <math.h>", "#include <stddef.h>", "#include <string.h>"]
-    run = [*head, *functions, *map(kernel_text, (*near, *steps))]
     scalar = f"#define {plant.model.name.upper()}_SCALAR 1"
-    return "\n".join(run), "\n".join([EXTENDED, scalar, *functions, *map(kernel_text, (*near, "precise.c"))])
+    run = [*head, *_storage(varied), *functions, *map(kernel_text, (*near, *steps))]
+    precise = [EXTENDED, scalar, *_storage(varied), *functions, *map(kernel_text, (*near, "precise.c"))]
+    if varied:
+        run += _put("simulation_parameters", "double")
+        precise += _put("precise_parameters", "Rounded")
+    return "\n".join(run), "\n".join(precise)
+
+
+def _storage(varied: int) -> list[str]:
+    """What makes variables of the parameters, and of what follows from them."""
+    if not varied:
+        return []
+    return [f"#define VARIED {varied}", "#define PARAMETERS_STORAGE static", "#define CONTACT_STORAGE static"]
+
+
+def _put(symbol: str, given: str) -> list[str]:
+    """The function that puts values in; its arguments are of the type `given`."""
+    return [f"#define PUT_PARAMETERS {symbol}", f"#define GIVEN {given}", kernel_text("parameters.c")]
+
+
+def rules_of(plant: Plant) -> tuple[Law, ...]:
+    """The contacts of a run with numbers, at the plant's parameters."""
+    found = [c for e in plant.model.effects for c in e.contacts()] if plant.outside else []
+    return laws(plant.model, found, plant.parameters)
 
 
 def _functions(plant: Plant, tables: str) -> list[str]:
@@ -295,8 +323,7 @@ def _functions(plant: Plant, tables: str) -> list[str]:
     files = generated(plant)
     name = plant.model.name
     code = files[f"{name}.c"].replace(f'#include "{name}.h"', files[f"{name}.h"])
-    found = [c for e in plant.model.effects for c in e.contacts()] if plant.outside else []
-    rules = laws(plant.model, found, plant.parameters)
+    rules = rules_of(plant)
     head = [code, constants(plant)]
     head += ["static long evaluations;", "#define COUNT_EVALUATION ++evaluations", contact_constants(rules)]
     plain = adapters(plant, "plain_forces_at" if rules else "forces_at")

@@ -144,7 +144,8 @@ def _wary(slopes: Program, forward: Program, model: Model) -> tuple[Program, Pro
     """
     if not isinstance(forward, RankRevealing) or not forward.guards:
         return slopes, forward
-    states = dict(zip(("q", "v"), model.system.sample_states[:2], strict=True))
+    names = [port.name for port in forward.inputs]
+    states = {k: x for k, x in zip(names, model.test_inputs["forward_dynamics"], strict=True) if k in ("q", "v")}
     ports = tuple(Port(f"pivot{k}", (1,), ("1",), ("",), "a pivot") for k in range(len(forward.guards)))
     results = tuple((slot,) for slot, _ in forward.guards)
     pivots = Program(
@@ -280,8 +281,7 @@ def _closure(model: Model) -> tuple[Program | None, np.ndarray]:
 def _regular(model: Model, units: np.ndarray, rows: np.ndarray, entries: np.ndarray) -> tuple[tuple[Front, ...], float]:
     """Fronts of the closure, and the smallest pivot that the model's sample states have, without units."""
     system = model.system
-    at = model.test_inputs.get("closure_jacobian")  # the sample states, which take long to find
-    q = at[0] if at is not None else system.sample_states[0]
+    q = model.sample_q
     jacobian = model.programs["closure_jacobian"]
     given = [np.repeat(system.parameter_values[None], len(q), 0)] if len(jacobian.inputs) > 1 else []
     values = model("closure_jacobian", q, *given)[0][0].reshape(len(q), len(units), len(rows)).transpose(0, 2, 1)

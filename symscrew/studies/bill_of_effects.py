@@ -356,7 +356,12 @@ def _compiled(model: Model) -> CompiledModel:
 
 
 def bill_text(found: Bill) -> str:
-    """The bill as a table."""
+    """The bill as a table in Markdown, with its notes."""
+    return "\n".join([aligned_table(*bill_table(found)), *found.notes])
+
+
+def bill_table(found: Bill) -> tuple[list[str], list[list[str]]]:
+    """Header and rows of the bill."""
     header = [
         "effect",
         "operations inverse",
@@ -383,7 +388,7 @@ def bill_text(found: Bill) -> str:
     times = [found.nanoseconds.get(f) for f in BILLED_FUNCTIONS]
     shown = [f"{t:.0f}" if t is not None else "-" for t in times]
     rows.append(["all of it", *totals, "", str(sum(i.states for i in found.items)), *shown, "", ""])
-    return "\n".join([aligned_table(header, rows), *found.notes])
+    return header, rows
 
 
 def _signed(value: float | None, digits: int = 0) -> str:

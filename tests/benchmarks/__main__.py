@@ -24,6 +24,7 @@ from . import (
     mobility,
     optimisation,
     reposed,
+    rust_beside_c,
     simulation,
     starts,
     work_precision,
@@ -48,6 +49,7 @@ BENCHMARKS = {
     "jax": (jax_modules.run, 5),
     "kernels": (kernels.run, 1),
     "controllers": (controllers.run, 1),
+    "rust": (rust_beside_c.run, 7),
 }
 
 

@@ -24,11 +24,10 @@ from typing import Any
 import numpy as np
 
 from symscrew.dynamics import generalised_forces, mass_matrix
-from symscrew.effects import Acting, Effect, joints_read, transformed, type_name
+from symscrew.effects import Acting, Effect, system_under, type_name
 from symscrew.errors import DescriptionError
 from symscrew.formats import ImportOptions, import_file
 from symscrew.functions import Motion, kinematic_functions
-from symscrew.kinematics import System
 from symscrew.program import evaluate, lower
 from symscrew.reference import rotation_about
 from symscrew.scene import robot_of
@@ -48,7 +47,7 @@ class Ours:
         robot = robot_of(self.found)
         effects: list[Effect] = [effect for effect in robot.effects if type_name(effect) in COMPARED]
         self.mechanism = robot.mechanism
-        self.system = System(robot.mechanism, transformed(robot.mechanism, effects), read=joints_read(effects))
+        self.system = system_under(robot.mechanism, effects)
         self.acting = Acting(self.system, effects)
         self.q, self.v, _ = self.system.states(STATES, 1)
 
@@ -114,6 +113,7 @@ def with_mujoco(path: Path, options: ImportOptions) -> tuple[float, str]:
     engine.opt.jacobian = mujoco.mjtJacobian.mjJAC_DENSE
     data = mujoco.MjData(engine)
     mujoco.mj_forward(engine, data)
+    close_sites(engine, data)
     reference = data.xmat.reshape(-1, 3, 3).copy()
     start = data.xpos.copy()
     bases, mass = ours.null_spaces(), ours.mass()
@@ -144,7 +144,7 @@ def with_mujoco(path: Path, options: ImportOptions) -> tuple[float, str]:
 
 
 def mujoco_model(path: Path) -> Any:
-    """MuJoCo's model; where files are missing, without pictures and without geoms of bodies that give their inertia."""
+    """MuJoCo's model; where files are missing, without pictures and without the geoms that want them."""
     import mujoco
 
     try:
@@ -159,14 +159,28 @@ def mujoco_model(path: Path) -> Any:
     for body in spec.bodies:
         for geom in list(body.geoms):
             geom.material = ""
-            missing = geom.hfieldname or (body.explicitinertial and geom.meshname and geom.meshname not in there)
-            if missing:
+            missing = geom.meshname and geom.meshname not in there  # our side was read, so it needs none of them
+            if geom.hfieldname or missing:
                 spec.delete(geom)
     for ground in list(spec.hfields):
         spec.delete(ground)
     for mesh in [mesh for mesh in spec.meshes if (mesh.name or Path(mesh.file).stem) not in there]:
         spec.delete(mesh)
     return spec.compile()
+
+
+def close_sites(engine: Any, data: Any) -> None:
+    """Move two sites that meet to the middle between them, where the file has them apart: as our side does it."""
+    import mujoco
+
+    for k in range(engine.neq):
+        if engine.eq_type[k] == mujoco.mjtEq.mjEQ_CONNECT and engine.eq_objtype[k] == mujoco.mjtObj.mjOBJ_SITE:
+            sites = [engine.eq_obj1id[k], engine.eq_obj2id[k]]
+            middle = data.site_xpos[sites].mean(axis=0)
+            for site in sites:
+                body = engine.site_bodyid[site]
+                engine.site_pos[site] = data.xmat[body].reshape(3, 3).T @ (middle - data.xpos[body])
+    mujoco.mj_forward(engine, data)
 
 
 def names_in(engine: Any, ours: Ours) -> dict[str, int]:

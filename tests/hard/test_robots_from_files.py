@@ -11,7 +11,7 @@ from symscrew.export.c_lanes import in_order
 from symscrew.kinematics import System
 from symscrew.mobility import analyse_mobility
 from symscrew.program.lanes.signed_operations import Operation
-from symscrew.simulation.derived_model import derived_model
+from symscrew.simulation.kept_model import derived_model
 
 
 def builder(names: str) -> MechanismBuilder:

@@ -119,3 +119,15 @@ def test_without_a_compiler_curves_of_c_are_left_out_and_named(monkeypatch: pyte
     assert "C compiler" in study.left_out[0]
     assert set(study.curves) == {"first-order difference, NumPy", "analytic, NumPy"}
     assert least_error(study, "analytic, NumPy") < 1e-11
+
+
+def test_an_empty_study_says_why_and_what_to_do(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from symscrew.studies.accuracy import precision_study
+
+    monkeypatch.setattr(precision_study, "find_compiler", lambda: None)
+    assert main(["accuracy", "four_bar", "--study", "precision", "--out", str(tmp_path / "out")]) == 1
+    shown = capsys.readouterr().out
+    assert "left out: precision: all curves" in shown and "no C compiler; apt install gcc" in shown
+    assert "| study" not in shown  # a table without rows says nothing

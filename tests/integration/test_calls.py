@@ -15,7 +15,7 @@ from symscrew import notebook
 from symscrew.display import Page, Picture
 from symscrew.display.shown import recorded
 from symscrew.errors import DescriptionError
-from symscrew.results import Configuration, assemble
+from symscrew.results import AssembledConfiguration, assemble
 
 
 def test_a_configuration_by_hand() -> None:
@@ -46,7 +46,7 @@ def test_an_open_chain_has_nothing_to_close() -> None:
     arm = model("ur5")
     label = arm.system.tree.q[1].label
     found = assemble(arm, {label: -0.7})
-    assert isinstance(found, Configuration) and found.ok and found[label] == -0.7
+    assert isinstance(found, AssembledConfiguration) and found.ok and found[label] == -0.7
 
 
 @pytest.mark.slow  # compiles

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -12,6 +13,7 @@ import pytest
 
 from symscrew import catalogue
 from symscrew.cli.parser import main
+from symscrew.functions import PRESETS, preset, selected
 
 GOOD = """
 [mechanism]
@@ -174,6 +176,25 @@ def test_a_function_that_does_not_exist(tmp_path: Path, capsys: pytest.CaptureFi
     assert_one_clear_line(code, out, err)
     assert "--functions: no 'velocitty' in four_bar; did you mean 'velocity'" in err
     assert not os.listdir(tmp_path)
+
+
+def test_functions_by_preset(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """They are named with their size, and can be had together with others; `all` is all, with nothing to choose."""
+    more = ("--target", "numpy", "--out")
+    code, out, _ = run("generate", "four_bar", *more, str(tmp_path / "every"), capsys=capsys)
+    told = {name: int(n) for name, n in re.findall(r"--functions (\w+) \((\d+) functions, \d+ operations\)", out)}
+    every = list(json.loads((tmp_path / "every" / "manifest.json").read_text())["functions"])
+    assert code == 0 and told == {name: len(preset(name, every)) for name in PRESETS}
+    assert {"assemble", "drive_rates", "inverse_dynamics", "mass_matrix"} <= set(preset("control", every))
+    assert not re.search("dynamics|mass|momen|energy|reaction", " ".join(preset("kinematics", every)))
+    assert preset("all", every) == tuple(every) == selected(["all", "energy"], every)
+    some = ("--functions", "control", "energy", *more, str(tmp_path / "both"))
+    code, out, _ = run("generate", "four_bar", *some, capsys=capsys)
+    both = list(json.loads((tmp_path / "both" / "manifest.json").read_text())["functions"])
+    assert code == 0 and both == [f for f in every if f in preset("control", every) or f == "energy"]
+    assert "--functions" not in out
+    code, _, err = run("generate", "four_bar", "--functions", "controll", "--out", str(tmp_path / "x"), capsys=capsys)
+    assert code == 2 and "did you mean 'control'" in err
 
 
 def test_effects_reach_the_functions(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

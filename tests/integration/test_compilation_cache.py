@@ -234,7 +234,7 @@ def test_the_second_run_of_a_scene_compiles_and_derives_nothing(
         raise AssertionError("derived or printed again")
 
     with monkeypatch.context() as changed:
-        changed.setattr("symscrew.simulation.derived_model.derive", never)
+        changed.setattr("symscrew.simulation.kept_model.derive", never)
         changed.setattr("symscrew.simulation.run_source.print_c", never)
         assert main(["simulate", str(folder / "swing.toml"), "--json"]) == 0
         assert capsys.readouterr().out == first and calls(folder) == count

@@ -46,6 +46,34 @@ def test_no_colours_where_they_are_not_wanted(environment: dict[str, str], monke
     assert shown(monkeypatch, **environment) == terminal.aligned_table(HEADER, ROWS) + "\n"
 
 
+def test_a_narrow_terminal_breaks_no_name_and_no_command(monkeypatch: pytest.MonkeyPatch) -> None:
+    header = ("part", "found", "for", "to get it")
+    rows = [
+        ["three_ups_upu_s_physical", "not found", "a tool that is needed now and then, in words", 'pip install "a[b]"']
+    ]
+    for columns in (40, 60, 79, 120):
+        stream = Terminal()
+        monkeypatch.setattr(sys, "stdout", stream)
+        for name, value in {"TERM": "xterm-256color", "COLUMNS": str(columns)}.items():
+            monkeypatch.setenv(name, value)
+        monkeypatch.delenv("NO_COLOR", raising=False)
+        terminal.print_table(header, rows)
+        plain = re.sub(r"\x1b\[[\d;]*m", "", stream.getvalue())
+        assert max(map(len, plain.splitlines())) <= columns and "\u2026" not in plain
+        assert "three_ups_upu_s_physical" in plain and 'pip install "a[b]"' in plain
+
+
+@pytest.mark.parametrize("command", [["list"], ["doctor"]])
+def test_tables_fit_sixty_columns(command: list[str], monkeypatch: pytest.MonkeyPatch) -> None:
+    stream = Terminal()
+    monkeypatch.setattr(sys, "stdout", stream)
+    monkeypatch.setenv("TERM", "xterm-256color")
+    monkeypatch.setenv("COLUMNS", "60")
+    monkeypatch.delenv("NO_COLOR", raising=False)
+    assert main(command) == 0
+    assert max(len(line) for line in re.sub(r"\x1b\[[\d;]*m", "", stream.getvalue()).splitlines()) <= 60
+
+
 @pytest.mark.slow
 def test_pipe_gets_markdown() -> None:
     done = subprocess.run([sys.executable, "-m", "symscrew", "list"], capture_output=True, text=True, check=True)

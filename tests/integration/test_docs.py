@@ -41,6 +41,7 @@ SLOW = (
     "how_to/which_function.md",
     "how_to/workspace.md",
     "how_to/own_mechanism.md",
+    "how_to/many_runs.md",
     "how_to/microcontroller.md",
 )
 

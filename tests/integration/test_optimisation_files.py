@@ -304,7 +304,9 @@ def test_an_interruption_ends_the_program_while_the_solver_runs(tmp_path: Path) 
     problem, out = tmp_path / "problem.toml", tmp_path / "motion.npz"
     text = FIVE_BAR.replace("intervals = 8", "intervals = 400").replace('{ "*" = 8 }', '{ "*" = 0.05 }')
     problem.write_text(text)
-    command = [sys.executable, "-m", "symscrew", "optimise", str(problem), "--out", str(out)]
+    heard = "import signal; signal.signal(signal.SIGINT, signal.default_int_handler)"  # ignored where started with `&`
+    start = f"{heard}; from symscrew.cli.parser import main; raise SystemExit(main())"
+    command = [sys.executable, "-c", start, "optimise", str(problem), "--out", str(out)]
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as started:
         assert started.stderr is not None
         for line in started.stderr:

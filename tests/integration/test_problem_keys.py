@@ -117,7 +117,7 @@ EVERY = [
 def test_every_field_of_a_problem_has_a_key() -> None:
     """What Python can say a file can say too."""
     elsewhere = {"effects", "start", "end", "via", "bounds", "objectives", "design", "parameters", "preload", "inputs",
-                 "guess", "transcription", "solver", "text"}  # fmt: skip
+                 "guess", "transcription", "solver", "text", "notices"}  # fmt: skip
     for section, holder in problem_keys.HOLDERS.items():
         names = {f.name for f in dataclasses.fields(holder)} - (elsewhere if section == "problem" else set())
         keys = problem_keys.SECTIONS[section]

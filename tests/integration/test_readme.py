@@ -18,6 +18,8 @@ from support.readme_examples import example, expected, printed, run
 from symscrew import catalogue
 from symscrew.description.builder import MechanismBuilder
 from symscrew.export.c_form import library_sources
+from symscrew.export.c_header import print_header
+from symscrew.export.example import LONGEST, print_example
 from symscrew.export.markdown import READABLE, print_markdown
 from symscrew.fmu.unit_archive import at_rest
 from symscrew.functions.quantities import Quantities
@@ -33,7 +35,7 @@ STRICT = ["-pedantic", "-Wall", "-Wextra", "-Wconversion", "-Wshadow", "-Werror"
 def directory(request, generated, tmp_path_factory) -> Path:
     """All targets of a closed chain; those of an open one, with run-time parameters."""
     folder = tmp_path_factory.mktemp("generated") / request.param
-    apart = ("urdf", "reduced", "ros2")  # the first of open chains, the last in a folder of its own
+    apart = ("urdf", "reduced", "ros2", "modes")  # the first of open chains, the last in a folder of its own
     further = [t for t in TARGETS if t not in apart] if request.param == "four_bar" else [*USUAL, "urdf"]
     shutil.copytree(generated(request.param, further), folder)
     return folder
@@ -99,6 +101,53 @@ def test_every_file_is_named_in_the_readme(directory):
             assert f"`{name}`" in text, name
     for name in model(directory.name).programs:
         assert f"| `{name}` |" in text
+
+
+def rows_of(text: str, header: str) -> list[list[str]]:
+    """Cells of the table under this header, without the marks of code."""
+    lines = text.partition(f"| {header} |\n")[2].split("\n\n")[0].splitlines()[1:]
+    return [[cell.strip().strip("`") for cell in line.strip("|").split(" | ")] for line in lines]
+
+
+def test_tables_of_the_readme_say_what_the_functions_take(directory):
+    """Names and units of q, v, u, y in their order, every status, what exists in the recipes, sizes as they are."""
+    text, found = (directory / "README.md").read_text(), model(directory.name)
+    ports = {p.name: p for f in found.programs.values() for p in (*f.inputs, *f.outputs)}
+    of_q = rows_of(text, "k | `q[k]` | unit | of | in the reference")
+    assert [row[1:3] for row in of_q] == [list(pair) for pair in zip(ports["q"].labels, ports["q"].units, strict=True)]
+    assert np.allclose([float(row[4]) for row in of_q], found.system.reference, atol=1e-9)
+    of_u = rows_of(text, "k | `u[k]` | unit | of")
+    assert [row[1:3] for row in of_u] == [list(pair) for pair in zip(ports["u"].labels, ports["u"].units, strict=True)]
+    if found.independent:
+        of_y = rows_of(text, "k | `y[k]` | is")
+        assert [row[1] for row in of_y] == list(ports["y"].labels)
+        assert [of_q[int(row[2][2:-1])][1] for row in of_y] == list(found.independent)
+    told = {int(code) for code, _ in rows_of(text, "status | means")}
+    content = json.loads((directory / "manifest.json").read_text())
+    assert told >= {int(code) for entry in content["functions"].values() for code in entry["status"]}
+    for what, said in content["conventions"].items():
+        assert f"- **{what}**: {said[:20]}" in text
+    calls = [call for row in rows_of(text, "you want | call") for call in re.findall(r"(\w+)\(", row[1])]
+    assert len(calls) > 8 and set(calls) <= set(found.programs)
+    sources = rows_of(text, "source | size | functions | operations")
+    assert [row[0] for row in sources] == library_sources(content["files"], found.name)
+    assert all(row[1] == f"{(directory / row[0]).stat().st_size / 1e3:.0f} kB" for row in sources)
+    total = sum(p.operations["total"] for p in found.programs.values())
+    assert sum(int(row[3]) for row in sources if row[3]) == total
+
+
+@pytest.mark.parametrize("longest", [LONGEST, 130, 1])
+@pytest.mark.parametrize("name", ["four_bar", "pendulum"])
+def test_the_example_is_read_as_a_whole(name: str, longest: int, monkeypatch: pytest.MonkeyPatch, tmp_path: Path):
+    """Of a large mechanism fewer functions are called, and what is left compiles without a warning."""
+    monkeypatch.setattr("symscrew.export.example.LONGEST", longest)
+    text = print_example(model(name))
+    calls = re.findall(r"failures \+= show_(\w+)\(\)", text)
+    assert len(text.splitlines()) <= max(longest, 90) < 200 and calls and len(calls) == text.count("static int show_")
+    header = print_header(model(name))
+    (tmp_path / f"{name}.h").write_text(header)
+    (tmp_path / "example.c").write_text(text)
+    run(f"cc -std=c99 -Wall -Wextra -Wconversion -Werror -fsyntax-only {tmp_path / 'example.c'}", tmp_path)
 
 
 CPP = """

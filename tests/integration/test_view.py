@@ -17,10 +17,14 @@ from support.samples import some_quickly
 
 from symscrew.cli.parser import main
 from symscrew.description import toml_file
+from symscrew.display import film
 from symscrew.display.view import page_data
 from symscrew.display.view.motion_file import read_motion
 from symscrew.display.view.page import make_page
 from symscrew.display.view.page_data import MAX_FRAMES, page_scene
+from symscrew.display.view.reaches import joint_limits
+from symscrew.display.view.run_time_shape import with_outline
+from symscrew.effects import effect_from_table
 from symscrew.errors import DescriptionError
 from symscrew.export.javascript import print_javascript
 from symscrew.export.listing import live_instructions
@@ -158,8 +162,8 @@ def test_motion_is_in_the_page(tmp_path: Path, capsys: pytest.CaptureFixture[str
     motion = data_of((tmp_path / "new" / "run.html").read_text())["motion"]
     assert motion["frames"] == motion["recorded"] == 41
     for name in ("t", "q", "v", "u"):
-        got = np.frombuffer(base64.b64decode(motion["arrays"][name]), "<f4").reshape(41, -1)
-        assert np.abs(got - arrays[name].reshape(41, -1)).max() < 1e-6 * max(1.0, np.abs(arrays[name]).max())
+        got = np.frombuffer(base64.b64decode(motion["arrays"][name]), "<f8").reshape(41, -1)
+        assert (got == arrays[name].reshape(41, -1)).all()  # the very numbers of the file
     assert [p.name for p in (tmp_path / "new").iterdir()] == ["run.html"]
     capsys.readouterr()
 
@@ -171,7 +175,7 @@ def test_long_motion_is_thinned_with_both_ends(tmp_path: Path) -> None:
         arrays[name] = np.repeat(arrays[name][:1], count, axis=0)
     np.savez(tmp_path / "run.npz", **{**arrays, "t": np.linspace(0.0, 9.0, count)})
     motion = page_scene(model("three_ups_upu_s"), read_motion(tmp_path / "run.npz"))["motion"]
-    t = np.frombuffer(base64.b64decode(motion["arrays"]["t"]), "<f4")
+    t = np.frombuffer(base64.b64decode(motion["arrays"]["t"]), "<f8")
     assert len(t) == motion["frames"] == MAX_FRAMES and motion["recorded"] == count
     assert (t[0], t[-1]) == (0.0, 9.0) and np.diff(t).max() < 1.5 * np.diff(t).min()
 
@@ -231,6 +235,77 @@ def test_without_out_the_page_is_opened(tmp_path: Path, capsys: pytest.CaptureFi
     assert opened == [place.as_uri()] and place.parent.parent == tmp_path and data_of(place.read_text())
 
 
+# -- limits, run-time parameters, films ----------------------------------------------------------------
+
+
+def test_limits_are_those_of_end_stops_and_those_given() -> None:
+    stop = {"type": "end_stop", "joint": "A", "upper": "pi/4", "stiffness": 1e3, "exponent": 1}
+    found = derive(model("four_bar").mechanism, [effect_from_table(stop)])
+    (row,) = joint_limits(found, {})
+    assert (row["label"], row["low"], row["start"]) == ("A", None, 0.0) and row["high"] == pytest.approx(np.pi / 4)
+    rows = {row["label"]: row for row in joint_limits(found, {"B": (-1.0, 1.0), "A": (0.0, 0.5)})}
+    assert (rows["A"]["low"], rows["A"]["high"], rows["B"]["low"]) == (0.0, 0.5, -1.0)
+    displaced = found.programs["joint_displacements"].outputs[0].labels
+    assert all(displaced[row["at"]] == label for label, row in rows.items())
+
+
+@pytest.mark.parametrize(("limits", "text"), [({"A": (1.0, 1.0)}, "lower < upper"), ({"a": (0.0, 1.0)}, "no joint")])
+def test_limits_that_are_none(limits: dict[str, tuple[float, float]], text: str) -> None:
+    with pytest.raises(DescriptionError, match=text):
+        joint_limits(model("four_bar"), limits)
+
+
+@pytest.mark.parametrize(
+    ("words", "text"),
+    [
+        (["--limit", "A=1"], "JOINT=LOW:HIGH"),
+        (["--limit", "A=:"], "JOINT=LOW:HIGH"),
+        (["--limit", "A=0mm:3mm"], "an angle"),
+        (["--limit", "AA=0:1"], "no joint"),
+        (["--gif", "a.png"], "ends in .gif"),
+        (["--run-time", "nothing"], "nothing"),
+    ],
+)
+def test_bad_options_of_view(words: list[str], text: str, tmp_path: Path, capsys, monkeypatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert main(["view", "four_bar", "--out", "a.html", *words]) == 2
+    assert text in capsys.readouterr().err and not list(tmp_path.iterdir())
+
+
+def test_a_shape_follows_its_parameters() -> None:
+    text = PENDULUM.format(text='"a rod"').replace('"-1/4"', '"-l/2"').replace("at = [0, 0, -1]", 'at = [0, 0, "-l"]')
+    head = '[parameters]\nl = { value = 1, unit = "m", run_time = true }\n'
+    found = with_outline(derive(toml_file.parse_description(text.replace("[bodies.rod]", f"{head}[bodies.rod]"))))
+    data = page_scene(found)
+    assert data["tunable"] == [{"name": "l", "value": 1.0, "unit": "m", "description": "", "low": 0.5, "high": 1.5}]
+    for length in (1.0, 1.4):
+        points = found("outline", np.array([length]))[0][0].reshape(-1, 3)
+        rod = next(body for body in data["bodies"] if body["name"] == "rod")
+        assert sorted(points[k][2] for k in rod["outline"]["bar"]) == pytest.approx([-length, 0])
+        assert points[rod["outline"]["com"]][2] == pytest.approx(-length / 2)
+        assert points[data["points"][0]["outline"]][2] == pytest.approx(-length)
+
+
+def test_a_film_shows_the_motion(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    pytest.importorskip("PIL")
+    from PIL import Image
+
+    monkeypatch.setattr(film, "RATE", 3)
+    place = film.write_film(model("four_bar"), tmp_path / "four_bar.gif")
+    with Image.open(place) as made:
+        assert made.n_frames == 3 * film.SWEEP and made.info["duration"] == pytest.approx(1000 / 3, abs=10)
+        first = np.asarray(made.convert("RGB")).astype(int)
+        made.seek(3)
+        assert (np.abs(np.asarray(made.convert("RGB")) - first).max(axis=2) > 60).sum() > 500
+    _, q = film.sweep(model("four_bar"))
+    assert np.abs(model("four_bar")("closure", q)[0][0]).max() < 1e-9 and np.ptp(q[:, 0]) > 0.1
+    with pytest.raises(DescriptionError, match=r"ends in \.gif"):
+        film.write_film(model("four_bar"), tmp_path / "a.avi")
+    monkeypatch.setattr("shutil.which", lambda name: None)
+    with pytest.raises(DescriptionError, match="apt install ffmpeg"):
+        film.write_film(model("four_bar"), tmp_path / "a.mp4")
+
+
 # -- JavaScript --------------------------------------------------------------------------------------------
 
 
@@ -253,3 +328,26 @@ def test_a_word_of_javascript_is_no_constant() -> None:
 
 
 # -- screws in the page ------------------------------------------------------------------------------------
+
+
+def test_a_page_is_made_once_and_again_where_anything_differs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The second time nothing is derived; other gravity, other coordinates and a motion ask for another page."""
+    monkeypatch.setenv("SYMSCREW_CACHE", str(tmp_path / "cache"))
+    made: list[str] = []
+
+    def counted(mechanism: Any, *more: Any, **ways: Any) -> Any:
+        made.append(mechanism.name)
+        return derive(mechanism, *more, **ways)
+
+    monkeypatch.setattr("symscrew.model.derive", counted)
+
+    def page(*options: str) -> bytes:
+        out = tmp_path / "page.html"
+        assert main(["view", "four_bar", "--out", str(out), *options]) == 0
+        return out.read_bytes()
+
+    first = page()
+    assert page() == first and len(made) == 1
+    assert page("--gravity", "1", "0", "0") != first and len(made) == 2
+    assert page("--independent", "B") != first and len(made) == 3
+    assert page() == first and len(made) == 3

@@ -5,16 +5,22 @@ from __future__ import annotations
 import dataclasses
 from pathlib import Path
 
+import casadi as ca
 import numpy as np
 import pytest
 from support.model_states import model
+from support.optimal_problems import rest_to_rest
 
+from oracles.pseudospectral import least_effort
 from symscrew import catalogue
 from symscrew.description import MechanismBuilder, parse_description, to_toml
+from symscrew.effects import Gravity
 from symscrew.errors import DescriptionError
 from symscrew.formats import difference, load_format, save_as, text_of
 from symscrew.mobility import analyse_mobility
 from symscrew.model import derive
+from symscrew.optimisation.problem import TrajectoryProblem, Transcription
+from symscrew.optimisation.solution import solve
 from symscrew.reference import newton_euler, numeric
 
 EXACT = 1e-11
@@ -79,6 +85,43 @@ def test_polynomials_obey_the_equations_of_motion(terms: dict[str, object]) -> N
     difference = (at(step) - at(-step)) / (2 * step)
     derivative = found("inverse_dynamics_independent_derivatives", q, v[:, :1], a[:, :1])[0][0]
     assert np.abs(derivative.reshape(difference.shape) - difference).max() < 1e-7
+
+
+def test_least_effort_through_gears() -> None:
+    """A constant inertia seen by the motor, J: the integral of u^2 is 12 J^2 way^2 / time^3, u = J way (6 - 12 t)."""
+    inertia = 1 / 600_000 + 1 / 20_000 / 16 + (9e-3 + 0.6 * 0.2**2) / 144
+    motion = rest_to_rest({"input": 0.0}, {"input": 6.0})
+    found = solve(
+        TrajectoryProblem(catalogue.load("gear_train"), (), **motion, transcription=Transcription(intervals=4))
+    )
+    assert found.ok and found.cost == pytest.approx(12 * (inertia * 6) ** 2, rel=1e-9)
+    at = found.sample(np.array([0.0, 0.3, 1.0]))
+    assert at.u[:, 0] == pytest.approx(inertia * 6 * (6 - 12 * at.t), abs=1e-9 * inertia)
+    turned = dict(zip((c.label for c in model("gear_train").system.tree.q), at.q[-1], strict=True))
+    assert turned == pytest.approx({"input": 6.0, "middle": -1.5, "output": 0.5}, abs=1e-9)
+
+
+@pytest.mark.slow
+def test_least_effort_along_a_polynomial() -> None:
+    """A bead on the parabola z = x^2 / 2 under gravity, a drive along x: against a transcription of its own."""
+
+    def slope(x: list[ca.SX], u: ca.SX) -> ca.SX:
+        return ca.vertcat(x[1], (u - x[0] * x[1] ** 2 - 9.81 * x[0]) / (1 + x[0] ** 2))
+
+    ends = [-0.5, 0.0], [1.0, 0.0]
+    known, coarser = (least_effort(slope, *ends, 1.0, degree=n, pieces=2) for n in (20, 16))
+    builder = MechanismBuilder("wire")
+    builder.body("carriage")
+    builder.body("bead", mass=1, com=[0, 0, 0])
+    builder.joint("x", "P", parent="base", child="carriage", point=[0, 0, 0], axes=[[1, 0, 0]], driven=True)
+    builder.joint("z", "P", parent="carriage", child="bead", point=[0, 0, 0], axes=[[0, 0, 1]])
+    builder.coupling("wire", terms={"z": 1, "x": [0, "-1/2"]})
+    motion = rest_to_rest({"x": -0.5}, {"x": 1.0})
+    found = solve(TrajectoryProblem(builder.build(), (Gravity((0, 0, "-9.81")),), **motion))
+    assert abs(known - coarser) < 1e-7
+    assert found.ok and found.cost == pytest.approx(known, abs=1e-6)
+    at = found.sample(np.linspace(0, 1, 7))
+    assert np.abs(at.q[:, 1] - at.q[:, 0] ** 2 / 2).max() < 1e-9
 
 
 def test_method_b_knows_couplings() -> None:

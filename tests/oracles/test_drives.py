@@ -13,6 +13,7 @@ from support.model_states import model
 from symscrew.cli.parser import main
 from symscrew.description import parse_description
 from symscrew.display.view import read_motion
+from symscrew.effects import DcMotor, DryFriction
 from symscrew.errors import DescriptionError
 from symscrew.runtime import load
 from symscrew.studies.given_motion import drives, load_motion, study_json, study_text
@@ -194,6 +195,18 @@ def test_derivatives_of_samples_are_exact_for_polynomials() -> None:
 def test_motions_that_cannot_be(rod, texts, message) -> None:
     with pytest.raises(DescriptionError, match=message):
         drives(rod, texts, duration=1, rate=10, backend="casadi")
+
+
+@pytest.mark.parametrize(
+    ("effect", "message"),
+    [
+        (DcMotor("pivot", 1, 1, 1), "voltage_pivot follow from no motion"),
+        (DryFriction("pivot", coulomb=1, mode="event"), "friction_pivot follows from no motion"),
+    ],
+)
+def test_effects_that_a_motion_does_not_tell(rod, effect, message: str) -> None:
+    with pytest.raises(DescriptionError, match=message):
+        drives(rod, {"pivot": "t"}, effects=[effect], duration=1, rate=10, backend="casadi")
 
 
 @pytest.mark.parametrize(

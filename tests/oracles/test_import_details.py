@@ -12,7 +12,7 @@ from symscrew.errors import DescriptionError
 from symscrew.formats import ImportOptions, import_file, load_format
 from symscrew.formats.rigid_displacements import CONTEXT, UNITS, about, dot
 from symscrew.model import derive
-from symscrew.scene import load_robot
+from symscrew.scene import load_robot, save_robot
 
 INERTIAL = '<inertial pos="0.1 0 0.02" mass="1.5" diaginertia="0.01 0.02 0.025"/>'
 HAND = f"""<mujoco model="hand"><compiler angle="radian"/>
@@ -163,6 +163,38 @@ JOINT = (
     '<joint name="{0}" type="{1}"><parent link="{2}"/><child link="{3}"/><origin xyz="0.3 0 0.5"/>{4}'
     '<axis xyz="0 1 0"/></joint>'
 )
+
+
+MEDIUM = """<mujoco><compiler angle="radian"/><option MEDIUM/><worldbody><body name="a" quat="0.8 0.2 0.5 0.1">
+<joint name="j" axis="0 1 0.3"/><inertial pos="0.1 0.2 0" mass="2" diaginertia="0.03 0.02 0.04" quat="0.6 0.3 0.2 0.1"/>
+<body name="b" pos="0.3 0 0"><joint name="k" axis="1 0 0.2"/><joint name="s" type="slide" axis="0 0.6 0.8"/>
+<geom type="cylinder" size="0.05 0.1" euler="0.3 0.2 0.1"/><body name="c" pos="0 0 0.1"><inertial pos="0 0.1 0" mass="1"
+fullinertia="0.02 0.03 0.025 0.004 -0.002 0.001"/></body></body></body></worldbody></mujoco>"""
+
+
+@pytest.mark.parametrize(
+    "given", ['density="900" viscosity="3" wind="0.3 -0.2 0.5"', 'viscosity="0.1"', 'density="1.2"']
+)
+def test_a_medium_is_drag_of_every_body(tmp_path: Path, given: str) -> None:
+    """Accelerations are MuJoCo's, also where moments are alike and only the file has their axes; writers refuse it."""
+    text = MEDIUM.replace("MEDIUM", given)
+    robot = load_robot(saved(text, tmp_path))
+    assert not robot.account.influence
+    model = derive(robot.mechanism, robot.effects)
+    engine = mujoco.MjModel.from_xml_string(text)
+    data = mujoco.MjData(engine)
+    q, v, _ = model.system.states(3, 2)
+    order = [[c.label for c in model.system.tree.v].index(name) for name in ("j", "k", "s")]
+    a = model("forward_dynamics", q, v)[0][0]
+    for k in range(len(q)):
+        data.qpos[:], data.qvel[:] = q[k][order], v[k][order]
+        mujoco.mj_forward(engine, data)
+        assert a[k][order] == pytest.approx(data.qacc, rel=1e-10, abs=1e-10)
+    with pytest.raises(DescriptionError, match="does not hold drag of a, drag of b, drag of c"):
+        save_robot(robot.mechanism, tmp_path / "again.xml", robot.effects)
+    shaped = text.replace('type="cylinder"', 'type="cylinder" fluidshape="ellipsoid"')
+    with pytest.raises(DescriptionError, match="fluidshape"):
+        load_robot(saved(shaped, tmp_path))
 
 
 def test_what_is_rigid_together_has_one_inertia(tmp_path: Path) -> None:

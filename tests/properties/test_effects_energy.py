@@ -50,6 +50,7 @@ BOOKS = {
     "clearance": ("three_ups_upu_s", [effect("JointClearance", "A1", "E", "0.1", 9, 2, "0.2", "0.3", SMOOTH, 0.05)]),
     "clearance_axis": ("three_ups_upu_s", [effect("JointClearance", "C1", "A2", "0.1", 100, 1, axis=(1, 0, 2))]),
     "leg": (CRANK, [effect("LegCompliance", "slider_P", 2e2, 4, "0.02")]),
+    "drag": (CRANK, [effect("FluidDrag", "rod", ("0.1", "0.2", "0.3"), 800, 2, ("0.5", 0, 1))]),
     "payload": (CRANK, [Gravity(), effect("Payload", "rod", 2, ("0.1", 0, "0.2"))]),
     "massless": ("five_bar", [Gravity(), effect("MasslessLimbs", ("proximal_left",))]),
     "no_gyroscopic": ("ur5", [Gravity(), effect("NoGyroscopicTerms")]),

@@ -67,9 +67,26 @@ EFFECT_KEYS = {
         "damping": ("1", "ratio of every mode, at least 0"),
         "initial": ("m", "deflection of every mode at the start"),
     },
+    "fluid_drag": {
+        "body": ("", "the body that it acts on"),
+        "sides": ("m", "of the box, at least 0"),
+        "density": ("kg/m^3", "of the medium, at least 0"),
+        "viscosity": ("Pa s", "of the medium, at least 0"),
+        "wind": ("m/s", "velocity of the medium, absolute axes"),
+        "axes": ("1", "of the box: three unit vectors, absolute in the reference configuration"),
+    },
     "gravity": {
         "acceleration": ("m/s^2", "three components, absolute axes"),
         "input": ("", '"switch" or "field": a factor or the field is an input'),
+    },
+    "ideal_rolling": {
+        "wheel": ("", "the point at the wheel's centre"),
+        "ground": ("", "a point of the plane, or the circle's centre, on another body"),
+        "radius": ("m", "of the wheel, above 0"),
+        "normal": ("1", "across the plane"),
+        "axis": ("1", "of a disc; without it a ball"),
+        "circle": ("m", "its radius in place of the plane, < 0: within it"),
+        "holds": ("", "false: joints hold the wheel at its ground"),
     },
     "joint_clearance": {
         "hole": ("", "the point at the hole's centre"),
@@ -90,6 +107,7 @@ EFFECT_KEYS = {
         "cubic": ("N/m^3 or N m/rad^3", "of either sign"),
         "damping": ("N s/m or N m s/rad", "at least 0"),
         "energy": ("J", "a text E(x) in place of stiffness, cubic and preload"),
+        "nearest": ("", "true: of a ball joint's rotation vectors the shortest one; without states"),
     },
     "leg_compliance": {
         "stiffness": ("N/m", "of the leg, above 0"),

@@ -7,6 +7,7 @@ import numpy as np
 from symscrew.algebra.nodes import Node, Tape
 from symscrew.description.mechanism import Mechanism
 from symscrew.effects.gravity import Gravity
+from symscrew.kinematics import System
 from symscrew.model import Model
 from symscrew.program.lowering import Function, lower
 from symscrew.program.straight_line import Iteration, Port, Program
@@ -153,4 +154,4 @@ def model(**extra: Program) -> Model:
         name: states.get(name, tuple(rng.normal(size=(3, p.size)) for p in prog.inputs))
         for name, prog in programs.items()
     }
-    return Model("handmade", mechanism, (Gravity(),), programs, names, None)  # type: ignore[arg-type]
+    return Model("handmade", mechanism, (Gravity(),), programs, names, System(mechanism))

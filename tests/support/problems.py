@@ -31,6 +31,7 @@ Array = np.ndarray
 Measure = Callable[[Array], float]  # of q (outputs, nq)
 TESTS = Path(__file__).parents[1]
 BENCHMARKS = TESTS.parent / "examples" / "benchmarks"
+OF_EFFECTS = ("ideal_disc", "loose_crank")  # a constraint of the rates; a law of contact that begins at once
 ROUNDING = 2.0**-53
 SEED = "hanging_platform"
 
@@ -149,6 +150,7 @@ def _five_bar() -> Problem:
 def problems() -> Mapping[str, Problem]:
     """All of them by name."""
     found = [p for path in sorted(BENCHMARKS.glob("*.toml")) if (p := _benchmark(path)) is not None]
+    found += [p for name in OF_EFFECTS if (p := _benchmark(BENCHMARKS.parent / "effects" / f"{name}.toml")) is not None]
     found += [_row("change_point", 1), _row("row_of_four", 4), _row("light_coupler", 2, coupler="1e-9")]
     found += [_row("heavy_coupler", 2, coupler="1e9"), _five_bar()]
     return {p.name: p for p in found}

@@ -29,11 +29,13 @@ def test_what_the_command_says_of_good_code(tmp_path: Path, capsys: pytest.Captu
     statuses = {name: set(map(int, entry["statuses"])) for name, entry in found["vectors"].items()}
     assert (
         statuses["velocity"] == {0, 1, 2}
-        and statuses["assemble"] >= {0, 2, 3}
-        and statuses["forward_dynamics"] >= {-1, 0, 2}
+        and statuses["assemble"] >= {0, 2, 3, 4}
+        and statuses["forward_dynamics"] >= {-2, -1, 0, 2}
     )
     assert sum(entry["not_finite"] for entry in found["vectors"].values()) == 0
-    assert found["branches"]["branches"] >= 85 and found["branches"]["missed"]  # of both paths; what is left is listed
+    # both paths whole; but the inertia of the crank, which is positive at every state, is never a small pivot
+    assert found["branches"]["lines"] == 100 and found["branches"]["branches"] > 99
+    assert all("pivot is smaller" in line for line in found["branches"]["missed"])
     assert set(found["misra"]) <= set(DEVIATIONS) and found["loops"]["unbounded"] == []
     text = report.read_text()
     assert "Verdict: **ok**" in text and all(f"| `{name}` |" in text for name in FUNCTIONS)

@@ -29,7 +29,7 @@ def test_the_page_works_in_the_frame_of_a_cell(tmp_path: Path) -> None:
         while driver.execute_script("return document.documentElement.dataset.ready") != "yes":
             assert time.monotonic() < end, "the page did not start in its frame"
             time.sleep(0.05)
-        assert "four bar" in driver.find_element("css selector", "h1").text
+        assert "four_bar" in driver.find_element("css selector", "h1").text
         reached = driver.execute_script(
             "try { return parent.document.body.textContent; } catch (e) { return 'denied'; }"
         )

@@ -107,7 +107,9 @@ def files(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], Path]:
     def file(name: str) -> Path:
         path = folder / f"{name}.html"
         if not path.exists():
-            if name == "run":
+            if name == "limited":
+                write_page(model("delta"), path, limits={"arm1_R": (-0.4, 0.5)})
+            elif name == "run":
                 np.savez(folder / "run.npz", **recorded())
                 write_page(model("three_ups_upu_s"), path, read_motion(folder / "run.npz"))
             else:
@@ -296,7 +298,8 @@ def test_narrow_windows_keep_everything_inside(driver, files, width: int) -> Non
 
 def test_every_control_has_a_name_and_is_reached_by_tab(driver, files) -> None:
     page = Page(driver, files("three_ups_upu_s"))
-    wanted = driver.find_elements(By.CSS_SELECTOR, "button, input:not(:disabled), select, summary, canvas")
+    kinds = ("button", "input:not(:disabled)", "select", "summary", "canvas")
+    wanted = driver.find_elements(By.CSS_SELECTOR, ", ".join(f"{kind}:not([hidden] *)" for kind in kinds))
     assert len(wanted) > 20
     assert [w.get_attribute("outerHTML") for w in wanted if not w.accessible_name] == []
     reached = set()
@@ -306,6 +309,82 @@ def test_every_control_has_a_name_and_is_reached_by_tab(driver, files) -> None:
     assert {w.id for w in wanted} <= reached
     page.find("#show-drives").send_keys(Keys.SPACE)
     assert page.find("#show-drives").is_selected()
+
+
+def test_limits_of_joints_are_drawn_and_kept(driver, files) -> None:
+    page, found = Page(driver, files("limited")), model("delta")
+    assert page.find("#show-limits").is_selected() and "arm1_R: -22.9° … 28.6°" in [x["text"] for x in page.labels()]
+    page.slide("#y2", 1.0)
+    y = [float(page.find(f"#y{k}").get_attribute("value")) for k in range(3)]
+    (q,), status = found("assemble", np.array(y), found.system.reference)
+    labels = found.programs["joint_displacements"].outputs[0].labels
+    angle = found("joint_displacements", q)[0][0][labels.index("arm1_R")]
+    assert status == 0 and -0.4 - 1e-6 < angle < 0.5 + 1e-6 and min(angle + 0.4, 0.5 - angle) < 0.05
+    ends = [float(page.find("#y2").get_attribute(end)) for end in ("min", "max")]
+    page.toggle("limits")
+    page.slide("#y0", 1.0)
+    page.slide("#y1", 1.0)
+    complaints = [p.text for p in driver.find_elements(By.CSS_SELECTOR, ".problem") if p.is_displayed()]
+    assert all("leave its limits" in text or "cannot be closed" in text for text in complaints) and ends[0] < y[2]
+
+
+def test_a_body_is_chosen_by_a_click(driver, files) -> None:
+    page = Page(driver, files("run"))
+    page.slide("#time", 0.4)
+    before, text = page.picture(), page.text("#body")
+    assert "Click a body" in text
+    c1 = next(label for label in page.labels() if label["text"] == "C1")
+    canvas = page.find("canvas").rect
+    x, y = c1["right"] + 40 - canvas["x"] - canvas["width"] / 2, c1["bottom"] - 4 - canvas["y"] - canvas["height"] / 2
+    ActionChains(driver).move_to_element_with_offset(page.find("canvas"), round(x), round(y)).click().perform()
+    page.settle()
+    text = page.text("#body")
+    assert differing(before, page.picture()) > 300 and "angular velocity" in text and "kg m/s" in text
+    chosen = text.splitlines()[2] if text.splitlines()[1] == "" else text.splitlines()[1]
+    assert chosen in {
+        body["name"] for body in page.script("return JSON.parse(document.getElementById('data').textContent).bodies")
+    }
+
+
+def test_curves_and_the_scrubber_move_together(driver, files) -> None:
+    page, arrays = Page(driver, files("run")), recorded()
+    where = "return Number(document.querySelector('#plots .cursor').getAttribute('x1'))"
+    page.slide("#time", 0.1)
+    early = page.script(where)
+    page.slide("#time", 0.9)
+    assert page.script(where) > early + 150
+    plot = page.find("#plots svg")
+    page.script("arguments[0].scrollIntoView({ block: 'nearest' })", plot)
+    ActionChains(driver).move_to_element(plot).click().perform()
+    now = float(page.find("#time").get_attribute("value"))
+    assert np.abs(arrays["t"] - now).min() < 1e-12 and 0.7 < now < 1.3
+    assert len(driver.find_elements(By.CSS_SELECTOR, "#plots .curve")) == arrays["u"].shape[1]
+    k = int(np.abs(arrays["t"] - now).argmin())  # a recorded time, and its very numbers
+    for j, label in enumerate(arrays["u_labels"]):
+        assert page.value(f"drive {label}") == pytest.approx(arrays["u"][k, j], rel=5e-4, abs=1e-9)
+
+
+def test_an_embedded_page_is_picture_and_motion_alone(driver, files) -> None:
+    driver.get("about:blank")
+    driver.get(f"{files('four_bar').as_uri()}#embed")
+    end = time.monotonic() + 60
+    while driver.execute_script("return document.documentElement.dataset.ready") != "yes":
+        assert time.monotonic() < end
+    assert not driver.find_element(By.CSS_SELECTOR, "aside").is_displayed()
+    assert driver.find_element(By.CSS_SELECTOR, "#play").is_displayed()
+
+
+def test_a_picture_has_its_labels_and_a_film_ends_by_itself(driver, files) -> None:
+    page = Page(driver, files("run"))
+    page.script(
+        "Records.kept = []; HTMLAnchorElement.prototype.click = function () { Records.kept.push(this.download); }"
+    )
+    page.find("#still").click()
+    page.wait(lambda: page.script("return Records.kept") == ["three_ups_upu_s.png"])
+    page.find("#speed").send_keys("4")
+    page.find("#film").click()
+    page.wait(lambda: page.text("#film") == "Film" and len(page.script("return Records.kept")) == 2)
+    assert page.script("return Records.kept")[1].endswith((".mp4", ".webm"))
 
 
 def test_says_what_is_missing_without_webgl(files, tmp_path: Path) -> None:

@@ -55,6 +55,7 @@ ADDING = {
     "leg": effect("LegCompliance", "limb4_P", 20000, 4, "0.02"),
     "lash": effect("Backlash", "limb1_P", "0.002", 20000, 4, "1.5", 3),
     "rolling": effect("RollingContact", "E", "A1", "0.6", 20, "0.1", axis=(0, 1, 0), stiffness=1000, friction="0.3"),
+    "drag": effect("FluidDrag", "platform", ("0.1", "0.2", "0.3"), 800, "0.5", (1, 0, "0.2")),
     "clearance": effect("JointClearance", "A1", "E", "0.01", 1000, friction="0.1", velocity="0.1"),
 }
 DEPENDING = {
@@ -67,6 +68,9 @@ DEPENDING = {
     "quasi_static": (effect("QuasiStatic"), "motion"),
     "tilting": (effect("BaseMotion", pose=(0, 0, 0, "t", 0, "t^2")), "gravity"),
 }
+
+CONSTRAINING = {"ideal_rolling": effect("IdealRolling", "pin", "far", "0.1", axis=(0, 1, 0))}
+EVERY = {**ADDING, **{name: given for name, (given, _) in DEPENDING.items()}, **CONSTRAINING}
 
 
 # -- finding, writing, reading ------------------------------------------------------------------------------------
@@ -85,16 +89,16 @@ def test_every_file_holds_one_effect_with_an_example_of_a_scene() -> None:
         assert table["type"] == name and type(made) is kind
 
 
-@pytest.mark.parametrize("name", [*ADDING, *DEPENDING])
+@pytest.mark.parametrize("name", EVERY)
 def test_tables_and_manifests_bring_an_effect_back(name: str) -> None:
-    given = ADDING[name] if name in ADDING else DEPENDING[name][0]
+    given = EVERY[name]
     assert effect_from_table(json.loads(json.dumps(effect_to_table(given)))) == given
     assert effect_from_json(json.loads(json.dumps(effect_to_json(given)))) == given
     assert repr(effect_from_table(effect_to_table(given))) == repr(given)
 
 
 def test_all_effects_are_tested_here() -> None:
-    tested = {type(e) for e in ADDING.values()} | {type(e) for e, _ in DEPENDING.values()}
+    tested = {type(e) for e in EVERY.values()}
     assert tested == set(known_effects().values())
 
 

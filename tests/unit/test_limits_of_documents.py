@@ -79,7 +79,7 @@ def test_a_long_screw_is_given_in_numbers(limit: int, symbols: bool, monkeypatch
 def peers(count: int) -> Study:
     """Points of settings of one engine, each a curve of its own, the fastest last."""
     points = tuple(
-        Point(f"exudyn {k}", "h", 1e-3, quartiles([1.0 - 0.01 * k]), "", {"peer": True, "panel": "peers"})
+        Point(f"exudyn {k}", "h", 1e-3, quartiles([1.0 - 0.01 * k]), "", {"peer": True, "family": "peers"})
         for k in range(count)
     )
     labels = {"error_label": "error", "cost_label": "time", "cost_unit": "ms", "reference": "none"}
@@ -87,7 +87,7 @@ def peers(count: int) -> Study:
 
 
 def test_more_curves_than_colours_become_the_best_of_their_engine() -> None:
-    some, many = (study_plots._of_panel(peers(study_plots.MOST_CURVES + k), "peers") for k in (0, 1))
+    some, many = (study_plots._of_panel(peers(study_plots.MOST_CURVES + k), "") for k in (0, 1))
     assert len(some) == study_plots.MOST_CURVES and "Exudyn: 0" in some
     assert list(many) == ["Exudyn: best of all settings"]
     (best,) = many["Exudyn: best of all settings"]

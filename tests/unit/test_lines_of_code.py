@@ -7,7 +7,7 @@ import textwrap
 
 import pytest
 
-from symscrew.export.c_order import short_lived
+from symscrew.export.c_order import alive_along, short_lived, within
 from symscrew.export.listing import plain, wrapped
 from symscrew.program import Instruction
 
@@ -50,6 +50,32 @@ def test_values_live_shortly_and_are_there_when_they_are_read() -> None:
             known.add(instruction.target)
         before, after = before + alive(given), after + alive(found)
     assert after < 0.9 * before
+
+
+def above(instructions: list[Instruction], most: int) -> int:
+    """The sum over all instructions of values above `most` that are read later, inputs from their first use on."""
+    total = 0
+    for k in range(len(instructions)):
+        begun = {a for i in instructions[: k + 1] for a in (i.target, *i.args) if type(a) is int}
+        total += max(0, len(begun & {a for i in instructions[k + 1 :] for a in i.args}) - most)
+    return total
+
+
+def test_few_values_are_above_what_registers_hold() -> None:
+    """Never more than in the usual order, and that order itself where nothing is above."""
+    numbers, before, after = random.Random(4), 0, 0
+    for _ in range(40):
+        given, most = program(numbers, numbers.randrange(1, 60)), numbers.randrange(3, 12)
+        usual, found = short_lived(given), within(given, most)
+        assert sorted(found, key=lambda i: i.target) == given
+        known: set[int | float] = {*range(5), 1.5}
+        for instruction in found:
+            assert known.issuperset(instruction.args)
+            known.add(instruction.target)
+        assert sum(max(0, n - most) for n in alive_along(found)) == above(found, most) <= above(usual, most)
+        assert found == usual or above(found, most) < above(usual, most)
+        before, after = before + above(usual, most), after + above(found, most)
+    assert after < 0.95 * before
 
 
 def test_limb_after_limb_is_worked_off() -> None:

@@ -217,10 +217,11 @@ def test_laws_of_contacts_follow_the_parameters_of_the_run(chosen: dict[str, flo
     assert run.ok and float(run.events[0].split()[2]) == pytest.approx(when, abs=1e-6)
     assert run.q.max() <= 2 * values["reach"] + 1e-9
     found = [c for effect in effects for c in effect.contacts()]
-    compiled = run_source.sources(prepare(scene)[1])[0]
+    plant = prepare(scene)[1]
     rules = contacts.laws(run.model, found, np.array([values["reach"], values["grip"]]))
     assert rules[0].upper == 2 * values["reach"] and rules[1].coulomb == values["grip"]
-    assert run_source.contact_constants(rules) in compiled
+    assert run_source.rules_of(plant) == rules  # whose numbers are put into the compiled loop; one serves all values
+    assert run_source.sources(plant) == run_source.sources(replace(plant, parameters=np.array([1.0, 2.0])))
 
 
 def test_places_where_contacts_are_watched(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -6,16 +6,19 @@ from symscrew.doors import doors
 
 if TYPE_CHECKING:
     from symscrew.display.view.motion_file import RecordedMotion, read_mechanism_and_motion, read_motion
-    from symscrew.display.view.page import make_page, open_page, write_page
+    from symscrew.display.view.page import Limits, make_page, open_made, open_page, write_made, write_page
     from symscrew.display.view.page_data import page_scene
 
 __all__ = [
+    "Limits",
     "RecordedMotion",
     "make_page",
+    "open_made",
     "open_page",
     "page_scene",
     "read_mechanism_and_motion",
     "read_motion",
+    "write_made",
     "write_page",
 ]
 

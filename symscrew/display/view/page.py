@@ -10,26 +10,37 @@ import json
 import re
 import tempfile
 import webbrowser
+from collections.abc import Mapping
 from importlib import resources
 from pathlib import Path
 
 from symscrew.display.view.motion_file import RecordedMotion
 from symscrew.display.view.page_data import functions_of, page_scene
+from symscrew.display.view.reaches import Reach
+from symscrew.display.view.run_time_shape import with_outline
 from symscrew.export import print_script
 from symscrew.model import Model
 from symscrew.whole_files import replaced
 
-SCRIPTS = ("screws.js", "kinematics.js", "shapes.js", "layers.js", "stage.js", "panel.js", "main.js")
+SCRIPTS = (
+    "screws.js", "kinematics.js", "shapes.js", "layers.js", "stage.js", "panel.js", "plots.js", "records.js", "main.js",
+)  # fmt: skip
 LIBRARY = "library.min.js"
 
 
-def make_page(model: Model, motion: RecordedMotion | None = None) -> str:
+Limits = Mapping[str, Reach]
+
+
+def make_page(model: Model, motion: RecordedMotion | None = None, limits: Limits | None = None) -> str:
     """The page of a model as text, with a recorded motion if there is one.
 
+    `limits`: reaches of joints by their names [rad or m], beside those of the model's end stops.
+
     Raises:
-        DescriptionError: the motion does not belong to this model.
+        DescriptionError: the motion or a limit does not belong to this model.
     """
-    data = json.dumps(page_scene(model, motion), ensure_ascii=False, allow_nan=False)
+    model = with_outline(model)
+    data = json.dumps(page_scene(model, motion, limits), ensure_ascii=False, allow_nan=False)
     parts = {
         "title": html.escape(model.name),
         "style": _file("page", "page.css"),
@@ -42,15 +53,26 @@ def make_page(model: Model, motion: RecordedMotion | None = None) -> str:
     return re.sub(r"<!-- insert (\w+) -->", lambda found: parts[found.group(1)], _file("page", "page.html"))
 
 
-def write_page(model: Model, path: str | Path, motion: RecordedMotion | None = None) -> Path:
+def write_page(
+    model: Model, path: str | Path, motion: RecordedMotion | None = None, limits: Limits | None = None
+) -> Path:
     """Write the page of a model; the file is there whole or not at all. Raises OSError where it cannot be written."""
-    text = make_page(model, motion)
-    return replaced(Path(path), lambda part: part.write_text(text, encoding="utf-8"))
+    return write_made(make_page(model, motion, limits), path)
 
 
-def open_page(model: Model, motion: RecordedMotion | None = None) -> Path:
+def write_made(page: str, path: str | Path) -> Path:
+    """Write a page that is made; the file is there whole or not at all. Raises OSError where it cannot be written."""
+    return replaced(Path(path), lambda part: part.write_text(page, encoding="utf-8"))
+
+
+def open_page(model: Model, motion: RecordedMotion | None = None, limits: Limits | None = None) -> Path:
     """Write the page into a new temporary directory and open it in the browser, if there is one."""
-    file = write_page(model, Path(tempfile.mkdtemp(prefix="symscrew_view_")) / f"{model.name}.html", motion)
+    return open_made(make_page(model, motion, limits), model.name)
+
+
+def open_made(page: str, name: str) -> Path:
+    """Write a page that is made into a new temporary directory and open it in the browser, if there is one."""
+    file = write_made(page, Path(tempfile.mkdtemp(prefix="symscrew_view_")) / f"{name}.html")
     webbrowser.open(file.as_uri())
     return file
 

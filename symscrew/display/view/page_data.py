@@ -7,6 +7,7 @@ the bodies and all screws are computed in the page by the model's own functions.
 from __future__ import annotations
 
 import base64
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -14,6 +15,8 @@ import numpy as np
 from symscrew.description import Joint, Mechanism
 from symscrew.display.shape import along, body_points, numbers, plate
 from symscrew.display.view.motion_file import RecordedMotion
+from symscrew.display.view.reaches import Reach, joint_limits
+from symscrew.display.view.run_time_shape import Outline, tunable
 from symscrew.functions import THRESHOLD, joint_freedom_labels, moving_bodies
 from symscrew.model import Model
 
@@ -21,14 +24,14 @@ Array = np.ndarray
 
 FUNCTIONS = (
     "body_poses", "joint_screws", "joint_points", "closure", "closure_jacobian", "platform_jacobian", "velocity",
-    "acceleration", "momentum_screws", "energy", "joint_reactions", "assemble", "limb_margins", "constraint_margin",
-    "actuation_margins",
+    "acceleration", "body_twists", "momentum_screws", "energy", "joint_reactions", "joint_displacements", "assemble",
+    "limb_margins", "constraint_margin", "actuation_margins", "outline",
 )  # fmt: skip
 MARGINS = {"limb_margins": "limb", "constraint_margin": "constraint", "actuation_margins": "actuation"}
 ALL_DRIVES = "all drives"
 SINGULAR = 1e-9  # a margin below it in the reference is 0 there, as in maps: nothing can be compared with it
 MAX_FRAMES = 1500  # of a motion in the page: 25 s at 60 a second; more are thinned evenly
-MAX_VALUES = 400_000  # of a motion in the page: 2 MB of text; mechanisms with many joints have fewer frames
+MAX_VALUES = 400_000  # of a motion in the page: 4 MB of text; mechanisms with many joints have fewer frames
 
 
 def functions_of(model: Model) -> tuple[str, ...]:
@@ -36,8 +39,10 @@ def functions_of(model: Model) -> tuple[str, ...]:
     return tuple(name for name in FUNCTIONS if name in model.programs)
 
 
-def page_scene(model: Model, motion: RecordedMotion | None = None) -> dict[str, Any]:
-    """The page's data for a model, with a recorded motion if there is one.
+def page_scene(
+    model: Model, motion: RecordedMotion | None = None, limits: Mapping[str, Reach] | None = None
+) -> dict[str, Any]:
+    """The page's data for a model, with a recorded motion if there is one, and limits of joints beside its end stops.
 
     Raises:
         DescriptionError: the motion does not belong to this model.
@@ -47,6 +52,7 @@ def page_scene(model: Model, motion: RecordedMotion | None = None) -> dict[str, 
     index = {name: k for k, name in enumerate(bodies)}
     points = body_points(mechanism)
     platform = mechanism.platform or bodies[-1]
+    shape = Outline(model) if model.system.parameters else None
     return {
         "name": mechanism.name,
         "description": mechanism.description,
@@ -56,12 +62,19 @@ def page_scene(model: Model, motion: RecordedMotion | None = None) -> dict[str, 
         "threshold": THRESHOLD,
         "platform": index[platform],
         "platform_named": mechanism.platform is not None,
-        "bodies": [_body(mechanism, name, points[name]) for name in bodies],
-        "joints": _joints(model, index),
+        "bodies": [_body(mechanism, name, points[name], shape) for name in bodies],
+        "joints": _joints(model, index, shape),
         "points": [
-            {"name": p.name, "body": index[p.body], "at": numbers(mechanism, p.at).tolist()}
+            {
+                "name": p.name,
+                "body": index[p.body],
+                "at": numbers(mechanism, p.at).tolist(),
+                "outline": shape and shape.at(p.at),
+            }
             for p in mechanism.points.values()
         ],
+        "limits": joint_limits(model, limits or {}),
+        "tunable": tunable(model),
         "limbs": _limbs(mechanism),
         "drives": _drives(model),
         "independent": _independent(model),
@@ -82,7 +95,7 @@ def page_scene(model: Model, motion: RecordedMotion | None = None) -> dict[str, 
     }
 
 
-def _body(mechanism: Mechanism, name: str, places: Array) -> dict[str, Any]:
+def _body(mechanism: Mechanism, name: str, places: Array, shape: Outline | None) -> dict[str, Any]:
     """Outline of a body: a plate with struts to what lies outside its plane, or a bar; and its mass."""
     flat = plate(places) if len(places) > 2 else None
     made: dict[str, Any] = {"name": name, "plate": [], "struts": [], "bar": [], "mass": None, "com": None}
@@ -99,12 +112,17 @@ def _body(mechanism: Mechanism, name: str, places: Array) -> dict[str, Any]:
     if body is not None and body.mass is not None and body.com is not None and name != mechanism.ground:
         made["mass"] = float(mechanism.number(body.mass))
         made["com"] = numbers(mechanism, body.com).tolist()
+    if shape is not None:
+        struts = [] if flat is None else [shape.near(place) for place in places[~flat[0]]]
+        made["outline"] = {key: [shape.near(np.array(p)) for p in made[key]] for key in ("plate", "bar")}
+        made["outline"] |= {"struts": struts, "com": shape.at(body.com) if body and body.com and made["com"] else None}
     return made
 
 
-def _joints(model: Model, index: dict[str, int]) -> list[dict[str, Any]]:
+def _joints(model: Model, index: dict[str, int], shape: Outline | None) -> list[dict[str, Any]]:
     mechanism = model.mechanism
-    owners = [name for _, _, name in joint_freedom_labels(model.system)]
+    labels = joint_freedom_labels(model.system)
+    owners = [name for _, _, name in labels]
     return [
         {
             "name": joint.name,
@@ -117,6 +135,8 @@ def _joints(model: Model, index: dict[str, int]) -> list[dict[str, Any]]:
             "driven": list(joint.driven),
             "pitch": None if joint.pitch is None else float(mechanism.number(joint.pitch)),
             "screws": owners.index(joint.name) if joint.name in owners else 0,
+            "freedoms": [label for label, _, name in labels if name == joint.name],
+            "outline": shape and {"point": shape.at(joint.point), "axes": [shape.at(axis) for axis in joint.axes]},
         }
         for joint in mechanism.joints.values()
     ]
@@ -196,12 +216,12 @@ def _margins(model: Model) -> list[dict[str, Any]]:
 
 
 def _motion(model: Model, motion: RecordedMotion) -> dict[str, Any]:
-    """The motion as little-endian 4-byte numbers in base64, thinned to what a page can hold."""
+    """The motion as little-endian 8-byte numbers in base64, those of the file, thinned to what a page can hold."""
     motion.check(model)
     arrays = {"t": motion.t[:, None], "q": motion.q, "v": motion.v, "u": motion.u, "reactions": motion.reactions}
     given = {name: array for name, array in arrays.items() if array is not None}
     columns = sum(array.shape[1] for array in given.values())
     frames = min(len(motion.t), MAX_FRAMES, max(2, MAX_VALUES // columns))
     chosen = np.unique(np.round(np.linspace(0, len(motion.t) - 1, frames)).astype(int))
-    packed = {name: base64.b64encode(array[chosen].astype("<f4").tobytes()).decode() for name, array in given.items()}
+    packed = {name: base64.b64encode(array[chosen].astype("<f8").tobytes()).decode() for name, array in given.items()}
     return {"recorded": len(motion.t), "frames": len(chosen), "arrays": packed}

@@ -102,7 +102,7 @@ class RodRows(CutRows):
 
 def rod_rows(system: System, cut: Cut) -> RodRows | None:
     """The rows of a cut spherical joint at the end of a rod, else None."""
-    limb = _rod(system, cut)
+    limb = _rod(system, cut) if cut.is_joint else None
     if limb is None:
         return None
     placed, frames = system.placed, system.frames

@@ -90,9 +90,9 @@ def any_rods(limbs: Sequence[LimbForm]) -> bool:
 def _limb(system: System, cut: Cut, covered: Set[int]) -> LimbForm | None:
     """The cut joint's limb, all links of which are new and hang on one that is covered, if it has a closed form.
 
-    A coupling has none, and the limbs that it ties to each other are not solved one by one.
+    A coupling has none, and the limbs that it ties to each other are not solved one by one; nor has a rolling wheel.
     """
-    if cut.relation is not None:
+    if not cut.is_joint:
         return None
     for form in FORMS:
         limb = form(system, cut)

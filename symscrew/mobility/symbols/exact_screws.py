@@ -11,6 +11,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
+import sympy
+
 from symscrew.algebra import IDENTITY, Vector, cross, dot, scale, subtract
 from symscrew.description import Joint, Mechanism, slope
 from symscrew.kinematics import motion_screws
@@ -29,14 +31,17 @@ class ExactSystem:
     screws: Mapping[str, tuple[tuple[Exact, ...], ...]]
 
 
-def exact_system(mechanism: Mechanism) -> ExactSystem:
-    """The screws of all joints in the reference configuration; raises NotDecidableError where there is no field."""
+def exact_system(mechanism: Mechanism, further: Sequence[sympy.Expr] = ()) -> ExactSystem:
+    """The screws of all joints in the reference configuration; raises NotDecidableError where there is no field.
+
+    `further`: numbers whose angles must have a place in the field, too.
+    """
     number = mechanism.number
     points = {name: [number(c) for c in joint.point] for name, joint in mechanism.joints.items()}
     axes = {name: [[number(c) for c in axis] for axis in joint.axes] for name, joint in mechanism.joints.items()}
     pitches = {name: number(j.pitch) for name, j in mechanism.joints.items() if j.pitch is not None}
     every = [*(c for p in points.values() for c in p), *(c for a in axes.values() for x in a for c in x),
-             *pitches.values()]  # fmt: skip
+             *pitches.values(), *further]  # fmt: skip
     field = Field(every)
     directions = {name: [field.direction(axis) for axis in given] for name, given in axes.items()}
     screws = {}

@@ -6,7 +6,10 @@ typedef struct {
     int kind, v, q;
     double coulomb, fixed, stribeck, lower, upper; /* `fixed`: the static level */
 } Contact;
-static const Contact CONTACT[CONTACTS] = CONTACT_TABLE;
+#if !defined(CONTACT_STORAGE)
+#define CONTACT_STORAGE static const
+#endif
+CONTACT_STORAGE Contact CONTACT[CONTACTS] = CONTACT_TABLE;
 static int contact_mode[CONTACTS]; /* friction: sign of the slip, 0 stuck; stops: -1 lower, 0 free, +1 upper */
 
 static int held(int k)

@@ -1,5 +1,14 @@
 /* One step of every method, over y = (local coordinates z, rates v, states x). */
 
+#if !defined(CHARTS) /* whether steps near singular configurations follow charts of the branch (chart.c, branch.c) */
+#define CHARTS (NR && FREE)
+#endif
+
+#if !defined(SLOPES) /* how many are kept: all that the method with the most of them has, and what dense output needs */
+#define SLOPES 16
+#define DENSE 8
+#endif
+
 enum { EULER, SEMI_IMPLICIT_EULER, RK4, RK8, DOP853 };
 
 /* The branch in extended precision (precise.c), where the caller has it compiled; else NULL. */
@@ -12,21 +21,21 @@ typedef struct {
     int careful;
     double base[NQ1];
     Precise precise;
-#if NR && FREE
+#if CHARTS
     Chart chart;
 #endif
     const double *u;      /* drives held by the caller, or NULL */
     double t, h, rest;    /* the step begins at t + rest: what rounding left of the time */
     double until;         /* the step ends where inputs change at once: nothing is evaluated later than this; 0: it does not */
     double start[NY1], end[NY1];
-    double k[16][NY1];    /* slopes; 12 is that at the end */
+    double k[SLOPES][NY1]; /* slopes; 12 is that at the end */
     double q[NQ1], v[NV1], x[NX1], pivot; /* the state at the end, on the manifold */
-    double dense[8][NY1];
+    double dense[DENSE][NY1];
     int dense_ready;
     double error;
 } Step;
 
-#if NR && FREE
+#if CHARTS
 /* The branch over y = (local coordinates, rates, states): q, v and, if dv is not NULL, slopes. */
 static int near_state(const Step *s, double t, const double *y, double *q, double *v, double *dv, double *dx,
                       double *pivot)
@@ -43,7 +52,7 @@ static int slope(Step *s, double t, const double *y, double *dy)
     double q[NQ1];
     COUNT_EVALUATION;
     t = s->until > 0.0 && t > s->until ? s->until : t;
-#if NR && FREE
+#if CHARTS
     if (s->careful) {
         double v[NV1], z[NV1], pivot;
         const int outcome = near_state(s, t, y, q, v, dy + NV, dy + 2 * NV, &pivot);
@@ -127,7 +136,7 @@ static int finish(Step *s)
 {
     without_dust(s->end + NV, NY - NV);
     memcpy(s->x, s->end + 2 * NV, sizeof(double) * NX);
-#if NR && FREE
+#if CHARTS
     if (s->careful) {
         const double end = s->until > 0.0 && s->t + s->h > s->until ? s->until : s->t + s->h;
         const int outcome = near_state(s, end, s->end, s->q, s->v, NULL, NULL, &s->pivot);

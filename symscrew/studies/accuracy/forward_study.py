@@ -172,7 +172,7 @@ def ours(scene: Scene, library: Library, start: Start, error_of: Callable[[Array
                 error_of,
                 curve=f"{OWN}: DOP853, projection",
                 setting=f"tolerance {tolerance:g}",
-                facts={"panel": "DOP853"},
+                facts={"family": "DOP853"},
             )
         )
     return setups
@@ -224,7 +224,7 @@ def _all_formulations(scene: Scene, made: Formulated, error_of: Callable[[Array]
             found[:] = [q]
             return taken
 
-        facts = {"panel": march.method}
+        facts = {"family": march.method}
         curve = f"{march.method}, {kind}"
         return Setup(curve, march.setting, run, lambda: error_of(found[0]), scene.duration, facts)
 

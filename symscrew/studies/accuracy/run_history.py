@@ -107,7 +107,7 @@ class Reference:
         for entry in self.published:
             if entry.get("error") and entry.get("seconds"):
                 rows.append(("published", str(entry["text"]).split(":")[0], entry["error"], entry["seconds"]))
-        facts = {"peer": True, "panel": "peers"}
+        facts = {"peer": True, "family": "peers"}
         return tuple(Point(who, how, e, quartiles([s / duration]), "", facts) for who, how, e, s in rows)
 
     def published_table(self) -> tuple[tuple[str, str, str], list[list[str]]]:

@@ -60,7 +60,7 @@ def _setups(
             return taken
 
         setting = f"tolerance {tolerance:g}"
-        return Setup(curve, setting, run, lambda: error_of(found[0]), scene.duration, {"panel": PANEL})
+        return Setup(curve, setting, run, lambda: error_of(found[0]), scene.duration, {"family": PANEL})
 
     return [at(tolerance) for tolerance in TOLERANCES]
 

@@ -95,8 +95,8 @@ def number(value: float) -> str:
     return f"{float(f'{value:.3g}'):.10g}"
 
 
-def study_summary(studies: Sequence[Study]) -> str:
-    """The figures in one table: of one study each curve's Pareto front, at most four points; of several its best."""
+def study_summary(studies: Sequence[Study]) -> tuple[tuple[str, ...], list[list[str]]]:
+    """Header and rows: of one study each curve's Pareto front, at most four points; of several its best."""
     rows, most = [], 4 if len(studies) == 1 else 1
     for study in studies:
         unit = study.cost_unit if study.cost_unit in UNITS else "ns"
@@ -109,7 +109,7 @@ def study_summary(studies: Sequence[Study]) -> str:
             failed = [p for p in points if p.failure]
             if failed and len(failed) == len(points):
                 rows.append([study.name, curve, f"{len(failed)} settings", _failed(failed[0]), "-"])
-    return aligned_table(("study", "curve", "setting", "error", "cost"), rows)
+    return ("study", "curve", "setting", "error", "cost"), rows
 
 
 def front(points: Sequence[Point], most: int = 4) -> list[Point]:

@@ -16,9 +16,12 @@ from pathlib import Path
 import numpy as np
 
 from symscrew.description import markdown_text
-from symscrew.display import COLOURS, aligned_table, empty_figure, save_figure
+from symscrew.display import aligned_table, save_figure
 from symscrew.errors import DescriptionError
 from symscrew.optimisation import Prepared, TrajectoryProblem, Transcription, prepare, solve
+from symscrew.studies.accuracy.measuring import Point, Study
+from symscrew.studies.accuracy.study_plots import work_precision
+from symscrew.studies.timing import quartiles
 from symscrew.whole_files import write_text
 
 MESHES, FULL_MESHES = (5, 10, 20, 40), (5, 10, 20, 40, 80, 160)  # doubled: an order shows as a constant ratio
@@ -90,13 +93,24 @@ class TranscriptionStudy:
         ]
         return "\n".join(lines) + "\n"
 
+    def as_study(self) -> Study:
+        """The solves as points, for pictures in the style of all studies."""
+        points = tuple(
+            Point(p.scheme, f"{p.intervals} intervals", p.error, quartiles([p.seconds])) for p in self.points
+        )
+        return Study(
+            "transcription", f"Transcriptions of {self.problem}", points, error_label="error of the cost",
+            cost_label="processor time of a solve", cost_unit="s", reference="a high degree on a fine mesh",
+            reference_error=self.reference_error,
+        )  # fmt: skip
+
     def write(self, directory: Path) -> list[Path]:
         """Write `<problem>_transcription` .json, .md and .png into a folder that is there."""
         stem = f"{self.problem}_transcription"
         return [
             write_text(directory / f"{stem}.json", json.dumps(asdict(self), indent=1)),
             write_text(directory / f"{stem}.md", self.markdown()),
-            _drawn(self, directory / f"{stem}.png"),
+            save_figure(work_precision(self.as_study()), directory / f"{stem}.png", tight=True),
         ]
 
 
@@ -150,20 +164,3 @@ def _timed(problem: TrajectoryProblem, prepared: Prepared, name: str, *, referen
     n = len(found.mesh) - 1
     error = abs(found.cost - reference)
     return Solve(name, n, least, found.statistics.iterations, found.cost, error, found.errors.dynamic)
-
-
-def _drawn(found: TranscriptionStudy, path: Path) -> Path:
-    made, (axes,) = empty_figure(1, 1, width=7.0, height=4.2)
-    names = list(dict.fromkeys(p.scheme for p in found.points))
-    for k, name in enumerate(names):
-        own = [p for p in found.points if p.scheme == name]
-        look = {"color": COLOURS[k % len(COLOURS)], "marker": "osD^v<>ph"[k % 9], "markersize": 4}
-        floor = max(found.reference_error, 1e-16)
-        axes.loglog([p.seconds for p in own], [max(p.error, floor) for p in own], label=name, **look)
-    if found.reference_error > 0:
-        axes.axhline(found.reference_error, color="0.6", linestyle=":", label="error of the reference")
-    axes.set_xlabel("processor time [s]")
-    axes.set_ylabel("error of the cost")
-    axes.set_title(f"Transcriptions of {found.problem}", loc="left")
-    axes.legend(fontsize=7, loc="center left", bbox_to_anchor=(1.01, 0.5))
-    return save_figure(made, path, tight=True)

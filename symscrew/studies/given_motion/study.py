@@ -198,12 +198,25 @@ def drives(
         model = derive(mechanism, acting)
     if "joint_reactions" not in model.programs:
         raise DescriptionError(f"{mechanism.name}: expected a mechanism with masses, whose drives can be computed")
+    _check_inputs(model, wanted)
     with shown.step("print and compile its functions"):
         functions = load(model.only(USED), backend=backend)
     with shown.step(f"follow {len(wanted.t)} states"):
         followed = follow(model, functions, wanted, steps=lambda s: shown.bar(s, "  motion"))
     with shown.step("drives, reactions, margins"):
         return _study(model, functions, wanted, followed)
+
+
+def _check_inputs(model: Model, wanted: WantedMotion) -> None:
+    """Refuse effects that read what a motion does not tell: their own states, forces that a simulation determines."""
+    given = {"q", "v", "a", "t", "p", *(f"load_{point}" for point in wanted.loads)}
+    unknown = [port for port in model.programs["joint_reactions"].inputs if port.name not in given]
+    if unknown:
+        names = ", ".join(label for port in unknown for label in (port.labels if port.name == "x" else (port.name,)))
+        raise DescriptionError(
+            f"effects: {names} {'follows' if len(unknown) == 1 else 'follow'} from no motion; expected effects without "
+            "states and inputs of their own; simulate a scene with these, or give a ball's spring the key 'nearest'"
+        )
 
 
 def _study(model: Model, functions: CompiledModel, wanted: WantedMotion, followed: Followed) -> DriveStudy:

@@ -11,8 +11,9 @@ import numpy as np
 from symscrew.description import in_si
 from symscrew.errors import DescriptionError
 from symscrew.kinematics import BODY_PARTS, coordinate_units, full_name, nearest_names
-from symscrew.model import Model, derive
+from symscrew.model import Model
 from symscrew.runtime import load
+from symscrew.simulation import derived_model
 from symscrew.studies.workspace.configurations import (
     Call,
     calls_of,
@@ -48,7 +49,7 @@ class Prepared:
 def prepared(key: str, holder: PlanHolder) -> Prepared:
     """The derived and compiled model of a plan, once per process; `key` is the plan's hash."""
     plan = holder.plan
-    model = derive(plan.mechanism, plan.effects, independent=plan.independent)
+    model = derived_model(plan.mechanism, plan.effects, plan.independent)
     wanted = {name: p for name, p in model.programs.items() if name in NEEDED}
     small = Model(
         model.name, model.mechanism, model.effects, wanted, {n: model.test_inputs[n] for n in wanted}, model.system

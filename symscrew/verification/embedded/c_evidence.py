@@ -26,12 +26,11 @@ import numpy as np
 
 from symscrew.export import PRECISIONS, Precision, model_hash, print_c
 from symscrew.model import Model
-from symscrew.program import Iteration, Port, Program, evaluate, status_texts
+from symscrew.program import status_texts
+from symscrew.verification.embedded.branch_vectors import direct_calls, function_vectors
 from symscrew.verification.embedded.emulation import EmbeddedError, measure
 
 LIMIT = 900  # [s] of a tool: the checker takes a minute for the longest functions of the catalogue
-LINES = 2  # through states, per pivot, on which one where it vanishes is looked for
-RANDOM, SEED = 24, 7  # vectors per function whose entries are random: they reach most refusals, and take no time
 
 # Deviations: rule -> category, and why the code deviates.
 DEVIATIONS: Mapping[str, tuple[str, str]] = {
@@ -169,74 +168,21 @@ def _faults(facts: Mapping[str, Any], source: str) -> list[str]:
     return found + [f"{name}: {n} numbers that are not finite on a status up to 0" for name, n in bad.items()]
 
 
-def _inputs(model: Model, name: str, real: Precision) -> list[np.ndarray]:
-    """States of a function: its own, random ones, huge ones, and each array with NaN or infinity."""
-    kind = np.float32 if real.suffix else np.float64
-    own = [np.atleast_2d(x) for x in model.test_inputs[name]]
-    rng = np.random.default_rng(SEED)
-    rows = [[x[k] for x in own] for k in range(len(own[0]) if own else 0)]
-    for k in range(RANDOM):
-        scale = 10.0 ** rng.integers(-3, 3)
-        rows.append([x[0] + scale * rng.normal(size=x.shape[1]) * (k % (i + 2) == 0) for i, x in enumerate(own)])
-    for i, x in enumerate(own):
-        for value in (np.nan, np.inf, -np.inf, np.finfo(kind).max, 0.0):
-            for entry in {0, x.shape[1] - 1} if x.shape[1] else ():
-                row = [y[0].copy() for y in own]
-                row[i][entry] = value
-                rows.append(row)
-        rows.append([np.zeros_like(y[0]) if j == i else y[0] for j, y in enumerate(own)])
-    rows += _at_pivots(model.programs[name], own, rng)
-    with np.errstate(over="ignore"):
-        return [np.array([row[i] for row in rows]).astype(kind) for i in range(len(own))]
-
-
-def _at_pivots(
-    program: Program | Iteration, own: Sequence[np.ndarray], rng: np.random.Generator
-) -> list[list[np.ndarray]]:
-    """States where a pivot of the elimination vanishes: found on random lines, by halving where its sign changes."""
-    if isinstance(program, Iteration) or not own:
-        return []
-    found = []
-    for slot, _ in program.guards:
-        port = Port("pivot", (1,), ("1",), ("pivot",), "")
-        alone = replace(program, outputs=(port,), results=((slot,),), guards=(), limits=())
-
-        def pivot(rows: Sequence[np.ndarray], part: Program = alone) -> np.ndarray:
-            value: np.ndarray = evaluate(part, rows)[0][0][:, 0]
-            return value
-
-        for _ in range(LINES):
-            start = [x[0] for x in own]
-            step = [rng.normal(size=len(x)) * 2.0 for x in start]
-            parts = np.linspace(-1.0, 1.0, 65)
-            values = pivot([x + parts[:, None] * d for x, d in zip(start, step, strict=True)])
-            places = np.flatnonzero(values[:-1] * values[1:] < 0)
-            if not len(places):
-                continue
-            low, high = parts[places[0]], parts[places[0] + 1]
-            sign = np.sign(values[places[0]])
-            for _ in range(60):
-                middle = (low + high) / 2
-                now = pivot([(x + middle * d)[None] for x, d in zip(start, step, strict=True)])[0]
-                low, high = (middle, high) if np.sign(now) == sign else (low, middle)
-            found.append([x + low * d for x, d in zip(start, step, strict=True)])
-    return found
-
-
 def _vectors(model: Model, folder: Path, real: Precision) -> dict[str, Any]:
     """Per function: vectors, statuses that came, numbers that were not finite on success. Writes coverage."""
     names = list(model.programs)
-    (folder / "main.c").write_text(_main(model, real), encoding="utf-8")
+    source = (folder / f"{model.name}.c").read_text(encoding="utf-8")
+    (folder / "vectors.c").write_text(_main(model, source, real), encoding="utf-8")
     flags = ["-std=c99", "-O0", "--coverage", f"-D{model.name.upper()}_SCALAR"]
-    _run(["gcc", *flags, f"{model.name}.c", "main.c", "-o", "main", "-lm"], folder)
+    _run(["gcc", *flags, "vectors.c", "-o", "vectors", "-lm"], folder)
     found = {}
     data, counts = [], []
     for name in names:
-        arrays = _inputs(model, name, real)
+        arrays = function_vectors(model, name, real)
         counts.append(len(arrays[0]) if arrays else 1)
         data.append(b"".join(b"".join(x[k].tobytes() for x in arrays) for k in range(counts[-1])))
     head = np.array(counts, np.int32).tobytes()
-    rows = _run(["./main"], folder, head + b"".join(data)).splitlines()
+    rows = _run(["./vectors"], folder, head + b"".join(data)).splitlines()
     for name, count in zip(names, counts, strict=True):
         own, rows = [line.split() for line in rows[:count]], rows[count:]
         seen = Counter(int(status) for status, _ in own)
@@ -245,9 +191,9 @@ def _vectors(model: Model, folder: Path, real: Precision) -> dict[str, Any]:
     return found
 
 
-def _main(model: Model, real: Precision) -> str:
-    """Reads counts and states, prints per state the status and how many results are not finite."""
-    number, lines = real.real, ["#include <math.h>", "#include <stdio.h>", f'#include "{model.name}.h"', ""]
+def _main(model: Model, source: str, real: Precision) -> str:
+    """Reads counts and states, prints per state the status and how many results are not finite; calls routines."""
+    number, lines = real.real, ["#include <math.h>", "#include <stdio.h>", f'#include "{model.name}.c"', ""]
     body = [f"    int counts[{len(model.programs)}];", "    if (fread(counts, sizeof counts, 1, stdin) != 1) {"]
     body += ["        return 1;", "    }"]
     for f, (name, program) in enumerate(model.programs.items()):
@@ -273,12 +219,13 @@ def _main(model: Model, real: Precision) -> str:
         body += ['        printf("%d %d\\n", status, bad);', "    }"]
     texts = [*status_texts(*model.programs.values()), 999]  # one that there is not
     body += [f"    (void){model.name}_status_text({code});" for code in texts]
+    body += direct_calls(model, source, real)
     return "\n".join([*lines, "int main(void)", "{", *body, "    return 0;", "}", ""])
 
 
 def _branches(folder: Path, name: str) -> dict[str, Any]:
     """Lines and branches of the generated source that the vectors took, by gcov."""
-    notes = next(path.name for path in folder.iterdir() if path.name.endswith(f"{name}.gcno"))
+    notes = next(path.name for path in folder.iterdir() if path.name.endswith("vectors.gcno"))
     text = _run(["gcov", "-b", "-c", notes], folder)
     own = text[text.index(f"File '{name}.c'") :]
     lines, branches = (

@@ -18,6 +18,19 @@ const Kinematics = (() => {
     }
     const has = (name) => name in data.functions;
 
+    // -- limits of joints: { at: entry of the displacements, label, low, high }, kept by sliders and sweeps --
+
+    const displacements = (q) => (has("joint_displacements") ? call("joint_displacements", { q }).displacements : []);
+
+    /* The first limit that a configuration leaves, or null. */
+    function left(q) {
+      if (data.limits.length === 0) {
+        return null;
+      }
+      const found = displacements(q), within = 1e-9 * Math.max(1, data.length);
+      return data.limits.find(({ at, low, high }) => found[at] < (low ?? -Infinity) - within || found[at] > (high ?? Infinity) + within) ?? null;
+    }
+
     /* Columns of `size` numbers of an output. */
     function columns(array, size) {
       const made = [];
@@ -74,6 +87,8 @@ const Kinematics = (() => {
 
     /* How far each slider goes from the reference with the others at rest: [low, high]; margins on the way. */
     function reach() {
+      passed.length = 0;
+      const free = left(reference) === null;  // a reference outside its limits keeps none on the way back to them
       const home = toSliders(reference);
       raise(reference);
       return independent.map((entry, k) => {
@@ -81,23 +96,38 @@ const Kinematics = (() => {
         const steps = entry.quaternion !== null ? 36 : 48;
         const ends = [-1, 1].map((side) => {
           let q = reference, last = home[k];
+          const at = (value) => assemble(home.map((start, i) => (i === k ? value : start)), q);
           for (let step = 1; step <= steps; ++step) {
-            const sliders = Array.from(home);
-            sliders[k] = home[k] + (side * most * step) / steps;
-            q = assemble(sliders, q);
-            if (q === null) {
+            const value = home[k] + (side * most * step) / steps, next = at(value);
+            if (next === null) {
               break;
             }
-            last = sliders[k];
+            if (free && left(next) !== null) {
+              last = limit(at, last, value);
+              break;
+            }
+            [q, last] = [next, value];
             if (step % 4 === 0) {
               raise(q);
             }
           }
+          passed.push(q);
           return last;
         });
         return ends;
       });
     }
+
+    /* Where a slider meets the first limit, from a value within to one beyond. */
+    function limit(at, within, beyond) {
+      for (let step = 0; step < 40; ++step) {
+        const middle = (within + beyond) / 2, q = at(middle);
+        [within, beyond] = q !== null && left(q) === null ? [middle, beyond] : [within, middle];
+      }
+      return within;
+    }
+
+    const passed = [];  // configurations at the ends of all sliders
 
     // -- motions: { t, q, v, a, u, reactions } as arrays of frames --
 
@@ -163,7 +193,7 @@ const Kinematics = (() => {
       const t = [...Array(FRAMES + 1).keys()].map((k) => (PERIOD * k) / FRAMES), frames = [];
       for (const time of t) {
         const state = exact(time, frames.at(-1)?.q ?? reference);
-        if (state === null) {
+        if (state === null || (left(state.q) !== null && left(reference) === null)) {
           return null;
         }
         frames.push(state);
@@ -179,7 +209,7 @@ const Kinematics = (() => {
           return null;
         }
         const bytes = Uint8Array.from(atob(arrays[name]), (c) => c.charCodeAt(0));
-        const flat = new Float32Array(bytes.buffer), width = flat.length / count;
+        const flat = new Float64Array(bytes.buffer), width = flat.length / count;
         return [...Array(count).keys()].map((k) => Float64Array.from(flat.slice(k * width, (k + 1) * width)));
       };
       const t = read("t").map((row) => row[0]), q = read("q"), v = read("v"), u = read("u"), reactions = read("reactions");
@@ -245,6 +275,15 @@ const Kinematics = (() => {
 
     const largest = data.margins.map(({ start }) => Math.abs(start));
 
+    /* Everything that was known of the reference, anew: a parameter has changed. */
+    function restart() {
+      const found = margins(reference);
+      data.margins.forEach((margin, k) => {
+        margin.start = found[k] > 1e-9 ? found[k] : 0;
+        largest[k] = margin.start;
+      });
+    }
+
     function margins(q) {
       return data.margins.map(({ function: name, entry }) => Math.abs(call(name, { q }).margins[entry]));
     }
@@ -271,6 +310,7 @@ const Kinematics = (() => {
 
     return {
       call, has, columns, reference, toSliders, assemble, reach, rest, sweep, recording, at, freedoms, raise, margin,
+      displacements, left, passed, restart,
     };
   }
 

@@ -12,6 +12,12 @@ const Layers = (() => {
     return size > 0 && (size < 1e-3 || size >= 1e5) ? value.toExponential(count - 1) : Number(value.toPrecision(count)).toString();
   };
 
+  /* A direction across another, the same for the same. */
+  function across(axis) {
+    const sizes = axis.map(Math.abs), k = sizes.indexOf(Math.min(...sizes));
+    return Screws.cross(axis, [0, 1, 2].map((i) => +(i === k)));
+  }
+
   const pitchText = (pitch) => `h = ${digits(pitch)} m/rad`;
 
   /* `id`, `title`, `hint`, whether it is drawn in dashes, the mark at an arrow's tail, what it needs. */
@@ -22,6 +28,7 @@ const Layers = (() => {
     { id: "momentum", title: "Momentum screws", hint: "momentum on the axis of each body's momentum screw, arc = moment about it; a dashed line leads to the centre of mass", look: { tail: "ball" }, unit: "kg m/s" },
     { id: "reactions", title: "Joint reactions", hint: "force and moment from parent on child at each joint", look: { tail: "none" }, unit: "N" },
     { id: "drives", title: "Drive forces", hint: "arrow = force, arc = torque, at the driven joints", look: { tail: "box" }, unit: "N" },
+    { id: "limits", title: "Joint limits", hint: "how far a joint may turn or slide; the needle is where it is", look: {} },
     { id: "masses", title: "Centres of mass", hint: "balls in quarters; the largest is that of all bodies", look: {} },
     { id: "axes", title: "Axes x, y, z at O", hint: "the absolute axes: screws stand at O, points and directions are given in them", look: { tail: "none" } },
     { id: "points", title: "Names of points", hint: "the named points of the description", look: {} },
@@ -31,7 +38,7 @@ const Layers = (() => {
   class Set {
     constructor(data, model, stage) {
       Object.assign(this, { data, model, stage });
-      this.shown = new globalThis.Set(["points", "axes", "constraints", "freedoms"].filter((id) => this.available(id)));
+      this.shown = new globalThis.Set(["points", "axes", "constraints", "freedoms", "limits"].filter((id) => this.available(id)));
       this.size = stage.size;
       this.boost = 1;
       this.listing = [];
@@ -46,17 +53,18 @@ const Layers = (() => {
         drives: this.data.drives.length > 0, masses: this.data.bodies.some((body) => body.mass !== null),
         points: this.data.points.length > 0, freedoms: this.model.has("platform_jacobian"),
         constraints: this.model.has("platform_jacobian") && this.model.has("joint_screws"), screws: this.model.has("joint_screws"),
+        limits: this.data.limits.length > 0,
       };
       return needs[id] ?? true;
     }
 
     /* New pens in the colours of the theme. */
     paint() {
-      Object.values(this.pens).forEach((pen) => this.stage.scene.remove(pen.group));
-      this.balls.forEach(({ mesh }) => this.stage.scene.remove(mesh));
+      Object.values(this.pens).forEach((pen) => this.stage.overlay.remove(pen.group));
+      this.balls.forEach(({ mesh }) => this.stage.overlay.remove(mesh));
       const colours = this.stage.colours;
       this.pens = Object.fromEntries(
-        ALL.filter(({ id }) => colours[id]).map(({ id, look }) => [id, new Shapes.Pen(this.stage.scene, colours[id], this.size, look)]),
+        ALL.filter(({ id }) => colours[id]).map(({ id, look }) => [id, new Shapes.Pen(this.stage.overlay, colours[id], this.size, look)]),
       );
       const dark = Shapes.material(colours.com_dark), light = Shapes.material(colours.com_light);
       this.balls = this.data.bodies.filter((body) => body.mass !== null).map((body) => this.ball(0.016, dark, light, body));
@@ -67,7 +75,7 @@ const Layers = (() => {
 
     ball(radius, dark, light, body) {
       const mesh = Shapes.centre(radius * this.size, dark, light);
-      this.stage.scene.add(mesh);
+      this.stage.overlay.add(mesh);
       return { mesh, body };
     }
 
@@ -144,15 +152,16 @@ const Layers = (() => {
           const screw = screws[joint.screws + k], at = this.points[j];
           if (kind === "slide") {
             const direction = Screws.unit(Screws.second(screw));
-            pen.arrow(Screws.add(this.beside(j, direction), Screws.scale(-0.09 * this.size, direction)), direction, 0.18 * this.size, { both: true, thick: 0.9 });
+            const seat = this.beside(j, direction);
+            pen.arrow(Screws.add(seat, Screws.scale(-0.09 * this.size, direction)), direction, 0.18 * this.size, { both: true, thick: 0.9 });
+            this.label(`${joint.freedoms[k]}: h = ∞`, Screws.add(seat, Screws.scale(0.09 * this.size, direction)), "screws", 2);
             return;
           }
           const direction = Screws.unit(Screws.first(screw));
           pen.axis(at, direction, 0.2 * this.size);
           pen.arc(Screws.add(at, Screws.scale(0.055 * this.size, direction)), direction, 0.034 * this.size);
-          if (kind === "screw") {
-            this.label(pitchText(joint.pitch), Screws.add(at, Screws.scale(0.1 * this.size, direction)), "screws", 2);
-          }
+          const pitch = kind === "screw" ? pitchText(joint.pitch) : "h = 0";
+          this.label(`${joint.freedoms[k]}: ${pitch}`, Screws.add(at, Screws.scale(0.1 * this.size, direction)), "screws", 2);
         });
       });
     }
@@ -175,7 +184,8 @@ const Layers = (() => {
     /* A principal screw of a system, as force or couple, or as turning or translation. */
     principal(found, pen, names, id, length, owner) {
       const { direction, pitch } = found, at = found.point ?? found.near;
-      const title = Number.isFinite(pitch) ? (pitch === 0 ? names.zero : `${names.zero}, ${pitchText(pitch)}`) : names.infinite;
+      const of = Number.isFinite(pitch) ? (pitch === 0 ? "h = 0" : pitchText(pitch)) : "h = ∞";
+      const name = Number.isFinite(pitch) ? names.zero : names.infinite, title = `${name}, ${of}`;
       const end = Screws.add(at, Screws.scale(length, direction));
       if (names.turning === Number.isFinite(pitch)) {
         const from = Screws.add(at, Screws.scale(-0.5 * length, direction));
@@ -197,7 +207,7 @@ const Layers = (() => {
       }
       const numbers = (a) => `(${a.map((x) => digits(Math.abs(x) < 5e-5 ? 0 : x)).join(", ")})`;
       const through = Number.isFinite(pitch) ? ` through ${numbers(found.point)} m` : "";
-      this.listing.push({ id, text: `${owner}${title} along ${numbers(direction)}${through}` });
+      this.listing.push({ id, text: `${owner}${name} along ${numbers(direction)}${through}, ${of}` });
     }
 
     draw_constraints(state, pen) {
@@ -231,6 +241,39 @@ const Layers = (() => {
       }
       found.forEach((screw) =>
         this.principal({ ...screw, near }, pen, { zero: "rotation", infinite: "translation", turning: true }, "freedoms", 0.22 * this.size, ""));
+    }
+
+    // -- limits --
+
+    /* A sector or a track from the lower to the upper limit, and a needle or a mark where the joint is. */
+    draw_limits(state, pen) {
+      const screws = this.screwsOf(state), poses = this.posesOf(state), now = this.model.displacements(state.q);
+      this.data.limits.forEach(({ joint: j, freedom, at, low, high, start, label }) => {
+        const joint = this.data.joints[j], screw = screws[joint.screws + freedom];
+        const slides = joint.kinds[freedom] === "slide", seat = slides ? this.seats[j] : this.points[j];
+        const direction = Screws.unit(slides ? Screws.second(screw) : Screws.first(screw));
+        const reach = slides ? this.size : Math.PI, from = low ?? Math.min(now[at], start) - 0.3 * reach, to = high ?? Math.max(now[at], start) + 0.3 * reach;
+        const side = this.turned(across(joint.axes[Math.min(freedom, joint.axes.length - 1)] ?? [0, 0, 1]), joint.parent, poses);
+        const flat = Screws.unit(Screws.subtract(side, Screws.scale(Screws.dot(side, direction), direction)));
+        const other = Screws.cross(direction, flat), r = 0.085 * this.size;
+        const place = slides
+          ? (s, out = 0.03) => Screws.add(seat, Screws.add(Screws.scale(s - start, direction), Screws.scale(out * this.size, flat)))
+          : (s, out = 1) => Screws.add(seat, Screws.add(Screws.scale(out * r * Math.cos(s), flat), Screws.scale(out * r * Math.sin(s), other)));
+        const count = slides ? 1 : 24, part = (k) => from + ((to - from) * k) / count;
+        for (let k = 0; k < count; ++k) {
+          pen.stroke(place(part(k)), place(part(k + 1)), 1);
+        }
+        const [inner, outer] = slides ? [0.018, 0.042] : [0.8, 1.2];
+        [[low, from], [high, to]].filter(([given]) => given !== null).forEach(([, s]) => pen.stroke(place(s, inner), place(s, outer), 1.6));
+        pen.stroke(slides ? place(now[at], 0.012) : seat, place(now[at], slides ? 0.05 : 1.1), 0.9);
+        const text = (s) => (slides ? `${digits(s)} m` : `${digits((s * 180) / Math.PI)}°`);
+        this.label(`${label}: ${low === null ? "" : text(low)} … ${high === null ? "" : text(high)}`, place(to, slides ? 0.05 : 1.15), "limits", 1.5);
+      });
+    }
+
+    /* A direction of a body in the reference configuration, turned with it. */
+    turned(direction, body, poses) {
+      return body === 0 ? direction : Screws.subtract(this.carried(direction, body, poses), this.carried([0, 0, 0], body, poses));
     }
 
     // -- values: arrows in proportion --

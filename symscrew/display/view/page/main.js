@@ -2,11 +2,11 @@
 
 /* The page at work: one state of the mechanism, set by a slider or by the time of a motion, shown everywhere. */
 (() => {
-  const SAFE = 0.15, SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4];
+  const SAFE = 0.15, CLICK = 4, SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4];
   const data = JSON.parse(document.getElementById("data").textContent);
   const { find, element } = Panel;
   const model = Kinematics.make(data, functions);
-  const ranges = model.reach();
+  let ranges = model.reach();
   const started = { theme: matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light" };
   let stage;
   Panel.header(data);
@@ -18,7 +18,11 @@
   }
   const layers = new Layers.Set(data, model, stage);
   let motion = null, state = model.rest(model.reference), time = 0, playing = false, last = 0;
-  let sliders = [];
+  let sliders = [], tuned = [], film = null, pressed = null;
+  const plots = new Plots.Panel(data, model, (to) => {
+    pause();
+    seek(to, true);
+  });
 
   // -- showing a state --
 
@@ -32,6 +36,7 @@
     stage.warn(level);
     Panel.margin(found, level);
     Panel.values(rows());
+    chosen();
     Panel.listing(layers.listing);
     model.toSliders(state.q).forEach((value, k) => sliders[k]?.set(value));
     stage.dirty = true;
@@ -49,6 +54,94 @@
     return made;
   }
 
+  /* What the chosen body does. */
+  function chosen() {
+    const k = stage.chosen ?? -1, body = data.bodies[k];
+    if (!body) {
+      return;
+    }
+    const vector = (a, count = 4) => `(${Array.from(a, (x) => Layers.digits(Math.abs(x) < 1e-12 * data.length ? 0 : x, count)).join(", ")})`;
+    const made = body.mass === null ? [["mass", "none given", ""]] : [["mass", Layers.digits(body.mass, 4), "kg"]];
+    if (k === 0) {
+      Panel.body(`${body.name}: does not move`, []);
+      return;
+    }
+    const pose = model.columns(model.call("body_poses", state).poses, 12)[k - 1], com = layers.carried(body.com ?? data.joints.find(({ child }) => child === k)?.point ?? [0, 0, 0], k, layers.posesOf(state));
+    const cosine = Math.max(-1, Math.min(1, (pose[0] + pose[4] + pose[8] - 1) / 2));
+    made.push([body.mass === null ? "joint's point" : "centre of mass", vector(com), "m"], ["turned from the reference by", ((Math.acos(cosine) * 180) / Math.PI).toFixed(2), "°"]);
+    if (model.has("body_twists")) {
+      const twist = model.columns(model.call("body_twists", state).twists, 6)[k - 1], omega = Screws.first(twist);
+      made.push(["angular velocity", vector(omega), "rad/s"], ["its velocity", vector(Screws.add(Screws.second(twist), Screws.cross(omega, com))), "m/s"]);
+    }
+    const own = layers.momentaOf(state).find((entry) => entry.body === body);
+    if (own) {
+      made.push(["momentum", vector(Screws.first(own.screw)), "kg m/s"], ["angular momentum about it", vector(Screws.subtract(Screws.second(own.screw), Screws.cross(own.com, Screws.first(own.screw)))), "kg m²/s"]);
+    }
+    Panel.body(body.name, made);
+  }
+
+  function choose_body(x, y) {
+    const found = stage.pick(x, y);
+    if (found >= 0) {
+      stage.chosen = found;
+      stage.rebuild();
+      show(state);
+    }
+  }
+
+  // -- run-time parameters --
+
+  /* Shapes, joints and points at the parameters as they are now. */
+  function reshape() {
+    if (!model.has("outline")) {
+      return;
+    }
+    const points = model.columns(model.call("outline", {}).points, 3), at = (k) => points[k];
+    const middle = (corners) => corners.reduce(Screws.add, [0, 0, 0]).map((x) => x / corners.length);
+    data.bodies.forEach((body) => {
+      body.plate = body.outline.plate.map(at);
+      body.bar = body.outline.bar.map(at);
+      body.struts = body.outline.struts.map((k) => [middle(body.plate), at(k)]);
+      body.com = body.outline.com === null ? body.com : at(body.outline.com);
+    });
+    data.joints.forEach((joint) => {
+      joint.point = at(joint.outline.point);
+      joint.axes = joint.outline.axes.map((k) => Screws.unit(at(k)));
+    });
+    data.points.forEach((point) => { point.at = at(point.outline); });
+    stage.rebuild();
+  }
+
+  function tune(k, value) {
+    pause();
+    const before = data.parameters[k], sliderValues = model.toSliders(state.q);
+    data.parameters[k] = value;
+    const q = model.assemble(sliderValues, state.q);
+    tuned.forEach((slider) => slider.complain(""));
+    if (q === null) {
+      data.parameters[k] = before;
+      tuned[k].set(before);
+      tuned[k].complain("The loops cannot be closed there; the last value stays.");
+      return;
+    }
+    tuned[k].set(value);
+    model.restart();
+    reshape();
+    show(model.rest(q));
+    stage.keep(layers.points);
+  }
+
+  /* After a parameter has come to rest: how far the sliders go now, and the motion again. */
+  function tuned_anew() {
+    const q = state.q;
+    ranges = model.reach();
+    sliders.forEach((slider, k) => slider.range(ranges[k]));
+    if (!data.motion) {
+      choose(find("#motion").value);
+    }
+    show(model.rest(q));
+  }
+
   // -- sliders --
 
   function move(k, value) {
@@ -57,11 +150,13 @@
     wanted[k] = value;
     const q = model.assemble(wanted, state.q);
     sliders.forEach((slider) => slider.complain(""));
-    if (q === null) {
-      sliders[k].complain("The loops cannot be closed there; the last pose stays.");
+    const left = q === null ? null : model.left(q);
+    if (q === null || (left !== null && model.left(state.q) === null)) {
+      sliders[k].complain(q === null ? "The loops cannot be closed there; the last pose stays." : `${left.label} would leave its limits; the last pose stays.`);
       model.toSliders(state.q).forEach((kept, i) => sliders[i].set(kept));
     } else {
       show(model.rest(q));
+      stage.keep(layers.points);
     }
   }
 
@@ -69,13 +164,19 @@
 
   const end = () => motion.t[motion.t.length - 1], begin = () => motion.t[0];
 
-  function seek(to) {
+  /* A time of the motion; `recorded`: the recorded one next to it, whose numbers are those of the file. */
+  function seek(to, recorded = false) {
     time = Math.max(begin(), Math.min(end(), to));
+    if (recorded && motion.recorded) {
+      const high = Math.max(1, motion.t.findIndex((t) => t >= time)), low = high - 1;
+      time = time - motion.t[low] < motion.t[high] - time ? motion.t[low] : motion.t[high];
+    }
     sliders.forEach((slider) => slider.complain(""));
     find("#time").value = time;
     find("#clock").textContent = `${time.toFixed(2)} / ${end().toFixed(2)} s`;
     find("#time").setAttribute("aria-valuetext", `${time.toFixed(2)} s`);
     show(model.at(motion, time));
+    plots.at(time);
   }
 
   function choose(which) {
@@ -86,6 +187,7 @@
     if (!usable) {
       pause();
       layers.measure({ frames: [state] });
+      plots.set(null);
       show(state);
       return;
     }
@@ -95,6 +197,7 @@
     Panel.scales(layers.largest);
     Object.assign(find("#time"), { min: begin(), max: end() });
     Panel.notes(notes());
+    plots.set(motion);
     seek(begin());
   }
 
@@ -141,12 +244,40 @@
     last = now;
     if (next < end()) {
       seek(next);
+    } else if (film !== null) {
+      seek(end());
+      pause();
+      record();
     } else if (motion.recorded) {
       seek(end());
       pause();
     } else {
       seek(begin() + ((next - begin()) % (end() - begin())));
     }
+  }
+
+  /* Begin a film of the motion, once through, or end it. */
+  function record() {
+    const button = find("#film");
+    if (film !== null) {
+      const done = film;
+      film = null;
+      button.textContent = "Film";
+      stage.render();
+      done.take();
+      setTimeout(() => done.stop(), 100);
+      return;
+    }
+    pause();
+    seek(begin());
+    stage.render();
+    film = Records.film(stage, data.name);
+    if (film === null) {
+      Panel.trouble("This browser records no films; symscrew view --mp4 or --gif writes one.");
+      return;
+    }
+    button.textContent = "Stop";
+    toggle();
   }
 
   // -- the page --
@@ -194,6 +325,7 @@
     stage.resize();
     if (stage.dirty) {
       stage.render();
+      film?.take();
     }
     requestAnimationFrame(frame);
   }
@@ -201,6 +333,10 @@
   layers.measure({ frames: [state] });
   Panel.views(Object.keys(Stage.VIEWS), (name) => stage.see(name), () => paint(stage.theme === "dark" ? "light" : "dark"));
   sliders = Panel.sliders(data, ranges, move);
+  tuned = Panel.parameters(data.tunable, tune, tuned_anew);
+  if (location.hash === "#embed") {
+    document.documentElement.dataset.embedded = "yes";
+  }
   SPEEDS.forEach((speed) => find("#speed").append(element("option", { value: speed, textContent: `${speed} ×`, selected: speed === 1 })));
   const options = data.motion ? [["file", "recorded"]] : [];
   if (data.independent.length > 1) {
@@ -212,10 +348,23 @@
   find("#play").addEventListener("click", toggle);
   find("#time").addEventListener("input", () => {
     pause();
-    seek(Number(find("#time").value));
+    seek(Number(find("#time").value), true);
   });
+  find("#still").addEventListener("click", () => Records.picture(stage, data.name));
+  find("#film").addEventListener("click", record);
   find("canvas").addEventListener("keydown", keys);
-  find("canvas").addEventListener("pointerdown", () => { stage.touched = true; });
+  find("canvas").addEventListener("pointerdown", (event) => { pressed = [event.clientX, event.clientY]; });
+  find("canvas").addEventListener("pointermove", (event) => {
+    stage.touched ||= pressed !== null && Math.hypot(event.clientX - pressed[0], event.clientY - pressed[1]) > CLICK;
+  });
+  find("canvas").addEventListener("wheel", () => { stage.touched = true; }, { passive: true });
+  find("canvas").addEventListener("pointerup", (event) => {
+    const frame = find("canvas").getBoundingClientRect();
+    if (pressed !== null && Math.hypot(event.clientX - pressed[0], event.clientY - pressed[1]) <= CLICK) {
+      choose_body(event.clientX - frame.left, event.clientY - frame.top);
+    }
+    pressed = null;
+  });
   stage.resize();
   stage.see(stage.first);
   paint(started.theme);

@@ -43,6 +43,9 @@ const Panel = (() => {
     } else if (id === "points" || id === "joints") {
       draw("text", { x: 15, y: 12.5, "text-anchor": "middle", "font-size": 12, fill: colours.text, "font-style": id === "points" ? "italic" : "normal" });
       svg.lastChild.textContent = id === "points" ? "A₁" : "abc";
+    } else if (id === "limits") {
+      draw("path", { d: "M4 13 A12 12 0 0 1 26 13", fill: "none", stroke: colour, "stroke-width": 2 });
+      draw("path", { d: "M2 11 L6 14 M28 11 L24 14 M15 14 L18 3", fill: "none", stroke: colour, "stroke-width": 2 });
     } else {
       const dashed = id === "constraints" || id === "freedoms";
       line({ "stroke-width": id === "drives" ? 3.6 : 2.4, ...(dashed ? { "stroke-dasharray": "4 2" } : {}) });
@@ -94,12 +97,51 @@ const Panel = (() => {
           shown.textContent = entry.kind === "length" ? `${value.toFixed(4)} m` : `${degrees.toFixed(1)}°`;
           input.setAttribute("aria-valuetext", shown.textContent);
         },
+        range([low, high]) {
+          Object.assign(input, { min: low, max: high, disabled: !(high > low) });
+        },
         complain(text) {
           problem.hidden = text === "";
           problem.textContent = text;
         },
       };
     });
+  }
+
+  /* A slider per run-time parameter, in its own unit. */
+  function parameters(tunable, onMove, onEnd) {
+    find("#parameters").hidden = tunable.length === 0;
+    return tunable.map((entry, k) => {
+      const id = `p${k}`, input = element("input", { type: "range", id, min: entry.low, max: entry.high, step: "any", value: entry.value });
+      const shown = element("output", {}), problem = element("p", { className: "problem", hidden: true, role: "alert" });
+      shown.htmlFor = id;
+      const set = (value) => {
+        input.value = value;
+        shown.textContent = `${digits(value, 4)} ${entry.unit === "1" ? "" : entry.unit}`;
+      };
+      input.addEventListener("input", () => onMove(k, Number(input.value)));
+      input.addEventListener("change", onEnd);
+      const label = element("label", { htmlFor: id, textContent: entry.name, title: entry.description });
+      find("#parameters > div").append(element("div", { className: "slider" }, element("div", { className: "line" }, label, shown), input, problem));
+      set(entry.value);
+      return {
+        set,
+        complain(text) {
+          problem.hidden = text === "";
+          problem.textContent = text;
+        },
+      };
+    });
+  }
+
+  /* The values of the body that was chosen; null: none is. */
+  function body(name, rows) {
+    const holder = find("#body > div");
+    if (name === null) {
+      return;
+    }
+    const cells = rows.map(([what, value, unit]) => element("tr", {}, element("th", { scope: "row", textContent: what }), element("td", { textContent: value }), element("td", { textContent: unit })));
+    holder.replaceChildren(element("p", { textContent: name }), element("table", {}, element("tbody", {}, ...cells)));
   }
 
   function layers(set, colours, onChange) {
@@ -156,6 +198,7 @@ const Panel = (() => {
   function margin(found, level) {
     const chip = find("#margin");
     chip.hidden = found === null;
+    find("#warning").hidden = found === null;
     if (found !== null) {
       const [state, mark, words] = level >= 1 ? ["none", "✕", "singular"] : level > 0 ? ["low", "▲", "near a singularity"] : ["good", "✓", "no singularity near"];
       chip.dataset.level = state;
@@ -170,5 +213,5 @@ const Panel = (() => {
     find("#trouble").textContent = text;
   }
 
-  return { find, element, header, views, sliders, layers, scales, values, listing, notes, margin, trouble };
+  return { find, element, header, views, sliders, parameters, body, layers, scales, values, listing, notes, margin, trouble };
 })();

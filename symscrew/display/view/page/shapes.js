@@ -11,13 +11,13 @@ const Shapes = (() => {
       background: "#f6f6f3", text: "#16181a", grid: "#d6d6d0", ground: "#85888c", link: "#4d5257", rod: "#8d949a",
       platform: "#0072b2", joint: "#f4f4f2", driven: "#d55e00", warn: "#f0c808", danger: "#9c0038",
       screws: "#56b4e9", constraints: "#009e73", freedoms: "#cc79a7", momentum: "#e69f00", reactions: "#16181a",
-      drives: "#d55e00", axes: "#6b4fa0", com_dark: "#111111", com_light: "#ffffff",
+      drives: "#d55e00", axes: "#6b4fa0", limits: "#7a5c00", chosen: "#7b3fe4", com_dark: "#111111", com_light: "#ffffff",
     },
     dark: {
       background: "#14171a", text: "#eceff1", grid: "#2d3236", ground: "#7d8388", link: "#b6bcc2", rod: "#7f868c",
       platform: "#4aa3df", joint: "#e9ecee", driven: "#e8752a", warn: "#f0e442", danger: "#e0105c",
       screws: "#8fd0f5", constraints: "#1ec796", freedoms: "#e3a0c4", momentum: "#f0e442", reactions: "#eceff1",
-      drives: "#ff8a4c", axes: "#b9a5e6", com_dark: "#111111", com_light: "#ffffff",
+      drives: "#ff8a4c", axes: "#b9a5e6", limits: "#e0c060", chosen: "#b48cff", com_dark: "#111111", com_light: "#ffffff",
     },
   };
 
@@ -169,13 +169,13 @@ const Shapes = (() => {
       this.size = size;
       this.look = look;
       this.solid = new L.MeshBasicMaterial({ color: colour });
-      this.pools = { arrow: [], arc: [], axis: [] };
-      this.used = { arrow: 0, arc: 0, axis: 0 };
+      this.pools = { arrow: [], arc: [], axis: [], stroke: [] };
+      this.used = { arrow: 0, arc: 0, axis: 0, stroke: 0 };
       scene.add(this.group);
     }
 
     begin() {
-      this.used = { arrow: 0, arc: 0, axis: 0 };
+      this.used = { arrow: 0, arc: 0, axis: 0, stroke: 0 };
     }
 
     end() {
@@ -248,6 +248,14 @@ const Shapes = (() => {
       item.add(flat);
       item.userData.head = head;
       return item;
+    }
+
+    /* A thin rod between two points. */
+    stroke(from, to, thick = 1) {
+      const item = this.take("stroke", () => new L.Mesh(new L.CylinderGeometry(1, 1, 1, 8), this.solid));
+      const r = 0.0026 * this.size * thick, span = vector(to).sub(vector(from));
+      place(item, from, span);
+      item.scale.set(r, item.scale.y, r);
     }
 
     /* A thin line through a point, to both sides. */

@@ -82,6 +82,7 @@ const Stage = (() => {
       this.renderer = new L.WebGLRenderer({ canvas, antialias: true, preserveDrawingBuffer: true });
       this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
       this.scene = new L.Scene();
+      this.overlay = new L.Scene();  // screws, arrows, centres of mass: in front of all bodies
       this.camera = new L.PerspectiveCamera(32, 1, 0.01, 100);
       this.camera.up.set(0, 0, 1);
       this.controls = new L.OrbitControls(this.camera, canvas);
@@ -139,10 +140,12 @@ const Stage = (() => {
       this.colours = Shapes.PALETTE[theme];
       this.scene.clear();
       this.scene.background = new L.Color(this.colours.background);
-      this.scene.add(new L.HemisphereLight("#ffffff", theme === "light" ? "#9aa0a6" : "#50565c", 2.2));
-      const sun = new L.DirectionalLight("#ffffff", 1.6);
-      sun.position.set(-0.6, -1, 1.6);
-      this.scene.add(sun);
+      for (const scene of [this.scene, this.overlay]) {
+        scene.children.filter((item) => item.isLight).forEach((light) => scene.remove(light));
+        const sun = new L.DirectionalLight("#ffffff", 1.6);
+        sun.position.set(-0.6, -1, 1.6);
+        scene.add(new L.HemisphereLight("#ffffff", theme === "light" ? "#9aa0a6" : "#50565c", 2.2), sun);
+      }
       this.grid = new L.GridHelper(3 * this.size, 24, this.colours.grid, this.colours.grid);
       this.grid.rotation.x = Math.PI / 2;
       this.scene.add(this.grid);
@@ -160,12 +163,14 @@ const Stage = (() => {
       paint.joint = Shapes.material(colours.joint);
       paint.driven = Shapes.material(colours.driven);
       paint.rod = Shapes.material(colours.rod);
+      paint.chosen = Shapes.material(colours.chosen);
+      paint.chosen_sheet = Shapes.material(colours.chosen, { side: L.DoubleSide, transparent: true, opacity: 0.5, depthWrite: false });
       this.paints = paint;
       this.groups = this.data.bodies.map((body, k) => {
         const kind = k === 0 ? "ground" : k === this.data.platform && this.data.platform_named ? "platform" : "link";
         const group = new L.Group();
         group.matrixAutoUpdate = false;
-        group.add(Shapes.body(body, kind, this.size, paint));
+        group.add(Shapes.body(body, kind, this.size, k === this.chosen ? { ...paint, [kind]: paint.chosen, [`${kind}_sheet`]: paint.chosen_sheet } : paint));
         this.scene.add(group);
         return group;
       });
@@ -180,6 +185,47 @@ const Stage = (() => {
           this.slides.push({ joint, rod });
         }
       });
+    }
+
+    /* All bodies anew: another one is chosen, or their shapes have changed. */
+    rebuild() {
+      this.groups.forEach((group) => this.scene.remove(group));
+      this.slides.forEach(({ rod }) => this.scene.remove(rod));
+      this.build();
+    }
+
+    /* The body that is drawn nearest to a place of the picture [px]; -1 where there is none. */
+    pick(x, y) {
+      const seen = (at, k) => {
+        const p = Shapes.vector(at).applyMatrix4(this.groups[k].matrix).project(this.camera);
+        return [((p.x + 1) / 2) * this.width, ((1 - p.y) / 2) * this.height];
+      };
+      const distanceTo = this.camera.position.distanceTo(this.controls.target), half = Math.tan((this.camera.fov * Math.PI) / 360);
+      const thick = (0.02 * this.size * this.height) / (2 * half * distanceTo);  // pixels: half of what a joint is wide
+      let best = -1, least = 12;  // pixels: as wide as a finger's middle
+      this.data.bodies.forEach((body, k) => {
+        const rods = [...body.struts, ...body.bar.slice(1).map((to, i) => [body.bar[i], to])];
+        const corners = body.plate.map((corner) => seen(corner, k)), edges = body.plate.map((_, i) => [body.plate[i], body.plate[(i + 1) % body.plate.length]]);
+        const lengths = [...rods, ...edges].map(([from, to]) => Math.max(0, distance([x, y], seen(from, k), seen(to, k)) - thick));
+        const points = body.bar.length === 1 ? [Math.hypot(...seen(body.bar[0], k).map((p, i) => p - [x, y][i]))] : [];
+        const found = Math.min(...lengths, ...points, corners.length > 2 && within([x, y], corners) ? 6 : Infinity);
+        if (found < least || (found === least && k !== 0)) {
+          [best, least] = [k, found];
+        }
+      });
+      return best;
+    }
+
+    /* The picture again so that these points are in it, where nobody has turned it; whether it had to change. */
+    keep(points) {
+      const out = points.some((at) => {
+        const p = Shapes.vector(at).project(this.camera);
+        return Math.abs(p.x) > 0.97 || Math.abs(p.y) > 0.97;
+      });
+      if (out && !this.touched) {
+        this.frame([...this.framed.slice(this.places.length), ...points]);
+      }
+      return out;
     }
 
     /* Bodies in their poses: 12 numbers each, rotation by columns and translation. */
@@ -264,10 +310,33 @@ const Stage = (() => {
     }
 
     render() {
+      this.renderer.autoClear = true;
       this.renderer.render(this.scene, this.camera);
+      this.renderer.autoClear = false;
+      this.renderer.clearDepth();
+      this.renderer.render(this.overlay, this.camera);
       this.labels.end(this.camera, this.width, this.height);
       this.dirty = false;
     }
+  }
+
+  /* From a point to a piece of a line, in the plane. */
+  function distance([x, y], [ax, ay], [bx, by]) {
+    const [dx, dy] = [bx - ax, by - ay], size = dx * dx + dy * dy;
+    const t = size > 0 ? Math.max(0, Math.min(1, ((x - ax) * dx + (y - ay) * dy) / size)) : 0;
+    return Math.hypot(x - ax - t * dx, y - ay - t * dy);
+  }
+
+  /* Whether a point of the plane is inside a polygon. */
+  function within([x, y], corners) {
+    let inside = false;
+    corners.forEach(([ax, ay], k) => {
+      const [bx, by] = corners[(k + 1) % corners.length];
+      if (ay > y !== by > y && x < ax + ((y - ay) / (by - ay)) * (bx - ax)) {
+        inside = !inside;
+      }
+    });
+    return inside;
   }
 
   return { Picture, VIEWS };

@@ -15,13 +15,11 @@ from typing import Any, TypeVar
 
 import numpy as np
 
-from symscrew.description import Mechanism, to_toml
-from symscrew.effects import Effect, effect_to_table, joints_read, transformed
-from symscrew.errors import DescriptionError
-from symscrew.kinematics import System
+from symscrew.description import Mechanism
+from symscrew.effects import Effect, system_under
 from symscrew.model import Model, derive
 from symscrew.program import Iteration, Program, from_lists, to_lists
-from symscrew.runtime import entry, key_of, version
+from symscrew.runtime import entry, model_key
 
 T = TypeVar("T")
 KEPT = ("notes", "one_mode", "independent", "selected")  # of a model, beside its programs and states
@@ -47,16 +45,16 @@ class Asked(Mapping[str, T]):
         return len(self._lists)
 
 
-def derived_model(mechanism: Mechanism, effects: Sequence[Effect]) -> Model:
-    """`derive(mechanism, effects)`, with a system of its own.
+def derived_model(mechanism: Mechanism, effects: Sequence[Effect], independent: Sequence[str] | None = None) -> Model:
+    """`derive(mechanism, effects, independent=independent)`, with a system of its own; values have no names.
 
     Raises:
         DescriptionError: as `derive`.
     """
-    with entry(_key(mechanism, effects)) as kept:
+    with entry(model_key(mechanism, effects, independent)) as kept:
         found = _read(kept.read())
         if found is None:
-            model = derive(mechanism, effects)
+            model = derive(mechanism, effects, independent=independent)
             found = {
                 **{name: getattr(model, name) for name in KEPT},
                 "programs": {name: to_lists(program) for name, program in model.programs.items()},
@@ -67,25 +65,12 @@ def derived_model(mechanism: Mechanism, effects: Sequence[Effect]) -> Model:
             kept.write(text.encode("ascii"))
             found = json.loads(text)  # the same way, whether it was there or not
     known = tuple(effects)
-    system = System(mechanism, transformed(mechanism, known), read=joints_read(known))
+    system = system_under(mechanism, known)
     programs: Mapping[str, Program | Iteration] = Asked(found["programs"], from_lists)
     shaped = {name: list(zip(found["states"][name], found["sizes"][name], strict=True)) for name in found["states"]}
     states = Asked(shaped, lambda of: tuple(np.array(x, dtype=float).reshape(shape) for x, shape in of))
     kept_fields: dict[str, Any] = {name: tuple(v) if isinstance(v := found[name], list) else v for name in KEPT}
     return Model(mechanism.name, mechanism, tuple(effects), programs, states, system, **kept_fields)
-
-
-def _key(mechanism: Mechanism, effects: Sequence[Effect]) -> str | None:
-    """Of all that a model is made of; None where a mechanism cannot be written."""
-    try:
-        texts = [to_toml(mechanism), repr(mechanism.warnings), *map(repr, map(_named, effects))]
-    except DescriptionError:
-        return None
-    return key_of(b"model", *(text.encode("utf-8", "surrogateescape") for text in (version(), *texts)))
-
-
-def _named(effect: Effect) -> tuple[str, object]:
-    return f"{type(effect).__module__}.{type(effect).__qualname__}", effect_to_table(effect)
 
 
 def _read(kept: bytes | None) -> dict[str, Any] | None:

@@ -1,0 +1,261 @@
+/* The closure's equations and their derivative for numbers of one kind: NUM with ADD, SUB, MUL, TIMES (by a double) and
+   OF (a double). Displacements are dual quaternions x + eps y, linear in the coordinates of each joint. */
+
+/* a b of quaternions, added to `out` where `more` is 1. */
+static inline void FN(quaternion)(const NUM *a, const NUM *b, int more, NUM *out)
+{
+    NUM c[4];
+    c[0] = SUB(SUB(MUL(a[0], b[0]), MUL(a[1], b[1])), ADD(MUL(a[2], b[2]), MUL(a[3], b[3])));
+    c[1] = ADD(ADD(MUL(a[0], b[1]), MUL(a[1], b[0])), SUB(MUL(a[2], b[3]), MUL(a[3], b[2])));
+    c[2] = ADD(SUB(MUL(a[0], b[2]), MUL(a[1], b[3])), ADD(MUL(a[2], b[0]), MUL(a[3], b[1])));
+    c[3] = ADD(ADD(MUL(a[0], b[3]), MUL(a[1], b[2])), SUB(MUL(a[3], b[0]), MUL(a[2], b[1])));
+    for (int k = 0; k < 4; ++k) {
+        out[k] = more ? ADD(out[k], c[k]) : c[k];
+    }
+}
+
+/* a b of dual quaternions. */
+static void FN(product)(const NUM *a, const NUM *b, NUM *out)
+{
+    FN(quaternion)(a, b, 0, out);
+    FN(quaternion)(a, b + 4, 0, out + 4);
+    FN(quaternion)(a + 4, b, 1, out + 4);
+}
+
+/* p x - x a + 2 y: what a point p of the displaced body is off the point a, times x; 2 y only where y is given. */
+static inline void FN(off)(const NUM *x, const NUM *y, const NUM *p, const NUM *a, NUM *out)
+{
+    /* x p */
+    NUM c[4];
+    c[0] = SUB(OF(0.0), ADD(ADD(MUL(x[1], p[0]), MUL(x[2], p[1])), MUL(x[3], p[2])));
+    c[1] = ADD(MUL(x[0], p[0]), SUB(MUL(x[2], p[2]), MUL(x[3], p[1])));
+    c[2] = ADD(MUL(x[0], p[1]), SUB(MUL(x[3], p[0]), MUL(x[1], p[2])));
+    c[3] = ADD(MUL(x[0], p[2]), SUB(MUL(x[1], p[1]), MUL(x[2], p[0])));
+    /* - a x */
+    c[0] = ADD(c[0], ADD(ADD(MUL(a[0], x[1]), MUL(a[1], x[2])), MUL(a[2], x[3])));
+    c[1] = SUB(c[1], ADD(MUL(a[0], x[0]), SUB(MUL(a[1], x[3]), MUL(a[2], x[2]))));
+    c[2] = SUB(c[2], ADD(MUL(a[1], x[0]), SUB(MUL(a[2], x[1]), MUL(a[0], x[3]))));
+    c[3] = SUB(c[3], ADD(MUL(a[2], x[0]), SUB(MUL(a[0], x[2]), MUL(a[1], x[1]))));
+    for (int k = 0; k < 4; ++k) {
+        out[k] = y ? ADD(c[k], TIMES(2.0, y[k])) : c[k];
+    }
+}
+
+/* Column j of the motion of a joint: its displacement is the sum of its coordinates times these. */
+static void FN(column)(int group, int j, NUM (*slots)[3], NUM *out)
+{
+    const int kind = group_kind[group];
+    for (int k = 0; k < 8; ++k) {
+        out[k] = OF(0.0);
+    }
+    if (kind == GROUP_FREE) {
+        out[j] = OF(1.0);
+    } else if (kind == GROUP_PLANAR) {
+        out[planar_place[j]] = OF(1.0);
+    } else if (kind == GROUP_BALL) {
+        NUM x[4] = {OF(0.0), OF(0.0), OF(0.0), OF(0.0)}, turned[4];
+        const NUM *p = slots[group_slots[group][0]];
+        x[j] = OF(1.0);
+        FN(off)(x, (const NUM *)0, p, p, turned); /* x p - p x */
+        out[j] = OF(2.0);
+        for (int k = 0; k < 4; ++k) {
+            out[4 + k] = SUB(OF(0.0), turned[k]);
+        }
+    } else if (j == 0) {
+        out[0] = OF(kind == GROUP_SLIDE ? 2.0 : 1.0);
+    } else {
+        const NUM *w = slots[group_slots[group][0]];
+        if (kind == GROUP_SLIDE) {
+            for (int k = 0; k < 3; ++k) {
+                out[5 + k] = w[k];
+            }
+            return;
+        }
+        const NUM *p = slots[group_slots[group][1]];
+        for (int k = 0; k < 3; ++k) {
+            const int l = (k + 1) % 3, m = (k + 2) % 3;
+            out[1 + k] = w[k];
+            out[5 + k] = SUB(MUL(p[l], w[m]), MUL(p[m], w[l]));
+        }
+    }
+}
+
+/* The displacement of a joint, or its inverse where it is passed back. */
+static void FN(motion)(int group, int back, NUM (*slots)[3], const NUM *z, NUM *out)
+{
+    NUM part[8];
+    const NUM *own = z + group_start[group];
+    for (int k = 0; k < 8; ++k) {
+        out[k] = group_kind[group] == GROUP_FREE ? own[k] : OF(0.0);
+    }
+    for (int j = 0; j < group_width[group] && group_kind[group] != GROUP_FREE; ++j) {
+        if (group_kind[group] == GROUP_PLANAR) {
+            out[planar_place[j]] = own[j];
+            continue;
+        }
+        FN(column)(group, j, slots, part);
+        for (int k = 0; k < 8; ++k) {
+            out[k] = ADD(out[k], MUL(part[k], own[j]));
+        }
+    }
+    for (int k = 0; k < 8 && back; ++k) {
+        out[k] = k % 4 ? SUB(OF(0.0), out[k]) : out[k];
+    }
+}
+
+/* A form at the displacement g: its rows (values), and their gradients by g; `mix` leaves three of four rows. */
+static int FN(form)(int form, NUM (*slots)[3], const NUM *g, const double (*mix)[4], NUM *value, NUM (*slope)[8])
+{
+    const int kind = form_kind[form];
+    const NUM *p = slots[form_slots[form][0]], *a = slots[form_slots[form][1]];
+    NUM w[4];
+    if (kind == FORM_DISTANCE) { /* half of |x p + 2 y - a x|^2 - L^2 |x|^2, the second factor Study's condition */
+        const NUM *square = slots[form_slots[form][2]];
+        FN(off)(g, g + 4, p, a, w);
+        NUM total = OF(0.0), back[4];
+        for (int k = 0; k < 4; ++k) {
+            total = ADD(total, SUB(MUL(w[k], w[k]), MUL(square[0], MUL(g[k], g[k]))));
+            slope[0][4 + k] = TIMES(2.0, w[k]);
+        }
+        /* w by x is x p - a x: its transpose takes w to -(w p - a w) */
+        FN(off)(w, (const NUM *)0, p, a, back);
+        for (int k = 0; k < 4; ++k) {
+            slope[0][k] = SUB(OF(0.0), ADD(back[k], MUL(square[0], g[k])));
+        }
+        value[0] = TIMES(0.5, total);
+        return 1;
+    }
+    if (kind == FORM_ANGLE) { /* half of a . x p x* - k |x|^2 */
+        NUM u[4] = {OF(0.0), a[0], a[1], a[2]}, v[4] = {OF(0.0), p[0], p[1], p[2]}, back[4], turned[4];
+        const NUM *k = slots[form_slots[form][2]];
+        FN(quaternion)(u, g, 0, back); /* u . x v x* = (u x) . (x v), and its gradient - 2 u x v by x */
+        FN(quaternion)(back, v, 0, turned);
+        value[0] = OF(0.0);
+        for (int i = 0; i < 4; ++i) {
+            slope[0][i] = SUB(OF(0.0), ADD(turned[i], MUL(k[0], g[i])));
+            slope[0][4 + i] = OF(0.0);
+            value[0] = ADD(value[0], TIMES(0.5, MUL(slope[0][i], g[i])));
+        }
+        return 1;
+    }
+    /* points that meet: x p + 2 y - a x, of a planar mechanism its middle two rows */
+    NUM rows[4][8];
+    FN(off)(g, g + 4, p, a, w);
+    for (int j = 0; j < 4; ++j) {
+        NUM x[4] = {OF(0.0), OF(0.0), OF(0.0), OF(0.0)}, turned[4];
+        x[j] = OF(1.0);
+        FN(off)(x, (const NUM *)0, p, a, turned);
+        for (int i = 0; i < 4; ++i) {
+            rows[i][j] = turned[i];
+            rows[i][4 + j] = OF(i == j ? 2.0 : 0.0);
+        }
+    }
+    const int count = PLANAR ? 2 : 3;
+    for (int r = 0; r < count; ++r) {
+        value[r] = OF(0.0);
+        for (int k = 0; k < 8; ++k) {
+            slope[r][k] = OF(0.0);
+        }
+        for (int i = 0; i < 4; ++i) {
+            const double part = PLANAR ? (double)(i == r + 1) : mix[r][i];
+            if (part != 0.0) {
+                value[r] = ADD(value[r], TIMES(part, w[i]));
+                for (int k = 0; k < 8; ++k) {
+                    slope[r][k] = ADD(slope[r][k], TIMES(part, rows[i][k]));
+                }
+            }
+        }
+    }
+    return count;
+}
+
+/* All equations at z, and their derivative, row by row, where it is asked for. */
+static void FN(equations)(NUM (*slots)[3], const NUM *z, const double (*mix)[3][4], NUM *value, NUM (*jacobian)[WIDTH])
+{
+    int row = 0;
+    for (int loop = 0; loop < N_LOOPS; ++loop) {
+        const int first = loop_first[loop], count = loop_first[loop + 1] - first;
+        NUM own[LONGEST][8], before[LONGEST][8], behind[LONGEST][8], slope[LARGEST_LOOP][8];
+        const int begin = row;
+        for (int k = 0; k < count; ++k) {
+            FN(motion)(way_group[first + k], way_back[first + k], slots, z, own[k]);
+            if (k == 0) {
+                for (int i = 0; i < 8; ++i) {
+                    before[0][i] = own[0][i];
+                }
+            } else {
+                FN(product)(before[k - 1], own[k], before[k]);
+            }
+        }
+        for (int form = form_first[loop]; form < form_first[loop + 1]; ++form) {
+            row += FN(form)(form, slots, before[count - 1], mix[loop], value + row, slope + (row - begin));
+        }
+        if (!jacobian) {
+            continue;
+        }
+        for (int i = 0; i < 8; ++i) {
+            behind[count - 1][i] = own[count - 1][i];
+        }
+        for (int k = count - 2; k > 0; --k) {
+            FN(product)(own[k], behind[k + 1], behind[k]);
+        }
+        for (int r = begin; r < row; ++r) {
+            for (int j = 0; j < WIDTH; ++j) {
+                jacobian[r][j] = OF(0.0);
+            }
+        }
+        for (int k = 0; k < count; ++k) {
+            const int group = way_group[first + k];
+            for (int j = 0; j < group_width[group]; ++j) {
+                const int at = group_start[group] + j;
+                NUM one[8], two[8];
+                const int kind = group_kind[group];
+                if (count == 1 && (kind == GROUP_FREE || kind == GROUP_PLANAR)) { /* g is z itself */
+                    for (int r = begin; r < row; ++r) {
+                        jacobian[r][at] = slope[r - begin][kind == GROUP_FREE ? j : planar_place[j]];
+                    }
+                    continue;
+                }
+                FN(column)(group, j, slots, one);
+                for (int i = 0; i < 8 && way_back[first + k]; ++i) {
+                    one[i] = i % 4 ? SUB(OF(0.0), one[i]) : one[i];
+                }
+                if (k > 0) {
+                    FN(product)(before[k - 1], one, two);
+                    for (int i = 0; i < 8; ++i) {
+                        one[i] = two[i];
+                    }
+                }
+                if (k < count - 1) {
+                    FN(product)(one, behind[k + 1], two);
+                    for (int i = 0; i < 8; ++i) {
+                        one[i] = two[i];
+                    }
+                }
+                for (int r = begin; r < row; ++r) {
+                    NUM total = MUL(slope[r - begin][0], one[0]);
+                    for (int i = 1; i < 8; ++i) {
+                        total = ADD(total, MUL(slope[r - begin][i], one[i]));
+                    }
+                    jacobian[r][at] = total;
+                }
+            }
+        }
+    }
+    for (int group = 0; group < N_GROUPS; ++group) {
+        if (group_kind[group] == GROUP_FREE) { /* Study's condition */
+            const NUM *x = z + group_start[group];
+            value[row] = OF(0.0);
+            for (int i = 0; i < 4; ++i) {
+                value[row] = ADD(value[row], MUL(x[i], x[4 + i]));
+            }
+            for (int j = 0; j < WIDTH && jacobian; ++j) {
+                jacobian[row][j] = OF(0.0);
+            }
+            for (int i = 0; i < 8 && jacobian; ++i) {
+                jacobian[row][group_start[group] + i] = x[(i + 4) % 8];
+            }
+            ++row;
+        }
+    }
+}

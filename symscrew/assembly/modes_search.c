@@ -1,0 +1,368 @@
+/* ---- All zeros: paths from those of a general mechanism of the same structure, LANES of them at once. ---- */
+
+typedef struct {
+    Lanes z[WIDTH], rate[WIDTH], old[WIDTH], old_rate[WIDTH];
+    double s[LANES], before[LANES], h[LANES];
+    int path[LANES], steps[LANES];
+} Batch;
+
+enum { END_NONE = 0, END_THERE, END_LOST };
+
+/* Numbers in the slots at s: from the general mechanism (0) to this one (1). */
+static void slots_at(Wide s, double (*goal)[3], Lanes (*slots)[3])
+{
+    for (int k = 0; k < N_SLOTS; ++k) {
+        for (int i = 0; i < 3; ++i) {
+            slots[k][i].re = start_slots[k][i][0] + s * (goal[k][i] - start_slots[k][i][0]);
+            slots[k][i].im = start_slots[k][i][1] - s * start_slots[k][i][1];
+        }
+    }
+}
+
+/* Solves for two right sides in place, rows exchanged lane by lane; where a pivot is lost the numbers are none. */
+static void solved(Lanes (*a)[WIDTH + 2])
+{
+    for (int j = 0; j < WIDTH; ++j) {
+        Wide best = lanes_square(a[j][j]);
+        for (int i = j + 1; i < WIDTH; ++i) {
+            const Wide size = lanes_square(a[i][j]);
+            const Mask larger = ABOVE(size, best);
+            best = CHOOSE(larger, size, best);
+            for (int k = j; k < WIDTH + 2; ++k) {
+                const Lanes one = a[j][k], two = a[i][k];
+                a[j][k].re = CHOOSE(larger, two.re, one.re);
+                a[j][k].im = CHOOSE(larger, two.im, one.im);
+                a[i][k].re = CHOOSE(larger, one.re, two.re);
+                a[i][k].im = CHOOSE(larger, one.im, two.im);
+            }
+        }
+        const Wide norm = 1.0 / best;
+        const Lanes inverse = {a[j][j].re * norm, -a[j][j].im * norm};
+        for (int k = j + 1; k < WIDTH + 2; ++k) {
+            a[j][k] = lanes_mul(a[j][k], inverse);
+        }
+        for (int i = j + 1; i < WIDTH; ++i) {
+            const Lanes factor = a[i][j];
+            for (int k = j + 1; k < WIDTH + 2; ++k) {
+                a[i][k] = lanes_sub(a[i][k], lanes_mul(factor, a[j][k]));
+            }
+        }
+    }
+    for (int j = WIDTH - 2; j >= 0; --j) {
+        for (int k = j + 1; k < WIDTH; ++k) {
+            a[j][WIDTH] = lanes_sub(a[j][WIDTH], lanes_mul(a[j][k], a[k][WIDTH]));
+            a[j][WIDTH + 1] = lanes_sub(a[j][WIDTH + 1], lanes_mul(a[j][k], a[k][WIDTH + 1]));
+        }
+    }
+}
+
+/* A step of Newton's method at s and, where asked for, dz/ds. */
+static void path_step(const Lanes *z, Wide s, double (*goal)[3], Lanes *step, Lanes *rate)
+{
+    Lanes slots[N_SLOTS][3], value[UNKNOWNS], more[UNKNOWNS], less[UNKNOWNS], jacobian[UNKNOWNS][WIDTH];
+    Lanes a[WIDTH][WIDTH + 2];
+    slots_at(s, goal, slots);
+    lanes_equations(slots, z, path_mix, value, jacobian);
+    if (rate) {
+        slots_at(s + DIFFERENCE, goal, slots);
+        lanes_equations(slots, z, path_mix, more, (Lanes (*)[WIDTH])0);
+        slots_at(s - DIFFERENCE, goal, slots);
+        lanes_equations(slots, z, path_mix, less, (Lanes (*)[WIDTH])0);
+    }
+    for (int i = 0; i < UNKNOWNS; ++i) {
+        for (int j = 0; j < WIDTH; ++j) {
+            a[i][j] = jacobian[i][j];
+        }
+        a[i][WIDTH] = lanes_times(-1.0, value[i]);
+        a[i][WIDTH + 1] = rate ? lanes_times(0.5 / DIFFERENCE, lanes_sub(less[i], more[i])) : lanes_of(0.0);
+    }
+    for (int group = 0; group < N_GROUPS; ++group) { /* the plane in which a group's coordinates stay */
+        const int row = UNKNOWNS + group;
+        Lanes sum = lanes_of(-1.0);
+        for (int j = 0; j < WIDTH; ++j) {
+            a[row][j] = lanes_of(0.0);
+        }
+        for (int j = group_start[group]; j < group_start[group] + group_width[group]; ++j) {
+            a[row][j].re = wide(patch[j][0]);
+            a[row][j].im = wide(patch[j][1]);
+            sum = lanes_add(sum, lanes_mul(a[row][j], z[j]));
+        }
+        a[row][WIDTH] = lanes_times(-1.0, sum);
+        a[row][WIDTH + 1] = lanes_of(0.0);
+    }
+    solved(a);
+    for (int j = 0; j < WIDTH; ++j) {
+        step[j] = a[j][WIDTH];
+        if (rate) {
+            rate[j] = a[j][WIDTH + 1];
+        }
+    }
+}
+
+static Wide path_size(const Lanes *z)
+{
+    Wide sum = wide(0.0);
+    for (int j = 0; j < WIDTH; ++j) {
+        sum = sum + lanes_square(z[j]);
+    }
+    return sum;
+}
+
+static void begin_path(Batch *batch, int lane, int path)
+{
+    batch->path[lane] = path;
+    batch->s[lane] = 0.0;
+    batch->before[lane] = -1.0;
+    batch->h[lane] = path < 0 ? 0.0 : 0.02;
+    batch->steps[lane] = 0;
+    for (int j = 0; j < WIDTH; ++j) {
+        const int from = path < 0 ? 0 : path;
+        ((double *)&batch->z[j].re)[lane] = start_zeros[from][j][0];
+        ((double *)&batch->z[j].im)[lane] = start_zeros[from][j][1];
+        ((double *)&batch->rate[j].re)[lane] = ((double *)&batch->rate[j].im)[lane] = 0.0;
+        ((double *)&batch->old[j].re)[lane] = ((double *)&batch->old[j].im)[lane] = 0.0;
+        ((double *)&batch->old_rate[j].re)[lane] = ((double *)&batch->old_rate[j].im)[lane] = 0.0;
+    }
+}
+
+/* The next points: cubic through the last two with their rates (a straight step from the first). */
+static void predict(const Batch *batch, Wide *at, Lanes *z)
+{
+    Wide tau, inverse, gap;
+    for (int lane = 0; lane < LANES; ++lane) {
+        const double d = batch->before[lane] < 0.0 ? 0.0 : batch->s[lane] - batch->before[lane];
+        ((double *)&tau)[lane] = batch->h[lane];
+        ((double *)&gap)[lane] = d;
+        ((double *)&inverse)[lane] = d > 0.0 ? 1.0 / d : 0.0;
+        ((double *)at)[lane] = batch->s[lane] + batch->h[lane];
+    }
+    for (int j = 0; j < WIDTH; ++j) {
+        Lanes chord = lanes_sub(batch->z[j], batch->old[j]);
+        chord.re = chord.re * inverse;
+        chord.im = chord.im * inverse;
+        Lanes two = lanes_sub(batch->rate[j], chord), first = lanes_sub(chord, batch->old_rate[j]);
+        two.re = two.re * inverse;
+        two.im = two.im * inverse;
+        first.re = first.re * inverse;
+        first.im = first.im * inverse;
+        Lanes three = lanes_sub(two, first);
+        three.re = three.re * inverse;
+        three.im = three.im * inverse;
+        z[j].re = batch->z[j].re + tau * (batch->rate[j].re + tau * (two.re + (tau + gap) * three.re));
+        z[j].im = batch->z[j].im + tau * (batch->rate[j].im + tau * (two.im + (tau + gap) * three.im));
+    }
+}
+
+/* Follows the listed paths; ends[path] says how each ended, at zeros[path]. */
+static void follow_paths(const int *list, int count, double tolerance, double (*goal)[3], int *ends,
+    double (*zeros)[WIDTH][2])
+{
+    Batch batch;
+    int next = 0, going = 0;
+    for (int lane = 0; lane < LANES; ++lane) {
+        begin_path(&batch, lane, next < count ? list[next] : -1);
+        going += next < count;
+        ++next;
+    }
+    Wide at;
+    Lanes z[WIDTH], step[WIDTH], rate[WIDTH];
+    for (int lane = 0; lane < LANES; ++lane) {
+        ((double *)&at)[lane] = 0.0;
+    }
+    path_step(batch.z, at, goal, step, batch.rate);
+    while (going > 0) {
+        predict(&batch, &at, z);
+        path_step(z, at, goal, step, (Lanes *)0);
+        const Wide first = path_size(step), whole = path_size(z);
+        for (int j = 0; j < WIDTH; ++j) {
+            z[j] = lanes_add(z[j], step[j]);
+        }
+        path_step(z, at, goal, step, rate);
+        const Wide second = path_size(step);
+        int fresh = 0;
+        for (int j = 0; j < WIDTH; ++j) {
+            z[j] = lanes_add(z[j], step[j]);
+        }
+        for (int lane = 0; lane < LANES; ++lane) {
+            const int path = batch.path[lane];
+            if (path < 0) {
+                continue;
+            }
+            const double size = ((const double *)&whole)[lane];
+            const double one = sqrt(((const double *)&first)[lane] / size);
+            const double two = sqrt(((const double *)&second)[lane] / size);
+            const int good = one < tolerance && (two < 0.02 * one || two < 1e-10);
+            const double h = batch.h[lane];
+            ++batch.steps[lane];
+            if (good) {
+                batch.before[lane] = batch.s[lane];
+                batch.s[lane] = ((const double *)&at)[lane];
+                for (int j = 0; j < WIDTH; ++j) {
+                    ((double *)&batch.old[j].re)[lane] = ((const double *)&batch.z[j].re)[lane];
+                    ((double *)&batch.old[j].im)[lane] = ((const double *)&batch.z[j].im)[lane];
+                    ((double *)&batch.old_rate[j].re)[lane] = ((const double *)&batch.rate[j].re)[lane];
+                    ((double *)&batch.old_rate[j].im)[lane] = ((const double *)&batch.rate[j].im)[lane];
+                    ((double *)&batch.z[j].re)[lane] = ((const double *)&z[j].re)[lane];
+                    ((double *)&batch.z[j].im)[lane] = ((const double *)&z[j].im)[lane];
+                    ((double *)&batch.rate[j].re)[lane] = ((const double *)&rate[j].re)[lane];
+                    ((double *)&batch.rate[j].im)[lane] = ((const double *)&rate[j].im)[lane];
+                }
+            }
+            const double ratio = one > 0.0 ? sqrt(sqrt(0.5 * tolerance / one)) : 2.0;
+            const double least = good ? 0.5 : 0.1, most = good ? 2.0 : 0.5;
+            double wanted = h * (ratio > least ? (ratio < most ? ratio : most) : least);
+            wanted = wanted < LONGEST_STEP ? wanted : LONGEST_STEP;
+            const double left = 1.0 - batch.s[lane];
+            int end = END_NONE;
+            if (!(left > 0.0)) {
+                end = END_THERE;
+            } else if (batch.steps[lane] >= MOST_STEPS || !(wanted > SHORTEST_STEP * left)) {
+                end = END_LOST;
+            }
+            batch.h[lane] = wanted < left ? wanted : left;
+            if (end != END_NONE) {
+                ends[path] = end;
+                for (int j = 0; j < WIDTH; ++j) {
+                    zeros[path][j][0] = ((const double *)&batch.z[j].re)[lane];
+                    zeros[path][j][1] = ((const double *)&batch.z[j].im)[lane];
+                }
+                begin_path(&batch, lane, next < count ? list[next] : -1);
+                fresh += next < count;
+                going -= next >= count;
+                ++next;
+            }
+        }
+        if (fresh > 0) { /* rates of paths that begin now; those of the others stay */
+            for (int lane = 0; lane < LANES; ++lane) {
+                ((double *)&at)[lane] = batch.s[lane];
+            }
+            path_step(batch.z, at, goal, step, rate);
+            for (int lane = 0; lane < LANES; ++lane) {
+                for (int j = 0; j < WIDTH && batch.steps[lane] == 0; ++j) {
+                    ((double *)&batch.rate[j].re)[lane] = ((const double *)&rate[j].re)[lane];
+                    ((double *)&batch.rate[j].im)[lane] = ((const double *)&rate[j].im)[lane];
+                }
+            }
+        }
+    }
+}
+
+/* Whether two ends are one point: all groups are multiples of one another. */
+static int same_end(double (*a)[2], double (*b)[2])
+{
+    for (int group = 0; group < N_GROUPS; ++group) {
+        double re = 0.0, im = 0.0, one = 0.0, two = 0.0;
+        for (int j = group_start[group]; j < group_start[group] + group_width[group]; ++j) {
+            re += a[j][0] * b[j][0] + a[j][1] * b[j][1];
+            im += a[j][0] * b[j][1] - a[j][1] * b[j][0];
+            one += a[j][0] * a[j][0] + a[j][1] * a[j][1];
+            two += b[j][0] * b[j][0] + b[j][1] * b[j][1];
+        }
+        if (re * re + im * im < (1.0 - 1e-11) * one * two) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+/* How far a point is from no displacement at all: the least |x^2| of groups of length one. */
+static double displaces(double (*z)[2])
+{
+    double least = 1.0;
+    for (int group = 0; group < N_GROUPS; ++group) {
+        const int start = group_start[group], kind = group_kind[group];
+        const int count = kind == GROUP_FREE || kind == GROUP_BALL ? 4 : kind == GROUP_SLIDE ? 1 : 2;
+        double re = 0.0, im = 0.0, size = 0.0;
+        for (int j = 0; j < group_width[group]; ++j) {
+            const double a = z[start + j][0], b = z[start + j][1];
+            size += a * a + b * b;
+            re += j < count ? a * a - b * b : 0.0;
+            im += j < count ? 2.0 * a * b : 0.0;
+        }
+        const double found = sqrt(re * re + im * im) / size;
+        least = found < least ? found : least;
+    }
+    return least;
+}
+
+/* The same point with coordinates that are as real as can be: the part that is not. */
+static double realised(double (*z)[2], double *real)
+{
+    double worst = 0.0;
+    for (int group = 0; group < N_GROUPS; ++group) {
+        int best = group_start[group];
+        const int end = best + group_width[group];
+        double size = 0.0;
+        for (int j = group_start[group]; j < end; ++j) {
+            const double now = z[j][0] * z[j][0] + z[j][1] * z[j][1];
+            best = now > size ? j : best;
+            size = now > size ? now : size;
+        }
+        for (int j = group_start[group]; j < end; ++j) {
+            const double off = fabs(z[j][1] * z[best][0] - z[j][0] * z[best][1]) / size;
+            real[j] = (z[j][0] * z[best][0] + z[j][1] * z[best][1]) / size;
+            worst = off > worst ? off : worst;
+        }
+    }
+    return worst;
+}
+
+int MODES(const double *drives, MODE *modes, int *count)
+{
+    Ball balls[N_DRIVES], slots[N_SLOTS][3];
+    double goal[N_SLOTS][3], zeros[N_PATHS][WIDTH][2], real[WIDTH], sum = 0.0;
+    int ends[N_PATHS], list[N_PATHS + LANES], size = N_PATHS, lost = 0;
+    *count = 0;
+    for (int k = 0; k < N_DRIVES; ++k) {
+        sum += drives[k];
+    }
+    if (!isfinite(sum)) {
+        return 2;
+    }
+    exactly(drives, balls);
+    slots_of(balls, slots);
+    for (int k = 0; k < N_SLOTS; ++k) {
+        for (int i = 0; i < 3; ++i) {
+            goal[k][i] = slots[k][i].m;
+        }
+    }
+    for (int k = 0; k < N_PATHS; ++k) {
+        list[k] = k;
+    }
+    double tolerance = TOLERANCE;
+    for (int attempt = 0; attempt < 3 && size > 0; ++attempt) {
+        follow_paths(list, size, tolerance, goal, ends, zeros);
+        size = 0;
+        for (int k = 0; k < N_PATHS; ++k) { /* two paths in one regular point: one of them jumped */
+            int twice = 0;
+            for (int i = 0; i < N_PATHS && ends[k] == END_THERE; ++i) {
+                twice += i != k && ends[i] == END_THERE && same_end(zeros[i], zeros[k]);
+            }
+            if (twice && displaces(zeros[k]) > 1e-7) {
+                list[size++] = k;
+            }
+        }
+        tolerance *= 0.03;
+    }
+    for (int k = 0; k < N_PATHS; ++k) {
+        if (ends[k] != END_THERE) {
+            lost += displaces(zeros[k]) > 1e-4; /* a path that was left far from infinity comes to a singular end */
+            continue;
+        }
+        if (displaces(zeros[k]) < 1e-11 || realised(zeros[k], real) > 1e-7) {
+            continue;
+        }
+        const int bad = settled(drives, real, &modes[*count]);
+        int known = 0;
+        for (int i = 0; i < *count && !bad; ++i) {
+            double far = ONE_OF_EACH ? 0.0 : 1.0; /* limbs may hold one pose of the platform in several ways */
+            for (int j = 0; j < 12; ++j) {
+                far += fabs(modes[i].pose[j] - modes[*count].pose[j]) / (j < 9 ? 1.0 : SIZE);
+            }
+            known = known || far < 1e-9;
+        }
+        lost += bad;
+        *count += !bad && !known;
+    }
+    return lost > 0 ? MODES_INCOMPLETE : 0;
+}

@@ -1,0 +1,59 @@
+"""What start_systems.json holds: start systems of the catalogue's structures, bounds of its references.
+
+    python -m symscrew.assembly.stored_systems > new.json    needs Singular; --anew searches instead of reading
+
+Whoever has no Singular has proofs for these all the same. Entries of other structures, which somebody added, stay.
+"""
+
+from __future__ import annotations
+
+import json
+import sys
+from typing import Any
+
+from symscrew.assembly.all_modes import known_zero, structure_of
+from symscrew.assembly.batch_equations import BatchEquations
+from symscrew.assembly.families import AllNumbers
+from symscrew.assembly.held_structure import Structure
+from symscrew.assembly.root_bounds import Bound, own_bound, own_key, stored_entries
+from symscrew.assembly.start_system import encoded, searched, start_key, start_system
+from symscrew.assembly.what_is_held import Held, held_by
+from symscrew.catalogue import load, names
+from symscrew.errors import DescriptionError
+from symscrew.mobility import NotAlgebraicError
+
+
+def stored_entries_of(held: Held, structure: Structure, *, anew: bool = False) -> dict[str, Any]:
+    """Start system of the structure, bound of these values; empty where there are no isolated solutions in general."""
+    equations = BatchEquations(structure)
+    if structure.unknowns != structure.equations or not structure.groups:
+        return {}
+    family = AllNumbers(equations)
+    made = (searched if anew else start_system)(family, known_zero(equations))
+    if not made.complete:
+        return {}
+    found = {start_key(family): encoded(made)}
+    bound = own_bound(held)
+    if isinstance(bound, Bound):
+        found[own_key(held)] = {"own": [bound.count, bound.dimension]}
+    return found
+
+
+def every_entry(*, anew: bool = False) -> dict[str, Any]:
+    """Of the whole catalogue with its drives held."""
+    found = dict(stored_entries())
+    for name in names():
+        try:
+            held = held_by(load(name), {}, {})
+            structure = structure_of(held)
+            if structure.equations > structure.unknowns:
+                held = held.fewer()
+                structure = structure_of(held)
+        except (DescriptionError, NotAlgebraicError):
+            continue
+        found |= stored_entries_of(held, structure, anew=anew)
+    return found
+
+
+if __name__ == "__main__":
+    print(json.dumps(every_entry(anew="--anew" in sys.argv), indent=0))

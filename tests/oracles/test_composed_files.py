@@ -1,0 +1,106 @@
+"""MJCF files made of parts: what MuJoCo makes of replicated elements and attached models."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import mujoco
+import numpy as np
+import pytest
+
+from symscrew.errors import DescriptionError
+from symscrew.formats import import_file
+from symscrew.formats.file_names import safe_names
+
+GEOM = '<geom type="box" size="0.1 0.05 0.02" pos="0.1 0 0"/>'
+ROW = f"""<mujoco><compiler eulerseq="zyx"/><worldbody><body name="base" pos="0.1 0 0">{GEOM}
+<replicate count="COUNT" offset="0.3 0.1 0" euler="30 0 20" sep="_"><body name="arm" pos="0 0 0.5">
+  <joint name="j" axis="0 1 0" damping="0.5"/>{GEOM}<site name="s"/>
+  <replicate count="2" offset="0 0 0.4" euler="0 0 90"><body name="tip"><joint name="t" axis="1 0 0"/>{GEOM}</body>
+  </replicate></body></replicate></body></worldbody>
+<equality><joint name="tie" joint1="t0" joint2="j" polycoef="0 0.5 0 0 0"/></equality>
+<tendon><fixed name="cord"><joint joint="j" coef="2"/></fixed></tendon>
+<actuator><motor joint="t1"/><motor tendon="cord"/></actuator></mujoco>"""
+LEG = f"""<mujoco model="leg"><compiler angle="radian" autolimits="true" meshdir="parts"/><option gravity="0 0 -1"/>
+<default><joint damping="3"/><geom density="500"/><default class="light"><joint armature="0.1" damping="1"/></default>
+</default><worldbody><body name="hip" pos="0 0.2 0.5" euler="0.5 0 0.1"><joint name="h" class="light" ref="0.2"/>
+{GEOM}<body name="shin" pos="0.2 0 0" childclass="light"><joint name="k" axis="0 1 0" range="-1 1"/>{GEOM}</body></body>
+<body name="other" pos="0 -1 0"><joint name="o" axis="1 0 0"/>{GEOM}</body></worldbody>
+<actuator><motor joint="k" name="m"/><motor joint="o"/></actuator>
+<equality><joint joint1="h" joint2="k" polycoef="0 2 0 0 0"/><joint joint1="h" joint2="o"/></equality></mujoco>"""
+MAIN = f"""<mujoco><default><joint damping="7"/></default><asset><model name="leg" file="parts/leg.xml"/></asset>
+<worldbody><body name="base" pos="1 0 0" euler="90 0 0">{GEOM}<joint name="z"/><frame pos="0 0 2" euler="0 45 0">
+ATTACHED</frame></body></worldbody></mujoco>"""
+
+
+def written(folder: Path, main: str) -> Path:
+    (folder / "parts").mkdir(exist_ok=True)
+    (folder / "parts" / "leg.xml").write_text(LEG)
+    path = folder / "main.xml"
+    path.write_text(main)
+    return path
+
+
+def agrees(path: Path) -> None:
+    """Bodies, axes, damping, drives and couplings are those of MuJoCo, under its names."""
+    found = import_file(path)
+    engine = mujoco.MjModel.from_xml_path(str(path))
+    data = mujoco.MjData(engine)
+    mujoco.mj_forward(engine, data)
+    mechanism = found.mechanism
+    names = safe_names(engine.body(i).name for i in range(engine.nbody))
+    for i in range(1, engine.nbody):
+        body = mechanism.bodies[names[engine.body(i).name]]
+        com = [float(mechanism.number(c)) for c in body.com]
+        assert com == pytest.approx(data.xipos[i], abs=1e-12)
+        inertia = np.array([[float(mechanism.number(c)) for c in row] for row in body.inertia])
+        turn = data.ximat[i].reshape(3, 3)
+        assert np.abs(turn @ np.diag(engine.body_inertia[i]) @ turn.T - inertia).max() < 1e-12
+        assert float(mechanism.number(body.mass)) == pytest.approx(engine.body_mass[i], rel=1e-12)
+    assert len(mechanism.bodies) == engine.nbody
+    damping = {force["joint"]: float(force["coefficient"]) for force in found.forces if force["kind"] == "damping"}
+    names = safe_names(engine.joint(i).name for i in range(engine.njnt))
+    driven = {engine.joint(k).name for k in engine.actuator_trnid[:, 0][engine.actuator_trntype == 0]}
+    driven |= {engine.joint(engine.wrap_objid[k]).name for k in range(engine.nwrap)}
+    for i in range(engine.njnt):
+        name = names[engine.joint(i).name]
+        axis = [float(mechanism.number(c)) for c in mechanism.joints[name].axes[0]]
+        assert axis == pytest.approx(data.xaxis[i], abs=1e-12)
+        assert damping.get(name, 0.0) == pytest.approx(engine.dof_damping[i])
+        assert bool(mechanism.joints[name].driven) == (engine.joint(i).name in driven)
+    assert len(mechanism.couplings) == engine.neq
+
+
+@pytest.mark.parametrize("count", [1, 11])
+def test_replicated_elements(tmp_path: Path, count: int) -> None:
+    agrees(written(tmp_path, ROW.replace("COUNT", str(count))))
+
+
+@pytest.mark.filterwarnings("ignore::UserWarning")
+@pytest.mark.parametrize(
+    "attached",
+    [
+        '<attach model="leg" body="hip" prefix="l_"/>',
+        '<attach model="leg" prefix="l_"/><attach model="leg" body="shin" prefix="r_"/>',
+        '<attach model="leg" prefix=""/>',
+    ],
+)
+def test_attached_models(tmp_path: Path, attached: str) -> None:
+    """With their own units, classes and prefixes; of one body without what refers to others."""
+    agrees(written(tmp_path, MAIN.replace("ATTACHED", attached)))
+
+
+@pytest.mark.parametrize(
+    ("main", "message"),
+    [
+        (ROW.replace("COUNT", "20000"), "expected a count from 1 to 10000"),
+        (ROW.replace("COUNT", "1.5"), "expected a count"),
+        (MAIN.replace("ATTACHED", '<attach model="lag"/>'), "did you mean 'leg'"),
+        (MAIN.replace("ATTACHED", '<attach model="leg" body="foot"/>'), "no body 'foot'"),
+        (MAIN.replace("ATTACHED", '<attach model="leg"/>').replace("parts/leg", "../leg"), "outside of the model's"),
+        (MAIN.replace("ATTACHED", '<attach model="leg"/>').replace("parts/leg", "main"), "attaches itself"),
+    ],
+)
+def test_what_cannot_be_composed(tmp_path: Path, main: str, message: str) -> None:
+    with pytest.raises(DescriptionError, match=message):
+        import_file(written(tmp_path, main))
