@@ -227,13 +227,13 @@ UPPER_UNUSED static inline int MODEL_states(
 MACROS = """
 /* A block of a function: what comes before its states (zeros, sines of angles), and the call of some of its states. */
 #define UPPER_SIDE_BY_SIDE(function, before, call) \\
-    static void function##_block(size_t stride, const REAL *const *in, REAL *const *out, REAL *total) \\
-    { \\
-        before \\
-        for (size_t lane = 0; lane < EIGHT; lane += UPPER_WIDE) { \\
-            function##_wide call; \\
-        } \\
-    }
+static void function##_block(size_t stride, const REAL *const *in, REAL *const *out, REAL *total) \\
+{ \\
+    before \\
+    for (size_t lane = 0; lane < EIGHT; lane += UPPER_WIDE) { \\
+        function##_wide call; \\
+    } \\
+}
 /* Sines and cosines of so many angles, which a function gives for the state of a lane. */
 #define UPPER_SINES(count, angles, inputs) \\
     REAL angle[(count) * EIGHT], sine[(count) * EIGHT], cosine[(count) * EIGHT]; \\
@@ -247,26 +247,26 @@ DEFINITIONS = """
    arguments; inputs and outputs by name; those of a call for one state. */
 #define UPPER_ALL(...) __VA_ARGS__
 #define UPPER_BATCH(function, block, table, given, read, written, state) \\
-    static int function##_called(const REAL *const *in, REAL *const *out) \\
-    { \\
-        return function state; \\
+static int function##_called(const REAL *const *in, REAL *const *out) \\
+{ \\
+    return function state; \\
+} \\
+static const MODEL_batched function##_batched = {UPPER_ALL table, function##_called, block}; \\
+int function##_batch(size_t count, UPPER_ALL given, int *restrict status) \\
+{ \\
+    const REAL *const in[] = {UPPER_ALL read}; \\
+    REAL *const out[] = {UPPER_ALL written}; \\
+    return MODEL_states(&function##_batched, count, 0, in, out, status); \\
+} \\
+int function##_batch_soa(size_t count, size_t stride, UPPER_ALL given, int *restrict status) \\
+{ \\
+    const REAL *const in[] = {UPPER_ALL read}; \\
+    REAL *const out[] = {UPPER_ALL written}; \\
+    if (stride == 0 && count > 0) { \\
+        return 2; \\
     } \\
-    static const MODEL_batched function##_batched = {UPPER_ALL table, function##_called, block}; \\
-    int function##_batch(size_t count, UPPER_ALL given, int *restrict status) \\
-    { \\
-        const REAL *const in[] = {UPPER_ALL read}; \\
-        REAL *const out[] = {UPPER_ALL written}; \\
-        return MODEL_states(&function##_batched, count, 0, in, out, status); \\
-    } \\
-    int function##_batch_soa(size_t count, size_t stride, UPPER_ALL given, int *restrict status) \\
-    { \\
-        const REAL *const in[] = {UPPER_ALL read}; \\
-        REAL *const out[] = {UPPER_ALL written}; \\
-        if (stride == 0 && count > 0) { \\
-            return 2; \\
-        } \\
-        return MODEL_states(&function##_batched, count, stride, in, out, status); \\
-    }
+    return MODEL_states(&function##_batched, count, stride, in, out, status); \\
+}
 """
 
 
