@@ -234,13 +234,13 @@ static void function##_block(size_t stride, const REAL *const *in, REAL *const *
         function##_wide call; \\
     } \\
 }
-/* Sines and cosines of so many angles, which a function gives for the state of a lane. */
-#define UPPER_SINES(count, angles, inputs) \\
-    REAL angle[(count) * EIGHT], sine[(count) * EIGHT], cosine[(count) * EIGHT]; \\
+/* Sines and cosines of so many angles of all lanes, which a function gives for the state of one. */
+#define UPPER_SINES(SIZE, angles, inputs) \\
+    REAL angle[SIZE], sine[SIZE], cosine[SIZE]; \\
     for (size_t lane = 0; lane < EIGHT; ++lane) { \\
         angles inputs; \\
     } \\
-    MODEL_sincos_block((count) * EIGHT, angle, sine, cosine);
+    MODEL_sincos_block(SIZE, angle, sine, cosine);
 """
 DEFINITIONS = """
 /* Both batch functions of a function: its block; how many inputs, outputs, and entries of each; their declared
@@ -361,7 +361,7 @@ def block(printed: Printed) -> list[str]:
     if count:
         inputs = ", ".join(f"{name} + lane" for name in angle_inputs(printed, "{1}"))
         handed = f"(stride, {LANES}, {inputs}, angle + lane)"
-        before += wrapped_code(f"{upper}_SINES({count}, {angles_symbol(printed)}, {handed})")
+        before += wrapped_code(f"{upper}_SINES({count * LANES}, {angles_symbol(printed)}, {handed})")
     own = ["sine", "cosine"] if count else []
     call = ", ".join(["stride", *(f"{name} + lane" for name in [*printed.handed(), *own, "total"])])
     first = f"{upper}_SIDE_BY_SIDE({printed.symbol},"
