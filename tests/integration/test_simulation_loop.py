@@ -26,14 +26,31 @@ def rk4(scene: Scene, step: float = 1e-3) -> Scene:
     return replace(scene, integrator=Integrator("rk4", step=step))
 
 
+STEPS = """
+#include "NAME_loop.h"
+int steps(double dt, long first, long count, double *q, double *v, double *x, double *u);
+int steps(double dt, long first, long count, double *q, double *v, double *x, double *u)
+{
+    long k;
+    for (k = first; k < first + count; k++) {
+        if (NAME_step(dt, (double)k * dt, q, v, x, u)) {
+            return 1;
+        }
+    }
+    return 0;
+}
+"""
+
+
 def built(scene: Scene, folder: Path, flags: tuple[str, ...] = ()) -> ctypes.CDLL:
     write_loop(scene, folder)
+    (folder / "steps.c").write_text(STEPS.replace("NAME", scene.name))
     library = folder / "loop.so"
     compiler = find_compiler()
     assert compiler
     command = [compiler, *STRICT, "-O2", "-fno-math-errno", "-shared", "-fPIC", *flags]
     result = subprocess.run(
-        [*command, str(folder / f"{scene.name}_loop.c"), "-o", str(library), "-lm"],
+        [*command, str(folder / f"{scene.name}_loop.c"), str(folder / "steps.c"), "-o", str(library), "-lm"],
         capture_output=True, text=True, check=False,
     )  # fmt: skip
     assert result.returncode == 0, result.stderr[:2000]
@@ -43,11 +60,8 @@ def built(scene: Scene, folder: Path, flags: tuple[str, ...] = ()) -> ctypes.CDL
 def stepped(library: ctypes.CDLL, scene: Scene, sizes: dict[str, int], start: tuple, steps: int, dt: float):  # type: ignore[no-untyped-def]
     q, v = (np.array(a) for a in start)
     x, u = np.zeros(max(sizes["x"], 1)), np.zeros(max(sizes["u"], 1))
-    step = getattr(library, f"{scene.name}_step")
-    step.argtypes = [ctypes.c_double] * 2 + [ctypes.c_void_p] * 4
-    addresses = [a.ctypes.data for a in (q, v, x, u)]
-    for k in range(steps):
-        assert step(dt, k * dt, *addresses) == 0
+    library.steps.argtypes = [ctypes.c_double, ctypes.c_long, ctypes.c_long] + [ctypes.c_void_p] * 4
+    assert library.steps(dt, 0, steps, *(a.ctypes.data for a in (q, v, x, u))) == 0
     return q, v
 
 
