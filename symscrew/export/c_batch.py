@@ -15,7 +15,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from symscrew.export import c_wide
-from symscrew.export.c_function import block_sines
+from symscrew.export.c_function import angle_inputs, angles_symbol
 from symscrew.export.c_names import argument_names, arguments, declare, wrapped_code
 from symscrew.export.c_precision import Precision
 from symscrew.export.c_printed import Printed
@@ -224,6 +224,51 @@ UPPER_UNUSED static inline int MODEL_states(
 }
 """
 
+MACROS = """
+/* A block of a function: what comes before its states (zeros, sines of angles), and the call of some of its states. */
+#define UPPER_SIDE_BY_SIDE(function, before, call) \\
+static void function##_block(size_t stride, const REAL *const *in, REAL *const *out, REAL *total) \\
+{ \\
+    before \\
+    for (size_t lane = 0; lane < EIGHT; lane += UPPER_WIDE) { \\
+        function##_wide call; \\
+    } \\
+}
+/* Sines and cosines of so many angles of all lanes, which a function gives for the state of one. */
+#define UPPER_SINES(SIZE, angles, inputs) \\
+    REAL angle[SIZE], sine[SIZE], cosine[SIZE]; \\
+    for (size_t lane = 0; lane < EIGHT; ++lane) { \\
+        angles inputs; \\
+    } \\
+    MODEL_sincos_block(SIZE, angle, sine, cosine);
+"""
+DEFINITIONS = """
+/* Both batch functions of a function: its block; how many inputs, outputs, and entries of each; their declared
+   arguments; inputs and outputs by name; those of a call for one state. */
+#define UPPER_ALL(...) __VA_ARGS__
+#define UPPER_BATCH(function, block, table, given, read, written, state) \\
+static int function##_called(const REAL *const *in, REAL *const *out) \\
+{ \\
+    return function state; \\
+} \\
+static const MODEL_batched function##_batched = {UPPER_ALL table, function##_called, block}; \\
+int function##_batch(size_t count, UPPER_ALL given, int *restrict status) \\
+{ \\
+    const REAL *const in[] = {UPPER_ALL read}; \\
+    REAL *const out[] = {UPPER_ALL written}; \\
+    return MODEL_states(&function##_batched, count, 0, in, out, status); \\
+} \\
+int function##_batch_soa(size_t count, size_t stride, UPPER_ALL given, int *restrict status) \\
+{ \\
+    const REAL *const in[] = {UPPER_ALL read}; \\
+    REAL *const out[] = {UPPER_ALL written}; \\
+    if (stride == 0 && count > 0) { \\
+        return 2; \\
+    } \\
+    return MODEL_states(&function##_batched, count, stride, in, out, status); \\
+}
+"""
+
 
 def prologue(
     model: str, precision: Precision, blocks: Sequence[Printed], *, angles: bool, every: Sequence[Program | Iteration]
@@ -250,6 +295,8 @@ def prologue(
         "#endif",
         *filled(ROUTINES, words),
         *(_sincos_block(model, precision) if angles else []),
+        *(filled(MACROS, words) if blocks else []),
+        *filled(DEFINITIONS, words),
     ]
 
 
@@ -303,26 +350,22 @@ def block(printed: Printed) -> list[str]:
 
     That sum is NaN at a small pivot.
     """
-    real, symbol, lines = printed.precision.real, printed.symbol, list[str]()
+    upper, real, read = printed.model.upper(), printed.precision.real, printed.handed(outputs=False)
+    before = [f"const {real} *restrict {name} = in[{n}];" for n, name in enumerate(read)]
+    before += [f"{real} *restrict {name} = out[{n}];" for n, name in enumerate(printed.handed()[len(read) :])]
+    before = wrapped_code(" ".join(before))
     for name, run in printed.cleared:
         place = f"{name} + {run.start} * stride" if run.start else name
-        lines.append(f"    {printed.model}_zero_block({place}, {len(run)}, stride);")
-    own = ["sine", "cosine"] if printed.angles.gathered else []
-    handed = ", ".join(["stride", *(f"{name} + lane" for name in [*printed.handed(), *own, "total"])])
-    arrays = f"const {real} *const *in, {real} *const *out"
-    inputs = printed.handed(outputs=False)
-    return [
-        f"static void {symbol}_block(size_t stride, {arrays}, {real} *total)",
-        "{",
-        *(f"    const {real} *restrict {name} = in[{n}];" for n, name in enumerate(inputs)),
-        *(f"    {real} *restrict {name} = out[{n}];" for n, name in enumerate(printed.handed()[len(inputs) :])),
-        *lines,
-        *block_sines(printed, LANES),
-        f"    for (size_t lane = 0; lane < {LANES}; lane += {printed.model.upper()}_WIDE) {{",
-        *wrapped_code(f"{symbol}_wide({handed});", "        "),
-        "    }",
-        "}",
-    ]
+        before.append(f"    {printed.model}_zero_block({place}, {len(run)}, stride);")
+    count = len(printed.angles.gathered)
+    if count:
+        inputs = ", ".join(f"{name} + lane" for name in angle_inputs(printed, "{1}"))
+        handed = f"(stride, {LANES}, {inputs}, angle + lane)"
+        before += wrapped_code(f"{upper}_SINES({count * LANES}, {angles_symbol(printed)}, {handed})")
+    own = ["sine", "cosine"] if count else []
+    call = ", ".join(["stride", *(f"{name} + lane" for name in [*printed.handed(), *own, "total"])])
+    first = f"{upper}_SIDE_BY_SIDE({printed.symbol},"
+    return [first, *(before or [""])[:-1], f"{(before or [''])[-1]},", *wrapped_code(f"({call}))")]
 
 
 def signatures(
@@ -338,30 +381,16 @@ def signatures(
 
 def batch(model: str, symbol: str, program: Program | Iteration, precision: Precision, *, lanes: bool) -> list[str]:
     """Definitions of both batch functions; `lanes` says whether there is a `<symbol>_block`."""
-    ports, real = (*program.inputs, *program.outputs), precision.real
+    ports, upper = (*program.inputs, *program.outputs), model.upper()
     names, read = argument_names(ports), len(program.inputs)
-    arrays = f"const {real} *const *in, {real} *const *out"
-    called = ", ".join([*(f"in[{n}]" for n in range(read)), *(f"out[{n}]" for n in range(len(ports) - read))])
-    block = f"{model.upper()}_BLOCK({symbol}_block)" if lanes else "NULL"
+    called = [*(f"in[{n}]" for n in range(read)), *(f"out[{n}]" for n in range(len(ports) - read))]
     sizes = ", ".join(str(port.size) for port in ports)
-    lines = [
-        f"static int {symbol}_called({arrays})",
-        "{",
-        *wrapped_code(f"return {symbol}({called});"),
-        "}",
-        f"static const {model}_batched {symbol}_batched = {{",
-        f"    {read}, {len(ports) - read}, {{{sizes}}}, {symbol}_called, {block}",
-        "};",
-    ]
-    for signature, stride in zip(signatures(symbol, program, precision, "restrict"), ("0", "stride"), strict=True):
-        zero = "stride == 0 && count > 0 ? 2 : " if stride == "stride" else ""
-        lines += [
-            "",
-            signature,
-            "{",
-            f"    const {real} *const in[] = {{{', '.join(names[:read]) or 'NULL'}}};",
-            f"    {real} *const out[] = {{{', '.join(names[read:]) or 'NULL'}}};",
-            f"    return {zero}{model}_states(&{symbol}_batched, count, {stride}, in, out, status);",
-            "}",
-        ]
-    return lines
+    lists = (arguments(program, precision), names[:read] or ["NULL"], names[read:] or ["NULL"], called)
+    block = f"{upper}_BLOCK({symbol}_block)" if lanes else "NULL"
+    table = f"({read}, {len(ports) - read}, {{{sizes}}})"
+    return _over_lines(f"{upper}_BATCH", [symbol, block, table, *(f"({', '.join(some)})" for some in lists)])
+
+
+def _over_lines(macro: str, given: Sequence[str]) -> list[str]:
+    """A macro with its arguments, as many on a line as fit."""
+    return [part for line in declare(macro, given, "").split("\n") for part in wrapped_code(line, "")]

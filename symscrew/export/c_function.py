@@ -235,22 +235,6 @@ def sines_symbol(printed: Printed) -> str:
     return printed.shared.symbol("sines", "\n".join(lines))
 
 
-def block_sines(printed: Printed, lanes: int) -> list[str]:
-    """Sines and cosines of several states side by side, in the function of a block."""
-    count, real = len(printed.angles.gathered), printed.precision.real
-    if not count:
-        return []
-    inputs = [f"{name} + lane" for name in angle_inputs(printed, "{1}")]
-    handed = ", ".join(["stride", str(lanes), *inputs, "angle + lane"])
-    return [
-        f"    {real} angle[{count * lanes}], sine[{count * lanes}], cosine[{count * lanes}];",
-        f"    for (size_t lane = 0; lane < {lanes}; ++lane) {{",
-        *wrapped_code(f"{angles_symbol(printed)}({handed});", "        "),
-        "    }",
-        f"    {printed.model}_sincos_block({count * lanes}, angle, sine, cosine);",
-    ]
-
-
 def packed_lane(printed: Printed, packing: Packing) -> list[str]:
     """`<symbol>_packed_lane`: results of one state with equal limbs side by side, and the sum of what must be finite.
 

@@ -78,15 +78,24 @@ def _kinds(instructions: Sequence[Instruction], kind: Callable[[int | float], ob
     """A number per instruction, the same for those that are alike."""
     position = {instruction.target: k for k, instruction in enumerate(instructions)}
     numbers: dict[object, int] = {}
-    result = np.empty(len(instructions), dtype=np.int64)
-    for k, instruction in enumerate(instructions):
-        operands: list[object] = []
-        for a in instruction.args:
-            at = position.get(a) if isinstance(a, int) else None
-            operands.append(kind(a) if at is None else k - at if k - at <= NEAR else "earlier")
-        label = (instruction.op, *operands, kind(instruction.target))
-        result[k] = numbers.setdefault(label, len(numbers))
-    return result
+    known: dict[int, object] = {}  # kinds of slots from elsewhere
+    result = []
+    for k, (target, op, args) in enumerate(instructions):
+        label: list[object] = [op]
+        for a in args:
+            if type(a) is not int:
+                label.append(kind(a))
+                continue
+            at = position.get(a)
+            if at is not None:
+                label.append(k - at if k - at <= NEAR else "earlier")
+                continue
+            if a not in known:
+                known[a] = kind(a)
+            label.append(known[a])
+        label.append(kind(target))
+        result.append(numbers.setdefault(tuple(label), len(numbers)))
+    return np.array(result, dtype=np.int64)
 
 
 def _periods(kinds: np.ndarray) -> list[int]:

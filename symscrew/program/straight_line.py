@@ -45,6 +45,7 @@ PASSING = {"add": 2, "sub": 2, "mul": 2, "neg": 1, "div": 1, "sqrt": 1, "sin": 1
 """How many first operands an operation has whose NaN or infinity is one of its result, whatever the others are.
 
 A number divided by infinity is 0, so that an infinite divisor does not show; a comparison hides what it compares."""
+ALL_PASS = frozenset(PASSING) - {"div"}  # those of whose operands all are among them
 
 
 Limit = tuple[int, float | None, float | None, int]
@@ -139,7 +140,7 @@ class Program:
         results = {s for slots in self.results for s in slots if isinstance(s, int)}
         watched = results | {slot for slot, _ in self.guards}
         seen: set[int] = set()
-        found = []
+        see, found = seen.add, []
         for target, op, args in reversed(self.instructions):
             if op == "less" and target in watched and target not in results:
                 watched |= {arg for arg in args if isinstance(arg, int)}
@@ -147,7 +148,9 @@ class Program:
                 if target not in watched:
                     continue
                 found.append(target)
-            seen.update([arg for arg in args[: PASSING.get(op, 0)] if type(arg) is int])
+            for arg in args if op in ALL_PASS else args[: PASSING.get(op, 0)]:
+                if type(arg) is int:
+                    see(arg)
         return (*found[::-1], *(slot for slot in range(sum(port.size for port in self.inputs)) if slot not in seen))
 
     @property
@@ -159,12 +162,14 @@ class Program:
     def live(self) -> tuple[list[Instruction], set[int]]:
         """The instructions that pivots and what is checked, so all results, need, and every slot that is read."""
         needed = {*self.checked, *self.tested}
-        found = []
+        need, found = needed.add, []
         for instruction in reversed(self.instructions):
             target, _, args = instruction
             if target in needed:
                 found.append(instruction)
-                needed.update([arg for arg in args if type(arg) is int])
+                for arg in args:
+                    if type(arg) is int:
+                        need(arg)
         return found[::-1], needed
 
     @cached_property
