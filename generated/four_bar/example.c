@@ -38,6 +38,23 @@ static const double given_u[1] = { /* [N m] */
     0.5627386665116674
 };
 
+/* What entries of results are. */
+static const char *const labels_q[3] = {
+    "A [rad]", "B [rad]", "D [rad]",
+};
+static const char *const labels_v[3] = {
+    "A [rad/s]", "B [rad/s]", "D [rad/s]",
+};
+static const char *const labels_a[3] = {
+    "A [rad/s^2]", "B [rad/s^2]", "D [rad/s^2]",
+};
+static const char *const labels_u[1] = {
+    "A [N m]",
+};
+static const char *const labels_reactions[4] = {
+    "A", "B", "C", "D",
+};
+
 /* Prints an array, an entry a line: its label and unit, and the number. */
 static void print_array(
     const char *name, const double *array, size_t size, const char *const *labels)
@@ -48,83 +65,74 @@ static void print_array(
     }
 }
 
+/* Prints a matrix, a column of it a line: what it is of, and the numbers. */
+static void print_columns(
+    const char *name, const double *array, size_t rows, size_t columns, const char *const *labels)
+{
+    printf("  %s\n", name);
+    for (size_t k = 0; k < columns; ++k) {
+        printf("    %-24s", labels[k]);
+        for (size_t i = 0; i < rows; ++i) {
+            printf(" % .6g", (double)array[k * rows + i]);
+        }
+        printf("\n");
+    }
+}
+
 static int show_assemble(void)
 {
-    static const char *const q_labels[3] = {
-        "A [rad]", "B [rad]", "D [rad]",
-    };
     double q_found[3];
     const int status = four_bar_assemble(given_y, given_guess, q_found);
     printf("four_bar_assemble: status %d, %s\n", status, four_bar_status_text(status));
-    print_array("q", q_found, 3, q_labels);
+    print_array("q", q_found, 3, labels_q);
     return status;
 }
 
 static int show_velocity(void)
 {
-    static const char *const v_labels[3] = {
-        "A [rad/s]", "B [rad/s]", "D [rad/s]",
-    };
     double v_found[3];
     const int status = four_bar_velocity(given_q, given_y_dot, v_found);
     printf("four_bar_velocity: status %d, %s\n", status, four_bar_status_text(status));
-    print_array("v", v_found, 3, v_labels);
+    print_array("v", v_found, 3, labels_v);
     return status;
 }
 
 static int show_acceleration(void)
 {
-    static const char *const a_labels[3] = {
-        "A [rad/s^2]", "B [rad/s^2]", "D [rad/s^2]",
-    };
     double a_found[3];
     const int status = four_bar_acceleration(given_q, given_v, given_y_ddot, a_found);
     printf("four_bar_acceleration: status %d, %s\n", status, four_bar_status_text(status));
-    print_array("a", a_found, 3, a_labels);
+    print_array("a", a_found, 3, labels_a);
     return status;
 }
 
 static int show_inverse_dynamics(void)
 {
-    static const char *const u_labels[1] = {
-        "A [N m]",
-    };
     double u_found[1];
     const int status = four_bar_inverse_dynamics(given_q, given_v, given_a, u_found);
     printf("four_bar_inverse_dynamics: status %d, %s\n", status, four_bar_status_text(status));
-    print_array("u", u_found, 1, u_labels);
+    print_array("u", u_found, 1, labels_u);
     return status;
 }
 
 static int show_forward_dynamics(void)
 {
-    static const char *const a_labels[3] = {
-        "A [rad/s^2]", "B [rad/s^2]", "D [rad/s^2]",
-    };
     double a_found[3];
     const int status = four_bar_forward_dynamics(given_q, given_v, given_u, a_found);
     printf("four_bar_forward_dynamics: status %d, %s\n", status, four_bar_status_text(status));
-    print_array("a", a_found, 3, a_labels);
+    print_array("a", a_found, 3, labels_a);
     return status;
 }
 
 static int show_joint_reactions(void)
 {
-    static const char *const u_labels[1] = {
-        "A [N m]",
-    };
-    static const char *const reactions_labels[24] = {
-        "A.fx [N]", "A.fy [N]", "A.fz [N]", "A.mx [N m]", "A.my [N m]", "A.mz [N m]", "B.fx [N]", "B.fy [N]",
-        "B.fz [N]", "B.mx [N m]", "B.my [N m]", "B.mz [N m]", "C.fx [N]", "C.fy [N]", "C.fz [N]", "C.mx [N m]",
-        "C.my [N m]", "C.mz [N m]", "D.fx [N]", "D.fy [N]", "D.fz [N]", "D.mx [N m]", "D.my [N m]",
-        "D.mz [N m]",
-    };
     double u_found[1];
     double reactions_found[24];
     const int status = four_bar_joint_reactions(given_q, given_v, given_a, u_found, reactions_found);
     printf("four_bar_joint_reactions: status %d, %s\n", status, four_bar_status_text(status));
-    print_array("u", u_found, 1, u_labels);
-    print_array("reactions", reactions_found, 24, reactions_labels);
+    print_array("u", u_found, 1, labels_u);
+    print_columns("reactions: fx [N], fy [N], fz [N], mx [N m], my [N m], mz [N m]",
+        reactions_found, 6, 4, labels_reactions);
     return status;
 }
 

@@ -50,6 +50,31 @@ static const double given_u[4] = { /* [N] */
     0.5627386665116674, 1.2430345024239386, 0.9392142256129838, -0.43698202502352035
 };
 
+/* What entries of results are. */
+static const char *const labels_q[16] = {
+    "limb1_U.0 [rad]", "limb1_U.1 [rad]", "limb1_P [m]", "limb2_U.0 [rad]", "limb2_U.1 [rad]", "limb2_P [m]",
+    "limb3_U.0 [rad]", "limb3_U.1 [rad]", "limb3_P [m]", "limb4_U.0 [rad]", "limb4_U.1 [rad]", "limb4_P [m]",
+    "limb5_S.qw [1]", "limb5_S.qx [1]", "limb5_S.qy [1]", "limb5_S.qz [1]",
+};
+static const char *const labels_v[15] = {
+    "limb1_U.0 [rad/s]", "limb1_U.1 [rad/s]", "limb1_P [m/s]", "limb2_U.0 [rad/s]", "limb2_U.1 [rad/s]",
+    "limb2_P [m/s]", "limb3_U.0 [rad/s]", "limb3_U.1 [rad/s]", "limb3_P [m/s]", "limb4_U.0 [rad/s]",
+    "limb4_U.1 [rad/s]", "limb4_P [m/s]", "limb5_S.wx [rad/s]", "limb5_S.wy [rad/s]", "limb5_S.wz [rad/s]",
+};
+static const char *const labels_a[15] = {
+    "limb1_U.0 [rad/s^2]", "limb1_U.1 [rad/s^2]", "limb1_P [m/s^2]", "limb2_U.0 [rad/s^2]",
+    "limb2_U.1 [rad/s^2]", "limb2_P [m/s^2]", "limb3_U.0 [rad/s^2]", "limb3_U.1 [rad/s^2]", "limb3_P [m/s^2]",
+    "limb4_U.0 [rad/s^2]", "limb4_U.1 [rad/s^2]", "limb4_P [m/s^2]", "limb5_S.wx [rad/s^2]",
+    "limb5_S.wy [rad/s^2]", "limb5_S.wz [rad/s^2]",
+};
+static const char *const labels_u[4] = {
+    "limb1_P [N]", "limb2_P [N]", "limb3_P [N]", "limb4_P [N]",
+};
+static const char *const labels_reactions[13] = {
+    "limb1_U", "limb1_P", "limb1_U2", "limb2_U", "limb2_P", "limb2_S", "limb3_U", "limb3_P", "limb3_S",
+    "limb4_U", "limb4_P", "limb4_S", "limb5_S",
+};
+
 /* Prints an array, an entry a line: its label and unit, and the number. */
 static void print_array(
     const char *name, const double *array, size_t size, const char *const *labels)
@@ -60,119 +85,84 @@ static void print_array(
     }
 }
 
+/* Prints a matrix, a column of it a line: what it is of, and the numbers. */
+static void print_columns(
+    const char *name, const double *array, size_t rows, size_t columns, const char *const *labels)
+{
+    printf("  %s\n", name);
+    for (size_t k = 0; k < columns; ++k) {
+        printf("    %-24s", labels[k]);
+        for (size_t i = 0; i < rows; ++i) {
+            printf(" % .6g", (double)array[k * rows + i]);
+        }
+        printf("\n");
+    }
+}
+
 static int show_assemble(void)
 {
-    static const char *const q_labels[16] = {
-        "limb1_U.0 [rad]", "limb1_U.1 [rad]", "limb1_P [m]", "limb2_U.0 [rad]", "limb2_U.1 [rad]",
-        "limb2_P [m]", "limb3_U.0 [rad]", "limb3_U.1 [rad]", "limb3_P [m]", "limb4_U.0 [rad]",
-        "limb4_U.1 [rad]", "limb4_P [m]", "limb5_S.qw [1]", "limb5_S.qx [1]", "limb5_S.qy [1]",
-        "limb5_S.qz [1]",
-    };
     double q_found[16];
     const int status = three_ups_upu_s_assemble(given_y, given_guess, q_found);
     printf("three_ups_upu_s_assemble: status %d, %s\n", status, three_ups_upu_s_status_text(status));
-    print_array("q", q_found, 16, q_labels);
+    print_array("q", q_found, 16, labels_q);
     return status;
 }
 
 static int show_velocity(void)
 {
-    static const char *const v_labels[15] = {
-        "limb1_U.0 [rad/s]", "limb1_U.1 [rad/s]", "limb1_P [m/s]", "limb2_U.0 [rad/s]", "limb2_U.1 [rad/s]",
-        "limb2_P [m/s]", "limb3_U.0 [rad/s]", "limb3_U.1 [rad/s]", "limb3_P [m/s]", "limb4_U.0 [rad/s]",
-        "limb4_U.1 [rad/s]", "limb4_P [m/s]", "limb5_S.wx [rad/s]", "limb5_S.wy [rad/s]", "limb5_S.wz [rad/s]",
-    };
     double v_found[15];
     const int status = three_ups_upu_s_velocity(given_q, given_y_dot, v_found);
     printf("three_ups_upu_s_velocity: status %d, %s\n", status, three_ups_upu_s_status_text(status));
-    print_array("v", v_found, 15, v_labels);
+    print_array("v", v_found, 15, labels_v);
     return status;
 }
 
 static int show_acceleration(void)
 {
-    static const char *const a_labels[15] = {
-        "limb1_U.0 [rad/s^2]", "limb1_U.1 [rad/s^2]", "limb1_P [m/s^2]", "limb2_U.0 [rad/s^2]",
-        "limb2_U.1 [rad/s^2]", "limb2_P [m/s^2]", "limb3_U.0 [rad/s^2]", "limb3_U.1 [rad/s^2]",
-        "limb3_P [m/s^2]", "limb4_U.0 [rad/s^2]", "limb4_U.1 [rad/s^2]", "limb4_P [m/s^2]",
-        "limb5_S.wx [rad/s^2]", "limb5_S.wy [rad/s^2]", "limb5_S.wz [rad/s^2]",
-    };
     double a_found[15];
     const int status = three_ups_upu_s_acceleration(given_q, given_v, given_y_ddot, a_found);
     printf("three_ups_upu_s_acceleration: status %d, %s\n", status, three_ups_upu_s_status_text(status));
-    print_array("a", a_found, 15, a_labels);
+    print_array("a", a_found, 15, labels_a);
     return status;
 }
 
 static int show_inverse_dynamics(void)
 {
-    static const char *const u_labels[4] = {
-        "limb1_P [N]", "limb2_P [N]", "limb3_P [N]", "limb4_P [N]",
-    };
     double u_found[4];
     const int status = three_ups_upu_s_inverse_dynamics(given_q, given_v, given_a, u_found);
     printf("three_ups_upu_s_inverse_dynamics: status %d, %s\n", status, three_ups_upu_s_status_text(status));
-    print_array("u", u_found, 4, u_labels);
+    print_array("u", u_found, 4, labels_u);
     return status;
 }
 
 static int show_inverse_dynamics_preload(void)
 {
-    static const char *const u_labels[4] = {
-        "limb1_P [N]", "limb2_P [N]", "limb3_P [N]", "limb4_P [N]",
-    };
     double u_found[4];
     const int status = three_ups_upu_s_inverse_dynamics_preload(given_q, given_v, given_a, given_weights,
         given_preload, u_found);
     printf("three_ups_upu_s_inverse_dynamics_preload: status %d, %s\n", status, three_ups_upu_s_status_text(status));
-    print_array("u", u_found, 4, u_labels);
+    print_array("u", u_found, 4, labels_u);
     return status;
 }
 
 static int show_forward_dynamics(void)
 {
-    static const char *const a_labels[15] = {
-        "limb1_U.0 [rad/s^2]", "limb1_U.1 [rad/s^2]", "limb1_P [m/s^2]", "limb2_U.0 [rad/s^2]",
-        "limb2_U.1 [rad/s^2]", "limb2_P [m/s^2]", "limb3_U.0 [rad/s^2]", "limb3_U.1 [rad/s^2]",
-        "limb3_P [m/s^2]", "limb4_U.0 [rad/s^2]", "limb4_U.1 [rad/s^2]", "limb4_P [m/s^2]",
-        "limb5_S.wx [rad/s^2]", "limb5_S.wy [rad/s^2]", "limb5_S.wz [rad/s^2]",
-    };
     double a_found[15];
     const int status = three_ups_upu_s_forward_dynamics(given_q, given_v, given_u, a_found);
     printf("three_ups_upu_s_forward_dynamics: status %d, %s\n", status, three_ups_upu_s_status_text(status));
-    print_array("a", a_found, 15, a_labels);
+    print_array("a", a_found, 15, labels_a);
     return status;
 }
 
 static int show_joint_reactions(void)
 {
-    static const char *const u_labels[4] = {
-        "limb1_P [N]", "limb2_P [N]", "limb3_P [N]", "limb4_P [N]",
-    };
-    static const char *const reactions_labels[78] = {
-        "limb1_U.fx [N]", "limb1_U.fy [N]", "limb1_U.fz [N]", "limb1_U.mx [N m]", "limb1_U.my [N m]",
-        "limb1_U.mz [N m]", "limb1_P.fx [N]", "limb1_P.fy [N]", "limb1_P.fz [N]", "limb1_P.mx [N m]",
-        "limb1_P.my [N m]", "limb1_P.mz [N m]", "limb1_U2.fx [N]", "limb1_U2.fy [N]", "limb1_U2.fz [N]",
-        "limb1_U2.mx [N m]", "limb1_U2.my [N m]", "limb1_U2.mz [N m]", "limb2_U.fx [N]", "limb2_U.fy [N]",
-        "limb2_U.fz [N]", "limb2_U.mx [N m]", "limb2_U.my [N m]", "limb2_U.mz [N m]", "limb2_P.fx [N]",
-        "limb2_P.fy [N]", "limb2_P.fz [N]", "limb2_P.mx [N m]", "limb2_P.my [N m]", "limb2_P.mz [N m]",
-        "limb2_S.fx [N]", "limb2_S.fy [N]", "limb2_S.fz [N]", "limb2_S.mx [N m]", "limb2_S.my [N m]",
-        "limb2_S.mz [N m]", "limb3_U.fx [N]", "limb3_U.fy [N]", "limb3_U.fz [N]", "limb3_U.mx [N m]",
-        "limb3_U.my [N m]", "limb3_U.mz [N m]", "limb3_P.fx [N]", "limb3_P.fy [N]", "limb3_P.fz [N]",
-        "limb3_P.mx [N m]", "limb3_P.my [N m]", "limb3_P.mz [N m]", "limb3_S.fx [N]", "limb3_S.fy [N]",
-        "limb3_S.fz [N]", "limb3_S.mx [N m]", "limb3_S.my [N m]", "limb3_S.mz [N m]", "limb4_U.fx [N]",
-        "limb4_U.fy [N]", "limb4_U.fz [N]", "limb4_U.mx [N m]", "limb4_U.my [N m]", "limb4_U.mz [N m]",
-        "limb4_P.fx [N]", "limb4_P.fy [N]", "limb4_P.fz [N]", "limb4_P.mx [N m]", "limb4_P.my [N m]",
-        "limb4_P.mz [N m]", "limb4_S.fx [N]", "limb4_S.fy [N]", "limb4_S.fz [N]", "limb4_S.mx [N m]",
-        "limb4_S.my [N m]", "limb4_S.mz [N m]", "limb5_S.fx [N]", "limb5_S.fy [N]", "limb5_S.fz [N]",
-        "limb5_S.mx [N m]", "limb5_S.my [N m]", "limb5_S.mz [N m]",
-    };
     double u_found[4];
     double reactions_found[78];
     const int status = three_ups_upu_s_joint_reactions(given_q, given_v, given_a, u_found, reactions_found);
     printf("three_ups_upu_s_joint_reactions: status %d, %s\n", status, three_ups_upu_s_status_text(status));
-    print_array("u", u_found, 4, u_labels);
-    print_array("reactions", reactions_found, 78, reactions_labels);
+    print_array("u", u_found, 4, labels_u);
+    print_columns("reactions: fx [N], fy [N], fz [N], mx [N m], my [N m], mz [N m]",
+        reactions_found, 6, 13, labels_reactions);
     return status;
 }
 

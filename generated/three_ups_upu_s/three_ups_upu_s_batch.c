@@ -252,6 +252,48 @@ THREE_UPS_UPU_S_UNUSED static inline THREE_UPS_UPU_S_INLINE void three_ups_upu_s
 }
 #endif
 
+/* A block of a function: what comes before its states (zeros, sines of angles), and the call of some of its states. */
+#define THREE_UPS_UPU_S_SIDE_BY_SIDE(function, before, call) \
+static void function##_block(size_t stride, const double *const *in, double *const *out, double *total) \
+{ \
+    before \
+    for (size_t lane = 0; lane < 8; lane += THREE_UPS_UPU_S_WIDE) { \
+        function##_wide call; \
+    } \
+}
+/* Sines and cosines of so many angles of all lanes, which a function gives for the state of one. */
+#define THREE_UPS_UPU_S_SINES(SIZE, angles, inputs) \
+    double angle[SIZE], sine[SIZE], cosine[SIZE]; \
+    for (size_t lane = 0; lane < 8; ++lane) { \
+        angles inputs; \
+    } \
+    three_ups_upu_s_sincos_block(SIZE, angle, sine, cosine);
+
+/* Both batch functions of a function: its block; how many inputs, outputs, and entries of each; their declared
+   arguments; inputs and outputs by name; those of a call for one state. */
+#define THREE_UPS_UPU_S_ALL(...) __VA_ARGS__
+#define THREE_UPS_UPU_S_BATCH(function, block, table, given, read, written, state) \
+static int function##_called(const double *const *in, double *const *out) \
+{ \
+    return function state; \
+} \
+static const three_ups_upu_s_batched function##_batched = {THREE_UPS_UPU_S_ALL table, function##_called, block}; \
+int function##_batch(size_t count, THREE_UPS_UPU_S_ALL given, int *restrict status) \
+{ \
+    const double *const in[] = {THREE_UPS_UPU_S_ALL read}; \
+    double *const out[] = {THREE_UPS_UPU_S_ALL written}; \
+    return three_ups_upu_s_states(&function##_batched, count, 0, in, out, status); \
+} \
+int function##_batch_soa(size_t count, size_t stride, THREE_UPS_UPU_S_ALL given, int *restrict status) \
+{ \
+    const double *const in[] = {THREE_UPS_UPU_S_ALL read}; \
+    double *const out[] = {THREE_UPS_UPU_S_ALL written}; \
+    if (stride == 0 && count > 0) { \
+        return 2; \
+    } \
+    return three_ups_upu_s_states(&function##_batched, count, stride, in, out, status); \
+}
+
 #undef BODY
 #undef REAL
 #undef READ
@@ -331,164 +373,66 @@ THREE_UPS_UPU_S_UNUSED static inline THREE_UPS_UPU_S_INLINE void three_ups_upu_s
 #undef NOT_ABOVE
 #undef RESULT
 
-static void three_ups_upu_s_body_poses_block(size_t stride, const double *const *in, double *const *out, double *total)
-{
-    const double *restrict q = in[0];
-    double *restrict poses = out[0];
-    double angle[64], sine[64], cosine[64];
-    for (size_t lane = 0; lane < 8; ++lane) {
-        three_ups_upu_s_angles0(stride, 8, q + lane, angle + lane);
-    }
-    three_ups_upu_s_sincos_block(64, angle, sine, cosine);
-    for (size_t lane = 0; lane < 8; lane += THREE_UPS_UPU_S_WIDE) {
-        three_ups_upu_s_body_poses_wide(stride, q + lane, poses + lane, sine + lane, cosine + lane, total +
-            lane);
-    }
-}
+THREE_UPS_UPU_S_SIDE_BY_SIDE(three_ups_upu_s_body_poses,
+    const double *restrict q = in[0]; double *restrict poses = out[0];
+    THREE_UPS_UPU_S_SINES(64, three_ups_upu_s_angles0, (stride, 8, q + lane, angle + lane)),
+    (stride, q + lane, poses + lane, sine + lane, cosine + lane, total + lane))
 
-static void three_ups_upu_s_body_twists_block(size_t stride, const double *const *in, double *const *out, double *total)
-{
-    const double *restrict q = in[0];
-    const double *restrict v = in[1];
-    double *restrict twists = out[0];
-    double angle[64], sine[64], cosine[64];
-    for (size_t lane = 0; lane < 8; ++lane) {
-        three_ups_upu_s_angles0(stride, 8, q + lane, angle + lane);
-    }
-    three_ups_upu_s_sincos_block(64, angle, sine, cosine);
-    for (size_t lane = 0; lane < 8; lane += THREE_UPS_UPU_S_WIDE) {
-        three_ups_upu_s_body_twists_wide(stride, q + lane, v + lane, twists + lane, sine + lane, cosine +
-            lane, total + lane);
-    }
-}
+THREE_UPS_UPU_S_SIDE_BY_SIDE(three_ups_upu_s_body_twists,
+    const double *restrict q = in[0]; const double *restrict v = in[1]; double *restrict twists = out[0];
+    THREE_UPS_UPU_S_SINES(64, three_ups_upu_s_angles0, (stride, 8, q + lane, angle + lane)),
+    (stride, q + lane, v + lane, twists + lane, sine + lane, cosine + lane, total + lane))
 
-static void three_ups_upu_s_body_twist_rates_block(size_t stride, const double *const *in, double *const *out, double *total)
-{
-    const double *restrict q = in[0];
-    const double *restrict v = in[1];
-    const double *restrict a = in[2];
-    double *restrict twist_rates = out[0];
-    double angle[64], sine[64], cosine[64];
-    for (size_t lane = 0; lane < 8; ++lane) {
-        three_ups_upu_s_angles0(stride, 8, q + lane, angle + lane);
-    }
-    three_ups_upu_s_sincos_block(64, angle, sine, cosine);
-    for (size_t lane = 0; lane < 8; lane += THREE_UPS_UPU_S_WIDE) {
-        three_ups_upu_s_body_twist_rates_wide(stride, q + lane, v + lane, a + lane, twist_rates + lane, sine +
-            lane, cosine + lane, total + lane);
-    }
-}
+THREE_UPS_UPU_S_SIDE_BY_SIDE(three_ups_upu_s_body_twist_rates,
+    const double *restrict q = in[0]; const double *restrict v = in[1]; const double *restrict a = in[2];
+        double *restrict twist_rates = out[0];
+    THREE_UPS_UPU_S_SINES(64, three_ups_upu_s_angles0, (stride, 8, q + lane, angle + lane)),
+    (stride, q + lane, v + lane, a + lane, twist_rates + lane, sine + lane, cosine + lane, total + lane))
 
-static void three_ups_upu_s_forward_kinematics_block(size_t stride, const double *const *in, double *const *out, double *total)
-{
-    const double *restrict q = in[0];
-    double *restrict positions = out[0];
-    for (size_t lane = 0; lane < 8; lane += THREE_UPS_UPU_S_WIDE) {
-        three_ups_upu_s_forward_kinematics_wide(stride, q + lane, positions + lane, total + lane);
-    }
-}
+THREE_UPS_UPU_S_SIDE_BY_SIDE(three_ups_upu_s_forward_kinematics,
+    const double *restrict q = in[0]; double *restrict positions = out[0];,
+    (stride, q + lane, positions + lane, total + lane))
 
-static void three_ups_upu_s_point_motion_block(size_t stride, const double *const *in, double *const *out, double *total)
-{
-    const double *restrict q = in[0];
-    const double *restrict v = in[1];
-    const double *restrict a = in[2];
-    double *restrict positions = out[0];
-    double *restrict velocities = out[1];
-    double *restrict accelerations = out[2];
+THREE_UPS_UPU_S_SIDE_BY_SIDE(three_ups_upu_s_point_motion,
+    const double *restrict q = in[0]; const double *restrict v = in[1]; const double *restrict a = in[2];
+        double *restrict positions = out[0]; double *restrict velocities = out[1]; double *restrict
+        accelerations = out[2];
     three_ups_upu_s_zero_block(velocities + 6 * stride, 12, stride);
-    three_ups_upu_s_zero_block(accelerations + 6 * stride, 12, stride);
-    for (size_t lane = 0; lane < 8; lane += THREE_UPS_UPU_S_WIDE) {
-        three_ups_upu_s_point_motion_wide(stride, q + lane, v + lane, a + lane, positions + lane, velocities +
-            lane, accelerations + lane, total + lane);
-    }
-}
+    three_ups_upu_s_zero_block(accelerations + 6 * stride, 12, stride);,
+    (stride, q + lane, v + lane, a + lane, positions + lane, velocities + lane, accelerations + lane, total +
+        lane))
 
-static void three_ups_upu_s_joint_screws_block(size_t stride, const double *const *in, double *const *out, double *total)
-{
-    const double *restrict q = in[0];
-    double *restrict screws = out[0];
-    double angle[64], sine[64], cosine[64];
-    for (size_t lane = 0; lane < 8; ++lane) {
-        three_ups_upu_s_angles0(stride, 8, q + lane, angle + lane);
-    }
-    three_ups_upu_s_sincos_block(64, angle, sine, cosine);
-    for (size_t lane = 0; lane < 8; lane += THREE_UPS_UPU_S_WIDE) {
-        three_ups_upu_s_joint_screws_wide(stride, q + lane, screws + lane, sine + lane, cosine + lane, total +
-            lane);
-    }
-}
+THREE_UPS_UPU_S_SIDE_BY_SIDE(three_ups_upu_s_joint_screws,
+    const double *restrict q = in[0]; double *restrict screws = out[0];
+    THREE_UPS_UPU_S_SINES(64, three_ups_upu_s_angles0, (stride, 8, q + lane, angle + lane)),
+    (stride, q + lane, screws + lane, sine + lane, cosine + lane, total + lane))
 
-static void three_ups_upu_s_joint_points_block(size_t stride, const double *const *in, double *const *out, double *total)
-{
-    const double *restrict q = in[0];
-    double *restrict points = out[0];
-    double angle[64], sine[64], cosine[64];
-    for (size_t lane = 0; lane < 8; ++lane) {
-        three_ups_upu_s_angles0(stride, 8, q + lane, angle + lane);
-    }
-    three_ups_upu_s_sincos_block(64, angle, sine, cosine);
-    for (size_t lane = 0; lane < 8; lane += THREE_UPS_UPU_S_WIDE) {
-        three_ups_upu_s_joint_points_wide(stride, q + lane, points + lane, sine + lane, cosine + lane, total +
-            lane);
-    }
-}
+THREE_UPS_UPU_S_SIDE_BY_SIDE(three_ups_upu_s_joint_points,
+    const double *restrict q = in[0]; double *restrict points = out[0];
+    THREE_UPS_UPU_S_SINES(64, three_ups_upu_s_angles0, (stride, 8, q + lane, angle + lane)),
+    (stride, q + lane, points + lane, sine + lane, cosine + lane, total + lane))
 
-static void three_ups_upu_s_platform_jacobian_block(size_t stride, const double *const *in, double *const *out, double *total)
-{
-    const double *restrict q = in[0];
-    double *restrict jacobian = out[0];
-    three_ups_upu_s_zero_block(jacobian, 72, stride);
-    for (size_t lane = 0; lane < 8; lane += THREE_UPS_UPU_S_WIDE) {
-        three_ups_upu_s_platform_jacobian_wide(stride, q + lane, jacobian + lane, total + lane);
-    }
-}
+THREE_UPS_UPU_S_SIDE_BY_SIDE(three_ups_upu_s_platform_jacobian,
+    const double *restrict q = in[0]; double *restrict jacobian = out[0];
+    three_ups_upu_s_zero_block(jacobian, 72, stride);,
+    (stride, q + lane, jacobian + lane, total + lane))
 
-static void three_ups_upu_s_joint_rates_block(size_t stride, const double *const *in, double *const *out, double *total)
-{
-    const double *restrict q = in[0];
-    const double *restrict v = in[1];
-    double *restrict rates = out[0];
-    double angle[64], sine[64], cosine[64];
-    for (size_t lane = 0; lane < 8; ++lane) {
-        three_ups_upu_s_angles0(stride, 8, q + lane, angle + lane);
-    }
-    three_ups_upu_s_sincos_block(64, angle, sine, cosine);
-    for (size_t lane = 0; lane < 8; lane += THREE_UPS_UPU_S_WIDE) {
-        three_ups_upu_s_joint_rates_wide(stride, q + lane, v + lane, rates + lane, sine + lane, cosine + lane,
-            total + lane);
-    }
-}
+THREE_UPS_UPU_S_SIDE_BY_SIDE(three_ups_upu_s_joint_rates,
+    const double *restrict q = in[0]; const double *restrict v = in[1]; double *restrict rates = out[0];
+    THREE_UPS_UPU_S_SINES(64, three_ups_upu_s_angles0, (stride, 8, q + lane, angle + lane)),
+    (stride, q + lane, v + lane, rates + lane, sine + lane, cosine + lane, total + lane))
 
-static void three_ups_upu_s_drive_rates_block(size_t stride, const double *const *in, double *const *out, double *total)
-{
-    const double *restrict q = in[0];
-    const double *restrict v = in[1];
-    double *restrict rates = out[0];
-    for (size_t lane = 0; lane < 8; lane += THREE_UPS_UPU_S_WIDE) {
-        three_ups_upu_s_drive_rates_wide(stride, q + lane, v + lane, rates + lane, total + lane);
-    }
-}
+THREE_UPS_UPU_S_SIDE_BY_SIDE(three_ups_upu_s_drive_rates,
+    const double *restrict q = in[0]; const double *restrict v = in[1]; double *restrict rates = out[0];,
+    (stride, q + lane, v + lane, rates + lane, total + lane))
 
-static void three_ups_upu_s_closure_block(size_t stride, const double *const *in, double *const *out, double *total)
-{
-    const double *restrict q = in[0];
-    double *restrict residual_ = out[0];
-    double angle[64], sine[64], cosine[64];
-    for (size_t lane = 0; lane < 8; ++lane) {
-        three_ups_upu_s_angles0(stride, 8, q + lane, angle + lane);
-    }
-    three_ups_upu_s_sincos_block(64, angle, sine, cosine);
-    for (size_t lane = 0; lane < 8; lane += THREE_UPS_UPU_S_WIDE) {
-        three_ups_upu_s_closure_wide(stride, q + lane, residual_ + lane, sine + lane, cosine + lane, total +
-            lane);
-    }
-}
+THREE_UPS_UPU_S_SIDE_BY_SIDE(three_ups_upu_s_closure,
+    const double *restrict q = in[0]; double *restrict residual_ = out[0];
+    THREE_UPS_UPU_S_SINES(64, three_ups_upu_s_angles0, (stride, 8, q + lane, angle + lane)),
+    (stride, q + lane, residual_ + lane, sine + lane, cosine + lane, total + lane))
 
-static void three_ups_upu_s_closure_jacobian_block(size_t stride, const double *const *in, double *const *out, double *total)
-{
-    const double *restrict q = in[0];
-    double *restrict jacobian = out[0];
+THREE_UPS_UPU_S_SIDE_BY_SIDE(three_ups_upu_s_closure_jacobian,
+    const double *restrict q = in[0]; double *restrict jacobian = out[0];
     three_ups_upu_s_zero_block(jacobian + 4 * stride, 10, stride);
     three_ups_upu_s_zero_block(jacobian + 17 * stride, 9, stride);
     three_ups_upu_s_zero_block(jacobian + 27 * stride, 18, stride);
@@ -500,135 +444,49 @@ static void three_ups_upu_s_closure_jacobian_block(size_t stride, const double *
     three_ups_upu_s_zero_block(jacobian + 112 * stride, 17, stride);
     three_ups_upu_s_zero_block(jacobian + 130 * stride, 11, stride);
     three_ups_upu_s_zero_block(jacobian + 142 * stride, 11, stride);
-    double angle[64], sine[64], cosine[64];
-    for (size_t lane = 0; lane < 8; ++lane) {
-        three_ups_upu_s_angles0(stride, 8, q + lane, angle + lane);
-    }
-    three_ups_upu_s_sincos_block(64, angle, sine, cosine);
-    for (size_t lane = 0; lane < 8; lane += THREE_UPS_UPU_S_WIDE) {
-        three_ups_upu_s_closure_jacobian_wide(stride, q + lane, jacobian + lane, sine + lane, cosine + lane,
-            total + lane);
-    }
-}
+    THREE_UPS_UPU_S_SINES(64, three_ups_upu_s_angles0, (stride, 8, q + lane, angle + lane)),
+    (stride, q + lane, jacobian + lane, sine + lane, cosine + lane, total + lane))
 
-static void three_ups_upu_s_closure_bias_block(size_t stride, const double *const *in, double *const *out, double *total)
-{
-    const double *restrict q = in[0];
-    const double *restrict v = in[1];
-    double *restrict bias = out[0];
-    double angle[64], sine[64], cosine[64];
-    for (size_t lane = 0; lane < 8; ++lane) {
-        three_ups_upu_s_angles0(stride, 8, q + lane, angle + lane);
-    }
-    three_ups_upu_s_sincos_block(64, angle, sine, cosine);
-    for (size_t lane = 0; lane < 8; lane += THREE_UPS_UPU_S_WIDE) {
-        three_ups_upu_s_closure_bias_wide(stride, q + lane, v + lane, bias + lane, sine + lane, cosine + lane,
-            total + lane);
-    }
-}
+THREE_UPS_UPU_S_SIDE_BY_SIDE(three_ups_upu_s_closure_bias,
+    const double *restrict q = in[0]; const double *restrict v = in[1]; double *restrict bias = out[0];
+    THREE_UPS_UPU_S_SINES(64, three_ups_upu_s_angles0, (stride, 8, q + lane, angle + lane)),
+    (stride, q + lane, v + lane, bias + lane, sine + lane, cosine + lane, total + lane))
 
-static void three_ups_upu_s_velocity_block(size_t stride, const double *const *in, double *const *out, double *total)
-{
-    const double *restrict q = in[0];
-    const double *restrict y_dot = in[1];
-    double *restrict v = out[0];
-    double angle[64], sine[64], cosine[64];
-    for (size_t lane = 0; lane < 8; ++lane) {
-        three_ups_upu_s_angles0(stride, 8, q + lane, angle + lane);
-    }
-    three_ups_upu_s_sincos_block(64, angle, sine, cosine);
-    for (size_t lane = 0; lane < 8; lane += THREE_UPS_UPU_S_WIDE) {
-        three_ups_upu_s_velocity_wide(stride, q + lane, y_dot + lane, v + lane, sine + lane, cosine + lane,
-            total + lane);
-    }
-}
+THREE_UPS_UPU_S_SIDE_BY_SIDE(three_ups_upu_s_velocity,
+    const double *restrict q = in[0]; const double *restrict y_dot = in[1]; double *restrict v = out[0];
+    THREE_UPS_UPU_S_SINES(64, three_ups_upu_s_angles0, (stride, 8, q + lane, angle + lane)),
+    (stride, q + lane, y_dot + lane, v + lane, sine + lane, cosine + lane, total + lane))
 
-static void three_ups_upu_s_null_space_block(size_t stride, const double *const *in, double *const *out, double *total)
-{
-    const double *restrict q = in[0];
-    double *restrict null_space = out[0];
-    double angle[64], sine[64], cosine[64];
-    for (size_t lane = 0; lane < 8; ++lane) {
-        three_ups_upu_s_angles0(stride, 8, q + lane, angle + lane);
-    }
-    three_ups_upu_s_sincos_block(64, angle, sine, cosine);
-    for (size_t lane = 0; lane < 8; lane += THREE_UPS_UPU_S_WIDE) {
-        three_ups_upu_s_null_space_wide(stride, q + lane, null_space + lane, sine + lane, cosine + lane, total
-            + lane);
-    }
-}
+THREE_UPS_UPU_S_SIDE_BY_SIDE(three_ups_upu_s_null_space,
+    const double *restrict q = in[0]; double *restrict null_space = out[0];
+    THREE_UPS_UPU_S_SINES(64, three_ups_upu_s_angles0, (stride, 8, q + lane, angle + lane)),
+    (stride, q + lane, null_space + lane, sine + lane, cosine + lane, total + lane))
 
-static void three_ups_upu_s_acceleration_block(size_t stride, const double *const *in, double *const *out, double *total)
-{
-    const double *restrict q = in[0];
-    const double *restrict v = in[1];
-    const double *restrict y_ddot = in[2];
-    double *restrict a = out[0];
-    double angle[64], sine[64], cosine[64];
-    for (size_t lane = 0; lane < 8; ++lane) {
-        three_ups_upu_s_angles0(stride, 8, q + lane, angle + lane);
-    }
-    three_ups_upu_s_sincos_block(64, angle, sine, cosine);
-    for (size_t lane = 0; lane < 8; lane += THREE_UPS_UPU_S_WIDE) {
-        three_ups_upu_s_acceleration_wide(stride, q + lane, v + lane, y_ddot + lane, a + lane, sine + lane,
-            cosine + lane, total + lane);
-    }
-}
+THREE_UPS_UPU_S_SIDE_BY_SIDE(three_ups_upu_s_acceleration,
+    const double *restrict q = in[0]; const double *restrict v = in[1]; const double *restrict y_ddot = in[2];
+        double *restrict a = out[0];
+    THREE_UPS_UPU_S_SINES(64, three_ups_upu_s_angles0, (stride, 8, q + lane, angle + lane)),
+    (stride, q + lane, v + lane, y_ddot + lane, a + lane, sine + lane, cosine + lane, total + lane))
 
-static void three_ups_upu_s_momentum_screws_block(size_t stride, const double *const *in, double *const *out, double *total)
-{
-    const double *restrict q = in[0];
-    const double *restrict v = in[1];
-    double *restrict momenta = out[0];
-    double *restrict total_ = out[1];
-    double angle[64], sine[64], cosine[64];
-    for (size_t lane = 0; lane < 8; ++lane) {
-        three_ups_upu_s_angles0(stride, 8, q + lane, angle + lane);
-    }
-    three_ups_upu_s_sincos_block(64, angle, sine, cosine);
-    for (size_t lane = 0; lane < 8; lane += THREE_UPS_UPU_S_WIDE) {
-        three_ups_upu_s_momentum_screws_wide(stride, q + lane, v + lane, momenta + lane, total_ + lane, sine +
-            lane, cosine + lane, total + lane);
-    }
-}
+THREE_UPS_UPU_S_SIDE_BY_SIDE(three_ups_upu_s_momentum_screws,
+    const double *restrict q = in[0]; const double *restrict v = in[1]; double *restrict momenta = out[0];
+        double *restrict total_ = out[1];
+    THREE_UPS_UPU_S_SINES(64, three_ups_upu_s_angles0, (stride, 8, q + lane, angle + lane)),
+    (stride, q + lane, v + lane, momenta + lane, total_ + lane, sine + lane, cosine + lane, total + lane))
 
-static void three_ups_upu_s_momentum_rates_block(size_t stride, const double *const *in, double *const *out, double *total)
-{
-    const double *restrict q = in[0];
-    const double *restrict v = in[1];
-    const double *restrict a = in[2];
-    double *restrict momentum_rates = out[0];
-    double angle[64], sine[64], cosine[64];
-    for (size_t lane = 0; lane < 8; ++lane) {
-        three_ups_upu_s_angles0(stride, 8, q + lane, angle + lane);
-    }
-    three_ups_upu_s_sincos_block(64, angle, sine, cosine);
-    for (size_t lane = 0; lane < 8; lane += THREE_UPS_UPU_S_WIDE) {
-        three_ups_upu_s_momentum_rates_wide(stride, q + lane, v + lane, a + lane, momentum_rates + lane, sine
-            + lane, cosine + lane, total + lane);
-    }
-}
+THREE_UPS_UPU_S_SIDE_BY_SIDE(three_ups_upu_s_momentum_rates,
+    const double *restrict q = in[0]; const double *restrict v = in[1]; const double *restrict a = in[2];
+        double *restrict momentum_rates = out[0];
+    THREE_UPS_UPU_S_SINES(64, three_ups_upu_s_angles0, (stride, 8, q + lane, angle + lane)),
+    (stride, q + lane, v + lane, a + lane, momentum_rates + lane, sine + lane, cosine + lane, total + lane))
 
-static void three_ups_upu_s_energy_block(size_t stride, const double *const *in, double *const *out, double *total)
-{
-    const double *restrict q = in[0];
-    const double *restrict v = in[1];
-    double *restrict energy = out[0];
-    double angle[64], sine[64], cosine[64];
-    for (size_t lane = 0; lane < 8; ++lane) {
-        three_ups_upu_s_angles0(stride, 8, q + lane, angle + lane);
-    }
-    three_ups_upu_s_sincos_block(64, angle, sine, cosine);
-    for (size_t lane = 0; lane < 8; lane += THREE_UPS_UPU_S_WIDE) {
-        three_ups_upu_s_energy_wide(stride, q + lane, v + lane, energy + lane, sine + lane, cosine + lane,
-            total + lane);
-    }
-}
+THREE_UPS_UPU_S_SIDE_BY_SIDE(three_ups_upu_s_energy,
+    const double *restrict q = in[0]; const double *restrict v = in[1]; double *restrict energy = out[0];
+    THREE_UPS_UPU_S_SINES(64, three_ups_upu_s_angles0, (stride, 8, q + lane, angle + lane)),
+    (stride, q + lane, v + lane, energy + lane, sine + lane, cosine + lane, total + lane))
 
-static void three_ups_upu_s_mass_matrix_block(size_t stride, const double *const *in, double *const *out, double *total)
-{
-    const double *restrict q = in[0];
-    double *restrict mass_matrix = out[0];
+THREE_UPS_UPU_S_SIDE_BY_SIDE(three_ups_upu_s_mass_matrix,
+    const double *restrict q = in[0]; double *restrict mass_matrix = out[0];
     three_ups_upu_s_zero_block(mass_matrix + 1 * stride, 15, stride);
     three_ups_upu_s_zero_block(mass_matrix + 17 * stride, 15, stride);
     three_ups_upu_s_zero_block(mass_matrix + 33 * stride, 15, stride);
@@ -643,1208 +501,270 @@ static void three_ups_upu_s_mass_matrix_block(size_t stride, const double *const
     three_ups_upu_s_zero_block(mass_matrix + 177 * stride, 15, stride);
     three_ups_upu_s_zero_block(mass_matrix + 193 * stride, 15, stride);
     three_ups_upu_s_zero_block(mass_matrix + 209 * stride, 15, stride);
-    double angle[32], sine[32], cosine[32];
-    for (size_t lane = 0; lane < 8; ++lane) {
-        three_ups_upu_s_angles2(stride, 8, q + lane, angle + lane);
-    }
-    three_ups_upu_s_sincos_block(32, angle, sine, cosine);
-    for (size_t lane = 0; lane < 8; lane += THREE_UPS_UPU_S_WIDE) {
-        three_ups_upu_s_mass_matrix_wide(stride, q + lane, mass_matrix + lane, sine + lane, cosine + lane,
-            total + lane);
-    }
-}
+    THREE_UPS_UPU_S_SINES(32, three_ups_upu_s_angles2, (stride, 8, q + lane, angle + lane)),
+    (stride, q + lane, mass_matrix + lane, sine + lane, cosine + lane, total + lane))
 
-static void three_ups_upu_s_bias_block(size_t stride, const double *const *in, double *const *out, double *total)
-{
-    const double *restrict q = in[0];
-    const double *restrict v = in[1];
-    double *restrict bias = out[0];
-    double angle[64], sine[64], cosine[64];
-    for (size_t lane = 0; lane < 8; ++lane) {
-        three_ups_upu_s_angles0(stride, 8, q + lane, angle + lane);
-    }
-    three_ups_upu_s_sincos_block(64, angle, sine, cosine);
-    for (size_t lane = 0; lane < 8; lane += THREE_UPS_UPU_S_WIDE) {
-        three_ups_upu_s_bias_wide(stride, q + lane, v + lane, bias + lane, sine + lane, cosine + lane, total +
-            lane);
-    }
-}
+THREE_UPS_UPU_S_SIDE_BY_SIDE(three_ups_upu_s_bias,
+    const double *restrict q = in[0]; const double *restrict v = in[1]; double *restrict bias = out[0];
+    THREE_UPS_UPU_S_SINES(64, three_ups_upu_s_angles0, (stride, 8, q + lane, angle + lane)),
+    (stride, q + lane, v + lane, bias + lane, sine + lane, cosine + lane, total + lane))
 
-static void three_ups_upu_s_inverse_dynamics_block(size_t stride, const double *const *in, double *const *out, double *total)
-{
-    const double *restrict q = in[0];
-    const double *restrict v = in[1];
-    const double *restrict a = in[2];
-    double *restrict u = out[0];
-    double angle[64], sine[64], cosine[64];
-    for (size_t lane = 0; lane < 8; ++lane) {
-        three_ups_upu_s_angles0(stride, 8, q + lane, angle + lane);
-    }
-    three_ups_upu_s_sincos_block(64, angle, sine, cosine);
-    for (size_t lane = 0; lane < 8; lane += THREE_UPS_UPU_S_WIDE) {
-        three_ups_upu_s_inverse_dynamics_wide(stride, q + lane, v + lane, a + lane, u + lane, sine + lane,
-            cosine + lane, total + lane);
-    }
-}
+THREE_UPS_UPU_S_SIDE_BY_SIDE(three_ups_upu_s_inverse_dynamics,
+    const double *restrict q = in[0]; const double *restrict v = in[1]; const double *restrict a = in[2];
+        double *restrict u = out[0];
+    THREE_UPS_UPU_S_SINES(64, three_ups_upu_s_angles0, (stride, 8, q + lane, angle + lane)),
+    (stride, q + lane, v + lane, a + lane, u + lane, sine + lane, cosine + lane, total + lane))
 
-static void three_ups_upu_s_inverse_dynamics_independent_block(size_t stride, const double *const *in, double *const *out, double *total)
-{
-    const double *restrict q = in[0];
-    const double *restrict y_dot = in[1];
-    const double *restrict y_ddot = in[2];
-    double *restrict u = out[0];
-    double angle[64], sine[64], cosine[64];
-    for (size_t lane = 0; lane < 8; ++lane) {
-        three_ups_upu_s_angles0(stride, 8, q + lane, angle + lane);
-    }
-    three_ups_upu_s_sincos_block(64, angle, sine, cosine);
-    for (size_t lane = 0; lane < 8; lane += THREE_UPS_UPU_S_WIDE) {
-        three_ups_upu_s_inverse_dynamics_independent_wide(stride, q + lane, y_dot + lane, y_ddot + lane, u +
-            lane, sine + lane, cosine + lane, total + lane);
-    }
-}
+THREE_UPS_UPU_S_SIDE_BY_SIDE(three_ups_upu_s_inverse_dynamics_independent,
+    const double *restrict q = in[0]; const double *restrict y_dot = in[1]; const double *restrict y_ddot =
+        in[2]; double *restrict u = out[0];
+    THREE_UPS_UPU_S_SINES(64, three_ups_upu_s_angles0, (stride, 8, q + lane, angle + lane)),
+    (stride, q + lane, y_dot + lane, y_ddot + lane, u + lane, sine + lane, cosine + lane, total + lane))
 
-static void three_ups_upu_s_inverse_dynamics_preload_block(size_t stride, const double *const *in, double *const *out, double *total)
-{
-    const double *restrict q = in[0];
-    const double *restrict v = in[1];
-    const double *restrict a = in[2];
-    const double *restrict weights = in[3];
-    const double *restrict preload = in[4];
-    double *restrict u = out[0];
-    double angle[64], sine[64], cosine[64];
-    for (size_t lane = 0; lane < 8; ++lane) {
-        three_ups_upu_s_angles0(stride, 8, q + lane, angle + lane);
-    }
-    three_ups_upu_s_sincos_block(64, angle, sine, cosine);
-    for (size_t lane = 0; lane < 8; lane += THREE_UPS_UPU_S_WIDE) {
-        three_ups_upu_s_inverse_dynamics_preload_wide(stride, q + lane, v + lane, a + lane, weights + lane,
-            preload + lane, u + lane, sine + lane, cosine + lane, total + lane);
-    }
-}
+THREE_UPS_UPU_S_SIDE_BY_SIDE(three_ups_upu_s_inverse_dynamics_preload,
+    const double *restrict q = in[0]; const double *restrict v = in[1]; const double *restrict a = in[2];
+        const double *restrict weights = in[3]; const double *restrict preload = in[4]; double *restrict u =
+        out[0];
+    THREE_UPS_UPU_S_SINES(64, three_ups_upu_s_angles0, (stride, 8, q + lane, angle + lane)),
+    (stride, q + lane, v + lane, a + lane, weights + lane, preload + lane, u + lane, sine + lane, cosine +
+        lane, total + lane))
 
-static void three_ups_upu_s_joint_reactions_block(size_t stride, const double *const *in, double *const *out, double *total)
-{
-    const double *restrict q = in[0];
-    const double *restrict v = in[1];
-    const double *restrict a = in[2];
-    double *restrict u = out[0];
-    double *restrict reactions = out[1];
-    double angle[64], sine[64], cosine[64];
-    for (size_t lane = 0; lane < 8; ++lane) {
-        three_ups_upu_s_angles0(stride, 8, q + lane, angle + lane);
-    }
-    three_ups_upu_s_sincos_block(64, angle, sine, cosine);
-    for (size_t lane = 0; lane < 8; lane += THREE_UPS_UPU_S_WIDE) {
-        three_ups_upu_s_joint_reactions_wide(stride, q + lane, v + lane, a + lane, u + lane, reactions + lane,
-            sine + lane, cosine + lane, total + lane);
-    }
-}
+THREE_UPS_UPU_S_SIDE_BY_SIDE(three_ups_upu_s_joint_reactions,
+    const double *restrict q = in[0]; const double *restrict v = in[1]; const double *restrict a = in[2];
+        double *restrict u = out[0]; double *restrict reactions = out[1];
+    THREE_UPS_UPU_S_SINES(64, three_ups_upu_s_angles0, (stride, 8, q + lane, angle + lane)),
+    (stride, q + lane, v + lane, a + lane, u + lane, reactions + lane, sine + lane, cosine + lane, total +
+        lane))
 
-static void three_ups_upu_s_forward_dynamics_block(size_t stride, const double *const *in, double *const *out, double *total)
-{
-    const double *restrict q = in[0];
-    const double *restrict v = in[1];
-    const double *restrict u = in[2];
-    double *restrict a = out[0];
-    double angle[64], sine[64], cosine[64];
-    for (size_t lane = 0; lane < 8; ++lane) {
-        three_ups_upu_s_angles0(stride, 8, q + lane, angle + lane);
-    }
-    three_ups_upu_s_sincos_block(64, angle, sine, cosine);
-    for (size_t lane = 0; lane < 8; lane += THREE_UPS_UPU_S_WIDE) {
-        three_ups_upu_s_forward_dynamics_wide(stride, q + lane, v + lane, u + lane, a + lane, sine + lane,
-            cosine + lane, total + lane);
-    }
-}
+THREE_UPS_UPU_S_SIDE_BY_SIDE(three_ups_upu_s_forward_dynamics,
+    const double *restrict q = in[0]; const double *restrict v = in[1]; const double *restrict u = in[2];
+        double *restrict a = out[0];
+    THREE_UPS_UPU_S_SINES(64, three_ups_upu_s_angles0, (stride, 8, q + lane, angle + lane)),
+    (stride, q + lane, v + lane, u + lane, a + lane, sine + lane, cosine + lane, total + lane))
 
-static void three_ups_upu_s_forward_dynamics_independent_block(size_t stride, const double *const *in, double *const *out, double *total)
-{
-    const double *restrict q = in[0];
-    const double *restrict y_dot = in[1];
-    const double *restrict u = in[2];
-    double *restrict y_ddot = out[0];
-    double angle[64], sine[64], cosine[64];
-    for (size_t lane = 0; lane < 8; ++lane) {
-        three_ups_upu_s_angles0(stride, 8, q + lane, angle + lane);
-    }
-    three_ups_upu_s_sincos_block(64, angle, sine, cosine);
-    for (size_t lane = 0; lane < 8; lane += THREE_UPS_UPU_S_WIDE) {
-        three_ups_upu_s_forward_dynamics_independent_wide(stride, q + lane, y_dot + lane, u + lane, y_ddot +
-            lane, sine + lane, cosine + lane, total + lane);
-    }
-}
+THREE_UPS_UPU_S_SIDE_BY_SIDE(three_ups_upu_s_forward_dynamics_independent,
+    const double *restrict q = in[0]; const double *restrict y_dot = in[1]; const double *restrict u = in[2];
+        double *restrict y_ddot = out[0];
+    THREE_UPS_UPU_S_SINES(64, three_ups_upu_s_angles0, (stride, 8, q + lane, angle + lane)),
+    (stride, q + lane, y_dot + lane, u + lane, y_ddot + lane, sine + lane, cosine + lane, total + lane))
 
-static void three_ups_upu_s_forward_dynamics_reactions_block(size_t stride, const double *const *in, double *const *out, double *total)
-{
-    const double *restrict q = in[0];
-    const double *restrict v = in[1];
-    const double *restrict u = in[2];
-    double *restrict a = out[0];
-    double *restrict reactions = out[1];
-    double angle[64], sine[64], cosine[64];
-    for (size_t lane = 0; lane < 8; ++lane) {
-        three_ups_upu_s_angles0(stride, 8, q + lane, angle + lane);
-    }
-    three_ups_upu_s_sincos_block(64, angle, sine, cosine);
-    for (size_t lane = 0; lane < 8; lane += THREE_UPS_UPU_S_WIDE) {
-        three_ups_upu_s_forward_dynamics_reactions_wide(stride, q + lane, v + lane, u + lane, a + lane,
-            reactions + lane, sine + lane, cosine + lane, total + lane);
-    }
-}
+THREE_UPS_UPU_S_SIDE_BY_SIDE(three_ups_upu_s_forward_dynamics_reactions,
+    const double *restrict q = in[0]; const double *restrict v = in[1]; const double *restrict u = in[2];
+        double *restrict a = out[0]; double *restrict reactions = out[1];
+    THREE_UPS_UPU_S_SINES(64, three_ups_upu_s_angles0, (stride, 8, q + lane, angle + lane)),
+    (stride, q + lane, v + lane, u + lane, a + lane, reactions + lane, sine + lane, cosine + lane, total +
+        lane))
 
-static void three_ups_upu_s_close_position_block(size_t stride, const double *const *in, double *const *out, double *total)
-{
-    const double *restrict q = in[0];
-    double *restrict q_next = out[0];
-    double *restrict residual_ = out[1];
-    double angle[64], sine[64], cosine[64];
-    for (size_t lane = 0; lane < 8; ++lane) {
-        three_ups_upu_s_angles0(stride, 8, q + lane, angle + lane);
-    }
-    three_ups_upu_s_sincos_block(64, angle, sine, cosine);
-    for (size_t lane = 0; lane < 8; lane += THREE_UPS_UPU_S_WIDE) {
-        three_ups_upu_s_close_position_wide(stride, q + lane, q_next + lane, residual_ + lane, sine + lane,
-            cosine + lane, total + lane);
-    }
-}
+THREE_UPS_UPU_S_SIDE_BY_SIDE(three_ups_upu_s_close_position,
+    const double *restrict q = in[0]; double *restrict q_next = out[0]; double *restrict residual_ = out[1];
+    THREE_UPS_UPU_S_SINES(64, three_ups_upu_s_angles0, (stride, 8, q + lane, angle + lane)),
+    (stride, q + lane, q_next + lane, residual_ + lane, sine + lane, cosine + lane, total + lane))
 
-static void three_ups_upu_s_close_velocity_block(size_t stride, const double *const *in, double *const *out, double *total)
-{
-    const double *restrict q = in[0];
-    const double *restrict v = in[1];
-    double *restrict v_next = out[0];
-    double angle[64], sine[64], cosine[64];
-    for (size_t lane = 0; lane < 8; ++lane) {
-        three_ups_upu_s_angles0(stride, 8, q + lane, angle + lane);
-    }
-    three_ups_upu_s_sincos_block(64, angle, sine, cosine);
-    for (size_t lane = 0; lane < 8; lane += THREE_UPS_UPU_S_WIDE) {
-        three_ups_upu_s_close_velocity_wide(stride, q + lane, v + lane, v_next + lane, sine + lane, cosine +
-            lane, total + lane);
-    }
-}
+THREE_UPS_UPU_S_SIDE_BY_SIDE(three_ups_upu_s_close_velocity,
+    const double *restrict q = in[0]; const double *restrict v = in[1]; double *restrict v_next = out[0];
+    THREE_UPS_UPU_S_SINES(64, three_ups_upu_s_angles0, (stride, 8, q + lane, angle + lane)),
+    (stride, q + lane, v + lane, v_next + lane, sine + lane, cosine + lane, total + lane))
 
-static void three_ups_upu_s_drive_positions_block(size_t stride, const double *const *in, double *const *out, double *total)
-{
-    const double *restrict pose = in[0];
-    double *restrict positions = out[0];
-    for (size_t lane = 0; lane < 8; lane += THREE_UPS_UPU_S_WIDE) {
-        three_ups_upu_s_drive_positions_wide(stride, pose + lane, positions + lane, total + lane);
-    }
-}
+THREE_UPS_UPU_S_SIDE_BY_SIDE(three_ups_upu_s_drive_positions,
+    const double *restrict pose = in[0]; double *restrict positions = out[0];,
+    (stride, pose + lane, positions + lane, total + lane))
 
-static void three_ups_upu_s_inverse_velocity_block(size_t stride, const double *const *in, double *const *out, double *total)
-{
-    const double *restrict pose = in[0];
-    const double *restrict rate = in[1];
-    double *restrict v = out[0];
-    for (size_t lane = 0; lane < 8; lane += THREE_UPS_UPU_S_WIDE) {
-        three_ups_upu_s_inverse_velocity_wide(stride, pose + lane, rate + lane, v + lane, total + lane);
-    }
-}
+THREE_UPS_UPU_S_SIDE_BY_SIDE(three_ups_upu_s_inverse_velocity,
+    const double *restrict pose = in[0]; const double *restrict rate = in[1]; double *restrict v = out[0];,
+    (stride, pose + lane, rate + lane, v + lane, total + lane))
 
-static void three_ups_upu_s_inverse_dynamics_platform_block(size_t stride, const double *const *in, double *const *out, double *total)
-{
-    const double *restrict pose = in[0];
-    const double *restrict rate = in[1];
-    const double *restrict acceleration = in[2];
-    double *restrict u = out[0];
-    for (size_t lane = 0; lane < 8; lane += THREE_UPS_UPU_S_WIDE) {
-        three_ups_upu_s_inverse_dynamics_platform_wide(stride, pose + lane, rate + lane, acceleration + lane,
-            u + lane, total + lane);
-    }
-}
+THREE_UPS_UPU_S_SIDE_BY_SIDE(three_ups_upu_s_inverse_dynamics_platform,
+    const double *restrict pose = in[0]; const double *restrict rate = in[1]; const double *restrict
+        acceleration = in[2]; double *restrict u = out[0];,
+    (stride, pose + lane, rate + lane, acceleration + lane, u + lane, total + lane))
 
-static void three_ups_upu_s_limb_margins_block(size_t stride, const double *const *in, double *const *out, double *total)
-{
-    const double *restrict q = in[0];
-    double *restrict margins = out[0];
-    double angle[40], sine[40], cosine[40];
-    for (size_t lane = 0; lane < 8; ++lane) {
-        three_ups_upu_s_angles6(stride, 8, q + lane, angle + lane);
-    }
-    three_ups_upu_s_sincos_block(40, angle, sine, cosine);
-    for (size_t lane = 0; lane < 8; lane += THREE_UPS_UPU_S_WIDE) {
-        three_ups_upu_s_limb_margins_wide(stride, q + lane, margins + lane, sine + lane, cosine + lane, total
-            + lane);
-    }
-}
+THREE_UPS_UPU_S_SIDE_BY_SIDE(three_ups_upu_s_limb_margins,
+    const double *restrict q = in[0]; double *restrict margins = out[0];
+    THREE_UPS_UPU_S_SINES(40, three_ups_upu_s_angles6, (stride, 8, q + lane, angle + lane)),
+    (stride, q + lane, margins + lane, sine + lane, cosine + lane, total + lane))
 
-static void three_ups_upu_s_constraint_margin_block(size_t stride, const double *const *in, double *const *out, double *total)
-{
-    const double *restrict q = in[0];
-    double *restrict margins = out[0];
-    double angle[16], sine[16], cosine[16];
-    for (size_t lane = 0; lane < 8; ++lane) {
-        three_ups_upu_s_angles8(stride, 8, q + lane, angle + lane);
-    }
-    three_ups_upu_s_sincos_block(16, angle, sine, cosine);
-    for (size_t lane = 0; lane < 8; lane += THREE_UPS_UPU_S_WIDE) {
-        three_ups_upu_s_constraint_margin_wide(stride, q + lane, margins + lane, sine + lane, cosine + lane,
-            total + lane);
-    }
-}
+THREE_UPS_UPU_S_SIDE_BY_SIDE(three_ups_upu_s_constraint_margin,
+    const double *restrict q = in[0]; double *restrict margins = out[0];
+    THREE_UPS_UPU_S_SINES(16, three_ups_upu_s_angles8, (stride, 8, q + lane, angle + lane)),
+    (stride, q + lane, margins + lane, sine + lane, cosine + lane, total + lane))
 
-static void three_ups_upu_s_actuation_margins_block(size_t stride, const double *const *in, double *const *out, double *total)
-{
-    const double *restrict q = in[0];
-    double *restrict margins = out[0];
-    double angle[64], sine[64], cosine[64];
-    for (size_t lane = 0; lane < 8; ++lane) {
-        three_ups_upu_s_angles0(stride, 8, q + lane, angle + lane);
-    }
-    three_ups_upu_s_sincos_block(64, angle, sine, cosine);
-    for (size_t lane = 0; lane < 8; lane += THREE_UPS_UPU_S_WIDE) {
-        three_ups_upu_s_actuation_margins_wide(stride, q + lane, margins + lane, sine + lane, cosine + lane,
-            total + lane);
-    }
-}
+THREE_UPS_UPU_S_SIDE_BY_SIDE(three_ups_upu_s_actuation_margins,
+    const double *restrict q = in[0]; double *restrict margins = out[0];
+    THREE_UPS_UPU_S_SINES(64, three_ups_upu_s_angles0, (stride, 8, q + lane, angle + lane)),
+    (stride, q + lane, margins + lane, sine + lane, cosine + lane, total + lane))
 #endif
 
-static int three_ups_upu_s_body_poses_called(const double *const *in, double *const *out)
-{
-    return three_ups_upu_s_body_poses(in[0], out[0]);
-}
-static const three_ups_upu_s_batched three_ups_upu_s_body_poses_batched = {
-    1, 1, {16, 108}, three_ups_upu_s_body_poses_called, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_body_poses_block)
-};
-
-int three_ups_upu_s_body_poses_batch(size_t count, const double *restrict q, double *restrict poses,
-    int *restrict status)
-{
-    const double *const in[] = {q};
-    double *const out[] = {poses};
-    return three_ups_upu_s_states(&three_ups_upu_s_body_poses_batched, count, 0, in, out, status);
-}
-
-int three_ups_upu_s_body_poses_batch_soa(size_t count, size_t stride, const double *restrict q,
-    double *restrict poses, int *restrict status)
-{
-    const double *const in[] = {q};
-    double *const out[] = {poses};
-    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_body_poses_batched, count, stride, in, out, status);
-}
-
-static int three_ups_upu_s_body_twists_called(const double *const *in, double *const *out)
-{
-    return three_ups_upu_s_body_twists(in[0], in[1], out[0]);
-}
-static const three_ups_upu_s_batched three_ups_upu_s_body_twists_batched = {
-    2, 1, {16, 15, 54}, three_ups_upu_s_body_twists_called, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_body_twists_block)
-};
-
-int three_ups_upu_s_body_twists_batch(size_t count, const double *restrict q, const double *restrict v,
-    double *restrict twists, int *restrict status)
-{
-    const double *const in[] = {q, v};
-    double *const out[] = {twists};
-    return three_ups_upu_s_states(&three_ups_upu_s_body_twists_batched, count, 0, in, out, status);
-}
-
-int three_ups_upu_s_body_twists_batch_soa(size_t count, size_t stride, const double *restrict q,
-    const double *restrict v, double *restrict twists, int *restrict status)
-{
-    const double *const in[] = {q, v};
-    double *const out[] = {twists};
-    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_body_twists_batched, count, stride, in, out, status);
-}
-
-static int three_ups_upu_s_body_twist_rates_called(const double *const *in, double *const *out)
-{
-    return three_ups_upu_s_body_twist_rates(in[0], in[1], in[2], out[0]);
-}
-static const three_ups_upu_s_batched three_ups_upu_s_body_twist_rates_batched = {
-    3, 1, {16, 15, 15, 54}, three_ups_upu_s_body_twist_rates_called, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_body_twist_rates_block)
-};
-
-int three_ups_upu_s_body_twist_rates_batch(size_t count, const double *restrict q, const double *restrict v,
-    const double *restrict a, double *restrict twist_rates, int *restrict status)
-{
-    const double *const in[] = {q, v, a};
-    double *const out[] = {twist_rates};
-    return three_ups_upu_s_states(&three_ups_upu_s_body_twist_rates_batched, count, 0, in, out, status);
-}
-
-int three_ups_upu_s_body_twist_rates_batch_soa(size_t count, size_t stride, const double *restrict q,
-    const double *restrict v, const double *restrict a, double *restrict twist_rates, int *restrict status)
-{
-    const double *const in[] = {q, v, a};
-    double *const out[] = {twist_rates};
-    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_body_twist_rates_batched, count, stride, in, out, status);
-}
-
-static int three_ups_upu_s_forward_kinematics_called(const double *const *in, double *const *out)
-{
-    return three_ups_upu_s_forward_kinematics(in[0], out[0]);
-}
-static const three_ups_upu_s_batched three_ups_upu_s_forward_kinematics_batched = {
-    1, 1, {16, 30}, three_ups_upu_s_forward_kinematics_called, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_forward_kinematics_block)
-};
-
-int three_ups_upu_s_forward_kinematics_batch(size_t count, const double *restrict q,
-    double *restrict positions, int *restrict status)
-{
-    const double *const in[] = {q};
-    double *const out[] = {positions};
-    return three_ups_upu_s_states(&three_ups_upu_s_forward_kinematics_batched, count, 0, in, out, status);
-}
-
-int three_ups_upu_s_forward_kinematics_batch_soa(size_t count, size_t stride, const double *restrict q,
-    double *restrict positions, int *restrict status)
-{
-    const double *const in[] = {q};
-    double *const out[] = {positions};
-    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_forward_kinematics_batched, count, stride, in, out, status);
-}
-
-static int three_ups_upu_s_point_motion_called(const double *const *in, double *const *out)
-{
-    return three_ups_upu_s_point_motion(in[0], in[1], in[2], out[0], out[1], out[2]);
-}
-static const three_ups_upu_s_batched three_ups_upu_s_point_motion_batched = {
-    3, 3, {16, 15, 15, 30, 30, 30}, three_ups_upu_s_point_motion_called, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_point_motion_block)
-};
-
-int three_ups_upu_s_point_motion_batch(size_t count, const double *restrict q, const double *restrict v,
-    const double *restrict a, double *restrict positions, double *restrict velocities,
-    double *restrict accelerations, int *restrict status)
-{
-    const double *const in[] = {q, v, a};
-    double *const out[] = {positions, velocities, accelerations};
-    return three_ups_upu_s_states(&three_ups_upu_s_point_motion_batched, count, 0, in, out, status);
-}
-
-int three_ups_upu_s_point_motion_batch_soa(size_t count, size_t stride, const double *restrict q,
-    const double *restrict v, const double *restrict a, double *restrict positions,
-    double *restrict velocities, double *restrict accelerations, int *restrict status)
-{
-    const double *const in[] = {q, v, a};
-    double *const out[] = {positions, velocities, accelerations};
-    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_point_motion_batched, count, stride, in, out, status);
-}
-
-static int three_ups_upu_s_joint_screws_called(const double *const *in, double *const *out)
-{
-    return three_ups_upu_s_joint_screws(in[0], out[0]);
-}
-static const three_ups_upu_s_batched three_ups_upu_s_joint_screws_batched = {
-    1, 1, {16, 156}, three_ups_upu_s_joint_screws_called, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_joint_screws_block)
-};
-
-int three_ups_upu_s_joint_screws_batch(size_t count, const double *restrict q, double *restrict screws,
-    int *restrict status)
-{
-    const double *const in[] = {q};
-    double *const out[] = {screws};
-    return three_ups_upu_s_states(&three_ups_upu_s_joint_screws_batched, count, 0, in, out, status);
-}
-
-int three_ups_upu_s_joint_screws_batch_soa(size_t count, size_t stride, const double *restrict q,
-    double *restrict screws, int *restrict status)
-{
-    const double *const in[] = {q};
-    double *const out[] = {screws};
-    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_joint_screws_batched, count, stride, in, out, status);
-}
-
-static int three_ups_upu_s_joint_points_called(const double *const *in, double *const *out)
-{
-    return three_ups_upu_s_joint_points(in[0], out[0]);
-}
-static const three_ups_upu_s_batched three_ups_upu_s_joint_points_batched = {
-    1, 1, {16, 39}, three_ups_upu_s_joint_points_called, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_joint_points_block)
-};
-
-int three_ups_upu_s_joint_points_batch(size_t count, const double *restrict q, double *restrict points,
-    int *restrict status)
-{
-    const double *const in[] = {q};
-    double *const out[] = {points};
-    return three_ups_upu_s_states(&three_ups_upu_s_joint_points_batched, count, 0, in, out, status);
-}
-
-int three_ups_upu_s_joint_points_batch_soa(size_t count, size_t stride, const double *restrict q,
-    double *restrict points, int *restrict status)
-{
-    const double *const in[] = {q};
-    double *const out[] = {points};
-    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_joint_points_batched, count, stride, in, out, status);
-}
-
-static int three_ups_upu_s_platform_jacobian_called(const double *const *in, double *const *out)
-{
-    return three_ups_upu_s_platform_jacobian(in[0], out[0]);
-}
-static const three_ups_upu_s_batched three_ups_upu_s_platform_jacobian_batched = {
-    1, 1, {16, 90}, three_ups_upu_s_platform_jacobian_called, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_platform_jacobian_block)
-};
-
-int three_ups_upu_s_platform_jacobian_batch(size_t count, const double *restrict q, double *restrict jacobian,
-    int *restrict status)
-{
-    const double *const in[] = {q};
-    double *const out[] = {jacobian};
-    return three_ups_upu_s_states(&three_ups_upu_s_platform_jacobian_batched, count, 0, in, out, status);
-}
-
-int three_ups_upu_s_platform_jacobian_batch_soa(size_t count, size_t stride, const double *restrict q,
-    double *restrict jacobian, int *restrict status)
-{
-    const double *const in[] = {q};
-    double *const out[] = {jacobian};
-    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_platform_jacobian_batched, count, stride, in, out, status);
-}
-
-static int three_ups_upu_s_joint_displacements_called(const double *const *in, double *const *out)
-{
-    return three_ups_upu_s_joint_displacements(in[0], out[0]);
-}
-static const three_ups_upu_s_batched three_ups_upu_s_joint_displacements_batched = {
-    1, 1, {16, 26}, three_ups_upu_s_joint_displacements_called, NULL
-};
-
-int three_ups_upu_s_joint_displacements_batch(size_t count, const double *restrict q,
-    double *restrict displacements, int *restrict status)
-{
-    const double *const in[] = {q};
-    double *const out[] = {displacements};
-    return three_ups_upu_s_states(&three_ups_upu_s_joint_displacements_batched, count, 0, in, out, status);
-}
-
-int three_ups_upu_s_joint_displacements_batch_soa(size_t count, size_t stride, const double *restrict q,
-    double *restrict displacements, int *restrict status)
-{
-    const double *const in[] = {q};
-    double *const out[] = {displacements};
-    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_joint_displacements_batched, count, stride, in, out, status);
-}
-
-static int three_ups_upu_s_joint_rates_called(const double *const *in, double *const *out)
-{
-    return three_ups_upu_s_joint_rates(in[0], in[1], out[0]);
-}
-static const three_ups_upu_s_batched three_ups_upu_s_joint_rates_batched = {
-    2, 1, {16, 15, 26}, three_ups_upu_s_joint_rates_called, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_joint_rates_block)
-};
-
-int three_ups_upu_s_joint_rates_batch(size_t count, const double *restrict q, const double *restrict v,
-    double *restrict rates, int *restrict status)
-{
-    const double *const in[] = {q, v};
-    double *const out[] = {rates};
-    return three_ups_upu_s_states(&three_ups_upu_s_joint_rates_batched, count, 0, in, out, status);
-}
-
-int three_ups_upu_s_joint_rates_batch_soa(size_t count, size_t stride, const double *restrict q,
-    const double *restrict v, double *restrict rates, int *restrict status)
-{
-    const double *const in[] = {q, v};
-    double *const out[] = {rates};
-    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_joint_rates_batched, count, stride, in, out, status);
-}
-
-static int three_ups_upu_s_drive_rates_called(const double *const *in, double *const *out)
-{
-    return three_ups_upu_s_drive_rates(in[0], in[1], out[0]);
-}
-static const three_ups_upu_s_batched three_ups_upu_s_drive_rates_batched = {
-    2, 1, {16, 15, 4}, three_ups_upu_s_drive_rates_called, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_drive_rates_block)
-};
-
-int three_ups_upu_s_drive_rates_batch(size_t count, const double *restrict q, const double *restrict v,
-    double *restrict rates, int *restrict status)
-{
-    const double *const in[] = {q, v};
-    double *const out[] = {rates};
-    return three_ups_upu_s_states(&three_ups_upu_s_drive_rates_batched, count, 0, in, out, status);
-}
-
-int three_ups_upu_s_drive_rates_batch_soa(size_t count, size_t stride, const double *restrict q,
-    const double *restrict v, double *restrict rates, int *restrict status)
-{
-    const double *const in[] = {q, v};
-    double *const out[] = {rates};
-    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_drive_rates_batched, count, stride, in, out, status);
-}
-
-static int three_ups_upu_s_closure_called(const double *const *in, double *const *out)
-{
-    return three_ups_upu_s_closure(in[0], out[0]);
-}
-static const three_ups_upu_s_batched three_ups_upu_s_closure_batched = {
-    1, 1, {16, 13}, three_ups_upu_s_closure_called, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_closure_block)
-};
-
-int three_ups_upu_s_closure_batch(size_t count, const double *restrict q, double *restrict residual_,
-    int *restrict status)
-{
-    const double *const in[] = {q};
-    double *const out[] = {residual_};
-    return three_ups_upu_s_states(&three_ups_upu_s_closure_batched, count, 0, in, out, status);
-}
-
-int three_ups_upu_s_closure_batch_soa(size_t count, size_t stride, const double *restrict q,
-    double *restrict residual_, int *restrict status)
-{
-    const double *const in[] = {q};
-    double *const out[] = {residual_};
-    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_closure_batched, count, stride, in, out, status);
-}
-
-static int three_ups_upu_s_closure_jacobian_called(const double *const *in, double *const *out)
-{
-    return three_ups_upu_s_closure_jacobian(in[0], out[0]);
-}
-static const three_ups_upu_s_batched three_ups_upu_s_closure_jacobian_batched = {
-    1, 1, {16, 195}, three_ups_upu_s_closure_jacobian_called, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_closure_jacobian_block)
-};
-
-int three_ups_upu_s_closure_jacobian_batch(size_t count, const double *restrict q, double *restrict jacobian,
-    int *restrict status)
-{
-    const double *const in[] = {q};
-    double *const out[] = {jacobian};
-    return three_ups_upu_s_states(&three_ups_upu_s_closure_jacobian_batched, count, 0, in, out, status);
-}
-
-int three_ups_upu_s_closure_jacobian_batch_soa(size_t count, size_t stride, const double *restrict q,
-    double *restrict jacobian, int *restrict status)
-{
-    const double *const in[] = {q};
-    double *const out[] = {jacobian};
-    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_closure_jacobian_batched, count, stride, in, out, status);
-}
-
-static int three_ups_upu_s_closure_bias_called(const double *const *in, double *const *out)
-{
-    return three_ups_upu_s_closure_bias(in[0], in[1], out[0]);
-}
-static const three_ups_upu_s_batched three_ups_upu_s_closure_bias_batched = {
-    2, 1, {16, 15, 13}, three_ups_upu_s_closure_bias_called, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_closure_bias_block)
-};
-
-int three_ups_upu_s_closure_bias_batch(size_t count, const double *restrict q, const double *restrict v,
-    double *restrict bias, int *restrict status)
-{
-    const double *const in[] = {q, v};
-    double *const out[] = {bias};
-    return three_ups_upu_s_states(&three_ups_upu_s_closure_bias_batched, count, 0, in, out, status);
-}
-
-int three_ups_upu_s_closure_bias_batch_soa(size_t count, size_t stride, const double *restrict q,
-    const double *restrict v, double *restrict bias, int *restrict status)
-{
-    const double *const in[] = {q, v};
-    double *const out[] = {bias};
-    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_closure_bias_batched, count, stride, in, out, status);
-}
-
-static int three_ups_upu_s_velocity_called(const double *const *in, double *const *out)
-{
-    return three_ups_upu_s_velocity(in[0], in[1], out[0]);
-}
-static const three_ups_upu_s_batched three_ups_upu_s_velocity_batched = {
-    2, 1, {16, 2, 15}, three_ups_upu_s_velocity_called, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_velocity_block)
-};
-
-int three_ups_upu_s_velocity_batch(size_t count, const double *restrict q, const double *restrict y_dot,
-    double *restrict v, int *restrict status)
-{
-    const double *const in[] = {q, y_dot};
-    double *const out[] = {v};
-    return three_ups_upu_s_states(&three_ups_upu_s_velocity_batched, count, 0, in, out, status);
-}
-
-int three_ups_upu_s_velocity_batch_soa(size_t count, size_t stride, const double *restrict q,
-    const double *restrict y_dot, double *restrict v, int *restrict status)
-{
-    const double *const in[] = {q, y_dot};
-    double *const out[] = {v};
-    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_velocity_batched, count, stride, in, out, status);
-}
-
-static int three_ups_upu_s_null_space_called(const double *const *in, double *const *out)
-{
-    return three_ups_upu_s_null_space(in[0], out[0]);
-}
-static const three_ups_upu_s_batched three_ups_upu_s_null_space_batched = {
-    1, 1, {16, 30}, three_ups_upu_s_null_space_called, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_null_space_block)
-};
-
-int three_ups_upu_s_null_space_batch(size_t count, const double *restrict q, double *restrict null_space,
-    int *restrict status)
-{
-    const double *const in[] = {q};
-    double *const out[] = {null_space};
-    return three_ups_upu_s_states(&three_ups_upu_s_null_space_batched, count, 0, in, out, status);
-}
-
-int three_ups_upu_s_null_space_batch_soa(size_t count, size_t stride, const double *restrict q,
-    double *restrict null_space, int *restrict status)
-{
-    const double *const in[] = {q};
-    double *const out[] = {null_space};
-    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_null_space_batched, count, stride, in, out, status);
-}
-
-static int three_ups_upu_s_acceleration_called(const double *const *in, double *const *out)
-{
-    return three_ups_upu_s_acceleration(in[0], in[1], in[2], out[0]);
-}
-static const three_ups_upu_s_batched three_ups_upu_s_acceleration_batched = {
-    3, 1, {16, 15, 2, 15}, three_ups_upu_s_acceleration_called, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_acceleration_block)
-};
-
-int three_ups_upu_s_acceleration_batch(size_t count, const double *restrict q, const double *restrict v,
-    const double *restrict y_ddot, double *restrict a, int *restrict status)
-{
-    const double *const in[] = {q, v, y_ddot};
-    double *const out[] = {a};
-    return three_ups_upu_s_states(&three_ups_upu_s_acceleration_batched, count, 0, in, out, status);
-}
-
-int three_ups_upu_s_acceleration_batch_soa(size_t count, size_t stride, const double *restrict q,
-    const double *restrict v, const double *restrict y_ddot, double *restrict a, int *restrict status)
-{
-    const double *const in[] = {q, v, y_ddot};
-    double *const out[] = {a};
-    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_acceleration_batched, count, stride, in, out, status);
-}
-
-static int three_ups_upu_s_momentum_screws_called(const double *const *in, double *const *out)
-{
-    return three_ups_upu_s_momentum_screws(in[0], in[1], out[0], out[1]);
-}
-static const three_ups_upu_s_batched three_ups_upu_s_momentum_screws_batched = {
-    2, 2, {16, 15, 54, 6}, three_ups_upu_s_momentum_screws_called, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_momentum_screws_block)
-};
-
-int three_ups_upu_s_momentum_screws_batch(size_t count, const double *restrict q, const double *restrict v,
-    double *restrict momenta, double *restrict total_, int *restrict status)
-{
-    const double *const in[] = {q, v};
-    double *const out[] = {momenta, total_};
-    return three_ups_upu_s_states(&three_ups_upu_s_momentum_screws_batched, count, 0, in, out, status);
-}
-
-int three_ups_upu_s_momentum_screws_batch_soa(size_t count, size_t stride, const double *restrict q,
-    const double *restrict v, double *restrict momenta, double *restrict total_, int *restrict status)
-{
-    const double *const in[] = {q, v};
-    double *const out[] = {momenta, total_};
-    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_momentum_screws_batched, count, stride, in, out, status);
-}
-
-static int three_ups_upu_s_momentum_rates_called(const double *const *in, double *const *out)
-{
-    return three_ups_upu_s_momentum_rates(in[0], in[1], in[2], out[0]);
-}
-static const three_ups_upu_s_batched three_ups_upu_s_momentum_rates_batched = {
-    3, 1, {16, 15, 15, 54}, three_ups_upu_s_momentum_rates_called, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_momentum_rates_block)
-};
-
-int three_ups_upu_s_momentum_rates_batch(size_t count, const double *restrict q, const double *restrict v,
-    const double *restrict a, double *restrict momentum_rates, int *restrict status)
-{
-    const double *const in[] = {q, v, a};
-    double *const out[] = {momentum_rates};
-    return three_ups_upu_s_states(&three_ups_upu_s_momentum_rates_batched, count, 0, in, out, status);
-}
-
-int three_ups_upu_s_momentum_rates_batch_soa(size_t count, size_t stride, const double *restrict q,
-    const double *restrict v, const double *restrict a, double *restrict momentum_rates, int *restrict status)
-{
-    const double *const in[] = {q, v, a};
-    double *const out[] = {momentum_rates};
-    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_momentum_rates_batched, count, stride, in, out, status);
-}
-
-static int three_ups_upu_s_energy_called(const double *const *in, double *const *out)
-{
-    return three_ups_upu_s_energy(in[0], in[1], out[0]);
-}
-static const three_ups_upu_s_batched three_ups_upu_s_energy_batched = {
-    2, 1, {16, 15, 2}, three_ups_upu_s_energy_called, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_energy_block)
-};
-
-int three_ups_upu_s_energy_batch(size_t count, const double *restrict q, const double *restrict v,
-    double *restrict energy, int *restrict status)
-{
-    const double *const in[] = {q, v};
-    double *const out[] = {energy};
-    return three_ups_upu_s_states(&three_ups_upu_s_energy_batched, count, 0, in, out, status);
-}
-
-int three_ups_upu_s_energy_batch_soa(size_t count, size_t stride, const double *restrict q,
-    const double *restrict v, double *restrict energy, int *restrict status)
-{
-    const double *const in[] = {q, v};
-    double *const out[] = {energy};
-    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_energy_batched, count, stride, in, out, status);
-}
-
-static int three_ups_upu_s_mass_matrix_called(const double *const *in, double *const *out)
-{
-    return three_ups_upu_s_mass_matrix(in[0], out[0]);
-}
-static const three_ups_upu_s_batched three_ups_upu_s_mass_matrix_batched = {
-    1, 1, {16, 225}, three_ups_upu_s_mass_matrix_called, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_mass_matrix_block)
-};
-
-int three_ups_upu_s_mass_matrix_batch(size_t count, const double *restrict q, double *restrict mass_matrix,
-    int *restrict status)
-{
-    const double *const in[] = {q};
-    double *const out[] = {mass_matrix};
-    return three_ups_upu_s_states(&three_ups_upu_s_mass_matrix_batched, count, 0, in, out, status);
-}
-
-int three_ups_upu_s_mass_matrix_batch_soa(size_t count, size_t stride, const double *restrict q,
-    double *restrict mass_matrix, int *restrict status)
-{
-    const double *const in[] = {q};
-    double *const out[] = {mass_matrix};
-    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_mass_matrix_batched, count, stride, in, out, status);
-}
-
-static int three_ups_upu_s_bias_called(const double *const *in, double *const *out)
-{
-    return three_ups_upu_s_bias(in[0], in[1], out[0]);
-}
-static const three_ups_upu_s_batched three_ups_upu_s_bias_batched = {
-    2, 1, {16, 15, 15}, three_ups_upu_s_bias_called, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_bias_block)
-};
-
-int three_ups_upu_s_bias_batch(size_t count, const double *restrict q, const double *restrict v,
-    double *restrict bias, int *restrict status)
-{
-    const double *const in[] = {q, v};
-    double *const out[] = {bias};
-    return three_ups_upu_s_states(&three_ups_upu_s_bias_batched, count, 0, in, out, status);
-}
-
-int three_ups_upu_s_bias_batch_soa(size_t count, size_t stride, const double *restrict q,
-    const double *restrict v, double *restrict bias, int *restrict status)
-{
-    const double *const in[] = {q, v};
-    double *const out[] = {bias};
-    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_bias_batched, count, stride, in, out, status);
-}
-
-static int three_ups_upu_s_inverse_dynamics_called(const double *const *in, double *const *out)
-{
-    return three_ups_upu_s_inverse_dynamics(in[0], in[1], in[2], out[0]);
-}
-static const three_ups_upu_s_batched three_ups_upu_s_inverse_dynamics_batched = {
-    3, 1, {16, 15, 15, 4}, three_ups_upu_s_inverse_dynamics_called, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_inverse_dynamics_block)
-};
-
-int three_ups_upu_s_inverse_dynamics_batch(size_t count, const double *restrict q, const double *restrict v,
-    const double *restrict a, double *restrict u, int *restrict status)
-{
-    const double *const in[] = {q, v, a};
-    double *const out[] = {u};
-    return three_ups_upu_s_states(&three_ups_upu_s_inverse_dynamics_batched, count, 0, in, out, status);
-}
-
-int three_ups_upu_s_inverse_dynamics_batch_soa(size_t count, size_t stride, const double *restrict q,
-    const double *restrict v, const double *restrict a, double *restrict u, int *restrict status)
-{
-    const double *const in[] = {q, v, a};
-    double *const out[] = {u};
-    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_inverse_dynamics_batched, count, stride, in, out, status);
-}
-
-static int three_ups_upu_s_inverse_dynamics_independent_called(const double *const *in, double *const *out)
-{
-    return three_ups_upu_s_inverse_dynamics_independent(in[0], in[1], in[2], out[0]);
-}
-static const three_ups_upu_s_batched three_ups_upu_s_inverse_dynamics_independent_batched = {
-    3, 1, {16, 2, 2, 4}, three_ups_upu_s_inverse_dynamics_independent_called, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_inverse_dynamics_independent_block)
-};
-
-int three_ups_upu_s_inverse_dynamics_independent_batch(size_t count, const double *restrict q,
-    const double *restrict y_dot, const double *restrict y_ddot, double *restrict u, int *restrict status)
-{
-    const double *const in[] = {q, y_dot, y_ddot};
-    double *const out[] = {u};
-    return three_ups_upu_s_states(&three_ups_upu_s_inverse_dynamics_independent_batched, count, 0, in, out, status);
-}
-
-int three_ups_upu_s_inverse_dynamics_independent_batch_soa(size_t count, size_t stride,
-    const double *restrict q, const double *restrict y_dot, const double *restrict y_ddot, double *restrict u,
-    int *restrict status)
-{
-    const double *const in[] = {q, y_dot, y_ddot};
-    double *const out[] = {u};
-    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_inverse_dynamics_independent_batched, count, stride, in, out, status);
-}
-
-static int three_ups_upu_s_inverse_dynamics_preload_called(const double *const *in, double *const *out)
-{
-    return three_ups_upu_s_inverse_dynamics_preload(in[0], in[1], in[2], in[3], in[4], out[0]);
-}
-static const three_ups_upu_s_batched three_ups_upu_s_inverse_dynamics_preload_batched = {
-    5, 1, {16, 15, 15, 4, 4, 4}, three_ups_upu_s_inverse_dynamics_preload_called, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_inverse_dynamics_preload_block)
-};
-
-int three_ups_upu_s_inverse_dynamics_preload_batch(size_t count, const double *restrict q,
-    const double *restrict v, const double *restrict a, const double *restrict weights,
-    const double *restrict preload, double *restrict u, int *restrict status)
-{
-    const double *const in[] = {q, v, a, weights, preload};
-    double *const out[] = {u};
-    return three_ups_upu_s_states(&three_ups_upu_s_inverse_dynamics_preload_batched, count, 0, in, out, status);
-}
-
-int three_ups_upu_s_inverse_dynamics_preload_batch_soa(size_t count, size_t stride, const double *restrict q,
-    const double *restrict v, const double *restrict a, const double *restrict weights,
-    const double *restrict preload, double *restrict u, int *restrict status)
-{
-    const double *const in[] = {q, v, a, weights, preload};
-    double *const out[] = {u};
-    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_inverse_dynamics_preload_batched, count, stride, in, out, status);
-}
-
-static int three_ups_upu_s_joint_reactions_called(const double *const *in, double *const *out)
-{
-    return three_ups_upu_s_joint_reactions(in[0], in[1], in[2], out[0], out[1]);
-}
-static const three_ups_upu_s_batched three_ups_upu_s_joint_reactions_batched = {
-    3, 2, {16, 15, 15, 4, 78}, three_ups_upu_s_joint_reactions_called, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_joint_reactions_block)
-};
-
-int three_ups_upu_s_joint_reactions_batch(size_t count, const double *restrict q, const double *restrict v,
-    const double *restrict a, double *restrict u, double *restrict reactions, int *restrict status)
-{
-    const double *const in[] = {q, v, a};
-    double *const out[] = {u, reactions};
-    return three_ups_upu_s_states(&three_ups_upu_s_joint_reactions_batched, count, 0, in, out, status);
-}
-
-int three_ups_upu_s_joint_reactions_batch_soa(size_t count, size_t stride, const double *restrict q,
-    const double *restrict v, const double *restrict a, double *restrict u, double *restrict reactions,
-    int *restrict status)
-{
-    const double *const in[] = {q, v, a};
-    double *const out[] = {u, reactions};
-    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_joint_reactions_batched, count, stride, in, out, status);
-}
-
-static int three_ups_upu_s_forward_dynamics_called(const double *const *in, double *const *out)
-{
-    return three_ups_upu_s_forward_dynamics(in[0], in[1], in[2], out[0]);
-}
-static const three_ups_upu_s_batched three_ups_upu_s_forward_dynamics_batched = {
-    3, 1, {16, 15, 4, 15}, three_ups_upu_s_forward_dynamics_called, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_forward_dynamics_block)
-};
-
-int three_ups_upu_s_forward_dynamics_batch(size_t count, const double *restrict q, const double *restrict v,
-    const double *restrict u, double *restrict a, int *restrict status)
-{
-    const double *const in[] = {q, v, u};
-    double *const out[] = {a};
-    return three_ups_upu_s_states(&three_ups_upu_s_forward_dynamics_batched, count, 0, in, out, status);
-}
-
-int three_ups_upu_s_forward_dynamics_batch_soa(size_t count, size_t stride, const double *restrict q,
-    const double *restrict v, const double *restrict u, double *restrict a, int *restrict status)
-{
-    const double *const in[] = {q, v, u};
-    double *const out[] = {a};
-    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_forward_dynamics_batched, count, stride, in, out, status);
-}
-
-static int three_ups_upu_s_forward_dynamics_independent_called(const double *const *in, double *const *out)
-{
-    return three_ups_upu_s_forward_dynamics_independent(in[0], in[1], in[2], out[0]);
-}
-static const three_ups_upu_s_batched three_ups_upu_s_forward_dynamics_independent_batched = {
-    3, 1, {16, 2, 4, 2}, three_ups_upu_s_forward_dynamics_independent_called, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_forward_dynamics_independent_block)
-};
-
-int three_ups_upu_s_forward_dynamics_independent_batch(size_t count, const double *restrict q,
-    const double *restrict y_dot, const double *restrict u, double *restrict y_ddot, int *restrict status)
-{
-    const double *const in[] = {q, y_dot, u};
-    double *const out[] = {y_ddot};
-    return three_ups_upu_s_states(&three_ups_upu_s_forward_dynamics_independent_batched, count, 0, in, out, status);
-}
-
-int three_ups_upu_s_forward_dynamics_independent_batch_soa(size_t count, size_t stride,
-    const double *restrict q, const double *restrict y_dot, const double *restrict u, double *restrict y_ddot,
-    int *restrict status)
-{
-    const double *const in[] = {q, y_dot, u};
-    double *const out[] = {y_ddot};
-    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_forward_dynamics_independent_batched, count, stride, in, out, status);
-}
-
-static int three_ups_upu_s_forward_dynamics_reactions_called(const double *const *in, double *const *out)
-{
-    return three_ups_upu_s_forward_dynamics_reactions(in[0], in[1], in[2], out[0], out[1]);
-}
-static const three_ups_upu_s_batched three_ups_upu_s_forward_dynamics_reactions_batched = {
-    3, 2, {16, 15, 4, 15, 78}, three_ups_upu_s_forward_dynamics_reactions_called, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_forward_dynamics_reactions_block)
-};
-
-int three_ups_upu_s_forward_dynamics_reactions_batch(size_t count, const double *restrict q,
-    const double *restrict v, const double *restrict u, double *restrict a, double *restrict reactions,
-    int *restrict status)
-{
-    const double *const in[] = {q, v, u};
-    double *const out[] = {a, reactions};
-    return three_ups_upu_s_states(&three_ups_upu_s_forward_dynamics_reactions_batched, count, 0, in, out, status);
-}
-
-int three_ups_upu_s_forward_dynamics_reactions_batch_soa(size_t count, size_t stride,
-    const double *restrict q, const double *restrict v, const double *restrict u, double *restrict a,
-    double *restrict reactions, int *restrict status)
-{
-    const double *const in[] = {q, v, u};
-    double *const out[] = {a, reactions};
-    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_forward_dynamics_reactions_batched, count, stride, in, out, status);
-}
-
-static int three_ups_upu_s_close_position_called(const double *const *in, double *const *out)
-{
-    return three_ups_upu_s_close_position(in[0], out[0], out[1]);
-}
-static const three_ups_upu_s_batched three_ups_upu_s_close_position_batched = {
-    1, 2, {16, 16, 1}, three_ups_upu_s_close_position_called, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_close_position_block)
-};
-
-int three_ups_upu_s_close_position_batch(size_t count, const double *restrict q, double *restrict q_next,
-    double *restrict residual_, int *restrict status)
-{
-    const double *const in[] = {q};
-    double *const out[] = {q_next, residual_};
-    return three_ups_upu_s_states(&three_ups_upu_s_close_position_batched, count, 0, in, out, status);
-}
-
-int three_ups_upu_s_close_position_batch_soa(size_t count, size_t stride, const double *restrict q,
-    double *restrict q_next, double *restrict residual_, int *restrict status)
-{
-    const double *const in[] = {q};
-    double *const out[] = {q_next, residual_};
-    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_close_position_batched, count, stride, in, out, status);
-}
-
-static int three_ups_upu_s_close_velocity_called(const double *const *in, double *const *out)
-{
-    return three_ups_upu_s_close_velocity(in[0], in[1], out[0]);
-}
-static const three_ups_upu_s_batched three_ups_upu_s_close_velocity_batched = {
-    2, 1, {16, 15, 15}, three_ups_upu_s_close_velocity_called, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_close_velocity_block)
-};
-
-int three_ups_upu_s_close_velocity_batch(size_t count, const double *restrict q, const double *restrict v,
-    double *restrict v_next, int *restrict status)
-{
-    const double *const in[] = {q, v};
-    double *const out[] = {v_next};
-    return three_ups_upu_s_states(&three_ups_upu_s_close_velocity_batched, count, 0, in, out, status);
-}
-
-int three_ups_upu_s_close_velocity_batch_soa(size_t count, size_t stride, const double *restrict q,
-    const double *restrict v, double *restrict v_next, int *restrict status)
-{
-    const double *const in[] = {q, v};
-    double *const out[] = {v_next};
-    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_close_velocity_batched, count, stride, in, out, status);
-}
-
-static int three_ups_upu_s_inverse_kinematics_called(const double *const *in, double *const *out)
-{
-    return three_ups_upu_s_inverse_kinematics(in[0], out[0]);
-}
-static const three_ups_upu_s_batched three_ups_upu_s_inverse_kinematics_batched = {
-    1, 1, {4, 16}, three_ups_upu_s_inverse_kinematics_called, NULL
-};
-
-int three_ups_upu_s_inverse_kinematics_batch(size_t count, const double *restrict pose, double *restrict q,
-    int *restrict status)
-{
-    const double *const in[] = {pose};
-    double *const out[] = {q};
-    return three_ups_upu_s_states(&three_ups_upu_s_inverse_kinematics_batched, count, 0, in, out, status);
-}
-
-int three_ups_upu_s_inverse_kinematics_batch_soa(size_t count, size_t stride, const double *restrict pose,
-    double *restrict q, int *restrict status)
-{
-    const double *const in[] = {pose};
-    double *const out[] = {q};
-    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_inverse_kinematics_batched, count, stride, in, out, status);
-}
-
-static int three_ups_upu_s_drive_positions_called(const double *const *in, double *const *out)
-{
-    return three_ups_upu_s_drive_positions(in[0], out[0]);
-}
-static const three_ups_upu_s_batched three_ups_upu_s_drive_positions_batched = {
-    1, 1, {4, 4}, three_ups_upu_s_drive_positions_called, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_drive_positions_block)
-};
-
-int three_ups_upu_s_drive_positions_batch(size_t count, const double *restrict pose,
-    double *restrict positions, int *restrict status)
-{
-    const double *const in[] = {pose};
-    double *const out[] = {positions};
-    return three_ups_upu_s_states(&three_ups_upu_s_drive_positions_batched, count, 0, in, out, status);
-}
-
-int three_ups_upu_s_drive_positions_batch_soa(size_t count, size_t stride, const double *restrict pose,
-    double *restrict positions, int *restrict status)
-{
-    const double *const in[] = {pose};
-    double *const out[] = {positions};
-    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_drive_positions_batched, count, stride, in, out, status);
-}
-
-static int three_ups_upu_s_inverse_velocity_called(const double *const *in, double *const *out)
-{
-    return three_ups_upu_s_inverse_velocity(in[0], in[1], out[0]);
-}
-static const three_ups_upu_s_batched three_ups_upu_s_inverse_velocity_batched = {
-    2, 1, {4, 3, 15}, three_ups_upu_s_inverse_velocity_called, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_inverse_velocity_block)
-};
-
-int three_ups_upu_s_inverse_velocity_batch(size_t count, const double *restrict pose,
-    const double *restrict rate, double *restrict v, int *restrict status)
-{
-    const double *const in[] = {pose, rate};
-    double *const out[] = {v};
-    return three_ups_upu_s_states(&three_ups_upu_s_inverse_velocity_batched, count, 0, in, out, status);
-}
-
-int three_ups_upu_s_inverse_velocity_batch_soa(size_t count, size_t stride, const double *restrict pose,
-    const double *restrict rate, double *restrict v, int *restrict status)
-{
-    const double *const in[] = {pose, rate};
-    double *const out[] = {v};
-    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_inverse_velocity_batched, count, stride, in, out, status);
-}
-
-static int three_ups_upu_s_inverse_dynamics_platform_called(const double *const *in, double *const *out)
-{
-    return three_ups_upu_s_inverse_dynamics_platform(in[0], in[1], in[2], out[0]);
-}
-static const three_ups_upu_s_batched three_ups_upu_s_inverse_dynamics_platform_batched = {
-    3, 1, {4, 3, 3, 4}, three_ups_upu_s_inverse_dynamics_platform_called, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_inverse_dynamics_platform_block)
-};
-
-int three_ups_upu_s_inverse_dynamics_platform_batch(size_t count, const double *restrict pose,
-    const double *restrict rate, const double *restrict acceleration, double *restrict u,
-    int *restrict status)
-{
-    const double *const in[] = {pose, rate, acceleration};
-    double *const out[] = {u};
-    return three_ups_upu_s_states(&three_ups_upu_s_inverse_dynamics_platform_batched, count, 0, in, out, status);
-}
-
-int three_ups_upu_s_inverse_dynamics_platform_batch_soa(size_t count, size_t stride,
-    const double *restrict pose, const double *restrict rate, const double *restrict acceleration,
-    double *restrict u, int *restrict status)
-{
-    const double *const in[] = {pose, rate, acceleration};
-    double *const out[] = {u};
-    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_inverse_dynamics_platform_batched, count, stride, in, out, status);
-}
-
-static int three_ups_upu_s_assemble_called(const double *const *in, double *const *out)
-{
-    return three_ups_upu_s_assemble(in[0], in[1], out[0]);
-}
-static const three_ups_upu_s_batched three_ups_upu_s_assemble_batched = {
-    2, 1, {2, 16, 16}, three_ups_upu_s_assemble_called, NULL
-};
-
-int three_ups_upu_s_assemble_batch(size_t count, const double *restrict y, const double *restrict guess,
-    double *restrict q, int *restrict status)
-{
-    const double *const in[] = {y, guess};
-    double *const out[] = {q};
-    return three_ups_upu_s_states(&three_ups_upu_s_assemble_batched, count, 0, in, out, status);
-}
-
-int three_ups_upu_s_assemble_batch_soa(size_t count, size_t stride, const double *restrict y,
-    const double *restrict guess, double *restrict q, int *restrict status)
-{
-    const double *const in[] = {y, guess};
-    double *const out[] = {q};
-    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_assemble_batched, count, stride, in, out, status);
-}
-
-static int three_ups_upu_s_limb_margins_called(const double *const *in, double *const *out)
-{
-    return three_ups_upu_s_limb_margins(in[0], out[0]);
-}
-static const three_ups_upu_s_batched three_ups_upu_s_limb_margins_batched = {
-    1, 1, {16, 5}, three_ups_upu_s_limb_margins_called, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_limb_margins_block)
-};
-
-int three_ups_upu_s_limb_margins_batch(size_t count, const double *restrict q, double *restrict margins,
-    int *restrict status)
-{
-    const double *const in[] = {q};
-    double *const out[] = {margins};
-    return three_ups_upu_s_states(&three_ups_upu_s_limb_margins_batched, count, 0, in, out, status);
-}
-
-int three_ups_upu_s_limb_margins_batch_soa(size_t count, size_t stride, const double *restrict q,
-    double *restrict margins, int *restrict status)
-{
-    const double *const in[] = {q};
-    double *const out[] = {margins};
-    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_limb_margins_batched, count, stride, in, out, status);
-}
-
-static int three_ups_upu_s_constraint_margin_called(const double *const *in, double *const *out)
-{
-    return three_ups_upu_s_constraint_margin(in[0], out[0]);
-}
-static const three_ups_upu_s_batched three_ups_upu_s_constraint_margin_batched = {
-    1, 1, {16, 1}, three_ups_upu_s_constraint_margin_called, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_constraint_margin_block)
-};
-
-int three_ups_upu_s_constraint_margin_batch(size_t count, const double *restrict q, double *restrict margins,
-    int *restrict status)
-{
-    const double *const in[] = {q};
-    double *const out[] = {margins};
-    return three_ups_upu_s_states(&three_ups_upu_s_constraint_margin_batched, count, 0, in, out, status);
-}
-
-int three_ups_upu_s_constraint_margin_batch_soa(size_t count, size_t stride, const double *restrict q,
-    double *restrict margins, int *restrict status)
-{
-    const double *const in[] = {q};
-    double *const out[] = {margins};
-    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_constraint_margin_batched, count, stride, in, out, status);
-}
-
-static int three_ups_upu_s_actuation_margins_called(const double *const *in, double *const *out)
-{
-    return three_ups_upu_s_actuation_margins(in[0], out[0]);
-}
-static const three_ups_upu_s_batched three_ups_upu_s_actuation_margins_batched = {
-    1, 1, {16, 6}, three_ups_upu_s_actuation_margins_called, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_actuation_margins_block)
-};
-
-int three_ups_upu_s_actuation_margins_batch(size_t count, const double *restrict q, double *restrict margins,
-    int *restrict status)
-{
-    const double *const in[] = {q};
-    double *const out[] = {margins};
-    return three_ups_upu_s_states(&three_ups_upu_s_actuation_margins_batched, count, 0, in, out, status);
-}
-
-int three_ups_upu_s_actuation_margins_batch_soa(size_t count, size_t stride, const double *restrict q,
-    double *restrict margins, int *restrict status)
-{
-    const double *const in[] = {q};
-    double *const out[] = {margins};
-    return stride == 0 && count > 0 ? 2 : three_ups_upu_s_states(&three_ups_upu_s_actuation_margins_batched, count, stride, in, out, status);
-}
+THREE_UPS_UPU_S_BATCH(three_ups_upu_s_body_poses, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_body_poses_block),
+    (1, 1, {16, 108}), (const double *restrict q, double *restrict poses), (q), (poses), (in[0], out[0]))
+
+THREE_UPS_UPU_S_BATCH(three_ups_upu_s_body_twists, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_body_twists_block),
+    (2, 1, {16, 15, 54}), (const double *restrict q, const double *restrict v, double *restrict twists),
+    (q, v), (twists), (in[0], in[1], out[0]))
+
+THREE_UPS_UPU_S_BATCH(three_ups_upu_s_body_twist_rates,
+    THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_body_twist_rates_block), (3, 1, {16, 15, 15, 54}),
+    (const double *restrict q, const double *restrict v, const double *restrict a, double *restrict
+    twist_rates),
+    (q, v, a), (twist_rates), (in[0], in[1], in[2], out[0]))
+
+THREE_UPS_UPU_S_BATCH(three_ups_upu_s_forward_kinematics,
+    THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_forward_kinematics_block), (1, 1, {16, 30}),
+    (const double *restrict q, double *restrict positions), (q), (positions), (in[0], out[0]))
+
+THREE_UPS_UPU_S_BATCH(three_ups_upu_s_point_motion, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_point_motion_block),
+    (3, 3, {16, 15, 15, 30, 30, 30}),
+    (const double *restrict q, const double *restrict v, const double *restrict a, double *restrict positions,
+    double *restrict velocities, double *restrict accelerations),
+    (q, v, a), (positions, velocities, accelerations), (in[0], in[1], in[2], out[0], out[1], out[2]))
+
+THREE_UPS_UPU_S_BATCH(three_ups_upu_s_joint_screws, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_joint_screws_block),
+    (1, 1, {16, 156}), (const double *restrict q, double *restrict screws), (q), (screws), (in[0], out[0]))
+
+THREE_UPS_UPU_S_BATCH(three_ups_upu_s_joint_points, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_joint_points_block),
+    (1, 1, {16, 39}), (const double *restrict q, double *restrict points), (q), (points), (in[0], out[0]))
+
+THREE_UPS_UPU_S_BATCH(three_ups_upu_s_platform_jacobian,
+    THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_platform_jacobian_block), (1, 1, {16, 90}),
+    (const double *restrict q, double *restrict jacobian), (q), (jacobian), (in[0], out[0]))
+
+THREE_UPS_UPU_S_BATCH(three_ups_upu_s_joint_displacements, NULL, (1, 1, {16, 26}),
+    (const double *restrict q, double *restrict displacements), (q), (displacements), (in[0], out[0]))
+
+THREE_UPS_UPU_S_BATCH(three_ups_upu_s_joint_rates, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_joint_rates_block),
+    (2, 1, {16, 15, 26}), (const double *restrict q, const double *restrict v, double *restrict rates),
+    (q, v), (rates), (in[0], in[1], out[0]))
+
+THREE_UPS_UPU_S_BATCH(three_ups_upu_s_drive_rates, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_drive_rates_block),
+    (2, 1, {16, 15, 4}), (const double *restrict q, const double *restrict v, double *restrict rates), (q, v),
+    (rates), (in[0], in[1], out[0]))
+
+THREE_UPS_UPU_S_BATCH(three_ups_upu_s_closure, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_closure_block),
+    (1, 1, {16, 13}), (const double *restrict q, double *restrict residual_), (q), (residual_),
+    (in[0], out[0]))
+
+THREE_UPS_UPU_S_BATCH(three_ups_upu_s_closure_jacobian,
+    THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_closure_jacobian_block), (1, 1, {16, 195}),
+    (const double *restrict q, double *restrict jacobian), (q), (jacobian), (in[0], out[0]))
+
+THREE_UPS_UPU_S_BATCH(three_ups_upu_s_closure_bias, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_closure_bias_block),
+    (2, 1, {16, 15, 13}), (const double *restrict q, const double *restrict v, double *restrict bias), (q, v),
+    (bias), (in[0], in[1], out[0]))
+
+THREE_UPS_UPU_S_BATCH(three_ups_upu_s_velocity, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_velocity_block),
+    (2, 1, {16, 2, 15}), (const double *restrict q, const double *restrict y_dot, double *restrict v),
+    (q, y_dot), (v), (in[0], in[1], out[0]))
+
+THREE_UPS_UPU_S_BATCH(three_ups_upu_s_null_space, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_null_space_block),
+    (1, 1, {16, 30}), (const double *restrict q, double *restrict null_space), (q), (null_space),
+    (in[0], out[0]))
+
+THREE_UPS_UPU_S_BATCH(three_ups_upu_s_acceleration, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_acceleration_block),
+    (3, 1, {16, 15, 2, 15}),
+    (const double *restrict q, const double *restrict v, const double *restrict y_ddot, double *restrict a),
+    (q, v, y_ddot), (a), (in[0], in[1], in[2], out[0]))
+
+THREE_UPS_UPU_S_BATCH(three_ups_upu_s_momentum_screws,
+    THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_momentum_screws_block), (2, 2, {16, 15, 54, 6}),
+    (const double *restrict q, const double *restrict v, double *restrict momenta, double *restrict total_),
+    (q, v), (momenta, total_), (in[0], in[1], out[0], out[1]))
+
+THREE_UPS_UPU_S_BATCH(three_ups_upu_s_momentum_rates,
+    THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_momentum_rates_block), (3, 1, {16, 15, 15, 54}),
+    (const double *restrict q, const double *restrict v, const double *restrict a, double *restrict
+    momentum_rates),
+    (q, v, a), (momentum_rates), (in[0], in[1], in[2], out[0]))
+
+THREE_UPS_UPU_S_BATCH(three_ups_upu_s_energy, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_energy_block),
+    (2, 1, {16, 15, 2}), (const double *restrict q, const double *restrict v, double *restrict energy),
+    (q, v), (energy), (in[0], in[1], out[0]))
+
+THREE_UPS_UPU_S_BATCH(three_ups_upu_s_mass_matrix, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_mass_matrix_block),
+    (1, 1, {16, 225}), (const double *restrict q, double *restrict mass_matrix), (q), (mass_matrix),
+    (in[0], out[0]))
+
+THREE_UPS_UPU_S_BATCH(three_ups_upu_s_bias, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_bias_block),
+    (2, 1, {16, 15, 15}), (const double *restrict q, const double *restrict v, double *restrict bias), (q, v),
+    (bias), (in[0], in[1], out[0]))
+
+THREE_UPS_UPU_S_BATCH(three_ups_upu_s_inverse_dynamics,
+    THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_inverse_dynamics_block), (3, 1, {16, 15, 15, 4}),
+    (const double *restrict q, const double *restrict v, const double *restrict a, double *restrict u),
+    (q, v, a), (u), (in[0], in[1], in[2], out[0]))
+
+THREE_UPS_UPU_S_BATCH(three_ups_upu_s_inverse_dynamics_independent,
+    THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_inverse_dynamics_independent_block), (3, 1, {16, 2, 2, 4}),
+    (const double *restrict q, const double *restrict y_dot, const double *restrict y_ddot, double *restrict
+    u),
+    (q, y_dot, y_ddot), (u), (in[0], in[1], in[2], out[0]))
+
+THREE_UPS_UPU_S_BATCH(three_ups_upu_s_inverse_dynamics_preload,
+    THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_inverse_dynamics_preload_block), (5, 1, {16, 15, 15, 4, 4, 4}),
+    (const double *restrict q, const double *restrict v, const double *restrict a, const double *restrict
+    weights, const double *restrict preload, double *restrict u),
+    (q, v, a, weights, preload), (u), (in[0], in[1], in[2], in[3], in[4], out[0]))
+
+THREE_UPS_UPU_S_BATCH(three_ups_upu_s_joint_reactions,
+    THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_joint_reactions_block), (3, 2, {16, 15, 15, 4, 78}),
+    (const double *restrict q, const double *restrict v, const double *restrict a, double *restrict u, double
+    *restrict reactions),
+    (q, v, a), (u, reactions), (in[0], in[1], in[2], out[0], out[1]))
+
+THREE_UPS_UPU_S_BATCH(three_ups_upu_s_forward_dynamics,
+    THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_forward_dynamics_block), (3, 1, {16, 15, 4, 15}),
+    (const double *restrict q, const double *restrict v, const double *restrict u, double *restrict a),
+    (q, v, u), (a), (in[0], in[1], in[2], out[0]))
+
+THREE_UPS_UPU_S_BATCH(three_ups_upu_s_forward_dynamics_independent,
+    THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_forward_dynamics_independent_block), (3, 1, {16, 2, 4, 2}),
+    (const double *restrict q, const double *restrict y_dot, const double *restrict u, double *restrict
+    y_ddot),
+    (q, y_dot, u), (y_ddot), (in[0], in[1], in[2], out[0]))
+
+THREE_UPS_UPU_S_BATCH(three_ups_upu_s_forward_dynamics_reactions,
+    THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_forward_dynamics_reactions_block), (3, 2, {16, 15, 4, 15, 78}),
+    (const double *restrict q, const double *restrict v, const double *restrict u, double *restrict a, double
+    *restrict reactions),
+    (q, v, u), (a, reactions), (in[0], in[1], in[2], out[0], out[1]))
+
+THREE_UPS_UPU_S_BATCH(three_ups_upu_s_close_position,
+    THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_close_position_block), (1, 2, {16, 16, 1}),
+    (const double *restrict q, double *restrict q_next, double *restrict residual_), (q), (q_next, residual_),
+    (in[0], out[0], out[1]))
+
+THREE_UPS_UPU_S_BATCH(three_ups_upu_s_close_velocity,
+    THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_close_velocity_block), (2, 1, {16, 15, 15}),
+    (const double *restrict q, const double *restrict v, double *restrict v_next), (q, v), (v_next),
+    (in[0], in[1], out[0]))
+
+THREE_UPS_UPU_S_BATCH(three_ups_upu_s_inverse_kinematics, NULL, (1, 1, {4, 16}),
+    (const double *restrict pose, double *restrict q), (pose), (q), (in[0], out[0]))
+
+THREE_UPS_UPU_S_BATCH(three_ups_upu_s_drive_positions,
+    THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_drive_positions_block), (1, 1, {4, 4}),
+    (const double *restrict pose, double *restrict positions), (pose), (positions), (in[0], out[0]))
+
+THREE_UPS_UPU_S_BATCH(three_ups_upu_s_inverse_velocity,
+    THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_inverse_velocity_block), (2, 1, {4, 3, 15}),
+    (const double *restrict pose, const double *restrict rate, double *restrict v), (pose, rate), (v),
+    (in[0], in[1], out[0]))
+
+THREE_UPS_UPU_S_BATCH(three_ups_upu_s_inverse_dynamics_platform,
+    THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_inverse_dynamics_platform_block), (3, 1, {4, 3, 3, 4}),
+    (const double *restrict pose, const double *restrict rate, const double *restrict acceleration, double
+    *restrict u),
+    (pose, rate, acceleration), (u), (in[0], in[1], in[2], out[0]))
+
+THREE_UPS_UPU_S_BATCH(three_ups_upu_s_assemble, NULL, (2, 1, {2, 16, 16}),
+    (const double *restrict y, const double *restrict guess, double *restrict q), (y, guess), (q),
+    (in[0], in[1], out[0]))
+
+THREE_UPS_UPU_S_BATCH(three_ups_upu_s_limb_margins, THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_limb_margins_block),
+    (1, 1, {16, 5}), (const double *restrict q, double *restrict margins), (q), (margins), (in[0], out[0]))
+
+THREE_UPS_UPU_S_BATCH(three_ups_upu_s_constraint_margin,
+    THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_constraint_margin_block), (1, 1, {16, 1}),
+    (const double *restrict q, double *restrict margins), (q), (margins), (in[0], out[0]))
+
+THREE_UPS_UPU_S_BATCH(three_ups_upu_s_actuation_margins,
+    THREE_UPS_UPU_S_BLOCK(three_ups_upu_s_actuation_margins_block), (1, 1, {16, 6}),
+    (const double *restrict q, double *restrict margins), (q), (margins), (in[0], out[0]))

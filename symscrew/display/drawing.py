@@ -71,8 +71,8 @@ def camera(points: Array, elevation: float, azimuth: float) -> Camera:
 
 def usual_view(mechanism: Mechanism) -> tuple[float, float]:
     """Elevation and azimuth [degrees]: along the axes of a planar mechanism, else obliquely from the front."""
-    turning = [j for j in mechanism.joints.values() if j.type not in ("fixed", "P")]
-    axes = [numbers(mechanism, j.axes[0]) for j in turning if j.type == "R"]
+    turning = [j for j in mechanism.joints.values() if any(motion.turns for motion in j.kind.motions)]
+    axes = [numbers(mechanism, j.axes[0]) for j in turning if j.kind.hinge]
     if axes and len(axes) == len(turning):
         for k, seen in enumerate(ALONG):
             if all(abs(axis[k]) > PARALLEL * np.linalg.norm(axis) for axis in axes):
@@ -250,7 +250,7 @@ def draw_joints(axes: Axes, sketch: Sketch) -> None:
     mechanism = sketch.mechanism
     open_chain = len(mechanism.joints) <= len(mechanism.bodies) - (mechanism.ground in mechanism.bodies)
     for joint in mechanism.joints.values():
-        if open_chain and joint.axes and joint.type in ("R", "P", "H", "C"):
+        if open_chain and joint.kind.axes == 1:
             axis = numbers(mechanism, joint.axes[0])
             reach = AXIS * 2 * sketch.size * axis / np.linalg.norm(axis)
             ends = sketch.seen(joint.parent, numbers(mechanism, joint.point) + np.array([-reach, reach]))
