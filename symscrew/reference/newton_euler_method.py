@@ -80,7 +80,7 @@ class NewtonEulerSolution:
         drive_redundancy: (...) number of independent preloads: drives that only load the mechanism.
         reaction_redundancy: (...) number of independent internal loads of the reactions at given drives.
         residual: (...) norm of what stays unbalanced, relative to the norm of inertia and loads (forces, and
-            moments divided by the characteristic length). Not small means that the state is inconsistent, or
+            moments divided by `NumericMechanism.length`). Not small means that the state is inconsistent, or
             that a freedom that nobody drives does not move as the dynamics would have it.
     """
 
@@ -122,7 +122,8 @@ def newton_euler(
 
     Among all drives that move the bodies as stated, those with the smallest sum of weights * drives^2 are
     taken; `preload` adds its part that only loads the mechanism. Given the drives, the reactions are those of
-    least norm, forces and moments about the joint's point divided by the characteristic length.
+    least norm, forces and moments about the joint's point divided by `NumericMechanism.length`. That is the extent of
+    the mechanism, not the characteristic length of its model: internal loads of both differ, nothing else.
 
     Args:
         mechanism: the description, or its numbers from `numeric`, which saves time with many states.
