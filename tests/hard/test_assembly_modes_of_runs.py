@@ -152,7 +152,7 @@ def test_a_run_names_its_mode_at_start_and_end(tmp_path, capsys) -> None:
     path = scene_file(tmp_path, name="four_bar", duration=2, joint="A", rate=12.0, gravity="[0, 0, 0]")
     assert main(["simulate", str(path), "--json"]) == 0
     told = json.loads(capsys.readouterr().out)
-    assert told["assembly_mode"] == {"start": "drives locked: +", "end": "drives locked: +"}
+    assert told["assembly_mode"] == {"name": "", "start": "drives locked: +", "end": "drives locked: +"}
     assert main(["simulate", str(path)]) == 0
     assert "assembly mode: drives locked: +, the same at start and end\n" in capsys.readouterr().out
 

@@ -247,10 +247,13 @@ def test_the_simulator_of_linuxcnc_moves_the_machine(tmp_path: Path) -> None:
         environment = {**os.environ, **own}  # a process of root needs somebody to be
         for folder in (tmp_path, *tmp_path.parents[:2]):
             folder.chmod(0o755 if folder != tmp_path else 0o777)
-        done = subprocess.run(
-            ["linuxcnc", "-r", "five_bar.ini"], cwd=tmp_path, env=environment, capture_output=True, text=True,
-            timeout=120, check=False,
-        )  # fmt: skip
+        for _ in range(3):  # its parts give each other a few seconds to start, which a busy machine may not have
+            done = subprocess.run(
+                ["linuxcnc", "-r", "five_bar.ini"], cwd=tmp_path, env=environment, capture_output=True, text=True,
+                timeout=120, check=False,
+            )  # fmt: skip
+            if (tmp_path / "found.json").is_file():
+                break
         assert (tmp_path / "found.json").is_file(), done.stdout[-2000:]
     finally:
         before.unlink(missing_ok=True)
