@@ -38,7 +38,8 @@ def pytest_sessionfinish() -> None:
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """The folder says it: whatever stands in `tools` needs a tool beyond Python and a C compiler.
 
-    Tests of one mechanism stand together, so that one process derives it and not each of them.
+    Tests of one mechanism stand together, so that one process derives it and not each of them. Tests that kill their
+    own process come first: a process is copied for each kill, which takes a few times as long when it holds models.
     """
     for item in items:
         if item.path.parent.name == "tools":
@@ -47,7 +48,9 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 
 
 def place_of(item: pytest.Item) -> int:
-    """Where a test stands: first those of no mechanism, then by the mechanism that a parameter names."""
+    """Where a test stands: first those that kill, then those of no mechanism, then by the mechanism that is named."""
+    if hasattr(getattr(item, "module", None), "killed_at"):
+        return -1
     parameters = item.callspec.params.values() if hasattr(item, "callspec") else ()
     named = [value for value in parameters if isinstance(value, str) and value in ALL]
     return 1 + ALL.index(named[0]) if named else 0

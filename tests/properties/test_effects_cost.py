@@ -7,10 +7,12 @@ an effect that reads a further input makes shorter.
 from __future__ import annotations
 
 import itertools
+from collections.abc import Iterator
 from dataclasses import replace
 from functools import cache
 
 import pytest
+from support.derived_once import derived_once
 from support.model_states import model
 from support.samples import some_quickly
 
@@ -27,6 +29,14 @@ from symscrew.model import Model, derive
 from symscrew.program.lowering import lower
 from symscrew.program.straight_line import Program
 from symscrew.studies.bill_of_effects import alone
+
+
+@pytest.fixture(scope="module", autouse=True)
+def models_once() -> Iterator[None]:
+    """The bill of an effect, of a pair and of the other effect are of the same few models."""
+    with derived_once():
+        yield
+
 
 CRANK, SEED = "slider_crank", "three_ups_upu_s"
 REACTIONS = "joint_reactions"
@@ -164,7 +174,8 @@ def test_pairs(pair: tuple[str, str]) -> None:
             limit = limits(name)
             if depends:
                 models = with_effects(*pair), pair.index(name), with_effects(other)
-                limit = {f: alone(*models, reactions=f == REACTIONS) for f in added}
+                others, reactions = (alone(*models, reactions=wanted) for wanted in (False, True))
+                limit = {f: reactions if f == REACTIONS else others for f in added}
             kept = all(-SHARED <= count <= limit[f] for f, count in added.items())
             assert kept, f"{name} beside {other}: {added} of {limit}"
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import threading
 import time
-from functools import partial
+from functools import cache, partial
 from pathlib import Path
 
 import pytest
@@ -16,6 +16,7 @@ from support.samples import some_quickly
 from symscrew.export import OutputError, read_manifest
 from symscrew.generation import folder as generation
 from symscrew.generation.folder import generate, render
+from symscrew.model import Model
 from symscrew.whole_files import whole_folder
 from symscrew.whole_files.one_file import created, replaced, write_text
 from symscrew.whole_files.staging import discard, is_staging, stage
@@ -27,9 +28,14 @@ OLD, NEW = ("numpy",), ("c",)
 WAYS = ("alone", "nothing there", "current folder", "user's files", "cannot exchange")
 
 
+@cache
+def model() -> Model:
+    return handmade.model()
+
+
 @pytest.fixture(scope="module")
 def rendered() -> dict[tuple[str, ...], dict[str, bytes]]:
-    old, new = (render(handmade.model(), targets) for targets in (OLD, NEW))
+    old, new = (render(model(), targets) for targets in (OLD, NEW))
     return {OLD: old, NEW: new | {name: data + b"\n" for name, data in new.items() if name in old}}
 
 
@@ -41,7 +47,7 @@ def written_at_once(rendered, monkeypatch: pytest.MonkeyPatch) -> None:
 
 def prepared(way: str, place: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     if way != "nothing there":
-        generate(handmade.model(), place, OLD)
+        generate(model(), place, OLD)
     if way == "user's files":
         (place / "build").mkdir()
         (place / "build" / "mine.o").write_text("mine")
@@ -61,7 +67,7 @@ def test_generate_is_killed_at_every_step(
     mine = {n: c for n, c in (content(place) if place.exists() else {}).items() if n.endswith(("mine.o", "notes.txt"))}
     moved = seen_old = seen_new = 0
     for step in range(MOST):
-        was_killed = killed_at(partial(generate, handmade.model(), place, NEW), step)
+        was_killed = killed_at(partial(generate, model(), place, NEW), step)
         if place.exists() and (any(place.iterdir())):
             moved += (place / PENDING).exists() or any(is_staging(p.name) for p in tmp_path.iterdir())
             at_once = {n for n in content(place) if not n.startswith(".")}
@@ -74,7 +80,7 @@ def test_generate_is_killed_at_every_step(
             seen_new += found == rendered[NEW] | mine
         if not was_killed:
             break
-        generate(handmade.model(), place, OLD)  # the next run works, and cleans up
+        generate(model(), place, OLD)  # the next run works, and cleans up
         assert content(place) == rendered[OLD] | mine
         assert [p.name for p in tmp_path.iterdir()] == ["out"]
         if way == "nothing there":
@@ -87,16 +93,16 @@ def test_generate_is_killed_at_every_step(
 
 
 def test_a_folder_alone_is_exchanged_and_one_with_a_users_files_stays(tmp_path: Path, written_at_once) -> None:
-    generate(handmade.model(), tmp_path / "out", OLD)
+    generate(model(), tmp_path / "out", OLD)
     before = (tmp_path / "out").stat()
-    generate(handmade.model(), tmp_path / "out", NEW)
+    generate(model(), tmp_path / "out", NEW)
     between = (tmp_path / "out").stat()
     assert between.st_ino != before.st_ino and between.st_mode == before.st_mode
     (tmp_path / "out" / "notes.txt").write_text("mine")
-    generate(handmade.model(), tmp_path / "out", OLD)
+    generate(model(), tmp_path / "out", OLD)
     assert (tmp_path / "out").stat().st_ino == between.st_ino
     (tmp_path / "link").symlink_to("out")
-    generate(handmade.model(), tmp_path / "link", NEW)
+    generate(model(), tmp_path / "link", NEW)
     assert (tmp_path / "link").is_symlink() and (tmp_path / "out" / "handmade.h").exists()
 
 
@@ -105,7 +111,7 @@ def test_two_at_once_are_one_after_the_other(tmp_path: Path, rendered, written_a
 
     def again(targets: tuple[str, ...]) -> None:
         for _ in range(6):
-            generate(handmade.model(), place, targets)
+            generate(model(), place, targets)
 
     def ends(targets: tuple[str, ...]) -> None:
         ended.append(in_a_process(partial(again, targets)))
@@ -130,12 +136,12 @@ def test_two_at_once_are_one_after_the_other(tmp_path: Path, rendered, written_a
 @pytest.mark.parametrize("size", some_quickly([100, 1000, 2000, 3000], every=4))
 def test_a_full_disk_leaves_what_was_there(size: int, tmp_path: Path, rendered, written_at_once) -> None:
     assert size < max(map(len, rendered[NEW].values()))
-    generate(handmade.model(), tmp_path / "out", OLD)
+    generate(model(), tmp_path / "out", OLD)
     write_text(tmp_path / "report.md", "old")
 
     def work() -> None:
         with pytest.raises(OutputError, match=r"out: cannot be written \(File too large\); nothing was"):
-            generate(handmade.model(), tmp_path / "out", NEW)
+            generate(model(), tmp_path / "out", NEW)
         with pytest.raises(OSError, match=r"File too large: '.*report\.md'"):
             write_text(tmp_path / "report.md", "new" * 1001)
         with pytest.raises(OSError, match="File too large"):
@@ -215,7 +221,7 @@ def test_who_waits_too_long_is_told(tmp_path: Path, capsys: pytest.CaptureFixtur
 def test_a_pending_folder_cannot_reach_elsewhere(tmp_path: Path, written_at_once) -> None:
     """It comes with a folder by somebody else: its files stay in it."""
     place = tmp_path / "out"
-    generate(handmade.model(), place, OLD)
+    generate(model(), place, OLD)
     (tmp_path / "precious").mkdir()
     (tmp_path / "precious" / "a.txt").write_text("keep")
     (place / PENDING).symlink_to(tmp_path / "precious")
@@ -224,7 +230,7 @@ def test_a_pending_folder_cannot_reach_elsewhere(tmp_path: Path, written_at_once
 
 
 def test_a_folder_nobody_may_write_in(tmp_path: Path, written_at_once) -> None:
-    generate(handmade.model(), tmp_path / "out", OLD)
+    generate(model(), tmp_path / "out", OLD)
     (tmp_path / "out" / PENDING).mkdir()
     (tmp_path / "out" / PENDING / "handmade.h").write_text("new")
     before = content(tmp_path)
