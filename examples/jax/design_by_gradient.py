@@ -38,6 +38,7 @@ y_dot, y_ddot = rng.normal(0, 0.3, (POSES, 2)), rng.normal(0, 3.0, (POSES, 2))
 guess = model.system.reference
 
 
+@jax.jit
 def drives(radii):
     """Forces of the drives (poses, 4) [N] and whether each pose can be assembled."""
     q = seed.assemble(y, guess, radii)
