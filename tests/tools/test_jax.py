@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib.util
 import json
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -21,6 +22,8 @@ from symscrew.generation import generate
 from symscrew.program import Program
 from symscrew.verification import check
 
+# XLA compiles for 40 s in this file, and for a third less so; its passes change no more than the last bits.
+os.environ.setdefault("XLA_FLAGS", "--xla_backend_optimization_level=0")
 jax = pytest.importorskip("jax", reason="needs JAX (pip install 'symscrew[jax]')")
 pytestmark = pytest.mark.tools
 ENTIRE = 1e-12  # as every target: relative to the largest entry of an output
