@@ -24,10 +24,13 @@ EXAMPLES = (
     "symscrew assemble four_bar --json",
 )
 FORMATS = (".png", ".pdf", ".svg")
+IN_PYTHON = """In Python symscrew.assembly_modes(mechanism) gives them all, as this command does;
+symscrew.assemble(model, {...}) is another thing: the one configuration near a guess."""
 
 
 def add_options(command: argparse.ArgumentParser) -> None:
     """Options of `symscrew assemble`."""
+    command.description = f"{command.description}\n{IN_PYTHON}"
     add_mechanism(command)
     command.add_argument(
         "--drives", nargs="+", action="extend", default=[], metavar="KEY=VALUE",

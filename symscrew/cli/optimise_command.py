@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from symscrew.cli.kept_outcomes import Outcome
-    from symscrew.optimisation import JoinedPlan, JoinedProblem, Replay, Trajectory, TrajectoryProblem
+    from symscrew.optimisation import JoinedPlan, JoinedProblem, Replay, Statistics, Trajectory, TrajectoryProblem
 
 EXAMPLES = ("symscrew optimise examples/optimisation/seed_rest_to_rest.toml --out motion.npz --plot motion.png",)
 FORMATS = (".npz", ".csv")
@@ -137,6 +137,7 @@ def joined_summary(found: JoinedPlan) -> list[str]:
     lines = [f"{problem.name}: {found.status}"]
     if not found.ok:
         lines += [f"  {reason}" for reason in found.reasons if reason not in found.status]
+        lines += _undefined(found.statistics)
         return [*lines, "  what is written is the last iterate, no motions to be relied on"]
     lines.append(f"cost {found.cost:.10g}, {len(found.parts)} parts")
     lines += [f"{name} = {value:.10g}" for name, value in found.parameters.items()]
@@ -152,7 +153,16 @@ def joined_summary(found: JoinedPlan) -> list[str]:
             )
     if found.end_error is not None:
         lines.append(f"replayed from phase to phase: ends {found.end_error:.1e} from the plan")
-    return [*lines, *found.notes, f"{found.statistics.iterations} iterations, {found.refinements} refinements"]
+    done = f"{found.statistics.iterations} iterations, {found.refinements} refinements"
+    return [*lines, *found.notes, *_undefined(found.statistics), done]
+
+
+def _undefined(spent: Statistics) -> list[str]:
+    """Where functions were undefined on the solver's way, in words."""
+    if not spent.undefined:
+        return []
+    named = ", ".join(f"{equation} ({count})" for equation, count in spent.undefined.items())
+    return [f"warnings of the solver, not finite where it went (evaluations): {named}"]
 
 
 def _vector(values: Iterable[float]) -> str:
@@ -173,11 +183,19 @@ def _joined_numbers(found: JoinedPlan) -> dict[str, object]:
         "notes": list(found.notes), "cost": found.cost if found.ok else None, "parameters": found.parameters,
         "iterations": found.statistics.iterations, "refinements": found.refinements, "parts": parts, "links": links,
         "end_error": found.end_error, "times": dict(found.statistics.times),
-        "processor_times": dict(found.statistics.processor),
+        "processor_times": dict(found.statistics.processor), "warnings": dict(found.statistics.undefined),
     }  # fmt: skip
 
 
-UNSHARED = ("problem", "iterations", "refinements", "times", "processor_times", "parameters")  # of all parts together
+UNSHARED = (
+    "problem",
+    "iterations",
+    "refinements",
+    "times",
+    "processor_times",
+    "warnings",
+    "parameters",
+)  # of all parts together
 
 
 def summary(found: Trajectory, again: Replay | None = None) -> list[str]:
@@ -187,6 +205,7 @@ def summary(found: Trajectory, again: Replay | None = None) -> list[str]:
     lines = [f"{found.problem.name}: {found.status}"]
     if not found.ok:
         lines += [f"  {reason}" for reason in found.reasons if reason not in found.status]
+        lines += _undefined(found.statistics)
         lines.append("  what is written is the last iterate, no motion to be relied on")
         return lines
     errors = found.errors
@@ -208,8 +227,8 @@ def summary(found: Trajectory, again: Replay | None = None) -> list[str]:
             f"replayed by forward simulation: ends {again.end_error:.1e} from the plan, closure {again.closure:.1e}, "
             f"integration error {again.integration:.1e}"
         )
-    lines += found.notes
     spent = found.statistics
+    lines += [*found.notes, *_undefined(spent)]
     rows = [[name, f"{seconds:.3f}", f"{spent.processor[name]:.3f}"] for name, seconds in spent.times.items()]
     lines.append(f"{spent.iterations} iterations, {found.refinements} refinements to {len(found.mesh) - 1} intervals")
     return [*lines, aligned_table(("part", "time [s]", "processor [s]"), rows)]
@@ -230,6 +249,7 @@ def _numbers(found: Trajectory, again: Replay | None) -> dict[str, object]:
         "refinements": found.refinements,
         "times": dict(found.statistics.times),
         "processor_times": dict(found.statistics.processor),
+        "warnings": dict(found.statistics.undefined),
     }
     if found.ok:
         errors = found.errors

@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     )
     from symscrew.optimisation.problem_file import load_problem
     from symscrew.optimisation.problem_keys import tables_of_keys
-    from symscrew.optimisation.result import Replay, Trajectory
+    from symscrew.optimisation.result import Replay, Statistics, Trajectory
     from symscrew.optimisation.solution import Prepared, prepare, solve
 
 __all__ = [
@@ -47,6 +47,7 @@ __all__ = [
     "Prepared",
     "Replay",
     "Solver",
+    "Statistics",
     "Trajectory",
     "TrajectoryProblem",
     "Transcription",

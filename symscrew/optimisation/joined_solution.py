@@ -37,6 +37,7 @@ from symscrew.optimisation.solution import (
     statistics_of,
     transcribe,
 )
+from symscrew.optimisation.solver_warnings import SolverWarnings
 from symscrew.optimisation.sparse import assemble, cost_of
 from symscrew.optimisation.transcription import Transcribed
 from symscrew.optimisation.warm_start import carried_multipliers, carried_unknowns
@@ -76,7 +77,7 @@ def solve_joined(problem: JoinedProblem, *, progress: Progress | None = None) ->
     if plan.ok:
         plan = _judged(plan)
     say(plan.status)
-    return replace(plan, statistics=_spent(plan.statistics, clock() - began))
+    return replace(plan, statistics=plan.statistics.completed("the rest", clock() - began))
 
 
 def _prepared(problem: JoinedProblem) -> list[Prepared]:
@@ -129,11 +130,12 @@ def _once(
     program = replace(program, labels=labels)
     say(f"program: {one.unknowns.size} unknowns, {len(labels)} constraints")
     limit = {} if until == np.inf else {"max_wall_time": max(until - time.perf_counter(), LEAST_TIME)}
-    solver = solver_of(models[0].problem, program, {**(REFINING if warm else {}), **limit})
+    told = SolverWarnings(labels)
+    solver = solver_of(models[0].problem, program, {**(REFINING if warm else {}), **limit}, warn=told.heard)
     made, extra = clock(), {}
     if warm and (carried := _carried(warm, one, scale)):
         extra = {"lam_g0": carried[0], "lam_x0": carried[1]}
-    with interruptible():
+    with interruptible(), told:
         answer = solver(
             x0=start, lbx=one.unknowns.lower, ubx=one.unknowns.upper, lbg=program.lower, ubg=program.upper, **extra
         )
@@ -143,9 +145,9 @@ def _once(
     reasons = () if ok else (*broken_rows(program, one.unknowns, x, g), *pressing_bounds(one.unknowns, x, pressure))
     status = STATUS.get(word, f"the solver ended with {word}")
     say(f"{status} after {int(stats.get('iter_count', 0))} iterations")
-    spent = statistics_of(stats, clock() * 0, made - ready, clock() - made)
+    spent = replace(statistics_of(stats, clock() * 0, made - ready, clock() - made), undefined=told.counts)
     if warm:
-        spent = _sum(warm.parts[0].statistics, spent)
+        spent = warm.parts[0].statistics + spent
     outcome = (ok, status, spent, reasons)
     cut = [_part(one, k, (x, rows, pressure), scale=scale, outcome=outcome) for k in range(len(parts))]
     return _Found(tuple(cut), x, rows, one)
@@ -268,20 +270,3 @@ def _judged(plan: JoinedPlan) -> JoinedPlan:
         reasons = (f"{where}: {part.status}", *(f"{where}: {r}" for r in part.reasons if r not in part.status))
         return replace(plan, ok=False, status=reasons[0], reasons=reasons)
     return linked(plan)
-
-
-def _sum(before: Statistics, after: Statistics) -> Statistics:
-    times, processor = (
-        {name: old.get(name, 0.0) + seconds for name, seconds in new.items()}
-        for old, new in ((before.times, after.times), (before.processor, after.processor))
-    )
-    return Statistics(before.iterations + after.iterations, times, processor)
-
-
-def _spent(parts: Statistics, spent: np.ndarray) -> Statistics:
-    """With the rest and the total."""
-    times, processor = (
-        {**each, "the rest": total - sum(each.values()), "total": total}
-        for each, total in zip((parts.times, parts.processor), spent.tolist(), strict=True)
-    )
-    return Statistics(parts.iterations, times, processor)

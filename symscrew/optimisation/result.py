@@ -5,8 +5,9 @@ PlannedMotion + multipliers --costates, mesh_errors--> Trajectory: status, error
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import numpy as np
@@ -21,12 +22,31 @@ from symscrew.optimisation.planned_motion import PlannedMotion
 class Statistics:
     """Iterations, and time [s] by part (model, transcription, functions, solver, errors, total), by two clocks.
 
-    `times`: the wall's; `processor`: the processor's, over all threads.
+    `times`: the wall's; `processor`: the processor's, over all threads. `undefined`: equation -> evaluations on the
+    solver's way in which it was the first that was not finite (the solver shortens such steps).
     """
 
     iterations: int
     times: Mapping[str, float]
     processor: Mapping[str, float]
+    undefined: Mapping[str, int] = field(default_factory=dict)
+
+    def __add__(self, after: Statistics) -> Statistics:
+        """Of both, one after the other."""
+        times, processor = (
+            {name: old.get(name, 0.0) + seconds for name, seconds in new.items()}
+            for old, new in ((self.times, after.times), (self.processor, after.processor))
+        )
+        undefined = Counter(self.undefined) + Counter(after.undefined)
+        return Statistics(self.iterations + after.iterations, times, processor, dict(undefined.most_common()))
+
+    def completed(self, rest: str, spent: np.ndarray) -> Statistics:
+        """With what the `rest` took of what was `spent` in all (by both clocks), and the total."""
+        times, processor = (
+            {**each, rest: total - sum(each.values()), "total": total}
+            for each, total in zip((self.times, self.processor), spent.tolist(), strict=True)
+        )
+        return replace(self, times=times, processor=processor)
 
 
 @dataclass(frozen=True)

@@ -29,6 +29,7 @@ from symscrew.optimisation.problem import TrajectoryProblem
 from symscrew.optimisation.refinement import refinement_of
 from symscrew.optimisation.result import Statistics, Trajectory
 from symscrew.optimisation.shooting import Shooting
+from symscrew.optimisation.solver_warnings import SolverWarnings
 from symscrew.optimisation.sparse import NonlinearProgram, assemble, cost_of
 from symscrew.optimisation.tie_breaking import can_break_ties, continued, without_effort
 from symscrew.optimisation.transcription import Discretisation, Transcribed
@@ -53,7 +54,8 @@ REFINING: Mapping[str, Any] = {"warm_start_init_point": "yes", "mu_init": 1e-6} 
      "warm_start_mult_bound_push"), 1e-7
 )  # fmt: skip
 # No gradient of the Lagrangian by the parameters: nobody asks for it, and compiled points do not derive themselves. And
-# no lines on the standard error where a trial step leaves what is defined: solvers shorten it, and the status tells.
+# no lines on the standard error where a trial step leaves what is defined, unless somebody counts them: solvers shorten
+# it, and the status tells.
 USUAL: Mapping[str, Any] = {"no_nlp_grad": True, "calc_lam_p": False, "show_eval_warnings": False}
 
 
@@ -134,7 +136,7 @@ def solve(
     say(trajectory.status)
     if search is not None:
         trajectory = replace(trajectory, search=search, notes=(*trajectory.notes, str(search)))
-    return replace(trajectory, statistics=_whole(trajectory.statistics, clock() - began))
+    return replace(trajectory, statistics=trajectory.statistics.completed("errors and meshes", clock() - began))
 
 
 def attempts(problem: TrajectoryProblem, guesses: Sequence[Values | None]) -> list[Attempt]:
@@ -220,7 +222,7 @@ def _refined(
         transcription = replace(before, mesh=mesh, intervals=len(mesh), degree=finer.degree or before.degree)
         model = PointModel(replace(model.problem, transcription=transcription), model.equations, model.scales)
         again = _once(model, guess, warm=trajectory, say=say, began=clock(), until=until, start_options=REFINING)
-        spent = _sum(trajectory.statistics, again.statistics)
+        spent = trajectory.statistics + again.statistics
         if not again.ok:  # the coarser motion is an optimum still
             say(f"the finer mesh is given up: {again.status}")
             reason = f"a finer mesh of {len(mesh)} intervals was given up: {again.status}"
@@ -236,23 +238,6 @@ def _refined(
         if reason
         else trajectory
     )
-
-
-def _sum(before: Statistics, after: Statistics) -> Statistics:
-    times, processor = (
-        {name: old.get(name, 0.0) + seconds for name, seconds in new.items()}
-        for old, new in ((before.times, after.times), (before.processor, after.processor))
-    )
-    return Statistics(before.iterations + after.iterations, times, processor)
-
-
-def _whole(parts: Statistics, spent: np.ndarray) -> Statistics:
-    """With what errors and meshes took, and the total."""
-    times, processor = (
-        {**each, "errors and meshes": total - sum(each.values()), "total": total}
-        for each, total in zip((parts.times, parts.processor), spent.tolist(), strict=True)
-    )
-    return Statistics(parts.iterations, times, processor)
 
 
 def clock() -> np.ndarray:
@@ -290,12 +275,13 @@ def _once(
     program = assemble(transcribed.families, transcribed.linear, transcribed.cost, scale)
     say(f"program: {unknowns.size} unknowns, {len(program.labels)} constraints")
     limit = {} if until == np.inf else {"max_wall_time": max(until - time.perf_counter(), LEAST_TIME)}
-    solver = solver_of(model.problem, program, {**(start_options if warm else {}), **limit})
+    told = SolverWarnings(program.labels)
+    solver = solver_of(model.problem, program, {**(start_options if warm else {}), **limit}, warn=told.heard)
     made = clock()
     extra = {}
     if warm is not None and (carried := carried_multipliers(warm, transcribed, scale)):
         extra = {"lam_g0": carried[0], "lam_x0": carried[1]}
-    with interruptible():
+    with interruptible(), told:
         answer = solver(x0=start, lbx=unknowns.lower, ubx=unknowns.upper, lbg=program.lower, ubg=program.upper, **extra)
     stats = solver.stats()
     done = clock()
@@ -307,10 +293,11 @@ def _once(
     reasons = () if ok else (*broken_rows(program, unknowns, x, g), *pressing_bounds(unknowns, x, pressure))
     status = STATUS.get(word, f"the solver ended with {word}")
     say(f"{status} after {int(stats.get('iter_count', 0))} iterations")
+    spent = replace(statistics_of(stats, ready - began, made - ready, done - made), undefined=told.counts)
     return Trajectory(
         model.problem, transcribed, unknowns.unpack(x), x, np.array(answer["lam_g"]).ravel(),
         pressure, float(answer["f"]) * scale, scale, ok, status,
-        statistics_of(stats, ready - began, made - ready, done - made), reasons, solved=ok,
+        spent, reasons, solved=ok,
     )  # fmt: skip
 
 
@@ -350,13 +337,15 @@ def check_bounds(transcribed: Transcribed) -> None:
         )
 
 
-def solver_of(problem: TrajectoryProblem, program: NonlinearProgram, start: Mapping[str, Any]) -> ca.Function:
-    """The problem's solver of a program, with `start` among its options."""
+def solver_of(
+    problem: TrajectoryProblem, program: NonlinearProgram, start: Mapping[str, Any], *, warn: bool = False
+) -> ca.Function:
+    """The problem's solver of a program, with `start` among its options; `warn`: it says where functions fail."""
     given = problem.solver
     if not ca.has_nlpsol(given.name):
         raise DescriptionError(f"solver.name: this CasADi has no solver {given.name!r}; 'ipopt' comes with it")
     nlp = {"x": program.x, "p": program.p, "f": program.f, "g": program.g}
-    options: dict[str, Any] = {"print_time": False, "error_on_fail": False, **USUAL}
+    options: dict[str, Any] = {"print_time": False, "error_on_fail": False, **USUAL, "show_eval_warnings": warn}
     if given.name == "ipopt":
         own: dict[str, Any] = {
             "print_level": 0, "sb": "yes", "tol": given.tolerance, "max_iter": given.iterations,
@@ -397,4 +386,5 @@ def statistics_of(
             "model and guess": float(model[k]), "transcription": float(transcription[k]), "functions": functions,
             "solver": float(solver[k]) - functions,
         })  # fmt: skip
-    return Statistics(int(stats.get("iter_count", 0)), *parts)
+    times, processor = parts
+    return Statistics(int(stats.get("iter_count", 0)), times, processor)

@@ -109,3 +109,11 @@ def test_completion_knows_commands_options_and_choices() -> None:
 def test_the_table_is_the_parser() -> None:
     commands = next(a for a in table.parser()._actions if a.choices and "list" in a.choices).choices
     assert list(commands) == list(COMMANDS)  # type: ignore[arg-type]
+
+
+def test_help_of_assemble_tells_the_two_names_in_python_apart(capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit):
+        main(["assemble", "--help"])
+    text = " ".join(capsys.readouterr().out.split())
+    assert "symscrew.assembly_modes(mechanism) gives them all" in text
+    assert "symscrew.assemble(model, {...}) is another thing: the one configuration near a guess" in text
