@@ -64,8 +64,9 @@ static int planar_zeros(double (*goal)[3], double (*zeros)[WIDTH])
         w[k][0] = 1.1 * cos(TURN * k / degree + 0.4);
         w[k][1] = 1.1 * sin(TURN * k / degree + 0.4);
     }
-    for (int turn = 0; turn < 60; ++turn) { /* Aberth's method, all zeros at once */
-        double longest = 0.0;
+    double longest = 1.0;
+    for (int turn = 0; turn < 60 && longest >= 1e-28; ++turn) { /* Aberth's method, all zeros at once */
+        longest = 0.0;
         for (int k = 0; k < degree; ++k) {
             double pr = re[high], pi = im[high], dr = 0.0, di = 0.0;
             for (int i = high - 1; i >= low; --i) {
@@ -98,9 +99,9 @@ static int planar_zeros(double (*goal)[3], double (*zeros)[WIDTH])
             const double step = 1.0 / (norm * (w[k][0] * w[k][0] + w[k][1] * w[k][1]));
             longest = step > longest ? step : longest;
         }
-        if (longest < 1e-28) {
-            break;
-        }
+    }
+    if (!(longest < 1e-12)) { /* squared: a zero that still moves by a millionth may come to the circle, or leave it */
+        return -1;
     }
     for (int k = 0; k < degree; ++k) {
         const double size = sqrt(w[k][0] * w[k][0] + w[k][1] * w[k][1]);
@@ -120,7 +121,7 @@ static int planar_zeros(double (*goal)[3], double (*zeros)[WIDTH])
         zeros[count][3] = 0.5 * (y * c - x * s);
         ++count;
     }
-    return count;
+    return (degree - count) % 2 ? -1 : count; /* zeros off the circle come in pairs, mirrored in it */
 }
 #else
 static int planar_zeros(double (*goal)[3], double (*zeros)[WIDTH])

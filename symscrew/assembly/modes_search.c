@@ -336,7 +336,7 @@ int MODES(const double *drives, MODE *modes, int *count)
     int ends[N_PATHS], list[N_PATHS + LANES], size = N_PATHS, lost = 0;
     *count = 0;
     for (int k = 0; k < N_DRIVES; ++k) {
-        sum += drives[k];
+        sum += 0.0 * drives[k];
     }
     if (!isfinite(sum)) {
         return 2;

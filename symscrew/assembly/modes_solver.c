@@ -485,7 +485,7 @@ int NEAREST(MODE *mode, const double *drives)
     MODE now = *mode;
     double target[N_DRIVES], part = 1.0, done = 0.0, sum = 0.0;
     for (int k = 0; k < N_DRIVES; ++k) {
-        sum += drives[k];
+        sum += 0.0 * drives[k];
     }
     if (!isfinite(sum)) {
         return 2;
