@@ -15,6 +15,7 @@ from collections.abc import Sequence
 
 from symscrew import __version__
 from symscrew.cli.help import DONE, FAILED, CommandsAction, Parser, UsageError, complete
+from symscrew.errors import shorten
 
 BAD_INPUT, INTERRUPTED = 2, 130  # exit codes; 130 is what shells give to a command that Ctrl-C ended
 
@@ -55,6 +56,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         made = parser()
         if "_ARGCOMPLETE" in os.environ:
             complete(made)
+        _refuse_empty(sys.argv[1:] if arguments is None else arguments)
         options = made.parse_args(arguments)
         if not hasattr(options, "command"):
             made.error("expected a command")
@@ -76,6 +78,15 @@ def main(arguments: Sequence[str] | None = None) -> int:
         if not _is_failure(error):
             raise
         return _fail(error, FAILED)
+
+
+def _refuse_empty(arguments: Sequence[str]) -> None:
+    """Raises UsageError for a text without letters, as a shell makes of a variable that is not set: nobody means it."""
+    for before, argument in zip(["symscrew", *arguments], arguments, strict=False):
+        option, equals, value = argument.partition("=")
+        if not argument.strip() or (option.startswith("--") and equals and not value.strip()):
+            where = option if equals else before
+            raise UsageError(f"expected a value after {shorten(where)}, got an empty text")
 
 
 def _run(options: argparse.Namespace) -> int:

@@ -55,7 +55,7 @@ def run(options: argparse.Namespace) -> int:
     if picture is not None:
         need_matplotlib("--plot needs")
     for name, folder in (("--emit-c", options.emit_c), ("--emit-cuda", options.emit_cuda)):
-        if folder:
+        if folder is not None:
             check_folder(folder, name)
     _check_many(options)
     scene = load_scene(options.scene)

@@ -180,6 +180,8 @@ def read_plan(options: argparse.Namespace) -> Plan:
     )
     if options.mode and options.certify:
         raise UsageError("--mode: certificates begin in the reference configuration; leave one of both out")
+    if options.engine and options.certify:
+        raise UsageError("--engine: certificates evaluate bounds in an arithmetic of their own; leave one of both out")
     if not axes and not tolerances:
         raise UsageError("nothing to sweep: give --over COORDINATE=from:to:count, or --tolerance PARAMETER=deviation")
     if plan.count > MOST_CASES and not options.certify:

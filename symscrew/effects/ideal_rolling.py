@@ -137,7 +137,8 @@ class IdealRolling(Effect):
             distance = float(np.linalg.norm(away - (away @ axis) * axis))
             gap = circle - distance - radius if given.inside else distance - circle - radius
         else:
-            assert normal is not None
+            if normal is None:
+                raise DescriptionError(f"{what}: normal: expected 3 numbers, not all of them 0, got none")
             lean = 1.0 if axis is None else float(np.sqrt(max(0.0, 1 - (axis @ normal) ** 2)))
             if lean < OFF:
                 raise DescriptionError(f"{what}: expected an axis across which the wheel touches; the disc lies flat")

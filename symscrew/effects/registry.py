@@ -109,7 +109,7 @@ def _checked(value: Any, annotation: Any, where: str) -> Any:
     if isinstance(value, bool):
         expected, good = "text or numbers", bool in kinds
     elif isinstance(value, str):
-        expected, good = "a list or a number", str in kinds
+        expected, good = "true or false" if kinds == {bool} else "a list or a number", str in kinds
     elif isinstance(value, int | float | Decimal | Fraction):
         integer = int in kinds and float not in kinds
         expected = "an index" if integer else ("true or false" if kinds == {bool} else "text or a list")

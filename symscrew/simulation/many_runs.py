@@ -125,7 +125,8 @@ def simulate_many(
     model, plant = prepared or prepare(scene)
     found = starts_of(scene, model, plant, starts)
     made = _Packed(found, model, plant)
-    work = _Work(found, model, plant, threads=threads or os.cpu_count() or 1, backend=backend)
+    useful = min(threads or os.cpu_count() or 1, max(found.count, 1), BLOCK)  # each has a copy of the library
+    work = _Work(found, model, plant, threads=useful, backend=backend)
     for first in range(0, found.count, BLOCK):
         block = range(first, min(first + BLOCK, found.count))
         for k, run in work.of(block):

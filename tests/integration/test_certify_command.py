@@ -79,6 +79,7 @@ def test_six_legs_over_three_of_six_coordinates() -> None:
         (["--over", "base_left=0:1", "--expect-tilt", "1deg"], "needs the axes tilt and azimuth"),
         (["--over", "base_left=1m:2m"], "is an angle"),
         (["--over", "elbow_left=0:1"], "over independent coordinates (base_left, base_right)"),
+        (["--over", "base_left=-20deg:0deg:5", "--engine", "c"], "--engine: certificates"),
         ([], "nothing to sweep"),
     ],
 )  # fmt: skip

@@ -288,6 +288,17 @@ def test_output_into_a_closed_pipe_ends_quietly() -> None:
     assert shown.stderr == ""
 
 
+@pytest.mark.parametrize("words", [
+    ("simulate", "nowhere.toml", "--emit-cuda", ""), ("simulate", "nowhere.toml", "--emit-c="),
+    ("generate", "four_bar", "--out", " "), ("mobility", ""),
+])  # fmt: skip
+def test_what_a_shell_makes_of_an_unset_variable_is_refused(
+    words: tuple[str, ...], capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert_one_clear_line(*run(*words, capsys=capsys))
+    assert main(list(words)) == 2 and "got an empty text" in capsys.readouterr().err
+
+
 @pytest.mark.parametrize(
     "words",
     [

@@ -94,6 +94,7 @@ def test_every_run_is_that_of_its_scene_alone_to_the_bit() -> None:
     starts = drawn(5)
     runs = simulate_many(scene, starts, prepared=prepared, threads=3)
     assert runs.all_ok and len(runs) == 5 and runs.backend == "c" and runs.threads == 3
+    assert simulate_many(scene, {n: a[:2] for n, a in starts.items()}, prepared=prepared, threads=99_999).threads == 2
     for k in (0, 3):
         same(runs, k, alone(scene, prepared, starts, k))
     order = np.array([4, 0, 3])

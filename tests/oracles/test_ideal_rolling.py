@@ -230,6 +230,7 @@ REFUSED = [
     (IdealRolling("hub", "road", 0), "above 0"),
     (IdealRolling("hub", "road", "0.31"), "m off"),
     (IdealRolling("hub", "road", "0.3", normal=(0, 0, 0)), "not all of them 0"),
+    (IdealRolling("hub", "road", "0.3", normal=()), "not all of them 0, got none"),
     (IdealRolling("hub", "road", "0.3", axis=(0, 0, 1)), "lies flat"),
     (IdealRolling("hub", "road", "0.3", circle=2), "the key 'axis'"),
     (IdealRolling("hub", "road", "0.3", axis=(1, 0, 0), circle="-0.2"), "minus the wheel's"),
