@@ -21,6 +21,7 @@ from typing import Any
 import numpy as np
 
 from symscrew.algebra import CONTEXT
+from symscrew.mobility.coupled_rates import Tie
 from symscrew.mobility.joint_network import Network
 from symscrew.mobility.screw_systems import null_space
 
@@ -142,7 +143,20 @@ class _Series:
                 for column in self.network.edges[name].columns:
                     total = total + sign * flow[column]
             result.append(total)
-        return np.concatenate(result)
+        return np.concatenate([*result, np.array([self._tied(tie) for tie in self.network.ties], dtype=object)])
+
+    def _tied(self, tie: Tie) -> Any:
+        """The next coefficient of a coupling's velocity, without the next rates: of its powers from the second on."""
+        m = len(self.rates)
+        total = CONTEXT.zero
+        for term in tie.terms:
+            column = self.network.tied_column(term.joint, term.motion)
+            d = [CONTEXT.zero, *(self.rates[k][column] / (k + 1) for k in range(m)), CONTEXT.zero]
+            power = d
+            for c in term.coefficients[1:]:
+                power = [sum(power[i] * d[k - i] for i in range(k + 1)) for k in range(m + 2)]
+                total = total + c * power[m + 1]
+        return (m + 1) * total
 
 
 def _carriers(network: Network) -> list[list[tuple[int, int]]]:
