@@ -7,12 +7,10 @@ an effect that reads a further input makes shorter.
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterator
 from dataclasses import replace
 from functools import cache
 
 import pytest
-from support.derived_once import derived_once
 from support.model_states import model
 from support.samples import some_quickly
 
@@ -29,14 +27,6 @@ from symscrew.model import Model, derive
 from symscrew.program.lowering import lower
 from symscrew.program.straight_line import Program
 from symscrew.studies.bill_of_effects import alone
-
-
-@pytest.fixture(scope="module", autouse=True)
-def models_once() -> Iterator[None]:
-    """The bill of an effect, of a pair and of the other effect are of the same few models."""
-    with derived_once():
-        yield
-
 
 CRANK, SEED = "slider_crank", "three_ups_upu_s"
 REACTIONS = "joint_reactions"
