@@ -60,7 +60,7 @@ def priced(x):
 # the gradient against differences of the cost: of fourth order, so that they carry eight digits
 radii = np.array([80.0, 50.0])  # R, r [cm]: the paper's
 before, slope = priced(radii)
-ends = [priced(radii + [moved, 0.0])[0] for moved in (-0.2, -0.1, 0.1, 0.2)]
+ends = [priced(radii + np.array([moved, 0.0]))[0] for moved in (-0.2, -0.1, 0.1, 0.2)]
 differences = (ends[0] - 8 * ends[1] + 8 * ends[2] - ends[3]) / 1.2
 assert abs(slope[0] - differences) < 1e-6 * abs(differences)
 
