@@ -10,6 +10,7 @@ first leave the bounds that the motion stands on. What that does not reach is le
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
@@ -40,6 +41,7 @@ from symscrew.optimisation.solution import (
     symmetric,
     transcribe,
 )
+from symscrew.optimisation.solver_warnings import SolverWarnings
 from symscrew.optimisation.sparse import NonlinearProgram, assemble, point_functions, row_bounds
 from symscrew.optimisation.stage_order import StagedSolver, Stages, stages_of
 from symscrew.optimisation.transcription import Transcribed, bound_by_problem, linear_cost
@@ -133,7 +135,7 @@ class OptimisationProblem:
         self._compiled = False
         self._program = self._assembled()
         self._stages = stages_of(self._made, self._program) if ca.has_conic("hpipm") else None
-        self._solvers: dict[str, Any] = {}
+        self._solvers: dict[tuple[str, bool], Any] = {}
 
     # -- compiled functions ---------------------------------------------------------------------------------------
 
@@ -225,16 +227,20 @@ class OptimisationProblem:
         )  # fmt: skip
         begin = self._start(warm, shift)
         self.compiled()
-        ready = clock()
+        ready, undefined = clock(), Counter[str]()
         for name in self._ways(begin):
-            solver = self._solver(name)
-            answer = self._answer(solver, given, begin)
+            told = SolverWarnings(self._labels(name))
+            solver = self._solver(name, told.heard)
+            with told:
+                answer = self._answer(solver, given, begin)
+            undefined.update(told.counts)
             stats = solver.stats()
             if stats["success"]:
                 break
             if name == STAGED:
                 self._stages = None
         found = self._trajectory(given, answer, stats, (began, ready, clock()))
+        found = replace(found, statistics=replace(found.statistics, undefined=dict(undefined.most_common())))
         return judged(found) if judge else found
 
     def _changed(
@@ -313,15 +319,24 @@ class OptimisationProblem:
             return ("ipopt",)
         return (*((STAGED,) if self._stages else ()), "active sets", "ipopt, warm")
 
-    def _solver(self, name: str) -> Any:
-        if name not in self._solvers:
+    def _labels(self, name: str) -> Sequence[str]:
+        """Labels of the constraints in the order in which a solver has them."""
+        labels = self._program.labels
+        return [labels[k] for k in self._stages.rows] if name == STAGED and self._stages is not None else labels
+
+    def _solver(self, name: str, warn: bool) -> Any:
+        """The solver of this name; `warn`: one that says where functions are undefined on its way."""
+        if (name, warn) not in self._solvers:
+            problem, program = self.problem, self._program
+            made: StagedSolver | ca.Function
             if name == STAGED and self._stages is not None:
-                self._solvers[name] = _by_stages(self.problem, self._program, self._stages)
+                made = _by_stages(problem, program, self._stages, warn=warn)
             elif name == "active sets":
-                self._solvers[name] = _by_active_sets(self.problem, self._program)
+                made = _by_active_sets(problem, program, warn=warn)
             else:
-                self._solvers[name] = solver_of(self.problem, self._program, WARM if "warm" in name else {})
-        return self._solvers[name]
+                made = solver_of(problem, program, WARM if "warm" in name else {}, warn=warn)
+            self._solvers[name, warn] = made
+        return self._solvers[name, warn]
 
     def _trajectory(
         self, given: _Numbers, answer: Mapping[str, Any], stats: Mapping[str, Any], times: Sequence[np.ndarray]
@@ -352,24 +367,24 @@ def _conditions(before: Conditions, given: Given) -> Conditions:
     return replace(before, coordinates={**before.coordinates, **given})
 
 
-def _quadratic(problem: TrajectoryProblem) -> dict[str, Any]:
+def _quadratic(problem: TrajectoryProblem, *, warn: bool) -> dict[str, Any]:
     """Options of CasADi's sequential quadratic programming."""
     return {
         "max_iter": MOST_STEPS, "tol_pr": problem.solver.tolerance, "tol_du": problem.solver.tolerance, **USUAL,
         "print_header": False, "print_iteration": False, "print_status": False, "print_time": False,
-        "error_on_fail": False,
+        "error_on_fail": False, "show_eval_warnings": warn,
     }  # fmt: skip
 
 
-def _by_stages(problem: TrajectoryProblem, program: NonlinearProgram, stages: Stages) -> StagedSolver:
+def _by_stages(problem: TrajectoryProblem, program: NonlinearProgram, stages: Stages, *, warn: bool) -> StagedSolver:
     """Steps by HPIPM, an interior-point method that goes from stage to stage."""
     wanted = dict.fromkeys(("res_g_max", "res_b_max", "res_d_max", "res_m_max"), PART * problem.solver.tolerance)
     own = {**stages.options, "inf": UNBOUNDED, "error_on_fail": False}
     own["hpipm"] = {**wanted, "mu0": BARRIER, "iter_max": MOST_BARRIERS}
-    return StagedSolver(stages, program, {**_quadratic(problem), "qpsol": "hpipm", "qpsol_options": own})
+    return StagedSolver(stages, program, {**_quadratic(problem, warn=warn), "qpsol": "hpipm", "qpsol_options": own})
 
 
-def _by_active_sets(problem: TrajectoryProblem, program: NonlinearProgram) -> ca.Function:
+def _by_active_sets(problem: TrajectoryProblem, program: NonlinearProgram, *, warn: bool) -> ca.Function:
     """Steps by an active-set method on the whole, sparse."""
     x, p = program.x, program.p
     both = [*program.gradient(x, p), *program.jacobian(x, p)]
@@ -382,4 +397,4 @@ def _by_active_sets(problem: TrajectoryProblem, program: NonlinearProgram) -> ca
         "qpsol_options": own,
     }
     nlp: dict[str, Any] = {"x": x, "p": p, "f": program.f, "g": program.g}
-    return ca.nlpsol("warm", "sqpmethod", nlp, {**_quadratic(problem), **options})
+    return ca.nlpsol("warm", "sqpmethod", nlp, {**_quadratic(problem, warn=warn), **options})
