@@ -279,7 +279,10 @@ def test_a_ball_that_rolls_on_two_bodies() -> None:
     b.joint("X", "P", parent="base", child="lid", point=[0, 0, "0.2"], axes=[[1, 0, 0]])
     for name, body, z in (("hub", "ball", "0.1"), ("road", "base", 0), ("under", "lid", "0.2")):
         b.point(name, body=body, at=[0, 0, z])
-    rolls = [IdealRolling("hub", "road", "0.1", name="low"), IdealRolling("hub", "under", "0.1", (0, 0, -1), name="high")]
+    rolls = [
+        IdealRolling("hub", "road", "0.1", name="low"),
+        IdealRolling("hub", "under", "0.1", (0, 0, -1), name="high"),
+    ]
     found = derive(b.build(), [Gravity((3, 0, "-9.81")), *rolls])
     q, v, _ = found.system.sample_states
     (a, *_), status = found("forward_dynamics", q, v)
