@@ -35,7 +35,7 @@ BILLED = (
 )  # fmt: skip
 
 
-def effect(name: str, *args: object, **fields: object) -> Effect:
+def effect(name: str, /, *args: object, **fields: object) -> Effect:
     return getattr(known, name)(*args, **fields)
 
 
@@ -63,6 +63,7 @@ ADDED = {
     "rolling": effect("RollingContact", "piston", "frame", "0.1", 30, "0.1", axis=(0, 1, 0), load=10),
     "clearance": effect("JointClearance", "frame", "piston", "0.001", 100000, friction="0.1", velocity="0.01"),
     "flexible": effect("FlexibleLink", "pin", "far", (0, 1, 0), 50, "0.5", damping="0.01"),
+    "stiffened": effect("FlexibleLink", "pin", "far", (0, 1, 0), 50, "0.5", geometric_stiffness=True, name="rod"),
     "screw": effect("ScrewTransmission", "slider_P", "0.05", "0.8", velocity="0.01"),
     "drag": effect("FluidDrag", "rod", ("0.1", "0.2", "0.3"), 800, 2),
     "payload": effect("Payload", "rod", 2, ("0.1", 0, "0.2")),
