@@ -301,7 +301,7 @@ class Mobility:
     @cached_property
     def motion_proof(self) -> MotionProof | None:
         """What is proved of the real motion, by evidence that a checker can judge; None where it is not as a whole."""
-        if not self.in_reference or self.network.ties:
+        if not self.in_reference:
             return None
         return motion_proof(self.mechanism, self.network, self.platform.body)
 
@@ -443,7 +443,7 @@ def analyse_mobility(
     finite = judged(network, first_order, decisions)
     found = Mobility(mechanism, network, first_order, finite, platform, limbs, constraints, decisions,
                      reached.closed_to, coordinates, parameters, reached=reached)  # fmt: skip
-    if not coordinates and not finite.proved and finite.dof is not None and not network.ties:
+    if not coordinates and not finite.proved:
         proof = found.motion_proof
         found = replace(found, finite=confirmed(finite, proof))
         vars(found)["motion_proof"] = proof  # which does not rest on the judgement, and takes a second

@@ -2,7 +2,8 @@
 
     closure rows A --left null space--> self-stresses s, s^T A = 0 --> joint wrenches without load --> joints to free
 
-A redundant constraint is a self-stress: joint wrenches in equilibrium without load, one wrench per loop. A joint
+A redundant constraint is a self-stress: joint wrenches in equilibrium without load, one wrench per loop, and one force
+per coupling of coordinates. A joint
 whose wrench takes part in a self-stress has no unique reaction. Giving a joint one freedom more, along a twist on
 which the self-stress does work, removes one redundant constraint and adds no mobility.
 """
@@ -30,20 +31,22 @@ class Overconstraints:
     """Self-stresses: joint -> wrenches (f ; m_O) that it can carry without load, scaled to metres.
 
     `cure`: one joint for each redundant constraint that can be removed by one more freedom there, with the
-    wrench that the joint must then give up, in words.
+    wrench that the joint must then give up, in words; or one coupling to be left out. `couplings`: those that can
+    pull without load.
     """
 
     count: int
     wrenches: dict[str, tuple[Screw, ...]]
     cure: tuple[str, ...]
+    couplings: tuple[str, ...] = ()
 
     def __repr__(self) -> str:
         return f"<Overconstraints: {self.count}, reactions of {len(self.wrenches)} joints not unique>"
 
     @property
     def statically_indeterminate(self) -> tuple[str, ...]:
-        """Joints whose reaction is not unique."""
-        return tuple(self.wrenches)
+        """Joints whose reaction, and couplings whose force, is not unique."""
+        return (*self.wrenches, *self.couplings)
 
 
 def overconstraints(network: Network, found: Instantaneous) -> Overconstraints:
@@ -62,7 +65,12 @@ def overconstraints(network: Network, found: Instantaneous) -> Overconstraints:
         independent = eliminate(own, 6)
         if independent.rank:
             wrenches[name] = tuple(_in_metres(row, network) for row in independent.rows)
-    return Overconstraints(len(stresses), wrenches, _cure(carried, len(stresses), network))
+    pulling = []
+    for k, tie in enumerate(network.ties, start=6 * len(network.chords)):
+        if any(abs(stress[k]) > NO_WORK for stress in stresses):
+            carried[tie.name] = [[stress[k]] for stress in stresses]
+            pulling.append(tie.name)
+    return Overconstraints(len(stresses), wrenches, _cure(carried, len(stresses), network), tuple(pulling))
 
 
 def _wrench(stress: Sequence[Real], signs: Sequence[int]) -> Row:
@@ -82,8 +90,9 @@ def _cure(carried: dict[str, list[Row]], count: int, network: Network) -> tuple[
     while combinations:
         best = None
         for name, own in carried.items():
-            left = [[sum(c[k] * own[k][i] for k in range(count)) for i in range(6)] for c in combinations]
-            sizes = [(abs(w[i]), i) for w in left for i in range(6)]
+            width = len(own[0])
+            left = [[sum(c[k] * own[k][i] for k in range(count)) for i in range(width)] for c in combinations]
+            sizes = [(abs(w[i]), i) for w in left for i in range(width)]
             size, component = max(sizes)
             if size and (best is None or size > best[0] * LARGER):
                 best = (size, name, component, left)
@@ -92,9 +101,12 @@ def _cure(carried: dict[str, list[Row]], count: int, network: Network) -> tuple[
         _, name, component, left = best
         work = [w[component] for w in left]
         lead = max(range(len(work)), key=lambda k: abs(work[k]))
+        coupling = len(left[lead]) == 1
+        carries = "" if coupling else describe_wrench(_in_metres(left[lead], network))
         texts.append(
-            f"{name}: free {_freedom(component)}; it carries a {describe_wrench(_in_metres(left[lead], network))}"
-        )
+            f"{name}: leave this coupling out" if coupling
+            else f"{name}: free {_freedom(component)}; it carries a {carries}"
+        )  # fmt: skip
         combinations = [
             [a - work[k] / work[lead] * b for a, b in zip(row, combinations[lead], strict=True)]
             for k, row in enumerate(combinations)

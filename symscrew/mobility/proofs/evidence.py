@@ -19,6 +19,7 @@ METHODS = {
     "groups": "every loop moves in a group of displacements, and the rank is the sum of their dimensions",
     "limbs": "each limb reaches all of a group of displacements, and groups meet in a group",
     "stopped": "a self-stress does work on the only motion",
+    "tied": "parts that are smooth without couplings, and couplings that are independent of them",
     "form": "the one redundant equation, or a combination of them, has a quadratic form that is not degenerate",
 }
 """Kind of a proof -> how it shows the real motion, in words."""
@@ -64,4 +65,4 @@ def motion_proof(mechanism: Mechanism, network: Network, body: str) -> MotionPro
 
 def _definite(numbers: ProofNumbers, values: dict[str, Any], entry: dict[str, Any]) -> bool:
     """Whether a part with a form is isolated."""
-    return Block(numbers.read, values["blocks"].index(entry), entry).dimensions()[0] == 0
+    return Block(numbers.read, ("block", str(values["blocks"].index(entry))), entry).dimensions()[0] == 0
