@@ -85,34 +85,37 @@ def _in_metres(wrench: Sequence[Real], network: Network) -> Screw:
 
 def _cure(carried: dict[str, list[Row]], count: int, network: Network) -> tuple[str, ...]:
     """Greedy: free one component of a joint's wrench; the self-stresses left carry none of it."""
-    combinations = [[1 if i == j else 0 for i in range(count)] for j in range(count)]
+    left = {name: [list(row) for row in own] for name, own in carried.items()}
     texts = []
-    while combinations:
+    for _ in range(count):
         best = None
-        for name, own in carried.items():
-            width = len(own[0])
-            left = [[sum(c[k] * own[k][i] for k in range(count)) for i in range(width)] for c in combinations]
-            sizes = [(abs(w[i]), i) for w in left for i in range(width)]
-            size, component = max(sizes)
+        for name, rows in left.items():
+            size, component = max((abs(c), i) for row in rows for i, c in enumerate(row))
             if size and (best is None or size > best[0] * LARGER):
-                best = (size, name, component, left)
+                best = (size, name, component)
         if best is None or best[0] < NO_WORK:
             break
-        _, name, component, left = best
-        work = [w[component] for w in left]
+        _, name, component = best
+        work = [row[component] for row in left[name]]
         lead = max(range(len(work)), key=lambda k: abs(work[k]))
-        coupling = len(left[lead]) == 1
-        carries = "" if coupling else describe_wrench(_in_metres(left[lead], network))
+        wrench = left[name][lead]
+        carries = "" if len(wrench) == 1 else describe_wrench(_in_metres(wrench, network))
         texts.append(
-            f"{name}: leave this coupling out" if coupling
-            else f"{name}: free {_freedom(component)}; it carries a {carries}"
+            f"{name}: free {_freedom(component)}; it carries a {carries}" if carries
+            else f"{name}: leave this coupling out"
         )  # fmt: skip
-        combinations = [
-            [a - work[k] / work[lead] * b for a, b in zip(row, combinations[lead], strict=True)]
-            for k, row in enumerate(combinations)
-            if k != lead
-        ]
+        shares = [w / work[lead] for w in work]
+        left = {name: _without(rows, lead, shares) for name, rows in left.items()}
     return tuple(texts)
+
+
+def _without(rows: list[Row], lead: int, shares: Sequence[Real]) -> list[Row]:
+    """What a joint carries in the other self-stresses, each with a share of the leading one taken off."""
+    return [
+        [a - share * b if b else a for a, b in zip(row, rows[lead], strict=True)] if share else row
+        for k, (row, share) in enumerate(zip(rows, shares, strict=True))
+        if k != lead
+    ]
 
 
 def _freedom(component: int) -> str:

@@ -14,6 +14,8 @@ from symscrew.mobility.proofs.motion_proofs import block_entry
 from symscrew.mobility.proofs.proof_checker import Block, facts_of
 from symscrew.mobility.proofs.proof_numbers import ProofNumbers, described
 
+Evidence = tuple[ProofNumbers, dict[str, Any]]
+"""The description in exact numbers, and the evidence for the motion of every part, as the file has it."""
 METHODS = {
     "none": "no instantaneous motion of it",
     "groups": "every loop moves in a group of displacements, and the rank is the sum of their dimensions",
@@ -39,15 +41,14 @@ class MotionProof:
     how: str
 
 
-def gathered(mechanism: Mechanism, network: Network, body: str) -> tuple[ProofNumbers, dict[str, Any]]:
+def gathered(mechanism: Mechanism, network: Network, body: str) -> Evidence:
     """The description in exact numbers, and the evidence for the motion of every part."""
     numbers = described(mechanism, network, body)
     return numbers, {"blocks": [block_entry(numbers, k) for k in range(len(numbers.read.blocks))], "ranks": {}}
 
 
-def motion_proof(mechanism: Mechanism, network: Network, body: str) -> MotionProof | None:
-    """The real motion in the reference configuration as far as it is proved as a whole; None where it is not."""
-    numbers, values = gathered(mechanism, network, body)
+def motion_proof(numbers: ProofNumbers, values: dict[str, Any]) -> MotionProof | None:
+    """The real motion in the reference configuration, where evidence proves it as a whole; else None."""
     facts = facts_of(numbers.read, values)
     if "finite mobility" not in facts or "branches" not in facts:
         return None

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
+from functools import cached_property
 from itertools import combinations
 from typing import Any
 
@@ -227,6 +228,7 @@ class _Part:
             read = self.numbers.read.numbers.read
             arc.append([read(self.numbers.json(c * back)) for c in solutions[0][:-1]])
 
+    @cached_property
     def forms(self) -> tuple[list[tuple[Exact, ...]], np.ndarray[Any, Any]]:
         """Self-stresses with their quadratic forms on the motions, in doubles."""
         stresses = self.stresses()
@@ -239,7 +241,7 @@ class _Part:
         """A cone, by one form that is not degenerate; or isolated, by a definite combination."""
         if not self.decided or len(self.block.motions) < 2:
             return
-        stresses, forms = self.forms()
+        stresses, forms = self.forms
         weights = [Fraction(1)] if len(stresses) == 1 else []
         if len(stresses) > 1:
             found = definite_stress(forms)
@@ -262,7 +264,7 @@ class _Part:
         """A branch along a common zero of the forms at which they are independent."""
         if not self.decided or len(self.block.motions) < 3:
             return
-        stresses, forms = self.forms()
+        stresses, forms = self.forms
         scale = [float(np.abs(form).max()) for form in forms]
         if not len(forms) or min(scale) < FLAT:
             return

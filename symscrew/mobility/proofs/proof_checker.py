@@ -35,7 +35,6 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import combinations
-from math import comb
 from typing import Any
 
 BITS = 320
@@ -101,6 +100,8 @@ class Number:
         return self + -other
 
     def __mul__(self, other: Number) -> Number:
+        if not self.terms or not other.terms:
+            return self.within.zero
         terms: dict[Key, Fraction] = {}
         for a, x in self.terms.items():
             for b, y in other.terms.items():
@@ -116,6 +117,7 @@ class Numbers:
         self.count = len(generators)
         self.low: list[list[Number] | None] = [None] * self.count
         self.between: list[Interval] = []
+        self.zero = Number(self, {})
         for k, entry in enumerate(generators):
             low, high = (_rational(end) for end in entry["between"])
             need(low <= high, f"generator {k}: its interval is empty")
@@ -128,7 +130,6 @@ class Numbers:
                 need(opposite, f"generator {k}: no root in its interval")
                 self.low[k] = given
             self.between.append((low.numerator * ONE // low.denominator, -(-high.numerator * ONE // high.denominator)))
-        self.zero = Number(self, {})
         self.one = self.rational(Fraction(1))
 
     def rational(self, value: Fraction) -> Number:
@@ -338,30 +339,26 @@ class Mechanism:
         return [*out[common:], (chord.name, 1), *((name, -sign) for name, sign in reversed(back[common:]))]
 
     def _tie(self, terms: Any) -> Tie:
-        """The sum of p(x) - p(at) over the terms in powers of x - at, by the binomial theorem."""
+        """The sum of p(x) - p(at) over the terms in powers of x - at, by Horner's scheme."""
         tie: Tie = {}
         for term in terms:
             joint, at = self.joints[term["joint"]], self.numbers.read(term["at"])
-            column = joint.columns[term["freedom"]]
-            axis = joint.screws[term["freedom"]]
-            axis = axis[:3] if any(axis[:3]) else axis[3:]
+            column, screw = joint.columns[term["freedom"]], joint.screws[term["freedom"]]
+            axis = screw[:3] if any(screw[:3]) else screw[3:]
             low, high = self.numbers.interval(_dot(axis, axis))
             need(max(abs(low - ONE), abs(high - ONE)) <= UNIT, "a coupled axis that has not the length 1")
-            given, powers = [self.numbers.read(c) for c in term["coefficients"]], [self.numbers.one]
-            while len(powers) < len(given):
-                powers.append(powers[-1] * at)
             need(column not in tie, f"joint {joint.name} is twice in a coupling")
-            tie[column] = [
-                sum((c * self.numbers.rational(Fraction(comb(j, k))) * powers[j - k]
-                     for j, c in enumerate(given, start=1) if j >= k), self.numbers.zero)
-                for k in range(1, len(given) + 1)
-            ]  # fmt: skip
+            shifted = [self.numbers.zero, *(self.numbers.read(c) for c in term["coefficients"])]
+            for first in range(len(shifted) - 1):
+                for k in reversed(range(first, len(shifted) - 1)):
+                    shifted[k] = shifted[k] + at * shifted[k + 1]
+            tie[column] = shifted[1:]
         return tie
 
     def _parts(self, ties: Sequence[Tie]) -> list[Part]:
         """Parts whose loops, and couplings of those given, share no joint: their motions are independent."""
-        owner = {column: joint.name for joint in self.joints.values() for column in joint.columns}
-        sets = [{name for name, _ in loop} for loop in self.loops] + [{owner[column] for column in tie} for tie in ties]
+        sets = [{name for name, _ in loop} for loop in self.loops]
+        sets += [{joint.name for joint in self.joints.values() if tie.keys() & set(joint.columns)} for tie in ties]
         parts: list[tuple[list[int], set[str]]] = []
         for index, names in enumerate(sets):
             touching = [part for part in parts if part[1] & names]
@@ -503,6 +500,7 @@ class Block:
         self.motions = null_space(self.numbers, matrix, entry["rank"].get("null", []))
         at = {column: k for k, column in enumerate(self.columns)}
         self.factors = [[(at[c], s) for c, s in mechanism.factors(loop)] for loop in self.loops]
+        self.brackets: list[list[tuple[int, int, Screw]]] = []
         self.tied_columns = [{at[c]: powers for c, powers in mechanism.ties[k].items()} for k in self.ties]
 
     def dimensions(self) -> tuple[int, int, list[int] | None, bool]:
@@ -553,9 +551,8 @@ class Block:
         loops = 0
         for k, entry in zip(inside, proof["parts"], strict=True):
             part = Block(self.mechanism, ("untied", str(k)), entry)
-            least, _, _, smooth = part.dimensions()
-            need(smooth, "a part that is not smooth without couplings")
-            loops += len(part.columns) - least
+            need(part.dimensions()[3], "a part that is not smooth without couplings")
+            loops += len(part.columns) - part.dimensions()[0]
         alike = null_space(self.numbers, self.mechanism.powers(self.ties), proof["implied"])
         need(self.least == loops + len(self.ties) - len(alike), "couplings that are not independent of the loops")
 
@@ -593,16 +590,20 @@ class Block:
         zero, count = self.numbers.zero, len(self.motions)
         form = [[zero] * count for _ in range(count)]
         parts, pulls = self.stress(given)
-        works = [(j, k, _dot(part, bracket(a, b))) for part, factors in zip(parts, self.factors, strict=True)
-                 for (j, a), (k, b) in combinations(factors, 2)]  # fmt: skip
+        if not self.brackets:
+            self.brackets = [[(j, k, bracket(a, b)) for (j, a), (k, b) in combinations(f, 2)] for f in self.factors]
+        loops = zip(parts, self.brackets, strict=True)
+        works = [(j, k, _dot(part, screw)) for part, found in loops for j, k, screw in found]
         two = self.numbers.rational(Fraction(2))  # the second derivative of c x^2 is 2 c u^2
-        works += [(c, c, pull * two * powers[1]) for pull, tie in zip(pulls, self.tied_columns, strict=True)
-                  for c, powers in tie.items() if len(powers) > 1]  # fmt: skip
+        for pull, tie in zip(pulls, self.tied_columns, strict=True):
+            works += [(c, c, pull * two * powers[1]) for c, powers in tie.items() if len(powers) > 1]
+        moved = [[(x, u[c]) for x, u in enumerate(self.motions) if u[c]] for c in range(len(self.columns))]
         for j, k, work in works:
-            if work:
-                for x, u in enumerate(self.motions):
-                    for y, v in enumerate(self.motions):
-                        form[x][y] = form[x][y] + work * (u[j] * v[k] + v[j] * u[k])
+            for x, u in moved[j] if work else ():
+                for y, v in moved[k]:
+                    done = work * u * v
+                    form[x][y] = form[x][y] + done
+                    form[y][x] = form[y][x] + done
         return form
 
     def changed(self, form: list[list[Number]], basis: list[list[Number]]) -> list[list[Interval]]:
