@@ -139,9 +139,11 @@ def test_steps_by_stages_and_by_active_sets_find_the_same() -> None:
     alone = _built(replace(problem(), objectives=(Objective("effort"),), bounds=problem().bounds))
     assert alone._stages is not None and alone._stages.states == (4,) * 9 and alone._stages.controls[-1] == 0
     warm = alone.solve()
+    alone._compiled = True  # steps by stages come with the compiler; they take interpreted functions as well
     for stages in (alone._stages, None):
         alone._stages = stages
         found.append(alone.solve(start={"slide": 0.02}, warm=warm))
+    assert [name for name, _ in alone._solvers] == ["ipopt", "stages", "active sets"]
     assert all(f.solved and f.statistics.iterations <= 4 for f in found)
     assert found[0].cost == pytest.approx(found[1].cost, rel=1e-9)
     assert np.abs(found[0].x - found[1].x).max() < 1e-6
