@@ -85,6 +85,7 @@ from symscrew.algebra.screws import (
     transpose,
 )
 from symscrew.algebra.sympy_form import sympy_expression
+from symscrew.algebra.tape_marks import TapeMark, tape_as_at, tape_mark
 from symscrew.algebra.traversal import (
     LEAVES,
     cost,
@@ -119,6 +120,7 @@ __all__ = [
     "Pose",
     "Scalar",
     "Tape",
+    "TapeMark",
     "TooLargeError",
     "Twist",
     "Vector",
@@ -168,6 +170,8 @@ __all__ = [
     "substitute",
     "subtract",
     "sympy_expression",
+    "tape_as_at",
+    "tape_mark",
     "transform",
     "transpose",
     "trimmed",

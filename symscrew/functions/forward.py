@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from symscrew.algebra import ZERO, Guard, Node, scale
+from symscrew.algebra import ZERO, Guard, Node, TapeMark, scale
 from symscrew.dynamics import ONE, Admissible, at_origin, generalised_forces, joint_wrenches, mass_matrix
 from symscrew.effects import Acting, Effect, Estimate
 from symscrew.functions.closing import THRESHOLD, guarded, jacobian_in_v, moved_by, opening
@@ -13,7 +13,7 @@ from symscrew.functions.dynamic import Equations, all_reactions, in_order, react
 from symscrew.functions.ports import a_port, function, q_port, u_port, v_port, y_port
 from symscrew.kinematics import System
 from symscrew.loops import Loops
-from symscrew.program import SWITCH, Function, Iteration, Port, Program, RankRevealing, lower
+from symscrew.program import SWITCH, Function, Port, Program, RankRevealing, lower
 
 
 @dataclass(frozen=True)
@@ -26,10 +26,10 @@ class SecondPath:
     rows: tuple[float, ...]
     regular: int
 
-    def behind(self, first: Program | Iteration) -> RankRevealing:
-        """The program with this second path."""
-        wrenches = lower(self.wrenches) if self.wrenches else None
-        return RankRevealing(**vars(first), dense=lower(self.dense), wrenches=wrenches, rates=self.rates,
+    def behind(self, first: Program, mark: TapeMark | None = None) -> RankRevealing:
+        """The program with this second path; `mark` as for `lower`."""
+        wrenches = lower(self.wrenches, mark) if self.wrenches else None
+        return RankRevealing(**vars(first), dense=lower(self.dense, mark), wrenches=wrenches, rates=self.rates,
                              rows=self.rows, regular=self.regular)  # fmt: skip
 
 
