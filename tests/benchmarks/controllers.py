@@ -135,7 +135,7 @@ def beside(theirs: Path, place: Path, poses: int) -> tuple[str, dict[str, Any]]:
 
 
 def iterations(theirs: Path, place: Path, own: DriveKinematics, size: dict[str, float]) -> float:
-    """Steps of Newton's method of a forward call of theirs, counted by gcov: their pin is of the second half of a call."""
+    """Steps of Newton's method of a forward call of theirs, counted by gcov: their pin is of its second half."""
     counted = place / "counted"
     shutil.rmtree(counted, ignore_errors=True)
     counted.mkdir()
