@@ -19,6 +19,7 @@ from symscrew.errors import DescriptionError, did_you_mean
 from symscrew.kinematics import System, coordinate_units, full_name, nearest_names
 from symscrew.mobility import inverse_kinematics
 from symscrew.model import Model
+from symscrew.program import Port
 from symscrew.scene import Scene
 from symscrew.simulation.start_branch import leaves_every_branch
 
@@ -60,7 +61,13 @@ class _Moved(NamedTuple):
     step: np.ndarray
 
 
-_Question = _At | _Bias | _Moved
+class _Joints(NamedTuple):
+    """Asks for the rates of all joints by rates of the tree (joints' freedoms, nv) at q, without units."""
+
+    q: np.ndarray
+
+
+_Question = _At | _Bias | _Moved | _Joints
 
 
 def initial_state(scene: Scene, model: Model, parameters: np.ndarray) -> State:
@@ -113,9 +120,7 @@ def _begun(scene: Scene, model: Model, closure: _Closure) -> Asking[State]:
                 f"{np.abs(residual).max():.3g} off their ground (lengths divided by {system.length:g} m); expected a "
                 "pose where they touch, or coordinates of the tree, the others of which are found"
             )
-        labels = {c.label: k for k, c in enumerate(system.tree.v)}
-        given = dict(_labelled(scene.initial.rates, labels, "initial.rates"))
-        return placed, (yield from _rates(closure, placed, given, scene))
+        return placed, (yield from _rates(closure, placed, scene))
     target = _unit_quaternions(system, dict(_labelled(scene.initial.coordinates, known, "initial.coordinates")))
     q = None
     if hold is None:
@@ -136,9 +141,7 @@ def _begun(scene: Scene, model: Model, closure: _Closure) -> Asking[State]:
             f"(lengths divided by {system.length:g} m) with the others as in the reference; check the values, or give "
             "only independent coordinates: the others are assembled"
         )
-    known = {c.label: k for k, c in enumerate(system.tree.v)}
-    rates = dict(_labelled(scene.initial.rates, known, "initial.rates"))
-    return q, (yield from _rates(closure, q, rates, scene))
+    return q, (yield from _rates(closure, q, scene))
 
 
 def _in_mode(scene: Scene, model: Model) -> np.ndarray:
@@ -223,7 +226,7 @@ class _Closure:
     ) -> Iterator[tuple[int, Any]]:
         """The answer of every question, each kind evaluated at once; `parameters` by the number of the start."""
         kinds: tuple[tuple[type, Callable[..., Iterator[Any]]], ...] = (
-            (_At, self.at), (_Bias, self.bias), (_Moved, self.moved),
+            (_At, self.at), (_Bias, self.bias), (_Moved, self.moved), (_Joints, self.joints),
         )  # fmt: skip
         for kind, answer in kinds:
             mine = [k for k, question in questions.items() if isinstance(question, kind)]
@@ -251,6 +254,19 @@ class _Closure:
     def moved(self, q: np.ndarray, step: np.ndarray) -> Iterator[np.ndarray]:
         """q of every state after its step."""
         yield from self.system.advance(q, _turned_rates(self.system, q, step))
+
+    def joints(self, q: np.ndarray, *p: np.ndarray) -> Iterator[np.ndarray]:
+        """Rates of all joints by rates of the tree (joints' freedoms, nv) of every state."""
+        n = len(self.units)
+        own = self.joint_units(self.model.programs["joint_rates"].outputs[0])
+        for k in range(len(q)):
+            given = [np.repeat(x[k : k + 1], n, axis=0) for x in p]
+            (rates,), _ = self.model("joint_rates", np.repeat(q[k : k + 1], n, axis=0), np.diag(self.units), *given)
+            yield rates.T / own[:, None]
+
+    def joint_units(self, port: Port) -> np.ndarray:
+        """By which rates of the port are divided."""
+        return np.array([self.system.length if unit == "m/s" else 1.0 for unit in port.units])
 
 
 def _unit_quaternions(system: System, given: Mapping[int, float]) -> dict[int, float]:
@@ -349,20 +365,24 @@ def _turned_rates(system: System, q: np.ndarray, v: np.ndarray) -> np.ndarray:
     return np.asarray(system.numeric(system.joint_rates(at.v), (at.q, q), (at.v, v)))
 
 
-def _rates(closure: _Closure, q: np.ndarray, given: dict[int, float], scene: Scene) -> Asking[np.ndarray]:
-    n = len(closure.units)
+def _rates(closure: _Closure, q: np.ndarray, scene: Scene) -> Asking[np.ndarray]:
+    n, hold = len(closure.units), scene.initial.hold
+    tree = {c.label: k for k, c in enumerate(closure.system.tree.v)}
+    port = closure.model.programs["joint_rates"].outputs[0] if hold is None else None
+    cut = {label: n + k for k, label in enumerate(port.labels) if label not in tree} if port else {}
+    given = dict(_labelled(scene.initial.rates, {**tree, **cut}, "initial.rates"))
     if not given:
         return np.zeros(n)
     _, jacobian = yield _At(q)
-    hold, start = scene.initial.hold, np.zeros(n)
-    labels = [c.label for c in closure.system.tree.v]
+    start, units, rows = np.zeros(n), closure.units, np.eye(n)
+    labels = list(tree)
     kept = [k for k in given if hold is None or labels[k] in hold]
     if hold is not None:
-        start[list(given)] = [value / closure.units[k] for k, value in given.items()]
-    pick = np.zeros((len(kept), n))
-    for i, k in enumerate(kept):
-        pick[i, k] = 1.0
-    values = np.array([given[k] / closure.units[k] for k in kept])
+        start[list(given)] = [value / units[k] for k, value in given.items()]
+    if port and any(k >= n for k in given):  # joints that close a loop: their rates follow from those of the tree
+        units, rows = np.concatenate([units, closure.joint_units(port)]), np.concatenate([rows, (yield _Joints(q))])
+    pick = rows[kept]
+    values = np.array([given[k] / units[k] for k in kept])
     matrix = np.concatenate([pick, jacobian])
     right = np.concatenate([values, np.zeros(len(jacobian))])
     v = start + np.linalg.lstsq(matrix, right - matrix @ start, rcond=RATE_RANK)[0]
