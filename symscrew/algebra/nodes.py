@@ -129,6 +129,12 @@ class Tape:
     def __repr__(self) -> str:
         return f"Tape({len(self.nodes)} nodes, {len(self.symbols)} inputs)"
 
+    def tables(self) -> dict[str, dict[Any, Any]]:
+        """All that grows with the nodes, by name, each in the order of making: see `symscrew.algebra.tape_marks`."""
+        tables: dict[str, dict[Any, Any]] = {"negatives": self._negatives, "folded": self._folded}
+        tables |= {"constants": self.constants, "origins": self.origins}
+        return tables | self._known
+
     # -- making nodes ---------------------------------------------------------------------------------
 
     def symbol(self, name: str, unit: str, description: str) -> Node:
@@ -335,6 +341,15 @@ class Tape:
     def add_samples(self, values: Mapping[Node, np.ndarray]) -> None:
         """Give further inputs their values, beside those that have some."""
         self._samples.update({node.index: np.asarray(v, dtype=float) for node, v in values.items()})
+
+    def hide_samples(self) -> dict[int, np.ndarray]:
+        """Forget all values, and return them for `show_samples`."""
+        hidden, self._samples = self._samples, {}
+        return hidden
+
+    def show_samples(self, values: dict[int, np.ndarray]) -> None:
+        """Have the values again that were hidden."""
+        self._samples = values
 
     def sample(self, node: Node) -> np.ndarray:
         """Values of `node` at the sample states, shape (samples,); not finite where a division by zero is asked for."""

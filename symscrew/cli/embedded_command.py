@@ -44,7 +44,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """Measure, print, write."""
     from symscrew import catalogue
-    from symscrew.display import Progress, aligned_table
+    from symscrew.display import Progress, fitting_table
     from symscrew.model import derive
     from symscrew.verification import measure
 
@@ -73,7 +73,7 @@ def run(options: argparse.Namespace) -> int:
             for one in found
             for name, entry in one["functions"].items()
         ]
-        print(aligned_table(header, rows))
+        print(fitting_table(header, rows))
     if path is not None:
         write_text(path, text)
     return DONE

@@ -6,6 +6,7 @@ gap; nothing else moves.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import mpmath
@@ -44,11 +45,17 @@ class Closing:
             f"{what}: open by {mpmath.nstr(gap, 3)} m or rad in the file's pose; each side is moved by half of it"
         )
 
-    def check(self, what: str, gap: Real) -> None:
-        """Raise DescriptionError for a gap [m, rad] that is too large."""
+    def check(self, what: str, gap: Real, why: Callable[[], str] | None = None) -> None:
+        """Raise DescriptionError for a gap [m, rad] that is too large; `why` says more, where it is asked."""
         if gap > max(SIX_DIGITS * max(self.extent, 1), real(self.snap)):
+            apart = f"{mpmath.nstr(gap, 6)} m or rad apart"
+            accept = f"accept it: --snap {mpmath.nstr(gap * real('1.001'), 4)}"
+            if why is None:
+                raise DescriptionError(
+                    f"{what}: the loop does not close in the reference configuration: its two sides are {apart}; "
+                    f"move the bodies, leave out the relative pose, or {accept}"
+                )
             raise DescriptionError(
-                f"{what}: the loop does not close in the reference configuration: its two sides are "
-                f"{mpmath.nstr(gap, 6)} m or rad apart; move the bodies, leave out the relative pose, or accept it: "
-                f"--snap {mpmath.nstr(gap * real('1.001'), 4)}"
+                f"{what}: no pose of the joints was found that closes the loops: in the best its "
+                f"two sides are {apart}; {why()}; change the file, or {accept}"
             )

@@ -18,11 +18,14 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 
 from symscrew.description import JOINT_TYPES
 from symscrew.errors import DescriptionError, did_you_mean, shorten
-from symscrew.formats.assembled import Side, assembled
+from symscrew.formats.assembled import assembled
+from symscrew.formats.closed_pose import Side, Tree, closed_displacements
+from symscrew.formats.contradictory_loops import why_open
 from symscrew.formats.draft import Draft, RawJoint
 from symscrew.formats.file_names import fresh
 from symscrew.formats.open_loops import CLOSED, Closing
@@ -249,10 +252,14 @@ def _gepetto(
             ends.append((link, poses[link]))
         sides.append((ends[0], ends[1], kind == "6d"))
     if any(_gap(side) > CLOSED for side in sides):
-        moved = assembled(draft, sides)
+        tree = Tree.of(draft, sides)
+        q, gap = closed_displacements(tree)
+        before = replace(draft, joints=list(draft.joints))
+        why = partial(why_open, before, sides) if gap > CLOSED else None
+        moved = assembled(draft, tree, q)
         sides = [((a, moved[a] @ one), (b, moved[b] @ other), turning) for (a, one), (b, other), turning in sides]
         worst = max(range(len(sides)), key=lambda k: _gap(sides[k]))
-        closing.check(f"loop 'closing_{worst + 1}'", _gap(sides[worst]))
+        closing.check(f"loop 'closing_{worst + 1}'", _gap(sides[worst]), why)
     return [
         _joined(f"closing_{k}", KINDS["6d" if turning else "3d"], (one, other), axes=[], closing=closing)
         for k, (one, other, turning) in enumerate(sides, start=1)

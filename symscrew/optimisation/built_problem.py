@@ -10,6 +10,7 @@ first leave the bounds that the motion stands on. What that does not reach is le
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
@@ -40,6 +41,7 @@ from symscrew.optimisation.solution import (
     symmetric,
     transcribe,
 )
+from symscrew.optimisation.solver_warnings import SolverWarnings
 from symscrew.optimisation.sparse import NonlinearProgram, assemble, point_functions, row_bounds
 from symscrew.optimisation.stage_order import stages_of
 from symscrew.optimisation.stage_steps import INACTIVE, StageSolver
@@ -118,7 +120,7 @@ class OptimisationProblem:
         self._compiled = False
         self._program = self._assembled()
         self._stages = stages_of(self._made, self._program)
-        self._solvers: dict[str, Any] = {}
+        self._solvers: dict[tuple[str, bool], Any] = {}
 
     # -- compiled functions ---------------------------------------------------------------------------------------
 
@@ -210,14 +212,18 @@ class OptimisationProblem:
         )  # fmt: skip
         begin = self._start(warm, shift)
         self.compiled()
-        ready = clock()
+        ready, undefined = clock(), Counter[str]()
         for name in self._ways(begin):
-            solver = self._solver(name)
-            answer = self._answer(solver, given, begin)
+            told = SolverWarnings(self._program.labels)
+            solver = self._solver(name, told.heard)
+            with told:
+                answer = self._answer(solver, given, begin)
+            undefined.update(told.counts)
             stats = solver.stats()
             if stats["success"]:
                 break
         found = self._trajectory(given, answer, stats, (began, ready, clock()))
+        found = replace(found, statistics=replace(found.statistics, undefined=dict(undefined.most_common())))
         return judged(found) if judge else found
 
     def _changed(
@@ -296,16 +302,19 @@ class OptimisationProblem:
             return ("ipopt",)
         return (*((STAGED,) if self._stages and self._compiled else ()), "active sets", "ipopt, warm")
 
-    def _solver(self, name: str) -> Any:
-        if name not in self._solvers:
+    def _solver(self, name: str, warn: bool) -> Any:
+        """The solver of this name; `warn`: one that says where functions are undefined on its way."""
+        if (name, warn) not in self._solvers:
+            problem, program = self.problem, self._program
+            made: StageSolver | ca.Function
             if name == STAGED and self._stages is not None:
-                tolerance = self.problem.solver.tolerance
-                self._solvers[name] = StageSolver(self._stages, self._program, tolerance=tolerance, steps=MOST_STEPS)
+                made = StageSolver(self._stages, program, tolerance=problem.solver.tolerance, steps=MOST_STEPS)
             elif name == "active sets":
-                self._solvers[name] = _by_active_sets(self.problem, self._program)
+                made = _by_active_sets(problem, program, warn=warn)
             else:
-                self._solvers[name] = solver_of(self.problem, self._program, WARM if "warm" in name else {})
-        return self._solvers[name]
+                made = solver_of(problem, program, WARM if "warm" in name else {}, warn=warn)
+            self._solvers[name, warn] = made
+        return self._solvers[name, warn]
 
     def _trajectory(
         self, given: _Numbers, answer: Mapping[str, Any], stats: Mapping[str, Any], times: Sequence[np.ndarray]
@@ -336,7 +345,7 @@ def _conditions(before: Conditions, given: Given) -> Conditions:
     return replace(before, coordinates={**before.coordinates, **given})
 
 
-def _by_active_sets(problem: TrajectoryProblem, program: NonlinearProgram) -> ca.Function:
+def _by_active_sets(problem: TrajectoryProblem, program: NonlinearProgram, *, warn: bool) -> ca.Function:
     """Steps by an active-set method on the whole, sparse."""
     x, p = program.x, program.p
     both = [*program.gradient(x, p), *program.jacobian(x, p)]
@@ -345,8 +354,8 @@ def _by_active_sets(problem: TrajectoryProblem, program: NonlinearProgram) -> ca
     options: dict[str, Any] = {
         "max_iter": MOST_STEPS, "tol_pr": problem.solver.tolerance, "tol_du": problem.solver.tolerance, **USUAL,
         "print_header": False, "print_iteration": False, "print_status": False, "print_time": False,
-        "error_on_fail": False, "jac_fg": first, "hess_lag": symmetric(program.hessian), "qpsol": "qrqp",
-        "qpsol_options": own,
+        "error_on_fail": False, "show_eval_warnings": warn, "jac_fg": first, "hess_lag": symmetric(program.hessian),
+        "qpsol": "qrqp", "qpsol_options": own,
     }  # fmt: skip
     nlp: dict[str, Any] = {"x": x, "p": p, "f": program.f, "g": program.g}
     return ca.nlpsol("warm", "sqpmethod", nlp, options)

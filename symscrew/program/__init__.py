@@ -11,10 +11,12 @@ passes              what is done to the nodes before: a table, a file each
 numpy_evaluation    programs on NumPy
 jacobians           derivatives of a program by its inputs, as a program; the gradient of its weighted results
 json_form           programs as lists that JSON holds
+asked               a mapping whose values are made when somebody asks for them
 rank_revealing      the second path of forward dynamics, near singular configurations
 lanes               equal limbs side by side in vectors
 """
 
+from symscrew.program.asked import Asked
 from symscrew.program.equal_limbs import NO_LIMBS, Limb, Limbs
 from symscrew.program.jacobians import Jacobian, adjoint, jacobian
 from symscrew.program.json_form import from_lists, to_lists
@@ -47,6 +49,7 @@ __all__ = [
     "RANK",
     "STATUS",
     "SWITCH",
+    "Asked",
     "Function",
     "Instruction",
     "Iteration",

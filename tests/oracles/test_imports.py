@@ -261,7 +261,7 @@ def test_loops_of_a_file_beside_the_urdf(tmp_path: Path, kind: str, closes: bool
         f"closed_loop: [['tip_frame', 'anchor_frame']] # one\ntype: ['{kind}']\nname_mot:\n  [\n    \"A\",\n  ]\n"
     )
     if not closes:
-        with pytest.raises(DescriptionError, match="the loop does not close"):
+        with pytest.raises(DescriptionError, match=r"alone, too, .* 'closing_1' 0\..*; with type 3d in place of 6d"):
             load_format(path)
         return
     found = import_file(path)
@@ -277,6 +277,28 @@ def test_loops_of_a_file_beside_the_urdf(tmp_path: Path, kind: str, closes: bool
     assert np.hypot(middle[0], middle[2] - 0.5) == pytest.approx(0.5, abs=1e-12)
     centre = [float(c) for c in found.mechanism.bodies["two"].com]
     assert centre == pytest.approx(middle, abs=1e-12)  # at the link's own origin, as the file has it
+
+
+def test_the_joints_that_close_a_loop_as_balls_are_named(tmp_path: Path) -> None:
+    """A frame beside the plane of two turns is out of reach by its distance; with a ball it is not, which is tried."""
+    frames = FRAMES.replace('"0.3 0 1.2"', '"0.3 0.1 1.2"')
+    text = arm(frames).replace('name="B"', 'name="spherical_B"').replace("<limit", "<dynamics/><limit")
+    path, beside = saved(text, tmp_path, "robot.urdf"), tmp_path / "robot.yaml"
+    beside.write_text("closed_loop: [['tip_frame', 'anchor_frame']]\ntype: ['3d']\n")
+    cure = r"'closing_1' 0\.1; with joint_type SPHERICAL for the 1 turns .*spherical_B"
+    with pytest.raises(DescriptionError, match=cure):
+        load_format(path)
+    with beside.open("a") as file:
+        file.write("joint_name: ['spherical_B']\njoint_type: ['SPHERICAL']\n")
+    assert load_format(path).joints["closing_1"].point[1] == pytest.approx(0.1)
+
+
+def test_a_loop_is_closed_from_another_start(tmp_path: Path) -> None:
+    """Two turns whose links are stretched towards a frame that lies on their line: no derivative leads away from it."""
+    path = saved(arm(FRAMES.replace('"0.3 0 1.2"/>', '"0 0 0.9"/>')), tmp_path, "robot.urdf")
+    (tmp_path / "robot.yaml").write_text("closed_loop: [['tip_frame', 'anchor_frame']]\ntype: ['3d']\n")
+    bend = float(load_format(path).joints["B"].reference[0])
+    assert np.cos(bend) == pytest.approx((0.4**2 - 2 * 0.25) / (2 * 0.25), abs=1e-12)
 
 
 def test_a_file_beside_that_is_no_list_is_refused(tmp_path: Path) -> None:

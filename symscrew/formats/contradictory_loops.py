@@ -1,0 +1,61 @@
+"""Why loops of a file close in no pose, and what would close them: each alone, and with what the file may mean.
+
+Gepetto's files say with a word for every loop whether its frames meet in place (3d) or in turning as well (6d, also
+where nothing is said), and name the joints that are balls though a URDF has turns there. A word that is missing leaves
+a loop that cannot close.
+
+    draft, loops, their gap --> a sentence for the error
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+from symscrew.errors import shorten
+from symscrew.formats.closed_pose import CLOSED, STARTS, Loop, Tree, closed_displacements, open_alone
+from symscrew.formats.draft import Draft
+
+BALLS = "spherical"
+"""Part of the name of joints that are balls, as the tool that writes Gepetto's files takes them."""
+NAMED = 3
+"""Loops and joints that are named; of more their number is said."""
+
+
+def why_open(draft: Draft, loops: Sequence[Loop]) -> str:
+    """What is known of loops that no start closed: which do not close alone, which changes of the file close all."""
+    gaps = open_alone(Tree.of(draft, loops))
+    said = []
+    if gaps:
+        least = [f"loop 'closing_{k + 1}' {gap:.3g}" for k, gap in gaps.items()]
+        said.append(f"alone, too, the best of {STARTS} starts leave open [m, rad]: {_some(least)}")
+    said += _cures(draft, loops, gaps)
+    return "; ".join(said)
+
+
+def _cures(draft: Draft, loops: Sequence[Loop], gaps: Mapping[int, float]) -> list[str]:
+    found = []
+    held = [k for k, (*_, turning) in enumerate(loops) if turning]
+    for loose in ([k for k in held if k in gaps], held):  # the fewest first
+        places = [(one, other, turning and k not in loose) for k, (one, other, turning) in enumerate(loops)]
+        if loose and _closes(draft, places):
+            named = _some([f"closing_{k + 1}" for k in loose])
+            found.append(f"with type 3d in place of 6d for {named} all loops close")
+            break
+    balls = [joint.name for joint in draft.joints if BALLS in joint.name and joint.type == "R"]
+    changed = [replace(j, type="S", axes=(), driven=()) if j.name in balls else j for j in draft.joints]
+    if balls and _closes(replace(draft, joints=changed), loops):
+        named = f"joint_name: [{', '.join(balls[:NAMED])}{', ...' if balls[NAMED:] else ''}]"
+        found.append(
+            f"with joint_type SPHERICAL for the {len(balls)} turns called {BALLS!r} ({shorten(named)}) all loops close"
+        )
+    return found
+
+
+def _closes(draft: Draft, loops: Sequence[Loop]) -> bool:
+    return closed_displacements(Tree.of(draft, loops), 1)[1] <= CLOSED
+
+
+def _some(names: Sequence[str]) -> str:
+    more = f" and {len(names) - NAMED} more" if names[NAMED:] else ""
+    return ", ".join(names[:NAMED]) + more
