@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from symscrew.export.c_single import rounded, single_errors
     from symscrew.export.casadi import TABLE, casadi_functions, program_function
     from symscrew.export.casadi_external import jacobians_model, print_external
+    from symscrew.export.casadi_hessians import hessians_model, print_hessians
     from symscrew.export.cpp import print_cpp
     from symscrew.export.cuda import CUDA_THREADS, print_cuda, print_device
     from symscrew.export.drive_kinematics import DriveKinematics, find_drive_kinematics
@@ -73,6 +74,7 @@ __all__ = [
     "effect_from_json",
     "file_hash",
     "find_drive_kinematics",
+    "hessians_model",
     "interface",
     "jacobians_model",
     "library_sources",
@@ -93,6 +95,7 @@ __all__ = [
     "print_example",
     "print_external",
     "print_hashes",
+    "print_hessians",
     "print_javascript",
     "print_jax",
     "print_linuxcnc",

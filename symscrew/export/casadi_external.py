@@ -139,7 +139,7 @@ def _function(model: str, name: str, program: Program | Iteration) -> list[str]:
     lines += sparsities_of(symbol, "in", [dense_pattern(port) for port in inputs])
     lines += sparsities_of(symbol, "out", [dense_pattern(port) for port in outputs])
     results = list(enumerate(program.outputs))
-    return [*lines, *_body(symbol, f"{model}_{name}", inputs=given, results=results, status=len(results))]
+    return [*lines, *body_of(symbol, f"{model}_{name}", inputs=given, results=results, status=len(results))]
 
 
 def _jacobian(model: str, name: str, made: Jacobian) -> list[str]:
@@ -155,7 +155,7 @@ def _jacobian(model: str, name: str, made: Jacobian) -> list[str]:
     lines += names_of(symbol, "out", [f"jac_{o.name}_{i.name}" for o in outputs for i in inputs])
     lines += sparsities_of(symbol, "in", [dense_pattern(port) for port in (*inputs, *outputs)])
     patterns = [
-        _pattern(o, i, blocks[r, c][1] if (r, c) in blocks else None)
+        pattern_of(o, i, blocks[r, c][1] if (r, c) in blocks else None)
         for r, o in enumerate(outputs)
         for c, i in enumerate(inputs)
     ]
@@ -164,7 +164,7 @@ def _jacobian(model: str, name: str, made: Jacobian) -> list[str]:
     order = [len(inputs), 0, *range(2, len(inputs))] if iteration else list(range(len(inputs)))
     given = [(port, f"input(arg[{k}], &w, {port.size})") for k, port in zip(order, made.program.inputs, strict=True)]
     results = [(o * len(inputs) + i, port) for port, (o, i, _, _) in _placed(made)]
-    return [*lines, *_body(symbol, f"{model}_jacobians_{made.program.name}", inputs=given, results=results)]
+    return [*lines, *body_of(symbol, f"{model}_jacobians_{made.program.name}", inputs=given, results=results)]
 
 
 def _placed(made: Jacobian) -> Iterator[tuple[Port, tuple[int, int, tuple[int, ...], tuple[int, ...]]]]:
@@ -173,7 +173,7 @@ def _placed(made: Jacobian) -> Iterator[tuple[Port, tuple[int, int, tuple[int, .
         yield port, made.blocks[port.name]
 
 
-def _body(
+def body_of(
     symbol: str,
     function: str,
     *,
@@ -248,7 +248,7 @@ def dense_pattern(port: Port) -> list[int]:
     return [rows, columns, 1]
 
 
-def _pattern(output: Port, given: Port, entry: tuple[int, int, tuple[int, ...], tuple[int, ...]] | None) -> list[int]:
+def pattern_of(output: Port, given: Port, entry: tuple[int, int, tuple[int, ...], tuple[int, ...]] | None) -> list[int]:
     """Compressed columns of a block: rows, columns, start of each column, row of each entry."""
     rows, columns = ((), ()) if entry is None else entry[2:]
     starts = [sum(c < k for c in columns) for k in range(given.size + 1)]

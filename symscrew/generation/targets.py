@@ -60,6 +60,7 @@ class Target:
 ROOM = "symscrew.generation"
 C = "`{0}.h` and sources: C99; `{0}.hpp`: the same for C++17; `example.c`, `CMakeLists.txt`: a program to start from"
 EXTERNAL = "`{0}_external.c`, `{0}_jacobians.h`, `{0}_jacobians.c`: the C code as external functions of CasADi"
+HESSIANS = "`{0}_external_hessians.c`, `{0}_hessians.h`, `{0}_hessians.c`: exact Hessians of the external functions"
 REDUCED = "`{0}_reduced.c`, `{0}_ode.casadi`, `{0}_configuration.casadi`: the motion in y alone, for CasADi and acados"
 JAX = "`{0}_jax.py`: JAX functions with derivatives of every order, under jit, vmap, grad"
 CUDA = "`{0}.cu`, `{0}_cuda.h`: CUDA kernels, one thread a state; the same file compiles as C++"
@@ -79,6 +80,7 @@ TARGETS: dict[str, Target] = {
     "casadi": Target(f"{ROOM}.casadi_target", "`*.casadi`: CasADi functions, one per file", by_value=(".casadi",)),
     "numpy": Target(f"{ROOM}.numpy_target", "`{0}_numpy.py`: NumPy functions on batches of states, without this tool"),
     "external": Target(f"{ROOM}.external_target", EXTERNAL, brings=("c",)),
+    "external_hessians": Target(f"{ROOM}.external_hessians_target", HESSIANS, brings=("c", "external")),
     "reduced": Target(f"{ROOM}.reduced_target", REDUCED, brings=("c",), by_value=(".casadi",)),
     "javascript": Target(f"{ROOM}.javascript_target", "`{0}.js`: JavaScript for a page or Node"),
     "rust": Target(f"{ROOM}.rust_target", RUST, precisions=BOTH),
