@@ -12,7 +12,7 @@ from decimal import Decimal
 
 from symscrew.description import Mechanism, MechanismBuilder
 from symscrew.errors import DescriptionError
-from symscrew.formats.beside import account_of, drags_of, forces_of, limits_of, loads_of, starts_of
+from symscrew.formats.beside import account_of, check_forces, drags_of, forces_of, limits_of, loads_of, starts_of
 from symscrew.formats.draft import Draft, RawBody, RawJoint
 from symscrew.formats.file_names import fresh, mechanism_name, printable, safe_names
 from symscrew.formats.idle_spins import bars
@@ -50,6 +50,7 @@ def imported(draft: Draft, options: ImportOptions) -> Imported:
     named_joints = safe_names(joint.name for joint in joints)
     renamed = [f"{old} -> {new}" for names in (named_bodies, named_joints) for old, new in names.items() if old != new]
     bodies = [physical(body, draft.ledger, repair=options.repair) for body in bodies]
+    check_forces(draft)
     account = account_of(draft)
     if account.influence and not options.accept:
         raise DescriptionError(

@@ -127,6 +127,11 @@ def unit(a: Triple, where: str) -> Triple:
     return scaled(a, 1 / size)
 
 
+def has_length_one(a: Triple) -> bool:
+    """Whether a direction is a unit vector in the digits of doubles."""
+    return bool(abs(length(a) - 1) < NO_DIRECTION)
+
+
 def apply(rotation: Rotation, vector: Triple) -> Triple:
     """A matrix times a vector."""
     return (dot(rotation[0], vector), dot(rotation[1], vector), dot(rotation[2], vector))
