@@ -66,12 +66,13 @@ class ModesModel:
 
 
 def modes_model(mechanism: Mechanism) -> ModesModel:
-    """What the C of a mechanism is made of.
+    """What the C of a mechanism is made of; raises DescriptionError, which says why there is none."""
+    return held_modes_model(held_by(mechanism, {}, {}))
 
-    Raises:
-        DescriptionError: there is no C of such a mechanism; says why.
-    """
-    held = held_by(mechanism, {}, {})
+
+def held_modes_model(held: Held) -> ModesModel:
+    """The same of a mechanism with these coordinates as arguments."""
+    mechanism = held.mechanism
     try:
         structure = structure_of(held)
         if structure.equations > structure.unknowns:
