@@ -60,11 +60,14 @@ def reachable_modes(
     """Of each pair of modes whether a way without a singularity of the closure leads from one to the other.
 
     "connected": every piece of the way is proved. "separated": a singularity lies on every
-    way, as the determinants with the drives locked have opposite signs and those of all limbs the same. "not found":
-    neither is known; without `search` nothing was looked for.
+    way, as the determinants with the drives locked have opposite signs (of limbs that hold a platform in several ways,
+    those of all limbs the same). "not found": neither is known; without `search` nothing was looked for.
     """
-    pairs = list(combinations(found.modes, 2))
-    judged = {(a.name, b.name): Connection(a.name, b.name, SEPARATED if apart(a, b) else UNDECIDED) for a, b in pairs}
+    one_way = _held_in_one_way(found)
+    judged = {
+        (a.name, b.name): Connection(a.name, b.name, SEPARATED if _apart(a, b, one_way) else UNDECIDED)
+        for a, b in combinations(found.modes, 2)
+    }
     if search and found.family is not None and found.chosen and UNDECIDED in {c.judgement for c in judged.values()}:
         proved = _Proofs(found, progress).connections()
         for one, two in judged:
@@ -73,11 +76,22 @@ def reachable_modes(
     return tuple(judged.values())
 
 
-def apart(one: AssemblyMode, two: AssemblyMode) -> bool:
-    """Whether the signs of two modes say that a singularity lies on every way between them."""
+def _apart(one: AssemblyMode, two: AssemblyMode, one_way: bool) -> bool:
+    """Whether the signs of two modes say that a singularity lies on every way between them.
+
+    Where limbs hold a platform in several ways, only if those that are looked at have limbs of the same signs.
+    """
     limbs = [{name: sign for name, sign in m.signs.items() if name != LOCKED} for m in (one, two)]
     signs = {m.signs.get(LOCKED, "0") for m in (one, two)}
-    return signs == {"+", "-"} and limbs[0] == limbs[1] and "0" not in limbs[0].values()
+    return signs == {"+", "-"} and (one_way or (limbs[0] == limbs[1] and "0" not in limbs[0].values()))
+
+
+def _held_in_one_way(found: AssemblyModes) -> bool:
+    """Whether displacements of all joints follow from a zero: universal joints and legs that slide have two."""
+    if found.family is None:
+        return True
+    structure = found.family.equations.structure
+    return not structure.open_limbs and all(run.kind != "hook" for run in structure.graph.runs)
 
 
 class _Proofs:
