@@ -16,6 +16,7 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Mapping
 from dataclasses import dataclass
+from threading import RLock
 from typing import Any
 
 import mpmath
@@ -122,6 +123,7 @@ class Tape:
         self._settled: dict[int, Node] = {}
         self.symbols: dict[str, Node] = {}
         self.origins: dict[int, Origin] = {}  # of nodes by index, of a negative's inner one
+        self.lock = RLock()  # for who has the tape as it was, and who walks over all of it: see `tape_as_at`
         self.zero = self.constant(0)
         self.one = self.constant(1)
         self._small = {0: self.zero, 1: self.one, -1: self.neg(self.one)}

@@ -34,19 +34,21 @@ def tape_mark(tape: Tape) -> TapeMark:
 def tape_as_at(tape: Tape, mark: TapeMark) -> Iterator[None]:
     """The tape as at the mark. What came later is back afterwards, and what was made meanwhile is gone.
 
-    Values at the sample states are hidden as well: meanwhile an index may be that of another node.
+    Values at the sample states are hidden as well: meanwhile an index may be that of another node. Functions that are
+    compiled when they are first called may be called by several threads: one after another has the tape as it was.
     """
-    later, samples = _cut(tape, mark), tape.hide_samples()
-    try:
-        yield
-    finally:
-        _cut(tape, mark)
-        nodes, entries = later
-        tape.nodes += nodes
-        tables = tape.tables()
-        for name, items in entries.items():
-            tables[name].update(items)
-        tape.show_samples(samples)
+    with tape.lock:
+        later, samples = _cut(tape, mark), tape.hide_samples()
+        try:
+            yield
+        finally:
+            _cut(tape, mark)
+            nodes, entries = later
+            tape.nodes += nodes
+            tables = tape.tables()
+            for name, items in entries.items():
+                tables[name].update(items)
+            tape.show_samples(samples)
 
 
 def _cut(tape: Tape, mark: TapeMark) -> tuple[list[Node], dict[str, list[tuple[Any, Any]]]]:

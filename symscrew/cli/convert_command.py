@@ -54,6 +54,9 @@ def add_options(command: argparse.ArgumentParser) -> None:
     command.add_argument(
         "--exact", action="store_true", help="digits that mean an angle or a zero are that: 1.5708 is pi/2"
     )
+    command.add_argument(
+        "--bars", action="store_true", help="rods between two balls do not spin; their mass is on the line between"
+    )
 
 
 def run(options: argparse.Namespace) -> int:
@@ -74,12 +77,12 @@ def run(options: argparse.Namespace) -> int:
         if file:
             check_folder(Path(file).parent, option)
     foreign = source.suffix in READABLE and source.is_file()
-    keys = ("scene", "snap", "repair", "floating", "exact", "folder", "bare", "start")
+    keys = ("scene", "snap", "repair", "floating", "exact", "bars", "folder", "bare", "start")
     asked = [getattr(options, key) for key in keys]
     if not foreign and (any(asked) or (options.accept and not options.effects)):
         raise UsageError(
-            "--scene, --snap, --repair, --accept, --floating, --exact, --folder, --bare and --start belong to URDF and "
-            "MJCF files"
+            "--scene, --snap, --repair, --accept, --floating, --exact, --bars, --folder, --bare and --start belong to "
+            "URDF and MJCF files"
         )
     if not 0 <= options.snap < 1:
         raise UsageError(f"--snap: expected a gap from 0 to 1 [m, rad], got {options.snap}")
@@ -98,7 +101,7 @@ def run(options: argparse.Namespace) -> int:
     if options.effects:
         raise UsageError("--effects belongs to descriptions; a URDF or MJCF file has its own")
     switches = (options.snap, options.repair, options.accept, options.floating, options.exact)
-    chosen = ImportOptions(*switches, options.folder)
+    chosen = ImportOptions(*switches, options.folder, options.bars)
     robot = load_robot(source, chosen)
     scene = Path(options.scene) if options.scene else None
     acts = scene_text(robot, os.path.relpath(path, scene.parent), options.start) if scene else ""

@@ -95,7 +95,7 @@ def _report(model: Model, functions: list[str], options: argparse.Namespace, *, 
         print(json.dumps({"ok": evidence.ok, "reasons": evidence.reasons, **evidence.facts}, indent=1))
     else:
         branches = evidence.facts["branches"]
-        told = f"branches {branches['branches']} % of {branches['of']}"
+        told = f"{branches['of']} branches, {branches['by_inputs']} taken by inputs, {branches['nothing']} by nothing"
         print(f"{path}: {'ok' if evidence.ok else 'not ok'}, {told}")
         for reason in evidence.reasons:
             print(f"  {reason}")

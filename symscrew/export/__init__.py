@@ -38,6 +38,7 @@ if TYPE_CHECKING:
     from symscrew.export.markdown import print_markdown
     from symscrew.export.modelica import print_modelica
     from symscrew.export.numpy import print_numpy
+    from symscrew.export.pivots import pivot_text
     from symscrew.export.readme import print_readme
     from symscrew.export.reduced import configuration_function, ode_function, print_reduced
     from symscrew.export.ros2 import print_ros2
@@ -83,6 +84,7 @@ __all__ = [
     "ode_function",
     "own_files",
     "packed",
+    "pivot_text",
     "plain",
     "print_c",
     "print_cmake",

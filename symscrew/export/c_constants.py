@@ -58,10 +58,14 @@ class Constants:
         system = getattr(model, "system", None)
         if system is None:
             return
-        self._explain(system)
+        programs = _straight(model.programs.values())
+        with system.tape.lock:  # another thread may be lowering what it wants to print
+            self._explain(system)
+        for node in (node for program in programs for node in program.folded):
+            self._nodes.setdefault(float(node.value), node)
         ports = (p for f in model.programs.values() for p in (*f.inputs, *f.outputs))
         taken = {*TAKEN, *(port.name for port in ports)}
-        for size in _sizes(model.programs.values()):
+        for size in _sizes(programs):
             if size not in SILENT and size in self._nodes:
                 name = self._name(self._nodes[size], taken)
                 taken.add(name)
@@ -79,9 +83,6 @@ class Constants:
                 known = self._nodes.setdefault(size, node)
                 if node in self._meanings and known not in self._meanings:
                     self._nodes[size] = node
-        for program in _straight(self.model.programs.values()):
-            for node in program.folded:
-                self._nodes.setdefault(float(node.value), node)
 
     def text(self, value: float) -> str:
         """A number as it stands in a statement: its name, or the number where it has none."""
@@ -202,9 +203,9 @@ def _straight(programs: Iterable[Program | Iteration]) -> list[Program]:
     return [*every, *(part for p in every if isinstance(p, RankRevealing) for part in (p.dense, p.wrenches) if part)]
 
 
-def _sizes(programs: Iterable[Program | Iteration]) -> Iterator[float]:
+def _sizes(programs: Iterable[Program]) -> Iterator[float]:
     """Absolute values of the constants of all instructions, in order."""
-    found = (abs(a) for p in _straight(programs) for i in p.instructions for a in i.args if type(a) is float)
+    found = (abs(a) for p in programs for i in p.instructions for a in i.args if type(a) is float)
     yield from dict.fromkeys(found)
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import Any
 
+from symscrew.errors import DescriptionError, shorten
 from symscrew.formats.draft import Draft, Limits
 from symscrew.formats.imported import Account, JointLimits
 
@@ -24,6 +25,32 @@ def loads_of(draft: Draft, points: Mapping[str, str]) -> tuple[Mapping[str, Any]
 def drags_of(draft: Draft, bodies: Mapping[str, str]) -> tuple[Mapping[str, Any], ...]:
     """What a medium does to bodies; `bodies`: body of the file -> body of the mechanism."""
     return tuple({"kind": "drag", "body": bodies[body], **table} for body, table in draft.drags.items())
+
+
+NOT_NEGATIVE = {"armature": "inertia", "damping": "coefficient", "friction": "coulomb"}
+"""Kinds of forces -> the number of theirs that would bring in energy if it were negative."""
+
+
+def check_forces(draft: Draft) -> None:
+    """Refuse forces that no effect has, with the file's own names, and say limits that leave no place to be.
+
+    Raises:
+        DescriptionError: a rotor inertia, damping or friction is negative.
+    """
+    for effect in draft.effects:
+        kind = effect.table["kind"]
+        value = effect.table.get(NOT_NEGATIVE.get(kind, ""), 0)
+        if value < 0:
+            raise DescriptionError(
+                f"joint {shorten(effect.joint)}, {kind}: expected a number of at least 0, got {value}"
+            )
+    for joint, found in draft.limits.items():
+        if found.lower is not None and found.upper is not None and found.lower > found.upper:
+            draft.ledger.changed.append(
+                f"limits of {joint}: the lower one, {float(found.lower):.6g}, is above the upper one, "
+                f"{float(found.upper):.6g}; neither is taken"
+            )
+            found.lower = found.upper = None
 
 
 def forces_of(draft: Draft, named: Named) -> tuple[Mapping[str, Any], ...]:

@@ -13,6 +13,9 @@ from typing import Any
 
 from symscrew.formats.rigid_displacements import Pose, Real, Rotation, Triple
 
+AXES = "lengths of axes, which are directions"
+"""What of axes that are no unit vectors is passed over, as rounded ones are."""
+
 
 @dataclass(frozen=True)
 class RawBody:

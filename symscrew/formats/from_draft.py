@@ -8,17 +8,29 @@ Draft --merged_joints--> bodies, joints --file_names--> names --MechanismBuilder
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
+from decimal import Decimal
 
 from symscrew.description import Mechanism, MechanismBuilder
 from symscrew.errors import DescriptionError
-from symscrew.formats.beside import account_of, drags_of, forces_of, limits_of, loads_of, starts_of
+from symscrew.formats.beside import account_of, check_forces, drags_of, forces_of, limits_of, loads_of, starts_of
 from symscrew.formats.draft import Draft, RawBody, RawJoint
 from symscrew.formats.file_names import fresh, mechanism_name, printable, safe_names
+from symscrew.formats.idle_spins import bars
 from symscrew.formats.import_options import ImportOptions
 from symscrew.formats.imported import Imported
 from symscrew.formats.merged_joints import merged
 from symscrew.formats.physical_inertias import POINT_MASS, physical
-from symscrew.formats.rigid_displacements import ZERO, Real, Rotation, exact, exact_matrix, exact_vector
+from symscrew.formats.rigid_displacements import (
+    ALL_DIGITS,
+    DIGITS,
+    ZERO,
+    Real,
+    Rotation,
+    Triple,
+    exact,
+    exact_matrix,
+    exact_vector,
+)
 from symscrew.formats.rigid_groups import settle_rigid_groups
 
 LONGEST_TEXT = 4000
@@ -31,10 +43,14 @@ def imported(draft: Draft, options: ImportOptions) -> Imported:
         raise DescriptionError(f"{draft.origin}: it has no joints; expected at least one moving body")
     settle_rigid_groups(draft)
     bodies, joints, parts = merged(draft)
+    if options.bars:
+        whole = {name: stem for name, (stem, _) in {**draft.parts_of, **parts}.items()}
+        bodies, joints = bars(draft, bodies, joints, whole)
     named_bodies = safe_names([draft.ground, *(body.name for body in bodies)])
     named_joints = safe_names(joint.name for joint in joints)
     renamed = [f"{old} -> {new}" for names in (named_bodies, named_joints) for old, new in names.items() if old != new]
     bodies = [physical(body, draft.ledger, repair=options.repair) for body in bodies]
+    check_forces(draft)
     account = account_of(draft)
     if account.influence and not options.accept:
         raise DescriptionError(
@@ -42,7 +58,14 @@ def imported(draft: Draft, options: ImportOptions) -> Imported:
             "(symscrew convert FILE --accept --out NAME.toml), or remove it from the file"
         )
     notes = [*account.lines()[1:], *draft.notes, *(["names: " + ", ".join(renamed)] if renamed else [])]
-    made = _mechanism(draft, bodies, joints, names=(named_bodies, named_joints), notes=notes)
+    made = _mechanism(
+        draft,
+        bodies,
+        joints,
+        names=(named_bodies, named_joints),
+        notes=notes,
+        digits=ALL_DIGITS if options.bars else DIGITS,
+    )
     places = {**{joint.name: (joint.name, None) for joint in joints}, **draft.parts_of, **parts}
     kinds = {joint.name: made.joints[named_joints[joint.name]].kind for joint in joints}
 
@@ -70,7 +93,14 @@ def _mechanism(
     *,
     names: tuple[Mapping[str, str], Mapping[str, str]],
     notes: Sequence[str],
+    digits: int,
 ) -> Mechanism:
+    def number(value: Real) -> Decimal:
+        return exact(value, digits=digits)
+
+    def vector(values: Triple) -> list[Decimal]:
+        return exact_vector(values, digits=digits)
+
     named_bodies, named_joints = names
     named_points = safe_names(name for name, _, _ in draft.points)
     builder = MechanismBuilder(
@@ -87,9 +117,9 @@ def _mechanism(
         else:
             builder.body(
                 named_bodies[body.name],
-                mass=exact(body.mass),
-                com=exact_vector(body.com),
-                inertia=exact_matrix(_without_rounding(body.mass, body.inertia)),
+                mass=number(body.mass),
+                com=vector(body.com),
+                inertia=exact_matrix(_without_rounding(body.mass, body.inertia), digits=digits),
             )
     for joint in joints:
         builder.joint(
@@ -97,16 +127,16 @@ def _mechanism(
             joint.type,
             parent=named_bodies[joint.parent],
             child=named_bodies[joint.child],
-            point=exact_vector(joint.point),
-            axes=[exact_vector(axis) for axis in joint.axes] or None,
-            pitch=None if joint.pitch is None else exact(joint.pitch),
+            point=vector(joint.point),
+            axes=[vector(axis) for axis in joint.axes] or None,
+            pitch=None if joint.pitch is None else number(joint.pitch),
             driven=joint.driven,
-            reference=[exact(value) for value in joint.reference] if any(joint.reference) else None,
+            reference=[number(value) for value in joint.reference] if any(joint.reference) else None,
         )
     for name, body_name, place in draft.points:
-        builder.point(named_points[name], body=named_bodies[body_name], at=exact_vector(place))
+        builder.point(named_points[name], body=named_bodies[body_name], at=vector(place))
     for coupling, name in zip(draft.couplings, _coupling_names(draft, named_joints.values()), strict=True):
-        terms = {named_joints[joint]: [exact(c) for c in powers] for joint, powers in coupling.terms.items()}
+        terms = {named_joints[joint]: [number(c) for c in powers] for joint, powers in coupling.terms.items()}
         builder.coupling(name, terms=terms)
     return builder.build()
 

@@ -16,6 +16,7 @@ class ImportOptions:
         accept: what is left out although numbers depend on it is left out all the same.
         floating: the root of a tree that stands on nothing moves freely in space.
         exact: digits that mean an angle, a zero or a short decimal are that (`exact_digits`).
+        bars: rods between two balls do not spin and have their mass on the line between these (`idle_spins`).
         folder: below which files that the file names may be; by default the file's own folder.
     """
 
@@ -25,3 +26,4 @@ class ImportOptions:
     floating: bool = False
     exact: bool = False
     folder: Path | None = None
+    bars: bool = False

@@ -31,6 +31,8 @@ def inside(folder: Path, name: str, where: str, within: Path | None = None) -> P
             f"{where}: {shorten(name)} is outside of the model's folder; only files below it are read, or below the "
             "one that --folder DIR names"
         )
+    if path.exists() and not (path.is_file() or path.is_dir()):  # a pipe would be waited for
+        raise DescriptionError(f"{where}: {shorten(name)} is no file")
     return path
 
 

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field, replace
 
 from symscrew.description import JOINT_TYPES
 from symscrew.errors import DescriptionError, shorten
-from symscrew.formats.draft import Draft, RawBody, RawJoint, RawLoad
+from symscrew.formats.draft import AXES, Draft, RawBody, RawJoint, RawLoad
 from symscrew.formats.file_names import fresh
 from symscrew.formats.merged_joints import one_joint
 from symscrew.formats.mesh_inertias import Meshes
@@ -30,6 +30,7 @@ from symscrew.formats.rigid_displacements import (
     Rotation,
     about,
     apply,
+    has_length_one,
     minus,
     real,
     scaled,
@@ -283,7 +284,10 @@ def _joint(reading: Reading, part: Part, body: Pose) -> RawJoint:
     point = place.point(triple(numbers(attributes.get("pos", "0 0 0"), f"{where}, pos", 3)))
     if kind == "ball":
         return RawJoint(name, "S", "", "", point, driven=driven)
-    axis = unit(triple(numbers(attributes.get("axis", "0 0 1"), f"{where}, axis", 3)), f"{where}, axis")
+    given = triple(numbers(attributes.get("axis", "0 0 1"), f"{where}, axis", 3))
+    axis = unit(given, f"{where}, axis")
+    if not has_length_one(given):
+        reading.result.ledger.passed(AXES)
     reference = number(attributes.get("ref", "0"), f"{where}, ref")
     value: Real = chosen.angle(reference) if kind == "hinge" else real(reference)
     value = value + reading.displaced.get(name, ZERO[0])

@@ -71,15 +71,22 @@ def _twin(a: RawJoint, b: RawJoint) -> bool:
     return {a.parent, a.child} == {b.parent, b.child} and length(minus(a.point, b.point)) > CLOSED
 
 
-def equalities(root: Element, settings: Settings, tag: str) -> Iterator[Element]:
-    """The active equalities of a kind."""
+def idle_equalities(root: Element, settings: Settings) -> int:
+    """How many are not active, of the kinds that are read."""
+    return sum(
+        1 for tag in ("connect", "weld", "joint", "tendon") for _ in equalities(root, settings, tag, active="false")
+    )
+
+
+def equalities(root: Element, settings: Settings, tag: str, active: str = "true") -> Iterator[Element]:
+    """The active equalities of a kind, or the others."""
     kind = {"joint": "couple", "tendon": "tie"}.get(tag, tag)
     for section in elements(root, "equality"):
         for element in elements(section, tag):
             chosen = settings.merged(element, kind, None)
             name = element.get("class") or "main"
             default = settings.defaults[name].get("equality", {})
-            if {**default, **chosen}.get("active", "true") == "true":
+            if {**default, **chosen}.get("active", "true") == active:
                 yield element
 
 

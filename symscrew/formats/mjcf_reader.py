@@ -27,9 +27,10 @@ from symscrew.formats.mjcf_bodies import Place, Reading, read_children
 from symscrew.formats.mjcf_composed import composed
 from symscrew.formats.mjcf_couplings import Tied, raw_coupling, read_couplings
 from symscrew.formats.mjcf_keyframes import keyframes
-from symscrew.formats.mjcf_loops import Placed, loops
+from symscrew.formats.mjcf_loops import Placed, idle_equalities, loops
 from symscrew.formats.mjcf_masses import settle_masses
 from symscrew.formats.mjcf_medium import add_drags, medium
+from symscrew.formats.mjcf_settings import ORIENTATIONS
 from symscrew.formats.mjcf_transmissions import add_pulleys, tendon_forces, transmissions
 from symscrew.formats.open_loops import Closing
 from symscrew.formats.rigid_displacements import ZERO, Pose, Real, length, minus, real
@@ -59,6 +60,7 @@ def read_mjcf(root: Element, path: Path, options: ImportOptions) -> Draft:
 
     def prepared(given: Element) -> Element:
         _check_sections(given, result)
+        _check_orientations(given)
         return with_exact_digits(given, result.ledger) if options.exact else given
 
     whole = composed(root, path, result, prepared, within=options.folder)
@@ -95,6 +97,9 @@ def read_mjcf(root: Element, path: Path, options: ImportOptions) -> Draft:
         raw_coupling(t, reading.values) for t in ties if next(iter(t.first)) not in reading.made_screws
     ]
     add_pulleys(result, pulled, reading.values, reading.driven)
+    idle = idle_equalities(root, chosen)
+    if idle:
+        result.ledger.passed("equality constraints that are not active", idle)
     result.configurations = _keyframes(root, reading)
     result.starts = keyframes(root, reading.listed)
     platform = texts.get("symscrew_platform")
@@ -114,6 +119,14 @@ def _check_sections(root: Element, result: Draft) -> None:
             result.ledger.lost(f"<{child.tag}>")
         elif child.tag not in (*SECTIONS, *WITHOUT_MECHANICS) and (len(child) or child.attrib):
             raise DescriptionError(f"<{child.tag}>: this element of MJCF is not supported; remove it")
+
+
+def _check_orientations(root: Element) -> None:
+    """Refuse what says twice how an element is turned, as MuJoCo does; of a class it may be overridden."""
+    for element in root.iter():
+        given = [key for key in ("quat", *ORIENTATIONS) if key in element.attrib]
+        if len(given) > 1:
+            raise DescriptionError(f"{label(element)}: expected one orientation, got {' and '.join(given)}")
 
 
 def _offsets(ties: list[Tied]) -> dict[str, Real]:

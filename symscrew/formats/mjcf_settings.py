@@ -223,6 +223,8 @@ def _read_defaults(default: Element, found: dict[str, dict[str, dict[str, str]]]
     name = default.get("class") or ("main" if above is None else None)
     if name is None:
         raise DescriptionError("<default>: a default inside another needs a class")
+    if name in found and above is not None:
+        raise DescriptionError(f"<default>: there are two classes {shorten(name)}; each needs a name of its own")
     values = {kind: dict(attributes) for kind, attributes in found[above or "main"].items()}
     for child in elements(default):
         if child.tag in CHECKED_DEFAULTS:

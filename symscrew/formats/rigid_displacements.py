@@ -23,6 +23,8 @@ CONTEXT = mpmath.mp.clone()
 CONTEXT.dps = 50
 DIGITS = 25
 """Digits that are handed on: half of those that are computed with, more than any file has."""
+ALL_DIGITS = 48
+"""Digits that are handed on where what was computed must be recognised: a zero there is one to 45 digits."""
 FLOOR = CONTEXT.mpf(10) ** -22
 """Coordinates [m] and components of axes below this are zero: what sums of numbers of 25 digits leave. Larger ones, as
 a file's 1e-17 for zero, are kept; those of rotations are snapped."""
@@ -125,6 +127,11 @@ def unit(a: Triple, where: str) -> Triple:
     return scaled(a, 1 / size)
 
 
+def has_length_one(a: Triple) -> bool:
+    """Whether a direction is a unit vector in the digits of doubles."""
+    return bool(abs(length(a) - 1) < NO_DIRECTION)
+
+
 def apply(rotation: Rotation, vector: Triple) -> Triple:
     """A matrix times a vector."""
     return (dot(rotation[0], vector), dot(rotation[1], vector), dot(rotation[2], vector))
@@ -201,20 +208,20 @@ def _snap(entry: Real) -> Real:
     return -near if entry < 0 else near
 
 
-def exact(value: Real, floor: Real = FLOOR) -> Decimal:
-    """A number with 25 digits; 0 below `floor`."""
+def exact(value: Real, floor: Real = FLOOR, *, digits: int = DIGITS) -> Decimal:
+    """A number with so many digits; 0 below `floor`."""
     if abs(value) < floor:
         return Decimal(0)
-    return Decimal(mpmath.nstr(value, DIGITS, min_fixed=-30, max_fixed=30, strip_zeros=True))
+    return Decimal(mpmath.nstr(value, digits, min_fixed=-30, max_fixed=30, strip_zeros=True))
 
 
-def exact_vector(vector: Triple, floor: Real = FLOOR) -> list[Decimal]:
-    """A vector with 25 digits."""
-    return [exact(entry, floor) for entry in vector]
+def exact_vector(vector: Triple, floor: Real = FLOOR, *, digits: int = DIGITS) -> list[Decimal]:
+    """A vector with so many digits."""
+    return [exact(entry, floor, digits=digits) for entry in vector]
 
 
-def exact_matrix(matrix: Rotation) -> list[list[Decimal]]:
-    """A symmetric matrix with 25 digits; entries below 1e-30, or 1e-20 of the largest, are 0."""
+def exact_matrix(matrix: Rotation, *, digits: int = DIGITS) -> list[list[Decimal]]:
+    """A symmetric matrix with so many digits; entries below 1e-30, or 1e-20 of the largest, are 0."""
     largest = max(abs(entry) for row in matrix for entry in row)
     floor = max(largest * NOTHING, CONTEXT.mpf(10) ** -30)
-    return [[exact((matrix[i][j] + matrix[j][i]) / 2, floor) for j in range(3)] for i in range(3)]
+    return [[exact((matrix[i][j] + matrix[j][i]) / 2, floor, digits=digits) for j in range(3)] for i in range(3)]

@@ -20,7 +20,7 @@ from pathlib import Path
 
 from symscrew.description import JOINT_TYPES
 from symscrew.errors import DescriptionError, did_you_mean, shorten
-from symscrew.formats.draft import Draft, Ledger, RawBody, RawCoupling, RawJoint
+from symscrew.formats.draft import AXES, Draft, Ledger, RawBody, RawCoupling, RawJoint
 from symscrew.formats.exact_digits import with_exact_digits
 from symscrew.formats.file_names import fresh
 from symscrew.formats.import_options import ImportOptions
@@ -33,6 +33,7 @@ from symscrew.formats.rigid_displacements import (
     Rotation,
     Triple,
     about,
+    has_length_one,
     length,
     minus,
     product,
@@ -109,6 +110,9 @@ def read_urdf(root: Element, path: Path, options: ImportOptions) -> Draft:
         result.ledger.passed("inertia of the root link, which is the ground (--floating frees it)")
     for joint_name, joint in joints.items():
         joint_forces(result, joint_name, joint)
+        axes = [_triple(attribute(axis, "xyz"), f"{label(joint)}, axis") for axis in elements(joint, "axis")]
+        if joint.get("type") != "fixed" and not all(map(has_length_one, axes)):
+            result.ledger.passed(AXES)
     transmission_forces(result, root, joints)
     points = [joint.point for joint in result.joints]
     result.frames = {name: poses[attribute(_one(joint, "child"), "link")] for name, joint in joints.items()}
@@ -334,6 +338,8 @@ def _driven(
             ledger.passed(f"drive of {shorten(name)}, which is no joint of the file")
     named = [name for name in named if name in joints]
     idle = [name for name in named if name not in single]
+    if idle:
+        ledger.passed("drives of joints that have not one freedom or mimic another", len(idle))
     notes = ["not taken over: drives of joints that have not one freedom: " + ", ".join(idle)] if idle else []
     return [name for name in named if name in single], notes
 

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import sys
+from concurrent.futures import ThreadPoolExecutor
+
 import pytest
 
 from symscrew import catalogue, model
@@ -74,3 +77,17 @@ def test_a_tape_is_as_it_was_and_then_as_it_is() -> None:
         assert again.index == mark.nodes + 1 and again is not later[1]
         raise ZeroDivisionError  # whatever ends it
     assert contents(tape) == now and x * y + 3 is later[0] and x - y is later[1] and 7 / x is later[2]
+
+
+def test_threads_may_ask_at_the_same_time() -> None:
+    found = derived()
+    expected = {name: told(program) for name, program in derived().programs.items()}
+    names, before = list(found.programs), sys.getswitchinterval()
+    orders = [names[k:] + names[:k] for k in range(0, len(names), len(names) // 4)]
+    try:
+        sys.setswitchinterval(1e-6)
+        with ThreadPoolExecutor(len(orders)) as pool:
+            every = list(pool.map(lambda order: {name: told(found.programs[name]) for name in order}, orders))
+    finally:
+        sys.setswitchinterval(before)
+    assert all(programs == expected for programs in every)
