@@ -119,8 +119,8 @@ SECTIONS: Mapping[str, Mapping[str, Key]] = {
         "distances": Key("m", "of two named points", 'distances = [{ between = ["bead", "post"], range = [0.01, 9] }]'),
         "obstacles": Key(
             "m",
-            "shapes at named points of any body that points, or segments between two, keep off by a distance: sphere "
-            "(centre), plane (a point, one above), capsule (both ends), box (a corner, its neighbours; points only)",
+            "shapes at named points of any body that points, segments between two, or boxes (a corner, its neighbours) "
+            "keep off by a distance: sphere (centre), plane (a point, one above), capsule (both ends), box",
             'obstacles = [{ type = "sphere", at = ["post"], points = ["bead"], distance = 0.01 }]',
         ),
         "expressions": Key(
