@@ -9,10 +9,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import partial
 
 from symscrew.description import JOINT_TYPES
 from symscrew.errors import DescriptionError, shorten
-from symscrew.formats.draft import AXES, Draft, RawBody, RawJoint, RawLoad
+from symscrew.formats.draft import AXES, Draft, RawBody, RawJoint, RawLoad, RawPicture
 from symscrew.formats.file_names import fresh
 from symscrew.formats.merged_joints import one_joint
 from symscrew.formats.mesh_inertias import Meshes
@@ -179,6 +180,11 @@ def _body(reading: Reading, name: str, own: Sequence[Part]) -> RawBody:
             reading.result.ledger.passed("contacts of geoms")
         if reading.in_medium and attributes.get("fluidshape", "none") != "none":
             reading.result.ledger.lost("fluidshape of geoms: a model of the medium of their own")
+        if attributes.get("type") == "mesh" and "mesh" in attributes:
+            where = f"<body name={name!r}>, {label(part.element)}"
+            shape = part.pose @ part.reading.settings.pose(attributes, where)
+            read = partial(part.reading.meshes.triangles, attributes["mesh"], where)
+            reading.result.pictures.append(RawPicture(name, shape, read))
     found: Solid | None = None
     if chosen.from_geoms == "true" or (chosen.from_geoms == "auto" and not given):
         solids = [
