@@ -2,24 +2,28 @@
 
 mechanism --System--> tape, tree, frames, closure
           --functions of kinematics, momentum, dynamics--> nodes
-          --lower--> straight-line programs --> export
+          --lower, each when it is asked for--> straight-line programs --> export
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import Any
 
 import numpy as np
 
 from symscrew import notebook
+from symscrew.algebra import TapeMark, tape_mark
 from symscrew.description import Mechanism, Reader
 from symscrew.effects import Effect, Gravity, system_under
 from symscrew.errors import DescriptionError
 from symscrew.functions import (
     SUFFIX,
+    Assembly,
     Motion,
+    SecondPath,
     assembly,
     checked_functions,
     closing_functions,
@@ -48,6 +52,8 @@ from symscrew.garbage import nothing_to_collect
 from symscrew.kinematics import System
 from symscrew.loops import hub_links, operation_mode
 from symscrew.program import (
+    Asked,
+    Function,
     Iteration,
     Program,
     RankRevealing,
@@ -57,13 +63,17 @@ from symscrew.program import (
     lower,
 )
 
+Declared = Function | Assembly | Program | Iteration
+
 
 @dataclass(frozen=True, repr=False)
 class Model:
     """Named programs of a mechanism with the effects that were asked for.
 
-    `test_inputs[name]` holds, per input of function `name`, an array (states, size) of consistent states;
-    `notes` says what a user must know (redundant constraints, passive freedoms, warnings of the description);
+    `programs` of `derive` are lowered one by one when somebody asks for them, and are the same in any order; `declared`
+    says what is known of a function without its program. `test_inputs[name]` holds, per input of function `name`, an
+    array (states, size) of consistent states; `notes` says what a user must know (redundant constraints, passive
+    freedoms, warnings of the description);
     `one_mode`: functions of closed loops are for the operation mode of the reference configuration only;
     `independent`: labels of the independent coordinates of a mechanism with loops; `selected`: the model has been
     left with some of its functions.
@@ -100,7 +110,16 @@ class Model:
 
     def only(self, names: Sequence[str]) -> Model:
         """The model with those functions of these names that it has, and no others."""
-        return replace(self, programs={name: p for name, p in self.programs.items() if name in names}, selected=True)
+        kept = Asked({name: self.declared(name) for name in self.programs if name in names}, self._program)
+        return replace(self, programs=kept, selected=True)
+
+    def declared(self, name: str) -> Declared:
+        """Ports, notes and limbs out of reach of a function, for which nothing is lowered that was not yet."""
+        known = self.programs.given.get(name) if isinstance(self.programs, Asked) else None
+        return known if isinstance(known, Function | Assembly) else self.programs[name]
+
+    def _program(self, declared: Declared) -> Program | Iteration:
+        return self.programs[declared.name]
 
     @property
     def sample_q(self) -> np.ndarray:
@@ -222,22 +241,32 @@ def _derived(
         functions += checked_functions(system, functions)
     if one_mode:
         functions = [mode.alone(function) for function in functions]
-    programs: dict[str, Program | Iteration] = {f.name: lower(f) for f in functions}
+    declared: dict[str, Function | Assembly] = {f.name: f for f in functions}
+    seconds: dict[str, SecondPath] = {}
     if system.cuts:
-        programs["assemble"] = assembly(system, loops)
-        for name, second in second_paths(system, effects, loops).items():
-            for variant in {name, name + SUFFIX} & set(programs):
-                programs[variant] = second.behind(programs[variant])
-    programs |= {f.name: lower(f) for f in margin_functions(system)}
+        declared["assemble"] = assembly(system, loops)
+        seconds = second_paths(system, effects, loops)
+    declared |= {f.name: f for f in margin_functions(system)}
     entries, states = [entry.q for entry in loops.entries], system.sample_states
-    inputs = {name: inputs_at(system, program, states, entries) for name, program in programs.items()}
-    moves = "forward_dynamics" in programs or moves_mass(system, effects, loops)
+    inputs = Asked(declared, lambda function: inputs_at(system, function, states, entries))
+    moves = "forward_dynamics" in declared or moves_mass(system, effects, loops)
     massless = () if moves else (left_out(system),)
     notes = (*mechanism.warnings, *massless, *untried_notes(system), *mode.notes(alone=one_mode))
     notes = (*notes, *(note for effect in effects for note in effect.notes))
-    notes = (*notes, *dict.fromkeys(n for p in programs.values() for n in p.notes))
+    notes = (*notes, *dict.fromkeys(n for p in declared.values() for n in p.notes))
     labels = tuple(system.tree.q[k].label for k in entries) if system.cuts else ()
+    programs = Asked(declared, partial(_lowered, tape_mark(system.tape), seconds))
     return Model(mechanism.name, mechanism, effects, programs, inputs, system, notes, one_mode, labels)
+
+
+@nothing_to_collect()
+def _lowered(mark: TapeMark, seconds: Mapping[str, SecondPath], function: Function | Assembly) -> Program | Iteration:
+    """The program of a function, with its second path if it has one; as if nothing had been made after the mark."""
+    if isinstance(function, Assembly):
+        return function.lowered(mark)
+    second = seconds.get(function.name.removesuffix(SUFFIX))
+    program = lower(function, mark)
+    return second.behind(program, mark) if second else program
 
 
 def _hub_entries(system: System, of_q: bool) -> list[int]:
@@ -248,7 +277,7 @@ def _hub_entries(system: System, of_q: bool) -> list[int]:
 
 def inputs_at(
     system: System,
-    program: Program | Iteration,
+    function: Declared,
     states: tuple[np.ndarray, np.ndarray, np.ndarray],
     independent: Sequence[int] = (),
 ) -> tuple[np.ndarray, ...]:
@@ -268,10 +297,10 @@ def inputs_at(
     for name, source in (("pose", known["q"]), ("rate", v), ("acceleration", a)):
         known[name] = source[:, _hub_entries(system, name == "pose")]
     known["p"] = np.repeat(system.parameter_values[None, :], len(q), 0)
-    if program.name in ("closure", "close_position"):  # on the manifold: rounding noise
+    if function.name in ("closure", "close_position"):  # on the manifold: rounding noise
         known["q"] = system.advance(q, 0.1 * random.uniform(-1, 1, v.shape))
     result = []
-    for port in program.inputs:
+    for port in function.inputs:
         if port.name not in known:
             low = 0.5 if port.name == "weights" else -1.0
             known[port.name] = random.uniform(low, 1.5, (len(q), port.size))

@@ -8,9 +8,11 @@ from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 
 import pytest
+from support.derived_once import derived_once
 from support.model_states import ALL, model
 from support.once import Levels, Lock
 
+import symscrew.model
 from symscrew.generation.folder import USUAL, generate
 from symscrew.runtime import compilers
 
@@ -69,13 +71,15 @@ def pytest_runtest_setup(item: pytest.Item) -> None:
     short = item.get_closest_marker("short_runs")
     quickly = HARD if item.path.parent.name == "hard" or (short and short.args != (False,)) else FUNCTIONS
     Levels.instead = {} if item.get_closest_marker("optimised") else quickly
+    derived_once.begin(item)
 
 
 @pytest.fixture(scope="session", autouse=True)
-def compiled_once(common: Path) -> Iterator[None]:
+def once(common: Path) -> Iterator[None]:
     with pytest.MonkeyPatch.context() as changed:
         changed.setenv("SYMSCREW_CACHE", str(common / "libraries"))
         changed.setattr(compilers, "attempts", Levels(compilers.attempts))
+        changed.setattr(symscrew.model, "_derived", derived_once)
         yield
 
 

@@ -10,21 +10,23 @@ BODY(three_ups_upu_s_forward_dynamics)(size_t stride, const double *restrict q, 
     double *restrict total)
 {
     /* limb5_S: geometry; velocities, eq. (6) */
-    const REAL limb5_S_q_qw = READ(q, 12), limb5_S_q_qx = READ(q, 13), t2 = limb5_S_q_qw * limb5_S_q_qw,
-      t3 = limb5_S_q_qx * limb5_S_q_qx, limb5_S_q_qy = READ(q, 14), t4 = t2 + t3, t5 = limb5_S_q_qy * limb5_S_q_qy,
-      limb5_S_q_qz = READ(q, 15), t6 = limb5_S_q_qz * limb5_S_q_qz, t7 = t5 + t6, t8 = t4 + t7, t10 = 4.0 - 2.0 * t8,
-      t40 = t3 + t5, platform_turn_yy = 1.0 - t10 * (t3 + t6), platform_turn_zz = 1.0 - t10 * t40,
-      platform_turn_xx = 1.0 - t7 * t10, t26 = limb5_S_q_qy * t10, t27 = limb5_S_q_qx * t26, t44 = limb5_S_q_qw * t26,
-      t14 = limb5_S_q_qz * t10, t17 = limb5_S_q_qw * (limb5_S_q_qx * t10), t28 = limb5_S_q_qw * t14,
-      platform_turn_yx = t27 + t28, platform_turn_xy = t27 - t28, limb5_S_v_wx = READ(v, 12),
-      limb5_S_v_wy = READ(v, 13), t37 = limb5_S_v_wy * platform_turn_yy + limb5_S_v_wx * platform_turn_yx,
-      t15 = limb5_S_q_qy * t14, t43 = limb5_S_q_qx * t14, platform_turn_yz = t15 - t17, platform_turn_zy = t15 + t17,
-      limb5_S_v_wz = READ(v, 14), platform_twist_wy = t37 + limb5_S_v_wz * platform_turn_yz;
+    const REAL limb5_S_q_qw = READ(q, 12), limb5_S_q_qx = READ(q, 13), t29 = limb5_S_q_qw * limb5_S_q_qw,
+      t30 = limb5_S_q_qx * limb5_S_q_qx, limb5_S_q_qy = READ(q, 14), t31 = t29 + t30,
+      t32 = limb5_S_q_qy * limb5_S_q_qy, limb5_S_q_qz = READ(q, 15), t33 = limb5_S_q_qz * limb5_S_q_qz,
+      t34 = t32 + t33, t35 = t31 + t34, t37 = 4.0 - 2.0 * t35, t42 = t30 + t32,
+      platform_turn_yy = 1.0 - t37 * (t30 + t33), platform_turn_zz = 1.0 - t37 * t42,
+      platform_turn_xx = 1.0 - t34 * t37, t40 = limb5_S_q_qy * t37, t90 = limb5_S_q_qx * t40,
+      t41 = limb5_S_q_qw * t40, t38 = limb5_S_q_qz * t37, t82 = limb5_S_q_qw * (limb5_S_q_qx * t37),
+      t91 = limb5_S_q_qw * t38, platform_turn_yx = t90 + t91, platform_turn_xy = t90 - t91,
+      limb5_S_v_wx = READ(v, 12), limb5_S_v_wy = READ(v, 13),
+      t100 = limb5_S_v_wy * platform_turn_yy + limb5_S_v_wx * platform_turn_yx, t80 = limb5_S_q_qy * t38,
+      t39 = limb5_S_q_qx * t38, platform_turn_yz = t80 - t82, platform_turn_zy = t80 + t82,
+      limb5_S_v_wz = READ(v, 14), platform_twist_wy = t100 + limb5_S_v_wz * platform_turn_yz;
     /* limb3: geometry; free motion */
-    const REAL limb3_U_0_sin = SINES(sine, 4), t284 = limb3_U_0_sin * platform_twist_wy, platform_turn_zx = t43 - t44,
-      platform_turn_xz = t43 + t44,
-      t47 = limb5_S_v_wx * platform_turn_zx + limb5_S_v_wy * platform_turn_zy, /* platform */
-      platform_twist_wz = limb5_S_v_wz * platform_turn_zz + t47, limb3_U_0_cos = SINES(cosine, 4);
+    const REAL limb3_U_0_sin = SINES(sine, 4), t284 = limb3_U_0_sin * platform_twist_wy, platform_turn_zx = t39 - t41,
+      platform_turn_xz = t39 + t41,
+      t106 = limb5_S_v_wx * platform_turn_zx + limb5_S_v_wy * platform_turn_zy, /* platform */
+      platform_twist_wz = limb5_S_v_wz * platform_turn_zz + t106, limb3_U_0_cos = SINES(cosine, 4);
     /* limb3: free motion; reciprocal wrenches, eq. (10); inertia */
     const REAL t286 = t284 - limb3_U_0_cos * platform_twist_wz, limb3_U_v_0 = READ(v, 6), t440 = limb3_U_v_0 * t286,
       limb3_upper_offset_x = limb_upper_phase + READ(q, 8), minus_limb3_lower_sin = SINES(sine, 5),
@@ -35,16 +37,15 @@ BODY(three_ups_upu_s_forward_dynamics)(size_t stride, const double *restrict q, 
       t458 = t454 - t275 * (limb3_P_v + param_R * t287), t288 = limb3_upper_offset_x * t287,
       minus_limb3_U_0_lever_mz_by_limb3_S_fz = limb3_lower_cos * limb3_upper_offset_x;
     REAL checked0 = minus_limb3_U_0_lever_mz_by_limb3_S_fz;
-    const REAL t144 = 1.0 / minus_limb3_U_0_lever_mz_by_limb3_S_fz, t389 = limb3_lower_cos * t144, t459 = t458 * t389,
+    const REAL t47 = 1.0 / minus_limb3_U_0_lever_mz_by_limb3_S_fz, t389 = limb3_lower_cos * t47, t459 = t458 * t389,
       limb3_U_follows_1_by_limb3_S_0 = limb3_S_arm_x * t389,
-      limb3_lower_composite_first_x = limb_lower_m * limb3_upper_offset_x, t145 = k7 - limb3_lower_composite_first_x,
-      t266 = limb3_lower_composite_first_x - t145, t146 = limb3_upper_offset_x * t145, t450 = t449 * t266,
-      limb3_U_mass_matrix_1_by_limb3_U_1 = k9 - t146, t147 = t146 - k8,
-      t460 = limb3_U_mass_matrix_1_by_limb3_U_1 * t459,
+      limb3_lower_composite_first_x = limb_lower_m * limb3_upper_offset_x, t48 = k7 - limb3_lower_composite_first_x,
+      t266 = limb3_lower_composite_first_x - t48, t49 = limb3_upper_offset_x * t48, t450 = t449 * t266,
+      limb3_U_mass_matrix_1_by_limb3_U_1 = k9 - t49, t50 = t49 - k8, t460 = limb3_U_mass_matrix_1_by_limb3_U_1 * t459,
       t391 = limb3_U_follows_1_by_limb3_S_0 * (limb3_U_mass_matrix_1_by_limb3_U_1 * limb3_U_follows_1_by_limb3_S_0),
-      t148 = limb3_lower_cos * t147,
-      t263 = minus_limb3_lower_sin * t148 + limb3_lower_cos * (minus_limb3_lower_sin * t147),
-      limb3_U_mass_matrix_0_by_limb3_U_0 = k3 - limb3_lower_cos * t148, t447 = 0.5 * t263,
+      t51 = limb3_lower_cos * t50,
+      t263 = minus_limb3_lower_sin * t51 + limb3_lower_cos * (minus_limb3_lower_sin * t50),
+      limb3_U_mass_matrix_0_by_limb3_U_0 = k3 - limb3_lower_cos * t51, t447 = 0.5 * t263,
       minus_limb3_U_0_U_still_xx = limb3_U_v_0 * limb3_U_v_0, t451 = minus_limb3_U_0_U_still_xx * t447 + t450,
       limb3_U_0_acc_y = gravity_z * limb3_U_0_cos,
       limb3_U_handed_force_1 = limb3_upper_offset_x * (limb_lower_m * (minus_limb3_lower_sin * limb3_U_0_acc_y)) + t451 - t460,
@@ -64,8 +65,8 @@ BODY(three_ups_upu_s_forward_dynamics)(size_t stride, const double *restrict q, 
     const REAL limb2_U_0_sin = SINES(cosine, 2),
       t463 = t430 - platform_turn_zy * minus_platform_rate_my - t462, /* limb5_S */
       t248 = limb2_U_0_sin * platform_twist_wz,
-      t69 = limb5_S_v_wx * platform_turn_xx + limb5_S_v_wy * platform_turn_xy, /* platform */
-      platform_twist_wx = t69 + limb5_S_v_wz * platform_turn_xz, minus_limb2_U_0_cos = SINES(sine, 2);
+      t128 = limb5_S_v_wx * platform_turn_xx + limb5_S_v_wy * platform_turn_xy, /* platform */
+      platform_twist_wx = t128 + limb5_S_v_wz * platform_turn_xz, minus_limb2_U_0_cos = SINES(sine, 2);
     /* limb2: free motion; reciprocal wrenches, eq. (10); inertia */
     const REAL t250 = t248 + minus_limb2_U_0_cos * platform_twist_wx, limb2_U_v_0 = READ(v, 3),
       t338 = limb2_U_v_0 * t250, limb2_upper_offset_x = limb_upper_phase + READ(q, 5),
@@ -76,15 +77,14 @@ BODY(three_ups_upu_s_forward_dynamics)(size_t stride, const double *restrict q, 
       t356 = t352 + t239 * (limb2_P_v - param_R * t251), t252 = limb2_upper_offset_x * t251,
       minus_limb2_U_0_lever_mz_by_limb2_S_fz = limb2_lower_cos * limb2_upper_offset_x;
     REAL checked1 = minus_limb2_U_0_lever_mz_by_limb2_S_fz;
-    const REAL t154 = 1.0 / minus_limb2_U_0_lever_mz_by_limb2_S_fz, t165 = limb2_lower_cos * t154, t357 = t356 * t165,
-      limb2_U_follows_1_by_limb2_S_0 = limb2_S_arm_x * t165,
-      limb2_lower_composite_first_x = limb_lower_m * limb2_upper_offset_x, t155 = k7 - limb2_lower_composite_first_x,
-      t230 = limb2_lower_composite_first_x - t155, t156 = limb2_upper_offset_x * t155, t348 = t347 * t230,
-      limb2_U_mass_matrix_1_by_limb2_U_1 = k9 - t156, t157 = t156 - k8,
-      t358 = limb2_U_mass_matrix_1_by_limb2_U_1 * t357,
-      t167 = limb2_U_follows_1_by_limb2_S_0 * (limb2_U_mass_matrix_1_by_limb2_U_1 * limb2_U_follows_1_by_limb2_S_0),
-      t158 = limb2_lower_cos * t157, t227 = limb2_lower_sin * t158 + limb2_lower_cos * (limb2_lower_sin * t157),
-      limb2_U_mass_matrix_0_by_limb2_U_0 = k3 - limb2_lower_cos * t158, t345 = 0.5 * t227,
+    const REAL t57 = 1.0 / minus_limb2_U_0_lever_mz_by_limb2_S_fz, t68 = limb2_lower_cos * t57, t357 = t356 * t68,
+      limb2_U_follows_1_by_limb2_S_0 = limb2_S_arm_x * t68,
+      limb2_lower_composite_first_x = limb_lower_m * limb2_upper_offset_x, t58 = k7 - limb2_lower_composite_first_x,
+      t230 = limb2_lower_composite_first_x - t58, t59 = limb2_upper_offset_x * t58, t348 = t347 * t230,
+      limb2_U_mass_matrix_1_by_limb2_U_1 = k9 - t59, t60 = t59 - k8, t358 = limb2_U_mass_matrix_1_by_limb2_U_1 * t357,
+      t70 = limb2_U_follows_1_by_limb2_S_0 * (limb2_U_mass_matrix_1_by_limb2_U_1 * limb2_U_follows_1_by_limb2_S_0),
+      t61 = limb2_lower_cos * t60, t227 = limb2_lower_sin * t61 + limb2_lower_cos * (limb2_lower_sin * t60),
+      limb2_U_mass_matrix_0_by_limb2_U_0 = k3 - limb2_lower_cos * t61, t345 = 0.5 * t227,
       minus_limb2_U_0_U_still_xx = limb2_U_v_0 * limb2_U_v_0, t349 = minus_limb2_U_0_U_still_xx * t345 - t348,
       minus_limb2_U_0_acc_y = gravity_z * limb2_U_0_sin,
       limb2_U_handed_force_1 = limb2_upper_offset_x * (limb_lower_m * (limb2_lower_sin * minus_limb2_U_0_acc_y)) - t349 - t358,
@@ -110,16 +110,15 @@ BODY(three_ups_upu_s_forward_dynamics)(size_t stride, const double *restrict q, 
       t321 = t317 + t203 * (limb4_P_v + param_R * t215), t216 = limb4_upper_offset_x * t215,
       minus_limb4_U_0_lever_mz_by_limb4_S_fz = limb4_lower_cos * limb4_upper_offset_x;
     REAL checked2 = minus_limb4_U_0_lever_mz_by_limb4_S_fz;
-    const REAL t123 = 1.0 / minus_limb4_U_0_lever_mz_by_limb4_S_fz, t134 = limb4_lower_cos * t123, t322 = t321 * t134,
-      limb4_U_follows_1_by_limb4_S_0 = limb4_S_arm_x * t134,
-      limb4_lower_composite_first_x = limb_lower_m * limb4_upper_offset_x, t124 = k7 - limb4_lower_composite_first_x,
-      t194 = limb4_lower_composite_first_x - t124, t125 = limb4_upper_offset_x * t124, t313 = t312 * t194,
-      limb4_U_mass_matrix_1_by_limb4_U_1 = k9 - t125, t126 = t125 - k8,
-      t323 = limb4_U_mass_matrix_1_by_limb4_U_1 * t322,
-      t136 = limb4_U_follows_1_by_limb4_S_0 * (limb4_U_mass_matrix_1_by_limb4_U_1 * limb4_U_follows_1_by_limb4_S_0),
-      t127 = limb4_lower_cos * t126,
-      t191 = minus_limb4_lower_sin * t127 + limb4_lower_cos * (minus_limb4_lower_sin * t126),
-      limb4_U_mass_matrix_0_by_limb4_U_0 = k3 - limb4_lower_cos * t127, t310 = 0.5 * t191,
+    const REAL t11 = 1.0 / minus_limb4_U_0_lever_mz_by_limb4_S_fz, t22 = limb4_lower_cos * t11, t322 = t321 * t22,
+      limb4_U_follows_1_by_limb4_S_0 = limb4_S_arm_x * t22,
+      limb4_lower_composite_first_x = limb_lower_m * limb4_upper_offset_x, t12 = k7 - limb4_lower_composite_first_x,
+      t194 = limb4_lower_composite_first_x - t12, t13 = limb4_upper_offset_x * t12, t313 = t312 * t194,
+      limb4_U_mass_matrix_1_by_limb4_U_1 = k9 - t13, t14 = t13 - k8, t323 = limb4_U_mass_matrix_1_by_limb4_U_1 * t322,
+      t24 = limb4_U_follows_1_by_limb4_S_0 * (limb4_U_mass_matrix_1_by_limb4_U_1 * limb4_U_follows_1_by_limb4_S_0),
+      t15 = limb4_lower_cos * t14,
+      t191 = minus_limb4_lower_sin * t15 + limb4_lower_cos * (minus_limb4_lower_sin * t14),
+      limb4_U_mass_matrix_0_by_limb4_U_0 = k3 - limb4_lower_cos * t15, t310 = 0.5 * t191,
       minus_limb4_U_0_U_still_xx = limb4_U_v_0 * limb4_U_v_0, t314 = minus_limb4_U_0_U_still_xx * t310 + t313,
       minus_limb4_U_0_acc_y = gravity_z * limb4_U_0_sin,
       t315 = limb4_upper_offset_x * (limb_lower_m * (minus_limb4_lower_sin * minus_limb4_U_0_acc_y)) - t314,
@@ -134,37 +133,36 @@ BODY(three_ups_upu_s_forward_dynamics)(size_t stride, const double *restrict q, 
       limb1_U_0_sin = SINES(sine, 0), limb1_U_0_cos = SINES(cosine, 0),
       t465 = minus_limb4_U_0_cos * limb4_S_handed_force_0 - t464, /* limb5_S */
       t325 = limb4_U_0_sin * limb4_S_handed_force_0,
-      t60 = limb1_U_0_sin * platform_twist_wy - limb1_U_0_cos * platform_twist_wz, /* limb5_S */
-      limb1_U_v_0 = READ(v, 0), t48 = limb1_U_0_sin * platform_twist_wz, /* limb5_S */
-      t104 = limb1_U_v_0 * t60; /* limb5_S */
+      t119 = limb1_U_0_sin * platform_twist_wy - limb1_U_0_cos * platform_twist_wz, /* limb5_S */
+      limb1_U_v_0 = READ(v, 0), t107 = limb1_U_0_sin * platform_twist_wz, /* limb5_S */
+      t163 = limb1_U_v_0 * t119; /* limb5_S */
     /* limb1: accelerations; free motion; inertia */
     const REAL limb1_upper_offset_x = limb_upper_phase + READ(q, 2), limb1_lower_sin = SINES(sine, 1),
       limb1_U2_arm_x = limb1_upper_offset_x - param_R * limb1_lower_sin, limb1_U_v_1 = READ(v, 1),
-      limb1_P_v = READ(v, 2), t105 = limb1_U2_arm_x * t104, /* limb5_S */
-      t106 = limb1_U_v_1 * limb1_P_v, t107 = t105 + t106, /* limb5_S */
-      t49 = limb1_U_0_cos * platform_twist_wy + t48, /* limb5_S */
-      limb1_lower_cos = SINES(cosine, 1), t61 = limb1_U_v_1 * limb1_lower_cos,
-      t111 = t107 - t49 * (limb1_P_v - param_R * t61), /* limb5_S */
-      t62 = limb1_upper_offset_x * t61,
+      limb1_P_v = READ(v, 2), t164 = limb1_U2_arm_x * t163, /* limb5_S */
+      t165 = limb1_U_v_1 * limb1_P_v, t166 = t164 + t165, /* limb5_S */
+      t108 = limb1_U_0_cos * platform_twist_wy + t107, /* limb5_S */
+      limb1_lower_cos = SINES(cosine, 1), t120 = limb1_U_v_1 * limb1_lower_cos,
+      t170 = t166 - t108 * (limb1_P_v - param_R * t120), /* limb5_S */
+      t121 = limb1_upper_offset_x * t120,
       minus_limb1_U_0_lever_mz_by_limb1_U2_fz = limb1_lower_cos * limb1_upper_offset_x;
     REAL checked3 = minus_limb1_U_0_lever_mz_by_limb1_U2_fz;
-    const REAL t19 = 1.0 / minus_limb1_U_0_lever_mz_by_limb1_U2_fz, t31 = limb1_lower_cos * t19, t424 = t111 * t31,
-      limb1_lower_composite_first_x = limb_lower_m * limb1_upper_offset_x, t115 = k7 - limb1_lower_composite_first_x,
-      t180 = limb1_lower_composite_first_x - t115, t116 = limb1_upper_offset_x * t115, t421 = t106 * t180,
-      limb1_U_mass_matrix_1_by_limb1_U_1 = k9 - t116, t117 = t116 - k8,
-      t425 = limb1_U_mass_matrix_1_by_limb1_U_1 * t424, t118 = limb1_lower_cos * t117,
-      t177 = limb1_lower_sin * t118 + limb1_lower_cos * (limb1_lower_sin * t117),
-      limb1_U_mass_matrix_0_by_limb1_U_0 = k3 - limb1_lower_cos * t118, t419 = 0.5 * t177,
+    const REAL t2 = 1.0 / minus_limb1_U_0_lever_mz_by_limb1_U2_fz, t94 = limb1_lower_cos * t2, t424 = t170 * t94,
+      limb1_lower_composite_first_x = limb_lower_m * limb1_upper_offset_x, t3 = k7 - limb1_lower_composite_first_x,
+      t180 = limb1_lower_composite_first_x - t3, t4 = limb1_upper_offset_x * t3, t421 = t165 * t180,
+      limb1_U_mass_matrix_1_by_limb1_U_1 = k9 - t4, t5 = t4 - k8, t425 = limb1_U_mass_matrix_1_by_limb1_U_1 * t424,
+      t6 = limb1_lower_cos * t5, t177 = limb1_lower_sin * t6 + limb1_lower_cos * (limb1_lower_sin * t5),
+      limb1_U_mass_matrix_0_by_limb1_U_0 = k3 - limb1_lower_cos * t6, t419 = 0.5 * t177,
       minus_limb1_U_0_U_still_xx = limb1_U_v_0 * limb1_U_v_0, t422 = minus_limb1_U_0_U_still_xx * t419 - t421,
       limb1_U_0_acc_y = gravity_z * limb1_U_0_cos;
     /* limb1: free motion; rates that follow; accelerations */
     const REAL minus_limb1_U_handed_force_1 = limb1_upper_offset_x * (limb_lower_m * (limb1_lower_sin * limb1_U_0_acc_y)) + t422 + t425,
       limb1_P_generalised_force = limb_lower_m * (limb1_lower_cos * limb1_U_0_acc_y) - READ(u, 0),
-      limb1_U_follows_1_by_limb1_U2_0 = limb1_U2_arm_x * t31,
+      limb1_U_follows_1_by_limb1_U2_0 = limb1_U2_arm_x * t94,
       t426 = limb1_U_follows_1_by_limb1_U2_0 * minus_limb1_U_handed_force_1,
       t373 = limb1_U_follows_1_by_limb1_U2_0 * (limb1_U_mass_matrix_1_by_limb1_U_1 * limb1_U_follows_1_by_limb1_U2_0),
-      minus_limb1_U2_arm_y = param_R * limb1_lower_cos, t413 = minus_limb1_U2_arm_y * t104,
-      t52 = limb1_U_v_1 * limb1_lower_sin, t416 = t413 + t49 * (param_R * t52), t53 = limb1_upper_offset_x * t52,
+      minus_limb1_U2_arm_y = param_R * limb1_lower_cos, t413 = minus_limb1_U2_arm_y * t163,
+      t111 = limb1_U_v_1 * limb1_lower_sin, t416 = t413 + t108 * (param_R * t111), t112 = limb1_upper_offset_x * t111,
       t417 = limb_lower_m * t416, t182 = limb1_lower_cos * (limb1_lower_cos * t180),
       t411 = minus_limb1_U_0_U_still_xx * (0.5 * t182) + limb1_U_v_1 * limb1_U_v_1 * (0.5 * t180),
       limb1_U2_handed_force_0 = minus_limb1_U2_arm_y * (limb1_P_generalised_force - t411 - t417) - t426,
@@ -174,10 +172,10 @@ BODY(three_ups_upu_s_forward_dynamics)(size_t stride, const double *restrict q, 
     const REAL limb3_upper_position_x = param_R - minus_limb3_lower_sin * limb3_upper_offset_x;
     /* limb3: free motion; rates that follow */
     const REAL t277 = limb3_upper_position_x * t276,
-      minus_limb3_U_follows_0_by_limb3_S_1 = limb3_upper_position_x * t144, t281 = t279 + limb3_P_v * limb3_lower_cos,
+      minus_limb3_U_follows_0_by_limb3_S_1 = limb3_upper_position_x * t47, t281 = t279 + limb3_P_v * limb3_lower_cos,
       t292 = platform_twist_wx * t281,
       t291 = t277 - limb3_U_v_0 * t281 - t286 * (limb3_P_v * minus_limb3_lower_sin - t288),
-      t294 = t144 * (t291 + t292), t295 = limb3_U_mass_matrix_0_by_limb3_U_0 * t294,
+      t294 = t47 * (t291 + t292), t295 = limb3_U_mass_matrix_0_by_limb3_U_0 * t294,
       t271 = t263 * (limb3_U_v_0 * limb3_U_v_1) - t268 * (limb3_U_v_0 * limb3_P_v),
       minus_limb3_U_handed_force_0 = limb3_lower_cos * (limb3_upper_offset_x * (limb_lower_m_gravity_z * limb3_U_0_sin)) + t271 - t295,
       limb3_S_handed_force_1 = minus_limb3_U_follows_0_by_limb3_S_1 * minus_limb3_U_handed_force_0,
@@ -187,9 +185,9 @@ BODY(three_ups_upu_s_forward_dynamics)(size_t stride, const double *restrict q, 
     const REAL minus_limb2_upper_position_y = param_R - limb2_lower_sin * limb2_upper_offset_x;
     /* limb2: free motion; rates that follow */
     const REAL t241 = minus_limb2_upper_position_y * t240,
-      limb2_U_follows_0_by_limb2_S_1 = minus_limb2_upper_position_y * t154, t245 = t243 - limb2_P_v * limb2_lower_cos,
+      limb2_U_follows_0_by_limb2_S_1 = minus_limb2_upper_position_y * t57, t245 = t243 - limb2_P_v * limb2_lower_cos,
       t256 = platform_twist_wy * t245, t255 = t241 + limb2_U_v_0 * t245 + t250 * (limb2_P_v * limb2_lower_sin + t252),
-      t258 = t154 * (t255 - t256), t259 = limb2_U_mass_matrix_0_by_limb2_U_0 * t258,
+      t258 = t57 * (t255 - t256), t259 = limb2_U_mass_matrix_0_by_limb2_U_0 * t258,
       t235 = t227 * (limb2_U_v_0 * limb2_U_v_1) + t232 * (limb2_U_v_0 * limb2_P_v),
       t236 = limb2_lower_cos * (limb2_upper_offset_x * (limb_lower_m_gravity_z * minus_limb2_U_0_cos)) + t235,
       limb2_U_handed_force_0 = t236 + t259,
@@ -200,107 +198,108 @@ BODY(three_ups_upu_s_forward_dynamics)(size_t stride, const double *restrict q, 
     const REAL limb4_upper_position_y = param_R - minus_limb4_lower_sin * limb4_upper_offset_x;
     /* limb4: free motion; rates that follow */
     const REAL t205 = limb4_upper_position_y * t204,
-      minus_limb4_U_follows_0_by_limb4_S_1 = limb4_upper_position_y * t123, t209 = t207 + limb4_P_v * limb4_lower_cos,
+      minus_limb4_U_follows_0_by_limb4_S_1 = limb4_upper_position_y * t11, t209 = t207 + limb4_P_v * limb4_lower_cos,
       t220 = platform_twist_wy * t209,
       t219 = t205 + limb4_U_v_0 * t209 + t214 * (limb4_P_v * minus_limb4_lower_sin - t216),
-      t222 = t123 * (t219 - t220), t223 = limb4_U_mass_matrix_0_by_limb4_U_0 * t222,
+      t222 = t11 * (t219 - t220), t223 = limb4_U_mass_matrix_0_by_limb4_U_0 * t222,
       t199 = t191 * (limb4_U_v_0 * limb4_U_v_1) - t196 * (limb4_U_v_0 * limb4_P_v),
       t200 = limb4_lower_cos * (limb4_upper_offset_x * (limb_lower_m_gravity_z * minus_limb4_U_0_cos)) - t199,
       limb4_U_handed_force_0 = t200 - t223,
       minus_limb4_S_handed_force_1 = minus_limb4_U_follows_0_by_limb4_S_1 * limb4_U_handed_force_0,
       t469 = limb4_U_0_sin * minus_limb4_S_handed_force_1 - t468, /* limb5_S */
-      t224 = minus_limb4_U_0_cos * minus_limb4_S_handed_force_1, t50 = limb1_U_v_0 * t49; /* limb5_S */
+      t224 = minus_limb4_U_0_cos * minus_limb4_S_handed_force_1, t109 = limb1_U_v_0 * t108; /* limb5_S */
     /* limb1: loop closure; free motion; rates that follow */
-    const REAL t74 = limb1_U_v_1 - t49,
+    const REAL t133 = limb1_U_v_1 - t108,
       minus_limb1_upper_position_x = param_R - limb1_lower_sin * limb1_upper_offset_x,
-      t51 = minus_limb1_upper_position_x * t50, /* limb5_S */
-      t55 = t53 - limb1_P_v * limb1_lower_cos, t71 = platform_twist_wx * t55, /* limb5_S */
-      t65 = t51 - limb1_U_v_0 * t55 - t60 * (limb1_P_v * limb1_lower_sin + t62), /* limb5_S */
-      t72 = t65 + t71, /* limb5_S */
-      t187 = t19 * t72, t188 = limb1_U_mass_matrix_0_by_limb1_U_0 * t187,
+      t110 = minus_limb1_upper_position_x * t109, /* limb5_S */
+      t114 = t112 - limb1_P_v * limb1_lower_cos, t130 = platform_twist_wx * t114, /* limb5_S */
+      t124 = t110 - limb1_U_v_0 * t114 - t119 * (limb1_P_v * limb1_lower_sin + t121), /* limb5_S */
+      t131 = t124 + t130, /* limb5_S */
+      t187 = t2 * t131, t188 = limb1_U_mass_matrix_0_by_limb1_U_0 * t187,
       t185 = t177 * (limb1_U_v_0 * limb1_U_v_1) + t182 * (limb1_U_v_0 * limb1_P_v),
       minus_limb1_U_handed_force_0 = limb1_lower_cos * (limb1_upper_offset_x * (limb_lower_m_gravity_z * limb1_U_0_sin)) - t185 + t188,
-      limb1_U_follows_0_by_limb1_U2_1 = minus_limb1_upper_position_x * t19,
+      limb1_U_follows_0_by_limb1_U2_1 = minus_limb1_upper_position_x * t2,
       minus_limb1_U2_handed_force_1 = limb1_U_follows_0_by_limb1_U2_1 * minus_limb1_U_handed_force_0,
       t470 = limb1_U_0_cos * minus_limb1_U2_handed_force_1 - t469, /* limb5_S */
       t483 = limb1_U_0_sin * minus_limb1_U2_handed_force_1,
-      t78 = limb1_lower_sin * t60 + limb1_lower_cos * platform_twist_wx,
-      t87 = limb1_lower_cos * t60 - limb1_lower_sin * platform_twist_wx,
-      limb1_lower_omega_y = limb1_U_v_0 * limb1_lower_cos, t79 = limb1_lower_omega_y - t78,
-      t82 = limb1_U_v_1 * limb1_lower_omega_y - (limb1_lower_omega_y * t74 - limb1_U_v_1 * t79),
+      t137 = limb1_lower_sin * t119 + limb1_lower_cos * platform_twist_wx,
+      t146 = limb1_lower_cos * t119 - limb1_lower_sin * platform_twist_wx,
+      limb1_lower_omega_y = limb1_U_v_0 * limb1_lower_cos, t138 = limb1_lower_omega_y - t137,
+      t141 = limb1_U_v_1 * limb1_lower_omega_y - (limb1_lower_omega_y * t133 - limb1_U_v_1 * t138),
       limb1_U2_constraint_mn_couple_x = limb1_U_0_cos * platform_turn_yy + limb1_U_0_sin * platform_turn_zy,
-      t83 = limb1_U2_constraint_mn_couple_x * t82, limb1_lower_omega_x = limb1_U_v_0 * limb1_lower_sin,
-      t88 = limb1_lower_omega_x + t87, t90 = limb1_lower_omega_x * t79 - limb1_lower_omega_y * t88,
-      t24 = limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos * platform_turn_zy, t93 = limb1_lower_sin * t24,
-      limb1_U2_constraint_mn_couple_z = limb1_lower_cos * t24 - limb1_lower_sin * platform_turn_xy,
-      t92 = t83 - limb1_U2_constraint_mn_couple_z * t90,
-      limb1_U_factor_1_by_3 = limb1_U2_constraint_mn_couple_z * t31,
-      t112 = t111 * limb1_U_factor_1_by_3, /* limb5_S */
+      t142 = limb1_U2_constraint_mn_couple_x * t141, limb1_lower_omega_x = limb1_U_v_0 * limb1_lower_sin,
+      t147 = limb1_lower_omega_x + t146, t149 = limb1_lower_omega_x * t138 - limb1_lower_omega_y * t147,
+      t88 = limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos * platform_turn_zy, t152 = limb1_lower_sin * t88,
+      limb1_U2_constraint_mn_couple_z = limb1_lower_cos * t88 - limb1_lower_sin * platform_turn_xy,
+      t151 = t142 - limb1_U2_constraint_mn_couple_z * t149,
+      limb1_U_factor_1_by_3 = limb1_U2_constraint_mn_couple_z * t94,
+      t171 = t170 * limb1_U_factor_1_by_3, /* limb5_S */
       minus_limb1_U2_factor_0_by_3 = limb1_U2_constraint_mn_couple_z - limb1_U2_arm_x * limb1_U_factor_1_by_3,
-      t96 = limb1_U2_constraint_mn_couple_z * t79, t99 = limb1_U2_constraint_mn_couple_x * t79,
-      limb1_U2_opening_mn = t93 + limb1_lower_cos * platform_turn_xy, t98 = t88 * (limb1_U2_opening_mn * t88 + t96),
-      t113 = t92 - (t98 - t74 * (t99 - limb1_U2_opening_mn * t74)) - t112, /* limb5_S */
-      minus_limb1_U_factor_0_by_3 = limb1_lower_sin * limb1_U2_constraint_mn_couple_x * t19,
-      t114 = minus_limb1_U_factor_0_by_3 * t72 - t113, /* limb5_S */
-      t20 = minus_limb1_upper_position_x * minus_limb1_U_factor_0_by_3,
-      minus_limb1_U2_factor_1_by_3 = limb1_lower_cos * limb1_U2_constraint_mn_couple_x - t20,
+      t155 = limb1_U2_constraint_mn_couple_z * t138, t158 = limb1_U2_constraint_mn_couple_x * t138,
+      limb1_U2_opening_mn = t152 + limb1_lower_cos * platform_turn_xy,
+      t157 = t147 * (limb1_U2_opening_mn * t147 + t155),
+      t172 = t151 - (t157 - t133 * (t158 - limb1_U2_opening_mn * t133)) - t171, /* limb5_S */
+      minus_limb1_U_factor_0_by_3 = limb1_lower_sin * limb1_U2_constraint_mn_couple_x * t2,
+      t173 = minus_limb1_U_factor_0_by_3 * t131 - t172, /* limb5_S */
+      t84 = minus_limb1_upper_position_x * minus_limb1_U_factor_0_by_3,
+      minus_limb1_U2_factor_1_by_3 = limb1_lower_cos * limb1_U2_constraint_mn_couple_x - t84,
       t368 = limb1_U_0_cos * minus_limb1_U2_factor_0_by_3,
       minus_limb5_S_pivot_wz = limb1_U_0_cos * minus_limb1_U2_factor_1_by_3 + limb1_U_0_sin * minus_limb1_U2_factor_0_by_3;
     checked0 = checked0 + minus_limb5_S_pivot_wz;
-    const REAL t34 = 1.0 / minus_limb5_S_pivot_wz, /* limb5_S */
-      minus_limb5_S_joint_acc_still_wz = t34 * t114,
-      limb5_S_null_space_wz_by_limb5_S_wy = t34 * (limb1_U_0_sin * minus_limb1_U2_factor_1_by_3 - t368);
+    const REAL t97 = 1.0 / minus_limb5_S_pivot_wz, /* limb5_S */
+      minus_limb5_S_joint_acc_still_wz = t97 * t173,
+      limb5_S_null_space_wz_by_limb5_S_wy = t97 * (limb1_U_0_sin * minus_limb1_U2_factor_1_by_3 - t368);
     /* limb3: free motion */
-    const REAL t150 = minus_limb3_U_follows_0_by_limb3_S_1 * limb3_U_mass_matrix_0_by_limb3_U_0,
-      t393 = minus_limb3_U_follows_0_by_limb3_S_1 * t150, t392 = limb3_S_arm_y * (k20 * limb3_lower_cos) + t391,
+    const REAL t53 = minus_limb3_U_follows_0_by_limb3_S_1 * limb3_U_mass_matrix_0_by_limb3_U_0,
+      t393 = minus_limb3_U_follows_0_by_limb3_S_1 * t53, t392 = limb3_S_arm_y * (k20 * limb3_lower_cos) + t391,
       t395 = limb3_U_0_cos * (t393 - t392), t396 = limb3_U_0_cos * t395, t397 = t392 + t396, t510 = t393 - t396,
-      t477 = limb3_U_0_sin * t395, t141 = k12 * platform_turn_zz, /* platform */
-      t398 = k13 + platform_turn_zz * t141 + t397, /* limb5_S */
-      t142 = platform_turn_xz * t141, /* platform */
-      t160 = limb2_U_follows_0_by_limb2_S_1 * limb2_U_mass_matrix_0_by_limb2_U_0, /* limb2 */
-      t161 = limb2_U_follows_0_by_limb2_S_1 * t160, /* limb2 */
-      t168 = minus_limb2_S_arm_y * (k20 * limb2_lower_cos) + t167, /* limb2 */
-      t170 = limb2_U_0_sin * (t161 - t168), /* limb2 */
-      t382 = limb2_U_0_sin * t170, /* limb2 */
-      t399 = t168 + t382 + t398, /* limb5_S */
-      t528 = t161 - t382, /* limb2 */
-      t171 = minus_limb2_U_0_cos * t170, /* limb2 */
-      t129 = minus_limb4_U_follows_0_by_limb4_S_1 * limb4_U_mass_matrix_0_by_limb4_U_0, /* limb4 */
-      t130 = minus_limb4_U_follows_0_by_limb4_S_1 * t129, /* limb4 */
-      t137 = limb4_S_arm_y * (k20 * limb4_lower_cos) + t136, /* limb4 */
-      t139 = limb4_U_0_sin * (t130 - t137), /* limb4 */
-      t380 = limb4_U_0_sin * t139, /* limb4 */
-      t400 = t137 + t380 + t399, /* limb5_S */
-      t523 = t130 - t380, /* limb4 */
-      t140 = minus_limb4_U_0_cos * t139, /* limb4 */
-      t120 = limb1_U_follows_0_by_limb1_U2_1 * limb1_U_mass_matrix_0_by_limb1_U_0, /* limb1 */
-      t375 = limb1_U_follows_0_by_limb1_U2_1 * t120, /* limb1 */
+      t477 = limb3_U_0_sin * t395, t44 = k12 * platform_turn_zz, /* platform */
+      t398 = k13 + platform_turn_zz * t44 + t397, /* limb5_S */
+      t45 = platform_turn_xz * t44, /* platform */
+      t63 = limb2_U_follows_0_by_limb2_S_1 * limb2_U_mass_matrix_0_by_limb2_U_0, /* limb2 */
+      t64 = limb2_U_follows_0_by_limb2_S_1 * t63, /* limb2 */
+      t71 = minus_limb2_S_arm_y * (k20 * limb2_lower_cos) + t70, /* limb2 */
+      t73 = limb2_U_0_sin * (t64 - t71), /* limb2 */
+      t382 = limb2_U_0_sin * t73, /* limb2 */
+      t399 = t71 + t382 + t398, /* limb5_S */
+      t528 = t64 - t382, /* limb2 */
+      t74 = minus_limb2_U_0_cos * t73, /* limb2 */
+      t17 = minus_limb4_U_follows_0_by_limb4_S_1 * limb4_U_mass_matrix_0_by_limb4_U_0, /* limb4 */
+      t18 = minus_limb4_U_follows_0_by_limb4_S_1 * t17, /* limb4 */
+      t25 = limb4_S_arm_y * (k20 * limb4_lower_cos) + t24, /* limb4 */
+      t27 = limb4_U_0_sin * (t18 - t25), /* limb4 */
+      t380 = limb4_U_0_sin * t27, /* limb4 */
+      t400 = t25 + t380 + t399, /* limb5_S */
+      t523 = t18 - t380, /* limb4 */
+      t28 = minus_limb4_U_0_cos * t27, /* limb4 */
+      t8 = limb1_U_follows_0_by_limb1_U2_1 * limb1_U_mass_matrix_0_by_limb1_U_0, /* limb1 */
+      t375 = limb1_U_follows_0_by_limb1_U2_1 * t8, /* limb1 */
       t374 = minus_limb1_U2_arm_y * (k20 * limb1_lower_cos) + t373, /* limb1 */
       t377 = limb1_U_0_cos * (t375 - t374), /* limb1 */
       t378 = limb1_U_0_cos * t377; /* limb1 */
     /* limb5_S: free motion; accelerations */
     const REAL limb5_S_handed_inertia_wz = t374 + t378 + t400, t507 = t375 - t378, /* limb1 */
       t472 = limb1_U_0_sin * t377, /* limb1 */
-      t471 = limb5_S_null_space_wz_by_limb5_S_wy * (minus_limb5_S_joint_acc_still_wz * limb5_S_handed_inertia_wz + t470),
+      t471 = limb5_S_null_space_wz_by_limb5_S_wy * (limb5_S_handed_inertia_wz * minus_limb5_S_joint_acc_still_wz + t470),
       t515 = limb5_S_null_space_wz_by_limb5_S_wy * limb5_S_handed_inertia_wz,
       t327 = platform_turn_xx * platform_rate_mx,
       t491 = t485 + (platform_turn_yx * platform_rate_mx - platform_turn_yy * minus_platform_rate_my - t489),
       t495 = t483 + (limb4_U_handed_force_0 + (limb2_U_handed_force_0 - (t484 - t491))),
       t363 = minus_limb3_U_handed_force_0 - (t325 + (t327 - platform_turn_xy * minus_platform_rate_my - t360)),
       t366 = minus_limb1_U_handed_force_0 - (t224 - (t260 + t363)), t475 = k12 * platform_turn_yz,
-      t500 = minus_limb2_U_0_cos * t160, /* limb2 */
-      t480 = limb4_U_0_sin * t129 - (limb2_U_0_sin * t160 - (platform_turn_zz * t475 - t477)), t481 = t472 - t480,
-      t517 = t481 + (t481 - t515), limb5_S_reduced_force_wy = t471 - (minus_limb5_S_joint_acc_still_wz * t481 + t495),
-      t518 = limb5_S_null_space_wz_by_limb5_S_wy * t517, t502 = minus_limb4_U_0_cos * t129, /* limb4 */
+      t500 = minus_limb2_U_0_cos * t63, /* limb2 */
+      t480 = limb4_U_0_sin * t17 - (limb2_U_0_sin * t63 - (platform_turn_zz * t475 - t477)), t481 = t472 - t480,
+      t517 = t481 + (t481 - t515), limb5_S_reduced_force_wy = t471 - (t481 * minus_limb5_S_joint_acc_still_wz + t495),
+      t518 = limb5_S_null_space_wz_by_limb5_S_wy * t517, t502 = minus_limb4_U_0_cos * t17, /* limb4 */
       t513 = limb4_U_mass_matrix_0_by_limb4_U_0 + (limb2_U_mass_matrix_0_by_limb2_U_0 + (k13 + platform_turn_yz * t475 + t510)),
       limb5_S_reduced_inertia_wy_by_limb5_S_wy = t507 + t513 - t518;
     checked1 = checked1 + limb5_S_reduced_inertia_wy_by_limb5_S_wy;
     const REAL t519 = 1.0 / limb5_S_reduced_inertia_wy_by_limb5_S_wy,
-      t503 = platform_turn_xz * t475 + limb3_U_0_sin * t150 - t500 + t502,
-      limb5_S_handed_inertia_wz_by_limb5_S_wx = limb1_U_0_cos * t120 + (t140 + (t142 - limb3_U_0_cos * t150 + t171)),
-      t505 = t503 - limb1_U_0_sin * t120,
+      t503 = platform_turn_xz * t475 + limb3_U_0_sin * t53 - t500 + t502,
+      limb5_S_handed_inertia_wz_by_limb5_S_wx = limb1_U_0_cos * t8 + (t28 + (t45 - limb3_U_0_cos * t53 + t74)),
+      t505 = t503 - limb1_U_0_sin * t8,
       limb5_S_reduced_inertia_wx_by_limb5_S_wy = t505 + limb5_S_null_space_wz_by_limb5_S_wy * limb5_S_handed_inertia_wz_by_limb5_S_wx,
-      limb5_S_reduced_force_wx = minus_limb5_S_joint_acc_still_wz * limb5_S_handed_inertia_wz_by_limb5_S_wx + t366;
+      limb5_S_reduced_force_wx = limb5_S_handed_inertia_wz_by_limb5_S_wx * minus_limb5_S_joint_acc_still_wz + t366;
     /* platform: accelerations; pivots; free motion */
     const REAL t520 = limb5_S_reduced_inertia_wx_by_limb5_S_wy * t519,
       t531 = limb5_S_reduced_inertia_wx_by_limb5_S_wy * t520, t533 = limb5_S_reduced_force_wy * t519,
@@ -339,8 +338,8 @@ BODY(three_ups_upu_s_forward_dynamics)(size_t stride, const double *restrict q, 
     RESULT(checked3, a, 2, -(t416 + minus_limb1_U2_arm_y * t542));
     RESULT(checked0, a, 1, -(t424 + limb1_U_follows_1_by_limb1_U2_0 * t542));
     RESULT(checked1, a, 0, limb5_S_joint_acc_wx - (t187 + limb1_U_follows_0_by_limb1_U2_1 * (t535 - limb1_U_0_sin * minus_limb5_S_joint_acc_wy)));
-    NOT_BELOW(t8, 0.999999, 5);
-    NOT_ABOVE(t8, 1.000001, 5);
+    NOT_BELOW(t35, 0.999999, 5);
+    NOT_ABOVE(t35, 1.000001, 5);
     FINITE_UNLESS( /* status 1 where a pivot is smaller than its limit: */
         SMALL(minus_limb3_U_0_lever_mz_by_limb3_S_fz, 6.62327e-06) OR /* where the reciprocal wrench limb3_S.fz has no power along limb3_U.0, as in a stretched limb */
         SMALL(minus_limb2_U_0_lever_mz_by_limb2_S_fz, 6.62327e-06) OR /* where the reciprocal wrench limb2_S.fz has no power along limb2_U.0, as in a stretched limb */
@@ -423,11 +422,11 @@ BODY(three_ups_upu_s_forward_dynamics_independent)(size_t stride, const double *
       minus_limb3_U_0_lever_mz_by_limb3_S_fz = limb3_lower_cos * limb3_upper_offset_x;
     checked0 = checked0 + minus_limb3_U_0_lever_mz_by_limb3_S_fz;
     const REAL t189 = 1.0 / minus_limb3_U_0_lever_mz_by_limb3_S_fz,
-      limb3_U_joint_rate_0 = limb5_S_joint_rate_wx - t189 * t434, t563 = limb3_U_joint_rate_0 * t429,
+      limb3_U_joint_rate_0 = limb5_S_joint_rate_wx - t189 * t434, t563 = t429 * limb3_U_joint_rate_0,
       limb3_S_arm_x = limb3_upper_offset_x - param_R * minus_limb3_lower_sin, t564 = limb3_S_arm_x * t563,
       t417 = limb3_U_0_sin * limb5_S_joint_rate_wz + limb3_U_0_cos * limb5_S_joint_rate_wy,
       limb3_upper_vel_y = limb3_S_arm_x * t417, t272 = limb3_lower_cos * t189,
-      limb3_U_joint_rate_1 = limb3_upper_vel_y * t272, limb3_U_follows_1_by_limb3_S_0 = limb3_S_arm_x * t272,
+      limb3_U_joint_rate_1 = t272 * limb3_upper_vel_y, limb3_U_follows_1_by_limb3_S_0 = limb3_S_arm_x * t272,
       limb3_S_arm_y = param_R * limb3_lower_cos, minus_limb3_P_joint_rate = limb3_S_arm_y * t417;
     /* limb3: free motion; inertia; accelerations */
     const REAL t577 = limb3_S_arm_y * t563, t562 = minus_limb3_P_joint_rate * limb3_U_joint_rate_1,
@@ -471,11 +470,11 @@ BODY(three_ups_upu_s_forward_dynamics_independent)(size_t stride, const double *
       minus_limb2_U_0_lever_mz_by_limb2_S_fz = limb2_lower_cos * limb2_upper_offset_x;
     checked1 = checked1 + minus_limb2_U_0_lever_mz_by_limb2_S_fz;
     const REAL t199 = 1.0 / minus_limb2_U_0_lever_mz_by_limb2_S_fz,
-      limb2_U_joint_rate_0 = limb5_S_joint_rate_wy - t199 * t389, t493 = limb2_U_joint_rate_0 * t384,
+      limb2_U_joint_rate_0 = limb5_S_joint_rate_wy - t199 * t389, t493 = t384 * limb2_U_joint_rate_0,
       limb2_S_arm_x = limb2_upper_offset_x - param_R * limb2_lower_sin, t494 = limb2_S_arm_x * t493,
       t372 = minus_limb2_U_0_cos * limb5_S_joint_rate_wz - limb2_U_0_sin * limb5_S_joint_rate_wx,
       minus_limb2_upper_vel_y = limb2_S_arm_x * t372, t246 = limb2_lower_cos * t199,
-      minus_limb2_U_joint_rate_1 = minus_limb2_upper_vel_y * t246,
+      minus_limb2_U_joint_rate_1 = t246 * minus_limb2_upper_vel_y,
       limb2_U_follows_1_by_limb2_S_0 = limb2_S_arm_x * t246, minus_limb2_S_arm_y = param_R * limb2_lower_cos,
       minus_limb2_P_joint_rate = minus_limb2_S_arm_y * t372;
     /* limb2: free motion; inertia; accelerations */
@@ -514,11 +513,11 @@ BODY(three_ups_upu_s_forward_dynamics_independent)(size_t stride, const double *
       minus_limb4_U_0_lever_mz_by_limb4_S_fz = limb4_lower_cos * limb4_upper_offset_x;
     checked2 = checked2 + minus_limb4_U_0_lever_mz_by_limb4_S_fz;
     const REAL t209 = 1.0 / minus_limb4_U_0_lever_mz_by_limb4_S_fz,
-      limb4_U_joint_rate_0 = limb5_S_joint_rate_wy + t209 * t344, t463 = limb4_U_joint_rate_0 * t339,
+      limb4_U_joint_rate_0 = limb5_S_joint_rate_wy + t209 * t344, t463 = t339 * limb4_U_joint_rate_0,
       limb4_S_arm_x = limb4_upper_offset_x - param_R * minus_limb4_lower_sin, t464 = limb4_S_arm_x * t463,
       t327 = minus_limb4_U_0_cos * limb5_S_joint_rate_wz - limb4_U_0_sin * limb5_S_joint_rate_wx,
       minus_limb4_upper_vel_y = limb4_S_arm_x * t327, t231 = limb4_lower_cos * t209,
-      minus_limb4_U_joint_rate_1 = minus_limb4_upper_vel_y * t231,
+      minus_limb4_U_joint_rate_1 = t231 * minus_limb4_upper_vel_y,
       limb4_U_follows_1_by_limb4_S_0 = limb4_S_arm_x * t231, limb4_S_arm_y = param_R * limb4_lower_cos,
       limb4_P_joint_rate = limb4_S_arm_y * t327;
     /* limb4: free motion; inertia; accelerations */
@@ -551,7 +550,7 @@ BODY(three_ups_upu_s_forward_dynamics_independent)(size_t stride, const double *
       t128 = limb1_U_0_cos * t120 - limb1_U_0_sin * t126; /* limb5_S */
     /* limb1: velocities, eq. (6); free motion; inertia */
     const REAL t133 = minus_limb1_upper_position_x * (limb1_U_0_cos * limb5_S_joint_rate_wz - limb1_U_0_sin * limb5_S_joint_rate_wy),
-      limb1_U_joint_rate_0 = limb5_S_joint_rate_wx + t19 * t133, t149 = limb1_U_joint_rate_0 * t128, /* limb5_S */
+      limb1_U_joint_rate_0 = limb5_S_joint_rate_wx + t19 * t133, t149 = t128 * limb1_U_joint_rate_0, /* limb5_S */
       t150 = limb1_U2_arm_x * t149, /* limb5_S */
       t86 = limb1_U_0_sin * limb5_S_joint_rate_wz + limb1_U_0_cos * limb5_S_joint_rate_wy,
       limb1_U_joint_rate_1 = t31 * (limb1_U2_arm_x * t86), limb1_U_follows_1_by_limb1_U2_0 = limb1_U2_arm_x * t31,
@@ -582,7 +581,7 @@ BODY(three_ups_upu_s_forward_dynamics_independent)(size_t stride, const double *
       t595 = limb1_U_0_sin * limb1_U2_handed_force_0 - t594, /* limb5_S */
       t604 = limb1_U_0_cos * limb1_U2_handed_force_0;
     /* limb3: free motion */
-    const REAL t421 = limb3_lower_cos * minus_limb3_P_joint_rate - t420, t442 = limb3_U_joint_rate_0 * t421 + t441,
+    const REAL t421 = limb3_lower_cos * minus_limb3_P_joint_rate - t420, t442 = t421 * limb3_U_joint_rate_0 + t441,
       t457 = t449 * (minus_limb3_P_joint_rate * limb3_U_joint_rate_0) + t456,
       t444 = t110 * t421 + ((minus_limb3_lower_sin * minus_limb3_P_joint_rate + t425) * t429 - t442),
       t446 = limb3_U_mass_matrix_0_by_limb3_U_0 * (t189 * t444),
@@ -593,7 +592,7 @@ BODY(three_ups_upu_s_forward_dynamics_independent)(size_t stride, const double *
     /* limb2: free motion */
     const REAL t376 = limb2_lower_cos * minus_limb2_P_joint_rate - t375, t377 = t126 * t376,
       t412 = t404 * (minus_limb2_P_joint_rate * limb2_U_joint_rate_0) + t411,
-      t398 = (limb2_lower_sin * minus_limb2_P_joint_rate + t380) * t384 - (limb2_U_joint_rate_0 * t376 - t396),
+      t398 = (limb2_lower_sin * minus_limb2_P_joint_rate + t380) * t384 - (t376 * limb2_U_joint_rate_0 - t396),
       t401 = limb2_U_mass_matrix_0_by_limb2_U_0 * (t199 * (t377 + t398)),
       t413 = limb2_lower_cos * (limb2_upper_offset_x * (limb_lower_m_gravity_z * minus_limb2_U_0_cos)) - t412,
       minus_limb2_U_handed_force_0 = t401 - t413,
@@ -603,7 +602,7 @@ BODY(three_ups_upu_s_forward_dynamics_independent)(size_t stride, const double *
     /* limb4: free motion */
     const REAL t331 = limb4_lower_cos * limb4_P_joint_rate - t330, t332 = t126 * t331,
       t367 = t359 * (limb4_P_joint_rate * limb4_U_joint_rate_0) + t366,
-      t353 = (minus_limb4_lower_sin * limb4_P_joint_rate + t335) * t339 + (limb4_U_joint_rate_0 * t331 - t351),
+      t353 = (minus_limb4_lower_sin * limb4_P_joint_rate + t335) * t339 + (t331 * limb4_U_joint_rate_0 - t351),
       t356 = limb4_U_mass_matrix_0_by_limb4_U_0 * (t209 * (t332 - t353)),
       t368 = limb4_lower_cos * (limb4_upper_offset_x * (limb_lower_m_gravity_z * minus_limb4_U_0_cos)) + t367,
       limb4_U_handed_force_0 = t356 + t368,
@@ -615,7 +614,7 @@ BODY(three_ups_upu_s_forward_dynamics_independent)(size_t stride, const double *
     const REAL limb1_U_follows_0_by_limb1_U2_1 = minus_limb1_upper_position_x * t19,
       t154 = limb1_U_joint_rate_1 - t138, t90 = limb1_lower_cos * limb1_P_joint_rate - t89,
       t111 = t90 * t110, /* limb5_S */
-      t142 = (limb1_lower_sin * limb1_P_joint_rate + t114) * t128 + (limb1_U_joint_rate_0 * t90 + t140), /* limb5_S */
+      t142 = (limb1_lower_sin * limb1_P_joint_rate + t114) * t128 + (t90 * limb1_U_joint_rate_0 + t140), /* limb5_S */
       t143 = t111 - t142, /* limb5_S */
       t144 = minus_limb1_U_factor_0_by_3 * t143, /* limb5_S */
       t312 = limb1_U_mass_matrix_0_by_limb1_U_0 * (t19 * t143),
@@ -669,7 +668,7 @@ BODY(three_ups_upu_s_forward_dynamics_independent)(size_t stride, const double *
     /* limb5_S: free motion; accelerations; pivots */
     const REAL limb5_S_handed_inertia_wz = t261 + t264 + t303, t265 = t256 - t264, /* limb1 */
       t284 = limb1_U_0_sin * t263, /* limb1 */
-      t600 = limb5_S_null_space_wz_by_limb5_S_wy * (limb5_S_joint_acc_still_wz * limb5_S_handed_inertia_wz + t599),
+      t600 = limb5_S_null_space_wz_by_limb5_S_wy * (limb5_S_handed_inertia_wz * limb5_S_joint_acc_still_wz + t599),
       t304 = limb5_S_null_space_wz_by_limb5_S_wy * limb5_S_handed_inertia_wz,
       t520 = platform_turn_xy * platform_rate_my,
       t610 = t604 - (t605 - (platform_turn_yy * platform_rate_my - platform_turn_yx * minus_platform_rate_mx)),
@@ -678,7 +677,7 @@ BODY(three_ups_upu_s_forward_dynamics_independent)(size_t stride, const double *
       t529 = limb1_U_handed_force_0 + (t369 + (t414 - t526)), t186 = k12 * platform_turn_yz,
       t206 = minus_limb2_U_0_cos * t205, /* limb2 */
       t291 = limb4_U_0_sin * t215 - (limb2_U_0_sin * t205 - (platform_turn_zz * t186 - t288)), t292 = t284 - t291,
-      t306 = t292 + (t292 - t304), minus_limb5_S_reduced_force_wy = t600 - (limb5_S_joint_acc_still_wz * t292 + t614),
+      t306 = t292 + (t292 - t304), minus_limb5_S_reduced_force_wy = t600 - (t292 * limb5_S_joint_acc_still_wz + t614),
       t307 = limb5_S_null_space_wz_by_limb5_S_wy * t306, t216 = minus_limb4_U_0_cos * t215, /* limb4 */
       t282 = limb4_U_mass_matrix_0_by_limb4_U_0 + (limb2_U_mass_matrix_0_by_limb2_U_0 + (k13 + platform_turn_yz * t186 + t279)),
       limb5_S_reduced_inertia_wy_by_limb5_S_wy = t265 + t282 - t307;
@@ -688,10 +687,10 @@ BODY(three_ups_upu_s_forward_dynamics_independent)(size_t stride, const double *
       limb5_S_handed_inertia_wz_by_limb5_S_wx = limb1_U_0_cos * t223 + (t237 + (t239 - limb3_U_0_cos * t195 + t252)),
       t225 = t217 - limb1_U_0_sin * t223,
       limb5_S_reduced_inertia_wx_by_limb5_S_wy = t225 + limb5_S_null_space_wz_by_limb5_S_wy * limb5_S_handed_inertia_wz_by_limb5_S_wx,
-      minus_limb5_S_reduced_force_wx = limb5_S_joint_acc_still_wz * limb5_S_handed_inertia_wz_by_limb5_S_wx + t529,
+      minus_limb5_S_reduced_force_wx = limb5_S_handed_inertia_wz_by_limb5_S_wx * limb5_S_joint_acc_still_wz + t529,
       t309 = limb5_S_reduced_inertia_wx_by_limb5_S_wy * t308, t626 = limb5_S_reduced_inertia_wx_by_limb5_S_wy * t309,
-      t628 = t308 * minus_limb5_S_reduced_force_wy,
-      t617 = minus_limb5_S_reduced_force_wx - t309 * minus_limb5_S_reduced_force_wy,
+      t628 = minus_limb5_S_reduced_force_wy * t308,
+      t617 = minus_limb5_S_reduced_force_wx - minus_limb5_S_reduced_force_wy * t309,
       t624 = limb3_U_mass_matrix_0_by_limb3_U_0 + (k13 + platform_turn_xz * (k12 * platform_turn_xz)) + t623,
       pivot_1 = limb1_U_mass_matrix_0_by_limb1_U_0 + (t618 + t624) - t626;
     checked0 = checked0 + pivot_1;
@@ -738,21 +737,23 @@ BODY(three_ups_upu_s_forward_dynamics_reactions)(size_t stride, const double *re
     const double *restrict sine, const double *restrict cosine, double *restrict total)
 {
     /* limb5_S: geometry; velocities, eq. (6) */
-    const REAL limb5_S_q_qw = READ(q, 12), limb5_S_q_qx = READ(q, 13), t2 = limb5_S_q_qw * limb5_S_q_qw,
-      t3 = limb5_S_q_qx * limb5_S_q_qx, limb5_S_q_qy = READ(q, 14), t4 = t2 + t3, t5 = limb5_S_q_qy * limb5_S_q_qy,
-      limb5_S_q_qz = READ(q, 15), t6 = limb5_S_q_qz * limb5_S_q_qz, t7 = t5 + t6, t8 = t4 + t7, t10 = 4.0 - 2.0 * t8,
-      t40 = t3 + t5, platform_turn_yy = 1.0 - t10 * (t3 + t6), platform_turn_zz = 1.0 - t10 * t40,
-      platform_turn_xx = 1.0 - t7 * t10, t26 = limb5_S_q_qy * t10, t27 = limb5_S_q_qx * t26, t44 = limb5_S_q_qw * t26,
-      t14 = limb5_S_q_qz * t10, t17 = limb5_S_q_qw * (limb5_S_q_qx * t10), t28 = limb5_S_q_qw * t14,
-      platform_turn_yx = t27 + t28, platform_turn_xy = t27 - t28, limb5_S_v_wx = READ(v, 12),
-      limb5_S_v_wy = READ(v, 13), t37 = limb5_S_v_wy * platform_turn_yy + limb5_S_v_wx * platform_turn_yx,
-      t15 = limb5_S_q_qy * t14, t43 = limb5_S_q_qx * t14, platform_turn_yz = t15 - t17, platform_turn_zy = t15 + t17,
-      limb5_S_v_wz = READ(v, 14), platform_twist_wy = t37 + limb5_S_v_wz * platform_turn_yz;
+    const REAL limb5_S_q_qw = READ(q, 12), limb5_S_q_qx = READ(q, 13), t29 = limb5_S_q_qw * limb5_S_q_qw,
+      t30 = limb5_S_q_qx * limb5_S_q_qx, limb5_S_q_qy = READ(q, 14), t31 = t29 + t30,
+      t32 = limb5_S_q_qy * limb5_S_q_qy, limb5_S_q_qz = READ(q, 15), t33 = limb5_S_q_qz * limb5_S_q_qz,
+      t34 = t32 + t33, t35 = t31 + t34, t37 = 4.0 - 2.0 * t35, t42 = t30 + t32,
+      platform_turn_yy = 1.0 - t37 * (t30 + t33), platform_turn_zz = 1.0 - t37 * t42,
+      platform_turn_xx = 1.0 - t34 * t37, t40 = limb5_S_q_qy * t37, t90 = limb5_S_q_qx * t40,
+      t41 = limb5_S_q_qw * t40, t38 = limb5_S_q_qz * t37, t82 = limb5_S_q_qw * (limb5_S_q_qx * t37),
+      t91 = limb5_S_q_qw * t38, platform_turn_yx = t90 + t91, platform_turn_xy = t90 - t91,
+      limb5_S_v_wx = READ(v, 12), limb5_S_v_wy = READ(v, 13),
+      t100 = limb5_S_v_wy * platform_turn_yy + limb5_S_v_wx * platform_turn_yx, t80 = limb5_S_q_qy * t38,
+      t39 = limb5_S_q_qx * t38, platform_turn_yz = t80 - t82, platform_turn_zy = t80 + t82,
+      limb5_S_v_wz = READ(v, 14), platform_twist_wy = t100 + limb5_S_v_wz * platform_turn_yz;
     /* limb3: geometry; free motion */
-    const REAL limb3_U_0_sin = SINES(sine, 4), t284 = limb3_U_0_sin * platform_twist_wy, platform_turn_zx = t43 - t44,
-      platform_turn_xz = t43 + t44,
-      t47 = limb5_S_v_wx * platform_turn_zx + limb5_S_v_wy * platform_turn_zy, /* platform */
-      platform_twist_wz = limb5_S_v_wz * platform_turn_zz + t47, limb3_U_0_cos = SINES(cosine, 4);
+    const REAL limb3_U_0_sin = SINES(sine, 4), t284 = limb3_U_0_sin * platform_twist_wy, platform_turn_zx = t39 - t41,
+      platform_turn_xz = t39 + t41,
+      t106 = limb5_S_v_wx * platform_turn_zx + limb5_S_v_wy * platform_turn_zy, /* platform */
+      platform_twist_wz = limb5_S_v_wz * platform_turn_zz + t106, limb3_U_0_cos = SINES(cosine, 4);
     /* limb3: free motion; reciprocal wrenches, eq. (10); inertia */
     const REAL t286 = t284 - limb3_U_0_cos * platform_twist_wz, limb3_U_v_0 = READ(v, 6), t440 = limb3_U_v_0 * t286,
       limb3_upper_offset_x = limb_upper_phase + READ(q, 8), minus_limb3_lower_sin = SINES(sine, 5),
@@ -763,13 +764,13 @@ BODY(three_ups_upu_s_forward_dynamics_reactions)(size_t stride, const double *re
       t458 = t454 - t275 * (limb3_P_v + param_R * t287), t288 = limb3_upper_offset_x * t287,
       minus_limb3_U_0_lever_mz_by_limb3_S_fz = limb3_lower_cos * limb3_upper_offset_x;
     REAL checked0 = minus_limb3_U_0_lever_mz_by_limb3_S_fz;
-    const REAL t144 = 1.0 / minus_limb3_U_0_lever_mz_by_limb3_S_fz, t389 = limb3_lower_cos * t144, t459 = t458 * t389,
-      limb3_lower_composite_first_x = limb_lower_m * limb3_upper_offset_x, t145 = k7 - limb3_lower_composite_first_x,
-      t266 = limb3_lower_composite_first_x - t145, t146 = limb3_upper_offset_x * t145, t450 = t449 * t266,
-      limb3_U_mass_matrix_1_by_limb3_U_1 = k9 - t146, t147 = t146 - k8,
-      t460 = limb3_U_mass_matrix_1_by_limb3_U_1 * t459, t148 = limb3_lower_cos * t147,
-      t263 = minus_limb3_lower_sin * t148 + limb3_lower_cos * (minus_limb3_lower_sin * t147),
-      limb3_U_mass_matrix_0_by_limb3_U_0 = k3 - limb3_lower_cos * t148, t447 = 0.5 * t263,
+    const REAL t47 = 1.0 / minus_limb3_U_0_lever_mz_by_limb3_S_fz, t389 = limb3_lower_cos * t47, t459 = t458 * t389,
+      limb3_lower_composite_first_x = limb_lower_m * limb3_upper_offset_x, t48 = k7 - limb3_lower_composite_first_x,
+      t266 = limb3_lower_composite_first_x - t48, t49 = limb3_upper_offset_x * t48, t450 = t449 * t266,
+      limb3_U_mass_matrix_1_by_limb3_U_1 = k9 - t49, t50 = t49 - k8, t460 = limb3_U_mass_matrix_1_by_limb3_U_1 * t459,
+      t51 = limb3_lower_cos * t50,
+      t263 = minus_limb3_lower_sin * t51 + limb3_lower_cos * (minus_limb3_lower_sin * t50),
+      limb3_U_mass_matrix_0_by_limb3_U_0 = k3 - limb3_lower_cos * t51, t447 = 0.5 * t263,
       minus_limb3_U_0_U_still_xx = limb3_U_v_0 * limb3_U_v_0, t451 = minus_limb3_U_0_U_still_xx * t447 + t450,
       limb3_U_0_acc_y = gravity_z * limb3_U_0_cos, limb3_lower_acc_y = minus_limb3_lower_sin * limb3_U_0_acc_y,
       limb3_lower_acc_x = limb3_lower_cos * limb3_U_0_acc_y, limb3_upper_force_y = limb_lower_m * limb3_lower_acc_y,
@@ -795,8 +796,8 @@ BODY(three_ups_upu_s_forward_dynamics_reactions)(size_t stride, const double *re
     const REAL limb2_U_0_sin = SINES(cosine, 2),
       t463 = t430 - platform_turn_zy * minus_platform_rate_my - t462, /* limb5_S */
       t248 = limb2_U_0_sin * platform_twist_wz,
-      t69 = limb5_S_v_wx * platform_turn_xx + limb5_S_v_wy * platform_turn_xy, /* platform */
-      platform_twist_wx = t69 + limb5_S_v_wz * platform_turn_xz, minus_limb2_U_0_cos = SINES(sine, 2);
+      t128 = limb5_S_v_wx * platform_turn_xx + limb5_S_v_wy * platform_turn_xy, /* platform */
+      platform_twist_wx = t128 + limb5_S_v_wz * platform_turn_xz, minus_limb2_U_0_cos = SINES(sine, 2);
     /* limb2: free motion; reciprocal wrenches, eq. (10); inertia */
     const REAL t250 = t248 + minus_limb2_U_0_cos * platform_twist_wx, limb2_U_v_0 = READ(v, 3),
       t338 = limb2_U_v_0 * t250, limb2_upper_offset_x = limb_upper_phase + READ(q, 5),
@@ -807,21 +808,20 @@ BODY(three_ups_upu_s_forward_dynamics_reactions)(size_t stride, const double *re
       t356 = t352 + t239 * (limb2_P_v - param_R * t251), t252 = limb2_upper_offset_x * t251,
       minus_limb2_U_0_lever_mz_by_limb2_S_fz = limb2_lower_cos * limb2_upper_offset_x;
     REAL checked1 = minus_limb2_U_0_lever_mz_by_limb2_S_fz;
-    const REAL t154 = 1.0 / minus_limb2_U_0_lever_mz_by_limb2_S_fz, t165 = limb2_lower_cos * t154, t357 = t356 * t165,
-      limb2_lower_composite_first_x = limb_lower_m * limb2_upper_offset_x, t155 = k7 - limb2_lower_composite_first_x,
-      t230 = limb2_lower_composite_first_x - t155, t156 = limb2_upper_offset_x * t155, t348 = t347 * t230,
-      limb2_U_mass_matrix_1_by_limb2_U_1 = k9 - t156, t157 = t156 - k8,
-      t358 = limb2_U_mass_matrix_1_by_limb2_U_1 * t357, t158 = limb2_lower_cos * t157,
-      t227 = limb2_lower_sin * t158 + limb2_lower_cos * (limb2_lower_sin * t157),
-      limb2_U_mass_matrix_0_by_limb2_U_0 = k3 - limb2_lower_cos * t158, t345 = 0.5 * t227,
+    const REAL t57 = 1.0 / minus_limb2_U_0_lever_mz_by_limb2_S_fz, t68 = limb2_lower_cos * t57, t357 = t356 * t68,
+      limb2_lower_composite_first_x = limb_lower_m * limb2_upper_offset_x, t58 = k7 - limb2_lower_composite_first_x,
+      t230 = limb2_lower_composite_first_x - t58, t59 = limb2_upper_offset_x * t58, t348 = t347 * t230,
+      limb2_U_mass_matrix_1_by_limb2_U_1 = k9 - t59, t60 = t59 - k8, t358 = limb2_U_mass_matrix_1_by_limb2_U_1 * t357,
+      t61 = limb2_lower_cos * t60, t227 = limb2_lower_sin * t61 + limb2_lower_cos * (limb2_lower_sin * t60),
+      limb2_U_mass_matrix_0_by_limb2_U_0 = k3 - limb2_lower_cos * t61, t345 = 0.5 * t227,
       minus_limb2_U_0_U_still_xx = limb2_U_v_0 * limb2_U_v_0, t349 = minus_limb2_U_0_U_still_xx * t345 - t348,
       minus_limb2_U_0_acc_y = gravity_z * limb2_U_0_sin, limb2_lower_acc_y = limb2_lower_sin * minus_limb2_U_0_acc_y,
       minus_limb2_lower_acc_x = limb2_lower_cos * minus_limb2_U_0_acc_y,
       limb2_upper_force_y = limb_lower_m * limb2_lower_acc_y,
       limb2_U_handed_force_1 = limb2_upper_offset_x * limb2_upper_force_y - t349 - t358,
-      limb2_U_follows_1_by_limb2_S_0 = limb2_S_arm_x * t165,
+      limb2_U_follows_1_by_limb2_S_0 = limb2_S_arm_x * t68,
       t359 = limb2_U_follows_1_by_limb2_S_0 * limb2_U_handed_force_1,
-      t167 = limb2_U_follows_1_by_limb2_S_0 * (limb2_U_mass_matrix_1_by_limb2_U_1 * limb2_U_follows_1_by_limb2_S_0),
+      t70 = limb2_U_follows_1_by_limb2_S_0 * (limb2_U_mass_matrix_1_by_limb2_U_1 * limb2_U_follows_1_by_limb2_S_0),
       minus_limb2_S_arm_y = param_R * limb2_lower_cos, t339 = minus_limb2_S_arm_y * t338,
       t242 = limb2_U_v_1 * limb2_lower_sin, t342 = t339 - t239 * (param_R * t242), t240 = limb2_U_v_0 * t239,
       t243 = limb2_upper_offset_x * t242, t343 = limb_lower_m * t342,
@@ -843,22 +843,22 @@ BODY(three_ups_upu_s_forward_dynamics_reactions)(size_t stride, const double *re
       t321 = t317 + t203 * (limb4_P_v + param_R * t215), t216 = limb4_upper_offset_x * t215,
       minus_limb4_U_0_lever_mz_by_limb4_S_fz = limb4_lower_cos * limb4_upper_offset_x;
     REAL checked2 = minus_limb4_U_0_lever_mz_by_limb4_S_fz;
-    const REAL t123 = 1.0 / minus_limb4_U_0_lever_mz_by_limb4_S_fz, t134 = limb4_lower_cos * t123, t322 = t321 * t134,
-      limb4_lower_composite_first_x = limb_lower_m * limb4_upper_offset_x, t124 = k7 - limb4_lower_composite_first_x,
-      t194 = limb4_lower_composite_first_x - t124, t125 = limb4_upper_offset_x * t124, t313 = t312 * t194,
-      limb4_U_mass_matrix_1_by_limb4_U_1 = k9 - t125, t126 = t125 - k8,
-      t323 = limb4_U_mass_matrix_1_by_limb4_U_1 * t322, t127 = limb4_lower_cos * t126,
-      t191 = minus_limb4_lower_sin * t127 + limb4_lower_cos * (minus_limb4_lower_sin * t126),
-      limb4_U_mass_matrix_0_by_limb4_U_0 = k3 - limb4_lower_cos * t127, t310 = 0.5 * t191,
+    const REAL t11 = 1.0 / minus_limb4_U_0_lever_mz_by_limb4_S_fz, t22 = limb4_lower_cos * t11, t322 = t321 * t22,
+      limb4_lower_composite_first_x = limb_lower_m * limb4_upper_offset_x, t12 = k7 - limb4_lower_composite_first_x,
+      t194 = limb4_lower_composite_first_x - t12, t13 = limb4_upper_offset_x * t12, t313 = t312 * t194,
+      limb4_U_mass_matrix_1_by_limb4_U_1 = k9 - t13, t14 = t13 - k8, t323 = limb4_U_mass_matrix_1_by_limb4_U_1 * t322,
+      t15 = limb4_lower_cos * t14,
+      t191 = minus_limb4_lower_sin * t15 + limb4_lower_cos * (minus_limb4_lower_sin * t14),
+      limb4_U_mass_matrix_0_by_limb4_U_0 = k3 - limb4_lower_cos * t15, t310 = 0.5 * t191,
       minus_limb4_U_0_U_still_xx = limb4_U_v_0 * limb4_U_v_0, t314 = minus_limb4_U_0_U_still_xx * t310 + t313,
       minus_limb4_U_0_acc_y = gravity_z * limb4_U_0_sin,
       minus_limb4_lower_acc_y = minus_limb4_lower_sin * minus_limb4_U_0_acc_y,
       minus_limb4_lower_acc_x = limb4_lower_cos * minus_limb4_U_0_acc_y,
       minus_limb4_upper_force_y = limb_lower_m * minus_limb4_lower_acc_y,
       minus_limb4_U_handed_force_1 = limb4_upper_offset_x * minus_limb4_upper_force_y - t314 + t323,
-      limb4_U_follows_1_by_limb4_S_0 = limb4_S_arm_x * t134,
+      limb4_U_follows_1_by_limb4_S_0 = limb4_S_arm_x * t22,
       t324 = limb4_U_follows_1_by_limb4_S_0 * minus_limb4_U_handed_force_1,
-      t136 = limb4_U_follows_1_by_limb4_S_0 * (limb4_U_mass_matrix_1_by_limb4_U_1 * limb4_U_follows_1_by_limb4_S_0),
+      t24 = limb4_U_follows_1_by_limb4_S_0 * (limb4_U_mass_matrix_1_by_limb4_U_1 * limb4_U_follows_1_by_limb4_S_0),
       limb4_S_arm_y = param_R * limb4_lower_cos, t304 = limb4_S_arm_y * t303,
       t206 = limb4_U_v_1 * minus_limb4_lower_sin, t307 = t304 + t203 * (param_R * t206), t204 = limb4_U_v_0 * t203,
       t207 = limb4_upper_offset_x * t206, t308 = limb_lower_m * t307,
@@ -869,38 +869,37 @@ BODY(three_ups_upu_s_forward_dynamics_reactions)(size_t stride, const double *re
       limb1_U_0_sin = SINES(sine, 0), limb1_U_0_cos = SINES(cosine, 0),
       t465 = minus_limb4_U_0_cos * limb4_S_handed_force_0 - t464, /* limb5_S */
       t325 = limb4_U_0_sin * limb4_S_handed_force_0,
-      t60 = limb1_U_0_sin * platform_twist_wy - limb1_U_0_cos * platform_twist_wz, /* limb5_S */
-      limb1_U_v_0 = READ(v, 0), t48 = limb1_U_0_sin * platform_twist_wz, /* limb5_S */
-      t104 = limb1_U_v_0 * t60; /* limb5_S */
+      t119 = limb1_U_0_sin * platform_twist_wy - limb1_U_0_cos * platform_twist_wz, /* limb5_S */
+      limb1_U_v_0 = READ(v, 0), t107 = limb1_U_0_sin * platform_twist_wz, /* limb5_S */
+      t163 = limb1_U_v_0 * t119; /* limb5_S */
     /* limb1: accelerations; free motion; inertia */
     const REAL limb1_upper_offset_x = limb_upper_phase + READ(q, 2), limb1_lower_sin = SINES(sine, 1),
       limb1_U2_arm_x = limb1_upper_offset_x - param_R * limb1_lower_sin, limb1_U_v_1 = READ(v, 1),
-      limb1_P_v = READ(v, 2), t105 = limb1_U2_arm_x * t104, /* limb5_S */
-      t106 = limb1_U_v_1 * limb1_P_v, t107 = t105 + t106, /* limb5_S */
-      t49 = limb1_U_0_cos * platform_twist_wy + t48, /* limb5_S */
-      limb1_lower_cos = SINES(cosine, 1), t61 = limb1_U_v_1 * limb1_lower_cos,
-      t111 = t107 - t49 * (limb1_P_v - param_R * t61), /* limb5_S */
-      t62 = limb1_upper_offset_x * t61,
+      limb1_P_v = READ(v, 2), t164 = limb1_U2_arm_x * t163, /* limb5_S */
+      t165 = limb1_U_v_1 * limb1_P_v, t166 = t164 + t165, /* limb5_S */
+      t108 = limb1_U_0_cos * platform_twist_wy + t107, /* limb5_S */
+      limb1_lower_cos = SINES(cosine, 1), t120 = limb1_U_v_1 * limb1_lower_cos,
+      t170 = t166 - t108 * (limb1_P_v - param_R * t120), /* limb5_S */
+      t121 = limb1_upper_offset_x * t120,
       minus_limb1_U_0_lever_mz_by_limb1_U2_fz = limb1_lower_cos * limb1_upper_offset_x;
     REAL checked3 = minus_limb1_U_0_lever_mz_by_limb1_U2_fz;
-    const REAL t19 = 1.0 / minus_limb1_U_0_lever_mz_by_limb1_U2_fz, t31 = limb1_lower_cos * t19, t424 = t111 * t31,
-      limb1_lower_composite_first_x = limb_lower_m * limb1_upper_offset_x, t115 = k7 - limb1_lower_composite_first_x,
-      t180 = limb1_lower_composite_first_x - t115, t116 = limb1_upper_offset_x * t115, t421 = t106 * t180,
-      limb1_U_mass_matrix_1_by_limb1_U_1 = k9 - t116, t117 = t116 - k8,
-      t425 = limb1_U_mass_matrix_1_by_limb1_U_1 * t424, t118 = limb1_lower_cos * t117,
-      t177 = limb1_lower_sin * t118 + limb1_lower_cos * (limb1_lower_sin * t117),
-      limb1_U_mass_matrix_0_by_limb1_U_0 = k3 - limb1_lower_cos * t118, t419 = 0.5 * t177,
+    const REAL t2 = 1.0 / minus_limb1_U_0_lever_mz_by_limb1_U2_fz, t94 = limb1_lower_cos * t2, t424 = t170 * t94,
+      limb1_lower_composite_first_x = limb_lower_m * limb1_upper_offset_x, t3 = k7 - limb1_lower_composite_first_x,
+      t180 = limb1_lower_composite_first_x - t3, t4 = limb1_upper_offset_x * t3, t421 = t165 * t180,
+      limb1_U_mass_matrix_1_by_limb1_U_1 = k9 - t4, t5 = t4 - k8, t425 = limb1_U_mass_matrix_1_by_limb1_U_1 * t424,
+      t6 = limb1_lower_cos * t5, t177 = limb1_lower_sin * t6 + limb1_lower_cos * (limb1_lower_sin * t5),
+      limb1_U_mass_matrix_0_by_limb1_U_0 = k3 - limb1_lower_cos * t6, t419 = 0.5 * t177,
       minus_limb1_U_0_U_still_xx = limb1_U_v_0 * limb1_U_v_0, t422 = minus_limb1_U_0_U_still_xx * t419 - t421,
       limb1_U_0_acc_y = gravity_z * limb1_U_0_cos, minus_limb1_lower_acc_y = limb1_lower_sin * limb1_U_0_acc_y,
       limb1_lower_acc_x = limb1_lower_cos * limb1_U_0_acc_y,
       minus_limb1_upper_force_y = limb_lower_m * minus_limb1_lower_acc_y;
     /* limb1: free motion; rates that follow; accelerations */
     const REAL minus_limb1_U_handed_force_1 = limb1_upper_offset_x * minus_limb1_upper_force_y + t422 + t425,
-      limb1_U_follows_1_by_limb1_U2_0 = limb1_U2_arm_x * t31,
+      limb1_U_follows_1_by_limb1_U2_0 = limb1_U2_arm_x * t94,
       t426 = limb1_U_follows_1_by_limb1_U2_0 * minus_limb1_U_handed_force_1,
       t373 = limb1_U_follows_1_by_limb1_U2_0 * (limb1_U_mass_matrix_1_by_limb1_U_1 * limb1_U_follows_1_by_limb1_U2_0),
-      minus_limb1_U2_arm_y = param_R * limb1_lower_cos, t413 = minus_limb1_U2_arm_y * t104,
-      t52 = limb1_U_v_1 * limb1_lower_sin, t416 = t413 + t49 * (param_R * t52), t53 = limb1_upper_offset_x * t52,
+      minus_limb1_U2_arm_y = param_R * limb1_lower_cos, t413 = minus_limb1_U2_arm_y * t163,
+      t111 = limb1_U_v_1 * limb1_lower_sin, t416 = t413 + t108 * (param_R * t111), t112 = limb1_upper_offset_x * t111,
       t417 = limb_lower_m * t416, t182 = limb1_lower_cos * (limb1_lower_cos * t180), t409 = 0.5 * t180,
       t407 = minus_limb1_U_0_U_still_xx * (0.5 * t182), t408 = limb1_U_v_1 * limb1_U_v_1, t411 = t407 + t408 * t409,
       limb1_upper_force_x = limb_lower_m * limb1_lower_acc_x, limb1_P_u = READ(u, 0),
@@ -913,11 +912,11 @@ BODY(three_ups_upu_s_forward_dynamics_reactions)(size_t stride, const double *re
     const REAL t277 = limb3_upper_position_x * t276, t281 = t279 + limb3_P_v * limb3_lower_cos,
       t292 = platform_twist_wx * t281,
       t291 = t277 - limb3_U_v_0 * t281 - t286 * (limb3_P_v * minus_limb3_lower_sin - t288),
-      t294 = t144 * (t291 + t292), t295 = limb3_U_mass_matrix_0_by_limb3_U_0 * t294,
+      t294 = t47 * (t291 + t292), t295 = limb3_U_mass_matrix_0_by_limb3_U_0 * t294,
       t271 = t263 * (limb3_U_v_0 * limb3_U_v_1) - t268 * (limb3_U_v_0 * limb3_P_v),
       limb3_upper_force_z = limb_lower_m_gravity_z * limb3_U_0_sin,
       minus_limb3_U_handed_force_0 = limb3_lower_cos * (limb3_upper_offset_x * limb3_upper_force_z) + t271 - t295,
-      minus_limb3_U_follows_0_by_limb3_S_1 = limb3_upper_position_x * t144,
+      minus_limb3_U_follows_0_by_limb3_S_1 = limb3_upper_position_x * t47,
       limb3_S_handed_force_1 = minus_limb3_U_follows_0_by_limb3_S_1 * minus_limb3_U_handed_force_0,
       t467 = limb3_U_0_cos * limb3_S_handed_force_1 + t466, /* limb5_S */
       t484 = limb3_U_0_sin * limb3_S_handed_force_1;
@@ -926,11 +925,11 @@ BODY(three_ups_upu_s_forward_dynamics_reactions)(size_t stride, const double *re
     /* limb2: free motion; balance, eqs. (40)-(47); rates that follow */
     const REAL t241 = minus_limb2_upper_position_y * t240, t245 = t243 - limb2_P_v * limb2_lower_cos,
       t256 = platform_twist_wy * t245, t255 = t241 + limb2_U_v_0 * t245 + t250 * (limb2_P_v * limb2_lower_sin + t252),
-      t258 = t154 * (t255 - t256), t259 = limb2_U_mass_matrix_0_by_limb2_U_0 * t258,
+      t258 = t57 * (t255 - t256), t259 = limb2_U_mass_matrix_0_by_limb2_U_0 * t258,
       t235 = t227 * (limb2_U_v_0 * limb2_U_v_1) + t232 * (limb2_U_v_0 * limb2_P_v),
       minus_limb2_upper_force_z = limb_lower_m_gravity_z * minus_limb2_U_0_cos,
       limb2_U_handed_force_0 = limb2_lower_cos * (limb2_upper_offset_x * minus_limb2_upper_force_z) + t235 + t259,
-      limb2_U_follows_0_by_limb2_S_1 = minus_limb2_upper_position_y * t154,
+      limb2_U_follows_0_by_limb2_S_1 = minus_limb2_upper_position_y * t57,
       limb2_S_handed_force_1 = limb2_U_follows_0_by_limb2_S_1 * limb2_U_handed_force_0,
       t468 = limb2_U_0_sin * limb2_S_handed_force_1 - t467, /* limb5_S */
       t260 = minus_limb2_U_0_cos * limb2_S_handed_force_1;
@@ -940,107 +939,107 @@ BODY(three_ups_upu_s_forward_dynamics_reactions)(size_t stride, const double *re
     const REAL t205 = limb4_upper_position_y * t204, t209 = t207 + limb4_P_v * limb4_lower_cos,
       t220 = platform_twist_wy * t209,
       t219 = t205 + limb4_U_v_0 * t209 + t214 * (limb4_P_v * minus_limb4_lower_sin - t216),
-      t222 = t123 * (t219 - t220), t223 = limb4_U_mass_matrix_0_by_limb4_U_0 * t222,
+      t222 = t11 * (t219 - t220), t223 = limb4_U_mass_matrix_0_by_limb4_U_0 * t222,
       t199 = t191 * (limb4_U_v_0 * limb4_U_v_1) - t196 * (limb4_U_v_0 * limb4_P_v),
       minus_limb4_upper_force_z = limb_lower_m_gravity_z * minus_limb4_U_0_cos,
       limb4_U_handed_force_0 = limb4_lower_cos * (limb4_upper_offset_x * minus_limb4_upper_force_z) - t199 - t223,
-      minus_limb4_U_follows_0_by_limb4_S_1 = limb4_upper_position_y * t123,
+      minus_limb4_U_follows_0_by_limb4_S_1 = limb4_upper_position_y * t11,
       minus_limb4_S_handed_force_1 = minus_limb4_U_follows_0_by_limb4_S_1 * limb4_U_handed_force_0,
       t469 = limb4_U_0_sin * minus_limb4_S_handed_force_1 - t468, /* limb5_S */
-      t224 = minus_limb4_U_0_cos * minus_limb4_S_handed_force_1, t50 = limb1_U_v_0 * t49; /* limb5_S */
+      t224 = minus_limb4_U_0_cos * minus_limb4_S_handed_force_1, t109 = limb1_U_v_0 * t108; /* limb5_S */
     /* limb1: loop closure; free motion; rates that follow */
-    const REAL t74 = limb1_U_v_1 - t49,
+    const REAL t133 = limb1_U_v_1 - t108,
       minus_limb1_upper_position_x = param_R - limb1_lower_sin * limb1_upper_offset_x,
-      t51 = minus_limb1_upper_position_x * t50, /* limb5_S */
-      t55 = t53 - limb1_P_v * limb1_lower_cos, t71 = platform_twist_wx * t55, /* limb5_S */
-      t65 = t51 - limb1_U_v_0 * t55 - t60 * (limb1_P_v * limb1_lower_sin + t62), /* limb5_S */
-      t72 = t65 + t71, /* limb5_S */
-      t187 = t19 * t72, t188 = limb1_U_mass_matrix_0_by_limb1_U_0 * t187,
+      t110 = minus_limb1_upper_position_x * t109, /* limb5_S */
+      t114 = t112 - limb1_P_v * limb1_lower_cos, t130 = platform_twist_wx * t114, /* limb5_S */
+      t124 = t110 - limb1_U_v_0 * t114 - t119 * (limb1_P_v * limb1_lower_sin + t121), /* limb5_S */
+      t131 = t124 + t130, /* limb5_S */
+      t187 = t2 * t131, t188 = limb1_U_mass_matrix_0_by_limb1_U_0 * t187,
       t185 = t177 * (limb1_U_v_0 * limb1_U_v_1) + t182 * (limb1_U_v_0 * limb1_P_v),
       limb1_upper_force_z = limb_lower_m_gravity_z * limb1_U_0_sin,
       minus_limb1_U_handed_force_0 = limb1_lower_cos * (limb1_upper_offset_x * limb1_upper_force_z) - t185 + t188,
-      limb1_U_follows_0_by_limb1_U2_1 = minus_limb1_upper_position_x * t19,
+      limb1_U_follows_0_by_limb1_U2_1 = minus_limb1_upper_position_x * t2,
       minus_limb1_U2_handed_force_1 = limb1_U_follows_0_by_limb1_U2_1 * minus_limb1_U_handed_force_0,
       t470 = limb1_U_0_cos * minus_limb1_U2_handed_force_1 - t469, /* limb5_S */
       t483 = limb1_U_0_sin * minus_limb1_U2_handed_force_1,
-      t78 = limb1_lower_sin * t60 + limb1_lower_cos * platform_twist_wx,
-      t87 = limb1_lower_cos * t60 - limb1_lower_sin * platform_twist_wx,
-      limb1_lower_omega_y = limb1_U_v_0 * limb1_lower_cos, t79 = limb1_lower_omega_y - t78,
-      t81 = limb1_lower_omega_y * t74 - limb1_U_v_1 * t79,
-      limb1_lower_alpha_still_x = limb1_U_v_1 * limb1_lower_omega_y, t82 = limb1_lower_alpha_still_x - t81,
+      t137 = limb1_lower_sin * t119 + limb1_lower_cos * platform_twist_wx,
+      t146 = limb1_lower_cos * t119 - limb1_lower_sin * platform_twist_wx,
+      limb1_lower_omega_y = limb1_U_v_0 * limb1_lower_cos, t138 = limb1_lower_omega_y - t137,
+      t140 = limb1_lower_omega_y * t133 - limb1_U_v_1 * t138,
+      limb1_lower_alpha_still_x = limb1_U_v_1 * limb1_lower_omega_y, t141 = limb1_lower_alpha_still_x - t140,
       limb1_U2_constraint_mn_couple_x = limb1_U_0_cos * platform_turn_yy + limb1_U_0_sin * platform_turn_zy,
-      t83 = limb1_U2_constraint_mn_couple_x * t82, limb1_lower_omega_x = limb1_U_v_0 * limb1_lower_sin,
-      t88 = limb1_lower_omega_x + t87, t90 = limb1_lower_omega_x * t79 - limb1_lower_omega_y * t88,
-      t24 = limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos * platform_turn_zy, t93 = limb1_lower_sin * t24,
-      limb1_U2_constraint_mn_couple_z = limb1_lower_cos * t24 - limb1_lower_sin * platform_turn_xy,
-      t92 = t83 - limb1_U2_constraint_mn_couple_z * t90,
-      limb1_U2_opening_mn = t93 + limb1_lower_cos * platform_turn_xy,
-      t98 = t88 * (limb1_U2_opening_mn * t88 + limb1_U2_constraint_mn_couple_z * t79),
-      limb1_U2_opening_bias_mn = t92 - (t98 - t74 * (limb1_U2_constraint_mn_couple_x * t79 - limb1_U2_opening_mn * t74)),
-      limb1_U_factor_1_by_3 = limb1_U2_constraint_mn_couple_z * t31,
-      t113 = limb1_U2_opening_bias_mn - t111 * limb1_U_factor_1_by_3, /* limb5_S */
-      minus_limb1_U_factor_0_by_3 = limb1_lower_sin * limb1_U2_constraint_mn_couple_x * t19,
-      t114 = minus_limb1_U_factor_0_by_3 * t72 - t113, /* limb5_S */
+      t142 = limb1_U2_constraint_mn_couple_x * t141, limb1_lower_omega_x = limb1_U_v_0 * limb1_lower_sin,
+      t147 = limb1_lower_omega_x + t146, t149 = limb1_lower_omega_x * t138 - limb1_lower_omega_y * t147,
+      t88 = limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos * platform_turn_zy, t152 = limb1_lower_sin * t88,
+      limb1_U2_constraint_mn_couple_z = limb1_lower_cos * t88 - limb1_lower_sin * platform_turn_xy,
+      t151 = t142 - limb1_U2_constraint_mn_couple_z * t149,
+      limb1_U2_opening_mn = t152 + limb1_lower_cos * platform_turn_xy,
+      t157 = t147 * (limb1_U2_opening_mn * t147 + limb1_U2_constraint_mn_couple_z * t138),
+      limb1_U2_opening_bias_mn = t151 - (t157 - t133 * (limb1_U2_constraint_mn_couple_x * t138 - limb1_U2_opening_mn * t133)),
+      limb1_U_factor_1_by_3 = limb1_U2_constraint_mn_couple_z * t94,
+      t172 = limb1_U2_opening_bias_mn - t170 * limb1_U_factor_1_by_3, /* limb5_S */
+      minus_limb1_U_factor_0_by_3 = limb1_lower_sin * limb1_U2_constraint_mn_couple_x * t2,
+      t173 = minus_limb1_U_factor_0_by_3 * t131 - t172, /* limb5_S */
       minus_limb1_U2_factor_0_by_3 = limb1_U2_constraint_mn_couple_z - limb1_U2_arm_x * limb1_U_factor_1_by_3,
-      t33 = limb1_U_0_sin * minus_limb1_U2_factor_0_by_3, t368 = limb1_U_0_cos * minus_limb1_U2_factor_0_by_3,
-      t20 = minus_limb1_upper_position_x * minus_limb1_U_factor_0_by_3,
-      minus_limb1_U2_factor_1_by_3 = limb1_lower_cos * limb1_U2_constraint_mn_couple_x - t20,
-      minus_limb5_S_pivot_wz = limb1_U_0_cos * minus_limb1_U2_factor_1_by_3 + t33;
+      t96 = limb1_U_0_sin * minus_limb1_U2_factor_0_by_3, t368 = limb1_U_0_cos * minus_limb1_U2_factor_0_by_3,
+      t84 = minus_limb1_upper_position_x * minus_limb1_U_factor_0_by_3,
+      minus_limb1_U2_factor_1_by_3 = limb1_lower_cos * limb1_U2_constraint_mn_couple_x - t84,
+      minus_limb5_S_pivot_wz = limb1_U_0_cos * minus_limb1_U2_factor_1_by_3 + t96;
     checked0 = checked0 + minus_limb5_S_pivot_wz;
-    const REAL t34 = 1.0 / minus_limb5_S_pivot_wz, /* limb5_S */
-      minus_limb5_S_joint_acc_still_wz = t34 * t114,
-      limb5_S_null_space_wz_by_limb5_S_wy = t34 * (limb1_U_0_sin * minus_limb1_U2_factor_1_by_3 - t368);
+    const REAL t97 = 1.0 / minus_limb5_S_pivot_wz, /* limb5_S */
+      minus_limb5_S_joint_acc_still_wz = t97 * t173,
+      limb5_S_null_space_wz_by_limb5_S_wy = t97 * (limb1_U_0_sin * minus_limb1_U2_factor_1_by_3 - t368);
     /* limb3: free motion */
-    const REAL t150 = minus_limb3_U_follows_0_by_limb3_S_1 * limb3_U_mass_matrix_0_by_limb3_U_0,
-      t393 = minus_limb3_U_follows_0_by_limb3_S_1 * t150, t392 = limb3_S_arm_y * (k20 * limb3_lower_cos) + t391,
+    const REAL t53 = minus_limb3_U_follows_0_by_limb3_S_1 * limb3_U_mass_matrix_0_by_limb3_U_0,
+      t393 = minus_limb3_U_follows_0_by_limb3_S_1 * t53, t392 = limb3_S_arm_y * (k20 * limb3_lower_cos) + t391,
       t395 = limb3_U_0_cos * (t393 - t392), t396 = limb3_U_0_cos * t395, t397 = t392 + t396, t510 = t393 - t396,
-      t477 = limb3_U_0_sin * t395, t141 = k12 * platform_turn_zz, /* platform */
-      t398 = k13 + platform_turn_zz * t141 + t397, /* limb5_S */
-      t142 = platform_turn_xz * t141, /* platform */
-      t160 = limb2_U_follows_0_by_limb2_S_1 * limb2_U_mass_matrix_0_by_limb2_U_0, /* limb2 */
-      t161 = limb2_U_follows_0_by_limb2_S_1 * t160, /* limb2 */
-      t168 = minus_limb2_S_arm_y * (k20 * limb2_lower_cos) + t167, /* limb2 */
-      t170 = limb2_U_0_sin * (t161 - t168), /* limb2 */
-      t382 = limb2_U_0_sin * t170, /* limb2 */
-      t399 = t168 + t382 + t398, /* limb5_S */
-      t528 = t161 - t382, /* limb2 */
-      t171 = minus_limb2_U_0_cos * t170, /* limb2 */
-      t129 = minus_limb4_U_follows_0_by_limb4_S_1 * limb4_U_mass_matrix_0_by_limb4_U_0, /* limb4 */
-      t130 = minus_limb4_U_follows_0_by_limb4_S_1 * t129, /* limb4 */
-      t137 = limb4_S_arm_y * (k20 * limb4_lower_cos) + t136, /* limb4 */
-      t139 = limb4_U_0_sin * (t130 - t137), /* limb4 */
-      t380 = limb4_U_0_sin * t139, /* limb4 */
-      t400 = t137 + t380 + t399, /* limb5_S */
-      t523 = t130 - t380, /* limb4 */
-      t140 = minus_limb4_U_0_cos * t139, /* limb4 */
-      t120 = limb1_U_follows_0_by_limb1_U2_1 * limb1_U_mass_matrix_0_by_limb1_U_0, /* limb1 */
-      t375 = limb1_U_follows_0_by_limb1_U2_1 * t120, /* limb1 */
+      t477 = limb3_U_0_sin * t395, t44 = k12 * platform_turn_zz, /* platform */
+      t398 = k13 + platform_turn_zz * t44 + t397, /* limb5_S */
+      t45 = platform_turn_xz * t44, /* platform */
+      t63 = limb2_U_follows_0_by_limb2_S_1 * limb2_U_mass_matrix_0_by_limb2_U_0, /* limb2 */
+      t64 = limb2_U_follows_0_by_limb2_S_1 * t63, /* limb2 */
+      t71 = minus_limb2_S_arm_y * (k20 * limb2_lower_cos) + t70, /* limb2 */
+      t73 = limb2_U_0_sin * (t64 - t71), /* limb2 */
+      t382 = limb2_U_0_sin * t73, /* limb2 */
+      t399 = t71 + t382 + t398, /* limb5_S */
+      t528 = t64 - t382, /* limb2 */
+      t74 = minus_limb2_U_0_cos * t73, /* limb2 */
+      t17 = minus_limb4_U_follows_0_by_limb4_S_1 * limb4_U_mass_matrix_0_by_limb4_U_0, /* limb4 */
+      t18 = minus_limb4_U_follows_0_by_limb4_S_1 * t17, /* limb4 */
+      t25 = limb4_S_arm_y * (k20 * limb4_lower_cos) + t24, /* limb4 */
+      t27 = limb4_U_0_sin * (t18 - t25), /* limb4 */
+      t380 = limb4_U_0_sin * t27, /* limb4 */
+      t400 = t25 + t380 + t399, /* limb5_S */
+      t523 = t18 - t380, /* limb4 */
+      t28 = minus_limb4_U_0_cos * t27, /* limb4 */
+      t8 = limb1_U_follows_0_by_limb1_U2_1 * limb1_U_mass_matrix_0_by_limb1_U_0, /* limb1 */
+      t375 = limb1_U_follows_0_by_limb1_U2_1 * t8, /* limb1 */
       t374 = minus_limb1_U2_arm_y * (k20 * limb1_lower_cos) + t373, /* limb1 */
       t377 = limb1_U_0_cos * (t375 - t374), /* limb1 */
       t378 = limb1_U_0_cos * t377; /* limb1 */
     /* limb5_S: free motion; accelerations; pivots */
     const REAL limb5_S_handed_inertia_wz = t374 + t378 + t400, t507 = t375 - t378, /* limb1 */
       t472 = limb1_U_0_sin * t377, /* limb1 */
-      t471 = limb5_S_null_space_wz_by_limb5_S_wy * (minus_limb5_S_joint_acc_still_wz * limb5_S_handed_inertia_wz + t470),
+      t471 = limb5_S_null_space_wz_by_limb5_S_wy * (limb5_S_handed_inertia_wz * minus_limb5_S_joint_acc_still_wz + t470),
       t515 = limb5_S_null_space_wz_by_limb5_S_wy * limb5_S_handed_inertia_wz,
       t327 = platform_turn_xx * platform_rate_mx,
       t491 = t485 + (platform_turn_yx * platform_rate_mx - platform_turn_yy * minus_platform_rate_my - t489),
       t495 = t483 + (limb4_U_handed_force_0 + (limb2_U_handed_force_0 - (t484 - t491))),
       t363 = minus_limb3_U_handed_force_0 - (t325 + (t327 - platform_turn_xy * minus_platform_rate_my - t360)),
       t366 = minus_limb1_U_handed_force_0 - (t224 - (t260 + t363)), t475 = k12 * platform_turn_yz,
-      t500 = minus_limb2_U_0_cos * t160, /* limb2 */
-      t480 = limb4_U_0_sin * t129 - (limb2_U_0_sin * t160 - (platform_turn_zz * t475 - t477)), t481 = t472 - t480,
-      t517 = t481 + (t481 - t515), limb5_S_reduced_force_wy = t471 - (minus_limb5_S_joint_acc_still_wz * t481 + t495),
-      t518 = limb5_S_null_space_wz_by_limb5_S_wy * t517, t502 = minus_limb4_U_0_cos * t129, /* limb4 */
+      t500 = minus_limb2_U_0_cos * t63, /* limb2 */
+      t480 = limb4_U_0_sin * t17 - (limb2_U_0_sin * t63 - (platform_turn_zz * t475 - t477)), t481 = t472 - t480,
+      t517 = t481 + (t481 - t515), limb5_S_reduced_force_wy = t471 - (t481 * minus_limb5_S_joint_acc_still_wz + t495),
+      t518 = limb5_S_null_space_wz_by_limb5_S_wy * t517, t502 = minus_limb4_U_0_cos * t17, /* limb4 */
       t513 = limb4_U_mass_matrix_0_by_limb4_U_0 + (limb2_U_mass_matrix_0_by_limb2_U_0 + (k13 + platform_turn_yz * t475 + t510)),
       limb5_S_reduced_inertia_wy_by_limb5_S_wy = t507 + t513 - t518;
     checked1 = checked1 + limb5_S_reduced_inertia_wy_by_limb5_S_wy;
     const REAL t519 = 1.0 / limb5_S_reduced_inertia_wy_by_limb5_S_wy,
-      t503 = platform_turn_xz * t475 + limb3_U_0_sin * t150 - t500 + t502,
-      limb5_S_handed_inertia_wz_by_limb5_S_wx = limb1_U_0_cos * t120 + (t140 + (t142 - limb3_U_0_cos * t150 + t171)),
-      t505 = t503 - limb1_U_0_sin * t120,
+      t503 = platform_turn_xz * t475 + limb3_U_0_sin * t53 - t500 + t502,
+      limb5_S_handed_inertia_wz_by_limb5_S_wx = limb1_U_0_cos * t8 + (t28 + (t45 - limb3_U_0_cos * t53 + t74)),
+      t505 = t503 - limb1_U_0_sin * t8,
       limb5_S_reduced_inertia_wx_by_limb5_S_wy = t505 + limb5_S_null_space_wz_by_limb5_S_wy * limb5_S_handed_inertia_wz_by_limb5_S_wx,
-      limb5_S_reduced_force_wx = minus_limb5_S_joint_acc_still_wz * limb5_S_handed_inertia_wz_by_limb5_S_wx + t366,
+      limb5_S_reduced_force_wx = limb5_S_handed_inertia_wz_by_limb5_S_wx * minus_limb5_S_joint_acc_still_wz + t366,
       t520 = limb5_S_reduced_inertia_wx_by_limb5_S_wy * t519, t531 = limb5_S_reduced_inertia_wx_by_limb5_S_wy * t520,
       t533 = limb5_S_reduced_force_wy * t519, t522 = limb5_S_reduced_force_wx - limb5_S_reduced_force_wy * t520,
       t529 = limb3_U_mass_matrix_0_by_limb3_U_0 + (k13 + platform_turn_xz * (k12 * platform_turn_xz)) + t528,
@@ -1119,7 +1118,7 @@ BODY(three_ups_upu_s_forward_dynamics_reactions)(size_t stride, const double *re
       limb1_upper_moment_y = gravity_z_limb_lower_mx * limb1_U_0_sin,
       minus_limb1_lower_rate_my_2 = limb1_upper_moment_y + t761,
       t716 = limb1_lower_cos * (limb1_upper_moment_y + t709 - t715),
-      minus_limb1_U2_part_fz = t19 * (k3 * limb1_U_joint_acc_0 + (limb1_lower_sin * (k10 * limb1_lower_alpha_still_x) - t716)),
+      minus_limb1_U2_part_fz = t2 * (k3 * limb1_U_joint_acc_0 + (limb1_lower_sin * (k10 * limb1_lower_alpha_still_x) - t716)),
       t766 = k14 * (limb1_lower_alpha_still_x + limb1_lower_sin * limb1_U_joint_acc_0),
       minus_limb1_upper_rate_mx = k15 * limb1_lower_alpha_still_x - t766,
       t718 = limb1_lower_sin * (limb1_U2_arm_x * minus_limb1_U2_part_fz),
@@ -1134,7 +1133,7 @@ BODY(three_ups_upu_s_forward_dynamics_reactions)(size_t stride, const double *re
       minus_limb1_upper_rate_mz = limb_lower_mx * limb1_upper_acc_y,
       t609 = limb1_upper_offset_x * minus_limb1_upper_rate_fy + minus_limb1_upper_rate_mz,
       t795 = k18 * minus_limb1_U_joint_acc_1,
-      minus_limb1_U2_part_fy = t31 * (limb1_upper_moment_z - (k8 * limb1_lower_U_still_xy - k9 * minus_limb1_U_joint_acc_1) + t609),
+      minus_limb1_U2_part_fy = t94 * (limb1_upper_moment_z - (k8 * limb1_lower_U_still_xy - k9 * minus_limb1_U_joint_acc_1) + t609),
       minus_limb1_upper_rate_mz_2 = minus_limb1_upper_rate_mz - (k19 * limb1_lower_U_still_xy - t795),
       t724 = limb1_U2_arm_x * minus_limb1_U2_part_fy,
       t597 = limb1_lower_sin * (limb1_U2_arm_x * minus_limb1_U_factor_0_by_3),
@@ -1168,7 +1167,7 @@ BODY(three_ups_upu_s_forward_dynamics_reactions)(size_t stride, const double *re
       limb2_lower_alpha_still_x = limb2_U_v_1 * limb2_lower_omega_y,
       minus_limb2_lower_U_still_xx = limb2_lower_omega_y * limb2_lower_omega_y + t333,
       minus_limb2_U_0_moment_z = k3 * minus_limb2_U_joint_acc_0 - (limb2_lower_sin * (k10 * limb2_lower_alpha_still_x) + t684),
-      limb2_S_multiplier_fz = t154 * minus_limb2_U_0_moment_z,
+      limb2_S_multiplier_fz = t57 * minus_limb2_U_0_moment_z,
       minus_limb2_upper_sent_fz = minus_limb2_upper_rate_fz + limb2_S_multiplier_fz,
       t851 = k14 * (limb2_lower_alpha_still_x - limb2_lower_sin * minus_limb2_U_joint_acc_0),
       minus_limb2_upper_rate_mx = k15 * limb2_lower_alpha_still_x - t851,
@@ -1186,7 +1185,7 @@ BODY(three_ups_upu_s_forward_dynamics_reactions)(size_t stride, const double *re
       t701 = limb2_upper_offset_x * minus_limb2_upper_rate_fy + minus_limb2_upper_rate_mz,
       t867 = k18 * minus_limb2_U_joint_acc_1,
       limb2_lower_moment_z_2 = minus_limb2_upper_moment_z + (k8 * limb2_lower_U_still_xy - k9 * minus_limb2_U_joint_acc_1) - t701,
-      limb2_S_multiplier_fy = t165 * limb2_lower_moment_z_2, t702 = limb2_S_arm_x * limb2_S_multiplier_fy,
+      limb2_S_multiplier_fy = t68 * limb2_lower_moment_z_2, t702 = limb2_S_arm_x * limb2_S_multiplier_fy,
       minus_limb2_upper_sent_fy = minus_limb2_upper_rate_fy + limb2_S_multiplier_fy,
       minus_limb2_lower_sent_fy = minus_limb2_upper_sent_fy - limb2_lower_rate_fy_2,
       minus_limb2_upper_rate_mz_2 = minus_limb2_upper_rate_mz - (k19 * limb2_lower_U_still_xy - t867),
@@ -1222,7 +1221,7 @@ BODY(three_ups_upu_s_forward_dynamics_reactions)(size_t stride, const double *re
       limb3_lower_alpha_still_x = limb3_U_v_1 * limb3_lower_omega_y,
       minus_limb3_lower_U_still_xx = limb3_lower_omega_y * limb3_lower_omega_y + t435,
       limb3_U_0_moment_z = k3 * limb3_U_joint_acc_0 - (minus_limb3_lower_sin * (k10 * limb3_lower_alpha_still_x) + t652),
-      minus_limb3_S_multiplier_fz = t144 * limb3_U_0_moment_z,
+      minus_limb3_S_multiplier_fz = t47 * limb3_U_0_moment_z,
       limb3_upper_sent_fz = limb3_upper_rate_fz + minus_limb3_S_multiplier_fz,
       limb3_lower_sent_fz = limb3_upper_sent_fz + limb3_lower_rate_fz,
       t913 = k14 * (limb3_lower_alpha_still_x - minus_limb3_lower_sin * limb3_U_joint_acc_0),
@@ -1275,7 +1274,7 @@ BODY(three_ups_upu_s_forward_dynamics_reactions)(size_t stride, const double *re
       limb4_lower_alpha_still_x = limb4_U_v_1 * limb4_lower_omega_y,
       minus_limb4_lower_U_still_xx = limb4_lower_omega_y * limb4_lower_omega_y + t298,
       minus_limb4_lower_joint_force_my = minus_limb4_lower_sin * (k10 * limb4_lower_alpha_still_x) - t620,
-      limb4_S_multiplier_fz = t123 * (k3 * minus_limb4_U_joint_acc_0 + minus_limb4_lower_joint_force_my),
+      limb4_S_multiplier_fz = t11 * (k3 * minus_limb4_U_joint_acc_0 + minus_limb4_lower_joint_force_my),
       limb4_upper_sent_fz = limb4_upper_rate_fz - limb4_S_multiplier_fz,
       t988 = k14 * (limb4_lower_alpha_still_x + minus_limb4_lower_sin * minus_limb4_U_joint_acc_0),
       minus_limb4_upper_rate_mx = k15 * limb4_lower_alpha_still_x - t988,
@@ -1293,7 +1292,7 @@ BODY(three_ups_upu_s_forward_dynamics_reactions)(size_t stride, const double *re
       t637 = limb4_upper_offset_x * limb4_upper_rate_fy - minus_limb4_upper_rate_mz,
       t1003 = k18 * minus_limb4_U_joint_acc_1,
       minus_limb4_lower_moment_z_2 = limb4_upper_moment_z + (k8 * minus_limb4_lower_U_still_xy + k9 * minus_limb4_U_joint_acc_1) - t637,
-      minus_limb4_S_multiplier_fy = t134 * minus_limb4_lower_moment_z_2,
+      minus_limb4_S_multiplier_fy = t22 * minus_limb4_lower_moment_z_2,
       t638 = limb4_S_arm_x * minus_limb4_S_multiplier_fy,
       limb4_upper_sent_fy = limb4_upper_rate_fy + minus_limb4_S_multiplier_fy,
       limb4_lower_sent_fy = limb4_upper_sent_fy - minus_limb4_lower_rate_fy_2,
@@ -1308,7 +1307,7 @@ BODY(three_ups_upu_s_forward_dynamics_reactions)(size_t stride, const double *re
       minus_limb4_S_multiplier_fx = limb4_P_u - limb4_upper_rate_fx;
     /* limb1: balance, eqs. (40)-(47); reactions, eq. (32) */
     const REAL t595 = limb1_lower_cos * (limb1_U2_constraint_mn_couple_x - minus_limb1_U2_arm_y * minus_limb1_U_factor_0_by_3),
-      platform_joint_force_mz_by_limb1_U2_mn = limb1_U_0_cos * (t595 + t597) + t33;
+      platform_joint_force_mz_by_limb1_U2_mn = limb1_U_0_cos * (t595 + t597) + t96;
     checked2 = checked2 + platform_joint_force_mz_by_limb1_U2_mn;
     const REAL t600 = 1.0 / platform_joint_force_mz_by_limb1_U2_mn, /* platform */
       minus_limb1_U2_part_mn = t600 * platform_joint_force_mz,
@@ -1616,8 +1615,8 @@ BODY(three_ups_upu_s_forward_dynamics_reactions)(size_t stride, const double *re
     WRITE(reactions, 75, CONSTANT(0.0));
     WRITE(reactions, 76, CONSTANT(0.0));
     WRITE(reactions, 77, CONSTANT(0.0));
-    NOT_BELOW(t8, 0.999999, 5);
-    NOT_ABOVE(t8, 1.000001, 5);
+    NOT_BELOW(t35, 0.999999, 5);
+    NOT_ABOVE(t35, 1.000001, 5);
     FINITE_UNLESS( /* status 1 where a pivot is smaller than its limit: */
         SMALL(minus_limb3_U_0_lever_mz_by_limb3_S_fz, 6.62327e-06) OR /* where the reciprocal wrench limb3_S.fz has no power along limb3_U.0, as in a stretched limb */
         SMALL(minus_limb2_U_0_lever_mz_by_limb2_S_fz, 6.62327e-06) OR /* where the reciprocal wrench limb2_S.fz has no power along limb2_U.0, as in a stretched limb */
@@ -2113,24 +2112,24 @@ static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_forward_dynamics_pac
       limb1_U_0_sin = sine[0], limb1_U_0_cos = cosine[0], limb1_lower_sin = sine[1], limb1_lower_cos =
         cosine[1];
     /* limb5_S: geometry; velocities, eq. (6) */
-    const double t2 = limb5_S_q_qw * limb5_S_q_qw, t3 = limb5_S_q_qx * limb5_S_q_qx, t4 = t2 + t3,
-      t5 = limb5_S_q_qy * limb5_S_q_qy, t6 = limb5_S_q_qz * limb5_S_q_qz, t7 = t5 + t6, t8 = t4 + t7,
-      t10 = 4.0 - 2.0 * t8, t40 = t3 + t5, platform_turn_yy = 1.0 - t10 * (t3 + t6),
-      platform_turn_xx = 1.0 - t7 * t10, platform_turn_zz = 1.0 - t10 * t40, t26 = limb5_S_q_qy * t10,
-      t27 = limb5_S_q_qx * t26, t44 = limb5_S_q_qw * t26, t14 = limb5_S_q_qz * t10,
-      t17 = limb5_S_q_qw * (limb5_S_q_qx * t10), t28 = limb5_S_q_qw * t14, platform_turn_yx = t27 + t28,
-      platform_turn_xy = t27 - t28, t37 = limb5_S_v_wy * platform_turn_yy + limb5_S_v_wx * platform_turn_yx,
-      t15 = limb5_S_q_qy * t14, t43 = limb5_S_q_qx * t14, platform_turn_yz = t15 - t17, platform_turn_zy = t15
-        + t17,
-      platform_twist_wy = t37 + limb5_S_v_wz * platform_turn_yz,
-      t69 = limb5_S_v_wx * platform_turn_xx + limb5_S_v_wy * platform_turn_xy, platform_turn_xz = t43 + t44,
-      platform_turn_zx = t43 - t44, platform_twist_wx = t69 + limb5_S_v_wz * platform_turn_xz;
+    const double t29 = limb5_S_q_qw * limb5_S_q_qw, t30 = limb5_S_q_qx * limb5_S_q_qx, t31 = t29 + t30,
+      t32 = limb5_S_q_qy * limb5_S_q_qy, t33 = limb5_S_q_qz * limb5_S_q_qz, t34 = t32 + t33, t35 = t31 + t34,
+      t37 = 4.0 - 2.0 * t35, t42 = t30 + t32, platform_turn_yy = 1.0 - t37 * (t30 + t33),
+      platform_turn_xx = 1.0 - t34 * t37, platform_turn_zz = 1.0 - t37 * t42, t40 = limb5_S_q_qy * t37,
+      t90 = limb5_S_q_qx * t40, t41 = limb5_S_q_qw * t40, t38 = limb5_S_q_qz * t37,
+      t82 = limb5_S_q_qw * (limb5_S_q_qx * t37), t91 = limb5_S_q_qw * t38, platform_turn_yx = t90 + t91,
+      platform_turn_xy = t90 - t91, t100 = limb5_S_v_wy * platform_turn_yy + limb5_S_v_wx * platform_turn_yx,
+      t80 = limb5_S_q_qy * t38, t39 = limb5_S_q_qx * t38, platform_turn_yz = t80 - t82, platform_turn_zy = t80
+        + t82,
+      platform_twist_wy = t100 + limb5_S_v_wz * platform_turn_yz,
+      t128 = limb5_S_v_wx * platform_turn_xx + limb5_S_v_wy * platform_turn_xy, platform_turn_xz = t39 + t41,
+      platform_turn_zx = t39 - t41, platform_twist_wx = t128 + limb5_S_v_wz * platform_turn_xz;
     const lanes4 each_limb1_U_0_sin = {limb1_U_0_sin, sine[2], sine[4], sine[6]},
       each_platform_twist_wy = {platform_twist_wy, platform_twist_wx, platform_twist_wy, platform_twist_wx};
     /* limbs together: accelerations; free motion; inertia */
     const lanes4 lanes_1 = each_limb1_U_0_sin * each_platform_twist_wy;
-    const double t47 = limb5_S_v_wx * platform_turn_zx + limb5_S_v_wy * platform_turn_zy, /* platform */
-      platform_twist_wz = limb5_S_v_wz * platform_turn_zz + t47;
+    const double t106 = limb5_S_v_wx * platform_turn_zx + limb5_S_v_wy * platform_turn_zy, /* platform */
+      platform_twist_wz = limb5_S_v_wz * platform_turn_zz + t106;
     const lanes4 each_limb1_U_0_cos = {limb1_U_0_cos, cosine[2], cosine[4], cosine[6]},
       lanes_5 = lanes_1 + (lanes4){-1.0, 1.0, -1.0, 1.0} * (each_limb1_U_0_cos * platform_twist_wz),
       lanes_6 = each_limb1_U_0_sin * platform_twist_wz, limb_U_v_0 = {limb1_U_v_0, v[3], v[6], v[9]},
@@ -2187,7 +2186,7 @@ static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_forward_dynamics_pac
       t464 = lanes_72[1] + (t430 - platform_turn_zy * minus_platform_rate_my - lanes_72[2]), /* limb5_S */
       t466 = -lanes_72[0] - (-lanes_72[3] - t464); /* limb5_S */
     const lanes4 lanes_74 = limb_U_v_0 * lanes_15;
-    const double t74 = limb1_U_v_1 - lanes_15[0]; /* limb1 */
+    const double t133 = limb1_U_v_1 - lanes_15[0]; /* limb1 */
     const lanes4 each_limb1_upper_position_x = signed_limb_lower_sin * limb_upper_offset_x - param_R,
       lanes_75 = each_limb1_upper_position_x * lanes_74,
       lanes_79 = lanes_58 + (lanes4){-1.0, -1.0, 1.0, 1.0} * (limb_P_v * limb_lower_cos),
@@ -2210,36 +2209,36 @@ static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_forward_dynamics_pac
     const double t469 = -lanes_101[3] - (lanes_101[1] - (lanes_101[2] + t466)), /* limb5_S */
       t470 = -lanes_101[0] - t469; /* limb5_S */
     const lanes4 lanes_102 = each_limb1_U_0_sin * each_limb1_U2_handed_force_1;
-    const double t60 = lanes_5[0]; /* limb5_S */
+    const double t119 = lanes_5[0]; /* limb5_S */
     /* limb1: loop closure; reciprocal wrenches, eq. (10); rates that follow */
-    const double t78 = limb1_lower_sin * t60 + limb1_lower_cos * platform_twist_wx,
-      t87 = limb1_lower_cos * t60 - limb1_lower_sin * platform_twist_wx,
-      limb1_lower_omega_y = limb1_U_v_0 * limb1_lower_cos, t79 = limb1_lower_omega_y - t78,
-      t82 = limb1_U_v_1 * limb1_lower_omega_y - (limb1_lower_omega_y * t74 - limb1_U_v_1 * t79),
+    const double t137 = limb1_lower_sin * t119 + limb1_lower_cos * platform_twist_wx,
+      t146 = limb1_lower_cos * t119 - limb1_lower_sin * platform_twist_wx,
+      limb1_lower_omega_y = limb1_U_v_0 * limb1_lower_cos, t138 = limb1_lower_omega_y - t137,
+      t141 = limb1_U_v_1 * limb1_lower_omega_y - (limb1_lower_omega_y * t133 - limb1_U_v_1 * t138),
       limb1_U2_constraint_mn_couple_x = limb1_U_0_cos * platform_turn_yy + limb1_U_0_sin * platform_turn_zy,
-      t83 = limb1_U2_constraint_mn_couple_x * t82, limb1_lower_omega_x = limb1_U_v_0 * limb1_lower_sin,
-      t88 = limb1_lower_omega_x + t87, t90 = limb1_lower_omega_x * t79 - limb1_lower_omega_y * t88,
-      t24 = limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos * platform_turn_zy, t93 = limb1_lower_sin * t24,
-      limb1_U2_constraint_mn_couple_z = limb1_lower_cos * t24 - limb1_lower_sin * platform_turn_xy,
-      t92 = t83 - limb1_U2_constraint_mn_couple_z * t90,
+      t142 = limb1_U2_constraint_mn_couple_x * t141, limb1_lower_omega_x = limb1_U_v_0 * limb1_lower_sin,
+      t147 = limb1_lower_omega_x + t146, t149 = limb1_lower_omega_x * t138 - limb1_lower_omega_y * t147,
+      t88 = limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos * platform_turn_zy, t152 = limb1_lower_sin * t88,
+      limb1_U2_constraint_mn_couple_z = limb1_lower_cos * t88 - limb1_lower_sin * platform_turn_xy,
+      t151 = t142 - limb1_U2_constraint_mn_couple_z * t149,
       limb1_U_factor_1_by_3 = limb1_U2_constraint_mn_couple_z * lanes_25[0],
-      t112 = lanes_22[0] * limb1_U_factor_1_by_3, /* limb5_S */
+      t171 = lanes_22[0] * limb1_U_factor_1_by_3, /* limb5_S */
       minus_limb1_U2_factor_0_by_3 = limb1_U2_constraint_mn_couple_z - each_limb1_U2_arm_x[0] *
         limb1_U_factor_1_by_3,
-      t96 = limb1_U2_constraint_mn_couple_z * t79, t99 = limb1_U2_constraint_mn_couple_x * t79,
-      limb1_U2_opening_mn = t93 + limb1_lower_cos * platform_turn_xy, t98 = t88 * (limb1_U2_opening_mn * t88 +
-        t96),
-      t113 = t92 - (t98 - t74 * (t99 - limb1_U2_opening_mn * t74)) - t112, /* limb5_S */
+      t155 = limb1_U2_constraint_mn_couple_z * t138, t158 = limb1_U2_constraint_mn_couple_x * t138,
+      limb1_U2_opening_mn = t152 + limb1_lower_cos * platform_turn_xy,
+      t157 = t147 * (limb1_U2_opening_mn * t147 + t155),
+      t172 = t151 - (t157 - t133 * (t158 - limb1_U2_opening_mn * t133)) - t171, /* limb5_S */
       minus_limb1_U_factor_0_by_3 = limb1_lower_sin * limb1_U2_constraint_mn_couple_x * lanes_24[0],
-      t114 = minus_limb1_U_factor_0_by_3 * (-lanes_88[0]) - t113, /* limb5_S */
-      t20 = (-each_limb1_upper_position_x[0]) * minus_limb1_U_factor_0_by_3,
-      minus_limb1_U2_factor_1_by_3 = limb1_lower_cos * limb1_U2_constraint_mn_couple_x - t20,
+      t173 = minus_limb1_U_factor_0_by_3 * (-lanes_88[0]) - t172, /* limb5_S */
+      t84 = (-each_limb1_upper_position_x[0]) * minus_limb1_U_factor_0_by_3,
+      minus_limb1_U2_factor_1_by_3 = limb1_lower_cos * limb1_U2_constraint_mn_couple_x - t84,
       t368 = limb1_U_0_cos * minus_limb1_U2_factor_0_by_3,
       minus_limb5_S_pivot_wz = limb1_U_0_cos * minus_limb1_U2_factor_1_by_3 + limb1_U_0_sin *
         minus_limb1_U2_factor_0_by_3,
-      t34 = 1.0 / minus_limb5_S_pivot_wz, /* limb5_S */
-      minus_limb5_S_joint_acc_still_wz = t34 * t114,
-      limb5_S_null_space_wz_by_limb5_S_wy = t34 * (limb1_U_0_sin * minus_limb1_U2_factor_1_by_3 - t368);
+      t97 = 1.0 / minus_limb5_S_pivot_wz, /* limb5_S */
+      minus_limb5_S_joint_acc_still_wz = t97 * t173,
+      limb5_S_null_space_wz_by_limb5_S_wy = t97 * (limb1_U_0_sin * minus_limb1_U2_factor_1_by_3 - t368);
     /* limbs together: free motion */
     const lanes4 lanes_103 = each_limb1_U_follows_0_by_limb1_U2_1 * each_limb1_U_mass_matrix_0_by_limb1_U_0,
       lanes_104 = each_limb1_U_follows_0_by_limb1_U2_1 * lanes_103,
@@ -2248,11 +2247,11 @@ static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_forward_dynamics_pac
       lanes_111 = lanes_107 + lanes_110, lanes_112 = lanes_104 - lanes_110,
       lanes_113 = each_limb1_U_0_sin * lanes_109;
     /* limb5_S: free motion; accelerations */
-    const double t141 = k12 * platform_turn_zz, t399 = lanes_111[1] + (k13 + platform_turn_zz * t141 +
+    const double t44 = k12 * platform_turn_zz, t399 = lanes_111[1] + (k13 + platform_turn_zz * t44 +
         lanes_111[2]),
-      limb5_S_handed_inertia_wz = lanes_111[0] + (lanes_111[3] + t399), t142 = platform_turn_xz * t141,
-      t471 = limb5_S_null_space_wz_by_limb5_S_wy * (minus_limb5_S_joint_acc_still_wz *
-        limb5_S_handed_inertia_wz + t470),
+      limb5_S_handed_inertia_wz = lanes_111[0] + (lanes_111[3] + t399), t45 = platform_turn_xz * t44,
+      t471 = limb5_S_null_space_wz_by_limb5_S_wy * (limb5_S_handed_inertia_wz *
+        minus_limb5_S_joint_acc_still_wz + t470),
       t515 = limb5_S_null_space_wz_by_limb5_S_wy * limb5_S_handed_inertia_wz,
       t327 = platform_turn_xx * platform_rate_mx,
       t490 = platform_turn_yx * platform_rate_mx - platform_turn_yy * minus_platform_rate_my - lanes_73[2],
@@ -2264,10 +2263,10 @@ static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_forward_dynamics_pac
       t478 = platform_turn_zz * t475 - lanes_113[2];
     const lanes4 lanes_114 = each_limb1_U_0_cos * lanes_103;
     const double t481 = lanes_113[0] - (-lanes_114[3] - (-lanes_114[1] - t478)), t517 = t481 + (t481 - t515),
-      limb5_S_reduced_force_wy = t471 - (minus_limb5_S_joint_acc_still_wz * t481 + t495),
-      t518 = limb5_S_null_space_wz_by_limb5_S_wy * t517,
-      t173 = lanes_113[3] + (t142 - (-lanes_114[2]) + lanes_113[1]),
-      limb5_S_handed_inertia_wz_by_limb5_S_wx = -lanes_114[0] + t173;
+      limb5_S_reduced_force_wy = t471 - (t481 * minus_limb5_S_joint_acc_still_wz + t495),
+      t518 = limb5_S_null_space_wz_by_limb5_S_wy * t517, t76 = lanes_113[3] + (t45 - (-lanes_114[2]) +
+        lanes_113[1]),
+      limb5_S_handed_inertia_wz_by_limb5_S_wx = -lanes_114[0] + t76;
     const lanes4 lanes_115 = each_limb1_U_0_sin * lanes_103;
     const double t512 = each_limb1_U_mass_matrix_0_by_limb1_U_0[1] + (k13 + platform_turn_yz * t475 +
         lanes_112[2]),
@@ -2278,7 +2277,7 @@ static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_forward_dynamics_pac
       t505 = t501 + (-lanes_115[3]) - (-lanes_115[0]),
       limb5_S_reduced_inertia_wx_by_limb5_S_wy = t505 + limb5_S_null_space_wz_by_limb5_S_wy *
         limb5_S_handed_inertia_wz_by_limb5_S_wx,
-      limb5_S_reduced_force_wx = minus_limb5_S_joint_acc_still_wz * limb5_S_handed_inertia_wz_by_limb5_S_wx +
+      limb5_S_reduced_force_wx = limb5_S_handed_inertia_wz_by_limb5_S_wx * minus_limb5_S_joint_acc_still_wz +
         t366;
     /* limb5_S: accelerations; pivots; free motion */
     const double t520 = limb5_S_reduced_inertia_wx_by_limb5_S_wy * t519,
@@ -2336,9 +2335,9 @@ static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_forward_dynamics_pac
         6.62327e-06}) & (each_limb1_U_0_lever_mz_by_limb1_U2_fz >= -(lanes4){6.62327e-06, 6.62327e-06,
         6.62327e-06, 6.62327e-06})));
     return fabs(minus_limb5_S_pivot_wz) <= 1.0e-05 || fabs(limb5_S_reduced_inertia_wy_by_limb5_S_wy) <=
-        0.0007562600000000001 || fabs(pivot_1) <= 0.0007551200000000001 || !(t8 >= 0.999999 && t8 <= 1.000001)
-        ? (double)NAN : (((minus_limb5_S_pivot_wz + limb5_S_reduced_inertia_wy_by_limb5_S_wy) + (pivot_1 +
-        minus_platform_alpha_x)) + ((minus_platform_alpha_y + minus_platform_alpha_z) + (every[0] +
+        0.0007562600000000001 || fabs(pivot_1) <= 0.0007551200000000001 || !(t35 >= 0.999999 && t35 <=
+        1.000001) ? (double)NAN : (((minus_limb5_S_pivot_wz + limb5_S_reduced_inertia_wy_by_limb5_S_wy) +
+        (pivot_1 + minus_platform_alpha_x)) + ((minus_platform_alpha_y + minus_platform_alpha_z) + (every[0] +
         every[1]))) + (every[2] + every[3]);
 }
 #endif
@@ -2460,7 +2459,7 @@ static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_forward_dynamics_ind
       each_limb5_S_joint_rate_wx = {limb5_S_joint_rate_wx, limb5_S_joint_rate_wy, limb5_S_joint_rate_wx,
         limb5_S_joint_rate_wy},
       signed_limb_U_joint_rate_0 = lanes_17 + (lanes4){1.0, 1.0, -1.0, -1.0} * each_limb5_S_joint_rate_wx,
-      lanes_20 = signed_limb_U_joint_rate_0 * lanes_10, lanes_21 = each_limb1_U2_arm_x * lanes_20,
+      lanes_20 = lanes_10 * signed_limb_U_joint_rate_0, lanes_21 = each_limb1_U2_arm_x * lanes_20,
       lanes_23 = each_limb1_U_0_cos * each_limb5_S_joint_rate_wy,
       lanes_26 = lanes_23 + (lanes4){1.0, -1.0, 1.0, -1.0} * (each_limb1_U_0_sin * limb5_S_joint_rate_wz),
       limb_U_joint_rate_1 = lanes_2 * (each_limb1_U2_arm_x * lanes_26),
@@ -2516,7 +2515,7 @@ static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_forward_dynamics_ind
       t154 = limb1_U_joint_rate_1 - lanes_33[0]; /* limb1 */
     const lanes4 lanes_84 = limb_lower_cos * signed_limb_P_joint_rate - lanes_68,
       lanes_86 = lanes_84 * (lanes4){t110, t126, t110, t126},
-      lanes_88 = signed_limb_U_joint_rate_0 * lanes_84 - lanes_82,
+      lanes_88 = lanes_84 * signed_limb_U_joint_rate_0 - lanes_82,
       lanes_92 = lanes_88 - (signed_limb_lower_sin * signed_limb_P_joint_rate + lanes_40) * lanes_10,
       lanes_95 = lanes_92 + (lanes4){-1.0, -1.0, 1.0, 1.0} * lanes_86;
     const double t144 = minus_limb1_U_factor_0_by_3 * (-lanes_95[0]); /* limb5_S */
@@ -2560,7 +2559,7 @@ static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_forward_dynamics_ind
     const double t238 = k12 * platform_turn_zz, t302 = lanes_116[1] + (k13 + platform_turn_zz * t238 +
         lanes_116[2]),
       limb5_S_handed_inertia_wz = lanes_116[0] + (lanes_116[3] + t302), t239 = platform_turn_xz * t238,
-      t600 = limb5_S_null_space_wz_by_limb5_S_wy * (limb5_S_joint_acc_still_wz * limb5_S_handed_inertia_wz +
+      t600 = limb5_S_null_space_wz_by_limb5_S_wy * (limb5_S_handed_inertia_wz * limb5_S_joint_acc_still_wz +
         t599),
       t304 = limb5_S_null_space_wz_by_limb5_S_wy * limb5_S_handed_inertia_wz,
       t520 = platform_turn_xy * platform_rate_my,
@@ -2573,7 +2572,7 @@ static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_forward_dynamics_ind
       t289 = platform_turn_zz * t186 - lanes_118[2];
     const lanes4 lanes_119 = each_limb1_U_0_cos * lanes_108;
     const double t292 = lanes_118[0] - (-lanes_119[3] - (-lanes_119[1] - t289)), t306 = t292 + (t292 - t304),
-      minus_limb5_S_reduced_force_wy = t600 - (limb5_S_joint_acc_still_wz * t292 + t614),
+      minus_limb5_S_reduced_force_wy = t600 - (t292 * limb5_S_joint_acc_still_wz + t614),
       t307 = limb5_S_null_space_wz_by_limb5_S_wy * t306,
       t254 = lanes_118[3] + (t239 - (-lanes_119[2]) + lanes_118[1]),
       limb5_S_handed_inertia_wz_by_limb5_S_wx = -lanes_119[0] + t254;
@@ -2587,12 +2586,12 @@ static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_forward_dynamics_ind
       t225 = t207 + (-lanes_120[3]) - (-lanes_120[0]),
       limb5_S_reduced_inertia_wx_by_limb5_S_wy = t225 + limb5_S_null_space_wz_by_limb5_S_wy *
         limb5_S_handed_inertia_wz_by_limb5_S_wx,
-      minus_limb5_S_reduced_force_wx = limb5_S_joint_acc_still_wz * limb5_S_handed_inertia_wz_by_limb5_S_wx +
+      minus_limb5_S_reduced_force_wx = limb5_S_handed_inertia_wz_by_limb5_S_wx * limb5_S_joint_acc_still_wz +
         t529,
       t309 = limb5_S_reduced_inertia_wx_by_limb5_S_wy * t308, t626 = limb5_S_reduced_inertia_wx_by_limb5_S_wy
         * t309,
-      t628 = t308 * minus_limb5_S_reduced_force_wy,
-      t617 = minus_limb5_S_reduced_force_wx - t309 * minus_limb5_S_reduced_force_wy,
+      t628 = minus_limb5_S_reduced_force_wy * t308,
+      t617 = minus_limb5_S_reduced_force_wx - minus_limb5_S_reduced_force_wy * t309,
       t622 = each_limb1_U_mass_matrix_0_by_limb1_U_0[2] + (k13 + platform_turn_xz * (k12 * platform_turn_xz)),
       limb5_S_reduced_inertia_wx_by_limb5_S_wx = each_limb1_U_mass_matrix_0_by_limb1_U_0[0] + (lanes_117[3] +
         (t622 + lanes_117[1])),

@@ -366,7 +366,7 @@ BODY(three_ups_upu_s_inverse_dynamics_independent)(size_t stride, const double *
       limb1_U2_opening_mn = t174 + limb1_lower_cos * platform_turn_xy,
       t183 = t173 * (limb1_U2_opening_mn * t173 + t181),
       minus_limb1_U2_opening_bias_mn = t183 + t187 * (t188 + limb1_U2_opening_mn * t187) + t202,
-      t168 = limb1_U_joint_rate_0 * t147, /* limb5_S */
+      t168 = t147 * limb1_U_joint_rate_0, /* limb5_S */
       t169 = limb1_U2_arm_x * t168, /* limb5_S */
       minus_limb1_U2_arm_y = param_R * limb1_lower_cos, limb1_P_joint_rate = minus_limb1_U2_arm_y * t103,
       t603 = minus_limb1_U2_arm_y * t168, t170 = limb1_P_joint_rate * limb1_U_joint_rate_1 - t169, /* limb5_S */
@@ -380,7 +380,7 @@ BODY(three_ups_upu_s_inverse_dynamics_independent)(size_t stride, const double *
       t604 = t157 * (param_R * t105) - t603, /* limb1 */
       t107 = limb1_lower_cos * limb1_P_joint_rate - limb1_upper_offset_x * t105, /* limb1 */
       t130 = t107 * t129,
-      t161 = (limb1_lower_sin * limb1_P_joint_rate + t133) * t147 + (limb1_U_joint_rate_0 * t107 + t159),
+      t161 = (limb1_lower_sin * limb1_P_joint_rate + t133) * t147 + (t107 * limb1_U_joint_rate_0 + t159),
       t162 = t130 - t161, limb5_S_joint_acc_still_wz = t81 * (minus_limb1_U_factor_0_by_3 * t162 + t203),
       t206 = 0.5 * (t78 * limb5_S_joint_acc_still_wz), t212 = 0.5 * (t78 * t145 - t90 * t129 - t77 * t139),
       t213 = t129 * t212, t243 = t145 * t212, t219 = 0.5 * (t90 * t139 - t87 * t145 - t77 * t129),
@@ -474,12 +474,12 @@ BODY(three_ups_upu_s_inverse_dynamics_independent)(size_t stride, const double *
     const REAL t462 = limb2_lower_sin * minus_limb2_U_joint_rate_1, t463 = limb2_upper_offset_x * t462,
       t515 = t482 * (param_R * t462), minus_limb2_S_arm_y = param_R * limb2_lower_cos,
       minus_limb2_P_joint_rate = minus_limb2_S_arm_y * t459, t464 = limb2_lower_cos * minus_limb2_P_joint_rate - t463,
-      t485 = limb2_U_joint_rate_0 * t464 - t484, t465 = t145 * t464,
+      t485 = t464 * limb2_U_joint_rate_0 - t484, t465 = t145 * t464,
       t467 = limb2_lower_cos * minus_limb2_U_joint_rate_1, t525 = t482 * (minus_limb2_P_joint_rate - param_R * t467),
       t469 = limb2_lower_sin * minus_limb2_P_joint_rate + limb2_upper_offset_x * t467,
       t472 = minus_limb2_U_0_cos * t129 + limb2_U_0_sin * t139,
       minus_limb2_U_joint_acc_0 = t454 + t448 * (t456 + (t465 + (t469 * t472 - t485))),
-      t516 = limb2_U_joint_rate_0 * t472, minus_limb2_lower_U_xz = limb2_lower_cos * minus_limb2_U_joint_acc_0,
+      t516 = t472 * limb2_U_joint_rate_0, minus_limb2_lower_U_xz = limb2_lower_cos * minus_limb2_U_joint_acc_0,
       minus_limb2_U_0_rate_mz = k3 * minus_limb2_U_joint_acc_0,
       limb2_lower_omega_x = limb2_lower_sin * limb2_U_joint_rate_0,
       limb2_lower_omega_y = limb2_lower_cos * limb2_U_joint_rate_0,
@@ -544,11 +544,11 @@ BODY(three_ups_upu_s_inverse_dynamics_independent)(size_t stride, const double *
     const REAL t365 = minus_limb3_lower_sin * limb3_U_joint_rate_1, t366 = limb3_upper_offset_x * t365,
       t418 = t385 * (param_R * t365), limb3_S_arm_y = param_R * limb3_lower_cos,
       minus_limb3_P_joint_rate = limb3_S_arm_y * t362, t367 = limb3_lower_cos * minus_limb3_P_joint_rate - t366,
-      t388 = limb3_U_joint_rate_0 * t367 + t387, t368 = t129 * t367, t370 = limb3_lower_cos * limb3_U_joint_rate_1,
+      t388 = t367 * limb3_U_joint_rate_0 + t387, t368 = t129 * t367, t370 = limb3_lower_cos * limb3_U_joint_rate_1,
       t428 = t385 * (minus_limb3_P_joint_rate - param_R * t370),
       t372 = minus_limb3_lower_sin * minus_limb3_P_joint_rate + limb3_upper_offset_x * t370,
       t375 = limb3_U_0_cos * t139 - limb3_U_0_sin * t145,
-      limb3_U_joint_acc_0 = t357 - t351 * (t359 + (t368 + (t372 * t375 - t388))), t419 = limb3_U_joint_rate_0 * t375,
+      limb3_U_joint_acc_0 = t357 - t351 * (t359 + (t368 + (t372 * t375 - t388))), t419 = t375 * limb3_U_joint_rate_0,
       limb3_lower_U_xz = limb3_lower_cos * limb3_U_joint_acc_0, limb3_U_0_rate_mz = k3 * limb3_U_joint_acc_0,
       minus_limb3_lower_omega_x = minus_limb3_lower_sin * limb3_U_joint_rate_0,
       limb3_lower_omega_y = limb3_lower_cos * limb3_U_joint_rate_0,
@@ -615,10 +615,10 @@ BODY(three_ups_upu_s_inverse_dynamics_independent)(size_t stride, const double *
       t268 = minus_limb4_lower_sin * minus_limb4_U_joint_rate_1, t269 = limb4_upper_offset_x * t268,
       t321 = t288 * (param_R * t268), limb4_S_arm_y = param_R * limb4_lower_cos,
       limb4_P_joint_rate = limb4_S_arm_y * t265, t270 = limb4_lower_cos * limb4_P_joint_rate - t269,
-      t271 = t145 * t270, t291 = limb4_U_joint_rate_0 * t270 - t290,
+      t271 = t145 * t270, t291 = t270 * limb4_U_joint_rate_0 - t290,
       t273 = limb4_lower_cos * minus_limb4_U_joint_rate_1, t331 = t288 * (limb4_P_joint_rate - param_R * t273),
       t293 = t271 - ((minus_limb4_lower_sin * limb4_P_joint_rate + limb4_upper_offset_x * t273) * t278 + t291),
-      minus_limb4_U_joint_acc_0 = t260 - t74 * (t262 + t293), t322 = limb4_U_joint_rate_0 * t278,
+      minus_limb4_U_joint_acc_0 = t260 - t74 * (t262 + t293), t322 = t278 * limb4_U_joint_rate_0,
       minus_limb4_lower_U_xz = limb4_lower_cos * minus_limb4_U_joint_acc_0,
       minus_limb4_U_0_rate_mz = k3 * minus_limb4_U_joint_acc_0,
       minus_limb4_lower_omega_x = minus_limb4_lower_sin * limb4_U_joint_rate_0,
@@ -739,43 +739,43 @@ BODY(three_ups_upu_s_inverse_dynamics_preload)(size_t stride, const double *rest
       limb1_lower_cos = SINES(cosine, 1),
       minus_limb1_lower_alpha_y = minus_limb1_lower_alpha_still_y - limb1_U_a_0 * limb1_lower_cos,
       limb1_lower_U_zx = minus_limb1_lower_alpha_still_y + minus_limb1_lower_alpha_y,
-      t198 = k9 * minus_limb1_lower_alpha_still_y + k8 * minus_limb1_lower_alpha_y,
+      t205 = k9 * minus_limb1_lower_alpha_still_y + k8 * minus_limb1_lower_alpha_y,
       limb1_upper_offset_x = limb_upper_phase + READ(q, 2), limb1_U_0_sin = SINES(sine, 0),
       limb1_lower_rate_fz = limb_lower_mx * limb1_lower_U_zx,
-      t193 = limb1_upper_offset_x * limb1_lower_U_zx + gravity_z * limb1_U_0_sin,
+      t200 = limb1_upper_offset_x * limb1_lower_U_zx + gravity_z * limb1_U_0_sin,
       limb1_lower_omega_y = limb1_U_v_0 * limb1_lower_cos,
       limb1_lower_U_still_xy = limb1_lower_omega_x * limb1_lower_omega_y, limb1_P_v = READ(v, 2),
-      minus_limb1_upper_acc_z = limb1_P_v * (2.0 * limb1_lower_omega_y) - t193,
-      t194 = limb1_upper_offset_x * (limb_lower_m * minus_limb1_upper_acc_z + limb1_lower_rate_fz),
-      minus_limb1_lower_moment_y = limb_lower_mx * minus_limb1_upper_acc_z - t194 + (gravity_z_limb_lower_mx * limb1_U_0_sin + t198),
-      t199 = limb1_lower_cos * minus_limb1_lower_moment_y, t206 = limb1_lower_omega_y * limb1_lower_omega_y,
-      limb1_U_0_moment_z = limb1_lower_sin * (k10 * (limb1_U_v_1 * limb1_lower_omega_y)) - t199 + k3 * limb1_U_a_0,
+      minus_limb1_upper_acc_z = limb1_P_v * (2.0 * limb1_lower_omega_y) - t200,
+      t201 = limb1_upper_offset_x * (limb_lower_m * minus_limb1_upper_acc_z + limb1_lower_rate_fz),
+      minus_limb1_lower_moment_y = limb_lower_mx * minus_limb1_upper_acc_z - t201 + (gravity_z_limb_lower_mx * limb1_U_0_sin + t205),
+      t206 = limb1_lower_cos * minus_limb1_lower_moment_y, t213 = limb1_lower_omega_y * limb1_lower_omega_y,
+      limb1_U_0_moment_z = limb1_lower_sin * (k10 * (limb1_U_v_1 * limb1_lower_omega_y)) - t206 + k3 * limb1_U_a_0,
       minus_limb1_U_0_lever_mz_by_limb1_U2_fz = limb1_lower_cos * limb1_upper_offset_x;
     REAL checked0 = minus_limb1_U_0_lever_mz_by_limb1_U2_fz;
     const REAL t20 = 1.0 / minus_limb1_U_0_lever_mz_by_limb1_U2_fz;
     /* limb1: balance, eqs. (40)-(47); reciprocal wrenches, eq. (10); accelerations */
     const REAL minus_limb1_U2_part_fz = t20 * limb1_U_0_moment_z, minus_limb1_U2_arm_y = param_R * limb1_lower_cos,
-      t200 = minus_limb1_U2_arm_y * minus_limb1_U2_part_fz, t201 = limb1_lower_cos * t200,
-      t238 = limb1_lower_sin * t200, limb1_U2_arm_x = limb1_upper_offset_x - param_R * limb1_lower_sin,
-      t202 = limb1_U2_arm_x * minus_limb1_U2_part_fz, t204 = t201 - limb1_lower_sin * t202,
-      limb1_U_0_cos = SINES(cosine, 0), limb1_U_a_1 = READ(a, 1), t240 = t238 + limb1_lower_cos * t202,
-      t205 = limb1_U_0_cos * t204, t281 = limb1_U_0_sin * t204,
-      limb1_lower_U_yx = limb1_U_a_1 + limb1_lower_U_still_xy, t215 = k8 * limb1_lower_U_still_xy,
-      t211 = limb1_upper_offset_x * limb1_lower_U_yx, limb1_lower_rate_fy = limb_lower_mx * limb1_lower_U_yx,
+      t207 = minus_limb1_U2_arm_y * minus_limb1_U2_part_fz, t208 = limb1_lower_cos * t207,
+      t245 = limb1_lower_sin * t207, limb1_U2_arm_x = limb1_upper_offset_x - param_R * limb1_lower_sin,
+      t209 = limb1_U2_arm_x * minus_limb1_U2_part_fz, t211 = t208 - limb1_lower_sin * t209,
+      limb1_U_0_cos = SINES(cosine, 0), limb1_U_a_1 = READ(a, 1), t247 = t245 + limb1_lower_cos * t209,
+      t212 = limb1_U_0_cos * t211, t288 = limb1_U_0_sin * t211,
+      limb1_lower_U_yx = limb1_U_a_1 + limb1_lower_U_still_xy, t222 = k8 * limb1_lower_U_still_xy,
+      t218 = limb1_upper_offset_x * limb1_lower_U_yx, limb1_lower_rate_fy = limb_lower_mx * limb1_lower_U_yx,
       limb1_U_0_acc_y = gravity_z * limb1_U_0_cos, minus_limb1_lower_acc_y = limb1_lower_sin * limb1_U_0_acc_y,
       limb1_upper_moment_z = limb_lower_mx * minus_limb1_lower_acc_y,
       limb1_lower_acc_x = limb1_lower_cos * limb1_U_0_acc_y,
-      limb1_upper_acc_y = limb1_P_v * (2.0 * limb1_U_v_1) + (t211 - minus_limb1_lower_acc_y),
-      t213 = limb1_upper_offset_x * (limb_lower_m * limb1_upper_acc_y - limb1_lower_rate_fy),
-      minus_limb1_lower_moment_z = limb_lower_mx * limb1_upper_acc_y - t213 + (limb1_upper_moment_z - (t215 + k9 * limb1_U_a_1)),
-      t37 = limb1_lower_cos * t20, t218 = limb1_U2_arm_x * (minus_limb1_lower_moment_z * t37),
-      minus_limb1_lower_U_still_xx = t206 + limb1_U_v_1 * limb1_U_v_1,
+      limb1_upper_acc_y = limb1_P_v * (2.0 * limb1_U_v_1) + (t218 - minus_limb1_lower_acc_y),
+      t220 = limb1_upper_offset_x * (limb_lower_m * limb1_upper_acc_y - limb1_lower_rate_fy),
+      minus_limb1_lower_moment_z = limb_lower_mx * limb1_upper_acc_y - t220 + (limb1_upper_moment_z - (t222 + k9 * limb1_U_a_1)),
+      t37 = limb1_lower_cos * t20, t225 = limb1_U2_arm_x * (minus_limb1_lower_moment_z * t37),
+      minus_limb1_lower_U_still_xx = t213 + limb1_U_v_1 * limb1_U_v_1,
       limb1_lower_force_x = limb_lower_m * (READ(a, 2) - (limb1_upper_offset_x * minus_limb1_lower_U_still_xx - limb1_lower_acc_x)),
-      t219 = minus_limb1_U2_arm_y * (limb_lower_mx * minus_limb1_lower_U_still_xx + limb1_lower_force_x) - t218;
+      t226 = minus_limb1_U2_arm_y * (limb_lower_mx * minus_limb1_lower_U_still_xx + limb1_lower_force_x) - t225;
     /* limb5_S: geometry; balance, eqs. (40)-(47); momentum rate, eq. (35) */
     const REAL limb5_S_q_qw = READ(q, 12), limb5_S_q_qx = READ(q, 13),
-      t221 = t205 + limb1_U_0_sin * t219, /* limb1 */
-      t283 = t281 - limb1_U_0_cos * t219, /* limb1 */
+      t228 = t212 + limb1_U_0_sin * t226, /* limb1 */
+      t290 = t288 - limb1_U_0_cos * t226, /* limb1 */
       t3 = limb5_S_q_qw * limb5_S_q_qw, t4 = limb5_S_q_qx * limb5_S_q_qx, limb5_S_q_qy = READ(q, 14), t5 = t3 + t4,
       t6 = limb5_S_q_qy * limb5_S_q_qy, limb5_S_q_qz = READ(q, 15), t7 = limb5_S_q_qz * limb5_S_q_qz, t8 = t6 + t7,
       t9 = t5 + t8, t11 = 4.0 - 2.0 * t9, platform_turn_zz = 1.0 - t11 * (t4 + t6),
@@ -784,162 +784,162 @@ BODY(three_ups_upu_s_inverse_dynamics_preload)(size_t stride, const double *rest
       platform_turn_zy = t16 + t18, limb5_S_v_wz = READ(v, 14), platform_turn_yz = t16 - t18,
       minus_platform_moment_x = gravity_z_platform_mz * platform_turn_zy,
       minus_platform_rate_mx = minus_platform_moment_x - (k12 * (READ(v, 13) * limb5_S_v_wz) + k13 * READ(a, 12)),
-      t233 = platform_turn_xx * minus_platform_rate_mx, t174 = limb5_S_q_qx * t15, t35 = limb5_S_q_qw * t15,
-      t175 = limb5_S_q_qw * t33, t34 = limb5_S_q_qx * t33, platform_turn_zx = t174 - t175,
-      platform_turn_xz = t174 + t175, t179 = platform_turn_zx * minus_platform_rate_mx,
+      t240 = platform_turn_xx * minus_platform_rate_mx, t181 = limb5_S_q_qx * t15, t35 = limb5_S_q_qw * t15,
+      t182 = limb5_S_q_qw * t33, t34 = limb5_S_q_qx * t33, platform_turn_zx = t181 - t182,
+      platform_turn_xz = t181 + t182, t186 = platform_turn_zx * minus_platform_rate_mx,
       platform_moment_y = gravity_z_platform_mz * platform_turn_zx,
       platform_rate_my = platform_moment_y - (k12 * (READ(v, 12) * limb5_S_v_wz) - k13 * READ(a, 13)),
-      t184 = t179 - platform_turn_zy * platform_rate_my, platform_rate_mz = platform_Izz * READ(a, 14);
+      t191 = t186 - platform_turn_zy * platform_rate_my, platform_rate_mz = platform_Izz * READ(a, 14);
     /* limb2: velocities, eq. (6); geometry; accelerations */
     const REAL limb2_U_v_0 = READ(v, 3), limb2_lower_sin = SINES(sine, 3),
-      t222 = t184 - platform_turn_zz * platform_rate_mz - t221, /* platform */
-      t236 = platform_turn_xz * platform_rate_mz, /* platform */
-      t279 = platform_turn_yz * platform_rate_mz, /* platform */
+      t229 = t191 - platform_turn_zz * platform_rate_mz - t228, /* platform */
+      t243 = platform_turn_xz * platform_rate_mz, /* platform */
+      t286 = platform_turn_yz * platform_rate_mz, /* platform */
       limb2_lower_omega_x = limb2_U_v_0 * limb2_lower_sin, limb2_U_v_1 = READ(v, 4),
       minus_limb2_lower_alpha_still_y = limb2_U_v_1 * limb2_lower_omega_x, limb2_U_a_0 = READ(a, 3),
       limb2_lower_cos = SINES(cosine, 3),
       minus_limb2_lower_alpha_y = minus_limb2_lower_alpha_still_y - limb2_U_a_0 * limb2_lower_cos,
       limb2_lower_U_zx = minus_limb2_lower_alpha_still_y + minus_limb2_lower_alpha_y,
-      t148 = k9 * minus_limb2_lower_alpha_still_y + k8 * minus_limb2_lower_alpha_y,
+      t155 = k9 * minus_limb2_lower_alpha_still_y + k8 * minus_limb2_lower_alpha_y,
       limb2_upper_offset_x = limb_upper_phase + READ(q, 5), minus_limb2_U_0_cos = SINES(sine, 2),
       limb2_lower_rate_fz = limb_lower_mx * limb2_lower_U_zx,
-      t143 = limb2_upper_offset_x * limb2_lower_U_zx - gravity_z * minus_limb2_U_0_cos,
+      t150 = limb2_upper_offset_x * limb2_lower_U_zx - gravity_z * minus_limb2_U_0_cos,
       limb2_lower_omega_y = limb2_U_v_0 * limb2_lower_cos,
       limb2_lower_U_still_xy = limb2_lower_omega_x * limb2_lower_omega_y, limb2_P_v = READ(v, 5),
-      minus_limb2_upper_acc_z = limb2_P_v * (2.0 * limb2_lower_omega_y) - t143;
+      minus_limb2_upper_acc_z = limb2_P_v * (2.0 * limb2_lower_omega_y) - t150;
     /* limb2: balance, eqs. (40)-(47); accelerations; reciprocal wrenches, eq. (10) */
-    const REAL t144 = limb2_upper_offset_x * (limb_lower_m * minus_limb2_upper_acc_z + limb2_lower_rate_fz),
-      t145 = limb_lower_mx * minus_limb2_upper_acc_z - t144,
-      t149 = limb2_lower_cos * (t145 - (gravity_z_limb_lower_mx * minus_limb2_U_0_cos - t148)),
-      t157 = limb2_lower_omega_y * limb2_lower_omega_y,
-      limb2_U_0_moment_z = limb2_lower_sin * (k10 * (limb2_U_v_1 * limb2_lower_omega_y)) - t149 + k3 * limb2_U_a_0,
+    const REAL t151 = limb2_upper_offset_x * (limb_lower_m * minus_limb2_upper_acc_z + limb2_lower_rate_fz),
+      t152 = limb_lower_mx * minus_limb2_upper_acc_z - t151,
+      t156 = limb2_lower_cos * (t152 - (gravity_z_limb_lower_mx * minus_limb2_U_0_cos - t155)),
+      t164 = limb2_lower_omega_y * limb2_lower_omega_y,
+      limb2_U_0_moment_z = limb2_lower_sin * (k10 * (limb2_U_v_1 * limb2_lower_omega_y)) - t156 + k3 * limb2_U_a_0,
       minus_limb2_U_0_lever_mz_by_limb2_S_fz = limb2_lower_cos * limb2_upper_offset_x;
     REAL checked1 = minus_limb2_U_0_lever_mz_by_limb2_S_fz;
-    const REAL t138 = 1.0 / minus_limb2_U_0_lever_mz_by_limb2_S_fz,
-      minus_limb2_S_multiplier_fz = t138 * limb2_U_0_moment_z, t169 = limb2_lower_cos * t138,
-      minus_limb2_S_arm_y = param_R * limb2_lower_cos, t150 = minus_limb2_S_arm_y * minus_limb2_S_multiplier_fz,
-      t151 = limb2_lower_cos * t150, t273 = limb2_lower_sin * t150,
+    const REAL t145 = 1.0 / minus_limb2_U_0_lever_mz_by_limb2_S_fz,
+      minus_limb2_S_multiplier_fz = t145 * limb2_U_0_moment_z, t176 = limb2_lower_cos * t145,
+      minus_limb2_S_arm_y = param_R * limb2_lower_cos, t157 = minus_limb2_S_arm_y * minus_limb2_S_multiplier_fz,
+      t158 = limb2_lower_cos * t157, t280 = limb2_lower_sin * t157,
       limb2_S_arm_x = limb2_upper_offset_x - param_R * limb2_lower_sin,
-      t153 = limb2_S_arm_x * minus_limb2_S_multiplier_fz, t155 = t151 - limb2_lower_sin * t153,
-      limb2_U_0_sin = SINES(cosine, 2), limb2_U_a_1 = READ(a, 4), t275 = t273 + limb2_lower_cos * t153,
-      t156 = limb2_U_0_sin * t155, t242 = minus_limb2_U_0_cos * t155,
-      limb2_lower_U_yx = limb2_U_a_1 + limb2_lower_U_still_xy, t166 = k8 * limb2_lower_U_still_xy,
-      t162 = limb2_upper_offset_x * limb2_lower_U_yx, limb2_lower_rate_fy = limb_lower_mx * limb2_lower_U_yx,
+      t160 = limb2_S_arm_x * minus_limb2_S_multiplier_fz, t162 = t158 - limb2_lower_sin * t160,
+      limb2_U_0_sin = SINES(cosine, 2), limb2_U_a_1 = READ(a, 4), t282 = t280 + limb2_lower_cos * t160,
+      t163 = limb2_U_0_sin * t162, t249 = minus_limb2_U_0_cos * t162,
+      limb2_lower_U_yx = limb2_U_a_1 + limb2_lower_U_still_xy, t173 = k8 * limb2_lower_U_still_xy,
+      t169 = limb2_upper_offset_x * limb2_lower_U_yx, limb2_lower_rate_fy = limb_lower_mx * limb2_lower_U_yx,
       minus_limb2_U_0_acc_y = gravity_z * limb2_U_0_sin, limb2_lower_acc_y = limb2_lower_sin * minus_limb2_U_0_acc_y,
       minus_limb2_upper_moment_z = limb_lower_mx * limb2_lower_acc_y,
       minus_limb2_lower_acc_x = limb2_lower_cos * minus_limb2_U_0_acc_y,
-      limb2_upper_acc_y = limb2_P_v * (2.0 * limb2_U_v_1) + (t162 + limb2_lower_acc_y),
-      t164 = limb2_upper_offset_x * (limb_lower_m * limb2_upper_acc_y - limb2_lower_rate_fy),
-      t165 = limb_lower_mx * limb2_upper_acc_y - t164,
-      t170 = limb2_S_arm_x * ((t165 - (minus_limb2_upper_moment_z + (t166 + k9 * limb2_U_a_1))) * t169),
-      minus_limb2_lower_U_still_xx = t157 + limb2_U_v_1 * limb2_U_v_1,
+      limb2_upper_acc_y = limb2_P_v * (2.0 * limb2_U_v_1) + (t169 + limb2_lower_acc_y),
+      t171 = limb2_upper_offset_x * (limb_lower_m * limb2_upper_acc_y - limb2_lower_rate_fy),
+      t172 = limb_lower_mx * limb2_upper_acc_y - t171,
+      t177 = limb2_S_arm_x * ((t172 - (minus_limb2_upper_moment_z + (t173 + k9 * limb2_U_a_1))) * t176),
+      minus_limb2_lower_U_still_xx = t164 + limb2_U_v_1 * limb2_U_v_1,
       limb2_lower_force_x = limb_lower_m * (READ(a, 5) - (limb2_upper_offset_x * minus_limb2_lower_U_still_xx + minus_limb2_lower_acc_x)),
-      t171 = minus_limb2_S_arm_y * (limb_lower_mx * minus_limb2_lower_U_still_xx + limb2_lower_force_x) - t170;
+      t178 = minus_limb2_S_arm_y * (limb_lower_mx * minus_limb2_lower_U_still_xx + limb2_lower_force_x) - t177;
     /* limb3: velocities, eq. (6); geometry; accelerations */
     const REAL limb3_U_v_0 = READ(v, 6), minus_limb3_lower_sin = SINES(sine, 5),
-      t223 = t156 + minus_limb2_U_0_cos * t171 + t222, /* platform */
-      t244 = t242 - limb2_U_0_sin * t171, /* limb2 */
+      t230 = t163 + minus_limb2_U_0_cos * t178 + t229, /* platform */
+      t251 = t249 - limb2_U_0_sin * t178, /* limb2 */
       minus_limb3_lower_omega_x = limb3_U_v_0 * minus_limb3_lower_sin, limb3_U_v_1 = READ(v, 7),
       limb3_lower_alpha_still_y = limb3_U_v_1 * minus_limb3_lower_omega_x, limb3_U_a_0 = READ(a, 6),
       limb3_lower_cos = SINES(cosine, 5),
       limb3_lower_alpha_y = limb3_lower_alpha_still_y + limb3_U_a_0 * limb3_lower_cos,
       minus_limb3_lower_U_zx = limb3_lower_alpha_still_y + limb3_lower_alpha_y,
-      t112 = k9 * limb3_lower_alpha_still_y + k8 * limb3_lower_alpha_y,
+      t119 = k9 * limb3_lower_alpha_still_y + k8 * limb3_lower_alpha_y,
       limb3_upper_offset_x = limb_upper_phase + READ(q, 8), limb3_U_0_sin = SINES(sine, 4),
       minus_limb3_lower_rate_fz = limb_lower_mx * minus_limb3_lower_U_zx,
-      t107 = limb3_upper_offset_x * minus_limb3_lower_U_zx - gravity_z * limb3_U_0_sin,
+      t114 = limb3_upper_offset_x * minus_limb3_lower_U_zx - gravity_z * limb3_U_0_sin,
       limb3_lower_omega_y = limb3_U_v_0 * limb3_lower_cos,
       minus_limb3_lower_U_still_xy = minus_limb3_lower_omega_x * limb3_lower_omega_y, limb3_P_v = READ(v, 8),
-      minus_limb3_upper_acc_z = limb3_P_v * (2.0 * limb3_lower_omega_y) + t107;
+      minus_limb3_upper_acc_z = limb3_P_v * (2.0 * limb3_lower_omega_y) + t114;
     /* limb3: balance, eqs. (40)-(47); accelerations; reciprocal wrenches, eq. (10) */
-    const REAL t108 = limb3_upper_offset_x * (limb_lower_m * minus_limb3_upper_acc_z - minus_limb3_lower_rate_fz),
-      minus_limb3_lower_moment_y = limb_lower_mx * minus_limb3_upper_acc_z - t108 + (gravity_z_limb_lower_mx * limb3_U_0_sin - t112),
-      t113 = limb3_lower_cos * minus_limb3_lower_moment_y, t121 = limb3_lower_omega_y * limb3_lower_omega_y,
-      minus_limb3_U_0_moment_z = minus_limb3_lower_sin * (k10 * (limb3_U_v_1 * limb3_lower_omega_y)) + t113 - k3 * limb3_U_a_0,
+    const REAL t115 = limb3_upper_offset_x * (limb_lower_m * minus_limb3_upper_acc_z - minus_limb3_lower_rate_fz),
+      minus_limb3_lower_moment_y = limb_lower_mx * minus_limb3_upper_acc_z - t115 + (gravity_z_limb_lower_mx * limb3_U_0_sin - t119),
+      t120 = limb3_lower_cos * minus_limb3_lower_moment_y, t128 = limb3_lower_omega_y * limb3_lower_omega_y,
+      minus_limb3_U_0_moment_z = minus_limb3_lower_sin * (k10 * (limb3_U_v_1 * limb3_lower_omega_y)) + t120 - k3 * limb3_U_a_0,
       minus_limb3_U_0_lever_mz_by_limb3_S_fz = limb3_lower_cos * limb3_upper_offset_x;
     REAL checked2 = minus_limb3_U_0_lever_mz_by_limb3_S_fz;
-    const REAL t102 = 1.0 / minus_limb3_U_0_lever_mz_by_limb3_S_fz,
-      limb3_S_multiplier_fz = t102 * minus_limb3_U_0_moment_z, t133 = limb3_lower_cos * t102,
-      limb3_S_arm_y = param_R * limb3_lower_cos, t114 = limb3_S_arm_y * limb3_S_multiplier_fz,
-      t115 = limb3_lower_cos * t114, t229 = minus_limb3_lower_sin * t114,
+    const REAL t109 = 1.0 / minus_limb3_U_0_lever_mz_by_limb3_S_fz,
+      limb3_S_multiplier_fz = t109 * minus_limb3_U_0_moment_z, t140 = limb3_lower_cos * t109,
+      limb3_S_arm_y = param_R * limb3_lower_cos, t121 = limb3_S_arm_y * limb3_S_multiplier_fz,
+      t122 = limb3_lower_cos * t121, t236 = minus_limb3_lower_sin * t121,
       limb3_S_arm_x = limb3_upper_offset_x - param_R * minus_limb3_lower_sin,
-      t117 = limb3_S_arm_x * limb3_S_multiplier_fz, t119 = t115 - minus_limb3_lower_sin * t117,
-      limb3_U_0_cos = SINES(cosine, 4), limb3_U_a_1 = READ(a, 7), t231 = t229 + limb3_lower_cos * t117,
-      t120 = limb3_U_0_cos * t119, t270 = limb3_U_0_sin * t119,
-      limb3_lower_U_yx = limb3_U_a_1 - minus_limb3_lower_U_still_xy, t130 = k8 * minus_limb3_lower_U_still_xy,
-      t126 = limb3_upper_offset_x * limb3_lower_U_yx, limb3_lower_rate_fy = limb_lower_mx * limb3_lower_U_yx,
+      t124 = limb3_S_arm_x * limb3_S_multiplier_fz, t126 = t122 - minus_limb3_lower_sin * t124,
+      limb3_U_0_cos = SINES(cosine, 4), limb3_U_a_1 = READ(a, 7), t238 = t236 + limb3_lower_cos * t124,
+      t127 = limb3_U_0_cos * t126, t277 = limb3_U_0_sin * t126,
+      limb3_lower_U_yx = limb3_U_a_1 - minus_limb3_lower_U_still_xy, t137 = k8 * minus_limb3_lower_U_still_xy,
+      t133 = limb3_upper_offset_x * limb3_lower_U_yx, limb3_lower_rate_fy = limb_lower_mx * limb3_lower_U_yx,
       limb3_U_0_acc_y = gravity_z * limb3_U_0_cos, limb3_lower_acc_y = minus_limb3_lower_sin * limb3_U_0_acc_y,
       minus_limb3_upper_moment_z = limb_lower_mx * limb3_lower_acc_y,
       limb3_lower_acc_x = limb3_lower_cos * limb3_U_0_acc_y,
-      limb3_upper_acc_y = limb3_P_v * (2.0 * limb3_U_v_1) + (t126 + limb3_lower_acc_y),
-      t128 = limb3_upper_offset_x * (limb_lower_m * limb3_upper_acc_y - limb3_lower_rate_fy),
-      t129 = limb_lower_mx * limb3_upper_acc_y - t128,
-      t134 = limb3_S_arm_x * ((t129 - (minus_limb3_upper_moment_z - (t130 - k9 * limb3_U_a_1))) * t133),
-      minus_limb3_lower_U_still_xx = t121 + limb3_U_v_1 * limb3_U_v_1,
+      limb3_upper_acc_y = limb3_P_v * (2.0 * limb3_U_v_1) + (t133 + limb3_lower_acc_y),
+      t135 = limb3_upper_offset_x * (limb_lower_m * limb3_upper_acc_y - limb3_lower_rate_fy),
+      t136 = limb_lower_mx * limb3_upper_acc_y - t135,
+      t141 = limb3_S_arm_x * ((t136 - (minus_limb3_upper_moment_z - (t137 - k9 * limb3_U_a_1))) * t140),
+      minus_limb3_lower_U_still_xx = t128 + limb3_U_v_1 * limb3_U_v_1,
       limb3_lower_force_x = limb_lower_m * (READ(a, 8) - (limb3_upper_offset_x * minus_limb3_lower_U_still_xx - limb3_lower_acc_x)),
-      t135 = limb3_S_arm_y * (limb_lower_mx * minus_limb3_lower_U_still_xx + limb3_lower_force_x) + t134;
+      t142 = limb3_S_arm_y * (limb_lower_mx * minus_limb3_lower_U_still_xx + limb3_lower_force_x) + t141;
     /* limb4: velocities, eq. (6); geometry; accelerations */
     const REAL limb4_U_v_0 = READ(v, 9), minus_limb4_lower_sin = SINES(sine, 7),
-      t224 = t120 - limb3_U_0_sin * t135 - t223, /* platform */
-      t272 = t270 + limb3_U_0_cos * t135, /* limb3 */
+      t231 = t127 - limb3_U_0_sin * t142 - t230, /* platform */
+      t279 = t277 + limb3_U_0_cos * t142, /* limb3 */
       minus_limb4_lower_omega_x = limb4_U_v_0 * minus_limb4_lower_sin, limb4_U_v_1 = READ(v, 10),
       limb4_lower_alpha_still_y = limb4_U_v_1 * minus_limb4_lower_omega_x, limb4_U_a_0 = READ(a, 9),
       limb4_lower_cos = SINES(cosine, 7),
       limb4_lower_alpha_y = limb4_lower_alpha_still_y + limb4_U_a_0 * limb4_lower_cos,
       minus_limb4_lower_U_zx = limb4_lower_alpha_still_y + limb4_lower_alpha_y,
-      t76 = k9 * limb4_lower_alpha_still_y + k8 * limb4_lower_alpha_y,
+      t83 = k9 * limb4_lower_alpha_still_y + k8 * limb4_lower_alpha_y,
       limb4_upper_offset_x = limb_upper_phase + READ(q, 11), minus_limb4_U_0_cos = SINES(sine, 6),
       minus_limb4_lower_rate_fz = limb_lower_mx * minus_limb4_lower_U_zx,
-      t71 = limb4_upper_offset_x * minus_limb4_lower_U_zx + gravity_z * minus_limb4_U_0_cos,
+      t78 = limb4_upper_offset_x * minus_limb4_lower_U_zx + gravity_z * minus_limb4_U_0_cos,
       limb4_lower_omega_y = limb4_U_v_0 * limb4_lower_cos,
       minus_limb4_lower_U_still_xy = minus_limb4_lower_omega_x * limb4_lower_omega_y, limb4_P_v = READ(v, 11),
-      minus_limb4_upper_acc_z = limb4_P_v * (2.0 * limb4_lower_omega_y) + t71;
+      minus_limb4_upper_acc_z = limb4_P_v * (2.0 * limb4_lower_omega_y) + t78;
     /* limb4: balance, eqs. (40)-(47); accelerations; reciprocal wrenches, eq. (10) */
-    const REAL t72 = limb4_upper_offset_x * (limb_lower_m * minus_limb4_upper_acc_z - minus_limb4_lower_rate_fz),
-      t73 = limb_lower_mx * minus_limb4_upper_acc_z - t72,
-      t77 = limb4_lower_cos * (t73 - (gravity_z_limb_lower_mx * minus_limb4_U_0_cos + t76)),
-      t85 = limb4_lower_omega_y * limb4_lower_omega_y,
-      minus_limb4_U_0_moment_z = minus_limb4_lower_sin * (k10 * (limb4_U_v_1 * limb4_lower_omega_y)) + t77 - k3 * limb4_U_a_0,
+    const REAL t79 = limb4_upper_offset_x * (limb_lower_m * minus_limb4_upper_acc_z - minus_limb4_lower_rate_fz),
+      t80 = limb_lower_mx * minus_limb4_upper_acc_z - t79,
+      t84 = limb4_lower_cos * (t80 - (gravity_z_limb_lower_mx * minus_limb4_U_0_cos + t83)),
+      t92 = limb4_lower_omega_y * limb4_lower_omega_y,
+      minus_limb4_U_0_moment_z = minus_limb4_lower_sin * (k10 * (limb4_U_v_1 * limb4_lower_omega_y)) + t84 - k3 * limb4_U_a_0,
       minus_limb4_U_0_lever_mz_by_limb4_S_fz = limb4_lower_cos * limb4_upper_offset_x;
     REAL checked3 = minus_limb4_U_0_lever_mz_by_limb4_S_fz;
-    const REAL t66 = 1.0 / minus_limb4_U_0_lever_mz_by_limb4_S_fz,
-      limb4_S_multiplier_fz = t66 * minus_limb4_U_0_moment_z, t97 = limb4_lower_cos * t66,
-      limb4_S_arm_y = param_R * limb4_lower_cos, t78 = limb4_S_arm_y * limb4_S_multiplier_fz,
-      t79 = limb4_lower_cos * t78, t267 = minus_limb4_lower_sin * t78,
+    const REAL t73 = 1.0 / minus_limb4_U_0_lever_mz_by_limb4_S_fz,
+      limb4_S_multiplier_fz = t73 * minus_limb4_U_0_moment_z, t104 = limb4_lower_cos * t73,
+      limb4_S_arm_y = param_R * limb4_lower_cos, t85 = limb4_S_arm_y * limb4_S_multiplier_fz,
+      t86 = limb4_lower_cos * t85, t274 = minus_limb4_lower_sin * t85,
       limb4_S_arm_x = limb4_upper_offset_x - param_R * minus_limb4_lower_sin,
-      t81 = limb4_S_arm_x * limb4_S_multiplier_fz, t83 = t79 - minus_limb4_lower_sin * t81,
-      limb4_U_0_sin = SINES(cosine, 6), limb4_U_a_1 = READ(a, 10), t269 = t267 + limb4_lower_cos * t81,
-      t84 = limb4_U_0_sin * t83, t226 = minus_limb4_U_0_cos * t83,
-      limb4_lower_U_yx = limb4_U_a_1 - minus_limb4_lower_U_still_xy, t94 = k8 * minus_limb4_lower_U_still_xy,
-      t90 = limb4_upper_offset_x * limb4_lower_U_yx, limb4_lower_rate_fy = limb_lower_mx * limb4_lower_U_yx,
+      t88 = limb4_S_arm_x * limb4_S_multiplier_fz, t90 = t86 - minus_limb4_lower_sin * t88,
+      limb4_U_0_sin = SINES(cosine, 6), limb4_U_a_1 = READ(a, 10), t276 = t274 + limb4_lower_cos * t88,
+      t91 = limb4_U_0_sin * t90, t233 = minus_limb4_U_0_cos * t90,
+      limb4_lower_U_yx = limb4_U_a_1 - minus_limb4_lower_U_still_xy, t101 = k8 * minus_limb4_lower_U_still_xy,
+      t97 = limb4_upper_offset_x * limb4_lower_U_yx, limb4_lower_rate_fy = limb_lower_mx * limb4_lower_U_yx,
       minus_limb4_U_0_acc_y = gravity_z * limb4_U_0_sin,
       minus_limb4_lower_acc_y = minus_limb4_lower_sin * minus_limb4_U_0_acc_y,
       limb4_upper_moment_z = limb_lower_mx * minus_limb4_lower_acc_y,
       minus_limb4_lower_acc_x = limb4_lower_cos * minus_limb4_U_0_acc_y,
-      limb4_upper_acc_y = limb4_P_v * (2.0 * limb4_U_v_1) + (t90 - minus_limb4_lower_acc_y),
-      t92 = limb4_upper_offset_x * (limb_lower_m * limb4_upper_acc_y - limb4_lower_rate_fy),
-      minus_limb4_lower_moment_z = limb_lower_mx * limb4_upper_acc_y - t92 + (limb4_upper_moment_z + (t94 - k9 * limb4_U_a_1)),
-      t98 = limb4_S_arm_x * (minus_limb4_lower_moment_z * t97),
-      minus_limb4_lower_U_still_xx = t85 + limb4_U_v_1 * limb4_U_v_1,
+      limb4_upper_acc_y = limb4_P_v * (2.0 * limb4_U_v_1) + (t97 - minus_limb4_lower_acc_y),
+      t99 = limb4_upper_offset_x * (limb_lower_m * limb4_upper_acc_y - limb4_lower_rate_fy),
+      minus_limb4_lower_moment_z = limb_lower_mx * limb4_upper_acc_y - t99 + (limb4_upper_moment_z + (t101 - k9 * limb4_U_a_1)),
+      t105 = limb4_S_arm_x * (minus_limb4_lower_moment_z * t104),
+      minus_limb4_lower_U_still_xx = t92 + limb4_U_v_1 * limb4_U_v_1,
       limb4_upper_acc_x = READ(a, 11) - (limb4_upper_offset_x * minus_limb4_lower_U_still_xx + minus_limb4_lower_acc_x),
-      t87 = limb4_S_arm_y * (limb_lower_mx * minus_limb4_lower_U_still_xx + limb_lower_m * limb4_upper_acc_x),
-      t99 = t87 + t98, minus_platform_joint_force_mz = t84 - minus_limb4_U_0_cos * t99 - t224,
-      t228 = t226 + limb4_U_0_sin * t99;
+      t94 = limb4_S_arm_y * (limb_lower_mx * minus_limb4_lower_U_still_xx + limb_lower_m * limb4_upper_acc_x),
+      t106 = t94 + t105, minus_platform_joint_force_mz = t91 - minus_limb4_U_0_cos * t106 - t231,
+      t235 = t233 + limb4_U_0_sin * t106;
     /* limb1: reciprocal wrenches, eq. (10); rates that follow; balance, eqs. (40)-(47) */
     const REAL t30 = limb1_U_0_cos * platform_turn_zy,
       limb1_U2_constraint_mn_couple_x = limb1_U_0_cos * platform_turn_yy + limb1_U_0_sin * platform_turn_zy,
       minus_limb1_U_factor_0_by_3 = limb1_lower_sin * limb1_U2_constraint_mn_couple_x * t20,
       t22 = limb1_U2_constraint_mn_couple_x - minus_limb1_U2_arm_y * minus_limb1_U_factor_0_by_3,
-      t25 = limb1_U2_arm_x * minus_limb1_U_factor_0_by_3, t47 = limb1_lower_sin * t22,
+      t25 = limb1_U2_arm_x * minus_limb1_U_factor_0_by_3, t49 = limb1_lower_sin * t22,
       t27 = limb1_lower_cos * t22 + limb1_lower_sin * t25,
-      platform_joint_force_mx_by_limb1_U2_mn = t47 - limb1_lower_cos * t25, t41 = limb1_U_0_cos * t27,
+      platform_joint_force_mx_by_limb1_U2_mn = t49 - limb1_lower_cos * t25, t41 = limb1_U_0_cos * t27,
       t28 = limb1_U_0_sin * t27, t32 = limb1_lower_cos * (limb1_U_0_sin * platform_turn_yy - t30);
     /* platform: balance, eqs. (40)-(47); geometry; drives */
-    const REAL t277 = platform_turn_yy * platform_rate_my, platform_turn_xy = t34 - t35,
-      t285 = t275 - ((t34 + t35) * minus_platform_rate_mx - t277 - t279 + t283),
-      minus_platform_joint_force_my = t269 + (t272 - t285),
-      t246 = t231 + (t233 - platform_turn_xy * platform_rate_my - t236 - t240 + t244),
-      minus_platform_joint_force_mx = t228 + t246,
+    const REAL t284 = platform_turn_yy * platform_rate_my, platform_turn_xy = t34 - t35,
+      t292 = t282 - ((t34 + t35) * minus_platform_rate_mx - t284 - t286 + t290),
+      minus_platform_joint_force_my = t276 + (t279 - t292),
+      t253 = t238 + (t240 - platform_turn_xy * platform_rate_my - t243 - t247 + t251),
+      minus_platform_joint_force_mx = t235 + t253,
       limb1_U2_constraint_mn_couple_z = t32 - limb1_lower_sin * platform_turn_xy,
       minus_limb1_U2_factor_0_by_3 = limb1_U2_constraint_mn_couple_z - limb1_U2_arm_x * (limb1_U2_constraint_mn_couple_z * t37),
       platform_joint_force_mz_by_limb1_U2_mn = t41 + limb1_U_0_sin * minus_limb1_U2_factor_0_by_3;
@@ -953,24 +953,23 @@ BODY(three_ups_upu_s_inverse_dynamics_preload)(size_t stride, const double *rest
       minus_platform_joint_force_mx_by_limb2_P = limb2_U_0_sin * minus_limb2_S_arm_y,
       minus_limb5_S_balance_wx_by_limb2_P = minus_platform_joint_force_mx_by_limb2_P + platform_joint_force_mx_by_limb1_U2_mn * minus_limb1_U2_part_mn_by_limb2_P,
       limb5_S_balance_wy_by_limb2_P = t40 * minus_limb1_U2_part_mn_by_limb2_P, limb2_P_preload = READ(preload, 1),
-      t249 = limb2_P_preload * minus_limb5_S_balance_wx_by_limb2_P, /* limb1 */
+      t68 = limb2_P_preload * minus_limb5_S_balance_wx_by_limb2_P, /* limb1 */
       limb1_U2_part_mn_by_limb1_P = limb1_U_0_sin * minus_limb1_U2_arm_y * t43,
       minus_platform_joint_force_my_by_limb1_P = limb1_U_0_cos * minus_limb1_U2_arm_y,
       limb5_S_balance_wx_by_limb1_P = platform_joint_force_mx_by_limb1_U2_mn * limb1_U2_part_mn_by_limb1_P,
       minus_limb5_S_balance_wy_by_limb1_P = minus_platform_joint_force_my_by_limb1_P + t40 * limb1_U2_part_mn_by_limb1_P,
-      limb1_P_preload = READ(preload, 0),
-      t251 = t249 - limb1_P_preload * limb5_S_balance_wx_by_limb1_P, /* limb1 */
+      limb1_P_preload = READ(preload, 0), t70 = t68 - limb1_P_preload * limb5_S_balance_wx_by_limb1_P, /* limb1 */
       minus_limb1_U2_part_mn_by_limb3_P = limb3_U_0_sin * limb3_S_arm_y * t43,
       platform_joint_force_my_by_limb3_P = limb3_U_0_cos * limb3_S_arm_y,
       minus_limb5_S_balance_wx_by_limb3_P = platform_joint_force_mx_by_limb1_U2_mn * minus_limb1_U2_part_mn_by_limb3_P,
       limb5_S_balance_wy_by_limb3_P = platform_joint_force_my_by_limb3_P + t40 * minus_limb1_U2_part_mn_by_limb3_P,
       limb3_P_preload = READ(preload, 2),
-      t252 = limb3_P_preload * minus_limb5_S_balance_wx_by_limb3_P + t251, /* limb1 */
+      t71 = limb3_P_preload * minus_limb5_S_balance_wx_by_limb3_P + t70, /* limb1 */
       limb1_U2_part_mn_by_limb4_P = minus_limb4_U_0_cos * limb4_S_arm_y * t43,
-      t49 = platform_joint_force_mx_by_limb1_U2_mn * limb1_U2_part_mn_by_limb4_P,
+      t51 = platform_joint_force_mx_by_limb1_U2_mn * limb1_U2_part_mn_by_limb4_P,
       minus_limb5_S_balance_wy_by_limb4_P = limb1_U2_part_mn_by_limb4_P * t40,
-      limb5_S_balance_wx_by_limb4_P = limb4_U_0_sin * limb4_S_arm_y + t49, limb4_P_preload = READ(preload, 3),
-      t254 = limb5_S_balance_wx + (limb4_P_preload * limb5_S_balance_wx_by_limb4_P - t252), /* limb1 */
+      limb5_S_balance_wx_by_limb4_P = limb4_U_0_sin * limb4_S_arm_y + t51, limb4_P_preload = READ(preload, 3),
+      t254 = limb4_P_preload * limb5_S_balance_wx_by_limb4_P - t71 + limb5_S_balance_wx, /* limb1 */
       limb1_P_weights = READ(weights, 0);
     checked1 = checked1 + limb1_P_weights;
     const REAL t1 = 1.0 / limb1_P_weights, /* limb1 */
@@ -978,29 +977,29 @@ BODY(three_ups_upu_s_inverse_dynamics_preload)(size_t stride, const double *rest
       limb2_P_weights = READ(weights, 1);
     checked2 = checked2 + limb2_P_weights;
     /* drives: drives; pivots */
-    const REAL t63 = limb5_S_balance_wx_by_limb1_P * t45, t263 = limb5_S_balance_wx_by_limb1_P * t262,
-      t60 = 1.0 / limb2_P_weights, /* limb2 */
-      t61 = t60 * limb5_S_balance_wy_by_limb2_P, t260 = t60 * minus_limb5_S_balance_wx_by_limb2_P,
+    const REAL t63 = t45 * limb5_S_balance_wx_by_limb1_P, t263 = limb5_S_balance_wx_by_limb1_P * t262,
+      t58 = 1.0 / limb2_P_weights, /* limb2 */
+      t60 = t58 * limb5_S_balance_wy_by_limb2_P, t260 = t58 * minus_limb5_S_balance_wx_by_limb2_P,
       limb3_P_weights = READ(weights, 2);
     checked3 = checked3 + limb3_P_weights;
-    const REAL t64 = minus_limb5_S_balance_wx_by_limb2_P * t61 + t63,
-      t264 = minus_limb5_S_balance_wx_by_limb2_P * t260 + t263, t54 = 1.0 / limb3_P_weights, /* limb3 */
-      t56 = t54 * limb5_S_balance_wy_by_limb3_P, t258 = t54 * minus_limb5_S_balance_wx_by_limb3_P,
+    const REAL t64 = t60 * minus_limb5_S_balance_wx_by_limb2_P + t63,
+      t264 = minus_limb5_S_balance_wx_by_limb2_P * t260 + t263, t53 = 1.0 / limb3_P_weights, /* limb3 */
+      t56 = t53 * limb5_S_balance_wy_by_limb3_P, t258 = t53 * minus_limb5_S_balance_wx_by_limb3_P,
       limb4_P_weights = READ(weights, 3);
     checked0 = checked0 + limb4_P_weights;
-    const REAL t65 = minus_limb5_S_balance_wx_by_limb3_P * t56 + t64,
-      t265 = minus_limb5_S_balance_wx_by_limb3_P * t258 + t264, t50 = 1.0 / limb4_P_weights, /* limb4 */
-      t51 = t50 * minus_limb5_S_balance_wy_by_limb4_P, t256 = t50 * limb5_S_balance_wx_by_limb4_P,
-      minus_drives_share_1_0 = limb5_S_balance_wx_by_limb4_P * t51 + t65,
+    const REAL t65 = t56 * minus_limb5_S_balance_wx_by_limb3_P + t64,
+      t265 = minus_limb5_S_balance_wx_by_limb3_P * t258 + t264, t46 = 1.0 / limb4_P_weights, /* limb4 */
+      t48 = t46 * minus_limb5_S_balance_wy_by_limb4_P, t256 = t46 * limb5_S_balance_wx_by_limb4_P,
+      minus_drives_share_1_0 = t48 * limb5_S_balance_wx_by_limb4_P + t65,
       drives_share_0_0 = limb5_S_balance_wx_by_limb4_P * t256 + t265,
       t255 = minus_drives_share_1_0 * t254, /* limb1 */
-      t290 = limb1_P_preload * minus_limb5_S_balance_wy_by_limb1_P, /* limb1 */
-      t291 = limb2_P_preload * limb5_S_balance_wy_by_limb2_P - t290, /* limb1 */
-      t302 = limb5_S_balance_wy_by_limb2_P * t61 + minus_limb5_S_balance_wy_by_limb1_P * t45,
-      t292 = limb3_P_preload * limb5_S_balance_wy_by_limb3_P + t291, /* limb1 */
+      t269 = limb1_P_preload * minus_limb5_S_balance_wy_by_limb1_P, /* limb1 */
+      t270 = limb2_P_preload * limb5_S_balance_wy_by_limb2_P - t269, /* limb1 */
+      t302 = limb5_S_balance_wy_by_limb2_P * t60 + minus_limb5_S_balance_wy_by_limb1_P * t45,
+      t271 = limb3_P_preload * limb5_S_balance_wy_by_limb3_P + t270, /* limb1 */
       t303 = limb5_S_balance_wy_by_limb3_P * t56 + t302,
-      t294 = minus_limb5_S_balance_wy + (limb4_P_preload * minus_limb5_S_balance_wy_by_limb4_P - t292), /* limb1 */
-      drives_share_1_1 = minus_limb5_S_balance_wy_by_limb4_P * t51 + t303,
+      t294 = limb4_P_preload * minus_limb5_S_balance_wy_by_limb4_P - t271 + minus_limb5_S_balance_wy, /* limb1 */
+      drives_share_1_1 = minus_limb5_S_balance_wy_by_limb4_P * t48 + t303,
       t296 = t255 - drives_share_0_0 * t294, /* limb1 */
       t310 = minus_drives_share_1_0 * t294 - drives_share_1_1 * t254, /* limb1 */
       minus_determinant = minus_drives_share_1_0 * minus_drives_share_1_0 - drives_share_1_1 * drives_share_0_0;
@@ -1008,8 +1007,8 @@ BODY(three_ups_upu_s_inverse_dynamics_preload)(size_t stride, const double *rest
     const REAL t305 = 1.0 / minus_determinant, t306 = t296 * t305, /* limb1 */
       t311 = t305 * t310; /* limb1 */
     RESULT(checked2, u, 0, limb1_P_preload - (t45 * t306 + t262 * t311));
-    RESULT(checked3, u, 1, limb2_P_preload + (t61 * t306 + t260 * t311));
-    const REAL t320 = t51 * t306; /* limb4 */
+    RESULT(checked3, u, 1, limb2_P_preload + (t60 * t306 + t260 * t311));
+    const REAL t320 = t48 * t306; /* limb4 */
     RESULT(checked0, u, 2, limb3_P_preload + (t56 * t306 + t258 * t311));
     RESULT(checked1, u, 3, limb4_P_preload - (t320 + t256 * t311));
     NOT_BELOW(t9, 0.999999, 5);
@@ -1802,7 +1801,7 @@ static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_inverse_dynamics_ind
       t183 = t173 * (limb1_U2_opening_mn * t173 + t181),
       minus_limb1_U2_opening_bias_mn = t183 + t187 * (t188 + limb1_U2_opening_mn * t187) + t202;
     /* limbs together: accelerations; reciprocal wrenches, eq. (10); velocities, eq. (6) */
-    const lanes4 lanes_30 = signed_limb_U_joint_rate_0 * lanes_9, lanes_31 = each_limb1_U2_arm_x * lanes_30,
+    const lanes4 lanes_30 = lanes_9 * signed_limb_U_joint_rate_0, lanes_31 = each_limb1_U2_arm_x * lanes_30,
       each_limb1_U2_arm_y = param_R * limb_lower_cos, signed_limb_P_joint_rate = each_limb1_U2_arm_y *
         lanes_23,
       lanes_32 = each_limb1_U2_arm_y * lanes_30,
@@ -1815,7 +1814,7 @@ static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_inverse_dynamics_ind
       lanes_43 = signed_limb_lower_sin * signed_limb_U_joint_rate_1,
       lanes_47 = lanes_32 + lanes_28 * (param_R * lanes_43),
       lanes_49 = limb_lower_cos * signed_limb_P_joint_rate - limb_upper_offset_x * lanes_43,
-      lanes_51 = signed_limb_U_joint_rate_0 * lanes_49 - lanes_42,
+      lanes_51 = lanes_49 * signed_limb_U_joint_rate_0 - lanes_42,
       lanes_57 = lanes_51 - (signed_limb_lower_sin * signed_limb_P_joint_rate + lanes_40) * lanes_9,
       lanes_60 = lanes_57 + (lanes4){-1.0, -1.0, 1.0, 1.0} * (lanes_49 * (lanes4){t129, t145, t129, t145});
     /* limb5_S: accelerations */

@@ -802,47 +802,47 @@ BODY(three_ups_upu_s_joint_screws)(size_t stride, const double *restrict q, doub
       limb4_lower_cos = SINES(cosine, 7), minus_limb4_lower_rotation_xx = minus_limb4_U_0_cos * limb4_lower_cos;
     RESULT(checked0, screws, 117, -minus_limb4_lower_rotation_xx);
     /* limb4: screws, eq. (5); geometry */
-    const REAL t117 = k1 * minus_limb4_lower_rotation_xx,
+    const REAL t120 = k1 * minus_limb4_lower_rotation_xx,
       minus_limb4_lower_rotation_xy = minus_limb4_U_0_cos * minus_limb4_lower_sin,
-      t119 = t117 - 0.5 * minus_limb4_lower_rotation_xy;
-    RESULT(checked1, screws, 132, -t119);
-    const REAL t105 = k1 * minus_limb4_lower_rotation_xy, t132 = limb4_upper_position_y * t119,
+      t122 = t120 - 0.5 * minus_limb4_lower_rotation_xy;
+    RESULT(checked1, screws, 132, -t122);
+    const REAL t108 = k1 * minus_limb4_lower_rotation_xy, t135 = limb4_upper_position_y * t122,
       minus_limb4_upper_position_x = limb4_upper_offset_x * minus_limb4_lower_rotation_xx,
-      limb4_S_screws_y_wx = 0.5 * minus_limb4_lower_rotation_xx + t105;
+      limb4_S_screws_y_wx = 0.5 * minus_limb4_lower_rotation_xx + t108;
     WRITE(screws, 126, limb4_S_screws_y_wx);
-    const REAL t122 = k1 * minus_limb4_lower_sin + 0.5 * limb4_lower_cos;
-    RESULT(checked2, screws, 133, -t122);
-    RESULT(checked3, screws, 137, minus_limb4_upper_position_x * t122 + t132);
+    const REAL t125 = k1 * minus_limb4_lower_sin + 0.5 * limb4_lower_cos;
+    RESULT(checked2, screws, 133, -t125);
+    RESULT(checked3, screws, 137, minus_limb4_upper_position_x * t125 + t135);
     const REAL limb4_U_0_sin = SINES(cosine, 6);
     WRITE(screws, 108, limb4_U_0_sin);
     WRITE(screws, 120, limb4_U_0_sin);
     const REAL minus_limb4_lower_rotation_zx = limb4_U_0_sin * limb4_lower_cos,
       minus_limb4_upper_position_z = limb4_upper_offset_x * minus_limb4_lower_rotation_zx,
-      t129 = minus_limb4_upper_position_z * t119, t127 = minus_limb4_upper_position_z * t122;
+      t132 = minus_limb4_upper_position_z * t122, t130 = minus_limb4_upper_position_z * t125;
     RESULT(checked0, screws, 119, -minus_limb4_lower_rotation_zx);
-    const REAL t123 = k1 * minus_limb4_lower_rotation_zx, t108 = 0.5 * minus_limb4_lower_rotation_zx,
+    const REAL t126 = k1 * minus_limb4_lower_rotation_zx, t111 = 0.5 * minus_limb4_lower_rotation_zx,
       minus_limb4_lower_rotation_zy = limb4_U_0_sin * minus_limb4_lower_sin,
-      t125 = t123 - 0.5 * minus_limb4_lower_rotation_zy;
-    RESULT(checked1, screws, 134, -t125);
-    const REAL limb4_S_screws_y_wz = t108 + k1 * minus_limb4_lower_rotation_zy;
+      t128 = t126 - 0.5 * minus_limb4_lower_rotation_zy;
+    RESULT(checked1, screws, 134, -t128);
+    const REAL limb4_S_screws_y_wz = t111 + k1 * minus_limb4_lower_rotation_zy;
     WRITE(screws, 128, limb4_S_screws_y_wz);
-    RESULT(checked2, screws, 136, t129 - minus_limb4_upper_position_x * t125);
-    RESULT(checked3, screws, 135, -(limb4_upper_position_y * t125 + t127));
-    const REAL t115 = limb4_upper_position_y * limb4_S_screws_y_wx,
-      t113 = minus_limb4_upper_position_z * limb4_S_screws_y_wx,
+    RESULT(checked2, screws, 136, t132 - minus_limb4_upper_position_x * t128);
+    RESULT(checked3, screws, 135, -(limb4_upper_position_y * t128 + t130));
+    const REAL t118 = limb4_upper_position_y * limb4_S_screws_y_wx,
+      t116 = minus_limb4_upper_position_z * limb4_S_screws_y_wx,
       limb4_S_screws_y_wy = 0.5 * minus_limb4_lower_sin - k1 * limb4_lower_cos;
     WRITE(screws, 127, limb4_S_screws_y_wy);
-    RESULT(checked0, screws, 131, -(minus_limb4_upper_position_x * limb4_S_screws_y_wy + t115));
-    const REAL t111 = minus_limb4_upper_position_z * limb4_S_screws_y_wy,
-      t101 = limb4_U_0_sin * minus_limb4_upper_position_z;
-    RESULT(checked1, screws, 130, minus_limb4_upper_position_x * limb4_S_screws_y_wz - t113);
-    RESULT(checked2, screws, 129, limb4_upper_position_y * limb4_S_screws_y_wz + t111);
-    RESULT(checked3, screws, 124, -(t101 + minus_limb4_U_0_cos * minus_limb4_upper_position_x));
+    RESULT(checked0, screws, 131, -(minus_limb4_upper_position_x * limb4_S_screws_y_wy + t118));
+    const REAL t114 = minus_limb4_upper_position_z * limb4_S_screws_y_wy,
+      t103 = limb4_U_0_sin * minus_limb4_upper_position_z;
+    RESULT(checked1, screws, 130, minus_limb4_upper_position_x * limb4_S_screws_y_wz - t116);
+    RESULT(checked2, screws, 129, limb4_upper_position_y * limb4_S_screws_y_wz + t114);
+    RESULT(checked3, screws, 124, -(t103 + minus_limb4_U_0_cos * minus_limb4_upper_position_x));
     RESULT(checked0, screws, 125, -(limb4_U_0_sin * limb4_upper_position_y));
     RESULT(checked1, screws, 123, -(minus_limb4_U_0_cos * limb4_upper_position_y));
     RESULT(checked2, screws, 113, -(param_R * limb4_U_0_sin));
     RESULT(checked3, screws, 111, -(param_R * minus_limb4_U_0_cos));
-    /* limb3: geometry */
+    /* limb3: geometry; screws, eq. (5) */
     const REAL limb3_upper_offset_x = limb_upper_phase + READ(q, 8),
       limb3_upper_position_x = param_R - minus_limb3_lower_sin * limb3_upper_offset_x;
     RESULT(checked0, screws, 95, limb3_U_0_cos * limb3_upper_position_x);
@@ -852,28 +852,28 @@ BODY(three_ups_upu_s_joint_screws)(size_t stride, const double *restrict q, doub
     const REAL limb3_lower_cos = SINES(cosine, 5), minus_limb3_lower_rotation_yx = limb3_U_0_sin * limb3_lower_cos;
     RESULT(checked1, screws, 82, -minus_limb3_lower_rotation_yx);
     /* limb3: screws, eq. (5); geometry */
-    const REAL t87 = k1 * minus_limb3_lower_rotation_yx,
+    const REAL t88 = k1 * minus_limb3_lower_rotation_yx,
       minus_limb3_lower_rotation_yy = limb3_U_0_sin * minus_limb3_lower_sin,
-      t89 = t87 + 0.5 * minus_limb3_lower_rotation_yy;
-    RESULT(checked2, screws, 97, -t89);
-    const REAL t71 = k1 * minus_limb3_lower_rotation_yy, t97 = limb3_upper_position_x * t89,
+      t90 = t88 + 0.5 * minus_limb3_lower_rotation_yy;
+    RESULT(checked2, screws, 97, -t90);
+    const REAL t71 = k1 * minus_limb3_lower_rotation_yy, t98 = limb3_upper_position_x * t90,
       minus_limb3_upper_position_y = limb3_upper_offset_x * minus_limb3_lower_rotation_yx,
       limb3_S_screws_x_wy = 0.5 * minus_limb3_lower_rotation_yx - t71;
     WRITE(screws, 85, limb3_S_screws_x_wy);
-    const REAL t86 = k1 * minus_limb3_lower_sin - 0.5 * limb3_lower_cos;
-    RESULT(checked3, screws, 96, -t86);
-    RESULT(checked0, screws, 101, -(t97 + minus_limb3_upper_position_y * t86));
+    const REAL t87 = k1 * minus_limb3_lower_sin - 0.5 * limb3_lower_cos;
+    RESULT(checked3, screws, 96, -t87);
+    RESULT(checked0, screws, 101, -(t98 + minus_limb3_upper_position_y * t87));
     const REAL limb3_lower_rotation_zx = limb3_U_0_cos * limb3_lower_cos;
     WRITE(screws, 83, limb3_lower_rotation_zx);
     const REAL limb3_upper_position_z = limb3_upper_offset_x * limb3_lower_rotation_zx,
-      t94 = limb3_upper_position_z * t86, t92 = limb3_upper_position_z * t89, t90 = k1 * limb3_lower_rotation_zx,
+      t95 = limb3_upper_position_z * t87, t93 = limb3_upper_position_z * t90, t91 = k1 * limb3_lower_rotation_zx,
       t72 = 0.5 * limb3_lower_rotation_zx, limb3_lower_rotation_zy = limb3_U_0_cos * minus_limb3_lower_sin,
-      limb3_S_screws_z_wz = t90 + 0.5 * limb3_lower_rotation_zy;
+      limb3_S_screws_z_wz = t91 + 0.5 * limb3_lower_rotation_zy;
     WRITE(screws, 98, limb3_S_screws_z_wz);
     const REAL t74 = t72 - k1 * limb3_lower_rotation_zy;
     RESULT(checked1, screws, 86, -t74);
-    RESULT(checked2, screws, 100, -(t94 + limb3_upper_position_x * limb3_S_screws_z_wz));
-    RESULT(checked3, screws, 99, t92 - minus_limb3_upper_position_y * limb3_S_screws_z_wz);
+    RESULT(checked2, screws, 100, -(t95 + limb3_upper_position_x * limb3_S_screws_z_wz));
+    RESULT(checked3, screws, 99, t93 - minus_limb3_upper_position_y * limb3_S_screws_z_wz);
     RESULT(checked0, screws, 94, -(limb3_U_0_sin * limb3_upper_position_x));
     RESULT(checked1, screws, 93, -(limb3_U_0_sin * minus_limb3_upper_position_y + limb3_U_0_cos * limb3_upper_position_z));
     const REAL t79 = limb3_upper_position_x * limb3_S_screws_x_wy, t78 = limb3_upper_position_x * t74;
@@ -883,7 +883,7 @@ BODY(three_ups_upu_s_joint_screws)(size_t stride, const double *restrict q, doub
     RESULT(checked3, screws, 89, t79 + minus_limb3_upper_position_y * limb3_S_screws_x_wx);
     RESULT(checked0, screws, 88, limb3_upper_position_z * limb3_S_screws_x_wx + t78);
     RESULT(checked1, screws, 76, -(param_R * limb3_U_0_sin));
-    /* limb2: geometry */
+    /* limb2: geometry; screws, eq. (5) */
     const REAL limb2_upper_offset_x = limb_upper_phase + READ(q, 5), limb2_lower_sin = SINES(sine, 3);
     WRITE(screws, 46, limb2_lower_sin);
     const REAL minus_limb2_upper_position_y = param_R - limb2_lower_sin * limb2_upper_offset_x;
@@ -1609,11 +1609,13 @@ BODY(three_ups_upu_s_joint_displacements)(size_t stride, const double *restrict 
     double *restrict total)
 {
     /* limb5_S: geometry; results */
-    const REAL limb5_S_q_qw = READ(q, 12), limb5_S_q_qx = READ(q, 13), t2 = limb5_S_q_qw * limb5_S_q_qw,
-      t3 = limb5_S_q_qx * limb5_S_q_qx, limb5_S_q_qy = READ(q, 14), t4 = t2 + t3, t5 = limb5_S_q_qy * limb5_S_q_qy,
-      limb5_S_q_qz = READ(q, 15), t6 = limb5_S_q_qz * limb5_S_q_qz, t7 = t5 + t6, t8 = t4 + t7, t10 = 4.0 - 2.0 * t8,
-      platform_turn_xx = 1.0 - t7 * t10, t39 = t3 + t5, platform_turn_yy = 1.0 - t10 * (t3 + t6), t377 = t6 + t39,
-      platform_turn_zz = 1.0 - t10 * t39, t378 = SQRT(t377), t13 = limb5_S_q_qz * t10, t19 = limb5_S_q_qy * t13,
+    const REAL limb5_S_q_qw = READ(q, 12);
+    REAL checked0 = limb5_S_q_qw;
+    const REAL limb5_S_q_qx = READ(q, 13), t2 = limb5_S_q_qw * limb5_S_q_qw, t3 = limb5_S_q_qx * limb5_S_q_qx,
+      limb5_S_q_qy = READ(q, 14), t4 = t2 + t3, t5 = limb5_S_q_qy * limb5_S_q_qy, limb5_S_q_qz = READ(q, 15),
+      t6 = limb5_S_q_qz * limb5_S_q_qz, t7 = t5 + t6, t8 = t4 + t7, t10 = 4.0 - 2.0 * t8,
+      platform_turn_xx = 1.0 - t7 * t10, t39 = t3 + t5, platform_turn_yy = 1.0 - t10 * (t3 + t6), t515 = t6 + t39,
+      platform_turn_zz = 1.0 - t10 * t39, t516 = SQRT(t515), t13 = limb5_S_q_qz * t10, t19 = limb5_S_q_qy * t13,
       t21 = limb5_S_q_qw * (limb5_S_q_qx * t10), t11 = limb5_S_q_qy * t10, platform_turn_zy = t19 + t21,
       platform_turn_yz = t19 - t21, limb1_U_0_cos = SINES(cosine, 0), limb1_U_0_sin = SINES(sine, 0),
       limb1_lower_cos = SINES(cosine, 1),
@@ -1626,7 +1628,7 @@ BODY(three_ups_upu_s_joint_displacements)(size_t stride, const double *restrict 
     /* limb1: results; geometry */
     const REAL limb1_U2_displacements_0 = atan2(minus_limb1_U2_constraint_mn_couple_z, limb1_U_0_cos * platform_turn_yy + limb1_U_0_sin * platform_turn_zy);
     WRITE(displacements, 3, limb1_U2_displacements_0);
-    REAL checked0 = limb1_U2_displacements_0;
+    REAL checked1 = limb1_U2_displacements_0;
     const REAL limb1_lower_rotation_yy = limb1_U_0_sin * limb1_lower_sin,
       t37 = platform_turn_yz * limb1_lower_rotation_yy,
       t30 = limb1_lower_cos * platform_turn_xx + platform_turn_yx * limb1_lower_rotation_yy,
@@ -1636,139 +1638,173 @@ BODY(three_ups_upu_s_joint_displacements)(size_t stride, const double *restrict 
       t42 = limb1_lower_cos * platform_turn_xz + t37 - platform_turn_zz * minus_limb1_lower_rotation_zy,
       t49 = atan2(-(t35 + k1 * t42), t46 - 0.5 * t42), limb1_U2_displacements_1 = -t49;
     WRITE(displacements, 4, limb1_U2_displacements_1);
-    REAL checked1 = limb1_U2_displacements_1;
+    REAL checked2 = limb1_U2_displacements_1;
     /* platform: results */
     const REAL t51 = 0.5 * platform_turn_zy, t52 = k1 * platform_turn_zz, t73 = 0.5 * platform_turn_zz,
-      t53 = t51 + t52, t275 = t51 - t52, limb2_U_0_sin = SINES(cosine, 2), minus_limb2_U_0_cos = SINES(sine, 2),
+      t53 = t51 + t52, t366 = t51 - t52, limb2_U_0_sin = SINES(cosine, 2), minus_limb2_U_0_cos = SINES(sine, 2),
       t54 = limb2_U_0_sin * t53, /* limb2 */
-      t120 = minus_limb2_U_0_cos * t53, /* limb2 */
+      t144 = minus_limb2_U_0_cos * t53, /* limb2 */
       t55 = 0.5 * platform_turn_xy, t56 = k1 * platform_turn_xz, t77 = 0.5 * platform_turn_xz, t57 = t55 + t56,
-      t277 = t55 - t56, t59 = t54 + minus_limb2_U_0_cos * t57, /* limb2 */
-      t122 = t120 - limb2_U_0_sin * t57, /* limb2 */
+      t368 = t55 - t56, t59 = t54 + minus_limb2_U_0_cos * t57, /* limb2 */
+      t146 = t144 - limb2_U_0_sin * t57, /* limb2 */
       limb2_lower_cos = SINES(cosine, 3), limb2_lower_sin = SINES(sine, 3),
       t60 = limb2_lower_cos * t59, /* limb2 */
       t67 = limb2_lower_sin * t59, /* limb2 */
       t62 = k1 * platform_turn_yz, t83 = 0.5 * platform_turn_yz, t61 = 0.5 * platform_turn_yy, t63 = t61 + t62,
-      t281 = t61 - t62;
+      t372 = t61 - t62;
     /* limb2: results */
-    const REAL t65 = t60 - limb2_lower_sin * t63, t69 = t67 + limb2_lower_cos * t63, t96 = k1 * t65,
-      t71 = 0.5 * t65 + k1 * t69, t98 = t96 - 0.5 * t69, t72 = k1 * t71, t151 = 0.5 * t71,
+    const REAL t65 = t60 - limb2_lower_sin * t63, t69 = t67 + limb2_lower_cos * t63, t66 = k1 * t65,
+      t98 = 0.5 * t65 + k1 * t69, t71 = t66 - 0.5 * t69, t99 = 0.5 * t98, t163 = k1 * t98,
       t74 = k1 * platform_turn_zy, /* platform */
       t75 = t73 - t74, /* platform */
-      t291 = t73 + t74, /* platform */
-      t76 = limb2_U_0_sin * t75, t124 = minus_limb2_U_0_cos * t75, t78 = k1 * platform_turn_xy, /* platform */
+      t382 = t73 + t74, /* platform */
+      t76 = limb2_U_0_sin * t75, t148 = minus_limb2_U_0_cos * t75, t78 = k1 * platform_turn_xy, /* platform */
       t79 = t77 - t78, /* platform */
-      t293 = t77 + t78, /* platform */
-      t81 = t76 + minus_limb2_U_0_cos * t79, t126 = t124 - limb2_U_0_sin * t79, t82 = limb2_lower_cos * t81,
+      t384 = t77 + t78, /* platform */
+      t81 = t76 + minus_limb2_U_0_cos * t79, t150 = t148 - limb2_U_0_sin * t79, t82 = limb2_lower_cos * t81,
       t89 = limb2_lower_sin * t81, t84 = k1 * platform_turn_yy, /* platform */
       t85 = t83 - t84, /* platform */
-      t297 = t83 + t84, /* platform */
-      t87 = t82 - limb2_lower_sin * t85, t91 = t89 + limb2_lower_cos * t85, t100 = k1 * t87,
-      t93 = 0.5 * t87 + k1 * t91, t102 = t100 - 0.5 * t91, t153 = t151 - k1 * t93, t145 = k1 * t98,
-      t105 = t72 + 0.5 * t93 - (0.5 * t98 - k1 * t102), t106 = 0.5 * t105, t147 = t145 + 0.5 * t102,
-      t107 = t106 * t106, t110 = limb2_U_0_sin * platform_turn_zx + minus_limb2_U_0_cos * platform_turn_xx,
-      t115 = limb2_lower_sin * t110, t113 = limb2_lower_cos * t110 - limb2_lower_sin * platform_turn_yx,
-      t114 = k1 * t113, t133 = 0.5 * t113, t117 = t115 + limb2_lower_cos * platform_turn_yx, t135 = t133 + k1 * t117,
-      t136 = 0.5 * t122, t129 = t114 - 0.5 * t117 - (k1 * t122 + 0.5 * t126), t130 = 0.5 * t129,
-      t140 = 0.5 * (t135 - (t136 - k1 * t126)), t143 = SQRT(t107 + t130 * t130 + t140 * t140),
-      t144 = LESS(t143, 1.0e-08), t160 = SELECT(t144, 1.0, t143),
-      t156 = 1.0 + (t147 + (minus_limb2_U_0_cos * platform_turn_zx - limb2_U_0_sin * platform_turn_xx + t153)),
-      t162 = SELECT(t144, 1.0, atan2(t143, -(0.5 * t156)) / t160), limb2_S_displacements_x = t106 * t162;
+      t388 = t83 + t84, /* platform */
+      t87 = t82 - limb2_lower_sin * t85, t91 = t89 + limb2_lower_cos * t85, t88 = k1 * t87,
+      t102 = 0.5 * t87 + k1 * t91, t93 = t88 - 0.5 * t91, t104 = t99 - k1 * t102, t165 = t163 + 0.5 * t102,
+      t107 = minus_limb2_U_0_cos * platform_turn_zx - limb2_U_0_sin * platform_turn_xx, t109 = t104 - (1.0 - t107),
+      t166 = 0.5 * t71, t95 = k1 * t71 + 0.5 * t93, t111 = -(t95 + t109), t168 = t166 - k1 * t93,
+      t116 = t95 + (t104 + (t107 + (1.0 - 2.0 * t107))), t117 = LESS(t111, t116), t118 = SELECT(t117, t116, t111),
+      t123 = t95 + (t104 + (t107 + (1.0 - 2.0 * t104))), t124 = LESS(t118, t123), t125 = SELECT(t124, t123, t118),
+      t130 = t95 + (t104 + (t107 + (1.0 - 2.0 * t95))), t131 = LESS(t125, t130),
+      t176 = 1.0 / (2.0 * SQRT(SELECT(t131, t130, t125))), t169 = t165 - t168, t170 = SELECT(t117, t116, t169),
+      t180 = SELECT(t117, t169, t111), t188 = -(t165 + t168),
+      t134 = limb2_U_0_sin * platform_turn_zx + minus_limb2_U_0_cos * platform_turn_xx, t139 = limb2_lower_sin * t134,
+      t137 = limb2_lower_cos * t134 - limb2_lower_sin * platform_turn_yx, t155 = 0.5 * t137, t138 = k1 * t137,
+      t141 = t139 + limb2_lower_cos * platform_turn_yx, t157 = t155 + k1 * t141, t143 = t138 - 0.5 * t141,
+      t147 = k1 * t146, t160 = 0.5 * t146 - k1 * t150, t152 = t147 + 0.5 * t150, t161 = t157 + t160,
+      t178 = t160 - t157, t162 = -t161, t171 = SELECT(t124, t162, t170), t153 = t143 + t152, t179 = t143 - t152,
+      t154 = -t153, t177 = SELECT(t131, t154, t171) * t176,
+      t197 = SELECT(t131, t130, SELECT(t124, t188, SELECT(t117, t154, t178))),
+      t182 = SELECT(t131, t178, SELECT(t124, t179, t180)),
+      t192 = SELECT(t131, t188, SELECT(t124, t123, SELECT(t117, t162, t179))) * t176, t198 = t197 * t176,
+      t183 = t182 * t176, t201 = SQRT(t177 * t177 + t192 * t192 + t198 * t198),
+      t185 = SELECT(LESS(t183, 0.0), (-1.0), 1.0), t205 = 2.0 * atan2(t201, t183 * t185), t202 = LESS(t201, 1.0e-08),
+      t209 = t185 * SELECT(t202, 2.0, t205 / SELECT(t202, 1.0, t201)), limb2_S_displacements_x = t177 * t209;
     WRITE(displacements, 8, limb2_S_displacements_x);
-    REAL checked2 = limb2_S_displacements_x;
-    const REAL limb2_S_displacements_y = t130 * t162;
-    WRITE(displacements, 9, limb2_S_displacements_y);
-    REAL checked3 = limb2_S_displacements_y;
-    RESULT(checked0, displacements, 10, -(t140 * t162));
-    const REAL t178 = 0.5 * platform_turn_yx - t62; /* platform */
+    REAL checked3 = limb2_S_displacements_x;
+    RESULT(checked0, displacements, 9, t192 * t209);
+    RESULT(checked1, displacements, 10, t198 * t209);
+    const REAL t212 = 0.5 * platform_turn_yx - t62; /* platform */
     /* limb3: geometry */
     const REAL limb3_U_0_sin = SINES(sine, 4), limb3_U_0_cos = SINES(cosine, 4);
     /* limb3: results; geometry */
-    const REAL t197 = limb3_U_0_sin * t178, t179 = limb3_U_0_cos * t178,
-      t181 = 0.5 * platform_turn_zx - t52, /* platform */
-      t199 = t197 - limb3_U_0_cos * t181, t183 = t179 + limb3_U_0_sin * t181, limb3_lower_cos = SINES(cosine, 5),
-      minus_limb3_lower_sin = SINES(sine, 5), t200 = limb3_lower_cos * t199, t206 = minus_limb3_lower_sin * t199,
-      t202 = 0.5 * platform_turn_xx - t56, /* platform */
-      t204 = t200 + minus_limb3_lower_sin * t202, t208 = t206 - limb3_lower_cos * t202, t228 = k1 * t204,
-      t210 = 0.5 * t204 - k1 * t208, t230 = t228 + 0.5 * t208, t211 = k1 * t210, t259 = 0.5 * t210,
-      t186 = k1 * platform_turn_yx + t83, /* platform */
-      t212 = limb3_U_0_sin * t186, t187 = limb3_U_0_cos * t186, t189 = k1 * platform_turn_zx + t73, /* platform */
-      t214 = t212 - limb3_U_0_cos * t189, t191 = t187 + limb3_U_0_sin * t189, t215 = limb3_lower_cos * t214,
-      t221 = minus_limb3_lower_sin * t214, t217 = k1 * platform_turn_xx + t77, /* platform */
-      t219 = t215 + minus_limb3_lower_sin * t217, t223 = t221 - limb3_lower_cos * t217, t232 = k1 * t219,
-      t225 = 0.5 * t219 - k1 * t223, t234 = t232 + 0.5 * t223, t261 = t259 + k1 * t225, t253 = k1 * t230,
-      t237 = t211 - 0.5 * t225 - (0.5 * t230 + k1 * t234), t238 = 0.5 * t237, t255 = t253 - 0.5 * t234,
-      t239 = t238 * t238, t257 = limb3_U_0_sin * platform_turn_zy,
-      t167 = limb3_U_0_sin * platform_turn_yy - limb3_U_0_cos * platform_turn_zy,
-      t265 = 0.5 * (1.0 - (t255 + (limb3_U_0_cos * platform_turn_yy + t257 + t261))), t266 = -t265,
-      t172 = minus_limb3_lower_sin * t167, t170 = limb3_lower_cos * t167 + minus_limb3_lower_sin * platform_turn_xy,
-      t174 = t172 - limb3_lower_cos * platform_turn_xy, t176 = k1 * t170 + 0.5 * t174, t243 = 0.5 * t170 - k1 * t174,
-      t244 = 0.5 * t183, t195 = 0.5 * (t176 - (k1 * t183 - 0.5 * t191)), t248 = 0.5 * (t243 - (t244 + k1 * t191)),
-      t251 = SQRT(t195 * t195 + t239 + t248 * t248), t267 = atan2(t251, t266), t252 = LESS(t251, 1.0e-08),
-      t270 = SELECT(t252, 1.0, t267 / SELECT(t252, 1.0, t251));
-    RESULT(checked1, displacements, 14, -(t195 * t270));
-    RESULT(checked2, displacements, 15, -(t238 * t270));
-    RESULT(checked3, displacements, 16, -(t248 * t270));
+    const REAL t213 = limb3_U_0_sin * t212, t308 = limb3_U_0_cos * t212,
+      t215 = 0.5 * platform_turn_zx - t52, /* platform */
+      t217 = t213 - limb3_U_0_cos * t215, t310 = t308 + limb3_U_0_sin * t215, limb3_lower_cos = SINES(cosine, 5),
+      minus_limb3_lower_sin = SINES(sine, 5), t218 = limb3_lower_cos * t217, t224 = minus_limb3_lower_sin * t217,
+      t220 = 0.5 * platform_turn_xx - t56, /* platform */
+      t222 = t218 + minus_limb3_lower_sin * t220, t226 = t224 - limb3_lower_cos * t220, t223 = k1 * t222,
+      t255 = 0.5 * t222 - k1 * t226, t228 = t223 + 0.5 * t226, t256 = 0.5 * t255, t288 = k1 * t255,
+      t231 = k1 * platform_turn_yx + t83, /* platform */
+      t232 = limb3_U_0_sin * t231, t312 = limb3_U_0_cos * t231, t234 = k1 * platform_turn_zx + t73, /* platform */
+      t236 = t232 - limb3_U_0_cos * t234, t314 = t312 + limb3_U_0_sin * t234, t237 = limb3_lower_cos * t236,
+      t243 = minus_limb3_lower_sin * t236, t239 = k1 * platform_turn_xx + t77, /* platform */
+      t241 = t237 + minus_limb3_lower_sin * t239, t245 = t243 - limb3_lower_cos * t239, t242 = k1 * t241,
+      t259 = 0.5 * t241 - k1 * t245, t247 = t242 + 0.5 * t245, t261 = t256 + k1 * t259, t290 = t288 - 0.5 * t259,
+      t267 = t261 - (1.0 + 2.0 * t261), t297 = limb3_U_0_cos * platform_turn_zy,
+      t252 = limb3_U_0_cos * platform_turn_yy + limb3_U_0_sin * platform_turn_zy, t268 = t252 + t267,
+      t298 = limb3_U_0_sin * platform_turn_yy - t297, t291 = 0.5 * t228, t249 = k1 * t228 - 0.5 * t247,
+      t270 = -(t249 + t268), t293 = t291 + k1 * t247, t264 = t249 + (t252 + (1.0 + t261)), t271 = LESS(t264, t270),
+      t272 = SELECT(t271, t270, t264), t278 = -(t249 + (t252 + (t261 - (1.0 + 2.0 * t252)))), t279 = LESS(t272, t278),
+      t280 = SELECT(t279, t278, t272), t286 = -(t249 + (t252 + (t261 - (1.0 + 2.0 * t249)))), t287 = LESS(t280, t286),
+      t331 = 1.0 / (2.0 * SQRT(SELECT(t287, t286, t280))), t311 = 0.5 * t310, t320 = k1 * t310 - 0.5 * t314,
+      t316 = t311 + k1 * t314, t303 = minus_limb3_lower_sin * t298,
+      t301 = limb3_lower_cos * t298 + minus_limb3_lower_sin * platform_turn_xy,
+      t305 = t303 - limb3_lower_cos * platform_turn_xy, t302 = 0.5 * t301, t323 = k1 * t301 + 0.5 * t305,
+      t307 = t302 - k1 * t305, t324 = t320 - t323, t325 = SELECT(t271, t270, t324), t335 = SELECT(t271, t324, t264),
+      t343 = -(t323 + t320), t317 = t307 + t316, t333 = t316 - t307, t326 = SELECT(t279, t317, t325),
+      t294 = t290 + t293, t334 = t293 - t290, t295 = -t294, t332 = SELECT(t287, t295, t326) * t331,
+      t352 = SELECT(t287, t286, SELECT(t279, t343, SELECT(t271, t295, t333))),
+      t337 = SELECT(t287, t333, SELECT(t279, t334, t335)),
+      t347 = SELECT(t287, t343, SELECT(t279, t278, SELECT(t271, t317, t334))) * t331, t353 = t352 * t331,
+      t338 = t337 * t331, t356 = SQRT(t332 * t332 + t347 * t347 + t353 * t353),
+      t340 = SELECT(LESS(t338, 0.0), (-1.0), 1.0), t360 = 2.0 * atan2(t356, t338 * t340), t357 = LESS(t356, 1.0e-08),
+      t364 = t340 * SELECT(t357, 2.0, t360 / SELECT(t357, 1.0, t356));
+    RESULT(checked2, displacements, 14, t332 * t364);
+    RESULT(checked3, displacements, 15, t347 * t364);
+    RESULT(checked0, displacements, 16, t353 * t364);
     /* limb4: geometry */
     const REAL limb4_U_0_sin = SINES(cosine, 6), minus_limb4_U_0_cos = SINES(sine, 6);
     /* limb4: results; geometry */
-    const REAL t332 = minus_limb4_U_0_cos * t275, t279 = limb4_U_0_sin * t275 + minus_limb4_U_0_cos * t277,
-      t334 = t332 - limb4_U_0_sin * t277, limb4_lower_cos = SINES(cosine, 7), minus_limb4_lower_sin = SINES(sine, 7),
-      t285 = minus_limb4_lower_sin * t279, t283 = limb4_lower_cos * t279 + minus_limb4_lower_sin * t281,
-      t287 = t285 - limb4_lower_cos * t281, t308 = k1 * t283, t289 = 0.5 * t283 + k1 * t287, t310 = t308 - 0.5 * t287,
-      t290 = k1 * t289, t363 = 0.5 * t289, t336 = minus_limb4_U_0_cos * t291,
-      t295 = limb4_U_0_sin * t291 + minus_limb4_U_0_cos * t293, t338 = t336 - limb4_U_0_sin * t293,
-      t301 = minus_limb4_lower_sin * t295, t299 = limb4_lower_cos * t295 + minus_limb4_lower_sin * t297,
-      t303 = t301 - limb4_lower_cos * t297, t312 = k1 * t299, t305 = 0.5 * t299 + k1 * t303, t314 = t312 - 0.5 * t303,
-      t365 = t363 + k1 * t305, t357 = k1 * t310, t317 = t290 - 0.5 * t305 - (0.5 * t310 + k1 * t314),
-      t318 = 0.5 * t317, t359 = t357 - 0.5 * t314, t319 = t318 * t318, t360 = minus_limb4_U_0_cos * platform_turn_zx,
-      t322 = limb4_U_0_sin * platform_turn_zx + minus_limb4_U_0_cos * platform_turn_xx,
-      t369 = 0.5 * (1.0 - (t359 - (t360 - limb4_U_0_sin * platform_turn_xx - t365))), t370 = -t369,
-      t327 = minus_limb4_lower_sin * t322, t325 = limb4_lower_cos * t322 + minus_limb4_lower_sin * platform_turn_yx,
-      t329 = t327 - limb4_lower_cos * platform_turn_yx, t331 = k1 * t325 - 0.5 * t329, t347 = 0.5 * t325 + k1 * t329,
-      t348 = 0.5 * t334, t342 = 0.5 * (t331 + (k1 * t334 - 0.5 * t338)), t352 = 0.5 * (t347 + (t348 + k1 * t338)),
-      t355 = SQRT(t319 + t342 * t342 + t352 * t352), t371 = atan2(t355, t370), t356 = LESS(t355, 1.0e-08),
-      t374 = SELECT(t356, 1.0, t371 / SELECT(t356, 1.0, t355));
-    RESULT(checked0, displacements, 20, t318 * t374);
-    RESULT(checked1, displacements, 21, t342 * t374);
-    RESULT(checked2, displacements, 22, t352 * t374);
-    const REAL t376 = SELECT(LESS(limb5_S_q_qw, 0.0), (-1.0), 1.0), /* limb5_S */
-      t382 = 2.0 * atan2(t378, limb5_S_q_qw * t376), /* limb5_S */
-      t379 = LESS(t378, 1.0e-08), /* limb5_S */
-      t386 = t376 * SELECT(t379, 2.0, t382 / SELECT(t379, 1.0, t378)); /* limb5_S */
-    RESULT(checked3, displacements, 23, limb5_S_q_qx * t386);
-    RESULT(checked0, displacements, 24, limb5_S_q_qy * t386);
-    RESULT(checked1, displacements, 25, limb5_S_q_qz * t386);
+    const REAL t437 = minus_limb4_U_0_cos * t366, t370 = limb4_U_0_sin * t366 + minus_limb4_U_0_cos * t368,
+      t439 = t437 - limb4_U_0_sin * t368, limb4_lower_cos = SINES(cosine, 7), minus_limb4_lower_sin = SINES(sine, 7),
+      t376 = minus_limb4_lower_sin * t370, t374 = limb4_lower_cos * t370 + minus_limb4_lower_sin * t372,
+      t378 = t376 - limb4_lower_cos * t372, t375 = k1 * t374, t401 = 0.5 * t374 + k1 * t378, t380 = t375 - 0.5 * t378,
+      t402 = 0.5 * t401, t466 = k1 * t401, t441 = minus_limb4_U_0_cos * t382,
+      t386 = limb4_U_0_sin * t382 + minus_limb4_U_0_cos * t384, t443 = t441 - limb4_U_0_sin * t384,
+      t392 = minus_limb4_lower_sin * t386, t390 = limb4_lower_cos * t386 + minus_limb4_lower_sin * t388,
+      t394 = t392 - limb4_lower_cos * t388, t391 = k1 * t390, t405 = 0.5 * t390 + k1 * t394, t396 = t391 - 0.5 * t394,
+      t407 = t402 + k1 * t405, t468 = t466 - 0.5 * t405, t423 = 1.0 + 2.0 * t407,
+      t446 = limb4_U_0_sin * platform_turn_zx,
+      t410 = minus_limb4_U_0_cos * platform_turn_zx - limb4_U_0_sin * platform_turn_xx, t425 = t407 - (t410 + t423),
+      t448 = t446 + minus_limb4_U_0_cos * platform_turn_xx, t469 = 0.5 * t380, t398 = k1 * t380 - 0.5 * t396,
+      t427 = -(t398 + t425), t471 = t469 + k1 * t396, t419 = -(t398 + (t407 - (t410 + (1.0 - 2.0 * t410)))),
+      t413 = t398 + (t407 + (1.0 - t410)), t420 = LESS(t413, t419), t421 = SELECT(t420, t419, t413),
+      t428 = LESS(t421, t427), t429 = SELECT(t428, t427, t421), t435 = -(t398 + (t407 - (t410 + (1.0 + 2.0 * t398)))),
+      t436 = LESS(t429, t435), t479 = 1.0 / (2.0 * SQRT(SELECT(t436, t435, t429))), t472 = t468 - t471,
+      t473 = SELECT(t420, t419, t472), t483 = SELECT(t420, t472, t413), t491 = -(t468 + t471),
+      t453 = minus_limb4_lower_sin * t448, t451 = limb4_lower_cos * t448 + minus_limb4_lower_sin * platform_turn_yx,
+      t455 = t453 - limb4_lower_cos * platform_turn_yx, t452 = k1 * t451, t461 = 0.5 * t451 + k1 * t455,
+      t457 = t452 - 0.5 * t455, t440 = k1 * t439, t464 = 0.5 * t439 + k1 * t443, t445 = t440 - 0.5 * t443,
+      t465 = t461 - t464, t481 = t461 + t464, t474 = SELECT(t428, t465, t473), t458 = t445 - t457, t482 = t457 + t445,
+      t480 = SELECT(t436, t458, t474) * t479, t500 = SELECT(t436, t435, SELECT(t428, t491, SELECT(t420, t458, t481))),
+      t485 = SELECT(t436, t481, SELECT(t428, t482, t483)),
+      t495 = SELECT(t436, t491, SELECT(t428, t427, SELECT(t420, t465, t482))) * t479, t501 = t500 * t479,
+      t486 = t485 * t479, t504 = SQRT(t480 * t480 + t495 * t495 + t501 * t501),
+      t488 = SELECT(LESS(t486, 0.0), (-1.0), 1.0), t508 = 2.0 * atan2(t504, t486 * t488), t505 = LESS(t504, 1.0e-08),
+      t512 = t488 * SELECT(t505, 2.0, t508 / SELECT(t505, 1.0, t504));
+    RESULT(checked1, displacements, 20, t480 * t512);
+    RESULT(checked2, displacements, 21, t495 * t512);
+    RESULT(checked3, displacements, 22, t501 * t512);
+    const REAL t514 = SELECT(LESS(limb5_S_q_qw, 0.0), (-1.0), 1.0), /* limb5_S */
+      t520 = 2.0 * atan2(t516, limb5_S_q_qw * t514), /* limb5_S */
+      t517 = LESS(t516, 1.0e-08), /* limb5_S */
+      t524 = t514 * SELECT(t517, 2.0, t520 / SELECT(t517, 1.0, t516)); /* limb5_S */
+    RESULT(checked0, displacements, 23, limb5_S_q_qx * t524);
+    RESULT(checked1, displacements, 24, limb5_S_q_qy * t524);
+    RESULT(checked2, displacements, 25, limb5_S_q_qz * t524);
     const REAL limb1_U_q_0 = READ(q, 0);
     WRITE(displacements, 0, limb1_U_q_0);
-    checked2 = checked2 + limb1_U_q_0;
+    checked3 = checked3 + limb1_U_q_0;
     const REAL limb1_U_q_1 = READ(q, 1);
     WRITE(displacements, 1, limb1_U_q_1);
-    checked3 = checked3 + limb1_U_q_1;
+    checked0 = checked0 + limb1_U_q_1;
     const REAL limb1_P_q = READ(q, 2);
     WRITE(displacements, 2, limb1_P_q);
-    checked0 = checked0 + limb1_P_q;
+    checked1 = checked1 + limb1_P_q;
     const REAL limb2_U_q_0 = READ(q, 3);
     WRITE(displacements, 5, limb2_U_q_0);
+    checked2 = checked2 + limb2_U_q_0;
     const REAL limb2_U_q_1 = READ(q, 4);
     WRITE(displacements, 6, limb2_U_q_1);
+    checked3 = checked3 + limb2_U_q_1;
     const REAL limb2_P_q = READ(q, 5);
     WRITE(displacements, 7, limb2_P_q);
-    checked1 = checked1 + limb2_P_q;
+    checked0 = checked0 + limb2_P_q;
     const REAL limb3_U_q_0 = READ(q, 6);
     WRITE(displacements, 11, limb3_U_q_0);
+    checked1 = checked1 + limb3_U_q_0;
     const REAL limb3_U_q_1 = READ(q, 7);
     WRITE(displacements, 12, limb3_U_q_1);
+    checked2 = checked2 + limb3_U_q_1;
     const REAL limb3_P_q = READ(q, 8);
     WRITE(displacements, 13, limb3_P_q);
-    checked2 = checked2 + limb3_P_q;
+    checked3 = checked3 + limb3_P_q;
     const REAL limb4_U_q_0 = READ(q, 9);
     WRITE(displacements, 17, limb4_U_q_0);
+    checked0 = checked0 + limb4_U_q_0;
     const REAL limb4_U_q_1 = READ(q, 10);
     WRITE(displacements, 18, limb4_U_q_1);
+    checked1 = checked1 + limb4_U_q_1;
     const REAL limb4_P_q = READ(q, 11);
     WRITE(displacements, 19, limb4_P_q);
-    checked3 = checked3 + limb4_P_q;
+    checked2 = checked2 + limb4_P_q;
     NOT_BELOW(t8, 0.999999, 5);
     NOT_ABOVE(t8, 1.000001, 5);
     FINITE((checked0 + checked1) + (checked2 + checked3));

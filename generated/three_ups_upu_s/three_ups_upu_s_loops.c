@@ -620,7 +620,7 @@ BODY(three_ups_upu_s_null_space)(size_t stride, const double *restrict q, double
     checked3 = checked3 + minus_limb4_U_0_lever_mz_by_limb4_S_fz;
     const REAL t92 = 1.0 / minus_limb4_U_0_lever_mz_by_limb4_S_fz,
       limb4_upper_position_y = param_R - minus_limb4_lower_sin * limb4_upper_offset_x, t98 = limb4_lower_cos * t92;
-    RESULT(checked0, null_space, 25, -(t98 * t160));
+    RESULT(checked0, null_space, 25, -(t160 * t98));
     const REAL t155 = limb4_upper_position_y * (limb4_U_0_sin * limb5_S_null_space_wz_by_limb5_S_qy - minus_limb4_U_0_cos * t121);
     RESULT(checked1, null_space, 24, limb5_S_null_space_wy_by_limb5_S_qy + t92 * t155);
     /* limb3: geometry; rates that follow; reciprocal wrenches, eq. (10) */
@@ -635,7 +635,7 @@ BODY(three_ups_upu_s_null_space)(size_t stride, const double *restrict q, double
     checked3 = checked3 + minus_limb3_U_0_lever_mz_by_limb3_S_fz;
     const REAL t79 = 1.0 / minus_limb3_U_0_lever_mz_by_limb3_S_fz,
       limb3_upper_position_x = param_R - minus_limb3_lower_sin * limb3_upper_offset_x, t85 = limb3_lower_cos * t79;
-    RESULT(checked0, null_space, 22, t85 * t151);
+    RESULT(checked0, null_space, 22, t151 * t85);
     const REAL t143 = limb3_U_0_cos * limb5_S_null_space_wz_by_limb5_S_qy,
       t147 = t79 * (limb3_upper_position_x * (t143 - limb3_U_0_sin * limb5_S_null_space_wy_by_limb5_S_qy));
     RESULT(checked1, null_space, 21, -(t121 + t147));
@@ -650,7 +650,7 @@ BODY(three_ups_upu_s_null_space)(size_t stride, const double *restrict q, double
     checked3 = checked3 + minus_limb2_U_0_lever_mz_by_limb2_S_fz;
     const REAL t66 = 1.0 / minus_limb2_U_0_lever_mz_by_limb2_S_fz,
       minus_limb2_upper_position_y = param_R - limb2_lower_sin * limb2_upper_offset_x, t72 = limb2_lower_cos * t66;
-    RESULT(checked0, null_space, 19, -(t72 * t142));
+    RESULT(checked0, null_space, 19, -(t142 * t72));
     const REAL t137 = minus_limb2_upper_position_y * (limb2_U_0_sin * limb5_S_null_space_wz_by_limb5_S_qy - minus_limb2_U_0_cos * t121);
     RESULT(checked1, null_space, 18, limb5_S_null_space_wy_by_limb5_S_qy - t66 * t137);
     /* limb1: rates that follow; reciprocal wrenches, eq. (10) */
@@ -929,7 +929,7 @@ BODY(three_ups_upu_s_close_position)(size_t stride, const double *restrict q, do
       limb1_lower_sin = SINES(sine, 1),
       minus_limb1_upper_position_x = param_R - limb1_lower_sin * limb1_upper_offset_x,
       t53 = minus_limb1_upper_position_x - minus_limb1_upper_position_x_2, limb1_lower_cos = SINES(cosine, 1),
-      t234 = limb1_lower_sin * t53, t54 = limb1_lower_cos * t53;
+      t236 = limb1_lower_sin * t53, t54 = limb1_lower_cos * t53;
     /* platform: geometry */
     const REAL t15 = limb5_S_q_qw * t14, t17 = limb5_S_q_qy * t14, platform_turn_yx = t13 + t15,
       platform_turn_xy = t13 - t15, t16 = 0.5 * platform_turn_yx, platform_turn_yz = t17 - t19,
@@ -938,79 +938,79 @@ BODY(three_ups_upu_s_close_position)(size_t stride, const double *restrict q, do
     const REAL limb1_U_0_sin = SINES(sine, 0), minus_limb1_lower_limb_target_x = t16 - t20,
       limb3_lower_limb_target_x = t16 + t20, minus_limb1_lower_rotation_yx = limb1_U_0_sin * limb1_lower_cos,
       t21 = limb1_upper_offset_x * minus_limb1_lower_rotation_yx - minus_limb1_lower_limb_target_x,
-      limb1_U_0_cos = SINES(cosine, 0), t236 = t234 - minus_limb1_lower_rotation_yx * t21,
+      limb1_U_0_cos = SINES(cosine, 0), t238 = t236 - minus_limb1_lower_rotation_yx * t21,
       minus_limb1_lower_limb_target_y = t25 - t28, limb3_lower_limb_target_y = t25 + t28,
       limb1_lower_rotation_zx = limb1_U_0_cos * limb1_lower_cos,
       t29 = limb1_upper_offset_x * limb1_lower_rotation_zx + minus_limb1_lower_limb_target_y,
-      minus_limb1_U2_opening_fx = t236 - limb1_lower_rotation_zx * t29, t370 = per_length * minus_limb1_U2_opening_fx,
-      t371 = t370 * t370, t22 = limb1_U_0_cos * t21,
+      minus_limb1_U2_opening_fx = t238 - limb1_lower_rotation_zx * t29, t372 = per_length * minus_limb1_U2_opening_fx,
+      t373 = t372 * t372, t22 = limb1_U_0_cos * t21,
       minus_limb1_U2_opening_fy = t54 + limb1_U_0_sin * limb1_lower_sin * t21 + limb1_U_0_cos * limb1_lower_sin * t29,
-      minus_limb1_U2_opening_fz = t22 - limb1_U_0_sin * t29, t372 = per_length * minus_limb1_U2_opening_fy,
-      t374 = t371 + t372 * t372, t375 = per_length * minus_limb1_U2_opening_fz, t377 = t374 + t375 * t375,
+      minus_limb1_U2_opening_fz = t22 - limb1_U_0_sin * t29, t374 = per_length * minus_limb1_U2_opening_fy,
+      t376 = t373 + t374 * t374, t377 = per_length * minus_limb1_U2_opening_fz, t379 = t376 + t377 * t377,
       t39 = limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos * platform_turn_zy, t40 = limb1_lower_cos * t39,
       limb1_U2_opening_mn = limb1_lower_sin * t39 + limb1_lower_cos * platform_turn_xy,
-      t379 = t377 + limb1_U2_opening_mn * limb1_U2_opening_mn, t129 = 0.5 * platform_turn_xy, /* platform */
+      t381 = t379 + limb1_U2_opening_mn * limb1_U2_opening_mn, t131 = 0.5 * platform_turn_xy, /* platform */
       limb1_U2_constraint_mn_couple_z = t40 - limb1_lower_sin * platform_turn_xy;
     /* limb2: geometry; loop closure; results */
-    const REAL limb2_P_q = READ(q, 5), limb2_lower_limb_target_y = t52 - t129, limb4_lower_limb_target_y = t52 + t129,
+    const REAL limb2_P_q = READ(q, 5), limb2_lower_limb_target_y = t52 - t131, limb4_lower_limb_target_y = t52 + t131,
       limb2_upper_offset_x = limb_upper_phase + limb2_P_q, minus_limb2_U_0_cos = SINES(sine, 2),
       limb2_lower_cos = SINES(cosine, 3), minus_limb2_lower_rotation_xx = minus_limb2_U_0_cos * limb2_lower_cos,
-      t158 = limb2_upper_offset_x * minus_limb2_lower_rotation_xx + limb2_lower_limb_target_y,
-      t159 = minus_limb2_lower_rotation_xx * t158, t132 = 0.5 * platform_turn_yy, /* platform */
+      t160 = limb2_upper_offset_x * minus_limb2_lower_rotation_xx + limb2_lower_limb_target_y,
+      t161 = minus_limb2_lower_rotation_xx * t160, t134 = 0.5 * platform_turn_yy, /* platform */
       limb2_lower_sin = SINES(sine, 3), t33 = limb1_U_0_cos * platform_turn_yy, /* limb1 */
-      limb2_upper_position_y = t20 - t132, limb4_upper_position_y_2 = t20 + t132,
+      limb2_upper_position_y = t20 - t134, limb4_upper_position_y_2 = t20 + t134,
       minus_limb2_upper_position_y = param_R - limb2_lower_sin * limb2_upper_offset_x,
-      t160 = minus_limb2_upper_position_y + limb2_upper_position_y, t162 = t159 - limb2_lower_sin * t160,
-      t170 = limb2_lower_cos * t160, t136 = 0.5 * platform_turn_zy, /* platform */
+      t162 = minus_limb2_upper_position_y + limb2_upper_position_y, t164 = t161 - limb2_lower_sin * t162,
+      t172 = limb2_lower_cos * t162, t138 = 0.5 * platform_turn_zy, /* platform */
       limb1_U2_constraint_mn_couple_x = t33 + limb1_U_0_sin * platform_turn_zy, limb2_U_0_sin = SINES(cosine, 2),
-      limb2_lower_limb_target_x = t28 - t136, limb4_lower_limb_target_x = t28 + t136,
+      limb2_lower_limb_target_x = t28 - t138, limb4_lower_limb_target_x = t28 + t138,
       minus_limb2_lower_rotation_zx = limb2_U_0_sin * limb2_lower_cos,
-      t163 = limb2_upper_offset_x * minus_limb2_lower_rotation_zx + limb2_lower_limb_target_x,
-      limb2_S_opening_fx = t162 + minus_limb2_lower_rotation_zx * t163, t380 = per_length * limb2_S_opening_fx,
-      t382 = t379 + t380 * t380, /* residual */
-      t177 = limb2_U_0_sin * t158,
-      minus_limb2_S_opening_fy = minus_limb2_U_0_cos * limb2_lower_sin * t158 + t170 + limb2_U_0_sin * limb2_lower_sin * t163,
-      minus_limb2_S_opening_fz = t177 - minus_limb2_U_0_cos * t163, t383 = per_length * minus_limb2_S_opening_fy,
-      t385 = t382 + t383 * t383, /* residual */
-      t386 = per_length * minus_limb2_S_opening_fz;
+      t165 = limb2_upper_offset_x * minus_limb2_lower_rotation_zx + limb2_lower_limb_target_x,
+      limb2_S_opening_fx = t164 + minus_limb2_lower_rotation_zx * t165, t382 = per_length * limb2_S_opening_fx,
+      t384 = t381 + t382 * t382, /* residual */
+      t179 = limb2_U_0_sin * t160,
+      minus_limb2_S_opening_fy = minus_limb2_U_0_cos * limb2_lower_sin * t160 + t172 + limb2_U_0_sin * limb2_lower_sin * t165,
+      minus_limb2_S_opening_fz = t179 - minus_limb2_U_0_cos * t165, t385 = per_length * minus_limb2_S_opening_fy,
+      t387 = t384 + t385 * t385, /* residual */
+      t388 = per_length * minus_limb2_S_opening_fz;
     /* limb3: geometry; loop closure */
-    const REAL limb3_P_q = READ(q, 8), t388 = t385 + t386 * t386, /* residual */
+    const REAL limb3_P_q = READ(q, 8), t390 = t387 + t388 * t388, /* residual */
       limb3_upper_offset_x = limb_upper_phase + limb3_P_q, minus_limb3_lower_sin = SINES(sine, 5),
       limb3_upper_position_x = param_R - minus_limb3_lower_sin * limb3_upper_offset_x,
-      t207 = limb3_upper_position_x - limb3_upper_position_x_2, limb3_lower_cos = SINES(cosine, 5),
-      limb3_U_0_sin = SINES(sine, 4), t208 = minus_limb3_lower_sin * t207, t219 = limb3_lower_cos * t207,
+      t209 = limb3_upper_position_x - limb3_upper_position_x_2, limb3_lower_cos = SINES(cosine, 5),
+      limb3_U_0_sin = SINES(sine, 4), t210 = minus_limb3_lower_sin * t209, t221 = limb3_lower_cos * t209,
       minus_limb3_lower_rotation_yx = limb3_U_0_sin * limb3_lower_cos;
     /* limb3: loop closure; geometry; results */
-    const REAL t187 = limb3_upper_offset_x * minus_limb3_lower_rotation_yx + limb3_lower_limb_target_x,
-      limb3_U_0_cos = SINES(cosine, 4), t210 = t208 - minus_limb3_lower_rotation_yx * t187,
+    const REAL t189 = limb3_upper_offset_x * minus_limb3_lower_rotation_yx + limb3_lower_limb_target_x,
+      limb3_U_0_cos = SINES(cosine, 4), t212 = t210 - minus_limb3_lower_rotation_yx * t189,
       limb3_lower_rotation_zx = limb3_U_0_cos * limb3_lower_cos,
-      t189 = limb3_upper_offset_x * limb3_lower_rotation_zx - limb3_lower_limb_target_y,
-      minus_limb3_S_opening_fx = t210 - limb3_lower_rotation_zx * t189, t389 = per_length * minus_limb3_S_opening_fx,
-      t391 = t388 + t389 * t389, /* residual */
-      t221 = t219 + limb3_U_0_sin * minus_limb3_lower_sin * t187, t188 = limb3_U_0_cos * t187,
-      limb3_S_opening_fy = t221 + limb3_U_0_cos * minus_limb3_lower_sin * t189,
-      minus_limb3_S_opening_fz = t188 - limb3_U_0_sin * t189, t392 = per_length * limb3_S_opening_fy,
-      t394 = t391 + t392 * t392, /* residual */
-      t395 = per_length * minus_limb3_S_opening_fz;
+      t191 = limb3_upper_offset_x * limb3_lower_rotation_zx - limb3_lower_limb_target_y,
+      minus_limb3_S_opening_fx = t212 - limb3_lower_rotation_zx * t191, t391 = per_length * minus_limb3_S_opening_fx,
+      t393 = t390 + t391 * t391, /* residual */
+      t223 = t221 + limb3_U_0_sin * minus_limb3_lower_sin * t189, t190 = limb3_U_0_cos * t189,
+      limb3_S_opening_fy = t223 + limb3_U_0_cos * minus_limb3_lower_sin * t191,
+      minus_limb3_S_opening_fz = t190 - limb3_U_0_sin * t191, t394 = per_length * limb3_S_opening_fy,
+      t396 = t393 + t394 * t394, /* residual */
+      t397 = per_length * minus_limb3_S_opening_fz;
     /* limb4: geometry; loop closure */
-    const REAL limb4_P_q = READ(q, 11), t397 = t394 + t395 * t395, /* residual */
+    const REAL limb4_P_q = READ(q, 11), t399 = t396 + t397 * t397, /* residual */
       limb4_upper_offset_x = limb_upper_phase + limb4_P_q, minus_limb4_U_0_cos = SINES(sine, 6),
       limb4_lower_cos = SINES(cosine, 7), minus_limb4_lower_rotation_xx = minus_limb4_U_0_cos * limb4_lower_cos,
-      t130 = limb4_upper_offset_x * minus_limb4_lower_rotation_xx + limb4_lower_limb_target_y,
-      minus_limb4_lower_sin = SINES(sine, 7), t131 = minus_limb4_lower_rotation_xx * t130,
+      t132 = limb4_upper_offset_x * minus_limb4_lower_rotation_xx + limb4_lower_limb_target_y,
+      minus_limb4_lower_sin = SINES(sine, 7), t133 = minus_limb4_lower_rotation_xx * t132,
       limb4_upper_position_y = param_R - minus_limb4_lower_sin * limb4_upper_offset_x;
     /* limb4: loop closure; geometry; results */
-    const REAL t133 = limb4_upper_position_y - limb4_upper_position_y_2, limb4_U_0_sin = SINES(cosine, 6),
-      t135 = t131 - minus_limb4_lower_sin * t133, t144 = limb4_lower_cos * t133,
+    const REAL t135 = limb4_upper_position_y - limb4_upper_position_y_2, limb4_U_0_sin = SINES(cosine, 6),
+      t137 = t133 - minus_limb4_lower_sin * t135, t146 = limb4_lower_cos * t135,
       minus_limb4_lower_rotation_zx = limb4_U_0_sin * limb4_lower_cos,
-      t137 = limb4_upper_offset_x * minus_limb4_lower_rotation_zx + limb4_lower_limb_target_x,
-      limb4_S_opening_fx = t135 + minus_limb4_lower_rotation_zx * t137, t398 = per_length * limb4_S_opening_fx,
-      t400 = t397 + t398 * t398, /* residual */
-      t145 = minus_limb4_U_0_cos * minus_limb4_lower_sin * t130 + t144, t151 = limb4_U_0_sin * t130,
-      limb4_S_opening_fy = t145 + limb4_U_0_sin * minus_limb4_lower_sin * t137,
-      minus_limb4_S_opening_fz = t151 - minus_limb4_U_0_cos * t137, t401 = per_length * limb4_S_opening_fy,
-      t403 = t400 + t401 * t401, /* residual */
-      t404 = per_length * minus_limb4_S_opening_fz, residual_residual = SQRT(t403 + t404 * t404);
+      t139 = limb4_upper_offset_x * minus_limb4_lower_rotation_zx + limb4_lower_limb_target_x,
+      limb4_S_opening_fx = t137 + minus_limb4_lower_rotation_zx * t139, t400 = per_length * limb4_S_opening_fx,
+      t402 = t399 + t400 * t400, /* residual */
+      t147 = minus_limb4_U_0_cos * minus_limb4_lower_sin * t132 + t146, t153 = limb4_U_0_sin * t132,
+      limb4_S_opening_fy = t147 + limb4_U_0_sin * minus_limb4_lower_sin * t139,
+      minus_limb4_S_opening_fz = t153 - minus_limb4_U_0_cos * t139, t403 = per_length * limb4_S_opening_fy,
+      t405 = t402 + t403 * t403, /* residual */
+      t406 = per_length * minus_limb4_S_opening_fz, residual_residual = SQRT(t405 + t406 * t406);
     WRITE(residual_, 0, residual_residual);
     REAL checked0 = residual_residual;
     /* limb1: reciprocal wrenches, eq. (10); rates that follow; results */
@@ -1021,7 +1021,7 @@ BODY(three_ups_upu_s_close_position)(size_t stride, const double *restrict q, do
       limb1_U2_arm_x = limb1_upper_offset_x - param_R * limb1_lower_sin,
       minus_limb1_U2_factor_0_by_3 = limb1_U2_constraint_mn_couple_z - limb1_U2_arm_x * limb1_U_factor_1_by_3,
       t59 = limb1_U2_opening_mn + minus_limb1_U2_opening_fy * limb1_U_factor_1_by_3,
-      t45 = limb1_U_0_sin * minus_limb1_U2_factor_0_by_3, t93 = limb1_U_0_cos * minus_limb1_U2_factor_0_by_3,
+      t45 = limb1_U_0_sin * minus_limb1_U2_factor_0_by_3, t95 = limb1_U_0_cos * minus_limb1_U2_factor_0_by_3,
       minus_limb1_U_factor_0_by_3 = limb1_lower_sin * limb1_U2_constraint_mn_couple_x * t2,
       limb1_U_0_lever_my_by_limb1_U2_mn = limb1_lower_cos * limb1_U2_constraint_mn_couple_x,
       minus_limb1_U2_factor_1_by_3 = limb1_U_0_lever_my_by_limb1_U2_mn - minus_limb1_upper_position_x * minus_limb1_U_factor_0_by_3,
@@ -1029,139 +1029,139 @@ BODY(three_ups_upu_s_close_position)(size_t stride, const double *restrict q, do
       minus_limb5_S_pivot_wz = limb1_U_0_cos * minus_limb1_U2_factor_1_by_3 + t45;
     REAL checked2 = minus_limb5_S_pivot_wz;
     const REAL t46 = 1.0 / minus_limb5_S_pivot_wz, /* limb5_S */
-      limb5_S_null_space_wz_by_limb5_S_wy = t46 * (limb1_U_0_sin * minus_limb1_U2_factor_1_by_3 - t93),
-      t61 = t46 * t60, t232 = limb1_U_0_cos + limb1_U_0_sin * limb5_S_null_space_wz_by_limb5_S_wy,
-      limb1_U_null_space_1_by_limb5_S_wy = t43 * (limb1_U2_arm_x * t232),
-      t273 = limb1_U_null_space_1_by_limb5_S_wy * limb1_U_null_space_1_by_limb5_S_wy,
-      t109 = minus_limb1_upper_position_x * (limb1_U_0_sin - limb1_U_0_cos * limb5_S_null_space_wz_by_limb5_S_wy),
-      minus_limb1_U_null_space_0_by_limb5_S_wy = t2 * t109,
-      t275 = t273 + minus_limb1_U_null_space_0_by_limb5_S_wy * minus_limb1_U_null_space_0_by_limb5_S_wy,
+      limb5_S_null_space_wz_by_limb5_S_wy = t46 * (limb1_U_0_sin * minus_limb1_U2_factor_1_by_3 - t95),
+      t61 = t46 * t60, t234 = limb1_U_0_cos + limb1_U_0_sin * limb5_S_null_space_wz_by_limb5_S_wy,
+      limb1_U_null_space_1_by_limb5_S_wy = t43 * (limb1_U2_arm_x * t234),
+      t275 = limb1_U_null_space_1_by_limb5_S_wy * limb1_U_null_space_1_by_limb5_S_wy,
+      t111 = minus_limb1_upper_position_x * (limb1_U_0_sin - limb1_U_0_cos * limb5_S_null_space_wz_by_limb5_S_wy),
+      minus_limb1_U_null_space_0_by_limb5_S_wy = t2 * t111,
+      t277 = t275 + minus_limb1_U_null_space_0_by_limb5_S_wy * minus_limb1_U_null_space_0_by_limb5_S_wy,
       minus_limb1_U2_arm_y = param_R * limb1_lower_cos,
-      limb1_P_null_space_by_limb5_S_wy = minus_limb1_U2_arm_y * t232,
-      t233 = 2.2795812745707664 * limb1_P_null_space_by_limb5_S_wy,
-      t276 = limb1_P_null_space_by_limb5_S_wy * t233 + t275;
+      limb1_P_null_space_by_limb5_S_wy = minus_limb1_U2_arm_y * t234,
+      t235 = 2.2795812745707664 * limb1_P_null_space_by_limb5_S_wy,
+      t278 = limb1_P_null_space_by_limb5_S_wy * t235 + t277;
     /* limb2: rates that follow; reciprocal wrenches, eq. (10); results */
-    const REAL t104 = minus_limb2_upper_position_y * (limb2_U_0_sin * limb5_S_null_space_wz_by_limb5_S_wy),
+    const REAL t106 = minus_limb2_upper_position_y * (limb2_U_0_sin * limb5_S_null_space_wz_by_limb5_S_wy),
       minus_limb2_U_0_lever_mz_by_limb2_S_fz = limb2_lower_cos * limb2_upper_offset_x,
-      t105 = minus_limb2_U_0_lever_mz_by_limb2_S_fz - t104, t78 = 1.0 / minus_limb2_U_0_lever_mz_by_limb2_S_fz,
-      limb2_U_null_space_0_by_limb5_S_wy = t78 * t105,
-      t277 = limb2_U_null_space_0_by_limb5_S_wy * limb2_U_null_space_0_by_limb5_S_wy + t276, /* mechanism */
-      t98 = minus_limb2_U_0_cos * limb5_S_null_space_wz_by_limb5_S_wy,
-      limb2_S_arm_x = limb2_upper_offset_x - param_R * limb2_lower_sin, t101 = limb2_S_arm_x * t98,
-      t83 = limb2_lower_cos * t78, minus_limb2_U_null_space_1_by_limb5_S_wy = t83 * t101,
-      t278 = minus_limb2_U_null_space_1_by_limb5_S_wy * minus_limb2_U_null_space_1_by_limb5_S_wy + t277, /* mechanism */
+      t107 = minus_limb2_U_0_lever_mz_by_limb2_S_fz - t106, t79 = 1.0 / minus_limb2_U_0_lever_mz_by_limb2_S_fz,
+      limb2_U_null_space_0_by_limb5_S_wy = t79 * t107,
+      t279 = limb2_U_null_space_0_by_limb5_S_wy * limb2_U_null_space_0_by_limb5_S_wy + t278, /* mechanism */
+      t100 = minus_limb2_U_0_cos * limb5_S_null_space_wz_by_limb5_S_wy,
+      limb2_S_arm_x = limb2_upper_offset_x - param_R * limb2_lower_sin, t103 = limb2_S_arm_x * t100,
+      t85 = limb2_lower_cos * t79, minus_limb2_U_null_space_1_by_limb5_S_wy = t85 * t103,
+      t280 = minus_limb2_U_null_space_1_by_limb5_S_wy * minus_limb2_U_null_space_1_by_limb5_S_wy + t279, /* mechanism */
       minus_limb2_S_arm_y = param_R * limb2_lower_cos,
-      minus_limb2_P_null_space_by_limb5_S_wy = minus_limb2_S_arm_y * t98,
-      t99 = 2.2795812745707664 * minus_limb2_P_null_space_by_limb5_S_wy,
-      t279 = minus_limb2_P_null_space_by_limb5_S_wy * t99 + t278; /* mechanism */
+      minus_limb2_P_null_space_by_limb5_S_wy = minus_limb2_S_arm_y * t100,
+      t101 = 2.2795812745707664 * minus_limb2_P_null_space_by_limb5_S_wy,
+      t281 = minus_limb2_P_null_space_by_limb5_S_wy * t101 + t280; /* mechanism */
     /* limb3: rates that follow; reciprocal wrenches, eq. (10); results */
-    const REAL t117 = limb3_upper_position_x * (limb3_U_0_sin - limb3_U_0_cos * limb5_S_null_space_wz_by_limb5_S_wy),
+    const REAL t119 = limb3_upper_position_x * (limb3_U_0_sin - limb3_U_0_cos * limb5_S_null_space_wz_by_limb5_S_wy),
       minus_limb3_U_0_lever_mz_by_limb3_S_fz = limb3_lower_cos * limb3_upper_offset_x;
     REAL checked3 = minus_limb3_U_0_lever_mz_by_limb3_S_fz;
-    const REAL t114 = 1.0 / minus_limb3_U_0_lever_mz_by_limb3_S_fz, limb3_U_null_space_0_by_limb5_S_wy = t114 * t117,
-      t280 = limb3_U_null_space_0_by_limb5_S_wy * limb3_U_null_space_0_by_limb5_S_wy + t279, /* mechanism */
-      t205 = limb3_U_0_cos + limb3_U_0_sin * limb5_S_null_space_wz_by_limb5_S_wy,
-      limb3_S_arm_x = limb3_upper_offset_x - param_R * minus_limb3_lower_sin, t218 = limb3_S_arm_x * t205,
-      t216 = limb3_lower_cos * t114, limb3_U_null_space_1_by_limb5_S_wy = t216 * t218,
-      t281 = limb3_U_null_space_1_by_limb5_S_wy * limb3_U_null_space_1_by_limb5_S_wy + t280, /* mechanism */
-      limb3_S_arm_y = param_R * limb3_lower_cos, minus_limb3_P_null_space_by_limb5_S_wy = limb3_S_arm_y * t205,
-      t206 = 2.2795812745707664 * minus_limb3_P_null_space_by_limb5_S_wy,
-      t282 = minus_limb3_P_null_space_by_limb5_S_wy * t206 + t281; /* mechanism */
+    const REAL t116 = 1.0 / minus_limb3_U_0_lever_mz_by_limb3_S_fz, limb3_U_null_space_0_by_limb5_S_wy = t116 * t119,
+      t282 = limb3_U_null_space_0_by_limb5_S_wy * limb3_U_null_space_0_by_limb5_S_wy + t281, /* mechanism */
+      t207 = limb3_U_0_cos + limb3_U_0_sin * limb5_S_null_space_wz_by_limb5_S_wy,
+      limb3_S_arm_x = limb3_upper_offset_x - param_R * minus_limb3_lower_sin, t219 = limb3_S_arm_x * t207,
+      t220 = limb3_lower_cos * t116, limb3_U_null_space_1_by_limb5_S_wy = t219 * t220,
+      t283 = limb3_U_null_space_1_by_limb5_S_wy * limb3_U_null_space_1_by_limb5_S_wy + t282, /* mechanism */
+      limb3_S_arm_y = param_R * limb3_lower_cos, minus_limb3_P_null_space_by_limb5_S_wy = limb3_S_arm_y * t207,
+      t208 = 2.2795812745707664 * minus_limb3_P_null_space_by_limb5_S_wy,
+      t284 = minus_limb3_P_null_space_by_limb5_S_wy * t208 + t283; /* mechanism */
     /* limb4: rates that follow; reciprocal wrenches, eq. (10); results */
-    const REAL t120 = limb4_upper_position_y * (limb4_U_0_sin * limb5_S_null_space_wz_by_limb5_S_wy),
+    const REAL t122 = limb4_upper_position_y * (limb4_U_0_sin * limb5_S_null_space_wz_by_limb5_S_wy),
       minus_limb4_U_0_lever_mz_by_limb4_S_fz = limb4_lower_cos * limb4_upper_offset_x,
-      t121 = minus_limb4_U_0_lever_mz_by_limb4_S_fz + t120, t71 = 1.0 / minus_limb4_U_0_lever_mz_by_limb4_S_fz,
-      limb4_U_null_space_0_by_limb5_S_wy = t71 * t121,
-      t283 = limb4_U_null_space_0_by_limb5_S_wy * limb4_U_null_space_0_by_limb5_S_wy + t282, /* mechanism */
-      t95 = minus_limb4_U_0_cos * limb5_S_null_space_wz_by_limb5_S_wy,
-      limb4_S_arm_x = limb4_upper_offset_x - param_R * minus_limb4_lower_sin, t124 = limb4_S_arm_x * t95,
-      t72 = limb4_lower_cos * t71, minus_limb4_U_null_space_1_by_limb5_S_wy = t72 * t124,
-      t284 = minus_limb4_U_null_space_1_by_limb5_S_wy * minus_limb4_U_null_space_1_by_limb5_S_wy + t283, /* mechanism */
-      limb4_S_arm_y = param_R * limb4_lower_cos, limb4_P_null_space_by_limb5_S_wy = limb4_S_arm_y * t95,
-      t96 = 2.2795812745707664 * limb4_P_null_space_by_limb5_S_wy,
-      t286 = 1.0 + (limb4_P_null_space_by_limb5_S_wy * t96 + t284), /* mechanism */
-      t287 = limb5_S_null_space_wz_by_limb5_S_wy * limb5_S_null_space_wz_by_limb5_S_wy + t286, /* mechanism */
-      minus_limb2_U_null_space_0_by_limb5_S_wx = minus_limb2_U_0_cos * minus_limb2_upper_position_y * t78,
-      t110 = minus_limb2_U_null_space_0_by_limb5_S_wx * limb2_U_null_space_0_by_limb5_S_wy + minus_limb1_U_null_space_0_by_limb5_S_wy, /* limb1 */
-      limb2_U_null_space_1_by_limb5_S_wx = limb2_U_0_sin * limb2_S_arm_x * t83,
-      t111 = limb2_U_null_space_1_by_limb5_S_wx * minus_limb2_U_null_space_1_by_limb5_S_wy + t110, /* limb1 */
+      t123 = minus_limb4_U_0_lever_mz_by_limb4_S_fz + t122, t71 = 1.0 / minus_limb4_U_0_lever_mz_by_limb4_S_fz,
+      limb4_U_null_space_0_by_limb5_S_wy = t71 * t123,
+      t285 = limb4_U_null_space_0_by_limb5_S_wy * limb4_U_null_space_0_by_limb5_S_wy + t284, /* mechanism */
+      t97 = minus_limb4_U_0_cos * limb5_S_null_space_wz_by_limb5_S_wy,
+      limb4_S_arm_x = limb4_upper_offset_x - param_R * minus_limb4_lower_sin, t126 = limb4_S_arm_x * t97,
+      t72 = limb4_lower_cos * t71, minus_limb4_U_null_space_1_by_limb5_S_wy = t72 * t126,
+      t286 = minus_limb4_U_null_space_1_by_limb5_S_wy * minus_limb4_U_null_space_1_by_limb5_S_wy + t285, /* mechanism */
+      limb4_S_arm_y = param_R * limb4_lower_cos, limb4_P_null_space_by_limb5_S_wy = limb4_S_arm_y * t97,
+      t98 = 2.2795812745707664 * limb4_P_null_space_by_limb5_S_wy,
+      t288 = 1.0 + (limb4_P_null_space_by_limb5_S_wy * t98 + t286), /* mechanism */
+      t289 = limb5_S_null_space_wz_by_limb5_S_wy * limb5_S_null_space_wz_by_limb5_S_wy + t288, /* mechanism */
+      minus_limb2_U_null_space_0_by_limb5_S_wx = t79 * (minus_limb2_U_0_cos * minus_limb2_upper_position_y),
+      t112 = minus_limb2_U_null_space_0_by_limb5_S_wx * limb2_U_null_space_0_by_limb5_S_wy + minus_limb1_U_null_space_0_by_limb5_S_wy, /* limb1 */
+      limb2_U_null_space_1_by_limb5_S_wx = limb2_U_0_sin * limb2_S_arm_x * t85,
+      t113 = limb2_U_null_space_1_by_limb5_S_wx * minus_limb2_U_null_space_1_by_limb5_S_wy + t112, /* limb1 */
       minus_platform_joint_force_mx_by_limb2_P = limb2_U_0_sin * minus_limb2_S_arm_y,
-      t118 = minus_platform_joint_force_mx_by_limb2_P * t99 + t111 - limb3_U_null_space_0_by_limb5_S_wy, /* limb1 */
-      limb4_U_null_space_0_by_limb5_S_wx = minus_limb4_U_0_cos * limb4_upper_position_y * t71,
-      t123 = t118 - limb4_U_null_space_0_by_limb5_S_wx * limb4_U_null_space_0_by_limb5_S_wy, /* limb1 */
+      t120 = minus_platform_joint_force_mx_by_limb2_P * t101 + t113 - limb3_U_null_space_0_by_limb5_S_wy, /* limb1 */
+      limb4_U_null_space_0_by_limb5_S_wx = t71 * (minus_limb4_U_0_cos * limb4_upper_position_y),
+      t125 = t120 - limb4_U_null_space_0_by_limb5_S_wx * limb4_U_null_space_0_by_limb5_S_wy, /* limb1 */
       limb4_U_null_space_1_by_limb5_S_wx = limb4_U_0_sin * limb4_S_arm_x * t72,
-      t126 = t123 + limb4_U_null_space_1_by_limb5_S_wx * minus_limb4_U_null_space_1_by_limb5_S_wy; /* limb1 */
+      t128 = t125 + limb4_U_null_space_1_by_limb5_S_wx * minus_limb4_U_null_space_1_by_limb5_S_wy; /* limb1 */
     /* platform: balance, eqs. (40)-(47) */
     const REAL platform_joint_force_mx_by_limb4_P = limb4_U_0_sin * limb4_S_arm_y,
-      t127 = platform_joint_force_mx_by_limb4_P * t96 + t126, /* limb1 */
-      t80 = 1.0 + minus_limb2_U_null_space_0_by_limb5_S_wx * minus_limb2_U_null_space_0_by_limb5_S_wx, /* limb2 */
-      t85 = t80 + limb2_U_null_space_1_by_limb5_S_wx * limb2_U_null_space_1_by_limb5_S_wx; /* limb2 */
+      t129 = platform_joint_force_mx_by_limb4_P * t98 + t128, /* limb1 */
+      t82 = 1.0 + minus_limb2_U_null_space_0_by_limb5_S_wx * minus_limb2_U_null_space_0_by_limb5_S_wx, /* limb2 */
+      t87 = t82 + limb2_U_null_space_1_by_limb5_S_wx * limb2_U_null_space_1_by_limb5_S_wx; /* limb2 */
     /* mechanism: pivots; results */
-    const REAL t76 = 2.2795812745707664 * minus_platform_joint_force_mx_by_limb2_P,
-      t87 = 1.0 + (minus_platform_joint_force_mx_by_limb2_P * t76 + t85),
-      t88 = limb4_U_null_space_0_by_limb5_S_wx * limb4_U_null_space_0_by_limb5_S_wx + t87,
-      t89 = limb4_U_null_space_1_by_limb5_S_wx * limb4_U_null_space_1_by_limb5_S_wx + t88,
+    const REAL t77 = 2.2795812745707664 * minus_platform_joint_force_mx_by_limb2_P,
+      t89 = 1.0 + (minus_platform_joint_force_mx_by_limb2_P * t77 + t87),
+      t90 = limb4_U_null_space_0_by_limb5_S_wx * limb4_U_null_space_0_by_limb5_S_wx + t89,
+      t91 = limb4_U_null_space_1_by_limb5_S_wx * limb4_U_null_space_1_by_limb5_S_wx + t90,
       t67 = 2.2795812745707664 * platform_joint_force_mx_by_limb4_P,
-      pivot_0 = 1.0 + (platform_joint_force_mx_by_limb4_P * t67 + t89);
+      pivot_0 = 1.0 + (platform_joint_force_mx_by_limb4_P * t67 + t91);
     checked0 = checked0 + pivot_0;
-    const REAL t91 = 1.0 / pivot_0;
+    const REAL t93 = 1.0 / pivot_0;
     /* limb1: results */
-    const REAL t128 = t91 * t127, minus_pivot_1 = t127 * t128 - t287;
+    const REAL t130 = t93 * t129, minus_pivot_1 = t129 * t130 - t289;
     checked1 = checked1 + minus_pivot_1;
-    const REAL t238 = limb1_U_0_sin * t61, t245 = t43 * (minus_limb1_U2_opening_fy - limb1_U2_arm_x * t238),
-      t240 = minus_limb1_U2_opening_fx - minus_limb1_U2_arm_y * t238, t241 = t233 * t240,
-      t246 = limb1_U_null_space_1_by_limb5_S_wy * t245,
+    const REAL t240 = limb1_U_0_sin * t61, t247 = t43 * (minus_limb1_U2_opening_fy - limb1_U2_arm_x * t240),
+      t242 = minus_limb1_U2_opening_fx - minus_limb1_U2_arm_y * t240, t243 = t235 * t242,
+      t248 = limb1_U_null_space_1_by_limb5_S_wy * t247,
       t65 = t2 * (minus_limb1_U2_opening_fz + minus_limb1_upper_position_x * (limb1_U_0_cos * t61)),
-      t249 = t241 + (t246 + minus_limb1_U_null_space_0_by_limb5_S_wy * t65),
-      t182 = t78 * (minus_limb2_S_opening_fz - minus_limb2_upper_position_y * (limb2_U_0_sin * t61)),
-      t250 = limb2_U_null_space_0_by_limb5_S_wy * t182 - t249, t165 = minus_limb2_U_0_cos * t61,
-      t175 = t83 * (minus_limb2_S_opening_fy + limb2_S_arm_x * t165),
-      t167 = limb2_S_opening_fx - minus_limb2_S_arm_y * t165, t168 = t76 * t167,
-      t252 = t99 * t167 - (minus_limb2_U_null_space_1_by_limb5_S_wy * t175 + t250),
-      t194 = t114 * (minus_limb3_S_opening_fz - limb3_upper_position_x * (limb3_U_0_cos * t61)),
-      t253 = limb3_U_null_space_0_by_limb5_S_wy * t194 - t252, t212 = limb3_U_0_sin * t61,
-      t225 = t216 * (limb3_S_opening_fy + limb3_S_arm_x * t212),
-      t214 = minus_limb3_S_opening_fx + limb3_S_arm_y * t212,
-      t255 = t206 * t214 + (limb3_U_null_space_1_by_limb5_S_wy * t225 + t253),
-      t156 = t71 * (minus_limb4_S_opening_fz + limb4_upper_position_y * (limb4_U_0_sin * t61)),
-      t256 = limb4_U_null_space_0_by_limb5_S_wy * t156 + t255, t139 = minus_limb4_U_0_cos * t61,
-      t149 = t72 * (limb4_S_opening_fy - limb4_S_arm_x * t139), t141 = limb4_S_opening_fx + limb4_S_arm_y * t139,
-      t142 = t67 * t141, t258 = t96 * t141 - (minus_limb4_U_null_space_1_by_limb5_S_wy * t149 - t256),
-      t259 = limb5_S_null_space_wz_by_limb5_S_wy * t61 + t258,
-      t184 = minus_limb2_U_null_space_0_by_limb5_S_wx * t182 - t65,
-      t195 = t168 - (limb2_U_null_space_1_by_limb5_S_wx * t175 + t184) + t194,
-      t197 = limb4_U_null_space_1_by_limb5_S_wx * t149 + (limb4_U_null_space_0_by_limb5_S_wx * t156 + t195),
-      t198 = t142 - t197, t290 = t91 * t198, t288 = (t128 * t198 - t259) / minus_pivot_1, t291 = t128 * t288 - t290,
-      t332 = 0.5 * (t61 - limb5_S_null_space_wz_by_limb5_S_wy * t288); /* limb5_S */
-    RESULT(checked2, q_next, 11, limb4_P_q - (t141 - (limb4_P_null_space_by_limb5_S_wy * t288 - platform_joint_force_mx_by_limb4_P * t291)));
-    const REAL t325 = t149 + (minus_limb4_U_null_space_1_by_limb5_S_wy * t288 - limb4_U_null_space_1_by_limb5_S_wx * t291); /* limb4 */
-    RESULT(checked3, q_next, 10, READ(q, 10) - t325);
-    const REAL t321 = t156 - (limb4_U_null_space_0_by_limb5_S_wy * t288 + limb4_U_null_space_0_by_limb5_S_wx * t291); /* limb4 */
-    RESULT(checked0, q_next, 9, READ(q, 9) - t321);
-    RESULT(checked1, q_next, 8, limb3_P_q + (t214 - minus_limb3_P_null_space_by_limb5_S_wy * t288));
-    RESULT(checked2, q_next, 7, READ(q, 7) - (t225 - limb3_U_null_space_1_by_limb5_S_wy * t288));
-    RESULT(checked3, q_next, 6, READ(q, 6) - (t194 - (t291 + limb3_U_null_space_0_by_limb5_S_wy * t288)));
-    const REAL t309 = minus_limb2_P_null_space_by_limb5_S_wy * t288 - minus_platform_joint_force_mx_by_limb2_P * t291; /* limb2 */
-    RESULT(checked0, q_next, 5, limb2_P_q - (t167 + t309));
-    const REAL t306 = t175 - (minus_limb2_U_null_space_1_by_limb5_S_wy * t288 - limb2_U_null_space_1_by_limb5_S_wx * t291); /* limb2 */
-    RESULT(checked1, q_next, 4, READ(q, 4) + t306);
-    const REAL t302 = t182 - (limb2_U_null_space_0_by_limb5_S_wy * t288 - minus_limb2_U_null_space_0_by_limb5_S_wx * t291); /* limb2 */
-    RESULT(checked2, q_next, 3, READ(q, 3) - t302);
-    RESULT(checked3, q_next, 2, limb1_P_q + (t240 + limb1_P_null_space_by_limb5_S_wy * t288));
-    RESULT(checked0, q_next, 1, READ(q, 1) + (t245 + limb1_U_null_space_1_by_limb5_S_wy * t288));
-    const REAL t292 = minus_limb1_U_null_space_0_by_limb5_S_wy * t288, t334 = 0.5 * t288;
-    RESULT(checked1, q_next, 0, READ(q, 0) - (t65 - (t291 - t292)));
-    const REAL t336 = 0.5 * t291;
+      t251 = t243 + (t248 + minus_limb1_U_null_space_0_by_limb5_S_wy * t65),
+      t184 = t79 * (minus_limb2_S_opening_fz - minus_limb2_upper_position_y * (limb2_U_0_sin * t61)),
+      t252 = limb2_U_null_space_0_by_limb5_S_wy * t184 - t251, t167 = minus_limb2_U_0_cos * t61,
+      t177 = t85 * (minus_limb2_S_opening_fy + limb2_S_arm_x * t167),
+      t169 = limb2_S_opening_fx - minus_limb2_S_arm_y * t167, t170 = t77 * t169,
+      t254 = t101 * t169 - (minus_limb2_U_null_space_1_by_limb5_S_wy * t177 + t252),
+      t196 = t116 * (minus_limb3_S_opening_fz - limb3_upper_position_x * (limb3_U_0_cos * t61)),
+      t255 = limb3_U_null_space_0_by_limb5_S_wy * t196 - t254, t214 = limb3_U_0_sin * t61,
+      t227 = t220 * (limb3_S_opening_fy + limb3_S_arm_x * t214),
+      t216 = minus_limb3_S_opening_fx + limb3_S_arm_y * t214,
+      t257 = t208 * t216 + (limb3_U_null_space_1_by_limb5_S_wy * t227 + t255),
+      t158 = t71 * (minus_limb4_S_opening_fz + limb4_upper_position_y * (limb4_U_0_sin * t61)),
+      t258 = limb4_U_null_space_0_by_limb5_S_wy * t158 + t257, t141 = minus_limb4_U_0_cos * t61,
+      t151 = t72 * (limb4_S_opening_fy - limb4_S_arm_x * t141), t143 = limb4_S_opening_fx + limb4_S_arm_y * t141,
+      t144 = t67 * t143, t260 = t98 * t143 - (minus_limb4_U_null_space_1_by_limb5_S_wy * t151 - t258),
+      t261 = limb5_S_null_space_wz_by_limb5_S_wy * t61 + t260,
+      t186 = minus_limb2_U_null_space_0_by_limb5_S_wx * t184 - t65,
+      t197 = t170 - (limb2_U_null_space_1_by_limb5_S_wx * t177 + t186) + t196,
+      t199 = limb4_U_null_space_1_by_limb5_S_wx * t151 + (limb4_U_null_space_0_by_limb5_S_wx * t158 + t197),
+      t200 = t144 - t199, t292 = t93 * t200, t290 = (t130 * t200 - t261) / minus_pivot_1, t293 = t130 * t290 - t292,
+      t334 = 0.5 * (t61 - limb5_S_null_space_wz_by_limb5_S_wy * t290); /* limb5_S */
+    RESULT(checked2, q_next, 11, limb4_P_q - (t143 - (limb4_P_null_space_by_limb5_S_wy * t290 - platform_joint_force_mx_by_limb4_P * t293)));
+    const REAL t327 = t151 + (minus_limb4_U_null_space_1_by_limb5_S_wy * t290 - limb4_U_null_space_1_by_limb5_S_wx * t293); /* limb4 */
+    RESULT(checked3, q_next, 10, READ(q, 10) - t327);
+    const REAL t323 = t158 - (limb4_U_null_space_0_by_limb5_S_wy * t290 + limb4_U_null_space_0_by_limb5_S_wx * t293); /* limb4 */
+    RESULT(checked0, q_next, 9, READ(q, 9) - t323);
+    RESULT(checked1, q_next, 8, limb3_P_q + (t216 - minus_limb3_P_null_space_by_limb5_S_wy * t290));
+    RESULT(checked2, q_next, 7, READ(q, 7) - (t227 - limb3_U_null_space_1_by_limb5_S_wy * t290));
+    RESULT(checked3, q_next, 6, READ(q, 6) - (t196 - (t293 + limb3_U_null_space_0_by_limb5_S_wy * t290)));
+    const REAL t311 = minus_limb2_P_null_space_by_limb5_S_wy * t290 - minus_platform_joint_force_mx_by_limb2_P * t293; /* limb2 */
+    RESULT(checked0, q_next, 5, limb2_P_q - (t169 + t311));
+    const REAL t308 = t177 - (minus_limb2_U_null_space_1_by_limb5_S_wy * t290 - limb2_U_null_space_1_by_limb5_S_wx * t293); /* limb2 */
+    RESULT(checked1, q_next, 4, READ(q, 4) + t308);
+    const REAL t304 = t184 - (limb2_U_null_space_0_by_limb5_S_wy * t290 - minus_limb2_U_null_space_0_by_limb5_S_wx * t293); /* limb2 */
+    RESULT(checked2, q_next, 3, READ(q, 3) - t304);
+    RESULT(checked3, q_next, 2, limb1_P_q + (t242 + limb1_P_null_space_by_limb5_S_wy * t290));
+    RESULT(checked0, q_next, 1, READ(q, 1) + (t247 + limb1_U_null_space_1_by_limb5_S_wy * t290));
+    const REAL t294 = minus_limb1_U_null_space_0_by_limb5_S_wy * t290, t336 = 0.5 * t290;
+    RESULT(checked1, q_next, 0, READ(q, 0) - (t65 - (t293 - t294)));
+    const REAL t338 = 0.5 * t293;
     /* limb5_S: results */
-    const REAL t340 = limb5_S_q_qw + (limb5_S_q_qz * t332 - (limb5_S_q_qy * t334 + limb5_S_q_qx * t336)),
-      t362 = t340 * t340, t360 = limb5_S_q_qy * t332 + limb5_S_q_qz * t334 + (limb5_S_q_qx + limb5_S_q_qw * t336),
-      t363 = t360 * t360 + t362, t342 = limb5_S_q_qy * t336, t345 = limb5_S_q_qz - limb5_S_q_qw * t332,
-      t353 = limb5_S_q_qz * t336 + limb5_S_q_qx * t332 - (limb5_S_q_qy + limb5_S_q_qw * t334),
-      t346 = limb5_S_q_qx * t334 - t342 - t345, t367 = 1.0 / SQRT(t346 * t346 + (t353 * t353 + t363));
-    RESULT(checked2, q_next, 13, t360 * t367);
-    RESULT(checked3, q_next, 12, t340 * t367);
-    RESULT(checked0, q_next, 15, -(t346 * t367));
-    RESULT(checked1, q_next, 14, -(t353 * t367));
+    const REAL t342 = limb5_S_q_qw + (limb5_S_q_qz * t334 - (limb5_S_q_qy * t336 + limb5_S_q_qx * t338)),
+      t364 = t342 * t342, t362 = limb5_S_q_qy * t334 + limb5_S_q_qz * t336 + (limb5_S_q_qx + limb5_S_q_qw * t338),
+      t365 = t362 * t362 + t364, t344 = limb5_S_q_qy * t338, t347 = limb5_S_q_qz - limb5_S_q_qw * t334,
+      t355 = limb5_S_q_qz * t338 + limb5_S_q_qx * t334 - (limb5_S_q_qy + limb5_S_q_qw * t336),
+      t348 = limb5_S_q_qx * t336 - t344 - t347, t369 = 1.0 / SQRT(t348 * t348 + (t355 * t355 + t365));
+    RESULT(checked2, q_next, 13, t362 * t369);
+    RESULT(checked3, q_next, 12, t342 * t369);
+    RESULT(checked0, q_next, 15, -(t348 * t369));
+    RESULT(checked1, q_next, 14, -(t355 * t369));
     NOT_BELOW(t9, 0.999999, 5);
     NOT_ABOVE(t9, 1.000001, 5);
     FINITE_UNLESS( /* status 1 where a pivot is smaller than its limit: */
@@ -1183,13 +1183,13 @@ BODY(three_ups_upu_s_close_velocity)(size_t stride, const double *restrict q, co
     const REAL limb5_S_q_qw = READ(q, 12), limb5_S_q_qx = READ(q, 13), t3 = limb5_S_q_qw * limb5_S_q_qw,
       t4 = limb5_S_q_qx * limb5_S_q_qx, limb5_S_q_qy = READ(q, 14), t5 = t3 + t4, t6 = limb5_S_q_qy * limb5_S_q_qy,
       limb5_S_q_qz = READ(q, 15), t7 = limb5_S_q_qz * limb5_S_q_qz, t8 = t6 + t7, t9 = t5 + t8, t11 = 4.0 - 2.0 * t9,
-      t119 = t4 + t6, platform_turn_yy = 1.0 - t11 * (t4 + t7), platform_turn_zz = 1.0 - t11 * t119,
+      t121 = t4 + t6, platform_turn_yy = 1.0 - t11 * (t4 + t7), platform_turn_zz = 1.0 - t11 * t121,
       platform_turn_xx = 1.0 - t8 * t11, t15 = limb5_S_q_qz * t11, t16 = limb5_S_q_qy * t15,
       t18 = limb5_S_q_qw * (limb5_S_q_qx * t11), t26 = limb5_S_q_qy * t11, platform_turn_zy = t16 + t18,
       platform_turn_yz = t16 - t18, limb1_U_0_cos = SINES(cosine, 0), limb1_U_0_sin = SINES(sine, 0),
       limb1_lower_cos = SINES(cosine, 1),
       t25 = limb1_lower_cos * (limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos * platform_turn_zy), /* limb1 */
-      t27 = limb5_S_q_qx * t26, t102 = limb5_S_q_qw * t26, t28 = limb5_S_q_qw * t15, t101 = limb5_S_q_qx * t15,
+      t27 = limb5_S_q_qx * t26, t104 = limb5_S_q_qw * t26, t28 = limb5_S_q_qw * t15, t103 = limb5_S_q_qx * t15,
       platform_turn_xy = t27 - t28, platform_turn_yx = t27 + t28;
     /* limb1: geometry; reciprocal wrenches, eq. (10) */
     const REAL limb1_lower_sin = SINES(sine, 1),
@@ -1211,143 +1211,142 @@ BODY(three_ups_upu_s_close_velocity)(size_t stride, const double *restrict q, co
       minus_limb5_S_pivot_wz = limb1_U_0_cos * minus_limb1_U2_factor_1_by_3 + t36;
     REAL checked1 = minus_limb5_S_pivot_wz;
     const REAL limb5_S_null_space_wz_by_limb5_S_wy = t34 / minus_limb5_S_pivot_wz,
-      t146 = limb1_U_0_cos + limb1_U_0_sin * limb5_S_null_space_wz_by_limb5_S_wy,
-      limb1_U_null_space_1_by_limb5_S_wy = t31 * (limb1_U2_arm_x * t146),
-      t150 = READ(v, 1) * limb1_U_null_space_1_by_limb5_S_wy,
+      t148 = limb1_U_0_cos + limb1_U_0_sin * limb5_S_null_space_wz_by_limb5_S_wy,
+      limb1_U_null_space_1_by_limb5_S_wy = t31 * (limb1_U2_arm_x * t148),
+      t152 = READ(v, 1) * limb1_U_null_space_1_by_limb5_S_wy,
       t39 = minus_limb1_upper_position_x * (limb1_U_0_sin - limb1_U_0_cos * limb5_S_null_space_wz_by_limb5_S_wy),
       minus_limb1_U_null_space_0_by_limb5_S_wy = t2 * t39, limb1_U_v_0 = READ(v, 0),
-      t152 = t150 - limb1_U_v_0 * minus_limb1_U_null_space_0_by_limb5_S_wy,
-      limb1_P_null_space_by_limb5_S_wy = param_R * limb1_lower_cos * t146,
-      t147 = 2.2795812745707664 * limb1_P_null_space_by_limb5_S_wy;
-    /* limb2: geometry; rates that follow; reciprocal wrenches, eq. (10) */
-    const REAL limb2_U_0_sin = SINES(cosine, 2), t153 = READ(v, 2) * t147 + t152, /* limb1 */
-      t177 = limb1_P_null_space_by_limb5_S_wy * t147, /* limb1 */
-      t74 = limb2_U_0_sin * limb5_S_null_space_wz_by_limb5_S_wy, limb2_upper_offset_x = limb_upper_phase + READ(q, 5),
+      t154 = t152 - limb1_U_v_0 * minus_limb1_U_null_space_0_by_limb5_S_wy,
+      limb1_P_null_space_by_limb5_S_wy = param_R * limb1_lower_cos * t148,
+      t149 = 2.2795812745707664 * limb1_P_null_space_by_limb5_S_wy;
+    /* limb2: geometry; rates that follow */
+    const REAL limb2_U_0_sin = SINES(cosine, 2), t155 = READ(v, 2) * t149 + t154, /* limb1 */
+      t179 = limb1_P_null_space_by_limb5_S_wy * t149, /* limb1 */
+      t76 = limb2_U_0_sin * limb5_S_null_space_wz_by_limb5_S_wy, limb2_upper_offset_x = limb_upper_phase + READ(q, 5),
       limb2_lower_sin = SINES(sine, 3),
       minus_limb2_upper_position_y = param_R - limb2_lower_sin * limb2_upper_offset_x,
-      minus_limb2_U_0_cos = SINES(sine, 2), limb2_lower_cos = SINES(cosine, 3),
-      t75 = minus_limb2_upper_position_y * t74,
-      base_lever_mx_by_limb2_S_fz = minus_limb2_U_0_cos * minus_limb2_upper_position_y,
-      minus_limb2_U_0_lever_mz_by_limb2_S_fz = limb2_lower_cos * limb2_upper_offset_x;
-    /* limb2: rates that follow; results; reciprocal wrenches, eq. (10) */
-    const REAL t76 = minus_limb2_U_0_lever_mz_by_limb2_S_fz - t75, t52 = 1.0 / minus_limb2_U_0_lever_mz_by_limb2_S_fz,
-      limb2_U_null_space_0_by_limb5_S_wy = t52 * t76,
-      minus_limb2_U_null_space_0_by_limb5_S_wx = base_lever_mx_by_limb2_S_fz * t52, t57 = limb2_lower_cos * t52,
-      limb2_U_v_0 = READ(v, 3), t154 = limb2_U_v_0 * limb2_U_null_space_0_by_limb5_S_wy + t153, /* limb1 */
-      t69 = minus_limb2_U_0_cos * limb5_S_null_space_wz_by_limb5_S_wy,
+      minus_limb2_U_0_cos = SINES(sine, 2), limb2_lower_cos = SINES(cosine, 3);
+    /* limb2: rates that follow; reciprocal wrenches, eq. (10); results */
+    const REAL t77 = minus_limb2_upper_position_y * t76, t54 = minus_limb2_U_0_cos * minus_limb2_upper_position_y,
+      minus_limb2_U_0_lever_mz_by_limb2_S_fz = limb2_lower_cos * limb2_upper_offset_x,
+      t78 = minus_limb2_U_0_lever_mz_by_limb2_S_fz - t77, t53 = 1.0 / minus_limb2_U_0_lever_mz_by_limb2_S_fz,
+      limb2_U_null_space_0_by_limb5_S_wy = t53 * t78, minus_limb2_U_null_space_0_by_limb5_S_wx = t53 * t54,
+      t59 = limb2_lower_cos * t53, limb2_U_v_0 = READ(v, 3),
+      t156 = limb2_U_v_0 * limb2_U_null_space_0_by_limb5_S_wy + t155, /* limb1 */
+      t71 = minus_limb2_U_0_cos * limb5_S_null_space_wz_by_limb5_S_wy,
       limb2_S_arm_x = limb2_upper_offset_x - param_R * limb2_lower_sin,
-      minus_limb2_U_null_space_1_by_limb5_S_wy = t57 * (limb2_S_arm_x * t69),
-      limb2_U_null_space_1_by_limb5_S_wx = limb2_U_0_sin * limb2_S_arm_x * t57, limb2_U_v_1 = READ(v, 4),
-      t155 = limb2_U_v_1 * minus_limb2_U_null_space_1_by_limb5_S_wy - t154, /* limb1 */
+      minus_limb2_U_null_space_1_by_limb5_S_wy = t59 * (limb2_S_arm_x * t71),
+      limb2_U_null_space_1_by_limb5_S_wx = limb2_U_0_sin * limb2_S_arm_x * t59, limb2_U_v_1 = READ(v, 4),
+      t157 = limb2_U_v_1 * minus_limb2_U_null_space_1_by_limb5_S_wy - t156, /* limb1 */
       minus_limb2_S_arm_y = param_R * limb2_lower_cos,
-      minus_limb2_P_null_space_by_limb5_S_wy = minus_limb2_S_arm_y * t69,
+      minus_limb2_P_null_space_by_limb5_S_wy = minus_limb2_S_arm_y * t71,
       minus_platform_joint_force_mx_by_limb2_P = limb2_U_0_sin * minus_limb2_S_arm_y,
-      t70 = 2.2795812745707664 * minus_limb2_P_null_space_by_limb5_S_wy, limb2_P_v = READ(v, 5);
+      t72 = 2.2795812745707664 * minus_limb2_P_null_space_by_limb5_S_wy, limb2_P_v = READ(v, 5);
     /* limb3: geometry; rates that follow; reciprocal wrenches, eq. (10) */
     const REAL limb3_U_0_cos = SINES(cosine, 4), limb3_U_0_sin = SINES(sine, 4),
-      t156 = limb2_P_v * t70 + t155, /* limb1 */
-      t84 = limb3_U_0_sin - limb3_U_0_cos * limb5_S_null_space_wz_by_limb5_S_wy,
+      t158 = limb2_P_v * t72 + t157, /* limb1 */
+      t86 = limb3_U_0_sin - limb3_U_0_cos * limb5_S_null_space_wz_by_limb5_S_wy,
       limb3_upper_offset_x = limb_upper_phase + READ(q, 8), minus_limb3_lower_sin = SINES(sine, 5),
-      limb3_lower_cos = SINES(cosine, 5), t85 = (param_R - minus_limb3_lower_sin * limb3_upper_offset_x) * t84,
+      limb3_lower_cos = SINES(cosine, 5), t87 = (param_R - minus_limb3_lower_sin * limb3_upper_offset_x) * t86,
       minus_limb3_U_0_lever_mz_by_limb3_S_fz = limb3_lower_cos * limb3_upper_offset_x;
     REAL checked2 = minus_limb3_U_0_lever_mz_by_limb3_S_fz;
-    const REAL t82 = 1.0 / minus_limb3_U_0_lever_mz_by_limb3_S_fz, limb3_U_null_space_0_by_limb5_S_wy = t82 * t85,
-      limb3_U_v_0 = READ(v, 6), t137 = limb3_lower_cos * t82,
-      t157 = limb3_U_v_0 * limb3_U_null_space_0_by_limb5_S_wy - t156, /* limb1 */
-      t134 = limb3_U_0_cos + limb3_U_0_sin * limb5_S_null_space_wz_by_limb5_S_wy,
-      limb3_U_null_space_1_by_limb5_S_wy = t137 * ((limb3_upper_offset_x - param_R * minus_limb3_lower_sin) * t134),
-      t158 = READ(v, 7) * limb3_U_null_space_1_by_limb5_S_wy + t157, /* limb1 */
-      minus_limb3_P_null_space_by_limb5_S_wy = param_R * limb3_lower_cos * t134,
-      t135 = 2.2795812745707664 * minus_limb3_P_null_space_by_limb5_S_wy;
-    /* limb4: geometry; rates that follow; reciprocal wrenches, eq. (10) */
-    const REAL limb4_U_0_sin = SINES(cosine, 6), t159 = READ(v, 8) * t135 - t158, /* limb1 */
-      t171 = minus_limb3_P_null_space_by_limb5_S_wy * t135, /* limb3 */
-      t87 = limb4_U_0_sin * limb5_S_null_space_wz_by_limb5_S_wy,
+    const REAL t84 = 1.0 / minus_limb3_U_0_lever_mz_by_limb3_S_fz, limb3_U_null_space_0_by_limb5_S_wy = t84 * t87,
+      limb3_U_v_0 = READ(v, 6), t141 = limb3_lower_cos * t84,
+      t159 = limb3_U_v_0 * limb3_U_null_space_0_by_limb5_S_wy - t158, /* limb1 */
+      t136 = limb3_U_0_cos + limb3_U_0_sin * limb5_S_null_space_wz_by_limb5_S_wy,
+      limb3_U_null_space_1_by_limb5_S_wy = (limb3_upper_offset_x - param_R * minus_limb3_lower_sin) * t136 * t141,
+      t160 = READ(v, 7) * limb3_U_null_space_1_by_limb5_S_wy + t159, /* limb1 */
+      minus_limb3_P_null_space_by_limb5_S_wy = param_R * limb3_lower_cos * t136,
+      t137 = 2.2795812745707664 * minus_limb3_P_null_space_by_limb5_S_wy;
+    /* limb4: geometry; rates that follow */
+    const REAL limb4_U_0_sin = SINES(cosine, 6), t161 = READ(v, 8) * t137 - t160, /* limb1 */
+      t173 = minus_limb3_P_null_space_by_limb5_S_wy * t137, /* limb3 */
+      t89 = limb4_U_0_sin * limb5_S_null_space_wz_by_limb5_S_wy,
       limb4_upper_offset_x = limb_upper_phase + READ(q, 11), minus_limb4_lower_sin = SINES(sine, 7),
       limb4_upper_position_y = param_R - minus_limb4_lower_sin * limb4_upper_offset_x,
-      minus_limb4_U_0_cos = SINES(sine, 6), limb4_lower_cos = SINES(cosine, 7), t88 = limb4_upper_position_y * t87,
-      minus_base_lever_mx_by_limb4_S_fz = minus_limb4_U_0_cos * limb4_upper_position_y,
-      minus_limb4_U_0_lever_mz_by_limb4_S_fz = limb4_lower_cos * limb4_upper_offset_x;
-    /* limb4: rates that follow; results; reciprocal wrenches, eq. (10) */
-    const REAL t89 = minus_limb4_U_0_lever_mz_by_limb4_S_fz + t88, t45 = 1.0 / minus_limb4_U_0_lever_mz_by_limb4_S_fz,
-      limb4_U_null_space_0_by_limb5_S_wy = t45 * t89,
-      limb4_U_null_space_0_by_limb5_S_wx = minus_base_lever_mx_by_limb4_S_fz * t45, t46 = limb4_lower_cos * t45,
-      limb4_U_v_0 = READ(v, 9), t160 = limb4_U_v_0 * limb4_U_null_space_0_by_limb5_S_wy - t159, /* limb1 */
-      t66 = minus_limb4_U_0_cos * limb5_S_null_space_wz_by_limb5_S_wy,
+      minus_limb4_U_0_cos = SINES(sine, 6), limb4_lower_cos = SINES(cosine, 7);
+    /* limb4: rates that follow; reciprocal wrenches, eq. (10); results */
+    const REAL t90 = limb4_upper_position_y * t89, t48 = minus_limb4_U_0_cos * limb4_upper_position_y,
+      minus_limb4_U_0_lever_mz_by_limb4_S_fz = limb4_lower_cos * limb4_upper_offset_x,
+      t91 = minus_limb4_U_0_lever_mz_by_limb4_S_fz + t90, t45 = 1.0 / minus_limb4_U_0_lever_mz_by_limb4_S_fz,
+      limb4_U_null_space_0_by_limb5_S_wy = t45 * t91, limb4_U_null_space_0_by_limb5_S_wx = t45 * t48,
+      t46 = limb4_lower_cos * t45, limb4_U_v_0 = READ(v, 9),
+      t162 = limb4_U_v_0 * limb4_U_null_space_0_by_limb5_S_wy - t161, /* limb1 */
+      t68 = minus_limb4_U_0_cos * limb5_S_null_space_wz_by_limb5_S_wy,
       limb4_S_arm_x = limb4_upper_offset_x - param_R * minus_limb4_lower_sin,
-      minus_limb4_U_null_space_1_by_limb5_S_wy = t46 * (limb4_S_arm_x * t66),
+      minus_limb4_U_null_space_1_by_limb5_S_wy = t46 * (limb4_S_arm_x * t68),
       limb4_U_null_space_1_by_limb5_S_wx = limb4_U_0_sin * limb4_S_arm_x * t46, limb4_U_v_1 = READ(v, 10),
-      t161 = limb4_U_v_1 * minus_limb4_U_null_space_1_by_limb5_S_wy - t160, /* limb1 */
-      limb4_S_arm_y = param_R * limb4_lower_cos, limb4_P_null_space_by_limb5_S_wy = limb4_S_arm_y * t66;
+      t163 = limb4_U_v_1 * minus_limb4_U_null_space_1_by_limb5_S_wy - t162, /* limb1 */
+      limb4_S_arm_y = param_R * limb4_lower_cos, limb4_P_null_space_by_limb5_S_wy = limb4_S_arm_y * t68;
     /* limb5_S: balance, eqs. (40)-(47); velocities, eq. (6) */
     const REAL platform_joint_force_mx_by_limb4_P = limb4_U_0_sin * limb4_S_arm_y,
-      t67 = 2.2795812745707664 * limb4_P_null_space_by_limb5_S_wy, /* limb4 */
+      t69 = 2.2795812745707664 * limb4_P_null_space_by_limb5_S_wy, /* limb4 */
       limb4_P_v = READ(v, 11), limb5_S_v_wx = READ(v, 12), limb5_S_v_wy = READ(v, 13), limb5_S_v_wz = READ(v, 14),
-      t162 = limb4_P_v * t67 - t161, /* limb1 */
-      t128 = limb5_S_v_wy * platform_turn_yy + limb5_S_v_wx * platform_turn_yx;
+      t164 = limb4_P_v * t69 - t163, /* limb1 */
+      t130 = limb5_S_v_wy * platform_turn_yy + limb5_S_v_wx * platform_turn_yx;
     /* limb1: results */
-    const REAL t163 = t128 + limb5_S_v_wz * platform_turn_yz + t162, platform_turn_zx = t101 - t102,
-      platform_turn_xz = t101 + t102,
-      t124 = limb5_S_v_wx * platform_turn_zx + limb5_S_v_wy * platform_turn_zy, /* platform */
-      t164 = (limb5_S_v_wz * platform_turn_zz + t124) * limb5_S_null_space_wz_by_limb5_S_wy + t163,
-      t78 = minus_limb2_U_null_space_0_by_limb5_S_wx * limb2_U_null_space_0_by_limb5_S_wy + minus_limb1_U_null_space_0_by_limb5_S_wy,
-      t79 = limb2_U_null_space_1_by_limb5_S_wx * minus_limb2_U_null_space_1_by_limb5_S_wy + t78,
-      t86 = minus_platform_joint_force_mx_by_limb2_P * t70 + t79 - limb3_U_null_space_0_by_limb5_S_wy,
-      t174 = minus_limb2_P_null_space_by_limb5_S_wy * t70, /* limb2 */
-      t91 = t86 - limb4_U_null_space_0_by_limb5_S_wx * limb4_U_null_space_0_by_limb5_S_wy,
-      t94 = t91 + limb4_U_null_space_1_by_limb5_S_wx * minus_limb4_U_null_space_1_by_limb5_S_wy,
-      t95 = platform_joint_force_mx_by_limb4_P * t67 + t94,
-      t168 = limb4_P_null_space_by_limb5_S_wy * t67, /* limb4 */
-      t54 = 1.0 + minus_limb2_U_null_space_0_by_limb5_S_wx * minus_limb2_U_null_space_0_by_limb5_S_wx, /* limb2 */
-      t59 = t54 + limb2_U_null_space_1_by_limb5_S_wx * limb2_U_null_space_1_by_limb5_S_wx; /* limb2 */
+    const REAL t165 = t130 + limb5_S_v_wz * platform_turn_yz + t164, platform_turn_zx = t103 - t104,
+      platform_turn_xz = t103 + t104,
+      t126 = limb5_S_v_wx * platform_turn_zx + limb5_S_v_wy * platform_turn_zy, /* platform */
+      t166 = (limb5_S_v_wz * platform_turn_zz + t126) * limb5_S_null_space_wz_by_limb5_S_wy + t165,
+      t80 = minus_limb2_U_null_space_0_by_limb5_S_wx * limb2_U_null_space_0_by_limb5_S_wy + minus_limb1_U_null_space_0_by_limb5_S_wy,
+      t81 = limb2_U_null_space_1_by_limb5_S_wx * minus_limb2_U_null_space_1_by_limb5_S_wy + t80,
+      t88 = minus_platform_joint_force_mx_by_limb2_P * t72 + t81 - limb3_U_null_space_0_by_limb5_S_wy,
+      t176 = minus_limb2_P_null_space_by_limb5_S_wy * t72, /* limb2 */
+      t93 = t88 - limb4_U_null_space_0_by_limb5_S_wx * limb4_U_null_space_0_by_limb5_S_wy,
+      t96 = t93 + limb4_U_null_space_1_by_limb5_S_wx * minus_limb4_U_null_space_1_by_limb5_S_wy,
+      t97 = platform_joint_force_mx_by_limb4_P * t69 + t96,
+      t170 = limb4_P_null_space_by_limb5_S_wy * t69, /* limb4 */
+      t56 = 1.0 + minus_limb2_U_null_space_0_by_limb5_S_wx * minus_limb2_U_null_space_0_by_limb5_S_wx, /* limb2 */
+      t61 = t56 + limb2_U_null_space_1_by_limb5_S_wx * limb2_U_null_space_1_by_limb5_S_wx; /* limb2 */
     /* mechanism: pivots; results */
-    const REAL t50 = 2.2795812745707664 * minus_platform_joint_force_mx_by_limb2_P,
-      t61 = 1.0 + (minus_platform_joint_force_mx_by_limb2_P * t50 + t59), t107 = limb2_P_v * t50, /* limb1 */
-      t62 = limb4_U_null_space_0_by_limb5_S_wx * limb4_U_null_space_0_by_limb5_S_wx + t61,
-      t63 = limb4_U_null_space_1_by_limb5_S_wx * limb4_U_null_space_1_by_limb5_S_wx + t62,
+    const REAL t51 = 2.2795812745707664 * minus_platform_joint_force_mx_by_limb2_P,
+      t63 = 1.0 + (minus_platform_joint_force_mx_by_limb2_P * t51 + t61), t109 = limb2_P_v * t51, /* limb1 */
+      t64 = limb4_U_null_space_0_by_limb5_S_wx * limb4_U_null_space_0_by_limb5_S_wx + t63,
+      t65 = limb4_U_null_space_1_by_limb5_S_wx * limb4_U_null_space_1_by_limb5_S_wx + t64,
       t41 = 2.2795812745707664 * platform_joint_force_mx_by_limb4_P,
-      pivot_0 = 1.0 + (platform_joint_force_mx_by_limb4_P * t41 + t63);
+      pivot_0 = 1.0 + (platform_joint_force_mx_by_limb4_P * t41 + t65);
     REAL checked3 = pivot_0;
-    const REAL t65 = 1.0 / pivot_0;
+    const REAL t67 = 1.0 / pivot_0;
     /* limb1: results; pivots */
-    const REAL t104 = limb4_P_v * t41, t96 = t65 * t95, t166 = t95 * t96,
-      t109 = limb1_U_v_0 - limb2_U_v_0 * minus_limb2_U_null_space_0_by_limb5_S_wx,
-      t113 = limb3_U_v_0 + (t107 + (t109 + limb2_U_v_1 * limb2_U_null_space_1_by_limb5_S_wx)),
-      t114 = limb4_U_v_0 * limb4_U_null_space_0_by_limb5_S_wx + t113,
-      t116 = t104 - (limb4_U_v_1 * limb4_U_null_space_1_by_limb5_S_wx + t114),
-      t100 = limb5_S_v_wx * platform_turn_xx + limb5_S_v_wy * platform_turn_xy, /* platform */
-      t117 = t100 + limb5_S_v_wz * platform_turn_xz - t116, t196 = t65 * t117, t165 = t96 * t117 + t164,
-      t178 = limb1_U_null_space_1_by_limb5_S_wy * limb1_U_null_space_1_by_limb5_S_wy,
-      t181 = t177 + (t178 + minus_limb1_U_null_space_0_by_limb5_S_wy * minus_limb1_U_null_space_0_by_limb5_S_wy);
+    const REAL t106 = limb4_P_v * t41, t98 = t67 * t97, t168 = t97 * t98,
+      t111 = limb1_U_v_0 - limb2_U_v_0 * minus_limb2_U_null_space_0_by_limb5_S_wx,
+      t115 = limb3_U_v_0 + (t109 + (t111 + limb2_U_v_1 * limb2_U_null_space_1_by_limb5_S_wx)),
+      t116 = limb4_U_v_0 * limb4_U_null_space_0_by_limb5_S_wx + t115,
+      t118 = t106 - (limb4_U_v_1 * limb4_U_null_space_1_by_limb5_S_wx + t116),
+      t102 = limb5_S_v_wx * platform_turn_xx + limb5_S_v_wy * platform_turn_xy, /* platform */
+      t119 = t102 + limb5_S_v_wz * platform_turn_xz - t118, t198 = t67 * t119, t167 = t98 * t119 + t166,
+      t180 = limb1_U_null_space_1_by_limb5_S_wy * limb1_U_null_space_1_by_limb5_S_wy,
+      t183 = t179 + (t180 + minus_limb1_U_null_space_0_by_limb5_S_wy * minus_limb1_U_null_space_0_by_limb5_S_wy);
     /* mechanism: pivots; results */
-    const REAL t182 = limb2_U_null_space_0_by_limb5_S_wy * limb2_U_null_space_0_by_limb5_S_wy + t181,
-      t184 = t174 + (minus_limb2_U_null_space_1_by_limb5_S_wy * minus_limb2_U_null_space_1_by_limb5_S_wy + t182),
-      t185 = limb3_U_null_space_0_by_limb5_S_wy * limb3_U_null_space_0_by_limb5_S_wy + t184,
-      t187 = t171 + (limb3_U_null_space_1_by_limb5_S_wy * limb3_U_null_space_1_by_limb5_S_wy + t185),
-      t188 = limb4_U_null_space_0_by_limb5_S_wy * limb4_U_null_space_0_by_limb5_S_wy + t187,
-      t190 = t168 + (minus_limb4_U_null_space_1_by_limb5_S_wy * minus_limb4_U_null_space_1_by_limb5_S_wy + t188),
-      minus_pivot_1 = t166 - (limb5_S_null_space_wz_by_limb5_S_wy * limb5_S_null_space_wz_by_limb5_S_wy + (1.0 + t190));
+    const REAL t184 = limb2_U_null_space_0_by_limb5_S_wy * limb2_U_null_space_0_by_limb5_S_wy + t183,
+      t186 = t176 + (minus_limb2_U_null_space_1_by_limb5_S_wy * minus_limb2_U_null_space_1_by_limb5_S_wy + t184),
+      t187 = limb3_U_null_space_0_by_limb5_S_wy * limb3_U_null_space_0_by_limb5_S_wy + t186,
+      t189 = t173 + (limb3_U_null_space_1_by_limb5_S_wy * limb3_U_null_space_1_by_limb5_S_wy + t187),
+      t190 = limb4_U_null_space_0_by_limb5_S_wy * limb4_U_null_space_0_by_limb5_S_wy + t189,
+      t192 = t170 + (minus_limb4_U_null_space_1_by_limb5_S_wy * minus_limb4_U_null_space_1_by_limb5_S_wy + t190),
+      minus_pivot_1 = t168 - (limb5_S_null_space_wz_by_limb5_S_wy * limb5_S_null_space_wz_by_limb5_S_wy + (1.0 + t192));
     checked0 = checked0 + minus_pivot_1;
-    const REAL t193 = t165 / minus_pivot_1; /* limb1 */
-    RESULT(checked1, v_next, 8, minus_limb3_P_null_space_by_limb5_S_wy * t193);
-    const REAL t197 = t96 * t193 - t196; /* limb1 */
-    RESULT(checked2, v_next, 0, minus_limb1_U_null_space_0_by_limb5_S_wy * t193 - t197);
-    RESULT(checked3, v_next, 1, -(limb1_U_null_space_1_by_limb5_S_wy * t193));
-    RESULT(checked0, v_next, 2, -(limb1_P_null_space_by_limb5_S_wy * t193));
-    RESULT(checked1, v_next, 3, minus_limb2_U_null_space_0_by_limb5_S_wx * t197 - limb2_U_null_space_0_by_limb5_S_wy * t193);
-    RESULT(checked2, v_next, 4, minus_limb2_U_null_space_1_by_limb5_S_wy * t193 - limb2_U_null_space_1_by_limb5_S_wx * t197);
-    RESULT(checked3, v_next, 5, minus_limb2_P_null_space_by_limb5_S_wy * t193 - minus_platform_joint_force_mx_by_limb2_P * t197);
-    RESULT(checked0, v_next, 6, -(t197 + limb3_U_null_space_0_by_limb5_S_wy * t193));
-    RESULT(checked1, v_next, 7, -(limb3_U_null_space_1_by_limb5_S_wy * t193));
-    RESULT(checked2, v_next, 9, -(limb4_U_null_space_0_by_limb5_S_wy * t193 + limb4_U_null_space_0_by_limb5_S_wx * t197));
-    RESULT(checked3, v_next, 10, minus_limb4_U_null_space_1_by_limb5_S_wy * t193 - limb4_U_null_space_1_by_limb5_S_wx * t197);
-    RESULT(checked0, v_next, 11, platform_joint_force_mx_by_limb4_P * t197 - limb4_P_null_space_by_limb5_S_wy * t193);
-    const REAL t220 = platform_turn_yx * t193 + platform_turn_xx * t197,
-      t216 = limb5_S_null_space_wz_by_limb5_S_wy * t193;
-    RESULT(checked1, v_next, 12, -(platform_turn_zx * t216 + t220));
-    const REAL t230 = platform_turn_yz * t193 + platform_turn_xz * t197;
-    RESULT(checked2, v_next, 13, -(platform_turn_zy * t216 + (platform_turn_yy * t193 + platform_turn_xy * t197)));
-    RESULT(checked3, v_next, 14, -(platform_turn_zz * t216 + t230));
+    const REAL t195 = t167 / minus_pivot_1; /* limb1 */
+    RESULT(checked1, v_next, 8, minus_limb3_P_null_space_by_limb5_S_wy * t195);
+    const REAL t199 = t98 * t195 - t198; /* limb1 */
+    RESULT(checked2, v_next, 0, minus_limb1_U_null_space_0_by_limb5_S_wy * t195 - t199);
+    RESULT(checked3, v_next, 1, -(limb1_U_null_space_1_by_limb5_S_wy * t195));
+    RESULT(checked0, v_next, 2, -(limb1_P_null_space_by_limb5_S_wy * t195));
+    RESULT(checked1, v_next, 3, minus_limb2_U_null_space_0_by_limb5_S_wx * t199 - limb2_U_null_space_0_by_limb5_S_wy * t195);
+    RESULT(checked2, v_next, 4, minus_limb2_U_null_space_1_by_limb5_S_wy * t195 - limb2_U_null_space_1_by_limb5_S_wx * t199);
+    RESULT(checked3, v_next, 5, minus_limb2_P_null_space_by_limb5_S_wy * t195 - minus_platform_joint_force_mx_by_limb2_P * t199);
+    RESULT(checked0, v_next, 6, -(t199 + limb3_U_null_space_0_by_limb5_S_wy * t195));
+    RESULT(checked1, v_next, 7, -(limb3_U_null_space_1_by_limb5_S_wy * t195));
+    RESULT(checked2, v_next, 9, -(limb4_U_null_space_0_by_limb5_S_wy * t195 + limb4_U_null_space_0_by_limb5_S_wx * t199));
+    RESULT(checked3, v_next, 10, minus_limb4_U_null_space_1_by_limb5_S_wy * t195 - limb4_U_null_space_1_by_limb5_S_wx * t199);
+    RESULT(checked0, v_next, 11, platform_joint_force_mx_by_limb4_P * t199 - limb4_P_null_space_by_limb5_S_wy * t195);
+    const REAL t222 = platform_turn_yx * t195 + platform_turn_xx * t199,
+      t218 = limb5_S_null_space_wz_by_limb5_S_wy * t195;
+    RESULT(checked1, v_next, 12, -(platform_turn_zx * t218 + t222));
+    const REAL t232 = platform_turn_yz * t195 + platform_turn_xz * t199;
+    RESULT(checked2, v_next, 13, -(platform_turn_zy * t218 + (platform_turn_yy * t195 + platform_turn_xy * t199)));
+    RESULT(checked3, v_next, 14, -(platform_turn_zz * t218 + t232));
     NOT_BELOW(t9, 0.999999, 5);
     NOT_ABOVE(t9, 1.000001, 5);
     FINITE_UNLESS( /* status 1 where a pivot is smaller than its limit: */
@@ -1799,9 +1798,9 @@ BODY(three_ups_upu_s_assemble_step)(size_t stride, const double *restrict q, con
       limb1_U2_arm_x = limb1_upper_offset_x - param_R * limb1_lower_sin,
       minus_limb1_U2_factor_0_by_3 = limb1_U2_constraint_mn_couple_z - limb1_U2_arm_x * limb1_U_factor_1_by_3,
       t37 = limb1_U_0_sin * minus_limb1_U2_factor_0_by_3, t40 = limb1_U_0_cos * minus_limb1_U2_factor_0_by_3,
-      t22 = limb1_U_0_sin * platform_turn_zy, t109 = 0.5 * platform_turn_zy, /* platform */
+      t22 = limb1_U_0_sin * platform_turn_zy, t113 = 0.5 * platform_turn_zy, /* platform */
       limb1_U2_constraint_mn_couple_x = limb1_U_0_cos * platform_turn_yy + t22,
-      t105 = 0.5 * platform_turn_yy, /* platform */
+      t109 = 0.5 * platform_turn_yy, /* platform */
       minus_limb1_U_factor_0_by_3 = limb1_lower_sin * limb1_U2_constraint_mn_couple_x * t23,
       limb1_U_0_lever_my_by_limb1_U2_mn = limb1_lower_cos * limb1_U2_constraint_mn_couple_x,
       minus_limb1_upper_position_x = param_R - limb1_lower_sin * limb1_upper_offset_x,
@@ -1817,146 +1816,146 @@ BODY(three_ups_upu_s_assemble_step)(size_t stride, const double *restrict q, con
       t77 = 0.5 * t76, platform_turn_zx = t50 - t51, t63 = param_H * (t50 + t51), t52 = 0.5 * platform_turn_zx;
     /* limb1: loop closure; geometry; results */
     const REAL t64 = minus_limb1_upper_position_x - (t62 - t63), limb3_upper_position_x_2 = t62 + t63,
-      t65 = limb1_lower_cos * t64, t239 = limb1_lower_sin * t64, minus_limb1_lower_limb_target_x = t46 - t47,
+      t65 = limb1_lower_cos * t64, t243 = limb1_lower_sin * t64, minus_limb1_lower_limb_target_x = t46 - t47,
       limb3_lower_limb_target_x = t46 + t47, minus_limb1_lower_rotation_yx = limb1_U_0_sin * limb1_lower_cos,
       t48 = limb1_upper_offset_x * minus_limb1_lower_rotation_yx - minus_limb1_lower_limb_target_x,
-      t241 = t239 - minus_limb1_lower_rotation_yx * t48, t67 = t65 + limb1_U_0_sin * limb1_lower_sin * t48,
+      t245 = t243 - minus_limb1_lower_rotation_yx * t48, t67 = t65 + limb1_U_0_sin * limb1_lower_sin * t48,
       t49 = limb1_U_0_cos * t48, minus_limb1_lower_limb_target_y = t52 - t55, limb3_lower_limb_target_y = t52 + t55,
       limb1_lower_rotation_zx = limb1_U_0_cos * limb1_lower_cos,
       t56 = limb1_upper_offset_x * limb1_lower_rotation_zx + minus_limb1_lower_limb_target_y,
-      minus_limb1_U2_opening_fx = t241 - limb1_lower_rotation_zx * t56,
+      minus_limb1_U2_opening_fx = t245 - limb1_lower_rotation_zx * t56,
       minus_limb1_U2_opening_fy = t67 + limb1_U_0_cos * limb1_lower_sin * t56,
       t69 = minus_limb1_U2_opening_fy * limb1_U_factor_1_by_3, minus_limb1_U2_opening_fz = t49 - limb1_U_0_sin * t56,
       t58 = minus_limb1_U2_opening_fz * minus_limb1_U_factor_0_by_3,
       limb1_U2_opening_mn = t59 + limb1_lower_cos * platform_turn_xy;
     /* step: results; geometry */
     const REAL t72 = t38 * (t58 - (limb1_U2_opening_mn + t69)), t74 = 0.5 * (t11 * t72), t86 = 0.5 * (t78 * t72),
-      t102 = 0.5 * platform_turn_xy, t503 = limb1_U2_opening_mn * limb1_U2_opening_mn, /* limb1 */
+      t106 = 0.5 * platform_turn_xy, t503 = limb1_U2_opening_mn * limb1_U2_opening_mn, /* limb1 */
       t75 = limb5_S_q_qy - READ(y, 1) - t74, t83 = t82 * t75, a_pivot_2 = t89 + t77 * t82,
       t91 = (t83 - (limb5_S_q_qx - READ(y, 0) + t86)) / a_pivot_2, t94 = t44 * (t75 - t77 * t91),
       t96 = t38 * (t41 * t94),
-      t262 = t91 - t23 * (minus_limb1_upper_position_x * (limb1_U_0_cos * t96 - limb1_U_0_sin * t94)),
-      t263 = t23 * (minus_limb1_U2_opening_fz + minus_limb1_upper_position_x * (limb1_U_0_cos * t72)) - t262,
+      t258 = t91 - t23 * (minus_limb1_upper_position_x * (limb1_U_0_cos * t96 - limb1_U_0_sin * t94)),
+      t263 = t258 - t23 * (minus_limb1_U2_opening_fz + minus_limb1_upper_position_x * (limb1_U_0_cos * t72)),
       t264 = t263 * t263, t500 = per_length * minus_limb1_U2_opening_fz, /* limb1 */
       t501 = t500 * t500, /* limb1 */
-      t248 = limb1_U_0_sin * t96 + limb1_U_0_cos * t94, t267 = limb1_U2_arm_x * t248, t243 = limb1_U_0_sin * t72,
-      t269 = t35 * (minus_limb1_U2_opening_fy - limb1_U2_arm_x * t243 - t267), t271 = t264 + t269 * t269,
+      t241 = limb1_U_0_sin * t96 + limb1_U_0_cos * t94, t265 = limb1_U2_arm_x * t241, t247 = limb1_U_0_sin * t72,
+      t269 = t35 * (t265 - (minus_limb1_U2_opening_fy - limb1_U2_arm_x * t247)), t271 = t264 + t269 * t269,
       t497 = per_length * minus_limb1_U2_opening_fy, /* limb1 */
       t498 = t497 * t497, /* limb1 */
       minus_limb1_U2_arm_y = param_R * limb1_lower_cos,
-      t251 = per_length * (minus_limb1_U2_opening_fx - minus_limb1_U2_arm_y * t243 - minus_limb1_U2_arm_y * t248),
+      t251 = per_length * (minus_limb1_U2_arm_y * t241 - (minus_limb1_U2_opening_fx - minus_limb1_U2_arm_y * t247)),
       t272 = t251 * t251 + t271, t495 = per_length * minus_limb1_U2_opening_fx; /* limb1 */
     /* limb2: geometry; results; loop closure */
     const REAL limb2_U_0_sin = SINES(cosine, 2), minus_limb2_U_0_cos = SINES(sine, 2),
       t504 = t495 * t495 + t498 + t501 + t503, /* limb1 */
-      t233 = limb2_U_0_sin * t96 - minus_limb2_U_0_cos * t91, /* step */
+      t227 = limb2_U_0_sin * t96 - minus_limb2_U_0_cos * t91, /* step */
       limb2_upper_offset_x = limb_upper_phase + READ(q, 5), limb2_lower_sin = SINES(sine, 4),
       minus_limb2_upper_position_y = param_R - limb2_lower_sin * limb2_upper_offset_x,
-      limb2_lower_cos = SINES(cosine, 4), t234 = minus_limb2_upper_position_y * t233, /* step */
+      limb2_lower_cos = SINES(cosine, 4), t228 = minus_limb2_upper_position_y * t227, /* step */
       minus_limb2_U_0_lever_mz_by_limb2_S_fz = limb2_lower_cos * limb2_upper_offset_x,
-      t212 = 1.0 / minus_limb2_U_0_lever_mz_by_limb2_S_fz, t236 = t94 - t212 * t234, /* step */
-      t228 = minus_limb2_upper_position_y * (limb2_U_0_sin * t72), /* step */
-      limb2_lower_limb_target_y = t63 - t102, limb4_lower_limb_target_y = t63 + t102,
+      t212 = 1.0 / minus_limb2_U_0_lever_mz_by_limb2_S_fz, t230 = t94 - t212 * t228, /* step */
+      t234 = minus_limb2_upper_position_y * (limb2_U_0_sin * t72), /* step */
+      limb2_lower_limb_target_y = t63 - t106, limb4_lower_limb_target_y = t63 + t106,
       minus_limb2_lower_rotation_xx = minus_limb2_U_0_cos * limb2_lower_cos,
-      t195 = limb2_upper_offset_x * minus_limb2_lower_rotation_xx + limb2_lower_limb_target_y,
-      t196 = minus_limb2_lower_rotation_xx * t195, t225 = limb2_U_0_sin * t195,
-      limb2_lower_limb_target_x = t55 - t109, limb4_lower_limb_target_x = t55 + t109,
+      t199 = limb2_upper_offset_x * minus_limb2_lower_rotation_xx + limb2_lower_limb_target_y,
+      t200 = minus_limb2_lower_rotation_xx * t199, t231 = limb2_U_0_sin * t199,
+      limb2_lower_limb_target_x = t55 - t113, limb4_lower_limb_target_x = t55 + t113,
       minus_limb2_lower_rotation_zx = limb2_U_0_sin * limb2_lower_cos,
-      t200 = limb2_upper_offset_x * minus_limb2_lower_rotation_zx + limb2_lower_limb_target_x,
-      t201 = minus_limb2_lower_rotation_zx * t200, minus_limb2_S_opening_fz = t225 - minus_limb2_U_0_cos * t200,
-      t237 = t212 * (minus_limb2_S_opening_fz - t228) + t236, /* step */
+      t204 = limb2_upper_offset_x * minus_limb2_lower_rotation_zx + limb2_lower_limb_target_x,
+      t205 = minus_limb2_lower_rotation_zx * t204, minus_limb2_S_opening_fz = t231 - minus_limb2_U_0_cos * t204,
+      t237 = t230 + t212 * (minus_limb2_S_opening_fz - t234), /* step */
       t273 = t237 * t237 + t272, /* step */
       t213 = limb2_lower_cos * t212, t511 = per_length * minus_limb2_S_opening_fz, t512 = t511 * t511,
-      t207 = minus_limb2_U_0_cos * t96 + limb2_U_0_sin * t91, /* step */
-      limb2_S_arm_x = limb2_upper_offset_x - param_R * limb2_lower_sin, t221 = limb2_S_arm_x * t207, /* step */
-      t202 = minus_limb2_U_0_cos * t72, /* step */
-      t219 = limb2_S_arm_x * t202, /* step */
-      t214 = minus_limb2_U_0_cos * limb2_lower_sin * t195, t197 = minus_limb2_upper_position_y + (t47 - t105),
-      limb4_upper_position_y_2 = t47 + t105, t216 = t214 + limb2_lower_cos * t197,
-      limb2_S_opening_fx = t196 - limb2_lower_sin * t197 + t201,
-      minus_limb2_S_opening_fy = t216 + limb2_U_0_sin * limb2_lower_sin * t200,
-      t223 = t213 * (minus_limb2_S_opening_fy + t219 + t221), /* step */
+      t197 = minus_limb2_U_0_cos * t96 + limb2_U_0_sin * t91, /* step */
+      limb2_S_arm_x = limb2_upper_offset_x - param_R * limb2_lower_sin, t215 = limb2_S_arm_x * t197, /* step */
+      t206 = minus_limb2_U_0_cos * t72, /* step */
+      t220 = limb2_S_arm_x * t206, /* step */
+      t216 = minus_limb2_U_0_cos * limb2_lower_sin * t199, t201 = minus_limb2_upper_position_y + (t47 - t109),
+      limb4_upper_position_y_2 = t47 + t109, t218 = t216 + limb2_lower_cos * t201,
+      limb2_S_opening_fx = t200 - limb2_lower_sin * t201 + t205,
+      minus_limb2_S_opening_fy = t218 + limb2_U_0_sin * limb2_lower_sin * t204,
+      t223 = t213 * (t215 + (minus_limb2_S_opening_fy + t220)), /* step */
       t274 = t223 * t223 + t273, /* step */
       t508 = per_length * minus_limb2_S_opening_fy, t509 = t508 * t508,
       minus_limb2_S_arm_y = param_R * limb2_lower_cos,
-      t210 = per_length * (limb2_S_opening_fx - minus_limb2_S_arm_y * t202 - minus_limb2_S_arm_y * t207), /* step */
+      t210 = per_length * (minus_limb2_S_arm_y * t197 - (limb2_S_opening_fx - minus_limb2_S_arm_y * t206)), /* step */
       t275 = t210 * t210 + t274, /* step */
       t505 = per_length * limb2_S_opening_fx;
     /* limb3: geometry; loop closure; results */
     const REAL limb3_U_0_cos = SINES(cosine, 5), limb3_U_0_sin = SINES(sine, 5),
       t513 = t504 + t505 * t505 + t509 + t512, /* residual */
-      t188 = limb3_U_0_cos * t96 - limb3_U_0_sin * t94, /* step */
+      t182 = limb3_U_0_cos * t96 - limb3_U_0_sin * t94, /* step */
       limb3_upper_offset_x = limb_upper_phase + READ(q, 8), minus_limb3_lower_sin = SINES(sine, 6),
       t532 = limb2_upper_offset_x * limb3_upper_offset_x, /* orientation */
       limb3_upper_position_x = param_R - minus_limb3_lower_sin * limb3_upper_offset_x,
-      t189 = limb3_upper_position_x * t188, /* step */
-      t150 = limb3_upper_position_x - limb3_upper_position_x_2, limb3_lower_cos = SINES(cosine, 6),
+      t183 = limb3_upper_position_x * t182, /* step */
+      t154 = limb3_upper_position_x - limb3_upper_position_x_2, limb3_lower_cos = SINES(cosine, 6),
       minus_limb3_U_0_lever_mz_by_limb3_S_fz = limb3_lower_cos * limb3_upper_offset_x,
-      t167 = 1.0 / minus_limb3_U_0_lever_mz_by_limb3_S_fz, t191 = t91 + t167 * t189, /* step */
-      t183 = limb3_upper_position_x * (limb3_U_0_cos * t72), /* step */
+      t167 = 1.0 / minus_limb3_U_0_lever_mz_by_limb3_S_fz, t185 = t91 + t167 * t183, /* step */
+      t189 = limb3_upper_position_x * (limb3_U_0_cos * t72), /* step */
       minus_limb3_lower_rotation_yx = limb3_U_0_sin * limb3_lower_cos,
-      t152 = limb3_upper_offset_x * minus_limb3_lower_rotation_yx + limb3_lower_limb_target_x,
-      t153 = minus_limb3_lower_rotation_yx * t152, t180 = limb3_U_0_cos * t152,
+      t156 = limb3_upper_offset_x * minus_limb3_lower_rotation_yx + limb3_lower_limb_target_x,
+      t157 = minus_limb3_lower_rotation_yx * t156, t186 = limb3_U_0_cos * t156,
       limb3_lower_rotation_zx = limb3_U_0_cos * limb3_lower_cos,
-      t155 = limb3_upper_offset_x * limb3_lower_rotation_zx - limb3_lower_limb_target_y,
-      t156 = limb3_lower_rotation_zx * t155, minus_limb3_S_opening_fz = t180 - limb3_U_0_sin * t155,
-      t192 = t167 * (minus_limb3_S_opening_fz - t183) - t191, /* step */
+      t159 = limb3_upper_offset_x * limb3_lower_rotation_zx - limb3_lower_limb_target_y,
+      t160 = limb3_lower_rotation_zx * t159, minus_limb3_S_opening_fz = t186 - limb3_U_0_sin * t159,
+      t192 = t185 - t167 * (minus_limb3_S_opening_fz - t189), /* step */
       t276 = t192 * t192 + t275, /* step */
       t168 = limb3_lower_cos * t167, t520 = per_length * minus_limb3_S_opening_fz, t521 = t520 * t520,
-      t162 = limb3_U_0_sin * t96 + limb3_U_0_cos * t94, /* step */
+      t152 = limb3_U_0_sin * t96 + limb3_U_0_cos * t94, /* step */
       limb3_S_arm_x = limb3_upper_offset_x - param_R * minus_limb3_lower_sin,
-      t176 = limb3_S_arm_x * t162, /* step */
-      t157 = limb3_U_0_sin * t72, /* step */
-      t174 = limb3_S_arm_x * t157, /* step */
-      t169 = limb3_lower_cos * t150, minus_limb3_S_opening_fx = minus_limb3_lower_sin * t150 - t153 - t156,
-      t171 = t169 + limb3_U_0_sin * minus_limb3_lower_sin * t152,
-      limb3_S_opening_fy = t171 + limb3_U_0_cos * minus_limb3_lower_sin * t155,
-      t178 = t168 * (limb3_S_opening_fy + t174 + t176), /* step */
+      t170 = limb3_S_arm_x * t152, /* step */
+      t161 = limb3_U_0_sin * t72, /* step */
+      t175 = limb3_S_arm_x * t161, /* step */
+      t171 = limb3_lower_cos * t154, minus_limb3_S_opening_fx = minus_limb3_lower_sin * t154 - t157 - t160,
+      t173 = t171 + limb3_U_0_sin * minus_limb3_lower_sin * t156,
+      limb3_S_opening_fy = t173 + limb3_U_0_cos * minus_limb3_lower_sin * t159,
+      t178 = t168 * (t170 + (limb3_S_opening_fy + t175)), /* step */
       t277 = t178 * t178 + t276, /* step */
       t517 = per_length * limb3_S_opening_fy, t518 = t517 * t517, limb3_S_arm_y = param_R * limb3_lower_cos,
-      t165 = per_length * (minus_limb3_S_opening_fx + limb3_S_arm_y * t157 + limb3_S_arm_y * t162), /* step */
+      t165 = per_length * (limb3_S_arm_y * t152 + (minus_limb3_S_opening_fx + limb3_S_arm_y * t161)), /* step */
       t278 = t165 * t165 + t277, /* step */
       t514 = per_length * minus_limb3_S_opening_fx, limb4_U_0_sin = SINES(cosine, 7),
       minus_limb4_U_0_cos = SINES(sine, 7), t522 = t513 + t514 * t514 + t518 + t521, /* residual */
-      t143 = limb4_U_0_sin * t96 - minus_limb4_U_0_cos * t91, /* step */
+      t137 = limb4_U_0_sin * t96 - minus_limb4_U_0_cos * t91, /* step */
       limb4_upper_offset_x = limb_upper_phase + READ(q, 11),
       t535 = minus_limb3_U_0_lever_mz_by_limb3_S_fz * (limb1_upper_offset_x * (limb4_upper_offset_x * t532)), /* orientation */
       minus_limb4_lower_sin = SINES(sine, 9),
       t536 = minus_limb2_U_0_lever_mz_by_limb2_S_fz * t535, /* orientation */
       limb4_upper_position_y = param_R - minus_limb4_lower_sin * limb4_upper_offset_x,
-      t144 = limb4_upper_position_y * t143, /* step */
-      t106 = limb4_upper_position_y - limb4_upper_position_y_2, /* limb4 */
+      t138 = limb4_upper_position_y * t137, /* step */
+      t110 = limb4_upper_position_y - limb4_upper_position_y_2, /* limb4 */
       limb4_lower_cos = SINES(cosine, 9),
       minus_limb4_U_0_lever_mz_by_limb4_S_fz = limb4_lower_cos * limb4_upper_offset_x,
-      t539 = minus_limb5_S_pivot_wz * (minus_limb1_U_0_lever_mz_by_limb1_U2_fz * (minus_limb4_U_0_lever_mz_by_limb4_S_fz * t536)), /* orientation */
+      t539 = minus_limb1_U_0_lever_mz_by_limb1_U2_fz * (minus_limb4_U_0_lever_mz_by_limb4_S_fz * t536) * minus_limb5_S_pivot_wz, /* orientation */
       orientation_orientation = -(a_pivot_2 * (a_pivot * t539));
     WRITE(orientation_, 0, orientation_orientation);
     REAL checked0 = orientation_orientation;
     /* limb4: results; geometry; loop closure */
-    const REAL t122 = 1.0 / minus_limb4_U_0_lever_mz_by_limb4_S_fz, t146 = t94 + t122 * t144, /* step */
-      t138 = limb4_upper_position_y * (limb4_U_0_sin * t72), /* step */
+    const REAL t122 = 1.0 / minus_limb4_U_0_lever_mz_by_limb4_S_fz, t140 = t94 + t122 * t138, /* step */
+      t144 = limb4_upper_position_y * (limb4_U_0_sin * t72), /* step */
       minus_limb4_lower_rotation_xx = minus_limb4_U_0_cos * limb4_lower_cos,
-      t103 = limb4_upper_offset_x * minus_limb4_lower_rotation_xx + limb4_lower_limb_target_y,
-      t104 = minus_limb4_lower_rotation_xx * t103, t135 = limb4_U_0_sin * t103,
+      t107 = limb4_upper_offset_x * minus_limb4_lower_rotation_xx + limb4_lower_limb_target_y,
+      t108 = minus_limb4_lower_rotation_xx * t107, t141 = limb4_U_0_sin * t107,
       minus_limb4_lower_rotation_zx = limb4_U_0_sin * limb4_lower_cos,
-      t110 = limb4_upper_offset_x * minus_limb4_lower_rotation_zx + limb4_lower_limb_target_x,
-      t111 = minus_limb4_lower_rotation_zx * t110, minus_limb4_S_opening_fz = t135 - minus_limb4_U_0_cos * t110;
+      t114 = limb4_upper_offset_x * minus_limb4_lower_rotation_zx + limb4_lower_limb_target_x,
+      t115 = minus_limb4_lower_rotation_zx * t114, minus_limb4_S_opening_fz = t141 - minus_limb4_U_0_cos * t114;
     /* step: results; geometry */
-    const REAL t147 = t122 * (minus_limb4_S_opening_fz + t138) + t146, t279 = t147 * t147 + t278,
+    const REAL t147 = t140 + t122 * (minus_limb4_S_opening_fz + t144), t279 = t147 * t147 + t278,
       t123 = limb4_lower_cos * t122, /* limb4 */
       t529 = per_length * minus_limb4_S_opening_fz, /* limb4 */
       t530 = t529 * t529, /* limb4 */
-      t115 = minus_limb4_U_0_cos * t96, t97 = t72 + t96, t112 = minus_limb4_U_0_cos * t72,
-      t117 = t115 + limb4_U_0_sin * t91, limb4_S_arm_x = limb4_upper_offset_x - param_R * minus_limb4_lower_sin,
-      t131 = limb4_S_arm_x * t117, t129 = limb4_S_arm_x * t112,
-      t126 = minus_limb4_U_0_cos * minus_limb4_lower_sin * t103 + limb4_lower_cos * t106, /* limb4 */
-      limb4_S_opening_fx = t104 - minus_limb4_lower_sin * t106 + t111,
-      limb4_S_opening_fy = t126 + limb4_U_0_sin * minus_limb4_lower_sin * t110,
-      t133 = t123 * (limb4_S_opening_fy - t129 - t131), t280 = t133 * t133 + t279,
+      t102 = minus_limb4_U_0_cos * t96, t97 = t72 + t96, t116 = minus_limb4_U_0_cos * t72,
+      t104 = t102 + limb4_U_0_sin * t91, limb4_S_arm_x = limb4_upper_offset_x - param_R * minus_limb4_lower_sin,
+      t125 = limb4_S_arm_x * t104, t130 = limb4_S_arm_x * t116,
+      t128 = minus_limb4_U_0_cos * minus_limb4_lower_sin * t107 + limb4_lower_cos * t110, /* limb4 */
+      limb4_S_opening_fx = t108 - minus_limb4_lower_sin * t110 + t115,
+      limb4_S_opening_fy = t128 + limb4_U_0_sin * minus_limb4_lower_sin * t114,
+      t133 = t123 * (t125 - (limb4_S_opening_fy - t130)), t280 = t133 * t133 + t279,
       t526 = per_length * limb4_S_opening_fy, /* limb4 */
       t527 = t526 * t526, /* limb4 */
       limb4_S_arm_y = param_R * limb4_lower_cos,
-      t120 = per_length * (limb4_S_opening_fx + limb4_S_arm_y * t112 + limb4_S_arm_y * t117),
+      t120 = per_length * (limb4_S_arm_y * t104 + (limb4_S_opening_fx + limb4_S_arm_y * t116)),
       t281 = t120 * t120 + t280, t523 = per_length * limb4_S_opening_fx, /* limb4 */
       residual_residual = SQRT(t522 + t523 * t523 + t527 + t530);
     WRITE(residual_, 0, residual_residual);

@@ -2,7 +2,7 @@
 
 Mechanism: three_ups_upu_s, two rotations about O, four driven sliders; inertias as printed in Table 3
 Effects: Gravity(acceleration=(0, 0, '-9.81'))
-Programs: 2fd06d9eacb34fa6
+Programs: dbc46b5a9845c57f
 Note: bodies.platform: the radius of gyration 5.665 m exceeds the body's extent 1.0 m (joint points,
   named points and centre of mass); are inertia and units right?
 Note: bodies.limb1_lower, bodies.limb1_upper, bodies.limb2_lower, bodies.limb2_upper,
@@ -1198,13 +1198,13 @@ def joint_screws(*arguments):
         limb2_lower_rotation_zx = -minus_limb2_lower_rotation_zx
         limb2_upper_offset_x = 0.3 + limb2_P_q
         minus_limb2_upper_position_y = 0.8 - limb2_lower_sin * limb2_upper_offset_x
-        base_lever_mx_by_limb2_S_fz = minus_limb2_U_0_cos * minus_limb2_upper_position_y
-        minus_limb2_upper_position_z = limb2_upper_offset_x * minus_limb2_lower_rotation_zx
         # limb2: screws, eq. (5); geometry
+        limb2_S_screws_x_vx = minus_limb2_U_0_cos * minus_limb2_upper_position_y
+        minus_limb2_upper_position_z = limb2_upper_offset_x * minus_limb2_lower_rotation_zx
         t34 = limb2_U_0_sin * minus_limb2_upper_position_z
         minus_limb2_upper_position_x = limb2_upper_offset_x * minus_limb2_lower_rotation_xx
         limb2_S_screws_x_vy = -(t34 + minus_limb2_U_0_cos * minus_limb2_upper_position_x)
-        base_lever_mz_by_limb2_S_fz = limb2_U_0_sin * minus_limb2_upper_position_y
+        limb2_S_screws_x_vz = limb2_U_0_sin * minus_limb2_upper_position_y
         t37 = 0.5 * minus_limb2_lower_rotation_xx
         limb2_lower_rotation_xy = minus_limb2_U_0_cos * limb2_lower_sin
         t39 = t37 + 0.8660254037844386 * limb2_lower_rotation_xy
@@ -1257,61 +1257,61 @@ def joint_screws(*arguments):
         t79 = limb3_upper_position_x * limb3_S_screws_x_wy
         limb3_S_screws_x_vz = t79 + minus_limb3_upper_position_y * limb3_S_screws_x_wx
         limb3_S_screws_y_vx = -(limb3_U_0_sin * minus_limb3_upper_position_y + limb3_U_0_cos * limb3_upper_position_z)
-        base_lever_my_by_limb3_S_fz = -(limb3_U_0_sin * limb3_upper_position_x)
-        base_lever_mz_by_limb3_S_fz = limb3_U_0_cos * limb3_upper_position_x
-        t86 = 0.8660254037844386 * minus_limb3_lower_sin - 0.5 * limb3_lower_cos
-        limb3_S_screws_z_wx = -t86
-        t89 = 0.8660254037844386 * minus_limb3_lower_rotation_yx + 0.5 * minus_limb3_lower_rotation_yy
-        limb3_S_screws_z_wy = -t89
+        limb3_S_screws_y_vy = -(limb3_U_0_sin * limb3_upper_position_x)
+        limb3_S_screws_y_vz = limb3_U_0_cos * limb3_upper_position_x
+        t87 = 0.8660254037844386 * minus_limb3_lower_sin - 0.5 * limb3_lower_cos
+        limb3_S_screws_z_wx = -t87
+        t90 = 0.8660254037844386 * minus_limb3_lower_rotation_yx + 0.5 * minus_limb3_lower_rotation_yy
+        limb3_S_screws_z_wy = -t90
         limb3_S_screws_z_wz = 0.8660254037844386 * limb3_lower_rotation_zx + 0.5 * limb3_lower_rotation_zy
-        limb3_S_screws_z_vx = limb3_upper_position_z * t89 - minus_limb3_upper_position_y * limb3_S_screws_z_wz
-        limb3_S_screws_z_vy = -(limb3_upper_position_z * t86 + limb3_upper_position_x * limb3_S_screws_z_wz)
-        limb3_S_screws_z_vz = -(limb3_upper_position_x * t89 + minus_limb3_upper_position_y * t86)
+        limb3_S_screws_z_vx = limb3_upper_position_z * t90 - minus_limb3_upper_position_y * limb3_S_screws_z_wz
+        limb3_S_screws_z_vy = -(limb3_upper_position_z * t87 + limb3_upper_position_x * limb3_S_screws_z_wz)
+        limb3_S_screws_z_vz = -(limb3_upper_position_x * t90 + minus_limb3_upper_position_y * t87)
         # limb4: geometry
         limb4_U_0_sin = np.cos(limb4_U_q_0)
         minus_limb4_U_0_cos = np.sin(limb4_U_q_0)
         limb4_U_0_cos = -minus_limb4_U_0_cos
         limb4_U_1_screw_vx = -(0.8 * minus_limb4_U_0_cos)
         limb4_U_1_screw_vz = -(0.8 * limb4_U_0_sin)
-        t100 = 2.6179938779914944 - limb4_U_q_1
-        limb4_lower_cos = np.cos(t100)
+        t101 = 2.6179938779914944 - limb4_U_q_1
+        limb4_lower_cos = np.cos(t101)
         minus_limb4_lower_rotation_xx = minus_limb4_U_0_cos * limb4_lower_cos
         limb4_lower_rotation_xx = -minus_limb4_lower_rotation_xx
-        minus_limb4_lower_sin = np.sin(t100)
+        minus_limb4_lower_sin = np.sin(t101)
         limb4_lower_sin = -minus_limb4_lower_sin
         minus_limb4_lower_rotation_zx = limb4_U_0_sin * limb4_lower_cos
         limb4_lower_rotation_zx = -minus_limb4_lower_rotation_zx
         limb4_upper_offset_x = 0.3 + limb4_P_q
         limb4_upper_position_y = 0.8 - minus_limb4_lower_sin * limb4_upper_offset_x
-        base_lever_mx_by_limb4_S_fz = -(minus_limb4_U_0_cos * limb4_upper_position_y)
-        minus_limb4_upper_position_z = limb4_upper_offset_x * minus_limb4_lower_rotation_zx
         # limb4: screws, eq. (5); geometry
-        t101 = limb4_U_0_sin * minus_limb4_upper_position_z
+        limb4_S_screws_x_vx = -(minus_limb4_U_0_cos * limb4_upper_position_y)
+        minus_limb4_upper_position_z = limb4_upper_offset_x * minus_limb4_lower_rotation_zx
+        t103 = limb4_U_0_sin * minus_limb4_upper_position_z
         minus_limb4_upper_position_x = limb4_upper_offset_x * minus_limb4_lower_rotation_xx
-        limb4_S_screws_x_vy = -(t101 + minus_limb4_U_0_cos * minus_limb4_upper_position_x)
-        base_lever_mz_by_limb4_S_fz = -(limb4_U_0_sin * limb4_upper_position_y)
-        t104 = 0.5 * minus_limb4_lower_rotation_xx
+        limb4_S_screws_x_vy = -(t103 + minus_limb4_U_0_cos * minus_limb4_upper_position_x)
+        limb4_S_screws_x_vz = -(limb4_U_0_sin * limb4_upper_position_y)
+        t107 = 0.5 * minus_limb4_lower_rotation_xx
         minus_limb4_lower_rotation_xy = minus_limb4_U_0_cos * minus_limb4_lower_sin
-        limb4_S_screws_y_wx = t104 + 0.8660254037844386 * minus_limb4_lower_rotation_xy
+        limb4_S_screws_y_wx = t107 + 0.8660254037844386 * minus_limb4_lower_rotation_xy
         limb4_S_screws_y_wy = 0.5 * minus_limb4_lower_sin - 0.8660254037844386 * limb4_lower_cos
-        t108 = 0.5 * minus_limb4_lower_rotation_zx
+        t111 = 0.5 * minus_limb4_lower_rotation_zx
         minus_limb4_lower_rotation_zy = limb4_U_0_sin * minus_limb4_lower_sin
-        limb4_S_screws_y_wz = t108 + 0.8660254037844386 * minus_limb4_lower_rotation_zy
-        t110 = limb4_upper_position_y * limb4_S_screws_y_wz
-        limb4_S_screws_y_vx = t110 + minus_limb4_upper_position_z * limb4_S_screws_y_wy
-        t112 = minus_limb4_upper_position_x * limb4_S_screws_y_wz
-        limb4_S_screws_y_vy = t112 - minus_limb4_upper_position_z * limb4_S_screws_y_wx
-        t114 = minus_limb4_upper_position_x * limb4_S_screws_y_wy
-        limb4_S_screws_y_vz = -(t114 + limb4_upper_position_y * limb4_S_screws_y_wx)
-        t119 = 0.8660254037844386 * minus_limb4_lower_rotation_xx - 0.5 * minus_limb4_lower_rotation_xy
-        limb4_S_screws_z_wx = -t119
-        t122 = 0.8660254037844386 * minus_limb4_lower_sin + 0.5 * limb4_lower_cos
-        limb4_S_screws_z_wy = -t122
-        t125 = 0.8660254037844386 * minus_limb4_lower_rotation_zx - 0.5 * minus_limb4_lower_rotation_zy
-        limb4_S_screws_z_wz = -t125
-        limb4_S_screws_z_vx = -(limb4_upper_position_y * t125 + minus_limb4_upper_position_z * t122)
-        limb4_S_screws_z_vy = minus_limb4_upper_position_z * t119 - minus_limb4_upper_position_x * t125
-        limb4_S_screws_z_vz = minus_limb4_upper_position_x * t122 + limb4_upper_position_y * t119
+        limb4_S_screws_y_wz = t111 + 0.8660254037844386 * minus_limb4_lower_rotation_zy
+        t113 = limb4_upper_position_y * limb4_S_screws_y_wz
+        limb4_S_screws_y_vx = t113 + minus_limb4_upper_position_z * limb4_S_screws_y_wy
+        t115 = minus_limb4_upper_position_x * limb4_S_screws_y_wz
+        limb4_S_screws_y_vy = t115 - minus_limb4_upper_position_z * limb4_S_screws_y_wx
+        t117 = minus_limb4_upper_position_x * limb4_S_screws_y_wy
+        limb4_S_screws_y_vz = -(t117 + limb4_upper_position_y * limb4_S_screws_y_wx)
+        t122 = 0.8660254037844386 * minus_limb4_lower_rotation_xx - 0.5 * minus_limb4_lower_rotation_xy
+        limb4_S_screws_z_wx = -t122
+        t125 = 0.8660254037844386 * minus_limb4_lower_sin + 0.5 * limb4_lower_cos
+        limb4_S_screws_z_wy = -t125
+        t128 = 0.8660254037844386 * minus_limb4_lower_rotation_zx - 0.5 * minus_limb4_lower_rotation_zy
+        limb4_S_screws_z_wz = -t128
+        limb4_S_screws_z_vx = -(limb4_upper_position_y * t128 + minus_limb4_upper_position_z * t125)
+        limb4_S_screws_z_vy = minus_limb4_upper_position_z * t122 - minus_limb4_upper_position_x * t128
+        limb4_S_screws_z_vz = minus_limb4_upper_position_x * t125 + limb4_upper_position_y * t122
         return _finish(batch, ((1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, limb1_U_0_cos, limb1_U_0_sin,
             0.0, limb1_U_1_screw_vy, limb1_U_1_screw_vz, 0.0, 0.0, 0.0, limb1_lower_sin,
             limb1_lower_rotation_yx, limb1_lower_rotation_zx, limb1_lower_cos,
@@ -1320,41 +1320,39 @@ def joint_screws(*arguments):
             platform_turn_zy, limb1_U2_screws_1_vx, limb1_U2_screws_1_vy, limb1_U2_screws_1_vz, 0.0,
             1.0, 0.0, 0.0, 0.0, 0.0, limb2_U_0_sin, 0.0, limb2_U_0_cos, limb2_U_1_screw_vx, 0.0,
             limb2_U_1_screw_vz, 0.0, 0.0, 0.0, limb2_lower_rotation_xx, limb2_lower_sin,
-            limb2_lower_rotation_zx, limb2_U_0_sin, 0.0, limb2_U_0_cos, base_lever_mx_by_limb2_S_fz,
-            limb2_S_screws_x_vy, base_lever_mz_by_limb2_S_fz, limb2_S_screws_y_wx,
-            limb2_S_screws_y_wy, limb2_S_screws_y_wz, limb2_S_screws_y_vx, limb2_S_screws_y_vy,
-            limb2_S_screws_y_vz, limb2_S_screws_z_wx, limb2_S_screws_z_wy, limb2_S_screws_z_wz,
-            limb2_S_screws_z_vx, limb2_S_screws_z_vy, limb2_S_screws_z_vz, 1.0, 0.0, 0.0, 0.0, 0.0,
-            0.0, 0.0, limb3_U_0_cos, limb3_U_0_sin, 0.0, limb3_U_1_screw_vy, limb3_U_1_screw_vz,
-            0.0, 0.0, 0.0, limb3_lower_sin, limb3_lower_rotation_yx, limb3_lower_rotation_zx,
+            limb2_lower_rotation_zx, limb2_U_0_sin, 0.0, limb2_U_0_cos, limb2_S_screws_x_vx,
+            limb2_S_screws_x_vy, limb2_S_screws_x_vz, limb2_S_screws_y_wx, limb2_S_screws_y_wy,
+            limb2_S_screws_y_wz, limb2_S_screws_y_vx, limb2_S_screws_y_vy, limb2_S_screws_y_vz,
+            limb2_S_screws_z_wx, limb2_S_screws_z_wy, limb2_S_screws_z_wz, limb2_S_screws_z_vx,
+            limb2_S_screws_z_vy, limb2_S_screws_z_vz, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+            limb3_U_0_cos, limb3_U_0_sin, 0.0, limb3_U_1_screw_vy, limb3_U_1_screw_vz, 0.0, 0.0,
+            0.0, limb3_lower_sin, limb3_lower_rotation_yx, limb3_lower_rotation_zx,
             limb3_S_screws_x_wx, limb3_S_screws_x_wy, limb3_S_screws_x_wz, limb3_S_screws_x_vx,
             limb3_S_screws_x_vy, limb3_S_screws_x_vz, 0.0, limb3_U_0_cos, limb3_U_0_sin,
-            limb3_S_screws_y_vx, base_lever_my_by_limb3_S_fz, base_lever_mz_by_limb3_S_fz,
-            limb3_S_screws_z_wx, limb3_S_screws_z_wy, limb3_S_screws_z_wz, limb3_S_screws_z_vx,
-            limb3_S_screws_z_vy, limb3_S_screws_z_vz, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, limb4_U_0_sin,
-            0.0, limb4_U_0_cos, limb4_U_1_screw_vx, 0.0, limb4_U_1_screw_vz, 0.0, 0.0, 0.0,
-            limb4_lower_rotation_xx, limb4_lower_sin, limb4_lower_rotation_zx, limb4_U_0_sin, 0.0,
-            limb4_U_0_cos, base_lever_mx_by_limb4_S_fz, limb4_S_screws_x_vy,
-            base_lever_mz_by_limb4_S_fz, limb4_S_screws_y_wx, limb4_S_screws_y_wy,
-            limb4_S_screws_y_wz, limb4_S_screws_y_vx, limb4_S_screws_y_vy, limb4_S_screws_y_vz,
-            limb4_S_screws_z_wx, limb4_S_screws_z_wy, limb4_S_screws_z_wz, limb4_S_screws_z_vx,
-            limb4_S_screws_z_vy, limb4_S_screws_z_vz, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0,
-            0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0),), (), (limb1_U_1_screw_vy,
-            limb1_U_1_screw_vz, limb1_lower_rotation_yx, limb1_lower_rotation_zy,
-            limb1_U2_screws_0_vx, limb1_U2_screws_0_vy, limb1_U2_screws_0_vz, limb1_U2_screws_1_vx,
-            limb1_U2_screws_1_vy, limb1_U2_screws_1_vz, limb2_U_0_cos, limb2_U_1_screw_vx,
-            limb2_U_1_screw_vz, limb2_lower_rotation_xx, limb2_lower_rotation_zx,
-            base_lever_mx_by_limb2_S_fz, limb2_S_screws_x_vy, base_lever_mz_by_limb2_S_fz,
+            limb3_S_screws_y_vx, limb3_S_screws_y_vy, limb3_S_screws_y_vz, limb3_S_screws_z_wx,
+            limb3_S_screws_z_wy, limb3_S_screws_z_wz, limb3_S_screws_z_vx, limb3_S_screws_z_vy,
+            limb3_S_screws_z_vz, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, limb4_U_0_sin, 0.0, limb4_U_0_cos,
+            limb4_U_1_screw_vx, 0.0, limb4_U_1_screw_vz, 0.0, 0.0, 0.0, limb4_lower_rotation_xx,
+            limb4_lower_sin, limb4_lower_rotation_zx, limb4_U_0_sin, 0.0, limb4_U_0_cos,
+            limb4_S_screws_x_vx, limb4_S_screws_x_vy, limb4_S_screws_x_vz, limb4_S_screws_y_wx,
+            limb4_S_screws_y_wy, limb4_S_screws_y_wz, limb4_S_screws_y_vx, limb4_S_screws_y_vy,
+            limb4_S_screws_y_vz, limb4_S_screws_z_wx, limb4_S_screws_z_wy, limb4_S_screws_z_wz,
+            limb4_S_screws_z_vx, limb4_S_screws_z_vy, limb4_S_screws_z_vz, 1.0, 0.0, 0.0, 0.0, 0.0,
+            0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0),), (),
+            (limb1_U_1_screw_vy, limb1_U_1_screw_vz, limb1_lower_rotation_yx,
+            limb1_lower_rotation_zy, limb1_U2_screws_0_vx, limb1_U2_screws_0_vy,
+            limb1_U2_screws_0_vz, limb1_U2_screws_1_vx, limb1_U2_screws_1_vy, limb1_U2_screws_1_vz,
+            limb2_U_0_cos, limb2_U_1_screw_vx, limb2_U_1_screw_vz, limb2_lower_rotation_xx,
+            limb2_lower_rotation_zx, limb2_S_screws_x_vx, limb2_S_screws_x_vy, limb2_S_screws_x_vz,
             limb2_S_screws_y_wx, limb2_S_screws_y_wz, limb2_S_screws_y_vx, limb2_S_screws_y_vy,
             limb2_S_screws_y_vz, limb2_S_screws_z_wx, limb2_S_screws_z_wz, limb2_S_screws_z_vx,
             limb2_S_screws_z_vy, limb2_S_screws_z_vz, limb3_U_1_screw_vy, limb3_U_1_screw_vz,
             limb3_lower_sin, limb3_lower_rotation_yx, limb3_S_screws_x_wz, limb3_S_screws_x_vx,
-            limb3_S_screws_x_vy, limb3_S_screws_x_vz, limb3_S_screws_y_vx,
-            base_lever_my_by_limb3_S_fz, base_lever_mz_by_limb3_S_fz, limb3_S_screws_z_wx,
-            limb3_S_screws_z_wy, limb3_S_screws_z_vx, limb3_S_screws_z_vy, limb3_S_screws_z_vz,
-            limb4_U_0_cos, limb4_U_1_screw_vx, limb4_U_1_screw_vz, limb4_lower_rotation_xx,
-            limb4_lower_sin, limb4_lower_rotation_zx, base_lever_mx_by_limb4_S_fz,
-            limb4_S_screws_x_vy, base_lever_mz_by_limb4_S_fz, limb4_S_screws_y_vx,
+            limb3_S_screws_x_vy, limb3_S_screws_x_vz, limb3_S_screws_y_vx, limb3_S_screws_y_vy,
+            limb3_S_screws_y_vz, limb3_S_screws_z_wx, limb3_S_screws_z_wy, limb3_S_screws_z_vx,
+            limb3_S_screws_z_vy, limb3_S_screws_z_vz, limb4_U_0_cos, limb4_U_1_screw_vx,
+            limb4_U_1_screw_vz, limb4_lower_rotation_xx, limb4_lower_sin, limb4_lower_rotation_zx,
+            limb4_S_screws_x_vx, limb4_S_screws_x_vy, limb4_S_screws_x_vz, limb4_S_screws_y_vx,
             limb4_S_screws_y_vy, limb4_S_screws_y_vz, limb4_S_screws_z_wx, limb4_S_screws_z_wy,
             limb4_S_screws_z_wz, limb4_S_screws_z_vx, limb4_S_screws_z_vy, limb4_S_screws_z_vz),
             ((t14, 0.999999, 1.000001, 5),))
@@ -1580,7 +1578,7 @@ def joint_displacements(*arguments):
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
       5 no rotation: the length of a quaternion differs from 1 by more than rounding; all outputs are
         NaN
-    Operations: 451 (add 171, mul 233, div 4, sqrt 4, trig 22, compare 17)
+    Operations: 596 (add 229, mul 254, div 7, sqrt 7, trig 22, compare 77)
     Note: within half a turn, as a pose tells no whole turns: limb1_U2
     """
     entries, batch = _entries("joint_displacements", {"q": 16}, arguments)
@@ -1658,9 +1656,9 @@ def joint_displacements(*arguments):
         t62 = 0.8660254037844386 * platform_turn_yz  # platform
         t63 = t61 + t62  # platform
         t65 = t60 - limb2_lower_sin * t63
-        t66 = 0.5 * t65
+        t66 = 0.8660254037844386 * t65
         t69 = limb2_lower_sin * t59 + limb2_lower_cos * t63
-        t71 = t66 + 0.8660254037844386 * t69
+        t71 = t66 - 0.5 * t69
         t72 = 0.8660254037844386 * t71
         # platform: results
         t73 = 0.5 * platform_turn_zz
@@ -1677,157 +1675,224 @@ def joint_displacements(*arguments):
         t84 = 0.8660254037844386 * platform_turn_yy  # platform
         t85 = t83 - t84  # platform
         t87 = t82 - limb2_lower_sin * t85
-        t88 = 0.5 * t87
+        t88 = 0.8660254037844386 * t87
         t91 = limb2_lower_sin * t81 + limb2_lower_cos * t85
-        t93 = t88 + 0.8660254037844386 * t91
+        t93 = t88 - 0.5 * t91
         t95 = t72 + 0.5 * t93
-        t98 = 0.8660254037844386 * t65 - 0.5 * t69
+        t98 = 0.5 * t65 + 0.8660254037844386 * t69
         t99 = 0.5 * t98
-        t102 = 0.8660254037844386 * t87 - 0.5 * t91
-        t106 = 0.5 * (t95 - (t99 - 0.8660254037844386 * t102))
-        t107 = t106 * t106
-        t110 = limb2_U_0_sin * platform_turn_zx + minus_limb2_U_0_cos * platform_turn_xx
-        t113 = limb2_lower_cos * t110 - limb2_lower_sin * platform_turn_yx
-        t114 = 0.8660254037844386 * t113
-        t117 = limb2_lower_sin * t110 + limb2_lower_cos * platform_turn_yx
-        t119 = t114 - 0.5 * t117
-        t122 = minus_limb2_U_0_cos * t53 - limb2_U_0_sin * t57
-        t123 = 0.8660254037844386 * t122
-        t126 = minus_limb2_U_0_cos * t75 - limb2_U_0_sin * t79
-        t130 = 0.5 * (t119 - (t123 + 0.5 * t126))
-        t132 = t107 + t130 * t130
-        t135 = 0.5 * t113 + 0.8660254037844386 * t117
-        t140 = 0.5 * (t135 - (0.5 * t122 - 0.8660254037844386 * t126))
-        t143 = np.sqrt(t132 + t140 * t140)
-        t144 = np.where(t143 < 1.0e-08, 1.0, 0.0)
-        t147 = 0.8660254037844386 * t98 + 0.5 * t102
-        t150 = minus_limb2_U_0_cos * platform_turn_zx - limb2_U_0_sin * platform_turn_xx
-        t156 = 1.0 + (t147 + (t150 + (0.5 * t71 - 0.8660254037844386 * t93)))
-        t162 = np.where(t144 != 0.0, 1.0, np.arctan2(t143, -(0.5 * t156)) / np.where(t144 != 0.0, 1.0, t143))
-        limb2_S_displacements_x = t106 * t162
-        limb2_S_displacements_y = t130 * t162
-        limb2_S_displacements_z = -(t140 * t162)
+        t102 = 0.5 * t87 + 0.8660254037844386 * t91
+        t104 = t99 - 0.8660254037844386 * t102
+        t107 = minus_limb2_U_0_cos * platform_turn_zx - limb2_U_0_sin * platform_turn_xx
+        t111 = -(t95 + (t104 - (1.0 - t107)))
+        t116 = t95 + (t104 + (t107 + (1.0 - 2.0 * t107)))
+        t117 = np.where(t111 < t116, 1.0, 0.0)
+        t118 = np.where(t117 != 0.0, t116, t111)
+        t123 = t95 + (t104 + (t107 + (1.0 - 2.0 * t104)))
+        t124 = np.where(t118 < t123, 1.0, 0.0)
+        t125 = np.where(t124 != 0.0, t123, t118)
+        t130 = t95 + (t104 + (t107 + (1.0 - 2.0 * t95)))
+        t131 = np.where(t125 < t130, 1.0, 0.0)
+        t134 = limb2_U_0_sin * platform_turn_zx + minus_limb2_U_0_cos * platform_turn_xx
+        t137 = limb2_lower_cos * t134 - limb2_lower_sin * platform_turn_yx
+        t138 = 0.8660254037844386 * t137
+        t141 = limb2_lower_sin * t134 + limb2_lower_cos * platform_turn_yx
+        t143 = t138 - 0.5 * t141
+        t146 = minus_limb2_U_0_cos * t53 - limb2_U_0_sin * t57
+        t147 = 0.8660254037844386 * t146
+        t150 = minus_limb2_U_0_cos * t75 - limb2_U_0_sin * t79
+        t152 = t147 + 0.5 * t150
+        t154 = -(t143 + t152)
+        t157 = 0.5 * t137 + 0.8660254037844386 * t141
+        t160 = 0.5 * t146 - 0.8660254037844386 * t150
+        t162 = -(t157 + t160)
+        t165 = 0.8660254037844386 * t98 + 0.5 * t102
+        t168 = 0.5 * t71 - 0.8660254037844386 * t93
+        t169 = t165 - t168
+        t172 = np.where(t131 != 0.0, t154, np.where(t124 != 0.0, t162, np.where(t117 != 0.0, t116, t169)))
+        t176 = 1.0 / (2.0 * np.sqrt(np.where(t131 != 0.0, t130, t125)))
+        t177 = t172 * t176
+        t178 = t160 - t157
+        t179 = t143 - t152
+        t183 = np.where(t131 != 0.0, t178, np.where(t124 != 0.0, t179, np.where(t117 != 0.0, t169, t111))) * t176
+        t185 = np.where(np.where(t183 < 0.0, 1.0, 0.0) != 0.0, (-1.0), 1.0)
+        t186 = t177 * t177
+        t188 = -(t165 + t168)
+        t192 = np.where(t131 != 0.0, t188, np.where(t124 != 0.0, t123, np.where(t117 != 0.0, t162, t179))) * t176
+        t194 = t186 + t192 * t192
+        t198 = np.where(t131 != 0.0, t130, np.where(t124 != 0.0, t188, np.where(t117 != 0.0, t154, t178))) * t176
+        t201 = np.sqrt(t194 + t198 * t198)
+        t202 = np.where(t201 < 1.0e-08, 1.0, 0.0)
+        t208 = np.where(t202 != 0.0, 2.0, 2.0 * np.arctan2(t201, t183 * t185) / np.where(t202 != 0.0, 1.0, t201))
+        t209 = t185 * t208
+        limb2_S_displacements_x = t177 * t209
+        limb2_S_displacements_y = t192 * t209
+        limb2_S_displacements_z = t198 * t209
         # limb3: geometry
-        t164 = 0.5235987755982989 - limb3_U_q_1
-        limb3_lower_cos = np.cos(t164)
+        t210 = 0.5235987755982989 - limb3_U_q_1
+        limb3_lower_cos = np.cos(t210)
         limb3_U_0_sin = np.sin(limb3_U_q_0)
+        t212 = 0.5 * platform_turn_yx - t62  # platform
         # limb3: results; geometry
-        t165 = limb3_U_0_sin * platform_turn_yy
+        t213 = limb3_U_0_sin * t212
         limb3_U_0_cos = np.cos(limb3_U_q_0)
-        t167 = t165 - limb3_U_0_cos * platform_turn_zy
-        t168 = limb3_lower_cos * t167
-        minus_limb3_lower_sin = np.sin(t164)
-        t170 = t168 + minus_limb3_lower_sin * platform_turn_xy
-        t171 = 0.8660254037844386 * t170
-        t174 = minus_limb3_lower_sin * t167 - limb3_lower_cos * platform_turn_xy
-        t176 = t171 + 0.5 * t174
-        t178 = 0.5 * platform_turn_yx - t62  # platform
-        t179 = limb3_U_0_cos * t178
-        t181 = 0.5 * platform_turn_zx - t52  # platform
-        t183 = t179 + limb3_U_0_sin * t181
-        t184 = 0.8660254037844386 * t183
-        t186 = 0.8660254037844386 * platform_turn_yx + t83  # platform
-        t187 = limb3_U_0_cos * t186
-        t189 = 0.8660254037844386 * platform_turn_zx + t73  # platform
-        t191 = t187 + limb3_U_0_sin * t189
-        t195 = 0.5 * (t176 - (t184 - 0.5 * t191))
-        t196 = t195 * t195
-        t199 = limb3_U_0_sin * t178 - limb3_U_0_cos * t181
-        t200 = limb3_lower_cos * t199
-        t202 = 0.5 * platform_turn_xx - t56  # platform
-        t204 = t200 + minus_limb3_lower_sin * t202
-        t205 = 0.5 * t204
-        t208 = minus_limb3_lower_sin * t199 - limb3_lower_cos * t202
-        t210 = t205 - 0.8660254037844386 * t208
-        t211 = 0.8660254037844386 * t210
-        t214 = limb3_U_0_sin * t186 - limb3_U_0_cos * t189
-        t215 = limb3_lower_cos * t214
-        t217 = 0.8660254037844386 * platform_turn_xx + t77  # platform
-        t219 = t215 + minus_limb3_lower_sin * t217
-        t220 = 0.5 * t219
-        t223 = minus_limb3_lower_sin * t214 - limb3_lower_cos * t217
-        t225 = t220 - 0.8660254037844386 * t223
-        t227 = t211 - 0.5 * t225
-        t230 = 0.8660254037844386 * t204 + 0.5 * t208
-        t231 = 0.5 * t230
-        t234 = 0.8660254037844386 * t219 + 0.5 * t223
-        t238 = 0.5 * (t227 - (t231 + 0.8660254037844386 * t234))
-        t240 = t196 + t238 * t238
-        t243 = 0.5 * t170 - 0.8660254037844386 * t174
-        t248 = 0.5 * (t243 - (0.5 * t183 + 0.8660254037844386 * t191))
-        t251 = np.sqrt(t240 + t248 * t248)
-        t252 = np.where(t251 < 1.0e-08, 1.0, 0.0)
-        t255 = 0.8660254037844386 * t230 - 0.5 * t234
-        t258 = limb3_U_0_cos * platform_turn_yy + limb3_U_0_sin * platform_turn_zy
-        t264 = 1.0 - (t255 + (t258 + (0.5 * t210 + 0.8660254037844386 * t225)))
-        t270 = np.where(t252 != 0.0, 1.0, np.arctan2(t251, -(0.5 * t264)) / np.where(t252 != 0.0, 1.0, t251))
-        limb3_S_displacements_x = -(t195 * t270)
-        limb3_S_displacements_y = -(t238 * t270)
-        limb3_S_displacements_z = -(t248 * t270)
-        # limb4: geometry
-        t274 = 2.6179938779914944 - limb4_U_q_1
-        limb4_lower_cos = np.cos(t274)
-        limb4_U_0_sin = np.cos(limb4_U_q_0)
-        t275 = t51 - t52  # platform
-        # limb4: results; geometry
-        t276 = limb4_U_0_sin * t275
-        minus_limb4_U_0_cos = np.sin(limb4_U_q_0)
-        t277 = t55 - t56  # platform
-        t279 = t276 + minus_limb4_U_0_cos * t277
-        t280 = limb4_lower_cos * t279
-        minus_limb4_lower_sin = np.sin(t274)
-        t281 = t61 - t62  # platform
-        t283 = t280 + minus_limb4_lower_sin * t281
-        t284 = 0.5 * t283
-        t287 = minus_limb4_lower_sin * t279 - limb4_lower_cos * t281
-        t289 = t284 + 0.8660254037844386 * t287
-        t290 = 0.8660254037844386 * t289
-        t291 = t73 + t74  # platform
-        t292 = limb4_U_0_sin * t291
-        t293 = t77 + t78  # platform
-        t295 = t292 + minus_limb4_U_0_cos * t293
-        t296 = limb4_lower_cos * t295
-        t297 = t83 + t84  # platform
-        t299 = t296 + minus_limb4_lower_sin * t297
-        t300 = 0.5 * t299
-        t303 = minus_limb4_lower_sin * t295 - limb4_lower_cos * t297
-        t305 = t300 + 0.8660254037844386 * t303
-        t307 = t290 - 0.5 * t305
-        t310 = 0.8660254037844386 * t283 - 0.5 * t287
+        t215 = 0.5 * platform_turn_zx - t52  # platform
+        t217 = t213 - limb3_U_0_cos * t215
+        t218 = limb3_lower_cos * t217
+        minus_limb3_lower_sin = np.sin(t210)
+        t220 = 0.5 * platform_turn_xx - t56  # platform
+        t222 = t218 + minus_limb3_lower_sin * t220
+        t223 = 0.8660254037844386 * t222
+        t226 = minus_limb3_lower_sin * t217 - limb3_lower_cos * t220
+        t228 = t223 + 0.5 * t226
+        t229 = 0.8660254037844386 * t228
+        t231 = 0.8660254037844386 * platform_turn_yx + t83  # platform
+        t232 = limb3_U_0_sin * t231
+        t234 = 0.8660254037844386 * platform_turn_zx + t73  # platform
+        t236 = t232 - limb3_U_0_cos * t234
+        t237 = limb3_lower_cos * t236
+        t239 = 0.8660254037844386 * platform_turn_xx + t77  # platform
+        t241 = t237 + minus_limb3_lower_sin * t239
+        t242 = 0.8660254037844386 * t241
+        t245 = minus_limb3_lower_sin * t236 - limb3_lower_cos * t239
+        t247 = t242 + 0.5 * t245
+        t249 = t229 - 0.5 * t247
+        t252 = limb3_U_0_cos * platform_turn_yy + limb3_U_0_sin * platform_turn_zy
+        t255 = 0.5 * t222 - 0.8660254037844386 * t226
+        t256 = 0.5 * t255
+        t259 = 0.5 * t241 - 0.8660254037844386 * t245
+        t261 = t256 + 0.8660254037844386 * t259
+        t264 = t249 + (t252 + (1.0 + t261))
+        t270 = -(t249 + (t252 + (t261 - (1.0 + 2.0 * t261))))
+        t271 = np.where(t264 < t270, 1.0, 0.0)
+        t272 = np.where(t271 != 0.0, t270, t264)
+        t278 = -(t249 + (t252 + (t261 - (1.0 + 2.0 * t252))))
+        t279 = np.where(t272 < t278, 1.0, 0.0)
+        t280 = np.where(t279 != 0.0, t278, t272)
+        t286 = -(t249 + (t252 + (t261 - (1.0 + 2.0 * t249))))
+        t287 = np.where(t280 < t286, 1.0, 0.0)
+        t290 = 0.8660254037844386 * t255 - 0.5 * t259
+        t293 = 0.5 * t228 + 0.8660254037844386 * t247
+        t295 = -(t290 + t293)
+        t298 = limb3_U_0_sin * platform_turn_yy - limb3_U_0_cos * platform_turn_zy
+        t301 = limb3_lower_cos * t298 + minus_limb3_lower_sin * platform_turn_xy
+        t302 = 0.5 * t301
+        t305 = minus_limb3_lower_sin * t298 - limb3_lower_cos * platform_turn_xy
+        t307 = t302 - 0.8660254037844386 * t305
+        t310 = limb3_U_0_cos * t212 + limb3_U_0_sin * t215
         t311 = 0.5 * t310
-        t314 = 0.8660254037844386 * t299 - 0.5 * t303
-        t318 = 0.5 * (t307 - (t311 + 0.8660254037844386 * t314))
-        t319 = t318 * t318
-        t322 = limb4_U_0_sin * platform_turn_zx + minus_limb4_U_0_cos * platform_turn_xx
-        t325 = limb4_lower_cos * t322 + minus_limb4_lower_sin * platform_turn_yx
-        t326 = 0.8660254037844386 * t325
-        t329 = minus_limb4_lower_sin * t322 - limb4_lower_cos * platform_turn_yx
-        t331 = t326 - 0.5 * t329
-        t334 = minus_limb4_U_0_cos * t275 - limb4_U_0_sin * t277
-        t335 = 0.8660254037844386 * t334
-        t338 = minus_limb4_U_0_cos * t291 - limb4_U_0_sin * t293
-        t342 = 0.5 * (t331 + (t335 - 0.5 * t338))
-        t344 = t319 + t342 * t342
-        t347 = 0.5 * t325 + 0.8660254037844386 * t329
-        t352 = 0.5 * (t347 + (0.5 * t334 + 0.8660254037844386 * t338))
-        t355 = np.sqrt(t344 + t352 * t352)
-        t356 = np.where(t355 < 1.0e-08, 1.0, 0.0)
-        t359 = 0.8660254037844386 * t310 - 0.5 * t314
-        t362 = minus_limb4_U_0_cos * platform_turn_zx - limb4_U_0_sin * platform_turn_xx
-        t368 = 1.0 - (t359 - (t362 - (0.5 * t289 + 0.8660254037844386 * t305)))
-        t374 = np.where(t356 != 0.0, 1.0, np.arctan2(t355, -(0.5 * t368)) / np.where(t356 != 0.0, 1.0, t355))
-        limb4_S_displacements_x = t318 * t374
-        limb4_S_displacements_y = t342 * t374
-        limb4_S_displacements_z = t352 * t374
+        t314 = limb3_U_0_cos * t231 + limb3_U_0_sin * t234
+        t316 = t311 + 0.8660254037844386 * t314
+        t317 = t307 + t316
+        t320 = 0.8660254037844386 * t310 - 0.5 * t314
+        t323 = 0.8660254037844386 * t301 + 0.5 * t305
+        t324 = t320 - t323
+        t327 = np.where(t287 != 0.0, t295, np.where(t279 != 0.0, t317, np.where(t271 != 0.0, t270, t324)))
+        t331 = 1.0 / (2.0 * np.sqrt(np.where(t287 != 0.0, t286, t280)))
+        t332 = t327 * t331
+        t333 = t316 - t307
+        t334 = t293 - t290
+        t338 = np.where(t287 != 0.0, t333, np.where(t279 != 0.0, t334, np.where(t271 != 0.0, t324, t264))) * t331
+        t340 = np.where(np.where(t338 < 0.0, 1.0, 0.0) != 0.0, (-1.0), 1.0)
+        t341 = t332 * t332
+        t343 = -(t323 + t320)
+        t347 = np.where(t287 != 0.0, t343, np.where(t279 != 0.0, t278, np.where(t271 != 0.0, t317, t334))) * t331
+        t349 = t341 + t347 * t347
+        t353 = np.where(t287 != 0.0, t286, np.where(t279 != 0.0, t343, np.where(t271 != 0.0, t295, t333))) * t331
+        t356 = np.sqrt(t349 + t353 * t353)
+        t357 = np.where(t356 < 1.0e-08, 1.0, 0.0)
+        t363 = np.where(t357 != 0.0, 2.0, 2.0 * np.arctan2(t356, t338 * t340) / np.where(t357 != 0.0, 1.0, t356))
+        t364 = t340 * t363
+        limb3_S_displacements_x = t332 * t364
+        limb3_S_displacements_y = t347 * t364
+        limb3_S_displacements_z = t353 * t364
+        # limb4: geometry
+        t365 = 2.6179938779914944 - limb4_U_q_1
+        limb4_lower_cos = np.cos(t365)
+        limb4_U_0_sin = np.cos(limb4_U_q_0)
+        t366 = t51 - t52  # platform
+        # limb4: results; geometry
+        t367 = limb4_U_0_sin * t366
+        minus_limb4_U_0_cos = np.sin(limb4_U_q_0)
+        t368 = t55 - t56  # platform
+        t370 = t367 + minus_limb4_U_0_cos * t368
+        t371 = limb4_lower_cos * t370
+        minus_limb4_lower_sin = np.sin(t365)
+        t372 = t61 - t62  # platform
+        t374 = t371 + minus_limb4_lower_sin * t372
+        t375 = 0.8660254037844386 * t374
+        t378 = minus_limb4_lower_sin * t370 - limb4_lower_cos * t372
+        t380 = t375 - 0.5 * t378
+        t381 = 0.8660254037844386 * t380
+        t382 = t73 + t74  # platform
+        t383 = limb4_U_0_sin * t382
+        t384 = t77 + t78  # platform
+        t386 = t383 + minus_limb4_U_0_cos * t384
+        t387 = limb4_lower_cos * t386
+        t388 = t83 + t84  # platform
+        t390 = t387 + minus_limb4_lower_sin * t388
+        t391 = 0.8660254037844386 * t390
+        t394 = minus_limb4_lower_sin * t386 - limb4_lower_cos * t388
+        t396 = t391 - 0.5 * t394
+        t398 = t381 - 0.5 * t396
+        t401 = 0.5 * t374 + 0.8660254037844386 * t378
+        t402 = 0.5 * t401
+        t405 = 0.5 * t390 + 0.8660254037844386 * t394
+        t407 = t402 + 0.8660254037844386 * t405
+        t410 = minus_limb4_U_0_cos * platform_turn_zx - limb4_U_0_sin * platform_turn_xx
+        t413 = t398 + (t407 + (1.0 - t410))
+        t419 = -(t398 + (t407 - (t410 + (1.0 - 2.0 * t410))))
+        t420 = np.where(t413 < t419, 1.0, 0.0)
+        t421 = np.where(t420 != 0.0, t419, t413)
+        t427 = -(t398 + (t407 - (t410 + (1.0 + 2.0 * t407))))
+        t428 = np.where(t421 < t427, 1.0, 0.0)
+        t429 = np.where(t428 != 0.0, t427, t421)
+        t435 = -(t398 + (t407 - (t410 + (1.0 + 2.0 * t398))))
+        t436 = np.where(t429 < t435, 1.0, 0.0)
+        t439 = minus_limb4_U_0_cos * t366 - limb4_U_0_sin * t368
+        t440 = 0.8660254037844386 * t439
+        t443 = minus_limb4_U_0_cos * t382 - limb4_U_0_sin * t384
+        t445 = t440 - 0.5 * t443
+        t448 = limb4_U_0_sin * platform_turn_zx + minus_limb4_U_0_cos * platform_turn_xx
+        t451 = limb4_lower_cos * t448 + minus_limb4_lower_sin * platform_turn_yx
+        t452 = 0.8660254037844386 * t451
+        t455 = minus_limb4_lower_sin * t448 - limb4_lower_cos * platform_turn_yx
+        t457 = t452 - 0.5 * t455
+        t458 = t445 - t457
+        t461 = 0.5 * t451 + 0.8660254037844386 * t455
+        t464 = 0.5 * t439 + 0.8660254037844386 * t443
+        t465 = t461 - t464
+        t468 = 0.8660254037844386 * t401 - 0.5 * t405
+        t471 = 0.5 * t380 + 0.8660254037844386 * t396
+        t472 = t468 - t471
+        t475 = np.where(t436 != 0.0, t458, np.where(t428 != 0.0, t465, np.where(t420 != 0.0, t419, t472)))
+        t479 = 1.0 / (2.0 * np.sqrt(np.where(t436 != 0.0, t435, t429)))
+        t480 = t475 * t479
+        t481 = t461 + t464
+        t482 = t457 + t445
+        t486 = np.where(t436 != 0.0, t481, np.where(t428 != 0.0, t482, np.where(t420 != 0.0, t472, t413))) * t479
+        t488 = np.where(np.where(t486 < 0.0, 1.0, 0.0) != 0.0, (-1.0), 1.0)
+        t489 = t480 * t480
+        t491 = -(t468 + t471)
+        t495 = np.where(t436 != 0.0, t491, np.where(t428 != 0.0, t427, np.where(t420 != 0.0, t465, t482))) * t479
+        t497 = t489 + t495 * t495
+        t501 = np.where(t436 != 0.0, t435, np.where(t428 != 0.0, t491, np.where(t420 != 0.0, t458, t481))) * t479
+        t504 = np.sqrt(t497 + t501 * t501)
+        t505 = np.where(t504 < 1.0e-08, 1.0, 0.0)
+        t511 = np.where(t505 != 0.0, 2.0, 2.0 * np.arctan2(t504, t486 * t488) / np.where(t505 != 0.0, 1.0, t504))
+        t512 = t488 * t511
+        limb4_S_displacements_x = t480 * t512
+        limb4_S_displacements_y = t495 * t512
+        limb4_S_displacements_z = t501 * t512
         # limb5_S: results
-        t376 = np.where(np.where(limb5_S_q_qw < 0.0, 1.0, 0.0) != 0.0, (-1.0), 1.0)
-        t378 = np.sqrt(t6 + t39)
-        t379 = np.where(t378 < 1.0e-08, 1.0, 0.0)
-        t385 = np.where(t379 != 0.0, 2.0, 2.0 * np.arctan2(t378, limb5_S_q_qw * t376) / np.where(t379 != 0.0, 1.0, t378))
-        t386 = t376 * t385
-        limb5_S_displacements_x = limb5_S_q_qx * t386
-        limb5_S_displacements_y = limb5_S_q_qy * t386
-        limb5_S_displacements_z = limb5_S_q_qz * t386
+        t514 = np.where(np.where(limb5_S_q_qw < 0.0, 1.0, 0.0) != 0.0, (-1.0), 1.0)
+        t516 = np.sqrt(t6 + t39)
+        t517 = np.where(t516 < 1.0e-08, 1.0, 0.0)
+        t523 = np.where(t517 != 0.0, 2.0, 2.0 * np.arctan2(t516, limb5_S_q_qw * t514) / np.where(t517 != 0.0, 1.0, t516))
+        t524 = t514 * t523
+        limb5_S_displacements_x = limb5_S_q_qx * t524
+        limb5_S_displacements_y = limb5_S_q_qy * t524
+        limb5_S_displacements_z = limb5_S_q_qz * t524
         return _finish(batch, ((limb1_U_q_0, limb1_U_q_1, limb1_P_q, limb1_U2_displacements_0,
             limb1_U2_displacements_1, limb2_U_q_0, limb2_U_q_1, limb2_P_q, limb2_S_displacements_x,
             limb2_S_displacements_y, limb2_S_displacements_z, limb3_U_q_0, limb3_U_q_1, limb3_P_q,
@@ -1839,7 +1904,8 @@ def joint_displacements(*arguments):
             limb3_S_displacements_x, limb3_S_displacements_y, limb3_S_displacements_z,
             limb4_S_displacements_x, limb4_S_displacements_y, limb4_S_displacements_z,
             limb5_S_displacements_x, limb5_S_displacements_y, limb5_S_displacements_z, limb1_U_q_0,
-            limb1_U_q_1, limb1_P_q, limb2_P_q, limb3_P_q, limb4_P_q), ((t8, 0.999999, 1.000001,
+            limb1_U_q_1, limb1_P_q, limb2_U_q_0, limb2_U_q_1, limb2_P_q, limb3_U_q_0, limb3_U_q_1,
+            limb3_P_q, limb4_U_q_0, limb4_U_q_1, limb4_P_q, limb5_S_q_qw), ((t8, 0.999999, 1.000001,
             5),))
 
 
@@ -3035,19 +3101,19 @@ def null_space(*arguments):
         t137 = minus_limb2_upper_position_y * (limb2_U_0_sin * limb5_S_null_space_wz_by_limb5_S_qy - minus_limb2_U_0_cos * t121)  # limb2
         limb2_U_null_space_0_by_limb5_S_qy = limb5_S_null_space_wy_by_limb5_S_qy - t66 * t137
         t141 = minus_limb2_U_0_cos * limb5_S_null_space_wz_by_limb5_S_qy + limb2_U_0_sin * t121  # limb2
-        limb2_U_null_space_1_by_limb5_S_qy = -(t72 * (limb2_S_arm_x * t141))
+        limb2_U_null_space_1_by_limb5_S_qy = -(limb2_S_arm_x * t141 * t72)
         limb2_P_null_space_by_limb5_S_qy = -(minus_limb2_S_arm_y * t141)
         t143 = limb3_U_0_cos * limb5_S_null_space_wz_by_limb5_S_qy  # limb3
         t147 = t79 * (limb3_upper_position_x * (t143 - limb3_U_0_sin * limb5_S_null_space_wy_by_limb5_S_qy))  # limb3
         limb3_U_null_space_0_by_limb5_S_qy = -(t121 + t147)
         t148 = limb3_U_0_sin * limb5_S_null_space_wz_by_limb5_S_qy  # limb3
         t150 = t148 + limb3_U_0_cos * limb5_S_null_space_wy_by_limb5_S_qy  # limb3
-        limb3_U_null_space_1_by_limb5_S_qy = t85 * (limb3_S_arm_x * t150)
+        limb3_U_null_space_1_by_limb5_S_qy = limb3_S_arm_x * t150 * t85
         limb3_P_null_space_by_limb5_S_qy = -(limb3_S_arm_y * t150)
         t155 = limb4_upper_position_y * (limb4_U_0_sin * limb5_S_null_space_wz_by_limb5_S_qy - minus_limb4_U_0_cos * t121)  # limb4
         limb4_U_null_space_0_by_limb5_S_qy = limb5_S_null_space_wy_by_limb5_S_qy + t92 * t155
         t159 = minus_limb4_U_0_cos * limb5_S_null_space_wz_by_limb5_S_qy + limb4_U_0_sin * t121  # limb4
-        limb4_U_null_space_1_by_limb5_S_qy = -(t98 * (limb4_S_arm_x * t159))
+        limb4_U_null_space_1_by_limb5_S_qy = -(limb4_S_arm_x * t159 * t98)
         limb4_P_null_space_by_limb5_S_qy = limb4_S_arm_y * t159
         t161 = platform_turn_zx * limb5_S_null_space_wz_by_limb5_S_qy
         limb5_S_null_space_wx_by_limb5_S_qy = t161 + (platform_turn_yx * limb5_S_null_space_wy_by_limb5_S_qy - platform_turn_xx * t121)
@@ -5783,14 +5849,14 @@ def inverse_dynamics_independent(*arguments):
         t148 = t134 * t147
         t152 = minus_limb1_upper_position_x * (limb1_U_0_cos * limb5_S_joint_rate_wz - limb1_U_0_sin * limb5_S_joint_rate_wy)  # limb1
         limb1_U_joint_rate_0 = limb5_S_joint_rate_wx + t19 * t152
-        t154 = limb1_U_joint_rate_0 * t107  # limb1
+        t154 = t107 * limb1_U_joint_rate_0  # limb1
         t157 = limb1_U_0_sin * t139 + limb1_U_0_cos * t145
         t162 = t130 - (t148 + (t154 + minus_limb1_upper_position_x * (limb1_U_joint_rate_0 * t157)))
         t163 = minus_limb1_U_factor_0_by_3 * t162
         t166 = t157 * (limb1_P_joint_rate - 0.8 * t132)
         # limb1: accelerations
         t167 = limb1_P_joint_rate * limb1_U_joint_rate_1
-        t168 = limb1_U_joint_rate_0 * t147  # limb5_S
+        t168 = t147 * limb1_U_joint_rate_0  # limb5_S
         t171 = t166 - (t167 - limb1_U2_arm_x * t168)  # limb5_S
         t172 = limb1_U_factor_1_by_3 * t171  # limb5_S
         # limb1: loop closure; velocities, eq. (6); accelerations
@@ -5847,7 +5913,7 @@ def inverse_dynamics_independent(*arguments):
         t279 = t275 * t278
         t283 = limb4_upper_position_y * (limb4_U_0_sin * limb5_S_joint_rate_wz + minus_limb4_U_0_cos * limb5_S_joint_rate_wx)
         limb4_U_joint_rate_0 = limb5_S_joint_rate_wy + t74 * t283
-        t285 = limb4_U_joint_rate_0 * t270
+        t285 = t270 * limb4_U_joint_rate_0
         t288 = limb4_U_0_sin * t129 - minus_limb4_U_0_cos * t139
         t294 = t262 + (t271 - (t279 + (t285 - limb4_upper_position_y * (limb4_U_joint_rate_0 * t288))))
         minus_limb4_U_joint_acc_0 = t260 - t74 * t294
@@ -5884,7 +5950,7 @@ def inverse_dynamics_independent(*arguments):
         t318 = minus_limb4_U_0_cos * limb5_S_joint_acc_still_wz
         t319 = limb4_S_arm_y * t318
         t321 = t288 * (0.8 * t268)
-        t322 = limb4_U_joint_rate_0 * t278
+        t322 = t278 * limb4_U_joint_rate_0
         minus_limb4_lower_force_x = 1.42 * (minus_limb4_upper_acc_still_x_2 + (t317 - (t319 + (t321 + limb4_S_arm_y * t322))))
         t325 = limb4_S_arm_y * (minus_limb4_lower_rate_fx - minus_limb4_lower_force_x)
         minus_limb4_lower_acc_y = minus_limb4_lower_sin * minus_limb4_U_0_acc_y
@@ -5932,7 +5998,7 @@ def inverse_dynamics_independent(*arguments):
         t376 = t372 * t375
         t380 = limb3_upper_position_x * (limb3_U_0_cos * limb5_S_joint_rate_wz - limb3_U_0_sin * limb5_S_joint_rate_wy)
         limb3_U_joint_rate_0 = limb5_S_joint_rate_wx - t351 * t380
-        t382 = limb3_U_joint_rate_0 * t367
+        t382 = t367 * limb3_U_joint_rate_0
         t385 = limb3_U_0_sin * t139 + limb3_U_0_cos * t145
         t391 = t359 + (t368 + (t376 - (t382 + limb3_upper_position_x * (limb3_U_joint_rate_0 * t385))))
         limb3_U_joint_acc_0 = t357 - t351 * t391
@@ -5968,7 +6034,7 @@ def inverse_dynamics_independent(*arguments):
         t415 = limb3_U_0_sin * limb5_S_joint_acc_still_wz
         t416 = limb3_S_arm_y * t415
         t418 = t385 * (0.8 * t365)
-        t419 = limb3_U_joint_rate_0 * t375
+        t419 = t375 * limb3_U_joint_rate_0
         limb3_lower_force_x = 1.42 * (limb3_upper_acc_still_x + (t414 - (t416 + (t418 + limb3_S_arm_y * t419))))
         t422 = limb3_S_arm_y * (minus_limb3_lower_rate_fx + limb3_lower_force_x)
         limb3_lower_acc_y = minus_limb3_lower_sin * limb3_U_0_acc_y
@@ -6015,7 +6081,7 @@ def inverse_dynamics_independent(*arguments):
         t473 = t469 * t472
         t477 = minus_limb2_upper_position_y * (limb2_U_0_sin * limb5_S_joint_rate_wz + minus_limb2_U_0_cos * limb5_S_joint_rate_wx)
         limb2_U_joint_rate_0 = limb5_S_joint_rate_wy - t448 * t477
-        t479 = limb2_U_joint_rate_0 * t464
+        t479 = t464 * limb2_U_joint_rate_0
         t482 = limb2_U_0_sin * t129 - minus_limb2_U_0_cos * t139
         t488 = t456 + (t465 + (t473 - (t479 - minus_limb2_upper_position_y * (limb2_U_joint_rate_0 * t482))))
         minus_limb2_U_joint_acc_0 = t454 + t448 * t488
@@ -6052,7 +6118,7 @@ def inverse_dynamics_independent(*arguments):
         t512 = minus_limb2_U_0_cos * limb5_S_joint_acc_still_wz
         t513 = minus_limb2_S_arm_y * t512
         t515 = t482 * (0.8 * t462)
-        t516 = limb2_U_joint_rate_0 * t472
+        t516 = t472 * limb2_U_joint_rate_0
         minus_limb2_lower_force_x = 1.42 * (minus_limb2_upper_acc_still_x_2 - (t511 - (t513 - (t515 - minus_limb2_S_arm_y * t516))))
         t519 = minus_limb2_S_arm_y * (minus_limb2_lower_rate_fx - minus_limb2_lower_force_x)
         limb2_lower_acc_y = limb2_lower_sin * minus_limb2_U_0_acc_y
@@ -6281,271 +6347,273 @@ def inverse_dynamics_preload(*arguments):
         limb1_U2_part_mn_by_limb1_P = minus_platform_joint_force_mz_by_limb1_P * t43
         minus_limb5_S_balance_wy_by_limb1_P = minus_platform_joint_force_my_by_limb1_P + t40 * limb1_U2_part_mn_by_limb1_P
         t45 = t1 * minus_limb5_S_balance_wy_by_limb1_P
-        limb4_U_0_sin = np.cos(limb4_U_q_0)
-        t46 = 2.6179938779914944 - limb4_U_q_1  # limb4
-        limb4_lower_cos = np.cos(t46)
+        t46 = 1.0 / limb4_P_weights  # limb4
+        minus_limb4_U_0_cos = np.sin(limb4_U_q_0)
+        t47 = 2.6179938779914944 - limb4_U_q_1  # limb4
+        limb4_lower_cos = np.cos(t47)
         limb4_S_arm_y = 0.8 * limb4_lower_cos
+        limb1_U2_part_mn_by_limb4_P = minus_limb4_U_0_cos * limb4_S_arm_y * t43
+        minus_limb5_S_balance_wy_by_limb4_P = limb1_U2_part_mn_by_limb4_P * t40
+        t48 = t46 * minus_limb5_S_balance_wy_by_limb4_P
+        limb4_U_0_sin = np.cos(limb4_U_q_0)
         platform_joint_force_mx_by_limb4_P = limb4_U_0_sin * limb4_S_arm_y
         platform_joint_force_mx_by_limb1_U2_mn = limb1_lower_sin * t22 - limb1_lower_cos * t25
-        minus_limb4_U_0_cos = np.sin(limb4_U_q_0)
-        limb1_U2_part_mn_by_limb4_P = minus_limb4_U_0_cos * limb4_S_arm_y * t43
         limb5_S_balance_wx_by_limb4_P = platform_joint_force_mx_by_limb4_P + platform_joint_force_mx_by_limb1_U2_mn * limb1_U2_part_mn_by_limb4_P
-        t50 = 1.0 / limb4_P_weights  # limb4
-        minus_limb5_S_balance_wy_by_limb4_P = limb1_U2_part_mn_by_limb4_P * t40
-        t51 = t50 * minus_limb5_S_balance_wy_by_limb4_P
-        t52 = limb5_S_balance_wx_by_limb4_P * t51
-        limb3_U_0_sin = np.sin(limb3_U_q_0)
-        t53 = 0.5235987755982989 - limb3_U_q_1  # limb3
-        limb3_lower_cos = np.cos(t53)
-        limb3_S_arm_y = 0.8 * limb3_lower_cos
-        minus_limb1_U2_part_mn_by_limb3_P = limb3_U_0_sin * limb3_S_arm_y * t43
-        minus_limb5_S_balance_wx_by_limb3_P = platform_joint_force_mx_by_limb1_U2_mn * minus_limb1_U2_part_mn_by_limb3_P
-        t54 = 1.0 / limb3_P_weights  # limb3
+        t52 = t48 * limb5_S_balance_wx_by_limb4_P
+        t53 = 1.0 / limb3_P_weights  # limb3
         limb3_U_0_cos = np.cos(limb3_U_q_0)
-        limb5_S_balance_wy_by_limb3_P = limb3_U_0_cos * limb3_S_arm_y + t40 * minus_limb1_U2_part_mn_by_limb3_P
-        t56 = t54 * limb5_S_balance_wy_by_limb3_P
-        t57 = minus_limb5_S_balance_wx_by_limb3_P * t56
-        limb2_U_0_sin = np.cos(limb2_U_q_0)
-        t58 = 2.6179938779914944 + limb2_U_q_1  # limb2
-        limb2_lower_cos = np.cos(t58)
-        minus_limb2_S_arm_y = 0.8 * limb2_lower_cos
-        minus_platform_joint_force_mx_by_limb2_P = limb2_U_0_sin * minus_limb2_S_arm_y
+        t54 = 0.5235987755982989 - limb3_U_q_1  # limb3
+        limb3_lower_cos = np.cos(t54)
+        limb3_S_arm_y = 0.8 * limb3_lower_cos
+        platform_joint_force_my_by_limb3_P = limb3_U_0_cos * limb3_S_arm_y
+        limb3_U_0_sin = np.sin(limb3_U_q_0)
+        minus_limb1_U2_part_mn_by_limb3_P = limb3_U_0_sin * limb3_S_arm_y * t43
+        limb5_S_balance_wy_by_limb3_P = platform_joint_force_my_by_limb3_P + t40 * minus_limb1_U2_part_mn_by_limb3_P
+        t56 = t53 * limb5_S_balance_wy_by_limb3_P
+        minus_limb5_S_balance_wx_by_limb3_P = platform_joint_force_mx_by_limb1_U2_mn * minus_limb1_U2_part_mn_by_limb3_P
+        t57 = t56 * minus_limb5_S_balance_wx_by_limb3_P
+        t58 = 1.0 / limb2_P_weights  # limb2
         minus_limb2_U_0_cos = np.sin(limb2_U_q_0)
+        t59 = 2.6179938779914944 + limb2_U_q_1  # limb2
+        limb2_lower_cos = np.cos(t59)
+        minus_limb2_S_arm_y = 0.8 * limb2_lower_cos
         minus_limb1_U2_part_mn_by_limb2_P = minus_limb2_U_0_cos * minus_limb2_S_arm_y * t43
-        minus_limb5_S_balance_wx_by_limb2_P = minus_platform_joint_force_mx_by_limb2_P + platform_joint_force_mx_by_limb1_U2_mn * minus_limb1_U2_part_mn_by_limb2_P
-        t60 = 1.0 / limb2_P_weights  # limb2
         limb5_S_balance_wy_by_limb2_P = t40 * minus_limb1_U2_part_mn_by_limb2_P
-        t61 = t60 * limb5_S_balance_wy_by_limb2_P
-        t62 = minus_limb5_S_balance_wx_by_limb2_P * t61
+        t60 = t58 * limb5_S_balance_wy_by_limb2_P
+        limb2_U_0_sin = np.cos(limb2_U_q_0)
+        minus_platform_joint_force_mx_by_limb2_P = limb2_U_0_sin * minus_limb2_S_arm_y
+        minus_limb5_S_balance_wx_by_limb2_P = minus_platform_joint_force_mx_by_limb2_P + platform_joint_force_mx_by_limb1_U2_mn * minus_limb1_U2_part_mn_by_limb2_P
+        t62 = t60 * minus_limb5_S_balance_wx_by_limb2_P
         limb5_S_balance_wx_by_limb1_P = platform_joint_force_mx_by_limb1_U2_mn * limb1_U2_part_mn_by_limb1_P
-        minus_drives_share_1_0 = t52 + (t57 + (t62 + limb5_S_balance_wx_by_limb1_P * t45))
+        minus_drives_share_1_0 = t52 + (t57 + (t62 + t45 * limb5_S_balance_wx_by_limb1_P))
+        t66 = limb4_P_preload * limb5_S_balance_wx_by_limb4_P  # limb1
+        t67 = limb3_P_preload * minus_limb5_S_balance_wx_by_limb3_P  # limb1
+        t68 = limb2_P_preload * minus_limb5_S_balance_wx_by_limb2_P  # limb1
+        t72 = t66 - (t67 + (t68 - limb1_P_preload * limb5_S_balance_wx_by_limb1_P))  # limb1
         # limb4: geometry; balance, eqs. (40)-(47); accelerations
         limb4_upper_offset_x = 0.3 + limb4_P_q
         minus_limb4_U_0_lever_mz_by_limb4_S_fz = limb4_lower_cos * limb4_upper_offset_x
-        t66 = 1.0 / minus_limb4_U_0_lever_mz_by_limb4_S_fz
-        minus_limb4_lower_sin = np.sin(t46)
+        t73 = 1.0 / minus_limb4_U_0_lever_mz_by_limb4_S_fz
+        minus_limb4_lower_sin = np.sin(t47)
         limb4_lower_omega_y = limb4_U_v_0 * limb4_lower_cos
-        t67 = minus_limb4_lower_sin * (0.0712 * (limb4_U_v_1 * limb4_lower_omega_y))
-        t69 = limb4_P_v * (2.0 * limb4_lower_omega_y)
+        t74 = minus_limb4_lower_sin * (0.0712 * (limb4_U_v_1 * limb4_lower_omega_y))
+        t76 = limb4_P_v * (2.0 * limb4_lower_omega_y)
         minus_limb4_lower_omega_x = limb4_U_v_0 * minus_limb4_lower_sin
         limb4_lower_alpha_still_y = limb4_U_v_1 * minus_limb4_lower_omega_x
         limb4_lower_alpha_y = limb4_lower_alpha_still_y + limb4_U_a_0 * limb4_lower_cos
         minus_limb4_lower_U_zx = limb4_lower_alpha_still_y + limb4_lower_alpha_y
-        minus_limb4_upper_acc_z = t69 + (limb4_upper_offset_x * minus_limb4_lower_U_zx + 9.81 * minus_limb4_U_0_cos)
+        minus_limb4_upper_acc_z = t76 + (limb4_upper_offset_x * minus_limb4_lower_U_zx + 9.81 * minus_limb4_U_0_cos)
         minus_limb4_upper_rate_my = 0.213 * minus_limb4_upper_acc_z
         # limb4: balance, eqs. (40)-(47); momentum rate, eq. (35); reciprocal wrenches, eq. (10)
-        t73 = minus_limb4_upper_rate_my - limb4_upper_offset_x * (1.42 * minus_limb4_upper_acc_z - 0.213 * minus_limb4_lower_U_zx)
+        t80 = minus_limb4_upper_rate_my - limb4_upper_offset_x * (1.42 * minus_limb4_upper_acc_z - 0.213 * minus_limb4_lower_U_zx)
         minus_limb4_upper_moment_y = 2.08953 * minus_limb4_U_0_cos
         limb4_lower_rate_my = minus_limb4_upper_moment_y + (2.3439 * limb4_lower_alpha_still_y + 2.2727 * limb4_lower_alpha_y)
-        limb4_S_multiplier_fz = t66 * (t67 + limb4_lower_cos * (t73 - limb4_lower_rate_my) - 0.1112 * limb4_U_a_0)
-        t78 = limb4_S_arm_y * limb4_S_multiplier_fz
-        t79 = limb4_lower_cos * t78
+        limb4_S_multiplier_fz = t73 * (t74 + limb4_lower_cos * (t80 - limb4_lower_rate_my) - 0.1112 * limb4_U_a_0)
+        t85 = limb4_S_arm_y * limb4_S_multiplier_fz
+        t86 = limb4_lower_cos * t85
         limb4_S_arm_x = limb4_upper_offset_x - 0.8 * minus_limb4_lower_sin
-        t81 = limb4_S_arm_x * limb4_S_multiplier_fz
-        t83 = t79 - minus_limb4_lower_sin * t81
-        t84 = limb4_U_0_sin * t83
+        t88 = limb4_S_arm_x * limb4_S_multiplier_fz
+        t90 = t86 - minus_limb4_lower_sin * t88
+        t91 = limb4_U_0_sin * t90
         # limb4: accelerations; momentum rate, eq. (35); balance, eqs. (40)-(47)
         minus_limb4_lower_U_still_xx = limb4_lower_omega_y * limb4_lower_omega_y + limb4_U_v_1 * limb4_U_v_1
         minus_limb4_lower_rate_fx = 0.213 * minus_limb4_lower_U_still_xx
         minus_limb4_upper_acc_still_x = limb4_upper_offset_x * minus_limb4_lower_U_still_xx
         minus_limb4_U_0_acc_y = 9.81 * limb4_U_0_sin
         limb4_lower_force_x = 1.42 * (limb4_P_a - (minus_limb4_upper_acc_still_x + limb4_lower_cos * minus_limb4_U_0_acc_y))
-        t87 = limb4_S_arm_y * (minus_limb4_lower_rate_fx + limb4_lower_force_x)
-        t89 = limb4_P_v * (2.0 * limb4_U_v_1)
+        t94 = limb4_S_arm_y * (minus_limb4_lower_rate_fx + limb4_lower_force_x)
+        t96 = limb4_P_v * (2.0 * limb4_U_v_1)
         minus_limb4_lower_U_still_xy = minus_limb4_lower_omega_x * limb4_lower_omega_y
         limb4_lower_U_yx = limb4_U_a_1 - minus_limb4_lower_U_still_xy
-        t90 = limb4_upper_offset_x * limb4_lower_U_yx
+        t97 = limb4_upper_offset_x * limb4_lower_U_yx
         minus_limb4_lower_acc_y = minus_limb4_lower_sin * minus_limb4_U_0_acc_y
-        limb4_upper_acc_y = t89 + (t90 - minus_limb4_lower_acc_y)
+        limb4_upper_acc_y = t96 + (t97 - minus_limb4_lower_acc_y)
         minus_limb4_upper_rate_mz = 0.213 * limb4_upper_acc_y
-        t93 = minus_limb4_upper_rate_mz - limb4_upper_offset_x * (1.42 * limb4_upper_acc_y - 0.213 * limb4_lower_U_yx)
+        t100 = minus_limb4_upper_rate_mz - limb4_upper_offset_x * (1.42 * limb4_upper_acc_y - 0.213 * limb4_lower_U_yx)
         minus_limb4_lower_rate_mz = 0.213 * minus_limb4_lower_acc_y + (2.2727 * minus_limb4_lower_U_still_xy - 2.3439 * limb4_U_a_1)
-        t99 = t87 + limb4_S_arm_x * ((t93 + minus_limb4_lower_rate_mz) * (limb4_lower_cos * t66))
-        t101 = t84 - minus_limb4_U_0_cos * t99
+        t106 = t94 + limb4_S_arm_x * ((t100 + minus_limb4_lower_rate_mz) * (limb4_lower_cos * t73))
+        t108 = t91 - minus_limb4_U_0_cos * t106
         # limb3: geometry; balance, eqs. (40)-(47); accelerations
         limb3_upper_offset_x = 0.3 + limb3_P_q
         minus_limb3_U_0_lever_mz_by_limb3_S_fz = limb3_lower_cos * limb3_upper_offset_x
-        t102 = 1.0 / minus_limb3_U_0_lever_mz_by_limb3_S_fz
-        minus_limb3_lower_sin = np.sin(t53)
+        t109 = 1.0 / minus_limb3_U_0_lever_mz_by_limb3_S_fz
+        minus_limb3_lower_sin = np.sin(t54)
         limb3_lower_omega_y = limb3_U_v_0 * limb3_lower_cos
-        t103 = minus_limb3_lower_sin * (0.0712 * (limb3_U_v_1 * limb3_lower_omega_y))
-        t105 = limb3_P_v * (2.0 * limb3_lower_omega_y)
+        t110 = minus_limb3_lower_sin * (0.0712 * (limb3_U_v_1 * limb3_lower_omega_y))
+        t112 = limb3_P_v * (2.0 * limb3_lower_omega_y)
         minus_limb3_lower_omega_x = limb3_U_v_0 * minus_limb3_lower_sin
         limb3_lower_alpha_still_y = limb3_U_v_1 * minus_limb3_lower_omega_x
         limb3_lower_alpha_y = limb3_lower_alpha_still_y + limb3_U_a_0 * limb3_lower_cos
         minus_limb3_lower_U_zx = limb3_lower_alpha_still_y + limb3_lower_alpha_y
-        minus_limb3_upper_acc_z = t105 + (limb3_upper_offset_x * minus_limb3_lower_U_zx - 9.81 * limb3_U_0_sin)
+        minus_limb3_upper_acc_z = t112 + (limb3_upper_offset_x * minus_limb3_lower_U_zx - 9.81 * limb3_U_0_sin)
         minus_limb3_upper_rate_my = 0.213 * minus_limb3_upper_acc_z
-        t109 = minus_limb3_upper_rate_my - limb3_upper_offset_x * (1.42 * minus_limb3_upper_acc_z - 0.213 * minus_limb3_lower_U_zx)
+        t116 = minus_limb3_upper_rate_my - limb3_upper_offset_x * (1.42 * minus_limb3_upper_acc_z - 0.213 * minus_limb3_lower_U_zx)
         minus_limb3_lower_rate_my = 2.08953 * limb3_U_0_sin - (2.3439 * limb3_lower_alpha_still_y + 2.2727 * limb3_lower_alpha_y)
-        limb3_S_multiplier_fz = t102 * (t103 + limb3_lower_cos * (t109 + minus_limb3_lower_rate_my) - 0.1112 * limb3_U_a_0)
-        t114 = limb3_S_arm_y * limb3_S_multiplier_fz
-        t115 = limb3_lower_cos * t114
+        limb3_S_multiplier_fz = t109 * (t110 + limb3_lower_cos * (t116 + minus_limb3_lower_rate_my) - 0.1112 * limb3_U_a_0)
+        t121 = limb3_S_arm_y * limb3_S_multiplier_fz
+        t122 = limb3_lower_cos * t121
         limb3_S_arm_x = limb3_upper_offset_x - 0.8 * minus_limb3_lower_sin
-        t117 = limb3_S_arm_x * limb3_S_multiplier_fz
-        t119 = t115 - minus_limb3_lower_sin * t117
-        t120 = limb3_U_0_cos * t119
+        t124 = limb3_S_arm_x * limb3_S_multiplier_fz
+        t126 = t122 - minus_limb3_lower_sin * t124
+        t127 = limb3_U_0_cos * t126
         # limb3: accelerations; momentum rate, eq. (35); balance, eqs. (40)-(47)
         minus_limb3_lower_U_still_xx = limb3_lower_omega_y * limb3_lower_omega_y + limb3_U_v_1 * limb3_U_v_1
         minus_limb3_lower_rate_fx = 0.213 * minus_limb3_lower_U_still_xx
         minus_limb3_upper_acc_still_x = limb3_upper_offset_x * minus_limb3_lower_U_still_xx
         limb3_U_0_acc_y = 9.81 * limb3_U_0_cos
         limb3_upper_rate_fx = minus_limb3_lower_rate_fx + 1.42 * (limb3_P_a - (minus_limb3_upper_acc_still_x - limb3_lower_cos * limb3_U_0_acc_y))
-        t123 = limb3_S_arm_y * limb3_upper_rate_fx
-        t125 = limb3_P_v * (2.0 * limb3_U_v_1)
+        t130 = limb3_S_arm_y * limb3_upper_rate_fx
+        t132 = limb3_P_v * (2.0 * limb3_U_v_1)
         minus_limb3_lower_U_still_xy = minus_limb3_lower_omega_x * limb3_lower_omega_y
         limb3_lower_U_yx = limb3_U_a_1 - minus_limb3_lower_U_still_xy
-        t126 = limb3_upper_offset_x * limb3_lower_U_yx
+        t133 = limb3_upper_offset_x * limb3_lower_U_yx
         limb3_lower_acc_y = minus_limb3_lower_sin * limb3_U_0_acc_y
-        limb3_upper_acc_y = t125 + (t126 + limb3_lower_acc_y)
+        limb3_upper_acc_y = t132 + (t133 + limb3_lower_acc_y)
         minus_limb3_upper_rate_mz = 0.213 * limb3_upper_acc_y
-        t129 = minus_limb3_upper_rate_mz - limb3_upper_offset_x * (1.42 * limb3_upper_acc_y - 0.213 * limb3_lower_U_yx)
-        minus_limb3_lower_moment_z = t129 - (0.213 * limb3_lower_acc_y - (2.2727 * minus_limb3_lower_U_still_xy - 2.3439 * limb3_U_a_1))
-        t135 = t123 + limb3_S_arm_x * (minus_limb3_lower_moment_z * (limb3_lower_cos * t102))
-        t137 = t120 - limb3_U_0_sin * t135
+        t136 = minus_limb3_upper_rate_mz - limb3_upper_offset_x * (1.42 * limb3_upper_acc_y - 0.213 * limb3_lower_U_yx)
+        minus_limb3_lower_moment_z = t136 - (0.213 * limb3_lower_acc_y - (2.2727 * minus_limb3_lower_U_still_xy - 2.3439 * limb3_U_a_1))
+        t142 = t130 + limb3_S_arm_x * (minus_limb3_lower_moment_z * (limb3_lower_cos * t109))
+        t144 = t127 - limb3_U_0_sin * t142
         # limb2: geometry; balance, eqs. (40)-(47); accelerations
         limb2_upper_offset_x = 0.3 + limb2_P_q
         minus_limb2_U_0_lever_mz_by_limb2_S_fz = limb2_lower_cos * limb2_upper_offset_x
-        t138 = 1.0 / minus_limb2_U_0_lever_mz_by_limb2_S_fz
-        limb2_lower_sin = np.sin(t58)
+        t145 = 1.0 / minus_limb2_U_0_lever_mz_by_limb2_S_fz
+        limb2_lower_sin = np.sin(t59)
         limb2_lower_omega_y = limb2_U_v_0 * limb2_lower_cos
-        t139 = limb2_lower_sin * (0.0712 * (limb2_U_v_1 * limb2_lower_omega_y))
-        t141 = limb2_P_v * (2.0 * limb2_lower_omega_y)
+        t146 = limb2_lower_sin * (0.0712 * (limb2_U_v_1 * limb2_lower_omega_y))
+        t148 = limb2_P_v * (2.0 * limb2_lower_omega_y)
         limb2_lower_omega_x = limb2_U_v_0 * limb2_lower_sin
         minus_limb2_lower_alpha_still_y = limb2_U_v_1 * limb2_lower_omega_x
         minus_limb2_lower_alpha_y = minus_limb2_lower_alpha_still_y - limb2_U_a_0 * limb2_lower_cos
         limb2_lower_U_zx = minus_limb2_lower_alpha_still_y + minus_limb2_lower_alpha_y
-        minus_limb2_upper_acc_z = t141 - (limb2_upper_offset_x * limb2_lower_U_zx - 9.81 * minus_limb2_U_0_cos)
+        minus_limb2_upper_acc_z = t148 - (limb2_upper_offset_x * limb2_lower_U_zx - 9.81 * minus_limb2_U_0_cos)
         minus_limb2_upper_rate_my = 0.213 * minus_limb2_upper_acc_z
         # limb2: balance, eqs. (40)-(47); momentum rate, eq. (35); reciprocal wrenches, eq. (10)
-        t145 = minus_limb2_upper_rate_my - limb2_upper_offset_x * (1.42 * minus_limb2_upper_acc_z + 0.213 * limb2_lower_U_zx)
+        t152 = minus_limb2_upper_rate_my - limb2_upper_offset_x * (1.42 * minus_limb2_upper_acc_z + 0.213 * limb2_lower_U_zx)
         minus_limb2_upper_moment_y = 2.08953 * minus_limb2_U_0_cos
         limb2_lower_rate_my = minus_limb2_upper_moment_y - (2.3439 * minus_limb2_lower_alpha_still_y + 2.2727 * minus_limb2_lower_alpha_y)
-        minus_limb2_S_multiplier_fz = t138 * (t139 - limb2_lower_cos * (t145 - limb2_lower_rate_my) + 0.1112 * limb2_U_a_0)
-        t150 = minus_limb2_S_arm_y * minus_limb2_S_multiplier_fz
-        t151 = limb2_lower_cos * t150
+        minus_limb2_S_multiplier_fz = t145 * (t146 - limb2_lower_cos * (t152 - limb2_lower_rate_my) + 0.1112 * limb2_U_a_0)
+        t157 = minus_limb2_S_arm_y * minus_limb2_S_multiplier_fz
+        t158 = limb2_lower_cos * t157
         limb2_S_arm_x = limb2_upper_offset_x - 0.8 * limb2_lower_sin
-        t153 = limb2_S_arm_x * minus_limb2_S_multiplier_fz
-        t155 = t151 - limb2_lower_sin * t153
-        t156 = limb2_U_0_sin * t155
+        t160 = limb2_S_arm_x * minus_limb2_S_multiplier_fz
+        t162 = t158 - limb2_lower_sin * t160
+        t163 = limb2_U_0_sin * t162
         # limb2: accelerations; momentum rate, eq. (35); balance, eqs. (40)-(47)
         minus_limb2_lower_U_still_xx = limb2_lower_omega_y * limb2_lower_omega_y + limb2_U_v_1 * limb2_U_v_1
         minus_limb2_lower_rate_fx = 0.213 * minus_limb2_lower_U_still_xx
         minus_limb2_upper_acc_still_x = limb2_upper_offset_x * minus_limb2_lower_U_still_xx
         minus_limb2_U_0_acc_y = 9.81 * limb2_U_0_sin
         limb2_lower_force_x = 1.42 * (limb2_P_a - (minus_limb2_upper_acc_still_x + limb2_lower_cos * minus_limb2_U_0_acc_y))
-        t159 = minus_limb2_S_arm_y * (minus_limb2_lower_rate_fx + limb2_lower_force_x)
-        t161 = limb2_P_v * (2.0 * limb2_U_v_1)
+        t166 = minus_limb2_S_arm_y * (minus_limb2_lower_rate_fx + limb2_lower_force_x)
+        t168 = limb2_P_v * (2.0 * limb2_U_v_1)
         limb2_lower_U_still_xy = limb2_lower_omega_x * limb2_lower_omega_y
         limb2_lower_U_yx = limb2_U_a_1 + limb2_lower_U_still_xy
-        t162 = limb2_upper_offset_x * limb2_lower_U_yx
+        t169 = limb2_upper_offset_x * limb2_lower_U_yx
         limb2_lower_acc_y = limb2_lower_sin * minus_limb2_U_0_acc_y
-        limb2_upper_acc_y = t161 + (t162 + limb2_lower_acc_y)
+        limb2_upper_acc_y = t168 + (t169 + limb2_lower_acc_y)
         minus_limb2_upper_rate_mz = 0.213 * limb2_upper_acc_y
-        t165 = minus_limb2_upper_rate_mz - limb2_upper_offset_x * (1.42 * limb2_upper_acc_y - 0.213 * limb2_lower_U_yx)
-        minus_limb2_lower_moment_z = t165 - (0.213 * limb2_lower_acc_y + (2.2727 * limb2_lower_U_still_xy + 2.3439 * limb2_U_a_1))
-        t171 = t159 - limb2_S_arm_x * (minus_limb2_lower_moment_z * (limb2_lower_cos * t138))
-        t173 = t156 + minus_limb2_U_0_cos * t171
+        t172 = minus_limb2_upper_rate_mz - limb2_upper_offset_x * (1.42 * limb2_upper_acc_y - 0.213 * limb2_lower_U_yx)
+        minus_limb2_lower_moment_z = t172 - (0.213 * limb2_lower_acc_y + (2.2727 * limb2_lower_U_still_xy + 2.3439 * limb2_U_a_1))
+        t178 = t166 - limb2_S_arm_x * (minus_limb2_lower_moment_z * (limb2_lower_cos * t145))
+        t180 = t163 + minus_limb2_U_0_cos * t178
         # platform: geometry; balance, eqs. (40)-(47); momentum rate, eq. (35)
-        t174 = limb5_S_q_qx * t15
-        t175 = limb5_S_q_qw * t33
-        platform_turn_zx = t174 - t175
+        t181 = limb5_S_q_qx * t15
+        t182 = limb5_S_q_qw * t33
+        platform_turn_zx = t181 - t182
         minus_platform_moment_x = 14.62961126155784 * platform_turn_zy
         minus_platform_rate_mx = minus_platform_moment_x - (22.6251 * (limb5_S_v_wy * limb5_S_v_wz) + 69.4749 * limb5_S_a_wx)
-        t179 = platform_turn_zx * minus_platform_rate_mx
+        t186 = platform_turn_zx * minus_platform_rate_mx
         platform_moment_y = 14.62961126155784 * platform_turn_zx
         platform_rate_my = platform_moment_y - (22.6251 * (limb5_S_v_wx * limb5_S_v_wz) - 69.4749 * limb5_S_a_wy)
-        t184 = t179 - platform_turn_zy * platform_rate_my
+        t191 = t186 - platform_turn_zy * platform_rate_my
         platform_turn_zz = 1.0 - t11 * (t4 + t6)
         platform_rate_mz = 92.1 * limb5_S_a_wz
-        t188 = t184 - platform_turn_zz * platform_rate_mz
+        t195 = t191 - platform_turn_zz * platform_rate_mz
         # limb1: velocities, eq. (6); balance, eqs. (40)-(47); accelerations
         limb1_lower_omega_y = limb1_U_v_0 * limb1_lower_cos
-        t189 = limb1_lower_sin * (0.0712 * (limb1_U_v_1 * limb1_lower_omega_y))
-        t191 = limb1_P_v * (2.0 * limb1_lower_omega_y)
+        t196 = limb1_lower_sin * (0.0712 * (limb1_U_v_1 * limb1_lower_omega_y))
+        t198 = limb1_P_v * (2.0 * limb1_lower_omega_y)
         limb1_lower_omega_x = limb1_U_v_0 * limb1_lower_sin
         minus_limb1_lower_alpha_still_y = limb1_U_v_1 * limb1_lower_omega_x
         minus_limb1_lower_alpha_y = minus_limb1_lower_alpha_still_y - limb1_U_a_0 * limb1_lower_cos
         limb1_lower_U_zx = minus_limb1_lower_alpha_still_y + minus_limb1_lower_alpha_y
-        minus_limb1_upper_acc_z = t191 - (limb1_upper_offset_x * limb1_lower_U_zx + 9.81 * limb1_U_0_sin)
+        minus_limb1_upper_acc_z = t198 - (limb1_upper_offset_x * limb1_lower_U_zx + 9.81 * limb1_U_0_sin)
         minus_limb1_upper_rate_my = 0.213 * minus_limb1_upper_acc_z
         # limb1: balance, eqs. (40)-(47); momentum rate, eq. (35)
-        t195 = minus_limb1_upper_rate_my - limb1_upper_offset_x * (1.42 * minus_limb1_upper_acc_z + 0.213 * limb1_lower_U_zx)
+        t202 = minus_limb1_upper_rate_my - limb1_upper_offset_x * (1.42 * minus_limb1_upper_acc_z + 0.213 * limb1_lower_U_zx)
         limb1_upper_moment_y = 2.08953 * limb1_U_0_sin
         minus_limb1_lower_rate_my = limb1_upper_moment_y + (2.3439 * minus_limb1_lower_alpha_still_y + 2.2727 * minus_limb1_lower_alpha_y)
-        minus_limb1_U2_part_fz = t20 * (t189 - limb1_lower_cos * (t195 + minus_limb1_lower_rate_my) + 0.1112 * limb1_U_a_0)
-        t200 = minus_limb1_U2_arm_y * minus_limb1_U2_part_fz
-        t201 = limb1_lower_cos * t200
-        t202 = limb1_U2_arm_x * minus_limb1_U2_part_fz
-        t204 = t201 - limb1_lower_sin * t202
-        t205 = limb1_U_0_cos * t204
-        # limb1: accelerations; balance, eqs. (40)-(47); drives
+        minus_limb1_U2_part_fz = t20 * (t196 - limb1_lower_cos * (t202 + minus_limb1_lower_rate_my) + 0.1112 * limb1_U_a_0)
+        t207 = minus_limb1_U2_arm_y * minus_limb1_U2_part_fz
+        t208 = limb1_lower_cos * t207
+        t209 = limb1_U2_arm_x * minus_limb1_U2_part_fz
+        t211 = t208 - limb1_lower_sin * t209
+        t212 = limb1_U_0_cos * t211
+        # limb1: accelerations; momentum rate, eq. (35); balance, eqs. (40)-(47)
         minus_limb1_lower_U_still_xx = limb1_lower_omega_y * limb1_lower_omega_y + limb1_U_v_1 * limb1_U_v_1
         minus_limb1_lower_rate_fx = 0.213 * minus_limb1_lower_U_still_xx
         minus_limb1_upper_acc_still_x = limb1_upper_offset_x * minus_limb1_lower_U_still_xx
         limb1_U_0_acc_y = 9.81 * limb1_U_0_cos
         limb1_upper_rate_fx = minus_limb1_lower_rate_fx + 1.42 * (limb1_P_a - (minus_limb1_upper_acc_still_x - limb1_lower_cos * limb1_U_0_acc_y))
-        t208 = minus_limb1_U2_arm_y * limb1_upper_rate_fx
-        t210 = limb1_P_v * (2.0 * limb1_U_v_1)
+        t215 = minus_limb1_U2_arm_y * limb1_upper_rate_fx
+        t217 = limb1_P_v * (2.0 * limb1_U_v_1)
         limb1_lower_U_still_xy = limb1_lower_omega_x * limb1_lower_omega_y
         limb1_lower_U_yx = limb1_U_a_1 + limb1_lower_U_still_xy
-        t211 = limb1_upper_offset_x * limb1_lower_U_yx
+        t218 = limb1_upper_offset_x * limb1_lower_U_yx
         minus_limb1_lower_acc_y = limb1_lower_sin * limb1_U_0_acc_y
-        limb1_upper_acc_y = t210 + (t211 - minus_limb1_lower_acc_y)
+        limb1_upper_acc_y = t217 + (t218 - minus_limb1_lower_acc_y)
         minus_limb1_upper_rate_mz = 0.213 * limb1_upper_acc_y
-        t214 = minus_limb1_upper_rate_mz - limb1_upper_offset_x * (1.42 * limb1_upper_acc_y - 0.213 * limb1_lower_U_yx)
-        minus_limb1_lower_moment_z = t214 + (0.213 * minus_limb1_lower_acc_y - (2.2727 * limb1_lower_U_still_xy + 2.3439 * limb1_U_a_1))
-        t219 = t208 - limb1_U2_arm_x * (minus_limb1_lower_moment_z * t37)
-        minus_platform_joint_force_mz = t101 - (t137 - (t173 + (t188 - (t205 + limb1_U_0_sin * t219))))
+        t221 = minus_limb1_upper_rate_mz - limb1_upper_offset_x * (1.42 * limb1_upper_acc_y - 0.213 * limb1_lower_U_yx)
+        minus_limb1_lower_moment_z = t221 + (0.213 * minus_limb1_lower_acc_y - (2.2727 * limb1_lower_U_still_xy + 2.3439 * limb1_U_a_1))
+        t226 = t215 - limb1_U2_arm_x * (minus_limb1_lower_moment_z * t37)
+        minus_platform_joint_force_mz = t108 - (t144 - (t180 + (t195 - (t212 + limb1_U_0_sin * t226))))
         limb1_U2_part_mn = t43 * minus_platform_joint_force_mz
-        t225 = platform_joint_force_mx_by_limb1_U2_mn * limb1_U2_part_mn  # limb5_S
-        t228 = minus_limb4_U_0_cos * t83 + limb4_U_0_sin * t99  # limb4
-        t231 = minus_limb3_lower_sin * t114 + limb3_lower_cos * t117  # limb3
-        t235 = (1.0 - t8 * t11) * minus_platform_rate_mx - platform_turn_xy * platform_rate_my  # platform
-        t237 = t235 - (t174 + t175) * platform_rate_mz  # platform
-        t241 = t237 - (limb1_lower_sin * t200 + limb1_lower_cos * t202)  # platform
-        minus_platform_joint_force_mx = t228 + (t231 + (t241 + (minus_limb2_U_0_cos * t155 - limb2_U_0_sin * t171)))
-        limb5_S_balance_wx = t225 - minus_platform_joint_force_mx
-        t247 = limb4_P_preload * limb5_S_balance_wx_by_limb4_P
-        t248 = limb3_P_preload * minus_limb5_S_balance_wx_by_limb3_P
-        t249 = limb2_P_preload * minus_limb5_S_balance_wx_by_limb2_P
-        t254 = limb5_S_balance_wx + (t247 - (t248 + (t249 - limb1_P_preload * limb5_S_balance_wx_by_limb1_P)))
-        t255 = minus_drives_share_1_0 * t254
+        # platform: balance, eqs. (40)-(47)
+        t232 = platform_joint_force_mx_by_limb1_U2_mn * limb1_U2_part_mn
+        t235 = minus_limb4_U_0_cos * t90 + limb4_U_0_sin * t106  # limb4
+        t238 = minus_limb3_lower_sin * t121 + limb3_lower_cos * t124  # limb3
+        t242 = (1.0 - t8 * t11) * minus_platform_rate_mx - platform_turn_xy * platform_rate_my
+        t244 = t242 - (t181 + t182) * platform_rate_mz
+        t248 = t244 - (limb1_lower_sin * t207 + limb1_lower_cos * t209)
+        minus_platform_joint_force_mx = t235 + (t238 + (t248 + (minus_limb2_U_0_cos * t162 - limb2_U_0_sin * t178)))
+        t254 = t72 + (t232 - minus_platform_joint_force_mx)  # limb1
+        t255 = minus_drives_share_1_0 * t254  # limb1
         # drives: drives; balance, eqs. (40)-(47); pivots
-        t256 = t50 * limb5_S_balance_wx_by_limb4_P
+        t256 = t46 * limb5_S_balance_wx_by_limb4_P
         t257 = limb5_S_balance_wx_by_limb4_P * t256
-        t258 = t54 * minus_limb5_S_balance_wx_by_limb3_P
+        t258 = t53 * minus_limb5_S_balance_wx_by_limb3_P
         t259 = minus_limb5_S_balance_wx_by_limb3_P * t258
-        t260 = t60 * minus_limb5_S_balance_wx_by_limb2_P
+        t260 = t58 * minus_limb5_S_balance_wx_by_limb2_P
         t261 = minus_limb5_S_balance_wx_by_limb2_P * t260
         t262 = t1 * limb5_S_balance_wx_by_limb1_P
         drives_share_0_0 = t257 + (t259 + (t261 + limb5_S_balance_wx_by_limb1_P * t262))
-        t266 = t40 * limb1_U2_part_mn
-        t269 = minus_limb4_lower_sin * t78 + limb4_lower_cos * t81  # limb4
-        t272 = limb3_U_0_sin * t119 + limb3_U_0_cos * t135  # limb3
-        t275 = limb2_lower_sin * t150 + limb2_lower_cos * t153  # limb2
-        t278 = (t34 + t35) * minus_platform_rate_mx - platform_turn_yy * platform_rate_my
-        t280 = t278 - (t16 - t18) * platform_rate_mz
-        t286 = t272 - (t275 - (t280 + (limb1_U_0_sin * t204 - limb1_U_0_cos * t219)))
-        minus_limb5_S_balance_wy = t266 + (t269 + t286)
-        t287 = limb4_P_preload * minus_limb5_S_balance_wy_by_limb4_P  # limb1
-        t288 = limb3_P_preload * limb5_S_balance_wy_by_limb3_P  # limb1
-        t289 = limb2_P_preload * limb5_S_balance_wy_by_limb2_P  # limb1
-        t294 = minus_limb5_S_balance_wy + (t287 - (t288 + (t289 - limb1_P_preload * minus_limb5_S_balance_wy_by_limb1_P)))  # limb1
+        t266 = limb4_P_preload * minus_limb5_S_balance_wy_by_limb4_P  # limb1
+        t267 = limb3_P_preload * limb5_S_balance_wy_by_limb3_P  # limb1
+        t268 = limb2_P_preload * limb5_S_balance_wy_by_limb2_P  # limb1
+        t272 = t266 - (t267 + (t268 - limb1_P_preload * minus_limb5_S_balance_wy_by_limb1_P))  # limb1
+        t273 = t40 * limb1_U2_part_mn
+        t276 = minus_limb4_lower_sin * t85 + limb4_lower_cos * t88  # limb4
+        t279 = limb3_U_0_sin * t126 + limb3_U_0_cos * t142  # limb3
+        t282 = limb2_lower_sin * t157 + limb2_lower_cos * t160  # limb2
+        t285 = (t34 + t35) * minus_platform_rate_mx - platform_turn_yy * platform_rate_my
+        t287 = t285 - (t16 - t18) * platform_rate_mz
+        t293 = t279 - (t282 - (t287 + (limb1_U_0_sin * t211 - limb1_U_0_cos * t226)))
+        t294 = t272 + (t273 + (t276 + t293))  # limb1
         t296 = t255 - drives_share_0_0 * t294  # limb1
         t297 = minus_drives_share_1_0 * minus_drives_share_1_0
-        t298 = minus_limb5_S_balance_wy_by_limb4_P * t51
+        t298 = minus_limb5_S_balance_wy_by_limb4_P * t48
         t299 = limb5_S_balance_wy_by_limb3_P * t56
-        drives_share_1_1 = t298 + (t299 + (limb5_S_balance_wy_by_limb2_P * t61 + minus_limb5_S_balance_wy_by_limb1_P * t45))
+        drives_share_1_1 = t298 + (t299 + (limb5_S_balance_wy_by_limb2_P * t60 + minus_limb5_S_balance_wy_by_limb1_P * t45))
         minus_determinant = t297 - drives_share_1_1 * drives_share_0_0
         t305 = 1.0 / minus_determinant
         t306 = t296 * t305  # limb1
         t307 = t45 * t306  # limb1
         t311 = t305 * (minus_drives_share_1_0 * t294 - drives_share_1_1 * t254)  # limb1
         limb1_P_drive = limb1_P_preload - (t307 + t262 * t311)
-        limb2_P_drive = limb2_P_preload + (t61 * t306 + t260 * t311)
+        limb2_P_drive = limb2_P_preload + (t60 * t306 + t260 * t311)
         limb3_P_drive = limb3_P_preload + (t56 * t306 + t258 * t311)
-        limb4_P_drive = limb4_P_preload - (t51 * t306 + t256 * t311)
+        limb4_P_drive = limb4_P_preload - (t48 * t306 + t256 * t311)
         return _finish(batch, ((limb1_P_drive, limb2_P_drive, limb3_P_drive, limb4_P_drive),),
             ((minus_limb2_U_0_lever_mz_by_limb2_S_fz, 6.3211e-10),
             (minus_limb3_U_0_lever_mz_by_limb3_S_fz, 6.4044e-10),
@@ -7368,202 +7436,200 @@ def _forward_dynamics_first(*arguments):
         limb5_S_v_wx, limb5_S_v_wy, limb5_S_v_wz, limb1_P_u, limb2_P_u, limb3_P_u, limb4_P_u,
     ) = entries
     with np.errstate(all="ignore"):
-        # limb1: geometry
+        # limb1: geometry; rates that follow; inertia
         limb1_U_0_cos = np.cos(limb1_U_q_0)
         t1 = 0.5235987755982989 + limb1_U_q_1
-        limb1_lower_cos = np.cos(t1)
-        # limb5_S: geometry
-        t2 = limb5_S_q_qw * limb5_S_q_qw
-        t3 = limb5_S_q_qx * limb5_S_q_qx
-        t4 = t2 + t3
-        t5 = limb5_S_q_qy * limb5_S_q_qy
-        t6 = limb5_S_q_qz * limb5_S_q_qz
-        t7 = t5 + t6
-        t8 = t4 + t7
-        t10 = 4.0 - 2.0 * t8
-        platform_turn_yy = 1.0 - t10 * (t3 + t6)
-        # limb1: reciprocal wrenches, eq. (10); geometry; rates that follow
-        t13 = limb1_U_0_cos * platform_turn_yy
-        limb1_U_0_sin = np.sin(limb1_U_q_0)
-        t14 = limb5_S_q_qz * t10  # limb5_S
-        t15 = limb5_S_q_qy * t14  # limb5_S
-        t17 = limb5_S_q_qw * (limb5_S_q_qx * t10)  # limb5_S
-        platform_turn_zy = t15 + t17
-        limb1_U2_constraint_mn_couple_x = t13 + limb1_U_0_sin * platform_turn_zy
-        limb1_U_0_lever_my_by_limb1_U2_mn = limb1_lower_cos * limb1_U2_constraint_mn_couple_x
         limb1_lower_sin = np.sin(t1)
         limb1_upper_offset_x = 0.3 + limb1_P_q
         minus_limb1_upper_position_x = 0.8 - limb1_lower_sin * limb1_upper_offset_x
-        limb1_U_0_lever_mz_by_limb1_U2_mn = limb1_lower_sin * limb1_U2_constraint_mn_couple_x
+        limb1_lower_cos = np.cos(t1)
         minus_limb1_U_0_lever_mz_by_limb1_U2_fz = limb1_lower_cos * limb1_upper_offset_x
-        t19 = 1.0 / minus_limb1_U_0_lever_mz_by_limb1_U2_fz
-        minus_limb1_U_factor_0_by_3 = limb1_U_0_lever_mz_by_limb1_U2_mn * t19
-        minus_limb1_U2_factor_1_by_3 = limb1_U_0_lever_my_by_limb1_U2_mn - minus_limb1_upper_position_x * minus_limb1_U_factor_0_by_3
-        t21 = limb1_U_0_cos * minus_limb1_U2_factor_1_by_3
-        t24 = limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos * platform_turn_zy
-        t25 = limb1_lower_cos * t24
-        t26 = limb5_S_q_qy * t10  # limb5_S
-        t27 = limb5_S_q_qx * t26  # limb5_S
-        t28 = limb5_S_q_qw * t14  # limb5_S
-        platform_turn_xy = t27 - t28
-        limb1_U2_constraint_mn_couple_z = t25 - limb1_lower_sin * platform_turn_xy
-        limb1_U2_arm_x = limb1_upper_offset_x - 0.8 * limb1_lower_sin
-        t31 = limb1_lower_cos * t19
-        limb1_U_factor_1_by_3 = limb1_U2_constraint_mn_couple_z * t31
-        minus_limb1_U2_factor_0_by_3 = limb1_U2_constraint_mn_couple_z - limb1_U2_arm_x * limb1_U_factor_1_by_3
-        # platform: accelerations; velocities, eq. (6); geometry
-        minus_limb5_S_pivot_wz = t21 + limb1_U_0_sin * minus_limb1_U2_factor_0_by_3
-        t34 = 1.0 / minus_limb5_S_pivot_wz
-        t35 = limb5_S_v_wy * platform_turn_yy
-        platform_turn_yx = t27 + t28
-        t37 = t35 + limb5_S_v_wx * platform_turn_yx
-        platform_turn_yz = t15 - t17
-        platform_twist_wy = t37 + limb5_S_v_wz * platform_turn_yz
-        t39 = limb1_U_0_cos * platform_twist_wy
-        platform_turn_zz = 1.0 - t10 * (t3 + t5)
-        t42 = limb5_S_v_wz * platform_turn_zz
-        t43 = limb5_S_q_qx * t14
-        t44 = limb5_S_q_qw * t26
-        platform_turn_zx = t43 - t44
-        platform_twist_wz = t42 + (limb5_S_v_wx * platform_turn_zx + limb5_S_v_wy * platform_turn_zy)
-        t49 = t39 + limb1_U_0_sin * platform_twist_wz
-        t51 = minus_limb1_upper_position_x * (limb1_U_v_0 * t49)
-        t52 = limb1_U_v_1 * limb1_lower_sin  # limb1
-        t55 = limb1_upper_offset_x * t52 - limb1_P_v * limb1_lower_cos  # limb1
-        t57 = t51 - limb1_U_v_0 * t55
-        t60 = limb1_U_0_sin * platform_twist_wy - limb1_U_0_cos * platform_twist_wz
-        limb1_upper_twist_vx = limb1_P_v * limb1_lower_sin
-        t61 = limb1_U_v_1 * limb1_lower_cos  # limb1
-        t65 = t57 - t60 * (limb1_upper_twist_vx + limb1_upper_offset_x * t61)
-        platform_turn_xx = 1.0 - t7 * t10
-        t69 = limb5_S_v_wx * platform_turn_xx + limb5_S_v_wy * platform_turn_xy
-        platform_turn_xz = t43 + t44
-        platform_twist_wx = t69 + limb5_S_v_wz * platform_turn_xz
-        t72 = t65 + platform_twist_wx * t55
-        t73 = minus_limb1_U_factor_0_by_3 * t72
-        # limb1: velocities, eq. (6); accelerations
-        limb1_lower_omega_y = limb1_U_v_0 * limb1_lower_cos
-        limb1_lower_alpha_still_x = limb1_U_v_1 * limb1_lower_omega_y
-        # limb1: loop closure; inertia; free motion
-        t74 = limb1_U_v_1 - t49
-        t75 = limb1_lower_omega_y * t74
-        t79 = limb1_lower_omega_y - (limb1_lower_sin * t60 + limb1_lower_cos * platform_twist_wx)
-        t83 = limb1_U2_constraint_mn_couple_x * (limb1_lower_alpha_still_x - (t75 - limb1_U_v_1 * t79))
-        limb1_lower_omega_x = limb1_U_v_0 * limb1_lower_sin
-        t84 = limb1_lower_omega_x * t79
-        t88 = limb1_lower_omega_x + (limb1_lower_cos * t60 - limb1_lower_sin * platform_twist_wx)
-        t92 = t83 - limb1_U2_constraint_mn_couple_z * (t84 - limb1_lower_omega_y * t88)
-        limb1_U2_opening_mn = limb1_lower_sin * t24 + limb1_lower_cos * platform_turn_xy
-        t98 = t88 * (limb1_U2_opening_mn * t88 + limb1_U2_constraint_mn_couple_z * t79)
-        limb1_U2_opening_bias_mn = t92 - (t98 - t74 * (limb1_U2_constraint_mn_couple_x * t79 - limb1_U2_opening_mn * t74))
-        t104 = limb1_U_v_0 * t60  # limb5_S
-        t105 = limb1_U2_arm_x * t104  # limb5_S
-        t106 = limb1_U_v_1 * limb1_P_v
-        t111 = t105 + t106 - t49 * (limb1_P_v - 0.8 * t61)  # limb5_S
-        minus_limb5_S_joint_acc_still_wz = t34 * (t73 - (limb1_U2_opening_bias_mn - t111 * limb1_U_factor_1_by_3))
-        limb1_U_follows_0_by_limb1_U2_1 = minus_limb1_upper_position_x * t19
+        t2 = 1.0 / minus_limb1_U_0_lever_mz_by_limb1_U2_fz
+        limb1_U_follows_0_by_limb1_U2_1 = minus_limb1_upper_position_x * t2
         limb1_lower_composite_first_x = 1.42 * limb1_upper_offset_x
-        t115 = 0.426 - limb1_lower_composite_first_x
-        t116 = limb1_upper_offset_x * t115
-        t117 = t116 - 2.2727
-        t118 = limb1_lower_cos * t117
-        limb1_U_mass_matrix_0_by_limb1_U_0 = 0.1112 - limb1_lower_cos * t118
-        t120 = limb1_U_follows_0_by_limb1_U2_1 * limb1_U_mass_matrix_0_by_limb1_U_0
-        t121 = limb1_U_0_cos * t120
+        t3 = 0.426 - limb1_lower_composite_first_x
+        t4 = limb1_upper_offset_x * t3
+        t5 = t4 - 2.2727
+        t6 = limb1_lower_cos * t5
+        limb1_U_mass_matrix_0_by_limb1_U_0 = 0.1112 - limb1_lower_cos * t6
+        t8 = limb1_U_follows_0_by_limb1_U2_1 * limb1_U_mass_matrix_0_by_limb1_U_0
+        t9 = limb1_U_0_cos * t8
         # limb4: geometry; inertia; free motion
         minus_limb4_U_0_cos = np.sin(limb4_U_q_0)
         limb4_U_0_sin = np.cos(limb4_U_q_0)
-        t122 = 2.6179938779914944 - limb4_U_q_1
-        minus_limb4_lower_sin = np.sin(t122)
+        t10 = 2.6179938779914944 - limb4_U_q_1
+        minus_limb4_lower_sin = np.sin(t10)
         limb4_upper_offset_x = 0.3 + limb4_P_q
         limb4_upper_position_y = 0.8 - minus_limb4_lower_sin * limb4_upper_offset_x
-        limb4_lower_cos = np.cos(t122)
+        limb4_lower_cos = np.cos(t10)
         minus_limb4_U_0_lever_mz_by_limb4_S_fz = limb4_lower_cos * limb4_upper_offset_x
-        t123 = 1.0 / minus_limb4_U_0_lever_mz_by_limb4_S_fz
-        minus_limb4_U_follows_0_by_limb4_S_1 = limb4_upper_position_y * t123
+        t11 = 1.0 / minus_limb4_U_0_lever_mz_by_limb4_S_fz
+        minus_limb4_U_follows_0_by_limb4_S_1 = limb4_upper_position_y * t11
         limb4_lower_composite_first_x = 1.42 * limb4_upper_offset_x
-        t124 = 0.426 - limb4_lower_composite_first_x
-        t125 = limb4_upper_offset_x * t124
-        t126 = t125 - 2.2727
-        t127 = limb4_lower_cos * t126
-        limb4_U_mass_matrix_0_by_limb4_U_0 = 0.1112 - limb4_lower_cos * t127
-        t129 = minus_limb4_U_follows_0_by_limb4_S_1 * limb4_U_mass_matrix_0_by_limb4_U_0
-        t130 = minus_limb4_U_follows_0_by_limb4_S_1 * t129
+        t12 = 0.426 - limb4_lower_composite_first_x
+        t13 = limb4_upper_offset_x * t12
+        t14 = t13 - 2.2727
+        t15 = limb4_lower_cos * t14
+        limb4_U_mass_matrix_0_by_limb4_U_0 = 0.1112 - limb4_lower_cos * t15
+        t17 = minus_limb4_U_follows_0_by_limb4_S_1 * limb4_U_mass_matrix_0_by_limb4_U_0
+        t18 = minus_limb4_U_follows_0_by_limb4_S_1 * t17
         limb4_S_arm_y = 0.8 * limb4_lower_cos
-        t132 = limb4_S_arm_y * (1.136 * limb4_lower_cos)
+        t20 = limb4_S_arm_y * (1.136 * limb4_lower_cos)
         limb4_S_arm_x = limb4_upper_offset_x - 0.8 * minus_limb4_lower_sin
-        t134 = limb4_lower_cos * t123
-        limb4_U_follows_1_by_limb4_S_0 = limb4_S_arm_x * t134
-        limb4_U_mass_matrix_1_by_limb4_U_1 = 2.3439 - t125
-        t136 = limb4_U_follows_1_by_limb4_S_0 * (limb4_U_mass_matrix_1_by_limb4_U_1 * limb4_U_follows_1_by_limb4_S_0)
-        t137 = t132 + t136
-        t139 = limb4_U_0_sin * (t130 - t137)
-        t140 = minus_limb4_U_0_cos * t139
-        t141 = 22.6251 * platform_turn_zz  # platform
-        t142 = platform_turn_xz * t141  # platform
+        t22 = limb4_lower_cos * t11
+        limb4_U_follows_1_by_limb4_S_0 = limb4_S_arm_x * t22
+        limb4_U_mass_matrix_1_by_limb4_U_1 = 2.3439 - t13
+        t24 = limb4_U_follows_1_by_limb4_S_0 * (limb4_U_mass_matrix_1_by_limb4_U_1 * limb4_U_follows_1_by_limb4_S_0)
+        t25 = t20 + t24
+        t27 = limb4_U_0_sin * (t18 - t25)
+        t28 = minus_limb4_U_0_cos * t27
+        # limb5_S: geometry; free motion
+        t29 = limb5_S_q_qw * limb5_S_q_qw
+        t30 = limb5_S_q_qx * limb5_S_q_qx
+        t31 = t29 + t30
+        t32 = limb5_S_q_qy * limb5_S_q_qy
+        t33 = limb5_S_q_qz * limb5_S_q_qz
+        t34 = t32 + t33
+        t35 = t31 + t34
+        t37 = 4.0 - 2.0 * t35
+        t38 = limb5_S_q_qz * t37
+        t39 = limb5_S_q_qx * t38
+        t40 = limb5_S_q_qy * t37
+        t41 = limb5_S_q_qw * t40
+        platform_turn_xz = t39 + t41
+        platform_turn_zz = 1.0 - t37 * (t30 + t32)
+        t44 = 22.6251 * platform_turn_zz
+        t45 = platform_turn_xz * t44
         # limb3: geometry; rates that follow; inertia
         limb3_U_0_cos = np.cos(limb3_U_q_0)
-        t143 = 0.5235987755982989 - limb3_U_q_1
-        minus_limb3_lower_sin = np.sin(t143)
+        t46 = 0.5235987755982989 - limb3_U_q_1
+        minus_limb3_lower_sin = np.sin(t46)
         limb3_upper_offset_x = 0.3 + limb3_P_q
         limb3_upper_position_x = 0.8 - minus_limb3_lower_sin * limb3_upper_offset_x
-        limb3_lower_cos = np.cos(t143)
+        limb3_lower_cos = np.cos(t46)
         minus_limb3_U_0_lever_mz_by_limb3_S_fz = limb3_lower_cos * limb3_upper_offset_x
-        t144 = 1.0 / minus_limb3_U_0_lever_mz_by_limb3_S_fz
-        minus_limb3_U_follows_0_by_limb3_S_1 = limb3_upper_position_x * t144
+        t47 = 1.0 / minus_limb3_U_0_lever_mz_by_limb3_S_fz
+        minus_limb3_U_follows_0_by_limb3_S_1 = limb3_upper_position_x * t47
         limb3_lower_composite_first_x = 1.42 * limb3_upper_offset_x
-        t145 = 0.426 - limb3_lower_composite_first_x
-        t146 = limb3_upper_offset_x * t145
-        t147 = t146 - 2.2727
-        t148 = limb3_lower_cos * t147
-        limb3_U_mass_matrix_0_by_limb3_U_0 = 0.1112 - limb3_lower_cos * t148
-        t150 = minus_limb3_U_follows_0_by_limb3_S_1 * limb3_U_mass_matrix_0_by_limb3_U_0
-        t152 = t142 - limb3_U_0_cos * t150  # limb5_S
+        t48 = 0.426 - limb3_lower_composite_first_x
+        t49 = limb3_upper_offset_x * t48
+        t50 = t49 - 2.2727
+        t51 = limb3_lower_cos * t50
+        limb3_U_mass_matrix_0_by_limb3_U_0 = 0.1112 - limb3_lower_cos * t51
+        t53 = minus_limb3_U_follows_0_by_limb3_S_1 * limb3_U_mass_matrix_0_by_limb3_U_0
+        t55 = t45 - limb3_U_0_cos * t53  # limb5_S
         # limb2: geometry; inertia; free motion
         minus_limb2_U_0_cos = np.sin(limb2_U_q_0)
         limb2_U_0_sin = np.cos(limb2_U_q_0)
-        t153 = 2.6179938779914944 + limb2_U_q_1
-        limb2_lower_sin = np.sin(t153)
+        t56 = 2.6179938779914944 + limb2_U_q_1
+        limb2_lower_sin = np.sin(t56)
         limb2_upper_offset_x = 0.3 + limb2_P_q
         minus_limb2_upper_position_y = 0.8 - limb2_lower_sin * limb2_upper_offset_x
-        limb2_lower_cos = np.cos(t153)
+        limb2_lower_cos = np.cos(t56)
         minus_limb2_U_0_lever_mz_by_limb2_S_fz = limb2_lower_cos * limb2_upper_offset_x
-        t154 = 1.0 / minus_limb2_U_0_lever_mz_by_limb2_S_fz
-        limb2_U_follows_0_by_limb2_S_1 = minus_limb2_upper_position_y * t154
+        t57 = 1.0 / minus_limb2_U_0_lever_mz_by_limb2_S_fz
+        limb2_U_follows_0_by_limb2_S_1 = minus_limb2_upper_position_y * t57
         limb2_lower_composite_first_x = 1.42 * limb2_upper_offset_x
-        t155 = 0.426 - limb2_lower_composite_first_x
-        t156 = limb2_upper_offset_x * t155
-        t157 = t156 - 2.2727
-        t158 = limb2_lower_cos * t157
-        limb2_U_mass_matrix_0_by_limb2_U_0 = 0.1112 - limb2_lower_cos * t158
-        t160 = limb2_U_follows_0_by_limb2_S_1 * limb2_U_mass_matrix_0_by_limb2_U_0
-        t161 = limb2_U_follows_0_by_limb2_S_1 * t160
+        t58 = 0.426 - limb2_lower_composite_first_x
+        t59 = limb2_upper_offset_x * t58
+        t60 = t59 - 2.2727
+        t61 = limb2_lower_cos * t60
+        limb2_U_mass_matrix_0_by_limb2_U_0 = 0.1112 - limb2_lower_cos * t61
+        t63 = limb2_U_follows_0_by_limb2_S_1 * limb2_U_mass_matrix_0_by_limb2_U_0
+        t64 = limb2_U_follows_0_by_limb2_S_1 * t63
         minus_limb2_S_arm_y = 0.8 * limb2_lower_cos
-        t163 = minus_limb2_S_arm_y * (1.136 * limb2_lower_cos)
+        t66 = minus_limb2_S_arm_y * (1.136 * limb2_lower_cos)
         limb2_S_arm_x = limb2_upper_offset_x - 0.8 * limb2_lower_sin
-        t165 = limb2_lower_cos * t154
-        limb2_U_follows_1_by_limb2_S_0 = limb2_S_arm_x * t165
-        limb2_U_mass_matrix_1_by_limb2_U_1 = 2.3439 - t156
-        t167 = limb2_U_follows_1_by_limb2_S_0 * (limb2_U_mass_matrix_1_by_limb2_U_1 * limb2_U_follows_1_by_limb2_S_0)
-        t168 = t163 + t167
-        t170 = limb2_U_0_sin * (t161 - t168)
-        limb5_S_handed_inertia_wz_by_limb5_S_wx = t121 + (t140 + (t152 + minus_limb2_U_0_cos * t170))
-        t174 = minus_limb5_S_joint_acc_still_wz * limb5_S_handed_inertia_wz_by_limb5_S_wx  # limb5_S
-        # limb1: balance, eqs. (40)-(47); free motion
+        t68 = limb2_lower_cos * t57
+        limb2_U_follows_1_by_limb2_S_0 = limb2_S_arm_x * t68
+        limb2_U_mass_matrix_1_by_limb2_U_1 = 2.3439 - t59
+        t70 = limb2_U_follows_1_by_limb2_S_0 * (limb2_U_mass_matrix_1_by_limb2_U_1 * limb2_U_follows_1_by_limb2_S_0)
+        t71 = t66 + t70
+        t73 = limb2_U_0_sin * (t64 - t71)
+        limb5_S_handed_inertia_wz_by_limb5_S_wx = t9 + (t28 + (t55 + minus_limb2_U_0_cos * t73))
+        platform_turn_yy = 1.0 - t37 * (t30 + t33)
+        # limb1: reciprocal wrenches, eq. (10); geometry; rates that follow
+        t79 = limb1_U_0_cos * platform_turn_yy
+        limb1_U_0_sin = np.sin(limb1_U_q_0)
+        t80 = limb5_S_q_qy * t38  # limb5_S
+        t82 = limb5_S_q_qw * (limb5_S_q_qx * t37)  # limb5_S
+        platform_turn_zy = t80 + t82
+        limb1_U2_constraint_mn_couple_x = t79 + limb1_U_0_sin * platform_turn_zy
+        limb1_U_0_lever_my_by_limb1_U2_mn = limb1_lower_cos * limb1_U2_constraint_mn_couple_x
+        minus_limb1_U_factor_0_by_3 = limb1_lower_sin * limb1_U2_constraint_mn_couple_x * t2
+        minus_limb1_U2_factor_1_by_3 = limb1_U_0_lever_my_by_limb1_U2_mn - minus_limb1_upper_position_x * minus_limb1_U_factor_0_by_3
+        t85 = limb1_U_0_cos * minus_limb1_U2_factor_1_by_3
+        t88 = limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos * platform_turn_zy
+        t89 = limb1_lower_cos * t88
+        t90 = limb5_S_q_qx * t40  # limb5_S
+        t91 = limb5_S_q_qw * t38  # limb5_S
+        platform_turn_xy = t90 - t91
+        limb1_U2_constraint_mn_couple_z = t89 - limb1_lower_sin * platform_turn_xy
+        limb1_U2_arm_x = limb1_upper_offset_x - 0.8 * limb1_lower_sin
+        t94 = limb1_lower_cos * t2
+        limb1_U_factor_1_by_3 = limb1_U2_constraint_mn_couple_z * t94
+        minus_limb1_U2_factor_0_by_3 = limb1_U2_constraint_mn_couple_z - limb1_U2_arm_x * limb1_U_factor_1_by_3
+        # platform: accelerations; velocities, eq. (6); geometry
+        minus_limb5_S_pivot_wz = t85 + limb1_U_0_sin * minus_limb1_U2_factor_0_by_3
+        t97 = 1.0 / minus_limb5_S_pivot_wz
+        t98 = limb5_S_v_wy * platform_turn_yy
+        platform_turn_yx = t90 + t91
+        t100 = t98 + limb5_S_v_wx * platform_turn_yx
+        platform_turn_yz = t80 - t82
+        platform_twist_wy = t100 + limb5_S_v_wz * platform_turn_yz
+        t102 = limb1_U_0_cos * platform_twist_wy
+        t103 = limb5_S_v_wz * platform_turn_zz
+        platform_turn_zx = t39 - t41
+        platform_twist_wz = t103 + (limb5_S_v_wx * platform_turn_zx + limb5_S_v_wy * platform_turn_zy)
+        t108 = t102 + limb1_U_0_sin * platform_twist_wz
+        t110 = minus_limb1_upper_position_x * (limb1_U_v_0 * t108)
+        t111 = limb1_U_v_1 * limb1_lower_sin  # limb1
+        t114 = limb1_upper_offset_x * t111 - limb1_P_v * limb1_lower_cos  # limb1
+        t116 = t110 - limb1_U_v_0 * t114
+        t119 = limb1_U_0_sin * platform_twist_wy - limb1_U_0_cos * platform_twist_wz
+        limb1_upper_twist_vx = limb1_P_v * limb1_lower_sin
+        t120 = limb1_U_v_1 * limb1_lower_cos  # limb1
+        t124 = t116 - t119 * (limb1_upper_twist_vx + limb1_upper_offset_x * t120)
+        platform_turn_xx = 1.0 - t34 * t37
+        t128 = limb5_S_v_wx * platform_turn_xx + limb5_S_v_wy * platform_turn_xy
+        platform_twist_wx = t128 + limb5_S_v_wz * platform_turn_xz
+        t131 = t124 + platform_twist_wx * t114
+        t132 = minus_limb1_U_factor_0_by_3 * t131
+        # limb1: velocities, eq. (6); accelerations
+        limb1_lower_omega_y = limb1_U_v_0 * limb1_lower_cos
+        limb1_lower_alpha_still_x = limb1_U_v_1 * limb1_lower_omega_y
+        # limb1: loop closure; velocities, eq. (6); free motion
+        t133 = limb1_U_v_1 - t108
+        t134 = limb1_lower_omega_y * t133
+        t138 = limb1_lower_omega_y - (limb1_lower_sin * t119 + limb1_lower_cos * platform_twist_wx)
+        t142 = limb1_U2_constraint_mn_couple_x * (limb1_lower_alpha_still_x - (t134 - limb1_U_v_1 * t138))
+        limb1_lower_omega_x = limb1_U_v_0 * limb1_lower_sin
+        t143 = limb1_lower_omega_x * t138
+        t147 = limb1_lower_omega_x + (limb1_lower_cos * t119 - limb1_lower_sin * platform_twist_wx)
+        t151 = t142 - limb1_U2_constraint_mn_couple_z * (t143 - limb1_lower_omega_y * t147)
+        limb1_U2_opening_mn = limb1_lower_sin * t88 + limb1_lower_cos * platform_turn_xy
+        t157 = t147 * (limb1_U2_opening_mn * t147 + limb1_U2_constraint_mn_couple_z * t138)
+        limb1_U2_opening_bias_mn = t151 - (t157 - t133 * (limb1_U2_constraint_mn_couple_x * t138 - limb1_U2_opening_mn * t133))
+        t163 = limb1_U_v_0 * t119  # limb5_S
+        t164 = limb1_U2_arm_x * t163  # limb5_S
+        t165 = limb1_U_v_1 * limb1_P_v
+        t170 = t164 + t165 - t108 * (limb1_P_v - 0.8 * t120)  # limb5_S
+        minus_limb5_S_joint_acc_still_wz = t97 * (t132 - (limb1_U2_opening_bias_mn - t170 * limb1_U_factor_1_by_3))
+        t174 = limb5_S_handed_inertia_wz_by_limb5_S_wx * minus_limb5_S_joint_acc_still_wz  # limb5_S
         minus_limb1_U_0_moment_z = limb1_lower_cos * (limb1_upper_offset_x * (13.9302 * limb1_U_0_sin))
-        t177 = limb1_lower_sin * t118 + limb1_lower_cos * (limb1_lower_sin * t117)
+        t177 = limb1_lower_sin * t6 + limb1_lower_cos * (limb1_lower_sin * t5)
         t179 = t177 * (limb1_U_v_0 * limb1_U_v_1)
-        t180 = limb1_lower_composite_first_x - t115
+        t180 = limb1_lower_composite_first_x - t3
         t182 = limb1_lower_cos * (limb1_lower_cos * t180)
         t186 = minus_limb1_U_0_moment_z - (t179 + t182 * (limb1_U_v_0 * limb1_P_v))
-        t187 = t19 * t72
+        t187 = t2 * t131
         minus_limb1_U_handed_force_0 = t186 + limb1_U_mass_matrix_0_by_limb1_U_0 * t187
         # limb4: balance, eqs. (40)-(47)
         limb4_U_0_moment_z = limb4_lower_cos * (limb4_upper_offset_x * (13.9302 * minus_limb4_U_0_cos))
         # limb4: free motion; velocities, eq. (6)
-        t191 = minus_limb4_lower_sin * t127 + limb4_lower_cos * (minus_limb4_lower_sin * t126)
+        t191 = minus_limb4_lower_sin * t15 + limb4_lower_cos * (minus_limb4_lower_sin * t14)
         t193 = t191 * (limb4_U_v_0 * limb4_U_v_1)
-        t194 = limb4_lower_composite_first_x - t124
+        t194 = limb4_lower_composite_first_x - t12
         t196 = limb4_lower_cos * (limb4_lower_cos * t194)
         t200 = limb4_U_0_moment_z - (t193 - t196 * (limb4_U_v_0 * limb4_P_v))
         t203 = minus_limb4_U_0_cos * platform_twist_wz - limb4_U_0_sin * platform_twist_wx
@@ -7575,16 +7641,16 @@ def _forward_dynamics_first(*arguments):
         minus_limb4_upper_twist_vy = limb4_P_v * minus_limb4_lower_sin
         t215 = limb4_U_v_1 * limb4_lower_cos
         t219 = t211 + t214 * (minus_limb4_upper_twist_vy - limb4_upper_offset_x * t215)
-        t222 = t123 * (t219 - platform_twist_wy * t209)
+        t222 = t11 * (t219 - platform_twist_wy * t209)
         limb4_U_handed_force_0 = t200 - limb4_U_mass_matrix_0_by_limb4_U_0 * t222
         minus_limb4_S_handed_force_1 = minus_limb4_U_follows_0_by_limb4_S_1 * limb4_U_handed_force_0
         t224 = minus_limb4_U_0_cos * minus_limb4_S_handed_force_1
         # limb2: balance, eqs. (40)-(47)
         limb2_U_0_moment_z = limb2_lower_cos * (limb2_upper_offset_x * (13.9302 * minus_limb2_U_0_cos))
         # limb2: free motion; velocities, eq. (6)
-        t227 = limb2_lower_sin * t158 + limb2_lower_cos * (limb2_lower_sin * t157)
+        t227 = limb2_lower_sin * t61 + limb2_lower_cos * (limb2_lower_sin * t60)
         t229 = t227 * (limb2_U_v_0 * limb2_U_v_1)
-        t230 = limb2_lower_composite_first_x - t155
+        t230 = limb2_lower_composite_first_x - t58
         t232 = limb2_lower_cos * (limb2_lower_cos * t230)
         t236 = limb2_U_0_moment_z + (t229 + t232 * (limb2_U_v_0 * limb2_P_v))
         t239 = minus_limb2_U_0_cos * platform_twist_wz - limb2_U_0_sin * platform_twist_wx
@@ -7596,7 +7662,7 @@ def _forward_dynamics_first(*arguments):
         limb2_upper_twist_vy = limb2_P_v * limb2_lower_sin
         t251 = limb2_U_v_1 * limb2_lower_cos
         t257 = t247 + t250 * (limb2_upper_twist_vy + limb2_upper_offset_x * t251) - platform_twist_wy * t245
-        t258 = t154 * t257
+        t258 = t57 * t257
         limb2_U_handed_force_0 = t236 + limb2_U_mass_matrix_0_by_limb2_U_0 * t258
         limb2_S_handed_force_1 = limb2_U_follows_0_by_limb2_S_1 * limb2_U_handed_force_0
         t260 = minus_limb2_U_0_cos * limb2_S_handed_force_1
@@ -7604,9 +7670,9 @@ def _forward_dynamics_first(*arguments):
         limb3_U_0_sin = np.sin(limb3_U_q_0)
         minus_limb3_U_0_moment_z = limb3_lower_cos * (limb3_upper_offset_x * (13.9302 * limb3_U_0_sin))
         # limb3: free motion; velocities, eq. (6)
-        t263 = minus_limb3_lower_sin * t148 + limb3_lower_cos * (minus_limb3_lower_sin * t147)
+        t263 = minus_limb3_lower_sin * t51 + limb3_lower_cos * (minus_limb3_lower_sin * t50)
         t265 = t263 * (limb3_U_v_0 * limb3_U_v_1)
-        t266 = limb3_lower_composite_first_x - t145
+        t266 = limb3_lower_composite_first_x - t48
         t268 = limb3_lower_cos * (limb3_lower_cos * t266)
         t272 = minus_limb3_U_0_moment_z + (t265 - t268 * (limb3_U_v_0 * limb3_P_v))
         t275 = limb3_U_0_cos * platform_twist_wy + limb3_U_0_sin * platform_twist_wz
@@ -7618,7 +7684,7 @@ def _forward_dynamics_first(*arguments):
         minus_limb3_upper_twist_vx = limb3_P_v * minus_limb3_lower_sin
         t287 = limb3_U_v_1 * limb3_lower_cos
         t291 = t283 - t286 * (minus_limb3_upper_twist_vx - limb3_upper_offset_x * t287)
-        t294 = t144 * (t291 + platform_twist_wx * t281)
+        t294 = t47 * (t291 + platform_twist_wx * t281)
         minus_limb3_U_handed_force_0 = t272 - limb3_U_mass_matrix_0_by_limb3_U_0 * t294
         # limb4: accelerations
         minus_limb4_U_0_acc_y = 9.81 * limb4_U_0_sin
@@ -7635,7 +7701,7 @@ def _forward_dynamics_first(*arguments):
         t312 = limb4_U_v_1 * limb4_P_v
         t315 = minus_limb4_lower_moment_z - (t311 + t312 * t194)
         t321 = limb4_S_arm_x * t303 + t312 + t203 * (limb4_P_v + 0.8 * t215)
-        t322 = t321 * t134
+        t322 = t321 * t22
         limb4_S_handed_force_0 = t309 - limb4_U_follows_1_by_limb4_S_0 * (t315 + limb4_U_mass_matrix_1_by_limb4_U_1 * t322)
         t325 = limb4_U_0_sin * limb4_S_handed_force_0
         platform_rate_mx = 22.6251 * (limb5_S_v_wy * limb5_S_v_wz) - 14.62961126155784 * platform_turn_zy
@@ -7657,41 +7723,41 @@ def _forward_dynamics_first(*arguments):
         t347 = limb2_U_v_1 * limb2_P_v
         t350 = limb2_lower_moment_z - (t346 - t347 * t230)
         t356 = limb2_S_arm_x * t338 + t347 + t239 * (limb2_P_v - 0.8 * t251)
-        t357 = t356 * t165
+        t357 = t356 * t68
         minus_limb2_S_handed_force_0 = t344 - limb2_U_follows_1_by_limb2_S_0 * (t350 - limb2_U_mass_matrix_1_by_limb2_U_1 * t357)
         t363 = minus_limb3_U_handed_force_0 - (t325 + (t330 - limb2_U_0_sin * minus_limb2_S_handed_force_0))  # limb5_S
         limb5_S_reduced_force_wx = t174 + (minus_limb1_U_handed_force_0 - (t224 - (t260 + t363)))
-        limb5_S_null_space_wz_by_limb5_S_wy = t34 * (limb1_U_0_sin * minus_limb1_U2_factor_1_by_3 - limb1_U_0_cos * minus_limb1_U2_factor_0_by_3)
+        limb5_S_null_space_wz_by_limb5_S_wy = t97 * (limb1_U_0_sin * minus_limb1_U2_factor_1_by_3 - limb1_U_0_cos * minus_limb1_U2_factor_0_by_3)
         # limb1: reciprocal wrenches, eq. (10); free motion; rates that follow
         minus_limb1_U2_arm_y = 0.8 * limb1_lower_cos
         t371 = minus_limb1_U2_arm_y * (1.136 * limb1_lower_cos)
-        limb1_U_follows_1_by_limb1_U2_0 = limb1_U2_arm_x * t31
-        limb1_U_mass_matrix_1_by_limb1_U_1 = 2.3439 - t116
+        limb1_U_follows_1_by_limb1_U2_0 = limb1_U2_arm_x * t94
+        limb1_U_mass_matrix_1_by_limb1_U_1 = 2.3439 - t4
         t373 = limb1_U_follows_1_by_limb1_U2_0 * (limb1_U_mass_matrix_1_by_limb1_U_1 * limb1_U_follows_1_by_limb1_U2_0)
         t374 = t371 + t373
-        t375 = limb1_U_follows_0_by_limb1_U2_1 * t120
+        t375 = limb1_U_follows_0_by_limb1_U2_1 * t8
         t377 = limb1_U_0_cos * (t375 - t374)
         t378 = limb1_U_0_cos * t377
         t379 = t374 + t378
-        t380 = limb4_U_0_sin * t139  # limb4
-        t381 = t137 + t380  # limb4
-        t382 = limb2_U_0_sin * t170  # limb2
-        t383 = t168 + t382  # limb2
-        t385 = 69.4749 + platform_turn_zz * t141  # platform
+        t380 = limb4_U_0_sin * t27  # limb4
+        t381 = t25 + t380  # limb4
+        t382 = limb2_U_0_sin * t73  # limb2
+        t383 = t71 + t382  # limb2
+        t385 = 69.4749 + platform_turn_zz * t44  # platform
         # limb3: reciprocal wrenches, eq. (10); free motion; rates that follow
         limb3_S_arm_y = 0.8 * limb3_lower_cos
         t387 = limb3_S_arm_y * (1.136 * limb3_lower_cos)
         limb3_S_arm_x = limb3_upper_offset_x - 0.8 * minus_limb3_lower_sin
-        t389 = limb3_lower_cos * t144
+        t389 = limb3_lower_cos * t47
         limb3_U_follows_1_by_limb3_S_0 = limb3_S_arm_x * t389
-        limb3_U_mass_matrix_1_by_limb3_U_1 = 2.3439 - t146
+        limb3_U_mass_matrix_1_by_limb3_U_1 = 2.3439 - t49
         t391 = limb3_U_follows_1_by_limb3_S_0 * (limb3_U_mass_matrix_1_by_limb3_U_1 * limb3_U_follows_1_by_limb3_S_0)
         t392 = t387 + t391
-        t393 = minus_limb3_U_follows_0_by_limb3_S_1 * t150
+        t393 = minus_limb3_U_follows_0_by_limb3_S_1 * t53
         t395 = limb3_U_0_cos * (t393 - t392)
         t396 = limb3_U_0_cos * t395
         limb5_S_handed_inertia_wz = t379 + (t381 + (t383 + (t385 + (t392 + t396))))
-        t401 = minus_limb5_S_joint_acc_still_wz * limb5_S_handed_inertia_wz  # limb5_S
+        t401 = limb5_S_handed_inertia_wz * minus_limb5_S_joint_acc_still_wz  # limb5_S
         # limb1: free motion; accelerations; balance, eqs. (40)-(47)
         minus_limb1_U2_handed_force_1 = limb1_U_follows_0_by_limb1_U2_1 * minus_limb1_U_handed_force_0
         t402 = limb1_U_0_cos * minus_limb1_U2_handed_force_1
@@ -7704,11 +7770,11 @@ def _forward_dynamics_first(*arguments):
         minus_limb1_U_0_U_still_xx = limb1_U_v_0 * limb1_U_v_0
         t411 = minus_limb1_U_0_U_still_xx * (0.5 * t182) + limb1_U_v_1 * limb1_U_v_1 * (0.5 * t180)
         t412 = limb1_P_generalised_force - t411
-        t416 = minus_limb1_U2_arm_y * t104 + t49 * (0.8 * t52)
+        t416 = minus_limb1_U2_arm_y * t163 + t108 * (0.8 * t111)
         t418 = minus_limb1_U2_arm_y * (t412 - 1.42 * t416)
         minus_limb1_lower_moment_z = limb1_upper_offset_x * (1.42 * (limb1_lower_sin * limb1_U_0_acc_y))
-        t423 = minus_limb1_lower_moment_z + (minus_limb1_U_0_U_still_xx * (0.5 * t177) - t106 * t180)
-        t424 = t111 * t31
+        t423 = minus_limb1_lower_moment_z + (minus_limb1_U_0_U_still_xx * (0.5 * t177) - t165 * t180)
+        t424 = t170 * t94
         limb1_U2_handed_force_0 = t418 - limb1_U_follows_1_by_limb1_U2_0 * (t423 + limb1_U_mass_matrix_1_by_limb1_U_1 * t424)
         t427 = limb1_U_0_sin * limb1_U2_handed_force_0
         t428 = minus_limb4_U_0_cos * limb4_S_handed_force_0  # limb4
@@ -7734,20 +7800,20 @@ def _forward_dynamics_first(*arguments):
         t467 = t405 + (t427 - (t428 - (t429 + (t432 - limb3_U_0_sin * minus_limb3_S_handed_force_0))))  # limb5_S
         t471 = limb5_S_null_space_wz_by_limb5_S_wy * (t401 + (t402 - (t403 - (t404 - t467))))  # limb5_S
         t472 = limb1_U_0_sin * t377  # limb1
-        t473 = limb4_U_0_sin * t129  # limb4
-        t474 = limb2_U_0_sin * t160  # limb2
+        t473 = limb4_U_0_sin * t17  # limb4
+        t474 = limb2_U_0_sin * t63  # limb2
         # limb5_S: free motion; accelerations; pivots
         t475 = 22.6251 * platform_turn_yz
         t481 = t472 - (t473 - (t474 - (platform_turn_zz * t475 - limb3_U_0_sin * t395)))
-        t482 = minus_limb5_S_joint_acc_still_wz * t481
+        t482 = t481 * minus_limb5_S_joint_acc_still_wz
         t483 = limb1_U_0_sin * minus_limb1_U2_handed_force_1  # limb1
         t484 = limb3_U_0_sin * limb3_S_handed_force_1  # limb3
         t485 = limb1_U_0_cos * limb1_U2_handed_force_0  # limb1
         t488 = platform_turn_yx * platform_rate_mx - platform_turn_yy * minus_platform_rate_my
         t493 = limb2_U_handed_force_0 - (t484 - (t485 + (t488 - limb3_U_0_cos * minus_limb3_S_handed_force_0)))
         limb5_S_reduced_force_wy = t471 - (t482 + (t483 + (limb4_U_handed_force_0 + t493)))
-        t501 = platform_turn_xz * t475 + limb3_U_0_sin * t150 - minus_limb2_U_0_cos * t160
-        t505 = t501 + minus_limb4_U_0_cos * t129 - limb1_U_0_sin * t120
+        t501 = platform_turn_xz * t475 + limb3_U_0_sin * t53 - minus_limb2_U_0_cos * t63
+        t505 = t501 + minus_limb4_U_0_cos * t17 - limb1_U_0_sin * t8
         limb5_S_reduced_inertia_wx_by_limb5_S_wy = t505 + limb5_S_null_space_wz_by_limb5_S_wy * limb5_S_handed_inertia_wz_by_limb5_S_wx
         t507 = t375 - t378  # limb1
         t513 = limb4_U_mass_matrix_0_by_limb4_U_0 + (limb2_U_mass_matrix_0_by_limb2_U_0 + (69.4749 + platform_turn_yz * t475 + (t393 - t396)))
@@ -7757,9 +7823,9 @@ def _forward_dynamics_first(*arguments):
         t519 = 1.0 / limb5_S_reduced_inertia_wy_by_limb5_S_wy
         t520 = limb5_S_reduced_inertia_wx_by_limb5_S_wy * t519
         t522 = limb5_S_reduced_force_wx - limb5_S_reduced_force_wy * t520
-        t523 = t130 - t380  # limb4
+        t523 = t18 - t380  # limb4
         t527 = limb3_U_mass_matrix_0_by_limb3_U_0 + (69.4749 + platform_turn_xz * (22.6251 * platform_turn_xz))
-        limb5_S_reduced_inertia_wx_by_limb5_S_wx = limb1_U_mass_matrix_0_by_limb1_U_0 + (t523 + (t527 + (t161 - t382)))
+        limb5_S_reduced_inertia_wx_by_limb5_S_wx = limb1_U_mass_matrix_0_by_limb1_U_0 + (t523 + (t527 + (t64 - t382)))
         pivot_1 = limb5_S_reduced_inertia_wx_by_limb5_S_wx - limb5_S_reduced_inertia_wx_by_limb5_S_wy * t520
         limb5_S_joint_acc_wx = t522 / pivot_1
         minus_limb5_S_joint_acc_wy = t520 * limb5_S_joint_acc_wx - limb5_S_reduced_force_wy * t519
@@ -7804,13 +7870,13 @@ def _forward_dynamics_first(*arguments):
             (minus_limb1_U_0_lever_mz_by_limb1_U2_fz, 6.62327e-06), (minus_limb5_S_pivot_wz,
             1.0e-05), (limb5_S_reduced_inertia_wy_by_limb5_S_wy, 0.0007562600000000001), (pivot_1,
             0.0007551200000000001)), (minus_limb1_U_0_lever_mz_by_limb1_U2_fz,
-            minus_limb5_S_pivot_wz, minus_limb4_U_0_lever_mz_by_limb4_S_fz,
-            minus_limb3_U_0_lever_mz_by_limb3_S_fz, minus_limb2_U_0_lever_mz_by_limb2_S_fz,
+            minus_limb4_U_0_lever_mz_by_limb4_S_fz, minus_limb3_U_0_lever_mz_by_limb3_S_fz,
+            minus_limb2_U_0_lever_mz_by_limb2_S_fz, minus_limb5_S_pivot_wz,
             limb5_S_reduced_inertia_wy_by_limb5_S_wy, pivot_1, limb1_U_joint_acc_0,
             limb1_U_joint_acc_1, limb1_P_joint_acc, limb2_U_joint_acc_0, limb2_U_joint_acc_1,
             limb2_P_joint_acc, limb3_U_joint_acc_0, limb3_U_joint_acc_1, limb3_P_joint_acc,
             limb4_U_joint_acc_0, limb4_U_joint_acc_1, limb4_P_joint_acc, platform_alpha_x,
-            platform_alpha_y, platform_alpha_z), ((t8, 0.999999, 1.000001, 5),))
+            platform_alpha_y, platform_alpha_z), ((t35, 0.999999, 1.000001, 5),))
 
 
 def _forward_dynamics_dense(*arguments):
@@ -8464,14 +8530,14 @@ def forward_dynamics_independent(*arguments):
         t129 = t115 * t128
         t133 = minus_limb1_upper_position_x * (limb1_U_0_cos * limb5_S_joint_rate_wz - limb1_U_0_sin * limb5_S_joint_rate_wy)  # limb1
         limb1_U_joint_rate_0 = limb5_S_joint_rate_wx + t19 * t133
-        t135 = limb1_U_joint_rate_0 * t90  # limb1
+        t135 = t90 * limb1_U_joint_rate_0  # limb1
         t138 = limb1_U_0_sin * t120 + limb1_U_0_cos * t126
         t143 = t111 - (t129 + (t135 + minus_limb1_upper_position_x * (limb1_U_joint_rate_0 * t138)))
         t144 = minus_limb1_U_factor_0_by_3 * t143
         t147 = t138 * (limb1_P_joint_rate - 0.8 * t113)
         # limb1: accelerations
         t148 = limb1_P_joint_rate * limb1_U_joint_rate_1
-        t149 = limb1_U_joint_rate_0 * t128  # limb5_S
+        t149 = t128 * limb1_U_joint_rate_0  # limb5_S
         t152 = t147 - (t148 - limb1_U2_arm_x * t149)  # limb5_S
         t153 = limb1_U_factor_1_by_3 * t152  # limb5_S
         # limb1: loop closure; velocities, eq. (6)
@@ -8628,7 +8694,7 @@ def forward_dynamics_independent(*arguments):
         limb5_S_reduced_inertia_wy_by_limb5_S_wy = t283 - t307
         t308 = 1.0 / limb5_S_reduced_inertia_wy_by_limb5_S_wy
         t309 = limb5_S_reduced_inertia_wx_by_limb5_S_wy * t308
-        t310 = limb5_S_joint_acc_still_wz * limb5_S_handed_inertia_wz_by_limb5_S_wx
+        t310 = limb5_S_handed_inertia_wz_by_limb5_S_wx * limb5_S_joint_acc_still_wz
         t312 = limb1_U_mass_matrix_0_by_limb1_U_0 * (t19 * t143)  # limb1
         minus_limb1_U_0_moment_z = limb1_lower_cos * (limb1_upper_offset_x * (13.9302 * limb1_U_0_sin))
         t313 = limb1_lower_composite_first_x - t218  # limb1
@@ -8641,7 +8707,7 @@ def forward_dynamics_independent(*arguments):
         limb4_P_joint_rate = limb4_S_arm_y * t327
         # limb4: free motion; velocities, eq. (6); balance, eqs. (40)-(47)
         t328 = limb4_lower_cos * limb4_P_joint_rate
-        minus_limb4_U_joint_rate_1 = limb4_S_arm_x * t327 * t231
+        minus_limb4_U_joint_rate_1 = t231 * (limb4_S_arm_x * t327)
         t329 = minus_limb4_lower_sin * minus_limb4_U_joint_rate_1
         t331 = t328 - limb4_upper_offset_x * t329
         t332 = t126 * t331
@@ -8652,7 +8718,7 @@ def forward_dynamics_independent(*arguments):
         t340 = t336 * t339
         t344 = limb4_upper_position_y * (limb4_U_0_sin * limb5_S_joint_rate_wz + minus_limb4_U_0_cos * limb5_S_joint_rate_wx)
         limb4_U_joint_rate_0 = limb5_S_joint_rate_wy + t209 * t344
-        t346 = limb4_U_joint_rate_0 * t331
+        t346 = t331 * limb4_U_joint_rate_0
         t349 = limb4_U_0_sin * t110 - minus_limb4_U_0_cos * t120
         t355 = t209 * (t332 - (t340 + (t346 - limb4_upper_position_y * (limb4_U_joint_rate_0 * t349))))
         t356 = limb4_U_mass_matrix_0_by_limb4_U_0 * t355
@@ -8669,7 +8735,7 @@ def forward_dynamics_independent(*arguments):
         minus_limb2_P_joint_rate = minus_limb2_S_arm_y * t372
         # limb2: free motion; velocities, eq. (6); balance, eqs. (40)-(47)
         t373 = limb2_lower_cos * minus_limb2_P_joint_rate
-        minus_limb2_U_joint_rate_1 = limb2_S_arm_x * t372 * t246
+        minus_limb2_U_joint_rate_1 = t246 * (limb2_S_arm_x * t372)
         t374 = limb2_lower_sin * minus_limb2_U_joint_rate_1
         t376 = t373 - limb2_upper_offset_x * t374
         t377 = t126 * t376
@@ -8680,7 +8746,7 @@ def forward_dynamics_independent(*arguments):
         t385 = t381 * t384
         t389 = minus_limb2_upper_position_y * (limb2_U_0_sin * limb5_S_joint_rate_wz + minus_limb2_U_0_cos * limb5_S_joint_rate_wx)
         limb2_U_joint_rate_0 = limb5_S_joint_rate_wy - t199 * t389
-        t391 = limb2_U_joint_rate_0 * t376
+        t391 = t376 * limb2_U_joint_rate_0
         t394 = limb2_U_0_sin * t110 - minus_limb2_U_0_cos * t120
         t400 = t199 * (t377 + (t385 - (t391 - minus_limb2_upper_position_y * (limb2_U_joint_rate_0 * t394))))
         t401 = limb2_U_mass_matrix_0_by_limb2_U_0 * t400
@@ -8697,7 +8763,7 @@ def forward_dynamics_independent(*arguments):
         minus_limb3_P_joint_rate = limb3_S_arm_y * t417
         # limb3: free motion; velocities, eq. (6); balance, eqs. (40)-(47)
         t418 = limb3_lower_cos * minus_limb3_P_joint_rate
-        limb3_U_joint_rate_1 = limb3_S_arm_x * t417 * t272
+        limb3_U_joint_rate_1 = t272 * (limb3_S_arm_x * t417)
         t419 = minus_limb3_lower_sin * limb3_U_joint_rate_1
         t421 = t418 - limb3_upper_offset_x * t419
         t422 = t110 * t421
@@ -8708,7 +8774,7 @@ def forward_dynamics_independent(*arguments):
         t430 = t426 * t429
         t434 = limb3_upper_position_x * (limb3_U_0_cos * limb5_S_joint_rate_wz - limb3_U_0_sin * limb5_S_joint_rate_wy)
         limb3_U_joint_rate_0 = limb5_S_joint_rate_wx - t189 * t434
-        t436 = limb3_U_joint_rate_0 * t421
+        t436 = t421 * limb3_U_joint_rate_0
         t439 = limb3_U_0_sin * t120 + limb3_U_0_cos * t126
         t445 = t189 * (t422 + (t430 - (t436 + limb3_upper_position_x * (limb3_U_joint_rate_0 * t439))))
         t446 = limb3_U_mass_matrix_0_by_limb3_U_0 * t445
@@ -8721,7 +8787,7 @@ def forward_dynamics_independent(*arguments):
         # limb4: free motion; accelerations; balance, eqs. (40)-(47)
         t461 = t349 * (limb4_P_joint_rate - 0.8 * t334)
         t462 = limb4_P_joint_rate * minus_limb4_U_joint_rate_1
-        t463 = limb4_U_joint_rate_0 * t339
+        t463 = t339 * limb4_U_joint_rate_0
         t468 = limb4_U_mass_matrix_1_by_limb4_U_1 * (t231 * (t461 + (t462 - limb4_S_arm_x * t463)))
         minus_limb4_U_0_acc_y = 9.81 * limb4_U_0_sin
         minus_limb4_lower_moment_z = limb4_upper_offset_x * (1.42 * (minus_limb4_lower_sin * minus_limb4_U_0_acc_y))
@@ -8738,7 +8804,7 @@ def forward_dynamics_independent(*arguments):
         # limb2: free motion; accelerations; balance, eqs. (40)-(47)
         t491 = t394 * (minus_limb2_P_joint_rate - 0.8 * t379)
         t492 = minus_limb2_P_joint_rate * minus_limb2_U_joint_rate_1
-        t493 = limb2_U_joint_rate_0 * t384
+        t493 = t384 * limb2_U_joint_rate_0
         t498 = limb2_U_mass_matrix_1_by_limb2_U_1 * (t246 * (t491 + (t492 + limb2_S_arm_x * t493)))
         minus_limb2_U_0_acc_y = 9.81 * limb2_U_0_sin
         limb2_lower_moment_z = limb2_upper_offset_x * (1.42 * (limb2_lower_sin * minus_limb2_U_0_acc_y))
@@ -8757,7 +8823,7 @@ def forward_dynamics_independent(*arguments):
         minus_platform_rate_mx = 14.62961126155784 * platform_turn_zy - 22.6251 * (platform_omega_z * platform_omega_y)
         t526 = minus_limb3_U_handed_force_0 - (t488 - (t518 - (t520 - platform_turn_xx * minus_platform_rate_mx)))  # limb5_S
         minus_limb5_S_reduced_force_wx = t310 + (limb1_U_handed_force_0 + (t369 + (t414 - t526)))
-        t530 = limb5_S_joint_acc_still_wz * limb5_S_handed_inertia_wz  # limb5_S
+        t530 = limb5_S_handed_inertia_wz * limb5_S_joint_acc_still_wz  # limb5_S
         # limb1: free motion; accelerations; balance, eqs. (40)-(47)
         limb1_U2_handed_force_1 = limb1_U_follows_0_by_limb1_U2_1 * limb1_U_handed_force_0
         t531 = limb1_U_0_cos * limb1_U2_handed_force_1
@@ -8783,7 +8849,7 @@ def forward_dynamics_independent(*arguments):
         # limb3: free motion; accelerations; balance, eqs. (40)-(47)
         t561 = t439 * (minus_limb3_P_joint_rate - 0.8 * t424)
         t562 = minus_limb3_P_joint_rate * limb3_U_joint_rate_1
-        t563 = limb3_U_joint_rate_0 * t429
+        t563 = t429 * limb3_U_joint_rate_0
         t568 = limb3_U_mass_matrix_1_by_limb3_U_1 * (t272 * (t561 - (t562 + limb3_S_arm_x * t563)))
         limb3_U_0_acc_y = 9.81 * limb3_U_0_cos
         limb3_lower_moment_z = limb3_upper_offset_x * (1.42 * (minus_limb3_lower_sin * limb3_U_0_acc_y))
@@ -8800,7 +8866,7 @@ def forward_dynamics_independent(*arguments):
         t593 = t558 - (t588 - (platform_turn_zy * platform_rate_my - platform_turn_zx * minus_platform_rate_mx))  # limb5_S
         t599 = t531 + (t532 + (t533 + (t534 + (t556 - (t557 - t593)))))  # limb5_S
         t600 = limb5_S_null_space_wz_by_limb5_S_wy * (t530 + t599)  # limb5_S
-        t601 = limb5_S_joint_acc_still_wz * t292  # limb5_S
+        t601 = t292 * limb5_S_joint_acc_still_wz  # limb5_S
         t602 = limb1_U_0_sin * limb1_U2_handed_force_1  # limb1
         t603 = limb3_U_0_sin * limb3_S_handed_force_1
         t604 = limb1_U_0_cos * limb1_U2_handed_force_0  # limb1
@@ -8808,13 +8874,13 @@ def forward_dynamics_independent(*arguments):
         # limb5_S: free motion; accelerations; pivots
         t610 = t604 - (t605 - (platform_turn_yy * platform_rate_my - platform_turn_yx * minus_platform_rate_mx))
         minus_limb5_S_reduced_force_wy = t600 - (t601 + (t602 - (limb4_U_handed_force_0 - (minus_limb2_U_handed_force_0 + (t603 - t610)))))
-        t617 = minus_limb5_S_reduced_force_wx - t309 * minus_limb5_S_reduced_force_wy
+        t617 = minus_limb5_S_reduced_force_wx - minus_limb5_S_reduced_force_wy * t309
         t618 = t227 - t294  # limb4
         t622 = limb3_U_mass_matrix_0_by_limb3_U_0 + (69.4749 + platform_turn_xz * (22.6251 * platform_turn_xz))
         limb5_S_reduced_inertia_wx_by_limb5_S_wx = limb1_U_mass_matrix_0_by_limb1_U_0 + (t618 + (t622 + (t242 - t296)))
         pivot_1 = limb5_S_reduced_inertia_wx_by_limb5_S_wx - limb5_S_reduced_inertia_wx_by_limb5_S_wy * t309
         minus_limb5_S_joint_acc_wx = t617 / pivot_1
-        limb5_S_joint_acc_wy = t309 * minus_limb5_S_joint_acc_wx - t308 * minus_limb5_S_reduced_force_wy
+        limb5_S_joint_acc_wy = t309 * minus_limb5_S_joint_acc_wx - minus_limb5_S_reduced_force_wy * t308
         limb5_S_joint_acc_wz = limb5_S_joint_acc_still_wz + limb5_S_null_space_wz_by_limb5_S_wy * limb5_S_joint_acc_wy
         # limb5_S: results
         t630 = platform_turn_zz * limb5_S_joint_acc_wz
@@ -8861,205 +8927,203 @@ def _forward_dynamics_reactions_first(*arguments):
         limb5_S_v_wx, limb5_S_v_wy, limb5_S_v_wz, limb1_P_u, limb2_P_u, limb3_P_u, limb4_P_u,
     ) = entries
     with np.errstate(all="ignore"):
-        # limb1: geometry
+        # limb1: geometry; rates that follow; inertia
         limb1_U_0_cos = np.cos(limb1_U_q_0)
         t1 = 0.5235987755982989 + limb1_U_q_1
-        limb1_lower_cos = np.cos(t1)
-        # limb5_S: geometry
-        t2 = limb5_S_q_qw * limb5_S_q_qw
-        t3 = limb5_S_q_qx * limb5_S_q_qx
-        t4 = t2 + t3
-        t5 = limb5_S_q_qy * limb5_S_q_qy
-        t6 = limb5_S_q_qz * limb5_S_q_qz
-        t7 = t5 + t6
-        t8 = t4 + t7
-        t10 = 4.0 - 2.0 * t8
-        platform_turn_yy = 1.0 - t10 * (t3 + t6)
-        # limb1: reciprocal wrenches, eq. (10); geometry; rates that follow
-        t13 = limb1_U_0_cos * platform_turn_yy
-        limb1_U_0_sin = np.sin(limb1_U_q_0)
-        t14 = limb5_S_q_qz * t10  # limb5_S
-        t15 = limb5_S_q_qy * t14  # limb5_S
-        t17 = limb5_S_q_qw * (limb5_S_q_qx * t10)  # limb5_S
-        platform_turn_zy = t15 + t17
-        limb1_U2_constraint_mn_couple_x = t13 + limb1_U_0_sin * platform_turn_zy
-        limb1_U_0_lever_my_by_limb1_U2_mn = limb1_lower_cos * limb1_U2_constraint_mn_couple_x
         limb1_lower_sin = np.sin(t1)
         limb1_upper_offset_x = 0.3 + limb1_P_q
         minus_limb1_upper_position_x = 0.8 - limb1_lower_sin * limb1_upper_offset_x
-        limb1_U_0_lever_mz_by_limb1_U2_mn = limb1_lower_sin * limb1_U2_constraint_mn_couple_x
+        limb1_lower_cos = np.cos(t1)
         minus_limb1_U_0_lever_mz_by_limb1_U2_fz = limb1_lower_cos * limb1_upper_offset_x
-        t19 = 1.0 / minus_limb1_U_0_lever_mz_by_limb1_U2_fz
-        minus_limb1_U_factor_0_by_3 = limb1_U_0_lever_mz_by_limb1_U2_mn * t19
-        minus_limb1_U2_factor_1_by_3 = limb1_U_0_lever_my_by_limb1_U2_mn - minus_limb1_upper_position_x * minus_limb1_U_factor_0_by_3
-        t21 = limb1_U_0_cos * minus_limb1_U2_factor_1_by_3
-        t24 = limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos * platform_turn_zy
-        t25 = limb1_lower_cos * t24
-        t26 = limb5_S_q_qy * t10  # limb5_S
-        t27 = limb5_S_q_qx * t26  # limb5_S
-        t28 = limb5_S_q_qw * t14  # limb5_S
-        platform_turn_xy = t27 - t28
-        limb1_U2_constraint_mn_couple_z = t25 - limb1_lower_sin * platform_turn_xy
-        limb1_U2_arm_x = limb1_upper_offset_x - 0.8 * limb1_lower_sin
-        t31 = limb1_lower_cos * t19
-        limb1_U_factor_1_by_3 = limb1_U2_constraint_mn_couple_z * t31
-        minus_limb1_U2_factor_0_by_3 = limb1_U2_constraint_mn_couple_z - limb1_U2_arm_x * limb1_U_factor_1_by_3
-        t33 = limb1_U_0_sin * minus_limb1_U2_factor_0_by_3
-        # platform: accelerations; velocities, eq. (6); geometry
-        minus_limb5_S_pivot_wz = t21 + t33
-        t34 = 1.0 / minus_limb5_S_pivot_wz
-        t35 = limb5_S_v_wy * platform_turn_yy
-        platform_turn_yx = t27 + t28
-        t37 = t35 + limb5_S_v_wx * platform_turn_yx
-        platform_turn_yz = t15 - t17
-        platform_twist_wy = t37 + limb5_S_v_wz * platform_turn_yz
-        t39 = limb1_U_0_cos * platform_twist_wy
-        platform_turn_zz = 1.0 - t10 * (t3 + t5)
-        t42 = limb5_S_v_wz * platform_turn_zz
-        t43 = limb5_S_q_qx * t14
-        t44 = limb5_S_q_qw * t26
-        platform_turn_zx = t43 - t44
-        platform_twist_wz = t42 + (limb5_S_v_wx * platform_turn_zx + limb5_S_v_wy * platform_turn_zy)
-        t49 = t39 + limb1_U_0_sin * platform_twist_wz
-        t51 = minus_limb1_upper_position_x * (limb1_U_v_0 * t49)
-        t52 = limb1_U_v_1 * limb1_lower_sin  # limb1
-        t55 = limb1_upper_offset_x * t52 - limb1_P_v * limb1_lower_cos  # limb1
-        t57 = t51 - limb1_U_v_0 * t55
-        t60 = limb1_U_0_sin * platform_twist_wy - limb1_U_0_cos * platform_twist_wz
-        limb1_upper_twist_vx = limb1_P_v * limb1_lower_sin
-        t61 = limb1_U_v_1 * limb1_lower_cos  # limb1
-        t65 = t57 - t60 * (limb1_upper_twist_vx + limb1_upper_offset_x * t61)
-        platform_turn_xx = 1.0 - t7 * t10
-        t69 = limb5_S_v_wx * platform_turn_xx + limb5_S_v_wy * platform_turn_xy
-        platform_turn_xz = t43 + t44
-        platform_twist_wx = t69 + limb5_S_v_wz * platform_turn_xz
-        t72 = t65 + platform_twist_wx * t55
-        t73 = minus_limb1_U_factor_0_by_3 * t72
-        # limb1: velocities, eq. (6); accelerations
-        limb1_lower_omega_y = limb1_U_v_0 * limb1_lower_cos
-        limb1_lower_alpha_still_x = limb1_U_v_1 * limb1_lower_omega_y
-        # limb1: loop closure; inertia; free motion
-        t74 = limb1_U_v_1 - t49
-        t75 = limb1_lower_omega_y * t74
-        t79 = limb1_lower_omega_y - (limb1_lower_sin * t60 + limb1_lower_cos * platform_twist_wx)
-        t83 = limb1_U2_constraint_mn_couple_x * (limb1_lower_alpha_still_x - (t75 - limb1_U_v_1 * t79))
-        limb1_lower_omega_x = limb1_U_v_0 * limb1_lower_sin
-        t84 = limb1_lower_omega_x * t79
-        t88 = limb1_lower_omega_x + (limb1_lower_cos * t60 - limb1_lower_sin * platform_twist_wx)
-        t92 = t83 - limb1_U2_constraint_mn_couple_z * (t84 - limb1_lower_omega_y * t88)
-        limb1_U2_opening_mn = limb1_lower_sin * t24 + limb1_lower_cos * platform_turn_xy
-        t98 = t88 * (limb1_U2_opening_mn * t88 + limb1_U2_constraint_mn_couple_z * t79)
-        limb1_U2_opening_bias_mn = t92 - (t98 - t74 * (limb1_U2_constraint_mn_couple_x * t79 - limb1_U2_opening_mn * t74))
-        t104 = limb1_U_v_0 * t60  # limb5_S
-        t105 = limb1_U2_arm_x * t104  # limb5_S
-        t106 = limb1_U_v_1 * limb1_P_v
-        t111 = t105 + t106 - t49 * (limb1_P_v - 0.8 * t61)  # limb5_S
-        minus_limb5_S_joint_acc_still_wz = t34 * (t73 - (limb1_U2_opening_bias_mn - t111 * limb1_U_factor_1_by_3))
-        limb1_U_follows_0_by_limb1_U2_1 = minus_limb1_upper_position_x * t19
+        t2 = 1.0 / minus_limb1_U_0_lever_mz_by_limb1_U2_fz
+        limb1_U_follows_0_by_limb1_U2_1 = minus_limb1_upper_position_x * t2
         limb1_lower_composite_first_x = 1.42 * limb1_upper_offset_x
-        t115 = 0.426 - limb1_lower_composite_first_x
-        t116 = limb1_upper_offset_x * t115
-        t117 = t116 - 2.2727
-        t118 = limb1_lower_cos * t117
-        limb1_U_mass_matrix_0_by_limb1_U_0 = 0.1112 - limb1_lower_cos * t118
-        t120 = limb1_U_follows_0_by_limb1_U2_1 * limb1_U_mass_matrix_0_by_limb1_U_0
-        t121 = limb1_U_0_cos * t120
+        t3 = 0.426 - limb1_lower_composite_first_x
+        t4 = limb1_upper_offset_x * t3
+        t5 = t4 - 2.2727
+        t6 = limb1_lower_cos * t5
+        limb1_U_mass_matrix_0_by_limb1_U_0 = 0.1112 - limb1_lower_cos * t6
+        t8 = limb1_U_follows_0_by_limb1_U2_1 * limb1_U_mass_matrix_0_by_limb1_U_0
+        t9 = limb1_U_0_cos * t8
         # limb4: geometry; inertia; free motion
         minus_limb4_U_0_cos = np.sin(limb4_U_q_0)
         limb4_U_0_sin = np.cos(limb4_U_q_0)
-        t122 = 2.6179938779914944 - limb4_U_q_1
-        minus_limb4_lower_sin = np.sin(t122)
+        t10 = 2.6179938779914944 - limb4_U_q_1
+        minus_limb4_lower_sin = np.sin(t10)
         limb4_upper_offset_x = 0.3 + limb4_P_q
         limb4_upper_position_y = 0.8 - minus_limb4_lower_sin * limb4_upper_offset_x
-        limb4_lower_cos = np.cos(t122)
+        limb4_lower_cos = np.cos(t10)
         minus_limb4_U_0_lever_mz_by_limb4_S_fz = limb4_lower_cos * limb4_upper_offset_x
-        t123 = 1.0 / minus_limb4_U_0_lever_mz_by_limb4_S_fz
-        minus_limb4_U_follows_0_by_limb4_S_1 = limb4_upper_position_y * t123
+        t11 = 1.0 / minus_limb4_U_0_lever_mz_by_limb4_S_fz
+        minus_limb4_U_follows_0_by_limb4_S_1 = limb4_upper_position_y * t11
         limb4_lower_composite_first_x = 1.42 * limb4_upper_offset_x
-        t124 = 0.426 - limb4_lower_composite_first_x
-        t125 = limb4_upper_offset_x * t124
-        t126 = t125 - 2.2727
-        t127 = limb4_lower_cos * t126
-        limb4_U_mass_matrix_0_by_limb4_U_0 = 0.1112 - limb4_lower_cos * t127
-        t129 = minus_limb4_U_follows_0_by_limb4_S_1 * limb4_U_mass_matrix_0_by_limb4_U_0
-        t130 = minus_limb4_U_follows_0_by_limb4_S_1 * t129
+        t12 = 0.426 - limb4_lower_composite_first_x
+        t13 = limb4_upper_offset_x * t12
+        t14 = t13 - 2.2727
+        t15 = limb4_lower_cos * t14
+        limb4_U_mass_matrix_0_by_limb4_U_0 = 0.1112 - limb4_lower_cos * t15
+        t17 = minus_limb4_U_follows_0_by_limb4_S_1 * limb4_U_mass_matrix_0_by_limb4_U_0
+        t18 = minus_limb4_U_follows_0_by_limb4_S_1 * t17
         limb4_S_arm_y = 0.8 * limb4_lower_cos
-        t132 = limb4_S_arm_y * (1.136 * limb4_lower_cos)
+        t20 = limb4_S_arm_y * (1.136 * limb4_lower_cos)
         limb4_S_arm_x = limb4_upper_offset_x - 0.8 * minus_limb4_lower_sin
-        t134 = limb4_lower_cos * t123
-        limb4_U_follows_1_by_limb4_S_0 = limb4_S_arm_x * t134
-        limb4_U_mass_matrix_1_by_limb4_U_1 = 2.3439 - t125
-        t136 = limb4_U_follows_1_by_limb4_S_0 * (limb4_U_mass_matrix_1_by_limb4_U_1 * limb4_U_follows_1_by_limb4_S_0)
-        t137 = t132 + t136
-        t139 = limb4_U_0_sin * (t130 - t137)
-        t140 = minus_limb4_U_0_cos * t139
-        t141 = 22.6251 * platform_turn_zz  # platform
-        t142 = platform_turn_xz * t141  # platform
+        t22 = limb4_lower_cos * t11
+        limb4_U_follows_1_by_limb4_S_0 = limb4_S_arm_x * t22
+        limb4_U_mass_matrix_1_by_limb4_U_1 = 2.3439 - t13
+        t24 = limb4_U_follows_1_by_limb4_S_0 * (limb4_U_mass_matrix_1_by_limb4_U_1 * limb4_U_follows_1_by_limb4_S_0)
+        t25 = t20 + t24
+        t27 = limb4_U_0_sin * (t18 - t25)
+        t28 = minus_limb4_U_0_cos * t27
+        # limb5_S: geometry; free motion
+        t29 = limb5_S_q_qw * limb5_S_q_qw
+        t30 = limb5_S_q_qx * limb5_S_q_qx
+        t31 = t29 + t30
+        t32 = limb5_S_q_qy * limb5_S_q_qy
+        t33 = limb5_S_q_qz * limb5_S_q_qz
+        t34 = t32 + t33
+        t35 = t31 + t34
+        t37 = 4.0 - 2.0 * t35
+        t38 = limb5_S_q_qz * t37
+        t39 = limb5_S_q_qx * t38
+        t40 = limb5_S_q_qy * t37
+        t41 = limb5_S_q_qw * t40
+        platform_turn_xz = t39 + t41
+        platform_turn_zz = 1.0 - t37 * (t30 + t32)
+        t44 = 22.6251 * platform_turn_zz
+        t45 = platform_turn_xz * t44
         # limb3: geometry; rates that follow; inertia
         limb3_U_0_cos = np.cos(limb3_U_q_0)
-        t143 = 0.5235987755982989 - limb3_U_q_1
-        minus_limb3_lower_sin = np.sin(t143)
+        t46 = 0.5235987755982989 - limb3_U_q_1
+        minus_limb3_lower_sin = np.sin(t46)
         limb3_upper_offset_x = 0.3 + limb3_P_q
         limb3_upper_position_x = 0.8 - minus_limb3_lower_sin * limb3_upper_offset_x
-        limb3_lower_cos = np.cos(t143)
+        limb3_lower_cos = np.cos(t46)
         minus_limb3_U_0_lever_mz_by_limb3_S_fz = limb3_lower_cos * limb3_upper_offset_x
-        t144 = 1.0 / minus_limb3_U_0_lever_mz_by_limb3_S_fz
-        minus_limb3_U_follows_0_by_limb3_S_1 = limb3_upper_position_x * t144
+        t47 = 1.0 / minus_limb3_U_0_lever_mz_by_limb3_S_fz
+        minus_limb3_U_follows_0_by_limb3_S_1 = limb3_upper_position_x * t47
         limb3_lower_composite_first_x = 1.42 * limb3_upper_offset_x
-        t145 = 0.426 - limb3_lower_composite_first_x
-        t146 = limb3_upper_offset_x * t145
-        t147 = t146 - 2.2727
-        t148 = limb3_lower_cos * t147
-        limb3_U_mass_matrix_0_by_limb3_U_0 = 0.1112 - limb3_lower_cos * t148
-        t150 = minus_limb3_U_follows_0_by_limb3_S_1 * limb3_U_mass_matrix_0_by_limb3_U_0
-        t152 = t142 - limb3_U_0_cos * t150  # limb5_S
+        t48 = 0.426 - limb3_lower_composite_first_x
+        t49 = limb3_upper_offset_x * t48
+        t50 = t49 - 2.2727
+        t51 = limb3_lower_cos * t50
+        limb3_U_mass_matrix_0_by_limb3_U_0 = 0.1112 - limb3_lower_cos * t51
+        t53 = minus_limb3_U_follows_0_by_limb3_S_1 * limb3_U_mass_matrix_0_by_limb3_U_0
+        t55 = t45 - limb3_U_0_cos * t53  # limb5_S
         # limb2: geometry; inertia; free motion
         minus_limb2_U_0_cos = np.sin(limb2_U_q_0)
         limb2_U_0_sin = np.cos(limb2_U_q_0)
-        t153 = 2.6179938779914944 + limb2_U_q_1
-        limb2_lower_sin = np.sin(t153)
+        t56 = 2.6179938779914944 + limb2_U_q_1
+        limb2_lower_sin = np.sin(t56)
         limb2_upper_offset_x = 0.3 + limb2_P_q
         minus_limb2_upper_position_y = 0.8 - limb2_lower_sin * limb2_upper_offset_x
-        limb2_lower_cos = np.cos(t153)
+        limb2_lower_cos = np.cos(t56)
         minus_limb2_U_0_lever_mz_by_limb2_S_fz = limb2_lower_cos * limb2_upper_offset_x
-        t154 = 1.0 / minus_limb2_U_0_lever_mz_by_limb2_S_fz
-        limb2_U_follows_0_by_limb2_S_1 = minus_limb2_upper_position_y * t154
+        t57 = 1.0 / minus_limb2_U_0_lever_mz_by_limb2_S_fz
+        limb2_U_follows_0_by_limb2_S_1 = minus_limb2_upper_position_y * t57
         limb2_lower_composite_first_x = 1.42 * limb2_upper_offset_x
-        t155 = 0.426 - limb2_lower_composite_first_x
-        t156 = limb2_upper_offset_x * t155
-        t157 = t156 - 2.2727
-        t158 = limb2_lower_cos * t157
-        limb2_U_mass_matrix_0_by_limb2_U_0 = 0.1112 - limb2_lower_cos * t158
-        t160 = limb2_U_follows_0_by_limb2_S_1 * limb2_U_mass_matrix_0_by_limb2_U_0
-        t161 = limb2_U_follows_0_by_limb2_S_1 * t160
+        t58 = 0.426 - limb2_lower_composite_first_x
+        t59 = limb2_upper_offset_x * t58
+        t60 = t59 - 2.2727
+        t61 = limb2_lower_cos * t60
+        limb2_U_mass_matrix_0_by_limb2_U_0 = 0.1112 - limb2_lower_cos * t61
+        t63 = limb2_U_follows_0_by_limb2_S_1 * limb2_U_mass_matrix_0_by_limb2_U_0
+        t64 = limb2_U_follows_0_by_limb2_S_1 * t63
         minus_limb2_S_arm_y = 0.8 * limb2_lower_cos
-        t163 = minus_limb2_S_arm_y * (1.136 * limb2_lower_cos)
+        t66 = minus_limb2_S_arm_y * (1.136 * limb2_lower_cos)
         limb2_S_arm_x = limb2_upper_offset_x - 0.8 * limb2_lower_sin
-        t165 = limb2_lower_cos * t154
-        limb2_U_follows_1_by_limb2_S_0 = limb2_S_arm_x * t165
-        limb2_U_mass_matrix_1_by_limb2_U_1 = 2.3439 - t156
-        t167 = limb2_U_follows_1_by_limb2_S_0 * (limb2_U_mass_matrix_1_by_limb2_U_1 * limb2_U_follows_1_by_limb2_S_0)
-        t168 = t163 + t167
-        t170 = limb2_U_0_sin * (t161 - t168)
-        limb5_S_handed_inertia_wz_by_limb5_S_wx = t121 + (t140 + (t152 + minus_limb2_U_0_cos * t170))
-        t174 = minus_limb5_S_joint_acc_still_wz * limb5_S_handed_inertia_wz_by_limb5_S_wx  # limb5_S
-        # limb1: balance, eqs. (40)-(47); free motion
+        t68 = limb2_lower_cos * t57
+        limb2_U_follows_1_by_limb2_S_0 = limb2_S_arm_x * t68
+        limb2_U_mass_matrix_1_by_limb2_U_1 = 2.3439 - t59
+        t70 = limb2_U_follows_1_by_limb2_S_0 * (limb2_U_mass_matrix_1_by_limb2_U_1 * limb2_U_follows_1_by_limb2_S_0)
+        t71 = t66 + t70
+        t73 = limb2_U_0_sin * (t64 - t71)
+        limb5_S_handed_inertia_wz_by_limb5_S_wx = t9 + (t28 + (t55 + minus_limb2_U_0_cos * t73))
+        platform_turn_yy = 1.0 - t37 * (t30 + t33)
+        # limb1: reciprocal wrenches, eq. (10); rates that follow; pivots
+        t79 = limb1_U_0_cos * platform_turn_yy
+        limb1_U_0_sin = np.sin(limb1_U_q_0)
+        t80 = limb5_S_q_qy * t38  # limb5_S
+        t82 = limb5_S_q_qw * (limb5_S_q_qx * t37)  # limb5_S
+        platform_turn_zy = t80 + t82
+        limb1_U2_constraint_mn_couple_x = t79 + limb1_U_0_sin * platform_turn_zy
+        limb1_U_0_lever_my_by_limb1_U2_mn = limb1_lower_cos * limb1_U2_constraint_mn_couple_x
+        minus_limb1_U_factor_0_by_3 = limb1_lower_sin * limb1_U2_constraint_mn_couple_x * t2
+        minus_limb1_U2_factor_1_by_3 = limb1_U_0_lever_my_by_limb1_U2_mn - minus_limb1_upper_position_x * minus_limb1_U_factor_0_by_3
+        t85 = limb1_U_0_cos * minus_limb1_U2_factor_1_by_3
+        t88 = limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos * platform_turn_zy
+        t89 = limb1_lower_cos * t88
+        t90 = limb5_S_q_qx * t40  # limb5_S
+        t91 = limb5_S_q_qw * t38  # limb5_S
+        platform_turn_xy = t90 - t91
+        limb1_U2_constraint_mn_couple_z = t89 - limb1_lower_sin * platform_turn_xy
+        limb1_U2_arm_x = limb1_upper_offset_x - 0.8 * limb1_lower_sin
+        t94 = limb1_lower_cos * t2
+        limb1_U_factor_1_by_3 = limb1_U2_constraint_mn_couple_z * t94
+        minus_limb1_U2_factor_0_by_3 = limb1_U2_constraint_mn_couple_z - limb1_U2_arm_x * limb1_U_factor_1_by_3
+        t96 = limb1_U_0_sin * minus_limb1_U2_factor_0_by_3
+        # platform: accelerations; velocities, eq. (6); geometry
+        minus_limb5_S_pivot_wz = t85 + t96
+        t97 = 1.0 / minus_limb5_S_pivot_wz
+        t98 = limb5_S_v_wy * platform_turn_yy
+        platform_turn_yx = t90 + t91
+        t100 = t98 + limb5_S_v_wx * platform_turn_yx
+        platform_turn_yz = t80 - t82
+        platform_twist_wy = t100 + limb5_S_v_wz * platform_turn_yz
+        t102 = limb1_U_0_cos * platform_twist_wy
+        t103 = limb5_S_v_wz * platform_turn_zz
+        platform_turn_zx = t39 - t41
+        platform_twist_wz = t103 + (limb5_S_v_wx * platform_turn_zx + limb5_S_v_wy * platform_turn_zy)
+        t108 = t102 + limb1_U_0_sin * platform_twist_wz
+        t110 = minus_limb1_upper_position_x * (limb1_U_v_0 * t108)
+        t111 = limb1_U_v_1 * limb1_lower_sin  # limb1
+        t114 = limb1_upper_offset_x * t111 - limb1_P_v * limb1_lower_cos  # limb1
+        t116 = t110 - limb1_U_v_0 * t114
+        t119 = limb1_U_0_sin * platform_twist_wy - limb1_U_0_cos * platform_twist_wz
+        limb1_upper_twist_vx = limb1_P_v * limb1_lower_sin
+        t120 = limb1_U_v_1 * limb1_lower_cos  # limb1
+        t124 = t116 - t119 * (limb1_upper_twist_vx + limb1_upper_offset_x * t120)
+        platform_turn_xx = 1.0 - t34 * t37
+        t128 = limb5_S_v_wx * platform_turn_xx + limb5_S_v_wy * platform_turn_xy
+        platform_twist_wx = t128 + limb5_S_v_wz * platform_turn_xz
+        t131 = t124 + platform_twist_wx * t114
+        t132 = minus_limb1_U_factor_0_by_3 * t131
+        # limb1: velocities, eq. (6); accelerations
+        limb1_lower_omega_y = limb1_U_v_0 * limb1_lower_cos
+        limb1_lower_alpha_still_x = limb1_U_v_1 * limb1_lower_omega_y
+        # limb1: loop closure; balance, eqs. (40)-(47); free motion
+        t133 = limb1_U_v_1 - t108
+        t134 = limb1_lower_omega_y * t133
+        t138 = limb1_lower_omega_y - (limb1_lower_sin * t119 + limb1_lower_cos * platform_twist_wx)
+        t142 = limb1_U2_constraint_mn_couple_x * (limb1_lower_alpha_still_x - (t134 - limb1_U_v_1 * t138))
+        limb1_lower_omega_x = limb1_U_v_0 * limb1_lower_sin
+        t143 = limb1_lower_omega_x * t138
+        t147 = limb1_lower_omega_x + (limb1_lower_cos * t119 - limb1_lower_sin * platform_twist_wx)
+        t151 = t142 - limb1_U2_constraint_mn_couple_z * (t143 - limb1_lower_omega_y * t147)
+        limb1_U2_opening_mn = limb1_lower_sin * t88 + limb1_lower_cos * platform_turn_xy
+        t157 = t147 * (limb1_U2_opening_mn * t147 + limb1_U2_constraint_mn_couple_z * t138)
+        limb1_U2_opening_bias_mn = t151 - (t157 - t133 * (limb1_U2_constraint_mn_couple_x * t138 - limb1_U2_opening_mn * t133))
+        t163 = limb1_U_v_0 * t119  # limb5_S
+        t164 = limb1_U2_arm_x * t163  # limb5_S
+        t165 = limb1_U_v_1 * limb1_P_v
+        t170 = t164 + t165 - t108 * (limb1_P_v - 0.8 * t120)  # limb5_S
+        minus_limb5_S_joint_acc_still_wz = t97 * (t132 - (limb1_U2_opening_bias_mn - t170 * limb1_U_factor_1_by_3))
+        t174 = limb5_S_handed_inertia_wz_by_limb5_S_wx * minus_limb5_S_joint_acc_still_wz  # limb5_S
         limb1_upper_force_z = 13.9302 * limb1_U_0_sin
         minus_limb1_U_0_moment_z = limb1_lower_cos * (limb1_upper_offset_x * limb1_upper_force_z)
-        t177 = limb1_lower_sin * t118 + limb1_lower_cos * (limb1_lower_sin * t117)
+        t177 = limb1_lower_sin * t6 + limb1_lower_cos * (limb1_lower_sin * t5)
         t179 = t177 * (limb1_U_v_0 * limb1_U_v_1)
-        t180 = limb1_lower_composite_first_x - t115
+        t180 = limb1_lower_composite_first_x - t3
         t182 = limb1_lower_cos * (limb1_lower_cos * t180)
         t186 = minus_limb1_U_0_moment_z - (t179 + t182 * (limb1_U_v_0 * limb1_P_v))
-        t187 = t19 * t72
+        t187 = t2 * t131
         minus_limb1_U_handed_force_0 = t186 + limb1_U_mass_matrix_0_by_limb1_U_0 * t187
         # limb4: balance, eqs. (40)-(47)
         minus_limb4_upper_force_z = 13.9302 * minus_limb4_U_0_cos
         limb4_U_0_moment_z = limb4_lower_cos * (limb4_upper_offset_x * minus_limb4_upper_force_z)
         # limb4: free motion; velocities, eq. (6)
-        t191 = minus_limb4_lower_sin * t127 + limb4_lower_cos * (minus_limb4_lower_sin * t126)
+        t191 = minus_limb4_lower_sin * t15 + limb4_lower_cos * (minus_limb4_lower_sin * t14)
         t193 = t191 * (limb4_U_v_0 * limb4_U_v_1)
-        t194 = limb4_lower_composite_first_x - t124
+        t194 = limb4_lower_composite_first_x - t12
         t196 = limb4_lower_cos * (limb4_lower_cos * t194)
         t200 = limb4_U_0_moment_z - (t193 - t196 * (limb4_U_v_0 * limb4_P_v))
         t203 = minus_limb4_U_0_cos * platform_twist_wz - limb4_U_0_sin * platform_twist_wx
@@ -9071,7 +9135,7 @@ def _forward_dynamics_reactions_first(*arguments):
         minus_limb4_upper_twist_vy = limb4_P_v * minus_limb4_lower_sin
         t215 = limb4_U_v_1 * limb4_lower_cos
         t219 = t211 + t214 * (minus_limb4_upper_twist_vy - limb4_upper_offset_x * t215)
-        t222 = t123 * (t219 - platform_twist_wy * t209)
+        t222 = t11 * (t219 - platform_twist_wy * t209)
         limb4_U_handed_force_0 = t200 - limb4_U_mass_matrix_0_by_limb4_U_0 * t222
         minus_limb4_S_handed_force_1 = minus_limb4_U_follows_0_by_limb4_S_1 * limb4_U_handed_force_0
         t224 = minus_limb4_U_0_cos * minus_limb4_S_handed_force_1
@@ -9079,9 +9143,9 @@ def _forward_dynamics_reactions_first(*arguments):
         minus_limb2_upper_force_z = 13.9302 * minus_limb2_U_0_cos
         limb2_U_0_moment_z = limb2_lower_cos * (limb2_upper_offset_x * minus_limb2_upper_force_z)
         # limb2: free motion; velocities, eq. (6)
-        t227 = limb2_lower_sin * t158 + limb2_lower_cos * (limb2_lower_sin * t157)
+        t227 = limb2_lower_sin * t61 + limb2_lower_cos * (limb2_lower_sin * t60)
         t229 = t227 * (limb2_U_v_0 * limb2_U_v_1)
-        t230 = limb2_lower_composite_first_x - t155
+        t230 = limb2_lower_composite_first_x - t58
         t232 = limb2_lower_cos * (limb2_lower_cos * t230)
         t236 = limb2_U_0_moment_z + (t229 + t232 * (limb2_U_v_0 * limb2_P_v))
         t239 = minus_limb2_U_0_cos * platform_twist_wz - limb2_U_0_sin * platform_twist_wx
@@ -9093,7 +9157,7 @@ def _forward_dynamics_reactions_first(*arguments):
         limb2_upper_twist_vy = limb2_P_v * limb2_lower_sin
         t251 = limb2_U_v_1 * limb2_lower_cos
         t257 = t247 + t250 * (limb2_upper_twist_vy + limb2_upper_offset_x * t251) - platform_twist_wy * t245
-        t258 = t154 * t257
+        t258 = t57 * t257
         limb2_U_handed_force_0 = t236 + limb2_U_mass_matrix_0_by_limb2_U_0 * t258
         limb2_S_handed_force_1 = limb2_U_follows_0_by_limb2_S_1 * limb2_U_handed_force_0
         t260 = minus_limb2_U_0_cos * limb2_S_handed_force_1
@@ -9102,9 +9166,9 @@ def _forward_dynamics_reactions_first(*arguments):
         limb3_upper_force_z = 13.9302 * limb3_U_0_sin
         minus_limb3_U_0_moment_z = limb3_lower_cos * (limb3_upper_offset_x * limb3_upper_force_z)
         # limb3: free motion; velocities, eq. (6)
-        t263 = minus_limb3_lower_sin * t148 + limb3_lower_cos * (minus_limb3_lower_sin * t147)
+        t263 = minus_limb3_lower_sin * t51 + limb3_lower_cos * (minus_limb3_lower_sin * t50)
         t265 = t263 * (limb3_U_v_0 * limb3_U_v_1)
-        t266 = limb3_lower_composite_first_x - t145
+        t266 = limb3_lower_composite_first_x - t48
         t268 = limb3_lower_cos * (limb3_lower_cos * t266)
         t272 = minus_limb3_U_0_moment_z + (t265 - t268 * (limb3_U_v_0 * limb3_P_v))
         t275 = limb3_U_0_cos * platform_twist_wy + limb3_U_0_sin * platform_twist_wz
@@ -9116,7 +9180,7 @@ def _forward_dynamics_reactions_first(*arguments):
         minus_limb3_upper_twist_vx = limb3_P_v * minus_limb3_lower_sin
         t287 = limb3_U_v_1 * limb3_lower_cos
         t291 = t283 - t286 * (minus_limb3_upper_twist_vx - limb3_upper_offset_x * t287)
-        t294 = t144 * (t291 + platform_twist_wx * t281)
+        t294 = t47 * (t291 + platform_twist_wx * t281)
         minus_limb3_U_handed_force_0 = t272 - limb3_U_mass_matrix_0_by_limb3_U_0 * t294
         # limb4: accelerations; balance, eqs. (40)-(47)
         minus_limb4_U_0_acc_y = 9.81 * limb4_U_0_sin
@@ -9138,7 +9202,7 @@ def _forward_dynamics_reactions_first(*arguments):
         t312 = limb4_U_v_1 * limb4_P_v
         t315 = minus_limb4_lower_moment_z - (t311 + t312 * t194)
         t321 = limb4_S_arm_x * t303 + t312 + t203 * (limb4_P_v + 0.8 * t215)
-        t322 = t321 * t134
+        t322 = t321 * t22
         limb4_S_handed_force_0 = t309 - limb4_U_follows_1_by_limb4_S_0 * (t315 + limb4_U_mass_matrix_1_by_limb4_U_1 * t322)
         t325 = limb4_U_0_sin * limb4_S_handed_force_0
         # platform: accelerations; momentum rate, eq. (35); balance, eqs. (40)-(47)
@@ -9172,41 +9236,41 @@ def _forward_dynamics_reactions_first(*arguments):
         t347 = limb2_U_v_1 * limb2_P_v
         t350 = limb2_lower_moment_z - (t346 - t347 * t230)
         t356 = limb2_S_arm_x * t338 + t347 + t239 * (limb2_P_v - 0.8 * t251)
-        t357 = t356 * t165
+        t357 = t356 * t68
         minus_limb2_S_handed_force_0 = t344 - limb2_U_follows_1_by_limb2_S_0 * (t350 - limb2_U_mass_matrix_1_by_limb2_U_1 * t357)
         t363 = minus_limb3_U_handed_force_0 - (t325 + (t330 - limb2_U_0_sin * minus_limb2_S_handed_force_0))  # limb5_S
         limb5_S_reduced_force_wx = t174 + (minus_limb1_U_handed_force_0 - (t224 - (t260 + t363)))
-        limb5_S_null_space_wz_by_limb5_S_wy = t34 * (limb1_U_0_sin * minus_limb1_U2_factor_1_by_3 - limb1_U_0_cos * minus_limb1_U2_factor_0_by_3)
+        limb5_S_null_space_wz_by_limb5_S_wy = t97 * (limb1_U_0_sin * minus_limb1_U2_factor_1_by_3 - limb1_U_0_cos * minus_limb1_U2_factor_0_by_3)
         # limb1: reciprocal wrenches, eq. (10); free motion; rates that follow
         minus_limb1_U2_arm_y = 0.8 * limb1_lower_cos
         t371 = minus_limb1_U2_arm_y * (1.136 * limb1_lower_cos)
-        limb1_U_follows_1_by_limb1_U2_0 = limb1_U2_arm_x * t31
-        limb1_U_mass_matrix_1_by_limb1_U_1 = 2.3439 - t116
+        limb1_U_follows_1_by_limb1_U2_0 = limb1_U2_arm_x * t94
+        limb1_U_mass_matrix_1_by_limb1_U_1 = 2.3439 - t4
         t373 = limb1_U_follows_1_by_limb1_U2_0 * (limb1_U_mass_matrix_1_by_limb1_U_1 * limb1_U_follows_1_by_limb1_U2_0)
         t374 = t371 + t373
-        t375 = limb1_U_follows_0_by_limb1_U2_1 * t120
+        t375 = limb1_U_follows_0_by_limb1_U2_1 * t8
         t377 = limb1_U_0_cos * (t375 - t374)
         t378 = limb1_U_0_cos * t377
         t379 = t374 + t378
-        t380 = limb4_U_0_sin * t139  # limb4
-        t381 = t137 + t380  # limb4
-        t382 = limb2_U_0_sin * t170  # limb2
-        t383 = t168 + t382  # limb2
-        t385 = 69.4749 + platform_turn_zz * t141  # platform
+        t380 = limb4_U_0_sin * t27  # limb4
+        t381 = t25 + t380  # limb4
+        t382 = limb2_U_0_sin * t73  # limb2
+        t383 = t71 + t382  # limb2
+        t385 = 69.4749 + platform_turn_zz * t44  # platform
         # limb3: reciprocal wrenches, eq. (10); free motion; rates that follow
         limb3_S_arm_y = 0.8 * limb3_lower_cos
         t387 = limb3_S_arm_y * (1.136 * limb3_lower_cos)
         limb3_S_arm_x = limb3_upper_offset_x - 0.8 * minus_limb3_lower_sin
-        t389 = limb3_lower_cos * t144
+        t389 = limb3_lower_cos * t47
         limb3_U_follows_1_by_limb3_S_0 = limb3_S_arm_x * t389
-        limb3_U_mass_matrix_1_by_limb3_U_1 = 2.3439 - t146
+        limb3_U_mass_matrix_1_by_limb3_U_1 = 2.3439 - t49
         t391 = limb3_U_follows_1_by_limb3_S_0 * (limb3_U_mass_matrix_1_by_limb3_U_1 * limb3_U_follows_1_by_limb3_S_0)
         t392 = t387 + t391
-        t393 = minus_limb3_U_follows_0_by_limb3_S_1 * t150
+        t393 = minus_limb3_U_follows_0_by_limb3_S_1 * t53
         t395 = limb3_U_0_cos * (t393 - t392)
         t396 = limb3_U_0_cos * t395
         limb5_S_handed_inertia_wz = t379 + (t381 + (t383 + (t385 + (t392 + t396))))
-        t401 = minus_limb5_S_joint_acc_still_wz * limb5_S_handed_inertia_wz  # limb5_S
+        t401 = limb5_S_handed_inertia_wz * minus_limb5_S_joint_acc_still_wz  # limb5_S
         # limb1: free motion; accelerations; balance, eqs. (40)-(47)
         minus_limb1_U2_handed_force_1 = limb1_U_follows_0_by_limb1_U2_1 * minus_limb1_U_handed_force_0
         t402 = limb1_U_0_cos * minus_limb1_U2_handed_force_1
@@ -9222,13 +9286,13 @@ def _forward_dynamics_reactions_first(*arguments):
         t407 = minus_limb1_U_0_U_still_xx * (0.5 * t182)
         t408 = limb1_U_v_1 * limb1_U_v_1
         t412 = limb1_P_generalised_force - (t407 + t408 * (0.5 * t180))
-        t416 = minus_limb1_U2_arm_y * t104 + t49 * (0.8 * t52)
+        t416 = minus_limb1_U2_arm_y * t163 + t108 * (0.8 * t111)
         t418 = minus_limb1_U2_arm_y * (t412 - 1.42 * t416)
         minus_limb1_lower_acc_y = limb1_lower_sin * limb1_U_0_acc_y
         minus_limb1_upper_force_y = 1.42 * minus_limb1_lower_acc_y
         minus_limb1_lower_moment_z = limb1_upper_offset_x * minus_limb1_upper_force_y
-        t423 = minus_limb1_lower_moment_z + (minus_limb1_U_0_U_still_xx * (0.5 * t177) - t106 * t180)
-        t424 = t111 * t31
+        t423 = minus_limb1_lower_moment_z + (minus_limb1_U_0_U_still_xx * (0.5 * t177) - t165 * t180)
+        t424 = t170 * t94
         limb1_U2_handed_force_0 = t418 - limb1_U_follows_1_by_limb1_U2_0 * (t423 + limb1_U_mass_matrix_1_by_limb1_U_1 * t424)
         t427 = limb1_U_0_sin * limb1_U2_handed_force_0
         t428 = minus_limb4_U_0_cos * limb4_S_handed_force_0  # limb4
@@ -9259,20 +9323,20 @@ def _forward_dynamics_reactions_first(*arguments):
         t467 = t405 + (t427 - (t428 - (t429 + (t432 - limb3_U_0_sin * minus_limb3_S_handed_force_0))))  # limb5_S
         t471 = limb5_S_null_space_wz_by_limb5_S_wy * (t401 + (t402 - (t403 - (t404 - t467))))  # limb5_S
         t472 = limb1_U_0_sin * t377  # limb1
-        t473 = limb4_U_0_sin * t129  # limb4
-        t474 = limb2_U_0_sin * t160  # limb2
+        t473 = limb4_U_0_sin * t17  # limb4
+        t474 = limb2_U_0_sin * t63  # limb2
         # limb5_S: free motion; accelerations; pivots
         t475 = 22.6251 * platform_turn_yz
         t481 = t472 - (t473 - (t474 - (platform_turn_zz * t475 - limb3_U_0_sin * t395)))
-        t482 = minus_limb5_S_joint_acc_still_wz * t481
+        t482 = t481 * minus_limb5_S_joint_acc_still_wz
         t483 = limb1_U_0_sin * minus_limb1_U2_handed_force_1  # limb1
         t484 = limb3_U_0_sin * limb3_S_handed_force_1  # limb3
         t485 = limb1_U_0_cos * limb1_U2_handed_force_0  # limb1
         t488 = platform_turn_yx * platform_rate_mx - platform_turn_yy * minus_platform_rate_my
         t493 = limb2_U_handed_force_0 - (t484 - (t485 + (t488 - limb3_U_0_cos * minus_limb3_S_handed_force_0)))
         limb5_S_reduced_force_wy = t471 - (t482 + (t483 + (limb4_U_handed_force_0 + t493)))
-        t501 = platform_turn_xz * t475 + limb3_U_0_sin * t150 - minus_limb2_U_0_cos * t160
-        t505 = t501 + minus_limb4_U_0_cos * t129 - limb1_U_0_sin * t120
+        t501 = platform_turn_xz * t475 + limb3_U_0_sin * t53 - minus_limb2_U_0_cos * t63
+        t505 = t501 + minus_limb4_U_0_cos * t17 - limb1_U_0_sin * t8
         limb5_S_reduced_inertia_wx_by_limb5_S_wy = t505 + limb5_S_null_space_wz_by_limb5_S_wy * limb5_S_handed_inertia_wz_by_limb5_S_wx
         t507 = t375 - t378  # limb1
         t513 = limb4_U_mass_matrix_0_by_limb4_U_0 + (limb2_U_mass_matrix_0_by_limb2_U_0 + (69.4749 + platform_turn_yz * t475 + (t393 - t396)))
@@ -9282,9 +9346,9 @@ def _forward_dynamics_reactions_first(*arguments):
         t519 = 1.0 / limb5_S_reduced_inertia_wy_by_limb5_S_wy
         t520 = limb5_S_reduced_inertia_wx_by_limb5_S_wy * t519
         t522 = limb5_S_reduced_force_wx - limb5_S_reduced_force_wy * t520
-        t523 = t130 - t380  # limb4
+        t523 = t18 - t380  # limb4
         t527 = limb3_U_mass_matrix_0_by_limb3_U_0 + (69.4749 + platform_turn_xz * (22.6251 * platform_turn_xz))
-        limb5_S_reduced_inertia_wx_by_limb5_S_wx = limb1_U_mass_matrix_0_by_limb1_U_0 + (t523 + (t527 + (t161 - t382)))
+        limb5_S_reduced_inertia_wx_by_limb5_S_wx = limb1_U_mass_matrix_0_by_limb1_U_0 + (t523 + (t527 + (t64 - t382)))
         pivot_1 = limb5_S_reduced_inertia_wx_by_limb5_S_wx - limb5_S_reduced_inertia_wx_by_limb5_S_wy * t520
         limb5_S_joint_acc_wx = t522 / pivot_1
         minus_limb5_S_joint_acc_wy = t520 * limb5_S_joint_acc_wx - limb5_S_reduced_force_wy * t519
@@ -9342,7 +9406,7 @@ def _forward_dynamics_reactions_first(*arguments):
         minus_platform_joint_force_mz_by_limb4_P = minus_limb4_U_0_cos * limb4_S_arm_y
         # limb1: balance, eqs. (40)-(47); momentum rate, eq. (35)
         t595 = limb1_lower_cos * (limb1_U2_constraint_mn_couple_x - minus_limb1_U2_arm_y * minus_limb1_U_factor_0_by_3)
-        platform_joint_force_mz_by_limb1_U2_mn = limb1_U_0_cos * (t595 + limb1_lower_sin * (limb1_U2_arm_x * minus_limb1_U_factor_0_by_3)) + t33
+        platform_joint_force_mz_by_limb1_U2_mn = limb1_U_0_cos * (t595 + limb1_lower_sin * (limb1_U2_arm_x * minus_limb1_U_factor_0_by_3)) + t96
         t600 = 1.0 / platform_joint_force_mz_by_limb1_U2_mn  # platform
         limb1_U2_part_mn_by_limb4_P = minus_platform_joint_force_mz_by_limb4_P * t600
         t601 = limb4_P_u * (limb1_U_factor_1_by_3 * limb1_U2_part_mn_by_limb4_P)
@@ -9356,7 +9420,7 @@ def _forward_dynamics_reactions_first(*arguments):
         minus_limb1_lower_rate_mz = limb1_upper_moment_z - (2.2727 * limb1_lower_U_still_xy - 2.3439 * minus_limb1_U_joint_acc_1)
         t608 = limb1_upper_offset_x * minus_limb1_upper_rate_fy
         minus_limb1_upper_rate_mz = 0.213 * limb1_upper_acc_y
-        minus_limb1_U2_part_fy = t31 * (minus_limb1_lower_rate_mz + (t608 + minus_limb1_upper_rate_mz))
+        minus_limb1_U2_part_fy = t94 * (minus_limb1_lower_rate_mz + (t608 + minus_limb1_upper_rate_mz))
         # limb4: momentum rate, eq. (35); accelerations; balance, eqs. (40)-(47)
         minus_limb4_U_0_rate_mz = 0.1112 * minus_limb4_U_joint_acc_0
         limb4_lower_omega_y = limb4_U_v_0 * limb4_lower_cos
@@ -9376,7 +9440,7 @@ def _forward_dynamics_reactions_first(*arguments):
         t618 = limb4_upper_offset_x * limb4_upper_rate_fz
         minus_limb4_upper_rate_my = 0.213 * minus_limb4_upper_acc_z
         minus_limb4_U_0_moment_z = minus_limb4_U_0_rate_mz + (t610 - limb4_lower_cos * (limb4_lower_rate_my - (t618 + minus_limb4_upper_rate_my)))
-        limb4_S_multiplier_fz = t123 * minus_limb4_U_0_moment_z
+        limb4_S_multiplier_fz = t11 * minus_limb4_U_0_moment_z
         t622 = minus_limb4_lower_sin * (limb4_S_arm_x * limb4_S_multiplier_fz)
         t626 = limb4_U_0_sin * (t622 - limb4_lower_cos * (limb4_S_arm_y * limb4_S_multiplier_fz))
         minus_limb4_lower_U_still_xx = limb4_lower_omega_y * limb4_lower_omega_y + t298
@@ -9394,7 +9458,7 @@ def _forward_dynamics_reactions_first(*arguments):
         limb4_upper_rate_fy = minus_limb4_lower_rate_fy + 1.42 * limb4_upper_acc_y
         t636 = limb4_upper_offset_x * limb4_upper_rate_fy
         minus_limb4_upper_rate_mz = 0.213 * limb4_upper_acc_y
-        minus_limb4_S_multiplier_fy = t134 * (minus_limb4_lower_rate_mz - (t636 - minus_limb4_upper_rate_mz))
+        minus_limb4_S_multiplier_fy = t22 * (minus_limb4_lower_rate_mz - (t636 - minus_limb4_upper_rate_mz))
         t641 = t626 + minus_limb4_U_0_cos * (t628 + limb4_S_arm_x * minus_limb4_S_multiplier_fy)
         # limb3: momentum rate, eq. (35); velocities, eq. (6); accelerations
         limb3_U_0_rate_mz = 0.1112 * limb3_U_joint_acc_0
@@ -9416,7 +9480,7 @@ def _forward_dynamics_reactions_first(*arguments):
         t650 = limb3_upper_offset_x * limb3_upper_rate_fz
         minus_limb3_upper_rate_my = 0.213 * minus_limb3_upper_acc_z
         limb3_U_0_moment_z = limb3_U_0_rate_mz - (t642 + limb3_lower_cos * (minus_limb3_lower_rate_my + (t650 + minus_limb3_upper_rate_my)))
-        minus_limb3_S_multiplier_fz = t144 * limb3_U_0_moment_z
+        minus_limb3_S_multiplier_fz = t47 * limb3_U_0_moment_z
         t654 = minus_limb3_lower_sin * (limb3_S_arm_x * minus_limb3_S_multiplier_fz)
         t658 = limb3_U_0_cos * (t654 - limb3_lower_cos * (limb3_S_arm_y * minus_limb3_S_multiplier_fz))
         minus_limb3_lower_U_still_xx = limb3_lower_omega_y * limb3_lower_omega_y + t435
@@ -9455,7 +9519,7 @@ def _forward_dynamics_reactions_first(*arguments):
         t682 = limb2_upper_offset_x * minus_limb2_upper_rate_fz
         minus_limb2_upper_rate_my = 0.213 * minus_limb2_upper_acc_z
         minus_limb2_U_0_moment_z = minus_limb2_U_0_rate_mz - (t674 + limb2_lower_cos * (limb2_lower_rate_my + (t682 - minus_limb2_upper_rate_my)))
-        limb2_S_multiplier_fz = t154 * minus_limb2_U_0_moment_z
+        limb2_S_multiplier_fz = t57 * minus_limb2_U_0_moment_z
         t686 = limb2_lower_sin * (limb2_S_arm_x * limb2_S_multiplier_fz)
         t690 = limb2_U_0_sin * (t686 - limb2_lower_cos * (minus_limb2_S_arm_y * limb2_S_multiplier_fz))
         minus_limb2_lower_U_still_xx = limb2_lower_omega_y * limb2_lower_omega_y + t333
@@ -9472,7 +9536,7 @@ def _forward_dynamics_reactions_first(*arguments):
         minus_limb2_upper_rate_fy = limb2_lower_rate_fy - 1.42 * limb2_upper_acc_y
         t700 = limb2_upper_offset_x * minus_limb2_upper_rate_fy
         minus_limb2_upper_rate_mz = 0.213 * limb2_upper_acc_y
-        limb2_S_multiplier_fy = t165 * (limb2_lower_rate_mz - (t700 + minus_limb2_upper_rate_mz))
+        limb2_S_multiplier_fy = t68 * (limb2_lower_rate_mz - (t700 + minus_limb2_upper_rate_mz))
         t705 = t690 + minus_limb2_U_0_cos * (t692 + limb2_S_arm_x * limb2_S_multiplier_fy)
         # limb1: momentum rate, eq. (35); balance, eqs. (40)-(47); accelerations
         limb1_U_0_rate_mz = 0.1112 * limb1_U_joint_acc_0
@@ -9490,7 +9554,7 @@ def _forward_dynamics_reactions_first(*arguments):
         t714 = limb1_upper_offset_x * minus_limb1_upper_rate_fz
         minus_limb1_upper_rate_my = 0.213 * minus_limb1_upper_acc_z
         limb1_U_0_moment_z = limb1_U_0_rate_mz + (t706 - limb1_lower_cos * (minus_limb1_lower_rate_my - (t714 - minus_limb1_upper_rate_my)))
-        minus_limb1_U2_part_fz = t19 * limb1_U_0_moment_z
+        minus_limb1_U2_part_fz = t2 * limb1_U_0_moment_z
         t718 = limb1_lower_sin * (limb1_U2_arm_x * minus_limb1_U2_part_fz)
         t722 = limb1_U_0_cos * (t718 - limb1_lower_cos * (minus_limb1_U2_arm_y * minus_limb1_U2_part_fz))
         minus_limb1_upper_acc_x = limb1_upper_offset_x * minus_limb1_lower_U_still_xx - limb1_lower_acc_x + minus_limb1_P_joint_acc
@@ -9859,8 +9923,8 @@ def _forward_dynamics_reactions_first(*arguments):
             1.0e-05), (limb5_S_reduced_inertia_wy_by_limb5_S_wy, 0.0007562600000000001), (pivot_1,
             0.0007551200000000001), (platform_joint_force_mz_by_limb1_U2_mn,
             4.017100000000001e-06)), (minus_limb1_U_0_lever_mz_by_limb1_U2_fz,
-            minus_limb5_S_pivot_wz, minus_limb4_U_0_lever_mz_by_limb4_S_fz,
-            minus_limb3_U_0_lever_mz_by_limb3_S_fz, minus_limb2_U_0_lever_mz_by_limb2_S_fz,
+            minus_limb4_U_0_lever_mz_by_limb4_S_fz, minus_limb3_U_0_lever_mz_by_limb3_S_fz,
+            minus_limb2_U_0_lever_mz_by_limb2_S_fz, minus_limb5_S_pivot_wz,
             limb5_S_reduced_inertia_wy_by_limb5_S_wy, pivot_1, limb1_U_joint_acc_1,
             limb1_P_joint_acc, limb2_U_joint_acc_0, limb2_U_joint_acc_1, limb2_P_joint_acc,
             limb3_U_joint_acc_1, limb4_U_joint_acc_0, limb4_U_joint_acc_1, platform_alpha_x,
@@ -9880,8 +9944,8 @@ def _forward_dynamics_reactions_first(*arguments):
             limb4_lower_joint_sent_my, limb4_U_reaction_mz, limb4_P_reaction_fz,
             limb4_P_reaction_mx, limb4_P_reaction_my, limb4_P_reaction_mz, limb4_S_reaction_fx,
             limb4_S_reaction_fy, limb4_S_reaction_mx, limb4_S_reaction_my, limb4_S_reaction_mz,
-            platform_joint_sent_fx, platform_joint_sent_fy, platform_joint_sent_fz), ((t8, 0.999999,
-            1.000001, 5),))
+            platform_joint_sent_fx, platform_joint_sent_fy, platform_joint_sent_fz), ((t35,
+            0.999999, 1.000001, 5),))
 
 
 def _forward_dynamics_reactions_dense(*arguments):
@@ -11097,238 +11161,238 @@ def close_position(*arguments):
         t73 = limb4_U_null_space_1_by_limb5_S_wx * limb4_U_null_space_1_by_limb5_S_wx
         minus_limb4_U_0_cos = np.sin(limb4_U_q_0)
         limb4_upper_position_y = 0.8 - minus_limb4_lower_sin * limb4_upper_offset_x
-        limb4_U_null_space_0_by_limb5_S_wx = minus_limb4_U_0_cos * limb4_upper_position_y * t71
-        t74 = limb4_U_null_space_0_by_limb5_S_wx * limb4_U_null_space_0_by_limb5_S_wx
+        limb4_U_null_space_0_by_limb5_S_wx = t71 * (minus_limb4_U_0_cos * limb4_upper_position_y)
+        t75 = limb4_U_null_space_0_by_limb5_S_wx * limb4_U_null_space_0_by_limb5_S_wx
         # limb2: geometry; reciprocal wrenches, eq. (10); rates that follow
         limb2_U_0_sin = np.cos(limb2_U_q_0)
-        t75 = 2.6179938779914944 + limb2_U_q_1
-        limb2_lower_cos = np.cos(t75)
+        t76 = 2.6179938779914944 + limb2_U_q_1
+        limb2_lower_cos = np.cos(t76)
         minus_limb2_S_arm_y = 0.8 * limb2_lower_cos
         minus_platform_joint_force_mx_by_limb2_P = limb2_U_0_sin * minus_limb2_S_arm_y
-        t76 = 2.2795812745707664 * minus_platform_joint_force_mx_by_limb2_P  # platform
-        t77 = minus_platform_joint_force_mx_by_limb2_P * t76  # platform
-        minus_limb2_U_0_cos = np.sin(limb2_U_q_0)
-        limb2_lower_sin = np.sin(t75)
+        t77 = 2.2795812745707664 * minus_platform_joint_force_mx_by_limb2_P  # platform
+        t78 = minus_platform_joint_force_mx_by_limb2_P * t77  # platform
         limb2_upper_offset_x = 0.3 + limb2_P_q
-        minus_limb2_upper_position_y = 0.8 - limb2_lower_sin * limb2_upper_offset_x
-        base_lever_mx_by_limb2_S_fz = minus_limb2_U_0_cos * minus_limb2_upper_position_y
         minus_limb2_U_0_lever_mz_by_limb2_S_fz = limb2_lower_cos * limb2_upper_offset_x
-        t78 = 1.0 / minus_limb2_U_0_lever_mz_by_limb2_S_fz
-        minus_limb2_U_null_space_0_by_limb5_S_wx = base_lever_mx_by_limb2_S_fz * t78
-        t80 = 1.0 + minus_limb2_U_null_space_0_by_limb5_S_wx * minus_limb2_U_null_space_0_by_limb5_S_wx
+        t79 = 1.0 / minus_limb2_U_0_lever_mz_by_limb2_S_fz
+        minus_limb2_U_0_cos = np.sin(limb2_U_q_0)
+        limb2_lower_sin = np.sin(t76)
+        minus_limb2_upper_position_y = 0.8 - limb2_lower_sin * limb2_upper_offset_x
+        minus_limb2_U_null_space_0_by_limb5_S_wx = t79 * (minus_limb2_U_0_cos * minus_limb2_upper_position_y)
+        t82 = 1.0 + minus_limb2_U_null_space_0_by_limb5_S_wx * minus_limb2_U_null_space_0_by_limb5_S_wx
         limb2_S_arm_x = limb2_upper_offset_x - 0.8 * limb2_lower_sin
-        t82 = limb2_U_0_sin * limb2_S_arm_x
-        t83 = limb2_lower_cos * t78
-        limb2_U_null_space_1_by_limb5_S_wx = t82 * t83
-        t87 = 1.0 + (t77 + (t80 + limb2_U_null_space_1_by_limb5_S_wx * limb2_U_null_space_1_by_limb5_S_wx))  # mechanism
-        pivot_0 = 1.0 + (t68 + (t73 + (t74 + t87)))
-        t91 = 1.0 / pivot_0  # mechanism
+        t84 = limb2_U_0_sin * limb2_S_arm_x
+        t85 = limb2_lower_cos * t79
+        limb2_U_null_space_1_by_limb5_S_wx = t84 * t85
+        t89 = 1.0 + (t78 + (t82 + limb2_U_null_space_1_by_limb5_S_wx * limb2_U_null_space_1_by_limb5_S_wx))  # mechanism
+        pivot_0 = 1.0 + (t68 + (t73 + (t75 + t89)))
+        t93 = 1.0 / pivot_0  # mechanism
         limb5_S_null_space_wz_by_limb5_S_wy = t46 * (limb1_U_0_sin * minus_limb1_U2_factor_1_by_3 - limb1_U_0_cos * minus_limb1_U2_factor_0_by_3)
-        t95 = minus_limb4_U_0_cos * limb5_S_null_space_wz_by_limb5_S_wy  # limb4
-        limb4_P_null_space_by_limb5_S_wy = limb4_S_arm_y * t95
-        t96 = 2.2795812745707664 * limb4_P_null_space_by_limb5_S_wy  # limb4
-        t97 = platform_joint_force_mx_by_limb4_P * t96  # limb1
-        t98 = minus_limb2_U_0_cos * limb5_S_null_space_wz_by_limb5_S_wy
-        minus_limb2_P_null_space_by_limb5_S_wy = minus_limb2_S_arm_y * t98
-        t99 = 2.2795812745707664 * minus_limb2_P_null_space_by_limb5_S_wy
-        t100 = minus_platform_joint_force_mx_by_limb2_P * t99  # limb1
-        minus_limb2_U_null_space_1_by_limb5_S_wy = t83 * (limb2_S_arm_x * t98)
-        t102 = limb2_U_null_space_1_by_limb5_S_wx * minus_limb2_U_null_space_1_by_limb5_S_wy
-        t105 = minus_limb2_U_0_lever_mz_by_limb2_S_fz - minus_limb2_upper_position_y * (limb2_U_0_sin * limb5_S_null_space_wz_by_limb5_S_wy)
-        limb2_U_null_space_0_by_limb5_S_wy = t78 * t105
-        t106 = minus_limb2_U_null_space_0_by_limb5_S_wx * limb2_U_null_space_0_by_limb5_S_wy
-        t109 = minus_limb1_upper_position_x * (limb1_U_0_sin - limb1_U_0_cos * limb5_S_null_space_wz_by_limb5_S_wy)  # limb1
-        minus_limb1_U_null_space_0_by_limb5_S_wy = t2 * t109
-        t112 = t100 + (t102 + (t106 + minus_limb1_U_null_space_0_by_limb5_S_wy))  # limb1
+        t97 = minus_limb4_U_0_cos * limb5_S_null_space_wz_by_limb5_S_wy  # limb4
+        limb4_P_null_space_by_limb5_S_wy = limb4_S_arm_y * t97
+        t98 = 2.2795812745707664 * limb4_P_null_space_by_limb5_S_wy  # limb4
+        t99 = platform_joint_force_mx_by_limb4_P * t98  # limb1
+        t100 = minus_limb2_U_0_cos * limb5_S_null_space_wz_by_limb5_S_wy
+        minus_limb2_P_null_space_by_limb5_S_wy = minus_limb2_S_arm_y * t100
+        t101 = 2.2795812745707664 * minus_limb2_P_null_space_by_limb5_S_wy
+        t102 = minus_platform_joint_force_mx_by_limb2_P * t101  # limb1
+        minus_limb2_U_null_space_1_by_limb5_S_wy = t85 * (limb2_S_arm_x * t100)
+        t104 = limb2_U_null_space_1_by_limb5_S_wx * minus_limb2_U_null_space_1_by_limb5_S_wy
+        t107 = minus_limb2_U_0_lever_mz_by_limb2_S_fz - minus_limb2_upper_position_y * (limb2_U_0_sin * limb5_S_null_space_wz_by_limb5_S_wy)
+        limb2_U_null_space_0_by_limb5_S_wy = t79 * t107
+        t108 = minus_limb2_U_null_space_0_by_limb5_S_wx * limb2_U_null_space_0_by_limb5_S_wy
+        t111 = minus_limb1_upper_position_x * (limb1_U_0_sin - limb1_U_0_cos * limb5_S_null_space_wz_by_limb5_S_wy)  # limb1
+        minus_limb1_U_null_space_0_by_limb5_S_wy = t2 * t111
+        t114 = t102 + (t104 + (t108 + minus_limb1_U_null_space_0_by_limb5_S_wy))  # limb1
         # limb3: geometry; reciprocal wrenches, eq. (10); rates that follow
-        t113 = 0.5235987755982989 - limb3_U_q_1
-        limb3_lower_cos = np.cos(t113)
+        t115 = 0.5235987755982989 - limb3_U_q_1
+        limb3_lower_cos = np.cos(t115)
         limb3_upper_offset_x = 0.3 + limb3_P_q
         minus_limb3_U_0_lever_mz_by_limb3_S_fz = limb3_lower_cos * limb3_upper_offset_x
-        t114 = 1.0 / minus_limb3_U_0_lever_mz_by_limb3_S_fz
-        minus_limb3_lower_sin = np.sin(t113)
+        t116 = 1.0 / minus_limb3_U_0_lever_mz_by_limb3_S_fz
+        minus_limb3_lower_sin = np.sin(t115)
         limb3_upper_position_x = 0.8 - minus_limb3_lower_sin * limb3_upper_offset_x
         limb3_U_0_sin = np.sin(limb3_U_q_0)
         limb3_U_0_cos = np.cos(limb3_U_q_0)
-        t117 = limb3_upper_position_x * (limb3_U_0_sin - limb3_U_0_cos * limb5_S_null_space_wz_by_limb5_S_wy)
-        limb3_U_null_space_0_by_limb5_S_wy = t114 * t117
-        t118 = t112 - limb3_U_null_space_0_by_limb5_S_wy  # limb1
-        t121 = minus_limb4_U_0_lever_mz_by_limb4_S_fz + limb4_upper_position_y * (limb4_U_0_sin * limb5_S_null_space_wz_by_limb5_S_wy)  # limb4
-        limb4_U_null_space_0_by_limb5_S_wy = t71 * t121
-        t123 = t118 - limb4_U_null_space_0_by_limb5_S_wx * limb4_U_null_space_0_by_limb5_S_wy  # limb1
+        t119 = limb3_upper_position_x * (limb3_U_0_sin - limb3_U_0_cos * limb5_S_null_space_wz_by_limb5_S_wy)
+        limb3_U_null_space_0_by_limb5_S_wy = t116 * t119
+        t120 = t114 - limb3_U_null_space_0_by_limb5_S_wy  # limb1
+        t123 = minus_limb4_U_0_lever_mz_by_limb4_S_fz + limb4_upper_position_y * (limb4_U_0_sin * limb5_S_null_space_wz_by_limb5_S_wy)  # limb4
+        limb4_U_null_space_0_by_limb5_S_wy = t71 * t123
+        t125 = t120 - limb4_U_null_space_0_by_limb5_S_wx * limb4_U_null_space_0_by_limb5_S_wy  # limb1
         # limb4: rates that follow; geometry; loop closure
-        minus_limb4_U_null_space_1_by_limb5_S_wy = t72 * (limb4_S_arm_x * t95)
-        t127 = t97 + (t123 + limb4_U_null_space_1_by_limb5_S_wx * minus_limb4_U_null_space_1_by_limb5_S_wy)  # limb1
-        t128 = t91 * t127  # limb1
+        minus_limb4_U_null_space_1_by_limb5_S_wy = t72 * (limb4_S_arm_x * t97)
+        t129 = t99 + (t125 + limb4_U_null_space_1_by_limb5_S_wx * minus_limb4_U_null_space_1_by_limb5_S_wy)  # limb1
+        t130 = t93 * t129  # limb1
         minus_limb4_lower_rotation_xx = minus_limb4_U_0_cos * limb4_lower_cos
         minus_limb4_upper_position_x = limb4_upper_offset_x * minus_limb4_lower_rotation_xx
-        t129 = 0.5 * platform_turn_xy  # platform
-        t130 = minus_limb4_upper_position_x + (t52 + t129)
-        t131 = minus_limb4_lower_rotation_xx * t130
-        t132 = 0.5 * platform_turn_yy  # platform
-        t133 = limb4_upper_position_y - (t20 + t132)
-        t135 = t131 - minus_limb4_lower_sin * t133
+        t131 = 0.5 * platform_turn_xy  # platform
+        t132 = minus_limb4_upper_position_x + (t52 + t131)
+        t133 = minus_limb4_lower_rotation_xx * t132
+        t134 = 0.5 * platform_turn_yy  # platform
+        t135 = limb4_upper_position_y - (t20 + t134)
+        t137 = t133 - minus_limb4_lower_sin * t135
         minus_limb4_lower_rotation_zx = limb4_U_0_sin * limb4_lower_cos
         minus_limb4_upper_position_z = limb4_upper_offset_x * minus_limb4_lower_rotation_zx
-        t136 = 0.5 * platform_turn_zy  # platform
-        t137 = minus_limb4_upper_position_z + (t28 + t136)
-        limb4_S_opening_fx = t135 + minus_limb4_lower_rotation_zx * t137
-        t139 = minus_limb4_U_0_cos * t61  # limb1
-        t141 = limb4_S_opening_fx + limb4_S_arm_y * t139  # limb1
-        t142 = t67 * t141  # limb1
-        t145 = minus_limb4_U_0_cos * minus_limb4_lower_sin * t130 + limb4_lower_cos * t133
-        limb4_S_opening_fy = t145 + limb4_U_0_sin * minus_limb4_lower_sin * t137
-        t149 = t72 * (limb4_S_opening_fy - limb4_S_arm_x * t139)  # limb1
-        t150 = limb4_U_null_space_1_by_limb5_S_wx * t149  # limb1
-        minus_limb4_S_opening_fz = limb4_U_0_sin * t130 - minus_limb4_U_0_cos * t137
-        t156 = t71 * (minus_limb4_S_opening_fz + limb4_upper_position_y * (limb4_U_0_sin * t61))  # limb1
-        t157 = limb4_U_null_space_0_by_limb5_S_wx * t156  # limb1
+        t138 = 0.5 * platform_turn_zy  # platform
+        t139 = minus_limb4_upper_position_z + (t28 + t138)
+        limb4_S_opening_fx = t137 + minus_limb4_lower_rotation_zx * t139
+        t141 = minus_limb4_U_0_cos * t61  # limb1
+        t143 = limb4_S_opening_fx + limb4_S_arm_y * t141  # limb1
+        t144 = t67 * t143  # limb1
+        t147 = minus_limb4_U_0_cos * minus_limb4_lower_sin * t132 + limb4_lower_cos * t135
+        limb4_S_opening_fy = t147 + limb4_U_0_sin * minus_limb4_lower_sin * t139
+        t151 = t72 * (limb4_S_opening_fy - limb4_S_arm_x * t141)  # limb1
+        t152 = limb4_U_null_space_1_by_limb5_S_wx * t151  # limb1
+        minus_limb4_S_opening_fz = limb4_U_0_sin * t132 - minus_limb4_U_0_cos * t139
+        t158 = t71 * (minus_limb4_S_opening_fz + limb4_upper_position_y * (limb4_U_0_sin * t61))  # limb1
+        t159 = limb4_U_null_space_0_by_limb5_S_wx * t158  # limb1
         # limb2: geometry
         minus_limb2_lower_rotation_xx = minus_limb2_U_0_cos * limb2_lower_cos
         # limb2: loop closure; geometry
-        t158 = limb2_upper_offset_x * minus_limb2_lower_rotation_xx + (t52 - t129)
-        t159 = minus_limb2_lower_rotation_xx * t158
-        t160 = minus_limb2_upper_position_y + (t20 - t132)
-        t162 = t159 - limb2_lower_sin * t160
+        t160 = limb2_upper_offset_x * minus_limb2_lower_rotation_xx + (t52 - t131)
+        t161 = minus_limb2_lower_rotation_xx * t160
+        t162 = minus_limb2_upper_position_y + (t20 - t134)
+        t164 = t161 - limb2_lower_sin * t162
         minus_limb2_lower_rotation_zx = limb2_U_0_sin * limb2_lower_cos
-        t163 = limb2_upper_offset_x * minus_limb2_lower_rotation_zx + (t28 - t136)
-        limb2_S_opening_fx = t162 + minus_limb2_lower_rotation_zx * t163
-        t165 = minus_limb2_U_0_cos * t61  # limb1
-        t167 = limb2_S_opening_fx - minus_limb2_S_arm_y * t165  # limb1
-        t168 = t76 * t167  # limb1
-        t171 = minus_limb2_U_0_cos * limb2_lower_sin * t158 + limb2_lower_cos * t160
-        minus_limb2_S_opening_fy = t171 + limb2_U_0_sin * limb2_lower_sin * t163
-        t175 = t83 * (minus_limb2_S_opening_fy + limb2_S_arm_x * t165)  # limb1
-        t176 = limb2_U_null_space_1_by_limb5_S_wx * t175  # limb1
-        minus_limb2_S_opening_fz = limb2_U_0_sin * t158 - minus_limb2_U_0_cos * t163
-        t182 = t78 * (minus_limb2_S_opening_fz - minus_limb2_upper_position_y * (limb2_U_0_sin * t61))  # limb1
-        t186 = t168 - (t176 + (minus_limb2_U_null_space_0_by_limb5_S_wx * t182 - t65))  # limb1
+        t165 = limb2_upper_offset_x * minus_limb2_lower_rotation_zx + (t28 - t138)
+        limb2_S_opening_fx = t164 + minus_limb2_lower_rotation_zx * t165
+        t167 = minus_limb2_U_0_cos * t61  # limb1
+        t169 = limb2_S_opening_fx - minus_limb2_S_arm_y * t167  # limb1
+        t170 = t77 * t169  # limb1
+        t173 = minus_limb2_U_0_cos * limb2_lower_sin * t160 + limb2_lower_cos * t162
+        minus_limb2_S_opening_fy = t173 + limb2_U_0_sin * limb2_lower_sin * t165
+        t177 = t85 * (minus_limb2_S_opening_fy + limb2_S_arm_x * t167)  # limb1
+        t178 = limb2_U_null_space_1_by_limb5_S_wx * t177  # limb1
+        minus_limb2_S_opening_fz = limb2_U_0_sin * t160 - minus_limb2_U_0_cos * t165
+        t184 = t79 * (minus_limb2_S_opening_fz - minus_limb2_upper_position_y * (limb2_U_0_sin * t61))  # limb1
+        t188 = t170 - (t178 + (minus_limb2_U_null_space_0_by_limb5_S_wx * t184 - t65))  # limb1
         minus_limb3_lower_rotation_yx = limb3_U_0_sin * limb3_lower_cos
-        t187 = limb3_upper_offset_x * minus_limb3_lower_rotation_yx + (t16 + t20)  # limb3
-        t188 = limb3_U_0_cos * t187  # limb3
+        t189 = limb3_upper_offset_x * minus_limb3_lower_rotation_yx + (t16 + t20)  # limb3
+        t190 = limb3_U_0_cos * t189  # limb3
         limb3_lower_rotation_zx = limb3_U_0_cos * limb3_lower_cos
-        t189 = limb3_upper_offset_x * limb3_lower_rotation_zx - (t25 + t28)  # limb3
-        minus_limb3_S_opening_fz = t188 - limb3_U_0_sin * t189
-        t194 = t114 * (minus_limb3_S_opening_fz - limb3_upper_position_x * (limb3_U_0_cos * t61))  # limb1
-        t198 = t142 - (t150 + (t157 + (t186 + t194)))  # limb1
-        t199 = t128 * t198  # limb1
-        t200 = limb5_S_null_space_wz_by_limb5_S_wy * t61  # limb1
-        t201 = t96 * t141  # limb1
-        t202 = minus_limb4_U_null_space_1_by_limb5_S_wy * t149  # limb1
-        t203 = limb4_U_null_space_0_by_limb5_S_wy * t156  # limb1
+        t191 = limb3_upper_offset_x * limb3_lower_rotation_zx - (t25 + t28)  # limb3
+        minus_limb3_S_opening_fz = t190 - limb3_U_0_sin * t191
+        t196 = t116 * (minus_limb3_S_opening_fz - limb3_upper_position_x * (limb3_U_0_cos * t61))  # limb1
+        t200 = t144 - (t152 + (t159 + (t188 + t196)))  # limb1
+        t201 = t130 * t200  # limb1
+        t202 = limb5_S_null_space_wz_by_limb5_S_wy * t61  # limb1
+        t203 = t98 * t143  # limb1
+        t204 = minus_limb4_U_null_space_1_by_limb5_S_wy * t151  # limb1
+        t205 = limb4_U_null_space_0_by_limb5_S_wy * t158  # limb1
         # limb3: reciprocal wrenches, eq. (10); rates that follow; loop closure
         limb3_S_arm_y = 0.8 * limb3_lower_cos
-        t205 = limb3_U_0_cos + limb3_U_0_sin * limb5_S_null_space_wz_by_limb5_S_wy
-        minus_limb3_P_null_space_by_limb5_S_wy = limb3_S_arm_y * t205
-        t206 = 2.2795812745707664 * minus_limb3_P_null_space_by_limb5_S_wy
-        t207 = limb3_upper_position_x - (t51 + t52)
-        t210 = minus_limb3_lower_sin * t207 - minus_limb3_lower_rotation_yx * t187
-        minus_limb3_S_opening_fx = t210 - limb3_lower_rotation_zx * t189
-        t212 = limb3_U_0_sin * t61  # limb1
-        t214 = minus_limb3_S_opening_fx + limb3_S_arm_y * t212  # limb1
-        t215 = t206 * t214  # limb1
-        t216 = limb3_lower_cos * t114
+        t207 = limb3_U_0_cos + limb3_U_0_sin * limb5_S_null_space_wz_by_limb5_S_wy
+        minus_limb3_P_null_space_by_limb5_S_wy = limb3_S_arm_y * t207
+        t208 = 2.2795812745707664 * minus_limb3_P_null_space_by_limb5_S_wy
+        t209 = limb3_upper_position_x - (t51 + t52)
+        t212 = minus_limb3_lower_sin * t209 - minus_limb3_lower_rotation_yx * t189
+        minus_limb3_S_opening_fx = t212 - limb3_lower_rotation_zx * t191
+        t214 = limb3_U_0_sin * t61  # limb1
+        t216 = minus_limb3_S_opening_fx + limb3_S_arm_y * t214  # limb1
+        t217 = t208 * t216  # limb1
         limb3_S_arm_x = limb3_upper_offset_x - 0.8 * minus_limb3_lower_sin
-        limb3_U_null_space_1_by_limb5_S_wy = t216 * (limb3_S_arm_x * t205)
-        t221 = limb3_lower_cos * t207 + limb3_U_0_sin * minus_limb3_lower_sin * t187
-        limb3_S_opening_fy = t221 + limb3_U_0_cos * minus_limb3_lower_sin * t189
+        t219 = limb3_S_arm_x * t207
+        t220 = limb3_lower_cos * t116
+        limb3_U_null_space_1_by_limb5_S_wy = t219 * t220
+        t223 = limb3_lower_cos * t209 + limb3_U_0_sin * minus_limb3_lower_sin * t189
+        limb3_S_opening_fy = t223 + limb3_U_0_cos * minus_limb3_lower_sin * t191
         # limb1: results; rates that follow; pivots
-        t225 = t216 * (limb3_S_opening_fy + limb3_S_arm_x * t212)
-        t226 = limb3_U_null_space_1_by_limb5_S_wy * t225
-        t227 = limb3_U_null_space_0_by_limb5_S_wy * t194
-        t228 = t99 * t167
-        t229 = minus_limb2_U_null_space_1_by_limb5_S_wy * t175
-        t230 = limb2_U_null_space_0_by_limb5_S_wy * t182
+        t227 = t220 * (limb3_S_opening_fy + limb3_S_arm_x * t214)
+        t228 = limb3_U_null_space_1_by_limb5_S_wy * t227
+        t229 = limb3_U_null_space_0_by_limb5_S_wy * t196
+        t230 = t101 * t169
+        t231 = minus_limb2_U_null_space_1_by_limb5_S_wy * t177
+        t232 = limb2_U_null_space_0_by_limb5_S_wy * t184
         minus_limb1_U2_arm_y = 0.8 * limb1_lower_cos
-        t232 = limb1_U_0_cos + limb1_U_0_sin * limb5_S_null_space_wz_by_limb5_S_wy
-        limb1_P_null_space_by_limb5_S_wy = minus_limb1_U2_arm_y * t232
-        t233 = 2.2795812745707664 * limb1_P_null_space_by_limb5_S_wy
+        t234 = limb1_U_0_cos + limb1_U_0_sin * limb5_S_null_space_wz_by_limb5_S_wy
+        limb1_P_null_space_by_limb5_S_wy = minus_limb1_U2_arm_y * t234
+        t235 = 2.2795812745707664 * limb1_P_null_space_by_limb5_S_wy
         minus_limb1_U2_opening_fx = limb1_lower_sin * t53 - minus_limb1_lower_rotation_yx * t21 - limb1_lower_rotation_zx * t29
-        t238 = limb1_U_0_sin * t61
-        t240 = minus_limb1_U2_opening_fx - minus_limb1_U2_arm_y * t238
-        t241 = t233 * t240
-        limb1_U_null_space_1_by_limb5_S_wy = t43 * (limb1_U2_arm_x * t232)
-        t245 = t43 * (minus_limb1_U2_opening_fy - limb1_U2_arm_x * t238)
-        t249 = t241 + (limb1_U_null_space_1_by_limb5_S_wy * t245 + minus_limb1_U_null_space_0_by_limb5_S_wy * t65)
-        t255 = t215 + (t226 + (t227 - (t228 - (t229 + (t230 - t249)))))
-        t260 = t199 - (t200 + (t201 - (t202 - (t203 + t255))))
-        t261 = t127 * t128
-        t262 = limb5_S_null_space_wz_by_limb5_S_wy * limb5_S_null_space_wz_by_limb5_S_wy  # limb5_S
-        t263 = limb4_P_null_space_by_limb5_S_wy * t96  # limb4
-        t264 = minus_limb4_U_null_space_1_by_limb5_S_wy * minus_limb4_U_null_space_1_by_limb5_S_wy  # limb4
-        t265 = limb4_U_null_space_0_by_limb5_S_wy * limb4_U_null_space_0_by_limb5_S_wy  # limb4
-        t266 = minus_limb3_P_null_space_by_limb5_S_wy * t206  # limb3
-        t267 = limb3_U_null_space_1_by_limb5_S_wy * limb3_U_null_space_1_by_limb5_S_wy  # limb3
-        t268 = limb3_U_null_space_0_by_limb5_S_wy * limb3_U_null_space_0_by_limb5_S_wy  # limb3
-        t269 = minus_limb2_P_null_space_by_limb5_S_wy * t99  # limb2
-        t270 = minus_limb2_U_null_space_1_by_limb5_S_wy * minus_limb2_U_null_space_1_by_limb5_S_wy  # limb2
-        t271 = limb2_U_null_space_0_by_limb5_S_wy * limb2_U_null_space_0_by_limb5_S_wy  # limb2
-        t272 = limb1_P_null_space_by_limb5_S_wy * t233
-        t273 = limb1_U_null_space_1_by_limb5_S_wy * limb1_U_null_space_1_by_limb5_S_wy
-        t276 = t272 + (t273 + minus_limb1_U_null_space_0_by_limb5_S_wy * minus_limb1_U_null_space_0_by_limb5_S_wy)
-        t282 = t266 + (t267 + (t268 + (t269 + (t270 + (t271 + t276)))))  # mechanism
-        minus_pivot_1 = t261 - (t262 + (1.0 + (t263 + (t264 + (t265 + t282)))))
-        t288 = t260 / minus_pivot_1
-        t291 = t128 * t288 - t91 * t198
-        limb1_U_q_next_0 = limb1_U_q_0 - (t65 - (t291 - minus_limb1_U_null_space_0_by_limb5_S_wy * t288))
-        limb1_U_q_next_1 = limb1_U_q_1 + (t245 + limb1_U_null_space_1_by_limb5_S_wy * t288)
-        limb1_P_q_next = limb1_P_q + (t240 + limb1_P_null_space_by_limb5_S_wy * t288)
-        t302 = t182 - (limb2_U_null_space_0_by_limb5_S_wy * t288 - minus_limb2_U_null_space_0_by_limb5_S_wx * t291)  # limb2
-        limb2_U_q_next_0 = limb2_U_q_0 - t302
-        t306 = t175 - (minus_limb2_U_null_space_1_by_limb5_S_wy * t288 - limb2_U_null_space_1_by_limb5_S_wx * t291)  # limb2
-        limb2_U_q_next_1 = limb2_U_q_1 + t306
-        t309 = minus_limb2_P_null_space_by_limb5_S_wy * t288 - minus_platform_joint_force_mx_by_limb2_P * t291  # limb2
-        limb2_P_q_next = limb2_P_q - (t167 + t309)
-        limb3_U_q_next_0 = limb3_U_q_0 - (t194 - (t291 + limb3_U_null_space_0_by_limb5_S_wy * t288))
-        limb3_U_q_next_1 = limb3_U_q_1 - (t225 - limb3_U_null_space_1_by_limb5_S_wy * t288)
-        limb3_P_q_next = limb3_P_q + (t214 - minus_limb3_P_null_space_by_limb5_S_wy * t288)
-        t321 = t156 - (limb4_U_null_space_0_by_limb5_S_wy * t288 + limb4_U_null_space_0_by_limb5_S_wx * t291)  # limb4
-        limb4_U_q_next_0 = limb4_U_q_0 - t321
-        t325 = t149 + (minus_limb4_U_null_space_1_by_limb5_S_wy * t288 - limb4_U_null_space_1_by_limb5_S_wx * t291)  # limb4
-        limb4_U_q_next_1 = limb4_U_q_1 - t325
-        limb4_P_q_next = limb4_P_q - (t141 - (limb4_P_null_space_by_limb5_S_wy * t288 - platform_joint_force_mx_by_limb4_P * t291))
+        t240 = limb1_U_0_sin * t61
+        t242 = minus_limb1_U2_opening_fx - minus_limb1_U2_arm_y * t240
+        t243 = t235 * t242
+        limb1_U_null_space_1_by_limb5_S_wy = t43 * (limb1_U2_arm_x * t234)
+        t247 = t43 * (minus_limb1_U2_opening_fy - limb1_U2_arm_x * t240)
+        t251 = t243 + (limb1_U_null_space_1_by_limb5_S_wy * t247 + minus_limb1_U_null_space_0_by_limb5_S_wy * t65)
+        t257 = t217 + (t228 + (t229 - (t230 - (t231 + (t232 - t251)))))
+        t262 = t201 - (t202 + (t203 - (t204 - (t205 + t257))))
+        t263 = t129 * t130
+        t264 = limb5_S_null_space_wz_by_limb5_S_wy * limb5_S_null_space_wz_by_limb5_S_wy  # limb5_S
+        t265 = limb4_P_null_space_by_limb5_S_wy * t98  # limb4
+        t266 = minus_limb4_U_null_space_1_by_limb5_S_wy * minus_limb4_U_null_space_1_by_limb5_S_wy  # limb4
+        t267 = limb4_U_null_space_0_by_limb5_S_wy * limb4_U_null_space_0_by_limb5_S_wy  # limb4
+        t268 = minus_limb3_P_null_space_by_limb5_S_wy * t208  # limb3
+        t269 = limb3_U_null_space_1_by_limb5_S_wy * limb3_U_null_space_1_by_limb5_S_wy  # limb3
+        t270 = limb3_U_null_space_0_by_limb5_S_wy * limb3_U_null_space_0_by_limb5_S_wy  # limb3
+        t271 = minus_limb2_P_null_space_by_limb5_S_wy * t101  # limb2
+        t272 = minus_limb2_U_null_space_1_by_limb5_S_wy * minus_limb2_U_null_space_1_by_limb5_S_wy  # limb2
+        t273 = limb2_U_null_space_0_by_limb5_S_wy * limb2_U_null_space_0_by_limb5_S_wy  # limb2
+        t274 = limb1_P_null_space_by_limb5_S_wy * t235
+        t275 = limb1_U_null_space_1_by_limb5_S_wy * limb1_U_null_space_1_by_limb5_S_wy
+        t278 = t274 + (t275 + minus_limb1_U_null_space_0_by_limb5_S_wy * minus_limb1_U_null_space_0_by_limb5_S_wy)
+        t284 = t268 + (t269 + (t270 + (t271 + (t272 + (t273 + t278)))))  # mechanism
+        minus_pivot_1 = t263 - (t264 + (1.0 + (t265 + (t266 + (t267 + t284)))))
+        t290 = t262 / minus_pivot_1
+        t293 = t130 * t290 - t93 * t200
+        limb1_U_q_next_0 = limb1_U_q_0 - (t65 - (t293 - minus_limb1_U_null_space_0_by_limb5_S_wy * t290))
+        limb1_U_q_next_1 = limb1_U_q_1 + (t247 + limb1_U_null_space_1_by_limb5_S_wy * t290)
+        limb1_P_q_next = limb1_P_q + (t242 + limb1_P_null_space_by_limb5_S_wy * t290)
+        t304 = t184 - (limb2_U_null_space_0_by_limb5_S_wy * t290 - minus_limb2_U_null_space_0_by_limb5_S_wx * t293)  # limb2
+        limb2_U_q_next_0 = limb2_U_q_0 - t304
+        t308 = t177 - (minus_limb2_U_null_space_1_by_limb5_S_wy * t290 - limb2_U_null_space_1_by_limb5_S_wx * t293)  # limb2
+        limb2_U_q_next_1 = limb2_U_q_1 + t308
+        t311 = minus_limb2_P_null_space_by_limb5_S_wy * t290 - minus_platform_joint_force_mx_by_limb2_P * t293  # limb2
+        limb2_P_q_next = limb2_P_q - (t169 + t311)
+        limb3_U_q_next_0 = limb3_U_q_0 - (t196 - (t293 + limb3_U_null_space_0_by_limb5_S_wy * t290))
+        limb3_U_q_next_1 = limb3_U_q_1 - (t227 - limb3_U_null_space_1_by_limb5_S_wy * t290)
+        limb3_P_q_next = limb3_P_q + (t216 - minus_limb3_P_null_space_by_limb5_S_wy * t290)
+        t323 = t158 - (limb4_U_null_space_0_by_limb5_S_wy * t290 + limb4_U_null_space_0_by_limb5_S_wx * t293)  # limb4
+        limb4_U_q_next_0 = limb4_U_q_0 - t323
+        t327 = t151 + (minus_limb4_U_null_space_1_by_limb5_S_wy * t290 - limb4_U_null_space_1_by_limb5_S_wx * t293)  # limb4
+        limb4_U_q_next_1 = limb4_U_q_1 - t327
+        limb4_P_q_next = limb4_P_q - (t143 - (limb4_P_null_space_by_limb5_S_wy * t290 - platform_joint_force_mx_by_limb4_P * t293))
         # limb5_S: results
-        t332 = 0.5 * (t61 - limb5_S_null_space_wz_by_limb5_S_wy * t288)
-        t333 = limb5_S_q_qz * t332
-        t334 = 0.5 * t288  # limb1
-        t335 = limb5_S_q_qy * t334
-        t336 = 0.5 * t291  # limb1
-        t340 = limb5_S_q_qw + (t333 - (t335 + limb5_S_q_qx * t336))
-        t346 = limb5_S_q_qx * t334 - limb5_S_q_qy * t336 - (limb5_S_q_qz - limb5_S_q_qw * t332)
-        t347 = t346 * t346
-        t353 = limb5_S_q_qz * t336 + limb5_S_q_qx * t332 - (limb5_S_q_qy + limb5_S_q_qw * t334)
-        t354 = t353 * t353
-        t360 = limb5_S_q_qy * t332 + limb5_S_q_qz * t334 + (limb5_S_q_qx + limb5_S_q_qw * t336)
-        t366 = np.sqrt(t347 + (t354 + (t360 * t360 + t340 * t340)))
-        t367 = 1.0 / t366
-        limb5_S_q_next_qw = t340 * t367
-        limb5_S_q_next_qx = t360 * t367
-        limb5_S_q_next_qy = -(t353 * t367)
-        limb5_S_q_next_qz = -(t346 * t367)
-        t370 = 1.5098282268426322 * minus_limb1_U2_opening_fx  # limb1
-        t371 = t370 * t370  # limb1
-        t372 = 1.5098282268426322 * minus_limb1_U2_opening_fy  # limb1
-        t374 = t371 + t372 * t372  # limb1
-        t375 = 1.5098282268426322 * minus_limb1_U2_opening_fz  # limb1
-        t379 = t374 + t375 * t375 + limb1_U2_opening_mn * limb1_U2_opening_mn  # limb1
-        t380 = 1.5098282268426322 * limb2_S_opening_fx  # limb2
-        t382 = t379 + t380 * t380
-        t383 = 1.5098282268426322 * minus_limb2_S_opening_fy  # limb2
-        t385 = t382 + t383 * t383
-        t386 = 1.5098282268426322 * minus_limb2_S_opening_fz  # limb2
-        t388 = t385 + t386 * t386
-        t389 = 1.5098282268426322 * minus_limb3_S_opening_fx  # limb3
-        t391 = t388 + t389 * t389
-        t392 = 1.5098282268426322 * limb3_S_opening_fy  # limb3
-        t394 = t391 + t392 * t392
-        t395 = 1.5098282268426322 * minus_limb3_S_opening_fz  # limb3
-        t397 = t394 + t395 * t395
-        t398 = 1.5098282268426322 * limb4_S_opening_fx  # limb4
-        t400 = t397 + t398 * t398
-        t401 = 1.5098282268426322 * limb4_S_opening_fy  # limb4
-        t403 = t400 + t401 * t401
-        t404 = 1.5098282268426322 * minus_limb4_S_opening_fz  # limb4
-        residual_residual = np.sqrt(t403 + t404 * t404)
+        t334 = 0.5 * (t61 - limb5_S_null_space_wz_by_limb5_S_wy * t290)
+        t335 = limb5_S_q_qz * t334
+        t336 = 0.5 * t290  # limb1
+        t337 = limb5_S_q_qy * t336
+        t338 = 0.5 * t293  # limb1
+        t342 = limb5_S_q_qw + (t335 - (t337 + limb5_S_q_qx * t338))
+        t348 = limb5_S_q_qx * t336 - limb5_S_q_qy * t338 - (limb5_S_q_qz - limb5_S_q_qw * t334)
+        t349 = t348 * t348
+        t355 = limb5_S_q_qz * t338 + limb5_S_q_qx * t334 - (limb5_S_q_qy + limb5_S_q_qw * t336)
+        t356 = t355 * t355
+        t362 = limb5_S_q_qy * t334 + limb5_S_q_qz * t336 + (limb5_S_q_qx + limb5_S_q_qw * t338)
+        t368 = np.sqrt(t349 + (t356 + (t362 * t362 + t342 * t342)))
+        t369 = 1.0 / t368
+        limb5_S_q_next_qw = t342 * t369
+        limb5_S_q_next_qx = t362 * t369
+        limb5_S_q_next_qy = -(t355 * t369)
+        limb5_S_q_next_qz = -(t348 * t369)
+        t372 = 1.5098282268426322 * minus_limb1_U2_opening_fx  # limb1
+        t373 = t372 * t372  # limb1
+        t374 = 1.5098282268426322 * minus_limb1_U2_opening_fy  # limb1
+        t376 = t373 + t374 * t374  # limb1
+        t377 = 1.5098282268426322 * minus_limb1_U2_opening_fz  # limb1
+        t381 = t376 + t377 * t377 + limb1_U2_opening_mn * limb1_U2_opening_mn  # limb1
+        t382 = 1.5098282268426322 * limb2_S_opening_fx  # limb2
+        t384 = t381 + t382 * t382
+        t385 = 1.5098282268426322 * minus_limb2_S_opening_fy  # limb2
+        t387 = t384 + t385 * t385
+        t388 = 1.5098282268426322 * minus_limb2_S_opening_fz  # limb2
+        t390 = t387 + t388 * t388
+        t391 = 1.5098282268426322 * minus_limb3_S_opening_fx  # limb3
+        t393 = t390 + t391 * t391
+        t394 = 1.5098282268426322 * limb3_S_opening_fy  # limb3
+        t396 = t393 + t394 * t394
+        t397 = 1.5098282268426322 * minus_limb3_S_opening_fz  # limb3
+        t399 = t396 + t397 * t397
+        t400 = 1.5098282268426322 * limb4_S_opening_fx  # limb4
+        t402 = t399 + t400 * t400
+        t403 = 1.5098282268426322 * limb4_S_opening_fy  # limb4
+        t405 = t402 + t403 * t403
+        t406 = 1.5098282268426322 * minus_limb4_S_opening_fz  # limb4
+        residual_residual = np.sqrt(t405 + t406 * t406)
         return _finish(batch, ((limb1_U_q_next_0, limb1_U_q_next_1, limb1_P_q_next,
             limb2_U_q_next_0, limb2_U_q_next_1, limb2_P_q_next, limb3_U_q_next_0, limb3_U_q_next_1,
             limb3_P_q_next, limb4_U_q_next_0, limb4_U_q_next_1, limb4_P_q_next, limb5_S_q_next_qw,
@@ -11445,150 +11509,149 @@ def close_velocity(*arguments):
         t47 = limb4_U_null_space_1_by_limb5_S_wx * limb4_U_null_space_1_by_limb5_S_wx
         minus_limb4_U_0_cos = np.sin(limb4_U_q_0)
         limb4_upper_position_y = 0.8 - minus_limb4_lower_sin * limb4_upper_offset_x
-        limb4_U_null_space_0_by_limb5_S_wx = minus_limb4_U_0_cos * limb4_upper_position_y * t45
-        t48 = limb4_U_null_space_0_by_limb5_S_wx * limb4_U_null_space_0_by_limb5_S_wx
+        limb4_U_null_space_0_by_limb5_S_wx = t45 * (minus_limb4_U_0_cos * limb4_upper_position_y)
+        t49 = limb4_U_null_space_0_by_limb5_S_wx * limb4_U_null_space_0_by_limb5_S_wx
         # limb2: geometry; reciprocal wrenches, eq. (10); rates that follow
         limb2_U_0_sin = np.cos(limb2_U_q_0)
-        t49 = 2.6179938779914944 + limb2_U_q_1
-        limb2_lower_cos = np.cos(t49)
+        t50 = 2.6179938779914944 + limb2_U_q_1
+        limb2_lower_cos = np.cos(t50)
         minus_limb2_S_arm_y = 0.8 * limb2_lower_cos
         minus_platform_joint_force_mx_by_limb2_P = limb2_U_0_sin * minus_limb2_S_arm_y
-        t50 = 2.2795812745707664 * minus_platform_joint_force_mx_by_limb2_P  # platform
-        t51 = minus_platform_joint_force_mx_by_limb2_P * t50  # platform
-        minus_limb2_U_0_cos = np.sin(limb2_U_q_0)
-        limb2_lower_sin = np.sin(t49)
+        t51 = 2.2795812745707664 * minus_platform_joint_force_mx_by_limb2_P  # platform
+        t52 = minus_platform_joint_force_mx_by_limb2_P * t51  # platform
         limb2_upper_offset_x = 0.3 + limb2_P_q
-        minus_limb2_upper_position_y = 0.8 - limb2_lower_sin * limb2_upper_offset_x
-        base_lever_mx_by_limb2_S_fz = minus_limb2_U_0_cos * minus_limb2_upper_position_y
         minus_limb2_U_0_lever_mz_by_limb2_S_fz = limb2_lower_cos * limb2_upper_offset_x
-        t52 = 1.0 / minus_limb2_U_0_lever_mz_by_limb2_S_fz
-        minus_limb2_U_null_space_0_by_limb5_S_wx = base_lever_mx_by_limb2_S_fz * t52
-        t54 = 1.0 + minus_limb2_U_null_space_0_by_limb5_S_wx * minus_limb2_U_null_space_0_by_limb5_S_wx
+        t53 = 1.0 / minus_limb2_U_0_lever_mz_by_limb2_S_fz
+        minus_limb2_U_0_cos = np.sin(limb2_U_q_0)
+        limb2_lower_sin = np.sin(t50)
+        minus_limb2_upper_position_y = 0.8 - limb2_lower_sin * limb2_upper_offset_x
+        minus_limb2_U_null_space_0_by_limb5_S_wx = t53 * (minus_limb2_U_0_cos * minus_limb2_upper_position_y)
+        t56 = 1.0 + minus_limb2_U_null_space_0_by_limb5_S_wx * minus_limb2_U_null_space_0_by_limb5_S_wx
         limb2_S_arm_x = limb2_upper_offset_x - 0.8 * limb2_lower_sin
-        t56 = limb2_U_0_sin * limb2_S_arm_x
-        t57 = limb2_lower_cos * t52
-        limb2_U_null_space_1_by_limb5_S_wx = t56 * t57
-        t61 = 1.0 + (t51 + (t54 + limb2_U_null_space_1_by_limb5_S_wx * limb2_U_null_space_1_by_limb5_S_wx))  # mechanism
-        pivot_0 = 1.0 + (t42 + (t47 + (t48 + t61)))
-        t65 = 1.0 / pivot_0  # mechanism
-        t66 = minus_limb4_U_0_cos * limb5_S_null_space_wz_by_limb5_S_wy  # limb4
-        limb4_P_null_space_by_limb5_S_wy = limb4_S_arm_y * t66
-        t67 = 2.2795812745707664 * limb4_P_null_space_by_limb5_S_wy  # limb4
-        t68 = platform_joint_force_mx_by_limb4_P * t67  # limb1
-        t69 = minus_limb2_U_0_cos * limb5_S_null_space_wz_by_limb5_S_wy
-        minus_limb2_P_null_space_by_limb5_S_wy = minus_limb2_S_arm_y * t69
-        t70 = 2.2795812745707664 * minus_limb2_P_null_space_by_limb5_S_wy
-        t71 = minus_platform_joint_force_mx_by_limb2_P * t70  # limb1
-        minus_limb2_U_null_space_1_by_limb5_S_wy = t57 * (limb2_S_arm_x * t69)
-        t73 = limb2_U_null_space_1_by_limb5_S_wx * minus_limb2_U_null_space_1_by_limb5_S_wy
-        t76 = minus_limb2_U_0_lever_mz_by_limb2_S_fz - minus_limb2_upper_position_y * (limb2_U_0_sin * limb5_S_null_space_wz_by_limb5_S_wy)
-        limb2_U_null_space_0_by_limb5_S_wy = t52 * t76
-        t78 = minus_limb2_U_null_space_0_by_limb5_S_wx * limb2_U_null_space_0_by_limb5_S_wy + minus_limb1_U_null_space_0_by_limb5_S_wy  # limb1
-        t80 = t71 + (t73 + t78)  # limb1
+        t58 = limb2_U_0_sin * limb2_S_arm_x
+        t59 = limb2_lower_cos * t53
+        limb2_U_null_space_1_by_limb5_S_wx = t58 * t59
+        t63 = 1.0 + (t52 + (t56 + limb2_U_null_space_1_by_limb5_S_wx * limb2_U_null_space_1_by_limb5_S_wx))  # mechanism
+        pivot_0 = 1.0 + (t42 + (t47 + (t49 + t63)))
+        t67 = 1.0 / pivot_0  # mechanism
+        t68 = minus_limb4_U_0_cos * limb5_S_null_space_wz_by_limb5_S_wy  # limb4
+        limb4_P_null_space_by_limb5_S_wy = limb4_S_arm_y * t68
+        t69 = 2.2795812745707664 * limb4_P_null_space_by_limb5_S_wy  # limb4
+        t70 = platform_joint_force_mx_by_limb4_P * t69  # limb1
+        t71 = minus_limb2_U_0_cos * limb5_S_null_space_wz_by_limb5_S_wy
+        minus_limb2_P_null_space_by_limb5_S_wy = minus_limb2_S_arm_y * t71
+        t72 = 2.2795812745707664 * minus_limb2_P_null_space_by_limb5_S_wy
+        t73 = minus_platform_joint_force_mx_by_limb2_P * t72  # limb1
+        minus_limb2_U_null_space_1_by_limb5_S_wy = t59 * (limb2_S_arm_x * t71)
+        t75 = limb2_U_null_space_1_by_limb5_S_wx * minus_limb2_U_null_space_1_by_limb5_S_wy
+        t78 = minus_limb2_U_0_lever_mz_by_limb2_S_fz - minus_limb2_upper_position_y * (limb2_U_0_sin * limb5_S_null_space_wz_by_limb5_S_wy)
+        limb2_U_null_space_0_by_limb5_S_wy = t53 * t78
+        t80 = minus_limb2_U_null_space_0_by_limb5_S_wx * limb2_U_null_space_0_by_limb5_S_wy + minus_limb1_U_null_space_0_by_limb5_S_wy  # limb1
+        t82 = t73 + (t75 + t80)  # limb1
         # limb3: geometry; reciprocal wrenches, eq. (10); rates that follow
-        t81 = 0.5235987755982989 - limb3_U_q_1
-        limb3_lower_cos = np.cos(t81)
+        t83 = 0.5235987755982989 - limb3_U_q_1
+        limb3_lower_cos = np.cos(t83)
         limb3_upper_offset_x = 0.3 + limb3_P_q
         minus_limb3_U_0_lever_mz_by_limb3_S_fz = limb3_lower_cos * limb3_upper_offset_x
-        t82 = 1.0 / minus_limb3_U_0_lever_mz_by_limb3_S_fz
-        minus_limb3_lower_sin = np.sin(t81)
+        t84 = 1.0 / minus_limb3_U_0_lever_mz_by_limb3_S_fz
+        minus_limb3_lower_sin = np.sin(t83)
         limb3_upper_position_x = 0.8 - minus_limb3_lower_sin * limb3_upper_offset_x
         limb3_U_0_sin = np.sin(limb3_U_q_0)
         limb3_U_0_cos = np.cos(limb3_U_q_0)
-        t85 = limb3_upper_position_x * (limb3_U_0_sin - limb3_U_0_cos * limb5_S_null_space_wz_by_limb5_S_wy)
-        limb3_U_null_space_0_by_limb5_S_wy = t82 * t85
-        t86 = t80 - limb3_U_null_space_0_by_limb5_S_wy  # limb1
-        t89 = minus_limb4_U_0_lever_mz_by_limb4_S_fz + limb4_upper_position_y * (limb4_U_0_sin * limb5_S_null_space_wz_by_limb5_S_wy)  # limb4
-        limb4_U_null_space_0_by_limb5_S_wy = t45 * t89
-        t91 = t86 - limb4_U_null_space_0_by_limb5_S_wx * limb4_U_null_space_0_by_limb5_S_wy  # limb1
-        minus_limb4_U_null_space_1_by_limb5_S_wy = t46 * (limb4_S_arm_x * t66)
-        t95 = t68 + (t91 + limb4_U_null_space_1_by_limb5_S_wx * minus_limb4_U_null_space_1_by_limb5_S_wy)  # limb1
-        t96 = t65 * t95  # limb1
+        t87 = limb3_upper_position_x * (limb3_U_0_sin - limb3_U_0_cos * limb5_S_null_space_wz_by_limb5_S_wy)
+        limb3_U_null_space_0_by_limb5_S_wy = t84 * t87
+        t88 = t82 - limb3_U_null_space_0_by_limb5_S_wy  # limb1
+        t91 = minus_limb4_U_0_lever_mz_by_limb4_S_fz + limb4_upper_position_y * (limb4_U_0_sin * limb5_S_null_space_wz_by_limb5_S_wy)  # limb4
+        limb4_U_null_space_0_by_limb5_S_wy = t45 * t91
+        t93 = t88 - limb4_U_null_space_0_by_limb5_S_wx * limb4_U_null_space_0_by_limb5_S_wy  # limb1
+        minus_limb4_U_null_space_1_by_limb5_S_wy = t46 * (limb4_S_arm_x * t68)
+        t97 = t70 + (t93 + limb4_U_null_space_1_by_limb5_S_wx * minus_limb4_U_null_space_1_by_limb5_S_wy)  # limb1
+        t98 = t67 * t97  # limb1
         platform_turn_xx = 1.0 - t8 * t11
-        t100 = limb5_S_v_wx * platform_turn_xx + limb5_S_v_wy * platform_turn_xy  # platform
-        t101 = limb5_S_q_qx * t15  # limb5_S
-        t102 = limb5_S_q_qw * t26  # limb5_S
-        platform_turn_xz = t101 + t102
-        platform_twist_wx = t100 + limb5_S_v_wz * platform_turn_xz
-        t104 = limb4_P_v * t41  # limb1
-        t105 = limb4_U_v_1 * limb4_U_null_space_1_by_limb5_S_wx  # limb4
-        t106 = limb4_U_v_0 * limb4_U_null_space_0_by_limb5_S_wx  # limb4
-        t107 = limb2_P_v * t50  # limb1
-        t109 = limb1_U_v_0 - limb2_U_v_0 * minus_limb2_U_null_space_0_by_limb5_S_wx  # limb1
-        t115 = t105 + (t106 + (limb3_U_v_0 + (t107 + (t109 + limb2_U_v_1 * limb2_U_null_space_1_by_limb5_S_wx))))  # limb1
-        t117 = platform_twist_wx - (t104 - t115)  # limb1
-        t118 = t96 * t117  # limb1
+        t102 = limb5_S_v_wx * platform_turn_xx + limb5_S_v_wy * platform_turn_xy  # platform
+        t103 = limb5_S_q_qx * t15  # limb5_S
+        t104 = limb5_S_q_qw * t26  # limb5_S
+        platform_turn_xz = t103 + t104
+        platform_twist_wx = t102 + limb5_S_v_wz * platform_turn_xz
+        t106 = limb4_P_v * t41  # limb1
+        t107 = limb4_U_v_1 * limb4_U_null_space_1_by_limb5_S_wx  # limb4
+        t108 = limb4_U_v_0 * limb4_U_null_space_0_by_limb5_S_wx  # limb4
+        t109 = limb2_P_v * t51  # limb1
+        t111 = limb1_U_v_0 - limb2_U_v_0 * minus_limb2_U_null_space_0_by_limb5_S_wx  # limb1
+        t117 = t107 + (t108 + (limb3_U_v_0 + (t109 + (t111 + limb2_U_v_1 * limb2_U_null_space_1_by_limb5_S_wx))))  # limb1
+        t119 = platform_twist_wx - (t106 - t117)  # limb1
+        t120 = t98 * t119  # limb1
         # platform: geometry; velocities, eq. (6)
         platform_turn_zz = 1.0 - t11 * (t4 + t6)
-        t121 = limb5_S_v_wz * platform_turn_zz
-        platform_turn_zx = t101 - t102
-        t125 = (t121 + (limb5_S_v_wx * platform_turn_zx + limb5_S_v_wy * platform_turn_zy)) * limb5_S_null_space_wz_by_limb5_S_wy  # limb1
-        t126 = limb5_S_v_wy * platform_turn_yy
+        t123 = limb5_S_v_wz * platform_turn_zz
+        platform_turn_zx = t103 - t104
+        t127 = (t123 + (limb5_S_v_wx * platform_turn_zx + limb5_S_v_wy * platform_turn_zy)) * limb5_S_null_space_wz_by_limb5_S_wy  # limb1
+        t128 = limb5_S_v_wy * platform_turn_yy
         platform_turn_yx = t27 + t28
-        t128 = t126 + limb5_S_v_wx * platform_turn_yx
+        t130 = t128 + limb5_S_v_wx * platform_turn_yx
         platform_turn_yz = t16 - t18
-        platform_twist_wy = t128 + limb5_S_v_wz * platform_turn_yz
-        t130 = limb4_P_v * t67  # limb4
-        t131 = limb4_U_v_1 * minus_limb4_U_null_space_1_by_limb5_S_wy  # limb4
-        t132 = limb4_U_v_0 * limb4_U_null_space_0_by_limb5_S_wy  # limb4
+        platform_twist_wy = t130 + limb5_S_v_wz * platform_turn_yz
+        t132 = limb4_P_v * t69  # limb4
+        t133 = limb4_U_v_1 * minus_limb4_U_null_space_1_by_limb5_S_wy  # limb4
+        t134 = limb4_U_v_0 * limb4_U_null_space_0_by_limb5_S_wy  # limb4
         # limb3: reciprocal wrenches, eq. (10); rates that follow; results
         limb3_S_arm_y = 0.8 * limb3_lower_cos
-        t134 = limb3_U_0_cos + limb3_U_0_sin * limb5_S_null_space_wz_by_limb5_S_wy
-        minus_limb3_P_null_space_by_limb5_S_wy = limb3_S_arm_y * t134
-        t135 = 2.2795812745707664 * minus_limb3_P_null_space_by_limb5_S_wy
-        t136 = limb3_P_v * t135
-        limb3_U_null_space_1_by_limb5_S_wy = limb3_lower_cos * t82 * ((limb3_upper_offset_x - 0.8 * minus_limb3_lower_sin) * t134)
-        t140 = limb3_U_v_1 * limb3_U_null_space_1_by_limb5_S_wy
-        t141 = limb3_U_v_0 * limb3_U_null_space_0_by_limb5_S_wy
-        t142 = limb2_P_v * t70  # limb2
-        t143 = limb2_U_v_1 * minus_limb2_U_null_space_1_by_limb5_S_wy  # limb2
-        t144 = limb2_U_v_0 * limb2_U_null_space_0_by_limb5_S_wy  # limb2
+        t136 = limb3_U_0_cos + limb3_U_0_sin * limb5_S_null_space_wz_by_limb5_S_wy
+        minus_limb3_P_null_space_by_limb5_S_wy = limb3_S_arm_y * t136
+        t137 = 2.2795812745707664 * minus_limb3_P_null_space_by_limb5_S_wy
+        t138 = limb3_P_v * t137
+        limb3_U_null_space_1_by_limb5_S_wy = (limb3_upper_offset_x - 0.8 * minus_limb3_lower_sin) * t136 * (limb3_lower_cos * t84)
+        t142 = limb3_U_v_1 * limb3_U_null_space_1_by_limb5_S_wy
+        t143 = limb3_U_v_0 * limb3_U_null_space_0_by_limb5_S_wy
+        t144 = limb2_P_v * t72  # limb2
+        t145 = limb2_U_v_1 * minus_limb2_U_null_space_1_by_limb5_S_wy  # limb2
+        t146 = limb2_U_v_0 * limb2_U_null_space_0_by_limb5_S_wy  # limb2
         # limb1: rates that follow; results; pivots
         minus_limb1_U2_arm_y = 0.8 * limb1_lower_cos
-        t146 = limb1_U_0_cos + limb1_U_0_sin * limb5_S_null_space_wz_by_limb5_S_wy
-        limb1_P_null_space_by_limb5_S_wy = minus_limb1_U2_arm_y * t146
-        t147 = 2.2795812745707664 * limb1_P_null_space_by_limb5_S_wy
-        t148 = limb1_P_v * t147
-        limb1_U_null_space_1_by_limb5_S_wy = t31 * (limb1_U2_arm_x * t146)
-        t150 = limb1_U_v_1 * limb1_U_null_space_1_by_limb5_S_wy
-        t156 = t142 + (t143 - (t144 + (t148 + (t150 - limb1_U_v_0 * minus_limb1_U_null_space_0_by_limb5_S_wy))))
-        t162 = t130 - (t131 - (t132 - (t136 - (t140 + (t141 - t156)))))
-        t165 = t118 + (t125 + (platform_twist_wy + t162))
-        t166 = t95 * t96
-        t167 = limb5_S_null_space_wz_by_limb5_S_wy * limb5_S_null_space_wz_by_limb5_S_wy  # limb5_S
-        t168 = limb4_P_null_space_by_limb5_S_wy * t67  # limb4
-        t169 = minus_limb4_U_null_space_1_by_limb5_S_wy * minus_limb4_U_null_space_1_by_limb5_S_wy  # limb4
-        t170 = limb4_U_null_space_0_by_limb5_S_wy * limb4_U_null_space_0_by_limb5_S_wy  # limb4
-        t171 = minus_limb3_P_null_space_by_limb5_S_wy * t135  # limb3
-        t172 = limb3_U_null_space_1_by_limb5_S_wy * limb3_U_null_space_1_by_limb5_S_wy  # limb3
-        t173 = limb3_U_null_space_0_by_limb5_S_wy * limb3_U_null_space_0_by_limb5_S_wy  # limb3
-        t174 = minus_limb2_P_null_space_by_limb5_S_wy * t70  # limb2
-        t175 = minus_limb2_U_null_space_1_by_limb5_S_wy * minus_limb2_U_null_space_1_by_limb5_S_wy  # limb2
-        t176 = limb2_U_null_space_0_by_limb5_S_wy * limb2_U_null_space_0_by_limb5_S_wy  # limb2
-        t177 = limb1_P_null_space_by_limb5_S_wy * t147
-        t178 = limb1_U_null_space_1_by_limb5_S_wy * limb1_U_null_space_1_by_limb5_S_wy
-        t181 = t177 + (t178 + minus_limb1_U_null_space_0_by_limb5_S_wy * minus_limb1_U_null_space_0_by_limb5_S_wy)
-        t187 = t171 + (t172 + (t173 + (t174 + (t175 + (t176 + t181)))))  # mechanism
-        minus_pivot_1 = t166 - (t167 + (1.0 + (t168 + (t169 + (t170 + t187)))))
-        t193 = t165 / minus_pivot_1
-        t194 = minus_limb1_U_null_space_0_by_limb5_S_wy * t193
-        t197 = t96 * t193 - t65 * t117
-        limb1_U_v_next_0 = t194 - t197
-        limb1_U_v_next_1 = -(limb1_U_null_space_1_by_limb5_S_wy * t193)
-        limb1_P_v_next = -(limb1_P_null_space_by_limb5_S_wy * t193)
-        limb2_U_v_next_0 = minus_limb2_U_null_space_0_by_limb5_S_wx * t197 - limb2_U_null_space_0_by_limb5_S_wy * t193
-        limb2_U_v_next_1 = minus_limb2_U_null_space_1_by_limb5_S_wy * t193 - limb2_U_null_space_1_by_limb5_S_wx * t197
-        limb2_P_v_next = minus_limb2_P_null_space_by_limb5_S_wy * t193 - minus_platform_joint_force_mx_by_limb2_P * t197
-        limb3_U_v_next_0 = -(t197 + limb3_U_null_space_0_by_limb5_S_wy * t193)
-        limb3_U_v_next_1 = -(limb3_U_null_space_1_by_limb5_S_wy * t193)
-        limb3_P_v_next = minus_limb3_P_null_space_by_limb5_S_wy * t193
-        limb4_U_v_next_0 = -(limb4_U_null_space_0_by_limb5_S_wy * t193 + limb4_U_null_space_0_by_limb5_S_wx * t197)
-        limb4_U_v_next_1 = minus_limb4_U_null_space_1_by_limb5_S_wy * t193 - limb4_U_null_space_1_by_limb5_S_wx * t197
-        limb4_P_v_next = platform_joint_force_mx_by_limb4_P * t197 - limb4_P_null_space_by_limb5_S_wy * t193
-        t216 = limb5_S_null_space_wz_by_limb5_S_wy * t193  # limb5_S
-        limb5_S_v_next_wx = -(platform_turn_zx * t216 + (platform_turn_yx * t193 + platform_turn_xx * t197))
-        limb5_S_v_next_wy = -(platform_turn_zy * t216 + (platform_turn_yy * t193 + platform_turn_xy * t197))
-        limb5_S_v_next_wz = -(platform_turn_zz * t216 + (platform_turn_yz * t193 + platform_turn_xz * t197))
+        t148 = limb1_U_0_cos + limb1_U_0_sin * limb5_S_null_space_wz_by_limb5_S_wy
+        limb1_P_null_space_by_limb5_S_wy = minus_limb1_U2_arm_y * t148
+        t149 = 2.2795812745707664 * limb1_P_null_space_by_limb5_S_wy
+        t150 = limb1_P_v * t149
+        limb1_U_null_space_1_by_limb5_S_wy = t31 * (limb1_U2_arm_x * t148)
+        t152 = limb1_U_v_1 * limb1_U_null_space_1_by_limb5_S_wy
+        t158 = t144 + (t145 - (t146 + (t150 + (t152 - limb1_U_v_0 * minus_limb1_U_null_space_0_by_limb5_S_wy))))
+        t164 = t132 - (t133 - (t134 - (t138 - (t142 + (t143 - t158)))))
+        t167 = t120 + (t127 + (platform_twist_wy + t164))
+        t168 = t97 * t98
+        t169 = limb5_S_null_space_wz_by_limb5_S_wy * limb5_S_null_space_wz_by_limb5_S_wy  # limb5_S
+        t170 = limb4_P_null_space_by_limb5_S_wy * t69  # limb4
+        t171 = minus_limb4_U_null_space_1_by_limb5_S_wy * minus_limb4_U_null_space_1_by_limb5_S_wy  # limb4
+        t172 = limb4_U_null_space_0_by_limb5_S_wy * limb4_U_null_space_0_by_limb5_S_wy  # limb4
+        t173 = minus_limb3_P_null_space_by_limb5_S_wy * t137  # limb3
+        t174 = limb3_U_null_space_1_by_limb5_S_wy * limb3_U_null_space_1_by_limb5_S_wy  # limb3
+        t175 = limb3_U_null_space_0_by_limb5_S_wy * limb3_U_null_space_0_by_limb5_S_wy  # limb3
+        t176 = minus_limb2_P_null_space_by_limb5_S_wy * t72  # limb2
+        t177 = minus_limb2_U_null_space_1_by_limb5_S_wy * minus_limb2_U_null_space_1_by_limb5_S_wy  # limb2
+        t178 = limb2_U_null_space_0_by_limb5_S_wy * limb2_U_null_space_0_by_limb5_S_wy  # limb2
+        t179 = limb1_P_null_space_by_limb5_S_wy * t149
+        t180 = limb1_U_null_space_1_by_limb5_S_wy * limb1_U_null_space_1_by_limb5_S_wy
+        t183 = t179 + (t180 + minus_limb1_U_null_space_0_by_limb5_S_wy * minus_limb1_U_null_space_0_by_limb5_S_wy)
+        t189 = t173 + (t174 + (t175 + (t176 + (t177 + (t178 + t183)))))  # mechanism
+        minus_pivot_1 = t168 - (t169 + (1.0 + (t170 + (t171 + (t172 + t189)))))
+        t195 = t167 / minus_pivot_1
+        t196 = minus_limb1_U_null_space_0_by_limb5_S_wy * t195
+        t199 = t98 * t195 - t67 * t119
+        limb1_U_v_next_0 = t196 - t199
+        limb1_U_v_next_1 = -(limb1_U_null_space_1_by_limb5_S_wy * t195)
+        limb1_P_v_next = -(limb1_P_null_space_by_limb5_S_wy * t195)
+        limb2_U_v_next_0 = minus_limb2_U_null_space_0_by_limb5_S_wx * t199 - limb2_U_null_space_0_by_limb5_S_wy * t195
+        limb2_U_v_next_1 = minus_limb2_U_null_space_1_by_limb5_S_wy * t195 - limb2_U_null_space_1_by_limb5_S_wx * t199
+        limb2_P_v_next = minus_limb2_P_null_space_by_limb5_S_wy * t195 - minus_platform_joint_force_mx_by_limb2_P * t199
+        limb3_U_v_next_0 = -(t199 + limb3_U_null_space_0_by_limb5_S_wy * t195)
+        limb3_U_v_next_1 = -(limb3_U_null_space_1_by_limb5_S_wy * t195)
+        limb3_P_v_next = minus_limb3_P_null_space_by_limb5_S_wy * t195
+        limb4_U_v_next_0 = -(limb4_U_null_space_0_by_limb5_S_wy * t195 + limb4_U_null_space_0_by_limb5_S_wx * t199)
+        limb4_U_v_next_1 = minus_limb4_U_null_space_1_by_limb5_S_wy * t195 - limb4_U_null_space_1_by_limb5_S_wx * t199
+        limb4_P_v_next = platform_joint_force_mx_by_limb4_P * t199 - limb4_P_null_space_by_limb5_S_wy * t195
+        t218 = limb5_S_null_space_wz_by_limb5_S_wy * t195  # limb5_S
+        limb5_S_v_next_wx = -(platform_turn_zx * t218 + (platform_turn_yx * t195 + platform_turn_xx * t199))
+        limb5_S_v_next_wy = -(platform_turn_zy * t218 + (platform_turn_yy * t195 + platform_turn_xy * t199))
+        limb5_S_v_next_wz = -(platform_turn_zz * t218 + (platform_turn_yz * t195 + platform_turn_xz * t199))
         return _finish(batch, ((limb1_U_v_next_0, limb1_U_v_next_1, limb1_P_v_next,
             limb2_U_v_next_0, limb2_U_v_next_1, limb2_P_v_next, limb3_U_v_next_0, limb3_U_v_next_1,
             limb3_P_v_next, limb4_U_v_next_0, limb4_U_v_next_1, limb4_P_v_next, limb5_S_v_next_wx,
@@ -12655,129 +12718,131 @@ def _assemble_step(*arguments):
         t98 = t97 * t97
         t99 = t94 * t94
         t100 = t91 * t91
-        # limb4: geometry; loop closure; reciprocal wrenches, eq. (10)
-        minus_limb4_U_0_cos = np.sin(limb4_U_q_0)
+        # limb4: geometry; reciprocal wrenches, eq. (10); loop closure
         t101 = 2.6179938779914944 - limb4_U_q_1
         limb4_lower_cos = np.cos(t101)
+        limb4_S_arm_y = 0.8 * limb4_lower_cos
+        minus_limb4_U_0_cos = np.sin(limb4_U_q_0)
+        t102 = minus_limb4_U_0_cos * t96  # step
+        limb4_U_0_sin = np.cos(limb4_U_q_0)
+        t104 = t102 + limb4_U_0_sin * t91  # step
+        t105 = limb4_S_arm_y * t104  # step
         minus_limb4_lower_rotation_xx = minus_limb4_U_0_cos * limb4_lower_cos
         limb4_upper_offset_x = 0.3 + limb4_P_q
         minus_limb4_upper_position_x = limb4_upper_offset_x * minus_limb4_lower_rotation_xx
-        t102 = 0.5 * platform_turn_xy  # platform
-        t103 = minus_limb4_upper_position_x + (t63 + t102)
-        t104 = minus_limb4_lower_rotation_xx * t103
+        t106 = 0.5 * platform_turn_xy  # platform
+        t107 = minus_limb4_upper_position_x + (t63 + t106)
+        t108 = minus_limb4_lower_rotation_xx * t107
         minus_limb4_lower_sin = np.sin(t101)
         limb4_upper_position_y = 0.8 - minus_limb4_lower_sin * limb4_upper_offset_x
-        t105 = 0.5 * platform_turn_yy  # platform
-        t106 = limb4_upper_position_y - (t47 + t105)
-        t108 = t104 - minus_limb4_lower_sin * t106
-        limb4_U_0_sin = np.cos(limb4_U_q_0)
+        t109 = 0.5 * platform_turn_yy  # platform
+        t110 = limb4_upper_position_y - (t47 + t109)
+        t112 = t108 - minus_limb4_lower_sin * t110
         minus_limb4_lower_rotation_zx = limb4_U_0_sin * limb4_lower_cos
         minus_limb4_upper_position_z = limb4_upper_offset_x * minus_limb4_lower_rotation_zx
-        t109 = 0.5 * platform_turn_zy  # platform
-        t110 = minus_limb4_upper_position_z + (t55 + t109)
-        limb4_S_opening_fx = t108 + minus_limb4_lower_rotation_zx * t110
-        limb4_S_arm_y = 0.8 * limb4_lower_cos
-        t112 = minus_limb4_U_0_cos * t72  # step
-        t114 = limb4_S_opening_fx + limb4_S_arm_y * t112  # step
-        t117 = minus_limb4_U_0_cos * t96 + limb4_U_0_sin * t91  # step
-        t120 = 1.5098282268426322 * (t114 + limb4_S_arm_y * t117)  # step
+        t113 = 0.5 * platform_turn_zy  # platform
+        t114 = minus_limb4_upper_position_z + (t55 + t113)
+        limb4_S_opening_fx = t112 + minus_limb4_lower_rotation_zx * t114
+        t116 = minus_limb4_U_0_cos * t72  # step
+        t120 = 1.5098282268426322 * (t105 + (limb4_S_opening_fx + limb4_S_arm_y * t116))  # step
         t121 = t120 * t120  # step
         minus_limb4_U_0_lever_mz_by_limb4_S_fz = limb4_lower_cos * limb4_upper_offset_x
         t122 = 1.0 / minus_limb4_U_0_lever_mz_by_limb4_S_fz
         t123 = limb4_lower_cos * t122
-        t126 = minus_limb4_U_0_cos * minus_limb4_lower_sin * t103 + limb4_lower_cos * t106
-        limb4_S_opening_fy = t126 + limb4_U_0_sin * minus_limb4_lower_sin * t110
         limb4_S_arm_x = limb4_upper_offset_x - 0.8 * minus_limb4_lower_sin
-        t133 = t123 * (limb4_S_opening_fy - limb4_S_arm_x * t112 - limb4_S_arm_x * t117)  # step
+        t125 = limb4_S_arm_x * t104  # step
+        t128 = minus_limb4_U_0_cos * minus_limb4_lower_sin * t107 + limb4_lower_cos * t110
+        limb4_S_opening_fy = t128 + limb4_U_0_sin * minus_limb4_lower_sin * t114
+        t133 = t123 * (t125 - (limb4_S_opening_fy - limb4_S_arm_x * t116))  # step
         t134 = t133 * t133  # step
-        minus_limb4_S_opening_fz = limb4_U_0_sin * t103 - minus_limb4_U_0_cos * t110
-        t140 = t122 * (minus_limb4_S_opening_fz + limb4_upper_position_y * (limb4_U_0_sin * t72))  # step
-        t146 = t94 + t122 * (limb4_upper_position_y * (limb4_U_0_sin * t96 - minus_limb4_U_0_cos * t91))  # step
-        t147 = t140 + t146  # step
+        t140 = t94 + t122 * (limb4_upper_position_y * (limb4_U_0_sin * t96 - minus_limb4_U_0_cos * t91))  # step
+        minus_limb4_S_opening_fz = limb4_U_0_sin * t107 - minus_limb4_U_0_cos * t114
+        t147 = t140 + t122 * (minus_limb4_S_opening_fz + limb4_upper_position_y * (limb4_U_0_sin * t72))  # step
         t148 = t147 * t147  # step
-        # limb3: geometry; loop closure; reciprocal wrenches, eq. (10)
+        # limb3: geometry; reciprocal wrenches, eq. (10); loop closure
         t149 = 0.5235987755982989 - limb3_U_q_1
+        limb3_lower_cos = np.cos(t149)
+        limb3_S_arm_y = 0.8 * limb3_lower_cos
+        limb3_U_0_sin = np.sin(limb3_U_q_0)
+        t150 = limb3_U_0_sin * t96  # step
+        limb3_U_0_cos = np.cos(limb3_U_q_0)
+        t152 = t150 + limb3_U_0_cos * t94  # step
+        t153 = limb3_S_arm_y * t152  # step
         minus_limb3_lower_sin = np.sin(t149)
         limb3_upper_offset_x = 0.3 + limb3_P_q
         limb3_upper_position_x = 0.8 - minus_limb3_lower_sin * limb3_upper_offset_x
-        t150 = limb3_upper_position_x - (t62 + t63)
-        t151 = minus_limb3_lower_sin * t150
-        limb3_U_0_sin = np.sin(limb3_U_q_0)
-        limb3_lower_cos = np.cos(t149)
+        t154 = limb3_upper_position_x - (t62 + t63)
+        t155 = minus_limb3_lower_sin * t154
         minus_limb3_lower_rotation_yx = limb3_U_0_sin * limb3_lower_cos
-        t152 = limb3_upper_offset_x * minus_limb3_lower_rotation_yx + (t46 + t47)
-        t154 = t151 - minus_limb3_lower_rotation_yx * t152
-        limb3_U_0_cos = np.cos(limb3_U_q_0)
+        t156 = limb3_upper_offset_x * minus_limb3_lower_rotation_yx + (t46 + t47)
+        t158 = t155 - minus_limb3_lower_rotation_yx * t156
         limb3_lower_rotation_zx = limb3_U_0_cos * limb3_lower_cos
-        t155 = limb3_upper_offset_x * limb3_lower_rotation_zx - (t52 + t55)
-        minus_limb3_S_opening_fx = t154 - limb3_lower_rotation_zx * t155
-        limb3_S_arm_y = 0.8 * limb3_lower_cos
-        t157 = limb3_U_0_sin * t72  # step
-        t159 = minus_limb3_S_opening_fx + limb3_S_arm_y * t157  # step
-        t162 = limb3_U_0_sin * t96 + limb3_U_0_cos * t94  # step
-        t165 = 1.5098282268426322 * (t159 + limb3_S_arm_y * t162)  # step
+        t159 = limb3_upper_offset_x * limb3_lower_rotation_zx - (t52 + t55)
+        minus_limb3_S_opening_fx = t158 - limb3_lower_rotation_zx * t159
+        t161 = limb3_U_0_sin * t72  # step
+        t165 = 1.5098282268426322 * (t153 + (minus_limb3_S_opening_fx + limb3_S_arm_y * t161))  # step
         t166 = t165 * t165  # step
         minus_limb3_U_0_lever_mz_by_limb3_S_fz = limb3_lower_cos * limb3_upper_offset_x
         t167 = 1.0 / minus_limb3_U_0_lever_mz_by_limb3_S_fz
         t168 = limb3_lower_cos * t167
-        t171 = limb3_lower_cos * t150 + limb3_U_0_sin * minus_limb3_lower_sin * t152
-        limb3_S_opening_fy = t171 + limb3_U_0_cos * minus_limb3_lower_sin * t155
         limb3_S_arm_x = limb3_upper_offset_x - 0.8 * minus_limb3_lower_sin
-        t178 = t168 * (limb3_S_opening_fy + limb3_S_arm_x * t157 + limb3_S_arm_x * t162)  # step
+        t170 = limb3_S_arm_x * t152  # step
+        t173 = limb3_lower_cos * t154 + limb3_U_0_sin * minus_limb3_lower_sin * t156
+        limb3_S_opening_fy = t173 + limb3_U_0_cos * minus_limb3_lower_sin * t159
+        t178 = t168 * (t170 + (limb3_S_opening_fy + limb3_S_arm_x * t161))  # step
         t179 = t178 * t178  # step
-        minus_limb3_S_opening_fz = limb3_U_0_cos * t152 - limb3_U_0_sin * t155
-        t185 = t167 * (minus_limb3_S_opening_fz - limb3_upper_position_x * (limb3_U_0_cos * t72))  # step
-        t191 = t91 + t167 * (limb3_upper_position_x * (limb3_U_0_cos * t96 - limb3_U_0_sin * t94))  # step
-        t192 = t185 - t191  # step
+        t185 = t91 + t167 * (limb3_upper_position_x * (limb3_U_0_cos * t96 - limb3_U_0_sin * t94))  # step
+        minus_limb3_S_opening_fz = limb3_U_0_cos * t156 - limb3_U_0_sin * t159
+        t192 = t185 - t167 * (minus_limb3_S_opening_fz - limb3_upper_position_x * (limb3_U_0_cos * t72))  # step
         t193 = t192 * t192  # step
-        # limb2: geometry; loop closure; reciprocal wrenches, eq. (10)
-        minus_limb2_U_0_cos = np.sin(limb2_U_q_0)
+        # limb2: geometry; reciprocal wrenches, eq. (10); loop closure
         t194 = 2.6179938779914944 + limb2_U_q_1
         limb2_lower_cos = np.cos(t194)
+        minus_limb2_S_arm_y = 0.8 * limb2_lower_cos
+        minus_limb2_U_0_cos = np.sin(limb2_U_q_0)
+        t195 = minus_limb2_U_0_cos * t96  # step
+        limb2_U_0_sin = np.cos(limb2_U_q_0)
+        t197 = t195 + limb2_U_0_sin * t91  # step
+        t198 = minus_limb2_S_arm_y * t197  # step
         minus_limb2_lower_rotation_xx = minus_limb2_U_0_cos * limb2_lower_cos
         limb2_upper_offset_x = 0.3 + limb2_P_q
-        t195 = limb2_upper_offset_x * minus_limb2_lower_rotation_xx + (t63 - t102)
-        t196 = minus_limb2_lower_rotation_xx * t195
+        t199 = limb2_upper_offset_x * minus_limb2_lower_rotation_xx + (t63 - t106)
+        t200 = minus_limb2_lower_rotation_xx * t199
         limb2_lower_sin = np.sin(t194)
         minus_limb2_upper_position_y = 0.8 - limb2_lower_sin * limb2_upper_offset_x
-        t197 = minus_limb2_upper_position_y + (t47 - t105)
-        t199 = t196 - limb2_lower_sin * t197
-        limb2_U_0_sin = np.cos(limb2_U_q_0)
+        t201 = minus_limb2_upper_position_y + (t47 - t109)
+        t203 = t200 - limb2_lower_sin * t201
         minus_limb2_lower_rotation_zx = limb2_U_0_sin * limb2_lower_cos
-        t200 = limb2_upper_offset_x * minus_limb2_lower_rotation_zx + (t55 - t109)
-        limb2_S_opening_fx = t199 + minus_limb2_lower_rotation_zx * t200
-        minus_limb2_S_arm_y = 0.8 * limb2_lower_cos
-        t202 = minus_limb2_U_0_cos * t72  # step
-        t204 = limb2_S_opening_fx - minus_limb2_S_arm_y * t202  # step
-        t207 = minus_limb2_U_0_cos * t96 + limb2_U_0_sin * t91  # step
-        t210 = 1.5098282268426322 * (t204 - minus_limb2_S_arm_y * t207)  # step
+        t204 = limb2_upper_offset_x * minus_limb2_lower_rotation_zx + (t55 - t113)
+        limb2_S_opening_fx = t203 + minus_limb2_lower_rotation_zx * t204
+        t206 = minus_limb2_U_0_cos * t72  # step
+        t210 = 1.5098282268426322 * (t198 - (limb2_S_opening_fx - minus_limb2_S_arm_y * t206))  # step
         t211 = t210 * t210  # step
         minus_limb2_U_0_lever_mz_by_limb2_S_fz = limb2_lower_cos * limb2_upper_offset_x
         t212 = 1.0 / minus_limb2_U_0_lever_mz_by_limb2_S_fz
         t213 = limb2_lower_cos * t212
-        t216 = minus_limb2_U_0_cos * limb2_lower_sin * t195 + limb2_lower_cos * t197
-        minus_limb2_S_opening_fy = t216 + limb2_U_0_sin * limb2_lower_sin * t200
         limb2_S_arm_x = limb2_upper_offset_x - 0.8 * limb2_lower_sin
         # step: results
-        t223 = t213 * (minus_limb2_S_opening_fy + limb2_S_arm_x * t202 + limb2_S_arm_x * t207)
+        t215 = limb2_S_arm_x * t197
+        t218 = minus_limb2_U_0_cos * limb2_lower_sin * t199 + limb2_lower_cos * t201  # limb2
+        minus_limb2_S_opening_fy = t218 + limb2_U_0_sin * limb2_lower_sin * t204
+        t223 = t213 * (t215 + (minus_limb2_S_opening_fy + limb2_S_arm_x * t206))
         t224 = t223 * t223
-        minus_limb2_S_opening_fz = limb2_U_0_sin * t195 - minus_limb2_U_0_cos * t200
-        t230 = t212 * (minus_limb2_S_opening_fz - minus_limb2_upper_position_y * (limb2_U_0_sin * t72))
-        t236 = t94 - t212 * (minus_limb2_upper_position_y * (limb2_U_0_sin * t96 - minus_limb2_U_0_cos * t91))
-        t237 = t230 + t236
+        t230 = t94 - t212 * (minus_limb2_upper_position_y * (limb2_U_0_sin * t96 - minus_limb2_U_0_cos * t91))
+        minus_limb2_S_opening_fz = limb2_U_0_sin * t199 - minus_limb2_U_0_cos * t204
+        t237 = t230 + t212 * (minus_limb2_S_opening_fz - minus_limb2_upper_position_y * (limb2_U_0_sin * t72))
         t238 = t237 * t237
-        minus_limb1_U2_opening_fx = limb1_lower_sin * t64 - minus_limb1_lower_rotation_yx * t48 - limb1_lower_rotation_zx * t56
         minus_limb1_U2_arm_y = 0.8 * limb1_lower_cos
-        t243 = limb1_U_0_sin * t72
-        t245 = minus_limb1_U2_opening_fx - minus_limb1_U2_arm_y * t243
-        t248 = limb1_U_0_sin * t96 + limb1_U_0_cos * t94
-        t251 = 1.5098282268426322 * (t245 - minus_limb1_U2_arm_y * t248)
+        t241 = limb1_U_0_sin * t96 + limb1_U_0_cos * t94
+        t242 = minus_limb1_U2_arm_y * t241
+        minus_limb1_U2_opening_fx = limb1_lower_sin * t64 - minus_limb1_lower_rotation_yx * t48 - limb1_lower_rotation_zx * t56
+        t247 = limb1_U_0_sin * t72
+        t251 = 1.5098282268426322 * (t242 - (minus_limb1_U2_opening_fx - minus_limb1_U2_arm_y * t247))
         t252 = t251 * t251
-        t256 = t23 * (minus_limb1_U2_opening_fz + minus_limb1_upper_position_x * (limb1_U_0_cos * t72))
-        t262 = t91 - t23 * (minus_limb1_upper_position_x * (limb1_U_0_cos * t96 - limb1_U_0_sin * t94))
-        t263 = t256 - t262
+        t258 = t91 - t23 * (minus_limb1_upper_position_x * (limb1_U_0_cos * t96 - limb1_U_0_sin * t94))
+        t263 = t258 - t23 * (minus_limb1_U2_opening_fz + minus_limb1_upper_position_x * (limb1_U_0_cos * t72))
         t264 = t263 * t263
-        t269 = t35 * (minus_limb1_U2_opening_fy - limb1_U2_arm_x * t243 - limb1_U2_arm_x * t248)
+        t269 = t35 * (limb1_U2_arm_x * t241 - (minus_limb1_U2_opening_fy - limb1_U2_arm_x * t247))
         t275 = t211 + (t224 + (t238 + (t252 + (t264 + t269 * t269))))
         t281 = t121 + (t134 + (t148 + (t166 + (t179 + (t193 + t275)))))
         step_step = np.sqrt(t98 + (t99 + (t100 + t281)))
@@ -12954,7 +13019,7 @@ def _assemble_step(*arguments):
         residual_residual = np.sqrt(t528 + t529 * t529)
         t534 = limb1_upper_offset_x * (limb4_upper_offset_x * (limb2_upper_offset_x * limb3_upper_offset_x))
         t537 = minus_limb4_U_0_lever_mz_by_limb4_S_fz * (minus_limb2_U_0_lever_mz_by_limb2_S_fz * (minus_limb3_U_0_lever_mz_by_limb3_S_fz * t534))
-        t541 = a_pivot_2 * (a_pivot * (minus_limb5_S_pivot_wz * (minus_limb1_U_0_lever_mz_by_limb1_U2_fz * t537)))
+        t541 = a_pivot_2 * (a_pivot * (minus_limb1_U_0_lever_mz_by_limb1_U2_fz * t537 * minus_limb5_S_pivot_wz))
         orientation_orientation = -t541
         return _finish(batch, ((limb1_U_q_next_0, limb1_U_q_next_1, limb1_P_q_next,
             limb2_U_q_next_0, limb2_U_q_next_1, limb2_P_q_next, limb3_U_q_next_0, limb3_U_q_next_1,

@@ -52,6 +52,7 @@ from symscrew.algebra.rank_volumes import (
     Grid,
     TooLargeError,
     Volume,
+    most_independent,
     rank_of,
     reciprocal_factors,
     sampled,
@@ -84,6 +85,7 @@ from symscrew.algebra.screws import (
     transpose,
 )
 from symscrew.algebra.sympy_form import sympy_expression
+from symscrew.algebra.tape_marks import TapeMark, tape_as_at, tape_mark
 from symscrew.algebra.traversal import (
     LEAVES,
     cost,
@@ -118,6 +120,7 @@ __all__ = [
     "Pose",
     "Scalar",
     "Tape",
+    "TapeMark",
     "TooLargeError",
     "Twist",
     "Vector",
@@ -145,6 +148,7 @@ __all__ = [
     "is_zero",
     "least_norm",
     "magnitude",
+    "most_independent",
     "named",
     "named_entries",
     "named_matrix",
@@ -166,6 +170,8 @@ __all__ = [
     "substitute",
     "subtract",
     "sympy_expression",
+    "tape_as_at",
+    "tape_mark",
     "transform",
     "transpose",
     "trimmed",

@@ -16,6 +16,7 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Mapping
 from dataclasses import dataclass
+from threading import RLock
 from typing import Any
 
 import mpmath
@@ -122,12 +123,19 @@ class Tape:
         self._settled: dict[int, Node] = {}
         self.symbols: dict[str, Node] = {}
         self.origins: dict[int, Origin] = {}  # of nodes by index, of a negative's inner one
+        self.lock = RLock()  # for who has the tape as it was, and who walks over all of it: see `tape_as_at`
         self.zero = self.constant(0)
         self.one = self.constant(1)
         self._small = {0: self.zero, 1: self.one, -1: self.neg(self.one)}
 
     def __repr__(self) -> str:
         return f"Tape({len(self.nodes)} nodes, {len(self.symbols)} inputs)"
+
+    def tables(self) -> dict[str, dict[Any, Any]]:
+        """All that grows with the nodes, by name, each in the order of making: see `symscrew.algebra.tape_marks`."""
+        tables: dict[str, dict[Any, Any]] = {"negatives": self._negatives, "folded": self._folded}
+        tables |= {"constants": self.constants, "origins": self.origins}
+        return tables | self._known
 
     # -- making nodes ---------------------------------------------------------------------------------
 
@@ -335,6 +343,15 @@ class Tape:
     def add_samples(self, values: Mapping[Node, np.ndarray]) -> None:
         """Give further inputs their values, beside those that have some."""
         self._samples.update({node.index: np.asarray(v, dtype=float) for node, v in values.items()})
+
+    def hide_samples(self) -> dict[int, np.ndarray]:
+        """Forget all values, and return them for `show_samples`."""
+        hidden, self._samples = self._samples, {}
+        return hidden
+
+    def show_samples(self, values: dict[int, np.ndarray]) -> None:
+        """Have the values again that were hidden."""
+        self._samples = values
 
     def sample(self, node: Node) -> np.ndarray:
         """Values of `node` at the sample states, shape (samples,); not finite where a division by zero is asked for."""

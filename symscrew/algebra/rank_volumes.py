@@ -310,3 +310,15 @@ def sampled(tape: Tape, grid: Grid) -> np.ndarray:
 def rank_of(tape: Tape, grid: Grid) -> int:
     """The rank in general position: the largest over the samples."""
     return max(int(np.linalg.matrix_rank(values, tol=NEGLIGIBLE)) for values in sampled(tape, grid))
+
+
+def most_independent(matrix: np.ndarray) -> list[int]:
+    """As many rows of a matrix as it has columns, in order: one after the other the farthest from those before."""
+    left, chosen = np.array(matrix), list[int]()
+    for _ in range(matrix.shape[1]):
+        sizes = np.linalg.norm(left, axis=1)
+        sizes[chosen] = -1.0
+        chosen.append(int(sizes.argmax()))
+        direction = left[chosen[-1]] / (sizes.max() or 1.0)
+        left = left - np.outer(left @ direction, direction)
+    return sorted(chosen)

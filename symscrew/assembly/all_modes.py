@@ -83,7 +83,8 @@ class AssemblyModes:
 
     `held`: values by coordinate, as the description counts them. `bound`: on isolated complex solutions, or None.
     `complete`: "proved", "tracked" or "sampled"; `why` says what it rests on. `out_of_reach`: solutions of the closure
-    that the joints of a limb do not reach. `family`: of which the mechanism is a member.
+    that the joints of a limb do not reach. `family`: of which the mechanism is a member. `chosen`: the columns that
+    hold it, of more drives than freedoms those that are needed.
     """
 
     mechanism: Mechanism
@@ -98,6 +99,7 @@ class AssemblyModes:
     why: str
     family: Family | None = field(default=None, repr=False)
     columns: Mapping[int, float] = field(default_factory=dict, repr=False)
+    chosen: tuple[int, ...] = field(default=(), repr=False)
 
     @property
     def curves(self) -> int:
@@ -208,7 +210,7 @@ class _Search:
         modes = sorted((replace(m, name=n) for m, n in zip(modes, names, strict=True)), key=lambda m: _order(m.name))
         return AssemblyModes(
             self.held.mechanism, self.held.network, self.held.body, self.held.shown, tuple(modes), missed, account,
-            bound, complete, why, self.family, self.held.values,
+            bound, complete, why, self.family, self.held.values, self.held.chosen,
         )  # fmt: skip
 
     def _names(self, start: StartSystem, modes: Sequence[AssemblyMode]) -> list[str]:

@@ -32,6 +32,8 @@ REFINEMENTS = 3
 """Steps of eight digits or more each: boxes contract that much."""
 TWICE = 2.0
 """A step of half the box leaves the other half for how the derivative varies in it."""
+WIDE = 1.5
+"""Least box of a step over the way of the zero in it, so that its ends lie inside."""
 TERMS = [(k, i, j, int(PRODUCT[k, i, j])) for k in range(SIZE) for i in range(SIZE) for j in range(SIZE)
          if PRODUCT[k, i, j]]  # fmt: skip
 
@@ -132,14 +134,23 @@ def certified(equations: BatchEquations, slots: Sequence[Any], z: Array) -> Cert
     return None
 
 
-def held_by_box(equations: BatchEquations, slots: Sequence[Any], z: Array, least: float) -> bool:
+def held_by_box(
+    equations: BatchEquations, slots: Sequence[Any], z: Array, *, ends: Sequence[Array], past: float
+) -> bool:
     """Whether for all numbers within these rectangles one zero lies in a box around z, and a regular one.
 
-    The box reaches as far as `least` or farther: twice as far as a step of Newton's method with any of the numbers.
+    The box reaches past the ends by half its radius and by `past`, and twice as far as a step of Newton's method with
+    any of the numbers.
     """
     test = _Krawczyk(equations, slots, z)
     longest = max((max(-s.real[0], s.real[1]) for s in test.step), default=0) / ONE
-    return test.holds(max(least, TWICE * longest))
+    return test.holds(max(WIDE * max(map(test.off, ends)) + past, TWICE * longest))
+
+
+def held_within(equations: BatchEquations, slots: Sequence[Any], z: Array, radius: float) -> bool:
+    """Whether one zero lies within this radius of z, scaled so that its groups' largest coordinates are 1."""
+    test = _Krawczyk(equations, slots, z)
+    return test.off(z) <= radius / 2 and test.holds(radius / 2)
 
 
 class _Krawczyk:
@@ -198,6 +209,13 @@ class _Krawczyk:
             f = motion @ z[part] * (CONJUGATE if factor.back else 1)
             g = np.asarray(np.einsum("kij,i,j->k", PRODUCT, g, f))
         return g
+
+    def off(self, z: Array) -> float:
+        """How far a point is from the middle of the boxes."""
+        scaled = np.array(z, dtype=complex)
+        for part, place in zip(self.equations.parts, self.fixed, strict=True):
+            scaled[part] = scaled[part] / scaled[place]
+        return float(np.abs(scaled - self.middle).max())
 
     def holds(self, radius: float) -> bool:
         """Whether the box of this radius maps into its inside."""

@@ -22,23 +22,45 @@ static void FN(product)(const NUM *a, const NUM *b, NUM *out)
     FN(quaternion)(a + 4, b, 1, out + 4);
 }
 
-/* p x - x a + 2 y: what a point p of the displaced body is off the point a, times x; 2 y only where y is given. */
-static inline void FN(off)(const NUM *x, const NUM *y, const NUM *p, const NUM *a, NUM *out)
+/* The difference and the sum of two points: x p - a x of a quaternion x is linear in these. */
+static inline void FN(pair)(const NUM *p, const NUM *a, NUM *d, NUM *s)
 {
-    /* x p */
-    NUM c[4];
-    c[0] = SUB(OF(0.0), ADD(ADD(MUL(x[1], p[0]), MUL(x[2], p[1])), MUL(x[3], p[2])));
-    c[1] = ADD(MUL(x[0], p[0]), SUB(MUL(x[2], p[2]), MUL(x[3], p[1])));
-    c[2] = ADD(MUL(x[0], p[1]), SUB(MUL(x[3], p[0]), MUL(x[1], p[2])));
-    c[3] = ADD(MUL(x[0], p[2]), SUB(MUL(x[1], p[1]), MUL(x[2], p[0])));
-    /* - a x */
-    c[0] = ADD(c[0], ADD(ADD(MUL(a[0], x[1]), MUL(a[1], x[2])), MUL(a[2], x[3])));
-    c[1] = SUB(c[1], ADD(MUL(a[0], x[0]), SUB(MUL(a[1], x[3]), MUL(a[2], x[2]))));
-    c[2] = SUB(c[2], ADD(MUL(a[1], x[0]), SUB(MUL(a[2], x[1]), MUL(a[0], x[3]))));
-    c[3] = SUB(c[3], ADD(MUL(a[2], x[0]), SUB(MUL(a[0], x[2]), MUL(a[1], x[1]))));
-    for (int k = 0; k < 4; ++k) {
-        out[k] = y ? ADD(c[k], TIMES(2.0, y[k])) : c[k];
+    for (int k = 0; k < 3; ++k) {
+        d[k] = SUB(p[k], a[k]);
+        s[k] = ADD(p[k], a[k]);
     }
+}
+
+/* x p - a x + 2 y: what a point p of the displaced body is off the point a, times x; 2 y only where y is given. Its
+   scalar is - v . d, its vector w d + v x s, with x = (w, v). Of a planar displacement v is along the normal, and what
+   comes out is in the plane. */
+static inline void FN(off)(const NUM *x, const NUM *y, const NUM *d, const NUM *s, NUM *out)
+{
+#if PLANAR
+    out[0] = out[3] = OF(0.0);
+    out[1] = SUB(MUL(x[0], d[0]), MUL(x[3], s[1]));
+    out[2] = ADD(MUL(x[0], d[1]), MUL(x[3], s[0]));
+#else
+    out[0] = SUB(OF(0.0), ADD(ADD(MUL(x[1], d[0]), MUL(x[2], d[1])), MUL(x[3], d[2])));
+    out[1] = ADD(MUL(x[0], d[0]), SUB(MUL(x[2], s[2]), MUL(x[3], s[1])));
+    out[2] = ADD(MUL(x[0], d[1]), SUB(MUL(x[3], s[0]), MUL(x[1], s[2])));
+    out[3] = ADD(MUL(x[0], d[2]), SUB(MUL(x[1], s[1]), MUL(x[2], s[0])));
+#endif
+    for (int k = PLANAR; k < 4 - PLANAR && y; ++k) {
+        out[k] = ADD(out[k], TIMES(2.0, y[k]));
+    }
+}
+
+/* The transpose of the same by x, with its sign turned. */
+static inline void FN(off_back)(const NUM *w, const NUM *d, const NUM *s, NUM *out)
+{
+#if PLANAR
+    out[1] = out[2] = OF(0.0);
+    out[0] = SUB(OF(0.0), ADD(MUL(w[1], d[0]), MUL(w[2], d[1])));
+    out[3] = SUB(MUL(w[1], s[1]), MUL(w[2], s[0]));
+#else
+    FN(off)(w, (const NUM *)0, d, s, out);
+#endif
 }
 
 /* Column j of the motion of a joint: its displacement is the sum of its coordinates times these. */
@@ -53,10 +75,11 @@ static void FN(column)(int group, int j, NUM (*slots)[3], NUM *out)
     } else if (kind == GROUP_PLANAR) {
         out[planar_place[j]] = OF(1.0);
     } else if (kind == GROUP_BALL) {
-        NUM x[4] = {OF(0.0), OF(0.0), OF(0.0), OF(0.0)}, turned[4];
+        NUM x[4] = {OF(0.0), OF(0.0), OF(0.0), OF(0.0)}, turned[4], d[3], s[3];
         const NUM *p = slots[group_slots[group][0]];
         x[j] = OF(1.0);
-        FN(off)(x, (const NUM *)0, p, p, turned); /* x p - p x */
+        FN(pair)(p, p, d, s);
+        FN(off)(x, (const NUM *)0, d, s, turned); /* x p - p x */
         out[j] = OF(2.0);
         for (int k = 0; k < 4; ++k) {
             out[4 + k] = SUB(OF(0.0), turned[k]);
@@ -108,21 +131,23 @@ static int FN(form)(int form, NUM (*slots)[3], const NUM *g, const double (*mix)
 {
     const int kind = form_kind[form];
     const NUM *p = slots[form_slots[form][0]], *a = slots[form_slots[form][1]];
-    NUM w[4];
+    NUM w[4], d[3], s[3];
+    FN(pair)(p, a, d, s);
     if (kind == FORM_DISTANCE) { /* half of |x p + 2 y - a x|^2 - L^2 |x|^2, the second factor Study's condition */
         const NUM *square = slots[form_slots[form][2]];
-        FN(off)(g, g + 4, p, a, w);
-        NUM total = OF(0.0), back[4];
+        FN(off)(g, g + 4, d, s, w);
+        NUM total = OF(0.0), size = OF(0.0), back[4];
         for (int k = 0; k < 4; ++k) {
-            total = ADD(total, SUB(MUL(w[k], w[k]), MUL(square[0], MUL(g[k], g[k]))));
+            total = PLANAR && k % 3 == 0 ? total : ADD(total, MUL(w[k], w[k]));
+            size = PLANAR && k % 3 ? size : ADD(size, MUL(g[k], g[k]));
             slope[0][4 + k] = TIMES(2.0, w[k]);
         }
         /* w by x is x p - a x: its transpose takes w to -(w p - a w) */
-        FN(off)(w, (const NUM *)0, p, a, back);
+        FN(off_back)(w, d, s, back);
         for (int k = 0; k < 4; ++k) {
-            slope[0][k] = SUB(OF(0.0), ADD(back[k], MUL(square[0], g[k])));
+            slope[0][k] = PLANAR && k % 3 ? back[k] : SUB(OF(0.0), ADD(back[k], MUL(square[0], g[k])));
         }
-        value[0] = TIMES(0.5, total);
+        value[0] = TIMES(0.5, SUB(total, MUL(square[0], size)));
         return 1;
     }
     if (kind == FORM_ANGLE) { /* half of a . x p x* - k |x|^2 */
@@ -140,11 +165,11 @@ static int FN(form)(int form, NUM (*slots)[3], const NUM *g, const double (*mix)
     }
     /* points that meet: x p + 2 y - a x, of a planar mechanism its middle two rows */
     NUM rows[4][8];
-    FN(off)(g, g + 4, p, a, w);
+    FN(off)(g, g + 4, d, s, w);
     for (int j = 0; j < 4; ++j) {
         NUM x[4] = {OF(0.0), OF(0.0), OF(0.0), OF(0.0)}, turned[4];
         x[j] = OF(1.0);
-        FN(off)(x, (const NUM *)0, p, a, turned);
+        FN(off)(x, (const NUM *)0, d, s, turned);
         for (int i = 0; i < 4; ++i) {
             rows[i][j] = turned[i];
             rows[i][4 + j] = OF(i == j ? 2.0 : 0.0);

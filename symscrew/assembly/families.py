@@ -103,7 +103,7 @@ class WhatIsHeld:
     @property
     def key(self) -> str:
         """Structure and numbers."""
-        numbers = [np.asarray(s, dtype=complex).round(15).tolist() for s in self._slots(self.own)]
+        numbers = [np.asarray(s, dtype=complex).round(15).tolist() for s in self.slots(self.own)]
         return repr((self.equations.structure.key, self.columns, numbers))
 
     @cached_property
@@ -123,9 +123,10 @@ class WhatIsHeld:
         """Straight in what is held."""
         return Way(
             self.equations,
-            lambda s: self._slots([(1 - s) * a + s * b for a, b in zip(start, end, strict=True)]),
+            lambda s: self.slots([(1 - s) * a + s * b for a, b in zip(start, end, strict=True)]),
             DEGREE,
         )
 
-    def _slots(self, values: Sequence[Any]) -> list[Any]:
+    def slots(self, values: Sequence[Any]) -> list[Any]:
+        """The numbers in the slots for displacements in the order of `columns`."""
         return Displacements(self.equations.structure, COMPLEX, dict(zip(self.columns, values, strict=True))).slots()

@@ -2,9 +2,9 @@
 
     zero at the start, values --Krawczyk's test over a step, values as intervals--> box that holds one zero all along it
 
-A step is taken only if for every value between its ends one zero, and a regular one, lies in the box, and if the zero
-before it lies in the box: then it is led on, and nothing is jumped over. Where steps get too short a singularity is
-near, and the mode is refused.
+A step is taken only if for every value between its ends one zero, and a regular one, lies in the box, and if the zeros
+at its ends, each proved to lie where it is, are in the box: then it is led on, and nothing is jumped over. Where steps
+get too short a singularity is near, and the mode is refused.
 """
 
 from __future__ import annotations
@@ -18,8 +18,8 @@ import numpy as np
 from symscrew.algebra import CONTEXT
 from symscrew.assembly.all_modes import AssemblyModes
 from symscrew.assembly.batch_equations import BatchEquations
-from symscrew.assembly.certified_roots import ONE, Rectangle, held_by_box, read
-from symscrew.assembly.families import COMPLEX, Family
+from symscrew.assembly.certified_roots import ONE, Rectangle, held_by_box, held_within, read
+from symscrew.assembly.families import COMPLEX
 from symscrew.assembly.joint_angles import CLOSED, JointAngles
 from symscrew.assembly.mode_signs import ModeSigns
 from symscrew.assembly.path_tracking import Tracker
@@ -32,10 +32,13 @@ FIRST = 0.1
 """Part of the motion of the first step; shorter ones follow where it is not proved."""
 SHORTEST = 1e-4
 """Part of the motion below which it is refused: a singularity is about as near."""
-WIDE = 1.5
-"""Least box of a step over the way of the zero in it, so that its ends lie inside."""
+SLACK = 8.0
+"""A box reaches farther than its ends by as many times `CLOSED`: scaled by a coordinate of half the size and more, what
+lies within `CLOSED` of an end lies in it."""
 NEWTON = 8
 """Steps to the zero in the middle of a step: from a zero as near three are enough."""
+CONVERGED = 1e-14
+"""A step below which no other one follows: rounding of coordinates of size 1."""
 
 
 @dataclass(frozen=True)
@@ -65,91 +68,103 @@ def follow_mode(found: AssemblyModes, name: str, drives: Mapping[str, Any]) -> F
     mode = found.mode(name)
     if found.family is None or not mode.certified:
         return FollowedMode(name, 0.0, found.held, mode.q, mode.residual, 0, mode.smallest, "the mode is not certified")
-    goal = held_by(found.mechanism, drives, {key: v for key, v in found.held.items() if key not in drives})
-    return _Following(found, mode.z, {c: goal.values[c] for c in found.columns}).followed(name)
+    given = held_by(found.mechanism, drives, {key: v for key, v in found.held.items() if key not in drives})
+    start, goal = dict(found.columns), {c: given.values[c] for c in found.columns}
+    led = ProvedWay(found.family.equations).led(mode.z.real, start, goal)
+    refused = "" if led.reached == 1.0 else "no shorter step is proved to stay on the branch: a singularity is near"
+    values = between(start, goal, led.reached)
+    q, off = JointAngles(found.family.equations, values, found.network.freedoms).solved(led.z[None])
+    reached = off[0] <= CLOSED
+    if not reached:
+        refused = refused or "joints of a limb do not reach there"
+    seen = ModeSigns(found.network, found.mechanism, list(start)).look(q[0])
+    gone = shown(found, values)
+    return FollowedMode(
+        name, led.reached, gone, q[0] if reached else None, seen.residual, led.steps, seen.smallest, refused
+    )
 
 
-class _Following:
-    def __init__(self, found: AssemblyModes, z: Array, goal: Mapping[int, float]) -> None:
-        assert found.family is not None
-        self.found, self.z = found, np.real(z)
-        self.family: Family = found.family
-        self.equations: BatchEquations = found.family.equations
-        self.start, self.goal = dict(found.columns), dict(goal)
+def shown(found: AssemblyModes, values: Mapping[int, float]) -> dict[str, float]:
+    """Values of what is held [rad, m], as the description counts them."""
+    slides = {start for e in found.network.edges.values() for motion, start in e.motions if motion.prismatic}
+    sizes = {c: float(found.network.length) if c in slides else 1.0 for c in values}
+    return {name: value + (values[c] - found.columns[c]) * sizes[c]
+            for (name, value), c in zip(found.held.items(), found.columns, strict=False) if c in values}  # fmt: skip
 
-    def followed(self, name: str) -> FollowedMode:
-        """Step by step."""
-        at, step, steps, refused = 0.0, FIRST, 0, ""
+
+def between(start: Mapping[int, float], goal: Mapping[int, float], s: float) -> dict[int, float]:
+    """What is held at a part of the way."""
+    return dict(goal) if s == 1.0 else {c: a + s * (goal[c] - a) for c, a in start.items()}
+
+
+@dataclass(frozen=True)
+class Led:
+    """The zero (width,) that was come to, at which part of the way, in how many steps."""
+
+    z: Array
+    reached: float
+    steps: int
+
+
+class ProvedWay:
+    """Zeros led along straight ways of what is held, in steps that are proved."""
+
+    def __init__(self, equations: BatchEquations) -> None:
+        self.equations = equations
+
+    def led(self, z: Array, start: Mapping[int, float], goal: Mapping[int, float]) -> Led:
+        """Step by step, as far as that is proved."""
+        at, step, steps = 0.0, FIRST, 0
+        if not self.holds(z, start):
+            return Led(z, at, steps)
         while at < 1.0:
             end = min(1.0, at + step)
-            after = self._stepped(at, end)
+            after = self._stepped(z, between(start, goal, at), between(start, goal, end))
             if after is not None:
-                self.z, at, step, steps = after, end, 2 * (end - at), steps + 1
+                z, at, step, steps = after, end, 2 * (end - at), steps + 1
                 continue
             step = (end - at) / 2
             if step < SHORTEST:
-                refused = "no shorter step is proved to stay on the branch: a singularity is near"
                 break
-        q, off = JointAngles(self.equations, self._values(at), self.found.network.freedoms).solved(self.z[None])
-        reached = off[0] <= CLOSED
-        if not reached:
-            refused = refused or "joints of a limb do not reach there"
-        seen = ModeSigns(self.found.network, self.found.mechanism, list(self.start)).look(q[0])
-        gone = {label: a + at * (b - a) for label, a, b in self._shown()}
-        return FollowedMode(name, at, gone, q[0] if reached else None, seen.residual, steps, seen.smallest, refused)
+        return Led(z, at, steps)
 
-    def _shown(self) -> list[tuple[str, float, float]]:
-        """(name, value at the start, at the end) of what is held, as the description counts them."""
-        names = list(self.found.held)
-        unit = [self.found.held[n] for n in names]
-        moved = dict(zip(names, self.start, strict=False))
-        sizes = {n: self._size(c) for n, c in moved.items()}
-        return [(n, v, v + (self.goal[moved[n]] - self.start[moved[n]]) * sizes[n])
-                for n, v in zip(names, unit, strict=True)]  # fmt: skip
-
-    def _size(self, column: int) -> float:
-        """Metres or radians of a unit of a column."""
-        edges = self.found.network.edges.values()
-        slides = any(m.prismatic and start == column for e in edges for m, start in e.motions)
-        return float(self.found.network.length) if slides else 1.0
-
-    def _values(self, s: float) -> dict[int, float]:
-        return {c: a + s * (self.goal[c] - a) for c, a in self.start.items()}
-
-    def _stepped(self, start: float, end: float) -> Array | None:
+    def _stepped(self, z: Array, start: Mapping[int, float], end: Mapping[int, float]) -> Array | None:
         """The zero at the end of a step that is proved, or None."""
-        middle = self._zero((start + end) / 2)
-        after = self._zero(end)
+        middle = self._zero(z, between(start, end, 0.5))
+        after = self._zero(z, end)
         if middle is None or after is None:
             return None
-        places = [part.start + int(np.abs(middle[part]).argmax()) for part in self.equations.parts]
-        ends = [self._fixed(z, places) for z in (self.z, middle, after)]
-        radius = WIDE * max(float(np.abs(z - ends[1]).max()) for z in (ends[0], ends[2])) + CLOSED
-        return after if held_by_box(self.equations, self._over(start, end), ends[1], radius) else None
+        ends = (z, middle, after)
+        whole = held_by_box(self.equations, self._over(start, end), middle, ends=ends, past=SLACK * CLOSED)
+        return after if whole and self.holds(after, end) else None
 
-    def _fixed(self, z: Array, places: list[int]) -> Array:
-        result = z.copy()
-        for part, place in zip(self.equations.parts, places, strict=True):
-            result[part] = z[part] / z[place]
-        return result
+    def holds(self, z: Array, values: Mapping[int, float], give: float = 0.0) -> bool:
+        """Whether a zero is proved to lie within `CLOSED` of z: then it is the one in each box that reaches past it.
 
-    def _zero(self, s: float) -> Array | None:
-        """A zero near the last one, by Newton's method: a guess, which the box judges."""
-        slots = Displacements(self.equations.structure, COMPLEX, self._values(s)).slots()
-        c, z, tracker = self.equations.coefficients(slots)[None], self.z[None] + 0j, Tracker(self.equations)
+        It is one for all values that differ by no more than `give`.
+        """
+        low, high = ({c: v + sign * give for c, v in values.items()} for sign in (-1, 1))
+        return held_within(self.equations, self._over(low, high), z, CLOSED)
+
+    def _zero(self, z: Array, values: Mapping[int, float]) -> Array | None:
+        """A zero near z, by Newton's method: a guess, which the box judges."""
+        slots = Displacements(self.equations.structure, COMPLEX, values).slots()
+        c, there, tracker = self.equations.coefficients(slots)[None], z[None] + 0j, Tracker(self.equations)
         for _ in range(NEWTON):
-            z = z + tracker.newton(z, c)
-        return np.asarray(z[0].real) if np.isfinite(z).all() else None
+            step = tracker.newton(there, c)
+            there = there + step
+            if np.abs(step).max() < CONVERGED:
+                break
+        return np.asarray(there[0].real) if np.isfinite(there).all() else None
 
-    def _over(self, start: float, end: float) -> list[Any]:
+    def _over(self, start: Mapping[int, float], end: Mapping[int, float]) -> list[Any]:
         """The numbers in the slots for all values of a step, as rectangles."""
-        one, two = self._values(start), self._values(end)
-        ways = {c: _between(one[c], two[c]) for c in one}
+        ways = {c: _hull(start[c], end[c]) for c in start}
         scalars = Scalars(lambda v: _bounded(CONTEXT.cos, v), lambda v: _bounded(CONTEXT.sin, v), read)
         return Displacements(self.equations.structure, scalars, ways).slots()
 
 
-def _between(one: float, two: float) -> Rectangle:
+def _hull(one: float, two: float) -> Rectangle:
     """All numbers between two doubles."""
     a, b = read(CONTEXT.mpf(min(one, two))), read(CONTEXT.mpf(max(one, two)))
     return Rectangle((a.real[0], b.real[1]))

@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 
+from symscrew.algebra import most_independent
 from symscrew.description import Mechanism
 from symscrew.mobility import ClosureVariety, Network
 
@@ -57,7 +58,9 @@ class ModeSigns:
         screws = self.variety.forward(np.zeros((1, self.variety.columns)))[0][0]
         planar = int((np.abs(screws).max(axis=0) > NEAR).sum()) <= PLANAR
         size = PLANAR if planar else 6
-        self.minors = {n: _rows(screws[columns]) for n, columns in self.limbs.items() if len(columns) == size}
+        self.minors = {
+            n: most_independent(screws[columns].T) for n, columns in self.limbs.items() if len(columns) == size
+        }
         self.reference = self._determinants(np.zeros(self.variety.columns))
 
     def _space(self) -> Array | None:
@@ -97,18 +100,6 @@ class ModeSigns:
         rotation, translation = pose[0][0], pose[1][0]
         centre, unit = np.array([float(c) for c in self.variety.centre]), float(self.network.length)
         return rotation, (centre - rotation @ centre + translation) * unit
-
-
-def _rows(screws: Array) -> list[int]:
-    """As many components of a limb's screws as it has, the most independent ones in the reference."""
-    left, chosen = screws.T.copy(), list[int]()
-    for _ in range(len(screws)):
-        sizes = np.linalg.norm(left, axis=1)
-        sizes[chosen] = -1.0
-        chosen.append(int(sizes.argmax()))
-        direction = left[chosen[-1]] / (sizes.max() or 1.0)
-        left = left - np.outer(left @ direction, direction)
-    return sorted(chosen)
 
 
 def _sign(matrix: Array) -> float:

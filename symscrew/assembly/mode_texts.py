@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 
 from symscrew.assembly.all_modes import AssemblyMode, AssemblyModes
+from symscrew.assembly.mode_ways import CONNECTED, SEPARATED, UNDECIDED, Connection
 
 SHOWN = 14
 """Decimals in words: what follows is rounding. The JSON has all."""
@@ -30,6 +32,27 @@ def mode_lines(found: AssemblyModes) -> list[str]:
         lines.append(f"{found.out_of_reach} further solutions of the closure that joints of a limb do not reach")
     lines += [f"{mode.name:6} {_mode(mode, found.body)}" for mode in found.modes]
     return lines
+
+
+def reach_lines(found: AssemblyModes, connections: Sequence[Connection], *, searched: bool) -> list[str]:
+    """Of each mode which others it can reach."""
+    words = {
+        CONNECTED: "reaches {} without a singularity, proved",
+        SEPARATED: "a singularity on every way to {}",
+        UNDECIDED: "no way found to {}" if searched else "not looked for (--reachable): {}",
+    }
+    lines = []
+    for mode in found.modes:
+        reach = _reach(mode, connections)
+        others = {kind: ", ".join(name for name, judged in reach.items() if judged == kind) for kind in words}
+        told = [text.format(others[kind]) for kind, text in words.items() if others[kind]]
+        lines += [f"{mode.name}: {'; '.join(told)}"] if told else []
+    return lines
+
+
+def _reach(mode: AssemblyMode, connections: Sequence[Connection]) -> dict[str, str]:
+    pairs = [(c.one, c.two, c.judgement) for c in connections]
+    return {two if one == mode.name else one: judged for one, two, judged in pairs if mode.name in (one, two)}
 
 
 def _verdict(found: AssemblyModes) -> str:
@@ -58,8 +81,11 @@ def _mode(mode: AssemblyMode, body: str) -> str:
     return told + (f"; {mode.ways} ways to hold it" if mode.ways > 1 else "")
 
 
-def mode_values(found: AssemblyModes) -> dict[str, Any]:
-    """The same as JSON values, numbers with all digits; rotations as quaternions (w, x, y, z), lengths in m."""
+def mode_values(found: AssemblyModes, connections: Sequence[Connection] = ()) -> dict[str, Any]:
+    """The same as JSON values, numbers with all digits; rotations as quaternions (w, x, y, z), lengths in m.
+
+    `ways`: of two modes that are connected the values of what is held on a way, straight between them.
+    """
     account, bound = found.account, found.bound
     return {
         "mechanism": found.mechanism.name,
@@ -71,7 +97,8 @@ def mode_values(found: AssemblyModes) -> dict[str, Any]:
         "paths": {kind: account.count(kind) for kind in ("real", "complex", "infinity", "lost")},
         "on_curves": found.curves,
         "out_of_reach": found.out_of_reach,
-        "modes": [_values(mode) for mode in found.modes],
+        "modes": [{**_values(mode), "reachable": _reach(mode, connections)} for mode in found.modes],
+        "ways": [{"from": c.one, "to": c.two, "held": [*map(dict, c.way)]} for c in connections if c.way],
     }
 
 

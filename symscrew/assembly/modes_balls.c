@@ -47,6 +47,32 @@ static inline Ball ball_times(double a, Ball b)
     return x;
 }
 
+/* Doubles without bounds, for guesses. */
+static inline double plain_of(double a)
+{
+    return a;
+}
+
+static inline double plain_add(double a, double b)
+{
+    return a + b;
+}
+
+static inline double plain_sub(double a, double b)
+{
+    return a - b;
+}
+
+static inline double plain_mul(double a, double b)
+{
+    return a * b;
+}
+
+static inline double plain_times(double a, double b)
+{
+    return a * b;
+}
+
 static inline double ball_size(Ball a)
 {
     return fabs(a.m) + fabs(a.c) + a.r;

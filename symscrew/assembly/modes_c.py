@@ -66,12 +66,13 @@ class ModesModel:
 
 
 def modes_model(mechanism: Mechanism) -> ModesModel:
-    """What the C of a mechanism is made of.
+    """What the C of a mechanism is made of; raises DescriptionError, which says why there is none."""
+    return held_modes_model(held_by(mechanism, {}, {}))
 
-    Raises:
-        DescriptionError: there is no C of such a mechanism; says why.
-    """
-    held = held_by(mechanism, {}, {})
+
+def held_modes_model(held: Held) -> ModesModel:
+    """The same of a mechanism with these coordinates as arguments."""
+    mechanism = held.mechanism
     try:
         structure = structure_of(held)
         if structure.equations > structure.unknowns:
@@ -102,7 +103,10 @@ def print_modes(model: ModesModel, top: Sequence[str] = ()) -> dict[str, str]:
     comment = ["/*", *(f" * {line}".rstrip() for line in top), " */"]
     parts = [*comment, f'#include "{name}_modes.h"', "", "#include <math.h>", "", *_tables(model), ""]
     balls, paths, equations = (_text(f) for f in ("modes_balls.c", "modes_paths.c", "closure_equations.c"))
-    parts += [*balls, "", *_kind("ball", "Ball"), *equations, *_UNDEFINED, "", *_text("modes_solver.c"), ""]
+    parts += [*balls, ""]
+    for prefix, of in (("ball", "Ball"), ("plain", "double")):
+        parts += [*_kind(prefix, of), *equations, *_UNDEFINED, ""]
+    parts += [*_text("modes_solver.c"), ""]
     parts += [*_text("modes_planar.c"), "", *paths, "", *_kind("lanes", "Lanes"), *equations, *_UNDEFINED, ""]
     parts += [*_text("modes_search.c"), ""]
     return {f"{name}_modes.h": "\n".join(_header(model, comment)), f"{name}_modes.c": "\n".join(parts)}

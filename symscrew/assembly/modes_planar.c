@@ -65,8 +65,10 @@ static int planar_zeros(double (*goal)[3], double (*zeros)[WIDTH])
         w[k][1] = 1.1 * sin(TURN * k / degree + 0.4);
     }
     double longest = 1.0;
-    for (int turn = 0; turn < 60 && longest >= 1e-28; ++turn) { /* Aberth's method, all zeros at once */
+    int moving = 1;
+    for (int turn = 0; turn < 60 && moving; ++turn) { /* Aberth's method, all zeros at once, of third order */
         longest = 0.0;
+        moving = 0;
         for (int k = 0; k < degree; ++k) {
             double pr = re[high], pi = im[high], dr = 0.0, di = 0.0;
             for (int i = high - 1; i >= low; --i) {
@@ -97,6 +99,8 @@ static int planar_zeros(double (*goal)[3], double (*zeros)[WIDTH])
             w[k][0] -= sr / norm;
             w[k][1] += si / norm;
             const double step = 1.0 / (norm * (w[k][0] * w[k][0] + w[k][1] * w[k][1]));
+            /* double zeros come slowly: those off the circle need only to be known to be off it */
+            moving |= step >= (fabs(w[k][0] * w[k][0] + w[k][1] * w[k][1] - 1.0) < 1e-2 ? 1e-20 : 1e-13);
             longest = step > longest ? step : longest;
         }
     }

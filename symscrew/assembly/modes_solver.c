@@ -244,47 +244,36 @@ static int inverted(double (*a)[UNKNOWNS], double (*y)[UNKNOWNS])
     return 0;
 }
 
-/* The inverse of the derivative at z, and the step -Y F along z + t way. */
-static int linearised(Ball (*slots)[3], const double *z, const double *way, Chart *chart, Ball *step)
-{
-    Ball at[WIDTH], value[UNKNOWNS], jacobian[UNKNOWNS][WIDTH];
-    double square[UNKNOWNS][UNKNOWNS];
-    for (int k = 0; k < WIDTH; ++k) {
-        at[k] = ball_of(z[k]);
-        at[k].c = way[k];
-    }
-    ball_equations(slots, at, (const double (*)[3][4])chart->mix, value, jacobian);
-    for (int i = 0; i < UNKNOWNS; ++i) {
-        for (int j = 0; j < UNKNOWNS; ++j) {
-            square[i][j] = jacobian[i][chart->open[j]].m;
-        }
-    }
-    if (inverted(square, chart->inverse)) {
-        return 1;
-    }
-    for (int i = 0; i < UNKNOWNS; ++i) {
-        step[i] = ball_of(0.0);
-        for (int j = 0; j < UNKNOWNS; ++j) {
-            step[i] = ball_sub(step[i], ball_times(chart->inverse[i][j], value[j]));
-        }
-    }
-    return 0;
-}
-
 static const double nowhere[WIDTH] = {0.0};
 
-/* Newton's iteration in doubles: a guess, which a box judges. 1 where it does not converge. */
+/* Newton's iteration in doubles: a guess, which a box judges, and the inverse of the derivative. 1 where it does not
+   converge. */
 static int polished(Ball (*slots)[3], double *z, Chart *chart)
 {
-    Ball step[UNKNOWNS];
+    double numbers[N_SLOTS][3], value[UNKNOWNS], jacobian[UNKNOWNS][WIDTH], square[UNKNOWNS][UNKNOWNS];
+    for (int k = 0; k < N_SLOTS; ++k) {
+        for (int i = 0; i < 3; ++i) {
+            numbers[k][i] = slots[k][i].m;
+        }
+    }
     for (int count = 0; count < MOST_NEWTON; ++count) {
         double size = 0.0;
-        if (linearised(slots, z, nowhere, chart, step)) {
+        plain_equations(numbers, z, (const double (*)[3][4])chart->mix, value, jacobian);
+        for (int i = 0; i < UNKNOWNS; ++i) {
+            for (int j = 0; j < UNKNOWNS; ++j) {
+                square[i][j] = jacobian[i][chart->open[j]];
+            }
+        }
+        if (inverted(square, chart->inverse)) {
             return 1;
         }
         for (int i = 0; i < UNKNOWNS; ++i) {
-            z[chart->open[i]] += step[i].m;
-            size = fabs(step[i].m) > size ? fabs(step[i].m) : size;
+            double step = 0.0;
+            for (int j = 0; j < UNKNOWNS; ++j) {
+                step -= chart->inverse[i][j] * value[j];
+            }
+            z[chart->open[i]] += step;
+            size = fabs(step) > size ? fabs(step) : size;
         }
         if (!(size < 10.0)) {
             return 1;
@@ -297,24 +286,26 @@ static int polished(Ball (*slots)[3], double *z, Chart *chart)
 }
 
 /* Whether a box around z + t way, as far as `least` or twice a step, holds one zero for every t and all numbers in the
-   slots; its radius, and a bound on how far the zeros are from the middle of the box. */
-static int boxed(Ball (*slots)[3], const double *z, const double *way, Chart *chart, double least, double *radius,
-    double *error)
+   slots; its radius, and a bound on how far the zeros are from the middle of the box. Y is the inverse at z. */
+static int boxed(Ball (*slots)[3], const double *z, const double *way, const Chart *chart, double least,
+    double *radius, double *error)
 {
     Ball step[UNKNOWNS], at[WIDTH], value[UNKNOWNS], jacobian[UNKNOWNS][WIDTH];
     double longest = 0.0, most = 0.0;
-    if (linearised(slots, z, way, chart, step)) {
-        return 0;
-    }
-    for (int i = 0; i < UNKNOWNS; ++i) {
-        longest = ball_size(step[i]) > longest ? ball_size(step[i]) : longest;
-    }
-    longest *= SLACK;
-    *radius = 2.0 * longest > least ? 2.0 * longest : least;
     for (int k = 0; k < WIDTH; ++k) {
         at[k] = ball_of(z[k]);
         at[k].c = way[k];
     }
+    ball_equations(slots, at, (const double (*)[3][4])chart->mix, value, (Ball (*)[WIDTH])0);
+    for (int i = 0; i < UNKNOWNS; ++i) { /* - Y F along z + t way */
+        step[i] = ball_of(0.0);
+        for (int j = 0; j < UNKNOWNS; ++j) {
+            step[i] = ball_sub(step[i], ball_times(chart->inverse[i][j], value[j]));
+        }
+        longest = ball_size(step[i]) > longest ? ball_size(step[i]) : longest;
+    }
+    longest *= SLACK;
+    *radius = 2.0 * longest > least ? 2.0 * longest : least;
     for (int i = 0; i < UNKNOWNS; ++i) {
         at[chart->open[i]].r = *radius;
     }

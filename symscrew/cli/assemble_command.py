@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 EXAMPLES = (
     "symscrew assemble stewart_6ups",
     "symscrew assemble planar_3rrr --drives limb1_R1=0.2 --picture modes.png",
-    "symscrew assemble four_bar --json",
+    "symscrew assemble four_bar --json --reachable",
 )
 FORMATS = (".png", ".pdf", ".svg")
 IN_PYTHON = """In Python symscrew.assembly_modes(mechanism) gives them all, as this command does;
@@ -41,6 +41,10 @@ def add_options(command: argparse.ArgumentParser) -> None:
         help="parameters, or coordinates of joints that are held in place of the drives",
     )  # fmt: skip
     command.add_argument("--expect", type=int, metavar="N", help="exit 1 unless there are N modes, certified")
+    command.add_argument(
+        "--reachable", action="store_true",
+        help="look for ways without a singularity from mode to mode, and prove them (seconds to a minute)",
+    )  # fmt: skip
     command.add_argument("--json", action="store_true", help="as JSON")
     command.add_argument("--picture", metavar="FILE", help=f"all modes side by side: {', '.join(FORMATS)}")
 
@@ -48,7 +52,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """Solve, print, draw; 1 when a mode is neither certified nor singular, or there are others than expected."""
     from symscrew import catalogue
-    from symscrew.assembly import assembly_modes, mode_lines, mode_values
+    from symscrew.assembly import assembly_modes, mode_lines, mode_values, reach_lines, reachable_modes
     from symscrew.kinematics import angle_notices
 
     picture = _picture(options.picture)
@@ -56,8 +60,13 @@ def run(options: argparse.Namespace) -> int:
     mechanism = catalogue.find(options.mechanism)
     for notice in angle_notices(mechanism, {**drives, **at}):
         print(f"note: {notice}", file=sys.stderr)
-    found = assembly_modes(mechanism, drives, at=at, progress=_progress if sys.stderr.isatty() else lambda _: None)
-    print(json.dumps(mode_values(found), indent=1) if options.json else "\n".join(mode_lines(found)))
+    progress = _progress if sys.stderr.isatty() else lambda _: None
+    found = assembly_modes(mechanism, drives, at=at, progress=progress)
+    ways = reachable_modes(found, search=options.reachable, progress=progress)
+    if options.json:
+        print(json.dumps(mode_values(found, ways), indent=1))
+    else:
+        print("\n".join([*mode_lines(found), *reach_lines(found, ways, searched=options.reachable)]))
     if picture is not None:
         from symscrew.display import modes_figure, save_figure
 

@@ -44,7 +44,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """Measure, print, write."""
     from symscrew import catalogue
-    from symscrew.display import Progress, aligned_table
+    from symscrew.display import Progress, fitting_table
     from symscrew.model import derive
     from symscrew.verification import measure
 
@@ -73,7 +73,7 @@ def run(options: argparse.Namespace) -> int:
             for one in found
             for name, entry in one["functions"].items()
         ]
-        print(aligned_table(header, rows))
+        print(fitting_table(header, rows))
     if path is not None:
         write_text(path, text)
     return DONE
@@ -95,7 +95,7 @@ def _report(model: Model, functions: list[str], options: argparse.Namespace, *, 
         print(json.dumps({"ok": evidence.ok, "reasons": evidence.reasons, **evidence.facts}, indent=1))
     else:
         branches = evidence.facts["branches"]
-        told = f"branches {branches['branches']} % of {branches['of']}"
+        told = f"{branches['of']} branches, {branches['by_inputs']} taken by inputs, {branches['nothing']} by nothing"
         print(f"{path}: {'ok' if evidence.ok else 'not ok'}, {told}")
         for reason in evidence.reasons:
             print(f"  {reason}")

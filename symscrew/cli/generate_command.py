@@ -21,7 +21,7 @@ from symscrew.cli.shared_options import (
 )
 from symscrew.errors import DescriptionError
 from symscrew.garbage import nothing_to_collect
-from symscrew.generation import TARGETS, USUAL, printable, with_brought
+from symscrew.generation import TARGETS, USUAL, apart, printable, with_brought
 
 if TYPE_CHECKING:
     from symscrew.cli.kept_outcomes import Outcome
@@ -179,6 +179,8 @@ def chosen_targets(options: argparse.Namespace) -> list[str]:
     targets = [t for t in TARGETS if t in (options.target or (["c"] if single else USUAL))]
     if options.embedded and "c" not in with_brought(targets):
         raise UsageError("--embedded measures C; add it to --target")
+    if both := apart(targets):
+        raise UsageError(f"--target: {both}")
     possible = printable(options.precision)
     doubles = [t for t in targets if t not in possible]
     if single and doubles:

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
         save_figure,
     )
     from symscrew.display.shown import Page, Picture, draw, show_page
-    from symscrew.display.terminal import Progress, aligned_table, colours, one_line, print_table
+    from symscrew.display.terminal import Progress, aligned_table, colours, fitting_table, one_line, print_table
     from symscrew.display.view import (
         Limits,
         Pictures,
@@ -61,6 +61,7 @@ __all__ = [
     "draw_curves",
     "drive_figure",
     "empty_figure",
+    "fitting_table",
     "indexed_symbol",
     "installation",
     "joint_figure",

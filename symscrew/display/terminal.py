@@ -13,6 +13,8 @@ from typing import Any, Literal, TextIO
 
 NARROW = 80
 """Columns of a terminal below which wide tables become paragraphs; from here on cells with several lines are read."""
+PIPED = 60
+"""Columns of what goes to a pipe or a file, where neither the shell (COLUMNS) nor a terminal says how many."""
 MISSING = ("not installed", "not found", "no")
 
 
@@ -22,12 +24,12 @@ def colours(stream: TextIO) -> bool:
 
 
 def print_table(header: Sequence[str], rows: Sequence[Sequence[str]]) -> None:
-    """Print a table on stdout: coloured and as wide as the terminal there, in Markdown elsewhere.
+    """Print a table on stdout: coloured and as wide as the terminal there, in Markdown's lines elsewhere.
 
     On a terminal too narrow for it every row is a paragraph, its words whole: names and commands can be copied.
     """
     if not colours(sys.stdout):
-        print(aligned_table(header, rows))
+        print(fitting_table(header, rows))
         return
     wide = shutil.get_terminal_size().columns
     if wide < NARROW and wide < _natural_width(header, rows):
@@ -52,21 +54,86 @@ def _natural_width(header: Sequence[str], rows: Sequence[Sequence[str]]) -> int:
     return max(map(len, aligned_table(header, rows).splitlines()))
 
 
+def console_width() -> int:
+    """Columns for text: of the terminal that reads it, at the end of a pipe as well; `PIPED` where there is none."""
+    if not os.environ.get("COLUMNS", "").isdecimal():
+        for stream in (sys.__stdout__, sys.__stderr__):
+            try:
+                return os.get_terminal_size(stream.fileno()).columns if stream else PIPED
+            except (OSError, ValueError):  # no terminal; or none at all any more
+                continue
+    return shutil.get_terminal_size((PIPED, 24)).columns
+
+
+def fitting_table(header: Sequence[str], rows: Sequence[Sequence[str]], wide: int | None = None) -> str:
+    """`aligned_table` in at most `wide` columns (default: those of the console).
+
+    Its cells are broken at blanks, but for those of the first column; where words are too long, rows are paragraphs.
+
+    >>> print(fitting_table(["name", "for"], [["seed", "two free turns"]], 19))
+    | name | for      |
+    |------|----------|
+    | seed | two free |
+    |      | turns    |
+    """
+    wide = console_width() if wide is None else wide
+    lines = [header, *rows]
+    widths = [max(len(line[k]) for line in lines) for k in range(len(header))]
+    least = [max((len(word) for line in lines for word in line[k].split()), default=0) for k in range(len(header))]
+    least[0], frame = widths[0], 3 * len(header) + 1
+    if sum(widths) + frame <= wide:
+        return aligned_table(header, rows)
+    if sum(least) + frame > wide:
+        return "\n".join(stacked(header, rows, wide))
+    while sum(widths) + frame > wide:
+        k = max((k for k in range(len(widths)) if widths[k] > least[k]), key=lambda k: widths[k])
+        widths[k] -= 1
+    made = [text for line in lines for text in _in_lines(line, widths)]
+    made.insert(len(_in_lines(header, widths)), _rule(widths))
+    return "\n".join(made)
+
+
+def _in_lines(line: Sequence[str], widths: Sequence[int]) -> list[str]:
+    """A row of a table whose cells are broken at blanks to these widths."""
+    cells = [
+        textwrap.wrap(cell, width, break_long_words=False, break_on_hyphens=False) if cell else []
+        for cell, width in zip(line, widths, strict=True)
+    ]
+    high = max(1, *map(len, cells))
+    return [_row([cell[k] if k < len(cell) else "" for cell in cells], widths) for k in range(high)]
+
+
+def _row(cells: Sequence[str], widths: Sequence[int]) -> str:
+    return "| " + " | ".join(str(cell).ljust(width) for cell, width in zip(cells, widths, strict=True)) + " |"
+
+
+def _rule(widths: Sequence[int]) -> str:
+    return "|" + "|".join("-" * (width + 2) for width in widths) + "|"
+
+
 def stacked(header: Sequence[str], rows: Sequence[Sequence[str]], wide: int) -> list[str]:
     """A paragraph a row: its first cell, then the others with their titles, in lines of at most `wide` characters.
 
-    >>> stacked(["part", "for"], [["gcc", "running the code"]], 16)
-    ['gcc', '  for: running', '    the code']
+    >>> stacked(["part", "n", "of", "for"], [["gcc", "2", "3", "running the code"]], 16)
+    ['gcc', '  n: 2, of: 3', '  for: running', '    the code']
     """
     lines = []
     for first, *rest in rows:
         lines += textwrap.wrap(first, wide, break_long_words=False, break_on_hyphens=False) or [""]
+        alone = True  # whether the last line takes no further cell
         for title, cell in zip(header[1:], rest, strict=True):
-            if cell:
-                lines += textwrap.wrap(
-                    f"{title}: {cell}", wide, initial_indent="  ", subsequent_indent="    ", break_long_words=False,
-                    break_on_hyphens=False,
-                )  # fmt: skip
+            if not cell:
+                continue
+            text = f"{title}: {cell}"
+            if not alone and len(lines[-1]) + 2 + len(text) <= wide:
+                lines[-1] += f", {text}"
+                continue
+            made = textwrap.wrap(
+                text, wide, initial_indent="  ", subsequent_indent="    ", break_long_words=False,
+                break_on_hyphens=False,
+            )  # fmt: skip
+            alone = len(made) > 1
+            lines += made
     return lines
 
 
@@ -84,12 +151,7 @@ def aligned_table(header: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
     """
     lines = [header, *rows]
     widths = [max(len(str(line[k])) for line in lines) for k in range(len(header))]
-
-    def text(line: Sequence[str]) -> str:
-        return "| " + " | ".join(str(c).ljust(w) for c, w in zip(line, widths, strict=True)) + " |"
-
-    rule = "|" + "|".join("-" * (w + 2) for w in widths) + "|"
-    return "\n".join([text(header), rule, *(text(row) for row in rows)])
+    return "\n".join([_row(header, widths), _rule(widths), *(_row(row, widths) for row in rows)])
 
 
 def one_line(message: object, limit: int = 600) -> str:

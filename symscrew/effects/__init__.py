@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 from symscrew.effects.acting import Acting
 from symscrew.effects.effect import Effect, system_under, transformed
 from symscrew.effects.of_files import effects_of_file, forces_of_effects, stops_of_file
-from symscrew.effects.records import AddedInertia, Contact, Passed, State
+from symscrew.effects.records import AddedInertia, Contact, Estimate, Passed, State
 from symscrew.effects.registry import (
     check_effects,
     effect_from_table,
@@ -31,6 +31,7 @@ __all__ = [
     "AddedInertia",
     "Contact",
     "Effect",
+    "Estimate",
     "ExternalWrench",
     "Gravity",
     "Passed",

@@ -8,7 +8,7 @@ axes before the link's motion, at its origin: where the recursions take them.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from functools import cached_property
 from typing import Protocol
@@ -16,7 +16,7 @@ from typing import Protocol
 from symscrew.algebra import ZERO, Matrix, Node, Vector, add, cross, dot, named_wrench, scale, subtract
 from symscrew.description import Point
 from symscrew.effects.parts import Parts
-from symscrew.effects.records import AddedInertia, Bending, State, Transmission
+from symscrew.effects.records import AddedInertia, Bending, Estimate, State, Transmission
 from symscrew.errors import DescriptionError
 from symscrew.kinematics import (
     GROUND,
@@ -34,7 +34,6 @@ from symscrew.kinematics import (
 from symscrew.program import Port
 
 Loads = dict[int, tuple[Vector, Vector]]
-Reactions = Mapping[str, tuple[Vector, Vector]]
 
 
 class Acts(Protocol):
@@ -64,11 +63,11 @@ class Acts(Protocol):
 class Acting(Parts):
     """The sum of what all effects contribute to one system at its present nodes.
 
-    `reactions` are the joints' reactions (f ; m_O) that load-dependent effects are to use; without them these
-    effects do nothing, and `needs_reactions` tells.
+    `estimate` is what load-dependent effects are to use; without it these effects do nothing, and `needs_reactions`
+    tells, `rates_need_reactions` of those whose states' rates depend on it.
     """
 
-    def __init__(self, system: System, effects: Sequence[Acts], reactions: Reactions | None = None) -> None:
+    def __init__(self, system: System, effects: Sequence[Acts], estimate: Estimate | None = None) -> None:
         super().__init__(system)
         tape = system.tape
         self.ground = Rates(ZERO, ZERO, ZERO, ((0, 0, 0),) * 3)
@@ -91,9 +90,9 @@ class Acting(Parts):
             e.keeps_gyroscopic_moment(b) for e in effects for b in system.mechanism.bodies
         )
         self.transmissions: dict[int, Transmission] = {}
-        self.needs_reactions = False
+        self.needs_reactions = self.rates_need_reactions = False
         self.passes = 1
-        self._reactions = reactions
+        self._estimate = estimate
         for effect in effects:  # all of them first: gravity has to know the attitude that another effect gives the base
             effect.prepare(self)
         for effect in effects:
@@ -273,9 +272,14 @@ class Acting(Parts):
 
         `passes` says how many times reactions and what depends on them are to be computed in turn.
         """
+        found = self.estimate(passes)
+        return None if found is None else found.reactions[joint]
+
+    def estimate(self, passes: int) -> Estimate | None:
+        """All reactions and the rates of the links, in the same way."""
         self.needs_reactions = True
         self.passes = max(self.passes, passes)
-        return None if self._reactions is None else self._reactions[joint]
+        return self._estimate
 
     def push(self, point: Point, force: Vector, moment: Vector = ZERO) -> None:
         """A force [N] at a point of a body and a moment [N m], absolute axes."""

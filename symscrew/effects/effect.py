@@ -147,7 +147,9 @@ def system_under(mechanism: Mechanism, effects: tuple[Effect, ...]) -> System:
     twice = [one.name for k, one in enumerate(rolled) if one.name in [other.name for other in rolled[:k]]]
     if twice:
         raise DescriptionError(f"effects: two of them are called {twice[0]!r}; give one another name (key 'name')")
-    return System(mechanism, transformed(mechanism, effects), read=joints_read(effects), rolled=rolled)
+    kept = tuple(dict.fromkeys(contact.joint for effect in effects for contact in effect.contacts()))
+    loaded = transformed(mechanism, effects)
+    return System(mechanism, loaded, read=joints_read(effects), rolled=rolled, kept=kept)
 
 
 def joints_read(effects: tuple[Effect, ...]) -> tuple[str, ...]:

@@ -61,6 +61,15 @@ class Passed:
 
 
 @dataclass(frozen=True)
+class Estimate:
+    """What load-dependent effects read: reactions (f ; m_O) by joint, absolute axes, and rates of the links, with the
+    ground's motion and gravity; as they are without these effects, or as a pass before found them."""
+
+    reactions: Mapping[str, tuple[Vector, Vector]]
+    rates: Sequence[Rates]
+
+
+@dataclass(frozen=True)
 class Transmission:
     """What stands between an entry of u and the force on its joint: both directions, and the unit of u.
 

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from symscrew.export.c_single import rounded, single_errors
     from symscrew.export.casadi import TABLE, casadi_functions, program_function
     from symscrew.export.casadi_external import jacobians_model, print_external
+    from symscrew.export.casadi_hessians import hessians_model, print_hessians
     from symscrew.export.cpp import print_cpp
     from symscrew.export.cuda import CUDA_THREADS, print_cuda, print_device
     from symscrew.export.drive_kinematics import DriveKinematics, find_drive_kinematics
@@ -37,6 +38,7 @@ if TYPE_CHECKING:
     from symscrew.export.markdown import print_markdown
     from symscrew.export.modelica import print_modelica
     from symscrew.export.numpy import print_numpy
+    from symscrew.export.pivots import pivot_text
     from symscrew.export.readme import print_readme
     from symscrew.export.reduced import configuration_function, ode_function, print_reduced
     from symscrew.export.ros2 import print_ros2
@@ -72,6 +74,7 @@ __all__ = [
     "effect_from_json",
     "file_hash",
     "find_drive_kinematics",
+    "hessians_model",
     "interface",
     "jacobians_model",
     "library_sources",
@@ -81,6 +84,7 @@ __all__ = [
     "ode_function",
     "own_files",
     "packed",
+    "pivot_text",
     "plain",
     "print_c",
     "print_cmake",
@@ -91,6 +95,7 @@ __all__ = [
     "print_example",
     "print_external",
     "print_hashes",
+    "print_hessians",
     "print_javascript",
     "print_jax",
     "print_linuxcnc",

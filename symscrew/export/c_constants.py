@@ -54,14 +54,18 @@ class Constants:
         self.names: dict[float, str] = {}
         self.used: set[float] = set()
         self._nodes: dict[float, Node] = {}
-        self._meanings: dict[int, dict[Meaning, None]] = {}  # each once, in order
+        self._meanings: dict[Node, dict[Meaning, None]] = {}  # each once, in order
         system = getattr(model, "system", None)
         if system is None:
             return
-        self._explain(system)
+        programs = _straight(model.programs.values())
+        with system.tape.lock:  # another thread may be lowering what it wants to print
+            self._explain(system)
+        for node in (node for program in programs for node in program.folded):
+            self._nodes.setdefault(float(node.value), node)
         ports = (p for f in model.programs.values() for p in (*f.inputs, *f.outputs))
         taken = {*TAKEN, *(port.name for port in ports)}
-        for size in _sizes(model.programs.values()):
+        for size in _sizes(programs):
             if size not in SILENT and size in self._nodes:
                 name = self._name(self._nodes[size], taken)
                 taken.add(name)
@@ -73,11 +77,11 @@ class Constants:
         for node, meaning in every:
             inner = _positive(node)
             if inner.value is not None:
-                self._meanings.setdefault(inner.index, {})[meaning] = None
+                self._meanings.setdefault(inner, {})[meaning] = None
         for node, size in system.tape.constants.items():
-            if node.args[0] is not None or node.index in self._meanings:
+            if node.args[0] is not None or node in self._meanings:
                 known = self._nodes.setdefault(size, node)
-                if node.index in self._meanings and known.index not in self._meanings:
+                if node in self._meanings and known not in self._meanings:
                     self._nodes[size] = node
 
     def text(self, value: float) -> str:
@@ -99,7 +103,7 @@ class Constants:
 
     def _symbol(self, node: Node) -> str:
         """A name from what the number is, or from what it is made of; none where that would be too long."""
-        meanings = self._meanings.get(node.index)
+        meanings = self._meanings.get(node)
         if meanings:
             first = next(iter(meanings)).symbol
             return identifier(Origin(first, common([m.part for m in meanings if m.symbol == first])))
@@ -132,7 +136,7 @@ class Constants:
 
     def _told(self, node: Node) -> str:
         """Unit, words and formula."""
-        meanings = tuple(self._meanings.get(node.index, ()))
+        meanings = tuple(self._meanings.get(node, ()))
         made = self._formula(node.args[0], DEEPEST)
         if not meanings:
             return plain(made or "of the geometry")
@@ -168,7 +172,7 @@ class Constants:
         size = abs(float(inner.value))
         if size in SILENT:
             text = f"{size:g}"
-        elif inner.index in self._meanings:
+        elif inner in self._meanings:
             text = self.names.get(size) or self._symbol(inner)
         else:
             text = self._formula(inner.args[0], depth) or repr(size)
@@ -193,11 +197,15 @@ def common(parts: Sequence[str]) -> str:
     return bare if len(alike) > 1 else parts[0]
 
 
-def _sizes(programs: Iterable[Program | Iteration]) -> Iterator[float]:
-    """Absolute values of the constants of all instructions, in order."""
+def _straight(programs: Iterable[Program | Iteration]) -> list[Program]:
+    """All straight-line parts of programs."""
     every = [p.step if isinstance(p, Iteration) else p for p in programs]
-    every += [part for p in every if isinstance(p, RankRevealing) for part in (p.dense, p.wrenches) if part]
-    found = (abs(a) for p in every for i in p.instructions for a in i.args if type(a) is float)
+    return [*every, *(part for p in every if isinstance(p, RankRevealing) for part in (p.dense, p.wrenches) if part)]
+
+
+def _sizes(programs: Iterable[Program]) -> Iterator[float]:
+    """Absolute values of the constants of all instructions, in order."""
+    found = (abs(a) for p in programs for i in p.instructions for a in i.args if type(a) is float)
     yield from dict.fromkeys(found)
 
 

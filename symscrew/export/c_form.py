@@ -7,7 +7,16 @@ from dataclasses import dataclass
 
 # C files of a folder beside the functions: after the model's name, or as they are
 FOREIGN = ("kins.c", "_sfun.c")  # these include headers of a controller, of Simulink
-NOT_THE_LIBRARY = ("_external.c", "_jacobians.c", "_reduced.c", "_drives.c", "_drives_host.c", *FOREIGN)
+NOT_THE_LIBRARY = (
+    "_external.c",
+    "_external_hessians.c",
+    "_hessians.c",
+    "_jacobians.c",
+    "_reduced.c",
+    "_drives.c",
+    "_drives_host.c",
+    *FOREIGN,
+)
 ALONE = ("example.c",)
 
 

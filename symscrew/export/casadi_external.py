@@ -5,8 +5,13 @@
 The shared library is made of `<name>.c`, `<name>_jacobians.c` and `<name>_external.c`. Functions of
 `DIFFERENTIATED` come with `jac_<function>`, whose inputs are those of the function and then its outputs, and
 whose outputs are the sparse blocks d output / d input, row of outputs by row: CasADi finds it by its name and
-makes forward and reverse derivatives of it. A state that fails (status > 0) returns 1, which CasADi reports as
-a failed evaluation and IPOPT answers with a shorter step.
+makes forward and reverse derivatives of it.
+
+Names, shapes and order of inputs and outputs are those of the functions of `casadi.py`, `status` being the last
+output. Whoever asks for the status gets it, and NaN beside it where it is above 0. To one who does not ask (an MX
+graph that leaves it out, as objectives and constraints do), a state that fails returns 1, which CasADi reports as a
+failed evaluation and IPOPT answers with a shorter step. The values are those of the C code: near a small pivot, where
+it goes on by its second path, the status is -1 or -2 and the numbers are good; a function of `casadi.py` says 1 there.
 
 Source: https://web.casadi.org/docs, sections "Using external functions" and "External derivatives".
 """
@@ -28,6 +33,7 @@ DIFFERENTIATED = (
     "inverse_kinematics", "inverse_velocity", "inverse_dynamics", "inverse_dynamics_independent",
     "inverse_dynamics_platform", "forward_dynamics", "forward_dynamics_independent",
 )  # fmt: skip
+STATUS_PORT = Port("status", (1,), ("1",), ("status",), "0 where the other outputs are good, else why not")
 
 HEAD = """
 #ifndef casadi_int
@@ -124,21 +130,22 @@ def print_external(model: Model) -> dict[str, str]:
 
 def _function(model: str, name: str, program: Program | Iteration) -> list[str]:
     symbol = f"{model}_casadi_{name}"
-    inputs, outputs = program.inputs, program.outputs
-    words = sum(port.size for port in (*inputs, *outputs))
+    inputs, outputs = program.inputs, (*program.outputs, STATUS_PORT)
+    words = sum(port.size for port in (*inputs, *program.outputs))
     given = [(port, f"input(arg[{i}], &w, {port.size})") for i, port in enumerate(inputs)]
     lines = [f"EXTERNAL({symbol}, {len(inputs)}, {len(outputs)}, {words})", ""]
     lines += names_of(symbol, "in", [port.name for port in inputs])
     lines += names_of(symbol, "out", [port.name for port in outputs])
     lines += sparsities_of(symbol, "in", [dense_pattern(port) for port in inputs])
     lines += sparsities_of(symbol, "out", [dense_pattern(port) for port in outputs])
-    return [*lines, *_body(symbol, f"{model}_{name}", inputs=given, results=list(enumerate(outputs)))]
+    results = list(enumerate(program.outputs))
+    return [*lines, *body_of(symbol, f"{model}_{name}", inputs=given, results=results, status=len(results))]
 
 
 def _jacobian(model: str, name: str, made: Jacobian) -> list[str]:
     """`jac_<function>`: inputs and outputs of the function in, one block per output and input out."""
     symbol = f"jac_{model}_casadi_{name}"
-    inputs, outputs = made.source.inputs, made.source.outputs
+    inputs, outputs = made.source.inputs, (*made.source.outputs, STATUS_PORT)
     iteration = isinstance(made.source, Iteration)
     blocks = {(o, i): (port, entry) for port, entry in _placed(made) for o, i in [entry[:2]]}
     words = sum(port.size for port in (*inputs, *made.program.inputs, *made.program.outputs))
@@ -148,7 +155,7 @@ def _jacobian(model: str, name: str, made: Jacobian) -> list[str]:
     lines += names_of(symbol, "out", [f"jac_{o.name}_{i.name}" for o in outputs for i in inputs])
     lines += sparsities_of(symbol, "in", [dense_pattern(port) for port in (*inputs, *outputs)])
     patterns = [
-        _pattern(o, i, blocks[r, c][1] if (r, c) in blocks else None)
+        pattern_of(o, i, blocks[r, c][1] if (r, c) in blocks else None)
         for r, o in enumerate(outputs)
         for c, i in enumerate(inputs)
     ]
@@ -157,7 +164,7 @@ def _jacobian(model: str, name: str, made: Jacobian) -> list[str]:
     order = [len(inputs), 0, *range(2, len(inputs))] if iteration else list(range(len(inputs)))
     given = [(port, f"input(arg[{k}], &w, {port.size})") for k, port in zip(order, made.program.inputs, strict=True)]
     results = [(o * len(inputs) + i, port) for port, (o, i, _, _) in _placed(made)]
-    return [*lines, *_body(symbol, f"{model}_jacobians_{made.program.name}", inputs=given, results=results)]
+    return [*lines, *body_of(symbol, f"{model}_jacobians_{made.program.name}", inputs=given, results=results)]
 
 
 def _placed(made: Jacobian) -> Iterator[tuple[Port, tuple[int, int, tuple[int, ...], tuple[int, ...]]]]:
@@ -166,14 +173,18 @@ def _placed(made: Jacobian) -> Iterator[tuple[Port, tuple[int, int, tuple[int, .
         yield port, made.blocks[port.name]
 
 
-def _body(
+def body_of(
     symbol: str,
     function: str,
     *,
     inputs: Sequence[tuple[Port, str]],
     results: Sequence[tuple[int, Port]],
+    status: int | None = None,
 ) -> list[str]:
-    """The call of a function of the C code: inputs with what they are in C, outputs with their places in `res`."""
+    """The call of a function of the C code: inputs with what they are in C, outputs with their places in `res`.
+
+    `status` is the place of the status; a function without one can only fail.
+    """
     lines = [f"int {symbol}(const casadi_real **arg, casadi_real **res, casadi_int *iw, casadi_real *w, int mem)", "{"]
     passed = []
     for k, (port, argument) in enumerate(inputs):
@@ -189,8 +200,21 @@ def _body(
         "    (void)iw;",
         "    (void)w;",
         "    (void)mem;",
-        f"    return {function}({call}) > 0;",
+        *_ending(f"{function}({call})", status),
         "}",
+    ]
+
+
+def _ending(call: str, status: int | None) -> list[str]:
+    if status is None:
+        return [f"    return {call} > 0;"]
+    return [
+        f"    const int status = {call};",
+        f"    if (res[{status}] != NULL) {{",
+        f"        res[{status}][0] = status;",
+        "        return 0;",
+        "    }",
+        "    return status > 0;",
     ]
 
 
@@ -224,7 +248,7 @@ def dense_pattern(port: Port) -> list[int]:
     return [rows, columns, 1]
 
 
-def _pattern(output: Port, given: Port, entry: tuple[int, int, tuple[int, ...], tuple[int, ...]] | None) -> list[int]:
+def pattern_of(output: Port, given: Port, entry: tuple[int, int, tuple[int, ...], tuple[int, ...]] | None) -> list[int]:
     """Compressed columns of a block: rows, columns, start of each column, row of each entry."""
     rows, columns = ((), ()) if entry is None else entry[2:]
     starts = [sum(c < k for c in columns) for k in range(given.size + 1)]

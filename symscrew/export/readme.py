@@ -259,11 +259,14 @@ def _external(model: Model, name: str, program: Program | Iteration, *, sources:
         *inputs,
         f'function = casadi.external("{model.name}_casadi_{name}", "./{library}")',
         f"result = function({', '.join(f'{p.name}={p.name}_' for p in program.inputs)})",
-        f"print(f\"{{float(result['{_first(program).name}'][0]):.12g}}\")",
+        f"print(f\"{{int(result['status'])}}: {{float(result['{_first(program).name}'][0]):.12g}}\")",
     ]
     files = [*sources, f"{model.name}_jacobians.c", f"{model.name}_external.c"]
     command = f"`cc -std=c99 -O2 -fno-math-errno -shared -fPIC {' '.join(files)} -lm -o {library}`"
-    hessian = 'First derivatives only: give IPOPT the option `hessian_approximation="limited-memory"`.'
+    hessian = (
+        "`status` is the last output, as of the `.casadi` functions: 0 where the others hold. First derivatives only: "
+    )
+    hessian += 'give IPOPT the option `hessian_approximation="limited-memory"`, or add `--target external_hessians`.'
     return ["### CasADi external functions", "", command, "", hessian, "", "```python", *main, "```"]
 
 

@@ -1,13 +1,14 @@
 """The functions of a model, by subject: each module turns a `System` into `Function`s with named ports."""
 
 from symscrew.functions.checked import SUFFIX, checked_functions
-from symscrew.functions.closing import THRESHOLD, assembly, closure_functions, loop_notes, moved_by
+from symscrew.functions.closing import THRESHOLD, Assembly, assembly, closure_functions, loop_notes, moved_by
 from symscrew.functions.coupling_forces import coupling_functions, rolling_functions
 from symscrew.functions.derivative import derivative_functions
 from symscrew.functions.dynamic import NO_DRIVE, Equations, all_reactions, dynamic_functions
 from symscrew.functions.effect_outputs import effect_functions
 from symscrew.functions.forward import (
     REASONS,
+    SecondPath,
     closing_functions,
     driven,
     forward_functions,
@@ -59,10 +60,12 @@ __all__ = [
     "TWIST_UNITS",
     "WRENCH_LABELS",
     "WRENCH_UNITS",
+    "Assembly",
     "Equations",
     "Motion",
     "Quantities",
     "Quantity",
+    "SecondPath",
     "a_port",
     "acceleration_at",
     "all_reactions",

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
-from symscrew.algebra import Guard, Node, Tape, Vector, add, cross, dot, scale
+from symscrew.algebra import Guard, Node, Tape, TapeMark, Vector, add, cross, dot, scale
 from symscrew.functions.ports import a_port, function, q_port, v_port, y_port
 from symscrew.kinematics import Row, System
 from symscrew.loops import Loops, any_rods, closed_limbs, hub_links, limb_coordinates
@@ -161,7 +162,31 @@ def jacobian_in_v(system: System) -> list[list[Node]]:
     return columns
 
 
-def assembly(system: System, loops: Loops) -> Iteration:
+@dataclass(frozen=True)
+class Assembly:
+    """The function `assemble` before lowering: the step that it repeats, and its own ports."""
+
+    inputs: tuple[Port, ...]
+    outputs: tuple[Port, ...]
+    step: Function
+    independent: tuple[int, ...]
+    notes: tuple[str, ...]
+    name: str = "assemble"
+    description: str = (
+        "Configuration of the tree that closes all loops at the given independent coordinates, on the branch of the "
+        "guess."
+    )
+    reach: tuple[str, ...] = ()
+
+    def lowered(self, mark: TapeMark | None = None) -> Iteration:
+        """The iteration; `mark` as for `lower`."""
+        step = lower(self.step, mark)
+        return Iteration(
+            self.name, self.description, self.inputs, self.outputs, step, self.independent, notes=self.notes
+        )
+
+
+def assembly(system: System, loops: Loops) -> Assembly:
     """Assembly of the loops from y and a guess: Newton on the closure.
 
     On the platform's coordinates alone where its limbs have closed forms, except those of rods: with these fewer
@@ -203,16 +228,8 @@ def assembly(system: System, loops: Loops) -> Iteration:
         guards=guarded(loops.guards, NEWTON_THRESHOLD),
     )
     parameter_ports, _ = system.parameter_ports()
-    return Iteration(
-        "assemble",
-        "Configuration of the tree that closes all loops at the given independent coordinates, on the branch of "
-        "the guess.",
-        (*ports, *parameter_ports),
-        (q_port(system),),
-        lower(newton),
-        tuple(entry.q for entry in loops.entries),
-        notes=loop_notes(loops),
-    )
+    independent = tuple(entry.q for entry in loops.entries)
+    return Assembly((*ports, *parameter_ports), (q_port(system),), newton, independent, loop_notes(loops))
 
 
 def opening(system: System) -> Node:

@@ -24,7 +24,7 @@ from symscrew.dynamics import (
     thin_rods,
     with_end_masses,
 )
-from symscrew.effects import Acting, Effect
+from symscrew.effects import Acting, Effect, Estimate
 from symscrew.functions.closing import guarded
 from symscrew.functions.ports import (
     WRENCH_LABELS,
@@ -43,7 +43,6 @@ from symscrew.kinematics import Link, System
 from symscrew.loops import Loops, counts_all_ways
 from symscrew.program import Function, Port
 
-Loads = Mapping[str, tuple[Vector, Vector]]
 NO_DRIVE = "carry no drive"  # of a note: some freedoms
 
 
@@ -54,23 +53,23 @@ class Equations:
         self,
         system: System,
         effects: Sequence[Effect],
-        loads: Loads | None = None,
+        loads: Estimate | None = None,
         *,
         unloaded: bool = False,
         cost: Callable[[Sequence[Node]], int] = cost,
     ) -> None:
         """Equations at the system's present nodes; `cost` of nodes is what is kept low.
 
-        `loads` are the joints' reactions for load-dependent effects; by default those that the same equations
-        have without these effects (`unloaded`).
+        `loads` are what load-dependent effects read; by default what the same equations give without these effects
+        (`unloaded`).
         """
         self.system, self.cost = system, cost
         self.forces = Acting(system, effects, loads)
         if self.forces.needs_reactions and loads is None and not unloaded:
             before = Equations(system, effects, unloaded=True)
             for _ in range(self.forces.passes - 1):
-                before = Equations(system, effects, before.reactions(before.solution.u).wrenches)
-            self.forces = Acting(system, effects, before.reactions(before.solution.u).wrenches)
+                before = Equations(system, effects, before.estimate(before.reactions(before.solution.u)))
+            self.forces = Acting(system, effects, before.estimate(before.reactions(before.solution.u)))
         self.setting = Setting(
             system.tape,
             system.tree,
@@ -153,6 +152,10 @@ class Equations:
             u=forces,
         )
         return solve_reactions(self.setting, found, self.balance.free)
+
+    def estimate(self, found: Reactions) -> Estimate:
+        """What load-dependent effects read of these equations and their reactions."""
+        return Estimate(found.wrenches, self.rates)
 
     def command(self, solution: DriveSolution) -> tuple[Port, tuple[Node, ...]]:
         """The output u: what the drives are given, on the motors' side of their transmissions."""

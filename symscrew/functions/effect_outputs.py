@@ -21,7 +21,7 @@ def effect_functions(system: System, effects: Sequence[Effect], loops: Loops) ->
     if acting.powers or acting.transmissions or acting.needs_reactions:
         functions.append(_power(system, effects, acting, loops))
     if acting.states:
-        functions.append(_state_rates(system, acting))
+        functions.append(_state_rates(system, effects, acting, loops))
     if acting.transmissions:
         functions.append(_motor_rates(system, acting))
     return functions
@@ -31,10 +31,7 @@ def _power(system: System, effects: Sequence[Effect], acting: Acting, loops: Loo
     """Power per effect; with load-dependent effects and with transmissions also from u."""
     inputs: list[tuple[Port, Sequence[Node]]] = [(q_port(system), system.inputs.q), (v_port(system), system.inputs.v)]
     _, drives = driven(system, effects)
-    if acting.needs_reactions and not acting.keeps_motion:
-        acting = Equations(system, effects).forces
-    elif acting.needs_reactions:
-        acting = solved(system, effects, loops).acting
+    acting = _loaded(system, effects, acting, loops)
     if acting.needs_reactions or acting.transmissions:
         inputs += drives
     powers = dict(acting.powers)
@@ -51,10 +48,22 @@ def _power(system: System, effects: Sequence[Effect], acting: Acting, loops: Loo
     return function(system, "effect_power", about, inputs=every, outputs=[(port, list(powers.values()))])
 
 
-def _state_rates(system: System, acting: Acting) -> Function:
-    inputs = [(q_port(system), system.inputs.q), (v_port(system), system.inputs.v), *acting.inputs]
+def _state_rates(system: System, effects: Sequence[Effect], acting: Acting, loops: Loops) -> Function:
+    """From u as well, where rates depend on the joints' loads."""
+    inputs: list[tuple[Port, Sequence[Node]]] = [(q_port(system), system.inputs.q), (v_port(system), system.inputs.v)]
+    if acting.rates_need_reactions:
+        inputs += driven(system, effects)[1]
+        acting = _loaded(system, effects, acting, loops)
+    inputs += acting.inputs
     text = "Rates of the effects' states."
     return function(system, "effect_state_rates", text, inputs=inputs, outputs=acting.state_rate_output)
+
+
+def _loaded(system: System, effects: Sequence[Effect], acting: Acting, loops: Loops) -> Acting:
+    """What acts, with what load-dependent effects read of the motion under the drives."""
+    if not acting.needs_reactions:
+        return acting
+    return solved(system, effects, loops).acting if acting.keeps_motion else Equations(system, effects).forces
 
 
 def _motor_rates(system: System, acting: Acting) -> Function:

@@ -5,15 +5,15 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from symscrew.algebra import ZERO, Guard, Node, scale
+from symscrew.algebra import ZERO, Guard, Node, TapeMark, scale
 from symscrew.dynamics import ONE, Admissible, at_origin, generalised_forces, joint_wrenches, mass_matrix
-from symscrew.effects import Acting, Effect
+from symscrew.effects import Acting, Effect, Estimate
 from symscrew.functions.closing import THRESHOLD, guarded, jacobian_in_v, moved_by, opening
-from symscrew.functions.dynamic import Equations, Loads, all_reactions, in_order, reactions_port
+from symscrew.functions.dynamic import Equations, all_reactions, in_order, reactions_port
 from symscrew.functions.ports import a_port, function, q_port, u_port, v_port, y_port
 from symscrew.kinematics import System
 from symscrew.loops import Loops
-from symscrew.program import SWITCH, Function, Iteration, Port, Program, RankRevealing, lower
+from symscrew.program import SWITCH, Function, Port, Program, RankRevealing, lower
 
 
 @dataclass(frozen=True)
@@ -26,10 +26,10 @@ class SecondPath:
     rows: tuple[float, ...]
     regular: int
 
-    def behind(self, first: Program | Iteration) -> RankRevealing:
-        """The program with this second path."""
-        wrenches = lower(self.wrenches) if self.wrenches else None
-        return RankRevealing(**vars(first), dense=lower(self.dense), wrenches=wrenches, rates=self.rates,
+    def behind(self, first: Program, mark: TapeMark | None = None) -> RankRevealing:
+        """The program with this second path; `mark` as for `lower`."""
+        wrenches = lower(self.wrenches, mark) if self.wrenches else None
+        return RankRevealing(**vars(first), dense=lower(self.dense, mark), wrenches=wrenches, rates=self.rates,
                              rows=self.rows, regular=self.regular)  # fmt: skip
 
 
@@ -78,10 +78,10 @@ def left_out(system: System) -> str:
     return SINGULAR_NOTE if heavy else MASSLESS_NOTE
 
 
-def driven(system: System, effects: Sequence[Effect], loads: Loads | None = None) -> tuple[Acting, State]:
+def driven(system: System, effects: Sequence[Effect], loads: Estimate | None = None) -> tuple[Acting, State]:
     """What acts with the drives as inputs u [N, N m], and their port with its nodes (none without drives).
 
-    `loads`: joint -> (force, moment), the reactions that load-dependent effects read.
+    `loads`: what load-dependent effects read.
     """
     acting = Acting(system, effects, loads)
     port = acting.drive_port(u_port(system))
@@ -104,7 +104,7 @@ class Solved:
     free: list[Node]
     a: list[Node]
     guards: tuple[Guard, ...]
-    loads: Loads | None = None
+    loads: Estimate | None = None
 
     @property
     def forces(self) -> tuple[Node, ...]:
@@ -131,12 +131,12 @@ def _solved(system: System, effects: Sequence[Effect], loops: Loops) -> Solved:
         at = system.at(system.inputs.q, {}, system.inputs.v, result.a)
         before = Equations(at, effects, result.loads, unloaded=result.loads is None)
         found = before.reactions(result.forces)
-        again = _once(system, effects, loops, found.wrenches)
+        again = _once(system, effects, loops, before.estimate(found))
         result = replace(again, guards=(*again.guards, *result.guards, *before.balance.guards, *found.guards))
     return result
 
 
-def _once(system: System, effects: Sequence[Effect], loops: Loops, loads: Loads | None) -> Solved:
+def _once(system: System, effects: Sequence[Effect], loops: Loops, loads: Estimate | None) -> Solved:
     acting, drives = driven(system, effects, loads)
     free, a, guards = Admissible(system, loops, acting.added_inertia).accelerations(acting)
     return Solved(acting, drives, free, a, tuple(guards), loads)

@@ -11,9 +11,8 @@ from symscrew.doors import doors
 
 if TYPE_CHECKING:
     from symscrew.generation.folder import EMBEDDED, check_place, generate, render, with_hashes, write_folder
-    from symscrew.generation.modes_target import CompiledModes, compiled_modes
     from symscrew.generation.target_file import Case, Finding
-    from symscrew.generation.targets import TARGETS, USUAL, by_value, printable, with_brought
+    from symscrew.generation.targets import TARGETS, USUAL, apart, by_value, printable, with_brought
     from symscrew.generation.value_comparison import Results, compare_values
 
 __all__ = [
@@ -21,13 +20,12 @@ __all__ = [
     "TARGETS",
     "USUAL",
     "Case",
-    "CompiledModes",
     "Finding",
     "Results",
+    "apart",
     "by_value",
     "check_place",
     "compare_values",
-    "compiled_modes",
     "generate",
     "printable",
     "render",

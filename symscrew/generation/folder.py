@@ -37,7 +37,7 @@ from symscrew.export import (
 )
 from symscrew.garbage import nothing_to_collect
 from symscrew.generation.target_file import Order
-from symscrew.generation.targets import TARGETS, USUAL, by_value, printable, with_brought
+from symscrew.generation.targets import TARGETS, USUAL, apart, by_value, printable, with_brought
 from symscrew.model import Model
 from symscrew.program import Iteration
 from symscrew.whole_files import PENDING, is_staging, one_at_a_time, put_files
@@ -132,6 +132,7 @@ def render(
 
     Raises:
         ValueError: an unknown target or precision, or a target that the precision cannot have.
+        OutputError: two targets that no folder holds together.
     """
     chosen = with_brought(targets)
     if precision not in PRECISIONS:
@@ -140,6 +141,8 @@ def render(
     for target in targets:
         if target not in possible:
             raise ValueError(f"expected targets among {', '.join(possible)} in {precision} precision, got {target!r}")
+    if both := apart(targets):
+        raise OutputError(both)
     order = Order(model, PRECISIONS[precision], measured, form, processes)
     with _vectors(model, processes) as vectors:
         made = _made(order, chosen)
@@ -153,13 +156,16 @@ def _made(order: Order, chosen: Sequence[str]) -> dict[str, str | bytes]:
     """The files of all targets, and of what stands beside them those that are read."""
     model, measured = order.model, order.measured
     made: dict[str, str | bytes] = {}
+    writer: dict[str, str] = {}
     further: list[str] = []
     for target in chosen:
         files = TARGETS[target].files(order)
         both = sorted(file for file in files if made.get(file, files[file]) != files[file])
         if both:
-            raise OutputError(f"target {target}: another target writes {both[0]}, too; use a directory for each")
+            first = writer[both[0]]
+            raise OutputError(f"targets {first} and {target} both write {both[0]}; use a directory for each")
         made |= files
+        writer |= dict.fromkeys(files, target)
         further += TARGETS[target].section(order)
     about = {target: TARGETS[target].about for target in chosen}
     counts: dict[str, Any] = {name: p.operations for name, p in model.programs.items()}

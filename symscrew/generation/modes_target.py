@@ -2,18 +2,15 @@
 
 from __future__ import annotations
 
-import ctypes
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from symscrew.assembly import AssemblyModes, ModesModel, assembly_modes, modes_model, print_modes
+from symscrew.assembly import AssemblyModes, CompiledModes, assembly_modes, compiled_modes, modes_model, print_modes
 from symscrew.export import banner
 from symscrew.generation.target_file import Case, Finding, Order
-from symscrew.runtime import compile_c, find_compiler
+from symscrew.runtime import find_compiler
 
 AGREEING = 1e-10  # of poses, in sizes of the mechanism: errors of certified zeros are below 1e-12
 MOVED = 0.03  # rad, or sizes of the mechanism: of the drives at the second place that is compared
@@ -41,41 +38,6 @@ def section(order: Order) -> Sequence[str]:
         "",
         f"`{name}_modes.h` says the rest. With `-O2 -march=native` paths fill the lanes of the processor.",
     ]
-
-
-@dataclass(frozen=True)
-class CompiledModes:
-    """The compiled functions; drives [rad, m] in the order of the header."""
-
-    library: ctypes.CDLL
-    model: ModesModel
-
-    @property
-    def record(self) -> type[ctypes.Structure]:
-        """The struct of a mode."""
-        drives, width = len(self.model.drives), self.model.equations.width
-        double = ctypes.c_double
-        fields = [("drives", double * drives), ("pose", double * 12), ("z", double * width), ("error", double)]
-        return type("Mode", (ctypes.Structure,), {"_fields_": [*fields, ("certified", ctypes.c_int)]})
-
-    def modes(self, drives: Sequence[float]) -> tuple[int, list[Any]]:
-        """(status, modes)."""
-        found, count = (self.record * len(self.model.start.zeros))(), ctypes.c_int(0)
-        given = (ctypes.c_double * len(drives))(*drives)
-        status = self.library[f"{self.model.name}_assembly_modes"](given, found, ctypes.byref(count))
-        return int(status), list(found[: count.value])
-
-    def led(self, mode: Any, drives: Sequence[float]) -> int:
-        """The status of leading a mode, which is changed."""
-        given = (ctypes.c_double * len(drives))(*drives)
-        return int(self.library[f"{self.model.name}_nearest_mode"](ctypes.byref(mode), given))
-
-
-def compiled_modes(model: ModesModel, directory: Path) -> CompiledModes:
-    """Compile the files of a folder; raises CompileError."""
-    library = directory / f"lib{model.name}_modes.so"
-    compile_c(directory / f"{model.name}_modes.c", library, flags=("-ffp-contract=off",))
-    return CompiledModes(ctypes.CDLL(str(library)), model)
 
 
 def compare(case: Case) -> Iterator[Finding]:

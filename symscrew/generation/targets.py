@@ -30,6 +30,7 @@ class Target:
         brings: other targets whose files its own ones need.
         by_value: endings of files whose bytes depend on more than this tool: `check` compares their numbers only, and
             they may be missing.
+        plain: files that other targets write too, with other content: no folder holds both.
     """
 
     module: str
@@ -37,6 +38,7 @@ class Target:
     precisions: tuple[str, ...] = ("double",)
     brings: tuple[str, ...] = ()
     by_value: tuple[str, ...] = ()
+    plain: tuple[str, ...] = ()
 
     def files(self, order: Order) -> Mapping[str, str | bytes]:
         """File name to content."""
@@ -58,6 +60,7 @@ class Target:
 ROOM = "symscrew.generation"
 C = "`{0}.h` and sources: C99; `{0}.hpp`: the same for C++17; `example.c`, `CMakeLists.txt`: a program to start from"
 EXTERNAL = "`{0}_external.c`, `{0}_jacobians.h`, `{0}_jacobians.c`: the C code as external functions of CasADi"
+HESSIANS = "`{0}_external_hessians.c`, `{0}_hessians.h`, `{0}_hessians.c`: exact Hessians of the external functions"
 REDUCED = "`{0}_reduced.c`, `{0}_ode.casadi`, `{0}_configuration.casadi`: the motion in y alone, for CasADi and acados"
 JAX = "`{0}_jax.py`: JAX functions with derivatives of every order, under jit, vmap, grad"
 CUDA = "`{0}.cu`, `{0}_cuda.h`: CUDA kernels, one thread a state; the same file compiles as C++"
@@ -73,10 +76,11 @@ MODELICA = "`{0}.mo`: Modelica package of external functions and blocks around t
 BOTH = ("double", "single")
 
 TARGETS: dict[str, Target] = {
-    "c": Target(f"{ROOM}.c_target", C, precisions=BOTH),
+    "c": Target(f"{ROOM}.c_target", C, precisions=BOTH, plain=("CMakeLists.txt",)),
     "casadi": Target(f"{ROOM}.casadi_target", "`*.casadi`: CasADi functions, one per file", by_value=(".casadi",)),
     "numpy": Target(f"{ROOM}.numpy_target", "`{0}_numpy.py`: NumPy functions on batches of states, without this tool"),
     "external": Target(f"{ROOM}.external_target", EXTERNAL, brings=("c",)),
+    "external_hessians": Target(f"{ROOM}.external_hessians_target", HESSIANS, brings=("c", "external")),
     "reduced": Target(f"{ROOM}.reduced_target", REDUCED, brings=("c",), by_value=(".casadi",)),
     "javascript": Target(f"{ROOM}.javascript_target", "`{0}.js`: JavaScript for a page or Node"),
     "rust": Target(f"{ROOM}.rust_target", RUST, precisions=BOTH),
@@ -85,7 +89,7 @@ TARGETS: dict[str, Target] = {
     "cuda": Target(f"{ROOM}.cuda_target", CUDA, precisions=BOTH),
     "st": Target(f"{ROOM}.structured_text_target", TEXT),
     "st_drives": Target(f"{ROOM}.structured_text_drives_target", DRIVES),
-    "ros2": Target(f"{ROOM}.ros2_target", ROS),
+    "ros2": Target(f"{ROOM}.ros2_target", ROS, plain=("CMakeLists.txt",)),
     "modes": Target(f"{ROOM}.modes_target", MODES),
     "simulink": Target(f"{ROOM}.simulink_target", SFUN, brings=("c",)),
     "modelica": Target(f"{ROOM}.modelica_target", MODELICA, brings=("c",)),
@@ -111,6 +115,19 @@ def with_brought(names: Iterable[str]) -> tuple[str, ...]:
             raise ValueError(f"expected targets among {', '.join(TARGETS)}, got {name!r}")
     brought = {other for name in wanted for other in TARGETS[name].brings}
     return tuple(name for name in TARGETS if name in wanted or name in brought)
+
+
+def apart(names: Iterable[str]) -> str:
+    """Which two of the targets, and of those that they bring along, no folder holds together; else nothing."""
+    wanted, holders = list(names), dict[str, str]()
+    for name in with_brought(wanted):
+        bringing = [other for other in wanted if name in TARGETS[other].brings and name not in wanted]
+        shown = f"{name} (brought by {bringing[0]})" if bringing else name
+        for file in TARGETS[name].plain:
+            if file in holders:
+                return f"targets {holders[file]} and {shown} both write {file}; use a directory for each"
+            holders[file] = shown
+    return ""
 
 
 def by_value(file: str) -> bool:

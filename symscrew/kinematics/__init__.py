@@ -27,6 +27,8 @@ from symscrew.kinematics.coordinate_names import (
     given_parameter,
     nearest_names,
     quaternion_entry,
+    tree_label,
+    typable_names,
 )
 from symscrew.kinematics.coupled_coordinates import Relation
 from symscrew.kinematics.cut_joints import Cut, Row, drive_row, on_hub, universal_axes
@@ -48,6 +50,7 @@ from symscrew.kinematics.pairs import (
 from symscrew.kinematics.recursion import acceleration_matrix, inertial_wrench, own_screws, rates, twists
 from symscrew.kinematics.rolling import Rolling
 from symscrew.kinematics.screws_at_origin import BodyMotion, body_motions, displacement, joint_screws, motion_screws
+from symscrew.kinematics.sloped_poses import pose_rates
 from symscrew.kinematics.structure import characteristic_length
 from symscrew.kinematics.system import System
 from symscrew.kinematics.tree import GROUND, Link, Tree, spanning_tree, virtual_joint
@@ -102,6 +105,7 @@ __all__ = [
     "on_hub",
     "own_screws",
     "pair_of",
+    "pose_rates",
     "pose_read",
     "pose_rows",
     "quaternion_entry",
@@ -113,8 +117,10 @@ __all__ = [
     "spanning_tree",
     "squared_length",
     "tree_displacement",
+    "tree_label",
     "turns_are_lost",
     "twists",
+    "typable_names",
     "unit_quaternion",
     "universal_axes",
     "virtual_joint",

@@ -19,7 +19,7 @@ from __future__ import annotations
 import difflib
 import math
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from typing import Any
 
 import sympy
@@ -60,12 +60,50 @@ def _of_joint(joint: Joint) -> dict[str, str]:
     return made
 
 
+def typable_names(mechanism: Mechanism) -> list[str]:
+    """Every name of a coordinate, then the parts of the platform's pose alone."""
+    short = [part for part in BODY_PARTS if full_name(mechanism, part) != part]
+    return [*coordinate_units(mechanism), *short]
+
+
 def full_name(mechanism: Mechanism, name: str) -> str:
     """The name with its owner: the platform's where only a part is typed, as in `tilt`."""
     owned = "." in name or name in mechanism.joints or name in mechanism.parameters or name in mechanism.bodies
     if owned or name not in BODY_PARTS or mechanism.platform is None:
         return name
     return f"{mechanism.platform}.{name}"
+
+
+def tree_label(mechanism: Mechanism, labels: Collection[str], typed: str) -> str:
+    """The label of the coordinate of the tree that a name means.
+
+    That of a platform which hangs on a joint of the package's own is this joint's: `x`, `y`, `z` its translations (of
+    its point, and counted from O), `qx`, `qy`, `qz` its quaternion, `rz` a planar one's angle.
+
+    Raises:
+        DescriptionError: the tree has no such coordinate.
+    """
+    name, virtual = full_name(mechanism, typed), virtual_joint(mechanism)
+    owner, _, part = name.rpartition(".")
+    if name in labels:
+        return name
+    if virtual is not None and owner == virtual.child:
+        if f"{virtual.name}.{part}" in labels:
+            return f"{virtual.name}.{part}"
+        for label, parts in zip(virtual.kind.motion_names(virtual.name), _parts_of(virtual), strict=True):
+            if part in parts:
+                return label
+    near = nearest_names(typed, labels)
+    hint = f"; {near}" if near.startswith("did you mean") else ""
+    raise DescriptionError(f"expected labels of q among {', '.join(labels)}, got {typed!r}{hint}")
+
+
+def _parts_of(virtual: Joint) -> tuple[tuple[str, ...], ...]:
+    """What the motions of the joint on which a platform hangs are called of the platform."""
+    if virtual.type == "free":
+        return ("x",), ("y",), ("z",), ()
+    upright = tuple(virtual.axes[0]) == (0, 0, 1)  # x and y then complete the triad
+    return (("x",), ("y",), ("rz", "yaw", "torsion")) if upright else ((), (), ())
 
 
 def given_coordinates(mechanism: Mechanism, given: Mapping[str, Any], where: str = "at") -> dict[str, sympy.Expr]:
@@ -127,7 +165,7 @@ def nearest_names(name: str, known: Iterable[str]) -> str:
     >>> nearest_names("limb5 S.qy", ["limb5_S.qx", "limb5_S.qy", "limb4_S.qy"])
     "did you mean 'limb5_S.qy'?"
     """
-    candidates = list(known)
+    candidates = list(dict.fromkeys(known))
     plain = {_plain(candidate): candidate for candidate in reversed(candidates)}
     if _plain(name) in plain:
         return f"did you mean {plain[_plain(name)]!r}?"

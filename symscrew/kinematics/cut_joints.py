@@ -61,7 +61,7 @@ class Cut:
     same unless the joint slides), `arm` the way to it from the hub's origin through the limb, in tip axes (None:
     it is better seen through the hub). A coupling of coordinates is among them as well: it has a `relation` in place of
     all that, holds no bodies together, and its row has no wrench. So is a body that rolls on another: it has a `touch`,
-    and its point in either link moves over it. `triad` holds in its rows two unit vectors across the
+    and its point in either link moves over it. Neither has axes. `triad` holds in its rows two unit vectors across the
     joint's single axis and the axis, tip axes. `reference` is hub_R_tip in the reference configuration. The rows of
     `parent_axes` are the absolute axes of the reference configuration, carried by the joint's parent, in that link's
     axes.
@@ -73,12 +73,12 @@ class Cut:
     tip_point: Vector
     hub_point: Vector
     contact: Vector
-    tip_axes: tuple[Vector, ...]
-    hub_axes: tuple[Vector, ...]
-    triad: Matrix
-    reference: Matrix
-    parent_axes: Matrix
-    tip_is_parent: bool
+    tip_axes: tuple[Vector, ...] = ()
+    hub_axes: tuple[Vector, ...] = ()
+    triad: Matrix = IDENTITY
+    reference: Matrix = IDENTITY
+    parent_axes: Matrix = IDENTITY
+    tip_is_parent: bool = False
     arm: Vector | None = None
     rows: tuple[Row, ...] = ()
 
@@ -134,12 +134,6 @@ def _rolled(at: Linkage, geometry: Geometry, given: Rolling) -> Cut:
         tip_point=place,
         hub_point=contact,
         contact=contact,
-        tip_axes=(),
-        hub_axes=(),
-        triad=IDENTITY,
-        parent_axes=IDENTITY,
-        reference=IDENTITY,
-        tip_is_parent=False,
         rows=tuple(rows),
         touch=found,
     )
@@ -156,12 +150,6 @@ def _coupled(at: Linkage, geometry: Geometry, coupling: Coupling) -> Cut:
         tip_point=ZERO,
         hub_point=ZERO,
         contact=ZERO,
-        tip_axes=(),
-        hub_axes=(),
-        triad=IDENTITY,
-        parent_axes=IDENTITY,
-        reference=IDENTITY,
-        tip_is_parent=False,
         rows=(Row(f"{coupling.name}.tie", "N" if found.sliding else "N m", ZERO, ZERO),),
         relation=found,
     )

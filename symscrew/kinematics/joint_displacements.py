@@ -38,20 +38,8 @@ def rotation_vector(tape: Tape, quaternion: Sequence[Node]) -> list[Node]:
     return [factor * x, factor * y, factor * z]
 
 
-def matrix_rotation_vector(tape: Tape, m: Sequence[Vector]) -> list[Node]:
-    """Rotation vector [rad] of a rotation matrix by angle atan2(|axial|, trace - 1); not for angles near pi."""
-    half = tape.reciprocal(tape.node(2))
-    axial = [half * (m[2][1] - m[1][2]), half * (m[0][2] - m[2][0]), half * (m[1][0] - m[0][1])]
-    sine = tape.sqrt(axial[0] * axial[0] + axial[1] * axial[1] + axial[2] * axial[2])
-    cosine = half * (m[0][0] + m[1][1] + m[2][2] - 1)
-    small = tape.function("less", sine, tape.constant(SMALL_ANGLE))
-    safe = tape.function("select", small, tape.one, sine)
-    factor = tape.function("select", small, tape.one, tape.function("atan2", sine, cosine) / safe)
-    return [factor * c for c in axial]
-
-
 def whole_rotation_vector(system: System, cut: Cut) -> list[Node]:
-    """Rotation vector [rad] of a cut ball joint, parent's axes, exact up to half a turn; in more operations.
+    """Rotation vector [rad] of a cut ball joint, parent's axes, exact up to half a turn, where the axial part vanishes.
 
     By the quaternion whose largest component is found first: 4 q_i q_k are sums of the matrix's entries.
     """
@@ -87,7 +75,7 @@ def cut_displacement(system: System, cut: Cut) -> list[Node]:
     references = cut.joint.reference or (0,) * len(motions)
     offset = [system.geometry.scalar(r) if r != 0 else tape.zero for r in references]
     if kind.ball:
-        return matrix_rotation_vector(tape, _ball_rotation(system, cut))
+        return whole_rotation_vector(system, cut)
     gap = _gap_child_from_parent(system, cut)
     sign = 1 if cut.tip_is_parent else -1
     values: list[Node] = []

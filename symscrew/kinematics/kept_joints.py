@@ -30,7 +30,8 @@ def keeping(
     coupled: Collection[str] = (),
     grow: Callable[[dict[str, Joint]], Reached],
 ) -> Reached:
-    """A tree with all joints of `read` and all helical ones whose turns its coordinates do not add up to, all coupled.
+    """A tree with all joints of `read` and all helical ones whose turns its coordinates do not add up to, all coupled
+    ones and others that need coordinates of their own.
 
     `grow` makes the tree of some joints. Of a loop a joint without a drive and with most freedoms is cut instead.
 
@@ -51,8 +52,9 @@ def keeping(
         free = [j for j in loop if j.name not in must and j.name in mechanism.joints]
         if not free:
             raise DescriptionError(
-                f"joints.{name}: its displacement is asked for over whole turns or coupled, and so is that of every "
-                "joint of its loop, of which one has to be cut; divide one of them into two with a body between them"
+                f"joints.{name}: its displacement is asked for over whole turns, coupled or bound by events, and so is "
+                "that of every joint of its loop, of which one has to be cut; divide one of them into two with a body "
+                "between them"
             )
         cut = max(free, key=lambda j: (not j.driven, j.kind.freedom))
         reached = grow({n: j for n, j in joints.items() if (n in used and n != cut.name) or n == name})

@@ -58,16 +58,19 @@ class Structure:
         loaded: Mechanism | None = None,
         read: Collection[str] = (),
         rolled: Sequence[Rolling] = (),
+        *,
+        kept: Collection[str] = (),
     ) -> None:
         """The structure of a mechanism; `loaded` is the same one with other inertias, which are taken then.
 
-        `read`: joints whose displacements effects ask for; `rolled`: bodies that roll on others.
+        `read`: joints whose displacements effects ask for; `rolled`: bodies that roll on others; `kept`: joints of
+        the tree in any case.
         """
         self.rolled = tuple(rolled)
         self.mechanism = loaded or mechanism
         self.tape = Tape()
         self.geometry = Geometry(mechanism, self.tape)
-        self.tree: Tree = spanning_tree(mechanism, read)
+        self.tree: Tree = spanning_tree(mechanism, read, kept)
         self.frames: tuple[Frame, ...] = link_frames(mechanism, self.tree, self.geometry)
         self.inputs = self._inputs()
         self._lowered: dict[tuple[tuple[int, ...], ...], Program] = {}  # by results and inputs: Newton asks for many

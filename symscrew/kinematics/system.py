@@ -50,15 +50,16 @@ class System:
         *,
         read: Collection[str] = (),
         rolled: Sequence[Rolling] = (),
+        kept: Collection[str] = (),
         configuration: Configuration | None = None,
     ) -> None:
         """The system of a mechanism; `loaded` is the same one with other inertias, which are taken then.
 
         `read` names the joints whose displacements effects ask for, which then are no places to cut a loop; `rolled`
-        says which bodies roll on others.
+        says which bodies roll on others, `kept` which joints are of the tree in any case.
         With a `configuration` it is the system of that, else at the inputs of the tree.
         """
-        here = configuration or _at_inputs(Structure(mechanism, loaded, read, rolled))
+        here = configuration or _at_inputs(Structure(mechanism, loaded, read, rolled, kept=kept))
         self.structure, self.samples, self.inputs, self.closure = (
             here.structure,
             here.samples,

@@ -135,17 +135,18 @@ class Tree:
         return tuple(i for link in links for i in range(link.v.start, link.v.stop))
 
 
-def spanning_tree(mechanism: Mechanism, read: Collection[str] = ()) -> Tree:
+def spanning_tree(mechanism: Mechanism, read: Collection[str] = (), kept: Collection[str] = ()) -> Tree:
     """The tree of a mechanism; every mechanism, serial or parallel, goes through here.
 
-    `read`: joints whose displacements effects ask for, over any number of turns; see `keeping`.
+    `read`: joints whose displacements effects ask for, over any number of turns; see `keeping`. `kept`: joints that
+    need coordinates of their own, as those with stops and friction that events switch.
     """
     virtual = virtual_joint(mechanism)
     joints = dict(mechanism.joints)
     if virtual is not None:
         joints[virtual.name] = virtual
     reached = _grow(mechanism, joints, virtual)
-    coupled = {term.joint for coupling in mechanism.couplings.values() for term in coupling.terms}
+    coupled = {*kept, *(term.joint for coupling in mechanism.couplings.values() for term in coupling.terms)}
     reached = keeping(
         mechanism, joints, reached, read=read, coupled=coupled, grow=lambda some: _grow(mechanism, some, virtual)
     )

@@ -28,7 +28,7 @@ from symscrew.algebra import (
     scale,
 )
 from symscrew.errors import DescriptionError
-from symscrew.kinematics import Link, System, unit_quaternion
+from symscrew.kinematics import Link, System, tree_label, unit_quaternion
 from symscrew.loops.closure import Closure, closures
 
 SMALL = 60
@@ -127,11 +127,10 @@ class Loops:
         known = {entry_label: k for k, entry_label in enumerate(self._labels())}
         chosen = []
         for label in labels:
-            if label not in known:
-                raise DescriptionError(
-                    f"independent coordinates: expected labels of q among {', '.join(known)}, got {label!r}"
-                )
-            chosen.append(known[label])
+            try:
+                chosen.append(known[tree_label(self.system.mechanism, known, label)])
+            except DescriptionError as error:
+                raise DescriptionError(f"independent coordinates: {error}") from error
         return chosen
 
     def _labels(self) -> list[str]:

@@ -41,7 +41,7 @@ from symscrew.mobility.margin_ranks import Ranks, with_rank
 from symscrew.mobility.motion_verdicts import confirmed, judged, why_complete, with_proof
 from symscrew.mobility.motions import BranchTable, WholeMotion, branches_through, motion_along
 from symscrew.mobility.overconstraint import Overconstraints, overconstraints
-from symscrew.mobility.proofs import MotionProof, motion_proof
+from symscrew.mobility.proofs import Evidence, MotionProof, gathered, motion_proof
 from symscrew.mobility.rank_evidence import Decisions, NumericRanks, decide, nearly_parallel, singular_values
 from symscrew.mobility.screw_systems import ScrewSystem
 from symscrew.mobility.screw_text import describe_twist, describe_wrench
@@ -170,13 +170,8 @@ class Mobility:
 
     @property
     def nearly_special(self) -> tuple[str, ...]:
-        """Other ranks that are almost lower as typed, in words: of the platform's type, of the drives' hold.
-
-        Empty where `near` says what was meant.
-        """
-        if self.near is not None:
-            return ()
-        return almost_lower(self.network, self.first_order, self.platform)
+        """Ranks of the platform's type and of the drives' hold that are almost lower; empty where `near` tells more."""
+        return () if self.near is not None else almost_lower(self.network, self.first_order, self.platform)
 
     @property
     def nearly_singular(self) -> str:
@@ -301,9 +296,12 @@ class Mobility:
     @cached_property
     def motion_proof(self) -> MotionProof | None:
         """What is proved of the real motion, by evidence that a checker can judge; None where it is not as a whole."""
-        if not self.in_reference or self.network.ties:
-            return None
-        return motion_proof(self.mechanism, self.network, self.platform.body)
+        return motion_proof(*self.evidence) if self.in_reference else None
+
+    @cached_property
+    def evidence(self) -> Evidence:
+        """What a proof file has to show: exact numbers of the description, and a proof for the motion of every part."""
+        return gathered(self.mechanism, self.network, self.platform.body)
 
     @cached_property
     def counts(self) -> FieldCounts:
@@ -443,8 +441,8 @@ def analyse_mobility(
     finite = judged(network, first_order, decisions)
     found = Mobility(mechanism, network, first_order, finite, platform, limbs, constraints, decisions,
                      reached.closed_to, coordinates, parameters, reached=reached)  # fmt: skip
-    if not coordinates and not finite.proved and finite.dof is not None and not network.ties:
-        proof = found.motion_proof
-        found = replace(found, finite=confirmed(finite, proof))
-        vars(found)["motion_proof"] = proof  # which does not rest on the judgement, and takes a second
+    if not coordinates and not finite.proved:
+        kept = {"motion_proof": found.motion_proof, "evidence": found.evidence}  # which do not rest on the judgement
+        found = replace(found, finite=confirmed(finite, found.motion_proof))
+        vars(found).update(kept)
     return found if tolerance is None else as_meant(found, tolerance)

@@ -83,8 +83,6 @@ def _by_the_checker(found: Mobility) -> list[Check]:
     """The proof file, judged by its checker, which makes screws, loops and matrices from the description by itself."""
     if found.taken is not None or not found.in_reference:
         return []  # geometry that was solved for has no exact numbers that a file could hold
-    if found.network.ties:
-        return []  # nor has a file a place for couplings: its checker would judge the mechanism without them
     verdict = check_proof(json.loads(json.dumps(mobility_proof(found))))
     real = all(text.startswith(OF_MOTION) for text in verdict.refused)
     text = f"{len(verdict.proved)} claims proved from exact numbers, {len(verdict.not_proved)} not"

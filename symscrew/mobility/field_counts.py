@@ -72,7 +72,8 @@ class FieldCounts:
         joints: g.
         freedoms: sum f.
         loops: the loops with their groups; q is their number.
-        rank: r of the closure.
+        couplings: p, relations between coordinates (gears, belts): each takes one freedom as a loop takes six.
+        rank: r of the closure, with the couplings.
         common: lambda, constraints that every joint satisfies.
         redundant: nu, redundant constraints beyond the common ones.
         isolated: zeta, passive spins.
@@ -85,6 +86,7 @@ class FieldCounts:
     joints: int
     freedoms: int
     loops: tuple[LoopCount, ...]
+    couplings: int
     rank: int
     common: int
     redundant: int
@@ -105,18 +107,19 @@ class FieldCounts:
 
     @property
     def kutzbach(self) -> int:
-        """6 (n - g - 1) + sum f."""
-        return 6 * (self.links - self.joints - 1) + self.freedoms
+        """6 (n - g - 1) + sum f - p."""
+        return 6 * (self.links - self.joints - 1) + self.freedoms - self.couplings
 
     @property
     def modified(self) -> int:
-        """d (n - g - 1) + sum f + nu - zeta: without the passive spins."""
-        return self.order * (self.links - self.joints - 1) + self.freedoms + self.redundant - self.isolated
+        """d (n - g - 1) + sum f - p + nu - zeta: without the passive spins."""
+        counted = self.order * (self.links - self.joints - 1) + self.freedoms - self.couplings
+        return counted + self.redundant - self.isolated
 
     @property
     def overconstraint(self) -> int:
-        """N = 6 q - r."""
-        return 6 * len(self.loops) - self.rank
+        """N = 6 q + p - r."""
+        return 6 * len(self.loops) + self.couplings - self.rank
 
     @property
     def redundancy(self) -> int:
@@ -125,13 +128,13 @@ class FieldCounts:
 
     @property
     def by_groups(self) -> int:
-        """sum f - sum of the dimensions of the loops' groups."""
-        return self.freedoms - sum(loop.dimension for loop in self.loops)
+        """sum f - p - sum of the dimensions of the loops' groups."""
+        return self.freedoms - self.couplings - sum(loop.dimension for loop in self.loops)
 
     @property
     def by_orders(self) -> int:
-        """Waldron, loop by loop: sum f - sum of the orders of the loops' screw systems; exact for one loop."""
-        return self.freedoms - sum(loop.order for loop in self.loops)
+        """Waldron, loop by loop: sum f - p - sum of the orders of the loops' screw systems; exact for one loop."""
+        return self.freedoms - self.couplings - sum(loop.order for loop in self.loops)
 
 
 def field_counts(
@@ -141,17 +144,17 @@ def field_counts(
     screws = unit_rows(_centred(network, [s for edge in network.edges.values() for s in edge.screws]))
     common = 6 - eliminate(screws, 6).rank if network.chords else 0
     rank = network.freedoms - found.dof
-    redundant = (6 - common) * len(network.chords) - rank
+    redundant = (6 - common) * len(network.chords) + len(network.ties) - rank
     counts = tuple(LimbCount(m.name, len(m.screws), 6 - len(m.constraints.basis)) for m in limbs)
     made_of_limbs = bool(limbs) and sorted(j for m in limbs for j in m.joints) == sorted(network.edges)
     made_of_limbs = made_of_limbs and len(limbs) == len(network.chords) + 1
     by_limbs = None
-    if made_of_limbs:
+    if made_of_limbs and not network.ties:
         wrenches = [(*w[:3], *(c / network.length for c in w[3:])) for m in limbs for w in m.constraints.basis]
         by_limbs = len(wrenches) - eliminate(unit_rows(wrenches), 6).rank - common * len(network.chords)
     return FieldCounts(
-        len(network.bodies), len(network.edges), network.freedoms, _loops(network), rank, common, redundant,
-        len(named_spins(network)), counts, platform.dof, by_limbs,
+        len(network.bodies), len(network.edges), network.freedoms, _loops(network), len(network.ties), rank,
+        common, redundant, len(named_spins(network)), counts, platform.dof, by_limbs,
     )  # fmt: skip
 
 
@@ -202,12 +205,15 @@ def _bracket(a: Screw, b: Screw) -> Row:
 def as_lines(counts: FieldCounts) -> list[str]:
     """The formulas with their numbers, a line each."""
     n, g, f, q = counts.links, counts.joints, counts.freedoms, len(counts.loops)
-    lines = [f"Kutzbach: 6 (n - g - 1) + sum f = 6 ({n} - {g} - 1) + {f} = {counts.kutzbach}"]
+    letter, p = (" - p", f" - {counts.couplings}") if counts.couplings else ("", "")
+    lines = [f"Kutzbach: 6 (n - g - 1) + sum f{letter} = 6 ({n} - {g} - 1) + {f}{p} = {counts.kutzbach}"]
+    lines[0] += f", with p = {counts.couplings} couplings" if counts.couplings else ""
     if not q:
         return lines
-    d = counts.order
+    d, more = counts.order, letter.replace("-", "+")
     lines.append(
-        f"Modified Kutzbach: d (n - g - 1) + sum f + nu - zeta = {d} ({n} - {g} - 1) + {f} + {counts.redundant} - "
+        f"Modified Kutzbach: d (n - g - 1) + sum f{letter} + nu - zeta = "
+        f"{d} ({n} - {g} - 1) + {f}{p} + {counts.redundant} - "
         f"{counts.isolated} = {counts.modified}, with lambda = {counts.common} common constraints (d = 6 - lambda), "
         f"nu = {counts.redundant} redundant, zeta = {counts.isolated} passive"
     )
@@ -216,14 +222,14 @@ def as_lines(counts: FieldCounts) -> list[str]:
         lines.append(f"Connectivity of the limbs S_Gi: {limbs}")
     lines.append(
         f"Gogu: r = {counts.rank}, M = sum f - r = {counts.mobility}, connectivity of the platform S_F = "
-        f"{counts.platform}, overconstraint N = 6 q - r = {counts.overconstraint}, redundancy T = M - S_F = "
+        f"{counts.platform}, overconstraint N = 6 q{more} - r = {counts.overconstraint}, redundancy T = M - S_F = "
         f"{counts.redundancy}"
     )
     groups: dict[str, list[str]] = {}
     for loop in counts.loops:
         groups.setdefault(loop.group, []).append(loop.joint)
     named = "; ".join(f"{group} (closed by {', '.join(joints)})" for group, joints in groups.items())
-    lines.append(f"Groups of the loops: {named}; sum f - sum of their dimensions = {counts.by_groups}")
+    lines.append(f"Groups of the loops: {named}; sum f{letter} - sum of their dimensions = {counts.by_groups}")
     orders = " + ".join(str(loop.order) for loop in counts.loops)
-    lines.append(f"Waldron: orders of the loops {orders}, sum f - sum of orders = {counts.by_orders}")
+    lines.append(f"Waldron: orders of the loops {orders}, sum f{letter} - sum of orders = {counts.by_orders}")
     return lines

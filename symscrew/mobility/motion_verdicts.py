@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from symscrew.mobility.finite import FiniteMobility, finite_mobility, smooth_mobility
+from symscrew.mobility.finite import FiniteMobility, finite_mobility, kind_of, smooth_mobility
 from symscrew.mobility.instantaneous import Instantaneous
 from symscrew.mobility.joint_network import Network
 from symscrew.mobility.motions import BranchTable
@@ -42,7 +42,13 @@ def judged(network: Network, first_order: Instantaneous, decisions: Decisions) -
 
 
 def confirmed(finite: FiniteMobility, proof: MotionProof | None) -> FiniteMobility:
-    """What was sampled, as proved where evidence that a checker can judge shows the same."""
+    """What was sampled, as proved where evidence that a checker can judge shows the same.
+
+    What was not decided by finite motions, such as singular configurations with couplings, is what is proved.
+    """
+    if proof is not None and finite.dof is None and proof.branches is not None:
+        kind, evidence = kind_of(proof.branches), (*finite.evidence, f"proved: {proof.how}")
+        return FiniteMobility(proof.dof, False, proof.branches, kind, evidence, True)
     if proof is None or (proof.dof, proof.smooth, proof.branches) != (finite.dof, finite.smooth, finite.branches):
         return finite
     return replace(finite, proved=True, evidence=(*finite.evidence, f"proved: {proof.how}"))

@@ -2,7 +2,8 @@
 
     closure rows A --left null space--> self-stresses s, s^T A = 0 --> joint wrenches without load --> joints to free
 
-A redundant constraint is a self-stress: joint wrenches in equilibrium without load, one wrench per loop. A joint
+A redundant constraint is a self-stress: joint wrenches in equilibrium without load, one wrench per loop, and one force
+per coupling of coordinates. A joint
 whose wrench takes part in a self-stress has no unique reaction. Giving a joint one freedom more, along a twist on
 which the self-stress does work, removes one redundant constraint and adds no mobility.
 """
@@ -30,20 +31,22 @@ class Overconstraints:
     """Self-stresses: joint -> wrenches (f ; m_O) that it can carry without load, scaled to metres.
 
     `cure`: one joint for each redundant constraint that can be removed by one more freedom there, with the
-    wrench that the joint must then give up, in words.
+    wrench that the joint must then give up, in words; or one coupling to be left out. `couplings`: those that can
+    pull without load.
     """
 
     count: int
     wrenches: dict[str, tuple[Screw, ...]]
     cure: tuple[str, ...]
+    couplings: tuple[str, ...] = ()
 
     def __repr__(self) -> str:
         return f"<Overconstraints: {self.count}, reactions of {len(self.wrenches)} joints not unique>"
 
     @property
     def statically_indeterminate(self) -> tuple[str, ...]:
-        """Joints whose reaction is not unique."""
-        return tuple(self.wrenches)
+        """Joints whose reaction, and couplings whose force, is not unique."""
+        return (*self.wrenches, *self.couplings)
 
 
 def overconstraints(network: Network, found: Instantaneous) -> Overconstraints:
@@ -62,7 +65,12 @@ def overconstraints(network: Network, found: Instantaneous) -> Overconstraints:
         independent = eliminate(own, 6)
         if independent.rank:
             wrenches[name] = tuple(_in_metres(row, network) for row in independent.rows)
-    return Overconstraints(len(stresses), wrenches, _cure(carried, len(stresses), network))
+    pulling = []
+    for k, tie in enumerate(network.ties, start=6 * len(network.chords)):
+        if any(abs(stress[k]) > NO_WORK for stress in stresses):
+            carried[tie.name] = [[stress[k]] for stress in stresses]
+            pulling.append(tie.name)
+    return Overconstraints(len(stresses), wrenches, _cure(carried, len(stresses), network), tuple(pulling))
 
 
 def _wrench(stress: Sequence[Real], signs: Sequence[int]) -> Row:
@@ -77,30 +85,37 @@ def _in_metres(wrench: Sequence[Real], network: Network) -> Screw:
 
 def _cure(carried: dict[str, list[Row]], count: int, network: Network) -> tuple[str, ...]:
     """Greedy: free one component of a joint's wrench; the self-stresses left carry none of it."""
-    combinations = [[1 if i == j else 0 for i in range(count)] for j in range(count)]
+    left = {name: [list(row) for row in own] for name, own in carried.items()}
     texts = []
-    while combinations:
+    for _ in range(count):
         best = None
-        for name, own in carried.items():
-            left = [[sum(c[k] * own[k][i] for k in range(count)) for i in range(6)] for c in combinations]
-            sizes = [(abs(w[i]), i) for w in left for i in range(6)]
-            size, component = max(sizes)
+        for name, rows in left.items():
+            size, component = max((abs(c), i) for row in rows for i, c in enumerate(row))
             if size and (best is None or size > best[0] * LARGER):
-                best = (size, name, component, left)
+                best = (size, name, component)
         if best is None or best[0] < NO_WORK:
             break
-        _, name, component, left = best
-        work = [w[component] for w in left]
+        _, name, component = best
+        work = [row[component] for row in left[name]]
         lead = max(range(len(work)), key=lambda k: abs(work[k]))
+        wrench = left[name][lead]
+        carries = "" if len(wrench) == 1 else describe_wrench(_in_metres(wrench, network))
         texts.append(
-            f"{name}: free {_freedom(component)}; it carries a {describe_wrench(_in_metres(left[lead], network))}"
-        )
-        combinations = [
-            [a - work[k] / work[lead] * b for a, b in zip(row, combinations[lead], strict=True)]
-            for k, row in enumerate(combinations)
-            if k != lead
-        ]
+            f"{name}: free {_freedom(component)}; it carries a {carries}" if carries
+            else f"{name}: leave this coupling out"
+        )  # fmt: skip
+        shares = [w / work[lead] for w in work]
+        left = {name: _without(rows, lead, shares) for name, rows in left.items()}
     return tuple(texts)
+
+
+def _without(rows: list[Row], lead: int, shares: Sequence[Real]) -> list[Row]:
+    """What a joint carries in the other self-stresses, each with a share of the leading one taken off."""
+    return [
+        [a - share * b if b else a for a, b in zip(row, rows[lead], strict=True)] if share else row
+        for k, (row, share) in enumerate(zip(rows, shares, strict=True))
+        if k != lead
+    ]
 
 
 def _freedom(component: int) -> str:

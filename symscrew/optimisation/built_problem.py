@@ -10,6 +10,7 @@ first leave the bounds that the motion stands on. What that does not reach is le
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
@@ -40,8 +41,10 @@ from symscrew.optimisation.solution import (
     symmetric,
     transcribe,
 )
+from symscrew.optimisation.solver_warnings import SolverWarnings
 from symscrew.optimisation.sparse import NonlinearProgram, assemble, point_functions, row_bounds
-from symscrew.optimisation.stage_order import StagedSolver, Stages, stages_of
+from symscrew.optimisation.stage_order import stages_of
+from symscrew.optimisation.stage_steps import INACTIVE, StageSolver
 from symscrew.optimisation.transcription import Transcribed, bound_by_problem, linear_cost
 from symscrew.optimisation.unknowns import Unknowns
 from symscrew.optimisation.warm_start import carried_multipliers, carried_unknowns, shifted
@@ -52,22 +55,6 @@ MOST_STEPS = 15
 # What compiled functions may differ by from the interpreted ones, relative to the largest entry: they are sums of up to
 # 30 000 operations in another order.
 AGREEING = 1e-9
-
-# Multipliers (of a cost near 1) below which a bound does not start as active: an interior-point method leaves some
-# 1e-8 / distance on every bound, and an active set that begins with all of them has nowhere to go.
-INACTIVE = 1e-5
-
-# What a step may leave, as a part of the tolerance of the whole: the last step's rest is not to be seen in the result.
-PART = 0.1
-# Stands for infinity in steps by stages [typical sizes of the unknowns]: a step that is longer is cut, and the next one
-# goes on. The method's own 1e8 costs it half of its digits.
-UNBOUNDED = 1e2
-# The barrier that a step by stages begins with, of a cost near 1: the method's own 100 takes two iterations more, and
-# one below 0.1, too near the bounds, as well.
-BARRIER = 1.0
-# Iterations of such a step: it takes 8 to 12 where it can be done. Where the Hessian is indefinite across constraints
-# of a stage (serial arms) it cannot, and is not tried again for this problem.
-MOST_BARRIERS = 25
 
 STAGED = "stages"  # the first way to be tried
 NOT_JUDGED = "not judged: the solver's constraints hold on its mesh, and nothing else was looked at"
@@ -132,8 +119,8 @@ class OptimisationProblem:
         self._points = CompiledPoints({f.name: point_functions(f) for f in self._made.families})
         self._compiled = False
         self._program = self._assembled()
-        self._stages = stages_of(self._made, self._program) if ca.has_conic("hpipm") else None
-        self._solvers: dict[str, Any] = {}
+        self._stages = stages_of(self._made, self._program)
+        self._solvers: dict[tuple[str, bool], Any] = {}
 
     # -- compiled functions ---------------------------------------------------------------------------------------
 
@@ -225,16 +212,18 @@ class OptimisationProblem:
         )  # fmt: skip
         begin = self._start(warm, shift)
         self.compiled()
-        ready = clock()
+        ready, undefined = clock(), Counter[str]()
         for name in self._ways(begin):
-            solver = self._solver(name)
-            answer = self._answer(solver, given, begin)
+            told = SolverWarnings(self._program.labels)
+            solver = self._solver(name, told.heard)
+            with told:
+                answer = self._answer(solver, given, begin)
+            undefined.update(told.counts)
             stats = solver.stats()
             if stats["success"]:
                 break
-            if name == STAGED:
-                self._stages = None
         found = self._trajectory(given, answer, stats, (began, ready, clock()))
+        found = replace(found, statistics=replace(found.statistics, undefined=dict(undefined.most_common())))
         return judged(found) if judge else found
 
     def _changed(
@@ -311,17 +300,21 @@ class OptimisationProblem:
         """The solvers to try in turn."""
         if begin.rows is None:
             return ("ipopt",)
-        return (*((STAGED,) if self._stages else ()), "active sets", "ipopt, warm")
+        return (*((STAGED,) if self._stages and self._compiled else ()), "active sets", "ipopt, warm")
 
-    def _solver(self, name: str) -> Any:
-        if name not in self._solvers:
+    def _solver(self, name: str, warn: bool) -> Any:
+        """The solver of this name; `warn`: one that says where functions are undefined on its way."""
+        if (name, warn) not in self._solvers:
+            problem, program = self.problem, self._program
+            made: StageSolver | ca.Function
             if name == STAGED and self._stages is not None:
-                self._solvers[name] = _by_stages(self.problem, self._program, self._stages)
+                made = StageSolver(self._stages, program, tolerance=problem.solver.tolerance, steps=MOST_STEPS)
             elif name == "active sets":
-                self._solvers[name] = _by_active_sets(self.problem, self._program)
+                made = _by_active_sets(problem, program, warn=warn)
             else:
-                self._solvers[name] = solver_of(self.problem, self._program, WARM if "warm" in name else {})
-        return self._solvers[name]
+                made = solver_of(problem, program, WARM if "warm" in name else {}, warn=warn)
+            self._solvers[name, warn] = made
+        return self._solvers[name, warn]
 
     def _trajectory(
         self, given: _Numbers, answer: Mapping[str, Any], stats: Mapping[str, Any], times: Sequence[np.ndarray]
@@ -352,34 +345,17 @@ def _conditions(before: Conditions, given: Given) -> Conditions:
     return replace(before, coordinates={**before.coordinates, **given})
 
 
-def _quadratic(problem: TrajectoryProblem) -> dict[str, Any]:
-    """Options of CasADi's sequential quadratic programming."""
-    return {
-        "max_iter": MOST_STEPS, "tol_pr": problem.solver.tolerance, "tol_du": problem.solver.tolerance, **USUAL,
-        "print_header": False, "print_iteration": False, "print_status": False, "print_time": False,
-        "error_on_fail": False,
-    }  # fmt: skip
-
-
-def _by_stages(problem: TrajectoryProblem, program: NonlinearProgram, stages: Stages) -> StagedSolver:
-    """Steps by HPIPM, an interior-point method that goes from stage to stage."""
-    wanted = dict.fromkeys(("res_g_max", "res_b_max", "res_d_max", "res_m_max"), PART * problem.solver.tolerance)
-    own = {**stages.options, "inf": UNBOUNDED, "error_on_fail": False}
-    own["hpipm"] = {**wanted, "mu0": BARRIER, "iter_max": MOST_BARRIERS}
-    return StagedSolver(stages, program, {**_quadratic(problem), "qpsol": "hpipm", "qpsol_options": own})
-
-
-def _by_active_sets(problem: TrajectoryProblem, program: NonlinearProgram) -> ca.Function:
+def _by_active_sets(problem: TrajectoryProblem, program: NonlinearProgram, *, warn: bool) -> ca.Function:
     """Steps by an active-set method on the whole, sparse."""
     x, p = program.x, program.p
     both = [*program.gradient(x, p), *program.jacobian(x, p)]
     first = ca.Function("nlp_jac_fg", [x, p], both, ["x", "p"], ["f", "grad_f_x", "g", "jac_g_x"])
     own = {"print_iter": False, "print_header": False, "print_info": False, "error_on_fail": False, "min_lam": INACTIVE}
     options: dict[str, Any] = {
-        "jac_fg": first,
-        "hess_lag": symmetric(program.hessian),
-        "qpsol": "qrqp",
-        "qpsol_options": own,
-    }
+        "max_iter": MOST_STEPS, "tol_pr": problem.solver.tolerance, "tol_du": problem.solver.tolerance, **USUAL,
+        "print_header": False, "print_iteration": False, "print_status": False, "print_time": False,
+        "error_on_fail": False, "show_eval_warnings": warn, "jac_fg": first, "hess_lag": symmetric(program.hessian),
+        "qpsol": "qrqp", "qpsol_options": own,
+    }  # fmt: skip
     nlp: dict[str, Any] = {"x": x, "p": p, "f": program.f, "g": program.g}
-    return ca.nlpsol("warm", "sqpmethod", nlp, {**_quadratic(problem), **options})
+    return ca.nlpsol("warm", "sqpmethod", nlp, options)

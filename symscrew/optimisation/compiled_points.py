@@ -16,6 +16,7 @@ from pathlib import Path
 import casadi as ca
 
 from symscrew.optimisation.sparse import PointFunctions
+from symscrew.optimisation.stage_steps import step_library
 from symscrew.runtime import CompileError, compile_c
 
 # A Hessian of a spatial mechanism with loops is one function of some 30 000 statements, on which a compiler spends more
@@ -67,6 +68,7 @@ def _compiled(code: str, like: Mapping[str, PointFunctions]) -> Mapping[str, Poi
         source, library = Path(temporary, "points.c"), Path(temporary, "libpoints.so")
         source.write_text(code, encoding="utf-8")
         compile_c(source, library, flags=FLAGS)
+        step_library()  # wanted as soon as these are
         # a library stays mapped when its file is gone
         return {
             family: {kind: ca.external(function.name(), str(library)) for kind, function in kinds.items()}

@@ -13,7 +13,7 @@ import numpy as np
 
 from symscrew.errors import DescriptionError, did_you_mean
 from symscrew.optimisation.casadi_graph import symbolic_outputs
-from symscrew.optimisation.motion_coordinates import bounded, coordinate, pose_conditions, poses_of
+from symscrew.optimisation.motion_coordinates import bounded, coordinate, coordinate_rate, pose_conditions, poses_of
 from symscrew.optimisation.motion_quantities import MotionQuantities
 from symscrew.optimisation.obstacles import SHAPES
 from symscrew.optimisation.problem import Conditions, Obstacle, Range, TrajectoryProblem
@@ -98,7 +98,7 @@ def bound_rows(at: MotionQuantities) -> list[Row]:
 
     rows += [_travel_row(at, label) for label in bounds.joints]
     for label in bounds.speeds:
-        add(f"speed of {label}", at.rate(label), _bound("speeds", label), 1.0 / scales.duration)
+        add(f"speed of {label}", coordinate_rate(at, label), _bound("speeds", label), 1.0 / scales.duration)
     for name in bounds.margins:
         if name not in at.margins:
             raise DescriptionError(f"bounds.margins: unknown margin {name!r}; {did_you_mean(name, at.margins)}")
@@ -216,7 +216,7 @@ def condition_rows(at: MotionQuantities, conditions: Conditions, where: str) -> 
             add(f"{what} at {where}", value, _of_coordinates(of_parts), length if is_length else 1.0)
     for label in conditions.rates:
         if label not in linear:
-            add(f"rate of {label} at {where}", at.rate(label), _target("rates", label))
+            add(f"rate of {label} at {where}", coordinate_rate(at, label), _target("rates", label))
     for name, places in conditions.points.items():
         for axis, place in enumerate(places):
             if place is not None:

@@ -194,11 +194,7 @@ def _path(model: PointModel, place: _Places) -> tuple[Path, np.ndarray, tuple[np
     given, entries = model.problem.guess, list(model.equations.layout.y)
     start = place(model.problem.start, "the start", beginning(model.system, model.problem.start))
     if given:
-        if set(given) != set(model.equations.labels):
-            raise DescriptionError(f"guess: expected values of all of {', '.join(model.equations.labels)}")
-        values = np.array([list(given[label]) for label in model.equations.labels], dtype=float).T
-        if len(values) < 2:
-            raise DescriptionError("guess: expected at least two values of every coordinate")
+        values = _given_values(model, place, start)
         times = np.linspace(0.0, 1.0, len(values))
         return Path(times, values, np.gradient(values, times, axis=0)), start, ()
     stamps, places, q = [0.0], [start[entries]], start
@@ -225,6 +221,27 @@ def _path(model: PointModel, place: _Places) -> tuple[Path, np.ndarray, tuple[np
         if c.at_rest:
             slopes[1 + k] = 0.0
     return Path(np.array(stamps), points, slopes), start, tuple(found)
+
+
+def _given_values(model: PointModel, place: _Places, start: np.ndarray) -> np.ndarray:
+    """y (n, d) at equal times of a guess: as it is given, or of the configurations that have the given coordinates.
+
+    Raises:
+        DescriptionError: other numbers of values, or fewer than two.
+    """
+    given, labels = model.problem.guess, model.equations.labels
+    counts = {name: len(values) for name, values in given.items()}
+    if min(counts.values()) < 2 or len(set(counts.values())) > 1:
+        said = ", ".join(f"{name} {count}" for name, count in counts.items())
+        raise DescriptionError(f"guess: expected as many values of every coordinate, at least two; got {said}")
+    if set(given) == set(labels):
+        return np.array([list(given[label]) for label in labels], dtype=float).T
+    q, found = start, []
+    for k in range(next(iter(counts.values()))):
+        at = Conditions(coordinates={name: float(values[k]) for name, values in given.items()})
+        q = place(at, f"value {k + 1} of the guess", q)
+        found.append(q[list(model.equations.layout.y)])
+    return np.array(found)
 
 
 def _dynamics(model: PointModel) -> tuple[ca.Function, int]:

@@ -6,9 +6,10 @@ problem --usual guess, random ones--> attempts on the first mesh, in processes -
 from __future__ import annotations
 
 import os
+from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import FIRST_EXCEPTION, wait
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -29,12 +30,16 @@ SAME_COST = 1e-4  # relative: optima on one mesh are alike to 1e-8 of their cost
 
 @dataclass(frozen=True)
 class Attempt:
-    """What came of a guess (None: the usual one): whether it is a motion, its cost, the solver's sentence."""
+    """What came of a guess (None: the usual one): whether it is a motion, its cost, the solver's sentence.
+
+    `undefined`: equation -> evaluations in which it was not finite, see `symscrew.optimisation.result.Statistics`.
+    """
 
     guess: Values | None
     ok: bool
     cost: float
     status: str
+    undefined: Mapping[str, int] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -58,6 +63,11 @@ class Search:
     def best(self) -> Attempt | None:
         """The attempt of least cost; None where none is a motion."""
         return min((a for a in self.attempts if a.ok), key=lambda a: a.cost, default=None)
+
+    @property
+    def undefined(self) -> Counter[str]:
+        """Equation -> evaluations of all attempts in which it was not finite."""
+        return sum((Counter(a.undefined) for a in self.attempts), Counter[str]())
 
     @property
     def share(self) -> float:

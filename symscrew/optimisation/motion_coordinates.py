@@ -64,7 +64,30 @@ def coordinate(at: MotionQuantities, typed: str) -> Any:
         raise DescriptionError(
             f"{typed}: this coordinate is none of the tree's; name the platform's, such as z or tilt"
         )
-    turn, moved = _pose(at, owner)
+    return _read(part, *_pose(at, owner))
+
+
+def coordinate_rate(at: MotionQuantities, typed: str) -> Any:
+    """The rate of a coordinate at a point of the motion [rad/s, m/s]."""
+    model = at.model
+    label = label_of(model.system.mechanism, typed)
+    if label in model.rate_labels:
+        return at.rate(label)
+    body, _, part = label.rpartition(".")
+    turn, moved = _pose(at, body)
+    known = ca.vertcat(*[turn[i][k] for i in range(3) for k in range(3)], *moved)
+    pose = ca.SX.sym("pose", 12)
+    value = _read(part, [[pose[3 * i + k] for k in range(3)] for i in range(3)], [pose[9 + k] for k in range(3)])
+    slope = ca.substitute(ca.jacobian(value, pose), pose, known)
+    twist = at.body_twist(body)
+    spun = ca.skew(twist[:3]) @ ca.vertcat(*[ca.horzcat(*row) for row in turn])
+    place = ca.vertcat(*moved) + _centre(at, body)
+    velocity = twist[3:] + ca.cross(twist[:3], place)
+    return slope @ ca.vertcat(ca.vec(spun.T), velocity)
+
+
+def _read(part: str, turn: list[list[Any]], moved: list[Any]) -> Any:
+    """A part of a pose."""
     if part[0] == "q":
         return half_turn(turn, ARITHMETIC)[AXES.index(part[1])]
     if part[0] == "r" and part[1:] in AXES:
@@ -89,6 +112,13 @@ def _rotation_vector(turn: list[list[Any]]) -> list[Any]:
 def _pose(at: MotionQuantities, body: str) -> tuple[list[list[Any]], list[Any]]:
     """Rotation of a body from the reference, and the displacement of the centre of its joints."""
     turn, translation = at.body_pose(body)
+    centre = _centre(at, body)
+    moved = turn @ centre + translation - centre
+    return [[turn[i, k] for k in range(3)] for i in range(3)], [moved[k] for k in range(3)]
+
+
+def _centre(at: MotionQuantities, body: str) -> ca.SX:
+    """The centre of a body's joints in the reference configuration."""
     mechanism = at.model.system.mechanism
     points = [j.point for j in mechanism.joints.values() if body in (j.parent, j.child)]
     centre = ca.SX(3, 1)
@@ -96,8 +126,7 @@ def _pose(at: MotionQuantities, body: str) -> tuple[list[list[Any]], list[Any]]:
         middle = sum(point[k] for point in points) / len(points)
         baked = {p.symbol: p.value for name, p in mechanism.parameters.items() if name not in at.parameters}
         centre[k] = expression(to_text(middle.xreplace(baked)), at.parameters, where=f"centre of {body}")
-    moved = turn @ centre + translation - centre
-    return [[turn[i, k] for k in range(3)] for i in range(3)], [moved[k] for k in range(3)]
+    return centre
 
 
 def poses_of(mechanism: Mechanism, given: Mapping[str, float], labels: Collection[str]) -> dict[str, dict[str, str]]:

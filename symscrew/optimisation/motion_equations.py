@@ -217,7 +217,7 @@ class PointEquations:
             before = Equations(moving, self.effects, loads, unloaded=loads is None)
             nodes = drives[0][1] if drives else ()
             forces = tuple(acting.drive_force(k, node) for k, node in enumerate(nodes))
-            loads = before.reactions(forces).wrenches
+            loads = before.estimate(before.reactions(forces))
             acting, drives = driven(moving, self.effects, loads)
         return acting
 
@@ -231,7 +231,7 @@ class PointEquations:
         moving = placed.at(placed.inputs.q, turns, v)
         if self.acting.needs_reactions:
             raise DescriptionError(
-                "transcription.formulation: friction that depends on the joints' loads needs the inverse formulation"
+                "transcription.formulation: an effect that depends on the joints' loads needs the inverse formulation"
             )
         acting, _ = driven(moving, self.effects)
         free, a, _ = Admissible(moving, loops, acting.added_inertia).accelerations(acting)
@@ -250,7 +250,7 @@ class PointEquations:
         loads = None
         for _ in range(acting.passes if acting.needs_reactions else 0):
             before = Equations(self.system, self.effects, loads, unloaded=loads is None)
-            loads = before.reactions([acting.drive_force(k, n) for k, n in enumerate(nodes)]).wrenches
+            loads = before.estimate(before.reactions([acting.drive_force(k, n) for k, n in enumerate(nodes)]))
             acting, _ = driven(self.system, self.effects, loads)
         equations = Equations(self.system, self.effects, loads)
         forces = [equations.forces.drive_force(k, node) for k, node in enumerate(nodes)]

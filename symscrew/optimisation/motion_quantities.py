@@ -156,6 +156,15 @@ class MotionQuantities:
         values = self._poses[12 * at : 12 * at + 12]
         return ca.reshape(values[:9], 3, 3), values[9:]
 
+    @cached_property
+    def _twists(self) -> ca.SX:
+        return self.of_tree("body_twists")["twists"]
+
+    def body_twist(self, body: str) -> ca.SX:
+        """Twist (omega ; v_O) of a body."""
+        at = moving_bodies(self.model.system).index(body)
+        return self._twists[6 * at : 6 * at + 6]
+
     @property
     def names(self) -> dict[str, Any]:
         """What an expression of a user may name: t, T, q_, v_, u_ and the parameters."""

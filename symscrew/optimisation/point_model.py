@@ -18,7 +18,7 @@ from symscrew.optimisation.motion_equations import PointEquations
 from symscrew.optimisation.problem import TrajectoryProblem
 from symscrew.optimisation.problem_numbers import Get, ProblemNumbers
 from symscrew.optimisation.rows import INFINITY, Scales
-from symscrew.optimisation.typed_names import check_typed
+from symscrew.optimisation.typed_names import check_rates, check_typed
 
 
 class PointModel:
@@ -63,16 +63,17 @@ class PointModel:
         groups: list[tuple[str, Sequence[str], Sequence[str]]] = [
             ("bounds.drives", list(bounds.drives), self.drive_labels),
             ("bounds.drive_rates", list(bounds.drive_rates), self.drive_labels),
-            ("bounds.speeds", list(bounds.speeds), self.rate_labels),
             ("bounds.reactions", list(bounds.reactions), list(self.system.mechanism.joints)),
             ("bounds.points", [name for name, _ in bounds.points], list(self.system.mechanism.points)),
             ("preload", list(problem.preload), self.drive_labels),
             ("design", list(problem.design), list(self.system.mechanism.parameters)),
             ("parameters", list(problem.parameters), list(self.system.mechanism.parameters)),
-            ("guess", list(problem.guess), self.equations.labels),
             ("turns", list(problem.turns), self._angles),
         ]
-        check_typed(self.system.mechanism, self.coordinate_labels, "bounds.joints", bounds.joints)
+        mechanism = self.system.mechanism
+        check_typed(mechanism, self.coordinate_labels, "bounds.joints", bounds.joints)
+        check_typed(mechanism, self.coordinate_labels, "guess", problem.guess)
+        check_rates(mechanism, self.rate_labels, "bounds.speeds", bounds.speeds)
         for o in problem.objectives:
             groups.append((f"objective {o.type}", [*o.weights, *o.preload], self.drive_labels))
         for shape in bounds.obstacles:
@@ -81,8 +82,8 @@ class PointModel:
         for d in bounds.distances:
             groups.append(("bounds.distances", (d.first, d.second), list(self.system.mechanism.points)))
         for which, c in (("start", problem.start), ("end", problem.end), *(("via", v) for v in problem.via)):
-            check_typed(self.system.mechanism, self.coordinate_labels, f"{which}.coordinates", c.coordinates)
-            groups.append((f"{which}.rates", list(c.rates), self.rate_labels))
+            check_typed(mechanism, self.coordinate_labels, f"{which}.coordinates", c.coordinates)
+            check_rates(mechanism, self.rate_labels, f"{which}.rates", c.rates)
             groups.append((f"{which}.points", list(c.points), list(self.system.mechanism.points)))
         for where, names, known in groups:
             for name in names:
@@ -109,7 +110,7 @@ class PointModel:
 
     @property
     def rate_labels(self) -> tuple[str, ...]:
-        """What a condition or bound on rates may name."""
+        """Labels of joints' rates; parts of poses have rates as well (`typed_names.check_rates`)."""
         return tuple(dict.fromkeys((*self.equations.labels, *self.joint_labels)))
 
     def drive_range(self, label: str) -> tuple[float, float]:

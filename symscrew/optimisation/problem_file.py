@@ -34,7 +34,7 @@ from symscrew.description import (
 from symscrew.effects import Effect, check_effects, effect_from_table
 from symscrew.errors import DescriptionError, shorten
 from symscrew.functions import u_port
-from symscrew.kinematics import BODY_PARTS, System, coordinate_units, full_name, given_coordinates
+from symscrew.kinematics import BODY_PARTS, System, coordinate_units, full_name, given_coordinates, nearest_names
 from symscrew.optimisation import problem_keys
 from symscrew.optimisation.contradictions import check_problem
 from symscrew.optimisation.problem import (
@@ -120,7 +120,7 @@ def problem_of(tables: Mapping[str, Any], *, folder: Path | None, name: str) -> 
         drive_rule=_text(head.get("drive_rule", "free"), "problem.drive_rule"),
         preload=read.numbers(tables.get("preload", {}), "preload"),
         inputs={**read.lists(base.inputs, "the scene's inputs"), **read.lists(tables.get("inputs", {}), "inputs")},
-        guess=read.lists(tables.get("guess", {}), "guess"),
+        guess=read.guess(tables.get("guess", {})),
         transcription=_transcription(tables.get("transcription", {}), read),
         solver=_solver(tables.get("solver", {}), read),
         accuracy=read.pair(head["accuracy"], "problem.accuracy") if "accuracy" in head else ACCURACY,
@@ -197,8 +197,16 @@ class _Reader:
                 parts = given_coordinates(self.mechanism, {name: value}, where)
                 found |= {part: float(numeric(entry, where=where)) for part, entry in parts.items()}
             else:
-                found[name] = self.number(value, f"{where}.{name}", self.units.get(name))
+                found[name] = self._coordinate(name, value, where)
         return found
+
+    def _coordinate(self, name: str, value: Any, where: str) -> float:
+        try:
+            return self.number(value, f"{where}.{name}", self.units.get(name))
+        except DescriptionError as error:
+            if name in self.units:
+                raise
+            raise DescriptionError(f"{where}: unknown name {name!r}; {nearest_names(name, self.units)}") from error
 
     def number(self, value: Any, where: str, unit: str | None = None) -> float:
         """A number; of a quantity whose unit is known it may be given with one, "10mm"."""
@@ -260,6 +268,18 @@ class _Reader:
             values = value if isinstance(value, list) else [value]
             result[name] = tuple(self.number(v, f"{where}.{name}[{k}]") for k, v in enumerate(values))
         return result
+
+    def guess(self, table: Any) -> dict[str, tuple[float, ...]]:
+        """Lists of values of coordinates by name, with units; of a body's `turn` those of its rotation vector."""
+        flat = self.flat(table, "guess")
+        lists = {name: value if isinstance(value, list) else [value] for name, value in flat.items()}
+        every = [
+            {name: values[k] for name, values in lists.items() if k < len(values)}
+            for k in range(max(map(len, lists.values()), default=0))
+        ]
+        read = [self.coordinates(values, f"guess, value {k + 1}") for k, values in enumerate(every)]
+        names = dict.fromkeys(name for values in read for name in values)
+        return {name: tuple(values[name] for values in read if name in values) for name in names}
 
     def vector(self, table: Mapping[str, Any], key: str, where: str) -> tuple[float, float, float] | None:
         if key not in table:

@@ -38,7 +38,11 @@ CONDITIONS: Mapping[str, Key] = {
         "and of other bodies, with units",
         'coordinates = { x = "100mm", bead.z = 0 }',
     ),
-    "rates": Key("rad/s, m/s", "rates of labels of joints; not beside at_rest", "rates = { x = 0.1 }"),
+    "rates": Key(
+        "rad/s, m/s",
+        "of coordinates by any name but tilt, azimuth and turn, with units; not beside at_rest",
+        'rates = { x = "10cm/s" }',
+    ),
     "points": Key(
         "m", 'named points, absolute axes, "free" for a coordinate that is', 'points = { bead = [0.2, "free", "free"] }'
     ),
@@ -68,7 +72,8 @@ SECTIONS: Mapping[str, Mapping[str, Key]] = {
         ),
         "independent": Key(
             "",
-            "labels of the independent coordinates y; default: the drives' where they are regular",
+            "the independent coordinates y: labels of q, or x, y, z, qx, qy, qz of a platform that hangs on a joint of "
+            "the package's own (rz of a planar one); default: the drives' where they are regular",
             'independent = ["z", "x"]',
         ),
         "drive_rule": Key(
@@ -105,7 +110,7 @@ SECTIONS: Mapping[str, Mapping[str, Key]] = {
         "joints": Key(
             BOTH, "of coordinates, by any name as in [start] but azimuth and turn", 'joints = { x = "30cm" }'
         ),
-        "speeds": Key("rad/s, m/s", "of their rates", "speeds = { x = 3 }"),
+        "speeds": Key("rad/s, m/s", "of their rates, by names as in rates", "speeds = { x = 3 }"),
         "margins": Key("1", "of singularity margins (`symscrew mobility` names them)", "margins = { bead = [1, 2] }"),
         "points": Key("m", "of coordinates of named points", "points = { bead = { x = 1 } }"),
         "reactions": Key(
@@ -186,7 +191,11 @@ OWN: Mapping[str, Key] = {
         "constant values of an effect's ports",
         '[[effects]]\ntype = "external_wrench"\npoint = "bead"\n[inputs]\nload_bead = [1, 2, 3, 0, 0, 0]',
     ),
-    "guess": Key(BOTH, "values of every y at equal times, at least two", "[guess]\nx = [0, 1, 0]\nz = [0, 0, 1]"),
+    "guess": Key(
+        BOTH,
+        "values at equal times, at least two: of every y, or of any coordinates as in [start], from which y follows",
+        "[guess]\nx = [0, 1, 0]\nz = [0, 0, 1]",
+    ),
 }
 HOLDERS: Mapping[str, type] = {
     "problem": TrajectoryProblem,

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import math
 import time
+from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
@@ -134,9 +135,11 @@ def solve(
     if found.guess.parted and warm is None and not trajectory.ok:
         trajectory = _refused(trajectory)
     say(trajectory.status)
+    spent = trajectory.statistics
     if search is not None:
         trajectory = replace(trajectory, search=search, notes=(*trajectory.notes, str(search)))
-    return replace(trajectory, statistics=trajectory.statistics.completed("errors and meshes", clock() - began))
+        spent = replace(spent, undefined=dict((search.undefined + Counter(spent.undefined)).most_common()))
+    return replace(trajectory, statistics=spent.completed("errors and meshes", clock() - began))
 
 
 def attempts(problem: TrajectoryProblem, guesses: Sequence[Values | None]) -> list[Attempt]:
@@ -150,7 +153,7 @@ def attempts(problem: TrajectoryProblem, guesses: Sequence[Values | None]) -> li
             model = PointModel(replace(problem, guess=values), usual.model.equations, usual.guess.scales)
             guess = first_guess(model)
             made = solve(model.problem, prepared=Prepared(model.problem, model, guess))
-        found.append(Attempt(values, bool(made.ok), made.cost, made.status))
+        found.append(Attempt(values, bool(made.ok), made.cost, made.status, made.statistics.undefined))
     return found
 
 

@@ -9,13 +9,32 @@ from collections.abc import Iterable, Sequence
 
 from symscrew.description import Mechanism
 from symscrew.errors import DescriptionError
-from symscrew.kinematics import BODY_PARTS, coordinate_units, full_name, nearest_names
+from symscrew.kinematics import full_name, nearest_names, typable_names
+
+NO_RATES = ("tilt", "azimuth", "turn")  # the first two where a body is upright; a turn is three numbers
 
 
 def known_names(mechanism: Mechanism, labels: Sequence[str]) -> list[str]:
     """What a condition or bound on coordinates may name: `labels` of the tree and of joints first."""
-    short = [part for part in BODY_PARTS if full_name(mechanism, part) != part]
-    return list(dict.fromkeys((*labels, *coordinate_units(mechanism), *short)))
+    return list(dict.fromkeys((*labels, *typable_names(mechanism))))
+
+
+def check_rates(mechanism: Mechanism, labels: Sequence[str], where: str, names: Iterable[str]) -> None:
+    """`check_typed` of rates: of `labels`, and of bodies' poses but for what has no rate where a body is upright.
+
+    Raises:
+        DescriptionError: begins with `where`.
+    """
+    given = list(names)
+    check_typed(mechanism, labels, where, given)
+    for name in given:
+        label = label_of(mechanism, name)
+        owner, _, part = label.rpartition(".")
+        if label not in labels and (owner not in mechanism.bodies or part in NO_RATES):
+            raise DescriptionError(
+                f"{where}: {name} has no rate here; expected rates of x, y, z, rx, ry, rz, roll, pitch, yaw or torsion "
+                "of a body, or of joints"
+            )
 
 
 def check_typed(mechanism: Mechanism, labels: Sequence[str], where: str, names: Iterable[str]) -> None:

@@ -8,6 +8,8 @@ from dataclasses import dataclass, field
 import sympy
 
 DIGITS = 12  # of a number that is no short fraction or root: more than a page has, fewer than rounding leaves
+DEGREE = 57.29577951308232  # of a radian
+WHOLE = 1e-6  # of a degree by which an angle may be off a whole number: rounding of doubles
 LONG_NUMBER = 24  # letters of an exact number that is still read at a glance
 
 
@@ -57,6 +59,16 @@ def _numbers(expression: sympy.Expr) -> set[sympy.Expr]:
 
 def _decimal(number: sympy.Expr) -> sympy.Expr:
     return sympy.Float(str(sympy.N(number, DIGITS + 3)), DIGITS)
+
+
+def degrees(angle: float) -> str:
+    """An angle [degrees] from 0 to 360 as text.
+
+    >>> degrees(-120.0000000001), degrees(12.5)
+    ('240', '12.500000000')
+    """
+    whole = round(angle) % 360
+    return str(whole) if abs(angle - round(angle)) < WHOLE else f"{angle % 360:.9f}"
 
 
 def vector_latex(vector: sympy.MatrixBase, names: Mapping[sympy.Symbol, str]) -> str:

@@ -10,12 +10,12 @@ G the rotation back by that constant, T_k = T_{k-1} Rot(G a, theta + phi) carrie
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import sympy
 
 from symscrew.description import Joint, Mechanism
-from symscrew.paper_formulas.formula import Formula, Part, latex_of, vector_latex
+from symscrew.paper_formulas.formula import DEGREE, Formula, Part, degrees, latex_of, vector_latex
 from symscrew.paper_formulas.named_lengths import Lengths
 
 LONG = 230  # letters of LaTeX of a column that still fits a line of a paper; longer ones stay (e ; r x e)
@@ -71,23 +71,23 @@ class Chain:
         self.symbols: dict[str, str] = {}
         self.made: list[Formula] = []
         self.points: dict[str, str] = {}
+        self.columns: list[str] = []
         self._run()
 
     def _run(self) -> None:
         turn, back = sympy.eye(3), sympy.eye(3)
         at = self._constant(self.freedoms[0].point) if self.freedoms else ZERO
-        columns: list[str] = []
         for k, freedom in enumerate(self.freedoms):
             index = f"{{{self.number}{k + 1}}}" if k < 9 and self.number < 10 else f"{{{self.number},{k + 1}}}"
             if k:
                 way = self._constant(back @ (freedom.point - self.freedoms[k - 1].point))
                 at = self._tidy(at + turn @ self._skew(way, "b", index))
-            still = self._skew(self._constant(back @ freedom.axis), "u", index)
-            axis = freedom.axis if freedom.spherical else self._tidy(turn @ still)
-            columns.append(rf"\boldsymbol{{S}}_{index}")
+            self.columns.append(rf"\boldsymbol{{S}}_{index}")
             if freedom.spherical:
-                self._column(freedom, index, axis, at)
+                self._column(freedom, index, freedom.axis, at)
                 continue
+            still = self._skew(self._constant(back @ freedom.axis), "u", index)
+            axis = self._tidy(turn @ still)
             if freedom.turns:
                 self._column(freedom, index, axis, at)
                 if self._leads(k):
@@ -103,8 +103,6 @@ class Chain:
                 self._column(freedom, index, axis, at)
                 at = self._tidy(at + slide * axis)
             at = self._frozen(at, "p", index)
-        matrix = r"\begin{bmatrix} " + " & ".join(columns) + r" \end{bmatrix}"
-        self.made.append(Formula(rf"\boldsymbol{{S}}_{{{self.number}}}", matrix, ("matrix",)))
 
     def _skew(self, vector: sympy.Matrix, letter: str, index: str) -> sympy.Matrix:
         """A vector of the geometry, with names where it is long and along no absolute axis: u_{ik}, a link b_{ik}."""
@@ -245,8 +243,44 @@ def limb_part(mechanism: Mechanism, joints: Sequence[str], number: int, lengths:
     title = f"Limb {number}"
     if isinstance(found, str):
         return Part(title, f"No formulas: {found}.")
-    chain = Chain(number, found, lengths)
+    along = own_axis(found, lengths)
+    chain = Chain(number, found if along is None else turned_back(found, along), lengths)
     letters = "".join(mechanism.joints[name].type for name in joints)
-    ball = any(freedom.spherical for freedom in found)
-    more = " Columns of the spherical joint are about the absolute axes through its centre." if ball else ""
-    return Part(title, f"Joints from the base: {letters}.{more}", tuple(chain.made), chain.symbols)
+    words = [f"Joints from the base: {letters}."]
+    whole = rf"\begin{{bmatrix}} {' & '.join(chain.columns)} \end{{bmatrix}}"
+    if along is not None:
+        angle = degrees(float(sympy.atan2(along[1], along[0])) * DEGREE)
+        words.append(
+            f"Its screws are in axes of its own, turned by {angle} degrees about z; $\\boldsymbol{{Z}}$ turns the "
+            "angular and the linear part of every screw."
+        )
+        whole = rf"\boldsymbol{{Z}}({angle}^{{\circ}}) {whole}"
+    if any(freedom.spherical for freedom in found):
+        which = "the absolute" if along is None else "these"
+        words.append(f"Columns of the spherical joint are about {which} axes through its centre.")
+    made = (*chain.made, Formula(rf"\boldsymbol{{S}}_{{{number}}}", whole, ("matrix",)))
+    return Part(title, " ".join(words), made, chain.symbols)
+
+
+def own_axis(freedoms: Sequence[Freedom], lengths: Lengths) -> sympy.Matrix | None:
+    """Where x of a limb's own axes points, a unit vector across z; None where the absolute axes serve as well.
+
+    The first turn about a level axis is about the limb's x or y, and the limb begins where x points: authors draw a
+    limb in a plane of its own.
+    """
+    for freedom in freedoms:
+        x, y, z = freedom.axis
+        if not freedom.turns or freedom.spherical or z != 0:
+            continue
+        if x == 0 or y == 0 or freedom.axis.free_symbols:
+            return None
+        ways = [sign * sympy.Matrix(way) for way in ((x, y, 0), (-y, x, 0)) for sign in (1, -1)]
+        return max(ways, key=lambda way: lengths.number(way.dot(freedoms[0].point)))
+    return None
+
+
+def turned_back(freedoms: Sequence[Freedom], along: sympy.Matrix) -> list[Freedom]:
+    """Freedoms in axes whose x is `along`; a spherical joint's columns are about these."""
+    c, s = along[0], along[1]
+    back = sympy.Matrix([[c, s, 0], [-s, c, 0], [0, 0, 1]])
+    return [replace(f, axis=f.axis if f.spherical else back @ f.axis, point=back @ f.point) for f in freedoms]

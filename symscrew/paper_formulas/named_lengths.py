@@ -1,6 +1,9 @@
 """Lengths that a geometry repeats, named once: sqrt(H^2 + (R - r)^2) is l from there on.
 
 expressions of the parameters --Lengths--> the same with symbols for their roots
+
+Parameters that follow from others are such names, too: of depth = sqrt(rods^2 - inwards^2) the root is written depth,
+of inwards = a + b - c the sum is written inwards where that is shorter.
 """
 
 from __future__ import annotations
@@ -10,7 +13,7 @@ from functools import cached_property
 
 import sympy
 
-from symscrew.description import Mechanism
+from symscrew.description import Mechanism, Parameter
 from symscrew.paper_formulas.formula import Formula, latex_of
 
 MOST_OPERATIONS = 30  # of an expression whose factors are looked for: a tenth of a second; longer ones have few
@@ -27,31 +30,67 @@ class Lengths:
         self._roots: dict[sympy.Expr, sympy.Symbol] = {}
         positive = {p.symbol: sympy.Symbol(p.name, positive=True) for p in mechanism.parameters.values() if p.value > 0}
         self.positive = positive
+        self._derived = _followed(mechanism, positive)
+        self._given_up: dict[sympy.Symbol, sympy.Expr] = {}
+        for symbol, formula in self._derived.items():
+            self._keep(symbol, formula)
         found: list[sympy.Expr] = []
         for joint in mechanism.joints.values():
             for vector in (joint.point, *joint.axes):
                 for entry in vector:
-                    found += [r for r in _radicands(entry.xreplace(positive)) if r not in found]
+                    found += [r for r in _radicands(self._in_few(entry)) if r not in found and r not in self._roots]
         letters = [LETTER] if len(found) == 1 else [f"{LETTER}{k}" for k in range(1, len(found) + 1)]
         for radicand, letter in zip(found, letters, strict=True):
             name = letter
             while name in mechanism.parameters:
                 name = f"{name}_0"
             self._roots[radicand] = sympy.Symbol(f"named {name}", positive=True)
-        self._letters = {symbol: str(symbol).removeprefix("named ") for symbol in self._roots.values()}
+        roots = [symbol for symbol in self._roots.values() if symbol not in self._derived]
+        self._letters = {symbol: str(symbol).removeprefix("named ") for symbol in roots}
+
+    def _keep(self, symbol: sympy.Symbol, formula: sympy.Expr) -> None:
+        """A parameter that follows from others: as a root, or in place of a term of the sum that it is."""
+        here = sympy.expand(formula.xreplace(self._given_up))
+        if here.is_Pow and here.exp == sympy.Rational(1, 2):
+            self._roots[sympy.expand(here.base)] = symbol
+            return
+        known = {*self._derived, *self._given_up}
+        for term in reversed(here.as_ordered_terms()):
+            (size, other) = term.as_coeff_Mul()
+            if abs(size) == 1 and other.is_Symbol and other not in known:
+                rest = here - term
+                if not rest.has(other):
+                    made = {other: (symbol - rest) * size}
+                    self._given_up = {old: replaced.xreplace(made) for old, replaced in self._given_up.items()} | made
+                return
+
+    def _in_few(self, expression: sympy.Expr) -> sympy.Expr:
+        """The expression in positive parameters, without those that others replace."""
+        return expression.xreplace(self.positive).xreplace(self._given_up)
+
+    def _with_sums(self, expression: sympy.Expr) -> sympy.Expr:
+        """Parameters that others have replaced, again, where that is shorter."""
+        best = expression
+        for symbol, replaced in self._given_up.items():
+            for old in sorted(replaced.free_symbols & best.free_symbols, key=str):
+                (value,) = sympy.solve(symbol - replaced, old)
+                tried = best.xreplace({old: value})
+                best = min((best, tried, sympy.expand(tried)), key=sympy.count_ops)
+        return best
 
     def named(self, expression: sympy.Expr) -> sympy.Expr:
         """The expression with its roots named."""
-        here = expression.xreplace(self.positive)
-        return here.replace(
+        here = self._in_few(expression)
+        made = here.replace(
             lambda e: e.is_Pow and e.exp.is_Rational and e.exp.q == 2 and sympy.expand(e.base) in self._roots,
             lambda e: self._roots[sympy.expand(e.base)] ** e.exp.p,
         )
+        return self._with_sums(made)
 
     def written(self, expression: sympy.Expr) -> sympy.Expr:
         """The expression with its roots written out, in positive parameters."""
         roots = {symbol: sympy.sqrt(radicand) for radicand, symbol in self._roots.items()}
-        return expression.xreplace(self.positive).xreplace(roots)
+        return self._in_few(expression).xreplace(roots)
 
     def number(self, expression: sympy.Expr, *, other: bool = False) -> float:
         """The expression in the parameters' values, or at `other` ones, with 30 digits."""
@@ -65,7 +104,10 @@ class Lengths:
     def _elsewhere(self) -> dict[sympy.Symbol, sympy.Expr]:
         """Values of no special position near the given ones."""
         far = [sympy.Rational(1000 + 7 * k + 3 * k**2, 1000) for k in range(len(self._numbers))]
-        return {symbol: value * f for (symbol, value), f in zip(self._numbers.items(), far, strict=True)}
+        moved = {symbol: value * f for (symbol, value), f in zip(self._numbers.items(), far, strict=True)}
+        for symbol, formula in self._derived.items():
+            moved[symbol] = formula.xreplace(moved)
+        return moved
 
     def tidy(self, expression: sympy.Expr) -> sympy.Expr:
         """The expression with the roots' squares written out where that makes it shorter, and factors taken out.
@@ -108,11 +150,23 @@ class Lengths:
         return made | {symbol: symbol_latex(letter) for symbol, letter in self._letters.items()}
 
     @property
+    def geometric(self) -> list[Parameter]:
+        """Parameters that points and axes of joints refer to, and those that these follow from."""
+        used = {self.positive.get(s, s) for s in _in_geometry(self.mechanism)}
+        used |= {symbol for formula in self._derived.values() for symbol in formula.free_symbols}
+        return [p for p in self.mechanism.parameters.values() if self.positive.get(p.symbol, p.symbol) in used]
+
+    @property
     def formulas(self) -> tuple[Formula, ...]:
-        """l = sqrt(...), each."""
-        return tuple(
+        """What follows from other parameters, then l = sqrt(...), each."""
+        follow = tuple(
+            Formula(self.names[symbol], latex_of(formula, self.names), ("parameter", str(symbol)))
+            for symbol, formula in self._derived.items()
+        )
+        return follow + tuple(
             Formula(self.names[symbol], latex_of(sympy.sqrt(_short(radicand)), self.names), ("length", str(symbol)))
             for radicand, symbol in self._roots.items()
+            if symbol in self._letters
         )
 
     @property
@@ -121,6 +175,28 @@ class Lengths:
         numbers = {self.positive.get(p.symbol, p.symbol): p.value for p in self.mechanism.parameters.values()}
         roots = {symbol: sympy.sqrt(radicand.xreplace(numbers)) for radicand, symbol in self._roots.items()}
         return {symbol: float(value) for symbol, value in {**numbers, **roots}.items()}
+
+
+def _followed(mechanism: Mechanism, positive: Mapping[sympy.Symbol, sympy.Symbol]) -> dict[sympy.Symbol, sympy.Expr]:
+    """Parameters of the geometry that follow from others: their symbols and formulas, each after what it refers to."""
+    made: dict[sympy.Symbol, sympy.Expr] = {}
+
+    def take(symbol: sympy.Symbol) -> None:
+        formula = mechanism.parameters[str(symbol)].formula
+        here = positive.get(symbol, symbol)
+        if formula is not None and formula.free_symbols and here not in made:
+            for other in sorted(formula.free_symbols, key=str):
+                take(other)
+            made[here] = formula.xreplace(positive)
+
+    for symbol in sorted(_in_geometry(mechanism), key=str):
+        take(symbol)
+    return made
+
+
+def _in_geometry(mechanism: Mechanism) -> set[sympy.Symbol]:
+    vectors = [v for joint in mechanism.joints.values() for v in (joint.point, *joint.axes)]
+    return {symbol for vector in vectors for entry in vector for symbol in entry.free_symbols}
 
 
 def symbol_latex(name: str) -> str:

@@ -12,14 +12,13 @@ from symscrew.description import Mechanism, markdown_text
 from symscrew.errors import DescriptionError
 from symscrew.mobility import analyse_mobility
 from symscrew.paper_formulas.equal_turns import Turned, families
-from symscrew.paper_formulas.formula import Formula, Part
+from symscrew.paper_formulas.formula import Formula, Part, degrees
 from symscrew.paper_formulas.limb_formulas import Freedom, freedoms_of, limb_part
 from symscrew.paper_formulas.named_lengths import Lengths
 from symscrew.paper_formulas.platform_formulas import platform_parts
 from symscrew.paper_formulas.spokes import spoke_part
 from symscrew.whole_files import write_text
 
-WHOLE = 1e-6  # of a degree by which an angle between equal limbs may be off a whole number: rounding of doubles
 HEAD = r"""\documentclass[11pt]{article}
 \usepackage[a4paper,margin=20mm]{geometry}
 \usepackage{amsmath}
@@ -92,10 +91,10 @@ def paper_formulas(mechanism: Mechanism) -> Paper:
     lengths = Lengths(mechanism)
     names, limbs = _limbs(mechanism)
     parts: list[Part] = []
-    if mechanism.parameters:
+    if lengths.geometric:
         symbols = {
             lengths.names[lengths.positive.get(p.symbol, p.symbol)]: f"{p.description or p.name} [{p.unit}]"
-            for p in mechanism.parameters.values()
+            for p in lengths.geometric
         }
         parts.append(Part("Lengths", "", lengths.formulas, symbols))
     read = [freedoms_of(mechanism, joints) for joints in limbs]
@@ -131,11 +130,11 @@ def _turned(family: dict[int, Turned], first: int, read: list[list[Freedom] | st
     formulas = []
     for k, turned in others.items():
         name, of = (rf"\boldsymbol{{S}}_{{{n + 1}}}" for n in (k, first))
-        text = rf"\boldsymbol{{Z}}({_degrees(turned.angle)}^{{\circ}}) {of}"
+        text = rf"\boldsymbol{{Z}}({degrees(turned.angle)}^{{\circ}}) {of}"
         if -1 in turned.signs:
             text += rf" \operatorname{{diag}}({', '.join(map(str, turned.signs))})"
         formulas.append(Formula(name, text, ("turned", str(first), str(k))))
-    said = ", ".join(f"limb {k + 1} by {_degrees(turned.angle)} degrees" for k, turned in others.items())
+    said = ", ".join(f"limb {k + 1} by {degrees(turned.angle)} degrees" for k, turned in others.items())
     words = (
         f"These are limb {first + 1} turned about z: {said}, each with its own displacements. $\\boldsymbol{{Z}}$ "
         "turns the angular and the linear part of every screw."
@@ -148,11 +147,6 @@ def _turned(family: dict[int, Turned], first: int, read: list[list[Freedom] | st
     return Part(
         ("Limb " if len(others) == 1 else "Limbs ") + ", ".join(str(k + 1) for k in others), words, tuple(formulas)
     )
-
-
-def _degrees(angle: float) -> str:
-    whole = round(angle) % 360
-    return str(whole) if abs(angle - round(angle)) < WHOLE else f"{angle % 360:.9f}"
 
 
 def _text(words: str) -> str:

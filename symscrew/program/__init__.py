@@ -9,14 +9,16 @@ equal_limbs         which parts of a mechanism do the same
 lowering            from nodes to a program
 passes              what is done to the nodes before: a table, a file each
 numpy_evaluation    programs on NumPy
-jacobians           derivatives of a program by its inputs, as a program
+jacobians           derivatives of a program by its inputs, as a program; the gradient of its weighted results
 json_form           programs as lists that JSON holds
+asked               a mapping whose values are made when somebody asks for them
 rank_revealing      the second path of forward dynamics, near singular configurations
 lanes               equal limbs side by side in vectors
 """
 
+from symscrew.program.asked import Asked
 from symscrew.program.equal_limbs import NO_LIMBS, Limb, Limbs
-from symscrew.program.jacobians import Jacobian, jacobian
+from symscrew.program.jacobians import Jacobian, adjoint, jacobian
 from symscrew.program.json_form import from_lists, to_lists
 from symscrew.program.lanes import Pack, Packing, Vector, packed
 from symscrew.program.lowering import Function, NodeLimit, lower, roots_of, with_roots
@@ -47,6 +49,7 @@ __all__ = [
     "RANK",
     "STATUS",
     "SWITCH",
+    "Asked",
     "Function",
     "Instruction",
     "Iteration",
@@ -61,6 +64,7 @@ __all__ = [
     "Program",
     "RankRevealing",
     "Vector",
+    "adjoint",
     "evaluate",
     "evaluate_iteration",
     "evaluate_rank_revealing",

@@ -91,6 +91,59 @@ def jacobian(source: Program | Iteration) -> Jacobian:
     return Jacobian(source, lower(function), blocks)
 
 
+def adjoint(source: Program) -> Program:
+    """Gradients by every input of the sum of weights . outputs: one sweep in reverse, whatever the inputs are.
+
+    Inputs are those of the source, then a weight for every entry of its outputs (adj_<output>); outputs adj_<input>.
+    """
+    tape = Tape()
+    weights = tuple(
+        Port(
+            f"adj_{p.name}",
+            p.shape,
+            tuple(f"1/({u})" for u in p.units),
+            p.labels,
+            f"weights of the entries of {p.name}",
+        )
+        for p in source.outputs
+    )
+    arguments = tuple(
+        tuple(tape.symbol(f"{port.name}_{k}", port.units[k], port.description) for k in range(port.size))
+        for port in (*source.inputs, *weights)
+    )
+    own = arguments[: len(source.inputs)]
+    entries = [node for nodes in own for node in nodes]
+    results, tested, _ = _nodes(tape, source, entries)
+    terms = [
+        (w, f) for at, out in zip(arguments[len(own) :], results, strict=True) for w, f in zip(at, out, strict=True)
+    ]
+    total = sum((w * f for w, f in terms), start=tape.zero)
+    keys = [str(k) for k in range(len(entries))]
+    seeds = {node: {key: tape.one} for node, key in zip(entries, keys, strict=True)}
+    (gradient,) = differentiate(tape, [total], seeds, keys, order="reverse")
+    found = iter(gradient)
+    ports = tuple(
+        Port(
+            f"adj_{p.name}", p.shape, tuple(f"1/({u})" for u in p.units), p.labels, f"slopes by the entries of {p.name}"
+        )
+        for p in source.inputs
+    )
+    pivots, bounded = tested[: len(source.guards)], tested[len(source.guards) :]
+    function = Function(
+        f"{source.name}_adjoint",
+        f"Gradients of the weighted sum of the results of {source.name}.",
+        (*source.inputs, *weights),
+        ports,
+        arguments,
+        tuple(tuple(next(found) for _ in range(port.size)) for port in ports),
+        guards=tuple((node, threshold) for node, (_, threshold) in zip(pivots, source.guards, strict=True)),
+        notes=source.notes,
+        limits=tuple((node, *limit[1:]) for node, limit in zip(bounded, source.limits, strict=True)),
+        reach=source.reach,
+    )
+    return lower(function)
+
+
 def _place(source: Program | Iteration, index: int) -> int | None:
     """Which input of the source an input of the differentiated program is: an iteration's are y, guess, p."""
     if not isinstance(source, Iteration):

@@ -12,7 +12,7 @@ import itertools
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from symscrew.algebra import Node, Origin, Tape, uses
+from symscrew.algebra import Node, Origin, Tape, TapeMark, tape_as_at, tape_mark, uses
 from symscrew.program.equal_limbs import NO_LIMBS, Limbs
 from symscrew.program.passes import PASSES
 from symscrew.program.straight_line import Instruction, Port, Program
@@ -44,16 +44,22 @@ class Function:
     reach: tuple[str, ...] = ()
 
 
-def lower(function: Function) -> Program:
+def lower(function: Function, mark: TapeMark | None = None) -> Program:
     """The program of a function: all passes in their order, then instructions.
+
+    What the passes make is for this function alone: the tape is as before afterwards. With the `mark` at which all
+    functions of a model had their nodes, the program is the same whenever it is asked for.
 
     Raises:
         ValueError: a result depends on an input of the model that is not among the function's.
     """
     roots = roots_of(function)
-    for rewritten in PASSES:
-        roots = rewritten(roots)
-    return _Lowering(with_roots(function, roots), uses(roots)).program()
+    tape = next((node.tape for node in (*roots, *itertools.chain(*function.arguments))), Tape())
+    mark = mark or tape_mark(tape)
+    with tape_as_at(tape, mark):
+        for rewritten in PASSES:
+            roots = rewritten(roots)
+        return _Lowering(with_roots(function, roots), uses(roots), mark.nodes).program()
 
 
 def roots_of(function: Function) -> list[Node]:
@@ -72,10 +78,14 @@ def with_roots(function: Function, roots: Sequence[Node]) -> Function:
 
 
 class _Lowering:
-    """Gives slots to nodes and writes their instructions, each once; `uses` says how often a node is read."""
+    """Gives slots to nodes and writes their instructions, each once; `uses` says how often a node is read.
 
-    def __init__(self, function: Function, uses: Mapping[int, int]) -> None:
-        self.function, self.uses = function, uses
+    `shared`: the index of the first node that is not every function's, but made by the passes.
+    """
+
+    def __init__(self, function: Function, uses: Mapping[int, int], shared: int) -> None:
+        self.function, self.uses, self.shared = function, uses, shared
+        self.folded: dict[Node, None] = {}  # constants of the passes, which stay on no tape
         self.slot: dict[int, int | float] = {}  # of a node; for a constant, its value
         self.instructions: list[Instruction] = []
         self.made: dict[tuple[object, ...], int] = {}
@@ -110,6 +120,7 @@ class _Lowering:
             f.limbs,
             limits,
             f.reach,
+            tuple(self.folded),
         )
 
     def origins(self) -> dict[int, Origin]:
@@ -149,6 +160,8 @@ class _Lowering:
                 continue
             if node.value is not None:
                 slot[node.index] = node.tape.double(node)
+                if node.index >= self.shared:
+                    self.folded[node.args[0] if node.op == "neg" else node] = None
                 continue
             if node.op == "symbol":
                 raise ValueError(

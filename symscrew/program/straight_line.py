@@ -19,7 +19,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from symscrew.algebra import Origin
+from symscrew.algebra import Node, Origin
 from symscrew.program.equal_limbs import NO_LIMBS, Limbs
 
 # every operation that an instruction may have, and the class in which it is counted
@@ -91,8 +91,9 @@ class Program:
     low ... high, None being no limit, whatever the pivots are. `reach` names the limbs that can be out of reach, in the
     order of their statuses from `OUT_OF_REACH` on. `notes` are sentences for the user of the function.
 
-    `origins` says of slots what they are in the theory, `limbs` which parts of the mechanism are equal: both are for
-    those who read or arrange the code, and change nothing of what is computed.
+    `origins` says of slots what they are in the theory, `limbs` which parts of the mechanism are equal, `folded` how
+    constants were folded that the tape does not know: these are for those who read or arrange the code, and change
+    nothing of what is computed.
     """
 
     name: str
@@ -108,6 +109,7 @@ class Program:
     limbs: Limbs = field(default=NO_LIMBS, compare=False, repr=False)
     limits: tuple[Limit, ...] = ()
     reach: tuple[str, ...] = ()
+    folded: tuple[Node, ...] = field(default=(), compare=False, repr=False)
 
     def __repr__(self) -> str:
         return f"{type(self).__name__}({_signature(self)}, {self.operations['total']} operations)"
@@ -236,9 +238,9 @@ OUT_OF_REACH = 11  # of the first limb, of further ones the numbers after it; up
 QUATERNION = "quaternion"  # of an entry of a port: one of w, x, y, z
 
 
-def status_texts(*programs: Program | Iteration) -> dict[int, str]:
-    """What every status means, those of limbs out of reach as these programs name them."""
-    names = dict.fromkeys(name for p in programs if isinstance(p, Program) for name in p.reach)
+def status_texts(*functions: object) -> dict[int, str]:
+    """What every status means, those of limbs out of reach as these functions or programs name them."""
+    names = dict.fromkeys(name for f in functions for name in getattr(f, "reach", ()))
     texts = (f"out of reach: limb {name} does not get there; all outputs are NaN" for name in names)
     return {**STATUS, **dict(enumerate(texts, OUT_OF_REACH))}
 

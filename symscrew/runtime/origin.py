@@ -82,12 +82,13 @@ def origin_of(source: Model | str | Path, precision: str | None, *, trusted: boo
     """
     if isinstance(source, Model):
         real, made = PRECISIONS[precision or "double"], source
-        own_ports = {name: (p.inputs, p.outputs) for name, p in made.programs.items()}
+        known = {name: made.declared(name) for name in made.programs}
+        own_ports = {name: (f.inputs, f.outputs) for name, f in known.items()}
 
         def printed(function: str) -> Mapping[str, str]:
             return print_c(made.only([function]) if function else made, precision=real, lanes=lanes)
 
-        return Origin(made.name, own_ports, real, lambda: made, printed, texts=status_texts(*made.programs.values()))
+        return Origin(made.name, own_ports, real, lambda: made, printed, texts=status_texts(*known.values()))
     directory = Path(source)
     content = read_manifest(directory)
     name, ports, own = read_interface(directory, content)
@@ -204,7 +205,7 @@ def _selected(model: Model, content: Mapping[str, Any]) -> Model:
 
 def _same_interface(directory: Path, model: Model, name: str, *, ports: Ports, precision: Precision) -> None:
     """What a manifest says of functions against the model that it should be of."""
-    own = {function: (program.inputs, program.outputs) for function, program in model.programs.items()}
+    own = {name: (known.inputs, known.outputs) for name in model.programs for known in [model.declared(name)]}
     if model.name != name:
         text = f"{directory}/manifest.json: it is of {name}, {DESCRIPTION} of {model.name}; generate again"
         raise OutputError(text)

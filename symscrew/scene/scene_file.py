@@ -4,8 +4,9 @@
                    rate (outputs per second), reactions (whether to record them)
     [initial]      coordinates = {NAME = value, ...}, rates = {LABEL = value, ...}, hold = [LABELS]: the given values
                    that are kept while the others are put onto the loops (all are kept without it); a coordinate of any
-                   joint or of the platform's pose, values with units ("30deg") or in rad and m; mode = NAME of an
-                   assembly mode with these values (`symscrew assemble` lists them)
+                   joint or of the platform's pose, values with units ("30deg") or in rad and m, rates by the same
+                   names or by labels of v ("2deg/s"); mode = NAME of an assembly mode with these values (`symscrew
+                   assemble` lists them)
     [[effects]]    type and the effect's own keys (`symscrew.effects`)
     [parameters]   NAME = value of a run-time parameter
     [tables.NAME]  times, values, interpolation ("linear" or "cubic")

@@ -21,6 +21,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from symscrew.algebra import most_independent
 from symscrew.loops import hub_links
 from symscrew.model import Model
 
@@ -156,15 +157,3 @@ def changed(start: str, end: str) -> tuple[str, ...]:
 def _signs(name: str) -> list[str]:
     """The signs in a name."""
     return [sign.split()[-1] for part in name.split("; ") if part for sign in part.partition(": ")[2].split(", ")]
-
-
-def most_independent(matrix: Array) -> list[int]:
-    """As many rows of a matrix as it has columns, in order: one after the other the farthest from those before."""
-    left, chosen = np.array(matrix), list[int]()
-    for _ in range(matrix.shape[1]):
-        sizes = np.linalg.norm(left, axis=1)
-        sizes[chosen] = -1.0
-        chosen.append(int(sizes.argmax()))
-        direction = left[chosen[-1]] / (sizes.max() or 1.0)
-        left = left - np.outer(left @ direction, direction)
-    return sorted(chosen)

@@ -16,10 +16,11 @@ import numpy as np
 from symscrew.assembly import configuration_in_mode
 from symscrew.effects import Acting
 from symscrew.errors import DescriptionError, did_you_mean
-from symscrew.kinematics import System, coordinate_units, full_name, nearest_names
+from symscrew.kinematics import System, full_name, nearest_names, typable_names
 from symscrew.mobility import inverse_kinematics
 from symscrew.model import Model
 from symscrew.scene import Scene
+from symscrew.simulation.named_rates import rate_rows
 from symscrew.simulation.start_branch import leaves_every_branch
 
 # Intermediate targets on the way from the reference configuration; more where fewer fail. Long strides may lead to
@@ -33,6 +34,7 @@ MOST_STEPS, LARGEST_STEP = 40, 0.5  # of Newton's method; larger steps [1, rad] 
 # Parts of the largest singular value below which rates are left alone: in singular configurations the closure does not
 # determine them. Newton's method steps over such places; rates at the start are to keep more of what was given.
 STEP_RANK, RATE_RANK = 1e-10, 1e-11
+SMALLEST = 1e-12  # of a row of given rates: a coordinate that nothing moves stays a row of zeros, and contradicts
 
 
 Found = TypeVar("Found")
@@ -113,9 +115,7 @@ def _begun(scene: Scene, model: Model, closure: _Closure) -> Asking[State]:
                 f"{np.abs(residual).max():.3g} off their ground (lengths divided by {system.length:g} m); expected a "
                 "pose where they touch, or coordinates of the tree, the others of which are found"
             )
-        labels = {c.label: k for k, c in enumerate(system.tree.v)}
-        given = dict(_labelled(scene.initial.rates, labels, "initial.rates"))
-        return placed, (yield from _rates(closure, placed, given, scene))
+        return placed, (yield from _rates(closure, placed, scene))
     target = _unit_quaternions(system, dict(_labelled(scene.initial.coordinates, known, "initial.coordinates")))
     q = None
     if hold is None:
@@ -136,9 +136,7 @@ def _begun(scene: Scene, model: Model, closure: _Closure) -> Asking[State]:
             f"(lengths divided by {system.length:g} m) with the others as in the reference; check the values, or give "
             "only independent coordinates: the others are assembled"
         )
-    known = {c.label: k for k, c in enumerate(system.tree.v)}
-    rates = dict(_labelled(scene.initial.rates, known, "initial.rates"))
-    return q, (yield from _rates(closure, q, rates, scene))
+    return q, (yield from _rates(closure, q, scene))
 
 
 def _in_mode(scene: Scene, model: Model) -> np.ndarray:
@@ -150,7 +148,7 @@ def _in_mode(scene: Scene, model: Model) -> np.ndarray:
 def _by_names(scene: Scene, model: Model) -> np.ndarray:
     """The configuration where coordinates that are not all of the tree have their values: passive joints, poses."""
     mechanism, values = model.mechanism, scene.initial.coordinates
-    known = [*(c.label for c in model.system.tree.q), *coordinate_units(mechanism)]
+    known = [*(c.label for c in model.system.tree.q), *typable_names(mechanism)]
     for label in values:
         if full_name(mechanism, label) not in known:
             raise DescriptionError(f"initial.coordinates: there is no {label!r}; {nearest_names(label, known)}")
@@ -349,21 +347,26 @@ def _turned_rates(system: System, q: np.ndarray, v: np.ndarray) -> np.ndarray:
     return np.asarray(system.numeric(system.joint_rates(at.v), (at.q, q), (at.v, v)))
 
 
-def _rates(closure: _Closure, q: np.ndarray, given: dict[int, float], scene: Scene) -> Asking[np.ndarray]:
-    n = len(closure.units)
-    if not given:
+def _rates(closure: _Closure, q: np.ndarray, scene: Scene) -> Asking[np.ndarray]:
+    n, rates, hold = len(closure.units), scene.initial.rates, scene.initial.hold
+    if not rates:
         return np.zeros(n)
+    tree = {c.label: k for k, c in enumerate(closure.system.tree.v)}
+    if hold is not None or all(label in tree for label in rates):
+        given = dict(_labelled(rates, tree, "initial.rates"))
+        scales = closure.units[list(given)]
+        rows = np.eye(n)[list(given)]
+    else:  # the size of a row is that of its coordinate: lengths by the mechanism's, angles as they are
+        rows = rate_rows(closure.model, q, rates, scene.parameters) * closure.units
+        scales = np.maximum(np.abs(rows).max(axis=1), SMALLEST)
+        rows /= scales[:, None]
     _, jacobian = yield _At(q)
-    hold, start = scene.initial.hold, np.zeros(n)
-    labels = [c.label for c in closure.system.tree.v]
-    kept = [k for k in given if hold is None or labels[k] in hold]
+    values, start = np.array(list(rates.values())) / scales, np.zeros(n)
+    kept = [k for k, label in enumerate(rates) if hold is None or label in hold]
     if hold is not None:
-        start[list(given)] = [value / closure.units[k] for k, value in given.items()]
-    pick = np.zeros((len(kept), n))
-    for i, k in enumerate(kept):
-        pick[i, k] = 1.0
-    values = np.array([given[k] / closure.units[k] for k in kept])
-    matrix = np.concatenate([pick, jacobian])
+        start[list(given)] = values
+    values = values[kept]
+    matrix = np.concatenate([rows[kept], jacobian])
     right = np.concatenate([values, np.zeros(len(jacobian))])
     v = start + np.linalg.lstsq(matrix, right - matrix @ start, rcond=RATE_RANK)[0]
     v += np.linalg.lstsq(matrix, right - matrix @ v, rcond=RATE_RANK)[0]

@@ -10,39 +10,18 @@ it computes of a system that was made for the run, not of the one that was used 
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from typing import Any, TypeVar
+from collections.abc import Mapping, Sequence
+from typing import Any
 
 import numpy as np
 
 from symscrew.description import Mechanism
 from symscrew.effects import Effect, system_under
 from symscrew.model import Model, derive
-from symscrew.program import Iteration, Program, from_lists, to_lists
+from symscrew.program import Asked, Iteration, Program, from_lists, to_lists
 from symscrew.runtime import entry, model_key
 
-T = TypeVar("T")
 KEPT = ("notes", "one_mode", "independent", "selected")  # of a model, beside its programs and states
-
-
-class Asked(Mapping[str, T]):
-    """Values that are made when they are first asked for."""
-
-    def __init__(self, lists: Mapping[str, Any], make: Callable[[Any], T]) -> None:
-        """`make` makes the value of what is in `lists`."""
-        self._lists, self._make, self._made = lists, make, dict[str, T]()
-
-    def __getitem__(self, name: str) -> T:
-        """The value, made now if nobody asked before."""
-        if name not in self._made:
-            self._made[name] = self._make(self._lists[name])
-        return self._made[name]
-
-    def __iter__(self) -> Iterator[str]:
-        return iter(self._lists)
-
-    def __len__(self) -> int:
-        return len(self._lists)
 
 
 def derived_model(mechanism: Mechanism, effects: Sequence[Effect], independent: Sequence[str] | None = None) -> Model:

@@ -169,13 +169,16 @@ def alone(whole: Model, k: int, rest: Model, *, reactions: bool = False) -> int:
     if "inertia" in effect.depends_on:
         light = replace(mechanism, bodies={name: Body(name) for name in mechanism.bodies})
         program = derive(light, whole.effects)
-        if reactions:
-            return _reactions(program)
         count, free = len(program.system.tree.v), len(program.independent) or len(program.system.tree.v)
-        return _largest(program) + program.programs["mass_matrix"].operations["total"] + 2 * free * count * count
-    still = next(one for one in simplifications().values() if not one.keeps_motion)
-    program, acting = derive(mechanism, (still, effect)), Acting(whole.system, whole.effects)
-    own = _reactions(program) if reactions else _largest(program)
+        moved = program.programs["mass_matrix"].operations["total"] + 2 * free * count * count
+        own = _reactions(program) if reactions else _largest(program) + moved
+        if "reactions" not in effect.depends_on:
+            return own
+    else:
+        still = next(one for one in simplifications().values() if not one.keeps_motion)
+        program = derive(mechanism, (still, effect))
+        own = _reactions(program) if reactions else _largest(program)
+    acting = Acting(whole.system, whole.effects)
     if "reactions" in effect.depends_on:
         return own + acting.passes * (_reactions(rest) + max(_operations(rest).values(), default=0))
     return own + acting.passes * (_reactions(program) + own) if acting.needs_reactions else own

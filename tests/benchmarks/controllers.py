@@ -8,6 +8,7 @@ Without it the comparison is left out.
 from __future__ import annotations
 
 import os
+import shutil
 import subprocess
 import tempfile
 from pathlib import Path
@@ -17,12 +18,13 @@ from support.drive_ways import AMPLITUDES, HEADERS, HERE, STUB, Way, built, foll
 
 from symscrew import catalogue
 from symscrew.description import Mechanism, MechanismBuilder
-from symscrew.export import find_drive_kinematics
+from symscrew.export import DriveKinematics, find_drive_kinematics
 from symscrew.model import derive
 
 from .tables import table
 
 MILLION = 1_000_000
+COUNTED = 20_000  # poses in which steps of the other module are counted
 # The ends of the struts by default in genhexkins.h of LinuxCNC 2.9, in machine units; here a unit is a millimetre.
 BASE = [(-22.95, 13.25), (22.95, 13.25), (22.95, 13.25), (0.0, -26.5), (0.0, -26.5), (-22.95, 13.25)]
 PLATFORM = [(-1.0, 11.5), (1.0, 11.5), (10.459, -4.884), (9.459, -6.616), (-9.459, -6.616), (-10.459, -4.884)]
@@ -78,13 +80,14 @@ def hexapod() -> Mechanism:
     return made.build()
 
 
-def genhexkins(folder: Path, place: Path) -> Path:
-    """Their module with the harness."""
+def genhexkins(folder: Path, place: Path, *more: str) -> Path:
+    """Their module with the harness, by further options of the compiler."""
     (place / "glue.c").write_text(GLUE)
     own = [str(folder / file) for file in ("genhexkins.c", "switchkins.c", "_posemath.c")]
     flags = ["-std=gnu11", "-O2", "-w", "-DRTAPI", "-DSIM", "-DUSPACE", "-D__MODULE__", f"-I{folder}", f"-I{HEADERS}"]
+    flags += more
     sources = [str(place / "glue.c"), *own, str(HERE / "harness.c")]
-    subprocess.run(["cc", *flags, *sources, "-o", str(place / "genhexkins"), "-lm"], check=True)
+    subprocess.run(["cc", *flags, *sources, "-o", str(place / "genhexkins"), "-lm"], check=True, cwd=place)
     return place / "genhexkins"
 
 
@@ -122,8 +125,23 @@ def beside(theirs: Path, place: Path, poses: int) -> tuple[str, dict[str, Any]]:
     programs = {"symscrew": built(model, own, place, HEADERS), "genhexkins": genhexkins(theirs, place)}
     rows, raw = [], {}
     for name, amplitudes in WAYS.items():
+        size = {k: float(x) for k, x in amplitudes.items()}
         for module, program in programs.items():
-            way = followed(program, own, poses, {k: float(x) for k, x in amplitudes.items()})
-            rows.append([name, module, *row(way)])
-            raw[f"{name}, {module}"] = vars(way)
-    return table(["way", "module", *HEADER], rows), raw
+            way = followed(program, own, poses, size)
+            steps = way.forward_steps if module == "symscrew" else iterations(theirs, place, own, size)
+            rows.append([name, module, *row(way)[:-1], f"{steps:.2f}"])
+            raw[f"{name}, {module}"] = {**vars(way), "steps": steps}
+    return table(["way", "module", *HEADER[:-1], "Newton steps a forward call"], rows), raw
+
+
+def iterations(theirs: Path, place: Path, own: DriveKinematics, size: dict[str, float]) -> float:
+    """Steps of Newton's method of a forward call of theirs, counted by gcov: their pin is of its second half."""
+    counted = place / "counted"
+    shutil.rmtree(counted, ignore_errors=True)
+    counted.mkdir()
+    followed(genhexkins(theirs, counted, "-O0", "--coverage"), own, COUNTED, size)
+    notes = next(path.name for path in counted.iterdir() if path.name.endswith("genhexkins.gcno"))
+    subprocess.run(["gcov", notes], cwd=counted, check=True, capture_output=True)
+    rows = (counted / "genhexkins.c.gcov").read_text(encoding="utf-8").splitlines()
+    times = next(row.split(":")[0] for row in rows if row.endswith("    iteration++;"))
+    return int(times.strip(" *")) / COUNTED

@@ -10,11 +10,12 @@ import pytest
 from support.marks import slow
 from support.model_states import model
 
+from symscrew.algebra import most_independent
 from symscrew.cli.parser import main
 from symscrew.loops import closed_limbs, hub_links, limb_coordinates
 from symscrew.scene import load_scene
 from symscrew.simulation import run_summary, simulate
-from symscrew.simulation.assembly_mode import AssemblyModes, changed, most_independent
+from symscrew.simulation.assembly_mode import AssemblyModes, changed
 
 Array = np.ndarray
 

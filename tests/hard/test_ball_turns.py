@@ -11,7 +11,7 @@ from symscrew.description.mechanism import Mechanism
 from symscrew.effects import JointSpring
 from symscrew.effects.registry import check_effects
 from symscrew.errors import DescriptionError
-from symscrew.kinematics.joint_displacements import whole_rotation_vector
+from symscrew.kinematics.joint_displacements import cut_displacement
 from symscrew.kinematics.system import System
 from symscrew.runtime.compiled import find_compiler
 from symscrew.scene.contents import Initial, Integrator, Scene
@@ -88,8 +88,9 @@ def test_the_state_is_the_turn_of_a_tumbling_body(way: str) -> None:
     assert np.abs(np.abs((turned * sign * quaternions(found)).sum(1)) - 1).max() < 1e-10
 
 
-def test_the_start_is_exact_up_to_half_a_turn() -> None:
-    """Of a ball that closes a loop, by its pose: at any angle to half a turn, about any axis, and at none."""
+def test_displacements_are_exact_up_to_half_a_turn() -> None:
+    """Of a ball that closes a loop, by its pose, where a spring's turns start: at any angle to half a turn, about any
+    axis, and at none."""
     system = System(rotor("cut", ("1", "1", "1")))
     (cut,) = system.cuts
     random = np.random.default_rng(3)
@@ -98,7 +99,7 @@ def test_the_start_is_exact_up_to_half_a_turn() -> None:
         for axis in axes:
             phi = angle * axis / np.linalg.norm(axis)
             q = [np.cos(angle / 2), *(np.sin(angle / 2) * axis / np.linalg.norm(axis)), 0]
-            found = system.numeric(whole_rotation_vector(system, cut), (system.inputs.q, np.array([q])))[0]
+            found = system.numeric(cut_displacement(system, cut), (system.inputs.q, np.array([q])))[0]
             near = min(np.abs(found - phi).max(), np.abs(found + phi).max() if angle > np.pi - 1e-10 else np.inf)
             assert near < 2e-15 * max(1.0, angle), (angle, axis)
 

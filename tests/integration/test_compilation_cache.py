@@ -246,6 +246,7 @@ def test_the_second_run_of_a_scene_compiles_and_derives_nothing(
 
 
 @pytest.mark.slow
+@pytest.mark.derived_anew
 def test_other_effects_and_parameters_are_derived_again(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     shown = []
     for gravity in ("-9.81", "-1.62", "-9.81"):
@@ -257,6 +258,7 @@ def test_other_effects_and_parameters_are_derived_again(folder: Path, capsys: py
 
 
 @pytest.mark.slow
+@pytest.mark.derived_anew
 def test_a_spoiled_derivation_is_made_again(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     (folder / "swing.toml").write_text(SCENE)
     assert main(["simulate", str(folder / "swing.toml"), "--json"]) == 0

@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import json
 import os
+import random
 import re
 import shutil
 import subprocess
@@ -74,10 +75,50 @@ def test_tables_fit_sixty_columns(command: list[str], monkeypatch: pytest.Monkey
     assert max(len(line) for line in re.sub(r"\x1b\[[\d;]*m", "", stream.getvalue()).splitlines()) <= 60
 
 
-@pytest.mark.slow
-def test_pipe_gets_markdown() -> None:
-    done = subprocess.run([sys.executable, "-m", "symscrew", "list"], capture_output=True, text=True, check=True)
-    assert "\x1b" not in done.stdout and done.stdout.startswith("| name")
+@pytest.mark.parametrize("columns", ["", "120", "no number"])
+def test_a_pipe_gets_plain_text_in_sixty_columns_or_as_many_as_there_are(
+    columns: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Markdown where it fits; else paragraphs, in which names are whole."""
+    monkeypatch.setenv("COLUMNS", columns)
+    monkeypatch.setattr(os, "get_terminal_size", _no_terminal)
+    assert main(["list"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert "\x1b" not in "".join(lines)
+    assert max(map(len, lines)) <= (120 if columns == "120" else 60)
+    assert lines[0].startswith("| name ") == (columns == "120")
+    assert columns == "120" or "three_ups_upu_s_physical" in lines
+
+
+def test_a_pager_has_the_width_of_the_terminal_that_shows_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The standard output of `symscrew list | less` is no terminal, but that of errors is."""
+    monkeypatch.delenv("COLUMNS", raising=False)
+    screen = sys.__stderr__.fileno()
+    monkeypatch.setattr(
+        os, "get_terminal_size", lambda of: os.terminal_size((97, 30)) if of == screen else _no_terminal()
+    )
+    assert terminal.console_width() == 97
+
+
+def _no_terminal(*_: object) -> os.terminal_size:
+    raise OSError("no terminal")
+
+
+@pytest.mark.parametrize("seed", range(30))
+def test_a_fitting_table_loses_no_word_and_breaks_none(seed: int) -> None:
+    draw = random.Random(seed)
+    header, *rows = [
+        [" ".join("x" * draw.randint(1, 9) + str(draw.randint(0, 99)) for _ in range(draw.randint(k == 0, 4)))
+         for k in range(4)] for _ in range(6)]  # fmt: skip
+    wide = draw.randint(50, 130)
+    text = terminal.fitting_table(header, rows, wide)
+    words = sorted(re.sub(r"[|:,]|--+", " ", text).split())
+    assert max(map(len, text.splitlines())) <= wide
+    if text.startswith("|"):
+        assert words == sorted(" ".join(" ".join(row) for row in (header, *rows)).split())
+        assert all(row[0] in text for row in rows)
+    else:
+        assert set(" ".join(" ".join(row) for row in rows).split()) <= set(words)
 
 
 def test_doctor_says_what_to_do(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:

@@ -4,27 +4,17 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
 
 import numpy as np
 import pytest
-from support.derived_once import derived_once
 
 from symscrew.cli.parser import main
 from symscrew.studies.demo import paper_figures
 from symscrew.studies.demo.paper_motion import SECTION_5, CircularTilt, Scene
 from symscrew.studies.demo.paper_study import Demo, study_paper
 from symscrew.studies.platform_motion import integrate
-
-
-@pytest.fixture(scope="module", autouse=True)
-def models_once() -> Iterator[None]:
-    """The whole demo and its short form are of the same mechanisms."""
-    with derived_once():
-        yield
-
 
 SHORT = Scene(CircularTilt(), 1.0, 200, "E", SECTION_5.load)
 

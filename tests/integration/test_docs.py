@@ -4,23 +4,13 @@ from __future__ import annotations
 
 import re
 import shlex
-from collections.abc import Iterator
 from importlib import import_module
 from pathlib import Path
 
 import pytest
-from support.derived_once import derived_once
 from support.documentation import DOCS, PAGES, ROOT, identity
 
 from symscrew.cli.parser import COMMANDS, main, parser
-
-
-@pytest.fixture(autouse=True)
-def models_once() -> Iterator[None]:
-    """Commands of a page derive the same mechanism again and again."""
-    with derived_once():
-        yield
-
 
 BLOCK = re.compile(r"^```(\w+)(?: title=\"([\w.]+)\")?\n(.*?)^```", re.M | re.S)
 CODE = [p for p in PAGES if BLOCK.search(p.read_text())]

@@ -76,24 +76,44 @@ def test_jacobians_of_programs_are_their_finite_differences(name):
 
 
 @pytest.mark.slow
-def test_values_and_names_are_those_of_the_model(four_bar):
+def test_values_names_and_statuses_are_those_of_the_model_and_of_its_casadi_functions(four_bar):
+    """Every function, states that fail among them."""
     found = model("four_bar")
+    own = casadi_functions(found)
+    codes = set()
     for name, program in found.programs.items():
         function = ca.external(f"four_bar_casadi_{name}", str(four_bar))
-        assert function.name_in() == [port.name for port in program.inputs]
-        assert function.name_out() == [port.name for port in program.outputs]
-        expected, status = found(name, *found.test_inputs[name])
-        for k in np.flatnonzero(np.asarray(status) == 0):
-            got = function.call([array[k] for array in found.test_inputs[name]])
-            for a, b in zip(got, expected, strict=True):
-                assert np.array(a).T.ravel() == pytest.approx(b[k], rel=1e-12, abs=1e-12)
+        assert function.name_in() == own[name].name_in() == [port.name for port in program.inputs]
+        assert function.name_out() == own[name].name_out() == [*(port.name for port in program.outputs), "status"]
+        for k in range(function.n_in()):
+            assert function.size_in(k) == own[name].size_in(k), name
+        for k in range(function.n_out()):
+            assert function.size_out(k) == own[name].size_out(k), name
+        broken = [np.where(k == 0, np.nan, array[:1]) for k, array in enumerate(found.test_inputs[name])]
+        inputs = [np.concatenate(pair) for pair in zip(found.test_inputs[name], broken, strict=True)]
+        expected, status = found(name, *inputs)
+        for k, code in enumerate(np.ravel(status)):
+            *got, said = function.call([array[k] for array in inputs])
+            *others, known = own[name].call([array[k] for array in inputs])
+            codes.add(int(code))
+            assert int(said) == code and int(known) == (code if code >= 0 else 1), name
+            for a, b, c in zip(got, expected, others, strict=True):
+                assert np.array(a).T.ravel() == pytest.approx(b[k], rel=1e-12, abs=1e-12, nan_ok=True)
+                assert code != 0 or np.array(a) == pytest.approx(np.array(c), rel=1e-12, abs=1e-12)
+    assert {0, 2} <= codes
 
 
 @pytest.mark.slow
-def test_a_failed_state_is_a_failed_evaluation(four_bar):
+def test_a_failed_state_is_a_failed_evaluation_of_those_who_do_not_ask_for_the_status(four_bar):
     function = ca.external("four_bar_casadi_assemble", str(four_bar))
-    with pytest.raises(RuntimeError, match="Evaluation failed"):
-        function([np.nan], [0, 0, 0])
+    q, status = function([np.nan], [0, 0, 0])
+    assert int(status) == 2 and np.isnan(np.array(q)).all()
+    y = ca.MX.sym("y")
+    only = ca.Function("only", [y], [function(y, ca.DM.zeros(3))[0]])
+    assert np.array(only(0.2)) == pytest.approx(np.array(function([0.2], [0, 0, 0])[0]))
+    for failing in (only, only.jacobian(), ca.Function("slope", [y], [ca.jacobian(only(y), y)])):
+        with pytest.raises(RuntimeError, match="Evaluation failed"):
+            failing.call([np.nan] * failing.n_in())
 
 
 @pytest.mark.slow
@@ -106,7 +126,8 @@ def test_the_jacobian_is_sparse_and_can_be_mapped(four_bar):
     mapped = function.map(4)
     q, v, y = (array[:4].T for array in model("four_bar").test_inputs["acceleration"])
     expected = model("four_bar")("acceleration", q.T, v.T, y.T)[0][0]
-    assert np.array(mapped(q, v, y)) == pytest.approx(expected.T, abs=1e-12)
+    accelerations, status = mapped(q, v, y)
+    assert not np.any(status) and np.array(accelerations) == pytest.approx(expected.T, abs=1e-12)
 
 
 @pytest.mark.slow
@@ -116,10 +137,10 @@ def test_ipopt_with_external_functions_and_their_derivatives(four_bar):
     dynamics = ca.external("four_bar_casadi_inverse_dynamics_independent", str(four_bar))
     energy = ca.external("four_bar_casadi_energy", str(four_bar))
     y = ca.MX.sym("y")
-    q = assemble(y, ca.DM.zeros(3))
-    torque = dynamics(q, 0, 0)
+    q, _ = assemble(y, ca.DM.zeros(3))
+    torque, _ = dynamics(q, 0, 0)
     options = {"ipopt.print_level": 0, "print_time": False, "ipopt.hessian_approximation": "limited-memory"}
-    height = energy(q, ca.DM.zeros(3))[1]
+    height = energy(q, ca.DM.zeros(3))[0][1]
     solver = ca.nlpsol("solver", "ipopt", {"x": y, "f": -height}, options)
     found = solver(x0=0.2, lbx=-1.5, ubx=1.5)
     assert solver.stats()["success"]
@@ -139,7 +160,7 @@ def test_second_derivatives_are_refused_and_can_be_had_from_the_other_target(fou
     q = ca.MX.sym("q", 3)
     rest = ca.DM.zeros(3)
     with pytest.raises(RuntimeError, match="Derivatives cannot be calculated for jac_four_bar_casadi_energy"):
-        ca.hessian(energy(q, rest)[1], q)
+        ca.hessian(energy(q, rest)[0][1], q)
     own = casadi_functions(model("four_bar").only(["energy", "closure"]))
     rows = sorted(set(closure.jacobian().sparsity_out(0).row()))  # of five, those that a planar motion changes
     multiplier, multipliers = ca.MX.sym("multiplier"), ca.MX.sym("multipliers", len(rows))
@@ -151,13 +172,13 @@ def test_second_derivatives_are_refused_and_can_be_had_from_the_other_target(fou
     exact = {"hess_lag": ca.Function("hess_lag", arguments, [upper], names, ["triu_hess_gamma_x_x"])}
     found = []
     for options in (exact, {"ipopt.hessian_approximation": "limited-memory"}):
-        problem = {"x": q, "f": -energy(q, rest)[1], "g": closure(q)[rows]}
+        problem = {"x": q, "f": -energy(q, rest)[0][1], "g": closure(q)[0][rows]}
         solver = ca.nlpsol("solver", "ipopt", problem, {"ipopt.print_level": 0, "print_time": False, **options})
         found.append((np.array(solver(x0=[0.2, 0, 0], lbg=0, ubg=0)["x"]), solver.stats()))
     (first, stats), (second, others) = found
     assert stats["success"] and others["success"] and stats["iter_count"] < others["iter_count"]
     assert first == pytest.approx(second, abs=1e-6)
-    torque = ca.external("four_bar_casadi_inverse_dynamics", str(four_bar))(first, rest, rest)
+    torque = ca.external("four_bar_casadi_inverse_dynamics", str(four_bar))(first, rest, rest)[0]
     assert abs(float(torque)) < 1e-6
 
 

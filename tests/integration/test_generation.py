@@ -55,7 +55,7 @@ def test_check_covers_every_target(four_bar, tmp_path):
     said = "\n".join(result.lines)
     for what in (
         "operations", "same bytes", "reads it without warnings", "C agrees", "CasADi agrees", "NumPy module agrees",
-        "CasADi external agrees", "Jacobians of CasADi externals",
+        "CasADi external agrees", "Jacobians of CasADi externals", "Hessians of CasADi externals",
         "JavaScript", "FMU: accelerations agree", "FMU: a step", "MJCF read back", "arm: ok: URDF read back",
     ):  # fmt: skip
         assert what in said

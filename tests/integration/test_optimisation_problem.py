@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from support.marks import slow
-from support.optimal_problems import cart_pole_problem, seed
+from support.optimal_problems import cart_pole_problem, pendulum, rest_to_rest, seed
 
 from symscrew.description import Mechanism, MechanismBuilder, load_description
 from symscrew.errors import DescriptionError
@@ -139,9 +139,11 @@ def test_steps_by_stages_and_by_active_sets_find_the_same() -> None:
     alone = _built(replace(problem(), objectives=(Objective("effort"),), bounds=problem().bounds))
     assert alone._stages is not None and alone._stages.states == (4,) * 9 and alone._stages.controls[-1] == 0
     warm = alone.solve()
+    alone._compiled = True  # steps by stages come with the compiler; they take interpreted functions as well
     for stages in (alone._stages, None):
         alone._stages = stages
         found.append(alone.solve(start={"slide": 0.02}, warm=warm))
+    assert [name for name, _ in alone._solvers] == ["ipopt", "stages", "active sets"]
     assert all(f.solved and f.statistics.iterations <= 4 for f in found)
     assert found[0].cost == pytest.approx(found[1].cost, rel=1e-9)
     assert np.abs(found[0].x - found[1].x).max() < 1e-6
@@ -274,3 +276,17 @@ def test_the_seed_is_solved_again_within_three_steps() -> None:
         known = solve(replace(base, start=replace(base.start, coordinates=given)))
         assert found.solved and found.statistics.iterations <= 3
         assert found.cost == pytest.approx(known.cost, rel=1e-8) and found.errors.closure < 1e-9
+
+
+def test_warnings_are_counted_and_named_on_every_way(capsys: pytest.CaptureFixture[str]) -> None:
+    """Cold by an interior-point method; from where a function is undefined by active sets, then by the former."""
+    text = "sqrt(1.05 - q_hinge)"
+    usual = {**rest_to_rest({"hinge": 0.0}, {"hinge": 1.0}), "accuracy": None, "duration": (0.1, 10)}
+    built = without_compiler(TrajectoryProblem(
+        pendulum(), **usual, bounds=Bounds(expressions={text: (0, 5)}), objectives=(Objective("time"),),
+        transcription=Transcription(degree=2, intervals=4),
+    ))  # fmt: skip
+    first = built.solve()
+    assert first.solved and first.statistics.undefined == {text: 1}
+    far = built.solve(warm=replace(first, x=2 * first.x))
+    assert far.statistics.undefined == {text: 2} and not capsys.readouterr().err

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import dataclasses
 import re
 
 import numpy as np
@@ -31,7 +30,7 @@ def short_parts(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def chosen(name: str) -> Model:
     found = model(name)
-    return dataclasses.replace(found, programs={n: p for n, p in found.programs.items() if n in FUNCTIONS})
+    return found.only(FUNCTIONS)
 
 
 @pytest.mark.skipif(find_compiler() is None, reason="no C compiler")

@@ -35,7 +35,8 @@ STRICT = ["-pedantic", "-Wall", "-Wextra", "-Wconversion", "-Wshadow", "-Werror"
 def directory(request, generated, tmp_path_factory) -> Path:
     """All targets of a closed chain; those of an open one, with run-time parameters."""
     folder = tmp_path_factory.mktemp("generated") / request.param
-    apart = ("urdf", "reduced", "ros2", "modes")  # the first of open chains, the last in a folder of its own
+    # the first of open chains, the last in a folder of its own
+    apart = ("urdf", "external_hessians", "reduced", "ros2", "modes")
     further = [t for t in TARGETS if t not in apart] if request.param == "four_bar" else [*USUAL, "urdf"]
     shutil.copytree(generated(request.param, further), folder)
     return folder

@@ -188,6 +188,7 @@ def test_what_cannot_be_reduced_is_refused() -> None:
         print_reduced(derive(catalogue.load("four_bar")))
 
 
+@pytest.mark.derived_anew
 @pytest.mark.parametrize("mechanism", [pendulum(), slow(catalogue.load("four_bar"))], ids=lambda m: m.name)
 def test_a_selection_of_second_derivatives_is_derived_again(mechanism: Mechanism, tmp_path: Path) -> None:
     """What `check` and `load` compare a folder with: `--functions` may leave the Hessian alone.

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import random
 import re
 import shutil
 import subprocess
@@ -15,15 +16,18 @@ from support.latex_values import Values
 from support.model_states import model
 
 from symscrew.cli.parser import main
+from symscrew.description import parse_description
 from symscrew.errors import DescriptionError
 from symscrew.mobility import analyse_mobility
 from symscrew.paper_formulas import Paper, paper_formulas
-from symscrew.paper_formulas.named_lengths import symbol_latex
+from symscrew.paper_formulas.named_lengths import Lengths, symbol_latex
 from symscrew.studies.platform_motion import platform_index
 
 Array = np.ndarray
 QUICK = ("planar_3rrr", "sarrus", "slider_crank", "bennett")
 LARGE = ("three_ups_upu_s", "delta", "ur5", "five_bar", "stewart_6ups")
+LONGEST = {"delta": 320, "three_ups_upu_s": 180, "planar_3rrr": 220, "sarrus": 180, "five_bar": 250, "ur5": 760}
+"""Letters of the longest formula, as counted: a line of a paper holds about 230."""
 NAMES = [*QUICK, *(pytest.param(name, marks=pytest.mark.slow) for name in LARGE)]
 
 
@@ -85,6 +89,7 @@ def test_every_formula_is_what_the_code_computes(name: str) -> None:
         reader = Reader(name, state)
         for formula in reader.paper.formulas:
             compared += _compared(reader, formula.name, formula.latex, formula.code)
+    assert max(len(formula.text) for formula in paper(name).formulas) <= LONGEST.get(name, 10**4)
     assert compared >= 3 * sum(formula.code[:1] == ("screw",) for formula in reader.paper.formulas) > 0
 
 
@@ -119,11 +124,25 @@ def _compared(reader: Reader, name: str, latex: str, code: tuple[str, ...]) -> b
         return False  # looked at as soon as the length is printed
     value = reader.value(latex)
     reader.define(name, value)
+    if kind == "parameter":
+        np.testing.assert_allclose(value, float(reader.paper.mechanism.parameters[code[1]].value), rtol=1e-12)
+        return True
     if kind == "screw":
-        return _screw(reader, code[1], value)
+        return _screw(reader, code[1], np.kron(np.eye(2), _own_turn(reader.paper, name)) @ value)
     if kind in ("constraint", "freedom", "locus"):
         return _platform(reader, kind, code, value)
     return False
+
+
+def _own_turn(of: Paper, screw: str) -> Array:
+    """The turn about z that the matrix of a limb says of its columns, from its print alone."""
+    whole = next(f.latex for f in of.formulas if f.code == ("matrix",) and f"{screw} " in f.latex)
+    said = re.match(r"\\boldsymbol\{Z\}\((\d+(?:\.\d+)?)\^", whole)
+    return _about_z(np.radians(float(said[1]) if said else 0.0))
+
+
+def _about_z(angle: float) -> Array:
+    return np.array([[np.cos(angle), -np.sin(angle), 0], [np.sin(angle), np.cos(angle), 0], [0, 0, 1]])
 
 
 def _screw(reader: Reader, label: str, value: Array) -> bool:
@@ -146,9 +165,9 @@ def _turned(reader: Reader, name: str, latex: str, code: tuple[str, ...]) -> Non
     given = re.search(r"diag\}\(([-\d, ]+)\)", latex)
     freedoms = [n for j in first.joints for n in reader.paper.mechanism.joints[j].kind.freedom_names(j)]
     signs = [int(s) for s in given[1].split(",")] if given else [1] * len(freedoms)
-    own = [n for j in other.joints for n in reader.paper.mechanism.joints[j].kind.freedom_names(j)]
+    labels = [n for j in other.joints for n in reader.paper.mechanism.joints[j].kind.freedom_names(j)]
     at_first = Reader(reader.model.name, 0)
-    at_first.moved = {a: s * reader.moved[b] for a, b, s in zip(freedoms, own, signs, strict=True)}
+    at_first.moved = {a: s * reader.moved[b] for a, b, s in zip(freedoms, labels, signs, strict=True)}
     number = int(code[1]) + 1
     part = next(p for p in reader.paper.parts if p.title == f"Limb {number}")
     for symbol, words in part.symbols.items():
@@ -158,10 +177,10 @@ def _turned(reader: Reader, name: str, latex: str, code: tuple[str, ...]) -> Non
         if formula.code[:1] != ("matrix",):
             at_first.define(formula.name, at_first.value(formula.latex))
         if formula.code[:1] == ("screw",):
-            columns.append(at_first.names[formula.name])
-    turn = np.array([[np.cos(angle), -np.sin(angle), 0], [np.sin(angle), np.cos(angle), 0], [0, 0, 1]])
-    both = np.kron(np.eye(2), turn)
-    for column, sign, label in zip(columns, signs, own, strict=True):
+            own = np.kron(np.eye(2), _own_turn(reader.paper, formula.name))
+            columns.append(own @ at_first.names[formula.name])
+    both = np.kron(np.eye(2), _about_z(angle))
+    for column, sign, label in zip(columns, signs, labels, strict=True):
         _screw(reader, label, sign * both @ column)
 
 
@@ -199,6 +218,61 @@ def test_the_seed_as_its_authors_write_it() -> None:
     found = {f.name: f.latex for f in paper("planar_3rrr").formulas}
     assert found[r"\boldsymbol{S}_{12}"].count("c_{11}") == 1
     assert not any(re.search(r"e-\d|e\+\d|\d{14}", f.latex) for f in paper("sarrus").formulas)
+
+
+ARM = """[mechanism]
+name = "arm"
+platform = "hand"
+[parameters]
+rod = { value = "0.7", unit = "m" }
+inwards = { value = "reach - grip", unit = "m" }
+reach = { value = "0.5", unit = "m" }
+grip = { value = "0.1", unit = "m" }
+depth = { value = "sqrt(rod^2 - inwards^2)", unit = "m" }
+m = { value = "2", unit = "kg" }
+[bodies]
+upper = { mass = "m", com = [0, 0, 0] }
+hand = {}
+[joints.A]
+type = "R"
+parent = "base"
+child = "upper"
+point = ["reach*sqrt(3)/2", "-reach/2", 0]
+axes = [["1/2", "sqrt(3)/2", 0]]
+[joints.B]
+type = "R"
+parent = "upper"
+child = "hand"
+point = ["grip*sqrt(3)/2", "-grip/2", "-depth"]
+axes = [["1/2", "sqrt(3)/2", 0]]
+"""
+
+
+def test_what_follows_from_other_lengths_is_named() -> None:
+    """A rod between points is no root, masses are no lengths, and a limb is written in a plane of its own."""
+    made = paper_formulas(parse_description(ARM))
+    found = {f.name: f.latex for f in made.formulas}
+    assert found[r"\mathrm{depth}"] == r"\sqrt{- \mathrm{inwards}^{2} + \mathrm{rod}^{2}}"
+    assert found[r"\cos \varphi_{11}"] == r"\frac{\mathrm{depth}}{\mathrm{rod}}"
+    assert found[r"\boldsymbol{S}_{11}"].split()[1::2] == ["0", "1", "0", "0", "0", r"\mathrm{reach}"]
+    assert found[r"\boldsymbol{S}_{1}"].startswith(r"\boldsymbol{Z}(330^{\circ})")
+    lengths = made.parts[0].symbols
+    assert len(lengths) == 5 and not any("kg" in words for words in lengths.values())
+
+
+def test_lengths_that_follow_from_each_other_keep_their_values() -> None:
+    """Sums that share terms, in any order, are replaced and put back: the value of every expression stays."""
+    more = '\nw = { value = "reach + grip", unit = "m" }\ns = { value = "w - inwards + rod", unit = "m" }\nm ='
+    text = ARM.replace("\nm =", more, 1).replace('"-grip/2", "-depth"', '"-grip/2 + s - s", "-depth + w - s"')
+    lengths = Lengths(parse_description(text))
+    symbols = {p.name: p for p in lengths.mechanism.parameters.values()}
+    draw = random.Random(3)
+    for _ in range(6):
+        names = draw.sample(list(symbols), 3)
+        of = sum((k + 2) * symbols[n].symbol ** (k % 2 + 1) for k, n in enumerate(names))
+        expected = float(of.subs({p.symbol: p.value for p in symbols.values()}))
+        for written in (lengths.named(of), lengths.named(lengths.written(of))):
+            assert lengths.number(written) == pytest.approx(expected, rel=1e-12)
 
 
 @pytest.mark.slow

@@ -267,3 +267,39 @@ def test_two_of_one_name_and_derivatives_are_refused() -> None:
         check_effects(mechanism, [rolls, rolls])
     with pytest.raises(DescriptionError, match="derive without them"):
         derive(mechanism, [rolls], derivatives=True)
+
+
+def test_a_ball_that_rolls_on_two_bodies() -> None:
+    """Between the ground and a plate that slides: it goes half as fast as the plate; in a groove of two planes that
+    meet at a right angle it turns about a line r/sqrt(2) below its centre. Both leave an internal load open."""
+    b = MechanismBuilder("plates")
+    b.body("ball", mass="0.7", com=[0, 0, "0.1"], inertia=["2/5*0.7*0.1^2"] * 3)
+    b.body("lid", mass=2, com=[0, 0, "0.2"], inertia=["0.01"] * 3)
+    b.joint("F", "free", parent="base", child="ball", point=[0, 0, "0.1"])
+    b.joint("X", "P", parent="base", child="lid", point=[0, 0, "0.2"], axes=[[1, 0, 0]])
+    for name, body, z in (("hub", "ball", "0.1"), ("road", "base", 0), ("under", "lid", "0.2")):
+        b.point(name, body=body, at=[0, 0, z])
+    rolls = [
+        IdealRolling("hub", "road", "0.1", name="low"),
+        IdealRolling("hub", "under", "0.1", (0, 0, -1), name="high"),
+    ]
+    found = derive(b.build(), [Gravity((3, 0, "-9.81")), *rolls])
+    q, v, _ = found.system.sample_states
+    (a, *_), status = found("forward_dynamics", q, v)
+    assert not status.any()
+    slide = [c.label for c in found.system.tree.v].index("X")
+    assert a[:, slide] == pytest.approx(3 * (2 + 0.7 / 2) / (2 + 0.7 / 4 + 2 / 5 * 0.7 / 4), rel=1e-12)
+
+    b = MechanismBuilder("groove")
+    b.body("ball", mass="0.7", com=[0, 0, 0], inertia=["2/5*0.7*0.1^2"] * 3)
+    b.joint("F", "free", parent="base", child="ball", point=[0, 0, 0])
+    b.point("hub", body="ball", at=[0, 0, 0])
+    for name, y in (("left", "-0.1/sqrt(2)"), ("right", "0.1/sqrt(2)")):
+        b.point(name, body="base", at=[0, y, "-0.1/sqrt(2)"])
+    rolls = [IdealRolling("hub", side, "0.1", (0, y, 1), name=side) for side, y in (("left", 1), ("right", -1))]
+    found = derive(b.build(), [Gravity((3, 0, "-9.81")), *rolls])
+    q, v, _ = found.system.sample_states
+    (a, *_), status = found("forward_dynamics", q, v)
+    assert not status.any()
+    assert a[:, :3] == pytest.approx(np.tile([3 / (1 + 2 / 5 * 2), 0, 0], (len(q), 1)), abs=1e-9)
+    assert any("rolling_right" in note and "internal load" in note for note in found.notes)

@@ -52,7 +52,7 @@ def kinematic_model(mechanism: Mechanism, independent: Sequence[str] | None = No
     functions += [f for f in platform_functions(system, (), loops) if f.name == "inverse_kinematics"]
     programs: dict[str, Program | Iteration] = {f.name: lower(f) for f in [*functions, *margin_functions(system)]}
     if system.cuts:
-        programs["assemble"] = assembly(system, loops)
+        programs["assemble"] = assembly(system, loops).lowered()
     return Model(mechanism.name, mechanism, (), programs, {}, system)
 
 

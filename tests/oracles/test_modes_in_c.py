@@ -11,9 +11,8 @@ from support.platforms import SHIFT, hexapod, planar_3rpr, published
 
 import symscrew
 from oracles.test_assembly_modes import by_elimination
-from symscrew.assembly import WaysToSolve, modes_model, print_modes
+from symscrew.assembly import CompiledModes, WaysToSolve, compiled_modes, modes_model, print_modes
 from symscrew.display import Progress
-from symscrew.generation.modes_target import CompiledModes, compiled_modes
 from symscrew.studies.accuracy.every_study import study_of
 from symscrew.studies.accuracy.states import Subject
 

@@ -7,6 +7,7 @@ two routes, which share the names and the definition of a pose, and no equation.
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
@@ -19,13 +20,15 @@ from symscrew.errors import DescriptionError
 from symscrew.mobility import inverse_kinematics
 from symscrew.optimisation.consistent_poses import Kinematics
 from symscrew.optimisation.guess import default_parameters
-from symscrew.optimisation.motion_coordinates import bounded, coordinate
+from symscrew.optimisation.motion_coordinates import bounded, coordinate, coordinate_rate
 from symscrew.optimisation.motion_quantities import MotionQuantities
 from symscrew.optimisation.point import point_symbols
 from symscrew.optimisation.point_model import PointModel
 from symscrew.optimisation.problem import Conditions, TrajectoryProblem
 from symscrew.optimisation.problem_file import parse_problem
 from symscrew.optimisation.solution import prepare, solve
+from symscrew.scene import parse_scene
+from symscrew.simulation.initial import initial_state
 
 RAD = math.radians
 CASES = [
@@ -107,6 +110,29 @@ def test_bounds_of_a_tilt_are_smooth_and_the_same() -> None:
             bounded(at, name, (0.0, 1.0))
 
 
+def test_rates_of_poses_are_those_of_the_configurations_that_follow() -> None:
+    """Central differences of what mobility analysis assembles, of every part that has a rate."""
+    given, step = {"x": 0.02, "platform.y": -0.03, "yaw": RAD(12)}, 1e-5
+    rates = {"x": 0.4, "platform.y": -0.1, "yaw": 2.0}
+    own = point_model("planar_3rrr")
+    at = MotionQuantities(own, blocks := point_symbols(own, moving=True))
+    names = ["x", "y", "z", "rx", "rz", "roll", "yaw", "torsion", "qz", "limb2_R1", "limb3_R3"]
+    values = ca.vertcat(*[coordinate_rate(at, name) for name in names])
+    layout = own.equations.layout
+    before, now, after = (
+        inverse_kinematics(model("planar_3rrr").mechanism, {n: given[n] + k * step * rates[n] for n in given})
+        for k in (-1, 0, 1)
+    )
+    y = [c.q[list(layout.y)] for c in (before, now, after)]
+    put = [y[1], (y[2] - y[0]) / (2 * step), now.q[list(layout.z)]]
+    found = np.array(ca.Function("rates", [blocks["y"], blocks["y_1"], blocks["z"]], [values])(*put)).ravel()
+    for name, rate in zip(names, found, strict=True):
+        if name != "qz":
+            full = name if name in now.values else f"platform.{name}"
+            assert rate == pytest.approx((after.values[full] - before.values[full]) / (2 * step), abs=1e-7), name
+    assert found[names.index("qz")] == pytest.approx(math.cos(RAD(6)), abs=1e-7)  # d sin(yaw / 2), at 2 rad/s
+
+
 def problem(text: str) -> TrajectoryProblem:
     return parse_problem(f'[problem]\nmechanism = "planar_3rrr"\nduration = 1\n{text}')
 
@@ -115,8 +141,10 @@ def test_files_take_the_names_with_units() -> None:
     found = problem(
         '[start]\ncoordinates = { x = "20mm", platform.yaw = "30deg", limb1_R1 = 40 }\n'
         '[end]\ncoordinates = { turn = "90deg about 0,0,2", platform = { y = "1 cm" } }\n'
-        '[bounds]\njoints = { yaw = "45deg", platform.x = ["-5cm", 0.1] }\nspeeds = { limb1_R1 = "90deg/s" }'
+        '[bounds]\njoints = { yaw = "45deg", platform.x = ["-5cm", 0.1] }\nspeeds = { limb1_R1 = "90deg/s" }\n'
+        '[guess]\nx = ["1cm", 0.02]\nturn = ["9deg about 0,0,1", "18deg about 0,0,1"]'
     )
+    assert found.guess["x"] == (0.01, 0.02) and found.guess["platform.rz"] == pytest.approx((RAD(9), RAD(18)))
     assert found.start.coordinates == pytest.approx({"x": 0.02, "platform.yaw": RAD(30), "limb1_R1": 40.0})
     end = found.end.coordinates
     assert end["platform.rz"] == pytest.approx(RAD(90)) and end["platform.y"] == pytest.approx(0.01)
@@ -132,11 +160,51 @@ def test_files_take_the_names_with_units() -> None:
     ('coordinates = { x = 1, platform.x = 2 }', "x and platform.x are the same coordinate; leave one out"),
     ('coordinates = { azimuth = 1 }', "give the tilt too"),
     ('coordinates = { tilt = 4 }', "tilt: expected less than half a turn"),
+    ('coordinates = { xx = "2mm" }', "start.coordinates: unknown name 'xx'; did you mean 'x'"),
+    ('rates = { tilt = 1 }', "start.rates: tilt has no rate here; expected rates of x, y, z"),
+    ('rates = { yaww = 1 }', "start.rates: unknown name 'yaww'; did you mean 'yaw'"),
+    ('[bounds]\nspeeds = { azimuth = 1 }', "bounds.speeds: azimuth has no rate here"),
+    ('[guess]\nyaww = [1, 2]', "guess, value 1: unknown name 'yaww'|guess: unknown name 'yaww'; did you mean 'yaw'"),
+    ('[guess]\nx = [0, 0.1]\ny = [0, 0.1, 0]', "as many values of every coordinate, at least two; got x 2, y 3"),
     ('coordinates = { turn = "30deg" }', "expected an angle about an axis such as '30deg about 1,1,0'"),
 ])  # fmt: skip
 def test_what_cannot_be_meant_is_said(given: str, said: str) -> None:
     with pytest.raises(DescriptionError, match=said):
-        prepare(problem(f"[start]\n{given}"))
+        prepare(problem(given if given.startswith("[") else f"[start]\n{given}"))
+
+
+MOVED = """[start]
+coordinates = { x = 0, y = 0, rz = 0 }
+at_rest = true
+[end]
+coordinates = { x = "30mm", y = "10mm", yaw = "5deg" }
+rates = { x = "2cm/s", y = 0, platform.rz = "10deg/s" }
+[bounds]
+speeds = { yaw = "8deg/s", x = "0.2m/s" }
+[transcription]
+intervals = 5
+degree = 2
+[guess]
+x = [0, "10mm", "30mm"]
+"""
+
+
+@pytest.mark.parametrize("independent", ["", '["platform.x", "y", "rz"]'])
+def test_rates_guesses_and_independent_coordinates_by_names_of_poses(independent: str) -> None:
+    """The end is reached at its rates; the same motion by drives and by the platform's coordinates as unknowns."""
+    text = MOVED.replace('"8deg/s"', '"12deg/s"')
+    made = problem(f"independent = {independent}\n{text}" if independent else text)
+    found = solve(replace(made, accuracy=None))
+    assert found.solved, found.status
+    labels = ("limb1_R1", "limb2_R1", "limb3_R1") if not independent else tuple(f"platform_pose.{k}" for k in range(3))
+    assert found.model.equations.labels == labels
+    y, at = found.arrays["y"], [inverse_kinematics(made.mechanism, given) for given in (
+        {"x": 0.03 - 0.02e-5, "y": 0.01, "yaw": RAD(5 - 10e-5)}, {"x": 0.03, "y": 0.01, "yaw": RAD(5)},
+    )]  # fmt: skip
+    entries = list(found.model.equations.layout.y)
+    slope = (at[1].q - at[0].q)[entries] / 1e-5
+    np.testing.assert_allclose(y[-1], at[1].q[entries], atol=1e-8)
+    np.testing.assert_allclose(found.arrays["y_1"][-1] / found.duration, slope, atol=1e-5)
 
 
 @pytest.mark.slow
@@ -154,3 +222,51 @@ def test_a_bounded_tilt_is_kept_along_the_motion() -> None:
     y = found.arrays["y"]
     turns = 2 * np.arcsin(np.linalg.norm(y, axis=1))  # entries of a quaternion about axes in the plane: the tilt
     assert RAD(6) - 1e-6 < turns.min() < RAD(7) and turns.max() < RAD(9) + 1e-6
+
+
+STARTS = [
+    ("planar_3rrr", {"x": 0.02, "y": -0.03, "yaw": RAD(12)}, {"platform.x": 0.4, "y": -0.1, "yaw": 2.0}),
+    ("planar_3rrr", {"x": 0.02, "y": -0.03, "yaw": RAD(12)}, {"limb2_R3": 0.4, "limb1_R1": -0.1, "torsion": 2.0}),
+    *(
+        pytest.param(*case, marks=pytest.mark.slow)
+        for case in [
+            ("three_ups_upu_s", {"tilt": 0.1, "azimuth": 0.4}, {"tilt": 0.3, "azimuth": -1.0}),
+            ("three_ups_upu_s", {"rx": 0.1, "ry": 0.2}, {"limb2_S.rx": 0.3, "pitch": -1.0}),
+            ("delta", {"x": 0.02, "z": -0.03}, {"z": 0.3, "rod2b_S.ry": 0.2, "platform_pose.1": -0.1}),
+        ]
+    ),
+]
+
+
+@pytest.mark.parametrize(("name", "given", "rates"), STARTS)
+def test_a_scene_starts_at_rates_of_any_names(name: str, given: dict[str, float], rates: dict[str, float]) -> None:
+    """Every named coordinate then changes at its rate: by central differences of configurations along the motion."""
+    made, step = model(name), 1e-6
+    text = f'[scene]\nmechanism = "{name}"\nduration = 1\n'
+    scene = parse_scene(text)
+    scene = replace(scene, initial=replace(scene.initial, coordinates=given, rates=rates))
+    q, v = initial_state(scene, made, made.system.parameter_values)
+    at = made.system.inputs
+    turned = np.asarray(made.system.numeric(made.system.joint_rates(at.v), (at.q, q[None]), (at.v, v[None])))
+    placed = []
+    for sign in (-1, 1):
+        moved = made.system.advance(q[None], sign * step * turned)[0]
+        tree = {c.label: float(x) for c, x in zip(made.system.tree.q, moved, strict=True)}
+        own = made.programs["assemble"].inputs[0].labels if "assemble" in made.programs else ()
+        free = {label: tree[label] for label in own if not label.endswith(".qw")}
+        placed.append(inverse_kinematics(made.mechanism, free))
+    assert all(one.ok for one in placed), placed
+    for typed, rate in rates.items():
+        full = typed if typed in placed[0].values else f"{made.mechanism.platform}.{typed}"
+        slope = (placed[1].values[full] - placed[0].values[full]) / (2 * step)
+        assert slope == pytest.approx(rate, abs=1e-6), typed
+
+
+def test_rates_that_a_scene_cannot_have_are_said() -> None:
+    for text, said in (
+        ("yaww = 1", "no 'yaww'; did you mean 'yaw'"), ("tilt = 1", "tilt has no rate here"),
+        ("z = 1", "the loops do not allow z = 1"), ('x = "1deg/s"', "expected a value in m/s"),
+    ):  # fmt: skip
+        with pytest.raises(DescriptionError, match=said):
+            scene = parse_scene(f'[scene]\nmechanism = "planar_3rrr"\nduration = 1\n[initial]\nrates = {{ {text} }}')
+            initial_state(scene, model("planar_3rrr"), np.zeros(0))

@@ -101,6 +101,27 @@ def test_a_stop_in_a_closed_loop() -> None:
     assert np.diff(run.energy.sum(axis=1)).max() < 1e-8
 
 
+def test_a_stop_in_the_joint_at_which_a_loop_would_be_cut() -> None:
+    """A rotor on a spring, whose C beside a lift would be cut, swings back from its stop after four turns; the rate at
+    the start is given of the joint that is cut instead."""
+    b = MechanismBuilder("lift")
+    b.body("rotor", mass=1, com=[0, 0, 0], inertia=["0.5"] * 3)
+    b.body("lift", mass=1, com=[0, 0, 0], inertia=[1, 1, 1])
+    line = {"point": [0, 0, 0], "axes": [[0, 0, 1]]}
+    b.joint("spin", "R", parent="base", child="rotor", **line)
+    b.joint("rise", "P", parent="base", child="lift", driven=True, **line)
+    b.joint("both", "C", parent="rotor", child="lift", **line)
+    effects = JointSpring("both", "0.01", freedom=1), EndStop("both", -25, freedom=1, mode="impact", restitution=1)
+    run = simulate(scene(b.build(), *effects, duration=5.0, start={}, rates={"spin": 7.0}))
+    assert run.ok and run.accurate, run.verdict
+    omega = np.sqrt(0.02)
+    met = np.arcsin(25 * omega / 7) / omega
+    assert [text.split(": ")[1] for text in run.events] == ["both meets its lower stop"]
+    assert float(run.events[0].split()[2]) == pytest.approx(met, abs=1e-8)
+    turned = run.q[-1, [c.label for c in run.model.system.tree.q].index("both.1")]
+    assert turned == pytest.approx(-7 / omega * np.sin(omega * (2 * met - 5)), abs=1e-7)
+
+
 def test_what_contacts_cannot_do_is_refused() -> None:
     friction = DryFriction("slide", coulomb=1, load="0.1", mode="event")
     with pytest.raises(DescriptionError, match="friction with events takes no 'load'"):

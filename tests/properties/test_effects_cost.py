@@ -7,12 +7,10 @@ an effect that reads a further input makes shorter.
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterator
 from dataclasses import replace
 from functools import cache
 
 import pytest
-from support.derived_once import derived_once
 from support.model_states import model
 from support.samples import some_quickly
 
@@ -30,14 +28,6 @@ from symscrew.program.lowering import lower
 from symscrew.program.straight_line import Program
 from symscrew.studies.bill_of_effects import alone
 
-
-@pytest.fixture(scope="module", autouse=True)
-def models_once() -> Iterator[None]:
-    """The bill of an effect, of a pair and of the other effect are of the same few models."""
-    with derived_once():
-        yield
-
-
 CRANK, SEED = "slider_crank", "three_ups_upu_s"
 REACTIONS = "joint_reactions"
 BILLED = (
@@ -45,7 +35,7 @@ BILLED = (
 )  # fmt: skip
 
 
-def effect(name: str, *args: object, **fields: object) -> Effect:
+def effect(name: str, /, *args: object, **fields: object) -> Effect:
     return getattr(known, name)(*args, **fields)
 
 
@@ -73,6 +63,7 @@ ADDED = {
     "rolling": effect("RollingContact", "piston", "frame", "0.1", 30, "0.1", axis=(0, 1, 0), load=10),
     "clearance": effect("JointClearance", "frame", "piston", "0.001", 100000, friction="0.1", velocity="0.01"),
     "flexible": effect("FlexibleLink", "pin", "far", (0, 1, 0), 50, "0.5", damping="0.01"),
+    "stiffened": effect("FlexibleLink", "pin", "far", (0, 1, 0), 50, "0.5", geometric_stiffness=True, name="rod"),
     "screw": effect("ScrewTransmission", "slider_P", "0.05", "0.8", velocity="0.01"),
     "drag": effect("FluidDrag", "rod", ("0.1", "0.2", "0.3"), 800, 2),
     "payload": effect("Payload", "rod", 2, ("0.1", 0, "0.2")),

@@ -14,12 +14,15 @@ from typing import Any
 import numpy as np
 import pytest
 from support.marks import slow
+from support.model_states import model as shared
 from support.samples import some_quickly
 
 import symscrew
 from symscrew.effects import Acting, Effect, JointSpring
 from symscrew.effects.registry import effect_from_table, known_effects
 from symscrew.kinematics import System
+from symscrew.scene.contents import Initial, Scene
+from symscrew.simulation.initial import initial_state
 
 PITCH = 0.001 / (2 * np.pi)
 SCREW = {  # a lead screw: a nut on a guide
@@ -266,3 +269,19 @@ def test_every_effect_says_which_displacements_it_reads(name: str, monkeypatch: 
 def test_an_effect_that_reads_a_cut_universal_joint_unsaid_is_refused() -> None:
     with pytest.raises(symscrew.DescriptionError, match="names the joint in its property 'reads'"):
         Acting(kept(CROSSED, cutting()), [JointSpring("C", stiffness=1, freedom=0)])
+
+
+def test_rates_at_the_start_may_be_given_of_any_joint() -> None:
+    """Also of one that closes the loop: the same motion follows from the rate of each."""
+    found = shared("four_bar")
+    first = Scene("s", found.mechanism, (), 1.0, 1.0, Initial(coordinates={"A": 0.3}, rates={"A": 0.7}))
+    q, v = initial_state(first, found, np.zeros(0))
+    (rates,), _ = found("joint_rates", q[None], v[None])
+    labels = found.programs["joint_rates"].outputs[0].labels
+    assert not set(labels) <= {c.label for c in found.system.tree.v}
+    for label, rate in zip(labels, rates[0], strict=True):
+        scene = dataclasses.replace(first, initial=dataclasses.replace(first.initial, rates={label: float(rate)}))
+        assert initial_state(scene, found, np.zeros(0))[1] == pytest.approx(v, rel=1e-12)
+    scene = dataclasses.replace(first, initial=dataclasses.replace(first.initial, rates={"E": 1.0}))
+    with pytest.raises(symscrew.DescriptionError, match="there is no 'E'"):
+        initial_state(scene, found, np.zeros(0))

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import ctypes
-import dataclasses
 import shutil
 import subprocess
 from collections.abc import Sequence
@@ -44,7 +43,7 @@ def tool(name: str) -> str:
 def some(name: str, functions: Sequence[str] = FUNCTIONS) -> Model:
     """A catalogue model with the functions of this file only."""
     found = catalogued(name)
-    return dataclasses.replace(found, programs={f: p for f, p in found.programs.items() if f in functions})
+    return found.only(functions)
 
 
 def written(found: Model, folder: Path) -> Path:

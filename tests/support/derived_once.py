@@ -1,9 +1,7 @@
-"""Models that many tests of a file derive from the same, kept: for tests whose claim is not that two are equal."""
+"""Models that tests derive from the same description, kept for the next one that asks."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from contextlib import contextmanager
 from typing import Any
 
 import pytest
@@ -12,20 +10,32 @@ import symscrew.model
 from symscrew.model import Model
 from symscrew.runtime import model_key
 
+MANY = 64  # models that a process holds so: the last used; those of a file of tests are about thirty
 
-@contextmanager
-def derived_once() -> Iterator[None]:
-    """Within, whoever derives from an equal description, equal effects and options gets the same model."""
-    derive, kept = symscrew.model._derived, dict[Any, Model]()
 
-    def remembered(mechanism: Any, effects: Any, **options: Any) -> Model:
+class DerivedOnce:
+    """In place of derivation: an equal description with equal effects and options gives the same model.
+
+    Not for a test that changes the package (`monkeypatch`), or whose claim is that two derivations are equal
+    (`derived_anew`): these derive as users do, and what they derive is not kept.
+    """
+
+    def __init__(self, derive: Any) -> None:
+        self.derive, self.kept, self.anew = derive, dict[Any, Model](), False
+
+    def begin(self, item: pytest.Item) -> None:
+        changes = "monkeypatch" in getattr(item, "fixturenames", ())
+        self.anew = changes or item.get_closest_marker("derived_anew") is not None
+
+    def __call__(self, mechanism: Any, effects: Any, **options: Any) -> Model:
         key = model_key(mechanism, effects), repr(sorted(options.items()))
-        if key[0] is None:  # a mechanism that cannot be written
-            return derive(mechanism, effects, **options)
-        if key not in kept:
-            kept[key] = derive(mechanism, effects, **options)
-        return kept[key]
+        if self.anew or key[0] is None:  # None: a mechanism that cannot be written
+            return self.derive(mechanism, effects, **options)
+        found = self.kept.pop(key, None) or self.derive(mechanism, effects, **options)
+        self.kept[key] = found
+        if len(self.kept) > MANY:
+            del self.kept[next(iter(self.kept))]
+        return found
 
-    with pytest.MonkeyPatch.context() as changed:
-        changed.setattr(symscrew.model, "_derived", remembered)
-        yield
+
+derived_once = DerivedOnce(symscrew.model._derived)

@@ -66,6 +66,8 @@ EFFECT_KEYS = {
         "shape": ("", '"pinned" or "clamped"'),
         "damping": ("1", "ratio of every mode, at least 0"),
         "initial": ("m", "deflection of every mode at the start"),
+        "initial_rate": ("m/s", "its rate there"),
+        "geometric_stiffness": ("", "whether the axial force stiffens and softens it"),
     },
     "fluid_drag": {
         "body": ("", "the body that it acts on"),

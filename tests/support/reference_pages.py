@@ -161,7 +161,7 @@ SCENE: Mapping[str, Mapping[str, Meaning]] = {
     },
     "initial": {
         "coordinates": ("rad, m", "the reference", "label -> value"),
-        "rates": ("rad/s, m/s", "0", "label -> value"),
+        "rates": ("rad/s, m/s", "0", "name -> value; of any joint, or of a body's pose"),
         "hold": ("", "all given", "labels of the given values that are kept while the loops are closed"),
         "mode": ("", "the reference's", "assembly mode with the given coordinates; `symscrew assemble` lists them"),
     },

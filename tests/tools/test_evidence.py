@@ -34,9 +34,12 @@ def test_what_the_command_says_of_good_code(tmp_path: Path, capsys: pytest.Captu
         and statuses["forward_dynamics"] >= {-2, -1, 0, 2}
     )
     assert sum(entry["not_finite"] for entry in found["vectors"].values()) == 0
-    # both paths whole; but the inertia of the crank, which is positive at every state, is never a small pivot
-    assert found["branches"]["lines"] == 100 and found["branches"]["branches"] > 99
-    assert all("pivot is smaller" in line for line in found["branches"]["missed"])
+    branches = found["branches"]
+    assert branches["lines"] == 100 and branches["nothing"] == 0
+    assert branches["by_inputs"] + branches["forced"] + branches["decided"] == branches["of"]
+    # no input makes the crank feel less than the inertia of its own body about its axis: 0.5 kg at 75 mm
+    (left,) = (entry for entry in branches["untaken"] if entry["how"] == "forced")
+    assert left["meaning"] == "where A feels no inertia" and left["least"] > 3 / 3200 + 0.5 * 0.075**2 > left["limit"]
     assert set(found["misra"]) <= set(DEVIATIONS) and found["loops"]["unbounded"] == []
     for name, entry in found["measured"]["functions"].items():  # an instruction takes one to some ten, a branch four
         dearest = found["cycles"][name]["step" if name == "assemble" else "cycles"]
@@ -47,7 +50,8 @@ def test_what_the_command_says_of_good_code(tmp_path: Path, capsys: pytest.Captu
     text = report.read_text()
     assert f"| `velocity` | {found['cycles']['velocity']['cycles']} |" in text
     assert "Verdict: **ok**" in text and all(f"| `{name}` |" in text for name in FUNCTIONS)
-    assert all(f"- `{line}`" in text for line in found["branches"]["missed"])
+    assert f"{branches['by_inputs']} taken by inputs, 1 only by forced values" in text
+    assert "branches 100 % of" in text and "where A feels no inertia | forced | 0.0" in text
 
 
 @pytest.mark.parametrize(
@@ -92,4 +96,5 @@ def test_what_is_wrong_is_found(monkeypatch: pytest.MonkeyPatch) -> None:
     assert not found.ok
     text = "\n".join(found.reasons)
     assert "rule 8.14: " in text and "the code has the word while" in text and "calls malloc" in text
+    assert "symscrew_bad: a branch that nothing takes: while (x > 0.5) {" in text
     assert "velocity: " in text and "not finite on a status up to 0" in text and "**open**" in found.text

@@ -3,24 +3,27 @@
 from __future__ import annotations
 
 import json
+import math
 import shutil
 from collections.abc import Callable
+from fractions import Fraction
 
 import pytest
-from support.further_mechanisms import CASES
+from support.further_mechanisms import CASES, Z, loop
 from support.parallel_mechanisms import double_parallelogram, snu
 from support.reference_mechanisms import ENTRIES, build
 
 from symscrew.cli.parser import main
 from symscrew.description.mechanism import Mechanism
 from symscrew.mobility import analyse_mobility
-from symscrew.mobility.components import ConfigurationSpace, configuration_space
-from symscrew.mobility.components.exact_parts import PROGRAM, _answer
+from symscrew.mobility.components import ConfigurationSpace, algebraic_closure, configuration_space, space_lines
+from symscrew.mobility.components import charts as held_charts
+from symscrew.mobility.components.exact_parts import PROGRAM, ExactParts, _answer
 from symscrew.mobility.joint_network import network_of
 
 pytestmark = pytest.mark.skipif(shutil.which(PROGRAM) is None, reason="Singular is not installed (singular-ui)")
 
-GIVEN_UP = 4.0  # of the processor, for a division that would not end in hours: its first half takes one
+GIVEN_UP = 3.0  # of the processor, for a division that would not end in hours: its first half takes one
 OTHERS: dict[str, Callable[[], Mechanism]] = {"snu": snu, "double parallelogram": double_parallelogram}
 
 
@@ -53,7 +56,7 @@ def space(name: str, **options: float) -> ConfigurationSpace:
 def test_published_components(name: str, sizes: list[tuple[int, int]], through: int) -> None:
     found = space(name)
     real = [part for part, on in zip(found.parts, found.on, strict=True) if on]
-    assert found.proved and [(p.dimension, p.degree) for p in real] == sizes
+    assert found.proved and not found.resting and [(p.dimension, p.degree) for p in real] == sizes
     assert sum(part.through for part in real) == through
     dimensions = {part.dimension for part in found.parts if part.through}
     finite = analyse_mobility(mechanism(name)).finite
@@ -83,6 +86,40 @@ def test_the_two_modes_of_the_3_rps() -> None:
     assert [(p.dimension, p.degree) for p in found.parts] == [(3, 8), (3, 8)]
     assert {part.equations[0] for part in found.parts} == {"x0", "x3"}
     assert not found.proved and "not divided to the end" in found.reason
+
+
+def folding_kite() -> Mechanism:
+    """A kite in the plane with a hinge across, which stays: its tip rests while it turns about itself, folded."""
+    axes = [Z, [3, 0, 4], Z, Z, Z]
+    points = [[0, 0, 0], [1, 0, 0], [2, -1, 0], [5, 0, 0], [2, 1, 0]]
+    made: Mechanism = loop(*(("R", point, axis) for point, axis in zip(points, axes, strict=True)))
+    return made
+
+
+@pytest.mark.parametrize("zero", [None, Fraction(-2)])
+def test_a_joint_at_rest_where_its_variable_has_no_value(
+    zero: Fraction | None, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The tip rests at 2 atan(1/2), whose tangent a chart with the zero at -2 lacks: another chart shows the fold."""
+    if zero is not None:
+        charts = (zero, *algebraic_closure.CHARTS)
+        for module in (algebraic_closure, held_charts):
+            monkeypatch.setattr(module, "CHARTS", charts)
+    network = network_of(folding_kite())
+    found = configuration_space(folding_kite(), network)
+    assert isinstance(found, ConfigurationSpace) and found.proved and found.resting == ()
+    assert sorted((p.dimension, p.degree, p.through) for p in found.parts) == [(1, 1, False), (1, 5, True)]
+    assert sum(found.on) == found.found > 20 and all(found.on)
+    held = dict(pair for part in found.parts for pair in part.held)
+    assert held == pytest.approx({} if zero is None else {"J1": 2 * math.atan(0.5)})
+    assert all("t1" not in e for part in found.parts if part.held for e in part.equations)
+    assert any("J1 at 0.927295 rad all over it" in line for line in space_lines(found)) == bool(held)
+    monkeypatch.setattr(held_charts, "exact_parts", lambda closure, seconds: ExactParts((), False, "too slow"))
+    missed = configuration_space(folding_kite(), network)
+    if zero is None:  # the angle that is not looked at is named, as before
+        assert isinstance(missed, ConfigurationSpace) and [joint for joint, _ in missed.resting] == ["J1"]
+    else:
+        assert isinstance(missed, str) and "on none of the components" in missed
 
 
 def test_bricard() -> None:

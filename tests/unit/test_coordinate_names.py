@@ -15,11 +15,14 @@ from symscrew.kinematics import (
     angle_notices,
     coordinate_units,
     given_coordinates,
+    half_turn,
     nearest_names,
+    pose_rates,
     pose_read,
     pose_rows,
     quaternion_entry,
     rotation_of,
+    tree_label,
 )
 
 HEXAPOD = "stewart_6ups"
@@ -121,3 +124,40 @@ def test_rows_of_a_pose_are_zero_at_what_is_read_from_it() -> None:
     for given, text in (({"azimuth": 1.0}, "give the tilt too"), ({"tilt": 3.2}, "less than half a turn")):
         with pytest.raises(DescriptionError, match=text):
             pose_rows(given, CONTEXT, CONTEXT.tan)
+
+
+@pytest.mark.parametrize("size", [0.0, 1e-12, 1e-3, 1.0, 3.0])
+def test_rates_of_poses_are_slopes_along_the_motion(size: float) -> None:
+    """Against central differences, of every part; an upright body's tilt and azimuth have none."""
+    random, step = np.random.default_rng(2), 1e-6
+    vector, t, omega, velocity = (random.normal(size=3) for _ in range(4))
+    turn = Rotation.from_rotvec(size * vector / np.linalg.norm(vector))
+
+    def read(time: float) -> dict[str, float]:
+        r = (Rotation.from_rotvec(time * omega) * turn).as_matrix()
+        parts = dict(zip(("qx", "qy", "qz"), half_turn(r, Doubles()), strict=True))
+        return parts | pose_read(r, t + time * velocity, Doubles())
+
+    rates = pose_rates(turn.as_matrix(), t, np.stack([omega, 2 * omega]), np.stack([velocity, 2 * velocity]))
+    before, after = read(-step), read(step)
+    lost = {part for part, rate in rates.items() if not np.isfinite(rate).all()}
+    assert lost == ({"tilt", "azimuth"} if size < 1e-10 else set()) and set(rates) == set(after)
+    for part in set(rates) - lost - ({"tilt", "azimuth"} if size < 1e-2 else set()):
+        slope = (after[part] - before[part]) / (2 * step)
+        assert rates[part] == pytest.approx([slope, 2 * slope], rel=1e-7, abs=1e-8), part
+
+
+@pytest.mark.parametrize(("name", "typed", "label"), [
+    ("delta", "z", "platform_pose.2"), ("delta", "platform.x", "platform_pose.0"), ("delta", "qy", "platform_pose.qy"),
+    ("planar_3rrr", "y", "platform_pose.1"), ("planar_3rrr", "yaw", "platform_pose.2"), ("delta", "arm2_R", "arm2_R"),
+    ("planar_3rrr", "rz", "platform_pose.2"), ("planar_3rrr", "z", ""), ("delta", "tilt", ""), ("delta", "rx", ""),
+    ("four_bar", "x", ""),
+])  # fmt: skip
+def test_names_of_coordinates_of_the_tree(name: str, typed: str, label: str) -> None:
+    mechanism = catalogue.load(name)
+    labels = ["arm2_R", *(f"platform_pose.{part}" for part in ("0", "1", "2", "qx", "qy", "qz"))]
+    if label:
+        assert tree_label(mechanism, labels, typed) == label
+    else:
+        with pytest.raises(DescriptionError, match=f"expected labels of q among arm2_R, .*, got '{typed}'"):
+            tree_label(mechanism, labels, typed)

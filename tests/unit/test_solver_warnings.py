@@ -7,6 +7,7 @@ import json
 import sys
 import threading
 from contextlib import redirect_stderr
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -115,3 +116,16 @@ def test_the_command_names_them(tmp_path: Path, capsys: pytest.CaptureFixture[st
     assert "WARNING" not in said.err
     assert main(["optimise", str(given), "--out", str(out), "--json"]) == 1
     assert json.loads(capsys.readouterr().out)["warnings"] == {"sqrt(0.2 - q_hinge)": 1}
+
+
+def test_all_guesses_name_them(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("os.cpu_count", lambda: 1)  # processes of their own say the same, and take a second each
+    text = "sqrt(1.05 - q_hinge)"
+    usual = {**rest_to_rest({"hinge": 0.0}, {"hinge": 1.0}), "accuracy": None, "duration": (0.1, 10)}
+    problem = TrajectoryProblem(
+        pendulum(), **usual, bounds=Bounds(expressions={text: (0, 5)}), objectives=(Objective("time"),),
+        transcription=Transcription(degree=2, intervals=4),
+    )  # fmt: skip
+    many = solve(replace(problem, starts=3, seed=4))
+    assert many.search is not None and [dict(a.undefined) for a in many.search.attempts] == [{text: 1}] * 3
+    assert many.statistics.undefined == {text: 4}  # the best one is solved once more

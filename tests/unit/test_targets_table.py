@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import subprocess
 import sys
 from importlib import import_module
@@ -12,6 +13,7 @@ import pytest
 from support.model_states import model
 
 from symscrew.cli.parser import main
+from symscrew.export import OutputError
 from symscrew.generation import TARGETS, USUAL, generate, printable, render, with_brought
 from symscrew.generation.targets import Target
 from symscrew.verification import check
@@ -117,3 +119,22 @@ def test_the_command_line_starts_without_what_makes_the_files() -> None:
     assert "symscrew.generation.targets" in loaded
     assert not [m for m in loaded if m.startswith(("numpy", "sympy", "casadi", "symscrew.export", "symscrew.fmu"))]
     assert not [m for m in loaded if m.endswith(("_target", "target_file", "value_comparison"))]
+
+
+@pytest.mark.parametrize(("targets", "named"), [
+    (("ros2", "c"), "targets c and ros2"), (("simulink", "ros2"), r"targets c \(brought by simulink\) and ros2"),
+])  # fmt: skip
+def test_targets_that_no_folder_holds_are_told_before_deriving(
+    targets: tuple[str, ...],
+    named: str,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    monkeypatch.setattr("symscrew.model.derive", lambda *_, **__: pytest.fail("derived for nothing"))
+    assert main(["generate", "four_bar", "--out", str(tmp_path / "out"), "--no-cache", "--target", *targets]) == 2
+    said = capsys.readouterr().err
+    assert re.search(f"{named} both write CMakeLists.txt; use a directory for each", said), said
+    assert not (tmp_path / "out").exists()
+    with pytest.raises(OutputError, match=named):
+        render(model("four_bar"), targets)

@@ -17,6 +17,7 @@ from symscrew.mobility.components.mode_connections import (
     assembly_connections,
     connection_lines,
     connection_values,
+    regular_ways,
 )
 from symscrew.mobility.components.mode_sampling import SampledMode, SampledModes, sampled_modes
 
@@ -36,6 +37,7 @@ __all__ = [
     "connection_values",
     "mode_lines",
     "mode_values",
+    "regular_ways",
     "sampled_modes",
     "space_lines",
     "space_values",

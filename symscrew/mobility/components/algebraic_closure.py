@@ -40,7 +40,8 @@ MOST_VARIABLES = 40
 """Beyond it no decomposition ends in reasonable time: twenty planar bodies."""
 CHARTS = tuple(Fraction(a, b) for a, b in ((3, 7), (-5, 11), (2, 9), (-4, 13), (6, 17), (-1, 5)))
 """Tangents, negative, at which joint variables are in the reference. A component on which a joint rests exactly half a
-turn from where its variable is zero is missed (`ConfigurationSpace.resting` names it); no description prefers these."""
+turn from where its variable is zero is missed in this chart, and seen in others, which begin later in this list
+(`charts.held_components`); no description prefers these."""
 SETTLED = 2
 """Freedoms at the end of a limb, with independent screws, whose displacements the pose and the other variables fix."""
 Vector = tuple[Exact, Exact, Exact]
@@ -92,8 +93,11 @@ class ClosureEquations:
     settles: bool = True
 
 
-def closure_equations(mechanism: Mechanism, network: Network) -> ClosureEquations:
-    """The polynomials of a mechanism; raises NotAlgebraicError with the reason where there are none."""
+def closure_equations(mechanism: Mechanism, network: Network, chart: int = 0) -> ClosureEquations:
+    """The polynomials of a mechanism; raises NotAlgebraicError with the reason where there are none.
+
+    `chart`: below the length of `CHARTS`; in each every joint's variable lacks another angle.
+    """
     if not network.chords:
         raise NotAlgebraicError("no loops")
     if network.ties:
@@ -106,7 +110,7 @@ def closure_equations(mechanism: Mechanism, network: Network) -> ClosureEquation
         system = exact_system(mechanism)
         found = _planar(mechanism, network, system)
         if found is None:
-            found = _between_two_bodies(network, system, looped)
+            found = _between_two_bodies(network, system, looped, chart)
     except NotDecidableError as error:
         raise NotAlgebraicError(str(error)) from error
     if len(found.variables) > MOST_VARIABLES:
@@ -212,7 +216,7 @@ class _Limb:
     settled: bool
 
 
-def _between_two_bodies(network: Network, system: ExactSystem, looped: set[str]) -> ClosureEquations:
+def _between_two_bodies(network: Network, system: ExactSystem, looped: set[str], chart: int) -> ClosureEquations:
     """The equations of a mechanism of limbs between two bodies; a single loop is two limbs."""
     base, body, chains = limbs_between(network, looped)
     limbs = []
@@ -233,7 +237,9 @@ def _between_two_bodies(network: Network, system: ExactSystem, looped: set[str])
         head = [constant(Fraction(int(k == 0)), count) for k in range(PARAMETERS)]
         for name, k, sign, screw in limb.heads:
             place = len(lengths)
-            zero = CHARTS[place % len(CHARTS)]  # so that half a turn from the reference is no tangent at infinity
+            zero = CHARTS[
+                (place + chart) % len(CHARTS)
+            ]  # so that half a turn from the reference is no tangent at infinity
             tangent = variable(place, count)
             turned = [constant(c, count) for c in _turned(screw, zero)]
             head = product(product(head, joint_factor(screw, tangent, count)), turned)

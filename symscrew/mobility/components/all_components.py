@@ -4,10 +4,10 @@
               --real_configurations--> each lies on one of these, or the list is withdrawn
 
 Components are over the complex numbers: one may have few real points, or none. What is proved: every configuration lies
-on one of these, but for components on all of which a joint rests at the one angle where its variable has no value.
-Where the variables do not settle all joints, components are of the body's poses: those of configurations that differ
-with the body at the same poses are one, motions of limbs with the body at rest are none of their own, and a part of the
-zeros may be beyond the reach of a limb.
+on one of these. Components on all of which a joint rests at the one angle where its variable has no value are looked
+for in other charts, and where that does not end the angles are named. Where the variables do not settle all joints,
+components are of the body's poses: those of configurations that differ with the body at the same poses are one, motions
+of limbs with the body at rest are none of their own, and a part of the zeros may be beyond the reach of a limb.
 """
 
 from __future__ import annotations
@@ -18,7 +18,8 @@ from typing import Any
 import numpy as np
 
 from symscrew.description import Mechanism
-from symscrew.mobility.components.algebraic_closure import NotAlgebraicError, closure_equations
+from symscrew.mobility.components.algebraic_closure import ClosureEquations, NotAlgebraicError, closure_equations
+from symscrew.mobility.components.charts import held_components
 from symscrew.mobility.components.exact_parts import SECONDS, Part, exact_parts
 from symscrew.mobility.components.real_configurations import (
     real_configurations,
@@ -32,6 +33,9 @@ Array = np.ndarray[Any, Any]
 ON = 1e-5
 """A polynomial is zero where its value is below this part of what its terms can be with variables of that size: loops
 are closed to 1e-12, and where branches touch Newton's method gives half these digits."""
+NO_VALUE = 1e8
+"""A tangent beyond this belongs to a joint within 1e-8 rad of the angle at which it has no value: it rests there, and
+lies on what another chart shows."""
 
 
 @dataclass(frozen=True)
@@ -39,7 +43,8 @@ class ConfigurationSpace:
     """The components with the variables in which their degree is counted.
 
     `subject`: what the variables fix, `settles`: whether all joints of the loops; `resting`: (joint, angle [rad]) such
-    that a component on all of which the joint stands at the angle would be missed; `reason`: what was not done, empty
+    that a component on all of which the joint stands at the angle would be missed; none where other charts have been
+    decomposed, too; `reason`: what was not done, empty
     where all parts are irreducible; `found`: real configurations from random starts; `on`: how many of them lie on each
     part.
     """
@@ -69,22 +74,31 @@ def configuration_space(mechanism: Mechanism, network: Network, seconds: float =
     exact = exact_parts(closure, seconds)
     if not exact.complete:
         return f"not decided: {exact.reason}"
-    values = variables_at(closure, network, real_configurations(network))
-    if values is None:
-        values = np.zeros((0, len(closure.variables)))
-    members = np.array([_on(part, values) for part in exact.parts]).reshape(len(exact.parts), len(values))
+    held = None  # what is no list of irreducible components would not be one with more of them
+    if all(part.irreducible for part in exact.parts):
+        held = held_components(mechanism, network, closure, seconds)
+    parts = [*((part, closure) for part in exact.parts), *(held or ())]
+    q = real_configurations(network)
+    values = [_values(own, network, q) for _, own in parts]
+    count = len(values[0]) if values else 0
+    members = np.array([_on(part, v) for (part, _), v in zip(parts, values, strict=True)]).reshape(len(parts), count)
     if not members.any(axis=0).all():
         return "not decided: a configuration was found that is on none of the components of the equations"
     on = tuple(int(row.sum()) for row in members)
     return ConfigurationSpace(
-        closure.subject, closure.variables, str(closure.field), exact.parts, exact.reason, len(values), on,
-        resting_angles(closure, network), closure.settles,
+        closure.subject, closure.variables, str(closure.field), tuple(part for part, _ in parts), exact.reason, count,
+        on, resting_angles(closure, network) if held is None else (), closure.settles,
     )  # fmt: skip
+
+
+def _values(closure: ClosureEquations, network: Network, q: Array) -> Array:
+    values = variables_at(closure, network, q)
+    return np.zeros((0, len(closure.variables))) if values is None else values
 
 
 def _on(part: Part, values: Array) -> Array:
     """Which rows of values are zeros of all equations of the part."""
-    inside = np.ones(len(values), dtype=bool)
+    inside = np.array(np.abs(values).max(axis=1, initial=0.0) < NO_VALUE)
     largest = np.abs(values).max(axis=1, initial=1.0)
     for polynomial in part.polynomials:
         value = sum(c * np.prod(values ** np.array(key), axis=1) for key, c in polynomial.items())

@@ -57,15 +57,18 @@ def _line(part: Part, on: str) -> str:
     divided = "" if part.irreducible else ", not divided further"
     short = [e for e in part.equations if len(e) <= LONGEST_SHOWN]
     shown = "; ".join(f"{e} = 0" for e in short[:MOST_SHOWN])
-    more = len(part.equations) - min(len(short), MOST_SHOWN)
+    more = max(len(part.equations), len(part.polynomials)) - min(len(short), MOST_SHOWN)
     equations = shown + (f"; and {more} more" if shown and more else f"{more} equations" if more else "")
-    return f"dimension {part.dimension}, degree {part.degree}, {where}{divided}, {on} real configurations: {equations}"
+    held = "".join(f", {joint} at {angle:.6g} rad all over it" for joint, angle in part.held)
+    size = f"dimension {part.dimension}, degree {part.degree}, {where}{divided}{held}"
+    return f"{size}, {on} real configurations{': ' if equations else ''}{equations}"
 
 
 def space_values(found: ConfigurationSpace) -> dict[str, Any]:
     """The same as JSON values."""
     parts = [
         {"dimension": p.dimension, "degree": p.degree, "through_reference": p.through, "irreducible": p.irreducible,
+         "held": [{"joint": j, "angle": a} for j, a in p.held],
          "real_configurations": on, "equations": [f"{e} = 0" for e in p.equations]}
         for p, on in zip(found.parts, found.on, strict=True)
     ]  # fmt: skip

@@ -37,7 +37,8 @@ class Part:
     """A component: dimension and degree, its first equations, whether the reference is on it.
 
     `irreducible`: over the field of the description; otherwise it may consist of several of its dimension and lower.
-    `polynomials`: the equations in doubles.
+    `polynomials`: the equations in doubles; `held`: (joint, angle [rad]) all over it, where these are variables of
+    another chart.
     """
 
     dimension: int
@@ -46,6 +47,7 @@ class Part:
     through: bool
     irreducible: bool
     polynomials: tuple[Mapping[Exponents, float], ...] = ()
+    held: tuple[tuple[str, float], ...] = ()
 
 
 @dataclass(frozen=True)

@@ -32,8 +32,12 @@ NODES = 120
 """Random starts for the other configurations of the road map; half of those found have the sign of the reference."""
 NEIGHBOURS = 8
 """Of each node, to which a straight way is tried."""
+AT_ONCE = 48
+"""Ways that are tried before it is looked which ones are still needed: so many cost little more than one."""
 TURN = 0.02
 """Smallest singular value on a way; below it the way is given up. Regular poses have 0.05 to 1."""
+LEFT = 0.3
+"""The same as part of the least of modes that are given: those of a delta have 0.015."""
 STRIDE = 0.15
 """Longest step of a path, rad or sizes of the mechanism."""
 SAFE = 0.5
@@ -93,26 +97,74 @@ def assembly_connections(network: Network, drives: Sequence[int] = ()) -> ModeCo
     found = paths.modes()
     signs = [paths.sign(q) for q in found]
     alike = [k for k, sign in enumerate(signs) if sign == signs[0]]
-    ways: dict[tuple[int, int], float] = {}
+    ways: dict[tuple[int, int], Regular] = {}
     nodes = [found[k] for k in alike]
     if len(alike) > 1:
         others = [q for q in real_configurations(network, NODES) if paths.sign(q) == signs[0]]
         nodes += [q for q in others if paths.smallest(q) > TURN]
-        ways = paths.ways(np.array(nodes))
+        ways = _joining(paths, np.array(nodes), len(alike))
     routes = _routes(ways)
     modes = []
     for k, q in enumerate(found):
         route = routes.get(alike.index(k)) if k in alike else None
-        margin = min((ways[min(e), max(e)] for e in pairwise(route or ())), default=paths.smallest(q))
+        margin = min((ways[min(e), max(e)].margin for e in pairwise(route or ())), default=paths.smallest(q))
         corners = None if route is None else tuple(nodes[i] for i in route[1:-1])
         modes.append(Mode(q, paths.smallest(q), signs[k], corners, margin if route is not None else 0.0))
     return ModeConnections(drives, tuple(modes), len(ways))
 
 
-def _routes(ways: Mapping[tuple[int, int], float]) -> dict[int, tuple[int, ...]]:
+def regular_ways(
+    network: Network, drives: Sequence[int], modes: Sequence[Array], nodes: int = NODES
+) -> dict[tuple[int, int], Array]:
+    """Pairs of modes (first, other) with a way without a singularity: displacements along it [points x columns].
+
+    Of modes whose determinants have the same sign the first that is not yet connected is joined with all that the road
+    map reaches. Steps are too short to cross a singularity by bounds in doubles.
+    """
+    drives = tuple(drives)
+    paths = _Paths(network, drives)
+    paths.least = min([TURN, *(LEFT * paths.smallest(q) for q in modes)])
+    others = [q for q in real_configurations(network, nodes) if paths.smallest(q) > paths.least]
+    found: dict[tuple[int, int], Array] = {}
+    for sign in (1, 0, -1):
+        alike = [k for k, q in enumerate(modes) if paths.sign(q) == sign]
+        if len(alike) < 2:
+            continue
+        points = np.array([*(modes[k] for k in alike), *(q for q in others if paths.sign(q) == sign)])
+        ways = _joining(paths, points, len(alike))
+        left = list(range(len(alike)))
+        while left:
+            first, routes = left[0], _routes(ways, left[0])
+            for k in [k for k in left[1:] if k in routes]:
+                legs = [ways[a, b].points if a < b else ways[b, a].points[::-1] for a, b in pairwise(routes[k])]
+                found[alike[first], alike[k]] = np.concatenate(legs)
+            left = [k for k in left if k not in routes]
+    return found
+
+
+@dataclass(frozen=True)
+class Regular:
+    """A way from node to node: the smallest singular value on it, displacements along it."""
+
+    margin: float
+    points: Array
+
+
+def _joining(paths: _Paths, points: Array, modes: int) -> dict[tuple[int, int], Regular]:
+    """Regular ways between points, short ones first and none within a piece, until the first points are one piece."""
+    ways, pairs = dict[tuple[int, int], Regular](), paths.near(points)
+    while pairs and not set(range(modes)) <= set(_routes(ways)):
+        pieces = {k: min(_routes(ways, k)) for k in range(len(points))}
+        pairs = [pair for pair in pairs if pieces[pair[0]] != pieces[pair[1]]]
+        ways |= paths.regular(points, pairs[:AT_ONCE])
+        pairs = pairs[AT_ONCE:]
+    return ways
+
+
+def _routes(ways: Mapping[tuple[int, int], Regular], first: int = 0) -> dict[int, tuple[int, ...]]:
     """Node -> the nodes from the first to it, with as few ways as possible."""
-    routes: dict[int, tuple[int, ...]] = {0: (0,)}
-    front = [0]
+    routes: dict[int, tuple[int, ...]] = {first: (first,)}
+    front = [first]
     while front:
         here = front.pop(0)
         for one, two in ways:
@@ -133,6 +185,7 @@ class _Paths:
         hinges = {start for e in network.edges.values() for motion, start in e.motions if motion.revolute}
         self.turning = np.array([c in hinges for c in range(self.columns)])
         self.space = self._space()
+        self.least = TURN
 
     def jacobian(self, q: Array) -> tuple[Array, Array]:
         """(screws, the closure's Jacobian)."""
@@ -189,24 +242,32 @@ class _Paths:
             for name, pose in poses.items() if name in self.network.bodies for part in pose
         )  # fmt: skip
 
-    def ways(self, nodes: Array) -> dict[tuple[int, int], float]:
-        """Pairs of near nodes with a regular way between them, and the smallest singular value on it."""
+    def near(self, nodes: Array) -> list[tuple[int, int]]:
+        """Pairs of near nodes, the nearest first."""
         gaps = np.linalg.norm(self._gap(nodes[:, None], nodes[None]), axis=2)
         order = np.argsort(gaps, axis=1)[:, 1 : NEIGHBOURS + 1]
-        pairs = sorted({(min(i, int(j)), max(i, int(j))) for i in range(len(nodes)) for j in order[i]})
+        pairs = {(min(i, int(j)), max(i, int(j))) for i in range(len(nodes)) for j in order[i]}
+        return sorted(pairs, key=lambda pair: (float(gaps[pair]), pair))
+
+    def regular(self, nodes: Array, pairs: Sequence[tuple[int, int]]) -> dict[tuple[int, int], Regular]:
+        """Those of the pairs with a regular way between them."""
+        if not pairs:
+            return {}
         ends = np.array([nodes[j] for _, j in pairs])
         q, margins = np.array([nodes[i] for i, _ in pairs]), np.full(len(pairs), np.inf)
-        going = np.ones(len(pairs), dtype=bool)
+        going, trails = np.ones(len(pairs), dtype=bool), [[start.copy()] for start in q]
         for _ in range(MOST_STEPS):
             now = np.flatnonzero(going)
             if not len(now):
                 break
             q[now], smallest = self._stepped(q[now], self._gap(q[now], ends[now]))
             margins[now] = np.minimum(margins[now], smallest)
+            for k in now:
+                trails[k].append(q[k].copy())
             there = np.linalg.norm(self._gap(q[now], ends[now]), axis=1) < ARRIVED
-            going[now] = ~there & (smallest > TURN)
-        regular = np.flatnonzero(~going & (margins > TURN))
-        return {pairs[k]: float(margins[k]) for k in regular if self.same(q[k], ends[k])}
+            going[now] = ~there & (smallest > self.least)
+        regular = np.flatnonzero(~going & (margins > self.least)).tolist()
+        return {pairs[k]: Regular(float(margins[k]), np.array(trails[k])) for k in regular if self.same(q[k], ends[k])}
 
     def _gap(self, q: Array, end: Array) -> Array:
         """The way from q to the end, angles the shorter way round."""

@@ -109,17 +109,22 @@ def _displacement(length: Length, network: Network, q: Array) -> Array:
     return np.asarray(np.tan(moved / 2 - np.arctan(float(length.zero) * size)) / size)
 
 
+def turning(length: Length) -> bool:
+    """Whether the variable is a tangent of half an angle, which has no value at one angle."""
+    return length.zero is not None and any(length.screw[:3])
+
+
 def resting_angles(closure: ClosureEquations, network: Network) -> tuple[tuple[str, float], ...]:
     """(freedom, its displacement [rad]) at which a variable of the closure has no value, one for each that turns."""
     found = []
     for length in closure.lengths:
-        exact = np.array([float(exact_value(c)) for c in length.screw[:3]])
-        if length.zero is None or not exact.any():
+        if not turning(length):
             continue
+        exact = np.array([float(exact_value(c)) for c in length.screw[:3]])
         edge = network.edges[length.joint]
         unit = np.array([float(c) for c in edge.screws[length.freedom]])[:3]
         size = float(np.linalg.norm(exact)) * np.sign(exact @ unit)
-        angle = length.sign * (np.pi + 2 * np.arctan(float(length.zero) * size))
+        angle = length.sign * (np.pi + 2 * np.arctan(float(length.zero or 0) * size))
         name = length.joint if len(edge.screws) == 1 else f"{length.joint}.{length.freedom}"
         found.append((name, float((angle + np.pi) % (2 * np.pi) - np.pi)))
     return tuple(found)

@@ -99,9 +99,13 @@ def _summary(found: Mobility) -> list[str]:
     finite = found.finite
     lines = [f"{_count(found.dof, 'instantaneous freedom')}; Kutzbach-Gruebler counts {found.kutzbach}"]
     if found.overconstraints:
+        couplings = len(found.network.ties)
+        equations = f"{6 * len(found.network.chords) + couplings} " + (
+            "equations of loops and couplings" if couplings else "closure equations"
+        )
         lines.append(
             f"The count is {found.overconstraints} too low, because {found.overconstraints} of the "
-            f"{6 * len(found.network.chords)} closure equations follow from the others"
+            f"{equations} follow from the others"
         )
     if found.internal_freedoms:
         lines.append(f"{_count(found.internal_freedoms, 'freedom')} with {found.platform.body} at rest (internal)")

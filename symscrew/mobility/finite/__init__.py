@@ -18,7 +18,7 @@
 """
 
 from symscrew.mobility.finite.almost_ranks import RankClaim, rank_claims
-from symscrew.mobility.finite.finite_motion import FiniteMobility, finite_mobility, smooth_mobility
+from symscrew.mobility.finite.finite_motion import FiniteMobility, finite_mobility, kind_of, smooth_mobility
 from symscrew.mobility.finite.local_solutions import (
     CLOSED,
     Local,
@@ -49,6 +49,7 @@ __all__ = [
     "definite_stress",
     "finite_mobility",
     "is_zero",
+    "kind_of",
     "local_at",
     "moved",
     "named_spins",

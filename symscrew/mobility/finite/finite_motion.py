@@ -44,7 +44,7 @@ ORDERS = 6
 """Highest order of the kinematic tangent cone that is tried for a single motion. Known mechanisms stop at second to
 fourth order; where none up to this one stops it, the finite displacement decides, and the evidence is that."""
 
-
+TIED = "with couplings of coordinates nothing beyond that was looked at"
 RESOLVED = 1e-8
 """Smallest singular value of the closure that counts with which finite motions are followed in double precision: below
 it, Newton's method for the dependent coordinates amplifies rounding to more than a micrometre in a metre, and the
@@ -97,10 +97,11 @@ def finite_mobility(network: Network) -> FiniteMobility:
         own = (part.branches or (0,)) if part.branches is not None else (part.dof or 0,)
         dimensions = {a + b for a in dimensions for b in own}
     branches = tuple(sorted(dimensions - {0}))
-    return FiniteMobility(max(dimensions), False, branches, _kind(branches), evidence, proved, witnesses)
+    return FiniteMobility(max(dimensions), False, branches, kind_of(branches), evidence, proved, witnesses)
 
 
-def _kind(branches: Sequence[int]) -> str:
+def kind_of(branches: Sequence[int]) -> str:
+    """The kind of a singular configuration by the dimensions of the branches through it."""
     if not branches:
         return "infinitesimal"
     return "kinematotropic" if len(branches) > 1 else "singular"
@@ -133,7 +134,7 @@ def _with_spins(found: FiniteMobility, spins: int) -> FiniteMobility:
     branches = found.branches
     if branches is not None:
         branches = tuple(b + spins for b in branches) or (spins,)
-    kind = found.kind if branches is None else _kind(branches)
+    kind = found.kind if branches is None else kind_of(branches)
     return replace(found, dof=(found.dof or 0) + spins, branches=branches, kind=kind, evidence=(text, *found.evidence))
 
 
@@ -159,8 +160,6 @@ def _by_reduced_closure(network: Network, motions: Sequence[Screw], dof: int) ->
             proved=False,
         )
     text = _missed(trials)
-    if network.ties:
-        raise UndecidedError(f"{text}; with couplings of coordinates nothing beyond that was looked at")
     if dof == 1:
         arc = continued(network, motions[0], ORDERS)
         if arc.order is not None and arc.obstruction < RESOLVED:
@@ -176,8 +175,12 @@ def _by_reduced_closure(network: Network, motions: Sequence[Screw], dof: int) ->
             )
         if all(trial.closed or not trial.solved for trial in trials):
             raise UndecidedError(text)  # no residual was seen, so that nothing shows that the motion stops
+        if network.ties:
+            raise UndecidedError(f"{text}; {TIED}")
         stopped = f"{text}; an analytic function of one variable that does not vanish has isolated zeros"
         return replace(_infinitesimal(network, stopped), proved=False)  # the motion was solved for in doubles
+    if network.ties:
+        raise UndecidedError(f"{text}; {TIED}")
     forms = quadratic_forms(coarse, here)
     weights = definite_stress(forms)
     if weights is not None:
@@ -218,7 +221,7 @@ def _singular(coarse: ClosureVariety, fine: ClosureVariety, here: Local, forms: 
     evidence = (text, *found.evidence)
     if not found.dimensions:
         return replace(_infinitesimal(coarse.network, ""), evidence=evidence, proved=False)
-    kind = _kind(found.dimensions)
+    kind = kind_of(found.dimensions)
     return FiniteMobility(max(found.dimensions), False, found.dimensions, kind, evidence, False, found.witnesses)
 
 

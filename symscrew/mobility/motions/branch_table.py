@@ -61,6 +61,9 @@ class BranchRow:
     points: tuple[Array, ...]
 
 
+UNSEEN = "their dimensions are proved; what moves along them was not looked at"
+
+
 @dataclass(frozen=True)
 class BranchTable:
     """The branches through a configuration, those of most dimensions first.
@@ -88,6 +91,8 @@ def branches_through(network: Network, finite: FiniteMobility, body: str, *, com
         body: whose freedoms.
         complete: why dimensions and number are proved; empty where they are not.
     """
+    if not finite.smooth and not finite.witnesses:  # proved from the equations alone: no point of a branch is known
+        return BranchTable(body, (), complete if not finite.branches else "", "" if not finite.branches else UNSEEN)
     parts: dict[tuple[str, ...], list[Witness]] = {}
     for witness in finite.witnesses:
         parts.setdefault(tuple(witness.network.edges), []).append(witness)

@@ -13,10 +13,19 @@ from typing import TYPE_CHECKING
 from symscrew.doors import doors
 
 if TYPE_CHECKING:
-    from symscrew.mobility.proofs.evidence import MotionProof, motion_proof
+    from symscrew.mobility.proofs.evidence import Evidence, MotionProof, gathered, motion_proof
     from symscrew.mobility.proofs.proof_checker import Verdict, check_proof
     from symscrew.mobility.proofs.proof_file import mobility_proof, write_proof
 
-__all__ = ["MotionProof", "Verdict", "check_proof", "mobility_proof", "motion_proof", "write_proof"]
+__all__ = [
+    "Evidence",
+    "MotionProof",
+    "Verdict",
+    "check_proof",
+    "gathered",
+    "mobility_proof",
+    "motion_proof",
+    "write_proof",
+]
 
 __getattr__ = doors(__name__)

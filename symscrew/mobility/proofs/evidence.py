@@ -14,11 +14,14 @@ from symscrew.mobility.proofs.motion_proofs import block_entry
 from symscrew.mobility.proofs.proof_checker import Block, facts_of
 from symscrew.mobility.proofs.proof_numbers import ProofNumbers, described
 
+Evidence = tuple[ProofNumbers, dict[str, Any]]
+"""The description in exact numbers, and the evidence for the motion of every part, as the file has it."""
 METHODS = {
     "none": "no instantaneous motion of it",
     "groups": "every loop moves in a group of displacements, and the rank is the sum of their dimensions",
     "limbs": "each limb reaches all of a group of displacements, and groups meet in a group",
     "stopped": "a self-stress does work on the only motion",
+    "tied": "parts that are smooth without couplings, and couplings that are independent of them",
     "form": "the one redundant equation, or a combination of them, has a quadratic form that is not degenerate",
 }
 """Kind of a proof -> how it shows the real motion, in words."""
@@ -38,15 +41,14 @@ class MotionProof:
     how: str
 
 
-def gathered(mechanism: Mechanism, network: Network, body: str) -> tuple[ProofNumbers, dict[str, Any]]:
+def gathered(mechanism: Mechanism, network: Network, body: str) -> Evidence:
     """The description in exact numbers, and the evidence for the motion of every part."""
     numbers = described(mechanism, network, body)
     return numbers, {"blocks": [block_entry(numbers, k) for k in range(len(numbers.read.blocks))], "ranks": {}}
 
 
-def motion_proof(mechanism: Mechanism, network: Network, body: str) -> MotionProof | None:
-    """The real motion in the reference configuration as far as it is proved as a whole; None where it is not."""
-    numbers, values = gathered(mechanism, network, body)
+def motion_proof(numbers: ProofNumbers, values: dict[str, Any]) -> MotionProof | None:
+    """The real motion in the reference configuration, where evidence proves it as a whole; else None."""
     facts = facts_of(numbers.read, values)
     if "finite mobility" not in facts or "branches" not in facts:
         return None
@@ -64,4 +66,4 @@ def motion_proof(mechanism: Mechanism, network: Network, body: str) -> MotionPro
 
 def _definite(numbers: ProofNumbers, values: dict[str, Any], entry: dict[str, Any]) -> bool:
     """Whether a part with a form is isolated."""
-    return Block(numbers.read, values["blocks"].index(entry), entry).dimensions()[0] == 0
+    return Block(numbers.read, ("block", str(values["blocks"].index(entry))), entry).dimensions()[0] == 0

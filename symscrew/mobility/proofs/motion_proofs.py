@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
+from functools import cached_property
 from itertools import combinations
 from typing import Any
 
@@ -23,7 +24,6 @@ from symscrew.mobility.proofs.proof_checker import (
     Screw,
     at_least,
     bracket,
-    velocities,
 )
 from symscrew.mobility.proofs.proof_numbers import ProofNumbers
 from symscrew.mobility.proofs.rank_proofs import rank_entry
@@ -46,11 +46,16 @@ NONE: dict[str, Any] = {"kind": "none"}
 
 def block_entry(numbers: ProofNumbers, index: int) -> dict[str, Any]:
     """The part's rank and the strongest proof found for its motion."""
-    entry: dict[str, Any] = {"rank": rank_entry(numbers, numbers.read.matrix(["block", str(index)])), "proof": NONE}
-    part = _Part(numbers, index, entry)
+    return _entry(numbers, ("block", str(index)))
+
+
+def _entry(numbers: ProofNumbers, name: tuple[str, str]) -> dict[str, Any]:
+    entry: dict[str, Any] = {"rank": rank_entry(numbers, numbers.read.matrix(name)), "proof": NONE}
+    part = _Part(numbers, name, entry)
     if part.block.least == len(part.block.columns):
         return entry
-    for attempt in (part.groups_alone, part.limbs, part.stopped, part.form, part.direction):
+    smooth = (part.tied,) if part.block.ties else (part.groups_alone, part.limbs)
+    for attempt in (*smooth, part.stopped, part.form, part.direction):
         try:
             for proof in attempt():
                 if part.accepted(proof):
@@ -63,19 +68,27 @@ def block_entry(numbers: ProofNumbers, index: int) -> dict[str, Any]:
 class _Part:
     """A part of the mechanism, as the checker has it, and what proofs are made of."""
 
-    def __init__(self, numbers: ProofNumbers, index: int, entry: dict[str, Any]) -> None:
-        self.numbers, self.index, self.entry = numbers, index, entry
-        self.block = Block(numbers.read, index, entry)
+    def __init__(self, numbers: ProofNumbers, name: tuple[str, str], entry: dict[str, Any]) -> None:
+        self.numbers, self.name, self.entry = numbers, name, entry
+        self.block = Block(numbers.read, name, entry)
         self.decided = numbers.system is not None and self.block.least == self.block.most
         self._groups: list[Any] | None = None
 
     def accepted(self, proof: dict[str, Any]) -> bool:
         """Whether the checker takes it."""
         try:
-            Block(self.numbers.read, self.index, {**self.entry, "proof": proof}).dimensions()
+            Block(self.numbers.read, self.name, {**self.entry, "proof": proof}).dimensions()
         except RefusedError:
             return False
         return True
+
+    def tied(self) -> Iterator[dict[str, Any]]:
+        """Smooth, by parts that are so without couplings, and couplings that are independent or follow from others."""
+        read = self.numbers.read
+        inside = [k for k, part in enumerate(read.untied) if set(part.names) <= set(self.block.names)]
+        parts = [_entry(self.numbers, ("untied", str(k))) for k in inside]
+        implied = rank_entry(self.numbers, read.powers(self.block.ties)).get("null", [])
+        yield {"kind": "tied", "parts": parts, "implied": implied}
 
     def groups(self) -> list[Any]:
         """The group of each loop, as the file has it."""
@@ -149,12 +162,16 @@ class _Part:
     def stresses(self) -> list[tuple[Exact, ...]]:
         """Self-stresses that are independent on the groups of the loops."""
         assert self.numbers.system is not None
-        rows: list[list[Exact]] = [[Fraction(0)] * (6 * len(self.block.loops)) for _ in self.block.columns]
+        size = 6 * len(self.block.loops) + len(self.block.ties)
+        rows: list[list[Exact]] = [[Fraction(0)] * size for _ in self.block.columns]
         for loop, factors in enumerate(self.block.factors):
             for column, screw in factors:
                 for i, c in enumerate(screw):
                     rows[column][6 * loop + i] = self.numbers.exact(c)
-        found = null_vectors(rows, 6 * len(self.block.loops), self.numbers.system.field)
+        for k, tie in enumerate(self.block.tied_columns):
+            for column, powers in tie.items():
+                rows[column][6 * len(self.block.loops) + k] = self.numbers.exact(powers[0])
+        found = null_vectors(rows, size, self.numbers.system.field)
         values = np.array([[self._number(c) for c in s] for s in found]).reshape(len(found), -1)
         seen = [np.zeros((0,))] * 0
         chosen: list[int] = []
@@ -173,6 +190,7 @@ class _Part:
             part = stress[6 * k : 6 * k + 6]
             basis = np.eye(6) if group == WHOLE else np.array([[self._read(c) for c in v] for v in group])
             values += list(basis @ part)
+        values += list(stress[6 * len(self.block.loops) :])
         return np.array(values)
 
     def _number(self, number: Exact) -> float:
@@ -189,10 +207,7 @@ class _Part:
         stresses = self.stresses()
         arc = [self.block.motions[0]]
         for _ in range(2, ORDERS + 1):
-            left: list[Exact] = []
-            for factors in self.block.factors:
-                rates = [[order[c] for c, _ in factors] for order in arc]
-                left += [self.numbers.exact(c) for c in velocities([s for _, s in factors], rates)[-1]]
+            left = [self.numbers.exact(c) for c in self.block.opened(arc)[-1]]
             for stress in stresses:
                 if sum((a * b for a, b in zip(stress, left, strict=True) if a and b), Fraction(0)):
                     yield {
@@ -204,7 +219,7 @@ class _Part:
                     return
             rows = [
                 [*(self.numbers.exact(c) for c in row), c]
-                for row, c in zip(self.numbers.read.matrix(["block", str(self.index)]), left, strict=True)
+                for row, c in zip(self.numbers.read.matrix(self.name), left, strict=True)
             ]
             solutions = [v for v in null_vectors([r for r in rows if any(r)], width + 1, field) if v[-1]]
             if not solutions:  # no more than closed: the self-stresses chosen on the groups have missed it
@@ -213,6 +228,7 @@ class _Part:
             read = self.numbers.read.numbers.read
             arc.append([read(self.numbers.json(c * back)) for c in solutions[0][:-1]])
 
+    @cached_property
     def forms(self) -> tuple[list[tuple[Exact, ...]], np.ndarray[Any, Any]]:
         """Self-stresses with their quadratic forms on the motions, in doubles."""
         stresses = self.stresses()
@@ -225,7 +241,7 @@ class _Part:
         """A cone, by one form that is not degenerate; or isolated, by a definite combination."""
         if not self.decided or len(self.block.motions) < 2:
             return
-        stresses, forms = self.forms()
+        stresses, forms = self.forms
         weights = [Fraction(1)] if len(stresses) == 1 else []
         if len(stresses) > 1:
             found = definite_stress(forms)
@@ -248,7 +264,7 @@ class _Part:
         """A branch along a common zero of the forms at which they are independent."""
         if not self.decided or len(self.block.motions) < 3:
             return
-        stresses, forms = self.forms()
+        stresses, forms = self.forms
         scale = [float(np.abs(form).max()) for form in forms]
         if not len(forms) or min(scale) < FLAT:
             return

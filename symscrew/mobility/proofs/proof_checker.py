@@ -9,7 +9,8 @@ from the mechanism; from the evidence come only what is quick to check and long 
     rank at most r      columns - r independent vectors that the matrix maps to zero, exactly
     smooth              every loop moves in a group of displacements (a basis closed under the screw bracket), and the
                         rank is the sum of their dimensions: implicit functions;
-                        or limbs between two bodies of which each reaches all of a group
+                        or limbs between two bodies of which each reaches all of a group;
+                        or parts that are smooth without couplings, and couplings independent of them
     isolated            a self-stress that does work on the only motion at some order, all lower orders closed; or
                         one whose quadratic form is definite
     branches            one redundant equation with a quadratic form that is not degenerate: a cone (Morse)
@@ -19,6 +20,9 @@ from the mechanism; from the evidence come only what is quick to check and long 
 Numbers are rational, or polynomials in generators: roots of a polynomial in an interval, or (without a polynomial)
 any number of an interval; then the claims hold for all mechanisms with numbers in the intervals. An identity of such
 polynomials holds for the numbers; an interval without zero shows that a number is not zero. Screws at O, (omega ; v).
+
+A coupling keeps a sum of polynomials of coordinates at its value: sum p_j(x_j), x_j from `at` in the configuration. It
+is a row of the closure beside the six of a loop. Files with couplings are of format 2, which has nothing else new.
 """
 
 from __future__ import annotations
@@ -38,7 +42,11 @@ BITS = 320
 ONE = 1 << BITS
 LONGEST = 200_000
 """Characters of one number: longer ones are no mechanism's, and would only keep the reader waiting."""
-FORMAT = "symscrew mobility proof 1"
+FORMAT, COUPLED = "symscrew mobility proof 1", "symscrew mobility proof 2"
+"""Of files without couplings, and with them: who knows of none must not judge such a mechanism."""
+UNIT = ONE >> 140
+"""How far the square of a coupled axis may be from 1, since coordinates are counted along unit axes: what numbers of 50
+digits leave open is a million times less, what a rounded decimal does is more."""
 WHOLE = "all displacements"
 """Instead of a basis: the group of all rigid displacements, of dimension 6."""
 Interval = tuple[int, int]
@@ -92,6 +100,8 @@ class Number:
         return self + -other
 
     def __mul__(self, other: Number) -> Number:
+        if not self.terms or not other.terms:
+            return self.within.zero
         terms: dict[Key, Fraction] = {}
         for a, x in self.terms.items():
             for b, y in other.terms.items():
@@ -107,6 +117,7 @@ class Numbers:
         self.count = len(generators)
         self.low: list[list[Number] | None] = [None] * self.count
         self.between: list[Interval] = []
+        self.zero = Number(self, {})
         for k, entry in enumerate(generators):
             low, high = (_rational(end) for end in entry["between"])
             need(low <= high, f"generator {k}: its interval is empty")
@@ -119,7 +130,6 @@ class Numbers:
                 need(opposite, f"generator {k}: no root in its interval")
                 self.low[k] = given
             self.between.append((low.numerator * ONE // low.denominator, -(-high.numerator * ONE // high.denominator)))
-        self.zero = Number(self, {})
         self.one = self.rational(Fraction(1))
 
     def rational(self, value: Fraction) -> Number:
@@ -251,8 +261,21 @@ class Joint:
         return range(self.first, self.first + len(self.screws))
 
 
+Tie = dict[int, list[Number]]
+"""A coupling: column -> coefficients of the first, second ... power of the displacement from the configuration."""
+
+
+@dataclass(frozen=True)
+class Part:
+    """Loops, couplings (by index) and joints that share none of them with other parts: they move independently."""
+
+    loops: list[int]
+    ties: list[int]
+    names: list[str]
+
+
 class Mechanism:
-    """The graph, its loops and its matrices, from the description in the file."""
+    """The graph, its loops, its couplings and its matrices, from the description in the file."""
 
     def __init__(self, entry: Any) -> None:
         self.numbers = Numbers(entry["generators"])
@@ -270,7 +293,8 @@ class Mechanism:
         self._reached: dict[str, tuple[tuple[str, int], ...]] = {self.ground: ()}
         chords = self._span()
         self.loops = [self._loop(self.joints[name]) for name in chords]
-        self.blocks = self._blocks()
+        self.ties = [self._tie(coupling["terms"]) for coupling in entry.get("couplings", [])]
+        self.untied, self.blocks = self._parts([]), self._parts(self.ties)
 
     def _screws(self, joint: Any, motion: Any) -> list[Screw]:
         read, zero = self.numbers.read, self.numbers.zero
@@ -314,16 +338,39 @@ class Mechanism:
             common += 1
         return [*out[common:], (chord.name, 1), *((name, -sign) for name, sign in reversed(back[common:]))]
 
-    def _blocks(self) -> list[tuple[list[int], list[str]]]:
-        """(loops, joints) of the parts whose loops share no joint: their motions are independent of each other."""
+    def _tie(self, terms: Any) -> Tie:
+        """The sum of p(x) - p(at) over the terms in powers of x - at, by Horner's scheme."""
+        tie: Tie = {}
+        for term in terms:
+            joint, at = self.joints[term["joint"]], self.numbers.read(term["at"])
+            column, screw = joint.columns[term["freedom"]], joint.screws[term["freedom"]]
+            axis = screw[:3] if any(screw[:3]) else screw[3:]
+            low, high = self.numbers.interval(_dot(axis, axis))
+            need(max(abs(low - ONE), abs(high - ONE)) <= UNIT, "a coupled axis that has not the length 1")
+            need(column not in tie, f"joint {joint.name} is twice in a coupling")
+            shifted = [self.numbers.zero, *(self.numbers.read(c) for c in term["coefficients"])]
+            for first in range(len(shifted) - 1):
+                for k in reversed(range(first, len(shifted) - 1)):
+                    shifted[k] = shifted[k] + at * shifted[k + 1]
+            tie[column] = shifted[1:]
+        return tie
+
+    def _parts(self, ties: Sequence[Tie]) -> list[Part]:
+        """Parts whose loops, and couplings of those given, share no joint: their motions are independent."""
+        sets = [{name for name, _ in loop} for loop in self.loops]
+        sets += [{joint.name for joint in self.joints.values() if tie.keys() & set(joint.columns)} for tie in ties]
         parts: list[tuple[list[int], set[str]]] = []
-        for index, loop in enumerate(self.loops):
-            names = {name for name, _ in loop}
+        for index, names in enumerate(sets):
             touching = [part for part in parts if part[1] & names]
             parts = [part for part in parts if not part[1] & names]
-            loops = sorted([index, *(i for part in touching for i in part[0])])
-            parts.append((loops, names.union(*(part[1] for part in touching))))
-        return [(loops, [name for name in self.joints if name in names]) for loops, names in sorted(parts)]
+            inside = sorted([index, *(i for part in touching for i in part[0])])
+            parts.append((inside, names.union(*(part[1] for part in touching))))
+        count = len(self.loops)
+        return [
+            Part([i for i in inside if i < count], [i - count for i in inside if i >= count],
+                 [name for name in self.joints if name in names])
+            for inside, names in sorted(parts, key=lambda part: part[0])
+        ]  # fmt: skip
 
     def factors(self, loop: int) -> list[tuple[int, Screw]]:
         """(column, signed screw) of a loop: it closes where the product of exp(screw q_column) is 1."""
@@ -337,14 +384,15 @@ class Mechanism:
     def matrix(self, of: Sequence[str]) -> list[list[Number]]:
         """A matrix by name: what its rows are; columns are the joint freedoms, those of a limb or block alone."""
         kind, rest = of[0], of[1:]
-        if kind == "block":
-            loops, names = self.blocks[int(rest[0])]
-            columns = [c for name in names for c in self.joints[name].columns]
-            return [[row[c] for c in columns] for loop in loops for row in self._rows(self.loops[loop])]
+        if kind in ("block", "untied"):
+            part = (self.blocks if kind == "block" else self.untied)[int(rest[0])]
+            columns = [c for name in part.names for c in self.joints[name].columns]
+            every = [row for loop in part.loops for row in self._rows(self.loops[loop])]
+            return [[row[c] for c in columns] for row in (*every, *(self._tie_row(self.ties[k]) for k in part.ties))]
         if kind == "limb":
             return [list(row) for row in zip(*(s for n in self.limbs[rest[0]] for s in self.joints[n].screws),
                                              strict=True)]  # fmt: skip
-        rows = [row for loop in self.loops for row in self._rows(loop)]
+        rows = [row for loop in self.loops for row in self._rows(loop)] + [self._tie_row(tie) for tie in self.ties]
         if rest and rest[0] in ("twist", "turning"):
             rows += self._rows(self._reached[self.platform])[: 6 if rest[0] == "twist" else 3]
         elif rest and rest[0] == "drives":
@@ -353,6 +401,15 @@ class Mechanism:
         if kind != "closure" or rest not in ([], ["twist"], ["turning"], ["drives"]):
             raise UnreadableError(f"expected the name of a matrix, got {of}")
         return rows
+
+    def powers(self, indices: Iterable[int]) -> list[list[Number]]:
+        """A row for every power of a coupled coordinate, a column for each of the couplings."""
+        ties = [self.ties[index] for index in indices]
+        places = sorted({(column, k) for tie in ties for column, given in tie.items() for k in range(len(given))})
+        return [[tie[c][k] if k < len(tie.get(c, ())) else self.numbers.zero for tie in ties] for c, k in places]
+
+    def _tie_row(self, tie: Tie) -> list[Number]:
+        return [tie[c][0] if c in tie else self.numbers.zero for c in range(self.freedoms)]
 
     def _rows(self, path: Iterable[tuple[str, int]]) -> list[list[Number]]:
         rows = [[self.numbers.zero] * self.freedoms for _ in range(6)]
@@ -432,15 +489,19 @@ def chain(mechanism: Mechanism, ends: Sequence[str], names: Sequence[str]) -> tu
 class Block:
     """A part of the mechanism with the bounds of its rank, its motions, and the groups of its loops."""
 
-    def __init__(self, mechanism: Mechanism, index: int, entry: Any) -> None:
+    def __init__(self, mechanism: Mechanism, name: Sequence[str], entry: Any) -> None:
+        """`name`: as of its matrix, ("block", "0"); "untied" instead of "block" for a part without couplings."""
         self.mechanism, self.numbers, self.entry = mechanism, mechanism.numbers, entry
-        self.loops, self.names = mechanism.blocks[index]
+        part = (mechanism.blocks if name[0] == "block" else mechanism.untied)[int(name[1])]
+        self.loops, self.ties, self.names = part.loops, part.ties, part.names
         self.columns = [c for name in self.names for c in mechanism.joints[name].columns]
-        matrix = mechanism.matrix(["block", str(index)])
+        matrix = mechanism.matrix(name)
         self.least, self.most = rank(self.numbers, matrix, entry["rank"])
         self.motions = null_space(self.numbers, matrix, entry["rank"].get("null", []))
         at = {column: k for k, column in enumerate(self.columns)}
         self.factors = [[(at[c], s) for c, s in mechanism.factors(loop)] for loop in self.loops]
+        self.brackets: list[list[tuple[int, int, Screw]]] = []
+        self.tied_columns = [{at[c]: powers for c, powers in mechanism.ties[k].items()} for k in self.ties]
 
     def dimensions(self) -> tuple[int, int, list[int] | None, bool]:
         """(least, most dimension of the real motion; those of all branches, or None; whether it is smooth)."""
@@ -449,12 +510,16 @@ class Block:
         low, high = width - self.most, width - self.least
         if kind == "none":
             return (0, high, None, False) if high else (0, 0, [0], True)
+        if kind == "tied":
+            self.tied(proof)
+            return high, high, [high], True
         if kind == "limbs":
+            need(not self.ties, "a proof that leaves couplings out")
             self.limbs(proof)
             need(low == high, "a rank that is not decided")
             return low, low, [low], True
         groups = [group(self.numbers, [s for _, s in f], g) for f, g in zip(self.factors, proof["groups"], strict=True)]
-        redundant = sum(map(len, groups)) - self.least
+        redundant = sum(map(len, groups)) + len(self.ties) - self.least
         need(redundant == 0 or low == high == len(self.motions), "a rank that is not decided")
         if kind == "groups":
             need(redundant == 0, "groups with more dimensions than the rank")
@@ -476,6 +541,21 @@ class Block:
         need(redundant == 1, "an indefinite form among several redundant equations")
         return high - 1, high - 1, [high - 1], False
 
+    def tied(self, proof: Any) -> None:
+        """Smooth without the couplings, and these independent on its motions: smooth, by implicit functions.
+
+        Couplings that are combinations of others, in all powers of all coordinates, hold with them.
+        """
+        inside = [k for k, part in enumerate(self.mechanism.untied) if set(part.names) <= set(self.names)]
+        need(len(inside) == len(proof["parts"]), "parts without couplings that are missing")
+        loops = 0
+        for k, entry in zip(inside, proof["parts"], strict=True):
+            part = Block(self.mechanism, ("untied", str(k)), entry)
+            need(part.dimensions()[3], "a part that is not smooth without couplings")
+            loops += len(part.columns) - part.dimensions()[0]
+        alike = null_space(self.numbers, self.mechanism.powers(self.ties), proof["implied"])
+        need(self.least == loops + len(self.ties) - len(alike), "couplings that are not independent of the loops")
+
     def limbs(self, proof: Any) -> None:
         """Limbs between two bodies, each of which reaches all of a group: smooth, as the meet of groups is a group."""
         inside: list[str] = []
@@ -490,28 +570,40 @@ class Block:
         need(sorted(used) == sorted(self.names), "joints that are in no limb, or in two")
         need(len({*inside, *proof["between"]}) == len(inside) + 2, "limbs that share a body")
 
-    def stress(self, given: Any) -> list[Screw]:
-        """A self-stress, six numbers a loop, that does no work on any screw."""
-        stress = [self.numbers.read(c) for c in given]
-        parts = [stress[6 * k : 6 * k + 6] for k in range(len(self.loops))]
-        need(len(stress) == 6 * len(parts), "a self-stress of another length")
+    def stress(self, given: Any) -> tuple[list[Screw], list[Number]]:
+        """A self-stress, six numbers a loop and one a coupling, that does no work on any screw."""
+        stress, count = [self.numbers.read(c) for c in given], len(self.loops)
+        parts, pulls = [stress[6 * k : 6 * k + 6] for k in range(count)], stress[6 * count :]
+        need(len(stress) == 6 * count + len(self.ties), "a self-stress of another length")
         work = [self.numbers.zero] * len(self.columns)
         for part, factors in zip(parts, self.factors, strict=True):
             for column, screw in factors:
                 work[column] = work[column] + _dot(part, screw)
+        for pull, tie in zip(pulls, self.tied_columns, strict=True):
+            for column, powers in tie.items():
+                work[column] = work[column] + pull * powers[0]
         need(not any(work), "a self-stress that does work on a joint")
-        return parts
+        return parts, pulls
 
     def form(self, given: Any) -> list[list[Number]]:
         """Twice the second-order work of a self-stress on the motions: sum of stress . [S_j, S_k] u_j u_k, j < k."""
         zero, count = self.numbers.zero, len(self.motions)
         form = [[zero] * count for _ in range(count)]
-        for part, factors in zip(self.stress(given), self.factors, strict=True):
-            for (j, a), (k, b) in combinations(factors, 2):
-                if work := _dot(part, bracket(a, b)):
-                    for x, u in enumerate(self.motions):
-                        for y, v in enumerate(self.motions):
-                            form[x][y] = form[x][y] + work * (u[j] * v[k] + v[j] * u[k])
+        parts, pulls = self.stress(given)
+        if not self.brackets:
+            self.brackets = [[(j, k, bracket(a, b)) for (j, a), (k, b) in combinations(f, 2)] for f in self.factors]
+        loops = zip(parts, self.brackets, strict=True)
+        works = [(j, k, _dot(part, screw)) for part, found in loops for j, k, screw in found]
+        two = self.numbers.rational(Fraction(2))  # the second derivative of c x^2 is 2 c u^2
+        for pull, tie in zip(pulls, self.tied_columns, strict=True):
+            works += [(c, c, pull * two * powers[1]) for c, powers in tie.items() if len(powers) > 1]
+        moved = [[(x, u[c]) for x, u in enumerate(self.motions) if u[c]] for c in range(len(self.columns))]
+        for j, k, work in works:
+            for x, u in moved[j] if work else ():
+                for y, v in moved[k]:
+                    done = work * u * v
+                    form[x][y] = form[x][y] + done
+                    form[y][x] = form[y][x] + done
         return form
 
     def changed(self, form: list[list[Number]], basis: list[list[Number]]) -> list[list[Interval]]:
@@ -558,12 +650,34 @@ class Block:
         """The only motion, continued order by order, until a self-stress does work."""
         arc = [[self.numbers.read(c) for c in rates] for rates in proof["arc"]]
         need(any(arc[0]) and all(len(rates) == len(self.columns) for rates in arc), "an arc that does not start")
-        stress, work = self.stress(proof["stress"]), self.numbers.zero
-        for part, factors in zip(stress, self.factors, strict=True):
-            left = velocities([s for _, s in factors], [[rates[c] for c, _ in factors] for rates in arc])
-            need(not any(c for order in left[:-1] for c in order), "a motion that opens a loop at a lower order")
-            work = work + _dot(part, left[-1])
+        parts, pulls = self.stress(proof["stress"])
+        left = self.opened(arc)
+        need(not any(c for order in left[:-1] for c in order), "a motion that opens a loop at a lower order")
+        work = _dot([c for part in parts for c in part] + pulls, left[-1])
         need(_apart(self.numbers.interval(work)), "a self-stress that does no work on the motion")
+
+    def opened(self, arc: Sequence[Sequence[Number]]) -> list[list[Number]]:
+        """Coefficients in t of the velocities at which rates, a power series, open the loops and couplings."""
+        result: list[list[Number]] = [[] for _ in range(len(arc) + 1)]
+        for factors in self.factors:
+            loop = velocities([s for _, s in factors], [[rates[c] for c, _ in factors] for rates in arc])
+            result = [[*a, *b] for a, b in zip(result, loop, strict=True)]
+        for tie in self.tied_columns:
+            moved = [self.numbers.zero] * (len(arc) + 1)
+            for column, powers in tie.items():
+                moved = [a + b for a, b in zip(moved, self._moved([r[column] for r in arc], powers), strict=True)]
+            result = [[*a, b] for a, b in zip(result, moved, strict=True)]
+        return result
+
+    def _moved(self, rates: Sequence[Number], powers: Sequence[Number]) -> list[Number]:
+        """Coefficients in t of the velocity of sum powers_k x^k, where x moves from 0 with the rates."""
+        zero, rational = self.numbers.zero, self.numbers.rational
+        x = [zero, *(r * rational(Fraction(1, k + 1)) for k, r in enumerate(rates)), zero]
+        power, total = [self.numbers.one, *[zero] * (len(x) - 1)], [zero] * len(x)
+        for c in powers:
+            power = [sum((power[i] * x[k - i] for i in range(k + 1)), zero) for k in range(len(x))]
+            total = [a + c * b for a, b in zip(total, power, strict=True)]
+        return [rational(Fraction(k)) * c for k, c in enumerate(total)][1:]
 
 
 def velocities(screws: Sequence[Screw], rates: Sequence[Sequence[Number]]) -> list[Screw]:
@@ -623,18 +737,18 @@ def facts_of(mechanism: Mechanism, entry: Any) -> dict[str, Any]:
     """What the evidence shows: words -> value."""
     blocks = entry["blocks"]
     need(len(blocks) == len(mechanism.blocks), "evidence for another number of blocks")
-    parts = [Block(mechanism, index, block) for index, block in enumerate(blocks)]
+    parts = [Block(mechanism, ("block", str(index)), block) for index, block in enumerate(blocks)]
     least, most = sum(part.least for part in parts), sum(part.most for part in parts)
-    freedoms, loops = mechanism.freedoms, len(mechanism.loops)
+    freedoms, loops, ties = mechanism.freedoms, len(mechanism.loops), len(mechanism.ties)
     found: dict[str, Any] = {
         "joint freedoms": freedoms,
         "independent loops": loops,
-        "Kutzbach-Gruebler": freedoms - 6 * loops,
+        "Kutzbach-Gruebler": freedoms - 6 * loops - ties,
         "instantaneous mobility at most": freedoms - least,
         "finite mobility at most": freedoms - least,
     }
     if least == most:
-        found["instantaneous mobility"], found["redundant constraints"] = freedoms - least, 6 * loops - least
+        found["instantaneous mobility"], found["redundant constraints"] = freedoms - least, 6 * loops + ties - least
     _add_motion(found, [part.dimensions() for part in parts], freedoms - sum(len(part.columns) for part in parts))
     known = {}
     for name, given in entry["ranks"].items():
@@ -684,8 +798,9 @@ def check_proof(values: Any) -> Verdict:
         UnreadableError: it is no proof file.
     """
     try:
-        if values["format"] != FORMAT:
-            raise UnreadableError(f"expected the format {FORMAT!r}, got {str(values['format'])[:60]!r}")
+        expected = COUPLED if "couplings" in values["mechanism"] else FORMAT
+        if values["format"] != expected:
+            raise UnreadableError(f"expected the format {expected!r}, got {str(values['format'])[:60]!r}")
         name, claims = str(values["mechanism"]["name"]), [(str(c["claim"]), c["value"]) for c in values["claims"]]
         sampled = [(str(c["claim"]), c["value"], str(c["why"])) for c in values["not proved"]]
         texts = tuple(f"{claim} {json.dumps(value)}: {why}" for claim, value, why in sampled)

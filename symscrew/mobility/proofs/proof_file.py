@@ -13,8 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from symscrew.mobility.analysis import Mobility
-from symscrew.mobility.proofs.evidence import gathered
-from symscrew.mobility.proofs.proof_checker import FORMAT, Verdict, check_proof, digest, facts_of
+from symscrew.mobility.proofs.proof_checker import COUPLED, FORMAT, Verdict, check_proof, digest, facts_of
 from symscrew.mobility.proofs.rank_proofs import rank_entry
 from symscrew.whole_files import write_text
 
@@ -29,8 +28,12 @@ def mobility_proof(found: Mobility) -> dict[str, Any]:
     Claims without a proof stand under `not proved`, with the reason: real motion that is sampled, ranks decided in 60
     digits only, and all of a displaced configuration, which has no exact coordinates.
     """
-    numbers, evidence = gathered(found.mechanism, found.network, found.platform.body)
-    values: dict[str, Any] = {"format": FORMAT, "mechanism": numbers.values, "digest": digest(numbers.values)}
+    numbers, evidence = found.evidence
+    values: dict[str, Any] = {
+        "format": COUPLED if "couplings" in numbers.values else FORMAT,
+        "mechanism": numbers.values,
+        "digest": digest(numbers.values),
+    }
     names = ["closure twist", "closure turning", *(["closure drives"] if found.network.driven else [])]
     names += [f"limb {name}" for name, limb in found.mechanism.limbs.items() if limb.joints]
     values["blocks"] = evidence["blocks"]

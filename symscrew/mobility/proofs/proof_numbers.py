@@ -9,7 +9,7 @@ of 50 digits: then what needs no exact zero can still be proved.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from math import isqrt
@@ -17,8 +17,8 @@ from typing import Any
 
 import sympy
 
-from symscrew.algebra import CONTEXT
-from symscrew.description import Joint
+from symscrew.algebra import CONTEXT, high_precision
+from symscrew.description import CoupledTerm, Joint
 from symscrew.description import Mechanism as Described
 from symscrew.mobility.joint_network import Network
 from symscrew.mobility.proofs.proof_checker import BITS, ONE, Mechanism, Number, Numbers
@@ -27,6 +27,8 @@ from symscrew.mobility.symbols import (
     ExactSystem,
     Generator,
     NotDecidableError,
+    coupled_lengths,
+    exact_inverse,
     exact_system,
     generator_itself,
     terms_of,
@@ -89,14 +91,21 @@ def described(mechanism: Described, network: Network, body: str) -> ProofNumbers
     why, system = "", None
     try:
         system = exact_system(mechanism)
+        coupled_lengths(mechanism, system)  # which may adjoin roots, and numbers are written in all of them
+        for e in _coupling_numbers(mechanism):
+            system.field.read(e)
         generators = _roots(system.field.generators)
         joints = [_exact_joint(mechanism, joint, system) for joint in mechanism.joints.values()]
+        field = system.field
+        couplings = _couplings(mechanism, lambda e: encoded(field.read(e), field.generators))
     except NotDecidableError as error:
         why, system = str(error), None
         about = _Intervals()
         written = [_typed_joint(mechanism, joint, network, about) for joint in mechanism.joints.values()]
+        _couplings(mechanism, about.typed)  # which finds the generators, in all of which numbers are then written
         generators = about.generators
         joints = [about.completed(joint) for joint in written]
+        couplings = _couplings(mechanism, lambda e: about.completed(about.typed(e)))
     values = {
         "name": mechanism.name,
         "ground": mechanism.ground,
@@ -106,6 +115,8 @@ def described(mechanism: Described, network: Network, body: str) -> ProofNumbers
         "limbs": {name: list(limb.joints) for name, limb in mechanism.limbs.items()},
         "drives": [[joint.name, index] for joint in mechanism.joints.values() for index in joint.driven],
     }
+    if couplings:
+        values["couplings"] = couplings
     return ProofNumbers(values, Mechanism(values), system, why)
 
 
@@ -148,9 +159,13 @@ def _exact_joint(mechanism: Described, joint: Joint, system: ExactSystem) -> dic
     turns = any(motion.turns for motion in joint.kind.motions)
     point = [field.read(mechanism.number(c)) for c in joint.point] if turns else [Fraction(0)] * 3
     motions: list[dict[str, Any]] = []
+    lengths = coupled_lengths(mechanism, system)
     for kind, start in _motions(joint):
         screw = system.screws[joint.name][start]
         axis = screw[3:] if kind == "P" else screw[:3]
+        if (joint.name, start) in lengths:  # coordinates that are coupled are counted along unit axes
+            unit = exact_inverse(lengths[joint.name, start])
+            axis = tuple(c * unit for c in axis)
         motion = {"kind": kind} if kind == "S" else {"kind": kind, "axis": [encoded(c, generators) for c in axis]}
         if kind == "H" and joint.pitch is not None:
             motion["pitch"] = encoded(field.read(mechanism.number(joint.pitch)), generators)
@@ -160,6 +175,42 @@ def _exact_joint(mechanism: Described, joint: Joint, system: ExactSystem) -> dic
 
 def _joint(joint: Joint, point: list[Any], motions: list[dict[str, Any]]) -> dict[str, Any]:
     return {"name": joint.name, "parent": joint.parent, "child": joint.child, "point": point, "motions": motions}
+
+
+def _freedom(mechanism: Described, term: CoupledTerm) -> int:
+    return mechanism.joints[term.joint].kind.starts[term.motion]
+
+
+def _at(mechanism: Described, term: CoupledTerm) -> sympy.Expr:
+    """Where the coordinate is; 0 for a ratio that does not change, since it is the same everywhere."""
+    given = mechanism.joints[term.joint].reference
+    placed = len(term.coefficients) > 1 and term.motion < len(given)
+    return mechanism.number(given[term.motion]) if placed else sympy.S.Zero
+
+
+def _coupling_numbers(mechanism: Described) -> Iterator[sympy.Expr]:
+    for coupling in mechanism.couplings.values():
+        for term in coupling.terms:
+            yield _at(mechanism, term)
+            yield from (mechanism.number(c) for c in term.coefficients)
+
+
+def _couplings(mechanism: Described, number: Callable[[sympy.Expr], Any]) -> list[dict[str, Any]]:
+    return [
+        {
+            "name": coupling.name,
+            "terms": [
+                {
+                    "joint": term.joint,
+                    "freedom": _freedom(mechanism, term),
+                    "at": number(_at(mechanism, term)),
+                    "coefficients": [number(mechanism.number(c)) for c in term.coefficients],
+                }
+                for term in coupling.terms
+            ],
+        }
+        for coupling in mechanism.couplings.values()
+    ]
 
 
 class _Intervals:
@@ -179,6 +230,10 @@ class _Intervals:
             self._places[key] = len(self.generators)
             self.generators.append({"between": [str(middle - width), str(middle + width)]})
         return self._places[key]
+
+    def typed(self, e: sympy.Expr) -> Any:
+        """A number of the description."""
+        return self.number(e, high_precision(e))
 
     def completed(self, values: Any) -> Any:
         """The same with places of generators written as numbers of the file."""

@@ -18,7 +18,7 @@ from symscrew.description import Joint, Mechanism, slope
 from symscrew.kinematics import motion_screws
 from symscrew.mobility.joint_network import Network
 from symscrew.mobility.symbols.exact_field import Field
-from symscrew.mobility.symbols.exact_numbers import Exact, NotDecidableError
+from symscrew.mobility.symbols.exact_numbers import Exact
 
 Row = list[Exact]
 
@@ -41,7 +41,8 @@ def exact_system(mechanism: Mechanism, further: Sequence[sympy.Expr] = ()) -> Ex
     axes = {name: [[number(c) for c in axis] for axis in joint.axes] for name, joint in mechanism.joints.items()}
     pitches = {name: number(j.pitch) for name, j in mechanism.joints.items() if j.pitch is not None}
     every = [*(c for p in points.values() for c in p), *(c for a in axes.values() for x in a for c in x),
-             *pitches.values(), *further]  # fmt: skip
+             *pitches.values(), *further,
+             *(number(slope(mechanism, t)) for c in mechanism.couplings.values() for t in c.terms)]  # fmt: skip
     field = Field(every)
     directions = {name: [field.direction(axis) for axis in given] for name, given in axes.items()}
     screws = {}
@@ -92,24 +93,37 @@ ExactTie = tuple[tuple[str, int, Exact], ...]
 """The slopes of a coupling in the reference configuration: (joint, motion, slope)."""
 
 
-def exact_ties(mechanism: Mechanism, system: ExactSystem) -> tuple[ExactTie, ...]:
-    """The couplings' slopes over the field of the screws.
+def coupled_lengths(mechanism: Mechanism, system: ExactSystem) -> dict[tuple[str, int], Exact]:
+    """(joint, freedom) -> the length of the exact direction of a coupled coordinate, by which its rate is divided.
 
     Raises:
-        NotDecidableError: a slope is no rational number, or an exact direction of a coupled joint is no unit vector, so
-            that a rate along it is not the coordinate's.
+        NotDecidableError: more roots than a field may have.
     """
+    lengths: dict[tuple[str, int], Exact] = {}
+    for term in (term for coupling in mechanism.couplings.values() for term in coupling.terms):
+        kind = mechanism.joints[term.joint].kind
+        screw = system.screws[term.joint][kind.starts[term.motion]]
+        axis = screw[:3] if kind.motions[term.motion].turns else screw[3:]
+        square = sum((c * c for c in axis), Fraction(0))
+        lengths[term.joint, kind.starts[term.motion]] = system.field.sqrt(square)
+    return lengths
+
+
+def exact_ties(mechanism: Mechanism, system: ExactSystem) -> tuple[ExactTie, ...]:
+    """The couplings' slopes over the field of the screws, for rates along the exact directions.
+
+    Raises:
+        NotDecidableError: a slope or the length of a direction has no place in the field.
+    """
+    lengths = coupled_lengths(mechanism, system)
     made = []
     for coupling in mechanism.couplings.values():
         entries = []
         for term in coupling.terms:
-            value = mechanism.number(slope(mechanism, term))
-            screw = system.screws[term.joint][mechanism.joints[term.joint].kind.starts[term.motion]]
-            turns = mechanism.joints[term.joint].kind.motions[term.motion].turns
-            axis = screw[:3] if turns else screw[3:]
-            if not value.is_Rational or sum((c * c for c in axis), Fraction(0)) != 1:
-                raise NotDecidableError(f"the coupling {coupling.name} has a ratio that is not rational")
-            entries.append((term.joint, term.motion, Fraction(int(value.p), int(value.q))))
+            along = lengths[term.joint, mechanism.joints[term.joint].kind.starts[term.motion]]
+            entries.append(
+                (term.joint, term.motion, system.field.read(mechanism.number(slope(mechanism, term))) * along)
+            )
         made.append(tuple(entries))
     return tuple(made)
 

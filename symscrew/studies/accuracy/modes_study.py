@@ -15,10 +15,9 @@ from typing import Any
 
 import numpy as np
 
-from symscrew.assembly import WaysToSolve, modes_model, print_modes
+from symscrew.assembly import WaysToSolve, compiled_modes, modes_model, print_modes
 from symscrew.display import Progress
 from symscrew.errors import DescriptionError
-from symscrew.generation import compiled_modes
 from symscrew.runtime import find_compiler
 from symscrew.studies.accuracy.measuring import Setup, Stopwatch, Study, measured
 from symscrew.studies.accuracy.states import Subject

@@ -15,6 +15,7 @@ import numpy as np
 from symscrew.studies.benchmark.pinocchio_tree import PinocchioTree
 
 LIMIT_SECONDS = 900  # of the compiler, which takes one minute: longer, it hangs
+COMPILER = "g++"
 CPP_FLAGS = ("-O3", "-march=native", "-DNDEBUG")
 LIMITS = (
     "-DBOOST_MPL_LIMIT_LIST_SIZE=30",
@@ -41,7 +42,8 @@ def build_pinocchio(folder: Path) -> ctypes.CDLL:
     built = folder / "pinocchio_timing.so"
     source = Path(__file__).with_name("pinocchio_timing.cpp")
     includes = ["-isystem", str(pinocchio), "-isystem", str(eigen)]
-    command = ["g++", "-std=c++17", *CPP_FLAGS, "-shared", "-fPIC", *LIMITS, *includes, str(source), "-o", str(built)]
+    flags = ["-std=c++17", "-shared", "-fPIC", *CPP_FLAGS]
+    command = [COMPILER, *flags, *LIMITS, *includes, str(source), "-o", str(built)]
     try:
         result = subprocess.run(
             command, capture_output=True, encoding="utf-8", errors="replace", check=False, timeout=LIMIT_SECONDS

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from symscrew.description import Joint, Mechanism
-from symscrew.display import Progress, aligned_table
+from symscrew.display import Progress, fitting_table
 from symscrew.studies.demo.paper_study import LIMIT, TIMED_STATES, Case, Demo
 from symscrew.whole_files import write_text
 
@@ -91,7 +91,7 @@ def demo_summary(demo: Demo) -> str:
     body = [[text, *(value(case) for case in demo.cases)] for text, value in rows]
     return "\n".join(
         [
-            aligned_table(["quantity", *(case.mechanism.name for case in demo.cases)], body),
+            fitting_table(["quantity", *(case.mechanism.name for case in demo.cases)], body),
             "",
             f"Times: {code}, median per state of calls with {TIMED_STATES} states, so without Python's share; "
             "one thread.",

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from symscrew.description import to_toml
-from symscrew.display import aligned_table
+from symscrew.display import fitting_table
 from symscrew.studies.given_motion.study import DriveStudy
 from symscrew.whole_files import replaced, write_text
 
@@ -44,12 +44,12 @@ def study_text(study: DriveStudy) -> str:
         header = ["drive", "largest", "rms", "rate", "power [W]"]
         rows = [[n, f"{d['largest']:.4g} {d['unit']}", f"{d['rms']:.4g}", f"{d['largest_rate']:.3g} {d['rate_unit']}",
                  f"{d['largest_power']:.4g}"] for n, d in drives.items()]  # fmt: skip
-        lines += ["", aligned_table(header, rows)]
+        lines += ["", fitting_table(header, rows)]
     rows = [[n, f"{j['largest_force']:.4g}", f"{j['largest_moment']:.4g}", f"{j['at']:.4g}"] for n, j in joints.items()]
-    lines += ["", aligned_table(["joint", "force [N]", "moment about it [N m]", "at t [s]"], rows)]
+    lines += ["", fitting_table(["joint", "force [N]", "moment about it [N m]", "at t [s]"], rows)]
     if margins:
         rows = [[name, f"{margins[name]['least']:.3g}", f"{margins[name]['at']:.4g}"] for name in watched(study)]
-        lines += ["", aligned_table(["margin", "least", "at t [s]"], rows)]
+        lines += ["", fitting_table(["margin", "least", "at t [s]"], rows)]
     return "\n".join(lines)
 
 

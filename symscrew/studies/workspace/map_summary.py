@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from symscrew.display import aligned_table
+from symscrew.display import fitting_table
 from symscrew.studies.workspace.plan import AZIMUTH, TILT, Plan
 
 Results = Mapping[str, np.ndarray]
@@ -124,7 +124,7 @@ def sweep_summary_text(found: Mapping[str, Any]) -> str:
             [name, *(f"{r[key]:.6g}" for key in ("least", "largest")), f"{r['largest'] - r['least']:.6g}", r["unit"]]
             for name, r in found["ranges"].items()
         ]
-        lines += ["", aligned_table(("over the allowed cases", "least", "largest", "span", "unit"), rows)]
+        lines += ["", fitting_table(("over the allowed cases", "least", "largest", "span", "unit"), rows)]
     if "tolerance" in found:
         rows = [
             [name, *(f"{r[key]:.4g}" for key in ("deviation", "5", "95")), r["unit"]]
@@ -132,6 +132,6 @@ def sweep_summary_text(found: Mapping[str, Any]) -> str:
         ]
         lines += [
             "",
-            aligned_table(("about the mean of the samples", "standard deviation", "5 %", "95 %", "unit"), rows),
+            fitting_table(("about the mean of the samples", "standard deviation", "5 %", "95 %", "unit"), rows),
         ]
     return "\n".join(lines)

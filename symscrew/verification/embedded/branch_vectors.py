@@ -1,23 +1,24 @@
 """States and calls that reach the branches of generated C: what evidence on it is collected with.
 
 a function's own states, random ones, huge ones, NaN and infinity   --> its checks
-states where a pivot vanishes, where the loops lose their rank      --> its second path
+states where a pivot vanishes (`pivot_vectors`), a rank is lost      --> its second path
 small matrices made for it, each handed over by itself              --> every branch of the linear algebra behind
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass
 
 import numpy as np
 
 from symscrew.export import Precision
 from symscrew.model import Model
 from symscrew.program import QUATERNION, Iteration, Port, Program, RankRevealing, evaluate
+from symscrew.verification.embedded.pivot_vectors import pivot_states
 
-LINES = 6  # through states, per pivot, on which one where it vanishes is looked for
 RANDOM, SEED = 96, 7  # vectors per function whose entries are random: they reach most refusals, and take no time
+GUESSES = 64  # of an iteration, up to half a turn off: some lead to another branch
 ENTRIES = 64  # of an array of which each is made NaN, infinite, huge by itself: of longer ones the first and last
 LENGTHS = (0.9, 1.1)  # of quaternions that are none
 STARTS, STEPS = 4, 40  # of Newton's method to where the loops lose their rank: it takes ten from most starts
@@ -57,8 +58,16 @@ INTERNAL = """
 """
 
 
-def function_vectors(model: Model, name: str, real: Precision) -> list[np.ndarray]:
-    """States of a function, an array (states, size) per input."""
+@dataclass(frozen=True)
+class Vectors:
+    """States of a function, an array (states, size) per input; per guard the least size that was found of its pivot."""
+
+    arrays: list[np.ndarray]
+    least: tuple[float, ...]
+
+
+def function_vectors(model: Model, name: str, real: Precision) -> Vectors:
+    """States that reach the branches of a function, as far as they are found."""
     kind = np.float32 if real.suffix else np.float64
     program = model.programs[name]
     own = [np.atleast_2d(x) for x in model.test_inputs[name]]
@@ -68,6 +77,7 @@ def function_vectors(model: Model, name: str, real: Precision) -> list[np.ndarra
         scale = 10.0 ** rng.integers(-3, 3)
         rows.append([x[0] + scale * rng.normal(size=x.shape[1]) * (k % (i + 2) == 0) for i, x in enumerate(own)])
     rows += [_turned(program, row) for row in rows]
+    rows.append([_reference(model, port, x[0]) for port, x in zip(program.inputs, own, strict=True)])
     for i, x in enumerate(own):
         for value in (np.nan, np.inf, -np.inf, np.finfo(kind).max, 0.0):
             for entry in range(x.shape[1]) if x.shape[1] <= ENTRIES else (0, x.shape[1] - 1):
@@ -79,11 +89,21 @@ def function_vectors(model: Model, name: str, real: Precision) -> list[np.ndarra
             at = [k for k, form in enumerate(program.inputs[i].forms) if form == QUATERNION]
             rows.append([y[0].copy() for y in own])
             rows[-1][i][at] *= length
+    if isinstance(program, Iteration):
+        for k in range(GUESSES):
+            rows.append([x[k % len(x)] + rng.uniform(-np.pi, np.pi, x.shape[1]) * (i == 1) for i, x in enumerate(own)])
+            rows.append(_turned(program, rows[-1]))
     with np.errstate(all="ignore"):
-        rows += _at_pivots(program, own, rng)
+        at_pivots, least = _at_pivots(program, own, rng, real)
+        rows += at_pivots
         if isinstance(program, RankRevealing):
             rows += _beside_pivots(program, own, rng)
-        return [np.array([row[i] for row in rows]).astype(kind) for i in range(len(own))]
+        return Vectors([np.array([row[i] for row in rows]).astype(kind) for i in range(len(own))], least)
+
+
+def _reference(model: Model, port: Port, x: np.ndarray) -> np.ndarray:
+    """An input at the reference configuration, where every joint's displacement is zero."""
+    return np.array(model.system.reference, dtype=float) if port.name in ("q", "guess") else x
 
 
 def _turned(program: Program | Iteration, row: Sequence[np.ndarray]) -> list[np.ndarray]:
@@ -97,58 +117,14 @@ def _turned(program: Program | Iteration, row: Sequence[np.ndarray]) -> list[np.
 
 
 def _at_pivots(
-    program: Program | Iteration, own: Sequence[np.ndarray], rng: np.random.Generator
-) -> list[list[np.ndarray]]:
-    """States where a pivot of the elimination vanishes: found on random lines, by halving where its sign changes.
-
-    Of an iteration those of its step, whose q is the guess.
-    """
-    if not own:
-        return []
-    step = program.step if isinstance(program, Iteration) else program
-    if isinstance(program, Iteration):  # (y, guess, p) -> (q, y, p)
-        own = [own[1], own[0], *own[2:]]
-    found = []
-    for slot, _ in step.guards:
-        port = Port("pivot", (1,), ("1",), ("pivot",), "")
-        alone = replace(step, outputs=(port,), results=((slot,),), guards=(), limits=())
-
-        def pivot(rows: Sequence[np.ndarray], part: Program = alone) -> np.ndarray:
-            value: np.ndarray = evaluate(part, rows)[0][0][:, 0]
-            return value
-
-        for _ in range(LINES):
-            start = [x[0] for x in own]
-            along = [rng.normal(size=len(x)) * 2.0 for x in start]
-            parts = np.linspace(-1.0, 1.0, 65)
-            turn = [k for k, port in enumerate(step.inputs) if QUATERNION in port.forms]
-
-            def line(
-                parts: np.ndarray,
-                start: Sequence[np.ndarray] = start,
-                along: Sequence[np.ndarray] = along,
-                turn: Sequence[int] = turn,
-            ) -> list[np.ndarray]:
-                points = [x + parts[:, None] * d for x, d in zip(start, along, strict=True)]
-                if turn:
-                    rows = [_turned(step, row) for row in zip(*points, strict=True)]
-                    points = [np.array(column) for column in zip(*rows, strict=True)]
-                return points
-
-            values = pivot(line(parts))
-            places = np.flatnonzero(values[:-1] * values[1:] < 0)
-            if not len(places):
-                continue
-            low, high = parts[places[0]], parts[places[0] + 1]
-            sign = np.sign(values[places[0]])
-            for _ in range(60):
-                middle = (low + high) / 2
-                now = pivot(line(np.array([middle])))[0]
-                low, high = (middle, high) if np.sign(now) == sign else (low, middle)
-            found.append([x[0] for x in line(np.array([low]))])
-    if isinstance(program, Iteration):
-        found = [[own[1][0], row[0], *row[2:]] for row in found]
-    return found
+    program: Program | Iteration, own: Sequence[np.ndarray], rng: np.random.Generator, real: Precision
+) -> tuple[list[list[np.ndarray]], tuple[float, ...]]:
+    """States where pivots vanish and values meet limits; of an iteration those of its step, whose q is the guess."""
+    if not isinstance(program, Iteration):
+        found = pivot_states(program, own, rng, real)
+        return found.states, found.least
+    found = pivot_states(program.step, [own[1], own[0], *own[2:]], rng, real)  # (y, guess, p) -> (q, y, p)
+    return [[own[0][0], row[0], *row[2:]] for row in found.states], found.least
 
 
 def _beside_pivots(

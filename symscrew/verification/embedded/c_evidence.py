@@ -3,10 +3,10 @@
     C of the functions --cppcheck, MISRA C:2012--> rules, each with its justification or open
                        --its text, the compiler's graph of calls--> loops, recursion, heap, worst stack
                        --emulator--> instructions, cycles at most
-                       --vectors, gcov--> statuses, numbers that are not finite on success, branches
+                       --vectors, gcov--> statuses, numbers on success and on failure, branches
 
-`ok` is the verdict: no open rule, no allocation, no unbounded loop, no number that is not finite on a status up to 0.
-Branches that no vector takes are counted and listed; they do not change the verdict.
+`ok` is the verdict: no open rule, no allocation, no unbounded loop, no number that is not finite on a status up to 0,
+no number on another status, every branch taken. A check that no input violates is taken by a forced value, and listed.
 """
 
 from __future__ import annotations
@@ -14,7 +14,6 @@ from __future__ import annotations
 import hashlib
 import re
 import shutil
-import subprocess
 import tempfile
 from collections import Counter
 from collections.abc import Mapping, Sequence
@@ -22,16 +21,11 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
-from symscrew.export import PRECISIONS, Precision, model_hash, print_c
+from symscrew.export import PRECISIONS, model_hash, print_c
 from symscrew.model import Model
-from symscrew.program import status_texts
-from symscrew.verification.embedded.branch_vectors import direct_calls, function_vectors
+from symscrew.verification.embedded.branch_coverage import covered, said
 from symscrew.verification.embedded.core_cycles import worst_cycles
 from symscrew.verification.embedded.emulation import EmbeddedError, measure
-
-LIMIT = 900  # [s] of a tool: the checker takes a minute for the longest functions of the catalogue
 
 # Deviations: rule -> category, and why the code deviates.
 DEVIATIONS: Mapping[str, tuple[str, str]] = {
@@ -100,6 +94,7 @@ def collect(model: Model, core: str, precision: str, functions: Sequence[str]) -
         for file, text in print_c(chosen, precision=real, batches=False, lanes=False).items():
             (folder / file).write_text(text, encoding="utf-8")
         source = (folder / f"{model.name}.c").read_text(encoding="utf-8")
+        coverage = covered(chosen, folder, real)
         facts: dict[str, Any] = {
             "mechanism": model.name,
             "programs": model_hash(chosen),
@@ -109,29 +104,18 @@ def collect(model: Model, core: str, precision: str, functions: Sequence[str]) -
             "misra": _rules(folder, model.name),
             "loops": _loops(source),
             "calls": _called(folder, model.name),
-            "vectors": _vectors(chosen, folder, real),
-            "branches": _branches(folder, model.name),
-            "tools": {tool: _run([tool, "--version"], folder).splitlines()[0] for tool in ("cppcheck", "gcc", "gcov")},
+            "vectors": coverage.runs,
+            "branches": coverage.facts,
+            "tools": {tool: said([tool, "--version"], folder).splitlines()[0] for tool in ("cppcheck", "gcc", "gcov")},
         }
     reasons = tuple(_faults(facts, source))
     return Evidence(not reasons, reasons, facts)
 
 
-def _run(command: Sequence[str], folder: Path, data: bytes | None = None) -> str:
-    """What a tool says on both of its outputs."""
-    try:
-        done = subprocess.run(command, cwd=folder, input=data, capture_output=True, check=False, timeout=LIMIT)
-    except (OSError, subprocess.TimeoutExpired) as error:
-        raise EmbeddedError(f"{command[0]} does not run: {error}") from error
-    if done.returncode:
-        raise EmbeddedError(f"{command[0]} ended with {done.returncode}: {done.stderr.decode(errors='replace')[-500:]}")
-    return (done.stdout + done.stderr).decode("utf-8", "replace")
-
-
 def _rules(folder: Path, name: str) -> dict[str, int]:
     """Findings by rule of MISRA C:2012."""
     command = ["cppcheck", "--addon=misra", "--std=c99", "--language=c", "--quiet", "--template={id}", f"{name}.c"]
-    found = Counter(re.findall(r"^misra-c2012-([\d.]+)$", _run(command, folder), re.MULTILINE))
+    found = Counter(re.findall(r"^misra-c2012-([\d.]+)$", said(command, folder), re.MULTILINE))
     return dict(sorted(found.items(), key=lambda item: [int(x) for x in item[0].split(".")]))
 
 
@@ -154,8 +138,8 @@ def _code(source: str) -> str:
 
 def _called(folder: Path, name: str) -> list[str]:
     """Functions of libraries that the compiled code calls."""
-    _run(["gcc", "-std=c99", "-O2", "-fno-math-errno", "-c", f"{name}.c", "-o", "calls.o"], folder)
-    return sorted(line.split()[-1] for line in _run(["nm", "-u", "calls.o"], folder).splitlines() if line.strip())
+    said(["gcc", "-std=c99", "-O2", "-fno-math-errno", "-c", f"{name}.c", "-o", "calls.o"], folder)
+    return sorted(line.split()[-1] for line in said(["nm", "-u", "calls.o"], folder).splitlines() if line.strip())
 
 
 def _faults(facts: Mapping[str, Any], source: str) -> list[str]:
@@ -166,85 +150,14 @@ def _faults(facts: Mapping[str, Any], source: str) -> list[str]:
     found += [f"the code has the word {word}" for word in sorted(set(FORBIDDEN.findall(_code(source))))]
     known = {f"{name}{end}" for name in ALLOWED for end in ("", "f")} | {"sincos", "sincosf", *STRING}
     found += [f"the code calls {name}" for name in facts["calls"] if name not in known]
-    bad = {name: entry["not_finite"] for name, entry in facts["vectors"].items() if entry["not_finite"]}
-    return found + [f"{name}: {n} numbers that are not finite on a status up to 0" for name, n in bad.items()]
-
-
-def _vectors(model: Model, folder: Path, real: Precision) -> dict[str, Any]:
-    """Per function: vectors, statuses that came, numbers that were not finite on success. Writes coverage."""
-    names = list(model.programs)
-    source = (folder / f"{model.name}.c").read_text(encoding="utf-8")
-    (folder / "vectors.c").write_text(_main(model, source, real), encoding="utf-8")
-    flags = ["-std=c99", "-O0", "--coverage", f"-D{model.name.upper()}_SCALAR"]
-    _run(["gcc", *flags, "vectors.c", "-o", "vectors", "-lm"], folder)
-    found = {}
-    data, counts = [], []
-    for name in names:
-        arrays = function_vectors(model, name, real)
-        counts.append(len(arrays[0]) if arrays else 1)
-        data.append(b"".join(b"".join(x[k].tobytes() for x in arrays) for k in range(counts[-1])))
-    head = np.array(counts, np.int32).tobytes()
-    rows = _run(["./vectors"], folder, head + b"".join(data)).splitlines()
-    for name, count in zip(names, counts, strict=True):
-        own, rows = [line.split() for line in rows[:count]], rows[count:]
-        seen = Counter(int(status) for status, _ in own)
-        wrong = sum(int(bad) for status, bad in own if int(status) <= 0)
-        found[name] = {"vectors": count, "statuses": dict(sorted(seen.items())), "not_finite": wrong}
-    return found
-
-
-def _main(model: Model, source: str, real: Precision) -> str:
-    """Reads counts and states, prints per state the status and how many results are not finite; calls routines."""
-    number, lines = real.real, ["#include <math.h>", "#include <stdio.h>", f'#include "{model.name}.c"', ""]
-    body = [f"    int counts[{len(model.programs)}];", "    if (fread(counts, sizeof counts, 1, stdin) != 1) {"]
-    body += ["        return 1;", "    }"]
-    for f, (name, program) in enumerate(model.programs.items()):
-        sizes = [max(port.size, 1) for port in (*program.inputs, *program.outputs)]
-        arrays = [f"x{i}[{size}]" for i, size in enumerate(sizes)]
-        body += [f"    for (int k = 0; k < counts[{f}]; ++k) {{", f"        static {number} {', '.join(arrays)};"]
-        for i, port in enumerate(program.inputs):
-            if port.size:
-                body += [
-                    f"        if (fread(x{i}, sizeof x{i}, 1, stdin) != 1) {{",
-                    "            return 1;",
-                    "        }",
-                ]
-        body += [f"        const int status = {model.name}_{name}({', '.join(f'x{i}' for i in range(len(sizes)))});"]
-        body += ["        int bad = 0;"]
-        for i, port in enumerate(program.outputs, len(program.inputs)):
-            if port.size:
-                body += [
-                    f"        for (int e = 0; e < {port.size}; ++e) {{",
-                    f"            bad += !isfinite(x{i}[e]);",
-                    "        }",
-                ]
-        body += ['        printf("%d %d\\n", status, bad);', "    }"]
-    texts = [*status_texts(*model.programs.values()), 999]  # one that there is not
-    body += [f"    (void){model.name}_status_text({code});" for code in texts]
-    body += direct_calls(model, source, real)
-    return "\n".join([*lines, "int main(void)", "{", *body, "    return 0;", "}", ""])
-
-
-def _branches(folder: Path, name: str) -> dict[str, Any]:
-    """Lines and branches of the generated source that the vectors took, by gcov."""
-    notes = next(path.name for path in folder.iterdir() if path.name.endswith("vectors.gcno"))
-    text = _run(["gcov", "-b", "-c", notes], folder)
-    own = text[text.index(f"File '{name}.c'") :]
-    lines, branches = (
-        re.search(rf"{what}:([\d.]+)% of (\d+)", own) for what in ("Lines executed", "Taken at least once")
-    )
-    missed, line = [], ""
-    for row in (folder / f"{name}.c.gcov").read_text(encoding="utf-8", errors="replace").splitlines():
-        if re.match(r"branch +\d+ (never executed|taken 0\b)", row):
-            missed.append(line)
-        elif not row.startswith(("branch", "call", "function", "unconditional")):
-            line = row.split(":", 2)[-1].strip()[:100]
-    return {
-        "lines": float(lines[1]) if lines else 100.0,
-        "branches": float(branches[1]) if branches else 100.0,
-        "of": int(branches[2]) if branches else 0,
-        "missed": sorted(set(missed)),
-    }
+    for name, entry in facts["vectors"].items():
+        for part, how in ((entry, ""), (entry["forced"], ", with a check forced")):
+            if part["not_finite"]:
+                found.append(f"{name}: {part['not_finite']} numbers that are not finite on a status up to 0{how}")
+            if part["given_on_failure"]:
+                found.append(f"{name}: {part['given_on_failure']} numbers given on a status above 0{how}")
+    never = [entry for entry in facts["branches"]["untaken"] if entry["how"] == "nothing"]
+    return found + [f"{entry['function']}: a branch that nothing takes: {entry['line']}" for entry in never]
 
 
 HEAD = "| function | flash [B] | frame [B] | instructions | vectors | statuses (times) | not finite on success |"
@@ -289,8 +202,41 @@ def _markdown(evidence: Evidence) -> str:
         category, why = DEVIATIONS.get(rule, ("?", "**open**"))
         lines.append(f"| {rule} | {category} | {count} | {why} |")
     lines += ["", "The addon does not check every rule; this list is no statement of compliance.", ""]
-    branches = facts["branches"]
-    told = f"Lines {branches['lines']} %, branches {branches['branches']} % of {branches['of']}. Not taken:"
-    return "\n".join(
-        [*lines, "## Coverage, by gcov", "", told, "", *(f"- `{line}`" for line in branches["missed"]), ""]
-    )
+    return "\n".join([*lines, *_coverage(facts["branches"], facts["vectors"]), ""])
+
+
+COVERAGE = """\
+Counted on a copy of the source in which every check is a statement of its own and asks a function for the value that it
+compares. Without an argument that function hands the value on; `forced` are calls in which one check, of the first six
+hundred of a call, meets 0, -1e30, 1e30 or no number instead, those behind it what they would, or one of these, too.
+A branch that only forced values take belongs to a check that no input was found to violate, neither at random nor by a
+search along changes of sign, and where there is none for the smallest value: it stays as a defence. `least` is the
+smallest size of a pivot that was found where the checks before it say yes, `limit` where this one says no.
+"""
+
+
+def _coverage(branches: Mapping[str, Any], runs: Mapping[str, Any]) -> list[str]:
+    """What was taken, and what only by force."""
+    of, known = branches["of"], branches["of"] - branches["nothing"]
+    lines = ["## Coverage, by gcov", "", *COVERAGE.splitlines(), ""]
+    lines += [f"Lines {branches['lines']} %, branches {100.0 * known / max(1, of):.6g} % of {of}:"]
+    lines += [
+        f"{branches['by_inputs']} taken by inputs, {branches['forced']} only by forced values, {branches['decided']}"
+    ]
+    lines += [f"that the same choice around them has decided, {branches['nothing']} by nothing.", ""]
+    lines += ["| function | forced | statuses (times) | not finite on success | numbers on failure |"]
+    lines += ["|---|---|---|---|---|"]
+    for name, entry in runs.items():
+        forced = entry["forced"]
+        seen = ", ".join(f"{status} ({times})" for status, times in forced["statuses"].items())
+        bad, given = (entry[k] + forced[k] for k in ("not_finite", "given_on_failure"))
+        lines.append(f"| `{name}` | {forced['runs']} | {seen} | {bad} | {given} |")
+    if branches["untaken"]:
+        lines += ["", "| not by inputs, in | condition | what it guards | taken | least | limit |"]
+        lines += ["|---|---|---|---|---|---|"]
+    for entry in branches["untaken"]:
+        sizes = [f"{entry[k]:.3g}" if entry[k] is not None else "" for k in ("least", "limit")]
+        condition = entry["line"].replace("|", "\\|")
+        cells = [f"`{entry['function']}`", f"`{condition}`", entry["meaning"], entry["how"], *sizes]
+        lines.append(f"| {' | '.join(cells)} |")
+    return lines

@@ -75,7 +75,7 @@ def worst_cycles(model: Model, core: str, precision: str, functions: Sequence[st
 def _states(model: Model, name: str, precision: str) -> tuple[np.ndarray, ...]:
     """States of a function that give each of its statuses, without those that are not numbers."""
     own = [np.atleast_2d(x) for x in model.test_inputs[name]]
-    vectors = [x.astype(float) for x in function_vectors(model, name, PRECISIONS[precision])]
+    vectors = [x.astype(float) for x in function_vectors(model, name, PRECISIONS[precision]).arrays]
     if not vectors:
         return tuple(own)
     good = np.all([(np.abs(x) < 1e6).all(axis=1) for x in vectors], axis=0)  # far above machines in SI units

@@ -1,0 +1,147 @@
+"""Mobility with couplings of coordinates: verdicts by hand, proved by the checker, and what it must refuse."""
+
+from __future__ import annotations
+
+import json
+from functools import cache
+from typing import Any
+
+import numpy as np
+import pytest
+
+from symscrew.description import Mechanism, MechanismBuilder
+from symscrew.mobility import Mobility, analyse_mobility, check_proof, mobility_proof, mobility_text, verify
+from symscrew.mobility.proofs import proof_checker
+
+PLACES = {"A": (0, 0, 0), "B": (0, 1, 0), "C": (1.5, 1.5, 0), "D": (2.5, 1, 0), "E": (2, 0, 0)}
+TURN = np.array([[2, -2, 1], [1, 2, 2], [-2, -1, 2]]) / 3
+"""A rotation that is no double: as typed, the axes are units of 15 digits."""
+
+
+def five_bar(*couplings: dict[str, object], turned: bool = False) -> Mechanism:
+    """Joints A to E about z, loop A B C D E: two freedoms, of which a pair of gears takes one."""
+    builder, bodies = MechanismBuilder("geared", platform="c2"), ["base", "c1", "c2", "c3", "c4", "base"]
+    for body in bodies[1:-1]:
+        builder.body(body)
+    turn = TURN if turned else np.eye(3)
+    for k, (name, place) in enumerate(PLACES.items()):
+        point, axis = ((turn @ v).tolist() for v in (np.array(place), np.array([0.0, 0.0, 1.0])))
+        builder.joint(name, "R", parent=bodies[k], child=bodies[k + 1], point=point, axes=[axis])
+    for k, terms in enumerate(couplings):
+        builder.coupling(f"gears{k}", terms=terms)
+    return builder.build()
+
+
+def open_chain(*couplings: dict[str, object]) -> Mechanism:
+    """A slider on a shaft, beside a screw on another shaft whose axis has the length 0.6, 0.8."""
+    builder = MechanismBuilder("open", platform="d")
+    for body in "abcd":
+        builder.body(body)
+    builder.joint("A", "R", parent="base", child="a", point=[0, 0, 0], axes=[[0, 0, 1]], reference=["0.3"])
+    builder.joint("B", "P", parent="a", child="b", point=[0, 0, 0], axes=[[1, 0, 0]])
+    builder.joint("C", "R", parent="base", child="c", point=[1, 0, 0], axes=[[0, "0.6", "0.8"]])
+    builder.joint("D", "H", parent="c", child="d", point=[1, 1, 0], axes=[[0, 1, 0]], pitch="0.01")
+    for k, terms in enumerate(couplings):
+        builder.coupling(f"tie{k}", terms=terms)
+    return builder.build()
+
+
+GEARS: dict[str, object] = {"A": 1, "E": 1}
+CASES: dict[str, tuple[Any, tuple[int, int, int, tuple[int, ...] | None], list[str]]] = {
+    "gears": (lambda: five_bar(GEARS), (1, -2, 1, None), ["tied"]),
+    "gears, turned": (lambda: five_bar(GEARS, turned=True), (1, -2, 1, None), ["tied"]),
+    "bent": (lambda: five_bar({"A": [1, "0.5"], "E": ["0.3", 0, "0.1"]}), (1, -2, 1, None), ["tied"]),
+    "two pairs": (lambda: five_bar(GEARS, {"B": 1, "D": 2}), (0, -3, 0, None), ["none"]),
+    "one pair twice": (lambda: five_bar(GEARS, {"A": 2, "E": 2}), (1, -3, 1, None), ["tied"]),
+    # A + A^2 + E + E^2 = 0 and A + A^2 + E + 2 E^2 = 0: E^2 = 0
+    "tangent": (lambda: five_bar({"A": [1, 1], "E": [1, 1]}, {"A": [1, 1], "E": [1, 2]}), (1, -3, 0, ()), ["stopped"]),
+    "ring of gears": (lambda: open_chain({"A": 1, "B": 1}, {"B": 1, "C": -1}, {"C": 1, "A": 1}), (2, 1, 2, None),
+                      ["tied"]),
+    "frozen ring": (lambda: open_chain({"A": 1, "B": 1}, {"B": 1, "C": 1}, {"C": 1, "A": 1}), (1, 1, 1, None),
+                    ["none"]),
+    "two trains": (lambda: open_chain({"A": 1, "B": "0.5"}, {"C": 1, "D": [1, "0.2"]}), (2, 2, 2, None),
+                   ["tied", "tied"]),
+    # about A = 0.3 the slope of A + A^2 is 1.6
+    "isolated but for D": (lambda: open_chain({"A": [1, 1], "B": ["1.6", 1], "C": ["0.1", 1]},
+                                              {"A": "1.6", "B": "1.6", "C": "0.1"}), (3, 2, 1, (1,)), ["form"]),
+    "cone": (lambda: open_chain({"A": [1, 1], "B": ["1.6", 1], "C": ["0.1", -9]},
+                                {"A": "1.6", "B": "1.6", "C": "0.1"}), (3, 2, 2, (2,)), ["form"]),
+}  # fmt: skip
+
+
+@cache
+def found(name: str) -> Mobility:
+    return analyse_mobility(CASES[name][0]())
+
+
+@cache
+def text(name: str) -> str:
+    return json.dumps(mobility_proof(found(name)))
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_verdicts_by_hand_are_proved(name: str) -> None:
+    result, values = found(name), json.loads(text(name))
+    dof, kutzbach, finite, branches = CASES[name][1]
+    assert (result.dof, result.kutzbach, result.finite.dof, result.finite.branches) == (dof, kutzbach, finite, branches)
+    assert result.finite.proved and [check for check in verify(result) if not check.holds] == []
+    assert [block["proof"]["kind"] for block in values["blocks"]] == CASES[name][2]
+    verdict = check_proof(values)
+    assert verdict.holds and not verdict.not_proved and len(verdict.proved) > 9
+    counts = result.counts
+    assert counts.mobility == counts.modified == dof and counts.kutzbach == kutzbach
+    assert counts.overconstraint == result.overconstraints == dof - kutzbach
+    table = result.branches
+    assert table is not None and all(row.dimension in (branches or (finite,)) for row in table.rows)
+
+
+@pytest.mark.parametrize(
+    ("name", "change", "refused"),
+    [
+        ("gears", lambda ties: ties.pop(), "instantaneous mobility 1"),
+        ("two trains", lambda ties: ties.pop(), "finite mobility 2"),
+        ("one pair twice", lambda ties: ties[1]["terms"][0].update(coefficients=["3"]), "finite mobility 1"),
+        ("one pair twice", lambda ties: ties[1]["terms"][0].update(coefficients=["2", "1"]), "finite mobility 1"),
+        ("tangent", lambda ties: ties[1]["terms"][1].update(coefficients=["1", "1"]), "finite mobility 0"),
+        ("cone", lambda ties: ties[0]["terms"][2].update(coefficients=["1/10", "1"]), "finite mobility 2"),
+        ("cone", lambda ties: ties[0]["terms"][0].update(at="0"), "finite mobility 2"),
+    ],
+)
+def test_another_coupling_is_refused(name: str, change: Any, refused: str) -> None:
+    values = json.loads(text(name))
+    change(values["mechanism"]["couplings"])
+    assert not check_proof(values).holds  # by the digest
+    values["digest"] = proof_checker.digest(values["mechanism"])
+    verdict = check_proof(values)
+    assert any(line.startswith(refused) for line in verdict.refused), verdict
+
+
+def test_a_coupled_axis_has_the_length_one() -> None:
+    """A coordinate along an axis of another length is another one: the ratio of gears would be another."""
+    values = json.loads(text("gears"))
+    values["mechanism"]["joints"][0]["motions"][0]["axis"] = ["0", "0", "2"]
+    values["digest"] = proof_checker.digest(values["mechanism"])
+    assert any("a coupled axis that has not the length 1" in line for line in check_proof(values).refused)
+
+
+def test_a_checker_without_couplings_does_not_judge_them() -> None:
+    values = json.loads(text("gears"))
+    assert values["format"] == proof_checker.COUPLED != proof_checker.FORMAT
+    with pytest.raises(proof_checker.UnreadableError, match="expected the format"):
+        check_proof({**values, "format": proof_checker.FORMAT})
+
+
+def test_what_is_said_counts_the_couplings() -> None:
+    words = mobility_text(found("ring of gears"))
+    assert "1 of the 3 equations of loops and couplings follow from the others" in words
+    assert "The reactions of tie0, tie1, tie2 are not unique" in words and "leave this coupling out" in words
+    assert "sum f - p = 6 (5 - 4 - 1) + 4 - 3 = 1, with p = 3 couplings" in words
+    assert "what moves along them was not looked at" in mobility_text(found("cone"))
+
+
+def test_transcendental_ratios_are_said_to_be_open() -> None:
+    result = analyse_mobility(five_bar({"A": "pi", "E": 1}))
+    assert (result.finite.dof, result.finite.proved) == (1, False)
+    verdict = check_proof(json.loads(json.dumps(mobility_proof(result))))
+    assert verdict.holds and any("finite mobility at most" in line for line in verdict.proved)
+    assert any(line.startswith("finite mobility 1: pi is not") for line in verdict.not_proved)
