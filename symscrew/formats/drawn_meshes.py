@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -47,12 +48,17 @@ def drawn(pictures: Sequence[RawPicture], names: Mapping[str, str]) -> MeshPictu
         try:
             own = _thinned(picture.read())
         except DescriptionError as error:
-            missing.append(str(error))
+            missing.append(f"{picture.body}: {error}")
             continue
-        rotation = np.array([doubles(row) for row in picture.pose.rotation])
-        found.setdefault(names[picture.body], []).append(own @ rotation.T + doubles(picture.pose.translation))
+        found.setdefault(names[picture.body], []).append(placed(own, picture.pose))
     joined = {body: np.concatenate(some).astype(np.float32) for body, some in found.items()}
     return MeshPictures(joined, tuple(dict.fromkeys(missing)))
+
+
+def placed(triangles: Array, pose: Pose) -> Array:
+    """Triangles of a frame with this pose, in the axes that the pose is in."""
+    found: Array = triangles @ np.array([doubles(row) for row in pose.rotation]).T + doubles(pose.translation)
+    return found
 
 
 def visuals(
@@ -64,7 +70,7 @@ def visuals(
     solid = [pair for pair in hit if _is_read(pair[1])]
     chosen = solid if solid and not all(_is_read(mesh) for _, mesh in seen) else seen
     name = link.get("name", "")
-    return [RawPicture(name, pose @ origin(shape), _Reader(mesh, path, within)) for shape, mesh in chosen]
+    return [RawPicture(name, pose, _Reader(partial(origin, shape), mesh, path, within)) for shape, mesh in chosen]
 
 
 def _meshes(link: Element, tag: str) -> Iterator[tuple[Element, Element]]:
@@ -79,16 +85,16 @@ def _is_read(mesh: Element) -> bool:
 
 @dataclass(frozen=True)
 class _Reader:
-    """Reads the mesh of a URDF when it is called."""
+    """Reads the mesh of a URDF and its place in the link when it is called: who wants no picture is not told of it."""
 
+    origin: Callable[[], Pose]
     mesh: Element
     path: Path
     within: Path | None
 
     def __call__(self) -> Array:
         factors = [float(v) for v in numbers(self.mesh.get("scale", "1 1 1"), f"{label(self.mesh)}, scale", 3)]
-        found: Array = read_triangles(self._file(self.mesh.get("filename", ""))) * np.array(factors)
-        return found
+        return placed(read_triangles(self._file(self.mesh.get("filename", ""))) * np.array(factors), self.origin())
 
     def _file(self, name: str) -> Path:
         """`package://NAME/rest` is NAME/rest or rest below the folder that is read, or a folder above the file."""
@@ -109,7 +115,7 @@ class _Reader:
 def _thinned(triangles: Array) -> Array:
     """The triangles, or fewer of nearly the same surface."""
     if not len(triangles) or not np.isfinite(triangles).all():
-        raise DescriptionError("a mesh has no triangles, or numbers that are not finite")
+        raise DescriptionError("the mesh has no triangles, or numbers that are not finite")
     low = triangles.reshape(-1, 3).min(axis=0)
     side = float(np.ptp(triangles.reshape(-1, 3), axis=0).max()) or 1.0
     for cells in CELLS:
@@ -122,6 +128,8 @@ def _thinned(triangles: Array) -> Array:
         _, once = np.unique(np.sort(keys[whole], axis=1), axis=0, return_index=True)
         made = corners[whole][once] * step + low
         if len(made) <= MOST_TRIANGLES or cells == CELLS[-1]:
+            if not len(made):
+                raise DescriptionError("the mesh has no extent")
             fewer: Array = made[:MOST_TRIANGLES]
             return fewer
     return triangles

@@ -12,7 +12,7 @@ import pytest
 from support.model_states import model
 
 from symscrew.display.view import page_scene
-from symscrew.formats import ImportOptions, mesh_pictures
+from symscrew.formats import ImportOptions, import_file, mesh_pictures
 from symscrew.formats.drawn_meshes import MOST_TRIANGLES, _thinned
 
 Array = np.ndarray
@@ -65,6 +65,16 @@ def test_meshes_of_packages(tmp_path: Path, name: str) -> None:
     assert len(mesh_pictures(path, ImportOptions(folder=tmp_path)).triangles["b"]) == len(FACES)
     path.write_text(LINK.format(visual="../../../etc/passwd.stl", hit="part.dae"))
     assert "outside of the model's folder" in mesh_pictures(path).missing[0]
+
+
+def test_pictures_that_cannot_be_made_do_not_keep_a_robot_from_being_read(tmp_path: Path) -> None:
+    path = tmp_path / "robot.urdf"
+    for name, said in (("x" * 5000 + ".stl", "File name too long"), ("part.stl", "the mesh has no extent")):
+        stl(tmp_path / "part.stl", np.ones((MOST_TRIANGLES + 1, 3, 3)))
+        path.write_text(LINK.format(visual=name, hit="none.dae"))
+        assert import_file(path).mechanism.joints and said in mesh_pictures(path).missing[0]
+    path.write_text(LINK.format(visual="part.stl", hit="").replace("0 0 0.5", "a b c"))
+    assert import_file(path).mechanism.joints and "expected decimal numbers" in mesh_pictures(path).missing[0]
 
 
 def test_large_meshes_are_thinned_on_their_surface() -> None:
