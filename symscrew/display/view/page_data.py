@@ -40,9 +40,14 @@ def functions_of(model: Model) -> tuple[str, ...]:
 
 
 def page_scene(
-    model: Model, motion: RecordedMotion | None = None, limits: Mapping[str, Reach] | None = None
+    model: Model,
+    motion: RecordedMotion | None = None,
+    limits: Mapping[str, Reach] | None = None,
+    pictures: Mapping[str, Array] | None = None,
 ) -> dict[str, Any]:
     """The page's data for a model, with a recorded motion if there is one, and limits of joints beside its end stops.
+
+    `pictures`: body -> triangles (n, 3, 3) [m] in absolute axes in the reference configuration, drawn for its outline.
 
     Raises:
         DescriptionError: the motion does not belong to this model.
@@ -62,7 +67,7 @@ def page_scene(
         "threshold": THRESHOLD,
         "platform": index[platform],
         "platform_named": mechanism.platform is not None,
-        "bodies": [_body(mechanism, name, points[name], shape) for name in bodies],
+        "bodies": [_body(mechanism, name, points[name], shape) | _picture(pictures or {}, name) for name in bodies],
         "joints": _joints(model, index, shape),
         "points": [
             {
@@ -93,6 +98,13 @@ def page_scene(
         },
         "motion": None if motion is None else _motion(model, motion),
     }
+
+
+def _picture(pictures: Mapping[str, Array], name: str) -> dict[str, str]:
+    """Corners of a body's triangles, if there are any: singles, little-endian, in Base64."""
+    if name not in pictures:
+        return {}
+    return {"picture": base64.b64encode(pictures[name].astype("<f4").tobytes()).decode("ascii")}
 
 
 def _body(mechanism: Mechanism, name: str, places: Array, shape: Outline | None) -> dict[str, Any]:
