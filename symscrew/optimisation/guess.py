@@ -211,9 +211,7 @@ def _path(model: PointModel, place: _Places) -> tuple[Path, np.ndarray, tuple[np
         found.append(q)
     end = model.problem.end
     if end.mode and end.is_empty:
-        raise DescriptionError(
-            "end.mode: expected conditions beside it, such as end.coordinates: it is none by itself"
-        )
+        raise DescriptionError("end.mode: expected conditions beside it, such as end.coordinates: it is none by itself")
     last = start if model.problem.periodic and end.is_empty else q
     turned = np.array([2 * np.pi * model.problem.turns.get(label, 0) for label in model.equations.labels])
     if not end.is_empty:

@@ -119,7 +119,7 @@ def test_a_plan_to_a_goal_in_another_mode_is_no_success_and_says_so(tmp_path):
 def test_a_goal_whose_mode_is_not_there_or_stands_alone_is_refused(tmp_path):
     with pytest.raises(symscrew.DescriptionError, match=r"end.mode: four_bar has no mode '\+7'.*it has home, -1"):
         goal_in(tmp_path, "+7")
-    with pytest.raises(symscrew.DescriptionError, match="end.mode: expected conditions beside it"):
+    with pytest.raises(symscrew.DescriptionError, match=r"end\.mode: expected conditions beside it"):
         problem = (
             '[problem]\nmechanism = "four_bar"\nduration = 1\n[start]\ncoordinates = { A = 0 }\n[end]\nmode = "-1"\n'
         )
