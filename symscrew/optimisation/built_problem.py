@@ -20,6 +20,7 @@ import numpy as np
 
 from symscrew.errors import DescriptionError
 from symscrew.optimisation.compiled_points import CompiledPoints
+from symscrew.optimisation.contradictions import check_problem
 from symscrew.optimisation.explanation import STATUS, broken_rows, pressing_bounds
 from symscrew.optimisation.plan_verdict import judged
 from symscrew.optimisation.point_model import PointModel
@@ -56,6 +57,9 @@ MOST_STEPS = 15
 # 30 000 operations in another order.
 AGREEING = 1e-9
 
+# Changes of the active set in a step: near an optimum there are few. From far away a method that goes on to its own
+# thousand takes seconds where an interior-point method takes a hundredth of one.
+MOST_CHANGES = 100
 STAGED = "stages"  # the first way to be tried
 NOT_JUDGED = "not judged: the solver's constraints hold on its mesh, and nothing else was looked at"
 
@@ -195,7 +199,7 @@ class OptimisationProblem:
             parameters: of the mechanism, by name; those that are in the problem or made for run time.
             inputs: constant values of effects' inputs, by port.
             warm: the motion to start from, such as the last one.
-            shift: time by which `warm` is over already [s]; its end is held.
+            shift: time by which `warm` is over already [s], less than its duration; its end is held.
             judge: follow the branch and, where the problem has an `accuracy`, enclose what is between the points and
                 replay, as `symscrew.optimisation.solve` does; it takes longer than a warm solve. The mesh is not
                 refined: one that is too coarse for the accuracy is "not confirmed".
@@ -213,7 +217,10 @@ class OptimisationProblem:
         begin = self._start(warm, shift)
         self.compiled()
         ready, undefined = clock(), Counter[str]()
-        for name in self._ways(begin):
+        ways = [(name, begin) for name in self._ways(begin)]
+        if warm is not None and not warm.solved:
+            ways.append(("ipopt", _Start(self._guess)))  # where a solver gave up is often no way on
+        for name, begin in ways:
             told = SolverWarnings(self._program.labels)
             solver = self._solver(name, told.heard)
             with told:
@@ -253,6 +260,7 @@ class OptimisationProblem:
         if not changed:
             return problem
         result = replace(problem, **changed)
+        check_problem(result)
         difference = other_shape(problem, result, self._made.model)
         if difference:
             raise DescriptionError(f"{difference}; build another optimisation_problem for it")
@@ -276,6 +284,12 @@ class OptimisationProblem:
     def _start(self, warm: Trajectory | None, shift: float) -> _Start:
         if warm is None:
             return _Start(self._guess)
+        if not 0.0 <= shift < warm.duration:
+            raise DescriptionError(
+                f"shift: expected a time from 0 to the {warm.duration:g} s of the warm motion, got {shift:g}"
+            )
+        if not all(np.isfinite(part).all() for part in (warm.x, warm.multipliers, warm.bound_multipliers)):
+            return _Start(self._guess)  # a solver left it where functions are not defined
         made = self._made
         if not np.array_equal(warm.transcribed.mesh, made.mesh) or len(warm.x) != len(self._guess):
             arrays = carried_unknowns(warm, made)
@@ -351,6 +365,7 @@ def _by_active_sets(problem: TrajectoryProblem, program: NonlinearProgram, *, wa
     both = [*program.gradient(x, p), *program.jacobian(x, p)]
     first = ca.Function("nlp_jac_fg", [x, p], both, ["x", "p"], ["f", "grad_f_x", "g", "jac_g_x"])
     own = {"print_iter": False, "print_header": False, "print_info": False, "error_on_fail": False, "min_lam": INACTIVE}
+    own |= {"max_iter": MOST_CHANGES}
     options: dict[str, Any] = {
         "max_iter": MOST_STEPS, "tol_pr": problem.solver.tolerance, "tol_du": problem.solver.tolerance, **USUAL,
         "print_header": False, "print_iteration": False, "print_status": False, "print_time": False,

@@ -150,7 +150,12 @@ SECTIONS: Mapping[str, Mapping[str, Key]] = {
         ),
     },
     "transcription": {
-        "method": Key("", "radau or gauss collocation, or multiple shooting", 'method = "gauss"'),
+        "method": Key(
+            "",
+            "radau or gauss collocation, or multiple shooting: drives that are constant in each interval, as a sampled "
+            "controller holds them",
+            'method = "gauss"',
+        ),
         "degree": Key(
             "",
             "points in an interval, more where intervals would be many (shooting: steps of Runge-Kutta)",

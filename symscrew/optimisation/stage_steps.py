@@ -173,7 +173,8 @@ class StageSolver:
             f, slope, g, jacobian = self._first(x, p)
             lagrangian = slope + lam_x
             lagrangian += np.bincount(self._columns, weights=jacobian * lam_g[self._rows], minlength=len(x))
-            offs.append(max(_outside(x, low[0], high[0]), _outside(g, low[1], high[1]), _largest(lagrangian)))
+            left = (_outside(x, low[0], high[0]), _outside(g, low[1], high[1]), _largest(lagrangian), abs(f[0]) * 0.0)
+            offs.append(float(np.max(left)))  # what is no number stays none, the cost's too
             solved = offs[-1] <= self.tolerance
             if solved or len(offs) > self.steps or not offs[-1] <= min(offs[-3:]) * (10 if len(offs) < 3 else 1):
                 word = "Solve_Succeeded" if solved else DIVERGED

@@ -19,13 +19,16 @@ from symscrew.optimisation import (
     Conditions,
     Objective,
     OptimisationProblem,
+    Solver,
     TrajectoryProblem,
     Transcription,
     compiled_points,
     solve,
     write_plan,
 )
+from symscrew.optimisation.built_problem import _Start
 from symscrew.optimisation.plan_verdict import judged
+from symscrew.optimisation.stage_steps import StageSolver
 from symscrew.runtime import CompileError
 
 MESH = Transcription("radau", 3, 8)
@@ -235,6 +238,43 @@ def test_what_changes_more_than_numbers_is_refused() -> None:
         made.solve(parameters={"l": 1.0})
     with pytest.raises(DescriptionError, match="contradicts its bounds"):
         made.solve(start={"slide": 3.0})
+
+
+def test_numbers_that_are_none_are_refused() -> None:
+    """One as a weight was called solved without a step: a comparison with it is never true."""
+    made = interpreted()
+    warm = made.solve()
+    for given, said in (
+        ({"weights": (math.nan, 1.0)}, r"objectives\[0\].weight: expected a finite number, got nan"),
+        ({"goal": {"slide": math.inf}}, "end.coordinates.slide: expected a finite number"),
+        ({"start": {"slide": math.nan}}, "start.coordinates.slide: expected a finite number"),
+        ({"shift": math.nan}, "shift: expected a time from 0 to the 2 s of the warm motion, got nan"),
+        ({"shift": -0.1}, "shift: expected a time from 0"),
+        ({"shift": 2.0}, "shift: expected a time from 0"),
+    ):
+        with pytest.raises(DescriptionError, match=said):
+            made.solve(**given, warm=warm)  # type: ignore[arg-type]
+
+
+def test_steps_by_stages_do_not_take_a_number_that_is_none_for_small() -> None:
+    alone = _built(replace(problem(), objectives=(Objective("effort"),)))
+    assert alone._stages is not None
+    warm = alone.solve()
+    given, solver = alone._numbers(alone.problem), StageSolver(alone._stages, alone._program, tolerance=1e-8, steps=3)
+    for lost in ("rows", "bounds", "x"):
+        begin = _Start(warm.x, warm.multipliers, warm.bound_multipliers)
+        alone._answer(solver, given, begin)
+        assert solver.stats()["success"]
+        alone._answer(solver, given, replace(begin, **{lost: np.full_like(getattr(begin, lost), np.nan)}))
+        assert not solver.stats()["success"]
+
+
+def test_a_warm_start_that_was_not_solved_does_no_harm() -> None:
+    made = _built(replace(problem(), solver=Solver(iterations=15)))
+    plan = made.solve()
+    lost = made.solve(duration=1e-3, warm=plan)
+    assert plan.solved and not lost.solved and made.solve(warm=lost).solved
+    assert made.solve(warm=replace(plan, multipliers=np.full_like(plan.multipliers, np.nan))).solved
 
 
 def test_compiled_functions_are_those_that_were_interpreted(monkeypatch: pytest.MonkeyPatch) -> None:
