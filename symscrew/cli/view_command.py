@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import sys
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -46,6 +47,11 @@ def add_options(command: argparse.ArgumentParser) -> None:
         help="how far a joint may go, drawn and kept: limb1_P=-5cm:10cm, hip=-30deg:90deg; beside those of end stops "
         "and of URDF and MJCF files",
     )  # fmt: skip
+    command.add_argument(
+        "--frames",
+        metavar="N|all",
+        help="about how many states of a motion the page holds, all peaks among them; default: 4 MB",
+    )
     command.add_argument("--run-time", nargs="+", default=[], metavar="NAME", help="parameters that get a slider")
     command.add_argument(
         "--meshes", metavar="FILE", help="draw bodies as the meshes (STL, OBJ) of a URDF or MJCF file with their names"
@@ -67,6 +73,7 @@ def run(options: argparse.Namespace) -> int:
     progress = Progress()
     with progress.step(f"read {options.mechanism}"):
         mechanism, motion = _mechanism(options)
+        motion = _with_frames(motion, options.frames)
         effects = chosen_effects(options, mechanism)
         limits = _limits(options, mechanism)
         pictures = _pictures(options, mechanism)
@@ -137,6 +144,19 @@ def _mechanism(options: argparse.Namespace):  # type: ignore[no-untyped-def]
     if options.mechanism.endswith(".npz"):
         raise UsageError("--run-time: a recorded motion has its parameters; give a mechanism")
     return catalogue.find(options.mechanism, run_time=options.run_time), None
+
+
+def _with_frames(motion: RecordedMotion | None, asked: str | None) -> RecordedMotion | None:
+    """The motion with as many states for its page as are asked for."""
+    if asked is None:
+        return motion
+    if motion is None:
+        raise UsageError("--frames: a mechanism has no recorded states; give a motion, RUN.npz")
+    if asked == "all":
+        return replace(motion, frames=len(motion.t))
+    if not asked.isdecimal() or int(asked) < 2:
+        raise UsageError(f"--frames: expected at least 2, or all, got {shorten(asked)}")
+    return replace(motion, frames=int(asked))
 
 
 def _pictures(options: argparse.Namespace, mechanism: Mechanism) -> Pictures:

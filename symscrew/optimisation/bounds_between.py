@@ -54,7 +54,8 @@ class BoundedRows:
         at = MotionQuantities(motion.model, symbols)
         self.rows: list[Row] = [r for r in bound_rows(at) if r.lower < r.upper]
         self.measures = [r.measure or r.scale for r in self.rows]
-        values = ca.vertcat(ca.SX(0, 1), *[r.value / m for r, m in zip(self.rows, self.measures, strict=True)])
+        looked = [r.value if r.between is None else r.between for r in self.rows]
+        values = ca.vertcat(ca.SX(0, 1), *[value / m for value, m in zip(looked, self.measures, strict=True)])
         self.names = list(symbols)
         needed = ca.symvar(values) if self.rows else []
         every = ca.Function("rows", list(symbols.values()), [values])

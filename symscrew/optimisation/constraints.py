@@ -15,7 +15,7 @@ from symscrew.errors import DescriptionError, did_you_mean
 from symscrew.optimisation.casadi_graph import symbolic_outputs
 from symscrew.optimisation.motion_coordinates import bounded, coordinate, coordinate_rate, pose_conditions, poses_of
 from symscrew.optimisation.motion_quantities import MotionQuantities
-from symscrew.optimisation.obstacles import SHAPES
+from symscrew.optimisation.obstacles import SHAPES, Kept
 from symscrew.optimisation.problem import Conditions, Obstacle, Range, TrajectoryProblem
 from symscrew.optimisation.problem_numbers import Get
 from symscrew.optimisation.rows import INFINITY, Row
@@ -139,16 +139,18 @@ def _obstacle_rows(at: MotionQuantities, k: int, obstacle: Obstacle) -> list[Row
 
     places = [at.points[name] for name in obstacle.at]
     unit, least = length * length if shape.squared else length, limits(at.model.problem)[0]
-    kept = [(name, shape.value(places, at.points[name])) for name in obstacle.points]
-    if shape.between is not None:
-        pairs = [(pair, [at.points[name] for name in pair]) for pair in obstacle.segments]
-        kept += [(f"the segment {' to '.join(pair)}", shape.between(places, ends)) for pair, ends in pairs]
+    kept = [(name, Kept(shape.value(places, at.points[name]))) for name in obstacle.points]
+    for pair in obstacle.segments:
+        kept.append((f"the segment {' to '.join(pair)}", shape.between(places, [at.points[name] for name in pair])))
+    for box in obstacle.boxes:
+        parts = shape.boxes(places, [at.points[name] for name in box])
+        kept += [(f"the box at {', '.join(box)}, part {i + 1}", value) for i, value in enumerate(parts)]
     return [
         Row(
             f"{obstacle.type} at {', '.join(obstacle.at)} kept off by {name}", value, *limits(at.model.problem), unit,
-            limits, least if least > 0 else unit,
+            limits, least if least > 0 else unit, between,
         )
-        for name, value in kept
+        for name, (value, between) in kept
     ]  # fmt: skip
 
 

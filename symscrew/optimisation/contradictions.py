@@ -5,11 +5,15 @@ TrajectoryProblem --check_problem--> DescriptionError that names what would be l
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import fields, is_dataclass
 
+import numpy as np
+
+from symscrew.description import Mechanism
 from symscrew.errors import DescriptionError, did_you_mean
 from symscrew.optimisation.obstacles import SHAPES
 from symscrew.optimisation.problem import Conditions, Objective, Obstacle, Solver, TrajectoryProblem, Transcription
@@ -21,6 +25,8 @@ READ: Mapping[str, tuple[str, ...]] = {
 }  # fmt: skip
 ONCE = ("time", "peak")  # objectives whose unknown a motion has once: a second one would count with the first's weights
 UNBOUNDED = ("duration", "accuracy", "violation", "bounds", "design")  # where an infinite number says "no bound"
+# Cosine up to which an angle is right: places that were typed with six digits.
+SQUARE = 1e-5
 
 
 def check_problem(problem: TrajectoryProblem) -> None:
@@ -42,6 +48,8 @@ def check_problem(problem: TrajectoryProblem) -> None:
         raise DescriptionError(f"problem.turns: those of {', '.join(problem.turns)} count in a periodic motion only")
     for k, obstacle in enumerate(problem.bounds.obstacles):
         _check_obstacle(f"bounds.obstacles[{k}]", obstacle)
+        for box in (*((obstacle.at,) if obstacle.type == "box" else ()), *obstacle.boxes):
+            _check_box(f"bounds.obstacles[{k}]", problem.mechanism, box)
     _check_preload(problem)
     _check_starts(problem)
     _check_method(problem.transcription, problem.solver)
@@ -119,10 +127,17 @@ def _check_obstacle(where: str, given: Obstacle) -> None:
     if len(given.at) != len(wanted):
         raise DescriptionError(f"{where}.at: a {given.type} has {len(wanted)} points ({', '.join(wanted)}), got "
                                f"{len(given.at)}")  # fmt: skip
-    if not given.points and not given.segments:
-        raise DescriptionError(f"{where}.points: expected names of points that keep off, or segments, got none")
-    if given.segments and SHAPES[given.type].between is None:
-        raise DescriptionError(f"{where}.segments: nothing tells how far a segment is from a {given.type}; give points")
+    if not given.points and not given.segments and not given.boxes:
+        raise DescriptionError(
+            f"{where}.points: expected names of points that keep off, or segments, or boxes, got none"
+        )
+    for box in given.boxes:
+        if len(box) != 4 or len(set(box)) != 4:
+            raise DescriptionError(
+                f"{where}.boxes: expected a corner and its three neighbours, got {', '.join(box) or 'none'}"
+            )
+        if set(box) == set(given.at):
+            raise DescriptionError(f"{where}.boxes: the box at {', '.join(box)} is the obstacle itself")
     for pair in given.segments:
         if len(pair) != 2 or pair[0] == pair[1]:
             raise DescriptionError(f"{where}.segments: expected pairs of different points, got {list(pair)}")
@@ -134,6 +149,24 @@ def _check_obstacle(where: str, given: Obstacle) -> None:
     flat = given.type == "plane"
     if not (given.distance > 0 or (flat and given.distance == 0)):
         raise DescriptionError(f"{where}.distance: expected a length above 0, got {given.distance:g}")
+
+
+def _check_box(where: str, mechanism: Mechanism, names: Sequence[str]) -> None:
+    """Its edges are at right angles, in the reference configuration: another solid would be taken for a box."""
+    if not set(names) <= set(mechanism.points):
+        return  # which is told with the names that there are
+    corner, *others = (np.array([float(mechanism.number(c)) for c in mechanism.points[n].at]) for n in names)
+    edges = {name: other - corner for name, other in zip(names[1:], others, strict=True)}
+    for name, edge in edges.items():
+        if not np.linalg.norm(edge) > 0:
+            raise DescriptionError(f"{where}: the box at {', '.join(names)} has no edge from {names[0]} to {name}")
+    for (one, a), (other, b) in itertools.combinations(edges.items(), 2):
+        if abs(a @ b) > SQUARE * np.linalg.norm(a) * np.linalg.norm(b):
+            angle = np.degrees(np.arccos(a @ b / np.linalg.norm(a) / np.linalg.norm(b)))
+            raise DescriptionError(
+                f"{where}: expected a box with right angles, got {angle:.4g} degrees at {names[0]} between {one} and "
+                f"{other}"
+            )
 
 
 def _check_preload(problem: TrajectoryProblem) -> None:

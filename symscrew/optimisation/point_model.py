@@ -77,7 +77,7 @@ class PointModel:
         for o in problem.objectives:
             groups.append((f"objective {o.type}", [*o.weights, *o.preload], self.drive_labels))
         for shape in bounds.obstacles:
-            named = (*shape.at, *shape.points, *(name for pair in shape.segments for name in pair))
+            named = (*shape.at, *shape.points, *(name for part in (*shape.segments, *shape.boxes) for name in part))
             groups.append(("bounds.obstacles", named, list(self.system.mechanism.points)))
         for d in bounds.distances:
             groups.append(("bounds.distances", (d.first, d.second), list(self.system.mechanism.points)))

@@ -38,7 +38,7 @@ class Conditions:
     reference configuration points; `platform_position`: displacement of the platform's body, in absolute axes,
     from the reference [m]; `platform_rotation`: its rotation vector from the reference [rad]. `at_rest`: all
     rates are zero. `time` is the part of the duration that has passed, 0 to 1 (of a via condition). `mode`: name of
-    the assembly mode in which a motion starts; that of the reference where empty.
+    the assembly mode in which a motion starts, or ends; where empty that of the reference, or to which it leads.
     """
 
     coordinates: Mapping[str, float] = field(default_factory=dict)
@@ -69,14 +69,15 @@ class Distance:
 
 @dataclass(frozen=True)
 class Obstacle:
-    """Named points, and segments between two of them, keep off a shape by at least `distance` [m].
+    """Named points, segments between two of them, and boxes, keep off a shape by at least `distance` [m].
 
     The distance counts from the shape's centre, segment, plane or box; bodies as capsules keep off each other by the
     sum of their radii.
 
     `type`: "sphere" about the point `at`; "plane" through the first of two points `at`, allowed is the side of the
     second; "capsule" about the segment between two; "box" from a corner to its three neighbours. The points `at` may
-    stand on any body, fixed or moving; edges of a box are right-angled.
+    stand on any body, fixed or moving; edges of a box are right-angled. `boxes` keep off as bodies: a corner and its
+    three neighbours each.
     """
 
     type: str
@@ -84,6 +85,7 @@ class Obstacle:
     points: tuple[str, ...]
     distance: float
     segments: tuple[tuple[str, str], ...] = ()
+    boxes: tuple[tuple[str, ...], ...] = ()
 
 
 @dataclass(frozen=True)

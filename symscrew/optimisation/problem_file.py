@@ -360,21 +360,24 @@ class _Reader:
 
     def _obstacle(self, table: Any, k: int) -> Obstacle:
         where = f"bounds.obstacles[{k}]"
-        check_keys(where, table, ("type", "at", "points", "segments", "distance"))
+        check_keys(where, table, ("type", "at", "points", "segments", "boxes", "distance"))
         kind = _text(table.get("type"), f"{where}.type")
         at, points = (
             _labels(table.get(name, usual), f"{where}.{name}") for name, usual in (("at", None), ("points", []))
         )
-        given = table.get("segments", [])
-        if not isinstance(given, list):
-            raise DescriptionError(f"{where}.segments: expected a list of pairs of points, got {shorten(given)}")
-        segments = []
-        for pair in given:
-            names = _labels(pair, f"{where}.segments")
-            if len(names) != 2:
-                raise DescriptionError(f"{where}.segments: expected pairs of points, got {shorten(pair)}")
-            segments.append((names[0], names[1]))
-        return Obstacle(kind, at, points, self.number(table.get("distance"), f"{where}.distance"), tuple(segments))
+        parts = {"segments": (2, "pairs of points"), "boxes": (4, "boxes: a corner and its three neighbours")}
+        named: dict[str, tuple[tuple[str, ...], ...]] = {}
+        for key, (count, what) in parts.items():
+            given = table.get(key, [])
+            if not isinstance(given, list):
+                raise DescriptionError(f"{where}.{key}: expected a list of {what}, got {shorten(given)}")
+            named[key] = tuple(_labels(part, f"{where}.{key}") for part in given)
+            wrong = next((part for part in named[key] if len(part) != count), None)
+            if wrong is not None:
+                raise DescriptionError(f"{where}.{key}: expected {what}, got {shorten(list(wrong))}")
+        distance = self.number(table.get("distance"), f"{where}.distance")
+        segments = tuple((one, other) for one, other in named["segments"])
+        return Obstacle(kind, at, points, distance, segments, named["boxes"])
 
     def objective(self, table: Mapping[str, Any], where: str) -> Objective:
         if "type" not in table:

@@ -31,6 +31,7 @@ class Key:
 
 
 BOTH = "rad, m"
+MODE = "[start] and [end] alone: assembly mode, see `symscrew assemble`; else the reference's, or to which it leads"
 CONDITIONS: Mapping[str, Key] = {
     "coordinates": Key(
         BOTH,
@@ -95,9 +96,9 @@ SECTIONS: Mapping[str, Mapping[str, Key]] = {
     },
     "start": {
         **CONDITIONS,
-        "mode": Key("", "[start] alone: assembly mode, see `symscrew assemble`; else the reference's", 'mode = "-1"'),
+        "mode": Key("", MODE, 'mode = "-1"'),
     },
-    "end": CONDITIONS,
+    "end": {**CONDITIONS, "mode": Key("", MODE, 'mode = "-1"\nat_rest = true')},
     "via": {
         **CONDITIONS,
         "time": Key("1", "the part of the duration that has passed, between 0 and 1", "time = 0.25\nat_rest = true"),
@@ -119,8 +120,8 @@ SECTIONS: Mapping[str, Mapping[str, Key]] = {
         "distances": Key("m", "of two named points", 'distances = [{ between = ["bead", "post"], range = [0.01, 9] }]'),
         "obstacles": Key(
             "m",
-            "shapes at named points of any body that points, or segments between two, keep off by a distance: sphere "
-            "(centre), plane (a point, one above), capsule (both ends), box (a corner, its neighbours; points only)",
+            "shapes at named points of any body that points, segments between two, or boxes (a corner, its neighbours) "
+            "keep off by a distance: sphere (centre), plane (a point, one above), capsule (both ends), box",
             'obstacles = [{ type = "sphere", at = ["post"], points = ["bead"], distance = 0.01 }]',
         ),
         "expressions": Key(

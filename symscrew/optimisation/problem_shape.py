@@ -36,7 +36,7 @@ def _shape(problem: TrajectoryProblem, independent: set[str]) -> Iterator[tuple[
     for name in ("joints", "speeds", "margins", "points", "expressions"):
         yield f"bounds.{name}", sorted(map(str, getattr(b, name)))
     yield "bounds.distances", [(d.first, d.second) for d in b.distances]
-    yield "bounds.obstacles", [(o.type, o.at, o.points, o.segments) for o in b.obstacles]
+    yield "bounds.obstacles", [(o.type, o.at, o.points, o.segments, o.boxes) for o in b.obstacles]
     limits = {name: (force is not None, moment is not None) for name, (force, moment) in b.reactions.items()}
     yield "bounds.reactions (force, moment)", limits
     yield "types of the objectives", [(o.type, o.expression) for o in problem.objectives]

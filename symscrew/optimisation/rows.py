@@ -22,7 +22,8 @@ class Row:
     """One constraint: lower <= value <= upper, divided by `scale` for the solver.
 
     `limits`: both bounds in a problem of the same shape with other numbers; None where they are the same in all.
-    `measure`: what a violation between the points is divided by (default: `scale`).
+    `measure`: what a violation between the points is divided by (default: `scale`). `between`: what is enclosed there
+    in place of `value`.
     """
 
     label: str
@@ -32,6 +33,7 @@ class Row:
     scale: float = 1.0
     limits: Callable[[TrajectoryProblem], Range] | None = None
     measure: float | None = None
+    between: Any = None
 
     def range_in(self, problem: TrajectoryProblem) -> Range:
         """Both bounds in a problem of the same shape."""

@@ -78,3 +78,15 @@ def test_what_changes_too_fast_is_named() -> None:
 def test_a_step_longer_than_between_outputs_says_what_it_becomes() -> None:
     assert "steps of 0.1 s are taken" in pushed("1", 1.0, method="rk4", step=0.3).events[0]
     assert not pushed("1", 1.0, method="rk4", step=0.1).events
+
+
+def test_what_fixed_steps_may_pass_is_said() -> None:
+    """A pulse shorter than they are; not what they land on, nor what is longer."""
+    run = pushed("exp(-((t - 5.3)/0.0001)^2)", 10.0, method="rk4", step=0.01)
+    (text,) = run.events
+    assert text.startswith("inputs change within") and "at t = 5.299" in text
+    assert not run.accurate and "with half the step" in run.verdict  # a step has its middle there, others have not
+    table = Table("f", (0, 5, 5.0000001, 5.001, 5.0010001, 10), (0, 0, 1000, 1000, 0, 0))
+    for force, tables in (("f", {"f": table}), ("exp(-(t - 5.3)^2)", {})):
+        run = pushed(force, 10.0, tables=tables, method="rk4", step=0.01)
+        assert run.accurate and not run.events

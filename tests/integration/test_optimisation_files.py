@@ -150,6 +150,11 @@ obstacles = [{ type = "sphere", at = ["tool"], segments = [["a", "b"], ["b", "c"
     for wrong in ('[["a"]]', '["a", "b"]', '"a"'):
         with pytest.raises(DescriptionError, match=r"bounds.obstacles\[0\].segments"):
             parse_problem(text.replace('[["a", "b"], ["b", "c"]]', wrong))
+    boxes = text.replace('segments = [["a", "b"], ["b", "c"]]', 'boxes = [["a", "b", "c", "d"]]')
+    (found,) = parse_problem(boxes).bounds.obstacles
+    assert found.boxes == (("a", "b", "c", "d"),) and found.segments == ()
+    with pytest.raises(DescriptionError, match=r"bounds.obstacles\[0\].boxes: expected boxes: a corner and its three"):
+        parse_problem(boxes.replace(', "d"]', "]"))
 
 
 @pytest.mark.slow
