@@ -44,6 +44,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
         help="how far a joint may go, drawn and kept: limb1_P=-5cm:10cm, hip=-30deg:90deg; beside those of end stops "
         "and of URDF and MJCF files",
     )  # fmt: skip
+    command.add_argument("--modes", action="store_true", help="a chooser of all assembly modes at the reference")
     command.add_argument("--run-time", nargs="+", default=[], metavar="NAME", help="parameters that get a slider")
     add_effects(command)
     add_independent(command)
@@ -62,7 +63,8 @@ def run(options: argparse.Namespace) -> int:
         effects = chosen_effects(options, mechanism)
         limits = _limits(options, mechanism)
     if not files or "out" in files:
-        page = _page(mechanism, effects, options.independent, shown=(motion, limits), progress=progress)
+        shown = (motion, limits, options.modes)
+        page = _page(mechanism, effects, options.independent, shown=shown, progress=progress)
         if not files:
             print(open_made(page, mechanism.name))
             return DONE
@@ -85,23 +87,23 @@ def _page(
     effects: Sequence[Effect],
     independent: Sequence[str] | None,
     *,
-    shown: tuple[RecordedMotion | None, Limits],
+    shown: tuple[RecordedMotion | None, Limits, bool],
     progress: Progress,
 ) -> str:
-    """The page as text: that of the user's cache, if it shows neither a motion nor limits and was made before."""
-    from symscrew.display import make_page
+    """The page as text: that of the user's cache, if it shows no motion, limits or modes and was made before."""
+    from symscrew.display import make_page, page_modes
     from symscrew.model import derive
     from symscrew.runtime import entry, model_key
 
-    motion, limits = shown
-    bare = motion is None and not limits
+    motion, limits, modes = shown
+    bare = motion is None and not limits and not modes
     with entry(model_key(mechanism, effects, independent, of=b"page") if bare else None) as kept:
         found = kept.read()
         if found is not None:
             return found.decode("utf-8")
         with progress.step(f"derive {mechanism.name}"):
             model = derive(mechanism, effects, independent=independent)
-        page = make_page(model, motion, limits)
+        page = make_page(model, motion, limits, modes=page_modes(model) if modes else None)
         kept.write(page.encode("utf-8"))
         return page
 

@@ -14,6 +14,8 @@ from collections.abc import Mapping
 from importlib import resources
 from pathlib import Path
 
+import numpy as np
+
 from symscrew.display.view.motion_file import RecordedMotion
 from symscrew.display.view.page_data import functions_of, page_scene
 from symscrew.display.view.reaches import Reach
@@ -31,16 +33,23 @@ LIBRARY = "library.min.js"
 Limits = Mapping[str, Reach]
 
 
-def make_page(model: Model, motion: RecordedMotion | None = None, limits: Limits | None = None) -> str:
+def make_page(
+    model: Model,
+    motion: RecordedMotion | None = None,
+    limits: Limits | None = None,
+    *,
+    modes: Mapping[str, np.ndarray] | None = None,
+) -> str:
     """The page of a model as text, with a recorded motion if there is one.
 
-    `limits`: reaches of joints by their names [rad or m], beside those of the model's end stops.
+    `limits`: reaches of joints by their names [rad or m], beside those of the model's end stops. `modes`:
+    configurations (nq,) of assembly modes by name, for a chooser.
 
     Raises:
         DescriptionError: the motion or a limit does not belong to this model.
     """
     model = with_outline(model)
-    data = json.dumps(page_scene(model, motion, limits), ensure_ascii=False, allow_nan=False)
+    data = json.dumps(page_scene(model, motion, limits, modes=modes), ensure_ascii=False, allow_nan=False)
     parts = {
         "title": html.escape(model.name),
         "style": _file("page", "page.css"),
