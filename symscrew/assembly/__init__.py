@@ -16,7 +16,7 @@ from symscrew.doors import doors
 
 if TYPE_CHECKING:
     from symscrew.assembly.all_modes import AssemblyMode, AssemblyModes, assembly_modes
-    from symscrew.assembly.configurations_in_modes import configuration_in_mode
+    from symscrew.assembly.configurations_in_modes import configuration_in_mode, tree_coordinates
     from symscrew.assembly.followed_mode import FollowedMode, follow_mode
     from symscrew.assembly.mode_texts import mode_lines, mode_values, reach_lines
     from symscrew.assembly.mode_ways import Connection, reachable_modes
@@ -43,6 +43,7 @@ __all__ = [
     "print_modes",
     "reach_lines",
     "reachable_modes",
+    "tree_coordinates",
 ]
 
 __getattr__ = doors(__name__)

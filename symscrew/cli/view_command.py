@@ -7,7 +7,7 @@ import sys
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from symscrew.cli.help import DONE, UsageError
 from symscrew.cli.shared_options import (
@@ -35,6 +35,15 @@ MOST_MISSING = 5  # meshes that could not be drawn and are named
 FILES = {"out": ".html", "gif": ".gif", "mp4": ".mp4", "png": ".png"}  # option -> how its file's name ends
 
 
+class Shown(NamedTuple):
+    """What a page shows beside the mechanism; `modes`: a chooser of them."""
+
+    motion: RecordedMotion | None
+    limits: Limits
+    pictures: Pictures
+    modes: bool
+
+
 def add_options(command: argparse.ArgumentParser) -> None:
     """Options of `symscrew view`."""
     command.add_argument("mechanism", metavar="NAME|FILE|RUN.npz", help="a mechanism, or a recorded motion to play")
@@ -52,6 +61,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
         metavar="N|all",
         help="about how many states of a motion the page holds, all peaks among them; default: 4 MB",
     )
+    command.add_argument("--modes", action="store_true", help="a chooser of all assembly modes at the reference")
     command.add_argument("--run-time", nargs="+", default=[], metavar="NAME", help="parameters that get a slider")
     command.add_argument(
         "--meshes", metavar="FILE", help="draw bodies as the meshes (STL, OBJ) of a URDF or MJCF file with their names"
@@ -78,7 +88,8 @@ def run(options: argparse.Namespace) -> int:
         limits = _limits(options, mechanism)
         pictures = _pictures(options, mechanism)
     if not files or "out" in files:
-        page = _page(mechanism, effects, options.independent, shown=(motion, limits, pictures), progress=progress)
+        shown = Shown(motion, limits, pictures, options.modes)
+        page = _page(mechanism, effects, options.independent, shown=shown, progress=progress)
         if not files:
             print(open_made(page, mechanism.name))
             return DONE
@@ -101,23 +112,23 @@ def _page(
     effects: Sequence[Effect],
     independent: Sequence[str] | None,
     *,
-    shown: tuple[RecordedMotion | None, Limits, Pictures],
+    shown: Shown,
     progress: Progress,
 ) -> str:
-    """The page as text: that of the user's cache, if it shows neither a motion nor limits and was made before."""
-    from symscrew.display import make_page
+    """The page as text: that of the user's cache, if it shows nothing beside the mechanism and was made before."""
+    from symscrew.display import make_page, page_modes
     from symscrew.model import derive
     from symscrew.runtime import entry, model_key
 
-    motion, limits, pictures = shown
-    bare = motion is None and not limits and not pictures
+    bare = shown.motion is None and not (shown.limits or shown.pictures or shown.modes)
     with entry(model_key(mechanism, effects, independent, of=b"page") if bare else None) as kept:
         found = kept.read()
         if found is not None:
             return found.decode("utf-8")
         with progress.step(f"derive {mechanism.name}"):
             model = derive(mechanism, effects, independent=independent)
-        page = make_page(model, motion, limits, pictures)
+        modes = page_modes(model) if shown.modes else None
+        page = make_page(model, shown.motion, shown.limits, pictures=shown.pictures, modes=modes)
         kept.write(page.encode("utf-8"))
         return page
 

@@ -6,7 +6,8 @@ mechanism, model or run --show_page--> Page        mechanism --draw--> Picture
 from __future__ import annotations
 
 import io
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
 from typing import Any, Protocol
@@ -15,7 +16,7 @@ import numpy as np
 
 from symscrew import notebook
 from symscrew.description import Mechanism
-from symscrew.display.view import Limits, Pictures, RecordedMotion, make_page, open_made, write_made
+from symscrew.display.view import Limits, Pictures, RecordedMotion, make_page, open_made, page_modes, write_made
 from symscrew.errors import DescriptionError
 from symscrew.model import Model, derive
 
@@ -58,6 +59,7 @@ class Page:
     motion: RecordedMotion | None = None
     limits: Limits | None = None
     pictures: Pictures | None = None
+    modes: Mapping[str, np.ndarray] | None = None
 
     def __repr__(self) -> str:
         return f"Page({self.model.name}{'' if self.motion is None else f', {len(self.motion.t)} states'})"
@@ -65,7 +67,7 @@ class Page:
     @cached_property
     def text(self) -> str:
         """The page, one HTML document that asks the network for nothing."""
-        return make_page(self.model, self.motion, self.limits, self.pictures)
+        return make_page(self.model, self.motion, self.limits, pictures=self.pictures, modes=self.modes)
 
     def save(self, path: str | Path) -> Path:
         """Write the page into a file. Raises OSError where that cannot be written."""
@@ -118,15 +120,17 @@ def show_page(
     *,
     limits: Limits | None = None,
     pictures: Pictures | None = None,
+    modes: bool = False,
 ) -> Page:
     """The page in 3-D of a mechanism or model, or of a motion: a run, or what `drives` found.
 
     Outside of a notebook it is opened in the browser as well; in one, it shows itself. `limits`: how far joints may go,
     {"limb1_P": (-0.05, 0.1)} [rad or m], drawn and kept beside the end stops among the effects.
     `pictures`: triangles that bodies look like, `symscrew.formats.mesh_pictures("robot.urdf").triangles`.
+    `modes`: with a chooser of all assembly modes at the reference.
 
     Raises:
-        DescriptionError: the motion does not belong to the model.
+        DescriptionError: the motion does not belong to the model; there are no modes.
     """
     if isinstance(subject, Mechanism):
         made = Page(derive(subject), motion, limits, pictures)
@@ -134,6 +138,8 @@ def show_page(
         made = Page(subject, motion, limits, pictures)
     else:
         made = Page(subject.model, recorded(subject), limits, pictures)
+    if modes:
+        made = replace(made, modes=page_modes(made.model))
     if not notebook.here():
         made.open()
     return made

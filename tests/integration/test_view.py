@@ -376,3 +376,15 @@ def test_a_page_is_made_once_and_again_where_anything_differs(tmp_path: Path, mo
     assert page("--independent", "B") != first and len(made) == 3
     assert page("--limit", "A=0:1") != first and len(made) == 4
     assert page() == first and len(made) == 4
+
+
+def test_a_chooser_of_all_modes_has_configurations_that_close_the_loops(tmp_path: Path) -> None:
+    assert main(["view", "four_bar", "--modes", "--out", str(tmp_path / "modes.html")]) == 0
+    data = data_of((tmp_path / "modes.html").read_text())
+    assert [mode["name"] for mode in data["modes"]] == ["home", "-1"]
+    for mode in data["modes"]:
+        (opening,), _ = model("four_bar")("closure", np.array(mode["q"]))
+        assert np.abs(opening).max() < 1e-12
+    home, other = (np.array(mode["q"]) for mode in data["modes"])
+    assert np.array_equal(home, data["reference"]) and np.abs(home - other).max() > 0.1
+    assert page_scene(model("four_bar"))["modes"] == []

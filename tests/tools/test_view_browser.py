@@ -13,8 +13,9 @@ import pytest
 from support.model_states import model
 from support.recorded_motion import recorded
 
+from symscrew.display import make_page, page_modes
 from symscrew.display.view.motion_file import read_motion
-from symscrew.display.view.page import write_page
+from symscrew.display.view.page import write_made, write_page
 
 selenium = pytest.importorskip("selenium", reason='needs selenium: pip install ".[browser]"')
 from PIL import Image  # noqa: E402
@@ -112,6 +113,9 @@ def files(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], Path]:
             elif name == "run":
                 np.savez(folder / "run.npz", **recorded())
                 write_page(model("three_ups_upu_s"), path, read_motion(folder / "run.npz"))
+            elif name == "modes":
+                found = model("four_bar")
+                write_made(make_page(found, modes=page_modes(found)), path)
             else:
                 write_page(model(name), path)
         return path
@@ -181,6 +185,24 @@ def test_slider_solves_the_loops_in_the_page(driver, files) -> None:
     assert page.value("opening of the loops") < 1e-12
     page.find("#y1").send_keys(Keys.ARROW_LEFT)
     assert float(page.find("#y1").get_attribute("value")) < angle
+
+
+def test_the_chooser_of_modes_goes_between_them_and_sliders_go_on_from_there(driver, files) -> None:
+    page, found = Page(driver, files("modes")), model("four_bar")
+    before = page.picture()
+    choice = page.find("#mode")
+    assert choice.accessible_name == "Assembly mode"
+    choice.send_keys("-1")
+    page.settle()
+    assert choice.get_attribute("value") == "-1" and differing(before, page.picture()) > 1000
+    q = page_modes(found)["-1"]
+    (energy,), _ = found("energy", q, np.zeros(len(q)))
+    assert abs(page.value("potential energy") - energy[1]) < 1e-3 * abs(energy[1])
+    page.slide("#y0", 0.55)
+    angle = float(page.find("#y0").get_attribute("value"))
+    (near,), status = found("assemble", np.array([angle]), q)
+    (energy,), _ = found("energy", near, np.zeros(len(q)))
+    assert status == 0 and abs(page.value("potential energy") - energy[1]) < 1e-3 * abs(energy[1])
 
 
 def test_slider_that_cannot_be_reached_says_so_and_stays(driver, files) -> None:

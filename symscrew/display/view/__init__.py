@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 from symscrew.doors import doors
 
 if TYPE_CHECKING:
+    from symscrew.display.view.mode_chooser import page_modes
     from symscrew.display.view.motion_file import RecordedMotion, read_mechanism_and_motion, read_motion
     from symscrew.display.view.page import Limits, Pictures, make_page, open_made, open_page, write_made, write_page
     from symscrew.display.view.page_data import page_scene
@@ -16,6 +17,7 @@ __all__ = [
     "make_page",
     "open_made",
     "open_page",
+    "page_modes",
     "page_scene",
     "read_mechanism_and_motion",
     "read_motion",

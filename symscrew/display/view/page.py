@@ -15,6 +15,8 @@ from importlib import resources
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from symscrew.display.view.motion_file import RecordedMotion
 from symscrew.display.view.page_data import functions_of, page_scene
 from symscrew.display.view.reaches import Reach
@@ -35,18 +37,25 @@ Pictures = Mapping[str, Any]
 
 
 def make_page(
-    model: Model, motion: RecordedMotion | None = None, limits: Limits | None = None, pictures: Pictures | None = None
+    model: Model,
+    motion: RecordedMotion | None = None,
+    limits: Limits | None = None,
+    *,
+    pictures: Pictures | None = None,
+    modes: Mapping[str, np.ndarray] | None = None,
 ) -> str:
     """The page of a model as text, with a recorded motion if there is one.
 
     `limits`: reaches of joints by their names [rad or m], beside those of the model's end stops.
     `pictures`: triangles that bodies look like, in absolute axes in the reference configuration.
+    `modes`: configurations (nq,) of assembly modes by name, for a chooser.
 
     Raises:
         DescriptionError: the motion or a limit does not belong to this model.
     """
     model = with_outline(model)
-    data = json.dumps(page_scene(model, motion, limits, pictures), ensure_ascii=False, allow_nan=False)
+    scene = page_scene(model, motion, limits, pictures=pictures, modes=modes)
+    data = json.dumps(scene, ensure_ascii=False, allow_nan=False)
     parts = {
         "title": html.escape(model.name),
         "style": _file("page", "page.css"),

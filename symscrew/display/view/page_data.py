@@ -43,11 +43,14 @@ def page_scene(
     model: Model,
     motion: RecordedMotion | None = None,
     limits: Mapping[str, Reach] | None = None,
+    *,
     pictures: Mapping[str, Array] | None = None,
+    modes: Mapping[str, Array] | None = None,
 ) -> dict[str, Any]:
     """The page's data for a model, with a recorded motion if there is one, and limits of joints beside its end stops.
 
     `pictures`: body -> triangles (n, 3, 3) [m] in absolute axes in the reference configuration, drawn for its outline.
+    `modes`: configurations (nq,) by name of assembly modes, between which one can choose.
 
     Raises:
         DescriptionError: the motion does not belong to this model.
@@ -79,6 +82,7 @@ def page_scene(
             for p in mechanism.points.values()
         ],
         "limits": joint_limits(model, limits or {}),
+        "modes": [{"name": name, "q": q.tolist()} for name, q in (modes or {}).items()],
         "tunable": tunable(model),
         "limbs": _limbs(mechanism),
         "drives": _drives(model),

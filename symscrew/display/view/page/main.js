@@ -332,6 +332,12 @@
 
   layers.measure({ frames: [state] });
   Panel.views(Object.keys(Stage.VIEWS), (name) => stage.see(name), () => paint(stage.theme === "dark" ? "light" : "dark"));
+  Panel.modes(data.modes, (q) => {
+    pause();
+    sliders.forEach((slider) => slider.complain(""));
+    show(model.rest(Float64Array.from(q)));
+    stage.keep(layers.points);
+  });
   sliders = Panel.sliders(data, ranges, move);
   tuned = Panel.parameters(data.tunable, tune, tuned_anew);
   if (location.hash === "#embed") {

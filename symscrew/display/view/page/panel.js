@@ -73,6 +73,15 @@ const Panel = (() => {
     holder.append(element("button", { type: "button", id: "theme", textContent: "Dark", onclick: onTheme }));
   }
 
+  /* The assembly modes at the reference: sliders go on from the one that is chosen. */
+  function modes(known, onChoose) {
+    if (known.length > 1) {
+      const choice = element("select", { id: "mode" }, ...known.map(({ name }) => element("option", { value: name, textContent: name })));
+      choice.addEventListener("change", () => onChoose(known[choice.selectedIndex].q));
+      find("#coordinates > div").append(element("label", { textContent: "Assembly mode " }, choice));
+    }
+  }
+
   /* A slider per independent coordinate: angles in degrees, lengths in metres. */
   function sliders(data, ranges, onMove) {
     const holder = find("#coordinates > div");
@@ -213,5 +222,5 @@ const Panel = (() => {
     find("#trouble").textContent = text;
   }
 
-  return { find, element, header, views, sliders, parameters, body, layers, scales, values, listing, notes, margin, trouble };
+  return { find, element, header, views, modes, sliders, parameters, body, layers, scales, values, listing, notes, margin, trouble };
 })();
