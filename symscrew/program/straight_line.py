@@ -15,7 +15,7 @@ from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -112,7 +112,7 @@ class Program:
     folded: tuple[Node, ...] = field(default=(), compare=False, repr=False)
 
     def __repr__(self) -> str:
-        return f"{type(self).__name__}({_signature(self)}, {self.operations['total']} operations)"
+        return f"{type(self).__name__}({signature(self)}, {self.operations['total']} operations)"
 
     @property
     def operations(self) -> dict[str, int]:
@@ -208,7 +208,7 @@ class Iteration:
     notes: tuple[str, ...] = ()
 
     def __repr__(self) -> str:
-        return f"Iteration({_signature(self)}, {self.operations['total']} operations per step)"
+        return f"Iteration({signature(self)}, {self.operations['total']} operations per step)"
 
     @property
     def operations(self) -> dict[str, int]:
@@ -255,7 +255,7 @@ def digest(program: Program) -> str:
     return hashlib.sha256(f"{before[:-1]}, {body}, {after[1:]}".encode()).hexdigest()[:16]
 
 
-def _signature(program: Program | Iteration) -> str:
-    """`name(q[4], v[4]) -> a[4]`."""
+def signature(program: Any) -> str:
+    """`name(q[4], v[4]) -> a[4]` of what has a name and ports."""
     given, made = (", ".join(f"{p.name}[{p.size}]" for p in ports) for ports in (program.inputs, program.outputs))
     return f"{program.name}({given}) -> {made or 'nothing'}"
