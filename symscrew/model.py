@@ -110,16 +110,15 @@ class Model:
 
     def only(self, names: Sequence[str]) -> Model:
         """The model with those functions of these names that it has, and no others."""
-        kept = Asked({name: self.declared(name) for name in self.programs if name in names}, self._program)
+        if isinstance(self.programs, Asked):
+            return replace(self, programs=self.programs.only(names), selected=True)
+        kept = {name: program for name, program in self.programs.items() if name in names}
         return replace(self, programs=kept, selected=True)
 
     def declared(self, name: str) -> Declared:
         """Ports, notes and limbs out of reach of a function, for which nothing is lowered that was not yet."""
         known = self.programs.given.get(name) if isinstance(self.programs, Asked) else None
         return known if isinstance(known, Function | Assembly) else self.programs[name]
-
-    def _program(self, declared: Declared) -> Program | Iteration:
-        return self.programs[declared.name]
 
     @property
     def sample_q(self) -> np.ndarray:

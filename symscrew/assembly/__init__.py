@@ -4,7 +4,7 @@ Mechanism, values of drives --what_is_held, elementary_graph, held_structure--> 
 structure --root_bounds--> a proved bound on isolated zeros;  --start_system--> all zeros of a general member, kept
 --batch_equations, path_tracking, target_roots--> ends of all paths at the given numbers (families)
 --certified_roots--> a box with one zero;  --joint_angles, mode_signs, mode_names--> modes --all_modes--> result
-structure, start system --modes_c--> C that finds all modes, and leads one;  --modes_library--> called from Python
+structure, start system --modes_c, closed_zeros--> C that finds all modes, and leads one (modes_library calls it)
 result --configurations_in_modes--> where a run, a map or a plan in a mode begins
 result --mode_texts--> words, JSON;  --followed_mode--> a mode led along a motion, every step proved
 result --mode_ways--> of each pair a way without a singularity, or that there is none, or that none was found
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from symscrew.assembly.followed_mode import FollowedMode, follow_mode
     from symscrew.assembly.mode_texts import mode_lines, mode_values, reach_lines
     from symscrew.assembly.mode_ways import Connection, reachable_modes
-    from symscrew.assembly.modes_c import ModesModel, modes_model, print_modes
+    from symscrew.assembly.modes_c import ModesModel, has_level_modes, modes_model, print_modes
     from symscrew.assembly.modes_library import CompiledModes, compiled_modes
     from symscrew.assembly.ways_to_solve import WaysToSolve
 
@@ -36,6 +36,7 @@ __all__ = [
     "compiled_modes",
     "configuration_in_mode",
     "follow_mode",
+    "has_level_modes",
     "mode_lines",
     "mode_values",
     "modes_model",

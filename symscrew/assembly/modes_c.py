@@ -8,7 +8,7 @@ Nothing is allocated, no state is kept, work is bounded. The start system is amo
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from importlib import resources
 from typing import Any
@@ -17,7 +17,8 @@ import numpy as np
 
 from symscrew.assembly.all_modes import known_zero, structure_of
 from symscrew.assembly.batch_equations import BatchEquations
-from symscrew.assembly.elementary_graph import Edge
+from symscrew.assembly.c_tables import LINE, Step, c_array, held_steps
+from symscrew.assembly.closed_zeros import closed_form
 from symscrew.assembly.families import AllNumbers
 from symscrew.assembly.held_structure import WIDTH, Structure
 from symscrew.assembly.start_system import StartSystem, start_system
@@ -37,8 +38,6 @@ SEED = 20231009
 """Of the planes in which coordinates stay and of the rows that are mixed: equal input gives equal bytes."""
 MOST_PATHS = 64
 """Of the C, whose arrays for them lie on the stack: 40 are those of a platform on six legs."""
-LINE = 110
-"""Characters of a line of tables: as in the other C."""
 LAYOUT = {
     "MOST_STEPS": 400,  # of a path; those of random platforms take sixty
     "MOST_NEWTON": 12,
@@ -106,10 +105,16 @@ def print_modes(model: ModesModel, top: Sequence[str] = ()) -> dict[str, str]:
     parts += [*balls, ""]
     for prefix, of in (("ball", "Ball"), ("plain", "double")):
         parts += [*_kind(prefix, of), *equations, *_UNDEFINED, ""]
-    parts += [*_text("modes_solver.c"), ""]
-    parts += [*_text("modes_planar.c"), "", *paths, "", *_kind("lanes", "Lanes"), *equations, *_UNDEFINED, ""]
-    parts += [*_text("modes_search.c"), ""]
+    form = closed_form(model.structure, model.held.chosen)
+    parts += [*_text("modes_solver.c"), "", *_text(form.zeros), ""]
+    parts += [*paths, "", *_kind("lanes", "Lanes"), *equations, *_UNDEFINED, "", *_text("modes_search.c"), ""]
+    parts += [*form.tables, *_text(form.more), ""] if form.more else []
     return {f"{name}_modes.h": "\n".join(_header(model, comment)), f"{name}_modes.c": "\n".join(parts)}
+
+
+def has_level_modes(model: ModesModel) -> bool:
+    """Whether the C has the closed form of modes with the platform turned as in the reference."""
+    return bool(closed_form(model.structure, model.held.chosen).more)
 
 
 def _text(file: str) -> list[str]:
@@ -161,7 +166,7 @@ int NAME_assembly_modes(const double *drives, NAME_mode *modes, int *count);
    lies in a box around it, bounded in doubles with their rounding: not to be compiled with -ffast-math. Refused, the
    mode stays as it was. */
 int NAME_nearest_mode(NAME_mode *mode, const double *drives);
-
+LEVEL_MODES
 #ifdef __cplusplus
 }
 #endif
@@ -170,10 +175,23 @@ int NAME_nearest_mode(NAME_mode *mode, const double *drives);
 """
 
 
+LEVEL_MODES = """
+/* Those modes whose platform is turned as in the reference, two at most, in closed form: `modes` has room for two. What
+   is certified is that one solution so turned lies within `error`. Status 100: two are almost one, or may be. */
+int NAME_level_modes(const double *drives, NAME_mode *modes, int *count);
+"""
+
+
 def _header(model: ModesModel, comment: Sequence[str]) -> list[str]:
     labels = ", ".join(f"{name} [{'m' if slides else 'rad'}]" for name, _, _, slides in model.drives)
     told = "".join(f"   {line}\n" for line in wrapped(f"{labels}.", width=LINE))
-    text = HEADER.replace("TOLD", told).replace("PLATFORM", model.held.body).replace("GUARD", model.name.upper())
+    level = LEVEL_MODES if closed_form(model.structure, model.held.chosen).more else ""
+    text = (
+        HEADER.replace("LEVEL_MODES\n", f"{level}\n")
+        .replace("TOLD", told)
+        .replace("PLATFORM", model.held.body)
+        .replace("GUARD", model.name.upper())
+    )
     text = text.replace("NAME_MODES", f"{model.name.upper()}_MODES").replace("NAME_", f"{model.name}_")
     text = text.replace("DRIVES]", f"{len(model.drives)}]").replace("= DRIVES", f"= {len(model.drives)}")
     text = text.replace("WIDTH]", f"{model.equations.width}]").replace("= WIDTH", f"= {model.equations.width}")
@@ -183,7 +201,7 @@ def _header(model: ModesModel, comment: Sequence[str]) -> list[str]:
 def _tables(model: ModesModel) -> list[str]:
     structure, equations, name = model.structure, model.equations, model.name
     bodies = list(structure.graph.cluster)
-    steps = _steps(structure)
+    steps = held_steps(structure)
     rows = [sum(_rows(structure, form.kind) for form in loop.forms) for loop in structure.loops]
     ways = [[(f.group, f.back) for f in way] for way in equations.ways]
     hub = structure.graph.cluster[model.held.body]
@@ -194,36 +212,26 @@ def _tables(model: ModesModel) -> list[str]:
         "LONGEST": max(map(len, ways)), "LARGEST_LOOP": max(rows), "N_PATHS": len(model.start.zeros),
         "N_CHAIN": len(structure.chains.get(hub, ())), "PLATFORM_BODY": bodies.index(model.held.body),
         "PLANAR": int(structure.planar), "ONE_OF_EACH": int(bool(model.held.mechanism.limbs)),
-        "CLOSED_PLANAR": int(_three_circles(structure)), **LAYOUT,
+        **LAYOUT,
     }  # fmt: skip
     lines = [f"#define {key} {value}" for key, value in sizes.items()]
     lines += [f"#define {key} {decimal(value)}" for key, value in NUMBERS.items()]
     lines += [f"#define SIZE {decimal(float(model.held.network.length))}", f"#define MODE {name}_mode"]
     lines += [f"#define MODES {name}_assembly_modes", f"#define NEAREST {name}_nearest_mode"]
+    lines += [f"#define LEVEL {name}_level_modes"] if closed_form(structure, model.held.chosen).more else []
     lines += [f"#define MODES_{status} {name.upper()}_MODES_{status}"
               for status in ("INCOMPLETE", "REFUSED", "NOT_CERTIFIED")]  # fmt: skip
     for prefix, kinds in (("GROUP", KINDS), ("FORM", FORMS), ("SLOT", SLOTS), ("STEP", ("turn", "slide", "still"))):
         lines.append(f"enum {{ {', '.join(f'{prefix}_{kind.upper()}' for kind in kinds)} }};")
-    lines += [*_array("int", "planar_place", [0, 3, 5, 6])]
+    lines += [*c_array("int", "planar_place", [0, 3, 5, 6])]
     lines += _of_groups(structure, equations) + _of_loops(structure, ways)
     lines += _of_slots(structure, bodies) + _of_steps(structure, steps, bodies, model.held.chosen)
-    lines += _array("double", "drive_reference", [d[1] for d in model.drives])
-    lines += _array("double", "drive_unit", [d[2] for d in model.drives])
-    lines += _array("double", "frame", [[float(c) for c in row] for row in structure.frame])
-    lines += _array("double", "centre", [float(c) for c in structure.centre])
-    lines += _array("int", "platform_chain", structure.chains.get(hub, ()))
+    lines += c_array("double", "drive_reference", [d[1] for d in model.drives])
+    lines += c_array("double", "drive_unit", [d[2] for d in model.drives])
+    lines += c_array("double", "frame", [[float(c) for c in row] for row in structure.frame])
+    lines += c_array("double", "centre", [float(c) for c in structure.centre])
+    lines += c_array("int", "platform_chain", structure.chains.get(hub, ()))
     return lines + _of_start(model)
-
-
-def _three_circles(structure: Structure) -> bool:
-    """Whether it is one planar body on three rods from the ground: solved in closed form."""
-    one_loop = len(structure.loops) == len(structure.groups) == 1 and structure.groups[0].kind == "planar"
-    ground = structure.graph.ground
-    return (
-        one_loop
-        and structure.loops[0].base == ground
-        and [f.kind for f in structure.loops[0].forms] == ["distance"] * 3
-    )
 
 
 def _rows(structure: Structure, kind: str) -> int:
@@ -231,20 +239,20 @@ def _rows(structure: Structure, kind: str) -> int:
 
 
 def _of_groups(structure: Structure, equations: BatchEquations) -> list[str]:
-    lines = _array("int", "group_kind", [KINDS.index(g.kind) for g in structure.groups])
-    lines += _array("int", "group_start", [part.start for part in equations.parts])
-    lines += _array("int", "group_width", [WIDTH[g.kind] for g in structure.groups])
-    return lines + _array("int", "group_slots", [[*g.slots, 0, 0][:2] for g in structure.groups])
+    lines = c_array("int", "group_kind", [KINDS.index(g.kind) for g in structure.groups])
+    lines += c_array("int", "group_start", [part.start for part in equations.parts])
+    lines += c_array("int", "group_width", [WIDTH[g.kind] for g in structure.groups])
+    return lines + c_array("int", "group_slots", [[*g.slots, 0, 0][:2] for g in structure.groups])
 
 
 def _of_loops(structure: Structure, ways: Sequence[Sequence[tuple[int, bool]]]) -> list[str]:
     forms = [form for loop in structure.loops for form in loop.forms]
-    lines = _array("int", "loop_first", np.cumsum([0, *map(len, ways)]).tolist())
-    lines += _array("int", "way_group", [group for way in ways for group, _ in way])
-    lines += _array("int", "way_back", [int(back) for way in ways for _, back in way])
-    lines += _array("int", "form_first", np.cumsum([0, *(len(loop.forms) for loop in structure.loops)]).tolist())
-    lines += _array("int", "form_kind", [FORMS.index(form.kind) for form in forms])
-    return lines + _array("int", "form_slots", [[*form.slots, 0][:3] for form in forms])
+    lines = c_array("int", "loop_first", np.cumsum([0, *map(len, ways)]).tolist())
+    lines += c_array("int", "way_group", [group for way in ways for group, _ in way])
+    lines += c_array("int", "way_back", [int(back) for way in ways for _, back in way])
+    lines += c_array("int", "form_first", np.cumsum([0, *(len(loop.forms) for loop in structure.loops)]).tolist())
+    lines += c_array("int", "form_kind", [FORMS.index(form.kind) for form in forms])
+    return lines + c_array("int", "form_slots", [[*form.slots, 0][:3] for form in forms])
 
 
 def _of_slots(structure: Structure, bodies: Sequence[str]) -> list[str]:
@@ -257,9 +265,9 @@ def _of_slots(structure: Structure, bodies: Sequence[str]) -> list[str]:
         second.append(bodies.index(ends[1][0]))
         at.append(_place(structure, slot.kind, ends[0][1]))
         other.append(_place(structure, slot.kind, ends[1][1]))
-    lines = _array("int", "slot_kind", [SLOTS.index(slot.kind) for slot in structure.slots])
-    lines += _array("int", "slot_body", own) + _array("int", "slot_second", second)
-    return lines + _array("double", "slot_at", at) + _array("double", "slot_other", other)
+    lines = c_array("int", "slot_kind", [SLOTS.index(slot.kind) for slot in structure.slots])
+    lines += c_array("int", "slot_body", own) + c_array("int", "slot_second", second)
+    return lines + c_array("double", "slot_at", at) + c_array("double", "slot_other", other)
 
 
 def _place(structure: Structure, kind: str, at: Any) -> list[float]:
@@ -278,46 +286,6 @@ def _axis(structure: Structure, axis: Any) -> list[float]:
     return found
 
 
-@dataclass(frozen=True)
-class Step:
-    """How a body is displaced: as another one, behind a held joint passed in its sense or back."""
-
-    near: str
-    far: str
-    edge: Edge | None = None
-    sign: int = 1
-
-
-def _steps(structure: Structure) -> list[Step]:
-    """The order of `Displacements`: from the ground, across the joints of the tree, then what nothing carries."""
-    steps, placed = list[Step](), set[str]()
-
-    def spread(body: str) -> None:
-        front = [body]
-        placed.add(body)
-        while front:
-            here = front.pop()
-            for edge in structure.graph.held:
-                for near, far, sign in ((edge.parent, edge.child, 1), (edge.child, edge.parent, -1)):
-                    if near == here and far not in placed:
-                        steps.append(Step(near, far, edge if edge.columns and edge.axis is not None else None, sign))
-                        placed.add(far)
-                        front.append(far)
-
-    spread(structure.graph.ground)
-    for group in structure.groups:
-        if group.edge is not None:
-            ends = (group.edge.parent, group.edge.child)
-            near, far = ends if group.forward else ends[::-1]
-            if near in placed and far not in placed:
-                steps.append(Step(near, far))
-                spread(far)
-    for body in structure.graph.cluster:
-        if body not in placed:
-            spread(body)
-    return steps
-
-
 def _of_steps(structure: Structure, steps: Sequence[Step], bodies: Sequence[str], chosen: Sequence[int]) -> list[str]:
     kinds = [2 if step.edge is None else int(step.edge.kind == "slide") for step in steps]
     drives = [chosen.index(step.edge.columns[0]) if step.edge and step.edge.columns[0] in chosen else -1
@@ -326,11 +294,11 @@ def _of_steps(structure: Structure, steps: Sequence[Step], bodies: Sequence[str]
     points = [
         [0.0] * 3 if step.edge is None else [float(c) for c in structure.local(step.edge.point)] for step in steps
     ]
-    lines = _array("int", "step_near", [bodies.index(step.near) for step in steps])
-    lines += _array("int", "step_far", [bodies.index(step.far) for step in steps])
-    lines += _array("int", "step_kind", kinds) + _array("int", "step_drive", drives)
-    lines += _array("double", "step_sign", [float(step.sign) for step in steps])
-    return lines + _array("double", "step_axis", axes) + _array("double", "step_point", points)
+    lines = c_array("int", "step_near", [bodies.index(step.near) for step in steps])
+    lines += c_array("int", "step_far", [bodies.index(step.far) for step in steps])
+    lines += c_array("int", "step_kind", kinds) + c_array("int", "step_drive", drives)
+    lines += c_array("double", "step_sign", [float(step.sign) for step in steps])
+    return lines + c_array("double", "step_axis", axes) + c_array("double", "step_point", points)
 
 
 def _of_start(model: ModesModel) -> list[str]:
@@ -349,30 +317,16 @@ def _of_start(model: ModesModel) -> list[str]:
             value = p @ p + a @ a - value
         slots.append(np.asarray(value) if np.ndim(value) else np.array([value, 0, 0]))
     mixes = [np.linalg.qr(numbers.normal(size=(4, 4)))[0][:3].tolist() for _ in range(len(structure.loops) + 1)]
-    lines = _array("double", "path_mix", mixes) + _array("double", "patch", _pairs(patch))
+    lines = c_array("double", "path_mix", mixes) + c_array("double", "patch", _pairs(patch))
     return (
         lines
-        + _array("double", "start_slots", _pairs(np.array(slots)))
-        + _array("double", "start_zeros", _pairs(zeros))
+        + c_array("double", "start_slots", _pairs(np.array(slots)))
+        + c_array("double", "start_zeros", _pairs(zeros))
     )
 
 
 def _pairs(values: Array) -> list[Any]:
     return list(np.stack([values.real, values.imag], axis=-1).tolist())
-
-
-def _array(kind: str, name: str, values: Iterable[Any]) -> list[str]:
-    """A constant array; one without entries has one that nobody reads."""
-    found = np.array(list(values), dtype=int if kind == "int" else float)
-    found = found if found.size else np.zeros(1, dtype=found.dtype)
-    text = f"static const {kind} {name}{''.join(f'[{n}]' for n in found.shape)} = {_nested(kind, found.tolist())};"
-    return wrapped(text, later="    ", width=LINE)
-
-
-def _nested(kind: str, values: Any) -> str:
-    if isinstance(values, list):
-        return "{" + ", ".join(_nested(kind, v) for v in values) + "}"
-    return str(values) if kind == "int" else decimal(values).strip("()")
 
 
 def why_no_modes(mechanism: Mechanism) -> str | None:

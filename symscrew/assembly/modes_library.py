@@ -39,6 +39,13 @@ class CompiledModes:
         status = self.library[f"{self.model.name}_assembly_modes"](given, found, ctypes.byref(count))
         return int(status), list(found[: count.value])
 
+    def level(self, drives: Sequence[float]) -> tuple[int, list[Any]]:
+        """(status, modes turned as in the reference) by the closed form, where there is one."""
+        found, count = (self.record * 2)(), ctypes.c_int(0)
+        given = (ctypes.c_double * len(drives))(*drives)
+        status = self.library[f"{self.model.name}_level_modes"](given, found, ctypes.byref(count))
+        return int(status), list(found[: count.value])
+
     def led(self, mode: Any, drives: Sequence[float]) -> int:
         """The status of leading a mode, which is changed."""
         given = (ctypes.c_double * len(drives))(*drives)

@@ -1,7 +1,6 @@
 /* ---- A planar platform on three rods in closed form: differences of the three circles give its place for each angle, the
    third circle a trigonometric polynomial of degree 3 in the angle, so one of degree 6 in w = exp(i angle). ---- */
 
-#if CLOSED_PLANAR
 #define TURN 6.28318530717958647692
 
 enum { SAMPLES = 7, DEGREE = 6 };
@@ -32,7 +31,7 @@ static double planar_left(double (*goal)[3], double angle, double *place, double
 }
 
 /* All real zeros, or -1 where this way does not tell: a self-motion, or circles with a common chord. */
-static int planar_zeros(double (*goal)[3], double (*zeros)[WIDTH])
+static int closed_zeros(double (*goal)[3], double (*zeros)[WIDTH])
 {
     double value[SAMPLES], place[2], determinant, largest = 0.0, sizes = 0.0;
     double re[DEGREE + 1], im[DEGREE + 1], w[DEGREE][2];
@@ -127,11 +126,3 @@ static int planar_zeros(double (*goal)[3], double (*zeros)[WIDTH])
     }
     return (degree - count) % 2 ? -1 : count; /* zeros off the circle come in pairs, mirrored in it */
 }
-#else
-static int planar_zeros(double (*goal)[3], double (*zeros)[WIDTH])
-{
-    (void)goal;
-    (void)zeros;
-    return -1;
-}
-#endif

@@ -348,7 +348,7 @@ int MODES(const double *drives, MODE *modes, int *count)
             goal[k][i] = slots[k][i].m;
         }
     }
-    const int known = planar_zeros(goal, closed);
+    const int known = closed_zeros(goal, closed);
     for (int k = 0; k < known; ++k) {
         const int before = *count;
         lost += added(drives, places, slots, closed[k], modes, count) || *count == before; /* two came to one */

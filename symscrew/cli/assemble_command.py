@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from symscrew.cli.help import DONE, FAILED, UsageError
-from symscrew.cli.shared_options import add_mechanism, check_folder, need_matplotlib, writable_folder
+from symscrew.cli.shared_options import add_mechanism, check_folder, need_matplotlib, settings, writable_folder
 from symscrew.errors import shorten
 
 if TYPE_CHECKING:
@@ -56,7 +56,7 @@ def run(options: argparse.Namespace) -> int:
     from symscrew.kinematics import angle_notices
 
     picture = _picture(options.picture)
-    drives, at = (dict(_setting(name, text) for text in getattr(options, name)) for name in ("drives", "at"))
+    drives, at = (settings(name, getattr(options, name)) for name in ("drives", "at"))
     mechanism = catalogue.find(options.mechanism)
     for notice in angle_notices(mechanism, {**drives, **at}):
         print(f"note: {notice}", file=sys.stderr)
@@ -92,13 +92,6 @@ def _picture(name: str | None) -> Path | None:
     check_folder(path.parent, "--picture")
     need_matplotlib()
     return path
-
-
-def _setting(option: str, text: str) -> tuple[str, str]:
-    name, mark, value = text.partition("=")
-    if not mark or not name or not value:
-        raise UsageError(f"--{option}: expected KEY=VALUE, got {shorten(text)}")
-    return name.strip(), value.strip()
 
 
 def _progress(text: str) -> None:

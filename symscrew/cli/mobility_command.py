@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from symscrew.cli.help import DONE, FAILED, UsageError
-from symscrew.cli.shared_options import add_mechanism, check_folder
+from symscrew.cli.shared_options import add_mechanism, check_folder, settings
 from symscrew.errors import shorten
 from symscrew.whole_files import write_text
 
@@ -82,7 +82,7 @@ def run(options: argparse.Namespace) -> int:
         if file:
             check_folder(Path(file).parent, option)
     mechanism = catalogue.find(options.mechanism)
-    at = dict(_setting(text) for text in options.at)
+    at = settings("at", options.at)
     for notice in angle_notices(mechanism, at):
         print(f"note: {notice}", file=sys.stderr)
     found, checks = verified(analyse_mobility(mechanism, body=options.body, at=at, tolerance=options.tolerance))
@@ -184,13 +184,6 @@ def _write(path: Path, content: str) -> None:
         write_text(path, content)
     except OSError as error:
         raise UsageError(f"--out {shorten(str(path))}: cannot be written ({error.strerror})") from error
-
-
-def _setting(text: str) -> tuple[str, str]:
-    name, mark, value = text.partition("=")
-    if not mark or not name or not value:
-        raise UsageError(f"--at: expected KEY=VALUE, got {shorten(text)}")
-    return name.strip(), value.strip()
 
 
 def _verdict(found: Mobility, expect: int | None, failed: list[str]) -> str:

@@ -9,6 +9,8 @@ from __future__ import annotations
 import argparse
 import importlib.util
 import os
+import re
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -36,6 +38,10 @@ def add_no_cache(command: argparse.ArgumentParser) -> None:
     command.add_argument(
         "--no-cache", action="store_true", help="compile and derive anew, keep nothing (symscrew cache)"
     )
+
+
+NEXT_SETTING = re.compile(r",\s*(?=[A-Za-z_][\w.]*\s*=)")
+"""A comma before a further KEY=: "30deg about 1,1,0" has commas of its own."""
 
 
 def add_independent(command: argparse.ArgumentParser) -> None:
@@ -111,3 +117,21 @@ def need_matplotlib(what: str = "figures need") -> None:
     """Say how to get matplotlib, where it is not installed."""
     if importlib.util.find_spec("matplotlib") is None:
         raise UsageError(f'{what} matplotlib, which is not installed: pip install "symscrew[plot]"')
+
+
+def settings(option: str, texts: Sequence[str]) -> dict[str, str]:
+    """KEY -> VALUE of arguments KEY=VALUE, one or several in each, between commas.
+
+    Raises:
+        UsageError: no such pair, or a key that is given twice.
+    """
+    found: dict[str, str] = {}
+    for text in texts:
+        for item in NEXT_SETTING.split(text):
+            name, mark, value = (part.strip() for part in item.partition("="))
+            if not mark or not name or not value:
+                raise UsageError(f"--{option}: expected KEY=VALUE, got {shorten(item)}")
+            if name in found:
+                raise UsageError(f"--{option}: {shorten(name)} is given twice")
+            found[name] = value
+    return found

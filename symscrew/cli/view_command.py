@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import argparse
+import sys
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -21,7 +23,7 @@ from symscrew.errors import shorten
 
 if TYPE_CHECKING:
     from symscrew.description import Mechanism
-    from symscrew.display import Limits, Progress, RecordedMotion
+    from symscrew.display import Limits, Pictures, Progress, RecordedMotion
     from symscrew.effects import Effect
 
 EXAMPLES = (
@@ -29,6 +31,7 @@ EXAMPLES = (
     "symscrew view run.npz --out run.html --gif run.gif",
     "symscrew view delta --limit arm1_R=-20deg:45deg --out delta.html",
 )
+MOST_MISSING = 5  # meshes that could not be drawn and are named
 FILES = {"out": ".html", "gif": ".gif", "mp4": ".mp4", "png": ".png"}  # option -> how its file's name ends
 
 
@@ -44,7 +47,18 @@ def add_options(command: argparse.ArgumentParser) -> None:
         help="how far a joint may go, drawn and kept: limb1_P=-5cm:10cm, hip=-30deg:90deg; beside those of end stops "
         "and of URDF and MJCF files",
     )  # fmt: skip
+    command.add_argument(
+        "--frames",
+        metavar="N|all",
+        help="about how many states of a motion the page holds, all peaks among them; default: 4 MB",
+    )
     command.add_argument("--run-time", nargs="+", default=[], metavar="NAME", help="parameters that get a slider")
+    command.add_argument(
+        "--meshes", metavar="FILE", help="draw bodies as the meshes (STL, OBJ) of a URDF or MJCF file with their names"
+    )
+    command.add_argument(
+        "--folder", metavar="DIR", type=Path, help="below which meshes and packages are; default: the file's own"
+    )
     add_effects(command)
     add_independent(command)
     add_no_cache(command)
@@ -59,10 +73,12 @@ def run(options: argparse.Namespace) -> int:
     progress = Progress()
     with progress.step(f"read {options.mechanism}"):
         mechanism, motion = _mechanism(options)
+        motion = _with_frames(motion, options.frames)
         effects = chosen_effects(options, mechanism)
         limits = _limits(options, mechanism)
+        pictures = _pictures(options, mechanism)
     if not files or "out" in files:
-        page = _page(mechanism, effects, options.independent, shown=(motion, limits), progress=progress)
+        page = _page(mechanism, effects, options.independent, shown=(motion, limits, pictures), progress=progress)
         if not files:
             print(open_made(page, mechanism.name))
             return DONE
@@ -85,7 +101,7 @@ def _page(
     effects: Sequence[Effect],
     independent: Sequence[str] | None,
     *,
-    shown: tuple[RecordedMotion | None, Limits],
+    shown: tuple[RecordedMotion | None, Limits, Pictures],
     progress: Progress,
 ) -> str:
     """The page as text: that of the user's cache, if it shows neither a motion nor limits and was made before."""
@@ -93,15 +109,15 @@ def _page(
     from symscrew.model import derive
     from symscrew.runtime import entry, model_key
 
-    motion, limits = shown
-    bare = motion is None and not limits
+    motion, limits, pictures = shown
+    bare = motion is None and not limits and not pictures
     with entry(model_key(mechanism, effects, independent, of=b"page") if bare else None) as kept:
         found = kept.read()
         if found is not None:
             return found.decode("utf-8")
         with progress.step(f"derive {mechanism.name}"):
             model = derive(mechanism, effects, independent=independent)
-        page = make_page(model, motion, limits)
+        page = make_page(model, motion, limits, pictures)
         kept.write(page.encode("utf-8"))
         return page
 
@@ -128,6 +144,41 @@ def _mechanism(options: argparse.Namespace):  # type: ignore[no-untyped-def]
     if options.mechanism.endswith(".npz"):
         raise UsageError("--run-time: a recorded motion has its parameters; give a mechanism")
     return catalogue.find(options.mechanism, run_time=options.run_time), None
+
+
+def _with_frames(motion: RecordedMotion | None, asked: str | None) -> RecordedMotion | None:
+    """The motion with as many states for its page as are asked for."""
+    if asked is None:
+        return motion
+    if motion is None:
+        raise UsageError("--frames: a mechanism has no recorded states; give a motion, RUN.npz")
+    if asked == "all":
+        return replace(motion, frames=len(motion.t))
+    if not asked.isdecimal() or int(asked) < 2:
+        raise UsageError(f"--frames: expected at least 2, or all, got {shorten(asked)}")
+    return replace(motion, frames=int(asked))
+
+
+def _pictures(options: argparse.Namespace, mechanism: Mechanism) -> Pictures:
+    """Triangles of bodies by name from the file of --meshes; what cannot be drawn is said."""
+    from symscrew.formats import ImportOptions, mesh_pictures
+
+    if options.meshes is None:
+        if options.folder is not None:
+            raise UsageError("--folder belongs to --meshes: it says where meshes are")
+        return {}
+    if not options.out and any(getattr(options, name) for name in FILES):
+        raise UsageError("--meshes belongs to pages: films and other pictures have outlines")
+    found = mesh_pictures(options.meshes, ImportOptions(accept=True, repair=True, folder=options.folder))
+    of_bodies = {name: own for name, own in found.triangles.items() if name in {mechanism.ground, *mechanism.bodies}}
+    for text in found.missing[:MOST_MISSING]:
+        print(f"not drawn: {text}", file=sys.stderr)
+    if len(found.missing) > MOST_MISSING:
+        print(f"not drawn: {len(found.missing) - MOST_MISSING} meshes more", file=sys.stderr)
+    if not of_bodies:
+        bodies = ", ".join(list(mechanism.bodies)[:5])
+        raise UsageError(f"--meshes: expected a file with meshes of {bodies} ..., found none in {options.meshes}")
+    return of_bodies
 
 
 def _limits(options: argparse.Namespace, mechanism: Mechanism) -> Limits:

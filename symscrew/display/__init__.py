@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from symscrew.display.terminal import Progress, aligned_table, colours, fitting_table, one_line, print_table
     from symscrew.display.view import (
         Limits,
+        Pictures,
         RecordedMotion,
         make_page,
         open_made,
@@ -49,6 +50,7 @@ __all__ = [
     "Limits",
     "Page",
     "Picture",
+    "Pictures",
     "Progress",
     "RecordedMotion",
     "aligned_table",

@@ -15,7 +15,7 @@ import numpy as np
 
 from symscrew import notebook
 from symscrew.description import Mechanism
-from symscrew.display.view import Limits, RecordedMotion, make_page, open_page, write_page
+from symscrew.display.view import Limits, Pictures, RecordedMotion, make_page, open_made, write_made
 from symscrew.errors import DescriptionError
 from symscrew.model import Model, derive
 
@@ -57,6 +57,7 @@ class Page:
     model: Model
     motion: RecordedMotion | None = None
     limits: Limits | None = None
+    pictures: Pictures | None = None
 
     def __repr__(self) -> str:
         return f"Page({self.model.name}{'' if self.motion is None else f', {len(self.motion.t)} states'})"
@@ -64,15 +65,15 @@ class Page:
     @cached_property
     def text(self) -> str:
         """The page, one HTML document that asks the network for nothing."""
-        return make_page(self.model, self.motion, self.limits)
+        return make_page(self.model, self.motion, self.limits, self.pictures)
 
     def save(self, path: str | Path) -> Path:
         """Write the page into a file. Raises OSError where that cannot be written."""
-        return write_page(self.model, path, self.motion, self.limits)
+        return write_made(self.text, path)
 
     def open(self) -> Path:
         """Open the page in the browser; the file it stands in, in a new temporary folder."""
-        return open_page(self.model, self.motion, self.limits)
+        return open_made(self.text, self.model.name)
 
     def _repr_html_(self) -> str:
         return notebook.framed(self.text, self.model.name)
@@ -112,22 +113,27 @@ class Picture:
 
 
 def show_page(
-    subject: Mechanism | Model | Moved, motion: RecordedMotion | None = None, *, limits: Limits | None = None
+    subject: Mechanism | Model | Moved,
+    motion: RecordedMotion | None = None,
+    *,
+    limits: Limits | None = None,
+    pictures: Pictures | None = None,
 ) -> Page:
     """The page in 3-D of a mechanism or model, or of a motion: a run, or what `drives` found.
 
     Outside of a notebook it is opened in the browser as well; in one, it shows itself. `limits`: how far joints may go,
     {"limb1_P": (-0.05, 0.1)} [rad or m], drawn and kept beside the end stops among the effects.
+    `pictures`: triangles that bodies look like, `symscrew.formats.mesh_pictures("robot.urdf").triangles`.
 
     Raises:
         DescriptionError: the motion does not belong to the model.
     """
     if isinstance(subject, Mechanism):
-        made = Page(derive(subject), motion, limits)
+        made = Page(derive(subject), motion, limits, pictures)
     elif isinstance(subject, Model):
-        made = Page(subject, motion, limits)
+        made = Page(subject, motion, limits, pictures)
     else:
-        made = Page(subject.model, recorded(subject), limits)
+        made = Page(subject.model, recorded(subject), limits, pictures)
     if not notebook.here():
         made.open()
     return made

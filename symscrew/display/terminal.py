@@ -68,7 +68,7 @@ def console_width() -> int:
 def fitting_table(header: Sequence[str], rows: Sequence[Sequence[str]], wide: int | None = None) -> str:
     """`aligned_table` in at most `wide` columns (default: those of the console).
 
-    Its cells are broken at blanks, but for those of the first column; where words are too long, rows are paragraphs.
+    Its cells are broken at blanks, those of the first column last; where words are too long, rows are paragraphs.
 
     >>> print(fitting_table(["name", "for"], [["seed", "two free turns"]], 19))
     | name | for      |
@@ -80,14 +80,14 @@ def fitting_table(header: Sequence[str], rows: Sequence[Sequence[str]], wide: in
     lines = [header, *rows]
     widths = [max(len(line[k]) for line in lines) for k in range(len(header))]
     least = [max((len(word) for line in lines for word in line[k].split()), default=0) for k in range(len(header))]
-    least[0], frame = widths[0], 3 * len(header) + 1
+    frame = 3 * len(header) + 1
     if sum(widths) + frame <= wide:
         return aligned_table(header, rows)
     if sum(least) + frame > wide:
         return "\n".join(stacked(header, rows, wide))
     while sum(widths) + frame > wide:
-        k = max((k for k in range(len(widths)) if widths[k] > least[k]), key=lambda k: widths[k])
-        widths[k] -= 1
+        wider = [k for k in range(len(widths)) if widths[k] > least[k]]
+        widths[max(wider, key=lambda k: (k > 0, widths[k]))] -= 1
     made = [text for line in lines for text in _in_lines(line, widths)]
     made.insert(len(_in_lines(header, widths)), _rule(widths))
     return "\n".join(made)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import numpy as np
 import sympy
 
 from symscrew.algebra import ZERO, Node, Vector, add, dot, scale, subtract, transform, transpose
@@ -14,6 +15,9 @@ from symscrew.errors import DescriptionError, did_you_mean, shorten
 from symscrew.kinematics import GROUND
 
 AXES = ((1, 0, 0), (0, 1, 0), (0, 0, 1))
+SQUARE = 1e-6
+"""Cosine of two axes of a box, and part of their length, up to which they are as texts of six digits write them: forces
+are off by as much. Longer ones are divided by their length, others are no axes of a box."""
 
 
 @dataclass(frozen=True, repr=False)
@@ -27,7 +31,8 @@ class FluidDrag(Effect):
         M_x = -pi d^3 mu omega_x - rho a (b^4 + c^4) |omega_x| omega_x / 64  [N m]
 
     and so on in turn: Stokes's drag of a sphere as large and the drag of each face, as MuJoCo's inertia model has them.
-    `axes`: those of the box, absolute in the reference configuration; `wind` [m/s]: the medium's velocity, absolute.
+    `axes`: directions of the box's sides, absolute in the reference configuration; `wind` [m/s]: the medium's velocity,
+    absolute.
     Power: F . v + M . omega of the body [W]; at most 0 without wind. No energy is stored.
 
         [[effects]]
@@ -68,11 +73,24 @@ class FluidDrag(Effect):
         own = point_velocity(system, at), body_spin(system, self.body)
         back = transpose(turn)
         seen = [transform(carried, transform(back, v)) for v in (subtract(own[0], wind), own[1])]
-        axes = [self._vector(acting, axis, f"{what}: axes") for axis in self.axes]
+        axes = self._box(acting, f"{what}: axes")
         force, moment = self._drag(acting, axes, seen, what)
         acting.push_in_body_axes(at, force, moment)
         moving = transform(carried, transform(back, own[0]))
         acting.feed(f"fluid_drag_{self.body}", tape.node(dot(force, moving) + dot(moment, seen[1])))
+
+    def _box(self, acting: Acting, what: str) -> list[Vector]:
+        """Unit vectors along the box's axes."""
+        values = np.array([[acting.value(c, what) for c in axis] for axis in self.axes])
+        lengths = np.linalg.norm(values, axis=1)
+        cosines = np.triu(values @ values.T, 1) / np.outer(lengths, lengths) if lengths.all() else np.ones(1)
+        if np.abs(cosines).max() > SQUARE:
+            raise DescriptionError(f"{what}: expected three perpendicular directions, got {shorten(self.axes)}")
+        axes = [self._vector(acting, axis, what) for axis in self.axes]
+        return [
+            axis if abs(length - 1) <= SQUARE else scale(1 / acting.system.tape.sqrt(dot(axis, axis)), axis)
+            for axis, length in zip(axes, lengths, strict=True)
+        ]
 
     def _vector(self, acting: Acting, values: tuple[Number, ...], what: str) -> Vector:
         x, y, z = (acting.number(value, what) for value in values)

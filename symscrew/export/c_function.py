@@ -18,7 +18,7 @@ from symscrew.export.folding import folded
 from symscrew.export.listing import balanced_sum, checked_slots, expressions, plain
 from symscrew.export.pivots import pivot_text
 from symscrew.export.stages import Stages, headed
-from symscrew.program import Packing
+from symscrew.program import OUT_OF_REACH, Packing, status_texts
 
 SUMS = 4  # of what must be finite, side by side: one alone is a chain of additions that wait for each other
 
@@ -156,7 +156,12 @@ class _Body:
         if printed.program.limits and not self.terms:
             self.terms = 1
             yield "REAL checked0 = CONSTANT(0.0);"
+        texts, told = status_texts(printed.program), 0
         for slot, low, high, status in printed.program.limits:
+            if status != told:
+                told = status
+                end = ";" if status >= OUT_OF_REACH else ":"  # the limb is named, others are told of in the header
+                yield f"/* else status {status}: {plain(texts[status].partition(end)[0])} */"
             for macro, bound in (("NOT_BELOW", low), ("NOT_ABOVE", high)):
                 if bound is not None:
                     yield f"{macro}({printed.called[slot]}, {printed.precision.number(bound)}, {status});"

@@ -223,7 +223,8 @@ def _entries(model: Model) -> list[str]:
         if len(set(names)) == port.size and port.size <= ENUMERATED:
             text = ", ".join(names)
             unit = unit_of(port)
-            units = ", ".join(f"{u} {n}" for u, n in Counter(port.units).items()) if unit is None else unit
+            several = ", ".join(f"{n} of unit 1" if u == "1" else f"{n} in {u}" for u, n in Counter(port.units).items())
+            units = several if unit is None else unit
             lines.append(f"/* {port.name}[{port.size}] [{units}]: {plain(port.description)} */")
             lines += wrapped(f"enum {model.name}_{port.name} {{ {text} }};", later="    ", width=WIDTH)
     return lines if len(lines) > 1 else []

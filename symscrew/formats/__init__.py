@@ -11,6 +11,7 @@ import_options, imported    what whoever imports allows; the mechanism, effects,
 open_loops, physical_inertias, rigid_groups, mesh_inertias   open loops, impossible inertias, bodies of triangles
 elementary_chains       a mechanism as a tree of elementary joints, which the writers want
 urdf_writer, mjcf_writer, urdf_effects, mjcf_effects    what is written, and as what
+drawn_meshes            what bodies look like
 exact_digits            digits that mean an angle, a zero or a short decimal
 safe_xml, rigid_displacements   XML without traps; poses from angles and quaternions with 50 digits
 round_trip              what a file keeps of a mechanism that is written and read back
@@ -21,7 +22,8 @@ from typing import TYPE_CHECKING
 from symscrew.doors import doors
 
 if TYPE_CHECKING:
-    from symscrew.formats.by_suffix import READABLE, WRITERS, import_file, load_format, save_as, text_of
+    from symscrew.formats.by_suffix import READABLE, WRITERS, import_file, load_format, mesh_pictures, save_as, text_of
+    from symscrew.formats.drawn_meshes import MeshPictures
     from symscrew.formats.import_options import ImportOptions
     from symscrew.formats.imported import Account, Beside, Imported, JointLimits
     from symscrew.formats.round_trip import difference
@@ -34,9 +36,11 @@ __all__ = [
     "ImportOptions",
     "Imported",
     "JointLimits",
+    "MeshPictures",
     "difference",
     "import_file",
     "load_format",
+    "mesh_pictures",
     "save_as",
     "text_of",
 ]

@@ -51,6 +51,7 @@ def assembled(draft: Draft, tree: Tree, q: Array) -> dict[str, Pose]:
     for k, freedom in enumerate(freedoms):
         own.setdefault(freedom.joint, []).append(k)
     draft.bodies = [_body(body, poses[body.name]) for body in draft.bodies]
+    draft.pictures = [replace(p, pose=poses[p.body] @ p.pose) for p in draft.pictures]
     draft.points = [(name, body, poses[body].point(at)) for name, body, at in draft.points]
     named = []
     for k, joint in enumerate(draft.joints):

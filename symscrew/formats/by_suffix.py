@@ -16,6 +16,8 @@ from symscrew.description import Mechanism, to_toml
 from symscrew.errors import DescriptionError, in_file, shorten
 from symscrew.formats import mjcf_effects, urdf_effects
 from symscrew.formats.draft import Draft
+from symscrew.formats.drawn_meshes import MeshPictures, drawn
+from symscrew.formats.file_names import safe_names
 from symscrew.formats.from_draft import imported
 from symscrew.formats.import_options import ImportOptions
 from symscrew.formats.imported import Beside, Imported
@@ -101,16 +103,37 @@ def import_file(
             out and not accepted.
     """
     file, given = Path(path), options or ImportOptions()
+    try:
+        return imported(_draft(file, given, formats), given)
+    except DescriptionError as error:
+        raise in_file(file.name, error) from error
+
+
+def mesh_pictures(path: str | Path, options: ImportOptions | None = None) -> MeshPictures:
+    """What the bodies in a file look like: the triangles of its meshes by body, and what could not be drawn.
+
+    Args:
+        path: of the URDF or MJCF file.
+        options: as for `import_file`; meshes are below the file's own folder, or below `folder`, as packages are.
+
+    Raises:
+        DescriptionError: the file cannot be read; of meshes that cannot be read the result says so.
+    """
+    file, given = Path(path), options or ImportOptions()
+    try:
+        draft = _draft(file, given, FORMATS)
+        return drawn(draft.pictures, safe_names([draft.ground, *(body.name for body in draft.bodies)]))
+    except DescriptionError as error:
+        raise in_file(file.name, error) from error
+
+
+def _draft(file: Path, options: ImportOptions, formats: Sequence[Format]) -> Draft:
     root = read(file)
     readers = {f.root: f.read for f in formats if f.read is not None}
     if root.tag not in readers:
         expected = " or ".join(f"<{tag}>" for tag in readers)
-        raise DescriptionError(f"{file.name}: expected the root element {expected}, got <{shorten(root.tag)}>")
-    try:
-        draft = readers[root.tag](root, file, given)
-        return imported(draft, given)
-    except DescriptionError as error:
-        raise in_file(file.name, error) from error
+        raise DescriptionError(f"expected the root element {expected}, got <{shorten(root.tag)}>")
+    return readers[root.tag](root, file, options)
 
 
 def save_as(model: Mechanism, path: str | Path, *, beside: Beside | None = None) -> list[str]:

@@ -7,7 +7,7 @@ Everything is in absolute axes in the reference configuration, with 50 digits, u
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -68,6 +68,15 @@ class RawLoad:
 
     point: str
     wrench: tuple[Real, ...] | None = None
+
+
+@dataclass(frozen=True)
+class RawPicture:
+    """A mesh that a body looks like: `read` gives its triangles (n, 3, 3) [m] in a frame with this pose."""
+
+    body: str
+    pose: Pose
+    read: Callable[[], Any]
 
 
 @dataclass
@@ -133,4 +142,5 @@ class Draft:
     starts: dict[str, Mapping[tuple[str, str], Real]] = field(default_factory=dict)
     parts_of: dict[str, tuple[str, int | None]] = field(default_factory=dict)
     frames: dict[str, Pose] = field(default_factory=dict)
+    pictures: list[RawPicture] = field(default_factory=list)
     notes: list[str] = field(default_factory=list)

@@ -31,7 +31,11 @@ def inside(folder: Path, name: str, where: str, within: Path | None = None) -> P
             f"{where}: {shorten(name)} is outside of the model's folder; only files below it are read, or below the "
             "one that --folder DIR names"
         )
-    if path.exists() and not (path.is_file() or path.is_dir()):  # a pipe would be waited for
+    try:
+        waits = path.exists() and not (path.is_file() or path.is_dir())
+    except OSError as error:  # a name that is too long
+        raise DescriptionError(f"{where}: {shorten(name)}: {error.strerror}") from error
+    if waits:
         raise DescriptionError(f"{where}: {shorten(name)} is no file")
     return path
 

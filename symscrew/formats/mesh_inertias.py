@@ -26,6 +26,7 @@ from symscrew.formats.rigid_displacements import Pose, Real, Rotation, Triple, f
 from symscrew.formats.safe_xml import Element, elements, label, numbers
 
 Array = np.ndarray[Any, Any]
+SUFFIXES = (".stl", ".obj")
 MOST_BYTES = 100_000_000
 """Of a mesh file: the largest that robots have are of some ten megabytes."""
 NO_VOLUME = 1e-12
@@ -65,6 +66,12 @@ class Meshes:
 
     def bulk(self, name: str, where: str) -> Bulk:
         """The bulk of a mesh by its name; raises DescriptionError."""
+        triangles = self.triangles(name, where)
+        kind = self.given[name].get("inertia", "legacy")
+        return shell_of(triangles, where) if kind == "shell" else bulk_of(triangles, where, legacy=kind == "legacy")
+
+    def triangles(self, name: str, where: str) -> Array:
+        """The triangles (n, 3, 3) [m] of a mesh by its name, in its own frame; raises DescriptionError."""
         if name not in self.given:
             raise DescriptionError(f"{where}: there is no mesh {shorten(name)}; {did_you_mean(name, self.given)}")
         mesh = self.given[name]
@@ -78,16 +85,16 @@ class Meshes:
             triangles = read_triangles(inside(self.folder, name, label(mesh), self.within))
         else:
             triangles = _written(mesh)
-        factors = [float(v) for v in numbers(mesh.get("scale", "1 1 1"), f"{label(mesh)}, scale", 3)]
-        triangles = triangles * np.array(factors)
-        if np.prod(factors) < 0:
-            triangles = triangles[:, ::-1]
         turn = [real(v) for v in numbers(mesh.get("refquat", "1 0 0 0"), f"{label(mesh)}, refquat", 4)]
         shift = triple(numbers(mesh.get("refpos", "0 0 0"), f"{label(mesh)}, refpos", 3))
         back = Pose(from_quaternion(turn, label(mesh)), shift).inverse()
         rotation = np.array([[float(c) for c in row] for row in back.rotation])
-        triangles = triangles @ rotation.T + np.array([float(c) for c in back.translation])
-        return shell_of(triangles, where) if kind == "shell" else bulk_of(triangles, where, legacy=kind == "legacy")
+        factors = [float(v) for v in numbers(mesh.get("scale", "1 1 1"), f"{label(mesh)}, scale", 3)]
+        placed = triangles @ rotation.T + np.array([float(c) for c in back.translation])
+        found: Array = placed * np.array(factors)  # last, as MuJoCo does it
+        if np.prod(factors) < 0:
+            found = found[:, ::-1]
+        return found
 
 
 def bulk_of(triangles: Array, where: str, *, legacy: bool = False) -> Bulk:
@@ -160,7 +167,7 @@ def read_triangles(path: Path) -> Array:
     except OSError as error:
         raise DescriptionError(f"{path.name}: the mesh cannot be read: {error.strerror}") from error
     suffix = path.suffix.lower()
-    if suffix not in (".stl", ".obj"):
+    if suffix not in SUFFIXES:
         raise DescriptionError(f"{path.name}: meshes are read from .stl and .obj files")
     try:
         return _obj(content) if suffix == ".obj" else _stl(content)

@@ -9,10 +9,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import partial
+from typing import Any
 
 from symscrew.description import JOINT_TYPES
 from symscrew.errors import DescriptionError, shorten
-from symscrew.formats.draft import AXES, Draft, RawBody, RawJoint, RawLoad
+from symscrew.formats.draft import AXES, Draft, RawBody, RawJoint, RawLoad, RawPicture
+from symscrew.formats.drawn_meshes import placed
 from symscrew.formats.file_names import fresh
 from symscrew.formats.merged_joints import one_joint
 from symscrew.formats.mesh_inertias import Meshes
@@ -179,6 +182,9 @@ def _body(reading: Reading, name: str, own: Sequence[Part]) -> RawBody:
             reading.result.ledger.passed("contacts of geoms")
         if reading.in_medium and attributes.get("fluidshape", "none") != "none":
             reading.result.ledger.lost("fluidshape of geoms: a model of the medium of their own")
+        if attributes.get("type") == "mesh" and "mesh" in attributes:
+            read = partial(_triangles, part, f"<body name={name!r}>, {label(part.element)}")
+            reading.result.pictures.append(RawPicture(name, part.pose, read))
     found: Solid | None = None
     if chosen.from_geoms == "true" or (chosen.from_geoms == "auto" and not given):
         solids = [
@@ -195,6 +201,13 @@ def _body(reading: Reading, name: str, own: Sequence[Part]) -> RawBody:
     elif given:
         found = _inertial(given[0], f"<body name={name!r}>, <inertial>")
     return RawBody(name) if found is None else RawBody(name, found.mass, found.com, found.inertia, found.axes)
+
+
+def _triangles(part: Part, where: str) -> Any:
+    """The triangles of a geom's mesh, in the frame that the geom is in."""
+    attributes = part.attributes
+    triangles = part.reading.meshes.triangles(attributes["mesh"], where)
+    return placed(triangles, part.reading.settings.pose(attributes, where))
 
 
 def _inertial(part: Part, where: str) -> Solid | None:

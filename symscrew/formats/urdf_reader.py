@@ -21,6 +21,7 @@ from pathlib import Path
 from symscrew.description import JOINT_TYPES
 from symscrew.errors import DescriptionError, did_you_mean, shorten
 from symscrew.formats.draft import AXES, Draft, Ledger, RawBody, RawCoupling, RawJoint
+from symscrew.formats.drawn_meshes import visuals
 from symscrew.formats.exact_digits import with_exact_digits
 from symscrew.formats.file_names import fresh
 from symscrew.formats.import_options import ImportOptions
@@ -101,6 +102,8 @@ def read_urdf(root: Element, path: Path, options: ImportOptions) -> Draft:
     result = Draft(name, roots[0], f"imported from the URDF {path.name}", f"robot {name}", ledger=ledger)
     driven, noted = _driven(root, joints, mimics, ledger)
     result.bodies += [_body(link, poses[name]) for name, link in links.items() if name != roots[0]]
+    for link_name, link in links.items():
+        result.pictures += visuals(link, poses[link_name], path=path, within=options.folder, origin=_origin)
     result.joints += [_joint(joint, poses, driven, offsets) for joint in joints.values()]
     _couple(result, mimics)
     weighs = bool(list(elements(links[roots[0]], "inertial")))

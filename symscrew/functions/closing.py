@@ -9,7 +9,7 @@ from symscrew.algebra import Guard, Node, Tape, TapeMark, Vector, add, cross, do
 from symscrew.functions.ports import a_port, function, q_port, v_port, y_port
 from symscrew.kinematics import Row, System
 from symscrew.loops import Loops, any_rods, closed_limbs, hub_links, limb_coordinates
-from symscrew.program import NOT_ON_MECHANISM, Function, Iteration, NodeLimit, Port, lower
+from symscrew.program import NOT_ON_MECHANISM, Function, Iteration, NodeLimit, Port, lower, signature
 
 # A pivot below this, without units, is reported as near-singular: seven digits of a result are left there. Above it the
 # status is 0 and nothing is said.
@@ -177,6 +177,9 @@ class Assembly:
         "guess."
     )
     reach: tuple[str, ...] = ()
+
+    def __repr__(self) -> str:
+        return f"Assembly({signature(self.name, self.inputs, self.outputs)})"
 
     def lowered(self, mark: TapeMark | None = None) -> Iteration:
         """The iteration; `mark` as for `lower`."""

@@ -3,11 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
-from symscrew.assembly import AssemblyModes, CompiledModes, assembly_modes, compiled_modes, modes_model, print_modes
+from symscrew.assembly import (
+    AssemblyModes,
+    assembly_modes,
+    compiled_modes,
+    has_level_modes,
+    modes_model,
+    print_modes,
+)
 from symscrew.export import banner
 from symscrew.generation.target_file import Case, Finding, Order
 from symscrew.runtime import find_compiler
@@ -36,7 +44,18 @@ def section(order: Order) -> Sequence[str]:
         f"status = {name}_nearest_mode(&modes[0], next_drives);      /* stays on its mode, or refuses */",
         "```",
         "",
+        *_level(order),
         f"`{name}_modes.h` says the rest. With `-O2 -march=native` paths fill the lanes of the processor.",
+    ]
+
+
+def _level(order: Order) -> list[str]:
+    if not has_level_modes(modes_model(order.model.mechanism)):
+        return []
+    return [
+        f"`{order.model.name}_level_modes(drives, modes, &count)` gives those whose platform is turned as in the",
+        "reference, two at most, in closed form.",
+        "",
     ]
 
 
@@ -49,11 +68,14 @@ def compare(case: Case) -> Iterator[Finding]:
     model = compiled.model
     start = [reference for _, reference, _, _ in model.drives]
     moved = [r + MOVED * unit * (1 - 2 * (k % 2)) for k, (_, r, unit, _) in enumerate(model.drives)]
+    size = float(model.held.network.length)
     for drives in (start, moved):
         found = assembly_modes(case.model.mechanism, at={d[0]: x for d, x in zip(model.drives, drives, strict=True)})
-        yield _same(compiled, found, drives)
+        yield _same(found, *compiled.modes(drives), size=size)
+        if has_level_modes(model):
+            level = [m for m in found.modes if np.abs(m.rotation - np.eye(3)).max() < AGREEING]
+            yield _same(replace(found, modes=tuple(level)), *compiled.level(drives), size=size, kind="level ")
     _, modes = compiled.modes(start)
-    size = float(model.held.network.length)
     home = next((m for m in modes if np.abs(_pose(m, size) - AT_HOME).max() < AGREEING), None)
     if home is None:
         yield False, "C finds no mode at the reference"
@@ -70,13 +92,11 @@ def _pose(mode: Any, size: float) -> np.ndarray:
     return np.concatenate([pose[:9], pose[9:] / size])
 
 
-def _same(compiled: CompiledModes, found: AssemblyModes, drives: Sequence[float]) -> Finding:
+def _same(found: AssemblyModes, status: int, modes: Sequence[Any], *, size: float, kind: str = "") -> Finding:
     """Whether C and Python find the same certified modes."""
-    status, modes = compiled.modes(drives)
-    size = float(compiled.model.held.network.length)
     known = [np.concatenate([m.rotation.T.ravel(), m.translation / size]) for m in found.modes if m.certified]
     worst = max((min((np.abs(_pose(m, size) - k).max() for k in known), default=np.inf) for m in modes), default=0.0)
     singular = len(known) < len(found.modes)
     whole = len(modes) == len(known) and (status == WHOLE or (singular and status == NOT_ALL))
-    text = f"C finds {len(modes)} assembly modes of {len(known)} that are certified in Python, the same to {worst:.1e}"
+    text = f"C finds {len(modes)} {kind}assembly modes of {len(known)} certified in Python, the same to {worst:.1e}"
     return whole and worst < AGREEING, text

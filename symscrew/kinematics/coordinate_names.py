@@ -100,7 +100,7 @@ def tree_label(mechanism: Mechanism, labels: Collection[str], typed: str) -> str
 
 def _parts_of(virtual: Joint) -> tuple[tuple[str, ...], ...]:
     """What the motions of the joint on which a platform hangs are called of the platform."""
-    if virtual.type == "free":
+    if not virtual.axes:  # all motions are free
         return ("x",), ("y",), ("z",), ()
     upright = tuple(virtual.axes[0]) == (0, 0, 1)  # x and y then complete the triad
     return (("x",), ("y",), ("rz", "yaw", "torsion")) if upright else ((), (), ())

@@ -142,11 +142,12 @@ class Mobility:
     @cached_property
     def near(self) -> Near | None:
         """The verdict on special geometry close to what was typed; None where there is none, or it is undecided."""
-        if self.taken is not None or self.network.ties:
+        if self.taken is not None:
             return None
-        claims = rank_claims(self.network, self.platform.body, [limb.joints for limb in self.limbs])
-        found = nearest_special(self.network, claims, moves=self.finite.smooth)
-        judged = [(self._meant(one.network), one) for one in found]
+        loops = replace(self.network, ties=())  # special geometry is theirs; couplings hold there, too
+        claims = rank_claims(loops, self.platform.body, [limb.joints for limb in self.limbs])
+        found = nearest_special(loops, claims, moves=self.finite.smooth)
+        judged = [(self._meant(replace(one.network, ties=self.network.ties)), one) for one in found]
         judged = [(meant, one) for meant, one in judged if (meant.finite.dof or 0) >= (self.finite.dof or 0)]
         if not judged:  # less mobile than as typed is not what was meant
             return None

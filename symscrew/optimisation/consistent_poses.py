@@ -51,9 +51,14 @@ class Placement:
 
 def beginning(system: System, start: Conditions) -> np.ndarray:
     """The configuration (nq,) near which a motion starts: the reference, or the start's assembly mode."""
-    if not start.mode:
-        return np.asarray(system.reference)
-    return configuration_in_mode(system, start.mode, start.coordinates, "start.mode")
+    return ending(system, start, np.asarray(system.reference), "start")
+
+
+def ending(system: System, conditions: Conditions, near: np.ndarray, where: str = "end") -> np.ndarray:
+    """The configuration (nq,) near which conditions are met: in the mode that they name, else `near`."""
+    if not conditions.mode:
+        return near
+    return configuration_in_mode(system, conditions.mode, conditions.coordinates, f"{where}.mode")
 
 
 class Kinematics:

@@ -20,7 +20,7 @@ import casadi as ca
 import numpy as np
 
 from symscrew.optimisation.casadi_graph import symbolic_outputs
-from symscrew.optimisation.consistent_poses import beginning
+from symscrew.optimisation.consistent_poses import beginning, ending
 from symscrew.optimisation.enclosed_functions import EnclosedFunction
 from symscrew.optimisation.enclosures import Arithmetic, Enclosure, Number, bounds_of, interval
 from symscrew.optimisation.guess import observed
@@ -202,7 +202,8 @@ class Branch:
             z = motion.nearest(pieces.tau(mesh))[:, list(layout.z)]
         assert found is not None
         ordered = found.in_order()
-        return Followed(ordered, self._parted(ordered) or self._elsewhere(ordered) or self._other_start(ordered))
+        trouble = self._parted(ordered) or self._elsewhere(ordered)
+        return Followed(ordered, trouble or self._other_start(ordered) or self._other_goal(ordered))
 
     def _singular(self, tau: float) -> str:
         labels = ", ".join(self.motion.labels)
@@ -245,27 +246,41 @@ class Branch:
 
     def _other_start(self, boxes: Boxes) -> str:
         """Whether the plan starts on the assembly mode of the configuration that the start's conditions give."""
-        motion, layout = self.motion, self.motion.model.equations.layout
+        motion, start = self.motion, self.motion.problem.start
         if not self.size:
             return ""
-        start = motion.problem.start
         near = motion.kinematics.place(start, "the start", beginning(motion.model.system, start)).q
-        first = boxes.chosen(np.zeros(1, int))
-        goal = self.polynomials.at("y", first.pieces, -1.0)[0]
+        off = self._off_mode(boxes.chosen(np.zeros(1, int)), near, -1.0)
+        return f"the plan starts on another assembly mode than the start: {off}" if off else ""
+
+    def _other_goal(self, boxes: Boxes) -> str:
+        """Whether the plan ends on the assembly mode that its end names."""
+        motion, end = self.motion, self.motion.problem.end
+        if not self.size or not end.mode:
+            return ""
+        system = motion.model.system
+        near = motion.kinematics.place(end, "the goal", ending(system, end, np.asarray(system.reference))).q
+        off = self._off_mode(boxes.chosen(np.array([len(boxes.pieces) - 1])), near, 1.0)
+        return f"the plan ends on another assembly mode than {end.mode!r}: {off}" if off else ""
+
+    def _off_mode(self, box: Boxes, near: np.ndarray, side: float) -> str:
+        """What is off at one end of a box against the branch of a configuration, empty where nothing is."""
+        motion, layout = self.motion, self.motion.model.equations.layout
+        goal = self.polynomials.at("y", box.pieces, side)[0]
         q: np.ndarray | None = near
         for y in np.linspace(near[list(layout.y)], goal, START_STEPS + 1):
             q = motion.kinematics.assemble(y, near)
             if q is None:
                 return ""  # no way between the two that could tell
             near = q
-        found, _ = self.solved(goal[None], first.z - first.slope * first.pieces.radius[:, None])
+        found, _ = self.solved(goal[None], box.z + side * box.slope * box.pieces.radius[:, None])
         gap = np.abs(found[0] - near[list(layout.z)])
         turns = np.array([motion.model.system.tree.q[k].kind == "angle" for k in layout.z])
         gap = np.where(turns, np.abs((gap + np.pi) % (2 * np.pi) - np.pi), gap)
         if not gap.max() > AGREED:
             return ""
         label = motion.model.system.tree.q[layout.z[int(np.argmax(gap))]].label
-        return f"the plan starts on another assembly mode than the start: {label} is off by {gap.max():.3g}"
+        return f"{label} is off by {gap.max():.3g}"
 
     def _jump(self, boxes: Boxes, k: int, here: np.ndarray, there: np.ndarray, *, where: str = "") -> str:
         layout, tree = self.motion.model.equations.layout, self.motion.model.system.tree

@@ -13,7 +13,7 @@ import numpy as np
 
 from symscrew.errors import DescriptionError
 from symscrew.optimisation.casadi_graph import symbolic_outputs
-from symscrew.optimisation.consistent_poses import Kinematics, beginning
+from symscrew.optimisation.consistent_poses import Kinematics, beginning, ending
 from symscrew.optimisation.motion_quantities import MotionQuantities
 from symscrew.optimisation.objectives import objectives_by_type
 from symscrew.optimisation.point import point_symbols
@@ -206,10 +206,12 @@ def _path(model: PointModel, place: _Places) -> tuple[Path, np.ndarray, tuple[np
         places.append(q[entries])
         found.append(q)
     end = model.problem.end
+    if end.mode and end.is_empty:
+        raise DescriptionError("end.mode: expected conditions beside it, such as end.coordinates: it is none by itself")
     last = start if model.problem.periodic and end.is_empty else q
     turned = np.array([2 * np.pi * model.problem.turns.get(label, 0) for label in model.equations.labels])
     if not end.is_empty:
-        last = place(end, "the goal", q)
+        last = place(end, "the goal", ending(model.system, end, q))
         found.append(last)
     stamps.append(1.0)
     places.append(last[entries] + (turned if end.is_empty else 0.0))

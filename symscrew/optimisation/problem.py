@@ -38,7 +38,7 @@ class Conditions:
     reference configuration points; `platform_position`: displacement of the platform's body, in absolute axes,
     from the reference [m]; `platform_rotation`: its rotation vector from the reference [rad]. `at_rest`: all
     rates are zero. `time` is the part of the duration that has passed, 0 to 1 (of a via condition). `mode`: name of
-    the assembly mode in which a motion starts; that of the reference where empty.
+    the assembly mode in which a motion starts, or ends; where empty that of the reference, or to which it leads.
     """
 
     coordinates: Mapping[str, float] = field(default_factory=dict)

@@ -31,6 +31,7 @@ class Key:
 
 
 BOTH = "rad, m"
+MODE = "[start] and [end] alone: assembly mode, see `symscrew assemble`; else the reference's, or to which it leads"
 CONDITIONS: Mapping[str, Key] = {
     "coordinates": Key(
         BOTH,
@@ -95,9 +96,9 @@ SECTIONS: Mapping[str, Mapping[str, Key]] = {
     },
     "start": {
         **CONDITIONS,
-        "mode": Key("", "[start] alone: assembly mode, see `symscrew assemble`; else the reference's", 'mode = "-1"'),
+        "mode": Key("", MODE, 'mode = "-1"'),
     },
-    "end": CONDITIONS,
+    "end": {**CONDITIONS, "mode": Key("", MODE, 'mode = "-1"\nat_rest = true')},
     "via": {
         **CONDITIONS,
         "time": Key("1", "the part of the duration that has passed, between 0 and 1", "time = 0.25\nat_rest = true"),

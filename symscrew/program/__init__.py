@@ -36,6 +36,7 @@ from symscrew.program.straight_line import (
     Limit,
     Port,
     Program,
+    signature,
     status_texts,
 )
 
@@ -74,6 +75,7 @@ __all__ = [
     "packed",
     "roots_of",
     "second_path",
+    "signature",
     "status_texts",
     "to_lists",
     "with_roots",

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
 from typing import Any, TypeVar
 
 T = TypeVar("T")
@@ -17,9 +17,16 @@ class Asked(Mapping[str, T]):
 
     def __getitem__(self, name: str) -> T:
         """The value, made now if nobody asked before."""
+        given = self.given[name]
         if name not in self._made:
-            self._made[name] = self._make(self.given[name])
+            self._made[name] = self._make(given)
         return self._made[name]
+
+    def only(self, names: Collection[str]) -> Asked[T]:
+        """Those of these names; what is made for the one is made for the other."""
+        few = Asked({name: value for name, value in self.given.items() if name in names}, self._make)
+        few._made = self._made
+        return few
 
     def __contains__(self, name: object) -> bool:
         return name in self.given

@@ -15,7 +15,7 @@ from dataclasses import dataclass, replace
 from symscrew.algebra import Node, Origin, Tape, TapeMark, tape_as_at, tape_mark, uses
 from symscrew.program.equal_limbs import NO_LIMBS, Limbs
 from symscrew.program.passes import PASSES
-from symscrew.program.straight_line import Instruction, Port, Program
+from symscrew.program.straight_line import Instruction, Port, Program, signature
 
 FORMED = frozenset(("mul", "neg"))  # operations that may be printed as others: see `_Lowering._form`
 NodeLimit = tuple[Node, float | None, float | None, int]
@@ -42,6 +42,9 @@ class Function:
     limbs: Limbs = NO_LIMBS
     limits: tuple[NodeLimit, ...] = ()
     reach: tuple[str, ...] = ()
+
+    def __repr__(self) -> str:
+        return f"Function({signature(self.name, self.inputs, self.outputs)})"
 
 
 def lower(function: Function, mark: TapeMark | None = None) -> Program:

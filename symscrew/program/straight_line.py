@@ -112,7 +112,8 @@ class Program:
     folded: tuple[Node, ...] = field(default=(), compare=False, repr=False)
 
     def __repr__(self) -> str:
-        return f"{type(self).__name__}({_signature(self)}, {self.operations['total']} operations)"
+        call = signature(self.name, self.inputs, self.outputs)
+        return f"{type(self).__name__}({call}, {self.operations['total']} operations)"
 
     @property
     def operations(self) -> dict[str, int]:
@@ -208,7 +209,8 @@ class Iteration:
     notes: tuple[str, ...] = ()
 
     def __repr__(self) -> str:
-        return f"Iteration({_signature(self)}, {self.operations['total']} operations per step)"
+        call = signature(self.name, self.inputs, self.outputs)
+        return f"Iteration({call}, {self.operations['total']} operations per step)"
 
     @property
     def operations(self) -> dict[str, int]:
@@ -255,7 +257,7 @@ def digest(program: Program) -> str:
     return hashlib.sha256(f"{before[:-1]}, {body}, {after[1:]}".encode()).hexdigest()[:16]
 
 
-def _signature(program: Program | Iteration) -> str:
+def signature(name: str, inputs: tuple[Port, ...], outputs: tuple[Port, ...]) -> str:
     """`name(q[4], v[4]) -> a[4]`."""
-    given, made = (", ".join(f"{p.name}[{p.size}]" for p in ports) for ports in (program.inputs, program.outputs))
-    return f"{program.name}({given}) -> {made or 'nothing'}"
+    given, made = (", ".join(f"{p.name}[{p.size}]" for p in ports) for ports in (inputs, outputs))
+    return f"{name}({given}) -> {made or 'nothing'}"

@@ -82,7 +82,7 @@ def assemble(model: Model, y: Mapping[str, float | str], guess: object = None) -
         if label not in independent:
             raise DescriptionError(
                 f"{label}: expected one of the independent coordinates {', '.join(independent)}; "
-                f"{did_you_mean(label, independent)}"
+                f"{did_you_mean(label, independent)} (symscrew.inverse_kinematics takes any, of poses too)"
             )
     units = {c.label: c.unit for c in tree.q}
     given = {label: _number(value, units[label], label) for label, value in y.items()}

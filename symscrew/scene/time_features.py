@@ -51,6 +51,18 @@ class TimeFeatures:
             return end, end
         return float(self.edges[first]), float(self.lefts[first]) or float(self.edges[first])
 
+    def passed(self, step: float, span: int) -> tuple[str, ...]:
+        """A notice of what steps of a fixed length [s] may pass: `span` edges within one; they end at breaks."""
+        edges, ends = np.concatenate([[0.0], self.edges]), np.concatenate([[0], np.cumsum(self.lefts > 0)])
+        widths = np.where(ends[span:] == ends[:-span], edges[span:] - edges[:-span], np.inf)
+        if not len(widths) or not widths.min() < step:
+            return ()
+        width, at = widths.min(), edges[widths.argmin()]
+        return (
+            f"inputs change within {width:.2g} s at t = {at:.6g} s, which steps of {step:.2g} s may pass unseen or "
+            "take for longer than it is; shorten the step, or leave it out",
+        )
+
 
 UNCHANGING = TimeFeatures()
 

@@ -17,7 +17,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from symscrew.errors import DescriptionError, did_you_mean, shorten
-from symscrew.kinematics import coordinate_units, full_name, nearest_names
+from symscrew.kinematics import coordinate_units, full_name, nearest_names, typable_names
 from symscrew.model import Model
 from symscrew.scene import Scene
 from symscrew.simulation.state_programs import Plant
@@ -110,13 +110,14 @@ def _sizes(scene: Scene, model: Model, plant: Plant) -> dict[str, int]:
 
 
 def _named(model: Model, name: str, known: Mapping[str, int]) -> int:
-    """0 for a coordinate that is not one of the tree's, such as a pose of the platform; else an error."""
-    if name.startswith(COORDINATES):
-        own, label = coordinate_units(model.mechanism), name.removeprefix(COORDINATES)
-        if full_name(model.mechanism, label) in own:
-            return 0
-        near = nearest_names(label, [*(c.label for c in model.system.tree.q), *own])
-        raise DescriptionError(f"starts: there is no coordinate {shorten(label)}; {near}")
+    """0 for a coordinate or a rate of one that is not of the tree, such as a pose of the platform; else an error."""
+    for start, what in ((COORDINATES, "coordinate"), (RATES, "rate")):
+        if name.startswith(start):
+            label, own = name.removeprefix(start), [n.removeprefix(start) for n in known if n.startswith(start)]
+            if full_name(model.mechanism, label) in coordinate_units(model.mechanism):
+                return 0
+            near = nearest_names(label, [*own, *typable_names(model.mechanism)])
+            raise DescriptionError(f"starts: there is no {what} {shorten(label)}; {near}")
     raise DescriptionError(f"starts: this scene has no use for an array {shorten(name)}; {did_you_mean(name, known)}")
 
 

@@ -20,7 +20,7 @@ from symscrew.runtime import compile_c
 from symscrew.scene import INTEGRATION_METHODS, UNCHANGING, Scene, TimeFeatures, features_in_time
 from symscrew.simulation.native_contacts import MOST_EVENTS, NativeContacts
 from symscrew.simulation.recording import History, Passage, State, shown_time
-from symscrew.simulation.run_source import contact_numbers, rules_of, sources, table_code
+from symscrew.simulation.run_source import SPAN, contact_numbers, rules_of, sources, table_code
 from symscrew.simulation.state_programs import Plant
 from symscrew.simulation.verdict import estimated
 
@@ -252,7 +252,8 @@ def run_natively(
             progress(float(log.times[max(int(log.written[0]) - 1, 0)]) / scene.duration)
     found = _history(library, log, outcome)
     forces = contacts.forces(found.t, found.q, found.v, found.x)
-    events = (*features.notices, *contacts.events, *found.events)
+    unseen = features.passed(h, SPAN) if h else ()
+    events = (*features.notices, *unseen, *contacts.events, *found.events)
     return replace(found, events=events, losses=contacts.losses, contact_forces=forces)
 
 

@@ -87,6 +87,8 @@ class _Marching:
         self.scene, self.f, self.rules, self.controller, self.progress = scene, functions, rules, controller, progress
         self.method = INTEGRATION_METHODS[scene.integrator.method]
         self.features, self.latest = features_in_time(scene, functions.plant.model), np.inf
+        step = scene.integrator.step
+        self.notices = (*self.features.notices, *(self.features.passed(step, SPAN) if step else ()))
         self.modes = contact.Modes(())
         self.contact_forces: list[np.ndarray] = []  # at the samples
         self.samples: list[tuple[float, np.ndarray]] = []
@@ -177,7 +179,7 @@ class _Marching:
         forces = np.array(self.contact_forces) if self.rules else None
         counters = {"steps": float(self.steps), "evaluations": float(self.f.evaluations)}
         return History(
-            t, q, v, x, ok, status, "library", (), (*self.features.notices, *self.events), counters, u, forces,
+            t, q, v, x, ok, status, "library", (), (*self.notices, *self.events), counters, u, forces,
             tuple(self.losses), doubts=() if self.watch is None else self.watch.doubts)  # fmt: skip
 
     def solver(self, t: float, y: np.ndarray, end: float) -> Any:

@@ -15,11 +15,13 @@ import numpy as np
 class Estimate:
     """`error`: largest difference of a coordinate [rad, characteristic lengths] to the other run; NaN: there is none.
 
-    `growth`: by how much the differences grew from the first tenth of the run to its end.
+    `growth`: by how much the differences grew from the first tenth of the run to its end. `part`: the error by the
+    largest way of a coordinate from where it starts.
     """
 
     error: float = np.nan
     growth: float = np.nan
+    part: float = np.nan
 
 
 State = tuple[np.ndarray, np.ndarray, np.ndarray]  # q (nq,), v (nv,), x (nx,) at one time

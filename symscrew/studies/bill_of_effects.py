@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from symscrew.description import Body, Mechanism, exact
+from symscrew.description import Mechanism, exact
 from symscrew.display import Progress, aligned_table
 from symscrew.effects import Acting, Effect, simplifications, type_name
 from symscrew.errors import DescriptionError
@@ -167,7 +167,8 @@ def alone(whole: Model, k: int, rest: Model, *, reactions: bool = False) -> int:
     if effect.simplifies:
         return 0
     if "inertia" in effect.depends_on:
-        light = replace(mechanism, bodies={name: Body(name) for name in mechanism.bodies})
+        bodies = {name: replace(body, mass=None, inertia=None) for name, body in mechanism.bodies.items()}
+        light = replace(mechanism, bodies=bodies)  # a drag acts at a centre of mass, also of what has none
         program = derive(light, whole.effects)
         count, free = len(program.system.tree.v), len(program.independent) or len(program.system.tree.v)
         moved = program.programs["mass_matrix"].operations["total"] + 2 * free * count * count

@@ -1,7 +1,8 @@
-"""Accelerations of many states beside MuJoCo's MJX through JAX, on the device that JAX has (here: this processor).
+"""Accelerations of many states beside MuJoCo's MJX through JAX, and MuJoCo Warp, on the device that they have.
 
 Errors are those against the evaluator: of ours rounding; of MJX on closed chains what its soft constraints leave. Needs
-JAX and mujoco-mjx (pip install jax mujoco-mjx), of versions that go together.
+JAX and mujoco-mjx (pip install jax mujoco-mjx), of versions that go together; Warp, in single precision and on a
+processor too where no device is, is left out without warp-lang and mujoco-warp.
 """
 
 from __future__ import annotations
@@ -22,7 +23,7 @@ from symscrew.runtime import load
 from .jax_modules import imported
 from .tables import table
 
-NAMES = ("ur5", "panda", "four_bar")  # MJX takes a minute and more to compile each
+NAMES = ("ur5", "panda", "four_bar", "planar_3rrr")  # MJX takes a minute and more to compile each
 STATES = 1024
 H = 1e-5  # of central differences of joint displacements: rates to about 1e-10
 
@@ -69,11 +70,16 @@ def _case(name: str, repeats: int) -> list[dict[str, Any]]:
     function = jax.jit(lambda *x: module.forward_dynamics(*x)[0]).lower(*given).compile()
     compiled = time.perf_counter() - begin
     found.append(told("ours, JAX", compiled, lambda: jax.block_until_ready(function(*given)), slice(None)))
+    engine, arrays, order, columns = _mujoco(model, given)
     begin = time.perf_counter()
-    engine, arrays, columns = _mjx(model, given)
-    function = jax.jit(engine).lower(*arrays).compile()
+    function = jax.jit(_mjx(engine, order)).lower(*arrays).compile()
     compiled = time.perf_counter() - begin
     found.append(told("MJX", compiled, lambda: jax.block_until_ready(function(*arrays)), columns))
+    begin = time.perf_counter()
+    warped = _warp(engine, arrays, order)
+    if warped is not None:
+        warped()
+        found.append(told("MuJoCo Warp, single precision", time.perf_counter() - begin, warped, columns))
     return found
 
 
@@ -81,11 +87,9 @@ def _first(found: Any) -> np.ndarray:
     return np.asarray(found[0] if isinstance(found, tuple) else found)
 
 
-def _mjx(model: Model, given: list[np.ndarray]) -> tuple[Any, list[Any], list[int]]:
-    """MJX's accelerations as a function of arrays, these, and which of ours they are."""
-    import jax
+def _mujoco(model: Model, given: list[np.ndarray]) -> tuple[Any, list[Any], list[int], list[int]]:
+    """MuJoCo's model, positions, rates and forces of its joints, and which of its accelerations are which of ours."""
     import mujoco
-    from mujoco import mjx
 
     with tempfile.TemporaryDirectory(prefix="benchmark_") as folder:
         path = Path(folder) / f"{model.name}.xml"
@@ -104,6 +108,14 @@ def _mjx(model: Model, given: list[np.ndarray]) -> tuple[Any, list[Any], list[in
         p for port in model.programs["forward_dynamics"].inputs if port.name == "u" for p in port.labels
     ):
         force[:, joints.index(name)] = u[:, k]
+    return engine, [places[:, order], rates[:, order], force], common, [names.index(joints[i]) for i in common]
+
+
+def _mjx(engine: Any, common: list[int]) -> Any:
+    """MJX's accelerations as a function of arrays."""
+    import jax
+    from mujoco import mjx
+
     shape = mjx.put_model(engine)
 
     def accelerations(qpos: Any, qvel: Any, applied: Any) -> Any:
@@ -113,7 +125,27 @@ def _mjx(model: Model, given: list[np.ndarray]) -> tuple[Any, list[Any], list[in
 
         return jax.vmap(one)(qpos, qvel, applied)[:, np.array(common)]
 
-    return accelerations, [places[:, order], rates[:, order], force], [names.index(joints[i]) for i in common]
+    return accelerations
+
+
+def _warp(engine: Any, arrays: list[Any], common: list[int]) -> Callable[[], np.ndarray] | None:
+    """MuJoCo Warp's accelerations of these states; None where it is not installed."""
+    try:
+        import warp
+
+        warp.config.quiet = True  # before the next line, which starts it
+        import mujoco_warp
+    except ImportError:
+        return None
+    shape, data = mujoco_warp.put_model(engine), mujoco_warp.make_data(engine, nworld=len(arrays[0]))
+    for place, values in zip((data.qpos, data.qvel, data.qfrc_applied), arrays, strict=True):
+        warp.copy(place, warp.array(np.asarray(values, np.float32), dtype=float))
+
+    def accelerations() -> np.ndarray:
+        mujoco_warp.forward(shape, data)
+        return np.asarray(data.qacc.numpy())[:, common]
+
+    return accelerations
 
 
 def _displacements(model: Model, q: np.ndarray, v: np.ndarray) -> tuple[list[str], np.ndarray, np.ndarray]:

@@ -136,3 +136,15 @@ def test_slid_along_a_stop_through_a_change_point() -> None:
         assert np.abs(found.q[:, at["rail"]]).max() < 1e-13 and not found.events
         assert len(found.crossings) == len(ground.crossings) > 3
         assert np.abs(found.q[:, at["A0"]] - expected).max() < 0.02 * tolerance + 1e-14
+
+
+@pytest.mark.parametrize("gap", [slow(1e-3), 3e-6, slow(1e-9)])
+def test_between_two_stops_however_near_they_are(gap: float) -> None:
+    """A block at 1 m/s strikes one after the other; what would be met behind the end of the run is not told. Where both
+    were nearer than a fresh contact may be moved, the other one counted as met at once, ten thousand times."""
+    stop = EndStop("z", lower=repr(-gap), upper=repr(gap), mode="impact", restitution=1)
+    found = run(block(), (stop,), 12.5 * gap, 1e-8, rates={"z": 1.0})
+    times = [float(text.split()[2]) for text in found.events]
+    assert times == pytest.approx([gap * (2 * k + 1) for k in range(6)], rel=1e-6)
+    assert found.q[-1, 0] == pytest.approx(0.5 * gap, rel=1e-6)
+    assert [text.split()[-2] for text in found.events] == ["upper", "lower"] * 3

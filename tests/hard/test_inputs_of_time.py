@@ -29,11 +29,11 @@ def pushed(force: str, duration: float, *, tables: dict[str, Table] | None = Non
 
 @pytest.mark.parametrize("backend", some_quickly(BACKENDS, every=2))
 @pytest.mark.parametrize("width", [slow(1e-1), 1e-3, slow(1e-5)])
-def test_a_pulse_in_a_long_time(width: float, backend: str) -> None:
+@pytest.mark.parametrize("middle", [slow(1.234), slow(50.0), 77.7])
+def test_a_pulse_in_a_long_time(width: float, middle: float, backend: str) -> None:
     """A Gaussian anywhere in 100 s gives sqrt(pi) width; stepped over it gave 0."""
-    for middle in (1.234, 50.0, 77.7):
-        run = pushed(f"exp(-((t - {middle})/{width})^2)", 100.0, backend=backend)
-        assert run.v[-1, 0] == pytest.approx(np.sqrt(np.pi) * width, rel=1e-8)
+    run = pushed(f"exp(-((t - {middle})/{width})^2)", 100.0, backend=backend)
+    assert run.v[-1, 0] == pytest.approx(np.sqrt(np.pi) * width, rel=1e-8)
 
 
 @pytest.mark.parametrize("backend", some_quickly(BACKENDS, every=2))
@@ -43,6 +43,7 @@ def test_a_push_in_a_table(how: dict, backend: str) -> None:
     table = Table("f", (0, 50, 50.0000001, 50.001, 50.0010001, 100), (0, 0, 1000, 1000, 0, 0))
     run = pushed("f", 100.0, tables={"f": table}, backend=backend, **how)
     assert run.v[-1, 0] == pytest.approx(1.0, rel=1e-6)
+    assert not run.events  # steps of any kind end at the knots
 
 
 @pytest.mark.parametrize("backend", some_quickly(BACKENDS, every=2))
@@ -78,3 +79,13 @@ def test_what_changes_too_fast_is_named() -> None:
 def test_a_step_longer_than_between_outputs_says_what_it_becomes() -> None:
     assert "steps of 0.1 s are taken" in pushed("1", 1.0, method="rk4", step=0.3).events[0]
     assert not pushed("1", 1.0, method="rk4", step=0.1).events
+
+
+def test_what_fixed_steps_may_pass_is_said() -> None:
+    """A pulse shorter than they are; not one that is longer."""
+    run = pushed("exp(-((t - 5.3)/0.0001)^2)", 10.0, method="rk4", step=0.01)
+    (text,) = run.events
+    assert text.startswith("inputs change within") and "at t = 5.299" in text
+    assert not run.accurate and "with half the step" in run.verdict  # a step has its middle there, others have not
+    run = pushed("exp(-(t - 5.3)^2)", 10.0, method="rk4", step=0.01)
+    assert run.accurate and not run.events

@@ -31,11 +31,14 @@ def test_what_a_check_does_not_confirm_is_not_said() -> None:
     assert less.finite.dof is None and mobility_values(less)["judgement"] == "undecided"
 
 
-def test_planar_loops_are_proved_by_their_group_and_others_sampled() -> None:
+def test_planar_loops_are_proved_by_their_group_others_by_an_arc_and_others_sampled() -> None:
     planar = analyse_mobility(build(ENTRIES["planar_4bar"]))
     assert planar.decisions.groups == (3,) and planar.finite.judgement == "proved"
     bennett = analyse_mobility(build(ENTRIES["bennett"]))
-    assert bennett.decisions.groups == (6,) and bennett.finite.judgement == "sampled"
+    assert bennett.decisions.groups == (6,) and bennett.finite.judgement == "proved"
+    assert "order 16" in bennett.finite.evidence[-1]
+    folded = analyse_mobility(build(ENTRIES["sarrus-spin_mode"]))
+    assert (folded.dof, folded.finite.dof, folded.finite.judgement) == (2, 2, "sampled")
 
 
 def test_a_change_point_in_doubles_moves_as_typed_and_is_beside_a_singular_point() -> None:

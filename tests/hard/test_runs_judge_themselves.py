@@ -13,7 +13,7 @@ from symscrew.cli.parser import main
 from symscrew.description import load_description
 from symscrew.effects import Gravity
 from symscrew.runtime.compiled import find_compiler
-from symscrew.scene.contents import Initial, Scene
+from symscrew.scene.contents import Initial, Integrator, Scene
 from symscrew.simulation import native
 from symscrew.simulation.initial import initial_state
 from symscrew.simulation.motion import prepare, simulate
@@ -81,6 +81,11 @@ def test_what_decides() -> None:
     assert verdict(scene, good, 1e-13, 1e-4)[1].startswith("completed, accuracy not reached: the energy")
     assert not verdict(scene, Estimate(2e-8, 1e6), 1e-13, 1e-12)[0]
     assert not verdict(scene, Estimate(float("inf")), 1e-13, 1e-12)[0]
+    fixed = replace(scene, integrator=Integrator(method="rk4", step=0.01))
+    assert verdict(fixed, Estimate(0.1, 10.0, 0.05), 1e-13, 0.2) == (True, "completed")
+    assert verdict(fixed, Estimate(0.1, 10.0, 0.2), 1e-13, 0.2)[1].startswith(
+        "completed, accuracy not reached: with half"
+    )
 
 
 def test_the_exit_code_follows(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

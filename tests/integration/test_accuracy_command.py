@@ -70,8 +70,11 @@ def test_studies_that_a_scene_does_not_have_are_named_in_what_is_left(
 
 @pytest.mark.slow
 @needs_compiler
-def test_command_on_a_folder_of_problems(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_command_on_a_folder_of_problems(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
     """Error and time at the stated accuracy in a row; a scene without a reference is none of the problems."""
+    monkeypatch.setenv("COLUMNS", "200")
     folder = tmp_path / "problems"
     (folder / "mechanisms").mkdir(parents=True)
     for name in ("simple_pendulum.toml", "simple_pendulum.reference.json", "mechanisms/simple_pendulum.toml"):

@@ -125,13 +125,19 @@ def test_place_where_nothing_can_be_written(command: str, capsys: pytest.Capture
 
 
 @pytest.mark.slow
-def test_list_names_the_whole_catalogue(capsys: pytest.CaptureFixture[str]) -> None:
+def test_list_names_the_whole_catalogue(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> None:
+    """Names are whole, as a table or as paragraphs."""
     code, out, _ = run("list", "--json", capsys=capsys)
     rows = {row["name"]: row for row in json.loads(out)}
     assert code == 0 and tuple(rows) == catalogue.names()
     assert (rows["three_ups_upu_s"]["joints"], rows["three_ups_upu_s"]["driven"]) == (13, 4)
+    monkeypatch.setenv("COLUMNS", "80")
     _, table, _ = run("list", capsys=capsys)
-    assert len(table.splitlines()) == len(rows) + 2
+    named = [line.split("|")[1].strip() for line in table.splitlines()[2:]]
+    assert [name for name in named if name] == list(rows)
+    monkeypatch.setenv("COLUMNS", "60")
+    _, paragraphs, _ = run("list", capsys=capsys)
+    assert [line for line in paragraphs.splitlines() if not line.startswith(" ")] == list(rows)
 
 
 @pytest.mark.slow

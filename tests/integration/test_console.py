@@ -13,8 +13,11 @@ import sys
 
 import pytest
 
+from symscrew.cli.help import UsageError
 from symscrew.cli.parser import main
+from symscrew.cli.shared_options import settings
 from symscrew.display import terminal
+from symscrew.studies.workspace import sweep_summary_text
 
 HEADER, ROWS = ("part", "n"), [["seed", "2"], ["tool", "not found"]]
 
@@ -116,9 +119,36 @@ def test_a_fitting_table_loses_no_word_and_breaks_none(seed: int) -> None:
     assert max(map(len, text.splitlines())) <= wide
     if text.startswith("|"):
         assert words == sorted(" ".join(" ".join(row) for row in (header, *rows)).split())
-        assert all(row[0] in text for row in rows)
     else:
         assert set(" ".join(" ".join(row) for row in rows).split()) <= set(words)
+
+
+def test_a_map_in_sixty_columns_has_no_noise_and_stays_a_table(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Rounding beside the largest value of its unit is zero; the head of the first column is broken before names."""
+    values = {
+        "point E.x": (-6.759e-33, 1.757e-31, "m"), "point E.y": (0, 0.547767, "m"), "margin": (1e-14, 0.5, "1"),
+        "drive limb1_P2": (-1.83756e-16, 1.02602e-16, "N"), "drive limb2_P2": (-158.535, -9.6e-16, "N"),
+    }  # fmt: skip
+    ranges = {name: {"least": a, "largest": b, "unit": unit} for name, (a, b, unit) in values.items()}
+    monkeypatch.setenv("COLUMNS", "60")
+    found = {"mechanism": "a", "cases": 3, "reached": 3, "regular": 3, "allowed": 3, "axes": {}, "ranges": ranges}
+    lines = sweep_summary_text(found).splitlines()[3:]  # of the table
+    assert max(map(len, lines)) <= 60 and not any("e-" in line for line in lines)
+    assert [cell.strip() for cell in lines[-2].split("|")] == ["", "drive limb1_P2", "0", "0", "0", "N", ""]
+    assert lines[-1].split("|")[2].strip() == "-158.535"
+
+
+def test_settings_stand_apart_or_between_commas() -> None:
+    assert settings("at", ["tilt=10deg,azimuth = 30deg", "turn=30deg about 1,1,0", "limb1_P=-1mm, x=2"]) == {
+        "tilt": "10deg", "azimuth": "30deg", "turn": "30deg about 1,1,0", "limb1_P": "-1mm", "x": "2",
+    }  # fmt: skip
+    for given, said in (
+        (["z=1", "z=2"], "'z' is given twice"),
+        (["z"], "expected KEY=VALUE"),
+        (["z=1,y="], "KEY=VALUE"),
+    ):
+        with pytest.raises(UsageError, match=f"--at: .*{said}"):
+            settings("at", given)
 
 
 def test_doctor_says_what_to_do(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:

@@ -13,11 +13,13 @@ from support.model_states import body_states, model, relative
 
 from symscrew import catalogue
 from symscrew.cli.parser import main
-from symscrew.description import toml_file
+from symscrew.description import MechanismBuilder, toml_file
 from symscrew.effects.external_wrench import ExternalWrench
 from symscrew.effects.gravity import Gravity
 from symscrew.errors import DescriptionError
 from symscrew.export.manifest_file import OutputError
+from symscrew.export.numpy import print_numpy
+from symscrew.generation import numpy_target
 from symscrew.generation.folder import TARGETS, generate
 from symscrew.model import derive
 from symscrew.reference.newton_euler_method import newton_euler
@@ -142,6 +144,28 @@ def test_changed_bytes_and_values_are_found(output):
 
 
 @pytest.mark.slow
+def test_code_that_holds_declared_parameters_is_found(tmp_path, monkeypatch):
+    """A target that takes the declared number in place of the run-time parameter that it is given."""
+    made = MechanismBuilder("swing", platform="arm")
+    made.parameter("l", "0.4", "m", run_time=True)
+    made.body("arm", mass=1, com=["l", 0, 0], inertia=["1/100", "1/50", "3/100"])
+    made.joint("hinge", "R", parent="base", child="arm", axes=[[0, 1, 0]], point=[0, 0, 0])
+    swing = derive(made.build()).only(["energy"])
+    generate(swing, tmp_path / "right", ["numpy"])
+    assert failures(tmp_path / "right") == []
+
+    def held(of):
+        return {
+            name: text.replace(") = entries\n", ") = entries\n    l_p = 0.4\n")
+            for name, text in print_numpy(of).items()
+        }
+
+    monkeypatch.setattr(numpy_target, "print_numpy", held)
+    generate(swing, tmp_path / "wrong", ["numpy"])
+    (found,) = failures(tmp_path / "wrong")
+    assert "NumPy module agrees with the evaluator to" in found and "energy" in found
+
+
 def test_casadi_files_may_be_left_out(output):
     for path in output.glob("*.casadi"):
         path.unlink()

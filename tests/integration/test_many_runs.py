@@ -164,6 +164,8 @@ def test_what_ends_early_or_cannot_start_is_told_and_has_no_numbers_behind(tmp_p
     starts["initial.coordinates.slider_P"][:] = np.nan
     with pytest.raises(DescriptionError, match=r"slider_P`: expected finite numbers, got nan in run 0"):
         simulate_many(scene, starts, prepared=prepared)
+    still, by_name = replace(scene, initial=Initial()), {"initial.rates.slider.x": np.array([0.1, 0.2])}
+    same(simulate_many(still, by_name, prepared=prepared), 1, alone(still, prepared, by_name, 1))
     rates = {"initial.rates.crank_R": np.array([1e-3, 60.0])}
     runs = simulate_many(hasty, rates, prepared=prepared)
     same(runs, 1, alone(hasty, prepared, rates, 1))
@@ -179,7 +181,7 @@ def test_what_ends_early_or_cannot_start_is_told_and_has_no_numbers_behind(tmp_p
 BAD: list[tuple[dict[str, Any], str]] = [
     ({}, "expected arrays such as initial.coordinates.crank_R, got none"),
     ({"initial.coordinates.crank": [1.0]}, "there is no coordinate 'crank'"),
-    ({"initial.rates.crank": [1.0]}, "no use for an array 'initial.rates.crank'; did you mean"),
+    ({"initial.rates.crank": [1.0]}, "there is no rate 'crank'; did you mean"),
     ({"parameters.nothing": [1.0]}, "no use for an array 'parameters.nothing'"),
     ({"energy": [1.0]}, "no use for an array 'energy'"),
     ({"initial.rates.crank_R": [[1.0]]}, r"expected an array \(runs,\), got one of \(1, 1\)"),

@@ -5,6 +5,7 @@ from __future__ import annotations
 import base64
 import json
 import re
+from dataclasses import replace
 from html.parser import HTMLParser
 from pathlib import Path
 from typing import Any
@@ -168,16 +169,33 @@ def test_motion_is_in_the_page(tmp_path: Path, capsys: pytest.CaptureFixture[str
     capsys.readouterr()
 
 
-def test_long_motion_is_thinned_with_both_ends(tmp_path: Path) -> None:
+def test_a_long_motion_keeps_its_ends_and_every_peak(tmp_path: Path) -> None:
+    """A blow between two even times is in the page; all states are, where they are asked for."""
     arrays = recorded(3)
     count = 5 * MAX_FRAMES
     for name in ("q", "v", "u"):
         arrays[name] = np.repeat(arrays[name][:1], count, axis=0)
+    arrays["u"][4321, 2], arrays["v"][1234, 5] = -777.0, 55.0
     np.savez(tmp_path / "run.npz", **{**arrays, "t": np.linspace(0.0, 9.0, count)})
-    motion = page_scene(model("three_ups_upu_s"), read_motion(tmp_path / "run.npz"))["motion"]
-    t = np.frombuffer(base64.b64decode(motion["arrays"]["t"]), "<f8")
-    assert len(t) == motion["frames"] == MAX_FRAMES and motion["recorded"] == count
-    assert (t[0], t[-1]) == (0.0, 9.0) and np.diff(t).max() < 1.5 * np.diff(t).min()
+    read = read_motion(tmp_path / "run.npz")
+    for frames, least, most in ((None, MAX_FRAMES - 8, MAX_FRAMES), (50, 42, 58), (count, count, count)):
+        motion = page_scene(model("three_ups_upu_s"), replace(read, frames=frames))["motion"]
+        t, u, v = (np.frombuffer(base64.b64decode(motion["arrays"][name]), "<f8") for name in ("t", "u", "v"))
+        assert least <= len(t) == motion["frames"] <= most and motion["recorded"] == count
+        assert (t[0], t[-1]) == (0.0, 9.0) and np.diff(t).max() < 3 * 9.0 / least
+        assert u.min() == -777.0 and v.max() == 55.0 and read.t[4321] in t
+
+
+@pytest.mark.parametrize(
+    ("frames", "said"), [("1", "at least 2, or all"), ("x", "at least 2, or all"), ("9", "RUN.npz")]
+)
+def test_states_that_a_page_cannot_hold(
+    frames: str, said: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    np.savez(tmp_path / "run.npz", **recorded(3))
+    given = "four_bar" if frames == "9" else str(tmp_path / "run.npz")
+    assert main(["view", given, "--out", str(tmp_path / "a.html"), "--frames", frames]) == 2
+    assert said in capsys.readouterr().err and not (tmp_path / "a.html").exists()
 
 
 BAD_MOTIONS = {

@@ -46,7 +46,7 @@ def platform(row: object) -> ScrewClass:
         ("two rhombi", ["1R1T", "1R1T", "1R1T", "1T"], True),
         ("five-bar, stretched", [], True),
         ("sarrus", ["1T"], True),
-        ("bennett", ["1R"], False),
+        ("bennett", ["1R"], True),
     ],
 )
 def test_branches(name: str, types: list[str], proved: bool) -> None:
@@ -95,7 +95,9 @@ def test_in_words_and_json() -> None:
     from symscrew.mobility import mobility_text
 
     text = mobility_text(found("bennett"))
-    assert "1: dimension 1 (sampled)" in text and "not constant" in text and "Not proved complete" in text
+    assert "1: dimension 1 (proved)" in text and "not constant" in text and "Complete, proved" in text
+    text = mobility_text(found("sarrus-stretched"))
+    assert "1: dimension 1 (sampled)" in text and "Not proved complete" in text
 
 
 X, Y, Z, O = np.eye(3)[0], np.eye(3)[1], np.eye(3)[2], np.zeros(3)

@@ -18,15 +18,16 @@ TURN = np.array([[2, -2, 1], [1, 2, 2], [-2, -1, 2]]) / 3
 """A rotation that is no double: as typed, the axes are units of 15 digits."""
 
 
-def five_bar(*couplings: dict[str, object], turned: bool = False) -> Mechanism:
+def five_bar(*couplings: dict[str, object], turned: bool = False, off: str = "0") -> Mechanism:
     """Joints A to E about z, loop A B C D E: two freedoms, of which a pair of gears takes one."""
     builder, bodies = MechanismBuilder("geared", platform="c2"), ["base", "c1", "c2", "c3", "c4", "base"]
     for body in bodies[1:-1]:
         builder.body(body)
-    turn = TURN if turned else np.eye(3)
+    turn, leaning = TURN if turned else np.eye(3), [off, 0, f"sqrt(1-({off})**2)"]
     for k, (name, place) in enumerate(PLACES.items()):
         point, axis = ((turn @ v).tolist() for v in (np.array(place), np.array([0.0, 0.0, 1.0])))
-        builder.joint(name, "R", parent=bodies[k], child=bodies[k + 1], point=point, axes=[axis])
+        builder.joint(name, "R", parent=bodies[k], child=bodies[k + 1], point=point,
+                      axes=[leaning if name == "C" and off != "0" else axis])  # fmt: skip
     for k, terms in enumerate(couplings):
         builder.coupling(f"gears{k}", terms=terms)
     return builder.build()
@@ -137,6 +138,17 @@ def test_what_is_said_counts_the_couplings() -> None:
     assert "The reactions of tie0, tie1, tie2 are not unique" in words and "leave this coupling out" in words
     assert "sum f - p = 6 (5 - 4 - 1) + 4 - 3 = 1, with p = 3 couplings" in words
     assert "what moves along them was not looked at" in mobility_text(found("cone"))
+
+
+@pytest.mark.parametrize("off", ["1e-12", "1e-9", "1e-7"])
+def test_gears_on_axes_that_are_almost_parallel(off: str) -> None:
+    """As typed the loop is shaky and the gears hold it; with parallel axes, so much away, it moves."""
+    result = analyse_mobility(five_bar(GEARS, off=off))
+    assert (result.dof, result.finite.dof) == (1, 0) or result.finite.dof is None
+    assert result.near is not None and float(off) / 2 < result.near.distance < 2 * float(off)
+    meant = analyse_mobility(five_bar(GEARS, off=off), tolerance=1e-6)
+    assert (meant.dof, meant.finite.dof, meant.finite.smooth, meant.taken is not None) == (1, 1, True, True)
+    assert analyse_mobility(five_bar(GEARS)).near is None
 
 
 def test_transcendental_ratios_are_said_to_be_open() -> None:

@@ -51,6 +51,7 @@ def deflections(run: Run, modes: int) -> np.ndarray:
     return run.x[:, [run.x_labels.index(f"bend_piston_pin_{k + 1}") for k in range(modes)]]
 
 
+@pytest.mark.slow
 def test_the_published_solution_of_the_flexible_slider_crank() -> None:
     """Test Set for IVP Solvers, problem "slider crank" (B. Simeon, Modelling a flexible slider crank mechanism by a
     mixed system of DAEs and PDEs, Math. Modelling of Systems 2, 1996, 1-18; solution of crank.f at 0.1 s): a square rod

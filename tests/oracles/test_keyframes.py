@@ -11,7 +11,9 @@ import pytest
 from symscrew.cli import main
 from symscrew.errors import DescriptionError
 from symscrew.formats import import_file
-from symscrew.model import derive
+from symscrew.functions import Motion, kinematic_functions
+from symscrew.kinematics import System
+from symscrew.program import evaluate, lower
 from symscrew.scene import load_scene
 
 from .test_import_details import INERTIAL, saved
@@ -29,14 +31,15 @@ FLYING = f"""<mujoco model="flying"><worldbody><body name="hull" pos="1 2 3" eul
 def test_sites_are_where_the_engine_has_them(tmp_path: Path) -> None:
     path = saved(FLYING, tmp_path)
     found = import_file(path)
-    model = derive(found.mechanism)
+    system = System(found.mechanism)
+    points = next(f for f in kinematic_functions(system, Motion(system)) if f.name == "point_motion")
     engine = mujoco.MjModel.from_xml_path(str(path))
     data = mujoco.MjData(engine)
-    labels = [c.label for c in model.system.tree.q]
+    labels = [c.label for c in system.tree.q]
     assert list(found.starts) == ["bite", "key_1"] and set(found.starts["bite"]) == set(labels)
     for k, values in enumerate(found.starts.values()):
         q = np.array([values[name] for name in labels])
-        places = model("point_motion", q, 0 * q[:-2], 0 * q[:-2])[0][0].reshape(-1, 3)
+        places = evaluate(lower(points), [q, 0 * q[:-2], 0 * q[:-2]])[0][0].reshape(-1, 3)
         mujoco.mj_resetDataKeyframe(engine, data, k)
         mujoco.mj_forward(engine, data)
         names = list(found.mechanism.points)

@@ -90,7 +90,7 @@ def test_a_plan_starts_in_the_mode_that_it_names(tmp_path, four_bar):
     path = tmp_path / "swing.toml"
     path.write_text(
         '[problem]\nmechanism = "four_bar"\nduration = 1\n[start]\nmode = "-1"\ncoordinates = { A = 0 }\n'
-        'at_rest = true\n[end]\ncoordinates = { A = 0.3 }\nat_rest = true\n[[effects]]\ntype = "gravity"\n'
+        'at_rest = true\n[end]\nmode = "-1"\ncoordinates = { A = 0.3 }\nat_rest = true\n[[effects]]\ntype = "gravity"\n'
     )
     assert main(["optimise", str(path), "--out", str(tmp_path / "swing.npz")]) == 0
     with np.load(tmp_path / "swing.npz") as plan:
@@ -98,3 +98,30 @@ def test_a_plan_starts_in_the_mode_that_it_names(tmp_path, four_bar):
     for row, value in ((0, 0.0), (-1, 0.3)):
         known = symscrew.assembly_modes(four_bar, {"A": value}).mode("-1").values
         assert all(abs(np.sin((q[row][k] - known[label]) / 2)) < 1e-6 for k, label in enumerate(labels))
+
+
+def goal_in(folder: Path, mode: str) -> symscrew.optimisation.Trajectory:
+    path = folder / f"swing{mode}.toml"
+    path.write_text(
+        f'[problem]\nmechanism = "four_bar"\nduration = 1\n[start]\ncoordinates = {{ A = 0 }}\nat_rest = true\n'
+        f'[end]\nmode = "{mode}"\ncoordinates = {{ A = 0.3 }}\nat_rest = true\n[transcription]\nintervals = 4\n'
+        '[[effects]]\ntype = "gravity"\n'
+    )
+    return symscrew.optimise(symscrew.optimisation.load_problem(path))
+
+
+@pytest.mark.slow
+def test_a_plan_to_a_goal_in_another_mode_is_no_success_and_says_so(tmp_path):
+    refused = goal_in(tmp_path, "-1")  # no way leads there: a singularity lies between
+    assert not refused.ok and refused.status != "optimal"
+
+
+def test_a_goal_whose_mode_is_not_there_or_stands_alone_is_refused(tmp_path):
+    with pytest.raises(symscrew.DescriptionError, match=r"end.mode: four_bar has no mode '\+7'.*it has home, -1"):
+        goal_in(tmp_path, "+7")
+    with pytest.raises(symscrew.DescriptionError, match=r"end\.mode: expected conditions beside it"):
+        problem = (
+            '[problem]\nmechanism = "four_bar"\nduration = 1\n[start]\ncoordinates = { A = 0 }\n[end]\nmode = "-1"\n'
+        )
+        (tmp_path / "alone.toml").write_text(problem)
+        symscrew.optimise(symscrew.optimisation.load_problem(tmp_path / "alone.toml"))

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import ctypes
+import re
 from itertools import pairwise
 from pathlib import Path
 
@@ -13,6 +15,7 @@ import symscrew
 from oracles.test_assembly_modes import by_elimination
 from symscrew.assembly import CompiledModes, WaysToSolve, compiled_modes, modes_model, print_modes
 from symscrew.display import Progress
+from symscrew.runtime import compile_c
 from symscrew.studies.accuracy.every_study import study_of
 from symscrew.studies.accuracy.states import Subject
 
@@ -171,10 +174,49 @@ def test_level_modes_of_a_delta_are_those_of_three_spheres(tmp_path):
         level = [m for m in modes if abs(m.pose[0] + m.pose[4] + m.pose[8] - 3) < 1e-9]
         found = sorted((list(m.pose[9:]) for m in level), key=lambda t: t[2])
         assert np.allclose(found, spheres(angles), atol=1e-12)
+        assert {compiled.led(m, np.array(angles) + 1e-3) for m in compiled.level(angles)[1]} == {OK}
+    agree_with_spheres(compiled, 0.7)
+    assert compiled.level([0.0, np.nan, 0.0]) == (NOT_FINITE, [])
 
 
-def spheres(angles) -> list[list[float]]:
-    """Displacements of a platform 0.05 m wide on rods of 0.7 m, from arms of 0.3 m at 0.2 m; arms horizontal: home."""
+def agree_with_spheres(compiled: CompiledModes, rods: float) -> set[int]:
+    """How many level modes there are at random drives: each as near to its place as it says."""
+    size, counts = float(compiled.model.held.network.length), set[int]()
+    for angles in np.random.default_rng(3).uniform(-2, 2, (200, 3)):
+        status, modes = compiled.level(angles)
+        expected = spheres(angles, rods)
+        assert status == OK and len(modes) == len(expected)
+        for mode, place in zip(sorted(modes, key=lambda m: m.pose[11]), expected, strict=True):
+            assert np.abs(np.array(mode.pose[9:]) - place).max() < mode.error * size + 1e-12 and mode.error < 1e-6
+        counts.add(len(modes))
+    return counts
+
+
+@pytest.mark.slow
+def test_level_modes_are_none_where_spheres_do_not_meet_and_not_certified_where_they_touch(tmp_path):
+    """The same tables with shorter rods: a delta in whose reference they would not reach."""
+    model, rods = modes_model(symscrew.load_catalogue("delta")), 0.44
+    for file, text in print_modes(model).items():
+        square = (rods / float(model.held.network.length)) ** 2
+        (tmp_path / file).write_text(
+            re.sub(r"(level_square\[3\] = ){.*?}", rf"\1{{{square}, {square}, {square}}}", text)
+        )
+    compile_c(tmp_path / "delta_modes.c", tmp_path / "delta.so", flags=("-ffp-contract=off", "-O0"), native=False)
+    compiled = CompiledModes(ctypes.CDLL(str(tmp_path / "delta.so")), model)
+    assert agree_with_spheres(compiled, rods) == {0, 2}
+    low, high = 0.0, 1.0  # spheres touch between
+    for _ in range(60):
+        middle = 0.5 * (low + high)
+        low, high = (low, middle) if spheres([middle, -middle, 0.0], rods) else (middle, high)
+    for gap in (1e-3, 1e-7, 1e-11, 0.0):
+        status, modes = compiled.level([high + gap, -high - gap, 0.0])
+        assert (status, len(modes)) == (OK, 2) or (status == INCOMPLETE and not modes and gap < 1e-3)
+        status, modes = compiled.level([low - gap, gap - low, 0.0])
+        assert not modes and (status == OK or gap < 1e-3)
+
+
+def spheres(angles, rods: float = 0.7) -> list[list[float]]:
+    """Displacements of a platform 0.05 m wide on rods, from arms of 0.3 m at 0.2 m; arms horizontal: home."""
     turns = [0.0, 2 * np.pi / 3, 4 * np.pi / 3]
     ends = np.array([
         [*(np.array([np.cos(t), np.sin(t)]) * (0.15 + 0.3 * np.cos(a))), -0.3 * np.sin(a)]
@@ -184,9 +226,10 @@ def spheres(angles) -> list[list[float]]:
     along = np.cross(rows[0], rows[1])
     along /= np.linalg.norm(along)
     foot = np.linalg.lstsq(rows, right - rows @ ends[0], rcond=None)[0]
-    far = np.sqrt(0.7**2 - foot @ foot)
+    left = rods**2 - foot @ foot
     home = np.array([0, 0, -np.sqrt(0.7**2 - 0.45**2)])
-    return sorted(((ends[0] + foot + s * far * along - home).tolist() for s in (1, -1)), key=lambda t: t[2])
+    signs = (1, -1) if left > 0 else ()
+    return sorted(((ends[0] + foot + s * np.sqrt(left) * along - home).tolist() for s in signs), key=lambda t: t[2])
 
 
 @pytest.mark.slow

@@ -152,6 +152,6 @@ def test_the_package_names_what_it_installs(tmp_path: Path) -> None:
         for file, text in texts.items()
         if "@" in text and file != "package.xml" and not file.endswith((".c", ".h"))
     ]
-    with pytest.raises(OutputError, match=r"another target writes CMakeLists\.txt"):
+    with pytest.raises(OutputError, match=r"targets c and ros2 both write CMakeLists\.txt"):
         generate(model("five_bar"), tmp_path / "both", ["c", "ros2"])
     assert not (tmp_path / "both").exists()

@@ -14,6 +14,8 @@ ASKED = ("kind", "type", "kinds", "types", "letter", "letters")
 FOREIGN = {
     "loops/limbs/planar_limbs.py",  # its three closed forms, by the limb's two motions
     "formats/mjcf_bodies.py",  # a slide and a hinge that an equality couples
+    "formats/idle_spins.py",  # a rod between two balls of a file that may be a bar here
+    "formats/contradictory_loops.py",  # turns of a file that its author calls spherical
     "formats/merged_joints.py",  # chains of elementary joints that are one joint here
     "studies/accuracy/load_sharing.py",  # limbs of the seed by their letters
     "mobility/proofs/proof_checker.py",  # imports nothing of the package, so that who doubts it need not trust it

@@ -20,7 +20,7 @@ from symscrew.export.manifest_file import OutputError, effect_from_json, effect_
 from symscrew.export.value_names import LEGEND
 from symscrew.generation.folder import render
 from symscrew.model import derive
-from symscrew.program.straight_line import COUNTED, Port
+from symscrew.program.straight_line import COUNTED, NO_ROTATION, OUT_OF_REACH, Port
 
 
 @pytest.fixture(scope="module")
@@ -42,6 +42,25 @@ def test_header_says_all_that_a_user_must_know(model):
     for text in ("in x[2] [m]: test array x", "0 x 0; 1 x 1", "Returns 0, 1, 2", f"operations: {total} "):
         assert text in about
     assert "matrix[6] (2x3, column by column)" in header
+
+
+def test_limits_say_what_they_refuse_and_entries_their_units(model):
+    """A limit is not a bare number: its status, and the limb that does not reach. Counts are not units."""
+    guarded = model.programs["guarded"]
+    limits = (0, 0.25, 4.0, NO_ROTATION), (1, None, 9.0, OUT_OF_REACH)
+    source = c.print_source(replace(model, programs={"guarded": replace(guarded, limits=limits, reach=("leg",))}))
+    lines = [line.strip() for line in source.splitlines()]
+    first = next(k for k, line in enumerate(lines) if line.startswith("NOT_BELOW("))
+    assert lines[first - 1 : first + 4] == [
+        "/* else status 5: no rotation */",
+        lines[first],
+        lines[first].replace("BELOW", "ABOVE").replace("0.25", "4.0"),
+        "/* else status 11: out of reach: limb leg does not get there */",
+        lines[first + 3],
+    ]
+    mixed = Port("q", (3,), ("rad", "m", "rad"), ("A", "B", "C"), "configuration")
+    several = {name: replace(guarded, name=name, inputs=(mixed,)) for name in ("one", "two")}
+    assert "/* q[3] [2 in rad, 1 in m]: configuration */" in c.print_header(replace(model, programs=several))
 
 
 def test_conventions_are_said_once_and_everywhere_the_same(model):

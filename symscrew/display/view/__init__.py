@@ -6,11 +6,12 @@ from symscrew.doors import doors
 
 if TYPE_CHECKING:
     from symscrew.display.view.motion_file import RecordedMotion, read_mechanism_and_motion, read_motion
-    from symscrew.display.view.page import Limits, make_page, open_made, open_page, write_made, write_page
+    from symscrew.display.view.page import Limits, Pictures, make_page, open_made, open_page, write_made, write_page
     from symscrew.display.view.page_data import page_scene
 
 __all__ = [
     "Limits",
+    "Pictures",
     "RecordedMotion",
     "make_page",
     "open_made",

@@ -31,7 +31,10 @@ NEEDED = ("t", "q", "v", "mechanism", "q_labels")
 
 @dataclass(frozen=True)
 class RecordedMotion:
-    """A motion as it was read: t (n,) [s], q (n, nq), v (n, nv); u (n, nu) and reactions (n, 6 joints) or None."""
+    """A motion as it was read: t (n,) [s], q (n, nq), v (n, nv); u (n, nu) and reactions (n, 6 joints) or None.
+
+    `frames`: about how many states a page is to hold, all peaks among them; None: as many as make 4 MB.
+    """
 
     mechanism: Mechanism
     t: Array
@@ -41,6 +44,7 @@ class RecordedMotion:
     reactions: Array | None
     q_labels: tuple[str, ...]
     u_labels: tuple[str, ...]
+    frames: int | None = None
 
     def __repr__(self) -> str:
         return f"RecordedMotion({self.mechanism.name}: {len(self.t)} states from {self.t[0]:g} s to {self.t[-1]:g} s)"

@@ -13,6 +13,7 @@ import webbrowser
 from collections.abc import Mapping
 from importlib import resources
 from pathlib import Path
+from typing import Any
 
 from symscrew.display.view.motion_file import RecordedMotion
 from symscrew.display.view.page_data import functions_of, page_scene
@@ -29,18 +30,23 @@ LIBRARY = "library.min.js"
 
 
 Limits = Mapping[str, Reach]
+Pictures = Mapping[str, Any]
+"""Body -> triangles (n, 3, 3) [m]."""
 
 
-def make_page(model: Model, motion: RecordedMotion | None = None, limits: Limits | None = None) -> str:
+def make_page(
+    model: Model, motion: RecordedMotion | None = None, limits: Limits | None = None, pictures: Pictures | None = None
+) -> str:
     """The page of a model as text, with a recorded motion if there is one.
 
     `limits`: reaches of joints by their names [rad or m], beside those of the model's end stops.
+    `pictures`: triangles that bodies look like, in absolute axes in the reference configuration.
 
     Raises:
         DescriptionError: the motion or a limit does not belong to this model.
     """
     model = with_outline(model)
-    data = json.dumps(page_scene(model, motion, limits), ensure_ascii=False, allow_nan=False)
+    data = json.dumps(page_scene(model, motion, limits, pictures), ensure_ascii=False, allow_nan=False)
     parts = {
         "title": html.escape(model.name),
         "style": _file("page", "page.css"),

@@ -30,7 +30,7 @@ FUNCTIONS = (
 MARGINS = {"limb_margins": "limb", "constraint_margin": "constraint", "actuation_margins": "actuation"}
 ALL_DRIVES = "all drives"
 SINGULAR = 1e-9  # a margin below it in the reference is 0 there, as in maps: nothing can be compared with it
-MAX_FRAMES = 1500  # of a motion in the page: 25 s at 60 a second; more are thinned evenly
+MAX_FRAMES = 1500  # of a motion in the page: 25 s at 60 a second; of more some are chosen, unless all are asked for
 MAX_VALUES = 400_000  # of a motion in the page: 4 MB of text; mechanisms with many joints have fewer frames
 
 
@@ -40,9 +40,14 @@ def functions_of(model: Model) -> tuple[str, ...]:
 
 
 def page_scene(
-    model: Model, motion: RecordedMotion | None = None, limits: Mapping[str, Reach] | None = None
+    model: Model,
+    motion: RecordedMotion | None = None,
+    limits: Mapping[str, Reach] | None = None,
+    pictures: Mapping[str, Array] | None = None,
 ) -> dict[str, Any]:
     """The page's data for a model, with a recorded motion if there is one, and limits of joints beside its end stops.
+
+    `pictures`: body -> triangles (n, 3, 3) [m] in absolute axes in the reference configuration, drawn for its outline.
 
     Raises:
         DescriptionError: the motion does not belong to this model.
@@ -62,7 +67,7 @@ def page_scene(
         "threshold": THRESHOLD,
         "platform": index[platform],
         "platform_named": mechanism.platform is not None,
-        "bodies": [_body(mechanism, name, points[name], shape) for name in bodies],
+        "bodies": [_body(mechanism, name, points[name], shape) | _picture(pictures or {}, name) for name in bodies],
         "joints": _joints(model, index, shape),
         "points": [
             {
@@ -93,6 +98,13 @@ def page_scene(
         },
         "motion": None if motion is None else _motion(model, motion),
     }
+
+
+def _picture(pictures: Mapping[str, Array], name: str) -> dict[str, str]:
+    """Corners of a body's triangles, if there are any: singles, little-endian, in Base64."""
+    if name not in pictures:
+        return {}
+    return {"picture": base64.b64encode(pictures[name].astype("<f4").tobytes()).decode("ascii")}
 
 
 def _body(mechanism: Mechanism, name: str, places: Array, shape: Outline | None) -> dict[str, Any]:
@@ -216,12 +228,20 @@ def _margins(model: Model) -> list[dict[str, Any]]:
 
 
 def _motion(model: Model, motion: RecordedMotion) -> dict[str, Any]:
-    """The motion as little-endian 8-byte numbers in base64, those of the file, thinned to what a page can hold."""
+    """The motion as little-endian 8-byte numbers in base64, those of the file.
+
+    Of more states than a page should hold those in which a value is least or largest, and others at even distances: no
+    peak is lost, and every number that is shown at one of them is a number of the file.
+    """
     motion.check(model)
     arrays = {"t": motion.t[:, None], "q": motion.q, "v": motion.v, "u": motion.u, "reactions": motion.reactions}
     given = {name: array for name, array in arrays.items() if array is not None}
     columns = sum(array.shape[1] for array in given.values())
-    frames = min(len(motion.t), MAX_FRAMES, max(2, MAX_VALUES // columns))
-    chosen = np.unique(np.round(np.linspace(0, len(motion.t) - 1, frames)).astype(int))
+    frames = motion.frames or min(MAX_FRAMES, max(2, MAX_VALUES // columns))
+    chosen = np.arange(len(motion.t))
+    if len(motion.t) > frames:
+        peaks = np.unique([k for a in given.values() for k in (*a.argmin(axis=0), *a.argmax(axis=0))])
+        even = np.round(np.linspace(0, len(motion.t) - 1, max(2, frames - len(peaks)))).astype(int)
+        chosen = np.union1d(peaks, even)
     packed = {name: base64.b64encode(array[chosen].astype("<f8").tobytes()).decode() for name, array in given.items()}
     return {"recorded": len(motion.t), "frames": len(chosen), "arrays": packed}

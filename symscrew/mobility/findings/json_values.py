@@ -108,6 +108,7 @@ def _counts(found: Mobility) -> dict[str, Any]:
         "g": counts.joints,
         "sum_f": counts.freedoms,
         "q": len(counts.loops),
+        "p": counts.couplings,
         "r": counts.rank,
         "kutzbach": counts.kutzbach,
         "lambda": counts.common,

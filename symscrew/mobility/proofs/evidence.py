@@ -21,6 +21,7 @@ METHODS = {
     "groups": "every loop moves in a group of displacements, and the rank is the sum of their dimensions",
     "limbs": "each limb reaches all of a group of displacements, and groups meet in a group",
     "stopped": "a self-stress does work on the only motion",
+    "endless": "the only motion of the loop keeps it shut to order 16, which no isolated one of six joints does",
     "tied": "parts that are smooth without couplings, and couplings that are independent of them",
     "form": "the one redundant equation, or a combination of them, has a quadratic form that is not degenerate",
 }

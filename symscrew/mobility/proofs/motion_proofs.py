@@ -16,7 +16,9 @@ from typing import Any
 import numpy as np
 
 from symscrew.mobility.finite import cone_directions, definite_stress
+from symscrew.mobility.proofs.arcs import shut_arc
 from symscrew.mobility.proofs.proof_checker import (
+    MOST_WAYS,
     WHOLE,
     Block,
     Number,
@@ -55,7 +57,7 @@ def _entry(numbers: ProofNumbers, name: tuple[str, str]) -> dict[str, Any]:
     if part.block.least == len(part.block.columns):
         return entry
     smooth = (part.tied,) if part.block.ties else (part.groups_alone, part.limbs)
-    for attempt in (*smooth, part.stopped, part.form, part.direction):
+    for attempt in (*smooth, part.stopped, part.endless, part.form, part.direction):
         try:
             for proof in attempt():
                 if part.accepted(proof):
@@ -227,6 +229,20 @@ class _Part:
             back = 1 / solutions[0][-1] if isinstance(solutions[0][-1], Fraction) else solutions[0][-1].__rtruediv__(1)
             read = self.numbers.read.numbers.read
             arc.append([read(self.numbers.json(c * back)) for c in solutions[0][:-1]])
+
+    def endless(self) -> Iterator[dict[str, Any]]:
+        """Smooth: the one motion of a loop of six freedoms goes on to the order that no isolated one has."""
+        block = self.block
+        alone = len(block.motions) == 1 and len(block.loops) == 1 and not block.ties and len(block.columns) <= 6
+        if not alone or not self.decided:
+            return
+        factors = [(column, [self.numbers.exact(c) for c in screw]) for column, screw in block.factors[0]]
+        motion = [self.numbers.exact(c) for c in block.motions[0]]
+        minor = self.entry["rank"]["minor"]
+        arc = shut_arc(factors, motion, (minor["rows"], minor["columns"]), MOST_WAYS)
+        if arc is not None:
+            arc_values = [[self.numbers.json(c) for c in rates] for rates in arc]
+            yield {"kind": "endless", "groups": self.groups(), "arc": arc_values}
 
     @cached_property
     def forms(self) -> tuple[list[tuple[Exact, ...]], np.ndarray[Any, Any]]:

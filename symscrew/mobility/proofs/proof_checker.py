@@ -10,7 +10,8 @@ from the mechanism; from the evidence come only what is quick to check and long 
     smooth              every loop moves in a group of displacements (a basis closed under the screw bracket), and the
                         rank is the sum of their dimensions: implicit functions;
                         or limbs between two bodies of which each reaches all of a group;
-                        or parts that are smooth without couplings, and couplings independent of them
+                        or parts that are smooth without couplings, and couplings independent of them;
+                        or the only motion of a loop of six freedoms, shut to an order that no isolated one has
     isolated            a self-stress that does work on the only motion at some order, all lower orders closed; or
                         one whose quadratic form is definite
     branches            one redundant equation with a quadratic form that is not degenerate: a cone (Morse)
@@ -47,6 +48,8 @@ FORMAT, COUPLED = "symscrew mobility proof 1", "symscrew mobility proof 2"
 UNIT = ONE >> 140
 """How far the square of a coupled axis may be from 1, since coordinates are counted along unit axes: what numbers of 50
 digits leave open is a million times less, what a rounded decimal does is more."""
+MOST_WAYS = 16
+"""In which six joints reach a pose: the largest multiplicity of an isolated one."""
 WHOLE = "all displacements"
 """Instead of a basis: the group of all rigid displacements, of dimension 6."""
 Interval = tuple[int, int]
@@ -521,6 +524,10 @@ class Block:
         groups = [group(self.numbers, [s for _, s in f], g) for f, g in zip(self.factors, proof["groups"], strict=True)]
         redundant = sum(map(len, groups)) + len(self.ties) - self.least
         need(redundant == 0 or low == high == len(self.motions), "a rank that is not decided")
+        if kind == "endless":
+            need(high == 1, "more than one motion")
+            self.endless(proof)
+            return 1, 1, [1], True
         if kind == "groups":
             need(redundant == 0, "groups with more dimensions than the rank")
             return high, high, [high], True
@@ -656,6 +663,32 @@ class Block:
         work = _dot([c for part in parts for c in part] + pulls, left[-1])
         need(_apart(self.numbers.interval(work)), "a self-stress that does no work on the motion")
 
+    def endless(self, proof: Any) -> None:
+        """The only motion of a loop of six freedoms or fewer, shut to an order that no isolated configuration has.
+
+        Six joints that turn or slide reach a pose in at most 16 isolated ways, multiplicities counted (E. J. F.
+        Primrose, Mech. Mach. Theory 21, 1986, 509-512): where the arc of the only motion is shut to that order, the
+        one equation that is left in its parameter is zero. Fewer joints are completed by hinges in general position.
+        If these moved, the motion of the five, say, would reach every small rotation about every line of space, and
+        nothing else; but two of their own axes that are skew make what is no rotation. With two hinges and more, their
+        screws span what only a cone of too many dimensions would meet.
+        """
+        screws = [screw for _, screw in self.factors[0]]
+        need(
+            len(self.loops) == 1 and not self.ties and len(screws) <= len(screws[0]), "more than a loop of six freedoms"
+        )
+        need(not any(_dot(s[:3], s[3:]) for s in screws), "a screw joint, which is not algebraic")
+        pairs = (_dot(a[:3], b[3:]) + _dot(a[3:], b[:3]) for a, b in combinations(screws, 2))
+        skew = len(screws) != 5 or any(_apart(self.numbers.interval(power)) for power in pairs)
+        need(skew, "five freedoms of which no two are skew")
+        arc = [[self.numbers.read(c) for c in rates] for rates in proof["arc"]]
+        need(
+            all(len(rates) == len(self.columns) for rates in arc) and len(arc) >= MOST_WAYS, "an arc that is too short"
+        )
+        need(any(_apart(self.numbers.interval(c)) for c in arc[0]), "an arc that does not start")
+        left = self.opened(arc)[:MOST_WAYS]
+        need(not any(c for order in left for c in order), "a motion that opens a loop")
+
     def opened(self, arc: Sequence[Sequence[Number]]) -> list[list[Number]]:
         """Coefficients in t of the velocities at which rates, a power series, open the loops and couplings."""
         result: list[list[Number]] = [[] for _ in range(len(arc) + 1)]
@@ -683,24 +716,20 @@ class Block:
 def velocities(screws: Sequence[Screw], rates: Sequence[Sequence[Number]]) -> list[Screw]:
     """Coefficients in t of sum S_k(t) u_k(t) along dS_k/dt = [sum over j < k of S_j u_j, S_k]; one more than rates."""
     numbers = screws[0][0].within
-    series = [[screw] for screw in screws]
-    result = []
+    series, result = [[screw] for screw in screws], []
+    carried: list[list[Screw]] = [[] for _ in screws]  # coefficients of the twist that carries the screw
     for order in range(len(rates) + 1):
-        before = [[numbers.zero] * 6 for _ in range(order)]  # coefficients of the twist that carries the next screw
         total = [numbers.zero] * 6
         for k, own in enumerate(series):
             if order:
                 grown = [numbers.zero] * 6
                 for a in range(order):
-                    grown = [x + y for x, y in zip(grown, bracket(before[a], own[order - 1 - a]), strict=True)]
+                    grown = [x + y for x, y in zip(grown, bracket(carried[k][a], own[order - 1 - a]), strict=True)]
                 own.append([numbers.rational(Fraction(1, order)) * x for x in grown])
-            for a in range(order + 1):
-                for b in range(max(0, a + 1 - len(own)), min(a + 1, len(rates))):
-                    part = [x * rates[b][k] for x in own[a - b]]
-                    if a < order:
-                        before[a] = [x + y for x, y in zip(before[a], part, strict=True)]
-                    else:
-                        total = [x + y for x, y in zip(total, part, strict=True)]
+            carried[k].append(total)
+            for b in range(min(order + 1, len(rates))):
+                if rates[b][k]:
+                    total = [x + y * rates[b][k] for x, y in zip(total, own[order - b], strict=True)]
         result.append(total)
     return result
 

@@ -226,7 +226,9 @@ static int first_event(Step *s, int method, int fresh, Event *e)
                 margin.c[0] += side * end;
             }
             margin.c[0] += c->kind == FRICTION ? slack : 0.0; /* a rate that only touches zero does not end a slip */
-            const int zero = k == fresh && fabs(margin.c[0]) < MOST_MOVED * UNIT[c->v];
+            const double other = c->kind == STOP ? fabs(p.c[0] - (side > 0 ? c->lower : c->upper)) : 1e300;
+            const int own = fabs(margin.c[0]) <= other; /* of two stops the one that was met, however near they are */
+            const int zero = k == fresh && own && fabs(margin.c[0]) < MOST_MOVED * UNIT[c->v];
             consider(e, k, end_of(margin, zero ? fmax(slack, fabs(margin.c[0])) : slack));
         }
     }

@@ -424,7 +424,7 @@ static int advance(Simulation *s, double target)
 }
 
 /* Goes on until the last of `count` output times (ascending, not before t) or for `most` steps; writes samples
- * and crossings. Returns GOING_ON while there is more to do, else how it ended. */
+ * and crossings, of these and of events none behind the last output. Returns GOING_ON while there is more to do, else how it ended. */
 int simulation_advance(Simulation *s, long most, const double *times, size_t count, size_t *written, double *q, double *v,
                        double *x, Crossing *crossings, size_t room, size_t *met)
 {
@@ -465,7 +465,7 @@ int simulation_advance(Simulation *s, long most, const double *times, size_t cou
         const int regular = step->pivot > 0.5 * PIVOT && !step->careful; /* a secant will do */
         const double rate = regular ? (step->pivot - s->pivot) / step->h : pivot_rate(step->q, step->v);
         *met += crossings_within(s, rate, crossings + *met, room - *met);
-        while (*met > 0 && crossings[*met - 1].t > end) { /* behind an event the motion is another one */
+        while (*met > 0 && crossings[*met - 1].t > fmin(end, times[count - 1])) { /* behind an event or the run's end */
             --*met;
         }
         while (*written < count && times[*written] <= end) {
@@ -483,7 +483,7 @@ int simulation_advance(Simulation *s, long most, const double *times, size_t cou
             ++*written;
         }
 #if CONTACTS
-        if (event.contact >= 0) {
+        if (event.contact >= 0 && end <= times[count - 1]) {
             s->event = event.contact;
             s->fresh = event.contact + 1;
             if (state_within(step, s->method, end, s->q, s->v, s->x, &s->pivot) != 0) {

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from symscrew.description import Joint, Mechanism
-from symscrew.display import Progress, fitting_table
+from symscrew.display import Progress, aligned_table, fitting_table
 from symscrew.studies.demo.paper_study import LIMIT, TIMED_STATES, Case, Demo
 from symscrew.whole_files import write_text
 
@@ -75,8 +75,9 @@ def _load(demo: Demo) -> str:
 Row = tuple[str, Callable[[Case], str]]
 
 
-def demo_summary(demo: Demo) -> str:
-    """One table, a column per mechanism."""
+def demo_summary(demo: Demo, *, markdown: bool = False) -> str:
+    """One table, a column per mechanism, as wide as the console; `markdown`: a line a row, for a file."""
+    table = aligned_table if markdown else fitting_table
     code = {"c": "generated C", "casadi": "CasADi (no C compiler found)"}[demo.cases[0].functions.backend]
     rows: list[Row] = [
         ("joint freedoms; drives", lambda c: f"{_joint_count(c)}; {c.drives.shape[1]}"),
@@ -91,7 +92,7 @@ def demo_summary(demo: Demo) -> str:
     body = [[text, *(value(case) for case in demo.cases)] for text, value in rows]
     return "\n".join(
         [
-            fitting_table(["quantity", *(case.mechanism.name for case in demo.cases)], body),
+            table(["quantity", *(case.mechanism.name for case in demo.cases)], body),
             "",
             f"Times: {code}, median per state of calls with {TIMED_STATES} states, so without Python's share; "
             "one thread.",
@@ -151,7 +152,7 @@ def write_figures(demo: Demo, directory: Path, progress: Progress) -> list[Path]
     for name, (draw, tight) in _pictures(demo).items():
         with progress.step(f"draw {name}"):
             written.append(save_figure(draw(), directory / name, tight=tight))
-    text = f"# symscrew demo\n\n```\n{demo_facts(demo)}\n```\n\n{demo_summary(demo)}\n"
+    text = f"# symscrew demo\n\n```\n{demo_facts(demo)}\n```\n\n{demo_summary(demo, markdown=True)}\n"
     for name, content in (
         ("summary.md", text),
         ("summary.json", json.dumps(demo_values(demo), indent=1) + "\n"),

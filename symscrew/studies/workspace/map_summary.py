@@ -12,6 +12,7 @@ from symscrew.studies.workspace.plan import AZIMUTH, TILT, Plan
 
 Results = Mapping[str, np.ndarray]
 DEGREE = 180 / np.pi  # per radian
+NOISE = 1e-12  # of the largest value of a unit: what is smaller is rounding, and is printed as zero
 
 
 def sweep_summary(plan: Plan, results: Results, units: Mapping[str, str], engine: str = "") -> dict[str, Any]:
@@ -104,6 +105,12 @@ def _tolerances(plan: Plan, results: Results, units: Mapping[str, str]) -> dict[
     return found
 
 
+def _without_noise(own: Mapping[str, Any], every: Mapping[str, Mapping[str, Any]]) -> list[float]:
+    """Least and largest; zero where they are rounding beside the largest value of the same unit."""
+    size = max(abs(r[key]) for r in every.values() if r["unit"] == own["unit"] for key in ("least", "largest"))
+    return [own[key] if abs(own[key]) > NOISE * size else 0.0 for key in ("least", "largest")]
+
+
 def sweep_summary_text(found: Mapping[str, Any]) -> str:
     """The summary as text and tables."""
     axes = ", ".join(f"{n} {low:.6g} to {high:.6g} ({count})" for n, (low, high, count) in found["axes"].items())
@@ -120,9 +127,10 @@ def sweep_summary_text(found: Mapping[str, Any]) -> str:
         where = found["tilt"]["azimuth"][int(np.argmin(found["tilt"]["reach"]))] * DEGREE
         lines.append(f"tilt of {worst:.4g} degrees reached in every direction; least at azimuth {where:.4g} degrees")
     if found["ranges"]:
+        shown = {name: _without_noise(r, found["ranges"]) for name, r in found["ranges"].items()}
         rows = [
-            [name, *(f"{r[key]:.6g}" for key in ("least", "largest")), f"{r['largest'] - r['least']:.6g}", r["unit"]]
-            for name, r in found["ranges"].items()
+            [name, f"{least:.6g}", f"{largest:.6g}", f"{largest - least:.6g}", found["ranges"][name]["unit"]]
+            for name, (least, largest) in shown.items()
         ]
         lines += ["", fitting_table(("over the allowed cases", "least", "largest", "span", "unit"), rows)]
     if "tolerance" in found:

@@ -205,7 +205,7 @@
     const made = [...data.notes, `effects: ${data.effects.join(", ") || "none"}`];
     if (motion?.recorded) {
       const { recorded, frames } = data.motion;
-      made.push(frames < recorded ? `${frames} of the motion's ${recorded} states are in this page` : `all ${recorded} states of the motion are in this page`);
+      made.push(frames < recorded ? `${frames} of the motion's ${recorded} states are in this page, those with the least and the largest values among them; --frames all takes all` : `all ${recorded} states of the motion are in this page`);
       const computed = Object.entries(motion.computed).filter(([, is]) => is).map(([name]) => ({ u: "drives", reactions: "reactions" })[name]);
       if (computed.length) {
         made.push(`the motion's file has no ${computed.join(" and no ")}: computed here from the model's effects and differences of the rates`);

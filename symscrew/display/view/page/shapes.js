@@ -66,9 +66,21 @@ const Shapes = (() => {
     return group;
   }
 
+  /* Triangles, their corners as singles in Base64. */
+  function picture(text, made) {
+    const bytes = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0)), geometry = new L.BufferGeometry();
+    geometry.setAttribute("position", new L.BufferAttribute(new Float32Array(bytes.buffer), 3));
+    geometry.computeVertexNormals();
+    return new L.Mesh(geometry, made);
+  }
+
   /* A body in the reference configuration. */
   function body(data, kind, size, paint) {
     const group = new L.Group();
+    if (data.picture) {
+      group.add(picture(data.picture, paint[`${kind}_sheet`]));
+      return group;
+    }
     const solid = paint[kind], sheet = paint[`${kind}_sheet`];
     const radius = size * (kind === "link" ? (data.outer ? 0.014 : 0.0085) : 0.007);
     if (data.plate.length > 2) {
