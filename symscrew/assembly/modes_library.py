@@ -52,10 +52,10 @@ class CompiledModes:
         return int(self.library[f"{self.model.name}_nearest_mode"](ctypes.byref(mode), given))
 
 
-def compiled_modes(model: ModesModel, directory: Path) -> CompiledModes:
-    """Compile the files of a folder; raises CompileError."""
+def compiled_modes(model: ModesModel, directory: Path, flags: Sequence[str] = ()) -> CompiledModes:
+    """Compile the files of a folder, with further flags of the compiler; raises CompileError."""
     library = directory / f"lib{model.name}_modes.so"
-    compile_c(directory / f"{model.name}_modes.c", library, flags=("-ffp-contract=off",))
+    compile_c(directory / f"{model.name}_modes.c", library, flags=("-ffp-contract=off", *flags))
     return CompiledModes(ctypes.CDLL(str(library)), model)
 
 

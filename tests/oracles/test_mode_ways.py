@@ -7,7 +7,6 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-from support.platforms import planar_3rpr
 
 import symscrew
 from oracles.test_mode_connections import platform
@@ -89,12 +88,10 @@ def test_modes_of_opposite_sign_are_apart_and_json_says_so(capsys):
 
 
 def test_what_was_not_looked_for_and_what_cannot_be_proved_is_not_called_reached(monkeypatch):
-    found = symscrew.assembly_modes(planar_3rpr([[0, 0], [2, 0], [1, 2]], [[0, 0], [1, 0], ["0.4", "0.8"]],
-                                                ("0.1", "0.7")))  # fmt: skip
-    one, two = found.modes[:2]
-    alike = [c for c in reachable_modes(found, search=False) if c.judgement != "separated"]
-    for c in alike:
-        assert c.judgement == "not found"
+    found = symscrew.assembly_modes(symscrew.load_catalogue("four_bar"))
+    one, two = found.modes
+    monkeypatch.setattr(mode_ways, "_apart", lambda *_: False)
+    assert [c.judgement for c in reachable_modes(found, search=False)] == ["not found"]
     # a way that goes nowhere, and one that ends in another mode than it says
     still = np.zeros((3, len(one.q)))
     monkeypatch.setattr(mode_ways, "regular_ways", lambda *_: {(0, 1): still})
@@ -102,3 +99,4 @@ def test_what_was_not_looked_for_and_what_cannot_be_proved_is_not_called_reached
     proofs = mode_ways._Proofs(found, lambda _: None)
     assert proofs._proved(one, two, still) is None
     assert proofs._proved(one, one, still) is not None
+    assert [c.judgement for c in reachable_modes(found)] == ["not found"]
