@@ -30,8 +30,8 @@ from symscrew.verification.embedded.emulation import EmbeddedError
 LIMIT = 900  # [s] of a tool: minutes are taken by the longest functions of the catalogue
 FORCED = ("0", "-1e30", "1e30", "NAN")  # no pivot, below and above every limit, no number; 1e30 is one of floats too
 # Each at one check, and in second paths behind it a rank one less, checks that meet 0, -1e30, 1e30, no rank at all, a
-# sum that is not finite: `later` below.
-LATER = 6
+# sum that is not finite, loops that hold nothing: `later` below.
+LATER = 7
 WAYS = ("forced", "decided", "nothing")  # in which a branch is known that no input takes
 CHECKS = 600  # of a call that are forced, one at a time: an iteration meets some at each of its thousand steps
 GUARDED = re.compile(r"FINITE_UNLESS\( /\*[^\n]*\n((?:\s+SMALL\([^\n]*\n)+)(.*?)\);", re.DOTALL)
@@ -44,7 +44,9 @@ SUM = re.compile(r"^    FINITE\((.*?)\);", re.DOTALL | re.MULTILINE)
 TOTAL = re.compile(r"if \(rank < 0 \|\| ")
 AGAIN = re.compile(r"(SELECT\((\w+), [^;]*?)SELECT\(\2, ")
 BRANCH = re.compile(r"orientation\[0\] \* branch > ")
-RANK = re.compile(r"return rank == (\d+)")
+RETURNED = re.compile(r"return rank == (\d+)")
+RANK = re.compile(r"const int rank = ([^;]*);")
+ANGLE = re.compile(r"\bLESS\((\w+), (?=1\.0e-08f?\))")  # no rotation; other choices keep what follows in bounds
 FUNCTION = re.compile(r"^(?!#|\s|\}|/).*?\b(?:BODY\()?(\w+)\)?\(")
 
 
@@ -152,12 +154,15 @@ def with_forces(source: str, real: Precision) -> str:
     text = SUM.sub(r"    FINITE(symscrew_force(\1));", text)
     text = TOTAL.sub(r"total += lost_sum;\n    if (rank - rank_lost < 0 || ", text)
     text = BRANCH.sub("symscrew_force(orientation[0] * branch) > ", text)
-    return RANK.sub(r"return rank - rank_lost == \1", text)
+    text = ANGLE.sub(r"LESS(symscrew_force(\1), ", text)
+    text = RETURNED.sub(r"return rank - rank_lost == \1", text)
+    size = "(int)(sizeof closure / sizeof closure[0])"
+    return RANK.sub(rf"int rank = \1;\n    symscrew_force_rank(&rank, closure, {size});", text)
 
 
 FORCE = """\
 static long force_calls, force_at = -1;
-static int later_is, rank_lost;
+static int later_is, rank_lost, loops_gone;
 static REAL lost_sum;
 static REAL force_value, force_later;
 static REAL symscrew_force(REAL x)
@@ -167,6 +172,13 @@ static REAL symscrew_force(REAL x)
         return x;
     }
     return call == force_at ? force_value : later_is ? force_later : x;
+}
+static void symscrew_force_rank(int *rank, REAL *closure, int n)
+{
+    for (int k = 0; k < n && loops_gone; ++k) {
+        closure[k] = 0;
+    }
+    *rank = loops_gone ? 0 : *rank;
 }
 static void symscrew_force_one(REAL *x, int n)
 {
@@ -182,7 +194,7 @@ def _main(model: Model, source: str, real: Precision, copy: str) -> str:
     lines = ["#include <math.h>", "#include <stdio.h>", *FORCE.replace("REAL", real.real).splitlines()]
     lines += [f'#include "{copy}"', ""]
     body = [f"    const {real.real} values[] = {{{', '.join(FORCED)}}};", f"    int counts[{len(model.programs)}];"]
-    body += ["    (void)symscrew_force_one, (void)rank_lost, (void)lost_sum, (void)values;"]
+    body += ["    (void)symscrew_force_one, (void)symscrew_force_rank, (void)rank_lost, (void)lost_sum, (void)values;"]
     body += ["    if (fread(counts, sizeof counts, 1, stdin) != 1) {", "        return 1;", "    }"]
     for f, (name, program) in enumerate(model.programs.items()):
         lines += _call(model, name, program, real)
@@ -199,9 +211,9 @@ def _main(model: Model, source: str, real: Precision, copy: str) -> str:
         body += ["                    later_is = later > 0 && later < 4;"]
         body += ["                    force_later = later_is ? values[later - 1] : 0;"]
         body += ["                    rank_lost = later == 0 ? 1 : later == 4 ? 999 : 0;"]
-        body += ["                    lost_sum = later == 5 ? values[3] : 0;"]
+        body += ["                    lost_sum = later == 5 ? values[3] : 0, loops_gone = later == 6;"]
         body += [f"                    call_{name}();", "                }", "            }"]
-        body += ["            force_at = -1, rank_lost = 0, lost_sum = 0;", "        }", "    }"]
+        body += ["            force_at = -1, rank_lost = loops_gone = 0, lost_sum = 0;", "        }", "    }"]
     texts = [*status_texts(*model.programs.values()), 999]  # one that there is not
     body += [f"    (void){model.name}_status_text({code});" for code in texts]
     body += direct_calls(model, source, real)
