@@ -11,6 +11,7 @@ import pytest
 
 from symscrew.description import Mechanism, MechanismBuilder
 from symscrew.mobility import Mobility, analyse_mobility, check_proof, mobility_proof, mobility_text, verify
+from symscrew.mobility.analysis import as_meant
 from symscrew.mobility.proofs import proof_checker
 
 PLACES = {"A": (0, 0, 0), "B": (0, 1, 0), "C": (1.5, 1.5, 0), "D": (2.5, 1, 0), "E": (2, 0, 0)}
@@ -140,15 +141,15 @@ def test_what_is_said_counts_the_couplings() -> None:
     assert "what moves along them was not looked at" in mobility_text(found("cone"))
 
 
-@pytest.mark.parametrize("off", ["1e-12", "1e-9", "1e-7"])
+@pytest.mark.parametrize("off", ["1e-12", "1e-7"])
 def test_gears_on_axes_that_are_almost_parallel(off: str) -> None:
     """As typed the loop is shaky and the gears hold it; with parallel axes, so much away, it moves."""
     result = analyse_mobility(five_bar(GEARS, off=off))
     assert (result.dof, result.finite.dof) == (1, 0) or result.finite.dof is None
     assert result.near is not None and float(off) / 2 < result.near.distance < 2 * float(off)
-    meant = analyse_mobility(five_bar(GEARS, off=off), tolerance=1e-6)
+    meant = as_meant(result, 1e-6)
     assert (meant.dof, meant.finite.dof, meant.finite.smooth, meant.taken is not None) == (1, 1, True, True)
-    assert analyse_mobility(five_bar(GEARS)).near is None
+    assert found("gears").near is None
 
 
 def test_transcendental_ratios_are_said_to_be_open() -> None:
