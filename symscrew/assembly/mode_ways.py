@@ -153,9 +153,12 @@ class _Proofs:
 
     def _is(self, mode: AssemblyMode, z: Array) -> bool:
         """Whether a zero within `CLOSED` of z is the mode's: it lies in the box that holds no other one."""
-        ends = [np.concatenate([c[part] / c[part][np.abs(mode.z[part]).argmax()] for part in self.equations.parts])
+        places = [part.start + int(np.abs(mode.z[part]).argmax()) for part in self.equations.parts]
+        if mode.radius is None or not all(z[place] for place in places):
+            return False
+        ends = [np.concatenate([c[part] / c[at] for part, at in zip(self.equations.parts, places, strict=True)])
                 for c in (mode.z.real, z)]  # fmt: skip
-        return mode.radius is not None and float(np.abs(ends[0] - ends[1]).max()) + 2 * CLOSED < mode.radius
+        return float(np.abs(ends[0] - ends[1]).max()) + 2 * CLOSED < mode.radius
 
     def _closing(self, last: Mapping[int, float]) -> dict[int, float]:
         """What is held at the modes, after as many whole turns as the way made."""
