@@ -56,19 +56,19 @@
 #define DELTA_OUT_OF_REACH_3 13 /* out of reach: limb arm3_R does not get there; all outputs are NaN */
 
 /* Entries of arrays that several functions have. */
-/* q[22] [rad 15, m 3, 1 4]: configuration of the tree */
+/* q[22] [15 in rad, 3 in m, 4 of unit 1]: configuration of the tree */
 enum delta_q { DELTA_Q_ARM1_R, DELTA_Q_ROD1A_U_0, DELTA_Q_ROD1A_U_1, DELTA_Q_ROD1B_U_0, DELTA_Q_ROD1B_U_1,
     DELTA_Q_ARM2_R, DELTA_Q_ROD2A_U_0, DELTA_Q_ROD2A_U_1, DELTA_Q_ROD2B_U_0, DELTA_Q_ROD2B_U_1, DELTA_Q_ARM3_R,
     DELTA_Q_ROD3A_U_0, DELTA_Q_ROD3A_U_1, DELTA_Q_ROD3B_U_0, DELTA_Q_ROD3B_U_1, DELTA_Q_PLATFORM_POSE_0,
     DELTA_Q_PLATFORM_POSE_1, DELTA_Q_PLATFORM_POSE_2, DELTA_Q_PLATFORM_POSE_QW, DELTA_Q_PLATFORM_POSE_QX,
     DELTA_Q_PLATFORM_POSE_QY, DELTA_Q_PLATFORM_POSE_QZ };
-/* v[21] [rad/s 18, m/s 3]: rates of the tree */
+/* v[21] [18 in rad/s, 3 in m/s]: rates of the tree */
 enum delta_v { DELTA_V_ARM1_R, DELTA_V_ROD1A_U_0, DELTA_V_ROD1A_U_1, DELTA_V_ROD1B_U_0, DELTA_V_ROD1B_U_1,
     DELTA_V_ARM2_R, DELTA_V_ROD2A_U_0, DELTA_V_ROD2A_U_1, DELTA_V_ROD2B_U_0, DELTA_V_ROD2B_U_1, DELTA_V_ARM3_R,
     DELTA_V_ROD3A_U_0, DELTA_V_ROD3A_U_1, DELTA_V_ROD3B_U_0, DELTA_V_ROD3B_U_1, DELTA_V_PLATFORM_POSE_0,
     DELTA_V_PLATFORM_POSE_1, DELTA_V_PLATFORM_POSE_2, DELTA_V_PLATFORM_POSE_WX, DELTA_V_PLATFORM_POSE_WY,
     DELTA_V_PLATFORM_POSE_WZ };
-/* a[21] [rad/s^2 18, m/s^2 3]: accelerations of the tree (rates of v) */
+/* a[21] [18 in rad/s^2, 3 in m/s^2]: accelerations of the tree (rates of v) */
 enum delta_a { DELTA_A_ARM1_R, DELTA_A_ROD1A_U_0, DELTA_A_ROD1A_U_1, DELTA_A_ROD1B_U_0, DELTA_A_ROD1B_U_1,
     DELTA_A_ARM2_R, DELTA_A_ROD2A_U_0, DELTA_A_ROD2A_U_1, DELTA_A_ROD2B_U_0, DELTA_A_ROD2B_U_1, DELTA_A_ARM3_R,
     DELTA_A_ROD3A_U_0, DELTA_A_ROD3A_U_1, DELTA_A_ROD3B_U_0, DELTA_A_ROD3B_U_1, DELTA_A_PLATFORM_POSE_0,
@@ -80,11 +80,11 @@ enum delta_y_dot { DELTA_Y_DOT_PLATFORM_POSE_0, DELTA_Y_DOT_PLATFORM_POSE_1, DEL
 enum delta_y_ddot { DELTA_Y_DDOT_PLATFORM_POSE_0, DELTA_Y_DDOT_PLATFORM_POSE_1, DELTA_Y_DDOT_PLATFORM_POSE_2 };
 /* u[3] [N m]: drive forces and torques */
 enum delta_u { DELTA_U_ARM1_R, DELTA_U_ARM2_R, DELTA_U_ARM3_R };
-/* pose[7] [m 3, 1 4]: coordinates of the platform's joint, consistent */
+/* pose[7] [3 in m, 4 of unit 1]: coordinates of the platform's joint, consistent */
 enum delta_pose { DELTA_POSE_PLATFORM_POSE_0, DELTA_POSE_PLATFORM_POSE_1, DELTA_POSE_PLATFORM_POSE_2,
     DELTA_POSE_PLATFORM_POSE_QW, DELTA_POSE_PLATFORM_POSE_QX, DELTA_POSE_PLATFORM_POSE_QY,
     DELTA_POSE_PLATFORM_POSE_QZ };
-/* rate[6] [m/s 3, rad/s 3]: rates of the platform's joint, consistent */
+/* rate[6] [3 in m/s, 3 in rad/s]: rates of the platform's joint, consistent */
 enum delta_rate { DELTA_RATE_PLATFORM_POSE_0, DELTA_RATE_PLATFORM_POSE_1, DELTA_RATE_PLATFORM_POSE_2,
     DELTA_RATE_PLATFORM_POSE_WX, DELTA_RATE_PLATFORM_POSE_WY, DELTA_RATE_PLATFORM_POSE_WZ };
 /* Their sizes, and those of other arrays that are the same in all functions. */

@@ -60,7 +60,7 @@ enum four_bar_a { FOUR_BAR_A_A, FOUR_BAR_A_B, FOUR_BAR_A_D };
 /* positions[3] [m]: absolute positions of the named points */
 enum four_bar_positions { FOUR_BAR_POSITIONS_COUPLER_MIDDLE_X, FOUR_BAR_POSITIONS_COUPLER_MIDDLE_Y,
     FOUR_BAR_POSITIONS_COUPLER_MIDDLE_Z };
-/* reactions[24] [N 12, N m 12]: wrench (f ; m_O) from parent on child without the drive's share */
+/* reactions[24] [12 in N, 12 in N m]: wrench (f ; m_O) from parent on child without the drive's share */
 enum four_bar_reactions { FOUR_BAR_REACTIONS_A_FX, FOUR_BAR_REACTIONS_A_FY, FOUR_BAR_REACTIONS_A_FZ,
     FOUR_BAR_REACTIONS_A_MX, FOUR_BAR_REACTIONS_A_MY, FOUR_BAR_REACTIONS_A_MZ, FOUR_BAR_REACTIONS_B_FX,
     FOUR_BAR_REACTIONS_B_FY, FOUR_BAR_REACTIONS_B_FZ, FOUR_BAR_REACTIONS_B_MX, FOUR_BAR_REACTIONS_B_MY,

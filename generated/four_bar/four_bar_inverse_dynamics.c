@@ -152,6 +152,7 @@ BODY(four_bar_inverse_dynamics_platform)(size_t stride, const double *restrict p
       A_balance = t87 - (t91 + (t92 + k10 * crank_sin));
     WRITE(u, 0, A_balance);
     REAL checked1 = A_balance;
+    /* else status 11: out of reach: limb A does not get there */
     NOT_BELOW(t9, 0.0, 11);
     FINITE_UNLESS( /* status 1 where a pivot is smaller than its limit: */
         SMALL(crank_lever_mz_by_C_fx, 3.01689e-10) OR /* where the reciprocal wrench C.fx has no power along crank, as in a stretched limb */

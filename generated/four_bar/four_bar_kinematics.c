@@ -362,6 +362,7 @@ BODY(four_bar_inverse_velocity)(size_t stride, const double *restrict pose, cons
     const REAL B_v = -(2.0 * (C_opening_rate_fy + crank_lever_mz_by_C_fy * crank_omega_z));
     WRITE(v, 1, B_v);
     REAL checked1 = B_v;
+    /* else status 11: out of reach: limb A does not get there */
     NOT_BELOW(t11, 0.0, 11);
     FINITE_UNLESS( /* status 1 where a pivot is smaller than its limit: */
         SMALL(crank_lever_mz_by_C_fx, 3.01689e-10), /* where the reciprocal wrench C.fx has no power along crank, as in a stretched limb */
@@ -510,6 +511,7 @@ BODY(four_bar_inverse_kinematics)(size_t stride, const double *restrict pose, do
     const REAL D_pose = READ(pose, 0);
     WRITE(q, 2, D_pose);
     REAL checked2 = D_pose;
+    /* else status 11: out of reach: limb A does not get there */
     NOT_BELOW(t11, 0.0, 11);
     FINITE((checked0 + checked1) + checked2);
 }
@@ -542,6 +544,7 @@ BODY(four_bar_drive_positions)(size_t stride, const double *restrict pose, doubl
       A_positions = atan2(crank_sin, t6 * (minus_rocker_joint_force_my_by_C_fz * minus_crank_lever_my_by_C_fz + t18));
     WRITE(positions, 0, A_positions);
     REAL checked1 = A_positions;
+    /* else status 11: out of reach: limb A does not get there */
     NOT_BELOW(t11, 0.0, 11);
     FINITE(checked0 + checked1);
 }

@@ -61,20 +61,20 @@
 #define THREE_UPS_UPU_S_NOT_ON_MECHANISM 6 /* not on the mechanism: its loops do not close where, or as, the inputs say; all outputs are NaN */
 
 /* Entries of arrays that several functions have. */
-/* q[16] [rad 8, m 4, 1 4]: configuration of the tree */
+/* q[16] [8 in rad, 4 in m, 4 of unit 1]: configuration of the tree */
 enum three_ups_upu_s_q { THREE_UPS_UPU_S_Q_LIMB1_U_0, THREE_UPS_UPU_S_Q_LIMB1_U_1, THREE_UPS_UPU_S_Q_LIMB1_P,
     THREE_UPS_UPU_S_Q_LIMB2_U_0, THREE_UPS_UPU_S_Q_LIMB2_U_1, THREE_UPS_UPU_S_Q_LIMB2_P,
     THREE_UPS_UPU_S_Q_LIMB3_U_0, THREE_UPS_UPU_S_Q_LIMB3_U_1, THREE_UPS_UPU_S_Q_LIMB3_P,
     THREE_UPS_UPU_S_Q_LIMB4_U_0, THREE_UPS_UPU_S_Q_LIMB4_U_1, THREE_UPS_UPU_S_Q_LIMB4_P,
     THREE_UPS_UPU_S_Q_LIMB5_S_QW, THREE_UPS_UPU_S_Q_LIMB5_S_QX, THREE_UPS_UPU_S_Q_LIMB5_S_QY,
     THREE_UPS_UPU_S_Q_LIMB5_S_QZ };
-/* v[15] [rad/s 11, m/s 4]: rates of the tree */
+/* v[15] [11 in rad/s, 4 in m/s]: rates of the tree */
 enum three_ups_upu_s_v { THREE_UPS_UPU_S_V_LIMB1_U_0, THREE_UPS_UPU_S_V_LIMB1_U_1, THREE_UPS_UPU_S_V_LIMB1_P,
     THREE_UPS_UPU_S_V_LIMB2_U_0, THREE_UPS_UPU_S_V_LIMB2_U_1, THREE_UPS_UPU_S_V_LIMB2_P,
     THREE_UPS_UPU_S_V_LIMB3_U_0, THREE_UPS_UPU_S_V_LIMB3_U_1, THREE_UPS_UPU_S_V_LIMB3_P,
     THREE_UPS_UPU_S_V_LIMB4_U_0, THREE_UPS_UPU_S_V_LIMB4_U_1, THREE_UPS_UPU_S_V_LIMB4_P,
     THREE_UPS_UPU_S_V_LIMB5_S_WX, THREE_UPS_UPU_S_V_LIMB5_S_WY, THREE_UPS_UPU_S_V_LIMB5_S_WZ };
-/* a[15] [rad/s^2 11, m/s^2 4]: accelerations of the tree (rates of v) */
+/* a[15] [11 in rad/s^2, 4 in m/s^2]: accelerations of the tree (rates of v) */
 enum three_ups_upu_s_a { THREE_UPS_UPU_S_A_LIMB1_U_0, THREE_UPS_UPU_S_A_LIMB1_U_1, THREE_UPS_UPU_S_A_LIMB1_P,
     THREE_UPS_UPU_S_A_LIMB2_U_0, THREE_UPS_UPU_S_A_LIMB2_U_1, THREE_UPS_UPU_S_A_LIMB2_P,
     THREE_UPS_UPU_S_A_LIMB3_U_0, THREE_UPS_UPU_S_A_LIMB3_U_1, THREE_UPS_UPU_S_A_LIMB3_P,

@@ -338,6 +338,7 @@ BODY(three_ups_upu_s_forward_dynamics)(size_t stride, const double *restrict q, 
     RESULT(checked3, a, 2, -(t416 + minus_limb1_U2_arm_y * t542));
     RESULT(checked0, a, 1, -(t424 + limb1_U_follows_1_by_limb1_U2_0 * t542));
     RESULT(checked1, a, 0, limb5_S_joint_acc_wx - (t187 + limb1_U_follows_0_by_limb1_U2_1 * (t535 - limb1_U_0_sin * minus_limb5_S_joint_acc_wy)));
+    /* else status 5: no rotation */
     NOT_BELOW(t35, 0.999999, 5);
     NOT_ABOVE(t35, 1.000001, 5);
     FINITE_UNLESS( /* status 1 where a pivot is smaller than its limit: */
@@ -717,6 +718,7 @@ BODY(three_ups_upu_s_forward_dynamics_independent)(size_t stride, const double *
     const REAL t80 = limb5_S_joint_rate_wx * t79,
       t73 = limb5_S_joint_rate_wz * (0.5 * (t59 - t41 * limb5_S_joint_rate_wz - t62)) - t72;
     RESULT(checked2, y_ddot, 0, 0.5 * (t73 - t80 - t664));
+    /* else status 5: no rotation */
     NOT_BELOW(t8, 0.999999, 5);
     NOT_ABOVE(t8, 1.000001, 5);
     FINITE_UNLESS( /* status 1 where a pivot is smaller than its limit: */
@@ -1615,6 +1617,7 @@ BODY(three_ups_upu_s_forward_dynamics_reactions)(size_t stride, const double *re
     WRITE(reactions, 75, CONSTANT(0.0));
     WRITE(reactions, 76, CONSTANT(0.0));
     WRITE(reactions, 77, CONSTANT(0.0));
+    /* else status 5: no rotation */
     NOT_BELOW(t35, 0.999999, 5);
     NOT_ABOVE(t35, 1.000001, 5);
     FINITE_UNLESS( /* status 1 where a pivot is smaller than its limit: */
@@ -2021,6 +2024,7 @@ BODY(three_ups_upu_s_forward_dynamics_dense)(size_t stride, const double *restri
     WRITE(closure_, 153, CONSTANT(1.0));
     WRITE(closure_, 154, CONSTANT(0.0));
     WRITE(closure_, 155, CONSTANT(0.0));
+    /* else status 5: no rotation */
     NOT_BELOW(t103, 0.999999, 5);
     NOT_ABOVE(t103, 1.000001, 5);
     FINITE((checked0 + checked1) + (checked2 + checked3));
@@ -3220,6 +3224,7 @@ BODY(three_ups_upu_s_forward_dynamics_reactions_wrenches)(size_t stride, const d
     WRITE(sized_, 75, CONSTANT(0.0));
     WRITE(sized_, 76, CONSTANT(0.0));
     WRITE(sized_, 77, CONSTANT(0.0));
+    /* else status 5: no rotation */
     NOT_BELOW(t28, 0.999999, 5);
     NOT_ABOVE(t28, 1.000001, 5);
     FINITE((checked0 + checked1) + (checked2 + checked3));

@@ -268,6 +268,7 @@ BODY(three_ups_upu_s_inverse_dynamics)(size_t stride, const double *restrict q, 
     const REAL t289 = minus_limb5_S_balance_wy_by_limb4_P * t278; /* limb4 */
     RESULT(checked0, u, 2, limb5_S_balance_wy_by_limb3_P * t278 + minus_limb5_S_balance_wx_by_limb3_P * t283);
     RESULT(checked1, u, 3, -(t289 + limb5_S_balance_wx_by_limb4_P * t283));
+    /* else status 5: no rotation */
     NOT_BELOW(t8, 0.999999, 5);
     NOT_ABOVE(t8, 1.000001, 5);
     FINITE_UNLESS( /* status 1 where a pivot is smaller than its limit: */
@@ -712,6 +713,7 @@ BODY(three_ups_upu_s_inverse_dynamics_independent)(size_t stride, const double *
     const REAL t682 = minus_limb5_S_balance_wy_by_limb4_P * t671; /* limb4 */
     RESULT(checked3, u, 2, -(limb5_S_balance_wy_by_limb3_P * t671 + minus_limb5_S_balance_wx_by_limb3_P * t676));
     RESULT(checked0, u, 3, t682 + limb5_S_balance_wx_by_limb4_P * t676);
+    /* else status 5: no rotation */
     NOT_BELOW(t8, 0.999999, 5);
     NOT_ABOVE(t8, 1.000001, 5);
     FINITE_UNLESS( /* status 1 where a pivot is smaller than its limit: */
@@ -1011,6 +1013,7 @@ BODY(three_ups_upu_s_inverse_dynamics_preload)(size_t stride, const double *rest
     const REAL t320 = t48 * t306; /* limb4 */
     RESULT(checked0, u, 2, limb3_P_preload + (t56 * t306 + t258 * t311));
     RESULT(checked1, u, 3, limb4_P_preload - (t320 + t256 * t311));
+    /* else status 5: no rotation */
     NOT_BELOW(t9, 0.999999, 5);
     NOT_ABOVE(t9, 1.000001, 5);
     FINITE_UNLESS( /* status 1 where a pivot is smaller than its limit: */
@@ -1470,8 +1473,10 @@ BODY(three_ups_upu_s_inverse_dynamics_platform)(size_t stride, const double *res
     const REAL t581 = minus_limb5_S_balance_wy_by_limb4_P * t569; /* limb4 */
     RESULT(checked0, u, 2, limb5_S_balance_wy_by_limb3_P * t569 - minus_limb5_S_balance_wx_by_limb3_P * t574);
     RESULT(checked1, u, 3, -(minus_limb5_S_balance_wx_by_limb4_P * t574 + t581));
+    /* else status 5: no rotation */
     NOT_BELOW(t7, 0.999999, 5);
     NOT_ABOVE(t7, 1.000001, 5);
+    /* else status 6: not on the mechanism */
     NOT_ABOVE(t584, 1.0e-12, 6);
     FINITE_UNLESS( /* status 1 where a pivot is smaller than its limit: */
         SMALL(limb3_lower_limb_length, 6.62327e-10) OR /* where the points of limb3_lower coincide */

@@ -226,6 +226,7 @@ BODY(three_ups_upu_s_body_poses)(size_t stride, const double *restrict q, double
     WRITE(poses, 75, CONSTANT(0.0));
     WRITE(poses, 85, CONSTANT(0.0));
     WRITE(poses, 97, CONSTANT(0.0));
+    /* else status 5: no rotation */
     NOT_BELOW(t7, 0.999999, 5);
     NOT_ABOVE(t7, 1.000001, 5);
     FINITE((checked0 + checked1) + (checked2 + checked3));
@@ -356,6 +357,7 @@ BODY(three_ups_upu_s_body_twists)(size_t stride, const double *restrict q, const
     WRITE(twists, 22, CONSTANT(0.0));
     WRITE(twists, 33, CONSTANT(0.0));
     WRITE(twists, 46, CONSTANT(0.0));
+    /* else status 5: no rotation */
     NOT_BELOW(t7, 0.999999, 5);
     NOT_ABOVE(t7, 1.000001, 5);
     FINITE((checked0 + checked1) + (checked2 + checked3));
@@ -529,6 +531,7 @@ BODY(three_ups_upu_s_body_twist_rates)(size_t stride, const double *restrict q, 
     WRITE(twist_rates, 22, CONSTANT(0.0));
     WRITE(twist_rates, 33, CONSTANT(0.0));
     WRITE(twist_rates, 46, CONSTANT(0.0));
+    /* else status 5: no rotation */
     NOT_BELOW(t7, 0.999999, 5);
     NOT_ABOVE(t7, 1.000001, 5);
     FINITE((checked0 + checked1) + (checked2 + checked3));
@@ -588,6 +591,7 @@ BODY(three_ups_upu_s_forward_kinematics)(size_t stride, const double *restrict q
     WRITE(positions, 15, CONSTANT(0.0));
     WRITE(positions, 16, CONSTANT(param_R));
     WRITE(positions, 17, CONSTANT(0.0));
+    /* else status 5: no rotation */
     NOT_BELOW(t7, 0.999999, 5);
     NOT_ABOVE(t7, 1.000001, 5);
     FINITE((checked0 + checked1) + (checked2 + checked3));
@@ -757,6 +761,7 @@ BODY(three_ups_upu_s_point_motion)(size_t stride, const double *restrict q, cons
     WRITE(accelerations, 0, CONSTANT(0.0));
     WRITE(accelerations, 1, CONSTANT(0.0));
     WRITE(accelerations, 2, CONSTANT(0.0));
+    /* else status 5: no rotation */
     NOT_BELOW(t7, 0.999999, 5);
     NOT_ABOVE(t7, 1.000001, 5);
     FINITE((checked0 + checked1) + (checked2 + checked3));
@@ -1028,6 +1033,7 @@ BODY(three_ups_upu_s_joint_screws)(size_t stride, const double *restrict q, doub
     WRITE(screws, 153, CONSTANT(0.0));
     WRITE(screws, 154, CONSTANT(0.0));
     WRITE(screws, 155, CONSTANT(0.0));
+    /* else status 5: no rotation */
     NOT_BELOW(t14, 0.999999, 5);
     NOT_ABOVE(t14, 1.000001, 5);
     FINITE((checked0 + checked1) + (checked2 + checked3));
@@ -1150,6 +1156,7 @@ BODY(three_ups_upu_s_platform_jacobian)(size_t stride, const double *restrict q,
     WRITE(jacobian, 87, CONSTANT(0.0));
     WRITE(jacobian, 88, CONSTANT(0.0));
     WRITE(jacobian, 89, CONSTANT(0.0));
+    /* else status 5: no rotation */
     NOT_BELOW(t7, 0.999999, 5);
     NOT_ABOVE(t7, 1.000001, 5);
     FINITE((checked0 + checked1) + (checked2 + checked3));
@@ -1277,6 +1284,7 @@ BODY(three_ups_upu_s_joint_rates)(size_t stride, const double *restrict q, const
     const REAL limb4_P_v = READ(v, 11);
     WRITE(rates, 19, limb4_P_v);
     checked2 = checked2 + limb4_P_v;
+    /* else status 5: no rotation */
     NOT_BELOW(t8, 0.999999, 5);
     NOT_ABOVE(t8, 1.000001, 5);
     FINITE((checked0 + checked1) + (checked2 + checked3));
@@ -1368,8 +1376,10 @@ BODY(three_ups_upu_s_drive_positions)(size_t stride, const double *restrict pose
       limb4_P_positions = SQRT(t50 + minus_limb4_lower_limb_target_z * minus_limb4_lower_limb_target_z) - limb_upper_phase;
     WRITE(positions, 3, limb4_P_positions);
     REAL checked3 = limb4_P_positions;
+    /* else status 5: no rotation */
     NOT_BELOW(t7, 0.999999, 5);
     NOT_ABOVE(t7, 1.000001, 5);
+    /* else status 6: not on the mechanism */
     NOT_ABOVE(t60, 1.0e-12, 6);
     FINITE((checked0 + checked1) + (checked2 + checked3));
 }
@@ -1497,8 +1507,10 @@ BODY(three_ups_upu_s_inverse_velocity)(size_t stride, const double *restrict pos
       minus_limb4_lower_cos = limb4_U_0_lever_mz_by_limb4_S_fz * t134, t143 = minus_limb4_lower_cos * t137;
     RESULT(checked2, v, 10, -(t134 * (minus_limb4_lower_sin * t137 + t141 * minus_limb4_lower_cos)));
     RESULT(checked3, v, 11, t143 - t141 * minus_limb4_lower_sin);
+    /* else status 5: no rotation */
     NOT_BELOW(t7, 0.999999, 5);
     NOT_ABOVE(t7, 1.000001, 5);
+    /* else status 6: not on the mechanism */
     NOT_ABOVE(t150, 1.0e-12, 6);
     FINITE_UNLESS( /* status 1 where a pivot is smaller than its limit: */
         SMALL(limb3_lower_limb_length, 6.62327e-10) OR /* where the points of limb3_lower coincide */
@@ -1805,6 +1817,7 @@ BODY(three_ups_upu_s_joint_displacements)(size_t stride, const double *restrict 
     const REAL limb4_P_q = READ(q, 11);
     WRITE(displacements, 19, limb4_P_q);
     checked2 = checked2 + limb4_P_q;
+    /* else status 5: no rotation */
     NOT_BELOW(t8, 0.999999, 5);
     NOT_ABOVE(t8, 1.000001, 5);
     FINITE((checked0 + checked1) + (checked2 + checked3));
@@ -1925,8 +1938,10 @@ BODY(three_ups_upu_s_inverse_kinematics)(size_t stride, const double *restrict p
       minus_limb4_lower_cos = limb4_U_0_lever_mz_by_limb4_S_fz * t78,
       t81 = k1 * minus_limb4_lower_sin - 0.5 * minus_limb4_lower_cos;
     RESULT(checked3, q, 10, atan2(t81, k1 * minus_limb4_lower_cos + 0.5 * minus_limb4_lower_sin));
+    /* else status 5: no rotation */
     NOT_BELOW(t7, 0.999999, 5);
     NOT_ABOVE(t7, 1.000001, 5);
+    /* else status 6: not on the mechanism */
     NOT_ABOVE(t90, 1.0e-12, 6);
     FINITE((checked0 + checked1) + (checked2 + checked3));
 }

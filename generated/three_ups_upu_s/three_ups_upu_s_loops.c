@@ -98,6 +98,7 @@ BODY(three_ups_upu_s_closure)(size_t stride, const double *restrict q, double *r
     const REAL t90 = minus_limb4_U_0_cos * minus_limb4_lower_sin * t81 + t89, t93 = limb4_U_0_sin * t81;
     RESULT(checked3, residual_, 11, t90 + limb4_U_0_sin * minus_limb4_lower_sin * t86);
     RESULT(checked0, residual_, 12, minus_limb4_U_0_cos * t86 - t93);
+    /* else status 5: no rotation */
     NOT_BELOW(t8, 0.999999, 5);
     NOT_ABOVE(t8, 1.000001, 5);
     FINITE((checked0 + checked1) + (checked2 + checked3));
@@ -300,6 +301,7 @@ BODY(three_ups_upu_s_closure_jacobian)(size_t stride, const double *restrict q, 
     WRITE(jacobian, 153, CONSTANT(1.0));
     WRITE(jacobian, 154, CONSTANT(0.0));
     WRITE(jacobian, 155, CONSTANT(0.0));
+    /* else status 5: no rotation */
     NOT_BELOW(t8, 0.999999, 5);
     NOT_ABOVE(t8, 1.000001, 5);
     FINITE((checked0 + checked1) + (checked2 + checked3));
@@ -424,6 +426,7 @@ BODY(three_ups_upu_s_closure_bias)(size_t stride, const double *restrict q, cons
       t205 = limb4_upper_offset_x * (2.0 * (limb4_U_v_1 * minus_limb4_lower_omega_x));
     RESULT(checked3, bias, 12, -(t205 + limb4_P_v * (2.0 * limb4_lower_omega_y) + t210));
     RESULT(checked0, bias, 11, t201 - (t202 - limb4_P_v * (2.0 * limb4_U_v_1)));
+    /* else status 5: no rotation */
     NOT_BELOW(t10, 0.999999, 5);
     NOT_ABOVE(t10, 1.000001, 5);
     FINITE((checked0 + checked1) + (checked2 + checked3));
@@ -530,6 +533,7 @@ BODY(three_ups_upu_s_velocity)(size_t stride, const double *restrict q, const do
     RESULT(checked3, v, 1, t35 * (limb1_U2_arm_x * t66));
     RESULT(checked0, v, 0, limb5_S_joint_rate_wx + t23 * (minus_limb1_upper_position_x * (t59 - limb1_U_0_sin * limb5_S_joint_rate_wy)));
     RESULT(checked1, v, 2, param_R * limb1_lower_cos * t66);
+    /* else status 5: no rotation */
     NOT_BELOW(t7, 0.999999, 5);
     NOT_ABOVE(t7, 1.000001, 5);
     FINITE_UNLESS( /* status 1 where a pivot is smaller than its limit: */
@@ -689,6 +693,7 @@ BODY(three_ups_upu_s_null_space)(size_t stride, const double *restrict q, double
     RESULT(checked3, null_space, 1, t38 * (limb1_U2_arm_x * t63));
     const REAL t60 = t26 * (minus_limb1_upper_position_x * (t56 - limb1_U_0_sin * limb5_S_null_space_wy_by_limb5_S_qx));
     RESULT(checked0, null_space, 0, limb5_S_null_space_wx_by_limb5_S_qx + t60);
+    /* else status 5: no rotation */
     NOT_BELOW(t7, 0.999999, 5);
     NOT_ABOVE(t7, 1.000001, 5);
     FINITE_UNLESS( /* status 1 where a pivot is smaller than its limit: */
@@ -897,6 +902,7 @@ BODY(three_ups_upu_s_acceleration)(size_t stride, const double *restrict q, cons
     RESULT(checked0, a, 10, -(t351 * (t356 + t367)));
     const REAL limb4_S_arm_y = param_R * limb4_lower_cos;
     RESULT(checked1, a, 11, limb4_S_arm_y * t355 + (limb4_S_arm_y * t357 + t372 - limb4_S_arm_y * t365));
+    /* else status 5: no rotation */
     NOT_BELOW(t7, 0.999999, 5);
     NOT_ABOVE(t7, 1.000001, 5);
     FINITE_UNLESS( /* status 1 where a pivot is smaller than its limit: */
@@ -1162,6 +1168,7 @@ BODY(three_ups_upu_s_close_position)(size_t stride, const double *restrict q, do
     RESULT(checked3, q_next, 12, t342 * t369);
     RESULT(checked0, q_next, 15, -(t348 * t369));
     RESULT(checked1, q_next, 14, -(t355 * t369));
+    /* else status 5: no rotation */
     NOT_BELOW(t9, 0.999999, 5);
     NOT_ABOVE(t9, 1.000001, 5);
     FINITE_UNLESS( /* status 1 where a pivot is smaller than its limit: */
@@ -1347,6 +1354,7 @@ BODY(three_ups_upu_s_close_velocity)(size_t stride, const double *restrict q, co
     const REAL t232 = platform_turn_yz * t195 + platform_turn_xz * t199;
     RESULT(checked2, v_next, 13, -(platform_turn_zy * t218 + (platform_turn_yy * t195 + platform_turn_xy * t199)));
     RESULT(checked3, v_next, 14, -(platform_turn_zz * t218 + t232));
+    /* else status 5: no rotation */
     NOT_BELOW(t9, 0.999999, 5);
     NOT_ABOVE(t9, 1.000001, 5);
     FINITE_UNLESS( /* status 1 where a pivot is smaller than its limit: */
@@ -2057,6 +2065,7 @@ BODY(three_ups_upu_s_assemble_step)(size_t stride, const double *restrict q, con
     const REAL t483 = 1.0 / limb4_lower_limb_length, t485 = t483 * t484,
       t487 = minus_limb4_lower_limb_target_z * t483, t490 = -(minus_limb4_lower_sin * t485 + limb4_lower_cos * t487);
     RESULT(checked3, q_next, 10, READ(q, 10) + atan2(t490, minus_limb4_lower_sin * t487 - limb4_lower_cos * t485));
+    /* else status 5: no rotation */
     NOT_BELOW(t7, 0.999999, 5);
     NOT_ABOVE(t7, 1.000001, 5);
     FINITE_UNLESS( /* status 1 where a pivot is smaller than its limit: */

@@ -34,6 +34,7 @@ BODY(three_ups_upu_s_limb_margins)(size_t stride, const double *restrict q, doub
     const REAL t36 = per_length * (limb_upper_phase + READ(q, 11)); /* limb4 */
     RESULT(checked2, margins, 3, -(t36 * (SINES(cosine, 4) * t36)));
     WRITE(margins, 4, CONSTANT(1.0));
+    /* else status 5: no rotation */
     NOT_BELOW(t7, 0.999999, 5);
     NOT_ABOVE(t7, 1.000001, 5);
     FINITE((checked0 + checked1) + (checked2 + checked3));
@@ -76,6 +77,7 @@ BODY(three_ups_upu_s_constraint_margin)(size_t stride, const double *restrict q,
       platform_margins = t35 - limb1_U_0_sin * (t37 + t39);
     WRITE(margins, 0, platform_margins);
     REAL checked2 = platform_margins;
+    /* else status 5: no rotation */
     NOT_BELOW(t8, 0.999999, 5);
     NOT_ABOVE(t8, 1.000001, 5);
     FINITE((checked0 + checked1) + checked2);
@@ -139,6 +141,7 @@ BODY(three_ups_upu_s_actuation_margins)(size_t stride, const double *restrict q,
     RESULT(checked2, margins, 5, t10 * t109);
     RESULT(checked3, margins, 1, -(t2 * t104));
     RESULT(checked0, margins, 2, -(t10 * t104));
+    /* else status 5: no rotation */
     NOT_BELOW(t41, 0.999999, 5);
     NOT_ABOVE(t41, 1.000001, 5);
     FINITE((checked0 + checked1) + (checked2 + checked3));

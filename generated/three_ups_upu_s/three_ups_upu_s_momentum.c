@@ -386,6 +386,7 @@ BODY(three_ups_upu_s_momentum_screws)(size_t stride, const double *restrict q, c
     const REAL t851 = platform_momentum_Lz - minus_limb1_lower_momentum_Lz + limb1_upper_momentum_Lz - minus_limb2_lower_momentum_Lz,
       t854 = t851 - minus_limb2_upper_momentum_Lz - minus_limb3_lower_momentum_Lz - minus_limb3_upper_momentum_Lz;
     RESULT(checked0, total_, 5, t854 - minus_limb4_lower_momentum_Lz - minus_limb4_upper_momentum_Lz);
+    /* else status 5: no rotation */
     NOT_BELOW(t7, 0.999999, 5);
     NOT_ABOVE(t7, 1.000001, 5);
     FINITE((checked0 + checked1) + (checked2 + checked3));
@@ -1009,6 +1010,7 @@ BODY(three_ups_upu_s_momentum_rates)(size_t stride, const double *restrict q, co
     RESULT(checked0, momentum_rates, 52, t1358 + (t1404 * t1420 - t1471) - t1483);
     const REAL t1494 = t1372 - (t1491 + t1382 * t1420);
     RESULT(checked1, momentum_rates, 53, t1484 - limb4_U_v_0 * limb4_upper_momentum_Lx + t1489 - t1494);
+    /* else status 5: no rotation */
     NOT_BELOW(t7, 0.999999, 5);
     NOT_ABOVE(t7, 1.000001, 5);
     FINITE((checked0 + checked1) + (checked2 + checked3));
@@ -1114,6 +1116,7 @@ BODY(three_ups_upu_s_energy)(size_t stride, const double *restrict q, const doub
       potential_energy = gravity_z * (limb_lower_mx * minus_limb4_lower_rotation_zx - t127) - t161;
     WRITE(energy, 1, potential_energy);
     REAL checked1 = potential_energy;
+    /* else status 5: no rotation */
     NOT_BELOW(t148, 0.999999, 5);
     NOT_ABOVE(t148, 1.000001, 5);
     FINITE(checked0 + checked1);
@@ -1299,6 +1302,7 @@ BODY(three_ups_upu_s_bias)(size_t stride, const double *restrict q, const double
       t10 = limb1_lower_cos * (t8 + (gravity_z_limb_lower_mx * limb1_U_0_sin + k11 * minus_limb1_lower_alpha_still_y));
     RESULT(checked1, bias, 0, t2 - t10);
     WRITE(bias, 14, CONSTANT(0.0));
+    /* else status 5: no rotation */
     NOT_BELOW(t84, 0.999999, 5);
     NOT_ABOVE(t84, 1.000001, 5);
     FINITE((checked0 + checked1) + (checked2 + checked3));

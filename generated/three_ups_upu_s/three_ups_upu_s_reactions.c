@@ -663,6 +663,7 @@ BODY(three_ups_upu_s_joint_reactions)(size_t stride, const double *restrict q, c
     WRITE(reactions, 75, CONSTANT(0.0));
     WRITE(reactions, 76, CONSTANT(0.0));
     WRITE(reactions, 77, CONSTANT(0.0));
+    /* else status 5: no rotation */
     NOT_BELOW(t8, 0.999999, 5);
     NOT_ABOVE(t8, 1.000001, 5);
     FINITE_UNLESS( /* status 1 where a pivot is smaller than its limit: */
