@@ -43,8 +43,11 @@ def seconds(mechanism: str, repeats: int) -> float:
     kept = {key: value for key, value in os.environ.items() if key != "PYTHONDONTWRITEBYTECODE"}
     for _ in range(repeats):
         command = [sys.executable, "-m", "symscrew", "mobility", mechanism]
-        process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, env=kept)
-        _, status, usage = os.wait4(process.pid, 0)
+        with tempfile.TemporaryFile() as said:
+            process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=said, env=kept)
+            _, status, usage = os.wait4(process.pid, 0)
+            said.seek(0)
+            assert b"Traceback" not in said.read(), f"{mechanism}: the command ended in a traceback"
         process.returncode = os.waitstatus_to_exitcode(status)
         assert process.returncode in (0, 1), f"{mechanism}: the command ended with {process.returncode}"
         spent.append(usage.ru_utime + usage.ru_stime)
