@@ -255,6 +255,9 @@ def test_the_simulator_of_linuxcnc_moves_the_machine(tmp_path: Path) -> None:
             timeout=120, check=False,
         )  # fmt: skip
         assert (tmp_path / "found.json").is_file(), done.stdout[-2000:]
+    except subprocess.TimeoutExpired:  # only the script is ended then, not what it started
+        subprocess.run(["halrun", "-U"], cwd=tmp_path, env=environment, capture_output=True, timeout=30, check=False)
+        raise
     finally:
         before.unlink(missing_ok=True)
         if kept is not None:
