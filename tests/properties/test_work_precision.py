@@ -24,10 +24,7 @@ from symscrew.simulation import native
 from symscrew.simulation.initial import initial_state
 from symscrew.simulation.motion import prepare
 
-pytestmark = [
-    pytest.mark.skipif(find_compiler() is None, reason="no C compiler: these runs would take hours"),
-    pytest.mark.optimised,
-]
+pytestmark = pytest.mark.skipif(find_compiler() is None, reason="no C compiler: these runs would take hours")
 QUICK = ("light_cart_pole", "heavy_top", "change_point")
 NAMES = [name if name in QUICK else slow(name) for name in problems()]
 TOLERANCES = [10.0**-k for k in range(6, 13)]
