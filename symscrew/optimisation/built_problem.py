@@ -120,7 +120,10 @@ class OptimisationProblem:
         self._guess = np.clip(np.nan_to_num(unknowns.pack(arrays)), unknowns.lower, unknowns.upper)
         self._trouble = found.guess.trouble
         self._scale = cost_scale_of(self._made.settled(), self._guess)
-        self._points = CompiledPoints({f.name: point_functions(f) for f in self._made.families})
+        families = self._made.families
+        self._points = CompiledPoints(
+            {f.name: point_functions(f) for f in families}, {f.name: f.count for f in families}
+        )
         self._compiled = False
         self._program = self._assembled()
         self._stages = stages_of(self._made, self._program)

@@ -1,6 +1,6 @@
 """What happens between the points of a plan that no look at points shows: pulses of effects, peaks of a cost's text.
 
-texts of effects in time and coordinates, of objectives --enclosures over pieces, halved until resolved--> times to cut at
+texts of effects and objectives --enclosures over pieces, halved until they are resolved--> times to cut at
 
 Defects, costs and replays look at so many places in every interval of the mesh. They see what there is to be seen only
 where nothing changes faster. A quantity f with an enclosure of its second derivative is resolved over a piece of half
