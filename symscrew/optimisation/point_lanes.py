@@ -10,10 +10,14 @@ are called point by point. Behind the last point of a number that is no multiple
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 
 import casadi as ca
 
 LANES = 4
+# Statements of one C function: a compiler's time and memory grow faster than a function (5 GB for one of 60,000), and
+# what parts hand on to each other costs little.
+PART = 2_000
 HEAD = f"""#include <math.h>
 typedef double lanes __attribute__((vector_size({8 * LANES})));
 static const lanes NONE = {{0.0}};
@@ -57,60 +61,101 @@ def printed_lanes(functions: Mapping[str, tuple[ca.Function, int, Sequence[int]]
     each = dict(EACH[op] for op in used if op in EACH)
     lines = [HEAD, *(f"EACH({name}, {value})" for name, value in sorted(each.items()))]
     for name, (function, count, common) in functions.items():
-        lines += [
-            *_body(name, function),
-            *_calls(name, function, count, common),
-            *_described(name, function, count, common),
-        ]
+        body, held = _body(name, function)
+        of_all = name, function, count, common
+        lines += [*body, *_calls(*of_all, held=held), *_described(*of_all)]
     return "\n".join(lines) + "\n"
 
 
-def _body(name: str, function: ca.Function) -> Iterator[str]:
-    """The program of one point, on four."""
-    yield f"static void {name}_lanes(const lanes *const *in, lanes *const *out)"
-    yield "{"
-    known: dict[int, str] = {}  # place in the work vector -> what holds it now
+@dataclass(frozen=True)
+class _Statement:
+    """A value that is computed (`output` None) or handed out, from arguments: texts of numbers, or statements."""
+
+    op: int
+    args: tuple[str | int, ...]
+    output: tuple[int, int] | None = None
+
+
+def _statements(function: ca.Function) -> list[_Statement]:
+    """The program of one point, every value named once, by its place in the list."""
+    known: dict[int, str | int] = {}  # place in the work vector -> what holds it now
+    found: list[_Statement] = []
     for k in range(function.n_instructions()):
         op, given, made = function.instruction_id(k), function.instruction_input(k), function.instruction_output(k)
-        if op == ca.OP_OUTPUT:
-            yield f"    out[{made[0]}][{made[1]}] = {_lanes(known[given[0]])};"
-            continue
         if op == ca.OP_CONST:
-            known[made[0]] = repr(float(function.instruction_constant(k)))
-            if not known[made[0]].lstrip("-")[0].isdigit():
-                known[made[0]] = known[made[0]].replace("inf", "INFINITY").replace("nan", "NAN")
-            known[made[0]] = f"({known[made[0]]})"
-            continue
-        if op == ca.OP_INPUT:
-            value = f"in[{given[0]}][{given[1]}]"
+            number = repr(float(function.instruction_constant(k)))
+            known[made[0]] = f"({number.replace('inf', 'INFINITY').replace('nan', 'NAN')})"
+        elif op == ca.OP_OUTPUT:
+            found.append(_Statement(op, (known[given[0]],), (made[0], made[1])))
         else:
-            args = [known[j] for j in given]
-            if not any(a.startswith("a") for a in args):
-                args = [_lanes(a) for a in args]
-            if op in INFIX:
-                value = f"{args[0]} {INFIX[op]} {args[1]}"
-            elif op in WRITTEN:
-                value = WRITTEN[op](args[0])
-            else:
-                value = f"{EACH[op][0]}({', '.join(_lanes(a) for a in (*args, args[0])[:2])})"
-        known[made[0]] = f"a{k}"
-        yield f"    const lanes a{k} = {value};"
-    yield "}"
+            args = (f"in[{given[0]}][{given[1]}]",) if op == ca.OP_INPUT else tuple(known[j] for j in given)
+            known[made[0]] = len(found)
+            found.append(_Statement(op, args))
+    return found
 
 
-def _lanes(text: str) -> str:
-    """A number in all lanes."""
-    return text if text.startswith("a") else f"(NONE + {text})"
+def _body(name: str, function: ca.Function) -> tuple[list[str], int]:
+    """C functions of parts of the program of one point, on four, and how many values they hand on to each other."""
+    statements = _statements(function)
+    last = {}  # statement -> the last part that reads it
+    for k, statement in enumerate(statements):
+        last |= {j: k // PART for j in statement.args if isinstance(j, int)}
+    lines, places, free, size = list[str](), dict[int, int](), list[int](), 0
+    parts = range(0, max(len(statements), 1), PART)
+    for number, start in enumerate(parts):
+        lines.append(f"static void {name}_part{number}(const lanes *const *in, lanes *const *out, lanes *w)")
+        lines.append("{\n    (void) in; (void) out; (void) w;")
+        read: set[int] = set()
+        for k in range(start, min(start + PART, len(statements))):
+            statement = statements[k]
+            for j in statement.args:
+                if isinstance(j, int) and j < start and j not in read:
+                    read.add(j)
+                    lines.append(f"    const lanes a{j} = w[{places[j]}];")
+            if statement.output is not None:
+                lines.append(f"    out[{statement.output[0]}][{statement.output[1]}] = {_lanes(statement.args[0])};")
+                continue
+            lines.append(f"    const lanes a{k} = {_value(statement)};")
+            if last.get(k, number) > number:
+                places[k] = free.pop() if free else size
+                size = max(size, places[k] + 1)
+                lines.append(f"    w[{places[k]}] = a{k};")
+        lines.append("}")
+        free += [place for j, place in places.items() if last[j] == number]
+    lines.append(f"static void {name}_lanes(const lanes *const *in, lanes *const *out, lanes *w)")
+    calls = (f"    {name}_part{number}(in, out, w);" for number in range(len(parts)))
+    return [*lines, "{", *calls, "}"], size
 
 
-def _calls(name: str, function: ca.Function, count: int, common: Sequence[int]) -> Iterator[str]:
+def _value(statement: _Statement) -> str:
+    op, args = statement.op, statement.args
+    if op == ca.OP_INPUT:
+        return str(args[0])
+    if not any(isinstance(a, int) for a in args):
+        texts = [_lanes(a) for a in args]
+    else:
+        texts = [f"a{a}" if isinstance(a, int) else a for a in args]
+    if op in INFIX:
+        return f"{texts[0]} {INFIX[op]} {texts[1]}"
+    if op in WRITTEN:
+        return WRITTEN[op](texts[0])
+    return f"{EACH[op][0]}({', '.join(_lanes(a) for a in (*args, args[0])[:2])})"
+
+
+def _lanes(value: str | int) -> str:
+    """A value, or a number in all lanes."""
+    return f"a{value}" if isinstance(value, int) else f"(NONE + {value})"
+
+
+def _calls(name: str, function: ca.Function, count: int, common: Sequence[int], *, held: int) -> Iterator[str]:
     """The loop over all points; inputs and outputs of a point stand one after the other."""
     inputs = [max(function.nnz_in(k), 1) for k in range(function.n_in())]
     outputs = [max(function.nnz_out(k), 1) for k in range(function.n_out())]
     yield (
         f"int {name}(const double **arg, double **res, long long int *iw, double *w, int mem)\n"
         "{\n"
-        "    (void) iw; (void) w; (void) mem;"
+        "    (void) iw; (void) w; (void) mem;\n"
+        f"    lanes held[{held + 1}];"
     )
     for kind, sizes in (("in", inputs), ("out", outputs)):
         yield from (f"    lanes {kind}{k}[{size}];" for k, size in enumerate(sizes))
@@ -127,7 +172,7 @@ def _calls(name: str, function: ca.Function, count: int, common: Sequence[int]) 
         if size:
             yield f"            for (int i = 0; i < {size}; ++i) {{ in{k}[i][k] = arg[{k}] ? {value} : 0.0; }}"
     yield "        }"
-    yield f"        {name}_lanes(in, out);"
+    yield f"        {name}_lanes(in, out, held);"
     yield f"        for (int k = 0; k < {LANES} && first + k < {count}; ++k) {{"
     for k in range(function.n_out()):
         size = function.nnz_out(k)

@@ -338,3 +338,12 @@ def test_warnings_are_counted_and_named_on_every_way(capsys: pytest.CaptureFixtu
     assert first.solved and first.statistics.undefined == {text: 1}
     far = built.solve(warm=replace(first, x=2 * first.x))
     assert far.statistics.undefined == {text: 2} and not capsys.readouterr().err
+
+
+def test_coordinates_that_are_none_and_texts_are_named() -> None:
+    made = interpreted()
+    label = made.problem.end.coordinates and next(iter(made.problem.end.coordinates))
+    with pytest.raises(DescriptionError, match=f"goal: this problem takes no coordinate '{label}s'; did you mean"):
+        made.solve(goal={f"{label}s": 1.0})
+    with pytest.raises(DescriptionError, match=rf"start\.{label}: expected a number \[rad, m\], got 'a'"):
+        made.solve(start={label: "a"})  # type: ignore[dict-item]

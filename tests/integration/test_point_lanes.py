@@ -8,6 +8,7 @@ import casadi as ca
 import numpy as np
 import pytest
 
+from symscrew.optimisation import point_lanes
 from symscrew.optimisation.point_lanes import EACH, INFIX, WRITTEN, printable, printed_lanes
 from symscrew.runtime import compile_c, find_compiler
 
@@ -40,8 +41,12 @@ def made(function: ca.Function, count: int, folder: Path) -> ca.Function:
     return ca.external("of_all", str(library))
 
 
-@pytest.mark.parametrize("count", [4, 7, 13])
-def test_all_points_are_as_each_by_itself(count: int, tmp_path: Path) -> None:
+@pytest.mark.parametrize(("count", "part"), [(4, 2000), (7, 2000), (13, 5)])
+def test_all_points_are_as_each_by_itself(
+    count: int, part: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Also where functions are cut in parts that hand values on."""
+    monkeypatch.setattr(point_lanes, "PART", part)
     function, random = every_operation(), np.random.default_rng(count)
     ours = made(function, count, tmp_path)
     given = [random.uniform(-1.5, 1.5, shape) for shape in ((3, count), 2, (2, count))]
