@@ -184,7 +184,12 @@ class _Krawczyk:
         return [*self.motions, *(m for loop in self.loops for m in loop)]
 
     def _rows(self, z: Array) -> list[int]:
-        """All rows but one of the four of points that meet: that of the largest part of x, which the others imply."""
+        """All rows but those that the others imply: of four of an axis that two bodies share, x w = u x, two, and of
+        four of points that meet that of the largest part of x.
+
+        The four of an axis are an antisymmetric matrix of rank two, as w and u are as long as one another: two rows
+        whose common entry is not zero span all.
+        """
         keep, row = list[int](), 0
         for k, loop in enumerate(self.equations.structure.loops):
             square, linear = self.loops[k]
@@ -194,10 +199,12 @@ class _Krawczyk:
                 keep += range(row, row + len(linear))
             else:
                 drop = int(np.abs(self._between(k, z)[:4]).argmax())
-                for form in range(len(linear) // 4):
-                    keep += [row + 4 * form + i for i in range(4) if i != drop]
+                kinds = [form.kind for form in loop.forms if form.kind in ("meeting", "parallel")]
+                for place, kind in enumerate(kinds):
+                    block = linear[4 * place : 4 * place + 4]
+                    stays = _two_rows(block) if kind == "parallel" else [i for i in range(4) if i != drop]
+                    keep += [row + 4 * place + i for i in stays]
             row += len(linear)
-            assert loop.forms
         return [*keep, *range(row, row + len(self.equations.free))]
 
     def _between(self, k: int, z: Array) -> Array:
@@ -301,6 +308,12 @@ class _Krawczyk:
             row[part] = [*x[4:], *x[:4]]
             rows.append(row)
         return rows
+
+
+def _two_rows(block: Array) -> list[int]:
+    """The rows of an antisymmetric matrix of rank two whose common entry is largest."""
+    sizes = np.abs(np.vectorize(_middle)(block[:, :4]).astype(complex))
+    return sorted(int(k) for k in np.unravel_index(int(sizes.argmax()), sizes.shape))
 
 
 def _middle(value: Any) -> complex:

@@ -27,6 +27,7 @@ WIDTH = {"turn": 2, "slide": 2, "ball": 4, "planar": 4, "free": 8}
 EQUATIONS = {"distance": 1, "ball": 3, "hook": 4, "turn": 5, "slide": 5}
 """Of a run that closes a spatial loop, independent ones."""
 PLANAR_EQUATIONS = {"distance": 1, "turn": 2, "slide": 2}
+SPHERICAL_EQUATIONS = {"turn": 2}
 SPATIAL_FREEDOMS, PLANAR_FREEDOMS = 6, 3
 """Of all displacements."""
 TELESCOPE = 3
@@ -125,7 +126,8 @@ class Structure:
             (self.chains[loop.base], self.chains[loop.body], [(f.kind, f.slots) for f in loop.forms])
             for loop in self.loops
         ]
-        return repr((self.planar, groups, loops, [(s.kind, s.of) for s in self.slots]))
+        kind = "spherical" if self.graph.spherical else self.planar
+        return repr((kind, groups, loops, [(s.kind, s.of) for s in self.slots]))
 
     def local(self, point: Point) -> Point:
         """A point in the frame about the centre; of a planar mechanism on the plane."""
@@ -312,11 +314,12 @@ class _Planner:
         one, two = self._end(run, near=True), self._end(run, near=False)
         first, last = run.edges[0], run.edges[-1]
         ends = (run.near, run.far)
-        table = PLANAR_EQUATIONS if self.graph.axis else EQUATIONS
+        table = PLANAR_EQUATIONS if self.graph.axis else SPHERICAL_EQUATIONS if self.graph.spherical else EQUATIONS
         self.counts["equations"] += table[run.kind]
         if run.kind == "slide":
             raise NotAlgebraicError(f"a loop of slides alone, closed by {first.joint}")
-        self._form(ends, Form("meeting", (self._point(two, last.point), self._point(one, first.point))))
+        if not self.graph.spherical:
+            self._form(ends, Form("meeting", (self._point(two, last.point), self._point(one, first.point))))
         if run.kind == "ball" or self.graph.axis:
             return
         assert first.axis is not None and last.axis is not None
