@@ -118,11 +118,13 @@ def read(value: Any) -> Rectangle:
 class Certificate:
     """The radius of the box around a zero whose groups' largest coordinates are 1, in which there is one zero.
 
-    `z`: the zero, refined in integers and then rounded.
+    `z`: the zero, refined in integers and then rounded. `kind`: "real", of a box of real points; "complex", where the
+    box has no real point; else "".
     """
 
     radius: float
     z: Array
+    kind: str
 
 
 def certified(equations: BatchEquations, slots: Sequence[Any], z: Array) -> Certificate | None:
@@ -130,7 +132,7 @@ def certified(equations: BatchEquations, slots: Sequence[Any], z: Array) -> Cert
     test = _Krawczyk(equations, slots, z)
     for radius in RADII:
         if test.holds(radius):
-            return Certificate(radius, test.refined())
+            return Certificate(radius, test.refined(), test.kind(radius))
     return None
 
 
@@ -216,6 +218,10 @@ class _Krawczyk:
             f = motion @ z[part] * (CONJUGATE if factor.back else 1)
             g = np.asarray(np.einsum("kij,i,j->k", PRODUCT, g, f))
         return g
+
+    def kind(self, radius: float) -> str:
+        """What the zero in the box of this radius is."""
+        return "real" if self.real else "complex" if np.abs(self.middle.imag).max() > 2 * radius else ""
 
     def off(self, z: Array) -> float:
         """How far a point is from the middle of the boxes."""

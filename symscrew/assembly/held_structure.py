@@ -145,12 +145,22 @@ def held_structure(graph: HeldGraph, centre: Point, platform: str | None) -> Str
     Raises:
         NotAlgebraicError: closures that no form stands for.
     """
-    return _Planner(graph, centre, platform).structure()
+    try:
+        return _Planner(graph, centre, platform).structure()
+    except _SlideLeftError:
+        return _Planner(graph, centre, platform, slides_first=True).structure()
+
+
+class _SlideLeftError(NotAlgebraicError):
+    """The tree left a slide to close a loop, of which there are no forms."""
 
 
 class _Planner:
-    def __init__(self, graph: HeldGraph, centre: Point, platform: str | None) -> None:
-        self.graph, self.centre = graph, centre
+    def __init__(
+        self, graph: HeldGraph, centre: Point, platform: str | None, *, slides_first: bool = False
+    ) -> None:
+        """`slides_first`: into the tree, so that hinges close loops; other trees have been stored."""
+        self.graph, self.centre, self.slides_first = graph, centre, slides_first
         self.platform = graph.cluster.get(platform or "", "")
         self.slots: list[Slot] = []
         self.points: list[tuple[str, Point, int]] = []
@@ -187,8 +197,13 @@ class _Planner:
         )  # fmt: skip
 
     def _open_limbs(self, runs: list[Run]) -> tuple[list[Run], list[tuple[Run, ...]]]:
-        """(other runs, chains between two clusters with so many freedoms that they hold nothing)."""
+        """(other runs, chains between two clusters with so many freedoms that they hold nothing).
+
+        Only of a mechanism with a platform: without one, the two ways of a chain to reach are modes of their own.
+        """
         found = list[tuple[Run, ...]]()
+        if not self.platform:
+            return runs, found
         hubs = {self.graph.ground, self.platform}
         hubs |= {b for b in self._ends(runs) if sum(b in (r.near, r.far) for r in runs) != 2}
         for hub in hubs:
@@ -240,7 +255,10 @@ class _Planner:
         )
 
     def _rods(self) -> tuple[list[Run], list[Rod]]:
-        """Bodies between two others, with a point held on each, become distances."""
+        """Bodies between two others, with a point held on each, become distances.
+
+        A universal joint holds the same rod in two ways, which are modes of their own where there is no platform.
+        """
         runs, rods = list(self.runs), list[Rod]()
         for body in dict.fromkeys(end for run in runs for end in (run.near, run.far)):
             at = [run for run in runs if body in (run.near, run.far)]
@@ -248,7 +266,8 @@ class _Planner:
             if len(at) != 2 or body in (self.graph.ground, self.platform) or body in ends:
                 continue
             kinds = sorted(run.kind for run in at)
-            holds = kinds == ["turn", "turn"] if self.graph.axis else kinds in (["ball", "ball"], ["ball", "hook"])
+            spatial = [["ball", "ball"], *([["ball", "hook"]] if self.platform else [])]
+            holds = kinds == ["turn", "turn"] if self.graph.axis else kinds in spatial
             one = at[0] if at[0].far == body else at[0].reversed()
             two = at[1] if at[1].near == body else at[1].reversed()
             if holds and one.near != two.far:
@@ -261,7 +280,9 @@ class _Planner:
         found = [(run, run if run.near in self.chains else run.reversed()) for run in runs
                  if (run.near in self.chains) != (run.far in self.chains)]  # fmt: skip
         hub = {self.graph.ground, self.platform}  # on the shortest way forms have the lowest degree
-        return min(found, key=lambda pair: (hub != {pair[0].near, pair[0].far}, pair[0].freedoms), default=None)
+        late = [self.slides_first and pair[0].kind != "slide" for pair in found]
+        order = [(l, hub != {r.near, r.far}, r.freedoms) for l, (r, _) in zip(late, found, strict=True)]
+        return found[order.index(min(order))] if found else None
 
     def _add_group(self, group: Group) -> None:
         self.chains[group.cluster] = (*self.chains[group.parent], len(self.groups))
@@ -317,7 +338,7 @@ class _Planner:
         table = PLANAR_EQUATIONS if self.graph.axis else SPHERICAL_EQUATIONS if self.graph.spherical else EQUATIONS
         self.counts["equations"] += table[run.kind]
         if run.kind == "slide":
-            raise NotAlgebraicError(f"a loop of slides alone, closed by {first.joint}")
+            raise _SlideLeftError(f"a loop of slides alone, closed by {first.joint}")
         if not self.graph.spherical:
             self._form(ends, Form("meeting", (self._point(two, last.point), self._point(one, first.point))))
         if run.kind == "ball" or self.graph.axis:
