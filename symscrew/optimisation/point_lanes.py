@@ -97,7 +97,7 @@ def _statements(function: ca.Function) -> list[_Statement]:
 def _body(name: str, function: ca.Function) -> tuple[list[str], int]:
     """C functions of parts of the program of one point, on four, and how many values they hand on to each other."""
     statements = _statements(function)
-    last = {}  # statement -> the last part that reads it
+    last: dict[int, int] = {}  # statement -> the last part that reads it
     for k, statement in enumerate(statements):
         last |= {j: k // PART for j in statement.args if isinstance(j, int)}
     lines, places, free, size = list[str](), dict[int, int](), list[int](), 0
