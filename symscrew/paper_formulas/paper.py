@@ -15,9 +15,9 @@ from symscrew.mobility import analyse_mobility
 from symscrew.paper_formulas.equal_turns import Turned, families
 from symscrew.paper_formulas.formula import Formula, Part, degrees
 from symscrew.paper_formulas.limb_formulas import Freedom, freedoms_of, limb_part
+from symscrew.paper_formulas.moved_rods import rod_part
 from symscrew.paper_formulas.named_lengths import Lengths
 from symscrew.paper_formulas.platform_formulas import platform_parts
-from symscrew.paper_formulas.rods import rod_part
 from symscrew.paper_formulas.spokes import spoke_part
 from symscrew.whole_files import write_text
 

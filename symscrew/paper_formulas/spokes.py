@@ -11,8 +11,8 @@ import sympy
 
 from symscrew.description import Mechanism
 from symscrew.paper_formulas.formula import Formula, Part, latex_of, vector_latex
+from symscrew.paper_formulas.moved_rods import ABOUT_A_POINT
 from symscrew.paper_formulas.named_lengths import Lengths
-from symscrew.paper_formulas.rods import ABOUT_A_POINT
 
 
 def spoke_part(mechanism: Mechanism, limbs: Sequence[Sequence[str]], lengths: Lengths) -> Part | None:

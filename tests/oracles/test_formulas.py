@@ -25,8 +25,8 @@ from symscrew.model import Model, derive
 from symscrew.paper_formulas import Paper, paper_formulas
 from symscrew.paper_formulas.formula import Part
 from symscrew.paper_formulas.limb_formulas import limb_part
+from symscrew.paper_formulas.moved_rods import rod_part
 from symscrew.paper_formulas.named_lengths import Lengths, symbol_latex
-from symscrew.paper_formulas.rods import rod_part
 from symscrew.studies.platform_motion import platform_index
 
 Array = np.ndarray
