@@ -15,10 +15,10 @@ from symscrew.program import Port
 class PositionServo(Effect):
     """A force F = kp (s* - s) + kd (s*_dot - s_dot) [N or N m] along a joint's freedom, limited.
 
-    The limits are +-`limit`, or `lowest` and `limit` where both are given. s, s_dot are the joint's displacement [m or rad] and rate; the target s* and its rate are the input
-    `servo_<name>`. `stiffness` kp and `damping` kd at least 0. It acts beside the ideal drive u of the joint, so
-    u = 0 leaves the joint to the servo, and inverse dynamics says what it lacks. Fed: F s_dot [W], from its supply.
-    `name` is the joint's (with the freedom) unless given.
+    The limits are +-`limit`, or `lowest` and `limit` where both are given. s, s_dot are the joint's displacement [m or
+    rad] and rate; the target s* and its rate are the input `servo_<name>`. `stiffness` kp and `damping` kd at least 0.
+    It acts beside the ideal drive u of the joint, so u = 0 leaves the joint to the servo, and inverse dynamics says
+    what it lacks. Fed: F s_dot [W], from its supply. `name` is the joint's (with the freedom) unless given.
 
         [[effects]]
         type = "position_servo"

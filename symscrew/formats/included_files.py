@@ -14,7 +14,7 @@ from symscrew.errors import DescriptionError, shorten
 from symscrew.formats.safe_xml import Element, attribute, read
 
 BESIDE = "beside"
-"""Attribute of a mesh of an included file: that file's folder, in which it is looked for where the main one has none."""
+"""Attribute of an included file's mesh: that file's folder, which is searched after the main one."""
 MOST_FILES = 100
 """Files that one model may be made of; those that people publish are made of a few."""
 DEEPEST = 10

@@ -83,10 +83,7 @@ class Meshes:
             raise DescriptionError(
                 f"{label(mesh)}: inertia={shorten(kind)} is not supported; write 'exact' or an <inertial>"
             )
-        if "file" in mesh.attrib:
-            triangles = read_triangles(self._file(mesh))
-        else:
-            triangles = _written(mesh)
+        triangles = read_triangles(self._file(mesh)) if "file" in mesh.attrib else _written(mesh)
         turn = [real(v) for v in numbers(mesh.get("refquat", "1 0 0 0"), f"{label(mesh)}, refquat", 4)]
         shift = triple(numbers(mesh.get("refpos", "0 0 0"), f"{label(mesh)}, refpos", 3))
         back = Pose(from_quaternion(turn, label(mesh)), shift).inverse()

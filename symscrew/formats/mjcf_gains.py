@@ -47,7 +47,8 @@ def as_general(base: Mapping[str, str], tag: str, given: Mapping[str, str]) -> d
             first = numbers(text, f"{where}, {key}")
             rest = base.get(key, " ".join(ARRAYS[key])).split()[len(first) :]
             made[key] = " ".join([*map(str, first), *rest])
-        return {KIND: "general", **made}
+        unread = base.get(KIND, tag) not in OWN  # its gains are not known here
+        return made if unread else {**made, KIND: tag}
     like = base if base.get(KIND, "general") in ("general", tag) else {}
     made.pop("dampratio", None)
     made |= {KIND: tag, "gaintype": "fixed", "gainprm": "1 0 0", "biastype": "none", "biasprm": "0 0 0"}

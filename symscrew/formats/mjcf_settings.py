@@ -84,8 +84,9 @@ LEFT_OUT = ("equality", "actuation", "constraint", "passive")
 ACTS = ("gravity", "spring", "damper", "frictionloss", "limit", *LEFT_OUT)
 """Flags of <option> that take a part of the mechanics away; of these a file's are followed but for the first ones."""
 IDLE_FLAGS = (
-    "contact", "clampctrl", "diagexact", "ipc", "speculative", "warmstart", "filterparent", "refsafe", "sensor", "midphase", "eulerdamp",
-    "autoreset", "nativeccd", "island", "override", "energy", "fwdinv", "invdiscrete", "multiccd", "sleep",
+    "contact", "clampctrl", "diagexact", "ipc", "speculative", "warmstart", "filterparent", "refsafe", "sensor",
+    "midphase", "eulerdamp", "autoreset", "nativeccd", "island", "override", "energy", "fwdinv", "invdiscrete",
+    "multiccd", "sleep",
 )  # fmt: skip
 """Flags that say how an engine computes, or what no mechanism here has."""
 ALREADY_THERE = CONTEXT.mpf(10) ** -20
