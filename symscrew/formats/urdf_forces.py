@@ -27,13 +27,14 @@ def joint_forces(draft: Draft, name: str, joint: Element) -> None:
     single = joint.get("type") in MOVING
     for tag in ("dynamics", "joint_properties"):
         for element in first(joint, tag):
-            _dynamics(draft, name, element, single=single, where=f"{label(joint)}, {tag}", kind=joint.get("type", ""))
+            _dynamics(draft, name, joint, element, single=single)
     for limit in first(joint, "limit"):
         _limit(draft, name, joint, limit)
 
 
-def _dynamics(draft: Draft, name: str, element: Element, *, single: bool, where: str, kind: str) -> None:
+def _dynamics(draft: Draft, name: str, joint: Element, element: Element, *, single: bool) -> None:
     """What an element says of damping, friction, and in some dialects of a rotor and a spring."""
+    where = f"{label(joint)}, {element.tag}"
     values = {key: float(number(element.get(key, "0"), f"{where}, {key}")) for key in DYNAMICS}
     other = sorted(set(element.attrib) - set(DYNAMICS))
     if other:
@@ -52,10 +53,10 @@ def _dynamics(draft: Draft, name: str, element: Element, *, single: bool, where:
         if single:
             draft.effects.append(RawEffect(name, table))
             draft.ledger.turned(key)
-        elif kind == "fixed":
+        elif joint.get("type") == "fixed":
             draft.ledger.passed(f"{key} of a fixed joint")
         else:
-            draft.ledger.lost(f"{key} of a {kind} joint")
+            draft.ledger.lost(f"{key} of a {joint.get('type')} joint")
 
 
 def _limit(draft: Draft, name: str, joint: Element, limit: Element) -> None:
