@@ -73,7 +73,7 @@ def test_rates_of_a_planar_joint_across_no_absolute_axis_are_not_given() -> None
 
 
 def test_axes_perpendicular_in_doubles_are_rigid_without_a_division_by_nothing() -> None:
-    """Three hinges through a point, in a plane but for rounding: a value that is not zero in 60 digits is in doubles."""
+    """Three hinges through a point, in a plane but for rounding: what is not zero in 60 digits is in doubles."""
     flat = [["-1", "0", "2e-17"], ["0.6", "0.8", "0"], ["-0.8", "0.6", "0"]]
     builder = MechanismBuilder("flat").body("a").body("b")
     for k, (parent, child) in enumerate([("base", "a"), ("a", "b"), ("b", "base")]):
