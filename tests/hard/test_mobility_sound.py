@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import warnings
 
+import pytest
 from support.further_mechanisms import loop
 from support.reference_mechanisms import ENTRIES, build
 from support.reposed import reference
@@ -13,6 +14,7 @@ from symscrew.algebra import CONTEXT
 from symscrew.description.builder import MechanismBuilder
 from symscrew.mobility import analyse_mobility, mobility_values, verify
 from symscrew.mobility.screw_systems import combine, eliminate, unit_rows
+from symscrew.mobility.singularities import as_lines
 from symscrew.mobility.symbols import SymbolicLoops
 
 
@@ -82,3 +84,18 @@ def test_axes_perpendicular_in_doubles_are_rigid_without_a_division_by_nothing()
         warnings.simplefilter("error")
         found = analyse_mobility(builder.build())
         assert (found.dof, found.finite.dof) == (0, 0) and found.branches is not None and found.branches.rows == ()
+
+
+@pytest.mark.parametrize("digits, said", [("double", "almost SINGULAR"), (None, "SINGULAR here")])
+def test_a_closure_that_almost_loses_rank_has_no_margin_that_is_clear_of_it(digits: str | None, said: str) -> None:
+    """Typed in doubles the change point keeps its rank by 1e-16, and the margin said that it is lost."""
+    found = analyse_mobility(build(ENTRIES["parallelogram-change_point"]))
+    if digits is not None:
+        result = reference("parallelogram-change_point", seed=2, digits=digits, unit="mm").found
+        assert result is not None and result.dof == 1
+        found = result
+    assert found.singularities.margins is not None
+    (line,) = [line for line in as_lines(found.singularities) if line.startswith("constraint")]
+    assert said in line and "no zero found" not in line, line
+    (margin,) = [m for m in found.singularities.margins if m.kind == "constraint"]
+    assert margin.singular == (digits is None) and bool(margin.almost) == (digits is not None)
