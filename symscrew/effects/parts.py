@@ -19,11 +19,15 @@ TIME = sympy.Symbol("t", real=True)
 
 
 class Parts:
-    """Named parts and numbers of one system at its present nodes, with errors that name the effect that asks."""
+    """Named parts and numbers of one system at its present nodes, with errors that name the effect that asks.
+
+    `given_functions`: values of the effects' texts that change with time or the motion: they may be of any shape.
+    """
 
     def __init__(self, system: System) -> None:
         self.system = system
         self._time: Node | None = None
+        self.given_functions: list[Node] = []
         self._reader = Reader(dict(system.mechanism.parameters))
 
     @property
@@ -84,9 +88,12 @@ class Parts:
         if TIME in expression.free_symbols and TIME not in known:
             known[TIME] = self.time
         try:
-            return expression_node(self.system.tape, self.system.mechanism.baked(expression), known)
+            made = expression_node(self.system.tape, self.system.mechanism.baked(expression), known)
         except (ValueError, AttributeError, KeyError) as error:
             raise DescriptionError(f"{what}: cannot be turned into code: {error}") from error
+        if expression.free_symbols & {TIME, *symbols}:
+            self.given_functions.append(made)
+        return made
 
     def function_of_time(self, value: Any, what: str) -> Node:
         """A number or an expression of the time t and the parameters as a node."""

@@ -195,19 +195,12 @@ def _wrenches(system: System, effects: Sequence[Effect]) -> Function:
     absolute = {joint.joint: at_origin(joint.pose, *at_points[joint.joint]) for joint in found}
     shorter = tape.constant(1.0 / system.length)
     sized = {name: (force, scale(shorter, moment)) for name, (force, moment) in at_points.items()}
-    inputs = [
-        (q_port(system), system.inputs.q),
-        (v_port(system), system.inputs.v),
-        *drives,
-        *acting.inputs,
-        (a_port(system), system.inputs.a),
-        (_plain("multipliers", len(symbols)), symbols),
-    ]
+    inputs = [(q_port(system), system.inputs.q), (v_port(system), system.inputs.v), *drives, *acting.inputs]
+    further = [(a_port(system), system.inputs.a), (_plain("multipliers", len(symbols)), symbols)]
     count = 6 * len(system.mechanism.joints)
     outputs = [(reactions_port(system), in_order(system, absolute)), (_plain("sized", count), in_order(system, sized))]
-    return function(
-        system, "wrenches", "Reactions for given accelerations and multipliers.", inputs=inputs, outputs=outputs
-    )
+    text = "Reactions for given accelerations and multipliers."
+    return function(system, "wrenches", text, inputs=inputs, outputs=outputs, further=further)
 
 
 def _plain(name: str, size: int) -> Port:

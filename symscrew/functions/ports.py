@@ -101,8 +101,9 @@ def function(
     outputs: Sequence[tuple[Port, Sequence[object]]],
     guards: Sequence[tuple[Node, float]] = (),
     notes: Sequence[str] = (),
+    further: Sequence[tuple[Port, Sequence[Node]]] = (),
 ) -> Function:
-    """A function of the model, of (inputs..., run-time parameters).
+    """A function of the model, of (inputs..., run-time parameters, further...).
 
     Args:
         system: whose tape holds all nodes and whose run-time parameters are added to the inputs.
@@ -112,6 +113,7 @@ def function(
         outputs: (port, values): nodes, or plain numbers such as 0 and 1.
         guards: (node, threshold): status 1 where |node| <= threshold.
         notes: what a user of the function must know.
+        further: inputs after the run-time parameters: of a part that gets another function's inputs and these.
     """
     ports, nodes = system.parameter_ports()
     values = [[system.tape.node(n) for n in of] for _, of in outputs]
@@ -119,9 +121,9 @@ def function(
     return Function(
         name,
         description,
-        tuple(p for p, _ in inputs) + ports,
+        (*(p for p, _ in inputs), *ports, *(p for p, _ in further)),
         tuple(p for p, _ in outputs),
-        tuple(tuple(n) for _, n in inputs) + nodes,
+        (*(tuple(n) for _, n in inputs), *nodes, *(tuple(n) for _, n in further)),
         tuple(map(tuple, values)),
         tuple(guards),
         tuple(notes),

@@ -12,7 +12,7 @@
     all of it --analysis--> Mobility --findings/--> words, documents, JSON;  --checks--> every claim again
     Mobility  --motions/--> every branch: tangents, screw systems, joints at rest
     Mechanism --components/--> operation modes, components of the configuration space
-    Mobility  --proofs/--> a file of exact numbers that a checker judges alone
+    Mobility  --proofs/, proof_file--> a file of exact numbers that a checker judges alone
 
 Away from these stands nothing: a stranger starts at `analysis`, whose last function is the pipeline.
 """
@@ -69,7 +69,8 @@ if TYPE_CHECKING:
     )
     from symscrew.mobility.placing import Configuration, inverse_kinematics
     from symscrew.mobility.pose_targets import read_coordinates, targets_of
-    from symscrew.mobility.proofs import Verdict, check_proof, mobility_proof, write_proof
+    from symscrew.mobility.proof_file import mobility_proof, write_proof
+    from symscrew.mobility.proofs import Verdict, check_proof
     from symscrew.mobility.screw_systems import ScrewSystem
     from symscrew.mobility.symbols import Exact, Field, NotDecidableError, exact_system, exact_value
 

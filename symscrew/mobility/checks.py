@@ -20,7 +20,8 @@ from symscrew.algebra import CONTEXT
 from symscrew.mobility.analysis import Mobility
 from symscrew.mobility.finite import DIGITS_60, ClosureVariety, moved, recheck
 from symscrew.mobility.joint_network import network_of
-from symscrew.mobility.proofs import check_proof, mobility_proof
+from symscrew.mobility.proof_file import mobility_proof
+from symscrew.mobility.proofs import check_proof
 from symscrew.mobility.screw_systems import ZERO_BELOW, Real, Screw, eliminate, unit_rows
 from symscrew.mobility.symbols import Vector, numbers_at
 

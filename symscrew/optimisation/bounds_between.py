@@ -13,8 +13,8 @@ import casadi as ca
 import numpy as np
 
 from symscrew.optimisation.constraints import bound_rows
-from symscrew.optimisation.enclosed_functions import EnclosedFunction
-from symscrew.optimisation.enclosures import Arithmetic, Enclosure, Number, bounds_of
+from symscrew.optimisation.enclosed_quantities import EnclosedQuantities
+from symscrew.optimisation.enclosures import Enclosure, bounds_of
 from symscrew.optimisation.followed_branch import Boxes, Branch, Followed
 from symscrew.optimisation.motion_quantities import MotionQuantities
 from symscrew.optimisation.planned_motion import PlannedMotion
@@ -49,18 +49,13 @@ class BoundedRows:
     """The quantities of a plan that have bounds, on enclosures."""
 
     def __init__(self, motion: PlannedMotion, branch: Branch) -> None:
-        self.motion, self.branch = motion, branch
         symbols = point_symbols(motion.model, moving=True)
         at = MotionQuantities(motion.model, symbols)
         self.rows: list[Row] = [r for r in bound_rows(at) if r.lower < r.upper]
         self.measures = [r.measure or r.scale for r in self.rows]
         looked = [r.value if r.between is None else r.between for r in self.rows]
         values = ca.vertcat(ca.SX(0, 1), *[value / m for value, m in zip(looked, self.measures, strict=True)])
-        self.names = list(symbols)
-        needed = ca.symvar(values) if self.rows else []
-        every = ca.Function("rows", list(symbols.values()), [values])
-        self.used = {name for name, s in symbols.items() if s.numel() and ca.depends_on(ca.vertcat(*needed), s)}
-        self.function = EnclosedFunction(every)
+        self.quantities = EnclosedQuantities(motion, branch, symbols, values)
         self.low, self.high = (
             np.array([getattr(r, name) / m for r, m in zip(self.rows, self.measures, strict=True)])[:, None]
             for name in ("lower", "upper")
@@ -68,22 +63,8 @@ class BoundedRows:
 
     def enclosed(self, boxes: Boxes) -> tuple[np.ndarray, np.ndarray]:
         """How far rows may leave their bounds over pieces, and how far they do in their middles: (rows, n)."""
-        pieces, motion = boxes.pieces, self.motion
-        n = len(pieces)
-        inputs: list[list[Number]] = []
-        for name in self.names:
-            if name not in self.used:
-                inputs.append([0.0] * 1_000)
-            elif name == "z":
-                inputs.append(list(self.branch.enclosed(boxes)))
-            elif name == "tau":
-                inputs.append(self.branch.polynomials.time(pieces))
-            elif name in ("T", "p"):
-                given = motion.arrays[name] if name == "p" else np.array([motion.duration])
-                inputs.append([float(v) for v in given])
-            else:
-                inputs.append(list(self.branch.polynomials.enclosed(name, pieces)))
-        values = self.function(Arithmetic(pieces.radius), inputs)[0]
+        n = len(boxes.pieces)
+        values = self.quantities.over(boxes)
         low, high = (np.array(part).reshape(-1, n) for part in zip(*(bounds_of(v, n) for v in values), strict=True))
         middle = np.array(
             [np.broadcast_to(v.middle[0], (n,)) if isinstance(v, Enclosure) else np.full(n, v) for v in values]
@@ -122,7 +103,7 @@ def violations_of(motion: PlannedMotion, branch: Branch, followed: Followed, all
             np.maximum.at(result[row], k[settled], may[row, settled])
         if settled.all():
             break
-        boxes = _halved(branch, boxes.chosen(~settled))
+        boxes = halved(branch, boxes.chosen(~settled))
     result = np.maximum(result, seen)
     row, interval = divmod(int(np.argmax(result)), intervals)
     worst = bounded.rows[row]
@@ -131,7 +112,7 @@ def violations_of(motion: PlannedMotion, branch: Branch, followed: Followed, all
     return Violations(largest, result.max(axis=0), worst.label, at, largest * bounded.measures[row])
 
 
-def _halved(branch: Branch, boxes: Boxes) -> Boxes:
+def halved(branch: Branch, boxes: Boxes) -> Boxes:
     """Boxes over both halves of pieces; where none is proved it is everything, until it is halved again."""
     halves = boxes.pieces.halves()
     shift = boxes.slope * boxes.pieces.radius[:, None] / 2

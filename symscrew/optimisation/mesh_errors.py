@@ -22,6 +22,7 @@ from symscrew.optimisation.objectives import objectives_by_type
 from symscrew.optimisation.planned_motion import PlannedMotion
 from symscrew.optimisation.rows import PointFunction
 from symscrew.optimisation.sparse import Family
+from symscrew.optimisation.unseen_features import Unseen, unseen_by
 
 SAFETY = 2.0  # the residuals' part is of first order: what higher orders may add is covered by doubling it
 # An error may grow so much on its way to the end before it counts as what feedback has to mend: no mesh makes a motion
@@ -41,7 +42,7 @@ class Errors:
     same at the end of the interval itself; `cost`: estimated error
     of the cost, in its units; `pivot`: smallest pivot of the closure (0: the coordinates y are singular);
     `violation`: largest violation of a bound between the points as a part of its size, `violations` in detail: never
-    less than that of the motion.
+    less than that of the motion. `unseen`: where intervals are too long for what acts in them to be seen.
     """
 
     closure: float
@@ -54,6 +55,7 @@ class Errors:
     violation: float
     local: np.ndarray
     violations: Violations
+    unseen: Unseen
 
     @property
     def judged(self) -> np.ndarray:
@@ -97,6 +99,7 @@ def errors_of(motion: PlannedMotion, costates: np.ndarray, branch: Branch, follo
         violation=max(bounds.largest, beyond),
         local=local,
         violations=bounds,
+        unseen=unseen_by(motion, branch, followed),
     )
 
 

@@ -242,6 +242,16 @@ class PointEquations:
         return lower(function(self.system, "forward_point", "", inputs=inputs, outputs=outputs))
 
     @cached_property
+    def given_functions(self) -> Program | None:
+        """(q, ...) -> values of what effects' texts say of time and coordinates; None without any."""
+        values, q = self.acting.given_functions, self.system.inputs.q
+        if not values:
+            return None
+        inputs = [(_plain("q", len(q)), q), *self.acting.inputs_of(values)]
+        outputs = [(_plain("values", len(values)), values)]
+        return lower(function(self.system, "given_functions", "", inputs=inputs, outputs=outputs))
+
+    @cached_property
     def reactions(self) -> Program:
         """(q, v, a, u, ...) -> reactions of all joints (f ; m_O) for given drives."""
         at = self.system.inputs

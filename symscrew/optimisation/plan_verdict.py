@@ -30,6 +30,8 @@ def judged(trajectory: Trajectory) -> Trajectory:
     accuracy = trajectory.problem.accuracy
     if accuracy is None:
         return trajectory  # no accuracy was asked for
+    if unsettled := trajectory.errors.unseen.unsettled:
+        trajectory = replace(trajectory, notes=(*trajectory.notes, unsettled))
     missed = _missed(trajectory, accuracy)
     if not missed:
         played = replay(trajectory)
@@ -54,6 +56,12 @@ def _missed(trajectory: Trajectory, accuracy: tuple[float, float]) -> tuple[str,
             f"{what} is broken between the points by {size} {near}"
             if np.isfinite(errors.violation)
             else f"{what} is not settled between the points {near}: nothing bounds it there"
+        )
+    if len(errors.unseen.cuts):
+        near, long = f"near {100 * errors.unseen.where:.1f} % of the duration", errors.unseen.shortest
+        found.append(
+            f"what acts or counts there changes within {long * trajectory.duration:.2g} s {near}, which a mesh of "
+            f"{len(trajectory.transcribed.mesh) - 1} intervals does not see"
         )
     total = float(errors.judged.sum())
     if not total <= dynamic:

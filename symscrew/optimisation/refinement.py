@@ -45,6 +45,8 @@ def refinement_of(trajectory: Trajectory, accuracy: tuple[float, float]) -> Refi
     that were more than `MANY` intervals, the degree rises by 2 on the same ones.
     """
     errors, (dynamic, kinematic) = trajectory.errors, accuracy
+    if len(errors.unseen.cuts):
+        return _cut(trajectory.transcribed.mesh, errors.unseen.cuts)
     defects, allowed = errors.judged, trajectory.problem.violation
     if defects.sum() <= dynamic and errors.closure <= kinematic and errors.violation <= allowed:
         return Refinement(None)
@@ -70,4 +72,12 @@ def refinement_of(trajectory: Trajectory, accuracy: tuple[float, float]) -> Refi
     for k, count in enumerate(parts):
         ends += list(mesh[k] + (mesh[k + 1] - mesh[k]) * np.arange(1, count + 1) / count)
     ends[-1] = 1.0
+    return Refinement(tuple(float(e) for e in ends))
+
+
+def _cut(mesh: np.ndarray, cuts: np.ndarray) -> Refinement:
+    """With further ends of intervals."""
+    ends = np.union1d(mesh[1:], cuts)
+    if len(ends) > MOST_INTERVALS:
+        return Refinement(None, f"a finer mesh of {len(ends)} intervals was not tried, {MOST_INTERVALS} are the most")
     return Refinement(tuple(float(e) for e in ends))

@@ -12,7 +12,8 @@ import numpy as np
 import pytest
 import sympy
 from support.marks import slow
-from support.model_states import pendulum
+from support.model_states import pendulum, relative
+from support.second_path import FUNCTIONS, LIMIT, always_second, states
 
 from symscrew import catalogue
 from symscrew.description import parse_description, to_toml
@@ -52,6 +53,26 @@ def test_run_time_parameters_equal_baked_ones(run_time: Model, scale: str) -> No
         assert np.all(status == 0)
         for x, y in zip(got, expected, strict=True):
             assert np.abs(x - y).max() < 1e-10 * np.abs(y).max(), name
+
+
+def test_the_second_path_reads_parameters_and_multipliers_each_in_its_place() -> None:
+    """As many parameters as rates: what is handed over in another order has the same sizes."""
+    four_bar = (Path(catalogue.__file__).parent / "four_bar.toml").read_text()
+    for name, value, unit in (("load", "6/5", "kg"), ("reach", "3/20", "m"), ("height", "9/20", "m")):
+        table = f'[parameters.{name}]\nvalue = "{value}"\nunit = "{unit}"\nrun_time = true\n\n[bodies.crank]'
+        four_bar = four_bar.replace("[bodies.crank]", table)
+    for old, new in (('mass = "1.2"', 'mass = "load"'), ('0, "3/20"', '0, "reach"'), ('0, "9/20"', '0, "height"')):
+        assert old in four_bar
+        four_bar = four_bar.replace(old, new)
+    found = derive(parse_description(four_bar))
+    q, v, u = states(found)
+    p = np.tile(found.system.parameter_values, (len(q), 1))
+    for name in FUNCTIONS:
+        expected, first = found(name, q, v, u, p)
+        got, second = always_second(found)(name, q, v, u, p)
+        assert (first == 0).all() and (second == -1).all()
+        for x, y in zip(got, expected, strict=True):
+            assert relative(x, y) < LIMIT
 
 
 DELTA = (Path(catalogue.__file__).parent / "delta.toml").read_text()

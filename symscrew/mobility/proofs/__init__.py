@@ -1,7 +1,9 @@
-"""Proofs of a mobility verdict that others can check: a file of exact numbers, and its checker.
+"""Proofs of a mobility verdict that others can check: the evidence in exact numbers, and the checker of a proof file.
 
-    Mobility --proof_numbers--> exact numbers of the mechanism --rank_proofs, motion_proofs, evidence--> evidence
-             --proof_file--> JSON --proof_checker--> every claim proved, refused, or said to be sampled
+    Mechanism --proof_numbers--> exact numbers --rank_proofs, motion_proofs, evidence--> evidence
+    JSON      --proof_checker--> every claim proved, refused, or said to be sampled
+
+The file itself is written by `symscrew/mobility/proof_file.py`, from a whole verdict.
 
 `proof_checker` imports nothing else of the package and needs Python alone; it is run as
 
@@ -14,18 +16,21 @@ from symscrew.doors import doors
 
 if TYPE_CHECKING:
     from symscrew.mobility.proofs.evidence import Evidence, MotionProof, gathered, motion_proof
-    from symscrew.mobility.proofs.proof_checker import Verdict, check_proof
-    from symscrew.mobility.proofs.proof_file import mobility_proof, write_proof
+    from symscrew.mobility.proofs.proof_checker import COUPLED, FORMAT, Verdict, check_proof, digest, facts_of
+    from symscrew.mobility.proofs.rank_proofs import rank_entry
 
 __all__ = [
+    "COUPLED",
+    "FORMAT",
     "Evidence",
     "MotionProof",
     "Verdict",
     "check_proof",
+    "digest",
+    "facts_of",
     "gathered",
-    "mobility_proof",
     "motion_proof",
-    "write_proof",
+    "rank_entry",
 ]
 
 __getattr__ = doors(__name__)

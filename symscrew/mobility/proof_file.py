@@ -13,8 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from symscrew.mobility.analysis import Mobility
-from symscrew.mobility.proofs.proof_checker import COUPLED, FORMAT, Verdict, check_proof, digest, facts_of
-from symscrew.mobility.proofs.rank_proofs import rank_entry
+from symscrew.mobility.proofs import COUPLED, FORMAT, Verdict, check_proof, digest, facts_of, rank_entry
 from symscrew.whole_files import write_text
 
 AS_MEANT = "with differences below 1e-27 taken for rounding, "
