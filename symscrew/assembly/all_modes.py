@@ -204,8 +204,8 @@ class _Search:
         modes, missed = self._seen(ends, certificates)
         modes = _one_of_each(modes, self.held)
         others = [end for end in account.ends if end.kind == "complex" and end.regular]
-        proofs = [c for c in certificates if c is not None]
-        complete, why, bound = self._verdict(start, account, (len(proofs), others), (boxes, fine))
+        proofs = [c for c in certificates if c is not None and c.kind == "real"]
+        complete, why, bound = self._verdict(start, account, (proofs, others), boxes)
         names = self._names(start, modes)
         modes = sorted((replace(m, name=n) for m, n in zip(modes, names, strict=True)), key=lambda m: _order(m.name))
         return AssemblyModes(
@@ -270,14 +270,13 @@ class _Search:
         return rotation, (centre - rotation @ centre + frame.T @ shift) * float(self.held.network.length)
 
     def _verdict(
-        self, start: StartSystem, account: Account, found: tuple[int, Sequence[End]], numbers: tuple[Any, Any]
+        self, start: StartSystem, account: Account, found: tuple[Sequence[Certificate], Sequence[End]], boxes: Any
     ) -> tuple[str, str, Bound | None]:
         """(what completeness is, why, the bound): by the family's bound, by that of this mechanism's fractions."""
         real, others = found
         family = start.bound
         wanted = None if family is None else family.count
-        every = real + len(others)
-        ends = [end for end in account.ends if end.regular and end.kind in ("real", "complex")]
+        every = len(real) + len(others)
         own: Bound | None = None
         if wanted is None or every < wanted:
             asked = own_bound(self.held)
@@ -288,8 +287,8 @@ class _Search:
                 f"all zeros of this very mechanism have dimension {own.dimension}: {own.how}; isolated ones are those "
                 f"that {account.paths} paths lead to"
             ), family  # fmt: skip
-        whole = real == account.count("real") and self._apart(ends)
-        if best is not None and best.count == every and whole and self._all_certified(others, numbers[0]):
+        whole = len(real) == account.count("real")
+        if best is not None and best.count == every and whole and self._all_certified(real, others, boxes):
             return "proved", f"as many certified solutions, {every}, as the bound {best.how}", best
         if start.complete:
             return "tracked", (
@@ -299,15 +298,14 @@ class _Search:
             ), best  # fmt: skip
         return "sampled", f"{len(start.zeros)} zeros of a general member were found by monodromy; {start.why}", best
 
-    def _all_certified(self, others: Sequence[End], boxes: Any) -> bool:
-        """Whether all complex solutions have certificates too."""
+    def _all_certified(self, real: Sequence[Certificate], others: Sequence[End], boxes: Any) -> bool:
+        """Whether complex solutions have certificates too, and say they are complex, and all zeros are different."""
         self.progress(f"certificates of {len(others)} complex solutions")
-        return all(certified(self.equations, boxes, end.z) is not None for end in others)
-
-    def _apart(self, ends: Sequence[End]) -> bool:
-        """Whether no two zeros are nearer than boxes are wide."""
-        zeros = np.array([self.equations.scaled(end.z[None])[0] for end in ends])
-        return all(together(self.equations, zeros, z, APART).sum() == 1 for z in zeros)
+        found = [certified(self.equations, boxes, end.z) for end in others]
+        proofs = [proof for proof in found if proof is not None and proof.kind == "complex"]
+        zeros = [self.equations.scaled(proof.z[None] + 0j)[0] for proof in (*real, *proofs)]
+        apart = all(together(self.equations, np.array(zeros), z, APART).sum() == 1 for z in zeros)
+        return len(proofs) == len(others) and apart
 
 
 def _one_of_each(modes: Sequence[AssemblyMode], held: Held) -> list[AssemblyMode]:
