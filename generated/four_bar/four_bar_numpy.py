@@ -2,7 +2,7 @@
 
 Mechanism: four_bar, planar crank-rocker, one driven crank
 Effects: Gravity(acceleration=(0, 0, '-9.81'))
-Programs: 014a4499b4fcd2c0
+Programs: 73b4f44fba589ae5
 Note: independent coordinates y: A
 Note: redundant closure constraints (satisfied by the others): C.fz, C.mx, C.my
 Note: overconstrained: 3 internal loads are undetermined and take the minimum-norm values (moments
@@ -96,7 +96,8 @@ def _iterate_batch(arguments, *settings):
     """`_iterate` state by state."""
     arrays = [_real(argument) for argument in arguments]
     batch = np.broadcast_shapes(*(array.shape[:-1] for array in arrays))
-    rows = [np.broadcast_to(a, (*batch, a.shape[-1])).reshape(-1, a.shape[-1]) for a in arrays]
+    count = int(np.prod(batch))  # not -1: an array may have no entries
+    rows = [np.broadcast_to(a, (*batch, a.shape[-1])).reshape(count, a.shape[-1]) for a in arrays]
     found = [_iterate(*settings, y, guess, parameters) for y, guess, *parameters in zip(*rows)]
     q = np.array([state for state, _ in found]).reshape(*batch, rows[1].shape[-1])
     return (q,), np.array([status for _, status in found], dtype=int).reshape(batch)
@@ -404,11 +405,12 @@ def joint_screws(*arguments):
       q[3] [rad]: configuration of the tree
           0 A; 1 B; 2 D
     Outputs
-      screws[24] (6x4, column by column): unit screw (e ; r x e) of every joint freedom
-          0 A.wx [1]; 1 A.wy [1]; 2 A.wz [1]; 3 A.vx [m]; 4 A.vy [m]; 5 A.vz [m]; 6 B.wx [1];
-          7 B.wy [1]; 8 B.wz [1]; 9 B.vx [m]; 10 B.vy [m]; 11 B.vz [m]; 12 C.wx [1]; 13 C.wy [1];
-          14 C.wz [1]; 15 C.vx [m]; 16 C.vy [m]; 17 C.vz [m]; 18 D.wx [1]; 19 D.wy [1]; 20 D.wz [1];
-          21 D.vx [m]; 22 D.vy [m]; 23 D.vz [m]
+      screws[24] (6x4, column by column): unit screw of every joint freedom: (e ; r x e) of a turn, (0 ;
+        e) of a slide
+          0 A.wx [1]; 1 A.wy [1]; 2 A.wz [1]; 3 A.vx [m/rad]; 4 A.vy [m/rad]; 5 A.vz [m/rad];
+          6 B.wx [1]; 7 B.wy [1]; 8 B.wz [1]; 9 B.vx [m/rad]; 10 B.vy [m/rad]; 11 B.vz [m/rad];
+          12 C.wx [1]; 13 C.wy [1]; 14 C.wz [1]; 15 C.vx [m/rad]; 16 C.vy [m/rad]; 17 C.vz [m/rad];
+          18 D.wx [1]; 19 D.wy [1]; 20 D.wz [1]; 21 D.vx [m/rad]; 22 D.vy [m/rad]; 23 D.vz [m/rad]
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
@@ -477,9 +479,10 @@ def platform_jacobian(*arguments):
       q[3] [rad]: configuration of the tree
           0 A; 1 B; 2 D
     Outputs
-      jacobian[18] (6x3, column by column) [1]: twist of rocker at O per rate of the tree
-          0 A.wx; 1 A.wy; 2 A.wz; 3 A.vx; 4 A.vy; 5 A.vz; 6 B.wx; 7 B.wy; 8 B.wz; 9 B.vx; 10 B.vy;
-          11 B.vz; 12 D.wx; 13 D.wy; 14 D.wz; 15 D.vx; 16 D.vy; 17 D.vz
+      jacobian[18] (6x3, column by column): twist of rocker at O per rate of the tree
+          0 A.wx [1]; 1 A.wy [1]; 2 A.wz [1]; 3 A.vx [m/rad]; 4 A.vy [m/rad]; 5 A.vz [m/rad];
+          6 B.wx [1]; 7 B.wy [1]; 8 B.wz [1]; 9 B.vx [m/rad]; 10 B.vy [m/rad]; 11 B.vz [m/rad];
+          12 D.wx [1]; 13 D.wy [1]; 14 D.wz [1]; 15 D.vx [m/rad]; 16 D.vy [m/rad]; 17 D.vz [m/rad]
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
@@ -610,7 +613,7 @@ def closure_jacobian(*arguments):
       q[3] [rad]: configuration of the tree
           0 A; 1 B; 2 D
     Outputs
-      jacobian[15] (5x3, column by column) [1]: rows: closure constraints, columns: v
+      jacobian[15] (5x3, column by column): rows: as of closure, columns: as of v; units m/rad, 1
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN

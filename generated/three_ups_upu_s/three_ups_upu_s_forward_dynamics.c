@@ -2135,84 +2135,80 @@ static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_forward_dynamics_pac
     const double t106 = limb5_S_v_wx * platform_turn_zx + limb5_S_v_wy * platform_turn_zy, /* platform */
       platform_twist_wz = limb5_S_v_wz * platform_turn_zz + t106;
     const lanes4 each_limb1_U_0_cos = {limb1_U_0_cos, cosine[2], cosine[4], cosine[6]},
-      lanes_5 = lanes_1 + (lanes4){-1.0, 1.0, -1.0, 1.0} * (each_limb1_U_0_cos * platform_twist_wz),
-      lanes_6 = each_limb1_U_0_sin * platform_twist_wz, limb_U_v_0 = {limb1_U_v_0, v[3], v[6], v[9]},
+      lanes_3 = (lanes4){1.0, -1.0, 1.0, -1.0} * platform_twist_wz, lanes_5 = lanes_1 - each_limb1_U_0_cos *
+        lanes_3,
+      lanes_6 = each_limb1_U_0_sin * lanes_3, limb_U_v_0 = {limb1_U_v_0, v[3], v[6], v[9]},
       lanes_7 = limb_U_v_0 * lanes_5, limb_upper_offset_x = (lanes4){q[2], q[5], q[8], q[11]} +
         limb_upper_phase,
       signed_limb_lower_sin = {limb1_lower_sin, sine[3], sine[5], sine[7]},
       each_limb1_U2_arm_x = limb_upper_offset_x - param_R * signed_limb_lower_sin,
       lanes_9 = each_limb1_U2_arm_x * lanes_7, limb_U_v_1 = {limb1_U_v_1, v[4], v[7], v[10]},
       limb_P_v = {v[2], v[5], v[8], v[11]}, lanes_10 = limb_U_v_1 * limb_P_v, lanes_11 = lanes_9 + lanes_10,
-      lanes_15 = each_limb1_U_0_cos * each_platform_twist_wy + (lanes4){1.0, -1.0, 1.0, -1.0} * lanes_6,
-      limb_lower_cos = {limb1_lower_cos, cosine[3], cosine[5], cosine[7]}, lanes_16 = limb_U_v_1 *
+      lanes_13 = each_limb1_U_0_cos * each_platform_twist_wy + lanes_6,
+      limb_lower_cos = {limb1_lower_cos, cosine[3], cosine[5], cosine[7]}, lanes_14 = limb_U_v_1 *
         limb_lower_cos,
-      lanes_22 = lanes_11 - lanes_15 * (limb_P_v + (lanes4){-1.0, -1.0, 1.0, 1.0} * (param_R * lanes_16)),
-      lanes_23 = limb_upper_offset_x * lanes_16,
+      lanes_19 = lanes_11 + lanes_13 * ((lanes4){param_R, param_R, -param_R, -param_R} * lanes_14 - limb_P_v),
+      lanes_20 = limb_upper_offset_x * lanes_14,
       each_limb1_U_0_lever_mz_by_limb1_U2_fz = limb_lower_cos * limb_upper_offset_x,
-      lanes_24 = 1.0 / each_limb1_U_0_lever_mz_by_limb1_U2_fz, lanes_25 = limb_lower_cos * lanes_24,
-      lanes_26 = lanes_22 * lanes_25, limb_lower_composite_first_x = limb_lower_m * limb_upper_offset_x,
-      lanes_27 = limb_lower_composite_first_x - k7, lanes_28 = limb_lower_composite_first_x + lanes_27,
-      lanes_29 = limb_upper_offset_x * lanes_27, lanes_30 = lanes_10 * lanes_28,
-      each_limb1_U_mass_matrix_1_by_limb1_U_1 = lanes_29 + k9, lanes_31 = lanes_29 - (-k8),
-      lanes_32 = each_limb1_U_mass_matrix_1_by_limb1_U_1 * lanes_26, lanes_33 = limb_lower_cos * lanes_31,
-      lanes_36 = signed_limb_lower_sin * lanes_33 + limb_lower_cos * (signed_limb_lower_sin * lanes_31),
-      each_limb1_U_mass_matrix_0_by_limb1_U_0 = limb_lower_cos * lanes_33 + k3, lanes_38 = 0.5 * lanes_36,
-      minus_limb_U_0_U_still_xx = limb_U_v_0 * limb_U_v_0,
-      lanes_42 = lanes_30 + (lanes4){1.0, 1.0, -1.0, -1.0} * (minus_limb_U_0_U_still_xx * lanes_38),
-      signed_limb_U_0_acc_y = gravity_z * each_limb1_U_0_cos,
-      signed_limb_lower_moment_z = limb_upper_offset_x * (limb_lower_m * (signed_limb_lower_sin *
-        signed_limb_U_0_acc_y));
-    /* limbs together: free motion; rates that follow; accelerations */
-    const lanes4 minus_limb_U_handed_force_1 = lanes_32 - (lanes_42 + (lanes4){-1.0, 1.0, 1.0, -1.0} *
-        signed_limb_lower_moment_z),
-      limb_P_u = {u[0], u[1], u[2], u[3]},
-      minus_limb_P_generalised_force = limb_P_u + (lanes4){-1.0, 1.0, -1.0, 1.0} * (limb_lower_m *
-        (limb_lower_cos * signed_limb_U_0_acc_y)),
-      each_limb1_U_follows_1_by_limb1_U2_0 = each_limb1_U2_arm_x * lanes_25,
-      lanes_48 = each_limb1_U_follows_1_by_limb1_U2_0 * minus_limb_U_handed_force_1,
-      lanes_50 = each_limb1_U_follows_1_by_limb1_U2_0 * (each_limb1_U_mass_matrix_1_by_limb1_U_1 *
+      lanes_22 = (lanes4){1.0, -1.0, 1.0, -1.0} / each_limb1_U_0_lever_mz_by_limb1_U2_fz,
+      lanes_23 = limb_lower_cos * lanes_22, lanes_24 = lanes_19 * lanes_23,
+      limb_lower_composite_first_x = limb_lower_m * limb_upper_offset_x,
+      lanes_25 = limb_lower_composite_first_x + (-k7), lanes_26 = limb_lower_composite_first_x + lanes_25,
+      lanes_27 = limb_upper_offset_x * lanes_25, lanes_28 = lanes_10 * lanes_26,
+      each_limb1_U_mass_matrix_1_by_limb1_U_1 = lanes_27 + k9, lanes_29 = lanes_27 + k8,
+      lanes_30 = each_limb1_U_mass_matrix_1_by_limb1_U_1 * lanes_24, lanes_31 = limb_lower_cos * lanes_29,
+      lanes_33 = (lanes4){1.0, 1.0, -1.0, -1.0} * signed_limb_lower_sin;
+    /* limbs together: free motion; accelerations; rates that follow */
+    const lanes4 lanes_36 = lanes_33 * lanes_31 + limb_lower_cos * (lanes_33 * lanes_29),
+      each_limb1_U_mass_matrix_0_by_limb1_U_0 = limb_lower_cos * lanes_31 + k3, lanes_38 = 0.5 * lanes_36,
+      minus_limb_U_0_U_still_xx = limb_U_v_0 * limb_U_v_0, lanes_40 = minus_limb_U_0_U_still_xx * lanes_38 +
+        lanes_28,
+      limb_U_0_acc_y = (lanes4){gravity_z, -gravity_z, gravity_z, -gravity_z} * each_limb1_U_0_cos,
+      lanes_42 = lanes_40 - limb_upper_offset_x * (limb_lower_m * (lanes_33 * limb_U_0_acc_y)),
+      limb_U_handed_force_1 = lanes_42 - (lanes4){1.0, -1.0, 1.0, -1.0} * lanes_30,
+      limb_P_generalised_force = limb_lower_m * (limb_lower_cos * limb_U_0_acc_y) - (lanes4){u[0], u[1], u[2],
+        u[3]},
+      each_limb1_U_follows_1_by_limb1_U2_0 = each_limb1_U2_arm_x * lanes_23,
+      lanes_45 = each_limb1_U_follows_1_by_limb1_U2_0 * limb_U_handed_force_1,
+      lanes_47 = each_limb1_U_follows_1_by_limb1_U2_0 * (each_limb1_U_mass_matrix_1_by_limb1_U_1 *
         each_limb1_U_follows_1_by_limb1_U2_0),
-      each_limb1_U2_arm_y = param_R * limb_lower_cos, lanes_51 = each_limb1_U2_arm_y * lanes_7,
-      lanes_52 = limb_U_v_1 * signed_limb_lower_sin,
-      lanes_57 = lanes_51 + (lanes4){1.0, 1.0, -1.0, -1.0} * (lanes_15 * (param_R * lanes_52)),
-      lanes_58 = limb_upper_offset_x * lanes_52, lanes_59 = limb_lower_m * lanes_57,
-      lanes_61 = limb_lower_cos * (limb_lower_cos * lanes_28),
-      lanes_67 = minus_limb_U_0_U_still_xx * (0.5 * lanes_61) + limb_U_v_1 * limb_U_v_1 * (0.5 * lanes_28),
-      lanes_71 = each_limb1_U2_arm_y * (lanes_59 + (lanes4){1.0, 1.0, -1.0, -1.0} * (lanes_67 +
-        minus_limb_P_generalised_force)),
-      each_limb1_U2_handed_force_0 = lanes_48 + lanes_71,
-      lanes_72 = each_limb1_U_0_sin * each_limb1_U2_handed_force_0,
-      lanes_73 = each_limb1_U_0_cos * each_limb1_U2_handed_force_0;
+      each_limb1_U2_arm_y = param_R * limb_lower_cos, lanes_48 = each_limb1_U2_arm_y * lanes_7,
+      lanes_49 = limb_U_v_1 * lanes_33, lanes_52 = lanes_48 + lanes_13 * (param_R * lanes_49),
+      lanes_53 = limb_upper_offset_x * lanes_49,
+      lanes_55 = (lanes4){limb_lower_m, limb_lower_m, -limb_lower_m, -limb_lower_m} * lanes_52,
+      lanes_57 = limb_lower_cos * (limb_lower_cos * lanes_26),
+      lanes_63 = minus_limb_U_0_U_still_xx * (0.5 * lanes_57) + limb_U_v_1 * limb_U_v_1 * (0.5 * lanes_26),
+      lanes_65 = each_limb1_U2_arm_y * (lanes_55 - (limb_P_generalised_force - lanes_63)),
+      each_limb1_U2_handed_force_0 = lanes_65 - (lanes4){1.0, -1.0, -1.0, 1.0} * lanes_45,
+      lanes_68 = each_limb1_U_0_sin * each_limb1_U2_handed_force_0,
+      lanes_69 = each_limb1_U_0_cos * each_limb1_U2_handed_force_0;
     const double platform_rate_mx = k12 * (limb5_S_v_wy * limb5_S_v_wz) - gravity_z_platform_mz *
         platform_turn_zy,
       t430 = platform_turn_zx * platform_rate_mx, /* platform */
       minus_platform_rate_my = k12 * (limb5_S_v_wx * limb5_S_v_wz) - gravity_z_platform_mz * platform_turn_zx,
-      t464 = lanes_72[1] + (t430 - platform_turn_zy * minus_platform_rate_my - lanes_72[2]), /* limb5_S */
-      t466 = -lanes_72[0] - (-lanes_72[3] - t464); /* limb5_S */
-    const lanes4 lanes_74 = limb_U_v_0 * lanes_15;
-    const double t133 = limb1_U_v_1 - lanes_15[0]; /* limb1 */
-    const lanes4 each_limb1_upper_position_x = signed_limb_lower_sin * limb_upper_offset_x - param_R,
-      lanes_75 = each_limb1_upper_position_x * lanes_74,
-      lanes_79 = lanes_58 + (lanes4){-1.0, -1.0, 1.0, 1.0} * (limb_P_v * limb_lower_cos),
-      lanes_80 = (lanes4){platform_twist_wx, platform_twist_wy, platform_twist_wx, platform_twist_wy} *
-        lanes_79,
-      lanes_82 = lanes_75 + limb_U_v_0 * lanes_79,
-      lanes_87 = lanes_82 + lanes_5 * (limb_P_v * signed_limb_lower_sin + (lanes4){1.0, 1.0, -1.0, -1.0} *
-        lanes_23),
-      lanes_88 = lanes_87 - lanes_80, lanes_89 = lanes_24 * lanes_88,
-      lanes_90 = each_limb1_U_mass_matrix_0_by_limb1_U_0 * lanes_89, lanes_92 = lanes_36 * (limb_U_v_0 *
-        limb_U_v_1),
-      lanes_97 = lanes_92 + (lanes4){-1.0, -1.0, 1.0, 1.0} * (lanes_61 * (limb_U_v_0 * limb_P_v)),
+      t464 = lanes_68[1] + (t430 - platform_turn_zy * minus_platform_rate_my - (-lanes_68[2])), /* limb5_S */
+      t466 = -lanes_68[0] - (lanes_68[3] - t464); /* limb5_S */
+    const lanes4 lanes_70 = limb_U_v_0 * lanes_13;
+    const double t133 = limb1_U_v_1 - lanes_13[0]; /* limb1 */
+    const lanes4 each_limb1_upper_position_x = lanes_33 * limb_upper_offset_x + (lanes4){-param_R, -param_R,
+        param_R, param_R},
+      lanes_72 = each_limb1_upper_position_x * lanes_70, lanes_74 = limb_P_v * limb_lower_cos - lanes_53,
+      lanes_75 = (lanes4){platform_twist_wx, platform_twist_wy, platform_twist_wx, platform_twist_wy} *
+        lanes_74,
+      lanes_80 = limb_U_v_0 * lanes_74 - lanes_72 - lanes_5 * (limb_P_v * lanes_33 + lanes_20),
+      lanes_81 = lanes_80 - lanes_75, lanes_82 = lanes_22 * lanes_81,
+      lanes_83 = each_limb1_U_mass_matrix_0_by_limb1_U_0 * lanes_82,
+      lanes_88 = lanes_36 * (limb_U_v_0 * limb_U_v_1) - lanes_57 * (limb_U_v_0 * limb_P_v),
       signed_limb_U_0_moment_z = limb_lower_cos * (limb_upper_offset_x * (limb_lower_m_gravity_z *
         each_limb1_U_0_sin)),
-      signed_limb_U_handed_force_0 = lanes_97 + (lanes4){1.0, -1.0, -1.0, 1.0} * signed_limb_U_0_moment_z -
-        lanes_90,
-      each_limb1_U_follows_0_by_limb1_U2_1 = each_limb1_upper_position_x * lanes_24,
+      signed_limb_U_handed_force_0 = signed_limb_U_0_moment_z + (lanes4){1.0, -1.0, 1.0, -1.0} * lanes_88 +
+        lanes_83,
+      each_limb1_U_follows_0_by_limb1_U2_1 = each_limb1_upper_position_x * lanes_22,
       each_limb1_U2_handed_force_1 = each_limb1_U_follows_0_by_limb1_U2_1 * signed_limb_U_handed_force_0,
-      lanes_101 = each_limb1_U_0_cos * each_limb1_U2_handed_force_1;
-    const double t469 = -lanes_101[3] - (lanes_101[1] - (lanes_101[2] + t466)), /* limb5_S */
-      t470 = -lanes_101[0] - t469; /* limb5_S */
-    const lanes4 lanes_102 = each_limb1_U_0_sin * each_limb1_U2_handed_force_1;
+      lanes_92 = each_limb1_U_0_cos * each_limb1_U2_handed_force_1;
+    const double t469 = -lanes_92[3] - (lanes_92[1] - (lanes_92[2] + t466)), /* limb5_S */
+      t470 = -lanes_92[0] - t469; /* limb5_S */
+    const lanes4 lanes_93 = each_limb1_U_0_sin * each_limb1_U2_handed_force_1;
     const double t119 = lanes_5[0]; /* limb5_S */
     /* limb1: loop closure; reciprocal wrenches, eq. (10); rates that follow */
     const double t137 = limb1_lower_sin * t119 + limb1_lower_cos * platform_twist_wx,
@@ -2225,16 +2221,16 @@ static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_forward_dynamics_pac
       t88 = limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos * platform_turn_zy, t152 = limb1_lower_sin * t88,
       limb1_U2_constraint_mn_couple_z = limb1_lower_cos * t88 - limb1_lower_sin * platform_turn_xy,
       t151 = t142 - limb1_U2_constraint_mn_couple_z * t149,
-      limb1_U_factor_1_by_3 = limb1_U2_constraint_mn_couple_z * lanes_25[0],
-      t171 = lanes_22[0] * limb1_U_factor_1_by_3, /* limb5_S */
+      limb1_U_factor_1_by_3 = limb1_U2_constraint_mn_couple_z * lanes_23[0],
+      t171 = lanes_19[0] * limb1_U_factor_1_by_3, /* limb5_S */
       minus_limb1_U2_factor_0_by_3 = limb1_U2_constraint_mn_couple_z - each_limb1_U2_arm_x[0] *
         limb1_U_factor_1_by_3,
       t155 = limb1_U2_constraint_mn_couple_z * t138, t158 = limb1_U2_constraint_mn_couple_x * t138,
       limb1_U2_opening_mn = t152 + limb1_lower_cos * platform_turn_xy,
       t157 = t147 * (limb1_U2_opening_mn * t147 + t155),
       t172 = t151 - (t157 - t133 * (t158 - limb1_U2_opening_mn * t133)) - t171, /* limb5_S */
-      minus_limb1_U_factor_0_by_3 = limb1_lower_sin * limb1_U2_constraint_mn_couple_x * lanes_24[0],
-      t173 = minus_limb1_U_factor_0_by_3 * (-lanes_88[0]) - t172, /* limb5_S */
+      minus_limb1_U_factor_0_by_3 = limb1_lower_sin * limb1_U2_constraint_mn_couple_x * lanes_22[0],
+      t173 = minus_limb1_U_factor_0_by_3 * lanes_81[0] - t172, /* limb5_S */
       t84 = (-each_limb1_upper_position_x[0]) * minus_limb1_U_factor_0_by_3,
       minus_limb1_U2_factor_1_by_3 = limb1_lower_cos * limb1_U2_constraint_mn_couple_x - t84,
       t368 = limb1_U_0_cos * minus_limb1_U2_factor_0_by_3,
@@ -2244,41 +2240,41 @@ static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_forward_dynamics_pac
       minus_limb5_S_joint_acc_still_wz = t97 * t173,
       limb5_S_null_space_wz_by_limb5_S_wy = t97 * (limb1_U_0_sin * minus_limb1_U2_factor_1_by_3 - t368);
     /* limbs together: free motion */
-    const lanes4 lanes_103 = each_limb1_U_follows_0_by_limb1_U2_1 * each_limb1_U_mass_matrix_0_by_limb1_U_0,
-      lanes_104 = each_limb1_U_follows_0_by_limb1_U2_1 * lanes_103,
-      lanes_107 = each_limb1_U2_arm_y * (k20 * limb_lower_cos) + lanes_50,
-      lanes_109 = each_limb1_U_0_cos * (lanes_104 - lanes_107), lanes_110 = each_limb1_U_0_cos * lanes_109,
-      lanes_111 = lanes_107 + lanes_110, lanes_112 = lanes_104 - lanes_110,
-      lanes_113 = each_limb1_U_0_sin * lanes_109;
+    const lanes4 lanes_94 = each_limb1_U_follows_0_by_limb1_U2_1 * each_limb1_U_mass_matrix_0_by_limb1_U_0,
+      lanes_95 = each_limb1_U_follows_0_by_limb1_U2_1 * lanes_94,
+      lanes_98 = each_limb1_U2_arm_y * (k20 * limb_lower_cos) + lanes_47,
+      lanes_100 = each_limb1_U_0_cos * (lanes_95 - lanes_98), lanes_101 = each_limb1_U_0_cos * lanes_100,
+      lanes_102 = lanes_98 + lanes_101, lanes_103 = lanes_95 - lanes_101, lanes_104 = each_limb1_U_0_sin *
+        lanes_100;
     /* limb5_S: free motion; accelerations */
-    const double t44 = k12 * platform_turn_zz, t399 = lanes_111[1] + (k13 + platform_turn_zz * t44 +
-        lanes_111[2]),
-      limb5_S_handed_inertia_wz = lanes_111[0] + (lanes_111[3] + t399), t45 = platform_turn_xz * t44,
+    const double t44 = k12 * platform_turn_zz, t399 = lanes_102[1] + (k13 + platform_turn_zz * t44 +
+        lanes_102[2]),
+      limb5_S_handed_inertia_wz = lanes_102[0] + (lanes_102[3] + t399), t45 = platform_turn_xz * t44,
       t471 = limb5_S_null_space_wz_by_limb5_S_wy * (limb5_S_handed_inertia_wz *
         minus_limb5_S_joint_acc_still_wz + t470),
       t515 = limb5_S_null_space_wz_by_limb5_S_wy * limb5_S_handed_inertia_wz,
       t327 = platform_turn_xx * platform_rate_mx,
-      t490 = platform_turn_yx * platform_rate_mx - platform_turn_yy * minus_platform_rate_my - lanes_73[2],
-      t493 = -signed_limb_U_handed_force_0[1] - (lanes_102[2] - (-lanes_73[0] + t490)),
-      t495 = -lanes_102[0] + (signed_limb_U_handed_force_0[3] + t493),
-      t362 = -lanes_73[3] + (t327 - platform_turn_xy * minus_platform_rate_my - lanes_73[1]),
-      t365 = -lanes_102[3] - (lanes_102[1] + (-signed_limb_U_handed_force_0[2] - t362)),
+      t490 = platform_turn_yx * platform_rate_mx - platform_turn_yy * minus_platform_rate_my - (-lanes_69[2]),
+      t493 = signed_limb_U_handed_force_0[1] - (lanes_93[2] - (-lanes_69[0] + t490)),
+      t495 = -lanes_93[0] + (signed_limb_U_handed_force_0[3] + t493),
+      t362 = lanes_69[3] + (t327 - platform_turn_xy * minus_platform_rate_my - lanes_69[1]),
+      t365 = -lanes_93[3] - (lanes_93[1] + (signed_limb_U_handed_force_0[2] - t362)),
       t366 = signed_limb_U_handed_force_0[0] - t365, t475 = k12 * platform_turn_yz,
-      t478 = platform_turn_zz * t475 - lanes_113[2];
-    const lanes4 lanes_114 = each_limb1_U_0_cos * lanes_103;
-    const double t481 = lanes_113[0] - (-lanes_114[3] - (-lanes_114[1] - t478)), t517 = t481 + (t481 - t515),
+      t478 = platform_turn_zz * t475 - lanes_104[2];
+    const lanes4 lanes_105 = each_limb1_U_0_cos * lanes_94;
+    const double t481 = lanes_104[0] - (-lanes_105[3] - (lanes_105[1] - t478)), t517 = t481 + (t481 - t515),
       limb5_S_reduced_force_wy = t471 - (t481 * minus_limb5_S_joint_acc_still_wz + t495),
-      t518 = limb5_S_null_space_wz_by_limb5_S_wy * t517, t76 = lanes_113[3] + (t45 - (-lanes_114[2]) +
-        lanes_113[1]),
-      limb5_S_handed_inertia_wz_by_limb5_S_wx = -lanes_114[0] + t76;
-    const lanes4 lanes_115 = each_limb1_U_0_sin * lanes_103;
+      t518 = limb5_S_null_space_wz_by_limb5_S_wy * t517, t76 = lanes_104[3] + (t45 - lanes_105[2] +
+        lanes_104[1]),
+      limb5_S_handed_inertia_wz_by_limb5_S_wx = -lanes_105[0] + t76;
+    const lanes4 lanes_106 = each_limb1_U_0_sin * lanes_94;
     const double t512 = each_limb1_U_mass_matrix_0_by_limb1_U_0[1] + (k13 + platform_turn_yz * t475 +
-        lanes_112[2]),
-      limb5_S_reduced_inertia_wy_by_limb5_S_wy = lanes_112[0] + (each_limb1_U_mass_matrix_0_by_limb1_U_0[3] +
+        lanes_103[2]),
+      limb5_S_reduced_inertia_wy_by_limb5_S_wy = lanes_103[0] + (each_limb1_U_mass_matrix_0_by_limb1_U_0[3] +
         t512) - t518,
       t519 = 1.0 / limb5_S_reduced_inertia_wy_by_limb5_S_wy,
-      t501 = platform_turn_xz * t475 + (-lanes_115[2]) - (-lanes_115[1]),
-      t505 = t501 + (-lanes_115[3]) - (-lanes_115[0]),
+      t501 = platform_turn_xz * t475 + lanes_106[2] - lanes_106[1], t505 = t501 + (-lanes_106[3]) -
+        (-lanes_106[0]),
       limb5_S_reduced_inertia_wx_by_limb5_S_wy = t505 + limb5_S_null_space_wz_by_limb5_S_wy *
         limb5_S_handed_inertia_wz_by_limb5_S_wx,
       limb5_S_reduced_force_wx = limb5_S_handed_inertia_wz_by_limb5_S_wx * minus_limb5_S_joint_acc_still_wz +
@@ -2288,8 +2284,8 @@ static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_forward_dynamics_pac
       t531 = limb5_S_reduced_inertia_wx_by_limb5_S_wy * t520, t533 = limb5_S_reduced_force_wy * t519,
       t522 = limb5_S_reduced_force_wx - limb5_S_reduced_force_wy * t520,
       t527 = each_limb1_U_mass_matrix_0_by_limb1_U_0[2] + (k13 + platform_turn_xz * (k12 * platform_turn_xz)),
-      limb5_S_reduced_inertia_wx_by_limb5_S_wx = each_limb1_U_mass_matrix_0_by_limb1_U_0[0] + (lanes_112[3] +
-        (t527 + lanes_112[1])),
+      limb5_S_reduced_inertia_wx_by_limb5_S_wx = each_limb1_U_mass_matrix_0_by_limb1_U_0[0] + (lanes_103[3] +
+        (t527 + lanes_103[1])),
       pivot_1 = limb5_S_reduced_inertia_wx_by_limb5_S_wx - t531, limb5_S_joint_acc_wx = t522 / pivot_1,
       minus_limb5_S_joint_acc_wy = t520 * limb5_S_joint_acc_wx - t533,
       minus_limb5_S_joint_acc_wz = minus_limb5_S_joint_acc_still_wz + limb5_S_null_space_wz_by_limb5_S_wy *
@@ -2306,35 +2302,34 @@ static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_forward_dynamics_pac
       minus_platform_alpha_z = t583 + (platform_turn_yz * minus_limb5_S_joint_acc_wy - platform_turn_xz *
         limb5_S_joint_acc_wx);
     a[14] = -minus_platform_alpha_z;
-    const lanes4 lanes_116 = each_limb1_U_0_cos * minus_limb5_S_joint_acc_wz,
-      lanes_117 = each_limb1_U_0_sin * minus_limb5_S_joint_acc_wz,
+    const lanes4 lanes_107 = each_limb1_U_0_cos * minus_limb5_S_joint_acc_wz,
+      lanes_108 = each_limb1_U_0_sin * minus_limb5_S_joint_acc_wz,
       each_limb5_S_joint_acc_wy = {minus_limb5_S_joint_acc_wy, limb5_S_joint_acc_wx,
         minus_limb5_S_joint_acc_wy, limb5_S_joint_acc_wx},
-      lanes_120 = each_limb1_U_follows_0_by_limb1_U2_1 * (lanes_116 - each_limb1_U_0_sin *
+      lanes_111 = each_limb1_U_follows_0_by_limb1_U2_1 * (lanes_107 - each_limb1_U_0_sin *
         each_limb5_S_joint_acc_wy),
+      lanes_114 = lanes_111 - (lanes4){1.0, -1.0, 1.0, -1.0} * lanes_82,
       each_limb5_S_joint_acc_wx = {limb5_S_joint_acc_wx, minus_limb5_S_joint_acc_wy, limb5_S_joint_acc_wx,
         minus_limb5_S_joint_acc_wy},
-      signed_limb_U_joint_acc_0 = each_limb5_S_joint_acc_wx + (lanes4){1.0, -1.0, -1.0, 1.0} * (lanes_89 +
-        (lanes4){1.0, -1.0, 1.0, -1.0} * lanes_120);
-    a[0] = signed_limb_U_joint_acc_0[0];
-    a[3] = -signed_limb_U_joint_acc_0[1];
-    a[6] = signed_limb_U_joint_acc_0[2];
-    a[9] = -signed_limb_U_joint_acc_0[3];
-    const lanes4 lanes_127 = lanes_117 + each_limb1_U_0_cos * each_limb5_S_joint_acc_wy,
-      minus_limb_U_joint_acc_1 = lanes_26 + (lanes4){1.0, -1.0, 1.0, -1.0} *
-        (each_limb1_U_follows_1_by_limb1_U2_0 * lanes_127);
-    a[1] = -minus_limb_U_joint_acc_1[0];
-    a[4] = -minus_limb_U_joint_acc_1[1];
-    a[7] = -minus_limb_U_joint_acc_1[2];
-    a[10] = -minus_limb_U_joint_acc_1[3];
-    const lanes4 signed_limb_P_joint_acc = lanes_57 + (lanes4){1.0, -1.0, 1.0, -1.0} * (each_limb1_U2_arm_y *
-        lanes_127);
+      limb_U_joint_acc_0 = (lanes4){1.0, -1.0, 1.0, -1.0} * each_limb5_S_joint_acc_wx + lanes_114;
+    a[0] = limb_U_joint_acc_0[0];
+    a[3] = limb_U_joint_acc_0[1];
+    a[6] = limb_U_joint_acc_0[2];
+    a[9] = -(-limb_U_joint_acc_0[3]);
+    const lanes4 lanes_120 = (lanes4){1.0, -1.0, 1.0, -1.0} * (lanes_108 + each_limb1_U_0_cos *
+        each_limb5_S_joint_acc_wy),
+      signed_limb_U_joint_acc_1 = lanes_24 + each_limb1_U_follows_1_by_limb1_U2_0 * lanes_120;
+    a[1] = -signed_limb_U_joint_acc_1[0];
+    a[4] = signed_limb_U_joint_acc_1[1];
+    a[7] = -signed_limb_U_joint_acc_1[2];
+    a[10] = signed_limb_U_joint_acc_1[3];
+    const lanes4 signed_limb_P_joint_acc = lanes_52 + each_limb1_U2_arm_y * lanes_120;
     a[2] = -signed_limb_P_joint_acc[0];
     a[5] = -signed_limb_P_joint_acc[1];
     a[8] = signed_limb_P_joint_acc[2];
     a[11] = signed_limb_P_joint_acc[3];
     const lanes4 every = (lanes4)((three_ups_upu_s_vector4_mask)((each_limb1_U_0_lever_mz_by_limb1_U2_fz +
-        signed_limb_U_joint_acc_0) + (minus_limb_U_joint_acc_1 + signed_limb_P_joint_acc)) |
+        limb_U_joint_acc_0) + (signed_limb_U_joint_acc_1 + signed_limb_P_joint_acc)) |
         ((each_limb1_U_0_lever_mz_by_limb1_U2_fz <= (lanes4){6.62327e-06, 6.62327e-06, 6.62327e-06,
         6.62327e-06}) & (each_limb1_U_0_lever_mz_by_limb1_U2_fz >= -(lanes4){6.62327e-06, 6.62327e-06,
         6.62327e-06, 6.62327e-06})));
@@ -2414,7 +2409,7 @@ static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_forward_dynamics_ind
       t33 = limb1_U_0_sin * minus_limb1_U2_factor_0_by_3, t36 = limb1_U_0_cos * minus_limb1_U2_factor_0_by_3,
       limb1_U2_constraint_mn_couple_x = limb1_U_0_cos * platform_turn_yy + limb1_U_0_sin * platform_turn_zy,
       minus_limb1_U_factor_0_by_3 = limb1_lower_sin * limb1_U2_constraint_mn_couple_x * lanes_1[0];
-    const lanes4 each_limb1_upper_position_x = signed_limb_lower_sin * limb_upper_offset_x - param_R;
+    const lanes4 each_limb1_upper_position_x = signed_limb_lower_sin * limb_upper_offset_x + (-param_R);
     const double t20 = (-each_limb1_upper_position_x[0]) * minus_limb1_U_factor_0_by_3,
       minus_limb1_U2_factor_1_by_3 = limb1_lower_cos * limb1_U2_constraint_mn_couple_x - t20;
     /* limb5_S: pivots; rates that follow */
@@ -2443,99 +2438,92 @@ static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_forward_dynamics_ind
       t120 = platform_turn_zz * platform_omega_z + t119;
     const lanes4 each_limb1_U_0_cos = {limb1_U_0_cos, cosine[2], cosine[4], cosine[6]},
       lanes_4 = each_limb1_U_0_cos * t120, each_limb1_U_0_sin = {limb1_U_0_sin, sine[2], sine[4], sine[6]},
-      lanes_5 = each_limb1_U_0_sin * t120;
+      lanes_6 = (lanes4){1.0, -1.0, 1.0, -1.0} * each_limb1_U_0_sin, lanes_7 = lanes_6 * t120;
     const double t125 = platform_turn_yy * platform_omega_y + platform_turn_yx * platform_omega_x,
       t126 = platform_turn_yz * platform_omega_z + t125, t521 = k12 * (platform_omega_z * platform_omega_y),
       t109 = platform_turn_xy * platform_omega_y + platform_turn_xx * platform_omega_x,
       platform_U_still_xz = platform_omega_z * platform_omega_x, t110 = platform_turn_xz * platform_omega_z +
         t109,
       t519 = k12 * platform_U_still_xz;
-    const lanes4 lanes_6 = {t126, t110, t126, t110};
-    /* limbs together: accelerations */
-    const lanes4 lanes_10 = each_limb1_U_0_sin * lanes_6 + (lanes4){-1.0, 1.0, -1.0, 1.0} * lanes_4;
-    /* limbs together: velocities, eq. (6); accelerations; free motion */
-    const lanes4 lanes_11 = each_limb1_U_0_cos * limb5_S_joint_rate_wz,
+    const lanes4 lanes_8 = {t126, t110, t126, t110};
+    /* limbs together: accelerations; velocities, eq. (6); free motion */
+    const lanes4 lanes_10 = lanes_4 - lanes_6 * lanes_8, lanes_11 = each_limb1_U_0_cos *
+        limb5_S_joint_rate_wz,
       each_limb5_S_joint_rate_wy = {limb5_S_joint_rate_wy, limb5_S_joint_rate_wx, limb5_S_joint_rate_wy,
         limb5_S_joint_rate_wx},
-      lanes_16 = each_limb1_upper_position_x * (each_limb1_U_0_sin * each_limb5_S_joint_rate_wy +
-        (lanes4){-1.0, 1.0, -1.0, 1.0} * lanes_11),
-      lanes_17 = lanes_1 * lanes_16,
+      lanes_15 = lanes_1 * (each_limb1_upper_position_x * (lanes_6 * each_limb5_S_joint_rate_wy - lanes_11)),
       each_limb5_S_joint_rate_wx = {limb5_S_joint_rate_wx, limb5_S_joint_rate_wy, limb5_S_joint_rate_wx,
         limb5_S_joint_rate_wy},
-      signed_limb_U_joint_rate_0 = lanes_17 + (lanes4){1.0, 1.0, -1.0, -1.0} * each_limb5_S_joint_rate_wx,
-      lanes_20 = lanes_10 * signed_limb_U_joint_rate_0, lanes_21 = each_limb1_U2_arm_x * lanes_20,
-      lanes_23 = each_limb1_U_0_cos * each_limb5_S_joint_rate_wy,
-      lanes_26 = lanes_23 + (lanes4){1.0, -1.0, 1.0, -1.0} * (each_limb1_U_0_sin * limb5_S_joint_rate_wz),
-      limb_U_joint_rate_1 = lanes_2 * (each_limb1_U2_arm_x * lanes_26),
+      signed_limb_U_joint_rate_0 = (lanes4){1.0, -1.0, -1.0, 1.0} * each_limb5_S_joint_rate_wx + lanes_15,
+      lanes_18 = lanes_10 * signed_limb_U_joint_rate_0, lanes_19 = each_limb1_U2_arm_x * lanes_18,
+      lanes_22 = lanes_6 * limb5_S_joint_rate_wz + each_limb1_U_0_cos * each_limb5_S_joint_rate_wy,
+      limb_U_joint_rate_1 = lanes_2 * (each_limb1_U2_arm_x * lanes_22),
       each_limb1_U_follows_1_by_limb1_U2_0 = each_limb1_U2_arm_x * lanes_2,
       each_limb1_U2_arm_y = param_R * limb_lower_cos, signed_limb_P_joint_rate = each_limb1_U2_arm_y *
-        lanes_26,
-      lanes_27 = each_limb1_U2_arm_y * lanes_20, lanes_28 = signed_limb_P_joint_rate * limb_U_joint_rate_1,
-      lanes_29 = lanes_21 + lanes_28,
-      lanes_33 = each_limb1_U_0_cos * lanes_6 + (lanes4){1.0, -1.0, 1.0, -1.0} * lanes_5,
-      lanes_34 = limb_lower_cos * limb_U_joint_rate_1,
-      lanes_38 = lanes_33 * (signed_limb_P_joint_rate - param_R * lanes_34) - lanes_29, lanes_39 = lanes_2 *
-        lanes_38;
-    const double t153 = limb1_U_factor_1_by_3 * lanes_38[0]; /* limb5_S */
-    const lanes4 lanes_40 = limb_upper_offset_x * lanes_34,
-      limb_lower_composite_first_x = limb_lower_m * limb_upper_offset_x, lanes_41 =
-        limb_lower_composite_first_x - k7,
-      lanes_42 = limb_lower_composite_first_x + lanes_41, lanes_43 = limb_upper_offset_x * lanes_41,
-      lanes_44 = lanes_42 * lanes_28, each_limb1_U_mass_matrix_1_by_limb1_U_1 = lanes_43 + k9,
-      lanes_45 = each_limb1_U_mass_matrix_1_by_limb1_U_1 * lanes_39, lanes_46 = lanes_43 - (-k8),
-      lanes_48 = each_limb1_U_follows_1_by_limb1_U2_0 * (each_limb1_U_mass_matrix_1_by_limb1_U_1 *
+        lanes_22,
+      lanes_23 = each_limb1_U2_arm_y * lanes_18, lanes_24 = signed_limb_P_joint_rate * limb_U_joint_rate_1,
+      lanes_25 = lanes_19 - lanes_24, lanes_27 = lanes_7 + each_limb1_U_0_cos * lanes_8,
+      lanes_28 = limb_lower_cos * limb_U_joint_rate_1,
+      lanes_32 = lanes_25 - lanes_27 * (param_R * lanes_28 - signed_limb_P_joint_rate), lanes_33 = lanes_2 *
+        lanes_32;
+    const double t153 = limb1_U_factor_1_by_3 * lanes_32[0]; /* limb5_S */
+    const lanes4 lanes_34 = limb_upper_offset_x * lanes_28,
+      limb_lower_composite_first_x = limb_lower_m * limb_upper_offset_x,
+      lanes_35 = limb_lower_composite_first_x + (-k7), lanes_36 = limb_lower_composite_first_x + lanes_35,
+      lanes_37 = limb_upper_offset_x * lanes_35, lanes_38 = lanes_36 * lanes_24,
+      each_limb1_U_mass_matrix_1_by_limb1_U_1 = lanes_37 + k9,
+      lanes_39 = each_limb1_U_mass_matrix_1_by_limb1_U_1 * lanes_33, lanes_40 = lanes_37 + k8,
+      lanes_42 = each_limb1_U_follows_1_by_limb1_U2_0 * (each_limb1_U_mass_matrix_1_by_limb1_U_1 *
         each_limb1_U_follows_1_by_limb1_U2_0),
       minus_limb_U_0_U_still_xx = signed_limb_U_joint_rate_0 * signed_limb_U_joint_rate_0,
-      lanes_49 = limb_lower_cos * lanes_46,
-      lanes_52 = signed_limb_lower_sin * lanes_49 + limb_lower_cos * (signed_limb_lower_sin * lanes_46),
-      each_limb1_U_mass_matrix_0_by_limb1_U_0 = limb_lower_cos * lanes_49 + k3;
-    /* limbs together: free motion; accelerations; balance, eqs. (40)-(47) */
-    const lanes4 lanes_56 = lanes_44 + 0.5 * lanes_52 * minus_limb_U_0_U_still_xx,
-      signed_limb_U_0_acc_y = gravity_z * each_limb1_U_0_cos,
-      signed_limb_lower_moment_z = limb_upper_offset_x * (limb_lower_m * (signed_limb_lower_sin *
-        signed_limb_U_0_acc_y)),
-      lanes_60 = each_limb1_U_follows_1_by_limb1_U2_0 * (lanes_56 + (lanes4){-1.0, 1.0, -1.0, 1.0} *
-        signed_limb_lower_moment_z + lanes_45),
-      limb_P_u = {u[0], u[1], u[2], u[3]},
-      minus_limb_P_generalised_force = limb_P_u + (lanes4){-1.0, 1.0, -1.0, 1.0} * (limb_lower_m *
-        (limb_lower_cos * signed_limb_U_0_acc_y)),
-      lanes_63 = signed_limb_lower_sin * limb_U_joint_rate_1,
-      lanes_67 = limb_lower_m * (lanes_27 + lanes_33 * (param_R * lanes_63)),
-      lanes_68 = limb_upper_offset_x * lanes_63, lanes_70 = limb_lower_cos * (limb_lower_cos * lanes_42),
-      lanes_73 = 0.5 * lanes_70 * minus_limb_U_0_U_still_xx,
-      lanes_77 = 0.5 * lanes_42 * (limb_U_joint_rate_1 * limb_U_joint_rate_1) + lanes_73 +
-        minus_limb_P_generalised_force,
-      each_limb1_U2_handed_force_0 = lanes_60 - each_limb1_U2_arm_y * (lanes_67 + lanes_77),
-      lanes_79 = each_limb1_U_0_sin * each_limb1_U2_handed_force_0,
-      lanes_80 = each_limb1_U_0_cos * each_limb1_U2_handed_force_0;
+      lanes_43 = limb_lower_cos * lanes_40;
+    /* limbs together: free motion; inertia; accelerations */
+    const lanes4 lanes_46 = signed_limb_lower_sin * lanes_43 + limb_lower_cos * (signed_limb_lower_sin *
+        lanes_40),
+      each_limb1_U_mass_matrix_0_by_limb1_U_0 = limb_lower_cos * lanes_43 + k3,
+      lanes_50 = lanes_38 - (-0.5) * lanes_46 * minus_limb_U_0_U_still_xx,
+      limb_U_0_acc_y = (lanes4){gravity_z, -gravity_z, gravity_z, -gravity_z} * each_limb1_U_0_cos,
+      signed_limb_U_handed_force_1 = lanes_39 - (limb_upper_offset_x * (limb_lower_m * (signed_limb_lower_sin
+        * limb_U_0_acc_y)) - lanes_50),
+      lanes_53 = each_limb1_U_follows_1_by_limb1_U2_0 * signed_limb_U_handed_force_1,
+      limb_P_generalised_force = limb_lower_m * (limb_lower_cos * limb_U_0_acc_y) - (lanes4){u[0], u[1], u[2],
+        u[3]},
+      lanes_54 = signed_limb_lower_sin * limb_U_joint_rate_1,
+      lanes_58 = limb_lower_m * (lanes_27 * (param_R * lanes_54) - lanes_23),
+      lanes_59 = limb_upper_offset_x * lanes_54, lanes_61 = limb_lower_cos * (limb_lower_cos * lanes_36),
+      lanes_64 = 0.5 * lanes_61 * minus_limb_U_0_U_still_xx,
+      lanes_68 = limb_P_generalised_force - (0.5 * lanes_36 * (limb_U_joint_rate_1 * limb_U_joint_rate_1) +
+        lanes_64),
+      each_limb1_U2_handed_force_0 = lanes_53 - each_limb1_U2_arm_y * (lanes_58 - lanes_68),
+      lanes_70 = lanes_6 * each_limb1_U2_handed_force_0, lanes_71 = each_limb1_U_0_cos *
+        each_limb1_U2_handed_force_0;
     const double platform_rate_my = gravity_z_platform_mz * platform_turn_zx - t519,
       t589 = platform_turn_zy * platform_rate_my, /* platform */
       minus_platform_rate_mx = gravity_z_platform_mz * platform_turn_zy - t521,
-      t593 = -lanes_79[1] - (lanes_79[2] - (t589 - platform_turn_zx * minus_platform_rate_mx)), /* limb5_S */
-      t595 = lanes_79[0] - (-lanes_79[3] - t593); /* limb5_S */
-    const lanes4 lanes_82 = each_limb1_upper_position_x * (signed_limb_U_joint_rate_0 * lanes_33),
+      t593 = lanes_70[1] - (lanes_70[2] - (t589 - platform_turn_zx * minus_platform_rate_mx)), /* limb5_S */
+      t595 = lanes_70[0] - (lanes_70[3] - t593); /* limb5_S */
+    const lanes4 lanes_73 = each_limb1_upper_position_x * (signed_limb_U_joint_rate_0 * lanes_27),
       each_limb1_U_follows_0_by_limb1_U2_1 = each_limb1_upper_position_x * lanes_1;
     const double limb1_U_joint_rate_1 = limb_U_joint_rate_1[0],
-      t154 = limb1_U_joint_rate_1 - lanes_33[0]; /* limb1 */
-    const lanes4 lanes_84 = limb_lower_cos * signed_limb_P_joint_rate - lanes_68,
-      lanes_86 = lanes_84 * (lanes4){t110, t126, t110, t126},
-      lanes_88 = lanes_84 * signed_limb_U_joint_rate_0 - lanes_82,
-      lanes_92 = lanes_88 - (signed_limb_lower_sin * signed_limb_P_joint_rate + lanes_40) * lanes_10,
-      lanes_95 = lanes_92 + (lanes4){-1.0, -1.0, 1.0, 1.0} * lanes_86;
-    const double t144 = minus_limb1_U_factor_0_by_3 * (-lanes_95[0]); /* limb5_S */
-    const lanes4 lanes_97 = each_limb1_U_mass_matrix_0_by_limb1_U_0 * (lanes_1 * lanes_95),
-      lanes_99 = lanes_70 * (signed_limb_P_joint_rate * signed_limb_U_joint_rate_0),
-      lanes_102 = lanes_99 - lanes_52 * (limb_U_joint_rate_1 * signed_limb_U_joint_rate_0),
-      signed_limb_U_0_moment_z = limb_lower_cos * (limb_upper_offset_x * (limb_lower_m_gravity_z *
-        each_limb1_U_0_sin)),
-      limb_U_handed_force_0 = lanes_102 + (lanes4){-1.0, 1.0, -1.0, 1.0} * signed_limb_U_0_moment_z -
-        lanes_97,
-      each_limb1_U2_handed_force_1 = each_limb1_U_follows_0_by_limb1_U2_1 * limb_U_handed_force_0,
-      lanes_106 = each_limb1_U_0_cos * each_limb1_U2_handed_force_1;
-    const double t598 = -lanes_106[3] + (lanes_106[1] + (lanes_106[2] + t595)), /* limb5_S */
-      t599 = -lanes_106[0] + t598; /* limb5_S */
-    const lanes4 lanes_107 = each_limb1_U_0_sin * each_limb1_U2_handed_force_1;
-    const double t128 = -lanes_10[0]; /* limb5_S */
+      t154 = limb1_U_joint_rate_1 - lanes_27[0]; /* limb1 */
+    const lanes4 lanes_75 = lanes_59 - limb_lower_cos * signed_limb_P_joint_rate,
+      lanes_77 = lanes_75 * (lanes4){t110, t126, t110, t126},
+      lanes_79 = lanes_75 * signed_limb_U_joint_rate_0 + lanes_73,
+      lanes_83 = lanes_79 - (signed_limb_lower_sin * signed_limb_P_joint_rate + lanes_34) * lanes_10,
+      lanes_86 = lanes_83 - (lanes4){1.0, -1.0, -1.0, 1.0} * lanes_77;
+    const double t144 = minus_limb1_U_factor_0_by_3 * lanes_86[0]; /* limb5_S */
+    const lanes4 lanes_88 = each_limb1_U_mass_matrix_0_by_limb1_U_0 * (lanes_1 * lanes_86),
+      lanes_90 = lanes_61 * (signed_limb_P_joint_rate * signed_limb_U_joint_rate_0),
+      lanes_93 = lanes_90 - lanes_46 * (limb_U_joint_rate_1 * signed_limb_U_joint_rate_0),
+      lanes_94 = limb_lower_cos * (limb_upper_offset_x * (limb_lower_m_gravity_z * each_limb1_U_0_sin)) -
+        lanes_93,
+      signed_limb_U_handed_force_0 = lanes_88 - lanes_94,
+      each_limb1_U2_handed_force_1 = each_limb1_U_follows_0_by_limb1_U2_1 * signed_limb_U_handed_force_0,
+      lanes_95 = each_limb1_U_0_cos * each_limb1_U2_handed_force_1;
+    const double t598 = lanes_95[3] + (-lanes_95[1] + (lanes_95[2] + t595)), /* limb5_S */
+      t599 = -lanes_95[0] + t598; /* limb5_S */
+    const lanes4 lanes_96 = lanes_6 * each_limb1_U2_handed_force_1;
+    const double t128 = lanes_10[0]; /* limb5_S */
     /* limb1: loop closure; velocities, eq. (6); accelerations */
     const double t160 = limb1_lower_cos * t110 - limb1_lower_sin * t128,
       t167 = limb1_lower_sin * t110 + limb1_lower_cos * t128, limb1_U_joint_rate_0 =
@@ -2553,41 +2541,40 @@ static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_forward_dynamics_ind
       t184 = t153 - (t164 + t168 * (t169 + limb1_U2_opening_mn * t168) + t183), /* limb5_S */
       limb5_S_joint_acc_still_wz = t34 * (t144 + t184);
     /* limbs together: free motion */
-    const lanes4 lanes_108 = each_limb1_U_follows_0_by_limb1_U2_1 * each_limb1_U_mass_matrix_0_by_limb1_U_0,
-      lanes_109 = each_limb1_U_follows_0_by_limb1_U2_1 * lanes_108,
-      lanes_112 = each_limb1_U2_arm_y * (k20 * limb_lower_cos) + lanes_48,
-      lanes_114 = each_limb1_U_0_cos * (lanes_109 - lanes_112), lanes_115 = each_limb1_U_0_cos * lanes_114,
-      lanes_116 = lanes_112 + lanes_115, lanes_117 = lanes_109 - lanes_115,
-      lanes_118 = each_limb1_U_0_sin * lanes_114;
+    const lanes4 lanes_97 = each_limb1_U_follows_0_by_limb1_U2_1 * each_limb1_U_mass_matrix_0_by_limb1_U_0,
+      lanes_98 = each_limb1_U_follows_0_by_limb1_U2_1 * lanes_97,
+      lanes_101 = each_limb1_U2_arm_y * (k20 * limb_lower_cos) + lanes_42,
+      lanes_103 = each_limb1_U_0_cos * (lanes_98 - lanes_101), lanes_104 = each_limb1_U_0_cos * lanes_103,
+      lanes_105 = lanes_101 + lanes_104, lanes_106 = lanes_98 - lanes_104, lanes_107 = lanes_6 * lanes_103;
     /* limb5_S: free motion; accelerations; pivots */
-    const double t238 = k12 * platform_turn_zz, t302 = lanes_116[1] + (k13 + platform_turn_zz * t238 +
-        lanes_116[2]),
-      limb5_S_handed_inertia_wz = lanes_116[0] + (lanes_116[3] + t302), t239 = platform_turn_xz * t238,
+    const double t238 = k12 * platform_turn_zz, t302 = lanes_105[1] + (k13 + platform_turn_zz * t238 +
+        lanes_105[2]),
+      limb5_S_handed_inertia_wz = lanes_105[0] + (lanes_105[3] + t302), t239 = platform_turn_xz * t238,
       t600 = limb5_S_null_space_wz_by_limb5_S_wy * (limb5_S_handed_inertia_wz * limb5_S_joint_acc_still_wz +
         t599),
       t304 = limb5_S_null_space_wz_by_limb5_S_wy * limb5_S_handed_inertia_wz,
       t520 = platform_turn_xy * platform_rate_my,
-      t609 = lanes_80[2] - (platform_turn_yy * platform_rate_my - platform_turn_yx * minus_platform_rate_mx),
-      t612 = -limb_U_handed_force_0[1] + (lanes_107[2] - (lanes_80[0] - t609)),
-      t614 = -lanes_107[0] - (limb_U_handed_force_0[3] - t612),
-      t525 = -lanes_80[3] - (-lanes_80[1] - (t520 - platform_turn_xx * minus_platform_rate_mx)),
-      t528 = -lanes_107[3] + (lanes_107[1] - (-limb_U_handed_force_0[2] - t525)),
-      t529 = limb_U_handed_force_0[0] + t528, t186 = k12 * platform_turn_yz,
-      t289 = platform_turn_zz * t186 - lanes_118[2];
-    const lanes4 lanes_119 = each_limb1_U_0_cos * lanes_108;
-    const double t292 = lanes_118[0] - (-lanes_119[3] - (-lanes_119[1] - t289)), t306 = t292 + (t292 - t304),
+      t609 = lanes_71[2] - (platform_turn_yy * platform_rate_my - platform_turn_yx * minus_platform_rate_mx),
+      t612 = signed_limb_U_handed_force_0[1] + (lanes_96[2] - (lanes_71[0] - t609)),
+      t614 = -lanes_96[0] - (-signed_limb_U_handed_force_0[3] - t612),
+      t525 = -lanes_71[3] - (-lanes_71[1] - (t520 - platform_turn_xx * minus_platform_rate_mx)),
+      t528 = -lanes_96[3] + (lanes_96[1] - (-signed_limb_U_handed_force_0[2] - t525)),
+      t529 = signed_limb_U_handed_force_0[0] + t528, t186 = k12 * platform_turn_yz,
+      t289 = platform_turn_zz * t186 - lanes_107[2];
+    const lanes4 lanes_108 = each_limb1_U_0_cos * lanes_97;
+    const double t292 = lanes_107[0] - (-lanes_108[3] - (-lanes_108[1] - t289)), t306 = t292 + (t292 - t304),
       minus_limb5_S_reduced_force_wy = t600 - (t292 * limb5_S_joint_acc_still_wz + t614),
       t307 = limb5_S_null_space_wz_by_limb5_S_wy * t306,
-      t254 = lanes_118[3] + (t239 - (-lanes_119[2]) + lanes_118[1]),
-      limb5_S_handed_inertia_wz_by_limb5_S_wx = -lanes_119[0] + t254;
-    const lanes4 lanes_120 = each_limb1_U_0_sin * lanes_108;
+      t254 = -lanes_107[3] + (t239 - (-lanes_108[2]) + (-lanes_107[1])),
+      limb5_S_handed_inertia_wz_by_limb5_S_wx = -lanes_108[0] + t254;
+    const lanes4 lanes_109 = lanes_6 * lanes_97;
     const double t281 = each_limb1_U_mass_matrix_0_by_limb1_U_0[1] + (k13 + platform_turn_yz * t186 +
-        lanes_117[2]),
-      limb5_S_reduced_inertia_wy_by_limb5_S_wy = lanes_117[0] + (each_limb1_U_mass_matrix_0_by_limb1_U_0[3] +
+        lanes_106[2]),
+      limb5_S_reduced_inertia_wy_by_limb5_S_wy = lanes_106[0] + (each_limb1_U_mass_matrix_0_by_limb1_U_0[3] +
         t281) - t307,
       t308 = 1.0 / limb5_S_reduced_inertia_wy_by_limb5_S_wy,
-      t207 = platform_turn_xz * t186 + (-lanes_120[2]) - (-lanes_120[1]),
-      t225 = t207 + (-lanes_120[3]) - (-lanes_120[0]),
+      t207 = platform_turn_xz * t186 + (-lanes_109[2]) - lanes_109[1], t225 = t207 + lanes_109[3] -
+        (-lanes_109[0]),
       limb5_S_reduced_inertia_wx_by_limb5_S_wy = t225 + limb5_S_null_space_wz_by_limb5_S_wy *
         limb5_S_handed_inertia_wz_by_limb5_S_wx,
       minus_limb5_S_reduced_force_wx = limb5_S_handed_inertia_wz_by_limb5_S_wx * limb5_S_joint_acc_still_wz +
@@ -2597,8 +2584,8 @@ static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_forward_dynamics_ind
       t628 = minus_limb5_S_reduced_force_wy * t308,
       t617 = minus_limb5_S_reduced_force_wx - minus_limb5_S_reduced_force_wy * t309,
       t622 = each_limb1_U_mass_matrix_0_by_limb1_U_0[2] + (k13 + platform_turn_xz * (k12 * platform_turn_xz)),
-      limb5_S_reduced_inertia_wx_by_limb5_S_wx = each_limb1_U_mass_matrix_0_by_limb1_U_0[0] + (lanes_117[3] +
-        (t622 + lanes_117[1])),
+      limb5_S_reduced_inertia_wx_by_limb5_S_wx = each_limb1_U_mass_matrix_0_by_limb1_U_0[0] + (lanes_106[3] +
+        (t622 + lanes_106[1])),
       pivot_1 = limb5_S_reduced_inertia_wx_by_limb5_S_wx - t626, minus_limb5_S_joint_acc_wx = t617 / pivot_1,
       limb5_S_joint_acc_wy = t309 * minus_limb5_S_joint_acc_wx - t628,
       limb5_S_joint_acc_wz = limb5_S_joint_acc_still_wz + limb5_S_null_space_wz_by_limb5_S_wy *

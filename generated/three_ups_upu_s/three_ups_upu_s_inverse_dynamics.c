@@ -1512,68 +1512,62 @@ static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_inverse_dynamics_pac
     const lanes4 signed_limb_lower_alpha_still_y = limb_U_v_1 * signed_limb_lower_omega_x,
       limb_U_a_0 = {a[0], a[3], a[6], a[9]}, limb_lower_cos = {limb1_lower_cos, cosine[3], cosine[5],
         cosine[7]},
-      signed_limb_lower_alpha_y = signed_limb_lower_alpha_still_y + (lanes4){-1.0, -1.0, 1.0, 1.0} *
-        (limb_U_a_0 * limb_lower_cos),
+      lanes_2 = (lanes4){1.0, 1.0, -1.0, -1.0} * limb_lower_cos,
+      signed_limb_lower_alpha_y = signed_limb_lower_alpha_still_y - limb_U_a_0 * lanes_2,
       signed_limb_lower_U_zx = signed_limb_lower_alpha_still_y + signed_limb_lower_alpha_y,
       lanes_5 = k9 * signed_limb_lower_alpha_still_y + k8 * signed_limb_lower_alpha_y,
       limb_upper_offset_x = (lanes4){q[2], q[5], q[8], q[11]} + limb_upper_phase,
       lanes_6 = limb_upper_offset_x * signed_limb_lower_U_zx,
       signed_limb_lower_rate_fz = limb_lower_mx * signed_limb_lower_U_zx,
+      lanes_7 = {gravity_z, -gravity_z, -gravity_z, gravity_z},
       each_limb1_U_0_sin = {limb1_U_0_sin, sine[2], sine[4], sine[6]},
-      lanes_9 = lanes_6 + (lanes4){1.0, -1.0, -1.0, 1.0} * (gravity_z * each_limb1_U_0_sin),
-      limb_lower_omega_y = limb_U_v_0 * limb_lower_cos,
-      signed_limb_lower_U_still_xy = signed_limb_lower_omega_x * limb_lower_omega_y,
-      lanes_10 = 2.0 * limb_lower_omega_y, limb_P_v = {v[2], v[5], v[8], v[11]},
-      signed_limb_upper_acc_z = lanes_9 + (lanes4){-1.0, -1.0, 1.0, 1.0} * (limb_P_v * lanes_10);
-    /* limbs together: balance, eqs. (40)-(47); accelerations; momentum rate, eq. (35) */
-    const lanes4 lanes_14 = limb_upper_offset_x * (signed_limb_lower_rate_fz - limb_lower_m *
-        signed_limb_upper_acc_z),
-      lanes_15 = limb_lower_mx * signed_limb_upper_acc_z + lanes_14,
-      signed_limb_lower_moment_y = lanes_5 + (lanes4){1.0, -1.0, -1.0, 1.0} * (gravity_z_limb_lower_mx *
-        each_limb1_U_0_sin) - lanes_15,
-      lanes_18 = limb_lower_cos * signed_limb_lower_moment_y,
-      signed_limb_lower_joint_force_my = signed_limb_lower_sin * (k10 * (limb_U_v_1 * limb_lower_omega_y)) -
-        lanes_18,
-      lanes_20 = limb_lower_omega_y * limb_lower_omega_y,
-      limb_U_0_moment_z = k3 * limb_U_a_0 + (lanes4){1.0, 1.0, -1.0, -1.0} * signed_limb_lower_joint_force_my,
-      each_limb1_U_0_lever_mz_by_limb1_U2_fz = limb_lower_cos * limb_upper_offset_x,
-      lanes_23 = 1.0 / each_limb1_U_0_lever_mz_by_limb1_U2_fz, each_limb1_U2_part_fz = lanes_23 *
+      lanes_8 = lanes_6 + lanes_7 * each_limb1_U_0_sin, signed_limb_lower_omega_y = limb_U_v_0 * lanes_2,
+      limb_lower_U_still_xy = signed_limb_lower_omega_x * signed_limb_lower_omega_y,
+      lanes_9 = 2.0 * signed_limb_lower_omega_y, limb_P_v = {v[2], v[5], v[8], v[11]},
+      signed_limb_upper_acc_z = limb_P_v * lanes_9 - lanes_8;
+    /* limbs together: balance, eqs. (40)-(47); accelerations; reciprocal wrenches, eq. (10) */
+    const lanes4 lanes_11 = limb_upper_offset_x * (limb_lower_m * signed_limb_upper_acc_z +
+        signed_limb_lower_rate_fz),
+      lanes_12 = limb_lower_mx * signed_limb_upper_acc_z - lanes_11,
+      lanes_13 = {gravity_z_limb_lower_mx, -gravity_z_limb_lower_mx, -gravity_z_limb_lower_mx,
+        gravity_z_limb_lower_mx},
+      lanes_14 = lanes_2 * (lanes_12 + (lanes_13 * each_limb1_U_0_sin + lanes_5)),
+      limb_lower_joint_force_my = signed_limb_lower_sin * (k10 * (limb_U_v_1 * signed_limb_lower_omega_y)) -
+        lanes_14,
+      lanes_16 = signed_limb_lower_omega_y * signed_limb_lower_omega_y,
+      limb_U_0_moment_z = limb_lower_joint_force_my + k3 * limb_U_a_0,
+      each_limb1_U_0_lever_mz_by_limb1_U2_fz = lanes_2 * limb_upper_offset_x,
+      lanes_17 = 1.0 / each_limb1_U_0_lever_mz_by_limb1_U2_fz, each_limb1_U2_part_fz = lanes_17 *
         limb_U_0_moment_z,
-      each_limb1_U2_arm_y = param_R * limb_lower_cos, lanes_24 = each_limb1_U2_arm_y * each_limb1_U2_part_fz,
-      lanes_25 = limb_lower_cos * lanes_24, lanes_26 = signed_limb_lower_sin * lanes_24,
+      each_limb1_U2_arm_y = (lanes4){param_R, param_R, -param_R, -param_R} * limb_lower_cos,
+      lanes_19 = each_limb1_U2_arm_y * each_limb1_U2_part_fz, lanes_20 = lanes_2 * lanes_19,
+      lanes_21 = signed_limb_lower_sin * lanes_19,
       each_limb1_U2_arm_x = limb_upper_offset_x - param_R * signed_limb_lower_sin,
-      lanes_28 = each_limb1_U2_arm_x * each_limb1_U2_part_fz, lanes_30 = lanes_25 - signed_limb_lower_sin *
-        lanes_28,
-      lanes_32 = lanes_26 + limb_lower_cos * lanes_28,
-      each_limb1_U_0_cos = {limb1_U_0_cos, cosine[2], cosine[4], cosine[6]}, lanes_33 = each_limb1_U_0_cos *
-        lanes_30,
-      lanes_34 = each_limb1_U_0_sin * lanes_30, limb_U_a_1 = {a[1], a[4], a[7], a[10]},
-      limb_lower_U_yx = limb_U_a_1 + (lanes4){1.0, 1.0, -1.0, -1.0} * signed_limb_lower_U_still_xy,
-      lanes_37 = k8 * signed_limb_lower_U_still_xy, lanes_38 = limb_upper_offset_x * limb_lower_U_yx,
-      limb_lower_rate_fy = limb_lower_mx * limb_lower_U_yx, signed_limb_U_0_acc_y = gravity_z *
-        each_limb1_U_0_cos,
-      signed_limb_lower_acc_y = signed_limb_lower_sin * signed_limb_U_0_acc_y,
-      lanes_41 = lanes_38 + (lanes4){-1.0, 1.0, 1.0, -1.0} * signed_limb_lower_acc_y,
-      signed_limb_upper_moment_z = limb_lower_mx * signed_limb_lower_acc_y,
-      signed_limb_lower_acc_x = limb_lower_cos * signed_limb_U_0_acc_y,
-      limb_upper_acc_y = limb_P_v * (2.0 * limb_U_v_1) + lanes_41,
-      lanes_44 = limb_upper_offset_x * (limb_lower_m * limb_upper_acc_y - limb_lower_rate_fy),
-      lanes_45 = limb_lower_mx * limb_upper_acc_y - lanes_44,
-      lanes_49 = lanes_37 + (lanes4){1.0, 1.0, -1.0, -1.0} * (k9 * limb_U_a_1),
-      signed_limb_lower_rate_mz = lanes_49 + (lanes4){-1.0, 1.0, -1.0, 1.0} * signed_limb_upper_moment_z,
-      signed_limb_lower_moment_z = signed_limb_lower_rate_mz + (lanes4){-1.0, -1.0, 1.0, 1.0} * lanes_45,
-      lanes_54 = limb_lower_cos * lanes_23, lanes_55 = each_limb1_U2_arm_x * (signed_limb_lower_moment_z *
-        lanes_54),
-      minus_limb_lower_U_still_xx = lanes_20 + limb_U_v_1 * limb_U_v_1,
-      minus_limb_upper_acc_still_x = limb_upper_offset_x * minus_limb_lower_U_still_xx,
-      minus_limb_upper_acc_still_x_2 = minus_limb_upper_acc_still_x + (lanes4){-1.0, 1.0, -1.0, 1.0} *
-        signed_limb_lower_acc_x,
+      lanes_23 = each_limb1_U2_arm_x * each_limb1_U2_part_fz, lanes_25 = lanes_20 - signed_limb_lower_sin *
+        lanes_23,
+      lanes_27 = lanes_21 + lanes_2 * lanes_23, each_limb1_U_0_cos = {limb1_U_0_cos, cosine[2], cosine[4],
+        cosine[6]},
+      lanes_28 = each_limb1_U_0_cos * lanes_25, lanes_29 = each_limb1_U_0_sin * lanes_25,
+      limb_U_a_1 = {a[1], a[4], a[7], a[10]}, limb_lower_U_yx = limb_U_a_1 + limb_lower_U_still_xy,
+      lanes_30 = k8 * limb_lower_U_still_xy, lanes_31 = limb_upper_offset_x * limb_lower_U_yx,
+      limb_lower_rate_fy = limb_lower_mx * limb_lower_U_yx,
+      signed_limb_U_0_acc_y = (lanes4){gravity_z, -gravity_z, -gravity_z, gravity_z} * each_limb1_U_0_cos,
+      minus_limb_lower_acc_y = signed_limb_lower_sin * signed_limb_U_0_acc_y,
+      limb_upper_moment_z = limb_lower_mx * minus_limb_lower_acc_y,
+      limb_lower_acc_x = lanes_2 * signed_limb_U_0_acc_y,
+      limb_upper_acc_y = limb_P_v * (2.0 * limb_U_v_1) + (lanes_31 - minus_limb_lower_acc_y),
+      lanes_36 = limb_upper_offset_x * (limb_lower_m * limb_upper_acc_y - limb_lower_rate_fy),
+      lanes_37 = limb_lower_mx * limb_upper_acc_y - lanes_36,
+      minus_limb_lower_moment_z = lanes_37 + (limb_upper_moment_z - (lanes_30 + k9 * limb_U_a_1)),
+      lanes_40 = lanes_2 * lanes_17, lanes_41 = each_limb1_U2_arm_x * (minus_limb_lower_moment_z * lanes_40),
+      minus_limb_lower_U_still_xx = lanes_16 + limb_U_v_1 * limb_U_v_1,
+      minus_limb_upper_acc_still_x_2 = limb_upper_offset_x * minus_limb_lower_U_still_xx - limb_lower_acc_x,
       limb_lower_force_x = limb_lower_m * ((lanes4){a[2], a[5], a[8], a[11]} -
         minus_limb_upper_acc_still_x_2),
-      lanes_60 = lanes_55 + each_limb1_U2_arm_y * (limb_lower_mx * minus_limb_lower_U_still_xx +
-        limb_lower_force_x),
-      lanes_62 = each_limb1_U_0_sin * lanes_60 + lanes_33, lanes_64 = each_limb1_U_0_cos * lanes_60 -
-        lanes_34;
+      lanes_44 = each_limb1_U2_arm_y * (limb_lower_mx * minus_limb_lower_U_still_xx + limb_lower_force_x) -
+        lanes_41,
+      lanes_46 = lanes_28 + each_limb1_U_0_sin * lanes_44, lanes_48 = lanes_29 - each_limb1_U_0_cos *
+        lanes_44;
     /* platform: geometry; momentum rate, eq. (35); balance, eqs. (40)-(47) */
     const double t2 = limb5_S_q_qw * limb5_S_q_qw, t3 = limb5_S_q_qx * limb5_S_q_qx, t4 = t2 + t3,
       t5 = limb5_S_q_qy * limb5_S_q_qy, t6 = limb5_S_q_qz * limb5_S_q_qz, t7 = t5 + t6, t8 = t4 + t7,
@@ -1590,13 +1584,14 @@ static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_inverse_dynamics_pac
       platform_rate_my = gravity_z_platform_mz * platform_turn_zx - (k12 * (v[12] * limb5_S_v_wz) - k13 *
         a[13]),
       t176 = t171 - platform_turn_zy * platform_rate_my, platform_rate_mz = platform_Izz * a[14],
-      t215 = lanes_62[1] + (t176 - platform_turn_zz * platform_rate_mz - lanes_62[0]),
-      minus_platform_joint_force_mz = -lanes_62[3] - (-lanes_62[2] - t215),
-      t228 = platform_turn_xz * platform_rate_mz, t259 = platform_turn_yz * platform_rate_mz;
+      t215 = lanes_46[1] + (t176 - platform_turn_zz * platform_rate_mz - lanes_46[0]),
+      minus_platform_joint_force_mz = lanes_46[3] - (lanes_46[2] - t215), t228 = platform_turn_xz *
+        platform_rate_mz,
+      t259 = platform_turn_yz * platform_rate_mz;
     /* limb1: reciprocal wrenches, eq. (10); rates that follow; balance, eqs. (40)-(47) */
     const double t29 = limb1_U_0_cos * platform_turn_zy,
       limb1_U2_constraint_mn_couple_x = limb1_U_0_cos * platform_turn_yy + limb1_U_0_sin * platform_turn_zy,
-      minus_limb1_U_factor_0_by_3 = limb1_lower_sin * limb1_U2_constraint_mn_couple_x * lanes_23[0],
+      minus_limb1_U_factor_0_by_3 = limb1_lower_sin * limb1_U2_constraint_mn_couple_x * lanes_17[0],
       t21 = limb1_U2_constraint_mn_couple_x - each_limb1_U2_arm_y[0] * minus_limb1_U_factor_0_by_3,
       limb1_U2_arm_x = each_limb1_U2_arm_x[0], t24 = limb1_U2_arm_x * minus_limb1_U_factor_0_by_3,
       t45 = limb1_lower_sin * t21, t26 = limb1_lower_cos * t21 + limb1_lower_sin * t24,
@@ -1608,11 +1603,11 @@ static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_inverse_dynamics_pac
       t229 = t225 - platform_turn_xy * platform_rate_my - t228,
       limb1_U2_constraint_mn_couple_z = t31 - limb1_lower_sin * platform_turn_xy,
       minus_limb1_U2_factor_0_by_3 = limb1_U2_constraint_mn_couple_z - limb1_U2_arm_x *
-        (limb1_U2_constraint_mn_couple_z * lanes_54[0]),
-      t238 = -lanes_32[2] + (t229 - lanes_32[0] + (-lanes_64[1])), minus_platform_joint_force_mx = lanes_64[3]
-        + t238,
-      t266 = lanes_64[2] - (lanes_32[1] - (t260 + (-lanes_64[0]))),
-      minus_platform_joint_force_my = -lanes_32[3] + t266,
+        (limb1_U2_constraint_mn_couple_z * lanes_40[0]),
+      t238 = -lanes_27[2] + (t229 - lanes_27[0] + lanes_48[1]), minus_platform_joint_force_mx = lanes_48[3] +
+        t238,
+      t266 = lanes_48[2] - (lanes_27[1] - (t260 + lanes_48[0])), minus_platform_joint_force_my = -lanes_27[3]
+        + t266,
       platform_joint_force_mz_by_limb1_U2_mn = t40 + limb1_U_0_sin * minus_limb1_U2_factor_0_by_3,
       t42 = 1.0 / platform_joint_force_mz_by_limb1_U2_mn, limb1_U2_part_mn = t42 *
         minus_platform_joint_force_mz,
@@ -1623,32 +1618,32 @@ static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_inverse_dynamics_pac
     /* limbs together: balance, eqs. (40)-(47); drives */
     const lanes4 each_limb1_U2_part_mn_by_limb1_P = each_limb1_U_0_sin * each_limb1_U2_arm_y * t42,
       each_platform_joint_force_my_by_limb1_P = each_limb1_U_0_cos * each_limb1_U2_arm_y,
-      lanes_65 = {t39, platform_joint_force_mx_by_limb1_U2_mn, t39, platform_joint_force_mx_by_limb1_U2_mn},
-      lanes_66 = lanes_65 * each_limb1_U2_part_mn_by_limb1_P,
-      lanes_67 = {platform_joint_force_mx_by_limb1_U2_mn, t39, platform_joint_force_mx_by_limb1_U2_mn, t39},
-      each_limb5_S_balance_wx_by_limb1_P = lanes_67 * each_limb1_U2_part_mn_by_limb1_P,
-      each_limb5_S_balance_wy_by_limb1_P = each_platform_joint_force_my_by_limb1_P + lanes_66,
-      lanes_68 = each_limb5_S_balance_wy_by_limb1_P * each_limb5_S_balance_wx_by_limb1_P;
-    const double t57 = lanes_68[2] + (lanes_68[1] + lanes_68[0]), /* limb5_S */
-      minus_drives_share_0_1 = lanes_68[3] + t57, t239 = minus_drives_share_0_1 * limb5_S_balance_wx; /* limb1 */
-    const lanes4 lanes_69 = each_limb5_S_balance_wy_by_limb1_P * each_limb5_S_balance_wy_by_limb1_P,
-      lanes_70 = each_limb5_S_balance_wx_by_limb1_P * each_limb5_S_balance_wx_by_limb1_P;
-    const double t245 = lanes_70[2] + (lanes_69[1] + lanes_70[0]), /* limb5_S */
-      drives_share_0_0 = lanes_69[3] + t245, t268 = t239 - drives_share_0_0 * minus_limb5_S_balance_wy, /* limb1 */
+      lanes_49 = {t39, platform_joint_force_mx_by_limb1_U2_mn, t39, platform_joint_force_mx_by_limb1_U2_mn},
+      lanes_50 = lanes_49 * each_limb1_U2_part_mn_by_limb1_P,
+      lanes_51 = {platform_joint_force_mx_by_limb1_U2_mn, t39, platform_joint_force_mx_by_limb1_U2_mn, t39},
+      each_limb5_S_balance_wx_by_limb1_P = lanes_51 * each_limb1_U2_part_mn_by_limb1_P,
+      each_limb5_S_balance_wy_by_limb1_P = each_platform_joint_force_my_by_limb1_P + lanes_50,
+      lanes_52 = each_limb5_S_balance_wy_by_limb1_P * each_limb5_S_balance_wx_by_limb1_P;
+    const double t57 = lanes_52[2] + (lanes_52[1] + lanes_52[0]), /* limb5_S */
+      minus_drives_share_0_1 = lanes_52[3] + t57, t239 = minus_drives_share_0_1 * limb5_S_balance_wx; /* limb1 */
+    const lanes4 lanes_53 = each_limb5_S_balance_wy_by_limb1_P * each_limb5_S_balance_wy_by_limb1_P,
+      lanes_54 = each_limb5_S_balance_wx_by_limb1_P * each_limb5_S_balance_wx_by_limb1_P;
+    const double t245 = lanes_54[2] + (lanes_53[1] + lanes_54[0]), /* limb5_S */
+      drives_share_0_0 = lanes_53[3] + t245, t268 = t239 - drives_share_0_0 * minus_limb5_S_balance_wy, /* limb1 */
       t280 = minus_drives_share_0_1 * minus_limb5_S_balance_wy, /* limb1 */
       t269 = minus_drives_share_0_1 * minus_drives_share_0_1, /* drives */
-      t275 = lanes_69[2] + (lanes_70[1] + lanes_69[0]), /* limb5_S */
-      drives_share_1_1 = lanes_70[3] + t275, minus_determinant = t269 - drives_share_1_1 * drives_share_0_0,
+      t275 = lanes_53[2] + (lanes_54[1] + lanes_53[0]), /* limb5_S */
+      drives_share_1_1 = lanes_54[3] + t275, minus_determinant = t269 - drives_share_1_1 * drives_share_0_0,
       t282 = t280 - drives_share_1_1 * limb5_S_balance_wx, /* limb1 */
       t277 = 1.0 / minus_determinant, /* mechanism */
       t278 = t268 * t277, /* limb1 */
       t283 = t277 * t282; /* limb1 */
-    const lanes4 lanes_72 = each_limb5_S_balance_wy_by_limb1_P * (lanes4){t278, t283, t278, t283},
-      signed_limb_P_drive = lanes_72 + each_limb5_S_balance_wx_by_limb1_P * (lanes4){t283, t278, t283, t278};
+    const lanes4 lanes_56 = each_limb5_S_balance_wy_by_limb1_P * (lanes4){t278, t283, t278, t283},
+      signed_limb_P_drive = lanes_56 + each_limb5_S_balance_wx_by_limb1_P * (lanes4){t283, t278, t283, t278};
     u[0] = -signed_limb_P_drive[0];
     u[1] = signed_limb_P_drive[1];
-    u[2] = signed_limb_P_drive[2];
-    u[3] = -signed_limb_P_drive[3];
+    u[2] = -signed_limb_P_drive[2];
+    u[3] = -(-signed_limb_P_drive[3]);
     const lanes4 every = (lanes4)((three_ups_upu_s_vector4_mask)(each_limb1_U_0_lever_mz_by_limb1_U2_fz +
         signed_limb_P_drive) | ((each_limb1_U_0_lever_mz_by_limb1_U2_fz <= (lanes4){6.233100000000001e-10,
         6.3211e-10, 6.4044e-10, 6.284e-10}) & (each_limb1_U_0_lever_mz_by_limb1_U2_fz >=
@@ -1716,17 +1711,18 @@ static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_inverse_dynamics_ind
     const lanes4 limb_upper_offset_x = (lanes4){q[2], q[5], q[8], q[11]} + limb_upper_phase,
       limb_lower_cos = {limb1_lower_cos, cosine[3], cosine[5], cosine[7]},
       each_limb1_U_0_lever_mz_by_limb1_U2_fz = limb_lower_cos * limb_upper_offset_x,
-      lanes_1 = 1.0 / each_limb1_U_0_lever_mz_by_limb1_U2_fz, lanes_2 = limb_lower_cos * lanes_1;
+      lanes_2 = (lanes4){1.0, 1.0, -1.0, -1.0} / each_limb1_U_0_lever_mz_by_limb1_U2_fz,
+      lanes_3 = limb_lower_cos * lanes_2;
     /* limb1: rates that follow; reciprocal wrenches, eq. (10); balance, eqs. (40)-(47) */
-    const double limb1_U_factor_1_by_3 = limb1_U2_constraint_mn_couple_z * lanes_2[0];
+    const double limb1_U_factor_1_by_3 = limb1_U2_constraint_mn_couple_z * lanes_3[0];
     const lanes4 signed_limb_lower_sin = {limb1_lower_sin, sine[3], sine[5], sine[7]},
       each_limb1_U2_arm_x = limb_upper_offset_x - param_R * signed_limb_lower_sin;
     const double limb1_U2_arm_x = each_limb1_U2_arm_x[0],
       minus_limb1_U2_factor_0_by_3 = limb1_U2_constraint_mn_couple_z - limb1_U2_arm_x * limb1_U_factor_1_by_3,
       t41 = limb1_U_0_sin * minus_limb1_U2_factor_0_by_3, t38 = limb1_U_0_cos * minus_limb1_U2_factor_0_by_3,
       limb1_U2_constraint_mn_couple_x = limb1_U_0_cos * platform_turn_yy + limb1_U_0_sin * platform_turn_zy,
-      minus_limb1_U_factor_0_by_3 = limb1_lower_sin * limb1_U2_constraint_mn_couple_x * lanes_1[0];
-    const lanes4 each_limb1_upper_position_x = signed_limb_lower_sin * limb_upper_offset_x - param_R;
+      minus_limb1_U_factor_0_by_3 = limb1_lower_sin * limb1_U2_constraint_mn_couple_x * lanes_2[0];
+    const lanes4 each_limb1_upper_position_x = signed_limb_lower_sin * limb_upper_offset_x + (-param_R);
     const double t79 = (-each_limb1_upper_position_x[0]) * minus_limb1_U_factor_0_by_3,
       minus_limb1_U2_factor_1_by_3 = limb1_lower_cos * limb1_U2_constraint_mn_couple_x - t79;
     /* limb5_S: pivots */
@@ -1758,72 +1754,73 @@ static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_inverse_dynamics_ind
         limb5_S_joint_rate_wx),
       t139 = platform_turn_zz * platform_omega_z + t138;
     const lanes4 each_limb1_U_0_cos = {limb1_U_0_cos, cosine[2], cosine[4], cosine[6]},
-      lanes_4 = each_limb1_U_0_cos * t139;
+      lanes_6 = (lanes4){1.0, -1.0, 1.0, -1.0} * t139, lanes_7 = each_limb1_U_0_cos * lanes_6;
     const double t144 = platform_turn_yy * platform_omega_y + platform_turn_yx * platform_omega_x,
       t145 = platform_turn_yz * platform_omega_z + t144, t557 = k12 * (platform_omega_z * platform_omega_y),
       t128 = platform_turn_xy * platform_omega_y + platform_turn_xx * platform_omega_x,
       platform_U_still_xz = platform_omega_z * platform_omega_x, t129 = platform_turn_xz * platform_omega_z +
         t128,
       t549 = k12 * platform_U_still_xz;
-    const lanes4 each_limb1_U_0_sin = {limb1_U_0_sin, sine[2], sine[4], sine[6]}, lanes_5 = {t145, t129, t145,
-        t129};
-    /* limbs together: accelerations */
-    const lanes4 lanes_9 = each_limb1_U_0_sin * lanes_5 + (lanes4){-1.0, 1.0, -1.0, 1.0} * lanes_4;
-    const double t147 = -lanes_9[0], /* limb5_S */
+    const lanes4 each_limb1_U_0_sin = {limb1_U_0_sin, sine[2], sine[4], sine[6]}, lanes_8 = {t145, t129, t145,
+        t129},
+      lanes_11 = (lanes4){1.0, -1.0, 1.0, -1.0} * lanes_7;
+    /* limbs together: accelerations; velocities, eq. (6) */
+    const lanes4 lanes_14 = lanes_11 - (lanes4){1.0, -1.0, 1.0, -1.0} * (each_limb1_U_0_sin * lanes_8);
+    const double t147 = lanes_14[0], /* limb5_S */
       t179 = limb1_lower_cos * t129 - limb1_lower_sin * t147; /* limb1 */
-    /* limbs together: velocities, eq. (6) */
-    const lanes4 lanes_10 = each_limb1_U_0_cos * limb5_S_joint_rate_wz,
-      lanes_11 = each_limb1_U_0_sin * limb5_S_joint_rate_wz,
+    const lanes4 lanes_15 = each_limb1_U_0_cos * limb5_S_joint_rate_wz,
+      lanes_16 = each_limb1_U_0_sin * limb5_S_joint_rate_wz,
       each_limb5_S_joint_rate_wy = {limb5_S_joint_rate_wy, limb5_S_joint_rate_wx, limb5_S_joint_rate_wy,
         limb5_S_joint_rate_wx},
-      lanes_16 = each_limb1_upper_position_x * (each_limb1_U_0_sin * each_limb5_S_joint_rate_wy +
-        (lanes4){-1.0, 1.0, -1.0, 1.0} * lanes_10),
-      lanes_17 = lanes_1 * lanes_16,
+      lanes_18 = (lanes4){1.0, -1.0, 1.0, -1.0} * each_limb5_S_joint_rate_wy,
+      lanes_22 = lanes_2 * (each_limb1_upper_position_x * (lanes_15 - each_limb1_U_0_sin * lanes_18)),
       each_limb5_S_joint_rate_wx = {limb5_S_joint_rate_wx, limb5_S_joint_rate_wy, limb5_S_joint_rate_wx,
         limb5_S_joint_rate_wy},
-      signed_limb_U_joint_rate_0 = lanes_17 + (lanes4){1.0, 1.0, -1.0, -1.0} * each_limb5_S_joint_rate_wx,
-      lanes_23 = lanes_11 + (lanes4){1.0, -1.0, 1.0, -1.0} * (each_limb1_U_0_cos *
-        each_limb5_S_joint_rate_wy),
-      signed_limb_lower_omega_y = limb_lower_cos * signed_limb_U_joint_rate_0;
+      limb_U_joint_rate_0 = each_limb5_S_joint_rate_wx - (lanes4){1.0, -1.0, 1.0, -1.0} * lanes_22,
+      lanes_26 = lanes_16 + each_limb1_U_0_cos * lanes_18, limb_lower_omega_y = limb_lower_cos *
+        limb_U_joint_rate_0;
     /* limb1: velocities, eq. (6); loop closure */
-    const double limb1_lower_omega_y = signed_limb_lower_omega_y[0], t180 = t179 - limb1_lower_omega_y;
-    const lanes4 signed_limb_U_joint_rate_1 = lanes_2 * (each_limb1_U2_arm_x * lanes_23);
+    const double limb1_lower_omega_y = limb_lower_omega_y[0], t180 = t179 - limb1_lower_omega_y;
+    const lanes4 signed_limb_U_joint_rate_1 = lanes_3 * (each_limb1_U2_arm_x * lanes_26);
     const double limb1_U_joint_rate_1 = signed_limb_U_joint_rate_1[0], t197 = limb1_U_joint_rate_1 * t180;
-    const lanes4 lanes_28 = each_limb1_U_0_sin * t139 + (lanes4){1.0, -1.0, 1.0, -1.0} * (each_limb1_U_0_cos *
-        lanes_5);
+    const lanes4 lanes_29 = each_limb1_U_0_sin * lanes_6 + each_limb1_U_0_cos * lanes_8;
     /* limb1: loop closure; velocities, eq. (6) */
-    const double t173 = limb1_U_joint_rate_1 - lanes_28[0], t199 = t197 + t173 * limb1_lower_omega_y;
-    const lanes4 signed_limb_lower_alpha_still_x = signed_limb_U_joint_rate_1 * signed_limb_lower_omega_y;
+    const double t173 = limb1_U_joint_rate_1 - lanes_29[0], t199 = t197 + t173 * limb1_lower_omega_y;
+    const lanes4 lanes_31 = (lanes4){1.0, -1.0, 1.0, -1.0} * limb_lower_omega_y,
+      signed_limb_lower_alpha_still_x = signed_limb_U_joint_rate_1 * lanes_31;
     const double t201 = limb1_U2_constraint_mn_couple_x * (t199 - signed_limb_lower_alpha_still_x[0]);
-    const lanes4 lanes_29 = signed_limb_lower_sin * (k10 * signed_limb_lower_alpha_still_x);
+    const lanes4 lanes_33 = signed_limb_lower_sin * ((lanes4){k10, -k10, k10, -k10} *
+        signed_limb_lower_alpha_still_x);
     const double t186 = limb1_lower_sin * t129 + limb1_lower_cos * t147;
-    const lanes4 limb_lower_omega_x = signed_limb_lower_sin * signed_limb_U_joint_rate_0;
-    const double limb1_lower_omega_x = limb_lower_omega_x[0], t187 = t186 - limb1_lower_omega_x,
+    const lanes4 signed_limb_lower_omega_x = signed_limb_lower_sin * limb_U_joint_rate_0;
+    const double limb1_lower_omega_x = signed_limb_lower_omega_x[0], t187 = t186 - limb1_lower_omega_x,
       t202 = limb1_U2_constraint_mn_couple_z * (limb1_lower_omega_y * t187 - t180 * limb1_lower_omega_x) +
         t201,
       t188 = limb1_U2_constraint_mn_couple_z * t180, t181 = limb1_U2_constraint_mn_couple_x * t180,
       limb1_U2_opening_mn = t174 + limb1_lower_cos * platform_turn_xy,
       t183 = t173 * (limb1_U2_opening_mn * t173 + t181),
       minus_limb1_U2_opening_bias_mn = t183 + t187 * (t188 + limb1_U2_opening_mn * t187) + t202;
-    /* limbs together: accelerations; reciprocal wrenches, eq. (10); velocities, eq. (6) */
-    const lanes4 lanes_30 = lanes_9 * signed_limb_U_joint_rate_0, lanes_31 = each_limb1_U2_arm_x * lanes_30,
-      each_limb1_U2_arm_y = param_R * limb_lower_cos, signed_limb_P_joint_rate = each_limb1_U2_arm_y *
-        lanes_23,
-      lanes_32 = each_limb1_U2_arm_y * lanes_30,
-      lanes_34 = lanes_31 + signed_limb_P_joint_rate * signed_limb_U_joint_rate_1,
-      lanes_35 = limb_lower_cos * signed_limb_U_joint_rate_1,
-      lanes_39 = lanes_28 * (signed_limb_P_joint_rate - param_R * lanes_35) - lanes_34;
-    const double t203 = limb1_U_factor_1_by_3 * lanes_39[0] - minus_limb1_U2_opening_bias_mn; /* limb5_S */
-    const lanes4 lanes_40 = limb_upper_offset_x * lanes_35,
-      lanes_42 = each_limb1_upper_position_x * (signed_limb_U_joint_rate_0 * lanes_28),
-      lanes_43 = signed_limb_lower_sin * signed_limb_U_joint_rate_1,
-      lanes_47 = lanes_32 + lanes_28 * (param_R * lanes_43),
-      lanes_49 = limb_lower_cos * signed_limb_P_joint_rate - limb_upper_offset_x * lanes_43,
-      lanes_51 = lanes_49 * signed_limb_U_joint_rate_0 - lanes_42,
-      lanes_57 = lanes_51 - (signed_limb_lower_sin * signed_limb_P_joint_rate + lanes_40) * lanes_9,
-      lanes_60 = lanes_57 + (lanes4){-1.0, -1.0, 1.0, 1.0} * (lanes_49 * (lanes4){t129, t145, t129, t145});
+    /* limbs together: accelerations; reciprocal wrenches, eq. (10) */
+    const lanes4 lanes_34 = lanes_14 * limb_U_joint_rate_0, lanes_35 = each_limb1_U2_arm_x * lanes_34,
+      each_limb1_U2_arm_y = param_R * limb_lower_cos, lanes_36 = each_limb1_U2_arm_y * lanes_34,
+      lanes_38 = (lanes4){1.0, 1.0, -1.0, -1.0} * (each_limb1_U2_arm_y * lanes_26),
+      lanes_42 = lanes_35 - (lanes4){1.0, -1.0, -1.0, 1.0} * (lanes_38 * signed_limb_U_joint_rate_1),
+      lanes_43 = limb_lower_cos * signed_limb_U_joint_rate_1,
+      lanes_47 = lanes_29 * (lanes_38 - param_R * lanes_43) + lanes_42;
+    const double t203 = limb1_U_factor_1_by_3 * lanes_47[0] - minus_limb1_U2_opening_bias_mn; /* limb5_S */
+    const lanes4 lanes_48 = limb_upper_offset_x * lanes_43,
+      lanes_50 = each_limb1_upper_position_x * (limb_U_joint_rate_0 * lanes_29),
+      lanes_51 = signed_limb_lower_sin * signed_limb_U_joint_rate_1,
+      lanes_55 = lanes_29 * (param_R * lanes_51) - lanes_36,
+      lanes_58 = (lanes4){1.0, 1.0, -1.0, -1.0} * (limb_lower_cos * lanes_38),
+      lanes_61 = lanes_58 - (lanes4){1.0, 1.0, -1.0, -1.0} * (limb_upper_offset_x * lanes_51),
+      lanes_65 = lanes_61 * limb_U_joint_rate_0 - (lanes4){1.0, -1.0, 1.0, -1.0} * lanes_50,
+      lanes_67 = lanes_61 * (lanes4){t129, t145, t129, t145},
+      lanes_73 = (lanes4){1.0, -1.0, 1.0, -1.0} * (signed_limb_lower_sin * lanes_38 + lanes_48) * lanes_14 +
+        lanes_65,
+      lanes_74 = lanes_67 - lanes_73;
     /* limb5_S: accelerations */
-    const double limb5_S_joint_acc_still_wz = t81 * (minus_limb1_U_factor_0_by_3 * (-lanes_60[0]) + t203),
+    const double limb5_S_joint_acc_still_wz = t81 * (minus_limb1_U_factor_0_by_3 * lanes_74[0] + t203),
       t206 = 0.5 * (t78 * limb5_S_joint_acc_still_wz), t212 = 0.5 * (t78 * t145 - t90 * t129 - t77 * t139),
       t213 = t129 * t212, t243 = t145 * t212, t219 = 0.5 * (t90 * t139 - t87 * t145 - t77 * t129),
       t221 = t213 - t139 * t219, t239 = t77 * t145, t235 = 0.5 * (t90 * limb5_S_joint_acc_still_wz),
@@ -1835,81 +1832,83 @@ static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_inverse_dynamics_ind
       minus_limb5_S_joint_acc_wy = t86 * (t232 - t88 * limb5_S_joint_acc_wx),
       t254 = t81 * (t83 * minus_limb5_S_joint_acc_wy); /* limb4 */
     /* limbs together: accelerations; momentum rate, eq. (35) */
-    const lanes4 lanes_61 = each_limb1_U_0_cos * t254,
+    const lanes4 lanes_75 = each_limb1_U_0_cos * t254,
       each_limb5_S_joint_acc_wy = {minus_limb5_S_joint_acc_wy, limb5_S_joint_acc_wx,
         minus_limb5_S_joint_acc_wy, limb5_S_joint_acc_wx},
-      lanes_65 = lanes_1 * (each_limb1_upper_position_x * (lanes_61 - each_limb1_U_0_sin *
+      lanes_79 = lanes_2 * (each_limb1_upper_position_x * (lanes_75 - each_limb1_U_0_sin *
         each_limb5_S_joint_acc_wy)),
       each_limb5_S_joint_acc_wx = {limb5_S_joint_acc_wx, minus_limb5_S_joint_acc_wy, limb5_S_joint_acc_wx,
         minus_limb5_S_joint_acc_wy},
-      lanes_68 = each_limb5_S_joint_acc_wx + (lanes4){1.0, 1.0, -1.0, -1.0} * lanes_65,
-      lanes_70 = each_limb1_upper_position_x * (each_limb1_U_0_cos * limb5_S_joint_acc_still_wz),
-      signed_limb_U_joint_acc_0 = lanes_1 * (lanes_60 + (lanes4){1.0, 1.0, -1.0, -1.0} * lanes_70) - lanes_68,
+      lanes_80 = each_limb5_S_joint_acc_wx + lanes_79,
+      signed_limb_U_joint_acc_still_0 = lanes_2 * (lanes_74 - each_limb1_upper_position_x *
+        (each_limb1_U_0_cos * limb5_S_joint_acc_still_wz)),
+      signed_limb_U_joint_acc_0 = lanes_80 + signed_limb_U_joint_acc_still_0,
       signed_limb_lower_U_xz = limb_lower_cos * signed_limb_U_joint_acc_0,
       signed_limb_U_0_rate_mz = k3 * signed_limb_U_joint_acc_0,
-      signed_limb_lower_alpha_still_y = signed_limb_U_joint_rate_1 * limb_lower_omega_x,
-      signed_limb_lower_alpha_y = signed_limb_lower_U_xz + signed_limb_lower_alpha_still_y,
-      signed_limb_lower_U_still_xy = signed_limb_lower_omega_y * limb_lower_omega_x,
+      signed_limb_lower_alpha_still_y = signed_limb_U_joint_rate_1 * signed_limb_lower_omega_x,
+      signed_limb_lower_alpha_y = signed_limb_lower_alpha_still_y - signed_limb_lower_U_xz,
+      signed_limb_lower_U_still_xy = lanes_31 * signed_limb_lower_omega_x,
       signed_limb_lower_U_zx = signed_limb_lower_alpha_still_y + signed_limb_lower_alpha_y,
-      lanes_76 = k9 * signed_limb_lower_alpha_still_y + k8 * signed_limb_lower_alpha_y,
+      lanes_86 = k9 * signed_limb_lower_alpha_still_y + k8 * signed_limb_lower_alpha_y,
       signed_limb_lower_rate_fz = limb_lower_mx * signed_limb_lower_U_zx,
-      lanes_78 = limb_upper_offset_x * signed_limb_lower_U_zx + gravity_z * each_limb1_U_0_sin,
-      signed_limb_upper_acc_z = signed_limb_P_joint_rate * (2.0 * signed_limb_lower_omega_y) - lanes_78,
-      lanes_81 = signed_limb_lower_omega_y * signed_limb_lower_omega_y;
+      lanes_88 = gravity_z * each_limb1_U_0_sin + limb_upper_offset_x * signed_limb_lower_U_zx,
+      signed_limb_upper_acc_z = lanes_88 - lanes_38 * (2.0 * limb_lower_omega_y), lanes_91 = lanes_31 *
+        lanes_31;
     /* limbs together: balance, eqs. (40)-(47) */
-    const lanes4 lanes_82 = limb_upper_offset_x * (limb_lower_m * signed_limb_upper_acc_z +
-        signed_limb_lower_rate_fz),
-      lanes_83 = limb_lower_mx * signed_limb_upper_acc_z - lanes_82,
-      signed_limb_lower_joint_force_my = lanes_29 - limb_lower_cos * (lanes_83 + (lanes_76 +
-        gravity_z_limb_lower_mx * each_limb1_U_0_sin)),
-      each_limb1_U2_part_fz = lanes_1 * (signed_limb_U_0_rate_mz - signed_limb_lower_joint_force_my),
-      lanes_85 = each_limb1_U2_arm_x * each_limb1_U2_part_fz, lanes_86 = each_limb1_U2_arm_y *
+    const lanes4 lanes_92 = limb_upper_offset_x * (signed_limb_lower_rate_fz - limb_lower_m *
+        signed_limb_upper_acc_z),
+      lanes_93 = lanes_92 + limb_lower_mx * signed_limb_upper_acc_z,
+      signed_limb_lower_joint_force_my = lanes_33 - limb_lower_cos * (gravity_z_limb_lower_mx *
+        each_limb1_U_0_sin + lanes_86 - lanes_93),
+      each_limb1_U2_part_fz = lanes_2 * (signed_limb_U_0_rate_mz + signed_limb_lower_joint_force_my),
+      lanes_95 = each_limb1_U2_arm_x * each_limb1_U2_part_fz, lanes_96 = each_limb1_U2_arm_y *
         each_limb1_U2_part_fz,
-      lanes_88 = limb_lower_cos * lanes_85, lanes_90 = signed_limb_lower_sin * lanes_85 - limb_lower_cos *
-        lanes_86,
-      lanes_92 = lanes_88 + signed_limb_lower_sin * lanes_86, lanes_93 = each_limb1_U_0_cos * lanes_90,
-      lanes_94 = each_limb1_U_0_sin * lanes_90;
-    /* limbs together: accelerations; momentum rate, eq. (35) */
-    const lanes4 lanes_95 = each_limb1_U_0_sin * t254;
+      lanes_100 = signed_limb_lower_sin * lanes_95 - limb_lower_cos * lanes_96,
+      lanes_102 = limb_lower_cos * lanes_95 + signed_limb_lower_sin * lanes_96,
+      lanes_104 = (lanes4){1.0, -1.0, -1.0, 1.0} * lanes_100, lanes_105 = each_limb1_U_0_cos * lanes_104,
+      lanes_106 = each_limb1_U_0_sin * lanes_104;
+    /* limbs together: accelerations; momentum rate, eq. (35); balance, eqs. (40)-(47) */
+    const lanes4 lanes_107 = each_limb1_U_0_sin * t254;
     const double limb5_S_joint_acc_wz = limb5_S_joint_acc_still_wz - t254;
-    const lanes4 lanes_96 = each_limb1_U_0_sin * limb5_S_joint_acc_still_wz,
-      lanes_98 = lanes_95 + each_limb1_U_0_cos * each_limb5_S_joint_acc_wy,
-      lanes_100 = each_limb1_U2_arm_y * lanes_98,
-      lanes_104 = lanes_39 + (lanes4){1.0, -1.0, -1.0, 1.0} * (each_limb1_U2_arm_x * lanes_96),
-      signed_limb_U_joint_acc_1 = lanes_2 * (lanes_104 + (lanes4){-1.0, 1.0, 1.0, -1.0} * (each_limb1_U2_arm_x
-        * lanes_98)),
-      signed_limb_P_joint_acc = lanes_100 - (each_limb1_U2_arm_y * lanes_96 + (lanes4){-1.0, 1.0, 1.0, -1.0} *
-        lanes_47),
-      signed_limb_lower_U_yx = signed_limb_U_joint_acc_1 + signed_limb_lower_U_still_xy,
-      lanes_113 = k8 * signed_limb_lower_U_still_xy + k9 * signed_limb_U_joint_acc_1,
-      lanes_114 = limb_upper_offset_x * signed_limb_lower_U_yx,
-      signed_limb_lower_rate_fy = limb_lower_mx * signed_limb_lower_U_yx,
-      signed_limb_U_0_acc_y = gravity_z * each_limb1_U_0_cos,
-      signed_limb_lower_acc_y = signed_limb_lower_sin * signed_limb_U_0_acc_y,
-      lanes_117 = lanes_114 + (lanes4){-1.0, 1.0, -1.0, 1.0} * signed_limb_lower_acc_y,
-      signed_limb_lower_rate_mz = lanes_113 + (lanes4){-1.0, 1.0, -1.0, 1.0} * (limb_lower_mx *
-        signed_limb_lower_acc_y),
-      signed_limb_lower_acc_x = limb_lower_cos * signed_limb_U_0_acc_y,
-      signed_limb_upper_acc_y = lanes_117 + signed_limb_P_joint_rate * (2.0 * signed_limb_U_joint_rate_1),
-      minus_limb_lower_U_still_xx = signed_limb_U_joint_rate_1 * signed_limb_U_joint_rate_1 + lanes_81;
-    /* limbs together: balance, eqs. (40)-(47); accelerations */
-    const lanes4 lanes_123 = limb_upper_offset_x * (signed_limb_lower_rate_fy - limb_lower_m *
+    const lanes4 lanes_108 = each_limb1_U_0_sin * limb5_S_joint_acc_still_wz,
+      lanes_110 = lanes_107 + each_limb1_U_0_cos * each_limb5_S_joint_acc_wy,
+      lanes_112 = each_limb1_U2_arm_y * lanes_110,
+      signed_limb_U_joint_acc_1 = lanes_3 * (each_limb1_U2_arm_x * lanes_110 - (lanes_47 + each_limb1_U2_arm_x
+        * lanes_108)),
+      signed_limb_P_joint_acc = lanes_112 - (each_limb1_U2_arm_y * lanes_108 - lanes_55),
+      signed_limb_lower_U_yx = signed_limb_lower_U_still_xy - signed_limb_U_joint_acc_1,
+      lanes_119 = k8 * signed_limb_lower_U_still_xy - k9 * signed_limb_U_joint_acc_1,
+      lanes_120 = limb_upper_offset_x * signed_limb_lower_U_yx,
+      signed_limb_lower_rate_fy = (lanes4){limb_lower_mx, -limb_lower_mx, limb_lower_mx, -limb_lower_mx} *
+        signed_limb_lower_U_yx,
+      minus_limb_U_0_acc_y = (lanes4){-gravity_z, gravity_z, -gravity_z, gravity_z} * each_limb1_U_0_cos,
+      signed_limb_lower_acc_y = signed_limb_lower_sin * minus_limb_U_0_acc_y,
+      lanes_125 = signed_limb_lower_acc_y + (lanes4){1.0, -1.0, 1.0, -1.0} * lanes_120,
+      signed_limb_upper_moment_z = (lanes4){-limb_lower_mx, limb_lower_mx, -limb_lower_mx, limb_lower_mx} *
+        signed_limb_lower_acc_y,
+      signed_limb_lower_rate_mz = signed_limb_upper_moment_z - lanes_119,
+      minus_limb_lower_acc_x = limb_lower_cos * minus_limb_U_0_acc_y,
+      signed_limb_upper_acc_y = lanes_38 * (2.0 * signed_limb_U_joint_rate_1) + lanes_125,
+      minus_limb_lower_U_still_xx = signed_limb_U_joint_rate_1 * signed_limb_U_joint_rate_1 + lanes_91;
+    /* limbs together: balance, eqs. (40)-(47); momentum rate, eq. (35); accelerations */
+    const lanes4 lanes_130 = limb_upper_offset_x * (signed_limb_lower_rate_fy - limb_lower_m *
         signed_limb_upper_acc_y),
-      each_limb1_U2_part_fy = lanes_2 * (signed_limb_lower_rate_mz - (lanes_123 + limb_lower_mx *
-        signed_limb_upper_acc_y)),
-      lanes_125 = each_limb1_U2_arm_x * each_limb1_U2_part_fy,
-      minus_limb_upper_acc_still_x = limb_upper_offset_x * minus_limb_lower_U_still_xx,
-      each_limb1_upper_acc_still_x = minus_limb_upper_acc_still_x + (lanes4){-1.0, 1.0, -1.0, 1.0} *
-        signed_limb_lower_acc_x,
+      signed_limb_upper_rate_mz = (lanes4){limb_lower_mx, -limb_lower_mx, limb_lower_mx, -limb_lower_mx} *
+        signed_limb_upper_acc_y,
+      signed_limb_lower_moment_z = signed_limb_lower_rate_mz + ((lanes4){1.0, -1.0, 1.0, -1.0} * lanes_130 +
+        signed_limb_upper_rate_mz),
+      lanes_135 = each_limb1_U2_arm_x * (lanes_3 * signed_limb_lower_moment_z),
+      each_limb1_upper_acc_still_x = minus_limb_lower_acc_x + limb_upper_offset_x *
+        minus_limb_lower_U_still_xx,
       minus_limb_lower_force_x = limb_lower_m * (each_limb1_upper_acc_still_x + (lanes4){1.0, -1.0, -1.0, 1.0}
         * signed_limb_P_joint_acc),
-      lanes_130 = each_limb1_U2_arm_y * (minus_limb_lower_force_x - limb_lower_mx *
-        minus_limb_lower_U_still_xx),
-      lanes_131 = lanes_125 - lanes_130;
+      lanes_138 = each_limb1_U2_arm_y * (limb_lower_mx * minus_limb_lower_U_still_xx -
+        minus_limb_lower_force_x),
+      lanes_141 = lanes_138 - (lanes4){1.0, -1.0, -1.0, 1.0} * lanes_135;
     const double t24 = limb1_U2_arm_x * minus_limb1_U_factor_0_by_3, /* limb1 */
       t21 = limb1_U2_constraint_mn_couple_x - each_limb1_U2_arm_y[0] * minus_limb1_U_factor_0_by_3; /* limb1 */
-    const lanes4 lanes_135 = lanes_93 + (lanes4){1.0, -1.0, 1.0, -1.0} * (each_limb1_U_0_sin * lanes_131),
-      lanes_139 = lanes_94 + (lanes4){-1.0, 1.0, -1.0, 1.0} * (each_limb1_U_0_cos * lanes_131);
+    const lanes4 lanes_143 = lanes_105 - each_limb1_U_0_sin * lanes_141,
+      lanes_145 = lanes_106 + each_limb1_U_0_cos * lanes_141;
     /* platform: accelerations; momentum rate, eq. (35); balance, eqs. (40)-(47) */
     const double t550 = platform_turn_zy * limb5_S_joint_acc_wz,
       platform_alpha_y = t550 - (platform_turn_yy * minus_limb5_S_joint_acc_wy - platform_turn_xy *
@@ -1926,14 +1925,14 @@ static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_inverse_dynamics_ind
     /* platform: balance, eqs. (40)-(47); momentum rate, eq. (35) */
     const double t565 = t556 - platform_turn_zx * minus_platform_rate_mx,
       platform_rate_mz = platform_Izz * (t544 - (t545 - platform_turn_xz * limb5_S_joint_acc_wx)),
-      t624 = -lanes_135[1] - (platform_turn_zz * platform_rate_mz + t565 - (-lanes_135[0])),
-      platform_joint_force_mz = -lanes_135[3] + (-lanes_135[2] - t624),
+      t624 = -lanes_143[1] - (platform_turn_zz * platform_rate_mz + t565 - lanes_143[0]),
+      platform_joint_force_mz = -lanes_143[3] + (lanes_143[2] - t624),
       t640 = platform_turn_xz * platform_rate_mz + (t637 - platform_turn_xx * minus_platform_rate_mx),
       t662 = platform_turn_yz * platform_rate_mz + (t659 - platform_turn_yx * minus_platform_rate_mx),
-      t646 = -lanes_92[2] + (-lanes_92[0] + t640 - (-lanes_139[1])), platform_joint_force_mx = -lanes_139[3] +
-        t646,
-      t668 = -lanes_139[2] + (-lanes_92[1] - (t662 + (-lanes_139[0]))),
-      minus_platform_joint_force_my = -lanes_92[3] + t668, t45 = limb1_lower_sin * t21, /* limb1 */
+      t646 = -lanes_102[2] + (lanes_102[0] + t640 - (-lanes_145[1])), platform_joint_force_mx = -lanes_145[3]
+        + t646,
+      t668 = lanes_145[2] + (lanes_102[1] - (t662 + lanes_145[0])),
+      minus_platform_joint_force_my = -lanes_102[3] + t668, t45 = limb1_lower_sin * t21, /* limb1 */
       t26 = limb1_lower_cos * t21 + limb1_lower_sin * t24, /* limb1 */
       platform_joint_force_mx_by_limb1_U2_mn = t45 - limb1_lower_cos * t24,
       platform_joint_force_mz_by_limb1_U2_mn = limb1_U_0_cos * t26 + t41,
@@ -1946,29 +1945,29 @@ static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_inverse_dynamics_ind
     /* limbs together: balance, eqs. (40)-(47); drives */
     const lanes4 each_limb1_U2_part_mn_by_limb1_P = each_limb1_U_0_sin * each_limb1_U2_arm_y * t42,
       each_platform_joint_force_my_by_limb1_P = each_limb1_U_0_cos * each_limb1_U2_arm_y,
-      lanes_140 = {t39, platform_joint_force_mx_by_limb1_U2_mn, t39, platform_joint_force_mx_by_limb1_U2_mn},
-      lanes_141 = lanes_140 * each_limb1_U2_part_mn_by_limb1_P,
-      lanes_142 = {platform_joint_force_mx_by_limb1_U2_mn, t39, platform_joint_force_mx_by_limb1_U2_mn, t39},
-      each_limb5_S_balance_wx_by_limb1_P = lanes_142 * each_limb1_U2_part_mn_by_limb1_P,
-      each_limb5_S_balance_wy_by_limb1_P = each_platform_joint_force_my_by_limb1_P + lanes_141,
-      lanes_143 = each_limb5_S_balance_wy_by_limb1_P * each_limb5_S_balance_wx_by_limb1_P;
-    const double t57 = lanes_143[2] + (lanes_143[1] + lanes_143[0]), /* limb5_S */
-      minus_drives_share_0_1 = lanes_143[3] + t57,
+      lanes_146 = {t39, platform_joint_force_mx_by_limb1_U2_mn, t39, platform_joint_force_mx_by_limb1_U2_mn},
+      lanes_147 = lanes_146 * each_limb1_U2_part_mn_by_limb1_P,
+      lanes_148 = {platform_joint_force_mx_by_limb1_U2_mn, t39, platform_joint_force_mx_by_limb1_U2_mn, t39},
+      each_limb5_S_balance_wx_by_limb1_P = lanes_148 * each_limb1_U2_part_mn_by_limb1_P,
+      each_limb5_S_balance_wy_by_limb1_P = each_platform_joint_force_my_by_limb1_P + lanes_147,
+      lanes_149 = each_limb5_S_balance_wy_by_limb1_P * each_limb5_S_balance_wx_by_limb1_P;
+    const double t57 = lanes_149[2] + (lanes_149[1] + lanes_149[0]), /* limb5_S */
+      minus_drives_share_0_1 = lanes_149[3] + t57,
       t647 = minus_drives_share_0_1 * minus_limb5_S_balance_wx; /* limb1 */
-    const lanes4 lanes_144 = each_limb5_S_balance_wy_by_limb1_P * each_limb5_S_balance_wy_by_limb1_P,
-      lanes_145 = each_limb5_S_balance_wx_by_limb1_P * each_limb5_S_balance_wx_by_limb1_P;
-    const double t70 = lanes_145[2] + (lanes_144[1] + lanes_145[0]), /* limb5_S */
-      drives_share_0_0 = lanes_144[3] + t70, t670 = t647 - drives_share_0_0 * limb5_S_balance_wy, /* limb1 */
+    const lanes4 lanes_150 = each_limb5_S_balance_wy_by_limb1_P * each_limb5_S_balance_wy_by_limb1_P,
+      lanes_151 = each_limb5_S_balance_wx_by_limb1_P * each_limb5_S_balance_wx_by_limb1_P;
+    const double t70 = lanes_151[2] + (lanes_150[1] + lanes_151[0]), /* limb5_S */
+      drives_share_0_0 = lanes_150[3] + t70, t670 = t647 - drives_share_0_0 * limb5_S_balance_wy, /* limb1 */
       t673 = minus_drives_share_0_1 * limb5_S_balance_wy, /* limb1 */
       t58 = minus_drives_share_0_1 * minus_drives_share_0_1, /* drives */
-      t64 = lanes_144[2] + (lanes_145[1] + lanes_144[0]), /* limb5_S */
-      drives_share_1_1 = lanes_145[3] + t64, minus_determinant = t58 - drives_share_1_1 * drives_share_0_0,
+      t64 = lanes_150[2] + (lanes_151[1] + lanes_150[0]), /* limb5_S */
+      drives_share_1_1 = lanes_151[3] + t64, minus_determinant = t58 - drives_share_1_1 * drives_share_0_0,
       t675 = t673 - drives_share_1_1 * minus_limb5_S_balance_wx, /* limb1 */
       t72 = 1.0 / minus_determinant, /* mechanism */
       t671 = t72 * t670, /* limb1 */
       t676 = t72 * t675; /* limb1 */
-    const lanes4 lanes_147 = each_limb5_S_balance_wy_by_limb1_P * (lanes4){t671, t676, t671, t676},
-      signed_limb_P_drive = lanes_147 + each_limb5_S_balance_wx_by_limb1_P * (lanes4){t676, t671, t676, t671};
+    const lanes4 lanes_153 = each_limb5_S_balance_wy_by_limb1_P * (lanes4){t671, t676, t671, t676},
+      signed_limb_P_drive = lanes_153 + each_limb5_S_balance_wx_by_limb1_P * (lanes4){t676, t671, t676, t671};
     u[0] = signed_limb_P_drive[0];
     u[1] = -signed_limb_P_drive[1];
     u[2] = -signed_limb_P_drive[2];
@@ -2050,13 +2049,13 @@ static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_inverse_dynamics_pla
       t23 = 0.5 * platform_turn_yx, t24 = limb5_S_pose_qy * t10, t11 = limb5_S_pose_qx * t10,
       platform_turn_yz = t24 - t26, platform_turn_zy = t24 + t26, t27 = param_H * platform_turn_yz,
       t74 = 0.5 * platform_turn_zy, t17 = param_H * platform_turn_zz;
-    const lanes4 signed_limb_lower_limb_target_x = (lanes4){t23, t17, t23, t17} + (lanes4){-1.0, -1.0, 1.0,
-        1.0} * (lanes4){t27, t74, t27, t74},
+    const lanes4 signed_limb_lower_limb_target_x = (lanes4){t23, t17, t23, t17} - (lanes4){1.0, 1.0, -1.0,
+        -1.0} * (lanes4){t27, t74, t27, t74},
       lanes_5 = signed_limb_lower_limb_target_x * signed_limb_lower_limb_target_x;
     const double platform_turn_zx = t11 - t13, platform_turn_xz = t11 + t13, t14 = 0.5 * platform_turn_zx,
       t20 = param_H * platform_turn_xz, t76 = 0.5 * platform_turn_xy;
-    const lanes4 signed_limb_lower_limb_target_y = (lanes4){t14, t20, t14, t20} + (lanes4){-1.0, -1.0, 1.0,
-        1.0} * (lanes4){t17, t76, t17, t76},
+    const lanes4 signed_limb_lower_limb_target_y = (lanes4){t14, t20, t14, t20} - (lanes4){1.0, 1.0, -1.0,
+        -1.0} * (lanes4){t17, t76, t17, t76},
       lanes_11 = lanes_5 + signed_limb_lower_limb_target_y * signed_limb_lower_limb_target_y,
       each_limb1_U_0_lever_mz_by_limb1_U2_fz = three_ups_upu_s_vector4_sqrt(lanes_11),
       lanes_12 = 1.0 / each_limb1_U_0_lever_mz_by_limb1_U2_fz,
@@ -2067,7 +2066,7 @@ static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_inverse_dynamics_pla
       platform_twist_wx = t159 + limb5_S_rate_wz * platform_turn_xz, t19 = 0.5 * platform_turn_xx,
       t73 = 0.5 * platform_turn_yy;
     /* limbs together: geometry */
-    const lanes4 each_limb1_upper_position_x = (lanes4){t19, t27, t19, t27} + (lanes4){-1.0, -1.0, 1.0, 1.0} *
+    const lanes4 each_limb1_upper_position_x = (lanes4){t19, t27, t19, t27} - (lanes4){1.0, 1.0, -1.0, -1.0} *
         (lanes4){t20, t73, t20, t73},
       each_platform_twist_wz = {platform_twist_wz, platform_twist_wx, platform_twist_wz, platform_twist_wx};
     /* limbs together: loop closure; geometry; accelerations */
@@ -2083,10 +2082,10 @@ static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_inverse_dynamics_pla
         each_platform_twist_wx,
       lanes_23 = signed_limb_lower_limb_target_x * each_platform_twist_wz,
       each_platform_twist_wy = {platform_twist_wy, platform_twist_wz, platform_twist_wy, platform_twist_wz},
-      lanes_25 = lanes_22 - each_limb1_upper_position_x * each_platform_twist_wy,
-      lanes_27 = signed_limb_lower_limb_target_y * each_platform_twist_wy - lanes_23,
-      lanes_29 = lanes_20 + lanes_25 * signed_limb_U_0_cos,
-      minus_limb_U_0_omega_z = lanes_12 * (lanes_21 - lanes_25 * signed_limb_U_0_sin),
+      lanes_25 = each_limb1_upper_position_x * each_platform_twist_wy - lanes_22,
+      lanes_27 = lanes_23 - signed_limb_lower_limb_target_y * each_platform_twist_wy,
+      lanes_29 = lanes_25 * signed_limb_U_0_cos - lanes_20,
+      minus_limb_U_0_omega_z = lanes_12 * (lanes_21 + lanes_25 * signed_limb_U_0_sin),
       signed_limb_lower_limb_target_z = each_limb1_upper_position_x + (lanes4){-param_R, param_R, -param_R,
         -param_R},
       limb_lower_limb_length = three_ups_upu_s_vector4_sqrt(lanes_11 + signed_limb_lower_limb_target_z *
@@ -2102,9 +2101,9 @@ static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_inverse_dynamics_pla
       signed_limb_lower_omega_y = signed_limb_lower_cos * minus_limb_U_0_omega_z,
       signed_limb_lower_alpha_y = signed_limb_lower_omega_z * signed_limb_lower_omega_x,
       signed_limb_lower_U_xy = signed_limb_lower_omega_x * signed_limb_lower_omega_y,
-      lanes_39 = limb_lower_limb_length * (2.0 * signed_limb_lower_alpha_y),
+      lanes_39 = limb_lower_limb_length * ((-2.0) * signed_limb_lower_alpha_y),
       lanes_41 = each_limb1_U2_opening_rate_fx * (2.0 * signed_limb_lower_omega_y),
-      signed_limb_upper_acc_z = lanes_39 + lanes_41;
+      signed_limb_upper_acc_z = lanes_39 - lanes_41;
     /* platform: accelerations; loop closure; momentum rate, eq. (35) */
     const double t185 = limb5_S_rate_wy * limb5_S_rate_wy, t186 = limb5_S_rate_wz * limb5_S_rate_wz,
       minus_platform_U_still_xx = t185 + t186, t187 = platform_turn_yx * minus_platform_U_still_xx,
@@ -2140,7 +2139,7 @@ static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_inverse_dynamics_pla
       t334 = platform_turn_yx * minus_platform_U_xy + platform_turn_yy * minus_platform_U_still_yy,
       t311 = 0.5 * (t308 - platform_turn_xz * platform_U_zy);
     const lanes4 lanes_49 = {t207, t229, t207, t229};
-    /* limbs together: loop closure; accelerations; momentum rate, eq. (35) */
+    /* limbs together: loop closure; accelerations; balance, eqs. (40)-(47) */
     const lanes4 lanes_53 = lanes_49 + (lanes4){1.0, 1.0, -1.0, -1.0} * (lanes4){t213, t311, t213, t311};
     const double t337 = 0.5 * (t334 - platform_turn_yz * platform_U_zy); /* platform */
     const lanes4 lanes_54 = {t223, t199, t223, t199},
@@ -2149,66 +2148,65 @@ static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_inverse_dynamics_pla
         signed_limb_U_0_sin * lanes_53),
       limb_U_0_alpha_z = lanes_12 * each_limb1_U2_opening_bias_fz,
       lanes_64 = lanes_48 + signed_limb_U_0_cos * lanes_53,
-      signed_limb_lower_alpha_y_2 = signed_limb_lower_alpha_y - signed_limb_lower_cos * limb_U_0_alpha_z,
+      signed_limb_lower_alpha_y_2 = signed_limb_lower_alpha_y + signed_limb_lower_cos * limb_U_0_alpha_z,
       limb_U_0_rate_mz = k3 * limb_U_0_alpha_z,
       signed_limb_lower_U_zx_2 = signed_limb_lower_alpha_y + signed_limb_lower_alpha_y_2,
-      lanes_67 = k8 * signed_limb_lower_alpha_y_2 + k9 * signed_limb_lower_alpha_y,
+      lanes_67 = (-k8) * signed_limb_lower_alpha_y_2 + (-k9) * signed_limb_lower_alpha_y,
       lanes_68 = limb_lower_limb_length * signed_limb_lower_U_zx_2,
-      signed_limb_lower_rate_fz = limb_lower_mx * signed_limb_lower_U_zx_2;
+      signed_limb_lower_rate_fz = (-limb_lower_mx) * signed_limb_lower_U_zx_2,
+      lanes_69 = {gravity_z, gravity_z, -gravity_z, gravity_z};
     const double limb1_U_0_sin = signed_limb_U_0_sin[0];
     const lanes4 each_limb1_U_0_sin = {limb1_U_0_sin, signed_limb_U_0_cos[1], signed_limb_U_0_sin[2],
         signed_limb_U_0_cos[3]},
-      signed_limb_upper_acc_z_2 = lanes_68 + (lanes4){1.0, 1.0, -1.0, 1.0} * (gravity_z * each_limb1_U_0_sin)
-        + lanes_41;
-    /* limbs together: balance, eqs. (40)-(47); accelerations; loop closure */
-    const lanes4 lanes_72 = limb_lower_limb_length * (limb_lower_m * signed_limb_upper_acc_z_2 -
+      signed_limb_upper_acc_z_2 = lanes_41 - (lanes_69 * each_limb1_U_0_sin - lanes_68),
+      lanes_71 = limb_lower_limb_length * ((-limb_lower_m) * signed_limb_upper_acc_z_2 -
         signed_limb_lower_rate_fz),
-      lanes_73 = limb_lower_mx * signed_limb_upper_acc_z_2 - lanes_72,
-      signed_limb_lower_moment_y = lanes_73 - (lanes_67 + (lanes4){1.0, 1.0, -1.0, 1.0} *
-        (gravity_z_limb_lower_mx * each_limb1_U_0_sin)),
-      lanes_77 = signed_limb_lower_cos * signed_limb_lower_moment_y,
-      limb_lower_joint_force_my = signed_limb_lower_sin * (k10 * (signed_limb_lower_omega_z *
-        signed_limb_lower_omega_y)) + lanes_77,
-      each_limb1_U2_part_fz = lanes_12 * (limb_lower_joint_force_my + limb_U_0_rate_mz),
-      lanes_79 = signed_limb_lower_omega_y * signed_limb_lower_omega_y,
-      lanes_80 = signed_limb_U_0_cos * each_limb1_U2_part_fz, lanes_81 = signed_limb_U_0_sin *
+      lanes_72 = (-limb_lower_mx) * signed_limb_upper_acc_z_2 - lanes_71,
+      lanes_73 = {gravity_z_limb_lower_mx, gravity_z_limb_lower_mx, -gravity_z_limb_lower_mx,
+        gravity_z_limb_lower_mx},
+      lanes_75 = signed_limb_lower_cos * (lanes_72 - (lanes_67 + lanes_73 * each_limb1_U_0_sin)),
+      minus_limb_lower_joint_force_my = signed_limb_lower_sin * (k10 * (signed_limb_lower_omega_z *
+        signed_limb_lower_omega_y)) - lanes_75,
+      each_limb1_U2_part_fz = lanes_12 * (limb_U_0_rate_mz - minus_limb_lower_joint_force_my),
+      lanes_77 = signed_limb_lower_omega_y * signed_limb_lower_omega_y,
+      lanes_78 = signed_limb_U_0_cos * each_limb1_U2_part_fz, lanes_79 = signed_limb_U_0_sin *
         each_limb1_U2_part_fz,
-      lanes_83 = each_limb1_U2_opening_rate_fx * (2.0 * signed_limb_lower_omega_z),
-      minus_limb_lower_U_xx = lanes_79 + signed_limb_lower_omega_z * signed_limb_lower_omega_z,
-      signed_limb_upper_acc_y = limb_lower_limb_length * signed_limb_lower_U_xy - lanes_83,
-      lanes_87 = signed_limb_lower_cos * lanes_64,
-      lanes_89 = signed_limb_lower_sin * lanes_64 - signed_limb_lower_cos * lanes_58,
-      signed_limb_lower_alpha_z = lanes_34 * (signed_limb_upper_acc_y + (lanes4){-1.0, 1.0, -1.0, 1.0} *
-        lanes_89),
-      lanes_93 = lanes_87 + signed_limb_lower_sin * lanes_58,
-      signed_limb_lower_U_yx = signed_limb_lower_U_xy - signed_limb_lower_alpha_z,
-      lanes_96 = k9 * signed_limb_lower_alpha_z - k8 * signed_limb_lower_U_xy,
-      lanes_97 = limb_lower_limb_length * signed_limb_lower_U_yx,
-      signed_limb_lower_rate_fy = limb_lower_mx * signed_limb_lower_U_yx;
+      lanes_81 = each_limb1_U2_opening_rate_fx * (2.0 * signed_limb_lower_omega_z),
+      minus_limb_lower_U_xx = lanes_77 + signed_limb_lower_omega_z * signed_limb_lower_omega_z,
+      signed_limb_upper_acc_y = lanes_81 - limb_lower_limb_length * signed_limb_lower_U_xy,
+      lanes_85 = signed_limb_lower_cos * lanes_64,
+      lanes_87 = signed_limb_lower_sin * lanes_64 - signed_limb_lower_cos * lanes_58,
+      signed_limb_lower_alpha_z = lanes_34 * (signed_limb_upper_acc_y + (lanes4){1.0, -1.0, 1.0, -1.0} *
+        lanes_87),
+      lanes_91 = lanes_85 + signed_limb_lower_sin * lanes_58,
+      signed_limb_lower_U_yx = signed_limb_lower_U_xy + signed_limb_lower_alpha_z,
+      lanes_94 = k9 * signed_limb_lower_alpha_z + k8 * signed_limb_lower_U_xy,
+      lanes_95 = limb_lower_limb_length * signed_limb_lower_U_yx,
+      signed_limb_lower_rate_fy = limb_lower_mx * signed_limb_lower_U_yx,
+      lanes_96 = {-gravity_z, gravity_z, gravity_z, gravity_z};
     const double minus_limb1_U_0_cos = signed_limb_U_0_cos[0];
     const lanes4 each_limb1_U_0_cos = {minus_limb1_U_0_cos, signed_limb_U_0_sin[1], signed_limb_U_0_cos[2],
         signed_limb_U_0_sin[3]},
-      signed_limb_U_0_acc_y = gravity_z * each_limb1_U_0_cos,
+      signed_limb_U_0_acc_y = lanes_96 * each_limb1_U_0_cos,
       signed_limb_lower_acc_y = signed_limb_lower_sin * signed_limb_U_0_acc_y,
-      signed_limb_upper_acc_y_2 = lanes_97 + (lanes4){1.0, -1.0, -1.0, -1.0} * signed_limb_lower_acc_y -
-        lanes_83,
-      signed_limb_lower_rate_mz = lanes_96 + (lanes4){-1.0, 1.0, 1.0, 1.0} * (limb_lower_mx *
-        signed_limb_lower_acc_y),
-      signed_limb_lower_acc_x = signed_limb_lower_cos * signed_limb_U_0_acc_y,
-      lanes_104 = limb_lower_limb_length * (limb_lower_m * signed_limb_upper_acc_y_2 -
+      signed_limb_upper_acc_y_2 = lanes_81 + (signed_limb_lower_acc_y - lanes_95),
+      signed_limb_lower_rate_mz = lanes_94 - limb_lower_mx * signed_limb_lower_acc_y,
+      limb_lower_acc_x = signed_limb_lower_cos * signed_limb_U_0_acc_y;
+    /* limbs together: balance, eqs. (40)-(47); accelerations; loop closure */
+    const lanes4 lanes_99 = limb_lower_limb_length * (limb_lower_m * signed_limb_upper_acc_y_2 +
         signed_limb_lower_rate_fy),
-      each_limb1_U2_part_fy = lanes_34 * (limb_lower_mx * signed_limb_upper_acc_y_2 - lanes_104 +
+      each_limb1_U2_part_fy = lanes_34 * (lanes_99 - limb_lower_mx * signed_limb_upper_acc_y_2 -
         signed_limb_lower_rate_mz),
       minus_limb_upper_acc_x = limb_lower_limb_length * minus_limb_lower_U_xx,
-      each_limb1_U2_opening_bias_fx = minus_limb_upper_acc_x + (lanes4){-1.0, 1.0, -1.0, 1.0} * lanes_93,
-      limb_upper_acc_x = each_limb1_U2_opening_bias_fx - (minus_limb_upper_acc_x + (lanes4){1.0, -1.0, -1.0,
-        -1.0} * signed_limb_lower_acc_x),
-      limb_upper_rate_fx = limb_lower_m * limb_upper_acc_x + limb_lower_mx * minus_limb_lower_U_xx,
-      lanes_112 = signed_limb_lower_cos * each_limb1_U2_part_fy,
-      lanes_114 = signed_limb_lower_sin * each_limb1_U2_part_fy + signed_limb_lower_cos * limb_upper_rate_fx,
-      lanes_116 = lanes_112 - signed_limb_lower_sin * limb_upper_rate_fx,
-      lanes_118 = lanes_80 - signed_limb_U_0_sin * lanes_114, lanes_120 = lanes_81 + signed_limb_U_0_cos *
-        lanes_114;
+      each_limb1_U2_opening_bias_fx = minus_limb_upper_acc_x - (lanes4){1.0, -1.0, 1.0, -1.0} * lanes_91,
+      limb_lower_force_x = limb_lower_m * (each_limb1_U2_opening_bias_fx - (minus_limb_upper_acc_x -
+        limb_lower_acc_x)),
+      limb_upper_rate_fx = limb_lower_force_x + limb_lower_mx * minus_limb_lower_U_xx,
+      lanes_105 = signed_limb_lower_cos * each_limb1_U2_part_fy,
+      lanes_107 = signed_limb_lower_sin * each_limb1_U2_part_fy + signed_limb_lower_cos * limb_upper_rate_fx,
+      lanes_109 = lanes_105 - signed_limb_lower_sin * limb_upper_rate_fx,
+      lanes_111 = lanes_78 - signed_limb_U_0_sin * lanes_107, lanes_113 = lanes_79 + signed_limb_U_0_cos *
+        lanes_107;
     /* limb1: reciprocal wrenches, eq. (10); geometry; balance, eqs. (40)-(47) */
     const double t41 = platform_turn_yy * limb1_U_0_sin + platform_turn_zy * minus_limb1_U_0_cos,
       limb1_lower_cos = signed_limb_lower_cos[0], t42 = limb1_lower_cos * t41,
@@ -2226,19 +2224,19 @@ static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_inverse_dynamics_pla
       minus_limb1_U_0_lever_my_by_limb1_U2_mn = limb1_lower_cos * minus_limb1_U2_constraint_mn_couple_x,
       t59 = limb1_U_0_joint_force_fx_by_limb1_U2_mn - minus_limb1_U_0_cos * minus_limb1_U2_part_fz_by_limb1_U2_mn, /* platform */
       t50 = limb1_U_0_joint_force_fy_by_limb1_U2_mn + limb1_U_0_sin * minus_limb1_U2_part_fz_by_limb1_U2_mn; /* platform */
-    const lanes4 lanes_122 = each_limb1_upper_position_x * (lanes4){t59, lanes_118[1], lanes_118[2],
-        lanes_118[3]};
+    const lanes4 lanes_115 = each_limb1_upper_position_x * (lanes4){t59, lanes_111[1], lanes_111[2],
+        lanes_111[3]};
     const double minus_limb1_lower_limb_target_y = signed_limb_lower_limb_target_y[0],
       t68 = minus_limb1_lower_limb_target_y * t59; /* platform */
-    const lanes4 each_limb1_U_0_force_z_by_limb1_U2_mn = {limb1_U_0_force_z_by_limb1_U2_mn, -lanes_116[1],
-        lanes_116[2], lanes_116[3]},
-      lanes_123 = signed_limb_lower_limb_target_x * each_limb1_U_0_force_z_by_limb1_U2_mn,
-      lanes_126 = lanes_122 + (lanes4){-1.0, 1.0, -1.0, -1.0} * lanes_123,
-      lanes_127 = signed_limb_lower_limb_target_y * each_limb1_U_0_force_z_by_limb1_U2_mn;
+    const lanes4 each_limb1_U_0_force_z_by_limb1_U2_mn = {limb1_U_0_force_z_by_limb1_U2_mn, -lanes_109[1],
+        lanes_109[2], lanes_109[3]},
+      lanes_116 = signed_limb_lower_limb_target_x * each_limb1_U_0_force_z_by_limb1_U2_mn,
+      lanes_119 = lanes_115 - (lanes4){1.0, -1.0, 1.0, 1.0} * lanes_116,
+      lanes_120 = signed_limb_lower_limb_target_y * each_limb1_U_0_force_z_by_limb1_U2_mn;
     const double t56 = limb1_U_0_sin * limb1_U2_constraint_mn_couple_z,
       t44 = minus_limb1_U_0_cos * limb1_U2_constraint_mn_couple_z,
       platform_joint_force_mz_by_limb1_U2_mn = t56 + minus_limb1_U_0_cos *
-        minus_limb1_U_0_lever_my_by_limb1_U2_mn + lanes_126[0],
+        minus_limb1_U_0_lever_my_by_limb1_U2_mn + lanes_119[0],
       t63 = 1.0 / platform_joint_force_mz_by_limb1_U2_mn; /* platform */
     /* limbs together: reciprocal wrenches, eq. (10); loop closure; balance, eqs. (40)-(47) */
     const lanes4 each_base_lever_fz_by_limb1_U2_fx = signed_limb_U_0_cos * signed_limb_lower_cos;
@@ -2247,56 +2245,57 @@ static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_inverse_dynamics_pla
     const lanes4 each_base_lever_fy_by_limb1_U2_fx = signed_limb_U_0_sin * signed_limb_lower_cos;
     const double limb1_U2_opening_mn = t582 + platform_turn_xy * limb1_lower_cos,
       t584 = limb1_U2_opening_mn * limb1_U2_opening_mn;
-    const lanes4 lanes_128 = each_limb1_upper_position_x * each_base_lever_fy_by_limb1_U2_fx,
-      lanes_129 = signed_limb_lower_limb_target_y * each_base_lever_fy_by_limb1_U2_fx,
-      each_limb1_U2_closure_fx_by_limb5_S_wz = lanes_128 - signed_limb_lower_limb_target_x *
+    const lanes4 lanes_121 = each_limb1_upper_position_x * each_base_lever_fy_by_limb1_U2_fx,
+      lanes_122 = signed_limb_lower_limb_target_y * each_base_lever_fy_by_limb1_U2_fx,
+      each_limb1_U2_closure_fx_by_limb5_S_wz = lanes_121 - signed_limb_lower_limb_target_x *
         signed_limb_lower_sin,
-      lanes_131 = signed_limb_lower_limb_target_y * signed_limb_lower_sin,
-      each_limb1_U2_closure_fx_by_limb5_S_wy = lanes_131 - each_limb1_upper_position_x *
-        each_base_lever_fz_by_limb1_U2_fx,
-      each_limb1_U2_closure_fx_by_limb5_S_wx = signed_limb_lower_limb_target_x *
-        each_base_lever_fz_by_limb1_U2_fx - lanes_129;
+      lanes_124 = signed_limb_lower_limb_target_y * signed_limb_lower_sin,
+      each_limb1_U2_closure_fx_by_limb5_S_wy = each_limb1_upper_position_x * each_base_lever_fz_by_limb1_U2_fx
+        - lanes_124,
+      each_limb1_U2_closure_fx_by_limb5_S_wx = lanes_122 - signed_limb_lower_limb_target_x *
+        each_base_lever_fz_by_limb1_U2_fx;
     const double minus_limb1_U2_closure_fx_by_limb5_S_wz = each_limb1_U2_closure_fx_by_limb5_S_wz[0],
-      minus_limb2_S_closure_fx_by_limb5_S_wz = each_limb1_U2_closure_fx_by_limb5_S_wy[1];
+      minus_limb2_S_closure_fx_by_limb5_S_wz = -each_limb1_U2_closure_fx_by_limb5_S_wy[1];
     const lanes4 each_limb1_U2_closure_fx_by_limb5_S_wz_2 = {minus_limb1_U2_closure_fx_by_limb5_S_wz,
         minus_limb2_S_closure_fx_by_limb5_S_wz, each_limb1_U2_closure_fx_by_limb5_S_wz[2],
-        -each_limb1_U2_closure_fx_by_limb5_S_wy[3]},
+        each_limb1_U2_closure_fx_by_limb5_S_wy[3]},
       each_limb1_U2_part_mn_by_limb1_P = each_limb1_U2_closure_fx_by_limb5_S_wz_2 * t63,
-      lanes_135 = each_limb1_upper_position_x * (lanes4){t50, lanes_120[1], lanes_120[2], lanes_120[3]},
-      lanes_138 = lanes_127 + (lanes4){-1.0, -1.0, 1.0, 1.0} * lanes_135;
-    const double t53 = minus_base_lever_my_by_limb1_U2_mn - lanes_138[0], /* platform */
+      lanes_128 = each_limb1_upper_position_x * (lanes4){t50, lanes_113[1], lanes_113[2], lanes_113[3]},
+      lanes_131 = lanes_120 - (lanes4){1.0, 1.0, -1.0, -1.0} * lanes_128;
+    const double t53 = minus_base_lever_my_by_limb1_U2_mn - lanes_131[0], /* platform */
       minus_limb1_lower_limb_target_x = signed_limb_lower_limb_target_x[0],
       t70 = minus_limb1_U_0_lever_mz_by_limb1_U2_mn - (minus_limb1_lower_limb_target_x * t50 - t68); /* platform */
-    const lanes4 lanes_140 = (lanes4){t70, t53, t70, t53} * each_limb1_U2_part_mn_by_limb1_P,
-      each_limb5_S_balance_wx_by_limb1_P = lanes_140 + (lanes4){1.0, 1.0, 1.0, -1.0} *
-        each_limb1_U2_closure_fx_by_limb5_S_wx,
-      lanes_144 = (lanes4){t53, t70, t53, t70} * each_limb1_U2_part_mn_by_limb1_P;
-    const double limb1_U2_closure_fx_by_limb5_S_wy = -each_limb1_U2_closure_fx_by_limb5_S_wy[0],
+    const lanes4 lanes_135 = (lanes4){1.0, 1.0, 1.0, -1.0} * ((lanes4){t70, t53, t70, t53} *
+        each_limb1_U2_part_mn_by_limb1_P),
+      each_limb5_S_balance_wx_by_limb1_P = each_limb1_U2_closure_fx_by_limb5_S_wx - lanes_135,
+      lanes_137 = (lanes4){t53, t70, t53, t70} * each_limb1_U2_part_mn_by_limb1_P;
+    const double limb1_U2_closure_fx_by_limb5_S_wy = each_limb1_U2_closure_fx_by_limb5_S_wy[0],
       minus_limb2_S_closure_fx_by_limb5_S_wx = each_limb1_U2_closure_fx_by_limb5_S_wz[1];
     const lanes4 each_limb1_U2_closure_fx_by_limb5_S_wy_2 = {limb1_U2_closure_fx_by_limb5_S_wy,
-        minus_limb2_S_closure_fx_by_limb5_S_wx, -each_limb1_U2_closure_fx_by_limb5_S_wy[2],
+        minus_limb2_S_closure_fx_by_limb5_S_wx, each_limb1_U2_closure_fx_by_limb5_S_wy[2],
         each_limb1_U2_closure_fx_by_limb5_S_wz[3]},
-      each_limb5_S_balance_wy_by_limb1_P = lanes_144 + (lanes4){-1.0, 1.0, -1.0, -1.0} *
+      each_limb5_S_balance_wy_by_limb1_P = lanes_137 - (lanes4){1.0, -1.0, 1.0, 1.0} *
         each_limb1_U2_closure_fx_by_limb5_S_wy_2,
-      lanes_147 = each_limb5_S_balance_wx_by_limb1_P * each_limb5_S_balance_wx_by_limb1_P,
-      lanes_148 = each_limb5_S_balance_wy_by_limb1_P * each_limb5_S_balance_wy_by_limb1_P;
+      lanes_140 = each_limb5_S_balance_wx_by_limb1_P * each_limb5_S_balance_wx_by_limb1_P,
+      lanes_142 = (lanes4){1.0, 1.0, 1.0, -1.0} * each_limb5_S_balance_wy_by_limb1_P,
+      lanes_143 = lanes_142 * lanes_142;
     /* drives: drives; pivots; momentum rate, eq. (35) */
-    const double t103 = lanes_147[0] + lanes_148[1] + lanes_147[2], drives_share_0_0 = t103 + lanes_148[3],
-      t127 = lanes_148[0] + lanes_147[1] + lanes_148[2], drives_share_1_1 = t127 + lanes_147[3],
+    const double t103 = lanes_140[0] + lanes_143[1] + lanes_140[2], drives_share_0_0 = t103 + lanes_143[3],
+      t127 = lanes_143[0] + lanes_140[1] + lanes_143[2], drives_share_1_1 = t127 + lanes_140[3],
       t132 = drives_share_0_0 * drives_share_1_1;
-    const lanes4 lanes_149 = each_limb5_S_balance_wx_by_limb1_P * each_limb5_S_balance_wy_by_limb1_P;
-    const double t137 = -lanes_149[0] - lanes_149[1] + (-lanes_149[2]), minus_drives_share_0_1 = t137 -
-        lanes_149[3],
+    const lanes4 lanes_144 = each_limb5_S_balance_wx_by_limb1_P * lanes_142;
+    const double t137 = lanes_144[0] - (-lanes_144[1]) + lanes_144[2],
+      minus_drives_share_0_1 = t137 - (-lanes_144[3]),
       value_determinant = t132 - minus_drives_share_0_1 * minus_drives_share_0_1, t140 = 1.0 /
         value_determinant,
       minus_limb1_upper_position_x = each_limb1_upper_position_x[0],
-      t520 = minus_limb1_upper_position_x * lanes_118[0], /* limb1 */
-      t273 = minus_limb1_upper_position_x * lanes_120[0]; /* limb1 */
-    const lanes4 lanes_150 = signed_limb_lower_limb_target_x * lanes_120;
-    const double t249 = lanes_116[0], /* limb1 */
+      t520 = minus_limb1_upper_position_x * lanes_111[0], /* limb1 */
+      t273 = minus_limb1_upper_position_x * lanes_113[0]; /* limb1 */
+    const lanes4 lanes_145 = signed_limb_lower_limb_target_x * lanes_113;
+    const double t249 = lanes_109[0], /* limb1 */
       t522 = t520 - minus_limb1_lower_limb_target_x * t249, /* limb1 */
       t274 = minus_limb1_lower_limb_target_y * t249 + t273; /* limb1 */
-    const lanes4 lanes_152 = lanes_150 + signed_limb_lower_limb_target_y * lanes_118;
+    const lanes4 lanes_147 = lanes_145 + signed_limb_lower_limb_target_y * lanes_111;
     const double minus_platform_rate_mx = gravity_z_platform_mz * platform_turn_zy - (t141 + k13 *
         limb5_S_acc_wx);
     /* platform: balance, eqs. (40)-(47); momentum rate, eq. (35) */
@@ -2306,26 +2305,26 @@ static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_inverse_dynamics_pla
       platform_rate_my = gravity_z_platform_mz * platform_turn_zx - (t145 - k13 * limb5_S_acc_wy),
       t514 = t512 - platform_turn_zy * platform_rate_my, t149 = t144 - platform_turn_yy * platform_rate_my,
       t548 = t546 - platform_turn_xy * platform_rate_my, platform_rate_mz = platform_Izz * limb5_S_acc_wz,
-      t530 = t514 - platform_turn_zz * platform_rate_mz + t522 - lanes_138[1],
-      limb1_U2_part_mn = (t530 + lanes_126[2] + lanes_138[3]) * t63, t544 = t53 * limb1_U2_part_mn,
+      t530 = t514 - platform_turn_zz * platform_rate_mz + t522 - lanes_131[1],
+      limb1_U2_part_mn = (t530 + lanes_119[2] + lanes_131[3]) * t63, t544 = t53 * limb1_U2_part_mn,
       t566 = t70 * limb1_U2_part_mn, t550 = t548 - platform_turn_xz * platform_rate_mz,
-      t366 = t149 - platform_turn_yz * platform_rate_mz + t274 - lanes_152[1],
-      minus_limb5_S_balance_wy = t366 + lanes_138[2] - lanes_152[3] + t544,
+      t366 = t149 - platform_turn_yz * platform_rate_mz + t274 - lanes_147[1],
+      minus_limb5_S_balance_wy = t366 + lanes_131[2] - lanes_147[3] + t544,
       t545 = minus_limb5_S_balance_wy * drives_share_0_0, /* limb1 */
-      t562 = t550 - lanes_152[0] + lanes_126[1] - lanes_152[2], minus_limb5_S_balance_wx = t562 + lanes_126[3]
+      t562 = t550 - lanes_147[0] + lanes_119[1] - lanes_147[2], minus_limb5_S_balance_wx = t562 + lanes_119[3]
         + t566,
       t573 = minus_limb5_S_balance_wx * drives_share_1_1 + minus_limb5_S_balance_wy * minus_drives_share_0_1, /* limb1 */
       t569 = t140 * (t545 + minus_limb5_S_balance_wx * minus_drives_share_0_1), /* limb1 */
       t574 = t140 * t573; /* limb1 */
-    const lanes4 lanes_154 = each_limb5_S_balance_wy_by_limb1_P * (lanes4){t569, t574, t569, t574},
-      signed_limb_P_drive = each_limb5_S_balance_wx_by_limb1_P * (lanes4){t574, t569, t574, t569} + lanes_154;
-    u[0] = -signed_limb_P_drive[0];
-    u[1] = -signed_limb_P_drive[1];
-    u[2] = -signed_limb_P_drive[2];
-    u[3] = -(-signed_limb_P_drive[3]);
-    const lanes4 every = (lanes4)((three_ups_upu_s_vector4_mask)(signed_limb_P_drive) |
-        ((limb_lower_limb_length <= (lanes4){6.62327e-10, 6.62327e-10, 6.62327e-10, 6.62327e-10}) &
-        (limb_lower_limb_length >= -(lanes4){6.62327e-10, 6.62327e-10, 6.62327e-10, 6.62327e-10})) |
+    const lanes4 lanes_149 = lanes_142 * (lanes4){t569, t574, t569, t574},
+      limb_P_drive = each_limb5_S_balance_wx_by_limb1_P * (lanes4){t574, t569, t574, t569} - lanes_149;
+    u[0] = limb_P_drive[0];
+    u[1] = -(-limb_P_drive[1]);
+    u[2] = limb_P_drive[2];
+    u[3] = -(-limb_P_drive[3]);
+    const lanes4 every = (lanes4)((three_ups_upu_s_vector4_mask)(limb_P_drive) | ((limb_lower_limb_length <=
+        (lanes4){6.62327e-10, 6.62327e-10, 6.62327e-10, 6.62327e-10}) & (limb_lower_limb_length >=
+        -(lanes4){6.62327e-10, 6.62327e-10, 6.62327e-10, 6.62327e-10})) |
         ((each_limb1_U_0_lever_mz_by_limb1_U2_fz <= (lanes4){6.62327e-10, 6.62327e-10, 6.62327e-10,
         6.62327e-10}) & (each_limb1_U_0_lever_mz_by_limb1_U2_fz >= -(lanes4){6.62327e-10, 6.62327e-10,
         6.62327e-10, 6.62327e-10})));

@@ -1969,14 +1969,14 @@ static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_inverse_kinematics_p
       platform_turn_yz = t15 - t17, platform_turn_zy = t15 + t17, t18 = param_H * platform_turn_yz,
       t42 = 0.5 * platform_turn_zy;
     /* limbs together: geometry; reciprocal wrenches, eq. (10); results */
-    const lanes4 signed_limb_lower_limb_target_x = (lanes4){t14, t25, t14, t25} + (lanes4){-1.0, -1.0, 1.0,
-        1.0} * (lanes4){t18, t42, t18, t42},
+    const lanes4 signed_limb_lower_limb_target_x = (lanes4){t14, t25, t14, t25} - (lanes4){1.0, 1.0, -1.0,
+        -1.0} * (lanes4){t18, t42, t18, t42},
       lanes_5 = signed_limb_lower_limb_target_x * signed_limb_lower_limb_target_x;
     const double platform_turn_xz = t20 + t21, t22 = 0.5 * (t20 - t21), /* platform */
       t31 = param_H * platform_turn_xz, /* platform */
       t41 = 0.5 * platform_turn_xy; /* platform */
-    const lanes4 signed_limb_lower_limb_target_y = (lanes4){t22, t31, t22, t31} + (lanes4){-1.0, -1.0, 1.0,
-        1.0} * (lanes4){t25, t41, t25, t41},
+    const lanes4 signed_limb_lower_limb_target_y = (lanes4){t22, t31, t22, t31} - (lanes4){1.0, 1.0, -1.0,
+        -1.0} * (lanes4){t25, t41, t25, t41},
       lanes_11 = lanes_5 + signed_limb_lower_limb_target_y * signed_limb_lower_limb_target_y,
       each_limb1_U_0_lever_mz_by_limb1_U2_fz = three_ups_upu_s_vector4_sqrt(lanes_11),
       lanes_12 = 1.0 / each_limb1_U_0_lever_mz_by_limb1_U2_fz,
@@ -1993,9 +1993,9 @@ static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_inverse_kinematics_p
     q[9] = limb4_U_q_0;
     const double t87 = platform_turn_yy * limb1_U_0_sin + platform_turn_zy * minus_limb1_U_0_cos, /* limb1 */
       t49 = 0.5 * platform_turn_yy; /* platform */
-    const lanes4 each_limb1_upper_position_x = (lanes4){t30, t18, t30, t18} + (lanes4){-1.0, -1.0, 1.0, 1.0} *
-        (lanes4){t31, t49, t31, t49},
-      signed_limb_lower_limb_target_z = each_limb1_upper_position_x + (lanes4){-param_R, param_R, -param_R,
+    const lanes4 each_limb1_upper_position_x = (lanes4){t31, t49, t31, t49} - (lanes4){1.0, 1.0, -1.0, -1.0} *
+        (lanes4){t30, t18, t30, t18},
+      signed_limb_lower_limb_target_z = each_limb1_upper_position_x + (lanes4){param_R, -param_R, -param_R,
         -param_R},
       limb_lower_limb_length = three_ups_upu_s_vector4_sqrt(lanes_11 + signed_limb_lower_limb_target_z *
         signed_limb_lower_limb_target_z),
@@ -2007,19 +2007,19 @@ static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_inverse_kinematics_p
     const lanes4 lanes_20 = 1.0 / limb_lower_limb_length,
       signed_limb_lower_sin = signed_limb_lower_limb_target_z * lanes_20,
       signed_limb_lower_cos = each_limb1_U_0_lever_mz_by_limb1_U2_fz * lanes_20;
-    const double limb1_U2_opening_mn = (-signed_limb_lower_sin[0]) * t87 + platform_turn_xy *
+    const double limb1_U2_opening_mn = signed_limb_lower_sin[0] * t87 + platform_turn_xy *
         signed_limb_lower_cos[0],
       t90 = limb1_U2_opening_mn * limb1_U2_opening_mn;
-    const lanes4 lanes_24 = (lanes4){-0.5, 0.5, -0.5, -0.5} * signed_limb_lower_sin,
-      lanes_26 = 0.5 * signed_limb_lower_cos - (lanes4){-k1, k1, -k1, -k1} * signed_limb_lower_sin,
-      lanes_28 = lanes_24 + k1 * signed_limb_lower_cos;
-    const double limb1_U_q_1 = atan2(-lanes_26[0], lanes_28[0]);
+    const lanes4 lanes_24 = (lanes4){0.5, -0.5, -0.5, -0.5} * signed_limb_lower_sin,
+      lanes_26 = (lanes4){k1, -k1, -k1, -k1} * signed_limb_lower_sin - 0.5 * signed_limb_lower_cos,
+      lanes_28 = k1 * signed_limb_lower_cos + lanes_24;
+    const double limb1_U_q_1 = atan2(lanes_26[0], lanes_28[0]);
     q[1] = limb1_U_q_1;
-    const double limb2_U_q_1 = atan2(lanes_26[1], lanes_28[1]);
+    const double limb2_U_q_1 = atan2(-lanes_26[1], lanes_28[1]);
     q[4] = limb2_U_q_1;
-    const double limb3_U_q_1 = atan2(lanes_26[2], lanes_28[2]);
+    const double limb3_U_q_1 = atan2(-lanes_26[2], lanes_28[2]);
     q[7] = limb3_U_q_1;
-    const double limb4_U_q_1 = atan2(-lanes_26[3], lanes_28[3]);
+    const double limb4_U_q_1 = atan2(lanes_26[3], lanes_28[3]);
     q[10] = limb4_U_q_1;
     const lanes4 every = limb_P_q;
     return !(t7 >= 0.999999 && t7 <= 1.000001) || !(t90 <= 1.0e-12) ? (double)NAN : (((limb1_U_q_0 +
@@ -2084,15 +2084,15 @@ static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_inverse_velocity_pac
       t18 = param_H * platform_turn_yz, t50 = limb5_S_rate_wz * platform_turn_yz, t67 = 0.5 *
         platform_turn_zy,
       t25 = param_H * platform_turn_zz;
-    const lanes4 signed_limb_lower_limb_target_x = (lanes4){t14, t25, t14, t25} + (lanes4){-1.0, -1.0, 1.0,
-        1.0} * (lanes4){t18, t67, t18, t67};
+    const lanes4 signed_limb_lower_limb_target_x = (lanes4){t14, t25, t14, t25} - (lanes4){1.0, 1.0, -1.0,
+        -1.0} * (lanes4){t18, t67, t18, t67};
     const double t32 = limb5_S_rate_wz * platform_turn_zz;
     const lanes4 lanes_5 = signed_limb_lower_limb_target_x * signed_limb_lower_limb_target_x;
     const double platform_turn_zx = t20 - t21, platform_turn_xz = t20 + t21, t22 = 0.5 * platform_turn_zx,
       t33 = limb5_S_rate_wx * platform_turn_zx, t31 = param_H * platform_turn_xz,
       t40 = limb5_S_rate_wz * platform_turn_xz, t69 = 0.5 * platform_turn_xy;
-    const lanes4 signed_limb_lower_limb_target_y = (lanes4){t22, t31, t22, t31} + (lanes4){-1.0, -1.0, 1.0,
-        1.0} * (lanes4){t25, t69, t25, t69},
+    const lanes4 signed_limb_lower_limb_target_y = (lanes4){t22, t31, t22, t31} - (lanes4){1.0, 1.0, -1.0,
+        -1.0} * (lanes4){t25, t69, t25, t69},
       lanes_11 = lanes_5 + signed_limb_lower_limb_target_y * signed_limb_lower_limb_target_y,
       each_limb1_U_0_lever_mz_by_limb1_U2_fz = three_ups_upu_s_vector4_sqrt(lanes_11),
       lanes_12 = 1.0 / each_limb1_U_0_lever_mz_by_limb1_U2_fz,
@@ -2102,7 +2102,7 @@ static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_inverse_velocity_pac
       platform_twist_wx = limb5_S_rate_wx * platform_turn_xx + limb5_S_rate_wy * platform_turn_xy + t40,
       t30 = 0.5 * platform_turn_xx, t73 = 0.5 * platform_turn_yy;
     /* limbs together: geometry */
-    const lanes4 each_limb1_upper_position_x = (lanes4){t30, t18, t30, t18} + (lanes4){-1.0, -1.0, 1.0, 1.0} *
+    const lanes4 each_limb1_upper_position_x = (lanes4){t30, t18, t30, t18} - (lanes4){1.0, 1.0, -1.0, -1.0} *
         (lanes4){t31, t73, t31, t73},
       each_platform_twist_wz = {platform_twist_wz, platform_twist_wx, platform_twist_wz, platform_twist_wx};
     /* limbs together: loop closure; geometry; velocities, eq. (6) */
@@ -2119,14 +2119,14 @@ static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_inverse_velocity_pac
     const double t147 = platform_turn_yy * signed_limb_U_0_sin[0] + t146; /* limb1 */
     const lanes4 lanes_23 = signed_limb_lower_limb_target_x * each_platform_twist_wx,
       lanes_24 = signed_limb_lower_limb_target_x * each_platform_twist_wz,
-      lanes_26 = lanes_23 - each_limb1_upper_position_x * each_platform_twist_wy, lanes_27 = lanes_20 -
-        lanes_24,
-      minus_limb_U_0_omega_z = lanes_12 * (lanes_21 - lanes_26 * signed_limb_U_0_sin);
+      lanes_26 = each_limb1_upper_position_x * each_platform_twist_wy - lanes_23, lanes_27 = lanes_24 -
+        lanes_20,
+      minus_limb_U_0_omega_z = lanes_12 * (lanes_21 + lanes_26 * signed_limb_U_0_sin);
     v[0] = -minus_limb_U_0_omega_z[0];
     v[3] = -minus_limb_U_0_omega_z[1];
     v[6] = -minus_limb_U_0_omega_z[2];
     v[9] = -minus_limb_U_0_omega_z[3];
-    const lanes4 lanes_30 = lanes_22 + lanes_26 * signed_limb_U_0_cos,
+    const lanes4 lanes_30 = lanes_22 - lanes_26 * signed_limb_U_0_cos,
       signed_limb_lower_limb_target_z = each_limb1_upper_position_x + (lanes4){-param_R, param_R, -param_R,
         -param_R},
       limb_lower_limb_length = three_ups_upu_s_vector4_sqrt(lanes_11 + signed_limb_lower_limb_target_z *
@@ -2138,13 +2138,13 @@ static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_inverse_velocity_pac
         signed_limb_lower_cos[0],
       t150 = limb1_U2_opening_mn * limb1_U2_opening_mn;
     const lanes4 lanes_36 = signed_limb_lower_cos * lanes_30,
-      signed_limb_lower_omega_z = lanes_34 * (signed_limb_lower_sin * lanes_30 - lanes_27 *
+      signed_limb_lower_omega_z = lanes_34 * (signed_limb_lower_sin * lanes_30 + lanes_27 *
         signed_limb_lower_cos);
     v[1] = -(-signed_limb_lower_omega_z[0]);
     v[4] = signed_limb_lower_omega_z[1];
     v[7] = -signed_limb_lower_omega_z[2];
     v[10] = -(-signed_limb_lower_omega_z[3]);
-    const lanes4 each_limb1_U2_opening_rate_fx = lanes_36 + lanes_27 * signed_limb_lower_sin;
+    const lanes4 each_limb1_U2_opening_rate_fx = lanes_36 - lanes_27 * signed_limb_lower_sin;
     v[2] = each_limb1_U2_opening_rate_fx[0];
     v[5] = each_limb1_U2_opening_rate_fx[1];
     v[8] = each_limb1_U2_opening_rate_fx[2];

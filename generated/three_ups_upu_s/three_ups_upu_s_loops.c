@@ -1440,18 +1440,19 @@ static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_velocity_packed_lane
     const lanes4 limb_upper_offset_x = (lanes4){q[2], q[5], q[8], q[11]} + limb_upper_phase,
       limb_lower_cos = {limb1_lower_cos, cosine[3], cosine[5], cosine[7]},
       each_limb1_U_0_lever_mz_by_limb1_U2_fz = limb_lower_cos * limb_upper_offset_x,
-      lanes_1 = 1.0 / each_limb1_U_0_lever_mz_by_limb1_U2_fz, lanes_2 = limb_lower_cos * lanes_1;
+      lanes_2 = (lanes4){1.0, -1.0, 1.0, 1.0} / each_limb1_U_0_lever_mz_by_limb1_U2_fz,
+      lanes_3 = limb_lower_cos * lanes_2;
     /* limb1: rates that follow; pivots; reciprocal wrenches, eq. (10) */
-    const double limb1_U_factor_1_by_3 = limb1_U2_constraint_mn_couple_z * lanes_2[0];
+    const double limb1_U_factor_1_by_3 = limb1_U2_constraint_mn_couple_z * lanes_3[0];
     const lanes4 signed_limb_lower_sin = {limb1_lower_sin, sine[3], sine[5], sine[7]},
       each_limb1_U2_arm_x = limb_upper_offset_x - param_R * signed_limb_lower_sin;
     const double minus_limb1_U2_factor_0_by_3 = limb1_U2_constraint_mn_couple_z - each_limb1_U2_arm_x[0] *
         limb1_U_factor_1_by_3;
-    const lanes4 each_limb1_upper_position_x = signed_limb_lower_sin * limb_upper_offset_x - param_R;
+    const lanes4 each_limb1_upper_position_x = signed_limb_lower_sin * limb_upper_offset_x + (-param_R);
     const double t37 = limb1_U_0_sin * minus_limb1_U2_factor_0_by_3,
       t40 = limb1_U_0_cos * minus_limb1_U2_factor_0_by_3,
       limb1_U2_constraint_mn_couple_x = limb1_U_0_cos * platform_turn_yy + limb1_U_0_sin * platform_turn_zy,
-      minus_limb1_U_factor_0_by_3 = limb1_lower_sin * limb1_U2_constraint_mn_couple_x * lanes_1[0],
+      minus_limb1_U_factor_0_by_3 = limb1_lower_sin * limb1_U2_constraint_mn_couple_x * lanes_2[0],
       t24 = (-each_limb1_upper_position_x[0]) * minus_limb1_U_factor_0_by_3,
       minus_limb1_U2_factor_1_by_3 = limb1_lower_cos * limb1_U2_constraint_mn_couple_x - t24;
     /* limb5_S: pivots; rates that follow */
@@ -1478,34 +1479,33 @@ static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_velocity_packed_lane
     const double platform_omega_x = platform_turn_zx * limb5_S_joint_rate_wz + t109;
     v[12] = platform_omega_x;
     const lanes4 each_limb1_U_0_sin = {limb1_U_0_sin, sine[2], sine[4], sine[6]},
-      lanes_4 = each_limb1_U_0_sin * limb5_S_joint_rate_wz,
-      each_limb1_U_0_cos = {limb1_U_0_cos, cosine[2], cosine[4], cosine[6]},
-      lanes_5 = each_limb1_U_0_cos * limb5_S_joint_rate_wz,
+      lanes_5 = each_limb1_U_0_sin * limb5_S_joint_rate_wz,
+      lanes_7 = (lanes4){1.0, -1.0, 1.0, -1.0} * (lanes4){limb1_U_0_cos, cosine[2], cosine[4], cosine[6]},
+      lanes_8 = lanes_7 * limb5_S_joint_rate_wz,
       each_limb5_S_joint_rate_wy = {limb5_S_joint_rate_wy, limb5_S_joint_rate_wx, limb5_S_joint_rate_wy,
         limb5_S_joint_rate_wx},
-      lanes_9 = each_limb1_U_0_cos * each_limb5_S_joint_rate_wy + (lanes4){1.0, -1.0, 1.0, -1.0} * lanes_4,
-      limb_U_joint_rate_1 = lanes_2 * (each_limb1_U2_arm_x * lanes_9);
-    v[1] = limb_U_joint_rate_1[0];
-    v[4] = -(-limb_U_joint_rate_1[1]);
-    v[7] = limb_U_joint_rate_1[2];
-    v[10] = -(-limb_U_joint_rate_1[3]);
-    const lanes4 signed_limb_P_joint_rate = param_R * limb_lower_cos * lanes_9;
+      lanes_10 = lanes_5 + lanes_7 * each_limb5_S_joint_rate_wy,
+      signed_limb_U_joint_rate_1 = lanes_3 * (each_limb1_U2_arm_x * lanes_10);
+    v[1] = signed_limb_U_joint_rate_1[0];
+    v[4] = -(-signed_limb_U_joint_rate_1[1]);
+    v[7] = signed_limb_U_joint_rate_1[2];
+    v[10] = -signed_limb_U_joint_rate_1[3];
+    const lanes4 signed_limb_P_joint_rate = param_R * limb_lower_cos * lanes_10;
     v[2] = signed_limb_P_joint_rate[0];
-    v[5] = -(-signed_limb_P_joint_rate[1]);
+    v[5] = -signed_limb_P_joint_rate[1];
     v[8] = -signed_limb_P_joint_rate[2];
-    v[11] = -signed_limb_P_joint_rate[3];
-    const lanes4 lanes_14 = each_limb1_upper_position_x * (each_limb1_U_0_sin * each_limb5_S_joint_rate_wy +
-        (lanes4){-1.0, 1.0, -1.0, 1.0} * lanes_5),
-      lanes_15 = lanes_1 * lanes_14,
+    v[11] = signed_limb_P_joint_rate[3];
+    const lanes4 lanes_14 = lanes_2 * (each_limb1_upper_position_x * (lanes_8 - each_limb1_U_0_sin *
+        each_limb5_S_joint_rate_wy)),
       each_limb5_S_joint_rate_wx = {limb5_S_joint_rate_wx, limb5_S_joint_rate_wy, limb5_S_joint_rate_wx,
         limb5_S_joint_rate_wy},
-      signed_limb_U_joint_rate_0 = lanes_15 + (lanes4){1.0, 1.0, -1.0, -1.0} * each_limb5_S_joint_rate_wx;
-    v[0] = signed_limb_U_joint_rate_0[0];
-    v[3] = signed_limb_U_joint_rate_0[1];
-    v[6] = -signed_limb_U_joint_rate_0[2];
-    v[9] = -signed_limb_U_joint_rate_0[3];
+      limb_U_joint_rate_0 = each_limb5_S_joint_rate_wx - (lanes4){1.0, -1.0, -1.0, -1.0} * lanes_14;
+    v[0] = limb_U_joint_rate_0[0];
+    v[3] = limb_U_joint_rate_0[1];
+    v[6] = limb_U_joint_rate_0[2];
+    v[9] = limb_U_joint_rate_0[3];
     const lanes4 every = (lanes4)((three_ups_upu_s_vector4_mask)((each_limb1_U_0_lever_mz_by_limb1_U2_fz +
-        signed_limb_U_joint_rate_0) + (limb_U_joint_rate_1 + signed_limb_P_joint_rate)) |
+        limb_U_joint_rate_0) + (signed_limb_U_joint_rate_1 + signed_limb_P_joint_rate)) |
         ((each_limb1_U_0_lever_mz_by_limb1_U2_fz <= (lanes4){6.62327e-10, 6.62327e-10, 6.62327e-10,
         6.62327e-10}) & (each_limb1_U_0_lever_mz_by_limb1_U2_fz >= -(lanes4){6.62327e-10, 6.62327e-10,
         6.62327e-10, 6.62327e-10})));
@@ -1581,19 +1581,19 @@ static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_acceleration_packed_
       platform_turn_zx = t59 - t60, platform_twist_wx = t58 + limb5_S_v_wz * platform_turn_xz;
     const lanes4 each_limb1_U_0_sin = {limb1_U_0_sin, sine[2], sine[4], sine[6]},
       each_platform_twist_wy = {platform_twist_wy, platform_twist_wx, platform_twist_wy, platform_twist_wx},
-      lanes_1 = each_limb1_U_0_sin * each_platform_twist_wy;
+      lanes_2 = (lanes4){1.0, -1.0, 1.0, -1.0} * each_platform_twist_wy, lanes_3 = each_limb1_U_0_sin *
+        lanes_2;
     const double t70 = limb5_S_v_wx * platform_turn_zx + limb5_S_v_wy * platform_turn_zy,
       platform_twist_wz = limb5_S_v_wz * platform_turn_zz + t70;
     const lanes4 each_limb1_U_0_cos = {limb1_U_0_cos, cosine[2], cosine[4], cosine[6]},
-      lanes_5 = each_limb1_U_0_cos * platform_twist_wz + (lanes4){-1.0, 1.0, -1.0, 1.0} * lanes_1;
-    const double t106 = -lanes_5[0];
+      lanes_5 = lanes_3 - each_limb1_U_0_cos * platform_twist_wz;
+    const double t106 = lanes_5[0];
     /* limb1: loop closure; velocities, eq. (6); reciprocal wrenches, eq. (10) */
     const double t119 = limb1_lower_sin * t106 + limb1_lower_cos * platform_twist_wx,
       limb1_lower_omega_y = limb1_U_v_0 * limb1_lower_cos, t120 = limb1_lower_omega_y - t119,
       t121 = limb1_U_v_1 * t120;
-    const lanes4 lanes_6 = each_limb1_U_0_cos * each_platform_twist_wy,
-      lanes_10 = lanes_6 + (lanes4){1.0, -1.0, 1.0, -1.0} * (each_limb1_U_0_sin * platform_twist_wz);
-    const double t115 = limb1_U_v_1 - lanes_10[0],
+    const lanes4 lanes_8 = each_limb1_U_0_cos * lanes_2 + each_limb1_U_0_sin * platform_twist_wz;
+    const double t115 = limb1_U_v_1 - lanes_8[0],
       t123 = limb1_U_v_1 * limb1_lower_omega_y - (limb1_lower_omega_y * t115 - t121),
       limb1_U2_constraint_mn_couple_x = limb1_U_0_cos * platform_turn_yy + limb1_U_0_sin * platform_turn_zy,
       t124 = limb1_U2_constraint_mn_couple_x * t123, limb1_lower_omega_x = limb1_U_v_0 * limb1_lower_sin,
@@ -1609,40 +1609,41 @@ static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_acceleration_packed_
         limb1_U2_opening_mn * t115));
     const lanes4 limb_U_v_0 = {limb1_U_v_0, v[3], v[6], v[9]};
     /* limbs together: accelerations; geometry; reciprocal wrenches, eq. (10) */
-    const lanes4 lanes_11 = limb_U_v_0 * lanes_5,
+    const lanes4 lanes_9 = limb_U_v_0 * lanes_5,
       limb_upper_offset_x = (lanes4){q[2], q[5], q[8], q[11]} + limb_upper_phase,
       signed_limb_lower_sin = {limb1_lower_sin, sine[3], sine[5], sine[7]},
       each_limb1_U2_arm_x = limb_upper_offset_x - param_R * signed_limb_lower_sin,
-      lanes_13 = each_limb1_U2_arm_x * lanes_11, limb_U_v_1 = {limb1_U_v_1, v[4], v[7], v[10]},
+      lanes_11 = each_limb1_U2_arm_x * lanes_9, limb_U_v_1 = {limb1_U_v_1, v[4], v[7], v[10]},
       limb_P_v = {v[2], v[5], v[8], v[11]},
-      lanes_17 = lanes_13 + (lanes4){-1.0, 1.0, -1.0, 1.0} * (limb_U_v_1 * limb_P_v),
-      limb_lower_cos = {limb1_lower_cos, cosine[3], cosine[5], cosine[7]}, lanes_18 = limb_U_v_1 *
+      lanes_15 = lanes_11 + (lanes4){1.0, -1.0, 1.0, -1.0} * (limb_U_v_1 * limb_P_v),
+      limb_lower_cos = {limb1_lower_cos, cosine[3], cosine[5], cosine[7]}, lanes_16 = limb_U_v_1 *
         limb_lower_cos,
-      lanes_23 = lanes_10 * (limb_P_v + (lanes4){-1.0, -1.0, 1.0, 1.0} * (param_R * lanes_18)),
-      lanes_26 = lanes_17 + (lanes4){1.0, -1.0, 1.0, -1.0} * lanes_23, lanes_27 = limb_upper_offset_x *
-        lanes_18,
+      lanes_21 = lanes_15 + lanes_8 * ((lanes4){param_R, param_R, -param_R, -param_R} * lanes_16 - limb_P_v),
+      lanes_22 = limb_upper_offset_x * lanes_16,
       each_limb1_U_0_lever_mz_by_limb1_U2_fz = limb_lower_cos * limb_upper_offset_x,
-      lanes_28 = 1.0 / each_limb1_U_0_lever_mz_by_limb1_U2_fz, lanes_29 = limb_lower_cos * lanes_28;
-    const double limb1_U_factor_1_by_3 = limb1_U2_constraint_mn_couple_z * lanes_29[0],
-      t154 = limb1_U2_opening_bias_mn - (-lanes_26[0]) * limb1_U_factor_1_by_3, /* limb5_S */
+      lanes_24 = (lanes4){1.0, -1.0, 1.0, -1.0} / each_limb1_U_0_lever_mz_by_limb1_U2_fz,
+      lanes_25 = limb_lower_cos * lanes_24;
+    const double limb1_U_factor_1_by_3 = limb1_U2_constraint_mn_couple_z * lanes_25[0],
+      t154 = limb1_U2_opening_bias_mn - lanes_21[0] * limb1_U_factor_1_by_3, /* limb5_S */
       minus_limb1_U2_factor_0_by_3 = limb1_U2_constraint_mn_couple_z - each_limb1_U2_arm_x[0] *
         limb1_U_factor_1_by_3;
-    const lanes4 lanes_30 = limb_U_v_0 * lanes_10,
-      each_limb1_upper_position_x = signed_limb_lower_sin * limb_upper_offset_x - param_R,
-      lanes_31 = each_limb1_upper_position_x * lanes_30, lanes_32 = limb_U_v_1 * signed_limb_lower_sin,
-      lanes_35 = lanes_10 * (param_R * lanes_32),
-      lanes_39 = limb_upper_offset_x * lanes_32 + (lanes4){-1.0, -1.0, 1.0, 1.0} * (limb_P_v *
-        limb_lower_cos),
-      lanes_42 = (lanes4){platform_twist_wx, platform_twist_wy, platform_twist_wx, platform_twist_wy} *
-        lanes_39,
-      lanes_46 = lanes_5 * (limb_P_v * signed_limb_lower_sin + (lanes4){1.0, 1.0, -1.0, -1.0} * lanes_27),
-      lanes_49 = lanes_46 + (lanes4){-1.0, 1.0, -1.0, 1.0} * (lanes_31 + limb_U_v_0 * lanes_39),
-      lanes_52 = lanes_49 + (lanes4){1.0, -1.0, 1.0, -1.0} * lanes_42;
+    const lanes4 lanes_26 = limb_U_v_0 * lanes_8, lanes_28 = (lanes4){1.0, 1.0, -1.0, -1.0} *
+        signed_limb_lower_sin,
+      each_limb1_upper_position_x = lanes_28 * limb_upper_offset_x + (lanes4){-param_R, -param_R, param_R,
+        param_R},
+      lanes_30 = each_limb1_upper_position_x * lanes_26, lanes_31 = limb_U_v_1 * lanes_28,
+      lanes_34 = lanes_8 * (param_R * lanes_31),
+      lanes_38 = (lanes4){1.0, -1.0, 1.0, -1.0} * (limb_P_v * limb_lower_cos - limb_upper_offset_x *
+        lanes_31),
+      lanes_41 = (lanes4){platform_twist_wx, platform_twist_wy, platform_twist_wx, platform_twist_wy} *
+        lanes_38,
+      lanes_44 = limb_U_v_0 * lanes_38 - lanes_30 - lanes_5 * (limb_P_v * lanes_28 + lanes_22),
+      lanes_45 = lanes_44 - lanes_41;
     const double minus_limb1_U_factor_0_by_3 = limb1_lower_sin * limb1_U2_constraint_mn_couple_x *
-        lanes_28[0],
+        lanes_24[0],
       limb1_U_0_lever_my_by_limb1_U2_mn = limb1_lower_cos * limb1_U2_constraint_mn_couple_x;
     /* limb5_S: accelerations; pivots; rates that follow */
-    const double t155 = minus_limb1_U_factor_0_by_3 * lanes_52[0] - t154,
+    const double t155 = minus_limb1_U_factor_0_by_3 * lanes_45[0] - t154,
       minus_limb1_U2_factor_1_by_3 = limb1_U_0_lever_my_by_limb1_U2_mn - (-each_limb1_upper_position_x[0]) *
         minus_limb1_U_factor_0_by_3,
       t40 = limb1_U_0_cos * minus_limb1_U2_factor_0_by_3, /* limb1 */
@@ -1680,40 +1681,38 @@ static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_acceleration_packed_
     const double limb5_S_a_wx = t377 - platform_turn_zx * minus_limb5_S_joint_acc_wz;
     a[12] = limb5_S_a_wx;
     /* limbs together: accelerations; reciprocal wrenches, eq. (10) */
-    const lanes4 lanes_53 = each_limb1_U_0_sin * t183, lanes_54 = each_limb1_U_0_cos * t183,
+    const lanes4 lanes_46 = each_limb1_U_0_sin * t183, lanes_47 = each_limb1_U_0_cos * t183,
       each_limb5_S_joint_acc_wy = {limb5_S_joint_acc_wy, minus_limb5_S_joint_acc_wx, limb5_S_joint_acc_wy,
         minus_limb5_S_joint_acc_wx},
-      lanes_56 = lanes_53 + each_limb1_U_0_cos * each_limb5_S_joint_acc_wy,
-      each_limb1_U2_arm_y = param_R * limb_lower_cos,
-      lanes_60 = each_limb1_U2_arm_y * lanes_11 + (lanes4){-1.0, 1.0, 1.0, -1.0} * lanes_35,
-      lanes_61 = each_limb1_U2_arm_y * lanes_56, lanes_62 = each_limb1_U2_arm_x * lanes_56,
-      lanes_63 = each_limb1_U_0_sin * minus_limb5_S_joint_acc_still_wz,
-      signed_limb_P_joint_acc = each_limb1_U2_arm_y * lanes_63 - lanes_60 - lanes_61;
-    a[2] = -signed_limb_P_joint_acc[0];
-    a[5] = -(-signed_limb_P_joint_acc[1]);
-    a[8] = signed_limb_P_joint_acc[2];
-    a[11] = -signed_limb_P_joint_acc[3];
-    const lanes4 signed_limb_U_joint_acc_1 = lanes_29 * (each_limb1_U2_arm_x * lanes_63 - lanes_26 -
-        lanes_62);
-    a[1] = -signed_limb_U_joint_acc_1[0];
-    a[4] = -(-signed_limb_U_joint_acc_1[1]);
-    a[7] = -signed_limb_U_joint_acc_1[2];
-    a[10] = -(-signed_limb_U_joint_acc_1[3]);
-    const lanes4 lanes_70 = lanes_52 - each_limb1_upper_position_x * (each_limb1_U_0_cos *
-        minus_limb5_S_joint_acc_still_wz),
-      signed_limb_U_joint_acc_still_0 = lanes_28 * lanes_70,
-      lanes_74 = lanes_28 * (each_limb1_upper_position_x * (lanes_54 - each_limb1_U_0_sin *
+      lanes_49 = lanes_46 + each_limb1_U_0_cos * each_limb5_S_joint_acc_wy,
+      each_limb1_U2_arm_y = param_R * limb_lower_cos, lanes_51 = each_limb1_U2_arm_y * lanes_9 + lanes_34,
+      lanes_52 = each_limb1_U2_arm_y * lanes_49, lanes_53 = each_limb1_U2_arm_x * lanes_49,
+      lanes_54 = each_limb1_U_0_sin * minus_limb5_S_joint_acc_still_wz,
+      signed_limb_P_joint_acc = lanes_52 - (lanes_51 + each_limb1_U2_arm_y * lanes_54);
+    a[2] = signed_limb_P_joint_acc[0];
+    a[5] = -signed_limb_P_joint_acc[1];
+    a[8] = -signed_limb_P_joint_acc[2];
+    a[11] = signed_limb_P_joint_acc[3];
+    const lanes4 limb_U_joint_acc_1 = lanes_25 * (lanes_53 - (lanes_21 + each_limb1_U2_arm_x * lanes_54));
+    a[1] = limb_U_joint_acc_1[0];
+    a[4] = -(-limb_U_joint_acc_1[1]);
+    a[7] = limb_U_joint_acc_1[2];
+    a[10] = -(-limb_U_joint_acc_1[3]);
+    const lanes4 lanes_61 = each_limb1_upper_position_x * (each_limb1_U_0_cos *
+        minus_limb5_S_joint_acc_still_wz) - lanes_45,
+      limb_U_joint_acc_still_0 = lanes_24 * lanes_61,
+      lanes_65 = lanes_24 * (each_limb1_upper_position_x * (lanes_47 - each_limb1_U_0_sin *
         each_limb5_S_joint_acc_wy)),
       each_limb5_S_joint_acc_wx = {minus_limb5_S_joint_acc_wx, limb5_S_joint_acc_wy,
         minus_limb5_S_joint_acc_wx, limb5_S_joint_acc_wy},
-      signed_limb_U_joint_acc_0 = signed_limb_U_joint_acc_still_0 + (lanes_74 + (lanes4){1.0, 1.0, -1.0, -1.0}
-        * each_limb5_S_joint_acc_wx);
-    a[0] = -signed_limb_U_joint_acc_0[0];
-    a[3] = signed_limb_U_joint_acc_0[1];
-    a[6] = signed_limb_U_joint_acc_0[2];
-    a[9] = -signed_limb_U_joint_acc_0[3];
+      limb_U_joint_acc_0 = limb_U_joint_acc_still_0 - ((lanes4){1.0, -1.0, 1.0, -1.0} *
+        each_limb5_S_joint_acc_wx + lanes_65);
+    a[0] = -(-limb_U_joint_acc_0[0]);
+    a[3] = limb_U_joint_acc_0[1];
+    a[6] = limb_U_joint_acc_0[2];
+    a[9] = limb_U_joint_acc_0[3];
     const lanes4 every = (lanes4)((three_ups_upu_s_vector4_mask)((each_limb1_U_0_lever_mz_by_limb1_U2_fz +
-        signed_limb_U_joint_acc_0) + (signed_limb_U_joint_acc_1 + signed_limb_P_joint_acc)) |
+        limb_U_joint_acc_0) + (limb_U_joint_acc_1 + signed_limb_P_joint_acc)) |
         ((each_limb1_U_0_lever_mz_by_limb1_U2_fz <= (lanes4){6.62327e-10, 6.62327e-10, 6.62327e-10,
         6.62327e-10}) & (each_limb1_U_0_lever_mz_by_limb1_U2_fz >= -(lanes4){6.62327e-10, 6.62327e-10,
         6.62327e-10, 6.62327e-10})));

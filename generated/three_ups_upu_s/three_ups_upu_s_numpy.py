@@ -2,7 +2,7 @@
 
 Mechanism: three_ups_upu_s, two rotations about O, four driven sliders; inertias as printed in Table 3
 Effects: Gravity(acceleration=(0, 0, '-9.81'))
-Programs: dbc46b5a9845c57f
+Programs: a0b280a216e1cab0
 Note: bodies.platform: the radius of gyration 5.665 m exceeds the body's extent 1.0 m (joint points,
   named points and centre of mass); are inertia and units right?
 Note: bodies.limb1_lower, bodies.limb1_upper, bodies.limb2_lower, bodies.limb2_upper,
@@ -103,7 +103,8 @@ def _iterate_batch(arguments, *settings):
     """`_iterate` state by state."""
     arrays = [_real(argument) for argument in arguments]
     batch = np.broadcast_shapes(*(array.shape[:-1] for array in arrays))
-    rows = [np.broadcast_to(a, (*batch, a.shape[-1])).reshape(-1, a.shape[-1]) for a in arrays]
+    count = int(np.prod(batch))  # not -1: an array may have no entries
+    rows = [np.broadcast_to(a, (*batch, a.shape[-1])).reshape(count, a.shape[-1]) for a in arrays]
     found = [_iterate(*settings, y, guess, parameters) for y, guess, *parameters in zip(*rows)]
     q = np.array([state for state, _ in found]).reshape(*batch, rows[1].shape[-1])
     return (q,), np.array([status for _, status in found], dtype=int).reshape(batch)
@@ -1102,31 +1103,34 @@ def joint_screws(*arguments):
           10 limb4_U.1 [rad]; 11 limb4_P [m]; 12 limb5_S.qw [1]; 13 limb5_S.qx [1]; 14 limb5_S.qy [1];
           15 limb5_S.qz [1]
     Outputs
-      screws[156] (6x26, column by column): unit screw (e ; r x e) of every joint freedom
-          0 limb1_U.0.wx [1]; 1 limb1_U.0.wy [1]; 2 limb1_U.0.wz [1]; 3 limb1_U.0.vx [m];
-          4 limb1_U.0.vy [m]; 5 limb1_U.0.vz [m]; 6 limb1_U.1.wx [1]; 7 limb1_U.1.wy [1];
-          8 limb1_U.1.wz [1]; 9 limb1_U.1.vx [m]; 10 limb1_U.1.vy [m]; 11 limb1_U.1.vz [m];
-          12 limb1_P.wx [1]; 13 limb1_P.wy [1]; 14 limb1_P.wz [1]; 15 limb1_P.vx [m]; 16 limb1_P.vy [m];
-          17 limb1_P.vz [m]; 18 limb1_U2.0.wx [1]; 19 limb1_U2.0.wy [1]; 20 limb1_U2.0.wz [1];
-          21 limb1_U2.0.vx [m]; 22 limb1_U2.0.vy [m]; 23 limb1_U2.0.vz [m]; 24 limb1_U2.1.wx [1];
-          25 limb1_U2.1.wy [1]; 26 limb1_U2.1.wz [1]; 27 limb1_U2.1.vx [m]; 28 limb1_U2.1.vy [m];
-          29 limb1_U2.1.vz [m]; 30 limb2_U.0.wx [1]; 31 limb2_U.0.wy [1]; 32 limb2_U.0.wz [1];
-          33 limb2_U.0.vx [m]; 34 limb2_U.0.vy [m]; 35 limb2_U.0.vz [m]; 36 limb2_U.1.wx [1];
-          37 limb2_U.1.wy [1]; 38 limb2_U.1.wz [1]; 39 limb2_U.1.vx [m]; 40 limb2_U.1.vy [m];
-          41 limb2_U.1.vz [m]; 42 limb2_P.wx [1]; 43 limb2_P.wy [1]; 44 limb2_P.wz [1];
-          45 limb2_P.vx [m]; 46 limb2_P.vy [m]; 47 limb2_P.vz [m]; 48 limb2_S.x.wx [1];
-          49 limb2_S.x.wy [1]; 50 limb2_S.x.wz [1]; 51 limb2_S.x.vx [m]; 52 limb2_S.x.vy [m];
-          53 limb2_S.x.vz [m]; 54 limb2_S.y.wx [1]; 55 limb2_S.y.wy [1]; 56 limb2_S.y.wz [1];
-          57 limb2_S.y.vx [m]; 58 limb2_S.y.vy [m]; 59 limb2_S.y.vz [m]; 60 limb2_S.z.wx [1];
-          61 limb2_S.z.wy [1]; 62 limb2_S.z.wz [1]; 63 limb2_S.z.vx [m]; 64 limb2_S.z.vy [m];
-          65 limb2_S.z.vz [m]; 66 limb3_U.0.wx [1]; 67 limb3_U.0.wy [1]; 68 limb3_U.0.wz [1];
-          69 limb3_U.0.vx [m]; 70 limb3_U.0.vy [m]; 71 limb3_U.0.vz [m]; 72 limb3_U.1.wx [1];
-          73 limb3_U.1.wy [1]; 74 limb3_U.1.wz [1]; 75 limb3_U.1.vx [m]; 76 limb3_U.1.vy [m];
-          77 limb3_U.1.vz [m]; 78 limb3_P.wx [1]; 79 limb3_P.wy [1]; 80 limb3_P.wz [1];
-          81 limb3_P.vx [m]; 82 limb3_P.vy [m]; 83 limb3_P.vz [m]; 84 limb3_S.x.wx [1];
-          85 limb3_S.x.wy [1]; 86 limb3_S.x.wz [1]; 87 limb3_S.x.vx [m]; 88 limb3_S.x.vy [m];
-          89 limb3_S.x.vz [m]; 90 limb3_S.y.wx [1]; 91 limb3_S.y.wy [1]; 92 limb3_S.y.wz [1];
-          93 limb3_S.y.vx [m]; 94 limb3_S.y.vy [m]; 95 limb3_S.y.vz [m];
+      screws[156] (6x26, column by column): unit screw of every joint freedom: (e ; r x e) of a turn, (0
+        ; e) of a slide
+          0 limb1_U.0.wx [1]; 1 limb1_U.0.wy [1]; 2 limb1_U.0.wz [1]; 3 limb1_U.0.vx [m/rad];
+          4 limb1_U.0.vy [m/rad]; 5 limb1_U.0.vz [m/rad]; 6 limb1_U.1.wx [1]; 7 limb1_U.1.wy [1];
+          8 limb1_U.1.wz [1]; 9 limb1_U.1.vx [m/rad]; 10 limb1_U.1.vy [m/rad]; 11 limb1_U.1.vz [m/rad];
+          12 limb1_P.wx [rad/m]; 13 limb1_P.wy [rad/m]; 14 limb1_P.wz [rad/m]; 15 limb1_P.vx [1];
+          16 limb1_P.vy [1]; 17 limb1_P.vz [1]; 18 limb1_U2.0.wx [1]; 19 limb1_U2.0.wy [1];
+          20 limb1_U2.0.wz [1]; 21 limb1_U2.0.vx [m/rad]; 22 limb1_U2.0.vy [m/rad];
+          23 limb1_U2.0.vz [m/rad]; 24 limb1_U2.1.wx [1]; 25 limb1_U2.1.wy [1]; 26 limb1_U2.1.wz [1];
+          27 limb1_U2.1.vx [m/rad]; 28 limb1_U2.1.vy [m/rad]; 29 limb1_U2.1.vz [m/rad];
+          30 limb2_U.0.wx [1]; 31 limb2_U.0.wy [1]; 32 limb2_U.0.wz [1]; 33 limb2_U.0.vx [m/rad];
+          34 limb2_U.0.vy [m/rad]; 35 limb2_U.0.vz [m/rad]; 36 limb2_U.1.wx [1]; 37 limb2_U.1.wy [1];
+          38 limb2_U.1.wz [1]; 39 limb2_U.1.vx [m/rad]; 40 limb2_U.1.vy [m/rad];
+          41 limb2_U.1.vz [m/rad]; 42 limb2_P.wx [rad/m]; 43 limb2_P.wy [rad/m]; 44 limb2_P.wz [rad/m];
+          45 limb2_P.vx [1]; 46 limb2_P.vy [1]; 47 limb2_P.vz [1]; 48 limb2_S.x.wx [1];
+          49 limb2_S.x.wy [1]; 50 limb2_S.x.wz [1]; 51 limb2_S.x.vx [m/rad]; 52 limb2_S.x.vy [m/rad];
+          53 limb2_S.x.vz [m/rad]; 54 limb2_S.y.wx [1]; 55 limb2_S.y.wy [1]; 56 limb2_S.y.wz [1];
+          57 limb2_S.y.vx [m/rad]; 58 limb2_S.y.vy [m/rad]; 59 limb2_S.y.vz [m/rad];
+          60 limb2_S.z.wx [1]; 61 limb2_S.z.wy [1]; 62 limb2_S.z.wz [1]; 63 limb2_S.z.vx [m/rad];
+          64 limb2_S.z.vy [m/rad]; 65 limb2_S.z.vz [m/rad]; 66 limb3_U.0.wx [1]; 67 limb3_U.0.wy [1];
+          68 limb3_U.0.wz [1]; 69 limb3_U.0.vx [m/rad]; 70 limb3_U.0.vy [m/rad];
+          71 limb3_U.0.vz [m/rad]; 72 limb3_U.1.wx [1]; 73 limb3_U.1.wy [1]; 74 limb3_U.1.wz [1];
+          75 limb3_U.1.vx [m/rad]; 76 limb3_U.1.vy [m/rad]; 77 limb3_U.1.vz [m/rad];
+          78 limb3_P.wx [rad/m]; 79 limb3_P.wy [rad/m]; 80 limb3_P.wz [rad/m]; 81 limb3_P.vx [1];
+          82 limb3_P.vy [1]; 83 limb3_P.vz [1]; 84 limb3_S.x.wx [1]; 85 limb3_S.x.wy [1];
+          86 limb3_S.x.wz [1]; 87 limb3_S.x.vx [m/rad]; 88 limb3_S.x.vy [m/rad];
+          89 limb3_S.x.vz [m/rad]; 90 limb3_S.y.wx [1]; 91 limb3_S.y.wy [1]; 92 limb3_S.y.wz [1];
+          93 limb3_S.y.vx [m/rad]; 94 limb3_S.y.vy [m/rad]; 95 limb3_S.y.vz [m/rad];
           ... 156 entries; all labels are in manifest.json
     Returns
       0 success
@@ -1484,25 +1488,32 @@ def platform_jacobian(*arguments):
           10 limb4_U.1 [rad]; 11 limb4_P [m]; 12 limb5_S.qw [1]; 13 limb5_S.qx [1]; 14 limb5_S.qy [1];
           15 limb5_S.qz [1]
     Outputs
-      jacobian[90] (6x15, column by column) [1]: twist of platform at O per rate of the tree
-          0 limb1_U.0.wx; 1 limb1_U.0.wy; 2 limb1_U.0.wz; 3 limb1_U.0.vx; 4 limb1_U.0.vy;
-          5 limb1_U.0.vz; 6 limb1_U.1.wx; 7 limb1_U.1.wy; 8 limb1_U.1.wz; 9 limb1_U.1.vx;
-          10 limb1_U.1.vy; 11 limb1_U.1.vz; 12 limb1_P.wx; 13 limb1_P.wy; 14 limb1_P.wz; 15 limb1_P.vx;
-          16 limb1_P.vy; 17 limb1_P.vz; 18 limb2_U.0.wx; 19 limb2_U.0.wy; 20 limb2_U.0.wz;
-          21 limb2_U.0.vx; 22 limb2_U.0.vy; 23 limb2_U.0.vz; 24 limb2_U.1.wx; 25 limb2_U.1.wy;
-          26 limb2_U.1.wz; 27 limb2_U.1.vx; 28 limb2_U.1.vy; 29 limb2_U.1.vz; 30 limb2_P.wx;
-          31 limb2_P.wy; 32 limb2_P.wz; 33 limb2_P.vx; 34 limb2_P.vy; 35 limb2_P.vz; 36 limb3_U.0.wx;
-          37 limb3_U.0.wy; 38 limb3_U.0.wz; 39 limb3_U.0.vx; 40 limb3_U.0.vy; 41 limb3_U.0.vz;
-          42 limb3_U.1.wx; 43 limb3_U.1.wy; 44 limb3_U.1.wz; 45 limb3_U.1.vx; 46 limb3_U.1.vy;
-          47 limb3_U.1.vz; 48 limb3_P.wx; 49 limb3_P.wy; 50 limb3_P.wz; 51 limb3_P.vx; 52 limb3_P.vy;
-          53 limb3_P.vz; 54 limb4_U.0.wx; 55 limb4_U.0.wy; 56 limb4_U.0.wz; 57 limb4_U.0.vx;
-          58 limb4_U.0.vy; 59 limb4_U.0.vz; 60 limb4_U.1.wx; 61 limb4_U.1.wy; 62 limb4_U.1.wz;
-          63 limb4_U.1.vx; 64 limb4_U.1.vy; 65 limb4_U.1.vz; 66 limb4_P.wx; 67 limb4_P.wy;
-          68 limb4_P.wz; 69 limb4_P.vx; 70 limb4_P.vy; 71 limb4_P.vz; 72 limb5_S.wx.wx;
-          73 limb5_S.wx.wy; 74 limb5_S.wx.wz; 75 limb5_S.wx.vx; 76 limb5_S.wx.vy; 77 limb5_S.wx.vz;
-          78 limb5_S.wy.wx; 79 limb5_S.wy.wy; 80 limb5_S.wy.wz; 81 limb5_S.wy.vx; 82 limb5_S.wy.vy;
-          83 limb5_S.wy.vz; 84 limb5_S.wz.wx; 85 limb5_S.wz.wy; 86 limb5_S.wz.wz; 87 limb5_S.wz.vx;
-          88 limb5_S.wz.vy; 89 limb5_S.wz.vz
+      jacobian[90] (6x15, column by column): twist of platform at O per rate of the tree
+          0 limb1_U.0.wx [1]; 1 limb1_U.0.wy [1]; 2 limb1_U.0.wz [1]; 3 limb1_U.0.vx [m/rad];
+          4 limb1_U.0.vy [m/rad]; 5 limb1_U.0.vz [m/rad]; 6 limb1_U.1.wx [1]; 7 limb1_U.1.wy [1];
+          8 limb1_U.1.wz [1]; 9 limb1_U.1.vx [m/rad]; 10 limb1_U.1.vy [m/rad]; 11 limb1_U.1.vz [m/rad];
+          12 limb1_P.wx [rad/m]; 13 limb1_P.wy [rad/m]; 14 limb1_P.wz [rad/m]; 15 limb1_P.vx [1];
+          16 limb1_P.vy [1]; 17 limb1_P.vz [1]; 18 limb2_U.0.wx [1]; 19 limb2_U.0.wy [1];
+          20 limb2_U.0.wz [1]; 21 limb2_U.0.vx [m/rad]; 22 limb2_U.0.vy [m/rad];
+          23 limb2_U.0.vz [m/rad]; 24 limb2_U.1.wx [1]; 25 limb2_U.1.wy [1]; 26 limb2_U.1.wz [1];
+          27 limb2_U.1.vx [m/rad]; 28 limb2_U.1.vy [m/rad]; 29 limb2_U.1.vz [m/rad];
+          30 limb2_P.wx [rad/m]; 31 limb2_P.wy [rad/m]; 32 limb2_P.wz [rad/m]; 33 limb2_P.vx [1];
+          34 limb2_P.vy [1]; 35 limb2_P.vz [1]; 36 limb3_U.0.wx [1]; 37 limb3_U.0.wy [1];
+          38 limb3_U.0.wz [1]; 39 limb3_U.0.vx [m/rad]; 40 limb3_U.0.vy [m/rad];
+          41 limb3_U.0.vz [m/rad]; 42 limb3_U.1.wx [1]; 43 limb3_U.1.wy [1]; 44 limb3_U.1.wz [1];
+          45 limb3_U.1.vx [m/rad]; 46 limb3_U.1.vy [m/rad]; 47 limb3_U.1.vz [m/rad];
+          48 limb3_P.wx [rad/m]; 49 limb3_P.wy [rad/m]; 50 limb3_P.wz [rad/m]; 51 limb3_P.vx [1];
+          52 limb3_P.vy [1]; 53 limb3_P.vz [1]; 54 limb4_U.0.wx [1]; 55 limb4_U.0.wy [1];
+          56 limb4_U.0.wz [1]; 57 limb4_U.0.vx [m/rad]; 58 limb4_U.0.vy [m/rad];
+          59 limb4_U.0.vz [m/rad]; 60 limb4_U.1.wx [1]; 61 limb4_U.1.wy [1]; 62 limb4_U.1.wz [1];
+          63 limb4_U.1.vx [m/rad]; 64 limb4_U.1.vy [m/rad]; 65 limb4_U.1.vz [m/rad];
+          66 limb4_P.wx [rad/m]; 67 limb4_P.wy [rad/m]; 68 limb4_P.wz [rad/m]; 69 limb4_P.vx [1];
+          70 limb4_P.vy [1]; 71 limb4_P.vz [1]; 72 limb5_S.wx.wx [1]; 73 limb5_S.wx.wy [1];
+          74 limb5_S.wx.wz [1]; 75 limb5_S.wx.vx [m/rad]; 76 limb5_S.wx.vy [m/rad];
+          77 limb5_S.wx.vz [m/rad]; 78 limb5_S.wy.wx [1]; 79 limb5_S.wy.wy [1]; 80 limb5_S.wy.wz [1];
+          81 limb5_S.wy.vx [m/rad]; 82 limb5_S.wy.vy [m/rad]; 83 limb5_S.wy.vz [m/rad];
+          84 limb5_S.wz.wx [1]; 85 limb5_S.wz.wy [1]; 86 limb5_S.wz.wz [1]; 87 limb5_S.wz.vx [m/rad];
+          88 limb5_S.wz.vy [m/rad]; 89 limb5_S.wz.vz [m/rad]
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
@@ -2285,7 +2296,8 @@ def closure_jacobian(*arguments):
           10 limb4_U.1 [rad]; 11 limb4_P [m]; 12 limb5_S.qw [1]; 13 limb5_S.qx [1]; 14 limb5_S.qy [1];
           15 limb5_S.qz [1]
     Outputs
-      jacobian[195] (13x15, column by column) [1]: rows: closure constraints, columns: v
+      jacobian[195] (13x15, column by column): rows: as of closure, columns: as of v; units m/rad, 1,
+        rad/m
     Returns
       0 success
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
@@ -2915,16 +2927,18 @@ def null_space(*arguments):
           10 limb4_U.1 [rad]; 11 limb4_P [m]; 12 limb5_S.qw [1]; 13 limb5_S.qx [1]; 14 limb5_S.qy [1];
           15 limb5_S.qz [1]
     Outputs
-      null_space[30] (15x2, column by column) [1]: columns: v for a unit rate of each y
-          0 limb1_U.0|limb5_S.qx; 1 limb1_U.1|limb5_S.qx; 2 limb1_P|limb5_S.qx; 3 limb2_U.0|limb5_S.qx;
-          4 limb2_U.1|limb5_S.qx; 5 limb2_P|limb5_S.qx; 6 limb3_U.0|limb5_S.qx; 7 limb3_U.1|limb5_S.qx;
-          8 limb3_P|limb5_S.qx; 9 limb4_U.0|limb5_S.qx; 10 limb4_U.1|limb5_S.qx; 11 limb4_P|limb5_S.qx;
-          12 limb5_S.wx|limb5_S.qx; 13 limb5_S.wy|limb5_S.qx; 14 limb5_S.wz|limb5_S.qx;
-          15 limb1_U.0|limb5_S.qy; 16 limb1_U.1|limb5_S.qy; 17 limb1_P|limb5_S.qy;
-          18 limb2_U.0|limb5_S.qy; 19 limb2_U.1|limb5_S.qy; 20 limb2_P|limb5_S.qy;
-          21 limb3_U.0|limb5_S.qy; 22 limb3_U.1|limb5_S.qy; 23 limb3_P|limb5_S.qy;
-          24 limb4_U.0|limb5_S.qy; 25 limb4_U.1|limb5_S.qy; 26 limb4_P|limb5_S.qy;
-          27 limb5_S.wx|limb5_S.qy; 28 limb5_S.wy|limb5_S.qy; 29 limb5_S.wz|limb5_S.qy
+      null_space[30] (15x2, column by column): columns: v for a unit rate of each y
+          0 limb1_U.0|limb5_S.qx [rad]; 1 limb1_U.1|limb5_S.qx [rad]; 2 limb1_P|limb5_S.qx [m];
+          3 limb2_U.0|limb5_S.qx [rad]; 4 limb2_U.1|limb5_S.qx [rad]; 5 limb2_P|limb5_S.qx [m];
+          6 limb3_U.0|limb5_S.qx [rad]; 7 limb3_U.1|limb5_S.qx [rad]; 8 limb3_P|limb5_S.qx [m];
+          9 limb4_U.0|limb5_S.qx [rad]; 10 limb4_U.1|limb5_S.qx [rad]; 11 limb4_P|limb5_S.qx [m];
+          12 limb5_S.wx|limb5_S.qx [rad]; 13 limb5_S.wy|limb5_S.qx [rad];
+          14 limb5_S.wz|limb5_S.qx [rad]; 15 limb1_U.0|limb5_S.qy [rad]; 16 limb1_U.1|limb5_S.qy [rad];
+          17 limb1_P|limb5_S.qy [m]; 18 limb2_U.0|limb5_S.qy [rad]; 19 limb2_U.1|limb5_S.qy [rad];
+          20 limb2_P|limb5_S.qy [m]; 21 limb3_U.0|limb5_S.qy [rad]; 22 limb3_U.1|limb5_S.qy [rad];
+          23 limb3_P|limb5_S.qy [m]; 24 limb4_U.0|limb5_S.qy [rad]; 25 limb4_U.1|limb5_S.qy [rad];
+          26 limb4_P|limb5_S.qy [m]; 27 limb5_S.wx|limb5_S.qy [rad]; 28 limb5_S.wy|limb5_S.qy [rad];
+          29 limb5_S.wz|limb5_S.qy [rad]
     Returns
       0 success
       1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN

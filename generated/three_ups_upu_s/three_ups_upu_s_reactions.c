@@ -701,78 +701,74 @@ static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_joint_reactions_pack
     const lanes4 signed_limb_lower_alpha_still_y = limb_U_v_1 * signed_limb_lower_omega_x,
       limb_U_a_0 = {a[0], a[3], a[6], a[9]}, limb_lower_cos = {limb1_lower_cos, cosine[3], cosine[5],
         cosine[7]},
-      signed_limb_lower_alpha_y = signed_limb_lower_alpha_still_y + (lanes4){-1.0, -1.0, 1.0, 1.0} *
-        (limb_U_a_0 * limb_lower_cos),
+      lanes_2 = (lanes4){1.0, 1.0, -1.0, -1.0} * limb_lower_cos,
+      signed_limb_lower_alpha_y = signed_limb_lower_alpha_still_y - limb_U_a_0 * lanes_2,
       signed_limb_lower_U_zx = signed_limb_lower_alpha_still_y + signed_limb_lower_alpha_y,
       limb_upper_offset_x = (lanes4){q[2], q[5], q[8], q[11]} + limb_upper_phase,
       lanes_3 = limb_upper_offset_x * signed_limb_lower_U_zx,
       signed_limb_lower_rate_fz = limb_lower_mx * signed_limb_lower_U_zx,
+      lanes_4 = {gravity_z, -gravity_z, -gravity_z, gravity_z},
       each_limb1_U_0_sin = {limb1_U_0_sin, sine[2], sine[4], sine[6]},
-      lanes_6 = lanes_3 + (lanes4){1.0, -1.0, -1.0, 1.0} * (gravity_z * each_limb1_U_0_sin),
-      limb_lower_omega_y = limb_U_v_0 * limb_lower_cos,
-      signed_limb_lower_U_still_xy = signed_limb_lower_omega_x * limb_lower_omega_y,
-      lanes_7 = 2.0 * limb_lower_omega_y, limb_P_v = {v[2], v[5], v[8], v[11]},
-      signed_limb_upper_acc_z = lanes_6 + (lanes4){-1.0, -1.0, 1.0, 1.0} * (limb_P_v * lanes_7),
-      signed_limb_upper_rate_fz = limb_lower_m * signed_limb_upper_acc_z - signed_limb_lower_rate_fz,
+      lanes_5 = lanes_3 + lanes_4 * each_limb1_U_0_sin, signed_limb_lower_omega_y = limb_U_v_0 * lanes_2,
+      limb_lower_U_still_xy = signed_limb_lower_omega_x * signed_limb_lower_omega_y,
+      lanes_6 = 2.0 * signed_limb_lower_omega_y, limb_P_v = {v[2], v[5], v[8], v[11]},
+      signed_limb_upper_acc_z = limb_P_v * lanes_6 - lanes_5,
+      signed_limb_upper_rate_fz = limb_lower_m * signed_limb_upper_acc_z + signed_limb_lower_rate_fz,
       signed_limb_upper_rate_my = limb_lower_mx * signed_limb_upper_acc_z,
-      lanes_12 = limb_upper_offset_x * signed_limb_upper_rate_fz - signed_limb_upper_rate_my,
-      lanes_16 = k9 * signed_limb_lower_alpha_still_y + k8 * signed_limb_lower_alpha_y,
-      lanes_18 = k16 * signed_limb_lower_alpha_y + k17 * signed_limb_lower_alpha_still_y,
-      signed_limb_upper_rate_my_2 = signed_limb_upper_rate_my - lanes_18,
-      signed_limb_upper_moment_y = gravity_z_limb_lower_mx * each_limb1_U_0_sin,
-      signed_limb_lower_rate_my_2 = lanes_18 + (lanes4){1.0, -1.0, -1.0, 1.0} * signed_limb_upper_moment_y,
-      lanes_23 = limb_lower_cos * (lanes_16 + (lanes4){1.0, -1.0, -1.0, 1.0} * signed_limb_upper_moment_y +
-        lanes_12),
-      limb_lower_alpha_still_x = limb_U_v_1 * limb_lower_omega_y, lanes_24 = limb_lower_omega_y *
-        limb_lower_omega_y;
+      lanes_9 = signed_limb_upper_rate_my - limb_upper_offset_x * signed_limb_upper_rate_fz,
+      lanes_13 = k9 * signed_limb_lower_alpha_still_y + k8 * signed_limb_lower_alpha_y,
+      lanes_15 = k16 * signed_limb_lower_alpha_y + k17 * signed_limb_lower_alpha_still_y,
+      signed_limb_upper_rate_my_2 = signed_limb_upper_rate_my + lanes_15,
+      lanes_16 = {gravity_z_limb_lower_mx, -gravity_z_limb_lower_mx, -gravity_z_limb_lower_mx,
+        gravity_z_limb_lower_mx},
+      signed_limb_upper_moment_y = lanes_16 * each_limb1_U_0_sin,
+      signed_limb_lower_rate_my_2 = signed_limb_upper_moment_y + lanes_15,
+      lanes_17 = lanes_2 * (lanes_9 + (signed_limb_upper_moment_y + lanes_13)),
+      signed_limb_lower_alpha_still_x = limb_U_v_1 * signed_limb_lower_omega_y,
+      lanes_18 = signed_limb_lower_omega_y * signed_limb_lower_omega_y;
     /* limbs together: balance, eqs. (40)-(47); accelerations; momentum rate, eq. (35) */
-    const lanes4 signed_limb_lower_joint_force_my = signed_limb_lower_sin * (k10 * limb_lower_alpha_still_x) -
-        lanes_23,
-      limb_U_0_moment_z = k3 * limb_U_a_0 + (lanes4){1.0, 1.0, -1.0, -1.0} * signed_limb_lower_joint_force_my,
-      each_limb1_U_0_lever_mz_by_limb1_U2_fz = limb_lower_cos * limb_upper_offset_x,
-      lanes_28 = 1.0 / each_limb1_U_0_lever_mz_by_limb1_U2_fz, each_limb1_U2_part_fz = lanes_28 *
+    const lanes4 limb_U_0_moment_z = k3 * limb_U_a_0 - (lanes_17 - signed_limb_lower_sin * (k10 *
+        signed_limb_lower_alpha_still_x)),
+      each_limb1_U_0_lever_mz_by_limb1_U2_fz = lanes_2 * limb_upper_offset_x,
+      lanes_20 = 1.0 / each_limb1_U_0_lever_mz_by_limb1_U2_fz, each_limb1_U2_part_fz = lanes_20 *
         limb_U_0_moment_z,
-      each_limb1_U2_arm_y = param_R * limb_lower_cos, lanes_29 = each_limb1_U2_arm_y * each_limb1_U2_part_fz,
-      lanes_30 = limb_lower_cos * lanes_29, lanes_31 = signed_limb_lower_sin * lanes_29,
+      each_limb1_U2_arm_y = (lanes4){param_R, param_R, -param_R, -param_R} * limb_lower_cos,
+      lanes_22 = each_limb1_U2_arm_y * each_limb1_U2_part_fz, lanes_23 = lanes_2 * lanes_22,
+      lanes_24 = signed_limb_lower_sin * lanes_22,
       each_limb1_U2_arm_x = limb_upper_offset_x - param_R * signed_limb_lower_sin,
-      lanes_33 = each_limb1_U2_arm_x * each_limb1_U2_part_fz, lanes_35 = lanes_30 - signed_limb_lower_sin *
-        lanes_33,
-      lanes_37 = lanes_31 + limb_lower_cos * lanes_33,
-      each_limb1_U_0_cos = {limb1_U_0_cos, cosine[2], cosine[4], cosine[6]}, lanes_38 = each_limb1_U_0_cos *
-        lanes_35,
-      lanes_39 = each_limb1_U_0_sin * lanes_35, limb_U_a_1 = {a[1], a[4], a[7], a[10]},
-      limb_lower_U_yx = limb_U_a_1 + (lanes4){1.0, 1.0, -1.0, -1.0} * signed_limb_lower_U_still_xy,
-      lanes_42 = limb_upper_offset_x * limb_lower_U_yx, limb_lower_rate_fy = limb_lower_mx * limb_lower_U_yx,
-      signed_limb_U_0_acc_y = gravity_z * each_limb1_U_0_cos,
-      signed_limb_lower_acc_y = signed_limb_lower_sin * signed_limb_U_0_acc_y,
-      lanes_45 = lanes_42 + (lanes4){-1.0, 1.0, 1.0, -1.0} * signed_limb_lower_acc_y,
-      signed_limb_lower_acc_x = limb_lower_cos * signed_limb_U_0_acc_y,
-      limb_upper_acc_y = limb_P_v * (2.0 * limb_U_v_1) + lanes_45,
-      limb_upper_rate_fy = limb_lower_m * limb_upper_acc_y - limb_lower_rate_fy,
+      lanes_26 = each_limb1_U2_arm_x * each_limb1_U2_part_fz, lanes_28 = lanes_23 - signed_limb_lower_sin *
+        lanes_26,
+      lanes_30 = lanes_24 + lanes_2 * lanes_26, each_limb1_U_0_cos = {limb1_U_0_cos, cosine[2], cosine[4],
+        cosine[6]},
+      lanes_31 = each_limb1_U_0_cos * lanes_28, lanes_32 = each_limb1_U_0_sin * lanes_28,
+      limb_U_a_1 = {a[1], a[4], a[7], a[10]}, limb_lower_U_yx = limb_U_a_1 + limb_lower_U_still_xy,
+      lanes_33 = limb_upper_offset_x * limb_lower_U_yx, limb_lower_rate_fy = limb_lower_mx * limb_lower_U_yx,
+      signed_limb_U_0_acc_y = (lanes4){-gravity_z, gravity_z, gravity_z, -gravity_z} * each_limb1_U_0_cos,
+      limb_lower_acc_y = signed_limb_lower_sin * signed_limb_U_0_acc_y, lanes_35 = lanes_33 +
+        limb_lower_acc_y,
+      minus_limb_lower_acc_x = lanes_2 * signed_limb_U_0_acc_y,
+      limb_upper_acc_y = limb_P_v * (2.0 * limb_U_v_1) + lanes_35,
+      minus_limb_upper_rate_fy = limb_lower_rate_fy - limb_lower_m * limb_upper_acc_y,
       minus_limb_upper_rate_mz = limb_lower_mx * limb_upper_acc_y,
-      lanes_49 = minus_limb_upper_rate_mz - limb_upper_offset_x * limb_upper_rate_fy,
-      lanes_51 = k19 * signed_limb_lower_U_still_xy,
-      lanes_55 = k8 * signed_limb_lower_U_still_xy + (lanes4){1.0, 1.0, -1.0, -1.0} * (k9 * limb_U_a_1),
-      signed_limb_lower_rate_mz = lanes_55 + (lanes4){-1.0, 1.0, -1.0, 1.0} * (limb_lower_mx *
-        signed_limb_lower_acc_y),
-      signed_limb_lower_moment_z = signed_limb_lower_rate_mz + (lanes4){-1.0, -1.0, 1.0, 1.0} * lanes_49,
-      limb_lower_rate_fy_2 = limb_lower_rate_fy + (lanes4){-1.0, 1.0, 1.0, -1.0} * (limb_lower_m *
-        signed_limb_lower_acc_y),
-      lanes_62 = limb_lower_cos * lanes_28, each_limb1_U2_part_fy = signed_limb_lower_moment_z * lanes_62,
-      lanes_63 = each_limb1_U2_arm_x * each_limb1_U2_part_fy,
-      minus_limb_lower_U_still_xx = lanes_24 + limb_U_v_1 * limb_U_v_1,
-      minus_limb_upper_acc_still_x = limb_upper_offset_x * minus_limb_lower_U_still_xx,
-      minus_limb_upper_acc_still_x_2 = minus_limb_upper_acc_still_x + (lanes4){-1.0, 1.0, -1.0, 1.0} *
-        signed_limb_lower_acc_x,
+      lanes_39 = minus_limb_upper_rate_mz + limb_upper_offset_x * minus_limb_upper_rate_fy,
+      lanes_41 = k19 * limb_lower_U_still_xy,
+      minus_limb_lower_moment_z = lanes_39 - (limb_lower_mx * limb_lower_acc_y + (k8 * limb_lower_U_still_xy +
+        k9 * limb_U_a_1)),
+      limb_lower_rate_fy_2 = limb_lower_rate_fy + limb_lower_m * limb_lower_acc_y, lanes_44 = lanes_2 *
+        lanes_20,
+      each_limb1_U2_part_fy = minus_limb_lower_moment_z * lanes_44,
+      lanes_45 = each_limb1_U2_arm_x * each_limb1_U2_part_fy,
+      minus_limb_lower_U_still_xx = lanes_18 + limb_U_v_1 * limb_U_v_1,
+      minus_limb_upper_acc_still_x_2 = limb_upper_offset_x * minus_limb_lower_U_still_xx +
+        minus_limb_lower_acc_x,
       limb_lower_force_x = limb_lower_m * ((lanes4){a[2], a[5], a[8], a[11]} -
         minus_limb_upper_acc_still_x_2),
       minus_limb_lower_rate_fx = limb_lower_mx * minus_limb_lower_U_still_xx,
       limb_upper_rate_fx = minus_limb_lower_rate_fx + limb_lower_force_x,
-      minus_limb_lower_rate_fx_2 = minus_limb_lower_rate_fx + (lanes4){-1.0, 1.0, -1.0, 1.0} * (limb_lower_m *
-        signed_limb_lower_acc_x),
-      lanes_70 = lanes_63 + each_limb1_U2_arm_y * limb_upper_rate_fx,
-      lanes_72 = each_limb1_U_0_sin * lanes_70 + lanes_38, lanes_74 = each_limb1_U_0_cos * lanes_70 -
-        lanes_39;
+      limb_lower_rate_fx_2 = (-limb_lower_m) * minus_limb_lower_acc_x - minus_limb_lower_rate_fx,
+      lanes_48 = each_limb1_U2_arm_y * limb_upper_rate_fx - lanes_45,
+      lanes_50 = lanes_31 + each_limb1_U_0_sin * lanes_48, lanes_52 = lanes_32 - each_limb1_U_0_cos *
+        lanes_48;
     /* platform: geometry; balance, eqs. (40)-(47); momentum rate, eq. (35) */
     const double t2 = limb5_S_q_qw * limb5_S_q_qw, t3 = limb5_S_q_qx * limb5_S_q_qx, t4 = t2 + t3,
       t5 = limb5_S_q_qy * limb5_S_q_qy, t6 = limb5_S_q_qz * limb5_S_q_qz, t7 = t5 + t6, t8 = t4 + t7,
@@ -793,12 +789,12 @@ static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_joint_reactions_pack
       platform_rate_fx = platform_mz * (limb5_S_a_wy + platform_U_still_xz),
       platform_rate_my = platform_moment_y - (k12 * platform_U_still_xz - k13 * limb5_S_a_wy),
       t176 = t171 - platform_turn_zy * platform_rate_my, platform_rate_mz = platform_Izz * a[14],
-      t215 = lanes_72[1] + (t176 - platform_turn_zz * platform_rate_mz - lanes_72[0]),
-      minus_platform_joint_force_mz = -lanes_72[3] - (-lanes_72[2] - t215);
+      t215 = lanes_50[1] + (t176 - platform_turn_zz * platform_rate_mz - lanes_50[0]),
+      minus_platform_joint_force_mz = lanes_50[3] - (lanes_50[2] - t215);
     /* limb1: reciprocal wrenches, eq. (10); rates that follow; balance, eqs. (40)-(47) */
     const double limb1_U2_constraint_mn_couple_x = limb1_U_0_cos * platform_turn_yy + limb1_U_0_sin *
         platform_turn_zy,
-      minus_limb1_U_factor_0_by_3 = limb1_lower_sin * limb1_U2_constraint_mn_couple_x * lanes_28[0],
+      minus_limb1_U_factor_0_by_3 = limb1_lower_sin * limb1_U2_constraint_mn_couple_x * lanes_20[0],
       t21 = limb1_U2_constraint_mn_couple_x - each_limb1_U2_arm_y[0] * minus_limb1_U_factor_0_by_3,
       t22 = limb1_lower_cos * t21, t45 = limb1_lower_sin * t21, limb1_U2_arm_x = each_limb1_U2_arm_x[0],
       t24 = limb1_U2_arm_x * minus_limb1_U_factor_0_by_3, t26 = t22 + limb1_lower_sin * t24,
@@ -808,7 +804,7 @@ static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_joint_reactions_pack
     /* platform: geometry */
     const double platform_turn_xy = t33 - t34, platform_turn_yx = t33 + t34,
       limb1_U2_constraint_mn_couple_z = t31 - limb1_lower_sin * platform_turn_xy,
-      limb1_U_factor_1_by_3 = limb1_U2_constraint_mn_couple_z * lanes_62[0],
+      limb1_U_factor_1_by_3 = limb1_U2_constraint_mn_couple_z * lanes_44[0],
       minus_limb1_U2_factor_0_by_3 = limb1_U2_constraint_mn_couple_z - limb1_U2_arm_x * limb1_U_factor_1_by_3;
     /* platform: balance, eqs. (40)-(47); drives; pivots */
     const double platform_joint_force_mz_by_limb1_U2_mn = t40 + limb1_U_0_sin * minus_limb1_U2_factor_0_by_3,
@@ -818,70 +814,68 @@ static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_joint_reactions_pack
       t217 = platform_joint_force_mx_by_limb1_U2_mn * limb1_U2_part_mn,
       t227 = platform_turn_xx * minus_platform_rate_mx - platform_turn_xy * platform_rate_my,
       t258 = platform_turn_yx * minus_platform_rate_mx - platform_turn_yy * platform_rate_my,
-      t237 = t227 - platform_turn_xz * platform_rate_mz - lanes_37[0] + (-lanes_74[1]),
-      limb5_S_balance_wx = t217 - (lanes_74[3] + (-lanes_37[2] + t237)),
-      t265 = lanes_37[1] - (t258 - platform_turn_yz * platform_rate_mz + (-lanes_74[0])),
-      minus_platform_joint_force_my = -lanes_37[3] + (lanes_74[2] - t265);
+      t237 = t227 - platform_turn_xz * platform_rate_mz - lanes_30[0] + lanes_52[1],
+      limb5_S_balance_wx = t217 - (lanes_52[3] + (-lanes_30[2] + t237)),
+      t265 = lanes_30[1] - (t258 - platform_turn_yz * platform_rate_mz + lanes_52[0]),
+      minus_platform_joint_force_my = -lanes_30[3] + (lanes_52[2] - t265);
     const lanes4 each_limb1_U2_part_mn_by_limb1_P = each_limb1_U_0_sin * each_limb1_U2_arm_y * t42,
       each_platform_joint_force_my_by_limb1_P = each_limb1_U_0_cos * each_limb1_U2_arm_y,
-      lanes_75 = {t39, platform_joint_force_mx_by_limb1_U2_mn, t39, platform_joint_force_mx_by_limb1_U2_mn},
-      each_limb5_S_balance_wy_by_limb1_P = each_platform_joint_force_my_by_limb1_P + lanes_75 *
+      lanes_53 = {t39, platform_joint_force_mx_by_limb1_U2_mn, t39, platform_joint_force_mx_by_limb1_U2_mn},
+      each_limb5_S_balance_wy_by_limb1_P = each_platform_joint_force_my_by_limb1_P + lanes_53 *
         each_limb1_U2_part_mn_by_limb1_P,
-      lanes_77 = {platform_joint_force_mx_by_limb1_U2_mn, t39, platform_joint_force_mx_by_limb1_U2_mn, t39},
-      each_limb5_S_balance_wx_by_limb1_P = lanes_77 * each_limb1_U2_part_mn_by_limb1_P;
+      lanes_55 = {platform_joint_force_mx_by_limb1_U2_mn, t39, platform_joint_force_mx_by_limb1_U2_mn, t39},
+      each_limb5_S_balance_wx_by_limb1_P = lanes_55 * each_limb1_U2_part_mn_by_limb1_P;
     const double minus_limb5_S_balance_wy = t39 * limb1_U2_part_mn + minus_platform_joint_force_my;
-    const lanes4 lanes_78 = each_limb5_S_balance_wy_by_limb1_P * each_limb5_S_balance_wx_by_limb1_P;
-    const double t57 = lanes_78[2] + (lanes_78[1] + lanes_78[0]), minus_drives_share_0_1 = lanes_78[3] + t57,
+    const lanes4 lanes_56 = each_limb5_S_balance_wy_by_limb1_P * each_limb5_S_balance_wx_by_limb1_P;
+    const double t57 = lanes_56[2] + (lanes_56[1] + lanes_56[0]), minus_drives_share_0_1 = lanes_56[3] + t57,
       t239 = minus_drives_share_0_1 * limb5_S_balance_wx; /* limb1 */
-    const lanes4 lanes_79 = each_limb5_S_balance_wy_by_limb1_P * each_limb5_S_balance_wy_by_limb1_P,
-      lanes_80 = each_limb5_S_balance_wx_by_limb1_P * each_limb5_S_balance_wx_by_limb1_P;
-    const double t245 = lanes_80[2] + (lanes_79[1] + lanes_80[0]), drives_share_0_0 = lanes_79[3] + t245,
+    const lanes4 lanes_57 = each_limb5_S_balance_wy_by_limb1_P * each_limb5_S_balance_wy_by_limb1_P,
+      lanes_58 = each_limb5_S_balance_wx_by_limb1_P * each_limb5_S_balance_wx_by_limb1_P;
+    const double t245 = lanes_58[2] + (lanes_57[1] + lanes_58[0]), drives_share_0_0 = lanes_57[3] + t245,
       t268 = t239 - drives_share_0_0 * minus_limb5_S_balance_wy, /* limb1 */
       t280 = minus_drives_share_0_1 * minus_limb5_S_balance_wy, /* limb1 */
-      t269 = minus_drives_share_0_1 * minus_drives_share_0_1, t275 = lanes_79[2] + (lanes_80[1] +
-        lanes_79[0]),
-      drives_share_1_1 = lanes_80[3] + t275, minus_determinant = t269 - drives_share_1_1 * drives_share_0_0,
+      t269 = minus_drives_share_0_1 * minus_drives_share_0_1, t275 = lanes_57[2] + (lanes_58[1] +
+        lanes_57[0]),
+      drives_share_1_1 = lanes_58[3] + t275, minus_determinant = t269 - drives_share_1_1 * drives_share_0_0,
       t282 = t280 - drives_share_1_1 * limb5_S_balance_wx, /* limb1 */
       t277 = 1.0 / minus_determinant, t278 = t268 * t277, /* limb1 */
       t283 = t277 * t282; /* limb1 */
-    const lanes4 lanes_82 = each_limb5_S_balance_wy_by_limb1_P * (lanes4){t278, t283, t278, t283},
-      signed_limb_P_drive = lanes_82 + each_limb5_S_balance_wx_by_limb1_P * (lanes4){t283, t278, t283, t278};
+    const lanes4 lanes_60 = each_limb5_S_balance_wy_by_limb1_P * (lanes4){t278, t283, t278, t283},
+      signed_limb_P_drive = lanes_60 + each_limb5_S_balance_wx_by_limb1_P * (lanes4){t283, t278, t283, t278};
     const double minus_limb1_P_drive = signed_limb_P_drive[0];
     u[0] = -minus_limb1_P_drive;
     u[1] = signed_limb_P_drive[1];
-    u[2] = signed_limb_P_drive[2];
-    const double minus_limb4_P_drive = signed_limb_P_drive[3];
+    u[2] = -signed_limb_P_drive[2];
+    const double minus_limb4_P_drive = -signed_limb_P_drive[3];
     u[3] = -minus_limb4_P_drive;
+    const lanes4 lanes_64 = (lanes4){1.0, -1.0, 1.0, -1.0} * signed_limb_P_drive;
     /* limbs together: balance, eqs. (40)-(47); reactions, eq. (32) */
-    const lanes4 each_limb1_U2_multiplier_fx = limb_upper_rate_fx + (lanes4){1.0, -1.0, -1.0, 1.0} *
-        signed_limb_P_drive,
-      minus_limb_lower_sent_fx = minus_limb_lower_rate_fx_2 + (lanes4){1.0, -1.0, -1.0, 1.0} *
-        signed_limb_P_drive,
-      lanes_89 = signed_limb_P_drive * (limb1_U_factor_1_by_3 * each_limb1_U2_part_mn_by_limb1_P);
-    const double t296 = lanes_89[0] - (-each_limb1_U2_part_fy[0] + limb1_U_factor_1_by_3 * limb1_U2_part_mn), /* limb1 */
-      limb1_U2_multiplier_fy = lanes_89[3] + (lanes_89[2] + (lanes_89[1] + t296));
-    const lanes4 each_limb1_U2_multiplier_fy = {limb1_U2_multiplier_fy, -each_limb1_U2_part_fy[1],
+    const lanes4 each_limb1_U2_multiplier_fx = limb_upper_rate_fx + lanes_64,
+      limb_lower_sent_fx = limb_lower_rate_fx_2 - lanes_64,
+      lanes_65 = signed_limb_P_drive * (limb1_U_factor_1_by_3 * each_limb1_U2_part_mn_by_limb1_P);
+    const double t296 = lanes_65[0] - (each_limb1_U2_part_fy[0] + limb1_U_factor_1_by_3 * limb1_U2_part_mn), /* limb1 */
+      limb1_U2_multiplier_fy = lanes_65[3] + (lanes_65[2] + (lanes_65[1] + t296));
+    const lanes4 each_limb1_U2_multiplier_fy = {limb1_U2_multiplier_fy, each_limb1_U2_part_fy[1],
         each_limb1_U2_part_fy[2], each_limb1_U2_part_fy[3]},
-      limb_upper_sent_fy = limb_upper_rate_fy + (lanes4){-1.0, 1.0, 1.0, 1.0} * each_limb1_U2_multiplier_fy,
-      limb_lower_sent_fy = limb_lower_rate_fy_2 + limb_upper_sent_fy,
-      lanes_92 = signed_limb_lower_sin * each_limb1_U2_multiplier_fy,
-      lanes_96 = lanes_92 + (lanes4){-1.0, 1.0, -1.0, -1.0} * (limb_lower_cos * each_limb1_U2_multiplier_fx),
-      lanes_97 = each_limb1_U_0_cos * lanes_96, lanes_98 = each_limb1_U_0_sin * lanes_96,
-      lanes_99 = signed_limb_P_drive * (minus_limb1_U_factor_0_by_3 * each_limb1_U2_part_mn_by_limb1_P),
-      lanes_100 = each_limb1_U2_part_mn_by_limb1_P * signed_limb_P_drive;
-    const double t309 = lanes_99[0] + (each_limb1_U2_part_fz[0] - minus_limb1_U_factor_0_by_3 * limb1_U2_part_mn), /* limb1 */
-      minus_limb1_U2_multiplier_fz = lanes_99[3] + (lanes_99[2] + (lanes_99[1] + t309)),
-      t323 = lanes_100[2] + (lanes_100[1] - (limb1_U2_part_mn - lanes_100[0])), /* limb1 */
-      minus_limb1_U2_multiplier_mn = lanes_100[3] + t323,
+      lanes_67 = (lanes4){1.0, -1.0, -1.0, -1.0} * each_limb1_U2_multiplier_fy,
+      minus_limb_upper_sent_fy = minus_limb_upper_rate_fy + lanes_67,
+      limb_lower_sent_fy = limb_lower_rate_fy_2 - minus_limb_upper_sent_fy,
+      lanes_70 = signed_limb_lower_sin * lanes_67 - lanes_2 * each_limb1_U2_multiplier_fx,
+      lanes_71 = each_limb1_U_0_cos * lanes_70, lanes_72 = each_limb1_U_0_sin * lanes_70,
+      lanes_73 = signed_limb_P_drive * (minus_limb1_U_factor_0_by_3 * each_limb1_U2_part_mn_by_limb1_P),
+      lanes_74 = each_limb1_U2_part_mn_by_limb1_P * signed_limb_P_drive;
+    const double t309 = lanes_73[0] + (each_limb1_U2_part_fz[0] - minus_limb1_U_factor_0_by_3 * limb1_U2_part_mn), /* limb1 */
+      minus_limb1_U2_multiplier_fz = lanes_73[3] + (lanes_73[2] + (lanes_73[1] + t309)),
+      t323 = lanes_74[2] + (lanes_74[1] - (limb1_U2_part_mn - lanes_74[0])), /* limb1 */
+      minus_limb1_U2_multiplier_mn = lanes_74[3] + t323,
       limb1_U2_joint_reaction_mz = limb1_U2_constraint_mn_couple_z * minus_limb1_U2_multiplier_mn,
       limb1_U2_joint_reaction_mx = limb1_U2_constraint_mn_couple_x * minus_limb1_U2_multiplier_mn;
     const lanes4 each_limb1_U2_multiplier_fz = {minus_limb1_U2_multiplier_fz, each_limb1_U2_part_fz[1],
-        -each_limb1_U2_part_fz[2], -each_limb1_U2_part_fz[3]},
-      signed_limb_upper_sent_fz = each_limb1_U2_multiplier_fz + signed_limb_upper_rate_fz,
-      lanes_101 = each_limb1_U_0_sin * each_limb1_U2_multiplier_fz,
-      lanes_102 = each_limb1_U_0_cos * each_limb1_U2_multiplier_fz,
-      lanes_105 = lanes_97 + (lanes4){1.0, -1.0, -1.0, -1.0} * lanes_101,
-      lanes_108 = lanes_98 + (lanes4){-1.0, 1.0, 1.0, 1.0} * lanes_102;
+        each_limb1_U2_part_fz[2], each_limb1_U2_part_fz[3]},
+      signed_limb_upper_sent_fz = signed_limb_upper_rate_fz - each_limb1_U2_multiplier_fz,
+      lanes_75 = each_limb1_U_0_sin * each_limb1_U2_multiplier_fz,
+      lanes_76 = each_limb1_U_0_cos * each_limb1_U2_multiplier_fz, lanes_77 = lanes_71 + lanes_75,
+      lanes_78 = lanes_72 - lanes_76;
     /* platform: momentum rate, eq. (35) */
     const double platform_rate_fx_2 = platform_rate_fx + platform_m_gravity_z * platform_turn_zx;
     /* platform: balance, eqs. (40)-(47); momentum rate, eq. (35) */
@@ -894,14 +888,13 @@ static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_joint_reactions_pack
         platform_turn_zz,
       minus_platform_rate_fz_2 = platform_mz * (limb5_S_v_wx * limb5_S_v_wx + limb5_S_v_wy * limb5_S_v_wy) -
         t613,
-      t649 = -lanes_105[1] + (t643 - platform_turn_zz * minus_platform_rate_fz_2 - lanes_105[0]),
-      platform_joint_sent_fz = -lanes_105[2] + t649 - (-lanes_105[3]);
+      t649 = lanes_77[1] + (t643 - platform_turn_zz * minus_platform_rate_fz_2 - lanes_77[0]),
+      platform_joint_sent_fz = lanes_77[2] + t649 - lanes_77[3];
     reactions[74] = platform_joint_sent_fz;
     const double t615 = t610 - platform_turn_xz * minus_platform_rate_fz_2,
-      t634 = t626 - platform_turn_yz * minus_platform_rate_fz_2 + lanes_108[0];
-    const lanes4 lanes_110 = signed_limb_lower_sin * each_limb1_U2_multiplier_fx,
-      each_limb1_U2_reaction_fx = lanes_110 + (lanes4){1.0, -1.0, 1.0, 1.0} * (limb_lower_cos *
-        each_limb1_U2_multiplier_fy);
+      t634 = t626 - platform_turn_yz * minus_platform_rate_fz_2 + lanes_78[0];
+    const lanes4 each_limb1_U2_reaction_fx = lanes_2 * lanes_67 + signed_limb_lower_sin *
+        each_limb1_U2_multiplier_fx;
     const double minus_limb1_U2_reaction_fx = each_limb1_U2_reaction_fx[0];
     reactions[12] = -minus_limb1_U2_reaction_fx;
     const double minus_limb2_S_reaction_fy = each_limb1_U2_reaction_fx[1];
@@ -910,193 +903,190 @@ static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_joint_reactions_pack
     reactions[48] = limb3_S_reaction_fx;
     const double limb4_S_reaction_fy = each_limb1_U2_reaction_fx[3];
     reactions[67] = limb4_S_reaction_fy;
-    const double platform_joint_sent_fy = lanes_108[2] + (minus_limb2_S_reaction_fy + t634) -
+    const double platform_joint_sent_fy = -lanes_78[2] + (minus_limb2_S_reaction_fy + t634) -
         limb4_S_reaction_fy;
     reactions[73] = platform_joint_sent_fy;
-    const double platform_joint_sent_fx = lanes_108[3] - (limb3_S_reaction_fx + (lanes_108[1] - (t615 +
+    const double platform_joint_sent_fx = -lanes_78[3] - (limb3_S_reaction_fx + (-lanes_78[1] - (t615 +
         minus_limb1_U2_reaction_fx)));
     reactions[72] = platform_joint_sent_fx;
     const lanes4 each_limb1_lower_rotation_yy = each_limb1_U_0_sin * signed_limb_lower_sin,
-      lanes_113 = each_limb1_lower_rotation_yy * each_limb1_U2_multiplier_fy,
-      each_limb1_lower_rotation_yx = each_limb1_U_0_sin * limb_lower_cos,
-      lanes_114 = each_limb1_lower_rotation_yx * each_limb1_U2_multiplier_fx,
-      lanes_117 = lanes_114 + (lanes4){-1.0, 1.0, -1.0, -1.0} * lanes_113,
-      each_limb1_U2_reaction_fy = lanes_117 + (lanes4){1.0, 1.0, -1.0, -1.0} * lanes_102;
+      lanes_81 = each_limb1_lower_rotation_yy * lanes_67, each_limb1_lower_rotation_yx = each_limb1_U_0_sin *
+        lanes_2,
+      each_limb1_U2_reaction_fy = lanes_76 - (lanes_81 - each_limb1_lower_rotation_yx *
+        each_limb1_U2_multiplier_fx);
     reactions[13] = each_limb1_U2_reaction_fy[0];
     reactions[30] = each_limb1_U2_reaction_fy[1];
-    const double minus_limb3_S_reaction_fy = -each_limb1_U2_reaction_fy[2];
+    const double minus_limb3_S_reaction_fy = each_limb1_U2_reaction_fy[2];
     reactions[49] = -minus_limb3_S_reaction_fy;
-    const double minus_limb4_S_reaction_fx = -each_limb1_U2_reaction_fy[3];
+    const double minus_limb4_S_reaction_fx = each_limb1_U2_reaction_fy[3];
     reactions[66] = -minus_limb4_S_reaction_fx;
-    const lanes4 each_limb1_upper_position_x = signed_limb_lower_sin * limb_upper_offset_x - param_R,
-      lanes_120 = each_limb1_upper_position_x * each_limb1_U2_reaction_fy,
+    const lanes4 each_limb1_upper_position_x = signed_limb_lower_sin * limb_upper_offset_x + (-param_R),
+      lanes_84 = each_limb1_upper_position_x * each_limb1_U2_reaction_fy,
       each_limb1_upper_position_y = limb_upper_offset_x * each_limb1_lower_rotation_yx,
-      each_limb2_S_reaction_mz = lanes_120 - each_limb1_upper_position_y * each_limb1_U2_reaction_fx;
-    const double limb2_S_reaction_mz = -each_limb2_S_reaction_mz[1];
+      each_limb2_S_reaction_mz = each_limb1_upper_position_y * each_limb1_U2_reaction_fx - lanes_84;
+    const double limb2_S_reaction_mz = each_limb2_S_reaction_mz[1];
     reactions[35] = limb2_S_reaction_mz;
     const double limb3_S_reaction_mz = -each_limb2_S_reaction_mz[2];
     reactions[53] = limb3_S_reaction_mz;
     const double limb4_S_reaction_mz = each_limb2_S_reaction_mz[3];
     reactions[71] = limb4_S_reaction_mz;
     const double t386 = limb1_U_0_sin * limb1_U2_joint_reaction_mz; /* limb1 */
-    const lanes4 signed_limb_lower_rotation_zx = each_limb1_U_0_cos * limb_lower_cos,
-      lanes_122 = signed_limb_lower_rotation_zx * each_limb1_U2_multiplier_fx;
+    const lanes4 signed_limb_lower_rotation_zx = each_limb1_U_0_cos * lanes_2,
+      lanes_86 = signed_limb_lower_rotation_zx * each_limb1_U2_multiplier_fx;
     const double t388 = t386 + signed_limb_lower_rotation_zx[0] * limb1_U2_joint_reaction_mx, /* limb1 */
-      limb1_U2_reaction_mz = t388 - (-each_limb2_S_reaction_mz[0]);
+      limb1_U2_reaction_mz = t388 - each_limb2_S_reaction_mz[0];
     reactions[17] = limb1_U2_reaction_mz;
     const lanes4 signed_limb_lower_rotation_zy = each_limb1_U_0_cos * signed_limb_lower_sin,
-      lanes_125 = (lanes4){-1.0, 1.0, -1.0, -1.0} * (signed_limb_lower_rotation_zy *
-        each_limb1_U2_multiplier_fy),
-      each_limb1_U2_reaction_fz = lanes_122 + lanes_125 + (lanes4){-1.0, -1.0, 1.0, 1.0} * lanes_101;
+      each_limb1_U2_reaction_fz = lanes_86 - signed_limb_lower_rotation_zy * lanes_67 - lanes_75;
     reactions[14] = -each_limb1_U2_reaction_fz[0];
     const double minus_limb2_S_reaction_fz = -each_limb1_U2_reaction_fz[1];
     reactions[32] = -minus_limb2_S_reaction_fz;
-    const double minus_limb3_S_reaction_fz = each_limb1_U2_reaction_fz[2];
+    const double minus_limb3_S_reaction_fz = -each_limb1_U2_reaction_fz[2];
     reactions[50] = -minus_limb3_S_reaction_fz;
-    reactions[68] = each_limb1_U2_reaction_fz[3];
-    const lanes4 lanes_129 = each_limb1_upper_position_x * each_limb1_U2_reaction_fz,
-      lanes_130 = each_limb1_upper_position_y * each_limb1_U2_reaction_fz,
+    reactions[68] = -each_limb1_U2_reaction_fz[3];
+    const lanes4 lanes_89 = each_limb1_upper_position_x * each_limb1_U2_reaction_fz,
+      lanes_90 = each_limb1_upper_position_y * each_limb1_U2_reaction_fz,
       signed_limb_upper_position_z = limb_upper_offset_x * signed_limb_lower_rotation_zx,
-      each_limb2_S_reaction_mx = signed_limb_upper_position_z * each_limb1_U2_reaction_fx - lanes_129;
-    const double limb2_S_reaction_mx = -each_limb2_S_reaction_mx[1];
+      each_limb2_S_reaction_mx = lanes_89 - signed_limb_upper_position_z * each_limb1_U2_reaction_fx;
+    const double limb2_S_reaction_mx = each_limb2_S_reaction_mx[1];
     reactions[33] = limb2_S_reaction_mx;
     const double limb3_S_reaction_my = each_limb2_S_reaction_mx[2];
     reactions[52] = limb3_S_reaction_my;
     const double limb4_S_reaction_mx = each_limb2_S_reaction_mx[3];
     reactions[69] = limb4_S_reaction_mx;
-    const lanes4 each_limb2_S_reaction_my = signed_limb_upper_position_z * each_limb1_U2_reaction_fy -
-        lanes_130;
-    const double minus_limb2_S_reaction_my = each_limb2_S_reaction_my[1];
+    const lanes4 each_limb2_S_reaction_my = lanes_90 - signed_limb_upper_position_z *
+        each_limb1_U2_reaction_fy;
+    const double minus_limb2_S_reaction_my = -each_limb2_S_reaction_my[1];
     reactions[34] = -minus_limb2_S_reaction_my;
-    const double limb3_S_reaction_mx = -each_limb2_S_reaction_my[2];
+    const double limb3_S_reaction_mx = each_limb2_S_reaction_my[2];
     reactions[51] = limb3_S_reaction_mx;
-    const double limb4_S_reaction_my = -each_limb2_S_reaction_my[3];
+    const double limb4_S_reaction_my = each_limb2_S_reaction_my[3];
     reactions[70] = limb4_S_reaction_my;
-    const lanes4 signed_limb_lower_sent_my = signed_limb_upper_rate_my_2 - limb_upper_offset_x *
-        signed_limb_upper_sent_fz - signed_limb_lower_rate_my_2;
+    const lanes4 signed_limb_lower_sent_my = limb_upper_offset_x * signed_limb_upper_sent_fz -
+        signed_limb_upper_rate_my_2 - signed_limb_lower_rate_my_2;
     const double t383 = limb1_U_0_cos * limb1_U2_joint_reaction_mz, /* limb1 */
       t385 = t383 - each_limb1_lower_rotation_yx[0] * limb1_U2_joint_reaction_mx, /* limb1 */
-      limb1_U2_reaction_my = -each_limb2_S_reaction_mx[0] + t385;
+      limb1_U2_reaction_my = each_limb2_S_reaction_mx[0] + t385;
     reactions[16] = limb1_U2_reaction_my;
     const double limb1_U2_reaction_mx = limb1_lower_sin * limb1_U2_joint_reaction_mx -
-        each_limb2_S_reaction_my[0];
+        (-each_limb2_S_reaction_my[0]);
     reactions[15] = limb1_U2_reaction_mx;
-    const lanes4 lanes_135 = each_limb1_U_0_cos * signed_limb_upper_sent_fz,
-      each_limb1_P_reaction_fy = each_limb1_lower_rotation_yy * limb_upper_sent_fy + lanes_135;
-    reactions[7] = -(-each_limb1_P_reaction_fy[0]);
-    reactions[24] = -(-each_limb1_P_reaction_fy[1]);
-    reactions[43] = -each_limb1_P_reaction_fy[2];
-    reactions[60] = -each_limb1_P_reaction_fy[3];
+    const lanes4 lanes_95 = each_limb1_U_0_cos * signed_limb_upper_sent_fz,
+      each_limb1_P_reaction_fy = lanes_95 + each_limb1_lower_rotation_yy * minus_limb_upper_sent_fy;
+    reactions[7] = -each_limb1_P_reaction_fy[0];
+    reactions[24] = -each_limb1_P_reaction_fy[1];
+    reactions[43] = -(-each_limb1_P_reaction_fy[2]);
+    reactions[60] = -(-each_limb1_P_reaction_fy[3]);
     /* limbs together: reactions, eq. (32); momentum rate, eq. (35); balance, eqs. (40)-(47) */
-    const lanes4 lanes_137 = each_limb1_lower_rotation_yy * signed_limb_upper_rate_my_2,
-      lanes_138 = each_limb1_upper_position_x * each_limb1_P_reaction_fy,
-      lanes_139 = signed_limb_upper_position_z * each_limb1_P_reaction_fy,
-      each_limb1_P_reaction_fx = limb_lower_cos * limb_upper_sent_fy;
-    reactions[6] = each_limb1_P_reaction_fx[0];
-    reactions[25] = each_limb1_P_reaction_fx[1];
+    const lanes4 lanes_97 = each_limb1_lower_rotation_yy * signed_limb_upper_rate_my_2,
+      lanes_98 = each_limb1_upper_position_x * each_limb1_P_reaction_fy,
+      lanes_99 = signed_limb_upper_position_z * each_limb1_P_reaction_fy,
+      each_limb1_P_reaction_fx = lanes_2 * minus_limb_upper_sent_fy;
+    reactions[6] = -each_limb1_P_reaction_fx[0];
+    reactions[25] = -each_limb1_P_reaction_fx[1];
     reactions[42] = each_limb1_P_reaction_fx[2];
     reactions[61] = each_limb1_P_reaction_fx[3];
-    const lanes4 lanes_140 = signed_limb_lower_rotation_zy * limb_upper_sent_fy,
-      lanes_141 = signed_limb_lower_rotation_zy * signed_limb_upper_rate_my_2,
-      lanes_142 = signed_limb_upper_position_z * each_limb1_P_reaction_fx,
-      lanes_144 = lanes_138 + each_limb1_upper_position_y * each_limb1_P_reaction_fx,
-      lanes_145 = limb_lower_cos * signed_limb_upper_rate_my_2,
-      limb_lower_alpha_x = limb_lower_alpha_still_x + (lanes4){1.0, 1.0, -1.0, -1.0} * (limb_U_a_0 *
-        signed_limb_lower_sin),
-      limb_upper_rate_mx = k14 * limb_lower_alpha_x - k15 * limb_lower_alpha_still_x;
+    const lanes4 lanes_100 = signed_limb_lower_rotation_zy * minus_limb_upper_sent_fy,
+      lanes_101 = signed_limb_lower_rotation_zy * signed_limb_upper_rate_my_2,
+      lanes_102 = signed_limb_upper_position_z * each_limb1_P_reaction_fx,
+      lanes_104 = each_limb1_upper_position_y * each_limb1_P_reaction_fx + lanes_98,
+      lanes_105 = lanes_2 * signed_limb_upper_rate_my_2,
+      signed_limb_lower_alpha_x = signed_limb_lower_alpha_still_x + limb_U_a_0 * signed_limb_lower_sin,
+      lanes_107 = (lanes4){k14, k14, -k14, -k14} * signed_limb_lower_alpha_x,
+      limb_upper_rate_mx = lanes_107 - (lanes4){k15, k15, -k15, -k15} * signed_limb_lower_alpha_still_x;
     const double limb1_upper_rate_mx = limb_upper_rate_mx[0],
       limb1_upper_sent_mx = limb1_upper_rate_mx + limb1_U2_joint_reaction_mx,
       limb2_upper_rate_mx = limb_upper_rate_mx[1], limb3_upper_rate_mx = limb_upper_rate_mx[2],
       limb4_upper_rate_mx = limb_upper_rate_mx[3];
     const lanes4 each_limb1_upper_sent_mx = {limb1_upper_sent_mx, limb2_upper_rate_mx, limb3_upper_rate_mx,
         limb4_upper_rate_mx},
-      lanes_151 = signed_limb_lower_rotation_zx * each_limb1_upper_sent_mx - lanes_141,
-      lanes_153 = each_limb1_lower_rotation_yx * each_limb1_upper_sent_mx - lanes_137,
-      minus_limb_upper_rate_mz_2 = minus_limb_upper_rate_mz - (k18 * limb_U_a_1 + (lanes4){1.0, 1.0, -1.0,
-        -1.0} * lanes_51);
+      lanes_111 = (lanes4){1.0, 1.0, -1.0, -1.0} * each_limb1_upper_sent_mx,
+      lanes_113 = lanes_101 + signed_limb_lower_rotation_zx * lanes_111,
+      lanes_115 = lanes_97 + each_limb1_lower_rotation_yx * lanes_111,
+      minus_limb_upper_rate_mz_2 = minus_limb_upper_rate_mz - (k18 * limb_U_a_1 + lanes_41);
     const double minus_limb1_upper_sent_mz = minus_limb_upper_rate_mz_2[0] - limb1_U2_joint_reaction_mz;
     const lanes4 each_limb1_upper_sent_mz = {minus_limb1_upper_sent_mz, minus_limb_upper_rate_mz_2[1],
         minus_limb_upper_rate_mz_2[2], minus_limb_upper_rate_mz_2[3]},
-      signed_limb_P_reaction_mz = lanes_144 + (lanes_151 - each_limb1_U_0_sin * each_limb1_upper_sent_mz);
-    reactions[11] = signed_limb_P_reaction_mz[0];
-    reactions[29] = -signed_limb_P_reaction_mz[1];
-    reactions[47] = signed_limb_P_reaction_mz[2];
-    reactions[65] = -signed_limb_P_reaction_mz[3];
-    const lanes4 lanes_161 = lanes_153 + each_limb1_U_0_cos * each_limb1_upper_sent_mz,
-      signed_limb_P_reaction_fz = lanes_140 - each_limb1_U_0_sin * signed_limb_upper_sent_fz;
+      signed_limb_P_reaction_mz = lanes_104 + (each_limb1_U_0_sin * each_limb1_upper_sent_mz - lanes_113);
+    reactions[11] = -signed_limb_P_reaction_mz[0];
+    reactions[29] = -(-signed_limb_P_reaction_mz[1]);
+    reactions[47] = -signed_limb_P_reaction_mz[2];
+    reactions[65] = signed_limb_P_reaction_mz[3];
+    const lanes4 lanes_121 = each_limb1_U_0_cos * each_limb1_upper_sent_mz + lanes_115,
+      signed_limb_P_reaction_fz = each_limb1_U_0_sin * signed_limb_upper_sent_fz - lanes_100;
     const double minus_limb1_P_reaction_fz = signed_limb_P_reaction_fz[0];
     reactions[8] = -minus_limb1_P_reaction_fz;
     reactions[26] = signed_limb_P_reaction_fz[1];
     const double minus_limb3_P_reaction_fz = -signed_limb_P_reaction_fz[2];
     reactions[44] = -minus_limb3_P_reaction_fz;
     reactions[62] = -signed_limb_P_reaction_fz[3];
-    const lanes4 each_limb1_P_reaction_my = lanes_161 - (lanes_142 + each_limb1_upper_position_x *
-        signed_limb_P_reaction_fz);
-    reactions[10] = -each_limb1_P_reaction_my[0];
-    reactions[27] = -each_limb1_P_reaction_my[1];
-    reactions[46] = -each_limb1_P_reaction_my[2];
-    reactions[63] = -each_limb1_P_reaction_my[3];
-    const lanes4 lanes_166 = lanes_139 - each_limb1_upper_position_y * signed_limb_P_reaction_fz,
-      each_limb1_P_reaction_mx = lanes_166 - (signed_limb_lower_sin * each_limb1_upper_sent_mx + lanes_145);
-    reactions[9] = -each_limb1_P_reaction_mx[0];
-    reactions[28] = -each_limb1_P_reaction_mx[1];
+    const lanes4 each_limb1_P_reaction_my = each_limb1_upper_position_x * signed_limb_P_reaction_fz -
+        lanes_102 - lanes_121;
+    reactions[10] = -(-each_limb1_P_reaction_my[0]);
+    reactions[27] = each_limb1_P_reaction_my[1];
+    reactions[46] = each_limb1_P_reaction_my[2];
+    reactions[63] = each_limb1_P_reaction_my[3];
+    const lanes4 lanes_126 = lanes_99 + each_limb1_upper_position_y * signed_limb_P_reaction_fz,
+      each_limb1_P_reaction_mx = lanes_126 + (signed_limb_lower_sin * lanes_111 - lanes_105);
+    reactions[9] = each_limb1_P_reaction_mx[0];
+    reactions[28] = each_limb1_P_reaction_mx[1];
     reactions[45] = each_limb1_P_reaction_mx[2];
     reactions[64] = each_limb1_P_reaction_mx[3];
-    const lanes4 lanes_169 = {1.0, 2.0, 2.0, 2.0},
+    const lanes4 lanes_129 = {-1.0, -2.0, 2.0, 2.0},
       each_limb1_lower_sent_mx = {limb1_upper_rate_mx + limb1_upper_sent_mx, limb2_upper_rate_mx,
         limb3_upper_rate_mx, limb4_upper_rate_mx},
-      limb_lower_sent_mx = lanes_169 * each_limb1_lower_sent_mx,
-      lanes_171 = limb_lower_cos * signed_limb_lower_sent_my,
-      limb_lower_joint_sent_mx = limb_lower_cos * limb_lower_sent_mx - signed_limb_lower_sin *
-        signed_limb_lower_sent_my,
-      signed_limb_lower_joint_sent_my = lanes_171 + signed_limb_lower_sin * limb_lower_sent_mx;
-    reactions[3] = signed_limb_lower_joint_sent_my[0];
-    reactions[22] = signed_limb_lower_joint_sent_my[1];
-    reactions[39] = -signed_limb_lower_joint_sent_my[2];
-    reactions[58] = -signed_limb_lower_joint_sent_my[3];
-    const lanes4 lanes_174 = each_limb1_U_0_cos * limb_lower_joint_sent_mx,
-      lanes_175 = each_limb1_U_0_sin * limb_lower_joint_sent_mx,
-      lanes_176 = signed_limb_lower_sin * limb_lower_sent_fy, lanes_177 = limb_lower_cos * limb_lower_sent_fy,
-      signed_limb_lower_joint_sent_fx = lanes_176 + (lanes4){1.0, 1.0, -1.0, -1.0} * (limb_lower_cos *
-        minus_limb_lower_sent_fx),
-      limb_lower_joint_sent_fy = lanes_177 + (lanes4){-1.0, -1.0, 1.0, 1.0} * (signed_limb_lower_sin *
-        minus_limb_lower_sent_fx);
-    reactions[0] = limb_lower_joint_sent_fy[0];
-    reactions[19] = limb_lower_joint_sent_fy[1];
-    reactions[36] = limb_lower_joint_sent_fy[2];
-    reactions[55] = limb_lower_joint_sent_fy[3];
-    const lanes4 lanes_184 = each_limb1_U_0_sin * signed_limb_lower_joint_sent_fx,
-      lanes_185 = each_limb1_U_0_cos * signed_limb_lower_joint_sent_fx,
-      signed_limb_lower_rate_fz_2 = signed_limb_lower_rate_fz + (lanes4){1.0, -1.0, -1.0, 1.0} *
-        (limb_lower_m_gravity_z * each_limb1_U_0_sin),
-      signed_limb_lower_sent_fz = signed_limb_upper_sent_fz + signed_limb_lower_rate_fz_2,
-      each_limb1_U_0_joint_sent_fx = lanes_184 + each_limb1_U_0_cos * signed_limb_lower_sent_fz;
-    reactions[1] = each_limb1_U_0_joint_sent_fx[0];
-    const double minus_limb2_U_0_joint_sent_fy = -each_limb1_U_0_joint_sent_fx[1];
+      signed_limb_lower_sent_mx = lanes_129 * each_limb1_lower_sent_mx,
+      lanes_131 = lanes_2 * signed_limb_lower_sent_my,
+      minus_limb_lower_joint_sent_mx = signed_limb_lower_sin * signed_limb_lower_sent_my + lanes_2 *
+        signed_limb_lower_sent_mx,
+      limb_lower_joint_sent_my = lanes_131 - signed_limb_lower_sin * signed_limb_lower_sent_mx;
+    reactions[3] = limb_lower_joint_sent_my[0];
+    reactions[22] = limb_lower_joint_sent_my[1];
+    reactions[39] = -(-limb_lower_joint_sent_my[2]);
+    reactions[58] = -(-limb_lower_joint_sent_my[3]);
+    const lanes4 lanes_134 = each_limb1_U_0_cos * minus_limb_lower_joint_sent_mx,
+      lanes_135 = each_limb1_U_0_sin * minus_limb_lower_joint_sent_mx, lanes_137 = lanes_2 *
+        limb_lower_sent_fy,
+      signed_limb_lower_joint_sent_fx = lanes_2 * limb_lower_sent_fx - signed_limb_lower_sin *
+        limb_lower_sent_fy,
+      signed_limb_lower_joint_sent_fy = lanes_137 + signed_limb_lower_sin * limb_lower_sent_fx;
+    reactions[0] = signed_limb_lower_joint_sent_fy[0];
+    reactions[19] = signed_limb_lower_joint_sent_fy[1];
+    reactions[36] = -signed_limb_lower_joint_sent_fy[2];
+    reactions[55] = -signed_limb_lower_joint_sent_fy[3];
+    const lanes4 lanes_140 = each_limb1_U_0_sin * signed_limb_lower_joint_sent_fx,
+      lanes_141 = each_limb1_U_0_cos * signed_limb_lower_joint_sent_fx,
+      lanes_142 = {limb_lower_m_gravity_z, -limb_lower_m_gravity_z, -limb_lower_m_gravity_z,
+        limb_lower_m_gravity_z},
+      signed_limb_lower_sent_fz = signed_limb_lower_rate_fz + lanes_142 * each_limb1_U_0_sin -
+        signed_limb_upper_sent_fz,
+      each_limb1_U_0_joint_sent_fx = lanes_140 - each_limb1_U_0_cos * signed_limb_lower_sent_fz;
+    reactions[1] = -each_limb1_U_0_joint_sent_fx[0];
+    const double minus_limb2_U_0_joint_sent_fy = each_limb1_U_0_joint_sent_fx[1];
     reactions[18] = -minus_limb2_U_0_joint_sent_fy;
-    const double minus_limb3_U_0_joint_sent_fx = each_limb1_U_0_joint_sent_fx[2];
+    const double minus_limb3_U_0_joint_sent_fx = -each_limb1_U_0_joint_sent_fx[2];
     reactions[37] = -minus_limb3_U_0_joint_sent_fx;
-    const double minus_limb4_U_0_joint_sent_fy = each_limb1_U_0_joint_sent_fx[3];
+    const double minus_limb4_U_0_joint_sent_fy = -each_limb1_U_0_joint_sent_fx[3];
     reactions[54] = -minus_limb4_U_0_joint_sent_fy;
-    const lanes4 signed_limb_U_reaction_mz = param_R * each_limb1_U_0_joint_sent_fx - lanes_174;
+    const lanes4 signed_limb_U_reaction_mz = lanes_134 - param_R * each_limb1_U_0_joint_sent_fx;
     reactions[5] = -signed_limb_U_reaction_mz[0];
     reactions[23] = -(-signed_limb_U_reaction_mz[1]);
     reactions[41] = -signed_limb_U_reaction_mz[2];
     reactions[59] = signed_limb_U_reaction_mz[3];
-    const lanes4 each_limb1_U_0_joint_sent_fy = lanes_185 - each_limb1_U_0_sin * signed_limb_lower_sent_fz;
-    const double minus_limb1_U_0_joint_sent_fy = each_limb1_U_0_joint_sent_fy[0];
+    const lanes4 each_limb1_U_0_joint_sent_fy = lanes_141 + each_limb1_U_0_sin * signed_limb_lower_sent_fz;
+    const double minus_limb1_U_0_joint_sent_fy = -each_limb1_U_0_joint_sent_fy[0];
     reactions[2] = -minus_limb1_U_0_joint_sent_fy;
-    reactions[20] = each_limb1_U_0_joint_sent_fy[1];
-    const double minus_limb3_U_0_joint_sent_fy = -each_limb1_U_0_joint_sent_fy[2];
+    reactions[20] = -each_limb1_U_0_joint_sent_fy[1];
+    const double minus_limb3_U_0_joint_sent_fy = each_limb1_U_0_joint_sent_fy[2];
     reactions[38] = -minus_limb3_U_0_joint_sent_fy;
-    reactions[56] = -each_limb1_U_0_joint_sent_fy[3];
-    const lanes4 each_limb1_U_reaction_my = lanes_175 + param_R * each_limb1_U_0_joint_sent_fy;
-    reactions[4] = -each_limb1_U_reaction_my[0];
-    reactions[21] = -each_limb1_U_reaction_my[1];
-    reactions[40] = -each_limb1_U_reaction_my[2];
-    reactions[57] = -each_limb1_U_reaction_my[3];
+    reactions[56] = each_limb1_U_0_joint_sent_fy[3];
+    const lanes4 each_limb1_U_reaction_my = param_R * each_limb1_U_0_joint_sent_fy + lanes_135;
+    reactions[4] = -(-each_limb1_U_reaction_my[0]);
+    reactions[21] = -(-each_limb1_U_reaction_my[1]);
+    reactions[40] = each_limb1_U_reaction_my[2];
+    reactions[57] = each_limb1_U_reaction_my[3];
     const lanes4 every = (lanes4)((three_ups_upu_s_vector4_mask)((((each_limb1_U_0_lever_mz_by_limb1_U2_fz +
-        limb_lower_joint_sent_fy) + (signed_limb_lower_joint_sent_my + each_limb1_U_reaction_my)) +
+        signed_limb_lower_joint_sent_fy) + (limb_lower_joint_sent_my + each_limb1_U_reaction_my)) +
         ((signed_limb_U_reaction_mz + each_limb1_P_reaction_fy) + (each_limb1_P_reaction_mx +
         each_limb1_P_reaction_my))) + signed_limb_P_reaction_mz) | ((each_limb1_U_0_lever_mz_by_limb1_U2_fz <=
         (lanes4){6.233100000000001e-10, 6.3211e-10, 6.4044e-10, 6.284e-10}) &

@@ -166,15 +166,23 @@ def _labels(port: Port, lists: Mapping[tuple[str, ...], str]) -> list[str]:
             columns = ", ".join(f"{mark}{entry}" for entry in inner)
             text = f"for each of {columns}: {lists.get(tuple(parts)) or ', '.join(parts)}"
             return wrapped(text, first="    ", later="    ", width=WIDTH)
+        without = list(dict.fromkeys(last for _, _, last in split))
+        if len(parts) > 1 and port.labels == tuple(f"{part}{mark}{last}" for part in parts for last in without):
+            text = f"for each of {lists.get(tuple(parts)) or ', '.join(parts)}: {', '.join(without)}; {_units(port)}"
+            return wrapped(text, first="    ", later="    ", width=WIDTH)
     entries_ = [f"{k} {label}{u}" for k, (label, u) in enumerate(zip(port.labels, units, strict=True))][:MAX_LABELS]
     if port.size > MAX_LABELS:
         entries_.append(f"... {port.size} entries; all labels are in manifest.json")
     return packed([plain(entry) for entry in entries_], indent="    ", width=WIDTH)
 
 
+def _units(port: Port) -> str:
+    return f"units {', '.join(dict.fromkeys(port.units))}"
+
+
 def _as_others(port: Port, lists: Mapping[tuple[str, ...], str]) -> str:
     """The entries of an array, or the rows and columns of a matrix, if they are in the order of others; else ""."""
-    units = f", units {', '.join(dict.fromkeys(port.units))}" if unit_of(port) is None else ""
+    units = f", {_units(port)}" if unit_of(port) is None else ""
     if port.labels in lists:
         return f"in the order of {lists[port.labels]}{units}"
     rows, columns = (

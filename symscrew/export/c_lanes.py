@@ -105,6 +105,7 @@ class _Body:
         self.packs: dict[int, int] = {}  # number of a pack to its target
         self.numbers: dict[int, int] = {}  # target of a pack to one of its slots
         self.made: dict[tuple[str, tuple[int | float, ...]], int] = {}  # vectors that are there already
+        self.flipped: dict[tuple[int | float, tuple[int, ...]], int] = {}  # vectors times signs, once each
         self.names = LaneNames(printed, packing.width)
         self.places: dict[int, list[str]] = {}
         self.end: list[str] = []
@@ -211,12 +212,13 @@ class _Body:
             found = self._gathered(tuple(self._single(a) for a in vector.entries))
         if vector.flips is None:
             return found
-        signs = self._gathered(tuple(map(float, vector.flips)))
-        self.table["signs"] = "{0} * {1}"
-        self.binding["signs"] = ((PRODUCT, ATOM), PRODUCT)
-        target = self.names.other()
-        self._add("signs", (signs, found), target)
-        return target
+        if (found, vector.flips) not in self.flipped:
+            signs = self._gathered(tuple(map(float, vector.flips)))
+            self.table["signs"] = "{0} * {1}"
+            self.binding["signs"] = ((PRODUCT, ATOM), PRODUCT)
+            self.flipped[found, vector.flips] = target = self.names.other()
+            self._add("signs", (signs, found), target)
+        return self.flipped[found, vector.flips]
 
     def _gathered(self, entries: tuple[int | float, ...]) -> int:
         """A vector of single values, which is made once, or of constants, which is written where it is read."""

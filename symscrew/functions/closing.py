@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from symscrew.algebra import Guard, Node, Tape, TapeMark, Vector, add, cross, dot, scale
-from symscrew.functions.ports import a_port, function, q_port, v_port, y_port
+from symscrew.functions.ports import a_port, function, length_units, q_port, ratio_units, v_port, y_port
 from symscrew.kinematics import Row, System
 from symscrew.loops import Loops, any_rods, closed_limbs, hub_links, limb_coordinates
 from symscrew.program import NOT_ON_MECHANISM, Function, Iteration, NodeLimit, Port, lower, signature
@@ -101,7 +101,8 @@ def _null_space(system: System, loops: Loops, notes: Sequence[str]) -> Function:
         unit = [tape.one if i == k else tape.zero for i in range(count)]
         values += system.tree_rates(loops.rates_from(unit))
     labels = tuple(f"{c.label}|{y}" for y in loops.labels for c in system.tree.v)
-    port = Port("null_space", (n, count), ("1",) * (n * count), labels, "columns: v for a unit rate of each y")
+    units = ratio_units(length_units(system), y_port(loops, "y", 0).units)
+    port = Port("null_space", (n, count), units, labels, "columns: v for a unit rate of each y")
     text = "Null space of the closure: v = null_space y_dot."
     q = (q_port(system), system.inputs.q)
     return function(
@@ -130,7 +131,10 @@ def _residual_functions(system: System) -> list[Function]:
     count, n = len(labels), len(system.tree.v)
     columns = jacobian_in_v(system)
     entries = [columns[k][i] for k in range(n) for i in range(count)]
-    jacobian = Port("jacobian", (count, n), ("1",) * (count * n), (), "rows: closure constraints, columns: v")
+    of_entries = ratio_units(units, length_units(system))
+    kinds = list(dict.fromkeys(of_entries))
+    text = "rows: as of closure, columns: as of v" + (f"; units {', '.join(kinds)}" if len(kinds) > 1 else "")
+    jacobian = Port("jacobian", (count, n), of_entries, (), text)
     residual = Port("residual", (count,), units, labels, "how far each cut joint is open")
     bias = system.bias(system.rates([system.tape.zero] * n))
     bias_port = Port("bias", (count,), tuple(f"{u}/s^2" for u in units), labels, "(dJ/dt) v")

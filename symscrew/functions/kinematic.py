@@ -13,7 +13,9 @@ from symscrew.functions.ports import (
     a_port,
     columns_port,
     function,
+    length_units,
     q_port,
+    ratio_units,
     u_port,
     v_port,
 )
@@ -231,11 +233,11 @@ def joint_freedom_labels(system: System) -> list[tuple[str, str, str]]:
 
 def _joint_screws(system: System, motion: Motion) -> Function:
     values = [c for screws in all_joint_screws(system, motion).values() for s in screws for c in s.components]
-    labels = [label for label, _, _ in joint_freedom_labels(system)]
-    units = ("1", "1", "1", "m", "m", "m")
-    port = columns_port(
-        "screws", labels, TWIST_LABELS, units, description="unit screw (e ; r x e) of every joint freedom"
-    )
+    found = joint_freedom_labels(system)
+    units = ratio_units(("rad",) * 3 + ("m",) * 3, ["m" if kind == "length" else "rad" for _, kind, _ in found])
+    entries = tuple(f"{label}.{entry}" for label, _, _ in found for entry in TWIST_LABELS)
+    text = "unit screw of every joint freedom: (e ; r x e) of a turn, (0 ; e) of a slide"
+    port = Port("screws", (6, len(found)), units, entries, text)
     text = "Unit screws of all joints at O in absolute axes, eq. (5); spherical: along the parent's axes."
     return function(system, "joint_screws", text, inputs=[(q_port(system), system.inputs.q)], outputs=[(port, values)])
 
@@ -273,10 +275,9 @@ def _jacobians(system: System, motion: Motion) -> list[Function]:
                 columns[k] = screw
     zero = (0,) * 6
     values = [c for k in range(len(tree.v)) for c in (columns[k].components if k in columns else zero)]
-    labels = [c.label for c in tree.v]
-    port = columns_port(
-        "jacobian", labels, TWIST_LABELS, ("1",) * 6, description=f"twist of {body} at O per rate of the tree"
-    )
+    units = ratio_units(("rad",) * 3 + ("m",) * 3, length_units(system))
+    labels = tuple(f"{c.label}.{label}" for c in tree.v for label in TWIST_LABELS)
+    port = Port("jacobian", (6, len(tree.v)), units, labels, f"twist of {body} at O per rate of the tree")
     text = f"Screw Jacobian of {body}: twist at O = jacobian v."
     return [
         function(

@@ -41,6 +41,17 @@ def a_port(system: System, name: str = "a", description: str = "accelerations of
     return Port(name, (len(tree.v),), units, tuple(c.label for c in tree.v), description)
 
 
+def length_units(system: System) -> tuple[str, ...]:
+    """The units of v without time: rad and m."""
+    return tuple("m" if c.kind == "length" else "rad" for c in system.tree.v)
+
+
+def ratio_units(rows: Sequence[str], columns: Sequence[str]) -> tuple[str, ...]:
+    """Units of a matrix that maps what has the units of the columns to what has those of the rows, column-major."""
+    pairs = [(row, column) for column in columns for row in rows]
+    return tuple(["1" if row == column else row if column == "1" else f"{row}/{column}" for row, column in pairs])
+
+
 def drive_label(system: System, index: int) -> str:
     """Name of a drive: its joint, with the freedom where the joint has several."""
     name, freedom = system.drives[index]

@@ -22,7 +22,7 @@ from symscrew.generation.c_target import STRICT
 from symscrew.model import derive
 from symscrew.program.equal_limbs import Limb, Limbs
 from symscrew.program.lanes.lane_padding import padded
-from symscrew.program.lanes.lane_signs import Part, fewest_flips
+from symscrew.program.lanes.lane_signs import GATHERED, Part, fewest_flips
 from symscrew.program.lanes.limb_lanes import readings_of
 from symscrew.program.lanes.limb_rows import rows_of
 from symscrew.program.lanes.pack_plan import Code, Plan
@@ -180,16 +180,68 @@ def test_every_small_pivot_is_noticed_side_by_side() -> None:
 def test_few_operands_are_flipped() -> None:
     """Legs of the seed mirror each other: flipping the second operand always would take more than twenty."""
     _, found = packing(*CASES[0])
-    flips = sum(v.flips is not None for item in found.items if isinstance(item, Pack) for v in item.operands)
+    read = [v for item in found.items if isinstance(item, Pack) for v in item.operands if v.flips is not None]
     operations, _ = signed(live_instructions(straight(*CASES[0]))[0])
-    assert flips <= 20 and len(operations) > 800
-    # the first sum is flipped to the signs that the second one then agrees with
+    assert len({(v.source, v.entries, v.flips) for v in read}) <= 14 and len(operations) > 800
+
+
+A, B, C = -1, -2, -3  # gathered vectors
+
+
+@pytest.mark.parametrize(
+    ("parts", "flips"),
+    [
+        (  # the first sum is flipped to the signs that the second one then agrees with
+            [
+                *(Part(A, GATHERED, 15), Part(B, GATHERED, 15)),
+                Part(0, "add", 15, ((A, False, 0), (B, False, 3))),
+                Part(1, "mul", 15, ((0, False, 0), (A, False, 0))),
+                Part(2, "add", 15, ((1, False, 0), (B, False, 3))),
+            ],
+            1,
+        ),
+        (  # one vector is flipped for the three sums that read it
+            [
+                *(Part(A, GATHERED, 15), Part(B, GATHERED, 15), Part(C, GATHERED, 15)),
+                Part(0, "mul", 15, ((A, False, 0), (B, False, 0))),
+                Part(1, "mul", 15, ((A, False, 0), (C, False, 0))),
+                *(Part(2 + k, "add", 15, ((k, False, 0), (B, False, 6))) for k in (0, 1)),
+                Part(4, "add", 15, ((A, False, 0), (C, False, 6))),
+            ],
+            1,
+        ),
+        (  # a constant has any signs
+            [
+                *(Part(A, GATHERED, 15), Part(B, GATHERED, 15)),
+                Part(0, "mul", 15, ((A, False, 0), (None, True, 0))),
+                Part(1, "add", 15, ((B, False, 0), (0, False, 5))),
+                Part(2, "reciprocal", 15, ((A, False, 0),)),
+                Part(3, "add", 15, ((2, False, 0), (B, False, 9))),
+            ],
+            0,
+        ),
+    ],
+)
+def test_signs_of_lanes(parts: list[Part], flips: int) -> None:
+    found = fewest_flips(parts)
+    read = {
+        (source, lanes)
+        for part in parts
+        for (source, _, _), lanes in zip(part.operands, found[part.number].read, strict=True)
+        if lanes and source is not None
+    }
+    assert len(read) == flips
+
+
+def test_what_is_stored_is_not_negated_where_it_need_not_be() -> None:
+    """A product with a constant takes the signs that its results are stored with, a difference either of two."""
     parts = [
-        Part(0, "add", 3, ((None, False, 0), (None, False, 1))),
-        Part(1, "mul", 3, ((0, False, 0), (None, False, 0))),
-        Part(2, "add", 3, ((1, False, 0), (None, False, 1))),
+        *(Part(A, GATHERED, 15), Part(B, GATHERED, 15)),
+        Part(0, "add", 15, ((A, False, 15), (B, False, 0)), plus=15),
+        Part(1, "mul", 15, ((0, False, 0), (None, True, 0)), plus=10, minus=5),
     ]
-    assert 0 in fewest_flips(parts)
+    found = fewest_flips(parts)
+    assert found[0].result == 0 and found[1].result == 5
 
 
 def test_a_limb_along_an_axis_joins_the_others() -> None:

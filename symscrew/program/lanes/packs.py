@@ -9,16 +9,16 @@ enough by the best plan (see `symscrew.program.lanes.pack_plan`) stays as it is.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from symscrew.algebra import Origin
 from symscrew.program.equal_limbs import NO_LIMBS, Limbs
 from symscrew.program.lanes.lane_padding import padded
-from symscrew.program.lanes.lane_signs import Part, fewest_flips
+from symscrew.program.lanes.lane_signs import GATHERED, Part, Signs, fewest_flips
 from symscrew.program.lanes.limb_lanes import readings_of
 from symscrew.program.lanes.limb_rows import rows_of
-from symscrew.program.lanes.pack_plan import Code, Column, Plan
+from symscrew.program.lanes.pack_plan import Code, Column, Item, Plan
 from symscrew.program.lanes.signed_operations import SLOW, Operand, Operation, Row, signed
 from symscrew.program.straight_line import Instruction
 
@@ -109,7 +109,7 @@ def packed(
         return None
     plan = plan.settled()
     order = plan.order()
-    items = tuple(_signed_packs(plan, order, fewest_flips([_part(plan, k) for packs, k in order if packs])))
+    items = tuple(_signed_packs(plan, order, fewest_flips(list(_parts(plan, order, _stored(results, negatives))))))
     place = {t: (p, k) for p in items if isinstance(p, Pack) for k, t in enumerate(p.targets) if t is not None}
     return Packing(plan.code.operations, negatives, items, place, plan.width, plan.cost)
 
@@ -127,83 +127,98 @@ def _padded(code: Code, rows: Rows) -> Iterator[Plan]:
         yield Plan(replace(code, operations=more.operations), more.rows, copies=more.copies)
 
 
-def _part(plan: Plan, number: int) -> Part:
-    """What the signs of a row's lanes are made of."""
-    row = plan.rows[number]
-    busy = sum(1 << k for k, slot in enumerate(row) if slot is not None)
-    op = next(plan.operations[slot].op for slot in row if slot is not None)
-    operands = []
-    for column in plan.columns[number]:
-        constant = all(entry is None or isinstance(entry[0], float) for entry in column)
-        own = 0 if constant else sum(1 << k for k, entry in enumerate(column) if entry is not None and entry[1] < 0)
-        operands.append((plan.source(column), constant, own))
-    return Part(number, op, busy, tuple(operands))
+def _stored(results: Iterable[int], negatives: Mapping[int, Operand]) -> list[Operand]:
+    """What is stored: slots, and their signs."""
+    return [negatives.get(slot, (slot, 1)) for slot in results]
 
 
-def _signed_packs(plan: Plan, order: Sequence[tuple[bool, int]], other: Set[int]) -> Iterator[int | Pack]:
-    """The items with the sign of every lane, as their operands give it; packs in `other` take the other way."""
-    made: dict[int, tuple[int, ...]] = {}
+def _parts(plan: Plan, order: Sequence[Item], stored: Iterable[Operand]) -> Iterator[Part]:
+    """What the signs of lanes are made of: every pack, behind the vectors that are gathered for it."""
+    gathered: dict[tuple[int | float, ...], int] = {}
+    alone = _alone(plan, order, stored)
+    for packs, number in order:
+        if not packs:
+            continue
+        operands: list[tuple[int | None, bool, int]] = []
+        for column in plan.columns[number]:
+            source, entries = plan.source(column), _entries(column)
+            constant = source is None and _numbers(entries)
+            if source is None and not constant:
+                if entries not in gathered:
+                    gathered[entries] = -1 - len(gathered)
+                    yield Part(gathered[entries], GATHERED, (1 << plan.width) - 1)
+                source = gathered[entries]
+            operands.append((source, constant, 0 if constant else _own(column)))
+        busy = sum(1 << k for k, slot in enumerate(plan.rows[number]) if slot is not None)
+        plus, minus = (
+            sum(1 << k for k, slot in enumerate(plan.rows[number]) if (slot, sign) in alone) for sign in (1, -1)
+        )
+        yield Part(number, plan.ops[number], busy, tuple(operands), plus, minus)
+
+
+def _alone(plan: Plan, order: Sequence[Item], stored: Iterable[Operand]) -> set[Operand]:
+    """What is read alone, with its sign: stored, gathered, or an operand of a single operation, but for sums."""
+    found = set(stored)
+    for packs, number in order:
+        if packs:
+            gathered = (column for column in plan.columns[number] if plan.source(column) is None)
+            found.update((a, 1) for column in gathered for a in _entries(column))
+        elif plan.operations[number].op != "add":
+            found.update((a, 1) for a, _ in plan.operations[number].args)
+    return found
+
+
+def _own(column: Column) -> int:
+    """The lanes of a column that are read negative."""
+    return sum(1 << k for k, entry in enumerate(column) if entry is not None and entry[1] < 0)
+
+
+def _entries(column: Column) -> tuple[int | float, ...]:
+    """What a column holds, and the first of that in idle lanes."""
+    some = next(entry for entry in column if entry is not None)
+    return tuple([(entry or some)[0] for entry in column])
+
+
+def _signed_packs(plan: Plan, order: Sequence[Item], found: Mapping[int, Signs]) -> Iterator[int | Pack]:
+    """The items with the sign of every lane, as was found."""
     for packs, number in order:
         if not packs:
             yield number
             continue
-        row = plan.rows[number]
-        op = next(plan.operations[slot].op for slot in row if slot is not None)
-        vectors, signs = zip(*(_vector(plan, made, c) for c in plan.columns[number]), strict=True)
-        busy = [k for k, slot in enumerate(row) if slot is not None]
-        op, operands, result = _combined(op, vectors, signs, busy, other=number in other)
-        made[number] = result
-        yield Pack(number, op, row, result, operands)
+        row, op, columns, signs = plan.rows[number], plan.ops[number], plan.columns[number], found[number]
+        busy = sum(1 << k for k, slot in enumerate(row) if slot is not None)
+        vectors, come = [], []  # and the signs by which vectors must be multiplied to be what is packed
+        for column, lanes in zip(columns, signs.read, strict=True):
+            vectors.append(vector := _vector(plan, column, lanes))
+            inner = 0 if vector.source is None else found[vector.source].result
+            come.append(lanes ^ inner ^ (0 if _constant(vector) else _own(column)))
+        if op == "reciprocal" and (come[0] ^ signs.result) & busy:
+            numerator = map(float, _per_lane(come[0] ^ signs.result, plan.width))
+            op, vectors = "div", [Vector(None, tuple(numerator)), *vectors]
+        if op == "add":
+            op = "sub" if (come[0] ^ come[1]) & busy else "add"
+            if _constant(vectors[0]) or (come[0] ^ signs.result) & busy:
+                vectors.reverse()
+        yield Pack(number, op, row, _per_lane(signs.result, plan.width), tuple(vectors))
 
 
-def _vector(plan: Plan, made: Mapping[int, tuple[int, ...]], column: Column) -> tuple[Vector, tuple[int, ...]]:
-    """Where an operand comes from, and by which signs it must be multiplied to be that operand."""
-    some = next(entry for entry in column if entry is not None)
-    source = plan.source(column)
-    if source is not None:
-        inner = made[source]
-        signs = tuple(inner[k] * (1 if entry is None else entry[1]) for k, entry in enumerate(column))
-        return Vector(source, ()), signs
-    filled = [entry or some for entry in column]
-    entries, signs = tuple(entry[0] for entry in filled), tuple(entry[1] for entry in filled)
-    if all(isinstance(a, float) for a in entries):
-        return Vector(None, tuple(s * a for s, a in zip(signs, entries, strict=True))), (1,) * len(entries)
-    return Vector(None, entries), signs
+def _per_lane(lanes: int, width: int) -> tuple[int, ...]:
+    """-1 in some lanes, 1 in the others."""
+    return tuple([-1 if lanes >> k & 1 else 1 for k in range(width)])
 
 
-def _combined(
-    op: str, vectors: Sequence[Vector], signs: Sequence[tuple[int, ...]], busy: Sequence[int], *, other: bool
-) -> tuple[str, tuple[Vector, ...], tuple[int, ...]]:
-    """Operation, operands and signs of a pack."""
-    plus = (1,) * len(signs[0])
-    if op in ("mul", "div"):
-        result = tuple(a * b for a, b in zip(*signs, strict=True))
-        constant = next((k for k, vector in enumerate(vectors) if _constant(vector)), None)
-        if not other or constant is None:
-            return op, tuple(vectors), result
-        return op, tuple(_flipped(v, result) if k == constant else v for k, v in enumerate(vectors)), plus
-    if op == "sqrt":
-        flip = any(signs[0][k] < 0 for k in busy)
-        return op, (_flipped(vectors[0], signs[0]) if flip else vectors[0],), plus
-    if op == "reciprocal":
-        if other:
-            return "div", (Vector(None, tuple(map(float, signs[0]))), vectors[0]), plus
-        return op, tuple(vectors), signs[0]
-    (first, second), (one, another) = vectors, signs
-    if _constant(first) or (other and not _constant(second)):
-        first, second, one, another = second, first, another, one
-    ratio = tuple(a * b for a, b in zip(one, another, strict=True))
-    among = {ratio[k] for k in busy}
-    if len(among) == 1:
-        return "add" if among == {1} else "sub", (first, second), one
-    return "add", (first, _flipped(second, ratio)), one
+def _vector(plan: Plan, column: Column, lanes: int) -> Vector:
+    """Where an operand comes from, with some lanes flipped."""
+    source, entries = plan.source(column), _entries(column)
+    if source is None and _numbers(entries):
+        negative = _own(column) ^ lanes
+        return Vector(None, tuple(-a if negative >> k & 1 else a for k, a in enumerate(entries)))
+    return Vector(source, entries if source is None else (), _per_lane(lanes, plan.width) if lanes else None)
+
+
+def _numbers(entries: Iterable[int | float]) -> bool:
+    return all(isinstance(a, float) for a in entries)
 
 
 def _constant(vector: Vector) -> bool:
-    return vector.source is None and all(isinstance(a, float) for a in vector.entries)
-
-
-def _flipped(vector: Vector, flips: tuple[int, ...]) -> Vector:
-    if _constant(vector):
-        return Vector(None, tuple(f * a for f, a in zip(flips, vector.entries, strict=True)))
-    return Vector(vector.source, vector.entries, flips)
+    return vector.source is None and _numbers(vector.entries)
