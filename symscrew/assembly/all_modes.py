@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 
+from symscrew import notebook
 from symscrew.algebra import CONTEXT
 from symscrew.assembly.batch_equations import BatchEquations
 from symscrew.assembly.certified_roots import Certificate, certified, read
@@ -40,7 +41,7 @@ FOLLOWED = 1e-9
 """Displacements of what is held too much, rad and sizes of the mechanism, that are met: loops close to 1e-12."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class AssemblyMode:
     """One real solution of the closure.
 
@@ -68,8 +69,12 @@ class AssemblyMode:
     paths: int = 1
     curve: bool = False
     ways: int = 1
-    z: Array = field(default_factory=lambda: np.zeros(0), repr=False)
+    z: Array = field(default_factory=lambda: np.zeros(0))
     poses: Mapping[str, tuple[Array, Array]] = field(default_factory=dict, repr=False)
+
+    def __repr__(self) -> str:
+        proved = "certified" if self.certified else "not certified"
+        return f"AssemblyMode({self.name}: {proved}, smallest singular value {self.smallest:.3g})"
 
     @property
     def certified(self) -> bool:
@@ -77,7 +82,7 @@ class AssemblyMode:
         return self.radius is not None
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class AssemblyModes:
     """All real solutions of a mechanism for what is held, and the account of all paths.
 
@@ -100,6 +105,22 @@ class AssemblyModes:
     family: Family | None = field(default=None, repr=False)
     columns: Mapping[int, float] = field(default_factory=dict, repr=False)
     chosen: tuple[int, ...] = field(default=(), repr=False)
+
+    def __repr__(self) -> str:
+        names = ", ".join(mode.name for mode in self.modes)
+        return f"AssemblyModes({self.mechanism.name}: {len(self.modes)}, {self.complete}: {names})"
+
+    def _repr_html_(self) -> str:
+        rows = [
+            (
+                mode.name, ", ".join(f"{x:.6g}" for x in mode.translation),
+                ", ".join(f"{x:.6g}" for x in mode.quaternion), f"{mode.smallest:.3g}",
+                "yes" if mode.certified else "no",
+            )
+            for mode in self.modes
+        ]  # fmt: skip
+        header = ("mode", f"O of {self.body} [m]", "quaternion w, x, y, z", "smallest singular value", "certified")
+        return notebook.table(repr(self), header, rows)
 
     @property
     def curves(self) -> int:

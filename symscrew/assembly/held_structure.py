@@ -156,9 +156,7 @@ class _SlideLeftError(NotAlgebraicError):
 
 
 class _Planner:
-    def __init__(
-        self, graph: HeldGraph, centre: Point, platform: str | None, *, slides_first: bool = False
-    ) -> None:
+    def __init__(self, graph: HeldGraph, centre: Point, platform: str | None, *, slides_first: bool = False) -> None:
         """`slides_first`: into the tree, so that hinges close loops; other trees have been stored."""
         self.graph, self.centre, self.slides_first = graph, centre, slides_first
         self.platform = graph.cluster.get(platform or "", "")

@@ -321,7 +321,9 @@ class Mobility:
         if found.margins is None:
             return found
         joints = {name: joint.type for name, joint in self.mechanism.joints.items()}
-        ranks = Ranks(self.limbs, joints, self.dof_drives_locked, without_spins(self.network)[1])
+        kept, spins = self.decisions.singular_values[0], without_spins(self.network)[1]
+        almost = kept if kept < NEARLY_SINGULAR else None
+        ranks = Ranks(self.limbs, joints, self.dof_drives_locked, spins, self.finite.smooth, almost)
         return replace(found, margins=tuple(with_rank(margin, ranks) for margin in found.margins))
 
     @property

@@ -114,8 +114,8 @@ def body_freedoms(network: Network, found: Instantaneous, body: str) -> BodyFree
     constraints = null_space([swapped(twist) for twist in freedoms.basis], 6)
     return BodyFreedoms(
         body,
-        _to_metres(freedoms, network.length, twist=True),
-        _to_metres(constraints, network.length, twist=False),
+        _to_metres(freedoms, network.length),
+        _to_metres(constraints, network.length),
         rotations,
     )
 
@@ -125,7 +125,7 @@ def limb_mobility(network: Network, name: str, joints: Sequence[str]) -> LimbMob
     chain = [screw for joint in joints for screw in network.edges[joint].screws]
     system = null_space([swapped(screw) for screw in chain], 6)
     screws = tuple((*s[:3], *(c * network.length for c in s[3:])) for s in chain)
-    return LimbMobility(name, tuple(joints), screws, _to_metres(system, network.length, twist=False))
+    return LimbMobility(name, tuple(joints), screws, _to_metres(system, network.length))
 
 
 def limb_constraints(limbs: Sequence[LimbMobility], length: Real) -> ScrewSystem:
@@ -154,9 +154,7 @@ def moved_body(mechanism: Mechanism) -> str:
     return max(distance, key=lambda body: distance[body])
 
 
-def _to_metres(system: ScrewSystem, length: Real, *, twist: bool) -> ScrewSystem:
-    """The basis in metres: twists have lengths in the second half, wrenches after scaling the force too."""
-    basis = tuple((*s[:3], *(c * length for c in s[3:])) for s in system.basis)
-    if not twist:
-        basis = tuple(normalised(wrench) for wrench in basis)
+def _to_metres(system: ScrewSystem, length: Real) -> ScrewSystem:
+    """The basis in metres as unit screws: moments and velocities are times the mechanism's length."""
+    basis = tuple(normalised((*s[:3], *(c * length for c in s[3:]))) for s in system.basis)
     return ScrewSystem(basis, system.rank, system.smallest_pivot, system.largest_zero)

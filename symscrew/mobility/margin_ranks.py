@@ -11,12 +11,18 @@ from symscrew.mobility.singularities import MarginValue
 
 @dataclass(frozen=True)
 class Ranks:
-    """What is known by ranks: limbs with their screws, types of joints, freedoms left with all drives locked, spins."""
+    """What is known by ranks: limbs with their screws, types of joints, freedoms left with all drives locked, spins.
+
+    `smooth`: whether the closure keeps its rank around the configuration; `almost`: its smallest singular value that is
+    not zero as typed, where that is almost zero.
+    """
 
     limbs: tuple[LimbMobility, ...]
     types: Mapping[str, str]
     left: int | None
     spins: int
+    smooth: bool
+    almost: float | None
 
 
 def with_rank(margin: MarginValue, ranks: Ranks) -> MarginValue:
@@ -34,4 +40,7 @@ def with_rank(margin: MarginValue, ranks: Ranks) -> MarginValue:
             return replace(margin, regular=True)
         text = f"{ranks.left} freedom{'s' * (ranks.left > 1)} left with all drives locked here"
         return replace(margin, note=f"{text}, {ranks.spins} of them passive spins" if ranks.spins else text)
+    if margin.kind == "constraint":
+        text = "" if ranks.almost is None else f"a singular value of the closure is {ranks.almost:.1e} as typed"
+        return replace(margin, regular=ranks.smooth, almost=text)
     return margin

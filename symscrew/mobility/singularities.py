@@ -75,6 +75,8 @@ class MarginValue:
     the whole branch, and stays above zero where rank is lost all along it. Empty where both agree."""
     regular: bool = False
     """Whether the rank was decided to be full here, so that a small value is not zero."""
+    almost: str = ""
+    """That a rank is almost lost as typed: the value may be the volume of what is left without it."""
 
     @property
     def nearest(self) -> Displaced | None:
@@ -176,10 +178,11 @@ def _value(m: MarginValue) -> str:
         return f"{lost}: {m.note}, so this is the volume of what is left, {m.value:.6g}"
     if m.singular:
         return "SINGULAR here"
-    return f"{m.value:.6g}" + (", almost SINGULAR" if m.vanishes else "")
+    why = f": {m.almost}" if m.almost else ""
+    return f"{m.value:.6g}" + (f", almost SINGULAR{why}" if m.vanishes or why else "")
 
 
 def _near(m: MarginValue) -> str:
     if m.nearest is not None:
         return f"0 along its gradient with {m.nearest.words}, "
-    return "" if m.vanishes or m.note else "no zero found along its gradient, "
+    return "" if m.vanishes or m.note or m.almost else "no zero found along its gradient, "

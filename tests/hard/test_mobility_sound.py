@@ -2,13 +2,20 @@
 
 from __future__ import annotations
 
+import warnings
+
+import pytest
+from support.further_mechanisms import loop
 from support.reference_mechanisms import ENTRIES, build
 from support.reposed import reference
 
 from symscrew import catalogue
 from symscrew.algebra import CONTEXT
-from symscrew.mobility import analyse_mobility, mobility_values
+from symscrew.description.builder import MechanismBuilder
+from symscrew.mobility import analyse_mobility, mobility_values, verify
 from symscrew.mobility.screw_systems import combine, eliminate, unit_rows
+from symscrew.mobility.singularities import as_lines
+from symscrew.mobility.symbols import SymbolicLoops
 
 
 def test_a_sum_that_is_rounding_against_its_terms_is_zero() -> None:
@@ -55,3 +62,40 @@ def test_margins_carry_the_ranks_beside_them() -> None:
     assert margins is not None
     lost = [m for m in margins if m.kind == "limb" and m.note]
     assert len(lost) == 2 and all(m.singular and m.note.startswith("2 of 3 screws") for m in lost)
+
+
+def test_rates_of_a_planar_joint_across_no_absolute_axis_are_not_given() -> None:
+    """Its coordinates are along unit directions, which are roots: symbols along others were caught by their check."""
+    slanted = loop(("E", [1, 2, 3], [1, 2, 2]), ("S", [0, 0, 0], None))
+    found = analyse_mobility(slanted)
+    assert found.loops == "no symbols: unit directions in the plane of J1, across no absolute axis, are roots"
+    assert [check.claim for check in verify(found) if not check.holds] == []
+    upright = analyse_mobility(loop(("E", [1, 2, 3], [0, 0, 1]), ("S", [0, 0, 0], None)))
+    assert isinstance(upright.loops, SymbolicLoops) and all(check.holds for check in verify(upright))
+
+
+def test_axes_perpendicular_in_doubles_are_rigid_without_a_division_by_nothing() -> None:
+    """Three hinges through a point, in a plane but for rounding: what is not zero in 60 digits is in doubles."""
+    flat = [["-1", "0", "2e-17"], ["0.6", "0.8", "0"], ["-0.8", "0.6", "0"]]
+    builder = MechanismBuilder("flat").body("a").body("b")
+    for k, (parent, child) in enumerate([("base", "a"), ("a", "b"), ("b", "base")]):
+        builder.joint(f"J{k}", "R", parent=parent, child=child, point=[0, 0, 0], axes=[flat[k]])
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        found = analyse_mobility(builder.build())
+        assert (found.dof, found.finite.dof) == (0, 0) and found.branches is not None and found.branches.rows == ()
+
+
+@pytest.mark.parametrize("digits, said", [("double", "almost SINGULAR"), (None, "SINGULAR here")])
+def test_a_closure_that_almost_loses_rank_has_no_margin_that_is_clear_of_it(digits: str | None, said: str) -> None:
+    """Typed in doubles the change point keeps its rank by 1e-16, and the margin said that it is lost."""
+    found = analyse_mobility(build(ENTRIES["parallelogram-change_point"]))
+    if digits is not None:
+        result = reference("parallelogram-change_point", seed=2, digits=digits, unit="mm").found
+        assert result is not None and result.dof == 1
+        found = result
+    assert found.singularities.margins is not None
+    (line,) = [line for line in as_lines(found.singularities) if line.startswith("constraint")]
+    assert said in line and "no zero found" not in line, line
+    (margin,) = [m for m in found.singularities.margins if m.kind == "constraint"]
+    assert margin.singular == (digits is None) and bool(margin.almost) == (digits is not None)

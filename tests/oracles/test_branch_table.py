@@ -79,6 +79,15 @@ def test_joints_at_rest_and_axes() -> None:
     assert table("sarrus-flat_folded").rows[0].idle == ("b0", "b1")
 
 
+def test_pitches_of_a_smooth_branch_are_those_of_the_freedoms_beside_it() -> None:
+    """They were those of a sample nearby, so that one report gave two pitches for one screw."""
+    (row,), (twist,) = table("bennett").rows, found("bennett").platform.freedoms.basis
+    turning = np.array([float(c) for c in twist[:3]])
+    pitch = turning @ [float(c) for c in twist[3:]] / (turning @ turning)
+    assert row.here and not row.constant and platform(row).pitches == pytest.approx((pitch,), rel=1e-9)
+    assert turning @ turning == pytest.approx(1.0)  # a unit screw
+
+
 def test_tangents_are_instantaneous_motions() -> None:
     for name in ("parallelogram-change_point", "sarrus-flat_folded", "two rhombi"):
         rows = np.array([[float(c) for c in row] for row in found(name).first_order.rows])

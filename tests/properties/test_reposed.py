@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import cache
 from typing import Any
 
 import pytest
 import sympy
+from support.further_mechanisms import cranks
 from support.marks import slow
 from support.reference_mechanisms import ENTRIES, build
-from support.reposed import DIGITS, UNITS, Posed, generic_posed, reference
+from support.reposed import DIGITS, UNITS, Posed, generic_posed, posed, reference
 
+from symscrew.description.builder import MechanismBuilder
+from symscrew.description.mechanism import Mechanism
 from symscrew.errors import DescriptionError
 from symscrew.mobility import analyse_mobility, sections, verify
 from symscrew.mobility.analysis import as_meant
@@ -126,3 +130,34 @@ def test_axes_parallel_to_nine_digits_are_not_parallel_as_typed_and_are_as_meant
 def _unit(joint: dict[str, Any]) -> dict[str, Any]:
     axes = [[sympy.sympify(c) for c in axis] for axis in joint["axes"]]
     return {**joint, "axes": [[c / sympy.sqrt(sum(d * d for d in axis)) for c in axis] for axis in axes]}
+
+
+@pytest.mark.parametrize(
+    "pins, digits", [([(0, 0), (2, 0), (5, 0)], "12"), slow([(0, 0), (2, 0), (5, 0)], "double"),
+                     slow([(0, 0), (2, 0), (5, 0)], "9"), slow([(0, 0), (2, 0), (5, 0)], "6"),
+                     slow([(0, 0), (2, 1), (5, 0)], "12")],
+)  # fmt: skip
+def test_parallel_cranks_with_pins_in_line_or_not_are_found_as_meant(pins: list[tuple[int, int]], digits: str) -> None:
+    """In line the geometry meant is a double zero: on a plate of another size the cranks move to first order."""
+
+    def change(joints: list[dict[str, Any]]) -> list[dict[str, Any]]:
+        return posed(joints, seed=1, digits=digits, unit="m")
+
+    found = analyse_mobility(rebuilt(cranks(*pins), change))
+    near = found.near
+    assert (found.dof, found.finite.dof) == (0, 0) and near is not None
+    assert (near.meant.dof, near.meant.finite.dof, near.meant.overconstraints) == (1, 1, 7)
+    assert near.meant.finite.smooth and near.distance < {"double": 1e-14, "12": 1e-10, "9": 1e-7, "6": 1e-4}[digits]
+
+
+def rebuilt(mechanism: Mechanism, change: Callable[[list[dict[str, Any]]], list[dict[str, Any]]]) -> Mechanism:
+    """A mechanism of hinges with the list of its joints changed."""
+    builder = MechanismBuilder("rebuilt", ground=mechanism.ground)
+    for body in mechanism.bodies:
+        if body != mechanism.ground:
+            builder.body(body)
+    joints = mechanism.joints.values()
+    given = [{"name": j.name, "point": list(j.point), "axes": [list(axis) for axis in j.axes]} for j in joints]
+    for joint, made in zip(joints, change(given), strict=True):
+        builder.joint(joint.name, joint.type, joint.parent, joint.child, point=made["point"], axes=made["axes"])
+    return builder.build()

@@ -311,6 +311,26 @@ def universal_legs() -> Mechanism:
     return builder.build()
 
 
+def wunderlich() -> Mechanism:
+    """Twelve bars like the edges of a cube, four of each of three lengths 7, 3 and 5: six loops of equal opposite bars.
+
+    Here the loops of 7 and 3 are flat, those of 7 and 5 parallelograms, those of 3 and 5 antiparallelograms. They may
+    open as parallelograms, with two freedoms, or as antiparallelograms, with one: for these, with half angles a, b, c
+    between the opposite bars, 7 sin a = 3 sin b and 5 sin c = 3 cos b.
+    """
+    points = {(0, 0, 0): (0, 0), (1, 0, 0): (7, 0), (0, 1, 0): (3, 0), (1, 1, 0): (10, 0),
+              (0, 0, 1): (3, 4), (1, 0, 1): (10, 4), (0, 1, 1): (0, 4), (1, 1, 1): (7, 4)}  # fmt: skip
+    corners = list(points)
+    bars = [(i, k) for k, one in enumerate(corners) for i, other in enumerate(corners[:k])
+            if sum(a != b for a, b in zip(one, other, strict=True)) == 1]  # fmt: skip
+    return framework(list(points.values()), bars)
+
+
+def cranks(*pins: Sequence[Any]) -> Mechanism:
+    """A plate on parallel cranks of length 1 that stand upright on these pins."""
+    return three_bars([], pins, [[x, y + 1] for x, y in pins])
+
+
 HALF = Rational(1, 2)
 CASES: dict[str, Case] = {
     "bricard line-symmetric": Case(line_symmetric, (1, 1, None, 1), "Bricard 1927; Baker 1997, MMT 32"),
@@ -376,6 +396,7 @@ CASES: dict[str, Case] = {
         lambda: trammel(Rational(9, 2), 2), (0, 0, None, 6), "other points move on ellipses, not about O"
     ),
     "universal legs": Case(universal_legs, (2, 2, None, 2), "circular translations"),
+    "wunderlich": Case(wunderlich, (3, 2, (1, 2), 17), "Wunderlich 1954; Wohlhart 1996: kinematotropic"),
     "RCCC": Case(
         lambda: loop(
             ("R", [0, 0, 0], Z), ("C", [1, 0, 0], [1, 2, 2]), ("C", [3, 2, 1], [2, -1, 2]), ("C", [0, 4, 2], [3, 0, 4])

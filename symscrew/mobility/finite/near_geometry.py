@@ -2,6 +2,7 @@
 
     ranks that are almost lower, configurations in which loops almost close --conditions--> unknown places and axes
     conditions --Gauss-Newton with the least change, residuals in 60 digits--> special geometry
+    conditions at which it stalls --double_zeros--> special geometry where they vanish twice
 
 The unknowns are the places and axes of all joints. The conditions are ranks that are lower in the reference
 configuration (with their null vectors as further unknowns) and the closure of all loops in configurations along the
@@ -12,6 +13,7 @@ left to the ordinary analysis.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from copy import copy
 from dataclasses import dataclass
 
 import numpy as np
@@ -19,6 +21,7 @@ import numpy as np
 from symscrew.algebra import CONTEXT
 from symscrew.mobility.finite.almost_ranks import NEAR, RankClaim, low_ranks
 from symscrew.mobility.finite.branches import zeros_nearby
+from symscrew.mobility.finite.double_zeros import Conditions, double_directions, vertex
 from symscrew.mobility.finite.joint_changes import (
     Slots,
     changed,
@@ -63,6 +66,16 @@ LINEARISED = 3
 """Rounds that linearise anew; what is left then is far below the distance, so that the derivatives stay."""
 CONVERGED = 1e-40
 """Residual at which it has ended: far below what ranks take for zero, far above rounding of 60 digits."""
+AT_VERTEX = 1e-22
+"""Step to a double zero after which it is one: the conditions are of the order of its square."""
+LINEAR = 1e-10
+"""Step to a double zero that is short enough for derivatives to stay what they are."""
+CLOSER = 1e-7
+"""How much closer a step to a double zero comes: curvatures are known to eight digits."""
+ENOUGH = 1e-36
+"""Residual with which it may end where steps gain no more: what they cut off as rounding. Ranks take 1e-27 for zero."""
+SLOW = 0.2
+"""A round that leaves more than this was no step of Newton's method to a simple zero: to a double one it leaves 1/4."""
 LEAST_NOISE = 1e-15
 """Rounding of doubles: what is smaller is not measured by them."""
 FARTHEST = 1e-3
@@ -234,36 +247,126 @@ def _linear(network: Network, slots: Slots, conditions: _Conditions) -> list[_Li
     return result
 
 
+class _Search:
+    """Numbers z of the geometry with conditions on it: steps in doubles, residuals in 60 digits."""
+
+    def __init__(
+        self, network: Network, points: Sequence[tuple[Array, int]], ranks: Sequence[tuple[RankClaim, int]]
+    ) -> None:
+        self.network, self.slots = network, slots_of(network)
+        self.conditions = _conditions(network, points, ranks)
+        self.z = np.array([CONTEXT.zero] * count_of(self.slots), dtype=object)
+        self.after = network
+        self.linear: list[_Linear] = []
+
+    def residuals(self) -> list[Array]:
+        """What is left of every condition."""
+        fine = ClosureVariety(self.after, DIGITS_60)
+        return [condition.residual(self.after, fine) for part in self.conditions for condition in part]
+
+    def linearise(self) -> None:
+        self.linear = _linear(self.after, self.slots, self.conditions)
+
+    def step(self, residuals: Sequence[Array], cut: float) -> None:
+        """One step of Gauss-Newton with the least change, for singular values above `cut` of the largest."""
+        missing = np.concatenate([one.left @ r for one, r in zip(self.linear, residuals, strict=True)])
+        dz = -np.linalg.lstsq(self.matrix(), missing, rcond=cut)[0]
+        self.move(dz, residuals)
+
+    def matrix(self) -> Array:
+        return np.concatenate([one.left @ one.by_z for one in self.linear])
+
+    def move(self, dz: Array, residuals: Sequence[Array] | None = None) -> None:
+        """The geometry moved by dz, the conditions' own unknowns after it."""
+        self.z = self.z + _fine(dz)
+        self.after = changed(self.network, self.slots, self.z)
+        found = [0.0] * len(self.linear) if residuals is None else residuals
+        every = [condition for part in self.conditions for condition in part]
+        for condition, one, r in zip(every, self.linear, found, strict=True):
+            condition.step(one.inverse @ (r + one.by_z @ dz))
+
+    def moved(self, dz: Array) -> _Search:
+        """Another search at z + dz; its conditions' own unknowns follow to first order."""
+        other = copy(self)
+        other.conditions = ([copy(c) for c in self.conditions[0]], [copy(c) for c in self.conditions[1]])
+        if dz.size:
+            other.move(dz)
+        return other
+
+    def settled(self) -> _Search:
+        """The conditions' own unknowns solved for once more."""
+        self.move(np.zeros(len(self.z)), self.residuals())
+        return self
+
+    def without_slope(self, cut: float) -> Conditions:
+        """The conditions about the present numbers, for the directions in which they vanish twice."""
+
+        def slopes(dz: Array) -> Array:
+            if not dz.size:
+                return self.matrix()
+            other = self.moved(dz)
+            other.linearise()
+            pairs = zip(self.linear, other.linear, strict=True)
+            return np.concatenate([mine.left @ its.left.T @ its.left @ its.by_z for mine, its in pairs])
+
+        def values(dz: Array) -> Array:
+            pairs = zip(self.linear, self.moved(dz).settled().residuals(), strict=True)
+            return np.concatenate([one.left @ r for one, r in pairs])
+
+        return Conditions(slopes, values, cut)
+
+
 def _solved(
     network: Network, points: Sequence[tuple[Array, int]], ranks: Sequence[tuple[RankClaim, int]], noise: float
 ) -> NearGeometry | None:
-    slots = slots_of(network)
-    both = _conditions(network, points, ranks)
-    conditions: list[_Closes | _Singular] = [*both[0], *both[1]]
-    z = np.array([CONTEXT.zero] * count_of(slots), dtype=object)
-    best, after, rough = float("inf"), network, noise
-    linear: list[_Linear] = []
+    search = _Search(network, points, ranks)
+    best, rough = float("inf"), noise
     for attempt in range(ROUNDS):
-        after = changed(network, slots, z)
-        fine = ClosureVariety(after, DIGITS_60)
-        residuals = [condition.residual(after, fine) for condition in conditions]
+        residuals = search.residuals()
         size = max(float(np.linalg.norm(r)) for r in residuals)
         if size < CONVERGED:
             break
-        if attempt >= LINEARISED and size > best / 2:
-            return None
+        if attempt >= LINEARISED and size > SLOW * best:
+            if size < ENOUGH:
+                break
+            twice = _solved_twice(search.moved(np.zeros(0)), min(LARGEST_CUT, CUT_OFF * max(LEAST_ROUGH, noise)))
+            if twice is not None or size > best / 2:
+                return None if twice is None else _found(twice, moves=bool(points))
         if attempt < LINEARISED:
-            linear = _linear(after, slots, both)
+            search.linearise()
             rough = max(LEAST_ROUGH, rough if attempt == 0 else size)
         best = size
-        matrix = np.concatenate([one.left @ one.by_z for one in linear])
-        missing = np.concatenate([one.left @ r for one, r in zip(linear, residuals, strict=True)])
-        dz = -np.linalg.lstsq(matrix, missing, rcond=min(LARGEST_CUT, CUT_OFF * rough))[0]
-        z = z + np.array([CONTEXT.mpf(float(c)) for c in dz], dtype=object)
-        for condition, one, r in zip(conditions, linear, residuals, strict=True):
-            condition.step(one.inverse @ (r + one.by_z @ dz))
+        search.step(residuals, min(LARGEST_CUT, CUT_OFF * rough))
     else:
         return None
-    changes = sizes(network, after)
+    return _found(search, moves=bool(points))
+
+
+def _found(search: _Search, *, moves: bool) -> NearGeometry | None:
+    changes = sizes(search.network, search.after)
     distance = max(size for _, size in changes)
-    return NearGeometry(after, distance, changes, bool(points)) if distance < FARTHEST else None
+    return NearGeometry(search.after, distance, changes, moves) if distance < FARTHEST else None
+
+
+def _solved_twice(search: _Search, cut: float) -> _Search | None:
+    """The search ended in a double zero of conditions that linear steps hardly make smaller; None where it is none."""
+    believed, best, length = float(max(abs(c) for c in search.z)), float("inf"), float("inf")
+    for _ in range(ROUNDS):
+        if believed > FARTHEST:
+            return None
+        if length > LINEAR:
+            search.linearise()
+            doubled = double_directions(search.without_slope(cut))
+        if doubled is None:
+            return None
+        step = vertex(search.without_slope(cut), doubled, believed)
+        search.move(step)
+        search.step(search.residuals(), cut)
+        size = max(float(np.linalg.norm(r)) for r in search.residuals())
+        length = float(np.linalg.norm(step))
+        if size < CONVERGED and length < AT_VERTEX:
+            return search
+        if size > best / 2 and size > CONVERGED:
+            return None
+        best, believed = size, max(length * length, CLOSER * length)
+    return None

@@ -48,6 +48,7 @@ class BranchRow:
         axes: joint freedoms about, or along, which the platform can move all along what was seen of it.
         constant: whether the principal pitches are the same at both points that were looked at.
         cusp: both half-branches of a curve leave the configuration to one side.
+        here: whether the principal pitches are those at the configuration, else at a point of the branch nearby.
     """
 
     dimension: int
@@ -59,6 +60,7 @@ class BranchRow:
     constant: bool
     cusp: bool
     points: tuple[Array, ...]
+    here: bool = False
 
 
 UNSEEN = "their dimensions are proved; what moves along them was not looked at"
@@ -101,13 +103,17 @@ def branches_through(network: Network, finite: FiniteMobility, body: str, *, com
     choices = list(islice(product(*(germs for germs, _ in found)), MOST_ROWS + 1))
     if len(choices) > MOST_ROWS:
         limits.append(f"only the first {MOST_ROWS} combinations of the parts' branches are listed")
-    rows = [row for row in (_row(network, body, germs) for germs in choices[:MOST_ROWS]) if row.dimension]
+    rows = [
+        row
+        for row in (_row(network, body, germs, smooth=finite.smooth) for germs in choices[:MOST_ROWS])
+        if row.dimension
+    ]
     rows.sort(key=lambda row: -row.dimension)
     told = "of number and dimensions of the branches there is no proof: they are those that were seen from many starts"
     return BranchTable(body, tuple(rows), "" if limits else complete, "; ".join(limits) or ("" if complete else told))
 
 
-def _row(network: Network, body: str, germs: Sequence[Germ]) -> BranchRow:
+def _row(network: Network, body: str, germs: Sequence[Germ], *, smooth: bool) -> BranchRow:
     spins = network.freedoms - sum(germ.network.freedoms for germ in germs)
     dimension = spins + sum(germ.dimension for germ in germs)
     if any(not germ.points for germ in germs):
@@ -131,10 +137,16 @@ def _row(network: Network, body: str, germs: Sequence[Germ]) -> BranchRow:
     pitches = [c.pitches for c in classes if c.order == platform.order]
     same = all(np.allclose(p, pitches[0], rtol=SAME_PITCH, atol=SAME_PITCH * length) for p in pitches)
     constant = len(pitches) == len(points) and len({c.name for c in classes}) == 1 and same
+    here = False
+    if smooth and not constant:  # elsewhere the tangent at the configuration is not the null space
+        screws, motions = tangent_at(variety, np.zeros(network.freedoms), dimension)
+        own = class_of_motions(body_twists(network, variety, screws, body) @ motions, length)
+        here = (own.order, own.name) == (platform.order, platform.name)
+        platform = own if here else platform
     cusp = any(germ.cusp for germ in germs)
     tangent = _directions(network, germs)
     return BranchRow(
-        dimension, tangent, platform, dimension - platform.order, idle, common, constant, cusp, tuple(points)
+        dimension, tangent, platform, dimension - platform.order, idle, common, constant, cusp, tuple(points), here
     )
 
 

@@ -28,7 +28,7 @@ def branch_lines(table: BranchTable, network: Network) -> list[str]:
 def _line(row: BranchRow, table: BranchTable, network: Network) -> str:
     if row.platform is None:
         return f"dimension {row.dimension} ({table.judgement}); shaky all along, so that its tangents are not known"
-    changing = "" if row.constant else " here, not constant"
+    changing = "" if row.constant else f" {'here' if row.here else 'nearby'}, not constant"
     parts = [f"dimension {row.dimension} ({table.judgement})"]
     parts.append(f"{table.body} {row.platform.type}, {row.platform}{changing}")
     if row.axes:

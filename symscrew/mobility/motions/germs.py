@@ -104,6 +104,8 @@ def _smooth(network: Network, dimension: int) -> Germ:
     if not (network.chords or network.ties):
         points = [0.3 * generator.normal(size=network.freedoms) for _ in range(2)]
         return Germ(network, dimension, tuple(points), np.eye(network.freedoms))
+    if not dimension:  # nothing to follow; a value that is not zero in 60 digits may be in doubles
+        return Germ(network, 0, (np.zeros(network.freedoms),), np.zeros((0, network.freedoms)))
     here = local_at(variety, np.zeros(variety.columns), rank=variety.columns - dimension)
     for _ in range(2):
         direction = generator.normal(size=dimension)
