@@ -103,7 +103,8 @@ def _iterate_batch(arguments, *settings):
     """`_iterate` state by state."""
     arrays = [_real(argument) for argument in arguments]
     batch = np.broadcast_shapes(*(array.shape[:-1] for array in arrays))
-    rows = [np.broadcast_to(a, (*batch, a.shape[-1])).reshape(-1, a.shape[-1]) for a in arrays]
+    count = int(np.prod(batch))  # not -1: an array may have no entries
+    rows = [np.broadcast_to(a, (*batch, a.shape[-1])).reshape(count, a.shape[-1]) for a in arrays]
     found = [_iterate(*settings, y, guess, parameters) for y, guess, *parameters in zip(*rows)]
     q = np.array([state for state, _ in found]).reshape(*batch, rows[1].shape[-1])
     return (q,), np.array([status for _, status in found], dtype=int).reshape(batch)

@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 
+from symscrew import notebook
 from symscrew.algebra import CONTEXT
 from symscrew.assembly.batch_equations import BatchEquations
 from symscrew.assembly.certified_roots import Certificate, certified, read
@@ -40,7 +41,7 @@ FOLLOWED = 1e-9
 """Displacements of what is held too much, rad and sizes of the mechanism, that are met: loops close to 1e-12."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class AssemblyMode:
     """One real solution of the closure.
 
@@ -68,8 +69,12 @@ class AssemblyMode:
     paths: int = 1
     curve: bool = False
     ways: int = 1
-    z: Array = field(default_factory=lambda: np.zeros(0), repr=False)
+    z: Array = field(default_factory=lambda: np.zeros(0))
     poses: Mapping[str, tuple[Array, Array]] = field(default_factory=dict, repr=False)
+
+    def __repr__(self) -> str:
+        proved = "certified" if self.certified else "not certified"
+        return f"AssemblyMode({self.name}: {proved}, smallest singular value {self.smallest:.3g})"
 
     @property
     def certified(self) -> bool:
@@ -77,7 +82,7 @@ class AssemblyMode:
         return self.radius is not None
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class AssemblyModes:
     """All real solutions of a mechanism for what is held, and the account of all paths.
 
@@ -100,6 +105,22 @@ class AssemblyModes:
     family: Family | None = field(default=None, repr=False)
     columns: Mapping[int, float] = field(default_factory=dict, repr=False)
     chosen: tuple[int, ...] = field(default=(), repr=False)
+
+    def __repr__(self) -> str:
+        names = ", ".join(mode.name for mode in self.modes)
+        return f"AssemblyModes({self.mechanism.name}: {len(self.modes)}, {self.complete}: {names})"
+
+    def _repr_html_(self) -> str:
+        rows = [
+            (
+                mode.name, ", ".join(f"{x:.6g}" for x in mode.translation),
+                ", ".join(f"{x:.6g}" for x in mode.quaternion), f"{mode.smallest:.3g}",
+                "yes" if mode.certified else "no",
+            )
+            for mode in self.modes
+        ]  # fmt: skip
+        header = ("mode", f"O of {self.body} [m]", "quaternion w, x, y, z", "smallest singular value", "certified")
+        return notebook.table(repr(self), header, rows)
 
     @property
     def curves(self) -> int:
@@ -204,8 +225,8 @@ class _Search:
         modes, missed = self._seen(ends, certificates)
         modes = _one_of_each(modes, self.held)
         others = [end for end in account.ends if end.kind == "complex" and end.regular]
-        proofs = [c for c in certificates if c is not None]
-        complete, why, bound = self._verdict(start, account, (len(proofs), others), (boxes, fine))
+        proofs = [c for c in certificates if c is not None and c.kind == "real"]
+        complete, why, bound = self._verdict(start, account, (proofs, others), boxes)
         names = self._names(start, modes)
         modes = sorted((replace(m, name=n) for m, n in zip(modes, names, strict=True)), key=lambda m: _order(m.name))
         return AssemblyModes(
@@ -270,14 +291,13 @@ class _Search:
         return rotation, (centre - rotation @ centre + frame.T @ shift) * float(self.held.network.length)
 
     def _verdict(
-        self, start: StartSystem, account: Account, found: tuple[int, Sequence[End]], numbers: tuple[Any, Any]
+        self, start: StartSystem, account: Account, found: tuple[Sequence[Certificate], Sequence[End]], boxes: Any
     ) -> tuple[str, str, Bound | None]:
         """(what completeness is, why, the bound): by the family's bound, by that of this mechanism's fractions."""
         real, others = found
         family = start.bound
         wanted = None if family is None else family.count
-        every = real + len(others)
-        ends = [end for end in account.ends if end.regular and end.kind in ("real", "complex")]
+        every = len(real) + len(others)
         own: Bound | None = None
         if wanted is None or every < wanted:
             asked = own_bound(self.held)
@@ -288,8 +308,8 @@ class _Search:
                 f"all zeros of this very mechanism have dimension {own.dimension}: {own.how}; isolated ones are those "
                 f"that {account.paths} paths lead to"
             ), family  # fmt: skip
-        whole = real == account.count("real") and self._apart(ends)
-        if best is not None and best.count == every and whole and self._all_certified(others, numbers[0]):
+        whole = len(real) == account.count("real")
+        if best is not None and best.count == every and whole and self._all_certified(real, others, boxes):
             return "proved", f"as many certified solutions, {every}, as the bound {best.how}", best
         if start.complete:
             return "tracked", (
@@ -299,15 +319,14 @@ class _Search:
             ), best  # fmt: skip
         return "sampled", f"{len(start.zeros)} zeros of a general member were found by monodromy; {start.why}", best
 
-    def _all_certified(self, others: Sequence[End], boxes: Any) -> bool:
-        """Whether all complex solutions have certificates too."""
+    def _all_certified(self, real: Sequence[Certificate], others: Sequence[End], boxes: Any) -> bool:
+        """Whether complex solutions have certificates too, and say they are complex, and all zeros are different."""
         self.progress(f"certificates of {len(others)} complex solutions")
-        return all(certified(self.equations, boxes, end.z) is not None for end in others)
-
-    def _apart(self, ends: Sequence[End]) -> bool:
-        """Whether no two zeros are nearer than boxes are wide."""
-        zeros = np.array([self.equations.scaled(end.z[None])[0] for end in ends])
-        return all(together(self.equations, zeros, z, APART).sum() == 1 for z in zeros)
+        found = [certified(self.equations, boxes, end.z) for end in others]
+        proofs = [proof for proof in found if proof is not None and proof.kind == "complex"]
+        zeros = [self.equations.scaled(proof.z[None] + 0j)[0] for proof in (*real, *proofs)]
+        apart = all(together(self.equations, np.array(zeros), z, APART).sum() == 1 for z in zeros)
+        return len(proofs) == len(others) and apart
 
 
 def _one_of_each(modes: Sequence[AssemblyMode], held: Held) -> list[AssemblyMode]:

@@ -118,11 +118,13 @@ def read(value: Any) -> Rectangle:
 class Certificate:
     """The radius of the box around a zero whose groups' largest coordinates are 1, in which there is one zero.
 
-    `z`: the zero, refined in integers and then rounded.
+    `z`: the zero, refined in integers and then rounded. `kind`: "real", of a box of real points; "complex", where the
+    box has no real point; else "".
     """
 
     radius: float
     z: Array
+    kind: str
 
 
 def certified(equations: BatchEquations, slots: Sequence[Any], z: Array) -> Certificate | None:
@@ -130,7 +132,7 @@ def certified(equations: BatchEquations, slots: Sequence[Any], z: Array) -> Cert
     test = _Krawczyk(equations, slots, z)
     for radius in RADII:
         if test.holds(radius):
-            return Certificate(radius, test.refined())
+            return Certificate(radius, test.refined(), test.kind(radius))
     return None
 
 
@@ -184,7 +186,12 @@ class _Krawczyk:
         return [*self.motions, *(m for loop in self.loops for m in loop)]
 
     def _rows(self, z: Array) -> list[int]:
-        """All rows but one of the four of points that meet: that of the largest part of x, which the others imply."""
+        """All rows but those that the others imply: of four of an axis that two bodies share, x w = u x, two, and of
+        four of points that meet that of the largest part of x.
+
+        The four of an axis are an antisymmetric matrix of rank two, as w and u are as long as one another: two rows
+        whose common entry is not zero span all.
+        """
         keep, row = list[int](), 0
         for k, loop in enumerate(self.equations.structure.loops):
             square, linear = self.loops[k]
@@ -194,10 +201,12 @@ class _Krawczyk:
                 keep += range(row, row + len(linear))
             else:
                 drop = int(np.abs(self._between(k, z)[:4]).argmax())
-                for form in range(len(linear) // 4):
-                    keep += [row + 4 * form + i for i in range(4) if i != drop]
+                kinds = [form.kind for form in loop.forms if form.kind in ("meeting", "parallel")]
+                for place, kind in enumerate(kinds):
+                    block = linear[4 * place : 4 * place + 4]
+                    stays = _two_rows(block) if kind == "parallel" else [i for i in range(4) if i != drop]
+                    keep += [row + 4 * place + i for i in stays]
             row += len(linear)
-            assert loop.forms
         return [*keep, *range(row, row + len(self.equations.free))]
 
     def _between(self, k: int, z: Array) -> Array:
@@ -209,6 +218,10 @@ class _Krawczyk:
             f = motion @ z[part] * (CONJUGATE if factor.back else 1)
             g = np.asarray(np.einsum("kij,i,j->k", PRODUCT, g, f))
         return g
+
+    def kind(self, radius: float) -> str:
+        """What the zero in the box of this radius is."""
+        return "real" if self.real else "complex" if np.abs(self.middle.imag).max() > 2 * radius else ""
 
     def off(self, z: Array) -> float:
         """How far a point is from the middle of the boxes."""
@@ -301,6 +314,12 @@ class _Krawczyk:
             row[part] = [*x[4:], *x[:4]]
             rows.append(row)
         return rows
+
+
+def _two_rows(block: Array) -> list[int]:
+    """The rows of an antisymmetric matrix of rank two whose common entry is largest."""
+    sizes = np.abs(np.vectorize(_middle)(block[:, :4]).astype(complex))
+    return sorted(int(k) for k in np.unravel_index(int(sizes.argmax()), sizes.shape))
 
 
 def _middle(value: Any) -> complex:

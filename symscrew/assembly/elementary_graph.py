@@ -57,7 +57,10 @@ class Run:
 
 @dataclass(frozen=True)
 class HeldGraph:
-    """Edges by what they do; body -> its cluster; runs; the axis of a planar mechanism."""
+    """Edges by what they do; body -> its cluster; runs; the axis of a planar mechanism.
+
+    `spherical`: whether all joints turn about axes through one point, so that no closure is about places.
+    """
 
     ground: str
     edges: tuple[Edge, ...]
@@ -66,6 +69,7 @@ class HeldGraph:
     runs: tuple[Run, ...]
     idle: tuple[Run, ...]
     axis: Point | None
+    spherical: bool = False
 
 
 def elementary_edges(network: Network) -> list[Edge]:
@@ -110,9 +114,10 @@ def held_graph(network: Network, held: Iterable[int], platform: str | None) -> H
         raise NotAlgebraicError("a joint is free between bodies that what is held joins already")
     looped, idle = _looped(runs, cluster[network.ground])
     keep = {cluster[network.ground], cluster.get(platform or "", "")}
+    spherical = axis is None and _spherical([e for e in edges if e.columns])
     return HeldGraph(
         cluster[network.ground], tuple(edges), tuple(fixed), cluster,
-        tuple(_gathered(looped, keep) if axis is None else looped), tuple(idle), axis,
+        tuple(looped if spherical or axis is not None else _gathered(looped, keep)), tuple(idle), axis, spherical,
     )  # fmt: skip
 
 
@@ -136,6 +141,14 @@ def _planar_axis(edges: Sequence[Edge]) -> Point | None:
     if any(_size(cross(axis, a)) > MEET for a in hinges) or any(abs(float(dot(axis, a))) > MEET for a in slides):
         return None
     return axis
+
+
+def _spherical(edges: Sequence[Edge]) -> bool:
+    """Whether all motions are turns about axes, not all parallel, through one point."""
+    if any(e.kind != "turn" for e in edges):
+        return False
+    place = next((p for e in edges[1:] if (p := meeting_point(edges[0], e)) is not None), None)
+    return place is not None and all(_off(e, place) <= MEET for e in edges)
 
 
 def _size(vector: Point) -> float:

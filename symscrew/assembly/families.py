@@ -15,6 +15,8 @@ from typing import Any, Protocol
 import numpy as np
 
 from symscrew.assembly.batch_equations import BatchEquations, Way, straight
+from symscrew.assembly.equal_axes import DEGREE as SPINOR_DEGREE
+from symscrew.assembly.equal_axes import axis_pairs, equally_long, straight_in_spinors
 from symscrew.assembly.slot_numbers import Displacements, Scalars
 
 COMPLEX = Scalars(cmath.cos, cmath.sin, complex)
@@ -73,7 +75,7 @@ class AllNumbers:
         return Displacements(self.equations.structure, COMPLEX, values).slots()
 
     def random(self, random: np.random.Generator) -> Sequence[Any]:
-        """Complex numbers in all slots; a planar mechanism stays planar."""
+        """Complex numbers in all slots; a planar mechanism stays planar, an axis of two bodies as long in both."""
         structure = self.equations.structure
         hinges = {k for g in structure.groups if g.kind == "turn" for k in g.slots[:1]} if structure.planar else set()
         slots: list[Any] = []
@@ -85,10 +87,13 @@ class AllNumbers:
                 slots.append(np.array([0, 0, 1], dtype=complex))
             else:
                 slots.append(numbers * np.array([1, 1, 0 if structure.planar else 1]))
-        return slots
+        return equally_long(slots, axis_pairs(structure))
 
     def way(self, start: Sequence[Any], end: Sequence[Any]) -> Way:
-        """Straight."""
+        """Straight, but for axes that two bodies share."""
+        pairs = axis_pairs(self.equations.structure)
+        if pairs:
+            return Way(self.equations, straight_in_spinors(start, end, pairs), SPINOR_DEGREE)
         return Way(self.equations, straight(start, end), 2)
 
 

@@ -27,6 +27,7 @@ WIDTH = {"turn": 2, "slide": 2, "ball": 4, "planar": 4, "free": 8}
 EQUATIONS = {"distance": 1, "ball": 3, "hook": 4, "turn": 5, "slide": 5}
 """Of a run that closes a spatial loop, independent ones."""
 PLANAR_EQUATIONS = {"distance": 1, "turn": 2, "slide": 2}
+SPHERICAL_EQUATIONS = {"turn": 2}
 SPATIAL_FREEDOMS, PLANAR_FREEDOMS = 6, 3
 """Of all displacements."""
 TELESCOPE = 3
@@ -125,7 +126,8 @@ class Structure:
             (self.chains[loop.base], self.chains[loop.body], [(f.kind, f.slots) for f in loop.forms])
             for loop in self.loops
         ]
-        return repr((self.planar, groups, loops, [(s.kind, s.of) for s in self.slots]))
+        kind = "spherical" if self.graph.spherical else self.planar
+        return repr((kind, groups, loops, [(s.kind, s.of) for s in self.slots]))
 
     def local(self, point: Point) -> Point:
         """A point in the frame about the centre; of a planar mechanism on the plane."""
@@ -143,12 +145,20 @@ def held_structure(graph: HeldGraph, centre: Point, platform: str | None) -> Str
     Raises:
         NotAlgebraicError: closures that no form stands for.
     """
-    return _Planner(graph, centre, platform).structure()
+    try:
+        return _Planner(graph, centre, platform).structure()
+    except _SlideLeftError:
+        return _Planner(graph, centre, platform, slides_first=True).structure()
+
+
+class _SlideLeftError(NotAlgebraicError):
+    """The tree left a slide to close a loop, of which there are no forms."""
 
 
 class _Planner:
-    def __init__(self, graph: HeldGraph, centre: Point, platform: str | None) -> None:
-        self.graph, self.centre = graph, centre
+    def __init__(self, graph: HeldGraph, centre: Point, platform: str | None, *, slides_first: bool = False) -> None:
+        """`slides_first`: into the tree, so that hinges close loops; other trees have been stored."""
+        self.graph, self.centre, self.slides_first = graph, centre, slides_first
         self.platform = graph.cluster.get(platform or "", "")
         self.slots: list[Slot] = []
         self.points: list[tuple[str, Point, int]] = []
@@ -185,8 +195,13 @@ class _Planner:
         )  # fmt: skip
 
     def _open_limbs(self, runs: list[Run]) -> tuple[list[Run], list[tuple[Run, ...]]]:
-        """(other runs, chains between two clusters with so many freedoms that they hold nothing)."""
+        """(other runs, chains between two clusters with so many freedoms that they hold nothing).
+
+        Only of a mechanism with a platform: without one, the two ways of a chain to reach are modes of their own.
+        """
         found = list[tuple[Run, ...]]()
+        if not self.platform:
+            return runs, found
         hubs = {self.graph.ground, self.platform}
         hubs |= {b for b in self._ends(runs) if sum(b in (r.near, r.far) for r in runs) != 2}
         for hub in hubs:
@@ -238,7 +253,10 @@ class _Planner:
         )
 
     def _rods(self) -> tuple[list[Run], list[Rod]]:
-        """Bodies between two others, with a point held on each, become distances."""
+        """Bodies between two others, with a point held on each, become distances.
+
+        A universal joint holds the same rod in two ways, which are modes of their own where there is no platform.
+        """
         runs, rods = list(self.runs), list[Rod]()
         for body in dict.fromkeys(end for run in runs for end in (run.near, run.far)):
             at = [run for run in runs if body in (run.near, run.far)]
@@ -246,7 +264,8 @@ class _Planner:
             if len(at) != 2 or body in (self.graph.ground, self.platform) or body in ends:
                 continue
             kinds = sorted(run.kind for run in at)
-            holds = kinds == ["turn", "turn"] if self.graph.axis else kinds in (["ball", "ball"], ["ball", "hook"])
+            spatial = [["ball", "ball"], *([["ball", "hook"]] if self.platform else [])]
+            holds = kinds == ["turn", "turn"] if self.graph.axis else kinds in spatial
             one = at[0] if at[0].far == body else at[0].reversed()
             two = at[1] if at[1].near == body else at[1].reversed()
             if holds and one.near != two.far:
@@ -259,7 +278,9 @@ class _Planner:
         found = [(run, run if run.near in self.chains else run.reversed()) for run in runs
                  if (run.near in self.chains) != (run.far in self.chains)]  # fmt: skip
         hub = {self.graph.ground, self.platform}  # on the shortest way forms have the lowest degree
-        return min(found, key=lambda pair: (hub != {pair[0].near, pair[0].far}, pair[0].freedoms), default=None)
+        late = [self.slides_first and pair[0].kind != "slide" for pair in found]
+        order = [(l, hub != {r.near, r.far}, r.freedoms) for l, (r, _) in zip(late, found, strict=True)]
+        return found[order.index(min(order))] if found else None
 
     def _add_group(self, group: Group) -> None:
         self.chains[group.cluster] = (*self.chains[group.parent], len(self.groups))
@@ -312,11 +333,12 @@ class _Planner:
         one, two = self._end(run, near=True), self._end(run, near=False)
         first, last = run.edges[0], run.edges[-1]
         ends = (run.near, run.far)
-        table = PLANAR_EQUATIONS if self.graph.axis else EQUATIONS
+        table = PLANAR_EQUATIONS if self.graph.axis else SPHERICAL_EQUATIONS if self.graph.spherical else EQUATIONS
         self.counts["equations"] += table[run.kind]
         if run.kind == "slide":
-            raise NotAlgebraicError(f"a loop of slides alone, closed by {first.joint}")
-        self._form(ends, Form("meeting", (self._point(two, last.point), self._point(one, first.point))))
+            raise _SlideLeftError(f"a loop of slides alone, closed by {first.joint}")
+        if not self.graph.spherical:
+            self._form(ends, Form("meeting", (self._point(two, last.point), self._point(one, first.point))))
         if run.kind == "ball" or self.graph.axis:
             return
         assert first.axis is not None and last.axis is not None

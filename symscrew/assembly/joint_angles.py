@@ -34,6 +34,8 @@ DIFFERENCE = 1e-7
 """For derivatives of chains: half the digits, which Newton's method makes up for."""
 CUT_OFF = 1e-7
 """Relative singular values below this are left out: idle spins have none."""
+FAR = 1e6
+"""Added to the size of displacements that miss what is held: any other way comes first."""
 SEED = 20231009
 """Of the starts: always the same, so that results repeat."""
 
@@ -94,9 +96,10 @@ class JointAngles:
         chains += [self._through((run,)) for run in graph.runs if not set(run.edges) & inside]
         for near, far, steps in chains:
             goal = after(inverse(bodies[near]), bodies[far])
-            found, left = _nearest(steps, goal)
-            for k, column in enumerate(c for step in steps if step.value is None for c in step.columns):
-                q[:, column] = found[:, k]
+            columns = [c for step in steps if step.value is None for c in step.columns]
+            held = np.array([self.values.get(c, np.nan) for c in columns])
+            found, left = _nearest(steps, goal, held)
+            q[:, columns] = found
             off = np.maximum(off, left)
         return q, off
 
@@ -153,8 +156,11 @@ def inverse(pose: Pose) -> Pose:
     return back, -(back @ pose[1][..., None])[..., 0]
 
 
-def _nearest(steps: Sequence[Step], goal: Pose) -> tuple[Array, Array]:
-    """(displacements of a chain nearest to none that lead to the goals, how far they miss)."""
+def _nearest(steps: Sequence[Step], goal: Pose, held: Array) -> tuple[Array, Array]:
+    """(displacements of a chain nearest to none that lead to the goals, how far they miss).
+
+    Of ways with the values that are held too much, `held`, where there are such; NaN where nothing is.
+    """
     count, width = len(goal[0]), sum(len(s.columns) for s in steps if s.value is None)
     random = np.random.default_rng(SEED)
     starts = np.concatenate([np.zeros((1, width)), random.uniform(-np.pi, np.pi, (STARTS - 1, width))])
@@ -173,7 +179,9 @@ def _nearest(steps: Sequence[Step], goal: Pose) -> tuple[Array, Array]:
             break
     left = np.abs(_missing(steps, q, goals)).max(axis=1).reshape(count, STARTS)
     sizes = np.linalg.norm(q, axis=1).reshape(count, STARTS)
-    best = np.where(left < CLOSED, sizes.round(6), np.inf).argmin(axis=1)
+    missed = np.abs(np.nan_to_num(_wrapped(steps, q - held))).max(axis=1, initial=0.0).reshape(count, STARTS)
+    sizes = sizes.round(6) + np.where(missed < CLOSED, 0.0, FAR)
+    best = np.where(left < CLOSED, sizes, np.inf).argmin(axis=1)
     best = np.where((left < CLOSED).any(axis=1), best, left.argmin(axis=1))
     rows = np.arange(count)
     return q.reshape(count, STARTS, width)[rows, best], left[rows, best]

@@ -25,6 +25,7 @@ from typing import Any
 import numpy as np
 
 from symscrew.assembly.dual_forms import PRODUCT
+from symscrew.assembly.equal_axes import axis_of, axis_pairs
 from symscrew.assembly.held_structure import WIDTH, Group, Structure
 from symscrew.assembly.residues import LARGEST_PRIME, residues_of
 from symscrew.assembly.slot_numbers import matrices
@@ -69,6 +70,10 @@ def family_bound(structure: Structure) -> Bound | str:
             slots.append([rng.randrange(LARGEST_PRIME), rng.randrange(LARGEST_PRIME), depth])
         else:
             slots.append(rng.randrange(LARGEST_PRIME))
+    for pair in axis_pairs(structure):
+        made = [axis_of([rng.randrange(LARGEST_PRIME) for _ in range(4)]) for _ in pair]
+        for slot, (axis, _), (_, other) in zip(pair, made, made[::-1], strict=True):
+            slots[slot] = [c * other % LARGEST_PRIME for c in axis]
     return _bound(
         structure, slots, "for every mechanism of this structure: Groebner basis modulo a prime at one of them"
     )

@@ -66,10 +66,12 @@ def start_system(family: Family, known: Array, progress: Callable[[str], None] =
         return decoded(stored)
     with entry(key) as kept:
         content = kept.read()
-        if content is not None:
-            return decoded(json.loads(content))
+        found = None if content is None else decoded(json.loads(content))
+        if found is not None and len(found.zeros):
+            return found
         made = searched(family, known, progress)
-        kept.write(json.dumps(encoded(made)).encode())
+        if len(made.zeros):  # a search that did not leave this mechanism may succeed from another of its structure
+            kept.write(json.dumps(encoded(made)).encode())
     return made
 
 
@@ -127,7 +129,7 @@ def decoded(values: dict[str, Any]) -> StartSystem:
     member = [_array(text) if ndim else complex(_array(text)[0]) for text, ndim in values["member"]]
     text, count = values["zeros"]
     bound = None if values["bound"] is None else Bound(*values["bound"])
-    return StartSystem(tuple(member), _array(text).reshape(count, -1), bound, values["why"])
+    return StartSystem(tuple(member), _array(text).reshape(count, -1 if count else 0), bound, values["why"])
 
 
 def _bytes(values: Array) -> str:

@@ -24,7 +24,7 @@ from symscrew.description.mechanism import (
     Vector,
     followed,
 )
-from symscrew.description.names import RESERVED, check_name, check_text, markdown_text
+from symscrew.description.names import RESERVED, check_name, check_text, longer_name, markdown_text
 from symscrew.description.number_range import check_range
 from symscrew.description.reader import Reader
 from symscrew.description.taken_names import members, namespace, taken_as_file
@@ -67,6 +67,7 @@ __all__ = [
     "given_value",
     "in_si",
     "load_description",
+    "longer_name",
     "markdown_text",
     "members",
     "namespace",

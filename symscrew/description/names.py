@@ -8,7 +8,8 @@ import re
 from symscrew.description.taken_names import taken_as_file
 from symscrew.errors import DescriptionError, shorten
 
-_NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]{0,63}", re.ASCII)
+LONGEST = 64  # letters of a name: linkers and editors take it, and files of that name, too
+_NAME = re.compile(rf"[A-Za-z][A-Za-z0-9_]{{0,{LONGEST - 1}}}", re.ASCII)
 
 C_AND_CPP = (
     "auto", "break", "case", "char", "const", "continue", "default", "do", "double", "else", "enum",
@@ -36,6 +37,17 @@ def check_name(name: object, where: str) -> str:
     if name in RESERVED:
         raise DescriptionError(f"{where}: {name!r} is a keyword of C, C++ or Python; use another name")
     return name
+
+
+def longer_name(name: str, ending: str) -> str:
+    """A mechanism's name with an ending, of a model made from it; raises DescriptionError where that is too long."""
+    if not _NAME.fullmatch(name + ending):
+        most = LONGEST - len(ending)
+        raise DescriptionError(
+            f"mechanism: expected a name of at most {most} letters, digits and underscores, as functions get its name "
+            f"with {ending}, got {len(name)}: {shorten(name)}; rename it"
+        )
+    return name + ending
 
 
 def check_mechanism_name(name: object, where: str) -> str:

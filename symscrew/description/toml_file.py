@@ -35,6 +35,12 @@ MAX_BYTES = 1_000_000  # the largest of the catalogue has 14 kB
 MAX_NESTING = 40  # brackets within brackets; a description needs four
 MAX_KEY_PARTS = 20  # of a dotted key; a description needs three
 
+KINDS = {
+    "mechanism": "a mechanism", "bodies": "a mechanism", "joints": "a mechanism", "scene": "a scene",
+    "problem": "an optimal motion", "motion": "a given motion",
+}  # fmt: skip
+"""Sections that only one kind of file has -> what such a file describes."""
+
 KEYS: dict[str, tuple[str, ...]] = {
     "mechanism": ("name", "ground", "platform", "description", "source", "characteristic_length"),
     "parameters": ("value", "unit", "description", "run_time"),
@@ -144,6 +150,10 @@ def _check_nesting(text: str) -> None:
 
 def _build(tables: Mapping[str, Any]) -> Mechanism:
     for section, content in tables.items():
+        if section not in KEYS and section in KINDS:
+            raise DescriptionError(
+                f"this file describes {KINDS[section]}; expected a mechanism, with [mechanism], [bodies] and [joints]"
+            )
         if section not in KEYS:
             raise DescriptionError(f"unknown section {shorten(section)}; {did_you_mean(section, KEYS)}")
         _check_table(section, content)

@@ -6,7 +6,7 @@ from collections.abc import Callable, Collection, Mapping, Sequence
 from pathlib import Path
 from typing import Any, TypeVar
 
-from symscrew.description.toml_file import read_text
+from symscrew.description.toml_file import KINDS, read_text
 from symscrew.errors import DescriptionError, did_you_mean, in_file, shorten
 
 Read = TypeVar("Read")
@@ -40,9 +40,10 @@ def check_sections(
         DescriptionError: names the section or key, and those that are nearest.
     """
     for section, content in tables.items():
-        if section not in sections and section in ("mechanism", "bodies", "joints"):
+        if section not in sections and section in KINDS:
             raise DescriptionError(
-                f"this file describes a mechanism; expected one with [{sections[0]}], which names it by mechanism = ..."
+                f"this file describes {KINDS[section]}; expected one with [{sections[0]}], which names "
+                f"{'it' if KINDS[section] == 'a mechanism' else 'a mechanism'} by mechanism = ..."
             )
         if section not in sections:
             raise DescriptionError(f"unknown section {shorten(section)}; {did_you_mean(section, sections)}")

@@ -27,7 +27,7 @@ HELD: Mapping[str, frozenset[str]] = {
     "damping": frozenset({"joint", "freedom", "coefficient"}),
     "friction": frozenset({"joint", "freedom", "coulomb", "velocity"}),
     "spring": frozenset({"joint", "freedom", "stiffness", "rest", "damping"}),
-    "servo": frozenset({"joint", "freedom", "stiffness", "damping", "limit"}),
+    "servo": frozenset({"joint", "freedom", "stiffness", "damping", "limit", "lowest"}),
     "load": frozenset({"point", "wrench"}),
     "drag": frozenset({"body", "sides", "axes", "density", "viscosity", "wind"}),
 }

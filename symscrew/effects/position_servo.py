@@ -4,19 +4,21 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from symscrew.algebra import Node
 from symscrew.effects.acting import Acting
 from symscrew.effects.effect import Effect, Number
+from symscrew.errors import DescriptionError
 from symscrew.program import Port
 
 
 @dataclass(frozen=True, repr=False)
 class PositionServo(Effect):
-    """A force F = kp (s* - s) + kd (s*_dot - s_dot) [N or N m] along a joint's freedom, limited to +-`limit`.
+    """A force F = kp (s* - s) + kd (s*_dot - s_dot) [N or N m] along a joint's freedom, limited.
 
-    s, s_dot are the joint's displacement [m or rad] and rate; the target s* and its rate are the input
-    `servo_<name>`. `stiffness` kp and `damping` kd at least 0. It acts beside the ideal drive u of the joint, so
-    u = 0 leaves the joint to the servo, and inverse dynamics says what it lacks. Fed: F s_dot [W], from its supply.
-    `name` is the joint's (with the freedom) unless given.
+    The limits are +-`limit`, or `lowest` and `limit` where both are given. s, s_dot are the joint's displacement [m or
+    rad] and rate; the target s* and its rate are the input `servo_<name>`. `stiffness` kp and `damping` kd at least 0.
+    It acts beside the ideal drive u of the joint, so u = 0 leaves the joint to the servo, and inverse dynamics says
+    what it lacks. Fed: F s_dot [W], from its supply. `name` is the joint's (with the freedom) unless given.
 
         [[effects]]
         type = "position_servo"
@@ -32,6 +34,7 @@ class PositionServo(Effect):
     limit: Number | None = None
     freedom: int | None = None
     name: str = ""
+    lowest: Number | None = None
 
     @property
     def reads(self) -> tuple[str, ...]:
@@ -52,8 +55,18 @@ class PositionServo(Effect):
         rate = acting.rate(self.joint, k)
         force = stiffness * (target - acting.displacement(self.joint, k, what)) + damping * (target_rate - rate)
         if self.limit is not None:
-            limit = acting.number(self.limit, f"{what}: limit", above=0)
+            limit, lowest = self._ends(acting, what)
             force = tape.function("select", tape.function("less", limit, force), limit, force)
-            force = tape.function("select", tape.function("less", force, -limit), -limit, force)
+            force = tape.function("select", tape.function("less", force, lowest), lowest, force)
+        elif self.lowest is not None:
+            raise DescriptionError(f"{what}: expected the key 'limit' beside 'lowest'")
         acting.drive(self.joint, k, force)
         acting.feed(f"position_servo_{name}", force * rate)
+
+    def _ends(self, acting: Acting, what: str) -> tuple[Node, Node]:
+        """The greatest and the least force."""
+        if self.lowest is None:
+            limit = acting.number(self.limit, f"{what}: limit", above=0)
+            return limit, -limit
+        low = acting.value(self.lowest, f"{what}: lowest")
+        return acting.number(self.limit, f"{what}: limit", above=low), acting.number(self.lowest, f"{what}: lowest")

@@ -18,7 +18,8 @@ class RotorInertia(Effect):
     rotor's momentum J N s_dot about its own axis and the power of the gear; what the rotor's axis does besides
     turning with its joint's parent is left out (its mass belongs to the parent's). Kinetic energy J N^2 s_dot^2/2.
     The joint must belong to the spanning tree, as driven joints do. In a spherical joint it is the same about every
-    axis, a force -J N^2 omega_dot (what MuJoCo calls armature of a ball).
+    axis, a force -J N^2 omega_dot (what MuJoCo calls armature of a ball); in a free joint as well, with the same number
+    in kg along every axis.
 
         [[effects]]
         type = "rotor_inertia"
@@ -36,7 +37,7 @@ class RotorInertia(Effect):
         """An inertia that moves with one freedom."""
         what = f"rotor inertia of joint {self.joint!r}"
         kind = acting.joint(self.joint, what).kind
-        whole = kind.ball and self.freedom is None
+        whole = (kind.ball or kind.unconstrained) and self.freedom is None
         freedoms = range(kind.freedom) if whole else [acting.freedom(self.joint, self.freedom, what)]
         if not whole and kind.freedoms[freedoms[0]].spherical:
             raise DescriptionError(f"{what}: expected a freedom with an axis of its own, got one of a spherical joint")

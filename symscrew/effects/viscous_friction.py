@@ -31,7 +31,8 @@ class ViscousFriction(Effect):
         """A force against the rate on every freedom that is meant."""
         what = f"viscous friction in joint {self.joint!r}"
         freedoms = acting.freedoms(self.joint, self.freedom, what)
-        if len({acting.slides(self.joint, k) for k in freedoms}) > 1:
+        free = acting.joint(self.joint, what).kind.unconstrained
+        if not free and len({acting.slides(self.joint, k) for k in freedoms}) > 1:
             raise DescriptionError(
                 f"{what}: the joint slides and turns, with coefficients of different units; expected the key 'freedom'"
             )

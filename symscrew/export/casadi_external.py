@@ -23,6 +23,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from symscrew.description import longer_name
 from symscrew.export.c import print_c
 from symscrew.export.listing import banner
 from symscrew.model import Model
@@ -104,7 +105,7 @@ def jacobians_model(model: Model) -> tuple[Model, dict[str, Jacobian]]:
     found = {name: made for name, made in found.items() if made.blocks}
     inputs = {made.program.name: _test_inputs(model, name) for name, made in found.items()}
     programs: dict[str, Program | Iteration] = {made.program.name: made.program for made in found.values()}
-    return replace(model, name=f"{model.name}_jacobians", programs=programs, test_inputs=inputs), found
+    return replace(model, name=longer_name(model.name, "_jacobians"), programs=programs, test_inputs=inputs), found
 
 
 def _test_inputs(model: Model, name: str) -> tuple[np.ndarray, ...]:

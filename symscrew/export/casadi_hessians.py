@@ -15,6 +15,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from symscrew.description import longer_name
 from symscrew.errors import DescriptionError
 from symscrew.export.c import print_c
 from symscrew.export.casadi_external import (
@@ -68,7 +69,7 @@ def hessians_model(model: Model) -> tuple[Model, Mapping[str, Second]]:
         possible = ", ".join(name for name in DIFFERENTIATED if name != "assemble")
         known = ", ".join(model.programs)
         raise DescriptionError(f"target external_hessians: needs one of {possible}; the model has {known}")
-    return replace(model, name=f"{model.name}_hessians", programs=programs, test_inputs=inputs), found
+    return replace(model, name=longer_name(model.name, "_hessians"), programs=programs, test_inputs=inputs), found
 
 
 def print_hessians(model: Model) -> dict[str, str]:

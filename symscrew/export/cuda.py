@@ -229,13 +229,14 @@ def _one(step: Printed, symbol: str, iteration: Iteration) -> list[str]:
     ports = (*iteration.inputs, *iteration.outputs)
     lines = [f"{real} own_{name}[{max(port.size, 1)}];" for name, port in zip(names, ports, strict=True)]
     for name, port in zip(names, iteration.inputs, strict=False):
-        lines += _loop(port.size, f"own_{name}[k] = {name}[k * stride + index];")
+        copied = _loop(port.size, f"own_{name}[k] = {name}[k * stride + index];")
+        lines += copied or [f"(void){name};"]
     lines += [f"const int outcome = {symbol}({', '.join(f'own_{name}' for name in names)});"]
     return lines + _loop(iteration.outputs[0].size, f"{names[-1]}[k * stride + index] = own_{names[-1]}[k];")
 
 
 def _loop(size: int, statement: str) -> list[str]:
-    return [f"for (size_t k = 0; k < {size}; ++k) {{", f"    {statement}", "}"]
+    return [f"for (size_t k = 0; k < {size}; ++k) {{", f"    {statement}", "}"] if size else []
 
 
 def _states(model: Model, name: str, precision: Precision) -> str:

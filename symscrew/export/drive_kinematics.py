@@ -17,6 +17,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from symscrew.description import longer_name
 from symscrew.errors import DescriptionError
 from symscrew.export.mode_certificate import ModeCertificate, find_mode_certificate
 from symscrew.model import Model, derive
@@ -90,9 +91,8 @@ def find_drive_kinematics(model: Model) -> DriveKinematics:
     whole = derive(model.mechanism, model.effects) if model.selected else model
     system, name = model.system, model.name
     if not model.independent:
-        raise DescriptionError(
-            f"{name}: expected a mechanism with loops; of open chains the controllers have their own"
-        )
+        still, open_chain = "that moves, it has no freedom", "with loops; of open chains the controllers have their own"
+        raise DescriptionError(f"{name}: expected a mechanism {still if system.cuts else open_chain}")
     if not model.mechanism.platform:
         raise DescriptionError(f"{name}: expected a platform, the body that carries the tool; name it in [mechanism]")
     q_labels, v_labels = [x.label for x in system.tree.q], [x.label for x in system.tree.v]
@@ -116,7 +116,7 @@ def find_drive_kinematics(model: Model) -> DriveKinematics:
     pose = _closed_form(own, platform) if known else NO_POSE
     keep = [f for f in (*NEEDED, *MARGINS, *(["inverse_kinematics"] if pose.entries else [])) if f in own.programs]
     return DriveKinematics(
-        model=replace(own.only(keep), name=f"{name}_drives"),
+        model=replace(own.only(keep), name=longer_name(name, "_drives")),
         drives=drives,
         driven=tuple(q_labels.index(label) for label in drives),
         chosen=order,

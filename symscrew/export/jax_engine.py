@@ -286,7 +286,8 @@ def _public(name: str, rows: Any, *, inputs: dict[str, int], outputs: Sequence[s
         dtype = jnp.result_type(*arrays)
         batch = jnp.broadcast_shapes(*(x.shape[:-1] for x in arrays))
         whole = [jnp.broadcast_to(x.astype(dtype), (*batch, x.shape[-1])) for x in arrays]
-        values, status = rows(*(jnp.moveaxis(x.reshape(-1, x.shape[-1]), 0, 1) for x in whole))
+        states = int(np.prod(batch))  # not -1: an array may have no entries
+        values, status = rows(*(jnp.moveaxis(x.reshape(states, x.shape[-1]), 0, 1) for x in whole))
         safe = [kept.bind(x, jnp.broadcast_to(status != 0, x.shape))[0] for x in values]
         return kind(*(jnp.moveaxis(x, 0, 1).reshape(*batch, len(x)) for x in safe), status.reshape(batch))
 

@@ -97,6 +97,8 @@ def reduced(model: Model) -> Reduced:
     Raises:
         DescriptionError: it cannot be had of this model; what was expected, and the cure.
     """
+    if FORWARD in model.programs and not model.programs[FORWARD].outputs[0].size:
+        raise DescriptionError(f"target reduced: {model.name} has no freedom, so that nothing moves")
     missing = [n for n in (FORWARD, f"{FORWARD}_derivatives", f"{FORWARD}{HESSIAN}") if n not in model.programs]
     if missing:
         what = "derive it with derivatives=True and second_derivatives=True, of bodies that have mass"

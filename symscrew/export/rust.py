@@ -91,7 +91,12 @@ def print_rust(model: Model, precision: Precision = DOUBLE) -> dict[str, str]:
     check_names(model)
     names = RustNames(model)
     lines = [f"//! {line}".rstrip() for line in [*banner(model), "", *wrapped(ABOUT)]]
-    lines += ["#![no_std]", "#![forbid(unsafe_code)]", "#![allow(clippy::all)]", ""]
+    lines += [
+        "#![no_std]",
+        "#![forbid(unsafe_code)]",
+        "#![allow(clippy::all, non_snake_case)] // names have those of joints",
+        "",
+    ]
     lines += ['#[cfg(feature = "std")]', "extern crate std;", *filled(MATH, {"REAL": real(precision)})]
     lines += ["", *_status(model)]
     for port, name in names.types.items():

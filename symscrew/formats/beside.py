@@ -8,6 +8,7 @@ from typing import Any
 from symscrew.errors import DescriptionError, shorten
 from symscrew.formats.draft import Draft, Limits
 from symscrew.formats.imported import Account, JointLimits
+from symscrew.formats.rigid_displacements import Real
 
 Named = Callable[[str], tuple[str, int | None]]
 
@@ -45,6 +46,11 @@ def check_forces(draft: Draft) -> None:
                 f"joint {shorten(effect.joint)}, {kind}: expected a number of at least 0, got {value}"
             )
     for joint, found in draft.limits.items():
+        for key in ("velocity", "effort"):
+            size = getattr(found, key)
+            if size is not None and size < 0:
+                draft.ledger.changed.append(f"limits of {joint}: {key} {float(size):.6g} is below 0; it is not taken")
+                setattr(found, key, None)
         if found.lower is not None and found.upper is not None and found.lower > found.upper:
             draft.ledger.changed.append(
                 f"limits of {joint}: the lower one, {float(found.lower):.6g}, is above the upper one, "
@@ -65,10 +71,10 @@ def forces_of(draft: Draft, named: Named) -> tuple[Mapping[str, Any], ...]:
     return tuple(tables)
 
 
-def starts_of(draft: Draft, named: Named) -> dict[str, dict[str, float]]:
-    """Keyframe -> label of a coordinate -> value; parts of joints that have no coordinate of their own are left out."""
+def starts_of(given: Mapping[str, Mapping[tuple[str, str], Real]], named: Named) -> dict[str, dict[str, float]]:
+    """Keyframe -> label of a coordinate or rate -> value; parts of joints that have none of their own are left out."""
     found: dict[str, dict[str, float]] = {}
-    for name, values in draft.starts.items():
+    for name, values in given.items():
         found[name] = {}
         for (joint, part), value in values.items():
             whole, freedom = named(joint)

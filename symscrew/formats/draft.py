@@ -81,12 +81,16 @@ class RawPicture:
 
 @dataclass
 class Limits:
-    """What a file says of the reach, speed and effort of a joint [rad or m, and per s; N m or N]; None: nothing."""
+    """What a file says of the reach, speed and effort of a joint [rad or m, and per s; N m or N]; None: nothing.
+
+    `push`: between which forces all drives of the joint stay, where the file gives both.
+    """
 
     lower: Real | None = None
     upper: Real | None = None
     velocity: Real | None = None
     effort: Real | None = None
+    push: tuple[Real, Real] | None = None
 
 
 @dataclass
@@ -116,7 +120,8 @@ class Draft:
     """The contents of a file; a reader fills it from top to bottom.
 
     `ledger` says what became of what the file holds besides; `gravity` [m/s^2] is the file's own where it is not the
-    usual one; `configurations`: coordinates by name, in the file's order; `starts`: the same by joint and coordinate;
+    usual one; `configurations`: coordinates by name, in the file's order; `starts`: the same by joint and coordinate,
+    `start_rates`: rates that belong to them;
     `parts_of`: name of a joint that is part of another now -> that one and its freedom there (None: none of its own);
     `frames`: joints' own axes; `drags`: body -> what a medium does to it, as keys of a table;
     `notes` are for people, nothing depends on them.
@@ -140,6 +145,7 @@ class Draft:
     gravity: tuple[str, ...] | None = None
     configurations: dict[str, tuple[Real, ...]] = field(default_factory=dict)
     starts: dict[str, Mapping[tuple[str, str], Real]] = field(default_factory=dict)
+    start_rates: dict[str, Mapping[tuple[str, str], Real]] = field(default_factory=dict)
     parts_of: dict[str, tuple[str, int | None]] = field(default_factory=dict)
     frames: dict[str, Pose] = field(default_factory=dict)
     pictures: list[RawPicture] = field(default_factory=list)

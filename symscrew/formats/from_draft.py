@@ -82,7 +82,8 @@ def imported(draft: Draft, options: ImportOptions) -> Imported:
         {name: tuple(map(float, values)) for name, values in draft.configurations.items()},
         account,
         None if draft.gravity is None else tuple(map(float, draft.gravity)),
-        starts_of(draft, named),
+        starts_of(draft.starts, named),
+        starts_of(draft.start_rates, named),
     )
 
 

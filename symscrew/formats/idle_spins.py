@@ -75,8 +75,9 @@ def bars(
     made = {rod.body.name: _bar(draft, rod) for rod in rods}
     turned = {rod.inner.name: _universal(rod) for rod in rods}
     for name in turned:
-        for start, values in draft.starts.items():
-            draft.starts[start] = {key: value for key, value in values.items() if whole.get(key[0], key[0]) != name}
+        for given in (draft.starts, draft.start_rates):
+            for start, values in given.items():
+                given[start] = {key: value for key, value in values.items() if whole.get(key[0], key[0]) != name}
     draft.platform = draft.platform or _platform(draft.ground, joints)
     return [made.get(body.name, body) for body in bodies], [turned.get(joint.name, joint) for joint in joints]
 

@@ -73,6 +73,7 @@ class Imported:
         account: what became of everything.
         gravity: the file's own [m/s^2]; None where it is the usual one.
         starts: name -> values of coordinates by their labels, as scenes take them.
+        start_rates: name -> rates that are not zero, by the labels of rates.
     """
 
     mechanism: Mechanism
@@ -82,6 +83,7 @@ class Imported:
     account: Account = field(default_factory=lambda: Account({}, {}, {}, {}))
     gravity: tuple[float, ...] | None = None
     starts: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
+    start_rates: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
 
 
 def _counted(counts: Mapping[str, int]) -> str:

@@ -6,12 +6,15 @@ way and few in all, so that a file cannot reach outside or grow without bound.
 
 from __future__ import annotations
 
+import os
 from copy import copy
 from pathlib import Path
 
 from symscrew.errors import DescriptionError, shorten
 from symscrew.formats.safe_xml import Element, attribute, read
 
+BESIDE = "beside"
+"""Attribute of an included file's mesh: that file's folder, which is searched after the main one."""
 MOST_FILES = 100
 """Files that one model may be made of; those that people publish are made of a few."""
 DEEPEST = 10
@@ -62,8 +65,15 @@ class _Expansion:
         return made
 
     def _included(self, element: Element, way: tuple[Path, ...]) -> list[Element]:
-        path = inside(self.folder, attribute(element, "file"), "<include>", self.within)
+        name = attribute(element, "file")
+        path = inside(self.folder, name, "<include>", self.within)
+        if not path.exists() and way[-1].parent != self.folder.resolve():  # then beside the file that names it
+            path = inside(way[-1].parent, name, "<include>", self.within or self.folder)
         if path in way or len(way) > DEEPEST or self.count >= MOST_FILES:
             raise DescriptionError(f"<include>: {path.name} includes itself, or too many files are included")
         self.count += 1
-        return list(self.of(read(path), (*way, path)))
+        found = read(path)
+        if path.parent != self.folder.resolve():
+            for mesh in found.iter("mesh"):  # those of files that it includes itself keep theirs
+                mesh.attrib.setdefault(BESIDE, os.path.relpath(path.parent, self.folder.resolve()))
+        return list(self.of(found, (*way, path)))

@@ -11,6 +11,7 @@ Applications 4, 1984, 35-42.
 
 from __future__ import annotations
 
+import os
 import struct
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -20,7 +21,7 @@ from typing import Any
 import numpy as np
 
 from symscrew.errors import DescriptionError, did_you_mean, shorten
-from symscrew.formats.included_files import inside
+from symscrew.formats.included_files import BESIDE, inside
 from symscrew.formats.mjcf_settings import Settings
 from symscrew.formats.rigid_displacements import Pose, Real, Rotation, Triple, from_quaternion, real, triple
 from symscrew.formats.safe_xml import Element, elements, label, numbers
@@ -29,6 +30,8 @@ Array = np.ndarray[Any, Any]
 SUFFIXES = (".stl", ".obj")
 MOST_BYTES = 100_000_000
 """Of a mesh file: the largest that robots have are of some ten megabytes."""
+POINTER = b"version https://git-lfs.github.com/spec/"
+"""How a file begins that stands for a large one which was not fetched."""
 NO_VOLUME = 1e-12
 """Of the extent cubed: a surface that encloses less is flat or turned inside out, and has no inertia."""
 
@@ -80,11 +83,7 @@ class Meshes:
             raise DescriptionError(
                 f"{label(mesh)}: inertia={shorten(kind)} is not supported; write 'exact' or an <inertial>"
             )
-        if "file" in mesh.attrib:
-            name = f"{self.assets}/{mesh.attrib['file']}"
-            triangles = read_triangles(inside(self.folder, name, label(mesh), self.within))
-        else:
-            triangles = _written(mesh)
+        triangles = read_triangles(self._file(mesh)) if "file" in mesh.attrib else _written(mesh)
         turn = [real(v) for v in numbers(mesh.get("refquat", "1 0 0 0"), f"{label(mesh)}, refquat", 4)]
         shift = triple(numbers(mesh.get("refpos", "0 0 0"), f"{label(mesh)}, refpos", 3))
         back = Pose(from_quaternion(turn, label(mesh)), shift).inverse()
@@ -95,6 +94,13 @@ class Meshes:
         if np.prod(factors) < 0:
             found = found[:, ::-1]
         return found
+
+    def _file(self, mesh: Element) -> Path:
+        """Where a mesh is: below the folder of all, or in that of the included file that names it."""
+        name = f"{self.assets}/{mesh.attrib['file']}"
+        if BESIDE in mesh.attrib and not os.path.isfile(self.folder / name):
+            name = f"{self.assets}/{mesh.attrib[BESIDE]}/{mesh.attrib['file']}"
+        return inside(self.folder, name, label(mesh), self.within)
 
 
 def bulk_of(triangles: Array, where: str, *, legacy: bool = False) -> Bulk:
@@ -166,6 +172,8 @@ def read_triangles(path: Path) -> Array:
         content = path.read_bytes()
     except OSError as error:
         raise DescriptionError(f"{path.name}: the mesh cannot be read: {error.strerror}") from error
+    if content.startswith(POINTER):
+        raise DescriptionError(f"{path.name}: it is not the mesh, but its pointer of Git LFS; git lfs pull fetches it")
     suffix = path.suffix.lower()
     if suffix not in SUFFIXES:
         raise DescriptionError(f"{path.name}: meshes are read from .stl and .obj files")

@@ -17,9 +17,11 @@ from typing import Any
 
 import numpy as np
 
+from symscrew.description import JOINT_TYPES
 from symscrew.errors import DescriptionError, did_you_mean, shorten
 from symscrew.formats.draft import Draft, RawEffect, RawLoad
-from symscrew.formats.mjcf_forces import effort
+from symscrew.formats.mjcf_forces import effort, limited
+from symscrew.formats.mjcf_gains import ARRAYS, KIND, OWN
 from symscrew.formats.mjcf_settings import ACTUATORS, Settings
 from symscrew.formats.mjcf_transmissions import Target, Transmissions
 from symscrew.formats.rigid_displacements import Real, real
@@ -38,14 +40,20 @@ class Actuators:
     transmissions: Transmissions
 
     @classmethod
-    def of(cls, root: Element, settings: Settings, transmissions: Transmissions) -> Actuators:
+    def of(cls, root: Element, settings: Settings, transmissions: Transmissions, draft: Draft) -> Actuators:
         """Of the <actuator> sections; raises DescriptionError."""
         listed = []
         for section in elements(root, "actuator"):
             for element in elements(section):
                 if element.tag not in (*ACTUATORS, "plugin"):
                     raise DescriptionError(f"{label(element)} in <actuator>: only actuators of joints are supported")
-                listed.append((element, settings.actuator(element)))
+                given = (
+                    settings.actuator(element) if element.tag in ACTUATORS else {**element.attrib, KIND: element.tag}
+                )
+                if int(number(given.get("group", "0"), f"{label(element)}, group")) in settings.idle_groups:
+                    draft.ledger.passed("actuators of groups that are off")
+                    continue
+                listed.append((element, given))
         return cls(listed, transmissions)
 
     def on_targets(self) -> Iterator[tuple[Element, Mapping[str, str], Target]]:
@@ -56,45 +64,93 @@ class Actuators:
                 yield element, given, target
 
     def driven(self) -> dict[str, tuple[int, ...]]:
-        """Joint -> its freedoms that an actuator drives, by the gear where there are several."""
+        """Joint -> entries of the gears that drive it: of one with several freedoms these."""
         found: dict[str, set[int]] = {}
         for element, given, target in self.on_targets():
             gear = numbers(given.get("gear", "1"), f"{label(element)}, gear")
-            found.setdefault(target.joint, set()).update(_geared(gear, label(element)))
+            found.setdefault(target.joint, set()).update(k for k, value in enumerate(gear) if value != 0)
         return {name: tuple(sorted(indices)) for name, indices in found.items()}
 
 
-def _geared(gear: Sequence[object], where: str) -> list[int]:
-    indices = [k for k, value in enumerate(gear) if value != 0]
-    if len(indices) != 1:
-        raise DescriptionError(f"{where}, gear: expected one entry that is not zero, got {len(indices)}")
-    return indices
-
-
-def actuator_forces(draft: Draft, actuators: Actuators, sites: Mapping[str, object], *, displaced: bool) -> None:
+def actuator_forces(
+    draft: Draft, actuators: Actuators, settings: Settings, sites: Mapping[str, object], *, displaced: bool
+) -> None:
     """Enter servos and limits of the actuators; those that a mechanism has no drive for are in the ledger.
 
     Args:
         draft: with its bodies and joints.
         actuators: of the file.
+        settings: of the file: which limits hold.
         sites: names that an actuator may act on.
         displaced: whether the reference configuration is not the file's own.
     """
+    several = {joint.name for joint in draft.joints if JOINT_TYPES[joint.type].freedom > 1}
+    shared: dict[str, int] = {}
+    for _, _, target in actuators.on_targets():
+        shared[target.joint] = shared.get(target.joint, 0) + 1
     for element, given, target in actuators.on_targets():
-        gear = [real(v) for v in numbers(given.get("gear", "1"), f"{label(element)}, gear")]
-        factor = next((value for value in gear if value != 0), real(1)) * target.factor
+        gear = _gear(
+            numbers(given.get("gear", "1"), f"{label(element)}, gear"), target.joint in several, label(element)
+        )
+        if gear == 0:
+            draft.ledger.passed("actuators whose gear is zero")
+            continue
+        factor = gear * target.factor
+        if given.get("dyntype", "none") != "none":
+            draft.ledger.turned(f"activation of actuators ({given['dyntype']}): commands here are what comes out of it")
         damped = _Damped(draft, actuators.transmissions, target, factor, displaced)
-        _servo(draft, element.tag, given, name=target.joint, gear=float(factor), damped=damped)
+        forces = limited(settings, given, "forcerange", "forcelimited")
+        reach = _Reach(draft, forces, target.joint, factor, alone=shared[target.joint] == 1)
+        _servo(draft, element.tag, given, name=target.joint, gear=float(factor), damped=damped, reach=reach)
         if factor != 1:
             draft.ledger.turned("gear: the drive acts on the joint, limits and gains are multiplied")
-        for key in ("forcerange", "ctrlrange"):
-            if key in given and (key == "forcerange" or element.tag == "motor"):
-                low, high = numbers(given[key], f"{label(element)}, {key}", 2)
-                effort(draft, target.joint, max(abs(low), abs(high)) * abs(Decimal(str(factor))))
-                draft.ledger.turned(key)
+        commands = element.tag == "motor" and limited(settings, given, "ctrlrange", "ctrllimited")
+        for key in [key for key, holds in (("forcerange", forces), ("ctrlrange", commands)) if holds]:
+            low, high = numbers(given[key], f"{label(element)}, {key}", 2)
+            effort(draft, target.joint, max(abs(low), abs(high)) * abs(Decimal(str(factor))))
+            draft.ledger.turned(key)
     for element, given in actuators.listed:
         if actuators.transmissions.of(given, label(element)) is None:
             _on_others(draft, element, given, sites)
+
+
+def _gear(gear: Sequence[Decimal], several: bool, where: str) -> Real:
+    """The entry of a gear that counts: the first one, or of a joint with several freedoms the one that is not zero."""
+    if not several:
+        return real(gear[0] if gear else 1)
+    found = [value for value in gear if value != 0]
+    if len(found) != 1:
+        raise DescriptionError(f"{where}, gear: expected one entry that is not zero, got {len(found)}")
+    return real(found[0])
+
+
+@dataclass(frozen=True)
+class _Reach:
+    """Between which forces a drive stays: its own forcerange where that holds, times the gear, and the joint's.
+
+    `alone`: no other actuator drives the joint, whose range is of the sum of all.
+    """
+
+    draft: Draft
+    forces: bool
+    joint: str
+    factor: Real
+    alone: bool
+
+    def of(self, given: Mapping[str, str], where: str) -> tuple[float, float] | None:
+        """(least, greatest) force on the joint; None: no limit."""
+        ranges = []
+        if self.forces:
+            ends = [self.factor * real(v) for v in numbers(given["forcerange"], f"{where}, forcerange", 2)]
+            ranges.append((min(ends), max(ends)))
+        limits = self.draft.limits.get(self.joint)
+        if limits is not None and limits.push is not None:
+            ranges.append(limits.push)
+            if not self.alone:
+                self.draft.ledger.lost(f"actuatorfrcrange of {self.joint}, which several actuators drive")
+        if not ranges:
+            return None
+        return float(max(low for low, _ in ranges)), float(min(high for _, high in ranges))
 
 
 def _on_others(draft: Draft, element: Element, given: Mapping[str, str], sites: Mapping[str, object]) -> None:
@@ -141,55 +197,54 @@ class _Damped:
         return 2 * ratio * math.sqrt(stiffness / yielding) if yielding > 0 else None
 
 
-def _servo(draft: Draft, tag: str, given: Mapping[str, str], *, name: str, gear: float, damped: _Damped) -> None:
-    """A position or velocity actuator, or a general one that is one, as a servo beside the drive."""
-
-    def value(key: str, default: str = "0") -> float:
-        return float(number(given.get(key, default), f"<{tag} joint={name!r}>, {key}"))
-
-    if tag == "motor":
-        return
-    if tag == "position":
-        kp, kv = value("kp", "1"), value("kv")
-    elif tag == "velocity":
-        kp, kv = 0.0, value("kv", "1")
-    elif tag == "general":
-        gains = _general(draft, given, f"<{tag} joint={name!r}>")
-        if gains is None:
-            return
-        kp, kv = gains
-    else:
+def _servo(
+    draft: Draft, tag: str, given: Mapping[str, str], *, name: str, gear: float, damped: _Damped, reach: _Reach
+) -> None:
+    """An actuator whose force depends on displacement or rate, as a servo beside the drive; of a motor nothing."""
+    where = f"<{tag} joint={name!r}>"
+    if given[KIND] not in OWN:
         draft.ledger.lost(f"<{tag}> actuators")
         return
-    if "dampratio" in given and value("dampratio"):
-        found = damped.gain(value("dampratio"), kp)
+    gains = _gains(draft, given, where)
+    if gains is None:
+        return
+    kp, kv = gains
+    ratio = float(number(given.get("dampratio", "0"), f"{where}, dampratio"))
+    if kv < 0 and kp == float(given["gainprm"].split()[0]) and not ratio:
+        ratio, kv = -kv, 0.0  # as the engine reads a bias of this sign
+    if ratio:
+        found = damped.gain(ratio, kp)
         if found is None:
             draft.ledger.lost("dampratio of a position actuator, for which the inertia is not known")
         kv = kv if found is None else found
     table: dict[str, Any] = {"kind": "servo", "stiffness": kp * gear**2, "damping": kv * gear**2}
-    if "forcerange" in given:
-        low, high = (float(v) for v in numbers(given["forcerange"], f"<{tag} joint={name!r}>, forcerange", 2))
-        table["limit"] = max(abs(low), abs(high)) * abs(gear)
+    ends = reach.of(given, where)
+    if ends is not None:
+        low, high = ends
+        if low >= high:
+            raise DescriptionError(f"{where}: expected forces from a lower to a higher limit, got {low} to {high}")
+        table |= {"limit": high} if low == -high else {"limit": high, "lowest": low}
     if kp < 0 or kv < 0:
-        raise DescriptionError(f"<{tag} joint={name!r}>: expected gains of at least 0, got {kp} and {kv}")
+        raise DescriptionError(f"{where}: expected gains of at least 0, got {kp} and {kv}")
     draft.effects.append(RawEffect(name, table))
     draft.ledger.turned(f"<{tag}> actuators")
 
 
-def _general(draft: Draft, given: Mapping[str, str], where: str) -> tuple[float, float] | None:
-    """Gains (kp, kv) of a general actuator that is a servo: force = g u + b1 length + b2 rate; None for a motor.
+def _gains(draft: Draft, given: Mapping[str, str], where: str) -> tuple[float, float] | None:
+    """Gains (kp, kv) of an actuator that is a servo: force = g u + b1 length + b2 rate; None for a motor.
 
     A servo whose g is not its stiffness follows the command g u / kp: commands have another unit, forces none.
     """
 
-    def listed(key: str, default: str) -> list[float]:
-        found = [float(v) for v in numbers(given.get(key, default), f"{where}, {key}")]
+    def listed(key: str) -> list[float]:
+        found = [float(v) for v in numbers(given.get(key, " ".join(ARRAYS[key])), f"{where}, {key}")]
         return [*found, 0.0, 0.0, 0.0][:3]
 
-    gain, bias = listed("gainprm", "1"), listed("biasprm", "0")
+    gain, bias = listed("gainprm"), listed("biasprm")
     if given.get("biastype", "none") == "none" and given.get("gaintype", "fixed") == "fixed":
         return None
-    if given.get("biastype") != "affine" or bias[0] or gain[1] or gain[2]:
+    straight = given.get("gaintype", "fixed") == "fixed" or not (gain[1] or gain[2])
+    if given.get("biastype") != "affine" or bias[0] or not straight:
         draft.ledger.lost("general actuators that are neither motors nor servos")
         return None
     if bias[1] and abs(bias[1] + gain[0]) > 1e-9 * abs(gain[0]):

@@ -24,7 +24,7 @@ from symscrew.formats.mjcf_couplings import Tied
 from symscrew.formats.mjcf_forces import joint_forces
 from symscrew.formats.mjcf_geoms import Solid, solid, together
 from symscrew.formats.mjcf_keyframes import Listed
-from symscrew.formats.mjcf_settings import READ, Attributes, Settings
+from symscrew.formats.mjcf_settings import ORIENTATIONS, READ, Attributes, Settings
 from symscrew.formats.rigid_displacements import (
     UNITS,
     ZERO,
@@ -52,7 +52,8 @@ class Reading:
     """What has been read so far: the draft, poses of bodies and sites.
 
     `screws`: slide -> the coupling that may make a screw of it and its hinge; `values`: hinge or slide -> its
-    coordinate in the reference configuration; `displaced`: joint -> by how much that differs from the file's;
+    coordinate in the reference configuration; `displaced`: joint -> by how much that differs from the file's; `rests`:
+    the same joints' springref;
     `listed`: joints in the order of the file's coordinates; `parts`: settings and meshes of the models in the file;
     `in_medium`: bodies have drag.
     """
@@ -66,6 +67,7 @@ class Reading:
     poses: dict[str, Pose] = field(default_factory=dict)
     sites: dict[str, tuple[str, Pose]] = field(default_factory=dict)
     values: dict[str, Real] = field(default_factory=dict)
+    rests: dict[str, Real] = field(default_factory=dict)
     seen: set[str] = field(default_factory=set)
     made_screws: set[str] = field(default_factory=set)
     listed: list[Listed] = field(default_factory=list)
@@ -151,6 +153,8 @@ def _carry(draft: Draft, body: RawBody, share: Real) -> None:
     if share == 0 or body.mass is None or body.com is None:
         return
     field = [real(c) for c in draft.gravity or USUAL_GRAVITY]
+    if not any(field):
+        return
     point = fresh(f"{body.name}_com", [name for name, _, _ in draft.points])
     draft.points.append((point, body.name, body.com))
     draft.loads.append(RawLoad(point, (*(-share * body.mass * c for c in field), *ZERO)))
@@ -199,6 +203,8 @@ def _body(reading: Reading, name: str, own: Sequence[Part]) -> RawBody:
         ]
         found = together([solid for solid in solids if solid is not None])
     elif given:
+        if len(given) > 1:
+            raise DescriptionError(f"<body name={name!r}>: expected one <inertial>, got {len(given)}")
         found = _inertial(given[0], f"<body name={name!r}>, <inertial>")
     return RawBody(name) if found is None else RawBody(name, found.mass, found.com, found.inertia, found.axes)
 
@@ -220,8 +226,9 @@ def _inertial(part: Part, where: str) -> Solid | None:
     frame = part.pose @ part.reading.settings.pose(element.attrib, where)
     zero = ZERO[0]
     if "fullinertia" in element.attrib:
-        if "diaginertia" in element.attrib:
-            raise DescriptionError(f"{where}: expected diaginertia or fullinertia, got both")
+        both = [key for key in ("diaginertia", "quat", *ORIENTATIONS) if key in element.attrib]
+        if both:
+            raise DescriptionError(f"{where}: expected {both[0]} or fullinertia, got both")
         xx, yy, zz, xy, xz, yz = (real(v) for v in numbers(element.attrib["fullinertia"], f"{where}, fullinertia", 6))
     else:
         text = element.attrib.get("diaginertia", "0 0 0")
@@ -305,9 +312,10 @@ def _joint(reading: Reading, part: Part, body: Pose) -> RawJoint:
     value: Real = chosen.angle(reference) if kind == "hinge" else real(reference)
     value = value + reading.displaced.get(name, ZERO[0])
     reading.values[name] = value
+    rest = number(attributes.get("springref", "0"), f"{where}, springref")
+    reading.rests[name] = chosen.angle(rest) if kind == "hinge" else real(rest)
     letter = "R" if kind == "hinge" else "P"
-    if any(index > 0 for index in driven):
-        raise DescriptionError(f"{where}: it has one freedom, but an actuator's gear drives another")
+    driven = tuple(index for index in driven if index == 0)  # the other entries of a gear have no freedom here
     return RawJoint(name, letter, "", "", point, (place.direction(axis),), driven=driven, reference=(value,))
 
 

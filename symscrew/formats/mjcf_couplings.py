@@ -23,6 +23,10 @@ from symscrew.formats.safe_xml import attribute, check_attributes, decimals, ele
 
 HIGHEST = 4
 """Of the powers that an <equality><joint> has."""
+USUAL_POWERS = ("0", "1", "0", "0", "0")
+"""Coefficients that a file does not give."""
+HELD = 1e-12
+"""By how much [rad, m] a coupling may be off in the pose where all hold: rounding of numbers with 50 digits."""
 
 
 def tied_joints(mechanism: Mechanism) -> set[str]:
@@ -62,7 +66,7 @@ def _polynomial(mechanism: Mechanism, coupling: Coupling, equality: Element) -> 
     first = straight[0]
     other = next(term for term in coupling.terms if term is not first)
     factor = -float(mechanism.number(first.coefficients[0]))
-    about = _reference(mechanism, other)
+    about = reference_value(mechanism, other)
     given = [float(mechanism.number(c)) / factor for c in other.coefficients]
     size = len(given)
     moved = [sum(given[j - 1] * comb(j, k) * about ** (j - k) for j in range(k, size + 1)) for k in range(1, size + 1)]
@@ -71,7 +75,8 @@ def _polynomial(mechanism: Mechanism, coupling: Coupling, equality: Element) -> 
     SubElement(equality, "joint", name=coupling.name, joint1=one, joint2=two, polycoef=coefficients)
 
 
-def _reference(mechanism: Mechanism, term: CoupledTerm) -> float:
+def reference_value(mechanism: Mechanism, term: CoupledTerm) -> float:
+    """What a term's coordinate is in the reference configuration."""
     given = mechanism.joints[term.joint].reference
     return float(mechanism.number(given[term.motion])) if term.motion < len(given) else 0.0
 
@@ -118,10 +123,13 @@ def read_couplings(root: Element, settings: Settings) -> list[Tied]:
 
 def _tied(element: Element, first: Mapping[str, Real], second: Mapping[str, Real]) -> Tied:
     where = f"{label(element)} in <equality>"
-    given = [real(c) for c in numbers(element.get("polycoef", "0 1 0 0 0"), f"{where}, polycoef")]
+    given = [real(c) for c in numbers(element.get("polycoef", ""), f"{where}, polycoef")]
     if len(given) > HIGHEST + 1:
         raise DescriptionError(f"{where}, polycoef: expected at most {HIGHEST + 1} numbers, got {len(given)}")
-    powers = (*given, *[ZERO[0]] * (HIGHEST + 1 - len(given)))
+    powers = (*given, *[real(c) for c in USUAL_POWERS[len(given) :]])
+    repeated = next((joint for joint in first if joint in second), None)
+    if repeated is not None and len(first) == len(second) == 1:
+        raise DescriptionError(f"{where}: expected two joints, got {shorten(repeated)} twice")
     return Tied(element.get("name") or "coupling", first, second, powers, where)
 
 
@@ -139,7 +147,7 @@ def _fixed_tendon(element: Element, tendons: Mapping[str | None, Element], key: 
 
 
 def raw_coupling(tied: Tied, values: Mapping[str, Real]) -> RawCoupling:
-    """The coupling of a draft; `values`: what the joints' coordinates are in the reference configuration.
+    """The coupling of a draft; `values`: the joints' coordinates in the file's own pose.
 
     Raises:
         DescriptionError: it names no joint with one coordinate, or takes powers of several joints at once.
@@ -173,6 +181,44 @@ def _trimmed(powers: Sequence[Real]) -> tuple[Real, ...]:
     return tuple(powers[:last])
 
 
-def offset(tied: Tied) -> Real:
-    """What the first side is beside its value where the second has its own: 0 but for a displaced pair."""
-    return tied.powers[0]
+def displacements(ties: Sequence[Tied]) -> dict[str, Real]:
+    """Joint -> by how much it is off the file's own value where every coupling holds; joints that are not are left out.
+
+    A coupling with a constant moves the first joint of its first side, after those that move the others.
+
+    Raises:
+        DescriptionError: the couplings do not hold together there.
+    """
+    moved: dict[str, Real] = {}
+    if not any(tied.powers[0] for tied in ties):
+        return moved
+    targets: dict[int, str] = {}
+    for k, tied in enumerate(ties):
+        free = [j for j in tied.first if j not in targets.values() and j not in tied.second]
+        if free:
+            targets[k] = free[0]
+    waiting = list(targets)
+    while waiting:
+        later = {targets[k] for k in waiting}
+        ready = [k for k in waiting if not (later - {targets[k]}) & {*ties[k].first, *ties[k].second}]
+        for k in ready or waiting[:1]:
+            joint = targets[k]
+            moved[joint] = moved.get(joint, ZERO[0]) - _residual(ties[k], moved) / ties[k].first[joint]
+        waiting = [k for k in waiting if k not in (ready or waiting[:1])]
+    for tied in ties:
+        off = abs(_residual(tied, moved))
+        if off > HELD * max(1, *(abs(value) for value in moved.values())):
+            raise DescriptionError(
+                f"{tied.where}: with the constants of all couplings it does not hold by {float(off):.6g}, where each "
+                "moves the first joint that it names; expected constants that agree"
+            )
+    return {joint: value for joint, value in moved.items() if value != 0}
+
+
+def _residual(tied: Tied, moved: Mapping[str, Real]) -> Real:
+    """What the first side has more than the polynomial of the second."""
+    one, other = (
+        sum((c * moved.get(joint, ZERO[0]) for joint, c in side.items()), start=ZERO[0])
+        for side in (tied.first, tied.second)
+    )
+    return one - sum((c * other**k for k, c in enumerate(tied.powers[1:], start=1)), start=tied.powers[0])

@@ -31,6 +31,8 @@ def holds(mechanism: Mechanism, force: Mapping[str, Any]) -> bool:
         point = mechanism.points[str(force["point"])]
         body = mechanism.bodies[point.body]
         return body.com == point.at and bool(body.mass) and not any(force["wrench"][3:])
+    if mechanism.joints[str(force["joint"])].kind.unconstrained:  # one number for all its freedoms
+        return force["kind"] in ("armature", "damping") and force.get("freedom") is None
     return True
 
 
@@ -55,6 +57,8 @@ def add_effects(root: Element, mechanism: Mechanism, beside: Beside, bodies: Map
             _carry(root, mechanism, force, field=field, bodies=bodies)
             continue
         name = _element_name(mechanism, str(force["joint"]), force.get("freedom"))
+        if made[name].tag == "freejoint":
+            made[name].tag, made[name].attrib["type"] = "joint", "free"
         if force["kind"] == "servo":
             _servo(root, name, force)
         else:
@@ -109,7 +113,7 @@ def _servo(root: Element, name: str, force: Mapping[str, Any]) -> None:
     if force.get("damping"):
         made.set("kv", decimals([force["damping"]]))
     if "limit" in force:
-        made.set("forcerange", decimals([-force["limit"], force["limit"]]))
+        made.set("forcerange", decimals([force.get("lowest", -force["limit"]), force["limit"]]))
 
 
 def _limit(element: Element, limits: JointLimits) -> None:

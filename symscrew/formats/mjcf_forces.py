@@ -18,7 +18,8 @@ from symscrew.formats.safe_xml import number, numbers
 
 SLIP = "1e-3"
 """Rate [rad/s or m/s] below which dry friction of a file creeps: files give its level alone, engines make it stick."""
-UNLIKE = ("ball", "free")
+FREE = "free"
+UNLIKE = ("ball", FREE)
 """Joints whose freedoms have no axis of their own: a spring there is none of one coordinate."""
 
 
@@ -26,35 +27,26 @@ def joint_forces(draft: Draft, settings: Settings, name: str, *, attributes: Att
     """Enter what a joint says of forces and limits."""
     where, single = f"<joint name={name!r}>", kind not in UNLIKE
 
-    def values(key: str) -> list[Decimal]:
-        return numbers(attributes.get(key, "0"), f"{where}, {key}")
+    def values(key: str, flag: str = "") -> list[Decimal]:
+        given = numbers(attributes.get(key, "0"), f"{where}, {key}")
+        return given if given and flag not in settings.off else [Decimal(0)]
 
     def add(kind_of: str, what: str, **table: Any) -> None:
         draft.effects.append(RawEffect(name, {"kind": kind_of, **table}))
         draft.ledger.turned(what)
 
-    armature, damping, friction = values("armature")[0], values("damping"), values("frictionloss")[0]
-    stiffness = values("stiffness")
+    armature, friction = values("armature")[0], values("frictionloss", "frictionloss")[0]
+    damping, stiffness = values("damping", "damper"), values("stiffness", "spring")
     if armature != 0:
-        if single or kind == UNLIKE[0]:
-            add("armature", "armature", inertia=float(armature))
-        else:
-            draft.ledger.lost(f"armature of a {kind} joint")
-    if damping[0] != 0 and (single or kind == UNLIKE[0]):
+        add("armature", "armature", inertia=float(armature))
+    if damping[0] != 0:
         add("damping", "damping", coefficient=float(damping[0]))
-    elif damping[0] != 0:
-        draft.ledger.lost("damping of a free joint")
-    if friction != 0:
-        if single:
-            add("friction", "frictionloss", coulomb=float(friction), velocity=float(SLIP))
-        elif kind == UNLIKE[0]:
-            for k in range(3):
-                add("friction", "frictionloss", coulomb=float(friction), velocity=float(SLIP), freedom=k)
-            draft.ledger.changed.append(
-                f"{where}, frictionloss: about axes of the parent, the file means the body's own"
-            )
-        else:
-            draft.ledger.lost(f"frictionloss of a {kind} joint")
+    freedoms = {"ball": range(3), FREE: range(6)}.get(kind, (None,))
+    for k in freedoms if friction != 0 else ():
+        more = {} if k is None else {"freedom": k}
+        add("friction", "frictionloss", coulomb=float(friction), velocity=float(SLIP), **more)
+    if friction != 0 and not single:
+        draft.ledger.changed.append(f"{where}, frictionloss: about axes of the parent, the file means the body's own")
     if stiffness[0] != 0:
         rest = number(attributes.get("springref", "0"), f"{where}, springref")
         at = settings.angle(rest) if kind == "hinge" else real(rest)
@@ -64,7 +56,7 @@ def joint_forces(draft: Draft, settings: Settings, name: str, *, attributes: Att
             draft.ledger.lost(f"stiffness of a {kind} joint")
     if any(value != 0 for value in (*damping[1:], *stiffness[1:])):
         draft.ledger.lost("powers of damping or stiffness above the first")
-    if any(value != 0 for value in values("springdamper")):
+    if any(value != 0 for value in values("springdamper", "spring")):
         draft.ledger.lost("springdamper")
     if single:
         _limits(draft, settings, name, attributes=attributes, kind=kind)
@@ -72,18 +64,22 @@ def joint_forces(draft: Draft, settings: Settings, name: str, *, attributes: Att
 
 def _limits(draft: Draft, settings: Settings, name: str, *, attributes: Attributes, kind: str) -> None:
     where = f"<joint name={name!r}>"
-    if "range" in attributes and (
-        attributes.get("limited", "auto") == "true"
-        or (attributes.get("limited", "auto") == "auto" and settings.auto_limits)
-    ):
+    if "limit" not in settings.off and limited(settings, attributes, "range", "limited"):
         low, high = numbers(attributes["range"], f"{where}, range", 2)
         found = draft.limits.setdefault(name, Limits())
         found.lower, found.upper = (settings.angle(v) if kind == "hinge" else real(v) for v in (low, high))
         draft.ledger.turned("range")
-    if "actuatorfrcrange" in attributes and attributes.get("actuatorfrclimited", "auto") != "false":
+    if limited(settings, attributes, "actuatorfrcrange", "actuatorfrclimited"):
         low, high = numbers(attributes["actuatorfrcrange"], f"{where}, actuatorfrcrange", 2)
         effort(draft, name, max(abs(low), abs(high)))
+        draft.limits[name].push = (real(low), real(high))
         draft.ledger.turned("actuatorfrcrange")
+
+
+def limited(settings: Settings, attributes: Attributes, reach: str, key: str) -> bool:
+    """Whether a range is one that limits: it is given, and the switch beside it does not say no."""
+    said = attributes.get(key, "auto")
+    return reach in attributes and (said == "true" or (said == "auto" and settings.auto_limits))
 
 
 def effort(draft: Draft, name: str, most: Any) -> None:

@@ -1,13 +1,14 @@
-"""Keyframes of an MJCF as values of our coordinates: where a scene may begin.
+"""Keyframes of an MJCF as values of our coordinates and rates: where a scene may begin.
 
     hinge, slide: the value itself    ball: (w, R v), turned into absolute axes    free: x - x0, and Q R^T
+    rates: of hinge, slide and places the value itself, of turns R omega
 
 R and x0 are the body's own orientation and place in the reference configuration, (w, v) and Q what the file says.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from symscrew.errors import DescriptionError
@@ -15,6 +16,7 @@ from symscrew.formats.rigid_displacements import (
     Pose,
     Real,
     Rotation,
+    apply,
     from_quaternion,
     minus,
     product,
@@ -26,6 +28,8 @@ from symscrew.formats.rigid_displacements import (
 from symscrew.formats.safe_xml import Element, elements, label, numbers
 
 SIZES = {"hinge": 1, "slide": 1, "ball": 4, "free": 7}
+RATES = {"hinge": 1, "slide": 1, "ball": 3, "free": 6}
+TURNING = ("wx", "wy", "wz")
 QUATERNION = ("qw", "qx", "qy", "qz")
 Values = Mapping[tuple[str, str], Real]
 """(joint of the file, its coordinate: empty where it has one) -> value."""
@@ -45,14 +49,50 @@ def keyframes(root: Element, listed: Sequence[Listed]) -> dict[str, Values]:
     found: dict[str, Values] = {}
     for section in elements(root, "keyframe"):
         for k, key in enumerate(elements(section, "key")):
-            if "qpos" not in key.attrib:
-                continue
-            given = [real(v) for v in numbers(key.attrib["qpos"], f"{label(key)}, qpos")]
-            size = sum(SIZES[joint.kind] for joint in listed)
-            if len(given) != size:
-                raise DescriptionError(f"{label(key)}, qpos: expected {size} numbers, got {len(given)}")
-            found[key.get("name") or f"key_{k}"] = _values(given, listed, label(key))
+            if "qpos" in key.attrib:
+                given = _listed(key, "qpos", sum(SIZES[joint.kind] for joint in listed))
+                found[key_name(key, k)] = _values(given, listed, label(key))
+            elif "qvel" in key.attrib:
+                found[key_name(key, k)] = {}
     return found
+
+
+def keyframe_rates(root: Element, listed: Sequence[Listed]) -> dict[str, Values]:
+    """Keyframe -> rates that are not zero; raises DescriptionError for another number of them."""
+    found: dict[str, Values] = {}
+    for section in elements(root, "keyframe"):
+        for k, key in enumerate(elements(section, "key")):
+            if "qvel" in key.attrib:
+                given = _listed(key, "qvel", sum(RATES[joint.kind] for joint in listed))
+                values = {where: value for where, value in _rates(given, listed) if value != 0}
+                found |= {key_name(key, k): values} if values else {}
+    return found
+
+
+def key_name(key: Element, index: int) -> str:
+    """What a keyframe is called here."""
+    return key.get("name") or f"key_{index}"
+
+
+def _listed(key: Element, what: str, size: int) -> list[Real]:
+    given = [real(v) for v in numbers(key.attrib[what], f"{label(key)}, {what}")]
+    if len(given) != size:
+        raise DescriptionError(f"{label(key)}, {what}: expected {size} numbers, got {len(given)}")
+    return given
+
+
+def _rates(given: Sequence[Real], listed: Sequence[Listed]) -> Iterator[tuple[tuple[str, str], Real]]:
+    at = 0
+    for joint in listed:
+        own = given[at : at + RATES[joint.kind]]
+        at += len(own)
+        if len(own) == 1:
+            yield (joint.name, ""), own[0]
+            continue
+        for k, value in enumerate(own[:-3]):
+            yield (joint.name, str(k)), value
+        for axis, value in zip(TURNING, apply(joint.pose.rotation, triple(own[-3:])), strict=True):
+            yield (joint.name, axis), value
 
 
 def _values(given: Sequence[Real], listed: Sequence[Listed], where: str) -> Values:

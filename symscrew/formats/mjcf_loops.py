@@ -30,12 +30,20 @@ from symscrew.formats.safe_xml import Element, attribute, elements, label, numbe
 
 @dataclass(frozen=True)
 class Placed:
-    """Poses of the bodies, sites as (body, pose), the name of the ground, and how open loops may be."""
+    """Poses of the bodies, sites as (body, pose), the name of the ground, and how open loops may be.
+
+    `own`: poses in the file's own configuration, in which equalities of bodies hold.
+    """
 
     poses: Mapping[str, Pose]
     sites: Mapping[str, tuple[str, Pose]]
     ground: str
     closing: Closing
+    own: Mapping[str, Pose]
+
+    def moved(self, body: str) -> Pose:
+        """From a body's own place to the one where couplings have it."""
+        return self.poses[body] @ self.own[body].inverse()
 
 
 def loops(root: Element, settings: Settings, placed: Placed) -> list[RawJoint]:
@@ -119,7 +127,8 @@ def _connect(element: Element, placed: Placed) -> RawJoint:
     if meeting is None:
         anchor = triple(numbers(attribute(element, "anchor"), f"{label(element)}, anchor", 3))
         owner = element.attrib["body1"]
-        place = placed.poses[placed.ground if owner == "world" else owner].point(anchor)
+        at = placed.own[placed.ground if owner == "world" else owner].point(anchor)
+        place = placed.closing.middle(label(element), placed.moved(parent).point(at), placed.moved(child).point(at))
     else:
         one, other = (pose.translation for pose in meeting)
         place = placed.closing.middle(label(element), one, other)
@@ -138,6 +147,9 @@ def _weld(element: Element, placed: Placed) -> RawJoint:
         turn = [real(value) for value in given[3:]]
         wanted = Pose(from_quaternion(turn, f"{label(element)}, relpose"), triple(given[:3]))
         _check_weld(element, placed, wanted, one.inverse() @ other)
+    else:
+        own, now = (poses[parent].inverse() @ poses[child] for poses in (placed.own, placed.poses))
+        _check_weld(element, placed, own, now)
     return RawJoint(element.get("name") or "", "fixed", parent, child, placed.poses[child].translation)
 
 

@@ -35,7 +35,7 @@ def _bounded(draft: Draft, body: RawBody, settings: Settings, pose: Pose) -> Raw
             return body
         body = RawBody(body.name, real(0), pose.translation, (ZERO, ZERO, ZERO))
     assert body.mass is not None and body.inertia is not None
-    if body.mass is not None and body.mass < mass:
+    if mass and body.mass is not None and body.mass < mass:
         body = replace(body, mass=mass)
         draft.ledger.turned("boundmass")
     if least:

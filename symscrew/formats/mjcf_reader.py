@@ -14,7 +14,7 @@ Source: https://mujoco.readthedocs.io/en/stable/XMLreference.html.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 
 from symscrew.errors import DescriptionError, did_you_mean, shorten
@@ -25,8 +25,8 @@ from symscrew.formats.included_files import expanded
 from symscrew.formats.mjcf_actuators import Actuators, actuator_forces
 from symscrew.formats.mjcf_bodies import Place, Reading, read_children
 from symscrew.formats.mjcf_composed import composed
-from symscrew.formats.mjcf_couplings import Tied, raw_coupling, read_couplings
-from symscrew.formats.mjcf_keyframes import keyframes
+from symscrew.formats.mjcf_couplings import displacements, raw_coupling, read_couplings
+from symscrew.formats.mjcf_keyframes import key_name, keyframe_rates, keyframes
 from symscrew.formats.mjcf_loops import Placed, idle_equalities, loops
 from symscrew.formats.mjcf_masses import settle_masses
 from symscrew.formats.mjcf_medium import add_drags, medium
@@ -69,45 +69,66 @@ def read_mjcf(root: Element, path: Path, options: ImportOptions) -> Draft:
         result.characteristic_length = real(number(texts["symscrew_characteristic_length"], "<custom>, length"))
     ties, around = read_couplings(root, chosen), medium(root)
     pulled = transmissions(root, chosen, ties)
-    actuators = Actuators.of(root, chosen, pulled)
+    actuators = Actuators.of(root, chosen, pulled, result)
     reading = Reading(
         chosen,
         {next(iter(tied.first)): tied for tied in ties if tied.screw and not tied.powers[0]},
         actuators.driven(),
         result,
         meshes,
-        displaced=_offsets(ties),
+        displaced=displacements(ties),
         parts=whole.parts,
         in_medium=around is not None,
     )
-    reading.poses[ground] = Pose()
-    for world in elements(root, "worldbody"):
-        check_attributes(world, ("name", "childclass"))
-        read_children(reading, world, Place(ground, Pose(), world.get("childclass")))
+    _read_bodies(root, reading)
     settle_masses(result, chosen, reading.poses)
     add_drags(result, around)
     _check_all_found(reading, pulled.pulleys.values())
-    tendon_forces(result, pulled, reading.values)
-    actuator_forces(result, actuators, reading.sites, displaced=any(reading.displaced.values()))
+    tendon_forces(result, pulled, reading.rests, chosen.off)
+    actuator_forces(result, actuators, chosen, reading.sites, displaced=any(reading.displaced.values()))
     extent = _extent(result)
+    closing = Closing(result.ledger, extent, options.snap)
     result.joints += loops(
-        root, chosen, Placed(reading.poses, reading.sites, ground, Closing(result.ledger, extent, options.snap))
+        root, chosen, Placed(reading.poses, reading.sites, ground, closing, _own_poses(root, reading))
     )
-    result.couplings += [
-        raw_coupling(t, reading.values) for t in ties if next(iter(t.first)) not in reading.made_screws
-    ]
+    own = {joint: value - reading.displaced.get(joint, ZERO[0]) for joint, value in reading.values.items()}
+    result.couplings += [raw_coupling(t, own) for t in ties if next(iter(t.first)) not in reading.made_screws]
     add_pulleys(result, pulled, reading.values, reading.driven)
     idle = idle_equalities(root, chosen)
     if idle:
         result.ledger.passed("equality constraints that are not active", idle)
     result.configurations = _keyframes(root, reading)
     result.starts = keyframes(root, reading.listed)
+    result.start_rates = keyframe_rates(root, reading.listed)
     platform = texts.get("symscrew_platform")
     parents = {joint.parent for joint in result.joints}
     tips = [body.name for body in result.bodies if body.name not in parents]
     chain = len(tips) == 1 and len(result.joints) == len(result.bodies)
     result.platform = platform if platform in reading.poses else (tips[0] if chain else None)
     return result
+
+
+def _read_bodies(root: Element, reading: Reading) -> None:
+    ground = reading.result.ground
+    reading.poses[ground] = Pose()
+    for world in elements(root, "worldbody"):
+        check_attributes(world, ("name", "childclass"))
+        for child in elements(world, "joint", "freejoint", "inertial"):
+            raise DescriptionError(
+                f"<worldbody>: the world stands still and has no <{child.tag}>; put it into a <body>"
+            )
+        read_children(reading, world, Place(ground, Pose(), world.get("childclass")))
+
+
+def _own_poses(root: Element, reading: Reading) -> Mapping[str, Pose]:
+    """Poses of the bodies in the file's own configuration, from which couplings may displace them."""
+    if not reading.displaced:
+        return reading.poses
+    given = reading.result
+    aside = Draft(given.name, given.ground, given.origin, gravity=given.gravity)
+    own = Reading(reading.settings, {}, reading.driven, aside, reading.meshes, parts=reading.parts)
+    _read_bodies(root, own)
+    return own.poses
 
 
 def _check_sections(root: Element, result: Draft) -> None:
@@ -129,19 +150,6 @@ def _check_orientations(root: Element) -> None:
             raise DescriptionError(f"{label(element)}: expected one orientation, got {' and '.join(given)}")
 
 
-def _offsets(ties: list[Tied]) -> dict[str, Real]:
-    """Joint -> by how much its coupling has it off its own value where the other joint has its own."""
-    found = {}
-    for tied in ties:
-        if tied.powers[0] == 0 or (not tied.second and len(tied.first) > 1):
-            continue
-        if len(tied.first) > 1:
-            raise DescriptionError(f"{tied.where}: the offset of a tendon over several joints is not supported")
-        ((joint, factor),) = tied.first.items()
-        found[joint] = tied.powers[0] / factor
-    return found
-
-
 def _check_all_found(reading: Reading, pulleys: Iterable[str]) -> None:
     names = {joint.name for joint in reading.result.joints} | reading.seen | set(pulleys)
     for name in reading.driven:
@@ -160,9 +168,10 @@ def _keyframes(root: Element, reading: Reading) -> dict[str, tuple[Real, ...]]:
     found: dict[str, tuple[Real, ...]] = {}
     for section in elements(root, "keyframe"):
         for k, key in enumerate(elements(section, "key")):
+            for left in sorted({"act", "ctrl", "mpos", "mquat", "time"} & set(key.attrib)):
+                reading.result.ledger.passed(f"{left} of keyframes")
             if "qpos" in key.attrib:
-                name = key.get("name") or f"key_{k}"
-                found[name] = tuple(real(v) for v in numbers(attribute(key, "qpos"), f"{label(key)}, qpos"))
+                found[key_name(key, k)] = tuple(real(v) for v in numbers(attribute(key, "qpos"), f"{label(key)}, qpos"))
     if found:
         reading.result.ledger.turned("keyframes: configurations", len(found))
     return found

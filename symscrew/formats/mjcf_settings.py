@@ -13,6 +13,7 @@ from decimal import Decimal
 
 from symscrew.errors import DescriptionError, did_you_mean, shorten
 from symscrew.formats.draft import Draft
+from symscrew.formats.mjcf_gains import as_general
 from symscrew.formats.rigid_displacements import (
     CONTEXT,
     UNITS,
@@ -79,14 +80,28 @@ OTHER_DEFAULTS = ("tendon", "mesh")
 ACTUATORS = (
     "motor", "position", "velocity", "intvelocity", "damper", "cylinder", "muscle", "general", "dcmotor", "adhesion",
 )  # fmt: skip
+LEFT_OUT = ("equality", "actuation", "constraint", "passive")
+ACTS = ("gravity", "spring", "damper", "frictionloss", "limit", *LEFT_OUT)
+"""Flags of <option> that take a part of the mechanics away; of these a file's are followed but for the first ones."""
+IDLE_FLAGS = (
+    "contact", "clampctrl", "diagexact", "ipc", "speculative", "warmstart", "filterparent", "refsafe", "sensor",
+    "midphase", "eulerdamp", "autoreset", "nativeccd", "island", "override", "energy", "fwdinv", "invdiscrete",
+    "multiccd", "sleep",
+)  # fmt: skip
+"""Flags that say how an engine computes, or what no mechanism here has."""
 ALREADY_THERE = CONTEXT.mpf(10) ** -20
 """Sine of the angle to z below which a direction is z, or -z: it has no normal to turn about that 50 digits know."""
+ACTUATOR = "actuator"
+"""Under which a class holds its one actuator."""
 Attributes = Mapping[str, str]
 
 
 @dataclass(frozen=True)
 class Settings:
-    """What the file says before its bodies: units, default classes, how inertias are found."""
+    """What the file says before its bodies: units, default classes, how inertias are found.
+
+    `off`: flags of the options by which a force does not act; `idle_groups`: of actuators that are left out.
+    """
 
     degrees: bool = True
     sequence: str = "xyz"
@@ -100,26 +115,26 @@ class Settings:
     least_inertia: Real = 0
     balanced: bool = False
     total_mass: Real = 0
+    off: frozenset[str] = frozenset()
+    idle_groups: frozenset[int] = frozenset()
 
     def merged(self, element: Element, kind: str, inherited: str | None) -> dict[str, str]:
         """The attributes of an element over those of its class (its own, its body's, or the main one)."""
         check_attributes(element, READ[kind])
+        return _over(self.defaults[self._class_of(element, inherited)].get(kind, {}), element.attrib)
+
+    def _class_of(self, element: Element, inherited: str | None) -> str:
         name = element.get("class") or inherited or "main"
         if name not in self.defaults:
             raise DescriptionError(
                 f"{label(element)}: no default class {shorten(name)}; {did_you_mean(name, self.defaults)}"
             )
-        return {**self.defaults[name].get(kind, {}), **element.attrib}
+        return name
 
     def actuator(self, element: Element) -> dict[str, str]:
-        """The attributes of an actuator over those of its class; a class gives them to every kind, or to one."""
-        name = element.get("class") or "main"
-        if name not in self.defaults:
-            raise DescriptionError(
-                f"{label(element)}: no default class {shorten(name)}; {did_you_mean(name, self.defaults)}"
-            )
-        found = self.defaults[name]
-        return {**found.get("general", {}), **found.get(element.tag, {}), **element.attrib}
+        """The attributes of an actuator over those of its class, as those of a general one (`mjcf_gains`)."""
+        name = self._class_of(element, None)
+        return as_general(self.defaults[name].get(ACTUATOR, {}), element.tag, element.attrib)
 
     def with_defaults(self, element: Element, kind: str) -> Element:
         """An element, a tendon or a mesh, with the attributes of its class; none of them is refused."""
@@ -186,7 +201,8 @@ def settings(root: Element, draft: Draft) -> Settings:
     found: dict[str, dict[str, dict[str, str]]] = {"main": {}}
     for default in elements(root, "default"):
         _read_defaults(default, found, None)
-    made = Settings(
+    off, groups = _options(root, draft)
+    return Settings(
         degrees=given.get("angle", "degree") == "degree",
         sequence=sequence,
         from_geoms=given.get("inertiafromgeom", "auto"),
@@ -199,10 +215,9 @@ def settings(root: Element, draft: Draft) -> Settings:
         least_inertia=real(given.get("boundinertia", "0")),
         balanced=given.get("balanceinertia", "false") == "true",
         total_mass=real(given.get("settotalmass", "-1")),
+        off=off,
+        idle_groups=groups,
     )
-    for option in elements(root, "option"):
-        _option(option, draft)
-    return made
 
 
 def _check_compiler(compiler: Element) -> None:
@@ -223,27 +238,58 @@ def _read_defaults(default: Element, found: dict[str, dict[str, dict[str, str]]]
     name = default.get("class") or ("main" if above is None else None)
     if name is None:
         raise DescriptionError("<default>: a default inside another needs a class")
+    if above is None and name != "main":
+        raise DescriptionError(
+            f"<default class={shorten(name)}>: the outermost default is of the class 'main'; put {shorten(name)} inside"
+        )
     if name in found and above is not None:
         raise DescriptionError(f"<default>: there are two classes {shorten(name)}; each needs a name of its own")
     values = {kind: dict(attributes) for kind, attributes in found[above or "main"].items()}
     for child in elements(default):
         if child.tag in CHECKED_DEFAULTS:
             check_attributes(child, READ[child.tag], f"<default class={shorten(name)}>, <{child.tag}>")
-        if child.tag in (*CHECKED_DEFAULTS, *ACTUATORS, *OTHER_DEFAULTS):
-            values[child.tag] = {**values.get(child.tag, {}), **child.attrib}
+        if child.tag in (*CHECKED_DEFAULTS, *OTHER_DEFAULTS):
+            values[child.tag] = _over(values.get(child.tag, {}), child.attrib)
+        elif child.tag in ACTUATORS:
+            values[ACTUATOR] = as_general(values.get(ACTUATOR, {}), child.tag, child.attrib)
     found[name] = values
     for child in elements(default, "default"):
         _read_defaults(child, found, name)
 
 
-def _option(option: Element, draft: Draft) -> None:
-    """What the options add to the mechanics that a mechanism does not hold; the medium is in `mjcf_medium`."""
-    gravity = option.get("gravity", "0 0 -9.81")
-    if numbers(gravity, "<option>, gravity") != numbers("0 0 -9.81", ""):
-        x, y, z = gravity.split()
-        draft.gravity = (x, y, z)
+def _over(base: Attributes, own: Attributes) -> dict[str, str]:
+    """Attributes over those of a class; an own orientation of whatever form is in the place of the class's."""
+    turned = [key for key in ("quat", *ORIENTATIONS) if key in own]
+    kept = {key: value for key, value in base.items() if not turned or key not in ("quat", *ORIENTATIONS)}
+    return {**kept, **own}
+
+
+def _options(root: Element, draft: Draft) -> tuple[frozenset[str], frozenset[int]]:
+    """Flags that are off and groups of actuators that are; the draft gets what the options do to the mechanics.
+
+    The medium is in `mjcf_medium`.
+    """
+    flags: dict[str, str] = {}
+    groups: frozenset[int] = frozenset()
+    for option in elements(root, "option"):
+        if "gravity" in option.attrib:
+            x, y, z = map(str, numbers(option.attrib["gravity"], "<option>, gravity", 3))
+            draft.gravity = (x, y, z)
+        listed = numbers(option.get("actuatorgroupdisable", ""), "<option>, actuatorgroupdisable")
+        groups = frozenset(map(int, listed)) if "actuatorgroupdisable" in option.attrib else groups
+        for flag in elements(option, "flag"):
+            check_attributes(flag, (*ACTS, *IDLE_FLAGS), "<flag>")
+            flags |= flag.attrib
+    for key, value in flags.items():
+        if value not in ("enable", "disable"):
+            raise DescriptionError(f"<flag>: expected {key}='enable' or 'disable', got {shorten(value)}")
+    off = frozenset(key for key in ACTS if flags.get(key) == "disable")
+    for key in sorted(off & {*LEFT_OUT}):
+        draft.ledger.lost(f"flag {key}=disable")
+    if "gravity" in off:
+        draft.gravity = ("0", "0", "0")
+    if draft.gravity is not None and numbers(" ".join(draft.gravity), "") == numbers("0 0 -9.81", ""):
+        draft.gravity = None
+    if draft.gravity is not None:
         draft.ledger.turned("gravity")
-    for flag in elements(option, "flag"):
-        for key in ("gravity", "equality", "actuation"):
-            if flag.get(key, "enable") != "enable":
-                draft.ledger.lost(f"flag {key}={flag.get(key)}")
+    return off, groups

@@ -10,7 +10,7 @@ Source: https://mujoco.readthedocs.io/en/stable/XMLreference.html#tendon-fixed.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from symscrew.description import JOINT_TYPES
@@ -23,8 +23,8 @@ from symscrew.formats.mjcf_settings import Settings
 from symscrew.formats.rigid_displacements import UNITS, ZERO, Real, real
 from symscrew.formats.safe_xml import Element, attribute, elements, label, number, numbers
 
-FORCES = ("stiffness", "damping", "frictionloss", "armature")
-"""Attributes of a tendon that make a force along it."""
+FORCES = {"stiffness": "spring", "damping": "damper", "frictionloss": "frictionloss", "armature": None}
+"""Attributes of a tendon that make a force along it -> the flag that takes it away."""
 
 
 @dataclass(frozen=True)
@@ -79,7 +79,11 @@ class Transmissions:
 
 
 def transmissions(root: Element, settings: Settings, ties: Sequence[Tied]) -> Transmissions:
-    """The tendons of a file; `ties`: its couplings, of which the linear ones of two joints say who follows whom."""
+    """The tendons of a file; `ties`: its couplings, of which the linear ones of two joints say who follows whom.
+
+    Where joints have values of their own in the file's pose, tendons that name followers are pulleys: their length has
+    another zero than that of the joint which is followed.
+    """
     given: dict[str, Element] = {}
     for section in elements(root, "tendon"):
         for k, tendon in enumerate(elements(section)):
@@ -90,6 +94,8 @@ def transmissions(root: Element, settings: Settings, ties: Sequence[Tied]) -> Tr
         if len(tied.first) == len(tied.second) == 1 and not any((tied.powers[0], *tied.powers[2:]))
         and list(tied.first.values()) == list(tied.second.values()) == [1]
     }  # fmt: skip
+    if any(any(numbers(joint.get("ref", "0"), "<joint>, ref")) for joint in root.iter("joint")):
+        follows = {}
     tendons: dict[str, Mapping[str, Real]] = {}
     for name, tendon in given.items():
         if tendon.tag == "fixed":
@@ -100,9 +106,7 @@ def transmissions(root: Element, settings: Settings, ties: Sequence[Tied]) -> Tr
 def _gathered(tendon: Element, follows: Mapping[str, tuple[str, Real]]) -> dict[str, Real]:
     """Joint -> coefficient of a tendon, with joints that follow another put on that one."""
     terms: dict[str, Real] = {}
-    for part in elements(tendon, "joint"):
-        joint = attribute(part, "joint")
-        factor = real(number(attribute(part, "coef"), f"{label(tendon)}, coef"))
+    for joint, factor in _terms(tendon):
         seen = {joint}
         while joint in follows and follows[joint][0] not in seen:
             joint, factor = follows[joint][0], factor * follows[joint][1]
@@ -114,16 +118,27 @@ def _gathered(tendon: Element, follows: Mapping[str, tuple[str, Real]]) -> dict[
     return kept
 
 
-def tendon_forces(draft: Draft, found: Transmissions, values: Mapping[str, Real]) -> None:
-    """Enter what tendons say of forces and reach; what no mechanism here holds is in the ledger."""
+def _terms(tendon: Element) -> list[tuple[str, Real]]:
+    """(joint, coefficient) as the file lists them."""
+    where = f"{label(tendon)}, coef"
+    return [(attribute(p, "joint"), real(number(attribute(p, "coef"), where))) for p in elements(tendon, "joint")]
+
+
+def tendon_forces(draft: Draft, found: Transmissions, rests: Mapping[str, Real], off: Collection[str]) -> None:
+    """Enter what tendons say of forces and reach; what no mechanism here holds is in the ledger.
+
+    `rests`: hinge or slide -> its springref, at which tendons have the length at which they rest unless they say one;
+    `off`: flags of the file by which forces do not act.
+    """
     for name, tendon in found.given.items():
         where = label(tendon)
-        forces = [key for key in FORCES if any(v != 0 for v in numbers(tendon.get(key, "0"), f"{where}, {key}"))]
+        acting = [key for key, flag in FORCES.items() if flag not in off]
+        forces = [key for key in acting if any(v != 0 for v in numbers(tendon.get(key, "0"), f"{where}, {key}"))]
         if tendon.tag != "fixed":
             for key in forces:
                 draft.ledger.lost(f"{key} of a tendon in space")
         elif forces:
-            _forces(draft, tendon, forces, target=found.of({"tendon": name}, where), values=values, found=found)
+            _forces(draft, tendon, forces, target=found.of({"tendon": name}, where), rests=rests, found=found)
         if "range" in tendon.attrib:
             draft.ledger.passed("range of a tendon")
 
@@ -134,7 +149,7 @@ def _forces(
     forces: Sequence[str],
     *,
     target: Target | None,
-    values: Mapping[str, Real],
+    rests: Mapping[str, Real],
     found: Transmissions,
 ) -> None:
     assert target is not None
@@ -155,8 +170,8 @@ def _forces(
             if len(ends) > 1 and ends[0] != ends[1]:
                 draft.ledger.lost("springlength with a slack part")
                 continue
-            own = sum((c * values.get(j, ZERO[0]) for j, c in found.coefficients(target).items()), start=ZERO[0])
-            rest = own if ends[0] == -1 else ends[0] / target.factor
+            own = sum((c * rests.get(j, ZERO[0]) for j, c in _terms(tendon)), start=ZERO[0])
+            rest = (own if ends[0] == -1 else ends[0]) / target.factor
             table = {"kind": "spring", "stiffness": size * square, "rest": float(rest)}
         draft.effects.append(RawEffect(target.joint, table))
         draft.ledger.turned(f"{key} of a tendon")

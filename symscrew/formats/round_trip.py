@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from symscrew.description import Joint, Mechanism, slope
+from symscrew.formats.mjcf_couplings import reference_value
 from symscrew.reference import NumericMechanism, numeric
 
 PLACES = 1e-14
@@ -17,6 +18,8 @@ INERTIA = 1.1e-9
 """Of the whole: what MJCF raises bodies without inertia to (1e-9), and rounding. More is another inertia."""
 RATIO = 1e-12
 """Of a ratio of a coupling: what doubles in a file lose of it."""
+CONSTANT = ("", 0)
+"""Key of what a coupling's sum is, beside those of its coordinates."""
 KEPT = ("R", "P", "fixed")
 """Types of joints that every format has; others come back as chains of them where a format lacks them."""
 
@@ -52,7 +55,7 @@ def difference(written: Mechanism, read: Mechanism) -> str | None:
 
 
 def _couplings(written: Mechanism, read: Mechanism) -> str | None:
-    """Couplings come back with the same ratios of their slopes in the reference configuration, under any name."""
+    """Couplings come back with the same ratios of their slopes, and the same constant, under any name."""
     wanted, found = ({name: _ratios(m, name) for name in m.couplings} for m in (written, read))
     for name, ratios in wanted.items():
         if not any(_equal(ratios, other) for other in found.values()):
@@ -64,11 +67,17 @@ def _ratios(mechanism: Mechanism, name: str) -> dict[tuple[str, int], float]:
     terms = mechanism.couplings[name].terms
     values = {(term.joint, term.motion): float(mechanism.number(slope(mechanism, term))) for term in terms}
     first = next(value for key, value in sorted(values.items()) if value)
-    return {key: value / first for key, value in values.items()}
+    at = [reference_value(mechanism, term) for term in terms]
+    powers = [[float(mechanism.number(c)) for c in term.coefficients] for term in terms]
+    constant = sum(c * x**k for x, listed in zip(at, powers, strict=True) for k, c in enumerate(listed, start=1))
+    return {CONSTANT: constant / first} | {key: value / first for key, value in values.items()}
 
 
 def _equal(one: dict[tuple[str, int], float], other: dict[tuple[str, int], float]) -> bool:
-    return set(one) == set(other) and all(abs(one[key] - other[key]) <= RATIO * abs(one[key]) for key in one)
+    least = {key: 1.0 if key == CONSTANT else 0.0 for key in one}
+    return set(one) == set(other) and all(
+        abs(one[key] - other[key]) <= RATIO * max(abs(one[key]), least[key]) for key in one
+    )
 
 
 def _joint(a: NumericMechanism, b: NumericMechanism, one: Joint, other: Joint) -> str | None:

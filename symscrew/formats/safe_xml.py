@@ -52,7 +52,17 @@ def read(path: Path) -> Element:
     except (ElementTree.ParseError, ValueError, LookupError) as error:
         raise DescriptionError(f"{path.name}: not a valid XML file: {shorten(str(error), 200)}") from error
     _check_size(root, path.name)
+    _drop_namespace(root)
     return root
+
+
+def _drop_namespace(root: Element) -> None:
+    """Take the root's own namespace off all elements that share it: it is the usual one there."""
+    space = root.tag.rpartition("}")[0]
+    if space:
+        for element in root.iter():
+            if isinstance(element.tag, str) and element.tag.startswith(f"{space}}}"):
+                element.tag = element.tag[len(space) + 1 :]
 
 
 def _check_size(root: Element, file: str) -> None:
@@ -71,6 +81,11 @@ def elements(parent: Element, *tags: str) -> Iterator[Element]:
     for child in parent:
         if isinstance(child.tag, str) and (not tags or child.tag in tags):
             yield child
+
+
+def first(parent: Element, tag: str) -> list[Element]:
+    """The first child with a tag, which is the one that counts where there are several; empty where there is none."""
+    return list(elements(parent, tag))[:1]
 
 
 def label(element: Element) -> str:

@@ -12,6 +12,7 @@ from xml.etree.ElementTree import Element, SubElement
 from symscrew.description import Mechanism
 from symscrew.formats.imported import Beside, JointLimits
 from symscrew.formats.safe_xml import decimals
+from symscrew.formats.urdf_forces import WIDE
 
 
 def holds(mechanism: Mechanism, force: Mapping[str, Any]) -> bool:
@@ -58,6 +59,10 @@ def _limit(element: Element, limits: JointLimits) -> None:
     reach = limits.lower is not None and limits.upper is not None
     if element.get("type") == "continuous" and reach:
         element.set("type", "revolute")
-    known = {key: decimals([value]) for key, value in given.items() if value is not None}
-    if known:
-        SubElement(element, "limit", known)
+    known = {key: value for key, value in given.items() if value is not None}
+    if not known and element.get("type") not in ("revolute", "prismatic"):
+        return
+    wide = {"effort": WIDE, "velocity": WIDE}  # the format wants both, and of a slide a reach
+    if element.get("type") == "prismatic":
+        wide |= {"lower": -WIDE, "upper": WIDE}
+    SubElement(element, "limit", {key: decimals([value]) for key, value in {**wide, **known}.items()})

@@ -44,8 +44,9 @@ from symscrew.formats.rigid_displacements import (
     turned_inertia,
     unit,
 )
-from symscrew.formats.safe_xml import Element, attribute, check_attributes, elements, label, number, numbers
+from symscrew.formats.safe_xml import Element, attribute, check_attributes, elements, first, label, number, numbers
 from symscrew.formats.urdf_forces import joint_forces, transmission_forces
+from symscrew.formats.urdf_gazebo import gazebo_forces
 from symscrew.formats.urdf_loops import DRAKE, is_loop, loops
 
 TYPES = {
@@ -64,9 +65,10 @@ READ = (
     f"{DRAKE}joint",
     f"{DRAKE}ball_constraint",
 )
-WITH_INFLUENCE = tuple(f"{DRAKE}{name}" for name in ("linear_bushing_rpy", "linear_spring_damper"))
+WITH_INFLUENCE = ("include", *(f"{DRAKE}{name}" for name in ("linear_bushing_rpy", "linear_spring_damper")))
 # elements of a <joint> and a <link> that are known; others are listed
 IN_JOINT = ("origin", "parent", "child", "axis", "limit", "dynamics", "mimic", "joint_properties")
+ONCE = ("origin", "axis", "limit", "dynamics", "mimic", "joint_properties")
 FREE_JOINT = "root_joint"
 WORLD = "world"
 
@@ -113,10 +115,11 @@ def read_urdf(root: Element, path: Path, options: ImportOptions) -> Draft:
         result.ledger.passed("inertia of the root link, which is the ground (--floating frees it)")
     for joint_name, joint in joints.items():
         joint_forces(result, joint_name, joint)
-        axes = [_triple(attribute(axis, "xyz"), f"{label(joint)}, axis") for axis in elements(joint, "axis")]
+        axes = [_triple(attribute(axis, "xyz"), f"{label(joint)}, axis") for axis in first(joint, "axis")]
         if joint.get("type") != "fixed" and not all(map(has_length_one, axes)):
             result.ledger.passed(AXES)
     transmission_forces(result, root, joints)
+    gazebo_forces(result, root, joints)
     points = [joint.point for joint in result.joints]
     result.frames = {name: poses[attribute(_one(joint, "child"), "link")] for name, joint in joints.items()}
     extent = max((length(minus(point, points[0])) for point in points), default=ZERO[0])
@@ -146,7 +149,7 @@ def _mimics(joints: Mapping[str, Element], ledger: Ledger) -> dict[str, tuple[st
     """Joint -> (the one that it follows, multiplier, offset)."""
     found = {}
     for name, joint in joints.items():
-        for mimic in elements(joint, "mimic") if joint.get("type") != "fixed" else ():
+        for mimic in first(joint, "mimic") if joint.get("type") != "fixed" else ():
             where = f"{label(joint)}, mimic"
             check_attributes(mimic, ("joint", "multiplier", "offset"), where)
             other = mimic.get("joint", "")
@@ -210,10 +213,10 @@ def _named(found: Iterable[Element], what: str) -> dict[str, Element]:
     return result
 
 
-def _one(parent: Element, tag: str) -> Element:
+def _one(parent: Element, tag: str, where: str | None = None) -> Element:
     found = list(elements(parent, tag))
     if len(found) != 1:
-        raise DescriptionError(f"{label(parent)}: expected one <{tag}>, found {len(found)}")
+        raise DescriptionError(f"{where or label(parent)}: expected one <{tag}>, found {len(found)}")
     return found[0]
 
 
@@ -287,8 +290,8 @@ def _body(link: Element, pose: Pose) -> RawBody:
         return RawBody(name)
     inertial = _one(link, "inertial")
     where = f"{label(link)}, inertial"
-    mass = triple([number(attribute(_one(inertial, "mass"), "value"), f"{where}, mass"), 0, 0])[0]
-    moments = _one(inertial, "inertia")
+    mass = triple([number(attribute(_one(inertial, "mass", where), "value"), f"{where}, mass"), 0, 0])[0]
+    moments = _one(inertial, "inertia", where)
     keys = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
     check_attributes(moments, keys, f"{where}, inertia")
     xx, xy, xz, yy, yz, zz = (number(moments.get(key, "0"), f"{where}, {key}") for key in keys)
@@ -361,6 +364,10 @@ def _left_out(result: Draft, root: Element, links: Iterable[Element], joints: It
             if element.tag != "inertial":
                 result.ledger.passed(f"<{_short(element)}> of links")
     for joint in joints:
+        for tag in ONCE:
+            more = len(list(elements(joint, tag))) - 1
+            if more > 0:
+                result.ledger.passed(f"a second <{tag}> of a joint: the first one counts", more)
         if joint.get("type") == "fixed" and any(True for _ in elements(joint, "mimic")):
             result.ledger.passed("<mimic> of fixed joints")
         for element in elements(joint):

@@ -21,12 +21,12 @@ from symscrew.errors import DescriptionError
 from symscrew.formats.elementary_chains import Array, Branch, Step, chains, numbers, steps
 from symscrew.formats.file_names import fresh
 from symscrew.formats.imported import Beside
+from symscrew.formats.mjcf_couplings import reference_value
 from symscrew.formats.safe_xml import decimals, text_of
 from symscrew.formats.urdf_effects import add_effects
+from symscrew.formats.urdf_forces import WIDE
 from symscrew.reference import rotation_about
 
-WIDE = "1000000"
-"""Limits [m, m/s, N] of prismatic joints, which the format demands and a mechanism has not: beyond any machine."""
 UPRIGHT = 1e-12
 """Cosine of the pitch below which roll and yaw turn about the same axis: then roll is 0 and yaw takes both. Above it
 both are well defined, to the digits that the cosine has."""
@@ -71,7 +71,7 @@ def print_urdf(mechanism: Mechanism, beside: Beside | None = None) -> str:
 
 
 def _add_mimic(root: Element, mechanism: Mechanism, coupling: Coupling, driven: Sequence[str]) -> None:
-    """One joint that mimics another; coordinates of the file are 0 in the reference configuration.
+    """One joint that mimics another, by a factor and what is left of its value in the reference configuration.
 
     Raises:
         DescriptionError: the coupling has another form, or both joints are driven or mimic others.
@@ -87,7 +87,11 @@ def _add_mimic(root: Element, mechanism: Mechanism, coupling: Coupling, driven: 
     k = free[-1]
     other = names[1 - k] if len(names) == 2 else next(name for name in made if name != names[k])
     factor = -factors[1 - k] / factors[k] if len(names) == 2 else 0.0
-    SubElement(made[names[k]], "mimic", joint=other, multiplier=decimals([factor]))
+    values = [reference_value(mechanism, term) for term in coupling.terms]
+    offset = values[k] - (factor * values[1 - k] if len(names) == 2 else 0.0)
+    mimic = SubElement(made[names[k]], "mimic", joint=other, multiplier=decimals([factor]))
+    if offset:
+        mimic.set("offset", decimals([offset]))
 
 
 def _add_joint(root: Element, mechanism: Mechanism, branch: Branch, *, shift: Array, used: list[str]) -> list[str]:
@@ -118,7 +122,7 @@ def _add_joint(root: Element, mechanism: Mechanism, branch: Branch, *, shift: Ar
         if step.motion.kind in TYPES:
             SubElement(made, "axis", xyz=decimals(step.axis))
         if step.motion.prismatic:
-            SubElement(made, "limit", lower=f"-{WIDE}", upper=WIDE, effort=WIDE, velocity=WIDE)
+            SubElement(made, "limit", lower=f"-{WIDE}", upper=f"{WIDE}", effort=f"{WIDE}", velocity=f"{WIDE}")
         if k + 1 < len(parts):
             SubElement(root, "link", name=name)
         driven += [step.name] if step.driven else []

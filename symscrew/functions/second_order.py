@@ -61,7 +61,8 @@ def second_order_functions(system: System, loops: Loops, functions: Sequence[Fun
     for name in (*ALONG_Y, "closure"):
         if name in found and found[name].results[0]:
             weighted = _weighted(system, loops, found[name])
-            result += [_product(weighted), _hessian(weighted)]
+            if weighted.groups:  # a mechanism without freedoms has nothing to go along
+                result += [_product(weighted), _hessian(weighted)]
     return result
 
 

@@ -33,7 +33,7 @@ def section(order: Order) -> Sequence[str]:
         f"`nvcc -O3 -arch=native -shared -Xcompiler -fPIC {name}.cu -o lib{name}_cuda.so`, or as C++ on a processor:",
         f"`g++ -O2 -x c++ -shared -fPIC {name}.cu -o lib{name}_cuda.so`. One thread takes one state; entry k of state",
         f"i of every array lies at `[k * stride + i]`. `{name}_cuda.h` declares a call per function; from Python,",
-        "`symscrew.runtime.load_cuda` compiles and calls the kernels on CuPy's arrays.",
+        "`load_cuda` of `symscrew.runtime` compiles and calls the kernels on CuPy's arrays.",
     ]
 
 

@@ -58,7 +58,7 @@ def compare(case: Case) -> Iterator[Finding]:
     def evaluate(name: str, inputs: Sequence[np.ndarray]) -> Results:
         rows = [next(answers) for _ in np.ravel(expected[name][1])]
         ports = model.programs[name].outputs
-        arrays = tuple(np.array([row[p.name] for row in rows], dtype=float).reshape(-1, p.size) for p in ports)
+        arrays = tuple(np.array([row[p.name] for row in rows], dtype=float).reshape(len(rows), p.size) for p in ports)
         return arrays, np.array([row["status"] for row in rows])
 
     yield compare_values("JavaScript", model, {name: first_path(*found) for name, found in expected.items()}, evaluate)

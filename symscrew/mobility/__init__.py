@@ -72,7 +72,7 @@ if TYPE_CHECKING:
     from symscrew.mobility.proof_file import mobility_proof, write_proof
     from symscrew.mobility.proofs import Verdict, check_proof
     from symscrew.mobility.screw_systems import ScrewSystem
-    from symscrew.mobility.symbols import Exact, Field, NotDecidableError, exact_system, exact_value
+    from symscrew.mobility.symbols import Exact, Field, NotDecidableError, condition, exact_system, exact_value
 
 __all__ = [
     "FORMS",
@@ -106,6 +106,7 @@ __all__ = [
     "component_lines",
     "component_values",
     "components_of",
+    "condition",
     "configuration_space",
     "connection_lines",
     "connection_values",

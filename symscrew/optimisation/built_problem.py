@@ -13,15 +13,16 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from numbers import Real
 from typing import Any
 
 import casadi as ca
 import numpy as np
 
-from symscrew.errors import DescriptionError
+from symscrew.errors import DescriptionError, did_you_mean
 from symscrew.optimisation.compiled_points import CompiledPoints
 from symscrew.optimisation.contradictions import check_problem
-from symscrew.optimisation.explanation import STATUS, broken_rows, pressing_bounds
+from symscrew.optimisation.explanation import broken_rows, pressing_bounds, status_of
 from symscrew.optimisation.plan_verdict import judged
 from symscrew.optimisation.point_model import PointModel
 from symscrew.optimisation.problem import Bounds, Conditions, Range, TrajectoryProblem
@@ -120,7 +121,10 @@ class OptimisationProblem:
         self._guess = np.clip(np.nan_to_num(unknowns.pack(arrays)), unknowns.lower, unknowns.upper)
         self._trouble = found.guess.trouble
         self._scale = cost_scale_of(self._made.settled(), self._guess)
-        self._points = CompiledPoints({f.name: point_functions(f) for f in self._made.families})
+        families = self._made.families
+        self._points = CompiledPoints(
+            {f.name: point_functions(f) for f in families}, {f.name: f.count for f in families}
+        )
         self._compiled = False
         self._program = self._assembled()
         self._stages = stages_of(self._made, self._program)
@@ -243,12 +247,12 @@ class OptimisationProblem:
         **others: Any,
     ) -> TrajectoryProblem:
         """The problem with other numbers."""
-        problem = self.problem
+        problem, labels = self.problem, self._made.model.equations.labels
         changed = {name: value for name, value in others.items() if value is not None}
         if start is not None:
-            changed["start"] = _conditions(problem.start, start)
+            changed["start"] = _conditions(problem.start, start, "start", labels)
         if goal is not None:
-            changed["end"] = _conditions(problem.end, goal)
+            changed["end"] = _conditions(problem.end, goal, "goal", labels)
         if weights is not None:
             if len(weights) != len(problem.objectives):
                 count = len(problem.objectives)
@@ -335,12 +339,12 @@ class OptimisationProblem:
     ) -> Trajectory:
         x, g, pressure = (np.array(answer[name]).ravel() for name in ("x", "g", "lam_x"))
         program = replace(self._program, lower=given.lower, upper=given.upper)
-        solved = bool(stats["success"])
-        reasons: tuple[str, ...] = ()
+        success, word = bool(stats["success"]), str(stats.get("return_status", ""))
+        reasons = broken = broken_rows(program, given.known, x, g)
+        solved = success and not broken
         if not solved:
-            reasons = (*broken_rows(program, given.known, x, g), *pressing_bounds(given.known, x, pressure))
-        word = str(stats.get("return_status", ""))
-        status = NOT_JUDGED if solved else STATUS.get(word, f"the solver ended with {word}")
+            reasons = (*broken, *pressing_bounds(given.known, x, pressure))
+        status = NOT_JUDGED if solved else status_of(word, success=success, broken=broken)
         if self._trouble and not solved:
             status, reasons = f"not solved: {self._trouble}", (self._trouble, *reasons)
         made = replace(self._made, unknowns=given.known, model=self._made.model.of(given.problem), numbers=given.values)
@@ -352,10 +356,16 @@ class OptimisationProblem:
         )  # fmt: skip
 
 
-def _conditions(before: Conditions, given: Given) -> Conditions:
-    """Conditions with other values of coordinates, or others altogether."""
+def _conditions(before: Conditions, given: Given, where: str, labels: Sequence[str]) -> Conditions:
+    """Conditions with other values of coordinates, or others altogether; `labels` are the independent coordinates."""
     if isinstance(given, Conditions):
         return given
+    known = dict.fromkeys((*before.coordinates, *labels))
+    for label, value in given.items():
+        if label not in known:
+            raise DescriptionError(f"{where}: this problem takes no coordinate {label!r}; {did_you_mean(label, known)}")
+        if isinstance(value, bool) or not isinstance(value, Real):
+            raise DescriptionError(f"{where}.{label}: expected a number [rad, m], got {value!r}")
     return replace(before, coordinates={**before.coordinates, **given})
 
 

@@ -5,6 +5,8 @@ last iterate --constraints missed, bounds pressed--> sentences for `Trajectory.s
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from symscrew.optimisation.sparse import NonlinearProgram
@@ -28,6 +30,13 @@ STATUS = {
 SHOWN = 5  # kinds of constraints and of bounds that are named
 BROKEN = 1e-6  # scaled: a solver that succeeds leaves less, so less is no reason why it did not
 PRESSED = 1e-4  # scaled: an interior point stays off a bound that it presses against by less than this
+
+
+def status_of(word: str, *, success: bool, broken: Sequence[str]) -> str:
+    """What a solver's word means; one that calls itself successful is believed where no constraint is broken."""
+    if success and broken:
+        return f"not converged: the solver took it for solved by its own options, but {broken[0]}"
+    return STATUS.get(word, f"the solver ended with {word}")
 
 
 def broken_rows(program: NonlinearProgram, unknowns: Unknowns, x: np.ndarray, g: np.ndarray) -> tuple[str, ...]:

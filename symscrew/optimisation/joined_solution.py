@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from symscrew.optimisation.explanation import STATUS, broken_rows, pressing_bounds
+from symscrew.optimisation.explanation import broken_rows, pressing_bounds, status_of
 from symscrew.optimisation.interruption import interruptible
 from symscrew.optimisation.joined_plan import JoinedPlan
 from symscrew.optimisation.joined_problem import JoinedProblem
@@ -141,9 +141,10 @@ def _once(
         )
     stats = solver.stats()
     x, g, pressure, rows = (np.array(answer[name]).ravel() for name in ("x", "g", "lam_x", "lam_g"))
-    ok, word = bool(stats["success"]), stats.get("return_status", "")
-    reasons = () if ok else (*broken_rows(program, one.unknowns, x, g), *pressing_bounds(one.unknowns, x, pressure))
-    status = STATUS.get(word, f"the solver ended with {word}")
+    broken = broken_rows(program, one.unknowns, x, g)
+    ok = bool(stats["success"]) and not broken
+    reasons = () if ok else (*broken, *pressing_bounds(one.unknowns, x, pressure))
+    status = status_of(stats.get("return_status", ""), success=bool(stats["success"]), broken=broken)
     say(f"{status} after {int(stats.get('iter_count', 0))} iterations")
     spent = replace(statistics_of(stats, clock() * 0, made - ready, clock() - made), undefined=told.counts)
     if warm:

@@ -18,7 +18,7 @@ import numpy as np
 from symscrew.errors import DescriptionError, did_you_mean
 from symscrew.optimisation.collocation import Collocation
 from symscrew.optimisation.contradictions import check_inputs, check_problem
-from symscrew.optimisation.explanation import STATUS, broken_rows, pressing_bounds
+from symscrew.optimisation.explanation import broken_rows, pressing_bounds, status_of
 from symscrew.optimisation.guess import Guess, first_guess, unit_scales
 from symscrew.optimisation.interruption import interruptible
 from symscrew.optimisation.many_starts import Attempt, Values, searched
@@ -289,12 +289,13 @@ def _once(
     stats = solver.stats()
     done = clock()
     x = np.array(answer["x"]).ravel()
-    ok = bool(stats["success"])
     word = stats.get("return_status", "")
     g = np.array(answer["g"]).ravel()
     pressure = np.array(answer["lam_x"]).ravel()
-    reasons = () if ok else (*broken_rows(program, unknowns, x, g), *pressing_bounds(unknowns, x, pressure))
-    status = STATUS.get(word, f"the solver ended with {word}")
+    broken = broken_rows(program, unknowns, x, g)
+    ok = bool(stats["success"]) and not broken
+    reasons = () if ok else (*broken, *pressing_bounds(unknowns, x, pressure))
+    status = status_of(word, success=bool(stats["success"]), broken=broken)
     say(f"{status} after {int(stats.get('iter_count', 0))} iterations")
     spent = replace(statistics_of(stats, ready - began, made - ready, done - made), undefined=told.counts)
     return Trajectory(

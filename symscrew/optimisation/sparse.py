@@ -153,7 +153,8 @@ class _Parts:
         return ca.MX(_pattern(unique, shape), nonzeros)
 
 
-PointFunctions = Mapping[str, ca.Function]  # of one point: "value", "slope", "jacobian", "hessian"
+# "value", "slope", "jacobian", "hessian", of one point, or of all points of a family side by side
+PointFunctions = Mapping[str, ca.Function]
 
 
 def assemble(
@@ -267,13 +268,20 @@ def point_functions(family: Family) -> PointFunctions:
 
 def _at_points(function: ca.Function, count: int, z: Any, numbers: Any, *more: Any) -> Any:
     """The function at all points, whose columns stand side by side; the numbers are those of all."""
+    if function.size2_in(0) == count:
+        return function(z, numbers, *more)
     return function.map("points", "serial", count, [1], [])(z, numbers, *more)
+
+
+def _pattern_of_point(function: ca.Function, count: int) -> ca.Sparsity:
+    pattern = function.sparsity_out(0)
+    return ca.horzsplit(pattern, pattern.size2() // count)[0] if function.size2_in(0) == count > 1 else pattern
 
 
 def _add_jacobian(
     parts: _Parts, family: Family, function: ca.Function, arguments: Sequence[Any], *, first: int
 ) -> None:
-    pattern = function.sparsity_out(0)
+    pattern = _pattern_of_point(function, family.count)
     if pattern.nnz() == 0 or family.count == 0:
         return
     local_rows, local_columns = (np.array(k) for k in pattern.get_triplet())
@@ -286,7 +294,7 @@ def _add_jacobian(
 
 
 def _add_hessian(parts: _Parts, family: Family, function: ca.Function, arguments: Sequence[Any]) -> None:
-    pattern = function.sparsity_out(0)
+    pattern = _pattern_of_point(function, family.count)
     if pattern.nnz() == 0 or family.count == 0:
         return
     local_rows, local_columns = (np.array(k) for k in pattern.get_triplet())

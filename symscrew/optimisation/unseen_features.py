@@ -1,6 +1,6 @@
 """What happens between the points of a plan that no look at points shows: pulses of effects, peaks of a cost's text.
 
-texts of effects in time and coordinates, of objectives --enclosures over pieces, halved until resolved--> times to cut at
+texts of effects and objectives --enclosures over pieces, halved until they are resolved--> times to cut at
 
 Defects, costs and replays look at so many places in every interval of the mesh. They see what there is to be seen only
 where nothing changes faster. A quantity f with an enclosure of its second derivative is resolved over a piece of half
@@ -40,49 +40,64 @@ MOST_PIECES = 4_000
 class Unseen:
     """Relative times (n,) inside intervals at which these have to be cut, the shortest piece there and where it is.
 
-    `unsettled`: what could not be resolved, empty where everything was.
+    `forces`, `costs`: what of effects, of objectives could not be resolved, in words; empty where everything was.
     """
 
     cuts: np.ndarray
     shortest: float = 1.0
     where: float = 0.0
-    unsettled: str = ""
-
-
-NOTHING = Unseen(np.zeros(0))
+    forces: str = ""
+    costs: str = ""
 
 
 def unseen_by(motion: PlannedMotion, branch: Branch, followed: Followed) -> Unseen:
     """Where the mesh of a plan that was followed is too coarse for what acts and counts."""
+    if followed.trouble:
+        return Unseen(np.zeros(0))
     symbols = point_symbols(motion.model, moving=True)
-    at, problem = MotionQuantities(motion.model, symbols), motion.model.problem
-    values = ca.SX(0, 1)
-    if program := motion.model.equations.given_functions:
-        values = symbolic_outputs(program, {**at.known, "q": at.q})["values"]
-    for k, objective in enumerate(problem.objectives):
-        if objective.type == "expression":
-            term, _ = OBJECTIVE_TYPES["expression"].term(at, objective, f"objectives[{k}]")
-            values = ca.vertcat(values, term)
-    if not ca.symvar(values) or followed.trouble:
-        return NOTHING
-    quantities = EnclosedQuantities(motion, branch, symbols, values)
-    sizes = np.zeros(values.numel())
-    for _ in range(2):  # the second time with sizes that are known
-        found = _pieces(quantities, followed.boxes, sizes)
+    at, equations = MotionQuantities(motion.model, symbols), motion.model.equations
+    acts = ca.SX(0, 1)
+    if program := equations.given_functions:
+        acts = symbolic_outputs(program, {**at.known, "q": at.q})["values"]
+    terms = [
+        OBJECTIVE_TYPES["expression"].term(at, objective, f"objectives[{k}]")[0]
+        for k, objective in enumerate(motion.model.problem.objectives)
+        if objective.type == "expression"
+    ]
+    trouble, pieces = ["", ""], [np.zeros((0, 3))]
+    for k, (values, what) in enumerate(((acts, "what effects do"), (ca.vertcat(ca.SX(0, 1), *terms), "the cost"))):
+        if not ca.symvar(values):
+            continue
+        found = _resolved(EnclosedQuantities(motion, branch, symbols, values), followed.boxes, values.numel())
         if found is None:
-            return Unseen(np.zeros(0), unsettled="what objectives ask for could not be bounded between the points")
-        pieces, sizes = found
-    mesh = motion.transcribed.mesh
-    interval, centre, radius = pieces.T
-    own = radius < 1.0
-    if not own.any():
-        return NOTHING
-    low, length = mesh[interval[own].astype(int)], np.diff(mesh)[interval[own].astype(int)]
-    ends = low + length * (1 + centre[own] + radius[own]) / 2
+            trouble[k] = f"{what} changes too fast between the points to be followed, or is not bounded there"
+        else:
+            pieces.append(found)
+    return _cut_at(motion.transcribed.mesh, np.concatenate(pieces), forces=trouble[0], costs=trouble[1])
+
+
+def _cut_at(mesh: np.ndarray, pieces: np.ndarray, *, forces: str, costs: str) -> Unseen:
+    """Ends of the pieces that are not whole intervals."""
+    interval, centre, radius = pieces[pieces[:, 2] < 1.0].T
+    if not len(interval):
+        return Unseen(np.zeros(0), forces=forces, costs=costs)
+    low, length = mesh[interval.astype(int)], np.diff(mesh)[interval.astype(int)]
+    ends = low + length * (1 + centre + radius) / 2
     far = np.abs(ends[:, None] - mesh[None]).min(axis=1) > SHORTEST / 4
-    least = int(np.argmin(length * radius[own]))
-    where = float(ends[least] - length[least] * radius[own][least] / 2)
-    return Unseen(np.unique(ends[far]), float(length[least] * radius[own][least]), where)
+    least = int(np.argmin(length * radius))
+    where = float(low[least] + length[least] * (1 + centre[least]) / 2)
+    return Unseen(np.unique(ends[far]), float(length[least] * radius[least]), where, forces, costs)
+
+
+def _resolved(quantities: EnclosedQuantities, boxes: Boxes, count: int) -> np.ndarray | None:
+    """Pieces in which everything is resolved, in two rounds: the second time with sizes that are known."""
+    sizes = np.zeros(count)
+    for _ in range(2):
+        found = _pieces(quantities, boxes, sizes)
+        if found is None:
+            return None
+        pieces, sizes = found
+    return pieces
 
 
 def _pieces(quantities: EnclosedQuantities, boxes: Boxes, sizes: np.ndarray) -> tuple[np.ndarray, np.ndarray] | None:

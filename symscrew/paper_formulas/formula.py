@@ -71,6 +71,15 @@ def degrees(angle: float) -> str:
     return str(whole) if abs(angle - round(angle)) < WHOLE else f"{angle % 360:.9f}"
 
 
+def index_of(limb: int, k: int) -> str:
+    """The index of the k-th freedom (from 0) of a limb, in braces.
+
+    >>> index_of(1, 2), index_of(1, 9), index_of(12, 0)
+    ('{13}', '{1,10}', '{12,1}')
+    """
+    return f"{{{limb}{k + 1}}}" if k < 9 and limb < 10 else f"{{{limb},{k + 1}}}"
+
+
 def vector_latex(vector: sympy.MatrixBase, names: Mapping[sympy.Symbol, str]) -> str:
     """A column of three, or of six with its parts apart."""
     rows = [latex_of(entry, names) for entry in vector]

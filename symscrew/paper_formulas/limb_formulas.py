@@ -15,12 +15,13 @@ from dataclasses import dataclass, replace
 import sympy
 
 from symscrew.description import Joint, Mechanism
-from symscrew.paper_formulas.formula import DEGREE, Formula, Part, degrees, latex_of, vector_latex
+from symscrew.paper_formulas.formula import DEGREE, Formula, Part, degrees, index_of, latex_of, vector_latex
 from symscrew.paper_formulas.named_lengths import Lengths
 
 LONG = 230  # letters of LaTeX of a column that still fits a line of a paper; longer ones stay (e ; r x e)
 MOST_OPERATIONS = 60  # of the entries of a matrix that is carried on: longer ones get names, and formulas stay short
 MOST_OF_A_VECTOR = 12  # the same of an axis or a link as it lies: it enters every product of a rotation
+MOST_OF_A_LEAN = 120  # of cosine and sine of an angle at rest: roots of roots grow with every joint, and take minutes
 ZERO = sympy.zeros(3, 1)
 PLAIN = ("R", "P", "U", "C", "S", "fixed")  # joint types whose motions are turns and translations along given axes
 
@@ -34,6 +35,7 @@ class Freedom:
     axis: sympy.Matrix
     point: sympy.Matrix
     spherical: bool = False
+    joint: str = ""
 
 
 def freedoms_of(mechanism: Mechanism, joints: Sequence[str]) -> list[Freedom] | str:
@@ -55,9 +57,9 @@ def _of_joint(joint: Joint) -> list[Freedom]:
     point = sympy.Matrix(joint.point)
     labels = joint.kind.freedom_names(joint.name)
     if joint.kind.ball:
-        return [Freedom(n, True, sympy.eye(3)[:, k], point, True) for k, n in enumerate(labels)]
+        return [Freedom(n, True, sympy.eye(3)[:, k], point, True, joint.name) for k, n in enumerate(labels)]
     motions = zip(labels, joint.kind.freedoms, strict=True)
-    return [Freedom(n, m.turns, sympy.Matrix(joint.axes[m.axis or 0]), point) for n, m in motions]
+    return [Freedom(n, m.turns, sympy.Matrix(joint.axes[m.axis or 0]), point, joint=joint.name) for n, m in motions]
 
 
 class Chain:
@@ -76,17 +78,20 @@ class Chain:
 
     def _run(self) -> None:
         turn, back = sympy.eye(3), sympy.eye(3)
-        at = self._constant(self.freedoms[0].point) if self.freedoms else ZERO
+        at = self.lengths.constant(self.freedoms[0].point) if self.freedoms else ZERO
         for k, freedom in enumerate(self.freedoms):
-            index = f"{{{self.number}{k + 1}}}" if k < 9 and self.number < 10 else f"{{{self.number},{k + 1}}}"
+            index = index_of(self.number, k)
             if k:
-                way = self._constant(back @ (freedom.point - self.freedoms[k - 1].point))
+                way = self.lengths.constant(back @ (freedom.point - self.freedoms[k - 1].point))
                 at = self._tidy(at + turn @ self._skew(way, "b", index))
             self.columns.append(rf"\boldsymbol{{S}}_{index}")
             if freedom.spherical:
                 self._column(freedom, index, freedom.axis, at)
+                following = self.freedoms[k + 1 : k + 2]
+                if self._leads(k) and not (following and following[0].joint == freedom.joint):
+                    turn = self._frozen(self._tidy(turn @ self._any_rotation(freedom, index)), "T", index)
                 continue
-            still = self._skew(self._constant(back @ freedom.axis), "u", index)
+            still = self._skew(self.lengths.constant(back @ freedom.axis), "u", index)
             axis = self._tidy(turn @ still)
             if freedom.turns:
                 self._column(freedom, index, axis, at)
@@ -94,7 +99,7 @@ class Chain:
                     cosine, sine = self._lean(still, back, k)
                     self._angle(freedom, index, cosine, sine)
                     turn = self._tidy(turn @ _rotation(still, *self._cosine_and_sine(index)))
-                    back = self._exact(_rotation(still, cosine, -sine) @ back)
+                    back = self.lengths.exact(_rotation(still, cosine, -sine) @ back)
                     turn = self._frozen(turn, "T", index)
             else:
                 slide = sympy.Symbol(f"d {index}", real=True)
@@ -103,6 +108,19 @@ class Chain:
                 self._column(freedom, index, axis, at)
                 at = self._tidy(at + slide * axis)
             at = self._frozen(at, "p", index)
+
+    def _any_rotation(self, freedom: Freedom, index: str) -> sympy.Matrix:
+        """The rotation of a spherical joint that carries more of the limb: symbols for its entries."""
+        name = f"N_{index}"
+        self.symbols[rf"\boldsymbol{{N}}_{index}"] = (
+            f"rotation of {freedom.joint} from the reference configuration; its entries add row and column"
+        )
+        made = sympy.zeros(3, 3)
+        for i in range(3):
+            for j in range(3):
+                made[i, j] = sympy.Symbol(f"N {index} {i + 1}{j + 1}", real=True)
+                self.names[made[i, j]] = f"{name[:-1]},{i + 1}{j + 1}}}"
+        return made
 
     def _skew(self, vector: sympy.Matrix, letter: str, index: str) -> sympy.Matrix:
         """A vector of the geometry, with names where it is long and along no absolute axis: u_{ik}, a link b_{ik}."""
@@ -139,16 +157,18 @@ class Chain:
         a, sign = along[0], still[along[0]]
         b, c = (a + 1) % 3, (a + 2) % 3
         for vector in self._following(k):
-            here = self._constant(back @ vector)
+            here = self.lengths.constant(back @ vector)
             if here[b] == 0 and here[c] == 0:
                 continue
             size = sympy.sqrt(sympy.expand(self.lengths.written(here[b] ** 2 + here[c] ** 2)))
             first, second = self.lengths.written(here[b]) / size, self.lengths.written(here[c]) / size
+            if sympy.count_ops(first) + sympy.count_ops(second) > MOST_OF_A_LEAN:
+                return one, zero
             if abs(self.lengths.number(first)) >= abs(self.lengths.number(second)):  # from the nearer absolute axis
                 flip = sympy.sign(self.lengths.number(first))
-                return self._simple(flip * first), self._simple(flip * sign * second)
+                return self.lengths.simple(flip * first), self.lengths.simple(flip * sign * second)
             flip = sympy.sign(self.lengths.number(second))
-            return self._simple(flip * second), self._simple(-flip * sign * first)
+            return self.lengths.simple(flip * second), self.lengths.simple(-flip * sign * first)
         return one, zero
 
     def _following(self, k: int) -> list[sympy.Matrix]:
@@ -201,33 +221,8 @@ class Chain:
             self.made.append(Formula(r, point))
         self.made.append(Formula(name, rf"\begin{{pmatrix}} {e} \\ {r} \times {e} \end{{pmatrix}}", code))
 
-    def _constant(self, vector: sympy.Matrix) -> sympy.Matrix:
-        """A vector in the parameters, with lengths named, as short as it becomes."""
-        return vector.applyfunc(lambda e: self.lengths.named(self._simple(self.lengths.written(e))))
-
-    def _exact(self, matrix: sympy.Matrix) -> sympy.Matrix:
-        return matrix.applyfunc(lambda e: self._simple(self.lengths.written(e)))
-
-    def _simple(self, expression: sympy.Expr) -> sympy.Expr:
-        """An expression in the parameters, shorter if it can be; zero where it is zero."""
-        if expression.is_Atom or expression.is_Rational:
-            return expression
-        if abs(self.lengths.number(expression)) < ZERO_NUMBER and abs(self.lengths.number(expression, other=True)) < (
-            ZERO_NUMBER
-        ):
-            return sympy.Integer(0)
-        if not expression.free_symbols:
-            tried = sympy.radsimp(sympy.expand(expression), max_terms=2)
-        else:
-            tried = sympy.factor(sympy.cancel(sympy.radsimp(sympy.together(sympy.expand(expression)), max_terms=2)))
-        return min((expression, tried), key=sympy.count_ops)
-
     def _tidy(self, matrix: sympy.Matrix) -> sympy.Matrix:
         return matrix.applyfunc(self.lengths.tidy)
-
-
-ZERO_NUMBER = 1e-25
-"""Of an exact expression with 30 digits at two values of the parameters: what is smaller at both is zero."""
 
 
 def _rotation(axis: sympy.Matrix, cosine: sympy.Expr, sine: sympy.Expr) -> sympy.Matrix:

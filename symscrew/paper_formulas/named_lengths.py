@@ -18,6 +18,7 @@ from symscrew.paper_formulas.formula import Formula, latex_of
 
 MOST_OPERATIONS = 30  # of an expression whose factors are looked for: a tenth of a second; longer ones have few
 MOST_SYMBOLS = 8  # of the same: polynomials in more take seconds each
+ZERO_NUMBER = 1e-25  # of an exact expression with 30 digits at two values of the parameters: smaller at both is zero
 LETTER = "l"  # of named lengths; followed by a number where there are several, or where a parameter has it
 
 
@@ -109,6 +110,32 @@ class Lengths:
             moved[symbol] = formula.xreplace(moved)
         return moved
 
+    def distance(self, way: sympy.Matrix) -> sympy.Expr:
+        """The length of a vector in the parameters, by its name where it has one."""
+        square = sympy.expand(self.written(way.dot(way)))
+        found = self.tidy(self.named(self.simple(sympy.sqrt(square))))
+        return sympy.sqrt(short_sum(sympy.expand(found**2))) if found.is_Pow else found
+
+    def simple(self, expression: sympy.Expr) -> sympy.Expr:
+        """An expression in the parameters, shorter if it can be; zero where it is zero."""
+        if expression.is_Atom or expression.is_Rational:
+            return expression
+        if all(abs(self.number(expression, other=other)) < ZERO_NUMBER for other in (False, True)):
+            return sympy.Integer(0)
+        if not expression.free_symbols:
+            tried = sympy.radsimp(sympy.expand(expression), max_terms=2)
+        else:
+            tried = sympy.factor(sympy.cancel(sympy.radsimp(sympy.together(sympy.expand(expression)), max_terms=2)))
+        return min((expression, tried), key=sympy.count_ops)
+
+    def exact(self, matrix: sympy.Matrix) -> sympy.Matrix:
+        """A vector or matrix in the parameters with roots written out, as short as it becomes."""
+        return matrix.applyfunc(lambda e: self.simple(self.written(e)))
+
+    def constant(self, vector: sympy.Matrix) -> sympy.Matrix:
+        """The same with lengths named."""
+        return self.exact(vector).applyfunc(self.named)
+
     def tidy(self, expression: sympy.Expr) -> sympy.Expr:
         """The expression with the roots' squares written out where that makes it shorter, and factors taken out.
 
@@ -122,10 +149,10 @@ class Lengths:
         kept = {number: sympy.Dummy(positive=True) for number in _irrational(expression)}
         plain = expression.xreplace(kept)
         flat = sympy.expand(plain)
-        ways = [plain, flat, sympy.factor(plain), *(sympy.collect(flat, s) for s in sorted(flat.free_symbols, key=str))]
+        ways = [plain, flat, sympy.factor(plain), *(sympy.collect(flat, s) for s in _carriers(flat))]
         if not kept and self._roots:
             squares = self._squares(flat)
-            ways += [squares, sympy.factor(squares)]
+            ways += [squares, sympy.factor(squares), *(sympy.collect(squares, s) for s in _carriers(squares))]
         best = min(ways, key=lambda e: (sympy.count_ops(e), len(str(e))))
         return best.xreplace({dummy: number for number, dummy in kept.items()})
 
@@ -133,14 +160,13 @@ class Lengths:
         """l^2 in place of H^2 + (R - r)^2, wherever a sum holds it."""
         result = sympy.expand(expression)
         for radicand, symbol in self._roots.items():
-            if not radicand.free_symbols <= result.free_symbols:
+            if not radicand.free_symbols <= result.free_symbols or not result.is_polynomial(*radicand.free_symbols):
                 continue
-            lead = sympy.Poly(radicand, *sorted(radicand.free_symbols, key=str)).terms()[0]
-            of = sorted(radicand.free_symbols, key=str)
-            monomial = sympy.prod([s**k for s, k in zip(of, lead[0], strict=True)])
-            rest = (symbol**2 - (radicand - lead[1] * monomial)) / lead[1]
-            swapped = sympy.expand(sympy.expand(result).subs(monomial, rest))
-            result = min((result, swapped), key=sympy.count_ops)
+            for lead in sorted(radicand.free_symbols, key=str):
+                if sympy.degree(radicand, lead) > 0 and sympy.LC(radicand, lead).is_number:
+                    swapped = sympy.rem(result, radicand - symbol**2, lead)
+                    result = min((result, sympy.expand(swapped)), key=sympy.count_ops)
+                    break
         return result
 
     @cached_property
@@ -164,7 +190,7 @@ class Lengths:
             for symbol, formula in self._derived.items()
         )
         return follow + tuple(
-            Formula(self.names[symbol], latex_of(sympy.sqrt(_short(radicand)), self.names), ("length", str(symbol)))
+            Formula(self.names[symbol], latex_of(sympy.sqrt(short_sum(radicand)), self.names), ("length", str(symbol)))
             for radicand, symbol in self._roots.items()
             if symbol in self._letters
         )
@@ -219,7 +245,12 @@ def _radicands(expression: sympy.Expr) -> list[sympy.Expr]:
     return [sympy.expand(e.base) for e in roots if e.base.free_symbols]
 
 
-def _short(radicand: sympy.Expr) -> sympy.Expr:
+def _carriers(expression: sympy.Expr) -> list[sympy.Expr]:
+    """Symbols, sines and cosines that a sum may be collected by."""
+    return sorted(expression.free_symbols | expression.atoms(sympy.sin, sympy.cos), key=str)
+
+
+def short_sum(radicand: sympy.Expr) -> sympy.Expr:
     """A sum of squares where it is one of differences: H^2 + (R - r)^2 rather than written out."""
     squares = sympy.Integer(0)
     rest = sympy.expand(radicand)

@@ -5,6 +5,7 @@ mechanism --Lengths, limb_part, spoke_part, platform_parts--> Paper --tex--> tex
 
 from __future__ import annotations
 
+from collections import deque
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -14,6 +15,7 @@ from symscrew.mobility import analyse_mobility
 from symscrew.paper_formulas.equal_turns import Turned, families
 from symscrew.paper_formulas.formula import Formula, Part, degrees
 from symscrew.paper_formulas.limb_formulas import Freedom, freedoms_of, limb_part
+from symscrew.paper_formulas.moved_rods import rod_part
 from symscrew.paper_formulas.named_lengths import Lengths
 from symscrew.paper_formulas.platform_formulas import platform_parts
 from symscrew.paper_formulas.spokes import spoke_part
@@ -29,11 +31,12 @@ HEAD = r"""\documentclass[11pt]{article}
 
 @dataclass(frozen=True, repr=False)
 class Paper:
-    """Formulas of a mechanism by part."""
+    """Formulas of a mechanism by part; limb k of the formulas has the joints `limbs[k - 1]`, from the base."""
 
     mechanism: Mechanism
     parts: tuple[Part, ...]
     lengths: Lengths
+    limbs: tuple[tuple[str, ...], ...] = ()
 
     def __repr__(self) -> str:
         count = sum(len(part.formulas) for part in self.parts)
@@ -83,13 +86,13 @@ class Paper:
 def paper_formulas(mechanism: Mechanism) -> Paper:
     """The formulas of a mechanism: lengths, limbs, what equal limbs are, inverse kinematics, constraints, loci.
 
-    Of a mechanism without limbs the chain from the ground to the platform is taken for one.
+    Of a mechanism without limbs every chain from the ground to the platform is taken for one.
 
     Raises:
         DescriptionError: neither limbs nor a chain that reaches the platform.
     """
     lengths = Lengths(mechanism)
-    names, limbs = _limbs(mechanism)
+    limbs = limbs_of(mechanism)
     parts: list[Part] = []
     if lengths.geometric:
         symbols = {
@@ -98,30 +101,48 @@ def paper_formulas(mechanism: Mechanism) -> Paper:
         }
         parts.append(Part("Lengths", "", lengths.formulas, symbols))
     read = [freedoms_of(mechanism, joints) for joints in limbs]
-    for family in families(read, lengths):
+    of_a_kind = families(read, lengths)
+    for family in of_a_kind:
         first = next(iter(family))
         parts.append(limb_part(mechanism, limbs[first], first + 1, lengths))
         if len(family) > 1:
             parts.append(_turned(family, first, read))
-    spokes = spoke_part(mechanism, limbs, lengths)
-    if spokes is not None:
-        parts.append(spokes)
-    if names:
-        parts += platform_parts(analyse_mobility(mechanism), lengths)
-    return Paper(mechanism, tuple(parts), lengths)
-
-
-def _limbs(mechanism: Mechanism) -> tuple[list[str], list[tuple[str, ...]]]:
+    parts += [part for part in (spoke_part(mechanism, limbs, lengths), rod_part(mechanism, limbs, lengths)) if part]
     if mechanism.limbs:
-        return list(mechanism.limbs), [limb.joints for limb in mechanism.limbs.values()]
-    by_child = {joint.child: joint for joint in mechanism.joints.values()}
-    body, chain = mechanism.platform or list(mechanism.bodies)[-1], list[str]()
-    while body != mechanism.ground:
-        if body not in by_child or by_child[body].name in chain:
-            raise DescriptionError(f"{mechanism.name}: expected limbs ([limbs]) or a chain from the ground to {body!r}")
-        chain.insert(0, by_child[body].name)
-        body = by_child[body].parent
-    return [], [tuple(chain)]
+        firsts = {next(iter(family)) + 1: read[next(iter(family))] for family in of_a_kind}
+        parts += platform_parts(analyse_mobility(mechanism), lengths, firsts)
+    return Paper(mechanism, tuple(parts), lengths, tuple(limbs))
+
+
+def limbs_of(mechanism: Mechanism) -> list[tuple[str, ...]]:
+    """The joints of every limb from the base: those of the description, or all chains that reach the platform.
+
+    Chains are in the order of their first joints, those that begin with a joint that another one began with after all
+    others: the first rods of a delta's arms come before the second ones. Where there are more than `MOST_CHAINS`,
+    shortest ones are taken.
+    """
+    if mechanism.limbs:
+        return [limb.joints for limb in mechanism.limbs.values()]
+    platform = mechanism.platform or list(mechanism.bodies)[-1]
+    found: list[tuple[str, ...]] = []
+    reached: deque[tuple[str, tuple[str, ...]]] = deque([(mechanism.ground, ())])
+    while reached and len(found) < MOST_CHAINS and len(reached) < MOST_REACHED:
+        body, chain = reached.popleft()
+        if body == platform:
+            found.append(chain)
+            continue
+        passed = {mechanism.joints[name].parent for name in chain}
+        for name, joint in mechanism.joints.items():
+            if joint.parent == body and joint.child not in passed:
+                reached.append((joint.child, (*chain, name)))
+    if not found:
+        raise DescriptionError(f"{mechanism.name}: expected limbs ([limbs]) or a chain from the ground to {platform!r}")
+    begun = [sum(other[:1] == chain[:1] for other in found[:k]) for k, chain in enumerate(found)]
+    return [chain for _, chain in sorted(zip(begun, found, strict=True), key=lambda pair: pair[0])]
+
+
+MOST_CHAINS = 12  # of a mechanism without limbs that are written out: a page each
+MOST_REACHED = 1000  # bodies from which chains are still followed: more are a net, whose limbs its author has to name
 
 
 def _turned(family: dict[int, Turned], first: int, read: list[list[Freedom] | str]) -> Part:
@@ -143,7 +164,7 @@ def _turned(family: dict[int, Turned], first: int, read: list[list[Freedom] | st
         words += " Where a column is negative, its displacement counts the other way."
     limb = read[first]
     if not isinstance(limb, str) and any(f.spherical for f in limb):
-        words += " Columns of spherical joints are about axes turned likewise."
+        words += " Columns and rotations of spherical joints are in axes turned likewise."
     return Part(
         ("Limb " if len(others) == 1 else "Limbs ") + ", ".join(str(k + 1) for k in others), words, tuple(formulas)
     )

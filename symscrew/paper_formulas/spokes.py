@@ -11,9 +11,8 @@ import sympy
 
 from symscrew.description import Mechanism
 from symscrew.paper_formulas.formula import Formula, Part, latex_of, vector_latex
+from symscrew.paper_formulas.moved_rods import ABOUT_A_POINT
 from symscrew.paper_formulas.named_lengths import Lengths
-
-ENDS = ("U", "S")  # joints at the ends of a spoke: they turn about a point
 
 
 def spoke_part(mechanism: Mechanism, limbs: Sequence[Sequence[str]], lengths: Lengths) -> Part | None:
@@ -31,17 +30,22 @@ def spoke_part(mechanism: Mechanism, limbs: Sequence[Sequence[str]], lengths: Le
         r" in the reference configuration), the displacement $d_i$ of its slider, the wrench $\boldsymbol{w}_i$ "
         r"that lengthens the limb. The lengths change with $\dot \lambda_i = \boldsymbol{w}_i \circ "
         r"(\boldsymbol{\omega} ; \boldsymbol{v}_O)$, the reciprocal product; forces $u_i$ act on the platform with "
-        r"$\sum_i u_i \boldsymbol{w}_i$."
+        r"$\sum_i u_i \boldsymbol{w}_i$, beside what the limbs forbid."
     )
     return Part("Inverse kinematics, rates and statics", words, tuple(formulas))
 
 
 def is_spoke(mechanism: Mechanism, joints: Sequence[str], lengths: Lengths) -> bool:
-    """Whether a limb is U or S, driven P, U or S, with its slider along the line between the end joints."""
+    """Whether a limb is a driven slider on the line between an R, U or S on the base and one on the platform."""
     if len(joints) != 3:
         return False
     first, slider, last = (mechanism.joints[name] for name in joints)
-    if first.type not in ENDS or last.type not in ENDS or not slider.kind.slider or not slider.driven:
+    if first.type not in ABOUT_A_POINT or last.type not in ABOUT_A_POINT:
+        return False
+    if not slider.kind.slider or not slider.driven or first.driven or last.driven:
+        return False
+    bodies = (first.parent, first.child, last.child)
+    if bodies != (mechanism.ground, slider.parent, mechanism.platform):
         return False
     way = sympy.Matrix(last.point) - sympy.Matrix(first.point)
     across = way.cross(sympy.Matrix(slider.axes[0]))
@@ -54,7 +58,7 @@ def _of_limb(mechanism: Mechanism, joints: Sequence[str], number: int, lengths: 
     i = f"_{{{number}}}"
     start, end = (sympy.Matrix(j.point).applyfunc(lengths.named) for j in (first, last))
     way = sympy.Matrix(last.point) - sympy.Matrix(first.point)
-    rest = lengths.tidy(lengths.named(sympy.sqrt(sympy.expand(lengths.written((way.T @ way)[0])))))
+    rest = lengths.distance(way)
     outwards = lengths.number((way.T @ sympy.Matrix(slider.axes[0]))[0]) > 0
     change = rf"\lambda{i} - \lambda_{{0{number}}}"
     return [

@@ -80,7 +80,8 @@ class Document:
     footer: str = ""
 
     def __repr__(self) -> str:
-        return f"Document({self.title}: {', '.join(section.title for section in self.sections)})"
+        count = len(self.sections)
+        return f"Document({self.title}: {count} section{'s' * (count != 1)})"
 
     def save(self, path: str | Path) -> Path:
         """Write .html, one file, or .md with its pictures beside it; see `write_document`."""

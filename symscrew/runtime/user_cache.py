@@ -22,6 +22,7 @@ import re
 import secrets
 import stat
 import sys
+import time
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -36,6 +37,8 @@ MAGIC = "symscrew-cache-1"  # first word of every entry: another number is anoth
 ENTRY = re.compile(r"[0-9a-f]{64}(\.part-[0-9a-f]{12})?|lock-[0-9a-f]{2}", re.ASCII)  # names of our files
 # Bytes of all entries: some hundreds of libraries. Above, the entries not used for longest go.
 MOST = 1 << 30
+PATIENCE = 60.0  # seconds for which another process may hold an entry: the largest library takes six to compile
+LOOK_AGAIN = 0.02  # seconds between looks at it
 LARGEST = 1 << 28  # bytes of one entry: longer ones would push out all others
 
 
@@ -52,9 +55,10 @@ class CacheState:
 class Entry:
     """What is kept under a key; one process at a time holds it."""
 
-    def __init__(self, folder: Path | None, key: str | None) -> None:
+    def __init__(self, folder: Path | None, key: str | None, *, keeps: bool = True) -> None:
         """Entry of a folder; without either, nothing is found and nothing is kept."""
         self._path = folder / key if folder is not None and key is not None else None
+        self._keeps = keeps
 
     def read(self) -> bytes | None:
         """What was written, unless it is not there, not ours or not whole."""
@@ -77,7 +81,7 @@ class Entry:
 
     def write(self, content: bytes) -> None:
         """Keep this; where that is not possible, nothing is kept."""
-        if self._path is None or len(content) > LARGEST:
+        if self._path is None or not self._keeps or len(content) > LARGEST:
             return
         part = self._path.with_name(f"{self._path.name}.part-{secrets.token_hex(6)}")
         try:
@@ -95,13 +99,16 @@ class Entry:
 
 @contextlib.contextmanager
 def entry(key: str | None) -> Iterator[Entry]:
-    """The entry of a key (64 hexadecimal digits), held until the end; None: one that keeps nothing."""
+    """The entry of a key (64 hexadecimal digits), held until the end; None: one that keeps nothing.
+
+    Nor does the entry of whoever waited too long for another process.
+    """
     folder, _ = _usable() if key is not None else (None, None)
     if folder is None or key is None:
         yield Entry(None, None)
         return
-    with _held(folder / f"lock-{key[:2]}"):
-        yield Entry(folder, key)
+    with _held(folder / f"lock-{key[:2]}") as held:
+        yield Entry(folder, key, keeps=held)
 
 
 def key_of(*parts: bytes) -> str:
@@ -212,21 +219,37 @@ def _opened(path: Path) -> Iterator[int]:
 
 
 @contextlib.contextmanager
-def _held(path: Path) -> Iterator[None]:
-    """A file that one process (and one thread) at a time holds; where files cannot be locked, nobody waits."""
+def _held(path: Path) -> Iterator[bool]:
+    """A file that one process (and one thread) at a time holds: whether it is; where files cannot be locked, it is.
+
+    Whoever has waited for `PATIENCE` goes on without: the holder may be stopped, or at work on another entry.
+    """
     try:
         flags = getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_CLOEXEC", 0)
         file = os.open(path, os.O_WRONLY | os.O_CREAT | flags, 0o600)
     except OSError:
-        yield
+        yield True
         return
     try:
-        if fcntl is not None:
-            with contextlib.suppress(OSError):
-                fcntl.flock(file, fcntl.LOCK_EX)
-        yield
+        yield _locked(file)
     finally:
         os.close(file)
+
+
+def _locked(file: int) -> bool:
+    end = time.monotonic() + PATIENCE
+    while fcntl is not None:
+        try:
+            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            if time.monotonic() > end:
+                return False
+            time.sleep(LOOK_AGAIN)
+        except OSError:
+            break
+        else:
+            break
+    return True
 
 
 def _head(key: str, content: bytes) -> bytes:

@@ -39,6 +39,7 @@ class Robot:
         configurations: keyframes by name, coordinates in the file's order.
         account: what became of everything that the file says; `account.lines()` in words.
         starts: keyframes by name, values of coordinates by their labels.
+        start_rates: keyframes that are no rest by name, rates by their labels.
     """
 
     mechanism: Mechanism
@@ -47,6 +48,7 @@ class Robot:
     configurations: Mapping[str, tuple[float, ...]]
     account: Account
     starts: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
+    start_rates: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
 
     def named(self, name: str) -> Robot:
         """The same robot under another name."""
@@ -94,7 +96,15 @@ def robot_of(found: Imported, *, without: Collection[str] = (), stops: bool = Fa
     made = effects_of_file(found.forces, found.gravity)
     made += _stops(found.limits) if stops else []
     effects = tuple(effect for effect in made if type_name(effect) not in without)
-    return Robot(found.mechanism, effects, found.limits, found.configurations, found.account, found.starts)
+    return Robot(
+        found.mechanism,
+        effects,
+        found.limits,
+        found.configurations,
+        found.account,
+        found.starts,
+        found.start_rates,
+    )
 
 
 def _stops(limits: Mapping[str, JointLimits]) -> list[Effect]:
@@ -159,13 +169,20 @@ def _initial(robot: Robot, start: str) -> list[str]:
     effects = tuple(robot.effects)
     tree = system_under(mechanism, effects).tree
     known = {c.label: robot.starts[start][c.label] for c in tree.q if c.label in robot.starts[start]}
-    listed = ", ".join(f'"{name}" = {value!r}' for name, value in known.items())
-    lines = ["[initial]", f"coordinates = {{{listed}}}"]
+    lines = ["[initial]", f"coordinates = {_inline(known)}"]
+    rates = robot.start_rates.get(start, {})
+    moving = {c.label: rates[c.label] for c in tree.v if c.label in rates}
+    if moving:
+        lines.append(f"rates = {_inline(moving)}")
     if len(mechanism.joints) >= len(mechanism.bodies) or mechanism.couplings:
         sure = {name for name, joint in mechanism.joints.items() if joint.driven or joint.kind.unconstrained}
-        held = [name for name in known if name.partition(".")[0] in sure]
+        held = [name for name in dict.fromkeys([*known, *moving]) if name.partition(".")[0] in sure]
         lines.append(f"hold = [{', '.join(f'{chr(34)}{name}{chr(34)}' for name in held)}]")
     return lines
+
+
+def _inline(values: Mapping[str, float]) -> str:
+    return "{" + ", ".join(f'"{name}" = {value!r}' for name, value in values.items()) + "}"
 
 
 def _block(table: Mapping[str, Any]) -> list[str]:

@@ -46,7 +46,7 @@ from symscrew.description import (
 )
 from symscrew.effects import check_effects, effect_from_table
 from symscrew.errors import DescriptionError, did_you_mean, shorten
-from symscrew.kinematics import coordinate_units, full_name
+from symscrew.kinematics import coordinate_units, full_name, typable_names
 from symscrew.scene.contents import INTERPOLATIONS, Initial, Integrator, Scene, Table
 from symscrew.scene.integration_methods import INTEGRATION_METHODS
 
@@ -250,7 +250,13 @@ def _initial(table: Mapping[str, Any], read: _Reader, mechanism: Mechanism) -> I
                     visit(f"{label}.", value)
                     continue
                 unit = units.get(full_name(mechanism, label))
-                flat[label], notice = read.quantity(value, f"initial.{key}.{label}", unit and f"{unit}{per}")
+                try:
+                    flat[label], notice = read.quantity(value, f"initial.{key}.{label}", unit and f"{unit}{per}")
+                except DescriptionError as error:
+                    if unit is not None:
+                        raise
+                    near = did_you_mean(label, typable_names(mechanism))
+                    raise DescriptionError(f"{error}; {shorten(label)} is no coordinate with a unit, {near}") from error
                 notices.extend([notice] if notice else [])
 
         visit("", content)

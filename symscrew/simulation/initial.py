@@ -199,7 +199,7 @@ def _labelled(values: Mapping[str, float], known: Mapping[str, int], where: str)
 
 
 def _shown(values: Mapping[str, float]) -> str:
-    return ", ".join(f"{k} = {v:g}" for k, v in values.items()) or "the reference configuration"
+    return ", ".join(f"{k} = {v:.12g}" for k, v in values.items()) or "the reference configuration"
 
 
 class _Closure:

@@ -77,6 +77,7 @@ def _energies(run: Run) -> Frame:
 
 
 def _errors(run: Run) -> Frame:
-    opening = Curve("opening of the loops  [1]", np.maximum(run.closure_error, FLOOR), "1")
+    loops = run.closure_error.any()  # a tree has none to open
+    opening = [Curve("opening of the loops  [1]", np.maximum(run.closure_error, FLOOR), "1")] if loops else []
     balance = Curve("energy balance  [J]", np.maximum(np.abs(run.energy_balance), FLOOR), "J")
-    return "errors", "error  [1], [J]", [opening, balance], True
+    return "errors", "error  [1], [J]" if loops else "error  [J]", [*opening, balance], True

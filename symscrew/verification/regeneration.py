@@ -181,18 +181,18 @@ def _regenerate(directory: Path, content: Mapping[str, Any]) -> Model:
     return dataclasses.replace(model, test_inputs=inputs)
 
 
-def _arrays(entry: Any, ports: Sequence[tuple[str, int]]) -> tuple[np.ndarray, ...] | None:
-    """Arrays (states, size) of a recorded entry, or None if it does not fit the ports."""
+def _arrays(entry: Any, ports: Sequence[tuple[str, int]], states: int = 1) -> tuple[np.ndarray, ...] | None:
+    """Arrays (states, size) of a recorded entry, or None if it does not fit the ports; `states` if all are empty."""
     try:
         arrays = tuple(np.array(entry[name], dtype=float).reshape(-1, max(n, 1))[:, :n] for name, n in ports if n)
-        return tuple(_with_empty(arrays, ports))
+        return tuple(_with_empty(arrays, ports, states))
     except (KeyError, TypeError, ValueError, IndexError):
         return None
 
 
-def _with_empty(arrays: Sequence[np.ndarray], ports: Sequence[tuple[str, int]]) -> Iterator[np.ndarray]:
+def _with_empty(arrays: Sequence[np.ndarray], ports: Sequence[tuple[str, int]], states: int) -> Iterator[np.ndarray]:
     """`arrays` in the order of the ports, with arrays (states, 0) for ports without entries."""
-    states = len(arrays[0]) if arrays else 1
+    states = len(arrays[0]) if arrays else states
     remaining = iter(arrays)
     for _, n in ports:
         yield next(remaining) if n else np.zeros((states, 0))
@@ -293,7 +293,7 @@ def _compare_recorded(directory: Path, model: Model, expected: Mapping[str, Resu
     def results(name: str, inputs: Sequence[np.ndarray]) -> Results:
         entry = recorded[name]
         ports = [(p.name, p.size) for p in model.programs[name].outputs]
-        arrays = _arrays(entry["outputs"], ports)
+        arrays = _arrays(entry["outputs"], ports, len(np.ravel(entry["status"])))
         if arrays is None:
             raise ValueError(f"the outputs of {name} do not fit its ports")
         return arrays, np.array(entry["status"])

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import tempfile
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -179,6 +179,20 @@ class Rival:
         way = first + np.linspace(0, 1, self.n + 1)[:, None] * (last - first)
         guess = [way.ravel(), *(np.zeros(size) for size in self.sizes[1:])]
         return {"lbx": np.concatenate(low), "ubx": np.concatenate(high), "x0": np.concatenate(guess)}
+
+    def packed(self, values: Mapping[str, np.ndarray]) -> np.ndarray:
+        """Unknowns from y, y_1 (nodes, 7) and y_2, u (points, 7), rates by time."""
+        points = {name: values[name].reshape(self.n, 3, -1) for name in ("y_2", "u")}
+        parts = [values["y"], values["y_1"], *(points[name][:, i] for name in ("y_2", "u") for i in range(3))]
+        return np.concatenate([np.ravel(part) for part in parts])
+
+    def solved_from(self, values: Mapping[str, np.ndarray]) -> tuple[float, int]:
+        """Cost and iterations of one solve from a guess."""
+        first = self.given(dict(self.problem.start.coordinates))
+        guess = np.clip(self.packed(values), first["lbx"], first["ubx"])
+        plan = self.cold(**{**first, "x0": guess}, lbg=0, ubg=0)
+        assert self.cold.stats()["success"]
+        return float(plan["f"]), int(self.cold.stats()["iter_count"])
 
     def rates(self) -> dict[str, Any]:
         """As `rates` measures ours."""

@@ -316,7 +316,7 @@ def files_below(folders: list[Path]) -> Iterator[tuple[Path, Path]]:
                 yield path, folder
             elif path.suffix == ".xml" and path.is_file():
                 text = path.read_text(errors="replace")
-                if "<mujoco" in text and "<body" in text and "mujocoinclude" not in text:
+                if "<mujoco" in text and "<worldbody" in text and "<body" in text:
                     yield path, folder if folder.is_dir() else folder.parent
 
 

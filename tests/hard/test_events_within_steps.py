@@ -13,7 +13,7 @@ from support.samples import some_quickly
 from hard.mechanisms import chain, four_bars
 from symscrew.description.builder import MechanismBuilder
 from symscrew.description.mechanism import Mechanism
-from symscrew.effects import EndStop, Gravity, JointSpring
+from symscrew.effects import DryFriction, EndStop, Gravity, JointSpring
 from symscrew.effects.effect import Effect
 from symscrew.runtime.compiled import find_compiler
 from symscrew.scene.contents import Initial, Integrator, Scene
@@ -27,6 +27,12 @@ def block() -> Mechanism:
     """1 kg on a slider along z."""
     body = {"mass": 1, "com": [0, 0, 0], "inertia": [1, 1, 1]}
     return chain("block", ("z", "P", "base", "block", [0, 0, 0], [[0, 0, 1]]), block=body)
+
+
+def pushed_block() -> Mechanism:
+    """The same with a drive."""
+    body = {"mass": 1, "com": [0, 0, 0], "inertia": [1, 1, 1]}
+    return chain("block", ("z", "P", "base", "block", [0, 0, 0], [[0, 0, 1]]), driven="z", block=body)
 
 
 def run(mechanism: Mechanism, effects: tuple[Effect, ...], duration: float, tolerance: float, **initial: object) -> Run:
@@ -79,6 +85,35 @@ def test_two_stops_met_at_one_instant() -> None:
     assert sorted(found.v[-1]) == pytest.approx([-0.5, -0.25], abs=1e-9)
     assert found.losses == pytest.approx({"x": 0.5 - 0.125, "y": 0.5 - 0.03125})
     assert np.abs(found.energy_balance).max() < 1e-9
+
+
+def test_an_output_at_the_instant_of_an_impact_is_of_that_instant() -> None:
+    """Between two stops at 3 m/s: 150 impacts in 100 s, some of them at an output's time to the last digit, where what
+    was written is the state at the end of the step whose rest the impact had cut off, 298 m away."""
+    found = run(block(), (EndStop("z", lower=-1, upper=1, mode="impact", restitution=1),), 100.0, 1e-8, rates={"z": 3})
+    way = np.mod(3 * found.t + 1, 4)
+    assert len(found.events) == 150
+    assert np.abs(found.q[:, 0] - np.where(way < 2, way - 1, 3 - way)).max() < 1e-11
+
+
+@pytest.mark.parametrize("often", [0.01, 1.0, 7.3])
+def test_a_stop_that_is_left_as_the_force_on_it_fades(often: float) -> None:
+    """Pressed by sin t until pi, and off: once. It was met again at once and left again, ten thousand times, by the
+    sign of a second derivative that is zero but for rounding."""
+    end, rate = 4.5 / often, 20 * often / 4.5
+    stop = EndStop("z", upper=0, mode="impact", restitution="0.3")
+    scene = Scene("s", pushed_block(), (stop,), end, rate, drives={"z": f"3*sin({often}*t)"})
+    found = simulate(scene)
+    assert found.accurate and [text.split(" s: ")[1] for text in found.events] == ["z leaves its stop"]
+    assert found.q[-1, 0] * often**2 == pytest.approx(-3 * (np.sin(4.5) + 4.5 - np.pi), abs=1e-8)
+
+
+def test_what_hardly_moves_is_judged_by_the_tolerance() -> None:
+    """A force that reaches the friction's level as it turns back: the block slips for 2e-8 s, by 1e-25 m. The energy
+    that this takes was called out of balance by 1e24 of what moved."""
+    friction = DryFriction("z", coulomb=1, mode="event")
+    found = simulate(Scene("s", pushed_block(), (friction,), 2.0, 20.0, drives={"z": "1 - (1 - t)^2"}))
+    assert found.accurate and np.abs(found.q).max() < 1e-20
 
 
 def test_impulses_only_push() -> None:

@@ -268,6 +268,27 @@ def test_a_mechanism_is_no_scene_and_no_problem(command: str, tmp_path: Path, ca
     assert "mine.toml: this file describes a mechanism; expected one with [" in err
 
 
+@pytest.mark.parametrize(("command", "section", "words"), [
+    (["mobility"], "scene", "describes a scene; expected a mechanism, with [mechanism]"),
+    (["draw", "--out", "a.png"], "problem", "describes an optimal motion; expected a mechanism"),
+    (["simulate"], "problem", "describes an optimal motion; expected one with [scene], which names a mechanism by"),
+    (["optimise", "--out", "a.npz"], "motion", "describes a given motion; expected one with [problem]"),
+])  # fmt: skip
+def test_files_of_another_kind_are_called_what_they_are(
+    command: list[str],
+    section: str,
+    words: str,
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("mine.toml").write_text(f'[{section}]\nmechanism = "four_bar"\n')
+    code, out, err = run(command[0], "mine.toml", *command[1:], capsys=capsys)
+    assert_one_clear_line(code, out, err)
+    assert words in err
+
+
 def test_doctor_names_the_parts(capsys: pytest.CaptureFixture[str]) -> None:
     code, out, _ = run("doctor", capsys=capsys)
     assert code == 0 and "sympy" in out and "valgrind" in out

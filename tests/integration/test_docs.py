@@ -54,7 +54,7 @@ SLOW = (
     "page", [pytest.param(p, marks=[pytest.mark.slow] * (identity(p) in SLOW), id=identity(p)) for p in CODE]
 )
 def test_code_runs(page: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Blocks in order, in one empty folder: TOML with a title is a file, sh are commands, python a program."""
+    """Blocks in order, in one empty folder: those with a title are files, sh are commands, python a program."""
     monkeypatch.chdir(tmp_path)
     for language, title, code in BLOCK.findall(page.read_text()):
         if language == "toml" and title:
@@ -64,6 +64,8 @@ def test_code_runs(page: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) 
                 words = shlex.split(line)
                 assert words[0] == "symscrew", line
                 assert main(words[1:]) == 0, line
+        elif language == "python" and title:
+            Path(title).write_text(code)  # what else it needs says the test that runs it
         elif language == "python":
             exec(compile(code, f"{identity(page)}", "exec"), {"__name__": "__main__"})
 

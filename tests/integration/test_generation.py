@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import json
 import shutil
 import tempfile
@@ -203,3 +204,42 @@ def test_the_seed_from_its_name_to_compiled_code(tmp_path):
     assert u == pytest.approx(expected, rel=1e-12)
     gravity = (0.0, 0.0, -9.81)
     assert relative(u, newton_euler(seed.mechanism, body_states(seed, *states), gravity=gravity).drives) < 1e-10
+
+
+@pytest.fixture(scope="module")
+def triangle():
+    """Three bars that hold each other: a loop, and no freedom, so that y has no entries."""
+    builder = MechanismBuilder("triangle", platform="left")
+    for body, x in (("left", 0), ("right", 1)):
+        builder.body(body, mass=1, com=[x, 0, "1/2"], inertia=["0.01", "0.02", "0.03"])
+    bars = (("A", "base", "left", [0, 0, 0]), ("B", "left", "right", [0, 0, 1]), ("C", "base", "right", [1, 0, 0]))
+    for name, parent, child, point in bars:
+        builder.joint(name, "R", parent=parent, child=child, point=point, axes=[[0, 1, 0]])
+    return derive(builder.build(), second_derivatives=True)
+
+
+@pytest.mark.slow
+def test_a_mechanism_without_freedom_is_served_by_every_language(triangle, tmp_path):
+    """Arrays without entries: NumPy, JAX and Node cannot tell the number of states from them, C++ warns of loops."""
+    few = triangle.only(["assemble", "velocity", "null_space", "forward_dynamics", "body_poses"])
+    generate(few, tmp_path, ["numpy", "javascript", "jax", "cuda"])
+    result = check(tmp_path)
+    assert result.ok, result.lines
+
+
+@pytest.mark.parametrize("target", ["reduced", "linuxcnc", "st_drives", "ros2"])
+def test_a_mechanism_without_freedom_has_no_drives(triangle, target, tmp_path):
+    with pytest.raises(DescriptionError, match="no freedom"):
+        generate(triangle, tmp_path / "out", [target])
+    assert not (tmp_path / "out").exists()
+    assert not any("independent_hessian" in name for name in triangle.programs)
+
+
+@pytest.mark.parametrize(
+    ("target", "most"), [("linuxcnc", 57), ("ros2", 57), ("external", 54), ("external_hessians", 54)]
+)
+def test_names_that_get_longer_say_how_long_they_may_be(four_bar, target, most, tmp_path):
+    """The limit is that of names; what is said is of the mechanism's own."""
+    mechanism = dataclasses.replace(four_bar.mechanism, name="a" * (most + 1))
+    with pytest.raises(DescriptionError, match=f"at most {most} letters.*got {most + 1}"):
+        generate(dataclasses.replace(four_bar, mechanism=mechanism, name=mechanism.name), tmp_path / "out", [target])

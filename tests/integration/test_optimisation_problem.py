@@ -6,6 +6,7 @@ import math
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -289,17 +290,22 @@ def test_compiled_functions_are_those_that_were_interpreted(monkeypatch: pytest.
     assert again.compiled(wait=60) and not calls  # the cache had it
 
 
-def test_compiled_functions_that_differ_are_not_used(monkeypatch: pytest.MonkeyPatch) -> None:
-    printed = compiled_points._printed
+@pytest.mark.parametrize(("right", "wrong"), [("sin(x)", "1.01 * sin(x)"), ("=sin(", "=1.01*sin(")])
+def test_compiled_functions_that_differ_are_not_used(monkeypatch: pytest.MonkeyPatch, right: str, wrong: str) -> None:
+    """Those of four points at a time, and those of CasADi's printer."""
+    printed, calls = compiled_points._printed, list[str]()
 
-    def wrong(functions: object) -> str:
-        return printed(functions).replace("=sin(", "=1.01*sin(")  # type: ignore[arg-type]
+    def broken(*given: Any) -> tuple[str, Any]:
+        code, names = printed(*given)
+        calls.append(code)
+        return code.replace(right, wrong), names
 
-    monkeypatch.setattr(compiled_points, "_printed", wrong)
+    monkeypatch.setattr(compiled_points, "_printed", broken)
+    if right == "=sin(":
+        monkeypatch.setattr(compiled_points, "printable", lambda function: False)
     made = OptimisationProblem(problem())
-    code = wrong(made._points.interpreted)
-    assert code != printed(made._points.interpreted)
     assert not made.compiled(wait=300) and "differ from interpreted ones" in made.trouble
+    assert right in calls[0]
     assert made.solve().solved
 
 
@@ -332,3 +338,12 @@ def test_warnings_are_counted_and_named_on_every_way(capsys: pytest.CaptureFixtu
     assert first.solved and first.statistics.undefined == {text: 1}
     far = built.solve(warm=replace(first, x=2 * first.x))
     assert far.statistics.undefined == {text: 2} and not capsys.readouterr().err
+
+
+def test_coordinates_that_are_none_and_texts_are_named() -> None:
+    made = interpreted()
+    label = made.problem.end.coordinates and next(iter(made.problem.end.coordinates))
+    with pytest.raises(DescriptionError, match=f"goal: this problem takes no coordinate '{label}s'; did you mean"):
+        made.solve(goal={f"{label}s": 1.0})
+    with pytest.raises(DescriptionError, match=rf"start\.{label}: expected a number \[rad, m\], got 'a'"):
+        made.solve(start={label: "a"})  # type: ignore[dict-item]

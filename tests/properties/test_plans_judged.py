@@ -17,9 +17,10 @@ from symscrew.description import load_description
 from symscrew.effects import EndStop
 from symscrew.optimisation import enclosed_functions, enclosures, plan_verdict
 from symscrew.optimisation.bounds_between import violations_of
+from symscrew.optimisation.built_problem import optimisation_problem
 from symscrew.optimisation.followed_branch import Branch
 from symscrew.optimisation.followed_motion import replay
-from symscrew.optimisation.problem import Bounds, Conditions, Distance, TrajectoryProblem, Transcription
+from symscrew.optimisation.problem import Bounds, Conditions, Distance, Solver, TrajectoryProblem, Transcription
 from symscrew.optimisation.result import Trajectory
 from symscrew.optimisation.solution import solve
 
@@ -235,3 +236,16 @@ def test_errors_that_grow_are_judged_where_they_arise() -> None:
     assert found.errors.judged.sum() <= 5e-7 and len(found.mesh) < 200
     assert replay(found).end_error > 1e-3  # what no mesh can help; each interval by itself is as planned
     assert replay(found).local_errors.sum() <= 1e-6
+
+
+@pytest.mark.parametrize("built", [False, True], ids=["solve", "built"])
+def test_a_solver_that_is_content_with_less_is_not_believed(built: bool) -> None:
+    """Its own options say that 0.3 is near enough for constraints; nothing else was asked for."""
+    lax = Solver(tolerance=0.3, options={"constr_viol_tol": 0.3, "dual_inf_tol": 1e9, "compl_inf_tol": 1e9})
+    posed = cart_pole_problem(Transcription(intervals=8))
+    posed = replace(posed, solver=lax)
+    found = optimisation_problem(posed).solve(judge=True) if built else solve(posed)
+    assert not found.ok and not found.solved
+    assert found.status.startswith("not converged: the solver took it for solved by its own options, but ")
+    assert "is missed at" in found.status
+    assert solve(replace(posed, solver=Solver())).ok

@@ -94,4 +94,12 @@ def test_a_thin_hill_of_a_springs_energy_is_seen_along_the_motion() -> None:
 def test_what_changes_slowly_cuts_nothing() -> None:
     waves = ExternalWrench("bead", wrench=("3*sin(4*t) + 1", 0, 0, 0, 0, 0))
     found = solve(sliding(effects=(waves,), accuracy=None))
-    assert not len(found.errors.unseen.cuts) and not found.errors.unseen.unsettled
+    assert not len(found.errors.unseen.cuts) and not found.errors.unseen.forces
+
+
+def test_what_changes_too_fast_to_be_followed_is_not_confirmed() -> None:
+    """Waves of a microsecond, whose mean every rule of points takes for something else."""
+    waves = ExternalWrench("bead", wrench=("1e3*sin(6e6*t)", 0, 0, 0, 0, 0))
+    found = optimisation_problem(sliding(effects=(waves,))).solve(judge=True)
+    assert found.solved and not found.ok
+    assert "what effects do changes too fast between the points" in " ".join((found.status, *found.reasons))

@@ -138,6 +138,7 @@ EFFECT_KEYS = {
         "stiffness": ("N/m or N m/rad", "force per way from the target, at least 0"),
         "damping": ("N s/m or N m s/rad", "force per rate from the target's, at least 0"),
         "limit": (FORCE, "largest force"),
+        "lowest": (FORCE, "least force, below `limit`; -`limit` unless given"),
     },
     "quasi_static": {},
     "rolling_contact": {

@@ -1,6 +1,7 @@
 r"""Values of printed formulas: what a reader would compute from them, and nothing that the package knows of them.
 
-Numbers, symbols, `\frac`, `\sqrt`, powers, products by juxtaposition, sums, `\sin`, `\cos`, `\times`, `\cdot`, pmatrix.
+Numbers, symbols, `\frac`, `\sqrt`, powers, products by juxtaposition, sums, `\sin`, `\cos`,
+`\arccos`, `\operatorname{atan2}`, `\times`, `\cdot`, pmatrix.
 """
 
 from __future__ import annotations
@@ -13,10 +14,10 @@ import numpy as np
 TOKEN = re.compile(
     r"\\boldsymbol\{[A-Za-z0]\}(?:_\{[^}]*\})?|\\mathrm\{[^}]*\}|\\(?:cos|sin) \\varphi_\{[^}]*\}"
     r"|\\(?:theta|varphi|lambda|alpha|beta|gamma|phi|psi|rho)(?:_\{[^}]*\})?|[A-Za-z]_\{[^}]*\}|\d+\.\d+|\d+"
-    r"|\\begin\{pmatrix\}|\\end\{pmatrix\}|\\[A-Za-z]+|\\\\|[A-Za-z]|[-+^(){}&/]|\s+"
+    r"|\\begin\{pmatrix\}|\\operatorname\{atan2\}|,|\\end\{pmatrix\}|\\[A-Za-z]+|\\\\|[A-Za-z]|[-+^(){}&/]|\s+"
 )
 STARTS = re.compile(
-    r"\\boldsymbol|\\mathrm|\\frac|\\sqrt|\\pi|\\left|\\cos|\\sin|\\begin|\\theta|\\varphi|\\lambda|[\w(]"
+    r"\\operatorname|\\arccos|\\boldsymbol|\\mathrm|\\frac|\\sqrt|\\pi|\\left|\\cos|\\sin|\\begin|\\theta|\\varphi|\\lambda|[\w(]"
 )
 
 
@@ -95,6 +96,14 @@ class Values:
             return self.group() / self.group()
         if token == r"\sqrt":
             return np.sqrt(self.group())
+        if token == r"\arccos":
+            return np.arccos(self.power())
+        if token == r"\operatorname{atan2}":
+            self.take("(")
+            first = self.sum()
+            self.take(",")
+            second = self.closed()
+            return np.arctan2(first, second)
         if token == r"\pi":
             return np.pi
         if token in (r"\cos", r"\sin"):

@@ -7,7 +7,7 @@ import shutil
 from pathlib import Path
 
 import pytest
-from support.model_states import model
+from support.model_states import model, pendulum
 
 from symscrew.cli.parser import main
 from symscrew.export import print_c
@@ -98,3 +98,12 @@ def test_what_is_wrong_is_found(monkeypatch: pytest.MonkeyPatch) -> None:
     assert "rule 8.14: " in text and "the code has the word while" in text and "calls malloc" in text
     assert "symscrew_bad: a branch that nothing takes: while (x > 0.5) {" in text
     assert "velocity: " in text and "not finite on a status up to 0" in text and "**open**" in found.text
+
+
+@pytest.mark.skipif(shutil.which("cppcheck") is None, reason="needs cppcheck")
+def test_every_rule_that_run_time_parameters_break_has_its_reason(tmp_path: Path) -> None:
+    """Their type in the header is a union that the code itself does not read."""
+    for file, text in print_c(pendulum().only(["inverse_dynamics"]), batches=False, lanes=False).items():
+        (tmp_path / file).write_text(text)
+    found = set(evidence._rules(tmp_path, "pendulum"))
+    assert {"2.3", "19.2"} <= found <= set(DEVIATIONS)

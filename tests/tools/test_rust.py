@@ -169,10 +169,10 @@ def test_it_needs_no_standard_library_and_types_do_not_mix(rustc: str, tmp_path:
 
 
 def test_names_that_rust_keeps_for_itself(rustc: str, tmp_path: Path) -> None:
-    """Of functions, arrays and fields."""
+    """Of functions, arrays and fields; and those of joints, whose letters are large ones."""
     found = model("four_bar").only(["velocity"])
     program = found.programs["velocity"]
-    ports = [dataclasses.replace(p, name=n) for p, n in zip(program.inputs, ("move", "self_"), strict=True)]
+    ports = [dataclasses.replace(p, name=n) for p, n in zip(program.inputs, ("move", "self_A"), strict=True)]
     made = [dataclasses.replace(p, name="status") for p in program.outputs]
     renamed = dataclasses.replace(program, name="match", inputs=tuple(ports), outputs=tuple(made))
     given = found.test_inputs["velocity"]

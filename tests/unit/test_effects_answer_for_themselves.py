@@ -17,9 +17,10 @@ from symscrew.effects.quasi_static import QuasiStatic
 from symscrew.kinematics import System
 
 PACKAGE = Path(symscrew.__file__).parent
-FOREIGN = {  # an attribute of MuJoCo's <option>; an element of Drake's <transmission>
+FOREIGN = {  # an attribute of MuJoCo's <option>; elements of <gazebo>, and of Drake's <transmission>
     ("formats/mjcf_settings.py", "gravity"),
     ("formats/mjcf_effects.py", "gravity"),
+    ("formats/urdf_gazebo.py", "gravity"),
     ("formats/urdf_forces.py", "rotor_inertia"),
 }
 

@@ -143,7 +143,7 @@ def test_what_users_meet_shows_itself_in_a_line() -> None:
     recorded = RecordedMotion(plan.mechanism, t, many, many, None, None, (), ())
     assert repr(recorded) == "RecordedMotion(ur5: 3 states from 0 s to 2 s)"
     assert repr(Motion(t, many, many, many, many, 1e-15, 0.0)) == "Motion(3 states to 2 s, loops open by 1.0e-15)"
-    assert repr(Document("Mechanism a", "", (Section("Overview", ()),))) == "Document(Mechanism a: Overview)"
+    assert repr(Document("Mechanism a", "", (Section("Overview", ()),))) == "Document(Mechanism a: 1 section)"
 
 
 def test_a_plan_is_known_by_every_number_of_its_effects() -> None:

@@ -14,6 +14,7 @@ import sympy
 from support.model_states import model
 
 from symscrew import notebook
+from symscrew.assembly import assembly_modes
 from symscrew.functions import Quantities
 from symscrew.functions.quantities import without_noise
 from symscrew.mobility import analyse_mobility
@@ -56,6 +57,14 @@ def test_one_line_at_the_prompt() -> None:
         if name not in INSIDE and any("\n" in text or len(text) > LONGEST for text in texts)
     }
     assert long == {}
+
+
+def test_assembly_modes_are_one_line_and_a_table() -> None:
+    modes = assembly_modes(model("four_bar").mechanism, {"A": 0.3})
+    shown = [repr(modes), repr(modes.modes[0])]
+    assert all("\n" not in line and len(line) < 100 for line in shown), shown
+    rows = modes._repr_html_()
+    assert rows.count("<tr>") == 1 + len(modes.modes) == 3 and modes.modes[1].name in rows
 
 
 INSIDE = {"Node"}

@@ -259,7 +259,7 @@ def test_shooting_closes_its_loops_by_newton_steps(monkeypatch: pytest.MonkeyPat
 
 
 def test_degrees_and_intervals_have_an_end() -> None:
-    assert tableau("gauss", HIGHEST_DEGREE).weights.sum() == pytest.approx(1, abs=1e-12)
+    assert tableau("gauss", HIGHEST_DEGREE).weights.sum() == pytest.approx(1, abs=3e-15)
     with pytest.raises(DescriptionError, match="expected a degree from 1 to 9, got 10"):
         tableau("gauss", HIGHEST_DEGREE + 1)
     assert Transcription(intervals=10_000).intervals == 10_000

@@ -77,6 +77,7 @@ def test_benchmark_scenes_are_read(path: Path) -> None:
         (with_lines("[signals]\nt = 1"), "the name 't' is taken"),
         (with_lines("[initial]\ncoordinates = 3"), "a table of labels"),
         (with_lines("[parameters]\nfoo = 1"), "no run-time parameter"),
+        (with_lines("[initial.coordinates]\nB_ = '30deg'"), "'B_' is no coordinate with a unit, did you mean 'B'"),
         ("[scene]\nmechanism = 3\nduration = 1", "expected a name or a file"),
         ("effects = 3\n" + FOUR_BAR, "expected tables [[effects]]"),
     ],

@@ -208,3 +208,17 @@ def test_two_at_once_make_it_once() -> None:
     for thread in threads:
         thread.join()
     assert len(made) == 1 and got() == CONTENT
+
+
+@posix
+def test_nobody_waits_without_end_for_a_process_that_is_stopped(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """What is there is read; what is made meanwhile is not kept, since the holder may be about to write it."""
+    put()
+    monkeypatch.setattr(user_cache, "PATIENCE", 0.1)
+    beside = KEY[:2] + OTHER[2:]  # another entry under the same lock
+    with entry(KEY):
+        assert got() == CONTENT
+        put(beside)
+    assert got(beside) is None
+    put(beside)
+    assert got(beside) == CONTENT

@@ -85,8 +85,25 @@ static double first_below(const double *b, double left, double right)
     return found <= 1.0 ? found : first_below(other, middle, right);
 }
 
+/* The first place where a polynomial in powers is not positive; 2: none. */
+static double first_end(const double *c)
+{
+    double b[SAMPLES];
+    for (int i = 0; i < SAMPLES; ++i) { /* powers to Bernstein: b_i = sum of binom(i, k) / binom(n, k) c_k */
+        double ratio = 1.0;
+        b[i] = 0.0;
+        for (int k = 0; k <= i; ++k) {
+            b[i] += ratio * c[k];
+            ratio *= (double)(i - k) / (DEGREE - k);
+        }
+    }
+    return first_below(b, 0.0, 1.0);
+}
+
 /* The part of the step at which a margin ends; 2: it does not. A margin within `slack` of zero at the start counts as
- * zero there: what it does next decides. */
+ * zero there: what it does next decides. Where its rate is zero, too, that is its second derivative, of which the step's
+ * polynomial has the sign only if it is large: a stop that is left as the force on it fades was met again at once, and
+ * so on without end. There a margin that falls ends where it is below -slack. */
 static double end_of(Polynomial p, double slack)
 {
     double b[SAMPLES], size = 0.0;
@@ -103,18 +120,20 @@ static double end_of(Polynomial p, double slack)
     for (int k = 0; k < SAMPLES; ++k) { /* what is left without these zeros, which has the same sign behind them */
         b[k] = k + zeros < SAMPLES ? p.c[k + zeros] : 0.0;
     }
-    for (int k = 0; k < SAMPLES; ++k) { /* powers to Bernstein: b_i = sum of binom(i, k) / binom(n, k) c_k */
-        p.c[k] = b[k];
+    if (zeros < 2 || b[0] > 0.0) {
+        return first_end(b);
     }
-    for (int i = 0; i < SAMPLES; ++i) {
-        double ratio = 1.0;
-        b[i] = 0.0;
-        for (int k = 0; k <= i; ++k) {
-            b[i] += ratio * p.c[k];
-            ratio *= (double)(i - k) / (DEGREE - k);
+    p.c[0] = slack;
+    const double below = first_end(p.c);
+    double most = 0.0;
+    for (int i = 1; i < SAMPLES && below <= 1.0; ++i) {
+        double value = 0.0;
+        for (int k = DEGREE; k >= 0; --k) {
+            value = p.c[k] + below * i / SAMPLES * value;
         }
+        most = fmax(most, value);
     }
-    return first_below(b, 0.0, 1.0);
+    return most > 2.0 * slack ? below : below <= 1.0 ? 0.0 : 2.0; /* it came back later, or falls from the start */
 }
 
 typedef struct {

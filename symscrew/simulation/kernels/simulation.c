@@ -455,12 +455,14 @@ int simulation_advance(Simulation *s, long most, const double *times, size_t cou
         const double short_of = ((times[*written] - step->t) - step->rest) - step->h; /* the next output */
         double end = s->method == DOP853 || short_of > 1e-9 * step->h ? step->t + step->h : times[*written];
         end = s->lands > 0.0 ? s->lands : end;
+        int whole = 1; /* the step counts up to its end; with an event only to that instant */
 #if CONTACTS
         Event event;
         if (first_event(step, s->method, s->fresh - 1, &event) != 0) {
             return NOT_DEFINED;
         }
         end = event.contact >= 0 ? step->t + event.part * step->h : end;
+        whole = event.contact < 0;
 #endif
         const int regular = step->pivot > 0.5 * PIVOT && !step->careful; /* a secant will do */
         const double rate = regular ? (step->pivot - s->pivot) / step->h : pivot_rate(step->q, step->v);
@@ -471,7 +473,7 @@ int simulation_advance(Simulation *s, long most, const double *times, size_t cou
         while (*written < count && times[*written] <= end) {
             double pivot;
             const double when = times[*written];
-            if (when == end) {
+            if (when == end && whole) {
                 memcpy(q + *written * NQ, step->q, sizeof(double) * NQ);
                 memcpy(v + *written * NV, step->v, sizeof(double) * NV);
                 memcpy(x + *written * NX, step->x, sizeof(double) * NX);

@@ -29,6 +29,10 @@ from symscrew.verification.embedded.emulation import EmbeddedError, measure
 
 # Deviations: rule -> category, and why the code deviates.
 DEVIATIONS: Mapping[str, tuple[str, str]] = {
+    "2.3": (
+        "advisory",
+        "the header's type of run-time parameters is for users; the code takes their array",
+    ),
     "2.4": ("advisory", "enumerations in the header name entries of arrays for users; the code itself takes numbers"),
     "2.5": ("advisory", "macros of the header name statuses and sizes for users; those of bodies serve both forms"),
     "8.7": ("advisory", "functions of the header have external linkage, whether this file calls them or not"),
@@ -43,6 +47,10 @@ DEVIATIONS: Mapping[str, tuple[str, str]] = {
     "12.3": ("advisory", "declarations of several constants of one type; there is no comma operator in expressions"),
     "15.5": ("advisory", "a refused input ends a function where it is seen, before numbers are made of it"),
     "18.4": ("advisory", "matrices by columns are handed on from a place in an array whose size is known"),
+    "19.2": (
+        "advisory",
+        "run-time parameters by name and as an array are numbers of one type at the same places",
+    ),
     "20.5": ("advisory", "macros of bodies end with the part of the file that reads them"),
     "20.7": ("required", "a macro's parameter that is a type or a name cannot be in parentheses"),
     "20.10": ("advisory", "a body's name is put together from its function's by ##, once"),

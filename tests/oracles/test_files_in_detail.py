@@ -1,0 +1,328 @@
+"""Robots' files, word by word: what classes, flags, constants and limits do to numbers is what MuJoCo makes of them."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import mujoco
+import numpy as np
+import pytest
+
+from symscrew.description import slope
+from symscrew.errors import DescriptionError
+from symscrew.formats import difference, import_file, load_format, text_of
+from symscrew.functions import Motion, kinematic_functions
+from symscrew.kinematics import System
+from symscrew.model import derive
+from symscrew.program import evaluate, lower
+from symscrew.scene import load_robot, load_scene, save_robot, scene_text
+
+from .test_import_details import INERTIAL, saved
+
+
+def hinge(name: str, inner: str = "", more: str = 'axis="0 1 0"') -> str:
+    return f'<body name="B{name}" pos="0.2 0 0.1"><joint name="{name}" {more}/>{INERTIAL}{inner}</body>'
+
+
+def model(body: str, rest: str = "") -> str:
+    return f'<mujoco><compiler angle="radian"/>{rest}<worldbody>{body}</worldbody></mujoco>'
+
+
+TWO = hinge("a", hinge("b", more='axis="1 0 0"'))
+GENERAL = '<general biastype="affine" biasprm="0 -7 -1" gainprm="7" gear="2"/>'
+TENDON = '<tendon><fixed name="t" stiffness="7"><joint joint="a" coef="2"/>{0}</fixed></tendon>'
+OWN = hinge("a", hinge("b"), 'axis="0 1 0" ref="0.5" springref="0.2"')
+ACTING = {
+    "classes": model(
+        TWO,
+        f'<default><motor gear="7"/><default class="s">{GENERAL}</default></default>'
+        '<actuator><position joint="a" kp="20"/><position joint="b" class="s" kp="30"/></actuator>',
+    ),
+    "replaced": model(
+        TWO,
+        '<default><position kp="50" kv="3"/></default><actuator><velocity joint="a"/><general joint="b"/></actuator>',
+    ),
+    "two sizes": model(
+        TWO,
+        '<actuator><position joint="a" kp="900" forcerange="-0.1 5" gear="-2"/>'
+        '<position joint="b" kp="900" forcerange="-0.1 0.1" forcelimited="false"/></actuator>',
+    ),
+    "of the joint": model(
+        hinge("a", hinge("b"), 'axis="0 1 0" actuatorfrcrange="-0.3 0.1"'),
+        '<actuator><position joint="a" kp="900"/><intvelocity joint="b" kp="3"/></actuator>',
+    ),
+    "ratio": model(
+        TWO, '<actuator><general joint="a" gear="3" biastype="affine" gainprm="7" biasprm="0 -7 0.6"/></actuator>'
+    ),
+    "groups": model(
+        TWO,
+        '<option actuatorgroupdisable="2"/><actuator><position joint="a" kp="200" group="2"/>'
+        '<position joint="b" kp="3" group="1"/></actuator>',
+    ),
+    "flags": model(
+        hinge("a", hinge("b"), 'axis="0 1 0" stiffness="3" damping="2"'),
+        '<option><flag spring="disable" damper="disable"/></option>' + TENDON.format(""),
+    ),
+    "weightless": model(TWO, '<option gravity="1 2 3"><flag gravity="disable"/></option>'),
+    "one joint's tendon": model(OWN, TENDON.format("")),
+    "two joints' tendon": model(OWN, TENDON.format('<joint joint="b" coef="-3"/>')),
+}
+
+
+@pytest.mark.parametrize("name", ACTING)
+def test_forces_are_those_of_mujoco(tmp_path: Path, name: str) -> None:
+    """Accelerations, with all commands at zero, at states where limits act."""
+    robot = load_robot(saved(ACTING[name], tmp_path))
+    assert not robot.account.influence
+    made = derive(robot.mechanism, robot.effects)
+    engine = mujoco.MjModel.from_xml_string(ACTING[name])
+    data = mujoco.MjData(engine)
+    q, v, _ = made.system.states(2, 2)
+    labels = [c.label for c in made.system.tree.v]
+    order = [labels.index(joint) for joint in "ab"]
+    ports = made.programs["forward_dynamics"].inputs
+    given = [{"q": q, "v": v}.get(port.name, np.zeros(port.shape)) for port in ports]
+    found = made("forward_dynamics", *given)[0][0]
+    for k in range(len(q)):
+        data.qpos[:], data.qvel[:] = q[k][order], v[k][order]
+        mujoco.mj_forward(engine, data)
+        assert found[k][order] == pytest.approx(data.qacc, rel=1e-9, abs=1e-9)
+
+
+THREE = hinge("a", hinge("b", hinge("c", more='axis="1 0 0" ref="0.2"')))
+FIXED = '<tendon><fixed name="t"><joint joint="a" coef="2"/><joint joint="b" coef="-3"/></fixed></tendon>'
+TIES = {
+    "a chain": '<joint joint1="c" joint2="b" polycoef="0.1 2 0.3"/><joint joint1="b" joint2="a" polycoef="0.2 0.5"/>',
+    "a tendon": '<tendon tendon1="t" polycoef="0.3 0 0 0 0"/>',
+    "one number": '<joint joint1="b" joint2="a" polycoef="0.1"/>',
+    "carried": '<joint joint1="a" joint2="b" polycoef="0.3 -1"/><weld body1="Bb" body2="Bc"/>',
+}
+
+
+@pytest.mark.parametrize("name", TIES)
+def test_constants_of_couplings_hold_together(tmp_path: Path, name: str) -> None:
+    """In our reference configuration MuJoCo's constraints hold, its bodies are there, and its rows have our slopes."""
+    text = model(THREE, f"{FIXED}<equality>{TIES[name]}</equality>")
+    mechanism = load_format(saved(text, tmp_path))
+    engine = mujoco.MjModel.from_xml_string(text)
+    engine.opt.jacobian = mujoco.mjtJacobian.mjJAC_DENSE
+    data = mujoco.MjData(engine)
+    values = [mechanism.joints[joint].reference for joint in "abc"]
+    data.qpos[:] = [float(mechanism.number(given[0])) if given else 0.0 for given in values]
+    mujoco.mj_forward(engine, data)
+    assert np.abs(data.qpos - engine.qpos0).max() > 0.05
+    assert data.efc_pos == pytest.approx(np.zeros(data.nefc), abs=1e-12)
+    for body in "abc":
+        com = mechanism.bodies[f"B{body}"].com
+        assert com is not None
+        assert [float(c) for c in com] == pytest.approx(list(data.body(f"B{body}").xipos), abs=1e-12)
+    rows = data.efc_J.reshape(data.nefc, 3)
+    for coupling in mechanism.couplings.values():
+        slopes = np.zeros(3)
+        for term in coupling.terms:
+            slopes["abc".index(term.joint)] = float(mechanism.number(slope(mechanism, term)))
+        assert min(np.linalg.norm(np.cross(slopes, row)) for row in rows) < 1e-12 * np.linalg.norm(slopes)
+
+
+@pytest.mark.parametrize(
+    ("ties", "message"),
+    [
+        ('<joint joint1="c" joint2="b" polycoef="0.1"/><joint joint1="c" joint2="a" polycoef="0.2"/>', "hold by 0.1"),
+        ('<joint joint1="a" joint2="a" polycoef="0 2"/>', "expected two joints, got 'a' twice"),
+        ('<joint joint1="a" joint2="b" polycoef="0.3 -1"/><weld body1="Ba"/>', "does not close"),
+        ('<joint joint1="b" polycoef="0.3"/><connect body1="Bb" body2="Z" anchor="0.3 0 0"/>', "does not close"),
+    ],
+)
+def test_constants_that_do_not_hold_together_are_refused(tmp_path: Path, ties: str, message: str) -> None:
+    slider = f'<body name="Z" pos="0.9 0 0.3"><joint name="z" type="slide" axis="1 0 0"/>{INERTIAL}</body>'
+    with pytest.raises(DescriptionError, match=message):
+        load_format(saved(model(THREE + slider, f"<equality>{ties}</equality>"), tmp_path))
+
+
+def test_an_own_orientation_is_in_the_place_of_the_class_one(tmp_path: Path) -> None:
+    text = model(
+        '<body name="b"><joint axis="1 2 3"/><geom class="c" quat="0.7 0.1 0.2 0.3"/></body>',
+        '<default><default class="c"><geom type="box" size=".1 .2 .3" euler="0.3 0.1 0.2"/></default></default>',
+    )
+    body = load_format(saved(text, tmp_path)).bodies["b"]
+    engine = mujoco.MjModel.from_xml_string(text)
+    turn = np.zeros(9)
+    mujoco.mju_quat2Mat(turn, engine.body_iquat[1])
+    whole = turn.reshape(3, 3) @ np.diag(engine.body_inertia[1]) @ turn.reshape(3, 3).T
+    assert np.array(body.inertia, dtype=float) == pytest.approx(whole, rel=1e-9)
+
+
+def test_a_free_joint_has_armature_and_damping(tmp_path: Path) -> None:
+    """The same number in every direction and about every axis; a written file has them, too."""
+    text = model(
+        f'<body name="b"><joint name="f" type="free"/>{INERTIAL}</body>',
+        '<default><joint armature="0.3" damping="0.2"/></default>',
+    )
+    robot = load_robot(saved(text, tmp_path))
+    made, bare = derive(robot.mechanism, robot.effects), derive(robot.mechanism, robot.effects[:1])
+    q, v, _ = made.system.states(2, 1)
+    added = (made("mass_matrix", q)[0][0] - bare("mass_matrix", q)[0][0]).reshape(-1, 6, 6)
+    assert added == pytest.approx(np.broadcast_to(0.3 * np.eye(6), added.shape), abs=1e-14)
+    assert made("bias", q, v)[0][0] - bare("bias", q, v)[0][0] == pytest.approx(0.2 * v, abs=1e-13)
+    assert save_robot(robot.mechanism, tmp_path / "again.xml", robot.effects) == []
+    engine = mujoco.MjModel.from_xml_path(str(tmp_path / "again.xml"))
+    assert engine.dof_armature == pytest.approx(np.full(6, 0.3)) and engine.dof_damping == pytest.approx(
+        np.full(6, 0.2)
+    )
+
+
+FLYING = f"""<mujoco><worldbody><body pos="1 2 3" euler="30 40 50"><freejoint name="base"/>{INERTIAL}
+<body pos="0.3 0 0" quat="0.6 0 0.8 0"><joint name="ball" type="ball"/>{INERTIAL}<body pos="0 0 0.2">
+<joint name="hinge" axis="1 2 0" ref="20"/>{INERTIAL}<site name="tooth" pos="0.1 0.1 0.1"/></body></body></body>
+</worldbody>
+<keyframe><key name="bite" qpos="0.1 0.2 0.3 0.5 -0.5 0.7 0.1 0.3 0.4 -0.5 0.7 0.8" qvel="1 2 3 4 5 6 7 8 9 10"/>
+<key name="still" qvel="0 0 0 0 0 0 0 0 0 0" ctrl=""/></keyframe></mujoco>"""
+
+
+def test_keyframes_have_rates(tmp_path: Path) -> None:
+    """A point moves as MuJoCo's site, and a scene begins so; a keyframe at rest has none."""
+    path = saved(FLYING, tmp_path)
+    robot = load_robot(path)
+    system = System(robot.mechanism)
+    q = np.array([[robot.starts["bite"][c.label] for c in system.tree.q]])
+    v = np.array([[robot.start_rates["bite"][c.label] for c in system.tree.v]])
+    points = next(f for f in kinematic_functions(system, Motion(system)) if f.name == "point_motion")
+    velocity = evaluate(lower(points), [q, v, 0 * v])[0][1]
+    engine = mujoco.MjModel.from_xml_path(str(path))
+    data = mujoco.MjData(engine)
+    mujoco.mj_resetDataKeyframe(engine, data, 0)
+    mujoco.mj_forward(engine, data)
+    found = np.zeros(6)
+    mujoco.mj_objectVelocity(engine, data, mujoco.mjtObj.mjOBJ_SITE, 0, found, 0)
+    assert velocity.ravel() == pytest.approx(found[3:], rel=1e-12)
+    assert set(robot.start_rates) == {"bite"} and robot.starts["still"] == {}
+    (tmp_path / "robot.toml").write_text(text_of(robot.mechanism, ".toml"))
+    (tmp_path / "scene.toml").write_text(scene_text(robot, "robot.toml", "bite"))
+    assert load_scene(tmp_path / "scene.toml").initial.rates == pytest.approx(robot.start_rates["bite"])
+    with pytest.raises(DescriptionError, match="qvel: expected 10 numbers, got 9"):
+        load_format(saved(FLYING.replace(" 9 10", " 9"), tmp_path))
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        (model(TWO, '<default class="robot"><joint armature="1"/></default>'), "outermost default is of the class"),
+        (model(TWO, '<option><flag springs="disable"/></option>'), "attribute 'springs' is not supported"),
+        (model(TWO, '<option><flag spring="off"/></option>'), "expected spring='enable' or 'disable'"),
+        (model(TWO, '<option><flag constraint="disable"/></option>'), "left out: flag constraint=disable"),
+        (model('<joint name="w"/>' + TWO), "the world stands still and has no <joint>"),
+        (model(f'<body name="b"><joint/>{INERTIAL}{INERTIAL}</body>'), "expected one <inertial>, got 2"),
+        (model('<body><joint/><inertial mass="-1" pos="0 0 0" diaginertia="1 1 1"/></body>'), "at least 0 kg, got -1"),
+        (
+            model('<body><joint/><inertial mass="1" pos="0 0 0" fullinertia="1 1 1 0 0 0" euler="1 0 0"/></body>'),
+            "expected euler or fullinertia, got both",
+        ),
+        (
+            model(
+                hinge("a", more='actuatorfrcrange="-1 1"'),
+                '<actuator><position joint="a"/><position joint="a"/></actuator>',
+            ),
+            "actuatorfrcrange of a, which several actuators drive",
+        ),
+    ],
+)
+def test_what_was_passed_over_is_refused(tmp_path: Path, text: str, message: str) -> None:
+    with pytest.raises(DescriptionError, match=message):
+        load_format(saved(text, tmp_path))
+
+
+def test_included_files_name_what_is_beside_them(tmp_path: Path) -> None:
+    """Files and meshes of an included file: below the main folder first, then below its own."""
+    (tmp_path / "parts").mkdir()
+    (tmp_path / "t.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n")
+    files = {
+        "one": '<body name="A"><joint name="a"/><geom type="mesh" mesh="t"/><include file="two.xml"/></body>',
+        "two": f'<body name="B"><joint name="b"/>{INERTIAL}</body>',
+        "assets": '<asset><mesh file="../t.obj"/></asset>',
+    }
+    for name, inner in files.items():
+        (tmp_path / "parts" / f"{name}.xml").write_text(f"<mujoco>{inner}</mujoco>")
+    text = '<mujoco><include file="parts/assets.xml"/><worldbody><include file="parts/one.xml"/></worldbody></mujoco>'
+    path = saved(text, tmp_path)
+    body = load_format(path).bodies["A"]
+    engine = mujoco.MjModel.from_xml_path(str(path))
+    assert float(body.mass or 0) == pytest.approx(engine.body_mass[1], rel=1e-9) and engine.nbody == 3
+    (tmp_path / "t.obj").write_text("version https://git-lfs.github.com/spec/v1\noid sha256:0\nsize 7\n")
+    with pytest.raises(DescriptionError, match="its pointer of Git LFS"):
+        load_format(path)
+
+
+LINKS = "".join(
+    f'<link name="{name}"><inertial><mass value="1"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/>'
+    "</inertial></link>"
+    for name in ("base", "one", "two")
+)
+JOINT = '<joint name="{0}" type="{1}"><parent link="{2}"/><child link="{3}"/><axis xyz="0 1 0"/>{4}</joint>'
+
+
+def robot_of(first: str = "", *, kind: str = "continuous", rest: str = "", space: str = "") -> str:
+    joints = JOINT.format("a", kind, "base", "one", first) + JOINT.format("b", "continuous", "one", "two", "")
+    return f'<robot {space} name="r">{LINKS}{joints}{rest}</robot>'
+
+
+def test_of_elements_that_occur_twice_the_first_counts(tmp_path: Path) -> None:
+    """As in ROS' own parser; it is said."""
+    twice = '<dynamics damping="1" K="7"/><dynamics damping="3"/><axis xyz="1 0 0"/><limit effort="-3" velocity="2"/>'
+    found = import_file(saved(robot_of(twice), tmp_path, "robot.urdf"))
+    assert [force["coefficient"] for force in found.forces] == [1.0]
+    assert found.limits["a"].effort is None and found.limits["a"].velocity == 2
+    assert found.account.changed == ("limits of a: effort -3 is below 0; it is not taken",)
+    for what in (
+        "a second <dynamics> of a joint: the first one counts",
+        "a second <axis> of a joint: the first one counts",
+        "attributes of <dynamics> that a URDF does not have: K",
+    ):
+        assert found.account.harmless[what] == 1
+
+
+def test_what_gazebo_and_dialects_say_of_forces(tmp_path: Path) -> None:
+    section = (
+        '<gazebo reference="a"><springStiffness>3</springStiffness><springReference>0.2</springReference></gazebo>'
+        '<gazebo reference="two"><turnGravityOff>true</turnGravityOff></gazebo>'
+    )
+    text = robot_of('<dynamics armature="0.5" damping="0"/>', rest=section, space='xmlns="http://drake.mit.edu"')
+    found = import_file(saved(text, tmp_path, "robot.urdf"))
+    assert [{**force} for force in found.forces] == [
+        {"kind": "armature", "joint": "a", "inertia": 0.5},
+        {"kind": "spring", "joint": "a", "stiffness": 3.0, "rest": 0.2},
+    ]
+    assert found.account.changed == ("gravity acts on two, from which <gazebo> takes it",)
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        (robot_of('<dynamics damping="1"/>', kind="floating"), "left out: damping of a floating joint"),
+        (robot_of(rest='<include filename="arm.urdf"/>'), "left out: <include>"),
+        (
+            robot_of(
+                rest='<transmission name="t"><joint name="a"/><actuator name="m"><rotorInertia>1</rotorInertia>'
+                "<mechanicalReduction>0</mechanicalReduction></actuator></transmission>"
+            ),
+            "expected a reduction that is not 0",
+        ),
+    ],
+)
+def test_what_a_urdf_cannot_mean_is_refused(tmp_path: Path, text: str, message: str) -> None:
+    with pytest.raises(DescriptionError, match=message):
+        load_format(saved(text, tmp_path, "robot.urdf"))
+
+
+def test_a_written_urdf_keeps_the_constant_of_a_mimic_joint(tmp_path: Path) -> None:
+    """Its joints follow by factor and offset, also where limits are given in part; ROS' parser wants them whole."""
+    tie = '<equality><joint joint1="b" joint2="a" polycoef="0.1 0.5"/></equality>'
+    text = model(hinge("a", hinge("b"), 'axis="0 1 0" range="-1 2"'), f'{tie}<actuator><motor joint="a"/></actuator>')
+    robot = load_robot(saved(text, tmp_path))
+    assert save_robot(robot.mechanism, tmp_path / "again.urdf", robot.effects, limits=robot.limits) == []
+    written = (tmp_path / "again.urdf").read_text()
+    assert '<mimic joint="a" multiplier="0.5" offset="0.1" />' in written
+    assert '<limit effort="1000000" velocity="1000000" lower="-1" upper="2" />' in written
+    again = load_robot(tmp_path / "again.urdf")
+    assert again.limits == robot.limits and difference(robot.mechanism, again.mechanism) is None
+    (tmp_path / "other.urdf").write_text(written.replace('offset="0.1"', ""))
+    assert difference(robot.mechanism, load_format(tmp_path / "other.urdf")) is not None
