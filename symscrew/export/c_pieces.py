@@ -203,7 +203,7 @@ def routines_of(pieces: Pieces) -> list[str]:
     seconds = [p for p in pieces.model.programs.values() if isinstance(p, RankRevealing)]
     if not seconds:
         return []
-    return routines(pieces.name, pieces.precision, internal=any(p.wrenches for p in seconds))
+    return routines(pieces.name, pieces.precision, internal=any(p.loads_matter for p in seconds))
 
 
 def _angles(pieces: Pieces) -> bool:

@@ -296,13 +296,19 @@ def _with_internal_loads(printed: Printed, program: RankRevealing, given: str, o
     a, reactions = outputs
     n, m, size = len(program.rates), len(program.rows), program.outputs[1].size
     real, zero = precision.real, precision.number(0.0)
-    return [
-        f"    {real} sized[{size}], shifted[{size}], loads[{m * m}] = {{{zero}}}, columns[{m * size}] = {{{zero}}};",
-        f"    {real} mix[{m * m}] = {{{zero}}}, amount[{m}] = {{{zero}}};",
+    solved = [
         f"    for (int i = 0; i < {m}; ++i) {{",
         "        multipliers[i] *= row_scale[i];",
         "    }",
         f"    (void){symbol}_wrenches({given}{a}, multipliers, {reactions}, sized);",
+    ]
+    summed = f"    total += {model}_dot({size}, {reactions}, {reactions});"
+    if not program.loads_matter:
+        return [f"    {real} sized[{size}];", *solved, summed]
+    return [
+        f"    {real} sized[{size}], shifted[{size}], loads[{m * m}] = {{{zero}}}, columns[{m * size}] = {{{zero}}};",
+        f"    {real} mix[{m * m}] = {{{zero}}}, amount[{m}] = {{{zero}}};",
+        *solved,
         f"    const int internal = {m} - (rank > 0 ? rank : 0);",
         "    for (int k = 0; k < internal && rank >= 0; ++k) {",
         f"        {real} moved[{m}];",
@@ -337,5 +343,5 @@ def _with_internal_loads(printed: Printed, program: RankRevealing, given: str, o
         "        }",
         "    }",
         f"    (void){symbol}_wrenches({given}{a}, multipliers, {reactions}, sized);",
-        f"    total += {model}_dot({size}, {reactions}, {reactions});",
+        summed,
     ]

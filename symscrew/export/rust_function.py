@@ -230,14 +230,20 @@ def _internal_loads(name: str, program: RankRevealing, precision: Precision) -> 
     m, size = len(program.rows), program.outputs[1].size
     n = len(program.rates)
     call = f"{name}_wrenches::<M>({''.join(f'{x}, ' for x in arguments(program.inputs))}&*{a}"
-    return [
-        f"let (mut sized, mut shifted, mut other) = ([0.0; {size}], [0.0; {size}], [0.0; {size}]);",
-        f"let (mut loads, mut columns) = ([0.0; {m * m}], [0.0; {m * size}]);",
-        f"let (mut mix, mut amount) = ([0.0; {m * m}], [0.0; {m}]);",
+    solved = [
         f"for i in 0..{m} {{",
         "    multipliers[i] *= row_scale[i];",
         "}",
         f"{call}, &multipliers, &mut *{reactions}, &mut sized);",
+    ]
+    summed = f"total += dot(&*{reactions}, &*{reactions});"
+    if not program.loads_matter:
+        return [f"let mut sized = [0.0; {size}];", *solved, summed]
+    return [
+        f"let (mut sized, mut shifted, mut other) = ([0.0; {size}], [0.0; {size}], [0.0; {size}]);",
+        f"let (mut loads, mut columns) = ([0.0; {m * m}], [0.0; {m * size}]);",
+        f"let (mut mix, mut amount) = ([0.0; {m * m}], [0.0; {m}]);",
+        *solved,
         f"let internal = if rank >= 0 {{ {m} - rank as usize }} else {{ 0 }};",
         "for k in 0..internal {",
         f"    let mut moved = [0.0; {m}];",
@@ -273,7 +279,7 @@ def _internal_loads(name: str, program: RankRevealing, precision: Precision) -> 
         "    }",
         "}",
         f"{call}, &multipliers, &mut *{reactions}, &mut sized);",
-        f"total += dot(&*{reactions}, &*{reactions});",
+        summed,
     ]
 
 

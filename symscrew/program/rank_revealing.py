@@ -58,6 +58,17 @@ class RankRevealing(Program):
         parts += [part.hash for part in (self.dense, self.wrenches) if part is not None]
         return "".join(part[: 16 // len(parts)] for part in parts)
 
+    @property
+    def loads_matter(self) -> bool:
+        """Whether reactions depend on the multipliers; not where gears alone close loops, which load axes about axes."""
+        if self.wrenches is None:
+            return False
+        *others, multipliers = (port.size for port in self.wrenches.inputs)
+        first = sum(others)
+        results = [s for slots in self.wrenches.results for s in slots]
+        read = {*results, *(arg for _, _, args in self.wrenches.instructions for arg in args if isinstance(arg, int))}
+        return any(slot in read for slot in range(first, first + multipliers))
+
 
 def evaluate_rank_revealing(
     program: RankRevealing, arguments: Sequence[object]

@@ -101,7 +101,7 @@ def test_rust_equals_c_bit_for_bit(name: str, precision: str, rustc: str, tmp_pa
     assert wrong == [] and 0 in seen
 
 
-@pytest.mark.parametrize(("name", "precision"), [("four_bar", "double")])
+@pytest.mark.parametrize(("name", "precision"), [("four_bar", "double"), ("differential", "double")])
 def test_the_second_path_is_the_same(name: str, precision: str, rustc: str, tmp_path: Path) -> None:
     """With and without internal loads, and from states that are not finite."""
     found = always_second(model(name)).only(FUNCTIONS)

@@ -14,11 +14,13 @@ import numpy as np
 
 from symscrew.export import Precision
 from symscrew.model import Model
-from symscrew.program import QUATERNION, Iteration, Port, Program, RankRevealing, evaluate
+from symscrew.program import QUATERNION, Iteration, Port, Program, RankRevealing, evaluate, evaluate_iteration
 from symscrew.verification.embedded.pivot_vectors import pivot_states
 
 RANDOM, SEED = 96, 7  # vectors per function whose entries are random: they reach most refusals, and take no time
 GUESSES = 64  # of an iteration, up to half a turn off: some lead to another branch
+NEAR = 64  # of an iteration, its solution off by about its tolerance: with the loops closed, but the step too large
+OFF = (-1.0, 2.0)  # powers of 10 of the tolerance that these are off by
 ENTRIES = 64  # of an array of which each is made NaN, infinite, huge by itself: of longer ones the first and last
 LENGTHS = (0.9, 1.1)  # of quaternions that are none
 STARTS, STEPS = 4, 40  # of Newton's method to where the loops lose their rank: it takes ten from most starts
@@ -93,6 +95,7 @@ def function_vectors(model: Model, name: str, real: Precision) -> Vectors:
         for k in range(GUESSES):
             rows.append([x[k % len(x)] + rng.uniform(-np.pi, np.pi, x.shape[1]) * (i == 1) for i, x in enumerate(own)])
             rows.append(_turned(program, rows[-1]))
+        rows += _near_solutions(program, own, real)
     with np.errstate(all="ignore"):
         at_pivots, least = _at_pivots(program, own, rng, real)
         rows += at_pivots
@@ -114,6 +117,18 @@ def _turned(program: Program | Iteration, row: Sequence[np.ndarray]) -> list[np.
         for k in at[::4]:
             x[k : k + 4] /= np.linalg.norm(x[k : k + 4])
     return found
+
+
+def _near_solutions(program: Iteration, own: Sequence[np.ndarray], real: Precision) -> list[list[np.ndarray]]:
+    """Guesses off by about the tolerance: where the loops are closed within it, and the step is smaller or larger."""
+    rng = np.random.default_rng(SEED)
+    solved = evaluate_iteration(program, own)[0][0]
+    sizes = program.tolerance**real.digits * 10.0 ** rng.uniform(*OFF, NEAR)
+    rows = []
+    for k, size in enumerate(sizes):
+        y, _, *more = (x[k % len(x)] for x in own)
+        rows.append([y, solved[k % len(solved)] + size * rng.normal(size=solved.shape[-1]), *more])
+    return rows
 
 
 def _at_pivots(
