@@ -60,7 +60,7 @@ class RankRevealing(Program):
 
     @property
     def loads_matter(self) -> bool:
-        """Whether reactions depend on the multipliers; not where gears alone close loops, which load axes about axes."""
+        """Whether reactions depend on the multipliers: not where gears alone close loops."""
         if self.wrenches is None:
             return False
         *others, multipliers = (port.size for port in self.wrenches.inputs)

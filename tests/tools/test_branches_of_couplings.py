@@ -81,7 +81,7 @@ def test_a_step_too_large_where_the_loops_are_closed(
 
 
 def test_reactions_that_no_multiplier_changes_have_no_internal_loads() -> None:
-    """Gears load axes about themselves alone, and nothing else closes a loop there: what looks for loads is left out."""
+    """Gears act about axes, where nothing else closes a loop: what looks for internal loads is left out."""
     for name, matter in (("differential", False), ("four_bar", True)):
         model = derive(catalogue.load(name)).only(["forward_dynamics_reactions"])
         program = model.programs["forward_dynamics_reactions"]
