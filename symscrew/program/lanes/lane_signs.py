@@ -23,6 +23,7 @@ from heapq import heappop, heappush
 # the signs of all lanes are right with any.
 ROUNDS = 2
 
+ANY = -1  # no signs: these are at least 0
 GATHERED = "gathered"  # the operation of a vector that is put together of single values
 
 
@@ -72,9 +73,9 @@ def fewest_flips(parts: Sequence[Part]) -> dict[int, Signs]:
 class _Search:
     """Signs as they are so far, by place of the parts; `other`, `wanted` and `flipped` are decided, the rest follows.
 
-    `other`: 1 for sums that take the signs of their second operand. `wanted`: signs of what has any, if not those that
-    it comes to. `flipped`: lanes of a vector that its readers flip, if nothing speaks for others. What is no part has a
-    place behind all of them, and no signs.
+    `other`: 1 for sums that take the signs of their second operand. `wanted`: signs of what has any; ANY leaves those
+    that it comes to. `flipped`: lanes of a vector that its readers flip, if nothing speaks for others. What is no part
+    has a place behind all of them, and no signs.
     """
 
     def __init__(self, parts: Sequence[Part]) -> None:
@@ -87,7 +88,7 @@ class _Search:
             for source in set(sources) - {nowhere}:
                 self.readers[source].append(k)
         self.other = [0] * len(parts)
-        self.wanted: list[int | None] = [None] * len(parts)
+        self.wanted = [ANY] * len(parts)
         self.flipped = [0] * (len(parts) + 1)
         self.results = [0] * (len(parts) + 1)
         self.reads: list[tuple[int, ...]] = [()] * len(parts)
@@ -128,14 +129,14 @@ class _Search:
         busy = self.parts[place].busy
         return {_others(busy, lanes) for lanes in found if lanes} - {0}
 
-    def _tried(self, place: int, choices: list[int] | list[int | None], choice: int) -> bool:
+    def _tried(self, place: int, choices: list[int], choice: int) -> bool:
         """Decide otherwise unless that costs more; whether it costs less."""
         before = choices[place]
         choices[place] = choice
         more, changed = self._followed(self.readers[place] if choices is self.flipped else [place])
         if more < 0 or (more == 0 and choices is not self.flipped):
             return more < 0
-        choices[place] = before  # type: ignore[call-overload]  # it came out of this list
+        choices[place] = before
         for k, (result, read) in changed.items():
             self._replace(k, result, read)
         return False
@@ -205,7 +206,7 @@ class _Search:
         second = operands[1][2] ^ results[sources[1]] if len(operands) > 1 else 0
         if part.free:
             natural, wanted = first ^ second, self.wanted[place]
-            result = natural if wanted is None else wanted
+            result = natural if wanted == ANY else wanted
             lanes = (natural ^ result) & busy
             return result, tuple([lanes if constant else 0 for _, constant, _ in operands])
         if part.constants:
