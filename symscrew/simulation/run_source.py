@@ -282,6 +282,17 @@ def adapters(plant: Plant, forces: str = "forces_at") -> str:
             f"    return {name}_switches(&t, q, v, x, u, s, PARAMETERS, g);",
             "}",
         ]
+    if plant.works and plant.rates is not None and not outside:
+        lines += [
+            "#define WORKS 1",
+            "static int rates_at(double t, const double *q, const double *v, const double *x, double *x_dot)",
+            "{",
+            "    double s[NS + 1] = {0.0};",
+            f"    const double u[{max(plant.sizes['u'], 1)}] = {{0.0}};",
+            "    tables_at(t, s);",
+            f"    return {name}_state_rates(&t, q, v, x, u, s, PARAMETERS, x_dot);",
+            "}",
+        ]
     if plant.closure is not None:
         p = ", PARAMETERS" if any(port.name == "p" for port in plant.closure.inputs) else ""
         lines += [

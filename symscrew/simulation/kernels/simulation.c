@@ -433,6 +433,11 @@ static int advance(Simulation *s, double target)
                 s->h = fmax(s->h, natural);
                 s->credit += landings > 0 && h < 0.1 * natural ? -1 : s->credit < CREDIT;
 #endif
+#if WORKS
+                if (adaptive) {
+                    sharpen_work(step, s->method, s->rtol);
+                }
+#endif
                 s->careful += careful;
                 ++s->steps;
                 return DONE;
