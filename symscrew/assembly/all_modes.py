@@ -317,6 +317,8 @@ class _Search:
                 f"bound {best.count if best else 0} holds {best.how if best else ''}; that the other paths end "
                 "elsewhere is numerical"
             ), best  # fmt: skip
+        if not len(start.zeros):
+            return "sampled", f"no path led away from the reference, so that none were looked for; {start.why}", best
         return "sampled", f"{len(start.zeros)} zeros of a general member were found by monodromy; {start.why}", best
 
     def _all_certified(self, real: Sequence[Certificate], others: Sequence[End], boxes: Any) -> bool:

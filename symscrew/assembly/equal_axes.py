@@ -53,7 +53,7 @@ def straight_in_spinors(
         result = [(1 - s) * np.asarray(a) + s * np.asarray(b) for a, b in zip(start, end, strict=True)]
         for (w, u), (one, two) in zip(pairs, ends, strict=True):
             p, q = ((1 - s) * a + s * b for a, b in zip(one, two, strict=True))
-            (there, long), (here, wide) = axis_of(p), axis_of(q)
+            (there, long), (here, wide) = axis_of(list(p)), axis_of(list(q))
             result[w], result[u] = ASIDE.T @ np.array(there) * wide, ASIDE.T @ np.array(here) * long
         return result
 

@@ -72,8 +72,8 @@ def family_bound(structure: Structure) -> Bound | str:
             slots.append(rng.randrange(LARGEST_PRIME))
     for pair in axis_pairs(structure):
         made = [axis_of([rng.randrange(LARGEST_PRIME) for _ in range(4)]) for _ in pair]
-        for slot, (axis, _), (_, other) in zip(pair, made, made[::-1], strict=True):
-            slots[slot] = [c * other % LARGEST_PRIME for c in axis]
+        for place, (axis, _), (_, other) in zip(pair, made, made[::-1], strict=True):
+            slots[place] = [c * other % LARGEST_PRIME for c in axis]
     return _bound(
         structure, slots, "for every mechanism of this structure: Groebner basis modulo a prime at one of them"
     )

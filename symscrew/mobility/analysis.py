@@ -320,10 +320,9 @@ class Mobility:
         found = singularities(self.mechanism, None if self.in_reference else self.reached)
         if found.margins is None:
             return found
-        joints = {name: joint.type for name, joint in self.mechanism.joints.items()}
-        kept, spins = self.decisions.singular_values[0], without_spins(self.network)[1]
-        almost = kept if kept < NEARLY_SINGULAR else None
-        ranks = Ranks(self.limbs, joints, self.dof_drives_locked, spins, self.finite.smooth, almost)
+        joints, kept = {n: j.type for n, j in self.mechanism.joints.items()}, self.decisions.singular_values[0]
+        known = (without_spins(self.network)[1], self.finite.smooth, kept if kept < NEARLY_SINGULAR else None)
+        ranks = Ranks(self.limbs, joints, self.dof_drives_locked, *known)
         return replace(found, margins=tuple(with_rank(margin, ranks) for margin in found.margins))
 
     @property

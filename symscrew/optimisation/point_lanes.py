@@ -14,6 +14,7 @@ from dataclasses import dataclass
 
 import casadi as ca
 
+# States side by side: doubles of a register of AVX2; where registers are shorter a compiler takes two or four of them.
 LANES = 4
 # Statements of one C function: a compiler's time and memory grow faster than a function (5 GB for one of 60,000), and
 # what parts hand on to each other costs little.

@@ -159,5 +159,6 @@ def rebuilt(mechanism: Mechanism, change: Callable[[list[dict[str, Any]]], list[
     joints = mechanism.joints.values()
     given = [{"name": j.name, "point": list(j.point), "axes": [list(axis) for axis in j.axes]} for j in joints]
     for joint, made in zip(joints, change(given), strict=True):
-        builder.joint(joint.name, joint.type, joint.parent, joint.child, point=made["point"], axes=made["axes"])
+        del made["name"]
+        builder.joint(joint.name, joint.type, parent=joint.parent, child=joint.child, **made)
     return builder.build()

@@ -30,6 +30,7 @@ what is of third order adds 1e-36."""
 REACH = 10.0
 """Slopes are measured that many times as far as the zero is believed to be."""
 SEED = 20
+"""Directions are drawn at random, the same ones in every run."""
 
 
 @dataclass(frozen=True)
