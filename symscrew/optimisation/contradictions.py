@@ -46,6 +46,9 @@ def check_problem(problem: TrajectoryProblem) -> None:
             raise DescriptionError(f"objectives: {kind!r} stands {count} times; give it once, with the sum of weights")
     if problem.turns and not problem.periodic:
         raise DescriptionError(f"problem.turns: those of {', '.join(problem.turns)} count in a periodic motion only")
+    for label, count in problem.turns.items():
+        if not float(count).is_integer():  # joints would end elsewhere, in a motion that calls itself periodic
+            raise DescriptionError(f"turns.{label}: expected a whole number of turns, got {count:g}")
     for k, obstacle in enumerate(problem.bounds.obstacles):
         _check_obstacle(f"bounds.obstacles[{k}]", obstacle)
         for box in (*((obstacle.at,) if obstacle.type == "box" else ()), *obstacle.boxes):

@@ -1,4 +1,4 @@
-"""The first guess: interpolate between the conditions on the closure manifold, drives by inverse dynamics.
+"""The first guess: interpolate between the conditions on the closure manifold, around obstacles; drives by dynamics.
 
 It gives the scales of the unknowns as well: typical magnitudes along the guess.
 """
@@ -14,12 +14,14 @@ import numpy as np
 from symscrew.errors import DescriptionError
 from symscrew.optimisation.casadi_graph import symbolic_outputs
 from symscrew.optimisation.consistent_poses import Kinematics, beginning, ending
+from symscrew.optimisation.guess_path import Path
 from symscrew.optimisation.motion_quantities import MotionQuantities
 from symscrew.optimisation.objectives import objectives_by_type
 from symscrew.optimisation.point import point_symbols
 from symscrew.optimisation.point_model import PointModel
 from symscrew.optimisation.problem import Conditions
 from symscrew.optimisation.rows import Scales
+from symscrew.optimisation.ways_around import led_around
 
 # Steps in which configurations are followed along the guess; with fewer Newton's method may lose the assembly branch.
 FINEST = 60
@@ -30,32 +32,6 @@ LONGEST = 100.0  # [s] a free duration is looked for up to here; a longer one is
 TRIALS = 24
 SAME = 1e-6  # [rad, m]: configurations that both close to 1e-12 are one; branches apart differ by far more
 BALANCED = 1e-6  # of the largest singular value: directions that the drives move less are left out of the guess
-
-
-@dataclass(frozen=True)
-class Path:
-    """y over relative time: piecewise polynomials through `values` (n, d) at `times` (n,).
-
-    The rates there are `slopes` (n, d), the second rates 0.
-    """
-
-    times: np.ndarray
-    values: np.ndarray
-    slopes: np.ndarray
-
-    def __call__(self, tau: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """y, y' and y'' at relative times (n,): quintic pieces without second rates at their ends."""
-        k = np.clip(np.searchsorted(self.times, tau, side="right") - 1, 0, len(self.times) - 2)
-        h = (self.times[k + 1] - self.times[k])[:, None]
-        s = (np.asarray(tau)[:, None] - self.times[k][:, None]) / h
-        start, end = self.values[k], self.values[k + 1]
-        a, b = self.slopes[k] * h, self.slopes[k + 1] * h
-        rise = end - start
-        c3, c4, c5 = 10 * rise - 6 * a - 4 * b, -15 * rise + 8 * a + 7 * b, 6 * rise - 3 * (a + b)
-        y = start + s * (a + s**2 * (c3 + s * (c4 + s * c5)))
-        y_1 = (a + s**2 * (3 * c3 + s * (4 * c4 + s * 5 * c5))) / h
-        y_2 = s * (6 * c3 + s * (12 * c4 + s * 20 * c5)) / h**2
-        return y, y_1, y_2
 
 
 @dataclass(frozen=True)
@@ -143,6 +119,8 @@ def first_guess(model: PointModel) -> Guess:
     kinematics = Kinematics(model, default_parameters(model))
     places = _Places(model, kinematics)
     path, start, stops = _path(model, places)
+    if not model.problem.guess:
+        path = led_around(model, kinematics, path, start)
     tau = np.linspace(0.0, 1.0, FINEST + 1)
     y, y_1, y_2 = path(tau)
     q = kinematics.follow(y, start)

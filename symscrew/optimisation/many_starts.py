@@ -14,7 +14,8 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from symscrew.optimisation.consistent_poses import Kinematics
-from symscrew.optimisation.guess import Guess, Path, default_parameters
+from symscrew.optimisation.guess import Guess, default_parameters
+from symscrew.optimisation.guess_path import Path
 from symscrew.optimisation.point_model import PointModel
 from symscrew.optimisation.problem import TrajectoryProblem
 from symscrew.workers import pool

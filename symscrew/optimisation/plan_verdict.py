@@ -30,8 +30,6 @@ def judged(trajectory: Trajectory) -> Trajectory:
     accuracy = trajectory.problem.accuracy
     if accuracy is None:
         return trajectory  # no accuracy was asked for
-    if costs := trajectory.errors.unseen.costs:
-        trajectory = replace(trajectory, notes=(*trajectory.notes, costs))
     missed = _missed(trajectory, accuracy)
     if not missed:
         played = replay(trajectory)
@@ -57,8 +55,7 @@ def _missed(trajectory: Trajectory, accuracy: tuple[float, float]) -> tuple[str,
             if np.isfinite(errors.violation)
             else f"{what} is not settled between the points {near}: nothing bounds it there"
         )
-    if errors.unseen.forces:
-        found.append(errors.unseen.forces)
+    found += [what for what in (errors.unseen.forces, errors.unseen.costs) if what]
     if len(errors.unseen.cuts):
         near, long = f"near {100 * errors.unseen.where:.1f} % of the duration", errors.unseen.shortest
         found.append(

@@ -237,9 +237,9 @@ class TrajectoryProblem:
 
     def __post_init__(self) -> None:
         low, high = self.duration if isinstance(self.duration, tuple) else (self.duration, self.duration)
-        if not 0 < low <= high:
+        if not (0 < low <= high and low < INFINITY):
             raise DescriptionError(
-                f"duration: expected a positive number, or a range (lower, upper) with 0 < lower <= upper, "
+                "duration: expected a finite positive number, or a range (lower, upper) with 0 < lower <= upper, "
                 f"got {self.duration!r}"
             )
         for objective in self.objectives:

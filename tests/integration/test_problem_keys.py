@@ -233,6 +233,8 @@ CAPSULE = Obstacle("capsule", ("bob",), ("bob",), 0.0)
         ("all three coordinates are free", {"end": Conditions(points={"bob": (None, None, None)})}),
         ("stands 2 times", {"objectives": (Objective("peak"), Objective("peak", 2.0))}),
         ("turns: those of hinge count in a periodic motion only", {"turns": {"hinge": 1}}),
+        ("turns.hinge: expected a whole number of turns, got 1.5", {"turns": {"hinge": 1.5}, "periodic": True}),
+        ("duration: expected a finite positive number", {"duration": float("inf")}),
         ("turns: unknown name 'slide'", {"turns": {"slide": 1}, "periodic": True}),
         (r"obstacles\[0\].at: a capsule has 2 points", {"bounds": Bounds(obstacles=(CAPSULE,))}),
         ("distance: expected a length above 0", {"bounds": Bounds(obstacles=(replace(CAPSULE, type="sphere"),))}),

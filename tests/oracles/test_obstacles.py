@@ -312,6 +312,42 @@ def test_a_bead_is_led_around_and_touches(kind: str, distance: float) -> None:
     assert apart.min() > distance * (1 - 1e-4) - 1e-9 and apart.min() < distance + 0.02
 
 
+@pytest.mark.parametrize("kind", ["sphere", "capsule", "box"])
+def test_a_post_exactly_on_the_way_is_passed_on_one_side(kind: str) -> None:
+    """Of the best way the cost is known: 48 along x; 192 distance^2 for the drive across, to the middle and back.
+
+    From the straight guess the solver ended at costs of thousands, or nowhere: there all slopes point along the way.
+    """
+    made = MechanismBuilder("bead")
+    made.body("carriage")
+    made.body("bead", mass=1, com=[0, 0, 0])
+    made.joint("x", "P", parent="base", child="carriage", point=[0, 0, 0], axes=[[1, 0, 0]], driven=True)
+    made.joint("z", "P", parent="carriage", child="bead", point=[0, 0, 0], axes=[[0, 0, 1]], driven=True)
+    made.point("bead", body="bead", at=[0, 0, 0])
+    half = 0.1  # [m] of the box
+    places = {
+        "sphere": [[0, 0, 0]], "capsule": [[0, -1, 0], [0, 1, 0]],
+        "box": [[-half, -1, -half], [half, -1, -half], [-half, 1, -half], [-half, -1, half]],
+    }[kind]  # fmt: skip
+    for k, place in enumerate(places):
+        made.point(f"p{k}", body="base", at=[str(c) for c in place])
+    names = tuple(f"p{k}" for k in range(len(places)))
+    problem = TrajectoryProblem(
+        made.build(), (), **rest_to_rest({"x": -1.0, "z": 0.0}, {"x": 1.0, "z": 0.0}), accuracy=(1e-3, 1e-6),
+        bounds=Bounds(obstacles=(Obstacle(kind, names, ("bead",), 0.4),)), transcription=Transcription(intervals=10),
+    )  # fmt: skip
+    found, again = solve(problem), solve(problem)
+    y = found.sample(count=2001).y
+    if kind == "box":
+        away = np.maximum(np.abs(y) - half, 0.0)
+        assert 48 + 192 * 0.4**2 < found.cost < 48 + 192 * 0.6**2
+    else:
+        away = y
+        assert found.cost == pytest.approx(48 + 192 * 0.4**2, rel=2e-3)
+    assert found.ok and np.hypot(*away.T).min() > 0.4 * (1 - 1e-5)
+    assert found.cost == again.cost and found.statistics.iterations == again.statistics.iterations
+
+
 def test_names_and_types_are_checked() -> None:
     with pytest.raises(DescriptionError, match="unknown type 'ball'"):
         around("sphere", 0.1).__class__(bead_beside("sphere"), bounds=Bounds(obstacles=(Obstacle("ball", (), (), 1),)))

@@ -103,3 +103,11 @@ def test_what_changes_too_fast_to_be_followed_is_not_confirmed() -> None:
     found = optimisation_problem(sliding(effects=(waves,))).solve(judge=True)
     assert found.solved and not found.ok
     assert "what effects do changes too fast between the points" in " ".join((found.status, *found.reasons))
+
+
+def test_a_cost_that_changes_too_fast_to_be_followed_is_not_confirmed() -> None:
+    """Its integral is a guess of the rule's points: the motion is optimal for what they see alone."""
+    costs = (Objective("effort"), Objective("expression", expression="1e3*(1 + sin(6e6*t))*q_x^2"))
+    found = optimisation_problem(sliding(objectives=costs)).solve(judge=True)
+    assert found.solved and not found.ok
+    assert "the cost changes too fast between the points" in " ".join((found.status, *found.reasons))
