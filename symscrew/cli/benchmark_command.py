@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import argparse
-import importlib.util
 import json
 import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from symscrew.cli.help import DONE, UsageError
-from symscrew.cli.shared_options import add_described_mechanism, add_no_cache
+from symscrew.cli.shared_options import add_described_mechanism, add_no_cache, need_matplotlib
 
 if TYPE_CHECKING:
     from symscrew.studies.benchmark import Row
@@ -45,8 +44,8 @@ def run(options: argparse.Namespace) -> int:
         raise UsageError(f"--repeats: expected a positive number, got {options.repeats}")
     if options.plot and Path(options.plot).suffix != ".png":
         raise UsageError(f"--plot: expected a file name that ends in .png, got {options.plot!r}")
-    if options.plot and importlib.util.find_spec("matplotlib") is None:
-        raise UsageError("--plot needs matplotlib: pip install 'symscrew[plot]'")
+    if options.plot:
+        need_matplotlib("--plot needs")
     progress = Progress()
     mechanism = catalogue.find(options.mechanism)
     with progress.step(f"derive {mechanism.name}"):
