@@ -16,8 +16,8 @@ def destination(name: str, suffixes: tuple[str, ...], what: str) -> Path:
     """Where the option `what` says that a file goes.
 
     Raises:
-        DescriptionError: an ending that is not one of `suffixes`, a folder that does not exist or cannot be written into, or
-            a folder of this name: what would be lost after the work is said before it.
+        DescriptionError: an ending that is not one of `suffixes`, a folder that does not exist or
+            cannot be written into, or a folder of this name: what would be lost after the work is said before it.
     """
     path = Path(name)
     if "\0" in name or path.suffix not in suffixes:
