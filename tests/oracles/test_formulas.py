@@ -16,6 +16,7 @@ import sympy
 from support.latex_values import Values
 from support.model_states import model as known_model
 
+from symscrew import catalogue
 from symscrew.cli.parser import main
 from symscrew.description import parse_description
 from symscrew.description.template import description_text
@@ -417,3 +418,16 @@ def test_documents_compile(tmp_path: Path) -> None:
     command = ["pdflatex", "-interaction=nonstopmode", "-halt-on-error", "seed.tex"]
     done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, errors="replace", timeout=120)
     assert done.returncode == 0, done.stdout[-2000:]
+
+
+def test_what_is_not_printed_is_said() -> None:
+    """Drives without a closed form are named with what computes them, joints of no limb too; a delta has neither."""
+    arm, delta = (paper_formulas(catalogue.load(name)) for name in ("panda", "delta"))
+    titles = ("Inverse kinematics that is not printed", "Joints outside the limbs")
+    (said,) = (part.words for part in arm.parts if part.title in titles)
+    assert all(f"joint{k}" in said for k in range(1, 8)) and "symscrew.inverse_kinematics" in said
+    assert not any(part.title in titles for part in delta.parts)
+    bare = replace(catalogue.load("four_bar"), limbs={})
+    turned = replace(bare.joints["C"], parent=bare.joints["C"].child, child=bare.joints["C"].parent)
+    parts = paper_formulas(replace(bare, joints={**bare.joints, "C": turned})).parts
+    assert next(part.words for part in parts if part.title == titles[1]).startswith("Of ")
