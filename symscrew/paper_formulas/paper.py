@@ -110,7 +110,7 @@ def paper_formulas(mechanism: Mechanism) -> Paper:
         if len(family) > 1:
             parts.append(_turned(family, first, read))
     parts += [part for part in (spoke_part(mechanism, limbs, lengths), rod_part(mechanism, limbs, lengths)) if part]
-    parts += [part for part in (unprinted_part(mechanism, limbs, lengths), _outside(mechanism, limbs)) if part]
+    parts += [part for part in (unprinted_part(mechanism, limbs, lengths), outside_part(mechanism, limbs)) if part]
     if mechanism.limbs:
         firsts = {next(iter(family)) + 1: read[next(iter(family))] for family in of_a_kind}
         parts += platform_parts(analyse_mobility(mechanism), lengths, firsts)
@@ -148,7 +148,7 @@ MOST_CHAINS = 12  # of a mechanism without limbs that are written out: a page ea
 MOST_REACHED = 1000  # bodies from which chains are still followed: more are a net, whose limbs its author has to name
 
 
-def _outside(mechanism: Mechanism, limbs: Sequence[Sequence[str]]) -> Part | None:
+def outside_part(mechanism: Mechanism, limbs: Sequence[Sequence[str]]) -> Part | None:
     """What is left out, said: joints that no limb holds; None where all stand in one."""
     inside = {name for joints in limbs for name in joints}
     others = [name for name in mechanism.joints if name not in inside]

@@ -28,6 +28,8 @@ from symscrew.paper_formulas.formula import Part
 from symscrew.paper_formulas.limb_formulas import limb_part
 from symscrew.paper_formulas.moved_rods import rod_part
 from symscrew.paper_formulas.named_lengths import Lengths, symbol_latex
+from symscrew.paper_formulas.paper import limbs_of, outside_part
+from symscrew.paper_formulas.unprinted import unprinted_part
 from symscrew.studies.platform_motion import platform_index
 
 Array = np.ndarray
@@ -422,12 +424,11 @@ def test_documents_compile(tmp_path: Path) -> None:
 
 def test_what_is_not_printed_is_said() -> None:
     """Drives without a closed form are named with what computes them, joints of no limb too; a delta has neither."""
-    arm, delta = (paper_formulas(catalogue.load(name)) for name in ("panda", "delta"))
-    titles = ("Inverse kinematics that is not printed", "Joints outside the limbs")
-    (said,) = (part.words for part in arm.parts if part.title in titles)
-    assert all(f"joint{k}" in said for k in range(1, 8)) and "symscrew.inverse_kinematics" in said
-    assert not any(part.title in titles for part in delta.parts)
-    bare = replace(catalogue.load("four_bar"), limbs={})
-    turned = replace(bare.joints["C"], parent=bare.joints["C"].child, child=bare.joints["C"].parent)
-    parts = paper_formulas(replace(bare, joints={**bare.joints, "C": turned})).parts
-    assert next(part.words for part in parts if part.title == titles[1]).startswith("Of ")
+    arm, delta = (catalogue.load(name) for name in ("panda", "delta"))
+    said = unprinted_part(arm, limbs_of(arm), Lengths(arm))
+    assert said is not None and "symscrew.inverse_kinematics" in said.words
+    assert all(f"joint{k}" in said.words for k in range(1, 8))
+    assert unprinted_part(delta, limbs_of(delta), Lengths(delta)) is None
+    assert outside_part(delta, limbs_of(delta)) is None
+    left_out = outside_part(arm, [["joint1"]])
+    assert left_out is not None and left_out.words.startswith("Of joint2, ")
