@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import argparse
-import importlib.util
 import json
 import sys
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from symscrew.cli.help import DONE, UsageError
-from symscrew.cli.shared_options import add_described_mechanism, add_no_cache
+from symscrew.cli.shared_options import add_described_mechanism, add_no_cache, need_matplotlib
+from symscrew.whole_files import destination
 
 if TYPE_CHECKING:
     from symscrew.studies.benchmark import Row
@@ -43,10 +42,9 @@ def run(options: argparse.Namespace) -> int:
 
     if options.repeats < 1:
         raise UsageError(f"--repeats: expected a positive number, got {options.repeats}")
-    if options.plot and Path(options.plot).suffix != ".png":
-        raise UsageError(f"--plot: expected a file name that ends in .png, got {options.plot!r}")
-    if options.plot and importlib.util.find_spec("matplotlib") is None:
-        raise UsageError("--plot needs matplotlib: pip install 'symscrew[plot]'")
+    picture = destination(options.plot, (".png",), "--plot") if options.plot else None
+    if picture:
+        need_matplotlib("--plot needs")
     progress = Progress()
     mechanism = catalogue.find(options.mechanism)
     with progress.step(f"derive {mechanism.name}"):
@@ -73,10 +71,10 @@ def run(options: argparse.Namespace) -> int:
             print(f"\n{functions[0]}, least ns per state; a batch is one call from Python on arrays of NumPy")
             cells = [[str(b["states"]), *(f"{b[v]['least']:.3g}" for v in variants)] for b in batches]
             print_table(("states", *variants), cells)
-    if options.plot:
+    if picture:
         from symscrew.studies.benchmark import draw_times
 
-        path = draw_times(rows, Path(options.plot), mechanism.name)
+        path = draw_times(rows, picture, mechanism.name)
         print(path, file=sys.stderr if options.json else sys.stdout)
     return DONE
 

@@ -6,9 +6,9 @@ import argparse
 import json
 from pathlib import Path
 
-from symscrew.cli.help import DONE, UsageError
+from symscrew.cli.help import DONE
 from symscrew.cli.shared_options import add_no_cache, need_matplotlib
-from symscrew.errors import shorten
+from symscrew.whole_files import destination
 
 EXAMPLES = ("symscrew cost examples/scenes/falling_platform.toml", "symscrew cost scene.toml --plot bill.png")
 
@@ -50,9 +50,4 @@ def run(options: argparse.Namespace) -> int:
 def _picture(name: str) -> Path:
     """Where `--plot` goes."""
     need_matplotlib()
-    path = Path(name)
-    if path.suffix != ".png":
-        raise UsageError(f"--plot: expected a file name that ends in .png, got {shorten(name)}")
-    if not path.parent.is_dir():
-        raise UsageError(f"--plot: no folder {shorten(str(path.parent))} to write into")
-    return path
+    return destination(name, (".png",), "--plot")

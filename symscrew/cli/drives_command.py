@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import importlib.util
 import json
 import sys
 from pathlib import Path
@@ -16,6 +15,7 @@ from symscrew.cli.shared_options import (
     add_no_cache,
     check_folder,
     chosen_effects,
+    no_matplotlib,
     writable_folder,
 )
 
@@ -68,11 +68,11 @@ def run(options: argparse.Namespace) -> int:
     print(json.dumps(study_json(found), indent=1) if options.json else study_text(found))
     if options.out:
         folder = writable_folder(options.out)
-        drawn = importlib.util.find_spec("matplotlib") is not None
-        for path in write_study(found, folder, drawn=drawn):
+        missing = no_matplotlib()
+        for path in write_study(found, folder, drawn=not missing):
             print(f"wrote {path}", file=sys.stderr)
-        if not drawn:
-            print('no pictures: matplotlib is not installed: pip install "symscrew[plot]"', file=sys.stderr)
+        if missing:
+            print(f"no pictures: matplotlib {missing}", file=sys.stderr)
     return DONE if found.ok else FAILED
 
 

@@ -8,8 +8,9 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from symscrew.cli.help import DONE, UsageError
+from symscrew.cli.help import DONE
 from symscrew.cli.shared_options import add_no_cache
+from symscrew.whole_files import destination
 
 if TYPE_CHECKING:
     from symscrew.scene import Scene
@@ -32,11 +33,7 @@ def run(options: argparse.Namespace) -> int:
     """Read, derive, print, compile, pack."""
     from symscrew.fmu import build_unit
 
-    path = Path(options.out)
-    if path.suffix != ".fmu":
-        raise UsageError(f"--out: expected a file name that ends in .fmu, got {options.out!r}")
-    if not path.parent.is_dir():
-        raise UsageError(f"--out: expected a folder that exists, got {str(path.parent)!r}; make it first")
+    path = destination(options.out, (".fmu",), "--out")
     for note in build_unit(_scene(options.scene), path, version=options.fmi):
         print(f"note: {note}", file=sys.stderr)
     print(path)

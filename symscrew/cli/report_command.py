@@ -13,6 +13,7 @@ from symscrew.cli.drives_command import add_motion, motion_of_options
 from symscrew.cli.help import DONE, UsageError
 from symscrew.cli.shared_options import add_effects, add_mechanism, add_no_cache, chosen_effects, need_matplotlib
 from symscrew.errors import shorten
+from symscrew.whole_files import destination
 
 EXAMPLES = (
     "symscrew report three_ups_upu_s --out seed.html",
@@ -47,7 +48,7 @@ def run(options: argparse.Namespace) -> int:
     from symscrew.studies import Times, scene_bill, time_every_function
     from symscrew.studies.workspace import calls_of, workspace
 
-    path = _document(options.out)
+    path = destination(options.out, (".html", ".md"), "--out")
     progress = Progress()
     with progress.step(f"read {options.mechanism}"):
         mechanism = catalogue.find(options.mechanism)
@@ -90,13 +91,3 @@ def _axes(texts: Sequence[str]) -> dict[str, str]:
             raise UsageError(f"--over: expected NAME=FROM:TO:COUNT, each name once, got {shorten(text)}")
         found[name] = values
     return found
-
-
-def _document(name: str) -> Path:
-    """Where `--out` goes."""
-    path = Path(name)
-    if path.suffix not in (".html", ".md"):
-        raise UsageError(f"--out: expected a file name that ends in .html or .md, got {shorten(name)}")
-    if not path.parent.is_dir():
-        raise UsageError(f"--out: no folder {shorten(str(path.parent), 200)} to write into")
-    return path

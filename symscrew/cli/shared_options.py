@@ -7,7 +7,7 @@ there, in a `UsageError` of one line.
 from __future__ import annotations
 
 import argparse
-import importlib.util
+import importlib
 import os
 import re
 from collections.abc import Sequence
@@ -114,9 +114,25 @@ def check_folder(directory: str | Path, option: str = "--out") -> None:
 
 
 def need_matplotlib(what: str = "figures need") -> None:
-    """Say how to get matplotlib, where it is not installed."""
-    if importlib.util.find_spec("matplotlib") is None:
-        raise UsageError(f'{what} matplotlib, which is not installed: pip install "symscrew[plot]"')
+    """Say how to get matplotlib, where it is not installed, or is and cannot be imported."""
+    if missing := no_matplotlib():
+        raise UsageError(f"{what} matplotlib, which {missing}")
+
+
+def no_matplotlib() -> str:
+    """Why nothing can be drawn, and the cure: matplotlib is not installed, or was built for other packages; else empty.
+
+    It is imported as the drawings do: whether it is there says nothing of what it links to.
+    """
+    try:
+        importlib.import_module("matplotlib.figure")
+    except ModuleNotFoundError as error:
+        if error.name == "matplotlib":
+            return 'is not installed: pip install "symscrew[plot]"'
+        return f"cannot be imported ({shorten(str(error))}): pip install --force-reinstall matplotlib"
+    except ImportError as error:
+        return f"cannot be imported ({shorten(str(error))}): pip install --force-reinstall matplotlib"
+    return ""
 
 
 def settings(option: str, texts: Sequence[str]) -> dict[str, str]:

@@ -76,7 +76,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Read, derive, write or open, print the places."""
-    from symscrew.display import Progress, open_made, write_film, write_made
+    from symscrew.display import Progress, open_made, write_made
     from symscrew.model import derive
 
     files = _files(options)
@@ -97,6 +97,8 @@ def run(options: argparse.Namespace) -> int:
         print(write_made(page, files["out"]))
     films = {name: path for name, path in files.items() if name != "out"}
     if films:
+        from symscrew.display import write_film  # which needs matplotlib
+
         with progress.step(f"derive {mechanism.name}"):
             model = derive(mechanism, effects, independent=options.independent)
     for path in films.values():

@@ -21,6 +21,7 @@ from symscrew.cli.shared_options import (
     add_no_cache,
     check_folder,
     chosen_effects,
+    no_matplotlib,
 )
 from symscrew.errors import did_you_mean, shorten
 from symscrew.whole_files import discard, write_text
@@ -221,7 +222,7 @@ def run_certificate(options: argparse.Namespace, out: Path, expected: float | No
         out.mkdir(exist_ok=True)
         written += [found.write(out / "certificate.json")] if found.ok else []
         written.append(write_text(out / "summary.json", json.dumps(found.summary, indent=1) + "\n"))
-        if _can_draw():
+        if not no_matplotlib():
             written.append(draw_certificate(found, out / "certificate.png"))
     print(json.dumps(found.summary, indent=1) if options.json else certificate_text(found.summary))
     print("wrote " + ", ".join(map(str, written)) if written else "no file is written", file=sys.stderr)
@@ -248,14 +249,8 @@ def sweep(plan: Plan, kept: Store, *, scheduler: str | None = None, processes: i
 
 def _picture(plan: Plan, results: Results, units: Mapping[str, str], path: Path) -> Path | None:
     """The maps as a picture, where matplotlib is installed: a sweep is worth having without it."""
-    if not _can_draw():
+    if no_matplotlib():
         return None
     from symscrew.studies.workspace import draw_maps
 
     return draw_maps(plan, results, units, path)
-
-
-def _can_draw() -> bool:
-    import importlib.util
-
-    return importlib.util.find_spec("matplotlib") is not None

@@ -11,7 +11,7 @@
 "body.roll", .pitch, .yaw           turns about x, then y, then z, absolute axes [rad]
 "body.qx", .qy, .qz                 entries of its quaternion: the sine of half an angle, no angle
 
-`tilt`, `z` and so on alone are the platform's.
+`tilt`, `z` and so on alone are the platform's; `q.joint` is the same as `joint`: so columns of runs are called.
 """
 
 from __future__ import annotations
@@ -35,6 +35,8 @@ BODY_PARTS: Mapping[str, str] = {
 """What a body's coordinates end in, and their units."""
 SPHERICAL_PARTS: Mapping[str, str] = {p: BODY_PARTS[p] for p in ("qx", "qy", "qz", "rx", "ry", "rz")}
 """The same of a spherical joint."""
+COLUMN = "q."
+"""What columns of coordinates begin with, in the files of `simulate` and `drives`."""
 
 
 def coordinate_units(mechanism: Mechanism) -> dict[str, str]:
@@ -67,11 +69,17 @@ def typable_names(mechanism: Mechanism) -> list[str]:
 
 
 def full_name(mechanism: Mechanism, name: str) -> str:
-    """The name with its owner: the platform's where only a part is typed, as in `tilt`."""
+    """The name with its owner: the platform's where only a part is typed, as in `tilt`; without a column's `q.`."""
+    if name.startswith(COLUMN) and not _is_owner(mechanism, COLUMN[:-1]):
+        name = name.removeprefix(COLUMN)
     owned = "." in name or name in mechanism.joints or name in mechanism.parameters or name in mechanism.bodies
     if owned or name not in BODY_PARTS or mechanism.platform is None:
         return name
     return f"{mechanism.platform}.{name}"
+
+
+def _is_owner(mechanism: Mechanism, name: str) -> bool:
+    return name in mechanism.joints or name in mechanism.bodies or name in mechanism.points
 
 
 def tree_label(mechanism: Mechanism, labels: Collection[str], typed: str) -> str:

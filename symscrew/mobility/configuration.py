@@ -36,6 +36,9 @@ SNAPPED = 1e-12
 singular pose of round numbers is then met exactly. Else all are refined as the walk has left them."""
 CUT_OFF = 1e-9
 """Relative singular values below this are left out of the inverse: redundant closure equations have 1e-16."""
+NEAR, SAMPLES = 0.2, 4
+"""How far [rad, lengths of the mechanism] configurations near the reference are sought, and how many: a number that
+no motion changes is the same to rounding in all of them, one that some motion changes only by chance."""
 REFINEMENTS = 8
 """Steps to 60 digits, of about 14 digits each at a regular pose."""
 REFINED = 1e-52
@@ -152,6 +155,23 @@ def _refined(coarse: ClosureVariety, fine: ClosureVariety, q: Array, targets: Se
             break
         point = point - np.array([CONTEXT.mpf(float(c)) for c in inverse @ residual], dtype=object)
     return point, float(np.linalg.norm(_missing(fine, point, targets)))
+
+
+def motions_near(network: Network, names: str) -> Array:
+    """Displacements (n, columns) of configurations near the reference, loops closed; the same ones every time."""
+    variety = ClosureVariety(network)
+    rest = np.zeros(variety.columns)
+    jacobian = variety.evaluate(rest[None])[1][0]
+    values, rows = np.linalg.svd(jacobian)[1:]
+    free = rows[int((values > CUT_OFF).sum()) :].T
+    steps = NEAR * np.random.default_rng(1).uniform(-1, 1, (SAMPLES, free.shape[1]))
+    found = []
+    for step in steps:
+        try:
+            found.append(_closed(variety, free @ step, (), goal=np.zeros(0), names=names))
+        except UnreachedError:
+            continue
+    return np.array(found).reshape(-1, variety.columns)
 
 
 def _missing(fine: ClosureVariety, point: Array, targets: Sequence[Target]) -> Array:

@@ -11,12 +11,21 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
+import sympy
 
+from symscrew import notebook
 from symscrew.description import Mechanism
-from symscrew.kinematics import System, given_coordinates
-from symscrew.mobility.configuration import CUT_OFF, Reached, UnreachedError, displaced, with_parameters
+from symscrew.kinematics import System, coordinate_units, given_coordinates
+from symscrew.mobility.configuration import (
+    CUT_OFF,
+    Reached,
+    UnreachedError,
+    displaced,
+    motions_near,
+    with_parameters,
+)
 from symscrew.mobility.finite import Array, ClosureVariety
-from symscrew.mobility.joint_network import network_of
+from symscrew.mobility.joint_network import Network, network_of
 from symscrew.mobility.pose_targets import Target, targets_of
 
 OK, OUT_OF_REACH, NOT_ON_MECHANISM = "ok", "out of reach", "not on the mechanism"
@@ -27,6 +36,8 @@ DAMPING = 1e-3
 WORTH_TRYING = 1e-15
 """Damping at which nothing is gained any more: the step is then rounding."""
 
+SAME = 1e-9
+"""Numbers of configurations, in rad and lengths of the mechanism, that differ by less are equal."""
 STIFF = 100.0
 """Weight of what is given against the loops: the pose is held, and the limb that cannot follow opens."""
 
@@ -37,7 +48,8 @@ class Configuration:
 
     Attributes:
         status: "ok", "out of reach" (a limb cannot get there; `limb` names it), or "not on the mechanism" (its
-            constraints do not let it move so: more is given than it has freedoms, and it does not fit together).
+            constraints do not let it move so: more is given than it has freedoms, and it does not fit together; or a
+            number that none of its motions changes, as the tilt of a delta's platform, judged by samples of them).
         text: the same in a sentence.
         values: every coordinate by its name [rad, m], see `symscrew.kinematics.coordinate_names`; empty unless ok.
         limb: the limb, or joint that closes a loop, that stays open most; empty where ok.
@@ -53,6 +65,11 @@ class Configuration:
 
     def __repr__(self) -> str:
         return f"<Configuration of {self.mechanism.name}: {self.text}>"
+
+    def _repr_html_(self) -> str:
+        units = coordinate_units(self.mechanism)
+        rows = [(name, f"{value:.9g}", units.get(name, "")) for name, value in self.values.items()]
+        return notebook.table(f"{self.mechanism.name}: {self.text}", ("coordinate", "value", "unit"), rows)
 
     @property
     def ok(self) -> bool:
@@ -108,24 +125,48 @@ def inverse_kinematics(mechanism: Mechanism, at: Mapping[str, Any] | None = None
     try:
         reached = displaced(mechanism, network, given)
     except UnreachedError as error:
-        return _unreached(mechanism, asked, targets_of(mechanism, network, given), error)
+        return _unreached(mechanism, asked, given, error)
     where = ", ".join(f"{name} = {value}" for name, value in asked.items()) or "the reference configuration"
     return Configuration(mechanism, asked, OK, f"at {where}", reached.values, reached=reached)
 
 
 def _unreached(
-    mechanism: Mechanism, asked: Mapping[str, Any], targets: Sequence[Target], error: UnreachedError
+    mechanism: Mechanism, asked: Mapping[str, Any], given: Mapping[str, sympy.Expr], error: UnreachedError
 ) -> Configuration:
     """Why it is not reached: by least squares the loops stay open, of one limb most; or there is no freedom for it."""
     network = network_of(mechanism)
+    kept = _kept(mechanism, network, given)
+    if kept:
+        text = f"{NOT_ON_MECHANISM}: {' and '.join(kept)} stay{'s' * (len(kept) == 1)} the same in every motion sampled"
+        return Configuration(mechanism, asked, NOT_ON_MECHANISM, text)
     if error.numbers > error.free:
         return Configuration(mechanism, asked, NOT_ON_MECHANISM, f"{NOT_ON_MECHANISM}: {error}")
+    targets = targets_of(mechanism, network, given)
     rows = _least_missed(ClosureVariety(network), targets)[: 6 * len(network.chords)].reshape(-1, 6)
     if not len(rows):
         return Configuration(mechanism, asked, OUT_OF_REACH, f"{OUT_OF_REACH}: {error}")
     worst = network.chords[int(np.argmax(np.abs(rows).max(axis=1)))]
     limb = next((name for name, one in mechanism.limbs.items() if worst in one.joints), worst)
     return Configuration(mechanism, asked, OUT_OF_REACH, f"{OUT_OF_REACH}: {limb} does not get there", limb=limb)
+
+
+def _kept(mechanism: Mechanism, network: Network, given: Mapping[str, sympy.Expr]) -> list[str]:
+    """Names whose numbers are asked to be others than at the reference, and are as there in every sampled motion."""
+    near = motions_near(network, ", ".join(given))
+    variety = ClosureVariety(network)
+    points = [np.zeros(variety.columns), *near]
+    found = []
+    for name, value in given.items():
+        owner, _, part = name.rpartition(".")
+        if part == "azimuth" and f"{owner}.tilt" in given:
+            continue
+        about = {key: given[key] for key in (f"{owner}.azimuth",) if part == "tilt" and key in given}
+        for target in targets_of(mechanism, network, {name: value, **about}):
+            there = [float(target.of(variety, q)) for q in points]
+            if len(near) and np.ptp(there) < SAME and abs(there[0] - float(target.goal)) > SAME:
+                found.append(name)
+                break
+    return found
 
 
 def _least_missed(variety: ClosureVariety, targets: Sequence[Target]) -> Array:

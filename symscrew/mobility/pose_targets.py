@@ -18,12 +18,12 @@ from symscrew.kinematics import (
     BODY_PARTS,
     SPHERICAL_PARTS,
     PoseRow,
-    coordinate_units,
     half_turn,
     nearest_names,
     pose_read,
     pose_rows,
     rotation_vector,
+    typable_names,
     virtual_joint,
 )
 from symscrew.mobility.finite import Array, ClosureVariety
@@ -82,7 +82,7 @@ def targets_of(mechanism: Mechanism, network: Network, given: Mapping[str, sympy
         elif owner in network.edges:
             found.append(_of_joint(mechanism, network, network.edges[owner], (name, part, goal)))
         elif owner not in network.bodies:
-            known = [*mechanism.parameters, *network.bodies, *coordinate_units(mechanism)]
+            known = [*mechanism.parameters, *network.bodies, *typable_names(mechanism)]
             raise DescriptionError(f"at {name}: no parameter, joint or body of this name; {nearest_names(name, known)}")
         elif part not in BODY_PARTS:
             angles = ".rx, .ry, .rz, .tilt, .azimuth, .torsion, .roll, .pitch, .yaw [rad]"

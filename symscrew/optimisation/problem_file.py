@@ -202,9 +202,9 @@ class _Reader:
 
     def _coordinate(self, name: str, value: Any, where: str) -> float:
         try:
-            return self.number(value, f"{where}.{name}", self.units.get(name))
+            return self.number(value, f"{where}.{name}", self.units.get(full_name(self.mechanism, name)))
         except DescriptionError as error:
-            if name in self.units:
+            if full_name(self.mechanism, name) in self.units:
                 raise
             raise DescriptionError(f"{where}: unknown name {name!r}; {nearest_names(name, self.units)}") from error
 

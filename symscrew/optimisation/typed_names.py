@@ -45,7 +45,7 @@ def check_typed(mechanism: Mechanism, labels: Sequence[str], where: str, names: 
     """
     known, seen = known_names(mechanism, labels), dict[str, str]()
     for name in names:
-        if name not in known:
+        if name not in known and full_name(mechanism, name) not in known:
             raise DescriptionError(f"{where}: unknown name {name!r}; {nearest_names(name, known)}")
         other = seen.setdefault(label_of(mechanism, name), name)
         if other != name:

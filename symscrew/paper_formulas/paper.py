@@ -6,6 +6,7 @@ mechanism --Lengths, limb_part, spoke_part, platform_parts--> Paper --tex--> tex
 from __future__ import annotations
 
 from collections import deque
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -19,6 +20,7 @@ from symscrew.paper_formulas.moved_rods import rod_part
 from symscrew.paper_formulas.named_lengths import Lengths
 from symscrew.paper_formulas.platform_formulas import platform_parts
 from symscrew.paper_formulas.spokes import spoke_part
+from symscrew.paper_formulas.unprinted import unprinted_part
 from symscrew.whole_files import write_text
 
 HEAD = r"""\documentclass[11pt]{article}
@@ -108,6 +110,7 @@ def paper_formulas(mechanism: Mechanism) -> Paper:
         if len(family) > 1:
             parts.append(_turned(family, first, read))
     parts += [part for part in (spoke_part(mechanism, limbs, lengths), rod_part(mechanism, limbs, lengths)) if part]
+    parts += [part for part in (unprinted_part(mechanism, limbs, lengths), outside_part(mechanism, limbs)) if part]
     if mechanism.limbs:
         firsts = {next(iter(family)) + 1: read[next(iter(family))] for family in of_a_kind}
         parts += platform_parts(analyse_mobility(mechanism), lengths, firsts)
@@ -143,6 +146,20 @@ def limbs_of(mechanism: Mechanism) -> list[tuple[str, ...]]:
 
 MOST_CHAINS = 12  # of a mechanism without limbs that are written out: a page each
 MOST_REACHED = 1000  # bodies from which chains are still followed: more are a net, whose limbs its author has to name
+
+
+def outside_part(mechanism: Mechanism, limbs: Sequence[Sequence[str]]) -> Part | None:
+    """What is left out, said: joints that no limb holds; None where all stand in one."""
+    inside = {name for joints in limbs for name in joints}
+    others = [name for name in mechanism.joints if name not in inside]
+    if not others:
+        return None
+    words = (
+        f"Of {', '.join(others)} nothing is printed: a limb is a chain of joints from the ground to the platform, each "
+        "from its parent to its child, and these stand in none. A joint whose parent is the body nearer the platform "
+        "is turned round, or its chain is named in [limbs], to be printed."
+    )
+    return Part("Joints outside the limbs", words, ())
 
 
 def _turned(family: dict[int, Turned], first: int, read: list[list[Freedom] | str]) -> Part:

@@ -13,6 +13,7 @@ import numpy as np
 from symscrew import notebook
 from symscrew.description import given_value, numeric
 from symscrew.errors import DescriptionError, did_you_mean
+from symscrew.kinematics import full_name
 from symscrew.model import Model
 from symscrew.program import status_texts
 
@@ -78,6 +79,7 @@ def assemble(model: Model, y: Mapping[str, float | str], guess: object = None) -
         raise ValueError(f"expected a guess of shape ({len(labels)},), got {start.shape}")
     program = model.programs.get("assemble")
     independent = program.inputs[0].labels if program is not None else labels
+    y = {label if label in independent else full_name(model.mechanism, label): value for label, value in y.items()}
     for label in y:
         if label not in independent:
             raise DescriptionError(

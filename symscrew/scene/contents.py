@@ -120,7 +120,8 @@ class Scene:
     def __repr__(self) -> str:
         return (
             f"<Scene {self.name}: {self.mechanism.name}, {self.duration:g} s by {self.integrator.method}, "
-            f"{len(self.effects)} effects, {len(self.drives)} drives>"
+            f"{len(self.effects)} effect{'s' * (len(self.effects) != 1)}, "
+            f"{len(self.drives)} drive{'s' * (len(self.drives) != 1)}>"
         )
 
     @property

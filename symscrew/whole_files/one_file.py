@@ -16,13 +16,18 @@ def destination(name: str, suffixes: tuple[str, ...], what: str) -> Path:
     """Where the option `what` says that a file goes.
 
     Raises:
-        DescriptionError: an ending that is not one of `suffixes`, or a folder that does not exist.
+        DescriptionError: an ending that is not one of `suffixes`, a folder that does not exist or
+            cannot be written into, or a folder of this name: what would be lost after the work is said before it.
     """
     path = Path(name)
     if "\0" in name or path.suffix not in suffixes:
         raise DescriptionError(f"{what}: expected a file name that ends in {' or '.join(suffixes)}, got {name!r}")
     if not path.parent.is_dir():
         raise DescriptionError(f"{what}: there is no folder {path.parent}; make it first")
+    if path.is_dir():
+        raise DescriptionError(f"{what}: expected a file, found a folder: {name!r}")
+    if not os.access(path.parent, os.W_OK | os.X_OK):
+        raise DescriptionError(f"{what}: no permission to write into {str(path.parent)!r}")
     return path
 
 

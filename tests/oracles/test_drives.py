@@ -18,7 +18,7 @@ from symscrew.effects import DcMotor, DryFriction
 from symscrew.errors import DescriptionError
 from symscrew.mobility import inverse_kinematics
 from symscrew.runtime import load
-from symscrew.studies.given_motion import drives, load_motion, study, study_json, study_text
+from symscrew.studies.given_motion import drives, load_motion, motion_of, study, study_json, study_text, write_study
 from symscrew.studies.given_motion.goals import SMALL, goals_of, quaternion_of, turn_of_vector
 from symscrew.studies.given_motion.wanted_motion import FEWER, NEIGHBOURS, WantedMotion, derivatives
 
@@ -332,3 +332,18 @@ def test_internal_loads_are_of_least_norm_and_hide_nothing(monkeypatch: pytest.M
     found = drives(model("planar_3rrr").mechanism, texts, duration=0.5, rate=20, backend="casadi")
     assert found.ok and found.difference < 1e-11
     assert min(seen.values()) > 1e3 * study.AGREED, seen
+
+
+@pytest.mark.parametrize("ending", [".csv", ".npz"])
+def test_a_run_is_a_motion(ending: str, tmp_path: Path) -> None:
+    """Files of `simulate` and `drives` are read as they were written: their coordinates are the motion."""
+    four_bar = model("four_bar").mechanism
+    first = drives(four_bar, motion_of({"A": "0.3*sin(2*t)"}, four_bar, duration=1, rate=30))
+    written = write_study(first, tmp_path, drawn=False)
+    again = drives(four_bar, load_motion(next(p for p in written if p.suffix == ending), four_bar))
+    assert again.ok and np.abs(again.q - first.q).max() < 1e-9
+    assert np.abs(again.u - first.u).max() < 1e-3 * np.abs(first.u).max()
+    text = "\n".join(["t,q.B,speed"] + [f"{k / 10},0,1" for k in range(12)])
+    (tmp_path / "own.csv").write_text(text)
+    with pytest.raises(DescriptionError, match="speed: expected a coordinate"):
+        drives(four_bar, load_motion(tmp_path / "own.csv", four_bar))

@@ -16,6 +16,7 @@ import sympy
 from support.latex_values import Values
 from support.model_states import model as known_model
 
+from symscrew import catalogue
 from symscrew.cli.parser import main
 from symscrew.description import parse_description
 from symscrew.description.template import description_text
@@ -27,6 +28,8 @@ from symscrew.paper_formulas.formula import Part
 from symscrew.paper_formulas.limb_formulas import limb_part
 from symscrew.paper_formulas.moved_rods import rod_part
 from symscrew.paper_formulas.named_lengths import Lengths, symbol_latex
+from symscrew.paper_formulas.paper import limbs_of, outside_part
+from symscrew.paper_formulas.unprinted import unprinted_part
 from symscrew.studies.platform_motion import platform_index
 
 Array = np.ndarray
@@ -417,3 +420,15 @@ def test_documents_compile(tmp_path: Path) -> None:
     command = ["pdflatex", "-interaction=nonstopmode", "-halt-on-error", "seed.tex"]
     done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, errors="replace", timeout=120)
     assert done.returncode == 0, done.stdout[-2000:]
+
+
+def test_what_is_not_printed_is_said() -> None:
+    """Drives without a closed form are named with what computes them, joints of no limb too; a delta has neither."""
+    arm, delta = (catalogue.load(name) for name in ("panda", "delta"))
+    said = unprinted_part(arm, limbs_of(arm), Lengths(arm))
+    assert said is not None and "symscrew.inverse_kinematics" in said.words
+    assert all(f"joint{k}" in said.words for k in range(1, 8))
+    assert unprinted_part(delta, limbs_of(delta), Lengths(delta)) is None
+    assert outside_part(delta, limbs_of(delta)) is None
+    left_out = outside_part(arm, [["joint1"]])
+    assert left_out is not None and left_out.words.startswith("Of joint2, ")

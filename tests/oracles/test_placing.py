@@ -43,8 +43,10 @@ def test_where_there_is_no_configuration_a_status_says_why() -> None:
     far = symscrew.inverse_kinematics(mechanism, z="-1")
     assert far.status == "out of reach" and far.limb.startswith("rod") and f"{far.limb} does not get there" in far.text
     turned = symscrew.inverse_kinematics(mechanism, z="-50mm", x=0, y=0, roll="3deg")
-    assert turned.status == "not on the mechanism" and "4 numbers are given and 3 are free" in turned.text
-    for found in (far, turned):
+    assert turned.status == "not on the mechanism" and "platform.roll stays the same" in turned.text
+    more = symscrew.inverse_kinematics(catalogue.load("four_bar"), {"A": 0.3, "B": 0.9})
+    assert more.status == "not on the mechanism" and "2 numbers are given and 1 are free" in more.text
+    for found in (far, turned, more):
         assert not found.ok and not found.values and not found.drives and np.isnan(found.q).all()
     with pytest.raises(DescriptionError, match=r"did you mean 'platform\.z'"):
         symscrew.inverse_kinematics(mechanism, {"platfrm.z": "1mm"})
@@ -67,3 +69,23 @@ def test_q_is_that_of_a_model_and_closes_its_loops() -> None:
         )
         end = values["platform_radius"] * radial + [found.pose[c] for c in "xyz"] - [0, 0, depth]
         assert abs(np.linalg.norm(end - elbow) - values["rods"]) < 1e-14
+
+
+def test_what_no_motion_changes_is_not_out_of_reach() -> None:
+    """A delta's platform does not turn: no limb is named for that; a height that is too low names one."""
+    delta = symscrew.load_catalogue("delta")
+    for asked in ({"tilt": "10deg", "azimuth": "40deg"}, {"z": "-10mm", "yaw": "3deg"}):
+        found = symscrew.inverse_kinematics(delta, asked)
+        assert (found.status, found.limb) == ("not on the mechanism", ""), asked
+        turned = "tilt" if "tilt" in asked else "yaw"
+        assert found.text.endswith(f"platform.{turned} stays the same in every motion sampled")
+    low = symscrew.inverse_kinematics(delta, z="-2")
+    assert low.status == "out of reach" and low.limb
+    crank = symscrew.inverse_kinematics(symscrew.load_catalogue("four_bar"), x="9")
+    assert crank.status == "out of reach"  # changes with the crank, though never so far
+    assert "<caption>four_bar: out of reach" in crank._repr_html_()
+
+
+def test_a_part_of_a_pose_that_is_mistyped_is_found() -> None:
+    with pytest.raises(DescriptionError, match="did you mean 'z'"):
+        symscrew.inverse_kinematics(symscrew.load_catalogue("four_bar"), zz="1mm")

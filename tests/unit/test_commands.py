@@ -117,3 +117,21 @@ def test_help_of_assemble_tells_the_two_names_in_python_apart(capsys: pytest.Cap
     text = " ".join(capsys.readouterr().out.split())
     assert "symscrew.assembly_modes(mechanism) gives them all" in text
     assert "symscrew.assemble(model, {...}) is another thing: the one configuration near a guess" in text
+
+
+def test_a_matplotlib_that_cannot_be_imported_is_said_before_the_work(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Installed, but built for another NumPy: a sentence with the cure, exit code 2; a page in 3-D needs none."""
+    (tmp_path / "matplotlib").mkdir()
+    (tmp_path / "matplotlib" / "__init__.py").write_text('raise ImportError("numpy.core.multiarray failed to import")')
+    environment = {**os.environ, "PYTHONPATH": str(tmp_path)}
+    drawn = subprocess.run(
+        [sys.executable, "-m", "symscrew", "draw", "four_bar", "--out", str(tmp_path / "a.png")],
+        env=environment, capture_output=True, text=True,
+    )  # fmt: skip
+    assert drawn.returncode == 2 and drawn.stderr.count("\n") == 1
+    assert "cannot be imported ('numpy.core.multiarray failed to import'): pip install" in drawn.stderr
+    imported = "from symscrew.cli.view_command import run; from symscrew.display import Progress, open_made, write_made"
+    page = subprocess.run([sys.executable, "-c", imported], env=environment, capture_output=True, text=True)
+    assert page.returncode == 0, page.stderr

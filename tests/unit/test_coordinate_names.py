@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 import sympy
@@ -14,6 +16,7 @@ from symscrew.errors import DescriptionError
 from symscrew.kinematics import (
     angle_notices,
     coordinate_units,
+    full_name,
     given_coordinates,
     half_turn,
     nearest_names,
@@ -161,3 +164,15 @@ def test_names_of_coordinates_of_the_tree(name: str, typed: str, label: str) -> 
     else:
         with pytest.raises(DescriptionError, match=f"expected labels of q among arm2_R, .*, got '{typed}'"):
             tree_label(mechanism, labels, typed)
+
+
+def test_columns_of_runs_are_names_of_coordinates() -> None:
+    """`q.joint`, as a run's columns are called, is `joint` wherever a name is typed, but for an owner called `q`."""
+    mechanism = catalogue.load("four_bar")
+    assert full_name(mechanism, "q.A") == "A"
+    assert full_name(mechanism, "q.x") == full_name(mechanism, "x") == "rocker.x"
+    assert given_coordinates(mechanism, {"q.A": "20deg"}) == given_coordinates(mechanism, {"A": "20deg"})
+    with pytest.raises(DescriptionError, match="A is given twice"):
+        given_coordinates(mechanism, {"q.A": "20deg", "A": "20deg"})
+    own = replace(mechanism, joints={**mechanism.joints, "q": replace(mechanism.joints["A"], name="q")})
+    assert full_name(own, "q.x") == "q.x"

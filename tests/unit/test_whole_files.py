@@ -13,12 +13,13 @@ from support import handmade
 from support.faults import content, in_a_process, killed_at, with_files_up_to
 from support.samples import some_quickly
 
+from symscrew.errors import DescriptionError
 from symscrew.export import OutputError, read_manifest
 from symscrew.generation import folder as generation
 from symscrew.generation.folder import generate, render
 from symscrew.model import Model
 from symscrew.whole_files import whole_folder
-from symscrew.whole_files.one_file import created, replaced, write_text
+from symscrew.whole_files.one_file import created, destination, replaced, write_text
 from symscrew.whole_files.staging import discard, is_staging, stage
 from symscrew.whole_files.turns import LockedError, one_at_a_time
 from symscrew.whole_files.whole_folder import PENDING
@@ -263,3 +264,13 @@ def test_replaced_says_the_file_that_was_asked_for(tmp_path: Path) -> None:
     with pytest.raises(IsADirectoryError):
         write_text(tmp_path, "a")
     assert time.monotonic() >= start
+
+
+def test_where_nothing_can_be_written_is_said_before_the_work(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A run of an hour is not lost at its end: the folder is asked first, and a folder of the file's name is none."""
+    (tmp_path / "taken.npz").mkdir()
+    with pytest.raises(DescriptionError, match="--out: expected a file, found a folder"):
+        destination(str(tmp_path / "taken.npz"), (".npz",), "--out")
+    monkeypatch.setattr("os.access", lambda path, mode: Path(path) != tmp_path)  # root may write everywhere
+    with pytest.raises(DescriptionError, match="--out: no permission to write into"):
+        destination(str(tmp_path / "run.npz"), (".npz",), "--out")

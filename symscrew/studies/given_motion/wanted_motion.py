@@ -38,6 +38,10 @@ KEYS = {"motion": ("duration", "rate", "description")}
 ENDINGS = (".toml", ".csv", ".npz")
 MOST_SAMPLES = 1_000_000  # of a motion: 16 coordinates of so many, with rates and reactions, are a gigabyte
 DEFAULT_RATE = 100.0  # samples per second, where nothing is said: what a plot of seconds needs
+OF_RUNS = (
+    "v", "a", "u", "x", "energy", "closure_error", "energy_balance", "joint", "rate", "power", "reactions", "margins"
+)  # fmt: skip
+"""What names of columns of runs begin with, which are no coordinates."""
 NEIGHBOURS = 7  # samples of the polynomial that derivatives are taken of: order 6; more samples amplify their rounding
 FEWER = 5  # of the polynomial whose derivatives say how far to trust the former
 _TIME = sympy.Symbol("t", real=True)
@@ -71,6 +75,7 @@ def load_motion(path: str | Path, mechanism: Mechanism) -> WantedMotion:
     """The motion in a file: .toml with expressions, .csv or .npz with samples.
 
     A .csv has names in its first line, `t` [s] among them; an .npz an array `t` and one of the same length per name.
+    Of what `simulate` and `drives` wrote, the coordinates are the motion.
 
     Raises:
         DescriptionError: the file cannot be read; says where and what is wrong in it, and the cure.
@@ -85,7 +90,7 @@ def load_motion(path: str | Path, mechanism: Mechanism) -> WantedMotion:
         return from_file(file, lambda text, **_: _of_tables(read_tables(text), mechanism))
     try:
         columns = _csv(read_text(file)) if file.suffix == ".csv" else _columns_of_archive(file)
-        return _sampled(columns)
+        return _sampled(_asked_of_run(columns, mechanism))
     except DescriptionError as error:
         raise in_file(file.name, error) from error
 
@@ -228,7 +233,19 @@ def _csv(text: str) -> dict[str, Array]:
 def _columns_of_archive(file: Path) -> dict[str, Array]:
     found = read_archive(file)
     n = len(found["t"]) if "t" in found and found["t"].ndim == 1 else -1
+    if "q_labels" in found and "q" in found and found["q"].shape == (n, found["q_labels"].size):  # of a run
+        labels = found["q_labels"].ravel().tolist()
+        return {"t": found["t"].astype(float)} | {f"q.{x}": found["q"][:, k] for k, x in enumerate(labels)}
     return {name: a.astype(float) for name, a in found.items() if a.ndim == 1 and len(a) == n and a.dtype.kind in "fiu"}
+
+
+def _asked_of_run(columns: Mapping[str, Array], mechanism: Mechanism) -> dict[str, Array]:
+    """The columns that ask for a motion: beside coordinates, `q.LABEL`, those of results of a run do not."""
+    own = {*mechanism.joints, *mechanism.bodies, *mechanism.points}
+    if not any(name.startswith("q.") for name in columns) or "q" in own:
+        return dict(columns)
+    return {name: column for name, column in columns.items()
+            if (begin := name.partition(".")[0]) not in OF_RUNS or begin in own}  # fmt: skip
 
 
 def _sampled(columns: Mapping[str, Array]) -> WantedMotion:
