@@ -170,6 +170,11 @@ class JointType:
         return sum(m.revolute for m in self.motions) == 2
 
     @property
+    def planar(self) -> bool:
+        """Whether it slides in a plane, along two directions that are completed across the given normal."""
+        return self.triad is Triad.NORMAL
+
+    @property
     def closable(self) -> bool:
         """Whether its reciprocal wrenches are known when a loop is cut at it.
 

@@ -19,7 +19,6 @@ from symscrew.description import Joint, Mechanism
 from symscrew.paper_formulas.formula import Formula, Part, latex_of, vector_latex
 from symscrew.paper_formulas.named_lengths import Lengths
 
-ABOUT_A_POINT = ("R", "U", "S")  # joints that leave a point where it is in both bodies
 SHORT = 1e-9  # [m] of a rod or a crank that counts as none: doubles leave 1e-16
 
 
@@ -40,21 +39,26 @@ class Rod:
         return self.start - self.centre
 
 
+def about_a_point(joint: Joint) -> bool:
+    """Whether a joint leaves a point where it is in both bodies."""
+    return joint.kind.hinge or joint.kind.universal or joint.kind.ball
+
+
 def rod_of(mechanism: Mechanism, joints: Sequence[str], lengths: Lengths) -> Rod | None:
     """The rod of a limb, or None: driven R or P on the base, then joints about a point at both ends of a rod."""
     if len(joints) != 3:
         return None
     drive, first, last = (mechanism.joints[name] for name in joints)
-    if drive.type not in ("R", "P") or not drive.driven or first.driven or last.driven:
+    if not (drive.kind.hinge or drive.kind.slider) or not drive.driven or first.driven or last.driven:
         return None
-    if first.type not in ABOUT_A_POINT or last.type not in ABOUT_A_POINT:
+    if not (about_a_point(first) and about_a_point(last)):
         return None
     if drive.parent != mechanism.ground or last.child != mechanism.platform:
         return None
     if first.parent != drive.child or last.parent != first.child:
         return None
     start, end, axis = sympy.Matrix(first.point), sympy.Matrix(last.point), sympy.Matrix(drive.axes[0])
-    turns, foot = drive.type == "R", sympy.Matrix(drive.point)
+    turns, foot = drive.kind.hinge, sympy.Matrix(drive.point)
     centre = foot + axis * axis.dot(start - foot) if turns else start
     rod = Rod(drive, start, end, turns, centre, axis)
     if _size(end - start, lengths) < SHORT or (rod.turns and _size(rod.arm, lengths) < SHORT):

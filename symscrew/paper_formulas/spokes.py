@@ -11,7 +11,7 @@ import sympy
 
 from symscrew.description import Mechanism
 from symscrew.paper_formulas.formula import Formula, Part, latex_of, vector_latex
-from symscrew.paper_formulas.moved_rods import ABOUT_A_POINT
+from symscrew.paper_formulas.moved_rods import about_a_point
 from symscrew.paper_formulas.named_lengths import Lengths
 
 
@@ -40,7 +40,7 @@ def is_spoke(mechanism: Mechanism, joints: Sequence[str], lengths: Lengths) -> b
     if len(joints) != 3:
         return False
     first, slider, last = (mechanism.joints[name] for name in joints)
-    if first.type not in ABOUT_A_POINT or last.type not in ABOUT_A_POINT:
+    if not (about_a_point(first) and about_a_point(last)):
         return False
     if not slider.kind.slider or not slider.driven or first.driven or last.driven:
         return False

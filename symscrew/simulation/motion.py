@@ -148,7 +148,7 @@ def prepare(scene: Scene, *, held: bool = False) -> tuple[Model, Plant]:
     values = np.array(list(parameter_values(scene, model).values()), dtype=float)
     outside = [contact.port for contact in contacts]
     made = controller_of(scene, model, held=held)
-    return model, plant(model, made, held=held, parameters=values, outside=outside)
+    return model, plant(model, made, held=held, parameters=values, outside=outside, watched=True)
 
 
 def simulate(

@@ -17,6 +17,7 @@ from symscrew.effects import Contact
 from symscrew.errors import DescriptionError
 from symscrew.scene import INTEGRATION_METHODS, Scene, features_in_time
 from symscrew.simulation import contacts as contact
+from symscrew.simulation.landing import LANDINGS, SHORT, Corners
 from symscrew.simulation.mode_changes import Change, UndecidedError, beginning, change
 from symscrew.simulation.native_contacts import MOST_EVENTS
 from symscrew.simulation.recording import History, State, shown_time
@@ -96,6 +97,7 @@ class _Marching:
         self.losses: list[tuple[float, str, float]] = []  # energy that impacts take
         self.steps = 0
         self.watch = singular_watch(functions)
+        self.corners = Corners(self.conditions, self.units()) if functions.plant.switches is not None else None
 
     # -- slopes -----------------------------------------------------------------------------------------------
 
@@ -130,6 +132,16 @@ class _Marching:
         t = min(t, self.latest)
         a, x_dot = self.f.slopes(t, q, v, x, u=self.commanded(t, q, v), outside=self.forces(t, y))
         return np.concatenate([self.f.coordinate_rates(q, v), a, x_dot])
+
+    def conditions(self, t: float, y: np.ndarray) -> np.ndarray:
+        q, v, x = self.parts(y)
+        return self.f.switches(min(t, self.latest), q, v, x, u=self.commanded(t, q, v))
+
+    def units(self) -> np.ndarray:
+        """Sizes of y where it is zero; states have none."""
+        length = self.f.system.length
+        places = [length if c.kind == "length" else 1.0 for c in self.f.system.tree.q]
+        return np.array([*places, *self.f.plant.units, *np.zeros(self.f.nx)])
 
     def settled(self, y: np.ndarray) -> np.ndarray:
         q, v, x = self.parts(y)
@@ -182,13 +194,15 @@ class _Marching:
             t, q, v, x, ok, status, "library", (), (*self.notices, *self.events), counters, u, forces,
             tuple(self.losses), doubts=() if self.watch is None else self.watch.doubts)  # fmt: skip
 
-    def solver(self, t: float, y: np.ndarray, end: float) -> Any:
-        """SciPy's integrator from t to `end`, or to the next time that what inputs do there asks for."""
+    def solver(self, t: float, y: np.ndarray, end: float, first: float | None = None) -> Any:
+        """SciPy's integrator from t to `end`, or to the next time that what inputs do there asks for; `first`: step."""
         local = max(LOCAL * self.scene.integrator.tolerance, LEAST_ABSOLUTE)
         until, self.latest = self.features.ahead(t, end, SPAN)
         longest = self.scene.integrator.longest_step or np.inf
         made = getattr(_scipy(), self.method.library)
-        return made(self.slopes, t, y, until, rtol=max(local, LEAST_RELATIVE), atol=local, max_step=longest)
+        return made(
+            self.slopes, t, y, until, rtol=max(local, LEAST_RELATIVE), atol=local, max_step=longest, first_step=first
+        )
 
     def count(self) -> None:
         self.steps += 1
@@ -206,6 +220,8 @@ class _Marching:
                 self.count()
                 if solver.status == "failed":
                     raise RunError(f"the integrator gave up: {message}")
+                if self.corners is not None:
+                    solver = self.onto_corner(self.corners, solver, y)
                 dense, t, found = solver.dense_output(), solver.t, None
                 if self.rules:
                     found = self.first_event(dense, solver.t_old, solver.t, before)
@@ -224,6 +240,23 @@ class _Marching:
                     before = self.margins(solver.t, y)
                 if solver.status == "finished":
                     break
+
+    def onto_corner(self, corners: Corners, solver: Any, y: np.ndarray) -> Any:
+        """The integrator behind a step from y that passes no corner: it is taken again where the first one does."""
+        start, natural, aimed = float(solver.t_old), solver.t - solver.t_old, None
+        takes = 0
+        while corners.credit > 0:
+            found = corners.end(solver.dense_output(), start, solver.t, aimed)
+            if found is None or takes == LANDINGS:
+                break
+            takes += 1
+            shorter = self.solver(start, y, found[0], first=found[0] - start)
+            if shorter.step() is not None:  # it gave up: the longer step stands
+                break
+            aimed = found[1] if shorter.t == found[0] else None
+            solver = shorter
+        corners.accept(short=takes > 0 and solver.t - start < SHORT * natural)
+        return solver
 
     def margins(self, t: float, y: np.ndarray) -> np.ndarray:
         if not self.rules:
@@ -272,6 +305,8 @@ class _Marching:
         """The state with the rates and modes of a change, which is recorded."""
         q, _, x = self.parts(y)
         self.modes = found.modes
+        if self.corners is not None:
+            self.corners.anew()
         self.events += [f"t = {shown_time(t)} s: {text}" for text in found.texts]
         self.losses += [(t, name, loss) for name, loss in found.losses.items()]
         return np.concatenate([q, found.v, x])

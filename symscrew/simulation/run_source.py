@@ -103,6 +103,8 @@ def _reduced(plant: Plant) -> Model:
     programs = {"slopes": plant.slopes, "inputs": plant.inputs, "forward_dynamics": plant.forward}
     if plant.rates is not None and plant.sizes["x"]:
         programs["state_rates"] = plant.rates
+    if plant.switches is not None:
+        programs["switches"] = plant.switches
     if plant.closure is not None:
         programs["closure_both"] = replace(plant.closure, name="closure_both")
     return Model(plant.model.name, plant.model.mechanism, plant.model.effects, programs, {}, plant.system)
@@ -268,6 +270,29 @@ def adapters(plant: Plant, forces: str = "forces_at") -> str:
             "    }",
         ]
     lines += [f"    return {name}_forward_dynamics({', '.join([*arguments, *results])});", "}"]
+    if plant.switches is not None:
+        lines += [
+            f"#define SWITCHES {plant.switches.outputs[0].size}",
+            "static int switches_at(double t, const double *q, const double *v, const double *x, double *g)",
+            "{",
+            f"    double s[NS + {outside + 1}] = {{0.0}};",
+            f"    const double u[{max(plant.sizes['u'], 1)}] = {{0.0}};",
+            "    tables_at(t, s);",
+            *(f"    s[NS + {k}] = OUTSIDE_INPUTS[{k}];" for k in range(outside)),
+            f"    return {name}_switches(&t, q, v, x, u, s, PARAMETERS, g);",
+            "}",
+        ]
+    if plant.works and plant.rates is not None and not outside:
+        lines += [
+            "#define WORKS 1",
+            "static int rates_at(double t, const double *q, const double *v, const double *x, double *x_dot)",
+            "{",
+            "    double s[NS + 1] = {0.0};",
+            f"    const double u[{max(plant.sizes['u'], 1)}] = {{0.0}};",
+            "    tables_at(t, s);",
+            f"    return {name}_state_rates(&t, q, v, x, u, s, PARAMETERS, x_dot);",
+            "}",
+        ]
     if plant.closure is not None:
         p = ", PARAMETERS" if any(port.name == "p" for port in plant.closure.inputs) else ""
         lines += [
@@ -289,7 +314,7 @@ def sources(plant: Plant, tables: str = "") -> tuple[str, str]:
     varied = len(plant.parameters)  # they are put in when the library is there, so that one serves all values
     functions = _functions(replace(plant, parameters=plant.system.parameter_values), tables)
     near = ("rows.c", "manifold.c", "contacts.c", "chart.c", "branch.c", "anchor.c")
-    steps = ("steps.c", "adaptive.c", "events.c", "simulation.c")
+    steps = ("steps.c", "adaptive.c", "polynomials.c", "events.c", "switches.c", "simulation.c")
     head = ["#include <math.h>", "#include <stddef.h>", "#include <string.h>"]
     scalar = f"#define {plant.model.name.upper()}_SCALAR 1"
     run = [*head, *_storage(varied), *functions, *map(kernel_text, (*near, *steps))]

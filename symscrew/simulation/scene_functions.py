@@ -94,6 +94,17 @@ class PlantFunctions:
             raise RunError(f"the accelerations are not defined (status {outcome})")
         return a, x_dot
 
+    def switches(self, t: float, q: np.ndarray, v: np.ndarray, x: np.ndarray, *, u: np.ndarray) -> np.ndarray:
+        """What the slopes compare (n,), whose signs change at corners of the motion's law."""
+        plant = self.plant
+        assert plant.switches is not None
+        arrays = [np.array([t]), q, v, x, u, self.signals(t, np.zeros(len(plant.outside))), plant.parameters]
+        if self._library is None:
+            return np.asarray(evaluate(plant.switches, arrays)[0][0]).ravel()
+        g = np.empty(plant.switches.outputs[0].size)
+        self._call("switches", arrays, [g])
+        return g
+
     def _call(self, name: str, inputs: Sequence[np.ndarray], outputs: Sequence[np.ndarray]) -> int:
         assert self._library is not None
         arrays = [np.ascontiguousarray(a, dtype=float) for a in inputs] + list(outputs)

@@ -19,6 +19,7 @@ from symscrew.model import Model
 from symscrew.program import Port, Program, RankRevealing, evaluate
 from symscrew.simulation.fronts import Front, fronts, regular
 from symscrew.simulation.linking import Linker, Operand
+from symscrew.simulation.switches import switches
 
 WORK = "work"  # label of the last state, the work of drives and effects
 # A pivot of forward dynamics below this part of its median over the sample states hands over to the second path. What
@@ -35,7 +36,8 @@ class Plant:
 
     `slopes`: (t, q, v, x, u, s, p) -> a, x_dot. `inputs`: the same -> u_command and the effects' inputs.
     `forward`: forward dynamics as the model has it, whose second path solves where a pivot of `slopes` is small;
-    `rates`: x_dot alone, which has no pivots, for there.
+    `rates`: x_dot alone, which has no pivots, for there. `switches`: the conditions of the slopes, at whose zeros
+    adaptive steps end, or None.
     `closure`: q, p -> residual, the Jacobian's entries that are not always zero, or None without loops; `entries`:
     their rows and columns (n, 2). `units`, `rows`: what divides rates and closure
     rows to make them plain numbers. `fronts`: the order in which the closure's rows are made orthogonal. `pivot`: the
@@ -59,6 +61,7 @@ class Plant:
     outside: tuple[str, ...] = ()
     entries: np.ndarray = field(default_factory=lambda: np.zeros((0, 2), dtype=int))
     rates: Program | None = None
+    switches: Program | None = None
 
     def __repr__(self) -> str:
         count = len(self.slopes.instructions)
@@ -89,6 +92,7 @@ def plant(
     parameters: np.ndarray | None = None,
     work: bool | None = None,
     outside: Sequence[str] = (),
+    watched: bool = False,
 ) -> Plant:
     """The programs of a model under a controller.
 
@@ -100,6 +104,7 @@ def plant(
         parameters: values of the run-time parameters; default: those of the description.
         work: whether to integrate the work of drives and effects; default: where there is any.
         outside: inputs of effects that the integrator determines; their entries follow the tables in s.
+        watched: whether to look for the conditions of the slopes, for an integrator that lands on their zeros.
     """
     system, forward = model.system, model.programs["forward_dynamics"]
     assert isinstance(forward, Program)
@@ -123,6 +128,7 @@ def plant(
     slopes = linker.program(
         "slopes", "Accelerations and rates of the states.", [(a_port(system), outputs["a"]), (x_dot, rates)]
     )
+    conditions = switches(slopes, linker) if watched else None
     alone = _Link(Linker(ports), wiring)
     by_itself = alone.linker.program("state_rates", "Rates of the states.", [(x_dot, _state_rates(alone, model, work))])
     values = system.parameter_values if parameters is None else np.asarray(parameters, dtype=float)
@@ -133,7 +139,7 @@ def plant(
     found, pivot = _regular(model, units, rows, entries) if closure is not None else ((), 1.0)
     return Plant(
         model, slopes, _inputs(ports, wiring), forward, closure, labels, units, rows, found, pivot, bool(work), values,
-        tables, tuple(outside), entries, by_itself,
+        tables, tuple(outside), entries, by_itself, conditions,
     )  # fmt: skip
 
 

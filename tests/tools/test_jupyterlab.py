@@ -10,13 +10,15 @@ import sys
 import time
 import urllib.request
 from collections.abc import Iterator
+from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
 import pytest
 
-pytest.importorskip("jupyterlab")
 pytest.importorskip("selenium")
+if find_spec("jupyterlab") is None:  # importing it takes seconds, in every process that collects tests
+    pytest.skip("needs JupyterLab: pip install 'symscrew[notebook]'", allow_module_level=True)
 from support.browser import start
 
 CELLS = {

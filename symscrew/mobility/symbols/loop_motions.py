@@ -81,7 +81,7 @@ def symbolic_loops(mechanism: Mechanism, body: str) -> SymbolicLoops | str:
 
 def _loops(mechanism: Mechanism, work: SymbolicScrews, body: str) -> SymbolicLoops:
     for name, joint in mechanism.joints.items():
-        if joint.type == "E" and sum(mechanism.number(c) != 0 for c in joint.axes[0]) > 1:
+        if joint.kind.planar and sum(mechanism.number(c) != 0 for c in joint.axes[0]) > 1:
             raise NotPolynomialError(f"unit directions in the plane of {name}, across no absolute axis, are roots")
     network = network_of(mechanism)
     ring = work.ring

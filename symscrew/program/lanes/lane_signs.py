@@ -14,8 +14,7 @@ Beside flipping always one of two operands of a sum, calls of packed functions t
 
 from __future__ import annotations
 
-from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from heapq import heappop, heappush
@@ -24,6 +23,7 @@ from heapq import heappop, heappush
 # the signs of all lanes are right with any.
 ROUNDS = 2
 
+ANY = -1  # no signs: these are at least 0
 GATHERED = "gathered"  # the operation of a vector that is put together of single values
 
 
@@ -67,143 +67,168 @@ def fewest_flips(parts: Sequence[Part]) -> dict[int, Signs]:
     for _ in range(ROUNDS):
         if not search.round():
             break
-    return search.done
+    return search.found
 
 
 class _Search:
-    """Signs as they are so far; `other`, `wanted` and `flipped` are what is decided, the rest follows.
+    """Signs as they are so far, by place of the parts; `other`, `wanted` and `flipped` are decided, the rest follows.
 
-    `other`: sums that take the signs of their second operand, where 1 stands. `wanted`: signs of what has any.
-    `flipped`: lanes of a vector that its readers flip, if nothing speaks for others.
+    `other`: 1 for sums that take the signs of their second operand. `wanted`: signs of what has any; ANY leaves those
+    that it comes to. `flipped`: lanes of a vector that its readers flip, if nothing speaks for others. What is no part
+    has a place behind all of them, and no signs.
     """
 
     def __init__(self, parts: Sequence[Part]) -> None:
         self.parts = parts
-        self.place = {part.number: k for k, part in enumerate(parts)}
-        self.readers: dict[int, list[int]] = {}
-        for k, part in enumerate(parts):
-            for source in {source for source, _, _ in part.operands if source is not None}:
-                self.readers.setdefault(source, []).append(k)
-        self.other: dict[int, int] = {}
-        self.wanted: dict[int, int] = {}
-        self.flipped: dict[int, int] = {}
-        self.done: dict[int, Signs] = {}
-        self.flips = Counter[tuple[int, int]]()  # how many read a part with some lanes flipped
-        for part in parts:
-            self.done[part.number] = signs = self._signs(part)
-            self.flips.update(_read(part, signs))
+        place = {part.number: k for k, part in enumerate(parts)}
+        nowhere = len(parts)
+        self.sources = [[nowhere if source is None else place[source] for source, _, _ in p.operands] for p in parts]
+        self.readers: list[list[int]] = [[] for _ in parts]
+        for k, sources in enumerate(self.sources):
+            for source in set(sources) - {nowhere}:
+                self.readers[source].append(k)
+        self.other = [0] * len(parts)
+        self.wanted = [ANY] * len(parts)
+        self.flipped = [0] * (len(parts) + 1)
+        self.results = [0] * (len(parts) + 1)
+        self.reads: list[tuple[int, ...]] = [()] * len(parts)
+        self.flips: list[dict[int, int]] = [{} for _ in parts]  # how many read a part with some lanes flipped
+        for k in range(len(parts)):
+            self._replace(k, *self._signs(k))
+
+    @property
+    def found(self) -> dict[int, Signs]:
+        """The signs of every part, by its number."""
+        return {part.number: Signs(self.results[k], self.reads[k]) for k, part in enumerate(self.parts)}
 
     def round(self) -> bool:
         """Each part in its other ways; whether anything got better."""
         better = False
-        for part in self.parts:
+        for k, part in enumerate(self.parts):
             if part.op == "add":
-                better |= self._tried(part, self.other, 1 - self.other.get(part.number, 0))
-            near = self._near(part)
+                better |= self._tried(k, self.other, 1 - self.other[k])
+            near = self._near(k)
             if part.free:
-                natural = self.done[part.number].result & part.busy
+                natural = self.results[k] & part.busy
                 near |= {part.busy & ~part.plus, part.minus} if part.plus | part.minus else set()
                 for lanes in sorted({0, *near, *(lanes ^ part.busy for lanes in near)} - {natural}):
-                    better |= self._tried(part, self.wanted, lanes)
+                    better |= self._tried(k, self.wanted, lanes)
             elif near:
-                for lanes in sorted({0, *near} - {self.flipped.get(part.number, 0)}):
-                    better |= self._tried(part, self.flipped, lanes)
+                for lanes in sorted({0, *near} - {self.flipped[k]}):
+                    better |= self._tried(k, self.flipped, lanes)
         return better
 
-    def _near(self, part: Part) -> set[int]:
+    def _near(self, place: int) -> set[int]:
         """The lanes that are flipped where a part is read, where what is made of it is, and for the part itself."""
-        found = set(self.done[part.number].read)
-        for reader in (self.parts[k] for k in self.readers.get(part.number, ())):
-            found.update(self.done[reader.number].read)
-            for k in self.readers.get(reader.number, ()):
-                found.update(self.done[self.parts[k].number].read)
-        return {self._others(part.busy, lanes) for lanes in found if lanes} - {0}
+        reads, readers = self.reads, self.readers
+        found = set(reads[place])
+        for reader in readers[place]:
+            found.update(reads[reader])
+            for k in readers[reader]:
+                found.update(reads[k])
+        busy = self.parts[place].busy
+        return {_others(busy, lanes) for lanes in found if lanes} - {0}
 
-    def _tried(self, part: Part, choices: dict[int, int], choice: int) -> bool:
+    def _tried(self, place: int, choices: list[int], choice: int) -> bool:
         """Decide otherwise unless that costs more; whether it costs less."""
-        number, before = part.number, choices.get(part.number)
-        choices[number] = choice
-        more, changed = self._followed(part, readers=choices is self.flipped)
+        before = choices[place]
+        choices[place] = choice
+        more, changed = self._followed(self.readers[place] if choices is self.flipped else [place])
         if more < 0 or (more == 0 and choices is not self.flipped):
             return more < 0
-        if before is None:
-            del choices[number]
-        else:
-            choices[number] = before
-        for other, signs in changed.items():
-            self._replaced(self.parts[self.place[other]], signs)
+        choices[place] = before
+        for k, (result, read) in changed.items():
+            self._replace(k, result, read)
         return False
 
-    def _followed(self, part: Part, *, readers: bool) -> tuple[int, dict[int, Signs]]:
-        """Bring up to date what follows from a choice at a part, or at its readers: what it costs more, what was."""
-        changed: dict[int, Signs] = {}
-        waiting = list(self.readers.get(part.number, ())) if readers else [self.place[part.number]]
-        more = 0
+    def _followed(self, first: Sequence[int]) -> tuple[int, dict[int, tuple[int, tuple[int, ...]]]]:
+        """Bring up to date some parts and what follows from them: what it costs more, what was."""
+        changed: dict[int, tuple[int, tuple[int, ...]]] = {}
+        results, reads, readers = self.results, self.reads, self.readers
+        waiting = list(first)
+        more, last = 0, -1
         while waiting:
             k = heappop(waiting)
-            while waiting and waiting[0] == k:
-                heappop(waiting)
-            part = self.parts[k]
-            before, now = self.done[part.number], self._signs(part)
-            if now != before:
-                changed[part.number] = before
-                more += self._replaced(part, now)
-                if now.result != before.result:
-                    for reader in self.readers.get(part.number, ()):
-                        heappush(waiting, reader)
+            if k == last:
+                continue
+            last = k
+            result, read = self._signs(k)
+            before = results[k]
+            if result != before:
+                for reader in readers[k]:
+                    heappush(waiting, reader)
+            elif read == reads[k]:
+                continue
+            changed[k] = before, reads[k]
+            more += self._replace(k, result, read)
         return more, changed
 
-    def _replaced(self, part: Part, now: Signs) -> int:
+    def _replace(self, place: int, result: int, read: tuple[int, ...]) -> int:
         """Put in the signs of a part: what it costs more."""
-        before, flips = self.done[part.number], self.flips
-        self.done[part.number] = now
-        more = _negations(part, now.result) - _negations(part, before.result)
-        if now.read != before.read:
-            for key in _read(part, before):
-                flips[key] -= 1
-                more -= flips[key] == 0
-            for key in _read(part, now):
-                more += flips[key] == 0
-                flips[key] += 1
+        more = 0
+        before, was = self.results[place], self.reads[place]
+        if result != before:
+            self.results[place] = result
+            part = self.parts[place]
+            if part.plus or part.minus:
+                more = _negations(part, result) - _negations(part, before)
+        if read != was:
+            self.reads[place] = read
+            more += self._recounted(place, was, read)
         return more
 
-    @staticmethod
-    def _others(busy: int, lanes: int) -> int:
-        """Lanes to flip, or all others: the first one in use stays as it is."""
-        lanes &= busy
-        return lanes ^ busy if lanes & busy & -busy else lanes
+    def _recounted(self, place: int, was: tuple[int, ...], now: tuple[int, ...]) -> int:
+        """Count what a part reads flipped: how many more vectors are flipped."""
+        more = 0
+        for k, source in enumerate(self.sources[place]):
+            left, lanes = was[k] if was else 0, now[k]  # none at first
+            if left != lanes and source < len(self.parts):
+                counts = self.flips[source]
+                if left:
+                    counts[left] -= 1
+                    more -= not counts[left]
+                if lanes:
+                    count = counts.get(lanes, 0)
+                    more += not count
+                    counts[lanes] = count + 1
+        return more
 
-    def _signs(self, part: Part) -> Signs:
-        """What a part comes to, as is decided."""
-        busy, operands = part.busy, part.operands
-        if part.op == GATHERED:
-            return Signs(0)
-        own = [signs if source is None else signs ^ self.done[source].result for source, _, signs in operands]
-        if part.op == "sqrt":
-            return Signs(0, (own[0] & busy,))
+    def _signs(self, place: int) -> tuple[int, tuple[int, ...]]:
+        """What a part comes to, as is decided: its signs, and the lanes of each operand that are flipped."""
+        part = self.parts[place]
+        operands, op, busy = part.operands, part.op, part.busy
+        if op == GATHERED:
+            return 0, ()
+        sources, results = self.sources[place], self.results
+        first = operands[0][2] ^ results[sources[0]]
+        if op == "sqrt":
+            return 0, (first & busy,)
+        second = operands[1][2] ^ results[sources[1]] if len(operands) > 1 else 0
         if part.free:
-            natural = own[0] if len(own) == 1 else own[0] ^ own[1]
-            result = self.wanted.get(part.number, natural)
+            natural, wanted = first ^ second, self.wanted[place]
+            result = natural if wanted == ANY else wanted
             lanes = (natural ^ result) & busy
-            return Signs(result, tuple([lanes if k in part.constants else 0 for k in range(len(own))]))
+            return result, tuple([lanes if constant else 0 for _, constant, _ in operands])
         if part.constants:
-            rest = own[1 - part.constants[0]]
-            return Signs(rest, tuple([rest & busy if k in part.constants else 0 for k in range(len(own))]))
-        asked = [0 if source is None else self.flipped.get(source, 0) & busy for source, _, _ in operands]
-        if part.op != "add":
-            return Signs(own[0] ^ own[1] ^ asked[0] ^ asked[1], tuple(asked))
-        kept = self.other.get(part.number, 0)  # the operand whose signs the result takes
-        result = own[kept] ^ asked[kept]
-        if (result ^ own[1 - kept] ^ asked[1 - kept]) & busy not in (0, busy):
-            asked[1 - kept] = self._others(busy, result ^ own[1 - kept])
-        return Signs(result, tuple(asked))
+            rest = first if part.constants[0] else second
+            return rest, tuple([rest & busy if constant else 0 for _, constant, _ in operands])
+        left, right = self.flipped[sources[0]] & busy, self.flipped[sources[1]] & busy
+        first, second = first ^ left, second ^ right
+        if op != "add":
+            return first ^ second, (left, right)
+        result = second if self.other[place] else first
+        if (first ^ second) & busy not in (0, busy):  # the operand whose signs the result does not take is flipped
+            if self.other[place]:
+                left = _others(busy, result ^ first ^ left)
+            else:
+                right = _others(busy, result ^ second ^ right)
+        return result, (left, right)
 
 
-def _read(part: Part, signs: Signs) -> Iterator[tuple[int, int]]:
-    """The parts that a part reads flipped, and which lanes of them."""
-    for (source, _, _), lanes in zip(part.operands, signs.read, strict=True):
-        if source is not None and lanes:
-            yield source, lanes
+def _others(busy: int, lanes: int) -> int:
+    """Lanes to flip, or all others: the first one in use stays as it is."""
+    lanes &= busy
+    return lanes ^ busy if lanes & busy & -busy else lanes
 
 
 def _negations(part: Part, result: int) -> int:

@@ -20,6 +20,10 @@ typedef struct {
     const double *lefts;          /* where inputs change at once: the latest time before the edge; else 0 */
     size_t edge_count, edge_at;   /* the first one behind t */
     double lands;      /* the edge on which the step ends exactly; 0: on none */
+#if SWITCHES
+    int at_zero[SWITCHES]; /* conditions that are zero at t */
+    int credit;            /* short steps onto zeros that may follow each other */
+#endif
     int asks;          /* for the branch in extended precision before the first careful step */
     double careful_tolerance; /* least local tolerance of careful steps */
     Step step;
@@ -86,6 +90,9 @@ int simulation_start(Simulation *s, double t, const double *q, const double *v, 
     s->edges = edges;
     s->lefts = lefts;
     s->edge_count = edge_count;
+#if SWITCHES
+    s->credit = CREDIT;
+#endif
     without_dust(s->v, NV);
     without_dust(s->x, NX);
     s->careful_tolerance = CAREFUL_TOLERANCE;
@@ -318,6 +325,10 @@ static int advance(Simulation *s, double target)
     const int adaptive = s->method == DOP853;
     int cautious = 0;
     double last_error = 0.0, noise = 0.0;
+#if SWITCHES
+    double onto = 0.0, natural = 0.0; /* the length of a step onto a corner, of the one that would pass it */
+    int landings = 0, aimed = -1, landed[SWITCHES] = {0};
+#endif
     for (int attempt = 0; attempt < 60; ++attempt) {
         double left;
         const double limit = reach_in_time(s, &left), whole = fmin(s->h, s->longest);
@@ -333,6 +344,12 @@ static int advance(Simulation *s, double target)
         } else if (s->h > 0.0) {
             h = shortened(s, whole, limit, left);
         }
+#if SWITCHES
+        if (onto > 0.0 && onto < h) {
+            h = onto;
+            s->lands = s->step.until = 0.0;
+        }
+#endif
         const int careful = cautious || needs_care(s, h);
         if (careful && s->asks) {
             return NEEDS_PRECISION;
@@ -386,6 +403,22 @@ static int advance(Simulation *s, double target)
         }
         if (outcome == 0 && step->error < 1.0) {
             outcome = last_slope(step);
+#if SWITCHES
+            if (outcome == 0 && s->method >= RK4 && s->credit > 0 && landings < LANDINGS) {
+                Switch found;
+                outcome = first_switch(step, s->method, s->at_zero, h == onto ? aimed : -1, &found);
+                if (outcome == 0 && (found.which >= 0 || found.turning)) {
+                    natural = landings == 0 ? h : natural;
+                    onto = found.part * h;
+                    aimed = found.which;
+                    ++landings;
+                    memcpy(step->k[12], step->k[0], sizeof step->k[0]);
+                    last_error = 0.0;
+                    continue;
+                }
+                memcpy(landed, found.at_zero, sizeof landed);
+            }
+#endif
             if (outcome == 0) {
                 if (adaptive) { /* Gustafsson's control: Hairer, Wanner II, IV.2 */
                     const double error = fmax(step->error, 1e-8);
@@ -395,6 +428,16 @@ static int advance(Simulation *s, double target)
                     s->h = attempt == 0 && h < whole ? fmax(next, whole) : next; /* time cut it short, not its error */
                     s->earlier_error = fmax(error, 1e-4);
                 }
+#if SWITCHES
+                memcpy(s->at_zero, landed, sizeof landed); /* without a look at them: zeros, none */
+                s->h = fmax(s->h, natural);
+                s->credit += landings > 0 && h < 0.1 * natural ? -1 : s->credit < CREDIT;
+#endif
+#if WORKS
+                if (adaptive) {
+                    sharpen_work(step, s->method, s->rtol);
+                }
+#endif
                 s->careful += careful;
                 ++s->steps;
                 return DONE;
