@@ -26,6 +26,7 @@ from symscrew.assembly.mode_signs import LOCKED, ModeSigns
 from symscrew.assembly.path_tracking import Tracker
 from symscrew.assembly.root_bounds import Bound, own_bound
 from symscrew.assembly.slot_numbers import Displacements, Scalars
+from symscrew.assembly.split_roots import NEAR, split_ends
 from symscrew.assembly.start_system import StartSystem, start_system, together
 from symscrew.assembly.target_roots import APART, Account, End, target_roots
 from symscrew.assembly.what_is_held import Held, held_by
@@ -52,7 +53,7 @@ class AssemblyMode:
     the passive joints' matrix, lengths in sizes of the mechanism; `volume`: the product of all. `signs`: of the
     determinants against the reference. `radius`: of the box, around coordinates of size 1, that holds one zero and no
     other; None where there is no certificate. `paths`: how many end here, two of a double root; `curve`: whether there
-    are solutions beside it without end.
+    are solutions beside it without end. `close`: one of two that almost meet, told apart in 60 digits.
     """
 
     name: str
@@ -69,6 +70,7 @@ class AssemblyMode:
     paths: int = 1
     curve: bool = False
     ways: int = 1
+    close: bool = False
     z: Array = field(default_factory=lambda: np.zeros(0))
     poses: Mapping[str, tuple[Array, Array]] = field(default_factory=dict, repr=False)
 
@@ -218,9 +220,10 @@ class _Search:
         account = target_roots(self.family, start, self.family.member(dict(self.held.values)))
         fine = Displacements(self.structure, DIGITS_60, self.held.exact).slots()
         boxes = [read(s) if np.ndim(s) == 0 else [read(c) for c in s] for s in fine]
+        account = split_ends(self.equations, boxes, account)
         ends = [end for end in account.ends if end.kind == "real"]
         ends = [_polished(self.equations, self.family, self.held, end) for end in ends]
-        certificates = [certified(self.equations, boxes, end.z) if end.regular else None for end in ends]
+        certificates = [self._proof(boxes, end) for end in ends]
         ends = [end if box is None else replace(end, z=box.z) for end, box in zip(ends, certificates, strict=True)]
         modes, missed = self._seen(ends, certificates)
         modes = _one_of_each(modes, self.held)
@@ -233,6 +236,9 @@ class _Search:
             self.held.mechanism, self.held.network, self.held.body, self.held.shown, tuple(modes), missed, account,
             bound, complete, why, self.family, self.held.values, self.held.chosen,
         )  # fmt: skip
+
+    def _proof(self, boxes: Any, end: End) -> Certificate | None:
+        return end.proof or (certified(self.equations, boxes, end.z) if end.regular else None)
 
     def _names(self, start: StartSystem, modes: Sequence[AssemblyMode]) -> list[str]:
         """Of modes at what is held, by straight ways to the reference."""
@@ -279,7 +285,7 @@ class _Search:
             modes.append(AssemblyMode(
                 "", rotation, translation, quaternion(rotation), at, self.held.labelled(at), seen.residual,
                 seen.smallest, seen.volume, seen.signs, None if box is None else box.radius, end.paths, end.curve,
-                z=end.z, poses=seen.poses,
+                close=end.proof is not None, z=end.z, poses=seen.poses,
             ))  # fmt: skip
         return modes, missed
 
@@ -324,11 +330,18 @@ class _Search:
     def _all_certified(self, real: Sequence[Certificate], others: Sequence[End], boxes: Any) -> bool:
         """Whether complex solutions have certificates too, and say they are complex, and all zeros are different."""
         self.progress(f"certificates of {len(others)} complex solutions")
-        found = [certified(self.equations, boxes, end.z) for end in others]
+        found = [self._proof(boxes, end) for end in others]
         proofs = [proof for proof in found if proof is not None and proof.kind == "complex"]
-        zeros = [self.equations.scaled(proof.z[None] + 0j)[0] for proof in (*real, *proofs)]
-        apart = all(together(self.equations, np.array(zeros), z, APART).sum() == 1 for z in zeros)
-        return len(proofs) == len(others) and apart
+        every = (*real, *proofs)
+        zeros = np.array([self.equations.scaled(proof.z[None] + 0j)[0] for proof in every])
+        for z, proof in zip(zeros, every, strict=True):
+            near = int(together(self.equations, zeros, z, APART).sum())
+            if proof.beside is not None:  # boxes of these two are apart
+                beside = self.equations.scaled(proof.beside[None] + 0j)
+                near -= int(together(self.equations, beside, z, APART)[0])
+            if near != 1:
+                return False
+        return len(proofs) == len(others)
 
 
 def _one_of_each(modes: Sequence[AssemblyMode], held: Held) -> list[AssemblyMode]:
@@ -347,11 +360,14 @@ def _one_of_each(modes: Sequence[AssemblyMode], held: Held) -> list[AssemblyMode
 
 def _together(one: AssemblyMode, two: AssemblyMode) -> bool:
     turn, way = one.rotation - two.rotation, one.translation - two.translation
-    return bool(np.abs(turn).max() < SAME_PLACE and np.abs(way).max() < SAME_PLACE)
+    pair = one.close and two.close and np.abs(one.z - two.z).max() < NEAR
+    return bool(np.abs(turn).max() < SAME_PLACE and np.abs(way).max() < SAME_PLACE and not pair)
 
 
 def _polished(equations: BatchEquations, family: Family, held: Held, end: End) -> End:
     """A real zero by real Newton steps."""
+    if end.proof is not None:
+        return end
     if not end.regular:
         return End(end.z.real + 0j, end.kind, end.paths, end.regular, end.curve)
     goal = family.way(family.member(dict(held.values)), family.member(dict(held.values))).at(np.zeros(1))

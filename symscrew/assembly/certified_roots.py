@@ -28,6 +28,8 @@ ONE = 1 << BITS
 RADII = (1e-7, 1e-10, 1e-13)
 """Of boxes around points whose largest coordinates are 1: the largest that is accepted says most of how far apart zeros
 are; the smallest is a hundred times rounding."""
+REAL_MIDDLE = 1e-9
+"""Imaginary part of a point between two zeros that are real, or conjugate."""
 REFINEMENTS = 3
 """Steps of eight digits or more each: boxes contract that much."""
 TWICE = 2.0
@@ -119,12 +121,13 @@ class Certificate:
     """The radius of the box around a zero whose groups' largest coordinates are 1, in which there is one zero.
 
     `z`: the zero, refined in integers and then rounded. `kind`: "real", of a box of real points; "complex", where the
-    box has no real point; else "".
+    box has no real point; else "". `beside`: another zero so near that doubles may be one, with a box apart from this.
     """
 
     radius: float
     z: Array
     kind: str
+    beside: Array | None = None
 
 
 def certified(equations: BatchEquations, slots: Sequence[Any], z: Array) -> Certificate | None:
@@ -155,7 +158,9 @@ def held_within(equations: BatchEquations, slots: Sequence[Any], z: Array, radiu
     return test.off(z) <= radius / 2 and test.holds(radius / 2)
 
 
-class _Krawczyk:
+class _Chart:
+    """The equations with the largest coordinate of each group made 1, as many as what is left."""
+
     def __init__(self, equations: BatchEquations, slots: Sequence[Any], z: Array) -> None:
         self.equations = equations
         self.motions, self.loops = matrices(equations.structure, slots)
@@ -163,24 +168,13 @@ class _Krawczyk:
         middle = np.array(z, dtype=complex)
         for part, place in zip(equations.parts, self.fixed, strict=True):
             middle[part] = middle[part] / middle[place]
-        if np.abs(middle.imag).max(initial=0.0) < max(RADII):
-            middle = middle.real + 0j
+        self.middle = middle
         self.open = [k for k in range(equations.width) if k not in self.fixed]
         self.rows = list[int]()
-        coefficients = np.array([_middle(v) for m in self._all() for v in m.ravel()])
-        for _ in range(3):  # what tracking leaves is 1e-11
-            values, slopes = equations.evaluate(middle[None], coefficients[None])
-            self.rows = self._rows(middle)
-            inverse = np.linalg.pinv(slopes[0][np.ix_(self.rows, self.open)])
-            middle[self.open] -= inverse @ values[0][self.rows]
-        self.real = not middle.imag.any()
-        self.middle, self.inverse = middle, inverse
-        self.square = inverse.shape[0] == inverse.shape[1]
-        self.at_middle = [exactly(c) for c in middle]
-        y = [[exactly(c) for c in row] for row in inverse]
-        residual = [self._values(self.at_middle)[k] for k in self.rows]
-        self.y = y
-        self.step = [_sum([a * b for a, b in zip(row, residual, strict=True)]) for row in y]
+        self.y: list[list[Rectangle]] = []
+        self.step: list[Rectangle] = []
+        self.real = self.square = False
+        self.at_middle: list[Rectangle] = []
 
     def _all(self) -> list[Array]:
         return [*self.motions, *(m for loop in self.loops for m in loop)]
@@ -219,17 +213,6 @@ class _Krawczyk:
             g = np.asarray(np.einsum("kij,i,j->k", PRODUCT, g, f))
         return g
 
-    def kind(self, radius: float) -> str:
-        """What the zero in the box of this radius is."""
-        return "real" if self.real else "complex" if np.abs(self.middle.imag).max() > 2 * radius else ""
-
-    def off(self, z: Array) -> float:
-        """How far a point is from the middle of the boxes."""
-        scaled = np.array(z, dtype=complex)
-        for part, place in zip(self.equations.parts, self.fixed, strict=True):
-            scaled[part] = scaled[part] / scaled[place]
-        return float(np.abs(scaled - self.middle).max())
-
     def holds(self, radius: float) -> bool:
         """Whether the box of this radius maps into its inside."""
         if not self.square:
@@ -246,17 +229,6 @@ class _Krawczyk:
             if not total.inside(spread):
                 return False
         return True
-
-    def refined(self) -> Array:
-        """The zero to the last bit of doubles: Newton's steps with the same inverse, residuals in integers."""
-        point = list(self.at_middle)
-        for _ in range(REFINEMENTS):
-            residual = self._values(point)
-            for i, k in enumerate(self.open):
-                step = _sum([a * residual[r] for a, r in zip(self.y[i], self.rows, strict=True)])
-                (a, b), (c, d) = (point[k] - step).real, (point[k] - step).imaginary
-                point[k] = Rectangle(((a + b) // 2,) * 2, ((c + d) // 2,) * 2)
-        return np.array([_middle(c) for c in point])
 
     def _factors(self, z: Sequence[Rectangle]) -> list[list[Rectangle]]:
         result = []
@@ -314,6 +286,98 @@ class _Krawczyk:
             row[part] = [*x[4:], *x[:4]]
             rows.append(row)
         return rows
+
+
+class _Krawczyk(_Chart):
+    """The test of a zero in doubles."""
+
+    def __init__(self, equations: BatchEquations, slots: Sequence[Any], z: Array) -> None:
+        super().__init__(equations, slots, z)
+        middle = self.middle
+        if np.abs(middle.imag).max(initial=0.0) < max(RADII):
+            middle = middle.real + 0j
+        coefficients = np.array([_middle(v) for m in self._all() for v in m.ravel()])
+        for _ in range(3):  # what tracking leaves is 1e-11
+            values, slopes = equations.evaluate(middle[None], coefficients[None])
+            self.rows = self._rows(middle)
+            inverse = np.linalg.pinv(slopes[0][np.ix_(self.rows, self.open)])
+            middle[self.open] -= inverse @ values[0][self.rows]
+        self.real = not middle.imag.any()
+        self.middle, self.inverse = middle, inverse
+        self.square = inverse.shape[0] == inverse.shape[1]
+        self.at_middle = [exactly(c) for c in middle]
+        y = [[exactly(c) for c in row] for row in inverse]
+        residual = [self._values(self.at_middle)[k] for k in self.rows]
+        self.y = y
+        self.step = [_sum([a * b for a, b in zip(row, residual, strict=True)]) for row in y]
+
+    def kind(self, radius: float) -> str:
+        """What the zero in the box of this radius is."""
+        return "real" if self.real else "complex" if np.abs(self.middle.imag).max() > 2 * radius else ""
+
+    def off(self, z: Array) -> float:
+        """How far a point is from the middle of the boxes."""
+        scaled = np.array(z, dtype=complex)
+        for part, place in zip(self.equations.parts, self.fixed, strict=True):
+            scaled[part] = scaled[part] / scaled[place]
+        return float(np.abs(scaled - self.middle).max())
+
+    def refined(self) -> Array:
+        """The zero to the last bit of doubles: Newton's steps with the same inverse, residuals in integers."""
+        point = list(self.at_middle)
+        for _ in range(REFINEMENTS):
+            residual = self._values(point)
+            for i, k in enumerate(self.open):
+                step = _sum([a * residual[r] for a, r in zip(self.y[i], self.rows, strict=True)])
+                (a, b), (c, d) = (point[k] - step).real, (point[k] - step).imaginary
+                point[k] = Rectangle(((a + b) // 2,) * 2, ((c + d) // 2,) * 2)
+        return np.array([_middle(c) for c in point])
+
+
+class FineTest(_Chart):
+    """The test of zeros in 60 digits, in the chart of a point where zeros almost meet."""
+
+    def __init__(self, equations: BatchEquations, slots: Sequence[Any], z: Array) -> None:
+        super().__init__(equations, slots, z)
+        self.rows = self._rows(self.middle)
+        self.square = len(self.rows) == len(self.open)
+        self.real = bool(np.abs(self.middle.imag).max(initial=0.0) < REAL_MIDDLE)
+        self.at_middle = [exactly(c.real if self.real else c) for c in self.middle]
+
+    def values_at(self, z: Sequence[Any]) -> list[Any]:
+        """F in 60 digits, of the rows that count."""
+        values = self._values([_finely(c) for c in z])
+        return [_fine(values[k]) for k in self.rows]
+
+    def slopes_at(self, z: Sequence[Any]) -> list[list[Any]]:
+        """dF in 60 digits: rows that count, coordinates that are not 1."""
+        slopes = self._slopes([_finely(c) for c in z])
+        return [[_fine(slopes[r][k]) for k in self.open] for r in self.rows]
+
+    def held(self, z: Sequence[Any], inverse: Sequence[Sequence[Any]], radii: Sequence[float]) -> float | None:
+        """The first of these radii of a box around z that holds one zero, None where there is none."""
+        self.at_middle = [_finely(c) for c in z]
+        self.real = not any(c.imaginary != (0, 0) for c in self.at_middle)
+        self.y = [[_finely(c) for c in row] for row in inverse]
+        values = self._values(self.at_middle)
+        residual = [values[k] for k in self.rows]
+        self.step = [_sum([a * b for a, b in zip(row, residual, strict=True)]) for row in self.y]
+        return next((radius for radius in radii if self.holds(radius)), None)
+
+
+def fine_middle(z: Sequence[Rectangle]) -> list[Any]:
+    """Middles in 60 digits."""
+    return [_fine(c) for c in z]
+
+
+def _fine(value: Rectangle) -> Any:
+    return CONTEXT.mpc(CONTEXT.mpf(sum(value.real)) / (2 * ONE), CONTEXT.mpf(sum(value.imaginary)) / (2 * ONE))
+
+
+def _finely(value: Any) -> Rectangle:
+    """A point within 2^-200 of a number of 60 digits."""
+    parts = [int(CONTEXT.floor(c * ONE)) for c in (value.real, value.imag)]
+    return Rectangle((parts[0], parts[0]), (parts[1], parts[1]))
 
 
 def _two_rows(block: Array) -> list[int]:

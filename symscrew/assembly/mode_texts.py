@@ -75,7 +75,7 @@ def _mode(mode: AssemblyMode, body: str) -> str:
     if mode.curve:
         told += "; solutions beside it without end: it moves with what is held"
     elif mode.paths > 1:
-        told += f"; {mode.paths} solutions in one place, singular"
+        told += f"; {mode.paths} solutions in one place or almost: singular, not certified"
     else:
         told += "; certified" if mode.certified else "; not certified"
     return told + (f"; {mode.ways} ways to hold it" if mode.ways > 1 else "")

@@ -184,7 +184,11 @@ int NAME_level_modes(const double *drives, NAME_mode *modes, int *count);
 
 def _header(model: ModesModel, comment: Sequence[str]) -> list[str]:
     labels = ", ".join(f"{name} [{'m' if slides else 'rad'}]" for name, _, _, slides in model.drives)
-    told = "".join(f"   {line}\n" for line in wrapped(f"{labels}.", width=LINE))
+    more = [
+        name for name, column, *_ in singles(model.held.mechanism, model.held.network) if column in model.held.extra
+    ]
+    rest = f" Not looked at: {', '.join(more)}, which follow from the pose." if more else ""
+    told = "".join(f"   {line}\n" for line in wrapped(f"{labels}.{rest}", width=LINE))
     level = LEVEL_MODES if closed_form(model.structure, model.held.chosen).more else ""
     text = (
         HEADER.replace("LEVEL_MODES\n", f"{level}\n")

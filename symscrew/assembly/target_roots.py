@@ -16,6 +16,7 @@ from typing import Any
 import numpy as np
 
 from symscrew.assembly.batch_equations import BatchEquations
+from symscrew.assembly.certified_roots import Certificate
 from symscrew.assembly.families import Family
 from symscrew.assembly.path_tracking import CORRECTION, NEARLY, Coefficients, Tracker
 from symscrew.assembly.start_system import StartSystem, together
@@ -55,7 +56,7 @@ CLOSE = 1e-5
 class End:
     """Where paths end: coordinates, "real", "complex", "infinity" or "lost", how many paths, whether it is regular.
 
-    `curve`: whether more zeros are beside it, without end.
+    `curve`: whether more zeros are beside it, without end. `proof`: of one told apart from another in 60 digits.
     """
 
     z: Array
@@ -63,6 +64,7 @@ class End:
     paths: int = 1
     regular: bool = True
     curve: bool = False
+    proof: Certificate | None = None
 
 
 @dataclass(frozen=True)

@@ -240,6 +240,10 @@ def test_the_seed_in_c_keeps_its_modes_along_a_motion(tmp_path):
     start = np.array([reference for _, reference, _, _ in compiled.model.drives])
     status, modes = compiled.modes(start)
     assert status == OK and any(np.abs(np.array(m.pose[:9]).reshape(3, 3) - np.eye(3)).max() < 1e-12 for m in modes)
+    header = " ".join((tmp_path / "three_ups_upu_s_modes.h").read_text().split())
+    taken = [d[0] for d in compiled.model.drives]
+    told = header.partition("Not looked at: ")[2].partition(", which follow")[0].split(", ")
+    assert len(taken) == len(told) == 2 and not set(taken) & set(told) and all(f"{name} [" in header for name in taken)
     _, there = compiled.modes(start + np.array([0.01, -0.01]))
     statuses = [compiled.led(mode, start + np.array([0.01, -0.01])) for mode in modes]
     assert set(statuses) == {OK, REFUSED} and len(there) == statuses.count(OK)  # two of four modes have met before
