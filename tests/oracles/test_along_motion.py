@@ -13,7 +13,8 @@ from support.reference_mechanisms import ENTRIES, build
 from symscrew import catalogue
 from symscrew.cli.parser import main
 from symscrew.mobility import Mobility, WholeMotion, analyse_mobility, motion_lines, motion_values
-from symscrew.mobility.finite import ClosureVariety
+from symscrew.mobility.finite import ClosureVariety, local_at
+from symscrew.mobility.motions.germs import germs_at
 from symscrew.mobility.motions.screw_classes import class_of_motions
 
 
@@ -123,6 +124,21 @@ def test_a_sarrus_linkage_folds_at_four_poses() -> None:
     poses = along("sarrus").singular
     assert len(poses) == 4 and all("closure" in pose.kinds for pose in poses)
     assert sorted(len(pose.branches) for pose in poses) == [2, 2, 2, 2]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["sarrus", "planar_4bar"])
+def test_branches_do_not_hang_on_the_last_digits_of_a_pose(name: str) -> None:
+    """Zeros that were followed inwards to rounding were lost where this was more than usual: one branch for two."""
+    variety = ClosureVariety(found(name).network)
+    random = np.random.default_rng(5)
+    for pose in (pose for pose in along(name).singular if pose.branches):
+        for _ in range(6):
+            q = pose.q + 4e-16 * random.normal(size=pose.q.shape)
+            here = local_at(variety, q, rank=variety.columns - pose.instantaneous)
+            dimensions = {d: d for d in range(1, pose.instantaneous)}
+            there = sorted((germ.dimension for germ in germs_at(variety, here, dimensions)), reverse=True)
+            assert tuple(there) == pose.branches
 
 
 @pytest.mark.parametrize(

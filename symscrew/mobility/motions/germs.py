@@ -37,6 +37,10 @@ RADIUS = 0.02
 INWARDS = 4
 """Times that a zero is followed to half the radius: to 1/16, where what passes by is left behind, and tangents are
 right to a thousandth."""
+FOLLOWED = 1e-6
+"""Of g's size on the sphere: what may be left of g at a zero that is followed inwards. At 1/16 of the radius g is 1e-7
+where it vanishes to second order, 1e-9 to third order, in units of the mechanism's size, and its rounding of 1e-15 is
+more than the 1e-9 of it to which a zero on the first sphere is held."""
 ASTRAY = 0.4
 """A zero that is followed inwards must stay this near to the ray, in radii."""
 STARTS, PER_FREEDOM = 24, 8
@@ -240,7 +244,7 @@ def _zeros(reduced: ReducedClosure, forms: Array) -> tuple[Array, Array]:
         scale = _scale(reduced, starts, radius)
         guess = reduced.here.q + (now.q - reduced.here.q) / 2
         after = reduced.zeros_on_sphere(now.u / 2, radius, scale, guess=guess)
-        index = is_zero(after, radius, scale)
+        index = is_zero(after, radius, scale, FOLLOWED)
         index = index[np.linalg.norm(after.u[index] - now.u[index] / 2, axis=1) < ASTRAY * radius]
         kept, now = kept[index], after.at(index)
     return kept, now.q
