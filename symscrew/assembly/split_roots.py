@@ -28,6 +28,7 @@ MEET = 1e-20
 FIRST = 1e-3
 """Way to both sides in which the first parabola is laid; later ones are as wide as the zeros are apart."""
 ROUNDS = 4
+"""Parabolas laid, each as wide as the one before found the zeros apart; certificates judge what comes of the last."""
 NEWTON = 8
 """Most steps: the digits double with each, from three to 60."""
 NEAR = 1e-2

@@ -14,7 +14,7 @@ from numpy.polynomial import Chebyshev
 LANDINGS = 8  # takes of a step for one corner: its zero moves by squares, three are usual
 CREDIT = 20  # short steps onto corners in a row; then every other step passes them: work stays bounded
 SHORT = 0.1  # part of a step below which one onto a corner counts as short
-SAMPLES = 9
+SAMPLES = 9  # of the conditions along a step: its polynomial in time is of degree seven, theirs little higher
 TOUCH = 0.03  # of what a condition moves in a step: so near to zero its turning is looked at by a step of its own
 ROUNDING = 2e-15  # of a state: what a condition changes by it is no change
 

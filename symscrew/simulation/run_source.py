@@ -270,6 +270,21 @@ def adapters(plant: Plant, forces: str = "forces_at") -> str:
             "    }",
         ]
     lines += [f"    return {name}_forward_dynamics({', '.join([*arguments, *results])});", "}"]
+    lines += _beside_slopes(plant, outside)
+    if plant.closure is not None:
+        p = ", PARAMETERS" if any(port.name == "p" for port in plant.closure.inputs) else ""
+        lines += [
+            "static int closure_at(const double *q, double *residual, double *jacobian)",
+            "{",
+            f"    return {name}_closure_both(q{p}, residual, jacobian);",
+            "}",
+        ]
+    return "\n".join([*lines, ""])
+
+
+def _beside_slopes(plant: Plant, outside: int) -> list[str]:
+    """What steps watch beside slopes, where there is some: conditions of laws, and the work of drives."""
+    name, lines = plant.model.name, list[str]()
     if plant.switches is not None:
         lines += [
             f"#define SWITCHES {plant.switches.outputs[0].size}",
@@ -293,15 +308,7 @@ def adapters(plant: Plant, forces: str = "forces_at") -> str:
             f"    return {name}_state_rates(&t, q, v, x, u, s, PARAMETERS, x_dot);",
             "}",
         ]
-    if plant.closure is not None:
-        p = ", PARAMETERS" if any(port.name == "p" for port in plant.closure.inputs) else ""
-        lines += [
-            "static int closure_at(const double *q, double *residual, double *jacobian)",
-            "{",
-            f"    return {name}_closure_both(q{p}, residual, jacobian);",
-            "}",
-        ]
-    return "\n".join([*lines, ""])
+    return lines
 
 
 def source(plant: Plant, tables: str = "") -> str:

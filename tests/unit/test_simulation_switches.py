@@ -69,7 +69,7 @@ def test_every_method_is_carried_out_somewhere() -> None:
 def test_one_line_of_a_scene_its_programs_and_its_run() -> None:
     scene = four_bar()
     model, programs = prepare(scene)
-    assert repr(scene) == "<Scene falling: four_bar, 0.1 s by dop853, 1 effects, 0 drives>"
+    assert repr(scene) == "<Scene falling: four_bar, 0.1 s by dop853, 1 effect, 0 drives>"
     assert repr(programs).startswith("<Plant four_bar: 3 coordinates, 5 rows of the closure, slopes in ")
     run = simulate(scene, backend="numpy", prepared=(model, programs))
     assert repr(run) == "<Run falling: 6 outputs to t = 0.1 s, completed>"
