@@ -138,20 +138,6 @@ def forces(at: ContactState, modes: Modes) -> np.ndarray:
     return given
 
 
-def margins(at: ContactState, modes: Modes) -> np.ndarray:
-    """Per contact what is positive while its mode lasts."""
-    rules, q, v, force = at.rules, at.q, at.v, forces(at, modes)
-    result = np.empty(len(rules))
-    for k, (rule, mode) in enumerate(zip(rules, modes.values, strict=True)):
-        if rule.contact.kind == "friction":
-            result[k] = mode * v[rule.v] if mode else rule.static - abs(force[k])
-        elif mode == 0:
-            result[k] = min(rule.upper - q[rule.q], q[rule.q] - rule.lower)
-        else:
-            result[k] = -mode * force[k]  # an upper stop pushes downwards
-    return result
-
-
 def start_modes(at: ContactState) -> Modes:
     """Modes at the start by places and rates alone: slipping with the rate, or stuck; on a stop at rest, or free.
 

@@ -18,7 +18,8 @@ from symscrew.errors import DescriptionError
 from symscrew.scene import INTEGRATION_METHODS, Scene, features_in_time
 from symscrew.simulation import contacts as contact
 from symscrew.simulation.landing import LANDINGS, SHORT, Corners
-from symscrew.simulation.mode_changes import Change, UndecidedError, beginning, change
+from symscrew.simulation.mode_changes import Change, UndecidedError, beginning, change, onto_stops
+from symscrew.simulation.mode_ends import first_end
 from symscrew.simulation.native_contacts import MOST_EVENTS
 from symscrew.simulation.recording import History, State, shown_time
 from symscrew.simulation.run_source import SPAN
@@ -30,7 +31,6 @@ Controller = Callable[[float, np.ndarray, np.ndarray], object]
 # Local errors are held to a thousandth of the error aimed at in the result, for they add up; not below what rounding
 # leaves of a step (SciPy's own least relative tolerance is 100 units in the last place).
 LOCAL, LEAST_ABSOLUTE, LEAST_RELATIVE = 1e-3, 3e-14, 2.3e-14
-WATCHED = 5  # places in a step at which margins of contacts are looked at: what opens and closes between two is missed
 
 
 def integrate(
@@ -91,6 +91,7 @@ class _Marching:
         step = scene.integrator.step
         self.notices = (*self.features.notices, *(self.features.passed(step, SPAN) if step else ()))
         self.modes = contact.Modes(())
+        self.fresh = -1  # the contact whose mode has just changed
         self.contact_forces: list[np.ndarray] = []  # at the samples
         self.samples: list[tuple[float, np.ndarray]] = []
         self.events: list[str] = []
@@ -214,7 +215,6 @@ class _Marching:
         t, k = 0.0, 1
         while k < len(times):
             solver = self.solver(t, y, times[-1])
-            before = self.margins(t, y)
             while k < len(times):
                 message = solver.step()
                 self.count()
@@ -224,7 +224,7 @@ class _Marching:
                     solver = self.onto_corner(self.corners, solver, y)
                 dense, t, found = solver.dense_output(), solver.t, None
                 if self.rules:
-                    found = self.first_event(dense, solver.t_old, solver.t, before)
+                    found = self.first_event(dense, solver.t_old, solver.t)
                     t = solver.t if found is None else found[0]
                 while k < len(times) and times[k] <= t:
                     self.sample(float(times[k]), self.settled(dense(times[k])))
@@ -236,8 +236,7 @@ class _Marching:
                 solver.y = y
                 if self.method.stable is not None:  # explicit: its next step begins with the slope at the end of this
                     solver.f = self.slopes(solver.t, y)
-                if self.rules:
-                    before = self.margins(solver.t, y)
+                self.fresh = -1
                 if solver.status == "finished":
                     break
 
@@ -258,45 +257,20 @@ class _Marching:
         corners.accept(short=takes > 0 and solver.t - start < SHORT * natural)
         return solver
 
-    def margins(self, t: float, y: np.ndarray) -> np.ndarray:
-        if not self.rules:
-            return np.zeros(0)
-        return contact.margins(self.contacts_at(t, y), self.modes)
+    def first_event(self, dense: Any, left: float, right: float) -> tuple[float, int] | None:
+        """The first end of a mode within a step: its time and contact."""
 
-    def first_event(self, dense: Any, left: float, right: float, before: np.ndarray) -> tuple[float, int] | None:
-        """The first end of a mode within a step: its time and contact; the margins are watched at a few places."""
-        places = np.linspace(left, right, WATCHED)
-        found: tuple[float, int] | None = None
-        previous = before
-        for a, b in pairwise(places):
-            now = self.margins(b, dense(b))
-            for k in np.flatnonzero(now <= 0):
-                start = a if previous[k] > 0 else self.lifted(dense, int(k), a, b)
-                time = a if start is None else self.root(dense, int(k), start, b)
-                if found is None or time < found[0]:
-                    found = (time, int(k))
-            if found is not None:
-                return found
-            previous = now
-        return None
+        def within(part: float) -> contact.ContactState:
+            t = left + part * (right - left)
+            return self.contacts_at(t, dense(t))
 
-    def lifted(self, dense: Any, k: int, left: float, right: float) -> float | None:
-        """A time at which a contact that has just begun to hold its new mode does so: rounding hides the very start."""
-        for halving in range(1, 50):  # down to rounding of the step
-            t = left + (right - left) * 0.5**halving
-            if self.margins(t, dense(t))[k] > 0:
-                return t
-        return None
-
-    def root(self, dense: Any, k: int, left: float, right: float) -> float:
-        """Where a margin ends, by bisection and regula falsi (Brent); just behind it, so that the new mode holds."""
-        from scipy.optimize import brentq  # SciPy is there: the step came from it
-
-        return float(brentq(lambda t: self.margins(t, dense(t))[k], left, right, xtol=1e-14, rtol=8.9e-16))
+        found = first_end(within, self.modes, self.f.plant.units, self.fresh)
+        return None if found is None else (left + found[0] * (right - left), found[1])
 
     def changed(self, found: tuple[float, int], y: np.ndarray) -> np.ndarray:
         """Rates and modes behind an event."""
         t, k = found
+        self.fresh = k
         if len(self.events) >= MOST_EVENTS:
             raise RunError(f"more than {MOST_EVENTS} changes of contact")
         return self.adopted(t, y, change(self.contacts_at(t, y), self.modes, k))
@@ -304,6 +278,7 @@ class _Marching:
     def adopted(self, t: float, y: np.ndarray, found: Change) -> np.ndarray:
         """The state with the rates and modes of a change, which is recorded."""
         q, _, x = self.parts(y)
+        q = onto_stops(self.contacts_at(t, y), found.modes.values, q)
         self.modes = found.modes
         if self.corners is not None:
             self.corners.anew()

@@ -17,6 +17,7 @@ from symscrew.effects import DryFriction, EndStop, Gravity, JointSpring
 from symscrew.effects.effect import Effect
 from symscrew.runtime.compiled import find_compiler
 from symscrew.scene.contents import Initial, Integrator, Scene
+from symscrew.simulation import mode_ends
 from symscrew.simulation.mode_changes import complementary
 from symscrew.simulation.motion import Run, simulate
 
@@ -60,6 +61,38 @@ def test_a_stop_that_is_passed_for_a_moment(tolerance: float, short: float) -> N
     error = tolerance / np.sqrt(2 * short) + 1e-7  # an error of place by the speed at the stop
     assert abs(when - np.arccos(-(1 - short))) < error
     assert found.q.max() < 1 - short + 1e-2 * tolerance + 1e-11
+
+
+@pytest.mark.parametrize("method", ["dop853", slow("radau")])
+@pytest.mark.parametrize("short", [1e-2, 1e-4, 1e-5])
+def test_such_a_stop_is_met_by_the_integrators_of_a_library(method: str, short: float) -> None:
+    """Looked at in five places of a step, that of 1e-4 was missed at a tolerance of 1e-8, and called completed."""
+    spring, stop = JointSpring("z", stiffness=1), EndStop("z", upper=1 - short, mode="impact", restitution="0.5")
+    start = Initial(coordinates={"z": -1})
+    scene = Scene("s", block(), (spring, stop), 4.0, 20.0, start, integrator=Integrator(method=method, tolerance=1e-7))
+    found = simulate(scene, backend="numpy")
+    assert len(found.events) == 1 and "z meets its upper stop" in found.events[0]
+    assert abs(float(found.events[0].split()[2]) - np.arccos(-(1 - short))) < 1e-6
+    speed = 0.5 * np.sqrt(short * (2 - short))  # behind the stop: half of that before
+    behind = found.t > 3.2
+    later = found.t[behind] - np.arccos(-(1 - short))
+    by_hand = (1 - short) * np.cos(later) - speed * np.sin(later)
+    assert np.abs(found.q[behind, 0] - by_hand).max() < 1e-6
+    assert np.abs(found.energy_balance).max() < 1e-7
+
+
+def test_zeros_of_a_step_are_found_however_short_what_lies_behind_them() -> None:
+    """Polynomials with known zeros: pairs that are 1e-1 to 1e-7 apart, and none."""
+    random = np.random.default_rng(2)
+    for apart in np.repeat([1e-1, 1e-3, 1e-5, 1e-7], 25):
+        first = random.uniform(0.01, 0.8)
+        outside = random.uniform(1.1, 3.0, 3) * random.choice([-1, 1], 3)
+        p = np.polynomial.Polynomial.fromroots([first, first + apart, *outside])
+        c = np.zeros(mode_ends.DEGREE + 1)
+        c[: len(p.coef)] = p.coef * np.sign(p(0.0))
+        assert abs(mode_ends.end_of(c, 1e-16) - first) < 1e-15 / apart + 1e-12, (first, apart)
+        c[0] += 1.1 * np.abs(p(np.linspace(first, first + apart, 201))).max() + 1e-15
+        assert mode_ends.end_of(c, 1e-16) > 1  # it turns back before
 
 
 @pytest.mark.parametrize("speed", [1e-6, 1.0, 30.0])

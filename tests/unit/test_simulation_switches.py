@@ -224,18 +224,6 @@ def test_laws_of_contacts_follow_the_parameters_of_the_run(chosen: dict[str, flo
     assert run_source.sources(plant) == run_source.sources(replace(plant, parameters=np.array([1.0, 2.0])))
 
 
-def test_places_where_contacts_are_watched(monkeypatch: pytest.MonkeyPatch) -> None:
-    """An oscillation that passes its stop for a short time within one long step."""
-    effects = (JointSpring("slide", stiffness=2), EndStop("slide", mode="impact", upper=0.98, restitution=0.5))
-    how = {"tolerance": 0.1, "duration": 8.0, "start": -1.0}
-    watched = sliding(*effects, **how)  # type: ignore[arg-type]
-    assert any("upper stop" in text for text in watched.events)
-    monkeypatch.setattr(portable, "WATCHED", 2)
-    missed = sliding(*effects, **how)  # type: ignore[arg-type]
-    first = [float(run.events[0].split()[2]) if run.events else np.inf for run in (watched, missed)]
-    assert first[0] < first[1] - 0.1
-
-
 # -- integration -----------------------------------------------------------------------------------------------
 
 
