@@ -30,6 +30,7 @@ class Corners:
         self.zero: set[int] = set()
         self._landed: set[int] = set()
         self.credit = CREDIT
+        self.unlooked = 0  # steps that the credit was used up for
         self._directions = np.modf(0.618034 * np.arange(1, len(units) + 1))[0] + 0.5
         self._directions[1::2] *= -1
 
@@ -38,6 +39,9 @@ class Corners:
 
         `aimed`: the condition at whose zero it should end. The condition is None where one only turns back close to 0.
         """
+        if self.credit <= 0:
+            self.unlooked += 1
+            return None
         places = 0.5 * (1 - np.cos(np.pi * np.arange(SAMPLES) / (SAMPLES - 1)))
         g = np.array([self.values(left + (right - left) * p, dense(left + (right - left) * p)) for p in places])
         y = dense(right)
@@ -66,12 +70,22 @@ class Corners:
 
     def accept(self, *, short: bool) -> None:
         """The step that was looked at last stands; `short`: one onto a corner, much shorter than what would pass it."""
-        self.zero = self._landed
+        self.zero, self._landed = self._landed, set()
         self.credit = self.credit - 1 if short else min(self.credit + 1, CREDIT)
 
     def anew(self) -> None:
         """The run goes on from another state."""
         self.zero = set()
+
+
+def passed(unlooked: float) -> tuple[str, ...]:
+    """An event that tells of steps that were not looked at."""
+    if not unlooked:
+        return ()
+    return (
+        f"{int(unlooked)} steps may have passed corners of a law of force unseen: these followed each other so closely "
+        "(chattering, bounces that come to rest) that not every step could end on one",
+    )
 
 
 def _first_change(places: np.ndarray, values: np.ndarray, noise: float, *, zero: bool) -> float:

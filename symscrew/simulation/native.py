@@ -18,6 +18,7 @@ import numpy as np
 
 from symscrew.runtime import compile_c
 from symscrew.scene import INTEGRATION_METHODS, UNCHANGING, Scene, TimeFeatures, features_in_time
+from symscrew.simulation.landing import passed
 from symscrew.simulation.native_contacts import MOST_EVENTS, NativeContacts
 from symscrew.simulation.recording import History, Passage, State, shown_time
 from symscrew.simulation.run_source import SPAN, contact_numbers, rules_of, sources, table_code
@@ -167,10 +168,10 @@ class Library:
     def report(self) -> tuple[float, State, dict[str, float]]:
         """Time, (q, v, x) and counters now."""
         sizes = self.plant.sizes
-        t, numbers = np.zeros(1), np.zeros(8)
+        t, numbers = np.zeros(1), np.zeros(9)
         q, v, x = (np.zeros(max(sizes[k], 1)) for k in "qvx")
         self.code.simulation_report(*map(_pointer, (self.state, t, q, v, x, numbers)))
-        names = ("steps", "rejected", "careful", "evaluations", "pivot", "h", "reason", "event")
+        names = ("steps", "rejected", "careful", "evaluations", "pivot", "h", "reason", "event", "unlooked")
         state = q[: sizes["q"]], v[: sizes["v"]], x[: sizes["x"]]
         return float(t[0]), state, dict(zip(names, numbers.tolist(), strict=False))
 
@@ -273,6 +274,7 @@ def _history(library: Library, log: RunLog, outcome: int) -> History:
         )
     full = int(log.met[0]) == len(log.crossings)
     events = (f"{len(log.crossings)} singular configurations are recorded; later ones are not",) if full else ()
+    events += passed(counters["unlooked"])
     passages = tuple(_passage(plant, c) for c in log.crossings[: int(log.met[0])])
     return History(times, q, v, x, outcome == 0, text, "c", passages, events, counters)
 

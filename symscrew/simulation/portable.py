@@ -17,7 +17,8 @@ from symscrew.effects import Contact
 from symscrew.errors import DescriptionError
 from symscrew.scene import INTEGRATION_METHODS, Scene, features_in_time
 from symscrew.simulation import contacts as contact
-from symscrew.simulation.landing import LANDINGS, SHORT, Corners
+from symscrew.simulation.fixed_steps import FIXED_STEPS, cubic, scipy_integrate
+from symscrew.simulation.landing import LANDINGS, SHORT, Corners, passed
 from symscrew.simulation.mode_changes import Change, UndecidedError, beginning, change, onto_stops
 from symscrew.simulation.mode_ends import first_end
 from symscrew.simulation.native_contacts import MOST_EVENTS
@@ -98,7 +99,9 @@ class _Marching:
         self.losses: list[tuple[float, str, float]] = []  # energy that impacts take
         self.steps = 0
         self.watch = singular_watch(functions)
-        self.corners = Corners(self.conditions, self.units()) if functions.plant.switches is not None else None
+        self.corners = (
+            Corners(self.conditions, functions.state_units()) if functions.plant.switches is not None else None
+        )
 
     # -- slopes -----------------------------------------------------------------------------------------------
 
@@ -137,12 +140,6 @@ class _Marching:
     def conditions(self, t: float, y: np.ndarray) -> np.ndarray:
         q, v, x = self.parts(y)
         return self.f.switches(min(t, self.latest), q, v, x, u=self.commanded(t, q, v))
-
-    def units(self) -> np.ndarray:
-        """Sizes of y where it is zero; states have none."""
-        length = self.f.system.length
-        places = [length if c.kind == "length" else 1.0 for c in self.f.system.tree.q]
-        return np.array([*places, *self.f.plant.units, *np.zeros(self.f.nx)])
 
     def settled(self, y: np.ndarray) -> np.ndarray:
         q, v, x = self.parts(y)
@@ -191,6 +188,8 @@ class _Marching:
             u = np.array([self.commanded(a, b, c) for a, b, c in zip(t, q, v, strict=True)]).reshape(len(t), self.f.nu)
         forces = np.array(self.contact_forces) if self.rules else None
         counters = {"steps": float(self.steps), "evaluations": float(self.f.evaluations)}
+        if self.corners is not None:
+            self.events += passed(self.corners.unlooked)
         return History(
             t, q, v, x, ok, status, "library", (), (*self.notices, *self.events), counters, u, forces,
             tuple(self.losses), doubts=() if self.watch is None else self.watch.doubts)  # fmt: skip
@@ -200,7 +199,7 @@ class _Marching:
         local = max(LOCAL * self.scene.integrator.tolerance, LEAST_ABSOLUTE)
         until, self.latest = self.features.ahead(t, end, SPAN)
         longest = self.scene.integrator.longest_step or np.inf
-        made = getattr(_scipy(), self.method.library)
+        made = getattr(scipy_integrate(), self.method.library)
         return made(
             self.slopes, t, y, until, rtol=max(local, LEAST_RELATIVE), atol=local, max_step=longest, first_step=first
         )
@@ -244,7 +243,7 @@ class _Marching:
         """The integrator behind a step from y that passes no corner: it is taken again where the first one does."""
         start, natural, aimed = float(solver.t_old), solver.t - solver.t_old, None
         takes = 0
-        while corners.credit > 0:
+        while True:
             found = corners.end(solver.dense_output(), start, solver.t, aimed)
             if found is None or takes == LANDINGS:
                 break
@@ -302,7 +301,7 @@ class _Marching:
 
     def fixed_steps(self, y: np.ndarray, times: np.ndarray) -> None:
         """Steps of our own of the given length, or a little shorter so that outputs fall on their ends."""
-        step, advance = self.scene.integrator.step, FIXED_STEPS[self.scene.integrator.method]
+        step = self.scene.integrator.step
         assert step is not None  # the reader of scenes asks for it
         for left, right in pairwise(times):
             t = float(left)
@@ -311,36 +310,29 @@ class _Marching:
                 count = max(1, int(np.ceil((until - t) / step - 1e-9)))
                 h = (until - t) / count
                 for i in range(count):
-                    self.count()
-                    y = self.arrived(t + (i + 1) * h, advance(self, t + i * h, y, h))
+                    y = self.fixed_step(t + i * h, y, t + (i + 1) * h)
                 t = until
             self.sample(float(right), y)
 
-    def euler(self, t: float, y: np.ndarray, h: float) -> np.ndarray:
-        q, v, x = self.parts(y)
-        rates = self.slopes(t, y)
-        _, a, x_dot = self.parts(rates)
-        return np.concatenate([self.f.moved(q, h * v), v + h * a, x + h * x_dot])
-
-    def semi_implicit(self, t: float, y: np.ndarray, h: float) -> np.ndarray:
-        q, v, x = self.parts(y)
-        _, a, x_dot = self.parts(self.slopes(t, y))
-        v = v + h * a
-        return np.concatenate([self.f.moved(q, h * v), v, x + h * x_dot])
-
-    def rk4(self, t: float, y: np.ndarray, h: float) -> np.ndarray:
-        k1 = self.slopes(t, y)
-        k2 = self.slopes(t + h / 2, y + h / 2 * k1)
-        k3 = self.slopes(t + h / 2, y + h / 2 * k2)
-        k4 = self.slopes(t + h, y + h * k3)
-        return np.asarray(y + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4))
-
-    def rk8(self, t: float, y: np.ndarray, h: float) -> np.ndarray:
-        rule = _scipy().DOP853
-        k = np.zeros((12, len(y)))
-        for stage in range(12):
-            k[stage] = self.slopes(t + rule.C[stage] * h, y + h * (rule.A[stage, :stage] @ k[:stage]))
-        return np.asarray(y + h * (rule.B @ k))
+    def fixed_step(self, t: float, y: np.ndarray, end: float) -> np.ndarray:
+        """One step from t to `end` [s], or several, where corners lie between."""
+        take = FIXED_STEPS[self.scene.integrator.method]
+        corners = self.corners
+        while t < end:
+            goal, aimed, takes = end, None, 0
+            while True:
+                self.count()
+                after = take(self, t, y, goal - t)
+                found = None
+                if corners is not None and takes < LANDINGS:
+                    found = corners.end(cubic(self.slopes, t, y, goal, after), t, goal, aimed)
+                if found is None:
+                    break
+                (goal, aimed), takes = found, takes + 1
+            if corners is not None:
+                corners.accept(short=takes > 0 and goal - t < SHORT * (end - t))
+            t, y = goal, self.arrived(goal, after)
+        return y
 
 
 # marching of `symscrew.scene.INTEGRATION_METHODS` -> how a run goes on; sundials goes its own way above
@@ -349,19 +341,3 @@ MARCHES: Mapping[str, Callable[[_Marching, np.ndarray, np.ndarray], None]] = {
     "restarted": _Marching.restarted,
     "fixed": _Marching.fixed_steps,
 }
-FIXED_STEPS: Mapping[str, Callable[[_Marching, float, np.ndarray, float], np.ndarray]] = {
-    "euler": _Marching.euler,
-    "semi_implicit_euler": _Marching.semi_implicit,
-    "rk4": _Marching.rk4,
-    "rk8": _Marching.rk8,
-}
-
-
-def _scipy() -> Any:
-    try:
-        import scipy.integrate
-    except ImportError as error:
-        raise DescriptionError(
-            'this integrator needs SciPy, which is not installed: pip install "symscrew[simulation]"'
-        ) from error
-    return scipy.integrate

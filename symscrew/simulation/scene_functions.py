@@ -105,6 +105,11 @@ class PlantFunctions:
         self._call("switches", arrays, [g])
         return g
 
+    def state_units(self) -> np.ndarray:
+        """Sizes of (q, v, x) where it is zero; states have none."""
+        places = [self.system.length if c.kind == "length" else 1.0 for c in self.system.tree.q]
+        return np.array([*places, *self.plant.units, *np.zeros(self.nx)])
+
     def _call(self, name: str, inputs: Sequence[np.ndarray], outputs: Sequence[np.ndarray]) -> int:
         assert self._library is not None
         arrays = [np.ascontiguousarray(a, dtype=float) for a in inputs] + list(outputs)

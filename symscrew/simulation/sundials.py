@@ -12,8 +12,9 @@ import casadi as ca
 import numpy as np
 
 from symscrew.export import program_function
-from symscrew.scene import Scene, Table
+from symscrew.scene import Scene, Table, features_in_time
 from symscrew.simulation.recording import History, State, shown_time
+from symscrew.simulation.run_source import SPAN
 from symscrew.simulation.scene_functions import PlantFunctions, RunError
 from symscrew.simulation.singular_watch import singular_watch
 from symscrew.simulation.state_programs import Plant
@@ -27,40 +28,46 @@ def integrate(
     start: State,
     progress: Callable[[float], None] | None = None,
 ) -> History:
-    """The run of a scene, from output to output; projected and started again at each."""
+    """The run of a scene, from output to output and to what inputs do in time; projected and started again at each."""
     functions = PlantFunctions(plant, list(scene.tables.values()), compiled=False)
     nq, nv, nx = functions.nq, functions.nv, functions.nx
     local = max(1e-3 * scene.integrator.tolerance, LEAST)
     options = {"abstol": local, "reltol": local, "max_num_steps": scene.integrator.most_steps}
-    t, y, span = ca.SX.sym("t"), ca.SX.sym("y", nq + nv + nx), ca.SX.sym("span", 2)
-    at = span[0] + t * span[1]
+    t, y, span = ca.SX.sym("t"), ca.SX.sym("y", nq + nv + nx), ca.SX.sym("span", 3)
+    at = ca.fmin(span[0] + t * span[1], span[2])
     rates = span[1] * state_rates(scene, functions, at, y)
     ode = {"x": y, "t": t, "p": span, "ode": rates}
     solver = ca.integrator("run", "cvodes", ode, 0.0, 1.0, options)
+    features, longest = features_in_time(scene, plant.model), scene.integrator.longest_step or np.inf
     times = scene.times
     q, v, _ = functions.settle(start[0], start[1])
     watch = singular_watch(functions)
     states = [np.concatenate([q, v, start[2]])]
     status, ok = "completed", True
     for left, right in itertools.pairwise(times):
+        now, at_end = float(left), states[-1]
         try:
-            found = np.asarray(solver(x0=states[-1], p=[left, right - left])["xf"], dtype=float).ravel()
-            if not np.isfinite(found).all():
-                raise RunError("the state is not finite")
-            q, v, smallest = functions.settle(found[:nq], found[nq : nq + nv])
-            if watch is not None:
-                watch.seen(float(right), smallest)
+            while now < right:
+                until, latest = features.ahead(now, float(right), SPAN)
+                until = min(until, now + longest)
+                found = np.asarray(solver(x0=at_end, p=[now, until - now, latest])["xf"], dtype=float).ravel()
+                if not np.isfinite(found).all():
+                    raise RunError("the state is not finite")
+                q, v, smallest = functions.settle(found[:nq], found[nq : nq + nv])
+                now, at_end = until, np.concatenate([q, v, found[nq + nv :]])
+                if watch is not None:
+                    watch.seen(now, smallest)
         except (RuntimeError, RunError) as error:
             reason = str(error).splitlines()[-1][:200]
             status, ok = f"stopped at t = {shown_time(left)} s: {reason}", False
             break
-        states.append(np.concatenate([q, v, found[nq + nv :]]))
+        states.append(at_end)
         if progress is not None:
             progress(right / scene.duration)
     y_all = np.array(states)
     parts = y_all[:, :nq], y_all[:, nq : nq + nv], y_all[:, nq + nv :]
     doubts = () if watch is None else watch.doubts
-    return History(times[: len(states)], *parts, ok, status, "cvodes", doubts=doubts)
+    return History(times[: len(states)], *parts, ok, status, "cvodes", events=features.notices, doubts=doubts)
 
 
 def whole_run(scene: Scene, plant: Plant, tolerance: float, most_steps: int) -> Callable[[State], np.ndarray]:

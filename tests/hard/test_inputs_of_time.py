@@ -36,6 +36,18 @@ def test_a_pulse_in_a_long_time(width: float, middle: float, backend: str) -> No
     assert run.v[-1, 0] == pytest.approx(np.sqrt(np.pi) * width, rel=1e-8)
 
 
+@pytest.mark.parametrize("method", ["cvodes", slow("lsoda"), slow("bdf")])
+def test_nor_do_multistep_methods_step_over_it(method: str) -> None:
+    """By cvodes it gave 0, completed; a jump is met as well, and what cannot be bounded is told."""
+    run = pushed("exp(-((t - 77.7)/1e-3)^2)", 100.0, method=method, tolerance=1e-6)
+    assert run.v[-1, 0] == pytest.approx(np.sqrt(np.pi) * 1e-3, abs=1e-6)
+    run = pushed("(1 + abs(t - 1/3)/(t - 1/3))/2", 1.0, method=method, tolerance=1e-6)
+    assert run.v[-1, 0] == pytest.approx(2 / 3, abs=1e-7)
+    wild = "1/(1 + (1e4*(t + q_x - 77.7))^2)"
+    run = pushed(wild, 100.0, method=method, tolerance=1e-6)
+    assert "changes with time and the motion together" in run.events[0]
+
+
 @pytest.mark.parametrize("backend", some_quickly(BACKENDS, every=2))
 @pytest.mark.parametrize("how", [{"tolerance": 1e-3}, {"tolerance": 1e-10}, {"method": "rk4", "step": 0.5}])
 def test_a_push_in_a_table(how: dict, backend: str) -> None:

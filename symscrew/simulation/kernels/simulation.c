@@ -24,6 +24,7 @@ typedef struct {
     int at_zero[SWITCHES]; /* conditions that are zero at t */
     int credit;            /* short steps onto zeros that may follow each other */
 #endif
+    long unlooked;     /* steps for which that credit was used up */
     int asks;          /* for the branch in extended precision before the first careful step */
     double careful_tolerance; /* least local tolerance of careful steps */
     Step step;
@@ -404,6 +405,7 @@ static int advance(Simulation *s, double target)
         if (outcome == 0 && step->error < 1.0) {
             outcome = last_slope(step);
 #if SWITCHES
+            s->unlooked += outcome == 0 && s->method >= RK4 && s->credit <= 0;
             if (outcome == 0 && s->method >= RK4 && s->credit > 0 && landings < LANDINGS) {
                 Switch found;
                 outcome = first_switch(step, s->method, s->at_zero, h == onto ? aimed : -1, &found);
@@ -573,6 +575,7 @@ void simulation_report(const Simulation *s, double *t, double *q, double *v, dou
     numbers[5] = s->h;
     numbers[6] = (double)s->reason;
     numbers[7] = (double)s->event;
+    numbers[8] = (double)s->unlooked;
 }
 
 #if CONTACTS
