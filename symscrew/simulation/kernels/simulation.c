@@ -468,6 +468,16 @@ static int advance(Simulation *s, double target)
     return s->reason == AT_REST ? STUCK : STEP_TOO_SMALL;
 }
 
+/* A step between whose ends there are no states (its dense output has three stages of its own, and is put onto the loops)
+ * is taken again, shorter, as one is whose stages fail. */
+static void taken_back(Simulation *s)
+{
+    s->h = 0.25 * s->step.h;
+    s->started = 0;
+    --s->steps;
+    ++s->rejected;
+}
+
 /* Goes on until the last of `count` output times (ascending, not before t) or for `most` steps; writes samples
  * and crossings, of these and of events none behind the last output. Returns GOING_ON while there is more to do, else how it ended. */
 int simulation_advance(Simulation *s, long most, const double *times, size_t count, size_t *written, double *q, double *v,
@@ -491,6 +501,11 @@ int simulation_advance(Simulation *s, long most, const double *times, size_t cou
         if (s->steps >= s->budget) {
             return TOO_MANY_STEPS;
         }
+        const size_t met_before = *met;
+#if SWITCHES
+        int at_zero[SWITCHES];
+        memcpy(at_zero, s->at_zero, sizeof at_zero);
+#endif
         const int outcome = advance(s, times[*written]);
         if (outcome != DONE) {
             s->evaluations += evaluations;
@@ -504,7 +519,11 @@ int simulation_advance(Simulation *s, long most, const double *times, size_t cou
 #if CONTACTS
         Event event;
         if (first_event(step, s->method, s->fresh - 1, &event) != 0) {
-            return NOT_DEFINED;
+            taken_back(s);
+#if SWITCHES
+            memcpy(s->at_zero, at_zero, sizeof at_zero);
+#endif
+            continue;
         }
         end = event.contact >= 0 ? step->t + event.part * step->h : end;
         whole = event.contact < 0;
@@ -515,19 +534,31 @@ int simulation_advance(Simulation *s, long most, const double *times, size_t cou
         while (*met > 0 && crossings[*met - 1].t > fmin(end, times[count - 1])) { /* behind an event or the run's end */
             --*met;
         }
-        while (*written < count && times[*written] <= end) {
+        int within = 1; /* whether there is a state at every output within the step */
+        while (*written < count && times[*written] <= end && within) {
             double pivot;
             const double when = times[*written];
             if (when == end && whole) {
                 memcpy(q + *written * NQ, step->q, sizeof(double) * NQ);
                 memcpy(v + *written * NV, step->v, sizeof(double) * NV);
                 memcpy(x + *written * NX, step->x, sizeof(double) * NX);
-            } else if (state_within(step, s->method, when, q + *written * NQ, v + *written * NV, x + *written * NX,
-                                    &pivot) != 0) {
+            } else {
+                within = state_within(step, s->method, when, q + *written * NQ, v + *written * NV, x + *written * NX,
+                                      &pivot) == 0;
+            }
+            *written += (size_t)within;
+        }
+        if (!within) {
+            if (s->method != DOP853) {
                 s->evaluations += evaluations;
                 return NOT_CLOSED;
             }
-            ++*written;
+            taken_back(s);
+            *met = met_before;
+#if SWITCHES
+            memcpy(s->at_zero, at_zero, sizeof at_zero);
+#endif
+            continue;
         }
 #if CONTACTS
         if (event.contact >= 0 && end <= times[count - 1]) {
