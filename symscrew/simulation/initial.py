@@ -13,7 +13,7 @@ from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 
-from symscrew.assembly import configuration_in_mode
+from symscrew import assembly
 from symscrew.effects import Acting
 from symscrew.errors import DescriptionError, did_you_mean
 from symscrew.kinematics import System, full_name, nearest_names, typable_names
@@ -142,7 +142,7 @@ def _begun(scene: Scene, model: Model, closure: _Closure) -> Asking[State]:
 def _in_mode(scene: Scene, model: Model) -> np.ndarray:
     """The configuration of the named assembly mode, where the given coordinates have their values."""
     given = {**scene.parameters, **scene.initial.coordinates}
-    return configuration_in_mode(model.system, scene.initial.mode, given, "initial.mode")
+    return assembly.configuration_in_mode(model.system, scene.initial.mode, given, "initial.mode")
 
 
 def _by_names(scene: Scene, model: Model) -> np.ndarray:
