@@ -73,8 +73,11 @@ def scipy_integrate() -> Any:
     return scipy.integrate
 
 
-def cubic(slopes: Slopes, t: float, y: np.ndarray, end: float, after: np.ndarray) -> Callable[[float], np.ndarray]:
-    """States within a step from y at t to `after` at `end`: Hermite's cubic, exact at both ends."""
+def cubic(
+    slopes: Slopes, start: tuple[float, np.ndarray], stop: tuple[float, np.ndarray]
+) -> Callable[[float], np.ndarray]:
+    """States within a step between a time and a state, and another one: Hermite's cubic, exact at both ends."""
+    (t, y), (end, after) = start, stop
     h = end - t
     first, last = h * slopes(t, y), h * slopes(end, after)
 

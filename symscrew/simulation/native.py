@@ -273,8 +273,8 @@ def _history(library: Library, log: RunLog, outcome: int) -> History:
             f"; the closure is near-singular there (smallest pivot {counters['pivot'] / plant.pivot:.2g} of regular)"
         )
     full = int(log.met[0]) == len(log.crossings)
-    events = (f"{len(log.crossings)} singular configurations are recorded; later ones are not",) if full else ()
-    events += passed(counters["unlooked"])
+    recorded = (f"{len(log.crossings)} singular configurations are recorded; later ones are not",) if full else ()
+    events = (*recorded, *passed(counters["unlooked"]))
     passages = tuple(_passage(plant, c) for c in log.crossings[: int(log.met[0])])
     return History(times, q, v, x, outcome == 0, text, "c", passages, events, counters)
 

@@ -325,7 +325,7 @@ class _Marching:
                 after = take(self, t, y, goal - t)
                 found = None
                 if corners is not None and takes < LANDINGS:
-                    found = corners.end(cubic(self.slopes, t, y, goal, after), t, goal, aimed)
+                    found = corners.end(cubic(self.slopes, (t, y), (goal, after)), t, goal, aimed)
                 if found is None:
                     break
                 (goal, aimed), takes = found, takes + 1
