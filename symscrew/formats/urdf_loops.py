@@ -25,7 +25,7 @@ from symscrew.description import JOINT_TYPES
 from symscrew.errors import DescriptionError, did_you_mean, shorten
 from symscrew.formats.assembled import assembled
 from symscrew.formats.closed_pose import Side, Tree, closed_displacements
-from symscrew.formats.contradictory_loops import why_open
+from symscrew.formats.contradictory_loops import loosened, why_open
 from symscrew.formats.draft import Draft, RawJoint
 from symscrew.formats.file_names import fresh
 from symscrew.formats.open_loops import CLOSED, Closing
@@ -255,6 +255,12 @@ def _gepetto(
         tree = Tree.of(draft, sides)
         q, gap = closed_displacements(tree)
         before = replace(draft, joints=list(draft.joints))
+        cure = loosened(before, sides) if gap > CLOSED and closing.loosen else None
+        if cure is not None:
+            draft.joints, sides = list(cure.joints), list(cure.loops)
+            draft.ledger.changed.append(f"loops that close in no pose: {cure.full} they do")
+            tree = Tree.of(draft, sides)
+            q, gap = closed_displacements(tree)
         why = partial(why_open, before, sides) if gap > CLOSED else None
         moved = assembled(draft, tree, q)
         sides = [((a, moved[a] @ one), (b, moved[b] @ other), turning) for (a, one), (b, other), turning in sides]

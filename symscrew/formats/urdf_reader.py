@@ -126,7 +126,8 @@ def read_urdf(root: Element, path: Path, options: ImportOptions) -> Draft:
     points = [joint.point for joint in result.joints]
     result.frames = {name: poses[attribute(_one(joint, "child"), "link")] for name, joint in joints.items()}
     extent = max((length(minus(point, points[0])) for point in points), default=ZERO[0])
-    closed = loops(root, path, result, poses=poses, closing=Closing(result.ledger, extent, options.snap))
+    closing = Closing(result.ledger, extent, options.snap, options.loosen)
+    closed = loops(root, path, result, poses=poses, closing=closing)
     if closed.driven is not None:
         result.joints = [replace(j, driven=(0,) if j.name in closed.driven else ()) for j in result.joints]
         noted = []
