@@ -210,6 +210,15 @@ def test_loops_as_sdf_and_drake_write_them(tmp_path: Path) -> None:
         assert (joint.type, joint.parent, joint.child) == ("R", "base", "two")
         assert joint.point == (sympy.Rational(1, 10) if pose else 0, 0, sympy.Rational(height))
         assert joint.axes == (((0, -1, 0),) if pose else ((0, 0, 1),))
+    for frame, wanted in (("", (0, -1, 0)), ("__model__", (0, 0, 1)), ("one", (0, 0, 1)), ("g", (0, -1, 0))):
+        seen = axis.replace("<xyz>", f'<xyz expressed_in="{frame}">' if frame else "<xyz>")
+        path = saved(arm(turned.format("revolute", shift.format("") + seen)), tmp_path, "robot.urdf")
+        assert load_format(path).joints["g"].axes == (wanted,)
+    with pytest.raises(DescriptionError, match="there is no link 'tow'"):
+        load_format(saved(path.read_text().replace('"g"><p', '"g"').replace('in="g"', 'in="tow"'), tmp_path, path.name))
+    damped = axis.replace("</xyz>", "</xyz><dynamics><damping>0.1</damping><friction>0</friction></dynamics>")
+    with pytest.raises(DescriptionError, match="left out: damping of a joint that closes a loop; accept"):
+        load_format(saved(arm(turned.format("revolute", damped)), tmp_path, "robot.urdf"))
     ball = (
         '<drake:ball_constraint><drake:ball_constraint_body_A name="base"/>'
         '<drake:ball_constraint_p_AP value="0 0 {0}"/><drake:ball_constraint_body_B name="two"/>'
