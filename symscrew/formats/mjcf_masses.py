@@ -18,8 +18,13 @@ from symscrew.formats.rigid_displacements import ZERO, Pose, real, scaled
 
 
 def settle_masses(draft: Draft, settings: Settings, poses: Mapping[str, Pose]) -> None:
-    """Apply these settings to the draft's bodies; the ledger says how many each of them changed."""
-    bodies = [_bounded(draft, body, settings, poses[body.name]) for body in draft.bodies]
+    """Apply these settings to the draft's bodies; the ledger says how many each of them changed.
+
+    `poses`: of the file's own bodies; others, between several joints of one body, have no mass in the file.
+    """
+    bodies = [
+        _bounded(draft, body, settings, poses[body.name]) if body.name in poses else body for body in draft.bodies
+    ]
     total = sum((body.mass for body in bodies if body.mass is not None), start=ZERO[0])
     if settings.total_mass > 0 and total > 0:
         factor = settings.total_mass / total
