@@ -31,6 +31,7 @@ from symscrew.formats.rigid_displacements import (
     Pose,
     Real,
     Rotation,
+    Triple,
     about,
     apply,
     has_length_one,
@@ -74,6 +75,7 @@ class Reading:
     parts: Sequence[tuple[Settings, Meshes]] = ()
     in_medium: bool = False
     carried: dict[str, Real] = field(default_factory=dict)
+    bare: dict[str, Triple] = field(default_factory=dict)
 
     def within(self, attached: Element) -> Reading:
         """The same reading with the units, classes and meshes of a model that is attached."""
@@ -136,13 +138,14 @@ def _read_body(reading: Reading, element: Element, outer: Place) -> None:
         raise DescriptionError(f"{where}: two bodies have this name")
     name = name or fresh("body", reading.poses)
     pose = outer.pose @ reading.settings.pose(element.attrib, where)
-    own = _own(reading, element, inherited, pose)
+    own, local = _own(reading, element, inherited, pose), reading.poses[outer.body].inverse() @ pose
     joints, moved = _joints(reading, outer.body, Place(name, pose, inherited), own)
     pose = moved @ pose
     own = [replace(part, pose=moved @ part.pose) for part in own]
     reading.poses[name] = pose
     place = Place(name, pose, inherited)
     reading.result.bodies.append(_body(reading, name, own))
+    reading.bare[name] = pose.point(local.translation)  # where the engine has a mass that no element gives
     reading.carried[name] = real(number(element.get("gravcomp", "0"), f"{where}, gravcomp"))
     reading.result.joints += joints
     read_children(reading, element, place)

@@ -81,7 +81,7 @@ def read_mjcf(root: Element, path: Path, options: ImportOptions) -> Draft:
         in_medium=around is not None,
     )
     _read_bodies(root, reading)
-    settle_masses(result, chosen, {name: reading.poses[name] for name in reading.carried})
+    settle_masses(result, chosen, reading.bare)
     carry(result, reading.carried)
     add_drags(result, around)
     _check_all_found(reading, pulled.pulleys.values())

@@ -33,7 +33,16 @@ TWO = hinge("a", hinge("b", more='axis="1 0 0"'))
 GENERAL = '<general biastype="affine" biasprm="0 -7 -1" gainprm="7" gear="2"/>'
 TENDON = '<tendon><fixed name="t" stiffness="7"><joint joint="a" coef="2"/>{0}</fixed></tendon>'
 OWN = hinge("a", hinge("b"), 'axis="0 1 0" ref="0.5" springref="0.2"')
+BOTH = '<body gravcomp="0.6" pos="0 0 1">{0}<joint name="b" axis="0 1 0.3"/>{1}<body pos="0.3 0 0"/></body>'
+BOTH = BOTH.format('<joint name="a" type="slide" axis="1 2 3"/>', INERTIAL + "{0}")
 ACTING = {
+    "least masses": model(BOTH.format(""), '<compiler boundmass="2.7" boundinertia="0.5"/>'),
+    "least masses of tendons": model(
+        TWO,
+        '<compiler boundmass="7"/>' + '<tendon><fixed name="t" stiffness="7"><joint joint="a" coef="2"/>'
+        '<joint joint="b" coef="-3"/></fixed></tendon>',
+    ),
+    "inertia of no geom": model(BOTH.format('<geom size="0.2" mass="0"/>'), '<compiler inertiafromgeom="true"/>'),
     "classes": model(
         TWO,
         f'<default><motor gear="7"/><default class="s">{GENERAL}</default></default>'
