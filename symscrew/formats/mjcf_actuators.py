@@ -267,7 +267,7 @@ def _servo(
     others = {e.table.get("name", e.joint) for e in draft.effects if e.table["kind"] == "servo"}
     if name in others:  # its input needs a name of its own
         stem = safe_names([name])[name]
-        table["name"] = next(found for k in count(2) if (found := f"{stem}_{k}") not in others | known)
+        table["name"] = next(text for k in count(2) if (text := f"{stem}_{k}") not in others | known)
     draft.effects.append(RawEffect(name, table))
     draft.ledger.turned(f"<{tag}> actuators")
 
