@@ -112,7 +112,7 @@ def actuator_forces(
             draft.ledger.turned("gear: the drive acts on the joint, limits and gains are multiplied")
         if number(given.get("delay", "0"), f"{label(element)}, delay") != 0:
             draft.ledger.lost("delay of actuators")
-        most.setdefault(target.joint, []).append(_most(draft, element, given, settings, factor))
+        most.setdefault(target.joint, []).append(_most(draft, element, given, settings, factor=factor))
     for joint, sizes in most.items():
         known = [size for size in sizes if size is not None]
         if len(known) == len(sizes):  # together they push as far; one without a limit, as far as it likes
@@ -122,7 +122,7 @@ def actuator_forces(
             _on_others(draft, element, given, sites)
 
 
-def _most(draft: Draft, element: Element, given: Mapping[str, str], settings: Settings, factor: Real) -> Real | None:
+def _most(draft: Draft, element: Element, given: Mapping[str, str], settings: Settings, *, factor: Real) -> Real | None:
     """The greatest effort of an actuator on its joint [N or N m], by its force and, of a motor, its command."""
     commands = limited(settings, given, "ctrlrange", "ctrllimited")
     if commands and element.tag != "motor":

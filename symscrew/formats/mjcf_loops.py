@@ -29,6 +29,9 @@ from symscrew.formats.rigid_displacements import (
 )
 from symscrew.formats.safe_xml import Element, attribute, elements, label, number, numbers
 
+HELD = "fixed"
+"""The joint of a weld that holds its bodies in turning as well."""
+
 
 @dataclass(frozen=True)
 class Placed:
@@ -58,8 +61,8 @@ def loops(root: Element, settings: Settings, placed: Placed) -> list[RawJoint]:
                 )
     connects = [_connect(e, placed) for e in equalities(root, settings, "connect")]
     welds = [_weld(e, placed) for e in equalities(root, settings, "weld")]
-    connects += [weld for weld in welds if weld.type == "S"]
-    welds = [weld for weld in welds if weld.type != "S"]
+    connects += [weld for weld in welds if weld.type != HELD]
+    welds = [weld for weld in welds if weld.type == HELD]
     result = []
     while connects:
         first = connects.pop(0)
@@ -163,7 +166,7 @@ def _weld(element: Element, placed: Placed) -> RawJoint:
     else:
         own, now = (poses[parent].inverse() @ poses[child] for poses in (placed.own, placed.poses))
         _check_weld(element, placed, own, now)
-    return RawJoint(element.get("name") or "", "fixed", parent, child, placed.poses[child].translation)
+    return RawJoint(element.get("name") or "", HELD, parent, child, placed.poses[child].translation)
 
 
 def _held_point(
