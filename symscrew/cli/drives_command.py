@@ -54,7 +54,7 @@ def add_motion(command: argparse.ArgumentParser, *, required: bool) -> None:
 def run(options: argparse.Namespace) -> int:
     """Read, follow, compute, compare, write; 1 where another method does not give the same."""
     from symscrew import catalogue
-    from symscrew.display import Progress
+    from symscrew.display import Progress, print_text
     from symscrew.studies.given_motion import drives, study_json, study_text, write_study
 
     mechanism = catalogue.find(options.mechanism)
@@ -65,7 +65,10 @@ def run(options: argparse.Namespace) -> int:
     if options.out:
         check_folder(options.out)
     found = drives(mechanism, wanted, effects, progress=Progress())
-    print(json.dumps(study_json(found), indent=1) if options.json else study_text(found))
+    if options.json:
+        print(json.dumps(study_json(found), indent=1))
+    else:
+        print_text(study_text(found))
     if options.out:
         folder = writable_folder(options.out)
         missing = no_matplotlib()

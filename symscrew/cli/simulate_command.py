@@ -47,6 +47,7 @@ def run(options: argparse.Namespace) -> int:
     """Read, derive, integrate, write; 1 where the run ended early or is not as good as asked for."""
     from tqdm import tqdm
 
+    from symscrew.display import print_text
     from symscrew.scene import load_scene
     from symscrew.simulation import FORMATS, prepare, run_summary, simulate, write_loop, write_run, write_steps
 
@@ -81,7 +82,7 @@ def run(options: argparse.Namespace) -> int:
     if options.json:
         print(json.dumps(_numbers(found), indent=1))
     else:
-        print("\n".join(run_summary(found)))
+        print_text("\n".join(run_summary(found)))
     for path in written:
         print(f"wrote {path}", file=sys.stderr)
     return DONE if found.ok and found.accurate else FAILED
@@ -101,6 +102,7 @@ def _run_many(scene: Scene, options: argparse.Namespace, out: Path | None) -> in
     from tqdm import tqdm
 
     from symscrew.array_archives import read_archive
+    from symscrew.display import print_text
     from symscrew.simulation import runs_numbers, runs_summary, simulate_many, write_runs
 
     starts = read_archive(options.many)
@@ -109,7 +111,10 @@ def _run_many(scene: Scene, options: argparse.Namespace, out: Path | None) -> in
             scene, starts, threads=options.threads, progress=lambda done: bar.update(max(0, done - bar.n))
         )
     written = write_runs(found, out) if out else None
-    print(json.dumps(runs_numbers(found), indent=1) if options.json else "\n".join(runs_summary(found)))
+    if options.json:
+        print(json.dumps(runs_numbers(found), indent=1))
+    else:
+        print_text("\n".join(runs_summary(found)))
     if written:
         print(f"wrote {written}", file=sys.stderr)
     return DONE if found.all_ok else FAILED

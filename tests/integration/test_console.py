@@ -170,3 +170,19 @@ def test_completion() -> None:
     line = f'{sys.executable} -c "{code}" 8>&1 9>/dev/null >/dev/null'
     done = subprocess.run(["bash", "-c", line], env={**os.environ, **asked}, capture_output=True, text=True)
     assert "generate" in done.stdout.split()
+
+
+def test_words_are_folded_where_somebody_reads_them(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """At blanks, deeper than they began, no word lost; whole in a pipe, where programs search them."""
+    monkeypatch.delenv("COLUMNS", raising=False)
+    assert main(["mobility", "four_bar"]) == 0
+    whole = capsys.readouterr().out
+    assert max(map(len, whole.splitlines())) > 100
+    monkeypatch.setenv("COLUMNS", "60")
+    assert main(["mobility", "four_bar"]) == 0
+    told = capsys.readouterr().out
+    assert max(map(len, told.splitlines())) <= 60 and told.split() == whole.split()
+    assert "\n      equations follow from the others" in told
+    assert terminal.folded("| a b c d e |\n\n    aaaaaaaa bb", 6) == "| a b c d e |\n\n    aaaaaaaa\n      bb"
