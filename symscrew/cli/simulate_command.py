@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from symscrew.cli.help import DONE, FAILED, UsageError
-from symscrew.cli.shared_options import add_no_cache, check_folder, need_matplotlib
+from symscrew.cli.shared_options import add_no_cache, check_folder, keep_inputs, need_matplotlib
 from symscrew.whole_files import destination
 
 if TYPE_CHECKING:
@@ -59,6 +59,8 @@ def run(options: argparse.Namespace) -> int:
         if folder is not None:
             check_folder(folder, name)
     _check_many(options)
+    if out is not None and options.many is not None:
+        keep_inputs([out], [options.many])
     scene = load_scene(options.scene)
     for notice in scene.initial.notices:
         print(f"note: {notice}", file=sys.stderr)
