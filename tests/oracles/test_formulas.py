@@ -390,6 +390,16 @@ def test_a_locus_is_no_number_and_a_wrench_has_no_common_factor() -> None:
     assert [f.latex for f in paper("rps").formulas if f.code[:1] == ("locus",)] == ["r"]
 
 
+@pytest.mark.parametrize("name", ["bennett", "ur5", "three_ups_upu_s"])
+def test_cosine_and_sine_squared_are_one(name: str) -> None:
+    """a c_12 (c_11^2 + s_11^2) is a c_12: nothing squared is left in screws of limbs."""
+    mechanism = catalogue.load(name)
+    lengths = Lengths(mechanism)
+    parts = [limb_part(mechanism, joints, k, lengths) for k, joints in enumerate(limbs_of(mechanism)[:4], 1)]
+    formulas = [formula.latex for part in parts for formula in part.formulas]
+    assert len(formulas) > 4 and not any(re.search(r"\b[cs]_\{\d+\}\^", latex) for latex in formulas)
+
+
 def test_only_limbs_between_the_ground_and_the_platform_follow_from_its_pose() -> None:
     mechanism = parse_description(description_text("h4", "h4"))
     names = next(iter(mechanism.limbs.values())).joints
