@@ -97,8 +97,9 @@ def usual_view(mechanism: Mechanism) -> tuple[float, float]:
 def _normal(corners: Array) -> Array:
     """Unit normal of a plate."""
     sides = corners - corners[0]
-    normal: Array = max(np.cross(sides[1], sides[2:]), key=np.linalg.norm)
-    return normal / np.linalg.norm(normal)
+    longest: Array = max(np.cross(sides[1], sides[2:]), key=np.linalg.norm)
+    normal: Array = longest / np.linalg.norm(longest)
+    return normal
 
 
 @dataclass(frozen=True)
