@@ -20,7 +20,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Check, print; 1 where a check failed."""
-    from symscrew.display import Progress
+    from symscrew.display import Progress, print_text
     from symscrew.verification import check
 
     progress = Progress()
@@ -30,6 +30,5 @@ def run(options: argparse.Namespace) -> int:
         told = {"ok": result.ok, "verdict": result.verdict, "skipped": result.skipped, "lines": result.lines}
         print(json.dumps(told, indent=1, ensure_ascii=False))
     else:
-        print("\n".join(result.lines))
-        print(result.verdict)
+        print_text("\n".join([*result.lines, result.verdict]))
     return DONE if result.ok else FAILED
