@@ -188,6 +188,26 @@ def test_tubes_hold_the_root_and_no_other_and_none_reaches_the_fold() -> None:
         assert (np.abs(-np.sqrt(z) - held) > found.radius[0, k]).all()
 
 
+def test_a_way_to_the_start_stays_on_its_branch() -> None:
+    """From z = 1/2 in two boxes to the start at z = 1; from the other root there is no way."""
+    values = root_file()
+    own = {name: values["equations"][name] for name in ("rows", "axes", "held", "driven", "parameters")}
+    way = {
+        "equations": own, "low": [[0.5], [0.75]], "high": [[0.75], [1.0]],
+        "configurations": [[math.sqrt(0.625)], [math.sqrt(0.875)]],
+        "begin": {"z": [0.5], "q": [math.sqrt(0.5)]}, "end": {"z": [1.0], "q": [1.0]},
+    }  # fmt: skip
+    assert check_certificate(values | {"way": way}).holds
+    for name, value in (
+        ("configurations", [[-math.sqrt(0.625)], [math.sqrt(0.875)]]),
+        ("begin", {"z": [0.5], "q": [-math.sqrt(0.5)]}),
+        ("end", {"z": [1.0], "q": [-1.0]}),
+        ("low", [[-0.5], [0.75]]),
+        ("high", [[0.7], [1.0]]),
+    ):
+        assert check_certificate(values | {"way": way | {name: value}}).refused
+
+
 def spoiled(path: tuple[Any, ...], value: Any) -> dict[str, Any]:
     values = copy.deepcopy(root_file())
     place: Any = values

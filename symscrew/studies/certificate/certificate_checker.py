@@ -16,6 +16,11 @@ for each claimed box, by arithmetic with bounds of every rounding:
     limits                every limited quantity is within its limits in the tube
     joined                neighbours have the same configuration at a common point; so all boxes of a chain of
                           neighbours are on the branch on which the chain starts: the assembly mode is not lost
+    way                   where the start is elsewhere than the reference configuration: a chain of such boxes leads
+                          from there to it; nothing is claimed of margins and limits on it
+
+What the file cannot show by itself is that its equations are those of the mechanism that it names. `symscrew check
+FILE` derives them again from the description in the file and compares; here the description is only hashed.
 
 Numbers are forms c + l . d + [-r, r] with d in [-1, 1], one entry per edge of the box, so that what depends on z to
 first order stays sharp (Taylor models of order 1). A constant of a program stands for every number rounded to it.
@@ -23,6 +28,7 @@ first order stays sharp (Taylor models of order 1). A constant of a program stan
 
 from __future__ import annotations
 
+import hashlib
 import json
 import math
 import sys
@@ -33,7 +39,7 @@ from typing import Any
 import numpy as np
 
 Array = np.ndarray
-FORMAT = "symscrew workspace certificate 1"
+FORMAT = "symscrew workspace certificate 2"
 EPS = 2.0**-52  # twice the largest relative error of one operation on doubles
 SLACK = 1.0 + 256 * EPS  # what a sum of some dozens of positive numbers that were rounded to nearest may have lost
 TINY = 1e-290  # more than what a product loses where it underflows
@@ -47,7 +53,13 @@ STILL = 1e-13  # a step after which the next one would only move the last digits
 WIDEN = (1.1, 1.3, 1.3, 1.5)  # by which the tube is wider than its fixed point seems to be: trials, more bring nothing
 LEAST = 1e-11  # radius of a tube where nothing else makes it wider: a point, which is known to 1e-13, is well inside
 SETTLING = 12  # steps to that fixed point, which come to rest where the tube can be enclosed at all
+SHOWN = 16  # digits of a hash that a person compares
 SETTLED = 1.05  # growth in the last of these steps that is rest
+
+
+OF_MECHANISM = "the programs are those of the mechanism of this description: not derived here"
+OF_START = "the way, or where there is none the start, begins in its reference configuration: not looked up here"
+"""Assumed by this file alone, shown by `symscrew check`."""
 
 
 class RefusedError(Exception):
@@ -765,9 +777,50 @@ def nearest(cells: Cells, disk: Mapping[str, Any]) -> Array:
     return np.asarray(np.hypot(*parts) * (1 - 8 * EPS))
 
 
+def whole_of(equations: Equations, z: Array, q: Array) -> tuple[list[float], list[float]]:
+    """All coordinates and all parameters at z (k,) with the dependent coordinates q (m,)."""
+    every, p = dict(equations.held), list(equations.parameters)
+    for (kind, k), value in zip(equations.axes, z, strict=True):
+        if kind == "q":
+            every[k] = float(value)
+        else:
+            p[k] = float(value)
+    every |= dict(zip(equations.dependent, map(float, q), strict=True))
+    return [every[k] for k in range(equations.count)], p
+
+
+def follow_way(values: Any) -> tuple[list[float], list[float]]:
+    """The configuration at which the way of a file begins, all coordinates and parameters; the start where it has none.
+
+    Every box of the way holds one configuration, each next to the one before, the last that of the start.
+    """
+    equations, start, way = Equations.read(values["equations"]), values["start"], values.get("way")
+    last = whole_of(equations, np.array(start["z"], dtype=float), np.array(start["q"], dtype=float))
+    if way is None:
+        return last
+    bare = Equations.read({**values["equations"], **way["equations"], "conditions": []})
+    low, high, centre = (np.array(way[k], dtype=float).T for k in ("low", "high", "configurations"))
+    ends = [(np.array(way[k]["z"], dtype=float), np.array(way[k]["q"], dtype=float)) for k in ("begin", "end")]
+    count = low.shape[1]
+    _need(low.shape == high.shape == (len(bare.axes), count) and count > 0, "boxes of the way")
+    _need(centre.shape == (len(bare.dependent), count), "configurations of the way")
+    found = tubes(bare, low, high, centre)
+    _refuse(found.closed & found.holding, "on the way to the start a configuration may be lost")
+    _refuse(meet(bare, found, [(k, k + 1) for k in range(count - 1)]), "the way to the start may change its branch")
+    for box, end in zip((0, count - 1), ends, strict=True):
+        if not holds_start(bare, found, box, end):
+            raise RefusedError("an end of the way to the start is not in its box")
+    if whole_of(bare, *ends[1]) != last:
+        raise RefusedError("the way ends elsewhere than at the start")
+    return whole_of(bare, *ends[0])
+
+
 @dataclass(frozen=True)
 class Verdict:
-    """What a file proves: `proved` in words, `refused` with the reason, what it rests on, and what was found."""
+    """What a file proves: `proved` in words, `refused` with the reason, what it rests on, and what was found.
+
+    `mechanism`: the name in the file, with the first digits of the SHA-256 of the description in it.
+    """
 
     mechanism: str
     proved: tuple[str, ...]
@@ -856,7 +909,7 @@ def check_certificate(values: Any) -> Verdict:
     try:
         if values["format"] != FORMAT:
             raise UnreadableError(f"expected the format {FORMAT!r}, got {str(values['format'])[:60]!r}")
-        name, claims = str(values["mechanism"]["name"]), values["claims"]
+        name, claims = _called(values["mechanism"]), values["claims"]
         equations = Equations.read(values["equations"])
         region = values["region"]
         cells = cells_of(region["low"], region["high"], values["splitting"])
@@ -864,6 +917,7 @@ def check_certificate(values: Any) -> Verdict:
         assumed = _assumed(equations, values["equations"]["labels"])
         try:
             facts = facts_of(equations, cells, values)
+            follow_way(values)
         except RefusedError as error:
             return Verdict(name, (), (str(error),), assumed, {})
     except (KeyError, TypeError, ValueError, IndexError, AttributeError, RecursionError, OverflowError) as error:
@@ -874,6 +928,17 @@ def check_certificate(values: Any) -> Verdict:
         text = f"{key} {json.dumps(value)}"
         (proved if _carried(facts.get(key), value) else refused).append(text)
     return Verdict(name, tuple(proved), tuple(refused), assumed, facts)
+
+
+def digest(text: str) -> str:
+    """SHA-256 of a description, hexadecimal."""
+    return hashlib.sha256(text.encode()).hexdigest()
+
+
+def _called(mechanism: Any) -> str:
+    """The name of a mechanism and what its description hashes to."""
+    name, text = str(mechanism["name"]), mechanism.get("toml")
+    return name if text is None else f"{name} (description {digest(str(text))[:SHOWN]})"
 
 
 def _carried(fact: Any, claim: Any) -> bool:
@@ -889,7 +954,7 @@ def _assumed(equations: Equations, labels: Sequence[str]) -> tuple[str, ...]:
     """What the proof does not show: that equations which are left out follow from the others."""
     results = equations.closure.results
     left = [str(labels[k]) for k in range(len(results)) if k not in equations.rows and results[k] != 0.0]
-    made = ["the programs are those of the mechanism: its name and description in the file are not read here"]
+    made = [OF_MECHANISM, OF_START]
     if left:
         made.append(f"rows of the closure that follow from the others: {', '.join(left)}")
     if equations.driven is None and not any(n.startswith("actuation") for c in equations.conditions for n in c.names):
