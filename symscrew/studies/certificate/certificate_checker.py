@@ -16,11 +16,9 @@ for each claimed box, by arithmetic with bounds of every rounding:
     limits                every limited quantity is within its limits in the tube
     joined                neighbours have the same configuration at a common point; so all boxes of a chain of
                           neighbours are on the branch on which the chain starts: the assembly mode is not lost
-    way                   where the start is elsewhere than the reference configuration: a chain of such boxes leads
-                          from there to it; nothing is claimed of margins and limits on it
 
-What the file cannot show by itself is that its equations are those of the mechanism that it names. `symscrew check
-FILE` derives them again from the description in the file and compares; here the description is only hashed.
+That the equations are those of the mechanism it names, and where the chain starts, the file cannot show by itself:
+`symscrew check FILE` derives them again from the description in the file; here that is only hashed.
 
 Numbers are forms c + l . d + [-r, r] with d in [-1, 1], one entry per edge of the box, so that what depends on z to
 first order stays sharp (Taylor models of order 1). A constant of a program stands for every number rounded to it.
@@ -58,7 +56,7 @@ SETTLED = 1.05  # growth in the last of these steps that is rest
 
 
 OF_MECHANISM = "the programs are those of the mechanism of this description: not derived here"
-OF_START = "the way, or where there is none the start, begins in its reference configuration: not looked up here"
+OF_START = "the start is on the branch of its reference configuration: not looked up here"
 """Assumed by this file alone, shown by `symscrew check`."""
 
 
@@ -368,7 +366,7 @@ class Condition:
         limits = None
         if values["limits"] is not None:
             limits = tuple((_end(low), _end(high)) for low, high in values["limits"])
-        _need(len(names) == len(program.results) == (len(names) if limits is None else len(limits)), "names of results")
+        need(len(names) == len(program.results) == (len(names) if limits is None else len(limits)), "names of results")
         return cls(program, names, limits)
 
 
@@ -376,7 +374,8 @@ def _end(value: Any) -> float | None:
     return None if value is None else float(value)
 
 
-def _need(holds: bool, what: str) -> None:
+def need(holds: bool, what: str) -> None:
+    """Raises UnreadableError."""
     if not holds:
         raise UnreadableError(f"{what}: not as many as expected")
 
@@ -418,8 +417,8 @@ class Equations:
     def read(cls, values: Any) -> Equations:
         """Of a file."""
         made = cls.of(values)
-        _need(1 <= len(made.axes) <= MOST_EDGES and len(set(made.axes)) == len(made.axes), "axes")
-        _need(len(set(made.rows)) + len(set(made.quaternions)) == len(made.dependent), "equations for the coordinates")
+        need(1 <= len(made.axes) <= MOST_EDGES and len(set(made.axes)) == len(made.axes), "axes")
+        need(len(set(made.rows)) + len(set(made.quaternions)) == len(made.dependent), "equations for the coordinates")
         return made
 
     @property
@@ -777,44 +776,6 @@ def nearest(cells: Cells, disk: Mapping[str, Any]) -> Array:
     return np.asarray(np.hypot(*parts) * (1 - 8 * EPS))
 
 
-def whole_of(equations: Equations, z: Array, q: Array) -> tuple[list[float], list[float]]:
-    """All coordinates and all parameters at z (k,) with the dependent coordinates q (m,)."""
-    every, p = dict(equations.held), list(equations.parameters)
-    for (kind, k), value in zip(equations.axes, z, strict=True):
-        if kind == "q":
-            every[k] = float(value)
-        else:
-            p[k] = float(value)
-    every |= dict(zip(equations.dependent, map(float, q), strict=True))
-    return [every[k] for k in range(equations.count)], p
-
-
-def follow_way(values: Any) -> tuple[list[float], list[float]]:
-    """The configuration at which the way of a file begins, all coordinates and parameters; the start where it has none.
-
-    Every box of the way holds one configuration, each next to the one before, the last that of the start.
-    """
-    equations, start, way = Equations.read(values["equations"]), values["start"], values.get("way")
-    last = whole_of(equations, np.array(start["z"], dtype=float), np.array(start["q"], dtype=float))
-    if way is None:
-        return last
-    bare = Equations.read({**values["equations"], **way["equations"], "conditions": []})
-    low, high, centre = (np.array(way[k], dtype=float).T for k in ("low", "high", "configurations"))
-    ends = [(np.array(way[k]["z"], dtype=float), np.array(way[k]["q"], dtype=float)) for k in ("begin", "end")]
-    count = low.shape[1]
-    _need(low.shape == high.shape == (len(bare.axes), count) and count > 0, "boxes of the way")
-    _need(centre.shape == (len(bare.dependent), count), "configurations of the way")
-    found = tubes(bare, low, high, centre)
-    _refuse(found.closed & found.holding, "on the way to the start a configuration may be lost")
-    _refuse(meet(bare, found, [(k, k + 1) for k in range(count - 1)]), "the way to the start may change its branch")
-    for box, end in zip((0, count - 1), ends, strict=True):
-        if not holds_start(bare, found, box, end):
-            raise RefusedError("an end of the way to the start is not in its box")
-    if whole_of(bare, *ends[1]) != last:
-        raise RefusedError("the way ends elsewhere than at the start")
-    return whole_of(bare, *ends[0])
-
-
 @dataclass(frozen=True)
 class Verdict:
     """What a file proves: `proved` in words, `refused` with the reason, what it rests on, and what was found.
@@ -844,23 +805,23 @@ def facts_of(equations: Equations, cells: Cells, values: Any) -> dict[str, Any]:
     """What the file proves, as numbers; raises RefusedError at the first box that is not as claimed."""
     boxes = np.flatnonzero(cells.kind == CLAIMED)
     centre = np.array(values["configurations"], dtype=float).reshape(len(boxes), -1).T
-    _need(centre.shape[0] == len(equations.dependent) and len(boxes) > 0, "configurations of the claimed boxes")
+    need(centre.shape[0] == len(equations.dependent) and len(boxes) > 0, "configurations of the claimed boxes")
     found = tubes(equations, cells.low[:, boxes], cells.high[:, boxes], centre)
-    _refuse(found.closed, "more or less than one configuration may be in the tube")
-    _refuse(found.holding, "with the drives locked a freedom may be left")
+    refuse(found.closed, "more or less than one configuration may be in the tube")
+    refuse(found.holding, "with the drives locked a freedom may be left")
     least: dict[str, float] = {}
     for condition in equations.conditions:
         for k, name in enumerate(condition.names):
             low, high = found.bounds[name]
             if condition.limits is None:
-                _refuse((low > 0) | (high < 0), f"{name} may be zero")
+                refuse((low > 0) | (high < 0), f"{name} may be zero")
                 least[name] = float(np.maximum(low, -high).min())
                 continue
             least_allowed, most_allowed = condition.limits[k]
             if least_allowed is not None:
-                _refuse(low >= least_allowed, f"{name} may be too small")
+                refuse(low >= least_allowed, f"{name} may be too small")
             if most_allowed is not None:
-                _refuse(high <= most_allowed, f"{name} may be too large")
+                refuse(high <= most_allowed, f"{name} may be too large")
     pairs = [(int(i), int(j)) for i, j in values["joints"]]
     if any(not 0 <= k < len(boxes) for pair in pairs for k in pair):
         raise UnreadableError("boxes that are joined but not there")
@@ -892,7 +853,8 @@ def facts_of(equations: Equations, cells: Cells, values: Any) -> dict[str, Any]:
     return facts
 
 
-def _refuse(sound: Array, why: str) -> None:
+def refuse(sound: Array, why: str) -> None:
+    """Raises RefusedError at the first box that is not sound."""
     if not sound.all():
         raise RefusedError(f"box {int(np.argmin(sound))}: {why}")
 
@@ -913,11 +875,10 @@ def check_certificate(values: Any) -> Verdict:
         equations = Equations.read(values["equations"])
         region = values["region"]
         cells = cells_of(region["low"], region["high"], values["splitting"])
-        _need(len(cells.low) == len(equations.axes) == len(region["high"]), "edges of the region")
+        need(len(cells.low) == len(equations.axes) == len(region["high"]), "edges of the region")
         assumed = _assumed(equations, values["equations"]["labels"])
         try:
             facts = facts_of(equations, cells, values)
-            follow_way(values)
         except RefusedError as error:
             return Verdict(name, (), (str(error),), assumed, {})
     except (KeyError, TypeError, ValueError, IndexError, AttributeError, RecursionError, OverflowError) as error:

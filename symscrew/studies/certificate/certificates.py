@@ -27,8 +27,8 @@ from symscrew.studies.certificate.certificate_checker import (
     check_certificate,
     configurations,
 )
-from symscrew.studies.certificate.file_equations import file_equations, sampled_margins, vanishing_margins
 from symscrew.studies.certificate.derived_again import OF_WALK, begins_elsewhere, what_was_asked
+from symscrew.studies.certificate.file_equations import file_equations, sampled_margins, vanishing_margins
 from symscrew.studies.certificate.splitting import Box, Splitting
 from symscrew.studies.certificate.way_from_reference import proved_way
 from symscrew.studies.workspace import (

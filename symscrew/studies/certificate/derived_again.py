@@ -30,11 +30,11 @@ from symscrew.studies.certificate.certificate_checker import (
     cells_of,
     check_certificate,
     digest,
-    follow_way,
     holds_start,
     tubes,
 )
 from symscrew.studies.certificate.file_equations import file_equations
+from symscrew.studies.certificate.way_from_reference import follow_way
 from symscrew.studies.workspace import quaternion_labels
 
 Array = np.ndarray

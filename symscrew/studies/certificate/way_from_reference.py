@@ -11,7 +11,17 @@ from typing import Any
 
 import numpy as np
 
-from symscrew.studies.certificate.certificate_checker import Equations, Tubes, configurations, meet, tubes
+from symscrew.studies.certificate.certificate_checker import (
+    Equations,
+    RefusedError,
+    Tubes,
+    configurations,
+    holds_start,
+    meet,
+    need,
+    refuse,
+    tubes,
+)
 
 Array = np.ndarray
 LEAST = 2.0**-12
@@ -82,3 +92,41 @@ def _meets(equations: Equations, one: Tubes, two: Tubes) -> bool:
 def _both(one: Tubes, two: Tubes) -> Tubes:
     names: Sequence[str] = ("low", "high", "centre", "slope", "radius", "tight", "closed", "holding")
     return Tubes(**{n: np.concatenate([getattr(one, n), getattr(two, n)], axis=-1) for n in names}, bounds={})
+
+
+def whole_of(equations: Equations, z: Array, q: Array) -> tuple[list[float], list[float]]:
+    """All coordinates and all parameters at z (k,) with the dependent coordinates q (m,)."""
+    every, p = dict(equations.held), list(equations.parameters)
+    for (kind, k), value in zip(equations.axes, z, strict=True):
+        if kind == "q":
+            every[k] = float(value)
+        else:
+            p[k] = float(value)
+    every |= dict(zip(equations.dependent, map(float, q), strict=True))
+    return [every[k] for k in range(equations.count)], p
+
+
+def follow_way(values: Any) -> tuple[list[float], list[float]]:
+    """The configuration at which the way of a file begins, all coordinates and parameters; the start where it has none.
+
+    Every box of the way holds one configuration, each next to the one before, the last that of the start.
+    """
+    equations, start, way = Equations.read(values["equations"]), values["start"], values.get("way")
+    last = whole_of(equations, np.array(start["z"], dtype=float), np.array(start["q"], dtype=float))
+    if way is None:
+        return last
+    bare = Equations.read({**values["equations"], **way["equations"], "conditions": []})
+    low, high, centre = (np.array(way[k], dtype=float).T for k in ("low", "high", "configurations"))
+    ends = [(np.array(way[k]["z"], dtype=float), np.array(way[k]["q"], dtype=float)) for k in ("begin", "end")]
+    count = low.shape[1]
+    need(low.shape == high.shape == (len(bare.axes), count) and count > 0, "boxes of the way")
+    need(centre.shape == (len(bare.dependent), count), "configurations of the way")
+    found = tubes(bare, low, high, centre)
+    refuse(found.closed & found.holding, "on the way to the start a configuration may be lost")
+    refuse(meet(bare, found, [(k, k + 1) for k in range(count - 1)]), "the way to the start may change its branch")
+    for box, end in zip((0, count - 1), ends, strict=True):
+        if not holds_start(bare, found, box, end):
+            raise RefusedError("an end of the way to the start is not in its box")
+    if whole_of(bare, *ends[1]) != last:
+        raise RefusedError("the way ends elsewhere than at the start")
+    return whole_of(bare, *ends[0])
