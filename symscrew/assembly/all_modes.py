@@ -18,6 +18,7 @@ from symscrew.algebra import CONTEXT
 from symscrew.assembly.batch_equations import BatchEquations
 from symscrew.assembly.certified_roots import Certificate, certified, read
 from symscrew.assembly.elementary_graph import held_graph
+from symscrew.assembly.exact_roots import ExactRoots
 from symscrew.assembly.families import AllNumbers, Family, WhatIsHeld
 from symscrew.assembly.held_structure import Structure, held_structure
 from symscrew.assembly.joint_angles import CLOSED, JointAngles
@@ -71,6 +72,8 @@ class AssemblyMode:
     curve: bool = False
     ways: int = 1
     close: bool = False
+    exact: bool = False
+    meeting: int = 1
     z: Array = field(default_factory=lambda: np.zeros(0))
     poses: Mapping[str, tuple[Array, Array]] = field(default_factory=dict, repr=False)
 
@@ -80,8 +83,8 @@ class AssemblyMode:
 
     @property
     def certified(self) -> bool:
-        """Whether it is proved that there is one solution at this place."""
-        return self.radius is not None
+        """Whether it is proved that there is one solution at this place, or one at which several meet."""
+        return self.radius is not None or self.exact
 
 
 @dataclass(frozen=True, repr=False)
@@ -220,16 +223,14 @@ class _Search:
         account = target_roots(self.family, start, self.family.member(dict(self.held.values)))
         fine = Displacements(self.structure, DIGITS_60, self.held.exact).slots()
         boxes = [read(s) if np.ndim(s) == 0 else [read(c) for c in s] for s in fine]
-        account = split_ends(self.equations, boxes, account)
+        account = self._in_exact_numbers(split_ends(self.equations, boxes, account))
         ends = [end for end in account.ends if end.kind == "real"]
         ends = [_polished(self.equations, self.family, self.held, end) for end in ends]
         certificates = [self._proof(boxes, end) for end in ends]
         ends = [end if box is None else replace(end, z=box.z) for end, box in zip(ends, certificates, strict=True)]
         modes, missed = self._seen(ends, certificates)
         modes = _one_of_each(modes, self.held)
-        others = [end for end in account.ends if end.kind == "complex" and end.regular]
-        proofs = [c for c in certificates if c is not None and c.kind == "real"]
-        complete, why, bound = self._verdict(start, account, (proofs, others), boxes)
+        complete, why, bound = self._verdict(start, account, certificates, boxes)
         names = self._names(start, modes)
         modes = sorted((replace(m, name=n) for m, n in zip(modes, names, strict=True)), key=lambda m: _order(m.name))
         return AssemblyModes(
@@ -237,8 +238,26 @@ class _Search:
             bound, complete, why, self.family, self.held.values, self.held.chosen,
         )  # fmt: skip
 
+    def _in_exact_numbers(self, account: Account) -> Account:
+        """The account with what intervals cannot prove known in exact numbers, where it is found in such."""
+        square = self.structure.unknowns == self.structure.equations
+        if not any(self._asks(end, square=square) for end in account.ends):
+            return account
+        member, exact = self.family.member(dict(self.held.values)), ExactRoots(self.held, self.equations)
+        numbers = self.family.way(member, member).at(np.zeros(1))[0]
+        ends = []
+        for end in account.ends:
+            root = exact.root(end.z, numbers) if self._asks(end, square=square) else None
+            ends.append(end if root is None else replace(end, z=root.z, exact=root))
+        return replace(account, ends=tuple(ends))
+
+    @staticmethod
+    def _asks(end: End, *, square: bool) -> bool:
+        """Whether a zero has no box: of more equations than unknowns, and where several meet."""
+        return end.kind == "real" and end.proof is None and not end.curve and not (end.regular and square)
+
     def _proof(self, boxes: Any, end: End) -> Certificate | None:
-        return end.proof or (certified(self.equations, boxes, end.z) if end.regular else None)
+        return end.proof or (certified(self.equations, boxes, end.z) if end.regular and end.exact is None else None)
 
     def _names(self, start: StartSystem, modes: Sequence[AssemblyMode]) -> list[str]:
         """Of modes at what is held, by straight ways to the reference."""
@@ -285,7 +304,8 @@ class _Search:
             modes.append(AssemblyMode(
                 "", rotation, translation, quaternion(rotation), at, self.held.labelled(at), seen.residual,
                 seen.smallest, seen.volume, seen.signs, None if box is None else box.radius, end.paths, end.curve,
-                close=end.proof is not None, z=end.z, poses=seen.poses,
+                close=end.proof is not None, exact=end.exact is not None, meeting=end.exact.meeting if end.exact else 1,
+                z=end.z, poses=seen.poses,
             ))  # fmt: skip
         return modes, missed
 
@@ -297,13 +317,15 @@ class _Search:
         return rotation, (centre - rotation @ centre + frame.T @ shift) * float(self.held.network.length)
 
     def _verdict(
-        self, start: StartSystem, account: Account, found: tuple[Sequence[Certificate], Sequence[End]], boxes: Any
+        self, start: StartSystem, account: Account, certificates: Sequence[Certificate | None], boxes: Any
     ) -> tuple[str, str, Bound | None]:
         """(what completeness is, why, the bound): by the family's bound, by that of this mechanism's fractions."""
-        real, others = found
+        real = [c for c in certificates if c is not None and c.kind == "real"]
+        exact = [end.exact for end in account.ends if end.exact is not None]
+        others = [end for end in account.ends if end.kind == "complex" and end.regular]
         family = start.bound
         wanted = None if family is None else family.count
-        every = len(real) + len(others)
+        every = len(real) + len(others) + sum(root.meeting for root in exact)
         own: Bound | None = None
         if wanted is None or every < wanted:
             asked = own_bound(self.held)
@@ -314,9 +336,13 @@ class _Search:
                 f"all zeros of this very mechanism have dimension {own.dimension}: {own.how}; isolated ones are those "
                 f"that {account.paths} paths lead to"
             ), family  # fmt: skip
-        whole = len(real) == account.count("real")
+        whole = len(real) + len(exact) == sum(end.kind == "real" for end in account.ends)
+        whole &= len({root.coordinates for root in exact}) == len(exact)
+        whole &= best is own or all(root.isolated for root in exact)
         if best is not None and best.count == every and whole and self._all_certified(real, others, boxes):
-            return "proved", f"as many certified solutions, {every}, as the bound {best.how}", best
+            several = [root.meeting for root in exact if root.meeting > 1]
+            meet = "" if not several else f", of which {', '.join(map(str, several))} meet in one place each"
+            return "proved", f"as many certified solutions, {every}{meet}, as the bound {best.how}", best
         if start.complete:
             return "tracked", (
                 f"all {account.paths} paths from the {len(start.zeros)} zeros of a general member were followed; the "
@@ -366,15 +392,15 @@ def _together(one: AssemblyMode, two: AssemblyMode) -> bool:
 
 def _polished(equations: BatchEquations, family: Family, held: Held, end: End) -> End:
     """A real zero by real Newton steps."""
-    if end.proof is not None:
+    if end.proof is not None or end.exact is not None:
         return end
     if not end.regular:
-        return End(end.z.real + 0j, end.kind, end.paths, end.regular, end.curve)
+        return replace(end, z=end.z.real + 0j)
     goal = family.way(family.member(dict(held.values)), family.member(dict(held.values))).at(np.zeros(1))
     tracker, z = Tracker(equations), (end.z.real + 0j)[None]
     for _ in range(3):
         z = z + tracker.newton(z, goal)
-    return End(z[0].real + 0j, end.kind, end.paths, end.regular, end.curve)
+    return replace(end, z=z[0].real + 0j)
 
 
 def _named(mode: AssemblyMode) -> Named:

@@ -168,6 +168,7 @@ class _Chart:
         middle = np.array(z, dtype=complex)
         for part, place in zip(equations.parts, self.fixed, strict=True):
             middle[part] = middle[part] / middle[place]
+            middle[place] = 1.0
         self.middle = middle
         self.open = [k for k in range(equations.width) if k not in self.fixed]
         self.rows = list[int]()
@@ -353,6 +354,11 @@ class FineTest(_Chart):
         """dF in 60 digits: rows that count, coordinates that are not 1."""
         slopes = self._slopes([_finely(c) for c in z])
         return [[_fine(slopes[r][k]) for k in self.open] for r in self.rows]
+
+    @property
+    def size(self) -> float:
+        """The largest coefficient of the forms: dF is of this size where it is not nearly singular."""
+        return max((abs(_middle(c)) for loop in self.loops for m in loop for c in m.ravel()), default=1.0)
 
     def held(self, z: Sequence[Any], inverse: Sequence[Sequence[Any]], radii: Sequence[float]) -> float | None:
         """The first of these radii of a box around z that holds one zero, None where there is none."""
