@@ -140,21 +140,32 @@ def certified(equations: BatchEquations, slots: Sequence[Any], z: Array) -> Cert
 
 
 def held_by_box(
-    equations: BatchEquations, slots: Sequence[Any], z: Array, *, ends: Sequence[Array], past: float
+    equations: BatchEquations,
+    slots: Sequence[Any],
+    z: Array,
+    *,
+    ends: Sequence[Array],
+    past: float,
+    rows: Sequence[int] | None = None,
 ) -> bool:
     """Whether for all numbers within these rectangles one zero lies in a box around z, and a regular one.
 
     The box reaches past the ends by half its radius and by `past`, and twice as far as a step of Newton's method with
-    any of the numbers.
+    any of the numbers. `rows`: a zero of these alone, as many as coordinates; of all rows where it is None.
     """
-    test = _Krawczyk(equations, slots, z)
+    test = _Krawczyk(equations, slots, z, rows)
     longest = max((max(-s.real[0], s.real[1]) for s in test.step), default=0) / ONE
     return test.holds(max(WIDE * max(map(test.off, ends)) + past, TWICE * longest))
 
 
-def held_within(equations: BatchEquations, slots: Sequence[Any], z: Array, radius: float) -> bool:
-    """Whether one zero lies within this radius of z, scaled so that its groups' largest coordinates are 1."""
-    test = _Krawczyk(equations, slots, z)
+def held_within(
+    equations: BatchEquations, slots: Sequence[Any], z: Array, radius: float, rows: Sequence[int] | None = None
+) -> bool:
+    """Whether one zero lies within this radius of z, scaled so that its groups' largest coordinates are 1.
+
+    `rows`: as of `held_by_box`.
+    """
+    test = _Krawczyk(equations, slots, z, rows)
     return test.off(z) <= radius / 2 and test.holds(radius / 2)
 
 
@@ -177,7 +188,8 @@ class _Chart:
         self.real = self.square = False
         self.at_middle: list[Rectangle] = []
 
-    def _all(self) -> list[Array]:
+    def numbers(self) -> list[Array]:
+        """All matrices."""
         return [*self.motions, *(m for loop in self.loops for m in loop)]
 
     def _rows(self, z: Array) -> list[int]:
@@ -292,15 +304,17 @@ class _Chart:
 class _Krawczyk(_Chart):
     """The test of a zero in doubles."""
 
-    def __init__(self, equations: BatchEquations, slots: Sequence[Any], z: Array) -> None:
+    def __init__(
+        self, equations: BatchEquations, slots: Sequence[Any], z: Array, rows: Sequence[int] | None = None
+    ) -> None:
         super().__init__(equations, slots, z)
         middle = self.middle
         if np.abs(middle.imag).max(initial=0.0) < max(RADII):
             middle = middle.real + 0j
-        coefficients = np.array([_middle(v) for m in self._all() for v in m.ravel()])
+        coefficients = np.array([_middle(v) for m in self.numbers() for v in m.ravel()])
         for _ in range(3):  # what tracking leaves is 1e-11
             values, slopes = equations.evaluate(middle[None], coefficients[None])
-            self.rows = self._rows(middle)
+            self.rows = self._rows(middle) if rows is None else list(rows)
             inverse = np.linalg.pinv(slopes[0][np.ix_(self.rows, self.open)])
             middle[self.open] -= inverse @ values[0][self.rows]
         self.real = not middle.imag.any()
@@ -369,6 +383,23 @@ class FineTest(_Chart):
         residual = [values[k] for k in self.rows]
         self.step = [_sum([a * b for a, b in zip(row, residual, strict=True)]) for row in self.y]
         return next((radius for radius in radii if self.holds(radius)), None)
+
+
+def independent_rows(equations: BatchEquations, slots: Sequence[Any], z: Array) -> list[int]:
+    """As many rows of all as there are coordinates, those that are most independent at z: a part that can be tested.
+
+    Of what they hold nothing is said of the rows that are left out.
+    """
+    chart = _Chart(equations, slots, z)
+    coefficients = np.array([_middle(v) for m in chart.numbers() for v in m.ravel()])
+    _, slopes = equations.evaluate(chart.middle[None], coefficients[None])
+    left, chosen = slopes[0][:, chart.open].real.copy(), list[int]()
+    for _ in chart.open:
+        sizes = np.linalg.norm(left, axis=1)
+        chosen.append(int(sizes.argmax()))
+        along = left[chosen[-1]] / (sizes[chosen[-1]] or 1.0)
+        left -= np.outer(left @ along, along)
+    return sorted(chosen)
 
 
 def fine_middle(z: Sequence[Rectangle]) -> list[Any]:

@@ -2,12 +2,10 @@
 
     zero in doubles --Newton's method in 60 digits--> coordinates --integer relations--> numbers of the field
     these numbers --every row of F, exactly--> 0: it is a zero, whatever led there
-                  --rank of dF, exactly--> regular;  singular --F along a power series--> how many zeros meet there
+                  --rank of dF, exactly--> regular;  singular --meeting_zeros--> how many zeros meet there
 
 A zero that no other one of the structure is like has its coordinates in the field of the mechanism's numbers itself,
-two that are mirror images in one with a square root more. Multiplicity of a zero at which dF loses one rank: with z(t)
-so that all of dF z_k + (what is left of order k) that dF can give is zero, the first order that it cannot give (the
-local ring is C[t]/t^m).
+two that are mirror images in one with a square root more.
 """
 
 from __future__ import annotations
@@ -23,7 +21,8 @@ import numpy as np
 from symscrew.algebra import CONTEXT
 from symscrew.assembly.batch_equations import BatchEquations
 from symscrew.assembly.certified_roots import FineTest, fine_middle, read
-from symscrew.assembly.exact_slots import ExactEquations, exact_equations
+from symscrew.assembly.exact_slots import ExactEquations, Series, exact_equations
+from symscrew.assembly.meeting_zeros import meeting_zeros
 from symscrew.assembly.what_is_held import Held
 from symscrew.mobility import Exact, NotAlgebraicError, NotDecidableError, exact_value, generator_itself
 
@@ -41,16 +40,14 @@ STEPS_OF_RELATIONS = 20_000
 """Of the search for integers: a second."""
 MOST_TERMS = 8
 """Numbers of one relation, 1 and the coordinate among them: beyond it 50 digits do not tell."""
-MOST_MEETING = 6
-"""Zeros that meet in one: more are not counted."""
 
 
 @dataclass(frozen=True)
 class ExactRoot:
     """A zero in exact numbers, the first coordinate of each group that is not 0 made 1.
 
-    `z`: as doubles, in the coordinates of the search. `meeting`: how many zeros it is, at least. `isolated`: whether no
-    other solutions are beside it; of a singular zero at which dF loses more than one rank that is not known.
+    `z`: as doubles, in the coordinates of the search. `meeting`: how many zeros it is, at least. `isolated`: whether it
+    is so many, and no other solutions are beside it; else that was not found out.
     """
 
     coordinates: tuple[Exact, ...]
@@ -270,24 +267,11 @@ class _Recognised:
 
     def _judged(self, coordinates: list[Exact]) -> ExactRoot | None:
         """What every row says of these numbers."""
-        start = [[c] for c in coordinates]
-        if any(row[0] for row in self.exact.values(start, 0)):
+        still: list[Series] = [{(): c} if c else {} for c in coordinates]
+        if any(self.exact.values(still, 0)):
             return None
-        slopes = self._exact_slopes(coordinates)
-        null, left = _kernels(slopes)
-        if not null:
-            return self._made(coordinates, 1, True)
-        if len(null) > 1:  # the local ring has 1 and all these directions
-            return self._made(coordinates, 1 + len(null), False)
-        return self._multiple(coordinates, slopes, null[0], left)
-
-    def _exact_slopes(self, coordinates: Sequence[Exact]) -> list[list[Exact]]:
-        """dF of every row by the coordinates that are not 1."""
-        columns = []
-        for place in self.test.open:
-            moved = [[c, Fraction(1)] if k == place else [c] for k, c in enumerate(coordinates)]
-            columns.append([row[1] for row in self.exact.values(moved, 1)])
-        return [list(row) for row in zip(*columns, strict=True)]
+        meeting, isolated = meeting_zeros(self.exact, coordinates, self.test.open)
+        return self._made(coordinates, meeting, isolated)
 
     def _made(self, coordinates: Sequence[Exact], meeting: int, isolated: bool) -> ExactRoot:
         """With the first coordinate of each group that is not 0 made 1, so that equal zeros have equal coordinates."""
@@ -296,26 +280,6 @@ class _Recognised:
             first = next(c for c in coordinates[part] if c)
             found += [c / first for c in coordinates[part]]
         return ExactRoot(tuple(found), np.zeros(0), meeting, isolated)
-
-    def _multiple(
-        self,
-        coordinates: Sequence[Exact],
-        slopes: Sequence[Sequence[Exact]],
-        null: Sequence[Exact],
-        left: Sequence[Sequence[Exact]],
-    ) -> ExactRoot:
-        """How many zeros meet, by the power series along the null vector; `left`: null vectors from the left."""
-        series = [[c] for c in coordinates]
-        for k, place in enumerate(self.test.open):
-            series[place].append(null[k])
-        for order in range(2, MOST_MEETING + 1):
-            rest = [row[order] for row in self.exact.values(series, order)]
-            if any(sum((a * b for a, b in zip(w, rest, strict=True)), Fraction(0)) for w in left):
-                return self._made(coordinates, order, True)
-            bent = _solved(slopes, [-c for c in rest])
-            for k, place in enumerate(self.test.open):
-                series[place].append(bent[k])
-        return self._made(coordinates, MOST_MEETING + 1, False)
 
 
 def _power(generator: Any, k: int) -> Exact:
@@ -330,46 +294,3 @@ def _relation(values: Sequence[Any]) -> list[int] | None:
     longest = 10 ** (DIGITS // len(values))
     found = CONTEXT.pslq(list(values), tol=STILL, maxcoeff=longest, maxsteps=STEPS_OF_RELATIONS)
     return None if found is None else [int(n) for n in found]
-
-
-def _reduced(rows: Sequence[Sequence[Exact]], columns: int) -> tuple[list[list[Exact]], list[int]]:
-    """(rows in reduced form by their first columns, pivot columns)."""
-    work, pivots, top = [list(row) for row in rows], list[int](), 0
-    for column in range(columns):
-        place = next((k for k in range(top, len(work)) if work[k][column]), None)
-        if place is None:
-            continue
-        work[top], work[place] = work[place], work[top]
-        below = work[top][column]
-        work[top] = [c / below for c in work[top]]
-        for k, row in enumerate(work):
-            if k != top and row[column]:
-                factor = row[column]
-                work[k] = [a - factor * b for a, b in zip(row, work[top], strict=True)]
-        pivots.append(column)
-        top += 1
-    return work, pivots
-
-
-def _kernels(matrix: Sequence[Sequence[Exact]]) -> tuple[list[list[Exact]], list[list[Exact]]]:
-    """(null vectors, null vectors from the left), exactly."""
-    count = len(matrix[0]) if matrix else 0
-    whole = [[*row, *(Fraction(int(i == k)) for k in range(len(matrix)))] for i, row in enumerate(matrix)]
-    work, pivots = _reduced(whole, count)
-    null = []
-    for free in (k for k in range(count) if k not in pivots):
-        vector = [Fraction(int(k == free)) for k in range(count)]
-        for row, pivot in zip(work, pivots, strict=False):
-            vector[pivot] = -row[free]
-        null.append(vector)
-    return null, [row[count:] for row in work[len(pivots) :]]
-
-
-def _solved(matrix: Sequence[Sequence[Exact]], right: Sequence[Exact]) -> list[Exact]:
-    """A solution of a system that has one."""
-    count = len(matrix[0])
-    work, pivots = _reduced([[*row, c] for row, c in zip(matrix, right, strict=True)], count)
-    result: list[Exact] = [Fraction(0)] * count
-    for row, pivot in zip(work, pivots, strict=False):
-        result[pivot] = row[count]
-    return result

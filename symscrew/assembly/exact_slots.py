@@ -1,14 +1,15 @@
 """The numbers of one mechanism in a field in which zero is decidable, and its equations in them, exactly.
 
     expressions --Field--> points, axes, lengths, held angles as numbers of the field --slot_numbers--> slots
-    slots, homogeneous coordinates as power series in t --dual_forms--> F as power series in t
+    slots, homogeneous coordinates as power series --dual_forms--> F as power series
 
-Axes have any length here, as nothing depends on it, so that fewer roots are needed.
+A power series has exponents of its variables -> number, none of them 0, up to an order of all exponents together. Axes
+have any length here, as nothing depends on it, so that fewer roots are needed.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from typing import Any
@@ -26,7 +27,7 @@ Array = np.ndarray[Any, Any]
 
 TERMS = [(k, i, j, int(PRODUCT[k, i, j])) for k in range(SIZE) for i in range(SIZE) for j in range(SIZE)
          if PRODUCT[k, i, j]]  # fmt: skip
-NO_SERIES: list[Exact] = []
+Series = dict[tuple[int, ...], Exact]
 
 
 class Algebraic:
@@ -118,28 +119,27 @@ class ExactEquations:
         self.equations, self.slots, self.field = equations, slots, field
         self.motions, self.loops = matrices(equations.structure, slots)
 
-    def values(self, z: Sequence[Sequence[Exact]], order: int) -> list[list[Exact]]:
-        """Coefficients of t^0 ... t^order of every row, of coordinates that are power series in t."""
+    def values(self, z: Sequence[Series], order: int) -> list[Series]:
+        """Every row, of coordinates that are power series, up to this order."""
         made = [
-            [self._linear(motion[i], z[part]) for i in range(SIZE)]
+            [linear(motion[i], z[part]) for i in range(SIZE)]
             for motion, part in zip(self.motions, self.equations.parts, strict=True)
         ]
-        rows: list[list[Exact]] = []
-        for (square, linear), way in zip(self.loops, self.equations.ways, strict=True):
-            turned = [[_times(c, int(CONJUGATE[i])) if f.back else c for i, c in enumerate(made[f.group])] for f in way]
+        rows: list[Series] = []
+        for (square, linear_), way in zip(self.loops, self.equations.ways, strict=True):
+            turned = [
+                [_times(c, Fraction(int(CONJUGATE[i]))) if f.back else c for i, c in enumerate(made[f.group])]
+                for f in way
+            ]
             g = turned[0]
             for factor in turned[1:]:
                 g = _product(g, factor, order)
-            rows += [_sum([_series(c, self._linear(form[i], g), order) for i, c in enumerate(g)]) for form in square]
-            rows += [self._linear(row, g) for row in linear]
+            rows += [_sum([product(c, linear(form[i], g), order) for i, c in enumerate(g)]) for form in square]
+            rows += [linear(row, g) for row in linear_]
         for place in self.equations.free:
             x = z[self.equations.parts[place]]
-            rows.append(_sum([_series(x[i], x[i + 4], order) for i in range(4)]))
-        return [[*row, *[Fraction(0)] * (order + 1 - len(row))] for row in rows]
-
-    def _linear(self, row: Sequence[Any], z: Sequence[Sequence[Exact]]) -> list[Exact]:
-        factors = [c.exact if isinstance(c, Algebraic) else Fraction(int(c)) for c in row]
-        return _sum([_times(c, factor) for c, factor in zip(z, factors, strict=True) if factor])
+            rows.append(_sum([product(x[i], x[i + 4], order) for i in range(4)]))
+        return rows
 
 
 def exact_equations(held: Held) -> ExactEquations:
@@ -151,33 +151,39 @@ def exact_equations(held: Held) -> ExactEquations:
     return _Exactly(held).equations()
 
 
-def _times(series: Sequence[Exact], factor: Exact) -> list[Exact]:
-    return [c * factor for c in series]
+def linear(row: Sequence[Any], z: Sequence[Series]) -> Series:
+    """The sum of series, each times a number of the row."""
+    factors = [c.exact if isinstance(c, Algebraic) else Fraction(int(c)) for c in row]
+    return _sum([_times(c, factor) for c, factor in zip(z, factors, strict=True) if factor])
 
 
-def _sum(values: Sequence[Sequence[Exact]]) -> list[Exact]:
-    total = list(NO_SERIES)
+def _times(series: Mapping[tuple[int, ...], Exact], factor: Exact) -> Series:
+    return {key: c * factor for key, c in series.items()}
+
+
+def _sum(values: Sequence[Series]) -> Series:
+    total: Series = {}
     for value in values:
-        total += [Fraction(0)] * (len(value) - len(total))
-        for k, c in enumerate(value):
-            total[k] = total[k] + c
-    return total
+        for key, c in value.items():
+            total[key] = total[key] + c if key in total else c
+    return {key: c for key, c in total.items() if c}
 
 
-def _series(a: Sequence[Exact], b: Sequence[Exact], order: int) -> list[Exact]:
-    """The product of two series, up to t^order."""
-    found: list[Exact] = [Fraction(0)] * min(order + 1, max(0, len(a) + len(b) - 1))
-    for i, x in enumerate(a):
-        if x:
-            for j, y in enumerate(b[: max(0, order + 1 - i)]):
-                if y:
-                    found[i + j] = found[i + j] + x * y
-    return found
+def product(a: Series, b: Series, order: int) -> Series:
+    """The product of two series, up to an order."""
+    found: Series = {}
+    for one, x in a.items():
+        left = order - sum(one)
+        for two, y in b.items():
+            if sum(two) <= left:
+                key = tuple(map(int.__add__, one, two))
+                found[key] = found[key] + x * y if key in found else x * y
+    return {key: c for key, c in found.items() if c}
 
 
-def _product(a: Sequence[Sequence[Exact]], b: Sequence[Sequence[Exact]], order: int) -> list[list[Exact]]:
+def _product(a: Sequence[Series], b: Sequence[Series], order: int) -> list[Series]:
     """The product of dual quaternions."""
-    parts: list[list[list[Exact]]] = [[] for _ in range(SIZE)]
+    parts: list[list[Series]] = [[] for _ in range(SIZE)]
     for k, i, j, sign in TERMS:
-        parts[k].append(_times(_series(a[i], b[j], order), sign))
+        parts[k].append(_times(product(a[i], b[j], order), Fraction(sign)))
     return [_sum(part) for part in parts]

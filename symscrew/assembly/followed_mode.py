@@ -9,7 +9,7 @@ get too short a singularity is near, and the mode is refused.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -115,7 +115,7 @@ class ProvedWay:
     def led(self, z: Array, start: Mapping[int, float], goal: Mapping[int, float]) -> Led:
         """Step by step, as far as that is proved."""
         at, step, steps = 0.0, FIRST, 0
-        if not self.holds(z, start):
+        if not self.begins(z, start):
             return Led(z, at, steps)
         while at < 1.0:
             end = min(1.0, at + step)
@@ -134,17 +134,28 @@ class ProvedWay:
         after = self._zero(z, end)
         if middle is None or after is None:
             return None
-        ends = (z, middle, after)
-        whole = held_by_box(self.equations, self._over(start, end), middle, ends=ends, past=SLACK * CLOSED)
-        return after if whole and self.holds(after, end) else None
+        ends, over = (z, middle, after), self.over(start, end)
+        rows = self.rows(over, middle)
+        whole = held_by_box(self.equations, over, middle, ends=ends, past=SLACK * CLOSED, rows=rows)
+        return after if whole and self.holds(after, end, rows=rows) else None
 
-    def holds(self, z: Array, values: Mapping[int, float], give: float = 0.0) -> bool:
+    def begins(self, z: Array, values: Mapping[int, float]) -> bool:
+        """Whether a zero is proved to lie within `CLOSED` of z."""
+        return self.holds(z, values)
+
+    def rows(self, over: Sequence[Any], z: Array) -> Sequence[int] | None:
+        """Rows that a step rests on; None: all."""
+        return None
+
+    def holds(
+        self, z: Array, values: Mapping[int, float], give: float = 0.0, rows: Sequence[int] | None = None
+    ) -> bool:
         """Whether a zero is proved to lie within `CLOSED` of z: then it is the one in each box that reaches past it.
 
         It is one for all values that differ by no more than `give`.
         """
         low, high = ({c: v + sign * give for c, v in values.items()} for sign in (-1, 1))
-        return held_within(self.equations, self._over(low, high), z, CLOSED)
+        return held_within(self.equations, self.over(low, high), z, CLOSED, rows)
 
     def _zero(self, z: Array, values: Mapping[int, float]) -> Array | None:
         """A zero near z, by Newton's method: a guess, which the box judges."""
@@ -157,7 +168,7 @@ class ProvedWay:
                 break
         return np.asarray(there[0].real) if np.isfinite(there).all() else None
 
-    def _over(self, start: Mapping[int, float], end: Mapping[int, float]) -> list[Any]:
+    def over(self, start: Mapping[int, float], end: Mapping[int, float]) -> list[Any]:
         """The numbers in the slots for all values of a step, as rectangles."""
         ways = {c: _hull(start[c], end[c]) for c in start}
         scalars = Scalars(lambda v: _bounded(CONTEXT.cos, v), lambda v: _bounded(CONTEXT.sin, v), read)

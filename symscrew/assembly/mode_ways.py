@@ -100,7 +100,9 @@ class _Proofs:
     def __init__(self, found: AssemblyModes, progress: Callable[[str], None]) -> None:
         assert found.family is not None
         self.found, self.progress = found, progress
-        self.modes: Sequence[AssemblyMode] = [m for m in found.modes if m.certified and m.q is not None]
+        self.modes: Sequence[AssemblyMode] = [
+            m for m in found.modes if m.certified and m.meeting == 1 and m.q is not None
+        ]
         self.equations = found.family.equations
         self.steps = ProvedWay(self.equations)
         self.compiled = _compiled(found, self.steps)

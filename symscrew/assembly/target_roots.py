@@ -36,10 +36,10 @@ APART = 1 - 1e-13
 REAL = 1e-9
 """Imaginary part of a real zero that is regular."""
 RADII = (1e-5, 1e-7, 1e-9)
-"""Of the circle around s = 1: no other singular s lies inside but for almost singular mechanisms, which the smaller ones
-are for. About the smallest, points still are 3e-5 from where two zeros meet."""
+"""Of the circle around s = 1: no other singular s lies inside but for almost singular mechanisms, which the smaller
+ones are for. About the smallest, points still are 3e-5 from where two zeros meet."""
 AT_ZERO = 1e-11
-"""Residual of the mean around s = 1: of a right one it is rounding, of one around two singular s a square of their way."""
+"""Residual of the mean around s = 1: of a right one it is rounding, of one around two singular s more."""
 TURNS = 12
 """Most rounds until a path comes back: as many as zeros that meet."""
 ARCS = 16
