@@ -36,8 +36,8 @@ STILL = CONTEXT.mpf(10) ** -50
 """A step after which all digits are there; residuals have 58."""
 DIGITS = 46
 """Of all integers of a relation together: fewer than the 50 that are known, else there is one by accident."""
-STEPS_OF_RELATIONS = 20_000
-"""Of the search for integers: a second."""
+STEPS_OF_RELATIONS = 3_000
+"""Of the search for integers, a fraction of a second: relations of 46 digits take some hundred."""
 MOST_TERMS = 8
 """Numbers of one relation, 1 and the coordinate among them: beyond it 50 digits do not tell."""
 

@@ -119,6 +119,12 @@ class ExactEquations:
         self.equations, self.slots, self.field = equations, slots, field
         self.motions, self.loops = matrices(equations.structure, slots)
 
+    def work(self, terms: int) -> int:
+        """Products of fractions that values of series of so many terms take, about."""
+        factors = sum(len(way) for way in self.equations.ways)
+        forms = sum(len(square) for square, _ in self.loops)
+        return (factors * len(TERMS) + forms * SIZE) * (terms * self.field.degree) ** 2
+
     def values(self, z: Sequence[Series], order: int) -> list[Series]:
         """Every row, of coordinates that are power series, up to this order."""
         made = [

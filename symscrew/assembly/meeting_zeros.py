@@ -13,12 +13,16 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from itertools import combinations_with_replacement
+from math import comb
 
 from symscrew.assembly.exact_slots import ExactEquations, Series, product
 from symscrew.mobility import Exact
 
 HIGHEST = {1: 8, 2: 6, 3: 5}
-"""Order by the number of variables: a second or some; of more variables the least number that can meet is said."""
+"""Order by the number of variables; of more variables the least number that can meet is said."""
+MOST_WORK = 20_000_000
+"""Products of numbers of one evaluation, those of a field counted by its degree squared: some seconds. A delta at the
+limit of its reach takes a fortieth of it; where more would be needed the least number that can meet is said."""
 
 
 def meeting_zeros(equations: ExactEquations, coordinates: Sequence[Exact], open_: Sequence[int]) -> tuple[int, bool]:
@@ -68,6 +72,8 @@ class _Bent:
         """As `meeting_zeros`."""
         before, highest = 1 + self.count, HIGHEST.get(self.count, 1)
         for order in range(2, highest + 1):
+            if self.equations.work(comb(order + self.count, order)) > MOST_WORK:
+                break
             values = self.equations.values(self.series, order)
             self._bend(values, order)
             here = self._dimension([self._left(values, row) for row in self.work[len(self.pivots) :]], order)

@@ -23,9 +23,9 @@ from symscrew.assembly.what_is_held import Held
 
 Array = np.ndarray[Any, Any]
 
-STARTS = 400
+STARTS = 100
 """Random places from which zeros are looked for: a solution has a tenth of them and more."""
-STEPS = 40
+STEPS = 30
 """Of Newton's method by least squares."""
 STILL = 1e-12
 """Of a step, and of a residual, at the end of it."""
