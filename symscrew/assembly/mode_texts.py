@@ -58,6 +58,7 @@ def _reach(mode: AssemblyMode, connections: Sequence[Connection]) -> dict[str, s
 def _verdict(found: AssemblyModes) -> str:
     words = {
         "proved": "complete, proved",
+        "regular": "every regular mode, proved",
         "tracked": "complete by tracking, not proved",
         "sampled": "not known to be all",
     }
