@@ -159,7 +159,7 @@ def held_by_box(
 
 
 def held_within(
-    equations: BatchEquations, slots: Sequence[Any], z: Array, radius: float, rows: Sequence[int] | None = None
+    equations: BatchEquations, slots: Sequence[Any], z: Array, radius: float, *, rows: Sequence[int] | None = None
 ) -> bool:
     """Whether one zero lies within this radius of z, scaled so that its groups' largest coordinates are 1.
 
@@ -169,7 +169,7 @@ def held_within(
     return test.off(z) <= radius / 2 and test.holds(radius / 2)
 
 
-class _Chart:
+class Chart:
     """The equations with the largest coordinate of each group made 1, as many as what is left."""
 
     def __init__(self, equations: BatchEquations, slots: Sequence[Any], z: Array) -> None:
@@ -221,7 +221,7 @@ class _Chart:
         g: Array = np.eye(SIZE)[0].astype(complex)
         for factor in self.equations.ways[k]:
             part = self.equations.parts[factor.group]
-            motion = np.vectorize(_middle)(self.motions[factor.group]).astype(complex)
+            motion = np.vectorize(middle_of_box)(self.motions[factor.group]).astype(complex)
             f = motion @ z[part] * (CONJUGATE if factor.back else 1)
             g = np.asarray(np.einsum("kij,i,j->k", PRODUCT, g, f))
         return g
@@ -301,7 +301,7 @@ class _Chart:
         return rows
 
 
-class _Krawczyk(_Chart):
+class _Krawczyk(Chart):
     """The test of a zero in doubles."""
 
     def __init__(
@@ -311,7 +311,7 @@ class _Krawczyk(_Chart):
         middle = self.middle
         if np.abs(middle.imag).max(initial=0.0) < max(RADII):
             middle = middle.real + 0j
-        coefficients = np.array([_middle(v) for m in self.numbers() for v in m.ravel()])
+        coefficients = np.array([middle_of_box(v) for m in self.numbers() for v in m.ravel()])
         for _ in range(3):  # what tracking leaves is 1e-11
             values, slopes = equations.evaluate(middle[None], coefficients[None])
             self.rows = self._rows(middle) if rows is None else list(rows)
@@ -346,10 +346,10 @@ class _Krawczyk(_Chart):
                 step = _sum([a * residual[r] for a, r in zip(self.y[i], self.rows, strict=True)])
                 (a, b), (c, d) = (point[k] - step).real, (point[k] - step).imaginary
                 point[k] = Rectangle(((a + b) // 2,) * 2, ((c + d) // 2,) * 2)
-        return np.array([_middle(c) for c in point])
+        return np.array([middle_of_box(c) for c in point])
 
 
-class FineTest(_Chart):
+class FineTest(Chart):
     """The test of zeros in 60 digits, in the chart of a point where zeros almost meet."""
 
     def __init__(self, equations: BatchEquations, slots: Sequence[Any], z: Array) -> None:
@@ -372,7 +372,7 @@ class FineTest(_Chart):
     @property
     def size(self) -> float:
         """The largest coefficient of the forms: dF is of this size where it is not nearly singular."""
-        return max((abs(_middle(c)) for loop in self.loops for m in loop for c in m.ravel()), default=1.0)
+        return max((abs(middle_of_box(c)) for loop in self.loops for m in loop for c in m.ravel()), default=1.0)
 
     def held(self, z: Sequence[Any], inverse: Sequence[Sequence[Any]], radii: Sequence[float]) -> float | None:
         """The first of these radii of a box around z that holds one zero, None where there is none."""
@@ -383,23 +383,6 @@ class FineTest(_Chart):
         residual = [values[k] for k in self.rows]
         self.step = [_sum([a * b for a, b in zip(row, residual, strict=True)]) for row in self.y]
         return next((radius for radius in radii if self.holds(radius)), None)
-
-
-def independent_rows(equations: BatchEquations, slots: Sequence[Any], z: Array) -> list[int]:
-    """As many rows of all as there are coordinates, those that are most independent at z: a part that can be tested.
-
-    Of what they hold nothing is said of the rows that are left out.
-    """
-    chart = _Chart(equations, slots, z)
-    coefficients = np.array([_middle(v) for m in chart.numbers() for v in m.ravel()])
-    _, slopes = equations.evaluate(chart.middle[None], coefficients[None])
-    left, chosen = slopes[0][:, chart.open].real.copy(), list[int]()
-    for _ in chart.open:
-        sizes = np.linalg.norm(left, axis=1)
-        chosen.append(int(sizes.argmax()))
-        along = left[chosen[-1]] / (sizes[chosen[-1]] or 1.0)
-        left -= np.outer(left @ along, along)
-    return sorted(chosen)
 
 
 def fine_middle(z: Sequence[Rectangle]) -> list[Any]:
@@ -419,11 +402,12 @@ def _finely(value: Any) -> Rectangle:
 
 def _two_rows(block: Array) -> list[int]:
     """The rows of an antisymmetric matrix of rank two whose common entry is largest."""
-    sizes = np.abs(np.vectorize(_middle)(block[:, :4]).astype(complex))
+    sizes = np.abs(np.vectorize(middle_of_box)(block[:, :4]).astype(complex))
     return sorted(int(k) for k in np.unravel_index(int(sizes.argmax()), sizes.shape))
 
 
-def _middle(value: Any) -> complex:
+def middle_of_box(value: Any) -> complex:
+    """Of a rectangle; a number itself."""
     if not isinstance(value, Rectangle):
         return complex(value)
     return complex(sum(value.real) / 2 / ONE, sum(value.imaginary) / 2 / ONE)

@@ -17,11 +17,12 @@ from typing import Any
 import numpy as np
 
 from symscrew.assembly.all_modes import AssemblyMode, AssemblyModes
-from symscrew.assembly.followed_mode import Led, ProvedWay, shown
+from symscrew.assembly.followed_mode import shown
 from symscrew.assembly.joint_angles import CLOSED
 from symscrew.assembly.mode_signs import LOCKED
 from symscrew.assembly.modes_c import held_modes_model
 from symscrew.assembly.modes_library import CompiledModes, own_compiled_modes
+from symscrew.assembly.proved_way import Led, ProvedWay
 from symscrew.assembly.what_is_held import held_by
 from symscrew.errors import DescriptionError
 from symscrew.mobility import regular_ways

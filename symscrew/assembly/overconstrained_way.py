@@ -16,9 +16,9 @@ from typing import Any
 import numpy as np
 
 from symscrew.assembly.batch_equations import BatchEquations
-from symscrew.assembly.certified_roots import Certificate, independent_rows
-from symscrew.assembly.followed_mode import ProvedWay
+from symscrew.assembly.certified_roots import Certificate, Chart, middle_of_box
 from symscrew.assembly.joint_angles import CLOSED
+from symscrew.assembly.proved_way import ProvedWay
 from symscrew.assembly.what_is_held import Held
 from symscrew.mobility import analyse_mobility
 
@@ -40,6 +40,23 @@ class _Way(ProvedWay):
         return self.holds(z, values, rows=self.rows(self.over(values, values), z))
 
 
+def independent_rows(equations: BatchEquations, slots: Sequence[Any], z: Array) -> list[int]:
+    """As many rows of all as there are coordinates, those that are most independent at z: a part that can be tested.
+
+    Of what they hold nothing is said of the rows that are left out.
+    """
+    chart = Chart(equations, slots, z)
+    coefficients = np.array([middle_of_box(v) for m in chart.numbers() for v in m.ravel()])
+    _, slopes = equations.evaluate(chart.middle[None], coefficients[None])
+    left, chosen = slopes[0][:, chart.open].real.copy(), list[int]()
+    for _ in chart.open:
+        sizes = np.linalg.norm(left, axis=1)
+        chosen.append(int(sizes.argmax()))
+        along = left[chosen[-1]] / (sizes[chosen[-1]] or 1.0)
+        left -= np.outer(left @ along, along)
+    return sorted(chosen)
+
+
 def on_the_motion(held: Held, equations: BatchEquations, known: Array) -> Certificate | None:
     """The zero at what is held that the motion through the reference leads to; None where that is not proved.
 
@@ -54,6 +71,6 @@ def on_the_motion(held: Held, equations: BatchEquations, known: Array) -> Certif
     goal = {c: held.off(c, 2 * held.values[c]) for c in held.chosen}
     way = _Way(equations)
     led = way.led(known.real, dict.fromkeys(goal, 0.0), goal)
-    if led.reached < 1.0 or not way.holds(led.z, goal, ROUNDED, way.rows(way.over(goal, goal), led.z)):
+    if led.reached < 1.0 or not way.holds(led.z, goal, ROUNDED, rows=way.rows(way.over(goal, goal), led.z)):
         return None
     return Certificate(CLOSED, led.z + 0j, "real")

@@ -16,6 +16,7 @@ import numpy as np
 from symscrew.assembly.batch_equations import BatchEquations
 from symscrew.assembly.exact_roots import ExactRoots
 from symscrew.assembly.families import Family
+from symscrew.assembly.overconstrained_way import on_the_motion
 from symscrew.assembly.path_tracking import Tracker
 from symscrew.assembly.start_system import together
 from symscrew.assembly.target_roots import APART, SINGULAR, Account, End
@@ -82,8 +83,6 @@ def _further(equations: BatchEquations, numbers: Array, ends: Sequence[End]) -> 
 
 def _on_the_motion(held: Held, equations: BatchEquations, ends: Sequence[End], known: Array) -> list[End]:
     """Of more equations than unknowns, the end that is on the motion through the reference has a proof."""
-    from symscrew.assembly.overconstrained_way import on_the_motion
-
     proof = on_the_motion(held, equations, known)
     if proof is None:
         return list(ends)
