@@ -40,6 +40,7 @@ from symscrew.generation.target_file import Order
 from symscrew.generation.targets import TARGETS, USUAL, apart, by_value, printable, with_brought
 from symscrew.model import Model
 from symscrew.program import Iteration
+from symscrew.runtime import remember_folder
 from symscrew.whole_files import PENDING, is_staging, one_at_a_time, put_files
 from symscrew.workers import beside
 
@@ -115,6 +116,7 @@ def write_folder(files: Mapping[str, bytes], out_dir: str | Path) -> tuple[Path,
     except OSError as error:
         what = error.strerror or error
         raise OutputError(f"{directory}: cannot be written ({what}); nothing was, use another place") from error
+    remember_folder(files)
     return tuple(directory / file for file in sorted(files))
 
 

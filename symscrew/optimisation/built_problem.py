@@ -234,7 +234,7 @@ class OptimisationProblem:
             if stats["success"]:
                 break
         found = self._trajectory(given, answer, stats, (began, ready, clock()))
-        found = replace(found, statistics=replace(found.statistics, undefined=dict(undefined.most_common())))
+        found = found.told(statistics=replace(found.statistics, undefined=dict(undefined.most_common())))
         return judged(found) if judge else found
 
     def _changed(

@@ -42,11 +42,13 @@ class Enclosure:
 
 
 Number = Enclosure | float
+NONE = np.zeros((2, 1))  # the middle of what has none
+NONE.flags.writeable = False
 
 
 def interval(low: np.ndarray, high: np.ndarray) -> Enclosure:
     """Values between two arrays (n,), of which nothing else is known."""
-    return Enclosure(low[None], high[None], np.zeros((2, 1)))
+    return Enclosure(low[None], high[None], NONE)
 
 
 def polynomial(coefficients: np.ndarray, radius: np.ndarray) -> Enclosure:
@@ -70,9 +72,10 @@ def polynomial(coefficients: np.ndarray, radius: np.ndarray) -> Enclosure:
 
 def product(a: Pair, b: Pair) -> Pair:
     """All products of numbers in a and b; everything where a bound is not a number."""
-    four = np.stack(np.broadcast_arrays(a[0] * b[0], a[0] * b[1], a[1] * b[0], a[1] * b[1]))
-    low, high = four.min(axis=0), four.max(axis=0)
-    lost = np.isnan(low)
+    least, most, lower, upper = a[0] * b[0], a[1] * b[1], a[0] * b[1], a[1] * b[0]
+    low = np.minimum(np.minimum(least, most), np.minimum(lower, upper))
+    high = np.maximum(np.maximum(least, most), np.maximum(lower, upper))
+    lost = low != low
     return (np.where(lost, -np.inf, low), np.where(lost, np.inf, high)) if lost.any() else (low, high)
 
 
@@ -227,8 +230,6 @@ class Arithmetic:
 
     def _cut(self, low: Sequence[np.ndarray], high: Sequence[np.ndarray], middle: Sequence[np.ndarray]) -> Enclosure:
         """With the value and the slope cut to what the middle and the second derivative allow."""
-        if len(low) == 1:
-            return Enclosure(np.array(low), np.array(high), np.zeros((2, 1)))
         value, slope = middle
         reach = np.maximum(np.abs(low[2]), np.abs(high[2])) * self.radius
         # fmax and fmin leave a number where the other side is none
@@ -254,12 +255,12 @@ class Arithmetic:
         """a + sign b."""
         if not isinstance(b, Enclosure):
             return self._raised(a, sign * b) if isinstance(a, Enclosure) else a + sign * b
-        other = b if sign > 0 else self.scaled(b, -1.0)
-        assert isinstance(other, Enclosure)
+        low, high, middle = (b.low, b.high, b.middle) if sign > 0 else (-b.high, -b.low, -b.middle)
         if not isinstance(a, Enclosure):
-            return self._raised(other, a)
-        n = min(a.orders, other.orders)
-        return self._cut(a.low[:n] + other.low[:n], a.high[:n] + other.high[:n], a.middle + other.middle)
+            return self._raised(Enclosure(low, high, middle), a)
+        if a.orders == 1 or b.orders == 1:
+            return Enclosure(a.low[:1] + low[:1], a.high[:1] + high[:1], NONE)
+        return self._cut(a.low + low, a.high + high, a.middle + middle)
 
     def _raised(self, a: Enclosure, by: float) -> Enclosure:
         low, high, middle = a.low.copy(), a.high.copy(), a.middle.copy()
@@ -278,8 +279,8 @@ class Arithmetic:
             return self.scaled(b, a)
         if not isinstance(b, Enclosure):
             return self.scaled(a, b)
-        if min(a.orders, b.orders) == 1:
-            return interval(*product(a.value, b.value))
+        if a.orders == 1 or b.orders == 1:
+            return Enclosure(*product((a.low[:1], a.high[:1]), (b.low[:1], b.high[:1])), NONE)
         left, right = [0, 1, 0, 2, 1, 0], [0, 0, 1, 0, 1, 2]
         low, high = product((a.low[left], a.high[left]), (b.low[right], b.high[right]))
         (f, f_1), (g, g_1) = a.middle, b.middle

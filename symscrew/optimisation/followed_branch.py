@@ -30,8 +30,14 @@ from symscrew.optimisation.planned_motion import PlannedMotion
 # Halvings of an interval: pieces of a thousandth of it. What cannot be followed in these is singular for all a plan
 # of doubles says.
 MOST_HALVINGS = 10
+# Rows of the excess, which is in proportion to a short piece and has to be below 1, that halves would not bring there:
+# such a piece is cut in four.
+FAR = 4.0
 NEWTON_STEPS, CONVERGED = 12, 1e-11  # of z at one time; [1, rad, m], steps
-BOXES = 5  # sizes of a box that are tried, each larger than what the operator made of the last one
+BOXES = 5  # sizes of a box that are tried, each by what the operator made of the last one
+# Of the box that the operator would keep if its excess stayed what it was: the larger box has a larger one. Two sizes
+# do for most pieces, where growing by 1.3 took four.
+WIDER = 1.2
 # Of the solver's own configuration against the one followed [1, rad, m]: constraints hold to 1e-8 scaled, times what
 # a nearly singular closure makes of it.
 AGREED = 1e-5
@@ -129,8 +135,9 @@ class Branch:
             excess = self._excess(arithmetic, given, (z, radius), inverse)
             made = offset + np.einsum("nij,nj->ni", excess, radius)
             done = good & (made < radius).all(axis=1)
-            radius = np.where(done[:, None], radius, 1.3 * made)
-            if (done | ~good | ~np.isfinite(made).all(axis=1)).all():
+            wanted = _kept(excess, offset + CONVERGED)
+            radius = np.where(done[:, None], radius, WIDER * wanted)
+            if (done | ~good | ~np.isfinite(wanted).all(axis=1)).all():
                 break
         return Boxes(pieces, z, slope, radius, inverse, excess), done
 
@@ -188,17 +195,19 @@ class Branch:
         mesh, layout = motion.transcribed.mesh, motion.model.equations.layout
         pieces, found = Pieces.whole(len(mesh) - 1), None
         z = motion.nearest(pieces.tau(mesh))[:, list(layout.z)]
-        for halving in range(MOST_HALVINGS + 1):
+        while True:
             boxes, good = self.boxes(pieces, z)
             now = boxes.chosen(good)
             found = now if found is None else found.with_others(now)
             if good.all():
                 break
-            if halving == MOST_HALVINGS:
-                first = float(pieces.chosen(~good).tau(mesh).min())
-                return Followed(found.in_order(), self._singular(first))
             lost = boxes.chosen(~good)
-            pieces = lost.pieces.halves()
+            shortest = lost.pieces.radius <= 0.5**MOST_HALVINGS
+            if shortest.any():
+                first = float(lost.pieces.chosen(shortest).tau(mesh).min())
+                return Followed(found.in_order(), self._singular(first))
+            far = ~(lost.excess.sum(axis=2).max(axis=1) < FAR)
+            pieces = lost.pieces.chosen(far).halves().with_others(lost.pieces.chosen(~far)).halves()
             z = motion.nearest(pieces.tau(mesh))[:, list(layout.z)]
         assert found is not None
         ordered = found.in_order()
@@ -316,6 +325,23 @@ def _centred(values: list[Number], n: int, order: int = 0) -> tuple[np.ndarray, 
     low, high = (np.array(part).reshape(len(values), n).T for part in zip(*pairs, strict=True))
     with np.errstate(invalid="ignore"):
         return (low + high) / 2, np.nan_to_num((high - low) / 2, nan=np.inf, posinf=np.inf)
+
+
+def _kept(excess: np.ndarray, offset: np.ndarray) -> np.ndarray:
+    """Half widths r = offset + excess r (n, nz), infinite where there are none: nor are there of any larger box.
+
+    `offset` > 0 and `excess` >= 0: such r > 0 are there only where the excess's powers vanish (it is an M-matrix that
+    is inverted), and the excess grows with the box.
+    """
+    found, unit = np.full_like(offset, np.inf), np.eye(offset.shape[1])
+    for k in np.flatnonzero(np.isfinite(excess).all(axis=(1, 2)) & np.isfinite(offset).all(axis=1)):
+        try:
+            r = np.linalg.solve(unit - excess[k], offset[k])
+        except np.linalg.LinAlgError:
+            continue
+        if (r > 0).all():
+            found[k] = r
+    return found
 
 
 def _inverse(matrix: np.ndarray) -> np.ndarray:

@@ -5,8 +5,6 @@ Trajectory, solved --branch, errors between the points, bounds between the point
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 
 from symscrew.optimisation.explanation import STATUS
@@ -22,7 +20,7 @@ REPLAYED = 2.0
 def judged(trajectory: Trajectory) -> Trajectory:
     """The trajectory with the verdict of looks by other routes; one that failed or was refused already stays so."""
     if trajectory.ok is None and trajectory.solved:
-        trajectory = replace(trajectory, ok=True, status=STATUS["Solve_Succeeded"])
+        trajectory = trajectory.told(ok=True, status=STATUS["Solve_Succeeded"])
     if not trajectory.ok:
         return trajectory
     if trouble := trajectory.followed.trouble:
@@ -33,13 +31,13 @@ def judged(trajectory: Trajectory) -> Trajectory:
     missed = _missed(trajectory, accuracy)
     if not missed:
         played = replay(trajectory)
-        trajectory = replace(trajectory, replayed=played)
+        trajectory = trajectory.told(replayed=played)
         missed = _off(trajectory, played, REPLAYED * accuracy[0])
     return _refused(trajectory, "not confirmed", missed) if missed else trajectory
 
 
 def _refused(trajectory: Trajectory, word: str, reasons: tuple[str, ...]) -> Trajectory:
-    return replace(trajectory, ok=False, status=f"{word}: {reasons[0]}", reasons=(*reasons, *trajectory.notes))
+    return trajectory.told(ok=False, status=f"{word}: {reasons[0]}", reasons=(*reasons, *trajectory.notes))
 
 
 def _missed(trajectory: Trajectory, accuracy: tuple[float, float]) -> tuple[str, ...]:

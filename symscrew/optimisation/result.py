@@ -7,8 +7,9 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field, fields, replace
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 
@@ -16,6 +17,9 @@ from symscrew.optimisation.followed_branch import Branch, Followed
 from symscrew.optimisation.many_starts import Search
 from symscrew.optimisation.mesh_errors import Errors, costates_of, errors_of
 from symscrew.optimisation.planned_motion import PlannedMotion
+
+# What is said of a motion, and nothing of what it is.
+WORDS = frozenset({"ok", "status", "statistics", "reasons", "refinements", "notes", "replayed", "search"})
 
 
 @dataclass(frozen=True)
@@ -98,6 +102,14 @@ class Trajectory(PlannedMotion):
 
     def __repr__(self) -> str:
         return f"<Trajectory {self.problem.name}: {self.duration:g} s, cost {self.cost:.6g}, {self.status}>"
+
+    def told(self, **words: Any) -> Trajectory:
+        """The same motion with other words about it (`ok`, `status`, `notes` ...): looks at it are not made again."""
+        other = replace(self, **words)
+        own = {field.name for field in fields(self)}
+        assert not words.keys() - WORDS, words
+        vars(other).update({name: look for name, look in vars(self).items() if name not in own})
+        return other
 
     @cached_property
     def costates(self) -> np.ndarray:

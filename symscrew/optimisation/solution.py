@@ -137,9 +137,9 @@ def solve(
     say(trajectory.status)
     spent = trajectory.statistics
     if search is not None:
-        trajectory = replace(trajectory, search=search, notes=(*trajectory.notes, str(search)))
+        trajectory = trajectory.told(search=search, notes=(*trajectory.notes, str(search)))
         spent = replace(spent, undefined=dict((search.undefined + Counter(spent.undefined)).most_common()))
-    return replace(trajectory, statistics=spent.completed("errors and meshes", clock() - began))
+    return trajectory.told(statistics=spent.completed("errors and meshes", clock() - began))
 
 
 def attempts(problem: TrajectoryProblem, guesses: Sequence[Values | None]) -> list[Attempt]:
@@ -196,7 +196,7 @@ def _passed(found: Prepared, say: Progress, until: float) -> Trajectory | None:
         trajectory = _accurate(other, problem, warm=None, say=say, began=clock(), until=until)
         if trajectory.ok and not trajectory.followed.trouble:
             labels = ", ".join(problem.independent or ())
-            return replace(trajectory, notes=(*trajectory.notes, f"through a passage, by the coordinates {labels}"))
+            return trajectory.told(notes=(*trajectory.notes, f"through a passage, by the coordinates {labels}"))
         say(f"no motion was found through the passage: {trajectory.followed.trouble or trajectory.status}")
     return None
 
@@ -204,7 +204,7 @@ def _passed(found: Prepared, say: Progress, until: float) -> Trajectory | None:
 def _refused(trajectory: Trajectory) -> Trajectory:
     """Why there is no motion to a goal on another branch."""
     reason = "the goal lies on another assembly mode than the start, and no motion through a passage was found"
-    return replace(trajectory, ok=False, status=f"{reason}; {trajectory.status}", reasons=(reason, *trajectory.reasons))
+    return trajectory.told(ok=False, status=f"{reason}; {trajectory.status}", reasons=(reason, *trajectory.reasons))
 
 
 def _refined(
@@ -229,17 +229,15 @@ def _refined(
         if not again.ok:  # the coarser motion is an optimum still
             say(f"the finer mesh is given up: {again.status}")
             reason = f"a finer mesh of {len(mesh)} intervals was given up: {again.status}"
-            trajectory = replace(trajectory, statistics=spent)
+            trajectory = trajectory.told(statistics=spent)
             break
         if again.followed.trouble:
             reason = f"a finer mesh of {len(mesh)} intervals was given up: {again.followed.trouble}"
-            trajectory = replace(trajectory, statistics=spent)
+            trajectory = trajectory.told(statistics=spent)
             break
-        trajectory = replace(again, refinements=count + 1, statistics=spent)
+        trajectory = again.told(refinements=count + 1, statistics=spent)
     return (
-        replace(trajectory, notes=(f"the errors between the points are not as wanted: {reason}",))
-        if reason
-        else trajectory
+        trajectory.told(notes=(f"the errors between the points are not as wanted: {reason}",)) if reason else trajectory
     )
 
 

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from symscrew.runtime.jax_functions import load_jax
     from symscrew.runtime.model_keys import model_key
     from symscrew.runtime.nvrtc import CudaCode, KernelSize, compile_cuda, find_nvrtc
-    from symscrew.runtime.origin import model_of, version
+    from symscrew.runtime.origin import model_of, remember_folder, version
     from symscrew.runtime.user_cache import CacheState, entry, key_of
     from symscrew.runtime.user_cache import clear as clear_cache
     from symscrew.runtime.user_cache import state as cache_state
@@ -46,6 +46,7 @@ __all__ = [
     "load_jax",
     "model_key",
     "model_of",
+    "remember_folder",
     "run_tool",
     "version",
     "without_cache",

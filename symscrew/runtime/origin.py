@@ -11,6 +11,7 @@ is kept as text in the user's cache, so that this takes its time once.
 
 from __future__ import annotations
 
+import hashlib
 import json
 import math
 import os
@@ -52,7 +53,8 @@ from symscrew.runtime import user_cache
 Ports = Mapping[str, tuple[tuple[Port, ...], tuple[Port, ...]]]  # function -> inputs, outputs
 PACKAGE = Path(__file__).parents[1]
 DESCRIPTION = "mechanism.toml"
-FOLDER = "/"  # among the functions' texts: those of the folder itself
+DESCRIBING = (DESCRIPTION, "manifest.json")  # files that say what a folder's C is
+FOLDER = "/"  # beside functions: what is compared of the whole folder
 LARGEST_ARRAY = 1 << 31  # entries of a port: a manifest that says more was not written here, and sizes could overflow
 
 
@@ -114,14 +116,8 @@ def origin_of(source: Model | str | Path, precision: str | None, *, trusted: boo
                 "which compiles the same functions with these"
             )
         return Origin(name, ports, own, derived, lambda _: {}, tuple(directory / f for f in sources), told)
-    texts: dict[str, Mapping[str, str]] = {}
-
-    def files(function: str) -> Mapping[str, str]:
-        if not texts:
-            texts.update(_proved(directory, name, own, derived, form=read_form(content)))
-        return texts[function]
-
-    return Origin(name, ports, own, derived, files, texts=told)
+    code = _FolderCode(directory, own, derived, read_form(content))
+    return Origin(name, ports, own, derived, code.of, texts=told)
 
 
 def _status_texts(content: Mapping[str, Any]) -> Mapping[int, str]:
@@ -218,38 +214,100 @@ def _same_interface(directory: Path, model: Model, name: str, *, ports: Ports, p
         )
 
 
-def _proved(
-    directory: Path, name: str, precision: Precision, derived: Callable[[], Model], *, form: Form
-) -> dict[str, Mapping[str, str]]:
-    """C files of every function, after those of the folder have been found to be what its description gives."""
-    read = [_bytes(directory / file) for file in (DESCRIPTION, "manifest.json")]
-    key = user_cache.key_of(b"C of a folder", version().encode(), precision.name.encode(), *read)
-    with user_cache.entry(key) as entry:
-        kept = _texts(entry.read())
-        if kept is None:
-            model = derived()
-            kept = {f: print_c(model.only([f]), precision=precision, lanes=False) for f in model.programs}
-            several = not form.one_file
-            kept[""] = print_c(model, precision=precision, several=several)
-            without = {} if form.batches else print_c(model, precision=precision, several=several, batches=False)
-            kept[FOLDER] = without  # where the folder is not what is compiled
-            entry.write(json.dumps(kept).encode("utf-8"))
-    for file, text in (kept.pop(FOLDER) or kept[""]).items():
-        if file.endswith((".c", "_support.h")) and _bytes(directory / file) != text.encode("utf-8"):
-            raise OutputError(
-                f"{directory}/{file}: is not the code that {DESCRIPTION} and manifest.json give with this version; "
-                "generate it again, or load it with trusted=True if you know where it comes from"
-            )
-    return dict(kept)
+class _FolderCode:
+    """The C that a folder's description gives, of one function or of all, as far as somebody asks for it.
+
+    Before the first of it is given, the C in the folder has been found to be the same.
+    """
+
+    def __init__(self, directory: Path, precision: Precision, derived: Callable[[], Model], form: Form) -> None:
+        self._directory, self._precision, self._form = directory, precision, form
+        self._derived = cache(derived)
+        self._read = [_bytes(directory / file) for file in DESCRIBING]
+        self._texts: dict[str, Mapping[str, str]] = {}
+
+    def of(self, function: str) -> Mapping[str, str]:
+        """C files by name, of a function or of all ("").
+
+        Raises:
+            OutputError: the folder holds other C than its description gives.
+        """
+        if not self._texts:
+            self._compare()
+        if function not in self._texts:
+            self._texts[function] = self._kept(function, lambda: self._printed(function))
+        return self._texts[function]
+
+    def _printed(self, function: str) -> Mapping[str, str]:
+        if function:
+            return print_c(self._derived().only([function]), precision=self._precision, lanes=False)
+        return print_c(self._derived(), precision=self._precision, several=not self._form.one_file)
+
+    def _compare(self) -> None:
+        digests = self._kept(FOLDER, self._digests)
+        for file, digest in digests.items():
+            if _digest(_bytes(self._directory / file)) != digest:
+                raise OutputError(
+                    f"{self._directory}/{file}: is not the code that {DESCRIPTION} and manifest.json give with this "
+                    "version; generate it again, or load it with trusted=True if you know where it comes from"
+                )
+
+    def _digests(self) -> Mapping[str, str]:
+        form = self._form
+        texts = print_c(
+            self._derived(), precision=self._precision, several=not form.one_file, batches=form.batches
+        )  # fmt: skip
+        return _compared({file: text.encode("utf-8") for file, text in texts.items()})
+
+    def _kept(self, what: str, make: Callable[[], Mapping[str, str]]) -> Mapping[str, str]:
+        key = _key(what, self._precision.name, self._read)
+        with user_cache.entry(key) as entry:  # not held while it is made
+            found = _texts(entry.read())
+        if found is None:
+            found = make()
+            with user_cache.entry(key) as entry:
+                entry.write(json.dumps(found).encode("utf-8"))
+        return found
 
 
-def _texts(kept: bytes | None) -> dict[str, dict[str, str]] | None:
-    """What was kept as JSON, if that is what it is."""
+def remember_folder(files: Mapping[str, bytes]) -> None:
+    """Keep in the user's cache what C belongs to the description of a folder that this version has just made.
+
+    `files`: content by name. Loading the folder compares its C with that, and derives it no second time for this.
+    """
+    if not files.keys() >= set(DESCRIBING):
+        return
+    content = json.loads(files["manifest.json"])
+    name, precision = content["mechanism"], content.get("precision", "double")
+    own = {*library_sources(files, name), f"{name}_support.h"}
+    digests = _compared({file: data for file, data in files.items() if file in own})
+    if not digests:
+        return
+    with user_cache.entry(_key(FOLDER, precision, [files[file] for file in DESCRIBING])) as entry:
+        entry.write(json.dumps(digests).encode("utf-8"))
+
+
+def _key(what: str, precision: str, read: Sequence[bytes]) -> str:
+    return user_cache.key_of(b"C of a folder", what.encode(), version().encode(), precision.encode(), *read)
+
+
+def _compared(files: Mapping[str, bytes]) -> dict[str, str]:
+    """Digests of what is compared: the C files and the header that they share, which are made of the description."""
+    return {file: _digest(data) for file, data in files.items() if file.endswith((".c", "_support.h"))}
+
+
+def _digest(data: bytes) -> str:
+    return hashlib.sha256(data).hexdigest()
+
+
+def _texts(kept: bytes | None) -> dict[str, str] | None:
+    """Texts by name that were kept as JSON, if that is what it is."""
     try:
         found = json.loads(kept) if kept is not None else None
     except (ValueError, RecursionError):
         return None
-    return found if isinstance(found, dict) and "" in found and FOLDER in found else None
+    texts = isinstance(found, dict) and found and all(isinstance(text, str) for text in found.values())
+    return found if texts else None
 
 
 def _bytes(path: Path) -> bytes:

@@ -13,6 +13,7 @@ from symscrew.errors import DescriptionError
 from symscrew.optimisation import (
     consistent_poses,
     explanation,
+    followed_branch,
     followed_motion,
     guess,
     mesh_errors,
@@ -22,6 +23,7 @@ from symscrew.optimisation import (
 )
 from symscrew.optimisation import problem as words
 from symscrew.optimisation.constraints import FORMULATIONS
+from symscrew.optimisation.followed_branch import Branch
 from symscrew.optimisation.objectives import OBJECTIVE_TYPES
 from symscrew.optimisation.obstacles import SHAPES
 from symscrew.optimisation.problem import Bounds, Conditions, Objective, Solver, TrajectoryProblem, Transcription
@@ -287,3 +289,41 @@ def test_a_direction_is_told_from_its_opposite() -> None:
 def test_the_cart_pole_needs_no_refinement_where_none_is_asked_for() -> None:
     found = solve(replace(cart_pole_problem(Transcription(intervals=20)), accuracy=None))
     assert found.ok and found.notes == () and found.refinements == 0
+
+
+# -- the branch ------------------------------------------------------------------------------------------------
+
+
+def test_boxes_that_an_operator_keeps_are_there_below_one_only() -> None:
+    """r = offset + excess r in closed form; at 1 and above, singular or negative, there is none."""
+    excess = np.array(
+        [[[0.5, 0.25], [0.0, 0.5]], [[1.0, 0.0], [0.0, 0.5]], [[0.2, 3.0], [3.0, 0.2]], [[np.inf, 0], [0, 0]]]
+    )
+    found = followed_branch._kept(excess, np.full((4, 2), 0.1))
+    np.testing.assert_allclose(found[0], [0.3, 0.2], rtol=1e-14)
+    assert np.isinf(found[1:]).any(axis=1).all()
+
+
+@pytest.mark.parametrize(("name", "value"), [("FAR", 0.0), ("FAR", np.inf), ("BOXES", 2), ("BOXES", 8), ("WIDER", 2.0)])
+def test_how_pieces_are_cut_changes_no_branch(name: str, value: float, monkeypatch: pytest.MonkeyPatch) -> None:
+    plan = solve(crank(**rest_to_rest({"A": 0.1}, {"A": 2.5}), transcription=Transcription(intervals=1, degree=5)))
+    usual = Branch(plan).followed()
+    monkeypatch.setattr(followed_branch, name, value)
+    other = Branch(plan).followed()
+    assert usual.trouble == other.trouble == ""
+    assert len(other.boxes.pieces) > 1 and len(usual.boxes.pieces) > 1  # one interval is more than one piece
+    for found in (usual, other):
+        assert np.isclose(found.boxes.pieces.radius.sum(), 1.0)  # all of the interval, once
+        ends = found.boxes.z + found.boxes.slope * found.boxes.pieces.radius[:, None]
+        starts = found.boxes.z - found.boxes.slope * found.boxes.pieces.radius[:, None]
+        assert np.abs(ends[:-1] - starts[1:]).max() < 0.05  # [rad], by tangents: neighbours meet
+
+
+def test_words_about_a_motion_change_no_look_at_it(coarse: Trajectory) -> None:
+    looked = coarse.followed
+    said = coarse.told(status="seen")
+    assert (
+        said.status == "seen" and coarse.status != "seen" and said.followed is looked and said.branch is coarse.branch
+    )
+    with pytest.raises(AssertionError):
+        coarse.told(x=coarse.x)
