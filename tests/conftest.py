@@ -78,6 +78,7 @@ def pytest_runtest_setup(item: pytest.Item) -> None:
 def once(common: Path) -> Iterator[None]:
     with pytest.MonkeyPatch.context() as changed:
         changed.setenv("SYMSCREW_CACHE", str(common / "libraries"))
+        changed.delenv("COLUMNS", raising=False)  # that of pytest's own workers: in a pipe nobody says how wide
         changed.setattr(compilers, "attempts", Levels(compilers.attempts))
         changed.setattr(symscrew.model, "_derived", derived_once)
         yield

@@ -16,7 +16,8 @@ import numpy as np
 from symscrew import notebook
 from symscrew.algebra import CONTEXT
 from symscrew.assembly.batch_equations import BatchEquations
-from symscrew.assembly.certified_roots import Certificate, certified, read
+from symscrew.assembly.certified_roots import Certificate, read
+from symscrew.assembly.completeness import Completeness, proof_of
 from symscrew.assembly.elementary_graph import held_graph
 from symscrew.assembly.families import AllNumbers, Family, WhatIsHeld
 from symscrew.assembly.held_structure import Structure, held_structure
@@ -24,12 +25,13 @@ from symscrew.assembly.joint_angles import CLOSED, JointAngles
 from symscrew.assembly.mode_names import Named, names_by_ways, numbered
 from symscrew.assembly.mode_signs import LOCKED, ModeSigns
 from symscrew.assembly.path_tracking import Tracker
-from symscrew.assembly.root_bounds import Bound, own_bound
+from symscrew.assembly.root_bounds import Bound
 from symscrew.assembly.slot_numbers import Displacements, Scalars
 from symscrew.assembly.split_roots import NEAR, split_ends
 from symscrew.assembly.start_system import StartSystem, start_system, together
-from symscrew.assembly.target_roots import APART, Account, End, target_roots
+from symscrew.assembly.target_roots import Account, End, target_roots
 from symscrew.assembly.what_is_held import Held, held_by
+from symscrew.assembly.without_boxes import without_boxes
 from symscrew.description import Mechanism
 from symscrew.mobility import Network, NotAlgebraicError
 
@@ -71,6 +73,8 @@ class AssemblyMode:
     curve: bool = False
     ways: int = 1
     close: bool = False
+    exact: bool = False
+    meeting: int = 1
     z: Array = field(default_factory=lambda: np.zeros(0))
     poses: Mapping[str, tuple[Array, Array]] = field(default_factory=dict, repr=False)
 
@@ -80,8 +84,8 @@ class AssemblyMode:
 
     @property
     def certified(self) -> bool:
-        """Whether it is proved that there is one solution at this place."""
-        return self.radius is not None
+        """Whether it is proved that there is one solution at this place, or one at which several meet."""
+        return self.radius is not None or self.exact
 
 
 @dataclass(frozen=True, repr=False)
@@ -89,7 +93,8 @@ class AssemblyModes:
     """All real solutions of a mechanism for what is held, and the account of all paths.
 
     `held`: values by coordinate, as the description counts them. `bound`: on isolated complex solutions, or None.
-    `complete`: "proved", "tracked" or "sampled"; `why` says what it rests on. `out_of_reach`: solutions of the closure
+    `complete`: "proved"; "regular", proved of all solutions but singular ones; "tracked" or "sampled"; `why` says what
+    it rests on. `out_of_reach`: solutions of the closure
     that the joints of a limb do not reach. `family`: of which the mechanism is a member. `chosen`: the columns that
     hold it, of more drives than freedoms those that are needed.
     """
@@ -221,24 +226,21 @@ class _Search:
         fine = Displacements(self.structure, DIGITS_60, self.held.exact).slots()
         boxes = [read(s) if np.ndim(s) == 0 else [read(c) for c in s] for s in fine]
         account = split_ends(self.equations, boxes, account)
+        account = without_boxes(self.held, self.family, account, known_zero(self.equations))
         ends = [end for end in account.ends if end.kind == "real"]
         ends = [_polished(self.equations, self.family, self.held, end) for end in ends]
-        certificates = [self._proof(boxes, end) for end in ends]
+        certificates = [proof_of(self.equations, boxes, end) for end in ends]
         ends = [end if box is None else replace(end, z=box.z) for end, box in zip(ends, certificates, strict=True)]
         modes, missed = self._seen(ends, certificates)
         modes = _one_of_each(modes, self.held)
-        others = [end for end in account.ends if end.kind == "complex" and end.regular]
-        proofs = [c for c in certificates if c is not None and c.kind == "real"]
-        complete, why, bound = self._verdict(start, account, (proofs, others), boxes)
+        whole = Completeness(self.held, self.equations, boxes, self.progress)
+        complete, why, bound = whole.verdict(start, account, certificates)
         names = self._names(start, modes)
         modes = sorted((replace(m, name=n) for m, n in zip(modes, names, strict=True)), key=lambda m: _order(m.name))
         return AssemblyModes(
             self.held.mechanism, self.held.network, self.held.body, self.held.shown, tuple(modes), missed, account,
             bound, complete, why, self.family, self.held.values, self.held.chosen,
         )  # fmt: skip
-
-    def _proof(self, boxes: Any, end: End) -> Certificate | None:
-        return end.proof or (certified(self.equations, boxes, end.z) if end.regular else None)
 
     def _names(self, start: StartSystem, modes: Sequence[AssemblyMode]) -> list[str]:
         """Of modes at what is held, by straight ways to the reference."""
@@ -285,7 +287,8 @@ class _Search:
             modes.append(AssemblyMode(
                 "", rotation, translation, quaternion(rotation), at, self.held.labelled(at), seen.residual,
                 seen.smallest, seen.volume, seen.signs, None if box is None else box.radius, end.paths, end.curve,
-                close=end.proof is not None, z=end.z, poses=seen.poses,
+                close=end.proof is not None and end.proof.beside is not None, exact=end.exact is not None,
+                meeting=end.exact.meeting if end.exact else 1, z=end.z, poses=seen.poses,
             ))  # fmt: skip
         return modes, missed
 
@@ -295,53 +298,6 @@ class _Search:
         centre = np.array([float(c) for c in self.structure.centre])
         rotation = frame.T @ turn @ frame
         return rotation, (centre - rotation @ centre + frame.T @ shift) * float(self.held.network.length)
-
-    def _verdict(
-        self, start: StartSystem, account: Account, found: tuple[Sequence[Certificate], Sequence[End]], boxes: Any
-    ) -> tuple[str, str, Bound | None]:
-        """(what completeness is, why, the bound): by the family's bound, by that of this mechanism's fractions."""
-        real, others = found
-        family = start.bound
-        wanted = None if family is None else family.count
-        every = len(real) + len(others)
-        own: Bound | None = None
-        if wanted is None or every < wanted:
-            asked = own_bound(self.held)
-            own = asked if isinstance(asked, Bound) else None
-        best = own if own is not None and own.dimension <= 0 and own.count >= 0 else family
-        if own is not None and own.dimension > 0:
-            return "tracked" if start.complete else "sampled", (
-                f"all zeros of this very mechanism have dimension {own.dimension}: {own.how}; isolated ones are those "
-                f"that {account.paths} paths lead to"
-            ), family  # fmt: skip
-        whole = len(real) == account.count("real")
-        if best is not None and best.count == every and whole and self._all_certified(real, others, boxes):
-            return "proved", f"as many certified solutions, {every}, as the bound {best.how}", best
-        if start.complete:
-            return "tracked", (
-                f"all {account.paths} paths from the {len(start.zeros)} zeros of a general member were followed; the "
-                f"bound {best.count if best else 0} holds {best.how if best else ''}; that the other paths end "
-                "elsewhere is numerical"
-            ), best  # fmt: skip
-        if not len(start.zeros):
-            return "sampled", f"no path led away from the reference, so that none were looked for; {start.why}", best
-        return "sampled", f"{len(start.zeros)} zeros of a general member were found by monodromy; {start.why}", best
-
-    def _all_certified(self, real: Sequence[Certificate], others: Sequence[End], boxes: Any) -> bool:
-        """Whether complex solutions have certificates too, and say they are complex, and all zeros are different."""
-        self.progress(f"certificates of {len(others)} complex solutions")
-        found = [self._proof(boxes, end) for end in others]
-        proofs = [proof for proof in found if proof is not None and proof.kind == "complex"]
-        every = (*real, *proofs)
-        zeros = np.array([self.equations.scaled(proof.z[None] + 0j)[0] for proof in every])
-        for z, proof in zip(zeros, every, strict=True):
-            near = int(together(self.equations, zeros, z, APART).sum())
-            if proof.beside is not None:  # boxes of these two are apart
-                beside = self.equations.scaled(proof.beside[None] + 0j)
-                near -= int(together(self.equations, beside, z, APART)[0])
-            if near != 1:
-                return False
-        return len(proofs) == len(others)
 
 
 def _one_of_each(modes: Sequence[AssemblyMode], held: Held) -> list[AssemblyMode]:
@@ -366,15 +322,15 @@ def _together(one: AssemblyMode, two: AssemblyMode) -> bool:
 
 def _polished(equations: BatchEquations, family: Family, held: Held, end: End) -> End:
     """A real zero by real Newton steps."""
-    if end.proof is not None:
+    if end.proof is not None or end.exact is not None:
         return end
     if not end.regular:
-        return End(end.z.real + 0j, end.kind, end.paths, end.regular, end.curve)
+        return replace(end, z=end.z.real + 0j)
     goal = family.way(family.member(dict(held.values)), family.member(dict(held.values))).at(np.zeros(1))
     tracker, z = Tracker(equations), (end.z.real + 0j)[None]
     for _ in range(3):
         z = z + tracker.newton(z, goal)
-    return End(z[0].real + 0j, end.kind, end.paths, end.regular, end.curve)
+    return replace(end, z=z[0].real + 0j)
 
 
 def _named(mode: AssemblyMode) -> Named:

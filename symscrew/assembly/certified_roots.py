@@ -140,25 +140,36 @@ def certified(equations: BatchEquations, slots: Sequence[Any], z: Array) -> Cert
 
 
 def held_by_box(
-    equations: BatchEquations, slots: Sequence[Any], z: Array, *, ends: Sequence[Array], past: float
+    equations: BatchEquations,
+    slots: Sequence[Any],
+    z: Array,
+    *,
+    ends: Sequence[Array],
+    past: float,
+    rows: Sequence[int] | None = None,
 ) -> bool:
     """Whether for all numbers within these rectangles one zero lies in a box around z, and a regular one.
 
     The box reaches past the ends by half its radius and by `past`, and twice as far as a step of Newton's method with
-    any of the numbers.
+    any of the numbers. `rows`: a zero of these alone, as many as coordinates; of all rows where it is None.
     """
-    test = _Krawczyk(equations, slots, z)
+    test = _Krawczyk(equations, slots, z, rows)
     longest = max((max(-s.real[0], s.real[1]) for s in test.step), default=0) / ONE
     return test.holds(max(WIDE * max(map(test.off, ends)) + past, TWICE * longest))
 
 
-def held_within(equations: BatchEquations, slots: Sequence[Any], z: Array, radius: float) -> bool:
-    """Whether one zero lies within this radius of z, scaled so that its groups' largest coordinates are 1."""
-    test = _Krawczyk(equations, slots, z)
+def held_within(
+    equations: BatchEquations, slots: Sequence[Any], z: Array, radius: float, *, rows: Sequence[int] | None = None
+) -> bool:
+    """Whether one zero lies within this radius of z, scaled so that its groups' largest coordinates are 1.
+
+    `rows`: as of `held_by_box`.
+    """
+    test = _Krawczyk(equations, slots, z, rows)
     return test.off(z) <= radius / 2 and test.holds(radius / 2)
 
 
-class _Chart:
+class Chart:
     """The equations with the largest coordinate of each group made 1, as many as what is left."""
 
     def __init__(self, equations: BatchEquations, slots: Sequence[Any], z: Array) -> None:
@@ -168,6 +179,7 @@ class _Chart:
         middle = np.array(z, dtype=complex)
         for part, place in zip(equations.parts, self.fixed, strict=True):
             middle[part] = middle[part] / middle[place]
+            middle[place] = 1.0
         self.middle = middle
         self.open = [k for k in range(equations.width) if k not in self.fixed]
         self.rows = list[int]()
@@ -176,7 +188,8 @@ class _Chart:
         self.real = self.square = False
         self.at_middle: list[Rectangle] = []
 
-    def _all(self) -> list[Array]:
+    def numbers(self) -> list[Array]:
+        """All matrices."""
         return [*self.motions, *(m for loop in self.loops for m in loop)]
 
     def _rows(self, z: Array) -> list[int]:
@@ -208,7 +221,7 @@ class _Chart:
         g: Array = np.eye(SIZE)[0].astype(complex)
         for factor in self.equations.ways[k]:
             part = self.equations.parts[factor.group]
-            motion = np.vectorize(_middle)(self.motions[factor.group]).astype(complex)
+            motion = np.vectorize(middle_of_box)(self.motions[factor.group]).astype(complex)
             f = motion @ z[part] * (CONJUGATE if factor.back else 1)
             g = np.asarray(np.einsum("kij,i,j->k", PRODUCT, g, f))
         return g
@@ -288,18 +301,20 @@ class _Chart:
         return rows
 
 
-class _Krawczyk(_Chart):
+class _Krawczyk(Chart):
     """The test of a zero in doubles."""
 
-    def __init__(self, equations: BatchEquations, slots: Sequence[Any], z: Array) -> None:
+    def __init__(
+        self, equations: BatchEquations, slots: Sequence[Any], z: Array, rows: Sequence[int] | None = None
+    ) -> None:
         super().__init__(equations, slots, z)
         middle = self.middle
         if np.abs(middle.imag).max(initial=0.0) < max(RADII):
             middle = middle.real + 0j
-        coefficients = np.array([_middle(v) for m in self._all() for v in m.ravel()])
+        coefficients = np.array([middle_of_box(v) for m in self.numbers() for v in m.ravel()])
         for _ in range(3):  # what tracking leaves is 1e-11
             values, slopes = equations.evaluate(middle[None], coefficients[None])
-            self.rows = self._rows(middle)
+            self.rows = self._rows(middle) if rows is None else list(rows)
             inverse = np.linalg.pinv(slopes[0][np.ix_(self.rows, self.open)])
             middle[self.open] -= inverse @ values[0][self.rows]
         self.real = not middle.imag.any()
@@ -331,10 +346,10 @@ class _Krawczyk(_Chart):
                 step = _sum([a * residual[r] for a, r in zip(self.y[i], self.rows, strict=True)])
                 (a, b), (c, d) = (point[k] - step).real, (point[k] - step).imaginary
                 point[k] = Rectangle(((a + b) // 2,) * 2, ((c + d) // 2,) * 2)
-        return np.array([_middle(c) for c in point])
+        return np.array([middle_of_box(c) for c in point])
 
 
-class FineTest(_Chart):
+class FineTest(Chart):
     """The test of zeros in 60 digits, in the chart of a point where zeros almost meet."""
 
     def __init__(self, equations: BatchEquations, slots: Sequence[Any], z: Array) -> None:
@@ -353,6 +368,11 @@ class FineTest(_Chart):
         """dF in 60 digits: rows that count, coordinates that are not 1."""
         slopes = self._slopes([_finely(c) for c in z])
         return [[_fine(slopes[r][k]) for k in self.open] for r in self.rows]
+
+    @property
+    def size(self) -> float:
+        """The largest coefficient of the forms: dF is of this size where it is not nearly singular."""
+        return max((abs(middle_of_box(c)) for loop in self.loops for m in loop for c in m.ravel()), default=1.0)
 
     def held(self, z: Sequence[Any], inverse: Sequence[Sequence[Any]], radii: Sequence[float]) -> float | None:
         """The first of these radii of a box around z that holds one zero, None where there is none."""
@@ -382,11 +402,12 @@ def _finely(value: Any) -> Rectangle:
 
 def _two_rows(block: Array) -> list[int]:
     """The rows of an antisymmetric matrix of rank two whose common entry is largest."""
-    sizes = np.abs(np.vectorize(_middle)(block[:, :4]).astype(complex))
+    sizes = np.abs(np.vectorize(middle_of_box)(block[:, :4]).astype(complex))
     return sorted(int(k) for k in np.unravel_index(int(sizes.argmax()), sizes.shape))
 
 
-def _middle(value: Any) -> complex:
+def middle_of_box(value: Any) -> complex:
+    """Of a rectangle; a number itself."""
     if not isinstance(value, Rectangle):
         return complex(value)
     return complex(sum(value.real) / 2 / ONE, sum(value.imaginary) / 2 / ONE)

@@ -163,26 +163,27 @@ static int FN(form)(int form, NUM (*slots)[3], const NUM *g, const double (*mix)
         }
         return 1;
     }
-    /* points that meet: x p + 2 y - a x, of a planar mechanism its middle two rows */
+    /* points that meet: x p + 2 y - a x, of a planar mechanism its middle two rows; an axis of both: x w - u x, two rows
+       of four, which an antisymmetric matrix of rank two makes of x as both are as long as one another */
+    const int shared = kind == FORM_PARALLEL, count = PLANAR || shared ? 2 : 3;
     NUM rows[4][8];
-    FN(off)(g, g + 4, d, s, w);
+    FN(off)(g, shared ? (const NUM *)0 : g + 4, d, s, w);
     for (int j = 0; j < 4; ++j) {
         NUM x[4] = {OF(0.0), OF(0.0), OF(0.0), OF(0.0)}, turned[4];
         x[j] = OF(1.0);
         FN(off)(x, (const NUM *)0, d, s, turned);
         for (int i = 0; i < 4; ++i) {
             rows[i][j] = turned[i];
-            rows[i][4 + j] = OF(i == j ? 2.0 : 0.0);
+            rows[i][4 + j] = OF(i == j && !shared ? 2.0 : 0.0);
         }
     }
-    const int count = PLANAR ? 2 : 3;
     for (int r = 0; r < count; ++r) {
         value[r] = OF(0.0);
         for (int k = 0; k < 8; ++k) {
             slope[r][k] = OF(0.0);
         }
         for (int i = 0; i < 4; ++i) {
-            const double part = PLANAR ? (double)(i == r + 1) : mix[r][i];
+            const double part = PLANAR ? (double)(i == r + 1) : shared ? path_mix[N_LOOPS][r][i] : mix[r][i];
             if (part != 0.0) {
                 value[r] = ADD(value[r], TIMES(part, w[i]));
                 for (int k = 0; k < 8; ++k) {

@@ -47,7 +47,7 @@ def straight_in_spinors(
     start: Sequence[Any], end: Sequence[Any], pairs: Sequence[tuple[int, int]]
 ) -> Callable[[complex], list[Any]]:
     """Numbers on the straight line between two members; of axes in pairs their quaternions are on one."""
-    ends = [(_spinors(start[w], start[u]), _spinors(end[w], end[u])) for w, u in pairs]
+    ends = [(spinors(start[w], start[u]), spinors(end[w], end[u])) for w, u in pairs]
 
     def at(s: complex) -> list[Any]:
         result = [(1 - s) * np.asarray(a) + s * np.asarray(b) for a, b in zip(start, end, strict=True)]
@@ -60,8 +60,11 @@ def straight_in_spinors(
     return at
 
 
-def _spinors(w: Array, u: Array) -> tuple[Array, Array]:
-    """Quaternions, of size one, of axes as long as one another, with one sign for the root of their square."""
+def spinors(w: Array, u: Array) -> tuple[Array, Array]:
+    """Quaternions of axes as long as one another, of size one, with one sign for the root of their square.
+
+    Their fourth part is 0.
+    """
     w, u = ASIDE @ np.asarray(w), ASIDE @ np.asarray(u)
     root = np.sqrt(np.dot(w, w) + 0j)
     root = max((root, -root), key=lambda n: min(abs(n + w[2]), abs(n + u[2])))

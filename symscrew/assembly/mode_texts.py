@@ -58,6 +58,7 @@ def _reach(mode: AssemblyMode, connections: Sequence[Connection]) -> dict[str, s
 def _verdict(found: AssemblyModes) -> str:
     words = {
         "proved": "complete, proved",
+        "regular": "every regular mode, proved",
         "tracked": "complete by tracking, not proved",
         "sampled": "not known to be all",
     }
@@ -74,6 +75,10 @@ def _mode(mode: AssemblyMode, body: str) -> str:
     told += f"; {signs}" if signs else ""
     if mode.curve:
         told += "; solutions beside it without end: it moves with what is held"
+    elif mode.meeting > 1:
+        told += f"; {mode.meeting} solutions meet in it exactly, as its exact numbers say: singular, certified"
+    elif mode.exact:
+        told += "; certified: exact numbers that make every equation zero"
     elif mode.paths > 1:
         told += f"; {mode.paths} solutions in one place or almost: singular, not certified"
     else:
@@ -114,6 +119,8 @@ def _values(mode: AssemblyMode) -> dict[str, Any]:
         "signs": dict(mode.signs),
         "certified": mode.certified,
         "radius": mode.radius,
+        "exact": mode.exact,
+        "meeting": mode.meeting,
         "paths": mode.paths,
         "curve": mode.curve,
         "ways": mode.ways,

@@ -17,11 +17,12 @@ from typing import Any
 import numpy as np
 
 from symscrew.assembly.all_modes import AssemblyMode, AssemblyModes
-from symscrew.assembly.followed_mode import Led, ProvedWay, shown
+from symscrew.assembly.followed_mode import shown
 from symscrew.assembly.joint_angles import CLOSED
 from symscrew.assembly.mode_signs import LOCKED
 from symscrew.assembly.modes_c import held_modes_model
 from symscrew.assembly.modes_library import CompiledModes, own_compiled_modes
+from symscrew.assembly.proved_way import Led, ProvedWay
 from symscrew.assembly.what_is_held import held_by
 from symscrew.errors import DescriptionError
 from symscrew.mobility import regular_ways
@@ -100,7 +101,9 @@ class _Proofs:
     def __init__(self, found: AssemblyModes, progress: Callable[[str], None]) -> None:
         assert found.family is not None
         self.found, self.progress = found, progress
-        self.modes: Sequence[AssemblyMode] = [m for m in found.modes if m.certified and m.q is not None]
+        self.modes: Sequence[AssemblyMode] = [
+            m for m in found.modes if m.certified and m.meeting == 1 and m.q is not None
+        ]
         self.equations = found.family.equations
         self.steps = ProvedWay(self.equations)
         self.compiled = _compiled(found, self.steps)

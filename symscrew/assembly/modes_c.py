@@ -19,6 +19,7 @@ from symscrew.assembly.all_modes import known_zero, structure_of
 from symscrew.assembly.batch_equations import BatchEquations
 from symscrew.assembly.c_tables import LINE, Step, c_array, held_steps
 from symscrew.assembly.closed_zeros import closed_form
+from symscrew.assembly.equal_axes import ASIDE, axis_pairs, spinors
 from symscrew.assembly.families import AllNumbers
 from symscrew.assembly.held_structure import WIDTH, Structure
 from symscrew.assembly.start_system import StartSystem, start_system
@@ -31,8 +32,7 @@ from symscrew.mobility import NotAlgebraicError
 Array = np.ndarray[Any, Any]
 
 KINDS = ("turn", "slide", "ball", "planar", "free")
-FORMS = ("distance", "angle", "meeting")
-"""Closures of which the C has forms; axes that stay parallel are not among them."""
+FORMS = ("distance", "angle", "meeting", "parallel")
 SLOTS = ("point", "axis", "number", "distance")
 SEED = 20231009
 """Of the planes in which coordinates stay and of the rows that are mixed: equal input gives equal bytes."""
@@ -82,8 +82,6 @@ def held_modes_model(held: Held) -> ModesModel:
     equations = BatchEquations(structure)
     if not structure.groups or structure.unknowns != structure.equations:
         raise held.error("no C of them: only of mechanisms with loops whose equations are as many as their unknowns")
-    if any(form.kind not in FORMS for loop in structure.loops for form in loop.forms):
-        raise held.error("no C of them: loops that are closed by the axis of a hinge")
     if held.network.ties:
         raise held.error("no C of them: couplings")
     start = start_system(AllNumbers(equations), known_zero(equations))
@@ -208,10 +206,11 @@ def _tables(model: ModesModel) -> list[str]:
     steps = held_steps(structure)
     rows = [sum(_rows(structure, form.kind) for form in loop.forms) for loop in structure.loops]
     ways = [[(f.group, f.back) for f in way] for way in equations.ways]
-    hub = structure.graph.cluster[model.held.body]
+    hub, pairs = structure.graph.cluster[model.held.body], len(axis_pairs(structure))
     sizes = {
         "N_DRIVES": len(model.drives), "N_BODIES": len(bodies), "N_STEPS": len(steps),
         "N_SLOTS": len(structure.slots), "N_GROUPS": len(structure.groups), "N_LOOPS": len(structure.loops),
+        "N_PAIRS": pairs, "N_NUMBERS": len(structure.slots) + 2 * pairs,
         "WIDTH": equations.width, "UNKNOWNS": equations.width - len(structure.groups),
         "LONGEST": max(map(len, ways)), "LARGEST_LOOP": max(rows), "N_PATHS": len(model.start.zeros),
         "N_CHAIN": len(structure.chains.get(hub, ())), "PLATFORM_BODY": bodies.index(model.held.body),
@@ -239,7 +238,7 @@ def _tables(model: ModesModel) -> list[str]:
 
 
 def _rows(structure: Structure, kind: str) -> int:
-    return (2 if structure.planar else 3) if kind == "meeting" else 1
+    return {"meeting": 2 if structure.planar else 3, "parallel": 2}.get(kind, 1)
 
 
 def _of_groups(structure: Structure, equations: BatchEquations) -> list[str]:
@@ -320,8 +319,12 @@ def _of_start(model: ModesModel) -> list[str]:
             p, a = (np.asarray(model.start.member[k]) for k in slot.of)
             value = p @ p + a @ a - value
         slots.append(np.asarray(value) if np.ndim(value) else np.array([value, 0, 0]))
+    pairs = axis_pairs(structure)
+    slots += [p[:3] for w, u in pairs for p in spinors(slots[w], slots[u])]
     mixes = [np.linalg.qr(numbers.normal(size=(4, 4)))[0][:3].tolist() for _ in range(len(structure.loops) + 1)]
     lines = c_array("double", "path_mix", mixes) + c_array("double", "patch", _pairs(patch))
+    lines += c_array("int", "pair_slots", [list(pair) for pair in pairs]) if pairs else []
+    lines += c_array("double", "aside", ASIDE.tolist()) if pairs else []
     return (
         lines
         + c_array("double", "start_slots", _pairs(np.array(slots)))

@@ -8,15 +8,65 @@ typedef struct {
 
 enum { END_NONE = 0, END_THERE, END_LOST };
 
+#if N_PAIRS
+/* Axes that two bodies share stay as long as one another along a path: with a quaternion p = (a, b, c, 0) of each,
+   p k p* |q|^2 and q k q* |p|^2 are, and these quaternions go straight. They stand behind the slots. */
+static void axis_of(const Lanes *p, const Lanes *q, Lanes *axis)
+{
+    const Lanes aa = lanes_mul(p[0], p[0]), rest = lanes_add(lanes_mul(p[1], p[1]), lanes_mul(p[2], p[2]));
+    const Lanes size = lanes_add(lanes_mul(q[0], q[0]), lanes_add(lanes_mul(q[1], q[1]), lanes_mul(q[2], q[2])));
+    const Lanes made[3] = {lanes_times(2.0, lanes_mul(p[0], p[2])), lanes_times(-2.0, lanes_mul(p[0], p[1])),
+        lanes_sub(aa, rest)};
+    for (int i = 0; i < 3; ++i) {
+        Lanes sum = lanes_of(0.0);
+        for (int j = 0; j < 3; ++j) {
+            sum = lanes_add(sum, lanes_times(aside[j][i], made[j]));
+        }
+        axis[i] = lanes_mul(sum, size);
+    }
+}
+
+/* The quaternions of two axes of one length, with one sign for the root of their square: the larger of both sums. */
+static void spinors_of(const double *w, const double *u, double *p, double *q)
+{
+    double there[3], here[3], size = 0.0;
+    for (int i = 0; i < 3; ++i) {
+        there[i] = here[i] = 0.0;
+        for (int j = 0; j < 3; ++j) {
+            there[i] += aside[i][j] * w[j];
+            here[i] += aside[i][j] * u[j];
+        }
+        size += there[i] * there[i];
+    }
+    size = sqrt(size);
+    const double plus = fabs(size + there[2]) < fabs(size + here[2]) ? fabs(size + there[2]) : fabs(size + here[2]);
+    const double less = fabs(there[2] - size) < fabs(here[2] - size) ? fabs(there[2] - size) : fabs(here[2] - size);
+    const double root = plus < less ? -size : size;
+    const double one[3] = {root + there[2], -there[1], there[0]}, two[3] = {root + here[2], -here[1], here[0]};
+    const double first = sqrt(one[0] * one[0] + one[1] * one[1] + one[2] * one[2]);
+    const double second = sqrt(two[0] * two[0] + two[1] * two[1] + two[2] * two[2]);
+    for (int i = 0; i < 3; ++i) {
+        p[i] = one[i] / first;
+        q[i] = two[i] / second;
+    }
+}
+#endif
+
 /* Numbers in the slots at s: from the general mechanism (0) to this one (1). */
 static void slots_at(Wide s, double (*goal)[3], Lanes (*slots)[3])
 {
-    for (int k = 0; k < N_SLOTS; ++k) {
+    for (int k = 0; k < N_NUMBERS; ++k) {
         for (int i = 0; i < 3; ++i) {
             slots[k][i].re = start_slots[k][i][0] + s * (goal[k][i] - start_slots[k][i][0]);
             slots[k][i].im = start_slots[k][i][1] - s * start_slots[k][i][1];
         }
     }
+#if N_PAIRS
+    for (int pair = 0; pair < N_PAIRS; ++pair) {
+        axis_of(slots[N_SLOTS + 2 * pair], slots[N_SLOTS + 2 * pair + 1], slots[pair_slots[pair][0]]);
+        axis_of(slots[N_SLOTS + 2 * pair + 1], slots[N_SLOTS + 2 * pair], slots[pair_slots[pair][1]]);
+    }
+#endif
 }
 
 /* Solves for two right sides in place, rows exchanged lane by lane; where a pivot is lost the numbers are none. */
@@ -59,7 +109,7 @@ static void solved(Lanes (*a)[WIDTH + 2])
 /* A step of Newton's method at s and, where asked for, dz/ds. */
 static void path_step(const Lanes *z, Wide s, double (*goal)[3], Lanes *step, Lanes *rate)
 {
-    Lanes slots[N_SLOTS][3], value[UNKNOWNS], more[UNKNOWNS], less[UNKNOWNS], jacobian[UNKNOWNS][WIDTH];
+    Lanes slots[N_NUMBERS][3], value[UNKNOWNS], more[UNKNOWNS], less[UNKNOWNS], jacobian[UNKNOWNS][WIDTH];
     Lanes a[WIDTH][WIDTH + 2];
     slots_at(s, goal, slots);
     lanes_equations(slots, z, path_mix, value, jacobian);
@@ -332,7 +382,7 @@ int MODES(const double *drives, MODE *modes, int *count)
 {
     Ball balls[N_DRIVES], slots[N_SLOTS][3];
     Place places[N_BODIES];
-    double goal[N_SLOTS][3], zeros[N_PATHS][WIDTH][2], closed[N_PATHS][WIDTH], real[WIDTH], sum = 0.0;
+    double goal[N_NUMBERS][3], zeros[N_PATHS][WIDTH][2], closed[N_PATHS][WIDTH], real[WIDTH], sum = 0.0;
     int ends[N_PATHS], list[N_PATHS + LANES], size = N_PATHS, lost = 0;
     *count = 0;
     for (int k = 0; k < N_DRIVES; ++k) {
@@ -348,6 +398,12 @@ int MODES(const double *drives, MODE *modes, int *count)
             goal[k][i] = slots[k][i].m;
         }
     }
+#if N_PAIRS
+    for (int pair = 0; pair < N_PAIRS; ++pair) {
+        spinors_of(goal[pair_slots[pair][0]], goal[pair_slots[pair][1]], goal[N_SLOTS + 2 * pair],
+            goal[N_SLOTS + 2 * pair + 1]);
+    }
+#endif
     const int known = closed_zeros(goal, closed);
     for (int k = 0; k < known; ++k) {
         const int before = *count;

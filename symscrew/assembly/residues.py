@@ -109,10 +109,12 @@ def residues_of(held: Held) -> tuple[Structure, list[Any], int]:
     Raises:
         NotDecidableError: numbers that are in no such field. NotAlgebraicError: as of the structure.
     """
-    return _Numbers(held).residues()
+    return NumbersOf(held).residues()
 
 
-class _Numbers:
+class NumbersOf:
+    """Points, screws, lengths and held angles of a mechanism, exactly; here modulo a prime."""
+
     def __init__(self, held: Held) -> None:
         self.held, self.mechanism = held, held.mechanism
         self.moved = {c: e for c, e in held.given.items() if e != 0}
@@ -145,11 +147,12 @@ class _Numbers:
         return tuple(c * scale for c in screw)
 
     def residues(self) -> tuple[Structure, list[Any], int]:
+        """As `residues_of` has them."""
         prime, roots = self._prime()
         self.prime, self.roots = prime, roots
         edges = {name: self._edge(edge) for name, edge in self.held.network.edges.items()}
         network = replace(self.held.network, edges=edges)
-        structure = _structure(network, self.held.chosen, self.mechanism)
+        structure = structure_in(network, self.held.chosen, self.mechanism)
         values = {c: self._value(c) for c in self.held.chosen}
         scalars = Scalars(lambda v: self._circle(v)[0], lambda v: self._circle(v)[1], self._read)
         slots = Displacements(structure, scalars, values).slots()
@@ -178,13 +181,13 @@ class _Numbers:
             found[generator] = int(root)
         return found
 
-    def _read(self, value: Any) -> Residue:
+    def _read(self, value: Any) -> Any:
         return value if isinstance(value, Residue) else Residue(CONTEXT.zero, 0, self.prime) + value
 
-    def _exact(self, x: Exact) -> Residue:
+    def _exact(self, x: Exact) -> Any:
         return Residue(exact_value(x), _rest(x, self.roots, self.prime), self.prime)
 
-    def _scale(self) -> Residue:
+    def _scale(self) -> Any:
         """A length of the mechanism's size, a fraction: thresholds are in such units."""
         return self._exact(1 / Fraction(float(self.held.network.length)))
 
@@ -202,7 +205,7 @@ class _Numbers:
         multiple = int(self.fractions[column] * self.unit)
         return Angle(multiple, (cosine, sine), high_precision(self.moved[column]))
 
-    def _circle(self, angle: Any) -> tuple[Residue, Residue]:
+    def _circle(self, angle: Any) -> tuple[Any, Any]:
         """Cosine and sine: a power of the point that stands for the unit, turned on."""
         if not isinstance(angle, Angle):  # of a freedom that is held where it is
             return self._read(1), self._read(0)
@@ -215,7 +218,8 @@ class _Numbers:
                 Residue(CONTEXT.sin(value), a.rest * s + b.rest * c, p))  # fmt: skip
 
 
-def _structure(network: Network, chosen: Sequence[int], mechanism: Mechanism) -> Structure:
+def structure_in(network: Network, chosen: Sequence[int], mechanism: Mechanism) -> Structure:
+    """The structure of a network whose numbers are of another kind."""
     graph = held_graph(network, chosen, mechanism.platform)
     points = [edge.point for edge in network.edges.values()]
     x, y, z = (sum(p[k] for p in points) / len(points) for k in range(3))
@@ -223,12 +227,12 @@ def _structure(network: Network, chosen: Sequence[int], mechanism: Mechanism) ->
 
 
 def _split(angle: sympy.Expr) -> tuple[Fraction, sympy.Expr]:
-    """A fraction, and what is left of an angle: a part of a turn."""
+    """A fraction, and what is left of an angle: a part of a turn, or what else has an algebraic cosine."""
     rest = sympy.expand(angle)
     number = rest.as_coeff_Add()[0]
     left = rest - number
-    if not number.is_Rational or not (left / sympy.pi).is_Rational:
-        raise NotDecidableError(f"the angle {angle} is neither a fraction nor a part of a turn")
+    if not number.is_Rational:
+        raise NotDecidableError(f"the angle {angle} has no fraction")
     return Fraction(int(number.p), int(number.q)), left
 
 

@@ -41,6 +41,8 @@ STORED = Path(__file__).with_name("start_systems.json")
 """Written by `python -m symscrew.assembly.stored_systems`."""
 SECONDS = 20.0
 """By the clock; a platform on six legs takes 0.2 s."""
+MOST_GROUPS = 5
+"""Of which the determinant is expanded: of more it has too many terms."""
 SEED = 20231009
 """Of the member of the family: always the same, so that results repeat."""
 
@@ -93,8 +95,26 @@ def own_bound(held: Held) -> Bound | str:
     return _bound(structure, slots, "for this very mechanism: Groebner basis of its numbers modulo a prime", prime)
 
 
-def _bound(structure: Structure, slots: Sequence[Any], how: str, prime: int = LARGEST_PRIME) -> Bound | str:
-    script, covers = _script(structure, slots, prime)
+def regular_bound(held: Held) -> Bound | str:
+    """That of the regular zeros of a mechanism, where dF has full rank, or why there is none.
+
+    Adjoined is u det(A dF) = 1, with dF along the motions of all groups and A a matrix of general numbers: every
+    regular zero has one u. As the numbers of A are general, any modulo a prime will do: rank only falls.
+    """
+    try:
+        structure, slots, prime = residues_of(held)
+    except NotDecidableError as error:
+        return f"its numbers are in no field that is decidable: {error}"
+    if any(g.kind not in ("turn", "slide") for g in structure.groups) or len(structure.groups) > MOST_GROUPS:
+        return f"regular zeros are counted of at most {MOST_GROUPS} turns and slides"
+    how = "on regular ones of this very mechanism: Groebner basis of its numbers and of u det(A dF) = 1 modulo a prime"
+    return _bound(structure, slots, how, prime, regular=True)
+
+
+def _bound(
+    structure: Structure, slots: Sequence[Any], how: str, prime: int = LARGEST_PRIME, *, regular: bool = False
+) -> Bound | str:
+    script, covers = _script(structure, slots, prime, regular=regular)
     key = key_of(b"root bound", script.encode())
     stored = stored_entries().get(key)
     if stored is not None:
@@ -144,8 +164,8 @@ def _run(script: str, covers: int, how: str) -> Bound | str:
     return Bound(count // covers, 0, how)
 
 
-def _script(structure: Structure, slots: Sequence[Any], prime: int) -> tuple[str, int]:
-    """(the program, how often every zero is counted)."""
+def _script(structure: Structure, slots: Sequence[Any], prime: int, *, regular: bool = False) -> tuple[str, int]:
+    """(the program, how often every zero is counted); `regular`: with what singular zeros do not fulfil."""
     motions, loops = matrices(structure, slots)
     names, made, cuts = list[str](), list[str](), list[str]()
     covers = 1
@@ -170,13 +190,30 @@ def _script(structure: Structure, slots: Sequence[Any], prime: int) -> tuple[str
                 )
             )
         equations += [_sum([(row[i], g[i]) for i in range(8)], prime) for row in linear]
+    only = _regular_lines(structure, slots, len(equations) - len(cuts), prime) if regular else []
+    names += ["u"] * regular
     text = "\n".join(lines)
     ideal = ",\n".join(equations)
     return (
-        f"ring r = {prime},({','.join(names)}),dp;\n{text}\nideal i = {ideal};\nideal s = slimgb(i);\n"
+        f"ring r = {prime},({','.join(names)}),dp;\n{text}\nideal i = {ideal};\n{''.join(only)}ideal s = slimgb(i);\n"
         "int d = dim(s); int v = 0; if (d == 0) { v = vdim(s); }\n"
         'print("@zeros " + string(d) + " " + string(v));\nquit;\n'
     ), covers
+
+
+def _regular_lines(structure: Structure, slots: Sequence[Any], rows: int, prime: int) -> list[str]:
+    """Adjoins u det(A dF) - 1 to the ideal i: its first entries are the cuts, the others the equations."""
+    rng, count = random.Random(SEED), len(structure.groups)
+    lines = ["poly p;\n", f"matrix m[{count}][{count}];\n"]
+    for row in range(count):
+        terms = (f"{rng.randrange(1, prime)}*i[{count + k + 1}]" for k in range(rows))
+        lines.append(f"p = {'+'.join(terms)};\n")
+        for column, group in enumerate(structure.groups):
+            one, two = f"z{column}_0", f"z{column}_1"
+            square = sum(c * c for c in slots[group.slots[0]]) % prime
+            around = f"{one}*diff(p, {two})-{square}*{two}*diff(p, {one})"
+            lines.append(f"m[{row + 1},{column + 1}] = {f'diff(p, {two})' if group.kind == 'slide' else around};\n")
+    return [*lines, "i = i, u*det(m)-1;\n"]
 
 
 def _cut(group: Group, names: Sequence[str], slots: Sequence[Any], prime: int) -> str:

@@ -17,6 +17,7 @@ import numpy as np
 
 from symscrew.assembly.batch_equations import BatchEquations
 from symscrew.assembly.certified_roots import Certificate
+from symscrew.assembly.exact_roots import ExactRoot
 from symscrew.assembly.families import Family
 from symscrew.assembly.path_tracking import CORRECTION, NEARLY, Coefficients, Tracker
 from symscrew.assembly.start_system import StartSystem, together
@@ -34,12 +35,15 @@ APART = 1 - 1e-13
 """Regular ends of length one whose product is above this are one: tracked to 1e-11, those far away are 1e-5 apart."""
 REAL = 1e-9
 """Imaginary part of a real zero that is regular."""
-RADIUS = 1e-5
-"""Of the circle around s = 1: no other singular s lies inside but for almost singular mechanisms."""
+RADII = (1e-5, 1e-7, 1e-9)
+"""Of the circle around s = 1: no other singular s lies inside but for almost singular mechanisms, which the smaller
+ones are for. About the smallest, points still are 3e-5 from where two zeros meet."""
+AT_ZERO = 1e-11
+"""Residual of the mean around s = 1: of a right one it is rounding, of one around two singular s more."""
 TURNS = 12
 """Most rounds until a path comes back: as many as zeros that meet."""
 ARCS = 16
-"""Pieces of a round: the mean of as many points is right to `RADIUS` to this power over the rounds."""
+"""Pieces of a round: the mean of as many points is right to the radius to this power over the rounds."""
 BACK = 1e-7
 """Distance at which a path has come back to where its round began."""
 TIGHTER = (1e-2, 1e-4)
@@ -56,7 +60,8 @@ CLOSE = 1e-5
 class End:
     """Where paths end: coordinates, "real", "complex", "infinity" or "lost", how many paths, whether it is regular.
 
-    `curve`: whether more zeros are beside it, without end. `proof`: of one told apart from another in 60 digits.
+    `curve`: whether more zeros are beside it, without end. `proof`: of one told apart from another in 60 digits;
+    `exact`: of one known in exact numbers.
     """
 
     z: Array
@@ -65,6 +70,7 @@ class End:
     regular: bool = True
     curve: bool = False
     proof: Certificate | None = None
+    exact: ExactRoot | None = None
 
 
 @dataclass(frozen=True)
@@ -153,8 +159,22 @@ class _Roots:
         return result
 
     def _around(self, places: Array) -> tuple[Array, Array]:
-        """(the means of paths around s = 1, whether they came back)."""
-        tracker, radius = Tracker(self.equations, nearly=RADIUS), RADIUS
+        """(the means of paths around s = 1, whether they came back), on the largest circle with a zero as its mean."""
+        centres, back = self._means(places, RADII[0])
+        for radius in RADII[1:]:
+            value, _ = self.equations.evaluate(centres, self.goal)
+            late = np.flatnonzero(~back | ~(np.abs(value).max(axis=1, initial=0.0) < AT_ZERO))
+            if not len(late):
+                break
+            again, good = self._means(places[late], radius)
+            value, _ = self.equations.evaluate(again, self.goal)
+            good &= np.abs(value).max(axis=1, initial=0.0) < AT_ZERO
+            centres[late[good]], back[late[good]] = again[good], True
+        return centres, back
+
+    def _means(self, places: Array, radius: float) -> tuple[Array, Array]:
+        """(the means of paths around s = 1 on a circle, whether they came back)."""
+        tracker = Tracker(self.equations, nearly=radius)
         ends = tracker.follow(self.start.zeros[places], self.way, until=1 - radius)
         z = self._fixed(ends.z, ends.z)
         begin, total = z.copy(), np.zeros_like(z)

@@ -144,7 +144,7 @@ def _independent(network: Network, columns: tuple[int, ...]) -> tuple[int, ...]:
     _, values, rows = np.linalg.svd(jacobian)
     motions = rows[int((values > RANK * values[0]).sum()) :]
     chosen: list[int] = []
-    for column in columns:
+    for column in columns if len(motions) else ():  # what cannot move holds itself
         part = motions[:, [*chosen, column]]
         if np.linalg.svd(part, compute_uv=False)[-1] > RANK and len(chosen) < len(motions):
             chosen.append(column)

@@ -51,7 +51,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Read, study, write; 1 where a study that was asked for has no point that worked."""
-    from symscrew.display import Progress, print_table
+    from symscrew.display import Progress, print_table, print_text
     from symscrew.studies import machine
     from symscrew.studies.accuracy import study_of, study_summary
 
@@ -88,12 +88,12 @@ def run(options: argparse.Namespace) -> int:
     for study in studies:
         left_out += [f"{study.name}: {what}" for what in study.left_out]
         own = "not known" if study.reference_error is None else f"{study.reference_error:.1e}"
-        print(f"{study.name}: {study.error_label}; {study.cost_label}; error of the reference {own}")
+        print_text(f"{study.name}: {study.error_label}; {study.cost_label}; error of the reference {own}")
         for title, (header, rows) in study.tables.items():
             print(f"\n{title}\n")
             print_table(header, rows)
     for reason in left_out:
-        print(f"left out: {reason}{GET_COMPILER if NO_COMPILER in reason else ''}")
+        print_text(f"left out: {reason}{GET_COMPILER if NO_COMPILER in reason else ''}")
     print(f"wrote {', '.join(p.name for p in written)} to {directory}")
     worked = all(any(p.error is not None for p in s.points) or s.tables for s in studies)
     return DONE if studies and worked else FAILED

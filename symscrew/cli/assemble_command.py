@@ -53,6 +53,7 @@ def run(options: argparse.Namespace) -> int:
     """Solve, print, draw; 1 when a mode is neither certified nor singular, or there are others than expected."""
     from symscrew import catalogue
     from symscrew.assembly import assembly_modes, mode_lines, mode_values, reach_lines, reachable_modes
+    from symscrew.display import print_text
     from symscrew.kinematics import angle_notices
 
     picture = _picture(options.picture)
@@ -66,7 +67,7 @@ def run(options: argparse.Namespace) -> int:
     if options.json:
         print(json.dumps(mode_values(found, ways), indent=1))
     else:
-        print("\n".join([*mode_lines(found), *reach_lines(found, ways, searched=options.reachable)]))
+        print_text("\n".join([*mode_lines(found), *reach_lines(found, ways, searched=options.reachable)]))
     if picture is not None:
         from symscrew.display import modes_figure, save_figure
 

@@ -36,7 +36,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """Measure, print, draw."""
     from symscrew import catalogue
-    from symscrew.display import Progress, print_table
+    from symscrew.display import Progress, print_table, print_text
     from symscrew.model import derive
     from symscrew.studies.benchmark import USUAL_FUNCTIONS, throughput, time_functions
 
@@ -65,7 +65,7 @@ def run(options: argparse.Namespace) -> int:
         header = ("function", "variant", "operations", "least ns", "median ns (quartiles)", "difference")
         print_table(header, [_cells(row) for row in rows])
         for note in notes:
-            print(f"not compared: {note}")
+            print_text(f"not compared: {note}")
         if batches:
             variants = [key for key in batches[0] if key != "states"]
             print(f"\n{functions[0]}, least ns per state; a batch is one call from Python on arrays of NumPy")

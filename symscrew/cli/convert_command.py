@@ -45,6 +45,11 @@ def add_options(command: argparse.ArgumentParser) -> None:
     command.add_argument(
         "--snap", type=float, default=0.0, metavar="GAP", help="close loops that are open by up to GAP [m, rad]"
     )
+    command.add_argument(
+        "--loosen",
+        action="store_true",
+        help="what closes loops of a robot.yaml that close in no pose: 3d for 6d, balls",
+    )
     command.add_argument("--repair", action="store_true", help="the nearest possible inertia for one no body can have")
     command.add_argument("--accept", action="store_true", help="leave out what numbers depend on and is not read")
     command.add_argument("--floating", action="store_true", help="the root link of a URDF moves freely in space")
@@ -77,12 +82,12 @@ def run(options: argparse.Namespace) -> int:
         if file:
             check_folder(Path(file).parent, option)
     foreign = source.suffix in READABLE and source.is_file()
-    keys = ("scene", "snap", "repair", "floating", "exact", "bars", "folder", "bare", "start")
+    keys = ("scene", "snap", "repair", "floating", "exact", "bars", "loosen", "folder", "bare", "start")
     asked = [getattr(options, key) for key in keys]
     if not foreign and (any(asked) or (options.accept and not options.effects)):
         raise UsageError(
-            "--scene, --snap, --repair, --accept, --floating, --exact, --bars, --folder, --bare and --start belong to "
-            "URDF and MJCF files"
+            "--scene, --snap, --loosen, --repair, --accept, --floating, --exact, --bars, --folder, --bare and --start "
+            "belong to URDF and MJCF files"
         )
     if not 0 <= options.snap < 1:
         raise UsageError(f"--snap: expected a gap from 0 to 1 [m, rad], got {options.snap}")
@@ -101,7 +106,7 @@ def run(options: argparse.Namespace) -> int:
     if options.effects:
         raise UsageError("--effects belongs to descriptions; a URDF or MJCF file has its own")
     switches = (options.snap, options.repair, options.accept, options.floating, options.exact)
-    chosen = ImportOptions(*switches, options.folder, options.bars)
+    chosen = ImportOptions(*switches, options.folder, options.bars, options.loosen)
     robot = load_robot(source, chosen)
     scene = Path(options.scene) if options.scene else None
     acts = scene_text(robot, os.path.relpath(path, scene.parent), options.start) if scene else ""

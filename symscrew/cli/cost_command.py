@@ -24,7 +24,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Read, derive with and without every effect, print, draw."""
-    from symscrew.display import Progress, print_table
+    from symscrew.display import Progress, print_table, print_text
     from symscrew.scene import load_scene
     from symscrew.studies import bill_table, scene_bill
 
@@ -33,12 +33,14 @@ def run(options: argparse.Namespace) -> int:
     if options.json:
         print(json.dumps(found.values(), indent=1, ensure_ascii=False))
     else:
-        print(f"{found.name}: {found.mechanism}, {found.motion}")
+        print_text(f"{found.name}: {found.mechanism}, {found.motion}")
         print_table(*bill_table(found))
         for note in found.notes:
-            print(note)
-        print("operations, states and ns: with the effect less without it; drives, accelerations: change without it")
-        print("at most: operations of the effect's own program alone, its force screws and their projection")
+            print_text(note)
+        print_text(
+            "operations, states and ns: with the effect less without it; drives, accelerations: change without it"
+        )
+        print_text("at most: operations of the effect's own program alone, its force screws and their projection")
     if path is not None:
         from symscrew.display import save_figure
         from symscrew.studies import bill_figure

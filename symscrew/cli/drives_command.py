@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import os
 import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -15,6 +16,7 @@ from symscrew.cli.shared_options import (
     add_no_cache,
     check_folder,
     chosen_effects,
+    keep_inputs,
     no_matplotlib,
     writable_folder,
 )
@@ -54,18 +56,22 @@ def add_motion(command: argparse.ArgumentParser, *, required: bool) -> None:
 def run(options: argparse.Namespace) -> int:
     """Read, follow, compute, compare, write; 1 where another method does not give the same."""
     from symscrew import catalogue
-    from symscrew.display import Progress
-    from symscrew.studies.given_motion import drives, study_json, study_text, write_study
+    from symscrew.display import Progress, print_text
+    from symscrew.studies.given_motion import FILES, drives, study_json, study_text, write_study
 
+    if options.out:
+        check_folder(options.out)
+        keep_inputs([Path(options.out, name) for name in FILES], [options.mechanism, *options.motion])
     mechanism = catalogue.find(options.mechanism)
     effects = chosen_effects(options, mechanism)
     if options.load:
         raise UsageError("--load: give the wrench in the motion's file, [loads.POINT] with fx ... mz as expressions")
     wanted = motion_of_options(options, mechanism)
-    if options.out:
-        check_folder(options.out)
     found = drives(mechanism, wanted, effects, progress=Progress())
-    print(json.dumps(study_json(found), indent=1) if options.json else study_text(found))
+    if options.json:
+        print(json.dumps(study_json(found), indent=1))
+    else:
+        print_text(study_text(found))
     if options.out:
         folder = writable_folder(options.out)
         missing = no_matplotlib()
@@ -83,7 +89,7 @@ def motion_of_options(options: argparse.Namespace, mechanism: Mechanism) -> Want
     expressions = dict[str, str]()
     for item in options.motion:
         name, equals, text = item.partition("=")
-        if equals and not Path(item).is_file():
+        if equals and not os.path.isfile(item):  # an expression may be longer than any name of a file
             if name.strip() in expressions:
                 raise UsageError(f"--motion: {name.strip()} is given twice")
             expressions[name.strip()] = text

@@ -81,7 +81,7 @@ def run(options: argparse.Namespace) -> int:
 
 def _report(model: Model, functions: list[str], options: argparse.Namespace, *, path: Path) -> int:
     """Collect the evidence on one core, write it, say the verdict; exit code 1 where it is not ok."""
-    from symscrew.display import Progress
+    from symscrew.display import Progress, print_text
     from symscrew.verification import collect
 
     progress, core = Progress(), options.core[0]
@@ -96,7 +96,7 @@ def _report(model: Model, functions: list[str], options: argparse.Namespace, *, 
     else:
         branches = evidence.facts["branches"]
         told = f"{branches['of']} branches, {branches['by_inputs']} taken by inputs, {branches['nothing']} by nothing"
-        print(f"{path}: {'ok' if evidence.ok else 'not ok'}, {told}")
+        print_text(f"{path}: {'ok' if evidence.ok else 'not ok'}, {told}")
         for reason in evidence.reasons:
-            print(f"  {reason}")
+            print_text(f"  {reason}")
     return DONE if evidence.ok else FAILED

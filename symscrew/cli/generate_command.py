@@ -94,7 +94,7 @@ def run(options: argparse.Namespace) -> int:
     """Read, derive, measure, write, print; what was printed before of the same input is taken from the cache."""
     from symscrew import catalogue
     from symscrew.cli.kept_outcomes import once
-    from symscrew.display import Progress, print_table
+    from symscrew.display import Progress, print_table, print_text
     from symscrew.generation import check_place, write_folder
 
     options = profiled(options)
@@ -111,12 +111,12 @@ def run(options: argparse.Namespace) -> int:
     with progress.step(f"write {', '.join(targets)} to {options.out}" + ", as in an earlier run" * made.earlier):
         files = write_folder(made.files, options.out)
     operations = made.facts["operations"]
-    print(f"{made.facts['name']}: {len(operations)} functions, {len(files)} files in {options.out}")
+    print_text(f"{made.facts['name']}: {len(operations)} functions, {len(files)} files in {options.out}")
     print_table(("function", "operations"), [[name, str(count)] for name, count in operations.items()])
     if made.facts["presets"]:
-        print(f"fewer of them: {made.facts['presets']}")
+        print_text(f"fewer of them: {made.facts['presets']}")
     for note in made.facts["notes"]:
-        print(f"note: {note}")
+        print_text(f"note: {note}")
     return DONE
 
 

@@ -5,15 +5,18 @@ from __future__ import annotations
 import argparse
 import json
 import sys
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from symscrew.cli.help import DONE, FAILED, UsageError
-from symscrew.cli.shared_options import add_mechanism, check_folder, settings
+from symscrew.cli.shared_options import add_mechanism, add_no_cache, check_folder, settings
 from symscrew.errors import shorten
 from symscrew.whole_files import write_text
 
 if TYPE_CHECKING:
+    from symscrew.cli.kept_outcomes import Outcome
+    from symscrew.description import Mechanism
     from symscrew.mobility import Mobility
 
 EXAMPLES = (
@@ -58,25 +61,24 @@ def add_options(command: argparse.ArgumentParser) -> None:
     command.add_argument(
         "--proof", metavar="FILE", help="write what is proved with its evidence, as JSON that a checker judges alone"
     )
+    add_no_cache(command)
+
+
+ASKED = ("tolerance", "body", "along", "connections", "expect", "full", "json")
+"""Options that what is said depends on, beside mechanism, configuration and the report's form."""
 
 
 def run(options: argparse.Namespace) -> int:
-    """Analyse, print, write; 1 when a claim is not verified."""
+    """Analyse, print, write; 1 when a claim is not verified. What was found before of the same is in the cache."""
     from symscrew import catalogue
+    from symscrew.cli.kept_outcomes import once
+    from symscrew.display import print_text
     from symscrew.kinematics import angle_notices
-    from symscrew.mobility import (
-        analyse_mobility,
-        mobility_latex,
-        mobility_markdown,
-        mobility_page,
-        mobility_text,
-        mobility_values,
-        verified,
-    )
+    from symscrew.mobility import mobility_latex, mobility_markdown, mobility_page
 
     writers = {".md": mobility_markdown, ".html": mobility_page, ".tex": mobility_latex}
-    writer = writers.get(Path(options.out).suffix) if options.out else None
-    if options.out and writer is None:
+    suffix = Path(options.out).suffix if options.out else None
+    if suffix is not None and suffix not in writers:
         raise UsageError(f"--out: expected a file name in {', '.join(writers)}, got {shorten(options.out)}")
     for file, option in ((options.out, "--out"), (options.proof, "--proof")):
         if file:
@@ -85,34 +87,64 @@ def run(options: argparse.Namespace) -> int:
     at = settings("at", options.at)
     for notice in angle_notices(mechanism, at):
         print(f"note: {notice}", file=sys.stderr)
+    given = (mechanism, at, suffix, {name: getattr(options, name) for name in ASKED})
+    # A proof is made and judged each time; components are found by a program that may be there or not.
+    anew = options.proof or options.components
+    writer = writers[suffix] if suffix is not None else None
+    found = once("mobility", (object(),) if anew else given, lambda: _made(options, mechanism, at, writer))
+    if options.json:
+        print(found.facts["text"])
+    else:
+        print_text(found.facts["text"])
+    if options.out:
+        _write(Path(options.out), found.files["report"].decode())
+    return int(found.facts["code"])
+
+
+def _made(
+    options: argparse.Namespace,
+    mechanism: Mechanism,
+    at: Mapping[str, str],
+    writer: Callable[[Mobility], str] | None,
+) -> Outcome:
+    """Analysed and verified: what is said, the exit code and the report."""
+    from symscrew.cli.kept_outcomes import Outcome
+    from symscrew.mobility import analyse_mobility, verified
+
     found, checks = verified(analyse_mobility(mechanism, body=options.body, at=at, tolerance=options.tolerance))
     failed = [check.claim for check in checks if not check.holds]
-    verdict = _verdict(found, options.expect, failed)
-    if options.json:
-        values = {**mobility_values(found), "verified": not failed, "expected": options.expect}
-        if options.along:
-            values["along"] = _along_values(found)
-        if options.components:
-            values["components"] = _components(found)[1]
-        if options.connections:
-            values["assembly_modes"] = _connections(found)[1]
-        print(json.dumps(values, indent=1))
-    else:
-        print(found.report().splitlines()[0])  # the rest of it follows in more words
-        print(mobility_text(found, full=options.full))
-        if options.along:
-            print("\n    ".join(["Along the motion", *_along_lines(found)]))
-        if options.components:
-            print("\n    ".join(["Components of the configuration space", *_components(found)[0]]))
-        if options.connections:
-            print("\n    ".join(["Assembly modes", *_connections(found)[0]]))
-        print(verdict)
-    if writer is not None:
-        _write(Path(options.out), writer(found))
-    if options.proof and not _proved(found, Path(options.proof)):
-        return FAILED
+    text = _json(found, failed, options) if options.json else _words(found, failed, options)
+    files = {} if writer is None else {"report": writer(found).encode()}
+    proved = not options.proof or _proved(found, Path(options.proof))
     unexpected = options.expect is not None and found.finite.dof != options.expect
-    return FAILED if failed or unexpected else DONE
+    code = FAILED if failed or unexpected or not proved else DONE
+    return Outcome({"text": text, "code": code}, files, good=not failed)
+
+
+def _json(found: Mobility, failed: list[str], options: argparse.Namespace) -> str:
+    from symscrew.mobility import mobility_values
+
+    values = {**mobility_values(found), "verified": not failed, "expected": options.expect}
+    if options.along:
+        values["along"] = _along_values(found)
+    if options.components:
+        values["components"] = _components(found)[1]
+    if options.connections:
+        values["assembly_modes"] = _connections(found)[1]
+    return json.dumps(values, indent=1)
+
+
+def _words(found: Mobility, failed: list[str], options: argparse.Namespace) -> str:
+    from symscrew.mobility import mobility_text
+
+    lines = [found.report().splitlines()[0], mobility_text(found, full=options.full)]  # the rest follows in more words
+    if options.along:
+        lines.append("\n    ".join(["Along the motion", *_along_lines(found)]))
+    if options.components:
+        lines.append("\n    ".join(["Components of the configuration space", *_components(found)[0]]))
+    if options.connections:
+        lines.append("\n    ".join(["Assembly modes", *_connections(found)[0]]))
+    return "\n".join([*lines, _verdict(found, options.expect, failed)])
 
 
 def _components(found: Mobility) -> tuple[list[str], dict[str, Any]]:

@@ -11,6 +11,8 @@ from symscrew.cli.help import DONE, UsageError
 from symscrew.errors import did_you_mean, shorten
 
 if TYPE_CHECKING:
+    from symscrew.cli.kept_outcomes import Outcome
+    from symscrew.description import Mechanism
     from symscrew.mobility import Mobility
 
 EXAMPLES = (
@@ -50,6 +52,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """Write the file, print its place and how it moves; what its drives do not do is on stderr."""
     from symscrew import catalogue
+    from symscrew.cli.kept_outcomes import once
     from symscrew.description import (
         ARCHITECTURES,
         architecture,
@@ -58,7 +61,6 @@ def run(options: argparse.Namespace) -> int:
         write_new,
         write_template,
     )
-    from symscrew.mobility import analyse_mobility
 
     if options.source and Path(options.source).suffix in ROBOTS:
         return _from_file(options, Path(options.out or f"{options.name}.toml"))
@@ -73,13 +75,26 @@ def run(options: argparse.Namespace) -> int:
     else:
         path = write_template(options.name, options.source or options.limbs, out)
     print(path)
-    found = analyse_mobility(load_description(path))
-    for warning in found.mechanism.warnings:
+    mechanism = load_description(path)
+    for warning in mechanism.warnings:
         print(f"warning: {warning}", file=sys.stderr)
-    print(_moves(found))
-    if warning := _not_as_promised(found, path):
-        print(f"warning: {warning}", file=sys.stderr)
+    found = once("new", (mechanism,), lambda: _analysed(mechanism))
+    print(found.facts["moves"])
+    if found.facts["warning"]:
+        print(f"warning: {found.facts['warning'].replace(PLACE, str(path))}", file=sys.stderr)
     return DONE
+
+
+PLACE = "\0"
+"""Stands in what is kept for the place of the file: no mechanism has it in a name."""
+
+
+def _analysed(mechanism: Mechanism) -> Outcome:
+    from symscrew.cli.kept_outcomes import Outcome
+    from symscrew.mobility import analyse_mobility
+
+    found = analyse_mobility(mechanism)
+    return Outcome({"moves": _moves(found), "warning": _not_as_promised(found)})
 
 
 def _moves(found: Mobility) -> str:
@@ -90,10 +105,10 @@ def _moves(found: Mobility) -> str:
     )
 
 
-def _not_as_promised(found: Mobility, path: Path) -> str:
+def _not_as_promised(found: Mobility) -> str:
     """What a reader of its limbs would not expect: drives and freedoms that are not as many."""
     drives, freedoms = len(found.network.driven), found.finite.dof if found.finite.dof is not None else found.dof
-    look = f"symscrew mobility {path} says why; change axes and stars in the file"
+    look = f"symscrew mobility {PLACE} says why; change axes and stars in the file"
     if not drives:
         return f"nothing is driven: put a star after a joint of a limb's type; {look}"
     if left := found.dof_drives_locked:

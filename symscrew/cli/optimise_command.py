@@ -54,6 +54,7 @@ class _Keys(argparse.Action):
 def run(options: argparse.Namespace) -> int:
     """Read, derive, optimise, write; 1 where no motion was found and confirmed (the last iterate is written then)."""
     from symscrew.cli.kept_outcomes import once
+    from symscrew.display import print_text
     from symscrew.optimisation import JoinedProblem, load_problem_file
     from symscrew.whole_files import replaced
 
@@ -85,7 +86,10 @@ def run(options: argparse.Namespace) -> int:
     for name, data in outcome.files.items():
         if outcome.earlier and (path := written[name]) is not None:
             replaced(path, lambda part, data=data: part.write_bytes(data))  # type: ignore[misc]
-    print(json.dumps(outcome.facts["numbers"], indent=1) if options.json else "\n".join(outcome.facts["lines"]))
+    if options.json:
+        print(json.dumps(outcome.facts["numbers"], indent=1))
+    else:
+        print_text("\n".join(outcome.facts["lines"]))
     for path in written.values():
         if path is not None:
             print(f"wrote {path}", file=sys.stderr)
@@ -113,6 +117,7 @@ def _solved(problem: TrajectoryProblem, out: Path, picture: Path | None, *, rate
 
 def _run_joined(problem: JoinedProblem, options: argparse.Namespace, out: Path) -> int:
     """The same for phases or load cases."""
+    from symscrew.display import print_text
     from symscrew.optimisation import solve_joined, write_joined
 
     for name in ("plot", "starts"):
@@ -126,7 +131,10 @@ def _run_joined(problem: JoinedProblem, options: argparse.Namespace, out: Path) 
         problem = replace(problem, parts=parts)
     found = solve_joined(problem, progress=lambda text: print(text, file=sys.stderr))
     path = write_joined(found, out, rate=options.rate)
-    print(json.dumps(_joined_numbers(found), indent=1) if options.json else "\n".join(joined_summary(found)))
+    if options.json:
+        print(json.dumps(_joined_numbers(found), indent=1))
+    else:
+        print_text("\n".join(joined_summary(found)))
     print(f"wrote {path}", file=sys.stderr)
     return DONE if found.ok else FAILED
 

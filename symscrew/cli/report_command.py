@@ -64,11 +64,11 @@ def run(options: argparse.Namespace) -> int:
 
         along = drives(mechanism, motion_of_options(options, mechanism), effects, progress=progress)
     sweep = workspace(mechanism, _axes(options.over), effects=effects) if options.over else None
-    call, measured = None, dict[str, Times]()
+    call, measured = None, None
     if not options.no_timing:
         with progress.step("compile"):
             compiled = load(model)
-        call = calls_of(compiled)
+        call, measured = calls_of(compiled), dict[str, Times]()
         if compiled.backend == "c":  # without a compiler there is nothing whose time is worth a line
             with progress.step("time"):
                 measured = time_every_function(model, compiled)

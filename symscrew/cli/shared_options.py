@@ -10,7 +10,7 @@ import argparse
 import importlib
 import os
 import re
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -111,6 +111,17 @@ def check_folder(directory: str | Path, option: str = "--out") -> None:
         raise UsageError(f"{option}: expected a folder, found a file: {shorten(str(there), 200)}")
     if not os.access(there, os.W_OK | os.X_OK):
         raise UsageError(f"{option}: no permission to write into {shorten(str(there), 200)}")
+
+
+def keep_inputs(written: Iterable[Path], read: Iterable[str], option: str = "--out") -> None:
+    """Before the work: raises UsageError where a file that is read would be written over."""
+    for name in read:
+        for path in written:
+            # of expressions, which may be longer than names of files, no error
+            if os.path.isfile(name) and path.is_file() and path.samefile(name):
+                raise UsageError(
+                    f"{option}: {shorten(str(path), 200)} is what is read, and is left as it is; write somewhere else"
+                )
 
 
 def need_matplotlib(what: str = "figures need") -> None:

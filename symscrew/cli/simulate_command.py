@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from symscrew.cli.help import DONE, FAILED, UsageError
-from symscrew.cli.shared_options import add_no_cache, check_folder, need_matplotlib
+from symscrew.cli.shared_options import add_no_cache, check_folder, keep_inputs, need_matplotlib
 from symscrew.whole_files import destination
 
 if TYPE_CHECKING:
@@ -47,6 +47,7 @@ def run(options: argparse.Namespace) -> int:
     """Read, derive, integrate, write; 1 where the run ended early or is not as good as asked for."""
     from tqdm import tqdm
 
+    from symscrew.display import print_text
     from symscrew.scene import load_scene
     from symscrew.simulation import FORMATS, prepare, run_summary, simulate, write_loop, write_run, write_steps
 
@@ -58,6 +59,8 @@ def run(options: argparse.Namespace) -> int:
         if folder is not None:
             check_folder(folder, name)
     _check_many(options)
+    if out is not None and options.many is not None:
+        keep_inputs([out], [options.many])
     scene = load_scene(options.scene)
     for notice in scene.initial.notices:
         print(f"note: {notice}", file=sys.stderr)
@@ -81,7 +84,7 @@ def run(options: argparse.Namespace) -> int:
     if options.json:
         print(json.dumps(_numbers(found), indent=1))
     else:
-        print("\n".join(run_summary(found)))
+        print_text("\n".join(run_summary(found)))
     for path in written:
         print(f"wrote {path}", file=sys.stderr)
     return DONE if found.ok and found.accurate else FAILED
@@ -101,6 +104,7 @@ def _run_many(scene: Scene, options: argparse.Namespace, out: Path | None) -> in
     from tqdm import tqdm
 
     from symscrew.array_archives import read_archive
+    from symscrew.display import print_text
     from symscrew.simulation import runs_numbers, runs_summary, simulate_many, write_runs
 
     starts = read_archive(options.many)
@@ -109,7 +113,10 @@ def _run_many(scene: Scene, options: argparse.Namespace, out: Path | None) -> in
             scene, starts, threads=options.threads, progress=lambda done: bar.update(max(0, done - bar.n))
         )
     written = write_runs(found, out) if out else None
-    print(json.dumps(runs_numbers(found), indent=1) if options.json else "\n".join(runs_summary(found)))
+    if options.json:
+        print(json.dumps(runs_numbers(found), indent=1))
+    else:
+        print_text("\n".join(runs_summary(found)))
     if written:
         print(f"wrote {written}", file=sys.stderr)
     return DONE if found.all_ok else FAILED

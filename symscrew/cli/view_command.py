@@ -182,7 +182,7 @@ def _pictures(options: argparse.Namespace, mechanism: Mechanism) -> Pictures:
         return {}
     if not options.out and any(getattr(options, name) for name in FILES):
         raise UsageError("--meshes belongs to pages: films and other pictures have outlines")
-    found = mesh_pictures(options.meshes, ImportOptions(accept=True, repair=True, folder=options.folder))
+    found = mesh_pictures(options.meshes, ImportOptions(accept=True, repair=True, loosen=True, folder=options.folder))
     of_bodies = {name: own for name, own in found.triangles.items() if name in {mechanism.ground, *mechanism.bodies}}
     for text in found.missing[:MOST_MISSING]:
         print(f"not drawn: {text}", file=sys.stderr)

@@ -82,6 +82,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """Read, sweep, write, print; 1 if an expected tilt is not reached."""
     from symscrew.description import GivenValue, exact
+    from symscrew.display import print_text
     from symscrew.studies.workspace import (
         AZIMUTH,
         TILT,
@@ -129,7 +130,10 @@ def run(options: argparse.Namespace) -> int:
             if picture := _picture(plan, results, made.units, out / "workspace.png"):
                 written.append(picture)
         discard(folder)
-    print(json.dumps(found, indent=1) if options.json else sweep_summary_text(found))
+    if options.json:
+        print(json.dumps(found, indent=1))
+    else:
+        print_text(sweep_summary_text(found))
     print("wrote " + ", ".join(map(str, written)), file=sys.stderr)
     if expected is None:
         return DONE
@@ -204,6 +208,7 @@ def run_certificate(options: argparse.Namespace, out: Path, expected: float | No
     """Prove, write, print; 1 where nothing is proved, the checker refuses it, or an expected tilt is not proved."""
     from tqdm import tqdm
 
+    from symscrew.display import print_text
     from symscrew.studies.certificate import certificate_text, certify, draw_certificate
 
     if options.dask:
@@ -224,7 +229,10 @@ def run_certificate(options: argparse.Namespace, out: Path, expected: float | No
         written.append(write_text(out / "summary.json", json.dumps(found.summary, indent=1) + "\n"))
         if not no_matplotlib():
             written.append(draw_certificate(found, out / "certificate.png"))
-    print(json.dumps(found.summary, indent=1) if options.json else certificate_text(found.summary))
+    if options.json:
+        print(json.dumps(found.summary, indent=1))
+    else:
+        print_text(certificate_text(found.summary))
     print("wrote " + ", ".join(map(str, written)) if written else "no file is written", file=sys.stderr)
     reached = expected is None or found.summary["tilt"]["every_direction"] >= expected * (1 - PROVED_PART)
     return DONE if found.ok and reached else FAILED

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import sympy
 
-from symscrew.description.expressions import exact
+from symscrew.description.expressions import exact, numeric
 from symscrew.description.units import OTHERS, SI, in_si
 from symscrew.errors import DescriptionError, shorten
 
@@ -42,6 +42,8 @@ class GivenValue:
             raise DescriptionError(
                 f"{where}: expected {wanted.get(unit, f'a value in {unit}')}, got one in {self.unit}"
             )
+        if self.value.is_number:  # acos(2) is none that is real
+            numeric(self.value, where=where)
         return self.value
 
     def notice(self, unit: str, where: str) -> str:

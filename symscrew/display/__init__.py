@@ -27,7 +27,15 @@ if TYPE_CHECKING:
         save_figure,
     )
     from symscrew.display.shown import Page, Picture, draw, show_page
-    from symscrew.display.terminal import Progress, aligned_table, colours, fitting_table, one_line, print_table
+    from symscrew.display.terminal import (
+        Progress,
+        aligned_table,
+        colours,
+        fitting_table,
+        one_line,
+        print_table,
+        print_text,
+    )
     from symscrew.display.view import (
         Limits,
         Pictures,
@@ -75,6 +83,7 @@ __all__ = [
     "open_page",
     "page_modes",
     "print_table",
+    "print_text",
     "reaction_figure",
     "read_mechanism_and_motion",
     "save_figure",

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -31,12 +32,18 @@ MARKERS = {"R": "o", "P": "s", "H": "h", "C": "p", "U": "D", "S": "o", "E": "^",
 OTHER_MARKER = "v"
 SIZES = {"R": 5.0, "P": 5.0, "S": 8.0, "U": 6.5}
 GROUND, PLATFORM, LINK = "#8a8a8a", COLOURS[0], "#3a3a3a"
-OBLIQUE = (20.0, -62.0)  # elevation and azimuth [degrees]: all three axes are seen, none is hidden by another
+OBLIQUE = ((20.0, -62.0), (20.0, -28.0), (20.0, -152.0), (20.0, 28.0))
+"""Elevation and azimuth [degrees] of views in which all three axes are seen, none hidden by another; the first of them
+that shows no plate by its edge."""
+EDGE = 0.17  # sine of the angle between a view and a plate, under which the plate is a line: ten degrees
 ALONG = ((0.0, 0.0), (0.0, -90.0), (90.0, -90.0))  # the same, along x, y and z
 PARALLEL = 1 - 1e-9  # cosine of two directions that are one: beyond what rounding leaves of unit vectors
+SAME, RIM = 0.005, 3.4
+"""How near marks of joints are one place, of the mechanism's size; how much larger one under another is [points]."""
 HATCH = 0.055  # width of the base's sign, of the mechanism's size
 AXIS = 0.16  # length of a joint's axis, of the mechanism's size
-NAMED = 6.5  # from an axis' end to the middle of its name [points of type], which is as wide
+NAMED = 6.5  # radius of what the name of an absolute axis takes [points of type]
+CLOSE = (2.0, 6.0, 11.0)  # how far such a name is from its arrow's end [points of type]
 LETTER = (5.0, 9.5)  # width of a letter and height of a line [points of type], of names at 9 points
 
 
@@ -61,12 +68,17 @@ class Camera:
 
 def camera(points: Array, elevation: float, azimuth: float) -> Camera:
     """A view on points from a direction [degrees]: azimuth about z from x, elevation above the x-y plane."""
-    e, z = np.radians(elevation), np.radians(azimuth)
-    towards = np.array([np.cos(e) * np.cos(z), np.cos(e) * np.sin(z), np.sin(e)])
+    towards, z = _towards(elevation, azimuth), np.radians(azimuth)
     right = np.array([-np.sin(z), np.cos(z), 0.0])
     middle = (points.max(axis=0) + points.min(axis=0)) / 2
     extent = float(np.linalg.norm(np.ptp(points, axis=0))) or 1.0
     return Camera(np.stack([right, np.cross(towards, right), towards]), middle, 3.5 * extent)
+
+
+def _towards(elevation: float, azimuth: float) -> Array:
+    """The unit vector to the viewer."""
+    e, z = np.radians(elevation), np.radians(azimuth)
+    return np.array([np.cos(e) * np.cos(z), np.cos(e) * np.sin(z), np.sin(e)])
 
 
 def usual_view(mechanism: Mechanism) -> tuple[float, float]:
@@ -77,7 +89,17 @@ def usual_view(mechanism: Mechanism) -> tuple[float, float]:
         for k, seen in enumerate(ALONG):
             if all(abs(axis[k]) > PARALLEL * np.linalg.norm(axis) for axis in axes):
                 return seen
-    return OBLIQUE
+    normals = [_normal(found[1]) for p in drawn_points(mechanism).values() if len(p) > 2 and (found := plate(p))]
+    shown = [min((abs(float(_towards(*seen) @ normal)) for normal in normals), default=1.0) for seen in OBLIQUE]
+    return next((seen for seen, sine in zip(OBLIQUE, shown, strict=True) if sine > EDGE), OBLIQUE[0])
+
+
+def _normal(corners: Array) -> Array:
+    """Unit normal of a plate."""
+    sides = corners - corners[0]
+    longest: Array = max(np.cross(sides[1], sides[2:]), key=np.linalg.norm)
+    normal: Array = longest / np.linalg.norm(longest)
+    return normal
 
 
 @dataclass(frozen=True)
@@ -151,8 +173,9 @@ def drawn_in(
         axes.set_aspect("equal", adjustable="datalim")
         axes.margins(0.08)
         axes.set_axis_off()
+        taken = _axis_names(axes, sketch)
         if labels:
-            _labels(axes, sketch)
+            _labels(axes, sketch, taken)
         handles = _legend(mechanism)
         axes.legend(handles=handles, loc="upper center", ncols=min(4, len(handles)), bbox_to_anchor=(0.5, -0.01))
     return made
@@ -246,17 +269,21 @@ def _base(axes: Axes, sketch: Sketch) -> None:
 
 
 def draw_joints(axes: Axes, sketch: Sketch) -> None:
-    """A mark by type; the axes of an open chain, which its marks do not tell."""
+    """A mark by type, driven ones above others that stand at the same place; the axes of an open chain, which its marks
+    do not tell."""
     mechanism = sketch.mechanism
+    ordered = sorted(mechanism.joints.values(), key=lambda joint: bool(joint.driven))
+    places = np.array([sketch.joint(joint) for joint in ordered]).reshape(-1, 2)
     open_chain = len(mechanism.joints) <= len(mechanism.bodies) - (mechanism.ground in mechanism.bodies)
-    for joint in mechanism.joints.values():
+    for k, joint in enumerate(ordered):
+        above = int((np.abs(places[k + 1 :] - places[k]).max(axis=1, initial=0.0) < SAME * sketch.size).sum())
         if open_chain and joint.kind.axes == 1:
             axis = numbers(mechanism, joint.axes[0])
             reach = AXIS * 2 * sketch.size * axis / np.linalg.norm(axis)
             ends = sketch.seen(joint.parent, numbers(mechanism, joint.point) + np.array([-reach, reach]))
             axes.plot(*ends.T, color=COLOURS[1], linewidth=0.8, linestyle=(0, (7, 2, 1.5, 2)), zorder=4.2)
         axes.plot(
-            *sketch.joint(joint), **_marker(joint.type),
+            *places[k], **_marker(joint.type, above),
             color="black", markerfacecolor=COLOURS[1] if joint.driven else "white", markeredgewidth=0.9,
             linestyle="none", zorder=5,
         )  # fmt: skip
@@ -265,7 +292,7 @@ def draw_joints(axes: Axes, sketch: Sketch) -> None:
 def _frame(axes: Axes, view: Camera, size: float) -> None:
     """The absolute axes at O."""
     start = view(np.zeros(3))
-    for axis, name in zip(np.eye(3), "xyz", strict=True):
+    for axis in np.eye(3):
         end = view(0.36 * size * axis)
         if abs(axis @ view.axes[2]) > PARALLEL:  # it points at the viewer
             continue
@@ -274,55 +301,76 @@ def _frame(axes: Axes, view: Camera, size: float) -> None:
             "", xy=_pair(end), xytext=_pair(start), arrowprops={**arrow, "shrinkA": 0, "shrinkB": 0}, zorder=4
         )
         axes.plot(*end, alpha=0.0)  # an arrow alone does not count for the limits
-        beside = _pair(NAMED * _name_of_axis(start, end))
-        place: dict[str, Any] = {"xy": _pair(end), "xytext": beside, "textcoords": "offset points"}
-        axes.annotate(f"${name}$", **place, color=COLOURS[2], ha="center", va="center", zorder=7)
 
 
-def _name_of_axis(start: Array, end: Array) -> Array:
-    """Where the name of an axis stands from its end: before it, of one that is upright to its left."""
-    ahead: Array = (end - start) / (np.linalg.norm(end - start) or 1.0)
-    return ahead if abs(ahead[1]) < 0.95 else np.array([-0.9, -0.4])
+def _axis_names(axes: Axes, sketch: Sketch) -> Array:
+    """Names of the absolute axes, before their arrows where nothing is in the way; their middles [points of type].
+
+    The picture's limits are final.
+    """
+    view = sketch.view
+    shown = [(0.36 * sketch.size * axis, name) for axis, name in zip(np.eye(3), "xyz", strict=True)
+             if abs(axis @ view.axes[2]) <= PARALLEL]  # fmt: skip
+    ends = _typed(axes, view(np.array([end for end, _ in shown])))
+    sizes = np.tile(LETTER, (len(shown), 1))
+    middle = _typed(axes, view(np.zeros(3)))
+    found = label_places(ends, sizes, bars=_bars(axes, sketch), joints=_joints(axes, sketch), middle=middle, far=CLOSE)
+    for (place, name), end, box in zip(shown, ends, found, strict=True):
+        axes.annotate(
+            f"${name}$", xy=_pair(view(place)), xytext=_pair(box - end), textcoords="offset points",
+            color=COLOURS[2], ha="center", va="center", zorder=7,
+        )  # fmt: skip
+    return found
+
+
+def _typed(axes: Axes, places: Array) -> Array:
+    """Places of the picture (..., 2) in points of type."""
+    axes.apply_aspect()
+    made: Array = axes.transData.transform(places) * 72 / axes.figure.dpi
+    return made
+
+
+def _bars(axes: Axes, sketch: Sketch) -> list[tuple[Array, Array]]:
+    """All lines that are drawn, and the absolute axes, each from one end to the other [points of type]."""
+    lines = [_typed(axes, np.asarray(line.get_xydata())) for line in axes.lines]
+    start = _typed(axes, sketch.view(np.zeros(3)))
+    lines += [np.array([start, _typed(axes, sketch.view(0.36 * sketch.size * e))]) for e in np.eye(3)]
+    return [ends for line in lines for ends in pairwise(line)]
+
+
+def _joints(axes: Axes, sketch: Sketch) -> Array:
+    """Places and radii of the joints' marks (n, 3) [points of type]."""
+    joints = sketch.mechanism.joints.values()
+    return np.array([(*_typed(axes, sketch.joint(j)), SIZES.get(j.type, 6.0) / 2 + 1) for j in joints]).reshape(-1, 3)
 
 
 def _pair(vector: Array) -> tuple[float, float]:
     return float(vector[0]), float(vector[1])
 
 
-def _labels(axes: Axes, sketch: Sketch) -> None:
-    """Names of the named points, off joints, bars and each other; the picture's limits are final."""
+def _labels(axes: Axes, sketch: Sketch, taken: Array) -> None:
+    """Names of the named points, off joints, bars, each other and what is `taken`; the picture's limits are final."""
     mechanism = sketch.mechanism
-    axes.apply_aspect()
-    per_point = axes.figure.dpi / 72  # pixels of a point of type
-
-    def typed(places: Array) -> Array:
-        made: Array = axes.transData.transform(places) / per_point
-        return made
-
     at = np.array([sketch.seen(p.body, numbers(mechanism, p.at)) for p in mechanism.points.values()]).reshape(-1, 2)
     if not len(at):
         return
     names = [indexed_symbol(name) for name in mechanism.points]
     wide = [max(1, len(name.replace("$", "").replace("_", "").replace("{", "").replace("}", ""))) for name in names]
-    lines = [line for body, p in drawn_points(mechanism).items() if len(p) for line in _lines(sketch, body, p)]
-    pieces = [(typed(a), typed(b)) for line in lines for a, b in zip(line.points, line.points[1:], strict=False)]
-    axis = [(typed(sketch.view(np.zeros(3))), typed(sketch.view(0.36 * sketch.size * e))) for e in np.eye(3)]
-    joints = [(*typed(sketch.joint(j)), SIZES.get(j.type, 6.0) / 2 + 1) for j in mechanism.joints.values()]
-    joints += [(*(end + NAMED * _name_of_axis(start, end)), NAMED) for start, end in axis]
+    marks = np.vstack([_joints(axes, sketch), *((*middle, NAMED) for middle in taken)])
     sizes = np.array([(LETTER[0] * count, LETTER[1]) for count in wide])
-    middle = typed(np.asarray(at)).mean(axis=0)
-    found = label_places(typed(at), sizes, bars=[*pieces, *axis], joints=np.array(joints), middle=middle)
-    for name, place, box in zip(names, at, found, strict=True):
+    typed = _typed(axes, at)
+    found = label_places(typed, sizes, bars=_bars(axes, sketch), joints=marks, middle=typed.mean(axis=0))
+    for name, place, start, box in zip(names, at, typed, found, strict=True):
         axes.plot(*place, marker=".", markersize=4.0, color="black", linestyle="none", zorder=4.5)
         axes.annotate(
-            name, xy=_pair(place), xytext=_pair(box - typed(place)), textcoords="offset points",
+            name, xy=_pair(place), xytext=_pair(box - start), textcoords="offset points",
             ha="center", va="center", zorder=7,
         )  # fmt: skip
 
 
-def _marker(letter: str) -> dict[str, Any]:
-    """How joints of a type are marked; one without a mark of its own as a triangle."""
-    return {"marker": MARKERS.get(letter, OTHER_MARKER), "markersize": SIZES.get(letter, 6.0)}
+def _marker(letter: str, above: int = 0) -> dict[str, Any]:
+    """How joints of a type are marked, with so many others above; one without a mark of its own as a triangle."""
+    return {"marker": MARKERS.get(letter, OTHER_MARKER), "markersize": SIZES.get(letter, 6.0) + RIM * above}
 
 
 def _legend(mechanism: Mechanism) -> list[Line2D]:

@@ -21,7 +21,13 @@ MARGIN = 1.5  # points of type around a name that are to be free
 
 
 def label_places(
-    points: Array, sizes: Array, *, bars: Sequence[tuple[Array, Array]], joints: Array, middle: Array
+    points: Array,
+    sizes: Array,
+    *,
+    bars: Sequence[tuple[Array, Array]],
+    joints: Array,
+    middle: Array,
+    far: Sequence[float] = FAR,
 ) -> Array:
     """Middles of names (n, 2), all in points of type.
 
@@ -31,6 +37,7 @@ def label_places(
         bars: (from, to) of lines that are drawn, each end (2,).
         joints: (m, 3): place and radius of the marks of joints.
         middle: (2,) of the picture: names are rather outwards.
+        far: how far from its point the middle of a name's nearest side may be.
     """
     angles = np.arange(DIRECTIONS) * 2 * np.pi / DIRECTIONS
     around = np.stack([np.cos(angles), np.sin(angles)], axis=1)
@@ -42,11 +49,11 @@ def label_places(
         away = point - middle
         outwards = away / (np.linalg.norm(away) or 1.0)
         best, least = point, np.inf
-        for far in FAR:
+        for gone in far:
             for direction in around:
                 # the box touches the circle with this radius about the point on its own side
-                box = point + direction * far + np.sign(np.round(direction, 6)) * half * np.abs(direction)
-                cost = LINE * _crossed(box, half, starts, ends) + 0.04 * far - AWAY * float(direction @ outwards)
+                box = point + direction * gone + np.sign(np.round(direction, 6)) * half * np.abs(direction)
+                cost = LINE * _crossed(box, half, starts, ends) + 0.04 * gone - AWAY * float(direction @ outwards)
                 cost += NAME * sum(bool((np.abs(box - other) < half + more).all()) for other, more in placed)
                 if len(joints):
                     gap = np.maximum(np.abs(joints[:, :2] - box) - half, 0.0)

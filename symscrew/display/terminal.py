@@ -50,6 +50,38 @@ def print_table(header: Sequence[str], rows: Sequence[Sequence[str]]) -> None:
     Console().print(made)
 
 
+def print_text(text: str) -> None:
+    """Print words on stdout; on a terminal, and where COLUMNS says how wide, its lines are folded at blanks.
+
+    Elsewhere lines stay whole: programs search them.
+    """
+    if sys.stdout.isatty() or os.environ.get("COLUMNS", "").isdecimal():
+        text = folded(text, shutil.get_terminal_size().columns)
+    print(text)
+
+
+def folded(text: str, wide: int) -> str:
+    """Lines of at most `wide` characters where blanks allow; what follows of a line stands deeper than its beginning.
+
+    Rows of tables and words longer than that stay whole.
+
+    >>> print(folded("  one two three", 10))
+      one two
+        three
+    """
+    lines = []
+    for line in text.splitlines():
+        indent = line[: len(line) - len(line.lstrip())]
+        if len(line) <= wide or line.startswith("|"):
+            lines.append(line)
+            continue
+        lines += textwrap.wrap(
+            line.strip(), max(wide, len(indent) + 4), initial_indent=indent, subsequent_indent=f"{indent}  ",
+            break_long_words=False, break_on_hyphens=False,
+        )  # fmt: skip
+    return "\n".join(lines)
+
+
 def _natural_width(header: Sequence[str], rows: Sequence[Sequence[str]]) -> int:
     return max(map(len, aligned_table(header, rows).splitlines()))
 

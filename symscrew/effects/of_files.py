@@ -27,7 +27,7 @@ HELD: Mapping[str, frozenset[str]] = {
     "damping": frozenset({"joint", "freedom", "coefficient"}),
     "friction": frozenset({"joint", "freedom", "coulomb", "velocity"}),
     "spring": frozenset({"joint", "freedom", "stiffness", "rest", "damping"}),
-    "servo": frozenset({"joint", "freedom", "stiffness", "damping", "limit", "lowest"}),
+    "servo": frozenset({"joint", "freedom", "stiffness", "damping", "limit", "lowest", "name"}),
     "load": frozenset({"point", "wrench"}),
     "drag": frozenset({"body", "sides", "axes", "density", "viscosity", "wind"}),
 }
@@ -68,7 +68,7 @@ def forces_of_effects(
             others.append(f"{name} with {', '.join(table)}" if kind else name)
             continue
         plain = {
-            k: _number(mechanism, reader, v) if k not in ("joint", "point", "body", "freedom") else v
+            k: _number(mechanism, reader, v) if k not in ("joint", "point", "body", "freedom", "name") else v
             for k, v in table.items()
         }
         forces.append({"kind": kind, **plain})

@@ -4,22 +4,37 @@ Gepetto's files say with a word for every loop whether its frames meet in place 
 where nothing is said), and name the joints that are balls though a URDF has turns there. A word that is missing leaves
 a loop that cannot close.
 
-    draft, loops, their gap --> a sentence for the error
+    draft, loops --> a sentence for the error; or, where that is asked for, joints and loops that close
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import replace
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 
 from symscrew.errors import shorten
 from symscrew.formats.closed_pose import CLOSED, STARTS, Loop, Tree, closed_displacements, open_alone
-from symscrew.formats.draft import Draft
+from symscrew.formats.draft import Draft, RawJoint
 
 BALLS = "spherical"
 """Part of the name of joints that are balls, as the tool that writes Gepetto's files takes them."""
 NAMED = 3
 """Loops and joints that are named; of more their number is said."""
+
+
+@dataclass(frozen=True)
+class Cure:
+    """What closes all loops: joints and loops in place of the file's, in short words for an error and in full."""
+
+    joints: Sequence[RawJoint]
+    loops: Sequence[Loop]
+    short: str
+    full: str
+
+
+def loosened(draft: Draft, loops: Sequence[Loop]) -> Cure | None:
+    """What closes the loops if the file means it, the least change first; None if nothing that is known does."""
+    return next(_cures(draft, loops, open_alone(Tree.of(draft, loops))), None)
 
 
 def why_open(draft: Draft, loops: Sequence[Loop]) -> str:
@@ -29,27 +44,25 @@ def why_open(draft: Draft, loops: Sequence[Loop]) -> str:
     if gaps:
         least = [f"loop 'closing_{k + 1}' {gap:.3g}" for k, gap in gaps.items()]
         said.append(f"alone, too, the best of {STARTS} starts leave open [m, rad]: {_some(least)}")
-    said += _cures(draft, loops, gaps)
-    return "; ".join(said)
+    cures = [f"{cure.short} all loops close" for cure in _cures(draft, loops, gaps)]
+    return "; ".join([*said, *cures, *(["take the first of these with --loosen"] if cures else [])])
 
 
-def _cures(draft: Draft, loops: Sequence[Loop], gaps: Mapping[int, float]) -> list[str]:
-    found = []
+def _cures(draft: Draft, loops: Sequence[Loop], gaps: Mapping[int, float]) -> Iterator[Cure]:
     held = [k for k, (*_, turning) in enumerate(loops) if turning]
     for loose in ([k for k in held if k in gaps], held):  # the fewest first
         places = [(one, other, turning and k not in loose) for k, (one, other, turning) in enumerate(loops)]
         if loose and _closes(draft, places):
-            named = _some([f"closing_{k + 1}" for k in loose])
-            found.append(f"with type 3d in place of 6d for {named} all loops close")
+            named = [f"closing_{k + 1}" for k in loose]
+            said = "with type 3d in place of 6d for"
+            yield Cure(draft.joints, places, f"{said} {_some(named)}", f"{said} {', '.join(named)}")
             break
     balls = [joint.name for joint in draft.joints if BALLS in joint.name and joint.type == "R"]
     changed = [replace(j, type="S", axes=(), driven=()) if j.name in balls else j for j in draft.joints]
     if balls and _closes(replace(draft, joints=changed), loops):
-        named = f"joint_name: [{', '.join(balls[:NAMED])}{', ...' if balls[NAMED:] else ''}]"
-        found.append(
-            f"with joint_type SPHERICAL for the {len(balls)} turns called {BALLS!r} ({shorten(named)}) all loops close"
-        )
-    return found
+        some = f"joint_name: [{', '.join(balls[:NAMED])}{', ...' if balls[NAMED:] else ''}]"
+        said = f"with joint_type SPHERICAL for the {len(balls)} turns called {BALLS!r}"
+        yield Cure(changed, loops, f"{said} ({shorten(some)})", f"{said}: {', '.join(balls)}")
 
 
 def _closes(draft: Draft, loops: Sequence[Loop]) -> bool:

@@ -27,6 +27,7 @@ from symscrew.formats.rigid_displacements import (
     Triple,
     cross,
     dot,
+    floored,
     length,
     minus,
     plus,
@@ -61,11 +62,15 @@ def bars(
 ) -> tuple[list[RawBody], list[RawJoint]]:
     """Bodies and joints with bars for rods, and what changed in the draft's ledger; its platform is found.
 
+    What is rounding of zero goes first: taken out of an axis later, it would leave the next one not across it.
+
     `whole`: joint of the file -> the joint of `joints` that it is part of.
 
     Raises:
         DescriptionError: there is no rod that could be a bar.
     """
+    bodies = [body if body.com is None else replace(body, com=floored(body.com)) for body in bodies]
+    joints = [replace(j, point=floored(j.point), axes=tuple(floored(axis) for axis in j.axes)) for j in joints]
     rods = list(_rods(draft, bodies, joints, whole))
     if not rods:
         raise DescriptionError(

@@ -17,6 +17,8 @@ class ImportOptions:
         floating: the root of a tree that stands on nothing moves freely in space.
         exact: digits that mean an angle, a zero or a short decimal are that (`exact_digits`).
         bars: rods between two balls do not spin and have their mass on the line between these (`idle_spins`).
+        loosen: loops of a file beside a URDF that close in no pose hold less: places alone, or balls in place of turns
+            that are called so.
         folder: below which files that the file names may be; by default the file's own folder.
     """
 
@@ -27,3 +29,4 @@ class ImportOptions:
     exact: bool = False
     folder: Path | None = None
     bars: bool = False
+    loosen: bool = False

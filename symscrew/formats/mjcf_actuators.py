@@ -2,6 +2,7 @@
 
     position, velocity, general actuators that are either --> position_servo beside the drive
     forcerange, ctrlrange of motors --> limits     on a site --> a wrench there that is an input
+    actuatorfrcrange of a tendon    --> the limits of the one drive on it
 
 An actuator on a fixed tendon drives a joint or a pulley (`mjcf_transmissions`).
 Source: https://mujoco.readthedocs.io/en/stable/XMLreference.html#actuator.
@@ -13,6 +14,7 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from decimal import Decimal
+from itertools import count
 from typing import Any
 
 import numpy as np
@@ -20,10 +22,11 @@ import numpy as np
 from symscrew.description import JOINT_TYPES
 from symscrew.errors import DescriptionError, did_you_mean, shorten
 from symscrew.formats.draft import Draft, RawEffect, RawLoad
+from symscrew.formats.file_names import safe_names
 from symscrew.formats.mjcf_forces import effort, limited
 from symscrew.formats.mjcf_gains import ARRAYS, KIND, OWN
 from symscrew.formats.mjcf_settings import ACTUATORS, Settings
-from symscrew.formats.mjcf_transmissions import Target, Transmissions
+from symscrew.formats.mjcf_transmissions import Target, Transmissions, on_joint
 from symscrew.formats.rigid_displacements import Real, real
 from symscrew.formats.safe_xml import Element, elements, label, number, numbers
 from symscrew.formats.tree_freedoms import freedoms_of, mass_matrix, ways_to
@@ -85,7 +88,7 @@ def actuator_forces(
         displaced: whether the reference configuration is not the file's own.
     """
     several = {joint.name for joint in draft.joints if JOINT_TYPES[joint.type].freedom > 1}
-    shared: dict[str, int] = {}
+    shared, most = dict[str, int](), dict[str, list[Real | None]]()
     for _, _, target in actuators.on_targets():
         shared[target.joint] = shared.get(target.joint, 0) + 1
     for element, given, target in actuators.on_targets():
@@ -100,18 +103,39 @@ def actuator_forces(
             draft.ledger.turned(f"activation of actuators ({given['dyntype']}): commands here are what comes out of it")
         damped = _Damped(draft, actuators.transmissions, target, factor, displaced)
         forces = limited(settings, given, "forcerange", "forcelimited")
+        tendon = None if on_joint(given) else actuators.transmissions.given[given["tendon"]]
+        if tendon is not None and limited(settings, tendon.attrib, "actuatorfrcrange", "actuatorfrclimited"):
+            _pull(draft, tendon, target.joint, factor, alone=shared[target.joint] == 1)
         reach = _Reach(draft, forces, target.joint, factor, alone=shared[target.joint] == 1)
         _servo(draft, element.tag, given, name=target.joint, gear=float(factor), damped=damped, reach=reach)
         if factor != 1:
             draft.ledger.turned("gear: the drive acts on the joint, limits and gains are multiplied")
-        commands = element.tag == "motor" and limited(settings, given, "ctrlrange", "ctrllimited")
-        for key in [key for key, holds in (("forcerange", forces), ("ctrlrange", commands)) if holds]:
-            low, high = numbers(given[key], f"{label(element)}, {key}", 2)
-            effort(draft, target.joint, max(abs(low), abs(high)) * abs(Decimal(str(factor))))
-            draft.ledger.turned(key)
+        if number(given.get("delay", "0"), f"{label(element)}, delay") != 0:
+            draft.ledger.lost("delay of actuators")
+        most.setdefault(target.joint, []).append(_most(draft, element, given, settings, factor=factor))
+    for joint, sizes in most.items():
+        known = [size for size in sizes if size is not None]
+        if len(known) == len(sizes):  # together they push as far; one without a limit, as far as it likes
+            effort(draft, joint, sum(known, start=real(0)))
     for element, given in actuators.listed:
         if actuators.transmissions.of(given, label(element)) is None:
             _on_others(draft, element, given, sites)
+
+
+def _most(draft: Draft, element: Element, given: Mapping[str, str], settings: Settings, *, factor: Real) -> Real | None:
+    """The greatest effort of an actuator on its joint [N or N m], by its force and, of a motor, its command."""
+    commands = limited(settings, given, "ctrlrange", "ctrllimited")
+    if commands and element.tag != "motor":
+        draft.ledger.passed("ctrlrange of servos, whose targets are the caller's")
+    sizes = []
+    for key, holds in (
+        ("forcerange", limited(settings, given, "forcerange", "forcelimited")),
+        ("ctrlrange", commands and element.tag == "motor"),
+    ):
+        if holds:
+            sizes.append(max(abs(v) for v in numbers(given[key], f"{label(element)}, {key}", 2)))
+            draft.ledger.turned(key)
+    return real(min(sizes)) * abs(factor) if sizes else None
 
 
 def _gear(gear: Sequence[Decimal], several: bool, where: str) -> Real:
@@ -122,6 +146,20 @@ def _gear(gear: Sequence[Decimal], several: bool, where: str) -> Real:
     if len(found) != 1:
         raise DescriptionError(f"{where}, gear: expected one entry that is not zero, got {len(found)}")
     return real(found[0])
+
+
+def _pull(draft: Draft, tendon: Element, joint: str, factor: Real, *, alone: bool) -> None:
+    """Enter the forces between which a tendon's actuator stays, before its gear as in the engine, as the joint's."""
+    if not alone:
+        draft.ledger.lost(f"actuatorfrcrange of {label(tendon)}, which several actuators drive")
+        return
+    where = f"{label(tendon)}, actuatorfrcrange"
+    ends = [factor * real(v) for v in numbers(tendon.attrib["actuatorfrcrange"], where, 2)]
+    low, high = min(ends), max(ends)
+    effort(draft, joint, max(abs(low), abs(high)))
+    known = draft.limits[joint].push
+    draft.limits[joint].push = (low, high) if known is None else (max(low, known[0]), min(high, known[1]))
+    draft.ledger.turned("actuatorfrcrange of a tendon")
 
 
 @dataclass(frozen=True)
@@ -201,7 +239,7 @@ def _servo(
     draft: Draft, tag: str, given: Mapping[str, str], *, name: str, gear: float, damped: _Damped, reach: _Reach
 ) -> None:
     """An actuator whose force depends on displacement or rate, as a servo beside the drive; of a motor nothing."""
-    where = f"<{tag} joint={name!r}>"
+    where, known = f"<{tag} joint={name!r}>", {joint.name for joint in draft.joints}
     if given[KIND] not in OWN:
         draft.ledger.lost(f"<{tag}> actuators")
         return
@@ -217,7 +255,7 @@ def _servo(
         if found is None:
             draft.ledger.lost("dampratio of a position actuator, for which the inertia is not known")
         kv = kv if found is None else found
-    table: dict[str, Any] = {"kind": "servo", "stiffness": kp * gear**2, "damping": kv * gear**2}
+    table: dict[str, Any] = {"kind": "servo", "stiffness": kp * gear**2 + 0.0, "damping": kv * gear**2 + 0.0}
     ends = reach.of(given, where)
     if ends is not None:
         low, high = ends
@@ -226,6 +264,10 @@ def _servo(
         table |= {"limit": high} if low == -high else {"limit": high, "lowest": low}
     if kp < 0 or kv < 0:
         raise DescriptionError(f"{where}: expected gains of at least 0, got {kp} and {kv}")
+    others = {e.table.get("name", e.joint) for e in draft.effects if e.table["kind"] == "servo"}
+    if name in others:  # its input needs a name of its own
+        stem = safe_names([name])[name]
+        table["name"] = next(text for k in count(2) if (text := f"{stem}_{k}") not in others | known)
     draft.effects.append(RawEffect(name, table))
     draft.ledger.turned(f"<{tag}> actuators")
 

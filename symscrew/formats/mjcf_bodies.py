@@ -31,6 +31,7 @@ from symscrew.formats.rigid_displacements import (
     Pose,
     Real,
     Rotation,
+    Triple,
     about,
     apply,
     has_length_one,
@@ -73,6 +74,8 @@ class Reading:
     listed: list[Listed] = field(default_factory=list)
     parts: Sequence[tuple[Settings, Meshes]] = ()
     in_medium: bool = False
+    carried: dict[str, Real] = field(default_factory=dict)
+    bare: dict[str, Triple] = field(default_factory=dict)
 
     def within(self, attached: Element) -> Reading:
         """The same reading with the units, classes and meshes of a model that is attached."""
@@ -135,21 +138,26 @@ def _read_body(reading: Reading, element: Element, outer: Place) -> None:
         raise DescriptionError(f"{where}: two bodies have this name")
     name = name or fresh("body", reading.poses)
     pose = outer.pose @ reading.settings.pose(element.attrib, where)
-    own = _own(reading, element, inherited, pose)
+    own, local = _own(reading, element, inherited, pose), reading.poses[outer.body].inverse() @ pose
     joints, moved = _joints(reading, outer.body, Place(name, pose, inherited), own)
     pose = moved @ pose
     own = [replace(part, pose=moved @ part.pose) for part in own]
     reading.poses[name] = pose
     place = Place(name, pose, inherited)
-    body = _body(reading, name, own)
-    _carry(reading.result, body, real(number(element.get("gravcomp", "0"), f"{where}, gravcomp")))
-    reading.result.bodies.append(body)
+    reading.result.bodies.append(_body(reading, name, own))
+    reading.bare[name] = pose.point(local.translation)  # where the engine has a mass that no element gives
+    reading.carried[name] = real(number(element.get("gravcomp", "0"), f"{where}, gravcomp"))
     reading.result.joints += joints
     read_children(reading, element, place)
 
 
+def carry(draft: Draft, carried: Mapping[str, Real]) -> None:
+    """Enter the forces at centres of mass that carry shares of weights (gravcomp); `carried`: body -> its share."""
+    for body in draft.bodies:
+        _carry(draft, body, carried.get(body.name, ZERO[0]))
+
+
 def _carry(draft: Draft, body: RawBody, share: Real) -> None:
-    """The force at the centre of mass that carries a share of the body's weight (gravcomp)."""
     if share == 0 or body.mass is None or body.com is None:
         return
     field = [real(c) for c in draft.gravity or USUAL_GRAVITY]
@@ -202,9 +210,9 @@ def _body(reading: Reading, name: str, own: Sequence[Part]) -> RawBody:
             for part in geoms
         ]
         found = together([solid for solid in solids if solid is not None])
-    elif given:
-        if len(given) > 1:
-            raise DescriptionError(f"<body name={name!r}>: expected one <inertial>, got {len(given)}")
+    if len(given) > 1:
+        raise DescriptionError(f"<body name={name!r}>: expected one <inertial>, got {len(given)}")
+    if given and found is None:  # also where geoms are to say it and none of those that may has mass
         found = _inertial(given[0], f"<body name={name!r}>, <inertial>")
     return RawBody(name) if found is None else RawBody(name, found.mass, found.com, found.inertia, found.axes)
 

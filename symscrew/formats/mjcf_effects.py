@@ -7,6 +7,7 @@ servo --> <position> in place of the motor          carried weight --> <body gra
 from __future__ import annotations
 
 from collections.abc import Mapping
+from itertools import count
 from typing import Any
 from xml.etree.ElementTree import Element, SubElement
 
@@ -103,13 +104,18 @@ def _attributes(element: Element, force: Mapping[str, Any]) -> None:
 def _servo(root: Element, name: str, force: Mapping[str, Any]) -> None:
     """A position actuator, in place of the motor: read back, it drives the joint and has the servo beside it."""
     section = root.find("actuator")
-    motor = None if section is None else next((m for m in section if m.get("joint") == name), None)
-    if section is None or motor is None or motor.tag != "motor":
+    there = None if section is None else next((m for m in section if m.get("joint") == name), None)
+    if section is None or there is None:
         raise DescriptionError(
-            f"joints.{force['joint']}: a servo of a file drives its joint; expected one servo on a driven freedom"
+            f"joints.{force['joint']}: a servo of a file drives its joint; expected a driven freedom"
         )
-    section.remove(motor)
-    made = SubElement(section, "position", name=name, joint=name, kp=decimals([force["stiffness"]]))
+    taken = {element.get("name") for element in section}
+    called = name
+    if there.tag == "motor":
+        section.remove(there)
+    else:  # a further servo of the joint
+        called = next(found for k in count(2) if (found := f"{name}.servo{k}") not in taken)
+    made = SubElement(section, "position", name=called, joint=name, kp=decimals([force["stiffness"]]))
     if force.get("damping"):
         made.set("kv", decimals([force["damping"]]))
     if "limit" in force:

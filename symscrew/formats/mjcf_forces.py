@@ -11,6 +11,7 @@ from __future__ import annotations
 from decimal import Decimal
 from typing import Any
 
+from symscrew.errors import DescriptionError, shorten
 from symscrew.formats.draft import Draft, Limits, RawEffect
 from symscrew.formats.mjcf_settings import Attributes, Settings
 from symscrew.formats.rigid_displacements import real
@@ -79,6 +80,8 @@ def _limits(draft: Draft, settings: Settings, name: str, *, attributes: Attribut
 def limited(settings: Settings, attributes: Attributes, reach: str, key: str) -> bool:
     """Whether a range is one that limits: it is given, and the switch beside it does not say no."""
     said = attributes.get(key, "auto")
+    if said not in ("true", "false", "auto"):
+        raise DescriptionError(f"{key}: expected true, false or auto, got {shorten(said)}")
     return reach in attributes and (said == "true" or (said == "auto" and settings.auto_limits))
 
 

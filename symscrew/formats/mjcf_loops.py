@@ -1,6 +1,6 @@
 """Loops and drives of an MJCF file: <equality> and <actuator>.
 
-    connect --> S;  two connects of the same bodies --> R;  weld --> fixed
+    connect --> S;  two connects of the same bodies --> R;  weld --> fixed, or S where its torquescale is zero
 
 A connect is a spherical joint between two bodies, two connects between the same bodies a revolute joint about
 the line through their points, a weld a fixed joint. All must hold in the reference configuration, as MuJoCo makes them.
@@ -8,8 +8,9 @@ the line through their points, a weld a fixed joint. All must hold in the refere
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from decimal import Decimal
 
 from symscrew.errors import DescriptionError, did_you_mean, shorten
 from symscrew.formats.draft import RawJoint
@@ -17,6 +18,7 @@ from symscrew.formats.file_names import fresh
 from symscrew.formats.mjcf_settings import Settings
 from symscrew.formats.open_loops import CLOSED, Closing
 from symscrew.formats.rigid_displacements import (
+    ZERO,
     Pose,
     from_quaternion,
     length,
@@ -25,7 +27,10 @@ from symscrew.formats.rigid_displacements import (
     triple,
     unit,
 )
-from symscrew.formats.safe_xml import Element, attribute, elements, label, numbers
+from symscrew.formats.safe_xml import Element, attribute, elements, label, number, numbers
+
+HELD = "fixed"
+"""The joint of a weld that holds its bodies in turning as well."""
 
 
 @dataclass(frozen=True)
@@ -55,6 +60,9 @@ def loops(root: Element, settings: Settings, placed: Placed) -> list[RawJoint]:
                     f"{label(element)} in <equality>: only connect, weld, joint and tendon are supported"
                 )
     connects = [_connect(e, placed) for e in equalities(root, settings, "connect")]
+    welds = [_weld(e, placed) for e in equalities(root, settings, "weld")]
+    connects += [weld for weld in welds if weld.type != HELD]
+    welds = [weld for weld in welds if weld.type == HELD]
     result = []
     while connects:
         first = connects.pop(0)
@@ -67,7 +75,7 @@ def loops(root: Element, settings: Settings, placed: Placed) -> list[RawJoint]:
         stem = first.name.removesuffix(".0")
         name = stem if pair.name == f"{stem}.1" else first.name
         result.append(RawJoint(name, "R", first.parent, first.child, first.point, (axis,)))
-    result += [_weld(e, placed) for e in equalities(root, settings, "weld")]
+    result += welds
     names: list[str] = []
     for k, joint in enumerate(result):
         names.append(fresh(joint.name or f"loop_{k}", names))
@@ -94,7 +102,10 @@ def equalities(root: Element, settings: Settings, tag: str, active: str = "true"
             chosen = settings.merged(element, kind, None)
             name = element.get("class") or "main"
             default = settings.defaults[name].get("equality", {})
-            if {**default, **chosen}.get("active", "true") == active:
+            given = {**default, **chosen}.get("active", "true")
+            if given not in ("true", "false"):
+                raise DescriptionError(f"{label(element)}, active: expected true or false, got {shorten(given)}")
+            if given == active:
                 yield element
 
 
@@ -136,21 +147,45 @@ def _connect(element: Element, placed: Placed) -> RawJoint:
 
 
 def _weld(element: Element, placed: Placed) -> RawJoint:
+    """A weld; without a torque it holds the points alone, as a connect does."""
     parent, child, meeting = _ends(element, placed)
     given = numbers(element.get("relpose", "0 1 0 0 0 0 0"), f"{label(element)}, relpose", 7)
+    if number(element.get("torquescale", "1"), f"{label(element)}, torquescale") == 0:
+        return _held_point(element, placed, (parent, child, meeting), given)
     if meeting is not None:
         _check_weld(element, placed, *meeting)
     elif any(value != 0 for value in given[3:]):
-        # relpose is the pose of the second body (the world where there is none) in the first
+        # relpose is the pose of the second body (the world where there is none) in the first, its place the anchor's
         first = element.attrib["body1"]
         one, other = (placed.poses[placed.ground if n in (None, "world") else n] for n in (first, element.get("body2")))
         turn = [real(value) for value in given[3:]]
-        wanted = Pose(from_quaternion(turn, f"{label(element)}, relpose"), triple(given[:3]))
+        turned = Pose(from_quaternion(turn, f"{label(element)}, relpose"), ZERO)
+        anchor = triple(numbers(element.get("anchor", "0 0 0"), f"{label(element)}, anchor", 3))
+        wanted = Pose(turned.rotation, minus(triple(given[:3]), turned.point(anchor)))
         _check_weld(element, placed, wanted, one.inverse() @ other)
     else:
         own, now = (poses[parent].inverse() @ poses[child] for poses in (placed.own, placed.poses))
         _check_weld(element, placed, own, now)
-    return RawJoint(element.get("name") or "", "fixed", parent, child, placed.poses[child].translation)
+    return RawJoint(element.get("name") or "", HELD, parent, child, placed.poses[child].translation)
+
+
+def _held_point(
+    element: Element, placed: Placed, ends: tuple[str, str, tuple[Pose, Pose] | None], relpose: Sequence[Decimal]
+) -> RawJoint:
+    """Where a weld without torque holds its bodies: the sites, or the anchor of the second body (the world where there
+    is none) at the place of `relpose` in the first one where that is given, else where the file's own pose has it."""
+    parent, child, meeting = ends
+    if meeting is not None:
+        one, other = (pose.translation for pose in meeting)
+    else:
+        anchor = triple(numbers(element.get("anchor", "0 0 0"), f"{label(element)}, anchor", 3))
+        names = (element.attrib["body1"], element.get("body2"))
+        first, second = (placed.ground if name in (None, "world") else str(name) for name in names)
+        given = any(value != 0 for value in relpose[3:])
+        at = triple(relpose[:3]) if given else (placed.own[first].inverse() @ placed.own[second]).point(anchor)
+        one, other = placed.poses[first].point(at), placed.poses[second].point(anchor)
+    place = placed.closing.middle(label(element), one, other)
+    return RawJoint(element.get("name") or "", "S", parent, child, place)
 
 
 def _check_weld(element: Element, placed: Placed, wanted: Pose, found: Pose) -> None:

@@ -14,12 +14,16 @@ from dataclasses import replace
 from symscrew.formats.draft import Draft, RawBody
 from symscrew.formats.mjcf_settings import Settings
 from symscrew.formats.physical_inertias import impossible, turned_moments
-from symscrew.formats.rigid_displacements import ZERO, Pose, real, scaled
+from symscrew.formats.rigid_displacements import ZERO, Triple, real, scaled
 
 
-def settle_masses(draft: Draft, settings: Settings, poses: Mapping[str, Pose]) -> None:
-    """Apply these settings to the draft's bodies; the ledger says how many each of them changed."""
-    bodies = [_bounded(draft, body, settings, poses[body.name]) for body in draft.bodies]
+def settle_masses(draft: Draft, settings: Settings, bare: Mapping[str, Triple]) -> None:
+    """Apply these settings to the draft's bodies; the ledger says how many each of them changed.
+
+    `bare`: body of the file -> where its least mass is if it has none of its own; other bodies, between several joints
+    of one, have no mass in the file.
+    """
+    bodies = [_bounded(draft, body, settings, bare[body.name]) if body.name in bare else body for body in draft.bodies]
     total = sum((body.mass for body in bodies if body.mass is not None), start=ZERO[0])
     if settings.total_mass > 0 and total > 0:
         factor = settings.total_mass / total
@@ -28,12 +32,12 @@ def settle_masses(draft: Draft, settings: Settings, poses: Mapping[str, Pose]) -
     draft.bodies = bodies
 
 
-def _bounded(draft: Draft, body: RawBody, settings: Settings, pose: Pose) -> RawBody:
+def _bounded(draft: Draft, body: RawBody, settings: Settings, place: Triple) -> RawBody:
     mass, least = settings.least_mass, settings.least_inertia
     if body.mass is None or body.com is None or body.inertia is None:
         if not mass and not least:
             return body
-        body = RawBody(body.name, real(0), pose.translation, (ZERO, ZERO, ZERO))
+        body = RawBody(body.name, real(0), place, (ZERO, ZERO, ZERO))
     assert body.mass is not None and body.inertia is not None
     if mass and body.mass is not None and body.mass < mass:
         body = replace(body, mass=mass)

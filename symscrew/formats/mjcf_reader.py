@@ -23,7 +23,7 @@ from symscrew.formats.exact_digits import with_exact_digits
 from symscrew.formats.import_options import ImportOptions
 from symscrew.formats.included_files import expanded
 from symscrew.formats.mjcf_actuators import Actuators, actuator_forces
-from symscrew.formats.mjcf_bodies import Place, Reading, read_children
+from symscrew.formats.mjcf_bodies import Place, Reading, carry, read_children
 from symscrew.formats.mjcf_composed import composed
 from symscrew.formats.mjcf_couplings import displacements, raw_coupling, read_couplings
 from symscrew.formats.mjcf_keyframes import key_name, keyframe_rates, keyframes
@@ -81,7 +81,8 @@ def read_mjcf(root: Element, path: Path, options: ImportOptions) -> Draft:
         in_medium=around is not None,
     )
     _read_bodies(root, reading)
-    settle_masses(result, chosen, reading.poses)
+    settle_masses(result, chosen, reading.bare)
+    carry(result, reading.carried)
     add_drags(result, around)
     _check_all_found(reading, pulled.pulleys.values())
     tendon_forces(result, pulled, reading.rests, chosen.off)

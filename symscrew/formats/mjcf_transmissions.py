@@ -27,6 +27,11 @@ FORCES = {"stiffness": "spring", "damping": "damper", "frictionloss": "frictionl
 """Attributes of a tendon that make a force along it -> the flag that takes it away."""
 
 
+def on_joint(attributes: Mapping[str, str]) -> str | None:
+    """The joint that an actuator with these attributes is on, if it is on one."""
+    return attributes.get("joint") or attributes.get("jointinparent")
+
+
 @dataclass(frozen=True)
 class Target:
     """What a transmission acts on: a joint of the draft, by `factor` times its displacement."""
@@ -53,7 +58,7 @@ class Transmissions:
 
     def of(self, attributes: Mapping[str, str], where: str) -> Target | None:
         """What an actuator with these attributes acts on; None for what is neither a joint nor a fixed tendon."""
-        joint = attributes.get("joint") or attributes.get("jointinparent")
+        joint = on_joint(attributes)
         if joint is not None:
             return Target(joint, real(1))
         name = attributes.get("tendon")

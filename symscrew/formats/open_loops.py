@@ -25,11 +25,15 @@ by half a unit of the sixth digit. A larger one is refused unless `snap` allows 
 
 @dataclass(frozen=True)
 class Closing:
-    """How open a loop may be: `snap` [m, rad] beside what rounding explains for a file of this `extent` [m]."""
+    """How open a loop may be: `snap` [m, rad] beside what rounding explains for a file of this `extent` [m].
+
+    `loosen`: loops that close in no pose hold less (`contradictory_loops`).
+    """
 
     ledger: Ledger
     extent: Real
     snap: float = 0.0
+    loosen: bool = False
 
     def middle(self, what: str, one: Triple, other: Triple) -> Triple:
         """Where a joint goes that its two bodies have at these places."""

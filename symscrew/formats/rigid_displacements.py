@@ -28,6 +28,8 @@ ALL_DIGITS = 48
 FLOOR = CONTEXT.mpf(10) ** -22
 """Coordinates [m] and components of axes below this are zero: what sums of numbers of 25 digits leave. Larger ones, as
 a file's 1e-17 for zero, are kept; those of rotations are snapped."""
+ALL_FLOOR = CONTEXT.mpf(10) ** -45
+"""The same where all digits are handed on: nearer to zero nothing is recognised as more than zero."""
 SNAP = CONTEXT.mpf(5) * CONTEXT.mpf(10) ** -15
 """An entry of an elementary rotation this close to a round value is that: half a unit of the 15th digit of a right
 angle in a file. Further off it stays what the file says, which is a different mechanism by that much."""
@@ -208,20 +210,29 @@ def _snap(entry: Real) -> Real:
     return -near if entry < 0 else near
 
 
-def exact(value: Real, floor: Real = FLOOR, *, digits: int = DIGITS) -> Decimal:
-    """A number with so many digits; 0 below `floor`."""
-    if abs(value) < floor:
+def floored(vector: Triple) -> Triple:
+    """A vector without the components that are rounding of zero."""
+    x, y, z = (CONTEXT.mpf(0) if abs(entry) < FLOOR else entry for entry in vector)
+    return (x, y, z)
+
+
+def exact(value: Real, floor: Real | None = None, *, digits: int = DIGITS) -> Decimal:
+    """A number with so many digits; 0 below `floor`, by default where it is rounding of that."""
+    if abs(value) < (floor if floor is not None else FLOOR if digits <= DIGITS else ALL_FLOOR):
         return Decimal(0)
     return Decimal(mpmath.nstr(value, digits, min_fixed=-30, max_fixed=30, strip_zeros=True))
 
 
-def exact_vector(vector: Triple, floor: Real = FLOOR, *, digits: int = DIGITS) -> list[Decimal]:
+def exact_vector(vector: Triple, *, digits: int = DIGITS) -> list[Decimal]:
     """A vector with so many digits."""
-    return [exact(entry, floor, digits=digits) for entry in vector]
+    return [exact(entry, digits=digits) for entry in vector]
 
 
 def exact_matrix(matrix: Rotation, *, digits: int = DIGITS) -> list[list[Decimal]]:
-    """A symmetric matrix with so many digits; entries below 1e-30, or 1e-20 of the largest, are 0."""
+    """A symmetric matrix with so many digits; entries below 1e-30, or 1e-20 of the largest, are 0.
+
+    Where all digits are handed on, entries that are small because an axis is almost along another are kept.
+    """
     largest = max(abs(entry) for row in matrix for entry in row)
-    floor = max(largest * NOTHING, CONTEXT.mpf(10) ** -30)
+    floor = max(largest * NOTHING, CONTEXT.mpf(10) ** -30) if digits <= DIGITS else largest * ALL_FLOOR
     return [[exact((matrix[i][j] + matrix[j][i]) / 2, floor, digits=digits) for j in range(3)] for i in range(3)]

@@ -6,7 +6,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from symscrew.errors import DescriptionError
@@ -71,27 +71,49 @@ def _limit(draft: Draft, name: str, joint: Element, limit: Element) -> None:
 
 
 def transmission_forces(draft: Draft, root: Element, joints: Mapping[str, Element]) -> None:
-    """Enter reductions and inertias of rotors of the transmissions, in the forms of ROS and of Drake."""
-    for transmission in elements(root, "transmission"):
+    """Enter reductions and inertias of rotors of the transmissions, in the forms of ROS, ros2_control and Drake."""
+    of_controls = [t for control in elements(root, "ros2_control") for t in elements(control, "transmission")]
+    for transmission in (*elements(root, "transmission"), *of_controls):
         names = [j.get("name", "") for j in elements(transmission, "joint")]
         names = [name for name in names if name in joints]
-        ratio = _number(transmission, ("mechanicalReduction", "gear_ratio", "mechanical_reduction"))
-        inertia = _number(transmission, ("rotor_inertia", "rotorInertia", "motorInertia", "motor_inertia"))
-        if inertia and ratio == 0:
-            raise DescriptionError(f"{label(transmission)}: expected a reduction that is not 0, or none")
-        if inertia and len(names) == 1 and joints[names[0]].get("type") in MOVING:
-            table = {"kind": "armature", "inertia": inertia, "ratio": ratio if ratio is not None else 1.0}
-            draft.effects.append(RawEffect(names[0], table))
-            draft.ledger.turned("rotor inertia of a transmission")
-        elif inertia:
-            draft.ledger.lost("rotor inertia of a transmission without one joint of its own")
-        elif ratio is not None and ratio != 1:
-            draft.ledger.turned("reduction of a transmission: drives act on the joint's side")
+        single = len(names) == 1 and joints[names[0]].get("type") in MOVING
+        for ratio, inertia in _rotors(transmission):
+            if inertia and ratio == 0:
+                raise DescriptionError(f"{label(transmission)}: expected a reduction that is not 0, or none")
+            if inertia and single:
+                table = {"kind": "armature", "inertia": inertia, "ratio": ratio if ratio is not None else 1.0}
+                draft.effects.append(RawEffect(names[0], table))
+                draft.ledger.turned("rotor inertia of a transmission")
+            elif inertia:
+                draft.ledger.lost("rotor inertia of a transmission without one joint of its own")
+            elif ratio is not None and ratio != 1:
+                draft.ledger.turned("reduction of a transmission: drives act on the joint's side")
 
 
-def _number(transmission: Element, tags: tuple[str, ...]) -> float | None:
-    """The number of the first element with one of these tags, whatever its namespace."""
-    for element in _below(transmission):
+REDUCTION = ("mechanicalReduction", "gear_ratio", "mechanical_reduction")
+ROTOR = ("rotor_inertia", "rotorInertia", "motorInertia", "motor_inertia")
+
+
+def _rotors(transmission: Element) -> list[tuple[float | None, float | None]]:
+    """(reduction, rotor's inertia) of every actuator; what it does not say itself, the transmission or its joint says.
+
+    A joint's own reduction counts where no actuator has one, as in ROS.
+    """
+    beside = [child for child in elements(transmission) if child.tag != "actuator"]
+    outside = {tags: _number(beside, transmission, tags) for tags in (REDUCTION, ROTOR)}
+    own = [
+        [_number([a], transmission, tags) for tags in (REDUCTION, ROTOR)] for a in elements(transmission, "actuator")
+    ]
+    found = [(ratio if ratio is not None else outside[REDUCTION], inertia) for ratio, inertia in own]
+    if outside[ROTOR] is None:
+        return found or [(outside[REDUCTION], None)]
+    of_all = next((ratio for ratio, _ in found if ratio is not None), outside[REDUCTION])
+    return [(of_all, outside[ROTOR]), *(pair for pair in found if pair[1] is not None)]
+
+
+def _number(parts: Sequence[Element], transmission: Element, tags: tuple[str, ...]) -> float | None:
+    """The number of the first element with one of these tags in some parts, whatever its namespace."""
+    for element in (element for part in parts for element in _below(part)):
         tag = element.tag.rpartition("}")[2].rpartition(":")[2]
         if tag in tags:
             text = element.get("value") or (element.text or "").strip()

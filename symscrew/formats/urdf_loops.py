@@ -25,7 +25,7 @@ from symscrew.description import JOINT_TYPES
 from symscrew.errors import DescriptionError, did_you_mean, shorten
 from symscrew.formats.assembled import assembled
 from symscrew.formats.closed_pose import Side, Tree, closed_displacements
-from symscrew.formats.contradictory_loops import why_open
+from symscrew.formats.contradictory_loops import loosened, why_open
 from symscrew.formats.draft import Draft, RawJoint
 from symscrew.formats.file_names import fresh
 from symscrew.formats.open_loops import CLOSED, Closing
@@ -42,7 +42,8 @@ from symscrew.formats.rigid_displacements import (
     triple,
     unit,
 )
-from symscrew.formats.safe_xml import Element, elements, label, numbers
+from symscrew.formats.safe_xml import Element, elements, label, number, numbers
+from symscrew.formats.urdf_forces import DYNAMICS
 
 TYPES = {
     "fixed": "fixed", "revolute": "R", "continuous": "R", "prismatic": "P", "planar": "E", "spherical": "S",
@@ -51,6 +52,8 @@ TYPES = {
 DRAKE = "{http://drake.mit.edu}"
 """Namespace of Drake's own elements."""
 KINDS = {"3d": "S", "6d": "fixed"}
+MODEL = "__model__"
+"""SDF's name of the model's own frame, which is that of a URDF's root link."""
 MOST_BYTES = 100_000
 """Of a robot.yaml: those that people publish have some thousand."""
 _TOKEN = re.compile(r"""\s*(?:#[^\n]*|"([^"\n]*)"|'([^'\n]*)'|([\[\],])|([^\s\[\],#"']+))""")
@@ -80,7 +83,16 @@ def loops(root: Element, path: Path, draft: Draft, *, poses: Mapping[str, Pose],
         kind = element.get("type", "fixed")
         if kind not in TYPES:
             raise DescriptionError(f"{label(element)}: loops of type {shorten(kind)}; {did_you_mean(kind, TYPES)}")
-        found.append(_joined(element.get("name") or "loop", TYPES[kind], sides, axes=_axes(element), closing=closing))
+        found.append(
+            _joined(
+                element.get("name") or "loop",
+                TYPES[kind],
+                sides,
+                axes=_axes(element, poses, sides[0][1]),
+                closing=closing,
+            )
+        )
+        _forces_left_out(draft, element)
     found += [_ball_constraint(element, poses, closing) for element in root.iter(f"{DRAKE}ball_constraint")]
     beside = path.with_suffix(".yaml")
     driven = None
@@ -166,13 +178,31 @@ def _displacement(turn: Triple, place: Triple) -> Pose:
     return Pose(product(about(z, yaw), product(about(y, pitch), about(x, roll))), place)
 
 
-def _axes(element: Element) -> list[Triple]:
-    """The axes in the joint's frame: `<axis xyz>` of URDF, `<axis><xyz>` of SDF."""
+def _axes(element: Element, poses: Mapping[str, Pose], frame: Pose) -> list[Triple]:
+    """The axes in the joint's frame: `<axis xyz>` of URDF, `<axis><xyz>` of SDF, where another frame may be named."""
     found = []
     for axis in elements(element, "axis", "axis2"):
-        text = axis.get("xyz") or next((xyz.text or "" for xyz in elements(axis, "xyz")), "")
-        found.append(unit(triple(numbers(text, f"{label(element)}, axis", 3)), f"{label(element)}, axis"))
+        given = next(elements(axis, "xyz"), None)
+        text = axis.get("xyz") or ("" if given is None else given.text or "")
+        direction = unit(triple(numbers(text, f"{label(element)}, axis", 3)), f"{label(element)}, axis")
+        named = "" if given is None else given.get("expressed_in", "")
+        old = next(((flag.text or "").strip() for flag in elements(axis, "use_parent_model_frame")), "")
+        if named == MODEL or old in ("1", "true"):
+            direction = frame.inverse().direction(direction)
+        elif named and named != element.get("name"):
+            direction = frame.inverse().direction(poses[_known(element, named, poses)].direction(direction))
+        found.append(direction)
     return found
+
+
+def _forces_left_out(draft: Draft, element: Element) -> None:
+    """What a joint that closes a loop says of damping, friction and springs, in URDF's attributes or SDF's elements."""
+    for dynamics in element.iter("dynamics"):
+        said = {key: value for key, value in dynamics.attrib.items() if key in DYNAMICS}
+        said |= {child.tag: (child.text or "0").strip() for child in elements(dynamics) if child.tag in DYNAMICS}
+        for key, text in said.items():
+            if key != "spring_reference" and number(text, f"{label(element)}, {key}") != 0:
+                draft.ledger.lost(f"{key} of a joint that closes a loop")
 
 
 def _joined(
@@ -255,6 +285,12 @@ def _gepetto(
         tree = Tree.of(draft, sides)
         q, gap = closed_displacements(tree)
         before = replace(draft, joints=list(draft.joints))
+        cure = loosened(before, sides) if gap > CLOSED and closing.loosen else None
+        if cure is not None:
+            draft.joints, sides = list(cure.joints), list(cure.loops)
+            draft.ledger.changed.append(f"loops that close in no pose: {cure.full} they do")
+            tree = Tree.of(draft, sides)
+            q, gap = closed_displacements(tree)
         why = partial(why_open, before, sides) if gap > CLOSED else None
         moved = assembled(draft, tree, q)
         sides = [((a, moved[a] @ one), (b, moved[b] @ other), turning) for (a, one), (b, other), turning in sides]

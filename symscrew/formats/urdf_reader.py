@@ -1,8 +1,8 @@
 """A mechanism from a URDF: links, joints of all standard types, mimic joints, transmissions, loops.
 
 Read: fixed, revolute, continuous, prismatic, planar and floating joints, Drake's ball and universal ones, with origin
-and axis; inertial elements; mimic joints as couplings; transmissions and the command interfaces of ros2_control,
-whose joints are driven (without any, all revolute, continuous and prismatic joints that mimic none are); damping,
+and axis; inertial elements; mimic joints as couplings; transmissions and the command interfaces of ros2_control, whose
+joints are driven (without any, all revolute, continuous and prismatic joints that mimic none are); damping,
 friction, limits, reductions and rotor inertias as effects and limits beside the mechanism. Loops: <loop> elements,
 <gazebo> joints and a Gepetto robot.yaml beside the file. The root link is the ground, or with `floating` moves
 freely. Everything else is in the draft's ledger.
@@ -34,6 +34,7 @@ from symscrew.formats.rigid_displacements import (
     Rotation,
     Triple,
     about,
+    from_quaternion,
     has_length_one,
     length,
     minus,
@@ -48,12 +49,12 @@ from symscrew.formats.safe_xml import Element, attribute, check_attributes, elem
 from symscrew.formats.urdf_forces import joint_forces, transmission_forces
 from symscrew.formats.urdf_gazebo import gazebo_forces
 from symscrew.formats.urdf_loops import DRAKE, is_loop, loops
+from symscrew.formats.urdf_mimics import MIMIC, SINGLE, Mimic, mimics_of, offsets_of
 
 TYPES = {
     "fixed": "fixed", "revolute": "R", "continuous": "R", "prismatic": "P", "planar": "E", "floating": "free",
     "ball": "S", "universal": "U",
 }  # fmt: skip
-SINGLE = ("revolute", "continuous", "prismatic")
 READ = (
     "link",
     "joint",
@@ -67,7 +68,7 @@ READ = (
 )
 WITH_INFLUENCE = ("include", *(f"{DRAKE}{name}" for name in ("linear_bushing_rpy", "linear_spring_damper")))
 # elements of a <joint> and a <link> that are known; others are listed
-IN_JOINT = ("origin", "parent", "child", "axis", "limit", "dynamics", "mimic", "joint_properties")
+IN_JOINT = ("origin", "parent", "child", "axis", "limit", "dynamics", *MIMIC, "joint_properties")
 ONCE = ("origin", "axis", "limit", "dynamics", "mimic", "joint_properties")
 FREE_JOINT = "root_joint"
 WORLD = "world"
@@ -84,6 +85,8 @@ def read_urdf(root: Element, path: Path, options: ImportOptions) -> Draft:
     ledger = Ledger()
     _check_expanded(root)
     root = with_exact_digits(root, ledger) if options.exact else root
+    if any("quat_xyzw" in origin.attrib for origin in root.iter("origin")) and root.get("version") != "1.2":
+        ledger.changed.append("quat_xyzw is read, which ROS reads where <robot> says version 1.2 only")
     links = _named(elements(root, "link"), "link")
     every = elements(root, "joint", f"{DRAKE}joint")
     joints = _named((joint for joint in every if not is_loop(joint)), "joint")
@@ -94,8 +97,8 @@ def read_urdf(root: Element, path: Path, options: ImportOptions) -> Draft:
     if len(roots) != 1:
         found = "none: the joints go in a circle" if not roots else ", ".join(shorten(name) for name in roots[:5])
         raise DescriptionError(f"<robot>: expected one link that is no joint's child, found {found}")
-    mimics = _mimics(joints, ledger)
-    offsets = _offsets(mimics)
+    mimics = mimics_of(root, joints, ledger)
+    offsets = offsets_of(mimics)
     poses = _poses(roots[0], joints, offsets)
     lost = next((name for name in links if name not in poses), None)
     if lost is not None:
@@ -123,7 +126,8 @@ def read_urdf(root: Element, path: Path, options: ImportOptions) -> Draft:
     points = [joint.point for joint in result.joints]
     result.frames = {name: poses[attribute(_one(joint, "child"), "link")] for name, joint in joints.items()}
     extent = max((length(minus(point, points[0])) for point in points), default=ZERO[0])
-    closed = loops(root, path, result, poses=poses, closing=Closing(result.ledger, extent, options.snap))
+    closing = Closing(result.ledger, extent, options.snap, options.loosen)
+    closed = loops(root, path, result, poses=poses, closing=closing)
     if closed.driven is not None:
         result.joints = [replace(j, driven=(0,) if j.name in closed.driven else ()) for j in result.joints]
         noted = []
@@ -145,48 +149,7 @@ def _check_expanded(root: Element) -> None:
         )
 
 
-def _mimics(joints: Mapping[str, Element], ledger: Ledger) -> dict[str, tuple[str, Real, Real]]:
-    """Joint -> (the one that it follows, multiplier, offset)."""
-    found = {}
-    for name, joint in joints.items():
-        for mimic in first(joint, "mimic") if joint.get("type") != "fixed" else ():
-            where = f"{label(joint)}, mimic"
-            check_attributes(mimic, ("joint", "multiplier", "offset"), where)
-            other = mimic.get("joint", "")
-            if other == name:
-                raise DescriptionError(f"{where}: expected another joint than itself")
-            if other not in joints:
-                ledger.lost(f"<mimic> of {shorten(name)}, which names no joint of the file: {shorten(other)}")
-                continue
-            for one in (name, other):
-                if joints[one].get("type") not in SINGLE:
-                    raise DescriptionError(f"{where}: {shorten(one)} has not one coordinate: {', '.join(SINGLE)} have")
-            values = [real(number(mimic.get(key, text), f"{where}, {key}"))
-                      for key, text in (("multiplier", "1"), ("offset", "0"))]  # fmt: skip
-            found[name] = (other, values[0], values[1])
-    return found
-
-
-def _offsets(mimics: Mapping[str, tuple[str, Real, Real]]) -> dict[str, Real]:
-    """Mimic joint -> its coordinate where all joints that mimic none are at 0."""
-    found: dict[str, Real] = {}
-
-    def of(name: str, way: tuple[str, ...]) -> Real:
-        if name not in mimics:
-            return ZERO[0]
-        if name in way:
-            raise DescriptionError(f"<joint name={shorten(name)}>: mimic joints follow each other in a circle")
-        other, multiplier, offset = mimics[name]
-        if name not in found:
-            found[name] = multiplier * of(other, (*way, name)) + offset
-        return found[name]
-
-    for name in mimics:
-        of(name, ())
-    return found
-
-
-def _couple(result: Draft, mimics: Mapping[str, tuple[str, Real, Real]]) -> None:
+def _couple(result: Draft, mimics: Mapping[str, Mimic]) -> None:
     for name, (other, multiplier, _) in mimics.items():
         terms = {name: (real(1),)} | ({other: (-multiplier,)} if multiplier != 0 else {})
         result.couplings.append(RawCoupling(f"{name}_mimic", terms))
@@ -273,8 +236,13 @@ def _origin(element: Element) -> Pose:
     if not found:
         return Pose()
     origin, where = found[0], f"{label(element)}, origin"
-    check_attributes(origin, ("xyz", "rpy"), where)
+    check_attributes(origin, ("xyz", "rpy", "quat_xyzw"), where)
     place = _triple(origin.get("xyz", "0 0 0"), f"{where}, xyz")
+    if "quat_xyzw" in origin.attrib:
+        if "rpy" in origin.attrib:
+            raise DescriptionError(f"{where}: expected one orientation, got rpy and quat_xyzw")
+        qx, qy, qz, qw = map(real, numbers(origin.attrib["quat_xyzw"], f"{where}, quat_xyzw", 4))
+        return Pose(from_quaternion([qw, qx, qy, qz], f"{where}, quat_xyzw"), place)
     roll, pitch, yaw = _triple(origin.get("rpy", "0 0 0"), f"{where}, rpy")
     x, y, z = UNITS
     return Pose(product(about(z, yaw), product(about(y, pitch), about(x, roll))), place)

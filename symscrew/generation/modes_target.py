@@ -94,7 +94,11 @@ def _pose(mode: Any, size: float) -> np.ndarray:
 
 def _same(found: AssemblyModes, status: int, modes: Sequence[Any], *, size: float, kind: str = "") -> Finding:
     """Whether C and Python find the same certified modes."""
-    known = [np.concatenate([m.rotation.T.ravel(), m.translation / size]) for m in found.modes if m.certified]
+    known = [
+        np.concatenate([m.rotation.T.ravel(), m.translation / size])
+        for m in found.modes
+        if m.certified and m.meeting == 1
+    ]
     worst = max((min((np.abs(_pose(m, size) - k).max() for k in known), default=np.inf) for m in modes), default=0.0)
     singular = len(known) < len(found.modes)
     whole = len(modes) == len(known) and (status == WHOLE or (singular and status == NOT_ALL))

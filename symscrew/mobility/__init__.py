@@ -72,7 +72,15 @@ if TYPE_CHECKING:
     from symscrew.mobility.proof_file import mobility_proof, write_proof
     from symscrew.mobility.proofs import Verdict, check_proof
     from symscrew.mobility.screw_systems import ScrewSystem
-    from symscrew.mobility.symbols import Exact, Field, NotDecidableError, condition, exact_system, exact_value
+    from symscrew.mobility.symbols import (
+        Exact,
+        Field,
+        NotDecidableError,
+        condition,
+        exact_system,
+        exact_value,
+        generator_itself,
+    )
 
 __all__ = [
     "FORMS",
@@ -114,6 +122,7 @@ __all__ = [
     "exact_system",
     "exact_value",
     "formulas",
+    "generator_itself",
     "inverse_kinematics",
     "key_figures",
     "limb_margins",

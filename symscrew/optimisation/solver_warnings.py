@@ -14,6 +14,8 @@ from types import TracebackType
 
 # What CasADi says of a function with an entry that is not finite; only the first such entry is named.
 LINE = re.compile(r"WARNING\(.*failed: (?:NaN|Inf) detected for output (\w+), at .*?\(row (\d+), col (\d+)\)")
+# What CasADi says of Ctrl-C, before the error that Python raises says so itself.
+INTERRUPTED = 'WARNING("KeyboardInterruptException")'
 # Outputs of the functions of a nonlinear program -> what they are, by rows (constraints) or not (the cost).
 OF_CONSTRAINTS = ("g", "jac_g_x")
 
@@ -61,6 +63,8 @@ class SolverWarnings:
 
     def _take(self, line: str) -> None:
         found = LINE.search(line)
+        if INTERRUPTED in line:
+            return
         if found is None:
             self._before.write(line)
         else:

@@ -74,6 +74,7 @@ class Chain:
         self.made: list[Formula] = []
         self.points: dict[str, str] = {}
         self.columns: list[str] = []
+        self.circles: list[tuple[sympy.Symbol, sympy.Symbol]] = []
         self._run()
 
     def _run(self) -> None:
@@ -198,6 +199,7 @@ class Chain:
     def _cosine_and_sine(self, index: str) -> tuple[sympy.Symbol, sympy.Symbol]:
         cosine, sine = (sympy.Symbol(f"{letter} {index}", real=True) for letter in ("c", "s"))
         self.names |= {cosine: f"c_{index}", sine: f"s_{index}"}
+        self.circles.append((cosine, sine))
         return cosine, sine
 
     def _column(self, freedom: Freedom, index: str, axis: sympy.Matrix, at: sympy.Matrix) -> None:
@@ -222,7 +224,19 @@ class Chain:
         self.made.append(Formula(name, rf"\begin{{pmatrix}} {e} \\ {r} \times {e} \end{{pmatrix}}", code))
 
     def _tidy(self, matrix: sympy.Matrix) -> sympy.Matrix:
-        return matrix.applyfunc(self.lengths.tidy)
+        return matrix.applyfunc(lambda entry: self._on_circles(self.lengths.tidy(entry)))
+
+    def _on_circles(self, expression: sympy.Expr) -> sympy.Expr:
+        """cos^2 + sin^2 = 1 put in, where that makes it shorter."""
+        for pair in self.circles:
+            if not set(pair) <= expression.free_symbols or sympy.count_ops(expression) > MOST_OPERATIONS:
+                continue
+            flat = sympy.expand(expression)
+            others = [other for way in (pair, pair[::-1]) if (other := _without_square(flat, *way)) != flat]
+            expression = min(
+                (expression, *map(self.lengths.tidy, others)), key=lambda e: (sympy.count_ops(e), len(str(e)))
+            )
+        return expression
 
 
 def _rotation(axis: sympy.Matrix, cosine: sympy.Expr, sine: sympy.Expr) -> sympy.Matrix:
@@ -230,6 +244,15 @@ def _rotation(axis: sympy.Matrix, cosine: sympy.Expr, sine: sympy.Expr) -> sympy
     u = axis
     skew = sympy.Matrix([[0, -u[2], u[1]], [u[2], 0, -u[0]], [-u[1], u[0], 0]])
     return cosine * sympy.eye(3) + sine * skew + (1 - cosine) * (u @ u.T)
+
+
+def _without_square(flat: sympy.Expr, one: sympy.Symbol, other: sympy.Symbol) -> sympy.Expr:
+    """A sum of products with 1 - other^2 for one^2."""
+
+    def lower(power: sympy.Expr) -> sympy.Expr:
+        return (1 - other**2) ** (power.exp // 2) * one ** (power.exp % 2)
+
+    return sympy.expand(flat.replace(lambda e: e.is_Pow and e.base == one and e.exp.is_Integer and e.exp > 1, lower))
 
 
 def limb_part(mechanism: Mechanism, joints: Sequence[str], number: int, lengths: Lengths) -> Part:

@@ -163,19 +163,20 @@ def outside_part(mechanism: Mechanism, limbs: Sequence[Sequence[str]]) -> Part |
 
 
 def _turned(family: dict[int, Turned], first: int, read: list[list[Freedom] | str]) -> Part:
-    """Limbs that are the first of a family turned about z: a formula each."""
+    """Limbs that are the first of a family turned about z or (1, 1, 1): a formula each."""
     others = {k: turned for k, turned in family.items() if k != first}
+    letter, axis = ("D", "(1, 1, 1)") if any(turned.diagonal for turned in others.values()) else ("Z", "z")
     formulas = []
     for k, turned in others.items():
         name, of = (rf"\boldsymbol{{S}}_{{{n + 1}}}" for n in (k, first))
-        text = rf"\boldsymbol{{Z}}({degrees(turned.angle)}^{{\circ}}) {of}"
+        text = rf"\boldsymbol{{{letter}}}({degrees(turned.angle)}^{{\circ}}) {of}"
         if -1 in turned.signs:
             text += rf" \operatorname{{diag}}({', '.join(map(str, turned.signs))})"
         formulas.append(Formula(name, text, ("turned", str(first), str(k))))
     said = ", ".join(f"limb {k + 1} by {degrees(turned.angle)} degrees" for k, turned in others.items())
     words = (
-        f"These are limb {first + 1} turned about z: {said}, each with its own displacements. $\\boldsymbol{{Z}}$ "
-        "turns the angular and the linear part of every screw."
+        f"These are limb {first + 1} turned about {axis}: {said}, each with its own displacements. "
+        f"$\\boldsymbol{{{letter}}}$ turns the angular and the linear part of every screw."
     )
     if any(-1 in turned.signs for turned in others.values()):
         words += " Where a column is negative, its displacement counts the other way."

@@ -22,7 +22,7 @@ def formula_sections(mechanism: Mechanism) -> tuple[list[Section], dict[str, str
         paper = paper_formulas(mechanism)
     except DescriptionError:
         return [], {}
-    made = [Section("Formulas", (Text("In names as an author gives them; `symscrew formulas` writes them as LaTeX."),))]
+    made = [Section("Formulas", (Text("In names as an author gives them; symscrew formulas writes them as LaTeX."),))]
     known: dict[str, str] = {}
     for part in paper.parts:
         blocks: list[Block] = [Text(part.words)] if part.words else []
@@ -38,6 +38,6 @@ def formula_sections(mechanism: Mechanism) -> tuple[list[Section], dict[str, str
         if left:
             known |= {f.name: mathml_of(f.name) for f in left}
             names = ", ".join(f"${f.name}$" for f in left)
-            blocks.append(Text(f"Too wide for a page, and in what `symscrew formulas` writes: {names}.", "note"))
+            blocks.append(Text(f"Too wide for a page, and in what symscrew formulas writes: {names}.", "note"))
         made.append(Section(part.title, tuple(blocks), level=3))
     return made, known

@@ -41,7 +41,7 @@ def report(
         DescriptionError: the folder holds no results.
     """
     model = derive(subject) if isinstance(subject, Mechanism) else subject
-    times: dict[str, Times] = {}
+    times: dict[str, Times] | None = None
     if timed:
         compiled = load(model)
         times = time_every_function(model, compiled) if compiled.backend == "c" else {}

@@ -47,7 +47,8 @@ def document(
     Args:
         model: the mechanism with the effects that act on it.
         call: evaluates its functions; default: those that are needed, compiled.
-        times: quartiles of nanoseconds per call by function, where they were measured.
+        times: quartiles of nanoseconds per call by function; empty where no compiler could make them, None where
+            nobody asked.
         accuracy: a directory that `symscrew accuracy` wrote.
         bill: what the effects of a scene cost.
         motion: what a motion needs of the drives.
@@ -71,7 +72,7 @@ def document(
         *mobility,
         Section("Joint screws", tuple(screws)),
         *paper,
-        Section("Size and cost of the model", tuple(_size(model, times or {}))),
+        Section("Size and cost of the model", tuple(_size(model, times))),
         Section("Generated functions", tuple(_functions(model, times or {}))),
     ]
     with progress.step("singularities"):
@@ -257,8 +258,8 @@ def _screw(screw: sympy.Matrix, mechanism: Mechanism) -> tuple[str, str]:
 # -- size, functions --------------------------------------------------------------------------------------
 
 
-def _size(model: Model, times: Mapping[str, Times]) -> list[Block]:
-    tree = model.system.tree
+def _size(model: Model, asked: Mapping[str, Times] | None) -> list[Block]:
+    tree, times = model.system.tree, asked or {}
     rows = [
         ("coordinates q, rates v of the tree", f"{len(tree.q)}, {len(tree.v)}"),
         (
@@ -279,6 +280,8 @@ def _size(model: Model, times: Mapping[str, Times]) -> list[Block]:
             " Times: nanoseconds per call in compiled C, one state of a batch of 64, median (quartiles) of 41 rounds "
             "on this machine."
         )
+    elif asked is not None:
+        note += " Nothing is timed: there is no C compiler here (apt install gcc)."
     return [Table(("", ""), tuple(rows)), Text(note, "note")]
 
 

@@ -262,7 +262,7 @@ class _FolderCode:
     def _kept(self, what: str, make: Callable[[], Mapping[str, str]]) -> Mapping[str, str]:
         key = _key(what, self._precision.name, self._read)
         with user_cache.entry(key) as entry:  # not held while it is made
-            found = _texts(entry.read())
+            found: Mapping[str, str] | None = _texts(entry.read())
         if found is None:
             found = make()
             with user_cache.entry(key) as entry:

@@ -31,6 +31,7 @@ if TYPE_CHECKING:
 RESULTS = {"inverse_dynamics": "drives", "forward_dynamics": "accelerations"}
 BILLED_FUNCTIONS = tuple(RESULTS)
 BATCH = 256  # states per call: Python's share vanishes
+UNTIMED = "nothing is timed: there is no C compiler here (apt install gcc)"
 ROUNDS, WARM = 301, 10  # pairs of calls that count, with and without an effect in turns, and before them not
 ZERO = 1e-6  # a result below this part of what leaving an effect out makes of it vanishes
 Arrays = Mapping[str, np.ndarray]
@@ -61,7 +62,7 @@ class Item:
 class Bill:
     """The items of a scene, and its whole cost: operations and nanoseconds of the functions with all effects.
 
-    `notes` are what the effects say of themselves on this mechanism.
+    `notes` are what the effects say of themselves on this mechanism, and why nothing was timed.
     """
 
     name: str
@@ -121,7 +122,8 @@ def bill(
     with progress.step(f"derive {mechanism.name} with all effects"):
         whole = derive(mechanism, effects)
     known = _with_results(whole, dict(motion) if motion is not None else _samples(whole))
-    clock = _Clock(whole, known) if timed and find_compiler() else None
+    compiler = find_compiler()
+    clock = _Clock(whole, known) if timed and compiler else None
     full = _operations(whole)
     items: list[Item] = []
     labels, sizes = effect_labels(effects), _sizes(whole, known)
@@ -147,9 +149,10 @@ def bill(
         sizes[result] = largest if size < ZERO * largest else size
     items = [replace(item, change=_shares(d, sizes)) for item, d in zip(items, differences, strict=True)]
     own = clock.own() if clock else {}
-    notes = tuple(note for effect in whole.effects for note in effect.notes)
+    notes = [note for effect in whole.effects for note in effect.notes]
+    notes += [UNTIMED] if timed and not compiler else []
     measured = {f: own.get(f) for f in full}
-    return Bill(name or mechanism.name, mechanism.name, motion_text, tuple(items), full, measured, notes)
+    return Bill(name or mechanism.name, mechanism.name, motion_text, tuple(items), full, measured, tuple(notes))
 
 
 def alone(whole: Model, k: int, rest: Model, *, reactions: bool = False) -> int:

@@ -42,7 +42,7 @@ def seconds(mechanism: str, repeats: int) -> float:
     spent = []
     kept = {key: value for key, value in os.environ.items() if key != "PYTHONDONTWRITEBYTECODE"}
     for _ in range(repeats):
-        command = [sys.executable, "-m", "symscrew", "mobility", mechanism]
+        command = [sys.executable, "-m", "symscrew", "mobility", "--no-cache", mechanism]
         with tempfile.TemporaryFile() as said:
             process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=said, env=kept)
             _, status, usage = os.wait4(process.pid, 0)

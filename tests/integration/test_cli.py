@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import argparse
 import json
 import os
 import re
@@ -12,6 +13,7 @@ from pathlib import Path
 import pytest
 
 from symscrew import catalogue
+from symscrew.cli.drives_command import motion_of_options
 from symscrew.cli.parser import main
 from symscrew.functions import PRESETS, preset, selected
 
@@ -347,3 +349,33 @@ def test_places_to_write_to_are_looked_at_before_anything_is_derived(
     said = capsys.readouterr().err
     assert "taken" in said and ("expected a folder" in said or "no folder" in said)
     assert file.read_text() == "kept" and [p.name for p in tmp_path.iterdir()] == ["taken"]
+
+
+@pytest.mark.parametrize(
+    ("words", "read"),
+    [
+        (("drives", "four_bar", "--motion", "{there}/motion.csv", "--out", "{there}"), "motion.csv"),
+        (
+            ("simulate", "nowhere.toml", "--many", "{there}/starts.npz", "--out", "{there}/../b/starts.npz"),
+            "starts.npz",
+        ),
+    ],
+)
+def test_what_is_read_is_not_written_over(
+    words: tuple[str, ...], read: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A motion in the folder of the tables, starts that are also the runs: refused before the work."""
+    there = tmp_path / "b"
+    there.mkdir()
+    (there / read).write_text("t,A\n0,0\n1,0.1\n2,0.15\n3,0.1\n")
+    before = (there / read).read_bytes()
+    assert main([word.format(there=there) for word in words]) == 2
+    assert "is what is read" in capsys.readouterr().err
+    assert (there / read).read_bytes() == before and [path.name for path in there.iterdir()] == [read]
+
+
+def test_an_expression_may_be_longer_than_the_name_of_a_file() -> None:
+    terms = "+".join(["t/200"] * 200)
+    given = argparse.Namespace(motion=[f"A=0.2*sin({terms})"], duration=1.0, rate=None)
+    wanted = motion_of_options(given, catalogue.load("four_bar"))
+    assert wanted.t[-1] == 1.0

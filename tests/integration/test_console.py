@@ -138,6 +138,19 @@ def test_a_map_in_sixty_columns_has_no_noise_and_stays_a_table(monkeypatch: pyte
     assert lines[-1].split("|")[2].strip() == "-158.535"
 
 
+def test_a_map_says_angles_as_they_are_typed_and_no_rounding() -> None:
+    """Axes with units; forces of a mechanism that carries none are compared with its weight, spans with their ends."""
+    ranges = {"drive a": {"least": -1.1e-15, "largest": 2e-15, "unit": "N"},
+              "slide": {"least": 0.3 - 2e-16, "largest": 0.3 + 2e-16, "unit": "m"}}  # fmt: skip
+    axes = {"tilt": [0, 0.3490658503988659, 5], "R": [0.75, 0.85, 3], "ratio": [1, 2, 2]}
+    found = {"mechanism": "a", "cases": 30, "reached": 30, "regular": 30, "allowed": 30, "weight": 100.0, "axes": axes,
+             "axis_units": {"tilt": "rad", "R": "m", "ratio": "1"}, "ranges": ranges}  # fmt: skip
+    lines = sweep_summary_text(found).splitlines()
+    assert lines[0] == "a: 30 cases: tilt 0 to 20 deg (5), R 0.75 to 0.85 m (3), ratio 1 to 2 (2)"
+    cells = [[cell.strip() for cell in line.split("|")[2:5]] for line in lines if line.startswith(("| drive", "| sli"))]
+    assert cells == [["0", "0", "0"], ["0.3", "0.3", "0"]]
+
+
 def test_settings_stand_apart_or_between_commas() -> None:
     assert settings("at", ["tilt=10deg,azimuth = 30deg", "turn=30deg about 1,1,0", "limb1_P=-1mm, x=2"]) == {
         "tilt": "10deg", "azimuth": "30deg", "turn": "30deg about 1,1,0", "limb1_P": "-1mm", "x": "2",
@@ -170,3 +183,19 @@ def test_completion() -> None:
     line = f'{sys.executable} -c "{code}" 8>&1 9>/dev/null >/dev/null'
     done = subprocess.run(["bash", "-c", line], env={**os.environ, **asked}, capture_output=True, text=True)
     assert "generate" in done.stdout.split()
+
+
+def test_words_are_folded_where_somebody_reads_them(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """At blanks, deeper than they began, no word lost; whole in a pipe, where programs search them."""
+    monkeypatch.delenv("COLUMNS", raising=False)
+    assert main(["mobility", "four_bar"]) == 0
+    whole = capsys.readouterr().out
+    assert max(map(len, whole.splitlines())) > 100
+    monkeypatch.setenv("COLUMNS", "60")
+    assert main(["mobility", "four_bar"]) == 0
+    told = capsys.readouterr().out
+    assert max(map(len, told.splitlines())) <= 60 and told.split() == whole.split()
+    assert "\n      equations follow from the others" in told
+    assert terminal.folded("| a b c d e |\n\n    aaaaaaaa bb", 6) == "| a b c d e |\n\n    aaaaaaaa\n      bb"

@@ -14,7 +14,11 @@ from symscrew import catalogue
 from symscrew.cli.parser import main
 from symscrew.effects.gravity import Gravity
 from symscrew.errors import DescriptionError
+from symscrew.model import derive
+from symscrew.reporting.blocks import Text
+from symscrew.reporting.sections import _size
 from symscrew.runtime.compiled import find_compiler
+from symscrew.studies import Times
 from symscrew.studies.bill_of_effects import bill, bill_figure, bill_text
 
 
@@ -66,3 +70,16 @@ def test_a_table_and_a_picture_without_times() -> None:
     assert "| gravity" in bill_text(found) and len(bill_figure(found).axes) == 2
     with pytest.raises(DescriptionError, match="did you mean"):
         bill(catalogue.load(CRANK), [effect("ViscousFriction", "slidr_P", 1)], timed=False)
+
+
+def test_without_a_compiler_it_is_said_why_nothing_is_timed(monkeypatch: pytest.MonkeyPatch) -> None:
+    """By the bill of a scene and by a report that was asked for times; one that was not says nothing."""
+    monkeypatch.setattr("symscrew.studies.bill_of_effects.find_compiler", lambda: None)
+    mechanism = catalogue.load("slider_crank")
+    said = "there is no C compiler here (apt install gcc)"
+    assert any(said in note for note in bill(mechanism, [Gravity()]).notes)
+    assert not any(said in note for note in bill(mechanism, [Gravity()], timed=False).notes)
+    model = derive(mechanism)
+    for times, told in (({}, True), (None, False), ({"energy": Times(1, 2, 1, 3, 41)}, False)):
+        (text,) = [block.text for block in _size(model, times) if isinstance(block, Text)]
+        assert (said in text) == told

@@ -1,4 +1,4 @@
-"""What `generate` and `optimise` made before of the same input is there at once, and nothing else is taken for it."""
+"""What commands made before of the same input is there at once, and nothing else is taken for it."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from symscrew import mobility
 from symscrew import model as pipeline
 from symscrew.cli import kept_outcomes
 from symscrew.cli.kept_outcomes import Outcome, once
@@ -121,6 +122,41 @@ def test_a_motion_found_again(
         assert plan["q"][-1][0] == pytest.approx(0.5)
     (folder / "crane.toml").write_text(CRANE.replace("mass = 4", "mass = 5"))
     assert found()[0]
+
+
+def test_mobility_found_again(
+    folder: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The same words, code and report without an analysis, after `new` as well; whatever changes is analysed."""
+    analysed: list[str] = []
+    analyse = mobility.analyse_mobility
+
+    def counted(mechanism, *rest, **more):
+        analysed.append(mechanism.name)
+        return analyse(mechanism, *rest, **more)
+
+    monkeypatch.setattr(mobility, "analyse_mobility", counted)
+
+    def found(*more: str, code: int = 0) -> tuple[int, str, bytes]:
+        """How often it was analysed by now, what was said and written."""
+        assert main(["mobility", str(folder / "crane.toml"), "--out", str(folder / "said.md"), *more]) == code
+        return len(analysed), capsys.readouterr().out, (folder / "said.md").read_bytes()
+
+    first, again = found(), found()
+    assert first == again and first[0] == 1 and "mobility 2" in first[1] and b"# " in first[2]
+    assert found("--json")[0] == 2 and json.loads(found("--json")[1])["verified"]
+    ways = [("--at", "hook=30deg"), ("--body", "trolley"), ("--proof", str(folder / "p.json"))]
+    assert [found(*way)[0] for way in [*ways, ways[-1]]] == [3, 4, 5, 6], "a proof is judged each time"
+    assert found("--expect", "3", code=1)[0] == found("--expect", "3", code=1)[0] == 7
+    (folder / "crane.toml").write_text(CRANE.replace('"0.5"', '"0.6"'))
+    assert found()[0] == 8
+
+    for k in range(2):  # the warning names each file
+        path = folder / f"arm{k}.toml"
+        assert main(["new", "arm", "--limbs", "2-UPS", "--out", str(path)]) == 0
+        said = capsys.readouterr()
+        assert "mobility 6" in said.out and f"symscrew mobility {path} says why" in said.err
+    assert len(analysed) == 9
 
 
 def test_what_is_not_good_or_cannot_be_written_is_not_kept(folder: Path) -> None:

@@ -8,10 +8,11 @@ import mujoco
 import numpy as np
 import pytest
 
-from symscrew.description import slope
+from symscrew.description import Mechanism, slope
 from symscrew.errors import DescriptionError
 from symscrew.formats import difference, import_file, load_format, text_of
 from symscrew.functions import Motion, kinematic_functions
+from symscrew.functions.closing import jacobian_in_v
 from symscrew.kinematics import System
 from symscrew.model import derive
 from symscrew.program import evaluate, lower
@@ -32,7 +33,16 @@ TWO = hinge("a", hinge("b", more='axis="1 0 0"'))
 GENERAL = '<general biastype="affine" biasprm="0 -7 -1" gainprm="7" gear="2"/>'
 TENDON = '<tendon><fixed name="t" stiffness="7"><joint joint="a" coef="2"/>{0}</fixed></tendon>'
 OWN = hinge("a", hinge("b"), 'axis="0 1 0" ref="0.5" springref="0.2"')
+BOTH = '<body gravcomp="0.6" pos="0 0 1">{0}<joint name="b" axis="0 1 0.3"/>{1}<body pos="0.3 0 0"/></body>'
+BOTH = BOTH.format('<joint name="a" type="slide" axis="1 2 3"/>', INERTIAL + "{0}")
 ACTING = {
+    "least masses": model(BOTH.format(""), '<compiler boundmass="2.7" boundinertia="0.5"/>'),
+    "least masses of tendons": model(
+        TWO,
+        '<compiler boundmass="7"/>' + '<tendon><fixed name="t" stiffness="7"><joint joint="a" coef="2"/>'
+        '<joint joint="b" coef="-3"/></fixed></tendon>',
+    ),
+    "inertia of no geom": model(BOTH.format('<geom size="0.2" mass="0"/>'), '<compiler inertiafromgeom="true"/>'),
     "classes": model(
         TWO,
         f'<default><motor gear="7"/><default class="s">{GENERAL}</default></default>'
@@ -65,6 +75,17 @@ ACTING = {
     ),
     "weightless": model(TWO, '<option gravity="1 2 3"><flag gravity="disable"/></option>'),
     "one joint's tendon": model(OWN, TENDON.format("")),
+    "several on one joint": model(
+        TWO,
+        '<actuator><position joint="a" kp="20"/><velocity joint="a" kv="3" forcerange="-0.1 0.2"/>'
+        '<motor joint="a" gear="7"/><position joint="b"/></actuator>',
+    ),
+    "a tendon's own reach": model(
+        TWO,
+        '<tendon><fixed name="t" actuatorfrcrange="-0.2 0.1"><joint joint="a" coef="2"/></fixed><fixed name="s" '
+        'actuatorfrcrange="-0.1 0.3"><joint joint="a" coef="1"/><joint joint="b" coef="-3"/></fixed></tendon>'
+        '<actuator><position tendon="t" kp="90" gear="-2"/><position tendon="s" kp="90"/></actuator>',
+    ),
     "two joints' tendon": model(OWN, TENDON.format('<joint joint="b" coef="-3"/>')),
 }
 
@@ -124,12 +145,46 @@ def test_constants_of_couplings_hold_together(tmp_path: Path, name: str) -> None
         assert min(np.linalg.norm(np.cross(slopes, row)) for row in rows) < 1e-12 * np.linalg.norm(slopes)
 
 
+FOUR = hinge("a", hinge("b", hinge("c", hinge("d"), 'axis="0 1 0" ref="0.3"'))) + '<site name="w" pos="0.9 0 0.4"/>'
+HELD = {
+    "the world": '<weld body1="Bd" anchor="0.1 0.2 0.3" torquescale="0"/>',
+    "a body": '<weld body1="Bd" body2="Ba" anchor="0.1 0.2 0.3" torquescale="0"/>',
+    "a place": '<weld body1="Bd" body2="Ba" anchor="0.1 0.2 0.3" relpose="-0.5 0.2 0 1 0 0 0" torquescale="0"/>',
+    "sites": '<weld site1="s" site2="w" torquescale="0"/>',
+    "whole": '<weld body1="Bd" body2="Ba" anchor="0.1 0.2 0.3" relpose="-0.5 0.2 0 1 0 0 0"/>',
+}
+
+
+@pytest.mark.parametrize("name", HELD)
+def test_a_weld_without_torque_holds_a_point(tmp_path: Path, name: str) -> None:
+    """As many freedoms as the rows of MuJoCo leave, which hold in the file's pose."""
+    text = model(FOUR, f"<equality>{HELD[name]}</equality>").replace(
+        '<joint name="d"', '<site name="s" pos="0.1 0 0" euler="0.3 0 0"/><joint name="d"'
+    )
+    mechanism = load_format(saved(text, tmp_path))
+    engine = mujoco.MjModel.from_xml_string(text)
+    engine.opt.jacobian = mujoco.mjtJacobian.mjJAC_DENSE
+    data = mujoco.MjData(engine)
+    mujoco.mj_forward(engine, data)
+    assert data.efc_pos == pytest.approx(np.zeros(data.nefc), abs=1e-12)
+    rows = data.efc_J.reshape(data.nefc, 4)
+    system = System(mechanism)
+    columns = jacobian_in_v(system)
+    entries = system.numeric([x for c in columns for x in c], (system.inputs.q, system.reference[None]))
+    ours = len(columns) - np.linalg.matrix_rank(entries.reshape(len(columns), -1), tol=1e-9)
+    assert 4 - np.linalg.matrix_rank(rows, tol=1e-9) == ours == 2  # the four are in line, where a whole weld leaves two
+    kinds = sorted(joint.type for joint in mechanism.joints.values())
+    assert kinds == ["R"] * 4 + (["fixed"] if name == "whole" else ["S"])
+
+
 @pytest.mark.parametrize(
     ("ties", "message"),
     [
         ('<joint joint1="c" joint2="b" polycoef="0.1"/><joint joint1="c" joint2="a" polycoef="0.2"/>', "hold by 0.1"),
         ('<joint joint1="a" joint2="a" polycoef="0 2"/>', "expected two joints, got 'a' twice"),
         ('<joint joint1="a" joint2="b" polycoef="0.3 -1"/><weld body1="Ba"/>', "does not close"),
+        ('<weld body1="Bc" body2="Ba" anchor="0.1 0 0" relpose="-0.4 0 -0.2 1 0 0 0"/>', "sides are 0.1 m"),
+        ('<weld body1="Bc" active="True"/>', "active: expected true or false, got 'True'"),
         ('<joint joint1="b" polycoef="0.3"/><connect body1="Bb" body2="Z" anchor="0.3 0 0"/>', "does not close"),
     ],
 )
@@ -224,6 +279,8 @@ def test_keyframes_have_rates(tmp_path: Path) -> None:
             ),
             "actuatorfrcrange of a, which several actuators drive",
         ),
+        (model(TWO, '<actuator><motor joint="a" delay="0.1" nsample="3"/></actuator>'), "left out: delay of actuators"),
+        (model(hinge("a", more='range="-1 1" limited="True"')), "limited: expected true, false or auto, got 'True'"),
     ],
 )
 def test_what_was_passed_over_is_refused(tmp_path: Path, text: str, message: str) -> None:
@@ -294,9 +351,67 @@ def test_what_gazebo_and_dialects_say_of_forces(tmp_path: Path) -> None:
     assert found.account.changed == ("gravity acts on two, from which <gazebo> takes it",)
 
 
+MIMIC = "<joint>a</joint><mimicJoint>b</mimicJoint><multiplier>-2</multiplier><offset>0.3</offset>"
+FOLLOWING = {
+    "drake": '<drake:mimic joint="a" multiplier="-2" offset="0.3"/>',
+    "ros2_control": '<ros2_control name="r" type="system"><joint name="b"><param name="mimic">a</param>'
+    '<param name="multiplier">-2</param><param name="offset">0.3</param></joint></ros2_control>',
+    "gazebo": f'<gazebo><plugin name="p" filename="libmimic.so">{MIMIC}</plugin></gazebo>',
+}
+
+
+@pytest.mark.parametrize("name", FOLLOWING)
+def test_joints_that_others_say_to_follow_are_coupled(tmp_path: Path, name: str) -> None:
+    """As a <mimic> of the joint would, which counts where there is one as well."""
+    own = FOLLOWING["drake"].replace("drake:", "")
+    space, said = 'xmlns:drake="http://drake.mit.edu"', FOLLOWING[name]
+
+    def read(of_joint: str, rest: str) -> Mechanism:
+        text = robot_of(rest=rest, space=space).replace('<axis xyz="0 1 0"/></joint></robot>', "</joint></robot>")
+        joint = f'<parent link="one"/>{of_joint}'
+        return load_format(saved(text.replace('<parent link="one"/>', joint), tmp_path, "robot.urdf"))
+
+    inside = name == "drake"
+    plain = read(own, "")
+    found = read(said if inside else "", "" if inside else said)
+    assert found.couplings == plain.couplings and len(found.couplings) == 1
+    assert {j.name: (j.driven, j.reference) for j in found.joints.values()}["b"] == ((), plain.joints["b"].reference)
+    if not inside:
+        both = read(own.replace("-2", "0.5"), said)
+        assert both.couplings == read(own.replace("-2", "0.5"), "").couplings != plain.couplings
+
+
+def test_reductions_are_those_of_the_actuators(tmp_path: Path) -> None:
+    """An actuator's own before its joint's, every actuator for itself; an orientation may be a quaternion."""
+    motor = (
+        "<actuator name='{0}'><mechanicalReduction>{1}</mechanicalReduction><motorInertia>{2}</motorInertia></actuator>"
+    )
+    joint = (
+        '<transmission name="t"><joint name="a"><mechanicalReduction>5</mechanicalReduction></joint>{0}</transmission>'
+    )
+    rest = joint.format(motor.format("m", 10, 1e-3) + motor.format("n", 20, 2e-3))
+    robot = load_robot(saved(robot_of(rest=rest), tmp_path, "robot.urdf"))
+    made = derive(robot.mechanism, robot.effects)
+    plain = derive(robot.mechanism, robot.effects[:1])
+    q, v, a = made.test_inputs["inverse_dynamics"][:3]
+    more = made("inverse_dynamics", q, v, a)[0][0][:, 0] - plain("inverse_dynamics", q, v, a)[0][0][:, 0]
+    assert more == pytest.approx((100 * 1e-3 + 400 * 2e-3) * a[:, 0], rel=1e-12)
+    turned = '<parent link="base"/><origin xyz="1 2 3" {0}/>'
+    texts = [robot_of().replace('<parent link="base"/>', turned.format(by))
+             for by in ('rpy="0 0 1.5707963267948966"', 'quat_xyzw="0 0 0.3 0.3"')]  # fmt: skip
+    one, other = (load_format(saved(text, tmp_path, "robot.urdf")) for text in texts)
+    assert one.joints == other.joints and one.joints["a"].axes[0][0] == -1
+
+
 @pytest.mark.parametrize(
     ("text", "message"),
     [
+        (
+            robot_of().replace(
+                '<parent link="base"/>', '<parent link="base"/><origin rpy="0 0 1" quat_xyzw="0 0 0 1"/>'
+            ),
+            "expected one orientation, got rpy and quat_xyzw",
+        ),
         (robot_of('<dynamics damping="1"/>', kind="floating"), "left out: damping of a floating joint"),
         (robot_of(rest='<include filename="arm.urdf"/>'), "left out: <include>"),
         (

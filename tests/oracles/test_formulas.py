@@ -24,8 +24,9 @@ from symscrew.errors import DescriptionError
 from symscrew.mobility import analyse_mobility, condition
 from symscrew.model import Model, derive
 from symscrew.paper_formulas import Paper, paper_formulas
+from symscrew.paper_formulas.equal_turns import families
 from symscrew.paper_formulas.formula import Part
-from symscrew.paper_formulas.limb_formulas import limb_part
+from symscrew.paper_formulas.limb_formulas import freedoms_of, limb_part
 from symscrew.paper_formulas.moved_rods import rod_part
 from symscrew.paper_formulas.named_lengths import Lengths, symbol_latex
 from symscrew.paper_formulas.paper import limbs_of, outside_part
@@ -37,8 +38,9 @@ QUICK = ("planar_3rrr", "sarrus", "slider_crank", "bennett")
 LARGE = ("three_ups_upu_s", "delta", "ur5", "five_bar", "stewart_6ups")
 LONGEST = {"delta": 320, "three_ups_upu_s": 280, "planar_3rrr": 220, "sarrus": 180, "five_bar": 250, "ur5": 760}
 """Letters of the longest formula, as counted: a line of a paper holds about 230."""
-NAMED = {"rps": "3-rps", "prs": "3-prs", "spr": "3-SPR"}
-"""Further limbs: spokes with hinges, rods that slide, a spherical joint at the base that carries the others."""
+NAMED = {"rps": "3-rps", "prs": "3-prs", "spr": "3-SPR", "eye": "agile-eye", "cube": "orthoglide"}
+"""Further limbs: spokes with hinges, rods that slide, a spherical joint at the base that carries the others, limbs
+that are turned about (1, 1, 1)."""
 NAMES = [*QUICK, *(pytest.param(name, marks=pytest.mark.slow) for name in (*LARGE, *NAMED))]
 
 
@@ -238,7 +240,11 @@ def _turned(reader: Reader, name: str, latex: str, code: tuple[str, ...]) -> Non
         if formula.code[:1] == ("screw",):
             own = np.kron(np.eye(2), _own_turn(reader.paper, formula.name))
             columns.append(own @ at_first.names[formula.name])
-    both = np.kron(np.eye(2), _about_z(angle))
+    turn = _about_z(angle)
+    if latex.startswith(r"\boldsymbol{D}"):  # about (1, 1, 1), by Rodrigues' formula
+        across = np.array([[0, -1, 1], [1, 0, -1], [-1, 1, 0]]) / np.sqrt(3)
+        turn = np.eye(3) + np.sin(angle) * across + (1 - np.cos(angle)) * across @ across
+    both = np.kron(np.eye(2), turn)
     for column, sign, label in zip(columns, signs, labels, strict=True):
         _screw(reader, label, sign * both @ column)
 
@@ -388,6 +394,27 @@ def test_a_locus_is_no_number_and_a_wrench_has_no_common_factor() -> None:
         r"l r + d_{12} \left(- R + r\right) \end{pmatrix}"
     )
     assert [f.latex for f in paper("rps").formulas if f.code[:1] == ("locus",)] == ["r"]
+
+
+@pytest.mark.parametrize(("name", "limbs"), [("agile-eye", (2, 3)), ("orthoglide", (2, 3))])
+def test_limbs_turned_about_a_diagonal_are_said_once(name: str, limbs: tuple[int, ...]) -> None:
+    mechanism = parse_description(description_text("m", name))
+    lengths = Lengths(mechanism)
+    read = [freedoms_of(mechanism, joints) for joints in limbs_of(mechanism)]
+    (family,) = [f for f in families(read, lengths) if 0 in f]
+    assert [round(family[k - 1].angle) for k in limbs] == [120, 240] and all(family[k - 1].diagonal for k in limbs)
+    swapped = [read[0], [replace(f, point=2 * f.point) for f in read[1]]]
+    assert len(families(swapped, lengths)) == 2 or name == "agile-eye"  # a limb through O has no size
+
+
+@pytest.mark.parametrize("name", ["bennett", "ur5", "three_ups_upu_s"])
+def test_cosine_and_sine_squared_are_one(name: str) -> None:
+    """a c_12 (c_11^2 + s_11^2) is a c_12: nothing squared is left in screws of limbs."""
+    mechanism = catalogue.load(name)
+    lengths = Lengths(mechanism)
+    parts = [limb_part(mechanism, joints, k, lengths) for k, joints in enumerate(limbs_of(mechanism)[:4], 1)]
+    formulas = [formula.latex for part in parts for formula in part.formulas]
+    assert len(formulas) > 4 and not any(re.search(r"\b[cs]_\{\d+\}\^", latex) for latex in formulas)
 
 
 def test_only_limbs_between_the_ground_and_the_platform_follow_from_its_pose() -> None:

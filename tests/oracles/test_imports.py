@@ -210,6 +210,15 @@ def test_loops_as_sdf_and_drake_write_them(tmp_path: Path) -> None:
         assert (joint.type, joint.parent, joint.child) == ("R", "base", "two")
         assert joint.point == (sympy.Rational(1, 10) if pose else 0, 0, sympy.Rational(height))
         assert joint.axes == (((0, -1, 0),) if pose else ((0, 0, 1),))
+    for frame, wanted in (("", (0, -1, 0)), ("__model__", (0, 0, 1)), ("one", (0, 0, 1)), ("g", (0, -1, 0))):
+        seen = axis.replace("<xyz>", f'<xyz expressed_in="{frame}">' if frame else "<xyz>")
+        path = saved(arm(turned.format("revolute", shift.format("") + seen)), tmp_path, "robot.urdf")
+        assert load_format(path).joints["g"].axes == (wanted,)
+    with pytest.raises(DescriptionError, match="there is no link 'tow'"):
+        load_format(saved(path.read_text().replace('"g"><p', '"g"').replace('in="g"', 'in="tow"'), tmp_path, path.name))
+    damped = axis.replace("</xyz>", "</xyz><dynamics><damping>0.1</damping><friction>0</friction></dynamics>")
+    with pytest.raises(DescriptionError, match="left out: damping of a joint that closes a loop; accept"):
+        load_format(saved(arm(turned.format("revolute", damped)), tmp_path, "robot.urdf"))
     ball = (
         '<drake:ball_constraint><drake:ball_constraint_body_A name="base"/>'
         '<drake:ball_constraint_p_AP value="0 0 {0}"/><drake:ball_constraint_body_B name="two"/>'
@@ -261,8 +270,10 @@ def test_loops_of_a_file_beside_the_urdf(tmp_path: Path, kind: str, closes: bool
         f"closed_loop: [['tip_frame', 'anchor_frame']] # one\ntype: ['{kind}']\nname_mot:\n  [\n    \"A\",\n  ]\n"
     )
     if not closes:
-        with pytest.raises(DescriptionError, match=r"alone, too, .* 'closing_1' 0\..*; with type 3d in place of 6d"):
+        message = r"alone, too, .* 'closing_1' 0\..*; with type 3d in place of 6d .* the first of these with --loosen"
+        with pytest.raises(DescriptionError, match=message):
             load_format(path)
+        assert import_file(path, ImportOptions(loosen=True)).mechanism.joints["closing_1"].type == "S"
         return
     found = import_file(path)
     joints = found.mechanism.joints
@@ -288,9 +299,13 @@ def test_the_joints_that_close_a_loop_as_balls_are_named(tmp_path: Path) -> None
     cure = r"'closing_1' 0\.1; with joint_type SPHERICAL for the 1 turns .*spherical_B"
     with pytest.raises(DescriptionError, match=cure):
         load_format(path)
+    loose = import_file(path, ImportOptions(loosen=True))
     with beside.open("a") as file:
         file.write("joint_name: ['spherical_B']\njoint_type: ['SPHERICAL']\n")
-    assert load_format(path).joints["closing_1"].point[1] == pytest.approx(0.1)
+    asked = load_format(path)
+    assert asked.joints["closing_1"].point[1] == pytest.approx(0.1) and asked.joints == loose.mechanism.joints
+    said = "with joint_type SPHERICAL for the 1 turns called 'spherical': spherical_B they do"
+    assert loose.account.changed[0] == f"loops that close in no pose: {said}"
 
 
 def test_a_loop_is_closed_from_another_start(tmp_path: Path) -> None:

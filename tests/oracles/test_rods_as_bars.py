@@ -7,7 +7,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from symscrew.dynamics import mass_matrix
+from symscrew.dynamics import mass_matrix, thin_rods
+from symscrew.effects import Acting, system_under
 from symscrew.errors import DescriptionError
 from symscrew.formats import ImportOptions, import_file
 from symscrew.functions.closing import jacobian_in_v
@@ -20,7 +21,9 @@ LEG = """<body name="crank{k}" pos="{x} 0 0"><joint name="motor{k}" axis="{axis}
 LINE = np.array([0.3, -0.2, 0.6])
 
 
-def robot(folder: Path, *, legs: int = 1, beside: float = 0.0, spin: float = 0.0, ball: str = "") -> Path:
+def robot(
+    folder: Path, *, legs: int = 1, beside: float = 0.0, spin: float = 0.0, ball: str = "", axis: str = "0.1 1 0.3"
+) -> Path:
     """Cranks with rods between balls; of a rod its spin's inertia and its centre's place beside the line [m]."""
     n = LINE / np.linalg.norm(LINE)
     across = np.cross(n, [1, 0, 0]) / np.linalg.norm(np.cross(n, [1, 0, 0]))
@@ -32,7 +35,7 @@ def robot(folder: Path, *, legs: int = 1, beside: float = 0.0, spin: float = 0.0
     bodies, closed, meeting = "", "", ""
     for k in range(legs):
         x = 0.5 * k
-        bodies += LEG.format(k=k, x=x, axis="0.1 1 0.3", arm="0.1 0 0.02", ball=ball, rod=rod, tip=tip)
+        bodies += LEG.format(k=k, x=x, axis=axis, arm="0.1 0 0.02", ball=ball, rod=rod, tip=tip)
         place = " ".join(repr(float(c)) for c in LINE + np.array([x + 0.1, 0, 0.02]))
         meeting += f'<site name="end{k}" pos="{place}"/>'
         closed += f'<connect site1="tip{k}" site2="end{k}"/>'
@@ -87,6 +90,14 @@ def test_what_bars_cannot_have_is_not_dropped_unasked(tmp_path: Path) -> None:
     path.write_text(path.read_text().replace('type="ball"', 'type="hinge"'))
     with pytest.raises(DescriptionError, match="--bars: expected a rod between two balls"):
         import_file(path, ImportOptions(bars=True))
+
+
+@pytest.mark.parametrize("axis", ["1 -3.7e-14 1.6e-27", "0.1 3e-23 1", "1e-15 1 2e-30", "0.3 0.4 1e-24", "0.1 1 0.3"])
+def test_axes_with_rounding_of_zero_make_no_rod_another(tmp_path: Path, axis: str) -> None:
+    """What of an axis is rounding of zero goes before the next one is put across it: all rods are masses at ends."""
+    mechanism = import_file(robot(tmp_path, legs=3, axis=axis), ImportOptions(bars=True)).mechanism
+    system = system_under(mechanism, [])
+    assert len(thin_rods(system, Acting(system, []))) == 3
 
 
 def test_the_platform_of_three_legs_is_found(tmp_path: Path) -> None:

@@ -22,11 +22,13 @@ from symscrew.studies.certificate.certificate_checker import (
     Equations,
     Form,
     Program,
+    RefusedError,
     UnreadableError,
     check_certificate,
     sine_cosine,
     tubes,
 )
+from symscrew.studies.certificate.way_from_reference import follow_way
 
 MP = mpmath.mp.clone()
 MP.dps = 40
@@ -186,6 +188,27 @@ def test_tubes_hold_the_root_and_no_other_and_none_reaches_the_fold() -> None:
         held = found.centre[0, k] + found.slope[0, 0, k] * d
         assert (np.abs(np.sqrt(z) - held) <= found.tight[0, k]).all()
         assert (np.abs(-np.sqrt(z) - held) > found.radius[0, k]).all()
+
+
+def test_a_way_to_the_start_stays_on_its_branch() -> None:
+    """From z = 1/2 in two boxes to the start at z = 1; from the other root there is no way."""
+    values = root_file()
+    own = {name: values["equations"][name] for name in ("rows", "axes", "held", "driven", "parameters")}
+    way = {
+        "equations": own, "low": [[0.5], [0.75]], "high": [[0.75], [1.0]],
+        "configurations": [[math.sqrt(0.625)], [math.sqrt(0.875)]],
+        "begin": {"z": [0.5], "q": [math.sqrt(0.5)]}, "end": {"z": [1.0], "q": [1.0]},
+    }  # fmt: skip
+    assert follow_way(values | {"way": way}) == ([0.5, math.sqrt(0.5)], [])
+    for name, value in (
+        ("configurations", [[-math.sqrt(0.625)], [math.sqrt(0.875)]]),
+        ("begin", {"z": [0.5], "q": [-math.sqrt(0.5)]}),
+        ("end", {"z": [1.0], "q": [-1.0]}),
+        ("low", [[-0.5], [0.75]]),
+        ("high", [[0.7], [1.0]]),
+    ):
+        with pytest.raises(RefusedError):
+            follow_way(values | {"way": way | {name: value}})
 
 
 def spoiled(path: tuple[Any, ...], value: Any) -> dict[str, Any]:

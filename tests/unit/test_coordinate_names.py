@@ -64,6 +64,7 @@ def test_a_unit_of_another_kind_and_a_coordinate_given_twice_are_refused() -> No
         ({"platform.z": "30deg"}, r"at platform\.z: expected a length \[m, mm\], got one in rad"),
         ({"tilt": "30mm"}, r"at tilt: expected an angle \[rad, deg\], got one in m"),
         ({"leg5_S.qy": "5deg"}, r"at leg5_S\.qy: expected a number without unit, got one in rad"),
+        ({"tilt": "acos(2)"}, r"at tilt: expected a real finite number, got 'acos\(2\)'"),
         ({"z": 0, "platform.z": 0}, r"platform\.z is given twice"),
         ({"rx": 0, "turn": "1deg about 1,0,0"}, r"platform\.rx is given twice"),
         ({"turn": "30deg"}, "an angle about an axis such as"),

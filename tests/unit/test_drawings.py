@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 
 from symscrew import catalogue
+from symscrew.description import load_description, write_template
 from symscrew.description.builder import MechanismBuilder
 from symscrew.display.drawing import drawn_in, mechanism_figure, usual_view
 from symscrew.display.label_places import label_places
@@ -46,6 +49,36 @@ def test_a_name_is_not_put_on_a_bar_where_there_is_room() -> None:
 )
 def test_planar_mechanisms_are_seen_along_their_axes(name: str, view: tuple[float, float]) -> None:
     assert usual_view(catalogue.load(name)) == view
+
+
+@pytest.mark.parametrize("name", ["agile-eye", "orthoglide", "gough"])
+def test_no_plate_is_seen_by_its_edge(name: str, tmp_path: Path) -> None:
+    """The base of the first two holds the usual view; they are looked at from elsewhere."""
+    made = load_description(write_template("m", name, tmp_path / "m.toml"))
+    assert (usual_view(made) == (20.0, -62.0)) == (name == "gough")
+    for patch in mechanism_figure(made).axes[0].patches:  # plates
+        corners = patch.get_path().vertices
+        across = np.linalg.svd(corners - corners.mean(axis=0), compute_uv=False)
+        assert across[1] > 0.15 * across[0], name
+
+
+def test_names_of_axes_are_off_joints_and_driven_joints_are_seen(tmp_path: Path) -> None:
+    """The x axis of a delta ends at a joint; a driven slide of an Orthoglide stands under a hinge."""
+    axes = mechanism_figure(catalogue.load("delta")).axes[0]
+    to_pixels = axes.transData.transform
+    (name,) = [text for text in axes.texts if text.get_text() == "$x$"]
+    middle = to_pixels(name.xy) + np.array(name.xyann) * axes.figure.dpi / 72
+    marks = [line for line in axes.lines if line.get_marker() not in ("None", ".", "")]
+    far = [np.linalg.norm(to_pixels(line.get_xydata()[0]) - middle) * 72 / axes.figure.dpi for line in marks]
+    assert len(marks) == 15 and min(far) > 8  # points of type: half a letter and half a mark
+
+    made = load_description(write_template("m", "orthoglide", tmp_path / "m.toml"))
+    marks = [line for line in mechanism_figure(made).axes[0].lines if line.get_marker() in ("s", "o")]
+    driven = [mark for mark in marks if mark.get_markerfacecolor() != "white"]
+    assert len(driven) == 3 and driven == marks[-3:], "drawn last, above others"
+    for mark in driven:
+        below = [m for m in marks[:-3] if np.allclose(m.get_xydata(), mark.get_xydata(), atol=1e-9)]
+        assert below and all(m.get_markersize() > mark.get_markersize() + 2 for m in below)
 
 
 def test_an_arm_has_its_axes_and_its_base() -> None:

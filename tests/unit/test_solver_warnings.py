@@ -56,7 +56,7 @@ def test_what_others_write_goes_on_and_lines_come_in_pieces() -> None:
     text = (
         line % ("jac_g", "Inf", "jac_g_x", "nonzero index 7 ", 0) + "a note\n" + line % ("g", "NaN", "g", "", 1)
         + line % ("grad_f", "NaN", "grad_f_x", "", 0) + line % ("hess_l", "NaN", "triu_hess_gamma_x_x", "", 1)
-        + line % ("f", "NaN", "f", "", 0) + "the end"
+        + line % ("f", "NaN", "f", "", 0) + 'CasADi - 2026 WARNING("KeyboardInterruptException") [file:1]\n' + "the end"
     )  # fmt: skip
     for size in (1, 7, 100, len(text)):
         kept = io.StringIO()

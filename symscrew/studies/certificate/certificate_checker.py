@@ -17,12 +17,16 @@ for each claimed box, by arithmetic with bounds of every rounding:
     joined                neighbours have the same configuration at a common point; so all boxes of a chain of
                           neighbours are on the branch on which the chain starts: the assembly mode is not lost
 
+That the equations are those of the mechanism it names, and where the chain starts, the file cannot show by itself:
+`symscrew check FILE` derives them again from the description in the file; here that is only hashed.
+
 Numbers are forms c + l . d + [-r, r] with d in [-1, 1], one entry per edge of the box, so that what depends on z to
 first order stays sharp (Taylor models of order 1). A constant of a program stands for every number rounded to it.
 """
 
 from __future__ import annotations
 
+import hashlib
 import json
 import math
 import sys
@@ -33,7 +37,7 @@ from typing import Any
 import numpy as np
 
 Array = np.ndarray
-FORMAT = "symscrew workspace certificate 1"
+FORMAT = "symscrew workspace certificate 2"
 EPS = 2.0**-52  # twice the largest relative error of one operation on doubles
 SLACK = 1.0 + 256 * EPS  # what a sum of some dozens of positive numbers that were rounded to nearest may have lost
 TINY = 1e-290  # more than what a product loses where it underflows
@@ -47,7 +51,13 @@ STILL = 1e-13  # a step after which the next one would only move the last digits
 WIDEN = (1.1, 1.3, 1.3, 1.5)  # by which the tube is wider than its fixed point seems to be: trials, more bring nothing
 LEAST = 1e-11  # radius of a tube where nothing else makes it wider: a point, which is known to 1e-13, is well inside
 SETTLING = 12  # steps to that fixed point, which come to rest where the tube can be enclosed at all
+SHOWN = 16  # digits of a hash that a person compares
 SETTLED = 1.05  # growth in the last of these steps that is rest
+
+
+OF_MECHANISM = "the programs are those of the mechanism of this description: not derived here"
+OF_START = "the start is on the branch of its reference configuration: not looked up here"
+"""Assumed by this file alone, shown by `symscrew check`."""
 
 
 class RefusedError(Exception):
@@ -356,7 +366,7 @@ class Condition:
         limits = None
         if values["limits"] is not None:
             limits = tuple((_end(low), _end(high)) for low, high in values["limits"])
-        _need(len(names) == len(program.results) == (len(names) if limits is None else len(limits)), "names of results")
+        need(len(names) == len(program.results) == (len(names) if limits is None else len(limits)), "names of results")
         return cls(program, names, limits)
 
 
@@ -364,7 +374,8 @@ def _end(value: Any) -> float | None:
     return None if value is None else float(value)
 
 
-def _need(holds: bool, what: str) -> None:
+def need(holds: bool, what: str) -> None:
+    """Raises UnreadableError."""
     if not holds:
         raise UnreadableError(f"{what}: not as many as expected")
 
@@ -406,8 +417,8 @@ class Equations:
     def read(cls, values: Any) -> Equations:
         """Of a file."""
         made = cls.of(values)
-        _need(1 <= len(made.axes) <= MOST_EDGES and len(set(made.axes)) == len(made.axes), "axes")
-        _need(len(set(made.rows)) + len(set(made.quaternions)) == len(made.dependent), "equations for the coordinates")
+        need(1 <= len(made.axes) <= MOST_EDGES and len(set(made.axes)) == len(made.axes), "axes")
+        need(len(set(made.rows)) + len(set(made.quaternions)) == len(made.dependent), "equations for the coordinates")
         return made
 
     @property
@@ -767,7 +778,10 @@ def nearest(cells: Cells, disk: Mapping[str, Any]) -> Array:
 
 @dataclass(frozen=True)
 class Verdict:
-    """What a file proves: `proved` in words, `refused` with the reason, what it rests on, and what was found."""
+    """What a file proves: `proved` in words, `refused` with the reason, what it rests on, and what was found.
+
+    `mechanism`: the name in the file, with the first digits of the SHA-256 of the description in it.
+    """
 
     mechanism: str
     proved: tuple[str, ...]
@@ -791,23 +805,23 @@ def facts_of(equations: Equations, cells: Cells, values: Any) -> dict[str, Any]:
     """What the file proves, as numbers; raises RefusedError at the first box that is not as claimed."""
     boxes = np.flatnonzero(cells.kind == CLAIMED)
     centre = np.array(values["configurations"], dtype=float).reshape(len(boxes), -1).T
-    _need(centre.shape[0] == len(equations.dependent) and len(boxes) > 0, "configurations of the claimed boxes")
+    need(centre.shape[0] == len(equations.dependent) and len(boxes) > 0, "configurations of the claimed boxes")
     found = tubes(equations, cells.low[:, boxes], cells.high[:, boxes], centre)
-    _refuse(found.closed, "more or less than one configuration may be in the tube")
-    _refuse(found.holding, "with the drives locked a freedom may be left")
+    refuse(found.closed, "more or less than one configuration may be in the tube")
+    refuse(found.holding, "with the drives locked a freedom may be left")
     least: dict[str, float] = {}
     for condition in equations.conditions:
         for k, name in enumerate(condition.names):
             low, high = found.bounds[name]
             if condition.limits is None:
-                _refuse((low > 0) | (high < 0), f"{name} may be zero")
+                refuse((low > 0) | (high < 0), f"{name} may be zero")
                 least[name] = float(np.maximum(low, -high).min())
                 continue
             least_allowed, most_allowed = condition.limits[k]
             if least_allowed is not None:
-                _refuse(low >= least_allowed, f"{name} may be too small")
+                refuse(low >= least_allowed, f"{name} may be too small")
             if most_allowed is not None:
-                _refuse(high <= most_allowed, f"{name} may be too large")
+                refuse(high <= most_allowed, f"{name} may be too large")
     pairs = [(int(i), int(j)) for i, j in values["joints"]]
     if any(not 0 <= k < len(boxes) for pair in pairs for k in pair):
         raise UnreadableError("boxes that are joined but not there")
@@ -839,7 +853,8 @@ def facts_of(equations: Equations, cells: Cells, values: Any) -> dict[str, Any]:
     return facts
 
 
-def _refuse(sound: Array, why: str) -> None:
+def refuse(sound: Array, why: str) -> None:
+    """Raises RefusedError at the first box that is not sound."""
     if not sound.all():
         raise RefusedError(f"box {int(np.argmin(sound))}: {why}")
 
@@ -856,11 +871,11 @@ def check_certificate(values: Any) -> Verdict:
     try:
         if values["format"] != FORMAT:
             raise UnreadableError(f"expected the format {FORMAT!r}, got {str(values['format'])[:60]!r}")
-        name, claims = str(values["mechanism"]["name"]), values["claims"]
+        name, claims = _called(values["mechanism"]), values["claims"]
         equations = Equations.read(values["equations"])
         region = values["region"]
         cells = cells_of(region["low"], region["high"], values["splitting"])
-        _need(len(cells.low) == len(equations.axes) == len(region["high"]), "edges of the region")
+        need(len(cells.low) == len(equations.axes) == len(region["high"]), "edges of the region")
         assumed = _assumed(equations, values["equations"]["labels"])
         try:
             facts = facts_of(equations, cells, values)
@@ -876,6 +891,17 @@ def check_certificate(values: Any) -> Verdict:
     return Verdict(name, tuple(proved), tuple(refused), assumed, facts)
 
 
+def digest(text: str) -> str:
+    """SHA-256 of a description, hexadecimal."""
+    return hashlib.sha256(text.encode()).hexdigest()
+
+
+def _called(mechanism: Any) -> str:
+    """The name of a mechanism and what its description hashes to."""
+    name, text = str(mechanism["name"]), mechanism.get("toml")
+    return name if text is None else f"{name} (description {digest(str(text))[:SHOWN]})"
+
+
 def _carried(fact: Any, claim: Any) -> bool:
     """Whether what was found is at least what is claimed."""
     if isinstance(claim, dict):
@@ -889,7 +915,7 @@ def _assumed(equations: Equations, labels: Sequence[str]) -> tuple[str, ...]:
     """What the proof does not show: that equations which are left out follow from the others."""
     results = equations.closure.results
     left = [str(labels[k]) for k in range(len(results)) if k not in equations.rows and results[k] != 0.0]
-    made = ["the programs are those of the mechanism: its name and description in the file are not read here"]
+    made = [OF_MECHANISM, OF_START]
     if left:
         made.append(f"rows of the closure that follow from the others: {', '.join(left)}")
     if equations.driven is None and not any(n.startswith("actuation") for c in equations.conditions for n in c.names):

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -20,13 +20,17 @@ from symscrew.errors import DescriptionError
 from symscrew.model import Model, derive
 from symscrew.studies.certificate.certificate_checker import (
     FORMAT,
+    OF_MECHANISM,
+    OF_START,
     Equations,
     Verdict,
     check_certificate,
     configurations,
 )
+from symscrew.studies.certificate.derived_again import OF_WALK, begins_elsewhere, what_was_asked
 from symscrew.studies.certificate.file_equations import file_equations, sampled_margins, vanishing_margins
 from symscrew.studies.certificate.splitting import Box, Splitting
+from symscrew.studies.certificate.way_from_reference import proved_way
 from symscrew.studies.workspace import (
     AZIMUTH,
     TILT,
@@ -127,14 +131,14 @@ def certify(plan: Plan, progress: Callable[[int], None] = lambda count: None) ->
             "tilt and azimuth say of these; --independent chooses others"
         )
     region = region_of(plan, model)
-    start = _start(model, region)
+    start, way = _start(model, region)
     values = file_equations(model, region.names, plan.limits, start)
     values["parameters"] = [float(x) for x in _parameters(model, region)]
     equations = Equations.read(values)
     z = np.clip(_reference(model, region), region.low, region.high)
     begin = (z, start[equations.dependent])
     found = Splitting(equations, region.low, region.high, region.smallest, begin, region.disk, progress).run()
-    return _certificate((plan, model, region), values, begin, found)
+    return _certificate((plan, model, region), values, (begin, way), found)
 
 
 def region_of(plan: Plan, model: Model) -> Region:
@@ -190,8 +194,10 @@ def _parameters(model: Model, region: Region) -> Array:
     return found
 
 
-def _start(model: Model, region: Region) -> Array:
-    """A closed configuration q (nq,) of the region: the nearest to the reference, to which a walk from there leads.
+def _start(model: Model, region: Region) -> tuple[Array, dict[str, Any] | None]:
+    """A closed configuration q (nq,) of the region, the nearest to the reference, and the proved way there.
+
+    There is no way where it is the reference configuration, and where none could be proved: then a walk led there.
 
     Raises:
         DescriptionError: the walk comes to no configuration.
@@ -201,15 +207,26 @@ def _start(model: Model, region: Region) -> Array:
     names = [*region.names, *region.fixed]
     values = file_equations(model, names, (), model.system.reference)
     equations = Equations.read(values)
-    whole = replace(region, names=tuple(names))
-    first = _reference(model, whole)
-    ends = np.clip(first[: len(region.names)], region.low, region.high)
-    last = np.array([*ends, *region.fixed.values()])
-    q = model.system.reference[equations.dependent][:, None]
-    steps = STEPS if (first != last).any() else 1
+    first = _reference(model, replace(region, names=tuple(names)))
+    last = np.array([*np.clip(first[: len(region.names)], region.low, region.high), *region.fixed.values()])
+    q, way = model.system.reference[equations.dependent], None
+    if (first != last).any():
+        way = proved_way(equations, first, last, q)
+        q = _walk(equations, (first, last), q, names) if way is None else way.end[1]
+    found = np.array(model.system.reference, dtype=float)
+    for name, value in zip(names, last, strict=True):
+        if name not in parameters:
+            found[labels.index(name)] = value
+    found[equations.dependent] = q
+    return found, None if way is None else way.values(values)
+
+
+def _walk(equations: Equations, ends: tuple[Array, Array], start: Array, names: Sequence[str]) -> Array:
+    """Dependent coordinates (m,) at the second end, by Newton's method from step to step."""
+    (first, last), q = ends, start[:, None]
     with np.errstate(all="ignore"):
-        for k in range(1, steps + 1):
-            z = first + (last - first) * (k / steps)
+        for k in range(1, STEPS + 1):
+            z = first + (last - first) * (k / STEPS)
             q, still = configurations(equations, z[:, None], q)
             if not still.all():
                 where = ", ".join(f"{n} = {x:.6g}" for n, x in zip(names, z, strict=True))
@@ -217,25 +234,21 @@ def _start(model: Model, region: Region) -> Array:
                     f"--certify: no configuration was found at {where}, on the way from the reference configuration "
                     f"to the region; choose other ranges, or other coordinates with --independent"
                 )
-    found = np.array(model.system.reference, dtype=float)
-    for name, value in zip(names, last, strict=True):
-        if name not in parameters:
-            found[labels.index(name)] = value
-    found[equations.dependent] = q[:, 0]
-    return found
+    return np.asarray(q[:, 0])
 
 
 def _certificate(
     asked: tuple[Plan, Model, Region],
     equations: dict[str, Any],
-    begin: tuple[Array, Array],
+    came: tuple[tuple[Array, Array], dict[str, Any] | None],
     found: tuple[Box, list[Box], list[tuple[int, int]]],
 ) -> Certificate:
     """The file with the claims that its checker carries, and the summary of all boxes."""
-    (plan, _, region), (root, boxes, pairs) = asked, found
+    (plan, model, region), (root, boxes, pairs), (begin, way) = asked, found, came
     values: dict[str, Any] = {
         "format": FORMAT,
         "mechanism": {"name": plan.mechanism.name, "toml": to_toml(plan.mechanism)},
+        "asked": what_was_asked(plan, region.fixed),
         "equations": equations,
         "region": {"names": region.names, "low": region.low.tolist(), "high": region.high.tolist()},
         "disk": None if region.disk is None else {"axes": region.disk[:2], "radius": region.disk[2]},
@@ -243,6 +256,7 @@ def _certificate(
         "configurations": [box.centre.tolist() for box in boxes if box.centre is not None],
         "joints": pairs,
         "start": {"box": pairs[0][0] if pairs else 0, "z": begin[0].tolist(), "q": begin[1].tolist()},
+        "way": way,
         "claims": {},
     }
     name = plan.mechanism.name
@@ -250,7 +264,11 @@ def _certificate(
     if boxes:
         verdict = check_certificate(json.loads(json.dumps(values)))
         values["claims"] = _claims(verdict.facts)
-        verdict = replace(verdict, proved=tuple(f"{k} {json.dumps(v)}" for k, v in values["claims"].items()))
+        left = [text for text in verdict.assumed if text not in (OF_MECHANISM, OF_START)]  # both by the making of it
+        left += [OF_WALK] if begins_elsewhere(values, model) else []
+        verdict = replace(
+            verdict, assumed=tuple(left), proved=tuple(f"{k} {json.dumps(v)}" for k, v in values["claims"].items())
+        )
     return Certificate(plan, region, root, values, verdict, _summary(asked, root, verdict))
 
 
@@ -310,7 +328,8 @@ def certificate_text(found: Mapping[str, Any]) -> str:
     lines = [
         f"{found['mechanism']}: {axes}{fixed}",
         f"proved in {found['boxes']} boxes, {_percent(shares['certified'])} of the region: one configuration for every "
-        "point, on the branch of the reference; no singularity"
+        f"point, on the branch {'to which a walk led' if OF_WALK in found['assumed'] else 'of the reference'}; no "
+        "singularity"
         + (" of those that were looked at" if found["left_out"] else "")
         + (", all limits hold" if found["limits"] else "")
         if found["proved"]

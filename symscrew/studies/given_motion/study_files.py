@@ -124,13 +124,17 @@ def arrays(study: DriveStudy) -> dict[str, Array]:
     }  # fmt: skip
 
 
+FILES = ("motion.npz", "motion.csv", "summary.json")
+"""What a study is written to, beside pictures."""
+
+
 def write_study(study: DriveStudy, folder: Path, *, drawn: bool = True) -> list[Path]:
     """Everything into a folder that exists: motion.npz, motion.csv, summary.json and, if `drawn`, pictures."""
     kept = arrays(study)
     written = [
-        replaced(folder / "motion.npz", lambda file: np.savez_compressed(file, **kept)),  # type: ignore[arg-type]
-        study.columns.save(folder / "motion.csv"),
-        write_text(folder / "summary.json", json.dumps(study_json(study), indent=1) + "\n"),
+        replaced(folder / FILES[0], lambda file: np.savez_compressed(file, **kept)),  # type: ignore[arg-type]
+        study.columns.save(folder / FILES[1]),
+        write_text(folder / FILES[2], json.dumps(study_json(study), indent=1) + "\n"),
     ]
     if drawn:
         from symscrew.display import save_figure

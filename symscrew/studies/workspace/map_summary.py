@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -12,6 +12,8 @@ from symscrew.studies.workspace.plan import AZIMUTH, TILT, Plan
 
 Results = Mapping[str, np.ndarray]
 DEGREE = 180 / np.pi  # per radian
+EARTH = 9.81  # [m/s^2]
+ANGLES = {TILT: "rad", AZIMUTH: "rad"}  # axes that are no coordinates
 NOISE = 1e-12  # of the largest value of a unit: what is smaller is rounding, and is printed as zero
 
 
@@ -30,7 +32,9 @@ def sweep_summary(plan: Plan, results: Results, units: Mapping[str, str], engine
         "regular": int(((results["reached"] > 0) & (results["regular"] > 0)).sum()),
         "allowed": int(allowed.sum()),
         **({"mode": plan.mode} if plan.mode else {}),
+        "weight": _weight(plan),
         "axes": {a.name: [a.low, a.high, a.count] for a in plan.axes},
+        "axis_units": {a.name: ANGLES.get(a.name) or units.get(a.name, "1") for a in plan.axes},
         "limits": {name: [_bound(low), _bound(high)] for name, low, high in plan.limits},
         "ranges": {},
     }
@@ -66,6 +70,12 @@ def tilt_reach(plan: Plan, results: Results) -> tuple[np.ndarray, np.ndarray] | 
     good = np.logical_and.accumulate(allowed[:, order], axis=1)
     size = np.abs(tilt[order])
     return azimuth, np.where(good.any(axis=1), size[np.maximum(good.sum(axis=1) - 1, 0)], 0.0)
+
+
+def _weight(plan: Plan) -> float:
+    """Of all bodies on earth [N]: what forces are compared with to tell them from rounding."""
+    masses = [body.mass for body in plan.mechanism.bodies.values() if body.mass is not None]
+    return EARTH * sum(float(plan.mechanism.number(mass)) for mass in masses)
 
 
 def _bound(value: float) -> float | None:
@@ -105,15 +115,30 @@ def _tolerances(plan: Plan, results: Results, units: Mapping[str, str]) -> dict[
     return found
 
 
-def _without_noise(own: Mapping[str, Any], every: Mapping[str, Mapping[str, Any]]) -> list[float]:
-    """Least and largest; zero where they are rounding beside the largest value of the same unit."""
-    size = max(abs(r[key]) for r in every.values() if r["unit"] == own["unit"] for key in ("least", "largest"))
-    return [own[key] if abs(own[key]) > NOISE * size else 0.0 for key in ("least", "largest")]
+def _without_noise(own: Mapping[str, Any], found: Mapping[str, Any]) -> list[float]:
+    """Least, largest and span; zero where they are rounding beside the largest value of the same unit.
+
+    Of forces beside the weight as well: those of a mechanism that carries none are all rounding.
+    """
+    same = [r for r in found["ranges"].values() if r["unit"] == own["unit"]]
+    size = max(abs(r[key]) for r in same for key in ("least", "largest"))
+    size = max(size, found.get("weight", 0.0)) if own["unit"] == "N" else size
+    least, largest = (own[key] if abs(own[key]) > NOISE * size else 0.0 for key in ("least", "largest"))
+    span = largest - least
+    return [least, largest, span if span > NOISE * max(abs(least), abs(largest)) else 0.0]
+
+
+def _axis(name: str, ends: Sequence[float], unit: str) -> str:
+    """An axis in words, angles in degrees, as they are typed."""
+    low, high, count = ends
+    factor, shown = (DEGREE, "deg") if unit == "rad" else (1.0, unit)
+    return f"{name} {low * factor:.6g} to {high * factor:.6g}{'' if shown == '1' else f' {shown}'} ({count})"
 
 
 def sweep_summary_text(found: Mapping[str, Any]) -> str:
     """The summary as text and tables."""
-    axes = ", ".join(f"{n} {low:.6g} to {high:.6g} ({count})" for n, (low, high, count) in found["axes"].items())
+    units = found.get("axis_units", {})  # of a summary that an older version wrote
+    axes = ", ".join(_axis(name, ends, units.get(name, "1")) for name, ends in found["axes"].items())
     in_mode = f" in mode {found['mode']}" if "mode" in found else ""
     lines = [
         f"{found['mechanism']}{in_mode}: {found['cases']} cases{': ' if axes else ''}{axes}",
@@ -127,10 +152,9 @@ def sweep_summary_text(found: Mapping[str, Any]) -> str:
         where = found["tilt"]["azimuth"][int(np.argmin(found["tilt"]["reach"]))] * DEGREE
         lines.append(f"tilt of {worst:.4g} degrees reached in every direction; least at azimuth {where:.4g} degrees")
     if found["ranges"]:
-        shown = {name: _without_noise(r, found["ranges"]) for name, r in found["ranges"].items()}
         rows = [
-            [name, f"{least:.6g}", f"{largest:.6g}", f"{largest - least:.6g}", found["ranges"][name]["unit"]]
-            for name, (least, largest) in shown.items()
+            [name, *(f"{number:.6g}" for number in _without_noise(own, found)), own["unit"]]
+            for name, own in found["ranges"].items()
         ]
         lines += ["", fitting_table(("over the allowed cases", "least", "largest", "span", "unit"), rows)]
     if "tolerance" in found:

@@ -97,6 +97,7 @@ def _curves(axis: Axis, results: Results, names: Sequence[str], units: Mapping[s
 
 def _maps(axes: Sequence[Axis], shaped: Results, names: Sequence[str], units: Mapping[str, str], *, polar: bool) -> Any:
     from matplotlib.colors import LogNorm, Normalize
+    from matplotlib.ticker import MaxNLocator
 
     with curve_style():
         made, frames = _frames(len(names), 2.35 if polar else 2.2, polar=polar)
@@ -124,8 +125,12 @@ def _maps(axes: Sequence[Axis], shaped: Results, names: Sequence[str], units: Ma
             if polar:
                 frame.set_title(_label(name, units), pad=10)
                 frame.set_rlabel_position(112.5)
-                frame.set_yticks([t for t in frame.get_yticks() if t > 0][::2])
-                frame.yaxis.set_major_formatter("{x:.0f}°")
+                end = float(np.abs(radius).max())
+                frame.set_yticks([t for t in MaxNLocator(2, steps=[1, 2, 5, 10]).tick_values(0, end) if 0 < t <= end])
+                frame.yaxis.set_major_formatter("{x:g}°")
+                frame.set_axisbelow(False)  # or the map hides them
+                for text in frame.get_yticklabels():
+                    text.set_bbox({"boxstyle": "round,pad=0.1", "facecolor": "white", "alpha": 0.7, "linewidth": 0})
             else:
                 frame.set_title(_label(name, units), loc="left", pad=3)
                 frame.set_xlabel(_label(first.name, units))
