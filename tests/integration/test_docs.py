@@ -47,6 +47,9 @@ SLOW = (
     "how_to/modelica.md",
     "how_to/plc.md",
     "how_to/ros2_control.md",
+    "how_to/optimise.md",
+    "how_to/assembly_modes.md",
+    "reference/coordinates.md",
 )
 
 

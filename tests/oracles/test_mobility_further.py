@@ -17,7 +17,10 @@ from symscrew.mobility.finite.witnesses import Witness, recheck
 from symscrew.mobility.instantaneous import instantaneous_mobility
 from symscrew.mobility.joint_network import network_of
 
-SLOW = {"six legs on a circle", "six legs, no circle", "miura flat", "miura flat, four columns", "five-bar, collinear"}
+SLOW = {
+    "six legs on a circle", "six legs, no circle", "miura flat", "miura flat, four columns", "five-bar, collinear",
+    "wunderlich", "bricard octahedron 1", "bricard line-symmetric", "waldron hybrid", "3S, collinear", "two rhombi",
+}  # fmt: skip
 
 
 @pytest.mark.parametrize("name", [pytest.param(n, marks=pytest.mark.slow if n in SLOW else ()) for n in CASES])
