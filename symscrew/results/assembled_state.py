@@ -1,6 +1,7 @@
-"""One configuration by name: where all coordinates are when the independent ones are given.
+"""One configuration by name: where all coordinates are when some are given.
 
 model, {"limb5_S.qx": 0.05} --assemble--> AssembledConfiguration: .q, ["limb1_P"], .status
+model, {"platform.tilt": "5deg"} --inverse kinematics--> the same
 """
 
 from __future__ import annotations
@@ -14,8 +15,9 @@ from symscrew import notebook
 from symscrew.description import given_value, numeric
 from symscrew.errors import DescriptionError, did_you_mean
 from symscrew.kinematics import full_name
+from symscrew.mobility import inverse_kinematics
 from symscrew.model import Model
-from symscrew.program import status_texts
+from symscrew.program import NOT_ON_MECHANISM, OUT_OF_REACH, status_texts
 
 Array = np.ndarray
 
@@ -53,23 +55,25 @@ class AssembledConfiguration:
 
 
 def assemble(model: Model, y: Mapping[str, float | str], guess: object = None) -> AssembledConfiguration:
-    """The one configuration near a guess in which independent coordinates have these values.
+    """The one configuration near a guess in which coordinates have these values.
 
     Every configuration in which the drives have given values, the assembly modes, is what `symscrew.assembly_modes` and
-    the command `symscrew assemble` find; coordinates of any kind, poses of the platform too, are what
-    `symscrew.inverse_kinematics` takes.
+    the command `symscrew assemble` find. Independent coordinates go through the model's own function; where others are
+    named, poses of the platform too, it is `symscrew.inverse_kinematics` that finds them all.
 
     Args:
         model: whose loops are closed.
-        y: label of an independent coordinate -> its value [rad, m], or text with a unit, "20deg"; those not named stay
-            as in the guess.
-        guess: q (nq,) nearby, on the same assembly branch; default: the reference configuration.
+        y: name of a coordinate -> its value [rad, m], or text with a unit, "20deg". Independent coordinates that are
+            not named stay as in the guess; where others are named, what is not named follows from them.
+        guess: q (nq,) nearby, on the same assembly branch, for independent coordinates alone; default: the reference
+            configuration.
 
     Returns:
         The configuration; `ok` is False, with NaN, where the loops do not close from this guess.
 
     Raises:
-        DescriptionError: a coordinate that is not independent, or a value that is no number or in another unit.
+        DescriptionError: a name of no coordinate, of one that is not independent beside a guess, or a value that is no
+            number or in another unit.
         ValueError: a guess of another size.
     """
     tree = model.system.tree
@@ -80,12 +84,14 @@ def assemble(model: Model, y: Mapping[str, float | str], guess: object = None) -
     program = model.programs.get("assemble")
     independent = program.inputs[0].labels if program is not None else labels
     y = {label if label in independent else full_name(model.mechanism, label): value for label, value in y.items()}
-    for label in y:
-        if label not in independent:
-            raise DescriptionError(
-                f"{label}: expected one of the independent coordinates {', '.join(independent)}; "
-                f"{did_you_mean(label, independent)} (symscrew.inverse_kinematics takes any, of poses too)"
-            )
+    others = [label for label in y if label not in independent]
+    if others and guess is not None:
+        raise DescriptionError(
+            f"{others[0]}: expected one of the independent coordinates {', '.join(independent)} beside a guess; "
+            f"{did_you_mean(others[0], independent)} (without one any is taken, poses too)"
+        )
+    if others:
+        return _placed(model, y, labels)
     units = {c.label: c.unit for c in tree.q}
     given = {label: _number(value, units[label], label) for label, value in y.items()}
     wanted = np.array([given.get(label, start[labels.index(label)]) for label in independent])
@@ -97,6 +103,14 @@ def assemble(model: Model, y: Mapping[str, float | str], guess: object = None) -
         q, code = np.asarray(found), int(codes)
     text = status_texts(*model.programs.values())[code]
     return AssembledConfiguration(model.name, q, labels, tuple(c.unit for c in tree.q), code, text)
+
+
+def _placed(model: Model, at: Mapping[str, float | str], labels: tuple[str, ...]) -> AssembledConfiguration:
+    """The configuration by coordinates of any kind."""
+    found = inverse_kinematics(model.mechanism, at)
+    code = 0 if found.ok else NOT_ON_MECHANISM if found.status == "not on the mechanism" else OUT_OF_REACH
+    units = tuple(c.unit for c in model.system.tree.q)
+    return AssembledConfiguration(model.name, found.q, labels, units, code, "success" if found.ok else found.text)
 
 
 def _number(value: float | str, unit: str, label: str) -> float:

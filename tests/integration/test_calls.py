@@ -32,8 +32,10 @@ def test_a_configuration_by_hand() -> None:
 
 def test_coordinates_that_are_not_there_or_do_not_close() -> None:
     four_bar = model("four_bar")
-    with pytest.raises(DescriptionError, match="one of the independent coordinates A"):
-        assemble(four_bar, {"B": 0.1})
+    with pytest.raises(DescriptionError, match="one of the independent coordinates A beside a guess"):
+        assemble(four_bar, {"B": 0.1}, guess=four_bar.system.reference)
+    with pytest.raises(DescriptionError, match="known: "):
+        assemble(four_bar, {"limb": 0.1})
     with pytest.raises(ValueError, match="shape"):
         assemble(four_bar, {"A": 0.1}, guess=[0.0])
     assert assemble(four_bar, {"A": "20deg"})["A"] == pytest.approx(np.radians(20), rel=1e-15)
@@ -44,6 +46,24 @@ def test_coordinates_that_are_not_there_or_do_not_close() -> None:
     assert not far.ok and np.isnan(far.q).all() and "not finite" in repr(far)
     with pytest.raises(DescriptionError, match="label of a coordinate"):
         far["limb"]
+
+
+def test_coordinates_of_any_kind_give_the_others() -> None:
+    """A joint that follows, the platform's pose; what cannot be reached is a status."""
+    four_bar = model("four_bar")
+    turned = assemble(four_bar, {"A": 0.3})
+    again = assemble(four_bar, {"D": turned["D"]})
+    assert again.ok and again.status == "success"
+    np.testing.assert_allclose(again.q, turned.q, atol=1e-9)
+    np.testing.assert_allclose(four_bar("closure", again.q)[0][0], 0.0, atol=1e-12)
+    delta = model("delta")
+    lowered = assemble(delta, {"platform.z": "-20mm"})
+    height = lowered["platform_pose.2"] - delta.system.reference[list(lowered.labels).index("platform_pose.2")]
+    assert lowered.ok and height == pytest.approx(-0.02, abs=1e-12)
+    np.testing.assert_allclose(delta("closure", lowered.q)[0][0], 0.0, atol=1e-12)
+    far, turned = assemble(delta, {"platform.z": "-5"}), assemble(delta, {"platform.tilt": "5deg"})
+    assert (far.code, turned.code) == (11, 6) and not far.ok and np.isnan(turned.q).all()
+    assert "out of reach" in far.status and "stays the same" in turned.status
 
 
 def test_an_open_chain_has_nothing_to_close() -> None:
