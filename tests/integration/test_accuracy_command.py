@@ -18,7 +18,10 @@ from symscrew.studies.timing import quartiles
 
 @pytest.mark.slow
 @needs_compiler
-def test_command_leaves_json_table_and_plots(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_command_leaves_json_table_and_plots(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("COLUMNS", "120")  # no word of the table is folded
     out = tmp_path / "new" / "folder"
     assert main(["accuracy", "four_bar", "--study", "precision", "--out", str(out)]) == 0
     assert {p.name for p in out.iterdir()} == {"accuracy.json", "accuracy.md", "precision.png", "precision.svg"}
