@@ -148,7 +148,6 @@ def scene_file(tmp_path, **values: object):
     return path
 
 
-@pytest.mark.slow
 def test_a_run_names_its_mode_at_start_and_end(tmp_path, capsys) -> None:
     """A crank that turns many times: one name, in the report, in the JSON; none of the words about a change."""
     path = scene_file(tmp_path, name="four_bar", duration=2, joint="A", rate=12.0, gravity="[0, 0, 0]")

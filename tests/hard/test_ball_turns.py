@@ -59,7 +59,6 @@ def quaternions(found: Run) -> np.ndarray:
     return found.q[:, entries]
 
 
-@pytest.mark.slow
 @compiled
 @pytest.mark.parametrize("way", WAYS)
 def test_a_ball_turns_on_and_back_as_a_hinge_does(way: str) -> None:

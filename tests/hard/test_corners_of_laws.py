@@ -67,7 +67,6 @@ def test_a_compliant_stop_is_not_stepped_over(stiffness: float, depth: float) ->
         assert after <= 2 * max(before, ROUNDING), found
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("stiffness, depth", [(1e4, 1e-4), slow(1e2, 1e-2), slow(1e6, 1e-3)])
 def test_nor_by_the_integrators_of_a_library(stiffness: float, depth: float) -> None:
     errors(stiffness, depth, (1e-6,), "numpy")

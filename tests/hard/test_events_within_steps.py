@@ -160,7 +160,6 @@ def test_impulses_only_push() -> None:
         assert p.min() >= 0 and w.min() > -1e-9 and abs(p @ w) < 1e-9
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("limit", [slow(3.0), 1e3])
 def test_a_stop_that_is_never_met_changes_nothing(limit: float) -> None:
     """The parallelogram keeps its branch through the change points, with a stop as without; and ends soon."""

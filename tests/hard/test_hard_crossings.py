@@ -30,7 +30,6 @@ def swinging(name: str, **bars: str) -> Run:
     return simulate(scene)
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize(
     "name, bars, inertia, moment",
     [("equal_links", {}, 2 / 3 + 1, 2), ("parallelogram", {"width": "2", "coupler": "3"}, 2 / 3 + 3, 1 + 3)],

@@ -27,7 +27,6 @@ pytestmark = [
 ]
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("name, functions", MODELS)
 def test_levels_of_optimisation(name: str, functions: Sequence[str], tmp_path: Path) -> None:
     """-O0 and -O3 give the same bits without contraction of multiply-add, with it 1e-13 of the output's norm."""
@@ -84,7 +83,6 @@ print(first.ok, second.ok, np.abs(first.q - second.q).max() < 1e-12, error_of("b
 """
 
 
-@pytest.mark.slow
 def test_denormal_rates() -> None:
     """A04 with rates of 1e-310: the accelerations of rest, bit for bit. (Times are not asserted in tests.)"""
     found, _ = prepared("bricard")

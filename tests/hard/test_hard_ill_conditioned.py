@@ -67,7 +67,6 @@ def test_mass_ratios_in_a_loop(ratio: str) -> None:
     assert max(lost(found, *state) for state in states(found)) < 1e-13
 
 
-@pytest.mark.slow
 @needs_compiler
 @pytest.mark.parametrize("ratio", ["1e-9", slow("1e-6"), slow("1e6"), "1e9"])
 def test_mass_ratios_through_singular_positions(ratio: str) -> None:
@@ -346,7 +345,6 @@ def test_redundant_drives_that_nearly_coincide(gap: str) -> None:
 # -- stiffness ------------------------------------------------------------------------------------------------------
 
 
-@pytest.mark.slow
 @needs_compiler
 def test_stiff_governor() -> None:
     """A05: springs of 8e5 N/m with 4e4 N s/m for 10 s: s to 1e-6 by the explicit method, which is bound by stability.

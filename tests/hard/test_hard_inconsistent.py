@@ -50,7 +50,6 @@ def crank() -> Callable[..., dict[str, tuple[float, float]]]:
 # -- starts ---------------------------------------------------------------------------------------------------
 
 
-@pytest.mark.slow
 def test_position_off_the_manifold(crank: Callable) -> None:
     """1 mm off: refused with the residual (1 mm by the length 0.141647 m); with the crank alone given or held, put
     right, and the run says by how much.

@@ -135,7 +135,6 @@ def spun(inertia: list, rates: dict[str, float], duration: float, **integrator: 
     return simulate(Scene("body", builder.build(), (), duration, 10.0, Initial(rates=rates), integrator=settings))
 
 
-@pytest.mark.slow
 def test_dzhanibekov_flips() -> None:
     """15 flips in 100 s about the middle axis, against Jacobi's elliptic functions; |L| and energy to 1e-10.
 

@@ -52,7 +52,6 @@ def times(run: Run, what: str) -> np.ndarray:
 # -- stick and slip -----------------------------------------------------------------------------------------
 
 
-@pytest.mark.slow
 def test_stick_slip_of_a_block_pulled_by_a_spring() -> None:
     """First slip at 3.924 s, slips of 1.0945 s, period 5.0185 s, over ten periods.
 
@@ -209,7 +208,6 @@ def test_compliant_stop_at_speed_and_rested_on() -> None:
 # -- saturation -------------------------------------------------------------------------------------------------
 
 
-@pytest.mark.slow
 def test_servo_that_saturates() -> None:
     """Full force until the law asks for less, then a linear oscillator: in closed form, the corner at 1e-9 s."""
     servo = PositionServo("x", stiffness=40, damping=4, limit=3)

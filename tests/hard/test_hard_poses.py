@@ -71,7 +71,6 @@ def moved(found: Model, q: Array, step: Array) -> Array:
     return after[:, [labels.index(label) for label in found.programs["inverse_kinematics"].inputs[0].labels]]
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("name", ["PRS", slow("RPS"), slow("three_ups_upu_s"), slow("RRS"), slow("delta")])
 def test_poses_near_the_mechanism_are_told_from_those_on_it(name: str) -> None:
     """Random poses, and the same moved at random, on both sides of the threshold."""
@@ -102,7 +101,6 @@ def test_every_pose_within_reach_of_free_limbs_is_on_the_mechanism() -> None:
     assert np.abs(found("closure", q[good])[0][0]).max() < 1e-12
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("name", ["PRS", slow("planar_3rrr"), slow("delta")])
 def test_the_limb_that_does_not_get_there_is_named(name: str) -> None:
     """Poses on a way that leads away: up to where a limb is stretched all is well, beyond it is that limb."""
@@ -138,7 +136,6 @@ def radicands(made: Program, pose: Array) -> dict[int, float]:
     return {code: float(slots[slot]) for slot, *_, code in made.limits if code >= OUT_OF_REACH}
 
 
-@pytest.mark.slow
 @pytest.mark.skipif(find_compiler() is None, reason="no C compiler")
 @pytest.mark.parametrize("name", ["PRS", slow("planar_3rrr"), slow("delta")])
 def test_every_target_refuses_alike_and_says_why(name: str, tmp_path) -> None:

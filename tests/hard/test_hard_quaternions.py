@@ -57,7 +57,6 @@ def same(one: Array, other: Array, tolerance: float) -> bool:
     return bool(np.abs(one - other).max(initial=0.0) <= tolerance * max(1.0, np.abs(other).max(initial=0.0)))
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize(
     "name", ["plate", slow("moved_plate"), slow("three_ups_upu_s"), slow("delta"), slow("stewart_6ups")]
 )

@@ -155,7 +155,6 @@ def test_stretched_five_bar() -> None:
         assert status in (1, 3) and np.isnan(none).all(), (beyond, status)
 
 
-@pytest.mark.slow
 @needs_compiler
 def test_five_bar_driven_against_the_edge_of_its_workspace() -> None:
     """Constant torques pull the cranks apart for 1 s: the motion goes on through the stretched position."""
@@ -323,7 +322,6 @@ def crossed_axes() -> Model:
     return derive(builder.build(), ())
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("backend", ["numpy", pytest.param("c", marks=needs_compiler)])
 def test_couple_normal_to_two_nearly_parallel_axes(backend: str) -> None:
     """The reciprocal couple e1 x e2 of axes at the angle theta, in 100 frames: no pole, as exact as e1 and e2.

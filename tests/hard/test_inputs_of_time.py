@@ -27,7 +27,6 @@ def pushed(force: str, duration: float, *, tables: dict[str, Table] | None = Non
     return simulate(scene, backend=backend)  # type: ignore[arg-type]
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("backend", some_quickly(BACKENDS, every=2))
 @pytest.mark.parametrize("width", [slow(1e-1), 1e-3, slow(1e-5)])
 @pytest.mark.parametrize("middle", [slow(1.234), slow(50.0), 77.7])
@@ -84,7 +83,6 @@ def test_what_cannot_be_bounded_is_named(force: str) -> None:
     assert not pushed("3*sin(t)*q_x - t^2*v_x", 0.1).events
 
 
-@pytest.mark.slow
 def test_what_changes_too_fast_is_named() -> None:
     run = pushed("1e-3*sin(1e9*t)", 1.0, most_steps=100)
     assert any("sin(1000000000*t)/1000 changes too fast" in text for text in run.events)
@@ -95,7 +93,6 @@ def test_a_step_longer_than_between_outputs_says_what_it_becomes() -> None:
     assert not pushed("1", 1.0, method="rk4", step=0.1).events
 
 
-@pytest.mark.slow
 def test_what_fixed_steps_may_pass_is_said() -> None:
     """A pulse shorter than they are; not one that is longer."""
     run = pushed("exp(-((t - 5.3)/0.0001)^2)", 10.0, method="rk4", step=0.01)

@@ -30,7 +30,6 @@ def test_ranks_do_not_depend_on_the_length_of_rows() -> None:
     assert eliminate(rows, 2).rank == 1 and eliminate(unit_rows(rows), 2).rank == 2
 
 
-@pytest.mark.slow
 def test_what_a_check_does_not_confirm_is_not_said() -> None:
     found = analyse_mobility(catalogue.load("three_ups_upu_s"))
     assert found.symbolic is not None and found.finite.judgement == "proved"
@@ -87,7 +86,6 @@ def test_axes_perpendicular_in_doubles_are_rigid_without_a_division_by_nothing()
         assert (found.dof, found.finite.dof) == (0, 0) and found.branches is not None and found.branches.rows == ()
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("digits, said", [("double", "almost SINGULAR"), (None, "SINGULAR here")])
 def test_a_closure_that_almost_loses_rank_has_no_margin_that_is_clear_of_it(digits: str | None, said: str) -> None:
     """Typed in doubles the change point keeps its rank by 1e-16, and the margin said that it is lost."""

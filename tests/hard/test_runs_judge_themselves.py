@@ -49,7 +49,6 @@ def five_bar(duration: float, rates: tuple[float, float]) -> Scene:
     return Scene("five_bar", load_description(FIVE_BAR), (Gravity(),), duration, 50.0, start)
 
 
-@pytest.mark.slow
 def test_a_chaotic_motion_says_so_with_a_number() -> None:
     run = simulate(five_bar(6.0, (0.5, 0.2)))
     assert run.ok and not run.accurate
@@ -93,7 +92,6 @@ def test_what_decides() -> None:
     )
 
 
-@pytest.mark.slow
 def test_the_exit_code_follows(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     (tmp_path / "five_bar.toml").write_text(FIVE_BAR.read_text(encoding="utf-8"), encoding="utf-8")
     text = (

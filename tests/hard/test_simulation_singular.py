@@ -37,7 +37,6 @@ def test_rk4_through_ten_singular_positions(step: float) -> None:
     assert [c.t for c in run.crossings] == pytest.approx(crossing_times(2, 10.0), abs=1e-6)
 
 
-@pytest.mark.slow
 def test_adaptive_steps_through_ten_singular_positions() -> None:
     """At most 1e-6 at every tolerance from 1e-6 down, not growing when it is tightened, every crossing reported."""
     expected, before = crossing_times(2, 10.0), 1e-6

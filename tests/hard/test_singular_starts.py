@@ -118,7 +118,6 @@ def test_why_there_is_nothing_to_simulate(tmp_path: Path, inertia: list[int], ef
         prepare(load_scene(tmp_path / "scene.toml"))
 
 
-@pytest.mark.slow
 def test_a_step_longer_than_the_time_between_outputs_says_what_it_becomes(tmp_path: Path) -> None:
     text = '[scene]\nmechanism = "four_bar"\nduration = 0.04\nrate = {}\n[integrator]\nmethod = "rk4"\nstep = 0.03\n'
     for rate, said in ((100, True), (25, False)):

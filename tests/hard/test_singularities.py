@@ -26,7 +26,6 @@ def zeros(found: Mobility, kind: str, where: str) -> list[sympy.Expr]:
     return [locus.expression for locus in found.loci if (locus.kind, locus.where) == (kind, where)]
 
 
-@pytest.mark.slow
 def test_loci_of_the_seed_are_found_in_its_parameters() -> None:
     found = analyse_mobility(catalogue.load("three_ups_upu_s"))
     (constraint,) = zeros(found, "constraint", "platform")
@@ -36,7 +35,6 @@ def test_loci_of_the_seed_are_found_in_its_parameters() -> None:
     assert zeros(found, "limb", "limb2")[0] == H
 
 
-@pytest.mark.slow
 def test_limbs_that_may_be_left_out_in_the_reference_pose() -> None:
     """Drives 1 and 3, or 2 and 4, alone never hold the platform there; every other pair does."""
     found = analyse_mobility(catalogue.load("three_ups_upu_s"))
@@ -86,7 +84,6 @@ def test_the_report_names_what_is_singular() -> None:
     assert "limb (arm): SINGULAR here" in findings.mobility_markdown(found)
 
 
-@pytest.mark.slow
 def test_margins_do_not_depend_on_the_coordinate_by_which_the_configuration_is_given() -> None:
     """By the crank, by the joint that closes the loop, by a pose of the rocker: one configuration, the same margins."""
     mechanism = catalogue.load("four_bar")

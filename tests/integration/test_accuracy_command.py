@@ -127,7 +127,6 @@ def test_without_a_compiler_curves_of_c_are_left_out_and_named(monkeypatch: pyte
     assert least_error(study, "analytic, NumPy") < 1e-11
 
 
-@pytest.mark.slow
 def test_an_empty_study_says_why_and_what_to_do(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -205,7 +205,6 @@ def test_batches_that_do_not_fit_are_refused(found: Model, compiled: CompiledMod
         compiled.inverse_dynamics(q, v[:, :2], a)
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("single", [False, True])
 def test_failures_are_told_in_every_order(found: Model, single: bool) -> None:
     function = load(
@@ -260,7 +259,6 @@ def test_ports_without_entries_and_without_ports() -> None:
         assert y.shape == (*shape, 1) and z.shape == (*shape, 0) and status.shape == shape and (y == 2.0).all()
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("native", [True, False])
 def test_threads_give_the_same_bits(found: Model, monkeypatch: pytest.MonkeyPatch, native: bool) -> None:
     """Threads of POSIX, and threads of Python where the compiler has none."""

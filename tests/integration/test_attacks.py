@@ -13,7 +13,6 @@ from symscrew.runtime import find_compiler
 pytestmark = pytest.mark.skipif(find_compiler() is None, reason="no C compiler")
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("one", some_quickly(ATTACKS, every=24), ids=lambda one: f"{one.target}: {one.name}"[:60])
 def test_attacks_are_withstood(one: Attack) -> None:
     outcome = carry_out(one)

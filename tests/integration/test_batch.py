@@ -43,7 +43,6 @@ def test_every_function_in_both_layouts_equals_single_calls(found: Model, tmp_pa
     check_layouts(found, *both)
 
 
-@pytest.mark.slow
 def test_columns_are_read_and_written_in_place(found: Model, vectorised: CompiledModel) -> None:
     q, v, u = (np.asfortranarray(x) for x in inputs(found, "forward_dynamics", 100))
     a = vectorised.forward_dynamics(q, v, u)
@@ -77,7 +76,6 @@ def test_failing_states_do_not_touch_their_neighbours(found: Model, vectorised: 
         vectorised.forward_dynamics(q, broken, u)
 
 
-@pytest.mark.slow
 def test_small_pivots_take_the_second_path_in_a_batch() -> None:
     from support.second_path import always_second
 
@@ -90,7 +88,6 @@ def test_small_pivots_take_the_second_path_in_a_batch() -> None:
         assert (status == -1).all() and (code == -1).all() and relative(got, expected[0]) < 1e-11
 
 
-@pytest.mark.slow
 def test_threads_give_the_same(found: Model, vectorised: CompiledModel) -> None:
     try:
         threaded = load(only(found, "inverse_dynamics"), backend="c", threads=True, flags=EXACT)
@@ -108,7 +105,6 @@ def test_threads_give_the_same(found: Model, vectorised: CompiledModel) -> None:
             assert np.array_equal(a, b, equal_nan=True)
 
 
-@pytest.mark.slow
 @pytest.mark.skipif(platform.machine() != "x86_64", reason="the machines are x86-64")
 @pytest.mark.skipif(shutil.which("gcc") is None, reason="no gcc")
 @pytest.mark.parametrize("machine", MACHINES)

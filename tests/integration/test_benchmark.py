@@ -46,7 +46,6 @@ def test_rows_and_notes_for_a_closed_chain() -> None:
     assert len(notes) == 2 and all("no function of this kind; expected forward_dynamics" in note for note in notes)
 
 
-@pytest.mark.slow
 def test_closed_chains_in_pinocchio_agree_before_they_are_timed() -> None:
     pytest.importorskip("pinocchio")
     rows, notes = time_functions(model("three_ups_upu_s_physical"), ["forward_dynamics"], ["pinocchio"], repeats=1)
@@ -97,7 +96,6 @@ def test_parameters_at_run_time_beside_those_in_the_code() -> None:
         time_functions(model("four_bar"), ["inverse_dynamics"], repeats=1, run_time=True)
 
 
-@pytest.mark.slow
 def test_throughput_of_every_count() -> None:
     found = throughput(model("four_bar"), "inverse_dynamics", counts=(1, 8, 100), repeats=1)
     assert [entry["states"] for entry in found] == [1, 8, 100]

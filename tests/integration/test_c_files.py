@@ -51,7 +51,6 @@ def results(found: Model, sources: list[Path]) -> dict[str, list[np.ndarray]]:
     return made
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("found", [pytest.param(handmade.model(), id="handmade"), slow("four_bar")])
 def test_several_files_are_the_same_functions_as_one(found: Model | str, tmp_path: Path) -> None:
     found = model(found) if isinstance(found, str) else found
@@ -60,7 +59,6 @@ def test_several_files_are_the_same_functions_as_one(found: Model | str, tmp_pat
         assert all(np.array_equal(a, b, equal_nan=True) for a, b in zip(arrays, several[name], strict=True)), name
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("compiler", COMPILERS)
 def test_every_file_compiles_alone_and_from_anywhere(compiler: str, tmp_path: Path) -> None:
     """No include path, no warning, whatever of the vectors is left out."""

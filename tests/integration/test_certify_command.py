@@ -18,7 +18,6 @@ from symscrew.studies.workspace import Axis, Plan
 SHORT = str(Path(__file__).parents[1] / "data" / "short_five_bar.toml")
 
 
-@pytest.mark.slow
 def test_a_proof_is_written_read_again_and_drawn(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     command = ["workspace", "five_bar", "--certify", "--over", "base_left=-20deg:0deg:5", "base_right=-20deg:20deg:9"]
     limit = ["--limit", "point tool.x=-60mm:60mm", "elbow_left=-60deg:"]

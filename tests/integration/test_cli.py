@@ -250,7 +250,6 @@ def test_draw_writes_a_picture(tmp_path: Path, capsys: pytest.CaptureFixture[str
     assert image.imread(path)[..., :3].std() > 0.05
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize(
     ("suffix", "begins", "ends"), [(".pdf", b"%PDF-", b"%%EOF\n"), (".svg", b"<?xml", b"</svg>\n")]
 )

@@ -191,7 +191,6 @@ def found() -> Model:
     return only(model("four_bar"), "inverse_dynamics")
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("kind", some_quickly(BAD, every=3))
 def test_functions_run_in_casadi_where_the_compiler_goes_wrong(folder: Path, found: Model, kind: str) -> None:
     arrays = inputs(found, "inverse_dynamics", 5)

@@ -54,7 +54,6 @@ def test_a_run_that_stops_near_a_singularity_says_so(monkeypatch: pytest.MonkeyP
     assert "near-singular" not in run_of("n_four_bar", scene, careless).status
 
 
-@pytest.mark.slow
 def test_what_counts_as_a_crossing(monkeypatch: pytest.MonkeyPatch) -> None:
     _, plant, _ = compiled("n_four_bar")
     monkeypatch.setitem(run_source.PIVOTS, "LOOK", 0.0)
@@ -64,7 +63,6 @@ def test_what_counts_as_a_crossing(monkeypatch: pytest.MonkeyPatch) -> None:
     assert run.ok and run.crossings == () and error_of("n_four_bar", run) < 1e-6
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("name, value", [("STRIDE", 0.02), slow("REACH", 0.2)])
 def test_distances_of_careful_steps_change_the_way_and_not_the_motion(
     name: str, value: float, monkeypatch: pytest.MonkeyPatch
@@ -78,7 +76,6 @@ def test_distances_of_careful_steps_change_the_way_and_not_the_motion(
     assert other.counters != usual.counters
 
 
-@pytest.mark.slow
 def test_places_too_close_together_do_not_bridge_a_singularity(monkeypatch: pytest.MonkeyPatch) -> None:
     _, plant, _ = compiled("n_four_bar")
     monkeypatch.setitem(run_source.THRESHOLDS, "SPACING", 0.002)

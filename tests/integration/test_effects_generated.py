@@ -82,7 +82,6 @@ def test_generated_code_with_effects_is_checked(tmp_path: Path) -> None:
     assert result.ok, "\n".join(result.lines)
 
 
-@pytest.mark.slow
 def test_generate_takes_the_effects_of_a_file(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     scene = tmp_path / "scene.toml"
     scene.write_text('[[effects]]\ntype = "viscous_friction"\njoint = "A"\ncoefficient = 0.25\n')

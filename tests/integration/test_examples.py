@@ -36,7 +36,6 @@ def blocks(language: str) -> list[str]:
     return re.findall(rf"^```{language}\n(.*?)^```$", README, re.MULTILINE | re.DOTALL)
 
 
-@pytest.mark.slow
 def test_readme_example(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     """The TOML of the README saved under the name that it says, then its Python, in one folder."""
     monkeypatch.chdir(tmp_path)

@@ -173,7 +173,6 @@ def test_names_that_the_code_needs_itself():
     assert compiled.twice([0.5], [2.0], [3.0]) == pytest.approx([np.sin(0.5) + 6])
 
 
-@pytest.mark.slow
 def test_ports_without_entries(tmp_path):
     hollow = handmade.program("hollow", {"x": 1, "none": 0}, {"y": lambda t, x, n: [x[0] + 1], "z": lambda t, x, n: []})
     model = handmade.model(hollow=hollow)

@@ -32,7 +32,6 @@ def four_bar(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return library(model("four_bar").only(FEW), tmp_path_factory.mktemp("hessians"))
 
 
-@pytest.mark.slow
 def test_hessians_are_those_of_casadi_with_its_pattern_at_most(four_bar: Path) -> None:
     own = casadi_functions(model("four_bar").only(FEW))
     for name in FEW[:-1]:

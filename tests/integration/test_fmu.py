@@ -160,7 +160,6 @@ def test_state_can_be_saved_and_restored(units: dict[int, Path]) -> None:
         shutil.rmtree(folder, ignore_errors=True)
 
 
-@pytest.mark.slow
 def test_sources_compile_without_warnings(units: dict[int, Path], tmp_path: Path) -> None:
     for version, unit in units.items():
         with zipfile.ZipFile(unit) as archive:
@@ -189,7 +188,6 @@ def test_other_steps_than_the_scene_asks_for_are_told(tmp_path: Path, method: st
         assert _other_steps(kept) == []
 
 
-@pytest.mark.slow
 def test_command_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     own = tmp_path / "own.toml"
     own.write_text(toml_file.to_toml(pendulum().mechanism))

@@ -83,7 +83,6 @@ def test_a_format_that_cannot_hold_the_mechanism_leaves_nothing(four_bar, tmp_pa
     assert not list(tmp_path.iterdir())
 
 
-@pytest.mark.slow
 def test_a_compiler_that_fails_or_is_missing_is_named(four_bar, tmp_path, monkeypatch, capsys):
     """Nothing half written, one line of error, and what to install."""
     tools = tmp_path / "tools"
@@ -107,7 +106,6 @@ def test_a_compiler_that_fails_or_is_missing_is_named(four_bar, tmp_path, monkey
     assert sorted(path.name for path in tmp_path.iterdir()) == ["out", "tools"]
 
 
-@pytest.mark.slow
 def test_other_effects_and_coordinates_are_regenerated(tmp_path):
     effects = (Gravity((0, 0, "-1.62")), ExternalWrench("coupler_middle"))
     generate(derive(catalogue.load("four_bar"), effects, independent=["B"]), tmp_path / "moon", targets=("numpy",))
@@ -169,7 +167,6 @@ def test_code_that_holds_declared_parameters_is_found(tmp_path, monkeypatch):
     assert "NumPy module agrees with the evaluator to" in found and "energy" in found
 
 
-@pytest.mark.slow
 def test_casadi_files_may_be_left_out(output):
     for path in output.glob("*.casadi"):
         path.unlink()

@@ -90,7 +90,6 @@ def test_generated_again(folder: Path, capsys: pytest.CaptureFixture[str], monke
     assert made()[0] == 3 + len(ways)
 
 
-@pytest.mark.slow
 def test_a_motion_found_again(
     folder: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -283,7 +283,6 @@ def test_drives_of_a_delta_are_packed_arm_by_arm() -> None:
     assert {sum(t is not None for t in item.targets) for item in found.items if isinstance(item, Pack)} <= {2, 3}
 
 
-@pytest.mark.slow
 @pytest.mark.skipif(find_compiler() is None or platform.machine() != "x86_64", reason="needs a C compiler for x86-64")
 @pytest.mark.parametrize("name", ["planar_3rrr", slow("delta"), slow("stewart_6ups")])
 def test_lanes_are_clean_with_every_warning(name: str, tmp_path: Path) -> None:

@@ -88,7 +88,6 @@ def drawn(count: int, seed: int = 3) -> dict[str, np.ndarray]:
     }
 
 
-@pytest.mark.slow
 def test_every_run_is_that_of_its_scene_alone_to_the_bit() -> None:
     """Coordinates, rates and parameters; whatever the threads, the order and the runs beside it."""
     scene, prepared = swing()

@@ -151,7 +151,6 @@ def modes(certificate: ModeCertificate, y: np.ndarray) -> list[np.ndarray]:
     return found
 
 
-@pytest.mark.slow
 def test_no_step_onto_another_mode_is_proved(tmp_path: Path) -> None:
     """The five-bar towards where its two modes meet: closer and closer they never count as one, each does as itself."""
     certificate = find_mode_certificate(model("five_bar"), [0, 1])  # its left side leads, its right side follows

@@ -33,7 +33,6 @@ def chosen(name: str) -> Model:
     return found.only(FUNCTIONS)
 
 
-@pytest.mark.slow
 @pytest.mark.skipif(find_compiler() is None, reason="no C compiler")
 @pytest.mark.parametrize("name", [slow("three_ups_upu_s"), "four_bar"])
 def test_parts_give_the_numbers_and_statuses_of_the_program(name: str, short_parts: None) -> None:

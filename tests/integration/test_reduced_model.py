@@ -105,7 +105,6 @@ def near(a: object, b: object) -> None:
     assert np.abs(one - other).max(initial=0.0) < 1e-7 * max(1.0, np.abs(other).max(initial=0.0))
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("name", NAMES)
 def test_external_functions_have_exact_derivatives_of_both_orders(name: str, folders: dict[str, Path]) -> None:
     found = model(name)

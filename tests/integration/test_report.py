@@ -89,7 +89,6 @@ def test_numbers_are_those_of_the_model(seed: Path) -> None:
     assert f"{float(margins[0][0, 0]):.5g}" in text
 
 
-@pytest.mark.slow
 def test_markdown_has_its_pictures_beside_it(tmp_path: Path) -> None:
     files = write_document(document(derived("four_bar")), tmp_path / "four_bar.md")
     text = (tmp_path / "four_bar.md").read_text()

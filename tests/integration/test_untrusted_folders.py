@@ -56,7 +56,6 @@ def works(folder: Path, **options: Any) -> None:
             assert np.abs(a - flat).max() < 1e-12 * max(np.abs(a).max(), 1)
 
 
-@pytest.mark.slow
 @needs_compiler
 def test_a_folder_as_it_was_written(folder: Path) -> None:
     for options in ({}, {"trusted": True}, {"backend": "casadi"}, {}):

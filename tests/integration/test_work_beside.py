@@ -78,7 +78,6 @@ def test_nobody_waits_for_what_is_not_asked_for(monkeypatch: pytest.MonkeyPatch)
         os.kill(copies[0], 0)
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize(("name", "long"), [("four_bar", 5500), ("planar_3rrr", 5500), ("four_bar", 60)])
 def test_two_processes_print_what_one_does(name: str, long: int, monkeypatch: pytest.MonkeyPatch) -> None:
     """The second mechanism has lanes and functions that share constants, the third functions in parts."""
@@ -91,7 +90,6 @@ def test_two_processes_print_what_one_does(name: str, long: int, monkeypatch: py
     assert len(made) == 1 and made[0] is not None
 
 
-@pytest.mark.slow
 def test_a_folder_is_the_same_whoever_evaluates_the_test_states(monkeypatch: pytest.MonkeyPatch) -> None:
     copies: list[object] = []
     copied = workers._copied

@@ -153,7 +153,6 @@ def test_programs_for_other_number_types() -> None:
     assert "double complex *out0" in text
 
 
-@pytest.mark.slow
 @needs_compiler
 def test_study_of_momentum_shows_the_floors() -> None:
     from symscrew.studies.accuracy import momentum_study
@@ -338,7 +337,6 @@ def test_stiff_libraries_converge() -> None:
         assert values[-1] < 1e-2 * values[0], curve
 
 
-@pytest.mark.slow
 @needs_compiler
 def test_chain_of_loops_falls_as_one_pendulum_and_its_operations_are_linear() -> None:
     from symscrew.studies.accuracy import growth_study

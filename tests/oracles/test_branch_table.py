@@ -96,7 +96,6 @@ def test_tangents_are_instantaneous_motions() -> None:
                 assert np.abs(rows @ direction).max() < 5e-3 and abs(np.linalg.norm(direction) - 1) < 1e-9
 
 
-@pytest.mark.slow
 def test_in_words_and_json() -> None:
     values = mobility_values(found("parallelogram-change_point"))["branch_table"]
     assert values["complete"] and [b["dimension"] for b in values["branches"]] == [1, 1]

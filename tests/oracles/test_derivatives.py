@@ -396,7 +396,6 @@ def test_nothing_asked_nothing_paid() -> None:
     assert {n: p.hash for n, p in plain.programs.items()} == {n: both.programs[n].hash for n in plain.programs}
 
 
-@pytest.mark.slow
 def test_ports_say_what_is_differentiated() -> None:
     program = model("three_ups_upu_s_physical").programs["inverse_dynamics_derivatives"]
     by_q = program.outputs[0]

@@ -312,7 +312,6 @@ def test_poses_by_the_names_of_everywhere(name: str, texts: dict[str, str]) -> N
         np.testing.assert_allclose(rates[2:-2], between, atol=1e-5 * max(1.0, np.abs(rates).max()))
 
 
-@pytest.mark.slow
 def test_internal_loads_are_of_least_norm_and_hide_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
     """A plane mechanism under its weight is overconstrained: other internal loads and other reactions are both seen."""
     call, texts = study._difference, {"yaw": "0.1*sin(2*t)", "x": "0.01*t^2", "platform.y": "0.01"}

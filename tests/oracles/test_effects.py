@@ -284,7 +284,6 @@ def negative(loads: dict) -> dict:
     return {body: -wrench for body, wrench in loads.items()}
 
 
-@pytest.mark.slow
 def test_massless_limbs_leave_the_platform_alone() -> None:
     name = "three_ups_upu_s_physical"
     of, found = oracle(name), inverse(name, Gravity(), effect("MasslessLimbs"))

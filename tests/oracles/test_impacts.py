@@ -79,7 +79,6 @@ def behind(plan: Trajectory, before: np.ndarray, link: Link) -> tuple[np.ndarray
     return driven @ after, float(v @ mass @ v - after @ later @ after) / 2
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("link", [
     Link({"elbow_left": 0.0}),
     pytest.param(Link({"tip": 1.0}), marks=pytest.mark.slow),

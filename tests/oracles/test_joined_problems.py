@@ -276,7 +276,6 @@ def test_links_that_name_nothing_are_refused() -> None:
         JoinedProblem((THERE, replace(BACK, mechanism=pendulum())), (Link(),))
 
 
-@pytest.mark.slow
 def test_the_command_writes_phases(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     (tmp_path / "bead.toml").write_text(MECHANISM)
     problem, table, whole = (tmp_path / name for name in ("problem.toml", "plan.csv", "plan.npz"))

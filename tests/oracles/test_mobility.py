@@ -45,7 +45,6 @@ def test_horizontal_fourth_axis_gives_a_couple_at_every_inclination() -> None:
     assert found is not None and found.limbs[0].constraints == ((0, 0, 0, 0, 0, 1),)
 
 
-@pytest.mark.slow
 def test_seed_in_its_own_parameters() -> None:
     found = analyse_mobility(catalogue.load(SEED))
     r, H = sympy.symbols("r H", real=True)
@@ -116,7 +115,6 @@ def test_independent_blocks_multiply() -> None:
     assert (found.dof, found.branches, found.smooth) == (1, (1,), False)
 
 
-@pytest.mark.slow
 def test_a_singular_pose_is_met_exactly() -> None:
     """Coordinates that the walk leaves at their reference stay there exactly: H^2 = R r - r^2 is met in 60 digits."""
     report = analyse_mobility(catalogue.load("three_ups_upu_s"), at={"limb1_P": "sqrt(3)/5 - 3/10"})

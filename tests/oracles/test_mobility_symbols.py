@@ -51,7 +51,6 @@ def test_rates_of_a_four_bar_in_its_parameters() -> None:
     assert all(check.holds for check in verify(found))
 
 
-@pytest.mark.slow
 def test_andrews_begins_at_a_dead_point() -> None:
     """Crank and rod are aligned (Theta = 0): they turn with rates d : rr - d while all other bodies rest."""
     found = analyse_mobility(catalogue.load("andrews"))
@@ -111,7 +110,6 @@ def test_seed_limb_in_its_own_parameters() -> None:
     assert abs(sympy.N(difference.subs({H: 0.52, big: 0.8, r: 0.5, second: 0.3, slider: 0.1}))) < 1e-14
 
 
-@pytest.mark.slow
 def test_constant_angles_have_symbols() -> None:
     found = analyse_mobility(catalogue.load("stewart_6ups"))
     assert found.symbolic is not None and not found.symbolic.constraints and len(found.symbolic.freedoms) == 6
@@ -149,7 +147,6 @@ def test_rates_of_loops_are_exact(name: str) -> None:
     assert all(check.holds for check in verify(analyse_mobility(mechanism)))
 
 
-@pytest.mark.slow
 def test_report_begins_with_its_figures() -> None:
     found = analyse_mobility(catalogue.load("three_ups_upu_s"))
     assert dict(findings.key_figures(found))["freedoms of platform"] == "2 (2R)"

@@ -87,7 +87,6 @@ def test_modes_of_opposite_sign_are_apart_and_json_says_so(capsys):
     assert "home: a singularity on every way to -1" in capsys.readouterr().out
 
 
-@pytest.mark.slow
 def test_what_was_not_looked_for_and_what_cannot_be_proved_is_not_called_reached(monkeypatch):
     found = symscrew.assembly_modes(symscrew.load_catalogue("four_bar"))
     one, two = found.modes

@@ -39,7 +39,6 @@ def scene(folder: Path, mode: str) -> symscrew.simulation.Run:
     return symscrew.simulate(symscrew.load_scene(path))
 
 
-@pytest.mark.slow
 def test_a_scene_starts_in_the_mode_that_it_names(tmp_path, four_bar):
     usual, home, other = (scene(tmp_path, mode) for mode in ("", "home", "-1"))
     assert np.abs(usual.q - home.q).max() < 1e-9 and (usual.mode, home.mode, other.mode) == ("", "home", "-1")

@@ -35,7 +35,6 @@ def test_a_loop_of_seven_hinges_has_sixteen_solutions():
     held_to(found, 200)
 
 
-@pytest.mark.slow
 def test_a_loop_of_a_hinge_and_three_cylinders_has_two_modes_each_time_it_is_asked_for():
     # Yang and Freudenstein 1964: two closures of an RCCC; what a search keeps is read by the next one
     mechanism = single_loop("RCCC", SEVEN[:4], TURNS[:4])
@@ -45,7 +44,6 @@ def test_a_loop_of_a_hinge_and_three_cylinders_has_two_modes_each_time_it_is_ask
         assert found.complete == "proved" and all(mode.residual < 1e-12 for mode in found.modes)
 
 
-@pytest.mark.slow
 def test_a_universal_joint_makes_modes_of_its_own_where_no_platform_is_named():
     axes = [TURNS[0], None, [[1, 0, 0], [0, "3/5", "4/5"]], TURNS[2]]
     free, carried = (single_loop("RSUR", SEVEN[:4], axes, platform) for platform in (None, "b0"))
@@ -61,7 +59,6 @@ SIX_BAR = [
 ]  # fmt: skip
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize(
     ("slides", "drives"),
     [
@@ -117,7 +114,6 @@ def _matrix(q: np.ndarray) -> np.ndarray:
     return (w * w - v @ v) * np.eye(3) + 2 * np.outer(v, v) + 2 * w * hat
 
 
-@pytest.mark.slow
 def test_a_leg_that_is_held_too_much_is_looked_at_in_both_its_ways():
     builder = MechanismBuilder("four_legs", ground="base", platform="tool")
     builder.body("tool")
@@ -151,7 +147,6 @@ def test_axes_between_two_members_stay_as_long_as_one_another():
     assert np.dot(axis, axis) == size**2 == 900
 
 
-@pytest.mark.slow
 def test_a_box_says_whether_its_zero_is_real():
     found = symscrew.assembly_modes(symscrew.load_catalogue("planar_3rrr"), {"limb1_R1": "0.1"})
     assert found.family is not None

@@ -43,7 +43,6 @@ def between(turn: mpmath.mpf) -> mpmath.mpf:
     return 2 * m.acos(d) if d < 1 else m.mpf(0)
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize(
     "gap", [*(pytest.param(f"1e-{k}", marks=pytest.mark.slow) for k in (2, 4, 6, 8, 9, 10, 14)), "1e-12"]
 )
@@ -63,7 +62,6 @@ def test_both_sides_of_a_stretched_elbow(gap):
     assert sorted(seen) == [0, 2]
 
 
-@pytest.mark.slow
 def test_a_stretched_elbow_is_one_mode_without_a_certificate():
     found = symscrew.assembly_modes(five_bar(), {"B": DIGITS.nstr(stretched(), 58)})
     (mode,) = found.modes

@@ -53,7 +53,6 @@ def point_model(name: str) -> PointModel:
     return prepare(TrajectoryProblem(model(name).mechanism, ())).model
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize(("name", "given"), CASES)
 def test_the_same_place_as_mobility_finds(name: str, given: dict[str, float]) -> None:
     """And every coordinate that has a name has the same value there, the platform's rotations in all their forms."""
@@ -111,7 +110,6 @@ def test_bounds_of_a_tilt_are_smooth_and_the_same() -> None:
             bounded(at, name, (0.0, 1.0))
 
 
-@pytest.mark.slow
 def test_rates_of_poses_are_those_of_the_configurations_that_follow() -> None:
     """Central differences of what mobility analysis assembles, of every part that has a rate."""
     given, step = {"x": 0.02, "platform.y": -0.03, "yaw": RAD(12)}, 1e-5
@@ -191,7 +189,6 @@ x = [0, "10mm", "30mm"]
 """
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("independent", [pytest.param("", marks=pytest.mark.slow), '["platform.x", "y", "rz"]'])
 def test_rates_guesses_and_independent_coordinates_by_names_of_poses(independent: str) -> None:
     """The end is reached at its rates; the same motion by drives and by the platform's coordinates as unknowns."""
@@ -239,7 +236,6 @@ STARTS = [
 ]
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize(("name", "given", "rates"), STARTS)
 def test_a_scene_starts_at_rates_of_any_names(name: str, given: dict[str, float], rates: dict[str, float]) -> None:
     """Every named coordinate then changes at its rate: by central differences of configurations along the motion."""
@@ -264,7 +260,6 @@ def test_a_scene_starts_at_rates_of_any_names(name: str, given: dict[str, float]
         assert slope == pytest.approx(rate, abs=1e-6), typed
 
 
-@pytest.mark.slow
 def test_rates_that_a_scene_cannot_have_are_said() -> None:
     for text, said in (
         ("yaww = 1", "no 'yaww'; did you mean 'yaw'"), ("tilt = 1", "tilt has no rate here"),

@@ -312,7 +312,6 @@ def test_a_bead_is_led_around_and_touches(kind: str, distance: float) -> None:
     assert apart.min() > distance * (1 - 1e-4) - 1e-9 and apart.min() < distance + 0.02
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("kind", ["sphere", "capsule", "box"])
 def test_a_post_exactly_on_the_way_is_passed_on_one_side(kind: str) -> None:
     """Of the best way the cost is known: 48 along x; 192 distance^2 for the drive across, to the middle and back.

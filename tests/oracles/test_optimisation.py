@@ -144,7 +144,6 @@ def test_the_reported_error_covers_what_halving_the_mesh_changes() -> None:
     assert cases[80].errors.cost < cases[20].errors.cost / 50
 
 
-@pytest.mark.slow
 def test_refinement_reaches_the_asked_accuracy() -> None:
     problem = cart_pole_problem(Transcription("radau", 4, 12))
     from dataclasses import replace
@@ -208,7 +207,6 @@ def test_derivatives_of_the_program_are_exact(method: tuple[str, int]) -> None:
     assert gradient_error(solve(problem)) < 1e-7
 
 
-@pytest.mark.slow
 def test_study_of_transcriptions_falls_with_the_mesh() -> None:
     from symscrew.studies.accuracy.transcription_study import study
 

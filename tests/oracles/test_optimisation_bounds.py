@@ -52,7 +52,6 @@ def test_brachistochrone() -> None:
     assert replay(found).end_error < 1e-6
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("arm", [0.0, 0.2])
 def test_a_bounded_reaction(arm: float) -> None:
     """The hinge carries the bob, m (g + acceleration), and beside the hinge its arm's moment."""
@@ -72,7 +71,6 @@ def test_a_bounded_reaction(arm: float) -> None:
     assert carried(kept.sample()).max() < most * (1 + 1e-3)  # between the points
 
 
-@pytest.mark.slow
 def test_a_distance_is_kept() -> None:
     """Around a post: without it the way is straight."""
     motion = rest_to_rest({"x": -1.0, "z": 0.0}, {"x": 1.0, "z": 0.0})
@@ -117,7 +115,6 @@ def test_the_position_of_the_platform() -> None:
     assert found.ok and found.cost == pytest.approx(12 * (0.3**2 + 0.2**2), abs=1e-6)
 
 
-@pytest.mark.slow
 def test_the_normal_of_the_seed() -> None:
     goal = np.array([0.1, -0.15, 1.0])
     end = Conditions(platform_normal=tuple(goal), at_rest=True)

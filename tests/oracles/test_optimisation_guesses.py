@@ -41,7 +41,6 @@ def test_random_guesses_are_those_of_the_seed_and_keep_the_ends() -> None:
     assert len({a.cost for a in attempts(replace(problem, starts=1, seed=1), [None, *first])}) > 1
 
 
-@pytest.mark.slow
 def test_random_guesses_of_closed_loops_stay_within_reach() -> None:
     """A five-bar's elbows are at most two rods of 0.35 m apart at every time of every guess."""
     mechanism = load_description(Path(__file__).parents[1] / "data" / "short_five_bar.toml")
@@ -90,7 +89,6 @@ def pushed(**settings: object) -> TrajectoryProblem:
     return TrajectoryProblem(slider(), (), **rest_to_rest({"slide": 0.0}, {"slide": 1.0}), **{**usual, **settings})  # type: ignore[arg-type]
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("alone", [True, False])
 def test_effort_leads_to_the_cost_alone_or_stays_small(monkeypatch: pytest.MonkeyPatch, alone: bool) -> None:
     """Full force, coasting, full force: with speed v (1 - v / 20) = 1 the energy is v^2 / 2."""

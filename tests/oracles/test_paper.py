@@ -119,7 +119,6 @@ def test_preload_loads_the_legs_without_moving_anything() -> None:
     assert np.abs((internal * rates[:, columns]).sum(axis=1)).max() < 1e-9 * np.abs(internal).max()
 
 
-@pytest.mark.slow
 def test_constraint_singularity_is_reported_not_answered() -> None:
     """At L = R sin(theta) limb 1's constraint passes through O: near-singular, no number. Close to it: right.
 

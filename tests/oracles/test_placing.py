@@ -15,7 +15,6 @@ from symscrew.errors import DescriptionError
 from symscrew.kinematics import System
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("azimuth", [20, pytest.param(75, marks=pytest.mark.slow)])
 def test_the_parasitic_motion_of_a_3_rps_is_that_of_the_literature(azimuth: int) -> None:
     """No torsion, and a shift of r (1 - cos tilt)/2: I. Bonev, PhD thesis, Laval 2002, for limbs in planes at 120 deg.
@@ -53,7 +52,6 @@ def test_where_there_is_no_configuration_a_status_says_why() -> None:
         symscrew.inverse_kinematics(mechanism, {"platfrm.z": "1mm"})
 
 
-@pytest.mark.slow
 def test_q_is_that_of_a_model_and_closes_its_loops() -> None:
     """The delta's arms by hand: a rod's ends are its length apart."""
     mechanism = catalogue.load("delta")
@@ -73,7 +71,6 @@ def test_q_is_that_of_a_model_and_closes_its_loops() -> None:
         assert abs(np.linalg.norm(end - elbow) - values["rods"]) < 1e-14
 
 
-@pytest.mark.slow
 def test_what_no_motion_changes_is_not_out_of_reach() -> None:
     """A delta's platform does not turn: no limb is named for that; a height that is too low names one."""
     delta = symscrew.load_catalogue("delta")

@@ -33,7 +33,6 @@ driven = true
 WEIGHT = 2 * 9.81
 
 
-@pytest.mark.slow
 def test_a_beam_on_a_pivot_by_hand() -> None:
     """A beam of 2 kg whose centre is 0.5 m off its pivot, turned by 30 degrees about y: statics on paper."""
     turn = np.radians(30)
@@ -134,7 +133,6 @@ def test_pandas_and_xarray_are_asked_for_when_they_are_needed(monkeypatch: pytes
     assert asked == ["pandas", "xarray"]
 
 
-@pytest.mark.slow
 def test_pandas_frame() -> None:
     pandas = pytest.importorskip("pandas")
     frame = Columns("run", np.arange(3.0), {"q.A": np.array([1.0, 2, 4])}, {"q.A": "rad"}).pandas()
@@ -142,7 +140,6 @@ def test_pandas_frame() -> None:
     assert frame["q.A"].loc[2.0] == 4 and frame.attrs["units"] == {"q.A": "rad"}
 
 
-@pytest.mark.slow
 def test_xarray_set() -> None:
     pytest.importorskip("xarray")
     found = Columns("run", np.arange(3.0), {"q.A": np.array([1.0, 2, 4])}, {"q.A": "rad"}).xarray()

@@ -76,7 +76,6 @@ def test_all_ways_to_accelerations_are_equal(mechanism: Callable[[], Mechanism])
         assert relative(np.array(other), np.array(first)) < 1e-9
 
 
-@pytest.mark.slow
 def test_drives_of_the_delta_by_method_b() -> None:
     assert rods_of(catalogue.load("delta")) == 6
     compare(model("delta"))
@@ -104,7 +103,6 @@ def test_other_bodies_are_no_thin_rods_and_have_the_same_equations(
     compare(derive(other))
 
 
-@pytest.mark.slow
 def test_what_acts_on_a_rod_makes_it_an_ordinary_body() -> None:
     delta = catalogue.load("delta")
     assert rods_of(delta, ViscousFriction("rod1a_U", 0.1)) == 5

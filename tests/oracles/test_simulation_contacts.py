@@ -84,7 +84,6 @@ def test_a_ball_bounces_by_newtons_law_and_comes_to_rest_on_the_stop() -> None:
     assert np.abs(run.q[run.t > end + 0.01, 0]).max() < 1e-7
 
 
-@pytest.mark.slow
 def test_a_stop_in_a_closed_loop() -> None:
     """The crank of the four-bar falls onto a stop: no penetration, loops closed, energy only falls."""
     from symscrew import catalogue
@@ -102,7 +101,6 @@ def test_a_stop_in_a_closed_loop() -> None:
     assert np.diff(run.energy.sum(axis=1)).max() < 1e-8
 
 
-@pytest.mark.slow
 def test_a_stop_in_the_joint_at_which_a_loop_would_be_cut() -> None:
     """A rotor on a spring, whose C beside a lift would be cut, swings back from its stop after four turns; the rate at
     the start is given of the joint that is cut instead."""
@@ -133,7 +131,6 @@ def test_what_contacts_cannot_do_is_refused() -> None:
         simulate(scene(block([1, 0, 0]), stop, duration=1.0, start={"slide": -0.1}))
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize(("friction", "last"), [slow(2, "slide sticks"), (5, "slide sticks")])
 def test_a_slider_turns_back_at_the_dead_points_of_its_crank(friction: float, last: str) -> None:
     """No friction holds the slide where the crank's motion does not move it; later, away from them, it sticks."""

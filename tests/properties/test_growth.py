@@ -41,7 +41,6 @@ def functions(found: Model) -> list[str]:
     return [name for name in found.programs if name not in SQUARE]
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("kind", ["loops", slow("chain")])
 def test_every_step_adds_the_same_operations(kind: str) -> None:
     models = [sized(kind, size) for size in SIZES[kind]]

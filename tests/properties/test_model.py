@@ -358,7 +358,6 @@ def test_assembly_keeps_the_branch_of_its_guess() -> None:
         assert np.abs(back - start).max() < 1e-9
 
 
-@pytest.mark.slow
 def test_assembly_out_of_reach_fails_and_says_so() -> None:
     found = model("five_bar")
     y, guess = (inputs[0] for inputs in found.test_inputs["assemble"][:2])

@@ -84,7 +84,6 @@ def test_transcriptions_agree() -> None:
     assert 3.5 < shot[0] / shot[1] < 4.5  # constant drives: an error of second order
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("preload", [slow(0.0), 20.0])
 def test_least_time_of_the_seed(preload: float) -> None:
     """Drives stand on the bound that their switching function asks for, except in the interval of a switching."""

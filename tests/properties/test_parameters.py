@@ -40,7 +40,6 @@ def run_time() -> Model:
     return derive(with_parameters(catalogue.load("three_ups_upu_s"), run_time=True))
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("scale", [slow("1"), slow("11/10"), "3/4"])
 def test_run_time_parameters_equal_baked_ones(run_time: Model, scale: str) -> None:
     baked = derive(with_parameters(catalogue.load("three_ups_upu_s"), run_time=False, scale=scale))
@@ -164,7 +163,6 @@ def test_parameters_of_c_have_names_and_defaults(precision: str, error: float, t
     assert printed[0] == "0" and [float(x) for x in printed[1:]] == pytest.approx([torque, 2 * torque], rel=error)
 
 
-@pytest.mark.slow
 @pytest.mark.skipif(find_compiler() is None or shutil.which("c++") is None, reason="no compilers of C and C++")
 def test_the_readme_shows_the_type(tmp_path: Path) -> None:
     """Its examples compile and give the torque of the defaults; twice the mass needs twice as much."""

@@ -126,7 +126,6 @@ def nearest(found: Trajectory) -> float:
     return float(np.hypot(at.y[:, 0], at.y[:, 1] - 0.1).min())
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize(
     "radius, height, intervals", [(0.3, 0.0, 10), slow(0.3, 0.0, 50), slow(0.02, 0.095, 50), slow(0.006, 0.1, 50)]
 )
@@ -153,7 +152,6 @@ def test_a_bound_that_is_broken_between_the_points_is_no_optimum() -> None:
     assert not bad.ok and "distance of bead and post is broken between the points" in bad.status
 
 
-@pytest.mark.slow
 def test_quantities_of_closed_loops_are_bounded_between_the_points(above: Trajectory) -> None:
     """Every kind of bound on a closed chain, each just at what samples show: never less, and found where it is."""
     at = above.sample(count=4_001)
@@ -204,7 +202,6 @@ def test_effects_that_choose_are_bounded_between_the_points() -> None:
     assert seen > 0 and seen * (1 - 1e-6) <= bad.largest <= 1.11 * seen
 
 
-@pytest.mark.slow
 def test_what_nothing_bounds_is_not_settled(monkeypatch: pytest.MonkeyPatch) -> None:
     """An operation without an enclosure: no traceback and no optimum, but a sentence that names the quantity."""
     kept = {op: made for op, made in enclosures.ELEMENTARY.items() if op != ca.OP_EXP}
@@ -218,7 +215,6 @@ def test_what_nothing_bounds_is_not_settled(monkeypatch: pytest.MonkeyPatch) -> 
 # -- replay ------------------------------------------------------------------------------------------------------
 
 
-@pytest.mark.slow
 def test_a_plan_that_its_drives_do_not_follow_is_not_confirmed() -> None:
     found = solve(cart_pole_problem(Transcription("radau", 3, 20)))
     wanted = replace(found.problem, accuracy=(1.0, 1.0))

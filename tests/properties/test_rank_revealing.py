@@ -30,7 +30,6 @@ def test_both_paths_agree(name: str) -> None:
         assert all(relative(b, a) < LIMIT for a, b in zip(first, second, strict=True)), function
 
 
-@pytest.mark.slow
 def test_a_bad_choice_of_coordinates_costs_no_accuracy() -> None:
     """At the rocker's turning point the crank is no function of the rocker, yet the motion is regular."""
     mechanism = catalogue.load("four_bar")

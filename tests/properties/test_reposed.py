@@ -86,7 +86,6 @@ def test_special_geometry_is_found_beside_what_was_typed(name: str, digits: str)
     assert {name for name, _ in near.changes} == set(near.places())
 
 
-@pytest.mark.slow
 def test_numbers_to_type_instead_are_the_special_geometry() -> None:
     """Typed as the report says them they move, by the ranks alone, and nothing special is near any more."""
     typed = third("bennett", "double").found
@@ -133,7 +132,6 @@ def _unit(joint: dict[str, Any]) -> dict[str, Any]:
     return {**joint, "axes": [[c / sympy.sqrt(sum(d * d for d in axis)) for c in axis] for axis in axes]}
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize(
     "pins, digits", [([(0, 0), (2, 0), (5, 0)], "12"), slow([(0, 0), (2, 0), (5, 0)], "double"),
                      slow([(0, 0), (2, 0), (5, 0)], "9"), slow([(0, 0), (2, 0), (5, 0)], "6"),

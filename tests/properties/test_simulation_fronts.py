@@ -142,7 +142,6 @@ def test_all_crossings_of_a_longer_chain() -> None:
     assert run.counters["steps"] < 1.1 * two.counters["steps"]
 
 
-@pytest.mark.slow
 @needs_compiler
 def test_rates_that_matter_no_more_are_zero() -> None:
     """A04 without weight at rates whose products are denormal numbers: at rest.

@@ -181,7 +181,6 @@ CROSSED = {  # the crank-rocker with what it needs not to be overconstrained: bo
 }
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize(
     "order, joint",
     [

@@ -51,7 +51,6 @@ def end_of(found: Trajectory, at: float) -> np.ndarray:
     return total + [quad(f, *ends, points=[at], epsabs=1e-13)[0] for f in parts]
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("at", PLACES)
 def test_a_pulse_between_the_points_is_found(at: float) -> None:
     """It throws a plan of the first mesh 0.886 m/s off its goal: no point, no Gauss point and no replay saw it."""
@@ -69,7 +68,6 @@ def test_a_mesh_that_does_not_see_a_pulse_is_not_confirmed() -> None:
     assert "near 51.0 % of the duration" in found.status
 
 
-@pytest.mark.slow
 def test_a_peak_of_a_cost_between_the_points_is_counted() -> None:
     """Against the cost of its motion by an adaptive rule that is told where the peak is."""
     peak = "1e5*exp(-((t - 0.51)/0.0005)^2)*(q_x - 0.2)^2"
@@ -107,7 +105,6 @@ def test_what_changes_too_fast_to_be_followed_is_not_confirmed() -> None:
     assert "what effects do changes too fast between the points" in " ".join((found.status, *found.reasons))
 
 
-@pytest.mark.slow
 def test_a_cost_that_changes_too_fast_to_be_followed_is_not_confirmed() -> None:
     """Its integral is a guess of the rule's points: the motion is optimal for what they see alone."""
     costs = (Objective("effort"), Objective("expression", expression="1e3*(1 + sin(6e6*t))*q_x^2"))

@@ -52,7 +52,6 @@ def assert_no_growth(case: Compiled, chosen: list[Chosen], errors: list[float], 
         assert error <= 2 * max(before, floor), (fine, before, error, errors, floor)
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("name", NAMES)
 def test_a_tighter_tolerance_is_never_worse(name: str) -> None:
     case, errors, steps = compiled(name), [], 0.0

@@ -285,7 +285,6 @@ def test_rank_of_a_tall_matrix_is_decided_only_where_it_is() -> None:
         assert bool(checker.full_rank(form)[0]) == holds
 
 
-@pytest.mark.slow
 def test_the_file_runs_without_the_package(tmp_path: Path) -> None:
     good, bad, none = (tmp_path / f"{name}.json" for name in ("good", "bad", "none"))
     good.write_text(json.dumps(root_file()))

@@ -105,7 +105,6 @@ def test_reactions_that_are_not_unique_follow_it_and_the_others_do_not():
     assert np.allclose(drives, same, rtol=1e-9, atol=1e-12)
 
 
-@pytest.mark.slow
 def test_generated_output_records_it_and_is_checked_with_it(tmp_path):
     assert main(["generate", "four_bar", "--length", "0.375", "--out", str(tmp_path), "--target", "numpy"]) == 0
     content = json.loads((tmp_path / "manifest.json").read_text())

@@ -119,7 +119,6 @@ def test_help_of_assemble_tells_the_two_names_in_python_apart(capsys: pytest.Cap
     assert "symscrew.assemble(model, {...}) is another thing: the one configuration near a guess" in text
 
 
-@pytest.mark.slow
 def test_a_matplotlib_that_cannot_be_imported_is_said_before_the_work(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -56,7 +56,6 @@ def test_every_number_of_a_statement_has_a_name_or_says_nothing() -> None:
     assert {number for number in numbers if number > 1e-6} <= SILENT
 
 
-@pytest.mark.slow
 def test_no_name_is_taken_twice_and_none_is_a_local_variable() -> None:
     source = print_source(model("four_bar"))
     names = list(block(source))

@@ -362,7 +362,6 @@ def test_cyclic_parameters():
         parse_description(PENDULUM + '[parameters.d]\nvalue = "d"\n')
 
 
-@pytest.mark.slow
 def test_parameters_that_double_each_other():
     chain = "".join(
         f'[parameters.p{k + 1}]\nvalue = "sin(p{k}) + cos(p{k})"\n' for k in range(60)
@@ -493,7 +492,6 @@ ODD = [
 ]  # fmt: skip
 
 
-@pytest.mark.slow
 def test_odd_values_never_end_in_another_error():
     """Every value of a description in turn replaced by something odd: it is read, or one clear error."""
     limb = """

@@ -150,7 +150,6 @@ def test_text_reads_back_as_the_same_expression(text):
     assert parse(to_text(value), NAMES) == value
 
 
-@pytest.mark.slow
 def test_random_expressions_read_back():
     rng = np.random.default_rng(7)
 

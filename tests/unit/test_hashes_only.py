@@ -50,7 +50,6 @@ def test_headers_stay_and_files_that_a_library_writes_have_no_hash(tmp_path: Pat
     assert "four_bar_loops.c" in hashed and not [name for name in hashed if name.endswith(".casadi")]
 
 
-@pytest.mark.slow
 def test_check_regenerates_and_compares_hashes_and_numbers(folder: Path) -> None:
     lines = check(folder).lines
     assert not failures(folder)
@@ -112,7 +111,6 @@ def test_a_table_of_the_user_is_not_taken_for_ours(tmp_path: Path) -> None:
     assert (tmp_path / "hashes.json").read_text() == "mine" and (tmp_path / "README.md").is_file()
 
 
-@pytest.mark.slow
 def test_from_the_command_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     out = str(tmp_path / "out")
     assert main(["generate", "four_bar", "--target", "numpy", "--hashes-only", "--out", out]) == 0

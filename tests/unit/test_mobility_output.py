@@ -55,7 +55,6 @@ def test_conditions_that_never_hold_or_were_said_are_left_out() -> None:
     assert [locus.expression for locus in conditions(loci)] == [H]
 
 
-@pytest.mark.slow
 def test_equal_limbs_are_named_once() -> None:
     (lines,) = [lines for heading, lines in sections(found("three_ups_upu_s")) if heading == "Where it degenerates"]
     assert "$H = 0$ (limb2, limb3, limb4): the screws of the limb become dependent" in lines

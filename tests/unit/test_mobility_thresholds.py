@@ -159,7 +159,6 @@ def test_the_end_of_the_walk_is_refined_or_refused(monkeypatch: pytest.MonkeyPat
         analyse_mobility(mechanism, at={"A": "4/5"})
 
 
-@pytest.mark.slow
 def test_a_singular_pose_is_met_only_with_joints_that_snap(monkeypatch: pytest.MonkeyPatch) -> None:
     """H^2 = R r - r^2 is met in 60 digits where resting joints stay exactly at their reference."""
     at = {"limb1_P": "sqrt(3)/5 - 3/10"}

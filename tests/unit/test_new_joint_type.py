@@ -115,7 +115,6 @@ def test_inverse_dynamics_of_an_arm_are_those_by_hand() -> None:
     assert found == pytest.approx(by_hand(q, v, a), rel=1e-12)
 
 
-@pytest.mark.slow
 def test_a_massless_limb_adds_a_loop_and_no_force() -> None:
     """Three freedoms on the joint, six on the limb, one loop: Pa in the tree, the ball cut."""
     mechanism = symscrew.description.parse_description(ARM + LIMB)

@@ -248,7 +248,6 @@ def test_what_is_named_where_no_motion_is_found(monkeypatch: pytest.MonkeyPatch)
     assert solve(weak).reasons == ()
 
 
-@pytest.mark.slow
 def test_shooting_closes_its_loops_by_newton_steps(monkeypatch: pytest.MonkeyPatch) -> None:
     shot = Transcription("shooting", 1, 8)
     good = solve(crank(transcription=shot))
@@ -280,7 +279,6 @@ def test_what_shooting_cannot_have_is_refused() -> None:
                 solve(replace(shot, objectives=(Objective(name),)))
 
 
-@pytest.mark.slow
 def test_a_direction_is_told_from_its_opposite() -> None:
     """The sines of a rotation by half a turn are zero as those of none are; the cosine is not."""
     ends = [Conditions(platform_rotation=(0.0, turn, 0.0), at_rest=True) for turn in (0.0, 3.141592653589793)]

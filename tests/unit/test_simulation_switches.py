@@ -188,7 +188,6 @@ def test_a_joint_that_friction_cannot_hold_slips(monkeypatch: pytest.MonkeyPatch
     assert abs(held[0]) > 1e6  # what would be asked of it
 
 
-@pytest.mark.slow
 def test_a_run_with_too_many_changes_of_contact_says_so(monkeypatch: pytest.MonkeyPatch) -> None:
     effects = (JointSpring("slide", stiffness=50), DryFriction("slide", coulomb=3, mode="event"))
     usual = sliding(*effects, start=0.5, duration=3.0)

@@ -101,7 +101,6 @@ def test_a_rank_that_is_not_exact_says_why(monkeypatch: pytest.MonkeyPatch, name
 # -- formulas ---------------------------------------------------------------------------------------------
 
 
-@pytest.mark.slow
 def test_symbols_up_to_a_number_of_products(monkeypatch: pytest.MonkeyPatch) -> None:
     assert analyse_mobility(catalogue.load(SEED)).symbolic is not None
     monkeypatch.setattr(generators, "MOST_PRODUCTS", 10)
@@ -184,7 +183,6 @@ def test_symbols_of_a_limb_up_to_a_number(monkeypatch: pytest.MonkeyPatch, most:
     assert symbols == 3 or f"without a symbol: more than {most} symbols" in found.not_tried[0]
 
 
-@pytest.mark.slow
 def test_a_long_limb_says_which_joints_have_no_symbol() -> None:
     """The seed as it stands: with the fourth angle a component is too long, so it rests, and the result says so."""
     found = analyse_mobility(catalogue.load(SEED))

@@ -59,7 +59,6 @@ def prepared(way: str, place: Path, monkeypatch: pytest.MonkeyPatch) -> None:
         monkeypatch.setattr(whole_folder, "_exchanged", lambda *_: False)
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("way", some_quickly(WAYS, every=5))
 def test_generate_is_killed_at_every_step(
     way: str, tmp_path: Path, rendered, written_at_once, monkeypatch: pytest.MonkeyPatch
