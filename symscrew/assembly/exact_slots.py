@@ -10,7 +10,6 @@ have any length here, as nothing depends on it, so that fewer roots are needed.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
@@ -18,8 +17,8 @@ import numpy as np
 
 from symscrew.assembly.batch_equations import BatchEquations
 from symscrew.assembly.dual_forms import CONJUGATE, PRODUCT, SIZE
-from symscrew.assembly.residues import Angle, NumbersOf, structure_in
-from symscrew.assembly.slot_numbers import Displacements, Scalars, matrices
+from symscrew.assembly.residues import Angle, NumbersOf
+from symscrew.assembly.slot_numbers import matrices
 from symscrew.assembly.what_is_held import Held
 from symscrew.mobility import Exact, Field, NotDecidableError, exact_value
 
@@ -103,12 +102,7 @@ class _Exactly(NumbersOf):
         return angle.turn
 
     def equations(self) -> ExactEquations:
-        edges = {name: self._edge(edge) for name, edge in self.held.network.edges.items()}
-        network = replace(self.held.network, edges=edges)
-        structure = structure_in(network, self.held.chosen, self.mechanism)
-        values = {c: self._value(c) for c in self.held.chosen}
-        scalars = Scalars(lambda v: self._circle(v)[0], lambda v: self._circle(v)[1], self._read)
-        slots = Displacements(structure, scalars, values).slots()
+        structure, slots = self.in_slots()
         return ExactEquations(BatchEquations(structure), slots, self.field)
 
 

@@ -150,13 +150,17 @@ class NumbersOf:
         """As `residues_of` has them."""
         prime, roots = self._prime()
         self.prime, self.roots = prime, roots
+        structure, slots = self.in_slots()
+        return structure, [s.rest if isinstance(s, Residue) else [c.rest for c in s] for s in slots], prime
+
+    def in_slots(self) -> tuple[Structure, list[Any]]:
+        """The structure with lengths in other units, and its numbers as they are read here."""
         edges = {name: self._edge(edge) for name, edge in self.held.network.edges.items()}
         network = replace(self.held.network, edges=edges)
         structure = structure_in(network, self.held.chosen, self.mechanism)
         values = {c: self._value(c) for c in self.held.chosen}
         scalars = Scalars(lambda v: self._circle(v)[0], lambda v: self._circle(v)[1], self._read)
-        slots = Displacements(structure, scalars, values).slots()
-        return structure, [s.rest if isinstance(s, Residue) else [c.rest for c in s] for s in slots], prime
+        return structure, Displacements(structure, scalars, values).slots()
 
     def _prime(self) -> tuple[int, Mapping[Any, int]]:
         """A prime in which every generator has a root, and these roots."""
