@@ -224,6 +224,7 @@ class _FolderCode:
         self._directory, self._precision, self._form = directory, precision, form
         self._derived = cache(derived)
         self._read = [_bytes(directory / file) for file in DESCRIBING]
+        self._whole = cache(self._print_whole)
         self._texts: dict[str, Mapping[str, str]] = {}
 
     def of(self, function: str) -> Mapping[str, str]:
@@ -241,7 +242,11 @@ class _FolderCode:
     def _printed(self, function: str) -> Mapping[str, str]:
         if function:
             return print_c(self._derived().only([function]), precision=self._precision, lanes=False)
-        return print_c(self._derived(), precision=self._precision, several=not self._form.one_file)
+        return self._whole(True)
+
+    def _print_whole(self, batches: bool) -> Mapping[str, str]:
+        several = not self._form.one_file
+        return print_c(self._derived(), precision=self._precision, several=several, batches=batches)
 
     def _compare(self) -> None:
         digests = self._kept(FOLDER, self._digests)
@@ -253,10 +258,7 @@ class _FolderCode:
                 )
 
     def _digests(self) -> Mapping[str, str]:
-        form = self._form
-        texts = print_c(
-            self._derived(), precision=self._precision, several=not form.one_file, batches=form.batches
-        )  # fmt: skip
+        texts = self._whole(self._form.batches)
         return _compared({file: text.encode("utf-8") for file, text in texts.items()})
 
     def _kept(self, what: str, make: Callable[[], Mapping[str, str]]) -> Mapping[str, str]:
