@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 import sympy
 
-from symscrew import notebook
+from symscrew import notebook, program
 from symscrew.description import Mechanism
 from symscrew.kinematics import System, coordinate_units, given_coordinates
 from symscrew.mobility.configuration import (
@@ -29,6 +29,7 @@ from symscrew.mobility.joint_network import Network, network_of
 from symscrew.mobility.pose_targets import Target, targets_of
 
 OK, OUT_OF_REACH, NOT_ON_MECHANISM = "ok", "out of reach", "not on the mechanism"
+CODES = {OK: 0, OUT_OF_REACH: program.OUT_OF_REACH, NOT_ON_MECHANISM: program.NOT_ON_MECHANISM}
 DAMPED_STEPS = 200
 """Of least squares towards what cannot be reached: they only name what is missed most, which settles after a few."""
 DAMPING = 1e-3
@@ -75,6 +76,11 @@ class Configuration:
     def ok(self) -> bool:
         """Whether the mechanism is there."""
         return self.status == OK
+
+    @property
+    def code(self) -> int:
+        """What a generated function returns in such a case; of limbs that do not get there the first one's."""
+        return CODES[self.status]
 
     @property
     def pose(self) -> dict[str, float]:

@@ -17,7 +17,7 @@ from symscrew.errors import DescriptionError, did_you_mean
 from symscrew.kinematics import full_name
 from symscrew.mobility import inverse_kinematics
 from symscrew.model import Model
-from symscrew.program import NOT_ON_MECHANISM, OUT_OF_REACH, status_texts
+from symscrew.program import status_texts
 
 Array = np.ndarray
 
@@ -108,9 +108,8 @@ def assemble(model: Model, y: Mapping[str, float | str], guess: object = None) -
 def _placed(model: Model, at: Mapping[str, float | str], labels: tuple[str, ...]) -> AssembledConfiguration:
     """The configuration by coordinates of any kind."""
     found = inverse_kinematics(model.mechanism, at)
-    code = 0 if found.ok else NOT_ON_MECHANISM if found.status == "not on the mechanism" else OUT_OF_REACH
     units = tuple(c.unit for c in model.system.tree.q)
-    return AssembledConfiguration(model.name, found.q, labels, units, code, "success" if found.ok else found.text)
+    return AssembledConfiguration(model.name, found.q, labels, units, found.code, "success" if found.ok else found.text)
 
 
 def _number(value: float | str, unit: str, label: str) -> float:
