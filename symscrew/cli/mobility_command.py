@@ -91,7 +91,11 @@ def run(options: argparse.Namespace) -> int:
     # A proof is made and judged each time; components are found by a program that may be there or not.
     anew = options.proof or options.components
     writer = writers[suffix] if suffix is not None else None
-    found = once("mobility", (object(),) if anew else given, lambda: _made(options, mechanism, at, writer))
+
+    def made() -> Outcome:
+        return _made(options, mechanism, at, writer)
+
+    found = made() if anew else once("mobility", given, made)
     if options.json:
         print(found.facts["text"])
     else:
