@@ -53,6 +53,18 @@ static int prepare_dense(Step *s, int method)
     return outcome;
 }
 
+/* The dense output (NY) at a part of the step. */
+static void dense_values(const Step *s, double part, double *y)
+{
+    for (int i = 0; i < NY; ++i) {
+        double value = 0.0;
+        for (int j = 6; j >= 0; --j) {
+            value = (value + s->dense[j][i]) * (j % 2 == 0 ? part : 1.0 - part);
+        }
+        y[i] = s->start[i] + value;
+    }
+}
+
 #if WORKS
 #define SHARP 2      /* of dense_ready: the work within the step is integrated along the dense output, too */
 #define BLURRED 100.0 /* local tolerances by which the work may be off before it is integrated along the dense output */
@@ -75,13 +87,7 @@ static int work_within(const Step *s, double part, double *work)
     for (int n = 0; n < 8; ++n) {
         const double at = part * GAUSS[n][0], when = s->t + at * s->h;
         double q[NQ1];
-        for (int i = 0; i < NY; ++i) {
-            double value = 0.0;
-            for (int j = 6; j >= 0; --j) {
-                value = (value + s->dense[j][i]) * (j % 2 == 0 ? at : 1.0 - at);
-            }
-            y[i] = s->start[i] + value;
-        }
+        dense_values(s, at, y);
         retract(s->base, y, q);
         if (rates_at(s->until > 0.0 && when > s->until ? s->until : when, q, y + NV, y + 2 * NV, x_dot) > 0) {
             return FAILED;
@@ -121,13 +127,7 @@ static int state_within(Step *s, int method, double t, double *q, double *v, dou
     }
     const double part = ((t - s->t) - s->rest) / s->h;
     double y[NY1];
-    for (int i = 0; i < NY; ++i) {
-        double value = 0.0;
-        for (int j = 6; j >= 0; --j) {
-            value = (value + s->dense[j][i]) * (j % 2 == 0 ? part : 1.0 - part);
-        }
-        y[i] = s->start[i] + value;
-    }
+    dense_values(s, part, y);
     memcpy(x, y + 2 * NV, sizeof(double) * NX);
 #if WORKS
     double work;
