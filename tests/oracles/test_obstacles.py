@@ -252,7 +252,7 @@ def test_segments_are_checked() -> None:
         (Obstacle("sphere", ("p0",), (), 0.1, (("bead", "bed"),)), "unknown name 'bed'"),
     ):
         with pytest.raises(DescriptionError, match=said):
-            solve(TrajectoryProblem(bead_beside("box"), (), bounds=Bounds(obstacles=(given,))))
+            solve(TrajectoryProblem(bead_beside(PLACES["box"]), (), bounds=Bounds(obstacles=(given,))))
 
 
 def test_a_solid_that_is_no_box_is_refused() -> None:
@@ -274,7 +274,7 @@ def test_a_solid_that_is_no_box_is_refused() -> None:
                 solve(TrajectoryProblem(made.build(), (), bounds=Bounds(obstacles=(given,))))
 
 
-def bead_beside(kind: str) -> Mechanism:
+def bead_beside(places: np.ndarray | list[list[float]]) -> Mechanism:
     """1 kg on two driven slides in the x-z plane, and the points of a shape on the base."""
     made = MechanismBuilder("bead")
     made.body("carriage")
@@ -282,7 +282,7 @@ def bead_beside(kind: str) -> Mechanism:
     made.joint("x", "P", parent="base", child="carriage", point=[0, 0, 0], axes=[[1, 0, 0]], driven=True)
     made.joint("z", "P", parent="carriage", child="bead", point=[0, 0, 0], axes=[[0, 0, 1]], driven=True)
     made.point("bead", body="bead", at=[0, 0, 0])
-    for k, place in enumerate(PLACES[kind]):
+    for k, place in enumerate(places):
         made.point(f"p{k}", body="base", at=[str(c) for c in place])
     return made.build()
 
@@ -290,7 +290,7 @@ def bead_beside(kind: str) -> Mechanism:
 def around(kind: str, distance: float) -> TrajectoryProblem:
     names = tuple(f"p{k}" for k in range(len(PLACES[kind])))
     return TrajectoryProblem(
-        bead_beside(kind), (), **rest_to_rest({"x": -1.0, "z": 0.2}, {"x": 1.0, "z": 0.2}),
+        bead_beside(PLACES[kind]), (), **rest_to_rest({"x": -1.0, "z": 0.2}, {"x": 1.0, "z": 0.2}),
         bounds=Bounds(obstacles=(Obstacle(kind, names, ("bead",), distance),)),
         guess={"x": (-1.0, 0.0, 1.0), "z": (0.2, 0.5, 0.2)}, transcription=Transcription(intervals=30),
     )  # fmt: skip
@@ -318,22 +318,14 @@ def test_a_post_exactly_on_the_way_is_passed_on_one_side(kind: str) -> None:
 
     From the straight guess the solver ended at costs of thousands, or nowhere: there all slopes point along the way.
     """
-    made = MechanismBuilder("bead")
-    made.body("carriage")
-    made.body("bead", mass=1, com=[0, 0, 0])
-    made.joint("x", "P", parent="base", child="carriage", point=[0, 0, 0], axes=[[1, 0, 0]], driven=True)
-    made.joint("z", "P", parent="carriage", child="bead", point=[0, 0, 0], axes=[[0, 0, 1]], driven=True)
-    made.point("bead", body="bead", at=[0, 0, 0])
     half = 0.1  # [m] of the box
     places = {
         "sphere": [[0, 0, 0]], "capsule": [[0, -1, 0], [0, 1, 0]],
         "box": [[-half, -1, -half], [half, -1, -half], [-half, 1, -half], [-half, -1, half]],
     }[kind]  # fmt: skip
-    for k, place in enumerate(places):
-        made.point(f"p{k}", body="base", at=[str(c) for c in place])
     names = tuple(f"p{k}" for k in range(len(places)))
     problem = TrajectoryProblem(
-        made.build(), (), **rest_to_rest({"x": -1.0, "z": 0.0}, {"x": 1.0, "z": 0.0}), accuracy=(1e-3, 1e-6),
+        bead_beside(places), (), **rest_to_rest({"x": -1.0, "z": 0.0}, {"x": 1.0, "z": 0.0}), accuracy=(1e-3, 1e-6),
         bounds=Bounds(obstacles=(Obstacle(kind, names, ("bead",), 0.4),)), transcription=Transcription(intervals=10),
     )  # fmt: skip
     found, again = solve(problem), solve(problem)
@@ -350,7 +342,7 @@ def test_a_post_exactly_on_the_way_is_passed_on_one_side(kind: str) -> None:
 
 def test_names_and_types_are_checked() -> None:
     with pytest.raises(DescriptionError, match="unknown type 'ball'"):
-        around("sphere", 0.1).__class__(bead_beside("sphere"), bounds=Bounds(obstacles=(Obstacle("ball", (), (), 1),)))
+        TrajectoryProblem(bead_beside(PLACES["sphere"]), bounds=Bounds(obstacles=(Obstacle("ball", (), (), 1),)))
     lost = Bounds(obstacles=(Obstacle("sphere", ("p0",), ("bed",), 0.1),))
     with pytest.raises(DescriptionError, match=r"bounds.obstacles: unknown name 'bed'"):
-        solve(TrajectoryProblem(bead_beside("sphere"), (), bounds=lost))
+        solve(TrajectoryProblem(bead_beside(PLACES["sphere"]), (), bounds=lost))
