@@ -25,6 +25,7 @@ from symscrew.mobility.finite.local_solutions import (
     definite_stress,
     local_at,
     quadratic_forms,
+    refine,
     solve_dependent,
 )
 from symscrew.mobility.finite.near_geometry import NearGeometry, nearest_special
@@ -57,6 +58,7 @@ __all__ = [
     "quadratic_forms",
     "rank_claims",
     "recheck",
+    "refine",
     "rotation_vector",
     "smooth_mobility",
     "solve_dependent",

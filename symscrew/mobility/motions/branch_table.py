@@ -4,7 +4,7 @@
 
 At a generic point of a branch near the configuration the instantaneous motions are its tangent space. So the freedoms
 of the platform there, its screw system, the internal freedoms and the joints at rest are those of the branch. They are
-sampled at two points; that the list is complete, and the dimensions, are proved where the proof file's evidence shows
+sampled at two points, with ranks of 60 digits; that the list is complete, and the dimensions, are proved where the proof file's evidence shows
 it (`symscrew.mobility.proofs`).
 """
 
@@ -17,21 +17,18 @@ from typing import Any
 
 import numpy as np
 
-from symscrew.mobility.finite import ClosureVariety, FiniteMobility, Witness, rotation_vector
-from symscrew.mobility.joint_network import Edge, Network
+from symscrew.mobility.finite import FiniteMobility, Witness, rotation_vector
+from symscrew.mobility.joint_network import Network
 from symscrew.mobility.motions.germs import Germ, germs_of
-from symscrew.mobility.motions.screw_classes import ScrewClass, class_of_motions
+from symscrew.mobility.motions.screw_classes import ScrewClass
+from symscrew.mobility.motions.seen_poses import Closures, Seen, in_doubles, seen_at
 
 Array = np.ndarray[Any, Any]
 
 MOST_ROWS = 24
 """Branches of the whole that are listed: with several singular parts their numbers multiply."""
-AT_REST = 1e-7
-"""Part of a unit motion below which a joint is at rest: points are known to 1e-12."""
 SAME_PITCH = 1e-6
 """Relative difference, or part of the mechanism's size, of pitches that are the same at two points."""
-ON_AXIS = 1e-7
-"""Part of a joint's unit screw outside of the platform's freedoms below which it is one of them."""
 
 
 @dataclass(frozen=True)
@@ -49,6 +46,7 @@ class BranchRow:
         constant: whether the principal pitches are the same at both points that were looked at.
         cusp: both half-branches of a curve leave the configuration to one side.
         here: whether the principal pitches are those at the configuration, else at a point of the branch nearby.
+        almost: what holds to seven digits only, in words: a class, joints at rest; empty where nothing does.
     """
 
     dimension: int
@@ -61,6 +59,7 @@ class BranchRow:
     cusp: bool
     points: tuple[Array, ...]
     here: bool = False
+    almost: str = ""
 
 
 UNSEEN = "their dimensions are proved; what moves along them was not looked at"
@@ -118,82 +117,38 @@ def _row(network: Network, body: str, germs: Sequence[Germ], *, smooth: bool) ->
     dimension = spins + sum(germ.dimension for germ in germs)
     if any(not germ.points for germ in germs):
         return BranchRow(dimension, np.zeros((0, network.freedoms)), None, 0, (), (), False, False, ())
-    variety = ClosureVariety(network)
     count = max((len(germ.points) for germ in germs), default=1)
     points = [_whole(network, [(germ.network, germ.points[min(k, len(germ.points) - 1)]) for germ in germs])
               for k in range(count)]  # fmt: skip
-    tangents, twists, axes = [], [], []
-    for q in points:
-        screws, tangent = tangent_at(variety, q, dimension)
-        tangents.append(tangent)
-        twists.append(body_twists(network, variety, screws, body) @ tangent)
-        axes.append(joint_axes(network, variety, screws, twists[-1]))
-    length = float(network.length)
-    classes = [class_of_motions(t, length) for t in twists]
-    platform = max(classes, key=lambda c: c.order)
-    moving = np.max([np.abs(t).max(axis=1, initial=0.0) for t in tangents], axis=0)
-    idle = tuple(e.name for e in network.edges.values() if e.screws and moving[list(e.columns)].max() < AT_REST)
-    common = tuple(name for name in axes[0] if all(name in others for others in axes[1:]))
-    pitches = [c.pitches for c in classes if c.order == platform.order]
+    closures, length = Closures(network), float(network.length)
+    seen = [seen_at(closures, q, dimension, body) for q in points]
+    first = max(seen, key=lambda one: one.system.order)
+    platform = first.system
+    idle = tuple(name for name in network.edges if all(name in one.resting(network) for one in seen))
+    common = tuple(name for name in seen[0].axes if all(name in one.axes for one in seen))
+    pitches = [one.system.pitches for one in seen if one.system.order == platform.order]
     same = all(np.allclose(p, pitches[0], rtol=SAME_PITCH, atol=SAME_PITCH * length) for p in pitches)
-    constant = len(pitches) == len(points) and len({c.name for c in classes}) == 1 and same
+    constant = len(pitches) == len(points) and len({one.name for one in seen}) == 1 and same
+    almost = _almost(first, in_doubles(closures, points[seen.index(first)], dimension, body), network)
     here = False
     if smooth and not constant:  # elsewhere the tangent at the configuration is not the null space
-        screws, motions = tangent_at(variety, np.zeros(network.freedoms), dimension)
-        own = class_of_motions(body_twists(network, variety, screws, body) @ motions, length)
+        own = seen_at(closures, np.zeros(network.freedoms), dimension, body).system
         here = (own.order, own.name) == (platform.order, platform.name)
         platform = own if here else platform
     cusp = any(germ.cusp for germ in germs)
     tangent = _directions(network, germs)
-    return BranchRow(
-        dimension, tangent, platform, dimension - platform.order, idle, common, constant, cusp, tuple(points), here
-    )
+    return BranchRow(dimension, tangent, platform, dimension - platform.order, idle, common, constant, cusp,
+                     tuple(points), here, almost)  # fmt: skip
 
 
-def tangent_at(variety: ClosureVariety, q: Array, dimension: int) -> tuple[Array, Array]:
-    """(displaced screws about the variety's centre, orthonormal tangent vectors as columns) at a point of a branch."""
-    screws = variety.forward(q[None])[0][0]
-    jacobian = variety.evaluate(q[None])[1][0]
-    vt = np.linalg.svd(jacobian)[2] if jacobian.size else np.eye(variety.columns)
-    return screws, vt[variety.columns - dimension :].T
-
-
-def body_twists(network: Network, variety: ClosureVariety, screws: Array, body: str) -> Array:
-    """6 x n: twist (omega ; v_O) of the body by the joint rates, lengths in units of the mechanism."""
-    rows = np.zeros((6, variety.columns))
-    for name, sign in network.path(body):
-        for column in network.edges[name].columns:
-            rows[:, column] = sign * screws[column]
-    rows[3:] += np.cross(np.array([float(c) for c in variety.centre]), rows[:3].T).T
-    return rows
-
-
-def joint_axes(network: Network, variety: ClosureVariety, screws: Array, twists: Array) -> tuple[str, ...]:
-    """Joint freedoms whose screw is one of the platform's freedoms here, by name."""
-    if not twists.size or np.abs(twists).max() < AT_REST:
-        return ()
-    u, s, _ = np.linalg.svd(twists, full_matrices=False)
-    basis = u[:, s > AT_REST * s[0]]
-    centre = np.array([float(c) for c in variety.centre])
-    names = []
-    for edge in network.edges.values():
-        for motion, start in edge.motions:
-            if not motion.single:
-                continue
-            screw = screws[start].copy()
-            screw[3:] += np.cross(centre, screw[:3])
-            screw /= np.linalg.norm(screw)
-            if np.linalg.norm(screw - basis @ (basis.T @ screw)) < ON_AXIS:
-                names.append(axis_name(edge, start))
-    return tuple(names)
-
-
-def axis_name(edge: Edge, column: int) -> str:
-    """`the axis of A`, `the second axis of limb1_U`."""
-    singles = [start for motion, start in edge.motions if motion.single]
-    if len(singles) == 1:
-        return f"the axis of {edge.name}"
-    return f"the {('first', 'second', 'third')[singles.index(column)]} axis of {edge.name}"
+def _almost(found: Seen, roughly: Seen, network: Network) -> str:
+    """What holds to seven digits and not exactly, in words; empty where nothing does."""
+    texts = []
+    if roughly.name != found.name:
+        texts.append(f"{roughly.system.type}, {roughly.system}")
+    if resting := sorted(roughly.resting(network) - found.resting(network)):
+        texts.append(f"{', '.join(resting)} at rest")
+    return "; ".join(texts)
 
 
 def _directions(network: Network, germs: Sequence[Germ]) -> Array:

@@ -31,6 +31,8 @@ def _line(row: BranchRow, table: BranchTable, network: Network) -> str:
     changing = "" if row.constant else f" {'here' if row.here else 'nearby'}, not constant"
     parts = [f"dimension {row.dimension} ({table.judgement})"]
     parts.append(f"{table.body} {row.platform.type}, {row.platform}{changing}")
+    if row.almost:
+        parts.append(f"as typed; to seven digits {row.almost}")
     if row.axes:
         parts.append(f"about or along {_named(row.axes)}")
     if row.internal:
@@ -89,6 +91,7 @@ def branch_values(table: BranchTable, network: Network) -> dict[str, Any]:
                 "idle_joints": list(row.idle),
                 "axes": list(row.axes),
                 "cusp": row.cusp,
+                "almost": row.almost,
             }
             for row in table.rows
         ],

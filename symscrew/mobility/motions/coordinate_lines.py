@@ -16,7 +16,7 @@ import numpy as np
 
 from symscrew.mobility.finite import ClosureVariety
 from symscrew.mobility.joint_network import Network
-from symscrew.mobility.motions.branch_table import body_twists
+from symscrew.mobility.motions.seen_poses import body_twists
 
 Array = np.ndarray[Any, Any]
 
@@ -80,6 +80,7 @@ def independent_columns(network: Network, motions: Array, drives: Sequence[int])
     if len(drives) == dimension and np.linalg.svd(motions[list(drives)], compute_uv=False)[-1] > CUT_OFF:
         return tuple(drives)
     single = [start for e in network.edges.values() for motion, start in e.motions if motion.single]
+    single = single or list(range(network.freedoms))  # of ball joints alone
     left, chosen = motions[single].copy(), list[int]()
     for _ in range(min(dimension, len(single))):
         k = int(np.linalg.norm(left, axis=1).argmax())

@@ -44,19 +44,23 @@ def motion_lines(found: WholeMotion, network: Network, mechanism: Mechanism, bod
         lines.append(_pose(pose, network, mechanism, body))
     if len(found.singular) > MOST_POSES:
         lines.append(f"and {len(found.singular) - MOST_POSES} more singular poses")
-    if not found.singular:
-        lines.append("no singular pose on these lines")
+    if not any(pose.kinds or pose.open for pose in found.singular):
+        lines.append("no singular pose was found on these lines")
     return lines
 
 
 def _pose(pose: SingularPose, network: Network, mechanism: Mechanism, body: str) -> str:
-    kinds = "; ".join(_kind(kind, body) for kind in pose.kinds)
-    text = f"at {_value(pose, network, mechanism)}: {kinds}"
+    parts = [_kind(kind, body) for kind in pose.kinds]
     if "closure" in pose.kinds:
         crossing = ", ".join(map(str, pose.branches))
-        text += f"; {pose.instantaneous} instantaneous freedoms"
-        text += f"; branches of dimension {crossing} meet" if pose.branches else "; its branches were not told apart"
-    return text
+        parts.append(f"{pose.instantaneous} instantaneous freedoms")
+        parts.append(f"branches of dimension {crossing} meet" if pose.branches else "its branches were not told apart")
+    parts += [f"{_kind(kind, body)}, as far as doubles tell" for kind in pose.open]
+    for kind, left in pose.almost.items():
+        parts.append(f"almost, and not as typed (what it takes stays open by {left:.1e}): {_kind(kind, body)}")
+        if kind == "closure":
+            parts.append("poses beyond may be of another branch")
+    return f"at {_value(pose, network, mechanism)}: {'; '.join(parts)}"
 
 
 def _kind(kind: str, body: str) -> str:
@@ -69,11 +73,12 @@ def _number(pose: SingularPose, network: Network, mechanism: Mechanism) -> tuple
     """(name, value as the description counts it [rad, m], whether it is a length)."""
     for edge in network.edges.values():
         for index, (motion, start) in enumerate(edge.motions):
-            if start == pose.column:
+            if start <= pose.column < start + motion.freedom:
                 reference = mechanism.joints[edge.name].reference
-                begin = float(mechanism.number(reference[index])) if index < len(reference) else 0.0
+                given = motion.single and index < len(reference)
+                begin = float(mechanism.number(reference[index])) if given else 0.0
                 scale = float(network.length) if motion.prismatic else 1.0
-                return freedom_names(network)[start], begin + scale * float(pose.q[start]), motion.prismatic
+                return freedom_names(network)[pose.column], begin + scale * float(pose.q[start]), motion.prismatic
     raise AssertionError("a coordinate is a freedom of a joint")
 
 
@@ -111,6 +116,8 @@ def _singular(pose: SingularPose, network: Network, mechanism: Mechanism) -> dic
         "value": value,
         "unit": "m" if long else "rad",
         "kinds": list(pose.kinds),
+        "almost": dict(pose.almost),
+        "open": list(pose.open),
         "instantaneous": pose.instantaneous,
         "branches": list(pose.branches),
         "displacements": _rounded(pose.q),

@@ -15,11 +15,10 @@ from typing import Any
 
 import numpy as np
 
+from symscrew.mobility.motions.decompositions import eigenvalues, none, norms, row_space, svd
+
 Array = np.ndarray[Any, Any]
 
-NONE = 1e-7
-"""Relative singular value that counts as zero, and relative difference of pitches that counts as none: the points at
-which systems are taken are known to 1e-12, and stand a tenth of the mechanism's size away from what is special."""
 LETTERS = "ABCD"
 
 
@@ -67,13 +66,14 @@ def screw_class(twists: Array, length: float) -> ScrewClass:
     """The class of the system that twists (omega ; v) at O span.
 
     Args:
-        twists: N x 6 [1, m], dependent ones among them are allowed.
+        twists: N x 6 [1, m], dependent ones among them are allowed; an array of objects is of 60 digits, and decided so.
         length: a length of the mechanism [m], by which velocities are divided to be compared with rotations.
     """
-    scaled = np.asarray(twists, dtype=float).reshape(-1, 6) / [1, 1, 1, length, length, length]
-    basis = _basis(scaled)
+    given = np.asarray(twists)
+    scaled = given.reshape(-1, 6) / np.array([1, 1, 1, length, length, length])
+    basis = row_space(scaled)
     order = len(basis)
-    rotations = int((np.linalg.svd(basis[:, :3], compute_uv=False) > NONE).sum()) if order else 0
+    rotations = int((svd(basis[:, :3])[1] > none(basis)).sum()) if order else 0
     if order in (0, 6):
         return ScrewClass(order, "", (), order - rotations, rotations)
     own = basis if order <= 3 else _reciprocal(basis)
@@ -86,54 +86,49 @@ def class_of_motions(twists: Array, length: float) -> ScrewClass:
 
     What is left of a body at rest is rounding, which has a direction like any other twist.
     """
-    columns = np.asarray(twists, dtype=float)
-    moving = columns[:, np.linalg.norm(columns, axis=0) > NONE]
-    return screw_class(moving.T * [1, 1, 1, length, length, length], length)
-
-
-def _basis(rows: Array) -> Array:
-    """Orthonormal rows of the row space; each row counts with its own size."""
-    sizes = np.linalg.norm(rows, axis=1)
-    rows = rows[sizes > 0] / sizes[sizes > 0][:, None]
-    if not len(rows):
-        return np.zeros((0, 6))
-    _, s, vt = np.linalg.svd(rows, full_matrices=False)
-    return np.asarray(vt[s > NONE * s[0]])
+    columns = np.asarray(twists)
+    moving = columns[:, norms(columns.T) > none(columns)]
+    return screw_class(moving.T * np.array([1, 1, 1, length, length, length]), length)
 
 
 def _reciprocal(basis: Array) -> Array:
     """The screws (as twists) whose reciprocal product with all of the system is zero."""
     swapped = np.concatenate([basis[:, 3:], basis[:, :3]], axis=1)
-    return np.asarray(np.linalg.svd(swapped)[2][len(basis) :])
+    return np.asarray(svd(swapped)[2][len(basis) :])
 
 
 def _named(basis: Array) -> tuple[str, Array]:
     """(class, principal pitches, in units of length) of a system of up to three screws, with orthonormal rows."""
-    u, s, _ = np.linalg.svd(basis[:, :3])
-    turning = int((s > NONE).sum())
+    u, s, _ = svd(basis[:, :3])
+    turning = int((s > none(basis)).sum())
     translations = u.T[turning:] @ basis
     letter = LETTERS[len(translations)]
     if not turning:
         return f"II{letter}", np.zeros(0)
     finite = u.T[:turning] @ basis
-    along = translations[:, 3:] if len(translations) else np.zeros((0, 3))
     # of the angular velocities, those perpendicular to all translations: the others have a pitch of any size
-    mixed = finite[:, :3] @ along.T
-    free = _kernel(mixed.T, turning)
-    across = free @ finite
-    gram = across[:, :3] @ across[:, :3].T
-    power = across[:, :3] @ across[:, 3:].T
-    pitches = np.linalg.eigvals(np.linalg.solve(gram, (power + power.T) / 2)).real if len(across) else np.zeros(0)
-    pitches = np.sort(np.where(np.abs(pitches) < NONE, 0.0, pitches))
-    equal = len(pitches) == turning and float(np.ptp(pitches)) < NONE * max(1.0, float(np.abs(pitches).max()))
+    free = _kernel(translations[:, 3:] @ finite[:, :3].T, turning)
+    pitches = _pitches(free @ finite)
+    equal = len(pitches) == turning and bool(pitches[-1] - pitches[0] < none(basis) * max(1.0, *abs(pitches)))
     if equal:
         pitches = pitches[:1]
     return f"{'II' if equal else 'I'}{letter}", pitches
+
+
+def _pitches(screws: Array) -> Array:
+    """Principal pitches of screws with independent angular velocities, ascending; rounding of zero is zero."""
+    if not len(screws):
+        return np.zeros(0)
+    u, s, _ = svd(screws[:, :3])
+    unit = (u.T @ screws) / s[: len(screws), None]  # the angular velocities are orthonormal
+    power = unit[:, :3] @ unit[:, 3:].T
+    found = eigenvalues((power + power.T) / 2)
+    return np.where(abs(found) < none(found), 0 * found, found)
 
 
 def _kernel(matrix: Array, columns: int) -> Array:
     """Orthonormal rows x with matrix x = 0."""
     if not len(matrix):
         return np.eye(columns)
-    _, s, vt = np.linalg.svd(matrix)
-    return np.asarray(vt[int((s > NONE).sum()) :])
+    _, s, vt = svd(matrix)
+    return np.asarray(vt[int((s > none(matrix)).sum()) :])

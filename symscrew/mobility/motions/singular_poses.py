@@ -1,12 +1,13 @@
 """Singular poses on the coordinate lines through the reference: where, of which kind, what the mechanism does there.
 
-Track --a margin that dips to zero, a coordinate that turns back--> pose, refined --germs there--> SingularPose
+Track --a margin that dips to zero, a coordinate that turns back--> pose, refined --rank_loss--> lost, almost, or open
+      --germs there--> SingularPose
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
 from itertools import pairwise
 from typing import Any
 
@@ -15,22 +16,25 @@ import numpy as np
 from symscrew.mobility.finite import local_at
 from symscrew.mobility.motions.coordinate_lines import STRIDE, Pose, Setting, Track, corrected, pose_at
 from symscrew.mobility.motions.germs import germs_at
+from symscrew.mobility.motions.rank_loss import Loss, at_pose, decided, freedoms_at
 
 Array = np.ndarray[Any, Any]
 
 DIPS = 0.5
 """A margin that is lowest at a pose, below this part of its median along the line, may be zero nearby."""
 ZERO = 1e-5
-"""Part of its median below which a margin, refined, is zero: it goes through zero like a distance along the line, which
-is known to 1e-8."""
+"""Part of its median below which a margin, refined, is zero as far as doubles tell: it goes through zero like a distance
+along the line, which is known to 1e-8."""
+ALMOST = 1e-3
+"""Part of its median below which a margin that is not zero is worth a word."""
 GOLDEN, TIMES = (5**0.5 - 1) / 2, 8
 """Golden section on a stretch of two strides, to a hundredth of it."""
 SECANTS, NARROWER = 5, 20
 """Then secants from both sides, on a stretch ten times narrower each time: their error is its square."""
 SAME = 1e-4
-"""Poses closer together than this are one, of several kinds."""
-LOST = 1e-5
-"""Relative singular value of the closure that counts as lost at a refined pose."""
+"""Poses closer together than this are one, of several kinds, as far as doubles tell."""
+SAME_OF_60 = 1e-8
+"""The same of poses that are known to 60 digits."""
 
 
 @dataclass(frozen=True)
@@ -40,9 +44,11 @@ class SingularPose:
     Attributes:
         column: of the coordinate that moves, the others being at rest.
         q: displacements of all joint freedoms from the reference [rad, lengths in units of the mechanism].
-        kinds: `closure`, `drives`, `platform`, `coordinate`, or the name of a limb.
+        kinds: what is lost there to 60 digits: `closure`, `drives`, `platform`, `coordinate`, or the name of a limb.
         instantaneous: instantaneous freedoms there.
         branches: dimensions of the branches that meet there, where the closure is singular; empty where not told.
+        almost: kinds that are almost lost, and are not as typed -> by how much the equations of the loss stay open.
+        open: kinds that are lost as far as doubles tell, no more.
     """
 
     column: int
@@ -50,42 +56,50 @@ class SingularPose:
     kinds: tuple[str, ...]
     instantaneous: int
     branches: tuple[int, ...]
+    almost: Mapping[str, float] = field(default_factory=dict)
+    open: tuple[str, ...] = ()
 
 
 def singular_poses(setting: Setting, tracks: Sequence[Track]) -> tuple[SingularPose, ...]:
     """Those on all lines, each once."""
-    found: list[tuple[int, Array, list[str]]] = []
+    found: list[tuple[Track, list[Loss]]] = []
     for line in tracks:
-        for kind, q in _on(setting, line):
-            same = [entry for entry in found if entry[0] == line.column and _near(entry[1], q)]
-            if same:
-                same[0][2].extend([kind] * (kind not in same[0][2]))
-            else:
-                found.append((line.column, q, [kind]))
-    return tuple(_judged(setting, column, q, kinds) for column, q, kinds in found)
+        for loss in _on(setting, line):
+            same = [group for of, group in found if of.column == line.column and _same(group[0], loss)]
+            if not same:
+                found.append((line, [loss]))
+            elif all(loss.kind != other.kind for other in same[0]):
+                same[0].append(loss)
+    return tuple(_judged(setting, line, group) for line, group in found)
 
 
-def _near(a: Array, b: Array) -> bool:
-    turned = np.abs((a - b + np.pi) % (2 * np.pi) - np.pi)
-    return bool(np.linalg.norm(np.minimum(np.abs(a - b), turned)) < SAME)
+def _same(a: Loss, b: Loss) -> bool:
+    apart = a.place - b.place
+    turned = np.abs((apart + np.pi) % (2 * np.pi) - np.pi)
+    exact = a.real is True and b.real is True
+    return bool(np.linalg.norm(np.minimum(np.abs(apart), turned)) < (SAME_OF_60 if exact else SAME))
 
 
-def _on(setting: Setting, line: Track) -> Iterator[tuple[str, Array]]:
-    """(kind, displacements) along one line."""
+def _on(setting: Setting, line: Track) -> Iterator[Loss]:
+    """What is lost, or almost, along one line."""
     poses = line.poses
     for before, after in pairwise(poses):
         if before.direction[line.column] * after.direction[line.column] < 0:
             q = _lowest(setting, line, before, None)
             if q is not None:
-                yield "coordinate", q[0]
+                yield decided(setting, line.held, line.column, q[0], "coordinate")
     for kind in poses[0].margins:
         values = np.array([pose.margins[kind] for pose in poses])
         typical = float(np.median(values))
         for k in range(1, len(poses) - 1):
             if values[k] <= min(values[k - 1], values[k + 1]) and values[k] < DIPS * typical:
                 found = _lowest(setting, line, poses[k - 1], kind, strides=2.2)
-                if found is not None and found[1] < ZERO * max(typical, float(values.max()) * ZERO):
-                    yield kind, found[0]
+                size = max(typical, float(values.max()) * ZERO)
+                if found is None or found[1] >= ALMOST * size:
+                    continue
+                loss = decided(setting, line.held, line.column, found[0], kind)
+                if loss.real is not None or found[1] < ZERO * size:
+                    yield loss
 
 
 def _lowest(
@@ -128,15 +142,21 @@ def _lowest(
     return None if best is None else (best[1], best[0])
 
 
-def _judged(setting: Setting, column: int, q: Array, kinds: list[str]) -> SingularPose:
+def _judged(setting: Setting, line: Track, losses: Sequence[Loss]) -> SingularPose:
     """The pose with the branches that meet there."""
-    variety = setting.variety
-    values = np.linalg.svd(variety.evaluate(q[None])[1][0], compute_uv=False)
-    rank = int((values > LOST * max(values[0], LOST)).sum()) if len(values) else 0
-    instantaneous = variety.columns - rank
+    known = next((loss for loss in losses if loss.real), None)
+    if known is not None:
+        losses = [loss if loss.real is not None else at_pose(setting, line.held, line.column, loss, known)
+                  for loss in losses]  # fmt: skip
+    kinds = tuple(loss.kind for loss in losses if loss.real)
+    undecided = tuple(loss.kind for loss in losses if loss.real is None)
+    almost = {loss.kind: loss.left for loss in losses if loss.real is False}
+    q = (known or losses[0]).place
+    instantaneous = setting.dimension if known is None else freedoms_at(setting, known.q)
     branches: tuple[int, ...] = ()
     if "closure" in kinds and instantaneous > setting.dimension:
-        here = local_at(variety, q, rank=rank)
+        here = local_at(setting.variety, q, rank=setting.variety.columns - instantaneous)
         dimensions = {d: d for d in range(1, instantaneous)}
-        branches = tuple(sorted((germ.dimension for germ in germs_at(variety, here, dimensions)), reverse=True))
-    return SingularPose(column, q, tuple(kinds), instantaneous, branches)
+        found = germs_at(setting.variety, here, dimensions)
+        branches = tuple(sorted((germ.dimension for germ in found), reverse=True))
+    return SingularPose(line.column, q, kinds, instantaneous, branches, almost, undecided)

@@ -16,9 +16,9 @@ from symscrew.description import Mechanism
 from symscrew.mobility.finite import ClosureVariety, FiniteMobility
 from symscrew.mobility.instantaneous import BodyFreedoms
 from symscrew.mobility.joint_network import Network
-from symscrew.mobility.motions.branch_table import AT_REST, body_twists, joint_axes
 from symscrew.mobility.motions.coordinate_lines import Pose, Setting, Track, independent_columns, pose_at, track
-from symscrew.mobility.motions.screw_classes import ScrewClass, class_of_motions
+from symscrew.mobility.motions.screw_classes import ScrewClass
+from symscrew.mobility.motions.seen_poses import Closures, Seen, body_twists, in_doubles, seen_at
 from symscrew.mobility.motions.singular_poses import SingularPose, singular_poses
 from symscrew.mobility.motions.whole_branch import CommonGroup, common_group
 
@@ -26,6 +26,8 @@ Array = np.ndarray[Any, Any]
 
 EVERY = 7
 """Of the poses on the lines each seventh is asked for its screw system: 15 in a turn."""
+LOST = 1e-7
+"""Singular value of a limb's unit screws at the reference that counts as none."""
 CLEAR = 1e-4
 """Poses nearer to a singularity than this, as a part of the median of the margin, are no generic ones."""
 
@@ -99,6 +101,8 @@ def motion_along(
         return "nothing moves"
     body = platform.body
     found = _followed(network, finite.dof, body, limbs, group=common_group(mechanism, network, body))
+    if isinstance(found, str):
+        return found
     proof = _type_proof(found.group, found.classes, platform.dof if exact else None)
     if found.group is None or not proof:
         return found
@@ -108,7 +112,7 @@ def motion_along(
 
 def _followed(
     network: Network, dimension: int, body: str, limbs: Mapping[str, tuple[str, ...]], *, group: CommonGroup | None
-) -> WholeMotion:
+) -> WholeMotion | str:
     variety = ClosureVariety(network)
     origin = np.zeros(variety.columns)
     first = Setting(network, variety, dimension, body, 0, network.driven, {})
@@ -118,31 +122,44 @@ def _followed(
     tracks = [
         track(setting, column, tuple(c for c in columns if c != column), sign) for column in columns for sign in (1, -1)
     ]
-    regular = list(_regular(tracks))
-    length = float(network.length)
+    length, closures = float(network.length), Closures(network)
+    seen = _decided(closures, [pose.q for pose in _regular(tracks)], dimension, body)
+    if not seen:
+        return "no coordinate line could be followed to a regular pose"
+    if group is not None and not all(group.holds(one.twists.T.astype(float), length) for one in seen):
+        group = None  # a proof that the poses contradict is none
     classes: dict[tuple[str, str], list[ScrewClass]] = {}
-    common: set[str] | None = None
-    moving = np.zeros(variety.columns)
-    for pose in regular:
-        screws = variety.forward(pose.q[None])[0][0]
-        twists = body_twists(network, variety, screws, body) @ pose.motions
-        if group is not None and not group.holds(twists.T, length):
-            group = None  # a proof that the poses contradict is none
-        found = class_of_motions(twists, length)
-        classes.setdefault((found.type, found.name), []).append(found)
-        own = set(joint_axes(network, variety, screws, twists))
-        common = own if common is None else common & own
-        moving = np.maximum(moving, np.abs(pose.motions).max(axis=1))
+    for one in seen:
+        classes.setdefault(one.name, []).append(one.system)
     order = sorted(classes.values(), key=len, reverse=True)
     pitches = [c.pitches for group in order for c in group]
     same = len(order) == 1 and all(np.allclose(p, pitches[0], rtol=1e-6, atol=1e-6 * length) for p in pitches)
-    idle = tuple(e.name for e in network.edges.values() if e.screws and moving[list(e.columns)].max() < AT_REST)
-    axes = {name: _proof(network, body, name, order[0][0]) for name in sorted(common or ())} if order else {}
+    idle = tuple(name for name in network.edges if all(name in one.resting(network) for one in seen))
+    common = set[str].intersection(*(set(one.axes) for one in seen))
+    axes = {name: _proof(network, body, name, order[0][0]) for name in sorted(common)}
     ends = tuple((t.column, 1 if k % 2 == 0 else -1, t.end) for k, t in enumerate(tracks))
     total = sum(len(t.poses) for t in tracks)
     classes_seen = tuple(g[0] for g in order)
     return WholeMotion(columns, total, classes_seen, same, idle, axes, singular_poses(setting, tracks), ends,
                        group)  # fmt: skip
+
+
+def _decided(closures: Closures, poses: list[Array], dimension: int, body: str) -> list[Seen]:
+    """What the body does at each pose: of what doubles take for one class the first and the last in 60 digits, too.
+
+    Where these are not of that class, all of its poses are decided in 60 digits.
+    """
+    alike: dict[tuple[str, str], list[int]] = {}
+    seen = [in_doubles(closures, q, dimension, body) for q in poses]
+    for k, one in enumerate(seen):
+        alike.setdefault(one.name, []).append(k)
+    for name, members in alike.items():
+        ends = {k: seen_at(closures, poses[k], dimension, body) for k in {members[0], members[-1]}}
+        if any(one.name != name for one in ends.values()):
+            ends = {k: ends.get(k) or seen_at(closures, poses[k], dimension, body) for k in members}
+        for k, one in ends.items():
+            seen[k] = one
+    return seen
 
 
 def _type_proof(group: CommonGroup | None, classes: tuple[ScrewClass, ...], freedoms: int | None) -> str:
@@ -167,7 +184,7 @@ def _limbs(network: Network, limbs: Mapping[str, tuple[str, ...]]) -> dict[str, 
         columns = tuple(c for joint in joints for c in network.edges[joint].columns)
         if len(columns) > 1:
             rows = np.array([[float(c) for c in network.screws[k]] for k in columns])
-            result[name] = (columns, int(np.linalg.matrix_rank(rows, tol=AT_REST)))
+            result[name] = (columns, int(np.linalg.matrix_rank(rows, tol=LOST)))
     return result
 
 
