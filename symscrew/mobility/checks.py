@@ -33,6 +33,8 @@ CLOSURE = 1e-25
 """Velocity of closure of the numeric motions: zeros of a rank are taken from 1e-27 (`ZERO_BELOW`)."""
 POWER = 1e-20
 """Power of a freedom on a constraint that is reciprocal to it: zeros from 1e-27, times conditions and metres."""
+SMALL = 1e-12
+"""Part of the sizes of a screw and a wrench below which the terms of their product are zeros, up to rounding."""
 OF_MOTION = ("finite mobility", "smooth", "branches")
 """Claims of a proof file about the real motion begin with one of these."""
 NEGLECTED = 1e-11
@@ -114,7 +116,9 @@ def _displaced(found: Mobility) -> list[Check]:
         for wrench in pose.constraints:
             numbers = numbers_at([tuple(c.xreplace(values) for c in wrench)], found.mechanism)[0]
             scaled = (*numbers[:3], *(c / network.length for c in numbers[3:]))
-            worst = max(worst, *(_relative([screw[k] * scaled[(k + 3) % 6] for k in range(6)]) for screw in screws))
+            terms = ([screw[k] * scaled[(k + 3) % 6] for k in range(6)] for screw in screws)
+            sizes = (_size(scaled) * _size(screw) for screw in screws)
+            worst = max(worst, *(_relative(t, least=SMALL * size) for t, size in zip(terms, sizes, strict=True)))
         claim = f"{name}: constraints in its displacements"
         text = f"largest power {worst:.1e} of its terms on screws displaced by exponentials"
         checks.append(Check(claim, worst < DISPLACED, text, "poses"))
@@ -231,10 +235,17 @@ def _symbolic_space(
     return Check(claim, _same_space(values, known), f"{len(values)} vectors", "symbols")
 
 
-def _relative(terms: Sequence[Real]) -> float:
-    """A sum over the sum of its terms' sizes: what rounding leaves does not grow with the length of formulas."""
-    size = sum(abs(c) for c in terms)
+def _relative(terms: Sequence[Real], *, least: Real) -> float:
+    """A sum over the sum of its terms' sizes: what rounding leaves does not grow with the length of formulas.
+
+    Where all terms are rounding of zeros, over `least`.
+    """
+    size = max(sum(abs(c) for c in terms), least)
     return float(abs(sum(terms)) / size) if size else 0.0
+
+
+def _size(vector: Sequence[Real]) -> Real:
+    return CONTEXT.sqrt(sum(c * c for c in vector))
 
 
 def _same_space(a: Sequence[Sequence[Real]], b: Sequence[Sequence[Real]]) -> bool:

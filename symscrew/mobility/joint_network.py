@@ -30,9 +30,12 @@ from symscrew.kinematics import motion_screws
 from symscrew.mobility.coupled_rates import Tie, ties_of
 from symscrew.mobility.screw_systems import Real, Row, Screw
 
-SAME_POINT = CONTEXT.mpf(10) ** -25
-"""Joint points that lie closer together than this, relative to their coordinates, coincide: rounding of coordinates
-with 30 digits. Then a pitch or the distance from O is the mechanism's size instead."""
+SAME_POINT = CONTEXT.mpf(10) ** -5
+"""Joint points that lie closer together than this, relative to other lengths of the description, are meant to be one:
+coordinates of six digits leave as much. Then the largest of these lengths is the mechanism's size instead."""
+SMALLEST = CONTEXT.mpf(10) ** -6
+"""Lengths [m] below this are rounding where a description has no other: a mechanism of a micrometre is not typed in m.
+Only sizes and tolerances follow from it; ranks of what was typed do not."""
 UNIT_ALREADY = CONTEXT.mpf(10) ** -55
 """An axis this close to unit length is one, as it was computed with 60 digits; others are divided by their length."""
 
@@ -234,18 +237,26 @@ def _unit(axis: Vector) -> Vector:
 
 
 def _characteristic_length(mechanism: Mechanism) -> Any:
-    """Root mean square distance of the joint points from their centre [m]; 1 if they all coincide.
+    """Root mean square distance of the joint points from their centre [m]; where they all but coincide, another length.
 
-    Invariant under rigid motions, and proportional to the unit.
+    Invariant under rigid motions, and proportional to the unit. Hinges through one point that rounding sets apart by
+    1e-10 m make no mechanism of that size: theirs is a pitch, the distance of named points, or of the origin, else 1.
     """
     points = [_vector(mechanism, joint.point) for joint in mechanism.joints.values()]
     centre = tuple(sum(p[k] for p in points) / len(points) for k in range(3))
-    square = sum((p[k] - centre[k]) ** 2 for p in points for k in range(3)) / len(points)
-    largest = max(abs(p[k]) for p in points for k in range(3))
-    if square <= (largest * SAME_POINT) ** 2:
-        pitches = [abs(_number(mechanism, j.pitch)) for j in mechanism.joints.values() if j.pitch is not None]
-        return max((p for p in (*pitches, largest) if p > 0), default=CONTEXT.one)
-    return CONTEXT.sqrt(square)
+    spread = CONTEXT.sqrt(sum(_square(p, centre) for p in points) / len(points))
+    pitches = [abs(_number(mechanism, j.pitch)) for j in mechanism.joints.values() if j.pitch is not None]
+    named = [_vector(mechanism, point.at) for point in mechanism.points.values()]
+    others = [*pitches, *(CONTEXT.sqrt(_square(p, centre)) for p in named), max(abs(c) for p in points for c in p)]
+    largest = max(others)
+    if spread > max(SAME_POINT * largest, SMALLEST):
+        return spread
+    return largest if largest > SMALLEST else CONTEXT.one
+
+
+def _square(point: Vector, centre: Sequence[Real]) -> Real:
+    """The squared distance of two points."""
+    return sum((point[k] - centre[k]) ** 2 for k in range(3))
 
 
 def spanning_tree(ground: str, edges: Mapping[str, Edge]) -> tuple[tuple[str, int], ...]:

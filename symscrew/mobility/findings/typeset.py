@@ -26,9 +26,18 @@ LONGEST_NUMBER = 10**9
 has them exactly."""
 
 
+TYPED = 30
+"""Digits of long numbers before they are shown with six."""
+
+
+def _long(expression: sympy.Expr) -> set[sympy.Rational]:
+    """Numbers with many digits in it."""
+    return {n for n in expression.atoms(sympy.Rational) if max(abs(n.p), n.q) > LONGEST_NUMBER}
+
+
 def presentable(expression: sympy.Expr) -> sympy.Expr:
     """The expression as it is shown: numbers with many digits as decimals."""
-    long = {n: sympy.Float(n, 6) for n in expression.atoms(sympy.Rational) if max(abs(n.p), n.q) > LONGEST_NUMBER}
+    long = {n: sympy.Float(n, 6) for n in _long(expression)}
     if not long:
         return expression
     shown = expression.xreplace(long)
@@ -43,8 +52,12 @@ def shown(vector: Vector) -> Vector:
     lead = vector[:3] if any(vector[:3]) else vector[3:]
     square = sympy.expand(sum(c * c for c in lead))
     if square.is_number and square != 1 and square != 0:
-        size = sympy.sqrt(square)
-        vector = tuple(sympy.radsimp(c / size) if c else c for c in vector)
+        if _long(square) and not any(c.free_symbols for c in vector):  # a root of long integers is found by factors
+            size = sympy.sqrt(square.evalf(TYPED))
+            return tuple((c.evalf(TYPED) / size).evalf(6) if c else c for c in vector)
+        if not _long(square):
+            size = sympy.sqrt(square)
+            vector = tuple(sympy.radsimp(c / size) if c else c for c in vector)
     return tuple(presentable(c) for c in vector)
 
 

@@ -132,8 +132,8 @@ def corrected(setting: Setting, q: Array, held: Sequence[int]) -> Array | None:
     return None
 
 
-def track(setting: Setting, column: int, held: Sequence[int], sign: int) -> Track:
-    """The line of one coordinate from the reference in one direction."""
+def track(setting: Setting, column: int, held: Sequence[int], sign: int, most: int = MOST_STEPS) -> Track:
+    """The line of one coordinate from the reference in one direction, at most so many poses."""
     origin = np.zeros(setting.variety.columns)
     pose = pose_at(setting, origin, held, None)
     direction = pose.direction * sign * (1 if pose.direction[column] >= 0 else -1)
@@ -142,7 +142,7 @@ def track(setting: Setting, column: int, held: Sequence[int], sign: int) -> Trac
     slides = {start for e in setting.network.edges.values() for motion, start in e.motions if motion.prismatic}
     turns = np.array([0.0 if c in slides else 2 * np.pi for c in range(setting.variety.columns)])
     limit = ENDS[1] if column in slides else ENDS[0]
-    while len(poses) < MOST_STEPS:
+    while len(poses) < most:
         stepped = _step(setting, poses[-1], held)
         if stepped is None:
             return Track(column, tuple(held), tuple(poses), "the line could not be followed further")

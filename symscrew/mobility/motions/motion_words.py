@@ -40,11 +40,13 @@ def motion_lines(found: WholeMotion, network: Network, mechanism: Mechanism, bod
         lines.append(f"{body} moves about or along {axis} all along ({f'proved: {why}' if why else 'sampled'})")
     judged = f"proved: {found.idle_proof}" if found.idle_proof else "sampled"
     lines.append(f"never move: {', '.join(found.idle)} ({judged})" if found.idle else "every joint moves")
+    for column, kind in found.lost:
+        lines.append(f"all along the line of {names[column]}: {_kind(kind, body)} (sampled)")
     for pose in found.singular[:MOST_POSES]:
         lines.append(_pose(pose, network, mechanism, body))
     if len(found.singular) > MOST_POSES:
         lines.append(f"and {len(found.singular) - MOST_POSES} more singular poses")
-    if not any(pose.kinds or pose.open for pose in found.singular):
+    if not found.lost and not any(pose.kinds or pose.open for pose in found.singular):
         lines.append("no singular pose was found on these lines")
     return lines
 
@@ -105,6 +107,7 @@ def motion_values(found: WholeMotion, network: Network, mechanism: Mechanism) ->
         "idle_proof": found.idle_proof,
         "axes": [{"axis": axis, "proved": bool(why), "why": why} for axis, why in found.axes.items()],
         "lines": [{"coordinate": names[c], "direction": sign, "end": end} for c, sign, end in found.ends],
+        "singular_lines": [{"coordinate": names[column], "kind": kind} for column, kind in found.lost],
         "singular_poses": [_singular(pose, network, mechanism) for pose in found.singular],
     }
 

@@ -28,7 +28,7 @@ DIFFERENCE = 1e-5
 """Half the step of differences of M along the joints: derivatives are right to 1e-10, so a step gains ten digits."""
 IN_DOUBLES, ROUNDS = 6, 12
 """Steps in doubles, then at most so many with residuals of 60 digits."""
-SOLVED = 1e-40
+SOLVED = 1e-30
 """Largest residual of equations that hold, in units of the mechanism's size."""
 OPEN = 1e-26
 """Least residual of equations that do not."""
@@ -37,7 +37,7 @@ ENDED = 1e-7
 REGULAR = 1e-6
 """Relative singular value of the equations' Jacobian above which unknowns are told: below it nothing is concluded."""
 NEARBY = 1e-2
-"""A solution farther from the pose than this is of another one."""
+"""A solution farther from a refined pose than this is of another one."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -62,12 +62,14 @@ class Loss:
         return self.q.astype(float)
 
 
-def decided(setting: Setting, held: tuple[int, ...], column: int, q: Array, kind: str) -> Loss:
+def decided(
+    setting: Setting, held: tuple[int, ...], column: int, q: Array, kind: str, *, within: float = NEARBY
+) -> Loss:
     """Whether the margin of this kind is zero at a pose of the line next to q."""
     equations = _Equations(setting, held, column, kind)
     if equations.usual is None:
         return Loss(kind, None, q)
-    return Loss(kind, *_solved(equations, q))
+    return Loss(kind, *_solved(equations, q, within))
 
 
 def at_pose(setting: Setting, held: tuple[int, ...], column: int, loss: Loss, known: Loss) -> Loss:
@@ -143,7 +145,7 @@ class _Equations:
         return np.block([[top, empty], [bent, linear]])
 
 
-def _solved(equations: _Equations, start: Array) -> tuple[bool | None, Array, float]:
+def _solved(equations: _Equations, start: Array, within: float) -> tuple[bool | None, Array, float]:
     """(whether there is a solution next to the pose, it or the pose, what is left of the equations)."""
     screws = equations.coarse.forward(start[None])[0][0]
     _, s, vt = np.linalg.svd(equations.matrix(equations.coarse, screws, start))
@@ -160,7 +162,7 @@ def _solved(equations: _Equations, start: Array) -> tuple[bool | None, Array, fl
         inverse = np.linalg.pinv(slopes, rcond=REGULAR)
         step = inverse @ equations.at(equations.coarse, q, vectors)
         q, vectors = q - step[: len(q)], vectors - across @ step[len(q) :].reshape(-1, null)
-        if np.linalg.norm(q - start) > NEARBY:
+        if np.linalg.norm(q - start) > within:
             return None, start, 0.0
         if np.linalg.norm(step) < DIFFERENCE**2:
             break

@@ -24,6 +24,8 @@ from symscrew.mobility.screw_systems import null_space, unit_rows
 
 Array = np.ndarray[Any, Any]
 
+ALL = 6  # freedoms of a body that moves as it likes: all axes are among them
+
 
 @dataclass(frozen=True)
 class Closures:
@@ -130,12 +132,14 @@ def _centre(variety: ClosureVariety, like: Array) -> Array:
 
 
 def joint_axes(network: Network, variety: ClosureVariety, screws: Array, twists: Array) -> tuple[str, ...]:
-    """Joint freedoms whose screw is one of the body's freedoms here, by name."""
+    """Joint freedoms whose screw is one of the body's freedoms here, by name; none of a body that has them all."""
     least = none(screws)
     moving = twists.T[norms(twists.T) > least]
     if not len(moving):
         return ()
     basis = row_space(moving)
+    if len(basis) == ALL:
+        return ()
     centre = _centre(variety, screws)
     columns = [(axis_name(edge, start), start) for edge in network.edges.values() for motion, start in edge.motions
                if motion.single]  # fmt: skip

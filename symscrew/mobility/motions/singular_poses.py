@@ -7,7 +7,7 @@ Track --a margin that dips to zero, a coordinate that turns back--> pose, refine
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from typing import Any
 
@@ -25,8 +25,16 @@ DIPS = 0.5
 ZERO = 1e-5
 """Part of its median below which a margin, refined, is zero as far as doubles tell: it goes through zero like a distance
 along the line, which is known to 1e-8."""
+NOWHERE = 1e-8
+"""Median of a margin along a line below which it is zero all along: poses are known to 1e-10."""
+FLAT = 0.2
+"""What golden section leaves of the first values of a margin where it has a minimum and no zero: of one that goes
+through zero it leaves an eighth at most."""
 ALMOST = 1e-3
 """Part of its median below which a margin that is not zero is worth a word."""
+ASIDE = 0.3
+"""A pose that the equations of a loss lead to is on the line where it lies, this part of a stride, beside its tangent:
+the line bends by half the square of a stride times its curvature."""
 GOLDEN, TIMES = (5**0.5 - 1) / 2, 8
 """Golden section on a stretch of two strides, to a hundredth of it."""
 SECANTS, NARROWER = 5, 20
@@ -82,24 +90,57 @@ def _same(a: Loss, b: Loss) -> bool:
 
 def _on(setting: Setting, line: Track) -> Iterator[Loss]:
     """What is lost, or almost, along one line."""
-    poses = line.poses
+    poses, turns = line.poses, list[Loss]()
     for before, after in pairwise(poses):
         if before.direction[line.column] * after.direction[line.column] < 0:
-            q = _lowest(setting, line, before, None)
+            loss = _at_once(setting, line, before, "coordinate")
+            q = None if loss is not None else _lowest(setting, line, before, None)
             if q is not None:
-                yield decided(setting, line.held, line.column, q[0], "coordinate")
+                loss = decided(setting, line.held, line.column, q[0], "coordinate")
+            if loss is not None:
+                turns.append(loss)
+                yield loss
     for kind in poses[0].margins:
         values = np.array([pose.margins[kind] for pose in poses])
         typical = float(np.median(values))
+        if typical < NOWHERE:
+            continue  # lost all along: `lost_lines`
+        size = max(typical, float(values.max()) * ZERO)
         for k in range(1, len(poses) - 1):
             if values[k] <= min(values[k - 1], values[k + 1]) and values[k] < DIPS * typical:
-                found = _lowest(setting, line, poses[k - 1], kind, strides=2.2)
-                size = max(typical, float(values.max()) * ZERO)
-                if found is None or found[1] >= ALMOST * size:
-                    continue
-                loss = decided(setting, line.held, line.column, found[0], kind)
-                if loss.real is not None or found[1] < ZERO * size:
+                loss = _known(setting, line, poses[k], kind, turns) or _at_once(setting, line, poses[k], kind)
+                found = None if loss is not None else _lowest(setting, line, poses[k - 1], kind, strides=2.2)
+                if found is not None and found[1] < ALMOST * size:
+                    loss = decided(setting, line.held, line.column, found[0], kind)
+                    if loss.real is None and found[1] >= ZERO * size:
+                        continue
+                if loss is not None:
                     yield loss
+
+
+def _known(setting: Setting, line: Track, pose: Pose, kind: str, turns: Sequence[Loss]) -> Loss | None:
+    """Where the independent coordinates are the drives, these lose their hold where a coordinate turns back."""
+    if kind != "drives" or {*line.held, line.column} != set(setting.drives):
+        return None
+    near = (loss for loss in turns if loss.real and np.linalg.norm(loss.place - pose.q) < 2 * STRIDE)
+    return next((replace(loss, kind=kind) for loss in near), None)
+
+
+def lost_lines(tracks: Sequence[Track]) -> tuple[tuple[int, str], ...]:
+    """(column, kind) of margins that are zero all along the line of a coordinate, as far as doubles tell."""
+    found = [(line.column, kind) for line in tracks for kind in line.poses[0].margins
+             if float(np.median([pose.margins[kind] for pose in line.poses])) < NOWHERE]  # fmt: skip
+    return tuple(dict.fromkeys(found))
+
+
+def _at_once(setting: Setting, line: Track, pose: Pose, kind: str) -> Loss | None:
+    """A loss of rank on the line that its equations lead to from a pose a stride away; None where they do not."""
+    loss = decided(setting, line.held, line.column, pose.q, kind, within=2 * STRIDE)
+    if not loss.real:
+        return None
+    step = loss.place - pose.q
+    aside = step - pose.direction * float(step @ pose.direction)
+    return loss if np.linalg.norm(aside) < ASIDE * STRIDE else None
 
 
 def _lowest(
@@ -120,6 +161,7 @@ def _lowest(
     low, high = 0.0, strides
     inner = [high - GOLDEN * (high - low), low + GOLDEN * (high - low)]
     values = [at(part) for part in inner]
+    before = max((value[0] for value in values if value is not None), default=0.0)
     for _ in range(TIMES):
         left = values[1] is None or (values[0] is not None and values[0][0] < values[1][0])
         if left:
@@ -129,6 +171,8 @@ def _lowest(
             low, inner = inner[0], [inner[1], inner[0] + GOLDEN * (high - inner[0])]
             values = [values[1], at(inner[1])]
     best = min((v for v in values if v is not None), key=lambda pair: pair[0], default=None)
+    if best is not None and best[0] > FLAT * before:
+        return best[1], best[0]
     for _ in range(SECANTS):  # a margin goes through zero like a distance: both sides of the V meet there
         ends = at(low), at(high)
         if ends[0] is None or ends[1] is None or not ends[0][0] + ends[1][0] > 0:
@@ -152,7 +196,7 @@ def _judged(setting: Setting, line: Track, losses: Sequence[Loss]) -> SingularPo
     undecided = tuple(loss.kind for loss in losses if loss.real is None)
     almost = {loss.kind: loss.left for loss in losses if loss.real is False}
     q = (known or losses[0]).place
-    instantaneous = setting.dimension if known is None else freedoms_at(setting, known.q)
+    instantaneous = freedoms_at(setting, known.q) if known is not None and "closure" in kinds else setting.dimension
     branches: tuple[int, ...] = ()
     if "closure" in kinds and instantaneous > setting.dimension:
         here = local_at(setting.variety, q, rank=setting.variety.columns - instantaneous)

@@ -19,13 +19,15 @@ from symscrew.mobility.joint_network import Network
 from symscrew.mobility.motions.coordinate_lines import Pose, Setting, Track, independent_columns, pose_at, track
 from symscrew.mobility.motions.screw_classes import ScrewClass
 from symscrew.mobility.motions.seen_poses import Closures, Seen, body_twists, in_doubles, seen_at
-from symscrew.mobility.motions.singular_poses import SingularPose, singular_poses
+from symscrew.mobility.motions.singular_poses import SingularPose, lost_lines, singular_poses
 from symscrew.mobility.motions.whole_branch import CommonGroup, common_group
 
 Array = np.ndarray[Any, Any]
 
 EVERY = 7
 """Of the poses on the lines each seventh is asked for its screw system: 15 in a turn."""
+AROUND = 6
+"""Poses next to the reference that show how many freedoms the body has at most poses."""
 LOST = 1e-7
 """Singular value of a limb's unit screws at the reference that counts as none."""
 CLEAR = 1e-4
@@ -48,6 +50,7 @@ class WholeMotion:
         group: what the groups of all chains to the body have in common; None where that was not asked.
         type_proof: why the first class is that of every regular pose of the branch; empty where that was only seen.
         idle_proof: why the joints `idle` never move on the whole branch; empty where that was only seen.
+        lost: (column, kind) of what is lost all along the line of that coordinate.
     """
 
     columns: tuple[int, ...]
@@ -61,6 +64,7 @@ class WholeMotion:
     group: CommonGroup | None = None
     type_proof: str = ""
     idle_proof: str = ""
+    lost: tuple[tuple[int, str], ...] = ()
 
     def locked(self, mechanism: Mechanism) -> Mechanism:
         """The mechanism with the joints `idle` replaced by such as cannot move."""
@@ -141,7 +145,7 @@ def _followed(
     total = sum(len(t.poses) for t in tracks)
     classes_seen = tuple(g[0] for g in order)
     return WholeMotion(columns, total, classes_seen, same, idle, axes, singular_poses(setting, tracks), ends,
-                       group)  # fmt: skip
+                       group, lost=lost_lines(tracks))  # fmt: skip
 
 
 def _decided(closures: Closures, poses: list[Array], dimension: int, body: str) -> list[Seen]:
@@ -195,8 +199,8 @@ def _generic_order(setting: Setting) -> int:
     columns = independent_columns(setting.network, pose.motions, setting.drives)
     for column in columns[:2]:
         held = tuple(c for c in columns if c != column)
-        line = track(setting, column, held, 1) if setting.variety.rows else None
-        for there in line.poses[1:6] if line else (pose,):
+        line = track(setting, column, held, 1, AROUND) if setting.variety.rows else None
+        for there in line.poses[1:] if line else (pose,):
             screws = setting.variety.forward(there.q[None])[0][0]
             twists = body_twists(setting.network, setting.variety, screws, setting.body) @ there.motions
             orders.append(int((np.linalg.svd(twists, compute_uv=False) > CLEAR).sum()))
