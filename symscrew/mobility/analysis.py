@@ -22,6 +22,8 @@ from symscrew.mobility.configuration import Reached, displaced, in_words, with_p
 from symscrew.mobility.field_counts import FieldCounts, field_counts
 from symscrew.mobility.finite import (
     FiniteMobility,
+    GivenUpError,
+    NearGeometry,
     nearest_special,
     rank_claims,
     without_spins,
@@ -59,16 +61,7 @@ from symscrew.mobility.symbols import (
     symbolic_mobility,
     symbolic_screws,
 )
-
-WITHDRAWN = {
-    "symbols": "no symbols: they do not agree with the numbers, so they are withheld",
-    "loops": "no symbols: the joint rates do not keep the loops closed, so they are withheld",
-    "poses": "withheld: it does not agree with screws displaced by exponentials",
-    "finite": "undecided: another route does not confirm how the configuration was judged",
-}
-"""Statement that falls with a failed check -> what is said instead of it."""
-TIED = "no symbols: couplings of coordinates are not sines and cosines of them"
-AS_MEANT = "no symbols: the geometry meant was solved for in numbers of 60 digits"
+from symscrew.mobility.withheld import AS_MEANT, SOLVED_FOR, TIED, WITHDRAWN
 
 
 @dataclass(frozen=True)
@@ -142,11 +135,7 @@ class Mobility:
     @cached_property
     def near(self) -> Near | None:
         """The verdict on special geometry close to what was typed; None where there is none, or it is undecided."""
-        if self.taken is not None:
-            return None
-        loops = replace(self.network, ties=())  # special geometry is theirs; couplings hold there, too
-        claims = rank_claims(loops, self.platform.body, [limb.joints for limb in self.limbs])
-        found = nearest_special(loops, claims, moves=self.finite.smooth)
+        found = () if isinstance(self._searched, str) else self._searched
         judged = [(self._meant(replace(one.network, ties=self.network.ties)), one) for one in found]
         judged = [(meant, one) for meant, one in judged if (meant.finite.dof or 0) >= (self.finite.dof or 0)]
         if not judged:  # less mobile than as typed is not what was meant
@@ -157,14 +146,23 @@ class Mobility:
         length = float(self.network.length)
         return Near(meant, one.distance * length, tuple((name, size * length) for name, size in one.changes))
 
+    @cached_property
+    def _searched(self) -> tuple[NearGeometry, ...] | str:
+        """Special geometry close to what was typed, or why it is not known."""
+        loops = replace(self.network, ties=())  # special geometry is theirs; couplings hold there, too
+        claims = rank_claims(loops, self.platform.body, [limb.joints for limb in self.limbs])
+        try:
+            return () if self.taken is not None else nearest_special(loops, claims, moves=self.finite.smooth)
+        except GivenUpError as error:
+            return str(error)
+
     def _meant(self, network: Network) -> Mobility:
         """The result for special geometry that was solved for."""
         first_order = instantaneous_mobility(network)
         limbs = tuple(limb_mobility(network, limb.name, limb.joints) for limb in self.limbs)
         platform = body_freedoms(network, first_order, self.platform.body)
         constraints = limb_constraints(limbs, network.length) if self.constraints is not None else None
-        reason = "the geometry meant was solved for in 60 digits"
-        decisions = Decisions(None, (), reason, singular_values(first_order))
+        decisions = Decisions(None, (), SOLVED_FOR, singular_values(first_order))
         finite = judged(network, first_order, decisions)
         return Mobility(self.mechanism, network, first_order, finite, platform, limbs, constraints, decisions, 0.0,
                         self.coordinates, self.parameters, frozenset(WITHDRAWN), reached=self.reached)  # fmt: skip
@@ -330,7 +328,8 @@ class Mobility:
         """What was given up or left out because of its size, a sentence each; empty for most mechanisms."""
         loops = () if self.limbs or isinstance(self.loops, str) else self.loops.not_tried
         poses = (pose for pose in self.limb_poses.values() if not isinstance(pose, str))
-        return (*loops, *(text for pose in poses for text in pose.not_tried), *self.singularities.not_tried)
+        texts = [*loops, *(text for pose in poses for text in pose.not_tried), *self.singularities.not_tried]
+        return (self._searched, *texts) if isinstance(self._searched, str) else tuple(texts)
 
     @property
     def loci(self) -> tuple[Locus, ...]:

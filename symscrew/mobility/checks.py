@@ -49,7 +49,7 @@ class Check:
     holds: bool
     evidence: str
     withdraws: str = ""
-    """The statement that falls with it (`symscrew.mobility.analysis.WITHDRAWN`); empty: the result as a whole."""
+    """The statement that falls with it (`symscrew.mobility.withheld.WITHDRAWN`); empty: the result as a whole."""
 
 
 def verified(found: Mobility) -> tuple[Mobility, tuple[Check, ...]]:

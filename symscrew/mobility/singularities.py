@@ -184,5 +184,6 @@ def _value(m: MarginValue) -> str:
 
 def _near(m: MarginValue) -> str:
     if m.nearest is not None:
-        return f"0 along its gradient with {m.nearest.words}, "
+        least = "0" if m.form == "signed" else "0 as far as doubles tell"
+        return f"{least} along its gradient with {m.nearest.words}, "
     return "" if m.vanishes or m.note or m.almost else "no zero found along its gradient, "

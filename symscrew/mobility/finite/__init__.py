@@ -28,7 +28,7 @@ from symscrew.mobility.finite.local_solutions import (
     refine,
     solve_dependent,
 )
-from symscrew.mobility.finite.near_geometry import NearGeometry, nearest_special
+from symscrew.mobility.finite.near_geometry import GivenUpError, NearGeometry, nearest_special
 from symscrew.mobility.finite.passive_spins import named_spins, rotation_vector, without_spins
 from symscrew.mobility.finite.quadric_cone import cone_directions
 from symscrew.mobility.finite.reduced_closure import ReducedClosure, is_zero
@@ -41,6 +41,7 @@ __all__ = [
     "Array",
     "ClosureVariety",
     "FiniteMobility",
+    "GivenUpError",
     "Local",
     "NearGeometry",
     "RankClaim",

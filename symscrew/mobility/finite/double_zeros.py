@@ -58,14 +58,17 @@ class Doubled:
     curvature: Array
 
 
-def double_directions(conditions: Conditions) -> Doubled | None:
-    """The directions in which what linear steps cannot make vanish is curved; None where it is not."""
+def double_directions(conditions: Conditions, most: int) -> tuple[Doubled | None, int]:
+    """(the directions in which what linear steps cannot make vanish is curved, how many of `most` slopes are left).
+
+    None where it is not; with fewer than no slopes left, it is not known.
+    """
     matrix = conditions.slopes(np.zeros(0))
     u, s, vt = np.linalg.svd(matrix)
     rank = int((s > conditions.cut * s[0]).sum())
     kernel, across = vt[rank:].T, u[:, rank:].T
     if not kernel.size or not across.size:
-        return None
+        return None, most
 
     def bent(direction: Array) -> Array:
         """d(slopes along the kernel)/d(direction) of what linear steps leave: rows x kernel."""
@@ -77,11 +80,12 @@ def double_directions(conditions: Conditions) -> Doubled | None:
     seen = np.concatenate([bent(kernel @ (look / np.linalg.norm(look))) for look in looks])
     sizes, rows = np.linalg.svd(seen, full_matrices=False)[1:]
     found = rows[sizes > SLOPES * max(1.0, sizes[0])]
-    if not len(found):
-        return None
+    left = most - 2 * (LOOKS + len(found))
+    if not len(found) or left < 0:
+        return None, left
     directions = kernel @ found.T
     curvature = np.array([(bent(d) @ found.T).T for d in directions.T])
-    return Doubled(directions, across, curvature)
+    return Doubled(directions, across, curvature), left
 
 
 def vertex(conditions: Conditions, doubled: Doubled, believed: float) -> Array:

@@ -95,11 +95,27 @@ class NearGeometry:
     moves: bool
 
 
+MOST_LINEARISED = 60
+"""Linearisations that a double zero is looked for with, a second of time for a hexapod's conditions each dozen: eight
+cranks with their pins in line take thirty."""
+GIVEN_UP = (
+    "special geometry next to what was typed: the search for a double zero of its conditions was ended after "
+    f"{MOST_LINEARISED} linearisations, so there may be such geometry that is not named"
+)
+
+
+class GivenUpError(ArithmeticError):
+    """The search for special geometry has taken too long."""
+
+
 def nearest_special(network: Network, claims: Sequence[RankClaim], *, moves: bool) -> tuple[NearGeometry, ...]:
     """The nearest geometries in which what almost vanishes does: ranks alone, and with the motions.
 
     Empty where there is nothing that almost is, or none was found. `moves`: as typed it moves along all its
     instantaneous freedoms. Ranks that are low as typed stay so.
+
+    Raises:
+        GivenUpError: a search took too long, so that none is known.
     """
     coarse = ClosureVariety(network)
     low = low_ranks(network, claims, np.array(coarse.centre, dtype=object))
@@ -351,12 +367,15 @@ def _found(search: _Search, *, moves: bool) -> NearGeometry | None:
 def _solved_twice(search: _Search, cut: float) -> _Search | None:
     """The search ended in a double zero of conditions that linear steps hardly make smaller; None where it is none."""
     believed, best, length = float(max(abs(c) for c in search.z)), float("inf"), float("inf")
+    left = MOST_LINEARISED
     for _ in range(ROUNDS):
         if believed > FARTHEST:
             return None
         if length > LINEAR:
             search.linearise()
-            doubled = double_directions(search.without_slope(cut))
+            doubled, left = double_directions(search.without_slope(cut), left)
+            if left < 0:
+                raise GivenUpError(GIVEN_UP)
         if doubled is None:
             return None
         step = vertex(search.without_slope(cut), doubled, believed)

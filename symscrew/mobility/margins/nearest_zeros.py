@@ -30,8 +30,11 @@ doubled for double ones, each with two or three that close the loops."""
 DIFFERENCE = 1e-5
 """Half the step of differences along the tangent: the derivative is right to 1e-10."""
 FOUND = 1e-10
-"""Of its size over sample states: a margin below it is zero there. The coordinates are then right to 1e-5 even where it
-has a double zero."""
+"""Of its size over sample states: a margin below it is zero there. The coordinates are then right to 1e-5
+even where it has a double zero."""
+SQUARED = 1e-16
+"""A sum of squares is followed down to this, as far as it goes, and it has no sign that would change there: doubles do
+not tell a rank that is lost from pins 1e-12 out of line."""
 LEVEL = 1e-9
 """A gradient below this, of the margin's size, leads nowhere."""
 CLOSED = 1e-11
@@ -107,7 +110,7 @@ def find_zeros(system: System, margins: Sequence[Margin], start: Array) -> list[
             moved = system.advance(np.array([walk.q for walk, _ in moving]), system.scales * np.array(steps))
             for (walk, _), q in zip(moving, moved, strict=True):
                 walk.q = q
-    ends = [walk.q if walk.found else None for walk in walks]
+    ends = [walk.end for walk in walks]
     return [_displaced(system, margins[k], end, (start, sizes[k])) for k, end in enumerate(ends)]
 
 
@@ -127,15 +130,20 @@ class _Walk:
     def __init__(self, margin: int, start: Array, double: float) -> None:
         self.margin, self.double = margin, double  # a step twice as long for a double zero
         self.q = start.copy()
+        self.target = FOUND if double == 1.0 else SQUARED
+        self.end: Array | None = None
         self.going, self.found = True, False
         self._value, self._least, self._idle = np.inf, np.inf, 0
+        self._best = np.inf  # the least value with closed loops
         self._before = np.inf  # the value from which a whole step was made; infinite: none was
 
     def judge(self, here: _Here, value: float) -> None:
         """Whether it has arrived, or goes no further."""
         self._value = value
         closed = here.residual < CLOSED
-        self.found = closed and abs(value) < FOUND
+        self.found = closed and abs(value) < self.target
+        if closed and abs(value) < min(FOUND, self._best):
+            self.end, self._best = self.q.copy(), abs(value)
         if here.residual < (CLOSED if abs(value) < NEAR else LOOSELY):
             if abs(value) < LESS * self._least:
                 self._least, self._idle = abs(value), 0
@@ -148,7 +156,7 @@ class _Walk:
         """Rates without unit: towards the margin's zero and towards closed loops."""
         square = float(slope @ slope)
         near = abs(self._value) < NEAR
-        if here.residual > (CLOSED if near else LOOSELY) or abs(self._value) < FOUND:
+        if here.residual > (CLOSED if near else LOOSELY) or abs(self._value) < self.target:
             return here.closing
         if square < LEVEL**2:
             self.going = False

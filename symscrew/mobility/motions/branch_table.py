@@ -4,8 +4,8 @@
 
 At a generic point of a branch near the configuration the instantaneous motions are its tangent space. So the freedoms
 of the platform there, its screw system, the internal freedoms and the joints at rest are those of the branch. They are
-sampled at two points, with ranks of 60 digits; that the list is complete, and the dimensions, are proved where the proof file's evidence shows
-it (`symscrew.mobility.proofs`).
+sampled at two points, with ranks of 60 digits; that the list is complete, and the dimensions, are proved where the
+proof file's evidence shows it (`symscrew.mobility.proofs`).
 """
 
 from __future__ import annotations

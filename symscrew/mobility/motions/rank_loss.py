@@ -114,7 +114,7 @@ class _Equations:
         """M at a pose, in the arithmetic of the variety."""
         if self.kind in self.setting.limbs:
             return np.asarray(screws[list(self.setting.limbs[self.kind][0])].T)
-        jacobian = variety.jacobians(screws[None], q[None])[0]
+        jacobian: Array = variety.jacobians(screws[None], q[None])[0]
         if self.kind == "closure":
             return jacobian
         if self.kind == "platform":

@@ -66,7 +66,7 @@ def screw_class(twists: Array, length: float) -> ScrewClass:
     """The class of the system that twists (omega ; v) at O span.
 
     Args:
-        twists: N x 6 [1, m], dependent ones among them are allowed; an array of objects is of 60 digits, and decided so.
+        twists: N x 6 [1, m], dependent ones among them are allowed; objects are of 60 digits, and decided so.
         length: a length of the mechanism [m], by which velocities are divided to be compared with rotations.
     """
     given = np.asarray(twists)

@@ -35,10 +35,12 @@ class Closures:
 
     @cached_property
     def coarse(self) -> ClosureVariety:
+        """In doubles."""
         return ClosureVariety(self.network)
 
     @cached_property
     def fine(self) -> ClosureVariety:
+        """In 60 digits."""
         return ClosureVariety(self.network, DIGITS_60)
 
 

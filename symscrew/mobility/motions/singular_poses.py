@@ -23,8 +23,8 @@ Array = np.ndarray[Any, Any]
 DIPS = 0.5
 """A margin that is lowest at a pose, below this part of its median along the line, may be zero nearby."""
 ZERO = 1e-5
-"""Part of its median below which a margin, refined, is zero as far as doubles tell: it goes through zero like a distance
-along the line, which is known to 1e-8."""
+"""Part of its median below which a margin, refined, is zero as far as doubles tell: it goes through zero like a
+distance along the line, which is known to 1e-8."""
 NOWHERE = 1e-8
 """Median of a margin along a line below which it is zero all along: poses are known to 1e-10."""
 FLAT = 0.2

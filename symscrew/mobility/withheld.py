@@ -1,0 +1,12 @@
+"""What is said in place of a statement that is not made: its check failed, or it cannot be made."""
+
+WITHDRAWN = {
+    "symbols": "no symbols: they do not agree with the numbers, so they are withheld",
+    "loops": "no symbols: the joint rates do not keep the loops closed, so they are withheld",
+    "poses": "withheld: it does not agree with screws displaced by exponentials",
+    "finite": "undecided: another route does not confirm how the configuration was judged",
+}
+"""Statement that falls with a failed check -> what is said instead of it."""
+TIED = "no symbols: couplings of coordinates are not sines and cosines of them"
+AS_MEANT = "no symbols: the geometry meant was solved for in numbers of 60 digits"
+SOLVED_FOR = "the geometry meant was solved for in 60 digits"
