@@ -18,6 +18,7 @@ from symscrew.description.mechanism import Mechanism
 from symscrew.errors import DescriptionError
 from symscrew.mobility import analyse_mobility, sections, verify
 from symscrew.mobility.analysis import as_meant
+from symscrew.mobility.finite import near_geometry
 
 BESIDE = (
     "parallelogram",
@@ -148,6 +149,15 @@ def test_parallel_cranks_with_pins_in_line_or_not_are_found_as_meant(pins: list[
     assert (found.dof, found.finite.dof) == (0, 0) and near is not None
     assert (near.meant.dof, near.meant.finite.dof, near.meant.overconstraints) == (1, 1, 7)
     assert near.meant.finite.smooth and near.distance < {"double": 1e-14, "12": 1e-10, "9": 1e-7, "6": 1e-4}[digits]
+
+
+@pytest.mark.slow
+def test_a_search_that_is_given_up_says_so(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(near_geometry, "MOST_LINEARISED", 3)
+    change = lambda joints: posed(joints, seed=1, digits="12", unit="m")  # noqa: E731
+    found = analyse_mobility(rebuilt(cranks((0, 0), (2, 0), (5, 0)), change))
+    assert found.near is None and any("double zero of its conditions was ended" in text for text in found.not_tried)
+    assert found.nearly_singular or found.nearly_special  # that something is near is said all the same
 
 
 def rebuilt(mechanism: Mechanism, change: Callable[[list[dict[str, Any]]], list[dict[str, Any]]]) -> Mechanism:

@@ -1,0 +1,145 @@
+"""What is special to many digits, not as typed: change points, axes far away, hinges all but through one point."""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import Any
+
+import mpmath
+import numpy as np
+import pytest
+import sympy
+from support.further_mechanisms import CASES
+from support.reference_mechanisms import ENTRIES, build
+
+from symscrew import MechanismBuilder
+from symscrew.algebra import CONTEXT
+from symscrew.mobility import Mobility, WholeMotion, analyse_mobility, motion_lines, motion_values, screw_class, verify
+from symscrew.mobility.findings.typeset import shown
+
+COUPLERS = ("1.3", "1.3000000000001", "1.2999999999")
+
+
+@cache
+def four_bar(end: str) -> Mobility:
+    """A parallelogram where the coupler ends at 1.3, and none elsewhere."""
+    builder = MechanismBuilder("almost", platform="coupler")
+    for body in ("crank", "coupler", "rocker"):
+        builder.body(body)
+    places = {"A": [0, 0, 0], "B": ["3/10", "4/10", 0], "C": [end, "4/10", 0], "D": [1, 0, 0]}
+    ends = ("base", "crank", "coupler", "rocker", "base")
+    for k, (name, point) in enumerate(places.items()):
+        builder.joint(name, "R", parent=ends[k], child=ends[k + 1], point=point, axes=[[0, 0, 1]], driven=k == 0)
+    return analyse_mobility(builder.build())
+
+
+def along(found: Mobility) -> WholeMotion:
+    result = found.along
+    assert isinstance(result, WholeMotion)
+    return result
+
+
+def folds(end: str) -> bool:
+    """Whether all four pins can be in line: two lengths are as long as the other two (Grashof)."""
+    with mpmath.workdps(60):
+        c = mpmath.mpf(end)
+        lengths = sorted([mpmath.mpf(1) / 2, c - mpmath.mpf(3) / 10, mpmath.sqrt((c - 1) ** 2 + mpmath.mpf(16) / 100),
+                          mpmath.mpf(1)])  # fmt: skip
+        return abs(lengths[0] + lengths[3] - lengths[1] - lengths[2]) < mpmath.mpf(10) ** -50
+
+
+@pytest.mark.parametrize("end", COUPLERS)
+def test_a_change_point_is_one_only_where_the_lengths_are_so(end: str) -> None:
+    found = four_bar(end)
+    poses = along(found).singular
+    lost = [pose for pose in poses if "closure" in pose.kinds]
+    assert len(lost) == (2 if folds(end) else 0)
+    if folds(end):
+        assert [pose.branches for pose in lost] == [(1, 1)] * 2 and not any(pose.almost for pose in poses)
+        return
+    assert poses and all(0 < pose.almost["closure"] < 1e-7 for pose in poses)
+    lines = "\n".join(motion_lines(along(found), found.network, found.mechanism, "coupler"))
+    assert "almost, and not as typed" in lines and "no singular pose was found" in lines
+    values = motion_values(along(found), found.network, found.mechanism)
+    assert all(pose["kinds"] == [] and pose["almost"] for pose in values["singular_poses"])
+
+
+@pytest.mark.parametrize("end", COUPLERS)
+def test_tables_of_one_report_do_not_contradict_each_other(end: str) -> None:
+    """The coupler turns about an axis at 1e10 m, which is no translation: in the freedoms, the branch, the motion."""
+    found = four_bar(end)
+    expected = "1T" if end == "1.3" else "1R"
+    assert found.branches is not None
+    row = found.branches.rows[0]
+    assert row.platform is not None and found.platform.type == row.platform.type == expected
+    assert [c.type for c in along(found).classes] == [expected]
+    assert ("1T" in row.almost) == (expected == "1R")
+
+
+def test_classes_of_60_digits() -> None:
+    tiny = CONTEXT.mpf(10) ** -11
+    twist = np.array([[0 * tiny, 0 * tiny, tiny, 1 + 0 * tiny, 0 * tiny, 0 * tiny]], dtype=object)
+    assert screw_class(twist.astype(float), 1.0).type == "1T" and screw_class(twist, 1.0).type == "1R"
+    random = np.random.default_rng(3)
+    for _ in range(20):
+        given = random.integers(-1, 2, size=(int(random.integers(1, 6)), 6))
+        rough, precise = (screw_class(np.array(given, dtype=kind) * one, 1.3)
+                          for kind, one in ((float, 1.0), (object, CONTEXT.one)))  # fmt: skip
+        assert (rough.type, rough.name) == (precise.type, precise.name)
+        assert rough.pitches == pytest.approx(precise.pitches, abs=1e-9)
+
+
+def apart(size: sympy.Rational) -> Any:
+    """Joints' points moved by multiples of `size`."""
+    return lambda joints: [
+        {**j, "point": [c + size * ((7 * i + 3 * k) % 5 - 2) for k, c in enumerate(j["point"])]}
+        for i, j in enumerate(joints)
+    ]
+
+
+@pytest.mark.parametrize("power", [8, 12, 15])
+def test_hinges_all_but_through_one_point(power: int) -> None:
+    """Rounding sets them apart; that is no linkage of a nanometre's size that nothing is next to."""
+    found = analyse_mobility(build(ENTRIES["spherical_4r"], apart(sympy.Rational(1, 10**power))))
+    assert (found.dof, found.finite.dof) == (0, 0) and found.near is not None
+    assert found.near.meant.finite.dof == 1 and found.near.distance < 4 * 10.0**-power
+
+
+@pytest.mark.slow
+def test_terms_that_are_all_rounding_are_no_power() -> None:
+    """A constraint through O on a screw through O, displaced: 1e-62 beside nothing was once called all of its terms."""
+    move = [sympy.Rational(-c, 10**8) for c in (5, 8, 4)]
+    change = lambda joints: [  # noqa: E731
+        {**j, "point": [c + d for c, d in zip(j["point"], move, strict=True)]} if j["name"] == "A0" else j
+        for j in joints
+    ]
+    found = analyse_mobility(build(ENTRIES["agile_eye-self_motion"], change))
+    assert [check.claim for check in verify(found) if not check.holds] == []
+    assert found.near is not None and found.near.meant.finite.dof == 3
+
+
+@pytest.mark.slow
+def test_ball_joints_alone_move() -> None:
+    """No joint of one freedom: the coordinates are their rotations, and none rests."""
+    found = analyse_mobility(CASES["4S"].make())
+    moving = along(found)
+    assert moving.idle == () and moving.classes and len(moving.columns) == found.finite.dof
+
+
+@pytest.mark.slow
+def test_what_is_lost_all_along_a_line_is_no_list_of_poses() -> None:
+    """With the coupler's pins of a five-bar on one another the drives never hold it."""
+    found = analyse_mobility(build(ENTRIES["planar_5bar-type2"]))
+    moving = along(found)
+    assert [kind for _, kind in moving.lost] == ["drives"]
+    column = moving.lost[0][0]
+    assert not any("drives" in pose.kinds for pose in moving.singular if pose.column == column)
+    assert "all along the line of" in "\n".join(motion_lines(moving, found.network, found.mechanism, "x"))
+
+
+def test_long_numbers_are_shown_without_their_factors() -> None:
+    long = sympy.Rational(10**44 + 31, 10**44 + 3)
+    numbers = shown((long, 2 * long, sympy.Integer(0), sympy.sqrt(3) * long, sympy.Integer(0), sympy.Integer(1)))
+    size = float(long) * 5**0.5
+    expected = [float(long) / size, 2 * float(long) / size, 0, 3**0.5 * float(long) / size, 0, 1 / size]
+    assert [float(c) for c in numbers] == pytest.approx(expected, rel=1e-5)
