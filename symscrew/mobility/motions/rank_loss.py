@@ -96,7 +96,15 @@ class _Equations:
     def __init__(self, setting: Setting, held: tuple[int, ...], column: int, kind: str) -> None:
         self.setting, self.held, self.kind, self.column = setting, held, kind, column
         self.coarse, self.fine = setting.variety, ClosureVariety(setting.network, DIGITS_60)
+        self.turned = False
         self.usual = self._usual()
+        rows = self.matrix(self.coarse, *self._reference()).shape
+        if self.usual is not None and rows[0] - rows[1] + self.usual < self.usual:  # fewer vectors from the left
+            self.turned, self.usual = True, rows[0] - rows[1] + self.usual
+
+    def _reference(self) -> tuple[Array, Array]:
+        origin = np.zeros(self.coarse.columns)
+        return self.coarse.forward(origin[None])[0][0], origin
 
     def _usual(self) -> int | None:
         """Null vectors of M at regular poses; None where that is not known."""
@@ -111,7 +119,11 @@ class _Equations:
         return len(columns) - rank
 
     def matrix(self, variety: ClosureVariety, screws: Array, q: Array) -> Array:
-        """M at a pose, in the arithmetic of the variety."""
+        """M at a pose, in the arithmetic of the variety, or its transpose where fewer vectors vanish on that side."""
+        found = self._matrix(variety, screws, q)
+        return found.T if self.turned else found
+
+    def _matrix(self, variety: ClosureVariety, screws: Array, q: Array) -> Array:
         if self.kind in self.setting.limbs:
             return np.asarray(screws[list(self.setting.limbs[self.kind][0])].T)
         jacobian: Array = variety.jacobians(screws[None], q[None])[0]
@@ -157,9 +169,10 @@ def _solved(equations: _Equations, start: Array, within: float) -> tuple[bool | 
     regular = False
     for _ in range(IN_DOUBLES):
         slopes = equations.slopes(q, vectors, across)
-        values = np.linalg.svd(slopes, compute_uv=False)
-        regular = len(slopes) >= slopes.shape[1] and bool(values[-1] > REGULAR * values[0])
-        inverse = np.linalg.pinv(slopes, rcond=REGULAR)
+        u, values, rows = np.linalg.svd(slopes, full_matrices=False)
+        kept = values > REGULAR * values[0]
+        regular = len(slopes) >= slopes.shape[1] and bool(kept.all())
+        inverse = (rows[kept].T / values[kept]) @ u[:, kept].T
         step = inverse @ equations.at(equations.coarse, q, vectors)
         q, vectors = q - step[: len(q)], vectors - across @ step[len(q) :].reshape(-1, null)
         if np.linalg.norm(q - start) > within:
