@@ -132,7 +132,7 @@ def corrected(setting: Setting, q: Array, held: Sequence[int]) -> Array | None:
     return None
 
 
-def track(setting: Setting, column: int, held: Sequence[int], sign: int, most: int = MOST_STEPS) -> Track:
+def track(setting: Setting, column: int, held: Sequence[int], sign: int, *, most: int = MOST_STEPS) -> Track:
     """The line of one coordinate from the reference in one direction, at most so many poses."""
     origin = np.zeros(setting.variety.columns)
     pose = pose_at(setting, origin, held, None)

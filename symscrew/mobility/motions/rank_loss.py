@@ -16,7 +16,7 @@ import numpy as np
 
 from symscrew.algebra import CONTEXT
 from symscrew.mobility.finite import DIGITS_60, ClosureVariety
-from symscrew.mobility.motions.coordinate_lines import Setting
+from symscrew.mobility.motions.coordinate_lines import Setting, Track
 from symscrew.mobility.motions.seen_poses import body_twists
 from symscrew.mobility.screw_systems import eliminate
 
@@ -62,19 +62,17 @@ class Loss:
         return self.q.astype(float)
 
 
-def decided(
-    setting: Setting, held: tuple[int, ...], column: int, q: Array, kind: str, *, within: float = NEARBY
-) -> Loss:
+def decided(setting: Setting, line: Track, q: Array, kind: str, *, within: float = NEARBY) -> Loss:
     """Whether the margin of this kind is zero at a pose of the line next to q."""
-    equations = _Equations(setting, held, column, kind)
+    equations = _Equations(setting, line, kind)
     if equations.usual is None:
         return Loss(kind, None, q)
     return Loss(kind, *_solved(equations, q, within))
 
 
-def at_pose(setting: Setting, held: tuple[int, ...], column: int, loss: Loss, known: Loss) -> Loss:
+def at_pose(setting: Setting, line: Track, loss: Loss, known: Loss) -> Loss:
     """What was not told of a loss by itself, at the pose of another one, by the rank there in 60 digits."""
-    equations = _Equations(setting, held, column, loss.kind)
+    equations = _Equations(setting, line, loss.kind)
     if equations.usual is None:
         return loss
     screws = equations.fine.forward(known.q[None])[0][0]
@@ -93,8 +91,8 @@ def freedoms_at(setting: Setting, q: Array) -> int:
 class _Equations:
     """Loops closed, held coordinates at rest, M(q) V = 0 with V = V0 + C W; unknowns q and W."""
 
-    def __init__(self, setting: Setting, held: tuple[int, ...], column: int, kind: str) -> None:
-        self.setting, self.held, self.kind, self.column = setting, held, kind, column
+    def __init__(self, setting: Setting, line: Track, kind: str) -> None:
+        self.setting, self.held, self.kind, self.column = setting, line.held, kind, line.column
         self.coarse, self.fine = setting.variety, ClosureVariety(setting.network, DIGITS_60)
         self.turned = False
         self.usual = self._usual()

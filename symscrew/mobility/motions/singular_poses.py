@@ -96,7 +96,7 @@ def _on(setting: Setting, line: Track) -> Iterator[Loss]:
             loss = _at_once(setting, line, before, "coordinate")
             q = None if loss is not None else _lowest(setting, line, before, None)
             if q is not None:
-                loss = decided(setting, line.held, line.column, q[0], "coordinate")
+                loss = decided(setting, line, q[0], "coordinate")
             if loss is not None:
                 turns.append(loss)
                 yield loss
@@ -108,22 +108,23 @@ def _on(setting: Setting, line: Track) -> Iterator[Loss]:
         size = max(typical, float(values.max()) * ZERO)
         for k in range(1, len(poses) - 1):
             if values[k] <= min(values[k - 1], values[k + 1]) and values[k] < DIPS * typical:
-                loss = _known(setting, line, poses[k], kind, turns) or _at_once(setting, line, poses[k], kind)
+                known = _known(setting, line, poses[k], turns) if kind == "drives" else None
+                loss = known or _at_once(setting, line, poses[k], kind)
                 found = None if loss is not None else _lowest(setting, line, poses[k - 1], kind, strides=2.2)
                 if found is not None and found[1] < ALMOST * size:
-                    loss = decided(setting, line.held, line.column, found[0], kind)
+                    loss = decided(setting, line, found[0], kind)
                     if loss.real is None and found[1] >= ZERO * size:
                         continue
                 if loss is not None:
                     yield loss
 
 
-def _known(setting: Setting, line: Track, pose: Pose, kind: str, turns: Sequence[Loss]) -> Loss | None:
+def _known(setting: Setting, line: Track, pose: Pose, turns: Sequence[Loss]) -> Loss | None:
     """Where the independent coordinates are the drives, these lose their hold where a coordinate turns back."""
-    if kind != "drives" or {*line.held, line.column} != set(setting.drives):
+    if {*line.held, line.column} != set(setting.drives):
         return None
     near = (loss for loss in turns if loss.real and np.linalg.norm(loss.place - pose.q) < 2 * STRIDE)
-    return next((replace(loss, kind=kind) for loss in near), None)
+    return next((replace(loss, kind="drives") for loss in near), None)
 
 
 def lost_lines(tracks: Sequence[Track]) -> tuple[tuple[int, str], ...]:
@@ -135,7 +136,7 @@ def lost_lines(tracks: Sequence[Track]) -> tuple[tuple[int, str], ...]:
 
 def _at_once(setting: Setting, line: Track, pose: Pose, kind: str) -> Loss | None:
     """A loss of rank on the line that its equations lead to from a pose a stride away; None where they do not."""
-    loss = decided(setting, line.held, line.column, pose.q, kind, within=2 * STRIDE)
+    loss = decided(setting, line, pose.q, kind, within=2 * STRIDE)
     if not loss.real:
         return None
     step = loss.place - pose.q
@@ -190,7 +191,7 @@ def _judged(setting: Setting, line: Track, losses: Sequence[Loss]) -> SingularPo
     """The pose with the branches that meet there."""
     known = next((loss for loss in losses if loss.real), None)
     if known is not None:
-        losses = [loss if loss.real is not None else at_pose(setting, line.held, line.column, loss, known)
+        losses = [loss if loss.real is not None else at_pose(setting, line, loss, known)
                   for loss in losses]  # fmt: skip
     kinds = tuple(loss.kind for loss in losses if loss.real)
     undecided = tuple(loss.kind for loss in losses if loss.real is None)

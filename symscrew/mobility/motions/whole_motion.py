@@ -203,7 +203,7 @@ def _generic_order(setting: Setting) -> int:
     columns = independent_columns(setting.network, pose.motions, setting.drives)
     for column in columns[:2]:
         held = tuple(c for c in columns if c != column)
-        line = track(setting, column, held, 1, AROUND) if setting.variety.rows else None
+        line = track(setting, column, held, 1, most=AROUND) if setting.variety.rows else None
         for there in line.poses[1:] if line else (pose,):
             screws = setting.variety.forward(there.q[None])[0][0]
             twists = body_twists(setting.network, setting.variety, screws, setting.body) @ there.motions
