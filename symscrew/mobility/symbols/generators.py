@@ -13,6 +13,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from math import gcd, lcm
 from typing import Any
 
 import numpy as np
@@ -170,9 +171,13 @@ class Generators:
         return self.shared(list(polys))[0]
 
     def primitive(self, vector: Sequence[Poly]) -> list[Poly]:
-        """The vector without the common factor of its components."""
-        quotients = iter(self.shared([c for c in vector if c])[1])
-        return [next(quotients) if c else c for c in vector]
+        """The vector without the common factor of its components, numbers among it."""
+        quotients = self.shared([c for c in vector if c])[1]
+        numbers = [number for quotient in quotients for number in quotient.coeffs()]
+        least = lcm(*(int(number.denominator) for number in numbers))
+        size = QQ(gcd(*(int(number * least) for number in numbers)) or 1, least)
+        left = iter(quotients)
+        return [next(left).quo_ground(size) if c else c for c in vector]
 
     def without_roots_in(self, polys: Sequence[Poly]) -> list[Poly]:
         """The polynomials without common factors that have a square root in them, such as p + sqrt(H^2 + L^2).

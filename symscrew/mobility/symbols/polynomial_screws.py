@@ -225,8 +225,9 @@ class Scalars:
         cleared = [
             ring.product(f.numerator, multiple.exquo(f.denominator)) if f.numerator else ring.ring.zero for f in given
         ]
-        common, _ = ring.shared([c for c in cleared if c])
-        return ring.primitive(cleared), Quotient(multiple, common)
+        common, quotients = ring.shared([c for c in cleared if c])
+        left = iter(quotients)
+        return [next(left) if c else c for c in cleared], Quotient(multiple, common)
 
 
 class _Scalar:
