@@ -20,6 +20,8 @@ from symscrew.mobility import analyse_mobility, sections, verify
 from symscrew.mobility.analysis import as_meant
 from symscrew.mobility.finite import near_geometry
 
+pytestmark = pytest.mark.slow
+
 BESIDE = (
     "parallelogram",
     *(pytest.param(name, marks=pytest.mark.slow) for name in (
