@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from symscrew.description import Mechanism
+from symscrew.errors import DescriptionError
 from symscrew.kinematics import System
 from symscrew.mobility.configuration import Reached
 from symscrew.mobility.margins import (
@@ -111,7 +112,10 @@ class Singularities:
 
 def singularities(mechanism: Mechanism, reached: Reached | None) -> Singularities:
     """Margins in the configuration that was reached, or in the reference configuration where it is None."""
-    system = System(mechanism)
+    try:
+        system = System(mechanism)
+    except DescriptionError as error:  # of a loop of screws that are not parallel none can be cut
+        return Singularities(1.0, None, (), unknown=str(error))
     system.use_samples()
     q = np.asarray(system.reference if reached is None else reached.tree(system))
     kinds = (limb_margins(system), constraint_margins(system), actuation_margins(system))

@@ -11,10 +11,21 @@ import pytest
 import sympy
 from support.further_mechanisms import CASES
 from support.reference_mechanisms import ENTRIES, build
+from support.reposed import posed
 
 from symscrew import MechanismBuilder
 from symscrew.algebra import CONTEXT
-from symscrew.mobility import Mobility, WholeMotion, analyse_mobility, motion_lines, motion_values, screw_class, verify
+from symscrew.mobility import (
+    Mobility,
+    WholeMotion,
+    analyse_mobility,
+    mobility_text,
+    mobility_values,
+    motion_lines,
+    motion_values,
+    screw_class,
+    verify,
+)
 from symscrew.mobility.findings.typeset import shown
 
 COUPLERS = ("1.3", "1.3000000000001", "1.2999999999")
@@ -143,3 +154,11 @@ def test_long_numbers_are_shown_without_their_factors() -> None:
     size = float(long) * 5**0.5
     expected = [float(long) / size, 2 * float(long) / size, 0, 3**0.5 * float(long) / size, 0, 1 / size]
     assert [float(c) for c in numbers] == pytest.approx(expected, rel=1e-5)
+
+
+def test_a_loop_of_screws_that_are_not_quite_parallel_has_its_verdict_without_margins() -> None:
+    """Of such a loop no joint can be cut, so that margins are not known: no reason to refuse the rest."""
+    change = lambda joints: posed(joints, seed=1, digits="double", unit="m")  # noqa: E731
+    found = analyse_mobility(build(ENTRIES["delassus_4h"], change))
+    assert found.singularities.margins is None and "whole turns" in found.singularities.unknown
+    assert mobility_values(found)["dof"] == found.dof and "Margins are not known" in mobility_text(found)
