@@ -20,7 +20,7 @@ from symscrew.assembly.batch_equations import BatchEquations
 from symscrew.assembly.certified_roots import Certificate
 from symscrew.assembly.exact_roots import ExactRoot
 from symscrew.assembly.families import Family
-from symscrew.assembly.path_tracking import CORRECTION, NEARLY, Coefficients, Tracker
+from symscrew.assembly.path_tracking import CORRECTION, NEARLY, Coefficients, Ends, Tracker
 from symscrew.assembly.start_system import StartSystem, together
 
 Array = np.ndarray[Any, Any]
@@ -49,8 +49,8 @@ BACK = 1e-7
 """Distance at which a path has come back to where its round began."""
 BENDS = (0.0, 0.4, -0.4, 0.8)
 """How far ways go round through complex s: on another way singular places are others, so that paths get past them."""
-BEHIND = 1e-3
-"""Part of the way that is left of a path that stays behind: one that comes to a singular end has 1e-4 and less."""
+BEHIND = 1e-2
+"""Part of the way that is left of a path that stays behind: one that comes to a singular end has 3e-3 and less."""
 TIGHTER = (1e-2, 1e-4)
 """Of the correction's length, where two paths have ended in one point: one of them jumped."""
 ALONG = (1e-2, 1e-3)
@@ -100,13 +100,19 @@ class Account:
 def target_roots(family: Family, start: StartSystem, member: Sequence[Any]) -> Account:
     """The ends of all paths from the start system to a member of its family."""
     straight = family.way(start.member, member).at
-    found: list[Account] = []
+    tried: list[tuple[_Roots, Ends]] = []
     for bend in BENDS:
-        found.append(_Roots(family.equations, start, _bent(straight, bend)).account())
-        if not found[-1].count("lost"):
+        roots = _Roots(family.equations, start, _bent(straight, bend))
+        tried.append((roots, roots.followed()))
+        if not _behind(tried[-1][1]).any():
             break
-    best = min(found, key=lambda account: account.count("lost"))
-    return replace(best, again=sum(account.again for account in found) + len(found) - 1)
+    roots, ends = min(tried, key=lambda pair: int(_behind(pair[1]).sum()))
+    account = roots.account(ends)
+    return replace(account, again=account.again + len(tried) - 1)
+
+
+def _behind(ends: Ends) -> Array:
+    return np.asarray(~ends.reached & (ends.s < 1 - BEHIND))
 
 
 def _bent(way: Coefficients, bend: float) -> Coefficients:
@@ -119,15 +125,20 @@ class _Roots:
         self.goal = way(np.ones(1))
         self.again = 0
 
-    def account(self) -> Account:
-        """Regular ends first, then what the others come to."""
-        count = len(self.start.zeros)
+    def followed(self) -> Ends:
+        """All paths as far as they come."""
         ends = Tracker(self.equations).follow(self.start.zeros, self.way)
-        z, reached, come = ends.z.copy(), ends.reached.copy(), ends.s.copy()
-        late = np.flatnonzero(~reached)
+        late = np.flatnonzero(~ends.reached)
         if len(late):
             more = Tracker(self.equations, nearly=NEARLY[1]).follow(self.start.zeros[late], self.way)
-            z[late], reached[late], come[late] = more.z, more.reached, more.s
+            for one, two in ((ends.z, more.z), (ends.s, more.s), (ends.reached, more.reached)):
+                one[late] = two
+        return ends
+
+    def account(self, ends: Ends) -> Account:
+        """Regular ends first, then what the others come to."""
+        count = len(self.start.zeros)
+        z, reached, behind = ends.z.copy(), ends.reached.copy(), _behind(ends)
         good = reached & (self.smallest(z) > SINGULAR)
         for tighter in TIGHTER:
             doubled = self._doubled(z, good)
@@ -138,7 +149,6 @@ class _Roots:
             z[doubled], good[doubled] = more.z, more.reached & (self.smallest(more.z) > SINGULAR)
         least = self.smallest(z)
         found = [self._regular(z[k], float(least[k])) for k in np.flatnonzero(good)]
-        behind = ~reached & (come < 1 - BEHIND)
         found += [End(place, "lost", regular=False) for place in z[behind]]
         found += self._singular(np.flatnonzero(~good & ~behind), z, reached)
         return Account(tuple(found), count, self.again)

@@ -8,7 +8,8 @@ from support.linkages import joined
 
 import symscrew
 from symscrew.assembly import target_roots as target
-from symscrew.assembly.start_system import StartSystem
+from symscrew.assembly.all_modes import known_zero
+from symscrew.assembly.start_system import StartSystem, searched
 
 SHORT = [
     ("R", "ground", "a", ["0", "0"], None), ("R", "a", "b", ["1", "0"], None), ("R", "b", "c", ["2", "1.5"], None),
@@ -31,3 +32,15 @@ def test_two_paths_that_meet_on_the_way_are_led_around(monkeypatch: pytest.Monke
     monkeypatch.setattr(target, "BENDS", (0.0,))
     straight = target.target_roots(found.family, start, found.family.member({column: 3.0}))
     assert (straight.count("complex"), straight.count("lost")) == (0, 2)
+
+
+def test_a_start_system_is_found_from_a_singular_reference() -> None:
+    """With the rocker held at its dead centre no path leads away: Newton's method finds a general member's zero."""
+    ends = [["0", "0"], ["1", "0"], ["3", "0"], ["2.5", "-2"]]
+    stretched = joined([(*edge[:3], end, None) for edge, end in zip(SHORT, ends, strict=True)])
+    found = symscrew.assembly_modes(stretched, at={"j3": "0.2"})
+    assert len(found.modes) in (0, 2) and found.family is not None
+    other = symscrew.assembly_modes(stretched, at={"j3": "-0.2"})
+    assert {len(found.modes), len(other.modes)} == {0, 2}
+    start = searched(found.family, known_zero(found.family.equations))
+    assert start.bound is not None and len(start.zeros) == start.bound.count == 2
