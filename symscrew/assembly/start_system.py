@@ -123,7 +123,7 @@ def _by_newton(tracker: Tracker, numbers: Array, random: np.random.Generator) ->
             last = np.linalg.norm(step, axis=1)
             z = equations.scaled(np.nan_to_num(z + step, nan=1.0, posinf=1.0, neginf=1.0))
         sound = (last < STILL) & (equations.norms(z).min(axis=1) > FINITE)
-    return z[sound][:1]
+    return np.asarray(z[sound][:1])
 
 
 def together(equations: BatchEquations, zeros: Array, z: Array, same_above: float = SAME) -> Array:
