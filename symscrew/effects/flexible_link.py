@@ -58,7 +58,8 @@ class FlexibleLink(Effect):
       eta_k add up to the deflection of the free end.
 
     `bending_stiffness` EI [N m^2] and `line_density` rho [kg/m] above 0; the body's mass and inertia are those of the
-    description, the rod's included. With m_k, k_k the integrals of rho phi_k^2 and EI phi_k''^2, omega the body's
+    description, the rod's included (less than the rod's is refused).
+    With m_k, k_k the integrals of rho phi_k^2 and EI phi_k''^2, omega the body's
     angular velocity, and a(x) the acceleration of the undeflected rod less gravity,
 
         m_k eta_k_ddot = -k_k eta_k - 2 zeta sqrt(k_k m_k) eta_k_dot + m_k (omega^2 - (omega . e)^2) eta_k
