@@ -263,7 +263,7 @@ def test_what_is_refused() -> None:
         ([bends(end="crank_pin")], "two points of one body"),
         ([bends(bending_stiffness=0)], "above 0"),
         ([bends(end="pin")], "did you mean"),
-        ([bends(line_density="0.3")], "contains its rod, whose mass is 0.09 kg by 'line_density'; 'rod' has 0.0667557 kg"),
+        ([bends(line_density="0.3")], "whose mass is 0.09 kg by 'line_density'; 'rod' has 0.0667557 kg"),
         ([BaseMotion(twist=(0, 0, 1, 0, 0, 0)), bends()], "a base at rest"),
     ]
     for effects, text in refused:
