@@ -19,9 +19,10 @@ from symscrew.loops.limbs import (
     reference_nodes,
     rod_limb,
 )
-from symscrew.loops.modes import Mode, operation_mode
+from symscrew.loops.modes import OFF, Mode, operation_mode
 
 __all__ = [
+    "OFF",
     "Closure",
     "CrankLimb",
     "LengthRow",

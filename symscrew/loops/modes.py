@@ -101,21 +101,25 @@ class Mode:
         return replace(found, guards=tuple(guards.items()), limits=limits)
 
     def _implied(self, opening: Node, low: float | None, high: float | None, status: int) -> bool:
-        """Whether all configurations of this mode, also others than the mechanism's, leave the loops closed.
+        """Whether a limit on an opening cannot be passed: see `closes`; not of quaternions, which are not moved."""
+        inputs, tree = self.system.inputs, self.system.tree
+        turning = {inputs.q[k] for start, _ in tree.spheres for k in range(start, start + 4)}
+        if status != NOT_ON_MECHANISM or high is None or not inputs_of([opening]) <= set(inputs.q) - turning:
+            return False
+        return self.closes(opening, SAME * SAME)
+
+    def closes(self, opening: Node, closed: float = SAME) -> bool:
+        """Whether all configurations of this mode, also others than the mechanism's, leave less open than `closed`.
 
         Looked at where the sample states are moved at random, by a tenth of a radian or of the characteristic length.
         """
         inputs, tree = self.system.inputs, self.system.tree
-        turning = {inputs.q[k] for start, _ in tree.spheres for k in range(start, start + 4)}
-        read = inputs_of([opening])
-        if status != NOT_ON_MECHANISM or high is None or not read <= set(inputs.q) - turning:
-            return False
         q = self.system.sample_states[0]
         sizes = np.array([self.system.length if c.kind == "length" else 1.0 for c in tree.q])
         moved = q + 0.1 * sizes * np.random.default_rng(5).uniform(-1, 1, q.shape)
-        values = self.system.numeric([opening], (inputs.q, moved))
+        values = np.abs(self.system.numeric([opening], (inputs.q, moved)))
         reached = np.isfinite(values)
-        return bool(2 * reached.sum() > reached.size and (values[reached] < SAME * SAME).all())
+        return bool(2 * reached.sum() > reached.size and (values[reached] < closed).all())
 
     @cached_property
     def nodes(self) -> dict[Node, Node]:

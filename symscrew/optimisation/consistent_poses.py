@@ -94,9 +94,9 @@ class Kinematics:
         return [*many, np.repeat(self.parameters[:, None], len(arrays[0]), 1)] if len(self.parameters) else many
 
     def closure(self, y: np.ndarray, z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """q (n, nq) from y (n, d) and z (n, nz) as they are, and how far the loops are open (n, nz), without units."""
-        q, opening = self._closure(*self.columns(y, z))
-        return np.array(q).T, np.array(opening).T
+        """q (n, nq) from y (n, d) and z (n, nz) as they are, and by how much the loops are open (n, rows), no units."""
+        q, *openings = self._closure(*self.columns(y, z))
+        return np.array(q).T, np.vstack([np.array(opening) for opening in openings]).T
 
     def assemble(self, y: np.ndarray, guess: np.ndarray) -> np.ndarray | None:
         """q (nq,) with independent coordinates y near the guess; None where Newton's method finds none."""

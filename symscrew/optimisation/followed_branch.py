@@ -88,12 +88,14 @@ class Branch:
         equations = motion.model.equations
         y, z = ca.SX.sym("y", motion.model.d), ca.SX.sym("z", len(equations.layout.z))
         p = ca.DM(motion.parameter_values)
-        c = symbolic_outputs(equations.closure, {"y": y, "z": z, "p": p})["closure"]
+        outputs = symbolic_outputs(equations.closure, {"y": y, "z": z, "p": p})
+        c = outputs["closure"]
         by_z, by_y = ca.densify(ca.jacobian(c, z)), ca.densify(ca.jacobian(c, y))
         self.size = z.numel()
         self.point = ca.Function("point", [y, z], [c, by_z, by_y])
         self.closure = EnclosedFunction(ca.Function("closure", [y, z], [c]))
         self.by_z = EnclosedFunction(ca.Function("by_z", [y, z], [by_z]))
+        self.implied = EnclosedFunction(ca.Function("implied", [y, z], [outputs["implied"]]))
 
     def at(self, y: np.ndarray, z: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """c (n, nz), c_z and c_y (n, nz, ...) at numbers."""
@@ -139,6 +141,8 @@ class Branch:
             radius = np.where(done[:, None], radius, WIDER * wanted)
             if (done | ~good | ~np.isfinite(wanted).all(axis=1)).all():
                 break
+        implied = _centred(self.implied(arithmetic, [given, here])[0], n)[1]  # no numbers where a limb cannot reach
+        done &= np.isfinite(implied).all(axis=1)
         return Boxes(pieces, z, slope, radius, inverse, excess), done
 
     def _excess(
@@ -206,7 +210,7 @@ class Branch:
             if shortest.any():
                 first = float(lost.pieces.chosen(shortest).tau(mesh).min())
                 return Followed(found.in_order(), self._singular(first))
-            far = ~(lost.excess.sum(axis=2).max(axis=1) < FAR)
+            far = ~(lost.excess.sum(axis=2).max(axis=1, initial=0.0) < FAR)
             pieces = lost.pieces.chosen(far).halves().with_others(lost.pieces.chosen(~far)).halves()
             z = motion.nearest(pieces.tau(mesh))[:, list(layout.z)]
         assert found is not None

@@ -105,7 +105,7 @@ def errors_of(motion: PlannedMotion, costates: np.ndarray, branch: Branch, follo
 
 def _closure(motion: PlannedMotion, y: np.ndarray, z: np.ndarray) -> float:
     """Largest opening of the loops."""
-    if not motion.model.equations.layout.z:
+    if not motion.model.equations.layout.closed and not motion.model.equations.layout.z:
         return 0.0
     return float(np.abs(motion.kinematics.closure(y, z)[1]).max(initial=0.0))
 

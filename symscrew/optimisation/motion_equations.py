@@ -1,8 +1,10 @@
 """The equations that a motion must obey at one time, as one straight-line program: closure and dynamics.
 
 The configuration follows from the independent coordinates y and the others, z. Where limbs have closed forms z
-are the rest of the platform's own coordinates, else the rest of the tree's. The equations of motion are projected
-onto the directions that the loops leave free (columns N of the null space of the closure),
+are the rest of the platform's own coordinates, else the rest of the tree's. What is constant in the operation mode of
+the reference configuration (a delta's platform does not turn) is no unknown: motions of that mode alone need no more.
+The equations of motion are projected onto the directions that the loops leave free (columns N of the null space of
+the closure),
 
     N^T (M a + bias - forces of drives and effects) = 0,
 
@@ -12,9 +14,11 @@ for redundant drives, for passive freedoms and in singularities of the drives al
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
 from functools import cached_property
+
+import numpy as np
 
 from symscrew.algebra import Node
 from symscrew.description import Mechanism
@@ -33,7 +37,17 @@ from symscrew.functions import (
     moved_by,
 )
 from symscrew.kinematics import System
-from symscrew.loops import Loops, closed_limbs, hub_links, limb_coordinates, met_rows
+from symscrew.loops import (
+    OFF,
+    Loops,
+    Mode,
+    closed_limbs,
+    closures,
+    hub_links,
+    limb_coordinates,
+    met_rows,
+    operation_mode,
+)
 from symscrew.program import Function, Port, Program, lower
 
 
@@ -52,13 +66,19 @@ class Layout:
 class PointEquations:
     """System, independent coordinates and the programs of a trajectory problem, each derived when it is asked for.
 
-    `loops` are those of the plain tree; `labels` the labels of y.
+    `loops` are those of the plain tree; `labels` the labels of y; `one_mode`: for motions of the operation mode of the
+    reference configuration only, see `off_mode`.
     """
 
     def __init__(
-        self, mechanism: Mechanism, effects: Sequence[Effect], independent: Sequence[str] | None = None
+        self,
+        mechanism: Mechanism,
+        effects: Sequence[Effect],
+        independent: Sequence[str] | None = None,
+        *,
+        one_mode: bool = False,
     ) -> None:
-        self.effects = tuple(effects)
+        self.effects, self.one_mode = tuple(effects), one_mode
         self.system = system_under(mechanism, self.effects)
         self.system.use_samples()
         self.loops = Loops(self.system, independent)
@@ -85,22 +105,48 @@ class PointEquations:
     def layout(self) -> Layout:
         """How q is made of y and z."""
         y = tuple(entry.q for entry in self.loops.entries)
+        closed = bool(self._hub) and set(y) <= set(self._hub)
+        entries = self._hub if closed else range(len(self.system.tree.q))
+        return Layout(y, tuple(k for k in entries if k not in y and k not in self.constant), closed)
+
+    @cached_property
+    def _hub(self) -> tuple[int, ...]:
+        """Entries of q that place the platform, where limbs that have closed forms hang on it; else empty."""
         hub = hub_links(self.system)
-        if hub is not None and closed_limbs(self.system) is not None:
-            entries = [k for link in hub for k in range(link.q.start, link.q.stop)]
-            if set(y) <= set(entries):
-                return Layout(y, tuple(k for k in entries if k not in y), True)
-        return Layout(y, tuple(k for k in range(len(self.system.tree.q)) if k not in y), False)
+        if hub is None or closed_limbs(self.system) is None:
+            return ()
+        return tuple(k for link in hub for k in range(link.q.start, link.q.stop))
+
+    @cached_property
+    def _mode(self) -> Mode:
+        """What the operation mode of the reference configuration makes follow."""
+        return operation_mode(self.system, self.loops.free)
+
+    @cached_property
+    def constant(self) -> Mapping[int, float]:
+        """Index into q -> value of what is constant of the platform [1, rad, m]; empty unless for one mode."""
+        hub = self._hub if self.one_mode else ()
+        return {f.index: f.shift for f in self._mode.q if f.leader is None and f.index in hub}
+
+    def off_mode(self, q: np.ndarray) -> bool:
+        """Whether any of the configurations q (n, nq) is not of the operation mode that the equations are for."""
+        held = self.constant
+        return bool(held) and not bool((np.abs(q[:, list(held)] - list(held.values())) < OFF).all())
 
     @cached_property
     def _placed(self) -> tuple[System, dict[int, tuple[Node, Node]], Loops]:
         """The system at q from y and z, cosines and sines that are known, and its loops."""
         if not self.layout.closed:
             return self.system, {}, self.loops
-        own = {k: self.system.inputs.q[k] for k in (*self.layout.y, *self.layout.z)}
+        own: dict[int, Node] = {k: self.system.inputs.q[k] for k in (*self.layout.y, *self.layout.z)}
+        own |= {k: self.system.tape.constant(value) for k, value in self.constant.items()}
         found = limb_coordinates(self.system, closed_limbs(self.system) or (), own)
         placed = self.system.at(found.q, found.turns)
-        return placed, found.turns, Loops(placed, self.labels if self.loops.entries else None)
+        closure = next(closures(placed))
+        if self.constant:  # their rates are none: the coordinates themselves stand in the rows already
+            still = tuple(f for f in self._mode.v if f.leader is None)
+            closure = replace(closure, mode=Mode(placed, (), still, self._mode.free))
+        return placed, found.turns, Loops(placed, self.labels if self.loops.entries else None, closure)
 
     @cached_property
     def _moving(self) -> tuple[System, tuple[Node, ...], tuple[Node, ...]]:
@@ -120,13 +166,16 @@ class PointEquations:
 
     @cached_property
     def closure(self) -> Program:
-        """(y, z) -> q, closure: what y and z must satisfy, without units; as many rows as z has entries."""
+        """(y, z) -> q, closure, implied: what y and z must satisfy, without units, as many rows as z has entries.
+
+        `implied` are rows that hold in the operation mode for any y and z: plans are judged by them, too.
+        """
         placed, _, loops = self._placed
         system, tape = self.system, self.system.tape
-        redundant = set(loops.elimination.redundant)
+        redundant = set((self.loops if self.constant else loops).elimination.redundant)  # not what the mode makes so
         met = met_rows(closed_limbs(system) or ()) if self.layout.closed else frozenset()
         rows = [row for cut in placed.cuts for row in cut.rows]
-        values = []
+        values: list[Node] = []
         for k, (row, value) in enumerate(zip(rows, placed.residual, strict=True)):
             if k in redundant or row.label in met:
                 continue
@@ -134,12 +183,15 @@ class PointEquations:
         for link in system.tree.links[1:]:
             if link.motion.spherical and {*range(link.q.start, link.q.stop)} & {*self.layout.z, *self.layout.y}:
                 values.append(sum((c * c for c in placed.inputs.q[link.q]), start=tape.zero) - tape.one)
+        implied = [value for value in values if self.constant and self._mode.closes(value)]
+        values = [value for value in values if value not in implied]
         if len(values) != len(self.layout.z):
             raise DescriptionError(
                 f"the loops give {len(values)} equations for {len(self.layout.z)} dependent coordinates; the closure "
                 "is not regular here"
             )
-        outputs = [(_plain("q", len(placed.inputs.q)), placed.inputs.q), (_plain("closure", len(values)), values)]
+        parts = (("q", placed.inputs.q), ("closure", values), ("implied", implied))
+        outputs = [(_plain(name, len(nodes)), nodes) for name, nodes in parts]
         return lower(function(system, "closure_point", "", inputs=self._configuration(), outputs=outputs))
 
     @cached_property

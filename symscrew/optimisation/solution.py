@@ -82,15 +82,32 @@ def prepare(problem: TrajectoryProblem) -> Prepared:
         if name not in mechanism.parameters:
             raise DescriptionError(f"design: no parameter {name!r}; {did_you_mean(name, mechanism.parameters)}")
     parameters = {n: replace(p, run_time=p.run_time or n in chosen) for n, p in mechanism.parameters.items()}
-    equations = PointEquations(replace(mechanism, parameters=parameters), problem.effects, problem.independent)
+    described = replace(mechanism, parameters=parameters)
+    equations = PointEquations(described, problem.effects, problem.independent, one_mode=not _modes(problem))
+    if not equations.constant:
+        return _prepared(problem, equations)
+    try:
+        found = _prepared(problem, equations)
+    except DescriptionError:
+        found = None  # not for these conditions, or without regular equations
+    if found is None or found.guess.parted or found.guess.trouble or equations.off_mode(found.guess.q):
+        return _prepared(problem, PointEquations(described, problem.effects, problem.independent))
+    return found
+
+
+def _modes(problem: TrajectoryProblem) -> list[str]:
+    """Assembly modes that the problem names, which may be of another operation mode than the reference."""
+    return [conditions.mode for conditions in problem.conditions.values() if conditions.mode]
+
+
+def _prepared(problem: TrajectoryProblem, equations: PointEquations) -> Prepared:
     check_inputs(problem.inputs, {port.name: port.size for port, _ in equations.acting.own_inputs})
     sizes = (len(equations.layout.z), len(equations.system.drives), len(equations.acting.states))
     model = PointModel(problem, equations, unit_scales(len(equations.labels), *sizes))
     if not equations.labels:
-        raise DescriptionError(f"{mechanism.name} has no freedom that could move")
+        raise DescriptionError(f"{problem.mechanism.name} has no freedom that could move")
     guess = first_guess(model)
-    model = PointModel(problem, equations, guess.scales)
-    return Prepared(problem, model, guess)
+    return Prepared(problem, PointModel(problem, equations, guess.scales), guess)
 
 
 def solve(

@@ -17,6 +17,8 @@ from symscrew.scene import load_scene
 from symscrew.simulation import run_summary, simulate
 from symscrew.simulation.assembly_mode import AssemblyModes, changed
 
+pytestmark = pytest.mark.slow
+
 Array = np.ndarray
 
 

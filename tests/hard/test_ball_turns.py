@@ -17,6 +17,8 @@ from symscrew.runtime.compiled import find_compiler
 from symscrew.scene.contents import Initial, Integrator, Scene
 from symscrew.simulation.motion import Run, simulate
 
+pytestmark = pytest.mark.slow
+
 compiled = pytest.mark.skipif(find_compiler() is None, reason="no C compiler: loops without one take minutes")
 K, J = 0.3, 0.6
 WAYS = (slow("tree"), slow("turned round"), slow("cut"), "cut, turned round")

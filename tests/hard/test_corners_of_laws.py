@@ -22,6 +22,8 @@ from symscrew.scene.contents import Initial, Integrator, Scene
 from symscrew.simulation import landing, run_source
 from symscrew.simulation.motion import prepare, simulate
 
+pytestmark = pytest.mark.slow
+
 needs_compiler = pytest.mark.skipif(find_compiler() is None, reason="no C compiler")
 TOLERANCES = (1e-2, 1e-3, 1e-4, 1e-6, 1e-8, 1e-10)
 ROUNDING = 1e-12  # of ten swings

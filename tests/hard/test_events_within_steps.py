@@ -21,7 +21,10 @@ from symscrew.simulation import mode_ends
 from symscrew.simulation.mode_changes import complementary
 from symscrew.simulation.motion import Run, simulate
 
-pytestmark = pytest.mark.skipif(find_compiler() is None, reason="no C compiler: the compiled loop looks for events")
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.skipif(find_compiler() is None, reason="no C compiler: the compiled loop looks for events"),
+]
 
 
 def block() -> Mechanism:

@@ -23,6 +23,8 @@ from symscrew.program.numpy_evaluation import evaluate
 from symscrew.program.straight_line import Program
 from symscrew.studies.platform_motion import coordinate_rates
 
+pytestmark = pytest.mark.slow
+
 STEP = 1e-30
 STATES = 100
 LARGE = ("delta", "panda", "stewart_6ups", "three_ups_upu_s_physical")

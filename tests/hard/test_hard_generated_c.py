@@ -22,6 +22,7 @@ from hard import case
 from symscrew.runtime.compiled import CompileError, find_compiler, load
 
 pytestmark = [
+    pytest.mark.slow,
     pytest.mark.optimised,
     pytest.mark.skipif(find_compiler() is None, reason="no C compiler: these cases are of compiled code"),
 ]

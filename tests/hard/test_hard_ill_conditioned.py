@@ -30,6 +30,8 @@ from symscrew.runtime.compiled import find_compiler
 from symscrew.scene.contents import Initial, Integrator, Scene
 from symscrew.simulation.motion import Run, simulate
 
+pytestmark = pytest.mark.slow
+
 needs_compiler = pytest.mark.skipif(find_compiler() is None, reason="no C compiler: these runs would take minutes")
 DOWN = (Gravity((0, "-9.81", 0)),)
 

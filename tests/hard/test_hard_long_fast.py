@@ -22,7 +22,10 @@ from symscrew.scene.contents import Initial, Integrator, Scene
 from symscrew.simulation import run_source
 from symscrew.simulation.motion import Run, simulate
 
-pytestmark = pytest.mark.skipif(find_compiler() is None, reason="no C compiler: these runs would take minutes")
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.skipif(find_compiler() is None, reason="no C compiler: these runs would take minutes"),
+]
 DOWN = (Gravity((0, "-9.81", 0)),)
 
 

@@ -24,6 +24,7 @@ from symscrew.studies.accuracy.run_history import read_reference
 from symscrew.studies.platform_motion import coordinate_rates
 
 pytestmark = [
+    pytest.mark.slow,
     pytest.mark.optimised,
     pytest.mark.skipif(find_compiler() is None, reason="no C compiler: these cases are of compiled code"),
 ]

@@ -12,6 +12,8 @@ from symscrew.runtime.compiled import find_compiler
 from symscrew.scene.contents import Integrator, Scene, Table
 from symscrew.simulation.motion import Run, simulate
 
+pytestmark = pytest.mark.slow
+
 BACKENDS = [*(["c"] if find_compiler() else []), "numpy"]
 
 

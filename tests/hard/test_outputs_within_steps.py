@@ -13,7 +13,10 @@ from symscrew.runtime.compiled import find_compiler
 from symscrew.scene.contents import Initial, Integrator, Scene
 from symscrew.simulation.motion import prepare, simulate
 
-pytestmark = pytest.mark.skipif(find_compiler() is None, reason="no C compiler: its loop puts stages onto loops")
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.skipif(find_compiler() is None, reason="no C compiler: its loop puts stages onto loops"),
+]
 
 
 def test_a_step_without_states_in_its_middle_is_taken_again(monkeypatch: pytest.MonkeyPatch) -> None:

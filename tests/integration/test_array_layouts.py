@@ -30,7 +30,7 @@ from symscrew.runtime import (
     strided_c,
 )
 
-pytestmark = pytest.mark.skipif(find_compiler() is None, reason="no C compiler")
+pytestmark = [pytest.mark.slow, pytest.mark.skipif(find_compiler() is None, reason="no C compiler")]
 Array = np.ndarray
 ROUNDING = 1e-14  # a sine that is alone in its group of four is not the vector function's; nothing else differs
 COUNT = 37  # four blocks of eight and a rest that is shorter than half of one

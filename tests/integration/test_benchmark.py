@@ -21,7 +21,7 @@ from symscrew.studies.benchmark.function_times import batch, single, throughput,
 from symscrew.studies.benchmark.timed_code import Compiled, states
 from symscrew.studies.timing import quartiles
 
-pytestmark = pytest.mark.skipif(find_compiler() is None, reason="no C compiler")
+pytestmark = [pytest.mark.slow, pytest.mark.skipif(find_compiler() is None, reason="no C compiler")]
 
 
 def test_what_is_timed_is_right() -> None:

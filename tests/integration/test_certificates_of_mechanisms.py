@@ -16,6 +16,8 @@ from symscrew.studies.certificate import certify, check_certificate, proof_of_me
 from symscrew.studies.certificate.derived_again import OF_WALK
 from symscrew.studies.workspace import Axis, Plan
 
+pytestmark = pytest.mark.slow
+
 
 @cache
 def text() -> str:

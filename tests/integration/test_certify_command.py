@@ -15,6 +15,8 @@ from symscrew.studies.certificate import certify, check_certificate
 from symscrew.studies.certificate.certificate_checker import main as check_file
 from symscrew.studies.workspace import Axis, Plan
 
+pytestmark = pytest.mark.slow
+
 SHORT = str(Path(__file__).parents[1] / "data" / "short_five_bar.toml")
 
 

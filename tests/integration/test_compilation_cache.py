@@ -21,6 +21,7 @@ from symscrew.runtime import CompileError, cache_state, compilers, find_compiler
 from symscrew.runtime.compilers import FLAGS, compile_c
 
 pytestmark = [
+    pytest.mark.slow,
     pytest.mark.skipif(find_compiler() is None, reason="no C compiler"),
     pytest.mark.skipif(os.name != "posix", reason="compilers here are scripts of a shell"),
 ]

@@ -12,7 +12,11 @@ from support.runs import compiled, error_of, run_of, scene_of
 from symscrew.runtime.compiled import find_compiler
 from symscrew.simulation import native, run_source
 
-pytestmark = [pytest.mark.short_runs, pytest.mark.skipif(find_compiler() is None, reason="needs a C compiler")]
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.short_runs,
+    pytest.mark.skipif(find_compiler() is None, reason="needs a C compiler"),
+]
 
 
 def test_crossings_beyond_the_most_are_not_recorded_but_told(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -22,6 +22,8 @@ from symscrew.generation import generate
 from symscrew.runtime import CompileError, compile_cuda, find_nvrtc, load_cuda
 from symscrew.verification import check
 
+pytestmark = pytest.mark.slow
+
 FUNCTIONS = ("velocity", "inverse_dynamics", "forward_dynamics", "joint_displacements", "assemble")
 COMPILED = pytest.mark.skipif(shutil.which("g++") is None, reason="needs g++")
 

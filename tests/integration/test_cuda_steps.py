@@ -23,6 +23,8 @@ from symscrew.simulation.cuda_steps import load_steps, print_steps
 from symscrew.simulation.initial import initial_state, initial_states_together
 from symscrew.simulation.real_time_loop import loop_plant, print_loop
 
+pytestmark = pytest.mark.slow
+
 COMPILED = pytest.mark.skipif(shutil.which("g++") is None, reason="needs g++")
 H, STEPS = 1e-3, 12
 SCENE = """

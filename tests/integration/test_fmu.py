@@ -27,7 +27,10 @@ from symscrew.simulation.motion import simulate
 fmpy = pytest.importorskip("fmpy")
 from fmpy.validation import validate_fmu  # noqa: E402
 
-pytestmark = pytest.mark.skipif(find_compiler() is None, reason="no C compiler: units have no binary")
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.skipif(find_compiler() is None, reason="no C compiler: units have no binary"),
+]
 
 SWINGING = """
 [scene]

@@ -17,6 +17,8 @@ from symscrew.cli.parser import main
 from symscrew.optimisation import solution
 from symscrew.runtime import cache_state
 
+pytestmark = pytest.mark.slow
+
 CRANE = """
 [mechanism]
 name = "crane"

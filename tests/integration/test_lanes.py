@@ -32,6 +32,8 @@ from symscrew.program.numpy_evaluation import evaluate
 from symscrew.program.straight_line import Instruction, Program
 from symscrew.runtime.compiled import find_compiler, load
 
+pytestmark = pytest.mark.slow
+
 
 def straight(name: str, function: str) -> Program:
     program = model(name).programs[function]

@@ -31,6 +31,7 @@ from symscrew.simulation.motion import Run, prepare, simulate
 from symscrew.simulation.state_programs import Plant
 
 pytestmark = [
+    pytest.mark.slow,
     pytest.mark.short_runs,
     pytest.mark.skipif(find_compiler() is None, reason="needs a C compiler"),
 ]

@@ -22,6 +22,8 @@ from symscrew.export.mode_certificate import (
 from symscrew.program import Instruction, Port, Program, evaluate
 from symscrew.runtime import compile_c
 
+pytestmark = pytest.mark.slow
+
 ASKED = """
 int certified(const double *from, const double *to)
 {

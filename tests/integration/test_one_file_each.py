@@ -11,9 +11,12 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pytest
 from support.magnetic_brake import MAGNETIC_BRAKE
 
 import symscrew
+
+pytestmark = pytest.mark.slow
 
 PACKAGE = Path(symscrew.__file__).parent
 

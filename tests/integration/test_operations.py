@@ -23,6 +23,8 @@ from symscrew.generation.folder import render
 from symscrew.model import Model, derive
 from symscrew.program.straight_line import Iteration
 
+pytestmark = pytest.mark.slow
+
 GENERATED = Path(__file__).parents[2] / "generated"
 QUICK = ("three_ups_upu_s_physical", "five_bar", "four_bar", "ur5")
 

@@ -15,6 +15,8 @@ from symscrew.export import c_pieces, c_printed, print_c
 from symscrew.generation import folder
 from symscrew.workers import beside
 
+pytestmark = pytest.mark.slow
+
 DEATHS: tuple[Callable[[], object], ...] = (
     lambda: os.kill(os.getpid(), signal.SIGKILL),
     lambda: os._exit(3),

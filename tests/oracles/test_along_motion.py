@@ -17,6 +17,8 @@ from symscrew.mobility.finite import ClosureVariety, local_at
 from symscrew.mobility.motions.germs import germs_at
 from symscrew.mobility.motions.screw_classes import class_of_motions
 
+pytestmark = pytest.mark.slow
+
 
 @cache
 def found(name: str) -> Mobility:

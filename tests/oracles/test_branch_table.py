@@ -13,6 +13,8 @@ from support.reference_mechanisms import ENTRIES, build
 from symscrew.mobility import BranchTable, ScrewClass, analyse_mobility, mobility_values, screw_class
 from symscrew.mobility.analysis import Mobility
 
+pytestmark = pytest.mark.slow
+
 
 @cache
 def found(name: str) -> Mobility:

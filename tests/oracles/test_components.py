@@ -17,6 +17,8 @@ from symscrew.mobility.finite import ClosureVariety
 from symscrew.mobility.joint_network import network_of
 from symscrew.mobility.motions.coordinate_lines import Setting, track
 
+pytestmark = pytest.mark.slow
+
 
 def mechanism(name: str) -> Mechanism:
     return build(ENTRIES[name]) if name in ENTRIES else CASES[name].make()

@@ -33,6 +33,8 @@ from symscrew.paper_formulas.paper import limbs_of, outside_part
 from symscrew.paper_formulas.unprinted import unprinted_part
 from symscrew.studies.platform_motion import platform_index
 
+pytestmark = pytest.mark.slow
+
 Array = np.ndarray
 QUICK = ("planar_3rrr", "sarrus", "slider_crank", "bennett")
 LARGE = ("three_ups_upu_s", "delta", "ur5", "five_bar", "stewart_6ups")

@@ -15,6 +15,8 @@ from symscrew.assembly import CompiledModes, compiled_modes, modes_model, print_
 from symscrew.assembly.mode_signs import ModeSigns
 from symscrew.mobility import ClosureVariety
 
+pytestmark = pytest.mark.slow
+
 OK, REFUSED = 0, 101
 LOOPS = {
     "RCCC": lambda: single_loop("RCCC", SEVEN[:4], TURNS[:4]),

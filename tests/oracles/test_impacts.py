@@ -23,6 +23,8 @@ from symscrew.optimisation.joined_solution import solve_joined
 from symscrew.optimisation.problem import Bounds, Conditions, Obstacle, TrajectoryProblem, Transcription
 from symscrew.optimisation.result import Trajectory
 
+pytestmark = pytest.mark.slow
+
 RISE = float(np.sqrt(13) / 20)
 BODIES = {  # mass [kg], inertia about y [kg m^2], centre of mass [m], joints of the way from the base
     "proximal_left": (0.4, 1 / 480, (-0.225, 0.1), ("base_left",)),

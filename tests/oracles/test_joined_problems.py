@@ -28,6 +28,8 @@ from symscrew.optimisation.solution import solve
 from symscrew.scene.contents import Initial, Scene
 from symscrew.simulation.motion import simulate
 
+pytestmark = pytest.mark.slow
+
 SMALL = Transcription(intervals=3)
 SHORT_FIVE_BAR = load_description(Path(__file__).parents[1] / "data" / "short_five_bar.toml")
 THERE = TrajectoryProblem(

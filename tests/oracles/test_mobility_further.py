@@ -17,6 +17,8 @@ from symscrew.mobility.finite.witnesses import Witness, recheck
 from symscrew.mobility.instantaneous import instantaneous_mobility
 from symscrew.mobility.joint_network import network_of
 
+pytestmark = pytest.mark.slow
+
 SLOW = {
     "six legs on a circle", "six legs, no circle", "miura flat", "miura flat, four columns", "five-bar, collinear",
     "wunderlich", "bricard octahedron 1", "bricard line-symmetric", "waldron hybrid", "3S, collinear", "two rhombi",

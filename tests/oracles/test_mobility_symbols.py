@@ -16,6 +16,8 @@ from symscrew.mobility.checks import verify
 from symscrew.mobility.symbols.limb_poses import LimbPose, limb_pose
 from symscrew.mobility.symbols.loop_motions import SymbolicLoops, symbolic_loops
 
+pytestmark = pytest.mark.slow
+
 R, L, theta = sympy.symbols("R L theta", real=True)
 
 

@@ -14,6 +14,8 @@ from symscrew.description.mechanism import Mechanism
 from symscrew.mobility.components import ModeConnections, assembly_connections, connection_lines
 from symscrew.mobility.joint_network import Network, network_of
 
+pytestmark = pytest.mark.slow
+
 
 def platform() -> Mechanism:
     """The 3-RPR with six assembly modes, three of each sign; those of one sign lie in one aspect.

@@ -13,6 +13,8 @@ from oracles.test_mode_connections import platform
 from symscrew.assembly import AssemblyMode, Connection, follow_mode, mode_ways, reachable_modes
 from symscrew.cli.parser import main
 
+pytestmark = pytest.mark.slow
+
 FEET = np.array([[0.0, 0.0], [15.91, 0.0], [0.0, 10.0]])
 LEGS = np.array([14.98, 15.38, 12.0])
 

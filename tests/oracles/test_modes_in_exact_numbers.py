@@ -10,6 +10,8 @@ import pytest
 import symscrew
 from symscrew.assembly import AssemblyModes
 
+pytestmark = pytest.mark.slow
+
 NORMAL = [[0, 0, 1]]
 
 

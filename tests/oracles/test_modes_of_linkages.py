@@ -13,6 +13,8 @@ from symscrew.assembly import AssemblyModes
 from symscrew.assembly.certified_roots import certified, read
 from symscrew.assembly.equal_axes import axis_of, straight_in_spinors
 
+pytestmark = pytest.mark.slow
+
 
 def held_to(found: AssemblyModes, starts: int) -> None:
     """As many modes as Newton's method finds, all proved and closed."""

@@ -8,6 +8,8 @@ import pytest
 
 import symscrew
 
+pytestmark = pytest.mark.slow
+
 DIGITS = mpmath.mp.clone()
 DIGITS.dps = 60
 

@@ -30,6 +30,8 @@ from symscrew.optimisation.solution import prepare, solve
 from symscrew.scene import parse_scene
 from symscrew.simulation.initial import initial_state
 
+pytestmark = pytest.mark.slow
+
 RAD = math.radians
 CASES = [
     ("planar_3rrr", {"x": 0.02, "platform.y": -0.03, "yaw": RAD(12)}),

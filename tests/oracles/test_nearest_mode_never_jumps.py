@@ -10,6 +10,8 @@ from support.platforms import planar_3rpr
 import symscrew
 from symscrew.assembly import CompiledModes, compiled_modes, modes_model, print_modes
 
+pytestmark = pytest.mark.slow
+
 BASE, PLATFORM, SHIFT = (
     [[0, 0], ["1.7", "0.3"], ["0.4", "1.9"]],
     [[0, 0], ["0.9", "0.1"], ["0.35", "0.75"]],

@@ -15,6 +15,8 @@ from symscrew.optimisation.obstacles import SHAPES
 from symscrew.optimisation.problem import Bounds, Obstacle, TrajectoryProblem, Transcription
 from symscrew.optimisation.solution import solve
 
+pytestmark = pytest.mark.slow
+
 PLACES = {
     "sphere": np.array([[0.1, 0.0, 0.05]]),
     "plane": np.array([[0.0, 0.0, -0.06], [0.1, 0.0, 0.5]]),

@@ -17,6 +17,8 @@ from symscrew.optimisation.problem import Bounds, Objective, TrajectoryProblem, 
 from symscrew.optimisation.result import Trajectory
 from symscrew.optimisation.solution import attempts, prepare, solve, transcribe
 
+pytestmark = pytest.mark.slow
+
 
 def test_what_was_found_how_often() -> None:
     costs = [5.0, 3.0, 3.0 * (1 + 5e-5), float("nan"), 5.0, 9.0, 3.0]

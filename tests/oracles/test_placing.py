@@ -14,6 +14,8 @@ from symscrew.description.template import description_text
 from symscrew.errors import DescriptionError
 from symscrew.kinematics import System
 
+pytestmark = pytest.mark.slow
+
 
 @pytest.mark.parametrize("azimuth", [20, pytest.param(75, marks=pytest.mark.slow)])
 def test_the_parasitic_motion_of_a_3_rps_is_that_of_the_literature(azimuth: int) -> None:

@@ -121,10 +121,10 @@ def test_an_optimiser_closes_what_the_closed_forms_leave_open(name: str) -> None
     lengths = {"delta": 3, "delta_second_rods_first": 3, "hexapod": 0, "rod_on_the_ground": 1}[name]
     assert layout.closed and len(layout.z) == lengths + 1
     q, _, _ = system.states(6, 2)
-    (got, closure), _ = evaluate_at(equations, q)
+    (got, closure, _), _ = evaluate_at(equations, q)
     assert np.abs(got - q).max() < 1e-12 and np.abs(closure).max() < 1e-12
     q[:, [*layout.z, *layout.y]] += 1e-3
-    (_, closure), _ = evaluate_at(equations, q)
+    (_, closure, _), _ = evaluate_at(equations, q)
     assert np.abs(closure).min() > 1e-7
 
 

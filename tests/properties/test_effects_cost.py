@@ -28,6 +28,8 @@ from symscrew.program.lowering import lower
 from symscrew.program.straight_line import Program
 from symscrew.studies.bill_of_effects import alone
 
+pytestmark = pytest.mark.slow
+
 CRANK, SEED = "slider_crank", "three_ups_upu_s"
 REACTIONS = "joint_reactions"
 BILLED = (

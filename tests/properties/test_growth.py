@@ -19,6 +19,8 @@ from symscrew.simulation.run_source import source
 from symscrew.simulation.state_programs import plant
 from symscrew.studies.accuracy.growth_study import four_bars
 
+pytestmark = pytest.mark.slow
+
 SQUARE = ("mass_matrix",)  # n^2 entries that are not zero
 SIZES = {"loops": (4, 6, 8), "chain": (12, 14, 16)}  # in pairs: axes of the chain, signs of determinants alternate
 FILLED = {"constraint_margin": 4}  # the last row of its determinant fills, by one entry per loop; small models only

@@ -74,5 +74,5 @@ def test_an_optimiser_closes_what_limbs_leave_open_across_their_planes(found: Mo
     layout = equations.layout
     assert layout.closed and len(layout.z) == 4
     q, _, _ = equations.system.states(6, 2)
-    (got, closure), _ = evaluate(equations.closure, [q[:, list(layout.y)], q[:, list(layout.z)]])
+    (got, closure, _), _ = evaluate(equations.closure, [q[:, list(layout.y)], q[:, list(layout.z)]])
     assert np.abs(got - q).max() < 1e-12 and np.abs(closure).max() < 1e-12

@@ -26,6 +26,8 @@ from symscrew.loops.dependent_rates import Loops
 from symscrew.loops.limbs.closed_forms import closed_limbs, hub_links, limb_coordinates
 from symscrew.program.passes.reciprocals import shared_reciprocals
 
+pytestmark = pytest.mark.slow
+
 FRICTION = {"ur5": "shoulder_pan_joint", "three_ups_upu_s_physical": "limb1_P"}
 NAMES = ("three_ups_upu_s_physical", "stewart_6ups", "delta", "planar_3rrr", "sarrus", "andrews", "carried")
 

@@ -14,13 +14,16 @@ from support.marks import slow
 from support.optimal_problems import MINIMUM_TIME, SEED_DRIVES, rest_to_rest, seed
 
 from symscrew import catalogue
+from symscrew.effects import Gravity
 from symscrew.model import derive
 from symscrew.optimisation.followed_motion import replay
 from symscrew.optimisation.mesh_errors import switching
+from symscrew.optimisation.motion_equations import PointEquations
 from symscrew.optimisation.problem import Objective, TrajectoryProblem, Transcription
 from symscrew.optimisation.problem_file import load_problem
 from symscrew.optimisation.result import Trajectory
-from symscrew.optimisation.solution import solve
+from symscrew.optimisation.solution import prepare, solve
+from symscrew.program.numpy_evaluation import evaluate
 
 EXAMPLES = Path(__file__).parents[2] / "examples" / "optimisation"
 COARSE = Transcription("radau", 3, 20)
@@ -252,7 +255,45 @@ def test_delta_pick_and_place() -> None:
     found = solve(example("delta_pick_and_place"))
     assert found.ok and found.duration == pytest.approx(0.13639, abs=2e-5)
     assert found.errors.closure < 1e-9
-    assert found.model.equations.layout.z and replay(found).end_error < 1e-6
+    assert not found.model.equations.layout.z  # the platform does not turn: no unknown of the problem
+    assert replay(found).end_error < 1e-6
+
+
+def test_what_the_operation_mode_holds_is_no_unknown() -> None:
+    """A delta's platform does not turn: the same motion and forces by fewer operations, and its loops stay closed."""
+    mechanism = catalogue.load("delta")
+    whole, alone = (PointEquations(mechanism, (Gravity(),), one_mode=one) for one in (False, True))
+    held = [alone.system.tree.q[k].label for k in alone.constant]
+    assert [label.rpartition("q")[2] for label in held] == list("wxyz") and not whole.constant
+    assert len(whole.layout.z) == 4 and not alone.layout.z
+    q, _, _ = whole.system.sample_states
+    random = np.random.default_rng(1)
+    known = dict(zip(("y_dot", "y_ddot", "u"), random.normal(size=(3, len(q), 3)), strict=True))
+    known["y"] = q[:, list(whole.layout.y)]
+    found: list[dict[str, np.ndarray]] = []
+    for equations in (whole, alone):
+        known["z"], values = q[:, list(equations.layout.z)], {}
+        for program in (equations.closure, equations.motion, equations.dynamics):
+            results, status = evaluate(program, [known[port.name] for port in program.inputs])
+            assert (status == 0).all()
+            values |= {port.name: result for port, result in zip(program.outputs, results, strict=True)}
+        found.append(values)
+    for name in ("q", "v", "a", "residual"):
+        assert found[0][name] == pytest.approx(found[1][name], rel=1e-11, abs=1e-11)
+    assert found[1]["implied"].shape == (len(q), 3) and np.abs(found[1]["implied"]).max() < 1e-13
+    assert 2 * alone.dynamics.operations["total"] < whole.dynamics.operations["total"]
+    turned = q.copy()
+    turned[:, list(alone.constant)[1]] += 1e-5
+    assert alone.off_mode(turned) and not alone.off_mode(q) and not whole.off_mode(turned)
+
+
+def test_other_operation_modes_have_all_unknowns() -> None:
+    """Where a goal is not of the reference's mode the equations hold for all modes, and say what is out of reach."""
+    problem = example("delta_pick_and_place")
+    turned = replace(problem.end, coordinates={}, platform_rotation=(0.3, 0.0, 0.0))
+    assert prepare(problem).model.equations.constant
+    found = prepare(replace(problem, end=turned))
+    assert not found.model.equations.constant and "the goal is out of reach" in found.guess.trouble
 
 
 @pytest.mark.slow

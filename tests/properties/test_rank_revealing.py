@@ -15,6 +15,8 @@ from symscrew.description.mechanism import Mechanism
 from symscrew.model import derive
 from symscrew.program.numpy_evaluation import evaluate
 
+pytestmark = pytest.mark.slow
+
 NAMES = ("four_bar", "bennett", "sarrus", "three_ups_upu_s", "delta", "stewart_6ups", "andrews", "five_bar")
 
 

@@ -17,6 +17,8 @@ from symscrew.effects.gravity import Gravity
 from symscrew.functions.identifiable import PARAMETERS, RankError, base_parameters, inertial_parameters
 from symscrew.model import Model, derive
 
+pytestmark = pytest.mark.slow
+
 Array = np.ndarray
 NAMES = (*catalogue.names(), *HAND_TYPED)
 

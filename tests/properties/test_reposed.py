@@ -19,6 +19,8 @@ from symscrew.errors import DescriptionError
 from symscrew.mobility import analyse_mobility, sections, verify
 from symscrew.mobility.analysis import as_meant
 
+pytestmark = pytest.mark.slow
+
 BESIDE = (
     "parallelogram",
     *(pytest.param(name, marks=pytest.mark.slow) for name in (

@@ -14,6 +14,8 @@ from symscrew.effects import ExternalWrench, JointSpring
 from symscrew.optimisation import Objective, TrajectoryProblem, Transcription, optimisation_problem, solve
 from symscrew.optimisation.result import Trajectory
 
+pytestmark = pytest.mark.slow
+
 WIDTH, HEIGHT = 5e-4, 1000.0  # [s], [N] of a bell: 0.886 N s
 PLACES = (0.0203, 0.51, 0.9787)  # far from the Gauss and Radau points of ten intervals
 

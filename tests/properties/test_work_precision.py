@@ -23,7 +23,10 @@ from support.problems import ROUNDING, Compiled, Problem, compiled, compiled_of,
 
 from symscrew.runtime.compiled import find_compiler
 
-pytestmark = pytest.mark.skipif(find_compiler() is None, reason="no C compiler: these runs would take hours")
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.skipif(find_compiler() is None, reason="no C compiler: these runs would take hours"),
+]
 QUICK = ("light_cart_pole", "heavy_top", "change_point")
 NAMES = [name if name in QUICK else slow(name) for name in problems()]
 TOLERANCES = [10.0**-k for k in range(6, 13)]

@@ -29,6 +29,8 @@ from symscrew.mobility.finite.witnesses import Witness, recheck
 from symscrew.mobility.joint_network import Network, network_of
 from symscrew.mobility.screw_systems import null_space
 
+pytestmark = pytest.mark.slow
+
 CHANGE_POINT = "parallelogram-change_point"
 
 

@@ -15,6 +15,8 @@ from symscrew.export import OutputError, read_hashes
 from symscrew.generation import generate, render
 from symscrew.verification import check
 
+pytestmark = pytest.mark.slow
+
 LEFT = {"README.md", "four_bar_numpy.py", "test_vectors.json"}
 KEPT = {"manifest.json", "mechanism.toml", "ops.json", "hashes.json"}
 GENERATED = Path(__file__).parents[2] / "generated"

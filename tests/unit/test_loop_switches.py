@@ -24,6 +24,8 @@ from symscrew.loops.modes import operation_mode
 from symscrew.model import Model, derive
 from symscrew.program import Port, evaluate, lower
 
+pytestmark = pytest.mark.slow
+
 
 @cache
 def four_bar() -> Model:

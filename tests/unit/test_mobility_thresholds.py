@@ -39,6 +39,8 @@ from symscrew.mobility.margins import (
     three_kinds,
 )
 
+pytestmark = pytest.mark.slow
+
 
 @cache
 def analysed(name: str) -> Mobility:

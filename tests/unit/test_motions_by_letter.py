@@ -5,10 +5,13 @@ from __future__ import annotations
 import ast
 from collections.abc import Iterable
 
+import pytest
 from support.sources import FILES, name_of, nodes
 
 from symscrew.description.joints import JOINT_TYPES
 from symscrew.kinematics.pairs import PAIRS
+
+pytestmark = pytest.mark.slow
 
 ASKED = ("kind", "type", "kinds", "types", "letter", "letters")
 FOREIGN = {

@@ -17,6 +17,8 @@ from symscrew.kinematics.pairs import PAIRS, Turn
 from symscrew.kinematics.pairs.prismatic_pair import Prismatic
 from symscrew.program import evaluate
 
+pytestmark = pytest.mark.slow
+
 SLIDING_UNIVERSAL = JointType("Pa", "sliding universal", 3, (translation(0), rotation(1), rotation(2)))
 
 MASS, COM, INERTIA = 1.5, (0.3, 0.1, -0.2), (0.02, 0.03, 0.04)

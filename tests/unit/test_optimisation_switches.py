@@ -32,6 +32,8 @@ from symscrew.optimisation.result import Trajectory
 from symscrew.optimisation.solution import METHODS, prepare, solve
 from symscrew.optimisation.tableau import HIGHEST_DEGREE, tableau
 
+pytestmark = pytest.mark.slow
+
 
 def swing(**settings: object) -> TrajectoryProblem:
     """A pendulum lifted by a radian with least effort, on four intervals."""

@@ -24,6 +24,8 @@ from symscrew.simulation.real_time_loop import REAL_TIME
 from symscrew.simulation.scene_functions import PlantFunctions, RunError
 from symscrew.simulation.state_programs import plant
 
+pytestmark = pytest.mark.slow
+
 
 def block() -> Mechanism:
     """2 kg on a slide."""

@@ -23,6 +23,8 @@ from symscrew.mobility.symbols.exact_ranks import EliminationTooLongError, exact
 from symscrew.mobility.symbols.limb_poses import LimbPose, limb_pose
 from symscrew.mobility.symbols.loop_motions import SymbolicLoops, symbolic_loops
 
+pytestmark = pytest.mark.slow
+
 SEED = "three_ups_upu_s"
 
 
