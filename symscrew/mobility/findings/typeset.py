@@ -44,8 +44,16 @@ def shown(vector: Vector) -> Vector:
     square = sympy.expand(sum(c * c for c in lead))
     if square.is_number and square != 1 and square != 0:
         size = sympy.sqrt(square)
-        vector = tuple(sympy.radsimp(c / size) if c else c for c in vector)
+        vector = tuple(_over(c, size) if c else c for c in vector)
     return tuple(presentable(c) for c in vector)
+
+
+def _over(component: sympy.Expr, size: sympy.Expr) -> sympy.Expr:
+    """A component over a number; sums with sines and cosines of displacements as they were, ordered by these."""
+    turning = sorted((f for f in component.atoms(sympy.sin, sympy.cos) if f.free_symbols), key=str)
+    if not turning:
+        return sympy.radsimp(component / size)
+    return sympy.collect(sympy.expand(sympy.radsimp(sympy.expand(component) / size)), turning, sympy.factor_terms)
 
 
 def inline(vectors: Sequence[Vector]) -> str:

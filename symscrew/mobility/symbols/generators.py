@@ -13,6 +13,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from math import gcd, lcm
 from typing import Any
 
 import numpy as np
@@ -25,6 +26,7 @@ from symscrew.description import Mechanism
 from symscrew.mobility.symbols.atoms import atoms_of
 from symscrew.mobility.symbols.exact_field import Field
 from symscrew.mobility.symbols.exact_numbers import NotDecidableError, Number
+from symscrew.mobility.symbols.half_angles import Angle, shared_factor
 
 Poly = Any
 """An element of the ring: SymPy's `PolyElement`, which is generic in a way that type checkers do not follow."""
@@ -69,6 +71,7 @@ class Generators:
         self.atoms: dict[sympy.Expr, Poly] = dict(zip(atoms, self.ring.gens, strict=False))
         self._back = dict(zip(self.ring.symbols, atoms, strict=False))
         self._relations = [self.atoms[sympy.cos(a)] ** 2 + self.atoms[sympy.sin(a)] ** 2 - 1 for a in angles]
+        self._angles = [Angle(atoms.index(sympy.cos(a)), atoms.index(sympy.sin(a))) for a in angles]
         if self.constants.generators:
             theta = self.ring.gens[len(atoms) - 1]
             modulus = self.constants.generators[0].modulus
@@ -139,14 +142,42 @@ class Generators:
                 total = total + term if (j + k) % 2 == 0 else total - term
         return self.normal(total)
 
-    def common_factor(self, polys: Iterable[Poly]) -> Poly:
-        """Greatest common divisor of the normal forms (1 for none)."""
-        result = self.ring.zero
+    def shared(self, polys: Sequence[Poly]) -> tuple[Poly, list[Poly]]:
+        """(g, p / g): the greatest common divisor of normal forms that are not zero (1 for none), and quotients.
+
+        In sines and cosines as on the circle, where s^2 and s (1 + c) have 1 + c in common; of these factors those that
+        are polynomials in them: see `half_angles`.
+        """
+        common = self.ring.zero
         for poly in polys:
-            result = result.gcd(poly)
-            if result == 1:
+            common = common.gcd(poly)
+            if common == 1:
                 break
-        return result or self.ring.one
+        common = common or self.ring.one
+        divided = [poly if common == 1 else poly.exquo(common) for poly in polys]
+        met = [a for a in self._angles if any(m[a.cosine] or m[a.sine] for p in divided for m in p.itermonoms())]
+        if not met or any(p.is_ground for p in divided) or len(divided) < 2:
+            return common, divided
+        factor, quotients = shared_factor(divided, met)
+        if factor.is_ground:
+            return common, divided
+        quotients = [self.normal(p) for p in quotients]
+        if any(self.normal(factor * q - p) for q, p in zip(quotients, divided, strict=True)):
+            raise AssertionError("a common factor that does not divide")
+        return self.normal(common * factor), quotients
+
+    def common_factor(self, polys: Iterable[Poly]) -> Poly:
+        """The greatest common divisor of normal forms: see `shared`."""
+        return self.shared(list(polys))[0]
+
+    def primitive(self, vector: Sequence[Poly]) -> list[Poly]:
+        """The vector without the common factor of its components, numbers among it."""
+        quotients = self.shared([c for c in vector if c])[1]
+        numbers = [number for quotient in quotients for number in quotient.coeffs()]
+        least = lcm(*(int(number.denominator) for number in numbers))
+        size = QQ(gcd(*(int(number * least) for number in numbers)) or 1, least)
+        left = iter(quotients)
+        return [next(left).quo_ground(size) if c else c for c in vector]
 
     def without_roots_in(self, polys: Sequence[Poly]) -> list[Poly]:
         """The polynomials without common factors that have a square root in them, such as p + sqrt(H^2 + L^2).

@@ -272,8 +272,7 @@ def _cramer(work: SymbolicScrews, rows: list[Row], columns: Sequence[int], budge
 
 def primitive(work: SymbolicScrews, vector: Sequence[Poly]) -> Row:
     """The vector without the common factor of its components, its first coefficient positive."""
-    common = work.ring.common_factor(c for c in vector if c)
-    divided = work.ring.without_roots_in([c.exquo(common) if c else c for c in vector])
+    divided = work.ring.without_roots_in(work.ring.primitive(vector))
     first = next(c for c in divided if c)
     return [-c for c in divided] if first.LC < 0 else divided
 

@@ -178,8 +178,7 @@ class SymbolicScrews:
 
     def _primitive(self, vector: list[Poly]) -> list[Poly]:
         """The vector with the common factor of its components taken out, first coefficient positive."""
-        common = self.ring.common_factor(c for c in vector if c)
-        divided = [c.exquo(common) if c else c for c in vector]
+        divided = self.ring.primitive(vector)
         first = next(c for c in divided if c)
         return [-c if first.LC < 0 else c for c in divided]
 
@@ -226,8 +225,9 @@ class Scalars:
         cleared = [
             ring.product(f.numerator, multiple.exquo(f.denominator)) if f.numerator else ring.ring.zero for f in given
         ]
-        common = ring.common_factor(c for c in cleared if c)
-        return [c.exquo(common) if c else c for c in cleared], Quotient(multiple, common)
+        common, quotients = ring.shared([c for c in cleared if c])
+        left = iter(quotients)
+        return [next(left) if c else c for c in cleared], Quotient(multiple, common)
 
 
 class _Scalar:

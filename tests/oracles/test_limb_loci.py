@@ -1,0 +1,143 @@
+"""Constraints and loci of displaced limbs: in the form they are written by hand, and true where they say they hold.
+
+Screws by exponentials of what is typed here; where an expression is zero, singular values say whether it is so.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from itertools import pairwise
+
+import numpy as np
+import pytest
+import sympy
+from scipy.linalg import expm
+from scipy.optimize import brentq
+
+from symscrew.description import Mechanism, MechanismBuilder
+from symscrew.mobility.symbols import conditions
+from symscrew.mobility.symbols.limb_poses import LimbPose, limb_pose
+
+AXES = {"x": (1, 0, 0), "t": (0, 1, 0), "z": (0, 0, 1), "l": (-3 / 5, 0, 4 / 5)}
+TYPED = {"x": [1, 0, 0], "t": [0, 1, 0], "z": [0, 0, 1], "l": ["-3/5", 0, "4/5"]}
+LIMBS = {  # letters, places (x, z) of the joints, their axes
+    "sliding rod": ("PRS", [(1, 0), (1, 0.25), (0.5, 1)], ["x", "t", ""]),
+    "upright slide": ("PRS", [(1, 0), (1, 0.25), (0.5, 1)], ["z", "t", ""]),
+    "two cranks": ("RRS", [(1, 0), (1.25, 0.5), (0.5, 1)], ["t", "t", ""]),
+    "swivelling crank": ("RRS", [(1, 0), (1.25, 0.5), (0.5, 1)], ["z", "t", ""]),
+    "telescope": ("RPS", [(1, 0), (0.25, 1), (0.25, 1)], ["t", "l", ""]),
+    "two universal joints": ("PUU", [(1, 0), (1, 0.25), (0.5, 1)], ["z", "tx", "xt"]),
+    "sleeve": ("CRU", [(1, 0), (1, 0.25), (0.5, 1)], ["x", "t", "tx"]),
+    "crank": ("RUU", [(1, 0), (1.25, 0.5), (0.5, 1)], ["t", "tx", "xt"]),
+    "plane": ("RRR", [(1, 0), (1.25, 0.5), (0.5, 1)], ["t", "t", "t"]),
+}
+TURNS = {"in a plane": 0.0, "turned": 2 * np.pi / 3}
+
+
+def mechanism(kind: str, turned: bool) -> Mechanism:
+    """A platform on one limb, `turned` by 120 degrees about z."""
+    letters, places, axes = LIMBS[kind]
+    c, s = ("-1/2", "sqrt(3)/2") if turned else ("1", "0")
+
+    def about_z(x: object, y: object, z: object) -> list[object]:
+        return [f"({x})*({c}) - ({y})*({s})", f"({x})*({s}) + ({y})*({c})", z]
+
+    builder = MechanismBuilder("one_limb", platform="top")
+    bodies = ["base", *(f"link{k}" for k in range(1, len(letters))), "top"]
+    for body in bodies[1:]:
+        builder.body(body)
+    for k, (letter, (x, z)) in enumerate(zip(letters, places, strict=True)):
+        point = about_z(str(sympy.Rational(x)), 0, str(sympy.Rational(z)))
+        given = [about_z(*TYPED[a]) for a in axes[k]] or None
+        builder.joint(f"j{k}", letter, parent=bodies[k], child=bodies[k + 1], point=point, axes=given)
+    return builder.limb("limb", joints=[f"j{k}" for k in range(len(letters))]).build()
+
+
+def screws(kind: str, angle: float) -> list[tuple[np.ndarray, bool]]:
+    """(twist (omega ; v), whether it slides) of every freedom in the reference configuration."""
+    c, s = np.cos(angle), np.sin(angle)
+    turn = np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]])
+    found = []
+    for letter, (x, z), names in zip(*LIMBS[kind], strict=True):
+        place = turn @ [x, 0, z]
+        axes = [turn @ AXES[a] for a in names] or list(np.eye(3))
+        for axis in axes:
+            slide = np.concatenate([np.zeros(3), axis])
+            rotation = np.concatenate([axis, np.cross(place, axis)])
+            found += {"P": [(slide, True)], "C": [(slide, True), (rotation, False)]}.get(letter, [(rotation, False)])
+    return found
+
+
+def displaced(given: list[tuple[np.ndarray, bool]], amounts: np.ndarray) -> np.ndarray:
+    """The screws (6, n) where the freedoms after the first are displaced."""
+    total, result = np.eye(6), []
+    for k, (screw, _) in enumerate(given):
+        result.append(total @ screw)
+        if 1 <= k <= len(amounts):
+            omega, v = (np.cross(np.eye(3), part) for part in (screw[:3], screw[3:]))
+            total = total @ expm(amounts[k - 1] * np.block([[omega, np.zeros((3, 3))], [v, omega]]))
+    return np.array(result).T
+
+
+def rank(matrix: np.ndarray) -> int:
+    return int((np.linalg.svd(matrix, compute_uv=False) > 1e-7).sum()) if matrix.size else 0
+
+
+def reciprocal(matrix: np.ndarray) -> np.ndarray:
+    """Wrenches (f ; m) (6, k) reciprocal to twists (6, n)."""
+    _, sizes, rows = np.linalg.svd(np.vstack([matrix[3:], matrix[:3]]).T)
+    return np.asarray(rows[int((sizes > 1e-7).sum()) :].T)
+
+
+def zeros(expression: sympy.Expr, symbols: tuple[sympy.Symbol, ...], seed: int) -> Iterator[np.ndarray]:
+    """Displacements at which it is zero, along each of its symbols, the others at random."""
+    random = np.random.default_rng(seed)
+    for k in (k for k, s in enumerate(symbols) if expression.has(s)):
+        at = random.uniform(-0.6, 0.6, len(symbols))
+        value = sympy.lambdify(symbols, expression)
+
+        def along(x: float, value: Callable[..., float] = value, at: np.ndarray = at, k: int = k) -> float:
+            return float(value(*np.where(np.arange(len(at)) == k, x, at)))
+
+        grid = np.linspace(-3, 3, 61)
+        for low, high in pairwise(grid):
+            if along(low) * along(high) < 0:
+                yield np.where(np.arange(len(at)) == k, brentq(along, low, high, xtol=1e-14), at)
+
+
+@pytest.mark.parametrize("turned", [False, True], ids=["in a plane", "turned"])
+@pytest.mark.parametrize("kind", sorted(LIMBS))
+def test_what_is_said_of_displaced_limbs_is_so(kind: str, turned: bool) -> None:
+    pose = limb_pose(mechanism(kind, turned), "limb")
+    assert isinstance(pose, LimbPose)
+    given = screws(kind, 2 * np.pi / 3 if turned else 0.0)
+    wrenches = sympy.lambdify(pose.displacements, sympy.Matrix(pose.constraints))
+    for seed in range(4):
+        at = np.random.default_rng(seed).uniform(-1, 1, len(pose.displacements))
+        basis = reciprocal(displaced(given, at))
+        found = np.array(wrenches(*at), dtype=float).T
+        assert rank(found) == basis.shape[1] and np.abs(found - basis @ (basis.T @ found)).max() < 1e-12
+    seen = 0
+    for locus in conditions(pose.loci):
+        for at in zeros(locus.expression, pose.displacements, 7):
+            twists = displaced(given, at)
+            basis = reciprocal(twists)
+            lost = {"limb": twists, "couple": basis[:3], "through O": basis[3:]}[locus.kind]
+            assert rank(lost) < lost.shape[1], (locus.meaning, locus.expression)
+            if len(pose.constraints) == 1:  # it is a wrench there too: nothing that could be divided by is left in it
+                assert np.abs(np.array(wrenches(*at), dtype=float)).max() > 1e-3
+            seen += 1
+    assert seen >= (0 if kind in ("upright slide", "telescope") else 1)
+
+
+def test_a_sliding_rod_bears_a_force_through_its_ball_along_the_hinge() -> None:
+    """(0, 1, 0; -z, 0, x) with the place of the ball at any angle of the rod, and no such rod where it lies flat."""
+    pose = limb_pose(mechanism("sliding rod", turned=False), "limb")
+    assert isinstance(pose, LimbPose)
+    (angle,) = pose.displacements
+    c, s = sympy.cos(angle), sympy.sin(angle)
+    x, z = 1 - c / 2 + 3 * s / 4, sympy.Rational(1, 4) + 3 * c / 4 + s / 2
+    (wrench,) = pose.constraints
+    by_hand = (0, 1, 0, -z, 0, x)
+    assert wrench[1].is_number
+    assert [sympy.expand(a / wrench[1] - b) for a, b in zip(wrench, by_hand, strict=True)] == [0] * 6
