@@ -49,7 +49,7 @@ class Trial:
 def trial(plant: Plant) -> Trial | None:
     """The trial of a plant's slopes; None where they have no second path."""
     forward, own = plant.forward, plant.model.programs["forward_dynamics"]
-    if not isinstance(forward, RankRevealing) or not forward.guards:
+    if not isinstance(forward, RankRevealing) or not isinstance(own, Program) or not forward.guards:
         return None
     count = len(forward.guards)
     port = Port("pivots", (count,), ("1",) * count, tuple(f"pivot{k}" for k in range(count)), "pivots, without units")
