@@ -112,6 +112,18 @@ class Generators:
         common = top.gcd(bottom)
         return Quotient(top, bottom) if common == 1 else Quotient(top.exquo(common), bottom.exquo(common))
 
+    def shortest(self, poly: Poly) -> Poly:
+        """The polynomial with squares of sines or of cosines, per angle, whichever leaves fewest terms; not normal."""
+        for angle in self._angles:
+            cosine, square = angle.cosine, self.ring.gens[angle.cosine] ** 2
+            other = self.ring.zero
+            for monomial, coefficient in poly.terms():
+                pairs, rest = divmod(monomial[angle.sine], 2)
+                left = tuple(rest if k == angle.sine else m for k, m in enumerate(monomial))
+                other += ((1 - square) ** pairs * coefficient).mul_monom(left)
+            poly = min(poly, other, key=lambda p: (len(p), p.degree(cosine)))
+        return poly
+
     def expression(self, poly: Poly) -> sympy.Expr:
         """The polynomial in the description's own words."""
         if not poly:

@@ -15,6 +15,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import sympy
+from sympy.simplify.fu import TR10i
 
 from symscrew.algebra import IDENTITY, Matrix, add, cross, transform
 from symscrew.algebra import product as matrix_product
@@ -146,8 +147,7 @@ def _posed(mechanism: Mechanism, name: str, chain: list[_Freedom], symbols: list
         if part not in shown
     ]
     loci = [
-        Locus("limb", name, _collected(work.ring.expression(part), symbols), "the screws of the limb become dependent")
-        for part in shown
+        Locus("limb", name, _read(work, part, symbols), "the screws of the limb become dependent") for part in shown
     ]
     for wrench in wrenches:
         for half, other, kind, meaning in (
@@ -156,7 +156,7 @@ def _posed(mechanism: Mechanism, name: str, chain: list[_Freedom], symbols: list
         ):
             if any(half) and any(other):
                 parts = work.ring.factors(work.ring.common_factor(c for c in half if c))
-                loci += [Locus(kind, name, _collected(work.ring.expression(part), symbols), meaning) for part in parts]
+                loci += [Locus(kind, name, _read(work, part, symbols), meaning) for part in parts]
     first = chain[0]
     return LimbPose(
         name,
@@ -164,16 +164,21 @@ def _posed(mechanism: Mechanism, name: str, chain: list[_Freedom], symbols: list
         tuple(f"{f.joint.name}.{f.index}" if len(f.joint.kind.motions) > 1 else f.joint.name
               for f in displaced),
         first.joint.name,
-        tuple(tuple(_collected(work.ring.expression(c), symbols) for c in wrench) for wrench in wrenches),
+        tuple(tuple(_read(work, c, symbols) for c in wrench) for wrench in wrenches),
         tuple(loci),
         tuple(not_tried),
     )  # fmt: skip
 
 
-def _collected(expression: sympy.Expr, symbols: Sequence[sympy.Symbol]) -> sympy.Expr:
-    """The expression ordered by the displacements, their coefficients factored."""
+def _read(work: SymbolicScrews, poly: Poly, symbols: Sequence[sympy.Symbol]) -> sympy.Expr:
+    """The polynomial ordered by the displacements, their coefficients factored; sines of sums of angles as such."""
     generators = [g for s in symbols for g in (s, sympy.sin(s), sympy.cos(s))]
-    return sympy.collect(sympy.expand(expression), generators, sympy.factor)
+    expression = sympy.expand(work.ring.expression(work.ring.shortest(poly)))
+    collected = sympy.collect(expression, generators, sympy.factor)
+    turning = [s for s in symbols if expression.has(sympy.sin(s)) or expression.has(sympy.cos(s))]
+    if len(turning) < 2:
+        return collected
+    return min(collected, TR10i(collected), TR10i(expression), key=sympy.count_ops)
 
 
 def _check_size(wrenches: list[list[Poly]]) -> None:
