@@ -24,8 +24,12 @@ def mode_lines(found: AssemblyModes) -> list[str]:
         kinds = ("real", "complex", "infinity", "lost")
         words = dict(zip(kinds, ("to real solutions", "to complex ones", "to infinity", "lost"), strict=True))
         told = [f"{account.count(kind)} {words[kind]}" for kind in kinds if account.count(kind)]
-        again = f", {account.again} times again with shorter steps" if account.again else ""
-        lines.append(f"{account.paths} paths: {', '.join(told)}{again}")
+        again = f", {account.again} times again, with shorter steps or on another way" if account.again else ""
+        further = account.from_random_places
+        more = f"; to {further} further solution{'s' * (further != 1)} Newton's method from random places" * bool(
+            further
+        )
+        lines.append(f"{account.paths} path{'s' * (account.paths != 1)}: {', '.join(told)}{again}{more}")
     if found.curves:
         lines.append(f"{found.curves} paths end on solutions without end: somewhere it moves with what is held")
     if found.out_of_reach:
@@ -100,6 +104,7 @@ def mode_values(found: AssemblyModes, connections: Sequence[Connection] = ()) ->
         "why": found.why,
         "bound": None if bound is None else {"count": bound.count, "dimension": bound.dimension, "how": bound.how},
         "paths": {kind: account.count(kind) for kind in ("real", "complex", "infinity", "lost")},
+        "from_random_places": account.from_random_places,
         "on_curves": found.curves,
         "out_of_reach": found.out_of_reach,
         "modes": [{**_values(mode), "reachable": _reach(mode, connections)} for mode in found.modes],

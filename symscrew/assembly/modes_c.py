@@ -47,6 +47,7 @@ NUMBERS = {
     "TOLERANCE": 1e-3,  # longest first correction of a path over its point's length; retried at a thirtieth
     "LONGEST_STEP": 0.15,
     "SHORTEST_STEP": 1e-6,  # of what is left: a shorter one means a singular end
+    "BEHIND": 1e-2,  # of the way: a path with more left stays at a singular place of it, not at an end
     "DIFFERENCE": 1e-3,  # of rates along a path: equations are almost quadratic in s
     "LEAST_BOX": 1e-7,  # that a certificate is first tried with; most zeros are farther apart
 }

@@ -6,7 +6,7 @@ typedef struct {
     int path[LANES], steps[LANES];
 } Batch;
 
-enum { END_NONE = 0, END_THERE, END_LOST };
+enum { END_NONE = 0, END_THERE, END_LOST, END_BEHIND };
 
 #if N_PAIRS
 /* Axes that two bodies share stay as long as one another along a path: with a quaternion p = (a, b, c, 0) of each,
@@ -267,7 +267,7 @@ static void follow_paths(const int *list, int count, double tolerance, double (*
             if (!(left > 0.0)) {
                 end = END_THERE;
             } else if (batch.steps[lane] >= MOST_STEPS || !(wanted > SHORTEST_STEP * left)) {
-                end = END_LOST;
+                end = left > BEHIND ? END_BEHIND : END_LOST;
             }
             batch.h[lane] = wanted < left ? wanted : left;
             if (end != END_NONE) {
@@ -432,7 +432,8 @@ int MODES(const double *drives, MODE *modes, int *count)
     }
     for (int k = 0; k < N_PATHS; ++k) {
         if (ends[k] != END_THERE) {
-            lost += displaces(zeros[k]) > 1e-4; /* a path that was left far from infinity comes to a singular end */
+            /* one that was left far from infinity comes to a singular end; one behind does not show where it ends */
+            lost += ends[k] == END_BEHIND || displaces(zeros[k]) > 1e-4;
             continue;
         }
         if (displaces(zeros[k]) < 1e-11 || realised(zeros[k], real) > 1e-7) {

@@ -36,6 +36,10 @@ QUIET = 8
 """Loops after the last new zero at which a search without a bound ends."""
 SAME = 1 - 1e-9
 """Points of length one whose product is above this are one: zeros of random members are 1e-3 apart."""
+STARTS, STEPS, STILL = 100, 40, 1e-12
+"""Of Newton's method where no path leads away from the reference: places, steps, a step at a zero."""
+FINITE = 1e-4
+"""|x|^2 of points of length one that are displacements."""
 FORMAT = "2"
 """Of what is kept: another one is not read."""
 
@@ -89,6 +93,8 @@ def searched(family: Family, known: Array, progress: Callable[[str], None] = lam
     member = family.random(random)
     first = tracker.follow(known[None], family.way(family.own, member).at)
     zeros, quiet = first.z[first.reached], 0
+    if not len(zeros) and family.whole:  # a singular reference is left on no way
+        zeros = _by_newton(tracker, family.way(member, member).at(np.zeros(1)), random)
     for _ in range(MOST_LOOPS):
         if not len(zeros) or (bound is not None and len(zeros) >= bound.count) or (bound is None and quiet == QUIET):
             break
@@ -104,6 +110,20 @@ def searched(family: Family, known: Array, progress: Callable[[str], None] = lam
         progress(f"start system: {len(zeros)} of {'an unknown number' if bound is None else bound.count}")
     why = "" if bound is not None else found if isinstance(found, str) else "general members have no isolated zeros"
     return StartSystem(tuple(member), zeros, bound, why)
+
+
+def _by_newton(tracker: Tracker, numbers: Array, random: np.random.Generator) -> Array:
+    """A regular zero of a general member, by Newton's method from random places; none where it finds none."""
+    equations = tracker.equations
+    places = random.normal(size=(STARTS, equations.width)) + 1j * random.normal(size=(STARTS, equations.width))
+    z, last = equations.scaled(places), np.full(STARTS, np.inf)
+    with np.errstate(all="ignore"):
+        for _ in range(STEPS):
+            step = tracker.newton(z, numbers)
+            last = np.linalg.norm(step, axis=1)
+            z = equations.scaled(np.nan_to_num(z + step, nan=1.0, posinf=1.0, neginf=1.0))
+        sound = (last < STILL) & (equations.norms(z).min(axis=1) > FINITE)
+    return np.asarray(z[sound][:1])
 
 
 def together(equations: BatchEquations, zeros: Array, z: Array, same_above: float = SAME) -> Array:

@@ -2,6 +2,7 @@
 
     start system --paths--> regular ends: real, complex, at infinity;  singular ends --around s = 1--> where they lie
     paths that end in one regular point --again, with shorter steps--> apart
+    a path that stays behind, at a singular place of the way --all of them again, on another way--> ends
 
 At infinity: the ends at which a group is no displacement, |x|^2 = 0. Several paths in one finite point: a multiple
 zero, or a point of a curve of zeros, along which Newton's method can be led.
@@ -10,7 +11,7 @@ zero, or a point of a curve of zeros, along which Newton's method can be led.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -19,7 +20,7 @@ from symscrew.assembly.batch_equations import BatchEquations
 from symscrew.assembly.certified_roots import Certificate
 from symscrew.assembly.exact_roots import ExactRoot
 from symscrew.assembly.families import Family
-from symscrew.assembly.path_tracking import CORRECTION, NEARLY, Coefficients, Tracker
+from symscrew.assembly.path_tracking import CORRECTION, NEARLY, Coefficients, Ends, Tracker
 from symscrew.assembly.start_system import StartSystem, together
 
 Array = np.ndarray[Any, Any]
@@ -46,6 +47,10 @@ ARCS = 16
 """Pieces of a round: the mean of as many points is right to the radius to this power over the rounds."""
 BACK = 1e-7
 """Distance at which a path has come back to where its round began."""
+BENDS = (0.0, 0.4, -0.4, 0.8)
+"""How far ways go round through complex s: on another way singular places are others, so that paths get past them."""
+BEHIND = 1e-2
+"""Part of the way that is left of a path that stays behind: one that comes to a singular end has 3e-3 and less."""
 TIGHTER = (1e-2, 1e-4)
 """Of the correction's length, where two paths have ended in one point: one of them jumped."""
 ALONG = (1e-2, 1e-3)
@@ -58,7 +63,8 @@ CLOSE = 1e-5
 
 @dataclass(frozen=True)
 class End:
-    """Where paths end: coordinates, "real", "complex", "infinity" or "lost", how many paths, whether it is regular.
+    """Where paths end: coordinates, "real", "complex", "infinity" or "lost", how many paths (0: Newton's method from a
+    random place came there), whether it is regular.
 
     `curve`: whether more zeros are beside it, without end. `proof`: of one told apart from another in 60 digits;
     `exact`: of one known in exact numbers.
@@ -85,10 +91,32 @@ class Account:
         """Of the paths that end so."""
         return sum(end.paths for end in self.ends if end.kind == kind)
 
+    @property
+    def from_random_places(self) -> int:
+        """Of the solutions to which no path leads: Newton's method came to them."""
+        return sum(not end.paths for end in self.ends)
+
 
 def target_roots(family: Family, start: StartSystem, member: Sequence[Any]) -> Account:
     """The ends of all paths from the start system to a member of its family."""
-    return _Roots(family.equations, start, family.way(start.member, member).at).account()
+    straight = family.way(start.member, member).at
+    tried: list[tuple[_Roots, Ends]] = []
+    for bend in BENDS:
+        roots = _Roots(family.equations, start, _bent(straight, bend))
+        tried.append((roots, roots.followed()))
+        if not _behind(tried[-1][1]).any():
+            break
+    roots, ends = min(tried, key=lambda pair: int(_behind(pair[1]).sum()))
+    account = roots.account(ends)
+    return replace(account, again=account.again + len(tried) - 1)
+
+
+def _behind(ends: Ends) -> Array:
+    return np.asarray(~ends.reached & (ends.s < 1 - BEHIND))
+
+
+def _bent(way: Coefficients, bend: float) -> Coefficients:
+    return lambda s: way(s + 1j * bend * s * (1 - s)) if bend else way(s)
 
 
 class _Roots:
@@ -97,15 +125,20 @@ class _Roots:
         self.goal = way(np.ones(1))
         self.again = 0
 
-    def account(self) -> Account:
-        """Regular ends first, then what the others come to."""
-        count = len(self.start.zeros)
+    def followed(self) -> Ends:
+        """All paths as far as they come."""
         ends = Tracker(self.equations).follow(self.start.zeros, self.way)
-        z, reached = ends.z.copy(), ends.reached.copy()
-        late = np.flatnonzero(~reached)
+        late = np.flatnonzero(~ends.reached)
         if len(late):
             more = Tracker(self.equations, nearly=NEARLY[1]).follow(self.start.zeros[late], self.way)
-            z[late], reached[late] = more.z, more.reached
+            for one, two in ((ends.z, more.z), (ends.s, more.s), (ends.reached, more.reached)):
+                one[late] = two
+        return ends
+
+    def account(self, ends: Ends) -> Account:
+        """Regular ends first, then what the others come to."""
+        count = len(self.start.zeros)
+        z, reached, behind = ends.z.copy(), ends.reached.copy(), _behind(ends)
         good = reached & (self.smallest(z) > SINGULAR)
         for tighter in TIGHTER:
             doubled = self._doubled(z, good)
@@ -116,7 +149,8 @@ class _Roots:
             z[doubled], good[doubled] = more.z, more.reached & (self.smallest(more.z) > SINGULAR)
         least = self.smallest(z)
         found = [self._regular(z[k], float(least[k])) for k in np.flatnonzero(good)]
-        found += self._singular(np.flatnonzero(~good), z, reached)
+        found += [End(place, "lost", regular=False) for place in z[behind]]
+        found += self._singular(np.flatnonzero(~good & ~behind), z, reached)
         return Account(tuple(found), count, self.again)
 
     def smallest(self, z: Array) -> Array:

@@ -60,7 +60,7 @@ def _asks(end: End, *, square: bool) -> bool:
 
 
 def _further(equations: BatchEquations, numbers: Array, ends: Sequence[End]) -> list[End]:
-    """Real zeros, regular ones, that are not among the ends."""
+    """Real zeros, regular ones, that are not among the ends: no path leads to them."""
     random = np.random.default_rng(SEED)
     z = equations.scaled(random.normal(size=(STARTS, equations.width)) + 0j)
     tracker, last = Tracker(equations), np.full(STARTS, np.inf)
@@ -78,7 +78,7 @@ def _further(equations: BatchEquations, numbers: Array, ends: Sequence[End]) -> 
     for point in z[sound]:
         if not together(equations, np.array([*every, *found]).reshape(-1, equations.width), point, APART).any():
             found.append(point)
-    return [End(point, "real") for point in found]
+    return [End(point, "real", paths=0) for point in found]
 
 
 def _on_the_motion(held: Held, equations: BatchEquations, ends: Sequence[End], known: Array) -> list[End]:

@@ -8,7 +8,8 @@ accelerations without the free parts still lack, this hands them on to the rates
 
 until only free rates are left: N^T M N and N^T (R + M p) of `free_motion` with the zeros of every limb kept.
 Two components of a velocity that are seen from turned axes are handed on together: a = c x + s y, b = c y - s x keep
-M_aa + M_bb, and with t = c (M_aa - M_bb) - 2 s M_ab they add M_bb + c t, M_aa - c t and M_ab + s t.
+M_aa + M_bb, and with t = c (M_aa - M_bb) - 2 s M_ab they add M_bb + c t, M_aa - c t and M_ab + s t. The first of the
+two waits for the other one, and its force does where more comes to it between them.
 """
 
 from __future__ import annotations
@@ -61,12 +62,14 @@ class Projection:
         self.steps = [self._step(step, elimination.upper) for step in elimination.steps]
         partner = self._partners()
         waiting: set[Column] = set()
-        for step in self.steps:
+        self.waits: dict[int, tuple[int, bool]] = {}  # by the first of two steps: the second, and whether they turn
+        places = {step.column: k for k, step in enumerate(self.steps)}
+        for k, step in enumerate(self.steps):
             other = partner.get(step.column)
             if other is None:
                 self._hand_on(step)
             elif other.column in waiting:
-                self._turn(other, step)
+                self.waits[places[other.column]] = k, self._turn(other, step)
             else:
                 waiting.add(step.column)
 
@@ -94,17 +97,20 @@ class Projection:
     def _unit(self, c: Node, s: Node) -> bool:
         return bool(np.abs(self.tape.sample(c * c + s * s) - 1.0).max() < UNIT)
 
-    def _turn(self, a: _Step, b: _Step) -> None:
-        """Two components handed on together; one by one where they are coupled with what they follow."""
+    def _turn(self, a: _Step, b: _Step) -> bool:
+        """Two components handed on together; one by one, and False, where they are coupled with what they follow."""
         x, y = a.follows
         if {x, y} & {*self.left[a.column], *self.left[b.column]}:
             self._hand_on(a)
             self._hand_on(b)
-            return
+            return False
         c, s = a.follows[x], a.follows[y]
         sign = 1 if b.follows[y] is c else -1
         of_a, of_b = self.left.pop(a.column), self.left.pop(b.column)
         zero = self.tape.zero
+        for step, others in ((a, of_a), (b, of_b)):
+            step.own = others.get(step.column, zero)
+            step.others = {k: entry for k, entry in others.items() if k != step.column}
         first, both, second = of_a.pop(a.column, zero), sign * of_a.pop(b.column, zero), of_b.pop(b.column, zero)
         of_b.pop(a.column, None)
         for other in {*of_a, *of_b}:
@@ -119,6 +125,7 @@ class Projection:
             m, n = of_a.get(other, zero), sign * of_b.get(other, zero)
             self._add(x, other, c * m - s * n)
             self._add(y, other, s * m + c * n)
+        return True
 
     def _hand_on(self, step: _Step) -> None:
         others, follows = self.left.pop(step.column), step.follows
@@ -153,14 +160,27 @@ class Projection:
         shifts = self.shifts(opening)
         values: dict[Column, Node] = dict(enumerate(missing))
         values |= {step.column: values.get(step.column, self.tape.zero) for step in self.steps}
-        for step, shift in zip(self.steps, shifts, strict=True):
-            for j, entry in step.others.items():
-                values[j] = values[j] + entry * shift
-            here = values[step.column] + step.own * shift
-            named_entries([here], "handed_force", [self.label(step.column)])
-            for j, c in step.follows.items():
-                values[j] = values[j] + c * here
+        for places in self._order(shifts):
+            for k in places:
+                for j, entry in self.steps[k].others.items():
+                    values[j] = values[j] + entry * shifts[k]
+            for k in places:
+                step = self.steps[k]
+                here = values[step.column] + step.own * shifts[k]
+                named_entries([here], "handed_force", [self.label(step.column)])
+                for j, c in step.follows.items():
+                    values[j] = values[j] + c * here
         return [values[k] for k in free]
+
+    def _order(self, shifts: Sequence[Node]) -> list[tuple[int, ...]]:
+        """Places of the steps as their forces are handed on: a step waits for its partner only where that matters."""
+        moved = [k for k, shift in enumerate(shifts) if shift is not self.tape.zero]
+        late: dict[int, list[tuple[int, ...]]] = {}
+        for first, (second, turned) in self.waits.items():
+            column = self.steps[first].column
+            if any(k in (first, second) or column in self.steps[k].others for k in moved if first <= k <= second):
+                late[first], late[second] = [], [(first, second)] if turned else [(first,), (second,)]
+        return [places for k in range(len(self.steps)) for places in late.get(k, [(k,)])]
 
     def shifts(self, opening: Sequence[Node]) -> list[Node]:
         """b of every step: what the dependent accelerations are beside those that they follow."""

@@ -26,6 +26,8 @@ COUNTS = 0.01
 and the deflections' truncation to few modes by 0.001 to 0.01."""
 AGAIN = 0.08
 """The same with `geometric_stiffness`: what is still left out counts an eighth of it (3.7 % at 32 % of that load)."""
+TYPED = 0.02
+"""Part by which a rod may be heavier than the body that it belongs to, which few digits and a width of the rod make."""
 BUCKLING = {"pinned": 1.0, "clamped": 0.25}
 """Euler's load by EI pi^2/L^2."""
 
@@ -56,7 +58,8 @@ class FlexibleLink(Effect):
       eta_k add up to the deflection of the free end.
 
     `bending_stiffness` EI [N m^2] and `line_density` rho [kg/m] above 0; the body's mass and inertia are those of the
-    description, the rod's included. With m_k, k_k the integrals of rho phi_k^2 and EI phi_k''^2, omega the body's
+    description, the rod's included (less than the rod's is refused).
+    With m_k, k_k the integrals of rho phi_k^2 and EI phi_k''^2, omega the body's
     angular velocity, and a(x) the acceleration of the undeflected rod less gravity,
 
         m_k eta_k_ddot = -k_k eta_k - 2 zeta sqrt(k_k m_k) eta_k_dot + m_k (omega^2 - (omega . e)^2) eta_k
@@ -166,6 +169,7 @@ class FlexibleLink(Effect):
         density = acting.number(self.line_density, f"{what}: line_density", above=0)
         stiffness = acting.number(self.bending_stiffness, f"{what}: bending_stiffness", above=0)
         zeta = acting.number(self.damping, f"{what}: damping", least=0)
+        self._within(acting, (start, end), what)
         modes = []
         for k in range(self.modes):
             first, second, square, bent = self._integrals(acting, k + 1, what)
@@ -286,6 +290,32 @@ class FlexibleLink(Effect):
                 where = "its start" if self.shape == "clamped" else "its ends"
                 raise DescriptionError(
                     f"{what}: joint {joint.name!r} stands where the body bends; expected its joints at {where} only"
+                )
+
+    def _within(self, acting: Acting, points: tuple[Point, Point], what: str) -> None:
+        """The rod is a part of its body: what is left of it without the rod has a mass and a moment about the axis."""
+        mechanism = acting.system.mechanism
+        if all(other.mass is None for other in mechanism.bodies.values()):
+            return  # the effect alone is looked at, without any body's inertia
+        body = mechanism.bodies[points[0].body]
+        first, last = (np.array([float(mechanism.number(c)) for c in point.at]) for point in points)
+        length, along = float(np.linalg.norm(last - first)), (last - first) / np.linalg.norm(last - first)
+        axis = np.array([acting.value(entry, what) for entry in self.axis])
+        axis = axis - along * (along @ axis)
+        axis /= np.linalg.norm(axis)
+        rod = acting.value(self.line_density, what) * length
+        mass, moment = 0.0, 0.0
+        if body.mass is not None and body.com is not None:
+            mass = float(mechanism.number(body.mass))
+            away = np.cross(axis, [float(mechanism.number(c)) for c in body.com] - (first + last) / 2)
+            rows = [[float(mechanism.number(c)) for c in row] for row in body.inertia or ()]
+            moment = mass * float(away @ away) + (float(axis @ np.array(rows) @ axis) if rows else 0.0)
+        for has, of_rod, text in ((mass, rod, "mass"), (moment, rod * length**2 / 12, "moment about its middle")):
+            if has < of_rod * (1 - TYPED):
+                unit = "kg" if text == "mass" else "kg m^2"
+                raise DescriptionError(
+                    f"{what}: expected a body that contains its rod, whose {text} is {of_rod:.6g} {unit} by "
+                    f"'line_density'; {body.name!r} has {has:.6g} {unit}; a body's numbers include its rod's"
                 )
 
     def _integrals(self, acting: Acting, k: int, what: str) -> tuple[Node, Node, Node, Node]:

@@ -22,7 +22,7 @@ from symscrew.model import Model
 from symscrew.runtime import cpp_module, cuda_module
 from symscrew.scene import Scene
 from symscrew.simulation.native import NATIVE_METHODS
-from symscrew.simulation.real_time_loop import labelled, loop_plant
+from symscrew.simulation.real_time_loop import corners_told, labelled, loop_plant
 from symscrew.simulation.run_source import NO_TABLES, constants, kernel_text, table_code
 from symscrew.simulation.state_programs import Plant
 from symscrew.whole_files import replaced
@@ -220,7 +220,9 @@ def _header(scene: Scene, made: Plant) -> str:
     about = [
         *banner(made.model),
         "",
-        *textwrap.wrap(ABOUT.format(scene.integrator.method, scene.name, held), COLUMNS),
+        *textwrap.wrap(
+            f"{ABOUT.format(scene.integrator.method, scene.name, held)} {corners_told(scene, made)}", COLUMNS
+        ),
         "",
     ]
     for key in ("q", "v", "x", "u"):

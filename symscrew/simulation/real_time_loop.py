@@ -8,6 +8,7 @@ work is bounded. Where the scene commands the drives, u is not read and may be N
 
 from __future__ import annotations
 
+import textwrap
 from pathlib import Path
 
 import numpy as np
@@ -26,6 +27,20 @@ from symscrew.whole_files import replaced
 REAL_TIME = tuple(
     name for name in sorted(NATIVE_METHODS, key=NATIVE_METHODS.__getitem__) if INTEGRATION_METHODS[name].fixed_step
 )
+
+
+# What a step of fixed length cannot do, said where a scene has corners.
+CORNERS = (
+    "Steps keep their length: none ends where a law changes (the end of a stop, a drive's limit, a knot of a table). "
+    "A step across such a corner has an error of second order in its length where a force bends there, of first order "
+    "where it jumps, whatever the method's own order; 'symscrew simulate' ends its steps at corners."
+)
+
+
+def corners_told(scene: Scene, made: Plant) -> str:
+    """What the user of fixed steps has to know of corners in time and in laws; "" where a scene has none."""
+    compares = any(op in ("less", "abs") for program in (made.slopes, made.inputs) for _, op, _ in program.instructions)
+    return CORNERS if compares or scene.tables else ""
 
 
 def loop_plant(scene: Scene, outside: tuple[str, ...] = ()) -> Plant:
@@ -91,7 +106,8 @@ def _header(scene: Scene, made: Plant, start: tuple[np.ndarray, np.ndarray]) -> 
 
     lines = ["/*", *(f" * {line}".rstrip() for line in banner(made.model)), " *"]
     lines += [f" * One step of {scene.integrator.method} of the scene {name}, projected onto the loops' closure."]
-    lines += [" *"]
+    corners = textwrap.wrap(corners_told(scene, made), 110)
+    lines += [*(f" * {line}" for line in corners), " *"]
     for key in ("q", "v", "x", "u"):
         lines += labelled(key, ports[key].labels)
     lines += [

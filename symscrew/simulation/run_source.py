@@ -20,6 +20,7 @@ from symscrew.scene import Table
 from symscrew.simulation.contacts import SHARED, Law, laws
 from symscrew.simulation.fronts import layouts, paths
 from symscrew.simulation.state_programs import Plant
+from symscrew.simulation.turned_rounding import Trial, first_path, trial, trial_constants
 
 KERNELS = Path(__file__).parent / "kernels"
 # Distances from singular configurations, as parts of the smallest pivot that the closure has in regular ones.
@@ -85,9 +86,9 @@ typedef double Rounded;
 #define double long double"""
 
 
-def generated(plant: Plant) -> dict[str, str]:
-    """The plant's functions as C: file name to text, printed once and then read from the user's cache."""
-    reduced = _reduced(plant)
+def generated(plant: Plant, chosen: Trial | None = None) -> dict[str, str]:
+    """The plant's functions as C, printed once and then read from the user's cache; `chosen`: see `Trial`."""
+    reduced = _reduced(plant, chosen)
     about = ["C of a plant", version(), *banner(reduced), *(p.hash for p in reduced.programs.values())]
     with entry(key_of(*(text.encode("utf-8") for text in about))) as kept:
         found = kept.read()
@@ -98,9 +99,11 @@ def generated(plant: Plant) -> dict[str, str]:
     return texts
 
 
-def _reduced(plant: Plant) -> Model:
+def _reduced(plant: Plant, chosen: Trial | None) -> Model:
     """The model with what a run calls, and nothing else."""
     programs = {"slopes": plant.slopes, "inputs": plant.inputs, "forward_dynamics": plant.forward}
+    if chosen is not None:
+        programs |= {"slopes": chosen.slopes, "slopes_turned": chosen.turned}
     if plant.rates is not None and plant.sizes["x"]:
         programs["state_rates"] = plant.rates
     if plant.switches is not None:
@@ -235,7 +238,7 @@ def contact_constants(rules: Sequence[Law]) -> str:
     )
 
 
-def adapters(plant: Plant, forces: str = "forces_at") -> str:
+def adapters(plant: Plant, forces: str = "forces_at", chosen: Trial | None = None) -> str:
     """C that calls the generated functions by the names that the kernels use; `forces`: that of the accelerations."""
     name = plant.model.name
     commanded = list(plant.inputs.outputs)
@@ -247,10 +250,7 @@ def adapters(plant: Plant, forces: str = "forces_at") -> str:
         f"    double s[NS + {outside + 1}] = {{0.0}};",
         "    tables_at(t, s);",
         *(f"    s[NS + {k}] = OUTSIDE_INPUTS[{k}];" for k in range(outside)),
-        f"    int outcome = {name}_slopes(&t, q, v, x, u, s, PARAMETERS, a, x_dot);",
-        "    if (outcome != 1) {",
-        "        return outcome;",
-        "    }",
+        *first_path(name, chosen),
         *(f"    double {port.name}[{max(port.size, 1)}];" for port in commanded),
     ]
     if commanded:
@@ -352,13 +352,16 @@ def rules_of(plant: Plant) -> tuple[Law, ...]:
 
 def _functions(plant: Plant, tables: str) -> list[str]:
     """What the kernels call: generated functions, constants, adapters."""
-    files = generated(plant)
+    chosen = trial(plant)
+    files = generated(plant, chosen)
     name = plant.model.name
     code = files[f"{name}.c"].replace(f'#include "{name}.h"', files[f"{name}.h"])
     rules = rules_of(plant)
     head = [code, constants(plant)]
     head += ["static long evaluations;", "#define COUNT_EVALUATION ++evaluations", contact_constants(rules)]
-    plain = adapters(plant, "plain_forces_at" if rules else "forces_at")
+    if chosen is not None:
+        head += [trial_constants(chosen), kernel_text("roundings.c")]
+    plain = adapters(plant, "plain_forces_at" if rules else "forces_at", chosen)
     return [*head, kernel_text("dop853_error.h"), tables or NO_TABLES, plain]
 
 

@@ -22,10 +22,11 @@ from symscrew.simulation.linking import Linker, Operand
 from symscrew.simulation.switches import switches
 
 WORK = "work"  # label of the last state, the work of drives and effects
-# A pivot of forward dynamics below this part of its median over the sample states hands over to the second path. What
-# rounding leaves of accelerations grows with the inverse of a pivot, and a step may end anywhere near its zero, however
-# short it is: at the model's own threshold (1e-5) steps brought errors of 1e-11 to 1e-5 in, which no tolerance reduced.
-# Smaller: such errors come back; larger: the second path, some ten times as costly, is taken in regular places too.
+# A pivot of forward dynamics below this part of its median over the sample states is looked at: compiled runs compare
+# two roundings there (`turned_rounding`), others hand over to the second path. What rounding leaves of accelerations
+# may grow with the inverse of a pivot, and steps end anywhere near its zero, however short they are: at the model's own
+# threshold (1e-5) steps brought errors of 1e-11 to 1e-5 in, which no tolerance reduced. Smaller: such errors come back;
+# larger: what takes longer is taken in regular places too.
 WARY = 0.05
 STANDARD = ("q", "v", "u", "x", "t", "p")  # inputs of forward dynamics that are no inputs of effects
 

@@ -41,6 +41,8 @@ def test_a_certificate_is_one_of_its_mechanism() -> None:
     found = proof_of_mechanism(values(), catalogue.load("five_bar"))
     assert found.ok and found.mechanism == "five_bar" and not found.left
     assert f"description {found.digest}" in str(found)
+    assert "over base_left 0.2 to 0.3, base_right -0.3 to -0.2\n" in str(found)
+    assert "within the limits elbow_left from -2.0 to 2.0" in str(found)
 
 
 def test_an_equation_with_another_constant_proves_another_mechanism() -> None:
@@ -66,6 +68,9 @@ def test_an_equation_with_another_constant_proves_another_mechanism() -> None:
         (("equations", "rows"), [0, 3], "equations.rows"),
         (("region", "names"), ["base_right", "base_left"], "equations.axes"),
         (("way", "equations", "driven"), None, "way.equations.driven"),
+        (("asked", "fixed"), {"elbow_left": 0.5}, "says that 'elbow_left' is held"),
+        (("start", "z"), [0.25, -0.25], "does not start at the point of its region that is nearest to the reference"),
+        (("claims",), {}, "claims nothing"),
         (("way", "begin", "q"), lambda q: [-x - 1.0 for x in q], "an end of the way"),
     ],
 )  # fmt: skip

@@ -12,10 +12,12 @@ import pytest
 from support.runs import scene_of
 
 from symscrew import catalogue
-from symscrew.effects import Gravity
+from symscrew.description.builder import MechanismBuilder
+from symscrew.effects import EndStop, Gravity
 from symscrew.errors import DescriptionError
 from symscrew.runtime.compiled import find_compiler
 from symscrew.scene.contents import Initial, Integrator, Scene
+from symscrew.simulation.cuda_steps import print_steps
 from symscrew.simulation.motion import evaluated, simulate
 from symscrew.simulation.real_time_loop import loop_plant, print_loop, write_loop
 
@@ -81,6 +83,39 @@ def test_equal_scenes_give_equal_text_and_adaptive_methods_are_refused() -> None
     assert print_loop(scene) == print_loop(scene)
     with pytest.raises(DescriptionError, match="a loop for real time needs a fixed step, got dop853"):
         print_loop(scene_of("heavy_top"))
+
+
+def bouncing(height: float, step: float) -> Scene:
+    """A mass that falls onto a linear stop."""
+    builder = MechanismBuilder("fall")
+    builder.body("mass", mass=1, com=[0, 0, 0], inertia=[1, 1, 1])
+    builder.joint("P", "P", parent="base", child="mass", point=[0, 0, 0], axes=[[0, 0, 1]])
+    stop = EndStop("P", lower=0, stiffness=1000)
+    return rk4(Scene("fall", builder.build(), (Gravity(), stop), 0.5, 2.0, Initial({"P": height})), step)
+
+
+def test_corners_are_told_where_there_are_some() -> None:
+    """Fixed steps do not end at corners: the headers say so, and nothing where laws are smooth."""
+    for text in (print_loop(bouncing(0.1, 1e-3))["fall_loop.h"], print_steps(bouncing(0.1, 1e-3))["fall_steps.h"]):
+        assert "second order in its length" in " ".join(text.replace("*", " ").split())
+    smooth = rk4(scene_of("heavy_top"))
+    for text in (*print_loop(smooth).values(), *print_steps(smooth).values()):
+        assert "corner" not in text
+
+
+@pytest.mark.slow
+def test_a_step_across_a_corner_is_of_second_order(tmp_path: Path) -> None:
+    """As the header says: half the step, a quarter of the error, where the method's own order gives a sixteenth."""
+    heights = np.linspace(0.1, 0.2, 40)
+    exact = [simulate(replace(bouncing(h, 1), integrator=Integrator(tolerance=1e-12))).q[-1] for h in heights[:1]]
+    library = built(bouncing(0.1, 1e-3), tmp_path)
+    sizes, errors = loop_plant(bouncing(0.1, 1e-3)).sizes, []
+    for step in (2e-3, 1e-3, 5e-4, 1e-5):
+        ends = [stepped(library, bouncing(h, step), sizes, ([h], [0.0]), round(0.5 / step), step)[0] for h in heights]
+        errors.append(np.array(ends))
+    assert errors[-1][0] == pytest.approx(exact[0], abs=1e-7)
+    off = [float(np.sqrt(np.mean((ends - errors[-1]) ** 2))) for ends in errors[:-1]]
+    assert 2.5 < off[0] / off[1] < 8 and 2.5 < off[1] / off[2] < 8, off
 
 
 @pytest.mark.slow

@@ -263,11 +263,34 @@ def test_what_is_refused() -> None:
         ([bends(end="crank_pin")], "two points of one body"),
         ([bends(bending_stiffness=0)], "above 0"),
         ([bends(end="pin")], "did you mean"),
+        ([bends(line_density="0.3")], "whose mass is 0.09 kg by 'line_density'; 'rod' has 0.0667557 kg"),
         ([BaseMotion(twist=(0, 0, 1, 0, 0, 0)), bends()], "a base at rest"),
     ]
     for effects, text in refused:
         with pytest.raises(DescriptionError, match=text):
             check_effects(mechanism, effects)
+
+
+@pytest.mark.parametrize(
+    ("mass", "moment", "text"),
+    [
+        ("1", "1/12", ""), ("0.99", "0.082", ""), ("0.9", "1/12", "mass is 1 kg by 'line_density'; 'bob' has 0.9 kg"),
+        ("3", "0.07", "moment about its middle is 0.0833333"),
+    ],
+)  # fmt: skip
+def test_a_rod_is_a_part_of_its_body(mass: str, moment: str, text: str) -> None:
+    """Without: what is left of the body would be pushed one way and go the other, at status 0."""
+    b = MechanismBuilder("swing")
+    b.body("bob", mass=mass, com=["1/2", 0, 0], inertia=[0, 0, moment])
+    b.joint("A", "R", parent="base", child="bob", point=[0, 0, 0], axes=[[0, 0, 1]])
+    b.point("s", body="bob", at=[0, 0, 0])
+    b.point("e", body="bob", at=[1, 0, 0])
+    rod = bends(start="s", end="e", line_density=1)
+    if not text:
+        check_effects(b.build(), [rod])
+        return
+    with pytest.raises(DescriptionError, match=text):
+        check_effects(b.build(), [rod])
 
 
 @pytest.mark.slow

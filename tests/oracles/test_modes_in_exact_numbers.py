@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import symscrew
-from symscrew.assembly import AssemblyModes
+from symscrew.assembly import AssemblyModes, mode_lines
 
 pytestmark = pytest.mark.slow
 
@@ -125,3 +125,5 @@ def test_every_regular_mode_of_sarrus_is_proved() -> None:
     (mode,) = found.modes
     assert found.complete == "regular" and mode.exact and mode.ways == 2
     assert found.bound is not None and found.bound.count == 2 and "without end" in found.why
+    assert found.account.count("real") == found.account.paths == 1  # to the other one no path leads
+    assert "1 path: 1 to real solutions; to 1 further solution Newton's method from random places" in mode_lines(found)

@@ -102,7 +102,9 @@ def gauss(numbers: NumericMechanism, states: Mapping[str, BodyState], drive: flo
 
 
 def _drive(numbers: NumericMechanism, states: Mapping[str, BodyState], size: float) -> dict[str, tuple[Array, Array]]:
-    """Force and moment about O on the two bodies of the driven freedom."""
+    """Force and moment about O on the two bodies of the driven freedom; nothing where there is none."""
+    if not numbers.driven:
+        return {}
     screws = joint_screws(numbers, stack_states(numbers, states))
     index, joint = numbers.driven[0], 0
     axis, point = screws.axis[index], screws.point[joint]

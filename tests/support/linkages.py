@@ -67,6 +67,8 @@ def by_many_starts(mechanism: Mechanism, held: Mapping[int, float], starts: int,
         step = (np.linalg.pinv(slopes[:, :, free], rcond=1e-9) @ left[..., None])[..., 0]
         q[:, free] -= step / np.maximum(1.0, np.linalg.norm(step, axis=1, keepdims=True) / 0.7)
     q = q[np.abs(variety.evaluate(q)[0]).max(axis=1) < 1e-11]
+    if not len(q):
+        return []
     poses = variety.forward(q)[1]
     places = np.concatenate([np.concatenate([r.reshape(len(q), 9), t], axis=1) for r, t in poses.values()], axis=1)
     found: list[int] = []

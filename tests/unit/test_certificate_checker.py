@@ -228,6 +228,7 @@ def spoiled(path: tuple[Any, ...], value: Any) -> dict[str, Any]:
         (("claims", "least", "limb one"), 0.8, "least"),
         (("claims", "least", "limb two"), 0.1, "least"),
         (("claims", "tilt"), 0.1, "tilt"),
+        (("claims",), ["boxes"], UnreadableError),
         (("configurations", 2), [-math.sqrt(1.5)], "hold different|limb one|limit x"),
         (("configurations", 0), [0.1], "more or less than one"),
         (("region", "low"), [-0.25], "more or less than one"),
@@ -275,6 +276,48 @@ def test_an_undecided_box_is_not_counted() -> None:
     assert verdict.holds and not verdict.facts["whole"]
     values["claims"]["share"] = 0.76
     assert not check_certificate(values).holds
+
+
+def disk_file(low: list[float], disk: dict[str, Any]) -> dict[str, Any]:
+    """x^2 = 1 + (y + z) / 4 in one box of y and z, with the claim that all directions up to 0.1 are proved."""
+    middle = 1 + (sum(low) + 0.2) / 8
+    closure = [[3, "add", 0, 1], [4, "mul", 3, 0.25], [5, "add", 4, 1.0], [6, "mul", 2, 2], [7, "sub", 6, 5]]
+    equations = {
+        "closure": {"inputs": [["q", 3]], "instructions": closure, "results": [7]}, "labels": ["opening"], "rows": [0],
+        "quaternions": [], "count": 3, "axes": [["q", 0], ["q", 1]], "held": [], "parameters": [], "driven": None,
+        "conditions": [],
+    }  # fmt: skip
+    return root_file() | {
+        "equations": equations, "region": {"names": ["y", "z"], "low": low, "high": [0.1, 0.1]}, "disk": disk,
+        "splitting": [-1], "configurations": [[math.sqrt(middle)]], "joints": [],
+        "start": {"box": 0, "z": [0.0, 0.0], "q": [1.0]}, "claims": {"radius": disk["radius"], "whole": True},
+    }  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("low", "axes", "radius", "said"),
+    [
+        ([-0.1, -0.1], [0, 1], 0.1, None),
+        ([0.0, -0.1], [0, 1], 0.1, "larger than the region"),
+        ([-0.1, -0.05], [0, 1], 0.1, "larger than the region"),
+        ([-0.1, -0.1], [0, 1], 0.11, "larger than the region"),
+        ([-0.1, -0.1], [0, 1], -0.1, UnreadableError),
+        ([-0.1, -0.1], [0, 1], math.nan, UnreadableError),
+        ([-0.1, -0.1], [1, 1], 0.1, UnreadableError),
+        ([-0.1, -0.1], [-1, 0], 0.1, UnreadableError),
+        ([-0.1, -0.1], [0, 2], 0.1, UnreadableError),
+    ],
+)  # fmt: skip
+def test_a_disk_is_of_every_direction(low: list[float], axes: list[int], radius: float, said: Any) -> None:
+    """Half of a disk, or none with a negative radius, is no proof of a tilt in every direction."""
+    values = disk_file(low, {"axes": axes, "radius": radius})
+    if said is UnreadableError:
+        with pytest.raises(UnreadableError):
+            check_certificate(values)
+        return
+    verdict = check_certificate(values)
+    assert verdict.holds == (said is None) and (said is None or said in verdict.refused[0]), verdict
+    assert "of these all directions of y and z up to" in str(verdict)
 
 
 def test_rank_of_a_tall_matrix_is_decided_only_where_it_is() -> None:

@@ -45,6 +45,8 @@ static int one_step(double dt, double t, double *q, double *v, double *x, const 
 
 int LOOP_STEP(double dt, double t, double *q, double *v, double *x, const double *u)
 {
+    (void)UNIT; /* of open chains nothing is scaled */
+    (void)ROW_SCALE;
     int outcome = one_step(dt, t, q, v, x, u, 0);
     if (outcome != 0 && NR && FREE) {
         outcome = one_step(dt, t, q, v, x, u, 1);

@@ -31,7 +31,7 @@ import json
 import math
 import sys
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from typing import Any
 
 import numpy as np
@@ -363,15 +363,11 @@ class Condition:
     def read(cls, values: Any) -> Condition:
         """Of a file."""
         program, names = Program.read(values["program"]), tuple(map(str, values["names"]))
-        limits = None
-        if values["limits"] is not None:
-            limits = tuple((_end(low), _end(high)) for low, high in values["limits"])
+        limits = values["limits"]
+        if limits is not None:
+            limits = tuple(tuple(None if end is None else float(end) for end in ends) for ends in limits)
         need(len(names) == len(program.results) == (len(names) if limits is None else len(limits)), "names of results")
         return cls(program, names, limits)
-
-
-def _end(value: Any) -> float | None:
-    return None if value is None else float(value)
 
 
 def need(holds: bool, what: str) -> None:
@@ -476,6 +472,16 @@ class Tubes:
     bounds: Mapping[str, tuple[Array, Array]]
 
 
+def together(parts: Sequence[Tubes]) -> Tubes:
+    """What was found of boxes, side by side."""
+    *arrays, _ = (f.name for f in fields(Tubes))
+    ends = {n: np.hstack([np.stack(part.bounds[n]) for part in parts]) for n in parts[0].bounds}
+    return Tubes(
+        **{n: np.concatenate([getattr(part, n) for part in parts], axis=-1) for n in arrays},
+        bounds={n: (low, high) for n, (low, high) in ends.items()},
+    )
+
+
 def _matrix(rows: Sequence[Form | None], columns: Sequence[int], shape: tuple[int, int]) -> Form:
     """Derivatives by some columns, (rows, columns, boxes), for a shape (edges, boxes)."""
     size = (len(rows), len(columns), shape[1])
@@ -551,21 +557,8 @@ def middle_of(low: Array, high: Array) -> tuple[Array, Array]:
 def edges_of(low: Array, high: Array) -> list[Form]:
     """The coordinates of boxes as forms that reach all of them."""
     middle, half = middle_of(low, high)
-    edges = []
-    for k in range(len(low)):
-        l = np.zeros_like(low)
-        l[k] = half[k]
-        edges.append(Form(middle[k], l, np.zeros_like(middle[k])))
-    return edges
-
-
-def slopes_at(equations: Equations, q: Array) -> Array:
-    """Derivatives of the equations (rows, coordinates and parameters) at q (count,), without any proof."""
-    none = np.zeros((0, 1))
-    forms = [Form(np.array([x]), none, np.zeros(1)) for x in q]
-    given = {"q": forms, "p": [constant(x, 0) for x in equations.parameters]}
-    width = range(equations.count + len(equations.parameters))
-    return _matrix(equations.residual(given, slopes=True)[1], width, (0, 1)).c[:, :, 0]
+    along = np.eye(len(low))[:, :, None] * half
+    return [Form(middle[k], along[k], np.zeros_like(middle[k])) for k in range(len(low))]
 
 
 def _points(equations: Equations, z: Array, q: Array) -> dict[str, list[Form]]:
@@ -597,17 +590,7 @@ def tubes(equations: Equations, low: Array, high: Array, centre: Array) -> Tubes
     parts = [slice(a, a + AT_ONCE) for a in range(0, low.shape[1], AT_ONCE)]
     with np.errstate(all="ignore"):
         found = [_tubes(equations, low[:, part], high[:, part], centre[:, part]) for part in parts]
-    if len(found) == 1:
-        return found[0]
-    last = {
-        name: np.concatenate([getattr(f, name) for f in found], axis=-1)
-        for name in ("low", "high", "centre", "slope", "radius", "tight", "closed", "holding")
-    }
-    bounds = {
-        name: (np.concatenate([f.bounds[name][0] for f in found]), np.concatenate([f.bounds[name][1] for f in found]))
-        for name in found[0].bounds
-    }
-    return Tubes(**last, bounds=bounds)
+    return found[0] if len(found) == 1 else together(found)
 
 
 def _tubes(equations: Equations, low: Array, high: Array, centre: Array) -> Tubes:
@@ -769,18 +752,20 @@ def cells_of(low: Sequence[float], high: Sequence[float], splitting: Sequence[in
     return Cells(np.array(lows).T, np.array(highs).T, np.array(kinds), np.array(shares))
 
 
-def nearest(cells: Cells, disk: Mapping[str, Any]) -> Array:
-    """Least distance (n,) of each cell from the middle of the disk, from below."""
-    i, j = (int(k) for k in disk["axes"])
-    parts = [np.maximum(0.0, np.maximum(cells.low[k], -cells.high[k])) for k in (i, j)]
-    return np.asarray(np.hypot(*parts) * (1 - 8 * EPS))
+def disk_of(values: Any, edges: int) -> tuple[list[int], float]:
+    """(two edges of the region, radius) of all directions up to the radius about 0."""
+    (i, j), radius = values["axes"], float(values["radius"])
+    if {type(i), type(j)} != {int} or i == j or not (min(i, j) >= 0 and max(i, j) < edges and radius > 0):
+        raise UnreadableError(f"a disk over {i!r}, {j!r} with the radius {radius!r}")
+    return [i, j], radius
 
 
 @dataclass(frozen=True)
 class Verdict:
     """What a file proves: `proved` in words, `refused` with the reason, what it rests on, and what was found.
 
-    `mechanism`: the name in the file, with the first digits of the SHA-256 of the description in it.
+    `mechanism`: the name in the file, with the first digits of the SHA-256 of the description in it. `region`: of what
+    it is a proof, in words.
     """
 
     mechanism: str
@@ -788,6 +773,7 @@ class Verdict:
     refused: tuple[str, ...]
     assumed: tuple[str, ...]
     facts: Mapping[str, Any]
+    region: str = ""
 
     @property
     def holds(self) -> bool:
@@ -798,7 +784,7 @@ class Verdict:
         words = (("proved", self.proved), ("REFUSED", self.refused), ("assumed", self.assumed))
         lines = [f"{word}: {text}" for word, texts in words for text in texts]
         end = "every claim of the file is proved" if self.holds else "the file does not prove what it claims"
-        return "\n".join([f"Workspace of {self.mechanism}", *lines, end])
+        return "\n".join([f"Workspace of {self.mechanism}", self.region, *lines, end])
 
 
 def facts_of(equations: Equations, cells: Cells, values: Any) -> dict[str, Any]:
@@ -842,9 +828,10 @@ def facts_of(equations: Equations, cells: Cells, values: Any) -> dict[str, Any]:
     beyond = np.zeros(len(cells.kind), dtype=bool)
     facts: dict[str, Any] = {"boxes": len(boxes), "least": least}
     if values["disk"] is not None:
-        distance, radius = nearest(cells, values["disk"]), float(values["disk"]["radius"])
+        axes, radius = disk_of(values["disk"], len(cells.low))
+        distance = np.hypot(*np.maximum(0.0, np.maximum(cells.low[axes], -cells.high[axes]))) * (1 - 8 * EPS)
         beyond = distance > radius
-        if (np.array([cells.high[k].max() for k in values["disk"]["axes"]]) < radius).any():
+        if (cells.low[axes].min(axis=1) > -radius).any() or (cells.high[axes].max(axis=1) < radius).any():
             raise RefusedError("the disk is larger than the region")
         facts["radius"] = float(np.minimum(distance[cells.kind != CLAIMED], radius).min(initial=radius))
     facts["whole"] = bool((beyond | (cells.kind == CLAIMED)).all())
@@ -875,12 +862,15 @@ def check_certificate(values: Any) -> Verdict:
         equations = Equations.read(values["equations"])
         region = values["region"]
         cells = cells_of(region["low"], region["high"], values["splitting"])
-        need(len(cells.low) == len(equations.axes) == len(region["high"]), "edges of the region")
-        assumed = _assumed(equations, values["equations"]["labels"])
+        need(
+            len(cells.low) == len(equations.axes) == len(region["high"]) == len(region["names"]), "edges of the region"
+        )
+        need(isinstance(claims, dict), "claims")
+        words, assumed = region_in_words(values), _assumed(equations, values["equations"]["labels"])
         try:
             facts = facts_of(equations, cells, values)
         except RefusedError as error:
-            return Verdict(name, (), (str(error),), assumed, {})
+            return Verdict(name, (), (str(error),), assumed, {}, words)
     except (KeyError, TypeError, ValueError, IndexError, AttributeError, RecursionError, OverflowError) as error:
         raise UnreadableError(f"{type(error).__name__}: {error}") from error
     proved: list[str] = []
@@ -888,7 +878,18 @@ def check_certificate(values: Any) -> Verdict:
     for key, value in claims.items():
         text = f"{key} {json.dumps(value)}"
         (proved if _carried(facts.get(key), value) else refused).append(text)
-    return Verdict(name, tuple(proved), tuple(refused), assumed, facts)
+    return Verdict(name, tuple(proved), tuple(refused), assumed, facts, words)
+
+
+def region_in_words(values: Any) -> str:
+    """Of what a file is a proof: the ranges of its edges, and the disk in them."""
+    region, disk = values["region"], values["disk"]
+    edges = zip(region["names"], region["low"], region["high"], strict=True)
+    text = "over " + ", ".join(f"{name} {float(low):.6g} to {float(high):.6g}" for name, low, high in edges)
+    if disk is not None:
+        names = " and ".join(str(region["names"][k]) for k in disk["axes"])
+        text += f", of these all directions of {names} up to {float(disk['radius']):.6g}"
+    return text
 
 
 def digest(text: str) -> str:

@@ -211,8 +211,9 @@ def _start(model: Model, region: Region) -> tuple[Array, dict[str, Any] | None]:
     last = np.array([*np.clip(first[: len(region.names)], region.low, region.high), *region.fixed.values()])
     q, way = model.system.reference[equations.dependent], None
     if (first != last).any():
+        walked = _walk(equations, (first, last), q, names)  # sooner than a proof finds that there is nothing to prove
         way = proved_way(equations, first, last, q)
-        q = _walk(equations, (first, last), q, names) if way is None else way.end[1]
+        q = walked if way is None else way.end[1]
     found = np.array(model.system.reference, dtype=float)
     for name, value in zip(names, last, strict=True):
         if name not in parameters:

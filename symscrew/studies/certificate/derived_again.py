@@ -48,7 +48,7 @@ class MechanismProof:
     """What a certificate proves of the mechanism in it.
 
     `digest`: SHA-256 of the canonical description. `refused`: why it is no proof of this mechanism. `verdict`: of the
-    checker, with the equations derived again. `left`: what stays assumed.
+    checker, with the equations derived again. `left`: what stays assumed. `asked`: what is held and limited, in words.
     """
 
     mechanism: str
@@ -56,6 +56,7 @@ class MechanismProof:
     refused: tuple[str, ...]
     verdict: Verdict
     left: tuple[str, ...]
+    asked: tuple[str, ...] = ()
 
     @property
     def ok(self) -> bool:
@@ -63,7 +64,7 @@ class MechanismProof:
         return not self.refused and self.verdict.holds
 
     def __str__(self) -> str:
-        lines = [f"{self.mechanism}, description {self.digest}"]
+        lines = [f"{self.mechanism}, description {self.digest}", self.verdict.region, *self.asked]
         lines += [f"REFUSED: {text}" for text in (*self.refused, *self.verdict.refused)]
         lines += [f"proved: {text}" for text in self.verdict.proved] if self.ok else []
         lines += [f"assumed: {text}" for text in self.left] if self.ok else []
@@ -103,6 +104,7 @@ def proof_of_mechanism(values: Any, mechanism: Mechanism | None = None) -> Mecha
         model, own = _model(values)
         text = to_toml(own)
         refused = [*_other(own, mechanism), *_differences(values, model)]
+        refused += [] if values["claims"] else ["it claims nothing"]
         left = [text for text in verdict.assumed if text not in (OF_MECHANISM, OF_START)]
         if not refused and begins_elsewhere(values, model):
             left.append(OF_WALK)
@@ -112,7 +114,15 @@ def proof_of_mechanism(values: Any, mechanism: Mechanism | None = None) -> Mecha
         if isinstance(error, DescriptionError):
             raise
         raise UnreadableError(f"{type(error).__name__}: {error}") from error
-    return MechanismProof(own.name, digest(text), tuple(refused), verdict, tuple(left))
+    return MechanismProof(
+        own.name, digest(text), tuple(refused), verdict, tuple(left), _asked_in_words(values["asked"])
+    )
+
+
+def _asked_in_words(asked: Any) -> tuple[str, ...]:
+    held = ", ".join(f"{name} = {float(x):.6g}" for name, x in asked["fixed"].items())
+    limits = ", ".join(f"{name} from {low} to {high}" for name, low, high in asked["limits"])
+    return tuple(f"{word} {text}" for word, text in (("with", held), ("within the limits", limits)) if text)
 
 
 def _model(values: Any) -> tuple[Model, Mechanism]:
@@ -155,6 +165,9 @@ def _differences(values: Any, model: Model) -> list[str]:
         elif name not in parameters:
             return [f"it holds {shorten(name)}, which is no coordinate of the mechanism"]
     stated = Equations.read(values["equations"])
+    loose = [n for n in asked["fixed"] if n in known and known.index(n) not in stated.held]
+    if loose:
+        return [f"it says that {shorten(loose[0])} is held, its equations leave it free"]
     for name, value in zip(region["names"], start["z"], strict=True):
         if name in known:
             q[known.index(name)] = value
@@ -170,6 +183,13 @@ def _differences(values: Any, model: Model) -> list[str]:
         own = file_equations(model, names, (), model.system.reference)
         parts = {name: own[name] for name in way["equations"]}
         found += _parted(json.loads(json.dumps(parts)), way["equations"], "way.equations")
+    given = {
+        **dict(zip(known, model.system.reference, strict=True)),
+        **dict(zip(parameters, model.system.parameter_values, strict=True)),
+    }
+    nearest = np.clip([float(given[name]) for name in region["names"]], region["low"], region["high"])
+    if start["z"] != nearest.tolist():
+        found.append("it does not start at the point of its region that is nearest to the reference configuration")
     disk = values["disk"]
     if disk is not None:
         tilting = [region["names"][k] for k in disk["axes"]]

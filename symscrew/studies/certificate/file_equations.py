@@ -14,7 +14,7 @@ import numpy as np
 from symscrew.errors import DescriptionError, did_you_mean
 from symscrew.model import Model
 from symscrew.program import Program, evaluate
-from symscrew.studies.certificate.certificate_checker import Equations, Form, full_rank, slopes_at
+from symscrew.studies.certificate.certificate_checker import Equations, Form, constant, full_rank
 from symscrew.studies.workspace import SINGULAR, independent_labels
 
 Array = np.ndarray
@@ -170,7 +170,7 @@ def _choose(model: Model, values: dict[str, Any], start: Array) -> None:
     candidates = [k for k, r in enumerate(values["closure"]["results"]) if r != 0.0]
     equations = Equations.of({**values, "rows": candidates})
     columns = equations.dependent
-    c = slopes_at(equations, start)
+    c = _slopes_at(equations, start)
     dense = c[:, columns] if columns else c
     wanted = len(columns) - len(values["quaternions"])
     if len(candidates) > wanted:
@@ -188,7 +188,16 @@ def _choose(model: Model, values: dict[str, Any], start: Array) -> None:
                for i, v in enumerate(range(link.v.start, link.v.stop))}  # fmt: skip
     driven = [of_rate[v] for v in model.system.drive_rows() if v in of_rate]
     if driven and len(driven) == len(model.system.drives) and len(candidates) == wanted:
-        c = slopes_at(Equations.of({**values, "driven": driven}), start)
+        c = _slopes_at(Equations.of({**values, "driven": driven}), start)
         left = [k for k in range(values["count"]) if k not in driven]
         if full_rank(Form(c[:, left, None], np.zeros((0, len(c), len(left), 1)), 0.0 * c[:, left, None]))[0]:
             values["driven"] = driven
+
+
+def _slopes_at(equations: Equations, q: Array) -> Array:
+    """Derivatives of the equations (rows, coordinates and parameters) at q (count,), without any proof."""
+    given = {"q": [Form(np.array([x]), np.zeros((0, 1)), np.zeros(1)) for x in q]}
+    given["p"] = [constant(x, 0) for x in equations.parameters]
+    rows = equations.residual(given, slopes=True)[1]
+    width = equations.count + len(equations.parameters)
+    return np.stack([np.zeros(width) if row is None else row.c[:, 0] for row in rows])

@@ -5,7 +5,6 @@ reference --straight in all coordinates and parameters that differ--> chain of b
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -20,6 +19,7 @@ from symscrew.studies.certificate.certificate_checker import (
     meet,
     need,
     refuse,
+    together,
     tubes,
 )
 
@@ -86,12 +86,7 @@ def _box(equations: Equations, a: Array, b: Array, q: Array) -> tuple[Tubes | No
 
 def _meets(equations: Equations, one: Tubes, two: Tubes) -> bool:
     """Whether two boxes hold the same configuration at the corner that they share."""
-    return bool(meet(equations, _both(one, two), [(0, 1)]).all())
-
-
-def _both(one: Tubes, two: Tubes) -> Tubes:
-    names: Sequence[str] = ("low", "high", "centre", "slope", "radius", "tight", "closed", "holding")
-    return Tubes(**{n: np.concatenate([getattr(one, n), getattr(two, n)], axis=-1) for n in names}, bounds={})
+    return bool(meet(equations, together([one, two]), [(0, 1)]).all())
 
 
 def whole_of(equations: Equations, z: Array, q: Array) -> tuple[list[float], list[float]]:
