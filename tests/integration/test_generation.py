@@ -167,6 +167,7 @@ def test_code_that_holds_declared_parameters_is_found(tmp_path, monkeypatch):
     assert "NumPy module agrees with the evaluator to" in found and "energy" in found
 
 
+@pytest.mark.slow
 def test_casadi_files_may_be_left_out(output):
     for path in output.glob("*.casadi"):
         path.unlink()

@@ -99,6 +99,7 @@ def test_other_files_of_the_folder_bring_nothing_in(folder: Path) -> None:
     assert not mark.exists()
 
 
+@pytest.mark.slow
 def test_casadi_files_are_never_read(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """They can name a compiler's command or a library to load."""
     import casadi

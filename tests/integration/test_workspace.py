@@ -334,6 +334,7 @@ def test_reading() -> None:
     assert read_limit("limb1_P=-5mm:") == (("limb1_P", -0.005, math.inf), "m")
 
 
+@pytest.mark.slow
 def test_units_of_axes_are_those_of_what_they_move(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """A bare number beyond a turn draws a notice; lengths for angles, and ends in two units, are refused."""
     out = ["--out", str(tmp_path / "map.csv")]

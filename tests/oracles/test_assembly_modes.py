@@ -100,6 +100,7 @@ def test_merlets_planar_platform_has_two_modes():
     assert np.allclose(seen, given["own_computation"]["solutions"], atol=1e-12)
 
 
+@pytest.mark.slow
 def test_two_modes_that_meet_are_reported_as_a_double_one():
     # all three circles touch: legs on one line with the platform turned by nothing, the middle of a change of mode
     base, platform = [["0", "0"], ["4", "0"], ["1", "3"]], [["0", "0"], ["1", "0"], ["0", "1"]]

@@ -13,6 +13,7 @@ import pytest
 import sympy
 from scipy.linalg import expm
 from scipy.optimize import brentq
+from support.samples import some_quickly
 
 from symscrew.description import Mechanism, MechanismBuilder
 from symscrew.mobility.symbols import conditions
@@ -31,7 +32,6 @@ LIMBS = {  # letters, places (x, z) of the joints, their axes
     "crank": ("RUU", [(1, 0), (1.25, 0.5), (0.5, 1)], ["t", "tx", "xt"]),
     "plane": ("RRR", [(1, 0), (1.25, 0.5), (0.5, 1)], ["t", "t", "t"]),
 }
-TURNS = {"in a plane": 0.0, "turned": 2 * np.pi / 3}
 
 
 def mechanism(kind: str, turned: bool) -> Mechanism:
@@ -105,8 +105,8 @@ def zeros(expression: sympy.Expr, symbols: tuple[sympy.Symbol, ...], seed: int) 
                 yield np.where(np.arange(len(at)) == k, brentq(along, low, high, xtol=1e-14), at)
 
 
-@pytest.mark.parametrize("turned", [False, True], ids=["in a plane", "turned"])
-@pytest.mark.parametrize("kind", sorted(LIMBS))
+@pytest.mark.parametrize("turned", some_quickly([False, True], every=2), ids=["in a plane", "turned"])
+@pytest.mark.parametrize("kind", some_quickly(sorted(LIMBS), every=4))
 def test_what_is_said_of_displaced_limbs_is_so(kind: str, turned: bool) -> None:
     pose = limb_pose(mechanism(kind, turned), "limb")
     assert isinstance(pose, LimbPose)

@@ -287,6 +287,7 @@ def test_what_the_operation_mode_holds_is_no_unknown() -> None:
     assert alone.off_mode(turned) and not alone.off_mode(q) and not whole.off_mode(turned)
 
 
+@pytest.mark.slow
 def test_other_operation_modes_have_all_unknowns() -> None:
     """Where a goal is not of the reference's mode the equations hold for all modes, and say what is out of reach."""
     problem = example("delta_pick_and_place")
