@@ -7,6 +7,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 import sympy
+from support.limb_platforms import platform
 from support.reference_mechanisms import ENTRIES, build
 from sympy import cos, pi, sin, sqrt
 
@@ -109,6 +110,15 @@ def test_symbols_up_to_a_number_of_products(monkeypatch: pytest.MonkeyPatch) -> 
     found = analyse_mobility(catalogue.load(SEED))
     assert found.symbolic is None and "not of reasonable size" in str(found.without_symbols)
     assert "no symbols: the closed forms are not of reasonable size" in mobility_text(found)
+
+
+def test_common_factors_on_the_circle_up_to_a_size(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Without them a limb would be said to bear a couple where its screws are dependent: there are no symbols then."""
+    mechanism = platform("PRS")
+    pose = limb_pose(mechanism, "leg1")
+    assert isinstance(pose, LimbPose) and [locus.kind for locus in pose.loci] == ["limb"]
+    monkeypatch.setattr(generators, "MOST_FORMS", 10)
+    assert limb_pose(mechanism, "leg1") == "no symbols: the closed forms are not of reasonable size"
 
 
 def test_a_form_that_is_flat_vanishes_where_others_do_not(monkeypatch: pytest.MonkeyPatch) -> None:

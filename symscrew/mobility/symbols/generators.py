@@ -26,7 +26,7 @@ from symscrew.description import Mechanism
 from symscrew.mobility.symbols.atoms import atoms_of
 from symscrew.mobility.symbols.exact_field import Field
 from symscrew.mobility.symbols.exact_numbers import NotDecidableError, Number
-from symscrew.mobility.symbols.half_angles import Angle, shared_factor
+from symscrew.mobility.symbols.half_angles import Angle, shared_factor, terms_as_forms
 
 Poly = Any
 """An element of the ring: SymPy's `PolyElement`, which is generic in a way that type checkers do not follow."""
@@ -36,6 +36,9 @@ MOST_PRODUCTS = 12_000
 """Products of terms that one ring makes: a few seconds, formulas of a page. The seed needs a quarter of it, a Stewart
 platform three quarters, and for the loci of its drives more. Beyond it the symbols, or these loci, are given up with a
 sentence; numbers and ranks do not depend on them."""
+MOST_FORMS = 60_000
+"""Terms of polynomials written in halves of their angles, where common factors on the circle are looked for: a second. A
+PRS limb needs 185, the seed's 2055. Beyond it the symbols are given up with a sentence, for loci would be wrong."""
 FLAT = 1e-12
 """Eigenvalues of a quadratic form below this, relative to the largest, are zero: forms of a few rational coefficients.
 Wrong either way, a locus that no real parameters reach is shown, or hidden."""
@@ -170,6 +173,8 @@ class Generators:
         met = [a for a in self._angles if any(m[a.cosine] or m[a.sine] for p in divided for m in p.itermonoms())]
         if not met or any(p.is_ground for p in divided) or len(divided) < 2:
             return common, divided
+        if terms_as_forms(divided, met) > MOST_FORMS:
+            raise NotPolynomialError("the closed forms are not of reasonable size")
         factor, quotients = shared_factor(divided, met)
         if factor.is_ground:
             return common, divided

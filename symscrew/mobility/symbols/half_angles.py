@@ -25,6 +25,19 @@ class Angle:
     sine: int
 
 
+def terms_as_forms(polys: Sequence[Poly], angles: Sequence[Angle]) -> int:
+    """About how many terms the polynomials have as forms in halves of the angles."""
+    total = sum(map(len, polys))
+    for order in _orders(polys, angles):
+        total *= 2 * order + 1
+    return total
+
+
+def _orders(polys: Sequence[Poly], angles: Sequence[Angle]) -> list[int]:
+    """Largest degree in cosine and sine of each angle."""
+    return [max(m[a.cosine] + m[a.sine] for p in polys for m in p.itermonoms()) for a in angles]
+
+
 def shared_factor(polys: Sequence[Poly], angles: Sequence[Angle]) -> tuple[Poly, list[Poly]]:
     """(common factor g, quotients p / g) of polynomials that are not zero, modulo s^2 + c^2 = 1 of every angle.
 
@@ -48,7 +61,7 @@ class _Forms:
 
     def __init__(self, polys: Sequence[Poly], angles: Sequence[Angle]) -> None:
         self.angles, self.ring = angles, polys[0].ring
-        self.orders = [max(m[a.cosine] + m[a.sine] for p in polys for m in p.itermonoms()) for a in angles]
+        self.orders = _orders(polys, angles)
         self.forms = [self._form(p) for p in polys]
 
     def _form(self, poly: Poly) -> Poly:
