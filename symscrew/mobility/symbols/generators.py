@@ -37,8 +37,8 @@ MOST_PRODUCTS = 12_000
 platform three quarters, and for the loci of its drives more. Beyond it the symbols, or these loci, are given up with a
 sentence; numbers and ranks do not depend on them."""
 MOST_FORMS = 60_000
-"""Terms of polynomials written in halves of their angles, where common factors on the circle are looked for: a second. A
-PRS limb needs 185, the seed's 2055. Beyond it the symbols are given up with a sentence, for loci would be wrong."""
+"""Terms of polynomials written in halves of their angles, where common factors on the circle are looked for: a second.
+A PRS limb needs 185, the seed's 2055. Beyond it the symbols are given up with a sentence, for loci would be wrong."""
 FLAT = 1e-12
 """Eigenvalues of a quadratic form below this, relative to the largest, are zero: forms of a few rational coefficients.
 Wrong either way, a locus that no real parameters reach is shown, or hidden."""
