@@ -23,6 +23,9 @@ FORCE_SLACK, SLACK = 1e-12, 1e-11
 # polynomial's error. A margin that is off zero by less at the start of its new mode counts as zero.
 MOST_MOVED = 1e-5
 ZERO_RATE = 1e-9  # of a margin's largest coefficient: a smaller one is none
+# Roundings of a value that a step's polynomial gives, of a dozen terms: coefficients that these may have made are none.
+# In a step so short that nothing moves by more a stop that was left would else be met again at once, without end.
+ROUNDINGS = 16 * float(np.finfo(float).eps)
 NONE = 2.0  # part of a step at which what does not end within it is said to end
 
 
@@ -46,8 +49,8 @@ def first_end(
         own = _of_forces(force[:, k], rule, modes.values[k]) if k in held else None
         if own is None:
             own = _of_motion(samples, rule, modes.values[k], unit=float(units[rule.v]), fresh=k == fresh)
-        for margin, slack in own:
-            part = end_of(_powers() @ margin, slack)
+        for margin, slack, size in own:
+            part = end_of(_powers() @ margin, slack, ROUNDINGS * size * _growth())
             if part <= 1.0 and part < found[0]:
                 found = (part, k)
     return None if found[1] < 0 else found
@@ -60,48 +63,65 @@ def places() -> np.ndarray:
 
 
 @cache
+def _growth() -> np.ndarray:
+    """What an error of the values at most makes of each coefficient (9,)."""
+    return np.asarray(np.abs(_powers()).sum(axis=1))
+
+
+@cache
 def _powers() -> np.ndarray:
     """Values at the places -> coefficients of powers of the part (9, 9)."""
     return np.asarray(np.linalg.inv(np.vander(places(), increasing=True)))
 
 
-def _of_forces(force: np.ndarray, rule: Law, mode: int) -> Iterator[tuple[np.ndarray, float]]:
-    """Margins (9,) of a contact that is held, with what counts as zero: a stuck one has two, one on a stop its side."""
+def _of_forces(force: np.ndarray, rule: Law, mode: int) -> Iterator[tuple[np.ndarray, float, float]]:
+    """Margins (9,) of a contact that is held: a stuck one has two, one on a stop its side.
+
+    With what counts as zero at the start, and the size of what a margin is the difference of: none, for forces are off
+    by more than roundings.
+    """
     friction = rule.contact.kind == "friction"
     level = rule.static if friction else 0.0
     slack = FORCE_SLACK * max(float(np.abs(force).max()), level)
     for side in (-1, 1) if friction else (mode,):
-        yield level - side * force, slack
+        yield level - side * force, slack, 0.0
 
 
 def _of_motion(
     samples: Sequence[ContactState], rule: Law, mode: int, *, unit: float, fresh: bool
-) -> Iterator[tuple[np.ndarray, float]]:
-    """Margins (9,) of a contact that slips, or of a free stop, with what counts as zero."""
+) -> Iterator[tuple[np.ndarray, float, float]]:
+    """Margins (9,) of a contact that slips, or of a free stop, with what counts as zero and the size of its parts."""
     slack = SLACK * unit
     if rule.contact.kind == "friction":
         rates = np.array([at.v[rule.v] for at in samples])
-        yield mode * rates + slack, slack  # a rate that only touches zero does not end a slip
+        yield (
+            mode * rates + slack,
+            slack,
+            float(np.abs(rates).max()),
+        )  # a rate that only touches zero does not end a slip
         return
     q = np.array([at.q[rule.q] for at in samples])
+    size = float(np.abs(q).max())
     below, above = q - rule.lower, rule.upper - q
     for margin, other in ((below, above), (above, below)):
         if not np.isfinite(margin).all():
             continue
         first = abs(float(margin[0]))
         own = first <= abs(float(other[0]))  # of two stops the one that was met, however near they are
-        yield margin, max(slack, first) if fresh and own and first < MOST_MOVED * unit else slack
+        yield margin, max(slack, first) if fresh and own and first < MOST_MOVED * unit else slack, size
 
 
-def end_of(c: np.ndarray, slack: float) -> float:
+def end_of(c: np.ndarray, slack: float, noise: np.ndarray) -> float:
     """The part of the step at which a margin with these coefficients of powers (9,) ends; 2: it does not.
+
+    Coefficients up to `noise` (9,) are none.
 
     A margin within `slack` of zero at the start counts as zero there: what it does next decides. Where its rate is
     zero, too, that is its second derivative, of which a polynomial has the sign only if it is large; there a margin
     that falls ends where it is below -slack.
     """
     size, zeros = float(np.abs(c[1:]).max()), 0
-    while zeros < DEGREE and abs(c[zeros]) <= (slack if zeros == 0 else ZERO_RATE * size):
+    while zeros < DEGREE and abs(c[zeros]) <= (slack if zeros == 0 else max(ZERO_RATE * size, noise[zeros])):
         zeros += 1
     if zeros == DEGREE:
         return NONE  # it stays zero

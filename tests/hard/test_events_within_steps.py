@@ -93,9 +93,24 @@ def test_zeros_of_a_step_are_found_however_short_what_lies_behind_them() -> None
         p = np.polynomial.Polynomial.fromroots([first, first + apart, *outside])
         c = np.zeros(mode_ends.DEGREE + 1)
         c[: len(p.coef)] = p.coef * np.sign(p(0.0))
-        assert abs(mode_ends.end_of(c, 1e-16) - first) < 1e-15 / apart + 1e-12, (first, apart)
+        assert abs(mode_ends.end_of(c, 1e-16, np.zeros(9)) - first) < 1e-15 / apart + 1e-12, (first, apart)
         c[0] += 1.1 * np.abs(p(np.linspace(first, first + apart, 201))).max() + 1e-15
-        assert mode_ends.end_of(c, 1e-16) > 1  # it turns back before
+        assert mode_ends.end_of(c, 1e-16, np.zeros(9)) > 1  # it turns back before
+
+
+def test_roundings_of_a_step_in_which_nothing_moves_are_no_event() -> None:
+    """A stop that is left begins at rest; without what roundings make of coefficients it was met again without end."""
+    random = np.random.default_rng(5)
+    unit = mode_ends._powers()
+    noise = mode_ends.ROUNDINGS * mode_ends._growth()
+    met = 0
+    for _ in range(200):
+        values = np.finfo(float).eps * random.integers(-1, 2, 9)  # of an angle of about one
+        met += mode_ends.end_of(unit @ values, 1e-11, np.zeros(9)) <= 1
+        assert mode_ends.end_of(unit @ values, 1e-11, noise) > 1
+        falling = values - 1e-6 * mode_ends.places()
+        assert mode_ends.end_of(unit @ falling, 1e-11, noise) == 0.0
+    assert met > 50
 
 
 @pytest.mark.parametrize("speed", [1e-6, 1.0, 30.0])
