@@ -28,6 +28,8 @@ from symscrew.mobility import (
 )
 from symscrew.mobility.findings.typeset import shown
 
+pytestmark = pytest.mark.slow
+
 COUPLERS = ("1.3", "1.3000000000001", "1.2999999999")
 
 

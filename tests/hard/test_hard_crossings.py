@@ -16,7 +16,10 @@ from symscrew.runtime.compiled import find_compiler
 from symscrew.scene.contents import Initial, Scene
 from symscrew.simulation.motion import Run, simulate
 
-pytestmark = pytest.mark.skipif(find_compiler() is None, reason="no C compiler: crossings are the compiled loop's")
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.skipif(find_compiler() is None, reason="no C compiler: crossings are the compiled loop's"),
+]
 FALL = (Gravity((0, "-9.81", 0)),)
 
 

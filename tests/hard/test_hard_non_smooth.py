@@ -27,6 +27,8 @@ from symscrew.scene.contents import Initial, Integrator, Scene
 from symscrew.simulation import mode_changes
 from symscrew.simulation.motion import Run, simulate
 
+pytestmark = pytest.mark.slow
+
 FINE = Integrator(tolerance=1e-10)
 
 

@@ -25,6 +25,8 @@ from symscrew.program import NOT_ON_MECHANISM, OUT_OF_REACH, Program, status_tex
 from symscrew.program.numpy_evaluation import evaluate
 from symscrew.runtime.compiled import EvaluationError, find_compiler, load
 
+pytestmark = pytest.mark.slow
+
 Array = np.ndarray
 PLATFORM = ("inverse_kinematics", "inverse_velocity", "inverse_dynamics_platform")
 

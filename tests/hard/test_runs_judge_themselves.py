@@ -24,7 +24,10 @@ from symscrew.simulation.motion import prepare, simulate
 from symscrew.simulation.recording import Estimate
 from symscrew.simulation.verdict import verdict
 
-pytestmark = pytest.mark.skipif(find_compiler() is None, reason="no C compiler: runs are compared in the compiled loop")
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.skipif(find_compiler() is None, reason="no C compiler: runs are compared in the compiled loop"),
+]
 FIVE_BAR = Path(__file__).parents[1] / "data" / "short_five_bar.toml"
 
 

@@ -20,7 +20,11 @@ from symscrew.program.numpy_evaluation import evaluate
 from symscrew.program.straight_line import Instruction, Port, Program
 from symscrew.runtime.compiled import CompiledFunction, CompiledModel, EvaluationError, find_compiler, load
 
-pytestmark = [pytest.mark.optimised, pytest.mark.skipif(find_compiler() is None, reason="no C compiler")]
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.optimised,
+    pytest.mark.skipif(find_compiler() is None, reason="no C compiler"),
+]
 
 
 @pytest.fixture(scope="module")

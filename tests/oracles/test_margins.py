@@ -35,6 +35,8 @@ from symscrew.program.lowering import lower
 from symscrew.program.straight_line import Iteration, Program
 from symscrew.runtime.compiled import find_compiler, load
 
+pytestmark = pytest.mark.slow
+
 MP = mpmath.mp.clone()
 MP.dps = 40
 Matrix = mpmath.matrix

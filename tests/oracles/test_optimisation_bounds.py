@@ -16,6 +16,8 @@ from symscrew.optimisation.planned_motion import Samples
 from symscrew.optimisation.problem import Bounds, Conditions, Distance, TrajectoryProblem, Transcription
 from symscrew.optimisation.solution import solve
 
+pytestmark = pytest.mark.slow
+
 SWING = rest_to_rest({"hinge": -1.0}, {"hinge": 1.0})
 STEEP = Conditions(coordinates={"x": 0.0, "z": 0.0}, at_rest=True)
 

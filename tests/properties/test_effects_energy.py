@@ -15,6 +15,8 @@ from symscrew.effects.effect import Effect
 from symscrew.effects.gravity import Gravity
 from symscrew.model import Model, derive
 
+pytestmark = pytest.mark.slow
+
 CRANK = "slider_crank"  # crank_R drives, slider_P slides, slider_R closes the loop
 SMOOTH = 0.01  # m/s or rad/s: width of the smooth form of friction
 

@@ -15,6 +15,8 @@ from symscrew.effects.gravity import Gravity
 from symscrew.loops.modes import SOLVED
 from symscrew.model import Model, derive
 
+pytestmark = pytest.mark.slow
+
 
 def crossed() -> np.ndarray:
     """A configuration of the parallelogram with its crank and rocker crossed."""

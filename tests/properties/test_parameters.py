@@ -26,6 +26,8 @@ from symscrew.generation.c_target import STRICT
 from symscrew.model import Model, derive
 from symscrew.runtime.compiled import find_compiler
 
+pytestmark = pytest.mark.slow
+
 
 def with_parameters(mechanism: Mechanism, *, run_time: bool, scale: str = "1") -> Mechanism:
     changed = {

@@ -24,6 +24,8 @@ from symscrew.kinematics import System
 from symscrew.scene.contents import Initial, Scene
 from symscrew.simulation.initial import initial_state
 
+pytestmark = pytest.mark.slow
+
 PITCH = 0.001 / (2 * np.pi)
 SCREW = {  # a lead screw: a nut on a guide
     "spin": {"type": "R", "parent": "base", "child": "screw"},

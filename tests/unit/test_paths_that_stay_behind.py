@@ -11,6 +11,8 @@ from symscrew.assembly import target_roots as target
 from symscrew.assembly.all_modes import known_zero
 from symscrew.assembly.start_system import StartSystem, searched
 
+pytestmark = pytest.mark.slow
+
 SHORT = [
     ("R", "ground", "a", ["0", "0"], None), ("R", "a", "b", ["1", "0"], None), ("R", "b", "c", ["2", "1.5"], None),
     ("R", "c", "ground", ["4.2", "0"], None),

@@ -22,6 +22,8 @@ from symscrew import catalogue
 from symscrew.mobility import analyse_mobility, check_proof, mobility_proof, verify
 from symscrew.mobility.proofs import proof_checker
 
+pytestmark = pytest.mark.slow
+
 KINDS = {
     "planar_4bar": "groups", "sarrus": "limbs", "collinear_3R": "stopped", "bennett": "endless",
     "parallelogram-change_point": "form", "kinematotropic_double_fold-transition": "direction",
