@@ -83,7 +83,10 @@ def prepare(problem: TrajectoryProblem) -> Prepared:
             raise DescriptionError(f"design: no parameter {name!r}; {did_you_mean(name, mechanism.parameters)}")
     parameters = {n: replace(p, run_time=p.run_time or n in chosen) for n, p in mechanism.parameters.items()}
     described = replace(mechanism, parameters=parameters)
-    equations = PointEquations(described, problem.effects, problem.independent, one_mode=not _modes(problem))
+    elsewhere = any(
+        conditions.mode for conditions in problem.conditions.values()
+    )  # perhaps in no mode of the reference
+    equations = PointEquations(described, problem.effects, problem.independent, one_mode=not elsewhere)
     if not equations.constant:
         return _prepared(problem, equations)
     try:
@@ -93,11 +96,6 @@ def prepare(problem: TrajectoryProblem) -> Prepared:
     if found is None or found.guess.parted or found.guess.trouble or equations.off_mode(found.guess.q):
         return _prepared(problem, PointEquations(described, problem.effects, problem.independent))
     return found
-
-
-def _modes(problem: TrajectoryProblem) -> list[str]:
-    """Assembly modes that the problem names, which may be of another operation mode than the reference."""
-    return [conditions.mode for conditions in problem.conditions.values() if conditions.mode]
 
 
 def _prepared(problem: TrajectoryProblem, equations: PointEquations) -> Prepared:

@@ -158,43 +158,48 @@ class Generators:
         return self.normal(total)
 
     def shared(self, polys: Sequence[Poly]) -> tuple[Poly, list[Poly]]:
-        """(g, p / g): the greatest common divisor of normal forms that are not zero (1 for none), and quotients.
+        """(g, p / g): the greatest common divisor of normal forms (1 where all are zero), and quotients.
 
         In sines and cosines as on the circle, where s^2 and s (1 + c) have 1 + c in common; of these factors those that
         are polynomials in them: see `half_angles`.
         """
-        common = self.ring.zero
-        for poly in polys:
-            common = common.gcd(poly)
-            if common == 1:
-                break
-        common = common or self.ring.one
+        common = self._divisor(polys)
         divided = [poly if common == 1 else poly.exquo(common) for poly in polys]
-        met = [a for a in self._angles if any(m[a.cosine] or m[a.sine] for p in divided for m in p.itermonoms())]
-        if not met or any(p.is_ground for p in divided) or len(divided) < 2:
+        present = [poly for poly in divided if poly]
+        met = [a for a in self._angles if any(m[a.cosine] or m[a.sine] for p in present for m in p.itermonoms())]
+        if not met or any(p.is_ground for p in present) or len(present) < 2:
             return common, divided
-        if terms_as_forms(divided, met) > MOST_FORMS:
+        if terms_as_forms(present, met) > MOST_FORMS:
             raise NotPolynomialError("the closed forms are not of reasonable size")
-        factor, quotients = shared_factor(divided, met)
+        factor, quotients = shared_factor(present, met)
         if factor.is_ground:
             return common, divided
         quotients = [self.normal(p) for p in quotients]
-        if any(self.normal(factor * q - p) for q, p in zip(quotients, divided, strict=True)):
+        if any(self.normal(factor * q - p) for q, p in zip(quotients, present, strict=True)):
             raise AssertionError("a common factor that does not divide")
-        return self.normal(common * factor), quotients
+        left = iter(quotients)
+        return self.normal(common * factor), [next(left) if p else p for p in divided]
 
     def common_factor(self, polys: Iterable[Poly]) -> Poly:
-        """The greatest common divisor of normal forms: see `shared`."""
-        return self.shared(list(polys))[0]
+        """The greatest common divisor of normal forms: see `shared`; without angles no more are asked for than tell."""
+        return self.shared(list(polys))[0] if self._angles else self._divisor(polys)
+
+    def _divisor(self, polys: Iterable[Poly]) -> Poly:
+        """The greatest common divisor as polynomials (1 where all are zero)."""
+        result = self.ring.zero
+        for poly in polys:
+            result = result.gcd(poly)
+            if result == 1:
+                break
+        return result or self.ring.one
 
     def primitive(self, vector: Sequence[Poly]) -> list[Poly]:
         """The vector without the common factor of its components, numbers among it."""
-        quotients = self.shared([c for c in vector if c])[1]
+        quotients = self.shared(vector)[1]
         numbers = [number for quotient in quotients for number in quotient.coeffs()]
         least = lcm(*(int(number.denominator) for number in numbers))
         size = QQ(gcd(*(int(number * least) for number in numbers)) or 1, least)
-        left = iter(quotients)
-        return [next(left).quo_ground(size) if c else c for c in vector]
+        return [quotient.quo_ground(size) for quotient in quotients]
 
     def without_roots_in(self, polys: Sequence[Poly]) -> list[Poly]:
         """The polynomials without common factors that have a square root in them, such as p + sqrt(H^2 + L^2).

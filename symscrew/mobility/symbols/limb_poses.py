@@ -155,7 +155,7 @@ def _posed(mechanism: Mechanism, name: str, chain: list[_Freedom], symbols: list
             (wrench[3:], wrench[:3], "through O", "the constraint is a force through O"),
         ):
             if any(half) and any(other):
-                parts = work.ring.factors(work.ring.common_factor(c for c in half if c))
+                parts = work.ring.factors(work.ring.common_factor(half))
                 loci += [Locus(kind, name, _read(work, part, symbols), meaning) for part in parts]
     first = chain[0]
     return LimbPose(

@@ -265,7 +265,7 @@ def _cramer(work: SymbolicScrews, rows: list[Row], columns: Sequence[int], budge
     minors = comb(count, rank)
     if minors <= MOST_MINORS:
         found = (minor(chosen) for chosen in combinations(range(count), rank))
-        return PolynomialMotions(vectors, ring.common_factor(m for m in found if m))
+        return PolynomialMotions(vectors, ring.common_factor(found))
     # a determinant that is a number settles it: the rank is never lost
     return PolynomialMotions(vectors, ring.ring.one, 0 if base.is_ground else minors)
 

@@ -148,7 +148,7 @@ class SymbolicScrews:
             return [[ring.ring.one if i == j else ring.ring.zero for i in range(6)] for j in range(6)], ring.ring.one
         minors = {columns: ring.determinant([[row[j] for j in columns] for row in rows])
                   for columns in combinations(range(6), rank)}  # fmt: skip
-        common = ring.common_factor(minor for minor in minors.values() if minor)
+        common = ring.common_factor(minors.values())
         used = max(
             (columns for columns, minor in minors.items() if minor),
             key=lambda columns: (-len(minors[columns].terms()), abs(ring.number(minors[columns], self.somewhere))),
@@ -190,8 +190,8 @@ class SymbolicScrews:
 
     def _note_wrench(self, limb: str, wrench: list[Poly]) -> None:
         """Where a wrench with a force becomes a couple, and where one with a moment passes through O."""
-        force = self.ring.common_factor(c for c in wrench[:3] if c)
-        moment = self.ring.common_factor(c for c in wrench[3:] if c)
+        force = self.ring.common_factor(wrench[:3])
+        moment = self.ring.common_factor(wrench[3:])
         if any(wrench[:3]) and any(wrench[3:]):
             self._note("couple", limb, force, "the constraint force becomes a couple")
             self._note("through O", limb, moment, "the constraint is a force through O")
@@ -225,9 +225,8 @@ class Scalars:
         cleared = [
             ring.product(f.numerator, multiple.exquo(f.denominator)) if f.numerator else ring.ring.zero for f in given
         ]
-        common, quotients = ring.shared([c for c in cleared if c])
-        left = iter(quotients)
-        return [next(left) if c else c for c in cleared], Quotient(multiple, common)
+        common, divided = ring.shared(cleared)
+        return divided, Quotient(multiple, common)
 
 
 class _Scalar:
