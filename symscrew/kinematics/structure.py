@@ -39,6 +39,13 @@ from symscrew.program import Function, Limbs, Port, Program, evaluate, lower
 
 Array = np.ndarray[Any, Any]
 
+SMALLEST = 1e-6
+"""Spread of all points [m] that is rounding: a mechanism of a micrometre is not typed in m."""
+SAME_POINT = 1e-5
+"""The same relative to how far bodies reach from the points: coordinates of six digits leave as much."""
+LAST_DIGITS = 1e-9
+"""The same relative to coordinates, far from the origin: a robot on the earth is 1e-8 of its distance to the centre."""
+
 
 @dataclass(frozen=True)
 class Coordinates:
@@ -221,7 +228,8 @@ def characteristic_length(mechanism: Mechanism) -> float:
     """The length [m] by which norms of mixed quantities divide lengths: the description's, if it gives one.
 
     Else the root mean square distance of the joints' points and the named points from their centre: invariant
-    under rigid motions, proportional to the unit; 1 where all points coincide.
+    under rigid motions, proportional to the unit; 1 where all points coincide, up to rounding of what was typed, as
+    those of a spherical linkage do.
     """
     if mechanism.characteristic_length is not None:
         return float(mechanism.number(mechanism.characteristic_length))
@@ -230,4 +238,15 @@ def characteristic_length(mechanism: Mechanism) -> float:
     cloud = np.array(points)
     size = float(np.sqrt(((cloud - cloud.mean(axis=0)) ** 2).sum(axis=1).mean())) if len(cloud) else 0.0
     # Rounded, so that the same description gives the same bytes on every machine.
-    return float(f"{size:.6g}") if size > 0 else 1.0
+    return float(f"{size:.6g}") if size > _rounding(mechanism, cloud) else 1.0
+
+
+def _rounding(mechanism: Mechanism, cloud: Array) -> float:
+    """The spread [m] that points which are meant to be one have as typed."""
+    if not len(cloud):
+        return 0.0
+    centres = [[float(mechanism.number(c)) for c in body.com] for body in mechanism.bodies.values() if body.com]
+    around = [float(np.linalg.norm(np.array(c) - cloud.mean(axis=0))) for c in centres]
+    pitches = [abs(float(mechanism.number(j.pitch))) for j in mechanism.joints.values() if j.pitch is not None]
+    others = max([*around, *pitches], default=0.0)
+    return max(SMALLEST, SAME_POINT * others, LAST_DIGITS * float(np.abs(cloud).max()))

@@ -63,6 +63,17 @@ def test_default_is_the_root_mean_square_distance_and_proportional_to_the_unit()
     assert recorded(derive(pair(a=-7, b=-5)))["value"] == 1.0  # moved
 
 
+@pytest.mark.parametrize("off, at", [(1e-13, 0.0), (4e-8, 0.0), (3e-7, 7.0), (2e-6, 5000.0)])
+def test_points_that_rounding_sets_apart_are_one(off, at):
+    """As those of a spherical linkage: its size is not the rounding of its centre."""
+    assert recorded(derive(pair(a=at, b=at + off)))["value"] == 1.0 == recorded(derive(pair(a=at, b=at)))["value"]
+
+
+def test_far_away_and_small_mechanisms_keep_theirs():
+    assert recorded(derive(pair(a=6.4e6, b=6.4e6 + 0.5)))["value"] == 0.25
+    assert recorded(derive(pair(a=0, b=1e-4)))["value"] == 5e-5
+
+
 def test_the_description_sets_it_exactly_and_keeps_it():
     mechanism = pair('characteristic_length = "2*half"')
     assert recorded(derive(mechanism)) == {"value": 0.25, "unit": "m", "source": "description"}
