@@ -7,6 +7,7 @@ from functools import cache
 
 import numpy as np
 import pytest
+from support.limb_platforms import platform as limb_platform
 from support.marks import slow
 from support.reference_mechanisms import ENTRIES, build
 
@@ -14,7 +15,16 @@ from symscrew import catalogue
 from symscrew.cli.parser import main
 from symscrew.mobility import Mobility, WholeMotion, analyse_mobility, motion_lines, motion_values
 from symscrew.mobility.finite import ClosureVariety, local_at
+from symscrew.mobility.motions import coordinate_lines, whole_motion
+from symscrew.mobility.motions.coordinate_lines import (
+    Setting,
+    independent_columns,
+    pose_at,
+    the_other_way_round,
+    track,
+)
 from symscrew.mobility.motions.germs import germs_at
+from symscrew.mobility.motions.held_spins import HeldSpins
 from symscrew.mobility.motions.screw_classes import class_of_motions
 
 pytestmark = pytest.mark.slow
@@ -201,3 +211,64 @@ def test_twists_of_a_body_at_rest_have_no_class() -> None:
     noise = np.random.default_rng(5).normal(size=(6, 2))
     assert class_of_motions(1e-16 * noise, 1.0).order == 0
     assert class_of_motions(noise * [1e-16, 1e-3], 1.0).order == 1
+
+
+@pytest.mark.slow
+def test_what_a_plane_of_symmetry_keeps_is_not_said_of_all_poses(monkeypatch: pytest.MonkeyPatch) -> None:
+    """On its coordinate lines a 3-PRS keeps a principal pitch of zero, beside them it does not."""
+    monkeypatch.setattr(whole_motion, "singular_poses", lambda setting, tracks: ())
+    monkeypatch.setattr(coordinate_lines, "ENDS", (1.0, 0.8))
+    result = analyse_mobility(limb_platform("PRS"))
+    motion = result.along
+    assert isinstance(motion, WholeMotion) and motion.beside == whole_motion.BESIDE
+    assert [c.name for c in motion.classes] == ["IB"] and not motion.constant
+    lines = motion_lines(motion, result.network, result.mechanism, "top")
+    assert "principal pitches not constant" in lines[1] and " m:" not in lines[1]
+
+
+def setting_of(name: str) -> Setting:
+    network = found(name).network
+    variety = HeldSpins(network)
+    columns = tuple(c for limb in found(name).limbs[:1] for j in limb.joints for c in network.edges[j].columns)
+    limbs = {"limb": (columns, 6)} if columns else {}
+    return Setting(network, variety, found(name).dof - len(variety.ends), "none", 0, network.driven, limbs)
+
+
+def test_a_full_turn_of_a_ball_is_no_singular_pose() -> None:
+    """Rotation vectors of a turn are singular coordinates: the pose is taken by others, going the same way."""
+    setting = setting_of("stewart_6ups")
+    origin = np.zeros(setting.variety.columns)
+    ball = next(list(e.columns) for e in setting.network.edges.values() if e.type == "S")
+    turned = origin.copy()
+    turned[ball] = np.array([2, -1, 2]) / 3 * (2 * np.pi - 1e-3)
+    direct, before = (pose_at(setting, q, (), None) for q in (origin, turned))
+    after = the_other_way_round(setting, before, ())
+    assert before.margins["limb"] < 1e-3 < direct.margins["limb"] * 0.9 < after.margins["limb"]
+    assert np.linalg.norm(after.q[ball]) == pytest.approx(1e-3)
+    moved = [setting.variety.forward(q[None])[1] for q in (before.q, after.q)]
+    for body, (rotation, translation) in moved[0].items():
+        assert np.abs(rotation - moved[1][body][0]).max() + np.abs(translation - moved[1][body][1]).max() < 1e-12
+    step = 1e-6
+    ahead = [
+        setting.variety.forward((p.q + step * p.direction / abs(p.direction[0]))[None])[1] for p in (before, after)
+    ]
+    for body, (rotation, _) in ahead[0].items():
+        assert np.abs(rotation - ahead[1][body][0]).max() < 1e-8
+
+
+def test_spins_held_leave_all_other_motions() -> None:
+    """Of a rod between two balls: one motion fewer, and what moves is what moved; the drive is a coordinate."""
+    setting = setting_of("rssr")
+    plain, held = ClosureVariety(found("rssr").network), setting.variety
+    q = track(setting, 0, (), 1, most=4).poses[-1].q
+    screws = plain.forward(q[None])[0]
+    free, stopped = (v.jacobians(screws, q[None])[0] for v in (plain, held))
+    assert np.linalg.matrix_rank(stopped) == np.linalg.matrix_rank(free) + 1 == plain.columns - 1
+    motions = np.linalg.svd(stopped)[2][-1:].T
+    assert np.abs(free @ motions).max() < 1e-9 and held.evaluate(q[None])[0].shape[1] == len(stopped)
+    assert independent_columns(setting.network, motions, setting.drives) == setting.drives
+    spin = np.linalg.svd(free)[2][-2:].T
+    spin = spin @ np.linalg.svd(spin[list(setting.drives)])[2][-1]  # with the crank at rest nothing but the rod moves
+    assert np.linalg.norm(spin) == pytest.approx(1) and np.abs(stopped @ spin).max() > 0.1
+    assert np.abs(held.places(q + 1e-6 * spin) - held.places(q)).max() < 1e-10
+    assert np.abs(held.places(q + 1e-6 * motions[:, 0]) - held.places(q)).max() > 1e-7

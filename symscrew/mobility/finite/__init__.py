@@ -32,12 +32,14 @@ from symscrew.mobility.finite.near_geometry import GivenUpError, NearGeometry, n
 from symscrew.mobility.finite.passive_spins import named_spins, rotation_vector, without_spins
 from symscrew.mobility.finite.quadric_cone import cone_directions
 from symscrew.mobility.finite.reduced_closure import ReducedClosure, is_zero
-from symscrew.mobility.finite.variety import DIGITS_60, Array, ClosureVariety, moved
+from symscrew.mobility.finite.variety import DIGITS_60, DOUBLE, Arithmetic, Array, ClosureVariety, moved
 from symscrew.mobility.finite.witnesses import Witness, recheck
 
 __all__ = [
     "CLOSED",
     "DIGITS_60",
+    "DOUBLE",
+    "Arithmetic",
     "Array",
     "ClosureVariety",
     "FiniteMobility",

@@ -9,13 +9,13 @@ losing rank there: the closure itself, the hold of the drives, the freedoms of t
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
-from symscrew.mobility.finite import ClosureVariety
 from symscrew.mobility.joint_network import Network
+from symscrew.mobility.motions.held_spins import HeldSpins
 from symscrew.mobility.motions.seen_poses import body_twists
 
 Array = np.ndarray[Any, Any]
@@ -34,21 +34,38 @@ JUMPED = 0.5
 """Newton's method may move a predicted pose by this part of a step; more is another branch."""
 CUT_OFF = 1e-8
 """Relative singular values below this are left out of Newton's steps: redundant equations have 1e-16."""
+MOST_TURNED = 1.2 * np.pi
+"""Size of a ball joint's rotation vector [rad] beyond which the other one of the same rotation takes its place: at a
+full turn the coordinates are singular where the mechanism is not."""
 SHRINK = (1.0, 0.5, 1.6, 0.25, 0.1)
 """Steps that are tried, in strides: over a point where branches cross a longer one may do better than a short one."""
 
 
 @dataclass(frozen=True)
 class Setting:
-    """What is looked at along the lines: the closure, generic rank, held columns, driven columns, bodies and limbs."""
+    """What is looked at along the lines.
+
+    Attributes:
+        network: the reference configuration.
+        variety: its closure with passive spins held.
+        dimension: of its motions without them, at regular poses.
+        body: whose freedoms, of which there are `order` at regular poses.
+        drives: driven columns.
+        limbs: name -> (columns, rank at the reference).
+    """
 
     network: Network
-    variety: ClosureVariety
+    variety: HeldSpins
     dimension: int
     body: str
     order: int
     drives: tuple[int, ...]
     limbs: Mapping[str, tuple[tuple[int, ...], int]]
+
+    @property
+    def whole(self) -> int:
+        """The dimension with the passive spins."""
+        return self.dimension + len(self.variety.ends)
 
 
 @dataclass(frozen=True)
@@ -146,6 +163,7 @@ def track(setting: Setting, column: int, held: Sequence[int], sign: int, *, most
         stepped = _step(setting, poses[-1], held)
         if stepped is None:
             return Track(column, tuple(held), tuple(poses), "the line could not be followed further")
+        stepped = the_other_way_round(setting, stepped, held)
         poses.append(stepped)
         if abs(stepped.q[column]) > limit:
             return Track(column, tuple(held), tuple(poses), "half a turn" if limit == ENDS[0] else "far away")
@@ -154,6 +172,29 @@ def track(setting: Setting, column: int, held: Sequence[int], sign: int, *, most
         if len(poses) > 4 and np.linalg.norm(away) < 0.6 * STRIDE and stepped.direction @ poses[0].direction > 0:
             return Track(column, tuple(held), tuple(poses), "back at the reference")
     return Track(column, tuple(held), tuple(poses), "as far as was looked")
+
+
+def the_other_way_round(setting: Setting, pose: Pose, held: Sequence[int]) -> Pose:
+    """The same pose and direction with rotation vectors of ball joints shortened by a turn where they are long."""
+    balls = [list(e.columns) for e in setting.network.edges.values() for motion, _ in e.motions if motion.spherical]
+    q = pose.q.copy()
+    for columns in balls:
+        size = float(np.linalg.norm(q[columns]))
+        if size > MOST_TURNED:
+            q[columns] *= 1 - 2 * np.pi / size
+    if (q == pose.q).all():
+        return pose
+    line = np.linalg.solve(_turning(setting, q, balls), _turning(setting, pose.q, balls) @ pose.direction)
+    return replace(pose_at(setting, q, held, None), direction=line / np.linalg.norm(line))
+
+
+def _turning(setting: Setting, q: Array, balls: Sequence[list[int]]) -> Array:
+    """Rates of joints as they are seen, angular velocities of ball joints, by rates of the coordinates."""
+    screws = setting.variety.forward(q[None])[0][0]
+    seen = np.eye(len(q))
+    for columns in balls:
+        seen[np.ix_(columns, columns)] = screws[columns, :3].T
+    return seen
 
 
 def _step(setting: Setting, pose: Pose, held: Sequence[int]) -> Pose | None:

@@ -26,13 +26,15 @@ KINDS = {
 def motion_lines(found: WholeMotion, network: Network, mechanism: Mechanism, body: str) -> list[str]:
     """What holds along the lines, and the singular poses, a line each."""
     names = freedom_names(network)
-    lines = [f"{found.poses} poses along {', '.join(names[c] for c in found.columns)}, each alone (sampled)"]
+    beside = f", and {found.beside} beside these lines" if found.beside else ""
+    lines = [f"{found.poses} poses along {', '.join(names[c] for c in found.columns)}, each alone{beside} (sampled)"]
     for system in found.classes[:1]:
         kept = "at every regular pose" if len(found.classes) == 1 else "at most regular poses"
-        pitch = "" if found.constant else ", pitches not constant"
+        changes = not found.constant and len(found.classes) == 1 and bool(system.pitches)
+        pitch = ", principal pitches not constant" if changes else ""
         why = f" of the branch (proved: {found.type_proof})" if found.type_proof else ""
-        lines.append(f"{body} {system.type}, {system}: {kept}{why}{pitch}")
-    lines += [f"{body} {system.type}, {system}: elsewhere" for system in found.classes[1:]]
+        lines.append(f"{body} {system.type}, {system if found.constant else system.words}: {kept}{why}{pitch}")
+    lines += [f"{body} {system.type}, {system.words}: elsewhere" for system in found.classes[1:]]
     group = found.group.system if found.group is not None else None
     if group is not None and not found.type_proof and 0 < group.order < ALL:
         lines.append(f"{body} stays in a group of displacements, {group.type}, {group}, on the whole branch (proved)")
@@ -96,8 +98,12 @@ def motion_values(found: WholeMotion, network: Network, mechanism: Mechanism) ->
     return {
         "coordinates": [names[c] for c in found.columns],
         "poses": found.poses,
+        "poses_beside": found.beside,
         "judgement": "sampled",
-        "classes": [{"type": c.type, "class": c.name, "principal_pitches": list(c.pitches)} for c in found.classes],
+        "classes": [
+            {"type": c.type, "class": c.name, "principal_pitches": list(c.pitches) if found.constant else None}
+            for c in found.classes
+        ],
         "constant": found.constant,
         "class_proved": bool(found.type_proof),
         "class_proof": found.type_proof,

@@ -17,6 +17,7 @@ import numpy as np
 from symscrew.algebra import CONTEXT
 from symscrew.mobility.finite import DIGITS_60, ClosureVariety
 from symscrew.mobility.motions.coordinate_lines import Setting, Track
+from symscrew.mobility.motions.held_spins import HeldSpins
 from symscrew.mobility.motions.seen_poses import body_twists
 from symscrew.mobility.screw_systems import eliminate
 
@@ -93,7 +94,7 @@ class _Equations:
 
     def __init__(self, setting: Setting, line: Track, kind: str) -> None:
         self.setting, self.held, self.kind, self.column = setting, line.held, kind, line.column
-        self.coarse, self.fine = setting.variety, ClosureVariety(setting.network, DIGITS_60)
+        self.coarse, self.fine = setting.variety, HeldSpins(setting.network, DIGITS_60)
         self.turned = False
         self.usual = self._usual()
         rows = self.matrix(self.coarse, *self._reference()).shape

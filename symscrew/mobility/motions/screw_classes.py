@@ -47,15 +47,20 @@ class ScrewClass:
         parts = (f"{self.rotations}R" if self.rotations else "", f"{self.translations}T" if self.translations else "")
         return "".join(parts) or "0"
 
-    def __str__(self) -> str:
+    @property
+    def words(self) -> str:
+        """The class in words, without its principal pitches."""
         if not self.name:
             return "at rest" if self.order == 0 else "all displacements"
         system = f"{self.order}-system" if self.order <= 3 else f"{self.order}-system, reciprocal to a"
         own = "" if self.order <= 3 else f" {6 - self.order}-system"
-        if not self.pitches:
-            return f"{system}{own} of class {self.name}"
-        plural = "s" if len(self.pitches) > 1 else ""
-        return f"{system}{own} of class {self.name}, principal pitch{'es'[: 2 * len(plural)]} {_text(self.pitches)} m"
+        return f"{system}{own} of class {self.name}"
+
+    def __str__(self) -> str:
+        if not self.name or not self.pitches:
+            return self.words
+        plural = "es" if len(self.pitches) > 1 else ""
+        return f"{self.words}, principal pitch{plural} {_text(self.pitches)} m"
 
 
 def _text(pitches: Sequence[float]) -> str:

@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from symscrew.mobility.finite import local_at
+from symscrew.mobility.finite import DIGITS_60, ClosureVariety, local_at, moved, without_spins
 from symscrew.mobility.motions.coordinate_lines import STRIDE, Pose, Setting, Track, corrected, pose_at
 from symscrew.mobility.motions.germs import germs_at
 from symscrew.mobility.motions.rank_loss import Loss, at_pose, decided, freedoms_at
@@ -73,7 +73,7 @@ def singular_poses(setting: Setting, tracks: Sequence[Track]) -> tuple[SingularP
     found: list[tuple[Track, list[Loss]]] = []
     for line in tracks:
         for loss in _on(setting, line):
-            same = [group for of, group in found if of.column == line.column and _same(group[0], loss)]
+            same = [group for of, group in found if of.column == line.column and _same(setting, group[0], loss)]
             if not same:
                 found.append((line, [loss]))
             elif all(loss.kind != other.kind for other in same[0]):
@@ -81,11 +81,10 @@ def singular_poses(setting: Setting, tracks: Sequence[Track]) -> tuple[SingularP
     return tuple(_judged(setting, line, group) for line, group in found)
 
 
-def _same(a: Loss, b: Loss) -> bool:
-    apart = a.place - b.place
-    turned = np.abs((apart + np.pi) % (2 * np.pi) - np.pi)
+def _same(setting: Setting, a: Loss, b: Loss) -> bool:
     exact = a.real is True and b.real is True
-    return bool(np.linalg.norm(np.minimum(np.abs(apart), turned)) < (SAME_OF_60 if exact else SAME))
+    apart = setting.variety.places(a.place) - setting.variety.places(b.place)
+    return bool(np.linalg.norm(apart) < (SAME_OF_60 if exact else SAME))
 
 
 def _on(setting: Setting, line: Track) -> Iterator[Loss]:
@@ -197,11 +196,18 @@ def _judged(setting: Setting, line: Track, losses: Sequence[Loss]) -> SingularPo
     undecided = tuple(loss.kind for loss in losses if loss.real is None)
     almost = {loss.kind: loss.left for loss in losses if loss.real is False}
     q = (known or losses[0]).place
-    instantaneous = freedoms_at(setting, known.q) if known is not None and "closure" in kinds else setting.dimension
-    branches: tuple[int, ...] = ()
-    if "closure" in kinds and instantaneous > setting.dimension:
-        here = local_at(setting.variety, q, rank=setting.variety.columns - instantaneous)
-        dimensions = {d: d for d in range(1, instantaneous)}
-        found = germs_at(setting.variety, here, dimensions)
-        branches = tuple(sorted((germ.dimension for germ in found), reverse=True))
+    closure = known is not None and "closure" in kinds
+    instantaneous, branches = _crossing(setting, known.q) if closure and known is not None else (setting.whole, ())
     return SingularPose(line.column, q, kinds, instantaneous, branches, almost, undecided)
+
+
+def _crossing(setting: Setting, q: Array) -> tuple[int, tuple[int, ...]]:
+    """(instantaneous freedoms at a pose of 60 digits, dimensions of the branches that meet there)."""
+    instantaneous = freedoms_at(setting, q)
+    if instantaneous <= setting.whole:
+        return instantaneous, ()
+    there, spins = without_spins(moved(setting.network, ClosureVariety(setting.network, DIGITS_60), q))
+    variety = ClosureVariety(there)
+    here = local_at(variety, np.zeros(variety.columns), rank=variety.columns - instantaneous + spins)
+    found = germs_at(variety, here, {d: d for d in range(1, instantaneous - spins)})
+    return instantaneous, tuple(sorted((germ.dimension + spins for germ in found), reverse=True))

@@ -13,10 +13,20 @@ from typing import Any
 import numpy as np
 
 from symscrew.description import Mechanism
-from symscrew.mobility.finite import ClosureVariety, FiniteMobility
+from symscrew.mobility.finite import FiniteMobility
 from symscrew.mobility.instantaneous import BodyFreedoms
 from symscrew.mobility.joint_network import Network
-from symscrew.mobility.motions.coordinate_lines import Pose, Setting, Track, independent_columns, pose_at, track
+from symscrew.mobility.motions.coordinate_lines import (
+    STRIDE,
+    Pose,
+    Setting,
+    Track,
+    corrected,
+    independent_columns,
+    pose_at,
+    track,
+)
+from symscrew.mobility.motions.held_spins import HeldSpins
 from symscrew.mobility.motions.screw_classes import ScrewClass
 from symscrew.mobility.motions.seen_poses import Closures, Seen, body_twists, in_doubles, seen_at
 from symscrew.mobility.motions.singular_poses import SingularPose, lost_lines, singular_poses
@@ -26,10 +36,15 @@ Array = np.ndarray[Any, Any]
 
 EVERY = 7
 """Of the poses on the lines each seventh is asked for its screw system: 15 in a turn."""
+BESIDE = 8
+"""Poses off the lines: a line from a symmetric reference keeps a plane of symmetry, and with it what holds there only,
+such as a principal pitch of zero of a 3-PRS."""
 PRECISE = 8
 """Poses that are decided with 60 digits where doubles see what is not so as typed: each takes a tenth of a second."""
 AROUND = 6
 """Poses next to the reference that show how many freedoms the body has at most poses."""
+SEED = 22
+"""Of the directions to the poses off the lines: always the same, so that results repeat."""
 LOST = 1e-7
 """Singular value of a limb's unit screws at the reference that counts as none."""
 CLEAR = 1e-4
@@ -42,7 +57,8 @@ class WholeMotion:
 
     Attributes:
         columns: freedoms that are the independent coordinates.
-        poses: number of poses that were looked at.
+        poses: number of poses that were looked at on the lines.
+        beside: number of poses beside them.
         classes: classes of the platform's freedoms at regular poses, the most frequent first.
         constant: whether there is one class, with the same principal pitches everywhere.
         idle: joints that never move.
@@ -57,6 +73,7 @@ class WholeMotion:
 
     columns: tuple[int, ...]
     poses: int
+    beside: int
     classes: tuple[ScrewClass, ...]
     constant: bool
     idle: tuple[str, ...]
@@ -119,17 +136,21 @@ def motion_along(
 def _followed(
     network: Network, dimension: int, body: str, limbs: Mapping[str, tuple[str, ...]], *, group: CommonGroup | None
 ) -> WholeMotion | str:
-    variety = ClosureVariety(network)
-    origin = np.zeros(variety.columns)
-    first = Setting(network, variety, dimension, body, 0, network.driven, {})
+    variety = HeldSpins(network)
+    origin, others = np.zeros(variety.columns), dimension - len(variety.ends)
+    if not others:
+        return "nothing but passive spins moves"
+    first = Setting(network, variety, others, body, 0, network.driven, {})
     pose = pose_at(first, origin, (), None)
-    setting = Setting(network, variety, dimension, body, _generic_order(first), network.driven, _limbs(network, limbs))
+    setting = Setting(network, variety, others, body, _generic_order(first), network.driven, _limbs(network, limbs))
     columns = independent_columns(network, pose.motions, network.driven)
     tracks = [
         track(setting, column, tuple(c for c in columns if c != column), sign) for column in columns for sign in (1, -1)
     ]
     length, closures = float(network.length), Closures(network)
-    seen = _decided(closures, [pose.q for pose in _regular(tracks)], dimension, body)
+    regular, typical = _regular(tracks)
+    beside = _beside(setting, regular, typical)
+    seen = _decided(closures, [pose.q for pose in (*regular, *beside)], dimension, body)
     if not seen:
         return "no coordinate line could be followed to a regular pose"
     if group is not None and not all(group.holds(one.twists.T.astype(float), length) for one in seen):
@@ -146,8 +167,8 @@ def _followed(
     ends = tuple((t.column, 1 if k % 2 == 0 else -1, t.end) for k, t in enumerate(tracks))
     total = sum(len(t.poses) for t in tracks)
     classes_seen = tuple(g[0] for g in order)
-    return WholeMotion(columns, total, classes_seen, same, idle, axes, singular_poses(setting, tracks), ends,
-                       group, lost=lost_lines(tracks))  # fmt: skip
+    return WholeMotion(columns, total, len(beside), classes_seen, same, idle, axes, singular_poses(setting, tracks),
+                       ends, group, lost=lost_lines(tracks))  # fmt: skip
 
 
 def _decided(closures: Closures, poses: list[Array], dimension: int, body: str) -> list[Seen]:
@@ -211,14 +232,34 @@ def _generic_order(setting: Setting) -> int:
     return max(orders)
 
 
-def _regular(tracks: list[Track]) -> list[Pose]:
-    """Some of the poses on the lines, none at a singularity."""
+def _regular(tracks: list[Track]) -> tuple[list[Pose], dict[str, float]]:
+    """(some of the poses on the lines, none at a singularity; the median of every margin on the lines)."""
     result = []
     for line in tracks:
         typical = {kind: float(np.median([p.margins[kind] for p in line.poses])) for kind in line.poses[0].margins}
-        regular = [p for p in line.poses if all(v > CLEAR * typical[kind] for kind, v in p.margins.items())]
-        result += regular[1::EVERY]
-    return result
+        result += [p for p in line.poses if _clear(p, typical)][1::EVERY]
+    every = [p.margins for line in tracks for p in line.poses]
+    return result, {kind: float(np.median([margins[kind] for margins in every])) for kind in every[0]}
+
+
+def _clear(pose: Pose, typical: Mapping[str, float]) -> bool:
+    return all(value > CLEAR * typical[kind] for kind, value in pose.margins.items())
+
+
+def _beside(setting: Setting, regular: list[Pose], typical: Mapping[str, float]) -> list[Pose]:
+    """Poses off the lines, a stride from poses on them; none where one line is the whole branch."""
+    if setting.dimension < 2 or not regular:
+        return []
+    random = np.random.default_rng(SEED)
+    found = []
+    for k in np.linspace(0, len(regular) - 1, min(BESIDE, len(regular))).astype(int):
+        along = random.normal(size=setting.dimension)
+        q = regular[k].q + STRIDE * regular[k].motions @ (along / np.linalg.norm(along))
+        closed = corrected(setting, q, ()) if setting.variety.rows else q
+        if closed is not None:
+            pose = pose_at(setting, closed, (), None)
+            found += [pose] if _clear(pose, typical) else []
+    return found
 
 
 def _proof(network: Network, body: str, axis: str, found: ScrewClass) -> str:

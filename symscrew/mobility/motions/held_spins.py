@@ -1,0 +1,66 @@
+"""The closure with passive spins held: rods between two balls do not turn about the line of their centres.
+
+Each spin is an instantaneous motion at every pose that moves nothing else, so that where it is held the other motions
+are what they were, and losses of rank stay where they are. Held is the angular velocity of the ball joint at one end
+along the line of centres; where the rod has turned to by then does not matter.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from symscrew.mobility.finite import DOUBLE, Arithmetic, ClosureVariety, named_spins
+from symscrew.mobility.joint_network import Network
+
+Array = np.ndarray[Any, Any]
+
+
+class HeldSpins(ClosureVariety):
+    """The closure variety with an equation of rates more for every passive spin; nothing of it can be left open."""
+
+    def __init__(self, network: Network, arithmetic: Arithmetic = DOUBLE) -> None:
+        super().__init__(network, arithmetic)
+        edges = network.edges
+        self.ends = [(list(edges[a].columns), list(edges[b].columns)) for a, b in named_spins(network)]
+
+    def evaluate(self, q: Array) -> tuple[Array, Array]:
+        """(residuals, Jacobians) at the points q; see `ClosureVariety`."""
+        residuals, jacobians = super().evaluate(q)
+        return np.concatenate([residuals, self._zeros(len(q), len(self.ends))], axis=1), jacobians
+
+    def residual(self, q: Array) -> Array:
+        """The residual at one point."""
+        found = super().residual(q)  # in doubles it is that of `evaluate`
+        return found if self._fixed is None else np.concatenate([found, self._zeros(len(self.ends))])
+
+    def jacobians(self, screws: Array, q: Array) -> Array:
+        """The Jacobians at the points q with these displaced screws."""
+        found = super().jacobians(screws, q)
+        if not self.ends:
+            return found
+        held = self._zeros(len(screws), len(self.ends), self.columns)
+        for k, (first, second) in enumerate(self.ends):
+            line = _centres(screws[:, second]) - _centres(screws[:, first])
+            held[:, k, first] = (screws[:, first, :3] * line[:, None]).sum(axis=2)
+        return np.concatenate([found, held], axis=1)
+
+    def places(self, q: Array) -> Array:
+        """Where joints are at one point: axes as lines, ball joints by their centres; turns and spins do not count."""
+        screws = self.forward(q[None])[0]
+        found = []
+        for edge in self.network.edges.values():
+            for motion, start in edge.motions:
+                ball = motion.spherical
+                found.append(_centres(screws[:, start : start + 3])[0] if ball else screws[0, start])
+        return np.concatenate(found)
+
+
+def _centres(screws: Array) -> Array:
+    """N x 3: the common point of three rotations (omega ; c x omega) with independent axes, N x 3 x 6."""
+    a, b, c = (screws[:, k, :3] for k in range(3))
+    dual = [np.cross(b, c), np.cross(c, a), np.cross(a, b)]
+    volume = (a * dual[0]).sum(axis=1)
+    hat = sum(screws[:, k, 3:, None] * dual[k][:, None] for k in range(3))  # v = hat omega, times the volume
+    return np.asarray(np.stack([hat[:, 2, 1], hat[:, 0, 2], hat[:, 1, 0]], axis=1) / volume[:, None])
