@@ -18,6 +18,7 @@ from symscrew import notebook
 from symscrew.description import Mechanism
 from symscrew.errors import DescriptionError
 from symscrew.mobility.almost_singular import NEARLY_SINGULAR, almost_lower, almost_singular
+from symscrew.mobility.carrying_limbs import carried_by_limbs
 from symscrew.mobility.configuration import Reached, displaced, in_words, with_parameters
 from symscrew.mobility.field_counts import FieldCounts, field_counts
 from symscrew.mobility.finite import (
@@ -75,7 +76,7 @@ class Mobility:
         finite: what really moves.
         platform: freedoms of the platform, or of the body that was asked for.
         limbs: constraints of each limb of the description.
-        constraints: their union; None without limbs or platform.
+        constraints: their union; None where it is not limbs alone that carry the platform.
         decisions: how every rank was decided.
         closed_to: closure residual of the configuration, in units of the mechanism's size.
         coordinates: joint coordinates and poses that were asked for [rad, m].
@@ -305,7 +306,8 @@ class Mobility:
     @cached_property
     def counts(self) -> FieldCounts:
         """The counts of the field: Kutzbach and modified, Gogu's, groups of the loops, Waldron's orders."""
-        return field_counts(self.network, self.first_order, self.platform, self.limbs)
+        found = (self.network, self.first_order, self.platform, self.limbs)
+        return field_counts(*found, carried=self.constraints is not None)
 
     @cached_property
     def redundant(self) -> Overconstraints:
@@ -335,9 +337,8 @@ class Mobility:
     def loci(self) -> tuple[Locus, ...]:
         """Where, in the parameters, something degenerates in the reference configuration."""
         loops = () if self.limbs or isinstance(self.loops, str) else self.loops.loci
-        return conditions(
-            (*(self.symbolic.loci if self.symbolic is not None else ()), *loops, *self.singularities.loci)
-        )
+        symbolic = self.symbolic.loci if self.symbolic is not None else ()
+        return conditions((*symbolic, *loops, *self.singularities.loci))
 
     def _repr_html_(self) -> str:
         return notebook.lines(self.mechanism.name, self.report().splitlines())
@@ -436,7 +437,7 @@ def analyse_mobility(
     first_order = instantaneous_mobility(network)
     limbs = tuple(limb_mobility(network, name, limb.joints) for name, limb in mechanism.limbs.items())
     platform = body_freedoms(network, first_order, body or moved_body(mechanism))
-    constraints = limb_constraints(limbs, network.length) if limbs and mechanism.platform is not None else None
+    constraints = limb_constraints(limbs, network.length) if carried_by_limbs(mechanism) else None
     ranks = NumericRanks(network, first_order, platform, limbs, constraints)
     decisions = decide(mechanism, ranks, displaced=bool(coordinates))
     finite = judged(network, first_order, decisions)

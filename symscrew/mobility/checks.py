@@ -183,7 +183,7 @@ def _closure(found: Mobility) -> Check:
 
 def _reciprocity(found: Mobility) -> Check:
     wrenches = [*found.platform.constraints.basis, *(w for limb in found.limbs for w in limb.constraints.basis)]
-    if found.platform.body != found.mechanism.platform:
+    if found.constraints is None or found.platform.body != found.mechanism.platform:
         wrenches = [*found.platform.constraints.basis]
     length = found.network.length
     twists = unit_rows([(*t[:3], *(c / length for c in t[3:])) for t in found.platform.freedoms.basis])

@@ -138,16 +138,15 @@ class FieldCounts:
 
 
 def field_counts(
-    network: Network, found: Instantaneous, platform: BodyFreedoms, limbs: Sequence[LimbMobility]
+    network: Network, found: Instantaneous, platform: BodyFreedoms, limbs: Sequence[LimbMobility], *, carried: bool
 ) -> FieldCounts:
-    """All counts of the configuration; ranks in 60 digits."""
+    """All counts of the configuration; ranks in 60 digits. `carried`: the limbs are all that carries the platform."""
     screws = unit_rows(_centred(network, [s for edge in network.edges.values() for s in edge.screws]))
     common = 6 - eliminate(screws, 6).rank if network.chords else 0
     rank = network.freedoms - found.dof
     redundant = (6 - common) * len(network.chords) + len(network.ties) - rank
     counts = tuple(LimbCount(m.name, len(m.screws), 6 - len(m.constraints.basis)) for m in limbs)
-    made_of_limbs = bool(limbs) and sorted(j for m in limbs for j in m.joints) == sorted(network.edges)
-    made_of_limbs = made_of_limbs and len(limbs) == len(network.chords) + 1
+    made_of_limbs = carried and sorted(j for m in limbs for j in m.joints) == sorted(network.edges)
     by_limbs = None
     if made_of_limbs and not network.ties:
         wrenches = [(*w[:3], *(c / network.length for c in w[3:])) for m in limbs for w in m.constraints.basis]

@@ -7,16 +7,18 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from itertools import pairwise
+from pathlib import Path
 
 import numpy as np
 import pytest
 import sympy
 from scipy.linalg import expm
 from scipy.optimize import brentq
+from support.marks import slow
 from support.samples import some_quickly
 
-from symscrew.description import Mechanism, MechanismBuilder
-from symscrew.mobility.symbols import conditions
+from symscrew.description import Mechanism, MechanismBuilder, load_description, write_template
+from symscrew.mobility.symbols import Locus, actuation_loci, conditions, symbolic_mobility
 from symscrew.mobility.symbols.limb_poses import LimbPose, limb_pose
 
 AXES = {"x": (1, 0, 0), "t": (0, 1, 0), "z": (0, 0, 1), "l": (-3 / 5, 0, 4 / 5)}
@@ -141,3 +143,58 @@ def test_a_sliding_rod_bears_a_force_through_its_ball_along_the_hinge() -> None:
     by_hand = (0, 1, 0, -z, 0, x)
     assert wrench[1].is_number
     assert [sympy.expand(a / wrench[1] - b) for a, b in zip(wrench, by_hand, strict=True)] == [0] * 6
+
+
+# -- loci in the parameters of whole mechanisms -----------------------------------------------------------
+
+
+def numeric_screws(mechanism: Mechanism, values: dict[sympy.Symbol, float]) -> dict[str, np.ndarray]:
+    """Joint -> twists (n, 6) of its freedoms at values of the parameters, from the description's points and axes."""
+    found = {}
+    for name, joint in mechanism.joints.items():
+        point = np.array([float(c.xreplace(values)) for c in joint.point])
+        axes = [np.array([float(c.xreplace(values)) for c in axis]) for axis in joint.axes] or list(np.eye(3))
+        rows = []
+        for axis in axes:
+            slide, turn = np.r_[0, 0, 0, axis], np.r_[axis, np.cross(point, axis)]
+            rows += {"P": [slide], "C": [slide, turn]}.get(joint.type, [turn])
+        found[name] = np.array(rows)
+    return found
+
+
+def lost(mechanism: Mechanism, locus: Locus, screws: dict[str, np.ndarray]) -> int:
+    """A number that grows where what the locus says is so."""
+    chains = {n: np.concatenate([screws[j] for j in limb.joints]) for n, limb in mechanism.limbs.items()}
+    if locus.kind in ("limb", "couple", "through O"):
+        part = {"limb": slice(0, 6), "couple": slice(0, 3), "through O": slice(3, 6)}[locus.kind]
+        return -rank(chains[locus.where][:, part])
+    locked = {j for j, joint in mechanism.joints.items() if joint.driven and locus.kind == "actuation"}
+    passive = [np.concatenate([screws[j] for j in limb.joints if j not in locked]) for limb in mechanism.limbs.values()]
+    wrenches = [reciprocal(chain.T).T for chain in passive]
+    union = rank(np.concatenate(wrenches))
+    return -union if locus.kind == "actuation" else sum(map(len, wrenches)) - union
+
+
+@pytest.mark.parametrize("limbs", ["2-UPS+UP", slow("3-PCU"), slow("3-RRC"), slow("3-RCC")])
+def test_loci_in_parameters_are_so_where_they_are_zero(limbs: str, tmp_path: Path) -> None:
+    """A basis of wrenches may degenerate where its space does not: at H = 0 no force of a UP limb becomes a couple."""
+    mechanism = load_description(write_template("made", limbs, tmp_path / "made.toml"))
+    symbolic = symbolic_mobility(mechanism)
+    assert symbolic is not None
+    given = {p.symbol: float(p.value) for p in mechanism.parameters.values()}
+    loci = conditions((*symbolic.loci, *actuation_loci(mechanism).found))
+    seen = 0
+    for locus in loci:
+        for symbol in sorted(locus.expression.free_symbols, key=str):
+            random = np.random.default_rng(len(str(locus)))
+            about = {s: v * random.uniform(0.8, 1.2) for s, v in given.items()}
+            value = sympy.lambdify(symbol, locus.expression.xreplace({s: v for s, v in about.items() if s != symbol}))
+            grid = np.linspace(0.01, 2, 40)
+            exact = [0.0] if abs(value(0.0)) < 1e-15 else []
+            roots = exact + [brentq(value, a, b, xtol=1e-15) for a, b in pairwise(grid) if value(a) * value(b) < 0]
+            for root in roots:
+                there = numeric_screws(mechanism, {**about, symbol: root})
+                usual = numeric_screws(mechanism, {**about, symbol: root + 0.05})
+                assert lost(mechanism, locus, there) > lost(mechanism, locus, usual), (locus, symbol, root)
+                seen += 1
+    assert seen >= len(loci) // 2 > 0

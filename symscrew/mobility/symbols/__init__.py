@@ -30,10 +30,10 @@ from symscrew.mobility.symbols.exact_screws import (
 )
 from symscrew.mobility.symbols.generators import NotPolynomialError
 from symscrew.mobility.symbols.limb_poses import LimbPose, limb_pose, rounded_axis
+from symscrew.mobility.symbols.locus import Locus
 from symscrew.mobility.symbols.loop_groups import group_dimensions, screw_algebra
 from symscrew.mobility.symbols.loop_motions import SymbolicLoops, symbolic_loops
 from symscrew.mobility.symbols.polynomial_screws import (
-    Locus,
     SymbolicMobility,
     Vector,
     numbers_at,

@@ -16,9 +16,12 @@ from math import comb
 import sympy
 
 from symscrew.description import Mechanism
+from symscrew.mobility.carrying_limbs import carried_by_limbs
 from symscrew.mobility.margins import drive_sets
 from symscrew.mobility.symbols.generators import NotPolynomialError, Poly
-from symscrew.mobility.symbols.polynomial_screws import Locus, SymbolicScrews, symbolic_screws
+from symscrew.mobility.symbols.loci_at_points import true_loci
+from symscrew.mobility.symbols.locus import Locus
+from symscrew.mobility.symbols.polynomial_screws import SymbolicScrews, symbolic_screws
 
 LARGEST_LOCUS = 40
 """Terms of a factor that is still shown: a line or two of a report. A longer one is counted, not shown."""
@@ -39,12 +42,12 @@ def actuation_loci(mechanism: Mechanism) -> ActuationLoci:
     """Where the drives lose their hold on the platform: all of them, and every set that is just enough.
 
     A set whose determinants vanish for all parameters has the locus 0 = 0. None where the description has no
-    exact ring, or no driven limbs.
+    exact ring, no driven limbs, or a platform that not they alone carry.
     """
     driven = [(j.name, k) for j in mechanism.joints.values() for k in j.driven]
     inside = {joint for limb in mechanism.limbs.values() for joint in limb.joints}
     open_chain = len(mechanism.joints) < len(mechanism.bodies)
-    if mechanism.platform is None or not driven or open_chain or any(joint not in inside for joint, _ in driven):
+    if not driven or open_chain or any(joint not in inside for joint, _ in driven) or not carried_by_limbs(mechanism):
         return ActuationLoci()
     try:
         work = symbolic_screws(mechanism)
@@ -84,7 +87,7 @@ def _actuation_loci(work: SymbolicScrews, mechanism: Mechanism, driven: Sequence
             elif factor not in known and -factor not in known:
                 known.append(factor)  # once for all drives, not again for each set
                 loci.append(Locus("actuation", label, work.ring.expression(factor), meaning))
-    return ActuationLoci(tuple(loci), tuple(not_tried))
+    return ActuationLoci(true_loci(mechanism, loci), tuple(not_tried))
 
 
 def _label(mechanism: Mechanism, joint: str, freedom: int) -> str:

@@ -21,8 +21,10 @@ from symscrew.algebra import IDENTITY, Matrix, add, cross, transform
 from symscrew.algebra import product as matrix_product
 from symscrew.description import Joint, Mechanism, Motion, Parameter
 from symscrew.mobility.symbols.generators import Generators, NotPolynomialError, Poly
+from symscrew.mobility.symbols.loci_at_points import true_loci
+from symscrew.mobility.symbols.locus import Locus
 from symscrew.mobility.symbols.loop_motions import FormulaTooLargeError, motions_by_minors
-from symscrew.mobility.symbols.polynomial_screws import Locus, SymbolicScrews, Vector, expressions_of
+from symscrew.mobility.symbols.polynomial_screws import SymbolicScrews, Vector, expressions_of
 
 LARGEST_SHOWN = 12
 """Terms of a component of a wrench: a line. Where one is longer, fewer displacements get symbols, and at last none; a
@@ -157,6 +159,7 @@ def _posed(mechanism: Mechanism, name: str, chain: list[_Freedom], symbols: list
             if any(half) and any(other):
                 parts = work.ring.factors(work.ring.common_factor(half))
                 loci += [Locus(kind, name, _read(work, part, symbols), meaning) for part in parts]
+    places = [(f.joint.name, f.index, f.sense, symbol) for f, symbol in zip(displaced, symbols, strict=True)]
     first = chain[0]
     return LimbPose(
         name,
@@ -165,7 +168,7 @@ def _posed(mechanism: Mechanism, name: str, chain: list[_Freedom], symbols: list
               for f in displaced),
         first.joint.name,
         tuple(tuple(_read(work, c, symbols) for c in wrench) for wrench in wrenches),
-        tuple(loci),
+        true_loci(mechanism, loci, places),
         tuple(not_tried),
     )  # fmt: skip
 

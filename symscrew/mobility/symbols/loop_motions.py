@@ -18,7 +18,9 @@ from symscrew.description import Mechanism
 from symscrew.mobility.joint_network import Network, network_of
 from symscrew.mobility.screw_systems import eliminate
 from symscrew.mobility.symbols.generators import NotPolynomialError, Poly, Quotient
-from symscrew.mobility.symbols.polynomial_screws import Locus, SymbolicScrews, Vector, symbolic_screws
+from symscrew.mobility.symbols.loci_at_points import true_loci
+from symscrew.mobility.symbols.locus import Locus
+from symscrew.mobility.symbols.polynomial_screws import SymbolicScrews, Vector, symbolic_screws
 
 MOST_TERMS = 1500
 """Terms of an intermediate polynomial; what comes of a longer one is no formula that anybody reads. Beyond it the
@@ -116,7 +118,7 @@ def _loops(mechanism: Mechanism, work: SymbolicScrews, body: str) -> SymbolicLoo
         tuple(_vector(work, _unit_rates(work, motion, factors)) for motion in found.vectors),
         body,
         tuple(_vector(work, twist) for twist in freedoms),
-        tuple(Locus("closure", "loops", ring.expression(part), meaning) for part in shown),
+        true_loci(mechanism, [Locus("closure", "loops", ring.expression(part), meaning) for part in shown]),
         tuple(not_tried),
     )
 

@@ -21,23 +21,16 @@ import sympy
 from symscrew.algebra import IDENTITY, as_vector, high_precision
 from symscrew.description import Joint, Mechanism
 from symscrew.kinematics import motion_screws
+from symscrew.mobility.carrying_limbs import carried_by_limbs
 from symscrew.mobility.screw_systems import Screw, eliminate, unit_rows
 from symscrew.mobility.symbols.exact_screws import across
 from symscrew.mobility.symbols.generators import Generators, NotPolynomialError, Poly, Quotient
+from symscrew.mobility.symbols.loci_at_points import true_loci
+from symscrew.mobility.symbols.locus import Locus
 
 Vector = tuple[sympy.Expr, ...]
 SEED = 840
 """Of the place in general position at which rows and columns are chosen: always the same, so that results repeat."""
-
-
-@dataclass(frozen=True)
-class Locus:
-    """Parameter values where something degenerates: `expression` = 0. `kind`: limb, constraint, couple, through O."""
-
-    kind: str
-    where: str
-    expression: sympy.Expr
-    meaning: str
 
 
 @dataclass(frozen=True)
@@ -51,7 +44,10 @@ class SymbolicLimb:
 
 @dataclass(frozen=True)
 class SymbolicMobility:
-    """Constraints and freedoms in the parameters; `loci` where they degenerate."""
+    """Constraints and freedoms in the parameters; `loci` where they degenerate.
+
+    Those of the platform are empty where it is not limbs alone that carry it (`carried_by_limbs`).
+    """
 
     parameters: tuple[sympy.Symbol, ...]
     limbs: tuple[SymbolicLimb, ...]
@@ -109,12 +105,14 @@ class SymbolicScrews:
                 self._note_wrench(name, wrench)
             limbs.append(SymbolicLimb(name, self._vectors(screws), self._vectors(wrenches)))
             union += wrenches
+        parameters = tuple(self.ring.parameters)
+        if not carried_by_limbs(self.mechanism):
+            return SymbolicMobility(parameters, tuple(limbs), (), (), true_loci(self.mechanism, self.loci))
         freedoms, dependent = self.reciprocal(union)
         meaning = "the constraints of the limbs become dependent"
         self._note("constraint", self.mechanism.platform or "", dependent, meaning)
-        return SymbolicMobility(
-            tuple(self.ring.parameters), tuple(limbs), self._vectors(union), self._vectors(freedoms), tuple(self.loci)
-        )
+        loci = true_loci(self.mechanism, self.loci)
+        return SymbolicMobility(parameters, tuple(limbs), self._vectors(union), self._vectors(freedoms), loci)
 
     def screws(self, joint: Joint) -> list[list[Poly]]:
         """Screws of a joint as polynomials: each times its common denominator."""

@@ -12,7 +12,7 @@ from dataclasses import replace
 
 import sympy
 
-from symscrew.mobility.symbols.polynomial_screws import Locus
+from symscrew.mobility.symbols.locus import Locus
 
 
 def condition(expression: sympy.Expr) -> sympy.Expr | None:
