@@ -32,7 +32,7 @@ IN_LANES = frozenset((  # what is called once per step of a control or a simulat
 ))  # fmt: skip
 IN_PARTS = 4  # an instruction of a long function, most of whose instructions stand in loops, takes so much less
 LANES = 6  # with its lanes a function takes so many times as long to print: from 4 (seed) to 7 (Stewart, delta)
-# Instructions, weighted so, for each of which a further process is made: copying this one takes as long as printing a tenth.
+# Instructions, weighted so, for each of which a process is made: copying this one takes as long as printing a tenth.
 WORTH_A_PROCESS = 12000
 HEAD = """\
 #include "MODEL.h"
