@@ -62,7 +62,7 @@ from symscrew.mobility.symbols import (
     symbolic_mobility,
     symbolic_screws,
 )
-from symscrew.mobility.withheld import AS_MEANT, SOLVED_FOR, TIED, WITHDRAWN
+from symscrew.mobility.withheld import AS_MEANT, NOT_ALONE, SOLVED_FOR, TIED, WITHDRAWN
 
 
 @dataclass(frozen=True)
@@ -232,9 +232,9 @@ class Mobility:
 
     @cached_property
     def without_symbols(self) -> str | None:
-        """Why there are no symbols for the limbs; None where there are, or no limbs."""
+        """Why there are no symbols for limbs or platform; None where there are, or no limbs."""
         if not self.limbs or self.mechanism.platform is None or self.symbolic is not None:
-            return None
+            return NOT_ALONE if self.symbolic is not None and self.constraints is None else None
         if not self.in_reference:
             return "symbols describe the reference configuration only"
         if self.network.ties:

@@ -10,6 +10,7 @@ from support.further_mechanisms import CASES
 from support.marks import slow
 from support.reference_mechanisms import ENTRIES, build
 
+from symscrew.description import MechanismBuilder
 from symscrew.mobility import BranchTable, ScrewClass, analyse_mobility, mobility_values, screw_class
 from symscrew.mobility.analysis import Mobility
 
@@ -151,3 +152,19 @@ def test_classes_of_screw_systems_anywhere_and_in_any_unit(name: str, seed: int)
     system = screw_class(np.array(moved), 2.0 * unit)
     assert system.name == expected and system.order == len(twists)
     assert np.allclose(system.pitches, np.array(pitches) * unit, atol=1e-6 * unit)
+
+
+def test_what_moves_beside_a_shaky_part_is_not_told_by_ranks() -> None:
+    """Of a flat triangle of balls only the links' spins move; where a four-bar moves beside it, its crank does."""
+    assert [(row.dimension, row.platform) for row in table("3S, collinear").rows] == [(2, None)]
+    builder = MechanismBuilder("beside", platform="crank")
+    for body in ("first", "second", "crank", "coupler", "rocker"):
+        builder.body(body)
+    balls, pins = ("base", "first", "second", "base"), ("base", "crank", "coupler", "rocker", "base")
+    for k, x in enumerate((0, 1, 3)):
+        builder.joint(f"S{k}", "S", parent=balls[k], child=balls[k + 1], point=[x, 0, 5])
+    for k, (x, y) in enumerate(((0, 0), (1, 2), (4, 3), (4, 0))):
+        builder.joint(f"R{k}", "R", parent=pins[k], child=pins[k + 1], point=[x, y, 0], axes=[[0, 0, 1]])
+    both = analyse_mobility(builder.build())
+    assert both.finite.dof == 3 and both.branches is not None
+    assert [row.platform for row in both.branches.rows] == [None]

@@ -31,6 +31,7 @@ def test_its_freedoms_are_those_of_the_closure_and_no_check_fails() -> None:
     assert [len(limb.constraints.basis) for limb in found.limbs] == [4, 4]
     assert all(check.holds for check in verify(found))
     assert "in symbols (omega ; v)" not in mobility_text(found)
+    assert "no symbols: other bodies or loops than its limbs" in mobility_text(found)
     assert not any(locus.kind in ("constraint", "actuation") for locus in found.loci)
 
 

@@ -22,6 +22,7 @@ from symscrew.mobility.joint_network import Network
 from symscrew.mobility.motions.germs import Germ, germs_of
 from symscrew.mobility.motions.screw_classes import ScrewClass
 from symscrew.mobility.motions.seen_poses import Closures, Seen, in_doubles, seen_at
+from symscrew.mobility.screw_systems import null_space
 
 Array = np.ndarray[Any, Any]
 
@@ -115,7 +116,7 @@ def branches_through(network: Network, finite: FiniteMobility, body: str, *, com
 def _row(network: Network, body: str, germs: Sequence[Germ], *, smooth: bool) -> BranchRow:
     spins = network.freedoms - sum(germ.network.freedoms for germ in germs)
     dimension = spins + sum(germ.dimension for germ in germs)
-    if any(not germ.points for germ in germs):
+    if any(not germ.points or _shaky(germ) for germ in germs):
         return BranchRow(dimension, np.zeros((0, network.freedoms)), None, 0, (), (), False, False, ())
     count = max((len(germ.points) for germ in germs), default=1)
     points = [_whole(network, [(germ.network, germ.points[min(k, len(germ.points) - 1)]) for germ in germs])
@@ -139,6 +140,11 @@ def _row(network: Network, body: str, germs: Sequence[Germ], *, smooth: bool) ->
     tangent = _directions(network, germs)
     return BranchRow(dimension, tangent, platform, dimension - platform.order, idle, common, constant, cusp,
                      tuple(points), here, almost)  # fmt: skip
+
+
+def _shaky(germ: Germ) -> bool:
+    """Whether a part that does not move has instantaneous freedoms: what moves is not told by ranks then."""
+    return not germ.dimension and bool(null_space(germ.network.loop_rows(), germ.network.freedoms).basis)
 
 
 def _almost(found: Seen, roughly: Seen, network: Network) -> str:
