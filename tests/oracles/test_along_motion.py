@@ -272,3 +272,15 @@ def test_spins_held_leave_all_other_motions() -> None:
     assert np.linalg.norm(spin) == pytest.approx(1) and np.abs(stopped @ spin).max() > 0.1
     assert np.abs(held.places(q + 1e-6 * spin) - held.places(q)).max() < 1e-10
     assert np.abs(held.places(q + 1e-6 * motions[:, 0]) - held.places(q)).max() > 1e-7
+
+
+def test_a_slide_inside_a_spinning_rod_is_at_no_other_place_for_that() -> None:
+    """Its axis goes round with the rod; which pose it is does not change."""
+    held = HeldSpins(found("stewart_6sps").network)
+    assert len(held.ends) == 6
+    rods = [name for name, edge in held.network.edges.items() if edge.type == "P"]
+    first = held.network.edges[rods[0]]
+    origin = np.zeros(held.columns)
+    longer = origin.copy()
+    longer[first.start] = 0.1
+    assert held.places(origin).shape == (12 * 3,) and np.abs(held.places(longer) - held.places(origin)).max() > 1e-3

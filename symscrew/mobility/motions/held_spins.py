@@ -23,7 +23,9 @@ class HeldSpins(ClosureVariety):
     def __init__(self, network: Network, arithmetic: Arithmetic = DOUBLE) -> None:
         super().__init__(network, arithmetic)
         edges = network.edges
-        self.ends = [(list(edges[a].columns), list(edges[b].columns)) for a, b in named_spins(network)]
+        spins = named_spins(network)
+        self.ends = [(list(edges[a].columns), list(edges[b].columns)) for a, b in spins]
+        self._spinning = {name for pair in spins for name in _between(network, *pair)}
 
     def evaluate(self, q: Array) -> tuple[Array, Array]:
         """(residuals, Jacobians) at the points q; see `ClosureVariety`."""
@@ -49,12 +51,28 @@ class HeldSpins(ClosureVariety):
     def places(self, q: Array) -> Array:
         """Where joints are at one point: axes as lines, ball joints by their centres; turns and spins do not count."""
         screws = self.forward(q[None])[0]
-        found = []
-        for edge in self.network.edges.values():
+        found = [np.zeros(0)]
+        for edge in (edge for name, edge in self.network.edges.items() if name not in self._spinning):
             for motion, start in edge.motions:
                 ball = motion.spherical
                 found.append(_centres(screws[:, start : start + 3])[0] if ball else screws[0, start])
         return np.concatenate(found)
+
+
+def _between(network: Network, first: str, last: str) -> list[str]:
+    """The joints of the links between two balls: they spin with these."""
+    for start in (network.edges[first].parent, network.edges[first].child):
+        body, joint, passed = start, first, list[str]()
+        while body != network.ground:
+            there = [e for e in network.edges.values() if body in (e.parent, e.child) and e.name != joint]
+            if len(there) != 1 or there[0].name in passed:
+                break
+            if there[0].name == last:
+                return passed
+            joint = there[0].name
+            passed.append(joint)
+            body = there[0].child if there[0].parent == body else there[0].parent
+    return []
 
 
 def _centres(screws: Array) -> Array:
