@@ -228,7 +228,7 @@ def test_what_a_plane_of_symmetry_keeps_is_not_said_of_all_poses(monkeypatch: py
 
 def setting_of(name: str) -> Setting:
     network = found(name).network
-    variety = HeldSpins(network)
+    variety = HeldSpins(network, "none")
     columns = tuple(c for limb in found(name).limbs[:1] for j in limb.joints for c in network.edges[j].columns)
     limbs = {"limb": (columns, 6)} if columns else {}
     return Setting(network, variety, found(name).dof - len(variety.ends), "none", 0, network.driven, limbs)
@@ -276,7 +276,7 @@ def test_spins_held_leave_all_other_motions() -> None:
 
 def test_a_slide_inside_a_spinning_rod_is_at_no_other_place_for_that() -> None:
     """Its axis goes round with the rod; which pose it is does not change."""
-    held = HeldSpins(found("stewart_6sps").network)
+    held = HeldSpins(found("stewart_6sps").network, "none")
     assert len(held.ends) == 6
     rods = [name for name, edge in held.network.edges.items() if edge.type == "P"]
     first = held.network.edges[rods[0]]
@@ -284,3 +284,11 @@ def test_a_slide_inside_a_spinning_rod_is_at_no_other_place_for_that() -> None:
     longer = origin.copy()
     longer[first.start] = 0.1
     assert held.places(origin).shape == (12 * 3,) and np.abs(held.places(longer) - held.places(origin)).max() > 1e-3
+
+
+def test_the_spin_of_the_body_asked_for_is_one_of_its_freedoms() -> None:
+    network = found("rssr").network
+    coupler = next(
+        b for b in network.bodies if sum(b in (e.parent, e.child) for e in network.edges.values() if e.type == "S") == 2
+    )
+    assert [len(HeldSpins(network, body).ends) for body in (coupler, network.ground)] == [0, 1]

@@ -2,7 +2,7 @@
 
 Each spin is an instantaneous motion at every pose that moves nothing else, so that where it is held the other motions
 are what they were, and losses of rank stay where they are. Held is the angular velocity of the ball joint at one end
-along the line of centres; where the rod has turned to by then does not matter.
+along the line of centres; where the rod has turned to by then does not matter. A body that is asked for may spin.
 """
 
 from __future__ import annotations
@@ -20,12 +20,17 @@ Array = np.ndarray[Any, Any]
 class HeldSpins(ClosureVariety):
     """The closure variety with an equation of rates more for every passive spin; nothing of it can be left open."""
 
-    def __init__(self, network: Network, arithmetic: Arithmetic = DOUBLE) -> None:
+    def __init__(self, network: Network, body: str, arithmetic: Arithmetic = DOUBLE) -> None:
+        """`body`: whose freedoms are asked for; where it spins itself, that is one of them and is not held."""
         super().__init__(network, arithmetic)
         edges = network.edges
-        spins = named_spins(network)
-        self.ends = [(list(edges[a].columns), list(edges[b].columns)) for a, b in spins]
-        self._spinning = {name for pair in spins for name in _between(network, *pair)}
+        chains = {pair: _between(network, *pair) for pair in named_spins(network)}
+        self._spinning = {name for joints, _ in chains.values() for name in joints}
+        self.ends = [
+            (list(edges[a].columns), list(edges[b].columns))
+            for (a, b), (_, bodies) in chains.items()
+            if body not in bodies and not {*edges[a].columns, *edges[b].columns} & set(network.driven)
+        ]
 
     def evaluate(self, q: Array) -> tuple[Array, Array]:
         """(residuals, Jacobians) at the points q; see `ClosureVariety`."""
@@ -59,20 +64,21 @@ class HeldSpins(ClosureVariety):
         return np.concatenate(found)
 
 
-def _between(network: Network, first: str, last: str) -> list[str]:
-    """The joints of the links between two balls: they spin with these."""
+def _between(network: Network, first: str, last: str) -> tuple[list[str], list[str]]:
+    """(joints, bodies) of the links between two balls, which spin with them."""
     for start in (network.edges[first].parent, network.edges[first].child):
-        body, joint, passed = start, first, list[str]()
-        while body != network.ground:
+        joint, joints, bodies = first, list[str](), [start]
+        while bodies[-1] != network.ground:
+            body = bodies[-1]
             there = [e for e in network.edges.values() if body in (e.parent, e.child) and e.name != joint]
-            if len(there) != 1 or there[0].name in passed:
+            if len(there) != 1 or there[0].name in joints:
                 break
-            if there[0].name == last:
-                return passed
             joint = there[0].name
-            passed.append(joint)
-            body = there[0].child if there[0].parent == body else there[0].parent
-    return []
+            if joint == last:
+                return joints, bodies
+            joints.append(joint)
+            bodies.append(there[0].child if there[0].parent == body else there[0].parent)
+    return [], []
 
 
 def _centres(screws: Array) -> Array:

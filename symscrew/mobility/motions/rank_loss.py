@@ -94,7 +94,7 @@ class _Equations:
 
     def __init__(self, setting: Setting, line: Track, kind: str) -> None:
         self.setting, self.held, self.kind, self.column = setting, line.held, kind, line.column
-        self.coarse, self.fine = setting.variety, HeldSpins(setting.network, DIGITS_60)
+        self.coarse, self.fine = setting.variety, HeldSpins(setting.network, setting.body, DIGITS_60)
         self.turned = False
         self.usual = self._usual()
         rows = self.matrix(self.coarse, *self._reference()).shape

@@ -136,7 +136,7 @@ def motion_along(
 def _followed(
     network: Network, dimension: int, body: str, limbs: Mapping[str, tuple[str, ...]], *, group: CommonGroup | None
 ) -> WholeMotion | str:
-    variety = HeldSpins(network)
+    variety = HeldSpins(network, body)
     origin, others = np.zeros(variety.columns), dimension - len(variety.ends)
     if not others:
         return "nothing but passive spins moves"
