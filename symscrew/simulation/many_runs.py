@@ -220,7 +220,10 @@ class _Work:
 
     def _with_states(self, k: int, scene: Scene, plant: Plant, state: tuple[np.ndarray, np.ndarray]) -> _Begun:
         given = self.starts.whole.get("x")
-        x = initial_states(scene, self.model, *state) if given is None else np.array(given[k])
+        x = np.zeros(0) if given is None else np.array(given[k])
+        if given is None or self.starts.parameters:  # which are looked at with the states of the scene
+            found = initial_states(scene, self.model, *state)
+            x = found if given is None else x
         x = np.concatenate([x, np.zeros(len(plant.x_labels) - len(x))])
         told = () if "q" in self.starts.whole else told_at_start(scene, self.model, *state)
         return _Begun(scene, plant, (*state, x), told)

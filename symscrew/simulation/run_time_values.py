@@ -1,0 +1,51 @@
+"""Whether a scene's run-time parameters are such that the mechanism and its effects can have them.
+
+scene's values --followed--> mechanism's numbers --inertias, what effects require--> an error that names the number
+
+A model is derived, and looked at, for the values of its description; a run has others.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+import sympy
+
+from symscrew.description import check_values_of, exact, followed
+from symscrew.effects import Acting
+from symscrew.errors import DescriptionError
+from symscrew.model import Model
+from symscrew.scene import Scene
+
+
+def values_in(scene: Scene, model: Model) -> dict[sympy.Symbol, sympy.Expr]:
+    """Every parameter of the mechanism -> its value in the scene, for expressions of them."""
+    return {model.mechanism.parameters[name].symbol: value for name, value in _by_name(scene, model).items()}
+
+
+def check_values(scene: Scene, model: Model, acting: Acting) -> None:
+    """Refuse run-time parameters that leave a body no possible inertia, or that an effect has no use for.
+
+    Raises:
+        DescriptionError: names the body or effect, what was expected, what came.
+    """
+    if not scene.parameters:  # those of the description were looked at when the model was derived
+        return
+    mechanism = model.mechanism
+    given = {name: exact(value) for name, value in scene.parameters.items()}
+    chosen = replace(mechanism, parameters=followed(mechanism.parameters, given))
+    check_values_of(chosen)
+    for effect in model.effects:
+        chosen = effect.transform(chosen)
+        for now, derived in zip(effect.rolled(chosen), effect.rolled(mechanism), strict=True):
+            if now.inside != derived.inside:
+                raise DescriptionError(
+                    f"ideal rolling of {now.label}: circle: expected a radius of the sign that it has in the "
+                    "description; a wheel rolls within a circle or on it by design"
+                )
+    acting.check_values(_by_name(scene, model))
+
+
+def _by_name(scene: Scene, model: Model) -> Mapping[str, sympy.Expr]:
+    return model.mechanism.values({name: exact(value) for name, value in scene.parameters.items()})
