@@ -206,7 +206,10 @@ class _Work:
             states = [found if isinstance(found, tuple) else str(found) for found in together]
         found: dict[int, _Begun | str] = {}
         for k, state in zip(block, states, strict=True):
-            found[k] = state if isinstance(state, str) else self._with_states(k, scenes[k], plants[k], state)
+            try:
+                found[k] = state if isinstance(state, str) else self._with_states(k, scenes[k], plants[k], state)
+            except DescriptionError as error:  # parameters that no mechanism has
+                found[k] = str(error)
         return found
 
     def _plant(self, k: int) -> Plant:
@@ -220,10 +223,9 @@ class _Work:
 
     def _with_states(self, k: int, scene: Scene, plant: Plant, state: tuple[np.ndarray, np.ndarray]) -> _Begun:
         given = self.starts.whole.get("x")
-        x = np.zeros(0) if given is None else np.array(given[k])
         if given is None or self.starts.parameters:  # which are looked at with the states of the scene
-            found = initial_states(scene, self.model, *state)
-            x = found if given is None else x
+            x = initial_states(scene, self.model, *state)
+        x = x if given is None else np.array(given[k])
         x = np.concatenate([x, np.zeros(len(plant.x_labels) - len(x))])
         told = () if "q" in self.starts.whole else told_at_start(scene, self.model, *state)
         return _Begun(scene, plant, (*state, x), told)
