@@ -21,7 +21,7 @@ from symscrew.mobility import inverse_kinematics
 from symscrew.model import Model
 from symscrew.scene import Scene, parameter_values
 from symscrew.simulation.named_rates import rate_rows
-from symscrew.simulation.run_time_values import check_values, values_in
+from symscrew.simulation.run_time_values import check_frames, check_values, values_in
 from symscrew.simulation.start_branch import leaves_every_branch
 
 # Intermediate targets on the way from the reference configuration; more where fewer fail. Long strides may lead to
@@ -104,7 +104,10 @@ def initial_states_together(model: Model, of: Sequence[tuple[Scene, np.ndarray]]
 
 def _begun(scene: Scene, model: Model, closure: _Closure, parameters: np.ndarray) -> Asking[State]:
     system = model.system
-    reference = system.reference_at(parameters) if len(parameters) else system.reference
+    reference = system.reference
+    if len(parameters):
+        reference = system.reference_at(parameters)
+        check_frames(model, parameters, *(yield _At(reference)))
     known = {c.label: k for k, c in enumerate(system.tree.q)}
     hold = scene.initial.hold
     in_mode, others = scene.initial.mode, any(label not in known for label in scene.initial.coordinates)

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 
+import numpy as np
 import sympy
 
 from symscrew.description import check_values_of, exact, followed
@@ -45,6 +46,22 @@ def check_values(scene: Scene, model: Model, acting: Acting) -> None:
                     "description; a wheel rolls within a circle or on it by design"
                 )
     acting.check_values(_by_name(scene, model))
+
+
+def check_frames(model: Model, parameters: np.ndarray, *values: np.ndarray) -> None:
+    """Refuse run-time parameters (np,) at which the closure in the reference configuration, `values`, is no number: its
+    frames stand on a direction that vanishes there, which at the description's values it does not.
+
+    Raises:
+        DescriptionError: names the parameters.
+    """
+    if not all(np.isfinite(array).all() for array in values):
+        names = [p.name for p in model.mechanism.parameters.values() if p.run_time]
+        shown = ", ".join(f"{name} = {value:.12g}" for name, value in zip(names, parameters, strict=True))
+        raise DescriptionError(
+            f"parameters: at {shown} a direction vanishes that the frames of {model.name} stand on at the "
+            "description's values; give the description these values"
+        )
 
 
 def _by_name(scene: Scene, model: Model) -> Mapping[str, sympy.Expr]:

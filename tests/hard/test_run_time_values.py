@@ -209,3 +209,18 @@ def test_a_run_begins_at_its_own_reference() -> None:
         ends.append(simulate(scene, backend="numpy").q)
     assert ends[0][0] == pytest.approx([1 / 3, 1 / 5])
     assert np.abs(ends[0] - ends[1]).max() < 1e-12
+
+
+def test_frames_that_are_none_at_the_values_of_a_run_are_named() -> None:
+    """Axes that are parallel at S = 0 alone, by which the frame of a loop's link was chosen: it ended in an error of
+    NumPy's, deep within."""
+    builder = started("bent", {"S": ("1/10", 0)}, run_time=True)
+    for body, com in (("a", [0, 0, "1/2"]), ("b", ["1/2", 0, "1/2"]), ("c", [1, 0, "1/2"])):
+        builder.body(body, mass=1, com=com, inertia=INERTIA)
+    tilted, y = ["sin(S)", "cos(S)", 0], [0, 1, 0]
+    joints = (("base", "a", [0, 0, 0], y), ("a", "b", [0, 0, 1], tilted), ("b", "c", ["3/2", 0, "5/4"], y))
+    for k, (parent, child, point, axis) in enumerate((*joints, ("base", "c", [1, 0, 0], y))):
+        builder.joint(f"J{k}", "R", parent=parent, child=child, point=point, axes=[axis])
+    scene = Scene("bent", builder.build(), (effect_from_table(GRAVITY),), 0.1, 20.0, parameters={"S": 0.0})
+    with pytest.raises(DescriptionError, match="at S = 0 a direction vanishes that the frames of bent stand on"):
+        simulate(scene)
