@@ -42,7 +42,7 @@ def check_values(scene: Scene, model: Model, acting: Acting) -> None:
         for now, derived in zip(effect.rolled(chosen), effect.rolled(mechanism), strict=True):
             if now.inside != derived.inside:
                 raise DescriptionError(
-                    f"ideal rolling of {now.label}: circle: expected a radius of the sign that it has in the "
+                    f"ideal rolling of {now.name}: circle: expected a radius of the sign that it has in the "
                     "description; a wheel rolls within a circle or on it by design"
                 )
     acting.check_values(_by_name(scene, model))
