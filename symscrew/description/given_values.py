@@ -12,6 +12,7 @@ from dataclasses import dataclass
 import sympy
 
 from symscrew.description.expressions import exact, numeric
+from symscrew.description.mechanism import Parameter
 from symscrew.description.units import OTHERS, SI, in_si
 from symscrew.errors import DescriptionError, shorten
 
@@ -76,3 +77,29 @@ def given_value(value: object, names: Mapping[str, sympy.Expr] | None = None, *,
         raise DescriptionError(f"{where}: {shorten(text)} is no expression; write a product with *")
     factor, unit = in_si(found[2].strip(), where)
     return GivenValue(exact(found[1], names, where=where) * factor, unit)
+
+
+def parameter_value(parameter: Parameter, value: object, names: Mapping[str, sympy.Expr], *, where: str) -> sympy.Expr:
+    """What a file gives a parameter in place of its description's value, in SI units, exact.
+
+    Raises:
+        DescriptionError: a value in another unit, or a number without one where the description counts in another unit
+            than SI's: 200 beside a description's 150 mm; begins with `where`.
+    """
+    given = given_value(value, names, where=where)
+    if parameter.given_in and not given.unit and given.value.is_number and given.value != 0 and _plain(value):
+        raise DescriptionError(
+            f"{where}: expected a number with its unit, as the description counts in {parameter.given_in}: "
+            f"'{shorten(value)[1:-1] if isinstance(value, str) else value} {parameter.given_in}', or one in "
+            f"{parameter.unit}; got {shorten(value)}"
+        )
+    return given.measured_in(parameter.unit, where)
+
+
+def _plain(value: object) -> bool:
+    """Whether it is a number by itself, no expression of others, which have their units."""
+    try:
+        exact(value)
+    except DescriptionError:
+        return False
+    return True

@@ -4,6 +4,7 @@ or is refused as that one is."""
 from __future__ import annotations
 
 from collections.abc import Mapping
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -14,6 +15,7 @@ from symscrew.description.mechanism import Mechanism
 from symscrew.effects import Effect, effect_from_table
 from symscrew.errors import DescriptionError
 from symscrew.model import Model, derive
+from symscrew.scene import parse_scene
 from symscrew.scene.contents import Initial, Scene
 from symscrew.simulation import simulate, simulate_many
 from symscrew.simulation.motion import Run
@@ -224,3 +226,17 @@ def test_frames_that_are_none_at_the_values_of_a_run_are_named() -> None:
     scene = Scene("bent", builder.build(), (effect_from_table(GRAVITY),), 0.1, 20.0, parameters={"S": 0.0})
     with pytest.raises(DescriptionError, match="at S = 0 a direction vanishes that the frames of bent stand on"):
         simulate(scene)
+
+
+@pytest.mark.parametrize(("given", "reach"), [("'200 mm'", 0.2), ("'0.2 m'", 0.2), ("'2*reach'", 0.3), ("200", None)])
+def test_a_parameter_in_millimetres_takes_no_bare_number(given: str, reach: float | None, tmp_path: Path) -> None:
+    """200 beside a description's 150 mm was 200 m, completed; 30 beside its 10 deg 30 rad."""
+    text = '[mechanism]\nname = "arm"\nground = "base"\n[parameters.reach]\nvalue = 150\nunit = "mm"\nrun_time = true\n'
+    text += '[bodies.arm]\nmass = 1\ncom = ["reach", 0, 0]\n[joints.A]\ntype = "R"\nparent = "base"\nchild = "arm"\n'
+    (tmp_path / "arm.toml").write_text(text + "point = [0, 0, 0]\naxes = [[0, 1, 0]]\n")
+    scene = f'[scene]\nname = "s"\nmechanism = "arm.toml"\nduration = 1\n[parameters]\nreach = {given}\n'
+    if reach is None:
+        with pytest.raises(DescriptionError, match=r"reach: expected a number with its unit.*'200 mm', or one in m"):
+            parse_scene(scene, folder=tmp_path)
+    else:
+        assert parse_scene(scene, folder=tmp_path).parameters == {"reach": pytest.approx(reach)}

@@ -182,7 +182,7 @@ MOTION: Mapping[str, Mapping[str, Meaning]] = {
 }
 FREE_SCENE = (
     "| `[[effects]]` | `type` and the keys of the [effect](effects.md) |",
-    "| `[parameters]` | NAME = value of a run-time parameter |",
+    "| `[parameters]` | NAME = value of a run-time parameter, with a unit ("200 mm") or in SI units; a description that counts in another unit takes it with one |",
     '| `[tables.NAME]` | times [s], values, interpolation: "linear" or "cubic" |',
     "| `[signals]` | NAME = expression, for use in later ones |",
     "| `[states.NAME]` | rate = expression, initial: a state of the controller |",
