@@ -8,7 +8,7 @@
                    names or by labels of v ("2deg/s"); mode = NAME of an assembly mode with these values (`symscrew
                    assemble` lists them)
     [[effects]]    type and the effect's own keys (`symscrew.effects`)
-    [parameters]   NAME = value of a run-time parameter, with a unit ("200 mm") or in SI units
+    [parameters]   NAME = value of a run-time parameter, in SI units or with its unit ("200 mm")
     [tables.NAME]  times, values, interpolation ("linear" or "cubic")
     [signals]      NAME = expression, for use in later ones
     [states.NAME]  rate = expression, initial: a state of the controller
