@@ -14,7 +14,7 @@ from hard.mechanisms import chain
 from symscrew.description.mechanism import Parameter, Point
 from symscrew.effects import BaseMotion, ExternalWrench
 from symscrew.runtime.compiled import find_compiler
-from symscrew.scene.contents import Integrator, Scene, Table
+from symscrew.scene.contents import Initial, Integrator, Scene, Table
 from symscrew.simulation.motion import Run, simulate
 
 pytestmark = pytest.mark.slow
@@ -58,6 +58,16 @@ def test_a_pulse_in_a_text_of_an_effect(middle: float) -> None:
     ):
         run = simulate(Scene("pushed", mechanism, (effect,), 100.0, 0.1, parameters={"w": 1e-3}))
         assert gained(run) == pytest.approx(np.sqrt(np.pi) * 1e-3, rel=1e-7)
+
+
+def test_a_base_whose_rate_has_kinks_is_landed_on() -> None:
+    """The block stays where it is: against the base it goes back by the integral of |sin|; steps end at its kinks."""
+    body = {"mass": 2, "com": [0, 0, 0], "inertia": [1, 1, 1]}
+    mechanism = chain("block", ("x", "P", "base", "block", [0, 0, 0], [[1, 0, 0]]), block=body)
+    start = Initial(rates={"x": 0.0})
+    run = simulate(Scene("kinks", mechanism, (BaseMotion(twist=(0, 0, 0, "abs(sin(t))", 0, 0)),), 10.0, 1.0, start))
+    assert not run.events
+    assert run.q[-1, 0] == pytest.approx(-(2 * 3 + 1 + np.cos(10.0)), abs=1e-9)
 
 
 @pytest.mark.parametrize("method", ["cvodes", slow("lsoda"), slow("bdf")])
