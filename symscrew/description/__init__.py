@@ -9,7 +9,7 @@ from symscrew.description.architectures import ARCHITECTURES, architecture
 from symscrew.description.builder import MechanismBuilder
 from symscrew.description.coupled import slope, terms_of
 from symscrew.description.expressions import CONSTANTS, FUNCTIONS, exact, numeric, parse, sixty_digits, to_text
-from symscrew.description.given_values import GivenValue, given_value, parameter_value
+from symscrew.description.given_values import GivenValue, given_value, parameter_units
 from symscrew.description.joints import JOINT_TYPES, NO_MOTION, JointType, Motion, rotation
 from symscrew.description.kept_comments import with_comments
 from symscrew.description.mechanism import (
@@ -73,7 +73,7 @@ __all__ = [
     "members",
     "namespace",
     "numeric",
-    "parameter_value",
+    "parameter_units",
     "parse",
     "parse_description",
     "read_tables",

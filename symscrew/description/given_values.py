@@ -79,27 +79,27 @@ def given_value(value: object, names: Mapping[str, sympy.Expr] | None = None, *,
     return GivenValue(exact(found[1], names, where=where) * factor, unit)
 
 
-def parameter_value(parameter: Parameter, value: object, names: Mapping[str, sympy.Expr], *, where: str) -> sympy.Expr:
-    """What a file gives a parameter in place of its description's value, in SI units, exact.
+def parameter_units(parameters: Mapping[str, Parameter], given: object) -> dict[str, str]:
+    """Units of the parameters, in which a file's table of values `given` in place of the description's counts.
 
     Raises:
-        DescriptionError: a value in another unit, or a number without one where the description counts in another unit
-            than SI's: 200 beside a description's 150 mm; begins with `where`.
+        DescriptionError: a number without a unit where the description counts in another one than SI's: 200 beside a
+            description's 150 mm.
     """
-    given = given_value(value, names, where=where)
-    if parameter.given_in and not given.unit and given.value.is_number and given.value != 0 and _plain(value):
-        raise DescriptionError(
-            f"{where}: expected a number with its unit, as the description counts in {parameter.given_in}: "
-            f"'{shorten(value)[1:-1] if isinstance(value, str) else value} {parameter.given_in}', or one in "
-            f"{parameter.unit}; got {shorten(value)}"
-        )
-    return given.measured_in(parameter.unit, where)
+    for name, value in given.items() if isinstance(given, Mapping) else ():
+        unit = parameters[name].given_in if name in parameters else ""
+        if unit and _bare(value):
+            shown = shorten(value)[1:-1] if isinstance(value, str) else value
+            raise DescriptionError(
+                f"parameters.{name}: expected a number with its unit, as the description counts in {unit}: "
+                f"'{shown} {unit}', or one in {parameters[name].unit}; got {shorten(value)}"
+            )
+    return {name: parameter.unit for name, parameter in parameters.items()}
 
 
-def _plain(value: object) -> bool:
-    """Whether it is a number by itself, no expression of others, which have their units."""
+def _bare(value: object) -> bool:
+    """Whether it is a number other than 0 by itself, no expression of others, which have their units."""
     try:
-        exact(value)
+        return bool(exact(value) != 0)
     except DescriptionError:
         return False
-    return True

@@ -29,7 +29,7 @@ from symscrew.description import (
     from_file,
     given_value,
     numeric,
-    parameter_value,
+    parameter_units,
     read_tables,
 )
 from symscrew.effects import Effect, check_effects, effect_from_table
@@ -87,7 +87,9 @@ def _given(tables: Mapping[str, Any], folder: Path | None) -> tuple[_Reader, _Ba
     base = _base(tables["problem"], folder)
     read = _Reader(base.mechanism)
     design = read.ranges(tables.get("design", {}), "design")
-    parameters = {**base.parameters, **read.parameters(tables.get("parameters", {}), base.mechanism)}
+    given = tables.get("parameters", {})
+    units = parameter_units(base.mechanism.parameters, given)
+    parameters = {**base.parameters, **read.numbers(given, "parameters", units)}
     return _Reader(base.mechanism, parameters, tuple(design)), base, design, parameters
 
 
@@ -256,16 +258,6 @@ class _Reader:
 
     def numbers(self, table: Any, where: str, units: Mapping[str, str] = NO_UNITS) -> dict[str, float]:
         return {k: self.number(v, f"{where}.{k}", units.get(k)) for k, v in self.flat(table, where).items()}
-
-    def parameters(self, table: Any, mechanism: Mechanism) -> dict[str, float]:
-        """Values of parameters, in the units that they are given in."""
-        found = {}
-        for name, value in self.flat(table, "parameters").items():
-            where, known = f"parameters.{name}", mechanism.parameters.get(name)
-            if known is not None:  # which refuses a number that may be meant in another unit
-                parameter_value(known, value, self.names, where=where)
-            found[name] = self.number(value, where, None if known is None else known.unit)
-        return found
 
     def turns(self, table: Any) -> dict[str, int]:
         return {k: _whole(v, f"problem.turns.{k}") for k, v in self.flat(table, "problem.turns").items()}

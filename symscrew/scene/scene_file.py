@@ -42,7 +42,7 @@ from symscrew.description import (
     from_file,
     given_value,
     numeric,
-    parameter_value,
+    parameter_units,
     read_tables,
 )
 from symscrew.effects import check_effects, effect_from_table
@@ -287,11 +287,8 @@ def _parameters(table: Mapping[str, Any], mechanism: Mechanism, read: _Reader) -
             raise DescriptionError(
                 f"parameters: {shorten(name)} is no run-time parameter of {mechanism.name}; {did_you_mean(name, known)}"
             )
-    found = {}
-    for name, value in table.items():
-        where = f"parameters.{name}"
-        found[name] = read.number(parameter_value(mechanism.parameters[name], value, read.names, where=where), where)
-    return found
+    units = parameter_units(mechanism.parameters, table)
+    return {name: read.quantity(value, f"parameters.{name}", units[name])[0] for name, value in table.items()}
 
 
 def _integrator(table: Mapping[str, Any], read: _Reader) -> Integrator:
