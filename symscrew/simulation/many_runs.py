@@ -140,12 +140,13 @@ def simulate_many(
 
 @dataclass(frozen=True)
 class _Begun:
-    """A run that can start: its scene, its programs, its state."""
+    """A run that can start: its scene, its programs, its state, and what its inputs do in time."""
 
     scene: Scene
     plant: Plant
     start: State
     told: tuple[str, ...]
+    features: TimeFeatures | None
 
 
 class _Work:
@@ -228,7 +229,8 @@ class _Work:
         x = x if given is None else np.array(given[k])
         x = np.concatenate([x, np.zeros(len(plant.x_labels) - len(x))])
         told = () if "q" in self.starts.whole else told_at_start(scene, self.model, *state)
-        return _Begun(scene, plant, (*state, x), told)
+        features = self._features(scene) if self.compiled else None  # here: threads would share the tape
+        return _Begun(scene, plant, (*state, x), told, features)
 
     def _tried(self, run: _Begun) -> History | str:
         try:
@@ -238,7 +240,7 @@ class _Work:
             return str(error)
 
     def _natively(self, run: _Begun) -> History:
-        features = self._features(run)
+        features = run.features
         loop = self.loops.get()
         try:
             loop.put(run.plant)
@@ -256,12 +258,12 @@ class _Work:
         found = integrated(run.scene, run.plant, run.start, contacts=contacts, backend=self.backend)
         return replace(found, events=(self.notice, *found.events)) if self.notice else found
 
-    def _features(self, run: _Begun) -> TimeFeatures:
+    def _features(self, scene: Scene) -> TimeFeatures:
         """What inputs do in time, which only parameters can make another thing from run to run."""
         if self.starts.parameters:
-            return features_in_time(run.scene, self.model)
+            return features_in_time(scene, self.model)
         if self.unchanging is None:
-            self.unchanging = features_in_time(run.scene, self.model)
+            self.unchanging = features_in_time(scene, self.model)
         return self.unchanging
 
 
