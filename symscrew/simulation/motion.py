@@ -26,6 +26,7 @@ from symscrew.simulation.native import NATIVE_METHODS, integrate_natively
 from symscrew.simulation.portable import Controller, integrate
 from symscrew.simulation.recording import Estimate, History, State
 from symscrew.simulation.run_columns import columns_of, wrenches_along
+from symscrew.simulation.run_time_values import mechanism_of
 from symscrew.simulation.stability import with_longest_stable_step
 from symscrew.simulation.state_programs import Plant, commands, plant
 from symscrew.simulation.verdict import estimated, verdict
@@ -367,7 +368,7 @@ def _run(
         for c in history.crossings
     )
     u = inputs.pop("u", np.zeros((n, 0)))
-    events = (*history.events, *changed(*modes), *_told(model, looks))
+    events = (*history.events, *changed(*modes), *_told(scene, model, looks))
     return Run(
         scene, model, history.t, history.q, history.v, u, history.x, energy, looks["closure"], balance,
         looks.get("reactions") if scene.reactions else None, crossings, events, history.ok, history.status,
@@ -376,11 +377,12 @@ def _run(
     )  # fmt: skip
 
 
-def _told(model: Model, looks: Arrays) -> tuple[str, ...]:
+def _told(scene: Scene, model: Model, looks: Arrays) -> tuple[str, ...]:
     """What effects say of the motion that was computed with them: what they leave out, where it counts."""
-    n, mechanism = len(looks["energy"]), model.mechanism
+    n = len(looks["energy"])
     if not _looked(model) or n == 0:
         return ()
+    mechanism = mechanism_of(scene, model)
     places, forces = looks["places"].reshape(n, -1, 3), looks["reactions"].reshape(n, -1, 6)[:, :, :3]
     passed = Passed(
         mechanism,

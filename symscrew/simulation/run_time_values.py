@@ -13,7 +13,7 @@ from dataclasses import replace
 import numpy as np
 import sympy
 
-from symscrew.description import check_values_of, exact, followed
+from symscrew.description import Mechanism, check_values_of, exact, followed
 from symscrew.effects import Acting
 from symscrew.errors import DescriptionError
 from symscrew.model import Model
@@ -33,9 +33,7 @@ def check_values(scene: Scene, model: Model, acting: Acting) -> None:
     """
     if not scene.parameters:  # those of the description were looked at when the model was derived
         return
-    mechanism = model.mechanism
-    given = {name: exact(value) for name, value in scene.parameters.items()}
-    chosen = replace(mechanism, parameters=followed(mechanism.parameters, given))
+    mechanism, chosen = model.mechanism, mechanism_of(scene, model)
     check_values_of(chosen)
     for effect in model.effects:
         chosen = effect.transform(chosen)
@@ -46,6 +44,12 @@ def check_values(scene: Scene, model: Model, acting: Acting) -> None:
                     "description; a wheel rolls within a circle or on it by design"
                 )
     acting.check_values(_by_name(scene, model))
+
+
+def mechanism_of(scene: Scene, model: Model) -> Mechanism:
+    """The mechanism of a run: that of the model, with the scene's values of its parameters."""
+    given = {name: exact(value) for name, value in scene.parameters.items()}
+    return replace(model.mechanism, parameters=followed(model.mechanism.parameters, given))
 
 
 def check_frames(model: Model, parameters: np.ndarray, *values: np.ndarray) -> None:

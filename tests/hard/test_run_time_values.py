@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from support.marks import slow
 
 from symscrew.description import MechanismBuilder
 from symscrew.description.mechanism import Mechanism
@@ -165,7 +166,7 @@ def accelerations(found: Model, states: tuple[np.ndarray, ...], values: np.ndarr
     return np.asarray(a)[:, given]  # which way a hub's x points is the model's own choice
 
 
-@pytest.mark.parametrize("made", [spatial, plane])
+@pytest.mark.parametrize("made", [spatial, slow(plane)])
 def test_zeros_of_the_description_are_no_zeros_of_a_run(made: Any) -> None:
     """The frame of a link on the axis (sin S, cos S, 0) took a component for zero that is so at S = 0 only; a hub in a
     plane kept the description's plane."""
@@ -240,3 +241,22 @@ def test_a_parameter_in_millimetres_takes_no_bare_number(given: str, reach: floa
             parse_scene(scene, folder=tmp_path)
     else:
         assert parse_scene(scene, folder=tmp_path).parameters == {"reach": pytest.approx(reach)}
+
+
+def test_what_an_effect_says_of_a_motion_is_of_the_values_of_the_run() -> None:
+    """A rod of 2 N m^2 in the description and 1/50 in the run: its buckling load was that of the former."""
+    said = []
+    for run_time in (True, False):
+        values: Values = {"E": (2, "1/50")}
+        builder = started("rod", values, run_time=run_time)
+        builder.body("rod", mass=2, com=["1/2", 0, 0], inertia=[["1/10", 0, 0], [0, "1/2", 0], [0, 0, "1/2"]])
+        builder.joint("A", "R", parent="base", child="rod", point=[0, 0, 0], axes=[[0, 0, 1]])
+        builder.point("near", body="rod", at=[0, 0, 0]).point("far", body="rod", at=[1, 0, 0])
+        bends = {"type": "flexible_link", "start": "near", "end": "far", "axis": [0, 0, 1], "line_density": "1/2"}
+        bends |= {"bending_stiffness": "E", "modes": 1}
+        chosen = {"E": 0.02} if run_time else {}
+        start = Initial(rates={"A": 3.0})
+        scene = Scene("rod", builder.build(), (effect_from_table(bends),), 0.02, 100.0, start, parameters=chosen)
+        said.append(simulate(scene, backend="numpy").events)
+    assert said[0] == said[1]
+    assert "of its buckling load" in said[0][0]
