@@ -21,6 +21,8 @@ from symscrew.scene.contents import Initial, Scene
 from symscrew.simulation import simulate, simulate_many
 from symscrew.simulation.motion import Run
 
+pytestmark = pytest.mark.slow
+
 Values = Mapping[str, tuple[Any, Any]]
 """Parameter -> its value in the description, and in the run."""
 GRAVITY = {"type": "gravity", "acceleration": [0, 0, "-9.81"]}
