@@ -113,6 +113,9 @@ def actuator_forces(
         if number(given.get("delay", "0"), f"{label(element)}, delay") != 0:
             draft.ledger.lost("delay of actuators")
         most.setdefault(target.joint, []).append(_most(draft, element, given, settings, factor=factor))
+        for name in actuators.transmissions.coefficients(target):
+            if name != target.joint and name in draft.limits and draft.limits[name].push is not None:
+                draft.ledger.lost(f"actuatorfrcrange of {name}, on which a tendon over several joints pulls")
     for joint, sizes in most.items():
         known = [size for size in sizes if size is not None]
         if len(known) == len(sizes):  # together they push as far; one without a limit, as far as it likes
@@ -223,6 +226,10 @@ class _Damped:
         freedoms = [f for k, joint in enumerate(draft.joints) for f in freedoms_of(k, joint)]
         matrix = mass_matrix(draft, freedoms, ways_to(draft, freedoms))
         names = [draft.joints[freedom.joint].name for freedom in freedoms]
+        for tendon, pulley in self.transmissions.pulleys.items():
+            along = np.array([float(self.transmissions.tendons[tendon].get(name, 0)) for name in names])
+            own = (e.table for e in draft.effects if e.joint == pulley and e.table["kind"] == "armature")
+            matrix += sum(float(table["inertia"]) for table in own) * np.outer(along, along)
         arms = np.zeros(len(names))
         for name, factor in self.transmissions.coefficients(self.target).items():
             if names.count(name) != 1:

@@ -23,7 +23,7 @@ from symscrew.formats.exact_digits import with_exact_digits
 from symscrew.formats.import_options import ImportOptions
 from symscrew.formats.included_files import expanded
 from symscrew.formats.mjcf_actuators import Actuators, actuator_forces
-from symscrew.formats.mjcf_bodies import Place, Reading, carry, read_children
+from symscrew.formats.mjcf_bodies import Place, Reading, read_children
 from symscrew.formats.mjcf_composed import composed
 from symscrew.formats.mjcf_couplings import displacements, raw_coupling, read_couplings
 from symscrew.formats.mjcf_keyframes import key_name, keyframe_rates, keyframes
@@ -32,6 +32,7 @@ from symscrew.formats.mjcf_masses import settle_masses
 from symscrew.formats.mjcf_medium import add_drags, medium
 from symscrew.formats.mjcf_settings import ORIENTATIONS
 from symscrew.formats.mjcf_transmissions import add_pulleys, tendon_forces, transmissions
+from symscrew.formats.mjcf_weights import carry
 from symscrew.formats.open_loops import Closing
 from symscrew.formats.rigid_displacements import ZERO, Pose, Real, length, minus, real
 from symscrew.formats.safe_xml import Element, attribute, check_attributes, elements, label, number, numbers
@@ -82,7 +83,8 @@ def read_mjcf(root: Element, path: Path, options: ImportOptions) -> Draft:
     )
     _read_bodies(root, reading)
     settle_masses(result, chosen, reading.bare)
-    carry(result, reading.carried)
+    actuated = any(True for section in elements(root, "actuator") for _ in elements(section))
+    carry(result, reading.carried, reading.borne, actuated=actuated)
     add_drags(result, around)
     _check_all_found(reading, pulled.pulleys.values())
     tendon_forces(result, pulled, reading.rests, chosen.off)

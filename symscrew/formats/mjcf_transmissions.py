@@ -168,6 +168,10 @@ def _forces(
             table = {"kind": "damping", "coefficient": size * square}
         elif key == "armature":
             table = {"kind": "armature", "inertia": size * square}
+            if _branched(draft, found.coefficients(target)):
+                draft.ledger.turned(
+                    "armature of a tendon over branches: whole here, the engine leaves out what couples them"
+                )
         elif key == "frictionloss":
             table = {"kind": "friction", "coulomb": size * abs(float(target.factor)), "velocity": float(SLIP)}
         else:
@@ -180,6 +184,19 @@ def _forces(
             table = {"kind": "spring", "stiffness": size * square, "rest": float(rest)}
         draft.effects.append(RawEffect(target.joint, table))
         draft.ledger.turned(f"{key} of a tendon")
+
+
+def _branched(draft: Draft, joints: Collection[str]) -> bool:
+    """Whether joints are not all on one way outwards."""
+    above = {joint.child: joint for joint in draft.joints}
+    ways: list[set[str]] = []
+    for joint in (joint for joint in draft.joints if joint.name in joints):
+        way, at = {joint.name}, joint.parent
+        while at in above:
+            way.add(above[at].name)
+            at = above[at].parent
+        ways.append(way)
+    return not any(way.issuperset(joints) for way in ways)
 
 
 def add_pulleys(draft: Draft, found: Transmissions, values: dict[str, Real], driven: Mapping[str, object]) -> None:
