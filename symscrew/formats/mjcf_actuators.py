@@ -88,6 +88,7 @@ def actuator_forces(
         displaced: whether the reference configuration is not the file's own.
     """
     several = {joint.name for joint in draft.joints if JOINT_TYPES[joint.type].freedom > 1}
+    bounded = {name for name, limits in draft.limits.items() if limits.push is not None}
     shared, most = dict[str, int](), dict[str, list[Real | None]]()
     for _, _, target in actuators.on_targets():
         shared[target.joint] = shared.get(target.joint, 0) + 1
@@ -114,7 +115,7 @@ def actuator_forces(
             draft.ledger.lost("delay of actuators")
         most.setdefault(target.joint, []).append(_most(draft, element, given, settings, factor=factor))
         for name in actuators.transmissions.coefficients(target):
-            if name != target.joint and name in draft.limits and draft.limits[name].push is not None:
+            if name != target.joint and name in bounded:
                 draft.ledger.lost(f"actuatorfrcrange of {name}, on which a tendon over several joints pulls")
     for joint, sizes in most.items():
         known = [size for size in sizes if size is not None]

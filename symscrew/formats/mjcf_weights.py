@@ -34,9 +34,7 @@ def carry(draft: Draft, carried: Mapping[str, Real], borne: Collection[str], *, 
     for joint in borne:
         limits = draft.limits.get(joint)
         if not actuated:
-            draft.ledger.lost(
-                "actuatorgravcomp without actuators: the engine leaves that part of gravcomp out"
-            )
+            draft.ledger.lost("actuatorgravcomp without actuators: the engine leaves that part of gravcomp out")
         elif limits is not None and limits.push is not None:
             draft.ledger.lost(f"actuatorgravcomp of {joint} within its actuatorfrcrange")
     for body in draft.bodies:
