@@ -199,6 +199,16 @@ def _branched(draft: Draft, joints: Collection[str]) -> bool:
     return not any(way.issuperset(joints) for way in ways)
 
 
+def pulley_body(tendon: str) -> str:
+    """What the body of a tendon's pulley is called."""
+    return f"{tendon}_pulley"
+
+
+def pulley_coupling(tendon: str) -> str:
+    """What the coupling of a tendon's pulley is called."""
+    return f"{tendon}_tendon"
+
+
 def add_pulleys(draft: Draft, found: Transmissions, values: dict[str, Real], driven: Mapping[str, object]) -> None:
     """The bodies, joints and couplings of the pulleys that were asked for, on the ground.
 
@@ -213,7 +223,7 @@ def add_pulleys(draft: Draft, found: Transmissions, values: dict[str, Real], dri
                     f"{did_you_mean(name, values)}"
                 )
         hinges = {j.name for j in draft.joints if JOINT_TYPES[j.type].hinge}
-        body = fresh(f"{tendon}_pulley", [draft.ground, *(b.name for b in draft.bodies)])
+        body = fresh(pulley_body(tendon), [draft.ground, *(b.name for b in draft.bodies)])
         value = sum((c * values[name] for name, c in terms.items()), start=ZERO[0])
         draft.bodies.append(RawBody(body))
         draft.joints.append(
@@ -223,6 +233,6 @@ def add_pulleys(draft: Draft, found: Transmissions, values: dict[str, Real], dri
             )
         )  # fmt: skip
         values[joint] = value
-        names = fresh(f"{tendon}_tendon", [c.name for c in draft.couplings])
+        names = fresh(pulley_coupling(tendon), [c.name for c in draft.couplings])
         draft.couplings.append(RawCoupling(names, {joint: (real(1),)} | {name: (-c,) for name, c in terms.items()}))
         draft.ledger.turned("tendon over several joints: a pulley that is coupled to them")

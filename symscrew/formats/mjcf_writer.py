@@ -29,6 +29,7 @@ from symscrew.formats.file_names import fresh
 from symscrew.formats.imported import Beside
 from symscrew.formats.mjcf_couplings import add_couplings, tied_joints
 from symscrew.formats.mjcf_effects import add_effects, joints_acted_on
+from symscrew.formats.mjcf_pulleys import as_tendons
 from symscrew.formats.rigid_displacements import CONTEXT
 from symscrew.formats.safe_xml import decimals, text_of
 from symscrew.reference import NumericMechanism, numeric
@@ -106,6 +107,8 @@ def print_mjcf(mechanism: Mechanism, beside: Beside | None = None) -> str:
         SubElement(writing.elements[point.body], "site", name=point.name, pos=decimals(place))
     if beside is not None:
         add_effects(root, mechanism, beside, names)
+        folded = as_tendons(root, mechanism)
+        writing.raised = [body for body in writing.raised if names[body] not in folded]
     for section in (equality, actuator):
         if not len(section):
             root.remove(section)
