@@ -62,7 +62,7 @@ def _fold(root: Element, coupling: Coupling, body: Element, section: Element) ->
     joint, name = next(body.iter("joint")), coupling.terms[0].joint
     equality = next(e for e in root.iterfind("equality/tendon") if e.get("name") == coupling.name)
     tendon = next(t for t in section if t.get("name") == equality.get("tendon1"))
-    made = SubElement(section, "fixed", name=name, **{k: v for k, v in joint.attrib.items() if k in MOVED})
+    made = SubElement(section, "fixed", {"name": name} | {k: v for k, v in joint.attrib.items() if k in MOVED})
     if "stiffness" in joint.attrib:
         made.set("springlength", decimals([float(joint.get("springref", "0"))] * 2))
     for term in tendon:
