@@ -88,7 +88,8 @@ def read_mjcf(root: Element, path: Path, options: ImportOptions) -> Draft:
     add_drags(result, around)
     _check_all_found(reading, pulled.pulleys.values())
     tendon_forces(result, pulled, reading.rests, chosen.off)
-    actuator_forces(result, actuators, chosen, reading.sites, displaced=any(reading.displaced.values()))
+    moved = any(reading.displaced.values())
+    actuator_forces(result, actuators, chosen, reading.sites, displaced=moved, listed=reading.listed)
     extent = _extent(result)
     closing = Closing(result.ledger, extent, options.snap)
     result.joints += loops(

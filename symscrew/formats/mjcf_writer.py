@@ -199,7 +199,8 @@ def _add_screw(writing: Writing, body: Element, step: Step) -> None:
 
 def _add_motor(writing: Writing, joint: str, index: int, size: int) -> None:
     name = f"{joint}_{index}" if size > 1 else joint
-    motor = SubElement(writing.actuator, "motor", name=name, joint=joint)
+    where = {"jointinparent": joint} if size > 1 else {"joint": joint}  # of several freedoms as the parent carries them
+    motor = SubElement(writing.actuator, "motor", {"name": name} | where)
     if size > 1:
         motor.set("gear", " ".join("1" if k == index else "0" for k in range(6)))
 

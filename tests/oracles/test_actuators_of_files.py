@@ -9,7 +9,7 @@ from xml.etree import ElementTree
 import mujoco
 import numpy as np
 import pytest
-from benchmarks.robot_files import with_mujoco
+from benchmarks.robot_files import Ours, place, with_mujoco
 
 from symscrew.errors import DescriptionError
 from symscrew.formats import ImportOptions, load_format
@@ -17,7 +17,7 @@ from symscrew.formats.draft import Draft
 from symscrew.formats.mjcf_gains import ARRAYS, OWN
 from symscrew.formats.mjcf_settings import settings
 from symscrew.model import derive
-from symscrew.scene import load_robot
+from symscrew.scene import load_robot, save_robot
 
 from .test_import_details import INERTIAL, saved
 
@@ -176,3 +176,57 @@ def test_no_loop_is_cut_where_a_rotor_turns(tmp_path: Path, loop: str) -> None:
     text = file(far + hinges("abcdefg", 'armature="0.1"'), f"<equality>{loop}</equality>")
     worst, what = with_mujoco(saved(text, tmp_path), ImportOptions())
     assert worst < 1e-9, what
+
+
+BALL = (
+    '<mujoco><compiler angle="radian"/><worldbody><body name="A" pos="0.2 0 0.1" quat="{0}">{1}'
+    '<inertial pos="0.1 0.03 0.02" mass="1.5" diaginertia="0.01 0.02 0.025"/></body></worldbody>'
+    '<actuator><motor {2} gear="{3}"/></actuator></mujoco>'
+)
+SKEW, BALLS = "0.9 0.1 0.3 0.2", ('<joint name="a" type="ball" pos="0.1 0 0"/>', '<freejoint name="a"/>')
+DRIVES = {
+    "a ball, as the parent carries its axes": ("1 0 0 0", BALLS[0], 'jointinparent="a"', "0 2 0"),
+    "a body turned about that axis": ("0.8 0 0.6 0", BALLS[0], 'jointinparent="a"', "0 2 0"),
+    "a force on a free body": (SKEW, BALLS[1], 'joint="a"', "0 2 0 0 0 0"),
+    "a moment on a free body": (SKEW, BALLS[1], 'jointinparent="a"', "0 0 0 0 2 0"),
+}
+
+
+@pytest.mark.parametrize("name", DRIVES)
+def test_drives_of_balls_and_free_bodies(tmp_path: Path, name: str) -> None:
+    """A command times its gear, as a drive here: the same power along the motion, so the same acceleration."""
+    path = saved(BALL.format(*DRIVES[name]), tmp_path)
+    ours = Ours(path, ImportOptions())
+    ours.q, ours.v, _ = ours.system.states(2, 1)
+    made = derive(ours.mechanism)
+    engine = mujoco.MjModel.from_xml_path(str(path))
+    data = mujoco.MjData(engine)
+    mujoco.mj_forward(engine, data)
+    home, start = data.xmat.reshape(-1, 3, 3).copy(), data.xpos.copy()
+    found = made("forward_dynamics", ours.q, ours.v, np.full((len(ours.q), 1), 1.4))[0][0]
+    for k in range(len(ours.q)):
+        data.qvel[:] = place(engine, data, {"a": 0}, (*ours.joints(ours.v), k), home, start)
+        data.ctrl[:] = 0.7
+        mujoco.mj_forward(engine, data)
+        assert home[1].T @ found[k][-3:] == pytest.approx(data.qacc[-3:], rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("ball", "where", "gear"),
+    [
+        (BALLS[0], 'joint="a"', "0 2 0"),
+        (BALLS[0], 'jointinparent="a"', "0 2 0"),
+        (BALLS[1], 'joint="a"', "0 0 0 0 2 0"),
+    ],
+)
+def test_moments_about_other_axes_are_said(tmp_path: Path, ball: str, where: str, gear: str) -> None:
+    with pytest.raises(DescriptionError, match="about axes that no drive of a ball or free joint has"):
+        load_format(saved(BALL.format(SKEW, ball, where, gear), tmp_path))
+
+
+def test_a_driven_ball_is_written_as_its_parent_carries_it(tmp_path: Path) -> None:
+    path = saved(BALL.format(*DRIVES["a body turned about that axis"]), tmp_path)
+    save_robot(load_robot(path).mechanism, tmp_path / "again.xml", ())
+    assert load_format(tmp_path / "again.xml").joints["a"].driven == (1,)
+    engine = mujoco.MjModel.from_xml_path(str(tmp_path / "again.xml"))
+    assert engine.actuator_trntype[0] == mujoco.mjtTrn.mjTRN_JOINTINPARENT
