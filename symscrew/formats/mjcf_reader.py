@@ -31,7 +31,7 @@ from symscrew.formats.mjcf_loops import Placed, idle_equalities, loops
 from symscrew.formats.mjcf_masses import settle_masses
 from symscrew.formats.mjcf_medium import add_drags, medium
 from symscrew.formats.mjcf_settings import ORIENTATIONS
-from symscrew.formats.mjcf_transmissions import add_pulleys, tendon_forces, transmissions
+from symscrew.formats.mjcf_transmissions import Transmissions, add_pulleys, tendon_forces, transmissions
 from symscrew.formats.mjcf_weights import carry
 from symscrew.formats.open_loops import Closing
 from symscrew.formats.rigid_displacements import ZERO, Pose, Real, length, minus, real
@@ -86,10 +86,7 @@ def read_mjcf(root: Element, path: Path, options: ImportOptions) -> Draft:
     actuated = any(True for section in elements(root, "actuator") for _ in elements(section))
     carry(result, reading.carried, reading.borne, actuated=actuated)
     add_drags(result, around)
-    _check_all_found(reading, pulled.pulleys.values())
-    tendon_forces(result, pulled, reading.rests, chosen.off)
-    moved = any(reading.displaced.values())
-    actuator_forces(result, actuators, chosen, reading.sites, displaced=moved, listed=reading.listed)
+    _read_forces(reading, actuators, pulled)
     extent = _extent(result)
     closing = Closing(result.ledger, extent, options.snap)
     result.joints += loops(
@@ -110,6 +107,14 @@ def read_mjcf(root: Element, path: Path, options: ImportOptions) -> Draft:
     chain = len(tips) == 1 and len(result.joints) == len(result.bodies)
     result.platform = platform if platform in reading.poses else (tips[0] if chain else None)
     return result
+
+
+def _read_forces(reading: Reading, actuators: Actuators, pulled: Transmissions) -> None:
+    """What tendons and actuators do."""
+    result, chosen, moved = reading.result, reading.settings, any(reading.displaced.values())
+    _check_all_found(reading, pulled.pulleys.values())
+    tendon_forces(result, pulled, reading.rests, chosen.off)
+    actuator_forces(result, actuators, chosen, reading.sites, displaced=moved, listed=reading.listed)
 
 
 def _read_bodies(root: Element, reading: Reading) -> None:
