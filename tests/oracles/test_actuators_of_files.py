@@ -21,6 +21,8 @@ from symscrew.scene import load_robot, save_robot
 
 from .test_import_details import INERTIAL, saved
 
+pytestmark = pytest.mark.slow
+
 ONE = '<worldbody><body><joint name="a" axis="0 1 0"/><geom size="0.1"/></body></worldbody>'
 KINDS = tuple(OWN)
 TYPES = {"fixed": 0, "none": 0, "affine": 1, "integrator": 1, "filter": 2, "filterexact": 3}
