@@ -78,6 +78,11 @@ class Effect:
         """Joints whose displacement it asks for, which a loop is then not cut at if turns would be lost."""
         return ()
 
+    @property
+    def own_coordinates(self) -> tuple[str, ...]:
+        """Joints that need coordinates of their own for it, which a loop is not cut at."""
+        return ()
+
     def rolled(self, mechanism: Mechanism) -> tuple[Rolling, ...]:
         """Bodies that it lets roll on others without sliding: constraints of the rates."""
         return ()
@@ -147,7 +152,9 @@ def system_under(mechanism: Mechanism, effects: tuple[Effect, ...]) -> System:
     twice = [one.name for k, one in enumerate(rolled) if one.name in [other.name for other in rolled[:k]]]
     if twice:
         raise DescriptionError(f"effects: two of them are called {twice[0]!r}; give one another name (key 'name')")
-    kept = tuple(dict.fromkeys(contact.joint for effect in effects for contact in effect.contacts()))
+    met = [contact.joint for effect in effects for contact in effect.contacts()]
+    own = [name for effect in effects for name in effect.own_coordinates]
+    kept = tuple(dict.fromkeys([*met, *own]))
     loaded = transformed(mechanism, effects)
     return System(mechanism, loaded, read=joints_read(effects), rolled=rolled, kept=kept)
 

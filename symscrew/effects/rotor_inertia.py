@@ -17,7 +17,7 @@ class RotorInertia(Effect):
     turns, [rad/m] for one that slides, "2*pi/lead"; default 1, for an inertia that is reflected already). From the
     rotor's momentum J N s_dot about its own axis and the power of the gear; what the rotor's axis does besides
     turning with its joint's parent is left out (its mass belongs to the parent's). Kinetic energy J N^2 s_dot^2/2.
-    The joint must belong to the spanning tree, as driven joints do. In a spherical joint it is the same about every
+    No loop is cut at its joint: another joint of the loop is. In a spherical joint it is the same about every
     axis, a force -J N^2 omega_dot (what MuJoCo calls armature of a ball); in a free joint as well, with the same number
     in kg along every axis.
 
@@ -32,6 +32,11 @@ class RotorInertia(Effect):
     inertia: Number
     ratio: Number = 1
     freedom: int | None = None
+
+    @property
+    def own_coordinates(self) -> tuple[str, ...]:
+        """Its joint: the rotor adds to the inertia of a coordinate."""
+        return (self.joint,)
 
     def act(self, acting: Acting) -> None:
         """An inertia that moves with one freedom."""

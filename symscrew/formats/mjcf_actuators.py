@@ -23,16 +23,19 @@ from symscrew.description import JOINT_TYPES
 from symscrew.errors import DescriptionError, did_you_mean, shorten
 from symscrew.formats.draft import Draft, RawEffect, RawLoad
 from symscrew.formats.file_names import safe_names
-from symscrew.formats.mjcf_forces import effort, limited
+from symscrew.formats.mjcf_forces import FREE, effort, limited
 from symscrew.formats.mjcf_gains import ARRAYS, KIND, OWN
+from symscrew.formats.mjcf_keyframes import Listed
 from symscrew.formats.mjcf_settings import ACTUATORS, Settings
 from symscrew.formats.mjcf_transmissions import Target, Transmissions, on_joint
-from symscrew.formats.rigid_displacements import Real, real
+from symscrew.formats.rigid_displacements import UNITS, Real, length, minus, real
 from symscrew.formats.safe_xml import Element, elements, label, number, numbers
 from symscrew.formats.tree_freedoms import freedoms_of, mass_matrix, ways_to
 
 ON_OTHERS = ("tendon", "site", "body", "slidersite", "cranksite", "refsite")
 """What an actuator may act on in place of a joint."""
+STRAIGHT = 1e-12
+"""Two axes are the same whose directions differ by less: files write turns in 15 digits."""
 
 
 @dataclass(frozen=True)
@@ -76,7 +79,13 @@ class Actuators:
 
 
 def actuator_forces(
-    draft: Draft, actuators: Actuators, settings: Settings, sites: Mapping[str, object], *, displaced: bool
+    draft: Draft,
+    actuators: Actuators,
+    settings: Settings,
+    sites: Mapping[str, object],
+    *,
+    displaced: bool,
+    listed: Sequence[Listed],
 ) -> None:
     """Enter servos and limits of the actuators; those that a mechanism has no drive for are in the ledger.
 
@@ -86,8 +95,10 @@ def actuator_forces(
         settings: of the file: which limits hold.
         sites: names that an actuator may act on.
         displaced: whether the reference configuration is not the file's own.
+        listed: joints with the poses of their bodies there.
     """
     several = {joint.name for joint in draft.joints if JOINT_TYPES[joint.type].freedom > 1}
+    bounded = {name for name, limits in draft.limits.items() if limits.push is not None}
     shared, most = dict[str, int](), dict[str, list[Real | None]]()
     for _, _, target in actuators.on_targets():
         shared[target.joint] = shared.get(target.joint, 0) + 1
@@ -97,6 +108,9 @@ def actuator_forces(
         )
         if gear == 0:
             draft.ledger.passed("actuators whose gear is zero")
+            continue
+        if target.joint in several and not _is_drive(element, given, target.joint, listed):
+            draft.ledger.lost(f"<{element.tag}> actuators about axes that no drive of a ball or free joint has")
             continue
         factor = gear * target.factor
         if given.get("dyntype", "none") != "none":
@@ -113,6 +127,9 @@ def actuator_forces(
         if number(given.get("delay", "0"), f"{label(element)}, delay") != 0:
             draft.ledger.lost("delay of actuators")
         most.setdefault(target.joint, []).append(_most(draft, element, given, settings, factor=factor))
+        for name in actuators.transmissions.coefficients(target):
+            if name != target.joint and name in bounded:
+                draft.ledger.lost(f"actuatorfrcrange of {name}, on which a tendon over several joints pulls")
     for joint, sizes in most.items():
         known = [size for size in sizes if size is not None]
         if len(known) == len(sizes):  # together they push as far; one without a limit, as far as it likes
@@ -146,6 +163,23 @@ def _gear(gear: Sequence[Decimal], several: bool, where: str) -> Real:
     if len(found) != 1:
         raise DescriptionError(f"{where}, gear: expected one entry that is not zero, got {len(found)}")
     return real(found[0])
+
+
+def _is_drive(element: Element, given: Mapping[str, str], joint: str, listed: Sequence[Listed]) -> bool:
+    """Whether an actuator on a ball or free joint is a drive: moments about absolute axes that the parent carries.
+
+    A servo is none. The engine turns about the axes of the moving body; where the file says jointinparent, about those
+    of its reference configuration, which the parent carries, and of a free joint about the world's, as forces are.
+    """
+    at = next(one for one in listed if one.name == joint)
+    gear = numbers(given["gear"], f"{label(element)}, gear")
+    k = next(index for index, value in enumerate(gear) if value != 0)
+    if given.get("biastype", "none") != "none":
+        return False
+    if at.kind == FREE and (k < len(UNITS) or "jointinparent" in given):
+        return True
+    axis = at.pose.direction(UNITS[k % len(UNITS)])
+    return at.kind != FREE and "jointinparent" in given and length(minus(axis, UNITS[k])) < STRAIGHT
 
 
 def _pull(draft: Draft, tendon: Element, joint: str, factor: Real, *, alone: bool) -> None:
@@ -223,6 +257,10 @@ class _Damped:
         freedoms = [f for k, joint in enumerate(draft.joints) for f in freedoms_of(k, joint)]
         matrix = mass_matrix(draft, freedoms, ways_to(draft, freedoms))
         names = [draft.joints[freedom.joint].name for freedom in freedoms]
+        for tendon, pulley in self.transmissions.pulleys.items():
+            along = np.array([float(self.transmissions.tendons[tendon].get(name, 0)) for name in names])
+            own = (e.table for e in draft.effects if e.joint == pulley and e.table["kind"] == "armature")
+            matrix += sum(float(table["inertia"]) for table in own) * np.outer(along, along)
         arms = np.zeros(len(names))
         for name, factor in self.transmissions.coefficients(self.target).items():
             if names.count(name) != 1:

@@ -14,7 +14,7 @@ from typing import Any
 
 from symscrew.description import JOINT_TYPES
 from symscrew.errors import DescriptionError, shorten
-from symscrew.formats.draft import AXES, Draft, RawBody, RawJoint, RawLoad, RawPicture
+from symscrew.formats.draft import AXES, Draft, RawBody, RawJoint, RawPicture
 from symscrew.formats.drawn_meshes import placed
 from symscrew.formats.file_names import fresh
 from symscrew.formats.merged_joints import one_joint
@@ -44,7 +44,6 @@ from symscrew.formats.rigid_displacements import (
 )
 from symscrew.formats.safe_xml import Element, check_attributes, elements, label, number, numbers
 
-USUAL_GRAVITY = ("0", "0", "-9.81")
 IN_BODY = ("body", "frame", "joint", "freejoint", "geom", "site", "inertial", "camera", "light", ATTACHED)
 
 
@@ -56,7 +55,8 @@ class Reading:
     coordinate in the reference configuration; `displaced`: joint -> by how much that differs from the file's; `rests`:
     the same joints' springref;
     `listed`: joints in the order of the file's coordinates; `parts`: settings and meshes of the models in the file;
-    `in_medium`: bodies have drag.
+    `in_medium`: bodies have drag; `carried`: body -> share of its weight, `borne`: joints whose part of that is the
+    actuators'.
     """
 
     settings: Settings
@@ -75,6 +75,7 @@ class Reading:
     parts: Sequence[tuple[Settings, Meshes]] = ()
     in_medium: bool = False
     carried: dict[str, Real] = field(default_factory=dict)
+    borne: list[str] = field(default_factory=list)
     bare: dict[str, Triple] = field(default_factory=dict)
 
     def within(self, attached: Element) -> Reading:
@@ -149,24 +150,6 @@ def _read_body(reading: Reading, element: Element, outer: Place) -> None:
     reading.carried[name] = real(number(element.get("gravcomp", "0"), f"{where}, gravcomp"))
     reading.result.joints += joints
     read_children(reading, element, place)
-
-
-def carry(draft: Draft, carried: Mapping[str, Real]) -> None:
-    """Enter the forces at centres of mass that carry shares of weights (gravcomp); `carried`: body -> its share."""
-    for body in draft.bodies:
-        _carry(draft, body, carried.get(body.name, ZERO[0]))
-
-
-def _carry(draft: Draft, body: RawBody, share: Real) -> None:
-    if share == 0 or body.mass is None or body.com is None:
-        return
-    field = [real(c) for c in draft.gravity or USUAL_GRAVITY]
-    if not any(field):
-        return
-    point = fresh(f"{body.name}_com", [name for name, _, _ in draft.points])
-    draft.points.append((point, body.name, body.com))
-    draft.loads.append(RawLoad(point, (*(-share * body.mass * c for c in field), *ZERO)))
-    draft.ledger.turned("gravcomp: a force at the centre of mass")
 
 
 def _own(reading: Reading, element: Element, inherited: str | None, pose: Pose) -> list[Part]:
@@ -304,6 +287,8 @@ def _joint(reading: Reading, part: Part, body: Pose) -> RawJoint:
     if element.tag == "joint":
         joint_forces(reading.result, chosen, name, attributes=attributes, kind=kind)
     driven = reading.driven.get(name, ())
+    if attributes.get("actuatorgravcomp", "false") == "true":
+        reading.borne.append(name)
     reading.listed.append(Listed(name, kind, body))
     if kind == "free":
         return RawJoint(name, "free", "", "", body.translation, driven=driven)

@@ -223,8 +223,12 @@ def _copies(element: Element, root: Element, chosen: Settings) -> list[Element]:
     check_attributes(element, REPLICATE)
     count = number(attribute(element, "count"), "<replicate>, count")
     size = sum(1 for _ in element.iter())
-    if count != int(count) or not 1 <= count <= MOST_COPIES or count * size > MAX_ELEMENTS:
+    if count != int(count) or not 1 <= count <= MOST_COPIES:
         raise DescriptionError(f"<replicate>: expected a count from 1 to {MOST_COPIES}, got {shorten(str(count))}")
+    if count * size > MAX_ELEMENTS:
+        raise DescriptionError(
+            f"<replicate>: expected at most {MAX_ELEMENTS} elements in all copies, got {int(count)} copies of {size}"
+        )
     step = triple(numbers(element.get("offset", "0 0 0"), "<replicate>, offset", 3))
     angles = numbers(element.get("euler", "0 0 0"), "<replicate>, euler", 3)
     names = {e.get("name") for e in element.iter() if e.get("name")}

@@ -4,7 +4,8 @@
     motor           --> force = u                                  general     --> as it says
 
 A default class holds one actuator, whichever elements set it: a later one replaces the gains of an earlier one of
-another kind, and keeps what both have (gear, limits). Numbers that an array leaves out stay those of the class.
+another kind, and keeps what both have (gear, limits). Gains that it does not give itself are those of the nearest class
+outwards that holds one of its own kind, or a general one. Numbers that an array leaves out stay those of the class.
 Source: https://mujoco.readthedocs.io/en/stable/XMLreference.html#actuator; MuJoCo is asked in the tests.
 """
 
@@ -25,11 +26,19 @@ OWN = {
 """Kinds that are read -> the attributes that their gains come from."""
 
 
-def as_general(base: Mapping[str, str], tag: str, given: Mapping[str, str]) -> dict[str, str]:
+def alike(base: Mapping[str, str], tag: str) -> bool:
+    """Whether an actuator with this tag takes gains that it does not give from one with these attributes."""
+    return base.get(KIND, "general") in ("general", tag)
+
+
+def as_general(
+    base: Mapping[str, str], tag: str, given: Mapping[str, str], outer: Mapping[str, str] | None = None
+) -> dict[str, str]:
     """The attributes of an actuator: of `base`, its class, with those that an element with this tag gives.
 
     Args:
         base: the result for its class; empty where that says nothing.
+        outer: that of the nearest class around it that is alike, for gains where `base` is not.
         tag: of the element.
         given: its own attributes.
 
@@ -49,7 +58,7 @@ def as_general(base: Mapping[str, str], tag: str, given: Mapping[str, str]) -> d
             made[key] = " ".join([*map(str, first), *rest])
         unread = base.get(KIND, tag) not in OWN  # its gains are not known here
         return made if unread else {**made, KIND: tag}
-    like = base if base.get(KIND, "general") in ("general", tag) else {}
+    like = base if alike(base, tag) else outer or {}
     made.pop("dampratio", None)
     made |= {KIND: tag, "gaintype": "fixed", "gainprm": "1 0 0", "biastype": "none", "biasprm": "0 0 0"}
     made["dyntype"] = "none"
@@ -72,8 +81,8 @@ def as_general(base: Mapping[str, str], tag: str, given: Mapping[str, str]) -> d
         made["dyntype"] = "integrator"
     elif "timeconst" in own:
         made["dyntype"] = "filterexact" if value("timeconst", Decimal(0)) != 0 else "none"
-    elif like.get(KIND) == tag:
-        made["dyntype"] = like["dyntype"]
+    elif like.get("dyntype") == "filterexact":  # which a timeconst makes, the class's too
+        made["dyntype"] = "filterexact"
     return made
 
 

@@ -23,7 +23,7 @@ from symscrew.formats.exact_digits import with_exact_digits
 from symscrew.formats.import_options import ImportOptions
 from symscrew.formats.included_files import expanded
 from symscrew.formats.mjcf_actuators import Actuators, actuator_forces
-from symscrew.formats.mjcf_bodies import Place, Reading, carry, read_children
+from symscrew.formats.mjcf_bodies import Place, Reading, read_children
 from symscrew.formats.mjcf_composed import composed
 from symscrew.formats.mjcf_couplings import displacements, raw_coupling, read_couplings
 from symscrew.formats.mjcf_keyframes import key_name, keyframe_rates, keyframes
@@ -31,7 +31,8 @@ from symscrew.formats.mjcf_loops import Placed, idle_equalities, loops
 from symscrew.formats.mjcf_masses import settle_masses
 from symscrew.formats.mjcf_medium import add_drags, medium
 from symscrew.formats.mjcf_settings import ORIENTATIONS
-from symscrew.formats.mjcf_transmissions import add_pulleys, tendon_forces, transmissions
+from symscrew.formats.mjcf_transmissions import Transmissions, add_pulleys, tendon_forces, transmissions
+from symscrew.formats.mjcf_weights import carry
 from symscrew.formats.open_loops import Closing
 from symscrew.formats.rigid_displacements import ZERO, Pose, Real, length, minus, real
 from symscrew.formats.safe_xml import Element, attribute, check_attributes, elements, label, number, numbers
@@ -82,11 +83,10 @@ def read_mjcf(root: Element, path: Path, options: ImportOptions) -> Draft:
     )
     _read_bodies(root, reading)
     settle_masses(result, chosen, reading.bare)
-    carry(result, reading.carried)
+    actuated = any(True for section in elements(root, "actuator") for _ in elements(section))
+    carry(result, reading.carried, reading.borne, actuated=actuated)
     add_drags(result, around)
-    _check_all_found(reading, pulled.pulleys.values())
-    tendon_forces(result, pulled, reading.rests, chosen.off)
-    actuator_forces(result, actuators, chosen, reading.sites, displaced=any(reading.displaced.values()))
+    _read_forces(reading, actuators, pulled)
     extent = _extent(result)
     closing = Closing(result.ledger, extent, options.snap)
     result.joints += loops(
@@ -107,6 +107,14 @@ def read_mjcf(root: Element, path: Path, options: ImportOptions) -> Draft:
     chain = len(tips) == 1 and len(result.joints) == len(result.bodies)
     result.platform = platform if platform in reading.poses else (tips[0] if chain else None)
     return result
+
+
+def _read_forces(reading: Reading, actuators: Actuators, pulled: Transmissions) -> None:
+    """What tendons and actuators do."""
+    result, chosen, moved = reading.result, reading.settings, any(reading.displaced.values())
+    _check_all_found(reading, pulled.pulleys.values())
+    tendon_forces(result, pulled, reading.rests, chosen.off)
+    actuator_forces(result, actuators, chosen, reading.sites, displaced=moved, listed=reading.listed)
 
 
 def _read_bodies(root: Element, reading: Reading) -> None:

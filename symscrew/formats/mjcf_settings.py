@@ -13,7 +13,7 @@ from decimal import Decimal
 
 from symscrew.errors import DescriptionError, did_you_mean, shorten
 from symscrew.formats.draft import Draft
-from symscrew.formats.mjcf_gains import as_general
+from symscrew.formats.mjcf_gains import OWN, alike, as_general
 from symscrew.formats.rigid_displacements import (
     CONTEXT,
     UNITS,
@@ -93,6 +93,8 @@ ALREADY_THERE = CONTEXT.mpf(10) ** -20
 """Sine of the angle to z below which a direction is z, or -z: it has no normal to turn about that 50 digits know."""
 ACTUATOR = "actuator"
 """Under which a class holds its one actuator."""
+GAINS_OF = {tag: f"{ACTUATOR} like {tag}" for tag in OWN}
+"""Kind -> under which a class holds the actuator, its own or one from outside, that gives gains to this kind."""
 Attributes = Mapping[str, str]
 
 
@@ -134,7 +136,7 @@ class Settings:
     def actuator(self, element: Element) -> dict[str, str]:
         """The attributes of an actuator over those of its class, as those of a general one (`mjcf_gains`)."""
         name = self._class_of(element, None)
-        return as_general(self.defaults[name].get(ACTUATOR, {}), element.tag, element.attrib)
+        return _actuator(self.defaults[name], element)
 
     def with_defaults(self, element: Element, kind: str) -> Element:
         """An element, a tendon or a mesh, with the attributes of its class; none of them is refused."""
@@ -251,10 +253,18 @@ def _read_defaults(default: Element, found: dict[str, dict[str, dict[str, str]]]
         if child.tag in (*CHECKED_DEFAULTS, *OTHER_DEFAULTS):
             values[child.tag] = _over(values.get(child.tag, {}), child.attrib)
         elif child.tag in ACTUATORS:
-            values[ACTUATOR] = as_general(values.get(ACTUATOR, {}), child.tag, child.attrib)
+            values[ACTUATOR] = _actuator(values, child)
+    held = values.get(ACTUATOR, {})
+    values |= {key: held for tag, key in GAINS_OF.items() if alike(held, tag)}
     found[name] = values
     for child in elements(default, "default"):
         _read_defaults(child, found, name)
+
+
+def _actuator(values: Mapping[str, Attributes], element: Element) -> dict[str, str]:
+    """An actuator of a class or with one: `values`, kind of element -> attributes, are what it has from there."""
+    outer = values.get(GAINS_OF.get(element.tag, ""), {})
+    return as_general(values.get(ACTUATOR, {}), element.tag, element.attrib, outer)
 
 
 def _over(base: Attributes, own: Attributes) -> dict[str, str]:

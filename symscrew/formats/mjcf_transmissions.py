@@ -168,6 +168,10 @@ def _forces(
             table = {"kind": "damping", "coefficient": size * square}
         elif key == "armature":
             table = {"kind": "armature", "inertia": size * square}
+            if _branched(draft, found.coefficients(target)):
+                draft.ledger.turned(
+                    "armature of a tendon over branches: whole here, the engine leaves out what couples them"
+                )
         elif key == "frictionloss":
             table = {"kind": "friction", "coulomb": size * abs(float(target.factor)), "velocity": float(SLIP)}
         else:
@@ -180,6 +184,29 @@ def _forces(
             table = {"kind": "spring", "stiffness": size * square, "rest": float(rest)}
         draft.effects.append(RawEffect(target.joint, table))
         draft.ledger.turned(f"{key} of a tendon")
+
+
+def _branched(draft: Draft, joints: Collection[str]) -> bool:
+    """Whether joints are not all on one way outwards."""
+    above = {joint.child: joint for joint in draft.joints}
+    ways: list[set[str]] = []
+    for joint in (joint for joint in draft.joints if joint.name in joints):
+        way, at = {joint.name}, joint.parent
+        while at in above:
+            way.add(above[at].name)
+            at = above[at].parent
+        ways.append(way)
+    return not any(way.issuperset(joints) for way in ways)
+
+
+def pulley_body(tendon: str) -> str:
+    """What the body of a tendon's pulley is called."""
+    return f"{tendon}_pulley"
+
+
+def pulley_coupling(tendon: str) -> str:
+    """What the coupling of a tendon's pulley is called."""
+    return f"{tendon}_tendon"
 
 
 def add_pulleys(draft: Draft, found: Transmissions, values: dict[str, Real], driven: Mapping[str, object]) -> None:
@@ -196,7 +223,7 @@ def add_pulleys(draft: Draft, found: Transmissions, values: dict[str, Real], dri
                     f"{did_you_mean(name, values)}"
                 )
         hinges = {j.name for j in draft.joints if JOINT_TYPES[j.type].hinge}
-        body = fresh(f"{tendon}_pulley", [draft.ground, *(b.name for b in draft.bodies)])
+        body = fresh(pulley_body(tendon), [draft.ground, *(b.name for b in draft.bodies)])
         value = sum((c * values[name] for name, c in terms.items()), start=ZERO[0])
         draft.bodies.append(RawBody(body))
         draft.joints.append(
@@ -206,6 +233,6 @@ def add_pulleys(draft: Draft, found: Transmissions, values: dict[str, Real], dri
             )
         )  # fmt: skip
         values[joint] = value
-        names = fresh(f"{tendon}_tendon", [c.name for c in draft.couplings])
+        names = fresh(pulley_coupling(tendon), [c.name for c in draft.couplings])
         draft.couplings.append(RawCoupling(names, {joint: (real(1),)} | {name: (-c,) for name, c in terms.items()}))
         draft.ledger.turned("tendon over several joints: a pulley that is coupled to them")

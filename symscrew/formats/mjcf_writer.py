@@ -9,8 +9,9 @@ equality; of the others a spherical joint becomes a connect, a revolute joint tw
 fixed joint a weld. Where only other joints are left, or a driven one, the joint carries a copy of its child
 without inertia that is welded to it.
 
-MuJoCo refuses bodies without mass or with a singular inertia: theirs are raised to 1e-9 of the mechanism's
-mass (and of mass times length^2), and the file's head names them. Driven freedoms get a motor, named points
+Hinges and slides over bodies without mass that only carry the next one, called as the reader calls them, are joints of
+one body. MuJoCo refuses other bodies without mass or with a singular inertia: theirs are raised to 1e-9 of the
+mechanism's mass (and of mass times length^2), and the file's head names them. Driven freedoms get a motor, named points
 a site. The thin capsules are for the viewer: they have neither mass nor contacts.
 """
 
@@ -23,11 +24,12 @@ from xml.etree.ElementTree import Element, SubElement
 import numpy as np
 
 from symscrew.description import Joint, Mechanism
-from symscrew.formats.elementary_chains import Array, Branch, Step, chains, numbers, steps
+from symscrew.formats.elementary_chains import Array, Branch, Chains, Step, chains, numbers, steps
 from symscrew.formats.file_names import fresh
 from symscrew.formats.imported import Beside
 from symscrew.formats.mjcf_couplings import add_couplings, tied_joints
 from symscrew.formats.mjcf_effects import add_effects, joints_acted_on
+from symscrew.formats.mjcf_pulleys import as_tendons
 from symscrew.formats.rigid_displacements import CONTEXT
 from symscrew.formats.safe_xml import decimals, text_of
 from symscrew.reference import NumericMechanism, numeric
@@ -90,8 +92,11 @@ def print_mjcf(mechanism: Mechanism, beside: Beside | None = None) -> str:
     writing = Writing(mechanism, numeric(mechanism), names, {mechanism.ground: world}, origins, equality, actuator)
     tied = tied_joints(mechanism) | (joints_acted_on(beside) if beside else set())
     tree = chains(mechanism, lambda joint: -1 if joint.name in tied else _rank(joint))
+    over = _over_nothing(mechanism, tree)
+    inside = {branch.body for some in over.values() for branch in some}
     for branch in tree.branches:
-        _add_body(writing, branch)
+        if branch.body not in inside:
+            _add_body(writing, branch, over.get(branch.body, ()))
     for joint in tree.cut:
         _close(writing, joint)
     add_couplings(mechanism, root, equality)
@@ -102,6 +107,8 @@ def print_mjcf(mechanism: Mechanism, beside: Beside | None = None) -> str:
         SubElement(writing.elements[point.body], "site", name=point.name, pos=decimals(place))
     if beside is not None:
         add_effects(root, mechanism, beside, names)
+        folded = as_tendons(root, mechanism)
+        writing.raised = [body for body in writing.raised if names[body] not in folded]
     for section in (equality, actuator):
         if not len(section):
             root.remove(section)
@@ -117,14 +124,43 @@ def _rank(joint: Joint) -> int:
     return 0 if joint.driven else RANKS.get(joint.type, 0)
 
 
-def _add_body(writing: Writing, branch: Branch) -> None:
-    mechanism = writing.mechanism
+def _over_nothing(mechanism: Mechanism, tree: Chains) -> dict[str, list[Branch]]:
+    """Body -> the branches inwards of its own that are joints of the same body in the file, outwards."""
+    carried: dict[str, list[str]] = {}
+    for branch in tree.branches:
+        carried.setdefault(branch.parent, []).append(branch.body)
+    seen = {point.body for point in mechanism.points.values()} | {mechanism.ground, mechanism.platform}
+    seen |= {end for joint in tree.cut for end in (joint.parent, joint.child)}
+    own = {branch.body: branch for branch in tree.branches}
+
+    def simple(branch: Branch) -> bool:
+        return (branch.joint.kind.hinge or branch.joint.kind.slider) and not branch.inverted
+
+    found: dict[str, list[Branch]] = {}
+    for branch in tree.branches:
+        inner, at = list[Branch](), branch
+        while simple(at) and at.parent in own and at.parent not in seen and carried[at.parent] == [at.body]:
+            at = own[at.parent]
+            if mechanism.bodies[at.body].mass is not None or not simple(at):
+                break
+            inner.insert(0, at)
+        if inner and [b.body for b in inner] == [f"{branch.body}_{k}" for k in range(1, len(inner) + 1)]:
+            found[branch.body] = inner
+    return found
+
+
+def _add_body(writing: Writing, branch: Branch, inner: Sequence[Branch]) -> None:
+    """A body with its joint, and those of the branches inwards that are joints of the same body."""
+    mechanism, parent = writing.mechanism, (inner[0] if inner else branch).parent
     point = numbers(mechanism, branch.joint.point)
-    body = SubElement(writing.elements[branch.parent], "body", name=writing.names[branch.body])
-    body.set("pos", decimals(point - writing.origins[branch.parent]))
+    body = SubElement(writing.elements[parent], "body", name=writing.names[branch.body])
+    body.set("pos", decimals(point - writing.origins[parent]))
     writing.elements[branch.body], writing.origins[branch.body] = body, point
     if mechanism.bodies[branch.body].mass is not None or branch.joint.kind.freedom:
         _add_inertial(writing, branch.body, point)  # without mass and fixed to another, it needs none
+    for other in inner:
+        _add_joints(writing, body, other.joint, inverted=False, floating=False)
+        body[-1].set("pos", decimals(numbers(mechanism, other.joint.point) - point))
     alone = branch.joint.kind.unconstrained and branch.parent == mechanism.ground and not branch.inverted
     _add_joints(writing, body, branch.joint, inverted=branch.inverted, floating=alone)
 
@@ -163,7 +199,8 @@ def _add_screw(writing: Writing, body: Element, step: Step) -> None:
 
 def _add_motor(writing: Writing, joint: str, index: int, size: int) -> None:
     name = f"{joint}_{index}" if size > 1 else joint
-    motor = SubElement(writing.actuator, "motor", name=name, joint=joint)
+    where = {"jointinparent": joint} if size > 1 else {"joint": joint}  # of several freedoms as the parent carries them
+    motor = SubElement(writing.actuator, "motor", {"name": name} | where)
     if size > 1:
         motor.set("gear", " ".join("1" if k == index else "0" for k in range(6)))
 

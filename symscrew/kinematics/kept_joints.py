@@ -55,9 +55,9 @@ def keeping(
         free = [j for j in loop if j.name not in must and j.name in mechanism.joints]
         if not free:
             raise DescriptionError(
-                f"joints.{name}: its displacement is asked for over whole turns, coupled or bound by events, and so is "
-                "that of every joint of its loop, of which one has to be cut; divide one of them into two with a body "
-                "between them"
+                f"joints.{name}: its displacement is asked for over whole turns, coupled, bound by events or turns a "
+                "rotor, and so is that of every joint of its loop, of which one has to be cut; divide one of them into "
+                "two with a body between them"
             )
         cut = max(free, key=lambda j: (not j.driven, j.kind.freedom))
         reached = grow({n: j for n, j in joints.items() if (n in used and n != cut.name) or n == name})

@@ -111,6 +111,7 @@ def test_files_beside_the_model_are_read_where_whoever_imports_says_so(tmp_path:
     [
         (ROW.replace("COUNT", "20000"), "expected a count from 1 to 10000"),
         (ROW.replace("COUNT", "1.5"), "expected a count"),
+        (ROW.replace("COUNT", "10000"), "at most 100000 elements in all copies, got 10000 copies of"),
         (MAIN.replace("ATTACHED", '<attach model="lag"/>'), "did you mean 'leg'"),
         (MAIN.replace("ATTACHED", '<attach model="leg" body="foot"/>'), "no body 'foot'"),
         (MAIN.replace("ATTACHED", '<attach model="leg"/>').replace("parts/leg", "../leg"), "outside of the model's"),

@@ -207,7 +207,7 @@ FOREIGN = """
       <geom size="0.05" pos="0 0.1 0"/>
     </body>
   </worldbody>
-  <actuator><motor joint="elbow"/><position joint="wrist" gear="0 0 1" kp="3"/></actuator>
+  <actuator><motor joint="elbow"/></actuator>
 </mujoco>
 """
 
@@ -236,7 +236,7 @@ def test_a_foreign_file_means_the_same_as_to_mujoco(tmp_path):
                 compiled.qpos0[compiled.jnt_qposadr[k]], rel=1e-12
             )
         assert numbers.points[i] == pytest.approx(data.xanchor[k], abs=1e-12)
-    assert found.joints["elbow"].driven == (0,) and found.joints["wrist"].driven == (2,)
+    assert found.joints["elbow"].driven == (0,) and found.joints["wrist"].driven == ()
     assert found.joints["shoulder"].driven == () and found.joints["joint"].type == "free"
     assert np.array([float(c) for c in found.points["tool"].at]) == pytest.approx(data.site_xpos[0], abs=1e-12)
     assert "upper-arm -> upper_arm" in found.source

@@ -110,3 +110,65 @@ def test_effects_of_a_scene_go_into_the_file(tmp_path: Path) -> None:
     )
     with pytest.raises(DescriptionError, match=r"does not hold dc_motor.*--accept"):
         save_robot(catalogue.load("four_bar"), out, [motor])
+
+
+def test_joints_of_one_body_stay_its_own(tmp_path: Path) -> None:
+    """Nothing is raised, and MuJoCo has the same numbers from the written file to rounding."""
+    joints = (
+        '<joint name="x" axis="1 0.2 0" pos="0.1 0 0" ref="0.2"/><joint name="y" type="slide" axis="0 1 0.3"/>'
+        '<joint name="z" axis="0 0.1 1" pos="0 0.2 0" armature="0.1"/>'
+    )
+    inertial = '<inertial pos="0.1 0.03 0.02" mass="1.5" diaginertia="0.01 0.02 0.025"/>'
+    text = (
+        '<mujoco><compiler angle="radian"/><worldbody>'
+        f'<body name="hip" pos="0.1 0 1" euler="0.3 0.2 0.1">{joints}{inertial}'
+        f'<body name="knee" pos="0.3 0 0"><joint name="k"/>{inertial}</body></body></worldbody></mujoco>'
+    )
+    robot = load_robot(saved(text, tmp_path))
+    assert save_robot(robot.mechanism, tmp_path / "again.xml", robot.effects, limits=robot.limits) == []
+    again = load_robot(tmp_path / "again.xml")
+    assert set(again.mechanism.joints) == set(robot.mechanism.joints) and tables(again) == tables(robot)
+    assert list(again.mechanism.bodies) == list(robot.mechanism.bodies)
+    found = []
+    for name in ("robot.xml", "again.xml"):
+        engine = mujoco.MjModel.from_xml_path(str(tmp_path / name))
+        assert (engine.nbody, engine.njnt) == (3, 4)
+        data = mujoco.MjData(engine)
+        data.qpos[:], data.qvel[:] = np.add(engine.qpos0, [0.1, 0.2, 0.3, 0.4]), [0.5, -0.6, 0.7, -0.8]
+        mujoco.mj_forward(engine, data)
+        full = np.zeros((4, 4))
+        mujoco.mj_fullM(engine, data, full)
+        found.append((full, data.qfrc_bias.copy()))
+    for one, other in zip(*found, strict=True):
+        assert other == pytest.approx(one, rel=1e-12, abs=1e-12)
+
+
+def test_tendons_are_written_as_tendons(tmp_path: Path) -> None:
+    """No body for the pulley, no soft constraint: MuJoCo has the accelerations of the file that was read."""
+    inertial = '<inertial pos="0.1 0.03 0.02" mass="1.5" diaginertia="0.01 0.02 0.025"/>'
+    text = (
+        '<mujoco><compiler angle="radian"/><worldbody>'
+        f'<body name="A"><joint name="a" axis="0 1 0" ref="0.2"/>{inertial}'
+        f'<body name="B" pos="0.2 0 0"><joint name="b" axis="1 0 0"/>{inertial}</body></body></worldbody><tendon>'
+        '<fixed name="t" stiffness="3" damping="0.4" armature="0.1" springlength="0.7"><joint joint="a" coef="2"/>'
+        '<joint joint="b" coef="-3"/></fixed><fixed name="s" damping="0.2"><joint joint="a" coef="0.3"/>'
+        '<joint joint="b" coef="0.5"/></fixed></tendon><actuator>'
+        '<position tendon="t" kp="70" kv="0.3" gear="2" forcerange="-3 4"/>'
+        '<motor name="m" tendon="s"/></actuator></mujoco>'
+    )
+    robot = load_robot(saved(text, tmp_path))
+    assert save_robot(robot.mechanism, tmp_path / "again.xml", robot.effects, limits=robot.limits) == []
+    again = load_robot(tmp_path / "again.xml")
+    assert tables(again) == tables(robot) and again.mechanism.couplings == robot.mechanism.couplings
+    assert {j.name: j.driven for j in again.mechanism.joints.values()} == {
+        j.name: j.driven for j in robot.mechanism.joints.values()
+    }
+    found = []
+    for name in ("robot.xml", "again.xml"):
+        engine = mujoco.MjModel.from_xml_path(str(tmp_path / name))
+        assert (engine.nbody, engine.neq, engine.ntendon) == (3, 0, 2)
+        data = mujoco.MjData(engine)
+        data.qpos[:], data.qvel[:] = np.add(engine.qpos0, [0.1, 0.2]), [0.5, -0.6]
+        mujoco.mj_forward(engine, data)
+        found.append(data.qacc.copy())
+    assert found[1] == pytest.approx(found[0], rel=1e-12)

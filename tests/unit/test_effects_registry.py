@@ -152,7 +152,6 @@ WRONG = [
     (effect("EndStop", "slider_P", 1, 2, 5, 3), "exponent"),
     (effect("EndStop", "slider_P", 1, 2, mode="impact", restitution=2), "0 to 1"),
     (effect("RotorInertia", "slider_P", -1), "at least 0"),
-    (effect("RotorInertia", "slider_R", 1), "closes a loop"),
     (effect("ScrewTransmission", "slider_P", "0.01"), "driven freedom"),
     (effect("ScrewTransmission", "crank_R", "0.01"), "slides"),
     (effect("DcMotor", "slider_P", 0, 1, 1), "above 0"),
