@@ -37,7 +37,7 @@ SPANNED = 1e-9
 TOGETHER = 1e-12
 """Points of one body this close, in sizes of the mechanism, are one point."""
 PARALLEL = 1e-40
-"""Difference of axes of length one, in 60 digits, that have one direction: what is nearer to it than that is rounded."""
+"""Difference of axes of length one that have one direction: they are known to 60 digits."""
 
 
 @dataclass(frozen=True)
@@ -322,18 +322,23 @@ class _Planner:
         self.slots.append(slot)
         return len(self.slots) - 1
 
-    def _axis(self, body: str, axis: Point) -> int:
-        """The slot of a joint's axis on a body; that of the joint before where it has the same direction.
+    def _axis(self, body: str, axis: Point, taken: Sequence[int] = ()) -> int:
+        """The slot of a joint's axis on a body; that of a joint before it in a row which has the same direction.
 
         Cylinders and hinges in a row that stay parallel are so in every mechanism of the structure: without that a
-        general one has more solutions, whose paths end at infinity.
+        general one has more solutions, whose paths end at infinity. `taken`: slots that are no choice.
         """
         carrier = self.behind.get(body, body)
         for owner, known, number in self.axes if self.graph.axis is None else ():
-            if owner == carrier and all(abs(float(c)) < PARALLEL for c in cross(known, axis)):
+            if owner == carrier and number not in taken and self._parallel(known, axis):
                 return number
         self.axes.append((carrier, axis, self._slot(Slot("axis", body, axis))))
         return self.axes[-1][2]
+
+    @staticmethod
+    def _parallel(one: Point, two: Point) -> bool:
+        """Whether two axes of length one have the same direction and sense."""
+        return all(abs(float(a - b)) < PARALLEL for a, b in zip(one, two, strict=True))
 
     def _point(self, body: str, at: Point) -> int:
         """The slot of a point of a body; that of the same point if there is one."""
@@ -360,7 +365,9 @@ class _Planner:
         if run.kind == "ball" or self.graph.axis:
             return
         assert first.axis is not None and last.axis is not None
-        w, u = self._axis(two, last.axis), self._axis(one, first.axis)
+        pairs = [form.slots for forms in self.forms.values() for form in forms if form.kind == "parallel"]
+        taken = [slot for pair in pairs for slot in pair]  # each pair goes from member to member in its own way
+        w, u = self._axis(two, last.axis, taken), self._axis(one, first.axis, taken)
         if run.kind == "hook":
             number = self._slot(Slot("number", at=dot(first.axis, last.axis)))
             self._form(ends, Form("angle", (w, u, number)))

@@ -9,9 +9,10 @@ from support.platforms import exact
 
 import symscrew
 from symscrew import MechanismBuilder
-from symscrew.assembly import AssemblyModes
+from symscrew.assembly import AssemblyModes, modes_model
 from symscrew.assembly.certified_roots import certified, read
 from symscrew.assembly.equal_axes import axis_of, straight_in_spinors
+from symscrew.assembly.modes_library import own_compiled_modes
 
 pytestmark = pytest.mark.slow
 
@@ -35,6 +36,11 @@ def test_a_loop_of_seven_hinges_has_sixteen_solutions():
     found = symscrew.assembly_modes(single_loop("RRRRRRR", SEVEN, TURNS), {"j0": "0.2"})
     assert found.bound is not None and found.bound.count == 16
     held_to(found, 200)
+    # the C too: at -0.3 a path takes 430 steps, at -2.135 one comes to a singular place on the straight way
+    compiled = own_compiled_modes(modes_model(found.mechanism))
+    for drive, count in ((0.2, 4), (-0.3, 4), (-2.135042323682198, 0), (1.521, 0)):
+        status, modes = compiled.modes([drive])
+        assert (status, len(modes)) == (0, count) and all(mode.certified for mode in modes)
 
 
 def test_a_loop_of_a_hinge_and_three_cylinders_has_two_modes_each_time_it_is_asked_for():
@@ -44,6 +50,13 @@ def test_a_loop_of_a_hinge_and_three_cylinders_has_two_modes_each_time_it_is_ask
         found = symscrew.assembly_modes(mechanism, drives)
         assert found.bound is not None and found.bound.count == 2 == len(found.modes)
         assert found.complete == "proved" and all(mode.residual < 1e-12 for mode in found.modes)
+
+
+def test_what_stays_parallel_is_no_free_choice_of_the_general_mechanism():
+    # with axes of their own for slides and hinges of the cylinders a general one has 8 solutions: 4 end at infinity
+    found = symscrew.assembly_modes(single_loop("RCRCR", SEVEN[:5], TURNS[:5]), {"j0": "0.3"})
+    assert found.bound is not None and found.bound.count == 4 == found.account.paths
+    held_to(found, 100)
 
 
 def test_a_universal_joint_makes_modes_of_its_own_where_no_platform_is_named():
