@@ -7,7 +7,8 @@ import pickle
 import signal
 import threading
 import warnings
-from collections.abc import Callable, Iterator
+from array import array
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, BinaryIO, TypeVar
 
@@ -15,6 +16,7 @@ if TYPE_CHECKING:
     from concurrent.futures import ProcessPoolExecutor
 
 Result = TypeVar("Result")
+Item = TypeVar("Item")
 
 
 def pool(count: int, method: str) -> ProcessPoolExecutor:
@@ -68,6 +70,19 @@ def beside(work: Callable[[], Result]) -> Iterator[Callable[[], Result]]:
         if not ended:
             os.kill(process, signal.SIGKILL)
             os.waitpid(process, 0)
+
+
+@contextmanager
+def taken_once(items: Sequence[Item]) -> Iterator[Iterator[Item]]:
+    """Items that this process and copies made meanwhile take one after the other: whoever is free has the next one.
+
+    Each item comes to one process only; what a process took that did not get to its end comes to no other.
+    """
+    reading, writing = os.pipe()  # of the places that are left: what one process has read from it, no other does
+    with open(reading, "rb", buffering=0) as left:
+        with open(writing, "wb", buffering=0) as target:
+            target.write(array("H", range(len(items))).tobytes())
+        yield (items[array("H", place)[0]] for place in iter(lambda: left.read(array("H").itemsize), b""))
 
 
 def _copied(work: Callable[[], object]) -> tuple[int, BinaryIO] | None:

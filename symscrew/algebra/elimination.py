@@ -205,19 +205,22 @@ def eliminate(
     row_scales: Sequence[float],
     *,
     last: Sequence[Column] = (),
+    yielding: bool = False,
     defined: Mapping[int, Column] | None = None,
 ) -> Elimination:
     """Choose pivots for rows . unknowns = right in Markowitz order.
 
     `unknowns` and `row_scales` give the unit scale of each column and row. Rows that vanish on the closure
-    manifold are redundant, columns without a pivot are free. Columns in `last` are free if there is a choice.
+    manifold are redundant, columns without a pivot are free. Columns in `last` are free if there is a choice; if they
+    are `yielding`, only where no pivot is as good as zero at a sample for that.
     `defined`: a row that is there to define an unknown has its pivot there, and the unknown has no other.
     """
     own = defined or {}
     result = Elimination()
     active = {i: {c: e for c, e in row.items() if c in unknowns} for i, row in enumerate(rows)}
     while active:
-        choice = _markowitz(active, _sizes(tape, active, unknowns, row_scales), last=set(last), defined=own)
+        sizes = _sizes(tape, active, unknowns, row_scales)
+        choice = _markowitz(active, sizes, last=set(last), yielding=yielding, defined=own)
         if choice is None:
             break
         row, column = choice
@@ -261,6 +264,7 @@ def _markowitz(
     sizes: Mapping[tuple[int, Column], tuple[float, float]],
     *,
     last: Set[Column],
+    yielding: bool,
     defined: Mapping[int, Column],
 ) -> tuple[int, Column] | None:
     """Row and column of the next pivot: of those of a fair size the one that fills fewest entries [Markowitz 1957]."""
@@ -273,11 +277,12 @@ def _markowitz(
         row_count[i] = row_count.get(i, 0) + 1
         counts[column] = counts.get(column, 0) + 1
 
-    def preference(key: tuple[int, Column]) -> tuple[bool, bool, int, bool, float]:
+    def preference(key: tuple[int, Column]) -> tuple[bool, bool, bool, int, bool, float]:
         i, column = key
-        small = sizes[key][0] < ACCEPTABLE * row_best[i] or sizes[key][0] < SMALL
+        hopeless = sizes[key][0] < SMALL
+        small = sizes[key][0] < ACCEPTABLE * row_best[i] or hopeless
         fill = (row_count[i] - 1) * (counts[column] - 1)
-        return (column in last, small, fill, active[i][column].value is None, -sizes[key][0])
+        return (yielding and hopeless, column in last, small, fill, active[i][column].value is None, -sizes[key][0])
 
     allowed = [(i, c) for i, c in sizes if (c == defined[i] if i in defined else c not in others)]
     return min(allowed, key=preference, default=None)

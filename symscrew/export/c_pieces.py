@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
+from contextlib import ExitStack
 from typing import NamedTuple
 
 from symscrew.export import c_angles, c_batch, c_lanes, c_parts, c_unread
@@ -15,7 +16,7 @@ from symscrew.export.c_rank_revealing import routines, second_path
 from symscrew.export.listing import filled, plain
 from symscrew.model import Model
 from symscrew.program import Iteration, Packing, Program, RankRevealing, status_texts
-from symscrew.workers import beside
+from symscrew.workers import beside, taken_once
 
 IN_LANES = frozenset((  # what is called once per step of a control or a simulation: tried with equal limbs side by side
     "acceleration",
@@ -31,7 +32,7 @@ IN_LANES = frozenset((  # what is called once per step of a control or a simulat
 ))  # fmt: skip
 IN_PARTS = 4  # an instruction of a long function, most of whose instructions stand in loops, takes so much less
 LANES = 6  # with its lanes a function takes so many times as long to print: from 4 (seed) to 7 (Stewart, delta)
-# Instructions, weighted so, for which a second process is made: copying this one takes as long as printing a tenth.
+# Instructions, weighted so, for each of which a process is made: copying this one takes as long as printing a tenth.
 WORTH_A_PROCESS = 12000
 HEAD = """\
 #include "MODEL.h"
@@ -86,6 +87,14 @@ class _Text(NamedTuple):
     packed: list[str]
 
 
+class _Share(NamedTuple):
+    """What one process prints: texts and packed forms of functions, and the constants that it has used so far."""
+
+    texts: dict[str, _Text]
+    packings: dict[str, Packing | None]
+    constants: set[float]
+
+
 class Pieces:
     """The pieces of the C of a model; `blocks` are the functions that take states in blocks.
 
@@ -97,7 +106,7 @@ class Pieces:
     """
 
     def __init__(self, model: Model, precision: Precision, *, batches: bool, lanes: bool, processes: int = 1) -> None:
-        """Everything is printed, what takes longest by two processes if there may be several."""
+        """Everything is printed, what takes longest by several processes if there may be so many."""
         self.model, self.precision, self.batches, self.name = model, precision, batches, model.name
         self.shared = Shared(model, precision)
         self.dense: dict[tuple[object, ...], str] = {}  # programs of second paths, and the functions that they are
@@ -124,23 +133,21 @@ class Pieces:
         return [*lane, "", *_one_state(self.printed[name], program, self.dense, text.packed)]
 
     def _arranged(self, functions: Sequence[str], processes: int) -> dict[str, _Text]:
-        """Texts of functions, by another process too; their packed forms are found with them."""
+        """Texts of functions, by other processes too; their packed forms are found with them."""
         sizes = {f: self._size(f) for f in functions}
-        if processes < 2 or sum(sizes.values()) < WORTH_A_PROCESS:
-            return self._half(functions)[0]
-        halves: tuple[list[str], list[str]] = ([], [])
-        loads = [0, 0]
-        for f in sorted(functions, key=lambda f: -sizes[f]):
-            lighter = loads.index(min(loads))
-            halves[lighter].append(f)
-            loads[lighter] += sizes[f]
-        with beside(lambda: self._half(halves[1])) as other:
-            texts, _, _ = self._half(halves[0])
-            more, packings, used = other()
-        for f, packing in packings.items():
-            self.printed[f].take(packing)
-        self.shared.constants.used |= used
-        return texts | more
+        count = min(processes, sum(sizes.values()) // WORTH_A_PROCESS + 1)
+        if count < 2:
+            return self._share(functions).texts
+        with taken_once(sorted(functions, key=lambda f: -sizes[f])) as waiting, ExitStack() as stack:
+            others = [stack.enter_context(beside(lambda: self._share(waiting))) for _ in range(count - 1)]
+            texts = self._share(waiting).texts
+            for other in others:
+                more = other()
+                texts |= more.texts
+                self.shared.constants.used |= more.constants
+                for f, packing in more.packings.items():
+                    self.printed[f].take(packing)
+        return texts | self._share([f for f in functions if f not in texts]).texts
 
     def _size(self, function: str) -> int:
         """How long a function takes to print, in instructions without lanes."""
@@ -150,10 +157,11 @@ class Pieces:
             return count // IN_PARTS
         return count * (LANES if function in IN_LANES and program.limbs.families else 1)
 
-    def _half(self, functions: Sequence[str]) -> tuple[dict[str, _Text], dict[str, Packing | None], set[float]]:
-        """Texts and packed forms of some functions, and the constants that have been used up to then."""
-        packings = {f: self.printed[f].packing for f in functions if not self.printed[f].in_parts}
-        return {f: _text(self.printed[f]) for f in functions}, packings, self.shared.constants.used
+    def _share(self, functions: Iterable[str]) -> _Share:
+        """Some functions as text."""
+        texts = {f: _text(self.printed[f]) for f in functions}
+        packings = {f: self.printed[f].packing for f in texts if not self.printed[f].in_parts}
+        return _Share(texts, packings, self.shared.constants.used)
 
     def batch_routines(self) -> list[str]:
         """Types and routines of batch functions."""

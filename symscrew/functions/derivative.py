@@ -62,8 +62,8 @@ def derivative_functions(
     lean = closed_derivative.covers(system, Acting(system, effects))
     result = []
     for name in ("inverse_dynamics", "inverse_dynamics_independent"):
-        if name in found:
-            independent = name.endswith("independent")
+        independent = name.endswith("independent")
+        if name in found and (loops.free or not independent):  # where nothing moves, there is no direction
             groups = _groups(system, loops, found[name], independent=independent)
             text = "along the independent coordinates, all loops held closed" if independent else _tree_text(system)
             text = f"Derivatives of the drives {text}."
@@ -151,7 +151,7 @@ def forward_derivatives(
         straight = differentiated(function, "forward_dynamics_derivatives", groups, "Derivatives of the accelerations.")
         implicit = _implicit(system, effects, loops, straight=straight, groups=groups, independent=False)
         result.append(min(straight, implicit, key=_size))
-    if "forward_dynamics_independent" in found:
+    if "forward_dynamics_independent" in found and loops.free:
         function = found["forward_dynamics_independent"]
         groups = _groups(system, loops, function, independent=True)
         text = "Derivatives of the second rates of the independent coordinates, all loops held closed."

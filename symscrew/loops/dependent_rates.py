@@ -77,18 +77,19 @@ class Loops:
         tree = system.tree
         n = len(tree.v)
 
-        def eliminated(preferred: Sequence[int]) -> Elimination:
+        def eliminated(preferred: Sequence[int], *, yielding: bool) -> Elimination:
             given = self.closure
             return eliminate(
-                system.tape, self.rows, given.unknowns, given.scales, last=preferred, defined=given.defined
-            )
+                system.tape, self.rows, given.unknowns, given.scales,
+                last=preferred, yielding=yielding, defined=given.defined,
+            )  # fmt: skip
 
         preferred = self._named(independent) if independent else self._preferred()
-        self.elimination = eliminated(preferred)
+        self.elimination = eliminated(preferred, yielding=not independent)
         if not independent and set(self.elimination.free) != set(preferred):
             # The same pivots as if the choice had been named.
             preferred = sorted(self.elimination.free)
-            self.elimination = eliminated(preferred)
+            self.elimination = eliminated(preferred, yielding=False)
         free = sorted(self.elimination.free)
         if independent and set(free) != set(preferred):
             names = ", ".join(tree.q[i.q].label for i in self._entries(free))
@@ -320,13 +321,21 @@ class Loops:
     @property
     def singular_reference(self) -> bool:
         """Whether the closure has a smaller rank in the reference configuration than near it."""
+        return bool(self.system.cuts) and self._rank_in_reference(range(len(self.system.tree.v))) < self.rank
+
+    @property
+    def undetermined_reference(self) -> bool:
+        """Whether the independent coordinates do not determine all others in the reference configuration."""
+        dependent = [k for k in range(len(self.system.tree.v)) if k not in self.free]
+        return bool(self.system.cuts) and self._rank_in_reference(dependent) < self.rank
+
+    def _rank_in_reference(self, rates: Sequence[int]) -> int:
+        """The rank of the closure's columns of some joint rates there."""
         system = self.system
-        if not system.cuts:
-            return False
         matrix = system.numeric(system.closure.dense(), (system.inputs.q, system.reference[None, :]))
-        scales = system.scales
-        values = np.linalg.svd(matrix.reshape(-1, len(scales)) * scales, compute_uv=False)
-        return int((values > NEGLIGIBLE * values[0]).sum()) < self.rank
+        columns = (matrix.reshape(-1, len(system.scales)) * system.scales)[:, list(rates)]
+        values = np.linalg.svd(columns, compute_uv=False)
+        return int((values > NEGLIGIBLE * max(values, default=0.0)).sum())
 
     @property
     def redundant(self) -> tuple[str, ...]:

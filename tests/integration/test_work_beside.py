@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import signal
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 
 import pytest
 from support.model_states import model
@@ -13,7 +13,7 @@ from support.model_states import model
 from symscrew import workers
 from symscrew.export import c_pieces, c_printed, print_c
 from symscrew.generation import folder
-from symscrew.workers import beside
+from symscrew.workers import beside, taken_once
 
 pytestmark = pytest.mark.slow
 
@@ -80,6 +80,31 @@ def test_nobody_waits_for_what_is_not_asked_for(monkeypatch: pytest.MonkeyPatch)
         os.kill(copies[0], 0)
 
 
+def test_each_item_comes_to_one_process() -> None:
+    items = [f"item {k}" for k in range(300)]
+    with taken_once(items) as waiting:
+        first = next(waiting)
+        with beside(lambda: list(waiting)) as result:
+            here = [first, *waiting]
+            other = result()
+    assert sorted(here + other) == sorted(items)
+
+
+def test_what_a_process_took_that_died_is_printed_here(monkeypatch: pytest.MonkeyPatch) -> None:
+    expected = print_c(model("four_bar"), several=True)
+    here, share = os.getpid(), c_pieces.Pieces._share
+
+    def dying(pieces: c_pieces.Pieces, functions: Iterable[str]) -> object:
+        if os.getpid() != here:
+            next(iter(functions))
+            os.kill(os.getpid(), signal.SIGKILL)
+        return share(pieces, functions)
+
+    monkeypatch.setattr(c_pieces, "WORTH_A_PROCESS", 1)
+    monkeypatch.setattr(c_pieces.Pieces, "_share", dying)
+    assert print_c(model("four_bar"), several=True, processes=3) == expected
+
+
 @pytest.mark.parametrize(("name", "long"), [("four_bar", 5500), ("planar_3rrr", 5500), ("four_bar", 60)])
 def test_two_processes_print_what_one_does(name: str, long: int, monkeypatch: pytest.MonkeyPatch) -> None:
     """The second mechanism has lanes and functions that share constants, the third functions in parts."""
@@ -87,7 +112,7 @@ def test_two_processes_print_what_one_does(name: str, long: int, monkeypatch: py
     made: list[object] = []
     copied = workers._copied
     monkeypatch.setattr(workers, "_copied", lambda work: made.append(copied(work)) or made[-1])
-    monkeypatch.setattr(c_pieces, "WORTH_A_PROCESS", 0)
+    monkeypatch.setattr(c_pieces, "WORTH_A_PROCESS", 1)
     assert print_c(model(name), several=True, processes=2) == print_c(model(name), several=True)
     assert len(made) == 1 and made[0] is not None
 

@@ -11,6 +11,7 @@ from sympy import Rational
 
 from symscrew import catalogue
 from symscrew import effects as known
+from symscrew.description.builder import MechanismBuilder
 from symscrew.description.mechanism import Mechanism
 from symscrew.effects.effect import Effect
 from symscrew.effects.gravity import Gravity
@@ -111,3 +112,18 @@ def test_what_the_equations_do_not_cover_is_differentiated() -> None:
         given = found.test_inputs[FUNCTIONS[0]]
         _, status = found(FUNCTIONS[0], *given)
         assert np.all(status == 0) and program.outputs[0].name == "du_dy"
+
+
+def test_where_nothing_moves_there_is_nothing_to_differentiate_along() -> None:
+    """Three bars that hold each other: the derivatives of the tree are there, none along independent coordinates."""
+    builder = MechanismBuilder("triangle")
+    for name, place in (("left", [1, 1, 0]), ("right", [2, 1, 0])):
+        builder.body(name, mass=1, com=place, inertia=["0.1", "0.1", "0.1"])
+    builder.joint("A", "R", parent="base", child="left", point=[0, 0, 0], axes=[[0, 0, 1]], driven=True)
+    builder.joint("B", "R", parent="base", child="right", point=[3, 0, 0], axes=[[0, 0, 1]])
+    builder.joint("C", "R", parent="left", child="right", point=[1, 2, 0], axes=[[0, 0, 1]])
+    found = derive(builder.build(), derivatives=True, second_derivatives=True)
+    names = {name for name in found.programs if "derivatives" in name or name == "linearisation"}
+    assert names == {"inverse_dynamics_derivatives"}
+    (u, *_), status = found("inverse_dynamics_derivatives", *found.test_inputs["inverse_dynamics_derivatives"])
+    assert np.all(status == 0) and np.isfinite(u).all()

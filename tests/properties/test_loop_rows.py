@@ -7,6 +7,7 @@ from functools import cache
 
 import numpy as np
 import pytest
+from support.invented_mechanisms import invented
 from support.marks import slow
 
 from symscrew import catalogue
@@ -24,6 +25,7 @@ from symscrew.kinematics.system import System
 from symscrew.loops.closure import closure_by
 from symscrew.loops.dependent_rates import Loops
 from symscrew.loops.limbs.closed_forms import closed_limbs, hub_links, limb_coordinates
+from symscrew.model import derive
 from symscrew.program.passes.reciprocals import shared_reciprocals
 
 pytestmark = pytest.mark.slow
@@ -217,3 +219,15 @@ def test_a_sum_less_one_of_its_terms_is_the_other() -> None:
     a, b = tape.symbol("a", "1", "a"), tape.symbol("b", "1", "b")
     assert (a + b) - a is b and (a - b) - a is -b and a - (a - b) is b and (b - a) + a is b and -(a + b) + b is -a
     assert (a - b) - b is not a and (a + b) + a is not b
+
+
+def test_coordinates_that_nobody_named_determine_the_others_in_the_reference_configuration() -> None:
+    """The drive of this loop does not: its rate is zero there whatever moves. Named it is, with a note that says so."""
+    mechanism = invented("thread_ball_cross")
+    assert mechanism.joints["J0"].driven
+    for independent, determined in ((None, True), (["J0"], False)):
+        found = derive(mechanism, independent=independent)
+        _, status = found("null_space", found.system.reference[None, :])
+        assert (status[0] == 0) == determined
+        assert any("do not determine the others" in note for note in found.notes) != determined
+        assert (found.programs["velocity"].inputs[1].labels == ("J0",)) != determined
