@@ -60,12 +60,12 @@ typedef struct {
 /* Numbers in the slots at s: from the general mechanism (0) to this one (1). */
 static void slots_at(Wide s, const Path *way, Lanes (*slots)[3])
 {
-    const Wide round = way->bend * s * (1.0 - s);
+    const Wide detour = way->bend * s * (1.0 - s);
     for (int k = 0; k < N_NUMBERS; ++k) {
         for (int i = 0; i < 3; ++i) {
             const double re = way->goal[k][i] - start_slots[k][i][0], im = start_slots[k][i][1];
-            slots[k][i].re = start_slots[k][i][0] + s * re + round * im;
-            slots[k][i].im = im - s * im + round * re;
+            slots[k][i].re = start_slots[k][i][0] + s * re + detour * im;
+            slots[k][i].im = im - s * im + detour * re;
         }
     }
 #if N_PAIRS
