@@ -385,6 +385,13 @@ class Tape:
         self._parameter_values = [{n.index: CONTEXT.mpf(v) for n, v in trial.items()} for trial in trials]
         self._settled = {}
 
+    def nominal(self, value: Any) -> float:
+        """A node of constants and run-time parameters at the first trial; the sample states are left as they are."""
+        node: Node = self.node(value)
+        if node.value is not None:
+            return float(node.value)
+        return float(_evaluate_high_precision(node, self._parameter_values[0]))
+
     def settle(self, value: Any) -> Node:
         """`value` as a node, or the constant that it equals (to 45 digits) for every trial of the run-time parameters.
 

@@ -45,9 +45,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Read, derive, integrate, write; 1 where the run ended early or is not as good as asked for."""
-    from tqdm import tqdm
-
-    from symscrew.display import print_text
+    from symscrew.display import bar_on_terminal, print_text
     from symscrew.scene import load_scene
     from symscrew.simulation import FORMATS, prepare, run_summary, simulate, write_loop, write_run, write_steps
 
@@ -74,7 +72,7 @@ def run(options: argparse.Namespace) -> int:
         if not (out or picture or options.json):
             return DONE
     prepared = prepare(scene)
-    with tqdm(total=1.0, desc=scene.name, leave=False, disable=not sys.stderr.isatty(), file=sys.stderr) as bar:
+    with bar_on_terminal(total=1.0, desc=scene.name) as bar:
         found = simulate(scene, prepared=prepared, progress=lambda part: bar.update(max(0.0, part - bar.n)))
     written = [write_run(found, out)] if out else []
     if picture:
@@ -101,14 +99,12 @@ def _check_many(options: argparse.Namespace) -> None:
 
 def _run_many(scene: Scene, options: argparse.Namespace, out: Path | None) -> int:
     """As `run`, from the starts of a file; 1 where any run ended early or is not as good as asked for."""
-    from tqdm import tqdm
-
     from symscrew.array_archives import read_archive
-    from symscrew.display import print_text
+    from symscrew.display import bar_on_terminal, print_text
     from symscrew.simulation import runs_numbers, runs_summary, simulate_many, write_runs
 
     starts = read_archive(options.many)
-    with tqdm(unit="run", desc=scene.name, leave=False, disable=not sys.stderr.isatty(), file=sys.stderr) as bar:
+    with bar_on_terminal(unit="run", desc=scene.name) as bar:
         found = simulate_many(
             scene, starts, threads=options.threads, progress=lambda done: bar.update(max(0, done - bar.n))
         )

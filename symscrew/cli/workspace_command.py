@@ -206,9 +206,7 @@ def _in_unit(text: str, option: str, wanted: str) -> float:
 
 def run_certificate(options: argparse.Namespace, out: Path, expected: float | None) -> int:
     """Prove, write, print; 1 where nothing is proved, the checker refuses it, or an expected tilt is not proved."""
-    from tqdm import tqdm
-
-    from symscrew.display import print_text
+    from symscrew.display import bar_on_terminal, print_text
     from symscrew.studies.certificate import certificate_text, certify, draw_certificate
 
     if options.dask:
@@ -218,7 +216,7 @@ def run_certificate(options: argparse.Namespace, out: Path, expected: float | No
         raise UsageError("--expect-tilt needs the axes tilt and azimuth: --over tilt=0:20deg azimuth=0:360deg")
     if out.is_dir() and any(out.iterdir()):
         raise UsageError(f"--out: {shorten(options.out)} is not empty; use another one")
-    with tqdm(unit="box", disable=not sys.stderr.isatty(), leave=False) as bar:
+    with bar_on_terminal(unit="box") as bar:
         found = certify(plan, bar.update)
     written = []
     if out.suffix:
@@ -240,8 +238,7 @@ def run_certificate(options: argparse.Namespace, out: Path, expected: float | No
 
 def sweep(plan: Plan, kept: Store, *, scheduler: str | None = None, processes: int | None = None) -> None:
     """Compute the pieces that are missing, with a bar on a terminal, and store each as it is done."""
-    from tqdm import tqdm
-
+    from symscrew.display import bar_on_terminal
     from symscrew.studies.workspace import run_locally, run_on_dask
 
     there = kept.done()
@@ -249,7 +246,7 @@ def sweep(plan: Plan, kept: Store, *, scheduler: str | None = None, processes: i
     if there:
         print(f"{len(there)} of {plan.chunks} pieces are there already", file=sys.stderr)
     work = run_on_dask(plan, left, scheduler) if scheduler else run_locally(plan, left, processes)
-    with tqdm(total=plan.chunks, initial=len(there), unit="piece", disable=not sys.stderr.isatty(), leave=False) as bar:
+    with bar_on_terminal(total=plan.chunks, initial=len(there), unit="piece") as bar:
         for number, results in work:
             kept.put(number, results)
             bar.update()

@@ -9,7 +9,7 @@ from symscrew.description.architectures import ARCHITECTURES, architecture
 from symscrew.description.builder import MechanismBuilder
 from symscrew.description.coupled import slope, terms_of
 from symscrew.description.expressions import CONSTANTS, FUNCTIONS, exact, numeric, parse, sixty_digits, to_text
-from symscrew.description.given_values import GivenValue, given_value
+from symscrew.description.given_values import GivenValue, given_value, parameter_units
 from symscrew.description.joints import JOINT_TYPES, NO_MOTION, JointType, Motion, rotation
 from symscrew.description.kept_comments import with_comments
 from symscrew.description.mechanism import (
@@ -32,7 +32,7 @@ from symscrew.description.template import renamed_text, write_new, write_templat
 from symscrew.description.toml_file import load_description, parse_description, read_tables, read_text, to_toml
 from symscrew.description.toml_tables import check_keys, check_sections, from_file
 from symscrew.description.units import in_si
-from symscrew.description.validation import validate
+from symscrew.description.validation import check_values_of, validate
 
 __all__ = [
     "ARCHITECTURES",
@@ -61,6 +61,7 @@ __all__ = [
     "check_range",
     "check_sections",
     "check_text",
+    "check_values_of",
     "exact",
     "followed",
     "from_file",
@@ -72,6 +73,7 @@ __all__ = [
     "members",
     "namespace",
     "numeric",
+    "parameter_units",
     "parse",
     "parse_description",
     "read_tables",

@@ -87,6 +87,7 @@ class MechanismBuilder:
             value = factor * _number_in(unit, value, f"{where}.value")
         self._add(self._parameters, "parameters", name, value=value, unit=si, description=description)
         self._parameters[name]["run_time"] = run_time
+        self._parameters[name]["given_in"] = unit if factor != 1 else ""
         return self
 
     def __repr__(self) -> str:

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 import sympy
 
 from symscrew.description.expressions import exact, numeric
+from symscrew.description.mechanism import Parameter
 from symscrew.description.units import OTHERS, SI, in_si
 from symscrew.errors import DescriptionError, shorten
 
@@ -76,3 +77,29 @@ def given_value(value: object, names: Mapping[str, sympy.Expr] | None = None, *,
         raise DescriptionError(f"{where}: {shorten(text)} is no expression; write a product with *")
     factor, unit = in_si(found[2].strip(), where)
     return GivenValue(exact(found[1], names, where=where) * factor, unit)
+
+
+def parameter_units(parameters: Mapping[str, Parameter], given: object) -> dict[str, str]:
+    """Units of the parameters, in which a file's table of values `given` in place of the description's counts.
+
+    Raises:
+        DescriptionError: a number without a unit where the description counts in another one than SI's: 200 beside a
+            description's 150 mm.
+    """
+    for name, value in given.items() if isinstance(given, Mapping) else ():
+        unit = parameters[name].given_in if name in parameters else ""
+        if unit and _bare(value):
+            shown = shorten(value)[1:-1] if isinstance(value, str) else value
+            raise DescriptionError(
+                f"parameters.{name}: expected a number with its unit, as the description counts in {unit}: "
+                f"'{shown} {unit}', or one in {parameters[name].unit}; got {shorten(value)}"
+            )
+    return {name: parameter.unit for name, parameter in parameters.items()}
+
+
+def _bare(value: object) -> bool:
+    """Whether it is a number other than 0 by itself, no expression of others, which have their units."""
+    try:
+        return bool(exact(value) != 0)
+    except DescriptionError:
+        return False

@@ -31,7 +31,8 @@ class Parameter:
 
     `value` is an exact number; `formula` is what it was given as where it refers to other parameters, in their
     symbols. A run-time parameter is an input of every generated function; any other is baked into the code, as its
-    value or, where its formula follows a run-time parameter, as that formula.
+    value or, where its formula follows a run-time parameter, as that formula. `given_in`: the unit of the description
+    where that is another one than the SI unit `unit`.
     """
 
     name: str
@@ -40,6 +41,7 @@ class Parameter:
     description: str = ""
     run_time: bool = False
     formula: sympy.Expr | None = None
+    given_in: str = field(default="", compare=False)
 
     @property
     def symbol(self) -> sympy.Symbol:

@@ -78,6 +78,24 @@ def validate(mechanism: Mechanism, features: Mapping[str, Feature] | None = None
     return (*(warning for warning in extents if warning), *_far_warnings(mechanism), *_skew_warnings(mechanism))
 
 
+def check_values_of(mechanism: Mechanism) -> None:
+    """Refuse values of run-time parameters that leave a body an inertia, or a joint axes, that are none.
+
+    Loops are not looked at: they are closed anew at every state.
+
+    Raises:
+        DescriptionError: as `validate`.
+    """
+    for joint in mechanism.joints.values():
+        if any(mechanism.baked(entry).free_symbols for axis in joint.axes for entry in axis):
+            _check_axes(mechanism, joint)
+    for body in mechanism.bodies.values():
+        numbers = [entry for row in body.inertia or () for entry in row]
+        numbers += [] if body.mass is None else [body.mass]
+        if any(mechanism.baked(entry).free_symbols for entry in numbers):
+            _check_inertia(mechanism, body)
+
+
 def mechanism_size(mechanism: Mechanism) -> float:
     """Diagonal [m] of the box around all joint points and named points in the reference configuration."""
     places = [_numbers(mechanism, joint.point, joint.name) for joint in mechanism.joints.values()]

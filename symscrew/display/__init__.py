@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from symscrew.display.terminal import (
         Progress,
         aligned_table,
+        bar_on_terminal,
         colours,
         fitting_table,
         one_line,
@@ -64,6 +65,7 @@ __all__ = [
     "RecordedMotion",
     "aligned_table",
     "assumption_figure",
+    "bar_on_terminal",
     "colours",
     "curve_style",
     "draw",

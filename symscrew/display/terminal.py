@@ -228,3 +228,25 @@ class Progress:
     def elapsed(self) -> float:
         """Seconds since the command began."""
         return time.perf_counter() - self._start
+
+
+class _NoBar:
+    """Counts as a bar does, and shows nothing."""
+
+    n: float = 0.0
+
+    def update(self, more: float = 1.0) -> None:
+        self.n += more
+
+
+@contextmanager
+def bar_on_terminal(**how: Any) -> Iterator[Any]:
+    """A bar with `update` and `n`, of tqdm's options; off a terminal it only counts, and tqdm, which takes longer to
+    import than many commands take for the rest, is left out."""
+    if not sys.stderr.isatty():
+        yield _NoBar()
+        return
+    from tqdm import tqdm
+
+    with tqdm(leave=False, file=sys.stderr, **how) as bar:
+        yield bar

@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import cached_property
-from typing import Protocol
+from typing import Any, Protocol
 
 from symscrew.algebra import ZERO, Matrix, Node, Vector, add, cross, dot, named_wrench, scale, subtract
 from symscrew.description import Point
@@ -232,15 +232,17 @@ class Acting(Parts):
         self.own_inputs.append((port, nodes))
         return nodes
 
-    def state(self, name: str, unit: str, initial: float, description: str, *, carried: Node | None = None) -> Node:
+    def state(self, name: str, unit: str, initial: Any, description: str, *, carried: Node | None = None) -> Node:
         """A further state; its rate must be given by `state_rate`.
 
-        It starts at `initial`, and at `carried` more, which is of q and v, where that is given.
+        It starts at `initial`, a number or a text of the parameters, and at `carried` more, which is of q and v, where
+        that is given.
         """
         if any(name == other.name for other in self.states):
             raise DescriptionError(f"effects: two of them have the state {name!r}; give one another name (key 'name')")
         node = self.sampled(f"x_{name}", unit, description)
-        self.states.append(State(name, unit, initial, node, carried))
+        start = self._reader.number(initial, f"{description} at the start")
+        self.states.append(State(name, unit, self._default(start, name), node, carried, start))
         return node
 
     def state_rate(self, name: str, rate: Node) -> None:

@@ -55,9 +55,8 @@ class Backlash(Effect):
         play = acting.number(self.play, f"{what}: play", above=0)
         inertia = acting.number(self.inertia, f"{what}: inertia", above=0)
         law = contact_law(acting, self.stiffness, self.exponent, self.damping, what=what)
-        start = acting.value(self.initial, f"{what}: initial")
         (pushed,) = acting.input(Port(f"actuator_{name}", (1,), (force_unit,), ("",), "force on the actuator"), "force")
-        apart = acting.state(f"play_{name}", length, start, f"place in the play of joint {self.joint}")
+        apart = acting.state(f"play_{name}", length, self.initial, f"place in the play of joint {self.joint}")
         moving = acting.state(f"actuator_{name}", f"{length}/s", 0.0, f"rate of the actuator of joint {self.joint}")
         opening = moving - acting.rate(self.joint, k)
         force = taken = tape.zero

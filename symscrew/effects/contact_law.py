@@ -47,7 +47,7 @@ def contact_law(parts: Parts, stiffness: object, exponent: object, damping: obje
     """
     k = parts.number(stiffness, f"{what}: stiffness", above=0)
     h = parts.number(damping, f"{what}: damping", least=0)
-    n = parts.value(exponent, f"{what}: exponent")
+    n = parts.fixed(exponent, f"{what}: exponent")
     if n not in EXPONENTS:
         raise DescriptionError(f"{what}: expected an exponent of 1, 1.5 or 2, got {shorten(exponent)}")
     return ContactLaw(k, n, h)

@@ -47,9 +47,8 @@ class DcMotor(Effect):
         resistance = acting.number(self.resistance, f"{what}: resistance", above=0)
         inductance = acting.number(self.inductance, f"{what}: inductance", above=0)
         ratio = acting.number(self.ratio, f"{what}: ratio")
-        initial = acting.value(self.current, f"{what}: current")
         (voltage,) = acting.input(Port(f"voltage_{name}", (1,), ("V",), ("",), "voltage at the motor"), "voltage")
-        current = acting.state(f"current_{name}", "A", initial, f"current of the motor of {self.joint}")
+        current = acting.state(f"current_{name}", "A", self.current, f"current of the motor of {self.joint}")
         coupling = constant * ratio
         rate = acting.rate(self.joint, k)
         acting.state_rate(f"current_{name}", (voltage - resistance * current - coupling * rate) * (1 / inductance))

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from symscrew.algebra import dot
 from symscrew.effects.acting import Acting
 from symscrew.effects.effect import Effect, Number
+from symscrew.effects.parts import Values
 from symscrew.effects.records import Contact
 from symscrew.errors import DescriptionError, shorten
 from symscrew.program import Port
@@ -73,6 +74,11 @@ class DryFriction(Effect):
             ),
         )  # fmt: skip
 
+    def _falls(self, at: Values) -> None:
+        what = f"dry friction in joint {self.joint!r}"
+        if at(self.static, what) < at(self.coulomb, what):
+            raise DescriptionError(f"{what}: expected static >= coulomb, got {self.static} and {self.coulomb}")
+
     def act(self, acting: Acting) -> None:
         """The force against the rate, or its input."""
         what = f"dry friction in joint {self.joint!r}"
@@ -91,8 +97,7 @@ class DryFriction(Effect):
             rise = acting.number(self.static, f"{what}: static", least=0) - coulomb
             if not sudden:
                 wide = acting.number(self.stribeck_velocity, f"{what}: stribeck_velocity", above=0)
-            if acting.value(self.static, what) < acting.value(self.coulomb, what):
-                raise DescriptionError(f"{what}: expected static >= coulomb, got {self.static} and {self.coulomb}")
+            acting.require(self._falls)
         if self.mode == "event":
             unit = "N" if acting.slides(self.joint, k) else "N m"
             name = acting.label(self.label, self.joint, k, what)
@@ -105,7 +110,7 @@ class DryFriction(Effect):
                 slow = rate * (1 / wide)
                 level = level + rise * (1 / (1 + slow * slow))
             if load is not tape.zero:
-                passes = acting.value(self.passes, f"{what}: passes")
+                passes = acting.fixed(self.passes, f"{what}: passes")
                 if passes not in range(1, 9):
                     raise DescriptionError(f"{what}: expected 1 to 8 passes, got {shorten(self.passes)}")
                 reaction = acting.reaction(self.joint, int(passes))

@@ -8,6 +8,7 @@ from symscrew.algebra import Node
 from symscrew.effects.acting import Acting
 from symscrew.effects.contact_law import ContactLaw, contact_law
 from symscrew.effects.effect import Effect, Number
+from symscrew.effects.parts import Values
 from symscrew.effects.records import Contact
 from symscrew.errors import DescriptionError, shorten
 from symscrew.program import Port
@@ -80,10 +81,7 @@ class EndStop(Effect):
         k = acting.freedom(self.joint, self.freedom, what)
         if self.lower is None and self.upper is None:
             raise DescriptionError(f"{what}: expected 'lower', 'upper' or both, got none")
-        if self.lower is not None and self.upper is not None:
-            ends = [acting.value(v, f"{what}: {n}") for v, n in ((self.lower, "lower"), (self.upper, "upper"))]
-            if not ends[0] < ends[1]:
-                raise DescriptionError(f"{what}: expected lower < upper, got {ends[0]:g} and {ends[1]:g}")
+        acting.require(self._apart)
         if self.mode not in ("compliant", "impact"):
             raise DescriptionError(f"{what}: expected as mode 'compliant' or 'impact', got {shorten(self.mode)}")
         if self.mode == "impact":
@@ -91,9 +89,21 @@ class EndStop(Effect):
         else:
             self._compliant(acting, k, what)
 
-    def _rigid(self, acting: Acting, k: int, what: str) -> None:
-        if not 0 <= acting.value(self.restitution, f"{what}: restitution") <= 1:
+    def _apart(self, at: Values) -> None:
+        what = f"end stop of joint {self.joint!r}"
+        if self.lower is None or self.upper is None:
+            return
+        ends = [at(v, f"{what}: {n}") for v, n in ((self.lower, "lower"), (self.upper, "upper"))]
+        if not ends[0] < ends[1]:
+            raise DescriptionError(f"{what}: expected lower < upper, got {ends[0]:g} and {ends[1]:g}")
+
+    def _gives_back(self, at: Values) -> None:
+        what = f"end stop of joint {self.joint!r}"
+        if not 0 <= at(self.restitution, f"{what}: restitution") <= 1:
             raise DescriptionError(f"{what}: expected a restitution from 0 to 1, got {shorten(self.restitution)}")
+
+    def _rigid(self, acting: Acting, k: int, what: str) -> None:
+        acting.require(self._gives_back)
         unit = "N" if acting.slides(self.joint, k) else "N m"
         name = acting.label(self.label, self.joint, k, what)
         (force,) = acting.input(Port(f"stop_{name}", (1,), (unit,), ("",), "force of the stop"), "force")

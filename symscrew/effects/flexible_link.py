@@ -13,6 +13,7 @@ from symscrew.algebra import CONTEXT, ZERO, Node, Vector, add, cross, dot, scale
 from symscrew.description import Mechanism, Point, Reader
 from symscrew.effects.acting import Acting
 from symscrew.effects.effect import Effect, Number
+from symscrew.effects.parts import Values
 from symscrew.effects.records import Bending, Passed
 from symscrew.errors import DescriptionError, shorten
 from symscrew.kinematics import GROUND
@@ -169,7 +170,7 @@ class FlexibleLink(Effect):
         density = acting.number(self.line_density, f"{what}: line_density", above=0)
         stiffness = acting.number(self.bending_stiffness, f"{what}: bending_stiffness", above=0)
         zeta = acting.number(self.damping, f"{what}: damping", least=0)
-        self._within(acting, (start, end), what)
+        acting.require(lambda at: self._within(at, system.mechanism, (start, end), what))
         modes = []
         for k in range(self.modes):
             first, second, square, bent = self._integrals(acting, k + 1, what)
@@ -192,10 +193,7 @@ class FlexibleLink(Effect):
         tape, twist, label = acting.system.tape, acting.system.twist[link], f"{self.label}_{k + 1}"
         (e, share, place), mass = felt, law[0]
         carried = tape.node(share * dot(e, twist.linear) + dot(cross(place, e), twist.angular)) * (1 / mass)
-        begin, rate = (
-            acting.value(given[k], f"flexible link: {key}") if given else 0.0
-            for key, given in (("initial", self.initial), ("initial_rate", self.initial_rate))
-        )
+        begin, rate = (given[k] if given else 0 for given in (self.initial, self.initial_rate))
         eta = acting.state(f"bend_{label}", "m", begin, f"deflection of mode {k + 1}")
         moved = acting.state(f"bend_rate_{label}", "m/s", rate, f"velocity of mode {k + 1}", carried=carried)
         return _Mode(label, link, felt, law, eta, moved - carried, carried)
@@ -261,7 +259,7 @@ class FlexibleLink(Effect):
         """Whether a place is that of a point."""
         geometry = acting.system.geometry
         away = geometry.settle(subtract(geometry.vector(place), geometry.vector(point.at)))
-        return all(geometry.size(c) == 0 for c in away)
+        return all(geometry.vanishes(c) for c in away)
 
     def _check(self, acting: Acting, points: tuple[Point, Point], what: str) -> None:
         start, end = points
@@ -292,23 +290,22 @@ class FlexibleLink(Effect):
                     f"{what}: joint {joint.name!r} stands where the body bends; expected its joints at {where} only"
                 )
 
-    def _within(self, acting: Acting, points: tuple[Point, Point], what: str) -> None:
+    def _within(self, at: Values, mechanism: Mechanism, points: tuple[Point, Point], what: str) -> None:
         """The rod is a part of its body: what is left of it without the rod has a mass and a moment about the axis."""
-        mechanism = acting.system.mechanism
         if all(other.mass is None for other in mechanism.bodies.values()):
             return  # the effect alone is looked at, without any body's inertia
         body = mechanism.bodies[points[0].body]
-        first, last = (np.array([float(mechanism.number(c)) for c in point.at]) for point in points)
+        first, last = (np.array([at(c, what) for c in point.at]) for point in points)
         length, along = float(np.linalg.norm(last - first)), (last - first) / np.linalg.norm(last - first)
-        axis = np.array([acting.value(entry, what) for entry in self.axis])
+        axis = np.array([at(entry, what) for entry in self.axis])
         axis = axis - along * (along @ axis)
         axis /= np.linalg.norm(axis)
-        rod = acting.value(self.line_density, what) * length
+        rod = at(self.line_density, what) * length
         mass, moment = 0.0, 0.0
         if body.mass is not None and body.com is not None:
-            mass = float(mechanism.number(body.mass))
-            away = np.cross(axis, [float(mechanism.number(c)) for c in body.com] - (first + last) / 2)
-            rows = [[float(mechanism.number(c)) for c in row] for row in body.inertia or ()]
+            mass = at(body.mass, what)
+            away = np.cross(axis, [at(c, what) for c in body.com] - (first + last) / 2)
+            rows = [[at(c, what) for c in row] for row in body.inertia or ()]
             moment = mass * float(away @ away) + (float(axis @ np.array(rows) @ axis) if rows else 0.0)
         for has, of_rod, text in ((mass, rod, "mass"), (moment, rod * length**2 / 12, "moment about its middle")):
             if has < of_rod * (1 - TYPED):

@@ -11,6 +11,7 @@ from symscrew.algebra import ZERO, Node, Vector, add, dot, scale, subtract, tran
 from symscrew.description import Point
 from symscrew.effects.acting import Acting, body_spin, point_velocity
 from symscrew.effects.effect import Effect, Number
+from symscrew.effects.parts import Values
 from symscrew.errors import DescriptionError, did_you_mean, shorten
 from symscrew.kinematics import GROUND
 
@@ -81,15 +82,22 @@ class FluidDrag(Effect):
 
     def _box(self, acting: Acting, what: str) -> list[Vector]:
         """Unit vectors along the box's axes."""
-        values = np.array([[acting.value(c, what) for c in axis] for axis in self.axes])
-        lengths = np.linalg.norm(values, axis=1)
-        cosines = np.triu(values @ values.T, 1) / np.outer(lengths, lengths) if lengths.all() else np.ones(1)
-        if np.abs(cosines).max() > SQUARE:
-            raise DescriptionError(f"{what}: expected three perpendicular directions, got {shorten(self.axes)}")
+        lengths: list[float] = []
+
+        def square(at: Values) -> None:
+            values = np.array([[at(c, what) for c in axis] for axis in self.axes])
+            lengths[:] = np.linalg.norm(values, axis=1).tolist()
+            cosines = np.triu(values @ values.T, 1) / np.outer(lengths, lengths) if all(lengths) else np.ones(1)
+            if np.abs(cosines).max() > SQUARE:
+                raise DescriptionError(f"{what}: expected three perpendicular directions, got {shorten(self.axes)}")
+
+        acting.require(square)
+        fixed = [not any(acting.varies(c, what) for c in axis) for axis in self.axes]
+        unit = [constant and abs(length - 1) <= SQUARE for constant, length in zip(fixed, lengths, strict=True)]
         axes = [self._vector(acting, axis, what) for axis in self.axes]
         return [
-            axis if abs(length - 1) <= SQUARE else scale(1 / acting.system.tape.sqrt(dot(axis, axis)), axis)
-            for axis, length in zip(axes, lengths, strict=True)
+            axis if already else scale(1 / acting.system.tape.sqrt(dot(axis, axis)), axis)
+            for axis, already in zip(axes, unit, strict=True)
         ]
 
     def _vector(self, acting: Acting, values: tuple[Number, ...], what: str) -> Vector:

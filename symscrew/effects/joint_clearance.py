@@ -9,6 +9,7 @@ from symscrew.description import Point
 from symscrew.effects.acting import Acting, between, body_spin
 from symscrew.effects.contact_law import contact_law
 from symscrew.effects.effect import Effect, Number
+from symscrew.effects.parts import Values
 from symscrew.errors import DescriptionError
 from symscrew.kinematics import GROUND
 
@@ -93,8 +94,12 @@ class JointClearance(Effect):
         if len(self.axis) != 3:
             raise DescriptionError(f"{what}: expected 3 entries of the axis, got {len(self.axis)}")
         x, y, z = (acting.number(entry, f"{what}: axis") for entry in self.axis)
-        if not any(acting.value(entry, f"{what}: axis") for entry in self.axis):
-            raise DescriptionError(f"{what}: expected an axis other than 0")
+
+        def directed(at: Values) -> None:
+            if not any(at(entry, f"{what}: axis") for entry in self.axis):
+                raise DescriptionError(f"{what}: expected an axis other than 0")
+
+        acting.require(directed)
         axis = system.geometry.settle(scale(1 / system.tape.sqrt(x * x + y * y + z * z), (x, y, z)))
         link = system.tree.link_of_body[hole.body]
         if link != GROUND:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import zlib
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -16,19 +16,26 @@ from symscrew.errors import DescriptionError, did_you_mean, shorten
 from symscrew.kinematics import System, closure_rate, cut_displacement, drive_row, tree_displacement, turns_are_lost
 
 TIME = sympy.Symbol("t", real=True)
+Values = Callable[[Any, str], float]
+"""A number of an effect as a float, at some values of the parameters; the text says what it is, for errors."""
+Requirement = Callable[[Values], None]
+"""Looks at numbers; raises DescriptionError where they do not go together."""
 
 
 class Parts:
     """Named parts and numbers of one system at its present nodes, with errors that name the effect that asks.
 
-    `given_functions`: values of the effects' texts that change with time or the motion: they may be of any shape.
+    `given_functions`: values of the effects' texts that change with time or the motion: they may be of any shape;
+    `functions_of_time`: those that change with time, as expressions of it and the parameters, and which effect asks.
     """
 
     def __init__(self, system: System) -> None:
         self.system = system
         self._time: Node | None = None
         self.given_functions: list[Node] = []
+        self.functions_of_time: list[tuple[str, sympy.Expr]] = []
         self._reader = Reader(dict(system.mechanism.parameters))
+        self._required: list[Requirement] = []
 
     @property
     def half(self) -> Node:
@@ -61,15 +68,64 @@ class Parts:
             DescriptionError: it is none, is not finite, or is out of bounds at the parameters' values.
         """
         expression = self._reader.number(value, what)
-        size = float(self.system.mechanism.number(expression))
-        if (least is not None and size < least) or (above is not None and size <= above):
-            bound = f"at least {least:g}" if least is not None else f"above {above:g}"
-            raise DescriptionError(f"{what}: expected a number {bound}, got {shorten(value)}")
+
+        def within(at: Values) -> None:
+            size = at(expression, what)
+            if (least is not None and size < least) or (above is not None and size <= above):
+                bound = f"at least {least:g}" if least is not None else f"above {above:g}"
+                which = f", which is {size:g}" if expression.free_symbols else ""
+                raise DescriptionError(f"{what}: expected a number {bound}, got {shorten(value)}{which}")
+
+        if least is not None or above is not None:
+            self.require(within)
         return self.system.geometry.scalar(expression)
 
-    def value(self, value: Any, what: str) -> float:
-        """A number as a float, at the parameters' values."""
+    def require(self, holds: Requirement) -> None:
+        """Let `holds` look at numbers at the parameters' values, and again where a run has others (`check_values`).
+
+        Raises:
+            DescriptionError: what it raises.
+        """
+        holds(self._default)
+        self._required.append(holds)
+
+    def check_values(self, values: Mapping[str, sympy.Expr]) -> None:
+        """What effects require of their numbers, at other values of the parameters by name.
+
+        Raises:
+            DescriptionError: which effect refuses which number.
+        """
+        numbers = {p.symbol: values[name] for name, p in self.system.mechanism.parameters.items()}
+
+        def at(value: Any, what: str) -> float:
+            found = self._reader.number(value, what).xreplace(numbers)
+            check_range(found, what)
+            return float(found)
+
+        for holds in self._required:
+            holds(at)
+
+    def _default(self, value: Any, what: str) -> float:
         return float(self.system.mechanism.number(self._reader.number(value, what)))
+
+    def fixed(self, value: Any, what: str) -> float:
+        """A number as a float that decides what the code is, so that no run-time parameter may change it.
+
+        Raises:
+            DescriptionError: it depends on one.
+        """
+        free = self.system.mechanism.baked(self._reader.number(value, what)).free_symbols
+        if free:
+            name = min(map(str, free))
+            raise DescriptionError(
+                f"{what}: expected a number that is known when the code is written, got {shorten(value)} with the "
+                f"run-time parameter {name!r}; write the number, or make {name!r} no run-time parameter"
+            )
+        return self._default(value, what)
+
+    def varies(self, value: Any, what: str) -> bool:
+        """Whether a number depends on a run-time parameter."""
+        return bool(self.system.mechanism.baked(self._reader.number(value, what)).free_symbols)
 
     def time_expression(self, value: Any, what: str) -> sympy.Expr:
         """A number or a text with an expression of the time t and the parameters, exact."""
@@ -93,6 +149,8 @@ class Parts:
             raise DescriptionError(f"{what}: cannot be turned into code: {error}") from error
         if expression.free_symbols & {TIME, *symbols}:
             self.given_functions.append(made)
+        if TIME in expression.free_symbols:
+            self.functions_of_time.append((what, expression))
         return made
 
     def function_of_time(self, value: Any, what: str) -> Node:

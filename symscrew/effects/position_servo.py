@@ -7,7 +7,8 @@ from dataclasses import dataclass
 from symscrew.algebra import Node
 from symscrew.effects.acting import Acting
 from symscrew.effects.effect import Effect, Number
-from symscrew.errors import DescriptionError
+from symscrew.effects.parts import Values
+from symscrew.errors import DescriptionError, shorten
 from symscrew.program import Port
 
 
@@ -68,5 +69,11 @@ class PositionServo(Effect):
         if self.lowest is None:
             limit = acting.number(self.limit, f"{what}: limit", above=0)
             return limit, -limit
-        low = acting.value(self.lowest, f"{what}: lowest")
-        return acting.number(self.limit, f"{what}: limit", above=low), acting.number(self.lowest, f"{what}: lowest")
+
+        def apart(at: Values) -> None:
+            low, high = at(self.lowest, f"{what}: lowest"), at(self.limit, f"{what}: limit")
+            if not high > low:
+                raise DescriptionError(f"{what}: limit: expected a number above {low:g}, got {shorten(self.limit)}")
+
+        acting.require(apart)
+        return acting.number(self.limit, f"{what}: limit"), acting.number(self.lowest, f"{what}: lowest")

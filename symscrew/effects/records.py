@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
+import sympy
 
 from symscrew.algebra import Node, Vector, add, cross, dot, scale, transform
 from symscrew.description import Mechanism
@@ -15,13 +16,21 @@ from symscrew.kinematics import Inertia, Rates
 
 @dataclass(frozen=True)
 class State:
-    """A state of an effect: name, unit, value at the start, and its symbol."""
+    """A state of an effect: name, unit, value at the start, and its symbol.
+
+    `initial` is that value where the parameters have those of the description, `start` its expression in them.
+    """
 
     name: str
     unit: str
     initial: float
     node: Node
     carried: Node | None = None  # added to the value at the start: what the motion at the start gives it
+    start: sympy.Expr = sympy.S.Zero
+
+    def starting(self, numbers: Mapping[sympy.Symbol, sympy.Expr]) -> float:
+        """The value at the start for these parameters, without what the motion gives it."""
+        return float(self.start.xreplace(numbers))
 
 
 @dataclass(frozen=True)

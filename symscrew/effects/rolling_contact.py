@@ -10,6 +10,7 @@ from symscrew.description import Point
 from symscrew.effects.acting import Acting, between, body_spin
 from symscrew.effects.contact_law import contact_law
 from symscrew.effects.effect import Effect, Number
+from symscrew.effects.parts import Values
 from symscrew.errors import DescriptionError, shorten
 from symscrew.kinematics import GROUND
 
@@ -123,17 +124,26 @@ class RollingContact(Effect):
         tape = acting.system.tape
         radius = acting.number(self.radius, f"{what}: radius", above=0)
         circle = acting.number(self.circle, f"{what}: circle")
-        size = acting.value(self.circle, what)
-        if not (size > 0 or acting.value(self.radius, what) < -size):
-            raise DescriptionError(f"{what}: expected a circle with a radius above 0, or below minus the wheel's")
+        outside: list[bool] = []  # whether the wheel rolls on the circle's outside, which the code is for
+
+        def round_it(at: Values) -> None:
+            size = at(self.circle, what)
+            if not (size > 0 or at(self.radius, what) < -size):
+                raise DescriptionError(f"{what}: expected a circle with a radius above 0, or below minus the wheel's")
+            if outside and outside[0] != (size > 0):
+                side = "above" if outside[0] else "below"
+                raise DescriptionError(f"{what}: expected a circle with a radius {side} 0 as derived, got {size:g}")
+            outside[:] = [size > 0]
+
+        acting.require(round_it)
         if not self.axis:
             raise DescriptionError(f"{what}: on a circle a wheel needs the key 'axis'")
         axle = _carried(acting, wheel.body, _direction(acting, self.axis, f"{what}: axis"))
         flat = subtract(away, scale(dot(axle, away), axle))
         distance = tape.sqrt(tape.node(dot(flat, flat)))
         outwards = scale(1 / distance, flat)
-        n = outwards if size > 0 else scale(-1, outwards)
-        depth = radius + circle - distance if size > 0 else radius + circle + distance
+        n = outwards if outside[0] else scale(-1, outwards)
+        depth = radius + circle - distance if outside[0] else radius + circle + distance
         return _Touch(n, (cross(axle, n), axle), scale(-1 * radius, n), depth)
 
     def _pressed(self, acting: Acting, at: _Touch, rate: Node, what: str) -> tuple[Node, Node]:
@@ -165,8 +175,8 @@ class RollingContact(Effect):
             if slide is tape.zero:  # across a plane motion
                 result.append(tape.zero)
                 continue
-            name, start = f"roll_{self.label}_{k + 1}", acting.value(self.initial[k], f"{what}: initial")
-            z = acting.state(name, "m", start, f"deflection where {self.wheel} rolls")
+            name = f"roll_{self.label}_{k + 1}"
+            z = acting.state(name, "m", self.initial[k], f"deflection where {self.wheel} rolls")
             acting.state_rate(name, tape.function("select", touching, slide - loss * z, -(kappa / sigma) * z))
             result.append(kappa * z + sigma * slide)
         return result
@@ -184,8 +194,12 @@ class _Touch:
 
 def _direction(acting: Acting, given: Sequence[Number], what: str) -> Vector:
     """A unit vector of numbers, absolute axes of the reference configuration."""
-    if len(given) != 3 or not any(acting.value(entry, what) for entry in given):
-        raise DescriptionError(f"{what}: expected 3 numbers, not all of them 0, got {shorten(given)}")
+
+    def directed(at: Values) -> None:
+        if len(given) != 3 or not any(at(entry, what) for entry in given):
+            raise DescriptionError(f"{what}: expected 3 numbers, not all of them 0, got {shorten(given)}")
+
+    acting.require(directed)
     x, y, z = (acting.number(entry, what) for entry in given)
     return acting.system.geometry.unit((x, y, z))
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from symscrew.algebra import Node
 from symscrew.effects.acting import Acting
 from symscrew.effects.effect import Effect, Number
+from symscrew.effects.parts import Values
 from symscrew.effects.records import Transmission
 from symscrew.errors import DescriptionError
 
@@ -53,14 +54,18 @@ class ScrewTransmission(Effect):
         k = acting.freedom(self.joint, self.freedom, what)
         if not acting.slides(self.joint, k):
             raise DescriptionError(f"{what}: expected a freedom that slides")
-        if acting.value(self.lead, f"{what}: lead") == 0:
-            raise DescriptionError(f"{what}: expected a lead other than 0 m per turn")
-        turns = 2 * acting.number("pi", what) * (1 / acting.number(self.lead, f"{what}: lead"))
         back = self.efficiency if self.back_efficiency is None else self.back_efficiency
         given = {"efficiency": self.efficiency, "back_efficiency": back}
-        for key, value in given.items():
-            if not 0 < acting.value(value, f"{what}: {key}") <= 1:
-                raise DescriptionError(f"{what}: expected as {key} a number above 0 and at most 1, got {value!r}")
+
+        def possible(at: Values) -> None:
+            if at(self.lead, f"{what}: lead") == 0:
+                raise DescriptionError(f"{what}: expected a lead other than 0 m per turn")
+            for key, value in given.items():
+                if not 0 < at(value, f"{what}: {key}") <= 1:
+                    raise DescriptionError(f"{what}: expected as {key} a number above 0 and at most 1, got {value!r}")
+
+        acting.require(possible)
+        turns = 2 * acting.number("pi", what) * (1 / acting.number(self.lead, f"{what}: lead"))
         forth, back_node = (acting.number(v, f"{what}: {key}", above=0) for key, v in given.items())
         mean, lost = acting.half * (1 / forth + back_node), acting.half * (1 / forth - back_node)
         rate = acting.rate(self.joint, k)

@@ -9,10 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-import numpy as np
-
 from symscrew.algebra import (
-    CONTEXT,
     IDENTITY,
     Matrix,
     Node,
@@ -21,11 +18,11 @@ from symscrew.algebra import (
     cross,
     dot,
     expression_node,
-    high_precision,
     scale,
     subtract,
 )
 from symscrew.description import Joint, Mechanism
+from symscrew.kinematics.parameter_trials import trials
 
 UNITS: tuple[Vector, Vector, Vector] = IDENTITY
 
@@ -45,16 +42,8 @@ class Geometry:
             if p.run_time
         }
         self._scalars: dict[object, Node] = {}
-        trials = []
-        for k in range(3 if self.parameters else 0):
-            # Trial 0 is the nominal value; the others are off it by factors that no identity survives.
-            trial = {}
-            for i, p in enumerate(p for p in mechanism.parameters.values() if p.run_time):
-                nominal = high_precision(p.value)
-                shift = CONTEXT.mpf(k) * CONTEXT.sqrt(i + 2) / 97
-                trial[self.parameters[p.symbol]] = nominal * (1 + shift) + shift / 89
-            trials.append(trial)
-        tape.set_parameter_trials(trials)
+        found = [{self.parameters[s]: value for s, value in trial.items()} for trial in trials(mechanism)]
+        tape.set_parameter_trials(found)
 
     def scalar(self, expression: object) -> Node:
         """A number of the description as a node; 60 digits of the same expression are computed once."""
@@ -89,13 +78,11 @@ class Geometry:
 
     def size(self, node: object) -> float:
         """Magnitude of a constant at the nominal parameters."""
-        node = self.tape.settle(node)
-        if node.value is not None:
-            return abs(float(node.value))
-        self.tape.set_samples(
-            {n: np.array([float(self.mechanism.parameters[n.args[0].name].value)]) for n in self.parameters.values()}
-        )
-        return abs(float(self.tape.sample(node)[0]))
+        return abs(self.tape.nominal(self.tape.settle(node)))
+
+    def vanishes(self, node: object) -> bool:
+        """Whether a constant is zero at all values of the run-time parameters, not at the nominal ones alone."""
+        return self.tape.settle(node) is self.tape.zero
 
     def motion_axes(self, joint: Joint) -> tuple[Vector, ...]:
         """Axes to which the motions of a joint refer, absolute, in the reference configuration."""

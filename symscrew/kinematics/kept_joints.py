@@ -10,8 +10,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping
 
+import sympy
+
 from symscrew.description import Joint, Mechanism
 from symscrew.errors import DescriptionError
+from symscrew.kinematics.parameter_trials import always_below
 
 Reached = dict[str, tuple[str, bool]]
 """Body -> (joint that reaches it, whether passed from child to parent)."""
@@ -81,7 +84,5 @@ def _parallel(mechanism: Mechanism, loop: list[Joint]) -> bool:
         if joint.kind.spherical:
             return False
         axes += [joint.axes[k if len(joint.axes) > 1 else 0] for k in joint.kind.turning]
-    values = [[mechanism.number(c).evalf(30) for c in axis] for axis in axes]
-    first = values[0]
-    cosines = (sum(a * b for a, b in zip(first, other, strict=True)) for other in values)
-    return all(abs(abs(cosine) - 1) < SAME_DIRECTION for cosine in cosines)
+    cosines = (sum(a * b for a, b in zip(axes[0], other, strict=True)) for other in axes)
+    return all(always_below(mechanism, abs(sympy.S(cosine)) - 1, SAME_DIRECTION) for cosine in cosines)

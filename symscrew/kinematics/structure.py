@@ -25,7 +25,7 @@ from symscrew.algebra import (
     transform,
     transpose,
 )
-from symscrew.description import Mechanism
+from symscrew.description import Mechanism, exact
 from symscrew.kinematics.geometry_nodes import Geometry
 from symscrew.kinematics.limb_symmetry import equal_limbs
 from symscrew.kinematics.link_frames import link_frames
@@ -111,10 +111,18 @@ class Structure:
     @cached_property
     def reference(self) -> Array:
         """q in the reference configuration, shape (nq,)."""
+        return self.reference_at(self.parameter_values)
+
+    def reference_at(self, parameters: Array) -> Array:
+        """q (nq,) in the reference configuration where the run-time parameters have these values (np,)."""
+        known, names = self.mechanism.parameters, [p.name for p in self.mechanism.parameters.values() if p.run_time]
+        default = np.array_equal(parameters, self.parameter_values)
+        chosen = {} if default else {n: exact(float(x)) for n, x in zip(names, parameters, strict=True)}
+        numbers = {known[name].symbol: value for name, value in self.mechanism.values(chosen).items()}
         q = np.zeros(len(self.tree.q))
         for link in self.tree.links[1:]:
             given = self.tree.joints[link.joint].reference
-            value = float(self.mechanism.number(given[link.position])) if link.position < len(given) else 0.0
+            value = float(given[link.position].xreplace(numbers)) if link.position < len(given) else 0.0
             q[link.q] = link.pair.reference(value)
         return q
 
@@ -186,9 +194,15 @@ class Structure:
         )
         return (port,), (self.parameters,)
 
-    def numeric(self, nodes: Sequence[Node], *inputs: tuple[Sequence[Node], Array]) -> Array:
-        """Values of `nodes` for arrays (samples, n) of the given input nodes; run-time parameters default."""
-        pairs = [*inputs, (self.parameters, self.parameter_values)] if self.parameters else list(inputs)
+    def numeric(
+        self, nodes: Sequence[Node], *inputs: tuple[Sequence[Node], Array], parameters: Array | None = None
+    ) -> Array:
+        """Values of `nodes` for arrays (samples, n) of the given input nodes.
+
+        `parameters`: run-time ones (np,) or (samples, np); default: those of the description.
+        """
+        chosen = self.parameter_values if parameters is None else parameters
+        pairs = [*inputs, (self.parameters, chosen)] if self.parameters else list(inputs)
         key = (tuple(n.index for n in nodes), *(tuple(n.index for n in given) for given, _ in pairs))
         if key not in self._lowered:
             self._lowered[key] = self._lower(nodes, [given for given, _ in pairs])

@@ -194,6 +194,10 @@ class System:
         """q in the reference configuration, shape (nq,)."""
         return self.structure.reference
 
+    def reference_at(self, parameters: Array) -> Array:
+        """q (nq,) in the reference configuration where the run-time parameters have these values (np,)."""
+        return self.structure.reference_at(parameters)
+
     @property
     def drives(self) -> tuple[tuple[str, int], ...]:
         """(joint, freedom) of every drive, in the order of the description: the entries of u."""
@@ -225,9 +229,11 @@ class System:
         """q moved along joint rates w (spherical: rotation vector in the axes before the rotation)."""
         return self.structure.advance(q, step)
 
-    def numeric(self, nodes: Sequence[Node], *inputs: tuple[Sequence[Node], Array]) -> Array:
+    def numeric(
+        self, nodes: Sequence[Node], *inputs: tuple[Sequence[Node], Array], parameters: Array | None = None
+    ) -> Array:
         """Values of `nodes` for arrays (samples, n) of the given input nodes; run-time parameters default."""
-        return self.structure.numeric(nodes, *inputs)
+        return self.structure.numeric(nodes, *inputs, parameters=parameters)
 
 
 def _at_inputs(structure: Structure) -> Configuration:

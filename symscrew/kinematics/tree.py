@@ -17,6 +17,7 @@ import sympy
 from symscrew.description import NO_MOTION, Joint, Mechanism, Motion, Vector
 from symscrew.kinematics.kept_joints import SAME_DIRECTION, keeping
 from symscrew.kinematics.pairs import LowerPair, pair_of
+from symscrew.kinematics.parameter_trials import always_below
 
 GROUND = 0  # index of the ground among the links: the first of them, which all others hang on
 
@@ -235,10 +236,10 @@ def _common_normal(mechanism: Mechanism) -> Vector | None:
     turning = [j.axes[0] for j in mechanism.joints.values() if j.kind.hinge]
     if not turning or not all(j.kind.hinge or j.kind.slider for j in mechanism.joints.values()):
         return None
-    normal = tuple(mechanism.number(c) for c in turning[0])
+    normal = turning[0]
 
     def equal(a: sympy.Expr, b: sympy.Expr) -> bool:
-        return bool(abs((mechanism.number(a) - mechanism.number(b)).evalf(30)) < SAME_DIRECTION)
+        return always_below(mechanism, sympy.S(a) - sympy.S(b), SAME_DIRECTION)
 
     for axis in turning:
         if not all(equal(a, n) for a, n in zip(axis, normal, strict=True)):

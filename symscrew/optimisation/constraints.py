@@ -259,9 +259,9 @@ def _target(group: str, *keys: object) -> Callable[[Conditions], float | None]:
 def starting_rows(at: MotionQuantities) -> list[Row]:
     """States at the start: their initial values, and what the motion there gives them."""
     carried = symbolic_outputs(at.model.equations.carried, at.known)["carried"]
-    states, scales = at.model.equations.acting.states, at.model.scales.x
+    states, scales, initials = at.model.equations.acting.states, at.model.scales.x, at.model.initials
     return [
-        Row(f"state {state.name} at the start", at.known["x"][k] - carried[k], state.initial, state.initial, scales[k])
+        Row(f"state {state.name} at the start", at.known["x"][k] - carried[k], initials[k], initials[k], scales[k])
         for k, state in enumerate(states)
         if state.carried is not None
     ]

@@ -82,7 +82,7 @@ class Guess:
         for k, (low, high) in enumerate(ranges):
             u[:, k] = np.clip(u[:, k], low, high)
         result = {"y": y, "y_1": y_1, "y_2": second, "z": z, "u": u, "T": np.array([self.duration])}
-        states = np.array([s.initial for s in model.equations.acting.states])
+        states = np.array(model.initials)
         result["x"] = np.repeat(states[None], len(mesh), 0)
         for made, objective in objectives_by_type(model):
             if made.whole:
@@ -231,7 +231,7 @@ def _dynamics(model: PointModel) -> tuple[ca.Function, int]:
     at = MotionQuantities(model, {**blocks, "T": duration} if model.problem.free_duration else blocks)
     found = symbolic_outputs(model.equations.dynamics, at.known)["residual"]
     slope = ca.jacobian(found, blocks["u"])
-    states = ca.DM([s.initial for s in model.equations.acting.states])
+    states = ca.DM(model.initials)
     fixed = ca.substitute([found, slope], [blocks["u"], blocks["x"]], [ca.DM.zeros(blocks["u"].numel()), states])
     inputs = [duration, blocks["tau"], blocks["y"], blocks["y_1"], blocks["y_2"], blocks["z"], blocks["p"]]
     return ca.Function("balance", inputs, [fixed[0], ca.densify(fixed[1])]), blocks["u"].numel()
@@ -316,7 +316,7 @@ def _scales(model: PointModel, duration: float, at: PointValues, u: np.ndarray) 
         sizes.append(min(bound, 4 * largest) if bound and largest else bound or largest)
     usual = max(sizes, default=1.0) or 1.0
     sized_u = np.array([max(size, 1e-2 * usual) for size in sizes])
-    states = np.array([max(abs(s.initial), 1e-2) for s in model.equations.acting.states])
+    states = np.array([max(abs(initial), 1e-2) for initial in model.initials])
     return Scales(sized_y, unit(layout.z), sized_u, duration, np.full(model.d, level or 1.0), states)
 
 

@@ -230,7 +230,7 @@ class _Momentum:
     def __init__(self, model: PointModel, blocks: dict[str, ca.SX]) -> None:
         self.model = model
         own = point_symbols(model, moving=True)
-        states = ca.DM([state.initial for state in model.equations.acting.states])
+        states = ca.DM(model.initials)
         rest = {n: ca.SX.zeros(s.numel()) for n, s in own.items()}
         rest |= {"x": ca.SX(states), "T": ca.SX.ones(own["T"].numel())}
         rest |= {name: blocks[name] for name in ("y", "z", "p") if own[name].numel()}

@@ -12,6 +12,7 @@ from copy import copy
 from functools import cached_property
 from typing import Any
 
+from symscrew.description import exact
 from symscrew.errors import DescriptionError, did_you_mean
 from symscrew.functions import joint_freedom_labels, u_port
 from symscrew.optimisation.motion_equations import PointEquations
@@ -47,6 +48,24 @@ class PointModel:
     def d(self) -> int:
         """Number of independent coordinates."""
         return len(self.equations.labels)
+
+    @property
+    def initials(self) -> list[float]:
+        """Values of the effects' states at the start, at the problem's parameters.
+
+        Raises:
+            DescriptionError: one follows a design parameter, which is not known before.
+        """
+        mechanism = self.system.mechanism
+        values = mechanism.values({name: exact(value) for name, value in self.problem.parameters.items()})
+        numbers = {p.symbol: values[name] for name, p in mechanism.parameters.items()}
+        for state in self.equations.acting.states:
+            chosen = {str(s) for s in mechanism.baked(state.start).free_symbols} & set(self.design)
+            if chosen:
+                raise DescriptionError(
+                    f"design.{min(chosen)}: the state {state.name} begins with it; expected a start that is known"
+                )
+        return [state.starting(numbers) for state in self.equations.acting.states]
 
     def number(self, name: str, get: Get) -> Any:
         """A number of the problem as functions of a point hold it: its symbol, or its value."""

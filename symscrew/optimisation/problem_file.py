@@ -29,6 +29,7 @@ from symscrew.description import (
     from_file,
     given_value,
     numeric,
+    parameter_units,
     read_tables,
 )
 from symscrew.effects import Effect, check_effects, effect_from_table
@@ -86,7 +87,9 @@ def _given(tables: Mapping[str, Any], folder: Path | None) -> tuple[_Reader, _Ba
     base = _base(tables["problem"], folder)
     read = _Reader(base.mechanism)
     design = read.ranges(tables.get("design", {}), "design")
-    parameters = {**base.parameters, **read.numbers(tables.get("parameters", {}), "parameters")}
+    given = tables.get("parameters", {})
+    units = parameter_units(base.mechanism.parameters, given)
+    parameters = {**base.parameters, **read.numbers(given, "parameters", units)}
     return _Reader(base.mechanism, parameters, tuple(design)), base, design, parameters
 
 

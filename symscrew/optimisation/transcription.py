@@ -212,7 +212,7 @@ def bound_by_problem(known: Unknowns, model: PointModel, problem: TrajectoryProb
         for k, state in enumerate(model.equations.acting.states):
             if state.carried is not None and starts_with_motion(model, problem):
                 continue  # of the coordinates and rates there too: a row of the start's family
-            known.bound(known.index["x"][0, k], state.initial, state.initial)
+            known.bound(known.index["x"][0, k], model.initials[k], model.initials[k])
     if isinstance(problem.duration, tuple):
         known.bound(known.index["T"], *problem.duration)
     for k, name in enumerate(model.design):

@@ -148,6 +148,13 @@ def _absolute(a: Series) -> Series:
     return [made[0], *((np.where(both, -np.inf, low), np.where(both, np.inf, high)) for low, high in made[1:])]
 
 
+def _sign(a: Series) -> Series:
+    """The sign of a, as derivatives of |a| have it; of no bound from the first rate on where a may change its sign."""
+    low, high = np.sign(a[0][0]), np.sign(a[0][1])
+    wide = np.where(low == high, 0.0, np.inf)
+    return [(low, high), *([(-wide, wide)] * (len(a) - 1))]
+
+
 def _constant(value: float, like: Array) -> Series:
     zero = (np.zeros_like(like), np.zeros_like(like))
     return [(np.full_like(like, value), np.full_like(like, value)), *([zero] * ORDER)]
@@ -165,6 +172,7 @@ _UNARY: dict[object, Callable[[Series], Series]] = {
                            for k, c in enumerate(_arc_sine(a))],
     sympy.atan: _arc_tangent,
     sympy.Abs: _absolute,
+    sympy.sign: _sign,
 }  # fmt: skip
 
 

@@ -8,7 +8,7 @@
                    names or by labels of v ("2deg/s"); mode = NAME of an assembly mode with these values (`symscrew
                    assemble` lists them)
     [[effects]]    type and the effect's own keys (`symscrew.effects`)
-    [parameters]   NAME = value of a run-time parameter
+    [parameters]   NAME = value of a run-time parameter, in SI units or with its unit ("200 mm")
     [tables.NAME]  times, values, interpolation ("linear" or "cubic")
     [signals]      NAME = expression, for use in later ones
     [states.NAME]  rate = expression, initial: a state of the controller
@@ -42,6 +42,7 @@ from symscrew.description import (
     from_file,
     given_value,
     numeric,
+    parameter_units,
     read_tables,
 )
 from symscrew.effects import check_effects, effect_from_table
@@ -286,7 +287,8 @@ def _parameters(table: Mapping[str, Any], mechanism: Mechanism, read: _Reader) -
             raise DescriptionError(
                 f"parameters: {shorten(name)} is no run-time parameter of {mechanism.name}; {did_you_mean(name, known)}"
             )
-    return {name: read.number(value, f"parameters.{name}") for name, value in table.items()}
+    units = parameter_units(mechanism.parameters, table)
+    return {name: read.quantity(value, f"parameters.{name}", units[name])[0] for name, value in table.items()}
 
 
 def _integrator(table: Mapping[str, Any], read: _Reader) -> Integrator:

@@ -15,6 +15,7 @@ import numpy as np
 import sympy
 
 from symscrew.description import parse
+from symscrew.effects import Acting
 from symscrew.model import Model
 from symscrew.scene.contents import Scene
 from symscrew.scene.interval_series import ORDER, series
@@ -68,7 +69,8 @@ UNCHANGING = TimeFeatures()
 
 
 def features_in_time(scene: Scene, model: Model) -> TimeFeatures:
-    """Edges and breaks of the scene's drives, inputs of effects and rates of states, within its duration."""
+    """Edges and breaks of the scene's drives, inputs of effects, rates of states, and of what effects say of t, within
+    its duration."""
     functions: dict[sympy.Expr, str] = {}
     notices = []
     for where, expression in _expressions(scene, model):
@@ -119,6 +121,17 @@ def _expressions(scene: Scene, model: Model) -> Iterator[tuple[str, sympy.Expr]]
         yield from ((f"inputs.{port}[{k}]", parse(text, names)) for k, text in enumerate(texts))
     for name, (rate, _) in scene.states.items():
         yield f"states.{name}.rate", parse(rate, names)
+    yield from _of_effects(model, model.mechanism.values(chosen))
+
+
+def _of_effects(model: Model, values: Mapping[str, sympy.Expr]) -> Iterator[tuple[str, sympy.Expr]]:
+    """What effects say of the time in their own texts, with the derivatives that they take, at the parameters' values:
+    a base's motion, a wrench."""
+    known = [model.programs[name] for name in ("forward_dynamics", "effect_power") if name in model.programs]
+    if any(port.name == "t" for program in known for port in program.inputs):
+        numbers = {p.symbol: values[name] for name, p in model.mechanism.parameters.items()}
+        for what, expression in Acting(model.system, model.effects).functions_of_time:
+            yield what, expression.xreplace(numbers)
 
 
 def _parts_in_time(expression: sympy.Expr) -> Iterator[sympy.Expr]:

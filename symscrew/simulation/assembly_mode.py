@@ -66,7 +66,7 @@ class AssemblyModes:
         self.blocks: dict[str, tuple[Block, ...]] = {}
         if not system.cuts or "closure_jacobian" not in model.programs:
             return
-        states = [self._jacobian(q) for q in (system.reference, *model.sample_q)]
+        states = [self._jacobian(q) for q in (system.reference_at(parameters), *model.sample_q)]
         for way, held in self._held().items():
             self.blocks[way] = tuple(self._of(states, held))
 

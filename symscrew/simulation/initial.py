@@ -19,8 +19,9 @@ from symscrew.errors import DescriptionError, did_you_mean
 from symscrew.kinematics import System, full_name, nearest_names, typable_names
 from symscrew.mobility import inverse_kinematics
 from symscrew.model import Model
-from symscrew.scene import Scene
+from symscrew.scene import Scene, parameter_values
 from symscrew.simulation.named_rates import rate_rows
+from symscrew.simulation.run_time_values import check_frames, check_values, values_in
 from symscrew.simulation.start_branch import leaves_every_branch
 
 # Intermediate targets on the way from the reference configuration; more where fewer fail. Long strides may lead to
@@ -83,7 +84,7 @@ def initial_state(scene: Scene, model: Model, parameters: np.ndarray) -> State:
 def initial_states_together(model: Model, of: Sequence[tuple[Scene, np.ndarray]]) -> list[State | DescriptionError]:
     """`initial_state` of every scene with its parameters; where there is none, the error that says why."""
     closure = _Closure(model)
-    asking = {k: _begun(scene, model, closure) for k, (scene, _) in enumerate(of)}
+    asking = {k: _begun(scene, model, closure, parameters) for k, (scene, parameters) in enumerate(of)}
     found: list[State | DescriptionError] = [DescriptionError("")] * len(of)
     answers: dict[int, Any] = dict.fromkeys(asking)
     while asking:
@@ -101,8 +102,12 @@ def initial_states_together(model: Model, of: Sequence[tuple[Scene, np.ndarray]]
     return found
 
 
-def _begun(scene: Scene, model: Model, closure: _Closure) -> Asking[State]:
+def _begun(scene: Scene, model: Model, closure: _Closure, parameters: np.ndarray) -> Asking[State]:
     system = model.system
+    reference = system.reference
+    if len(parameters):
+        reference = system.reference_at(parameters)
+        check_frames(model, parameters, *(yield _At(reference)))
     known = {c.label: k for k, c in enumerate(system.tree.q)}
     hold = scene.initial.hold
     in_mode, others = scene.initial.mode, any(label not in known for label in scene.initial.coordinates)
@@ -120,13 +125,13 @@ def _begun(scene: Scene, model: Model, closure: _Closure) -> Asking[State]:
     q = None
     if hold is None:
         for strides in STRIDES:
-            q = yield from _followed(model, closure, target, strides)
+            q = yield from _followed(reference, closure, target, strides)
             if q is not None:
                 break
     else:
-        q = yield from _nearest(model, closure, target, [k for label, k in known.items() if label in hold])
+        q = yield from _nearest(reference, closure, target, [k for label, k in known.items() if label in hold])
     if q is None:
-        opened = np.array(system.reference)
+        opened = np.array(reference)
         opened[list(target)] = list(target.values())
         residual, _ = yield _At(opened)
         gap = np.abs(residual).max(initial=0.0)
@@ -177,13 +182,21 @@ def moves(scene: Scene, model: Model, q: np.ndarray, v: np.ndarray) -> tuple[str
 
 
 def initial_states(scene: Scene, model: Model, q: np.ndarray, v: np.ndarray) -> np.ndarray:
-    """Values of the states at the start (states,): those of the effects, then those of the controller."""
-    system = model.system
-    states = Acting(system, model.effects).states
-    effects = [float(state.initial) for state in states]
+    """Values of the states at the start (states,): those of the effects, then those of the controller.
+
+    Raises:
+        DescriptionError: the scene's run-time parameters are none that the mechanism or an effect can have.
+    """
+    system, acting = model.system, Acting(model.system, model.effects)
+    check_values(scene, model, acting)
+    states, numbers = acting.states, values_in(scene, model)
+    effects = [state.starting(numbers) for state in states]
     carried = {k: state.carried for k, state in enumerate(states) if state.carried is not None}
     if carried:
-        given = system.numeric(list(carried.values()), (system.inputs.q, q[None]), (system.inputs.v, v[None]))
+        chosen = np.array([list(parameter_values(scene, model).values())], dtype=float)
+        given = system.numeric(
+            list(carried.values()), (system.inputs.q, q[None]), (system.inputs.v, v[None]), parameters=chosen
+        )
         for k, value in zip(carried, given[0], strict=True):
             effects[k] += float(value)
     return np.array([*effects, *(value for _, value in scene.states.values())], dtype=float)
@@ -273,10 +286,12 @@ def _unit_quaternions(system: System, given: Mapping[int, float]) -> dict[int, f
     return target
 
 
-def _followed(model: Model, closure: _Closure, target: dict[int, float], strides: int) -> Asking[np.ndarray | None]:
+def _followed(
+    reference: np.ndarray, closure: _Closure, target: dict[int, float], strides: int
+) -> Asking[np.ndarray | None]:
     """Newton's method from the reference to the target, in strides."""
-    system = model.system
-    q = np.array(system.reference)
+    system = closure.system
+    q = np.array(reference)
     start = {k: q[k] for k in target}
     strides = strides if any(abs(target[k] - start[k]) > 1e-14 for k in target) else 1
     for stride in range(1, strides + 1):
@@ -289,10 +304,12 @@ def _followed(model: Model, closure: _Closure, target: dict[int, float], strides
     return q
 
 
-def _nearest(model: Model, closure: _Closure, given: dict[int, float], held: list[int]) -> Asking[np.ndarray | None]:
+def _nearest(
+    reference: np.ndarray, closure: _Closure, given: dict[int, float], held: list[int]
+) -> Asking[np.ndarray | None]:
     """By Newton's method from the given values, of which those at `held` are kept."""
-    system = model.system
-    start = np.array(system.reference)
+    system = closure.system
+    start = np.array(reference)
     plain = [k for k in given if system.tree.q[k].kind != "quaternion"]
     start[plain] = [given[k] for k in plain]
     start = _turned(system, start, given)

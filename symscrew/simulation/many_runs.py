@@ -140,12 +140,13 @@ def simulate_many(
 
 @dataclass(frozen=True)
 class _Begun:
-    """A run that can start: its scene, its programs, its state."""
+    """A run that can start: its scene, its programs, its state, and what its inputs do in time."""
 
     scene: Scene
     plant: Plant
     start: State
     told: tuple[str, ...]
+    features: TimeFeatures | None
 
 
 class _Work:
@@ -206,7 +207,10 @@ class _Work:
             states = [found if isinstance(found, tuple) else str(found) for found in together]
         found: dict[int, _Begun | str] = {}
         for k, state in zip(block, states, strict=True):
-            found[k] = state if isinstance(state, str) else self._with_states(k, scenes[k], plants[k], state)
+            try:
+                found[k] = state if isinstance(state, str) else self._with_states(k, scenes[k], plants[k], state)
+            except DescriptionError as error:  # parameters that no mechanism has
+                found[k] = str(error)
         return found
 
     def _plant(self, k: int) -> Plant:
@@ -220,10 +224,13 @@ class _Work:
 
     def _with_states(self, k: int, scene: Scene, plant: Plant, state: tuple[np.ndarray, np.ndarray]) -> _Begun:
         given = self.starts.whole.get("x")
-        x = initial_states(scene, self.model, *state) if given is None else np.array(given[k])
+        if given is None or self.starts.parameters:  # which are looked at with the states of the scene
+            x = initial_states(scene, self.model, *state)
+        x = x if given is None else np.array(given[k])
         x = np.concatenate([x, np.zeros(len(plant.x_labels) - len(x))])
         told = () if "q" in self.starts.whole else told_at_start(scene, self.model, *state)
-        return _Begun(scene, plant, (*state, x), told)
+        features = self._features(scene) if self.compiled else None  # here: threads would share the tape
+        return _Begun(scene, plant, (*state, x), told, features)
 
     def _tried(self, run: _Begun) -> History | str:
         try:
@@ -233,7 +240,7 @@ class _Work:
             return str(error)
 
     def _natively(self, run: _Begun) -> History:
-        features = self._features(run)
+        features = run.features
         loop = self.loops.get()
         try:
             loop.put(run.plant)
@@ -251,12 +258,12 @@ class _Work:
         found = integrated(run.scene, run.plant, run.start, contacts=contacts, backend=self.backend)
         return replace(found, events=(self.notice, *found.events)) if self.notice else found
 
-    def _features(self, run: _Begun) -> TimeFeatures:
+    def _features(self, scene: Scene) -> TimeFeatures:
         """What inputs do in time, which only parameters can make another thing from run to run."""
         if self.starts.parameters:
-            return features_in_time(run.scene, self.model)
+            return features_in_time(scene, self.model)
         if self.unchanging is None:
-            self.unchanging = features_in_time(run.scene, self.model)
+            self.unchanging = features_in_time(scene, self.model)
         return self.unchanging
 
 

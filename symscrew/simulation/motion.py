@@ -26,11 +26,15 @@ from symscrew.simulation.native import NATIVE_METHODS, integrate_natively
 from symscrew.simulation.portable import Controller, integrate
 from symscrew.simulation.recording import Estimate, History, State
 from symscrew.simulation.run_columns import columns_of, wrenches_along
+from symscrew.simulation.run_time_values import mechanism_of
 from symscrew.simulation.stability import with_longest_stable_step
 from symscrew.simulation.state_programs import Plant, commands, plant
 from symscrew.simulation.verdict import estimated, verdict
 
 Progress = Callable[[float], None]
+# Of the largest energy: sums over all bodies leave some units in the last place. What is out of balance by less says
+# nothing, also where less than that is moved (a pendulum that stands on its head); more than it is looked at.
+ENERGY_ROUNDING = 1e-14
 
 
 @dataclass(frozen=True, repr=False)
@@ -203,9 +207,11 @@ def judged(run: Run) -> Run:
 
 
 def _still(run: Run) -> bool:
-    """Whether the energy is out of balance by less than rates as small as the tolerance hold: of a mechanism that
-    hardly moves, a part of the energies that were moved says nothing."""
+    """Whether the energy is out of balance by less than rates as small as the tolerance hold, or than the rounding of
+    the energies themselves: of a mechanism that hardly moves, a part of the energies that were moved says nothing."""
     model, balance = run.model, float(np.abs(run.energy_balance).max(initial=0.0))
+    if balance <= ENERGY_ROUNDING * float(np.abs(run.energy).max(initial=0.0)):
+        return True
     if run.scene.integrator.step is not None or not len(run.t) or not balance > 0.0:
         return False
     units = np.array([model.system.length if c.kind == "length" else 1.0 for c in model.system.tree.v])
@@ -362,7 +368,7 @@ def _run(
         for c in history.crossings
     )
     u = inputs.pop("u", np.zeros((n, 0)))
-    events = (*history.events, *changed(*modes), *_told(model, looks))
+    events = (*history.events, *changed(*modes), *_told(scene, model, looks))
     return Run(
         scene, model, history.t, history.q, history.v, u, history.x, energy, looks["closure"], balance,
         looks.get("reactions") if scene.reactions else None, crossings, events, history.ok, history.status,
@@ -371,11 +377,12 @@ def _run(
     )  # fmt: skip
 
 
-def _told(model: Model, looks: Arrays) -> tuple[str, ...]:
+def _told(scene: Scene, model: Model, looks: Arrays) -> tuple[str, ...]:
     """What effects say of the motion that was computed with them: what they leave out, where it counts."""
-    n, mechanism = len(looks["energy"]), model.mechanism
+    n = len(looks["energy"])
     if not _looked(model) or n == 0:
         return ()
+    mechanism = mechanism_of(scene, model)
     places, forces = looks["places"].reshape(n, -1, 3), looks["reactions"].reshape(n, -1, 6)[:, :, :3]
     passed = Passed(
         mechanism,

@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from support.marks import slow
 from support.samples import some_quickly
+from sympy import Integer
 
 from hard.mechanisms import chain
+from symscrew.description.mechanism import Parameter, Point
+from symscrew.effects import BaseMotion, ExternalWrench
 from symscrew.runtime.compiled import find_compiler
-from symscrew.scene.contents import Integrator, Scene, Table
+from symscrew.scene.contents import Initial, Integrator, Scene, Table
 from symscrew.simulation.motion import Run, simulate
 
 pytestmark = pytest.mark.slow
@@ -36,6 +41,33 @@ def test_a_pulse_in_a_long_time(width: float, middle: float, backend: str) -> No
     """A Gaussian anywhere in 100 s gives sqrt(pi) width; stepped over it gave 0."""
     run = pushed(f"exp(-((t - {middle})/{width})^2)", 100.0, backend=backend)
     assert run.v[-1, 0] == pytest.approx(np.sqrt(np.pi) * width, rel=1e-8)
+
+
+@pytest.mark.parametrize("middle", [3.21, slow(77.7)])
+def test_a_pulse_in_a_text_of_an_effect(middle: float) -> None:
+    """A wrench, and a base that jerks: what effects say of the time was stepped over, completed and at rest."""
+    body = {"mass": 2, "com": [0, 0, 0], "inertia": [1, 1, 1]}
+    mechanism = chain("block", ("x", "P", "base", "block", [0, 0, 0], [[1, 0, 0]]), block=body)
+    bell = f"exp(-((t - {middle})/w)^2)"
+    width = Parameter("w", Integer(1), "s", run_time=True)
+    place = Point("place", "block", (Integer(0),) * 3)
+    mechanism = replace(mechanism, parameters={"w": width}, points={"place": place})
+    for effect, gained in (
+        (ExternalWrench("place", wrench=(f"1000*{bell}", 0, 0, 0, 0, 0)), lambda run: run.v[-1, 0] / 500),
+        (BaseMotion(twist=(0, 0, 0, bell, 0, 0)), lambda run: -run.q[-1, 0]),  # the block stays where it is
+    ):
+        run = simulate(Scene("pushed", mechanism, (effect,), 100.0, 0.1, parameters={"w": 1e-3}))
+        assert gained(run) == pytest.approx(np.sqrt(np.pi) * 1e-3, rel=1e-7)
+
+
+def test_a_base_whose_rate_has_kinks_is_landed_on() -> None:
+    """The block stays where it is: against the base it goes back by the integral of |sin|; steps end at its kinks."""
+    body = {"mass": 2, "com": [0, 0, 0], "inertia": [1, 1, 1]}
+    mechanism = chain("block", ("x", "P", "base", "block", [0, 0, 0], [[1, 0, 0]]), block=body)
+    start = Initial(rates={"x": 0.0})
+    run = simulate(Scene("kinks", mechanism, (BaseMotion(twist=(0, 0, 0, "abs(sin(t))", 0, 0)),), 10.0, 1.0, start))
+    assert not run.events
+    assert run.q[-1, 0] == pytest.approx(-(2 * 3 + 1 + np.cos(10.0)), abs=1e-9)
 
 
 @pytest.mark.parametrize("method", ["cvodes", slow("lsoda"), slow("bdf")])

@@ -11,6 +11,7 @@ import pytest
 from support.marks import slow
 from support.runs import error_of, scene_of
 
+from hard.mechanisms import chain
 from hard.test_events_within_steps import pushed_block
 from symscrew.cli.parser import main
 from symscrew.description import load_description
@@ -20,7 +21,7 @@ from symscrew.scene import load_scene
 from symscrew.scene.contents import Initial, Integrator, Scene
 from symscrew.simulation import native
 from symscrew.simulation.initial import initial_state
-from symscrew.simulation.motion import prepare, simulate
+from symscrew.simulation.motion import judged, prepare, simulate
 from symscrew.simulation.recording import Estimate
 from symscrew.simulation.verdict import verdict
 
@@ -136,3 +137,13 @@ def test_the_shipped_fall_through_singular_places_asks_for_what_is_reachable() -
     scene = load_scene(Path(__file__).parents[2] / "examples" / "scenes" / "falling_platform.toml")
     found = simulate(scene)
     assert found.accurate and len(found.crossings) == 3, found.verdict
+
+
+def test_a_rod_on_its_head_rests() -> None:
+    """What rounding leaves of its weight's energy is more than moves; it was a failed run."""
+    body = {"mass": 1, "com": [0, 0, "1/2"], "inertia": [["1/10", 0, 0], [0, "1/10", 0], [0, 0, "1/10"]]}
+    rod = chain("rod", ("A", "R", "base", "rod", [0, 0, 0], [["3/5", "4/5", 0]]), rod=body)
+    run = simulate(Scene("rests", rod, (Gravity((0, 0, "-9.81")),), 0.5, 20.0), backend="numpy")
+    rounded = replace(run, energy_balance=run.energy_balance + 3.6e-15, energy=run.energy + 1e-30)
+    assert judged(rounded).accurate, judged(rounded).verdict
+    assert not judged(replace(rounded, energy_balance=run.energy_balance + 1e-12)).accurate

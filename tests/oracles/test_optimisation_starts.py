@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from support.marks import slow
+from sympy import Integer
 
 from symscrew.description.builder import MechanismBuilder
-from symscrew.description.mechanism import Mechanism
-from symscrew.effects import FlexibleLink
+from symscrew.description.mechanism import Mechanism, Parameter
+from symscrew.effects import DcMotor, FlexibleLink
+from symscrew.errors import DescriptionError
 from symscrew.optimisation.problem import Conditions, TrajectoryProblem
 from symscrew.optimisation.solution import solve
 
@@ -40,3 +44,19 @@ def test_a_flexible_link_that_starts_in_motion_starts_without_bending_rates(rate
     assert rate is not None or abs(turning) > 0.1
     assert float(start["x"][0, 0]) == pytest.approx(0.0, abs=1e-9)
     assert float(start["x"][0, 1]) == pytest.approx(2 * turning / np.pi, abs=1e-8)
+
+
+def test_states_begin_at_the_parameters_of_the_problem() -> None:
+    """The current of a motor, 2 A for the problem and none in the description, at which the plan began."""
+    current = Parameter("I", Integer(0), "A", run_time=True)
+    rod = replace(swinging_rod(), parameters={"I": current})
+    problem = TrajectoryProblem(
+        rod, effects=(DcMotor("hinge", 1, 1, "1/10", current="I"),), duration=0.5, parameters={"I": 2.0},
+        start=Conditions(coordinates={"hinge": 0.0}, at_rest=True), accuracy=None,
+        end=Conditions(coordinates={"hinge": 1.0}, at_rest=True),
+    )  # fmt: skip
+    found = solve(problem)
+    assert found.ok, found.status
+    assert float(found.blocks(np.array([0.0]))["x"][0, 0]) == pytest.approx(2.0, abs=1e-9)
+    with pytest.raises(DescriptionError, match=r"design\.I: the state current_hinge begins with it"):
+        solve(replace(problem, parameters={}, design={"I": (0.0, 3.0)}))

@@ -182,7 +182,8 @@ MOTION: Mapping[str, Mapping[str, Meaning]] = {
 }
 FREE_SCENE = (
     "| `[[effects]]` | `type` and the keys of the [effect](effects.md) |",
-    "| `[parameters]` | NAME = value of a run-time parameter |",
+    '| `[parameters]` | NAME = value of a run-time parameter, in SI units or with its unit, "200 mm"; needed where '
+    "the description counts in another |",
     '| `[tables.NAME]` | times [s], values, interpolation: "linear" or "cubic" |',
     "| `[signals]` | NAME = expression, for use in later ones |",
     "| `[states.NAME]` | rate = expression, initial: a state of the controller |",

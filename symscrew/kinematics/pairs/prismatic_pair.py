@@ -79,7 +79,7 @@ def _origin(site: Site, axis: Vector) -> Vector:
     geometry, parent = site.geometry, site.parent
     for point in site.outboard_points():
         away = geometry.settle(cross(axis, subtract(point, parent.origin)))
-        if all(geometry.size(c) == 0 for c in away):
+        if all(geometry.vanishes(c) for c in away):
             return point
     return parent.origin
 

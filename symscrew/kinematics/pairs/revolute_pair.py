@@ -148,7 +148,7 @@ def _matmul(a: Matrix, b: Matrix) -> Matrix:
 def _sparse_triad(geometry: Geometry, axis: Vector) -> Matrix:
     """A rotation matrix whose third column is `axis`, with as many zeros and ones as can be had."""
     sizes = [geometry.size(c) for c in axis]
-    zeros = [k for k in range(3) if sizes[k] == 0]
+    zeros = [k for k in range(3) if geometry.vanishes(axis[k])]
     if len(zeros) == 2:
         main = sizes.index(max(sizes))
         first: Vector = UNITS[(main + 1) % 3]

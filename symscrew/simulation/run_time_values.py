@@ -1,0 +1,72 @@
+"""Whether a scene's run-time parameters are such that the mechanism and its effects can have them.
+
+scene's values --followed--> mechanism's numbers --inertias, what effects require--> an error that names the number
+
+A model is derived, and looked at, for the values of its description; a run has others.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+import numpy as np
+import sympy
+
+from symscrew.description import Mechanism, check_values_of, exact, followed
+from symscrew.effects import Acting
+from symscrew.errors import DescriptionError
+from symscrew.model import Model
+from symscrew.scene import Scene
+
+
+def values_in(scene: Scene, model: Model) -> dict[sympy.Symbol, sympy.Expr]:
+    """Every parameter of the mechanism -> its value in the scene, for expressions of them."""
+    return {model.mechanism.parameters[name].symbol: value for name, value in _by_name(scene, model).items()}
+
+
+def check_values(scene: Scene, model: Model, acting: Acting) -> None:
+    """Refuse run-time parameters that leave a body no possible inertia, or that an effect has no use for.
+
+    Raises:
+        DescriptionError: names the body or effect, what was expected, what came.
+    """
+    if not scene.parameters:  # those of the description were looked at when the model was derived
+        return
+    mechanism, chosen = model.mechanism, mechanism_of(scene, model)
+    check_values_of(chosen)
+    for effect in model.effects:
+        chosen = effect.transform(chosen)
+        for now, derived in zip(effect.rolled(chosen), effect.rolled(mechanism), strict=True):
+            if now.inside != derived.inside:
+                raise DescriptionError(
+                    f"ideal rolling of {now.name}: circle: expected a radius of the sign that it has in the "
+                    "description; a wheel rolls within a circle or on it by design"
+                )
+    acting.check_values(_by_name(scene, model))
+
+
+def mechanism_of(scene: Scene, model: Model) -> Mechanism:
+    """The mechanism of a run: that of the model, with the scene's values of its parameters."""
+    given = {name: exact(value) for name, value in scene.parameters.items()}
+    return replace(model.mechanism, parameters=followed(model.mechanism.parameters, given))
+
+
+def check_frames(model: Model, parameters: np.ndarray, *values: np.ndarray) -> None:
+    """Refuse run-time parameters (np,) at which the closure in the reference configuration, `values`, is no number: its
+    frames stand on a direction that vanishes there, which at the description's values it does not.
+
+    Raises:
+        DescriptionError: names the parameters.
+    """
+    if not all(np.isfinite(array).all() for array in values):
+        names = [p.name for p in model.mechanism.parameters.values() if p.run_time]
+        shown = ", ".join(f"{name} = {value:.12g}" for name, value in zip(names, parameters, strict=True))
+        raise DescriptionError(
+            f"parameters: at {shown} a direction vanishes that the frames of {model.name} stand on at the "
+            "description's values; give the description these values"
+        )
+
+
+def _by_name(scene: Scene, model: Model) -> Mapping[str, sympy.Expr]:
+    return model.mechanism.values({name: exact(value) for name, value in scene.parameters.items()})
