@@ -36,6 +36,8 @@ SPANNED = 1e-9
 """Singular value of screws, in sizes of the mechanism, below which they are dependent: rounding leaves 1e-15."""
 TOGETHER = 1e-12
 """Points of one body this close, in sizes of the mechanism, are one point."""
+PARALLEL = 1e-40
+"""Difference of axes of length one that have one direction: they are known to 60 digits."""
 
 
 @dataclass(frozen=True)
@@ -162,6 +164,8 @@ class _Planner:
         self.platform = graph.cluster.get(platform or "", "")
         self.slots: list[Slot] = []
         self.points: list[tuple[str, Point, int]] = []
+        self.axes: list[tuple[str, Point, int]] = []
+        self.behind: dict[str, str] = {}
         self.groups: list[Group] = []
         self.chains: dict[str, tuple[int, ...]] = {graph.ground: ()}
         self.forms: dict[tuple[str, str], list[Form]] = {}
@@ -297,7 +301,8 @@ class _Planner:
         for k, edge in enumerate(run.edges):
             assert edge.axis is not None
             far = run.far if k == len(run.edges) - 1 else f"{run.near}>{edge.joint}:{edge.columns[0]}"
-            slots = [self._slot(Slot("axis", body, edge.axis))]
+            slots = [self._axis(body, edge.axis)]
+            self.behind[edge.child if edge.parent == body else edge.parent] = self.behind.get(body, body)
             if edge.kind == "turn":
                 slots.append(self._point(body, edge.point))
             self._add_group(Group(edge.kind, far, start, tuple(slots), edge, self._forward(run, k)))
@@ -316,6 +321,24 @@ class _Planner:
     def _slot(self, slot: Slot) -> int:
         self.slots.append(slot)
         return len(self.slots) - 1
+
+    def _axis(self, body: str, axis: Point, taken: Sequence[int] = ()) -> int:
+        """The slot of a joint's axis on a body; that of a joint before it in a row which has the same direction.
+
+        Cylinders and hinges in a row that stay parallel are so in every mechanism of the structure: without that a
+        general one has more solutions, whose paths end at infinity. `taken`: slots that are no choice.
+        """
+        carrier = self.behind.get(body, body)
+        for owner, known, number in self.axes if self.graph.axis is None else ():
+            if owner == carrier and number not in taken and self._parallel(known, axis):
+                return number
+        self.axes.append((carrier, axis, self._slot(Slot("axis", body, axis))))
+        return self.axes[-1][2]
+
+    @staticmethod
+    def _parallel(one: Point, two: Point) -> bool:
+        """Whether two axes of length one have the same direction and sense."""
+        return all(abs(float(a - b)) < PARALLEL for a, b in zip(one, two, strict=True))
 
     def _point(self, body: str, at: Point) -> int:
         """The slot of a point of a body; that of the same point if there is one."""
@@ -342,7 +365,9 @@ class _Planner:
         if run.kind == "ball" or self.graph.axis:
             return
         assert first.axis is not None and last.axis is not None
-        w, u = self._slot(Slot("axis", two, last.axis)), self._slot(Slot("axis", one, first.axis))
+        pairs = [form.slots for forms in self.forms.values() for form in forms if form.kind == "parallel"]
+        taken = [slot for pair in pairs for slot in pair]  # each pair goes from member to member in its own way
+        w, u = self._axis(two, last.axis, taken), self._axis(one, first.axis, taken)
         if run.kind == "hook":
             number = self._slot(Slot("number", at=dot(first.axis, last.axis)))
             self._form(ends, Form("angle", (w, u, number)))

@@ -39,7 +39,8 @@ SEED = 20231009
 MOST_PATHS = 64
 """Of the C, whose arrays for them lie on the stack: 40 are those of a platform on six legs."""
 LAYOUT = {
-    "MOST_STEPS": 400,  # of a path; those of random platforms take sixty
+    "MOST_STEPS": 2000,  # of a path; those of random platforms take sixty, of loops of seven hinges up to 450
+    "MOST_CRAWL": 60,  # near its end, to get over half of what is left: of more, rounding leaves luck every other one
     "MOST_NEWTON": 12,
     "MOST_PARTS": 64,  # steps, and halvings, of one call along a motion
 }
@@ -47,6 +48,7 @@ NUMBERS = {
     "TOLERANCE": 1e-3,  # longest first correction of a path over its point's length; retried at a thirtieth
     "LONGEST_STEP": 0.15,
     "SHORTEST_STEP": 1e-6,  # of what is left: a shorter one means a singular end
+    "CRAWL": 1e-3,  # of the way that is left, from which on steps are counted
     "BEHIND": 1e-2,  # of the way: a path with more left stays at a singular place of it, not at an end
     "DIFFERENCE": 1e-3,  # of rates along a path: equations are almost quadratic in s
     "LEAST_BOX": 1e-7,  # that a certificate is first tried with; most zeros are farther apart

@@ -26,7 +26,7 @@ typedef struct {
 
 static inline Wide wide(double a)
 {
-    Wide x;
+    Wide x = {0};
     for (int k = 0; k < LANES; ++k) {
         ((double *)&x)[k] = a;
     }

@@ -2,8 +2,8 @@
 
 typedef struct {
     Lanes z[WIDTH], rate[WIDTH], old[WIDTH], old_rate[WIDTH];
-    double s[LANES], before[LANES], h[LANES];
-    int path[LANES], steps[LANES];
+    double s[LANES], before[LANES], h[LANES], rest[LANES];
+    int path[LANES], steps[LANES], since[LANES];
 } Batch;
 
 enum { END_NONE = 0, END_THERE, END_LOST, END_BEHIND };
@@ -52,13 +52,20 @@ static void spinors_of(const double *w, const double *u, double *p, double *q)
 }
 #endif
 
+/* Where a way leads, and how far it goes round through complex numbers: on another way singular places are others. */
+typedef struct {
+    double goal[N_NUMBERS][3], bend;
+} Path;
+
 /* Numbers in the slots at s: from the general mechanism (0) to this one (1). */
-static void slots_at(Wide s, double (*goal)[3], Lanes (*slots)[3])
+static void slots_at(Wide s, const Path *way, Lanes (*slots)[3])
 {
+    const Wide detour = way->bend * s * (1.0 - s);
     for (int k = 0; k < N_NUMBERS; ++k) {
         for (int i = 0; i < 3; ++i) {
-            slots[k][i].re = start_slots[k][i][0] + s * (goal[k][i] - start_slots[k][i][0]);
-            slots[k][i].im = start_slots[k][i][1] - s * start_slots[k][i][1];
+            const double re = way->goal[k][i] - start_slots[k][i][0], im = start_slots[k][i][1];
+            slots[k][i].re = start_slots[k][i][0] + s * re + detour * im;
+            slots[k][i].im = im - s * im + detour * re;
         }
     }
 #if N_PAIRS
@@ -107,16 +114,16 @@ static void solved(Lanes (*a)[WIDTH + 2])
 }
 
 /* A step of Newton's method at s and, where asked for, dz/ds. */
-static void path_step(const Lanes *z, Wide s, double (*goal)[3], Lanes *step, Lanes *rate)
+static void path_step(const Lanes *z, Wide s, const Path *way, Lanes *step, Lanes *rate)
 {
     Lanes slots[N_NUMBERS][3], value[UNKNOWNS], more[UNKNOWNS], less[UNKNOWNS], jacobian[UNKNOWNS][WIDTH];
     Lanes a[WIDTH][WIDTH + 2];
-    slots_at(s, goal, slots);
+    slots_at(s, way, slots);
     lanes_equations(slots, z, path_mix, value, jacobian);
     if (rate) {
-        slots_at(s + DIFFERENCE, goal, slots);
+        slots_at(s + DIFFERENCE, way, slots);
         lanes_equations(slots, z, path_mix, more, (Lanes (*)[WIDTH])0);
-        slots_at(s - DIFFERENCE, goal, slots);
+        slots_at(s - DIFFERENCE, way, slots);
         lanes_equations(slots, z, path_mix, less, (Lanes (*)[WIDTH])0);
     }
     for (int i = 0; i < UNKNOWNS; ++i) {
@@ -164,7 +171,8 @@ static void begin_path(Batch *batch, int lane, int path)
     batch->s[lane] = 0.0;
     batch->before[lane] = -1.0;
     batch->h[lane] = path < 0 ? 0.0 : 0.02;
-    batch->steps[lane] = 0;
+    batch->rest[lane] = 1.0;
+    batch->steps[lane] = batch->since[lane] = 0;
     for (int j = 0; j < WIDTH; ++j) {
         const int from = path < 0 ? 0 : path;
         ((double *)&batch->z[j].re)[lane] = start_zeros[from][j][0];
@@ -204,7 +212,7 @@ static void predict(const Batch *batch, Wide *at, Lanes *z)
 }
 
 /* Follows the listed paths; ends[path] says how each ended, at zeros[path]. */
-static void follow_paths(const int *list, int count, double tolerance, double (*goal)[3], int *ends,
+static void follow_paths(const int *list, int count, double tolerance, const Path *way, int *ends,
     double (*zeros)[WIDTH][2])
 {
     Batch batch;
@@ -219,15 +227,15 @@ static void follow_paths(const int *list, int count, double tolerance, double (*
     for (int lane = 0; lane < LANES; ++lane) {
         ((double *)&at)[lane] = 0.0;
     }
-    path_step(batch.z, at, goal, step, batch.rate);
+    path_step(batch.z, at, way, step, batch.rate);
     while (going > 0) {
         predict(&batch, &at, z);
-        path_step(z, at, goal, step, (Lanes *)0);
+        path_step(z, at, way, step, (Lanes *)0);
         const Wide first = path_size(step), whole = path_size(z);
         for (int j = 0; j < WIDTH; ++j) {
             z[j] = lanes_add(z[j], step[j]);
         }
-        path_step(z, at, goal, step, rate);
+        path_step(z, at, way, step, rate);
         const Wide second = path_size(step);
         int fresh = 0;
         for (int j = 0; j < WIDTH; ++j) {
@@ -264,9 +272,13 @@ static void follow_paths(const int *list, int count, double tolerance, double (*
             wanted = wanted < LONGEST_STEP ? wanted : LONGEST_STEP;
             const double left = 1.0 - batch.s[lane];
             int end = END_NONE;
+            const int halved = left > CRAWL || left < 0.5 * batch.rest[lane];
+            batch.rest[lane] = halved ? left : batch.rest[lane];
+            batch.since[lane] = halved ? 0 : batch.since[lane] + 1;
             if (!(left > 0.0)) {
                 end = END_THERE;
-            } else if (batch.steps[lane] >= MOST_STEPS || !(wanted > SHORTEST_STEP * left)) {
+            } else if (batch.steps[lane] >= MOST_STEPS || batch.since[lane] >= MOST_CRAWL ||
+                       !(wanted > SHORTEST_STEP * left)) {
                 end = left > BEHIND ? END_BEHIND : END_LOST;
             }
             batch.h[lane] = wanted < left ? wanted : left;
@@ -286,7 +298,7 @@ static void follow_paths(const int *list, int count, double tolerance, double (*
             for (int lane = 0; lane < LANES; ++lane) {
                 ((double *)&at)[lane] = batch.s[lane];
             }
-            path_step(batch.z, at, goal, step, rate);
+            path_step(batch.z, at, way, step, rate);
             for (int lane = 0; lane < LANES; ++lane) {
                 for (int j = 0; j < WIDTH && batch.steps[lane] == 0; ++j) {
                     ((double *)&batch.rate[j].re)[lane] = ((const double *)&rate[j].re)[lane];
@@ -378,12 +390,42 @@ static int added(
     return 0;
 }
 
+/* Ends of all paths on one way, and how many stay behind; how many are where another one is, of which one jumped. */
+static int all_ends(const Path *way, int *ends, double (*zeros)[WIDTH][2], int *behind)
+{
+    int list[N_PATHS + LANES], size = N_PATHS;
+    double tolerance = TOLERANCE;
+    for (int k = 0; k < N_PATHS; ++k) {
+        list[k] = k;
+    }
+    for (int attempt = 0; attempt < 3 && size > 0; ++attempt) {
+        follow_paths(list, size, tolerance, way, ends, zeros);
+        size = 0;
+        for (int k = 0; k < N_PATHS; ++k) {
+            int twice = 0;
+            for (int i = 0; i < N_PATHS && ends[k] == END_THERE; ++i) {
+                twice += i != k && ends[i] == END_THERE && same_end(zeros[i], zeros[k]);
+            }
+            if (twice && displaces(zeros[k]) > 1e-7) {
+                list[size++] = k;
+            }
+        }
+        tolerance *= 0.03;
+    }
+    *behind = 0;
+    for (int k = 0; k < N_PATHS; ++k) {
+        *behind += ends[k] == END_BEHIND;
+    }
+    return size;
+}
+
 int MODES(const double *drives, MODE *modes, int *count)
 {
     Ball balls[N_DRIVES], slots[N_SLOTS][3];
     Place places[N_BODIES];
-    double goal[N_NUMBERS][3], zeros[N_PATHS][WIDTH][2], closed[N_PATHS][WIDTH], real[WIDTH], sum = 0.0;
-    int ends[N_PATHS], list[N_PATHS + LANES], size = N_PATHS, lost = 0;
+    Path way;
+    double zeros[N_PATHS][WIDTH][2], closed[N_PATHS][WIDTH], real[WIDTH], sum = 0.0;
+    int ends[N_PATHS], lost = 0;
     *count = 0;
     for (int k = 0; k < N_DRIVES; ++k) {
         sum += 0.0 * drives[k];
@@ -395,16 +437,16 @@ int MODES(const double *drives, MODE *modes, int *count)
     slots_of(balls, places, slots);
     for (int k = 0; k < N_SLOTS; ++k) {
         for (int i = 0; i < 3; ++i) {
-            goal[k][i] = slots[k][i].m;
+            way.goal[k][i] = slots[k][i].m;
         }
     }
 #if N_PAIRS
     for (int pair = 0; pair < N_PAIRS; ++pair) {
-        spinors_of(goal[pair_slots[pair][0]], goal[pair_slots[pair][1]], goal[N_SLOTS + 2 * pair],
-            goal[N_SLOTS + 2 * pair + 1]);
+        spinors_of(way.goal[pair_slots[pair][0]], way.goal[pair_slots[pair][1]], way.goal[N_SLOTS + 2 * pair],
+            way.goal[N_SLOTS + 2 * pair + 1]);
     }
 #endif
-    const int known = closed_zeros(goal, closed);
+    const int known = closed_zeros(way.goal, closed);
     for (int k = 0; k < known; ++k) {
         const int before = *count;
         lost += added(drives, places, slots, closed[k], modes, count) || *count == before; /* two came to one */
@@ -412,23 +454,10 @@ int MODES(const double *drives, MODE *modes, int *count)
     if (known >= 0) {
         return lost > 0 ? MODES_INCOMPLETE : 0;
     }
-    for (int k = 0; k < N_PATHS; ++k) {
-        list[k] = k;
-    }
-    double tolerance = TOLERANCE;
-    for (int attempt = 0; attempt < 3 && size > 0; ++attempt) {
-        follow_paths(list, size, tolerance, goal, ends, zeros);
-        size = 0;
-        for (int k = 0; k < N_PATHS; ++k) { /* two paths in one regular point: one of them jumped */
-            int twice = 0;
-            for (int i = 0; i < N_PATHS && ends[k] == END_THERE; ++i) {
-                twice += i != k && ends[i] == END_THERE && same_end(zeros[i], zeros[k]);
-            }
-            if (twice && displaces(zeros[k]) > 1e-7) {
-                list[size++] = k;
-            }
-        }
-        tolerance *= 0.03;
+    static const double bends[] = {0.0, 0.4, -0.4};
+    for (int k = 0, behind = 1; k < 3 && behind > 0; ++k) {
+        way.bend = bends[k];
+        lost = all_ends(&way, ends, zeros, &behind);
     }
     for (int k = 0; k < N_PATHS; ++k) {
         if (ends[k] != END_THERE) {

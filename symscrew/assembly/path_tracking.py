@@ -33,6 +33,9 @@ CONVERGED = 1e-11
 """A correction below this ends Newton's method: rounding of regular points is a hundred times smaller."""
 NEWTON = 4
 """Corrections of a step; quadratic convergence from `CORRECTION` needs two."""
+CRAWL = (1e-3, 60)
+"""Near its end, with this part of the way left, a path that gets over half of the rest in so many steps comes to a
+singular end; one that needs more is held back by rounding, so that luck takes every other step, and ends there."""
 MOST_STEPS = 3000
 """Of a path; those of random platforms take fifty."""
 DIFFERENCE = 1e-6
@@ -120,6 +123,7 @@ class Tracker:
         count, steps = len(z), 0
         z, s = self.equations.scaled(z), np.zeros(count)
         h, going = np.full(count, LONGEST), np.ones(count, dtype=bool)
+        rest, since = np.full(count, until), np.zeros(count, dtype=int)
         with np.errstate(all="ignore"):
             while going.any() and steps < MOST_STEPS:
                 now = np.flatnonzero(going)
@@ -136,6 +140,9 @@ class Tracker:
                     good, np.minimum(step * np.clip(ratio, 0.5, 3.0), 0.5), step * np.clip(ratio, 0.1, 0.5)
                 )
                 left = until - s[now]
+                halved = (left < 0.5 * rest[now]) | (left > CRAWL[0])
+                rest[now], since[now] = np.where(halved, left, rest[now]), np.where(halved, 0, since[now] + 1)
                 going[now] = (left > 0) & (h[now] > SHORTEST * self.nearly) & ((left > self.nearly) | (h[now] >= left))
+                going[now] &= since[now] < CRAWL[1]
                 steps += 1
         return Ends(z, s, s >= until, steps)

@@ -32,6 +32,8 @@ SEED = 20231009
 """Of the random members: always the same, so that results repeat."""
 MOST_LOOPS = 40
 """Through three members each; forty zeros take eight."""
+MEMBERS = 3
+"""General members to which a way is tried: one can pass near a place where solutions go to infinity."""
 QUIET = 8
 """Loops after the last new zero at which a search without a bound ends."""
 SAME = 1 - 1e-9
@@ -90,9 +92,12 @@ def searched(family: Family, known: Array, progress: Callable[[str], None] = lam
     found = family_bound(equations.structure) if family.whole else "only what is held is free in this family"
     bound = found if isinstance(found, Bound) and found.dimension == 0 else None
     tracker = Tracker(equations)
-    member = family.random(random)
-    first = tracker.follow(known[None], family.way(family.own, member).at)
-    zeros, quiet = first.z[first.reached], 0
+    for _ in range(MEMBERS):
+        member = family.random(random)
+        first = tracker.follow(known[None], family.way(family.own, member).at)
+        zeros, quiet = first.z[first.reached], 0
+        if len(zeros):
+            break
     if not len(zeros) and family.whole:  # a singular reference is left on no way
         zeros = _by_newton(tracker, family.way(member, member).at(np.zeros(1)), random)
     for _ in range(MOST_LOOPS):

@@ -194,20 +194,20 @@ class _Roots:
 
     def _around(self, places: Array) -> tuple[Array, Array]:
         """(the means of paths around s = 1, whether they came back), on the largest circle with a zero as its mean."""
-        centres, back = self._means(places, RADII[0])
+        centres, back, there = self._means(places, RADII[0])
         for radius in RADII[1:]:
             value, _ = self.equations.evaluate(centres, self.goal)
-            late = np.flatnonzero(~back | ~(np.abs(value).max(axis=1, initial=0.0) < AT_ZERO))
+            late = np.flatnonzero(there & (~back | ~(np.abs(value).max(axis=1, initial=0.0) < AT_ZERO)))
             if not len(late):
                 break
-            again, good = self._means(places[late], radius)
+            again, good, there[late] = self._means(places[late], radius)
             value, _ = self.equations.evaluate(again, self.goal)
             good &= np.abs(value).max(axis=1, initial=0.0) < AT_ZERO
             centres[late[good]], back[late[good]] = again[good], True
         return centres, back
 
-    def _means(self, places: Array, radius: float) -> tuple[Array, Array]:
-        """(the means of paths around s = 1 on a circle, whether they came back)."""
+    def _means(self, places: Array, radius: float) -> tuple[Array, Array, Array]:
+        """(the means of paths around s = 1 on a circle, whether they came back, whether they came to the circle)."""
         tracker = Tracker(self.equations, nearly=radius)
         ends = tracker.follow(self.start.zeros[places], self.way, until=1 - radius)
         z = self._fixed(ends.z, ends.z)
@@ -216,17 +216,18 @@ class _Roots:
         good = ends.reached.copy()
         for turn in range(1, TURNS + 1):
             for arc in range(ARCS):
-                total += z
+                on = np.flatnonzero(good & ~back)
+                if not len(on):
+                    break
+                total[on] += z[on]
                 angle = 2 * np.pi * (np.arange(2) + arc) / ARCS
-                piece = tracker.follow(z, self._arc(radius, angle[0], angle[1]))
-                z = self._fixed(piece.z, begin)
-                good &= piece.reached
+                piece = tracker.follow(z[on], self._arc(radius, angle[0], angle[1]))
+                z[on] = self._fixed(piece.z, begin[on])
+                good[on] = piece.reached
             closed = good & ~back & (np.abs(z - begin).max(axis=1) < BACK)
             centres[closed] = total[closed] / (ARCS * turn)
             back |= closed
-            if (back | ~good).all():
-                break
-        return self.equations.scaled(centres), back
+        return self.equations.scaled(centres), back, ends.reached
 
     def _arc(self, radius: float, start: float, end: float) -> Coefficients:
         """Coefficients on an arc around s = 1."""

@@ -108,6 +108,8 @@ def held_by(mechanism: Mechanism, drives: Mapping[str, Any], at: Mapping[str, An
         if name not in driven:
             raise DescriptionError(f"drives {name}: no driven coordinate of this name; {did_you_mean(name, driven)}")
     for name in coordinates:
+        if name in drives:
+            raise DescriptionError(f"{name} is given twice, as a drive and with what is held (at); give it once")
         if name not in known:
             raise DescriptionError(f"at {name}: no parameter or coordinate of this name; "
                                    f"{did_you_mean(name, [*mechanism.parameters, *known])}")  # fmt: skip

@@ -36,6 +36,7 @@ def test_drives_that_cannot_be_reached_have_no_modes(capsys):
     ("words", "text"),
     [
         (["four_bar", "--drives", "crank=1"], "no driven coordinate of this name"),
+        (["four_bar", "--at", "A=0.1", "--drives", "A=0.2"], "A is given twice"),
         (["four_bar", "--drives", "A"], "expected KEY=VALUE"),
         (["four_bar", "--at", "nothing=1"], "no parameter or coordinate of this name"),
         (["gear_train"], "couplings"),

@@ -22,20 +22,21 @@ from symscrew.studies.accuracy.states import Subject
 BASE = np.array([[0, 0], [2, 0], [1, 2]])
 PLATFORM = np.array([[0, 0], [1, 0], [0.4, 0.8]])
 OK, NOT_FINITE, INCOMPLETE, REFUSED, NOT_CERTIFIED = 0, 2, 100, 101, 102
+STRICT = ("-pedantic", "-Wall", "-Wextra", "-Wdouble-promotion", "-Wconversion", "-Wshadow", "-Werror")
+"""With which the planar platform's C compiles clean; gcc looks for what has no value where it optimises."""
 
 
-def written(mechanism: symscrew.Mechanism, folder: Path, optimise: str = "-O0") -> CompiledModes:
+def written(mechanism: symscrew.Mechanism, folder: Path, *flags: str) -> CompiledModes:
     model = modes_model(mechanism)
     for file, text in print_modes(model).items():
         (folder / file).write_text(text)
-    return compiled_modes(model, folder, [optimise])
+    return compiled_modes(model, folder, flags or ["-O0"])
 
 
 @pytest.fixture(scope="module")
 def planar(tmp_path_factory) -> CompiledModes:
-    return written(
-        planar_3rpr(BASE.tolist(), PLATFORM.tolist(), ("0.7", "0.2")), tmp_path_factory.mktemp("planar"), "-O1"
-    )
+    mechanism = planar_3rpr(BASE.tolist(), PLATFORM.tolist(), ("0.7", "0.2"))
+    return written(mechanism, tmp_path_factory.mktemp("planar"), "-O1", *STRICT)
 
 
 def angle(mode) -> float:

@@ -9,9 +9,10 @@ from support.platforms import exact
 
 import symscrew
 from symscrew import MechanismBuilder
-from symscrew.assembly import AssemblyModes
+from symscrew.assembly import AssemblyModes, modes_model
 from symscrew.assembly.certified_roots import certified, read
 from symscrew.assembly.equal_axes import axis_of, straight_in_spinors
+from symscrew.assembly.modes_library import own_compiled_modes
 
 pytestmark = pytest.mark.slow
 
@@ -35,6 +36,11 @@ def test_a_loop_of_seven_hinges_has_sixteen_solutions():
     found = symscrew.assembly_modes(single_loop("RRRRRRR", SEVEN, TURNS), {"j0": "0.2"})
     assert found.bound is not None and found.bound.count == 16
     held_to(found, 200)
+    # the C too: at -0.3 a path takes 430 steps, at -2.135 one comes to a singular place on the straight way
+    compiled = own_compiled_modes(modes_model(found.mechanism))
+    for drive, count in ((0.2, 4), (-0.3, 4), (-2.135042323682198, 0), (1.521, 0)):
+        status, modes = compiled.modes([drive])
+        assert (status, len(modes)) == (0, count) and all(mode.certified for mode in modes)
 
 
 def test_a_loop_of_a_hinge_and_three_cylinders_has_two_modes_each_time_it_is_asked_for():
