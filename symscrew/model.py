@@ -25,6 +25,7 @@ from symscrew.functions import (
     Motion,
     SecondPath,
     assembly,
+    ball_notes,
     checked_functions,
     closing_functions,
     closure_functions,
@@ -250,7 +251,8 @@ def _derived(
     inputs = Asked(declared, lambda function: inputs_at(system, function, states, entries))
     moves = "forward_dynamics" in declared or moves_mass(system, effects, loops)
     massless = () if moves else (left_out(system),)
-    notes = (*mechanism.warnings, *massless, *untried_notes(system), *mode.notes(alone=one_mode))
+    notes = (*mechanism.warnings, *massless, *ball_notes(system), *untried_notes(system))
+    notes = (*notes, *mode.notes(alone=one_mode))
     notes = (*notes, *(note for effect in effects for note in effect.notes))
     notes = (*notes, *dict.fromkeys(n for p in declared.values() for n in p.notes))
     labels = tuple(system.tree.q[k].label for k in entries) if system.cuts else ()

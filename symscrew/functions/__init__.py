@@ -20,6 +20,7 @@ from symscrew.functions.identifiable import base_parameters, inertial_parameters
 from symscrew.functions.kinematic import (
     Motion,
     acceleration_at,
+    ball_notes,
     joint_freedom_labels,
     kinematic_functions,
     moving_bodies,
@@ -70,6 +71,7 @@ __all__ = [
     "acceleration_at",
     "all_reactions",
     "assembly",
+    "ball_notes",
     "base_parameters",
     "checked_functions",
     "closing_functions",

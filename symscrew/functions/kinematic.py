@@ -304,6 +304,17 @@ def _joint_displacements(system: System) -> Function:
     return function(system, "joint_displacements", text, inputs=inputs, outputs=[(port, values)], notes=notes)
 
 
+def ball_notes(system: System) -> tuple[str, ...]:
+    """The balls whose coordinates describe the joint's parent against its child, as the tree comes from there."""
+    links = (link for link in system.tree.links if link.inverted and link.motion.spherical)
+    if names := sorted({link.joint for link in links}):
+        return (
+            f"balls that are reached by their child: {', '.join(names)}; quaternion, rates, displacement and drive are "
+            "those of the parent against the child",
+        )
+    return ()
+
+
 def rates_of_joints(system: System, motion: Motion) -> dict[str, list[Node]]:
     """Rates of the freedoms of every joint, cut ones included."""
     result: dict[str, list[Node]] = {}
