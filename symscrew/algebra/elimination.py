@@ -170,6 +170,11 @@ class Elimination:
     redundant: list[int] = field(default_factory=list)
     free: list[Column] = field(default_factory=list)
 
+    @property
+    def vanishes(self) -> bool:
+        """Whether a pivot is as good as zero at a sample."""
+        return any(magnitude(g.pivot.tape, g.pivot, g.scale)[0] < SMALL for g in self.guards)
+
     def solve(self, right: Sequence[Node], free: Mapping[Column, Node] | None = None) -> dict[Column, Node]:
         """Unknowns from rows . unknowns = right; free unknowns as given, else zero.
 

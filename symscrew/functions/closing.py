@@ -120,7 +120,7 @@ def loop_notes(loops: Loops) -> tuple[str, ...]:
             "the reference configuration is singular: the closure loses rank there, and functions that solve it "
             "return status 1 at and close to it"
         )
-    elif loops.undetermined_reference:
+    if loops.undetermined_reference:
         notes.append(
             "in the reference configuration the independent coordinates do not determine the others: functions that "
             "solve the loops return status 1 at and close to it; choose others (independent)"

@@ -85,7 +85,9 @@ class Loops:
             )  # fmt: skip
 
         preferred = self._named(independent) if independent else self._preferred()
-        self.elimination = eliminated(preferred, yielding=not independent)
+        self.elimination = eliminated(preferred, yielding=False)
+        if not independent and self.elimination.vanishes and self.undetermined_reference:
+            self.elimination = eliminated(preferred, yielding=True)
         if not independent and set(self.elimination.free) != set(preferred):
             # The same pivots as if the choice had been named.
             preferred = sorted(self.elimination.free)
@@ -306,7 +308,7 @@ class Loops:
     @property
     def rank(self) -> int:
         """How many constraint rows are independent."""
-        return len(self.system.tree.v) - len(self.free)
+        return len(self.system.tree.v) - len(self.elimination.free)
 
     @property
     def pivots(self) -> tuple[Node, ...]:
@@ -325,9 +327,10 @@ class Loops:
 
     @property
     def undetermined_reference(self) -> bool:
-        """Whether the independent coordinates do not determine all others in the reference configuration."""
-        dependent = [k for k in range(len(self.system.tree.v)) if k not in self.free]
-        return bool(self.system.cuts) and self._rank_in_reference(dependent) < self.rank
+        """Whether others would determine all in the reference configuration, and the independent coordinates do not."""
+        dependent = [k for k in range(len(self.system.tree.v)) if k not in self.elimination.free]
+        undetermined = bool(self.system.cuts) and self._rank_in_reference(dependent) < self.rank
+        return undetermined and not self.singular_reference
 
     def _rank_in_reference(self, rates: Sequence[int]) -> int:
         """The rank of the closure's columns of some joint rates there."""
