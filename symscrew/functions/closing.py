@@ -115,7 +115,12 @@ def loop_notes(loops: Loops) -> tuple[str, ...]:
     notes = [f"independent coordinates y: {', '.join(loops.labels) or 'none'}"]
     if loops.redundant:
         notes.append(f"redundant closure constraints (satisfied by the others): {', '.join(loops.redundant)}")
-    if loops.singular_reference:
+    if loops.shaky:
+        notes.append(
+            "the closure loses rank in every configuration that was found: the mechanism is shaky all along, and "
+            "functions that solve the loops return status 1 or 3"
+        )
+    elif loops.singular_reference:
         notes.append(
             "the reference configuration is singular: the closure loses rank there, and functions that solve it "
             "return status 1 at and close to it"

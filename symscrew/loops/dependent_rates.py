@@ -36,6 +36,11 @@ SMALL = 60
 first is taken, which costs a few per cent of the operations (5 % for a chain of four-bars): building them all makes
 deriving half as long again there, and more with every further freedom. The model's notes say so."""
 
+DOUBLE = 1e-6
+"""Singular values below this part of the largest are those of double zeros: where all loops close doubly, states are
+found to the root of rounding only, which leaves 1e-8 to 1e-7 of what vanishes; a simple zero has above 1e-5 at one of
+several random states."""
+
 
 @dataclass(frozen=True)
 class Independent:
@@ -323,22 +328,28 @@ class Loops:
     @property
     def singular_reference(self) -> bool:
         """Whether the closure has a smaller rank in the reference configuration than near it."""
-        return bool(self.system.cuts) and self._rank_in_reference(range(len(self.system.tree.v))) < self.rank
+        return bool(self.system.cuts) and self._rank(self.system.reference) < self.rank
 
     @property
     def undetermined_reference(self) -> bool:
         """Whether others would determine all in the reference configuration, and the independent coordinates do not."""
         dependent = [k for k in range(len(self.system.tree.v)) if k not in self.elimination.free]
-        undetermined = bool(self.system.cuts) and self._rank_in_reference(dependent) < self.rank
+        undetermined = bool(self.system.cuts) and self._rank(self.system.reference, dependent) < self.rank
         return undetermined and not self.singular_reference
 
-    def _rank_in_reference(self, rates: Sequence[int]) -> int:
-        """The rank of the closure's columns of some joint rates there."""
+    @property
+    def shaky(self) -> bool:
+        """Whether the closure has a smaller rank in all sample states than off them, as at double zeros."""
+        q = self.system.sample_states[0]
+        return bool(self.system.cuts) and all(self._rank(state, small=DOUBLE) < self.rank for state in q)
+
+    def _rank(self, q: np.ndarray, rates: Sequence[int] | None = None, *, small: float = NEGLIGIBLE) -> int:
+        """The rank of the closure's columns of all or some joint rates in a configuration."""
         system = self.system
-        matrix = system.numeric(system.closure.dense(), (system.inputs.q, system.reference[None, :]))
-        columns = (matrix.reshape(-1, len(system.scales)) * system.scales)[:, list(rates)]
-        values = np.linalg.svd(columns, compute_uv=False)
-        return int((values > NEGLIGIBLE * max(values, default=0.0)).sum())
+        matrix = system.numeric(system.closure.dense(), (system.inputs.q, q[None, :]))
+        columns = matrix.reshape(-1, len(system.scales)) * system.scales
+        values = np.linalg.svd(columns if rates is None else columns[:, list(rates)], compute_uv=False)
+        return int((values > small * max(values, default=0.0)).sum())
 
     @property
     def redundant(self) -> tuple[str, ...]:

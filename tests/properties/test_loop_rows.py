@@ -13,7 +13,7 @@ from support.marks import slow
 from symscrew import catalogue
 from symscrew.algebra.nodes import Node, Tape
 from symscrew.algebra.traversal import count_operations
-from symscrew.description import toml_file
+from symscrew.description import MechanismBuilder, toml_file
 from symscrew.dynamics.coriolis import still_forces
 from symscrew.dynamics.free_motion import Admissible
 from symscrew.dynamics.tree_dynamics import generalised_forces, in_joint_rates, mass_matrix
@@ -231,3 +231,17 @@ def test_coordinates_that_nobody_named_determine_the_others_in_the_reference_con
         assert (status[0] == 0) == determined
         assert any("do not determine the others" in note for note in found.notes) != determined
         assert (found.programs["velocity"].inputs[1].labels == ("J0",)) != determined
+
+
+def test_a_mechanism_that_is_shaky_all_along_is_told_in_the_notes() -> None:
+    """A bar on two balls that move in parallel planes, as far apart as the bar is long: its loop closes doubly."""
+    builder = MechanismBuilder("shaky", platform="bar")
+    builder.body("bar", mass=1, com=[0, 0, 1], inertia=["0.1", "0.1", "0.1"])
+    for name, x in (("left", "-1/2"), ("right", "1/2")):
+        builder.limb(
+            name, "RPS", base="base", tip="bar", points=[[x, 0, 0], [x, 0, "1/2"], [x, 0, 1]],
+            axes=[[[1, 0, 0]], [[0, 0, 1]], []],
+        )  # fmt: skip
+    told = [note for note in derive(builder.build()).notes if "shaky all along" in note or "is singular" in note]
+    assert len(told) == 1 and "shaky" in told[0]
+    assert not any("shaky" in note for note in derive(invented("thread_ball_cross")).notes)
