@@ -39,8 +39,9 @@ from symscrew.program import Function, Limbs, Port, Program, evaluate, lower
 
 Array = np.ndarray[Any, Any]
 
-SMALLEST = 1e-6
-"""Spread of all points [m] that is rounding: a mechanism of a micrometre is not typed in m."""
+SMALLEST = 1e-9
+"""Spread of all points [m] that is rounding, where nothing else has a size: a mechanism of a nanometre is not typed
+in m, one of micrometres may be."""
 SAME_POINT = 1e-5
 """The same relative to how far bodies reach from the points: coordinates of six digits leave as much."""
 LAST_DIGITS = 1e-9
