@@ -117,8 +117,8 @@ def loop_notes(loops: Loops) -> tuple[str, ...]:
         notes.append(f"redundant closure constraints (satisfied by the others): {', '.join(loops.redundant)}")
     if loops.shaky:
         notes.append(
-            "the closure loses rank in every configuration that was found: the mechanism is shaky all along, and "
-            "functions that solve the loops return status 1 or 3"
+            "the reference configuration is singular, as every other one that was found is: the mechanism is shaky all "
+            "along, and functions that solve the loops return status 1 or 3"
         )
     elif loops.singular_reference:
         notes.append(
