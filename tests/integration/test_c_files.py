@@ -22,6 +22,8 @@ from symscrew.generation.c_target import STRICT
 from symscrew.model import Model
 from symscrew.runtime import compile_c, find_compiler
 
+pytestmark = pytest.mark.slow
+
 COMPILERS = [path for path in map(shutil.which, ("gcc", "clang", "tcc")) if path]
 WARNINGS = (*STRICT, "-Wshadow")
 

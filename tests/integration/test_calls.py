@@ -17,6 +17,8 @@ from symscrew.display.shown import recorded
 from symscrew.errors import DescriptionError
 from symscrew.results import AssembledConfiguration, assemble
 
+pytestmark = pytest.mark.slow
+
 
 def test_a_configuration_by_hand() -> None:
     """A crank of 0.15 m and a rod of 0.37 m: where the slider is, by Pythagoras."""

@@ -16,6 +16,8 @@ from symscrew.cli import parser
 from symscrew.errors import DescriptionError
 from symscrew.optimisation.problem_file import load_problem, parse_problem
 
+pytestmark = pytest.mark.slow
+
 EXAMPLES = Path(__file__).parents[2] / "examples" / "optimisation"
 
 FIVE_BAR = """

@@ -21,6 +21,8 @@ from symscrew.optimisation.problem import OBJECTIVES, Bounds, Conditions, Object
 from symscrew.optimisation.problem_file import KEYS, load_problem, parse_problem
 from symscrew.optimisation.solution import prepare, transcribe
 
+pytestmark = pytest.mark.slow
+
 MECHANISM = """
 [mechanism]
 name = "bead"

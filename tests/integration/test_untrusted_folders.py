@@ -25,6 +25,8 @@ from symscrew.generation import generate
 from symscrew.runtime import find_compiler, load
 from symscrew.verification import check
 
+pytestmark = pytest.mark.slow
+
 needs_compiler = pytest.mark.skipif(find_compiler() is None, reason="no C compiler")
 FUNCTIONS = ("velocity", "inverse_dynamics", "forward_dynamics", "platform_jacobian")
 NAME = "four_bar"

@@ -14,7 +14,7 @@ from symscrew.errors import DescriptionError
 from symscrew.scene.contents import Initial, Integrator, Scene
 from symscrew.simulation.motion import simulate
 
-pytestmark = pytest.mark.short_runs
+pytestmark = [pytest.mark.slow, pytest.mark.short_runs]
 
 
 def block(axis: list) -> Mechanism:
