@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+
 from symscrew import formulas
 from symscrew.description import Mechanism, MechanismBuilder
 from symscrew.mobility import analyse_mobility, mobility_text, verify
