@@ -106,7 +106,7 @@ class Pieces:
     """
 
     def __init__(self, model: Model, precision: Precision, *, batches: bool, lanes: bool, processes: int = 1) -> None:
-        """Everything is printed, what takes longest by several processes if there may be so many."""
+        """Everything is printed; if that takes long, by as many processes as pay and as there may be."""
         self.model, self.precision, self.batches, self.name = model, precision, batches, model.name
         self.shared = Shared(model, precision)
         self.dense: dict[tuple[object, ...], str] = {}  # programs of second paths, and the functions that they are

@@ -94,11 +94,8 @@ def _of_motion(
     slack = SLACK * unit
     if rule.contact.kind == "friction":
         rates = np.array([at.v[rule.v] for at in samples])
-        yield (
-            mode * rates + slack,
-            slack,
-            float(np.abs(rates).max()),
-        )  # a rate that only touches zero does not end a slip
+        # a rate that only touches zero does not end a slip
+        yield mode * rates + slack, slack, float(np.abs(rates).max())
         return
     q = np.array([at.q[rule.q] for at in samples])
     size = float(np.abs(q).max())

@@ -161,7 +161,7 @@ def _wary(slopes: Program, forward: Program, model: Model) -> tuple[Program, Pro
     count = len(states["q"])
     given = {"p": np.repeat(model.system.parameter_values[None], count, 0), **states}
     found, _ = evaluate(pivots, [given.get(port.name, np.zeros((count, port.size))) for port in forward.inputs])
-    usual = [
+    usual = [  # `nanmedian` would import masked arrays, for nothing
         float(np.median(np.abs(values[~np.isnan(values)]))) if np.isfinite(values).any() else 0.0 for values in found
     ]
     raised = [max(own, WARY * value) for (_, own), value in zip(forward.guards, usual, strict=True)]

@@ -183,11 +183,8 @@ def _screws(joint: Joint, point: Array, axes: Sequence[Array], pitch: float) -> 
 
 def _carry(screws: dict[str, Array], behind: Sequence[tuple[str, int]], about: Array, amount: float) -> None:
     """Screws displaced by exp(amount about): of a unit screw without pitch, or of a slide."""
-    hat = np.zeros((6, 6))
-    for half, c in ((0, about[:3]), (3, about[:3])):
-        hat[half : half + 3, half : half + 3] = [[0, -c[2], c[1]], [c[2], 0, -c[0]], [-c[1], c[0], 0]]
-    v = about[3:]
-    hat[3:, :3] = [[0, -v[2], v[1]], [v[2], 0, -v[0]], [-v[1], v[0], 0]]
+    turn, slide = (np.cross(np.eye(3), part) for part in (about[:3], about[3:]))
+    hat = np.block([[turn, np.zeros((3, 3))], [slide, turn]])
     total, term = np.eye(6), np.eye(6)
     for k in range(1, 60):
         term = term @ hat * (amount / k)
