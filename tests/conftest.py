@@ -8,18 +8,24 @@ from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 
 import pytest
-from support.derived_once import derived_once
+
+# Before anything imports NumPy. With as many processes as there are processors, threads of its matrices turn in circles
+# while they wait for one: 300 decompositions of 48 rows took 9.9 s of two busy processors, and 0.3 s without threads.
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+
+from support.derived_once import analysed_once, derived_once
 from support.model_states import ALL, model
-from support.once import Levels, Lock
+from support.once import Levels, Lock, tiny_compiler
 
 import symscrew.model
 from symscrew.generation.folder import USUAL, generate
+from symscrew.mobility import analysis
 from symscrew.runtime import compilers
 
-FUNCTIONS = {"-O2": "-O0", "-O3": "-O1"}  # of functions that are called a few times, of runs that take milliseconds
-HARD = {"-O2": "-O0", "-O3": "-O0"}  # of `hard` and of tests marked `short_runs`, whose runs have loops of their own
-
-
+FUNCTIONS = {"-O1": "-O0", "-O2": "-O0", "-O3": "-O1"}
+"""Levels in place of users': of functions that are called a few times, of loops of runs that take milliseconds."""
+HARD = {"-O1": "-O0", "-O2": "-O0", "-O3": "-O0"}
+"""The same in `hard` and for tests marked `short_runs`: by the hundred, compiling takes longer than running."""
 RARELY = 100_000
 """Objects made between two searches for garbage: a process that holds many models is searched long (a twentieth of all
 time with Python's 700), and what tests drop is mostly freed without."""
@@ -72,6 +78,8 @@ def pytest_runtest_setup(item: pytest.Item) -> None:
     quickly = HARD if item.path.parent.name == "hard" or (short and short.args != (False,)) else FUNCTIONS
     Levels.instead = {} if item.get_closest_marker("optimised") else quickly
     derived_once.begin(item)
+    analysed_once.begin(item)
+    tiny_compiler.begin(item)
 
 
 @pytest.fixture(scope="session", autouse=True)
@@ -80,7 +88,9 @@ def once(common: Path) -> Iterator[None]:
         changed.setenv("SYMSCREW_CACHE", str(common / "libraries"))
         changed.delenv("COLUMNS", raising=False)  # that of pytest's own workers: in a pipe nobody says how wide
         changed.setattr(compilers, "attempts", Levels(compilers.attempts))
+        changed.setattr(compilers, "_compile", tiny_compiler)
         changed.setattr(symscrew.model, "_derived", derived_once)
+        changed.setattr(analysis, "_analysed", analysed_once)
         yield
 
 

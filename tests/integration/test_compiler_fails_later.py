@@ -39,8 +39,9 @@ def test_functions_that_are_refused_later_run_in_casadi(works_once: None, order:
         with warnings.catch_warnings(record=True) as said:
             warnings.simplefilter("always")
             *got, status = compiled[name](*arrays, check=False)
-        notices += len(said)
-        assert all(f"four_bar: {name} runs in CasADi" in str(notice.message) for notice in said)
+        own = [notice for notice in said if issubclass(notice.category, RuntimeWarning)]  # not CasADi's, once
+        notices += len(own)
+        assert all(f"four_bar: {name} runs in CasADi" in str(notice.message) for notice in own)
         expected, wanted = model(NAME)(name, *arrays)
         assert np.array_equal(status, wanted)
         for a, b, port in zip(expected, got, compiled[name].outputs, strict=True):
