@@ -143,18 +143,14 @@ def _study(base: tuple[Array, Array], body: tuple[Array, Array]) -> Array:
     trace = np.trace(rotation, axis1=1, axis2=2)
     r = rotation
     # four times the products of the quaternion with its first, second, third and fourth component
-    rows = np.stack([
-        np.stack([1 + trace, r[:, 2, 1] - r[:, 1, 2], r[:, 0, 2] - r[:, 2, 0], r[:, 1, 0] - r[:, 0, 1]], axis=1),
-        np.stack([r[:, 2, 1] - r[:, 1, 2], 1 + 2 * r[:, 0, 0] - trace, r[:, 0, 1] + r[:, 1, 0],
-                  r[:, 0, 2] + r[:, 2, 0]], axis=1),
-        np.stack([r[:, 0, 2] - r[:, 2, 0], r[:, 0, 1] + r[:, 1, 0], 1 + 2 * r[:, 1, 1] - trace,
-                  r[:, 1, 2] + r[:, 2, 1]], axis=1),
-        np.stack([r[:, 1, 0] - r[:, 0, 1], r[:, 0, 2] + r[:, 2, 0], r[:, 1, 2] + r[:, 2, 1],
-                  1 + 2 * r[:, 2, 2] - trace], axis=1),
-    ], axis=1)  # fmt: skip
+    x, y, z = r[:, 2, 1] - r[:, 1, 2], r[:, 0, 2] - r[:, 2, 0], r[:, 1, 0] - r[:, 0, 1]
+    xy, xz, yz = r[:, 0, 1] + r[:, 1, 0], r[:, 0, 2] + r[:, 2, 0], r[:, 1, 2] + r[:, 2, 1]
+    squares = [1 + trace, *(1 + 2 * r[:, k, k] - trace for k in range(3))]
+    listed = (squares[0], x, y, z, x, squares[1], xy, xz, y, xy, squares[2], yz, z, xz, yz, squares[3])
+    rows = np.stack(listed, axis=1).reshape(-1, 4, 4)
     largest = np.einsum("nii->ni", rows).argmax(axis=1)
-    x = rows[np.arange(len(rows)), largest]
-    x = x / np.linalg.norm(x, axis=1, keepdims=True)
-    y0 = -(moved * x[:, 1:]).sum(axis=1, keepdims=True) / 2
-    y = (moved * x[:, :1] + np.cross(moved, x[:, 1:])) / 2
-    return np.concatenate([x, y0, y], axis=1)
+    turn = rows[np.arange(len(rows)), largest]
+    turn = turn / np.linalg.norm(turn, axis=1, keepdims=True)
+    first = -(moved * turn[:, 1:]).sum(axis=1, keepdims=True) / 2
+    others = (moved * turn[:, :1] + np.cross(moved, turn[:, 1:])) / 2
+    return np.concatenate([turn, first, others], axis=1)
