@@ -8,11 +8,6 @@ from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 
 import pytest
-
-# Before anything imports NumPy. With as many processes as there are processors, threads of its matrices turn in circles
-# while they wait for one: 300 decompositions of 48 rows took 9.9 s of two busy processors, and 0.3 s without threads.
-os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
-
 from support.derived_once import analysed_once, derived_once
 from support.model_states import ALL, model
 from support.once import Levels, Lock, tiny_compiler
