@@ -8,13 +8,12 @@ from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 
 import pytest
-from support.derived_once import analysed_once, derived_once
+from support.derived_once import derived_once
 from support.model_states import ALL, model
 from support.once import Levels, Lock, tiny_compiler
 
 import symscrew.model
 from symscrew.generation.folder import USUAL, generate
-from symscrew.mobility import analysis
 from symscrew.runtime import compilers
 
 FUNCTIONS = {"-O1": "-O0", "-O2": "-O0", "-O3": "-O1"}
@@ -73,7 +72,6 @@ def pytest_runtest_setup(item: pytest.Item) -> None:
     quickly = HARD if item.path.parent.name == "hard" or (short and short.args != (False,)) else FUNCTIONS
     Levels.instead = {} if item.get_closest_marker("optimised") else quickly
     derived_once.begin(item)
-    analysed_once.begin(item)
     tiny_compiler.begin(item)
 
 
@@ -85,7 +83,6 @@ def once(common: Path) -> Iterator[None]:
         changed.setattr(compilers, "attempts", Levels(compilers.attempts))
         changed.setattr(compilers, "_compile", tiny_compiler)
         changed.setattr(symscrew.model, "_derived", derived_once)
-        changed.setattr(analysis, "_analysed", analysed_once)
         yield
 
 

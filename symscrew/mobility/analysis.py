@@ -429,12 +429,9 @@ def analyse_mobility(
     >>> found.dof, found.kutzbach, found.finite.dof
     (1, -2, 1)
     """
-    return _analysed(mechanism, body=body, at=at or {}, tolerance=tolerance)
-
-
-def _analysed(mechanism: Mechanism, *, body: str | None, at: Mapping[str, Any], tolerance: float | None) -> Mobility:
-    mechanism, coordinates = with_parameters(mechanism, at)
-    parameters = {name: value for name, value in at.items() if name not in coordinates}
+    asked = at or {}
+    mechanism, coordinates = with_parameters(mechanism, asked)
+    parameters = {name: value for name, value in asked.items() if name not in coordinates}
     reached = displaced(mechanism, network_of(mechanism), coordinates)
     network = reached.network
     first_order = instantaneous_mobility(network)

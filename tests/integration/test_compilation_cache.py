@@ -22,6 +22,7 @@ from symscrew.runtime.compilers import FLAGS, compile_c
 
 pytestmark = [
     pytest.mark.slow,
+    pytest.mark.short_runs,
     pytest.mark.skipif(find_compiler() is None, reason="no C compiler"),
     pytest.mark.skipif(os.name != "posix", reason="compilers here are scripts of a shell"),
 ]

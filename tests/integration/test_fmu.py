@@ -29,6 +29,7 @@ from fmpy.validation import validate_fmu  # noqa: E402
 
 pytestmark = [
     pytest.mark.slow,
+    pytest.mark.short_runs,
     pytest.mark.skipif(find_compiler() is None, reason="no C compiler: units have no binary"),
 ]
 
