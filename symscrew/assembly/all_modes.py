@@ -18,8 +18,9 @@ from symscrew.algebra import CONTEXT
 from symscrew.assembly.batch_equations import BatchEquations
 from symscrew.assembly.certified_roots import Certificate, read
 from symscrew.assembly.completeness import Completeness, proof_of
+from symscrew.assembly.coupled_columns import Follower
 from symscrew.assembly.elementary_graph import held_graph
-from symscrew.assembly.families import AllNumbers, Family, WhatIsHeld
+from symscrew.assembly.families import MOST_RADIANS, AllNumbers, Family, WhatIsHeld
 from symscrew.assembly.held_structure import Structure, held_structure
 from symscrew.assembly.joint_angles import CLOSED, JointAngles
 from symscrew.assembly.mode_names import Named, names_by_ways, numbered
@@ -95,8 +96,9 @@ class AssemblyModes:
     `held`: values by coordinate, as the description counts them. `bound`: on isolated complex solutions, or None.
     `complete`: "proved"; "regular", proved of all solutions but singular ones; "tracked" or "sampled"; `why` says what
     it rests on. `out_of_reach`: solutions of the closure
-    that the joints of a limb do not reach. `family`: of which the mechanism is a member. `chosen`: the columns that
-    hold it, of more drives than freedoms those that are needed.
+    that the joints of a limb do not reach. `family`: of which the mechanism is a member. `columns`: displacements of
+    what is held, in the order of `held`, then of `followers`, which couplings settle. `chosen`: the columns that hold
+    it, of more drives than freedoms those that are needed.
     """
 
     mechanism: Mechanism
@@ -112,6 +114,7 @@ class AssemblyModes:
     family: Family | None = field(default=None, repr=False)
     columns: Mapping[int, float] = field(default_factory=dict, repr=False)
     chosen: tuple[int, ...] = field(default=(), repr=False)
+    followers: tuple[Follower, ...] = field(default=(), repr=False)
 
     def __repr__(self) -> str:
         names = ", ".join(mode.name for mode in self.modes)
@@ -216,7 +219,8 @@ class _Search:
         self.held, self.structure, self.progress = held, structure, progress
         self.equations = BatchEquations(structure)
         square = structure.unknowns == structure.equations
-        self.family: Family = AllNumbers(self.equations) if square else WhatIsHeld(self.equations, held.chosen)
+        self.drives = WhatIsHeld(self.equations, held.drives, held.followers)
+        self.family: Family = AllNumbers(self.equations) if square else self.drives
         self.signs = ModeSigns(held.network, held.mechanism, list(held.chosen))
 
     def modes(self) -> AssemblyModes:
@@ -240,6 +244,7 @@ class _Search:
         return AssemblyModes(
             self.held.mechanism, self.held.network, self.held.body, self.held.shown, tuple(modes), missed, account,
             bound, complete, why, self.family, self.held.values, self.held.chosen,
+            self.held.followers,
         )  # fmt: skip
 
     def _names(self, start: StartSystem, modes: Sequence[AssemblyMode]) -> list[str]:
@@ -257,8 +262,10 @@ class _Search:
         names = numbered(known, int(np.flatnonzero(home)[0]) if home.any() else None)
         if still:
             return names
-        drives = WhatIsHeld(self.equations, self.held.chosen)
-        way = drives.way(drives.member(dict(self.held.values)), drives.own)
+        here = self.drives.member(dict(self.held.values))
+        if self.drives.span(here, self.drives.own) > MOST_RADIANS:
+            return numbered([_named(m) for m in modes], None, "n")
+        way = self.drives.way(here, self.drives.own)
         return names_by_ways(way, self.equations, [_named(m) for m in modes], (known, names))
 
     def _points(self, modes: Sequence[Named]) -> Array:
