@@ -40,7 +40,8 @@ Array = np.ndarray[Any, Any]
 
 DIGITS_60 = Scalars(CONTEXT.cos, CONTEXT.sin, CONTEXT.mpf)
 SAME_PLACE = 1e-9
-"""Difference of poses, of rotations and metres, of which only joints of limbs differ: certified poses have 1e-16."""
+"""Difference of poses, of rotations and sizes of the mechanism, of which only joints of limbs differ: certified poses
+have 1e-16."""
 FOLLOWED = 1e-9
 """Displacements of what is held too much, rad and sizes of the mechanism, that are met: loops close to 1e-12."""
 
@@ -257,16 +258,20 @@ class _Search:
             account = target_roots(self.family, start, self.family.member({}))
             regular = [end for end in account.ends if end.kind == "real" and end.regular]
             others = _one_of_each(search._seen(regular, None)[0], self.held)
-        known = [_named(m) for m in others]
+        known = [self._named(m) for m in others]
         home = together(self.equations, self._points(known), self.equations.scaled(known_zero(self.equations)[None])[0])
         names = numbered(known, int(np.flatnonzero(home)[0]) if home.any() else None)
         if still:
             return names
         here = self.drives.member(dict(self.held.values))
         if self.drives.span(here, self.drives.own) > MOST_RADIANS:
-            return numbered([_named(m) for m in modes], None, "n")
+            return numbered([self._named(m) for m in modes], None, "n")
         way = self.drives.way(here, self.drives.own)
-        return names_by_ways(way, self.equations, [_named(m) for m in modes], (known, names))
+        return names_by_ways(way, self.equations, [self._named(m) for m in modes], (known, names))
+
+    def _named(self, mode: AssemblyMode) -> Named:
+        translation = mode.translation / float(self.held.network.length)
+        return Named(mode.z, mode.rotation, translation, mode.signs.get(LOCKED, "m"))
 
     def _points(self, modes: Sequence[Named]) -> Array:
         zeros = np.array([m.z for m in modes], dtype=complex).reshape(-1, self.equations.width)
@@ -313,7 +318,7 @@ def _one_of_each(modes: Sequence[AssemblyMode], held: Held) -> list[AssemblyMode
     if not held.mechanism.limbs:  # no body is said to be carried by limbs
         return list(modes)
     for mode in sorted(modes, key=lambda m: float(np.linalg.norm(m.q)) if m.q is not None else np.inf):
-        same = next((k for k, m in enumerate(result) if _together(m, mode)), None)
+        same = next((k for k, m in enumerate(result) if _together(m, mode, float(held.network.length))), None)
         if same is None:
             result.append(mode)
         else:
@@ -321,8 +326,8 @@ def _one_of_each(modes: Sequence[AssemblyMode], held: Held) -> list[AssemblyMode
     return result
 
 
-def _together(one: AssemblyMode, two: AssemblyMode) -> bool:
-    turn, way = one.rotation - two.rotation, one.translation - two.translation
+def _together(one: AssemblyMode, two: AssemblyMode, size: float) -> bool:
+    turn, way = one.rotation - two.rotation, (one.translation - two.translation) / size
     pair = one.close and two.close and np.abs(one.z - two.z).max() < NEAR
     return bool(np.abs(turn).max() < SAME_PLACE and np.abs(way).max() < SAME_PLACE and not pair)
 
@@ -338,10 +343,6 @@ def _polished(equations: BatchEquations, family: Family, held: Held, end: End) -
     for _ in range(3):
         z = z + tracker.newton(z, goal)
     return replace(end, z=z[0].real + 0j)
-
-
-def _named(mode: AssemblyMode) -> Named:
-    return Named(mode.z, mode.rotation, mode.translation, mode.signs.get(LOCKED, "m"))
 
 
 def _order(name: str) -> tuple[bool, str, int]:
