@@ -98,7 +98,7 @@ class AllNumbers:
         pairs = axis_pairs(self.equations.structure)
         if pairs:
             return Way(self.equations, straight_in_spinors(start, end, pairs), SPINOR_DEGREE)
-        return Way(self.equations, straight(start, end), 2)
+        return Way(self.equations, straight(start, end), 3 if self.equations.structure.crossings else 2)
 
 
 @dataclass(frozen=True)

@@ -65,7 +65,8 @@ def joint_forces(draft: Draft, settings: Settings, name: str, *, attributes: Att
 
 def _limits(draft: Draft, settings: Settings, name: str, *, attributes: Attributes, kind: str) -> None:
     where = f"<joint name={name!r}>"
-    if "limit" not in settings.off and limited(settings, attributes, "range", "limited"):
+    whole = limited(settings, attributes, "range", "limited") or _reversed(attributes, "range", "limited")
+    if "limit" not in settings.off and whole:
         low, high = numbers(attributes["range"], f"{where}, range", 2)
         found = draft.limits.setdefault(name, Limits())
         found.lower, found.upper = (settings.angle(v) if kind == "hinge" else real(v) for v in (low, high))
@@ -99,6 +100,12 @@ def limited(settings: Settings, attributes: Attributes, reach: str, key: str) ->
             f'{key}="true" or "false"'
         )
     return said == "true" or (said == "auto" and low < high)
+
+
+def _reversed(attributes: Attributes, reach: str, key: str) -> bool:
+    """Whether a range has its larger end first, so that it limits nothing: the account says so."""
+    low, high = numbers(attributes.get(reach, "0 0"), reach, 2)
+    return attributes.get(key, "auto") == "auto" and low > high
 
 
 def effort(draft: Draft, name: str, most: Any) -> None:
