@@ -48,12 +48,37 @@ def test_every_pose_that_a_leg_allows_fulfils_its_two_forms_and_no_other_pose_do
 
 
 def test_a_3_upu_has_at_most_78_solutions():
-    # D. Walter, M. Husty, On a 3-UPU parallel manipulator with general design, 2010: 78 of the SNU platform
     held = held_by(snu(), {"P0": "1/20", "P1": "-1/30", "P2": "1/70"}, {})
     structure = structure_of(held)
     assert [group.kind for group in structure.groups] == ["free"] and structure.crossings
     general, own = family_bound(structure), own_bound(held)
     assert (general.count, general.dimension, own.count, own.dimension) == (84, 0, 78, 0)
+
+
+def three_ruu() -> symscrew.Mechanism:
+    """Driven cranks about tangents, rods on universal joints whose axes on the platform lie along no tangent."""
+    builder = symscrew.MechanismBuilder("three_ruu", platform="top").body("top")
+    for k, (c, s) in enumerate((("1", "0"), ("-1/2", "sqrt(3)/2"), ("-1/2", "-sqrt(3)/2"))):
+
+        def there(radial: str, tangential: str, up: str, c: str = c, s: str = s) -> list[str]:
+            return [f"({radial})*({c})-({tangential})*({s})", f"({radial})*({s})+({tangential})*({c})", up]
+
+        tangent, inner = there("0", "1", "0"), there("3/5", "0", "4/5")
+        builder.body(f"crank{k}").body(f"rod{k}")
+        for name, kind, ends, place, axes in (
+            ("A", "R", ("base", f"crank{k}"), there("1", "0", "0"), [tangent]),
+            ("B", "U", (f"crank{k}", f"rod{k}"), there("13/10", "0", "2/5"), [tangent, inner]),
+            ("C", "U", (f"rod{k}", "top"), there("1/2", "0", "1"), [inner, there("-16/25", "3/5", "12/25")]),
+        ):
+            builder.joint(f"{name}{k}", kind, parent=ends[0], child=ends[1], point=place, axes=axes, driven=name == "A")
+    return builder.build()
+
+
+def test_a_3_ruu_is_of_the_same_structure_as_a_3_upu():
+    held = held_by(three_ruu(), {"A0": "1/10", "A1": "-1/20", "A2": "1/30"}, {})
+    assert structure_of(held).key == structure_of(held_by(snu(), {}, {})).key
+    bound = own_bound(held)
+    assert (bound.count, bound.dimension) == (84, 0)
 
 
 def test_one_leg_on_universal_joints_keeps_its_angles():
