@@ -18,8 +18,9 @@ from symscrew.algebra import CONTEXT
 from symscrew.assembly.batch_equations import BatchEquations
 from symscrew.assembly.certified_roots import Certificate, read
 from symscrew.assembly.completeness import Completeness, proof_of
+from symscrew.assembly.coupled_columns import Follower
 from symscrew.assembly.elementary_graph import held_graph
-from symscrew.assembly.families import AllNumbers, Family, WhatIsHeld
+from symscrew.assembly.families import MOST_RADIANS, AllNumbers, Family, WhatIsHeld
 from symscrew.assembly.held_structure import Structure, held_structure
 from symscrew.assembly.joint_angles import CLOSED, JointAngles
 from symscrew.assembly.mode_names import Named, names_by_ways, numbered
@@ -39,7 +40,8 @@ Array = np.ndarray[Any, Any]
 
 DIGITS_60 = Scalars(CONTEXT.cos, CONTEXT.sin, CONTEXT.mpf)
 SAME_PLACE = 1e-9
-"""Difference of poses, of rotations and metres, of which only joints of limbs differ: certified poses have 1e-16."""
+"""Difference of poses, of rotations and sizes of the mechanism, of which only joints of limbs differ: certified poses
+have 1e-16."""
 FOLLOWED = 1e-9
 """Displacements of what is held too much, rad and sizes of the mechanism, that are met: loops close to 1e-12."""
 
@@ -95,8 +97,9 @@ class AssemblyModes:
     `held`: values by coordinate, as the description counts them. `bound`: on isolated complex solutions, or None.
     `complete`: "proved"; "regular", proved of all solutions but singular ones; "tracked" or "sampled"; `why` says what
     it rests on. `out_of_reach`: solutions of the closure
-    that the joints of a limb do not reach. `family`: of which the mechanism is a member. `chosen`: the columns that
-    hold it, of more drives than freedoms those that are needed.
+    that the joints of a limb do not reach. `family`: of which the mechanism is a member. `columns`: displacements of
+    what is held, in the order of `held`, then of `followers`, which couplings settle. `chosen`: the columns that hold
+    it, of more drives than freedoms those that are needed.
     """
 
     mechanism: Mechanism
@@ -112,6 +115,7 @@ class AssemblyModes:
     family: Family | None = field(default=None, repr=False)
     columns: Mapping[int, float] = field(default_factory=dict, repr=False)
     chosen: tuple[int, ...] = field(default=(), repr=False)
+    followers: tuple[Follower, ...] = field(default=(), repr=False)
 
     def __repr__(self) -> str:
         names = ", ".join(mode.name for mode in self.modes)
@@ -216,7 +220,8 @@ class _Search:
         self.held, self.structure, self.progress = held, structure, progress
         self.equations = BatchEquations(structure)
         square = structure.unknowns == structure.equations
-        self.family: Family = AllNumbers(self.equations) if square else WhatIsHeld(self.equations, held.chosen)
+        self.drives = WhatIsHeld(self.equations, held.drives, held.followers)
+        self.family: Family = AllNumbers(self.equations) if square else self.drives
         self.signs = ModeSigns(held.network, held.mechanism, list(held.chosen))
 
     def modes(self) -> AssemblyModes:
@@ -240,6 +245,7 @@ class _Search:
         return AssemblyModes(
             self.held.mechanism, self.held.network, self.held.body, self.held.shown, tuple(modes), missed, account,
             bound, complete, why, self.family, self.held.values, self.held.chosen,
+            self.held.followers,
         )  # fmt: skip
 
     def _names(self, start: StartSystem, modes: Sequence[AssemblyMode]) -> list[str]:
@@ -252,14 +258,20 @@ class _Search:
             account = target_roots(self.family, start, self.family.member({}))
             regular = [end for end in account.ends if end.kind == "real" and end.regular]
             others = _one_of_each(search._seen(regular, None)[0], self.held)
-        known = [_named(m) for m in others]
+        known = [self._named(m) for m in others]
         home = together(self.equations, self._points(known), self.equations.scaled(known_zero(self.equations)[None])[0])
         names = numbered(known, int(np.flatnonzero(home)[0]) if home.any() else None)
         if still:
             return names
-        drives = WhatIsHeld(self.equations, self.held.chosen)
-        way = drives.way(drives.member(dict(self.held.values)), drives.own)
-        return names_by_ways(way, self.equations, [_named(m) for m in modes], (known, names))
+        here = self.drives.member(dict(self.held.values))
+        if self.drives.span(here, self.drives.own) > MOST_RADIANS:
+            return numbered([self._named(m) for m in modes], None, "n")
+        way = self.drives.way(here, self.drives.own)
+        return names_by_ways(way, self.equations, [self._named(m) for m in modes], (known, names))
+
+    def _named(self, mode: AssemblyMode) -> Named:
+        translation = mode.translation / float(self.held.network.length)
+        return Named(mode.z, mode.rotation, translation, mode.signs.get(LOCKED, "m"))
 
     def _points(self, modes: Sequence[Named]) -> Array:
         zeros = np.array([m.z for m in modes], dtype=complex).reshape(-1, self.equations.width)
@@ -306,7 +318,7 @@ def _one_of_each(modes: Sequence[AssemblyMode], held: Held) -> list[AssemblyMode
     if not held.mechanism.limbs:  # no body is said to be carried by limbs
         return list(modes)
     for mode in sorted(modes, key=lambda m: float(np.linalg.norm(m.q)) if m.q is not None else np.inf):
-        same = next((k for k, m in enumerate(result) if _together(m, mode)), None)
+        same = next((k for k, m in enumerate(result) if _together(m, mode, float(held.network.length))), None)
         if same is None:
             result.append(mode)
         else:
@@ -314,8 +326,8 @@ def _one_of_each(modes: Sequence[AssemblyMode], held: Held) -> list[AssemblyMode
     return result
 
 
-def _together(one: AssemblyMode, two: AssemblyMode) -> bool:
-    turn, way = one.rotation - two.rotation, one.translation - two.translation
+def _together(one: AssemblyMode, two: AssemblyMode, size: float) -> bool:
+    turn, way = one.rotation - two.rotation, (one.translation - two.translation) / size
     pair = one.close and two.close and np.abs(one.z - two.z).max() < NEAR
     return bool(np.abs(turn).max() < SAME_PLACE and np.abs(way).max() < SAME_PLACE and not pair)
 
@@ -331,10 +343,6 @@ def _polished(equations: BatchEquations, family: Family, held: Held, end: End) -
     for _ in range(3):
         z = z + tracker.newton(z, goal)
     return replace(end, z=z[0].real + 0j)
-
-
-def _named(mode: AssemblyMode) -> Named:
-    return Named(mode.z, mode.rotation, mode.translation, mode.signs.get(LOCKED, "m"))
 
 
 def _order(name: str) -> tuple[bool, str, int]:

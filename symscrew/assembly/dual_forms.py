@@ -5,6 +5,7 @@
     meeting points  image of p = a              four linear forms of rank three: x p + 2 y - a x = 0
     angle           image of w times u = k      one quadratic form
     parallel axes   image of w = u              four linear forms: x w - u x = 0
+    crossing lines  image of w at p meets u     one quadratic form: their mutual moment; lines go to g (w + eps m) g*
     motions         of a joint: linear in its homogeneous coordinates, a matrix of eight rows
 
 The same matrices serve doubles, complex numbers, intervals and residues: entries are sums of products of what comes in.
@@ -82,11 +83,23 @@ def _moved(*, back: bool) -> Array:
     return table
 
 
+def _lines() -> Array:
+    """L[k, l]: twice the symmetric matrix of component k of y e_l x* + x e_l y*."""
+    table = np.zeros((3, 3, SIZE, SIZE), dtype=int)
+    sign = CONJUGATE[:4]
+    for k in range(3):
+        for l in range(3):
+            form = np.einsum("in,im,n->mn", HAMILTON[k + 1], RIGHT[l], sign)
+            table[k, l, 4:, :4] = form + form.T
+            table[k, l, :4, 4:] = form + form.T
+    return table
+
+
 NORM = 2 * np.diag([1, 1, 1, 1, 0, 0, 0, 0])
 """Twice |x|^2, as all that follow: a form's gradient is its matrix times g, its value half g times that."""
 SECOND = 2 * np.diag([0, 0, 0, 0, 1, 1, 1, 1])
 STUDY = np.block([[np.zeros((4, 4), dtype=int), np.eye(4, dtype=int)], [np.eye(4, dtype=int), np.zeros((4, 4), int)]])
-TURNED, MOVED, MOVED_BACK = _turned(), _moved(back=False), _moved(back=True)
+TURNED, MOVED, MOVED_BACK, LINES = _turned(), _moved(back=False), _moved(back=True), _lines()
 
 
 def distance(p: Vector, a: Vector, c: Any) -> Array:
@@ -106,6 +119,21 @@ def angle(w: Vector, u: Vector, k: Any) -> Array:
         for j in range(3):
             form = form + TURNED[i, j].astype(object) * (u[i] * w[j])
     return form
+
+
+def crossing(w: Vector, p: Vector, u: Vector, a: Vector) -> Array:
+    """u m' + (a x u) w' of the lines w through p, displaced, and u through a; twice its matrix."""
+    m, n = _moment(p, w), _moment(a, u)
+    form: Array = NORM.astype(object) * 0
+    for k in range(3):
+        for l in range(3):
+            form = form + LINES[k, l].astype(object) * (u[k] * w[l])
+            form = form + TURNED[k, l].astype(object) * (u[k] * m[l] + n[k] * w[l])
+    return form
+
+
+def _moment(p: Vector, w: Vector) -> Vector:
+    return (p[1] * w[2] - p[2] * w[1], p[2] * w[0] - p[0] * w[2], p[0] * w[1] - p[1] * w[0])
 
 
 def meeting(p: Vector, a: Vector) -> Array:
@@ -128,10 +156,9 @@ def parallel(w: Vector, u: Vector) -> Array:
 
 def turning(w: Vector, p: Vector) -> Array:
     """u + v (w + eps p x w), columns for u, v: tangent of half the angle is v |w| / u."""
-    moment = (p[1] * w[2] - p[2] * w[1], p[2] * w[0] - p[0] * w[2], p[0] * w[1] - p[1] * w[0])
     basis = np.zeros((SIZE, 2), dtype=object)
     basis[0, 0] = 1
-    basis[1:4, 1], basis[5:8, 1] = list(w), list(moment)
+    basis[1:4, 1], basis[5:8, 1] = list(w), list(_moment(p, w))
     return basis
 
 

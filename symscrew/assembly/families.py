@@ -15,13 +15,17 @@ from typing import Any, Protocol
 import numpy as np
 
 from symscrew.assembly.batch_equations import BatchEquations, Way, straight
+from symscrew.assembly.coupled_columns import Follower
 from symscrew.assembly.equal_axes import DEGREE as SPINOR_DEGREE
 from symscrew.assembly.equal_axes import axis_pairs, equally_long, straight_in_spinors
 from symscrew.assembly.slot_numbers import Displacements, Scalars
+from symscrew.errors import DescriptionError
 
 COMPLEX = Scalars(cmath.cos, cmath.sin, complex)
 DEGREE = 24
 """Of polynomials for cosines of up to half a turn: right to rounding."""
+MOST_RADIANS = 100.0
+"""Of all held angles together, on one way: polynomials for them have as high a degree."""
 
 
 class Family(Protocol):
@@ -94,22 +98,27 @@ class AllNumbers:
         pairs = axis_pairs(self.equations.structure)
         if pairs:
             return Way(self.equations, straight_in_spinors(start, end, pairs), SPINOR_DEGREE)
-        return Way(self.equations, straight(start, end), 2)
+        return Way(self.equations, straight(start, end), 3 if self.equations.structure.crossings else 2)
 
 
 @dataclass(frozen=True)
 class WhatIsHeld:
-    """One mechanism with complex values of what is held, displacements in the order of `columns`."""
+    """One mechanism with complex values of what is held, displacements in the order of `columns`.
+
+    `followers`: what couplings settle from these, on complex ways as well.
+    """
 
     equations: BatchEquations
     columns: tuple[int, ...]
+    followers: tuple[Follower, ...] = ()
     whole: bool = False
 
     @property
     def key(self) -> str:
         """Structure and numbers."""
         numbers = [np.asarray(s, dtype=complex).round(15).tolist() for s in self.slots(self.own)]
-        return repr((self.equations.structure.key, self.columns, numbers))
+        coupled = [(f.column, {c: [float(p) for p in powers] for c, powers in f.terms.items()}) for f in self.followers]
+        return repr((self.equations.structure.key, self.columns, numbers, *coupled))
 
     @cached_property
     def own(self) -> Sequence[Any]:
@@ -126,12 +135,41 @@ class WhatIsHeld:
 
     def way(self, start: Sequence[Any], end: Sequence[Any]) -> Way:
         """Straight in what is held."""
-        return Way(
-            self.equations,
-            lambda s: self.slots([(1 - s) * a + s * b for a, b in zip(start, end, strict=True)]),
-            DEGREE,
-        )
+
+        def slots(s: complex) -> list[Any]:
+            return self.slots([(1 - s) * a + s * b for a, b in zip(start, end, strict=True)])
+
+        return Way(self.equations, slots, self._degree(self.span(start, end)))
+
+    def span(self, start: Sequence[Any], end: Sequence[Any]) -> float:
+        """How far all held angles turn together on a way [rad]."""
+        turning = [c for e in self.equations.structure.graph.edges if e.kind == "turn" for c in e.columns]
+        ends = [self._whole(values) for values in (start, end)]
+        return float(sum(abs(ends[1][c] - ends[0][c]) for c in turning if c in ends[0]))
+
+    def _degree(self, span: float) -> int:
+        """Of polynomials for products of the cosines of all held angles on a way.
+
+        Squares of such products turn twice as fast as all angles together. Chebyshev's coefficients of a cosine of
+        2 x over the way, x in the middle, are Bessel's J_n(x): below rounding from n = x + 9 x^(1/3) + 9 on.
+
+        Raises:
+            DescriptionError: so many turns that no polynomial of a sensible degree holds them.
+        """
+        if span > MOST_RADIANS:
+            raise DescriptionError(
+                f"what is held lies {span / (2 * np.pi):.3g} turns from the reference, over which no way is followed; "
+                f"give angles that are less than {MOST_RADIANS / (2 * np.pi):.3g} turns away together"
+            )
+        return max(DEGREE, int(np.ceil(span + 9 * span ** (1 / 3) + 9)))
+
+    def _whole(self, values: Sequence[Any]) -> dict[int, Any]:
+        """Displacements of all that is held."""
+        whole = dict(zip(self.columns, values, strict=True))
+        for follower in self.followers:
+            whole[follower.column] = follower.value(whole, COMPLEX.read)
+        return whole
 
     def slots(self, values: Sequence[Any]) -> list[Any]:
         """The numbers in the slots for displacements in the order of `columns`."""
-        return Displacements(self.equations.structure, COMPLEX, dict(zip(self.columns, values, strict=True))).slots()
+        return Displacements(self.equations.structure, COMPLEX, self._whole(values)).slots()

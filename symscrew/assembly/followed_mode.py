@@ -53,9 +53,11 @@ def follow_mode(found: AssemblyModes, name: str, drives: Mapping[str, Any]) -> F
         return FollowedMode(name, 0.0, found.held, mode.q, mode.residual, 0, mode.smallest, "the mode is not certified")
     given = held_by(found.mechanism, drives, {key: v for key, v in found.held.items() if key not in drives})
     start, goal = dict(found.columns), {c: given.values[c] for c in found.columns}
-    led = ProvedWay(found.family.equations).led(mode.z.real, start, goal)
+    led = ProvedWay(found.family.equations, found.followers).led(mode.z.real, start, goal)
     refused = "" if led.reached == 1.0 else "no shorter step is proved to stay on the branch: a singularity is near"
     values = between(start, goal, led.reached)
+    for follower in found.followers:
+        values[follower.column] = follower.value(values, float)
     q, off = JointAngles(found.family.equations, values, found.network.freedoms).solved(led.z[None])
     reached = off[0] <= CLOSED
     if not reached:

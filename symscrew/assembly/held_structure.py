@@ -32,6 +32,9 @@ SPATIAL_FREEDOMS, PLANAR_FREEDOMS = 6, 3
 """Of all displacements."""
 TELESCOPE = 3
 """Runs of a leg that turns about two points and slides between them."""
+MANY_LEGS = 3
+"""Of legs on two universal joints from which on their angles are no unknowns: of fewer a tree of them has few solutions
+more, and C; of three no Groebner basis ended with eight angles as unknowns."""
 SPANNED = 1e-9
 """Singular value of screws, in sizes of the mechanism, below which they are dependent: rounding leaves 1e-15."""
 TOGETHER = 1e-12
@@ -69,7 +72,7 @@ class Group:
 
 @dataclass(frozen=True)
 class Form:
-    """An equation or four: "distance", "angle", "meeting" or "parallel", and its slots."""
+    """An equation or four: "distance", "angle", "crossing", "meeting" or "parallel", and its slots."""
 
     kind: str
     slots: tuple[int, ...]
@@ -86,10 +89,14 @@ class Loop:
 
 @dataclass(frozen=True)
 class Rod:
-    """A cluster that only holds two points at a distance: its runs, from base to body."""
+    """A cluster that only holds two points at a distance: its runs, from base to body.
+
+    `crossing`: it also holds the outer axes of its universal joints in one plane with itself.
+    """
 
     cluster: str
     runs: tuple[Run, Run]
+    crossing: bool = False
 
 
 @dataclass(frozen=True)
@@ -112,6 +119,11 @@ class Structure:
     frame: tuple[Point, Point, Point]
     centre: Point
     open_limbs: tuple[tuple[Run, ...], ...] = ()
+
+    @property
+    def crossings(self) -> bool:
+        """Whether legs hold axes in one plane: numbers of three slots are multiplied."""
+        return any(rod.crossing for rod in self.rods)
 
     @property
     def planar(self) -> bool:
@@ -261,7 +273,7 @@ class _Planner:
 
         A universal joint holds the same rod in two ways, which are modes of their own where there is no platform.
         """
-        runs, rods = list(self.runs), list[Rod]()
+        runs, rods, crossing = list(self.runs), list[Rod](), self._crossing_legs()
         for body in dict.fromkeys(end for run in runs for end in (run.near, run.far)):
             at = [run for run in runs if body in (run.near, run.far)]
             ends = [end for rod in rods for end in (rod.runs[0].near, rod.runs[1].far)]
@@ -272,10 +284,42 @@ class _Planner:
             holds = kinds == ["turn", "turn"] if self.graph.axis else kinds in spatial
             one = at[0] if at[0].far == body else at[0].reversed()
             two = at[1] if at[1].near == body else at[1].reversed()
-            if holds and one.near != two.far:
-                rods.append(Rod(body, (one, two)))
+            if (holds or body in crossing) and one.near != two.far:
+                rods.append(Rod(body, (one, two), body in crossing))
                 runs = [run for run in runs if run not in at]
         return runs, rods
+
+    def _crossing_legs(self) -> set[str]:
+        """Clusters between two universal joints with parallel inner axes across the leg, if there are several of them.
+
+        Where the outer axes and the leg lie in one plane the inner axes are normal to it, so that this is all that the
+        leg holds beside its length. A leg turns over in two ways, which are modes of their own without a platform.
+        """
+        found = set[str]()
+        if not self.platform or self.graph.spherical:
+            return found
+        for body in dict.fromkeys(self._ends(self.runs)):
+            at = [run for run in self.runs if body in (run.near, run.far)]
+            if [run.kind for run in at] != ["hook", "hook"] or body in (self.graph.ground, self.platform):
+                continue
+            one = at[0] if at[0].far == body else at[0].reversed()
+            two = at[1] if at[1].near == body else at[1].reversed()
+            if self._across(body, one.edges[-1], two.edges[0]):
+                found.add(body)
+        return found if len(found) >= MANY_LEGS else set()
+
+    def _across(self, body: str, one: Edge, two: Edge) -> bool:
+        """Whether two axes on a body are parallel and normal to the way between them, at all values of what is held."""
+        if one.axis is None or two.axis is None:
+            return False
+        axis, way = one.axis, subtract(two.point, one.point)
+        gaps = [*cross(axis, two.axis), dot(axis, way)]
+        for edge in self.graph.held:
+            if self.graph.cluster[edge.parent] == self.graph.cluster[edge.child] == body and edge.axis is not None:
+                gaps += [dot(axis, edge.axis)] if edge.kind == "slide" else cross(axis, edge.axis)
+            elif edge.kind == "ball":
+                return False
+        return all(abs(float(gap)) < PARALLEL for gap in gaps)
 
     def _nearest(self, runs: Sequence[Run]) -> tuple[Run, Run] | None:
         """(run, the same from a cluster that has a place): the platform's on the ground, else with fewest freedoms."""
@@ -383,3 +427,9 @@ class _Planner:
         number = self._slot(Slot("distance", of=(p, a), rod=ends))
         self.counts["equations"] += 1
         self._form((one.near, two.far), Form("distance", (p, a, number)))
+        if rod.crossing:
+            outer, other = one.edges[0].axis, two.edges[-1].axis
+            w = self._slot(Slot("axis", self._end(two, near=False), other))
+            u = self._slot(Slot("axis", self._end(one, near=True), outer))
+            self.counts["equations"] += 1
+            self._form((one.near, two.far), Form("crossing", (w, p, u, a)))

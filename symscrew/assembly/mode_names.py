@@ -28,7 +28,10 @@ EQUAL = 6
 
 @dataclass(frozen=True)
 class Named:
-    """What a mode's name depends on: its zero, pose, and sign of the determinant with the drives locked."""
+    """What a mode's name depends on: its zero, pose, and sign of the determinant with the drives locked.
+
+    `translation`: in sizes of the mechanism, so that names are the same in mm and km.
+    """
 
     z: Array
     rotation: Array

@@ -105,16 +105,18 @@ class _Proofs:
             m for m in found.modes if m.certified and m.meeting == 1 and m.q is not None
         ]
         self.equations = found.family.equations
-        self.steps = ProvedWay(self.equations)
+        self.steps = ProvedWay(self.equations, found.followers)
         self.compiled = _compiled(found, self.steps)
         motions = [(m, start) for e in found.network.edges.values() for m, start in e.motions]
-        self.turning = [c for c in found.chosen if any(m.revolute and start == c for m, start in motions)]
+        self.drives = [c for c in found.chosen if c not in {f.column for f in found.followers}]
+        turning = [c for c in self.drives if any(m.revolute and start == c for m, start in motions)]
+        self.turning = [] if found.followers else turning  # a whole turn of a wheel leaves others elsewhere
 
     def connections(self) -> Proved:
         """(first mode, other) -> (values of what is held along the way, steps)."""
         self.progress("road map over the configurations")
         points = [m.q for m in self.modes if m.q is not None]
-        ways = regular_ways(self.found.network, self.found.chosen, points, NODES) if len(points) > 1 else {}
+        ways = regular_ways(self.found.network, self.drives, points, NODES) if len(points) > 1 else {}
         proved: Proved = {}
         for (one, two), q in ways.items():
             first, last = self.modes[one], self.modes[two]

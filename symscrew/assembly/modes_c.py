@@ -86,7 +86,9 @@ def held_modes_model(held: Held) -> ModesModel:
     if not structure.groups or structure.unknowns != structure.equations:
         raise held.error("no C of them: only of mechanisms with loops whose equations are as many as their unknowns")
     if held.network.ties:
-        raise held.error("no C of them: couplings")
+        raise held.error("no C of them: couplings, whose coordinates are no arguments")
+    if structure.crossings:
+        raise held.error("no C of them: legs on two universal joints each")
     start = start_system(AllNumbers(equations), known_zero(equations))
     if not start.complete or len(start.zeros) > MOST_PATHS:
         raise held.error(f"no C of them: {len(start.zeros)} zeros of a general mechanism are known; {start.why}")

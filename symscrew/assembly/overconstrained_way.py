@@ -66,10 +66,10 @@ def on_the_motion(held: Held, equations: BatchEquations, known: Array) -> Certif
         known: the zero of the reference.
     """
     finite = analyse_mobility(held.mechanism).finite
-    if finite is None or not (finite.proved and finite.smooth) or finite.dof != len(held.chosen):
+    if finite is None or not (finite.proved and finite.smooth) or finite.dof != len(held.drives):
         return None
-    goal = {c: held.off(c, 2 * held.values[c]) for c in held.chosen}
-    way = _Way(equations)
+    goal = {c: held.off(c, 2 * held.values[c]) for c in held.drives} if not held.followers else dict(held.values)
+    way = _Way(equations, held.followers)
     led = way.led(known.real, dict.fromkeys(goal, 0.0), goal)
     if led.reached < 1.0 or not way.holds(led.z, goal, ROUNDED, rows=way.rows(way.over(goal, goal), led.z)):
         return None

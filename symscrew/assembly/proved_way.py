@@ -5,7 +5,7 @@ step --Newton's method at its middle and end--> zeros --Krawczyk's test for all 
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -14,6 +14,7 @@ import numpy as np
 from symscrew.algebra import CONTEXT
 from symscrew.assembly.batch_equations import BatchEquations
 from symscrew.assembly.certified_roots import ONE, Rectangle, held_by_box, held_within, read
+from symscrew.assembly.coupled_columns import Follower
 from symscrew.assembly.families import COMPLEX
 from symscrew.assembly.joint_angles import CLOSED
 from symscrew.assembly.path_tracking import Tracker
@@ -49,10 +50,13 @@ class Led:
 
 
 class ProvedWay:
-    """Zeros led along straight ways of what is held, in steps that are proved."""
+    """Zeros led along straight ways of what is held, in steps that are proved.
 
-    def __init__(self, equations: BatchEquations) -> None:
-        self.equations = equations
+    `followers`: what couplings settle; values of theirs that are given are not read.
+    """
+
+    def __init__(self, equations: BatchEquations, followers: Sequence[Follower] = ()) -> None:
+        self.equations, self.followers = equations, followers
 
     def led(self, z: Array, start: Mapping[int, float], goal: Mapping[int, float]) -> Led:
         """Step by step, as far as that is proved."""
@@ -101,7 +105,7 @@ class ProvedWay:
 
     def _zero(self, z: Array, values: Mapping[int, float]) -> Array | None:
         """A zero near z, by Newton's method: a guess, which the box judges."""
-        slots = Displacements(self.equations.structure, COMPLEX, values).slots()
+        slots = Displacements(self.equations.structure, COMPLEX, self._whole(values, COMPLEX.read)).slots()
         c, there, tracker = self.equations.coefficients(slots)[None], z[None] + 0j, Tracker(self.equations)
         for _ in range(NEWTON):
             step = tracker.newton(there, c)
@@ -114,7 +118,14 @@ class ProvedWay:
         """The numbers in the slots for all values of a step, as rectangles."""
         ways = {c: _hull(start[c], end[c]) for c in start}
         scalars = Scalars(lambda v: _bounded(CONTEXT.cos, v), lambda v: _bounded(CONTEXT.sin, v), read)
-        return Displacements(self.equations.structure, scalars, ways).slots()
+        return Displacements(self.equations.structure, scalars, self._whole(ways, read)).slots()
+
+    def _whole(self, values: Mapping[int, Any], read_number: Callable[[Any], Any]) -> dict[int, Any]:
+        """These values with those that couplings settle from them."""
+        whole = dict(values)
+        for follower in self.followers:
+            whole[follower.column] = follower.value(whole, read_number)
+        return whole
 
 
 def _hull(one: float, two: float) -> Rectangle:

@@ -19,6 +19,10 @@ from symscrew.assembly.held_structure import Group, Structure
 Array = np.ndarray[Any, Any]
 Pose = tuple[Array, Array]
 
+QUADRATIC: Mapping[str, Callable[..., Array]] = {
+    "distance": forms.distance, "angle": forms.angle, "crossing": forms.crossing,
+}  # fmt: skip
+
 
 @dataclass(frozen=True)
 class Scalars:
@@ -141,8 +145,8 @@ def matrices(structure: Structure, slots: Sequence[Any]) -> tuple[list[Array], l
         quadratic, linear = [], []
         for form in loop.forms:
             given = [slots[k] for k in form.slots]
-            if form.kind in ("distance", "angle"):
-                quadratic.append((forms.distance if form.kind == "distance" else forms.angle)(*given))
+            if form.kind in QUADRATIC:
+                quadratic.append(QUADRATIC[form.kind](*given))
             else:
                 rows = (forms.meeting if form.kind == "meeting" else forms.parallel)(*given)
                 linear.append(rows[1:3] if structure.planar else rows)

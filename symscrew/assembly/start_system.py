@@ -38,8 +38,9 @@ QUIET = 8
 """Loops after the last new zero at which a search without a bound ends."""
 SAME = 1 - 1e-9
 """Points of length one whose product is above this are one: zeros of random members are 1e-3 apart."""
-STARTS, STEPS, STILL = 100, 40, 1e-12
-"""Of Newton's method where no path leads away from the reference: places, steps, a step at a zero."""
+STARTS, STEPS, STILL = (100, 1000, 4000), 40, 1e-12
+"""Of Newton's method where no path leads away from the reference: places, more of them where it came to no zero, steps,
+a step at a zero. Of loops of slides and a ball one place in two hundred leads to a displacement, others to infinity."""
 FINITE = 1e-4
 """|x|^2 of points of length one that are displacements."""
 FORMAT = "2"
@@ -73,7 +74,7 @@ def start_system(family: Family, known: Array, progress: Callable[[str], None] =
     with entry(key) as kept:
         content = kept.read()
         found = None if content is None else decoded(json.loads(content))
-        if found is not None and len(found.zeros):
+        if found is not None and len(found.zeros) and _finite(family.equations, found.zeros).any():
             return found
         made = searched(family, known, progress)
         if len(made.zeros):  # a search that did not leave this mechanism may succeed from another of its structure
@@ -95,7 +96,7 @@ def searched(family: Family, known: Array, progress: Callable[[str], None] = lam
     for _ in range(MEMBERS):
         member = family.random(random)
         first = tracker.follow(known[None], family.way(family.own, member).at)
-        zeros, quiet = first.z[first.reached], 0
+        zeros, quiet = first.z[first.reached & _finite(equations, first.z)], 0
         if len(zeros):
             break
     if not len(zeros) and family.whole:  # a singular reference is left on no way
@@ -120,15 +121,23 @@ def searched(family: Family, known: Array, progress: Callable[[str], None] = lam
 def _by_newton(tracker: Tracker, numbers: Array, random: np.random.Generator) -> Array:
     """A regular zero of a general member, by Newton's method from random places; none where it finds none."""
     equations = tracker.equations
-    places = random.normal(size=(STARTS, equations.width)) + 1j * random.normal(size=(STARTS, equations.width))
-    z, last = equations.scaled(places), np.full(STARTS, np.inf)
-    with np.errstate(all="ignore"):
-        for _ in range(STEPS):
-            step = tracker.newton(z, numbers)
-            last = np.linalg.norm(step, axis=1)
-            z = equations.scaled(np.nan_to_num(z + step, nan=1.0, posinf=1.0, neginf=1.0))
-        sound = (last < STILL) & (equations.norms(z).min(axis=1) > FINITE)
+    for count in STARTS:
+        places = random.normal(size=(count, equations.width)) + 1j * random.normal(size=(count, equations.width))
+        z, last = equations.scaled(places), np.full(count, np.inf)
+        with np.errstate(all="ignore"):
+            for _ in range(STEPS):
+                step = tracker.newton(z, numbers)
+                last = np.linalg.norm(step, axis=1)
+                z = equations.scaled(np.nan_to_num(z + step, nan=1.0, posinf=1.0, neginf=1.0))
+            sound = (last < STILL) & _finite(equations, z)
+        if sound.any():
+            break
     return np.asarray(z[sound][:1])
+
+
+def _finite(equations: BatchEquations, z: Array) -> Array:
+    """Which points are displacements: from those at infinity, as of a singular reference, no way leads to others."""
+    return np.asarray(equations.norms(equations.scaled(z)).min(axis=1, initial=1.0) > FINITE)
 
 
 def together(equations: BatchEquations, zeros: Array, z: Array, same_above: float = SAME) -> Array:

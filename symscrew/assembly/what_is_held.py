@@ -1,6 +1,7 @@
 """What is held of a mechanism: its drives, or coordinates that were given, at their values.
 
 A platform with more drives than freedoms is held by as many as it needs; solutions that miss the others are left out.
+What couplings settle from what is held is held too (`coupled_columns`).
 """
 
 from __future__ import annotations
@@ -13,6 +14,7 @@ import numpy as np
 import sympy
 
 from symscrew.algebra import CONTEXT, high_precision
+from symscrew.assembly.coupled_columns import Coupled, Follower, coupled_columns
 from symscrew.description import Mechanism
 from symscrew.errors import DescriptionError, did_you_mean
 from symscrew.kinematics import given_coordinates
@@ -22,14 +24,17 @@ Array = np.ndarray[Any, Any]
 
 RANK = 1e-9
 """Relative singular value below which a closure of the reference has no such row."""
+COUPLED = 1e-9
+"""What a coupling of held coordinates may be off, in its largest term: they are given in as many digits."""
 
 
 @dataclass(frozen=True)
 class Held:
     """`exact`: held column -> displacement from the reference in 60 digits; `values`: in doubles.
 
-    `given`: exact displacements [rad, m]. `chosen`: columns that hold the mechanism; `extra`: those held too. `shown`:
-    values as the description counts them.
+    `given`: exact displacements [rad, m] of those that moved. `chosen`: columns that hold the mechanism, then those of
+    `followers`, which couplings settle from them; `extra`: those held too. All are in the order of the description,
+    and so is `shown`: values that were given, as the description counts them.
     """
 
     mechanism: Mechanism
@@ -41,12 +46,50 @@ class Held:
     shown: Mapping[str, float]
     body: str
     given: Mapping[int, sympy.Expr] = field(default_factory=dict)
+    followers: tuple[Follower, ...] = ()
+
+    @property
+    def drives(self) -> tuple[int, ...]:
+        """The chosen columns that no coupling settles."""
+        return self.chosen[: len(self.chosen) - len(self.followers)]
 
     def fewer(self) -> Held:
         """Only as much held as holds the mechanism in the reference; the rest is checked."""
-        chosen = _independent(self.network, tuple(self.exact))
-        extra = tuple(c for c in self.exact if c not in chosen)
-        return replace(self, exact={c: self.exact[c] for c in chosen}, chosen=chosen, extra=extra)
+        chosen = _independent(self.network, self.drives)
+        extra = tuple(c for c in self.drives if c not in chosen)
+        fewer = replace(self, exact={c: self.exact[c] for c in chosen}, chosen=chosen, extra=extra, followers=())
+        whole = fewer.with_followers() if self.network.ties else fewer
+        return replace(whole, extra=tuple(c for c in extra if c not in whole.chosen))
+
+    def with_followers(self) -> Held:
+        """With what couplings settle; raises DescriptionError where they tie what nothing settles, or do not hold."""
+        coupled = coupled_columns(self.mechanism, self.network, self.drives)
+        names = {column: name for name, column, *_ in singles(self.mechanism, self.network)}
+        self._check_couplings(coupled, names)
+        exact, values, given = dict(self.exact), dict(self.values), dict(self.given)
+        for follower in coupled.followers:
+            column = follower.column
+            exact[column] = follower.value(exact, CONTEXT.mpf)
+            values[column] = float(exact[column])
+            given[column] = follower.exactly({c: given.get(c, sympy.Integer(0)) for c in follower.exact})
+        chosen = (*self.drives, *(f.column for f in coupled.followers))
+        return replace(self, exact=exact, values=values, given=given, chosen=chosen, followers=coupled.followers)
+
+    def _check_couplings(self, coupled: Coupled, names: Mapping[int, str]) -> None:
+        for name, columns in coupled.left.items():
+            tied = " and ".join(names[c] for c in columns)
+            raise self.error(
+                f"the coupling {name} ties {tied}, which nothing held settles, and angles that are free have no "
+                f"polynomials in couplings; hold {names[columns[0]]} (at)"
+            )
+        for name, terms in coupled.met.items():
+            parts = [
+                high_precision(c * self.given.get(column, sympy.Integer(0)) ** k)
+                for column, powers in terms.items() for k, c in enumerate(powers, start=1)
+            ]  # fmt: skip
+            if abs(sum(parts)) > COUPLED * max(map(abs, parts)):
+                together = " and ".join(names[c] for c in terms)
+                raise self.error(f"the coupling {name} does not hold with these values of {together}; leave one out")
 
     def error(self, text: str) -> DescriptionError:
         """An error about what is held."""
@@ -113,10 +156,6 @@ def held_by(mechanism: Mechanism, drives: Mapping[str, Any], at: Mapping[str, An
         if name not in known:
             raise DescriptionError(f"at {name}: no parameter or coordinate of this name; "
                                    f"{did_you_mean(name, [*mechanism.parameters, *known])}")  # fmt: skip
-    if network.ties:
-        raise DescriptionError(
-            f"assembly modes of {mechanism.name}: couplings of coordinates are not among the polynomials"
-        )
     exact = {} if coordinates else dict.fromkeys(driven.values(), CONTEXT.zero)
     displaced = dict[int, sympy.Expr]()
     for name, value in {**coordinates, **drives}.items():
@@ -127,13 +166,15 @@ def held_by(mechanism: Mechanism, drives: Mapping[str, Any], at: Mapping[str, An
         displaced[target.column] = sympy.expand(next(iter(given.values())) - references[target.column])
     if not exact:
         raise DescriptionError(f"assembly modes of {mechanism.name}: nothing is driven; give coordinates to hold (at)")
+    exact = {column: exact[column] for column in references if column in exact}
     values = {column: float(goal) for column, goal in exact.items()}
     shown = {
         name: reference + values[column] * (float(network.length) if slides else 1.0)
         for name, column, reference, slides in singles(mechanism, network) if column in values
     }  # fmt: skip
     body = mechanism.platform or next(reversed(network.bodies))
-    return Held(mechanism, network, exact, values, tuple(exact), (), shown, body, displaced)
+    held = Held(mechanism, network, exact, values, tuple(exact), (), shown, body, displaced)
+    return held.with_followers() if network.ties else held
 
 
 def _independent(network: Network, columns: tuple[int, ...]) -> tuple[int, ...]:

@@ -65,7 +65,8 @@ def joint_forces(draft: Draft, settings: Settings, name: str, *, attributes: Att
 
 def _limits(draft: Draft, settings: Settings, name: str, *, attributes: Attributes, kind: str) -> None:
     where = f"<joint name={name!r}>"
-    if "limit" not in settings.off and limited(settings, attributes, "range", "limited"):
+    whole = limited(settings, attributes, "range", "limited") or _reversed(attributes, "range", "limited")
+    if "limit" not in settings.off and whole:
         low, high = numbers(attributes["range"], f"{where}, range", 2)
         found = draft.limits.setdefault(name, Limits())
         found.lower, found.upper = (settings.angle(v) if kind == "hinge" else real(v) for v in (low, high))
@@ -78,11 +79,33 @@ def _limits(draft: Draft, settings: Settings, name: str, *, attributes: Attribut
 
 
 def limited(settings: Settings, attributes: Attributes, reach: str, key: str) -> bool:
-    """Whether a range is one that limits: it is given, and the switch beside it does not say no."""
+    """Whether a range is one that limits, by MuJoCo's rule: with `auto` one whose ends are in order.
+
+    Raises:
+        DescriptionError: a switch that is none, `true` without such a range, a range that nothing says the use of.
+    """
     said = attributes.get(key, "auto")
     if said not in ("true", "false", "auto"):
         raise DescriptionError(f"{key}: expected true, false or auto, got {shorten(said)}")
-    return reach in attributes and (said == "true" or (said == "auto" and settings.auto_limits))
+    given = attributes.get(reach)
+    low, high = numbers(given, reach, 2) if given is not None else (0, 0)
+    if said == "true" and not low < high:
+        raise DescriptionError(
+            f"{key}: is true, where {reach} is {shorten(given) if given is not None else 'missing'}; expected two "
+            "numbers, the smaller one first"
+        )
+    if said == "auto" and not settings.auto_limits and (low, high) != (0, 0):
+        raise DescriptionError(
+            f'{reach}: is given without {key} where <compiler> says autolimits="false", which MuJoCo refuses; add '
+            f'{key}="true" or "false"'
+        )
+    return said == "true" or (said == "auto" and low < high)
+
+
+def _reversed(attributes: Attributes, reach: str, key: str) -> bool:
+    """Whether a range has its larger end first, so that it limits nothing: the account says so."""
+    low, high = numbers(attributes.get(reach, "0 0"), reach, 2)
+    return attributes.get(key, "auto") == "auto" and low > high
 
 
 def effort(draft: Draft, name: str, most: Any) -> None:

@@ -33,9 +33,9 @@ from symscrew.mobility.screw_systems import Real, Row, Screw
 SAME_POINT = CONTEXT.mpf(10) ** -5
 """Joint points that lie closer together than this, relative to other lengths of the description, are meant to be one:
 coordinates of six digits leave as much. Then the largest of these lengths is the mechanism's size instead."""
-SMALLEST = CONTEXT.mpf(10) ** -6
-"""Lengths [m] below this are rounding where a description has no other: a mechanism of a micrometre is not typed in m.
-Only sizes and tolerances follow from it; ranks of what was typed do not."""
+SMALLEST = CONTEXT.mpf(10) ** -9
+"""Lengths [m] below this are rounding where a description has no other: a mechanism of a nanometre is not typed in m,
+one of micrometres may be. Only sizes and tolerances follow from it; ranks of what was typed do not."""
 UNIT_ALREADY = CONTEXT.mpf(10) ** -55
 """An axis this close to unit length is one, as it was computed with 60 digits; others are divided by their length."""
 
@@ -240,13 +240,15 @@ def _characteristic_length(mechanism: Mechanism) -> Any:
     """Root mean square distance of the joint points from their centre [m]; where they all but coincide, another length.
 
     Invariant under rigid motions, and proportional to the unit. Hinges through one point that rounding sets apart by
-    1e-10 m make no mechanism of that size: theirs is a pitch, the distance of named points, or of the origin, else 1.
+    1e-10 m make no mechanism of that size: theirs is a pitch, the distance of named points, of centres of mass, or of
+    the origin, else 1.
     """
     points = [_vector(mechanism, joint.point) for joint in mechanism.joints.values()]
     centre = tuple(sum(p[k] for p in points) / len(points) for k in range(3))
     spread = CONTEXT.sqrt(sum(_square(p, centre) for p in points) / len(points))
     pitches = [abs(_number(mechanism, j.pitch)) for j in mechanism.joints.values() if j.pitch is not None]
     named = [_vector(mechanism, point.at) for point in mechanism.points.values()]
+    named += [_vector(mechanism, body.com) for body in mechanism.bodies.values() if body.com]
     others = [*pitches, *(CONTEXT.sqrt(_square(p, centre)) for p in named), max(abs(c) for p in points for c in p)]
     largest = max(others)
     if spread > max(SAME_POINT * largest, SMALLEST):

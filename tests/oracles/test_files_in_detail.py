@@ -281,11 +281,37 @@ def test_keyframes_have_rates(tmp_path: Path) -> None:
         ),
         (model(TWO, '<actuator><motor joint="a" delay="0.1" nsample="3"/></actuator>'), "left out: delay of actuators"),
         (model(hinge("a", more='range="-1 1" limited="True"')), "limited: expected true, false or auto, got 'True'"),
+        (model(hinge("a", more='range="-1 1"')).replace("<compiler ", '<compiler autolimits="false" '), "add limited="),
+        (
+            model(TWO, '<actuator><motor joint="a" ctrlrange="0 1"/></actuator>').replace(
+                "<compiler ", '<compiler autolimits="false" '
+            ),
+            "add ctrllimited=",
+        ),
+        (model(hinge("a", more='limited="true"')), "limited: is true, where range is missing"),
+        (model(hinge("a", more='range="1 1" limited="true"')), "limited: is true, where range is '1 1'"),
     ],
 )
 def test_what_was_passed_over_is_refused(tmp_path: Path, text: str, message: str) -> None:
     with pytest.raises(DescriptionError, match=message):
         load_format(saved(text, tmp_path))
+
+
+@pytest.mark.parametrize("automatic", ["true", "false"])
+@pytest.mark.parametrize("switch", ["", 'limited="auto"', 'limited="true"', 'limited="false"'])
+@pytest.mark.parametrize("reach", ["", 'range="-1 2"', 'range="0 0"', 'range="2 -1"', 'range="1 1"'])
+def test_a_range_limits_where_it_does_in_mujoco(tmp_path: Path, automatic: str, switch: str, reach: str) -> None:
+    text = model(hinge("a", more=f'axis="0 1 0" {reach} {switch}')).replace(
+        "<compiler ", f'<compiler autolimits="{automatic}" '
+    )
+    try:
+        wanted = bool(mujoco.MjModel.from_xml_string(text).jnt_limited[0])
+    except ValueError:
+        with pytest.raises(DescriptionError, match="limited"):
+            load_robot(saved(text, tmp_path))
+        return
+    limits = load_robot(saved(text, tmp_path)).limits.get("a")
+    assert wanted == (limits is not None and limits.lower is not None)
 
 
 def test_included_files_name_what_is_beside_them(tmp_path: Path) -> None:

@@ -1,0 +1,63 @@
+"""Assembly modes of mechanisms of micrometres, and start systems that a singular reference leads to infinity."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import numpy as np
+import pytest
+from support.linkages import single_loop
+
+import symscrew
+from symscrew.assembly.all_modes import structure_of
+from symscrew.assembly.batch_equations import BatchEquations
+from symscrew.assembly.families import AllNumbers
+from symscrew.assembly.path_tracking import Tracker
+from symscrew.assembly.start_system import searched
+from symscrew.assembly.what_is_held import held_by
+
+NEAR = Fraction(4, 10000)
+"""Of the slider from its dead centre, in lengths of the rod."""
+POINTS = [[1, 0, 0], ["0.6", "0.8", "0.1"], ["-0.2", 1, "0.3"], [-1, "0.3", 0]]
+AXES = [[[0, 0, 1]], [[0, "3/5", "4/5"]], [["2/3", "-1/3", "2/3"]], [["6/7", "2/7", "-3/7"]]]
+
+
+def slider(size: Fraction) -> symscrew.Mechanism:
+    """A platform that only slides, on a crank and a rod that is almost upright: two modes, 8e-4 apart."""
+    builder = symscrew.MechanismBuilder("almost_upright", platform="slider")
+    for body in ("crank", "rod", "slider"):
+        builder.body(body)
+    joints = {"P": ("P", "base", "slider", (NEAR, 0)), "A": ("R", "base", "crank", (-1, 1)),
+              "B": ("R", "crank", "rod", (0, 1)), "C": ("R", "rod", "slider", (NEAR, 0))}  # fmt: skip
+    for name, (kind, parent, child, (x, z)) in joints.items():
+        builder.joint(
+            name, kind, parent=parent, child=child, point=[str(x * size), "0", str(z * size)],
+            axes=[[1, 0, 0] if kind == "P" else [0, 1, 0]], driven=name == "A",
+        )  # fmt: skip
+    return builder.limb("one", joints=["P"]).limb("two", joints=["A", "B", "C"]).build()
+
+
+@pytest.mark.parametrize("size", [Fraction(1, 10**6), Fraction(1), Fraction(10**6)])
+def test_modes_and_their_names_are_the_same_in_every_unit(size):
+    found = symscrew.assembly_modes(slider(size))
+    assert [(mode.name, mode.ways, mode.certified) for mode in found.modes] == [("home", 1, True), ("-1", 1, True)]
+    assert [mode.translation[0] / float(size) for mode in found.modes] == pytest.approx([0, -2 * float(NEAR)])
+
+
+@pytest.mark.slow
+def test_a_zero_at_infinity_is_no_start():
+    held = held_by(single_loop("RCCC", POINTS, AXES), {}, {})
+    equations = BatchEquations(structure_of(held))
+    family, random = AllNumbers(equations), np.random.default_rng(0)
+    numbers, tracker = family.way(family.own, family.own).at(np.zeros(1)), Tracker(equations)
+    z = equations.scaled(random.normal(size=(200, equations.width)) + 1j * random.normal(size=(200, equations.width)))
+    with np.errstate(all="ignore"):
+        for _ in range(60):
+            step = tracker.newton(z, numbers)
+            z = equations.scaled(np.nan_to_num(z + step, nan=1.0))
+    still = np.linalg.norm(step, axis=1) < 1e-12
+    far = z[still & (equations.norms(z).min(axis=1) < 1e-12)]
+    _, slopes = equations.evaluate(far, numbers)
+    sizes = np.linalg.svd(np.concatenate([slopes, equations.patches(far)], axis=1), compute_uv=False)
+    start = searched(family, far[int(sizes[:, -1].argmax())])  # a regular one, whose paths are short
+    assert start.complete and equations.norms(equations.scaled(start.zeros)).min() > 1e-6
