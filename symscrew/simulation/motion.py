@@ -35,6 +35,7 @@ Progress = Callable[[float], None]
 # Of the largest energy: sums over all bodies leave some units in the last place. What is out of balance by less says
 # nothing, also where less than that is moved (a pendulum that stands on its head); more than it is looked at.
 ENERGY_ROUNDING = 1e-14
+ON_NUMPY = "evaluated on NumPy"  # begins the event of a run whose functions no compiler made
 
 
 @dataclass(frozen=True, repr=False)
@@ -258,7 +259,7 @@ def integrated(
         if backend is not None:
             raise
         history = further(compiled=False)
-        notice = f"evaluated on NumPy, some hundred times slower than compiled: {one_line(error)}"
+        notice = f"{ON_NUMPY}, some hundred times slower than compiled: {one_line(error)}"
         return replace(history, events=(notice, *history.events))
 
 
