@@ -12,8 +12,9 @@ import pytest
 from symscrew import mobility
 from symscrew import model as pipeline
 from symscrew.cli import kept_outcomes, same_files
-from symscrew.cli.kept_outcomes import Outcome, once
+from symscrew.cli.kept_outcomes import once
 from symscrew.cli.parser import main
+from symscrew.cli.same_files import Outcome
 from symscrew.optimisation import solution
 from symscrew.runtime import cache_state
 
