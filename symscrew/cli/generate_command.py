@@ -24,7 +24,7 @@ from symscrew.garbage import nothing_to_collect
 from symscrew.generation import TARGETS, USUAL, apart, printable, with_brought
 
 if TYPE_CHECKING:
-    from symscrew.cli.kept_outcomes import Outcome
+    from symscrew.cli.same_files import Outcome
     from symscrew.description import Mechanism
     from symscrew.display import Progress
     from symscrew.effects import Effect
@@ -136,7 +136,7 @@ def _made(
     progress: Progress,
 ) -> Outcome:
     """Derived, measured and printed."""
-    from symscrew.cli.kept_outcomes import Outcome
+    from symscrew.cli.same_files import Outcome
     from symscrew.export import Form
     from symscrew.generation import render, with_hashes
 

@@ -8,52 +8,32 @@ is read as JSON, and nothing in it is run.
 
 from __future__ import annotations
 
-import base64
-import binascii
 import json
 from collections.abc import Callable, Mapping, Sequence, Set
-from dataclasses import dataclass, field, fields, is_dataclass
-from importlib import metadata
+from dataclasses import fields, is_dataclass
 from typing import Any
 
+from symscrew.cli.same_files import LIBRARIES, Outcome, keep_outcome, kept_outcome
 from symscrew.description import Mechanism, to_toml
 from symscrew.effects import Effect, effect_to_table
 from symscrew.errors import DescriptionError
 
-LIBRARIES = ("casadi", "mpmath", "numpy", "scipy", "sympy")  # whose versions an outcome may depend on
-
-
-@dataclass(frozen=True)
-class Outcome:
-    """What is printed, as JSON holds it, and files by name.
-
-    `good`: it may be kept. `earlier`: it was made in an earlier run.
-    """
-
-    facts: Mapping[str, Any]
-    files: Mapping[str, bytes] = field(default_factory=dict)
-    good: bool = True
-    earlier: bool = False
-
 
 def once(command: str, given: Sequence[object], make: Callable[[], Outcome]) -> Outcome:
     """The outcome of a command for what was `given`: from an earlier run, or made now and kept if it is good."""
-    from symscrew.runtime import entry, key_of, version
+    from symscrew.runtime import installed, key_of, version
 
     try:
-        text = json.dumps([command, *map(canonical, given), *map(_installed, LIBRARIES)])
+        text = json.dumps([command, *map(canonical, given), *map(installed, LIBRARIES)])
         key: str | None = key_of(b"outcome", version().encode(), text.encode("utf-8", "surrogateescape"))
     except (DescriptionError, TypeError):
         key = None
-    with entry(key) as kept:  # not held while it is made: making may ask for entries of its own
-        found = _read(kept.read())
+    found = kept_outcome(key)
     if found is not None:
         return found
     made = make()
     if made.good:
-        files = {name: base64.b64encode(data).decode("ascii") for name, data in made.files.items()}
-        with entry(key) as kept:
-            kept.write(json.dumps({"facts": made.facts, "files": files}).encode("ascii"))
+        keep_outcome(key, made)
     return made
 
 
@@ -76,19 +56,3 @@ def canonical(value: object) -> Any:
     if isinstance(value, Set):
         return sorted(map(str, value))
     raise TypeError(f"nothing writes a {type(value).__qualname__}")
-
-
-def _installed(library: str) -> str:
-    try:
-        return metadata.version(library)
-    except metadata.PackageNotFoundError:
-        return ""
-
-
-def _read(kept: bytes | None) -> Outcome | None:
-    try:
-        found = json.loads(kept) if kept is not None else None
-        files = {name: base64.b64decode(text, validate=True) for name, text in found["files"].items()} if found else {}
-        return Outcome(found["facts"], files, earlier=True) if found else None
-    except (ValueError, KeyError, TypeError, AttributeError, RecursionError, binascii.Error):
-        return None

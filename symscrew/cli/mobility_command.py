@@ -15,7 +15,7 @@ from symscrew.errors import shorten
 from symscrew.whole_files import write_text
 
 if TYPE_CHECKING:
-    from symscrew.cli.kept_outcomes import Outcome
+    from symscrew.cli.same_files import Outcome
     from symscrew.description import Mechanism
     from symscrew.mobility import Mobility
 
@@ -112,7 +112,7 @@ def _made(
     writer: Callable[[Mobility], str] | None,
 ) -> Outcome:
     """Analysed and verified: what is said, the exit code and the report."""
-    from symscrew.cli.kept_outcomes import Outcome
+    from symscrew.cli.same_files import Outcome
     from symscrew.mobility import analyse_mobility, verified
 
     found, checks = verified(analyse_mobility(mechanism, body=options.body, at=at, tolerance=options.tolerance))

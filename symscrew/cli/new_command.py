@@ -11,7 +11,7 @@ from symscrew.cli.help import DONE, UsageError
 from symscrew.errors import did_you_mean, shorten
 
 if TYPE_CHECKING:
-    from symscrew.cli.kept_outcomes import Outcome
+    from symscrew.cli.same_files import Outcome
     from symscrew.description import Mechanism
     from symscrew.mobility import Mobility
 
@@ -90,7 +90,7 @@ PLACE = "\0"
 
 
 def _analysed(mechanism: Mechanism) -> Outcome:
-    from symscrew.cli.kept_outcomes import Outcome
+    from symscrew.cli.same_files import Outcome
     from symscrew.mobility import analyse_mobility
 
     found = analyse_mobility(mechanism)

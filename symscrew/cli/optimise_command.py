@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 import json
 import sys
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -16,7 +16,7 @@ from symscrew.whole_files import destination
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from symscrew.cli.kept_outcomes import Outcome
+    from symscrew.cli.same_files import Outcome
     from symscrew.optimisation import JoinedPlan, JoinedProblem, Replay, Statistics, Trajectory, TrajectoryProblem
 
 EXAMPLES = ("symscrew optimise examples/optimisation/seed_rest_to_rest.toml --out motion.npz --plot motion.png",)
@@ -53,10 +53,8 @@ class _Keys(argparse.Action):
 
 def run(options: argparse.Namespace) -> int:
     """Read, derive, optimise, write; 1 where no motion was found and confirmed (the last iterate is written then)."""
-    from symscrew.cli.kept_outcomes import once
+    from symscrew.cli.same_files import once_of_files
     from symscrew.display import print_text
-    from symscrew.optimisation import JoinedProblem, load_problem_file
-    from symscrew.whole_files import replaced
 
     out = destination(options.out, FORMATS, "--out")
     picture = destination(options.plot, (".png",), "--plot") if options.plot else None
@@ -64,28 +62,13 @@ def run(options: argparse.Namespace) -> int:
         need_matplotlib("--plot needs")
     if options.rate is not None and not options.rate > 0:
         raise UsageError(f"--rate: expected samples per second above 0, got {options.rate:g}")
-    problem = load_problem_file(options.problem)
-    parts = problem.parts if isinstance(problem, JoinedProblem) else (problem,)
-    for notice in dict.fromkeys(notice for part in parts for notice in part.notices):
-        print(f"note: {notice}", file=sys.stderr)
-    if isinstance(problem, JoinedProblem):
-        return _run_joined(problem, options, out)
-    if options.time_limit is not None:
-        if not options.time_limit > 0:
-            raise UsageError(f"--time-limit: expected seconds above 0, got {options.time_limit:g}")
-        problem = replace(problem, solver=replace(problem.solver, time_limit=options.time_limit))
-    if options.starts is not None:
-        if options.starts < 1:
-            raise UsageError(f"--starts: expected at least 1, got {options.starts}")
-        problem = replace(problem, starts=options.starts)
-    outcome = once("optimise", (problem, out.suffix, options.rate, picture is not None), lambda: _solved(
-        problem, out, picture, rate=options.rate))  # fmt: skip
-    if outcome.earlier:
-        print(EARLIER, file=sys.stderr)
+    words = (out.suffix, picture is not None, options.rate, options.time_limit, options.starts)
     written = {"plan": out, "picture": picture}
-    for name, data in outcome.files.items():
-        if outcome.earlier and (path := written[name]) is not None:
-            replaced(path, lambda part, data=data: part.write_bytes(data))  # type: ignore[misc]
+    outcome = once_of_files("optimise", words, options.problem, lambda: _found(options, out, picture))
+    if outcome.earlier:
+        for notice in outcome.facts["notices"]:
+            print(f"note: {notice}", file=sys.stderr)
+        _again(outcome, written)
     if options.json:
         print(json.dumps(outcome.facts["numbers"], indent=1))
     else:
@@ -99,9 +82,46 @@ def run(options: argparse.Namespace) -> int:
 EARLIER = "found in an earlier run of the same problem (times are those of then); --no-cache solves it again"
 
 
+def _found(options: argparse.Namespace, out: Path, picture: Path | None) -> Outcome:
+    """The motion or motions of a problem file: those found before of the same problem, or found now."""
+    from symscrew.cli.kept_outcomes import once
+    from symscrew.optimisation import JoinedProblem, load_problem_file
+
+    problem = load_problem_file(options.problem)
+    parts = problem.parts if isinstance(problem, JoinedProblem) else (problem,)
+    notices = list(dict.fromkeys(notice for part in parts for notice in part.notices))
+    for notice in notices:
+        print(f"note: {notice}", file=sys.stderr)
+    if options.time_limit is not None and not options.time_limit > 0:
+        raise UsageError(f"--time-limit: expected seconds above 0, got {options.time_limit:g}")
+    if isinstance(problem, JoinedProblem):
+        return _joined(problem, options, out)
+    if options.time_limit is not None:
+        problem = replace(problem, solver=replace(problem.solver, time_limit=options.time_limit))
+    if options.starts is not None:
+        if options.starts < 1:
+            raise UsageError(f"--starts: expected at least 1, got {options.starts}")
+        problem = replace(problem, starts=options.starts)
+    found = once("optimise", (problem, out.suffix, options.rate, picture is not None), lambda: _solved(
+        problem, out, picture, rate=options.rate))  # fmt: skip
+    if found.earlier:
+        _again(found, {"plan": out, "picture": picture})
+    return replace(found, facts={**found.facts, "notices": notices}, earlier=False)
+
+
+def _again(outcome: Outcome, written: Mapping[str, Path | None]) -> None:
+    """Say that a motion is of an earlier run, and write its files."""
+    from symscrew.whole_files import replaced
+
+    print(EARLIER, file=sys.stderr)
+    for name, data in outcome.files.items():
+        if (path := written[name]) is not None:
+            replaced(path, lambda part, data=data: part.write_bytes(data))  # type: ignore[misc]
+
+
 def _solved(problem: TrajectoryProblem, out: Path, picture: Path | None, *, rate: float | None) -> Outcome:
     """The motion found and written; its numbers, words and files."""
-    from symscrew.cli.kept_outcomes import Outcome
+    from symscrew.cli.same_files import Outcome
     from symscrew.optimisation import plot_plan, replay, solve, write_plan
 
     found = solve(problem, progress=lambda text: print(text, file=sys.stderr))
@@ -115,28 +135,21 @@ def _solved(problem: TrajectoryProblem, out: Path, picture: Path | None, *, rate
     return Outcome(facts, files, good=bool(found.ok) and problem.solver.time_limit == float("inf"))
 
 
-def _run_joined(problem: JoinedProblem, options: argparse.Namespace, out: Path) -> int:
-    """The same for phases or load cases."""
-    from symscrew.display import print_text
+def _joined(problem: JoinedProblem, options: argparse.Namespace, out: Path) -> Outcome:
+    """The same for phases or load cases, which are not kept."""
+    from symscrew.cli.same_files import Outcome
     from symscrew.optimisation import solve_joined, write_joined
 
     for name in ("plot", "starts"):
         if getattr(options, name) is not None:
             raise UsageError(f"--{name}: a problem with several motions has none; leave it out")
     if options.time_limit is not None:
-        if not options.time_limit > 0:
-            raise UsageError(f"--time-limit: expected seconds above 0, got {options.time_limit:g}")
         limit = options.time_limit
         parts = tuple(replace(p, solver=replace(p.solver, time_limit=limit)) for p in problem.parts)
         problem = replace(problem, parts=parts)
     found = solve_joined(problem, progress=lambda text: print(text, file=sys.stderr))
-    path = write_joined(found, out, rate=options.rate)
-    if options.json:
-        print(json.dumps(_joined_numbers(found), indent=1))
-    else:
-        print_text("\n".join(joined_summary(found)))
-    print(f"wrote {path}", file=sys.stderr)
-    return DONE if found.ok else FAILED
+    write_joined(found, out, rate=options.rate)
+    return Outcome({"numbers": _joined_numbers(found), "lines": joined_summary(found)}, good=False)
 
 
 def joined_summary(found: JoinedPlan) -> list[str]:

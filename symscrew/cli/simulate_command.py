@@ -13,6 +13,7 @@ from symscrew.cli.shared_options import add_no_cache, check_folder, keep_inputs,
 from symscrew.whole_files import destination
 
 if TYPE_CHECKING:
+    from symscrew.cli.same_files import Outcome
     from symscrew.scene import Scene
     from symscrew.simulation import Run
 
@@ -21,6 +22,7 @@ EXAMPLES = (
     "symscrew simulate scene.toml --many starts.npz --out runs.npz",
     "symscrew simulate scene.toml --emit-c loop",
 )
+FORMATS = (".npz", ".csv")
 MANY = (
     "a run per entry of the arrays of this .npz file: initial.coordinates.LABEL, initial.rates.LABEL, parameters.NAME "
     "(runs,), or whole states q, v, x (runs, size); on all processors"
@@ -45,11 +47,12 @@ def add_options(command: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Read, derive, integrate, write; 1 where the run ended early or is not as good as asked for."""
-    from symscrew.display import bar_on_terminal, print_text
-    from symscrew.scene import load_scene
-    from symscrew.simulation import FORMATS, prepare, run_summary, simulate, write_loop, write_run, write_steps
+    from symscrew.cli.same_files import once_of_files
+    from symscrew.display import print_text
+    from symscrew.whole_files import replaced
 
-    out = destination(options.out, FORMATS if options.many is None else (".npz",), "--out") if options.out else None
+    formats = (".npz",) if options.many is not None else FORMATS
+    out = destination(options.out, formats, "--out") if options.out else None
     picture = destination(options.plot, (".png",), "--plot") if options.plot is not None else None
     if picture is not None:
         need_matplotlib("--plot needs")
@@ -59,33 +62,73 @@ def run(options: argparse.Namespace) -> int:
     _check_many(options)
     if out is not None and options.many is not None:
         keep_inputs([out], [options.many])
-    scene = load_scene(options.scene)
-    for notice in scene.initial.notices:
-        print(f"note: {notice}", file=sys.stderr)
     if options.many is not None:
-        return _run_many(scene, options, out)
+        return _run_many(_loaded(options.scene), options, out)
     if options.emit_c or options.emit_cuda:
-        written = write_loop(scene, Path(options.emit_c)) if options.emit_c else []
-        written += write_steps(scene, Path(options.emit_cuda)) if options.emit_cuda else []
-        for path in written:
-            print(path)
+        _emit(_loaded(options.scene), options)
         if not (out or picture or options.json):
             return DONE
+    words = (out and out.suffix, picture is not None)
+    outcome = once_of_files("simulate", words, options.scene, lambda: _made(_loaded(options.scene), out, picture))
+    written = {"run": out, "picture": picture}
+    if outcome.earlier:
+        for notice in outcome.facts["notices"]:
+            print(f"note: {notice}", file=sys.stderr)
+        print(EARLIER, file=sys.stderr)
+        for name, data in outcome.files.items():
+            if (path := written[name]) is not None:
+                replaced(path, lambda part, data=data: part.write_bytes(data))  # type: ignore[misc]
+    if options.json:
+        print(json.dumps(outcome.facts["numbers"], indent=1))
+    else:
+        print_text("\n".join(outcome.facts["lines"]))
+    for path in written.values():
+        if path is not None:
+            print(f"wrote {path}", file=sys.stderr)
+    return DONE if outcome.facts["numbers"]["ok"] else FAILED
+
+
+EARLIER = "the motion of an earlier run of the same scene; --no-cache integrates it again"
+
+
+def _loaded(path: str) -> Scene:
+    """The scene of a file, and what is said of it."""
+    from symscrew.scene import load_scene
+
+    scene = load_scene(path)
+    for notice in scene.initial.notices:
+        print(f"note: {notice}", file=sys.stderr)
+    return scene
+
+
+def _emit(scene: Scene, options: argparse.Namespace) -> None:
+    """The loop for real time and the steps of many states, as far as they were asked for."""
+    from symscrew.simulation import write_loop, write_steps
+
+    written = write_loop(scene, Path(options.emit_c)) if options.emit_c else []
+    written += write_steps(scene, Path(options.emit_cuda)) if options.emit_cuda else []
+    for path in written:
+        print(path)
+
+
+def _made(scene: Scene, out: Path | None, picture: Path | None) -> Outcome:
+    """The motion integrated and written; its numbers, words and files."""
+    from symscrew.cli.same_files import Outcome
+    from symscrew.display import bar_on_terminal
+    from symscrew.simulation import ON_NUMPY, plot_run, prepare, run_summary, simulate, write_run
+
     prepared = prepare(scene)
     with bar_on_terminal(total=1.0, desc=scene.name) as bar:
         found = simulate(scene, prepared=prepared, progress=lambda part: bar.update(max(0.0, part - bar.n)))
-    written = [write_run(found, out)] if out else []
-    if picture:
-        from symscrew.simulation import plot_run
-
-        written.append(plot_run(found, picture))
-    if options.json:
-        print(json.dumps(_numbers(found), indent=1))
-    else:
-        print_text("\n".join(run_summary(found)))
-    for path in written:
-        print(f"wrote {path}", file=sys.stderr)
-    return DONE if found.ok and found.accurate else FAILED
+    files = {}
+    if out is not None:
+        files["run"] = write_run(found, out).read_bytes()
+    if picture is not None:
+        files["picture"] = plot_run(found, picture).read_bytes()
+    facts = {"numbers": _numbers(found), "lines": run_summary(found), "notices": list(scene.initial.notices)}
+    # where a compiler failed, it may do its work the next time
+    compiled = not any(event.startswith(ON_NUMPY) for event in found.events)
+    return Outcome(facts, files, good=found.ok and found.accurate and compiled)
 
 
 def _check_many(options: argparse.Namespace) -> None:

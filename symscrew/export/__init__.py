@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from symscrew.export.cuda import CUDA_THREADS, print_cuda, print_device
     from symscrew.export.drive_kinematics import DriveKinematics, find_drive_kinematics
     from symscrew.export.drive_kinematics_c import axes_text, print_drive_host
-    from symscrew.export.example import SPILLS, print_cmake, print_example
+    from symscrew.export.example import print_cmake, print_example
     from symscrew.export.hash_file import HASHES, FileHash, file_hash, print_hashes, read_hashes
     from symscrew.export.javascript import print_javascript, print_script
     from symscrew.export.jax import print_jax
@@ -41,6 +41,7 @@ if TYPE_CHECKING:
     from symscrew.export.pivots import pivot_text
     from symscrew.export.readme import print_readme
     from symscrew.export.reduced import configuration_function, ode_function, print_reduced
+    from symscrew.export.reload_limit import SPILLS
     from symscrew.export.ros2 import print_ros2
     from symscrew.export.rust import print_rust
     from symscrew.export.rust_names import RustNames

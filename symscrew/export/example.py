@@ -9,11 +9,10 @@ import numpy as np
 from symscrew.export.c_names import wrapped_code
 from symscrew.export.c_precision import DOUBLE, Precision
 from symscrew.export.listing import banner, plain, unit_of, wrapped
+from symscrew.export.reload_limit import SPILLS
 from symscrew.model import Model
 from symscrew.program import Port
 
-# of gcc: without it the register allocation of a long function takes most of the time, for no faster code
-SPILLS = "--param=lra-max-considered-reload-pseudos=5"
 WIDTH = 112  # characters of a line of labels
 LONGEST = 190  # lines of the program: it is read as a whole
 SHOWN = (

@@ -171,12 +171,11 @@ def _key(source: Path, command: str, tried: Sequence[Sequence[str]]) -> str | No
     """Hash of all that a library is made of; None where that cannot be told."""
     files = [source, *(Path(word) for options in tried[:1] for word in options if word.endswith(SOURCES))]
     options = [word for words in tried for word in _options(words).decode().split("\0")]
-    compiler = identity(command)
+    compiler = compiler_key(command)
     read = dict(_read(files))
     if compiler is None or None in read.values() or not all(KNOWN.fullmatch(word) for word in options):
         return None
-    parts: list[bytes] = [compiler.encode(), processor().encode(), b"\n".join(_options(w) for w in tried)]
-    parts += [os.fsencode(f"{name}={os.environ[name]}") for name in VARIABLES if name in os.environ]
+    parts: list[bytes] = [compiler, b"\n".join(_options(w) for w in tried)]
     for name, content in sorted(read.items()):
         parts += [name.encode("utf-8", "surrogateescape"), content or b""]
     found = hashlib.sha256()
@@ -211,6 +210,19 @@ def _read(files: Sequence[Path]) -> Iterator[tuple[str, bytes | None]]:
                 yield f"{name}: #include {computed!r}", None
             elif quoted:
                 wanted.append((path.parent / os.fsdecode(quoted), number))
+
+
+def compiler_key(command: str | None) -> bytes | None:
+    """What a library depends on beside its text and options: compiler, processor, environment; None: it is not known.
+
+    `command`: the compiler; without one, None.
+    """
+    compiler = None if command is None else identity(command)
+    if compiler is None:
+        return None
+    parts: list[bytes] = [compiler.encode("utf-8", "surrogateescape"), processor().encode("utf-8", "surrogateescape")]
+    parts += [os.fsencode(f"{name}={os.environ[name]}") for name in VARIABLES if name in os.environ]
+    return b"".join(len(part).to_bytes(8, "little") + part for part in parts)
 
 
 def identity(command: str) -> str | None:

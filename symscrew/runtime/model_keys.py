@@ -7,8 +7,8 @@ from collections.abc import Sequence
 from symscrew.description import Mechanism, to_toml
 from symscrew.effects import Effect, effect_to_table
 from symscrew.errors import DescriptionError
-from symscrew.runtime.origin import version
 from symscrew.runtime.user_cache import key_of
+from symscrew.runtime.versions import version
 
 
 def model_key(

@@ -14,8 +14,6 @@ from __future__ import annotations
 import hashlib
 import json
 import math
-import os
-import platform
 import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -23,9 +21,6 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
-from symscrew import __version__
 from symscrew.description import check_name, load_description
 from symscrew.errors import DescriptionError, shorten
 from symscrew.export import (
@@ -49,9 +44,9 @@ from symscrew.functions import HESSIAN, PRODUCT
 from symscrew.model import Model, derive
 from symscrew.program import STATUS, Port, status_texts
 from symscrew.runtime import user_cache
+from symscrew.runtime.versions import version
 
 Ports = Mapping[str, tuple[tuple[Port, ...], tuple[Port, ...]]]  # function -> inputs, outputs
-PACKAGE = Path(__file__).parents[1]
 DESCRIPTION = "mechanism.toml"
 DESCRIBING = (DESCRIPTION, "manifest.json")  # files that say what a folder's C is
 FOLDER = "/"  # beside functions: what is compared of the whole folder
@@ -317,14 +312,3 @@ def _bytes(path: Path) -> bytes:
         return path.read_bytes()
     except OSError as error:
         raise OutputError(f"{path}: cannot be read ({error.strerror}); generate again") from error
-
-
-@cache
-def version() -> str:
-    """What derived texts depend on beside their description: this package, file by file, and what it computes with."""
-    facts = [__version__, platform.python_version(), np.__version__]
-    for folder, _, files in sorted(os.walk(PACKAGE)):
-        if not folder.endswith("__pycache__"):
-            found = ((file, os.stat(os.path.join(folder, file))) for file in sorted(files))
-            facts += [f"{folder}/{file} {facts.st_size} {facts.st_mtime_ns}" for file, facts in found]
-    return "\n".join(facts)

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from symscrew.simulation.linking import Linker, Operand
     from symscrew.simulation.many_file import runs_numbers, runs_summary, write_runs
     from symscrew.simulation.many_runs import Runs, simulate_many
-    from symscrew.simulation.motion import prepare, simulate
+    from symscrew.simulation.motion import ON_NUMPY, prepare, simulate
     from symscrew.simulation.native import NATIVE_FLAGS, NATIVE_METHODS, Library, RunLog, run_natively
     from symscrew.simulation.picture import plot_run
     from symscrew.simulation.real_time_loop import REAL_TIME, loop_plant, loop_source, write_loop
@@ -30,6 +30,7 @@ __all__ = [
     "NATIVE_FLAGS",
     "NATIVE_METHODS",
     "NO_TABLES",
+    "ON_NUMPY",
     "REAL_TIME",
     "Library",
     "Linker",

@@ -190,15 +190,20 @@ def released(at: ContactState, modes: Modes) -> Modes:
 def _turned(at: ContactState, modes: Modes) -> Modes:
     """Modes with those stuck joints slipping that no force of theirs can hold: at a dead point of the loops the joint's
     rate is zero whatever the others do, and changes its sign there."""
-    rules, units, accelerations = at.rules, at.units, at.accelerations
-    stuck = [k for k, r in enumerate(rules) if r.contact.kind == "friction" and modes.values[k] == 0]
-    base = accelerations(np.zeros(len(rules))) / units if stuck else np.zeros(0)
+    stuck = [k for k, r in enumerate(at.rules) if r.contact.kind == "friction" and modes.values[k] == 0]
+    base = at.accelerations(np.zeros(len(at.rules))) / at.units if stuck else np.zeros(0)
     for k in stuck:
-        force = np.zeros(len(rules))
-        force[k] = max(rules[k].static, 1.0)
-        response, row = accelerations(force) / units - base, rules[k].v
-        most = float(np.abs(response).max())
-        dead = response[row] < HELD * most or most < 1e-12 * float(np.abs(base).max())
-        if dead and abs(base[row]) > 1e-9 * float(np.abs(base).max()):
+        row = at.rules[k].v
+        if abs(base[row]) > 1e-9 * float(np.abs(base).max()) and is_dead(at, k):
             modes = modes.with_mode(k, int(np.sign(base[row])))
     return modes
+
+
+def is_dead(at: ContactState, k: int) -> bool:
+    """Whether joint k does not answer its own friction: a force that would hold it is none, or rounding."""
+    base = at.accelerations(np.zeros(len(at.rules))) / at.units
+    force = np.zeros(len(at.rules))
+    force[k] = max(at.rules[k].static, 1.0)
+    response = at.accelerations(force) / at.units - base
+    most = float(np.abs(response).max())
+    return bool(response[at.rules[k].v] < HELD * most or most < 1e-12 * float(np.abs(base).max()))

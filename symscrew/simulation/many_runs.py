@@ -25,7 +25,7 @@ from symscrew.runtime import CompileError, find_compiler
 from symscrew.scene import Scene, TimeFeatures, features_in_time
 from symscrew.simulation.given_starts import Starts, off_the_loops, starts_of
 from symscrew.simulation.initial import initial_states, initial_states_together
-from symscrew.simulation.motion import Run, integrated, judged, observed, one_line, prepare, told_at_start
+from symscrew.simulation.motion import ON_NUMPY, Run, integrated, judged, observed, one_line, prepare, told_at_start
 from symscrew.simulation.native import NATIVE_METHODS, Library, run_natively
 from symscrew.simulation.recording import Estimate, History, State
 from symscrew.simulation.run_columns import columns_of
@@ -169,7 +169,7 @@ class _Work:
         except CompileError as error:
             if self.backend is not None:
                 raise
-            self.notice = f"evaluated on NumPy, some hundred times slower than compiled: {one_line(error)}"
+            self.notice = f"{ON_NUMPY}, some hundred times slower than compiled: {one_line(error)}"
             return
         for loop in (first, *(first.another() for _ in range(self.threads - 1))):
             self.loops.put(loop)

@@ -17,7 +17,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from symscrew.simulation.contacts import SHARED, STILL, ContactState, Modes, forces, released
+from symscrew.simulation.contacts import SHARED, STILL, ContactState, Modes, forces, is_dead, released
 
 # A stop is met where its gap is below this, without units: what the search for the instant leaves. Larger: stops that
 # are only near take part in an impact; smaller: of two that are met at once one is met later, by itself.
@@ -59,10 +59,13 @@ def change(at: ContactState, modes: Modes, which: int) -> Change:
     name = rule.contact.joint
     if rule.contact.kind == "friction" and mode != 0:
         found = released(at, modes.with_mode(which, 0))
+        if found.values[which] != -mode and is_dead(at, which):  # the law says nothing there: its rate has turned
+            found = found.with_mode(which, -mode)
         return Change(at.v, found, (f"{name} sticks" if found.values[which] == 0 else f"{name} turns back",))
     if rule.contact.kind == "friction":
         force = forces(at, modes)
-        found = modes.with_mode(which, -int(np.sign(force[which])))
+        # of a joint that no force moves either direction will do: where it is the other one, it turns back at once
+        found = modes.with_mode(which, -int(np.sign(force[which])) or 1)
         return Change(at.v, found, (f"{name} slips",))
     if mode == 0:
         return _met(at, modes, which)

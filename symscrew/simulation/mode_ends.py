@@ -26,6 +26,7 @@ ZERO_RATE = 1e-9  # of a margin's largest coefficient: a smaller one is none
 # Roundings of a value that a step's polynomial gives, of a dozen terms: coefficients that these may have made are none.
 # In a step so short that nothing moves by more a stop that was left would else be met again at once, without end.
 ROUNDINGS = 16 * float(np.finfo(float).eps)
+DIP = 1e-9  # of how far a margin rises within the step: what it falls before by less is none
 NONE = 2.0  # part of a step at which what does not end within it is said to end
 
 
@@ -122,6 +123,8 @@ def end_of(c: np.ndarray, slack: float, noise: np.ndarray) -> float:
         zeros += 1
     if zeros == DEGREE:
         return NONE  # it stays zero
+    if zeros == 1 and c[1] < 0 and _only_dips(c, slack):
+        return end_of(np.array([c[0], 0.0, *c[2:]]), slack, noise)
     left = np.concatenate([c[zeros:], np.zeros(zeros)])  # what has the same sign behind these zeros
     if zeros < 2 or left[0] > 0:
         return first_below(left)
@@ -131,6 +134,20 @@ def end_of(c: np.ndarray, slack: float, noise: np.ndarray) -> float:
         return NONE
     most = max(float(np.polynomial.polynomial.polyval(below * i / (DEGREE + 1), lifted)) for i in range(1, DEGREE + 1))
     return below if most > 2 * slack else 0.0  # it came back later, or falls from the start
+
+
+def _only_dips(c: np.ndarray, slack: float) -> bool:
+    """Whether a margin that counts as zero at the start falls by nothing before it rises: a step's polynomial is off in
+    its first coefficient by more than roundings, and a joint that leaves a dead point begins as the cube of time."""
+    values = np.polynomial.polynomial.polyval(_early(), np.array([0.0, *c[1:]]))
+    most = float(values.max())
+    return bool(values[-1] > 0 and -float(values.min()) <= min(DIP * most, slack))
+
+
+@cache
+def _early() -> np.ndarray:
+    """Parts of a step, close to each other at its start."""
+    return np.geomspace(1e-9, 1.0, 181)
 
 
 def first_below(c: np.ndarray) -> float:

@@ -24,7 +24,7 @@ from symscrew.simulation.initial import initial_state, initial_states, moves
 from symscrew.simulation.kept_model import derived_model
 from symscrew.simulation.native import NATIVE_METHODS, integrate_natively
 from symscrew.simulation.portable import Controller, integrate
-from symscrew.simulation.recording import Estimate, History, State
+from symscrew.simulation.recording import Estimate, History, Instant, State
 from symscrew.simulation.run_columns import columns_of, wrenches_along
 from symscrew.simulation.run_time_values import mechanism_of
 from symscrew.simulation.stability import with_longest_stable_step
@@ -35,6 +35,7 @@ Progress = Callable[[float], None]
 # Of the largest energy: sums over all bodies leave some units in the last place. What is out of balance by less says
 # nothing, also where less than that is moved (a pendulum that stands on its head); more than it is looked at.
 ENERGY_ROUNDING = 1e-14
+ON_NUMPY = "evaluated on NumPy"  # begins the event of a run whose functions no compiler made
 
 
 @dataclass(frozen=True, repr=False)
@@ -46,7 +47,8 @@ class Run:
     energy_balance (n,) energy - energy at the start - work + what impacts took [J], `losses`: the latter in all by
     the joint's name, `estimate` of its error by another run, `doubts`: what the integrator has no treatment of,
     `verdict`: the status with what was judged, `accurate`: whether that is good, `modes`: names of the assembly mode at
-    start and end (`symscrew.simulation.assembly_mode`), reactions (n, 6 joints) or None.
+    start and end (`symscrew.simulation.assembly_mode`), reactions (n, 6 joints) or None, `moved`: kinetic and potential
+    energy at the end of the step where the motion was fastest, which may lie between two outputs.
     """
 
     scene: Scene
@@ -74,6 +76,7 @@ class Run:
     accurate: bool = True
     verdict: str = ""
     modes: tuple[str, str] = ("", "")
+    moved: tuple[float, ...] = ()
 
     @property
     def mode(self) -> str:
@@ -110,8 +113,9 @@ class Run:
     @property
     def unbalanced(self) -> float:
         """Largest energy balance by the largest energy that was moved: kinetic, potential, work or losses."""
-        moved = np.ptp(self.energy, axis=0).max(initial=0.0) if len(self.t) else 0.0
-        largest = max(float(moved), float(self.energy[:, 0].max(initial=0.0)), sum(self.losses.values()))
+        energy = np.concatenate([self.energy, np.array(self.moved[:2]).reshape(-1, 2)])
+        moved = np.ptp(energy, axis=0).max(initial=0.0) if len(self.t) else 0.0
+        largest = max(float(moved), float(energy[:, 0].max(initial=0.0)), sum(self.losses.values()))
         return float(np.abs(self.energy_balance).max(initial=0.0)) / (largest or 1.0)
 
     @property
@@ -258,7 +262,7 @@ def integrated(
         if backend is not None:
             raise
         history = further(compiled=False)
-        notice = f"evaluated on NumPy, some hundred times slower than compiled: {one_line(error)}"
+        notice = f"{ON_NUMPY}, some hundred times slower than compiled: {one_line(error)}"
         return replace(history, events=(notice, *history.events))
 
 
@@ -304,6 +308,7 @@ def observed(model: Model, of: Sequence[tuple[Scene, Plant, History]]) -> list[R
     if not of:
         return []
     commanded, seen = _evaluated_together(model, of)
+    fastest = _moved_together(model, of)
     ends = np.cumsum([0, *(len(history.t) for _, _, history in of)])
     modes: dict[bytes, AssemblyModes] = {}
     runs = []
@@ -313,7 +318,8 @@ def observed(model: Model, of: Sequence[tuple[Scene, Plant, History]]) -> list[R
             modes[key] = AssemblyModes(model, programs.parameters)
         own = slice(ends[k], ends[k + 1])
         inputs, looks = ({name: array[own] for name, array in arrays.items()} for arrays in (commanded, seen))
-        runs.append(_run(scene, programs, history, inputs, looks=looks, named=modes[key]))
+        run = _run(scene, programs, history, inputs, looks=looks, named=modes[key])
+        runs.append(replace(run, moved=fastest.get(k, ())))
     return runs
 
 
@@ -343,6 +349,25 @@ def _evaluated_together(model: Model, of: Sequence[tuple[Scene, Plant, History]]
     if looked:
         seen["places"] = evaluated(model, "forward_kinematics", known)["positions"]
     return found, seen
+
+
+def _moved_together(model: Model, of: Sequence[tuple[Scene, Plant, History]]) -> dict[int, tuple[float, ...]]:
+    """Number of a run -> kinetic and potential energy [J] where it was fastest, if its energy is judged."""
+    at = {
+        k: (scene, programs, _one_sample(history, history.fastest))
+        for k, (scene, programs, history) in enumerate(of)
+        if history.fastest is not None and scene.integrator.step is None
+    }
+    if not at:
+        return {}
+    _, seen = _evaluated_together(model, list(at.values()))
+    return dict(zip(at, map(tuple, seen["energy"].tolist()), strict=True))
+
+
+def _one_sample(history: History, at: Instant) -> History:
+    """The history with that state alone; what energies do not depend on is zero."""
+    u, forces = (None if a is None else np.zeros_like(a[:1]) for a in (history.u, history.contact_forces))
+    return replace(history, t=np.array([at.t]), q=at.q[None], v=at.v[None], x=at.x[None], u=u, contact_forces=forces)
 
 
 def _looked(model: Model) -> bool:

@@ -20,7 +20,7 @@ from symscrew.runtime import compile_c
 from symscrew.scene import INTEGRATION_METHODS, UNCHANGING, Scene, TimeFeatures, features_in_time
 from symscrew.simulation.landing import passed
 from symscrew.simulation.native_contacts import MOST_EVENTS, NativeContacts
-from symscrew.simulation.recording import History, Passage, State, shown_time
+from symscrew.simulation.recording import History, Instant, Passage, State, shown_time
 from symscrew.simulation.run_source import SPAN, contact_numbers, rules_of, sources, table_code
 from symscrew.simulation.state_programs import Plant
 from symscrew.simulation.verdict import estimated
@@ -165,6 +165,13 @@ class Library:
             return GOING_ON
         return outcome
 
+    def fastest(self) -> Instant | None:
+        """The state with the greatest rates at the end of a step so far; None: nothing moved."""
+        sizes, t = self.plant.sizes, np.zeros(1)
+        q, v, x = (np.zeros(max(sizes[k], 1)) for k in "qvx")
+        moved = self.code.simulation_fastest(*map(_pointer, (self.state, t, q, v, x)))
+        return Instant(float(t[0]), q[: sizes["q"]], v[: sizes["v"]], x[: sizes["x"]]) if moved else None
+
     def report(self) -> tuple[float, State, dict[str, float]]:
         """Time, (q, v, x) and counters now."""
         sizes = self.plant.sizes
@@ -276,7 +283,8 @@ def _history(library: Library, log: RunLog, outcome: int) -> History:
     recorded = (f"{len(log.crossings)} singular configurations are recorded; later ones are not",) if full else ()
     events = (*recorded, *passed(counters["unlooked"]))
     passages = tuple(_passage(plant, c) for c in log.crossings[: int(log.met[0])])
-    return History(times, q, v, x, outcome == 0, text, "c", passages, events, counters)
+    fastest = library.fastest()
+    return History(times, q, v, x, outcome == 0, text, "c", passages, events, counters, fastest=fastest)
 
 
 def _passage(plant: Plant, c: np.void) -> Passage:

@@ -22,7 +22,7 @@ from symscrew.simulation.landing import LANDINGS, SHORT, Corners, passed
 from symscrew.simulation.mode_changes import Change, UndecidedError, beginning, change, onto_stops
 from symscrew.simulation.mode_ends import first_end
 from symscrew.simulation.native_contacts import MOST_EVENTS
-from symscrew.simulation.recording import History, State, shown_time
+from symscrew.simulation.recording import History, Instant, State, faster, shown_time
 from symscrew.simulation.run_source import SPAN
 from symscrew.simulation.scene_functions import PlantFunctions, RunError
 from symscrew.simulation.singular_watch import singular_watch
@@ -98,6 +98,7 @@ class _Marching:
         self.events: list[str] = []
         self.losses: list[tuple[float, str, float]] = []  # energy that impacts take
         self.steps = 0
+        self.fastest: Instant | None = None
         self.watch = singular_watch(functions)
         self.corners = (
             Corners(self.conditions, functions.state_units()) if functions.plant.switches is not None else None
@@ -152,7 +153,13 @@ class _Marching:
         q, v, smallest = self.f.settle(q, v)
         if self.watch is not None:
             self.watch.seen(t, smallest)
-        return np.concatenate([q, v, x])
+        y = np.concatenate([q, v, x])
+        self.look_how_fast(t, y)
+        return y
+
+    def look_how_fast(self, t: float, y: np.ndarray) -> None:
+        """Remember the state if nothing was faster so far."""
+        self.fastest = faster(self.fastest, Instant(float(t), *self.parts(y)), self.f.plant.units)
 
     # -- the run ------------------------------------------------------------------------------------------------
 
@@ -192,7 +199,8 @@ class _Marching:
             self.events += passed(self.corners.unlooked)
         return History(
             t, q, v, x, ok, status, "library", (), (*self.notices, *self.events), counters, u, forces,
-            tuple(self.losses), doubts=() if self.watch is None else self.watch.doubts)  # fmt: skip
+            tuple(self.losses), doubts=() if self.watch is None else self.watch.doubts,
+            fastest=self.fastest)  # fmt: skip
 
     def solver(self, t: float, y: np.ndarray, end: float, first: float | None = None) -> Any:
         """SciPy's integrator from t to `end`, or to the next time that what inputs do there asks for; `first`: step."""
@@ -294,6 +302,7 @@ class _Marching:
                 while solver.status == "running":
                     message = solver.step()
                     self.count()
+                    self.look_how_fast(solver.t, np.array(solver.y))
                 if solver.status == "failed":
                     raise RunError(f"the integrator gave up: {message}")
                 t, y = solver.t, self.arrived(solver.t, solver.y)

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from typing import NamedTuple
 
 import numpy as np
 
@@ -27,6 +28,15 @@ class Estimate:
 State = tuple[np.ndarray, np.ndarray, np.ndarray]  # q (nq,), v (nv,), x (nx,) at one time
 
 
+class Instant(NamedTuple):
+    """A state with its time [s]."""
+
+    t: float
+    q: np.ndarray
+    v: np.ndarray
+    x: np.ndarray
+
+
 @dataclass(frozen=True)
 class Passage:
     """A singular configuration on the way: `rows` are indices of the closure rows that lose their independence."""
@@ -43,7 +53,8 @@ class History:
     """Samples t (n,), q (n, nq), v (n, nv), x (n, nx); u (n, drives) where they came from outside.
 
     `contact_forces` (n, contacts): inputs of effects that the integrator determined itself. `losses`: time [s], joint
-    and energy [J] of every impact. `doubts`: what the integrator met that it has no treatment of, in words.
+    and energy [J] of every impact. `doubts`: what the integrator met that it has no treatment of, in words. `fastest`:
+    the state with the greatest rates at the end of a step, which all samples may miss.
     """
 
     t: np.ndarray
@@ -61,11 +72,18 @@ class History:
     losses: tuple[tuple[float, str, float], ...] = ()
     estimate: Estimate | None = None
     doubts: tuple[str, ...] = ()
+    fastest: Instant | None = None
 
     @property
     def forces(self) -> np.ndarray:
         """Contact forces (n, contacts), of no columns where there are none."""
         return np.zeros((len(self.t), 0)) if self.contact_forces is None else self.contact_forces
+
+
+def faster(known: Instant | None, other: Instant, units: np.ndarray) -> Instant | None:
+    """Whichever has the greater rates, divided by their units; None where nothing moves."""
+    sizes = [0.0 if at is None else float(np.sum((at.v / units) ** 2)) for at in (known, other)]
+    return other if sizes[1] > sizes[0] else known
 
 
 def shown_time(t: float) -> str:

@@ -13,12 +13,13 @@ import numpy as np
 
 from symscrew.export import program_function
 from symscrew.scene import Scene, Table, features_in_time
-from symscrew.simulation.recording import History, State, shown_time
+from symscrew.simulation.recording import History, Instant, State, faster, shown_time
 from symscrew.simulation.run_source import SPAN
 from symscrew.simulation.scene_functions import PlantFunctions, RunError
 from symscrew.simulation.singular_watch import singular_watch
 from symscrew.simulation.state_programs import Plant
 
+WITHIN = (0.23, 0.47, 0.71)  # parts of the way to the next output at which it is looked how fast the motion is
 LEAST = 1e-13  # tolerance of single steps: below it CVODES gives up, for its Newton steps cannot reach it in doubles
 
 
@@ -37,11 +38,12 @@ def integrate(
     at = ca.fmin(span[0] + t * span[1], span[2])
     rates = span[1] * state_rates(scene, functions, at, y)
     ode = {"x": y, "t": t, "p": span, "ode": rates}
-    solver = ca.integrator("run", "cvodes", ode, 0.0, 1.0, options)
+    solver = ca.integrator("run", "cvodes", ode, 0.0, [*WITHIN, 1.0], options)
     features, longest = features_in_time(scene, plant.model), scene.integrator.longest_step or np.inf
     times = scene.times
     q, v, _ = functions.settle(start[0], start[1])
     watch = singular_watch(functions)
+    fastest: Instant | None = None
     states = [np.concatenate([q, v, start[2]])]
     status, ok = "completed", True
     for left, right in itertools.pairwise(times):
@@ -50,9 +52,13 @@ def integrate(
             while now < right:
                 until, latest = features.ahead(now, float(right), SPAN)
                 until = min(until, now + longest)
-                found = np.asarray(solver(x0=at_end, p=[now, until - now, latest])["xf"], dtype=float).ravel()
-                if not np.isfinite(found).all():
+                all_found = np.asarray(solver(x0=at_end, p=[now, until - now, latest])["xf"], dtype=float).T
+                if not np.isfinite(all_found).all():
                     raise RunError("the state is not finite")
+                for part, state in zip((*WITHIN, 1.0), all_found, strict=True):
+                    instant = Instant(now + part * (until - now), *np.split(state, [nq, nq + nv]))
+                    fastest = faster(fastest, instant, plant.units)
+                found = all_found[-1]
                 q, v, smallest = functions.settle(found[:nq], found[nq : nq + nv])
                 now, at_end = until, np.concatenate([q, v, found[nq + nv :]])
                 if watch is not None:
@@ -67,7 +73,9 @@ def integrate(
     y_all = np.array(states)
     parts = y_all[:, :nq], y_all[:, nq : nq + nv], y_all[:, nq + nv :]
     doubts = () if watch is None else watch.doubts
-    return History(times[: len(states)], *parts, ok, status, "cvodes", events=features.notices, doubts=doubts)
+    return History(
+        times[: len(states)], *parts, ok, status, "cvodes", events=features.notices, doubts=doubts, fastest=fastest
+    )
 
 
 def whole_run(scene: Scene, plant: Plant, tolerance: float, most_steps: int) -> Callable[[State], np.ndarray]:

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from scipy.integrate import solve_ivp
 from support.marks import slow
 from support.samples import some_quickly
 
@@ -234,3 +235,38 @@ def test_between_two_stops_however_near_they_are(gap: float) -> None:
     assert times == pytest.approx([gap * (2 * k + 1) for k in range(6)], rel=1e-6)
     assert found.q[-1, 0] == pytest.approx(0.5 * gap, rel=1e-6)
     assert [text.split()[-2] for text in found.events] == ["upper", "lower"] * 3
+
+
+def stretched_crank() -> Mechanism:
+    """Crank and rod in line: the slider neither moves nor answers its friction. The rod has no mass."""
+    body = {"mass": 2, "com": [3, 0, 0], "inertia": [1, 1, 1]}
+    crank = {"mass": 1, "com": [0, 0, 0], "inertia": ["1/10", "1/10", "1/10"]}
+    return chain(
+        "stretched",
+        ("A", "R", "base", "crank", [0, 0, 0], [[0, 0, 1]]),
+        ("S", "P", "base", "slider", [3, 0, 0], [[1, 0, 0]]),
+        ("B", "R", "crank", "rod", [1, 0, 0], [[0, 0, 1]]),
+        ("C", "R", "rod", "slider", [3, 0, 0], [[0, 0, 1]]),
+        driven="A", crank=crank, rod={}, slider=body,
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("torque", [2.0, -2.0])
+@pytest.mark.parametrize(("method", "backend"), [("dop853", "c"), slow("radau", "c"), slow("dop853", "numpy")])
+def test_stuck_at_a_dead_point_at_rest(method: str, backend: str, torque: float) -> None:
+    """The law of friction says nothing there. It was asked again and again, ten thousand times, at the same instant."""
+    friction, choice = DryFriction("S", coulomb="0.5", mode="event"), Integrator(method=method, tolerance=1e-7)
+    scene = Scene("s", stretched_crank(), (friction,), 0.4, 10.0, drives={"A": str(torque)}, integrator=choice)
+    found = simulate(scene, backend=backend)
+    assert found.accurate and len(found.events) <= 2
+
+    def slopes(_: float, y: np.ndarray) -> list[float]:  # of the crank's angle, by hand
+        c, s, root = np.cos(y[0]), np.sin(y[0]), np.sqrt(4 - np.sin(y[0]) ** 2)
+        way = -s * (1 + c / root)
+        bend = -c - (c * c - s * s) / root - (s * c) ** 2 / root**3
+        force = -0.5 * np.sign(way * y[1])
+        return [y[1], (torque + way * force - 2 * way * bend * y[1] ** 2) / (0.1 + 2 * way**2)]
+
+    end = solve_ivp(slopes, (0, 0.4), [0, 0], method="DOP853", rtol=1e-11, atol=1e-13).y[0, -1]
+    angle = [c.label for c in found.model.system.tree.q].index("A")
+    assert abs(end) > 0.5 and found.q[-1, angle] == pytest.approx(end, abs=1e-8)

@@ -17,7 +17,7 @@ from symscrew.cli.parser import main
 from symscrew.description import load_description
 from symscrew.effects import Gravity
 from symscrew.runtime.compiled import find_compiler
-from symscrew.scene import load_scene
+from symscrew.scene import load_scene, parse_scene
 from symscrew.scene.contents import Initial, Integrator, Scene
 from symscrew.simulation import native
 from symscrew.simulation.initial import initial_state
@@ -147,3 +147,59 @@ def test_a_rod_on_its_head_rests() -> None:
     rounded = replace(run, energy_balance=run.energy_balance + 3.6e-15, energy=run.energy + 1e-30)
     assert judged(rounded).accurate, judged(rounded).verdict
     assert not judged(replace(rounded, energy_balance=run.energy_balance + 1e-12)).accurate
+
+
+OSCILLATOR = """
+[mechanism]
+name = "oscillator"
+platform = "bob"
+[bodies]
+bob = { mass = 1, com = [0, 0, 0] }
+[joints]
+rail = { type = "P", parent = "base", child = "bob", point = [0, 0, 0], axes = [[1, 0, 0]] }
+"""
+
+
+@pytest.mark.parametrize("method", ["dop853", "radau", "bdf", "lsoda", "cvodes"])
+def test_outputs_at_turning_points_alone_show_no_energy(method: str, tmp_path: Path) -> None:
+    """A motion of one period between two outputs rests at each: what was moved is seen between them."""
+    (tmp_path / "oscillator.toml").write_text(OSCILLATOR)
+    text = f"""
+[scene]
+mechanism = "oscillator.toml"
+duration = 5
+rate = 1
+[initial.coordinates]
+rail = 1
+[[effects]]
+type = "joint_spring"
+joint = "rail"
+stiffness = "4*pi^2"
+[integrator]
+method = "{method}"
+tolerance = 1e-6
+"""
+    run = simulate(parse_scene(text, folder=tmp_path))
+    assert run.accurate and run.verdict == "completed" and np.abs(run.q[:, 0] - 1).max() < 1e-6
+    assert run.energy[:, 0].max() < 1e-9 and run.moved[0] > 2, "half of 4 pi^2 where it is fastest"
+    wrong = replace(run, energy_balance=run.energy_balance + 0.04 * sum(run.moved))
+    assert judged(wrong).verdict.startswith("failed: the energy is out of balance by 0.0")
+
+
+@pytest.mark.parametrize(("backend", "size"), [("c", "1e-4"), ("c", "1e-5"), ("numpy", "1e-5")])
+def test_a_pulse_of_the_base_between_two_outputs(backend: str, size: str) -> None:
+    """The ground goes away and comes back: all that was moved is gone at the next output."""
+    text = f"""
+[scene]
+mechanism = "slider_crank"
+duration = 0.3
+rate = 10
+[[effects]]
+type = "base_motion"
+pose = ["{size}*exp(-((t-0.155)/0.005)^2)", 0, 0, 0, 0, 0]
+[integrator]
+tolerance = 1e-6
+"""
+    run = simulate(parse_scene(text), backend=backend)
+    assert run.accurate and run.verdict == "completed"
+    assert run.moved[0] > 1e3 * run.energy.max() and run.unbalanced < 1e-6

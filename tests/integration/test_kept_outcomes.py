@@ -11,9 +11,10 @@ import pytest
 
 from symscrew import mobility
 from symscrew import model as pipeline
-from symscrew.cli import kept_outcomes
-from symscrew.cli.kept_outcomes import Outcome, once
+from symscrew.cli import kept_outcomes, same_files
+from symscrew.cli.kept_outcomes import once
 from symscrew.cli.parser import main
+from symscrew.cli.same_files import Outcome
 from symscrew.optimisation import solution
 from symscrew.runtime import cache_state
 
@@ -186,4 +187,4 @@ def test_what_is_not_good_or_cannot_be_written_is_not_kept(folder: Path) -> None
     "text", [b"[]", b"1", b'{"facts": 1}', b'{"facts": {}, "files": {"a": "*"}}', b"\xff", b"[" * 9999]
 )
 def test_nothing_else_is_read(text: bytes) -> None:
-    assert kept_outcomes._read(text) is None
+    assert same_files._read(text) is None

@@ -34,7 +34,7 @@ def test_archive_table_and_picture(tmp_path: Path, capsys: pytest.CaptureFixture
     scene.write_text(SCENE)
     names = [tmp_path / n for n in ("a.npz", "b.npz", "a.csv")]
     for name in names:
-        assert main(["simulate", str(scene), "--out", str(name)]) == 0
+        assert main(["simulate", str(scene), "--out", str(name), "--no-cache"]) == 0
     text = capsys.readouterr().out
     assert "swing: completed" in text
     assert "loops open by at most" in text

@@ -25,6 +25,8 @@ typedef struct {
     int credit;            /* short steps onto zeros that may follow each other */
 #endif
     long unlooked;     /* steps for which that credit was used up */
+    double fast, fast_t;  /* the greatest rates at the end of a step, squared, without units, and the state there */
+    double fast_q[NQ1], fast_v[NV1], fast_x[NX1];
     int asks;          /* for the branch in extended precision before the first careful step */
     double careful_tolerance; /* least local tolerance of careful steps */
     Step step;
@@ -70,6 +72,22 @@ static double pivot_rate(const double *q, const double *v)
     (void)v;
     return 0.0;
 #endif
+}
+
+/* Remembers the state if nothing was faster so far: samples may all be taken where the motion rests. */
+static void look_how_fast(Simulation *s)
+{
+    double size = 0.0;
+    for (int k = 0; k < NV; ++k) {
+        size += (s->v[k] / UNIT[k]) * (s->v[k] / UNIT[k]);
+    }
+    if (size > s->fast) {
+        s->fast = size;
+        s->fast_t = s->t;
+        memcpy(s->fast_q, s->q, sizeof s->q);
+        memcpy(s->fast_v, s->v, sizeof s->v);
+        memcpy(s->fast_x, s->x, sizeof s->x);
+    }
 }
 
 int simulation_start(Simulation *s, double t, const double *q, const double *v, const double *x, int method, double h,
@@ -572,6 +590,7 @@ int simulation_advance(Simulation *s, long most, const double *times, size_t cou
             s->pivot_rate = pivot_rate(s->q, s->v);
             s->started = 0;
             s->evaluations += evaluations;
+            look_how_fast(s);
             return EVENT;
         }
         if (step->pivot > CAREFUL && !step->careful && kept(end, step->q, step->v, step->x) != 0) {
@@ -587,9 +606,20 @@ int simulation_advance(Simulation *s, long most, const double *times, size_t cou
         memcpy(s->x, step->x, sizeof s->x);
         s->pivot = step->pivot;
         s->pivot_rate = rate;
+        look_how_fast(s);
     }
     s->evaluations += evaluations;
     return DONE;
+}
+
+/* Whether there was a state with rates at the end of a step, and the one with the greatest. */
+int simulation_fastest(const Simulation *s, double *t, double *q, double *v, double *x)
+{
+    *t = s->fast_t;
+    memcpy(q, s->fast_q, sizeof(double) * NQ);
+    memcpy(v, s->fast_v, sizeof(double) * NV);
+    memcpy(x, s->fast_x, sizeof(double) * NX);
+    return s->fast > 0.0;
 }
 
 void simulation_report(const Simulation *s, double *t, double *q, double *v, double *x, double *numbers)
