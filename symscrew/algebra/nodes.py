@@ -68,7 +68,9 @@ class Node:
 
     def __add__(self, other: Any) -> Node:
         if type(other) is Node:
-            return self.tape.add(self, other)
+            if not other.index:  # zero, as four operands in five
+                return self
+            return self.tape.add(self, other) if self.index else other
         if type(other) is int and other == 0:  # structural: most vectors have some
             return self
         return self.tape.add(self, self.tape.node(other))
@@ -76,13 +78,22 @@ class Node:
     __radd__ = __add__
 
     def __sub__(self, other: Any) -> Node:
-        return self + self.tape.neg(self.tape.node(other))
+        if type(other) is not Node:
+            other = self.tape.node(other)
+        if not other.index:
+            return self
+        negative = self.tape.neg(other)
+        return self.tape.add(self, negative) if self.index else negative
 
     def __rsub__(self, other: Any) -> Node:
         return self.tape.add(self.tape.node(other), self.tape.neg(self))
 
     def __mul__(self, other: Any) -> Node:
         if type(other) is Node:
+            if self.index < 2:  # zero or one
+                return other if self.index else self
+            if other.index < 2:
+                return self if other.index else other
             return self.tape.mul(self, other)
         if type(other) is int and other in UNITS:
             return self if other else self.tape.zero
@@ -124,7 +135,7 @@ class Tape:
         self.symbols: dict[str, Node] = {}
         self.origins: dict[int, Origin] = {}  # of nodes by index, of a negative's inner one
         self.lock = RLock()  # for who has the tape as it was, and who walks over all of it: see `tape_as_at`
-        self.zero = self.constant(0)
+        self.zero = self.constant(0)  # node 0, and one is node 1: sums and products look at these numbers
         self.one = self.constant(1)
         self._small = {0: self.zero, 1: self.one, -1: self.neg(self.one)}
 
