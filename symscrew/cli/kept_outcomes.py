@@ -11,9 +11,12 @@ from __future__ import annotations
 import base64
 import binascii
 import json
+import os
+import re
+import sys
 from collections.abc import Callable, Mapping, Sequence, Set
+from contextlib import suppress
 from dataclasses import dataclass, field, fields, is_dataclass
-from importlib import metadata
 from typing import Any
 
 from symscrew.description import Mechanism, to_toml
@@ -41,7 +44,7 @@ def once(command: str, given: Sequence[object], make: Callable[[], Outcome]) -> 
     from symscrew.runtime import entry, key_of, version
 
     try:
-        text = json.dumps([command, *map(canonical, given), *map(_installed, LIBRARIES)])
+        text = json.dumps([command, *map(canonical, given), _installed()])
         key: str | None = key_of(b"outcome", version().encode(), text.encode("utf-8", "surrogateescape"))
     except (DescriptionError, TypeError):
         key = None
@@ -78,11 +81,19 @@ def canonical(value: object) -> Any:
     raise TypeError(f"nothing writes a {type(value).__qualname__}")
 
 
-def _installed(library: str) -> str:
-    try:
-        return metadata.version(library)
-    except metadata.PackageNotFoundError:
-        return ""
+def _installed() -> list[list[str]]:
+    """The libraries that are found first where this Python looks, and their versions.
+
+    By the names of folders that installers make, as `importlib.metadata` has them, whose import takes as long as
+    reading a simple description.
+    """
+    name = re.compile(rf"({'|'.join(LIBRARIES)})-(.+)\.(?:dist|egg)-info")
+    found: dict[str, str] = {}
+    for place in sys.path:
+        with suppress(OSError), os.scandir(place or ".") as entries:
+            for match in filter(None, (name.fullmatch(entry.name) for entry in entries)):
+                found.setdefault(match[1], match[2])
+    return sorted(map(list, found.items()))
 
 
 def _read(kept: bytes | None) -> Outcome | None:
