@@ -36,6 +36,7 @@ KEY_BITS = 150  # constants that agree to 45 digits are one constant; any that d
 
 UNITS = (0, 1)  # factors that take no operation
 WAITS = frozenset(("reciprocal", "sqrt"))  # operations for which others wait
+SUMS = frozenset(("add", "sub"))
 
 
 @dataclass(frozen=True)
@@ -62,7 +63,7 @@ class Node:
     __slots__ = ("args", "chain", "index", "op", "tape", "value")
 
     def __init__(
-        self, tape: Tape, index: int, op: str, args: tuple[Any, ...], *, value: Any = None, chain: int = 0
+        self, tape: Tape, index: int, op: str, args: tuple[Any, ...], value: Any = None, chain: int = 0
     ) -> None:
         self.tape, self.index, self.op, self.args, self.value, self.chain = tape, index, op, args, value, chain
 
@@ -221,18 +222,19 @@ class Tape:
             return self.zero if x_negative != y_negative else self.mul(self.node(-2 if x_negative else 2), a)
         inverted = x_negative if x_negative == y_negative else b.index < a.index if y_negative else a.index < b.index
         op, args = "add" if x_negative == y_negative else "sub", (a, b) if a.index < b.index else (b, a)
-        total = self._known[op].get(args)
+        known = self._known[op]
+        total = known.get(args)
         if total is None:
-            rest = self._left_of(a, x_negative, b, y_negative)
+            rest = self._left_of(a, x_negative, b, y_negative) if a.op in SUMS or b.op in SUMS else None
             if rest is not None:
                 return rest
-            total = self._make(op, args)
+            total = self._new(known, op, args)
         return self.neg(total) if inverted else total
 
     def _left_of(self, a: Node, a_negative: bool, b: Node, b_negative: bool) -> Node | None:
         """What is left of (u + v) - u and the like; None of other sums."""
         for whole, inverted, part, sign in ((a, a_negative, b, b_negative), (b, b_negative, a, a_negative)):
-            if whole.op in ("add", "sub"):
+            if whole.op in SUMS:
                 terms = [(whole.args[0], inverted), (whole.args[1], inverted != (whole.op == "sub"))]
                 if (part, not sign) in terms:
                     rest, negative = terms[1 - terms.index((part, not sign))]
@@ -284,9 +286,10 @@ class Tape:
             if x is self.one:
                 return self.neg(y) if negative else y
         args = (y, x) if x.value is None and y.index < x.index else (x, y)
-        result = self._known["mul"].get(args)
+        known = self._known["mul"]
+        result = known.get(args)
         if result is None:
-            result = self._cancelled(x, y) or self._make("mul", args)
+            result = self._cancelled(x, y) or self._new(known, "mul", args)
         return self.neg(result) if negative else result
 
     def _cancelled(self, x: Node, y: Node) -> Node | None:
@@ -333,16 +336,20 @@ class Tape:
     def _make(self, op: str, args: tuple[Any, ...], value: Any = None) -> Node:
         known = self._known[op]
         found = known.get(args)  # nodes are equal if they are one
-        if found is None:
-            chain = 0
-            if value is None and op != "symbol":
-                for arg in args:
-                    if arg.chain > chain:
-                        chain = arg.chain
-                chain += op in WAITS
-            known[args] = found = Node(self, len(self.nodes), op, args, value=value, chain=chain)
-            self.nodes.append(found)
-        return found
+        return self._new(known, op, args, value) if found is None else found
+
+    def _new(self, known: dict[Any, Node], op: str, args: tuple[Any, ...], value: Any = None) -> Node:
+        """A node that is not among the known ones."""
+        chain = 0
+        if value is None and op != "symbol":
+            for arg in args:
+                if arg.chain > chain:
+                    chain = arg.chain
+            chain += op in WAITS
+        nodes = self.nodes
+        known[args] = made = Node(self, len(nodes), op, args, value, chain)
+        nodes.append(made)
+        return made
 
     # -- values at samples ----------------------------------------------------------------------------
 
