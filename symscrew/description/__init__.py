@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING
 
 from symscrew.description.builder import MechanismBuilder
 from symscrew.description.coupled import slope, terms_of
-from symscrew.description.expressions import CONSTANTS, FUNCTIONS, exact, numeric, parse, sixty_digits, to_text
+from symscrew.description.digits import sixty_digits
+from symscrew.description.expressions import CONSTANTS, FUNCTIONS, exact, numeric, parse, to_text
 from symscrew.description.given_values import GivenValue, given_value, parameter_units
 from symscrew.description.joints import JOINT_TYPES, NO_MOTION, JointType, Motion, rotation
 from symscrew.description.kept_comments import with_comments

@@ -75,7 +75,7 @@ class Plan:
         self.cost = self._counted()
 
     @cached_property
-    def _reads(self) -> Mapping[int, Sequence[int]]:
+    def _reads(self) -> Mapping[int, list[int]]:
         """The operations that every one reads."""
         operations = self.operations
         return {
@@ -165,8 +165,9 @@ class Plan:
         """The cost of everything, with what is needed counted from the start."""
         needs, wanted = self.needs, self._wanted
         cost = 0.0
-        for key in (key for slot in self.code.wanted for key in self._read(slot)):
-            needs[key] = needs.get(key, 0) + 1
+        for slot in self.code.wanted:
+            for single in self._read(slot):
+                needs[single] = needs.get(single, 0) + 1
         items: list[Item] = [(True, row) for row, on in enumerate(self.on) if on]
         items += [(False, slot) for slot in self.operations if self.at(slot) is None]
         looked_up, own = self._looked_up, self._own
@@ -318,12 +319,12 @@ class Plan:
         reads = self._reads
         return [a for slot in row if slot is not None for a in reads[slot]]
 
-    def _alone(self, slot: int) -> Sequence[int]:
+    def _alone(self, slot: int) -> list[int]:
         """The operations that a single one reads; a copy what it is a copy of."""
         if slot not in self.copies:
             return self._reads[slot]
         copied = self.copies[slot]
-        return (copied,) if type(copied) is int and copied in self.operations else ()
+        return [copied] if type(copied) is int and copied in self.operations else []
 
     def _undo_last(self, stack: list[int], state: bytearray) -> list[int]:
         """Pack the last row on the way no longer, and go back to what asked for it: its slots, which are single now."""
