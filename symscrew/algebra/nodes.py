@@ -14,7 +14,7 @@ few sample states (`Tape.set_samples`), which is how eliminations choose pivots 
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from threading import RLock
 from typing import Any
@@ -23,9 +23,8 @@ import mpmath
 import numpy as np
 import sympy
 
-from symscrew.algebra.operations import CONTEXT, apply_high_precision, apply_numpy, evaluate_constant
+from symscrew.algebra.operations import CONTEXT, apply_high_precision, apply_numpy, evaluate_constant, high_precision
 from symscrew.algebra.origins import Origin
-from symscrew.description import sixty_digits
 
 # Constants carry 60 digits, and a derivation loses a few of them. What is left of a zero is 1e-58 or so, and the
 # smallest constant that somebody means is far above 1e-45: in between a constant is zero.
@@ -376,25 +375,8 @@ class Tape:
         known = self._samples
         if node.index not in known:
             with np.errstate(all="ignore"):
-                self._evaluate(node, known)
+                _evaluate(node, known, lambda constant: np.asarray(self.double(constant)), apply_numpy)
         return known[node.index]
-
-    def _evaluate(self, node: Node, known: dict[int, np.ndarray]) -> None:
-        stack = [node]
-        while stack:
-            current = stack[-1]
-            if current.index in known:
-                stack.pop()
-            elif current.value is not None:
-                known[current.index] = np.asarray(self.double(current))
-            elif current.op == "symbol":
-                raise KeyError(f"input {current.args[0].name} has no sample values yet")
-            else:
-                missing = [a for a in current.args if a.index not in known]
-                if missing:
-                    stack.extend(missing)
-                else:
-                    known[current.index] = apply_numpy(current.op, [known[a.index] for a in current.args])
 
     # -- identities in the run-time parameters ---------------------------------------------------------
 
@@ -432,11 +414,6 @@ def is_zero(entry: Node | int) -> bool:
     return entry == 0 if isinstance(entry, int) else entry is entry.tape.zero
 
 
-def high_precision(number: sympy.Expr) -> Any:
-    """An exact SymPy number as a 60-digit float of `CONTEXT`."""
-    return CONTEXT.mpf(int(number)) if number.is_Integer else CONTEXT.mpf(sixty_digits(number)._mpf_)
-
-
 def _rounded(number: Any) -> Any:
     """The number to `KEY_BITS` bits, as a key."""
     return mpmath.libmp.mpf_pos(number._mpf_, KEY_BITS, "n")
@@ -448,17 +425,26 @@ def _negative(exact: Any) -> Any:
 
 def _evaluate_high_precision(node: Node, inputs: Mapping[int, Any]) -> Any:
     done: dict[int, Any] = dict(inputs)
+    _evaluate(node, done, lambda constant: constant.value, apply_high_precision)
+    return done[node.index]
+
+
+def _evaluate(
+    node: Node, known: dict[int, Any], number: Callable[[Node], Any], apply: Callable[[str, Sequence[Any]], Any]
+) -> None:
+    """Put the value of a node, and of all behind it that has none yet, among what is known by index."""
     stack = [node]
     while stack:
         current = stack[-1]
-        if current.index in done:
+        if current.index in known:
             stack.pop()
         elif current.value is not None:
-            done[current.index] = current.value
+            known[current.index] = number(current)
+        elif current.op == "symbol":
+            raise KeyError(f"input {current.args[0].name} has no sample values yet")
         else:
-            missing = [a for a in current.args if a.index not in done]
+            missing = [a for a in current.args if a.index not in known]
             if missing:
                 stack.extend(missing)
             else:
-                done[current.index] = apply_high_precision(current.op, [done[a.index] for a in current.args])
-    return done[node.index]
+                known[current.index] = apply(current.op, [known[a.index] for a in current.args])
