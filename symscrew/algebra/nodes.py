@@ -62,7 +62,7 @@ class Node:
     __slots__ = ("args", "chain", "index", "op", "tape", "value")
 
     def __init__(
-        self, tape: Tape, index: int, op: str, args: tuple[Any, ...], value: Any = None, chain: int = 0
+        self, tape: Tape, index: int, op: str, args: tuple[Any, ...], *, value: Any = None, chain: int = 0
     ) -> None:
         self.tape, self.index, self.op, self.args, self.value, self.chain = tape, index, op, args, value, chain
 
@@ -346,7 +346,7 @@ class Tape:
                     chain = arg.chain
             chain += op in WAITS
         nodes = self.nodes
-        known[args] = made = Node(self, len(nodes), op, args, value, chain)
+        known[args] = made = Node(self, len(nodes), op, args, value=value, chain=chain)
         nodes.append(made)
         return made
 
