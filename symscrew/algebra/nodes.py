@@ -14,7 +14,7 @@ few sample states (`Tape.set_samples`), which is how eliminations choose pivots 
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from threading import RLock
 from typing import Any
@@ -430,7 +430,7 @@ def _evaluate_high_precision(node: Node, inputs: Mapping[int, Any]) -> Any:
 
 
 def _evaluate(
-    node: Node, known: dict[int, Any], number: Callable[[Node], Any], apply: Callable[[str, Sequence[Any]], Any]
+    node: Node, known: dict[int, Any], number: Callable[[Node], Any], apply: Callable[[str, list[Any]], Any]
 ) -> None:
     """Put the value of a node, and of all behind it that has none yet, among what is known by index."""
     stack = [node]
