@@ -45,8 +45,8 @@ from symscrew.algebra.naming import (
     named_vector,
     named_wrench,
 )
-from symscrew.algebra.nodes import Node, Tape, high_precision, is_zero
-from symscrew.algebra.operations import ARITHMETIC, CONTEXT, apply_numpy
+from symscrew.algebra.nodes import Node, Tape, is_zero
+from symscrew.algebra.operations import ARITHMETIC, CONTEXT, apply_numpy, high_precision
 from symscrew.algebra.origins import QUANTITIES, Origin
 from symscrew.algebra.rank_volumes import (
     Grid,

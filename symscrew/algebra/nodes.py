@@ -14,7 +14,7 @@ few sample states (`Tape.set_samples`), which is how eliminations choose pivots 
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from threading import RLock
 from typing import Any
@@ -23,9 +23,8 @@ import mpmath
 import numpy as np
 import sympy
 
-from symscrew.algebra.operations import CONTEXT, apply_high_precision, apply_numpy, evaluate_constant
+from symscrew.algebra.operations import CONTEXT, apply_high_precision, apply_numpy, evaluate_constant, high_precision
 from symscrew.algebra.origins import Origin
-from symscrew.description import sixty_digits
 
 # Constants carry 60 digits, and a derivation loses a few of them. What is left of a zero is 1e-58 or so, and the
 # smallest constant that somebody means is far above 1e-45: in between a constant is zero.
@@ -36,6 +35,7 @@ KEY_BITS = 150  # constants that agree to 45 digits are one constant; any that d
 
 UNITS = (0, 1)  # factors that take no operation
 WAITS = frozenset(("reciprocal", "sqrt"))  # operations for which others wait
+SUMS = frozenset(("add", "sub"))
 
 
 @dataclass(frozen=True)
@@ -68,7 +68,9 @@ class Node:
 
     def __add__(self, other: Any) -> Node:
         if type(other) is Node:
-            return self.tape.add(self, other)
+            if not other.index:  # zero, as four operands in five
+                return self
+            return self.tape.add(self, other) if self.index else other
         if type(other) is int and other == 0:  # structural: most vectors have some
             return self
         return self.tape.add(self, self.tape.node(other))
@@ -76,13 +78,22 @@ class Node:
     __radd__ = __add__
 
     def __sub__(self, other: Any) -> Node:
-        return self + self.tape.neg(self.tape.node(other))
+        if type(other) is not Node:
+            other = self.tape.node(other)
+        if not other.index:
+            return self
+        negative = self.tape.neg(other)
+        return self.tape.add(self, negative) if self.index else negative
 
     def __rsub__(self, other: Any) -> Node:
         return self.tape.add(self.tape.node(other), self.tape.neg(self))
 
     def __mul__(self, other: Any) -> Node:
         if type(other) is Node:
+            if self.index < 2:  # zero or one
+                return other if self.index else self
+            if other.index < 2:
+                return self if other.index else other
             return self.tape.mul(self, other)
         if type(other) is int and other in UNITS:
             return self if other else self.tape.zero
@@ -124,7 +135,7 @@ class Tape:
         self.symbols: dict[str, Node] = {}
         self.origins: dict[int, Origin] = {}  # of nodes by index, of a negative's inner one
         self.lock = RLock()  # for who has the tape as it was, and who walks over all of it: see `tape_as_at`
-        self.zero = self.constant(0)
+        self.zero = self.constant(0)  # node 0, and one is node 1: sums and products look at these numbers
         self.one = self.constant(1)
         self._small = {0: self.zero, 1: self.one, -1: self.neg(self.one)}
 
@@ -210,18 +221,19 @@ class Tape:
             return self.zero if x_negative != y_negative else self.mul(self.node(-2 if x_negative else 2), a)
         inverted = x_negative if x_negative == y_negative else b.index < a.index if y_negative else a.index < b.index
         op, args = "add" if x_negative == y_negative else "sub", (a, b) if a.index < b.index else (b, a)
-        total = self._known[op].get(args)
+        known = self._known[op]
+        total = known.get(args)
         if total is None:
-            rest = self._left_of(a, x_negative, b, y_negative)
+            rest = self._left_of(a, x_negative, b, y_negative) if a.op in SUMS or b.op in SUMS else None
             if rest is not None:
                 return rest
-            total = self._make(op, args)
+            total = self._new(known, op, args)
         return self.neg(total) if inverted else total
 
     def _left_of(self, a: Node, a_negative: bool, b: Node, b_negative: bool) -> Node | None:
         """What is left of (u + v) - u and the like; None of other sums."""
         for whole, inverted, part, sign in ((a, a_negative, b, b_negative), (b, b_negative, a, a_negative)):
-            if whole.op in ("add", "sub"):
+            if whole.op in SUMS:
                 terms = [(whole.args[0], inverted), (whole.args[1], inverted != (whole.op == "sub"))]
                 if (part, not sign) in terms:
                     rest, negative = terms[1 - terms.index((part, not sign))]
@@ -273,9 +285,10 @@ class Tape:
             if x is self.one:
                 return self.neg(y) if negative else y
         args = (y, x) if x.value is None and y.index < x.index else (x, y)
-        result = self._known["mul"].get(args)
+        known = self._known["mul"]
+        result = known.get(args)
         if result is None:
-            result = self._cancelled(x, y) or self._make("mul", args)
+            result = self._cancelled(x, y) or self._new(known, "mul", args)
         return self.neg(result) if negative else result
 
     def _cancelled(self, x: Node, y: Node) -> Node | None:
@@ -322,16 +335,20 @@ class Tape:
     def _make(self, op: str, args: tuple[Any, ...], value: Any = None) -> Node:
         known = self._known[op]
         found = known.get(args)  # nodes are equal if they are one
-        if found is None:
-            chain = 0
-            if value is None and op != "symbol":
-                for arg in args:
-                    if arg.chain > chain:
-                        chain = arg.chain
-                chain += op in WAITS
-            known[args] = found = Node(self, len(self.nodes), op, args, value=value, chain=chain)
-            self.nodes.append(found)
-        return found
+        return self._new(known, op, args, value) if found is None else found
+
+    def _new(self, known: dict[Any, Node], op: str, args: tuple[Any, ...], value: Any = None) -> Node:
+        """A node that is not among the known ones."""
+        chain = 0
+        if value is None and op != "symbol":
+            for arg in args:
+                if arg.chain > chain:
+                    chain = arg.chain
+            chain += op in WAITS
+        nodes = self.nodes
+        known[args] = made = Node(self, len(nodes), op, args, value=value, chain=chain)
+        nodes.append(made)
+        return made
 
     # -- values at samples ----------------------------------------------------------------------------
 
@@ -358,25 +375,8 @@ class Tape:
         known = self._samples
         if node.index not in known:
             with np.errstate(all="ignore"):
-                self._evaluate(node, known)
+                _evaluate(node, known, lambda constant: np.asarray(self.double(constant)), apply_numpy)
         return known[node.index]
-
-    def _evaluate(self, node: Node, known: dict[int, np.ndarray]) -> None:
-        stack = [node]
-        while stack:
-            current = stack[-1]
-            if current.index in known:
-                stack.pop()
-            elif current.value is not None:
-                known[current.index] = np.asarray(self.double(current))
-            elif current.op == "symbol":
-                raise KeyError(f"input {current.args[0].name} has no sample values yet")
-            else:
-                missing = [a for a in current.args if a.index not in known]
-                if missing:
-                    stack.extend(missing)
-                else:
-                    known[current.index] = apply_numpy(current.op, [known[a.index] for a in current.args])
 
     # -- identities in the run-time parameters ---------------------------------------------------------
 
@@ -414,11 +414,6 @@ def is_zero(entry: Node | int) -> bool:
     return entry == 0 if isinstance(entry, int) else entry is entry.tape.zero
 
 
-def high_precision(number: sympy.Expr) -> Any:
-    """An exact SymPy number as a 60-digit float of `CONTEXT`."""
-    return CONTEXT.mpf(int(number)) if number.is_Integer else CONTEXT.mpf(sixty_digits(number)._mpf_)
-
-
 def _rounded(number: Any) -> Any:
     """The number to `KEY_BITS` bits, as a key."""
     return mpmath.libmp.mpf_pos(number._mpf_, KEY_BITS, "n")
@@ -430,17 +425,26 @@ def _negative(exact: Any) -> Any:
 
 def _evaluate_high_precision(node: Node, inputs: Mapping[int, Any]) -> Any:
     done: dict[int, Any] = dict(inputs)
+    _evaluate(node, done, lambda constant: constant.value, apply_high_precision)
+    return done[node.index]
+
+
+def _evaluate(
+    node: Node, known: dict[int, Any], number: Callable[[Node], Any], apply: Callable[[str, list[Any]], Any]
+) -> None:
+    """Put the value of a node, and of all behind it that has none yet, among what is known by index."""
     stack = [node]
     while stack:
         current = stack[-1]
-        if current.index in done:
+        if current.index in known:
             stack.pop()
         elif current.value is not None:
-            done[current.index] = current.value
+            known[current.index] = number(current)
+        elif current.op == "symbol":
+            raise KeyError(f"input {current.args[0].name} has no sample values yet")
         else:
-            missing = [a for a in current.args if a.index not in done]
+            missing = [a for a in current.args if a.index not in known]
             if missing:
                 stack.extend(missing)
             else:
-                done[current.index] = apply_high_precision(current.op, [done[a.index] for a in current.args])
-    return done[node.index]
+                known[current.index] = apply(current.op, [known[a.index] for a in current.args])

@@ -10,6 +10,7 @@ import numpy as np
 import sympy
 
 from symscrew.algebra import elementary
+from symscrew.description import sixty_digits
 
 CONTEXT = mpmath.ctx_mp.MPContext()
 CONTEXT.dps = 60  # of constants: zeros of the geometry stay zeros through hundreds of roundings, see `nodes.ZERO_BITS`
@@ -81,3 +82,8 @@ def apply_high_precision(op: str, args: list[Any]) -> Any:
     if op == "reciprocal":
         return 1 / args[0]
     return evaluate_constant(op, args)
+
+
+def high_precision(number: sympy.Expr) -> Any:
+    """An exact SymPy number as a 60-digit float of `CONTEXT`."""
+    return CONTEXT.mpf(int(number)) if number.is_Integer else CONTEXT.mpf(sixty_digits(number)._mpf_)

@@ -39,7 +39,8 @@ def scale(s: Scalar, a: Vector) -> Vector:
 
 def dot(a: Vector, b: Vector) -> Scalar:
     """a . b."""
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+    (x, y, z), (u, v, w) = a, b
+    return x * u + y * v + z * w
 
 
 def cross(a: Vector, b: Vector) -> Vector:
@@ -48,7 +49,8 @@ def cross(a: Vector, b: Vector) -> Vector:
     >>> cross((1, 0, 0), (0, 1, 0))
     (0, 0, 1)
     """
-    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+    (x, y, z), (u, v, w) = a, b
+    return (y * w - z * v, z * u - x * w, x * v - y * u)
 
 
 def transform(matrix: Matrix, a: Vector) -> Vector:

@@ -44,14 +44,14 @@ def inputs_of(results: Sequence[Node]) -> set[Node]:
 
 
 def _reached(results: Sequence[Node]) -> set[Node]:
-    found: set[Node] = set()
-    stack = list(results)
-    while stack:
-        node = stack.pop()
-        if node not in found:
-            found.add(node)
-            if node.value is None and node.op != "symbol":
-                stack.extend(node.args)
+    found = set(results)
+    waiting = list(found)
+    for node in waiting:  # which grows meanwhile
+        if node.value is None and node.op != "symbol":
+            for arg in node.args:
+                if arg not in found:
+                    found.add(arg)
+                    waiting.append(arg)
     return found
 
 
@@ -65,26 +65,17 @@ def cost(results: Sequence[Node]) -> int:
 
     Operations, `WAIT` for each division or root in the longest chain of them, and `ANGLE` for each angle.
     """
-    seen: set[Node] = set()
-    angles: set[Node] = set()
-    operations = longest = 0
-    stack: list[Node] = []
-    read: Sequence[Node] = results
-    while True:
-        for node in read:
-            if node not in seen:
-                seen.add(node)
-                if node.value is None and node.op != "symbol":
-                    stack.append(node)
-        if not stack:
-            return operations + WAIT * longest + ANGLE * len(angles)
-        node = stack.pop()
-        operations += 1
-        read = node.args
-        if node.chain > longest:
-            longest = node.chain
-        if node.op in TURNS:
-            angles.add(read[0])
+    seen = set(results)
+    found = [node for node in seen if node.value is None and node.op != "symbol"]
+    for node in found:  # which grows meanwhile
+        for arg in node.args:
+            if arg not in seen:
+                seen.add(arg)
+                if arg.value is None and arg.op != "symbol":
+                    found.append(arg)
+    longest = max((node.chain for node in results), default=0)
+    angles = {node.args[0] for node in found if node.op in TURNS}
+    return len(found) + WAIT * longest + ANGLE * len(angles)
 
 
 def uses(roots: Sequence[Node]) -> Mapping[int, int]:
@@ -98,8 +89,9 @@ def uses(roots: Sequence[Node]) -> Mapping[int, int]:
     if tape.counted is not None and tape.counted[0] == asked:
         return tape.counted[1]
     found: dict[int, int] = {}
-    stack: list[Node] = []
+    waiting: list[Node] = []
     read: Sequence[Node] = asked
+    following = iter(waiting)
     while True:
         for node in read:
             index = node.index
@@ -108,11 +100,12 @@ def uses(roots: Sequence[Node]) -> Mapping[int, int]:
             else:
                 found[index] = 1
                 if node.op not in LEAVES:
-                    stack.append(node)
-        if not stack:
+                    waiting.append(node)
+        further = next(following, None)
+        if further is None:
             tape.counted = asked, dict(sorted(found.items()))
             return tape.counted[1]
-        read = stack.pop().args
+        read = further.args
 
 
 def substitute(tape: Tape, nodes: Sequence[Node], replaced: Mapping[Node, Node]) -> list[Node]:

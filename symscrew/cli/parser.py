@@ -16,6 +16,7 @@ from collections.abc import Sequence
 from symscrew import __version__
 from symscrew.cli.help import DONE, FAILED, CommandsAction, Parser, UsageError, complete
 from symscrew.errors import shorten
+from symscrew.garbage import none_at_the_end
 
 BAD_INPUT, INTERRUPTED = 2, 130  # exit codes; 130 is what shells give to a command that Ctrl-C ended
 
@@ -52,6 +53,7 @@ A further command is a file with `EXAMPLES`, `add_options` and `run` (`symscrew.
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run a command; returns the exit code."""
+    none_at_the_end()
     try:
         made = parser()
         if "_ARGCOMPLETE" in os.environ:

@@ -5,10 +5,12 @@
 A `Mechanism` is data: numbers are exact SymPy expressions of parameters, read by a grammar of our own.
 """
 
-from symscrew.description.architectures import ARCHITECTURES, architecture
+from typing import TYPE_CHECKING
+
 from symscrew.description.builder import MechanismBuilder
 from symscrew.description.coupled import slope, terms_of
-from symscrew.description.expressions import CONSTANTS, FUNCTIONS, exact, numeric, parse, sixty_digits, to_text
+from symscrew.description.digits import sixty_digits
+from symscrew.description.expressions import CONSTANTS, FUNCTIONS, exact, numeric, parse, to_text
 from symscrew.description.given_values import GivenValue, given_value, parameter_units
 from symscrew.description.joints import JOINT_TYPES, NO_MOTION, JointType, Motion, rotation
 from symscrew.description.kept_comments import with_comments
@@ -28,11 +30,15 @@ from symscrew.description.names import RESERVED, check_name, check_text, longer_
 from symscrew.description.number_range import check_range
 from symscrew.description.reader import Reader
 from symscrew.description.taken_names import members, namespace, taken_as_file
-from symscrew.description.template import renamed_text, write_new, write_template
 from symscrew.description.toml_file import load_description, parse_description, read_tables, read_text, to_toml
 from symscrew.description.toml_tables import check_keys, check_sections, from_file
 from symscrew.description.units import in_si
 from symscrew.description.validation import check_values_of, validate
+from symscrew.doors import doors
+
+if TYPE_CHECKING:  # mechanisms to start from, in symbols
+    from symscrew.description.architectures import ARCHITECTURES, architecture
+    from symscrew.description.template import renamed_text, write_new, write_template
 
 __all__ = [
     "ARCHITECTURES",
@@ -91,3 +97,5 @@ __all__ = [
     "write_new",
     "write_template",
 ]
+
+__getattr__ = doors(__name__)

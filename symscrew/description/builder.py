@@ -12,7 +12,6 @@ parameters, or an exact SymPy expression. `symscrew.description.toml_file` reads
 
 from __future__ import annotations
 
-import dataclasses
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -215,7 +214,7 @@ class MechanismBuilder:
         )
         warnings = validate(mechanism, {name: f for name, f in features.items() if f is not None})
         check_couplings(mechanism)
-        return dataclasses.replace(mechanism, warnings=warnings)
+        return mechanism.warned(warnings)
 
     @staticmethod
     def _add(parts: dict[str, dict[str, Any]], section: str, name: str, **values: Any) -> None:

@@ -26,6 +26,7 @@ from typing import TYPE_CHECKING, NoReturn
 import sympy
 from sympy.printing.precedence import PRECEDENCE
 
+from symscrew.description.digits import sixty_digits
 from symscrew.errors import DescriptionError, did_you_mean, shorten
 
 if TYPE_CHECKING:  # SymPy has no types: what is used of its printer
@@ -119,7 +120,7 @@ def exact(value: object, names: Mapping[str, sympy.Expr] | None = None, *, where
     )
 
 
-@lru_cache(maxsize=4096)  # as many as `sixty_digits`
+@lru_cache(maxsize=8192)  # as many as `sixty_digits`
 def to_text(expression: sympy.Expr) -> str:
     """`expression` in the grammar of `parse`; the inverse of `parse` for everything it returns.
 
@@ -137,12 +138,6 @@ def numeric(expression: sympy.Expr, *, where: str = "number") -> sympy.Float | s
     raise DescriptionError(
         f"{where}: expected a real finite number, got {shorten(str(expression))} = {shorten(str(value))}"
     )
-
-
-@lru_cache(maxsize=4096)
-def sixty_digits(expression: sympy.Expr) -> sympy.Expr:
-    """A constant expression with as many digits as the tape's constants: descriptions repeat lengths and angles."""
-    return sympy.N(expression, 60)
 
 
 class _GrammarPrinter(_Printer):

@@ -172,7 +172,18 @@ class Mechanism:
 
     def number(self, expression: sympy.Expr) -> sympy.Expr:
         """`expression` with every parameter replaced by its value: an exact number."""
-        return expression.xreplace(self._numbers) if self._numbers else expression
+        if not self._numbers:
+            return expression
+        found = self._numbered.get(expression)
+        if found is None:
+            self._numbered[expression] = found = expression.xreplace(self._numbers)
+        return found
+
+    def warned(self, warnings: tuple[str, ...]) -> Mechanism:
+        """The same mechanism with warnings; numbers that were found of it stay found."""
+        made = replace(self, warnings=warnings)
+        vars(made)["_numbered"] = self._numbered
+        return made
 
     def values(self, chosen: Mapping[str, sympy.Expr] | None = None) -> dict[str, sympy.Expr]:
         """The value of every parameter by name, where run-time parameters have the `chosen` ones and others follow."""
@@ -182,6 +193,11 @@ class Mechanism:
     @cached_property
     def _numbers(self) -> dict[sympy.Symbol, sympy.Expr]:
         return {p.symbol: p.value for p in self.parameters.values()}
+
+    @cached_property
+    def _numbered(self) -> dict[sympy.Expr, sympy.Expr]:
+        """What was asked for so far: points and axes are looked at by every check, and by the derivation."""
+        return {}
 
     @cached_property
     def _baked(self) -> dict[sympy.Symbol, sympy.Expr]:

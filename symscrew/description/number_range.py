@@ -16,6 +16,7 @@ from symscrew.errors import DescriptionError, shorten
 # fractions it can be seen later, over the field that they generate: they may be zero in any form.
 DIGITS = 400  # with so many a zero has no value above 1e-300, and a number above that has its own
 LARGEST, SMALLEST = sympy.Integer(10) ** 100, sympy.Integer(10) ** -100
+ORDINARY = 300  # powers of two around 1, 1e90: nothing more is asked of such a size
 
 
 def check_range(expression: sympy.Expr, where: str) -> None:
@@ -25,6 +26,8 @@ def check_range(expression: sympy.Expr, where: str) -> None:
         DescriptionError: says what was expected, with the value.
     """
     value = numeric(expression, where=where)
+    if abs(_power_of_two(value)) < ORDINARY:
+        return
     cancels = abs(value) < SMALLEST and expression.is_algebraic and expression.has(sympy.Add)
     hidden_zero = cancels and abs(sympy.N(expression, DIGITS)) < SMALLEST**3
     if value != 0 and not hidden_zero and not SMALLEST <= abs(value) <= LARGEST:
@@ -32,3 +35,11 @@ def check_range(expression: sympy.Expr, where: str) -> None:
             f"{where}: expected 0, or a size from 1e-100 to 1e100, beyond which products are too large or too small, "
             f"got {shorten(str(expression))} = {sympy.N(value, 6)}; write 0 where it is zero, or use other units"
         )
+
+
+def _power_of_two(value: sympy.Float | sympy.Integer) -> int:
+    """The least power of two above a size, beside a double's range where there is none: of 0."""
+    if value.is_Integer:
+        return int(value).bit_length() or 2 * ORDINARY
+    _, mantissa, exponent, bits = value._mpf_
+    return int(exponent + bits) if mantissa else 2 * ORDINARY

@@ -14,8 +14,10 @@ from symscrew.effects.of_files import effects_of_file, forces_of_effects, stops_
 from symscrew.effects.records import AddedInertia, Contact, Estimate, Passed, State
 from symscrew.effects.registry import (
     check_effects,
+    effect_class,
     effect_from_table,
     effect_to_table,
+    effect_types,
     known_effects,
     load_effects,
     simplifications,
@@ -37,8 +39,10 @@ __all__ = [
     "Passed",
     "State",
     "check_effects",
+    "effect_class",
     "effect_from_table",
     "effect_to_table",
+    "effect_types",
     "effects_of_file",
     "forces_of_effects",
     "known_effects",
@@ -52,7 +56,7 @@ __all__ = [
 
 
 def __getattr__(name: str) -> Any:
-    found = {kind.__name__: kind for kind in known_effects().values()}
+    found = {made: kind for kind, made in effect_types().items()}
     if name in found:
-        return found[name]
+        return effect_class(found[name])
     raise AttributeError(f"module 'symscrew.effects' has no attribute {name!r}; known: {', '.join(found)}")

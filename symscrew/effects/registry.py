@@ -37,10 +37,22 @@ HELPERS = (
 
 
 @cache
-def known_effects() -> dict[str, type[Effect]]:
-    """Type name (the name of the file) to class, in alphabetical order."""
+def effect_types() -> dict[str, str]:
+    """Type name (the name of the file) to the name of its class, in alphabetical order; no file is read for it."""
     names = sorted(m.name for m in pkgutil.iter_modules([str(Path(__file__).parent)]) if m.name not in HELPERS)
-    return {name: getattr(import_module(f"symscrew.effects.{name}"), class_name(name)) for name in names}
+    return {name: class_name(name) for name in names}
+
+
+@cache
+def known_effects() -> dict[str, type[Effect]]:
+    """Type name to class, in alphabetical order."""
+    return {name: effect_class(name) for name in effect_types()}
+
+
+def effect_class(kind: str) -> type[Effect]:
+    """The class of one type, whose file alone is read."""
+    found: type[Effect] = getattr(import_module(f"symscrew.effects.{kind}"), class_name(kind))
+    return found
 
 
 def simplifications() -> dict[str, Effect]:

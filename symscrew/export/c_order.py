@@ -93,35 +93,39 @@ def _ending_lives(graph: _Graph, walk: Sequence[int]) -> list[int]:
     rank = [0] * size
     for n, k in enumerate(walk):
         rank[k] = n
-    missing = [len(own) for own in read]
-    waiting = [len(some) for some in users]  # readers of a value that are left, and the sum of their places
-    readers = [sum(some) for some in users]
+    missing = list(map(len, read))
+    waiting = list(map(len, users))  # readers of a value that are left, and the sum of their places
+    readers = list(map(sum, users))
     # what comes first has the least key: its place in the walk, less the size for every life that it ends
-    key = [rank[k] + size if some else rank[k] for k, some in enumerate(users)]
+    key = [n + size if some else n for n, some in zip(rank, users, strict=True)]
     done = [False] * size
     heap = [key[k] for k, count in enumerate(missing) if not count]
     heapify(heap)
     order: list[int] = []
+    append, push, pop = order.append, heappush, heappop
     while heap:
-        found = heappop(heap)
+        found = pop(heap)
         k = walk[found % size]
         if done[k] or found != key[k]:
             continue
         done[k] = True
-        order.append(k)
-        for value in (*read[k], k):
-            if value != k:
-                waiting[value] -= 1
-                readers[value] -= k
-            if waiting[value] == 1:  # one reader is left: it ends the life of the value
+        append(k)
+        for value in read[k]:
+            left = waiting[value] - 1
+            waiting[value] = left
+            readers[value] -= k
+            if left == 1:  # one reader is left: it ends the life of the value
                 last = readers[value]
                 key[last] -= size
                 if not missing[last]:
-                    heappush(heap, key[last])
+                    push(heap, key[last])
+        if waiting[k] == 1:
+            key[readers[k]] -= size  # which waits for this value itself
         for user in users[k]:
-            missing[user] -= 1
-            if not missing[user]:
-                heappush(heap, key[user])
+            left = missing[user] - 1
+            missing[user] = left
+            if not left:
+                push(heap, key[user])
     return order
 
 

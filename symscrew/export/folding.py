@@ -31,16 +31,8 @@ BINDING: Bindings = {
 }
 
 
-class Text(NamedTuple):
-    """A printed expression: its operations, and how tightly it holds together."""
-
-    text: str
-    binding: int = ATOM
-    operations: int = 0
-
-    def within(self, binding: int) -> str:
-        """The text, in parentheses where it would fall apart."""
-        return self.text if self.binding >= binding else f"({self.text})"
+Text = tuple[str, int, int]
+"""A printed expression, how tightly it holds together, and its operations."""
 
 
 class Found(NamedTuple):
@@ -49,13 +41,6 @@ class Found(NamedTuple):
     kind: str
     slot: int
     text: str = ""
-
-
-def expression(op: str, table: Mapping[str, str], operands: Sequence[Text], binding: Bindings = BINDING) -> Text:
-    """An operation on printed operands; functions and what else is not in `binding` is an atom in the table."""
-    needs, own = binding.get(op, ((LOOSE,) * len(operands), ATOM))
-    texts = [operand.within(need) for operand, need in zip(operands, needs, strict=True)]
-    return Text(table[op].format(*texts), own, 1 + sum(operand.operations for operand in operands))
 
 
 def folded(
@@ -79,33 +64,41 @@ def folded(
 
     def released(until: int | None) -> Iterator[Found]:
         for slot in list(waiting):
-            yield Found("named", slot, waiting.pop(slot).text)
+            yield Found("named", slot, waiting.pop(slot)[0])
             if slot == until:
                 return
 
-    for instruction in order:
-        own = [a for a in dict.fromkeys(instruction.args) if isinstance(a, int) and a in waiting]
-        while own and _too_long([waiting[a] for a in own]):
+    for target, op, args in order:
+        own = [a for a in args if type(a) is int and a in waiting] if waiting else []
+        while own and _too_long([waiting[a] for a in dict.fromkeys(own)]):
             oldest = next(slot for slot in waiting if slot in own)
             yield from released(oldest)
             own = [a for a in own if a in waiting]
-        operands = []
-        for arg in instruction.args:
-            if isinstance(arg, int) and arg in waiting:
-                operands.append(waiting.pop(arg))
-            elif isinstance(arg, int) and arg in places and uses[arg] == 1:
-                operands.append(Text(places[arg]))
-            else:
-                if isinstance(arg, int) and arg in places and arg not in known:
-                    known.add(arg)
-                    yield Found("read", arg)
-                operands.append(Text(name(arg)))
-        made, target = expression(instruction.op, table, operands, binding), instruction.target
-        if uses[target] == 1 and not ends(target):
-            waiting[target] = made
+        needs, binding_of_it = binding.get(op) or ((LOOSE,) * len(args), ATOM)
+        operations, texts = 1, []
+        for arg, need in zip(args, needs, strict=True):
+            if type(arg) is int:
+                if arg in waiting:
+                    text, holds, inside = waiting.pop(arg)
+                    operations += inside
+                    texts.append(text if holds >= need else f"({text})")
+                    continue
+                if arg in places:
+                    if uses[arg] == 1:
+                        texts.append(places[arg])
+                        continue
+                    if arg not in known:
+                        known.add(arg)
+                        yield Found("read", arg)
+            texts.append(name(arg))
+        made = table[op].format(*texts)
+        once = uses[target] == 1
+        if once and not ends(target):
+            waiting[target] = made, binding_of_it, operations
             continue
-        yield from released(None)
-        yield Found("last" if uses[target] == 1 else "named", target, made.text)
+        if waiting:
+            yield from released(None)
+        yield Found("last" if once else "named", target, made)
     yield from released(None)
 
 
@@ -123,5 +116,9 @@ def statements(
 
 
 def _too_long(operands: Sequence[Text]) -> bool:
-    several = 1 + sum(operand.operations for operand in operands) > OPERATIONS
-    return several or sum(len(operand.text) for operand in operands) > WIDTH
+    """Whether one statement of all these has too many operations, or characters."""
+    length, operations = 0, 1
+    for text, _, inside in operands:
+        length += len(text)
+        operations += inside
+    return operations > OPERATIONS or length > WIDTH

@@ -28,6 +28,7 @@ class LaneNames:
         constants = printed.shared.constants.names.values() if printed.shared else ()
         self.used = {*TAKEN, *printed.names.values(), *constants, *printed.called.values()}
         self.found: list[str] = []
+        self.numbers: dict[str, int] = {}  # behind a stem: all before it are taken
 
     @cached_property
     def instructions(self) -> dict[int, Instruction]:
@@ -61,10 +62,11 @@ class LaneNames:
 
     def _numbered(self, lanes: Sequence[tuple[str, int]]) -> int:
         name = stem = vector_name(lanes)
-        number = 2 if stem else 1
+        number = self.numbers.get(stem, 2 if stem else 1)
         while not name or name in self.used:
             name = f"{stem}_{number}" if stem else f"lanes_{number}"
             number += 1
+        self.numbers[stem] = number
         self.used.add(name)
         self.found.append(name)
         return -len(self.found)

@@ -22,6 +22,7 @@ from symscrew.algebra import (
     subtract,
 )
 from symscrew.description import Joint, Mechanism
+from symscrew.kinematics.link_quantities import Inertia
 from symscrew.kinematics.parameter_trials import trials
 
 UNITS: tuple[Vector, Vector, Vector] = IDENTITY
@@ -42,6 +43,9 @@ class Geometry:
             if p.run_time
         }
         self._scalars: dict[object, Node] = {}
+        self.regrouped: dict[
+            tuple[Inertia, ...], tuple[Inertia, ...]
+        ] = {}  # inertias as given -> with fewer numbers: see `link_inertias`
         found = [{self.parameters[s]: value for s, value in trial.items()} for trial in trials(mechanism)]
         tape.set_parameter_trials(found)
 

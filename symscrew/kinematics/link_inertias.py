@@ -84,7 +84,17 @@ def regrouped(
     inertia is the parent's. (Khalil and Dombre, Modeling, Identification and Control of Robots, 2002, sec. 9.4:
     base inertial parameters.) The drives and the multipliers of cut joints are unchanged; the reactions
     inside the tree are not, so they are computed from the inertias as given. Only constants are regrouped.
+    Every function asks for the same ones, which the geometry keeps.
     """
+    given = tuple(inertia)
+    if given not in geometry.regrouped:
+        geometry.regrouped[given] = _regrouped(tree, frames, given, geometry)
+    return geometry.regrouped[given]
+
+
+def _regrouped(
+    tree: Tree, frames: Sequence[Frame], inertia: Sequence[Inertia], geometry: Geometry
+) -> tuple[Inertia, ...]:
     result = list(inertia)
     for link in reversed(tree.links[1:]):
         own, frame = result[link.index], frames[link.index]

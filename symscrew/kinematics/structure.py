@@ -25,7 +25,7 @@ from symscrew.algebra import (
     transform,
     transpose,
 )
-from symscrew.description import Mechanism, exact
+from symscrew.description import Mechanism, exact, sixty_digits
 from symscrew.kinematics.geometry_nodes import Geometry
 from symscrew.kinematics.limb_symmetry import equal_limbs
 from symscrew.kinematics.link_frames import link_frames
@@ -248,19 +248,24 @@ def characteristic_length(mechanism: Mechanism) -> float:
     """
     if mechanism.characteristic_length is not None:
         return float(mechanism.number(mechanism.characteristic_length))
-    points = [[float(mechanism.number(c)) for c in joint.point] for joint in mechanism.joints.values()]
-    points += [[float(mechanism.number(c)) for c in p.at] for p in mechanism.points.values()]
+    points = [_doubles(mechanism, joint.point) for joint in mechanism.joints.values()]
+    points += [_doubles(mechanism, point.at) for point in mechanism.points.values()]
     cloud = np.array(points)
     size = float(np.sqrt(((cloud - cloud.mean(axis=0)) ** 2).sum(axis=1).mean())) if len(cloud) else 0.0
     # Rounded, so that the same description gives the same bytes on every machine.
     return float(f"{size:.6g}") if size > _rounding(mechanism, cloud) else 1.0
 
 
+def _doubles(mechanism: Mechanism, place: Vector) -> list[float]:
+    """A place by the digits that are known of it since it was read."""
+    return [float(sixty_digits(mechanism.number(c))) for c in place]
+
+
 def _rounding(mechanism: Mechanism, cloud: Array) -> float:
     """The spread [m] that points which are meant to be one have as typed."""
     if not len(cloud):
         return 0.0
-    centres = [[float(mechanism.number(c)) for c in body.com] for body in mechanism.bodies.values() if body.com]
+    centres = [_doubles(mechanism, body.com) for body in mechanism.bodies.values() if body.com]
     around = [float(np.linalg.norm(np.array(c) - cloud.mean(axis=0))) for c in centres]
     pitches = [abs(float(mechanism.number(j.pitch))) for j in mechanism.joints.values() if j.pitch is not None]
     others = max([*around, *pitches], default=0.0)

@@ -196,6 +196,8 @@ class Loops:
         if counts_all_ways(self.system):
             ways.append(self.elimination.solve(values, known))
         found = [[solution.get(k, zero) for k in range(len(self.system.tree.v))] for solution in ways]
+        if found[0] == found[-1] and not self.closure.mode:  # in a mode a cost leaves its nodes on the tape
+            return found[0]
         return min(found, key=self.cost)
 
     def _called(self, values: list[Node], quantity: str, by: str = "") -> list[Node]:

@@ -10,7 +10,8 @@ first, and each new one votes for its own neighbours, so that rows grow from the
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Hashable, Iterator, Mapping, Sequence
+from collections.abc import Hashable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from heapq import heapify, heappop, heappush
 from itertools import combinations
 
@@ -24,61 +25,51 @@ CONSTANT, SHARED, UNNAMED = -1, -2, -3  # operands that are not known by their n
 LEAF = "leaf"  # what is there from the start: inputs, sines and cosines
 
 
-def rows_of(operations: Mapping[int, Operation], lanes: LimbLanes) -> tuple[Row, ...]:
-    """Operations in rows of corresponding ones, two or more in each, a limb at the same place in all."""
-    pairing = _Pairing(operations, lanes)
+def rows_of(operations: Mapping[int, Operation], readings: Iterable[LimbLanes]) -> Iterator[tuple[Row, ...]]:
+    """By each reading, operations in rows of corresponding ones, two or more in each, a limb at the same place in all.
+
+    Readings with the same lanes follow each other: what lies beside what is the same for them.
+    """
+    beside = None
+    for lanes in readings:
+        if beside is None or beside.lane is not lanes.lane:
+            beside = Neighbours.of(operations, lanes.lane)
+        yield _rows(operations, lanes, beside)
+
+
+def _rows(operations: Mapping[int, Operation], lanes: LimbLanes, beside: Neighbours) -> tuple[Row, ...]:
+    pairing = _Pairing(operations, lanes, beside)
     pairing.run()
-    rows = {id(row): row for row in pairing.row.values() if sum(s is not None for s in row) > 1}
-    first = {key: min(s for s in row if s is not None) for key, row in rows.items()}
+    rows = {id(row): row for row in pairing.row.values() if len(row) - row.count(None) > 1}
+    first = {key: min([s for s in row if s is not None]) for key, row in rows.items()}
     found = [rows[key] for key in sorted(rows, key=first.__getitem__) if first[key] in operations]
     return tuple(map(tuple, found))
 
 
-class _Pairing:
-    """The rows so far, by slot, and pairs that wait to be taken."""
+@dataclass(frozen=True)
+class Neighbours:
+    """Operations in lanes and what is there for them from the start (`op`), and what lies beside each in its own lane.
 
-    def __init__(self, operations: Mapping[int, Operation], lanes: LimbLanes) -> None:
-        self.operations, self.lanes, self.lane = operations, lanes, lanes.lane
-        self.op: dict[int, str] = {}
-        self.beside: dict[int, tuple[dict[str, list[int]], dict[str, list[int]]]] = {}
-        self.row: dict[int, list[int | None]] = {}
-        self._neighbours()
-        # a pair x < y is the number x * base + y; in the heap that less its votes times base * base: most come first
-        self.base = 1 + max(self.op, default=0)
-        self.votes: dict[int, int] = {}
-        self.heap: list[int] = []
-        self.taken = {slot: 1 << self.lane[slot] for slot in self.op}  # limbs with a member in the row of a slot
-        self.made, self.pure = self._made()
-        self.outer = self._read_outside()
+    `beside`: its operands and its readers, by operation.
+    """
 
-    def _read_outside(self) -> dict[int, frozenset[int]]:
-        """What an operation, and operands of its limb without a name, read that is none of the limb's.
+    lane: Mapping[int, int]
+    op: dict[int, str]
+    beside: dict[int, tuple[dict[str, list[int]], dict[str, list[int]]]]
 
-        Shared values, and for the operation itself constants as one.
-        """
-        own: dict[int, set[int]] = {}
-        found: dict[int, frozenset[int]] = {}
-        lane, names = self.lane, self.lanes.names
-        for slot, op in self.op.items():
-            if op != LEAF:
-                inside = [a for a, _ in self.operations[slot].args if type(a) is int]
-                own[slot] = {a for a in inside if lane.get(a) != lane[slot]}
-                more = [own[a] for a in inside if a in own and lane[a] == lane[slot] and a not in names]
-                constant = {CONSTANT} if len(inside) < len(self.operations[slot].args) else ()
-                found[slot] = frozenset(own[slot].union(constant, *more))
-        return found
-
-    def _neighbours(self) -> None:
-        """Operands and readers of every slot in its own lane, by operation."""
-        lane, op, beside, operations = self.lane, self.op, self.beside, self.operations
-        for slot, operation in operations.items():
+    @classmethod
+    def of(cls, operations: Mapping[int, Operation], lane: Mapping[int, int]) -> Neighbours:
+        """Those of all operations that a vector unit does and that are in a lane."""
+        found = cls(lane, {}, {})
+        op, beside = found.op, found.beside
+        for slot, (kind, args) in operations.items():
             own = lane.get(slot)
-            if own is None or operation.op not in PACKED:
+            if own is None or kind not in PACKED:
                 continue
-            op[slot] = operation.op
+            op[slot] = kind
             below: dict[str, list[int]] = {}
             beside[slot] = below, {}
-            for a, _ in operation.args:
+            for a, _ in args:
                 if type(a) is not int or lane.get(a) != own:
                     continue
                 if a not in op:
@@ -88,7 +79,48 @@ class _Pairing:
                 mine = below.setdefault(op[a], [])
                 if a not in mine:
                     mine.append(a)
-                    beside[a][1].setdefault(operation.op, []).append(slot)
+                    beside[a][1].setdefault(kind, []).append(slot)
+        return found
+
+
+class _Pairing:
+    """The rows so far, by slot, and pairs that wait to be taken."""
+
+    def __init__(self, operations: Mapping[int, Operation], lanes: LimbLanes, neighbours: Neighbours) -> None:
+        self.operations, self.lanes, self.lane = operations, lanes, lanes.lane
+        self.op, self.beside = neighbours.op, neighbours.beside
+        self.row: dict[int, list[int | None]] = {}
+        # a pair x < y is the number x * base + y; in the heap that less its votes times base * base: most come first
+        self.base = 1 + max(self.op, default=0)
+        self.votes: dict[int, int] = {}
+        self.heap: list[int] = []
+        self.taken = {slot: 1 << self.lane[slot] for slot in self.op}  # limbs with a member in the row of a slot
+        self.made, self.pure = self._made()
+        self.outer = self._read_outside()
+        self.groups = self._groups()
+
+    def _read_outside(self) -> dict[int, frozenset[int]]:
+        """What an operation, and operands of its limb without a name, read that is none of the limb's.
+
+        Shared values, and for the operation itself constants as one.
+        """
+        own: dict[int, set[int]] = {}
+        found: dict[int, frozenset[int]] = {}
+        lane, names, operations = self.lane, self.lanes.names, self.operations
+        for slot, op in self.op.items():
+            if op == LEAF:
+                continue
+            mine, whole, further = lane[slot], set[int](), set[int]()
+            for a, _ in operations[slot].args:
+                if type(a) is not int:
+                    further.add(CONSTANT)
+                elif lane.get(a) != mine:
+                    whole.add(a)
+                elif a in own and a not in names:
+                    further |= own[a]
+            own[slot] = whole
+            found[slot] = frozenset(whole | further) if further else frozenset(whole)
+        return found
 
     def _made(self) -> tuple[dict[int, int], set[int]]:
         """What every operation is made of, down to names, as a number; and those that are made of a limb's alone."""
@@ -128,8 +160,8 @@ class _Pairing:
         for row in list(self._named()):
             for x, y in combinations([s for s in row if s is not None], 2):
                 self._vote_beside(x, y, changed)
-        for group in self._groups():
-            if len(group) <= MOST_ALIKE:
+        for group in self.groups:
+            if 1 < len(group) <= MOST_ALIKE:
                 for k, slot in enumerate(group):
                     self._vote((slot,), group[k + 1 :], 0, changed)
         heap, votes, taken, base = self.heap, self.votes, self.taken, self.base
@@ -138,17 +170,18 @@ class _Pairing:
         heapify(heap)
         while heap:
             weight, pair = divmod(heappop(heap), square)
-            x, y = divmod(pair, base)
-            if not taken[x] & taken[y] and -weight == votes[pair]:
-                self._join(x, y)
+            if -weight == votes[pair]:
+                x, y = divmod(pair, base)
+                if not taken[x] & taken[y]:
+                    self._join(x, y)
 
-    def _groups(self) -> Iterator[list[int]]:
+    def _groups(self) -> list[list[int]]:
         """Operations that are made alike."""
         groups: defaultdict[tuple[int, str], list[int]] = defaultdict(list)
         for slot, op in self.op.items():
             if op != LEAF:
                 groups[self.made[slot], op].append(slot)
-        yield from groups.values()
+        return list(groups.values())
 
     def _named(self) -> Iterator[list[int | None]]:
         """Rows of what is the same down to names of the limb, if there are equally many in every limb that has some."""
@@ -156,7 +189,7 @@ class _Pairing:
         for slot, op in self.op.items():
             if op == LEAF and slot in self.lanes.names:
                 leaves[self.lanes.names[slot]].append(slot)
-        certain = ([s for s in group if s in self.pure] for group in self._groups())
+        certain = ([s for s in group if s in self.pure] for group in self.groups)
         for group in [*leaves.values(), *certain]:
             columns: list[list[int]] = [[] for _ in range(self.lanes.count)]
             for slot in group:
@@ -196,11 +229,20 @@ class _Pairing:
 
     def _vote_beside(self, p: int, q: int, changed: set[int]) -> None:
         """What is beside two members of a row at the same places corresponds, too."""
+        votes, taken, base = self.votes, self.taken, self.base
         for mine, others in zip(self.beside[p], self.beside[q], strict=True):
             for op, some in mine.items():
-                if op in others:
-                    more = others[op]
-                    self._vote(some, more, ALONE if len(some) == len(more) == 1 else AMONG, changed)
+                if op not in others:
+                    continue
+                more = others[op]
+                if len(some) > 1 or len(more) > 1:
+                    self._vote(some, more, AMONG, changed)
+                    continue
+                x, y = some[0], more[0]
+                if not taken[x] & taken[y]:
+                    pair = x * base + y if x < y else y * base + x
+                    votes[pair] = (votes[pair] if pair in votes else self._alike(x, y)) + ALONE
+                    changed.add(pair)
 
     def _vote(self, some: Sequence[int], more: Sequence[int], amount: int, changed: set[int]) -> None:
         """So many votes for each of some with each of others, but for pairs of which some limb has members in both."""
@@ -215,6 +257,7 @@ class _Pairing:
 
     def _alike(self, x: int, y: int) -> int:
         """The votes of what two slots have in common by themselves."""
-        hints = self.lanes.hints
+        hints, outer = self.lanes.hints, self.outer
         hinted = HINT if x in hints and hints[x] == hints.get(y) else 0
-        return hinted + len(self.outer[x] & self.outer[y]) if x in self.made else hinted
+        mine = outer.get(x)
+        return hinted + len(mine & outer[y]) if mine else hinted

@@ -8,7 +8,7 @@ undone.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Set
+from collections.abc import Mapping, Sequence, Set
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
@@ -25,6 +25,7 @@ Column = tuple[Operand | None, ...]  # an operand of a pack: slot or constant, a
 # How well the first operands of two lanes fit each other, best first: in one row, the same slot, both constants,
 # entries of one array, both there from the start. Only their order counts, and their sum over operands.
 ROW, SAME, CONSTANTS, ARRAY, GIVEN, APART = 5, 4, 3, 2, 1, 0
+BEST = 2 * ROW  # of two operands
 
 
 @dataclass(frozen=True)
@@ -74,14 +75,24 @@ class Plan:
         self.cost = self._counted()
 
     @cached_property
+    def _reads(self) -> Mapping[int, list[int]]:
+        """The operations that every one reads."""
+        operations = self.operations
+        return {
+            slot: [a for a, _ in args if type(a) is int and a in operations] for slot, (_, args) in operations.items()
+        }
+
+    @cached_property
     def users(self) -> dict[int, list[int]]:
         """The slots of operations that read a slot, themselves or through a copy."""
         found: dict[int, list[int]] = {}
-        for slot, operation in self.operations.items():
-            for arg, _ in operation.args:
-                for read in (arg, self.copies.get(arg) if isinstance(arg, int) else None):
-                    if isinstance(read, int):
-                        found.setdefault(read, []).append(slot)
+        copies = self.copies
+        for slot, (_, args) in self.operations.items():
+            for arg, _ in args:
+                if type(arg) is int:
+                    found.setdefault(arg, []).append(slot)
+                    if arg in copies and type(copied := copies[arg]) is int:
+                        found.setdefault(copied, []).append(slot)
         return found
 
     # -- how operands of a row stand ------------------------------------------------------------------
@@ -101,11 +112,15 @@ class Plan:
             if args is None:
                 here.append(None)
                 there.append(None)
-                continue
-            (a, _), (b, _) = args
-            crossed = fit(one, b) + fit(other, a) > fit(one, a) + fit(other, b)
-            here.append(args[crossed])
-            there.append(args[not crossed])
+            elif args is first:
+                here.append(args[0])
+                there.append(args[1])
+            else:
+                (a, _), (b, _) = args
+                straight = fit(one, a) + fit(other, b)
+                crossed = straight < BEST and fit(one, b) + fit(other, a) > straight
+                here.append(args[crossed])
+                there.append(args[not crossed])
         return tuple(here), tuple(there)
 
     def _fit(self, a: int | float, b: int | float) -> int:
@@ -150,13 +165,15 @@ class Plan:
         """The cost of everything, with what is needed counted from the start."""
         needs, wanted = self.needs, self._wanted
         cost = 0.0
-        for key in (key for slot in self.code.wanted for key in self._read(slot)):
-            needs[key] = needs.get(key, 0) + 1
+        for slot in self.code.wanted:
+            for single in self._read(slot):
+                needs[single] = needs.get(single, 0) + 1
         items: list[Item] = [(True, row) for row, on in enumerate(self.on) if on]
         items += [(False, slot) for slot in self.operations if self.at(slot) is None]
+        looked_up, own = self._looked_up, self._own
         for item in items:
-            wanted[item] = found = self._looked_up(item)
-            cost += self._own(item)
+            wanted[item] = found = looked_up(item)
+            cost += own(item)
             for key in found:
                 needs[key] = needs.get(key, 0) + 1
         return cost + sum(map(self._price, needs))
@@ -179,14 +196,17 @@ class Plan:
     def _looked_up(self, item: Item) -> list[Need]:
         packs, number = item
         found: list[Need] = []
+        plain = self._plain if self.copies else None
         if not packs:
             if number not in self.copies and number not in self.shared:
                 for a, _ in self.operations[number].args:
-                    found += self._read(self._plain(a))
+                    b = plain(a) if plain else a
+                    if type(b) is int:
+                        found += self._read(b)
             return found
         for column in self.columns[number]:
             if self.source(column) is None:
-                entries = tuple([self._plain(entry[0]) for entry in column if entry is not None])
+                entries = tuple([plain(entry[0]) if plain else entry[0] for entry in column if entry is not None])
                 slots = [a for a in entries if type(a) is int]
                 if slots:
                     found.append(entries)
@@ -194,13 +214,11 @@ class Plan:
                         found += self._read(a)
         return found
 
-    def _read(self, operand: int | float) -> list[Need]:
+    def _read(self, slot: int) -> Sequence[int]:
         """What is needed to have an operand on its own."""
-        if type(operand) is not int:
-            return []
-        if operand not in self.shared:
-            return [operand]
-        return [operand, *(a for a, _ in self.operations[operand].args if isinstance(a, int))]
+        if slot not in self.shared:
+            return (slot,)
+        return (slot, *(a for a, _ in self.operations[slot].args if isinstance(a, int)))
 
     def _own(self, item: Item) -> float:
         packs, number = item
@@ -271,7 +289,7 @@ class Plan:
             for slot in self.operations
         }
         before = {row: self._operands(some) for row, some in enumerate(self.rows) if self.on[row]}
-        before |= {item: self._operands([slot], alone=True) for slot, item in number.items() if item >= rows}
+        before |= {item: self._alone(slot) for slot, item in number.items() if item >= rows}
         state = bytearray(rows + 1 + max(self.operations, default=0))  # 0 not come to, 1 on the way, 2 in the order
         order: list[Item] = []
         for slot in self.operations:
@@ -280,28 +298,33 @@ class Plan:
                 while stack:
                     item = stack[-1]
                     state[item] = 1
-                    following = next((a for a in before[item] if state[number[a]] < 2), None)
-                    if following is None:
+                    for following in before[item]:
+                        if state[number[following]] < 2:
+                            break
+                    else:
                         state[item] = 2
                         order.append((True, item) if item < rows else (False, item - rows))
                         stack.pop()
-                    elif state[number[following]] == 0:
+                        continue
+                    if state[number[following]] == 0:
                         stack.append(number[following])
                     else:
                         for single in self._undo_last(stack, state):
                             number[single] = rows + single
-                            before[rows + single] = self._operands([single], alone=True)
+                            before[rows + single] = self._alone(single)
         return order
 
-    def _operands(self, slots: Iterable[int | None], *, alone: bool = False) -> list[int]:
-        """The operations that these slots read; `alone`, a copy reads what it is a copy of."""
-        operations, copies = self.operations, self.copies
-        found = []
-        for slot in slots:
-            if slot is not None:
-                args = [copies[slot]] if alone and slot in copies else [a for a, _ in operations[slot].args]
-                found += [a for a in args if type(a) is int and a in operations]
-        return found
+    def _operands(self, row: Row) -> list[int]:
+        """The operations that the members of a row read."""
+        reads = self._reads
+        return [a for slot in row if slot is not None for a in reads[slot]]
+
+    def _alone(self, slot: int) -> list[int]:
+        """The operations that a single one reads; a copy what it is a copy of."""
+        if slot not in self.copies:
+            return self._reads[slot]
+        copied = self.copies[slot]
+        return [copied] if type(copied) is int and copied in self.operations else []
 
     def _undo_last(self, stack: list[int], state: bytearray) -> list[int]:
         """Pack the last row on the way no longer, and go back to what asked for it: its slots, which are single now."""

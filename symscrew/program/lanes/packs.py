@@ -95,7 +95,7 @@ def packed(
     scalar = sum(SLOW.get(o.op, 1.0) for o in operations.values())
     code = Code(operations, kept, there, 1 + max(i.target for i in instructions), arrays or {})
     readings = (lanes for family in families for lanes in readings_of(operations, negatives, origins, family))
-    found = dict.fromkeys(rows_of(operations, lanes) for lanes in readings)
+    found = dict.fromkeys(rows_of(operations, readings))
     plain = _least([(Plan(code, rows), rows) for rows in found if rows], LIKELY)
     plain = [(plan, rows) for plan, rows in plain if plan.cost < HOPELESS * scalar]
     padded_too = [plan for _, rows in plain for plan in _padded(code, rows)]
