@@ -65,7 +65,7 @@ def compile_cuda(text: str, *, architecture: str = "sm_90", flags: Sequence[str]
     program = ctypes.c_void_p()
     _sound(library, library.nvrtcCreateProgram(ctypes.byref(program), text.encode(), b"model.cu", 0, None, None))
     try:
-        options = [f"--gpu-architecture={architecture}", "--ptxas-options=-v", *flags]
+        options = [f"--gpu-architecture={architecture}", "--ptxas-options=-v", *_uncached(library), *flags]
         given = (ctypes.c_char_p * len(options))(*(option.encode() for option in options))
         outcome = library.nvrtcCompileProgram(program, len(options), given)
         said = _text(library, program, "ProgramLog")
@@ -74,6 +74,13 @@ def compile_cuda(text: str, *, architecture: str = "sm_90", flags: Sequence[str]
         return CudaCode(_text(library, program, "PTX"), _bytes(library, program, "CUBIN"), _sizes(said))
     finally:
         library.nvrtcDestroyProgram(ctypes.byref(program))
+
+
+def _uncached(library: ctypes.CDLL) -> list[str]:
+    """What makes NVRTC compile, and say the sizes, each time: where a driver is, it keeps what it has compiled."""
+    major, minor = ctypes.c_int(), ctypes.c_int()
+    _sound(library, library.nvrtcVersion(ctypes.byref(major), ctypes.byref(minor)))
+    return ["--no-cache"] if (major.value, minor.value) >= (12, 8) else []
 
 
 def _sound(library: ctypes.CDLL, outcome: int) -> None:

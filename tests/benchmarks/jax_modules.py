@@ -1,4 +1,4 @@
-"""Generated JAX modules on this processor: time to trace and compile, time a state, beside the same C and JAX's own AD.
+"""Generated JAX modules on the device that JAX has: tracing, compiling and evaluating, beside C and JAX's own gradient.
 
 The rival of gradients is JAX on the operations one by one, as a printer without an engine would have it.
 """
@@ -22,7 +22,7 @@ from symscrew.runtime import load
 from .tables import table
 
 NAMES = ("three_ups_upu_s", "ur5", "panda", "delta", "stewart_6ups")
-STATES = 10_000
+STATES, MANY = 10_000, 2**18  # on a processor, on a device
 
 
 def run(*, repeats: int = 5) -> tuple[str, dict[str, Any]]:
@@ -31,10 +31,12 @@ def run(*, repeats: int = 5) -> tuple[str, dict[str, Any]]:
 
     rows, raw = [], []
     with jax.enable_x64(True):
+        device = jax.devices()[0]
+        states = STATES if device.platform == "cpu" else MANY
         for name in NAMES:
             model = derive(catalogue.load(name)).only(["inverse_dynamics"])
             module = imported(model)
-            inputs = [np.resize(x, (STATES, x.shape[-1])) for x in model.test_inputs["inverse_dynamics"]]
+            inputs = [np.resize(x, (states, x.shape[-1])) for x in model.test_inputs["inverse_dynamics"]]
             for what, function in _functions(module).items():
                 found = {"mechanism": name, "what": what, **_measured(function, inputs, repeats)}
                 raw.append(found)
@@ -45,14 +47,15 @@ def run(*, repeats: int = 5) -> tuple[str, dict[str, Any]]:
                 rows.append(_row(raw[-1]))
             compiled = load(model, backend="c").inverse_dynamics
             seconds = min(_timed(lambda c=compiled, x=inputs: c(*x)) for _ in range(repeats))
-            rows.append([name, "C, one thread", "", "", f"{seconds / STATES * 1e9:.0f}"])
+            rows.append([name, "C, one thread", "", "", f"{seconds / states * 1e9:.1f}"])
     head = ["mechanism", "inverse dynamics", "trace, CPU s", "compile, CPU s", "ns a state"]
-    return table(head, rows), {"states": STATES, "rows": raw}
+    told = f"{device.device_kind}, {states} states\n\n"
+    return told + table(head, rows), {"device": device.device_kind, "states": states, "rows": raw}
 
 
 def _row(found: dict[str, Any]) -> list[str]:
     times = (f"{found[k]:.2f}" for k in ("trace", "compile"))
-    return [found["mechanism"], found["what"], *times, f"{found['ns']:.0f}"]
+    return [found["mechanism"], found["what"], *times, f"{found['ns']:.3g}"]
 
 
 def _one_by_one(module: ModuleType, model: Model) -> Any:
@@ -101,11 +104,12 @@ def _measured(function: Any, inputs: list[np.ndarray], repeats: int) -> dict[str
     import jax
 
     begin = time.process_time()  # of all threads that compile: on a busy machine the clock on the wall says nothing
-    lowered = jax.jit(function).lower(*inputs)
+    there = [jax.device_put(x) for x in inputs]
+    lowered = jax.jit(function).lower(*there)
     traced = time.process_time()
     compiled = lowered.compile()
     done = time.process_time()
-    seconds = min(_timed(lambda: jax.block_until_ready(compiled(*inputs))) for _ in range(repeats + 1))
+    seconds = min(_timed(lambda: jax.block_until_ready(compiled(*there))) for _ in range(repeats + 1))
     return {"trace": traced - begin, "compile": done - traced, "ns": seconds / len(inputs[0]) * 1e9}
 
 

@@ -9,7 +9,8 @@ from __future__ import annotations
 
 import tempfile
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -18,13 +19,13 @@ import numpy as np
 from symscrew import catalogue
 from symscrew.formats import save_as
 from symscrew.model import Model, derive
-from symscrew.runtime import load
+from symscrew.runtime import CompileError, load, load_cuda
 
 from .jax_modules import imported
 from .tables import table
 
 NAMES = ("ur5", "panda", "four_bar", "planar_3rrr")  # MJX takes a minute and more to compile each
-STATES = 1024
+STATES, MANY = 1024, 2**16  # on a processor, on a device
 H = 1e-5  # of central differences of joint displacements: rates to about 1e-10
 
 
@@ -37,54 +38,95 @@ def run(*, repeats: int = 5) -> tuple[str, dict[str, Any]]:
         return f"MJX is not here: pip install jax mujoco-mjx ({error})", {}
     rows, raw = [], []
     with jax.enable_x64(True):
-        where = jax.devices()[0].device_kind
+        where, kind = jax.devices()[0].device_kind, jax.devices()[0].platform
+        states = STATES if kind == "cpu" else MANY
         for name in NAMES:
-            for found in _case(name, repeats):
+            for found in _case(name, states, repeats):
                 raw.append({"mechanism": name, **found})
                 share = [f"{found[key]:.3g}" for key in ("compile", "ns", "error")]
                 rows.append([name, found["what"], *share])
     head = ["mechanism", f"accelerations, on {where}", "trace and compile, s", "ns a state", "relative error"]
-    return table(head, rows), {"states": STATES, "rows": raw}
+    return f"{states} states\n\n" + table(head, rows), {"states": states, "device": where, "rows": raw}
 
 
-def _case(name: str, repeats: int) -> list[dict[str, Any]]:
-    import jax
+@dataclass(frozen=True)
+class _Way:
+    """What computes accelerations: `run` waits for them where they are, `read` brings them (states, columns)."""
 
+    what: str
+    seconds: float  # to trace and compile
+    run: Callable[[], Any]
+    read: Callable[[], np.ndarray]
+    columns: slice | list[int]
+
+
+def _case(name: str, states: int, repeats: int) -> list[dict[str, Any]]:
+    """Times are of arrays that stay where they are computed."""
     model = derive(catalogue.load(name)).only(["forward_dynamics", "joint_displacements"])
-    given = [np.resize(x, (STATES, x.shape[-1])) for x in model.test_inputs["forward_dynamics"]]
+    given = [np.resize(x, (states, x.shape[-1])) for x in model.test_inputs["forward_dynamics"]]
     (exact, *_), status = model("forward_dynamics", *given)
     assert not status.any()
-    size = float(np.abs(exact).max())
-
-    def told(what: str, compiled: float, run: Callable[[], Any], columns: slice | list[int]) -> dict[str, Any]:
-        result = np.asarray(run())
-        error = float(np.abs(result - exact[:, columns]).max()) / size
-        seconds = min(_seconds(run) for _ in range(repeats))
-        return {"what": what, "compile": compiled, "ns": seconds / STATES * 1e9, "error": error}
-
-    begin = time.perf_counter()
-    batch = load(model, backend="c").forward_dynamics
-    found = [told("ours, C, one thread", time.perf_counter() - begin, lambda: _first(batch(*given)), slice(None))]
-    module = imported(model)
-    begin = time.perf_counter()
-    function = jax.jit(lambda *x: module.forward_dynamics(*x)[0]).lower(*given).compile()
-    compiled = time.perf_counter() - begin
-    found.append(told("ours, JAX", compiled, lambda: jax.block_until_ready(function(*given)), slice(None)))
-    engine, arrays, order, columns = _mujoco(model, given)
-    begin = time.perf_counter()
-    function = jax.jit(_mjx(engine, order)).lower(*arrays).compile()
-    compiled = time.perf_counter() - begin
-    found.append(told("MJX", compiled, lambda: jax.block_until_ready(function(*arrays)), columns))
-    begin = time.perf_counter()
-    warped = _warp(engine, arrays, order)
-    if warped is not None:
-        warped()
-        found.append(told("MuJoCo Warp, single precision", time.perf_counter() - begin, warped, columns))
+    size, found = float(np.abs(exact).max()), []
+    for way in _ways(model, given):
+        way.run()
+        error = float(np.abs(way.read() - exact[:, way.columns]).max()) / size
+        seconds = min(_seconds(way.run) for _ in range(repeats))
+        found.append({"what": way.what, "compile": way.seconds, "ns": seconds / states * 1e9, "error": error})
     return found
 
 
-def _first(found: Any) -> np.ndarray:
-    return np.asarray(found[0] if isinstance(found, tuple) else found)
+def _ways(model: Model, given: list[np.ndarray]) -> Iterator[_Way]:
+    """Ours in C, in CUDA where a device is, by JAX; MJX and, where it is installed, Warp."""
+    import jax
+
+    begin = time.perf_counter()
+    batch = load(model, backend="c").forward_dynamics
+
+    def in_c() -> Any:
+        result = batch(*given)
+        return np.asarray(result[0] if isinstance(result, tuple) else result)
+
+    yield _Way("ours, C, one thread", time.perf_counter() - begin, in_c, in_c, slice(None))
+    if (ours := _cuda(model, given)) is not None:
+        yield ours
+    module = imported(model)
+    yield _by_jax("ours, JAX", lambda *x: module.forward_dynamics(*x)[0], given, slice(None))
+    engine, arrays, order, columns = _mujoco(model, given)
+    yield _by_jax("MJX", _mjx(engine, order), arrays, columns)
+    jax.clear_caches()
+    if (warped := _warp(engine, arrays, order, columns)) is not None:
+        yield warped
+
+
+def _by_jax(what: str, function: Any, arrays: list[Any], columns: slice | list[int]) -> _Way:
+    import jax
+
+    there = [jax.device_put(x) for x in arrays]
+    begin = time.perf_counter()
+    compiled = jax.jit(function).lower(*there).compile()
+
+    def run() -> Any:
+        return jax.block_until_ready(compiled(*there))
+
+    return _Way(what, time.perf_counter() - begin, run, lambda: np.asarray(run()), columns)
+
+
+def _cuda(model: Model, given: list[np.ndarray]) -> _Way | None:
+    begin = time.perf_counter()
+    try:
+        kernels = load_cuda(model.only(["forward_dynamics"]))
+    except CompileError:
+        return None
+    library = kernels.library
+    there = [library.asarray(np.ascontiguousarray(x.T)) for x in given]
+
+    def run() -> Any:
+        result = kernels.forward_dynamics(*there)
+        library.cuda.Device().synchronize()
+        return result[0]
+
+    run()
+    return _Way("ours, CUDA", time.perf_counter() - begin, run, lambda: run().get().T, slice(None))
 
 
 def _mujoco(model: Model, given: list[np.ndarray]) -> tuple[Any, list[Any], list[int], list[int]]:
@@ -128,8 +170,8 @@ def _mjx(engine: Any, common: list[int]) -> Any:
     return accelerations
 
 
-def _warp(engine: Any, arrays: list[Any], common: list[int]) -> Callable[[], np.ndarray] | None:
-    """MuJoCo Warp's accelerations of these states; None where it is not installed."""
+def _warp(engine: Any, arrays: list[Any], common: list[int], columns: list[int]) -> _Way | None:
+    """MuJoCo Warp, on a device as a graph of its kernels as its users run it; None where it is not installed."""
     try:
         import warp
 
@@ -137,15 +179,24 @@ def _warp(engine: Any, arrays: list[Any], common: list[int]) -> Callable[[], np.
         import mujoco_warp
     except ImportError:
         return None
+    begin = time.perf_counter()
     shape, data = mujoco_warp.put_model(engine), mujoco_warp.make_data(engine, nworld=len(arrays[0]))
     for place, values in zip((data.qpos, data.qvel, data.qfrc_applied), arrays, strict=True):
         warp.copy(place, warp.array(np.asarray(values, np.float32), dtype=float))
+    mujoco_warp.forward(shape, data)
+    graph = None
+    if warp.get_device().is_cuda:
+        with warp.ScopedCapture() as captured:
+            mujoco_warp.forward(shape, data)
+        graph = captured.graph
 
-    def accelerations() -> np.ndarray:
-        mujoco_warp.forward(shape, data)
-        return np.asarray(data.qacc.numpy())[:, common]
+    def run() -> None:
+        mujoco_warp.forward(shape, data) if graph is None else warp.capture_launch(graph)
+        warp.synchronize()
 
-    return accelerations
+    run()
+    seconds = time.perf_counter() - begin
+    return _Way("MuJoCo Warp, single precision", seconds, run, lambda: data.qacc.numpy()[:, common], columns)
 
 
 def _displacements(model: Model, q: np.ndarray, v: np.ndarray) -> tuple[list[str], np.ndarray, np.ndarray]:

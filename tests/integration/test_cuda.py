@@ -17,7 +17,7 @@ from support.marks import slow
 from support.model_states import model, pendulum
 
 from symscrew import Model
-from symscrew.export import print_cuda
+from symscrew.export import CUDA_THREADS, print_cuda
 from symscrew.generation import generate
 from symscrew.runtime import CompileError, compile_cuda, find_nvrtc, load_cuda
 from symscrew.verification import check
@@ -101,7 +101,7 @@ class OnProcessor:
 
         def function(name: str) -> Any:
             def launched(grid: Any, block: Any, arguments: Any) -> None:
-                assert grid == (1,) and block == (128,)
+                assert grid == (1,) and block == (CUDA_THREADS,)
                 sizes = [ctypes.c_size_t(int(x)) for x in arguments[:2]]
                 getattr(library, name)(*sizes, *(ctypes.c_void_p(x.ctypes.data) for x in arguments[2:]))
 
