@@ -64,6 +64,8 @@ def add_options(command: argparse.ArgumentParser) -> None:
     add_no_cache(command)
 
 
+Parts = tuple[list[str], dict[str, Any]]
+"""Components in words and as JSON values."""
 ASKED = ("tolerance", "body", "along", "connections", "expect", "full", "json")
 """Options that what is said depends on, beside mechanism, configuration and the report's form."""
 
@@ -117,42 +119,48 @@ def _made(
 
     found, checks = verified(analyse_mobility(mechanism, body=options.body, at=at, tolerance=options.tolerance))
     failed = [check.claim for check in checks if not check.holds]
-    text = _json(found, failed, options) if options.json else _words(found, failed, options)
-    files = {} if writer is None else {"report": writer(found).encode()}
     proved = not options.proof or _proved(found, Path(options.proof))
+    parts: Parts | None = None
+    if options.components:
+        found, parts = _components(found)
+    text = _json(found, failed, options, parts) if options.json else _words(found, failed, options, parts)
+    files = {} if writer is None else {"report": writer(found).encode()}
     unexpected = options.expect is not None and found.finite.dof != options.expect
     code = FAILED if failed or unexpected or not proved else DONE
     return Outcome({"text": text, "code": code}, files, good=not failed)
 
 
-def _json(found: Mobility, failed: list[str], options: argparse.Namespace) -> str:
+def _json(found: Mobility, failed: list[str], options: argparse.Namespace, parts: Parts | None) -> str:
     from symscrew.mobility import mobility_values
 
     values = {**mobility_values(found), "verified": not failed, "expected": options.expect}
     if options.along:
         values["along"] = _along_values(found)
-    if options.components:
-        values["components"] = _components(found)[1]
+    if parts is not None:
+        values["components"] = parts[1]
     if options.connections:
         values["assembly_modes"] = _connections(found)[1]
     return json.dumps(values, indent=1)
 
 
-def _words(found: Mobility, failed: list[str], options: argparse.Namespace) -> str:
+def _words(found: Mobility, failed: list[str], options: argparse.Namespace, parts: Parts | None) -> str:
     from symscrew.mobility import mobility_text
 
     lines = [found.report().splitlines()[0], mobility_text(found, full=options.full)]  # the rest follows in more words
     if options.along:
         lines.append("\n    ".join(["Along the motion", *_along_lines(found)]))
-    if options.components:
-        lines.append("\n    ".join(["Components of the configuration space", *_components(found)[0]]))
+    if parts is not None:
+        lines.append("\n    ".join(["Components of the configuration space", *parts[0]]))
     if options.connections:
         lines.append("\n    ".join(["Assembly modes", *_connections(found)[0]]))
     return "\n".join([*lines, _verdict(found, options.expect, failed)])
 
 
-def _components(found: Mobility) -> tuple[list[str], dict[str, Any]]:
-    """The components in words and as JSON values; four-bars have a way of their own, which needs no program."""
+def _components(found: Mobility) -> tuple[Mobility, Parts]:
+    """(the result with what components prove of its branches, the components in words and as JSON values).
+
+    Four-bars have a way of their own, which needs no program.
+    """
     from symscrew.mobility import (
         component_lines,
         component_values,
@@ -163,18 +171,20 @@ def _components(found: Mobility) -> tuple[list[str], dict[str, Any]]:
         sampled_modes,
         space_lines,
         space_values,
+        with_components,
     )
 
     curves = components_of(found.mechanism, found.network)
     if not isinstance(curves, str):
-        return component_lines(curves), component_values(curves)
+        return found, (component_lines(curves), component_values(curves))
     space = configuration_space(found.mechanism, found.network)
     if not isinstance(space, str):
-        return space_lines(space), space_values(space)
+        return with_components(found, space), (space_lines(space), space_values(space))
     if not found.network.chords:
-        return [space], {"decided": False, "why": space}
+        return found, ([space], {"decided": False, "why": space})
     modes = sampled_modes(found.network, found.platform.body)
-    return [space, *mode_lines(modes)], {"decided": False, "why": space, "operation_modes": mode_values(modes)}
+    values = {"decided": False, "why": space, "operation_modes": mode_values(modes)}
+    return found, ([space, *mode_lines(modes)], values)
 
 
 def _connections(found: Mobility) -> tuple[list[str], dict[str, Any]]:

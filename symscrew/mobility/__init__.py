@@ -22,6 +22,7 @@ from typing import TYPE_CHECKING
 from symscrew.doors import doors
 
 if TYPE_CHECKING:
+    from symscrew.mobility.algebraic_branches import with_components
     from symscrew.mobility.analysis import Mobility, analyse_mobility
     from symscrew.mobility.checks import Check, verified, verify
     from symscrew.mobility.components import (
@@ -149,6 +150,7 @@ __all__ = [
     "targets_of",
     "verified",
     "verify",
+    "with_components",
     "with_parameters",
     "write_proof",
 ]

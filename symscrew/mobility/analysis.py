@@ -321,7 +321,9 @@ class Mobility:
         if found.margins is None:
             return found
         joints, kept = {n: j.type for n, j in self.mechanism.joints.items()}, self.decisions.singular_values[0]
-        known = (without_spins(self.network)[1], self.finite.smooth, kept if kept < NEARLY_SINGULAR else None)
+        finite, almost = self.finite, kept if kept < NEARLY_SINGULAR else None
+        fewer = (self.dof, finite.dof) if finite.dof is not None and finite.dof < self.dof else None
+        known = (without_spins(self.network)[1], finite.smooth, almost, fewer)
         ranks = Ranks(self.limbs, joints, self.dof_drives_locked, *known)
         return replace(found, margins=tuple(with_rank(margin, ranks) for margin in found.margins))
 

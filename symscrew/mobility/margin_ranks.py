@@ -14,7 +14,7 @@ class Ranks:
     """What is known by ranks: limbs with their screws, types of joints, freedoms left with all drives locked, spins.
 
     `smooth`: whether the closure keeps its rank around the configuration; `almost`: its smallest singular value that is
-    not zero as typed, where that is almost zero.
+    not zero as typed, where that is almost zero; `freedoms`: instantaneous ones and real ones where these are fewer.
     """
 
     limbs: tuple[LimbMobility, ...]
@@ -23,6 +23,7 @@ class Ranks:
     spins: int
     smooth: bool
     almost: float | None
+    freedoms: tuple[int, int] | None = None
 
 
 def with_rank(margin: MarginValue, ranks: Ranks) -> MarginValue:
@@ -41,6 +42,12 @@ def with_rank(margin: MarginValue, ranks: Ranks) -> MarginValue:
         text = f"{ranks.left} freedom{'s' * (ranks.left > 1)} left with all drives locked here"
         return replace(margin, note=f"{text}, {ranks.spins} of them passive spins" if ranks.spins else text)
     if margin.kind == "constraint":
+        if ranks.freedoms is not None and not margin.vanishes:  # the volume is of the rank that there is all along
+            instantaneous, real = ranks.freedoms
+            return replace(
+                margin,
+                note=f"{instantaneous} instantaneous freedom{'s' * (instantaneous > 1)} for {real} of real motion",
+            )
         text = "" if ranks.almost is None else f"a singular value of the closure is {ranks.almost:.1e} as typed"
         return replace(margin, regular=ranks.smooth, almost=text)
     return margin

@@ -177,6 +177,8 @@ def as_lines(found: Singularities) -> list[str]:
 
 
 def _value(m: MarginValue) -> str:
+    if m.note and abs(m.value) < SINGULAR:  # all of its sample states may be singular, and its size rounding
+        return f"SINGULAR here: {m.note}"
     if m.note and not m.vanishes:
         lost = "architecturally SINGULAR" if m.kind == "actuation" else "SINGULAR all along"
         return f"{lost}: {m.note}, so this is the volume of what is left, {m.value:.6g}"

@@ -5,7 +5,7 @@ from __future__ import annotations
 import warnings
 
 import pytest
-from support.further_mechanisms import loop
+from support.further_mechanisms import CASES, loop
 from support.reference_mechanisms import ENTRIES, build
 from support.reposed import reference
 
@@ -99,3 +99,19 @@ def test_a_closure_that_almost_loses_rank_has_no_margin_that_is_clear_of_it(digi
     assert said in line and "no zero found" not in line, line
     (margin,) = [m for m in found.singularities.margins if m.kind == "constraint"]
     assert margin.singular == (digits is None) and bool(margin.almost) == (digits is not None)
+
+
+@pytest.mark.parametrize("name", ["3S, collinear", "hexagon", "collinear_3R", "parallelogram-change_point"])
+def test_constraint_margins_agree_with_a_closure_that_has_lost_its_rank(name: str) -> None:
+    """Shaky all along, the margin was the volume of what is left; of a point alone, 1e-15 with no zero in sight."""
+    found = analyse_mobility(build(ENTRIES[name]) if name in ENTRIES else CASES[name].make())
+    assert found.finite.dof is not None and found.finite.dof < found.dof and found.singularities.margins is not None
+    margins = [m for m in found.singularities.margins if m.kind == "constraint"]
+    assert margins and all(m.singular for m in margins)
+    lines = [line for line in as_lines(found.singularities) if line.startswith("constraint")]
+    assert lines and all("SINGULAR" in line and "no zero found" not in line for line in lines)
+
+
+def test_a_constraint_margin_of_a_smooth_point_is_no_singularity() -> None:
+    margins = analyse_mobility(build(ENTRIES["planar_4bar"])).singularities.margins
+    assert margins is not None and not any(m.singular for m in margins if m.kind == "constraint")

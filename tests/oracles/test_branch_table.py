@@ -6,7 +6,7 @@ from functools import cache
 
 import numpy as np
 import pytest
-from support.further_mechanisms import CASES
+from support.further_mechanisms import CASES, unit
 from support.marks import slow
 from support.reference_mechanisms import ENTRIES, build
 
@@ -168,3 +168,32 @@ def test_what_moves_beside_a_shaky_part_is_not_told_by_ranks() -> None:
     both = analyse_mobility(builder.build())
     assert both.finite.dof == 3 and both.branches is not None
     assert [row.platform for row in both.branches.rows] == [None]
+
+
+TOUCHING = (
+    ([1, 2, -2], [-1, 0, -2], [0, 2, 2], ([0, 0, 1], [1, 0, 0]), [0, 0, 1], ([0, 0, 1], [1, 0, 0])),
+    ([-1, -2, 1], [1, 2, 1], [0, -2, 0], ([1, 0, 2], [0, 1, 0]), [1, 2, 0], ([0, 1, 0], [-1, 0, -2])),
+    ([-2, 0, -2], [0, -2, -2], [2, 2, -1], ([0, 1, 0], [0, 0, 1]), [0, 1, 0], ([1, 0, 0], [0, 1, 0])),
+    ([-2, -1, 1], [-2, -1, -1], [-2, 0, 1], ([0, 0, 1], [0, 1, 0]), [0, 1, 0], ([0, 0, 1], [0, 1, 0])),
+)
+"""Four UPU limbs: (points of U, P, U, axes of the first, of the slide, of the second). Found at random."""
+
+
+def test_branches_that_touch_are_told_apart_by_what_moves_on_them() -> None:
+    """Their tangent spaces are the same: of the two the table had one, and the other's joints were said to rest.
+
+    By body poses and dot products, continued from random starts, points of both kinds were seen on three spheres.
+    """
+    builder = MechanismBuilder("touching", platform="platform")
+    for name in ("platform", *(f"{side}{k}" for k in range(len(TOUCHING)) for side in ("lower", "upper"))):
+        builder.body(name)
+    for k, (a, b, c, first, along, second) in enumerate(TOUCHING):
+        axes = [[unit(axis) for axis in given] for given in (first, [along], second)]
+        bodies = ("base", f"lower{k}", f"upper{k}", "platform")
+        for j, (kind, point) in enumerate(zip("UPU", (a, b, c), strict=True)):
+            place = {"point": point, "axes": axes[j]}
+            builder.joint(f"{kind}{k}{j}", kind, parent=bodies[j], child=bodies[j + 1], **place)
+    found = analyse_mobility(builder.build(), body="platform")
+    assert (found.dof, found.finite.dof, found.finite.branches) == (3, 2, (2,)) and found.branches is not None
+    kinds = {(row.dimension, row.platform.order, row.idle) for row in found.branches.rows if row.platform is not None}
+    assert kinds == {(2, 2, ()), (2, 1, ("U20", "U22"))}

@@ -6,6 +6,7 @@ import json
 import math
 import shutil
 from collections.abc import Callable
+from dataclasses import replace
 from fractions import Fraction
 
 import pytest
@@ -15,7 +16,7 @@ from support.reference_mechanisms import ENTRIES, build
 
 from symscrew.cli.parser import main
 from symscrew.description.mechanism import Mechanism
-from symscrew.mobility import analyse_mobility
+from symscrew.mobility import analyse_mobility, with_components
 from symscrew.mobility.components import ConfigurationSpace, algebraic_closure, configuration_space, space_lines
 from symscrew.mobility.components import charts as held_charts
 from symscrew.mobility.components.exact_parts import PROGRAM, ExactParts, _answer
@@ -61,6 +62,35 @@ def test_published_components(name: str, sizes: list[tuple[int, int]], through: 
     dimensions = {part.dimension for part in found.parts if part.through}
     finite = analyse_mobility(mechanism(name)).finite
     assert dimensions == ({finite.dof} if finite.branches is None else set(finite.branches))
+
+
+@pytest.mark.parametrize(
+    "name, dimensions",
+    [
+        ("sarrus-stretched", [1, 1]),  # both knees go out to one side, or to two
+        ("sarrus-flat_folded", [2, 1]),
+        ("kinematotropic_double_fold-transition", [2, 1]),
+        ("threebar_parallel_equal", [1]),  # overconstrained, and no group shows that it moves
+        ("threebar_parallel_unequal", []),
+    ],
+)
+def test_components_that_are_smooth_at_the_reference_prove_its_branches(name: str, dimensions: list[int]) -> None:
+    as_sampled = analyse_mobility(mechanism(name))
+    found = with_components(as_sampled, space(name))
+    assert found.branches is not None and found.branches.complete and found.finite.proved
+    assert [row.dimension for row in found.branches.rows] == dimensions
+    assert found.finite.branches == as_sampled.finite.branches and found.verdict == as_sampled.verdict
+
+
+def test_components_prove_nothing_where_they_are_singular_or_others_were_seen() -> None:
+    """A flat vertex of four folds is the node of one curve; of the parallelogram's two curves one is left out."""
+    for name, multiplicities, rows in (("origami degree 4", [2], 2), ("parallelogram-change_point", [1, 1], 1)):
+        found, modes = analyse_mobility(mechanism(name)), space(name)
+        assert found.branches is not None
+        assert [part.multiplicity for part in modes.parts if part.through] == multiplicities
+        vars(found)["branches"] = replace(found.branches, rows=found.branches.rows[:rows], complete="", open="unknown")
+        again = with_components(found, modes).branches
+        assert again is not None and not again.complete
 
 
 def test_a_double_parallelogram_keeps_its_coupler_parallel_or_is_stiff() -> None:

@@ -71,7 +71,7 @@ def configuration_space(mechanism: Mechanism, network: Network, seconds: float =
         closure = closure_equations(mechanism, network)
     except NotAlgebraicError as error:
         return f"not decided: {error}"
-    exact = exact_parts(closure, seconds)
+    exact = exact_parts(closure, seconds, local=True)
     if not exact.complete:
         return f"not decided: {exact.reason}"
     held = None  # what is no list of irreducible components would not be one with more of them

@@ -54,6 +54,8 @@ def _variables(names: tuple[str, ...]) -> str:
 
 def _line(part: Part, on: str) -> str:
     where = "through the reference" if part.through else "elsewhere"
+    if part.multiplicity:
+        where += ", smooth there" if part.multiplicity == 1 else f", of multiplicity {part.multiplicity} there"
     divided = "" if part.irreducible else ", not divided further"
     short = [e for e in part.equations if len(e) <= LONGEST_SHOWN]
     shown = "; ".join(f"{e} = 0" for e in short[:MOST_SHOWN])
@@ -68,6 +70,7 @@ def space_values(found: ConfigurationSpace) -> dict[str, Any]:
     """The same as JSON values."""
     parts = [
         {"dimension": p.dimension, "degree": p.degree, "through_reference": p.through, "irreducible": p.irreducible,
+         "multiplicity_at_reference": p.multiplicity or None,
          "held": [{"joint": j, "angle": a} for j, a in p.held],
          "real_configurations": on, "equations": [f"{e} = 0" for e in p.equations]}
         for p, on in zip(found.parts, found.on, strict=True)

@@ -1,6 +1,7 @@
 """Components of the zeros of polynomials, by exact algebra: Groebner bases that factorise, and minimal primes.
 
     ClosureEquations --Singular: facstd--> parts whose union is all zeros --minAssGTZ--> irreducible ones
+    irreducible one through the reference --standard basis in the local ring--> its multiplicity there
 
 Singular (W. Decker, G.-M. Greuel, G. Pfister, H. Schoenemann) is a program of its own, found on the path. Every part
 has its dimension and degree from a Groebner basis; what is not divided to the end in the time given is said to be so.
@@ -14,7 +15,7 @@ import re
 import shutil
 import subprocess
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from symscrew.mobility.components.algebraic_closure import ClosureEquations
@@ -38,7 +39,8 @@ class Part:
 
     `irreducible`: over the field of the description; otherwise it may consist of several of its dimension and lower.
     `polynomials`: the equations in doubles; `held`: (joint, angle [rad]) all over it, where these are variables of
-    another chart.
+    another chart; `multiplicity`: of an irreducible one at the reference, 1 where it is smooth; 0 where it does not
+    pass through it, or that is not known.
     """
 
     dimension: int
@@ -48,6 +50,7 @@ class Part:
     irreducible: bool
     polynomials: tuple[Mapping[Exponents, float], ...] = ()
     held: tuple[tuple[str, float], ...] = ()
+    multiplicity: int = 0
 
 
 @dataclass(frozen=True)
@@ -59,15 +62,15 @@ class ExactParts:
     reason: str = ""
 
 
-def exact_parts(closure: ClosureEquations, seconds: float = SECONDS) -> ExactParts:
-    """The components of all configurations over the field of the description."""
+def exact_parts(closure: ClosureEquations, seconds: float = SECONDS, *, local: bool = False) -> ExactParts:
+    """The components of all configurations over the field of the description; `local`: with their multiplicities."""
     generators = closure.field.generators
     if len(generators) > 1:
         return ExactParts((), False, f"the numbers are in {closure.field}: expected one root at most")
     program = shutil.which(PROGRAM)
     if program is None:
         return ExactParts((), False, f"exact algebra needs the program {PROGRAM}, which is not on the path")
-    output, ended = _answer(program, _script(closure), seconds)
+    output, ended = _answer(program, _script(closure, local=local), seconds)
     return _read(closure, output, ended=ended, seconds=seconds)
 
 
@@ -80,13 +83,13 @@ def _answer(program: str, script: str, seconds: float) -> tuple[str, bool]:
         clock = BACKSTOP * seconds
     try:
         done = subprocess.run(command, input=script, capture_output=True, text=True, timeout=clock)
-        return done.stdout, done.returncode == 0 and "@end" in done.stdout
+        return done.stdout, "@end" in done.stdout
     except subprocess.TimeoutExpired as error:
         output = error.stdout or b""
         return output.decode(errors="replace") if isinstance(output, bytes) else output, False
 
 
-def _script(closure: ClosureEquations) -> str:
+def _script(closure: ClosureEquations, *, local: bool) -> str:
     names = [f"v{k + 1}" for k in range(len(closure.variables))]
     generators = closure.field.generators
 
@@ -139,7 +142,40 @@ for (i = 1; i <= size(pieces); i++) {{
   kill minimal;
 }}
 print("@end");
+{_local(closure, field, modulus) if local else ""}
 quit;
+"""
+
+
+def _local(closure: ClosureEquations, field: str, modulus: str) -> str:
+    """Multiplicities at the reference: 1 where the derivatives have full rank, else by a local standard basis."""
+    names = ",".join(f"v{k + 1}" for k in range(len(closure.variables)))
+    about = ", ".join(f"v{k + 1}+({value})" for k, value in enumerate(closure.reference))
+    at = "".join(f"M = subst(M, v{k + 1}, {value});" for k, value in enumerate(closure.reference))
+    on = "".join(f"P = subst(P, v{k + 1}, {value});" for k, value in enumerate(closure.reference))
+    one = next((f", v{k + 1}" for k in closure.scaled if closure.reference[k]), "")  # of those that ratios fix
+    return f"""
+ring here = {field}, ({names}), ds; {modulus}
+setring r;
+map moved = r, {about};
+list singular;
+for (k = 1; k <= size(all); k++) {{
+  ideal J = all[k]; ideal P = J; {on}
+  if (size(P) == 0) {{
+    module M = module(jacob(J)); {at}
+    if (size(std(M)) == nvars(r) - dim(J)) {{ print("@local " + string(marks[k]) + " 1"); }}
+    else {{ singular[size(singular) + 1] = k; }}
+    kill M;
+  }}
+  kill J; kill P;
+}}
+for (i = 1; i <= size(singular); i++) {{
+  ideal J = all[singular[i]]; ideal K = moved(J){one};
+  setring here;
+  ideal L = std(imap(r, K));
+  print("@local " + string(marks[singular[i]]) + " " + string(mult(L)));
+  kill L; setring r; kill K; kill J;
+}}
 """
 
 
@@ -160,6 +196,8 @@ def _read(closure: ClosureEquations, output: str, *, ended: bool, seconds: float
             divided.add(int(word[1]))
         elif line.startswith("@drop"):
             primes.pop(int(word[1]), None)
+        elif line.startswith("@local") and int(word[1]) in primes:
+            primes[int(word[1])] = replace(primes[int(word[1])], multiplicity=int(word[2]))
         elif found := PART.match(line):
             number, dimension, degree, _, on, kind = map(int, found.groups())
             equations = []

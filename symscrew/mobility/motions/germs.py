@@ -28,6 +28,7 @@ from symscrew.mobility.finite import (
     solve_dependent,
 )
 from symscrew.mobility.joint_network import Network
+from symscrew.mobility.motions.sheets import on_one_sheet
 from symscrew.mobility.screw_systems import null_space
 
 Array = np.ndarray[Any, Any]
@@ -57,6 +58,10 @@ SAME_ZERO = 1e-3
 """Distance, in radii, below which zeros are one: they are found to 1e-9, tangent branches are further apart."""
 MOST = 8
 """Zeros of branches of two and more dimensions that are grouped, as far apart as possible: paths between them cost."""
+MISSED = 3
+"""Of two zeros: nearest others to which no path led, after which no further ones are tried between them."""
+AT_REST = 1e-7
+"""Of a unit motion: what is left of a joint that does not move along a branch, at points known to 1e-9."""
 STEPS = 10
 """Steps of a path between two zeros on the sphere."""
 TURNING = 3.0
@@ -143,7 +148,8 @@ def germs_at(variety: ClosureVariety, here: Local, dimensions: Mapping[int, int]
         if there.dof in dimensions:
             line = (near - here.q) / np.linalg.norm(near - here.q)
             tangent = local_at(variety, near, rank=there.rank).kernel  # where a branch has hardly bent away
-            known.append(_Zero(dimensions[there.dof], q, near, tangent, line))
+            resting = np.flatnonzero(np.abs(there.kernel).max(axis=1, initial=0.0) < AT_REST)
+            known.append(_Zero(dimensions[there.dof], q, near, tangent, line, frozenset(resting.tolist())))
     yield from _curves(network, [zero for zero in known if zero.dimension == 1])
     for dimension in sorted({zero.dimension for zero in known} - {1}):
         for group in _grouped(reduced, _far_apart([zero for zero in known if zero.dimension == dimension])):
@@ -163,11 +169,22 @@ def _joined(
     groups: list[list[_Zero]], reduced: ReducedClosure, related: Callable[[ReducedClosure, _Zero, _Zero], bool]
 ) -> list[list[_Zero]]:
     zeros = [zero for group in groups for zero in group]
-    for one, two in sorted(combinations(zeros, 2), key=lambda pair: _distance(reduced, *pair)):
+    missed: dict[int, int] = {id(zero): 0 for zero in zeros}
+    for one, two in sorted(combinations(zeros, 2), key=lambda pair: (_unlike(*pair), _distance(reduced, *pair))):
         first, second = (next(g for g in groups if any(z is zero for z in g)) for zero in (one, two))
-        if first is not second and related(reduced, one, two):
+        if first is second or min(missed[id(one)], missed[id(two)]) >= MISSED:
+            continue
+        if related(reduced, one, two):
             groups = [g for g in groups if g is not first and g is not second] + [first + second]
+        else:
+            missed[id(one)] += 1
+            missed[id(two)] += 1
     return groups
+
+
+def _unlike(one: _Zero, two: _Zero) -> bool:
+    """Whether different columns are at rest at the zeros: they are hardly on one branch, and looked at last."""
+    return one.resting != two.resting
 
 
 def _flat(group: list[_Zero]) -> bool:
@@ -182,13 +199,17 @@ def _distance(reduced: ReducedClosure, one: _Zero, two: _Zero) -> float:
 
 @dataclass(frozen=True)
 class _Zero:
-    """A point of a branch on the sphere, one of the same branch nearer in, the tangents there, the line to it."""
+    """A point of a branch on the sphere, one of the same branch nearer in, the tangents there, the line to it.
+
+    `resting`: columns that do not move at the point on the sphere.
+    """
 
     dimension: int
     q: Array
     near: Array
     tangent: Array
     line: Array
+    resting: frozenset[int]
 
 
 def _curves(network: Network, zeros: list[_Zero]) -> Iterator[Germ]:
@@ -256,12 +277,16 @@ def _scale(reduced: ReducedClosure, starts: Array, radius: float) -> float:
 
 
 def _same(reduced: ReducedClosure, one: _Zero, two: _Zero) -> bool:
-    """Whether two zeros have the same tangent space, in which they lie."""
+    """Whether two zeros have the same tangent space, in which they lie; where unlike joints move, on one sheet, too."""
     cosines = np.linalg.svd(one.tangent.T @ two.tangent, compute_uv=False)
     line = two.near - one.near
     across = line - one.tangent @ (one.tangent.T @ line)
     near = np.linalg.norm(across) < APART * np.linalg.norm(one.near - reduced.here.q)
-    return bool(near and cosines.min(initial=1.0) > np.sqrt(1 - APART**2))
+    if not near or cosines.min(initial=1.0) < np.sqrt(1 - APART**2):
+        return False
+    if not _unlike(one, two):  # sheets that touch and on which the same moves are not told apart
+        return True
+    return on_one_sheet(reduced.variety, reduced.here, one.q, two.q, len(one.q) - one.tangent.shape[1])
 
 
 def _linked(reduced: ReducedClosure, one: _Zero, two: _Zero) -> bool:
