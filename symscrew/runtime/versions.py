@@ -28,8 +28,8 @@ def version() -> str:
 def installed(library: str) -> str:
     """The version of a library that is found first where this Python looks; "" where none is.
 
-    By the names of folders that installers make, as `importlib.metadata` has them, whose import takes as long as reading
-    a simple description.
+    By the names of folders that installers make, as `importlib.metadata` has them, whose import takes as long as
+    reading a simple description.
     """
     return _found().get(library, "")
 
