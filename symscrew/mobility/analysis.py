@@ -355,10 +355,8 @@ class Mobility:
             lines.append(f"{limb.name}: {len(limb.screws)} joint freedoms, {len(limb.constraints.basis)} constraints")
             lines += [f"    {describe_wrench(w)}" for w in limb.constraints.basis]
         if self.constraints is not None and self.freedoms is not None:
-            lines.append(
-                f"{self.mechanism.platform}: constraint system of rank {self.constraints.rank}, "
-                f"{len(self.freedoms.basis)} freedoms"
-            )
+            rank, free = self.constraints.rank, len(self.freedoms.basis)
+            lines.append(f"{self.mechanism.platform}: constraint system of rank {rank}, {free} freedoms")
             lines += [f"    {describe_twist(t)}" for t in self.freedoms.basis]
         lines.append(self.method)
         return "\n".join(lines)

@@ -286,7 +286,7 @@ def _same(reduced: ReducedClosure, one: _Zero, two: _Zero) -> bool:
         return False
     if not _unlike(one, two):  # sheets that touch and on which the same moves are not told apart
         return True
-    return on_one_sheet(reduced.variety, reduced.here, one.q, two.q, len(one.q) - one.tangent.shape[1])
+    return on_one_sheet(reduced.variety, reduced.here, one.q, two.q, rank=len(one.q) - one.tangent.shape[1])
 
 
 def _linked(reduced: ReducedClosure, one: _Zero, two: _Zero) -> bool:

@@ -34,22 +34,24 @@ ARRIVED = 1e-7
 by 4e-4 times their difference in curvature, and those that touch to third order by 8e-6."""
 
 
-def on_one_sheet(variety: ClosureVariety, here: Local, one: Array, two: Array, rank: int) -> bool:
+def on_one_sheet(variety: ClosureVariety, here: Local, one: Array, two: Array, *, rank: int) -> bool:
     """Whether paths of points of the same rank lead from one displacement to the other, and back, around `here`."""
-    return _arrives(variety, here.q, one, two, rank) and _arrives(variety, here.q, two, one, rank)
+    return _arrives(variety, (here.q, one, two), rank=rank) and _arrives(variety, (here.q, two, one), rank=rank)
 
 
-def _arrives(variety: ClosureVariety, centre: Array, start: Array, end: Array, rank: int) -> bool:
+def _arrives(variety: ClosureVariety, places: tuple[Array, Array, Array], *, rank: int) -> bool:
+    """Whether a path about the first of three places leads from the second to the third."""
+    centre, start, end = places
     now, tangent = start, local_at(variety, start, rank=rank).kernel
     for target in _arc(start - centre, end - centre, tangent):
-        found = _step(variety, now, centre + target, tangent, rank)
+        found = _step(variety, now, centre + target, tangent, rank=rank)
         if found is None:
             return False
         now, tangent = found
     for _ in range(LAST):
         if np.linalg.norm(end - now) < ARRIVED:
             return True
-        found = _step(variety, now, end, tangent, rank)
+        found = _step(variety, now, end, tangent, rank=rank)
         if found is None:
             return False
         now, tangent = found
@@ -74,7 +76,9 @@ def _arc(start: Array, end: Array, tangent: Array) -> Iterator[Array]:
             yield radius * (np.cos(turned) * u + np.sin(turned) * w)
 
 
-def _step(variety: ClosureVariety, now: Array, target: Array, tangent: Array, rank: int) -> tuple[Array, Array] | None:
+def _step(
+    variety: ClosureVariety, now: Array, target: Array, tangent: Array, *, rank: int
+) -> tuple[Array, Array] | None:
     """(the point of the sheet beside the target, its tangent space); None where the sheet was lost."""
     forward = tangent @ (tangent.T @ (target - now))
     guess = q = now + forward
