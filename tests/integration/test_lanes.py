@@ -75,7 +75,7 @@ def test_lanes_are_the_limbs(name: str, limbs: int, part: float) -> None:
     operations, negatives = signed(live_instructions(program)[0])
     (family,) = program.limbs.families
     lanes = next(readings_of(operations, negatives, program.origins, family))
-    rows = rows_of(operations, lanes)
+    rows = next(rows_of(operations, [lanes]))
     assert {len(row) for row in rows} == {limbs}
     assert all(lanes.lane[slot] == k for row in rows for k, slot in enumerate(row) if slot is not None)
     assert sum(len(row) - row.count(None) - 1 for row in rows) > part * len(operations)
@@ -265,7 +265,7 @@ def test_a_limb_along_an_axis_joins_the_others() -> None:
     ends = Limbs((tuple(Limb(f"limb{k}", {f"limb{k}": "link"}) for k in range(3)),))
     origins = {slot: Origin("drive", f"limb{k}") for k, slot in enumerate(limbs)}
     operations, negatives = signed(program)
-    rows = rows_of(operations, next(readings_of(operations, negatives, origins, ends.families[0])))
+    rows = next(rows_of(operations, readings_of(operations, negatives, origins, ends.families[0])))
     more = padded(operations, rows, 1 + limbs[-1])
     (first,) = {*next(row for row in more.rows if 6 in row)} - {6, 7}
     assert first is not None and more.copies[first] == 0  # 1 x + 0 y

@@ -18,26 +18,17 @@ from typing import Any
 
 import numpy as np
 import pytest
+from support.marks import slow
 from support.problems import ROUNDING, Compiled, Problem, compiled, compiled_of, five_bar, problems
 
 from symscrew.runtime.compiled import find_compiler
 
 pytestmark = [
     pytest.mark.slow,
-    pytest.mark.short_runs,
     pytest.mark.skipif(find_compiler() is None, reason="no C compiler: these runs would take hours"),
 ]
 QUICK = ("light_cart_pole", "heavy_top", "change_point")
-LONG = ("flyball_governor",)  # its runs take seconds where they are not optimised
-
-
-def further(name: str, *more: str) -> Any:
-    """A problem that is no quick one."""
-    marks = [pytest.mark.slow, pytest.mark.short_runs(name not in LONG)]
-    return pytest.param(name, *more, marks=marks)
-
-
-NAMES = [name if name in QUICK else further(name) for name in problems()]
+NAMES = [name if name in QUICK else slow(name) for name in problems()]
 TOLERANCES = [10.0**-k for k in range(6, 13)]
 EVALUATION = 16  # units in the last place that an evaluation of the accelerations is off, as measured in 113 bits
 
@@ -95,7 +86,7 @@ def test_near_singular_places_let_no_error_in() -> None:
     "name, method",
     [
         *((n, m) for n in QUICK for m in ("rk4", "rk8")),
-        *(further(n, "rk8") for n in problems() if n not in QUICK),
+        *(slow(n, "rk8") for n in problems() if n not in QUICK),
     ],
 )
 def test_half_the_step_is_never_worse(name: str, method: str) -> None:
