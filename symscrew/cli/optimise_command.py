@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import argparse
-import json
 import sys
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from symscrew.cli.help import DONE, FAILED, UsageError
+from symscrew.cli.help import DONE, UsageError
 from symscrew.cli.shared_options import add_no_cache, need_matplotlib
 from symscrew.whole_files import destination
 
@@ -53,8 +52,7 @@ class _Keys(argparse.Action):
 
 def run(options: argparse.Namespace) -> int:
     """Read, derive, optimise, write; 1 where no motion was found and confirmed (the last iterate is written then)."""
-    from symscrew.cli.same_files import once_of_files
-    from symscrew.display import print_text
+    from symscrew.cli.same_files import once_of_files, told
 
     out = destination(options.out, FORMATS, "--out")
     picture = destination(options.plot, (".png",), "--plot") if options.plot else None
@@ -65,18 +63,7 @@ def run(options: argparse.Namespace) -> int:
     words = (out.suffix, picture is not None, options.rate, options.time_limit, options.starts)
     written = {"plan": out, "picture": picture}
     outcome = once_of_files("optimise", words, options.problem, lambda: _found(options, out, picture))
-    if outcome.earlier:
-        for notice in outcome.facts["notices"]:
-            print(f"note: {notice}", file=sys.stderr)
-        _again(outcome, written)
-    if options.json:
-        print(json.dumps(outcome.facts["numbers"], indent=1))
-    else:
-        print_text("\n".join(outcome.facts["lines"]))
-    for path in written.values():
-        if path is not None:
-            print(f"wrote {path}", file=sys.stderr)
-    return DONE if outcome.facts["numbers"]["ok"] else FAILED
+    return told(outcome, written, as_json=options.json, said=EARLIER)
 
 
 EARLIER = "found in an earlier run of the same problem (times are those of then); --no-cache solves it again"
@@ -85,6 +72,7 @@ EARLIER = "found in an earlier run of the same problem (times are those of then)
 def _found(options: argparse.Namespace, out: Path, picture: Path | None) -> Outcome:
     """The motion or motions of a problem file: those found before of the same problem, or found now."""
     from symscrew.cli.kept_outcomes import once
+    from symscrew.cli.same_files import write_again
     from symscrew.optimisation import JoinedProblem, load_problem_file
 
     problem = load_problem_file(options.problem)
@@ -105,18 +93,8 @@ def _found(options: argparse.Namespace, out: Path, picture: Path | None) -> Outc
     found = once("optimise", (problem, out.suffix, options.rate, picture is not None), lambda: _solved(
         problem, out, picture, rate=options.rate))  # fmt: skip
     if found.earlier:
-        _again(found, {"plan": out, "picture": picture})
+        write_again(found, {"plan": out, "picture": picture}, EARLIER)
     return replace(found, facts={**found.facts, "notices": notices}, earlier=False)
-
-
-def _again(outcome: Outcome, written: Mapping[str, Path | None]) -> None:
-    """Say that a motion is of an earlier run, and write its files."""
-    from symscrew.whole_files import replaced
-
-    print(EARLIER, file=sys.stderr)
-    for name, data in outcome.files.items():
-        if (path := written[name]) is not None:
-            replaced(path, lambda part, data=data: part.write_bytes(data))  # type: ignore[misc]
 
 
 def _solved(problem: TrajectoryProblem, out: Path, picture: Path | None, *, rate: float | None) -> Outcome:

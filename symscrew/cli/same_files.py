@@ -12,11 +12,14 @@ from __future__ import annotations
 import base64
 import binascii
 import json
+import sys
 import tomllib
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
+
+from symscrew.cli.help import DONE, FAILED
 
 LIBRARIES = ("casadi", "mpmath", "numpy", "scipy", "sympy")  # whose versions an outcome may depend on
 LONGEST_NAME = 1000  # characters of a text that may name a file
@@ -66,6 +69,34 @@ def keep_outcome(key: str | None, made: Outcome) -> None:
     files = {name: base64.b64encode(data).decode("ascii") for name, data in made.files.items()}
     with entry(key) as kept:
         kept.write(json.dumps({"facts": made.facts, "files": files}).encode("ascii"))
+
+
+def write_again(outcome: Outcome, paths: Mapping[str, Path | None], said: str) -> None:
+    """Say that an outcome is of an earlier run, and write its files to the paths of this one."""
+    from symscrew.whole_files import replaced
+
+    print(said, file=sys.stderr)
+    for name, data in outcome.files.items():
+        if (path := paths[name]) is not None:
+            replaced(path, lambda part, data=data: part.write_bytes(data))  # type: ignore[misc]
+
+
+def told(outcome: Outcome, paths: Mapping[str, Path | None], *, as_json: bool, said: str) -> int:
+    """Say a motion's numbers or lines and what was written, for one of an earlier run once more; the exit code."""
+    from symscrew.display import print_text
+
+    if outcome.earlier:
+        for notice in outcome.facts["notices"]:
+            print(f"note: {notice}", file=sys.stderr)
+        write_again(outcome, paths, said)
+    if as_json:
+        print(json.dumps(outcome.facts["numbers"], indent=1))
+    else:
+        print_text("\n".join(outcome.facts["lines"]))
+    for path in paths.values():
+        if path is not None:
+            print(f"wrote {path}", file=sys.stderr)
+    return DONE if outcome.facts["numbers"]["ok"] else FAILED
 
 
 def _key(command: str, words: Sequence[object], file: str) -> str | None:

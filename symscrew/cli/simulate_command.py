@@ -47,9 +47,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Read, derive, integrate, write; 1 where the run ended early or is not as good as asked for."""
-    from symscrew.cli.same_files import once_of_files
-    from symscrew.display import print_text
-    from symscrew.whole_files import replaced
+    from symscrew.cli.same_files import once_of_files, told
 
     formats = (".npz",) if options.many is not None else FORMATS
     out = destination(options.out, formats, "--out") if options.out else None
@@ -71,21 +69,7 @@ def run(options: argparse.Namespace) -> int:
     words = (out and out.suffix, picture is not None)
     outcome = once_of_files("simulate", words, options.scene, lambda: _made(_loaded(options.scene), out, picture))
     written = {"run": out, "picture": picture}
-    if outcome.earlier:
-        for notice in outcome.facts["notices"]:
-            print(f"note: {notice}", file=sys.stderr)
-        print(EARLIER, file=sys.stderr)
-        for name, data in outcome.files.items():
-            if (path := written[name]) is not None:
-                replaced(path, lambda part, data=data: part.write_bytes(data))  # type: ignore[misc]
-    if options.json:
-        print(json.dumps(outcome.facts["numbers"], indent=1))
-    else:
-        print_text("\n".join(outcome.facts["lines"]))
-    for path in written.values():
-        if path is not None:
-            print(f"wrote {path}", file=sys.stderr)
-    return DONE if outcome.facts["numbers"]["ok"] else FAILED
+    return told(outcome, written, as_json=options.json, said=EARLIER)
 
 
 EARLIER = "the motion of an earlier run of the same scene; --no-cache integrates it again"

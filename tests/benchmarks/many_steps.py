@@ -7,31 +7,17 @@ after all steps, device against processor, over the largest entry.
 from __future__ import annotations
 
 import time
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
+from support.many_states import scene_of, starts
 
 from symscrew.runtime import CompileError
-from symscrew.scene import Initial, parse_scene
 from symscrew.simulation import load_steps
-from symscrew.simulation.initial import initial_states_together
 
 from .tables import table
 
 SCENES = (("four_bar", "rk4"), ("three_ups_upu_s_physical", "rk4"), ("delta", "rk4"), ("ur5", "rk4"), ("ur5", "rk8"))
-SCENE = """
-[scene]
-name = "many"
-mechanism = "{}"
-duration = 0.1
-rate = 10
-[[effects]]
-type = "gravity"
-[integrator]
-method = "{}"
-step = 1e-3
-"""
 STATES, STEPS = 2**17, 50
 STARTS = 64  # different ones, over and over; so many on this processor
 
@@ -51,9 +37,9 @@ def run(*, repeats: int = 3) -> tuple[str, dict[str, Any]]:
 
 
 def _measured(mechanism: str, method: str, repeats: int) -> dict[str, float]:
-    scene = parse_scene(SCENE.format(mechanism, method))
+    scene = scene_of(mechanism, "", method)
     here = load_steps(scene, as_cpp=True)
-    q, v = _starts(scene, here.plant)
+    q, v = starts(scene, here.plant, np.random.default_rng(3).uniform(-0.3, 0.3, STARTS))
     u = np.zeros((here.plant.sizes["u"], STARTS))
 
     def on_processor() -> Any:
@@ -79,17 +65,6 @@ def _measured(mechanism: str, method: str, repeats: int) -> dict[str, float]:
     first = [result[k].get()[:, :STARTS] for k in (0, 1)]
     apart = [np.abs(one - other).max() / np.abs(other).max() for one, other in zip(first, expected, strict=False)]
     return found | {"device": float(result[4].sum()) / seconds, "difference": float(max(apart))}
-
-
-def _starts(scene: Any, plant: Any) -> tuple[np.ndarray, np.ndarray]:
-    """States on the loops, with different rates of the first coordinate that has one."""
-    tree = plant.system.tree
-    label = next(c.label for c in tree.v if c.label in {x.label for x in tree.q})
-    rates = np.random.default_rng(3).uniform(-0.3, 0.3, STARTS)
-    begins = [replace(scene, initial=Initial(rates={label: float(rate)})) for rate in rates]
-    states = initial_states_together(plant.model, [(begin, plant.parameters) for begin in begins])
-    q, v = (np.ascontiguousarray(np.array([s[k] for s in states]).T) for k in (0, 1))
-    return q, v
 
 
 def _seconds(call: Any) -> float:

@@ -11,35 +11,23 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from support.many_states import SCENE, scene_of, starts
 from support.marks import slow
 from support.runs import EXAMPLES
 
 from symscrew.cli.parser import main
 from symscrew.errors import DescriptionError
 from symscrew.runtime import CompileError, compile_cuda, find_nvrtc
-from symscrew.scene.contents import Initial, Integrator, Scene
+from symscrew.scene.contents import Integrator, Scene
 from symscrew.scene.scene_file import load_scene, parse_scene
 from symscrew.simulation.cuda_steps import load_steps, print_steps
-from symscrew.simulation.initial import initial_state, initial_states_together
+from symscrew.simulation.initial import initial_state
 from symscrew.simulation.real_time_loop import loop_plant, print_loop
 
 pytestmark = pytest.mark.slow
 
 COMPILED = pytest.mark.skipif(shutil.which("g++") is None, reason="needs g++")
 H, STEPS = 1e-3, 12
-SCENE = """
-[scene]
-name = "turned"
-mechanism = "{}"
-duration = 0.1
-rate = 10
-{}
-[[effects]]
-type = "gravity"
-[integrator]
-method = "{}"
-step = 1e-3
-"""
 DRIVEN = """
 [tables.load]
 times = [0, 0.004, 0.02]
@@ -47,10 +35,6 @@ values = [1, 2, 0]
 [drives]
 A = "load - 0.1*v_A"
 """
-
-
-def scene_of(mechanism: str, drives: str, method: str) -> Scene:
-    return parse_scene(SCENE.format(mechanism, drives, method))
 
 
 def built(scene: Scene, folder: Path) -> tuple[ctypes.CDLL, ctypes.CDLL]:
@@ -109,12 +93,7 @@ def test_many_states_take_the_steps_of_the_loop(
     else:
         scene, (steps, loop) = request.getfixturevalue("four_bar")
     made, count, random = loop_plant(scene), 3, np.random.default_rng(5)
-    tree = made.system.tree
-    label = next(c.label for c in tree.v if c.label in {x.label for x in tree.q})
-    rates = random.uniform(-0.3, 0.3, count)
-    begins = [replace(scene, initial=Initial(rates={label: float(rate)})) for rate in rates]
-    starts = initial_states_together(made.model, [(begin, made.parameters) for begin in begins])
-    arrays = tuple(np.ascontiguousarray(np.array([start[k] for start in starts]).T) for k in (0, 1))
+    arrays = starts(scene, made, random.uniform(-0.3, 0.3, count))
     x, u = np.zeros((max(made.sizes["x"], 1), count)), random.normal(0, 1, (max(made.sizes["u"], 1), count))
     assert bool(made.sizes["u"]) == (not drives and bool(made.system.drives))
     found = (arrays[0].copy(), arrays[1].copy(), x.copy(), u)

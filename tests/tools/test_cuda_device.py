@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from support.many_states import scene_of, starts
 from support.model_states import model, pendulum
 from support.runs import EXAMPLES
 
@@ -13,10 +14,9 @@ from symscrew import catalogue
 from symscrew.display import Progress
 from symscrew.program import Iteration, RankRevealing
 from symscrew.runtime import CompileError, load_cuda
-from symscrew.scene.contents import Initial, Integrator, Scene
-from symscrew.scene.scene_file import load_scene, parse_scene
+from symscrew.scene.contents import Integrator
+from symscrew.scene.scene_file import load_scene
 from symscrew.simulation.cuda_steps import load_steps
-from symscrew.simulation.initial import initial_states_together
 from symscrew.studies.accuracy import digits_study
 from symscrew.studies.accuracy.states import Subject
 from symscrew.studies.workspace import workspace
@@ -27,18 +27,6 @@ FUNCTIONS = (
     "velocity", "inverse_dynamics", "forward_dynamics", "joint_reactions", "joint_displacements", "assemble",
 )  # fmt: skip
 EXACT = {"double": 1e-12, "single": 2e-5}  # of the largest entry; a function loses up to a digit of float's 7.2
-SCENE = """
-[scene]
-name = "turned"
-mechanism = "{}"
-duration = 0.1
-rate = 10
-[[effects]]
-type = "gravity"
-[integrator]
-method = "{}"
-step = 1e-3
-"""
 
 
 @pytest.fixture(scope="module", autouse=True)
@@ -86,10 +74,9 @@ def test_kernels_are_the_evaluator(name: str, precision: str) -> None:
 )
 def test_steps_of_a_scene_are_those_of_the_processor(mechanism: str, method: str) -> None:
     """A thousand states from different rates: states, statuses and steps taken, to 1e-12 of the largest entry."""
-    scene = parse_scene(SCENE.format(mechanism, method))
+    scene = scene_of(mechanism, "", method)
     there, here = load_steps(scene), load_steps(scene, as_cpp=True)
-    starts = _starts(scene, here.plant, 8)
-    q, v = (np.ascontiguousarray(np.resize(np.array(x), (1000, len(x[0]))).T) for x in zip(*starts, strict=True))
+    q, v = (np.ascontiguousarray(x[:, np.arange(1000) % 8]) for x in starts(scene, here.plant, _rates(8)))
     u = np.random.default_rng(5).normal(0, 1, (here.plant.sizes["u"], 1000))
     make = there.library
     found = there.advance(make.asarray(q), make.asarray(v), u=make.asarray(u), h=1e-3, steps=40)
@@ -102,8 +89,7 @@ def test_states_near_a_singular_configuration_stop_on_the_device() -> None:
     scene = load_scene(EXAMPLES / "benchmarks" / "n_four_bar.toml")
     scene = replace(scene, integrator=Integrator("rk4", step=1e-3))
     there = load_steps(scene)
-    ((q, v),) = _starts(scene, there.plant, 1)
-    many = [there.library.asarray(np.ascontiguousarray(np.resize(x, (200, len(x))).T)) for x in (q, v)]
+    many = [there.library.asarray(np.repeat(x, 200, axis=1)) for x in starts(scene, there.plant, _rates(1))]
     *_, status, taken = there.advance(*many, h=1e-3, steps=2000)
     assert (status.get() == 3).all() and len(set(taken.get().tolist())) == 1 and 0 < taken.get()[0] < 2000
 
@@ -145,11 +131,5 @@ def test_the_engine_by_jax_runs_on_the_device() -> None:
     assert not status.any()
 
 
-def _starts(scene: Scene, made: object, count: int) -> list[tuple[np.ndarray, np.ndarray]]:
-    """States on the loops with different rates of the first coordinate."""
-    tree = made.system.tree  # type: ignore[attr-defined]
-    label = next(c.label for c in tree.v if c.label in {x.label for x in tree.q})
-    rates = np.random.default_rng(3).uniform(-0.3, 0.3, count)
-    begins = [replace(scene, initial=Initial(rates={label: float(rate)})) for rate in rates]
-    found = initial_states_together(made.model, [(b, made.parameters) for b in begins])  # type: ignore[attr-defined]
-    return [(np.asarray(one[0]), np.asarray(one[1])) for one in found]
+def _rates(count: int) -> np.ndarray:
+    return np.random.default_rng(3).uniform(-0.3, 0.3, count)
