@@ -77,6 +77,16 @@ def l_shaped(folder: Path) -> None:
     (folder / "l.obj").write_text("\n".join(lines))
 
 
+def test_a_compiler_of_before_asks_for_exact_meshes(tmp_path: Path) -> None:
+    """The engine has the setting no more, and the word at the mesh in its place."""
+    l_shaped(tmp_path)
+    text = """<mujoco>{}<asset><mesh file="l.obj"{}/></asset><worldbody><body name="b"><joint/>
+    <geom type="mesh" mesh="l"/></body></worldbody></mujoco>"""
+    now, before = text.format("", ' inertia="exact"'), text.format('<compiler exactmeshinertia="true"/>', "")
+    masses = [load_format(saved(given, tmp_path)).bodies["b"].mass for given in (now, before, text.format("", ""))]
+    assert masses[0] == masses[1] != masses[2]
+
+
 @pytest.mark.parametrize(
     ("shape", "kind"),
     [
