@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 from support.marks import slow
 from support.model_states import body_states, relative
-from support.rod_mechanisms import braced_arm, rotary_hexapod
+from support.operation_counts import rise
+from support.rod_mechanisms import braced_arm, model, rotary_hexapod
 from sympy import Rational
 
 from symscrew.description import Mechanism, MechanismBuilder
@@ -78,6 +79,11 @@ def test_all_ways_ask_for_the_same_drives(
     assert carrying == joints and np.abs(first).max() > 0.1
     for other in others:
         assert relative(other, first) < 1e-9
+
+
+@pytest.mark.slow
+def test_operations_of_a_carried_hexapod_do_not_rise() -> None:
+    assert rise("rods", "turning_hexapod", model("turning_hexapod")) == {}
 
 
 def test_drives_and_reactions_of_carried_bars_by_method_b() -> None:
