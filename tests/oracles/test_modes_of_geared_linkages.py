@@ -131,7 +131,7 @@ def written(mechanism: symscrew.Mechanism, folder: Path) -> CompiledModes:
 
 
 def test_c_takes_what_couplings_settle_along_its_motions_as_well(tmp_path):
-    """B = - A - A^2: modes are those of the circles; led from A = -0.6 to -0.4, between which B is not where it ends."""
+    """B = - A - A^2: modes are those of the circles; led from A = -0.6 to -0.4 B turns back on the way."""
     compiled = written(geared_five_bar({"A": ["1", "1"], "B": 1}), tmp_path)
     assert [name for name, *_ in compiled.model.drives] == ["A"]
     assert "A [rad]. Couplings settle B." in (tmp_path / "geared_five_bar_modes.h").read_text()
