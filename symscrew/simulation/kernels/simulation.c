@@ -171,8 +171,9 @@ static double first_step(Simulation *s, Step *step)
     double y[NY1], dy[NY1], size = 0.0, rate = 0.0, change = 0.0;
     memcpy(step->end, step->start, sizeof step->end);
     memcpy(step->q, s->q, sizeof s->q);
+    const double least = least_rate(step);
     for (int i = 0; i < NY - PASSIVE; ++i) {
-        const double w = weight(step, i, s->rtol, s->atol);
+        const double w = weight(step, i, s->rtol, s->atol, least);
         const double value = i < NV ? 0.0 : step->start[i] / w;
         size += value * value;
         rate += (step->k[0][i] / w) * (step->k[0][i] / w);
@@ -186,7 +187,7 @@ static double first_step(Simulation *s, Step *step)
         return fmin(1e-6, s->longest);
     }
     for (int i = 0; i < NY - PASSIVE; ++i) {
-        const double w = weight(step, i, s->rtol, s->atol), difference = (dy[i] - step->k[0][i]) / w;
+        const double w = weight(step, i, s->rtol, s->atol, least), difference = (dy[i] - step->k[0][i]) / w;
         change += difference * difference;
     }
     const double steepest = fmax(sqrt(rate), sqrt(change) / h);
