@@ -19,7 +19,7 @@ pytestmark = pytest.mark.skipif(find_compiler() is None, reason="no C compiler: 
 
 
 def moved(pull: str | Table, duration: float, rate: float, place: float, speed: float, *, rough: bool = False) -> Run:
-    """1 kg on a rail between stops at +-1 m that throw it back as fast as it comes; 1 N of friction where it is rough."""
+    """1 kg on a rail between stops at +-1 m that throw it back as it comes; 1 N of friction where it is rough."""
     builder = MechanismBuilder("block")
     builder.body("block", mass=1, com=[0, 0, 0], inertia=[1, 1, 1])
     builder.joint("z", "P", parent="base", child="block", point=[0, 0, 0], axes=[[0, 0, 1]], driven=[0])
