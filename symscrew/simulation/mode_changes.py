@@ -114,7 +114,7 @@ def _met(at: ContactState, modes: Modes, which: int = -1) -> Change:
     rebound = np.array([rules[k].restitution for k, _ in contacts]) * np.maximum(-before, 0)
     impulse = complementary(gain, before - rebound)
     after = before + gain @ impulse
-    slow = _soft(at, modes, contacts, columns, impulse)
+    slow = _soft(at, modes, contacts, gains=columns, impulse=impulse)
     if slow.any():  # they stay closed: what is left of their rates is taken too
         rest = np.zeros(len(contacts))
         rest[slow] = np.linalg.lstsq(gain[np.ix_(slow, slow)], -after[slow], rcond=SHARED)[0]
@@ -140,13 +140,14 @@ def _soft(
     at: ContactState,
     modes: Modes,
     contacts: Sequence[tuple[int, int]],
-    columns: np.ndarray,
+    *,
+    gains: np.ndarray,
     impulse: np.ndarray,
 ) -> np.ndarray:
     """Which of the stops that are met (their numbers and ends) stay closed behind these impulses."""
     rows, units = [at.rules[k].v for k, _ in contacts], at.units
     inwards = -np.array([end for _, end in contacts], dtype=float)
-    behind = replace(at, v=at.v + columns @ impulse)
+    behind = replace(at, v=at.v + gains @ impulse)
     after = inwards * behind.v[rows]
     slow = np.abs(after / units[rows]) <= NO_REBOUND * at.fastest
     for (k, end), closed in zip(contacts, slow, strict=True):
