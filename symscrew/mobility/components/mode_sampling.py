@@ -117,6 +117,8 @@ def _walk(network: Network, variety: ClosureVariety, q: Array, random: np.random
         screws = variety.forward(q[None])[0]
         _, s, vt = np.linalg.svd(variety.jacobians(screws, q[None])[0])
         tangent = vt[int((s > RANK * s[0]).sum()) :]
+        if not len(tangent):
+            break  # an isolated configuration
         direction = random.normal(size=len(tangent)) @ tangent
         after = _closed(variety, q + STRIDE * direction / np.linalg.norm(direction))
         if after is not None and np.linalg.norm(after - q) < 2 * STRIDE:
