@@ -40,7 +40,7 @@ NEAR, SAMPLES = 0.2, 4
 """How far [rad, lengths of the mechanism] configurations near the reference are sought, and how many: a number that
 no motion changes is the same to rounding in all of them, one that some motion changes only by chance."""
 DEPENDS = 1e-6
-"""A number whose gradient along the motions is, beside those of numbers before it, smaller follows from these."""
+"""A number whose gradient along the motions is, beside those of others, smaller than this follows from these."""
 FITS = 1e-11
 """What numbers that follow from others may miss [rad, the mechanism's size]: as typed in 12 digits."""
 REFINEMENTS = 8
@@ -150,13 +150,16 @@ def _with_some_of(network: Network, targets: Sequence[Target], names: str) -> tu
     rest = np.zeros(coarse.columns)
     values, rows = np.linalg.svd(coarse.evaluate(rest[None])[1][0])[1:]
     motions = rows[int((values > CUT_OFF).sum()) :].T
-    chosen, basis = list[Target](), np.zeros((0, motions.shape[1]))
-    for target in targets:
-        slope = target.gradient(coarse, rest) @ motions
-        across = slope - basis.T @ (basis @ slope)
-        if np.linalg.norm(across) > DEPENDS:
-            chosen.append(target)
-            basis = np.concatenate([basis, across[None] / np.linalg.norm(across)])
+    left_over = [target.gradient(coarse, rest) @ motions for target in targets]
+    chosen = list[Target]()
+    while left_over:  # what moves most is followed most surely
+        k = int(np.argmax([np.linalg.norm(slope) for slope in left_over]))
+        size = float(np.linalg.norm(left_over[k]))
+        if size < DEPENDS:
+            break
+        unit = left_over[k] / size
+        left_over = [slope - unit * float(unit @ slope) for slope in left_over]
+        chosen.append(targets[k])
     if len(chosen) == len(targets):
         return None
     try:

@@ -48,8 +48,8 @@ class ConfigurationSpace:
     `subject`: what the variables fix, `settles`: whether all joints of the loops; `resting`: (joint, angle [rad]) such
     that a component on all of which the joint stands at the angle would be missed; none where other charts have been
     decomposed, too; `reason`: what was not done, empty
-    where all parts are irreducible; `found`: real configurations from random starts, without those of which doubles do not
-    tell where they are; `on`: how many of them lie on each part.
+    where all parts are irreducible; `found`: real configurations from random starts, without those near to no part of
+    which doubles do not tell where they are; `on`: how many of them lie on each part.
     """
 
     subject: str

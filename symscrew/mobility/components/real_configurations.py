@@ -27,8 +27,9 @@ CLOSED = 1e-12
 CUT_OFF = 1e-9
 """Relative singular values below this are left out of Newton's steps: redundant equations have 1e-16."""
 BLURRED = (1e-12, 1e-7)
-"""A relative singular value between these says that loops closed to `CLOSED` do not tell where a configuration is: where
-solutions meet three at a time it is 1e-9 and the place is known to 1e-4. Those of redundant equations are below."""
+"""A relative singular value between these says that loops closed to `CLOSED` do not tell where a configuration is:
+where solutions meet three at a time it is 1e-9 and the place is known to 1e-4. Those of redundant equations are
+below."""
 FAR = 1.5
 """Slides start within this many sizes of the mechanism from the reference."""
 SEED = 20231009

@@ -1,8 +1,8 @@
 """Branches where the loops leave one equation, f(u) = 0: told by the rank of its quadratic form, not by samples.
 
-    rank 3 and more, indefinite     f does not factor: one branch, a cone
-    rank 2, indefinite              f = x y + h(z) in suitable coordinates (splitting lemma): two branches that cross, with
-                                    the tangent spaces x = 0 and y = 0, where h vanishes; where it does not f does not factor
+    rank 3 and more, indefinite   f does not factor: one branch, a cone
+    rank 2, indefinite            f = x y + h(z) in suitable coordinates (splitting lemma): two branches that cross, of
+                                  tangent spaces x = 0 and y = 0, where h vanishes; else f does not factor
 
 Whether h vanishes is seen at points z near the configuration, as far as doubles tell. Other cases are left to samples.
 M. Golubitsky, D. Schaeffer, Singularities and groups in bifurcation theory I, 1985, chapter II.
