@@ -63,6 +63,7 @@ def test_in_words_and_json() -> None:
     assert values["judgement"] == "sampled" and [m["dimension"] for m in values["modes"]] == [2, 1]
 
 
+@slow
 def test_configurations_that_cannot_move_are_no_modes_and_no_error() -> None:
     """A bar to the centre of curvature of a coupler point's path stops a four-bar: all its configurations are alone."""
     made = CASES["coupler point"].make()

@@ -58,7 +58,8 @@ def sheets_of_one_equation(reduced: ReducedClosure, forms: Array) -> Array | Non
         return None
     if bent.sum() > 2:
         return np.zeros((0, dof))
-    told = (_splits(reduced, u[:, 0], vectors[:, bent], vectors[:, ~bent], far) for far in DISTANCES)
+    parts = (u[:, 0], vectors[:, bent], vectors[:, ~bent])
+    told = (_splits(reduced, parts, far) for far in DISTANCES)
     split = next((answer for answer in told if answer is not None), None)
     if split is None:
         return None
@@ -69,8 +70,12 @@ def sheets_of_one_equation(reduced: ReducedClosure, forms: Array) -> Array | Non
     return np.asarray(normals / np.linalg.norm(normals, axis=1)[:, None])
 
 
-def _splits(reduced: ReducedClosure, weights: Array, across: Array, along: Array, far: float) -> bool | None:
-    """Whether h, what is left of f where its gradient across vanishes, is zero; None where that is not told."""
+def _splits(reduced: ReducedClosure, parts: tuple[Array, Array, Array], far: float) -> bool | None:
+    """Whether h, what is left of f where its gradient across vanishes, is zero; None where that is not told.
+
+    `parts`: weights of the equations in f, unit vectors across, where the form is not zero, and along it as columns.
+    """
+    weights, across, along = parts
 
     def at(points: Array) -> tuple[Array, Array, bool]:
         values = reduced.evaluate(points)
