@@ -39,6 +39,10 @@ CUT_OFF = 1e-9
 NEAR, SAMPLES = 0.2, 4
 """How far [rad, lengths of the mechanism] configurations near the reference are sought, and how many: a number that
 no motion changes is the same to rounding in all of them, one that some motion changes only by chance."""
+DEPENDS = 1e-6
+"""A number whose gradient along the motions is, beside those of others, smaller than this follows from these."""
+FITS = 1e-11
+"""What numbers that follow from others may miss [rad, the mechanism's size]: as typed in 12 digits."""
 REFINEMENTS = 8
 """Steps to 60 digits, of about 14 digits each at a regular pose."""
 REFINED = 1e-52
@@ -48,12 +52,12 @@ REFINED = 1e-52
 class UnreachedError(DescriptionError):
     """No configuration has these coordinates: how many numbers were given, and how many the mechanism leaves free."""
 
-    def __init__(self, names: str, numbers: int, free: int) -> None:
+    def __init__(self, names: str, numbers: int, free: int, left: float = 0.0) -> None:
         many = f"; {numbers} numbers are given and {free} are free: leave some out, and they follow"
-        super().__init__(
-            f"at {names}: the loops cannot be assembled there from the reference configuration"
-            + many * (numbers > free)
-        )
+        text = f"the loops close only to {left:.1e}; a singular configuration?"
+        if not left:
+            text = "the loops cannot be assembled there from the reference configuration" + many * (numbers > free)
+        super().__init__(f"at {names}: {text}")
         self.numbers, self.free = numbers, free
 
 
@@ -111,11 +115,24 @@ def displaced(mechanism: Mechanism, network: Network, at: Mapping[str, Any]) -> 
     if not at:
         return Reached(network, 0.0, read_coordinates(mechanism, fine, np.full(fine.columns, CONTEXT.zero)))
     targets = targets_of(mechanism, network, given_coordinates(mechanism, at))
-    coarse = ClosureVariety(network)
+    names = ", ".join(at)
+    try:
+        point, left = _assembled(network, targets, names)
+    except UnreachedError:  # more numbers than freedoms, as of a whole pose, fit together to their own digits only
+        found = _with_some_of(network, targets, names)
+        if found is None:
+            raise
+        point, left = found
+    return Reached(moved(network, fine, point), left, read_coordinates(mechanism, fine, point))
+
+
+def _assembled(network: Network, targets: Sequence[Target], names: str) -> tuple[Array, float]:
+    """Displacements in 60 digits where all targets are met, and the closure residual."""
+    coarse, fine = ClosureVariety(network), ClosureVariety(network, DIGITS_60)
     q = np.zeros(coarse.columns)
     goal = np.array([float(target.goal) for target in targets])
     for k in range(1, STEPS + 1):
-        q = _closed(coarse, q, targets, goal=goal * k / STEPS, names=", ".join(at))
+        q = _closed(coarse, q, targets, goal=goal * k / STEPS, names=names)
     given = {target.column for target in targets}
     still = [c for c in range(len(q)) if c not in given and abs(q[c]) < SNAPPED]
     snapped = [*(Target(CONTEXT.zero, _coordinate(c), c) for c in still), *targets]
@@ -123,8 +140,35 @@ def displaced(mechanism: Mechanism, network: Network, at: Mapping[str, Any]) -> 
     if left > CLOSED:
         point, left = _refined(coarse, fine, q, targets)
     if left > CLOSED:
-        raise DescriptionError(f"at {', '.join(at)}: the loops close only to {left:.1e}; a singular configuration?")
-    return Reached(moved(network, fine, point), left, read_coordinates(mechanism, fine, point))
+        raise UnreachedError(names, len(targets), _free(coarse), left)
+    return point, left
+
+
+def _with_some_of(network: Network, targets: Sequence[Target], names: str) -> tuple[Array, float] | None:
+    """The same by targets that are independent in the reference configuration, if the others are met with them."""
+    coarse = ClosureVariety(network)
+    rest = np.zeros(coarse.columns)
+    values, rows = np.linalg.svd(coarse.evaluate(rest[None])[1][0])[1:]
+    motions = rows[int((values > CUT_OFF).sum()) :].T
+    left_over = [target.gradient(coarse, rest) @ motions for target in targets]
+    chosen = list[Target]()
+    while left_over:  # what moves most is followed most surely
+        k = int(np.argmax([np.linalg.norm(slope) for slope in left_over]))
+        size = float(np.linalg.norm(left_over[k]))
+        if size < DEPENDS:
+            break
+        unit = left_over[k] / size
+        left_over = [slope - unit * float(unit @ slope) for slope in left_over]
+        chosen.append(targets[k])
+    if len(chosen) == len(targets):
+        return None
+    try:
+        point, left = _assembled(network, chosen, names)
+    except UnreachedError:
+        return None
+    q = point.astype(float)
+    met = all(abs(float(target.of(coarse, q)) - float(target.goal)) < FITS for target in targets)
+    return (point, left) if met else None
 
 
 def in_words(coordinates: Mapping[str, Any], parameters: Mapping[str, Any]) -> str:
@@ -195,5 +239,10 @@ def _closed(variety: ClosureVariety, q: Array, targets: Sequence[Target], *, goa
         q = q - np.linalg.pinv(jacobian, rcond=CUT_OFF) @ residual
     if np.linalg.norm(residual) < NEARLY:
         return q
-    free = q.size - int(np.linalg.matrix_rank(variety.evaluate(np.zeros((1, q.size)))[1][0], tol=CUT_OFF))
-    raise UnreachedError(names, len(targets), free)
+    raise UnreachedError(names, len(targets), _free(variety))
+
+
+def _free(variety: ClosureVariety) -> int:
+    """Instantaneous freedoms in the reference configuration."""
+    jacobian = variety.evaluate(np.zeros((1, variety.columns)))[1][0]
+    return variety.columns - int(np.linalg.matrix_rank(jacobian, tol=CUT_OFF))

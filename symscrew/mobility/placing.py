@@ -18,6 +18,7 @@ from symscrew.description import Mechanism
 from symscrew.kinematics import System, coordinate_units, given_coordinates
 from symscrew.mobility.configuration import (
     CUT_OFF,
+    FITS,
     Reached,
     UnreachedError,
     displaced,
@@ -169,7 +170,7 @@ def _kept(mechanism: Mechanism, network: Network, given: Mapping[str, sympy.Expr
         about = {key: given[key] for key in (f"{owner}.azimuth",) if part == "tilt" and key in given}
         for target in targets_of(mechanism, network, {name: value, **about}):
             there = [float(target.of(variety, q)) for q in points]
-            if len(near) and np.ptp(there) < SAME and abs(there[0] - float(target.goal)) > SAME:
+            if len(near) and np.ptp(there) < SAME and abs(there[0] - float(target.goal)) > FITS:
                 found.append(name)
                 break
     return found

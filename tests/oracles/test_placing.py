@@ -54,6 +54,16 @@ def test_where_there_is_no_configuration_a_status_says_why() -> None:
         symscrew.inverse_kinematics(mechanism, {"platfrm.z": "1mm"})
 
 
+def test_a_whole_pose_in_doubles_is_taken_where_it_fits() -> None:
+    """Six numbers of a body with one freedom fit to their digits only; one that does not fit is refused."""
+    mechanism = catalogue.load("bennett")
+    there = symscrew.inverse_kinematics(mechanism, {"J1": 0.3})
+    pose = {part: there.pose[part] for part in ("x", "y", "z", "rx", "ry", "rz")}
+    again = symscrew.inverse_kinematics(mechanism, pose)
+    assert again.ok and all(abs(again.values[key] - value) < 1e-9 for key, value in there.values.items())
+    assert not symscrew.inverse_kinematics(mechanism, {**pose, "rx": pose["rx"] + 1e-9}).ok
+
+
 def test_q_is_that_of_a_model_and_closes_its_loops() -> None:
     """The delta's arms by hand: a rod's ends are its length apart."""
     mechanism = catalogue.load("delta")

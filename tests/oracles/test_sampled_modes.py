@@ -5,6 +5,7 @@ from __future__ import annotations
 from functools import cache
 
 import pytest
+from support.further_mechanisms import CASES
 from support.marks import slow
 from support.parallel_mechanisms import four_ruu, snu
 from support.reference_mechanisms import ENTRIES, build
@@ -60,3 +61,11 @@ def test_in_words_and_json() -> None:
     lines, values = mode_lines(found), mode_values(found)
     assert "sampled" in lines[0] and "others may be missing" in lines[0] and len(lines) == 3
     assert values["judgement"] == "sampled" and [m["dimension"] for m in values["modes"]] == [2, 1]
+
+
+@slow
+def test_configurations_that_cannot_move_are_no_modes_and_no_error() -> None:
+    """A bar to the centre of curvature of a coupler point's path stops a four-bar: all its configurations are alone."""
+    made = CASES["coupler point"].make()
+    found = sampled_modes(network_of(made), "coupler")
+    assert found.found > 10 and not found.modes

@@ -8,6 +8,7 @@ import shutil
 from collections.abc import Callable
 from dataclasses import replace
 from fractions import Fraction
+from typing import Any
 
 import pytest
 from support.further_mechanisms import CASES, Z, loop
@@ -17,7 +18,13 @@ from support.reference_mechanisms import ENTRIES, build
 from symscrew.cli.parser import main
 from symscrew.description.mechanism import Mechanism
 from symscrew.mobility import analyse_mobility, with_components
-from symscrew.mobility.components import ConfigurationSpace, algebraic_closure, configuration_space, space_lines
+from symscrew.mobility.components import (
+    ConfigurationSpace,
+    algebraic_closure,
+    all_components,
+    configuration_space,
+    space_lines,
+)
 from symscrew.mobility.components import charts as held_charts
 from symscrew.mobility.components.exact_parts import PROGRAM, ExactParts, _answer
 from symscrew.mobility.joint_network import network_of
@@ -172,3 +179,19 @@ def test_in_words_and_json(capsys: pytest.CaptureFixture[str]) -> None:
     assert values["all_joints_settled"] and values["all_but_with_a_joint_held_at"] == []
     assert main(["mobility", "bennett", "--components"]) == 0
     assert "1 component of the pose of" in capsys.readouterr().out
+
+
+def test_where_many_solutions_meet_doubles_refute_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A bar to the centre of curvature: four solutions meet three at a time in the reference, which doubles blur."""
+    found = space("coupler point")
+    assert [(part.dimension, part.degree) for part in found.parts] == [(0, 1), (0, 3)] and found.found == sum(found.on)
+    assert found.on[0] > 5 and found.on[1] > 5
+    whole = all_components.exact_parts
+
+    def without_the_others(*args: Any, **options: Any) -> ExactParts:
+        made = whole(*args, **options)
+        return replace(made, parts=tuple(part for part in made.parts if part.through))
+
+    monkeypatch.setattr(all_components, "exact_parts", without_the_others)
+    made = mechanism("coupler point")
+    assert "on none of the components" in str(configuration_space(made, network_of(made)))

@@ -24,6 +24,7 @@ from symscrew.mobility.components.exact_parts import SECONDS, Part, exact_parts
 from symscrew.mobility.components.real_configurations import (
     real_configurations,
     resting_angles,
+    told_apart,
     variables_at,
 )
 from symscrew.mobility.joint_network import Network
@@ -33,6 +34,8 @@ Array = np.ndarray[Any, Any]
 ON = 1e-5
 """A polynomial is zero where its value is below this part of what its terms can be with variables of that size: loops
 are closed to 1e-12, and where branches touch Newton's method gives half these digits."""
+NEARLY_ON = 1e-2
+"""The same where many solutions meet in one: there a closure of 1e-12 tells the place to 1e-4, or 1e-3 of four."""
 NO_VALUE = 1e8
 """A tangent beyond this belongs to a joint within 1e-8 rad of the angle at which it has no value: it rests there, and
 lies on what another chart shows."""
@@ -45,8 +48,8 @@ class ConfigurationSpace:
     `subject`: what the variables fix, `settles`: whether all joints of the loops; `resting`: (joint, angle [rad]) such
     that a component on all of which the joint stands at the angle would be missed; none where other charts have been
     decomposed, too; `reason`: what was not done, empty
-    where all parts are irreducible; `found`: real configurations from random starts; `on`: how many of them lie on each
-    part.
+    where all parts are irreducible; `found`: real configurations from random starts, without those near to no part of
+    which doubles do not tell where they are; `on`: how many of them lie on each part.
     """
 
     subject: str
@@ -81,12 +84,17 @@ def configuration_space(mechanism: Mechanism, network: Network, seconds: float =
     q = real_configurations(network)
     values = [_values(own, network, q) for _, own in parts]
     count = len(values[0]) if values else 0
-    members = np.array([_on(part, v) for (part, _), v in zip(parts, values, strict=True)]).reshape(len(parts), count)
-    if not members.any(axis=0).all():
+    told = told_apart(network, q[:count])
+    open_to = np.where(told, ON, NEARLY_ON)
+    on_each = [_on(part, v, open_to) for (part, _), v in zip(parts, values, strict=True)]
+    members = np.array(on_each).reshape(len(parts), count)
+    seen = members.any(axis=0)
+    if (told & ~seen).any():
         return "not decided: a configuration was found that is on none of the components of the equations"
     on = tuple(int(row.sum()) for row in members)
     return ConfigurationSpace(
-        closure.subject, closure.variables, str(closure.field), tuple(part for part, _ in parts), exact.reason, count,
+        closure.subject, closure.variables, str(closure.field), tuple(part for part, _ in parts), exact.reason,
+        int((seen | told).sum()),
         on, resting_angles(closure, network) if held is None else (), closure.settles,
     )  # fmt: skip
 
@@ -96,12 +104,12 @@ def _values(closure: ClosureEquations, network: Network, q: Array) -> Array:
     return np.zeros((0, len(closure.variables))) if values is None else values
 
 
-def _on(part: Part, values: Array) -> Array:
-    """Which rows of values are zeros of all equations of the part."""
+def _on(part: Part, values: Array, open_to: Array) -> Array:
+    """Which rows of values are zeros of all equations of the part, each as near as it is known."""
     inside = np.array(np.abs(values).max(axis=1, initial=0.0) < NO_VALUE)
     largest = np.abs(values).max(axis=1, initial=1.0)
     for polynomial in part.polynomials:
         value = sum(c * np.prod(values ** np.array(key), axis=1) for key, c in polynomial.items())
         size = sum(abs(c) * largest ** sum(key) for key, c in polynomial.items())
-        inside &= np.abs(value) <= ON * size
+        inside &= np.abs(value) <= open_to * size
     return inside

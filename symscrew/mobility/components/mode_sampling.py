@@ -25,6 +25,8 @@ Array = np.ndarray[Any, Any]
 
 POSES = 60
 """Of a mode: far more than the 36 quadrics in Study's parameters, so that forms are not of the sample."""
+STUCK = 6
+"""Tangents, none of which leads anywhere, after which a configuration is taken for isolated."""
 EVERY = 6
 """Of these the dimensions are looked at: the mode has those of most."""
 STRIDE = 0.4
@@ -113,10 +115,12 @@ def sampled_modes(network: Network, body: str) -> SampledModes:
 def _walk(network: Network, variety: ClosureVariety, q: Array, random: np.random.Generator) -> Array:
     """Configurations along random tangents, one from another."""
     result = []
-    for _ in range(4 * POSES):
+    for tried in range(4 * POSES):
         screws = variety.forward(q[None])[0]
         _, s, vt = np.linalg.svd(variety.jacobians(screws, q[None])[0])
         tangent = vt[int((s > RANK * s[0]).sum()) :]
+        if not len(tangent) or (tried == STUCK and not result):
+            break  # an isolated configuration, of which some have instantaneous freedoms
         direction = random.normal(size=len(tangent)) @ tangent
         after = _closed(variety, q + STRIDE * direction / np.linalg.norm(direction))
         if after is not None and np.linalg.norm(after - q) < 2 * STRIDE:

@@ -26,6 +26,10 @@ CLOSED = 1e-12
 """Closure residual, in units of the mechanism's size, of a configuration: rounding of a few operations."""
 CUT_OFF = 1e-9
 """Relative singular values below this are left out of Newton's steps: redundant equations have 1e-16."""
+BLURRED = (1e-12, 1e-7)
+"""A relative singular value between these says that loops closed to `CLOSED` do not tell where a configuration is:
+where solutions meet three at a time it is 1e-9 and the place is known to 1e-4. Those of redundant equations are
+below."""
 FAR = 1.5
 """Slides start within this many sizes of the mechanism from the reference."""
 SEED = 20231009
@@ -46,6 +50,20 @@ def real_configurations(network: Network, starts: int = STARTS) -> Array:
         q = wrapped(network, q - step / np.maximum(1.0, size))
     residuals, _ = variety.evaluate(q)
     return np.asarray(q[(np.abs(residuals).max(axis=1, initial=0.0) < CLOSED) & np.isfinite(q).all(axis=1)])
+
+
+def told_apart(network: Network, q: Array) -> Array:
+    """Which configurations are known to about the error of their closure: they may refute what others cannot."""
+    if not len(q):
+        return np.ones(0, dtype=bool)
+    variety = ClosureVariety(network)
+    residuals, jacobians = variety.evaluate(q)
+    for _ in range(2):  # to rounding, so that redundant equations are redundant to rounding
+        q = q - (np.linalg.pinv(jacobians, rcond=CUT_OFF) @ residuals[..., None])[..., 0]
+        residuals, jacobians = variety.evaluate(q)
+    values = np.linalg.svd(jacobians, compute_uv=False)
+    relative = values / values[:, :1]
+    return np.asarray(~((relative > BLURRED[0]) & (relative < BLURRED[1])).any(axis=1))
 
 
 def wrapped(network: Network, q: Array) -> Array:

@@ -28,6 +28,7 @@ from symscrew.mobility.finite import (
     solve_dependent,
 )
 from symscrew.mobility.joint_network import Network
+from symscrew.mobility.motions.one_equation import sheets_of_one_equation
 from symscrew.mobility.motions.sheets import on_one_sheet
 from symscrew.mobility.screw_systems import null_space
 
@@ -60,6 +61,8 @@ MOST = 8
 """Zeros of branches of two and more dimensions that are grouped, as far apart as possible: paths between them cost."""
 MISSED = 3
 """Of two zeros: nearest others to which no path led, after which no further ones are tried between them."""
+BETWEEN = 0.2
+"""A zero belongs to the nearer of two tangent spaces if its distance is this part of that from the other one."""
 AT_REST = 1e-7
 """Of a unit motion: what is left of a joint that does not move along a branch, at points known to 1e-9."""
 STEPS = 10
@@ -141,7 +144,8 @@ def germs_at(variety: ClosureVariety, here: Local, dimensions: Mapping[int, int]
         dimensions: of branches by the instantaneous freedoms on them.
     """
     network, reduced = variety.network, ReducedClosure(variety, here)
-    outer, inner = _zeros(reduced, quadratic_forms(variety, here))
+    forms = quadratic_forms(variety, here)
+    outer, inner = _zeros(reduced, forms)
     known: list[_Zero] = []
     for q, near in zip(outer, inner, strict=True):
         there = local_at(variety, q)
@@ -152,9 +156,27 @@ def germs_at(variety: ClosureVariety, here: Local, dimensions: Mapping[int, int]
             known.append(_Zero(dimensions[there.dof], q, near, tangent, line, frozenset(resting.tolist())))
     yield from _curves(network, [zero for zero in known if zero.dimension == 1])
     for dimension in sorted({zero.dimension for zero in known} - {1}):
-        for group in _grouped(reduced, _far_apart([zero for zero in known if zero.dimension == dimension])):
+        zeros = [zero for zero in known if zero.dimension == dimension]
+        for group in _of_one_equation(reduced, forms, zeros) or _grouped(reduced, _far_apart(zeros)):
             lines = np.array([zero.line for zero in group])
             yield Germ(network, dimension, (group[0].q, group[0].near), lines)
+
+
+def _of_one_equation(reduced: ReducedClosure, forms: Array, zeros: list[_Zero]) -> list[list[_Zero]]:
+    """The zeros of each branch where one equation tells how many there are; empty where it does not.
+
+    Zeros near to both of two tangent spaces are left out.
+    """
+    if zeros[0].dimension != reduced.here.dof - 1:
+        return []
+    normals = sheets_of_one_equation(reduced, forms)
+    if normals is None:
+        return []
+    if not len(normals):
+        return [zeros]
+    off = [np.abs(normals @ (reduced.here.kernel.T @ zero.line)) for zero in zeros]
+    groups = [[zero for zero, d in zip(zeros, off, strict=True) if d[k] < BETWEEN * d[1 - k]] for k in range(2)]
+    return groups if all(groups) else []
 
 
 def _grouped(reduced: ReducedClosure, zeros: list[_Zero]) -> list[list[_Zero]]:

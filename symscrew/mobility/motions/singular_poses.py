@@ -13,9 +13,18 @@ from typing import Any
 
 import numpy as np
 
-from symscrew.mobility.finite import DIGITS_60, ClosureVariety, local_at, moved, without_spins
+from symscrew.mobility.finite import (
+    DIGITS_60,
+    ClosureVariety,
+    ReducedClosure,
+    local_at,
+    moved,
+    quadratic_forms,
+    without_spins,
+)
 from symscrew.mobility.motions.coordinate_lines import STRIDE, Pose, Setting, Track, corrected, pose_at
 from symscrew.mobility.motions.germs import germs_at
+from symscrew.mobility.motions.one_equation import sheets_of_one_equation
 from symscrew.mobility.motions.rank_loss import Loss, at_pose, decided, freedoms_at
 
 Array = np.ndarray[Any, Any]
@@ -105,16 +114,18 @@ def _on(setting: Setting, line: Track) -> Iterator[Loss]:
         if typical < NOWHERE:
             continue  # lost all along: `lost_lines`
         size = max(typical, float(values.max()) * ZERO)
-        for k in range(1, len(poses) - 1):
-            if values[k] <= min(values[k - 1], values[k + 1]) and values[k] < DIPS * typical:
+        for k in range(len(poses) - 1):
+            before = values[k - 1] if k else np.inf  # the other side of the reference is another track
+            if values[k] <= min(before, values[k + 1]) and values[k] < DIPS * typical:
                 known = _known(setting, line, poses[k], turns) if kind == "drives" else None
                 loss = known or _at_once(setting, line, poses[k], kind)
-                found = None if loss is not None else _lowest(setting, line, poses[k - 1], kind, strides=2.2)
+                start, strides = poses[max(k - 1, 0)], 2.2 if k else 1.1
+                found = None if loss is not None else _lowest(setting, line, start, kind, strides=strides)
                 if found is not None and found[1] < ALMOST * size:
                     loss = decided(setting, line, found[0], kind)
                     if loss.real is None and found[1] >= ZERO * size:
                         continue
-                if loss is not None:
+                if loss is not None and (k or np.linalg.norm(loss.place) > SAME):  # the report judges the reference
                     yield loss
 
 
@@ -209,5 +220,9 @@ def _crossing(setting: Setting, q: Array) -> tuple[int, tuple[int, ...]]:
     there, spins = without_spins(moved(setting.network, ClosureVariety(setting.network, DIGITS_60), q))
     variety = ClosureVariety(there)
     here = local_at(variety, np.zeros(variety.columns), rank=variety.columns - instantaneous + spins)
+    if len(here.stresses) == 1:  # what one equation tells needs no zeros of it
+        normals = sheets_of_one_equation(ReducedClosure(variety, here), quadratic_forms(variety, here))
+        if normals is not None:
+            return instantaneous, (instantaneous - 1,) * max(1, len(normals))
     found = germs_at(variety, here, {d: d for d in range(1, instantaneous - spins)})
     return instantaneous, tuple(sorted((germ.dimension + spins for germ in found), reverse=True))
