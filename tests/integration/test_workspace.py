@@ -251,7 +251,7 @@ def test_dask_gives_the_same_though_a_worker_is_killed(tmp_path: Path) -> None:
     distributed = pytest.importorskip("distributed", reason="Dask is not installed: pip install symscrew[dask]")
     prepared.cache_clear()  # what other tests compiled
     label = prepare_sweep(plan_of("four_bar")).labels[0]
-    plan = plan_of("four_bar", Axis(label, -0.5, 0.5, 20000), chunk=250)
+    plan = plan_of("four_bar", Axis(label, -0.5, 0.5, 4000), chunk=50)
     settings = {"n_workers": 2, "threads_per_worker": 1, "dashboard_address": None, "processes": True}
     with distributed.LocalCluster(**settings) as cluster:
         counted: list[int] = []
