@@ -8,6 +8,7 @@ place (tangent and arc tangent of two numbers: 2).
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import Any
 
@@ -106,13 +107,16 @@ def exp(x: Any) -> Any:
 
 def arctan2(y: Any, x: Any) -> Any:
     """The angle of the point (x, y) [rad], from -pi to pi."""
+    pi, pi_low = 2.0 * BREAKS[-1][2], 2.0 * BREAKS[-1][3]
+    if np.ndim(x) == np.ndim(y) == 0 and x and y and math.isfinite(x) and math.isfinite(y):  # as in `_circular`
+        angle = _arc_tangent_of_number(abs(float(y) / float(x)))
+        return np.float64(math.copysign(pi - (angle - pi_low) if x < 0.0 else angle, y))
     y, x = np.asarray(y, dtype=float)[()], np.asarray(x, dtype=float)[()]
     plain = np.isfinite(x) & np.isfinite(y) & (x != 0.0) & (y != 0.0)
     if not np.all(plain):  # multiples of pi/4, signs of zero
         return np.where(plain, arctan2(np.where(plain, y, 1.0), np.where(plain, x, 1.0)), np.arctan2(y, x))[()]
     with np.errstate(over="ignore", under="ignore"):
         angle = _arc_tangent(np.abs(y / x))
-    pi, pi_low = 2.0 * BREAKS[-1][2], 2.0 * BREAKS[-1][3]
     return np.copysign(np.where(x < 0.0, pi - (angle - pi_low), angle), y)[()]
 
 
@@ -163,7 +167,18 @@ def _arc_tangent(x: Any) -> Any:
     last = np.isinf(middle)
     kept = np.where(last, 0.0, middle)
     top, bottom = np.where(last, -1.0, x - kept), np.where(last, x, 1.0 + kept * x)
-    rest = top / bottom
+    return _behind_break(top / bottom, high, low)
+
+
+def _arc_tangent_of_number(x: float) -> float:
+    """The same of a plain number."""
+    _, middle, high, low = max((row for row in BREAKS if x >= row[0]), default=(0.0, 0.0, 0.0, 0.0))
+    rest = -1.0 / x if middle == np.inf else (x - middle) / (1.0 + middle * x)
+    return float(_behind_break(rest, high, low))
+
+
+def _behind_break(rest: Any, high: Any, low: Any) -> Any:
+    """The arc tangent of a break, in two parts, and that of what is left."""
     square = rest * rest
     fourth = square * square
     odd = square * _polynomial(fourth, ARC_TANGENT[0::2]) + fourth * _polynomial(fourth, ARC_TANGENT[1::2])

@@ -9,6 +9,7 @@ equal_limbs         which parts of a mechanism do the same
 lowering            from nodes to a program
 passes              what is done to the nodes before: a table, a file each
 numpy_evaluation    programs on NumPy
+number_by_number    the same for a few states, on Python's own numbers
 jacobians           derivatives of a program by its inputs, as a program; the gradient of its weighted results
 json_form           programs as lists that JSON holds
 asked               a mapping whose values are made when somebody asks for them

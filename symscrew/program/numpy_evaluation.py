@@ -1,4 +1,4 @@
-"""Programs run on NumPy: whole batches of states at once, instruction by instruction.
+"""Programs run on NumPy: whole batches of states at once, instruction by instruction; a few of them one by one.
 
     arrays (*batch, size), one per input --evaluate--> arrays (*batch, size), one per output, and the status (*batch)
 
@@ -7,13 +7,18 @@ This is the reference for every printed target: what a target computes must agre
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import math
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
 
 from symscrew.algebra import apply_numpy
+from symscrew.program.number_by_number import number_by_number
 from symscrew.program.straight_line import NO_ROTATION, Iteration, Program
+
+FEW = 8
+"""States up to which Python's own numbers are faster than arrays, which cost the same for one as for many."""
 
 
 def evaluate(program: Program, arguments: Sequence[object]) -> tuple[tuple[np.ndarray, ...], np.ndarray]:
@@ -34,10 +39,9 @@ def evaluate(program: Program, arguments: Sequence[object]) -> tuple[tuple[np.nd
     if len(arguments) != len(program.inputs):
         names = ", ".join(p.name for p in program.inputs)
         raise TypeError(f"{program.name} expects {len(program.inputs)} inputs ({names}), got {len(arguments)}")
-    values, batch = _loaded(program, arguments)
+    arrays, batch = _arrays(program, arguments)
     with np.errstate(all="ignore"):
-        for target, op, args in program.instructions:
-            values[target] = apply_numpy(op, [values[a] if type(a) is int else a for a in args])
+        values = _one_by_one(program, arrays, batch) or _all_at_once(program, arrays)
         results = [_entries(values, slots, batch) for slots in program.results]
         status = np.zeros(batch, dtype=int)
         for slot, low, high, code in program.limits:
@@ -65,10 +69,9 @@ def real_array(argument: object, where: str) -> np.ndarray:
     return np.asarray(array, dtype=float)
 
 
-def _loaded(program: Program, arguments: Sequence[object]) -> tuple[list[Any], tuple[int, ...]]:
-    """A value per slot, those of the inputs filled in, and the shape of the batch."""
-    values: list[Any] = [None] * program.slots
-    slot, batch = 0, tuple[int, ...]()
+def _arrays(program: Program, arguments: Sequence[object]) -> tuple[list[np.ndarray], tuple[int, ...]]:
+    """An array (*batch, size) per input, whose batches broadcast to the second result."""
+    arrays, batch = [], tuple[int, ...]()
     for port, argument in zip(program.inputs, arguments, strict=True):
         array = real_array(argument, f"{program.name}, {port.name}")
         if array.shape[-1:] != (port.size,) and port.size != 1:
@@ -78,13 +81,34 @@ def _loaded(program: Program, arguments: Sequence[object]) -> tuple[list[Any], t
         if port.size == 1 and array.shape[-1:] != (1,):
             array = array[..., None]
         batch = np.broadcast_shapes(batch, array.shape[:-1])
-        for k in range(port.size):
-            values[slot] = array[..., k]
-            slot += 1
-    return values, batch
+        arrays.append(array)
+    return arrays, batch
 
 
-def _entries(values: Sequence[Any], slots: Sequence[int | float], batch: tuple[int, ...]) -> np.ndarray:
+def _all_at_once(program: Program, arrays: Sequence[np.ndarray]) -> dict[int, Any]:
+    """The value of every slot, each instruction on whole arrays."""
+    given = [array[..., k] for array in arrays for k in range(array.shape[-1])]
+    values: dict[int, Any] = dict(enumerate(given))
+    for target, op, args in program.instructions:
+        values[target] = apply_numpy(op, [values[a] if type(a) is int else a for a in args])
+    return values
+
+
+def _one_by_one(program: Program, arrays: Sequence[np.ndarray], batch: tuple[int, ...]) -> dict[int, Any]:
+    """The value of every slot that is read, state by state; nothing where the arrays have to say it."""
+    count = math.prod(batch)
+    if not 0 < count <= FEW:
+        return {}
+    run = number_by_number(program)
+    given = np.concatenate([np.broadcast_to(a, (*batch, a.shape[-1])).reshape(count, -1) for a in arrays], axis=1)
+    found = [run(state) for state in given.tolist()]
+    if not all(found):
+        return {}
+    columns = np.array(found).T.reshape(-1, *batch)
+    return dict(zip(run.read, columns, strict=True))
+
+
+def _entries(values: Mapping[int, Any], slots: Sequence[int | float], batch: tuple[int, ...]) -> np.ndarray:
     """An output (*batch, size) from the values of its slots, and its constants."""
     result = np.empty((*batch, len(slots)))
     result[...] = [0.0 if isinstance(s, int) else s for s in slots]
