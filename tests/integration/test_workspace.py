@@ -76,17 +76,18 @@ def test_edge_of_the_seeds_map_is_the_constraint_singularity() -> None:
 
 def _singular_tilt(azimuth: float) -> float:
     """Tilt [rad] at which df/dqz changes its sign on the branch through the reference configuration."""
-    A, C = np.array([-0.8, 0, 0]), np.array([-0.5, 0, 0.3 * math.sqrt(3)])
+    c = (-0.5, 0.0, 0.3 * math.sqrt(3))  # C1 in the platform; A1 is (-0.8, 0, 0)
 
     def f(s: float, qz: float) -> float:
-        vector = np.array([s * math.cos(azimuth), s * math.sin(azimuth), qz])
-        w = math.sqrt(1 - vector @ vector)
-
-        def turned(a: np.ndarray) -> np.ndarray:
-            return a + 2 * np.cross(vector, np.cross(vector, a) + w * a)
-
-        d = turned(C) - A
-        return turned(np.array([0.0, 1.0, 0.0])) @ (d * d[0] - np.array([d @ d, 0, 0]))
+        x, y, z = s * math.cos(azimuth), s * math.sin(azimuth), qz
+        w = math.sqrt(1 - x * x - y * y - z * z)
+        first = (1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y))  # the platform's axes
+        second = (2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x))
+        third = (2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y))
+        d = [c[0] * a + c[1] * b + c[2] * e for a, b, e in zip(first, second, third, strict=True)]
+        d[0] += 0.8
+        square = d[0] ** 2 + d[1] ** 2 + d[2] ** 2
+        return d[0] * sum(a * b for a, b in zip(second, d, strict=True)) - second[0] * square
 
     def slope(s: float, qz: float) -> float:
         return (f(s, qz + 1e-6) - f(s, qz - 1e-6)) / 2e-6

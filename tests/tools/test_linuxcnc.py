@@ -63,7 +63,7 @@ def test_there_and_back_on_ways_of_poses(name: str, headers: Path, tmp_path: Pat
     if not headers.is_dir():
         pytest.skip("needs LinuxCNC's headers (Debian: linuxcnc-uspace-dev)")
     own = kinematics(name)
-    way = followed(built(model(name), own, tmp_path, headers, level="-O1"), own, POSES, AMPLITUDES[name])
+    way = followed(built(model(name), own, tmp_path, headers, level="-O0"), own, POSES, AMPLITUDES[name])
     assert way.refused == way.wrong == 0 and way.error < 1e-8  # mm or degrees; a micrometre is 1e-3
     assert way.pins[f"{name}kins.status"] == 0 and abs(way.pins[f"{name}kins.mode"]) == 1
     assert way.pins[f"{name}kins.margin"] > 0 and way.forward_steps < 1.5
