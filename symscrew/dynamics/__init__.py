@@ -4,6 +4,7 @@ System, Acting --equilibrium--> balance of every link --drives, reactions--> wre
                --tree_dynamics, articulated, projection, coriolis--> `Admissible`: accelerations of free motion
 """
 
+from symscrew.dynamics.carried_loops import carried_wrenches
 from symscrew.dynamics.coriolis import long_branches
 from symscrew.dynamics.derivatives import (
     Direction,
@@ -36,6 +37,7 @@ __all__ = [
     "balances",
     "bars",
     "by_articulated_bodies",
+    "carried_wrenches",
     "closure_changes",
     "generalised_forces",
     "inertial_derivatives",

@@ -34,6 +34,7 @@ from symscrew.algebra import (
     solve_for,
     transform,
 )
+from symscrew.dynamics.carried_loops import carried_wrenches
 from symscrew.dynamics.setting import ONE, Setting, Wrench, Wrenches, accumulate
 from symscrew.kinematics import GROUND, Link
 
@@ -61,7 +62,7 @@ def balance(
     `wrench(link)` is the inertial wrench of a link less what acts on it (link axes, at its origin);
     `loads` are further wrenches that act on a link, in the axes before its motion.
     """
-    one_by_one, _ = _swept(setting, wrench, loads, drives_last=False)
+    one_by_one, _ = _swept(setting, wrench, loads, drives_last=False, carried=carried_wrenches(setting, wrench, loads))
     return one_by_one.finished(blocks=False)
 
 
@@ -71,14 +72,16 @@ def balances(
     loads: Mapping[int, tuple[Vector, Vector]],
     *,
     drives_last: bool,
+    carried: Mapping[int, Wrenches],
 ) -> tuple[Balance, Balance]:
     """The same with multipliers that wait at the hub one by one, and in blocks.
 
     With `drives_last` the rows of driven freedoms are used for no multiplier that other rows give: the drives follow
     from the multipliers then, and their levers, which vanish where a limb is stretched, are no pivots. In blocks two or
-    three multipliers whose pivots would wait for each other are solved at once.
+    three multipliers whose pivots would wait for each other are solved at once. `carried` are `carried_wrenches` of
+    links that carry whole loops, or none.
     """
-    one_by_one, in_blocks = _swept(setting, wrench, loads, drives_last=drives_last)
+    one_by_one, in_blocks = _swept(setting, wrench, loads, drives_last=drives_last, carried=carried)
     return one_by_one.finished(blocks=False), in_blocks.finished(blocks=True)
 
 
@@ -88,9 +91,10 @@ def _swept(
     loads: Mapping[int, tuple[Vector, Vector]],
     *,
     drives_last: bool,
+    carried: Mapping[int, Wrenches],
 ) -> tuple[_Elimination, _Elimination]:
     """The elimination from the tips of the limbs to the ground, and once more, to go on in another way."""
-    found = _Elimination(setting, wrench, loads, drives_last=drives_last)
+    found = _Elimination(setting, wrench, loads, drives_last=drives_last, carried=carried)
     found.sweep()
     return found, found.copied()
 
@@ -105,9 +109,10 @@ class _Elimination:
         loads: Mapping[int, tuple[Vector, Vector]],
         *,
         drives_last: bool,
+        carried: Mapping[int, Wrenches],
     ) -> None:
         self.setting, self.wrench, self.loads = setting, wrench, loads
-        self.drives_last = drives_last
+        self.drives_last, self.carried = drives_last, carried
         tape = setting.tape
         self.scales = setting.multipliers()
         self.solved: dict[Column, Affine] = {c: {c: tape.one} for c in self.scales}
@@ -163,10 +168,12 @@ class _Elimination:
     def _process(self, link: Link) -> None:
         setting = self.setting
         here = self.waiting.pop(link.index)
-        force, moment = self.wrench(link)
-        accumulate(here, ONE, force, moment)
-        before = setting.before_motion(link, here, self.loads, self._cut_wrench)
-        setting.add_bars(link, before, self.solved)
+        if link.index in self.carried:
+            before = dict(self.carried[link.index])
+        else:
+            accumulate(here, ONE, *self.wrench(link))
+            before = setting.before_motion(link, here, self.loads, self._cut_wrench)
+            setting.add_bars(link, before, self.solved)
         screws = [lambda w, k=k: self._component(link, k, *w) for k in range(link.v.stop - link.v.start)]
         before = self._use_rows(list(range(link.v.start, link.v.stop)), screws, before)
         if link.joint == setting.tree.virtual and link.parent == GROUND:

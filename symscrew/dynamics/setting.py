@@ -140,12 +140,18 @@ class Setting:
         quantity = "multiplier" if complete else "multiplier_part"
         named_entries(affine.values(), quantity, [f"{label}|{self.label(by)}" for by in affine])
 
+    def add_inertia_of_bars(self, link: Link, before: Wrenches) -> None:
+        """Add to `before` what a link must supply for the masses of the bars that end on it."""
+        for bar in self.bars.values():
+            if link.index in bar.ends:
+                accumulate(before, ONE, *bar.ends[link.index][1])
+
     def add_bars(self, link: Link, before: Wrenches, multipliers: Mapping[Column, Affine]) -> None:
         """Add to `before` what a link must supply for the bars that end on it."""
+        self.add_inertia_of_bars(link, before)
         for c, bar in self.bars.items():
             if link.index in bar.ends:
-                (pull, couple), inertia = bar.ends[link.index]
-                accumulate(before, ONE, *inertia)
+                (pull, couple), _ = bar.ends[link.index]
                 for column, factor in multipliers["multiplier", c, 0].items():
                     accumulate(before, column, scale(factor, pull), scale(factor, couple))
 

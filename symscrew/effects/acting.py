@@ -176,11 +176,12 @@ class Acting(Parts):
         self.kinetic = self.kinetic + inertia * rate * rate * self.half
 
     def known_forces(self, a: Sequence[Node]) -> dict[int, Node]:
-        """Generalised forces along freedoms of the tree, those of reflected inertias at accelerations a included."""
+        """Forces along joint rates w of the tree, those of reflected inertias at accelerations a (of v) included."""
         known = dict(self.joint_forces)
-        if self.keeps_motion:
+        if self.keeps_motion and self.reflected_inertia:
+            along = self.system.joint_rates(a)
             for index, inertia in self.reflected_inertia.items():
-                known[index] = known.get(index, self.system.tape.zero) - inertia * a[index]
+                known[index] = known.get(index, self.system.tape.zero) - inertia * along[index]
         return known
 
     # -- energy and power --------------------------------------------------------------------------------------

@@ -65,6 +65,8 @@ class Meshes:
             for mesh in elements(section, "mesh"):
                 name = mesh.get("name") or Path(mesh.get("file", "")).stem
                 given[name] = settings.with_defaults(mesh, "mesh")
+                if settings.exact_meshes:
+                    given[name].attrib.setdefault("inertia", "exact")
         return cls(path.parent, settings.assets, given, within)
 
     def bulk(self, name: str, where: str) -> Bulk:

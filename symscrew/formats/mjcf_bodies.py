@@ -175,6 +175,8 @@ def _body(reading: Reading, name: str, own: Sequence[Part]) -> RawBody:
         attributes = part.attributes
         if attributes.get("contype", "1") != "0" or attributes.get("conaffinity", "1") != "0":
             reading.result.ledger.passed("contacts of geoms")
+        if {"pos", "fromto"} <= attributes.keys():
+            reading.result.ledger.passed("pos of geoms whose fromto says where they are")
         if reading.in_medium and attributes.get("fluidshape", "none") != "none":
             reading.result.ledger.lost("fluidshape of geoms: a model of the medium of their own")
         if attributes.get("type") == "mesh" and "mesh" in attributes:

@@ -19,6 +19,8 @@ from symscrew.formats.safe_xml import number, numbers
 KIND = "kind"
 """Key of the element's tag that the gains are of."""
 ARRAYS = {"gainprm": ("1", "0", "0"), "biasprm": ("0", "0", "0"), "dynprm": ("1", "0", "0")}
+FILLED = ("size", "stiffness", "damping", "gear")
+"""Arrays of any element that may give the first numbers alone; its class, or the engine, has the others."""
 OWN = {
     "motor": (), "position": ("kp", "kv", "dampratio", "timeconst"), "intvelocity": ("kp", "kv", "dampratio"),
     "velocity": ("kv",), "general": tuple(ARRAYS),
@@ -48,7 +50,7 @@ def as_general(
     """
     where = f"<{tag} name={given['name']!r}>" if "name" in given else f"<{tag}>"
     own = {key: given[key] for key in OWN.get(tag, ()) if key in given}
-    made = {**base, **{key: value for key, value in given.items() if key not in own}}
+    made = {**base, **{key: value for key, value in given.items() if key not in own}, **filled(base, given)}
     if tag not in OWN:
         return {**made, KIND: tag}
     if tag == "general":
@@ -84,6 +86,12 @@ def as_general(
     elif like.get("dyntype") == "filterexact":  # which a timeconst makes, the class's too
         made["dyntype"] = "filterexact"
     return made
+
+
+def filled(base: Mapping[str, str], own: Mapping[str, str]) -> dict[str, str]:
+    """Arrays of which an element gives fewer numbers than its class: the others are the class's."""
+    both = [key for key in FILLED if key in base and key in own]
+    return {key: " ".join([*own[key].split(), *base[key].split()[len(own[key].split()) :]]) for key in both}
 
 
 def _entry(base: Mapping[str, str], key: str, index: int) -> Decimal:

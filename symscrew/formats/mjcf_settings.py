@@ -13,7 +13,7 @@ from decimal import Decimal
 
 from symscrew.errors import DescriptionError, did_you_mean, shorten
 from symscrew.formats.draft import Draft
-from symscrew.formats.mjcf_gains import OWN, alike, as_general
+from symscrew.formats.mjcf_gains import OWN, alike, as_general, filled
 from symscrew.formats.rigid_displacements import (
     CONTEXT,
     UNITS,
@@ -102,7 +102,8 @@ Attributes = Mapping[str, str]
 class Settings:
     """What the file says before its bodies: units, default classes, how inertias are found.
 
-    `off`: flags of the options by which a force does not act; `idle_groups`: of actuators that are left out.
+    `off`: flags of the options by which a force does not act; `idle_groups`: of actuators that are left out;
+    `exact_meshes`: what older engines have in place of inertia="exact" of every mesh.
     """
 
     degrees: bool = True
@@ -113,6 +114,7 @@ class Settings:
     assets: str = "."
     auto_limits: bool = True
     fits_boxes: bool = False
+    exact_meshes: bool = False
     least_mass: Real = 0
     least_inertia: Real = 0
     balanced: bool = False
@@ -141,7 +143,7 @@ class Settings:
     def with_defaults(self, element: Element, kind: str) -> Element:
         """An element, a tendon or a mesh, with the attributes of its class; none of them is refused."""
         whole = copy(element)
-        whole.attrib = {**self.defaults.get(element.get("class") or "main", {}).get(kind, {}), **element.attrib}
+        whole.attrib = _over(self.defaults.get(element.get("class") or "main", {}).get(kind, {}), element.attrib)
         return whole
 
     def angle(self, value: Decimal) -> Real:
@@ -213,6 +215,7 @@ def settings(root: Element, draft: Draft) -> Settings:
         assets=given.get("meshdir") or given.get("assetdir") or ".",
         auto_limits=given.get("autolimits", "true") == "true",
         fits_boxes=given.get("fitaabb", "false") == "true",
+        exact_meshes=given.get("exactmeshinertia", "false") == "true",
         least_mass=real(given.get("boundmass", "0")),
         least_inertia=real(given.get("boundinertia", "0")),
         balanced=given.get("balanceinertia", "false") == "true",
@@ -271,7 +274,7 @@ def _over(base: Attributes, own: Attributes) -> dict[str, str]:
     """Attributes over those of a class; an own orientation of whatever form is in the place of the class's."""
     turned = [key for key in ("quat", *ORIENTATIONS) if key in own]
     kept = {key: value for key, value in base.items() if not turned or key not in ("quat", *ORIENTATIONS)}
-    return {**kept, **own}
+    return {**kept, **own, **filled(kept, own)}
 
 
 def _options(root: Element, draft: Draft) -> tuple[frozenset[str], frozenset[int]]:

@@ -15,6 +15,7 @@ from symscrew.dynamics import (
     balance,
     balances,
     bars,
+    carried_wrenches,
     generalised_forces,
     joint_wrenches,
     mass_matrix,
@@ -116,11 +117,20 @@ class Equations:
         return self.drives(self.lean_balance)
 
     def _fewest(self, setting: Setting, wrench: Callable[[Link], tuple[Vector, Vector]]) -> Balance:
-        """The balance with the rows of the drives in their places or last, by operations."""
+        """The balance with the rows of the drives in their places or last, by operations.
+
+        Links that carry whole loops supply what cancels inside these, or the inertia that they carry alone.
+        """
         either = setting.drives and setting.cuts and counts_all_ways(self.system)
         if not either:
             return balance(setting, wrench, self.forces.loads)
-        ways = [way for last in (False, True) for way in balances(setting, wrench, self.forces.loads, drives_last=last)]
+        loads, carried = self.forces.loads, carried_wrenches(setting, wrench, self.forces.loads)
+        ways = [
+            way
+            for known in ({}, carried)[: 2 if carried else 1]
+            for last in (False, True)
+            for way in balances(setting, wrench, loads, drives_last=last, carried=known)
+        ]
 
         def found(way: Balance) -> list[Node]:
             multipliers = [entry for affine in way.multipliers.values() for entry in affine.values()]

@@ -207,6 +207,32 @@ def test_an_own_orientation_is_in_the_place_of_the_class_one(tmp_path: Path) -> 
     assert np.array(body.inertia, dtype=float) == pytest.approx(whole, rel=1e-9)
 
 
+def test_first_numbers_of_an_array_leave_the_others_to_the_class(tmp_path: Path) -> None:
+    """Sizes of geoms and gears of balls as MuJoCo fills them; powers of damping that a class has are not lost."""
+    text = model(
+        '<body name="b"><joint name="j" type="ball"/><geom class="c" size="0.2"/></body>',
+        '<default><default class="c"><geom type="box" size=".1 .3 .4"/><motor gear="0 0 3"/></default></default>'
+        '<actuator><motor joint="j" gear="2" class="c"/></actuator>',
+    )
+    engine = mujoco.MjModel.from_xml_string(text)
+    assert engine.geom_size[0] == pytest.approx([0.2, 0.3, 0.4]) and engine.actuator_gear[0][:3] @ [1, 0, 1] == 5
+    with pytest.raises(DescriptionError, match="gear: expected one entry that is not zero, got 2"):
+        load_format(saved(text, tmp_path))
+    idle = text.replace('<motor joint="j" gear="2" class="c"/>', "")
+    body = load_format(saved(idle, tmp_path)).bodies["b"]
+    assert np.diag(np.array(body.inertia, dtype=float)) == pytest.approx(engine.body_inertia[1], rel=1e-12)
+    bent = model(hinge("a", more='damping="2" class="c"'), '<default><default class="c"><joint damping="1 2"/>'
+                 '</default></default>')  # fmt: skip
+    assert mujoco.MjModel.from_xml_string(bent).dof_dampingpoly[0][0] == 2
+    with pytest.raises(DescriptionError, match="powers of damping or stiffness above the first"):
+        load_format(saved(bent, tmp_path))
+
+
+def test_two_places_of_a_geom_are_told(tmp_path: Path) -> None:
+    text = model('<body><joint/><geom type="capsule" size="0.1" fromto="0 0 0 1 0 0" pos="1 2 3"/></body>')
+    assert "pos of geoms whose fromto says where they are" in import_file(saved(text, tmp_path)).account.harmless
+
+
 def test_a_free_joint_has_armature_and_damping(tmp_path: Path) -> None:
     """The same number in every direction and about every axis; a written file has them, too."""
     text = model(

@@ -77,6 +77,16 @@ def l_shaped(folder: Path) -> None:
     (folder / "l.obj").write_text("\n".join(lines))
 
 
+def test_a_compiler_of_before_asks_for_exact_meshes(tmp_path: Path) -> None:
+    """The engine has the setting no more, and the word at the mesh in its place."""
+    l_shaped(tmp_path)
+    text = """<mujoco>{}<asset><mesh file="l.obj"{}/></asset><worldbody><body name="b"><joint/>
+    <geom type="mesh" mesh="l"/></body></worldbody></mujoco>"""
+    now, before = text.format("", ' inertia="exact"'), text.format('<compiler exactmeshinertia="true"/>', "")
+    masses = [load_format(saved(given, tmp_path)).bodies["b"].mass for given in (now, before, text.format("", ""))]
+    assert masses[0] == masses[1] != masses[2]
+
+
 @pytest.mark.parametrize(
     ("shape", "kind"),
     [
@@ -128,6 +138,32 @@ def test_armature_and_friction_of_a_ball(tmp_path: Path) -> None:
     full = np.zeros((3, 3))
     mujoco.mj_fullM(engine, data, full)
     assert model("mass_matrix", [1.0, 0, 0, 0])[0][0].reshape(3, 3) == pytest.approx(full, abs=1e-14)
+
+
+TWO_LEGS = f"""<mujoco><worldbody><body name="a"><joint type="ball"/>{INERTIAL}
+<body name="b" pos="1 0 0"><joint type="ball"/>{INERTIAL}</body>
+<body name="c" pos="0 1 0"><joint type="ball" armature="0.4"/>{INERTIAL}</body>
+</body></worldbody><equality><connect body1="c" body2="b" anchor="0.2 0.1 -0.1"/></equality></mujoco>"""
+
+
+def test_armature_of_a_ball_in_a_loop(tmp_path: Path) -> None:
+    """Accelerations and drives' forces are in axes of their own: MuJoCo's equations of motion hold at moving states."""
+    robot = load_robot(saved(TWO_LEGS, tmp_path))
+    model = derive(robot.mechanism, robot.effects)
+    q, v, _ = model.system.states(3, 1)
+    (a,), status = model("forward_dynamics", q, v)
+    assert not np.any(status)
+    engine = mujoco.MjModel.from_xml_string(TWO_LEGS)
+    engine.opt.jacobian = mujoco.mjtJacobian.mjJAC_DENSE
+    data = mujoco.MjData(engine)
+    for k in range(1, len(q)):  # the first state is the reference, where all axes are the same
+        data.qpos[:], data.qvel[:] = q[k], v[k]
+        mujoco.mj_forward(engine, data)
+        assert data.efc_pos == pytest.approx(np.zeros(3), abs=1e-12)
+        full = np.zeros((9, 9))
+        mujoco.mj_fullM(engine, data, full)
+        free = np.linalg.svd(data.efc_J.reshape(3, 9))[2][3:]
+        assert free @ (full @ a[k] + data.qfrc_bias) == pytest.approx(np.zeros(6), abs=1e-12)
 
 
 def test_masses_as_the_compiler_wants_them(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -49,7 +49,7 @@ def compare(found: Model, tolerance: float = 1e-10) -> None:
 
 @pytest.mark.parametrize(
     ("name", "count"),
-    [slow("rotary_hexapod", 6), slow("hung_platform", 3), ("braced_arm", 1)],
+    [slow("rotary_hexapod", 6), slow("hung_platform", 3), ("braced_arm", 1), slow("turning_hexapod", 6)],
 )
 def test_rod_mechanisms_by_method_b(name: str, count: int) -> None:
     """Drives, and accelerations from them, by all ways."""

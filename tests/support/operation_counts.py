@@ -44,7 +44,7 @@ KINDS: dict[str, tuple[Iterable[str], Callable[[str], Model]]] = {
     "derivatives": (catalogue.names(), differentiated),
     "derivatives of a tree": (("spatial_tree",), differentiated_tree),
     "one mode": (("delta", "three_ups_upu_s_physical"), in_one_mode),
-    "rods": (("hexapod", "rotary_hexapod", "hung_platform", "braced_arm"), with_rods),
+    "rods": (("hexapod", "rotary_hexapod", "hung_platform", "braced_arm", "turning_hexapod"), with_rods),
     "sized": (SIZED, sized),
 }
 

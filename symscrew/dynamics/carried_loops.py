@@ -1,0 +1,88 @@
+"""What joints supply that carry whole loops: for the inertia and loads of all that they carry, nothing of the loops.
+
+A link, with all that hangs on it, may have both ends of every cut that it has one of: a body that turns with six limbs
+and their platform on it. What the cut joints and bars exert inside cancels in the wrench that its joint supplies, which
+is therefore summed without them, from the tips inwards. A platform on a virtual joint, which transmits nothing, is
+carried by the link that all its limbs are on.
+
+    wrench of every link, loads, masses of bars --towards the ground--> wrench of a carrier, axes before its motion
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+
+from symscrew.algebra import Vector, add, cross, named_wrench, scale, subtract, transform, transpose
+from symscrew.dynamics.setting import ONE, Setting, Wrench, Wrenches, accumulate
+from symscrew.kinematics import GROUND, Link, Placement
+
+
+def carriers(setting: Setting) -> dict[int, int | None]:
+    """Links that carry whole loops -> the first link of the platform that does not hang on them, but is carried."""
+    tree = setting.tree
+    platform = next((link.index for link in tree.links[1:] if link.joint == tree.virtual), None)
+    apart = None if platform is None or tree.links[platform].parent != GROUND else platform
+    ends = [[set(tree.path(end)) for end in (cut.tip, cut.hub)] for cut in setting.cuts if cut.relation is None]
+    found: dict[int, int | None] = {}
+    for link in tree.links[1:]:
+        if link.joint == tree.virtual:
+            continue
+        for more in (None,) if apart in (None, *tree.path(link.index)) else (None, apart):
+            inside = [sum(link.index in path or more in path for path in pair) for pair in ends]
+            carries = [sum(link.index in path for path in pair) for pair in ends]
+            if any(carries) and not any(count == 1 for count in inside):
+                found[link.index] = more
+                break
+    return found
+
+
+def carried_wrenches(
+    setting: Setting, wrench: Callable[[Link], Wrench], loads: Mapping[int, Wrench]
+) -> dict[int, Wrenches]:
+    """What the joint of every such link must supply, in the axes before its motion, at its origin.
+
+    `wrench` and `loads` as for `balance`.
+    """
+    known = carriers(setting)
+    if not known:
+        return {}
+    left_out = {index for bar in setting.bars.values() for index in bar.links}
+    waiting: dict[int, Wrenches] = {link.index: {} for link in setting.tree.links}
+    supplied: dict[int, Wrench] = {}
+    for link in reversed(setting.tree.links[1:]):
+        if link.index in left_out:
+            continue
+        here, placed = waiting[link.index], setting.placed[link.index]
+        accumulate(here, ONE, *wrench(link))
+        named_wrench(here[ONE], "carried", setting.tree.part(link.index))
+        before = {ONE: (placed.before(here[ONE][0]), placed.before(here[ONE][1]))}
+        if link.index in loads:
+            force, moment = loads[link.index]
+            accumulate(before, ONE, scale(-1, force), scale(-1, moment))
+        setting.add_inertia_of_bars(link, before)
+        supplied[link.index] = before[ONE]
+        accumulate(waiting[link.parent], ONE, *_handed_on(placed, *before[ONE]))
+    return {index: {ONE: _with_platform(setting, supplied, index, more)} for index, more in known.items()}
+
+
+def _handed_on(placed: Placement, force: Vector, moment: Vector) -> Wrench:
+    """From the axes before a link's motion, at its origin, to its parent's, at the parent's."""
+    force = placed.from_before(force)
+    return force, add(placed.from_before(moment), cross(placed.offset, force))
+
+
+def _with_platform(setting: Setting, supplied: Mapping[int, Wrench], index: int, platform: int | None) -> Wrench:
+    """A carrier's wrench, with that of the platform, which is seen from the ground, if it carries one."""
+    force, moment = supplied[index]
+    if platform is None:
+        return force, moment
+    more = _handed_on(setting.placed[platform], *supplied[platform])
+    for k in reversed(setting.tree.path(index)):
+        placed = setting.placed[k]
+        back = transpose(placed.rotation)
+        more = transform(back, more[0]), transform(back, subtract(more[1], cross(placed.offset, more[0])))
+        if k != index:
+            more = transform(transpose(placed.turn), more[0]), transform(transpose(placed.turn), more[1])
+    total: Wrenches = {ONE: (force, moment)}
+    accumulate(total, ONE, *more)
+    return named_wrench(total[ONE], "carried_joint", setting.tree.part(index))
