@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -23,7 +24,7 @@ from symscrew.assembly.elementary_graph import held_graph
 from symscrew.assembly.families import MOST_RADIANS, AllNumbers, Family, WhatIsHeld
 from symscrew.assembly.held_structure import Structure, held_structure
 from symscrew.assembly.joint_angles import CLOSED, JointAngles
-from symscrew.assembly.mode_names import Named, names_by_ways, numbered
+from symscrew.assembly.mode_names import Named, distances_of, names_by_ways, numbered
 from symscrew.assembly.mode_signs import LOCKED, ModeSigns
 from symscrew.assembly.path_tracking import Tracker
 from symscrew.assembly.root_bounds import Bound
@@ -271,7 +272,20 @@ class _Search:
 
     def _named(self, mode: AssemblyMode) -> Named:
         translation = mode.translation / float(self.held.network.length)
-        return Named(mode.z, mode.rotation, translation, mode.signs.get(LOCKED, "m"))
+        return Named(
+            mode.z, mode.rotation, translation, mode.signs.get(LOCKED, "m"),
+            distances_of(self._marks, mode.rotation, translation),
+        )  # fmt: skip
+
+    @cached_property
+    def _marks(self) -> Array:
+        """Points of the joints in the reference, and a size of the mechanism along hinges (n, 3) [its sizes]."""
+        points, ends = list[list[float]](), list[list[float]]()
+        for edge in self.held.network.edges.values():
+            points.append([float(c) for c in edge.point])
+            axes = [edge.screws[start - edge.start][:3] for motion, start in edge.motions if motion.revolute]
+            ends += [[float(c + a) for c, a in zip(edge.point, axis, strict=True)] for axis in axes]
+        return np.array(points + ends)
 
     def _points(self, modes: Sequence[Named]) -> Array:
         zeros = np.array([m.z for m in modes], dtype=complex).reshape(-1, self.equations.width)

@@ -163,6 +163,32 @@ static int FN(form)(int form, NUM (*slots)[3], const NUM *g, const double (*mix)
         }
         return 1;
     }
+#if CROSSINGS
+    if (kind == FORM_CROSSING) { /* half of u . m' + (q x u) . w' of the lines w through p and u through q: the gradient
+                                    of the whole by x is - 2 (u y w + u x m + (q x u) x w), by y it is - 2 u x w */
+        const NUM *of_p = slots[form_slots[form][1]], *of_u = slots[form_slots[form][2]];
+        const NUM *of_q = slots[form_slots[form][3]];
+        NUM u[4] = {OF(0.0), of_u[0], of_u[1], of_u[2]}, v[4] = {OF(0.0), p[0], p[1], p[2]};
+        NUM m[4] = {OF(0.0)}, n[4] = {OF(0.0)}, ux[4], part[4];
+        for (int k = 0; k < 3; ++k) {
+            const int i = (k + 1) % 3, j = (k + 2) % 3;
+            m[1 + k] = SUB(MUL(of_p[i], p[j]), MUL(of_p[j], p[i]));
+            n[1 + k] = SUB(MUL(of_q[i], of_u[j]), MUL(of_q[j], of_u[i]));
+        }
+        FN(quaternion)(u, g, 0, ux);
+        FN(quaternion)(ux, v, 0, slope[0] + 4);
+        FN(quaternion)(ux, m, 0, slope[0]);
+        FN(quaternion)(u, g + 4, 0, part);
+        FN(quaternion)(n, g, 1, part);
+        FN(quaternion)(part, v, 1, slope[0]);
+        value[0] = OF(0.0);
+        for (int i = 0; i < 8; ++i) {
+            slope[0][i] = SUB(OF(0.0), slope[0][i]);
+            value[0] = ADD(value[0], TIMES(0.5, MUL(slope[0][i], g[i])));
+        }
+        return 1;
+    }
+#endif
     /* points that meet: x p + 2 y - a x, of a planar mechanism its middle two rows; an axis of both: x w - u x, two rows
        of four, which an antisymmetric matrix of rank two makes of x as both are as long as one another */
     const int shared = kind == FORM_PARALLEL, count = PLANAR || shared ? 2 : 3;

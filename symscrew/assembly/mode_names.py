@@ -30,13 +30,21 @@ EQUAL = 6
 class Named:
     """What a mode's name depends on: its zero, pose, and sign of the determinant with the drives locked.
 
-    `translation`: in sizes of the mechanism, so that names are the same in mm and km.
+    `translation`: in sizes of the mechanism, so that names are the same in mm and km. `distances`: of marks, displaced,
+    from marks that rest: the same wherever the whole mechanism stands and however it is turned.
     """
 
     z: Array
     rotation: Array
     translation: Array
     sign: str
+    distances: tuple[float, ...] = ()
+
+
+def distances_of(marks: Array, rotation: Array, translation: Array) -> tuple[float, ...]:
+    """Of all marks (n, 3), displaced, from all of them, in their order."""
+    moved = marks @ rotation.T + translation
+    return tuple(np.linalg.norm(moved[:, None] - marks[None], axis=2).ravel().tolist())
 
 
 def numbered(modes: Sequence[Named], home: int | None, new: str = "") -> list[str]:
@@ -55,10 +63,10 @@ def numbered(modes: Sequence[Named], home: int | None, new: str = "") -> list[st
 
 
 def _place(mode: Named) -> tuple[float, ...]:
-    """Turn and way from the reference, then all entries: the order of modes at the same drives."""
+    """Turn and distances from the reference, then all entries: the order of modes at the same drives."""
     turn = float(np.arccos(np.clip((np.trace(mode.rotation) - 1) / 2, -1, 1)))
     entries = [*mode.rotation.ravel(), *mode.translation]
-    return tuple(round(float(c), EQUAL) + 0.0 for c in (turn, np.linalg.norm(mode.translation), *entries))
+    return tuple(round(float(c), EQUAL) + 0.0 for c in (turn, *mode.distances, *entries))
 
 
 def names_by_ways(

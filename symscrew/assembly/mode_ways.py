@@ -191,7 +191,7 @@ class _CompiledWay:
         return Led(np.array(mode.z), 1.0, 1)
 
     def _drives(self, values: Mapping[int, float]) -> list[float]:
-        drives = zip(self.model.held.chosen, self.model.drives, strict=True)
+        drives = zip(self.model.held.drives, self.model.drives, strict=True)
         return [reference + values[column] * unit for column, (_, reference, unit, _) in drives]
 
 

@@ -19,6 +19,7 @@ from symscrew.assembly.all_modes import known_zero, structure_of
 from symscrew.assembly.batch_equations import BatchEquations
 from symscrew.assembly.c_tables import LINE, Step, c_array, held_steps
 from symscrew.assembly.closed_zeros import closed_form
+from symscrew.assembly.coupled_columns import coupled_columns
 from symscrew.assembly.equal_axes import ASIDE, axis_pairs, spinors
 from symscrew.assembly.families import AllNumbers
 from symscrew.assembly.held_structure import WIDTH, Structure
@@ -32,12 +33,12 @@ from symscrew.mobility import NotAlgebraicError
 Array = np.ndarray[Any, Any]
 
 KINDS = ("turn", "slide", "ball", "planar", "free")
-FORMS = ("distance", "angle", "meeting", "parallel")
+FORMS = ("distance", "angle", "meeting", "parallel", "crossing")
 SLOTS = ("point", "axis", "number", "distance")
 SEED = 20231009
 """Of the planes in which coordinates stay and of the rows that are mixed: equal input gives equal bytes."""
-MOST_PATHS = 64
-"""Of the C, whose arrays for them lie on the stack: 40 are those of a platform on six legs."""
+MOST_PATHS = 96
+"""Of the C, whose arrays for them lie on the stack: 40 are those of a platform on six legs, 84 of a 3-UPU."""
 LAYOUT = {
     "MOST_STEPS": 2000,  # of a path; those of random platforms take sixty, of loops of seven hinges up to 450
     "MOST_CRAWL": 60,  # near its end, to get over half of what is left: of more, rounding leaves luck every other one
@@ -85,17 +86,16 @@ def held_modes_model(held: Held) -> ModesModel:
     equations = BatchEquations(structure)
     if not structure.groups or structure.unknowns != structure.equations:
         raise held.error("no C of them: only of mechanisms with loops whose equations are as many as their unknowns")
-    if held.network.ties:
-        raise held.error("no C of them: couplings, whose coordinates are no arguments")
-    if structure.crossings:
-        raise held.error("no C of them: legs on two universal joints each")
+    tied = coupled_columns(mechanism, held.network, held.drives).met
+    if tied:
+        raise held.error(f"no C of them: the coupling {next(iter(tied))} ties its arguments; hold fewer")
     start = start_system(AllNumbers(equations), known_zero(equations))
     if not start.complete or len(start.zeros) > MOST_PATHS:
         raise held.error(f"no C of them: {len(start.zeros)} zeros of a general mechanism are known; {start.why}")
     length = float(held.network.length)
     known = {column: (name, reference, slides)
              for name, column, reference, slides in singles(held.mechanism, held.network)}  # fmt: skip
-    drives = tuple((known[c][0], known[c][1], length if known[c][2] else 1.0, known[c][2]) for c in held.chosen)
+    drives = tuple((known[c][0], known[c][1], length if known[c][2] else 1.0, known[c][2]) for c in held.drives)
     return ModesModel(mechanism.name, held, structure, equations, start, drives)
 
 
@@ -108,7 +108,7 @@ def print_modes(model: ModesModel, top: Sequence[str] = ()) -> dict[str, str]:
     parts += [*balls, ""]
     for prefix, of in (("ball", "Ball"), ("plain", "double")):
         parts += [*_kind(prefix, of), *equations, *_UNDEFINED, ""]
-    form = closed_form(model.structure, model.held.chosen)
+    form = closed_form(model.structure, model.held.drives)
     parts += [*_text("modes_solver.c"), "", *_text(form.zeros), ""]
     parts += [*paths, "", *_kind("lanes", "Lanes"), *equations, *_UNDEFINED, "", *_text("modes_search.c"), ""]
     parts += [*form.tables, *_text(form.more), ""] if form.more else []
@@ -117,7 +117,7 @@ def print_modes(model: ModesModel, top: Sequence[str] = ()) -> dict[str, str]:
 
 def has_level_modes(model: ModesModel) -> bool:
     """Whether the C has the closed form of modes with the platform turned as in the reference."""
-    return bool(closed_form(model.structure, model.held.chosen).more)
+    return bool(closed_form(model.structure, model.held.drives).more)
 
 
 def _text(file: str) -> list[str]:
@@ -191,8 +191,11 @@ def _header(model: ModesModel, comment: Sequence[str]) -> list[str]:
         name for name, column, *_ in singles(model.held.mechanism, model.held.network) if column in model.held.extra
     ]
     rest = f" Not looked at: {', '.join(more)}, which follow from the pose." if more else ""
+    settled = [name for name, column, *_ in singles(model.held.mechanism, model.held.network)
+               if column in {f.column for f in model.held.followers}]  # fmt: skip
+    rest += f" Couplings settle {', '.join(settled)}." if settled else ""
     told = "".join(f"   {line}\n" for line in wrapped(f"{labels}.{rest}", width=LINE))
-    level = LEVEL_MODES if closed_form(model.structure, model.held.chosen).more else ""
+    level = LEVEL_MODES if closed_form(model.structure, model.held.drives).more else ""
     text = (
         HEADER.replace("LEVEL_MODES\n", f"{level}\n")
         .replace("TOLD", told)
@@ -218,6 +221,7 @@ def _tables(model: ModesModel) -> list[str]:
         "N_PAIRS": pairs, "N_NUMBERS": len(structure.slots) + 2 * pairs,
         "WIDTH": equations.width, "UNKNOWNS": equations.width - len(structure.groups),
         "LONGEST": max(map(len, ways)), "LARGEST_LOOP": max(rows), "N_PATHS": len(model.start.zeros),
+        "N_FOLLOWERS": len(model.held.followers), "CROSSINGS": int(structure.crossings),
         "N_CHAIN": len(structure.chains.get(hub, ())), "PLATFORM_BODY": bodies.index(model.held.body),
         "PLANAR": int(structure.planar), "ONE_OF_EACH": int(bool(model.held.mechanism.limbs)),
         **LAYOUT,
@@ -226,7 +230,7 @@ def _tables(model: ModesModel) -> list[str]:
     lines += [f"#define {key} {decimal(value)}" for key, value in NUMBERS.items()]
     lines += [f"#define SIZE {decimal(float(model.held.network.length))}", f"#define MODE {name}_mode"]
     lines += [f"#define MODES {name}_assembly_modes", f"#define NEAREST {name}_nearest_mode"]
-    lines += [f"#define LEVEL {name}_level_modes"] if closed_form(structure, model.held.chosen).more else []
+    lines += [f"#define LEVEL {name}_level_modes"] if closed_form(structure, model.held.drives).more else []
     lines += [f"#define MODES_{status} {name.upper()}_MODES_{status}"
               for status in ("INCOMPLETE", "REFUSED", "NOT_CERTIFIED")]  # fmt: skip
     for prefix, kinds in (("GROUP", KINDS), ("FORM", FORMS), ("SLOT", SLOTS), ("STEP", ("turn", "slide", "still"))):
@@ -236,6 +240,7 @@ def _tables(model: ModesModel) -> list[str]:
     lines += _of_slots(structure, bodies) + _of_steps(structure, steps, bodies, model.held.chosen)
     lines += c_array("double", "drive_reference", [d[1] for d in model.drives])
     lines += c_array("double", "drive_unit", [d[2] for d in model.drives])
+    lines += _of_followers(model.held) if model.held.followers else []
     lines += c_array("double", "frame", [[float(c) for c in row] for row in structure.frame])
     lines += c_array("double", "centre", [float(c) for c in structure.centre])
     lines += c_array("int", "platform_chain", structure.chains.get(hub, ()))
@@ -260,7 +265,7 @@ def _of_loops(structure: Structure, ways: Sequence[Sequence[tuple[int, bool]]]) 
     lines += c_array("int", "way_back", [int(back) for way in ways for _, back in way])
     lines += c_array("int", "form_first", np.cumsum([0, *(len(loop.forms) for loop in structure.loops)]).tolist())
     lines += c_array("int", "form_kind", [FORMS.index(form.kind) for form in forms])
-    return lines + c_array("int", "form_slots", [[*form.slots, 0][:3] for form in forms])
+    return lines + c_array("int", "form_slots", [[*form.slots, 0, 0][:4] for form in forms])
 
 
 def _of_slots(structure: Structure, bodies: Sequence[str]) -> list[str]:
@@ -296,17 +301,28 @@ def _axis(structure: Structure, axis: Any) -> list[float]:
 
 def _of_steps(structure: Structure, steps: Sequence[Step], bodies: Sequence[str], chosen: Sequence[int]) -> list[str]:
     kinds = [2 if step.edge is None else int(step.edge.kind == "slide") for step in steps]
-    drives = [chosen.index(step.edge.columns[0]) if step.edge and step.edge.columns[0] in chosen else -1
-              for step in steps]  # fmt: skip
+    held = [chosen.index(step.edge.columns[0]) if step.edge and step.edge.columns[0] in chosen else -1
+            for step in steps]  # fmt: skip
     axes = [[0.0] * 3 if step.edge is None else _axis(structure, step.edge.axis) for step in steps]
     points = [
         [0.0] * 3 if step.edge is None else [float(c) for c in structure.local(step.edge.point)] for step in steps
     ]
     lines = c_array("int", "step_near", [bodies.index(step.near) for step in steps])
     lines += c_array("int", "step_far", [bodies.index(step.far) for step in steps])
-    lines += c_array("int", "step_kind", kinds) + c_array("int", "step_drive", drives)
+    lines += c_array("int", "step_kind", kinds) + c_array("int", "step_held", held)
     lines += c_array("double", "step_sign", [float(step.sign) for step in steps])
     return lines + c_array("double", "step_axis", axes) + c_array("double", "step_point", points)
+
+
+def _of_followers(held: Held) -> list[str]:
+    """What couplings settle: sums of polynomials of displacements that come before."""
+    terms = [(held.chosen.index(column), powers) for f in held.followers for column, powers in f.terms.items()]
+    most = max((len(powers) for _, powers in terms), default=1)
+    rows = [[*map(float, powers), *[0.0] * most][:most] for _, powers in terms]
+    firsts = np.cumsum([0, *(len(f.terms) for f in held.followers)]).tolist()
+    lines = [f"#define MOST_POWERS {most}", *c_array("int", "follower_first", firsts)]
+    lines += c_array("int", "term_held", [place for place, _ in terms])
+    return lines + c_array("double", "term_powers", rows or [[0.0]])
 
 
 def _of_start(model: ModesModel) -> list[str]:

@@ -84,9 +84,31 @@ static void behind_joint(const Place *near, int step, Ball value, Place *far)
     }
 }
 
+/* Displacements of what is held: of the drives, and polynomials of those before where couplings settle more. */
+static void displaced(const Ball *drives, Ball *held)
+{
+    for (int k = 0; k < N_DRIVES; ++k) {
+        held[k] = ball_mul(ball_sub(drives[k], read(drive_reference[k])), read(1.0 / drive_unit[k]));
+    }
+#if N_FOLLOWERS
+    for (int k = 0; k < N_FOLLOWERS; ++k) {
+        held[N_DRIVES + k] = ball_of(0.0);
+        for (int term = follower_first[k]; term < follower_first[k + 1]; ++term) {
+            Ball sum = ball_of(0.0);
+            for (int j = MOST_POWERS - 1; j >= 0; --j) {
+                sum = ball_mul(ball_add(sum, read(term_powers[term][j])), held[term_held[term]]);
+            }
+            held[N_DRIVES + k] = ball_add(held[N_DRIVES + k], sum);
+        }
+    }
+#endif
+}
+
 /* Where bodies are inside what is held together. */
 static void places_of(const Ball *drives, Place *places)
 {
+    Ball held[N_DRIVES + N_FOLLOWERS];
+    displaced(drives, held);
     for (int body = 0; body < N_BODIES; ++body) {
         for (int k = 0; k < 9; ++k) {
             places[body].turn[k] = ball_of(k % 4 ? 0.0 : 1.0);
@@ -101,12 +123,8 @@ static void places_of(const Ball *drives, Place *places)
             places[step_far[step]] = near;
             continue;
         }
-        const int drive = step_drive[step];
-        Ball value = ball_of(0.0);
-        if (drive >= 0) {
-            value = ball_sub(drives[drive], read(drive_reference[drive]));
-            value = ball_mul(value, read(step_sign[step] / drive_unit[drive]));
-        }
+        const int place = step_held[step];
+        const Ball value = place < 0 ? ball_of(0.0) : ball_times(step_sign[step], held[place]);
         behind_joint(&near, step, value, &places[step_far[step]]);
     }
 }

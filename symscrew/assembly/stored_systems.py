@@ -1,4 +1,4 @@
-"""What start_systems.json holds: start systems of the catalogue's structures, bounds of its references.
+"""What start_systems.json holds: start systems of the catalogue's structures and of others, bounds of references.
 
     python -m symscrew.assembly.stored_systems > new.json    needs Singular; --anew searches instead of reading
 
@@ -19,8 +19,12 @@ from symscrew.assembly.root_bounds import Bound, own_bound, own_key, stored_entr
 from symscrew.assembly.start_system import encoded, searched, start_key, start_system
 from symscrew.assembly.what_is_held import Held, held_by
 from symscrew.catalogue import load, names
+from symscrew.description import Mechanism, description_text, parse_description
 from symscrew.errors import DescriptionError
 from symscrew.mobility import NotAlgebraicError
+
+FURTHER = ("3-UPU",)
+"""Limbs of mechanisms that are in no catalogue and take long to search: a minute. 3-RUU, 3-PUU are of one structure."""
 
 
 def stored_entries_of(held: Held, structure: Structure, *, anew: bool = False) -> dict[str, Any]:
@@ -40,11 +44,13 @@ def stored_entries_of(held: Held, structure: Structure, *, anew: bool = False) -
 
 
 def every_entry(*, anew: bool = False) -> dict[str, Any]:
-    """Of the whole catalogue with its drives held."""
+    """Of the whole catalogue and of the further ones with their drives held."""
     found = dict(stored_entries())
-    for name in names():
+    mechanisms: list[Mechanism] = [load(name) for name in names()]
+    mechanisms += [parse_description(description_text(f"further{k}", limbs)) for k, limbs in enumerate(FURTHER)]
+    for mechanism in mechanisms:
         try:
-            held = held_by(load(name), {}, {})
+            held = held_by(mechanism, {}, {})
             structure = structure_of(held)
             if structure.equations > structure.unknowns:
                 held = held.fewer()

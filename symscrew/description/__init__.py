@@ -38,7 +38,7 @@ from symscrew.doors import doors
 
 if TYPE_CHECKING:  # mechanisms to start from, in symbols
     from symscrew.description.architectures import ARCHITECTURES, architecture
-    from symscrew.description.template import renamed_text, write_new, write_template
+    from symscrew.description.template import description_text, renamed_text, write_new, write_template
 
 __all__ = [
     "ARCHITECTURES",
@@ -68,6 +68,7 @@ __all__ = [
     "check_sections",
     "check_text",
     "check_values_of",
+    "description_text",
     "exact",
     "followed",
     "from_file",

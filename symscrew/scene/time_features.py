@@ -35,7 +35,7 @@ SAMPLES = 64  # intervals on which the size of an input is looked at
 class TimeFeatures:
     """`edges` (n,) [s] ascending, behind 0; `lefts` (n,): at a break the latest time [s] before it, else 0.
 
-    `notices` say which inputs are not bounded, and why.
+    The end of a run whose inputs change is a break. `notices` say which inputs are not bounded, and why.
     """
 
     edges: np.ndarray = field(default_factory=lambda: np.zeros(0))
@@ -83,6 +83,8 @@ def features_in_time(scene: Scene, model: Model) -> TimeFeatures:
                     "beforehand: what is shorter than the steps may be passed unseen (longest_step bounds them)"
                 )
     breaks = {t: t for table in scene.tables.values() for t in table.times if 0 < t < scene.duration}
+    if scene.tables or functions:  # what inputs do behind the end is not looked at: no step goes there
+        breaks[scene.duration] = scene.duration
     edges, jumps, unresolved = _intervals(list(functions), scene.duration)
     for k, reason in unresolved.items():
         expression = list(functions)[k]
@@ -190,8 +192,7 @@ def _intervals(
     breaks: dict[float, float] = {}
     for low, high in sorted(open_ends):
         joined = breaks.pop(low, low)
-        if high < duration:
-            breaks[high] = joined
+        breaks[min(high, duration)] = joined
     return [t for t in sorted(edges) if t < duration], {t: max(v, 5e-324) for t, v in breaks.items()}, reasons
 
 

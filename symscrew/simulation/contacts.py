@@ -18,9 +18,9 @@ from symscrew.effects import Contact
 from symscrew.errors import DescriptionError
 from symscrew.model import Model
 
-Accelerations = Callable[[np.ndarray], np.ndarray]
-# A rate below this, without units, counts as zero when modes are chosen: the joint sticks. Larger: what is slow is
-# stuck though it moves. Smaller: what an integrator left of a rate that is zero chooses a direction of slipping.
+Answers = Callable[[np.ndarray, np.ndarray], np.ndarray]
+# A rate below this part of the largest one counts as zero when modes are chosen: the joint sticks. Larger: what is slow
+# is stuck though it moves. Smaller: what an integrator left of a rate that is zero chooses a direction of slipping.
 STILL = 1e-9
 # A joint that answers its own force by less than this part of the largest acceleration cannot be held by friction (a
 # dead point of the loops): it slips through. Smaller: forces grow without bound close to dead points.
@@ -28,6 +28,8 @@ HELD = 1e-5
 # Part of the largest singular value of contacts' accelerations by forces under which contacts that act on the same
 # freedom share their force (least squares) instead of being solved one by one.
 SHARED = 1e-12
+# An answer to a unit force that is less than its inverse of what accelerates already is found by a larger force.
+SMALL_ANSWER = 1e3
 
 
 @dataclass(frozen=True)
@@ -92,13 +94,22 @@ def laws(model: Model, contacts: Sequence[Contact], parameters: np.ndarray | Non
 
 @dataclass(frozen=True)
 class ContactState:
-    """The contacts at a state: their `rules`, q, v, `units` that divide rates, a (nv,) as a function of forces (n,)."""
+    """The contacts at a state: `rules`, q, v, `units` that divide rates, `answers` a (nv,) to rates and forces (n,)."""
 
     rules: Sequence[Law]
     q: np.ndarray
     v: np.ndarray
     units: np.ndarray
-    accelerations: Accelerations
+    answers: Answers
+
+    def accelerations(self, forces: np.ndarray) -> np.ndarray:
+        """Accelerations (nv,) by forces of the contacts (n,)."""
+        return self.answers(self.v, forces)
+
+    @property
+    def fastest(self) -> float:
+        """The largest rate, without units: what is slow or fast is so beside it, whatever time is measured in."""
+        return float(np.abs(self.v / self.units).max(initial=0.0))
 
 
 @dataclass(frozen=True)
@@ -129,13 +140,30 @@ def forces(at: ContactState, modes: Modes) -> np.ndarray:
         return given
     rows = [rules[k].v for k in unknown]
     a = accelerations(given)[rows]
-    columns = []
-    for k in unknown:
-        unit = np.array(given)
-        unit[k] += 1.0
-        columns.append(accelerations(unit)[rows] - a)
-    given[unknown] = np.linalg.lstsq(np.stack(columns, 1), -a, rcond=SHARED)[0]
+    gain = responses(at, unknown, given)[rows]
+    given[unknown] = np.linalg.lstsq(gain, -a, rcond=SHARED)[0]
     return given
+
+
+def responses(at: ContactState, which: Sequence[int], given: np.ndarray) -> np.ndarray:
+    """Accelerations (nv, contacts) by a unit force of each of these contacts, beside given forces of all (n,).
+
+    Where what acts already accelerates far more, a unit's part would be rounding: a larger force by its size is it.
+    """
+    base, columns = at.accelerations(given), []
+    most = float(np.abs(base / at.units).max(initial=0.0))
+    for k in which:
+        size = 1.0
+        for _ in range(2):
+            force = np.array(given)
+            force[k] += size
+            column = (at.accelerations(force) - base) / size
+            answer = float(np.abs(column / at.units).max(initial=0.0))
+            if not most > SMALL_ANSWER * answer * size > 0:
+                break
+            size = most / answer
+        columns.append(column)
+    return np.stack(columns, 1)
 
 
 def start_modes(at: ContactState) -> Modes:
@@ -151,7 +179,7 @@ def start_modes(at: ContactState) -> Modes:
     for rule in rules:
         rate = v[rule.v] / units[rule.v]
         if rule.contact.kind == "friction":
-            modes.append(0 if abs(rate) < STILL else int(np.sign(rate)))
+            modes.append(0 if abs(rate) <= STILL * at.fastest else int(np.sign(rate)))
             continue
         for end, place in ((1, rule.upper), (-1, rule.lower)):
             if end * (q[rule.q] - place) > 1e-9 * units[rule.v]:
@@ -160,7 +188,7 @@ def start_modes(at: ContactState) -> Modes:
                 )
         near = 1e-12 * units[rule.v]
         end = 1 if rule.upper - q[rule.q] < near else -1 if q[rule.q] - rule.lower < near else 0
-        modes.append(end if abs(rate) < STILL else 0)
+        modes.append(end if abs(rate) <= STILL * at.fastest else 0)
     return Modes(tuple(modes))
 
 

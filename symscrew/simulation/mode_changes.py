@@ -17,14 +17,17 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from symscrew.simulation.contacts import SHARED, STILL, ContactState, Modes, forces, is_dead, released
+from symscrew.simulation.contacts import SHARED, STILL, ContactState, Modes, forces, is_dead, released, responses
 
 # A stop is met where its gap is below this, without units: what the search for the instant leaves. Larger: stops that
 # are only near take part in an impact; smaller: of two that are met at once one is met later, by itself.
 TOUCHING = 1e-9
-# A rebound slower than this part of the largest rate ends the bouncing: the contact stays closed. At 0 the impacts of
-# a ball accumulate without end; larger, rebounds are lost.
-SOFT = 1e-6
+# A rebound that forces turn back within this height, in units of the joint, ends the bouncing: the contact stays
+# closed. At 0 the impacts of a ball accumulate without end; larger, rebounds are lost. One that nothing turns back goes
+# on, however slow it is.
+SOFT = 1e-13
+# Rebounds below this part of the largest rate are rounding of it.
+NO_REBOUND = 1e-12
 # Sets of pushing contacts that are tried per contact; each is better than the one before, so that few are met twice.
 MOST_SETS = 10
 # Rates below the first part of the largest are rounding of it; a solution whose rates are off by more than the second
@@ -96,34 +99,28 @@ def _touched(at: ContactState, modes: Modes, which: int = -1) -> list[tuple[int,
 
 def _approaching(at: ContactState, k: int, end: int) -> bool:
     rate = end * at.v[at.rules[k].v] / at.units[at.rules[k].v]
-    return bool(rate > STILL)
+    return bool(rate > STILL * at.fastest)
 
 
 def _met(at: ContactState, modes: Modes, which: int = -1) -> Change:
     """Rates and modes behind the impact of all stops that are met."""
     rules, units = at.rules, at.units
     contacts = _touched(at, modes, which)
-    base = at.accelerations(np.zeros(len(rules)))
-    columns = []
-    for k, end in contacts:
-        unit = np.zeros(len(rules))
-        unit[k] = -end  # inwards
-        columns.append(at.accelerations(unit) - base)
     rows = [rules[k].v for k, _ in contacts]
-    signs = -np.array([end for _, end in contacts], dtype=float)
-    gain = np.stack([column[rows] * signs for column in columns], 1)
+    signs = -np.array([end for _, end in contacts], dtype=float)  # inwards
+    columns = responses(at, [k for k, _ in contacts], np.zeros(len(rules))) * signs
+    gain = columns[rows] * signs[:, None]
     before = signs * at.v[rows]
     rebound = np.array([rules[k].restitution for k, _ in contacts]) * np.maximum(-before, 0)
     impulse = complementary(gain, before - rebound)
     after = before + gain @ impulse
-    speed = max(1.0, float(np.abs(at.v / units).max()))
-    slow = np.abs(after / units[rows]) <= SOFT * speed
+    slow = _soft(at, modes, contacts, gains=columns, impulse=impulse)
     if slow.any():  # they stay closed: what is left of their rates is taken too
         rest = np.zeros(len(contacts))
         rest[slow] = np.linalg.lstsq(gain[np.ix_(slow, slow)], -after[slow], rcond=SHARED)[0]
         impulse = impulse + rest
         after = before + gain @ impulse
-    v = at.v + sum((c * p for c, p in zip(columns, impulse, strict=True)), start=np.zeros_like(at.v))
+    v = at.v + columns @ impulse
     losses: dict[str, float] = {}
     texts: list[str] = []
     for i, (k, end) in enumerate(contacts):
@@ -134,9 +131,29 @@ def _met(at: ContactState, modes: Modes, which: int = -1) -> Change:
         v[rule.v] = 0.0 if slow[i] else v[rule.v]
         modes = modes.with_mode(k, end if slow[i] else 0)
     for k, rule in enumerate(rules):
-        if rule.contact.kind == "friction" and abs(v[rule.v] / units[rule.v]) > STILL:
+        if rule.contact.kind == "friction" and abs(v[rule.v] / units[rule.v]) > STILL * at.fastest:
             modes = modes.with_mode(k, int(np.sign(v[rule.v])))
     return Change(v, released(replace(at, v=v), modes), tuple(texts), losses)
+
+
+def _soft(
+    at: ContactState,
+    modes: Modes,
+    contacts: Sequence[tuple[int, int]],
+    *,
+    gains: np.ndarray,
+    impulse: np.ndarray,
+) -> np.ndarray:
+    """Which of the stops that are met (their numbers and ends) stay closed behind these impulses."""
+    rows, units = [at.rules[k].v for k, _ in contacts], at.units
+    inwards = -np.array([end for _, end in contacts], dtype=float)
+    behind = replace(at, v=at.v + gains @ impulse)
+    after = inwards * behind.v[rows]
+    slow = np.abs(after / units[rows]) <= NO_REBOUND * at.fastest
+    for (k, end), closed in zip(contacts, slow, strict=True):
+        modes = modes.with_mode(k, end if closed else 0)
+    pressed = -inwards * behind.accelerations(forces(behind, modes))[rows]
+    return np.asarray(slow | ((after > 0) & (after**2 <= 2 * SOFT * units[rows] * pressed)))
 
 
 def complementary(gain: np.ndarray, offset: np.ndarray) -> np.ndarray:

@@ -17,7 +17,8 @@ import numpy as np
 from symscrew.simulation.contacts import ContactState, Law, Modes, forces
 
 DEGREE = 8  # of the polynomials through a step: those of the integrators are of degree seven, or three
-# Margins below this part of the largest force, and of a unit of the joint, count as zero at the start of a step.
+# Margins below this part of the largest force, of a unit of the joint, and of the largest rate, count as zero at the
+# start of a step.
 FORCE_SLACK, SLACK = 1e-12, 1e-11
 # The instant of an event is that of the step's polynomial; putting the state onto the loops moves it by that
 # polynomial's error. A margin that is off zero by less at the start of its new mode counts as zero.
@@ -95,6 +96,7 @@ def _of_motion(
     slack = SLACK * unit
     if rule.contact.kind == "friction":
         rates = np.array([at.v[rule.v] for at in samples])
+        slack *= max(at.fastest for at in samples)
         # a rate that only touches zero does not end a slip
         yield mode * rates + slack, slack, float(np.abs(rates).max())
         return

@@ -60,9 +60,9 @@ class NativeContacts:
 
     def at(self, t: float, state: State) -> ContactState:
         """The contacts at a state."""
-        q, v, _ = state
+        q, v, x = state
         return ContactState(
-            self.rules, q, v, self.library.plant.units, lambda force: self.library.accelerations(t, state, force)
+            self.rules, q, v, self.library.plant.units, lambda v, force: self.library.accelerations(t, (q, v, x), force)
         )
 
     def begun(self, going_on: int) -> int:

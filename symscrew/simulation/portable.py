@@ -118,10 +118,11 @@ class _Marching:
             raise DescriptionError(f"controller: expected {self.f.nu} finite numbers at t = {t:g}, got {u!r:.80}")
         return u
 
-    def accelerations(self, t: float, y: np.ndarray) -> Callable[[np.ndarray], np.ndarray]:
+    def accelerations(self, t: float, y: np.ndarray) -> Callable[[np.ndarray, np.ndarray], np.ndarray]:
+        """Accelerations by rates and forces of the contacts; the drives are those of the state."""
         q, v, x = self.parts(y)
         u = self.commanded(t, q, v)
-        return lambda outside: self.f.slopes(t, q, v, x, u=u, outside=outside)[0]
+        return lambda rates, outside: self.f.slopes(t, q, rates, x, u=u, outside=outside)[0]
 
     def contacts_at(self, t: float, y: np.ndarray) -> contact.ContactState:
         q, v, _ = self.parts(y)

@@ -87,5 +87,5 @@ def faster(known: Instant | None, other: Instant, units: np.ndarray) -> Instant 
 
 
 def shown_time(t: float) -> str:
-    """A time [s] with all digits that are meant: those of the double, at most to 1e-12 s."""
-    return f"{round(t, 12):.15g}"
+    """A time [s] with all digits that are meant: those of the double, at most to 1e-12 s, below 1 ms ten of them."""
+    return f"{round(t, 12):.15g}" if not 0 < abs(t) < 1e-3 else f"{t:.10g}"

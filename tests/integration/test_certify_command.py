@@ -81,6 +81,7 @@ def test_six_legs_over_three_of_six_coordinates() -> None:
         (["--over", "base_left=0:1", "--expect-tilt", "1deg"], "needs the axes tilt and azimuth"),
         (["--over", "base_left=1m:2m"], "is an angle"),
         (["--over", "elbow_left=0:1"], "over independent coordinates (base_left, base_right)"),
+        (["--over", "base_left=-20deg:0deg:5", "--mode=-1"], "certificates begin in the reference configuration"),
         (["--over", "base_left=-20deg:0deg:5", "--engine", "c"], "--engine: certificates"),
         ([], "nothing to sweep"),
     ],
@@ -117,3 +118,8 @@ def test_a_parameter_is_an_edge_like_any_other() -> None:
     assert one.summary["whole"] and one.summary["fixed"] == {"rise": 0.18}
     with pytest.raises(DescriptionError, match="no tolerances"):
         certify(Plan(mechanism, (), axes, tolerances=(("rise", 1e-3),), parameters=("rise",)))
+
+
+def test_a_plan_in_another_mode_is_no_proof_of_the_reference_in_silence() -> None:
+    with pytest.raises(DescriptionError, match="begin in the reference configuration"):
+        certify(Plan(catalogue.load("five_bar"), (), (Axis("base_left", -0.1, 0.1, 3),), mode="-1"))

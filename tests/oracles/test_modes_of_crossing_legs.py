@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 from support.parallel_mechanisms import snu
 
 import symscrew
+from symscrew.assembly import compiled_modes, modes_model, print_modes
 from symscrew.assembly.all_modes import structure_of
 from symscrew.assembly.dual_forms import crossing, distance
 from symscrew.assembly.root_bounds import family_bound, own_bound
@@ -84,3 +87,32 @@ def test_a_3_ruu_is_of_the_same_structure_as_a_3_upu():
 def test_one_leg_on_universal_joints_keeps_its_angles():
     mechanism = symscrew.load_catalogue("three_ups_upu_s")  # one leg on universal joints: its angles stay unknowns
     assert not structure_of(held_by(mechanism, {}, {}).fewer()).crossings
+
+
+def test_c_finds_sixteen_modes_of_the_3_upu_that_its_legs_hold(tmp_path: Path) -> None:
+    """Each pose has the legs' lengths and each leg in one plane with its outer axes, which is all that a leg holds."""
+    model = modes_model(snu())
+    for file, text in print_modes(model).items():
+        (tmp_path / file).write_text(text)
+    compiled = compiled_modes(model, tmp_path, ["-O1"])
+    legs = np.array([5 + 1 / 20, 5 - 1 / 30, 5 + 1 / 70])
+    start = [reference for _, reference, _, _ in model.drives]
+    lengths = np.array(start) + legs - 5
+    status, modes = compiled.modes(lengths)
+    assert status == 0 and len(modes) == 16  # as many as 395 solutions of Newton's method met
+    places = []
+    for mode in modes:
+        assert mode.certified and mode.error < 1e-9
+        turn, shift = np.array(mode.pose[:9]).reshape(3, 3).T, np.array(mode.pose[9:])
+        for k, length in enumerate(legs):
+            c, s = np.cos(2 * np.pi * k / 3), np.sin(2 * np.pi * k / 3)
+            foot, tip, outer = np.array([5 * c, 5 * s, 0]), np.array([2 * c, 2 * s, 4]), np.array([c, s, 0])
+            leg = turn @ tip + shift - foot
+            assert abs(np.linalg.norm(leg) - length) < 1e-9
+            assert abs(np.linalg.det([outer, leg, turn @ outer])) < 1e-8
+        places.append(mode.pose[:])
+    apart = [np.abs(np.subtract(a, b)).max() for k, a in enumerate(places) for b in places[:k]]
+    assert min(apart) > 1e-3
+    for mode in modes:
+        assert compiled.led(mode, lengths + 1e-3) == 0 and compiled.led(mode, lengths) == 0
+    assert max(np.abs(np.subtract(m.pose, p)).max() for m, p in zip(modes, places, strict=True)) < 1e-9

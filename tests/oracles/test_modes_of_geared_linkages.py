@@ -3,20 +3,21 @@
 from __future__ import annotations
 
 import math
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
 import symscrew
-from symscrew.assembly import AssemblyMode, follow_mode
+from symscrew.assembly import AssemblyMode, CompiledModes, compiled_modes, follow_mode, modes_model, print_modes
 
 CRANKS = ((0.0, 0.0), (1.2, 0.0))
 ELBOWS = ((-0.1, 0.6), (1.1, 0.5))
 TIP = (0.5, 1.3)
 
 
-def geared_five_bar(terms: dict[str, Any]) -> symscrew.Mechanism:
+def geared_five_bar(terms: dict[str, Any], driven: str = "A") -> symscrew.Mechanism:
     """Two cranks A and B about y, coupled, with rods that meet at D."""
     builder = symscrew.MechanismBuilder("geared_five_bar")
     for body in ("left", "right", "rod", "other"):
@@ -24,7 +25,7 @@ def geared_five_bar(terms: dict[str, Any]) -> symscrew.Mechanism:
     ends = {"A": ("base", "left", CRANKS[0]), "B": ("base", "right", CRANKS[1]), "C": ("left", "rod", ELBOWS[0]),
             "E": ("right", "other", ELBOWS[1]), "D": ("rod", "other", TIP)}  # fmt: skip
     for name, (parent, child, (x, z)) in ends.items():
-        builder.joint(name, "R", parent=parent, child=child, point=[x, 0, z], axes=[[0, 1, 0]], driven=name == "A")
+        builder.joint(name, "R", parent=parent, child=child, point=[x, 0, z], axes=[[0, 1, 0]], driven=name in driven)
     return builder.coupling("gears", terms=terms).build()
 
 
@@ -120,3 +121,44 @@ def test_a_way_of_several_turns_keeps_the_name():
     found, again = (symscrew.assembly_modes(four_bar, {"A": value}) for value in ("-12*pi + pi/3", "pi/3"))
     assert [m.name for m in found.modes] == [m.name for m in again.modes]
     assert all(m.certified for m in found.modes) and found.modes[0].name == "home"
+
+
+def written(mechanism: symscrew.Mechanism, folder: Path) -> CompiledModes:
+    model = modes_model(mechanism)
+    for file, text in print_modes(model).items():
+        (folder / file).write_text(text)
+    return compiled_modes(model, folder, ["-O0"])
+
+
+def test_c_takes_what_couplings_settle_along_its_motions_as_well(tmp_path):
+    """B = - A - A^2: modes are those of the circles; led from A = -0.6 to -0.4 B turns back on the way."""
+    compiled = written(geared_five_bar({"A": ["1", "1"], "B": 1}), tmp_path)
+    assert [name for name, *_ in compiled.model.drives] == ["A"]
+    assert "A [rad]. Couplings settle B." in (tmp_path / "geared_five_bar_modes.h").read_text()
+
+    def tip(mode: Any) -> tuple[float, float]:
+        place = np.array(mode.pose[:9]).reshape(3, 3).T @ np.array([TIP[0], 0, TIP[1]]) + np.array(mode.pose[9:])
+        return float(place[0]), float(place[2])
+
+    counts = set()
+    for a in (-3.0, -2.7, -0.6, 0.0, 0.45, 2.5):
+        wanted, (status, modes) = tips(a, -a - a * a), compiled.modes([a])
+        assert status == 0 and len(modes) == len(wanted) and all(mode.certified for mode in modes)
+        assert compiled.model.held.body in ("rod", "other")
+        for one in wanted:
+            assert min(math.dist(one, tip(mode)) for mode in modes) < 1e-12
+        counts.add(len(modes))
+    assert counts == {0, 2}
+    start = compiled.modes([-0.6])[1]
+    for mode in start:
+        before = tip(mode)
+        for a in np.linspace(-0.6, -0.4, 9)[1:]:
+            assert compiled.led(mode, [a]) == 0
+            assert math.dist(tip(mode), before) < 0.1
+            before = tip(mode)
+            assert min(math.dist(one, before) for one in tips(a, -a - a * a)) < 1e-12
+
+
+def test_c_of_drives_that_a_coupling_ties_is_refused():
+    with pytest.raises(symscrew.DescriptionError, match="the coupling gears ties its arguments"):
+        modes_model(geared_five_bar({"A": 1, "B": 1}, driven="AB"))

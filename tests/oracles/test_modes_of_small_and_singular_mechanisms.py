@@ -12,6 +12,7 @@ import symscrew
 from symscrew.assembly.all_modes import structure_of
 from symscrew.assembly.batch_equations import BatchEquations
 from symscrew.assembly.families import AllNumbers
+from symscrew.assembly.mode_names import Named, distances_of, numbered
 from symscrew.assembly.path_tracking import Tracker
 from symscrew.assembly.start_system import searched
 from symscrew.assembly.what_is_held import held_by
@@ -61,3 +62,30 @@ def test_a_zero_at_infinity_is_no_start():
     sizes = np.linalg.svd(np.concatenate([slopes, equations.patches(far)], axis=1), compute_uv=False)
     start = searched(family, far[int(sizes[:, -1].argmax())])  # a regular one, whose paths are short
     assert start.complete and equations.norms(equations.scaled(start.zeros)).min() > 1e-6
+
+
+def about(axis: np.ndarray, angle: float) -> np.ndarray:
+    x, y, z = axis
+    hat = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
+    return np.asarray(np.eye(3) + np.sin(angle) * hat + (1 - np.cos(angle)) * hat @ hat)
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_modes_that_are_turned_alike_have_one_order_wherever_the_mechanism_stands(seed):
+    """Six legs alike, modes turned alike about axes towards each: their order is that of the legs, not of a frame."""
+    random = np.random.default_rng(seed)
+    marks = np.array([[np.cos(a), np.sin(a), h] for h in (0, 1) for a in np.arange(6) * np.pi / 3])
+    poses = [(about(np.array([np.cos(a), np.sin(a), 0]), 0.7), np.array([0, 0, 0.3])) for a in np.arange(6) * np.pi / 3]
+    turn, shift = np.linalg.qr(random.normal(size=(3, 3)))[0], random.normal(size=3)
+    turn *= np.linalg.det(turn)
+
+    def named(turn: np.ndarray, shift: np.ndarray) -> list[str]:
+        modes = []
+        for rotation, translation in poses:
+            moved = turn @ rotation @ turn.T
+            way = turn @ translation + shift - moved @ shift
+            distances = distances_of(marks @ turn.T + shift, moved, way)
+            modes.append(Named(np.zeros(8), moved, way, "+", distances))
+        return numbered(modes, None)
+
+    assert named(turn, shift) == named(np.eye(3), np.zeros(3))

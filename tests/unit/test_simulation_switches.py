@@ -170,10 +170,10 @@ def test_two_frictions_share_what_holds_a_joint(monkeypatch: pytest.MonkeyPatch)
     model = derive(block(), (DryFriction("slide", coulomb=3, mode="event"),))
     law = contacts.laws(model, [c for e in model.effects for c in e.contacts()])[0]
     at = contacts.ContactState(
-        (law, law), np.zeros(1), np.zeros(1), np.ones(1), lambda f: np.array([1.0 + 0.5 * f.sum()])
+        (law, law), np.zeros(1), np.zeros(1), np.ones(1), lambda _, f: np.array([1.0 + 0.5 * f.sum()])
     )
     assert contacts.forces(at, contacts.Modes((0, 0))) == pytest.approx([-1.0, -1.0], abs=1e-12)
-    uneven = replace(at, accelerations=lambda f: np.array([1.0 + 0.5 * f[0] + 0.5 * (1 + 1e-9) * f[1]]))
+    uneven = replace(at, answers=lambda _, f: np.array([1.0 + 0.5 * f[0] + 0.5 * (1 + 1e-9) * f[1]]))
     monkeypatch.setattr(contacts, "SHARED", 0.0)
     assert contacts.forces(uneven, contacts.Modes((0, 0))).sum() == pytest.approx(-2.0, abs=1e-6)
 
@@ -182,7 +182,7 @@ def test_a_joint_that_friction_cannot_hold_slips(monkeypatch: pytest.MonkeyPatch
     model = derive(block(), (DryFriction("slide", coulomb=3, mode="event"),))
     law = contacts.laws(model, [c for e in model.effects for c in e.contacts()])[0]
     dead = contacts.ContactState(  # its own force moves it by 1e-7 of what it does to another freedom
-        (replace(law, v=0),), np.zeros(2), np.zeros(2), np.ones(2), lambda f: np.array([0.5 + 1e-7 * f[0], f[0]])
+        (replace(law, v=0),), np.zeros(2), np.zeros(2), np.ones(2), lambda _, f: np.array([0.5 + 1e-7 * f[0], f[0]])
     )
     assert contacts.released(dead, contacts.Modes((0,))).values == (1,)
     monkeypatch.setattr(contacts, "HELD", 1e-9)

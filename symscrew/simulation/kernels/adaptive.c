@@ -1,19 +1,34 @@
 /* Error estimates, and states within a step. */
 
-static double weight(const Step *s, int i, double rtol, double atol)
+/* The part of the fastest rate by which another one counts as one of that size: where motions take microseconds, errors
+ * of a rate that passes zero would else be held below the rounding of the others. */
+#define FAST 1e-2
+
+/* What a rate counts for at least, without units: one a second, or a part of the fastest. */
+static double least_rate(const Step *s)
+{
+    double most = 1.0;
+    for (int i = 0; i < NV; ++i) {
+        most = fmax(most, FAST * fmax(fabs(s->start[NV + i]), fabs(s->end[NV + i])) / UNIT[i]);
+    }
+    return most;
+}
+
+static double weight(const Step *s, int i, double rtol, double atol, double least)
 {
     if (i < NV) {
         return (atol + rtol) * UNIT[i]; /* angles grow with every turn, their errors should not */
     }
     const double size = fmax(fabs(s->start[i]), fabs(s->end[i]));
-    return (i < 2 * NV ? atol * UNIT[i - NV] : atol) + rtol * size;
+    return (i < 2 * NV ? atol * least * UNIT[i - NV] : atol) + rtol * size;
 }
 
 static double dop853_error(const Step *s, double rtol, double atol)
 {
+    const double least = least_rate(s);
     double fifth = 0.0, third = 0.0;
     for (int i = 0; i < NY - PASSIVE; ++i) {
-        const double(*k)[NY1] = s->k, scale = weight(s, i, rtol, atol);
+        const double(*k)[NY1] = s->k, scale = weight(s, i, rtol, atol, least);
         const double five = DOP853_ERROR_5(i) / scale, three = DOP853_ERROR_3(i) / scale;
         fifth += five * five;
         third += three * three;

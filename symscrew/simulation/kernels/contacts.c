@@ -72,24 +72,47 @@ typedef struct {
     double value[CONTACTS], vector[CONTACTS][CONTACTS];
 } Grip;
 
+/* The answer of all rates to a unit force of contact k beside what makes the accelerations a. Where these are far larger,
+ * a unit's part would be rounding: a larger force is divided by its size (contacts.py). */
+static int answer(double t, const double *q, const double *v, const double *x, const double *u, const double *a, int k,
+                  double *column)
+{
+    double x_dot[NX1], size = 1.0;
+    for (int pass = 0; pass < 2; ++pass) {
+        const double given = CONTACT_FORCE[k];
+        CONTACT_FORCE[k] = given + size;
+        const int outcome = plain_forces_at(t, q, v, x, u, column, x_dot);
+        CONTACT_FORCE[k] = given;
+        if (outcome > 0 && outcome != LEAST_SQUARES) {
+            return outcome;
+        }
+        double most = 0.0, own = 0.0;
+        for (int i = 0; i < NV; ++i) {
+            column[i] = (column[i] - a[i]) / size;
+            most = fmax(most, fabs(a[i]) / UNIT[i]);
+            own = fmax(own, fabs(column[i]) / UNIT[i]);
+        }
+        if (!(own > 0.0 && most > SMALL_ANSWER * own * size)) {
+            break;
+        }
+        size = most / own;
+    }
+    return 0;
+}
+
 static int gripped(double t, const double *q, const double *v, const double *x, const double *u, const double *a,
                    Grip *g)
 {
-    double x_dot[NX1], gain[CONTACTS][CONTACTS];
+    double gain[CONTACTS][CONTACTS];
     g->count = 0;
     for (int k = 0; k < CONTACTS; ++k) {
         if (!held(k)) {
             continue;
         }
         double *column = g->column[g->count];
-        CONTACT_FORCE[k] += 1.0;
-        const int outcome = plain_forces_at(t, q, v, x, u, column, x_dot);
-        CONTACT_FORCE[k] -= 1.0;
-        if (outcome > 0 && outcome != LEAST_SQUARES) {
+        const int outcome = answer(t, q, v, x, u, a, k, column);
+        if (outcome != 0) {
             return outcome;
-        }
-        for (int i = 0; i < NV; ++i) {
-            column[i] -= a[i];
         }
         g->unknown[g->count++] = k;
     }

@@ -61,6 +61,18 @@ static int near_stop(const Step *s, const Contact *c)
     return place + way >= c->upper || place - way <= c->lower;
 }
 
+/* The largest rate within the step, without units: rates are small beside it. */
+static double fastest(const Step *s)
+{
+    double most = 0.0;
+    for (int j = 0; j < 13; ++j) {
+        for (int i = 0; i < NV; ++i) {
+            most = fmax(most, fabs(s->k[j][i]) / UNIT[i]);
+        }
+    }
+    return most;
+}
+
 static int sampled(Step *s, int method, double (*q)[NQ1], double (*v)[NV1], double (*force)[CONTACTS], int forces)
 {
     double x[NX1], a[NV1], x_dot[NX1], pivot;
@@ -127,7 +139,7 @@ static int first_event(Step *s, int method, int fresh, Event *e)
             p = dense_polynomial(s, index);
             p.c[0] += c->kind == FRICTION ? 0.0 : s->base[c->q];
         }
-        const double slack = 1e-11 * UNIT[c->v];
+        const double slack = 1e-11 * UNIT[c->v] * (c->kind == FRICTION ? fastest(s) : 1.0);
         for (int side = -1; side <= 1; side += 2) {
             Polynomial margin = p;
             if (c->kind == FRICTION && side != contact_mode[k]) {

@@ -171,8 +171,9 @@ static double first_step(Simulation *s, Step *step)
     double y[NY1], dy[NY1], size = 0.0, rate = 0.0, change = 0.0;
     memcpy(step->end, step->start, sizeof step->end);
     memcpy(step->q, s->q, sizeof s->q);
+    const double least = least_rate(step);
     for (int i = 0; i < NY - PASSIVE; ++i) {
-        const double w = weight(step, i, s->rtol, s->atol);
+        const double w = weight(step, i, s->rtol, s->atol, least);
         const double value = i < NV ? 0.0 : step->start[i] / w;
         size += value * value;
         rate += (step->k[0][i] / w) * (step->k[0][i] / w);
@@ -186,7 +187,7 @@ static double first_step(Simulation *s, Step *step)
         return fmin(1e-6, s->longest);
     }
     for (int i = 0; i < NY - PASSIVE; ++i) {
-        const double w = weight(step, i, s->rtol, s->atol), difference = (dy[i] - step->k[0][i]) / w;
+        const double w = weight(step, i, s->rtol, s->atol, least), difference = (dy[i] - step->k[0][i]) / w;
         change += difference * difference;
     }
     const double steepest = fmax(sqrt(rate), sqrt(change) / h);
@@ -306,11 +307,18 @@ static size_t crossings_within(Simulation *s, double rate_at_end, Crossing *foun
     return met;
 }
 
-/* The latest end of a step that does not pass what changes in time unseen: the next break, or SPAN edges ahead. */
+#define AT_EDGE 2e-15 /* of the time: an edge that is nearer is now, for no step is as short as that */
+/* The latest end of a step that does not pass what changes in time unseen: the next break, or SPAN edges ahead. An event
+ * at the instant of a break may have been found some roundings before it. */
 static double reach_in_time(Simulation *s, double *left)
 {
     *left = 0.0;
-    while (s->edge_at < s->edge_count && s->edges[s->edge_at] <= s->t) {
+    while (s->edge_at < s->edge_count && s->edges[s->edge_at] - s->t <= AT_EDGE * fabs(s->t)) {
+        if (s->edges[s->edge_at] > s->t) {
+            s->t = s->edges[s->edge_at];
+            s->rest = 0.0;
+            s->started = 0;
+        }
         ++s->edge_at;
     }
     for (size_t k = s->edge_at; k < s->edge_count; ++k) {

@@ -123,6 +123,8 @@ def certify(plan: Plan, progress: Callable[[int], None] = lambda count: None) ->
     """
     if plan.tolerances:
         raise DescriptionError("--certify: no tolerances; give the parameter's range as an axis: --over r=0.49:0.51")
+    if plan.mode:
+        raise DescriptionError(f"--mode {plan.mode}: certificates begin in the reference configuration; leave it out")
     model = derive(plan.mechanism, plan.effects, independent=plan.independent)
     check_plan(plan, model)
     if not has_own_axes(plan, model):
