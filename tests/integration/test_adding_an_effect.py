@@ -77,7 +77,7 @@ def found(tmp_path_factory: pytest.TempPathFactory) -> dict:
     """What the script prints with the copy of the package."""
     folder = tmp_path_factory.mktemp("own_effect")
     package = folder / "symscrew"
-    shutil.copytree(Path(symscrew.__file__).parent, package, ignore=shutil.ignore_patterns("__pycache__"))
+    shutil.copytree(Path(symscrew.__file__).parent, package, ignore=shutil.ignore_patterns("*.pyc.*"))
     (package / "effects/magnetic_brake.py").write_text(MAGNETIC_BRAKE)
     (package / "effects/slow_inertia.py").write_text(SLOW_INERTIA)
     (folder / "braked.toml").write_text(SCENE)

@@ -146,7 +146,8 @@ def test_odd_names_in_every_target(tmp_path: Path) -> None:
     """`check` compiles and runs all of them; the example in C++ with every header before it, and gnu dialects."""
     found = derive(parse_description(ODD)).only(SOME)
     out = tmp_path / "out"
-    generate(found, out, [t for t in TARGETS if t not in ("urdf", "fmu", "reduced", "ros2", "modes")])
+    apart = ("urdf", "fmu", "reduced", "ros2", "modes", "markdown", "latex")  # the last two have no names of C
+    generate(found, out, [t for t in TARGETS if t not in apart])
     generate(found, tmp_path / "package", ["ros2"])
     for folder in (out, tmp_path / "package"):
         result = check(folder)
@@ -171,7 +172,7 @@ def test_odd_names_in_every_target(tmp_path: Path) -> None:
         'std::printf("%.17g\\n", u[0]); return static_cast<int>(status); }\n'
     )
     ((expected,),), _ = found("inverse_dynamics", q, v, a, p * [2.0, 3.0])  # type: ignore[misc]
-    flags = ["-O1", "-fno-math-errno", "-I."]
+    flags = ["-O0", "-fno-math-errno", "-I."]
     sources = library_sources((path.name for path in out.iterdir()), "gamma")
     sources.remove("use.c")
     run([find_compiler() or "", "-std=gnu99", *flags, "-r", *sources, "-o", "gamma.o"], out)

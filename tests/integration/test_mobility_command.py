@@ -23,9 +23,11 @@ def test_command_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> Non
     assert "Freedoms of limb1_lower" in capsys.readouterr().out
     assert main(["mobility", SEED, "--at", "r"]) == 2
     assert main(["mobility", SEED, "--out", str(tmp_path / "x.doc")]) == 2
-    for suffix, piece in ((".md", "$R - r = 0$"), (".html", "<math>"), (".tex", r"\begin{itemize}")):
-        path = tmp_path / f"seed{suffix}"
-        assert main(["mobility", SEED, "--out", str(path)]) == 0
+    for name, suffix, piece in (
+        (SEED, ".md", "$R - r = 0$"), ("sarrus", ".html", "<math>"), ("sarrus", ".tex", r"\begin{itemize}"),
+    ):  # fmt: skip
+        path = tmp_path / f"written{suffix}"
+        assert main(["mobility", name, "--out", str(path)]) == 0
         assert piece in path.read_text()
 
 

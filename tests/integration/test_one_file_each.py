@@ -236,7 +236,7 @@ def add(package: Path, file: str, what: str | tuple[str, ...]) -> int:
 
 def test_each_is_a_file_and_a_line(tmp_path: Path) -> None:
     package = tmp_path / "symscrew"
-    shutil.copytree(PACKAGE, package, ignore=shutil.ignore_patterns("__pycache__"))
+    shutil.copytree(PACKAGE, package, ignore=shutil.ignore_patterns("*.pyc.*"))
     edited = {kind: sum(add(package, file, what) for file, what in files.items()) for kind, files in ADDED.items()}
     assert edited == {"joint type": 1, "effect": 0, "target": 1, "pass": 2, "closed form": 2, "study": 1}
     environment = {**os.environ, "PYTHONPATH": str(tmp_path)}

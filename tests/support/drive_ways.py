@@ -49,7 +49,7 @@ def built(found: Model, kinematics: DriveKinematics, folder: Path, headers: Path
         (folder / file).write_text(text)
     defined = ["-DRTAPI", "-DSIM", "-DUSPACE", "-D__MODULE__"] if headers != STUB else []
     sources = [str(HERE / "harness.c"), str(folder / f"{found.name}kins.c")]
-    command = ["cc", "-std=gnu11", level, *defined, f"-I{headers}", f"-I{folder}", *sources]
+    command = ["cc", "-std=gnu11", "-Wall", "-Werror", level, *defined, f"-I{headers}", f"-I{folder}", *sources]
     subprocess.run([*command, "-o", str(folder / "harness"), "-lm"], check=True)
     return folder / "harness"
 

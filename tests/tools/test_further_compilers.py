@@ -27,7 +27,7 @@ COMPILERS = {
     "tcc": (("tcc", "-std=c99", "-Wall", "-Werror"), ()),
     "musl": (("musl-gcc", *C99, "-static"), ()),
     "32 bit": (("gcc", *C99, "-m32"), ()),
-    "32 bit, vectors": (("gcc", *C99, "-O1", "-m32", "-mavx2", "-mfpmath=sse"), ()),
+    "32 bit, vectors": (("gcc", *C99, "-m32", "-mavx2", "-mfpmath=sse"), ()),
     "big endian": (("s390x-linux-gnu-gcc", *C99, "-static"), ("qemu-s390x",)),
 }
 # Of the largest result. Libraries differ in the last bits of sines, and 32-bit code keeps 64 bits between operations.

@@ -25,7 +25,7 @@ CELLS = {
     "mechanism": 'import symscrew\nfour_bar = symscrew.load_catalogue("four_bar")\nfour_bar',
     "model": "model = symscrew.derive(four_bar)\nmodel",
     "page": "symscrew.view(model)",
-    "paper": 'symscrew.formulas(symscrew.load_catalogue("planar_3rrr"))',
+    "paper": "symscrew.formulas(four_bar)",
     "quantity": 'symscrew.Quantities(four_bar).joint_screws("B")',
     "mobility": "symscrew.analyse_mobility(four_bar)",
     "place": 'symscrew.assemble(model, {"A": 0.3})',

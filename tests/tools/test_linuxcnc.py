@@ -25,7 +25,7 @@ from symscrew.generation.drive_round_trip import Follower, compiled
 from symscrew.model import derive
 
 MODULES = Path("/usr/lib/linuxcnc/modules")
-POSES = 20_000  # along ways in steps of a two-hundredth of their length
+POSES = 4_000  # twenty ways, in steps of a two-hundredth of their length
 
 
 @cache
@@ -63,7 +63,7 @@ def test_there_and_back_on_ways_of_poses(name: str, headers: Path, tmp_path: Pat
     if not headers.is_dir():
         pytest.skip("needs LinuxCNC's headers (Debian: linuxcnc-uspace-dev)")
     own = kinematics(name)
-    way = followed(built(model(name), own, tmp_path, headers), own, POSES, AMPLITUDES[name])
+    way = followed(built(model(name), own, tmp_path, headers, level="-O0"), own, POSES, AMPLITUDES[name])
     assert way.refused == way.wrong == 0 and way.error < 1e-8  # mm or degrees; a micrometre is 1e-3
     assert way.pins[f"{name}kins.status"] == 0 and abs(way.pins[f"{name}kins.mode"]) == 1
     assert way.pins[f"{name}kins.margin"] > 0 and way.forward_steps < 1.5
@@ -206,8 +206,8 @@ def test_jacobian_and_frame_that_newer_sources_ask_for(name: str, tmp_path: Path
     assert np.allclose(first[2:], Rotation.from_euler("xyz", second, degrees=True).as_matrix()[:, 2], atol=1e-9)
 
 
-@pytest.mark.parametrize("name", ["five_bar", slow("three_ups_upu_s")])
-def test_halcompile_takes_it(name: str, tmp_path: Path) -> None:
+def test_halcompile_takes_it(tmp_path: Path) -> None:
+    name = "five_bar"
     if shutil.which("halcompile") is None:
         pytest.skip("needs halcompile (Debian: linuxcnc-uspace-dev)")
     for file, text in print_linuxcnc(model(name), kinematics(name)).items():

@@ -46,7 +46,7 @@ def asked(program: Path, lines: list[tuple[str, np.ndarray]], *options: str) -> 
     return [np.array(line.split(), float).reshape(3, -1) for line in done.stdout.splitlines()]
 
 
-@pytest.mark.parametrize("name", ["five_bar", "three_ups_upu_s", slow("stewart_6ups")])
+@pytest.mark.parametrize("name", ["five_bar", "three_ups_upu_s"])
 def test_positions_rates_and_efforts_go_through(name: str, tmp_path: Path) -> None:
     """Positions and rates against the evaluator; of efforts the work, along the axes as in the drives."""
     own, program = kinematics(name), built(name, tmp_path)

@@ -107,7 +107,6 @@ LIMBS = ("assemble", "velocity", "inverse_dynamics", "forward_dynamics", "moment
 SANITIZED = (
     ("four_bar", None),
     ("pendulum", None),
-    ("ur5", None),
     slow("three_ups_upu_s", LIMBS),  # what is printed for limbs, lanes and loops
 )
 

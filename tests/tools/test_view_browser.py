@@ -95,10 +95,20 @@ class Page:
 
 
 @pytest.fixture(scope="module")
-def driver(tmp_path_factory: pytest.TempPathFactory) -> Iterator[webdriver.Chrome]:
+def browser(tmp_path_factory: pytest.TempPathFactory) -> Iterator[webdriver.Chrome]:
     made = start(tmp_path_factory.mktemp("profile"))
     yield made
     made.quit()
+
+
+@pytest.fixture
+def driver(browser: webdriver.Chrome) -> Iterator[webdriver.Chrome]:
+    """Whatever a test does in its page: nothing is asked of a network, and the browser has nothing to complain of."""
+    browser.get_log("browser")  # of the test before, which may have failed
+    yield browser
+    assert browser.execute_script("return performance.getEntriesByType('resource').length") == 0
+    assert [entry for entry in browser.get_log("browser") if entry["level"] == "SEVERE"] == []
+    assert not browser.find_element(By.CSS_SELECTOR, "#trouble").is_displayed()
 
 
 @pytest.fixture(scope="module")
@@ -137,13 +147,12 @@ def test_screws_explain_the_mechanism_from_the_first_moment(driver, files) -> No
     assert "force along (0, 1, 0) through (0.4, 0, 0)" in page.text("#listing")
 
 
-@pytest.mark.parametrize("name", ["run", "stewart_6ups", "delta", "four_bar", "ur5", "bennett"])
-def test_opens_without_errors_or_requests(driver, files, name: str) -> None:
-    page = Page(driver, files(name))
-    assert page.picture().std() > 8
-    assert page.script("return performance.getEntriesByType('resource').length") == 0
-    assert [entry for entry in driver.get_log("browser") if entry["level"] == "SEVERE"] == []
-    assert not page.find("#trouble").is_displayed()
+def test_opens_without_errors_or_requests(driver, files) -> None:
+    """Mechanisms that no other test here opens, and all of them in one browser."""
+    for name in ("ur5", "bennett"):
+        page = Page(driver, files(name))
+        assert page.picture().std() > 8, name
+        assert page.script("return performance.getEntriesByType('resource').length") == 0, name
 
 
 def test_play_pause_and_scrub_a_recorded_motion(driver, files) -> None:
@@ -229,9 +238,9 @@ def test_every_layer_can_be_shown_and_hidden(driver, files) -> None:
         assert differing(with_or_without, page.picture()) == 0, layer
 
 
-@pytest.mark.parametrize("name", ["run", "stewart_6ups", "planar_3rrr"])
-@pytest.mark.parametrize("size", [(1360, 860), (430, 860)])
-def test_labels_are_whole_and_apart(driver, files, name: str, size: tuple[int, int]) -> None:
+@pytest.mark.parametrize("case", [("run", (1360, 860)), ("planar_3rrr", (1360, 860)), ("stewart_6ups", (430, 860))])
+def test_labels_are_whole_and_apart(driver, files, case: tuple[str, tuple[int, int]]) -> None:
+    name, size = case
     page = Page(driver, files(name), size)
     for layer in LAYERS:
         if layer not in ("points", "axes"):  # shown from the start
@@ -303,9 +312,15 @@ def test_themes_differ_and_keep_the_motion(driver, files) -> None:
     assert differing(light, page.picture()) == 0
 
 
-@pytest.mark.parametrize("width", [380, 620, 900])
-def test_narrow_windows_keep_everything_inside(driver, files, width: int) -> None:
-    page = Page(driver, files("stewart_6ups"), (width, 900))
+def test_narrow_windows_keep_everything_inside(driver, files) -> None:
+    page = Page(driver, files("stewart_6ups"), (380, 900))
+    for width in (380, 620, 900):
+        driver.set_window_size(width, 900)
+        page.settle()
+        keeps_everything_inside(driver, page)
+
+
+def keeps_everything_inside(driver: webdriver.Chrome, page: Page) -> None:
     inner = page.script("return innerWidth")
     assert page.script("return document.documentElement.scrollWidth") <= inner
     outside = page.script(
