@@ -22,6 +22,7 @@ from symscrew.mobility.carrying_limbs import carried_by_limbs
 from symscrew.mobility.configuration import Reached, displaced, in_words, with_parameters
 from symscrew.mobility.field_counts import FieldCounts, field_counts
 from symscrew.mobility.finite import (
+    STALLED,
     FiniteMobility,
     GivenUpError,
     NearGeometry,
@@ -333,7 +334,10 @@ class Mobility:
         loops = () if self.limbs or isinstance(self.loops, str) else self.loops.not_tried
         poses = (pose for pose in self.limb_poses.values() if not isinstance(pose, str))
         texts = [*loops, *(text for pose in poses for text in pose.not_tried), *self.singularities.not_tried]
-        return (self._searched, *texts) if isinstance(self._searched, str) else tuple(texts)
+        if isinstance(self._searched, str):
+            return (self._searched, *texts)
+        stalled = self.near is not None and not self.near.meant.finite.dof and any(g.stalled for g in self._searched)
+        return (STALLED, *texts) if stalled else tuple(texts)
 
     @property
     def loci(self) -> tuple[Locus, ...]:

@@ -28,7 +28,7 @@ from symscrew.mobility.finite.local_solutions import (
     refine,
     solve_dependent,
 )
-from symscrew.mobility.finite.near_geometry import GivenUpError, NearGeometry, nearest_special
+from symscrew.mobility.finite.near_geometry import STALLED, GivenUpError, NearGeometry, nearest_special
 from symscrew.mobility.finite.passive_spins import named_spins, rotation_vector, without_spins
 from symscrew.mobility.finite.quadric_cone import cone_directions
 from symscrew.mobility.finite.reduced_closure import ReducedClosure, is_zero
@@ -39,6 +39,7 @@ __all__ = [
     "CLOSED",
     "DIGITS_60",
     "DOUBLE",
+    "STALLED",
     "Arithmetic",
     "Array",
     "ClosureVariety",

@@ -14,7 +14,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from copy import copy
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -87,14 +87,20 @@ class NearGeometry:
     """The special geometry: its network, the largest change of a joint [1, the mechanism's size], and of which.
 
     `moves`: found from finite motions that close; else only ranks in the reference configuration are lost.
+    `stalled`: finite motions do close nearly, but the search for geometry with which they close did not converge.
     """
 
     network: Network
     distance: float
     changes: tuple[tuple[str, float], ...]
     moves: bool
+    stalled: bool = False
 
 
+STALLED = (
+    "special geometry that moves next to what was typed: the loops nearly close along finite motions, but the search for "
+    "geometry with which they close did not converge; the one named has the ranks alone, and one that moves may be near"
+)
 MOST_LINEARISED = 60
 """Linearisations that a double zero is looked for with, a second of time for a hexapod's conditions each dozen: eight
 cranks with their pins in line take thirty."""
@@ -136,6 +142,7 @@ def nearest_special(network: Network, claims: Sequence[RankClaim], *, moves: boo
             found = _solved(network, points, ranks, noise)
             if found is None and almost:  # else ranks alone are those of what was typed
                 found = _solved(network, [], ranks, noise)
+                found = None if found is None else replace(found, stalled=True)
             return () if found is None else (found,)
         zeros = zeros_nearby(coarse, here, quadratic_forms(coarse, here), off)
         points = _open(network, coarse, [(point, _rank(coarse, point)) for point in zeros])

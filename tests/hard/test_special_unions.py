@@ -1,0 +1,42 @@
+"""Loops of special geometry that share a hinge, typed with six digits: what was meant is found, or what was not."""
+
+from __future__ import annotations
+
+import pytest
+import sympy
+from support.reposed import _axis
+
+from symscrew.description.builder import MechanismBuilder
+from symscrew.mobility import analyse_mobility, mobility_text
+from symscrew.mobility.finite import near_geometry
+
+SPHERICAL_AND_SARRUS = (
+    ("base", "b1", "-2.09329 -0.975844 1.22333", "-0.138674 -0.409137 0.901874"),
+    ("b1", "b2", "-2.74518 0.102697 0.439756", "0.662419 -0.727338 0.17939"),
+    ("b2", "b3", "-2.46881 -1.12749 0.534823", "-0.734888 -0.657289 -0.167064"),
+    ("b3", "base", "-1.74912 -1.50046 0.276227", "0.281103 -0.87127 -0.40233"),
+    ("b1", "b4", "0.375446 1.47478 2.79361", "-0.138674 -0.409137 0.901874"),
+    ("b4", "b5", "0.268019 -1.38688 -0.211658", "-0.138674 -0.409137 0.901874"),
+    ("b5", "b6", "0.0378202 -0.368541 1.70094", "0.853782 0.504965 0.126751"),
+    ("b6", "b7", "-2.33251 0.22173 -0.104664", "0.853782 0.504965 0.126751"),
+    ("b7", "base", "-1.71893 0.720374 0.93398", "0.853782 0.504965 0.126751"),
+)
+"""A spherical four-bar and a Sarrus linkage about its first hinge, which each of them turns: parent, child, point, axis
+in six digits. As meant each moves with one freedom, and they share it."""
+
+
+def test_a_search_that_stalled_says_that_geometry_that_moves_may_be_near(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Its loops nearly close along all motions, and the geometry found does not move: both are said."""
+    monkeypatch.setattr(near_geometry, "MOTIONS", 4)  # eight take six seconds, and stall as well
+    builder = MechanismBuilder("joined", ground="base", platform="b1")
+    for k in range(1, 8):
+        builder.body(f"b{k}")
+    for k, (parent, child, point, axis) in enumerate(SPHERICAL_AND_SARRUS):
+        unit = _axis([sympy.Rational(c) for c in axis.split()], "6")
+        place = [sympy.Rational(c) for c in point.split()]
+        builder.joint(f"J{k}", "R", parent=parent, child=child, point=place, axes=[unit], driven=k == 0)
+    found = analyse_mobility(builder.build())
+    assert found.finite.dof == 0 and found.near is not None
+    moves = found.near.meant.finite.dof == 1  # what was meant
+    assert moves or sum("did not converge" in text for text in found.not_tried) == 1
+    assert moves or "one that moves may be near" in mobility_text(found, full=True)
