@@ -21,11 +21,11 @@ from symscrew.mobility.almost_singular import NEARLY_SINGULAR, almost_lower, alm
 from symscrew.mobility.carrying_limbs import carried_by_limbs
 from symscrew.mobility.configuration import Reached, displaced, in_words, with_parameters
 from symscrew.mobility.field_counts import FieldCounts, field_counts
-from symscrew.mobility.finite import (
-    STALLED,
+from symscrew.mobility.finite import (  # fmt: skip
     FiniteMobility,
     GivenUpError,
     NearGeometry,
+    left_open,
     nearest_special,
     rank_claims,
     without_spins,
@@ -334,10 +334,8 @@ class Mobility:
         loops = () if self.limbs or isinstance(self.loops, str) else self.loops.not_tried
         poses = (pose for pose in self.limb_poses.values() if not isinstance(pose, str))
         texts = [*loops, *(text for pose in poses for text in pose.not_tried), *self.singularities.not_tried]
-        if isinstance(self._searched, str):
-            return (self._searched, *texts)
-        stalled = self.near is not None and not self.near.meant.finite.dof and any(g.stalled for g in self._searched)
-        return (STALLED, *texts) if stalled else tuple(texts)
+        rests = self.near is not None and not self.near.meant.finite.dof
+        return (*left_open(self._searched, rests=rests), *texts)
 
     @property
     def loci(self) -> tuple[Locus, ...]:

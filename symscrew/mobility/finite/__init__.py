@@ -28,7 +28,7 @@ from symscrew.mobility.finite.local_solutions import (
     refine,
     solve_dependent,
 )
-from symscrew.mobility.finite.near_geometry import STALLED, GivenUpError, NearGeometry, nearest_special
+from symscrew.mobility.finite.near_geometry import GivenUpError, NearGeometry, left_open, nearest_special
 from symscrew.mobility.finite.passive_spins import named_spins, rotation_vector, without_spins
 from symscrew.mobility.finite.quadric_cone import cone_directions
 from symscrew.mobility.finite.reduced_closure import ReducedClosure, is_zero
@@ -39,7 +39,6 @@ __all__ = [
     "CLOSED",
     "DIGITS_60",
     "DOUBLE",
-    "STALLED",
     "Arithmetic",
     "Array",
     "ClosureVariety",
@@ -55,6 +54,7 @@ __all__ = [
     "finite_mobility",
     "is_zero",
     "kind_of",
+    "left_open",
     "local_at",
     "moved",
     "named_spins",

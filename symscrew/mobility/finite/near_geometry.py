@@ -98,8 +98,8 @@ class NearGeometry:
 
 
 STALLED = (
-    "special geometry that moves next to what was typed: the loops nearly close along finite motions, but the search for "
-    "geometry with which they close did not converge; the one named has the ranks alone, and one that moves may be near"
+    "special geometry that moves next to what was typed: the loops nearly close along finite motions, but the search "
+    "for geometry with which they close did not converge; the one named has the ranks alone, one that moves may be near"
 )
 MOST_LINEARISED = 60
 """Linearisations that a double zero is looked for with, a second of time for a hexapod's conditions each dozen: eight
@@ -112,6 +112,13 @@ GIVEN_UP = (
 
 class GivenUpError(ArithmeticError):
     """The search for special geometry has taken too long."""
+
+
+def left_open(searched: Sequence[NearGeometry] | str, *, rests: bool) -> tuple[str, ...]:
+    """What the search did not find, in words: why it was given up, or that it stalled and what is named `rests`."""
+    if isinstance(searched, str):
+        return (searched,)
+    return (STALLED,) if rests and any(one.stalled for one in searched) else ()
 
 
 def nearest_special(network: Network, claims: Sequence[RankClaim], *, moves: bool) -> tuple[NearGeometry, ...]:
