@@ -21,13 +21,12 @@ from symscrew.mobility.almost_singular import NEARLY_SINGULAR, almost_lower, alm
 from symscrew.mobility.carrying_limbs import carried_by_limbs
 from symscrew.mobility.configuration import Reached, displaced, in_words, with_parameters
 from symscrew.mobility.field_counts import FieldCounts, field_counts
-from symscrew.mobility.finite import (  # fmt: skip
+from symscrew.mobility.finite import (
     FiniteMobility,
-    GivenUpError,
     NearGeometry,
     left_open,
-    nearest_special,
     rank_claims,
+    search_special,
     without_spins,
 )
 from symscrew.mobility.instantaneous import (  # fmt: skip
@@ -153,10 +152,7 @@ class Mobility:
         """Special geometry close to what was typed, or why it is not known."""
         loops = replace(self.network, ties=())  # special geometry is theirs; couplings hold there, too
         claims = rank_claims(loops, self.platform.body, [limb.joints for limb in self.limbs])
-        try:
-            return () if self.taken is not None else nearest_special(loops, claims, moves=self.finite.smooth)
-        except GivenUpError as error:
-            return str(error)
+        return () if self.taken is not None else search_special(loops, claims, moves=self.finite.smooth)
 
     def _meant(self, network: Network) -> Mobility:
         """The result for special geometry that was solved for."""

@@ -28,7 +28,7 @@ from symscrew.mobility.finite.local_solutions import (
     refine,
     solve_dependent,
 )
-from symscrew.mobility.finite.near_geometry import GivenUpError, NearGeometry, left_open, nearest_special
+from symscrew.mobility.finite.near_geometry import NearGeometry, left_open, search_special
 from symscrew.mobility.finite.passive_spins import named_spins, rotation_vector, without_spins
 from symscrew.mobility.finite.quadric_cone import cone_directions
 from symscrew.mobility.finite.reduced_closure import ReducedClosure, is_zero
@@ -43,7 +43,6 @@ __all__ = [
     "Array",
     "ClosureVariety",
     "FiniteMobility",
-    "GivenUpError",
     "Local",
     "NearGeometry",
     "RankClaim",
@@ -58,12 +57,12 @@ __all__ = [
     "local_at",
     "moved",
     "named_spins",
-    "nearest_special",
     "quadratic_forms",
     "rank_claims",
     "recheck",
     "refine",
     "rotation_vector",
+    "search_special",
     "smooth_mobility",
     "solve_dependent",
     "without_spins",

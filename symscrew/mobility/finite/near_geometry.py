@@ -114,6 +114,14 @@ class GivenUpError(ArithmeticError):
     """The search for special geometry has taken too long."""
 
 
+def search_special(network: Network, claims: Sequence[RankClaim], *, moves: bool) -> tuple[NearGeometry, ...] | str:
+    """`nearest_special`, or why it was given up, in words."""
+    try:
+        return nearest_special(network, claims, moves=moves)
+    except GivenUpError as error:
+        return str(error)
+
+
 def left_open(searched: Sequence[NearGeometry] | str, *, rests: bool) -> tuple[str, ...]:
     """What the search did not find, in words: why it was given up, or that it stalled and what is named `rests`."""
     if isinstance(searched, str):
