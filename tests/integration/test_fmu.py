@@ -370,7 +370,7 @@ far = { body = "rod", at = [1, 0, 0] }
 
 def test_states_of_effects_begin_where_the_start_of_an_importer_puts_them(tmp_path: Path) -> None:
     """A rod that bends, with rate and parameter at the start by the importer: its states kept the values of the scene's
-    own start, and the rod bent the other way, by 13 times as much. What the importer says of states is kept."""
+    own start, and the rod bent by three times as much. What the importer says of states is kept."""
     text = SWINGING.replace('"four_bar"', '"rod.toml"').replace("0.5\nrate = 20", "0.02\nrate = 100")
     text = text.format(**FIXED) + '[[effects]]\ntype = "flexible_link"\nstart = "near"\nend = "far"\naxis = [0, 0, 1]\n'
     text += 'shape = "clamped"\nmodes = 1\nline_density = "1/2"\nbending_stiffness = 2\ninitial = ["P/100"]\n'
