@@ -130,7 +130,7 @@ def test_a_step_longer_than_the_time_between_outputs_says_what_it_becomes(tmp_pa
 
 def test_times_of_events_have_all_digits_that_are_meant() -> None:
     assert [shown_time(t) for t in (3.127450400377123, 2.5, 0.1 + 0.2, 1e-3 / 3)] == [
-        "3.127450400377", "2.5", "0.3", "0.000333333333"
+        "3.127450400377", "2.5", "0.3", "0.0003333333333"
     ]  # fmt: skip
 
 
