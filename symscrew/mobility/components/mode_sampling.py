@@ -114,7 +114,7 @@ def sampled_modes(network: Network, body: str) -> SampledModes:
 
 def _walk(network: Network, variety: ClosureVariety, q: Array, random: np.random.Generator) -> Array:
     """Configurations along random tangents, one from another."""
-    result = []
+    result: list[Array] = []
     for tried in range(4 * POSES):
         screws = variety.forward(q[None])[0]
         _, s, vt = np.linalg.svd(variety.jacobians(screws, q[None])[0])

@@ -115,8 +115,8 @@ def _on(setting: Setting, line: Track) -> Iterator[Loss]:
             continue  # lost all along: `lost_lines`
         size = max(typical, float(values.max()) * ZERO)
         for k in range(len(poses) - 1):
-            before = values[k - 1] if k else np.inf  # the other side of the reference is another track
-            if values[k] <= min(before, values[k + 1]) and values[k] < DIPS * typical:
+            last = values[k - 1] if k else np.inf  # the other side of the reference is another track
+            if values[k] <= min(last, values[k + 1]) and values[k] < DIPS * typical:
                 known = _known(setting, line, poses[k], turns) if kind == "drives" else None
                 loss = known or _at_once(setting, line, poses[k], kind)
                 start, strides = poses[max(k - 1, 0)], 2.2 if k else 1.1
