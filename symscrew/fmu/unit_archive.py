@@ -26,7 +26,15 @@ from symscrew.fmu.model_description import describe
 from symscrew.fmu.unit_variables import DEFAULT_STEP, Start, Variable, structured, variables
 from symscrew.runtime import compile_c, find_compiler
 from symscrew.scene import Integrator, Scene
-from symscrew.simulation import REAL_TIME, Plant, initial_state, initial_states, loop_plant, loop_source
+from symscrew.simulation import (
+    REAL_TIME,
+    Plant,
+    initial_state,
+    initial_states,
+    loop_plant,
+    loop_source,
+    started_anywhere,
+)
 from symscrew.whole_files import replaced
 
 # platform -> folder of binaries in FMI 2.0 and 3.0; elsewhere the unit goes without one, and its note says so
@@ -36,7 +44,8 @@ DATE = (1980, 1, 1, 0, 0, 0)  # the earliest that an archive can hold; the prese
 UNIX = 3  # the system that an archive is said to be made on, for the same reason
 ABOUT = """Co-simulation takes steps of at most the parameter <code>step</code>, each projected onto the closure of the
 loops; model exchange has the states q, v and x. Inputs are the drives (u) and what effects take from outside. Without a
-binary for your system, compile the one C file in <code>sources</code>."""
+binary for your system, compile the one C file in <code>sources</code>. With q, v or parameters of your own at the
+start, states x of effects that you do not give begin where these put them."""
 
 
 def at_rest(mechanism: Mechanism, effects: Sequence[Effect]) -> Scene:
@@ -96,7 +105,7 @@ def unit_contents(scene: Scene, *, version: int = 3) -> dict[str, bytes]:
     if scene.integrator.method not in REAL_TIME:
         scene = replace(scene, integrator=replace(scene.integrator, method="rk4", step=DEFAULT_STEP))
     given = outside_inputs(scene)
-    plant = loop_plant(scene, outside=tuple(given))
+    plant = started_anywhere(loop_plant(scene, outside=tuple(given)))
     q, v = initial_state(scene, plant.model, plant.parameters)
     start = (q, v, initial_states(scene, plant.model, q, v))
     entries = [entry for port in given.values() for entry in port]
@@ -148,6 +157,11 @@ def source(scene: Scene, plant: Plant, start: Start, *, outside: int, version: i
         f"#define START_Q {numbers(q)}", f"#define START_V {numbers(v)}", f"#define START_X {numbers(x)}",
         f"#define START_P {numbers(plant.parameters)}",
     ]  # fmt: skip
+    if plant.starts is not None:
+        known = {"q": "(q)", "v": "(v)", "p": "PARAMETERS"}
+        given = ", ".join(known[port.name] for port in plant.starts.inputs)
+        call = f"{plant.model.name}_states_at_start({given}, (x))"
+        head += [f"#define STARTED_STATES {plant.starts.outputs[0].size}", f"#define STATES_AT_START(q, v, x) {call}"]
     folder = resources.files("symscrew.fmu") / "c"
     parts = [(folder / name).read_text(encoding="utf-8") for name in ("instance.c", f"fmi{version}.c")]
     return "\n".join([*head, loop_source(scene, plant, standalone=True), *parts])

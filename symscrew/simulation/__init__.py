@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from symscrew.simulation.motion import ON_NUMPY, prepare, simulate
     from symscrew.simulation.native import NATIVE_FLAGS, NATIVE_METHODS, Library, RunLog, run_natively
     from symscrew.simulation.picture import plot_run
-    from symscrew.simulation.real_time_loop import REAL_TIME, loop_plant, loop_source, write_loop
+    from symscrew.simulation.real_time_loop import REAL_TIME, loop_plant, loop_source, started_anywhere, write_loop
     from symscrew.simulation.run_file import FORMATS, run_summary, write_run
     from symscrew.simulation.run_source import NO_TABLES, kernel_text, table_code
     from symscrew.simulation.scene_functions import PlantFunctions, RunError
@@ -57,6 +57,7 @@ __all__ = [
     "runs_summary",
     "simulate",
     "simulate_many",
+    "started_anywhere",
     "table_code",
     "whole_run",
     "write_loop",

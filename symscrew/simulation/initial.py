@@ -112,6 +112,7 @@ def _begun(scene: Scene, model: Model, closure: _Closure, parameters: np.ndarray
     hold = scene.initial.hold
     in_mode, others = scene.initial.mode, any(label not in known for label in scene.initial.coordinates)
     if in_mode or (hold is None and others):
+        _told_apart(scene, model)
         placed = _in_mode(scene, model) if in_mode else _by_names(scene, model)
         residual, _ = closure.of_coordinates(*(yield _At(placed)))
         if np.abs(residual).max(initial=0.0) > FOLLOWED:  # what effects constrain, the mechanism alone does not know
@@ -142,6 +143,16 @@ def _begun(scene: Scene, model: Model, closure: _Closure, parameters: np.ndarray
             "only independent coordinates: the others are assembled"
         )
     return q, (yield from _rates(closure, q, scene))
+
+
+def _told_apart(scene: Scene, model: Model) -> None:
+    """Refuse coordinates with the name of a parameter, where what places the mechanism takes both by name."""
+    both = [label for label in scene.initial.coordinates if label in model.mechanism.parameters]
+    if both:
+        raise DescriptionError(
+            f"initial.coordinates: {both[0]} is a parameter of {model.name}, too; expected names that only one of them "
+            "has, where coordinates of bodies or of cut joints are given, or a mode: rename the joint or the parameter"
+        )
 
 
 def _in_mode(scene: Scene, model: Model) -> np.ndarray:

@@ -9,13 +9,17 @@ work is bounded. Where the scene commands the drives, u is not read and may be N
 from __future__ import annotations
 
 import textwrap
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 
+from symscrew.effects import Acting
 from symscrew.errors import DescriptionError
 from symscrew.export import banner, packed, plain
+from symscrew.functions import function, q_port, v_port
 from symscrew.model import derive
+from symscrew.program import Port, lower
 from symscrew.scene import INTEGRATION_METHODS, Scene, controller, parameter_values
 from symscrew.simulation.initial import initial_state, initial_states
 from symscrew.simulation.native import NATIVE_METHODS
@@ -61,6 +65,25 @@ def loop_plant(scene: Scene, outside: tuple[str, ...] = ()) -> Plant:
     values = list(parameter_values(scene, model).values())
     made = controller(scene, model, held=held)
     return plant(model, made, held=held, parameters=np.array(values, dtype=float), work=False, outside=outside)
+
+
+def started_anywhere(made: Plant) -> Plant:
+    """The plant with the program of where its effects' states begin: (q, v, p) -> x, for a start that is not known yet.
+
+    The same as `initial_states` of a scene with this start and these parameters; without states, the plant as it is.
+    """
+    system = made.system
+    states = Acting(system, made.model.effects).states
+    if not states:
+        return made
+    begun = [system.geometry.scalar(s.start) for s in states]
+    begun = [x if s.carried is None else x + s.carried for x, s in zip(begun, states, strict=True)]
+    port = Port(
+        "x", (len(states),), tuple(s.unit for s in states), tuple(s.name for s in states), "states at the start"
+    )
+    given = [(q_port(system), system.inputs.q), (v_port(system), system.inputs.v)]
+    text = "Where the states of effects begin."
+    return replace(made, starts=lower(function(system, "states_at_start", text, inputs=given, outputs=[(port, begun)])))
 
 
 def print_loop(scene: Scene) -> dict[str, str]:

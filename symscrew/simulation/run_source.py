@@ -109,6 +109,8 @@ def _reduced(plant: Plant, chosen: Trial | None) -> Model:
         programs["state_rates"] = plant.rates
     if plant.switches is not None:
         programs["switches"] = plant.switches
+    if plant.starts is not None:
+        programs["states_at_start"] = plant.starts
     if plant.closure is not None:
         programs["closure_both"] = replace(plant.closure, name="closure_both")
     return Model(plant.model.name, plant.model.mechanism, plant.model.effects, programs, {}, plant.system)

@@ -38,7 +38,7 @@ class Plant:
     `slopes`: (t, q, v, x, u, s, p) -> a, x_dot. `inputs`: the same -> u_command and the effects' inputs.
     `forward`: forward dynamics as the model has it, whose second path solves where a pivot of `slopes` is small;
     `rates`: x_dot alone, which has no pivots, for there. `switches`: the conditions of the slopes, at whose zeros
-    adaptive steps end, or None.
+    adaptive steps end, or None. `starts`: where the effects' states begin, for a loop that is started elsewhere.
     `closure`: q, p -> residual, the Jacobian's entries that are not always zero, or None without loops; `entries`:
     their rows and columns (n, 2). `units`, `rows`: what divides rates and closure
     rows to make them plain numbers. `fronts`: the order in which the closure's rows are made orthogonal. `pivot`: the
@@ -63,6 +63,7 @@ class Plant:
     entries: np.ndarray = field(default_factory=lambda: np.zeros((0, 2), dtype=int))
     rates: Program | None = None
     switches: Program | None = None
+    starts: Program | None = None
 
     def __repr__(self) -> str:
         count = len(self.slopes.instructions)

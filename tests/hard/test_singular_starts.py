@@ -143,3 +143,21 @@ def test_an_error_in_a_mechanism_file_names_that_file_once(tmp_path: Path) -> No
     (tmp_path / "other.toml").write_text('[scene]\nmechanism = "four_bar"\nduration = -1\n')
     with pytest.raises(DescriptionError, match=r"^other\.toml: scene\.duration"):
         from_file(tmp_path / "other.toml", parse_scene)
+
+
+def test_a_coordinate_with_the_name_of_a_parameter_is_no_parameter(tmp_path: Path) -> None:
+    """Both were taken by name: with an assembly mode a joint L began at 0, and the length L was its angle."""
+    text = '[mechanism]\nname = "fb"\nground = "base"\n[parameters.L]\nvalue = 1\nrun_time = true\n'
+    for body, com in (("a", '[0, "L/2", 0]'), ("c", '["L", "L", 0]'), ("b", '["2*L", "L/2", 0]')):
+        text += f"[bodies.{body}]\nmass = 1\ncom = {com}\ninertia = [1, 1, 1]\n"
+    ends = (("L", "base", "a", "[0, 0, 0]"), ("B", "a", "c", '[0, "L", 0]'), ("C", "c", "b", '["2*L", "L", 0]'))
+    for name, parent, child, point in (*ends, ("D", "b", "base", '["2*L", "L/10", 0]')):
+        text += f'[joints.{name}]\ntype = "R"\nparent = "{parent}"\nchild = "{child}"\npoint = {point}\n'
+        text += "axes = [[0, 0, 1]]\n" + "driven = true\n" * (name == "L")
+    (tmp_path / "fb.toml").write_text(text)
+    scene = '[scene]\nname = "s"\nmechanism = "fb.toml"\nduration = 0.01\nrate = 100\n[initial]\nmode = "home"\n'
+    scene += "coordinates = { L = 0.3 }\n"
+    with pytest.raises(DescriptionError, match="L is a parameter of fb, too"):
+        simulate(parse_scene(scene, folder=tmp_path), backend="numpy")
+    free = parse_scene(scene.replace('mode = "home"\n', ""), folder=tmp_path)
+    assert simulate(free, backend="numpy").q[0, 0] == pytest.approx(0.3, abs=1e-15)

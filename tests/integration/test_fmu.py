@@ -339,3 +339,52 @@ def test_units_of_effects_with_states_and_contacts_move_as_our_own_loop(
     for k in states:
         moved = result[structured("x", expected.x_labels[k])][-1]
         assert moved == pytest.approx(expected.x[-1, k], rel=1e-9, abs=1e-12)
+
+
+BENDING = """
+[mechanism]
+name = "rod"
+ground = "base"
+
+[parameters.P]
+value = 1
+run_time = true
+
+[bodies.rod]
+mass = 2
+com = ["1/2", 0, 0]
+inertia = ["1/10", "1/2", "1/2"]
+
+[joints.A]
+type = "R"
+parent = "base"
+child = "rod"
+point = [0, 0, 0]
+axes = [[0, 0, 1]]
+
+[points]
+near = { body = "rod", at = [0, 0, 0] }
+far = { body = "rod", at = [1, 0, 0] }
+"""
+
+
+def test_states_of_effects_begin_where_the_start_of_an_importer_puts_them(tmp_path: Path) -> None:
+    """A rod that bends, with rate and parameter at the start by the importer: its states kept the values of the scene's
+    own start, and the rod bent by three times as much. What the importer says of states is kept."""
+    text = SWINGING.replace('"four_bar"', '"rod.toml"').replace("0.5\nrate = 20", "0.02\nrate = 100")
+    text = text.format(**FIXED) + '[[effects]]\ntype = "flexible_link"\nstart = "near"\nend = "far"\naxis = [0, 0, 1]\n'
+    text += 'shape = "clamped"\nmodes = 1\nline_density = "1/2"\nbending_stiffness = 2\ninitial = ["P/100"]\n'
+    (tmp_path / "rod.toml").write_text(BENDING)
+    build_unit(scenes.parse_scene(text, folder=tmp_path), tmp_path / "rod.fmu")
+    other = text.replace("A = 3.0", "A = 0.5") + "[parameters]\nP = 2\n"
+    expected = simulate(scenes.parse_scene(other, folder=tmp_path))
+    states = [structured("x", label) for label in expected.x_labels[:2]]
+    for kind in ("CoSimulation", "ModelExchange"):
+        start: dict[str, float] = {"v.A": 0.5, "p.P": 2.0}
+        more = {"stop_time": 0.02, "output_interval": 0.01, "fmi_type": kind, "relative_tolerance": 1e-10}
+        found = fmpy.simulate_fmu(str(tmp_path / "rod.fmu"), start_values=start, **more)
+        got = np.array([[row[name] for name in ("q.A", "v.A", *states)] for row in found])
+        wanted = np.column_stack([expected.q, expected.v, expected.x[:, :2]])
+        assert np.abs(got - wanted).max() < (1e-10 if kind == "CoSimulation" else 1e-6)
+    found = fmpy.simulate_fmu(str(tmp_path / "rod.fmu"), start_values={**start, states[0]: 0.03}, **more)
+    assert [found[name][0] for name in states] == pytest.approx([0.03, expected.x[0, 1]], rel=1e-12)

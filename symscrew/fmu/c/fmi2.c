@@ -115,7 +115,7 @@ EXPORT fmi2Status fmi2EnterInitializationMode(fmi2Component c) { ALLOWED(INSTANT
 EXPORT fmi2Status fmi2ExitInitializationMode(fmi2Component c)
 {
     ALLOWED(INITIALISING)
-    CHECK(close_state(c) || enter_mode(c, ((Instance *)c)->steps_itself ? STEPPING : EVENT))
+    CHECK(begin(c) || enter_mode(c, ((Instance *)c)->steps_itself ? STEPPING : EVENT))
 }
 EXPORT fmi2Status fmi2Terminate(fmi2Component c) { ALLOWED(STARTED) CHECK(enter_mode(c, TERMINATED)) }
 EXPORT fmi2Status fmi2Reset(fmi2Component c)

@@ -118,7 +118,7 @@ EXPORT fmi3Status fmi3EnterInitializationMode(fmi3Instance m, bool tolerance_def
 EXPORT fmi3Status fmi3ExitInitializationMode(fmi3Instance m)
 {
     ALLOWED(INITIALISING)
-    CHECK(close_state(m) || enter_mode(m, ((Instance *)m)->steps_itself ? STEPPING : EVENT))
+    CHECK(begin(m) || enter_mode(m, ((Instance *)m)->steps_itself ? STEPPING : EVENT))
 }
 EXPORT fmi3Status fmi3Reset(fmi3Instance m)
 {

@@ -20,6 +20,7 @@ typedef struct {
     double q[NQ1], v[NV1], x[NX1], u[NU + 1], outside[NO + 1], p[NP + 1];
     double a[NV1], x_dot[NX1]; /* derivatives at the present state */
     int derived, mode;
+    unsigned char x_given[NX1]; /* at the start, by the importer */
 } State;
 
 typedef void (*Report)(void *instance, int is_error, const char *message);
@@ -73,15 +74,16 @@ static int enter_mode(void *instance, int mode)
     return 0;
 }
 
+static const double Q_START[NQ1] = START_Q, V_START[NV1] = START_V, X_START[NX1] = START_X, P_START[NP + 1] = START_P;
+
 static void initialise(Instance *m)
 {
-    static const double q[NQ1] = START_Q, v[NV1] = START_V, x[NX1] = START_X, p[NP + 1] = START_P;
     State *s = &m->state;
     memset(s, 0, sizeof *s);
-    memcpy(s->q, q, sizeof q);
-    memcpy(s->v, v, sizeof v);
-    memcpy(s->x, x, sizeof x);
-    memcpy(s->p, p, sizeof p);
+    memcpy(s->q, Q_START, sizeof Q_START);
+    memcpy(s->v, V_START, sizeof V_START);
+    memcpy(s->x, X_START, sizeof X_START);
+    memcpy(s->p, P_START, sizeof P_START);
     s->step = FMU_STEP;
     s->mode = INSTANTIATED;
 }
@@ -185,6 +187,9 @@ static int set_value(Instance *m, unsigned int vr, double value)
     }
     *place = value;
     s->derived = 0;
+    if (k >= VR_X && (s->mode & (INSTANTIATED | INITIALISING)) != 0) {
+        s->x_given[k - VR_X] = 1;
+    }
     return 0;
 }
 
@@ -210,6 +215,35 @@ static int close_state(Instance *m)
         m->report(m, 1, "the loops cannot be closed from this configuration");
         return 1;
     }
+    return 0;
+}
+
+/* The start as it was given: loops closed, and states of effects where its q, v and parameters put them, but those that
+ * were given as well; 1 if that cannot be. */
+static int begin(Instance *m)
+{
+    State *s = &m->state;
+    const int other = memcmp(s->q, Q_START, sizeof Q_START) != 0 || memcmp(s->v, V_START, sizeof V_START) != 0
+                      || memcmp(s->p, P_START, sizeof P_START) != 0;
+    if (close_state(m) != 0) {
+        return 1;
+    }
+#ifdef STARTED_STATES
+    if (other) {
+        double x[STARTED_STATES];
+        if (STATES_AT_START(s->q, s->v, x) > 0) {
+            m->report(m, 1, "the states of effects have no values at this start");
+            return 1;
+        }
+        for (int k = 0; k < STARTED_STATES; ++k) {
+            if (!s->x_given[k]) {
+                s->x[k] = x[k];
+            }
+        }
+    }
+#else
+    (void)other;
+#endif
     return 0;
 }
 
