@@ -125,7 +125,7 @@ class Modes:
 
 def forces(at: ContactState, modes: Modes) -> np.ndarray:
     """Contact forces (n,) at a state: given by the law, or such that rates that are kept at zero stay there."""
-    rules, v, accelerations = at.rules, at.v, at.accelerations
+    rules, v = at.rules, at.v
     given = np.zeros(len(rules))
     unknown = []
     for k, (rule, mode) in enumerate(zip(rules, modes.values, strict=True)):
@@ -139,14 +139,13 @@ def forces(at: ContactState, modes: Modes) -> np.ndarray:
     if not unknown:
         return given
     rows = [rules[k].v for k in unknown]
-    a = accelerations(given)[rows]
-    gain = responses(at, unknown, given)[rows]
-    given[unknown] = np.linalg.lstsq(gain, -a, rcond=SHARED)[0]
+    a, gain = responses(at, unknown, given)
+    given[unknown] = np.linalg.lstsq(gain[rows], -a[rows], rcond=SHARED)[0]
     return given
 
 
-def responses(at: ContactState, which: Sequence[int], given: np.ndarray) -> np.ndarray:
-    """Accelerations (nv, contacts) by a unit force of each of these contacts, beside given forces of all (n,).
+def responses(at: ContactState, which: Sequence[int], given: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Accelerations (nv,) by given forces of all contacts (n,), and (nv, contacts) by a unit more of each of these.
 
     Where what acts already accelerates far more, a unit's part would be rounding: a larger force by its size is it.
     """
@@ -163,7 +162,7 @@ def responses(at: ContactState, which: Sequence[int], given: np.ndarray) -> np.n
                 break
             size = most / answer
         columns.append(column)
-    return np.stack(columns, 1)
+    return base, np.stack(columns, 1)
 
 
 def start_modes(at: ContactState) -> Modes:

@@ -108,7 +108,7 @@ def _met(at: ContactState, modes: Modes, which: int = -1) -> Change:
     contacts = _touched(at, modes, which)
     rows = [rules[k].v for k, _ in contacts]
     signs = -np.array([end for _, end in contacts], dtype=float)  # inwards
-    columns = responses(at, [k for k, _ in contacts], np.zeros(len(rules))) * signs
+    columns = responses(at, [k for k, _ in contacts], np.zeros(len(rules)))[1] * signs
     gain = columns[rows] * signs[:, None]
     before = signs * at.v[rows]
     rebound = np.array([rules[k].restitution for k, _ in contacts]) * np.maximum(-before, 0)
