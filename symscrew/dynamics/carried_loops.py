@@ -25,12 +25,11 @@ def carriers(setting: Setting) -> dict[int, int | None]:
     ends = [[set(tree.path(end)) for end in (cut.tip, cut.hub)] for cut in setting.cuts if cut.relation is None]
     found: dict[int, int | None] = {}
     for link in tree.links[1:]:
-        if link.joint == tree.virtual:
+        if link.joint == tree.virtual or not any(link.index in path for pair in ends for path in pair):
             continue
         for more in (None,) if apart in (None, *tree.path(link.index)) else (None, apart):
             inside = [sum(link.index in path or more in path for path in pair) for pair in ends]
-            carries = [sum(link.index in path for path in pair) for pair in ends]
-            if any(carries) and not any(count == 1 for count in inside):
+            if not any(count == 1 for count in inside):
                 found[link.index] = more
                 break
     return found
