@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import itertools
 
 import numpy as np
@@ -10,7 +11,7 @@ from support.handmade import every_operation, guarded
 
 import symscrew
 from symscrew.program import evaluate, numpy_evaluation
-from symscrew.program.number_by_number import number_by_number
+from symscrew.program.number_by_number import _READY, number_by_number
 
 SPECIAL = (0.0, -0.0, 1.0, -2.5, 1e200, -np.inf, np.nan)
 
@@ -72,3 +73,7 @@ def test_no_state_at_all():
 def test_a_program_is_made_ready_once_and_forgotten_with_it():
     program = guarded()
     assert number_by_number(program) is number_by_number(program)
+    known = len(_READY)
+    del program
+    gc.collect()
+    assert len(_READY) == known - 1
