@@ -17,7 +17,7 @@ import numpy as np
 from symscrew import notebook
 from symscrew.algebra import CONTEXT
 from symscrew.assembly.batch_equations import BatchEquations
-from symscrew.assembly.certified_roots import Certificate, read
+from symscrew.assembly.certified_roots import Certificate
 from symscrew.assembly.completeness import Completeness, proof_of
 from symscrew.assembly.coupled_columns import Follower
 from symscrew.assembly.elementary_graph import held_graph
@@ -27,6 +27,7 @@ from symscrew.assembly.joint_angles import CLOSED, JointAngles
 from symscrew.assembly.mode_names import Named, distances_of, names_by_ways, numbered
 from symscrew.assembly.mode_signs import LOCKED, ModeSigns
 from symscrew.assembly.path_tracking import Tracker
+from symscrew.assembly.rectangles import read
 from symscrew.assembly.root_bounds import Bound
 from symscrew.assembly.slot_numbers import Displacements, Scalars
 from symscrew.assembly.split_roots import NEAR, split_ends

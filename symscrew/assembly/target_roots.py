@@ -196,12 +196,12 @@ class _Roots:
         """(the means of paths around s = 1, whether they came back), on the largest circle with a zero as its mean."""
         centres, back, there = self._means(places, RADII[0])
         for radius in RADII[1:]:
-            value, _ = self.equations.evaluate(centres, self.goal)
+            value = self.equations.values(centres, self.goal)
             late = np.flatnonzero(there & (~back | ~(np.abs(value).max(axis=1, initial=0.0) < AT_ZERO)))
             if not len(late):
                 break
             again, good, there[late] = self._means(places[late], radius)
-            value, _ = self.equations.evaluate(again, self.goal)
+            value = self.equations.values(again, self.goal)
             good &= np.abs(value).max(axis=1, initial=0.0) < AT_ZERO
             centres[late[good]], back[late[good]] = again[good], True
         return centres, back
@@ -261,7 +261,7 @@ class _Roots:
                 if not np.isfinite(matrix).all():
                     return False
                 there = there - np.linalg.pinv(matrix, rcond=CLOSE) @ right
-            value, _ = self.equations.evaluate(there[None], self.goal)
+            value = self.equations.values(there[None], self.goal)
             if np.abs(value).max() > FLAT or not 0.5 * step < np.linalg.norm(there - z) < 2 * step:
                 return False
         return True
