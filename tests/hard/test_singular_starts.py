@@ -67,7 +67,7 @@ def test_one_rate_is_enough_beside_a_singular_position(row: Model, angle: float)
     assert all(found[name] == pytest.approx(2.0) for name in labels if name[0] == "A")
 
 
-@pytest.mark.parametrize("beside", [1e-9, slow(-1e-7), slow(1e-5)])
+@pytest.mark.parametrize("beside", [1e-9, slow(1e-5)])
 def test_a_run_begins_where_it_was_put_beside_a_singular_position(row: Model, beside: float) -> None:
     """A correction of what rounding leaves open took it 1e-7 away, with the angle that was given: couplers turned."""
     scene = parse_scene(SQUARE.replace("duration = 1", "duration = 0.05"))
