@@ -19,7 +19,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from symscrew.algebra import CONTEXT
-from symscrew.mobility.finite.almost_ranks import NEAR, RankClaim, low_ranks
+from symscrew.mobility.finite.aligned_axes import aligned, turned_together
+from symscrew.mobility.finite.almost_ranks import NEAR, LowRank, RankClaim, low_ranks
 from symscrew.mobility.finite.branches import zeros_nearby
 from symscrew.mobility.finite.double_zeros import Conditions, double_directions, vertex
 from symscrew.mobility.finite.joint_changes import (
@@ -78,6 +79,9 @@ SLOW = 0.2
 """A round that leaves more than this was no step of Newton's method to a simple zero: to a double one it leaves 1/4."""
 LEAST_NOISE = 1e-15
 """Rounding of doubles: what is smaller is not measured by them."""
+ROUGH = 30.0
+"""Angles and distances below so many times the small singular value are rounding; where that aligns nothing that moves,
+those below `NEAR`."""
 FARTHEST = 1e-3
 """Of the mechanism's size: farther geometry is another mechanism."""
 
@@ -155,16 +159,37 @@ def nearest_special(network: Network, claims: Sequence[RankClaim], *, moves: boo
             return ()  # what was typed moves so itself
         if points:
             found = _solved(network, points, ranks, noise)
+            found = found or _by_alignment(network, low, noise)
+            found = found or _solved(network, points, ranks, noise, twice=True)
             if found is None and almost:  # else ranks alone are those of what was typed
-                found = _solved(network, [], ranks, noise)
+                found = _solved(network, [], ranks, noise, twice=True)
                 found = None if found is None else replace(found, stalled=True)
             return () if found is None else (found,)
         zeros = zeros_nearby(coarse, here, quadratic_forms(coarse, here), off)
         points = _open(network, coarse, [(point, _rank(coarse, point)) for point in zeros])
     tried: list[list[tuple[Array, int]]] = [[]] if almost else []
     tried += [points] if points else []
-    found_all = (_solved(network, given, ranks, noise) for given in tried)
+    found_all = (_solved(network, given, ranks, noise, twice=True) for given in tried)
     return tuple(one for one in found_all if one is not None)
+
+
+def _by_alignment(network: Network, low: Sequence[LowRank], noise: float) -> NearGeometry | None:
+    """Axes made parallel, coaxial or concurrent that nearly are, where loops then close along all motions.
+
+    Or where they do so in the nearest geometry of axes that stay parallel: those of a third leg in a plane, say.
+    """
+    closure = next(one for one in low if one.claim.name == "closure")
+    ranks = [(one.claim, one.rank) for one in low]
+    for tolerance in (min(NEAR, ROUGH * noise), NEAR):
+        other = aligned(network, tolerance)
+        if other is None:
+            continue
+        coarse = ClosureVariety(other)
+        points = _motions(coarse, local_at(coarse, np.zeros(coarse.columns), rank=closure.rank), CLOSES * noise)
+        found = _solved(other, points, ranks, noise, turned_together(other)) if points else None
+        if found is not None:
+            return _between(network, found.network, moves=True)
+    return None
 
 
 def _motions(coarse: ClosureVariety, here: Local, off: float) -> list[tuple[Array, int]]:
@@ -296,6 +321,8 @@ class _Search:
         self.z = np.array([CONTEXT.zero] * count_of(self.slots), dtype=object)
         self.after = network
         self.linear: list[_Linear] = []
+        self.ways: Array | None = None
+        """Columns of z along which it may change; None: all."""
 
     def residuals(self) -> list[Array]:
         """What is left of every condition."""
@@ -308,7 +335,11 @@ class _Search:
     def step(self, residuals: Sequence[Array], cut: float) -> None:
         """One step of Gauss-Newton with the least change, for singular values above `cut` of the largest."""
         missing = np.concatenate([one.left @ r for one, r in zip(self.linear, residuals, strict=True)])
-        dz = -np.linalg.lstsq(self.matrix(), missing, rcond=cut)[0]
+        matrix, ways = self.matrix(), self.ways
+        if ways is None:
+            dz = -np.linalg.lstsq(matrix, missing, rcond=cut)[0]
+        else:
+            dz = -ways @ np.linalg.lstsq(matrix @ ways, missing, rcond=cut)[0]
         self.move(dz, residuals)
 
     def matrix(self) -> Array:
@@ -355,9 +386,16 @@ class _Search:
 
 
 def _solved(
-    network: Network, points: Sequence[tuple[Array, int]], ranks: Sequence[tuple[RankClaim, int]], noise: float
+    network: Network,
+    points: Sequence[tuple[Array, int]],
+    ranks: Sequence[tuple[RankClaim, int]],
+    noise: float,
+    ways: Array | None = None,
+    *,
+    twice: bool = False,
 ) -> NearGeometry | None:
     search = _Search(network, points, ranks)
+    search.ways = ways
     best, rough = float("inf"), noise
     for attempt in range(ROUNDS):
         residuals = search.residuals()
@@ -367,9 +405,11 @@ def _solved(
         if attempt >= LINEARISED and size > SLOW * best:
             if size < ENOUGH:
                 break
-            twice = _solved_twice(search.moved(np.zeros(0)), min(LARGEST_CUT, CUT_OFF * max(LEAST_ROUGH, noise)))
-            if twice is not None or size > best / 2:
-                return None if twice is None else _found(twice, moves=bool(points))
+            if not twice:
+                return None
+            double = _solved_twice(search.moved(np.zeros(0)), min(LARGEST_CUT, CUT_OFF * max(LEAST_ROUGH, noise)))
+            if double is not None or size > best / 2:
+                return None if double is None else _found(double, moves=bool(points))
         if attempt < LINEARISED:
             search.linearise()
             rough = max(LEAST_ROUGH, rough if attempt == 0 else size)
@@ -381,9 +421,13 @@ def _solved(
 
 
 def _found(search: _Search, *, moves: bool) -> NearGeometry | None:
-    changes = sizes(search.network, search.after)
+    return _between(search.network, search.after, moves=moves)
+
+
+def _between(network: Network, after: Network, *, moves: bool) -> NearGeometry | None:
+    changes = sizes(network, after)
     distance = max(size for _, size in changes)
-    return NearGeometry(search.after, distance, changes, moves) if distance < FARTHEST else None
+    return NearGeometry(after, distance, changes, moves) if distance < FARTHEST else None
 
 
 def _solved_twice(search: _Search, cut: float) -> _Search | None:
