@@ -14,6 +14,7 @@
     almost_ranks     ranks of closure, platform, drives and limbs that are almost lower as typed
     joint_changes    places and axes of joints, changed a little
     aligned_axes     axes that are almost parallel, coaxial or through one point, made so
+    geometry_search  numbers of the geometry with conditions on it, and steps that meet them
     near_geometry    the nearest geometry in which these ranks are lost and loops keep closed that almost do
     witnesses        what every claim rests on, checked again by another of these routes
 """

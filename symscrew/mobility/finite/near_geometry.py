@@ -2,7 +2,8 @@
 
     ranks that are almost lower, configurations in which loops almost close --conditions--> unknown places and axes
     conditions --Gauss-Newton with the least change, residuals in 60 digits--> special geometry
-    conditions at which it stalls --double_zeros--> special geometry where they vanish twice
+    conditions at which it stalls --aligned_axes--> axes that nearly are parallel or meet made so, then as before
+    conditions at which it still stalls --double_zeros--> special geometry where they vanish twice
 
 The unknowns are the places and axes of all joints. The conditions are ranks that are lower in the reference
 configuration (with their null vectors as further unknowns) and the closure of all loops in configurations along the
@@ -13,25 +14,16 @@ left to the ordinary analysis.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from copy import copy
 from dataclasses import dataclass, replace
 
 import numpy as np
 
-from symscrew.algebra import CONTEXT
 from symscrew.mobility.finite.aligned_axes import aligned, turned_together
 from symscrew.mobility.finite.almost_ranks import NEAR, LowRank, RankClaim, low_ranks
 from symscrew.mobility.finite.branches import zeros_nearby
-from symscrew.mobility.finite.double_zeros import Conditions, double_directions, vertex
-from symscrew.mobility.finite.joint_changes import (
-    Slots,
-    changed,
-    closure_rates,
-    count_of,
-    screw_rates,
-    sizes,
-    slots_of,
-)
+from symscrew.mobility.finite.double_zeros import double_directions, vertex
+from symscrew.mobility.finite.geometry_search import Search
+from symscrew.mobility.finite.joint_changes import sizes
 from symscrew.mobility.finite.local_solutions import (
     CLOSED,
     Local,
@@ -232,159 +224,6 @@ def _rank(coarse: ClosureVariety, q: Array) -> int:
     return int((values > NEAR * values[0]).sum())
 
 
-@dataclass(frozen=True)
-class _Linear:
-    """A condition linearised: `left` are the parts that its own unknowns cannot make vanish, `by_z` of the geometry."""
-
-    left: Array
-    inverse: Array
-    by_z: Array
-
-
-class _Closes:
-    """The loops close in a configuration, which may change a little."""
-
-    def __init__(self, q: Array, rank: int) -> None:
-        self.q, self.rank = _fine(q), rank
-
-    def residual(self, _: Network, fine: ClosureVariety) -> Array:
-        return fine.residual(self.q).astype(float)
-
-    def step(self, change: Array) -> None:
-        self.q = self.q - _fine(change)
-
-
-class _Singular:
-    """A vector stays in the null space of a claim's matrix; it may change a little across it."""
-
-    def __init__(self, claim: RankClaim, rank: int, vector: Array) -> None:
-        self.claim, self.rank, self.vector = claim, rank, _fine(vector)
-
-    def residual(self, network: Network, fine: ClosureVariety) -> Array:
-        found = self.claim.matrix(network, np.array(fine.centre, dtype=object)) @ self.vector
-        return np.asarray(found).astype(float)
-
-    def step(self, change: Array) -> None:
-        self.vector = self.vector - _fine(change)
-
-
-_Conditions = tuple[list[_Closes], list[_Singular]]
-
-
-def _fine(values: Array) -> Array:
-    return np.array([CONTEXT.mpf(float(c)) for c in values], dtype=object)
-
-
-def _conditions(
-    network: Network, points: Sequence[tuple[Array, int]], ranks: Sequence[tuple[RankClaim, int]]
-) -> _Conditions:
-    centre = np.array(ClosureVariety(network).centre, dtype=object)
-    singular = []
-    for claim, rank in ranks:
-        vectors = np.linalg.svd(claim.matrix(network, centre).astype(float))[2][rank:]
-        singular += [_Singular(claim, rank, vector) for vector in vectors]
-    return [_Closes(q, rank) for q, rank in points], singular
-
-
-def _linear(network: Network, slots: Slots, conditions: _Conditions) -> list[_Linear]:
-    """All conditions linearised about the geometry and their own unknowns, in doubles."""
-    coarse = ClosureVariety(network)
-    centre = np.array(coarse.centre, dtype=object)
-    closes, singular = conditions
-    result = []
-    if closes:
-        batch = np.array([one.q.astype(float) for one in closes])
-        for one, q, by_z in zip(closes, batch, closure_rates(coarse, slots, batch), strict=True):
-            place = local_at(coarse, q, rank=one.rank)
-            result.append(_Linear(place.stresses, place.inverse, by_z))
-    rates = screw_rates(network, slots, centre.astype(float))
-    decomposed = {}
-    for vanishing in singular:
-        claim, rank = vanishing.claim, vanishing.rank
-        if claim.name not in decomposed:
-            decomposed[claim.name] = np.linalg.svd(claim.matrix(network, centre).astype(float))
-        u, s, vt = decomposed[claim.name]
-        inverse = vt[:rank].T @ ((u[:, :rank] / s[:rank]).T)
-        pulled = claim.pulled(network, rates, vanishing.vector.astype(float))
-        result.append(_Linear(u[:, rank:].T, inverse, pulled))
-    return result
-
-
-class _Search:
-    """Numbers z of the geometry with conditions on it: steps in doubles, residuals in 60 digits."""
-
-    def __init__(
-        self, network: Network, points: Sequence[tuple[Array, int]], ranks: Sequence[tuple[RankClaim, int]]
-    ) -> None:
-        self.network, self.slots = network, slots_of(network)
-        self.conditions = _conditions(network, points, ranks)
-        self.z = np.array([CONTEXT.zero] * count_of(self.slots), dtype=object)
-        self.after = network
-        self.linear: list[_Linear] = []
-        self.ways: Array | None = None
-        """Columns of z along which it may change; None: all."""
-
-    def residuals(self) -> list[Array]:
-        """What is left of every condition."""
-        fine = ClosureVariety(self.after, DIGITS_60)
-        return [condition.residual(self.after, fine) for part in self.conditions for condition in part]
-
-    def linearise(self) -> None:
-        self.linear = _linear(self.after, self.slots, self.conditions)
-
-    def step(self, residuals: Sequence[Array], cut: float) -> None:
-        """One step of Gauss-Newton with the least change, for singular values above `cut` of the largest."""
-        missing = np.concatenate([one.left @ r for one, r in zip(self.linear, residuals, strict=True)])
-        matrix, ways = self.matrix(), self.ways
-        if ways is None:
-            dz = -np.linalg.lstsq(matrix, missing, rcond=cut)[0]
-        else:
-            dz = -ways @ np.linalg.lstsq(matrix @ ways, missing, rcond=cut)[0]
-        self.move(dz, residuals)
-
-    def matrix(self) -> Array:
-        return np.concatenate([one.left @ one.by_z for one in self.linear])
-
-    def move(self, dz: Array, residuals: Sequence[Array] | None = None) -> None:
-        """The geometry moved by dz, the conditions' own unknowns after it."""
-        self.z = self.z + _fine(dz)
-        self.after = changed(self.network, self.slots, self.z)
-        found = [0.0] * len(self.linear) if residuals is None else residuals
-        every = [condition for part in self.conditions for condition in part]
-        for condition, one, r in zip(every, self.linear, found, strict=True):
-            condition.step(one.inverse @ (r + one.by_z @ dz))
-
-    def moved(self, dz: Array) -> _Search:
-        """Another search at z + dz; its conditions' own unknowns follow to first order."""
-        other = copy(self)
-        other.conditions = ([copy(c) for c in self.conditions[0]], [copy(c) for c in self.conditions[1]])
-        if dz.size:
-            other.move(dz)
-        return other
-
-    def settled(self) -> _Search:
-        """The conditions' own unknowns solved for once more."""
-        self.move(np.zeros(len(self.z)), self.residuals())
-        return self
-
-    def without_slope(self, cut: float) -> Conditions:
-        """The conditions about the present numbers, for the directions in which they vanish twice."""
-
-        def slopes(dz: Array) -> Array:
-            if not dz.size:
-                return self.matrix()
-            other = self.moved(dz)
-            other.linearise()
-            pairs = zip(self.linear, other.linear, strict=True)
-            return np.concatenate([mine.left @ its.left.T @ its.left @ its.by_z for mine, its in pairs])
-
-        def values(dz: Array) -> Array:
-            pairs = zip(self.linear, self.moved(dz).settled().residuals(), strict=True)
-            return np.concatenate([one.left @ r for one, r in pairs])
-
-        return Conditions(slopes, values, cut)
-
-
 def _solved(
     network: Network,
     points: Sequence[tuple[Array, int]],
@@ -394,7 +233,7 @@ def _solved(
     *,
     twice: bool = False,
 ) -> NearGeometry | None:
-    search = _Search(network, points, ranks)
+    search = Search(network, points, ranks)
     search.ways = ways
     best, rough = float("inf"), noise
     for attempt in range(ROUNDS):
@@ -420,7 +259,7 @@ def _solved(
     return _found(search, moves=bool(points))
 
 
-def _found(search: _Search, *, moves: bool) -> NearGeometry | None:
+def _found(search: Search, *, moves: bool) -> NearGeometry | None:
     return _between(search.network, search.after, moves=moves)
 
 
@@ -430,7 +269,7 @@ def _between(network: Network, after: Network, *, moves: bool) -> NearGeometry |
     return NearGeometry(after, distance, changes, moves) if distance < FARTHEST else None
 
 
-def _solved_twice(search: _Search, cut: float) -> _Search | None:
+def _solved_twice(search: Search, cut: float) -> Search | None:
     """The search ended in a double zero of conditions that linear steps hardly make smaller; None where it is none."""
     believed, best, length = float(max(abs(c) for c in search.z)), float("inf"), float("inf")
     left = MOST_LINEARISED
