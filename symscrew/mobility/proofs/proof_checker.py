@@ -693,7 +693,9 @@ class Block:
         """Coefficients in t of the velocities at which rates, a power series, open the loops and couplings."""
         result: list[list[Number]] = [[] for _ in range(len(arc) + 1)]
         for factors in self.factors:
-            loop = velocities([s for _, s in factors], [[rates[c] for c, _ in factors] for rates in arc])
+            loop = [[self.numbers.zero] * 6] * (len(arc) + 1)  # of joints without freedoms
+            if factors:
+                loop = velocities([s for _, s in factors], [[rates[c] for c, _ in factors] for rates in arc])
             result = [[*a, *b] for a, b in zip(result, loop, strict=True)]
         for tie in self.tied_columns:
             moved = [self.numbers.zero] * (len(arc) + 1)
