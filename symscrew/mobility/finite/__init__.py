@@ -31,7 +31,7 @@ from symscrew.mobility.finite.local_solutions import (
     solve_dependent,
 )
 from symscrew.mobility.finite.near_geometry import NearGeometry, left_open, search_special
-from symscrew.mobility.finite.passive_spins import named_spins, rotation_vector, without_spins
+from symscrew.mobility.finite.passive_spins import named_spins, passive_freedoms, rotation_vector, without_spins
 from symscrew.mobility.finite.quadric_cone import cone_directions
 from symscrew.mobility.finite.reduced_closure import ReducedClosure, is_zero
 from symscrew.mobility.finite.variety import DIGITS_60, DOUBLE, Arithmetic, Array, ClosureVariety, moved
@@ -59,6 +59,7 @@ __all__ = [
     "local_at",
     "moved",
     "named_spins",
+    "passive_freedoms",
     "quadratic_forms",
     "rank_claims",
     "recheck",
