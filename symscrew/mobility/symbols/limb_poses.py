@@ -23,7 +23,7 @@ from symscrew.algebra import product as matrix_product
 from symscrew.description import Joint, Mechanism, Motion, Parameter
 from symscrew.mobility.symbols.further_losses import place_of_loss
 from symscrew.mobility.symbols.generators import Generators, NotPolynomialError, Poly
-from symscrew.mobility.symbols.loci_at_points import reference_screws, true_loci
+from symscrew.mobility.symbols.loci_at_points import limb_loses, reference_screws, true_loci
 from symscrew.mobility.symbols.locus import Locus
 from symscrew.mobility.symbols.loop_motions import FormulaTooLargeError, motions_by_minors
 from symscrew.mobility.symbols.polynomial_screws import SymbolicScrews, Vector, expressions_of
@@ -174,6 +174,7 @@ def _posed(mechanism: Mechanism, name: str, chain: list[_Freedom], symbols: list
     # a factor that is zero where rank is kept is one of the rows that were chosen, and others take their place there
     if not solved.all_listed or len(said) < len(work.ring.factors(dependent)):
         further = _further(mechanism, chain, symbols, said)
+        further = further if further and limb_loses(mechanism, name, places, further) else None
         not_tried += [] if further else [f"{name}: {NONE_FOUND}"]
     return LimbPose(
         name,

@@ -70,6 +70,15 @@ def reference_screws(mechanism: Mechanism) -> tuple[Mapping[str, Array], float]:
     return there.screws, there.size
 
 
+def limb_loses(
+    mechanism: Mechanism, limb: str, displaced: Sequence[tuple[str, int, int, sympy.Symbol]], at: Values
+) -> bool:
+    """Whether the limb's screws have a rank less at displacements than beside these."""
+    shape = _Shape(mechanism, tuple(displaced))
+    there, usual = (shape.at({**shape.values, **{s: v + off for s, v in at.items()}}) for off in (0.0, BESIDE))
+    return there is not None and usual is not None and there.limb(limb) < usual.limb(limb)
+
+
 def _holds(shape: _Shape, locus: Locus) -> bool:
     for zero, beside in _zeros(shape, locus.expression):
         there, usual = shape.at(zero), shape.at(beside)
