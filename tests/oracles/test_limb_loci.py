@@ -147,6 +147,25 @@ def test_where_several_conditions_hold_at_once_a_place_is_found(kind: str) -> No
     assert all(abs(x.xreplace(dict(pose.further))) > 1e-3 for x in limb_loci)  # beside those
 
 
+def test_a_rod_of_a_length_that_is_a_parameter_is_looked_at_with_its_value() -> None:
+    """Where its crosses fold, beside the length zero, which is a condition in the parameter."""
+    builder = MechanismBuilder("rod", platform="top").parameter("L", "1/2", unit="m")
+    for body in ("low", "high", "top"):
+        builder.body(body)
+    builder.joint("A", "U", parent="base", child="low", point=[0, 0, 0], axes=[TYPED["x"], TYPED["t"]])
+    builder.joint("B", "P", parent="low", child="high", point=[0, 0, 0], axes=[TYPED["z"]])
+    builder.joint("C", "U", parent="high", child="top", point=[0, 0, "L"], axes=[TYPED["t"], TYPED["x"]])
+    made = builder.limb("limb", joints=["A", "B", "C"]).build()
+    pose = limb_pose(made, "limb")
+    assert isinstance(pose, LimbPose)
+    (length,) = [locus.expression for locus in pose.loci if locus.kind == "limb"]
+    assert {str(s) for s in length.free_symbols} == {"L", "p_3"}
+    at = dict(pose.further)
+    assert abs(at[sympy.Symbol("p_3", real=True)] + 0.5) > 1e-3
+    angles = [at[s] for s in pose.displacements if str(s).startswith("theta")]
+    assert all(abs(abs(x) - np.pi / 2) < 1e-6 for x in angles)  # first and last axis along the rod
+
+
 def test_where_one_condition_tells_all_nothing_is_looked_for() -> None:
     pose = limb_pose(mechanism("plane", turned=False), "limb")
     assert isinstance(pose, LimbPose) and len(pose.loci) == 1 and not pose.further and not pose.not_tried

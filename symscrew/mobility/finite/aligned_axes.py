@@ -112,7 +112,7 @@ def _parallel(lines: Sequence[_Line], tolerance: float) -> list[_Line]:
     for group in _groups(len(lines), lambda i, k: _sine(lines[i], lines[k]) < tolerance):
         first = lines[group[0]].direction
         signs = [1 if lines[k].direction @ first > 0 else -1 for k in group]
-        mean = _exact(sum(sign * lines[k].direction for sign, k in zip(signs, group, strict=True)))
+        mean = _exact(np.sum([sign * lines[k].direction for sign, k in zip(signs, group, strict=True)], axis=0))
         mean = scale(1 / CONTEXT.sqrt(dot(mean, mean)), mean)
         if len({tuple(sign * c for c in lines[k].to) for sign, k in zip(signs, group, strict=True)}) > 1:
             for sign, k in zip(signs, group, strict=True):
@@ -129,8 +129,8 @@ def _shifts(lines: Sequence[_Line], tolerance: float) -> dict[str, Array]:
             place = turning[group[0]].point
             for k in group:
                 to.setdefault(turning[k].edge.name, []).append(place)
-    for place, group in _meetings(turning, tolerance):
-        for k in group:
+    for place, through in _meetings(turning, tolerance):
+        for k in through:
             to.setdefault(turning[k].edge.name, []).append(place)
     shifts = {}
     for name, places in to.items():

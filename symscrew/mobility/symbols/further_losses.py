@@ -15,8 +15,6 @@ from typing import Any
 import numpy as np
 import sympy
 
-from symscrew.mobility.symbols.locus import Locus
-
 Array = np.ndarray[Any, Any]
 
 STARTS, STEPS = 24, 24
@@ -36,14 +34,14 @@ FAR = 2.0
 
 
 def place_of_loss(
-    screws: Array, displaced: Sequence[tuple[int, float, sympy.Symbol]], loci: Sequence[Locus], size: float
+    screws: Array, displaced: Sequence[tuple[int, float, sympy.Symbol]], listed: Sequence[sympy.Expr], size: float
 ) -> dict[sympy.Symbol, float] | None:
-    """The place nearest to the reference at which rank is lost and none of the loci is zero; None: none was found.
+    """The place nearest to the reference at which rank is lost and nothing listed is zero; None: none was found.
 
     Args:
         screws: of the limb in the reference from base to tip, n x 6, lengths over `size` [m].
         displaced: (index of the screw, sense, its symbol) of the displaced freedoms.
-        loci: the conditions that are listed, in these symbols.
+        listed: the conditions that are known, in these symbols alone: zero there.
         size: of the limb [m].
     """
     symbols = [symbol for *_, symbol in displaced]
@@ -54,8 +52,8 @@ def place_of_loss(
     found = _newton(screws, displaced, starts, rank)
     found = np.where(turning, (found + np.pi) % (2 * np.pi) - np.pi, found)
     found = found[(np.abs(found) < np.where(turning, 4, FAR)).all(axis=1)]
-    for locus in loci:
-        value = sympy.lambdify(symbols, locus.expression, "numpy")
+    for expression in listed:
+        value = sympy.lambdify(symbols, expression, "numpy")
         units = np.where(turning, 1.0, size)
         at = [np.abs(np.broadcast_to(value(*(units * q).T), len(q))) for q in (found, starts)]
         found = found[at[0] > ON * np.median(at[1])]

@@ -199,7 +199,8 @@ def _further(
     rows = [screws[f.joint.name][f.joint.kind.starts[f.index] + k] for f in chain for k in range(f.motion.freedom)]
     displaced = [(starts[k], float(f.sense), symbol) for k, (f, symbol) in
                  enumerate(zip(chain[1:], symbols, strict=False), start=1)]  # fmt: skip
-    return place_of_loss(np.array(rows), displaced, loci, size)
+    values = {p.symbol: p.value for p in mechanism.parameters.values()}
+    return place_of_loss(np.array(rows), displaced, [locus.expression.xreplace(values) for locus in loci], size)
 
 
 def _read(work: SymbolicScrews, poly: Poly, symbols: Sequence[sympy.Symbol]) -> sympy.Expr:
