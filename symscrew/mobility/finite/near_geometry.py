@@ -178,7 +178,7 @@ def _by_alignment(network: Network, low: Sequence[LowRank], noise: float) -> Nea
             continue
         coarse = ClosureVariety(other)
         points = _motions(coarse, local_at(coarse, np.zeros(coarse.columns), rank=closure.rank), CLOSES * noise)
-        found = _solved(other, points, ranks, noise, turned_together(other)) if points else None
+        found = _solved(other, points, ranks, noise, ways=turned_together(other)) if points else None
         if found is not None:
             return _between(network, found.network, moves=True)
     return None
@@ -229,8 +229,8 @@ def _solved(
     points: Sequence[tuple[Array, int]],
     ranks: Sequence[tuple[RankClaim, int]],
     noise: float,
-    ways: Array | None = None,
     *,
+    ways: Array | None = None,
     twice: bool = False,
 ) -> NearGeometry | None:
     search = Search(network, points, ranks)
