@@ -16,6 +16,7 @@ import numpy as np
 from symscrew.description import Mechanism
 from symscrew.errors import DescriptionError
 from symscrew.formats.imported import Beside, JointLimits
+from symscrew.formats.mjcf_forces import SLIP
 from symscrew.formats.safe_xml import decimals
 
 CARRIED = 1e-12
@@ -32,6 +33,8 @@ def holds(mechanism: Mechanism, force: Mapping[str, Any]) -> bool:
         point = mechanism.points[str(force["point"])]
         body = mechanism.bodies[point.body]
         return body.com == point.at and bool(body.mass) and not any(force["wrench"][3:])
+    if force["kind"] == "friction" and force.get("velocity") != float(SLIP):  # which no file says
+        return False
     if mechanism.joints[str(force["joint"])].kind.unconstrained:  # one number for all its freedoms
         return force["kind"] in ("armature", "damping") and force.get("freedom") is None
     return True
@@ -93,10 +96,11 @@ def _attributes(element: Element, force: Mapping[str, Any]) -> None:
         if force.get("freedom", 0) in (0, None) or element.get("type") != "ball":
             add("frictionloss", force["coulomb"])
     else:
-        if "stiffness" in element.attrib:
+        if "stiffness" in element.attrib and force.get("stiffness"):
             raise DescriptionError(f"joints.{force['joint']}: MJCF holds one spring of a joint, got two")
-        add("stiffness", force["stiffness"])
-        add("springref", force.get("rest", 0.0))
+        if force.get("stiffness"):
+            add("stiffness", force["stiffness"])
+            add("springref", force.get("rest", 0.0))
         if force.get("damping"):
             add("damping", force["damping"])
 

@@ -168,10 +168,8 @@ def _forces(
             table = {"kind": "damping", "coefficient": size * square}
         elif key == "armature":
             table = {"kind": "armature", "inertia": size * square}
-            if _branched(draft, found.coefficients(target)):
-                draft.ledger.turned(
-                    "armature of a tendon over branches: whole here, the engine leaves out what couples them"
-                )
+            if branched(draft, found.coefficients(target)):
+                draft.ledger.turned(BRANCHED)
         elif key == "frictionloss":
             table = {"kind": "friction", "coulomb": size * abs(float(target.factor)), "velocity": float(SLIP)}
         else:
@@ -186,7 +184,11 @@ def _forces(
         draft.ledger.turned(f"{key} of a tendon")
 
 
-def _branched(draft: Draft, joints: Collection[str]) -> bool:
+BRANCHED = "armature of a tendon over branches: whole here, the engine leaves out what couples them"
+"""What is said of such a tendon."""
+
+
+def branched(draft: Draft, joints: Collection[str]) -> bool:
     """Whether joints are not all on one way outwards."""
     above = {joint.child: joint for joint in draft.joints}
     ways: list[set[str]] = []
