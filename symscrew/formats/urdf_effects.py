@@ -45,7 +45,7 @@ def add_effects(root: Element, mechanism: Mechanism, beside: Beside) -> None:
 
 
 def _armature(root: Element, name: str, force: Mapping[str, Any]) -> None:
-    """In the transmission of the driven joint, which has one reduction: a further rotor as one that turns as the first."""
+    """In the transmission of the driven joint, which has one reduction: a further rotor turns as the first one."""
     ratio, inertia = float(force.get("ratio", 1.0)), float(force["inertia"])
     for transmission in root.findall("transmission") if ratio else ():
         joint, actuator = transmission.find("joint"), transmission.find("actuator")

@@ -25,10 +25,10 @@ from .test_import_details import INERTIAL, saved
 MODEL = f"""<mujoco><compiler angle="radian"/><option gravity="1 -2 -9"/><worldbody>
 <body name="A" pos="0.2 0 0.1" euler="0.3 0.2 0.1"><joint name="a" axis="0 1 0.2" ref="0.2" stiffness="2"/>{INERTIAL}
 <geom type="box" size=".1 .2 .3" pos=".2 0 0"/><site name="s" pos=".1 .2 .3"/><body name="B" pos="0.2 0.1 0.1">
-<joint name="b" type="slide" axis="1 0 0.2"/><geom type="capsule" size=".05 .2" density="500"/></body></body></worldbody>
+<joint name="b" type="slide" axis="1 0 0.2"/><geom type="capsule" size=".1 .2" density="5e2"/></body></body></worldbody>
 <tendon><fixed name="t" stiffness="5"><joint joint="a" coef="0.5"/><joint joint="b" coef="-1.5"/></fixed></tendon>
-<actuator><position joint="a" kp="20" gear="2"/><velocity joint="b" kv="3"/><motor joint="a" gear="3"/><general joint="b"
-gainprm="7" biastype="affine" biasprm="0 -7 -1"/><intvelocity joint="a"/></actuator></mujoco>"""
+<actuator><position joint="a" kp="20" gear="2"/><velocity joint="b" kv="3"/><motor joint="a" gear="3"/><general
+joint="b" gainprm="7" biastype="affine" biasprm="0 -7 -1"/><intvelocity joint="a"/></actuator></mujoco>"""
 VALUES = (
     "0.37", "2", "true", "false", "disable", "0.1 0.2 0.3", "0.8 0.1 0.2 0.3", "0.1 0.3 0.2 0.4 0.2 0.1", "affine",
     "integrator", "slide", "sphere", "ZYX", "degree", "a", "t", "0.6 0.5 0.4 0.05 0.02 0.01", "0 0.4",

@@ -172,3 +172,29 @@ def test_tendons_are_written_as_tendons(tmp_path: Path) -> None:
         mujoco.mj_forward(engine, data)
         found.append(data.qacc.copy())
     assert found[1] == pytest.approx(found[0], rel=1e-12)
+
+
+def table(kind: str, **keys: object) -> Effect:
+    return effect_from_table({"type": kind, "joint": "A", **keys})
+
+
+def test_two_rotors_of_one_joint_are_one_of_a_urdf(tmp_path: Path) -> None:
+    """A transmission has one reduction: 0.5 at 3 to 1 and 0.1 at 2 to 1 are 4.9 together."""
+    mechanism = load_robot(saved(arm(), tmp_path, "robot.urdf")).mechanism
+    rotors = [table("rotor_inertia", inertia=0.5, ratio=3), table("rotor_inertia", inertia=0.1, ratio=2)]
+    save_robot(mechanism, tmp_path / "again.urdf", rotors, accept=True)
+    (again,) = (
+        effect_to_table(e) for e in load_robot(tmp_path / "again.urdf").effects if getattr(e, "joint", "") == "A"
+    )
+    assert float(again["inertia"]) * float(again.get("ratio", 1)) ** 2 == pytest.approx(4.9, rel=1e-14)
+
+
+def test_what_damps_without_a_spring_and_what_creeps_otherwise(tmp_path: Path) -> None:
+    mechanism = load_robot(saved(arm(), tmp_path, "robot.urdf")).mechanism
+    damper = effect_from_table({"type": "joint_spring", "joint": "A", "damping": 0.5})
+    assert save_robot(mechanism, tmp_path / "again.xml", [damper]) == []
+    assert mujoco.MjModel.from_xml_path(str(tmp_path / "again.xml")).dof_damping.max() == 0.5
+    creeping = table("dry_friction", coulomb=0.5, velocity=0.05)
+    for suffix in ("xml", "urdf"):
+        with pytest.raises(DescriptionError, match="does not hold friction of A"):
+            save_robot(mechanism, tmp_path / f"creeping.{suffix}", [creeping])
