@@ -15,6 +15,7 @@ from symscrew.errors import DescriptionError
 from symscrew.model import derive
 from symscrew.scene import Robot, load_robot, save_robot
 
+from .test_import_details import INERTIAL
 from .test_imports import GRIPPER, arm, saved
 
 MORE = GRIPPER.replace('<body name="thumb"', '<body name="thumb" gravcomp="0.25"').replace(
@@ -198,3 +199,25 @@ def test_what_damps_without_a_spring_and_what_creeps_otherwise(tmp_path: Path) -
     for suffix in ("xml", "urdf"):
         with pytest.raises(DescriptionError, match="does not hold friction of A"):
             save_robot(mechanism, tmp_path / f"creeping.{suffix}", [creeping])
+
+
+PULLED = f"""<mujoco><compiler angle="radian"/><worldbody><body><joint name="a" axis="0 1 0"/>{INERTIAL}
+<body pos="0.2 0 0"><joint name="b" axis="0 1 0"/>{INERTIAL}</body></body></worldbody>
+<tendon><fixed name="t"><joint joint="a" coef="2"/><joint joint="b" coef="-3"/></fixed></tendon>
+<actuator><motor joint="a" forcerange="-1 1"/><position tendon="t" kp="90"/></actuator></mujoco>"""
+
+
+def test_the_reach_of_a_drive_does_not_hold_a_tendon_back(tmp_path: Path) -> None:
+    robot = load_robot(saved(PULLED, tmp_path))
+    assert save_robot(robot.mechanism, tmp_path / "again.xml", robot.effects, limits=robot.limits) == []
+    assert load_robot(tmp_path / "again.xml").limits == robot.limits
+    found = []
+    for name, commands in (("robot.xml", {"a": 5.0, "t": 2.0}), ("again.xml", {"a": 5.0, "t": 2.0})):
+        engine = mujoco.MjModel.from_xml_path(str(tmp_path / name))
+        data = mujoco.MjData(engine)
+        for k in range(engine.nu):
+            tendon = engine.actuator_trntype[k] == mujoco.mjtTrn.mjTRN_TENDON
+            data.ctrl[k] = commands["t" if tendon else "a"]
+        mujoco.mj_forward(engine, data)
+        found.append(data.qacc.copy())
+    assert found[1] == pytest.approx(found[0], rel=1e-9) and np.abs(found[0]).max() > 100
