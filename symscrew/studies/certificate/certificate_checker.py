@@ -43,6 +43,7 @@ SLACK = 1.0 + 256 * EPS  # what a sum of some dozens of positive numbers that we
 TINY = 1e-290  # more than what a product loses where it underflows
 SINE_ERROR = 2.0**-49  # of sine and cosine below: reduction 3e-16, Horner's scheme 5e-16, the series 2e-22
 MOST_EDGES = 24  # of a box: sums over more would lose more than SLACK
+MOST_INPUTS = 100_000  # of a program: a file that says more would only fill the memory
 LARGEST_TURNS = 1000.0  # quarter turns up to which an angle is reduced exactly
 QUARTER = (1.57079632673412561417e00, 6.07710050630396597660e-11, 2.02226624871116645580e-21)  # pi/2 in 33-bit parts
 AT_ONCE = 256  # boxes that are looked at together: all numbers of a mechanism of 30 joints in 0.2 GB
@@ -292,6 +293,7 @@ class Program:
     def read(cls, values: Any) -> Program:
         """Of a file: every operand is computed before it is used."""
         inputs = tuple((str(name), int(count)) for name, count in values["inputs"])
+        need(all(0 <= count <= MOST_INPUTS for _, count in inputs), "inputs of a program")
         known = set(range(sum(count for _, count in inputs)))
         instructions = []
         for target, op, *args in values["instructions"]:
@@ -413,6 +415,7 @@ class Equations:
     def read(cls, values: Any) -> Equations:
         """Of a file."""
         made = cls.of(values)
+        need(0 < made.count <= MOST_INPUTS, "coordinates")
         need(1 <= len(made.axes) <= MOST_EDGES and len(set(made.axes)) == len(made.axes), "axes")
         need(len(set(made.rows)) + len(set(made.quaternions)) == len(made.dependent), "equations for the coordinates")
         return made
