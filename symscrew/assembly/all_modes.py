@@ -259,7 +259,9 @@ class _Search:
         """
         if any(self.held.values.values()):
             return account
-        place = reference_end(self.family, start, self.family.member(dict(self.held.values)), known_zero(self.equations))
+        place = reference_end(
+            self.family, start, self.family.member(dict(self.held.values)), known_zero(self.equations)
+        )
         near = any(end.kind == "real" and np.abs(end.z - place.z).max() < AT_REFERENCE for end in account.ends)
         return account if near else replace(account, ends=(*account.ends, place))
 
