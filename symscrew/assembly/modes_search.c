@@ -419,13 +419,16 @@ static int all_ends(const Path *way, int *ends, double (*zeros)[WIDTH][2], int *
     return size;
 }
 
+/* Error of numbers from which it would not be seen whether coordinates are real: they are to 1e-7. */
+#define LOOSE 1e-8
+
 int MODES(const double *drives, MODE *modes, int *count)
 {
     Ball balls[N_DRIVES], slots[N_SLOTS][3];
     Place places[N_BODIES];
     Path way;
     double zeros[N_PATHS][WIDTH][2], closed[N_PATHS][WIDTH], real[WIDTH], sum = 0.0;
-    int ends[N_PATHS], lost = 0;
+    int ends[N_PATHS], lost = 0, loose = 0;
     *count = 0;
     for (int k = 0; k < N_DRIVES; ++k) {
         sum += 0.0 * drives[k];
@@ -438,6 +441,7 @@ int MODES(const double *drives, MODE *modes, int *count)
     for (int k = 0; k < N_SLOTS; ++k) {
         for (int i = 0; i < 3; ++i) {
             way.goal[k][i] = slots[k][i].m;
+            loose |= !(slots[k][i].r < LOOSE); /* of drives of many turns: how many modes are real is not known */
         }
     }
 #if N_PAIRS
@@ -452,7 +456,7 @@ int MODES(const double *drives, MODE *modes, int *count)
         lost += added(drives, places, slots, closed[k], modes, count) || *count == before; /* two came to one */
     }
     if (known >= 0) {
-        return lost > 0 ? MODES_INCOMPLETE : 0;
+        return lost > 0 || loose ? MODES_INCOMPLETE : 0;
     }
     static const double bends[] = {0.0, 0.4, -0.4};
     for (int k = 0, behind = 1; k < 3 && behind > 0; ++k) {
@@ -470,5 +474,5 @@ int MODES(const double *drives, MODE *modes, int *count)
         }
         lost += added(drives, places, slots, real, modes, count);
     }
-    return lost > 0 ? MODES_INCOMPLETE : 0;
+    return lost > 0 || loose ? MODES_INCOMPLETE : 0;
 }

@@ -531,7 +531,7 @@ def _size(form: Form) -> Array:
 
 
 def _defects(inverse: Array, matrix: Form, edges: int) -> tuple[Array, Array]:
-    """|1 - inverse M|, from above (columns, columns, n), of means from the middle of a tube to its places; and for all M.
+    """|1 - inverse M|, from above (columns, columns, n), of means from a tube's middle to its places; and for all M.
 
     The means have half of what is linear in the edges behind the first ones.
     """
