@@ -419,8 +419,9 @@ static int all_ends(const Path *way, int *ends, double (*zeros)[WIDTH][2], int *
     return size;
 }
 
-/* Error of numbers from which it would not be seen whether coordinates are real: they are to 1e-7. */
-#define LOOSE 1e-8
+/* Part of a number that is its error, from which it would not be seen which zeros are real: where two are near they
+   change by its root, and they are taken to be real to 1e-5. */
+#define LOOSE 1e-10
 
 int MODES(const double *drives, MODE *modes, int *count)
 {
@@ -441,7 +442,7 @@ int MODES(const double *drives, MODE *modes, int *count)
     for (int k = 0; k < N_SLOTS; ++k) {
         for (int i = 0; i < 3; ++i) {
             way.goal[k][i] = slots[k][i].m;
-            loose |= !(slots[k][i].r < LOOSE); /* of drives of many turns: how many modes are real is not known */
+            loose |= !(slots[k][i].r < LOOSE * (1.0 + fabs(slots[k][i].m))); /* of many turns */
         }
     }
 #if N_PAIRS
