@@ -477,12 +477,12 @@ class Tubes:
     bounds: Mapping[str, tuple[Array, Array]]
 
 
-def together(parts: Sequence[Tubes]) -> Tubes:
-    """What was found of boxes, side by side."""
+def together(parts: Sequence[Tubes], places: Array | slice = slice(None)) -> Tubes:
+    """What was found of boxes, side by side; of these those at some places."""
     *arrays, _ = (f.name for f in fields(Tubes))
-    ends = {n: np.hstack([np.stack(part.bounds[n]) for part in parts]) for n in parts[0].bounds}
+    ends = {n: np.hstack([np.stack(part.bounds[n]) for part in parts])[:, places] for n in parts[0].bounds}
     return Tubes(
-        **{n: np.concatenate([getattr(part, n) for part in parts], axis=-1) for n in arrays},
+        **{n: np.concatenate([getattr(part, n) for part in parts], axis=-1)[..., places] for n in arrays},
         bounds={n: (low, high) for n, (low, high) in ends.items()},
     )
 
@@ -600,33 +600,18 @@ def tubes(equations: Equations, low: Array, high: Array, centre: Array) -> Tubes
 
     Where nothing is shown the tube gets an edge for every dependent coordinate, as far as MOST_EDGES: dearer, sharper.
     """
-    parts = [slice(a, a + AT_ONCE) for a in range(0, low.shape[1], AT_ONCE)]
     found = []
     with np.errstate(all="ignore"):
-        for part in parts:
-            ends = low[:, part], high[:, part], centre[:, part]
+        for a in range(0, low.shape[1], AT_ONCE):
+            ends = [end[..., a : a + AT_ONCE] for end in (low, high, centre)]
             plain = _tubes(equations, *ends, sharp=False)
             again = np.flatnonzero(~(plain.closed & plain.holding) & np.isfinite(plain.slope).all(axis=(0, 1)))
             if len(again) and 0 < len(equations.dependent) <= MOST_EDGES - len(low):
-                plain = _exchanged(plain, again, _tubes(equations, *(end[:, again] for end in ends), sharp=True))
+                places = np.arange(plain.low.shape[1])
+                places[again] = len(places) + np.arange(len(again))
+                plain = together([plain, _tubes(equations, *(end[:, again] for end in ends), sharp=True)], places)
             found.append(plain)
     return found[0] if len(found) == 1 else together(found)
-
-
-def _exchanged(found: Tubes, places: Array, parts: Tubes) -> Tubes:
-    """With other boxes at some places."""
-
-    def put(whole: Array, part: Array) -> Array:
-        made = whole + 0
-        made[..., places] = part
-        return made
-
-    *arrays, _ = (f.name for f in fields(Tubes))
-    ends = {n: [put(a, b) for a, b in zip(found.bounds[n], parts.bounds[n], strict=True)] for n in found.bounds}
-    return Tubes(
-        **{n: put(getattr(found, n), getattr(parts, n)) for n in arrays},
-        bounds={n: (low, high) for n, (low, high) in ends.items()},
-    )
 
 
 def _tubes(equations: Equations, low: Array, high: Array, centre: Array, *, sharp: bool) -> Tubes:
@@ -673,10 +658,9 @@ def _inside(
     z, moving = middle
     if not sharp:
         return equations.inputs(z, [f.wider(e) for f, e in zip(moving, trial, strict=True)])
-    own = np.eye(len(trial))[:, :, None] * trial
-    around = [Form(f.c, np.concatenate([f.l, 0.0 * trial]), f.r) for f in z]
+    wider = ((z, [0.0 * trial] * len(z)), (moving, np.eye(len(trial))[:, :, None] * trial))
     return equations.inputs(
-        around, [Form(f.c, np.concatenate([f.l, e]), f.r) for f, e in zip(moving, own, strict=True)]
+        *([Form(f.c, np.concatenate([f.l, e]), f.r) for f, e in zip(*pair, strict=True)] for pair in wider)
     )
 
 
