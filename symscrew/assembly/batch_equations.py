@@ -123,7 +123,7 @@ class BatchEquations:
     @staticmethod
     def _size(loop: tuple[Array, Array]) -> int:
         """Rows of a loop."""
-        return loop[0].shape[1] + loop[1].shape[1]
+        return len(loop[0][0]) + len(loop[1][0])
 
     @staticmethod
     def _forms(loop: tuple[Array, Array], g: Array) -> tuple[Array, Array]:
