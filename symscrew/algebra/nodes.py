@@ -36,6 +36,7 @@ KEY_BITS = 150  # constants that agree to 45 digits are one constant; any that d
 UNITS = (0, 1)  # factors that take no operation
 WAITS = frozenset(("reciprocal", "sqrt"))  # operations for which others wait
 SUMS = frozenset(("add", "sub"))
+FACTORS = frozenset(("mul", "reciprocal"))  # of which something may cancel
 
 
 @dataclass(frozen=True)
@@ -62,9 +63,14 @@ class Node:
     __slots__ = ("args", "chain", "index", "op", "tape", "value")
 
     def __init__(
-        self, tape: Tape, index: int, op: str, args: tuple[Any, ...], *, value: Any = None, chain: int = 0
+        self, tape: Tape, index: int, op: str, args: tuple[Any, ...], value: Any = None, chain: int = 0
     ) -> None:
-        self.tape, self.index, self.op, self.args, self.value, self.chain = tape, index, op, args, value, chain
+        self.tape = tape
+        self.index = index
+        self.op = op
+        self.args = args
+        self.value = value
+        self.chain = chain
 
     def __add__(self, other: Any) -> Node:
         if type(other) is Node:
@@ -181,7 +187,7 @@ class Tape:
         known, key = self._known["const"], _rounded(number)
         found = known.get(key)
         if found is None:
-            known[key] = found = Node(self, len(self.nodes), "const", (exact,), value=number)
+            known[key] = found = Node(self, len(self.nodes), "const", (exact,), number)
             self.nodes.append(found)
             self.constants[found] = float(number)
         return found
@@ -288,7 +294,8 @@ class Tape:
         known = self._known["mul"]
         result = known.get(args)
         if result is None:
-            result = self._cancelled(x, y) or self._new(known, "mul", args)
+            may_cancel = x.op in FACTORS or y.op in FACTORS
+            result = (self._cancelled(x, y) if may_cancel else None) or self._new(known, "mul", args)
         return self.neg(result) if negative else result
 
     def _cancelled(self, x: Node, y: Node) -> Node | None:
@@ -346,7 +353,7 @@ class Tape:
                     chain = arg.chain
             chain += op in WAITS
         nodes = self.nodes
-        known[args] = made = Node(self, len(nodes), op, args, value=value, chain=chain)
+        known[args] = made = Node(self, len(nodes), op, args, value, chain)
         nodes.append(made)
         return made
 
