@@ -32,11 +32,9 @@ ZERO_BITS = -149  # 2^-149, about 1e-45
 ZERO_BELOW = CONTEXT.mpf(2) ** ZERO_BITS
 KEY_BITS = 150  # constants that agree to 45 digits are one constant; any that differ by more stay apart
 
-
 UNITS = (0, 1)  # factors that take no operation
 WAITS = frozenset(("reciprocal", "sqrt"))  # operations for which others wait
-SUMS = frozenset(("add", "sub"))
-FACTORS = frozenset(("mul", "reciprocal"))  # of which something may cancel
+SUMS, FACTORS = frozenset(("add", "sub")), frozenset(("mul", "reciprocal"))
 
 
 @dataclass(frozen=True)
@@ -63,14 +61,9 @@ class Node:
     __slots__ = ("args", "chain", "index", "op", "tape", "value")
 
     def __init__(
-        self, tape: Tape, index: int, op: str, args: tuple[Any, ...], value: Any = None, chain: int = 0
+        self, tape: Tape, index: int, op: str, args: tuple[Any, ...], *, value: Any = None, chain: int = 0
     ) -> None:
-        self.tape = tape
-        self.index = index
-        self.op = op
-        self.args = args
-        self.value = value
-        self.chain = chain
+        self.tape, self.index, self.op, self.args, self.value, self.chain = tape, index, op, args, value, chain
 
     def __add__(self, other: Any) -> Node:
         if type(other) is Node:
@@ -187,7 +180,7 @@ class Tape:
         known, key = self._known["const"], _rounded(number)
         found = known.get(key)
         if found is None:
-            known[key] = found = Node(self, len(self.nodes), "const", (exact,), number)
+            known[key] = found = Node(self, len(self.nodes), "const", (exact,), value=number)
             self.nodes.append(found)
             self.constants[found] = float(number)
         return found
@@ -294,8 +287,8 @@ class Tape:
         known = self._known["mul"]
         result = known.get(args)
         if result is None:
-            may_cancel = x.op in FACTORS or y.op in FACTORS
-            result = (self._cancelled(x, y) if may_cancel else None) or self._new(known, "mul", args)
+            rest = self._cancelled(x, y) if x.op in FACTORS or y.op in FACTORS else None
+            result = rest or self._new(known, "mul", args)
         return self.neg(result) if negative else result
 
     def _cancelled(self, x: Node, y: Node) -> Node | None:
@@ -353,7 +346,7 @@ class Tape:
                     chain = arg.chain
             chain += op in WAITS
         nodes = self.nodes
-        known[args] = made = Node(self, len(nodes), op, args, value, chain)
+        known[args] = made = Node(self, len(nodes), op, args, value=value, chain=chain)
         nodes.append(made)
         return made
 
