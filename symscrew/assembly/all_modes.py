@@ -17,7 +17,7 @@ import numpy as np
 from symscrew import notebook
 from symscrew.algebra import CONTEXT
 from symscrew.assembly.batch_equations import BatchEquations
-from symscrew.assembly.certified_roots import Certificate, read
+from symscrew.assembly.certified_roots import Certificate
 from symscrew.assembly.completeness import Completeness, proof_of
 from symscrew.assembly.coupled_columns import Follower
 from symscrew.assembly.elementary_graph import held_graph
@@ -27,11 +27,12 @@ from symscrew.assembly.joint_angles import CLOSED, JointAngles
 from symscrew.assembly.mode_names import Named, distances_of, names_by_ways, numbered
 from symscrew.assembly.mode_signs import LOCKED, ModeSigns
 from symscrew.assembly.path_tracking import Tracker
+from symscrew.assembly.rectangles import read
 from symscrew.assembly.root_bounds import Bound
 from symscrew.assembly.slot_numbers import Displacements, Scalars
 from symscrew.assembly.split_roots import NEAR, split_ends
 from symscrew.assembly.start_system import StartSystem, start_system, together
-from symscrew.assembly.target_roots import Account, End, target_roots
+from symscrew.assembly.target_roots import Account, End, reference_end, target_roots
 from symscrew.assembly.what_is_held import Held, held_by
 from symscrew.assembly.without_boxes import without_boxes
 from symscrew.description import Mechanism
@@ -43,6 +44,8 @@ DIGITS_60 = Scalars(CONTEXT.cos, CONTEXT.sin, CONTEXT.mpf)
 SAME_PLACE = 1e-9
 """Difference of poses, of rotations and sizes of the mechanism, of which only joints of limbs differ: certified poses
 have 1e-16."""
+AT_REFERENCE = 1e-4
+"""Distance of points of length one of a zero that is the reference: where several zeros meet paths end at 1e-5."""
 FOLLOWED = 1e-9
 """Displacements of what is held too much, rad and sizes of the mechanism, that are met: loops close to 1e-12."""
 
@@ -232,6 +235,7 @@ class _Search:
         fine = Displacements(self.structure, DIGITS_60, self.held.exact).slots()
         boxes = [read(s) if np.ndim(s) == 0 else [read(c) for c in s] for s in fine]
         account = split_ends(self.equations, boxes, account)
+        account = self._with_reference(start, account)
         account = without_boxes(self.held, self.family, account, known_zero(self.equations))
         ends = [end for end in account.ends if end.kind == "real"]
         ends = [_polished(self.equations, self.family, self.held, end) for end in ends]
@@ -248,6 +252,19 @@ class _Search:
             bound, complete, why, self.family, self.held.values, self.held.chosen,
             self.held.followers,
         )  # fmt: skip
+
+    def _with_reference(self, start: StartSystem, account: Account) -> Account:
+        """The account with the reference, where that is what is asked for and no path came to it.
+
+        So it is where more is free in it than what is held: paths end elsewhere on its curve, or nowhere real.
+        """
+        if any(self.held.values.values()):
+            return account
+        place = reference_end(
+            self.family, start, self.family.member(dict(self.held.values)), known_zero(self.equations)
+        )
+        near = any(end.kind == "real" and np.abs(end.z - place.z).max() < AT_REFERENCE for end in account.ends)
+        return account if near else replace(account, ends=(*account.ends, place))
 
     def _names(self, start: StartSystem, modes: Sequence[AssemblyMode]) -> list[str]:
         """Of modes at what is held, by straight ways to the reference."""

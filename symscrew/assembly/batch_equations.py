@@ -74,25 +74,17 @@ class BatchEquations:
 
     def evaluate(self, z: Array, c: Array) -> tuple[Array, Array]:
         """(F N x rows, dF/dz N x rows x width) at points N x width with coefficients N x all, or one row for all."""
-        count = len(z)
-        pieces = [c[:, a:b] for a, b in pairwise(self.ends)]
-        motions = [p.reshape(len(c), *shape) for p, shape in zip(pieces, self.shapes[0], strict=False)]
-        made = [(m @ z[:, part, None])[..., 0] for m, part in zip(motions, self.parts, strict=True)]
-        values = np.zeros((count, self.rows), dtype=complex)
-        slopes = np.zeros((count, self.rows, self.width), dtype=complex)
+        values = np.zeros((len(z), self.rows), dtype=complex)
+        slopes = np.zeros((len(z), self.rows, self.width), dtype=complex)
+        motions, loops = self._matrices(c)
+        made = self._made(motions, z)
         row = 0
-        for k, way in enumerate(self.ways):
-            shape = self.shapes[1][k]
-            square, linear = (pieces[len(motions) + 2 * k + j].reshape(len(c), *shape[j]) for j in range(2))
+        for way, loop in zip(self.ways, loops, strict=True):
             g, along = self._product(way, made, motions)
-            steep = (square @ g[:, None, :, None])[..., 0]
-            both = np.concatenate([steep, np.broadcast_to(linear, (count, *shape[1]))], axis=1)
-            size = both.shape[1]
-            values[:, row : row + size] = (both @ g[..., None])[..., 0]
-            values[:, row : row + shape[0][0]] *= 0.5
+            both, values[:, row : row + self._size(loop)] = self._forms(loop, g)
             for factor, slope in along:
-                slopes[:, row : row + size, self.parts[factor.group]] = both @ slope
-            row += size
+                slopes[:, row : row + self._size(loop), self.parts[factor.group]] = both @ slope
+            row += self._size(loop)
         for k in self.free:
             x = z[:, self.parts[k]]
             values[:, row] = (x[:, :4] * x[:, 4:]).sum(axis=1)
@@ -100,15 +92,64 @@ class BatchEquations:
             row += 1
         return values, slopes
 
+    def values(self, z: Array, c: Array) -> Array:
+        """F alone, N x rows, as `evaluate` gives it: a third of its time."""
+        values = np.zeros((len(z), self.rows), dtype=complex)
+        motions, loops = self._matrices(c)
+        made = self._made(motions, z)
+        row = 0
+        for way, loop in zip(self.ways, loops, strict=True):
+            g = self._passed(way, made)[1][-1]
+            values[:, row : row + self._size(loop)] = self._forms(loop, g)[1]
+            row += self._size(loop)
+        for k in self.free:
+            x = z[:, self.parts[k]]
+            values[:, row] = (x[:, :4] * x[:, 4:]).sum(axis=1)
+            row += 1
+        return values
+
+    def _matrices(self, c: Array) -> tuple[list[Array], list[tuple[Array, Array]]]:
+        """(of each group's motion, (quadratic forms, linear forms) of each loop) out of coefficients in a row."""
+        pieces = [c[:, a:b] for a, b in pairwise(self.ends)]
+        motions = [p.reshape(len(c), *shape) for p, shape in zip(pieces, self.shapes[0], strict=False)]
+        rest = iter(pieces[len(motions) :])
+        loops = [(next(rest).reshape(len(c), *q), next(rest).reshape(len(c), *l)) for q, l in self.shapes[1]]
+        return motions, loops
+
+    def _made(self, motions: Sequence[Array], z: Array) -> list[Array]:
+        """The displacement that each group makes, N x 8."""
+        return [(m @ z[:, part, None])[..., 0] for m, part in zip(motions, self.parts, strict=True)]
+
+    @staticmethod
+    def _size(loop: tuple[Array, Array]) -> int:
+        """Rows of a loop."""
+        return loop[0].shape[1] + loop[1].shape[1]
+
+    @staticmethod
+    def _forms(loop: tuple[Array, Array], g: Array) -> tuple[Array, Array]:
+        """(the derivative of a loop's forms by the displacement around it, the forms themselves)."""
+        square, linear = loop
+        steep = (square @ g[:, None, :, None])[..., 0]
+        both = np.concatenate([steep, np.broadcast_to(linear, (len(g), *linear.shape[1:]))], axis=1)
+        values = (both @ g[..., None])[..., 0]
+        values[:, : steep.shape[1]] *= 0.5
+        return both, values
+
+    @staticmethod
+    def _passed(way: Sequence[_Factor], made: Sequence[Array]) -> tuple[list[Array], list[Array]]:
+        """(the displacements on the way around a loop, the product of those up to each)."""
+        turned = [made[f.group] * CONJUGATE if f.back else made[f.group] for f in way]
+        before = [turned[0]]
+        for factor in turned[1:]:
+            before.append((_times(LEFT, before[-1]) @ factor[..., None])[..., 0])
+        return turned, before
+
     def _product(
         self, way: Sequence[_Factor], made: Sequence[Array], motions: Sequence[Array]
     ) -> tuple[Array, list[tuple[_Factor, Array]]]:
         """(g, its derivative by each group on the way)."""
-        turned = [made[f.group] * CONJUGATE if f.back else made[f.group] for f in way]
+        turned, before = self._passed(way, made)
         slopes = [motions[f.group] * CONJUGATE[:, None] if f.back else motions[f.group] for f in way]
-        before = [turned[0]]
-        for factor in turned[1:]:
-            before.append((_times(LEFT, before[-1]) @ factor[..., None])[..., 0])
         result: list[tuple[_Factor, Array]] = []
         behind = None
         for k in range(len(way) - 1, -1, -1):

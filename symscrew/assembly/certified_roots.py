@@ -15,16 +15,24 @@ from typing import Any
 
 import numpy as np
 
-from symscrew.algebra import CONTEXT
 from symscrew.assembly.batch_equations import BatchEquations
 from symscrew.assembly.dual_forms import CONJUGATE, PRODUCT, SIZE
+from symscrew.assembly.rectangles import (
+    ONE,
+    Rectangle,
+    chain,
+    dot,
+    exactly,
+    fine,
+    finely,
+    middle_of_box,
+    product,
+    whole,
+)
 from symscrew.assembly.slot_numbers import matrices
 
 Array = np.ndarray[Any, Any]
 
-BITS = 200
-"""Of the fraction of fixed-point numbers: 60 digits."""
-ONE = 1 << BITS
 RADII = (1e-7, 1e-10, 1e-13)
 """Of boxes around points whose largest coordinates are 1: the largest that is accepted says most of how far apart zeros
 are; the smallest is a hundred times rounding."""
@@ -36,84 +44,6 @@ TWICE = 2.0
 """A step of half the box leaves the other half for how the derivative varies in it."""
 WIDE = 1.5
 """Least box of a step over the way of the zero in it, so that its ends lie inside."""
-TERMS = [(k, i, j, int(PRODUCT[k, i, j])) for k in range(SIZE) for i in range(SIZE) for j in range(SIZE)
-         if PRODUCT[k, i, j]]  # fmt: skip
-
-
-class Rectangle:
-    """Complex numbers between two corners, integers in units of 2^-200; a real interval has `imaginary` (0, 0)."""
-
-    __slots__ = ("imaginary", "real")
-
-    def __init__(self, real: tuple[int, int], imaginary: tuple[int, int] = (0, 0)) -> None:
-        self.real, self.imaginary = real, imaginary
-
-    def __add__(self, other: Rectangle | int) -> Rectangle:
-        o = other if isinstance(other, Rectangle) else whole(other)
-        (a, b), (c, d), (e, f), (g, h) = self.real, o.real, self.imaginary, o.imaginary
-        return Rectangle((a + c, b + d), (e + g, f + h))
-
-    __radd__ = __add__
-
-    def __neg__(self) -> Rectangle:
-        return Rectangle((-self.real[1], -self.real[0]), (-self.imaginary[1], -self.imaginary[0]))
-
-    def __sub__(self, other: Rectangle | int) -> Rectangle:
-        return self + -(other if isinstance(other, Rectangle) else whole(other))
-
-    def __rsub__(self, other: int) -> Rectangle:
-        return whole(other) - self
-
-    def __mul__(self, other: Rectangle | int) -> Rectangle:
-        if not isinstance(other, Rectangle):
-            (a, b), (e, f), n = self.real, self.imaginary, int(other)
-            one, two = (n * a, n * b), (n * e, n * f)
-            return Rectangle(one, two) if n >= 0 else Rectangle(one[::-1], two[::-1])
-        real = _times(self.real, other.real)
-        if self.imaginary == (0, 0) and other.imaginary == (0, 0):
-            return Rectangle(real)
-        low = _times(self.imaginary, other.imaginary)
-        one, two = _times(self.real, other.imaginary), _times(self.imaginary, other.real)
-        return Rectangle((real[0] - low[1], real[1] - low[0]), (one[0] + two[0], one[1] + two[1]))
-
-    __rmul__ = __mul__
-
-    def inside(self, other: Rectangle) -> bool:
-        """Whether it is in the inside of another."""
-        (a, b), (c, d) = self.real, other.real
-        if not c < a <= b < d:
-            return False
-        (a, b), (c, d) = self.imaginary, other.imaginary
-        return c < a <= b < d or other.imaginary == (0, 0) == self.imaginary
-
-
-def _times(a: tuple[int, int], b: tuple[int, int]) -> tuple[int, int]:
-    if a == (0, 0) or b == (0, 0):
-        return (0, 0)
-    products = (a[0] * b[0], a[0] * b[1], a[1] * b[0], a[1] * b[1])
-    return min(products) >> BITS, -(-max(products) >> BITS)
-
-
-def whole(value: int) -> Rectangle:
-    """An integer."""
-    return Rectangle((int(value) << BITS, int(value) << BITS))
-
-
-def exactly(value: complex) -> Rectangle:
-    """A double, or two, with all their digits that are not below 2^-200."""
-    parts = []
-    for c in (complex(value).real, complex(value).imag):
-        n, d = c.as_integer_ratio()
-        parts.append(((n << BITS) // d, -((-n << BITS) // d)))
-    return Rectangle(*parts)
-
-
-def read(value: Any) -> Rectangle:
-    """A number of 60 digits, right in its last but one."""
-    scaled = CONTEXT.mpf(value) * ONE
-    low = int(CONTEXT.floor(scaled))
-    slack = max(1, abs(low) >> (BITS - 8))  # eight bits for what rounding to 60 digits leaves
-    return Rectangle((low - slack, low + 1 + slack)) if value else Rectangle((0, 0))
 
 
 @dataclass(frozen=True)
@@ -237,8 +167,8 @@ class Chart:
         for i, row in enumerate(self.y):
             total = -self.step[i]
             for j, column in enumerate(self.open):
-                product = _sum([row[m] * slopes[r][column] for m, r in enumerate(self.rows)])
-                total = total + ((1 if i == j else 0) - product) * spread
+                near_one = dot(row, [slopes[r][column] for r in self.rows])
+                total = total + ((1 if i == j else 0) - near_one) * spread
             if not total.inside(spread):
                 return False
         return True
@@ -247,7 +177,7 @@ class Chart:
         result = []
         for motion, part in zip(self.motions, self.equations.parts, strict=True):
             own = z[part]
-            result.append([_sum([_product(motion[i, j], own[j]) for j in range(len(own))]) for i in range(SIZE)])
+            result.append([dot(row, own) for row in motion])
         return result
 
     def _way(self, k: int, made: Sequence[Sequence[Rectangle]]) -> list[list[Rectangle]]:
@@ -257,13 +187,13 @@ class Chart:
     def _values(self, z: Sequence[Rectangle]) -> list[Rectangle]:
         made, result = self._factors(z), list[Rectangle]()
         for k, (square, linear) in enumerate(self.loops):
-            g = _chain(self._way(k, made))
+            g = chain(self._way(k, made))
             for form in square:  # twice the form: rows are scaled alike below
-                result.append(_sum([_product(form[i, j], g[i]) * g[j] for i in range(SIZE) for j in range(SIZE)]))
-            result += [_sum([_product(row[i], g[i]) for i in range(SIZE)]) for row in linear]
+                result.append(dot(g, [dot(row, g) for row in form]))
+            result += [dot(row, g) for row in linear]
         for place in self.equations.free:
             x = z[self.equations.parts[place]]
-            result.append(_sum([x[i] * x[i + 4] for i in range(4)]))
+            result.append(dot(x[:4], x[4:]))
         squares = self._squares()
         return [Rectangle(*((r[0] >> 1, -(-r[1] >> 1)) for r in (v.real, v.imaginary))) if k in squares else v
                 for k, v in enumerate(result)]  # fmt: skip
@@ -280,18 +210,19 @@ class Chart:
         rows: list[list[Rectangle]] = []
         for k, (square, linear) in enumerate(self.loops):
             factors = self._way(k, made)
-            g = _chain(factors)
-            both = [[_sum([_product(form[i, j], g[j]) for j in range(SIZE)]) for i in range(SIZE)] for form in square]
-            both += [[_product(c, whole(1)) for c in row] for row in linear]
+            g = chain(factors)
+            both = [[dot(row, g) for row in form] for form in square]
+            both += [[product(c, whole(1)) for c in row] for row in linear]
             block = [[zero] * self.equations.width for _ in both]
             for place, factor in enumerate(self.equations.ways[k]):
+                before = [chain(factors[:place])] if place else []
                 motion, part = self.motions[factor.group], self.equations.parts[factor.group]
                 for j in range(part.stop - part.start):
-                    column = [_product(motion[i, j], whole(1)) * (int(CONJUGATE[i]) if factor.back else 1)
+                    column = [product(motion[i, j], whole(1)) * (int(CONJUGATE[i]) if factor.back else 1)
                               for i in range(SIZE)]  # fmt: skip
-                    slope = _chain([*factors[:place], column, *factors[place + 1 :]])
+                    slope = chain([*before, column, *factors[place + 1 :]])
                     for n, form in enumerate(both):
-                        block[n][part.start + j] = _sum([a * b for a, b in zip(form, slope, strict=True)])
+                        block[n][part.start + j] = dot(form, slope)
             rows += block
         for place in self.equations.free:
             part, row = self.equations.parts[place], [zero] * self.equations.width
@@ -324,7 +255,7 @@ class _Krawczyk(Chart):
         y = [[exactly(c) for c in row] for row in inverse]
         residual = [self._values(self.at_middle)[k] for k in self.rows]
         self.y = y
-        self.step = [_sum([a * b for a, b in zip(row, residual, strict=True)]) for row in y]
+        self.step = [dot(row, residual) for row in y]
 
     def kind(self, radius: float) -> str:
         """What the zero in the box of this radius is."""
@@ -343,7 +274,7 @@ class _Krawczyk(Chart):
         for _ in range(REFINEMENTS):
             residual = self._values(point)
             for i, k in enumerate(self.open):
-                step = _sum([a * residual[r] for a, r in zip(self.y[i], self.rows, strict=True)])
+                step = dot(self.y[i], [residual[r] for r in self.rows])
                 (a, b), (c, d) = (point[k] - step).real, (point[k] - step).imaginary
                 point[k] = Rectangle(((a + b) // 2,) * 2, ((c + d) // 2,) * 2)
         return np.array([middle_of_box(c) for c in point])
@@ -361,13 +292,13 @@ class FineTest(Chart):
 
     def values_at(self, z: Sequence[Any]) -> list[Any]:
         """F in 60 digits, of the rows that count."""
-        values = self._values([_finely(c) for c in z])
-        return [_fine(values[k]) for k in self.rows]
+        values = self._values([finely(c) for c in z])
+        return [fine(values[k]) for k in self.rows]
 
     def slopes_at(self, z: Sequence[Any]) -> list[list[Any]]:
         """dF in 60 digits: rows that count, coordinates that are not 1."""
-        slopes = self._slopes([_finely(c) for c in z])
-        return [[_fine(slopes[r][k]) for k in self.open] for r in self.rows]
+        slopes = self._slopes([finely(c) for c in z])
+        return [[fine(slopes[r][k]) for k in self.open] for r in self.rows]
 
     @property
     def size(self) -> float:
@@ -376,62 +307,16 @@ class FineTest(Chart):
 
     def held(self, z: Sequence[Any], inverse: Sequence[Sequence[Any]], radii: Sequence[float]) -> float | None:
         """The first of these radii of a box around z that holds one zero, None where there is none."""
-        self.at_middle = [_finely(c) for c in z]
+        self.at_middle = [finely(c) for c in z]
         self.real = not any(c.imaginary != (0, 0) for c in self.at_middle)
-        self.y = [[_finely(c) for c in row] for row in inverse]
+        self.y = [[finely(c) for c in row] for row in inverse]
         values = self._values(self.at_middle)
         residual = [values[k] for k in self.rows]
-        self.step = [_sum([a * b for a, b in zip(row, residual, strict=True)]) for row in self.y]
+        self.step = [dot(row, residual) for row in self.y]
         return next((radius for radius in radii if self.holds(radius)), None)
-
-
-def fine_middle(z: Sequence[Rectangle]) -> list[Any]:
-    """Middles in 60 digits."""
-    return [_fine(c) for c in z]
-
-
-def _fine(value: Rectangle) -> Any:
-    return CONTEXT.mpc(CONTEXT.mpf(sum(value.real)) / (2 * ONE), CONTEXT.mpf(sum(value.imaginary)) / (2 * ONE))
-
-
-def _finely(value: Any) -> Rectangle:
-    """A point within 2^-200 of a number of 60 digits."""
-    parts = [int(CONTEXT.floor(c * ONE)) for c in (value.real, value.imag)]
-    return Rectangle((parts[0], parts[0]), (parts[1], parts[1]))
 
 
 def _two_rows(block: Array) -> list[int]:
     """The rows of an antisymmetric matrix of rank two whose common entry is largest."""
     sizes = np.abs(np.vectorize(middle_of_box)(block[:, :4]).astype(complex))
     return sorted(int(k) for k in np.unravel_index(int(sizes.argmax()), sizes.shape))
-
-
-def middle_of_box(value: Any) -> complex:
-    """Of a rectangle; a number itself."""
-    if not isinstance(value, Rectangle):
-        return complex(value)
-    return complex(sum(value.real) / 2 / ONE, sum(value.imaginary) / 2 / ONE)
-
-
-def _product(a: Any, b: Rectangle) -> Rectangle:
-    """A product of which the first factor may be an integer."""
-    return b * (a if isinstance(a, Rectangle) else int(a))
-
-
-def _sum(values: Sequence[Rectangle]) -> Rectangle:
-    total = Rectangle((0, 0))
-    for value in values:
-        total = total + value
-    return total
-
-
-def _chain(factors: Sequence[Sequence[Rectangle]]) -> list[Rectangle]:
-    """The product of dual quaternions."""
-    result = list(factors[0])
-    for factor in factors[1:]:
-        after = [Rectangle((0, 0)) for _ in range(SIZE)]
-        for k, i, j, sign in TERMS:
-            product = result[i] * factor[j]
-            after[k] = after[k] + (product if sign > 0 else -product)
-        result = after
-    return result

@@ -102,33 +102,42 @@ STUDY = np.block([[np.zeros((4, 4), dtype=int), np.eye(4, dtype=int)], [np.eye(4
 TURNED, MOVED, MOVED_BACK, LINES = _turned(), _moved(back=False), _moved(back=True), _lines()
 
 
+def _add(form: Array, table: Array, factor: Any) -> None:
+    """Add a table of integers, of which most are 0, times a scalar that may be dear."""
+    for place in zip(*np.nonzero(table), strict=True):
+        form[place] = form[place] + factor * int(table[place])
+
+
 def distance(p: Vector, a: Vector, c: Any) -> Array:
     """|x|^2 c + 4 |y|^2 + 2 p t' - 2 a t - 2 a M p, t = 2 y x*, t' = 2 x* y, M p = x p x*; twice its matrix."""
-    form: Array = NORM.astype(object) * c + 4 * SECOND
+    form: Array = 4 * SECOND.astype(object)
+    _add(form, NORM, c)
     for k in range(3):
-        form = form + MOVED_BACK[k].astype(object) * (2 * p[k]) - MOVED[k].astype(object) * (2 * a[k])
+        _add(form, MOVED_BACK[k], 2 * p[k])
+        _add(form, -MOVED[k], 2 * a[k])
         for l in range(3):
-            form = form - TURNED[k, l].astype(object) * (2 * (a[k] * p[l]))
+            _add(form, -TURNED[k, l], 2 * (a[k] * p[l]))
     return form
 
 
 def angle(w: Vector, u: Vector, k: Any) -> Array:
     """u M w - k |x|^2; twice its matrix."""
-    form: Array = NORM.astype(object) * -k
+    form: Array = np.zeros((SIZE, SIZE), dtype=object)
+    _add(form, NORM, -k)
     for i in range(3):
         for j in range(3):
-            form = form + TURNED[i, j].astype(object) * (u[i] * w[j])
+            _add(form, TURNED[i, j], u[i] * w[j])
     return form
 
 
 def crossing(w: Vector, p: Vector, u: Vector, a: Vector) -> Array:
     """u m' + (a x u) w' of the lines w through p, displaced, and u through a; twice its matrix."""
     m, n = _moment(p, w), _moment(a, u)
-    form: Array = NORM.astype(object) * 0
+    form: Array = np.zeros((SIZE, SIZE), dtype=object)
     for k in range(3):
         for l in range(3):
-            form = form + LINES[k, l].astype(object) * (u[k] * w[l])
-            form = form + TURNED[k, l].astype(object) * (u[k] * m[l] + n[k] * w[l])
+            _add(form, LINES[k, l], u[k] * w[l])
+            _add(form, TURNED[k, l], u[k] * m[l] + n[k] * w[l])
     return form
 
 

@@ -20,9 +20,10 @@ import numpy as np
 
 from symscrew.algebra import CONTEXT
 from symscrew.assembly.batch_equations import BatchEquations
-from symscrew.assembly.certified_roots import FineTest, fine_middle, read
+from symscrew.assembly.certified_roots import FineTest
 from symscrew.assembly.exact_slots import ExactEquations, Series, exact_equations
 from symscrew.assembly.meeting_zeros import meeting_zeros
+from symscrew.assembly.rectangles import fine_middle, read
 from symscrew.assembly.what_is_held import Held
 from symscrew.mobility import Exact, NotAlgebraicError, NotDecidableError, exact_value, generator_itself
 

@@ -419,13 +419,17 @@ static int all_ends(const Path *way, int *ends, double (*zeros)[WIDTH][2], int *
     return size;
 }
 
+/* Part of a number that is its error, from which it would not be seen which zeros are real: where two are near they
+   change by its root, and they are taken to be real to 1e-5. */
+#define LOOSE 1e-10
+
 int MODES(const double *drives, MODE *modes, int *count)
 {
     Ball balls[N_DRIVES], slots[N_SLOTS][3];
     Place places[N_BODIES];
     Path way;
     double zeros[N_PATHS][WIDTH][2], closed[N_PATHS][WIDTH], real[WIDTH], sum = 0.0;
-    int ends[N_PATHS], lost = 0;
+    int ends[N_PATHS], lost = 0, loose = 0;
     *count = 0;
     for (int k = 0; k < N_DRIVES; ++k) {
         sum += 0.0 * drives[k];
@@ -438,6 +442,7 @@ int MODES(const double *drives, MODE *modes, int *count)
     for (int k = 0; k < N_SLOTS; ++k) {
         for (int i = 0; i < 3; ++i) {
             way.goal[k][i] = slots[k][i].m;
+            loose |= !(slots[k][i].r < LOOSE * (1.0 + fabs(slots[k][i].m))); /* of many turns */
         }
     }
 #if N_PAIRS
@@ -452,7 +457,7 @@ int MODES(const double *drives, MODE *modes, int *count)
         lost += added(drives, places, slots, closed[k], modes, count) || *count == before; /* two came to one */
     }
     if (known >= 0) {
-        return lost > 0 ? MODES_INCOMPLETE : 0;
+        return lost > 0 || loose ? MODES_INCOMPLETE : 0;
     }
     static const double bends[] = {0.0, 0.4, -0.4};
     for (int k = 0, behind = 1; k < 3 && behind > 0; ++k) {
@@ -470,5 +475,5 @@ int MODES(const double *drives, MODE *modes, int *count)
         }
         lost += added(drives, places, slots, real, modes, count);
     }
-    return lost > 0 ? MODES_INCOMPLETE : 0;
+    return lost > 0 || loose ? MODES_INCOMPLETE : 0;
 }

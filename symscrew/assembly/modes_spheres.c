@@ -82,6 +82,33 @@ static int on_spheres(const Spheres *at, const double *x, double *error)
         (defect + rate * radius) * SLACK < 1.0;
 }
 
+/* Whether the spheres have no point in common, for all errors of their centres: with y = x + u_0, one . y = p and
+   two . y = q, the least |y| of these is |p two - q one| / |n|, further than the first sphere is wide. Centres near a
+   line leave little of either, and little is proved there. */
+static int apart(const Spheres *at, const double *one, const double *two, const double *n)
+{
+    double a = 0.0, b = 0.0, sizes = 0.0, w[3];
+    for (int i = 0; i < 3; ++i) {
+        a += fabs(one[i]);
+        b += fabs(two[i]);
+        sizes += fabs(at->u[0][i]) + fabs(at->u[1][i]) + fabs(at->u[2][i]);
+    }
+    const double p = 0.5 * (at->square[1] - at->square[0] - inner(one, one));
+    const double q = 0.5 * (at->square[2] - at->square[0] - inner(two, two));
+    for (int i = 0; i < 3; ++i) {
+        w[i] = p * two[i] - q * one[i];
+    }
+    /* bounds on errors, of sums of parts for norms: `off` of entries of one and two, then of p, q, w and n */
+    const double off = at->off[0] + at->off[1] + at->off[2] + 4.0 * UNIT * sizes;
+    const double off_p = 8.0 * UNIT * (at->square[1] + at->square[0] + a * a) + (a + 3.0 * off) * off;
+    const double off_q = 8.0 * UNIT * (at->square[2] + at->square[0] + b * b) + (b + 3.0 * off) * off;
+    const double off_w = 3.0 * off * (fabs(p) + fabs(q)) + off_p * (b + 3.0 * off) + off_q * (a + 3.0 * off) +
+        4.0 * UNIT * (fabs(p) * b + fabs(q) * a);
+    const double off_n = 2.0 * off * (a + b + 3.0 * off) + 4.0 * UNIT * a * b;
+    const double wide = sqrt(at->square[0]) * (sqrt(inner(n, n)) * SLACK + off_n) * SLACK * SLACK;
+    return sqrt(inner(w, w)) > (wide + off_w * SLACK) * SLACK;
+}
+
 int LEVEL(const double *drives, MODE *modes, int *count)
 {
     Spheres at;
@@ -115,10 +142,10 @@ int LEVEL(const double *drives, MODE *modes, int *count)
         a[i] = foot[i] + at.u[0][i];
     }
     const double middle = inner(a, n) / size, rest = middle * middle - (inner(a, a) - at.square[0]) / size;
-    const double rounding = 1e-13 * (middle * middle + (inner(a, a) + at.square[0]) / size);
-    if (rest < -rounding) {
+    if (rest < 0.0 && apart(&at, one, two, n)) {
         return 0;
     }
+    double between = 2.0 * sqrt(rest > 0.0 ? rest * size : 0.0);
     for (int k = 0; k < 2; ++k) {
         MODE *mode = &modes[*count];
         const double along = (k ? 1.0 : -1.0) * sqrt(rest > 0.0 ? rest : 0.0) - middle;
@@ -145,7 +172,12 @@ int LEVEL(const double *drives, MODE *modes, int *count)
         }
         mode->error = error;
         mode->certified = 1;
+        between -= 2.0 * error;
         ++*count;
+    }
+    if (*count == 2 && !(between > 0.0)) { /* both may be the same */
+        *count = 0;
+        return MODES_INCOMPLETE;
     }
     return lost ? MODES_INCOMPLETE : 0;
 }

@@ -16,9 +16,10 @@ from typing import Any
 import numpy as np
 
 from symscrew.assembly.batch_equations import BatchEquations
-from symscrew.assembly.certified_roots import Certificate, Chart, middle_of_box
+from symscrew.assembly.certified_roots import Certificate, Chart
 from symscrew.assembly.joint_angles import CLOSED
 from symscrew.assembly.proved_way import ProvedWay
+from symscrew.assembly.rectangles import middle_of_box
 from symscrew.assembly.what_is_held import Held
 from symscrew.mobility import analyse_mobility
 

@@ -90,11 +90,12 @@ class Tracker:
     def rate(self, z: Array, s: Array, way: Coefficients) -> Array:
         """dz/ds across every group."""
         _, slopes = self.equations.evaluate(z, way(s))
-        more, _ = self.equations.evaluate(z, way(s + DIFFERENCE))
-        less, _ = self.equations.evaluate(z, way(s - DIFFERENCE))
+        count, aside = len(z), np.concatenate([s + DIFFERENCE, s - DIFFERENCE])
+        values = self.equations.values(np.concatenate([z, z]), way(aside))
         patches = self.equations.patches(z)
         slopes = np.concatenate([slopes, patches], axis=1)
-        values = np.concatenate([(more - less) / (2 * DIFFERENCE), np.zeros(patches.shape[:2])], axis=1)
+        change = (values[:count] - values[count:]) / (2 * DIFFERENCE)
+        values = np.concatenate([change, np.zeros(patches.shape[:2])], axis=1)
         return solve(slopes, -values)
 
     def predicted(self, z: Array, s: Array, h: Array, way: Coefficients) -> Array:

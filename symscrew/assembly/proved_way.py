@@ -13,11 +13,12 @@ import numpy as np
 
 from symscrew.algebra import CONTEXT
 from symscrew.assembly.batch_equations import BatchEquations
-from symscrew.assembly.certified_roots import ONE, Rectangle, held_by_box, held_within, read
+from symscrew.assembly.certified_roots import held_by_box, held_within
 from symscrew.assembly.coupled_columns import Follower
 from symscrew.assembly.families import COMPLEX
 from symscrew.assembly.joint_angles import CLOSED
 from symscrew.assembly.path_tracking import Tracker
+from symscrew.assembly.rectangles import ONE, Rectangle, read
 from symscrew.assembly.slot_numbers import Displacements, Scalars
 
 Array = np.ndarray[Any, Any]

@@ -18,7 +18,8 @@ import numpy as np
 
 from symscrew.algebra import CONTEXT
 from symscrew.assembly.batch_equations import BatchEquations
-from symscrew.assembly.certified_roots import Certificate, FineTest, fine_middle
+from symscrew.assembly.certified_roots import Certificate, FineTest
+from symscrew.assembly.rectangles import fine_middle
 from symscrew.assembly.target_roots import Account, End
 
 Array = np.ndarray[Any, Any]

@@ -94,7 +94,7 @@ class Account:
     @property
     def from_random_places(self) -> int:
         """Of the solutions to which no path leads: Newton's method came to them."""
-        return sum(not end.paths for end in self.ends)
+        return sum(not end.paths and end.regular for end in self.ends)
 
 
 def target_roots(family: Family, start: StartSystem, member: Sequence[Any]) -> Account:
@@ -109,6 +109,14 @@ def target_roots(family: Family, start: StartSystem, member: Sequence[Any]) -> A
     roots, ends = min(tried, key=lambda pair: int(_behind(pair[1]).sum()))
     account = roots.account(ends)
     return replace(account, again=account.again + len(tried) - 1)
+
+
+def reference_end(family: Family, start: StartSystem, member: Sequence[Any], known: Array) -> End:
+    """The zero of the reference as an end to which no path leads."""
+    roots = _Roots(family.equations, start, family.way(member, member).at)
+    z = realised(family.equations, family.equations.scaled(known[None])[0])
+    regular = bool(roots.smallest(z[None])[0] > SINGULAR)
+    return End(z, "real", paths=0, regular=regular, curve=not regular and roots.curve(z))
 
 
 def _behind(ends: Ends) -> Array:
@@ -189,19 +197,19 @@ class _Roots:
             else:
                 turned = realised(self.equations, z_end)
                 kind = "real" if np.abs(turned.imag).max() < CLOSE else "complex"
-                _gather(result, End(turned, kind, regular=False, curve=self._curve(turned)))
+                _gather(result, End(turned, kind, regular=False, curve=self.curve(turned)))
         return result
 
     def _around(self, places: Array) -> tuple[Array, Array]:
         """(the means of paths around s = 1, whether they came back), on the largest circle with a zero as its mean."""
         centres, back, there = self._means(places, RADII[0])
         for radius in RADII[1:]:
-            value, _ = self.equations.evaluate(centres, self.goal)
+            value = self.equations.values(centres, self.goal)
             late = np.flatnonzero(there & (~back | ~(np.abs(value).max(axis=1, initial=0.0) < AT_ZERO)))
             if not len(late):
                 break
             again, good, there[late] = self._means(places[late], radius)
-            value, _ = self.equations.evaluate(again, self.goal)
+            value = self.equations.values(again, self.goal)
             good &= np.abs(value).max(axis=1, initial=0.0) < AT_ZERO
             centres[late[good]], back[late[good]] = again[good], True
         return centres, back
@@ -242,7 +250,7 @@ class _Roots:
             result[:, part] /= z[rows, largest][:, None]
         return result
 
-    def _curve(self, z: Array) -> bool:
+    def curve(self, z: Array) -> bool:
         """Whether zeros go on along a null vector, as far as a step of twice the length goes twice as far."""
         _, slopes = self.equations.evaluate(z[None], self.goal)
         whole = np.concatenate([slopes, self.equations.patches(z[None])], axis=1)[0]
@@ -261,7 +269,7 @@ class _Roots:
                 if not np.isfinite(matrix).all():
                     return False
                 there = there - np.linalg.pinv(matrix, rcond=CLOSE) @ right
-            value, _ = self.equations.evaluate(there[None], self.goal)
+            value = self.equations.values(there[None], self.goal)
             if np.abs(value).max() > FLAT or not 0.5 * step < np.linalg.norm(there - z) < 2 * step:
                 return False
         return True

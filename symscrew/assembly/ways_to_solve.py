@@ -11,9 +11,10 @@ import numpy as np
 
 from symscrew.assembly.all_modes import DIGITS_60, known_zero, structure_of
 from symscrew.assembly.batch_equations import BatchEquations
-from symscrew.assembly.certified_roots import certified, read
+from symscrew.assembly.certified_roots import certified
 from symscrew.assembly.families import AllNumbers
 from symscrew.assembly.path_tracking import Tracker
+from symscrew.assembly.rectangles import read
 from symscrew.assembly.slot_numbers import Displacements
 from symscrew.assembly.start_system import start_system, together
 from symscrew.assembly.target_roots import realised, target_roots

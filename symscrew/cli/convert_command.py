@@ -76,9 +76,11 @@ def run(options: argparse.Namespace) -> int:
     path, source = Path(options.out), Path(options.mechanism)
     if path.suffix not in WRITERS:
         raise UsageError(f"--out: expected a name that ends in {', '.join(WRITERS)}, got {options.out!r}")
-    if path.exists() and not options.replace:
-        raise UsageError(f"--out: {path} exists and is left as it is; choose another name, or say --replace")
+    if options.scene and Path(options.scene).resolve() == path.resolve():
+        raise UsageError(f"--scene: expected another file than --out, got {options.scene!r} for both")
     for file, option in ((options.out, "--out"), (options.scene, "--scene")):
+        if file and Path(file).exists() and not options.replace:
+            raise UsageError(f"{option}: {file} exists and is left as it is; choose another name, or say --replace")
         if file:
             check_folder(Path(file).parent, option)
     foreign = source.suffix in READABLE and source.is_file()

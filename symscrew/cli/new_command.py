@@ -142,8 +142,9 @@ def _from_file(options: argparse.Namespace, out: Path) -> int:
     if not options.exact and not options.as_written and meant and not _agreed(meant):
         robot = load_robot(source)
     robot = robot.named(options.name)
-    created(out, to_toml(robot.mechanism))
-    created(scene, scene_text(robot, out.name))
+    texts = {out: to_toml(robot.mechanism), scene: scene_text(robot, out.name)}  # both, before any is written
+    for path, text in texts.items():
+        created(path, text)
     print(f"{out}\n{scene}")
     for line in robot.account.lines():
         print(line, file=sys.stderr)

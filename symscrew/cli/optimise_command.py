@@ -100,13 +100,15 @@ def _found(options: argparse.Namespace, out: Path, picture: Path | None) -> Outc
 def _solved(problem: TrajectoryProblem, out: Path, picture: Path | None, *, rate: float | None) -> Outcome:
     """The motion found and written; its numbers, words and files."""
     from symscrew.cli.same_files import Outcome
-    from symscrew.optimisation import plot_plan, replay, solve, write_plan
+    from symscrew.optimisation import replay, solve, write_plan
 
     found = solve(problem, progress=lambda text: print(text, file=sys.stderr))
     write_plan(found, out, rate=rate)
     again = replay(found) if found.ok else None
     files = {"plan": out.read_bytes()}
     if picture is not None:
+        from symscrew.optimisation import plot_plan  # brings Matplotlib
+
         plot_plan(found, picture, again)
         files["picture"] = picture.read_bytes()
     facts = {"numbers": _numbers(found, again), "lines": summary(found, again)}

@@ -99,7 +99,7 @@ def _made(scene: Scene, out: Path | None, picture: Path | None) -> Outcome:
     """The motion integrated and written; its numbers, words and files."""
     from symscrew.cli.same_files import Outcome
     from symscrew.display import bar_on_terminal
-    from symscrew.simulation import ON_NUMPY, plot_run, prepare, run_summary, simulate, write_run
+    from symscrew.simulation import ON_NUMPY, prepare, run_summary, simulate, write_run
 
     prepared = prepare(scene)
     with bar_on_terminal(total=1.0, desc=scene.name) as bar:
@@ -108,6 +108,8 @@ def _made(scene: Scene, out: Path | None, picture: Path | None) -> Outcome:
     if out is not None:
         files["run"] = write_run(found, out).read_bytes()
     if picture is not None:
+        from symscrew.simulation import plot_run  # brings Matplotlib, a third of a short run's time
+
         files["picture"] = plot_run(found, picture).read_bytes()
     facts = {"numbers": _numbers(found), "lines": run_summary(found), "notices": list(scene.initial.notices)}
     # where a compiler failed, it may do its work the next time

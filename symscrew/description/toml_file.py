@@ -282,6 +282,7 @@ def _number(value: sympy.Expr, written: Texts) -> str:
 def _decimal(value: sympy.Rational) -> str:
     """The decimal that a fraction is exactly, or nothing."""
     with localcontext(prec=17) as context:
+        context.clear_flags()  # those of whatever the process has divided before
         found = Decimal(int(value.p)) / Decimal(int(value.q))
         return "" if context.flags[Inexact] else str(found)
 

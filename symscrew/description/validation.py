@@ -10,6 +10,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import mpmath
+import numpy as np
 import sympy
 
 from symscrew.description.expressions import numeric
@@ -74,7 +75,8 @@ def validate(mechanism: Mechanism, features: Mapping[str, Feature] | None = None
     for name, feature in (features or {}).items():
         _check_closure(mechanism, mechanism.joints[name], feature, size)
     moments = {body.name: _check_inertia(mechanism, body) for body in mechanism.bodies.values()}
-    extents = [_extent_warning(mechanism, name, largest) for name, largest in moments.items()]
+    places = _places(mechanism)
+    extents = [_extent_warning(mechanism, name, places[name], largest) for name, largest in moments.items()]
     return (*(warning for warning in extents if warning), *_far_warnings(mechanism), *_skew_warnings(mechanism))
 
 
@@ -287,15 +289,26 @@ def _only_about_normal(mechanism: Mechanism, rows: Sequence[Numbers]) -> bool:
     return bool(max(rest) <= INERTIA_TOLERANCE * abs(moment))
 
 
-def _extent_warning(mechanism: Mechanism, name: str, largest: mpmath.mpf | None) -> str | None:
+def _places(mechanism: Mechanism) -> dict[str, list[Numbers]]:
+    """Body -> the points of its joints and its named points."""
+    found: dict[str, list[Numbers]] = {name: [] for name in (mechanism.ground, *mechanism.bodies)}
+    for joint in mechanism.joints.values():
+        place = _numbers(mechanism, joint.point, joint.name)
+        for body in dict.fromkeys((joint.parent, joint.child)):
+            found[body].append(place)
+    for point in mechanism.points.values():
+        found[point.body].append(_numbers(mechanism, point.at, point.name))
+    return found
+
+
+def _extent_warning(
+    mechanism: Mechanism, name: str, given: Sequence[Numbers], largest: mpmath.mpf | None
+) -> str | None:
     body = mechanism.bodies[name]
     if not largest or body.mass is None or body.com is None:
         return None
-    joints = [j for j in mechanism.joints.values() if name in (j.parent, j.child)]
-    places = [_numbers(mechanism, joint.point, joint.name) for joint in joints]
-    places += [_numbers(mechanism, p.at, p.name) for p in mechanism.points.values() if p.body == name]
-    places.append(_numbers(mechanism, body.com, name))
-    extent = max(_length((a[0] - b[0], a[1] - b[1], a[2] - b[2])) for a in places for b in places)
+    places = [*given, _numbers(mechanism, body.com, name)]
+    extent = _extent(places)
     radius = _CONTEXT.sqrt(largest / _mpf(mechanism.number(body.mass), name))
     if extent == 0 or radius <= extent:  # a single place says nothing about the body's size
         return None
@@ -304,6 +317,18 @@ def _extent_warning(mechanism: Mechanism, name: str, largest: mpmath.mpf | None)
         f"{mpmath.nstr(extent, 4)} m (joint points, named points and centre of mass); are inertia and units "
         "right?"
     )
+
+
+def _extent(places: Sequence[Numbers]) -> mpmath.mpf:
+    """The largest distance of two places, found in doubles: bodies of files may have thousands of points."""
+    doubles = np.array([[float(entry) for entry in place] for place in places])
+    ends, most = (0, 0), -1.0
+    for k, place in enumerate(doubles):
+        far = np.linalg.norm(doubles - place, axis=1)
+        other = int(far.argmax())
+        ends, most = ((k, other), far[other]) if far[other] > most else (ends, most)
+    a, b = places[ends[0]], places[ends[1]]
+    return _length((a[0] - b[0], a[1] - b[1], a[2] - b[2]))
 
 
 def _skew_warnings(mechanism: Mechanism) -> list[str]:

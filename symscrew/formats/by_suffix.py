@@ -107,6 +107,10 @@ def import_file(
         return imported(_draft(file, given, formats), given)
     except DescriptionError as error:
         raise in_file(file.name, error) from error
+    except OverflowError as error:
+        raise DescriptionError(
+            f"{file.name}: products of its numbers go beyond 1.8e308; expected SI units, in which none does"
+        ) from error
 
 
 def mesh_pictures(path: str | Path, options: ImportOptions | None = None) -> MeshPictures:

@@ -40,6 +40,10 @@ ROUND = (*(CONTEXT.cos(CONTEXT.pi * k / 24) for k in range(12)), CONTEXT.mpf(0))
 """Entries of quaternions of turns by multiples of pi/12."""
 
 
+MOST_NUMBERS = 4
+"""Of an attribute with places, directions and turns."""
+
+
 @dataclass
 class _Changes:
     """How often which text became what, and by how much."""
@@ -75,8 +79,8 @@ def with_exact_digits(root: Element, ledger: Ledger) -> Element:
             rules["xyz"] = _axis if element.tag == "axis" else _lengths
         for key, rule in rules.items():
             text = element.get(key)
-            if rule is None or text is None:
-                continue
+            if rule is None or text is None or len(text.split(maxsplit=MOST_NUMBERS)) > MOST_NUMBERS:
+                continue  # what has more the reader refuses
             given = numbers(text, f"<{element.tag}>, {key}")
             element.set(key, " ".join(rule(given, text.split(), changes)))
     ledger.changed += changes.lines()

@@ -32,6 +32,8 @@ MOST_BYTES = 100_000_000
 """Of a mesh file: the largest that robots have are of some ten megabytes."""
 POINTER = b"version https://git-lfs.github.com/spec/"
 """How a file begins that stands for a large one which was not fetched."""
+FARTHEST = 1e30
+"""Of a coordinate [m]: a mesh beyond it has no moments in doubles, nor vertices in single precision."""
 NO_VOLUME = 1e-12
 """Of the extent cubed: a surface that encloses less is flat or turned inside out, and has no inertia."""
 
@@ -91,9 +93,10 @@ class Meshes:
         back = Pose(from_quaternion(turn, label(mesh)), shift).inverse()
         rotation = np.array([[float(c) for c in row] for row in back.rotation])
         factors = [float(v) for v in numbers(mesh.get("scale", "1 1 1"), f"{label(mesh)}, scale", 3)]
-        placed = triangles @ rotation.T + np.array([float(c) for c in back.translation])
-        found: Array = placed * np.array(factors)  # last, as MuJoCo does it
-        if np.prod(factors) < 0:
+        with np.errstate(over="ignore", invalid="ignore"):  # whoever takes them looks
+            placed = triangles @ rotation.T + np.array([float(c) for c in back.translation])
+            found: Array = placed * np.array(factors)  # last, as MuJoCo does it
+        if np.prod(np.sign(factors)) < 0:
             found = found[:, ::-1]
         return found
 
@@ -107,8 +110,7 @@ class Meshes:
 
 def bulk_of(triangles: Array, where: str, *, legacy: bool = False) -> Bulk:
     """The bulk inside a surface of triangles (n, 3, 3) [m]; `legacy` takes all tetrahedra as positive, see above."""
-    if not len(triangles) or not np.isfinite(triangles).all():
-        raise DescriptionError(f"{where}: the mesh has no triangles, or numbers that are not finite")
+    _check_triangles(triangles, where)
     across = np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0])
     areas = np.linalg.norm(across, axis=1)
     apex = (triangles.mean(axis=1) * areas[:, None]).sum(axis=0) / areas.sum() if areas.any() else triangles[0, 0]
@@ -118,7 +120,7 @@ def bulk_of(triangles: Array, where: str, *, legacy: bool = False) -> Bulk:
         volumes = np.linalg.det(moved) / 6
         volumes = np.abs(volumes) if legacy else volumes
         volume = float(volumes.sum())
-        if abs(volume) < NO_VOLUME * extent**3:
+        if abs(volume) <= NO_VOLUME * extent**3:
             raise DescriptionError(f"{where}: the mesh encloses no volume; give the body an <inertial>")
         sums = moved.sum(axis=1)
         if step == "centre":
@@ -129,14 +131,20 @@ def bulk_of(triangles: Array, where: str, *, legacy: bool = False) -> Bulk:
     return _exactly(sign * volume, apex, sign * spread / 20)
 
 
+def _check_triangles(triangles: Array, where: str) -> None:
+    if not len(triangles):
+        raise DescriptionError(f"{where}: the mesh has no triangles")
+    if not np.abs(triangles).max() < FARTHEST:  # also where a number is none
+        raise DescriptionError(f"{where}: expected vertices within {FARTHEST:g} m, got one farther out or not finite")
+
+
 def shell_of(triangles: Array, where: str) -> Bulk:
     """Area, centre and spread of a surface of triangles (n, 3, 3) [m]."""
-    if not len(triangles) or not np.isfinite(triangles).all():
-        raise DescriptionError(f"{where}: the mesh has no triangles, or numbers that are not finite")
+    _check_triangles(triangles, where)
     across = np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0])
     areas = np.linalg.norm(across, axis=1) / 2
     area = float(areas.sum())
-    if area < NO_VOLUME * float(np.ptp(triangles.reshape(-1, 3), axis=0).max()) ** 2:
+    if area <= NO_VOLUME * float(np.ptp(triangles.reshape(-1, 3), axis=0).max()) ** 2:
         raise DescriptionError(f"{where}: the mesh has no area; give the body an <inertial>")
     centre = (areas[:, None] * triangles.mean(axis=1)).sum(axis=0) / area
     moved = triangles - centre
@@ -192,7 +200,7 @@ def _stl(content: bytes) -> Array:
         found: Array = np.frombuffer(content, kind, offset=84)["corners"].astype(float)
         return found
     lines = (line.split() for line in content.decode("ascii", errors="replace").splitlines())
-    corners = [[float(c) for c in words[1:4]] for words in lines if words[:1] == ["vertex"]]
+    corners = [_place(words) for words in lines if words[:1] == ["vertex"]]
     return np.array(corners, dtype=float).reshape(-1, 3, 3)
 
 
@@ -203,17 +211,27 @@ def _obj(content: bytes) -> Array:
     for line in content.decode("utf-8", errors="replace").splitlines():
         words = line.split()
         if words[:1] == ["v"]:
-            places.append([float(c) for c in words[1:4]])
+            places.append(_place(words))
         elif words[:1] == ["f"]:
             index = [int(word.partition("/")[0]) for word in words[1:]]
-            index = [k - 1 if k > 0 else len(places) + k for k in index]
+            index = [k - 1 if k > 0 else len(places) + k if k else -1 for k in index]
             if len(index) == 4 and _across(places, index[1], index[3]) < _across(places, index[0], index[2]):
                 index = index[1:] + index[:1]
             for k in range(1, len(index) - 1):
                 corners += [index[0], index[k], index[k + 1]]
-    single = np.array(places, dtype=np.float32).reshape(-1, 3)  # as engines store vertices, and STL files
+    if corners and not 0 <= min(corners) <= max(corners) < len(places):
+        raise ValueError(f"a face has a vertex that is none of the {len(places)}")
+    with np.errstate(over="ignore"):
+        single = np.array(places, dtype=np.float32).reshape(-1, 3)  # as engines store vertices, and STL files
     found: Array = single[np.array(corners, dtype=int)].reshape(-1, 3, 3).astype(float)
     return found
+
+
+def _place(words: list[str]) -> list[float]:
+    """The three numbers after the first word of a line."""
+    if len(words) < 4:
+        raise ValueError(f"expected three numbers after {words[0]!r}, got {len(words) - 1}")
+    return [float(c) for c in words[1:4]]
 
 
 def _across(places: list[list[float]], a: int, b: int) -> float:
@@ -221,13 +239,21 @@ def _across(places: list[list[float]], a: int, b: int) -> float:
     return sum((x - y) ** 2 for x, y in zip(places[a], places[b], strict=True))
 
 
+def _in_threes(mesh: Element, key: str) -> Array:
+    """Numbers of an attribute, three a row."""
+    found = [float(v) for v in numbers(mesh.attrib[key], f"{label(mesh)}, {key}")]
+    if len(found) % 3 or not found:
+        raise DescriptionError(f"{label(mesh)}, {key}: expected three numbers each, got {len(found)} in all")
+    rows: Array = np.array(found).reshape(-1, 3)
+    return rows
+
+
 def _written(mesh: Element) -> Array:
     """The triangles of a mesh whose vertices and faces stand in the file; without faces it is their convex hull."""
     if "vertex" not in mesh.attrib or "face" not in mesh.attrib:
         raise DescriptionError(f"{label(mesh)}: expected a file, or vertices with faces")
-    places = np.array([float(v) for v in numbers(mesh.attrib["vertex"], f"{label(mesh)}, vertex")]).reshape(-1, 3)
-    faces = np.array([int(v) for v in numbers(mesh.attrib["face"], f"{label(mesh)}, face")]).reshape(-1, 3)
-    if len(faces) and not 0 <= faces.min() <= faces.max() < len(places):
+    places, faces = (_in_threes(mesh, key) for key in ("vertex", "face"))
+    if not 0 <= faces.min() <= faces.max() < len(places) or (faces != np.floor(faces)).any():
         raise DescriptionError(f"{label(mesh)}, face: expected numbers of vertices from 0 to {len(places) - 1}")
-    found: Array = places[faces]
+    found: Array = places[faces.astype(int)]
     return found

@@ -38,17 +38,32 @@ STRAIGHT = 1e-12
 """Two axes are the same whose directions differ by less: files write turns in 15 digits."""
 
 
+TARGETS = ("joint", "jointinparent", "tendon", "site", "slidersite", "body")
+"""Attributes that say what an actuator acts on, of which it has one."""
+KNOWN = (
+    "name", "class", KIND, "group", "user", *TARGETS, "cranksite", "cranklength", "refsite", "lengthrange", "gear",
+    "ctrllimited", "ctrlrange", "inheritrange", "forcelimited", "forcerange", "actlimited", "actrange", "actearly",
+    "actdim", "dyntype", "gaintype", "biastype", *ARRAYS, "dampratio", "delay", "nsample", "interp", "armature",
+    "damping",
+)  # fmt: skip
+"""Attributes of the kinds whose gains are read, after `mjcf_gains.as_general`."""
+
+
 @dataclass(frozen=True)
 class Actuators:
-    """The actuators of a file: elements with the attributes of their classes, and what they act on."""
+    """The actuators of a file: elements with the attributes of their classes, and what they act on.
+
+    `idle`: those of groups that are off; their rotors turn with the joint all the same.
+    """
 
     listed: Sequence[tuple[Element, Mapping[str, str]]]
     transmissions: Transmissions
+    idle: Sequence[tuple[Element, Mapping[str, str]]] = ()
 
     @classmethod
     def of(cls, root: Element, settings: Settings, transmissions: Transmissions, draft: Draft) -> Actuators:
         """Of the <actuator> sections; raises DescriptionError."""
-        listed = []
+        listed, idle = [], []
         for section in elements(root, "actuator"):
             for element in elements(section):
                 if element.tag not in (*ACTUATORS, "plugin"):
@@ -56,11 +71,13 @@ class Actuators:
                 given = (
                     settings.actuator(element) if element.tag in ACTUATORS else {**element.attrib, KIND: element.tag}
                 )
+                _check_actuator(element, given)
                 if int(number(given.get("group", "0"), f"{label(element)}, group")) in settings.idle_groups:
                     draft.ledger.passed("actuators of groups that are off")
+                    idle.append((element, given))
                     continue
                 listed.append((element, given))
-        return cls(listed, transmissions)
+        return cls(listed, transmissions, idle)
 
     def on_targets(self) -> Iterator[tuple[Element, Mapping[str, str], Target]]:
         """Those on joints and fixed tendons."""
@@ -76,6 +93,18 @@ class Actuators:
             gear = numbers(given.get("gear", "1"), f"{label(element)}, gear")
             found.setdefault(target.joint, set()).update(k for k, value in enumerate(gear) if value != 0)
         return {name: tuple(sorted(indices)) for name, indices in found.items()}
+
+
+def _check_actuator(element: Element, given: Mapping[str, str]) -> None:
+    """Refuse what is not read of the kinds that are, and two things that one actuator acts on."""
+    targets = [key for key in TARGETS if key in element.attrib]
+    if len(targets) > 1:
+        raise DescriptionError(f"{label(element)}: expected one thing to act on, got {' and '.join(targets)}")
+    for key in given if given[KIND] in OWN else ():
+        if key not in KNOWN:
+            raise DescriptionError(
+                f"{label(element)}: the attribute {shorten(key)} is not supported; {did_you_mean(key, KNOWN)}"
+            )
 
 
 def actuator_forces(

@@ -16,6 +16,7 @@ import numpy as np
 from symscrew.description import Mechanism
 from symscrew.errors import DescriptionError
 from symscrew.formats.imported import Beside, JointLimits
+from symscrew.formats.mjcf_forces import SLIP
 from symscrew.formats.safe_xml import decimals
 
 CARRIED = 1e-12
@@ -32,6 +33,8 @@ def holds(mechanism: Mechanism, force: Mapping[str, Any]) -> bool:
         point = mechanism.points[str(force["point"])]
         body = mechanism.bodies[point.body]
         return body.com == point.at and bool(body.mass) and not any(force["wrench"][3:])
+    if force["kind"] == "friction" and force.get("velocity") != float(SLIP):  # which no file says
+        return False
     if mechanism.joints[str(force["joint"])].kind.unconstrained:  # one number for all its freedoms
         return force["kind"] in ("armature", "damping") and force.get("freedom") is None
     return True
@@ -64,10 +67,12 @@ def add_effects(root: Element, mechanism: Mechanism, beside: Beside, bodies: Map
             _servo(root, name, force)
         else:
             _attributes(made[name], force)
+    coupled = {term.joint for coupling in mechanism.couplings.values() for term in coupling.terms}
     for joint, limits in beside.limits.items():
         name = _element_name(mechanism, joint, None)
         if name in made:
-            _limit(made[name], limits)
+            drives = [m for m in root.iterfind("actuator/*") if m.get("joint") == name]
+            _limit(made[name], limits, drives[0] if joint in coupled and len(drives) == 1 else None)
 
 
 def _element_name(mechanism: Mechanism, joint: str, freedom: int | None) -> str:
@@ -93,10 +98,11 @@ def _attributes(element: Element, force: Mapping[str, Any]) -> None:
         if force.get("freedom", 0) in (0, None) or element.get("type") != "ball":
             add("frictionloss", force["coulomb"])
     else:
-        if "stiffness" in element.attrib:
+        if "stiffness" in element.attrib and force.get("stiffness"):
             raise DescriptionError(f"joints.{force['joint']}: MJCF holds one spring of a joint, got two")
-        add("stiffness", force["stiffness"])
-        add("springref", force.get("rest", 0.0))
+        if force.get("stiffness"):
+            add("stiffness", force["stiffness"])
+            add("springref", force.get("rest", 0.0))
         if force.get("damping"):
             add("damping", force["damping"])
 
@@ -122,11 +128,17 @@ def _servo(root: Element, name: str, force: Mapping[str, Any]) -> None:
         made.set("forcerange", decimals([force.get("lowest", -force["limit"]), force["limit"]]))
 
 
-def _limit(element: Element, limits: JointLimits) -> None:
+def _limit(element: Element, limits: JointLimits, drive: Element | None) -> None:
+    """The reach of a joint, and its effort: of a joint on which tendons may pull as well as that of its only drive."""
     if limits.lower is not None and limits.upper is not None and limits.lower < limits.upper:
         element.set("range", decimals([limits.lower, limits.upper]))
     if limits.effort is not None and limits.effort > 0:
-        element.set("actuatorfrcrange", decimals([-limits.effort, limits.effort]))
+        reach = decimals([-limits.effort, limits.effort])
+        own = [] if drive is None else [abs(float(end)) for end in drive.get("forcerange", "").split()]
+        if drive is not None and not own:
+            drive.set("forcerange", reach)
+        elif drive is None or max(own) > limits.effort:
+            element.set("actuatorfrcrange", reach)
 
 
 def _carry(

@@ -30,6 +30,7 @@ from symscrew.formats.mjcf_keyframes import key_name, keyframe_rates, keyframes
 from symscrew.formats.mjcf_loops import Placed, idle_equalities, loops
 from symscrew.formats.mjcf_masses import settle_masses
 from symscrew.formats.mjcf_medium import add_drags, medium
+from symscrew.formats.mjcf_rotors import rotors
 from symscrew.formats.mjcf_settings import ORIENTATIONS
 from symscrew.formats.mjcf_transmissions import Transmissions, add_pulleys, tendon_forces, transmissions
 from symscrew.formats.mjcf_weights import carry
@@ -66,6 +67,7 @@ def read_mjcf(root: Element, path: Path, options: ImportOptions) -> Draft:
 
     whole = composed(root, path, result, prepared, within=options.folder)
     root, (chosen, meshes) = whole.root, whole.parts[0]
+    _check_names(root)
     if "symscrew_characteristic_length" in texts:
         result.characteristic_length = real(number(texts["symscrew_characteristic_length"], "<custom>, length"))
     ties, around = read_couplings(root, chosen), medium(root)
@@ -114,6 +116,7 @@ def _read_forces(reading: Reading, actuators: Actuators, pulled: Transmissions) 
     result, chosen, moved = reading.result, reading.settings, any(reading.displaced.values())
     _check_all_found(reading, pulled.pulleys.values())
     tendon_forces(result, pulled, reading.rests, chosen.off)
+    rotors(result, [*actuators.listed, *actuators.idle], pulled, chosen.off)
     actuator_forces(result, actuators, chosen, reading.sites, displaced=moved, listed=reading.listed)
 
 
@@ -157,6 +160,17 @@ def _check_orientations(root: Element) -> None:
         given = [key for key in ("quat", *ORIENTATIONS) if key in element.attrib]
         if len(given) > 1:
             raise DescriptionError(f"{label(element)}: expected one orientation, got {' and '.join(given)}")
+
+
+def _check_names(root: Element) -> None:
+    """Refuse names that two elements of a section have, of which a reference could mean either."""
+    for section in ("tendon", "equality", "actuator", "keyframe", "asset"):
+        seen: set[tuple[str, str]] = set()
+        for element in (e for part in elements(root, section) for e in elements(part)):
+            one = (element.tag if section == "asset" else section, element.get("name", ""))
+            if one[1] and one in seen:
+                raise DescriptionError(f"{label(element)}: two elements of <{section}> have this name")
+            seen.add(one)
 
 
 def _check_all_found(reading: Reading, pulleys: Iterable[str]) -> None:

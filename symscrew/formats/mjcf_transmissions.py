@@ -21,10 +21,18 @@ from symscrew.formats.mjcf_couplings import Tied
 from symscrew.formats.mjcf_forces import SLIP
 from symscrew.formats.mjcf_settings import Settings
 from symscrew.formats.rigid_displacements import UNITS, ZERO, Real, real
-from symscrew.formats.safe_xml import Element, attribute, elements, label, number, numbers
+from symscrew.formats.safe_xml import Element, attribute, check_attributes, elements, label, number, numbers
 
 FORCES = {"stiffness": "spring", "damping": "damper", "frictionloss": "frictionloss", "armature": None}
 """Attributes of a tendon that make a force along it -> the flag that takes it away."""
+
+
+KNOWN = (
+    "name", "class", "group", "user", "limited", "range", "margin", "solreflimit", "solimplimit", "solreffriction",
+    "solimpfriction", *FORCES, "springlength", "springyield", "actuatorfrclimited", "actuatorfrcrange", "material",
+    "rgba", "width",
+)  # fmt: skip
+"""Attributes of a fixed tendon and of those of its class."""
 
 
 def on_joint(attributes: Mapping[str, str]) -> str | None:
@@ -92,7 +100,10 @@ def transmissions(root: Element, settings: Settings, ties: Sequence[Tied]) -> Tr
     given: dict[str, Element] = {}
     for section in elements(root, "tendon"):
         for k, tendon in enumerate(elements(section)):
-            given[tendon.get("name") or f"tendon_{k}"] = settings.with_defaults(tendon, "tendon")
+            whole = settings.with_defaults(tendon, "tendon")
+            if tendon.tag == "fixed":
+                check_attributes(whole, KNOWN)
+            given[tendon.get("name") or f"tendon_{k}"] = whole
     follows = {
         next(iter(tied.first)): (next(iter(tied.second)), tied.powers[1])
         for tied in ties
@@ -144,6 +155,8 @@ def tendon_forces(draft: Draft, found: Transmissions, rests: Mapping[str, Real],
                 draft.ledger.lost(f"{key} of a tendon in space")
         elif forces:
             _forces(draft, tendon, forces, target=found.of({"tendon": name}, where), rests=rests, found=found)
+        if forces and any(v != 0 for v in numbers(tendon.get("springyield", "0"), f"{where}, springyield")):
+            draft.ledger.lost("springyield of a tendon")
         if "range" in tendon.attrib:
             draft.ledger.passed("range of a tendon")
 
@@ -168,10 +181,8 @@ def _forces(
             table = {"kind": "damping", "coefficient": size * square}
         elif key == "armature":
             table = {"kind": "armature", "inertia": size * square}
-            if _branched(draft, found.coefficients(target)):
-                draft.ledger.turned(
-                    "armature of a tendon over branches: whole here, the engine leaves out what couples them"
-                )
+            if branched(draft, found.coefficients(target)):
+                draft.ledger.turned(BRANCHED)
         elif key == "frictionloss":
             table = {"kind": "friction", "coulomb": size * abs(float(target.factor)), "velocity": float(SLIP)}
         else:
@@ -186,7 +197,11 @@ def _forces(
         draft.ledger.turned(f"{key} of a tendon")
 
 
-def _branched(draft: Draft, joints: Collection[str]) -> bool:
+BRANCHED = "armature of a tendon over branches: whole here, the engine leaves out what couples them"
+"""What is said of such a tendon."""
+
+
+def branched(draft: Draft, joints: Collection[str]) -> bool:
     """Whether joints are not all on one way outwards."""
     above = {joint.child: joint for joint in draft.joints}
     ways: list[set[str]] = []

@@ -12,12 +12,14 @@ from xml.etree.ElementTree import Element, SubElement
 from symscrew.description import Mechanism
 from symscrew.formats.imported import Beside, JointLimits
 from symscrew.formats.safe_xml import decimals
-from symscrew.formats.urdf_forces import WIDE
+from symscrew.formats.urdf_forces import SLIP, WIDE
 
 
 def holds(mechanism: Mechanism, force: Mapping[str, Any]) -> bool:
     """Whether a URDF holds a force: damping and friction, and rotors of driven joints; of none that is spherical."""
     if force["kind"] not in ("armature", "damping", "friction"):
+        return False
+    if force["kind"] == "friction" and force.get("velocity") != SLIP:  # which no file says
         return False
     joint = mechanism.joints[str(force["joint"])]
     driven = (force.get("freedom") or 0) in joint.driven
@@ -43,13 +45,19 @@ def add_effects(root: Element, mechanism: Mechanism, beside: Beside) -> None:
 
 
 def _armature(root: Element, name: str, force: Mapping[str, Any]) -> None:
-    """In the transmission of the driven joint."""
-    for transmission in root.findall("transmission"):
+    """In the transmission of the driven joint, which has one reduction: a further rotor turns as the first one."""
+    ratio, inertia = float(force.get("ratio", 1.0)), float(force["inertia"])
+    for transmission in root.findall("transmission") if ratio else ():
         joint, actuator = transmission.find("joint"), transmission.find("actuator")
         if joint is not None and actuator is not None and joint.get("name") == name:
-            for old in actuator.findall("mechanicalReduction"):
-                old.text = repr(float(force.get("ratio", 1.0)))
-            SubElement(actuator, "rotorInertia").text = repr(float(force["inertia"]))
+            first, before = actuator.find("mechanicalReduction"), actuator.find("rotorInertia")
+            if first is not None and before is None:
+                first.text = repr(ratio)
+            turns = float(first.text or 1) if first is not None else 1.0
+            element = SubElement(actuator, "rotorInertia") if before is None else before
+            element.text = repr(
+                float(element.text or 0) + (inertia if turns == ratio else inertia * (ratio / turns) ** 2)
+            )
 
 
 def _limit(element: Element, limits: JointLimits) -> None:

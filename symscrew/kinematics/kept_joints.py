@@ -34,7 +34,7 @@ def keeping(
     grow: Callable[[dict[str, Joint]], Reached],
 ) -> Reached:
     """A tree with all joints of `read` and all helical ones whose turns its coordinates do not add up to, all coupled
-    ones and others that need coordinates of their own.
+    ones and others that need coordinates of their own, and those at which no loop can be cut, as free ones.
 
     `grow` makes the tree of some joints. Of a loop a joint without a drive and with most freedoms is cut instead.
 
@@ -44,7 +44,8 @@ def keeping(
     # A ball's turns add up to nothing: it has no displacement beyond half a turn.
     turning = {name for name, joint in joints.items() if len(joint.kind.turning) == 1 and not joint.kind.spherical}
     turning |= {name for name, joint in joints.items() if joint.kind.universal}
-    must = {name for name in turning if joints[name].kind.helical or name in read} | set(coupled)
+    coupled = {*coupled, *(name for name, joint in joints.items() if not joint.kind.closable)}
+    must = {name for name in turning if joints[name].kind.helical or name in read} | coupled
     for name in [name for name in mechanism.joints if name in must]:
         used = {joint for joint, _ in reached.values()}
         if name in used:

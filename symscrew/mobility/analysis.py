@@ -329,7 +329,8 @@ class Mobility:
         """What was given up or left out because of its size, a sentence each; empty for most mechanisms."""
         loops = () if self.limbs or isinstance(self.loops, str) else self.loops.not_tried
         poses = (pose for pose in self.limb_poses.values() if not isinstance(pose, str))
-        texts = [*loops, *(text for pose in poses for text in pose.not_tried), *self.singularities.not_tried]
+        limbs = self.symbolic.not_tried if self.symbolic is not None else ()
+        texts = [*loops, *limbs, *(text for pose in poses for text in pose.not_tried), *self.singularities.not_tried]
         rests = self.near is not None and not self.near.meant.finite.dof
         return (*left_open(self._searched, rests=rests), *texts)
 

@@ -17,7 +17,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from symscrew.algebra import CONTEXT, cross
-from symscrew.mobility.finite import named_spins
+from symscrew.mobility.finite import passive_freedoms
 from symscrew.mobility.instantaneous import BodyFreedoms, Instantaneous, LimbMobility
 from symscrew.mobility.joint_network import Network
 from symscrew.mobility.screw_systems import Row, Screw, ScrewSystem, eliminate, span, unit_rows
@@ -76,7 +76,7 @@ class FieldCounts:
         rank: r of the closure, with the couplings.
         common: lambda, constraints that every joint satisfies.
         redundant: nu, redundant constraints beyond the common ones.
-        isolated: zeta, passive spins.
+        isolated: zeta, freedoms in which links move alone, between two joints with a motion in common.
         limbs: connectivity of each limb.
         platform: S_F, connectivity of the platform in the mechanism.
         by_limbs: nu from the limbs' constraints; None where the mechanism is not made of limbs.
@@ -112,7 +112,7 @@ class FieldCounts:
 
     @property
     def modified(self) -> int:
-        """d (n - g - 1) + sum f - p + nu - zeta: without the passive spins."""
+        """d (n - g - 1) + sum f - p + nu - zeta: without the passive freedoms."""
         counted = self.order * (self.links - self.joints - 1) + self.freedoms - self.couplings
         return counted + self.redundant - self.isolated
 
@@ -153,7 +153,7 @@ def field_counts(
         by_limbs = len(wrenches) - eliminate(unit_rows(wrenches), 6).rank - common * len(network.chords)
     return FieldCounts(
         len(network.bodies), len(network.edges), network.freedoms, _loops(network), len(network.ties), rank,
-        common, redundant, len(named_spins(network)), counts, platform.dof, by_limbs,
+        common, redundant, passive_freedoms(network), counts, platform.dof, by_limbs,
     )  # fmt: skip
 
 

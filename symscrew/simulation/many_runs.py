@@ -30,6 +30,7 @@ from symscrew.simulation.native import NATIVE_METHODS, Library, run_natively
 from symscrew.simulation.recording import Estimate, History, State
 from symscrew.simulation.run_columns import columns_of
 from symscrew.simulation.run_source import table_code
+from symscrew.simulation.run_time_values import far_in_size
 from symscrew.simulation.state_programs import Plant
 from symscrew.simulation.verdict import estimated
 
@@ -311,7 +312,7 @@ class _Packed:
     def put(self, k: int, run: Run | str) -> None:
         """Run k, or why it cannot start."""
         if isinstance(run, str):
-            self.status[k] = f"not started: {run}"
+            self.status[k] = f"not started: {run}{self._of_size(k)}"
             return
         count = int(np.count_nonzero(run.t[: len(self.t)] == self.t[: len(run.t)]))
         for key, array in self.arrays.items():
@@ -319,11 +320,17 @@ class _Packed:
             if values is not None and array[k].size:
                 array[k, :count] = values[:count]
         self.ok[k], self.status[k], self.end[k] = run.ok and run.accurate, run.verdict or run.status, run.t[-1]
+        self.status[k] += "" if self.ok[k] else self._of_size(k)
         self.error[k] = (run.estimate or Estimate()).error
         for name in COUNTERS:
             self.counters[name][k] = run.counters.get(name, 0.0)
         self.modes[k], self.events[k] = run.modes, run.events
         self.crossings[k] = tuple(c.t for c in run.crossings)
+
+    def _of_size(self, k: int) -> str:
+        """Beside what went wrong: that the run's parameters make another size than the functions were derived for."""
+        text = far_in_size(self.starts.scene_of(k), self.model)
+        return f"; {text}" if text else ""
 
     def whole(self, work: _Work) -> Runs:
         """All of them."""

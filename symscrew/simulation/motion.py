@@ -26,7 +26,7 @@ from symscrew.simulation.native import NATIVE_METHODS, integrate_natively
 from symscrew.simulation.portable import Controller, integrate
 from symscrew.simulation.recording import Estimate, History, Instant, State
 from symscrew.simulation.run_columns import columns_of, wrenches_along
-from symscrew.simulation.run_time_values import mechanism_of
+from symscrew.simulation.run_time_values import mechanism_at_size, mechanism_of
 from symscrew.simulation.stability import with_longest_stable_step
 from symscrew.simulation.state_programs import Plant, commands, plant
 from symscrew.simulation.verdict import estimated, verdict
@@ -144,7 +144,7 @@ def prepare(scene: Scene, *, held: bool = False) -> tuple[Model, Plant]:
     Raises:
         DescriptionError: the effects leave no forward dynamics, or the scene commands what a contact determines.
     """
-    model = derived_model(scene.mechanism, scene.effects)
+    model = derived_model(mechanism_at_size(scene), scene.effects)
     if "forward_dynamics" not in model.programs:
         quiet = "with quasi_static drives do not determine accelerations"
         why = next((note for note in model.notes if note in REASONS), quiet)

@@ -21,6 +21,10 @@ MOST_EVENTS = 10_000  # a run with more changes of contact is stopped and says s
 OVERRUN, BROKEN, UNDECIDED = 9, 5, 10  # outcomes: too many changes, no accelerations at one, no rates behind one
 
 
+class NoAccelerationsError(ArithmeticError):
+    """The state has no accelerations, so that no law of a contact says anything there."""
+
+
 class Loop(Protocol):
     """What is asked of a compiled loop."""
 
@@ -61,9 +65,14 @@ class NativeContacts:
     def at(self, t: float, state: State) -> ContactState:
         """The contacts at a state."""
         q, v, x = state
-        return ContactState(
-            self.rules, q, v, self.library.plant.units, lambda v, force: self.library.accelerations(t, (q, v, x), force)
-        )
+
+        def answers(v: np.ndarray, force: np.ndarray) -> np.ndarray:
+            found = self.library.accelerations(t, (q, v, x), force)
+            if not np.isfinite(found).all():
+                raise NoAccelerationsError
+            return found
+
+        return ContactState(self.rules, q, v, self.library.plant.units, answers)
 
     def begun(self, going_on: int) -> int:
         """Modes and rates at the start, handed to the loop; the outcome."""
@@ -85,6 +94,8 @@ class NativeContacts:
         except UndecidedError as error:
             self.events += (f"t = {shown_time(t)} s: {error}",)
             return UNDECIDED
+        except NoAccelerationsError:
+            return BROKEN
         return self._adopted(t, state, found, going_on)
 
     def _adopted(self, t: float, state: State, found: Change, going_on: int) -> int:
@@ -101,9 +112,14 @@ class NativeContacts:
         """Contact forces (n, contacts) at samples, in the modes of their times; at an instant those before it."""
         if not self.rules:
             return None
+        if not self.course:  # it could not begin
+            return np.full((len(times), len(self.rules)), np.nan)
         ends = np.array([t for t, _ in self.course[1:]] + [np.inf])
         result = []
         for t, *state in zip(times, q, v, x, strict=True):
             modes = self.course[int(np.searchsorted(ends, t, side="left"))][1]
-            result.append(forces(self.at(float(t), (state[0], state[1], state[2])), modes))
+            try:
+                result.append(forces(self.at(float(t), (state[0], state[1], state[2])), modes))
+            except NoAccelerationsError:  # where the run stopped
+                result.append(np.full(len(self.rules), np.nan))
         return np.array(result).reshape(len(times), len(self.rules))

@@ -24,6 +24,7 @@ from symscrew.scene import INTEGRATION_METHODS, Scene, controller, parameter_val
 from symscrew.simulation.initial import initial_state, initial_states
 from symscrew.simulation.native import NATIVE_METHODS
 from symscrew.simulation.run_source import NO_TABLES, adapters, constants, generated, kernel_text, table_code
+from symscrew.simulation.run_time_values import mechanism_at_size
 from symscrew.simulation.state_programs import Plant, plant
 from symscrew.whole_files import replaced
 
@@ -60,7 +61,7 @@ def loop_plant(scene: Scene, outside: tuple[str, ...] = ()) -> Plant:
         )
     if any(effect.contacts() for effect in scene.effects):
         raise DescriptionError("effects: contacts with events have no loop for real time; use their smooth modes")
-    model = derive(scene.mechanism, scene.effects)
+    model = derive(mechanism_at_size(scene), scene.effects)
     held = bool(model.system.drives) and not scene.drives
     values = list(parameter_values(scene, model).values())
     made = controller(scene, model, held=held)

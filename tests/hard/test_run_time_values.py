@@ -125,6 +125,59 @@ def test_nor_in_one_of_many_runs() -> None:
     assert "which is -3" in runs.status[1]
 
 
+def test_one_without_accelerations_does_not_end_the_others() -> None:
+    """Contacts asked for what forces do where there is nothing that moves: an error of NumPy ended all runs."""
+    values: Values = {"P": (1, 1)}
+    massless = arm(values, run_time=True, mass="P", inertia=[["P", 0, 0], [0, "P", 0], [0, 0, "P"]])
+    stop = {"type": "end_stop", "joint": "A", "lower": 0, "mode": "impact"}
+    rough = {"type": "dry_friction", "joint": "A", "coulomb": "P", "mode": "event"}
+    effects = tuple(effect_from_table(table) for table in (GRAVITY, stop, rough))
+    runs = simulate_many(Scene("s", massless, effects, 0.1, 20.0), {"parameters.P": np.array([1.0, 0.0])})
+    assert runs.ok.tolist() == [True, False]
+    assert runs.status[1].startswith("stopped at t = 0 s: the accelerations are not defined")
+
+
+SIZED = {"A": (0, 0), "B": (0, "7/10"), "C": ("3/2", "3/2"), "D": (2, 0)}
+"""A crank-rocker; all lengths are times P."""
+
+
+def crank_rocker(values: Values, *, run_time: bool) -> Mechanism:
+    builder = started("sized", values, run_time=run_time)
+    for body, com in (("crank", (0, "1/3")), ("coupler", ("4/5", 1)), ("follower", ("7/4", "3/4"))):
+        turning = [["P^2/9" if i == j else 0 for i in range(3)] for j in range(3)]
+        builder.body(body, mass=1, com=[f"{x}*P" for x in com] + [0], inertia=turning)
+    ends = (("base", "crank"), ("crank", "coupler"), ("coupler", "follower"), ("base", "follower"))
+    for (joint, place), (parent, child) in zip(SIZED.items(), ends, strict=True):
+        point = [f"{x}*P" for x in place] + [0]
+        builder.joint(joint, "R", parent=parent, child=child, point=point, axes=[[0, 0, 1]])
+    return builder.build()
+
+
+def sized(described: float, size: float, *, run_time: bool) -> Scene:
+    spring = effect_from_table({"type": "joint_spring", "joint": "C", "stiffness": "3*P^2"})
+    mechanism = crank_rocker({"P": (described, size)}, run_time=run_time)
+    start = Initial({"A": 0.3}, {"A": 4.0})
+    return Scene("s", mechanism, (spring,), 0.2, 10.0, start, parameters={"P": size} if run_time else {})
+
+
+@pytest.mark.parametrize("size", [1e-3, slow(1e5)])
+def test_a_run_may_be_of_any_size_beside_its_description(size: float) -> None:
+    """Lengths in mm beside those in m: pivots counted for none, or the loops could not be closed at the start."""
+    runs = [simulate(sized(1.0, size, run_time=r)) for r in (True, False)]
+    assert runs[0].accurate
+    assert np.abs(runs[0].q - runs[1].q).max() < 1e-12
+    assert np.ptp(runs[0].q[:, 0]) > 0.5
+
+
+def test_one_of_many_runs_is_told_that_it_is_of_another_size() -> None:
+    """They share what was derived for the scene's own values."""
+    runs = simulate_many(sized(1.0, 1.0, run_time=True), {"parameters.P": np.array([1.0, 0.3, 1e-3])})
+    assert runs.ok.tolist() == [True, True, False]
+    assert "the parameters make sized 0.001 times as large as what it was derived for" in runs.status[2]
+    scene = sized(1.0, 1e-3, run_time=True)
+    assert simulate_many(scene, {"parameters.P": np.array([2e-3])}).all_ok
+
+
 def test_what_decides_the_code_is_no_run_time_parameter() -> None:
     stop = {"type": "end_stop", "joint": "A", "lower": 0, "stiffness": 9, "exponent": "P"}
     with pytest.raises(DescriptionError, match="exponent: expected a number that is known when the code is written"):

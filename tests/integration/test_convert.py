@@ -80,3 +80,13 @@ def test_formulas_and_numbers_are_written_as_they_were_given(file: Path) -> None
     assert "inertia = [[0.0015, 0, 0], [0, 0.0015, 0], [0, 0, 0.002]]" in written
     assert main(["convert", str(once), "--out", str(twice)]) == 0
     assert twice.read_text() == written
+
+
+def test_a_scene_is_not_overwritten_either(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    robot, scene = tmp_path / "robot.xml", tmp_path / "scene.toml"
+    robot.write_text('<mujoco><worldbody><body><joint name="j"/><geom size="0.1"/></body></worldbody></mujoco>')
+    scene.write_text("mine")
+    for out, given, message in (("a.toml", "scene.toml", "scene.toml exists"), ("a.toml", "a.toml", "another file")):
+        arguments = ["convert", str(robot), "--out", str(tmp_path / out), "--scene", str(tmp_path / given)]
+        assert main(arguments) == 2 and message in capsys.readouterr().err
+    assert scene.read_text() == "mine" and {p.name for p in tmp_path.iterdir()} == {"robot.xml", "scene.toml"}

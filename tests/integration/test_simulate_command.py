@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -57,7 +58,11 @@ def test_archive_table_and_picture(tmp_path: Path, capsys: pytest.CaptureFixture
 
 
 @pytest.mark.slow
-def test_a_run_that_ends_early_is_saved_and_exits_with_1(tmp_path: Path, capsys: pytest.CaptureFixture) -> None:
+def test_a_run_that_ends_early_is_saved_and_exits_with_1(
+    tmp_path: Path, capsys: pytest.CaptureFixture, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Without a picture nothing is imported for one: Matplotlib took a third of a short run's time."""
+    monkeypatch.setitem(sys.modules, "symscrew.simulation.picture", None)
     scene = tmp_path / "early.toml"
     scene.write_text(SCENE + "[integrator]\nmost_steps = 3\n")
     out = tmp_path / "early.npz"

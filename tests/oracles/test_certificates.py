@@ -182,6 +182,7 @@ def test_the_proof_of_the_seed_ends_at_its_constraint_singularity() -> None:
     assert found.summary["shares"]["not joined"] > 0.005
 
 
+FEW = 15
 SMALL = {
     "delta": (
         ("platform_pose.0", -0.008, 0.008), ("platform_pose.1", -0.008, 0.008), ("platform_pose.2", -0.542, -0.530),
@@ -196,9 +197,9 @@ def test_boxes_are_free_of_singularities_at_random_points(name: str) -> None:
     """Assembled by the model, drives to platform by singular values: the same sign of the determinant everywhere."""
     axes = tuple(Axis(n, low, high, 17) for n, low, high in SMALL[name])
     found = certify(Plan(catalogue.load(name), (), axes))
-    assert found.ok and found.summary["whole"]
+    assert found.ok and found.summary["whole"] and found.summary["boxes"] < FEW  # 8 and 35 where tubes are intervals
     made = model(name)
-    z, _ = points_of(found, 1)
+    z, _ = points_of(found, 40)
     z = z[:, RNG.permutation(z.shape[1])[:40]]
     guess = np.repeat(made.system.reference[None, :], z.shape[1], 0)
     (q,), status = made("assemble", z.T, guess)

@@ -6,7 +6,7 @@ it, so nothing here is a comparison with their tables. What holds the numbers is
 
     lambda, nu   of all: `counted_again` from the joint screws, by twists of the bodies instead of loops, in doubles
     lambda, nu   of those in `WRENCHES`: worked by hand, `by_hand`
-    zeta, group  recalled; zeta is 0 but for bars that spin between two balls
+    zeta, group  recalled; zeta is 0 but for bars that spin between two balls, and a link with two coaxial hinges
 
 `WRENCHES` has the constraints of every limb as a person types them from a drawing, forces through a point and couples;
 `by_hand` counts with these as Huang, Li, Ding (2013) do:
@@ -20,17 +20,20 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from functools import cache
+from typing import Any
 
 import numpy as np
 import pytest
-from support.further_mechanisms import CASES
+from support.further_mechanisms import CASES, loop
 from support.marks import slow
 from support.parallel_mechanisms import LIMBS, four_ruu, of_limbs
 from support.reference_mechanisms import ENTRIES, build
+from sympy import Rational
 
 from symscrew.description.mechanism import Mechanism
 from symscrew.mobility import Mobility, analyse_mobility, mobility_text, mobility_values, verify
 from symscrew.mobility.field_counts import FieldCounts
+from symscrew.mobility.finite import passive_freedoms
 from symscrew.mobility.joint_network import Network, network_of
 
 OWN = ("negative control", "textbook", "constructed for this zoo")
@@ -66,7 +69,8 @@ EXPECTED = {
     "4-RUU": (0, 2, 0, "D", "nu = 2: Huang, Li, Ding 2013, of the 4-URU"),
     "3-CRR": (0, 3, 0, "D", "nu = 3: Kong, Gosselin 2007"), "3-RRC": (1, 1, 0, "D", "Zhao, Huang 2000"),
     "quadrupteron": (0, 2, 0, "D", "nu = 2: Richard, Gosselin, Kong 2007"),
-    "schoenflies": (2, 0, 0, "X", "Herve 1978"), "three-limb sarrus": (1, 2, 0, "D", "Sarrus 1853"),
+    "schoenflies": (2, 0, 1, "X", "Herve 1978; one link has both its hinges about one line"),
+    "three-limb sarrus": (1, 2, 0, "D", "Sarrus 1853"),
 }  # fmt: skip
 """Mechanism -> (lambda, nu, zeta, group of a loop, why, with who is recalled to have treated it, not opened)."""
 QUICK = ("planar_4bar", "bennett", "sarrus", "rssr", "dixon", "tripteron_cpm", "3rps")
@@ -222,6 +226,29 @@ def test_common_redundant_and_passive_are_the_expected_ones(name: str) -> None:
             assert [limb.connectivity for limb in counts.limbs] == limbs
             assert counts.rank == sum(limbs) - platform and counts.overconstraint == 6 * loops - counts.rank
             assert counts.platform == platform
+
+
+SLANT = [Rational(3, 5), 0, Rational(4, 5)]
+ALONE: dict[str, tuple[int, list[tuple[str, list[Any], list[Any] | None]]]] = {
+    "hinges about one line": (1, [("R", [0, 0, 0], [0, 0, 1]), ("R", [1, 0, 0], [0, 0, 1]), ("R", [3, 2, 0], [0, 0, 1]),
+                                  ("R", [3, 2, 1], [0, 0, 1]), ("R", [4, 0, 0], [0, 0, 1])]),
+    "a hinge through a ball, a rod": (2, [("R", [0, 0, 0], [0, 1, 0]), ("R", [1, 0, 0], SLANT), ("S", [4, 0, 4], None),
+                                          ("S", [5, 3, 1], None), ("R", [5, 0, 0], [0, 1, 0])]),
+    "a rod with a swivel": (2, [("R", [0, 0, 0], [0, 1, 0]), ("S", [1, 0, 0], None), ("R", [4, 0, 4], SLANT),
+                                ("S", [7, 0, 8], None), ("R", [5, 0, 0], [0, 1, 0])]),
+    "a rod with a knee": (1, [("R", [0, 0, 0], [0, 1, 0]), ("S", [1, 0, 0], None), ("R", [4, 0, 4], [0, 1, 0]),
+                              ("S", [7, 0, 8], None), ("R", [5, 0, 0], [0, 1, 0])]),
+    "a cylinder through a ball": (1, [("R", [0, 0, 0], [0, 1, 0]), ("C", [1, 0, 0], SLANT), ("S", [4, 0, 4], None),
+                                      ("R", [5, 0, 0], [1, 0, 0])]),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", ALONE)
+def test_links_that_move_alone_are_passive_whatever_their_joints_are(name: str) -> None:
+    """Two joints of one link that have a motion in common leave it to the link: counted by hand."""
+    passive, joints = ALONE[name]
+    network = network_of(loop(*joints))
+    assert passive_freedoms(network) == passive
 
 
 def test_counts_stand_in_the_report_and_in_the_json() -> None:

@@ -33,6 +33,8 @@ LIMBS = {  # letters, places (x, z) of the joints, their axes
     "sleeve": ("CRU", [(1, 0), (1, 0.25), (0.5, 1)], ["x", "t", "tx"]),
     "crank": ("RUU", [(1, 0), (1.25, 0.5), (0.5, 1)], ["t", "tx", "xt"]),
     "plane": ("RRR", [(1, 0), (1.25, 0.5), (0.5, 1)], ["t", "t", "t"]),
+    "two crosses about one point": ("RUU", [(1, 0), (0.5, 1), (0.5, 1)], ["t", "tl", "zx"]),
+    "telescope on crosses": ("UPU", [(1, 0), (0.25, 1), (0.25, 1)], ["xt", "l", "tx"]),
 }
 
 
@@ -129,7 +131,44 @@ def test_what_is_said_of_displaced_limbs_is_so(kind: str, turned: bool) -> None:
             if len(pose.constraints) == 1:  # it is a wrench there too: nothing that could be divided by is left in it
                 assert np.abs(np.array(wrenches(*at), dtype=float)).max() > 1e-3
             seen += 1
-    assert seen >= (0 if kind in ("upright slide", "telescope") else 1)
+    assert seen >= (0 if kind in ("upright slide", "telescope", "two crosses about one point") else 1)
+
+
+@pytest.mark.parametrize("kind", ["two crosses about one point", slow("telescope on crosses")])
+def test_where_several_conditions_hold_at_once_a_place_is_found(kind: str) -> None:
+    """No common factor tells these: crosses folded into one another, and at the ends of a rod turned alike."""
+    pose = limb_pose(mechanism(kind, turned=False), "limb")
+    assert isinstance(pose, LimbPose) and pose.further
+    at = np.array([pose.further[s] for s in pose.displacements])
+    given = screws(kind, 0.0)
+    usual = max(rank(displaced(given, np.random.default_rng(k).uniform(-1, 1, len(at)))) for k in range(3))
+    assert rank(displaced(given, at)) < usual
+    limb_loci = [locus.expression for locus in pose.loci if locus.kind == "limb"]
+    assert all(abs(x.xreplace(dict(pose.further))) > 1e-3 for x in limb_loci)  # beside those
+
+
+def test_a_rod_of_a_length_that_is_a_parameter_is_looked_at_with_its_value() -> None:
+    """Where its crosses fold, beside the length zero, which is a condition in the parameter."""
+    builder = MechanismBuilder("rod", platform="top").parameter("L", "1/2", unit="m")
+    for body in ("low", "high", "top"):
+        builder.body(body)
+    builder.joint("A", "U", parent="base", child="low", point=[0, 0, 0], axes=[TYPED["x"], TYPED["t"]])
+    builder.joint("B", "P", parent="low", child="high", point=[0, 0, 0], axes=[TYPED["z"]])
+    builder.joint("C", "U", parent="high", child="top", point=[0, 0, "L"], axes=[TYPED["t"], TYPED["x"]])
+    made = builder.limb("limb", joints=["A", "B", "C"]).build()
+    pose = limb_pose(made, "limb")
+    assert isinstance(pose, LimbPose)
+    (length,) = [locus.expression for locus in pose.loci if locus.kind == "limb"]
+    assert {str(s) for s in length.free_symbols} == {"L", "p_3"}
+    at = dict(pose.further)
+    assert abs(at[sympy.Symbol("p_3", real=True)] + 0.5) > 1e-3
+    angles = [at[s] for s in pose.displacements if str(s).startswith("theta")]
+    assert all(abs(abs(x) - np.pi / 2) < 1e-6 for x in angles)  # first and last axis along the rod
+
+
+def test_where_one_condition_tells_all_nothing_is_looked_for() -> None:
+    pose = limb_pose(mechanism("plane", turned=False), "limb")
+    assert isinstance(pose, LimbPose) and len(pose.loci) == 1 and not pose.further and not pose.not_tried
 
 
 def test_a_sliding_rod_bears_a_force_through_its_ball_along_the_hinge() -> None:

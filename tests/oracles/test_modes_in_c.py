@@ -119,6 +119,12 @@ def test_what_is_no_number_or_no_mode_is_refused(planar):
     assert planar.led(mode, start) == NOT_CERTIFIED
 
 
+def test_turns_whose_rounding_hides_the_angle_are_not_said_to_be_solved(tmp_path):
+    compiled = written(symscrew.load_catalogue("five_bar"), tmp_path)
+    for turns, status in ((10**3, OK), (10**8, INCOMPLETE), (10**300, INCOMPLETE)):
+        assert compiled.modes([2 * np.pi * turns, -2 * np.pi * turns])[0] == status
+
+
 @pytest.mark.slow
 def test_all_forty_postures_of_dietmaier_in_c(tmp_path):
     given = published("dietmaier_1998_40_postures")

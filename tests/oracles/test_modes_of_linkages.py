@@ -10,9 +10,10 @@ from support.platforms import exact
 import symscrew
 from symscrew import MechanismBuilder
 from symscrew.assembly import AssemblyModes, modes_model
-from symscrew.assembly.certified_roots import certified, read
+from symscrew.assembly.certified_roots import certified
 from symscrew.assembly.equal_axes import axis_of, straight_in_spinors
 from symscrew.assembly.modes_library import own_compiled_modes
+from symscrew.assembly.rectangles import read
 
 pytestmark = pytest.mark.slow
 

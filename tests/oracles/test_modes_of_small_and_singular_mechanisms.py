@@ -9,6 +9,7 @@ import pytest
 from support.linkages import single_loop
 
 import symscrew
+from symscrew.assembly import mode_lines
 from symscrew.assembly.all_modes import structure_of
 from symscrew.assembly.batch_equations import BatchEquations
 from symscrew.assembly.families import AllNumbers
@@ -89,3 +90,21 @@ def test_modes_that_are_turned_alike_have_one_order_wherever_the_mechanism_stand
         return numbered(modes, None)
 
     assert named(turn, shift) == named(np.eye(3), np.zeros(3))
+
+
+def test_a_reference_in_which_a_part_turns_loosely_is_a_mode_on_a_curve():
+    """Both cranks' ends in one place: what hangs between them turns about it, and no path leads there."""
+    builder = symscrew.MechanismBuilder("loose", ground="ground")
+    pins = {
+        "A": ("ground", "left", ["0", "0", "0"]), "B": ("ground", "right", ["2", "0", "0"]),
+        "C": ("left", "first", ["1", "1", "0"]), "D": ("right", "second", ["1", "1", "0"]),
+        "E": ("first", "second", ["1", "2", "0"]),
+    }  # fmt: skip
+    for body in ("left", "right", "first", "second"):
+        builder.body(body)
+    for name, (parent, child, point) in pins.items():
+        builder.joint(name, "R", parent=parent, child=child, point=point, axes=[[0, 0, 1]], driven=name in "AB")
+    found = symscrew.assembly_modes(builder.build())
+    (mode,) = found.modes
+    assert mode.name == "home" and mode.curve and not mode.certified and found.complete != "proved"
+    assert "solutions beside it without end" in mode_lines(found)[-1] and found.account.from_random_places == 0

@@ -94,3 +94,20 @@ def test_random_files_are_those_of_mujoco(tmp_path: Path, seed: int) -> None:
     path.write_text(model(seed))
     worst, what = with_mujoco(path, ImportOptions())
     assert worst < 1e-9, what
+
+
+FREE = '<body name="a"><freejoint/><inertial pos="0.1 0 0" mass="1" diaginertia="0.1 0.2 0.2"/>{0}</body>'
+ARM = (
+    '<body name="b" pos="0.3 0 0"><joint type="ball" armature="0.2"/>'
+    '<inertial pos="0.1 0 0" mass="1" diaginertia="0.1 0.2 0.2"/></body>'
+)
+
+
+@pytest.mark.parametrize(("inner", "tied", "freedoms"), [("", "a", 3), (ARM, "b", 6)])
+def test_a_body_that_floats_is_tied_to_the_world(tmp_path: Path, inner: str, tied: str, freedoms: int) -> None:
+    """No loop is cut at a free joint, whichever way to the body is shorter or has rotors."""
+    path = tmp_path / "model.xml"
+    tie = f'<equality><connect body1="{tied}" anchor="0.2 0 0"/></equality>'
+    path.write_text(f"<mujoco><worldbody>{FREE.format(inner)}</worldbody>{tie}</mujoco>")
+    worst, what = with_mujoco(path, ImportOptions())
+    assert worst < 1e-9 and f"{freedoms} freedoms" in what

@@ -15,6 +15,7 @@ from symscrew.errors import DescriptionError
 from symscrew.model import derive
 from symscrew.scene import Robot, load_robot, save_robot
 
+from .test_import_details import INERTIAL
 from .test_imports import GRIPPER, arm, saved
 
 MORE = GRIPPER.replace('<body name="thumb"', '<body name="thumb" gravcomp="0.25"').replace(
@@ -172,3 +173,51 @@ def test_tendons_are_written_as_tendons(tmp_path: Path) -> None:
         mujoco.mj_forward(engine, data)
         found.append(data.qacc.copy())
     assert found[1] == pytest.approx(found[0], rel=1e-12)
+
+
+def table(kind: str, **keys: object) -> Effect:
+    return effect_from_table({"type": kind, "joint": "A", **keys})
+
+
+def test_two_rotors_of_one_joint_are_one_of_a_urdf(tmp_path: Path) -> None:
+    """A transmission has one reduction: 0.5 at 3 to 1 and 0.1 at 2 to 1 are 4.9 together."""
+    mechanism = load_robot(saved(arm(), tmp_path, "robot.urdf")).mechanism
+    rotors = [table("rotor_inertia", inertia=0.5, ratio=3), table("rotor_inertia", inertia=0.1, ratio=2)]
+    save_robot(mechanism, tmp_path / "again.urdf", rotors, accept=True)
+    (again,) = (
+        effect_to_table(e) for e in load_robot(tmp_path / "again.urdf").effects if getattr(e, "joint", "") == "A"
+    )
+    assert float(again["inertia"]) * float(again.get("ratio", 1)) ** 2 == pytest.approx(4.9, rel=1e-14)
+
+
+def test_what_damps_without_a_spring_and_what_creeps_otherwise(tmp_path: Path) -> None:
+    mechanism = load_robot(saved(arm(), tmp_path, "robot.urdf")).mechanism
+    damper = effect_from_table({"type": "joint_spring", "joint": "A", "damping": 0.5})
+    assert save_robot(mechanism, tmp_path / "again.xml", [damper]) == []
+    assert mujoco.MjModel.from_xml_path(str(tmp_path / "again.xml")).dof_damping.max() == 0.5
+    creeping = table("dry_friction", coulomb=0.5, velocity=0.05)
+    for suffix in ("xml", "urdf"):
+        with pytest.raises(DescriptionError, match="does not hold friction of A"):
+            save_robot(mechanism, tmp_path / f"creeping.{suffix}", [creeping])
+
+
+PULLED = f"""<mujoco><compiler angle="radian"/><worldbody><body><joint name="a" axis="0 1 0"/>{INERTIAL}
+<body pos="0.2 0 0"><joint name="b" axis="0 1 0"/>{INERTIAL}</body></body></worldbody>
+<tendon><fixed name="t"><joint joint="a" coef="2"/><joint joint="b" coef="-3"/></fixed></tendon>
+<actuator><motor joint="a" forcerange="-1 1"/><position tendon="t" kp="90"/></actuator></mujoco>"""
+
+
+def test_the_reach_of_a_drive_does_not_hold_a_tendon_back(tmp_path: Path) -> None:
+    robot = load_robot(saved(PULLED, tmp_path))
+    assert save_robot(robot.mechanism, tmp_path / "again.xml", robot.effects, limits=robot.limits) == []
+    assert load_robot(tmp_path / "again.xml").limits == robot.limits
+    found = []
+    for name, commands in (("robot.xml", {"a": 5.0, "t": 2.0}), ("again.xml", {"a": 5.0, "t": 2.0})):
+        engine = mujoco.MjModel.from_xml_path(str(tmp_path / name))
+        data = mujoco.MjData(engine)
+        for k in range(engine.nu):
+            tendon = engine.actuator_trntype[k] == mujoco.mjtTrn.mjTRN_TENDON
+            data.ctrl[k] = commands["t" if tendon else "a"]
+        mujoco.mj_forward(engine, data)
+        found.append(data.qacc.copy())
+    assert found[1] == pytest.approx(found[0], rel=1e-9) and np.abs(found[0]).max() > 100

@@ -320,6 +320,25 @@ def test_a_disk_is_of_every_direction(low: list[float], axes: list[int], radius:
     assert "of these all directions of y and z up to" in str(verdict)
 
 
+def test_tubes_with_edges_of_their_own_reach_further_and_never_to_where_solutions_meet() -> None:
+    """x^2 = z about x = 1: intervals for x come to 80 % of the way to z = 0, where both solutions meet."""
+    equations = Equations.read(root_file()["equations"])
+    half = np.array([0.8, 0.95, 1.0, 1.1])
+    found = tubes(equations, 1 - half[None], 1 + half[None], np.ones((1, 4)))
+    assert found.closed.tolist() == [True, True, False, False]
+    for k in (0, 1):
+        d = np.linspace(-1, 1, 201)
+        middle, x = 1 + found.slope[0, 0, k] * d, np.sqrt(1 + half[k] * d)
+        assert (np.abs(x - middle) <= found.tight[0, k]).all() and found.tight[0, k] < found.radius[0, k]
+        assert (np.abs(-x - middle) > found.radius[0, k]).all()
+
+
+def test_a_number_of_coordinates_that_fills_the_memory_is_none() -> None:
+    for path in (("equations", "count"), ("equations", "closure", "inputs", 0, 1)):
+        with pytest.raises(UnreadableError):
+            check_certificate(spoiled(path, 10**30))
+
+
 def test_rank_of_a_tall_matrix_is_decided_only_where_it_is() -> None:
     """Columns at an angle: independent while what is unknown of them is smaller than the angle leaves."""
     matrix = np.array([[1.0, 1.0], [0.0, 0.2], [0.0, 0.0]])[:, :, None]

@@ -9,6 +9,7 @@ import pytest
 
 from symscrew.errors import DescriptionError
 from symscrew.formats import Account, import_file
+from symscrew.mobility import analyse_mobility
 
 HINGE = """<robot name="r"><link name="a"/><link name="b"/>
 <joint name="j" type="{type}"><parent link="a"/><child link="b"/>
@@ -67,3 +68,55 @@ def test_what_has_no_effect_is_in_the_account(tmp_path: Path) -> None:
     assert urdf(tmp_path, type="floating").harmless == {drives: 1}
     idle = mjcf(tmp_path, rest='<equality><weld body1="a" active="false"/></equality>')
     assert idle.harmless["equality constraints that are not active"] == 1 and "loop_0" not in idle.taken
+
+
+MESH = """<asset><mesh name="m" {0}/></asset>"""
+CORNERS = 'vertex="0 0 0 1 0 0 0 1 0 0 0 1"'
+
+
+@pytest.mark.parametrize(
+    ("mesh", "message"),
+    [
+        (f'{CORNERS} face="0 2 1 0 1 3 0 3 2 1 2 3" scale="1e200 1 1"', "expected vertices within 1e.30 m"),
+        (f'{CORNERS} face="0 2.5 1"', "face: expected numbers of vertices from 0 to 3"),
+        (f'{CORNERS} face="0 1e300 1"', "face: expected numbers of vertices from 0 to 3"),
+        ('vertex="0 0" face="0 1 2"', "vertex: expected three numbers each, got 2 in all"),
+        ('vertex="1 1 1 1 1 1 1 1 1" face="0 1 2"', "encloses no volume"),
+        ('file="short.obj"', "expected three numbers after 'v', got 2"),
+        ('file="none.obj"', "a face has a vertex that is none of the 1"),
+    ],
+)
+def test_meshes_that_are_none(tmp_path: Path, mesh: str, message: str) -> None:
+    (tmp_path / "short.obj").write_text("v 1 2\nf 1 1 1\n")
+    (tmp_path / "none.obj").write_text("v 1 2 3\nf 1 0 1\n")
+    with pytest.raises(DescriptionError, match=message):
+        mjcf(tmp_path, default=MESH.format(mesh), geom='type="mesh" mesh="m"')
+
+
+def test_numbers_beyond_doubles_and_names_of_two(tmp_path: Path) -> None:
+    with pytest.raises(DescriptionError, match=r"odd\.xml: products of its numbers go beyond"):
+        mjcf(tmp_path, rest='<actuator><position joint="j" kp="3" gear="1e200"/></actuator>')
+    for section, element in (("tendon", '<fixed name="n"><joint joint="j" coef="{0}"/></fixed>'), ("keyframe", "{0}")):
+        twice = element.format(1) + element.format(2) if section == "tendon" else '<key name="n" qpos="0"/>' * 2
+        with pytest.raises(DescriptionError, match=f"two elements of <{section}> have this name"):
+            mjcf(tmp_path, rest=f"<{section}>{twice}</{section}>")
+    yielding = '<tendon><fixed name="t" stiffness="2" springyield="0.1"><joint joint="j" coef="1"/></fixed></tendon>'
+    with pytest.raises(DescriptionError, match="left out: springyield of a tendon"):
+        mjcf(tmp_path, rest=yielding)
+
+
+def test_a_body_that_is_fixed_has_a_mobility(tmp_path: Path) -> None:
+    path = tmp_path / "fixed.xml"
+    path.write_text("<mujoco><worldbody><body/></worldbody></mujoco>")
+    assert analyse_mobility(import_file(path).mechanism).dof == 0
+
+
+def test_a_body_of_many_points_is_read(tmp_path: Path) -> None:
+    """Its extent is that of all of them, found in a time that does not grow with their square in 50 digits."""
+    path, sites = tmp_path / "points.xml", "".join(f'<site name="s{k}" pos="{k / 1000} 0 0"/>' for k in range(200))
+    body = '<joint name="j"/><inertial pos="0.1 0 0" mass="1" diaginertia="{0} {0} {0}"/>' + sites
+    for inertia, warned in ((0.039, False), (0.04, True)):
+        path.write_text(f"<mujoco><worldbody><body>{body.format(inertia)}</body></worldbody></mujoco>")
+        warnings = " ".join(import_file(path).mechanism.warnings)
+        assert ("the radius of gyration 0.2 m exceeds the body's extent 0.199 m" in warnings) is warned
+        assert warned or "gyration" not in warnings

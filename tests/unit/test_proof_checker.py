@@ -18,7 +18,7 @@ from support.further_mechanisms import CASES, Z, loop
 from support.marks import slow
 from support.reference_mechanisms import ENTRIES, build
 
-from symscrew import catalogue
+from symscrew import MechanismBuilder, catalogue
 from symscrew.mobility import analyse_mobility, check_proof, mobility_proof, verify
 from symscrew.mobility.proofs import proof_checker
 
@@ -265,3 +265,17 @@ def test_what_is_proved_is_what_the_literature_says(name: str) -> None:
     assert shown.get("instantaneous mobility", dof) == dof and shown.get("finite mobility", finite) == finite
     assert "branches" not in shown or shown["branches"] == (None if branches is None else list(branches))
     assert shown["finite mobility at least"] <= finite <= shown["finite mobility at most"]
+
+
+def test_a_loop_of_joints_without_freedoms_moves_nothing_and_is_no_obstacle() -> None:
+    """Beside three hinges in a line, which are shaky: their motion is shut, and the checker sees it."""
+    builder = MechanismBuilder("rests", platform="c")
+    for body in "abcd":
+        builder.body(body)
+    for k, (parent, child) in enumerate((("base", "a"), ("a", "b"), ("b", "base"))):
+        builder.joint(f"R{k}", "R", parent=parent, child=child, point=[k * (k + 1) // 2, 0, 0], axes=[Z])
+    for k, (parent, child) in enumerate((("b", "c"), ("c", "d"), ("d", "b"))):
+        builder.joint(f"F{k}", "fixed", parent=parent, child=child, point=[0, 0, 0])
+    found = analyse_mobility(builder.build())
+    assert (found.dof, found.finite.dof, found.finite.judgement) == (1, 0, "proved")
+    assert check_proof(mobility_proof(found)).holds

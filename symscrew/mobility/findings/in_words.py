@@ -188,7 +188,20 @@ def _displaced(found: Mobility, limb: str) -> list[str]:
         return [f"away from the reference configuration: {pose}"] if pose else []
     names = ", ".join(f"${sympy.latex(s)}$ of {joint}" for s, joint in zip(pose.displacements, pose.of, strict=True))
     lines = [f"displaced by {names}, in axes that move with {pose.carried_by} (f ; m): {inline(pose.constraints)}"]
-    return lines + [f"{locus.meaning} where {_zero(locus)}" for locus in conditions(pose.loci)]
+    lines += [f"{locus.meaning} where {_zero(locus)}" for locus in conditions(pose.loci)]
+    if pose.further:
+        places = [f"{joint} at {_displacement(x, turns=str(s).startswith('theta'))}"
+                  for (s, x), joint in zip(pose.further.items(), pose.of, strict=True)]  # fmt: skip
+        beside = "also at " if any(locus.kind == "limb" for locus in pose.loci) else "at "
+        lines.append(
+            f"the screws of the limb become dependent {beside}{', '.join(places)}, "
+            "where several conditions hold at once (found by looking)"
+        )
+    return lines
+
+
+def _displacement(value: float, *, turns: bool) -> str:
+    return f"{np.degrees(value):.4g} deg" if turns else f"{1000 * value:.4g} mm"
 
 
 def _motions(found: Mobility) -> list[str]:

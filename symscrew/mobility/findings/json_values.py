@@ -149,6 +149,7 @@ def _pose(found: Mobility, limb: str) -> dict[str, Any] | None:
         "displacements": {str(symbol): joint for symbol, joint in zip(pose.displacements, pose.of, strict=True)},
         "constraints": [[str(c) for c in w] for w in pose.constraints],
         "loci": [{"kind": locus.kind, "zero": str(locus.expression)} for locus in conditions(pose.loci)],
+        "dependent_at": {str(symbol): value for symbol, value in pose.further.items()},
     }
 
 

@@ -13,6 +13,8 @@
     branches         dimensions of the branches through a singular configuration
     almost_ranks     ranks of closure, platform, drives and limbs that are almost lower as typed
     joint_changes    places and axes of joints, changed a little
+    aligned_axes     axes that are almost parallel, coaxial or through one point, made so
+    geometry_search  numbers of the geometry with conditions on it, and steps that meet them
     near_geometry    the nearest geometry in which these ranks are lost and loops keep closed that almost do
     witnesses        what every claim rests on, checked again by another of these routes
 """
@@ -29,7 +31,7 @@ from symscrew.mobility.finite.local_solutions import (
     solve_dependent,
 )
 from symscrew.mobility.finite.near_geometry import NearGeometry, left_open, search_special
-from symscrew.mobility.finite.passive_spins import named_spins, rotation_vector, without_spins
+from symscrew.mobility.finite.passive_spins import named_spins, passive_freedoms, rotation_vector, without_spins
 from symscrew.mobility.finite.quadric_cone import cone_directions
 from symscrew.mobility.finite.reduced_closure import ReducedClosure, is_zero
 from symscrew.mobility.finite.variety import DIGITS_60, DOUBLE, Arithmetic, Array, ClosureVariety, moved
@@ -57,6 +59,7 @@ __all__ = [
     "local_at",
     "moved",
     "named_spins",
+    "passive_freedoms",
     "quadratic_forms",
     "rank_claims",
     "recheck",

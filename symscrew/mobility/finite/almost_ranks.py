@@ -106,7 +106,7 @@ def low_ranks(network: Network, claims: Iterable[RankClaim], centre: Array) -> t
     for claim in claims:
         matrix = claim.matrix(network, centre)
         values = np.linalg.svd(matrix.astype(float), compute_uv=False)
-        kept = int((values > NEAR * values[0]).sum())
+        kept = int((values > NEAR * values.max(initial=0.0)).sum())  # of no freedoms at all none
         if kept and kept < min(matrix.shape):
             clear = bool(values[kept] > CLEAR * values[0])
             almost = clear or eliminate(matrix.tolist(), matrix.shape[1]).rank > kept

@@ -2,7 +2,8 @@
 
     ranks that are almost lower, configurations in which loops almost close --conditions--> unknown places and axes
     conditions --Gauss-Newton with the least change, residuals in 60 digits--> special geometry
-    conditions at which it stalls --double_zeros--> special geometry where they vanish twice
+    conditions at which it stalls --aligned_axes--> axes that nearly are parallel or meet made so, then as before
+    conditions at which it still stalls --double_zeros--> special geometry where they vanish twice
 
 The unknowns are the places and axes of all joints. The conditions are ranks that are lower in the reference
 configuration (with their null vectors as further unknowns) and the closure of all loops in configurations along the
@@ -13,24 +14,16 @@ left to the ordinary analysis.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from copy import copy
 from dataclasses import dataclass, replace
 
 import numpy as np
 
-from symscrew.algebra import CONTEXT
-from symscrew.mobility.finite.almost_ranks import NEAR, RankClaim, low_ranks
+from symscrew.mobility.finite.aligned_axes import aligned, turned_together
+from symscrew.mobility.finite.almost_ranks import NEAR, LowRank, RankClaim, low_ranks
 from symscrew.mobility.finite.branches import zeros_nearby
-from symscrew.mobility.finite.double_zeros import Conditions, double_directions, vertex
-from symscrew.mobility.finite.joint_changes import (
-    Slots,
-    changed,
-    closure_rates,
-    count_of,
-    screw_rates,
-    sizes,
-    slots_of,
-)
+from symscrew.mobility.finite.double_zeros import double_directions, vertex
+from symscrew.mobility.finite.geometry_search import Search
+from symscrew.mobility.finite.joint_changes import sizes
 from symscrew.mobility.finite.local_solutions import (
     CLOSED,
     Local,
@@ -78,6 +71,9 @@ SLOW = 0.2
 """A round that leaves more than this was no step of Newton's method to a simple zero: to a double one it leaves 1/4."""
 LEAST_NOISE = 1e-15
 """Rounding of doubles: what is smaller is not measured by them."""
+ROUGH = 30.0
+"""Angles and distances below so many times the small singular value are rounding; where that aligns nothing that moves,
+those below `NEAR`."""
 FARTHEST = 1e-3
 """Of the mechanism's size: farther geometry is another mechanism."""
 
@@ -155,16 +151,37 @@ def nearest_special(network: Network, claims: Sequence[RankClaim], *, moves: boo
             return ()  # what was typed moves so itself
         if points:
             found = _solved(network, points, ranks, noise)
+            found = found or _by_alignment(network, low, noise)
+            found = found or _solved(network, points, ranks, noise, twice=True)
             if found is None and almost:  # else ranks alone are those of what was typed
-                found = _solved(network, [], ranks, noise)
+                found = _solved(network, [], ranks, noise, twice=True)
                 found = None if found is None else replace(found, stalled=True)
             return () if found is None else (found,)
         zeros = zeros_nearby(coarse, here, quadratic_forms(coarse, here), off)
         points = _open(network, coarse, [(point, _rank(coarse, point)) for point in zeros])
     tried: list[list[tuple[Array, int]]] = [[]] if almost else []
     tried += [points] if points else []
-    found_all = (_solved(network, given, ranks, noise) for given in tried)
+    found_all = (_solved(network, given, ranks, noise, twice=True) for given in tried)
     return tuple(one for one in found_all if one is not None)
+
+
+def _by_alignment(network: Network, low: Sequence[LowRank], noise: float) -> NearGeometry | None:
+    """Axes made parallel, coaxial or concurrent that nearly are, where loops then close along all motions.
+
+    Or where they do so in the nearest geometry of axes that stay parallel: those of a third leg in a plane, say.
+    """
+    closure = next(one for one in low if one.claim.name == "closure")
+    ranks = [(one.claim, one.rank) for one in low]
+    for tolerance in (min(NEAR, ROUGH * noise), NEAR):
+        other = aligned(network, tolerance)
+        if other is None:
+            continue
+        coarse = ClosureVariety(other)
+        points = _motions(coarse, local_at(coarse, np.zeros(coarse.columns), rank=closure.rank), CLOSES * noise)
+        found = _solved(other, points, ranks, noise, ways=turned_together(other)) if points else None
+        if found is not None:
+            return _between(network, found.network, moves=True)
+    return None
 
 
 def _motions(coarse: ClosureVariety, here: Local, off: float) -> list[tuple[Array, int]]:
@@ -207,157 +224,17 @@ def _rank(coarse: ClosureVariety, q: Array) -> int:
     return int((values > NEAR * values[0]).sum())
 
 
-@dataclass(frozen=True)
-class _Linear:
-    """A condition linearised: `left` are the parts that its own unknowns cannot make vanish, `by_z` of the geometry."""
-
-    left: Array
-    inverse: Array
-    by_z: Array
-
-
-class _Closes:
-    """The loops close in a configuration, which may change a little."""
-
-    def __init__(self, q: Array, rank: int) -> None:
-        self.q, self.rank = _fine(q), rank
-
-    def residual(self, _: Network, fine: ClosureVariety) -> Array:
-        return fine.residual(self.q).astype(float)
-
-    def step(self, change: Array) -> None:
-        self.q = self.q - _fine(change)
-
-
-class _Singular:
-    """A vector stays in the null space of a claim's matrix; it may change a little across it."""
-
-    def __init__(self, claim: RankClaim, rank: int, vector: Array) -> None:
-        self.claim, self.rank, self.vector = claim, rank, _fine(vector)
-
-    def residual(self, network: Network, fine: ClosureVariety) -> Array:
-        found = self.claim.matrix(network, np.array(fine.centre, dtype=object)) @ self.vector
-        return np.asarray(found).astype(float)
-
-    def step(self, change: Array) -> None:
-        self.vector = self.vector - _fine(change)
-
-
-_Conditions = tuple[list[_Closes], list[_Singular]]
-
-
-def _fine(values: Array) -> Array:
-    return np.array([CONTEXT.mpf(float(c)) for c in values], dtype=object)
-
-
-def _conditions(
-    network: Network, points: Sequence[tuple[Array, int]], ranks: Sequence[tuple[RankClaim, int]]
-) -> _Conditions:
-    centre = np.array(ClosureVariety(network).centre, dtype=object)
-    singular = []
-    for claim, rank in ranks:
-        vectors = np.linalg.svd(claim.matrix(network, centre).astype(float))[2][rank:]
-        singular += [_Singular(claim, rank, vector) for vector in vectors]
-    return [_Closes(q, rank) for q, rank in points], singular
-
-
-def _linear(network: Network, slots: Slots, conditions: _Conditions) -> list[_Linear]:
-    """All conditions linearised about the geometry and their own unknowns, in doubles."""
-    coarse = ClosureVariety(network)
-    centre = np.array(coarse.centre, dtype=object)
-    closes, singular = conditions
-    result = []
-    if closes:
-        batch = np.array([one.q.astype(float) for one in closes])
-        for one, q, by_z in zip(closes, batch, closure_rates(coarse, slots, batch), strict=True):
-            place = local_at(coarse, q, rank=one.rank)
-            result.append(_Linear(place.stresses, place.inverse, by_z))
-    rates = screw_rates(network, slots, centre.astype(float))
-    decomposed = {}
-    for vanishing in singular:
-        claim, rank = vanishing.claim, vanishing.rank
-        if claim.name not in decomposed:
-            decomposed[claim.name] = np.linalg.svd(claim.matrix(network, centre).astype(float))
-        u, s, vt = decomposed[claim.name]
-        inverse = vt[:rank].T @ ((u[:, :rank] / s[:rank]).T)
-        pulled = claim.pulled(network, rates, vanishing.vector.astype(float))
-        result.append(_Linear(u[:, rank:].T, inverse, pulled))
-    return result
-
-
-class _Search:
-    """Numbers z of the geometry with conditions on it: steps in doubles, residuals in 60 digits."""
-
-    def __init__(
-        self, network: Network, points: Sequence[tuple[Array, int]], ranks: Sequence[tuple[RankClaim, int]]
-    ) -> None:
-        self.network, self.slots = network, slots_of(network)
-        self.conditions = _conditions(network, points, ranks)
-        self.z = np.array([CONTEXT.zero] * count_of(self.slots), dtype=object)
-        self.after = network
-        self.linear: list[_Linear] = []
-
-    def residuals(self) -> list[Array]:
-        """What is left of every condition."""
-        fine = ClosureVariety(self.after, DIGITS_60)
-        return [condition.residual(self.after, fine) for part in self.conditions for condition in part]
-
-    def linearise(self) -> None:
-        self.linear = _linear(self.after, self.slots, self.conditions)
-
-    def step(self, residuals: Sequence[Array], cut: float) -> None:
-        """One step of Gauss-Newton with the least change, for singular values above `cut` of the largest."""
-        missing = np.concatenate([one.left @ r for one, r in zip(self.linear, residuals, strict=True)])
-        dz = -np.linalg.lstsq(self.matrix(), missing, rcond=cut)[0]
-        self.move(dz, residuals)
-
-    def matrix(self) -> Array:
-        return np.concatenate([one.left @ one.by_z for one in self.linear])
-
-    def move(self, dz: Array, residuals: Sequence[Array] | None = None) -> None:
-        """The geometry moved by dz, the conditions' own unknowns after it."""
-        self.z = self.z + _fine(dz)
-        self.after = changed(self.network, self.slots, self.z)
-        found = [0.0] * len(self.linear) if residuals is None else residuals
-        every = [condition for part in self.conditions for condition in part]
-        for condition, one, r in zip(every, self.linear, found, strict=True):
-            condition.step(one.inverse @ (r + one.by_z @ dz))
-
-    def moved(self, dz: Array) -> _Search:
-        """Another search at z + dz; its conditions' own unknowns follow to first order."""
-        other = copy(self)
-        other.conditions = ([copy(c) for c in self.conditions[0]], [copy(c) for c in self.conditions[1]])
-        if dz.size:
-            other.move(dz)
-        return other
-
-    def settled(self) -> _Search:
-        """The conditions' own unknowns solved for once more."""
-        self.move(np.zeros(len(self.z)), self.residuals())
-        return self
-
-    def without_slope(self, cut: float) -> Conditions:
-        """The conditions about the present numbers, for the directions in which they vanish twice."""
-
-        def slopes(dz: Array) -> Array:
-            if not dz.size:
-                return self.matrix()
-            other = self.moved(dz)
-            other.linearise()
-            pairs = zip(self.linear, other.linear, strict=True)
-            return np.concatenate([mine.left @ its.left.T @ its.left @ its.by_z for mine, its in pairs])
-
-        def values(dz: Array) -> Array:
-            pairs = zip(self.linear, self.moved(dz).settled().residuals(), strict=True)
-            return np.concatenate([one.left @ r for one, r in pairs])
-
-        return Conditions(slopes, values, cut)
-
-
 def _solved(
-    network: Network, points: Sequence[tuple[Array, int]], ranks: Sequence[tuple[RankClaim, int]], noise: float
+    network: Network,
+    points: Sequence[tuple[Array, int]],
+    ranks: Sequence[tuple[RankClaim, int]],
+    noise: float,
+    *,
+    ways: Array | None = None,
+    twice: bool = False,
 ) -> NearGeometry | None:
-    search = _Search(network, points, ranks)
+    search = Search(network, points, ranks)
+    search.ways = ways
     best, rough = float("inf"), noise
     for attempt in range(ROUNDS):
         residuals = search.residuals()
@@ -367,9 +244,11 @@ def _solved(
         if attempt >= LINEARISED and size > SLOW * best:
             if size < ENOUGH:
                 break
-            twice = _solved_twice(search.moved(np.zeros(0)), min(LARGEST_CUT, CUT_OFF * max(LEAST_ROUGH, noise)))
-            if twice is not None or size > best / 2:
-                return None if twice is None else _found(twice, moves=bool(points))
+            if not twice:
+                return None
+            double = _solved_twice(search.moved(np.zeros(0)), min(LARGEST_CUT, CUT_OFF * max(LEAST_ROUGH, noise)))
+            if double is not None or size > best / 2:
+                return None if double is None else _found(double, moves=bool(points))
         if attempt < LINEARISED:
             search.linearise()
             rough = max(LEAST_ROUGH, rough if attempt == 0 else size)
@@ -380,13 +259,17 @@ def _solved(
     return _found(search, moves=bool(points))
 
 
-def _found(search: _Search, *, moves: bool) -> NearGeometry | None:
-    changes = sizes(search.network, search.after)
+def _found(search: Search, *, moves: bool) -> NearGeometry | None:
+    return _between(search.network, search.after, moves=moves)
+
+
+def _between(network: Network, after: Network, *, moves: bool) -> NearGeometry | None:
+    changes = sizes(network, after)
     distance = max(size for _, size in changes)
-    return NearGeometry(search.after, distance, changes, moves) if distance < FARTHEST else None
+    return NearGeometry(after, distance, changes, moves) if distance < FARTHEST else None
 
 
-def _solved_twice(search: _Search, cut: float) -> _Search | None:
+def _solved_twice(search: Search, cut: float) -> Search | None:
     """The search ended in a double zero of conditions that linear steps hardly make smaller; None where it is none."""
     believed, best, length = float(max(abs(c) for c in search.z)), float("inf"), float("inf")
     left = MOST_LINEARISED

@@ -9,6 +9,7 @@ there are fewer unknowns. The spherical joint at one end keeps the two rotations
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -18,10 +19,14 @@ from symscrew.description import rotation
 from symscrew.mobility.finite.independent_parts import shifted
 from symscrew.mobility.finite.variety import Array
 from symscrew.mobility.joint_network import Edge, Network
+from symscrew.mobility.screw_systems import Real, eliminate, null_space, unit_rows
 
 COINCIDE = CONTEXT.mpf(10) ** -12
 """Two spherical joints closer together than this, in units of the mechanism's size, have no line of centres to spin
 about; the links between them keep all their freedoms, which is right and costs unknowns only."""
+
+GROUPS = ("R", "P", "H", "C", "S", "E")
+"""Joint types whose motions are a group of displacements: seen from either body, their screws stay where they are."""
 
 
 def without_spins(network: Network) -> tuple[Network, int]:
@@ -42,6 +47,51 @@ def named_spins(network: Network) -> tuple[tuple[str, str], ...]:
     return tuple((name, end) for name, (_, end) in _spins(network).items())
 
 
+def passive_freedoms(network: Network) -> int:
+    """In how many ways links move alone, each between its two joints, while all others rest (zeta).
+
+    Both joints of a link have a motion in common, as seen from the link: two hinges about one line, a hinge whose axis
+    goes through a ball, two slides along one direction, two balls. What they have in common now they have for good,
+    for joints move in groups of displacements; of universal joints only the axis that the link carries does.
+    """
+    at = _joints_of(network)
+    columns, vectors = network.freedoms, list[list[Real]]()
+    for body, edges in at.items():
+        if body != network.ground and len(edges) == 2:
+            one, other = (_carried(edge, body) for edge in edges)
+            # as seen from the neighbours: the link moves by the one joint as by the other
+            same = (edges[0].child == body) == (edges[1].child == body)
+            sides = [*one, *((k, [-c if same else c for c in screw]) for k, screw in other)]
+            rows = [[screw[i] for _, screw in sides] for i in range(6)]
+            for motion in null_space(rows, len(sides)).basis:
+                rates = [CONTEXT.zero] * columns
+                for (k, _), rate in zip(sides, motion, strict=True):
+                    rates[k] = rate
+                vectors.append(rates)
+    for name, (line, end) in _spins(network).items():
+        links = _links_between(network, at, network.edges[name], end)
+        rates = [CONTEXT.zero] * columns
+        for edge in (network.edges[name], network.edges[end]):
+            for k, c in zip(edge.columns, line, strict=True):
+                rates[k] = c if edge.child in links else -c
+        vectors.append(rates)
+    return eliminate(unit_rows(vectors), columns).rank if vectors else 0
+
+
+def _links_between(network: Network, at: dict[str, list[Edge]], edge: Edge, end: str) -> set[str]:
+    """The links between two spherical joints that spin together."""
+    found = (_other_end(network, at, edge, body) for body in (edge.parent, edge.child))
+    return next(passed for other, passed in found if other is not None and other.name == end)
+
+
+def _carried(edge: Edge, body: str) -> list[tuple[int, Sequence[Real]]]:
+    """(column, screw) of the motions of a joint that stay where they are on a body: of a cross only its own axis."""
+    own = edge.motions
+    if edge.type not in GROUPS:
+        own = own[-1:] if edge.child == body else own[:1]
+    return [(k, edge.screws[k - edge.start]) for motion, start in own for k in range(start, start + motion.freedom)]
+
+
 def rotation_vector(edge: Edge, angles: Array) -> Array:
     """The rotation vector of a ball joint that turns by two angles, one after the other, across its line of spin."""
     w, vector = 1.0, np.zeros(3)
@@ -55,10 +105,7 @@ def rotation_vector(edge: Edge, angles: Array) -> Array:
 
 def _spins(network: Network) -> dict[str, tuple[Vector, str]]:
     """Spherical joint -> direction of the line about which the chain of links behind it spins, joint at its end."""
-    at: dict[str, list[Edge]] = {body: [] for body in network.bodies}
-    for edge in network.edges.values():
-        at[edge.parent].append(edge)
-        at[edge.child].append(edge)
+    at = _joints_of(network)
     spins: dict[str, tuple[Vector, str]] = {}
     done: set[str] = set()
     for edge in network.edges.values():
@@ -74,6 +121,14 @@ def _spins(network: Network) -> dict[str, tuple[Vector, str]]:
                 spins[edge.name] = scale(1 / size, line), end.name
                 done |= passed
     return spins
+
+
+def _joints_of(network: Network) -> dict[str, list[Edge]]:
+    at: dict[str, list[Edge]] = {body: [] for body in network.bodies}
+    for edge in network.edges.values():
+        at[edge.parent].append(edge)
+        at[edge.child].append(edge)
+    return at
 
 
 def _other_end(network: Network, at: dict[str, list[Edge]], edge: Edge, body: str) -> tuple[Edge | None, set[str]]:

@@ -188,7 +188,8 @@ class ClosureVariety:
         result = self._zeros(len(screws), self.rows, self.columns)
         chords, columns, signs = self._places
         loops = 6 * len(self.network.chords)
-        blocks = result[:, :loops].reshape(len(screws), -1, 6, self.columns)  # a view: splitting an axis copies nothing
+        shape = (len(screws), loops // 6, 6, self.columns)
+        blocks = result[:, :loops].reshape(shape)  # a view: splitting an axis copies nothing
         blocks[:, chords, :, columns] = np.swapaxes(screws[:, columns], 0, 1) * signs[:, None, None]
         for k, terms in enumerate(self._ties, start=loops):
             for column, term in terms:

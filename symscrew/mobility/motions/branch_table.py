@@ -164,7 +164,7 @@ def _directions(network: Network, germs: Sequence[Germ]) -> Array:
         for direction in germ.directions:
             whole = _whole(network, [(germ.network, direction * 1e-6)]) * 1e6
             rows.append(whole / (np.linalg.norm(whole) or 1.0))
-    return np.array(rows).reshape(-1, network.freedoms)
+    return np.array(rows).reshape(len(rows), network.freedoms)
 
 
 def _whole(network: Network, parts: Sequence[tuple[Network, Array]]) -> Array:

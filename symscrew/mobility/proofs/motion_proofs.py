@@ -190,7 +190,9 @@ class _Part:
         values = []
         for k, group in enumerate(self.groups()):
             part = stress[6 * k : 6 * k + 6]
-            basis = np.eye(6) if group == WHOLE else np.array([[self._read(c) for c in v] for v in group])
+            basis = (
+                np.eye(6) if group == WHOLE else np.array([[self._read(c) for c in v] for v in group]).reshape(-1, 6)
+            )
             values += list(basis @ part)
         values += list(stress[6 * len(self.block.loops) :])
         return np.array(values)

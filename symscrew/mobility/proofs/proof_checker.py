@@ -682,9 +682,8 @@ class Block:
         skew = len(screws) != 5 or any(_apart(self.numbers.interval(power)) for power in pairs)
         need(skew, "five freedoms of which no two are skew")
         arc = [[self.numbers.read(c) for c in rates] for rates in proof["arc"]]
-        need(
-            all(len(rates) == len(self.columns) for rates in arc) and len(arc) >= MOST_WAYS, "an arc that is too short"
-        )
+        whole = all(len(rates) == len(self.columns) for rates in arc)
+        need(whole and len(arc) >= MOST_WAYS, "an arc that is too short")
         need(any(_apart(self.numbers.interval(c)) for c in arc[0]), "an arc that does not start")
         left = self.opened(arc)[:MOST_WAYS]
         need(not any(c for order in left for c in order), "a motion that opens a loop")
@@ -693,7 +692,8 @@ class Block:
         """Coefficients in t of the velocities at which rates, a power series, open the loops and couplings."""
         result: list[list[Number]] = [[] for _ in range(len(arc) + 1)]
         for factors in self.factors:
-            loop = velocities([s for _, s in factors], [[rates[c] for c, _ in factors] for rates in arc])
+            rates = [[order[c] for c, _ in factors] for order in arc]
+            loop = velocities([s for _, s in factors], rates) if factors else [[self.numbers.zero] * 6] * len(result)
             result = [[*a, *b] for a, b in zip(result, loop, strict=True)]
         for tie in self.tied_columns:
             moved = [self.numbers.zero] * (len(arc) + 1)

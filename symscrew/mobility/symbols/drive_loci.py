@@ -20,7 +20,7 @@ from symscrew.mobility.carrying_limbs import carried_by_limbs
 from symscrew.mobility.margins import drive_sets
 from symscrew.mobility.symbols.generators import NotPolynomialError, Poly
 from symscrew.mobility.symbols.loci_at_points import true_loci
-from symscrew.mobility.symbols.locus import Locus
+from symscrew.mobility.symbols.locus import AT_ONCE, Locus
 from symscrew.mobility.symbols.polynomial_screws import SymbolicScrews, symbolic_screws
 
 LARGEST_LOCUS = 40
@@ -79,7 +79,9 @@ def _actuation_loci(work: SymbolicScrews, mechanism: Mechanism, driven: Sequence
             not_tried.append(f"actuation loci with {label} locked: {count} determinants are more than {MOST_MINORS}")
             continue
         meaning = f"a freedom is left with {label} locked"
-        for factor in _common_factors(work, wrenches):
+        factors, all_listed = _common_factors(work, wrenches)
+        not_tried += [] if all_listed else [f"actuation loci with {label} locked, {AT_ONCE}"]
+        for factor in factors:
             if len(factor.terms()) > LARGEST_LOCUS:
                 not_tried.append(f"actuation locus with {label} locked: not shown, it has {len(factor.terms())} terms")
             elif not factor:
@@ -87,7 +89,10 @@ def _actuation_loci(work: SymbolicScrews, mechanism: Mechanism, driven: Sequence
             elif factor not in known and -factor not in known:
                 known.append(factor)  # once for all drives, not again for each set
                 loci.append(Locus("actuation", label, work.ring.expression(factor), meaning))
-    return ActuationLoci(true_loci(mechanism, loci), tuple(not_tried))
+    kept = true_loci(mechanism, loci)
+    for label in dict.fromkeys(locus.where for locus in loci if locus not in kept):
+        not_tried.append(f"actuation loci with {label} locked, {AT_ONCE}")
+    return ActuationLoci(kept, tuple(dict.fromkeys(not_tried)))
 
 
 def _label(mechanism: Mechanism, joint: str, freedom: int) -> str:
@@ -106,11 +111,12 @@ def _limb_wrenches(
     return work.reciprocal(screws)[0]
 
 
-def _common_factors(work: SymbolicScrews, wrenches: Sequence[list[Poly]]) -> list[Poly]:
-    """Factors that all determinants of six of the wrenches share; [0] if all vanish."""
+def _common_factors(work: SymbolicScrews, wrenches: Sequence[list[Poly]]) -> tuple[list[Poly], bool]:
+    """(factors that all determinants of six of the wrenches share, [0] if all vanish; whether they say all)."""
     ring = work.ring
     minors = [ring.determinant([wrenches[i] for i in chosen]) for chosen in combinations(range(len(wrenches)), 6)]
     minors = [minor for minor in minors if minor]
     if not minors:
-        return [ring.ring.zero]
-    return list(ring.factors(ring.common_factor(minors)))
+        return [ring.ring.zero], True
+    common, quotients = ring.shared(minors)
+    return list(ring.factors(common)), ring.all_listed(common, quotients)

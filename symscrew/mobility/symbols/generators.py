@@ -82,6 +82,7 @@ class Generators:
             self._relations.append(theta ** len(modulus) + sum(low, self.ring.zero))
         self._spent = 0
         self._places: dict[frozenset[tuple[sympy.Symbol, sympy.Expr]], list[Any]] = {}
+        self._factors: dict[Poly, list[Poly]] = {}
         self._replaced: dict[sympy.Expr, Quotient] = {}
         self._radicands: list[Poly] = [self.ring.one]
         self._roots: list[tuple[Poly, Poly]] = []
@@ -228,7 +229,29 @@ class Generators:
         """Irreducible factors that can vanish for real values of the generators, each once."""
         if not poly or poly.is_ground:
             return []
-        return [factor for factor, _ in poly.factor_list()[1] if not self._never_zero(factor)]
+        return [factor for factor in self._factored(poly) if not self._never_zero(factor)]
+
+    def _factored(self, poly: Poly) -> list[Poly]:
+        """Irreducible factors, each once."""
+        if poly not in self._factors:
+            self._factors[poly] = [factor for factor, _ in poly.factor_list()[1]]
+        return self._factors[poly]
+
+    def all_listed(self, common: Poly, quotients: Iterable[Poly]) -> bool:
+        """Whether polynomials, `shared`, vanish together nowhere but where `factors` of what they have in common do.
+
+        False says only that this is not known: they may where several conditions hold at once.
+        """
+        hidden = [factor for factor in self._factored(common) if self._never_zero(factor)]
+        return all(map(self._positive, hidden)) and any(map(self._positive, filter(None, quotients)))
+
+    def _positive(self, poly: Poly) -> bool:
+        """A number, or a sum of even powers with one: zero nowhere."""
+        if self._constant_only(poly):
+            return bool(poly)
+        signs = {coefficient > 0 for _, coefficient in poly.terms()}
+        even = all(exponent % 2 == 0 for monomial, _ in poly.terms() for exponent in monomial)
+        return len(signs) == 1 and even and any(not any(monomial) for monomial in poly.itermonoms())
 
     def number(self, poly: Poly, values: Mapping[sympy.Symbol, sympy.Expr] | None = None) -> Any:
         """Value in 60 digits at the parameters' values, or at others."""
@@ -249,7 +272,9 @@ class Generators:
 
     def _constant_only(self, poly: Poly) -> bool:
         """A number: a polynomial in the constants' cosine alone, in normal form and so not zero."""
-        last = len(self.atoms) - 1
+        if poly.is_ground:
+            return True
+        last = len(self.atoms) - 1 if self.constants.generators else -1
         return all(k == last for monomial in poly.itermonoms() for k, exponent in enumerate(monomial) if exponent)
 
     def _never_zero(self, poly: Poly) -> bool:

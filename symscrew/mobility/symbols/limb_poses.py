@@ -10,18 +10,20 @@ to (18) hold with symbols for all of them.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from typing import Any
 
+import numpy as np
 import sympy
 from sympy.simplify.fu import TR10i
 
 from symscrew.algebra import IDENTITY, Matrix, add, cross, transform
 from symscrew.algebra import product as matrix_product
 from symscrew.description import Joint, Mechanism, Motion, Parameter
+from symscrew.mobility.symbols.further_losses import place_of_loss
 from symscrew.mobility.symbols.generators import Generators, NotPolynomialError, Poly
-from symscrew.mobility.symbols.loci_at_points import true_loci
+from symscrew.mobility.symbols.loci_at_points import limb_loses, reference_screws, true_loci
 from symscrew.mobility.symbols.locus import Locus
 from symscrew.mobility.symbols.loop_motions import FormulaTooLargeError, motions_by_minors
 from symscrew.mobility.symbols.polynomial_screws import SymbolicScrews, Vector, expressions_of
@@ -33,13 +35,17 @@ MOST_SYMBOLS = 3
 """Displacements that are given symbols: all that a limb of five freedoms has between its first and its last joint. Of
 more, and where the result is too long, those nearest to the tip stay in the reference, and the result says so."""
 
+NONE_FOUND = "its screws may become dependent where several conditions hold at once; no such place was found by looking"
+
 
 @dataclass(frozen=True)
 class LimbPose:
     """Constraints (f ; m) of a limb with its own joints displaced by `displacements` from the reference.
 
     `of`: joint and index of each displacement; the axes move with the limb's first joint `carried_by`.
-    `not_tried`: joints that have no symbol, and loci that are too long to be shown, a sentence each.
+    `further`: a place beside the loci at which the screws are dependent, where one was found by looking; empty where it
+    is known that there is none. `not_tried`: joints that have no symbol, and loci that are too long to be shown, and
+    that none was found, a sentence each.
     """
 
     name: str
@@ -49,6 +55,7 @@ class LimbPose:
     constraints: tuple[Vector, ...]
     loci: tuple[Locus, ...]
     not_tried: tuple[str, ...] = ()
+    further: Mapping[sympy.Symbol, float] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -161,6 +168,14 @@ def _posed(mechanism: Mechanism, name: str, chain: list[_Freedom], symbols: list
                 loci += [Locus(kind, name, _read(work, part, symbols), meaning) for part in parts]
     places = [(f.joint.name, f.index, f.sense, symbol) for f, symbol in zip(displaced, symbols, strict=True)]
     first = chain[0]
+    found = true_loci(mechanism, loci, places)
+    said = [locus for locus in found if locus.kind == "limb"]
+    further = None
+    # a factor that is zero where rank is kept is one of the rows that were chosen, and others take their place there
+    if not solved.all_listed or len(said) < len(work.ring.factors(dependent)):
+        further = _further(mechanism, chain, symbols, said)
+        further = further if further and limb_loses(mechanism, name, places, further) else None
+        not_tried += [] if further else [f"{name}: {NONE_FOUND}"]
     return LimbPose(
         name,
         tuple(symbols),
@@ -168,9 +183,24 @@ def _posed(mechanism: Mechanism, name: str, chain: list[_Freedom], symbols: list
               for f in displaced),
         first.joint.name,
         tuple(tuple(_read(work, c, symbols) for c in wrench) for wrench in wrenches),
-        true_loci(mechanism, loci, places),
+        found,
         tuple(not_tried),
+        further or {},
     )  # fmt: skip
+
+
+def _further(
+    mechanism: Mechanism, chain: Sequence[_Freedom], symbols: Sequence[sympy.Symbol], loci: Sequence[Locus]
+) -> Mapping[sympy.Symbol, float] | None:
+    screws, size = reference_screws(mechanism)
+    starts = [0]
+    for freedom in chain:
+        starts.append(starts[-1] + freedom.motion.freedom)
+    rows = [screws[f.joint.name][f.joint.kind.starts[f.index] + k] for f in chain for k in range(f.motion.freedom)]
+    displaced = [(starts[k], float(f.sense), symbol) for k, (f, symbol) in
+                 enumerate(zip(chain[1:], symbols, strict=False), start=1)]  # fmt: skip
+    values = {p.symbol: p.value for p in mechanism.parameters.values()}
+    return place_of_loss(np.array(rows), displaced, [locus.expression.xreplace(values) for locus in loci], size)
 
 
 def _read(work: SymbolicScrews, poly: Poly, symbols: Sequence[sympy.Symbol]) -> sympy.Expr:

@@ -61,6 +61,24 @@ def true_loci(
     return tuple(locus for locus in given if _holds(shape, locus))
 
 
+def reference_screws(mechanism: Mechanism) -> tuple[Mapping[str, Array], float]:
+    """(joint -> its unit screws in the reference, lengths over the size; the size [m])."""
+    shape = _Shape(mechanism, ())
+    there = shape.at(shape.values)
+    if there is None:
+        raise ValueError("expected a geometry that is real at the description's values")
+    return there.screws, there.size
+
+
+def limb_loses(
+    mechanism: Mechanism, limb: str, displaced: Sequence[tuple[str, int, int, sympy.Symbol]], at: Values
+) -> bool:
+    """Whether the limb's screws have a rank less at displacements than beside these."""
+    shape = _Shape(mechanism, tuple(displaced))
+    there, usual = (shape.at({**shape.values, **{s: v + off for s, v in at.items()}}) for off in (0.0, BESIDE))
+    return there is not None and usual is not None and there.limb(limb) < usual.limb(limb)
+
+
 def _holds(shape: _Shape, locus: Locus) -> bool:
     for zero, beside in _zeros(shape, locus.expression):
         there, usual = shape.at(zero), shape.at(beside)
@@ -161,7 +179,7 @@ class _Shape:
             slides = self.mechanism.joints[name].kind.motions[motion].prismatic
             amount = sense * values[symbol] / (size if slides else 1.0)
             _carry(screws, self._behind(k), screws[name][start], amount)
-        return _Place(self, screws)
+        return _Place(self, screws, size)
 
     def _behind(self, k: int) -> list[tuple[str, int]]:
         """(joint, column) of the limb's screws that the k-th displaced freedom carries."""
@@ -199,6 +217,7 @@ class _Place:
 
     shape: _Shape
     screws: Mapping[str, Array]
+    size: float
 
     def limb(self, name: str, half: slice = slice(0, 6)) -> int:
         """Rank of a limb's screws, or of their angular or linear parts."""

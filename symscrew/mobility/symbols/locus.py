@@ -6,6 +6,9 @@ from dataclasses import dataclass
 
 import sympy
 
+AT_ONCE = "where several conditions on the parameters hold at once: degenerations there are not listed"
+"""What common factors of minors do not tell, after whose minors they are."""
+
 
 @dataclass(frozen=True)
 class Locus:

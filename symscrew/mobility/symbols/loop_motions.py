@@ -19,7 +19,7 @@ from symscrew.mobility.joint_network import Network, network_of
 from symscrew.mobility.screw_systems import eliminate
 from symscrew.mobility.symbols.generators import NotPolynomialError, Poly, Quotient
 from symscrew.mobility.symbols.loci_at_points import true_loci
-from symscrew.mobility.symbols.locus import Locus
+from symscrew.mobility.symbols.locus import AT_ONCE, Locus
 from symscrew.mobility.symbols.polynomial_screws import SymbolicScrews, Vector, symbolic_screws
 
 MOST_TERMS = 1500
@@ -112,13 +112,16 @@ def _loops(mechanism: Mechanism, work: SymbolicScrews, body: str) -> SymbolicLoo
             f"{MOST_MINORS}"
         )
     meaning = "the closure equations become dependent"
+    loci = true_loci(mechanism, [Locus("closure", "loops", ring.expression(part), meaning) for part in shown])
+    if not found.all_listed or len(loci) < len(shown):
+        not_tried.append(f"the closure, {AT_ONCE}")
     return SymbolicLoops(
         tuple(ring.parameters),
         names,
         tuple(_vector(work, _unit_rates(work, motion, factors)) for motion in found.vectors),
         body,
         tuple(_vector(work, twist) for twist in freedoms),
-        true_loci(mechanism, [Locus("closure", "loops", ring.expression(part), meaning) for part in shown]),
+        loci,
         tuple(not_tried),
     )
 
@@ -167,12 +170,13 @@ class PolynomialMotions:
     """`vectors`: null space of rows, without poles; `dependent`: common factor of the determinants of full size.
 
     Where `dependent` is zero the rows lose rank; `minors_left_out`: number of determinants, where these were too many
-    to look for it (it is 1 then).
+    to look for it (it is 1 then). `all_listed`: whether rank is known to be lost nowhere else.
     """
 
     vectors: list[Row]
     dependent: Poly
     minors_left_out: int = 0
+    all_listed: bool = True
 
 
 def motions_by_minors(work: SymbolicScrews, rows: Sequence[Row], columns: int) -> PolynomialMotions:
@@ -194,7 +198,7 @@ def motions_by_minors(work: SymbolicScrews, rows: Sequence[Row], columns: int) -
             total = sum(parts, ring.ring.zero)
             full[j] = -_limited(ring.normal(total)).mul_ground(1 / row[j].coeff(1))
         vectors.append(primitive(work, full))
-    return PolynomialMotions(vectors, small.dependent, small.minors_left_out)
+    return PolynomialMotions(vectors, small.dependent, small.minors_left_out, small.all_listed)
 
 
 def _constants_solved(
@@ -266,8 +270,9 @@ def _cramer(work: SymbolicScrews, rows: list[Row], columns: Sequence[int], budge
         vectors.append(vector)
     minors = comb(count, rank)
     if minors <= MOST_MINORS:
-        found = (minor(chosen) for chosen in combinations(range(count), rank))
-        return PolynomialMotions(vectors, ring.common_factor(found))
+        found = [minor(chosen) for chosen in combinations(range(count), rank)]
+        common, quotients = ring.shared(found)
+        return PolynomialMotions(vectors, common, all_listed=ring.all_listed(common, quotients))
     # a determinant that is a number settles it: the rank is never lost
     return PolynomialMotions(vectors, ring.ring.one, 0 if base.is_ground else minors)
 

@@ -13,7 +13,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import combinations
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import sympy
@@ -26,7 +26,7 @@ from symscrew.mobility.screw_systems import Screw, eliminate, unit_rows
 from symscrew.mobility.symbols.exact_screws import across
 from symscrew.mobility.symbols.generators import Generators, NotPolynomialError, Poly, Quotient
 from symscrew.mobility.symbols.loci_at_points import true_loci
-from symscrew.mobility.symbols.locus import Locus
+from symscrew.mobility.symbols.locus import AT_ONCE, Locus
 
 Vector = tuple[sympy.Expr, ...]
 SEED = 840
@@ -54,6 +54,18 @@ class SymbolicMobility:
     constraints: tuple[Vector, ...]
     freedoms: tuple[Vector, ...]
     loci: tuple[Locus, ...]
+    not_tried: tuple[str, ...] = ()
+
+
+class Reciprocal(NamedTuple):
+    """Null vectors of the reciprocal product with screws; common factor of all maximal minors of these.
+
+    `all_listed`: whether they are known to lose rank nowhere but where that factor is zero.
+    """
+
+    wrenches: list[list[Poly]]
+    dependent: Poly
+    all_listed: bool
 
 
 def symbolic_mobility(mechanism: Mechanism) -> SymbolicMobility | None:
@@ -96,10 +108,11 @@ class SymbolicScrews:
 
     def run(self, chains: dict[str, list[Joint]]) -> SymbolicMobility:
         """Limbs, their constraints, the platform's freedoms and where they degenerate."""
-        limbs, union = [], []
+        limbs, union, open_ones = [], list[list[Poly]](), list[str]()
         for name, joints in chains.items():
             screws = [screw for joint in joints for screw in self.screws(joint)]
-            wrenches, dependent = self.reciprocal(screws)
+            wrenches, dependent, all_listed = self.reciprocal(screws)
+            open_ones += [] if all_listed else [name]
             self._note("limb", name, dependent, "the screws of the limb become dependent")
             for wrench in wrenches:
                 self._note_wrench(name, wrench)
@@ -107,12 +120,21 @@ class SymbolicScrews:
             union += wrenches
         parameters = tuple(self.ring.parameters)
         if not carried_by_limbs(self.mechanism):
-            return SymbolicMobility(parameters, tuple(limbs), (), (), true_loci(self.mechanism, self.loci))
-        freedoms, dependent = self.reciprocal(union)
+            loci = true_loci(self.mechanism, self.loci)
+            return SymbolicMobility(parameters, tuple(limbs), (), (), loci, self._not_listed(loci, open_ones))
+        freedoms, dependent, all_listed = self.reciprocal(union)
+        open_ones += [] if all_listed else [self.mechanism.platform or ""]
         meaning = "the constraints of the limbs become dependent"
         self._note("constraint", self.mechanism.platform or "", dependent, meaning)
         loci = true_loci(self.mechanism, self.loci)
-        return SymbolicMobility(parameters, tuple(limbs), self._vectors(union), self._vectors(freedoms), loci)
+        constraints, moved = self._vectors(union), self._vectors(freedoms)
+        return SymbolicMobility(parameters, tuple(limbs), constraints, moved, loci, self._not_listed(loci, open_ones))
+
+    def _not_listed(self, loci: Sequence[Locus], names: Sequence[str]) -> tuple[str, ...]:
+        """That rank may be lost elsewhere; so, too, where a factor was of rows that others take the place of."""
+        dropped = {locus.where for locus in self.loci if locus.kind in ("limb", "constraint") and locus not in loci}
+        every = [name for name in (*self.mechanism.limbs, self.mechanism.platform or "") if name in {*names, *dropped}]
+        return (f"{', '.join(every)}, {AT_ONCE}",) if every else ()
 
     def screws(self, joint: Joint) -> list[list[Poly]]:
         """Screws of a joint as polynomials: each times its common denominator."""
@@ -137,22 +159,24 @@ class SymbolicScrews:
         made = motion_screws(joint.kind, axes, point, pitch)
         return [twist.components for _, twists in made for twist in twists]
 
-    def reciprocal(self, screws: Sequence[Sequence[Poly]]) -> tuple[list[list[Poly]], Poly]:
-        """(null vectors of the reciprocal product, common factor of all maximal minors of the screws)."""
+    def reciprocal(self, screws: Sequence[Sequence[Poly]]) -> Reciprocal:
+        """What is reciprocal to all of the screws, and where they become dependent."""
         ring = self.ring
         rows = [[*screws[i][3:], *screws[i][:3]] for i in self.independent(screws)]
         rank = len(rows)
         if rank == 0:
-            return [[ring.ring.one if i == j else ring.ring.zero for i in range(6)] for j in range(6)], ring.ring.one
+            every = [[ring.ring.one if i == j else ring.ring.zero for i in range(6)] for j in range(6)]
+            return Reciprocal(every, ring.ring.one, all_listed=True)
         minors = {columns: ring.determinant([[row[j] for j in columns] for row in rows])
                   for columns in combinations(range(6), rank)}  # fmt: skip
-        common = ring.common_factor(minors.values())
+        common, quotients = ring.shared(list(minors.values()))
         used = max(
             (columns for columns, minor in minors.items() if minor),
             key=lambda columns: (-len(minors[columns].terms()), abs(ring.number(minors[columns], self.somewhere))),
         )
         vectors = [self._cramer(minors, used, free) for free in range(6) if free not in used]
-        return [self._primitive(vector) for vector in vectors], common
+        wrenches = [self._primitive(vector) for vector in vectors]
+        return Reciprocal(wrenches, common, ring.all_listed(common, quotients))
 
     def independent_rows(self, rows: Sequence[Sequence[Poly]], columns: int) -> list[int]:
         """Indices of the first rows that are linearly independent for generic values of the parameters."""

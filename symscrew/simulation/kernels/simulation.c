@@ -90,6 +90,32 @@ static void look_how_fast(Simulation *s)
     }
 }
 
+/* The start onto the loops. Near a singular configuration one that is on them to rounding stays as it was given: what
+ * moves there is known to rounding by the pivot, and a correction would take it as far off. */
+static int settled_start(Simulation *s)
+{
+#if NR
+    Opening o;
+    double q[NQ1], v[NV1], rates[NR], fastest = 0.0;
+    memcpy(q, s->q, sizeof q);
+    memcpy(v, s->v, sizeof v);
+    const int outcome = settle(s->q, s->v, &s->pivot);
+    if (outcome == 0 && s->pivot < CAREFUL && opening(q, &o) == 0) {
+        for (int k = 0; k < NV; ++k) {
+            fastest = fmax(fastest, fabs(v[k]) / UNIT[k]);
+        }
+        closure_rates(&o, v, rates);
+        if (largest(o.residual, NR) <= CLOSED && largest(rates, NR) <= CLOSED * fastest) {
+            memcpy(s->q, q, sizeof q);
+            memcpy(s->v, v, sizeof v);
+        }
+    }
+    return outcome;
+#else
+    return settle(s->q, s->v, &s->pivot);
+#endif
+}
+
 int simulation_start(Simulation *s, double t, const double *q, const double *v, const double *x, int method, double h,
                      double rtol, double atol, double longest, long budget, const double *edges, const double *lefts,
                      size_t edge_count)
@@ -115,7 +141,7 @@ int simulation_start(Simulation *s, double t, const double *q, const double *v, 
     without_dust(s->v, NV);
     without_dust(s->x, NX);
     s->careful_tolerance = CAREFUL_TOLERANCE;
-    const int outcome = settle(s->q, s->v, &s->pivot);
+    const int outcome = settled_start(s);
     s->pivot_rate = pivot_rate(s->q, s->v);
     return outcome == 0 ? 0 : NOT_CLOSED;
 }

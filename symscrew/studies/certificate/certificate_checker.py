@@ -21,7 +21,9 @@ That the equations are those of the mechanism it names, and where the chain star
 `symscrew check FILE` derives them again from the description in the file; here that is only hashed.
 
 Numbers are forms c + l . d + [-r, r] with d in [-1, 1], one entry per edge of the box, so that what depends on z to
-first order stays sharp (Taylor models of order 1). A constant of a program stands for every number rounded to it.
+first order stays sharp (Taylor models of order 1); where that shows nothing, one more per entry of e, which closure and
+rank depend on to first order too: of this part the mean F' from e = 0 to e, which Krawczyk's operator has, is half.
+A constant of a program stands for every number rounded to it.
 """
 
 from __future__ import annotations
@@ -43,6 +45,7 @@ SLACK = 1.0 + 256 * EPS  # what a sum of some dozens of positive numbers that we
 TINY = 1e-290  # more than what a product loses where it underflows
 SINE_ERROR = 2.0**-49  # of sine and cosine below: reduction 3e-16, Horner's scheme 5e-16, the series 2e-22
 MOST_EDGES = 24  # of a box: sums over more would lose more than SLACK
+MOST_INPUTS = 100_000  # of a program: a file that says more would only fill the memory
 LARGEST_TURNS = 1000.0  # quarter turns up to which an angle is reduced exactly
 QUARTER = (1.57079632673412561417e00, 6.07710050630396597660e-11, 2.02226624871116645580e-21)  # pi/2 in 33-bit parts
 AT_ONCE = 256  # boxes that are looked at together: all numbers of a mechanism of 30 joints in 0.2 GB
@@ -292,6 +295,7 @@ class Program:
     def read(cls, values: Any) -> Program:
         """Of a file: every operand is computed before it is used."""
         inputs = tuple((str(name), int(count)) for name, count in values["inputs"])
+        need(all(0 <= count <= MOST_INPUTS for _, count in inputs), "inputs of a program")
         known = set(range(sum(count for _, count in inputs)))
         instructions = []
         for target, op, *args in values["instructions"]:
@@ -413,6 +417,7 @@ class Equations:
     def read(cls, values: Any) -> Equations:
         """Of a file."""
         made = cls.of(values)
+        need(0 < made.count <= MOST_INPUTS, "coordinates")
         need(1 <= len(made.axes) <= MOST_EDGES and len(set(made.axes)) == len(made.axes), "axes")
         need(len(set(made.rows)) + len(set(made.quaternions)) == len(made.dependent), "equations for the coordinates")
         return made
@@ -472,12 +477,12 @@ class Tubes:
     bounds: Mapping[str, tuple[Array, Array]]
 
 
-def together(parts: Sequence[Tubes]) -> Tubes:
-    """What was found of boxes, side by side."""
+def together(parts: Sequence[Tubes], places: Array | slice = slice(None)) -> Tubes:
+    """What was found of boxes, side by side; of these those at some places."""
     *arrays, _ = (f.name for f in fields(Tubes))
-    ends = {n: np.hstack([np.stack(part.bounds[n]) for part in parts]) for n in parts[0].bounds}
+    ends = {n: np.hstack([np.stack(part.bounds[n]) for part in parts])[:, places] for n in parts[0].bounds}
     return Tubes(
-        **{n: np.concatenate([getattr(part, n) for part in parts], axis=-1) for n in arrays},
+        **{n: np.concatenate([getattr(part, n) for part in parts], axis=-1)[..., places] for n in arrays},
         bounds={n: (low, high) for n, (low, high) in ends.items()},
     )
 
@@ -525,10 +530,15 @@ def _size(form: Form) -> Array:
     return np.asarray((np.abs(form.c) + form.s + form.r) * SLACK)
 
 
-def _defect(inverse: Array, matrix: Form) -> Array:
-    """|1 - inverse M| for all M, from above (columns, columns, n)."""
+def _defects(inverse: Array, matrix: Form, edges: int) -> tuple[Array, Array]:
+    """|1 - inverse M|, from above (columns, columns, n), of means from a tube's middle to its places; and for all M.
+
+    The means have half of what is linear in the edges behind the first ones.
+    """
     product = _times(inverse, matrix)
-    return _size(Form(np.eye(matrix.c.shape[1])[:, :, None] - product.c, product.l, product.r + 4 * EPS))
+    rest = np.abs(np.eye(matrix.c.shape[1])[:, :, None] - product.c) + product.r + 4 * EPS
+    box, tube = (np.abs(part).sum(axis=0) * SLACK for part in (product.l[:edges], product.l[edges:]))
+    return (rest + box + 0.5 * tube) * SLACK, (rest + box + tube) * SLACK
 
 
 def full_rank(matrix: Form) -> Array:
@@ -538,7 +548,7 @@ def full_rank(matrix: Form) -> Array:
     """
     if matrix.c.shape[0] < matrix.c.shape[1]:
         return np.zeros(matrix.c.shape[2], dtype=bool)
-    defect = _defect(_inverses(matrix.c), matrix)
+    defect = _defects(_inverses(matrix.c), matrix, len(matrix.l))[1]
     w = np.ones(defect.shape[1:])
     found = np.zeros(defect.shape[2], dtype=bool)
     for _ in range(8):  # after which the weights are those of the largest eigenvalue where it stands apart
@@ -586,17 +596,28 @@ def configurations(equations: Equations, z: Array, guess: Array) -> tuple[Array,
 
 
 def tubes(equations: Equations, low: Array, high: Array, centre: Array) -> Tubes:
-    """What holds in boxes (k, n) about configurations (m, n) in their middle; AT_ONCE are looked at together."""
-    parts = [slice(a, a + AT_ONCE) for a in range(0, low.shape[1], AT_ONCE)]
+    """What holds in boxes (k, n) about configurations (m, n) in their middle; AT_ONCE are looked at together.
+
+    Where nothing is shown the tube gets an edge for every dependent coordinate, as far as MOST_EDGES: dearer, sharper.
+    """
+    found = []
     with np.errstate(all="ignore"):
-        found = [_tubes(equations, low[:, part], high[:, part], centre[:, part]) for part in parts]
+        for a in range(0, low.shape[1], AT_ONCE):
+            ends = [end[..., a : a + AT_ONCE] for end in (low, high, centre)]
+            plain = _tubes(equations, *ends, sharp=False)
+            again = np.flatnonzero(~(plain.closed & plain.holding) & np.isfinite(plain.slope).all(axis=(0, 1)))
+            if len(again) and 0 < len(equations.dependent) <= MOST_EDGES - len(low):
+                places = np.arange(plain.low.shape[1])
+                places[again] = len(places) + np.arange(len(again))
+                plain = together([plain, _tubes(equations, *(end[:, again] for end in ends), sharp=True)], places)
+            found.append(plain)
     return found[0] if len(found) == 1 else together(found)
 
 
-def _tubes(equations: Equations, low: Array, high: Array, centre: Array) -> Tubes:
+def _tubes(equations: Equations, low: Array, high: Array, centre: Array, *, sharp: bool) -> Tubes:
     count, dependent = low.shape[1], equations.dependent
-    z, shape = edges_of(low, high), low.shape
-    slope, radius = np.zeros((len(dependent), *shape)), np.zeros((len(dependent), count))
+    z, shape = edges_of(low, high), (len(low) + len(dependent) * sharp, count)
+    slope, radius = np.zeros((len(dependent), *low.shape)), np.zeros((len(dependent), count))
     tight, closed, holding = radius, np.full(count, True), np.full(count, True)
     if dependent:
         slope, off, inverse = _middle(equations, z, centre)
@@ -605,14 +626,14 @@ def _tubes(equations: Equations, low: Array, high: Array, centre: Array) -> Tube
         for wide in WIDEN:
             trial = np.maximum(wide * fixed, missed) + LEAST * (1.0 + np.abs(centre))
             trial = np.where(closed, radius, trial)
-            inside = [f.wider(e) for f, e in zip(moving, trial, strict=True)]
-            rows = equations.residual(equations.inputs(z, inside), slopes=True)[1]
-            defect = _defect(inverse, _matrix(rows, dependent, shape))
-            image = (off + np.einsum("ijn,jn->in", defect, trial)) * SLACK
-            radius, closed = trial, (image < trial).all(axis=0)
+            rows = equations.residual(_inside(equations, (z, moving), trial, sharp=sharp), slopes=True)[1]
+            mean, defect = _defects(inverse, _matrix(rows, dependent, shape), len(z))
+            image = (off + np.einsum("ijn,jn->in", mean, trial)) * SLACK
+            radius = trial
+            closed = (image < trial).all(axis=0) & (np.einsum("ijn,jn->in", defect, trial) * SLACK < trial).all(axis=0)
             missed = np.where(image < trial, 0.0, 2.0 * image)  # entries that follow from squares of others
             for _ in range(SETTLING):  # to the fixed point off + defect E, were the defect that of a smaller tube
-                last, fixed = fixed, off + np.einsum("ijn,jn->in", defect, fixed)
+                last, fixed = fixed, off + np.einsum("ijn,jn->in", mean, fixed)
             hopeful = ~closed & (fixed.max(axis=0) < SETTLED * last.max(axis=0))
             if not hopeful.any():
                 break
@@ -628,6 +649,19 @@ def _tubes(equations: Equations, low: Array, high: Array, centre: Array) -> Tube
             least, most = form.bounds
             bounds[name] = (np.broadcast_to(least, count), np.broadcast_to(most, count))
     return Tubes(low, high, centre, slope, radius, tight, closed, holding, bounds)
+
+
+def _inside(
+    equations: Equations, middle: tuple[Sequence[Form], Sequence[Form]], trial: Array, *, sharp: bool
+) -> dict[str, list[Form]]:
+    """All inputs in tubes of the radius `trial` (m, n) about z and the q that follow: `sharp`, along m own edges."""
+    z, moving = middle
+    if not sharp:
+        return equations.inputs(z, [f.wider(e) for f, e in zip(moving, trial, strict=True)])
+    wider = ((z, [0.0 * trial] * len(z)), (moving, np.eye(len(trial))[:, :, None] * trial))
+    return equations.inputs(
+        *([Form(f.c, np.concatenate([f.l, e]), f.r) for f, e in zip(*pair, strict=True)] for pair in wider)
+    )
 
 
 def _middle(equations: Equations, z: Sequence[Form], centre: Array) -> tuple[Array, Array, Array]:
@@ -705,7 +739,7 @@ def _both_hold(
         with np.errstate(all="ignore"):
             q, _ = configurations(equations, z, guess[:, part])
             bare = Equations(**{**equations.__dict__, "conditions": (), "driven": None})
-            at = _tubes(bare, z, z, q)
+            at = _tubes(bare, z, z, q, sharp=False)
             good = at.closed & (np.abs(q - guess[:, part]) <= far * (1.0 + np.abs(q))).all(axis=0)
             for box in (boxes[0][part], boxes[1][part]):
                 d = _offset(found, box, z)

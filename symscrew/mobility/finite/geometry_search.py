@@ -1,0 +1,177 @@
+"""Numbers of a geometry with conditions on it: steps in doubles along their slopes, residuals in 60 digits.
+
+    loops closed in configurations, vectors in null spaces --linearised--> steps of Gauss-Newton with the least change
+
+Conditions have unknowns of their own: the configuration in which loops close, the null vector of a rank that is lost.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from copy import copy
+from dataclasses import dataclass
+
+import numpy as np
+
+from symscrew.algebra import CONTEXT
+from symscrew.mobility.finite.almost_ranks import RankClaim
+from symscrew.mobility.finite.double_zeros import Conditions
+from symscrew.mobility.finite.joint_changes import Slots, changed, closure_rates, count_of, screw_rates, slots_of
+from symscrew.mobility.finite.local_solutions import local_at
+from symscrew.mobility.finite.variety import DIGITS_60, Array, ClosureVariety
+from symscrew.mobility.joint_network import Network
+
+
+@dataclass(frozen=True)
+class _Linear:
+    """A condition linearised: `left` are the parts that its own unknowns cannot make vanish, `by_z` of the geometry."""
+
+    left: Array
+    inverse: Array
+    by_z: Array
+
+
+class _Closes:
+    """The loops close in a configuration, which may change a little."""
+
+    def __init__(self, q: Array, rank: int) -> None:
+        self.q, self.rank = _fine(q), rank
+
+    def residual(self, _: Network, fine: ClosureVariety) -> Array:
+        return fine.residual(self.q).astype(float)
+
+    def step(self, change: Array) -> None:
+        self.q = self.q - _fine(change)
+
+
+class _Singular:
+    """A vector stays in the null space of a claim's matrix; it may change a little across it."""
+
+    def __init__(self, claim: RankClaim, rank: int, vector: Array) -> None:
+        self.claim, self.rank, self.vector = claim, rank, _fine(vector)
+
+    def residual(self, network: Network, fine: ClosureVariety) -> Array:
+        found = self.claim.matrix(network, np.array(fine.centre, dtype=object)) @ self.vector
+        return np.asarray(found).astype(float)
+
+    def step(self, change: Array) -> None:
+        self.vector = self.vector - _fine(change)
+
+
+_Conditions = tuple[list[_Closes], list[_Singular]]
+
+
+def _fine(values: Array) -> Array:
+    return np.array([CONTEXT.mpf(float(c)) for c in values], dtype=object)
+
+
+def _conditions(
+    network: Network, points: Sequence[tuple[Array, int]], ranks: Sequence[tuple[RankClaim, int]]
+) -> _Conditions:
+    centre = np.array(ClosureVariety(network).centre, dtype=object)
+    singular = []
+    for claim, rank in ranks:
+        vectors = np.linalg.svd(claim.matrix(network, centre).astype(float))[2][rank:]
+        singular += [_Singular(claim, rank, vector) for vector in vectors]
+    return [_Closes(q, rank) for q, rank in points], singular
+
+
+def _linear(network: Network, slots: Slots, conditions: _Conditions) -> list[_Linear]:
+    """All conditions linearised about the geometry and their own unknowns, in doubles."""
+    coarse = ClosureVariety(network)
+    centre = np.array(coarse.centre, dtype=object)
+    closes, singular = conditions
+    result = []
+    if closes:
+        batch = np.array([one.q.astype(float) for one in closes])
+        for one, q, by_z in zip(closes, batch, closure_rates(coarse, slots, batch), strict=True):
+            place = local_at(coarse, q, rank=one.rank)
+            result.append(_Linear(place.stresses, place.inverse, by_z))
+    rates = screw_rates(network, slots, centre.astype(float))
+    decomposed = {}
+    for vanishing in singular:
+        claim, rank = vanishing.claim, vanishing.rank
+        if claim.name not in decomposed:
+            decomposed[claim.name] = np.linalg.svd(claim.matrix(network, centre).astype(float))
+        u, s, vt = decomposed[claim.name]
+        inverse = vt[:rank].T @ ((u[:, :rank] / s[:rank]).T)
+        pulled = claim.pulled(network, rates, vanishing.vector.astype(float))
+        result.append(_Linear(u[:, rank:].T, inverse, pulled))
+    return result
+
+
+class Search:
+    """Numbers z of the geometry with conditions on it: steps in doubles, residuals in 60 digits."""
+
+    def __init__(
+        self, network: Network, points: Sequence[tuple[Array, int]], ranks: Sequence[tuple[RankClaim, int]]
+    ) -> None:
+        self.network, self.slots = network, slots_of(network)
+        self.conditions = _conditions(network, points, ranks)
+        self.z = np.array([CONTEXT.zero] * count_of(self.slots), dtype=object)
+        self.after = network
+        self.linear: list[_Linear] = []
+        self.ways: Array | None = None
+        """Columns of z along which it may change; None: all."""
+
+    def residuals(self) -> list[Array]:
+        """What is left of every condition."""
+        fine = ClosureVariety(self.after, DIGITS_60)
+        return [condition.residual(self.after, fine) for part in self.conditions for condition in part]
+
+    def linearise(self) -> None:
+        """All conditions about the present numbers, which are then kept until this is asked for anew."""
+        self.linear = _linear(self.after, self.slots, self.conditions)
+
+    def step(self, residuals: Sequence[Array], cut: float) -> None:
+        """One step of Gauss-Newton with the least change, for singular values above `cut` of the largest."""
+        missing = np.concatenate([one.left @ r for one, r in zip(self.linear, residuals, strict=True)])
+        matrix, ways = self.matrix(), self.ways
+        if ways is None:
+            dz = -np.linalg.lstsq(matrix, missing, rcond=cut)[0]
+        else:
+            dz = -ways @ np.linalg.lstsq(matrix @ ways, missing, rcond=cut)[0]
+        self.move(dz, residuals)
+
+    def matrix(self) -> Array:
+        """What the conditions change by z, their own unknowns following."""
+        return np.concatenate([one.left @ one.by_z for one in self.linear])
+
+    def move(self, dz: Array, residuals: Sequence[Array] | None = None) -> None:
+        """The geometry moved by dz, the conditions' own unknowns after it."""
+        self.z = self.z + _fine(dz)
+        self.after = changed(self.network, self.slots, self.z)
+        found = [0.0] * len(self.linear) if residuals is None else residuals
+        every = [condition for part in self.conditions for condition in part]
+        for condition, one, r in zip(every, self.linear, found, strict=True):
+            condition.step(one.inverse @ (r + one.by_z @ dz))
+
+    def moved(self, dz: Array) -> Search:
+        """Another search at z + dz; its conditions' own unknowns follow to first order."""
+        other = copy(self)
+        other.conditions = ([copy(c) for c in self.conditions[0]], [copy(c) for c in self.conditions[1]])
+        if dz.size:
+            other.move(dz)
+        return other
+
+    def settled(self) -> Search:
+        """The conditions' own unknowns solved for once more."""
+        self.move(np.zeros(len(self.z)), self.residuals())
+        return self
+
+    def without_slope(self, cut: float) -> Conditions:
+        """The conditions about the present numbers, for the directions in which they vanish twice."""
+
+        def slopes(dz: Array) -> Array:
+            if not dz.size:
+                return self.matrix()
+            other = self.moved(dz)
+            other.linearise()
+            pairs = zip(self.linear, other.linear, strict=True)
+            return np.concatenate([mine.left @ its.left.T @ its.left @ its.by_z for mine, its in pairs])
+
+        def values(dz: Array) -> Array:
+            pairs = zip(self.linear, self.moved(dz).settled().residuals(), strict=True)
+            return np.concatenate([one.left @ r for one, r in pairs])
+
+        return Conditions(slopes, values, cut)
