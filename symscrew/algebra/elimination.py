@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence, Set
 from dataclasses import dataclass, field
+from math import isfinite
 from typing import Any
 
 import numpy as np
@@ -59,9 +60,9 @@ def magnitude(tape: Tape, entry: Node, scale: float) -> tuple[float, float]:
     """
     known = tape.magnitudes.get((entry.index, scale))
     if known is None:
-        values = np.abs(np.atleast_1d(tape.sample(entry))) * scale
-        values = values[np.isfinite(values)]  # where a reference is singular, an earlier pivot was zero there
-        known = (float(f"{values.min():.4e}"), float(f"{values.max():.4e}")) if len(values) else (0.0, 0.0)
+        sizes = [abs(value) * scale for value in np.atleast_1d(tape.sample(entry)).tolist()]
+        sizes = [size for size in sizes if isfinite(size)]  # at a singular reference an earlier pivot was zero
+        known = (float(f"{min(sizes):.4e}"), float(f"{max(sizes):.4e}")) if sizes else (0.0, 0.0)
         tape.magnitudes[entry.index, scale] = known
     return known
 

@@ -32,10 +32,9 @@ ZERO_BITS = -149  # 2^-149, about 1e-45
 ZERO_BELOW = CONTEXT.mpf(2) ** ZERO_BITS
 KEY_BITS = 150  # constants that agree to 45 digits are one constant; any that differ by more stay apart
 
-
 UNITS = (0, 1)  # factors that take no operation
 WAITS = frozenset(("reciprocal", "sqrt"))  # operations for which others wait
-SUMS = frozenset(("add", "sub"))
+SUMS, FACTORS = frozenset(("add", "sub")), frozenset(("mul", "reciprocal"))
 
 
 @dataclass(frozen=True)
@@ -288,7 +287,8 @@ class Tape:
         known = self._known["mul"]
         result = known.get(args)
         if result is None:
-            result = self._cancelled(x, y) or self._new(known, "mul", args)
+            rest = self._cancelled(x, y) if x.op in FACTORS or y.op in FACTORS else None
+            result = rest or self._new(known, "mul", args)
         return self.neg(result) if negative else result
 
     def _cancelled(self, x: Node, y: Node) -> Node | None:

@@ -9,6 +9,8 @@ Nothing is allocated, no state is kept, matrices are column-major. On failure al
 
 from __future__ import annotations
 
+from functools import cache
+
 from symscrew.export import c_wide
 from symscrew.export.c_files import print_sources
 from symscrew.export.c_header import STATUS_MACROS, comment, print_header
@@ -47,12 +49,14 @@ def print_c(
     Without batch functions, or limbs side by side, if they are not needed; `several` may be printed by two `processes`.
     """
     check_names(model)
-    header = {f"{model.name}.h": print_header(model, precision=precision, batches=batches)}
+    header = cache(lambda: print_header(model, precision=precision, batches=batches))
     if several:
-        pieces = Pieces(model, precision, batches=batches, lanes=lanes and batches, processes=processes)
-        return header | print_sources(pieces)
+        pieces = Pieces(
+            model, precision, batches=batches, lanes=lanes and batches, processes=processes, meanwhile=header
+        )
+        return {f"{model.name}.h": header(), **print_sources(pieces)}
     source = print_source(model, precision=precision, batches=batches, lanes=lanes and batches)
-    return header | {f"{model.name}.c": source}
+    return {f"{model.name}.h": header(), f"{model.name}.c": source}
 
 
 def print_source(model: Model, *, precision: Precision = DOUBLE, batches: bool = True, lanes: bool = True) -> str:

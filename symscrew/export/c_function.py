@@ -17,7 +17,7 @@ from symscrew.export.c_printed import Form, Printed, place
 from symscrew.export.folding import folded
 from symscrew.export.listing import balanced_sum, checked_slots, expressions, plain
 from symscrew.export.pivots import pivot_text
-from symscrew.export.stages import Stages, headed
+from symscrew.export.stages import headed
 from symscrew.program import OUT_OF_REACH, Packing, status_texts
 
 SUMS = 4  # of what must be finite, side by side: one alone is a chain of additions that wait for each other
@@ -92,7 +92,7 @@ class _Body:
                 self._write(f"const REAL {printed.called[slot]} = {self.entered[slot]};", slot)
                 self._ready(slot)
         return [
-            *headed(self.written, Stages(printed.program), printed.named),
+            *headed(self.written, printed.stages, printed.named),
             *self.constants,
             *self._limits(),
             *self._status(),

@@ -75,7 +75,7 @@ def statements(printed: Printed, packing: Packing) -> list[str]:
     body = _Body(printed, packing)
     return [
         f"typedef {printed.model}_vector{packing.width} {body.type};",
-        *headed(body.lines(), LaneStages(printed.program, body.numbers, printed.entries), body.name),
+        *headed(body.lines(), LaneStages(printed.stages, body.numbers, printed.entries), body.name),
         *body.end,
     ]
 

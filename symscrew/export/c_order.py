@@ -40,7 +40,8 @@ def _graph(instructions: Sequence[Instruction]) -> _Graph:
     users: list[list[int]] = [[] for _ in instructions]
     chain: list[int] = []
     for k, (_, _, args) in enumerate(instructions):
-        own = tuple(dict.fromkeys([place[a] for a in args if type(a) is int and a in place]))
+        known = [place[a] for a in args if type(a) is int and a in place]
+        own = tuple(dict.fromkeys(known)) if len(known) > 1 else tuple(known)
         read.append(own)
         longest = 0
         for a in own:
@@ -68,7 +69,11 @@ def _walk(graph: _Graph, *, last: bool) -> list[int]:
                 left = [a for a in read[k] if not done[a]]
                 if left:
                     stack.append(~k)
-                    stack += left if len(left) == 1 else sorted(left, key=longest, reverse=True)[::-1]
+                    if len(left) == 2 and longest(left[0]) >= longest(left[1]):
+                        left.reverse()
+                    elif len(left) > 2:
+                        left = sorted(left, key=longest, reverse=True)[::-1]
+                    stack += left
                     continue
             done[k] = True
             order.append(k)

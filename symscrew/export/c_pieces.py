@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from contextlib import ExitStack
 from typing import NamedTuple
 
@@ -105,8 +105,20 @@ class Pieces:
         wide: the functions of blocks.
     """
 
-    def __init__(self, model: Model, precision: Precision, *, batches: bool, lanes: bool, processes: int = 1) -> None:
-        """Everything is printed; if that takes long, by as many processes as pay and as there may be."""
+    def __init__(
+        self,
+        model: Model,
+        precision: Precision,
+        *,
+        batches: bool,
+        lanes: bool,
+        processes: int = 1,
+        meanwhile: Callable[[], object] = lambda: None,
+    ) -> None:
+        """Everything is printed; if that takes long, by as many processes as pay and as there may be.
+
+        `meanwhile` is done by this process when others have begun to print.
+        """
         self.model, self.precision, self.batches, self.name = model, precision, batches, model.name
         self.shared = Shared(model, precision)
         self.dense: dict[tuple[object, ...], str] = {}  # programs of second paths, and the functions that they are
@@ -118,7 +130,7 @@ class Pieces:
         }
         straight = [f for f, program in model.programs.items() if not isinstance(program, Iteration)]
         self.blocks = [f for f in straight if batches and c_batch.by_lanes(self.printed[f])]
-        self._texts = self._arranged(straight, processes)
+        self._texts = self._arranged(straight, processes, meanwhile)
         self.bodies = {f: self._texts[f].body for f in self.blocks}
         self.functions = {f: self._function(f) for f in model.programs}
         self.wide = [line for f in self.blocks for line in ("", *c_batch.block(self.printed[f]))]
@@ -132,7 +144,7 @@ class Pieces:
         lane = [] if name in self.blocks else ["", *text.body]
         return [*lane, "", *_one_state(self.printed[name], program, self.dense, text.packed)]
 
-    def _arranged(self, functions: Sequence[str], processes: int) -> dict[str, _Text]:
+    def _arranged(self, functions: Sequence[str], processes: int, meanwhile: Callable[[], object]) -> dict[str, _Text]:
         """Texts of functions, by other processes too; their packed forms are found with them."""
         sizes = {f: self._size(f) for f in functions}
         count = min(processes, sum(sizes.values()) // WORTH_A_PROCESS + 1)
@@ -140,6 +152,7 @@ class Pieces:
             return self._share(functions).texts
         with taken_once(sorted(functions, key=lambda f: -sizes[f])) as waiting, ExitStack() as stack:
             others = [stack.enter_context(beside(lambda: self._share(waiting))) for _ in range(count - 1)]
+            meanwhile()
             texts = self._share(waiting).texts
             for other in others:
                 more = other()

@@ -17,6 +17,7 @@ from symscrew.export.c_names import TAKEN, argument_names
 from symscrew.export.c_order import short_lived, within
 from symscrew.export.c_precision import Precision
 from symscrew.export.listing import checked_slots, input_entries, live_instructions
+from symscrew.export.stages import Stages
 from symscrew.export.value_names import value_names
 from symscrew.model import Model
 from symscrew.program import Instruction, Packing, Port, Program, packed
@@ -138,6 +139,11 @@ class Printed:
     def operand(self, value: int | float) -> str:
         """A slot or constant."""
         return f"{self.prefix}{value}" if isinstance(value, int) else self.precision.number(value)
+
+    @cached_property
+    def stages(self) -> Stages:
+        """Which limb, and what part of the theory, its slots are of."""
+        return Stages(self.program)
 
     @cached_property
     def called(self) -> Mapping[int, str]:

@@ -68,7 +68,7 @@ class Stages:
 
     def __init__(self, program: Program) -> None:
         """Nothing is looked at yet."""
-        self.program = program
+        self.program, self._known = program, dict[int, Stage | None]()
 
     @cached_property
     def served(self) -> Mapping[int, Origin]:
@@ -95,13 +95,15 @@ class Stages:
         origins, places = self.program.origins, dict[int, str]()
         for slot in range(sum(port.size for port in self.program.inputs)):
             places[slot] = self._place(origins.get(slot) or self.served.get(slot))
-        for instruction in self.program.instructions:
-            among = {places[arg] for arg in instruction.args if type(arg) is int}
-            own = origins.get(instruction.target)
-            if own is None and len(among) == 1:
-                places[instruction.target] = among.pop()
-            else:
-                places[instruction.target] = self._place(own or self.served.get(instruction.target))
+        served, place = self.served, self._place
+        for target, _, args in self.program.instructions:
+            own = origins.get(target)
+            if own is None:
+                among = {places[arg] for arg in args if type(arg) is int}
+                if len(among) == 1:
+                    places[target] = among.pop()
+                    continue
+            places[target] = place(own or served.get(target))
         return places
 
     def _place(self, origin: Origin | None) -> str:
@@ -117,6 +119,11 @@ class Stages:
 
     def of(self, slot: int) -> Stage | None:
         """The stage of a slot; None of what is read by nothing that has one."""
+        if slot not in self._known:
+            self._known[slot] = self._found(slot)
+        return self._known[slot]
+
+    def _found(self, slot: int) -> Stage | None:
         origin = self.served.get(slot)
         if origin is None:
             return None
@@ -125,24 +132,26 @@ class Stages:
         return Stage(limb, STAGE_OF.get(origin.quantity, RESULTS), place)
 
 
-class LaneStages(Stages):
+class LaneStages:
     """The stages of a program in lanes; `numbers` are the vectors, and of each the slot of one of its lanes."""
 
-    def __init__(self, program: Program, numbers: Mapping[int, int], entered: Collection[int]) -> None:
-        """Nothing is looked at yet; slots of `entered` are there from the start, and mostly put together."""
-        super().__init__(program)
-        self.numbers, self.entered = numbers, entered
+    def __init__(self, single: Stages, numbers: Mapping[int, int], entered: Collection[int]) -> None:
+        """Those of the program limb by limb; slots of `entered` are there from the start, and mostly put together."""
+        self.single, self.numbers, self.entered = single, numbers, entered
 
     def of(self, slot: int) -> Stage | None:
         """That of a slot, or of equal limbs together; None of a vector that is put together."""
         if slot >= 0:
-            return None if slot in self.entered else super().of(slot)
-        stage = super().of(self.numbers[slot]) if slot in self.numbers else None
+            return None if slot in self.entered else self.single.of(slot)
+        stage = self.single.of(self.numbers[slot]) if slot in self.numbers else None
         return Stage(TOGETHER, stage.text, TOGETHER) if stage is not None else None
 
 
 def headed(
-    lines: Iterable[tuple[str, int | None]], stages: Stages, named: Callable[[int], str], comment: str = "/* {} */"
+    lines: Iterable[tuple[str, int | None]],
+    stages: Stages | LaneStages,
+    named: Callable[[int], str],
+    comment: str = "/* {} */",
 ) -> Iterator[str]:
     """The lines with comments where another limb, or another stage, begins; `lines` come with the slot they serve."""
     lines = list(lines)
@@ -154,9 +163,10 @@ def headed(
         if k in heads:
             current, heading = heads[k]
             yield comment.format(heading)
-        silent = slot is not None and ANONYMOUS.fullmatch(named(slot))
-        foreign = stage is not None and stage.limb != current and silent
-        yield f"{text}{space}{comment.format(stage.place or MECHANISM)}" if foreign and stage is not None else text
+        if stage is None or slot is None or stage.limb == current or not ANONYMOUS.fullmatch(named(slot)):
+            yield text
+        else:  # foreign, and its name is silent about it
+            yield f"{text}{space}{comment.format(stage.place or MECHANISM)}"
 
 
 def _runs(known: Sequence[Stage | None]) -> Iterator[tuple[int, str, str]]:
@@ -165,13 +175,15 @@ def _runs(known: Sequence[Stage | None]) -> Iterator[tuple[int, str, str]]:
     starts: list[int] = []
     current: Stage | None = None
     for n, (_, stage) in enumerate(places):
+        if current is not None and stage[:2] == current[:2]:
+            continue
         ahead = [other for _, other in places[n : n + AHEAD]]
         if current is None:
             new = True
         elif stage.limb != current.limb:
-            new = sum(other.limb == stage.limb for other in ahead) >= MOST
+            new = sum([other.limb == stage.limb for other in ahead]) >= MOST
         else:
-            new = stage.text != current.text and sum(other[:2] == stage[:2] for other in ahead) >= MOST
+            new = sum([other[:2] == stage[:2] for other in ahead]) >= MOST
         if new:
             starts.append(n)
             current = stage

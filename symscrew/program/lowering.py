@@ -156,7 +156,7 @@ class _Lowering:
             item = stack.pop()
             if type(item) is tuple:
                 index, op, args = item
-                slot[index] = emit(op, tuple([slot[a.index] for a in args]))
+                slot[index] = emit(op, _slots(slot, args))
                 continue
             node: Node = item  # type: ignore[assignment]
             if node.index in slot:
@@ -177,7 +177,7 @@ class _Lowering:
                 stack.append((node.index, op, args))
                 stack += missing[::-1]
             else:
-                slot[node.index] = emit(op, tuple([slot[a.index] for a in args]))
+                slot[node.index] = emit(op, _slots(slot, args))
         return slot[root.index]
 
     def _single(self, node: Node) -> bool:
@@ -207,6 +207,14 @@ class _Lowering:
             self.made[key] = target = next(self.next)
             self.instructions.append(Instruction(target, op, args))
         return target
+
+
+def _slots(slot: Mapping[int, int | float], args: tuple[Node, ...]) -> tuple[int | float, ...]:
+    """The slots of operands, of which there are two nearly everywhere."""
+    if len(args) == 2:
+        x, y = args
+        return slot[x.index], slot[y.index]
+    return tuple([slot[a.index] for a in args])
 
 
 def _at_port(port: Port, k: int) -> Origin:

@@ -11,7 +11,7 @@ import pytest
 from support.model_states import model
 
 from symscrew import workers
-from symscrew.export import c_pieces, c_printed, print_c
+from symscrew.export import c, c_pieces, c_printed, print_c
 from symscrew.generation import folder
 from symscrew.workers import beside, taken_once
 
@@ -113,8 +113,12 @@ def test_two_processes_print_what_one_does(name: str, long: int, monkeypatch: py
     copied = workers._copied
     monkeypatch.setattr(workers, "_copied", lambda work: made.append(copied(work)) or made[-1])
     monkeypatch.setattr(c_pieces, "WORTH_A_PROCESS", 1)
+    begun: list[int] = []  # other processes when the header is printed
+    header = c.print_header
+    monkeypatch.setattr(c, "print_header", lambda *a, **k: begun.append(len(made)) or header(*a, **k))
     assert print_c(model(name), several=True, processes=2) == print_c(model(name), several=True)
     assert len(made) == 1 and made[0] is not None
+    assert begun[0] == 1
 
 
 def test_a_folder_is_the_same_whoever_evaluates_the_test_states(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -260,4 +260,7 @@ class _Pairing:
         hints, outer = self.lanes.hints, self.outer
         hinted = HINT if x in hints and hints[x] == hints.get(y) else 0
         mine = outer.get(x)
-        return hinted + len(mine & outer[y]) if mine else hinted
+        if not mine:
+            return hinted
+        other = outer[y]
+        return hinted if mine.isdisjoint(other) else hinted + len(mine & other)
