@@ -18,6 +18,8 @@ from symscrew.runtime import compilers
 
 # JAX's compiler, whose passes change no more than the last bits, takes a third less time without them.
 os.environ.setdefault("XLA_FLAGS", "--xla_backend_optimization_level=0")
+# There are as many processes of tests as processors: threads of linear algebra would only wait for one another.
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 FUNCTIONS = {"-O1": "-O0", "-O2": "-O0", "-O3": "-O1"}
 """Levels in place of users': of functions that are called a few times, of loops of runs that take milliseconds."""
 HARD = {"-O1": "-O0", "-O2": "-O0", "-O3": "-O0"}
