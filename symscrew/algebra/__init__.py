@@ -45,7 +45,7 @@ from symscrew.algebra.naming import (
     named_vector,
     named_wrench,
 )
-from symscrew.algebra.nodes import Node, Tape, is_zero
+from symscrew.algebra.nodes import Node, Tape, in_sixty_digits, is_zero
 from symscrew.algebra.operations import ARITHMETIC, CONTEXT, apply_numpy, high_precision
 from symscrew.algebra.origins import QUANTITIES, Origin
 from symscrew.algebra.rank_volumes import (
@@ -143,6 +143,7 @@ __all__ = [
     "handed_on",
     "helical",
     "high_precision",
+    "in_sixty_digits",
     "inputs_of",
     "insert_solution",
     "is_zero",

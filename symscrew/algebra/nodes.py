@@ -14,7 +14,7 @@ few sample states (`Tape.set_samples`), which is how eliminations choose pivots 
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from threading import RLock
 from typing import Any
@@ -387,10 +387,7 @@ class Tape:
 
     def nominal(self, value: Any) -> float:
         """A node of constants and run-time parameters at the first trial; the sample states are left as they are."""
-        node: Node = self.node(value)
-        if node.value is not None:
-            return float(node.value)
-        return float(_evaluate_high_precision(node, self._parameter_values[0]))
+        return float(in_sixty_digits([self.node(value)], next(iter(self._parameter_values), {}))[0])
 
     def settle(self, value: Any) -> Node:
         """`value` as a node, or the constant that it equals (to 45 digits) for every trial of the run-time parameters.
@@ -402,7 +399,7 @@ class Tape:
         if node.value is not None or not self._parameter_values:
             return node
         if node.index not in self._settled:
-            values = [_evaluate_high_precision(node, trial) for trial in self._parameter_values]
+            values = [in_sixty_digits([node], trial)[0] for trial in self._parameter_values]
             spread = max(abs(v - values[0]) for v in values)
             same = spread < ZERO_BELOW * (1 + abs(values[0]))
             self._settled[node.index] = self.constant(values[0]) if same else node
@@ -423,10 +420,12 @@ def _negative(exact: Any) -> Any:
     return -exact if isinstance(exact, sympy.Basic) else ("neg_of", exact)
 
 
-def _evaluate_high_precision(node: Node, inputs: Mapping[int, Any]) -> Any:
+def in_sixty_digits(nodes: Sequence[Node], inputs: Mapping[int, Any]) -> list[Any]:
+    """Values of nodes for values of the inputs by index, all of them numbers of `CONTEXT`."""
     done: dict[int, Any] = dict(inputs)
-    _evaluate(node, done, lambda constant: constant.value, apply_high_precision)
-    return done[node.index]
+    for node in nodes:
+        _evaluate(node, done, lambda constant: constant.value, apply_high_precision)
+    return [done[node.index] for node in nodes]
 
 
 def _evaluate(

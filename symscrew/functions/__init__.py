@@ -1,7 +1,15 @@
 """The functions of a model, by subject: each module turns a `System` into `Function`s with named ports."""
 
 from symscrew.functions.checked import SUFFIX, checked_functions
-from symscrew.functions.closing import THRESHOLD, Assembly, assembly, closure_functions, loop_notes, moved_by
+from symscrew.functions.closing import (
+    THRESHOLD,
+    Assembly,
+    assembly,
+    closure_functions,
+    jacobian_in_v,
+    loop_notes,
+    moved_by,
+)
 from symscrew.functions.coupling_forces import coupling_functions, rolling_functions
 from symscrew.functions.derivative import derivative_functions
 from symscrew.functions.dynamic import NO_DRIVE, Equations, all_reactions, dynamic_functions
@@ -87,6 +95,7 @@ __all__ = [
     "forward_functions",
     "function",
     "inertial_parameters",
+    "jacobian_in_v",
     "joint_freedom_labels",
     "kinematic_functions",
     "left_out",

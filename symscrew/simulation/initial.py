@@ -20,6 +20,7 @@ from symscrew.kinematics import System, full_name, nearest_names, typable_names
 from symscrew.mobility import inverse_kinematics
 from symscrew.model import Model
 from symscrew.scene import Scene, parameter_values
+from symscrew.simulation.fine_start import FineStart, beside_singular
 from symscrew.simulation.named_rates import rate_rows
 from symscrew.simulation.run_time_values import check_frames, check_values, values_in
 from symscrew.simulation.start_branch import leaves_every_branch
@@ -142,7 +143,18 @@ def _begun(scene: Scene, model: Model, closure: _Closure, parameters: np.ndarray
             f"(lengths divided by {system.length:g} m) with the others as in the reference; check the values, or give "
             "only independent coordinates: the others are assembled"
         )
-    return q, (yield from _rates(closure, q, scene))
+    fine = None
+    plain = dict(system.tree.plain)
+    if hold is None and beside_singular((yield from _rows(closure, q, [plain[k] for k in target if k in plain]))):
+        fine = FineStart(system, parameters, closure.rows, closure.units)
+        q = fine.coordinates(q, target, closure.of_places)
+    return q, (yield from _rates(closure, q, scene, fine))
+
+
+def _rows(closure: _Closure, q: np.ndarray, given: Sequence[int]) -> Asking[np.ndarray]:
+    """Given rates and those of the loops' closure, without units."""
+    _, jacobian = yield _At(q)
+    return np.concatenate([np.eye(len(closure.units))[list(given)], jacobian])
 
 
 def _told_apart(scene: Scene, model: Model) -> None:
@@ -375,7 +387,7 @@ def _turned_rates(system: System, q: np.ndarray, v: np.ndarray) -> np.ndarray:
     return np.asarray(system.numeric(system.joint_rates(at.v), (at.q, q), (at.v, v)))
 
 
-def _rates(closure: _Closure, q: np.ndarray, scene: Scene) -> Asking[np.ndarray]:
+def _rates(closure: _Closure, q: np.ndarray, scene: Scene, fine: FineStart | None = None) -> Asking[np.ndarray]:
     n, rates, hold = len(closure.units), scene.initial.rates, scene.initial.hold
     if not rates:
         return np.zeros(n)
@@ -398,6 +410,8 @@ def _rates(closure: _Closure, q: np.ndarray, scene: Scene) -> Asking[np.ndarray]
     right = np.concatenate([values, np.zeros(len(jacobian))])
     v = start + np.linalg.lstsq(matrix, right - matrix @ start, rcond=RATE_RANK)[0]
     v += np.linalg.lstsq(matrix, right - matrix @ v, rcond=RATE_RANK)[0]
+    if fine is not None:
+        v = fine.rates(rows[kept], values, v)
     if np.abs(matrix @ v - right).max(initial=0) > 1e-9 * max(1.0, np.abs(values).max(initial=0)):
         raise DescriptionError(
             f"initial.rates: the loops do not allow {_shown(scene.initial.rates)} in this configuration; check the "

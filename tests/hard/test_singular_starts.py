@@ -10,14 +10,15 @@ import pytest
 from support.four_bars_in_a_row import n_four_bar
 from support.marks import slow
 
-from symscrew.description import MechanismBuilder, to_toml
+from symscrew.catalogue import load as load_catalogue
+from symscrew.description import MechanismBuilder, parse_description, to_toml
 from symscrew.description.toml_tables import from_file
 from symscrew.errors import DescriptionError
 from symscrew.functions.forward import MASSLESS_NOTE, SINGULAR_NOTE, left_out
 from symscrew.kinematics import System
 from symscrew.model import Model, derive
 from symscrew.scene import load_scene, parse_scene
-from symscrew.simulation import prepare, simulate
+from symscrew.simulation import fine_start, prepare, simulate
 from symscrew.simulation.initial import initial_state
 from symscrew.simulation.recording import shown_time
 from symscrew.simulation.start_branch import leaves_every_branch
@@ -65,6 +66,30 @@ def test_one_rate_is_enough_beside_a_singular_position(row: Model, angle: float)
     labels = [c.label for c in row.system.tree.v]
     found = dict(zip(labels, started(row, angle, {"A0": 2.0}), strict=True))
     assert all(found[name] == pytest.approx(2.0) for name in labels if name[0] == "A")
+
+
+@pytest.mark.parametrize("beside", [1e-4, -1e-7, 1e-9, 1e-10])
+def test_one_rate_is_enough_as_near_as_the_others_follow(row: Model, beside: float) -> None:
+    """In doubles alone the others follow to rounding over the distance: 3e-8 at 1e-7, and no motion at 1e-9."""
+    labels = [c.label for c in row.system.tree.v]
+    found = dict(zip(labels, started(row, beside - np.pi / 2, {"A0": 3.0}), strict=True))
+    assert all(found[name] == pytest.approx(3.0, rel=1e-15) for name in labels if name[0] == "A")
+
+
+@pytest.mark.parametrize("parameters", [[], ["rb"]])
+def test_balls_turn_in_sixty_digits_as_in_doubles(monkeypatch: pytest.MonkeyPatch, parameters: list[str]) -> None:
+    """Where doubles suffice, too, they agree: on balls of the tree, with run-time parameters."""
+    model = derive(parse_description(to_toml(load_catalogue("stewart_6ups")), run_time=parameters), [])
+    scene = parse_scene(SQUARE)
+    given = {"platform_pose.0": 0.05, "platform_pose.1": -0.02}
+    initial = replace(scene.initial, coordinates=given, rates={"leg1_P": 0.3})
+    scene = replace(scene, mechanism=model.mechanism, initial=initial)
+    values = np.array([0.9] * len(parameters))
+    q, v = initial_state(scene, model, values)
+    monkeypatch.setattr(fine_start, "BESIDE", 2.0)
+    fine_q, fine_v = initial_state(scene, model, values)
+    assert not np.array_equal(q, fine_q) and np.abs(v).max() > 0.1 and np.abs(q[-3:]).max() > 1e-4
+    assert np.abs(q - fine_q).max() < 1e-12 and np.abs(v - fine_v).max() < 1e-12
 
 
 @pytest.mark.parametrize("beside", [1e-9, slow(1e-5)])
