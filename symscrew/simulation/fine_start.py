@@ -9,6 +9,7 @@ right in their last bits: each step gains the digits that e / d leaves.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -18,20 +19,23 @@ from symscrew.algebra import CONTEXT, in_sixty_digits
 from symscrew.functions import jacobian_in_v
 from symscrew.kinematics import System
 
-BESIDE = 1e-4
-"""Part of the largest singular value: with all above it, doubles are right to a few of their last four digits."""
+BESIDE = 1e-2
+"""Part of the largest singular value: with all above it, rates in doubles are right to about 1e-12."""
 LOST = 1e-11
-"""Part of the largest below which a singular value is of no row: there a start is at the singular configuration."""
-MOST_STEPS, ENOUGH = 12, 1e-30
-"""Steps, and the length without units at which they end; the farthest from `BESIDE` gain five digits each."""
+"""Part of the largest below which a singular value is of no row: there a start is at the singular configuration, as
+which of two solutions so near one another is meant is known to 1e-12."""
+MOST_STEPS, ENOUGH = 30, 1e-30
+"""Steps, and the length without units at which they end."""
+BEFORE = tuple((k / 128, (-1) ** (k + 1) * math.comb(6, k)) for k in range(1, 7))
+"""Places before the end of a way, in parts of it, and their weights in the polynomial's value at the end: it is off by
+the sixth power of their distances, and by 64 times what doubles leave there, whichever branches meet at the end."""
 
 
-def beside_singular(matrix: np.ndarray) -> bool:
-    """Whether rows without units nearly depend on one another, and do not quite."""
-    if not matrix.size:
-        return False
-    values = np.linalg.svd(matrix, compute_uv=False)
-    return bool(((values < BESIDE * values[0]) & (values > LOST * values[0])).any())
+def nearly_free(matrix: np.ndarray) -> np.ndarray:
+    """Directions (k, nv) that rows without units nearly leave free, and do not quite; none where doubles suffice."""
+    _, values, directions = np.linalg.svd(matrix, full_matrices=False)
+    largest = values.max(initial=0.0)
+    return np.asarray(directions[(values < BESIDE * largest) & (values > LOST * largest)])
 
 
 class FineStart:
@@ -45,7 +49,7 @@ class FineStart:
         self.q: list[Any] = []
 
     def coordinates(self, q: np.ndarray, given: Mapping[int, float], places: np.ndarray) -> np.ndarray:
-        """q (nq,) with the given entries as they are and the loops closed; q itself where steps do not converge.
+        """q (nq,) with the given entries as they are and the loops closed, but along what closes none.
 
         `places`: which rows (rows,) coordinates must obey.
         """
@@ -62,9 +66,18 @@ class FineStart:
             step = _applied(_inverse(np.concatenate([pick, _doubles(jacobian)[places]])), right)
             self._move(step)
             if max(map(abs, step), default=0) < ENOUGH:
-                return np.array([float(x) for x in self.q])
-        self.q = [CONTEXT.mpf(x) for x in q]
-        return q
+                break
+        return np.array([float(x) for x in self.q])
+
+    def step(self, q: np.ndarray, other: np.ndarray) -> np.ndarray:
+        """The small step in rates without units from q to another configuration."""
+        step = np.zeros(len(self.units))
+        for k, column in self.system.tree.plain:
+            step[column] = (other[k] - q[k]) / self.units[column]
+        for in_q, in_v in self.system.tree.spheres:
+            (w, *vector), (wo, *vo) = q[in_q : in_q + 4], other[in_q : in_q + 4]
+            step[in_v : in_v + 3] = 2 * (w * np.array(vo) - wo * np.array(vector) - np.cross(vector, vo))
+        return step
 
     def rates(self, given: np.ndarray, values: np.ndarray, v: np.ndarray) -> np.ndarray:
         """v (nv,) without units with the given rows (n, nv) at their values and J v = 0, from v in doubles."""

@@ -2,14 +2,15 @@
 
 reference configuration --strides to the given coordinates, Newton's method--> q;    J v = 0, given rates --> v
 
-A start is a generator that asks for what it needs of the mechanism at some state (`_At`, `_Bias`, `_Moved`) and goes on
-with the answer: many starts ask side by side and are answered at once, in the same numbers as one.
+A start is a generator that asks for what it needs of the mechanism at some state (`At`, `Bias`, `Moved`) and goes on
+with the answer: many starts ask side by side and are answered at once, in the same numbers as one. Beside a singular
+configuration what follows from the given values is found with 60 digits (`fine_start`).
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
-from typing import Any, NamedTuple, TypeVar
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from typing import Any
 
 import numpy as np
 
@@ -20,7 +21,8 @@ from symscrew.kinematics import System, full_name, nearest_names, typable_names
 from symscrew.mobility import inverse_kinematics
 from symscrew.model import Model
 from symscrew.scene import Scene, parameter_values
-from symscrew.simulation.fine_start import FineStart, beside_singular
+from symscrew.simulation.asked_closure import Asking, At, Bias, Closure, Moved, Question
+from symscrew.simulation.fine_start import BEFORE, FineStart, nearly_free
 from symscrew.simulation.named_rates import rate_rows
 from symscrew.simulation.run_time_values import check_frames, check_values, values_in
 from symscrew.simulation.start_branch import leaves_every_branch
@@ -36,35 +38,10 @@ MOST_STEPS, LARGEST_STEP = 40, 0.5  # of Newton's method; larger steps [1, rad] 
 # Parts of the largest singular value below which rates are left alone: in singular configurations the closure does not
 # determine them. Newton's method steps over such places; rates at the start are to keep more of what was given.
 STEP_RANK, RATE_RANK = 1e-10, 1e-11
+ALONG = 1e-4  # farthest that a way's continuation may be from what Newton's method found: a root of `STALLED`, and more
 SMALLEST = 1e-12  # of a row of given rates: a coordinate that nothing moves stays a row of zeros, and contradicts
 
-
-Found = TypeVar("Found")
-Asking = Generator["_Question", Any, Found]
 State = tuple[np.ndarray, np.ndarray]
-
-
-class _At(NamedTuple):
-    """Asks for residual and Jacobian of the loops at q."""
-
-    q: np.ndarray
-
-
-class _Bias(NamedTuple):
-    """Asks for (dJ/dt) v at q."""
-
-    q: np.ndarray
-    v: np.ndarray
-
-
-class _Moved(NamedTuple):
-    """Asks for q moved by a step in rates (nv,)."""
-
-    q: np.ndarray
-    step: np.ndarray
-
-
-_Question = _At | _Bias | _Moved
 
 
 def initial_state(scene: Scene, model: Model, parameters: np.ndarray) -> State:
@@ -84,12 +61,12 @@ def initial_state(scene: Scene, model: Model, parameters: np.ndarray) -> State:
 
 def initial_states_together(model: Model, of: Sequence[tuple[Scene, np.ndarray]]) -> list[State | DescriptionError]:
     """`initial_state` of every scene with its parameters; where there is none, the error that says why."""
-    closure = _Closure(model)
+    closure = Closure(model)
     asking = {k: _begun(scene, model, closure, parameters) for k, (scene, parameters) in enumerate(of)}
     found: list[State | DescriptionError] = [DescriptionError("")] * len(of)
     answers: dict[int, Any] = dict.fromkeys(asking)
     while asking:
-        questions: dict[int, _Question] = {}
+        questions: dict[int, Question] = {}
         for k, work in list(asking.items()):
             try:
                 questions[k] = work.send(answers[k])
@@ -103,19 +80,19 @@ def initial_states_together(model: Model, of: Sequence[tuple[Scene, np.ndarray]]
     return found
 
 
-def _begun(scene: Scene, model: Model, closure: _Closure, parameters: np.ndarray) -> Asking[State]:
+def _begun(scene: Scene, model: Model, closure: Closure, parameters: np.ndarray) -> Asking[State]:
     system = model.system
     reference = system.reference
     if len(parameters):
         reference = system.reference_at(parameters)
-        check_frames(model, parameters, *(yield _At(reference)))
+        check_frames(model, parameters, *(yield At(reference)))
     known = {c.label: k for k, c in enumerate(system.tree.q)}
     hold = scene.initial.hold
     in_mode, others = scene.initial.mode, any(label not in known for label in scene.initial.coordinates)
     if in_mode or (hold is None and others):
         _told_apart(scene, model)
         placed = _in_mode(scene, model) if in_mode else _by_names(scene, model)
-        residual, _ = closure.of_coordinates(*(yield _At(placed)))
+        residual, _ = closure.of_coordinates(*(yield At(placed)))
         if np.abs(residual).max(initial=0.0) > FOLLOWED:  # what effects constrain, the mechanism alone does not know
             raise DescriptionError(
                 f"initial.coordinates: {_shown(scene.initial.coordinates)}: there the wheels of 'ideal_rolling' are "
@@ -135,7 +112,7 @@ def _begun(scene: Scene, model: Model, closure: _Closure, parameters: np.ndarray
     if q is None:
         opened = np.array(reference)
         opened[list(target)] = list(target.values())
-        residual, _ = yield _At(opened)
+        residual, _ = yield At(opened)
         gap = np.abs(residual).max(initial=0.0)
         raise DescriptionError(
             "initial.coordinates: the loops of "
@@ -143,18 +120,22 @@ def _begun(scene: Scene, model: Model, closure: _Closure, parameters: np.ndarray
             f"(lengths divided by {system.length:g} m) with the others as in the reference; check the values, or give "
             "only independent coordinates: the others are assembled"
         )
-    fine = None
-    plain = dict(system.tree.plain)
-    if hold is None and beside_singular((yield from _rows(closure, q, [plain[k] for k in target if k in plain]))):
+    fine, free = None, np.zeros((0, 0))
+    if hold is None:
+        free = nearly_free((yield from _rows(closure, q, target)))
+    if len(free):
         fine = FineStart(system, parameters, closure.rows, closure.units)
+        step = fine.step(q, (yield from _continued(reference, closure, target, q)))
+        q = yield Moved(q, free.T @ (free @ step) * closure.units)
         q = fine.coordinates(q, target, closure.of_places)
     return q, (yield from _rates(closure, q, scene, fine))
 
 
-def _rows(closure: _Closure, q: np.ndarray, given: Sequence[int]) -> Asking[np.ndarray]:
-    """Given rates and those of the loops' closure, without units."""
-    _, jacobian = yield _At(q)
-    return np.concatenate([np.eye(len(closure.units))[list(given)], jacobian])
+def _rows(closure: Closure, q: np.ndarray, given: Iterable[int]) -> Asking[np.ndarray]:
+    """Rows of given coordinates and of the loops' closure, without units."""
+    _, jacobian = yield At(q)
+    plain = dict(closure.system.tree.plain)
+    return np.concatenate([np.eye(len(closure.units))[[plain[k] for k in given if k in plain]], jacobian])
 
 
 def _told_apart(scene: Scene, model: Model) -> None:
@@ -238,55 +219,6 @@ def _shown(values: Mapping[str, float]) -> str:
     return ", ".join(f"{k} = {v:.12g}" for k, v in values.items()) or "the reference configuration"
 
 
-class _Closure:
-    """Residual and Jacobian of the loops without units; columns are rates v divided by their unit."""
-
-    def __init__(self, model: Model) -> None:
-        system = model.system
-        self.model, self.system = model, system
-        self.rows = np.array([1 / system.length if r.unit == "N" else 1.0 for cut in system.cuts for r in cut.rows])
-        self.units = np.array([system.length if c.kind == "length" else 1.0 for c in system.tree.v])
-        self.of_places = np.array([row.holonomic for cut in system.cuts for row in cut.rows], dtype=bool)
-
-    def of_coordinates(self, residual: np.ndarray, matrix: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """The rows that coordinates must obey: rolling may get a wheel anywhere."""
-        return residual[self.of_places], matrix[self.of_places]
-
-    def answers(
-        self, questions: Mapping[int, _Question], parameters: Sequence[np.ndarray]
-    ) -> Iterator[tuple[int, Any]]:
-        """The answer of every question, each kind evaluated at once; `parameters` by the number of the start."""
-        kinds: tuple[tuple[type, Callable[..., Iterator[Any]]], ...] = (
-            (_At, self.at), (_Bias, self.bias), (_Moved, self.moved),
-        )  # fmt: skip
-        for kind, answer in kinds:
-            mine = [k for k, question in questions.items() if isinstance(question, kind)]
-            if mine:
-                arrays = [np.array(values) for values in zip(*(questions[k] for k in mine), strict=True)]
-                p = np.array([parameters[k] for k in mine])
-                yield from zip(mine, answer(*arrays, *([p] if p.shape[1] and kind is not _Moved else ())), strict=True)
-
-    def at(self, q: np.ndarray, *p: np.ndarray) -> Iterator[tuple[np.ndarray, np.ndarray]]:
-        """Residual (rows,) and Jacobian (rows, nv) of every state."""
-        n = len(self.units)
-        if not len(self.rows):
-            yield from [(np.zeros(0), np.zeros((0, n)))] * len(q)
-            return
-        (residual,), _ = self.model("closure", q, *p)
-        (jacobian,), _ = self.model("closure_jacobian", q, *p)
-        for r, j in zip(residual, jacobian.reshape(len(q), -1), strict=True):
-            yield r * self.rows, j.reshape(n, len(self.rows)).T * self.rows[:, None] * self.units
-
-    def bias(self, q: np.ndarray, v: np.ndarray, *p: np.ndarray) -> Iterator[np.ndarray]:
-        """(dJ/dt) v of every state, without units."""
-        (found,), _ = self.model("closure_bias", q, v, *p)
-        yield from found * self.rows
-
-    def moved(self, q: np.ndarray, step: np.ndarray) -> Iterator[np.ndarray]:
-        """q of every state after its step."""
-        yield from self.system.advance(q, _turned_rates(self.system, q, step))
-
-
 def _unit_quaternions(system: System, given: Mapping[int, float]) -> dict[int, float]:
     """The given coordinates with quaternions of unit length; all four entries of one are given, or none."""
     target = dict(given)
@@ -310,7 +242,7 @@ def _unit_quaternions(system: System, given: Mapping[int, float]) -> dict[int, f
 
 
 def _followed(
-    reference: np.ndarray, closure: _Closure, target: dict[int, float], strides: int
+    reference: np.ndarray, closure: Closure, target: dict[int, float], strides: int
 ) -> Asking[np.ndarray | None]:
     """Newton's method from the reference to the target, in strides."""
     system = closure.system
@@ -327,8 +259,31 @@ def _followed(
     return q
 
 
+def _continued(
+    reference: np.ndarray, closure: Closure, target: dict[int, float], found: np.ndarray
+) -> Asking[np.ndarray]:
+    """Where the way from the reference leads, by a polynomial through places before its end.
+
+    Of two solutions that almost meet there it is near that of the same branch; `found` where it leads nowhere near.
+    """
+    total, q = np.zeros(len(found)), np.array(reference)
+    for part, weight in reversed(BEFORE):
+        wanted = {k: reference[k] + (1 - part) * (value - reference[k]) for k, value in target.items()}
+        if part == BEFORE[-1][0]:
+            for strides in STRIDES:
+                before = yield from _followed(reference, closure, wanted, strides)
+                if before is not None:
+                    break
+        else:
+            before = yield from _solved(closure.system, closure, q, wanted)
+        if before is None:
+            return found
+        q, total = before, total + weight * before
+    return total if np.abs(total - found).max(initial=0.0) < ALONG else found
+
+
 def _nearest(
-    reference: np.ndarray, closure: _Closure, given: dict[int, float], held: list[int]
+    reference: np.ndarray, closure: Closure, given: dict[int, float], held: list[int]
 ) -> Asking[np.ndarray | None]:
     """By Newton's method from the given values, of which those at `held` are kept."""
     system = closure.system
@@ -344,7 +299,7 @@ def _nearest(
     return found
 
 
-def _solved(system: System, closure: _Closure, q: np.ndarray, wanted: Mapping[int, float]) -> Asking[np.ndarray | None]:
+def _solved(system: System, closure: Closure, q: np.ndarray, wanted: Mapping[int, float]) -> Asking[np.ndarray | None]:
     """Newton's method by least squares onto the closed loops with the wanted coordinates; None where it fails."""
     moved = _turned(system, q, wanted)
     plain = {k: value for k, value in wanted.items() if system.tree.q[k].kind != "quaternion"}
@@ -356,7 +311,7 @@ def _solved(system: System, closure: _Closure, q: np.ndarray, wanted: Mapping[in
     for i, k in enumerate(held):
         pick[len(plain) + i, k] = 1.0
     for _ in range(MOST_STEPS):
-        residual, jacobian = closure.of_coordinates(*(yield _At(moved)))
+        residual, jacobian = closure.of_coordinates(*(yield At(moved)))
         away = [(value - moved[k]) / closure.units[column[k]] for k, value in plain.items()] + [0.0] * len(held)
         right = np.concatenate([away, -residual])
         if np.abs(residual).max(initial=0) < CLOSED and np.abs(away).max(initial=0) < CLOSED:
@@ -367,7 +322,7 @@ def _solved(system: System, closure: _Closure, q: np.ndarray, wanted: Mapping[in
             good = np.abs(residual).max(initial=0) < STALLED and np.abs(away).max(initial=0) < FOLLOWED
             return moved if good else None
         step *= min(1.0, LARGEST_STEP / size) * closure.units
-        moved = yield _Moved(moved, step)
+        moved = yield Moved(moved, step)
     return None
 
 
@@ -381,13 +336,7 @@ def _turned(system: System, q: np.ndarray, wanted: Mapping[int, float]) -> np.nd
     return moved
 
 
-def _turned_rates(system: System, q: np.ndarray, v: np.ndarray) -> np.ndarray:
-    """Joint rates (n, nv) from rates v: spherical ones from the child's axes to those before the rotation."""
-    at = system.inputs
-    return np.asarray(system.numeric(system.joint_rates(at.v), (at.q, q), (at.v, v)))
-
-
-def _rates(closure: _Closure, q: np.ndarray, scene: Scene, fine: FineStart | None = None) -> Asking[np.ndarray]:
+def _rates(closure: Closure, q: np.ndarray, scene: Scene, fine: FineStart | None = None) -> Asking[np.ndarray]:
     n, rates, hold = len(closure.units), scene.initial.rates, scene.initial.hold
     if not rates:
         return np.zeros(n)
@@ -400,7 +349,7 @@ def _rates(closure: _Closure, q: np.ndarray, scene: Scene, fine: FineStart | Non
         rows = rate_rows(closure.model, q, rates, scene.parameters) * closure.units
         scales = np.maximum(np.abs(rows).max(axis=1), SMALLEST)
         rows /= scales[:, None]
-    _, jacobian = yield _At(q)
+    _, jacobian = yield At(q)
     values, start = np.array(list(rates.values())) / scales, np.zeros(n)
     kept = [k for k, label in enumerate(rates) if hold is None or label in hold]
     if hold is not None:
@@ -417,7 +366,7 @@ def _rates(closure: _Closure, q: np.ndarray, scene: Scene, fine: FineStart | Non
             f"initial.rates: the loops do not allow {_shown(scene.initial.rates)} in this configuration; check the "
             "values, or give only the rates of independent coordinates"
         )
-    bias = (yield _Bias(q, v * closure.units)) if len(jacobian) else None
+    bias = (yield Bias(q, v * closure.units)) if len(jacobian) else None
     if bias is not None and leaves_every_branch(jacobian, bias, v):
         raise DescriptionError(
             f"initial.rates: the loops lose rank in this configuration, where branches of the motion meet, and "
