@@ -219,11 +219,12 @@ def test_geometry_for_least_effort() -> None:
 
 @pytest.mark.slow
 def test_panda_with_bounded_torque_rates() -> None:
-    """1000 N m/s, as the real arm's controller asks."""
+    """1000 N m/s, as the real arm's controller asks. There are two optima, 0.5 % apart: rounding decides, and with it how
+    many threads linear algebra has."""
     problem = example("panda_point_to_point", transcription=Transcription("radau", 3, 20), accuracy=None)
     rates = {f"joint{k}": (-1000.0, 1000.0) for k in range(1, 8)}
     found = solve(replace(problem, bounds=replace(problem.bounds, drive_rates=rates)))
-    assert found.ok and found.duration == pytest.approx(0.23890, abs=1e-4)
+    assert found.ok and min(abs(found.duration - optimum) for optimum in (0.23890, 0.24009)) < 1e-4
     at = found.sample(count=2001)
     assert np.abs(np.diff(at.u, axis=0) / np.diff(at.t)[:, None]).max() < 1000 * (1 + 1e-4)
 

@@ -132,11 +132,15 @@ def test_a_massless_limb_adds_a_loop_and_no_force() -> None:
 
 
 def test_a_joint_type_whose_constraint_is_not_known_is_not_cut() -> None:
-    """A driven hinge between the same bodies has the place in the tree."""
+    """A hinge between the same bodies is cut, though it is driven; of two such joints one would have to be cut."""
+    (cut,) = symscrew.derive(symscrew.description.parse_description(BOTH)).system.cuts
+    assert cut.joint.name == "hinge"
+    two = BOTH.replace('type = "R"', 'type = "Pa"').replace("axes = [[1, 0, 0]]\ndriven", f"axes = {AXES}\ndriven")
     with pytest.raises(DescriptionError, match=r"loop is cut at this joint.*sliding universal"):
-        symscrew.derive(symscrew.description.parse_description(BOTH))
+        symscrew.derive(symscrew.description.parse_description(two))
 
 
+AXES = "[[0, 0, 1], [1, 0, 0], [0, 1, 0]]"
 BOTH = """
 [mechanism]
 name = "both"

@@ -29,6 +29,9 @@ class Triple:
         slopes = np.stack([-3 * (b - a) ** 2 - 3 * c * a**2, 3 * (b - a) ** 2], axis=1)
         return values[:, None], slopes[:, None]
 
+    def values(self, z: Array, c: Array) -> Array:
+        return self.evaluate(z, c)[0]
+
     def patches(self, z: Array) -> Array:
         return z.conj()[:, None]
 
