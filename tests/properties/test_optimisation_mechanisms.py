@@ -219,8 +219,7 @@ def test_geometry_for_least_effort() -> None:
 
 @pytest.mark.slow
 def test_panda_with_bounded_torque_rates() -> None:
-    """1000 N m/s, as the real arm's controller asks. There are two optima, 0.5 % apart: rounding decides, and with it how
-    many threads linear algebra has."""
+    """1000 N m/s, as the real arm's controller asks. There are two optima, 0.5 % apart, of which rounding chooses."""
     problem = example("panda_point_to_point", transcription=Transcription("radau", 3, 20), accuracy=None)
     rates = {f"joint{k}": (-1000.0, 1000.0) for k in range(1, 8)}
     found = solve(replace(problem, bounds=replace(problem.bounds, drive_rates=rates)))
