@@ -88,7 +88,8 @@ class Run:
 
     def __repr__(self) -> str:
         end = float(self.t[-1]) if len(self.t) else 0.0
-        return f"<Run {self.scene.name}: {len(self.t)} outputs to t = {end:g} s, {self.status}>"
+        said = self.status if self.accurate else self.verdict.partition(":")[0] or self.status
+        return f"<Run {self.scene.name}: {len(self.t)} outputs to t = {end:g} s, {said}>"
 
     def _repr_html_(self) -> str:
         return self.columns._repr_html_()

@@ -107,4 +107,4 @@ def test_report_fits_the_paper(driver, reports, name: str) -> None:
         driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": ""})
     printed = driver.execute_cdp_cmd("Page.printToPDF", {"preferCSSPageSize": True})
     sheets = re.findall(rb"/Type\s*/Page\b", base64.b64decode(printed["data"]))
-    assert 3 <= len(sheets) <= 12
+    assert 3 <= len(sheets) <= 13  # the seed's, with every condition of its limbs

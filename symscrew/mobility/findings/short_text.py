@@ -16,7 +16,7 @@ HEADING = 120
 FIRST = "Mobility"
 """The section that is never cut in lines: the answer itself."""
 COUNTS = (40, 24, 16, 12, 8, 6, 4, 3, 2, 1)
-"""Lines a section keeps, tried in this order until the whole is short."""
+"""Lines a section keeps, tried in this order until the whole is short; then section by section as many more as fit."""
 BEHIND = "--full"
 Sections = Sequence[tuple[str, Sequence[str]]]
 
@@ -32,14 +32,28 @@ def shortened(said: Sections) -> list[str]:
     if _size(lines) <= SHORT:
         return lines
     cut = [(_cut(heading, HEADING), [_cut(fact, LINE) for fact in facts]) for heading, facts in said]
-    for count in COUNTS:
+    for place, count in enumerate(COUNTS):
         lines = plain_lines([_fewer(heading, facts, count) for heading, facts in cut])
         if _size(lines) <= SHORT:
+            lines = _filled(cut, place)
             break
     else:
         lines = plain_lines([(heading, [_cut(fact, LINE // 2) for fact in facts]) for heading, facts in
                              (_fewer(heading, facts, 1) for heading, facts in cut)])  # fmt: skip
     return [*lines, f"Cut to fit; the whole with {BEHIND}, in documents (--out) and in the JSON"]
+
+
+def _filled(said: Sections, place: int) -> list[str]:
+    """The lines with `COUNTS[place]` lines a section, and more of those where they fit, the first sections first."""
+    counts = [COUNTS[place]] * len(said)
+    best: list[str] = []
+    for larger in (COUNTS[place], *reversed(COUNTS[:place])):
+        for k in range(len(said)):
+            tried = [*counts[:k], max(larger, counts[k]), *counts[k + 1 :]]
+            lines = plain_lines([_fewer(*section, count) for section, count in zip(said, tried, strict=True)])
+            if _size(lines) <= SHORT:
+                counts, best = tried, lines
+    return best
 
 
 def _fewer(heading: str, facts: Sequence[str], count: int) -> tuple[str, list[str]]:
