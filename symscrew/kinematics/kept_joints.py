@@ -44,16 +44,18 @@ def keeping(
     # A ball's turns add up to nothing: it has no displacement beyond half a turn.
     turning = {name for name, joint in joints.items() if len(joint.kind.turning) == 1 and not joint.kind.spherical}
     turning |= {name for name, joint in joints.items() if joint.kind.universal}
-    coupled = {*coupled, *(name for name, joint in joints.items() if not joint.kind.closable)}
-    must = {name for name in turning if joints[name].kind.helical or name in read} | coupled
+    uncut = {name for name, joint in joints.items() if not joint.kind.closable}
+    must = {name for name in turning if joints[name].kind.helical or name in read} | {*coupled, *uncut}
     for name in [name for name in mechanism.joints if name in must]:
         used = {joint for joint, _ in reached.values()}
         if name in used:
             continue
         loop = _loop(mechanism, joints, reached, joints[name])
-        if name not in coupled and _parallel(mechanism, [*loop, joints[name]]):
+        if name not in coupled and name not in uncut and _parallel(mechanism, [*loop, joints[name]]):
             continue
         free = [j for j in loop if j.name not in must and j.name in mechanism.joints]
+        if not free and name in uncut:
+            continue  # which `cut_joints` says
         if not free:
             raise DescriptionError(
                 f"joints.{name}: its displacement is asked for over whole turns, coupled, bound by events or turns a "
