@@ -22,7 +22,7 @@ from symscrew.mobility import inverse_kinematics
 from symscrew.model import Model
 from symscrew.scene import Scene, parameter_values
 from symscrew.simulation.asked_closure import Asking, At, Bias, Closure, Moved, Question
-from symscrew.simulation.fine_start import BEFORE, FineStart, nearly_free
+from symscrew.simulation.fine_start import BEFORE, LOST, FineStart, nearly_free
 from symscrew.simulation.named_rates import rate_rows
 from symscrew.simulation.run_time_values import check_frames, check_values, values_in
 from symscrew.simulation.start_branch import leaves_every_branch
@@ -37,7 +37,7 @@ STALLED, FOLLOWED = 1e-12, 1e-10
 MOST_STEPS, LARGEST_STEP = 40, 0.5  # of Newton's method; larger steps [1, rad] are shortened, so that they do not jump
 # Parts of the largest singular value below which rates are left alone: in singular configurations the closure does not
 # determine them. Newton's method steps over such places; rates at the start are to keep more of what was given.
-STEP_RANK, RATE_RANK = 1e-10, 1e-11
+STEP_RANK, RATE_RANK = 1e-10, LOST
 ALONG = 1e-4  # farthest that a way's continuation may be from what Newton's method found: a root of `STALLED`, and more
 SMALLEST = 1e-12  # of a row of given rates: a coordinate that nothing moves stays a row of zeros, and contradicts
 
@@ -92,14 +92,15 @@ def _begun(scene: Scene, model: Model, closure: Closure, parameters: np.ndarray)
     if in_mode or (hold is None and others):
         _told_apart(scene, model)
         placed = _in_mode(scene, model) if in_mode else _by_names(scene, model)
-        residual, _ = closure.of_coordinates(*(yield At(placed)))
+        opened, jacobian = yield At(placed)
+        residual, _ = closure.of_coordinates(opened, jacobian)
         if np.abs(residual).max(initial=0.0) > FOLLOWED:  # what effects constrain, the mechanism alone does not know
             raise DescriptionError(
                 f"initial.coordinates: {_shown(scene.initial.coordinates)}: there the wheels of 'ideal_rolling' are "
                 f"{np.abs(residual).max():.3g} off their ground (lengths divided by {system.length:g} m); expected a "
                 "pose where they touch, or coordinates of the tree, the others of which are found"
             )
-        return placed, (yield from _rates(closure, placed, scene))
+        return placed, (yield from _rates(closure, placed, jacobian, scene))
     target = _unit_quaternions(system, dict(_labelled(scene.initial.coordinates, known, "initial.coordinates")))
     q = None
     if hold is None:
@@ -120,20 +121,20 @@ def _begun(scene: Scene, model: Model, closure: Closure, parameters: np.ndarray)
             f"(lengths divided by {system.length:g} m) with the others as in the reference; check the values, or give "
             "only independent coordinates: the others are assembled"
         )
-    fine, free = None, np.zeros((0, 0))
-    if hold is None:
-        free = nearly_free((yield from _rows(closure, q, target)))
-    if len(free):
+    fine = None
+    _, jacobian = yield At(q)
+    free = nearly_free(_rows(closure, jacobian, target))
+    if hold is None and len(free):
         fine = FineStart(system, parameters, closure.rows, closure.units)
         step = fine.step(q, (yield from _continued(reference, closure, target, q)))
         q = yield Moved(q, free.T @ (free @ step) * closure.units)
         q = fine.coordinates(q, target, closure.of_places)
-    return q, (yield from _rates(closure, q, scene, fine))
+        _, jacobian = yield At(q)
+    return q, (yield from _rates(closure, q, jacobian, scene, fine=fine))
 
 
-def _rows(closure: Closure, q: np.ndarray, given: Iterable[int]) -> Asking[np.ndarray]:
+def _rows(closure: Closure, jacobian: np.ndarray, given: Iterable[int]) -> np.ndarray:
     """Rows of given coordinates and of the loops' closure, without units."""
-    _, jacobian = yield At(q)
     plain = dict(closure.system.tree.plain)
     return np.concatenate([np.eye(len(closure.units))[[plain[k] for k in given if k in plain]], jacobian])
 
@@ -336,7 +337,9 @@ def _turned(system: System, q: np.ndarray, wanted: Mapping[int, float]) -> np.nd
     return moved
 
 
-def _rates(closure: Closure, q: np.ndarray, scene: Scene, fine: FineStart | None = None) -> Asking[np.ndarray]:
+def _rates(
+    closure: Closure, q: np.ndarray, jacobian: np.ndarray, scene: Scene, *, fine: FineStart | None = None
+) -> Asking[np.ndarray]:
     n, rates, hold = len(closure.units), scene.initial.rates, scene.initial.hold
     if not rates:
         return np.zeros(n)
@@ -349,7 +352,6 @@ def _rates(closure: Closure, q: np.ndarray, scene: Scene, fine: FineStart | None
         rows = rate_rows(closure.model, q, rates, scene.parameters) * closure.units
         scales = np.maximum(np.abs(rows).max(axis=1), SMALLEST)
         rows /= scales[:, None]
-    _, jacobian = yield At(q)
     values, start = np.array(list(rates.values())) / scales, np.zeros(n)
     kept = [k for k, label in enumerate(rates) if hold is None or label in hold]
     if hold is not None:
