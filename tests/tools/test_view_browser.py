@@ -424,10 +424,10 @@ def test_a_picture_has_its_labels_and_a_film_ends_by_itself(driver, files) -> No
     assert page.script("return Records.kept")[1].endswith((".mp4", ".webm"))
 
 
-def test_says_what_is_missing_without_webgl(files, tmp_path: Path) -> None:
-    driver = start(tmp_path, "--disable-3d-apis")
-    try:
-        driver.get(files("four_bar").as_uri())
-        assert "WebGL" in driver.find_element(By.ID, "trouble").text
-    finally:
-        driver.quit()
+def test_says_what_is_missing_without_webgl(browser, files) -> None:
+    """As a browser without it answers: no context."""
+    absent = {"source": "HTMLCanvasElement.prototype.getContext = () => null"}
+    added = browser.execute_cdp_cmd("Page.addScriptToEvaluateOnNewDocument", absent)
+    browser.get(files("four_bar").as_uri())
+    browser.execute_cdp_cmd("Page.removeScriptToEvaluateOnNewDocument", added)
+    assert "WebGL" in browser.find_element(By.ID, "trouble").text
