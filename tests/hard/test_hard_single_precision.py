@@ -47,16 +47,10 @@ def _of_one_state(function: CompiledFunction) -> Callable:
 
 
 def marched(name: str, steps_per_output: int) -> tuple[float, set[int]]:
-    """Error of a benchmark's outputs by RK4 with accelerations of type float; the statuses they came with.
-
-    Of the delta the first half: a state takes the longest there.
-    """
+    """Error of a benchmark's outputs by RK4 with accelerations of type float; the statuses they came with."""
     path = EXAMPLES / "benchmarks" / f"{name}.toml"
     reference = read_reference(path)
     assert reference is not None
-    if name == "delta":
-        half = len(reference.times) // 2
-        reference = replace(reference, times=reference.times[:half], values=reference.values[:half])
     scene = replace(load_scene(path), rate=1 / reference.times[1], duration=reference.times[-1])
     found, plant = prepared(name)
     (forces,) = compiled(found, ("forward_dynamics",), "single")

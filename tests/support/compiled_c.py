@@ -20,7 +20,7 @@ FUNCTIONS = ("inverse_dynamics", "forward_dynamics_reactions", "closure", "assem
 
 MODELS = (
     pytest.param("four_bar", FUNCTIONS, marks=pytest.mark.slow),
-    ("three_ups_upu_s", ("inverse_dynamics", "closure", "inverse_kinematics")),
+    ("planar_3rrr", ("inverse_dynamics", "closure", "inverse_kinematics")),
 )
 BASE = ("-std=c99", "-fno-math-errno", "-shared", "-fPIC")
 

@@ -77,7 +77,7 @@ def test_counts_are_repeatable_and_of_the_right_size() -> None:
 @EMULATED
 def test_frames_hold_the_second_path() -> None:
     """With guards that every state fails: what is written then is what the frames allow, and not much less."""
-    found = model("three_ups_upu_s_physical")
+    found = model("planar_3rrr")
     program = found.programs["forward_dynamics"]
     assert isinstance(program, RankRevealing)
     failing = replace(program, guards=tuple((slot, 1e30) for slot, _ in program.guards))
