@@ -60,7 +60,8 @@ def worst_cycles(model: Model, core: str, precision: str, functions: Sequence[st
         listing = emulation.called([LISTING, "-d", "image"], folder)
         addresses = _symbols(emulation.called([emulation.NAMES, "-S", "image"], folder))
         trace = _traced(CORES[core].board, folder, addresses)
-        costs, found = _costs(listing), {}
+        costs = _costs(listing)
+        found = {}
         for name in functions:
             program = model.programs[name]
             cycles = _calls(trace, costs, addresses[f"{model.name}_{name}"])
