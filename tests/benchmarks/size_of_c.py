@@ -23,13 +23,13 @@ from symscrew.model import derive
 
 from .tables import table
 
-WORDS = ("const", "REAL", "double", "static", "return", "if", "else", "for", "size_t", "void", "restrict", "int", "READ")
+WORDS = "const|REAL|double|static|return|if|else|for|size_t|void|restrict|int|READ|SINES|WRITE"
 KINDS = {
     "comments": r"/\*.*?\*/",
     "texts": r'"(?:[^"\\]|\\.)*"',
     "indentation": r"^[ \t]+",
     "t1, t2, ...": r"\bt\d+\b",
-    "words of C and macros": rf"\b(?:{'|'.join(WORDS)})\b",
+    "words of C and macros": rf"\b(?:{WORDS})\b",
     "names": r"[A-Za-z_]\w*",
     "numbers": r"\.?\d[\w.]*",
     "ends of lines": r"\n",
