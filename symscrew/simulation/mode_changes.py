@@ -83,7 +83,7 @@ def change(at: ContactState, modes: Modes, which: int) -> Change:
 
 
 def _at_level(at: ContactState, modes: Modes, which: int) -> bool:
-    """Whether the force that holds a stuck joint is its static level, but for what the search for the instant leaves."""
+    """Whether the force that holds a stuck joint is its static level, but for what the instant is off."""
     level = at.rules[which].static
     return abs(abs(float(forces(at, modes)[which])) - level) <= AT_LEVEL * level
 

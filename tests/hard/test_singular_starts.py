@@ -131,6 +131,21 @@ def test_libraries_begin_where_they_were_put(equal_slider: Model, beside: float)
         np.testing.assert_array_equal(kept, given)
 
 
+@pytest.mark.parametrize(("beside", "found"), [(1e-6, True), (-1e-8, False)])
+def test_other_names_beside_a_singular_position(equal_slider: Model, beside: float, found: bool) -> None:
+    """By a cut joint's name a start is exact, or refused for what it is: not 'out of reach'."""
+    scene, angle = parse_scene(SQUARE), np.pi / 2 - beside
+    initial = replace(scene.initial, coordinates={"C": angle})
+    scene = replace(scene, mechanism=equal_slider.mechanism, initial=initial)
+    if found:
+        q, _ = initial_state(scene, equal_slider, np.zeros(0))
+        labels = [c.label for c in equal_slider.system.tree.q]
+        assert q[labels.index("D")] == pytest.approx(2 * np.cos(angle) - 2, abs=1e-14)
+        return
+    with pytest.raises(DescriptionError, match=r"or so near a singular configuration .* give other coordinates"):
+        initial_state(scene, equal_slider, np.zeros(0))
+
+
 @pytest.mark.parametrize(("beside", "taken"), [(0.1, True), (1e-6, False)])
 def test_few_digits_beside_a_singular_position_are_refused(equal_slider: Model, beside: float, taken: bool) -> None:
     """Nine digits say where a motion begins, but not beside a singular position: it went on from another place."""
