@@ -103,11 +103,9 @@ def effect_from_table(table: Any, where: str = "effects") -> Effect:
         if key == "type":
             continue
         if key not in fields:
-            known_keys = ", ".join(fields) or "none"
-            raise DescriptionError(
-                f"{where}: unknown key {shorten(key)} of the effect {kind}; {did_you_mean(str(key), fields)} "
-                f"(its keys: {known_keys})"
-            )
+            known_keys, near = ", ".join(fields) or "none", did_you_mean(str(key), fields)
+            told = f"{near} (its keys: {known_keys})" if near.startswith("did you mean") else f"its keys: {known_keys}"
+            raise DescriptionError(f"{where}: unknown key {shorten(key)} of the effect {kind}; {told}")
         values[key] = _checked(value, kinds[key], f"{where}.{key}")
     missing = [name for name in _required(made) if name not in values]
     if missing:

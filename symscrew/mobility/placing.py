@@ -38,6 +38,9 @@ DAMPING = 1e-3
 WORTH_TRYING = 1e-15
 """Damping at which nothing is gained any more: the step is then rounding."""
 
+NEARLY = 1e-4
+"""Of the mechanism's size: loops that least squares close so far may be closed by what was given after all, beside a
+singular configuration, where doubles do not find it."""
 SAME = 1e-9
 """Numbers of configurations, in rad and lengths of the mechanism, that differ by less are equal."""
 STIFF = 100.0
@@ -149,7 +152,15 @@ def _unreached(
     if error.numbers > error.free:
         return Configuration(mechanism, asked, NOT_ON_MECHANISM, f"{NOT_ON_MECHANISM}: {error}")
     targets = targets_of(mechanism, network, given)
-    rows = _least_missed(ClosureVariety(network), targets)[: 6 * len(network.chords)].reshape(-1, 6)
+    missed = _least_missed(ClosureVariety(network), targets)
+    if np.abs(missed).max(initial=0.0) < NEARLY:
+        text = (
+            f"{OUT_OF_REACH}, or so near a singular configuration that it is not found: the loops were closed to "
+            f"{np.abs(missed).max(initial=0.0):.2g} of the mechanism's size, not to rounding; give other coordinates, "
+            "which determine the rest there"
+        )
+        return Configuration(mechanism, asked, OUT_OF_REACH, text)
+    rows = missed[: 6 * len(network.chords)].reshape(-1, 6)
     if not len(rows):
         return Configuration(mechanism, asked, OUT_OF_REACH, f"{OUT_OF_REACH}: {error}")
     worst = network.chords[int(np.argmax(np.abs(rows).max(axis=1)))]

@@ -28,6 +28,8 @@ TOUCHING = 1e-9
 SOFT = 1e-13
 # Rebounds below this part of the largest rate are rounding of it.
 NO_REBOUND = 1e-12
+# Part of a friction's level by which the force at an instant that was searched for may be off it.
+AT_LEVEL = 1e-6
 # Sets of pushing contacts that are tried per contact; each is better than the one before, so that few are met twice.
 MOST_SETS = 10
 # Rates below the first part of the largest are rounding of it; a solution whose rates are off by more than the second
@@ -64,6 +66,8 @@ def change(at: ContactState, modes: Modes, which: int) -> Change:
         found = released(at, modes.with_mode(which, 0))
         if found.values[which] != -mode and is_dead(at, which):  # the law says nothing there: its rate has turned
             found = found.with_mode(which, -mode)
+        if found.values[which] == mode and _at_level(at, modes.with_mode(which, 0), which):
+            found = modes.with_mode(which, 0)  # what would go on has turned back: its force falls from the level
         return Change(at.v, found, (f"{name} sticks" if found.values[which] == 0 else f"{name} turns back",))
     if rule.contact.kind == "friction":
         force = forces(at, modes)
@@ -76,6 +80,12 @@ def change(at: ContactState, modes: Modes, which: int) -> Change:
     if found.values[which] == mode:  # it goes on to push: the force only touched zero
         return Change(at.v, found, ())
     return Change(at.v, found, (f"{name} leaves its stop",))
+
+
+def _at_level(at: ContactState, modes: Modes, which: int) -> bool:
+    """Whether the force that holds a stuck joint is its static level, but for what the instant is off."""
+    level = at.rules[which].static
+    return abs(abs(float(forces(at, modes)[which])) - level) <= AT_LEVEL * level
 
 
 def _gap(at: ContactState, k: int, end: int) -> float:

@@ -48,7 +48,7 @@ def first_end(
     force = np.array([forces(at, modes) for at in samples]) if held else np.zeros((len(samples), len(rules)))
     found: tuple[float, int] = (NONE, -1)
     for k, rule in enumerate(rules):
-        own = _of_forces(force[:, k], rule, modes.values[k]) if k in held else None
+        own = _of_forces(force[:, k], rule, modes.values[k], fresh=k == fresh) if k in held else None
         if own is None:
             own = _of_motion(samples, rule, modes.values[k], unit=float(units[rule.v]), fresh=k == fresh)
         for margin, slack, size in own:
@@ -76,17 +76,20 @@ def _powers() -> np.ndarray:
     return np.asarray(np.linalg.inv(np.vander(places(), increasing=True)))
 
 
-def _of_forces(force: np.ndarray, rule: Law, mode: int) -> Iterator[tuple[np.ndarray, float, float]]:
+def _of_forces(force: np.ndarray, rule: Law, mode: int, *, fresh: bool) -> Iterator[tuple[np.ndarray, float, float]]:
     """Margins (9,) of a contact that is held: a stuck one has two, one on a stop its side.
 
     With what counts as zero at the start, and the size of what a margin is the difference of: none, for forces are off
-    by more than roundings.
+    by more than roundings. A joint that has just stuck as its force fell from the level may be beyond it by as much as
+    the instant is off.
     """
     friction = rule.contact.kind == "friction"
     level = rule.static if friction else 0.0
     slack = FORCE_SLACK * max(float(np.abs(force).max()), level)
     for side in (-1, 1) if friction else (mode,):
-        yield level - side * force, slack, 0.0
+        margin = level - side * force
+        beyond = -float(margin[0]) if fresh and friction and -MOST_MOVED * level < margin[0] < 0 else 0.0
+        yield margin, max(slack, beyond), 0.0
 
 
 def _of_motion(

@@ -22,6 +22,7 @@ from symscrew.simulation.landing import passed
 from symscrew.simulation.native_contacts import MOST_EVENTS, NativeContacts
 from symscrew.simulation.recording import History, Instant, Passage, State, shown_time
 from symscrew.simulation.run_source import SPAN, contact_numbers, rules_of, sources, table_code
+from symscrew.simulation.scene_functions import VAGUE
 from symscrew.simulation.state_programs import Plant
 from symscrew.simulation.verdict import estimated
 
@@ -211,6 +212,7 @@ ENDINGS = {
     5: "the accelerations are not defined",
     9: f"more than {MOST_EVENTS} changes of contact",
     10: "the law of impact of the stops that are met there has no solution that was found",
+    12: VAGUE,
     6: "at rest in a singular configuration, where several motions begin: none of them is singled out",
 }
 PORTION = 20_000  # steps between two looks at the progress, some milliseconds to a second

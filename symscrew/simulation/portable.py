@@ -99,7 +99,7 @@ class _Marching:
         self.losses: list[tuple[float, str, float]] = []  # energy that impacts take
         self.steps = 0
         self.fastest: Instant | None = None
-        self.watch = singular_watch(functions)
+        self.watch = singular_watch(functions, scene.duration)
         self.corners = (
             Corners(self.conditions, functions.state_units()) if functions.plant.switches is not None else None
         )
@@ -166,8 +166,9 @@ class _Marching:
 
     def run(self, start: State) -> History:
         times, status, ok = self.scene.times, "completed", True
-        y = self.settled(np.concatenate(start))
+        y = np.concatenate(start)
         try:
+            y = np.concatenate([*self.f.settled_start(start[0], start[1]), start[2]])
             if self.rules:
                 self.modes = contact.start_modes(self.contacts_at(0.0, y))
                 y = self.adopted(0.0, y, beginning(self.contacts_at(0.0, y), self.modes))

@@ -148,7 +148,7 @@ def _header(scene: Scene, made: Plant, start: tuple[np.ndarray, np.ndarray]) -> 
 
 
 def loop_source(scene: Scene, made: Plant, *, standalone: bool = False) -> str:
-    """The loop's C; `standalone` is a part of a larger file, without the loop's own header."""
+    """The loop's C; `standalone` is part of a larger file that begins runs, without the loop's header."""
     files, name = generated(made), made.model.name
     code = files[f"{name}.c"].replace(f'#include "{name}.h"', files[f"{name}.h"])
     method = NATIVE_METHODS[scene.integrator.method]
@@ -159,4 +159,4 @@ def loop_source(scene: Scene, made: Plant, *, standalone: bool = False) -> str:
         "#define COUNT_EVALUATION (void)0", table_code(list(scene.tables.values())) or NO_TABLES, adapters(made),
     ]  # fmt: skip
     parts = ("rows.c", "manifold.c", "chart.c", "branch.c", "anchor.c", "steps.c", "loop.c")
-    return "\n".join([*head, *(kernel_text(part) for part in parts)])
+    return "\n".join([*head, *(kernel_text(part) for part in (*parts, *(["start.c"] if standalone else [])))])

@@ -14,7 +14,8 @@ import numpy as np
 
 @dataclass(frozen=True)
 class Estimate:
-    """`error`: largest difference of a coordinate [rad, characteristic lengths] to the other run; NaN: there is none.
+    """`error`: largest difference of a coordinate [rad, characteristic lengths] to the other run; NaN: there is none,
+    infinite: it did not come to its end, and `stopped` says where and why.
 
     `growth`: by how much the differences grew from the first tenth of the run to its end. `part`: the error by the
     largest way of a coordinate from where it starts.
@@ -23,6 +24,7 @@ class Estimate:
     error: float = np.nan
     growth: float = np.nan
     part: float = np.nan
+    stopped: str = "stopped"
 
 
 State = tuple[np.ndarray, np.ndarray, np.ndarray]  # q (nq,), v (nv,), x (nx,) at one time

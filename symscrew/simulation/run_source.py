@@ -324,7 +324,7 @@ def sources(plant: Plant, tables: str = "") -> tuple[str, str]:
     varied = len(plant.parameters)  # they are put in when the library is there, so that one serves all values
     functions = _functions(replace(plant, parameters=plant.system.parameter_values), tables)
     near = ("rows.c", "manifold.c", "contacts.c", "chart.c", "branch.c", "anchor.c")
-    steps = ("steps.c", "adaptive.c", "polynomials.c", "events.c", "switches.c", "simulation.c")
+    steps = ("steps.c", "adaptive.c", "polynomials.c", "events.c", "switches.c", "start.c", "simulation.c")
     head = ["#include <math.h>", "#include <stddef.h>", "#include <string.h>"]
     scalar = f"#define {plant.model.name.upper()}_SCALAR 1"
     run = [*head, *_storage(varied), *functions, *map(kernel_text, (*near, *steps))]

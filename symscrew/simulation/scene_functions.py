@@ -23,8 +23,16 @@ GOOD = 1e-11  # an opening that no longer halves is taken as closed below this; 
 # Singular values below this part of the largest are directions that the closure does not hold in this configuration:
 # no step is made along them. Larger: ill-conditioned loops are left open; smaller: steps jump at singularities.
 RANK = 1e-9
+# Of a start, as of one of compiled runs (kernels/start.c): what rounding leaves open, as part of the largest coordinate
+# or rate, and by how many times what was open it may be moved.
+ROUNDED, FEW_TURNS, MAGNIFIED = 1e-13, 100.0, 1e3
 MOST_STEPS = 12  # of Newton's method, which doubles the digits from a state that was closed one step before
 LARGEST_STEP = 1.0  # [1, rad]: a longer one leads to another assembly branch; the run is stopped
+
+VAGUE = (
+    "the start is beside a singular configuration and off the loops by more than rounding, and going onto them would "
+    "move it a thousand times as far: give coordinates and rates with all digits"
+)
 
 
 class RunError(ArithmeticError):
@@ -161,6 +169,31 @@ class PlantFunctions:
         for i, _ in self.spheres:
             result[i : i + 4] /= np.linalg.norm(result[i : i + 4])
         return result
+
+    def settled_start(self, q: np.ndarray, v: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """q and v of a start on the closure: as they are where rounding alone leaves them open.
+
+        Raises:
+            RunError: they are off by more, beside a singular configuration where going there would move them far.
+        """
+        if self.plant.closure is None:
+            return self.settle(q, v)[:2]
+        residual, jacobian = self.opening(q)
+        units, places = self.plant.units, q[self.plain[:, 0]] / self.plant.units[self.plain[:, 1]]
+        fastest = float(np.abs(v / units).max(initial=0.0))
+        open_by, missed = (float(np.abs(a).max()) for a in (residual, jacobian @ (v / units)))
+        rounding = ROUNDED * max(1.0, float(np.abs(places).max(initial=0.0)) / FEW_TURNS)
+        if open_by <= rounding and missed <= ROUNDED * fastest:
+            return self.normalised(q), v
+        other, rates, _ = self.settle(q, v)
+        known = max(open_by, rounding)
+        moved = np.abs(other[self.plain[:, 0]] / units[self.plain[:, 1]] - places).max(initial=0.0)
+        for i, _ in self.spheres:
+            moved = max(moved, 2 * np.abs(other[i : i + 4] - q[i : i + 4]).max())
+        changed = np.abs((rates - v) / units).max(initial=0.0)
+        if moved > MAGNIFIED * known or changed > MAGNIFIED * max(missed, known * fastest):
+            raise RunError(VAGUE)
+        return other, rates
 
     def settle(self, q: np.ndarray, v: np.ndarray) -> tuple[np.ndarray, np.ndarray, float]:
         """q and v back on the closure by smallest weighted steps, and the smallest regular singular value."""

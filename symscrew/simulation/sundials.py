@@ -41,12 +41,14 @@ def integrate(
     solver = ca.integrator("run", "cvodes", ode, 0.0, [*WITHIN, 1.0], options)
     features, longest = features_in_time(scene, plant.model), scene.integrator.longest_step or np.inf
     times = scene.times
-    q, v, _ = functions.settle(start[0], start[1])
-    watch = singular_watch(functions)
+    watch = singular_watch(functions, scene.duration)
     fastest: Instant | None = None
-    states = [np.concatenate([q, v, start[2]])]
-    status, ok = "completed", True
-    for left, right in itertools.pairwise(times):
+    states, status, ok = [np.concatenate(start)], "completed", True
+    try:
+        states = [np.concatenate([*functions.settled_start(start[0], start[1]), start[2]])]
+    except RunError as error:
+        status, ok = f"stopped at t = 0 s: {error}", False
+    for left, right in itertools.pairwise(times if ok else times[:1]):
         now, at_end = float(left), states[-1]
         try:
             while now < right:

@@ -32,9 +32,12 @@ GROSS = 0.1
 
 
 def estimated(scene: Scene, system: System, found: History, run: Callable[[Scene], History]) -> Estimate:
-    """The error of a run by others of the same scene: `run` integrates a scene."""
+    """The error of a run by others of the same scene: `run` integrates a scene.
+
+    None is made of a run that did not come to its end, or that is not judged by it: see `doubts` in `verdict`.
+    """
     choice = scene.integrator
-    if not found.ok:
+    if not found.ok or found.doubts:
         return Estimate()
     budget = 4 * choice.most_steps
     if choice.step is not None:
@@ -57,7 +60,7 @@ def _difference(system: System, found: History, other: History) -> Estimate:
     units = np.array([system.length if c.kind == "length" else 1.0 for c in system.tree.q])
     apart = np.abs((found.q[:count] - other.q[:count]) / units).max(axis=1, initial=0.0)
     if not other.ok:
-        return Estimate(float("inf"))
+        return Estimate(float("inf"), stopped=other.status)
     early = float(apart[: max(2, count // 10)].max(initial=0.0))
     error = float(apart.max(initial=0.0))
     way = float(np.abs((found.q - found.q[:1]) / units).max(initial=0.0))
@@ -84,6 +87,9 @@ def verdict(
         return False, f"failed: the energy is out of balance by {unbalanced:.2g} of the energies moved"
     if doubts:
         return False, f"completed, not judged: {'; '.join(doubts)}"
+    if estimate.error == float("inf"):
+        other = "half the step" if fixed else "another tolerance"
+        return False, f"completed, accuracy not reached: the run with {other} to compare it with {estimate.stopped}"
     if fixed and estimate.part > GROSS:
         text = f"with half the step the motion is {estimate.error:.2g} off, {100 * estimate.part:.2g} % of its way"
         return False, f"completed, accuracy not reached: {text}; shorten the step"

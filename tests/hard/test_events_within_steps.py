@@ -159,6 +159,23 @@ def test_a_stop_that_is_left_as_the_force_on_it_fades(often: float) -> None:
     assert found.q[-1, 0] * often**2 == pytest.approx(-3 * (np.sin(4.5) + 4.5 - np.pi), abs=1e-8)
 
 
+@pytest.mark.parametrize(("backend", "level"), [("c", 0.8), ("c", 7.0), slow("numpy", 0.3)])
+def test_a_joint_that_rubs_leaves_its_stop_and_sticks(backend: str, level: float) -> None:
+    """A force that falls by 4 N/s lets the stop go at the friction's level, and moves the block at minus this level:
+    between, it sticks. At the level it was said to slip on and turned back, ten thousand times in an instant."""
+    force = {"z": f"{2.5 * level} - {4 * level}*t"}
+    rubs = DryFriction("z", coulomb=str(level), mode="event"), EndStop("z", upper="1/2", mode="impact")
+    start = Initial(coordinates={"z": 0.5}, rates={"z": 0.1})
+    scene = Scene("s", pushed_block(), rubs, 1.5, 20.0, start, drives=force, integrator=Integrator(tolerance=1e-9))
+    found = simulate(scene, backend=backend)
+    slips = 3.5 / 4
+    moved = np.where(found.t > slips, -4 * level / 6 * (found.t - slips) ** 3, 0.0)
+    assert found.accurate and np.abs(found.q[:, 0] - 0.5 - moved).max() < 1e-9 * level
+    assert [text.partition(": ")[2] for text in found.events] == [
+        "z meets its upper stop", "z leaves its stop", "z sticks", "z slips"
+    ]  # fmt: skip
+
+
 def test_what_hardly_moves_is_judged_by_the_tolerance() -> None:
     """A force that reaches the friction's level as it turns back: the block slips for 2e-8 s, by 1e-25 m. The energy
     that this takes was called out of balance by 1e24 of what moved."""

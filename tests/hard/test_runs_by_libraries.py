@@ -14,6 +14,7 @@ from symscrew.effects import Gravity
 from symscrew.scene.contents import Initial, Integrator, Scene
 from symscrew.simulation.mode_changes import UndecidedError, complementary
 from symscrew.simulation.motion import simulate
+from symscrew.simulation.scene_functions import RunError
 from symscrew.simulation.singular_watch import SingularWatch
 
 
@@ -50,14 +51,25 @@ def test_errors_of_libraries_are_estimated() -> None:
 def test_the_watch_sees_what_lies_between_two_steps(sign: int) -> None:
     """|t - 1| by steps of 0.3 that never touch 1, in both directions of time's distance; a bend far away is none."""
     for start in np.linspace(0, 0.29, 7):
-        watch = SingularWatch(1.0)
+        watch = SingularWatch(1.0, 10.0)
         for t in start + 0.3 * np.arange(7):
             watch.seen(float(t), abs(t - 1) * (1 if sign > 0 else 2))
         assert watch.found is not None and abs(watch.found[0] - 1) < 0.5
-        calm = SingularWatch(1.0)
+        calm = SingularWatch(1.0, 10.0)
         for t in start + 0.3 * np.arange(7):
             calm.seen(float(t), 0.3 + 0.2 * (t - 1) ** 2)
         assert calm.found is None
+
+
+def test_steps_that_lead_no_further_beside_a_singular_position_end() -> None:
+    """Where noise makes steps shorter and shorter radau took ten thousand of them, for minutes."""
+    through, stuck, outside = (SingularWatch(1.0, 10.0) for _ in range(3))
+    for k in range(300):
+        through.seen(2e-4 * k, 1e-3)
+        outside.seen(1e-6 * k, 0.1)
+    with pytest.raises(RunError, match=r"at t = 3\.333\d* s 100 steps led only .* further: this integrator does not"):
+        for k in range(1, 300):
+            stuck.seen(10 / 3 - 1e-3 / k**2, 1e-3)
 
 
 def test_impulses_that_obey_no_law_are_refused() -> None:

@@ -88,9 +88,12 @@ def test_what_decides() -> None:
     assert verdict(scene, good, 1e-13, 0.2)[1].startswith("failed: the energy is out of balance")
     assert verdict(scene, good, 1e-13, 1e-4)[1].startswith("completed, accuracy not reached: the energy")
     assert not verdict(scene, Estimate(2e-8, 1e6), 1e-13, 1e-12)[0]
-    assert not verdict(scene, Estimate(float("inf")), 1e-13, 1e-12)[0]
+    assert verdict(scene, Estimate(float("inf"), stopped="stopped at t = 3 s"), 1e-13, 1e-12) == (
+        False, "completed, accuracy not reached: the run with another tolerance to compare it with stopped at t = 3 s"
+    )  # fmt: skip
     fixed = replace(scene, integrator=Integrator(method="rk4", step=0.01))
     assert verdict(fixed, Estimate(0.1, 10.0, 0.05), 1e-13, 0.2) == (True, "completed")
+    assert "the run with half the step" in verdict(fixed, Estimate(float("inf")), 1e-13, 0.2)[1]
     assert verdict(fixed, Estimate(0.1, 10.0, 0.2), 1e-13, 0.2)[1].startswith(
         "completed, accuracy not reached: with half"
     )

@@ -15,14 +15,19 @@ from symscrew.catalogue import load as load_catalogue
 from symscrew.description import MechanismBuilder, parse_description, to_toml
 from symscrew.description.toml_tables import from_file
 from symscrew.errors import DescriptionError
+from symscrew.fmu import build_unit
 from symscrew.functions.forward import MASSLESS_NOTE, SINGULAR_NOTE, left_out
 from symscrew.kinematics import System
 from symscrew.model import Model, derive
-from symscrew.scene import load_scene, parse_scene
+from symscrew.runtime import find_compiler
+from symscrew.scene import Integrator, Scene, load_scene, parse_scene
 from symscrew.simulation import fine_start, prepare, simulate
 from symscrew.simulation.initial import initial_state
+from symscrew.simulation.native import integrate_natively
 from symscrew.simulation.recording import shown_time
+from symscrew.simulation.scene_functions import PlantFunctions, RunError
 from symscrew.simulation.start_branch import leaves_every_branch
+from symscrew.simulation.state_programs import Plant
 
 SQUARE = """
 [scene]
@@ -106,6 +111,80 @@ def test_a_crank_as_long_as_its_rod_keeps_its_branch(equal_slider: Model, beside
     assert v[block] == pytest.approx(-6 * np.sin(angle), abs=1e-12)
     run = simulate(scene)
     assert run.accurate and np.abs(run.q[:, block] - 2 * np.cos(run.q[:, crank]) + 2).max() < 1e-13
+
+
+def beside_equal(model: Model, beside: float) -> tuple[Scene, Plant, np.ndarray, np.ndarray]:
+    """A scene of the slider-crank that much before its singular position, its programs, and where it starts."""
+    scene = parse_scene(SQUARE.replace("duration = 1", "duration = 0.01"))
+    initial = replace(scene.initial, coordinates={"A": np.pi / 2 - beside}, rates={"A": 3.0})
+    scene = replace(scene, mechanism=model.mechanism, initial=initial)
+    _, programs = prepare(scene)
+    return scene, programs, *initial_state(scene, model, np.zeros(0))
+
+
+@pytest.mark.parametrize("beside", [1e-3, -1e-5, 1e-8])
+def test_libraries_begin_where_they_were_put(equal_slider: Model, beside: float) -> None:
+    """A step onto the loops by what rounding leaves moved the rates by rounding over the distance."""
+    _, programs, q, v = beside_equal(equal_slider, beside)
+    functions = PlantFunctions(programs, [], compiled=False)
+    for kept, given in zip(functions.settled_start(q, v), (q, v), strict=True):
+        np.testing.assert_array_equal(kept, given)
+
+
+@pytest.mark.parametrize(("beside", "found"), [(1e-6, True), (-1e-8, False)])
+def test_other_names_beside_a_singular_position(equal_slider: Model, beside: float, found: bool) -> None:
+    """By a cut joint's name a start is exact, or refused for what it is: not 'out of reach'."""
+    scene, angle = parse_scene(SQUARE), np.pi / 2 - beside
+    initial = replace(scene.initial, coordinates={"C": angle})
+    scene = replace(scene, mechanism=equal_slider.mechanism, initial=initial)
+    if found:
+        q, _ = initial_state(scene, equal_slider, np.zeros(0))
+        labels = [c.label for c in equal_slider.system.tree.q]
+        assert q[labels.index("D")] == pytest.approx(2 * np.cos(angle) - 2, abs=1e-14)
+        return
+    with pytest.raises(DescriptionError, match=r"or so near a singular configuration .* give other coordinates"):
+        initial_state(scene, equal_slider, np.zeros(0))
+
+
+@pytest.mark.parametrize(("beside", "taken"), [(0.1, True), (1e-6, False)])
+def test_few_digits_beside_a_singular_position_are_refused(equal_slider: Model, beside: float, taken: bool) -> None:
+    """Nine digits say where a motion begins, but not beside a singular position: it went on from another place."""
+    scene, programs, q, v = beside_equal(equal_slider, beside)
+    start = (np.round(q, 9), v, np.zeros(0))
+    functions = PlantFunctions(programs, [], compiled=False)
+    run = integrate_natively(scene, programs, (*start[:2], np.zeros(len(programs.x_labels))))
+    assert run.ok == taken
+    if taken:
+        assert np.abs(functions.settled_start(*start[:2])[0] - q).max() < 1e-8
+    else:
+        assert run.status.startswith(
+            "stopped at t = 0 s: the start is beside a singular configuration and off the loops"
+        )
+        with pytest.raises(RunError, match="give coordinates and rates with all digits"):
+            functions.settled_start(*start[:2])
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(find_compiler() is None, reason="no C compiler: units have no binary")
+@pytest.mark.parametrize("version", [2, 3])
+def test_units_begin_as_exactly_and_go_on(equal_slider: Model, tmp_path: Path, version: int) -> None:
+    """Their own start took the step that compiled runs do not take; nine digits of q are refused by name."""
+    fmpy = pytest.importorskip("fmpy")
+    scene, _, q, v = beside_equal(equal_slider, 1e-8)
+    unit = tmp_path / "equal.fmu"
+    build_unit(replace(scene, name="equal", integrator=Integrator("rk4", step=1e-3)), unit, version=version)
+    names = [f"q.{c.label}" for c in equal_slider.system.tree.q] + [f"v.{c.label}" for c in equal_slider.system.tree.v]
+    how = {"fmi_type": "CoSimulation", "stop_time": 0.01, "output_interval": 0.001}
+    found = fmpy.simulate_fmu(str(unit), output=names, **how)
+    assert [found[name][0] for name in names] == [*q, *v]
+    assert np.abs(found["q.D"] - 2 * np.cos(found["q.A"]) + 2).max() < 1e-14
+    said: list[str] = []
+    with pytest.raises(Exception, match=rf"fmi{version}ExitInitializationMode"):
+        values = dict(zip(names, [*np.round(q, 9), *v], strict=True))
+        fmpy.simulate_fmu(
+            str(unit), start_values=values, debug_logging=True, logger=lambda *given: said.append(str(given[-1])), **how
+        )
+    assert any("give q and v with all digits" in text for text in said)
 
 
 @pytest.mark.parametrize("parameters", [[], ["rb"]])

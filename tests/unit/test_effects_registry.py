@@ -117,6 +117,7 @@ TABLES = [
     ({"type": "viscous_friction", "joint": "A", "coefficient": Decimal("NaN")}, "finite"),
     ({"type": "gravity", "acceleration": [0, 0, Decimal("-inf")]}, "finite"),
     ({"type": "quasi_static", "joint": "A"}, "unknown key"),
+    ({"type": "viscous_friction", "joint": "A", "mu": 1}, r"the effect viscous_friction; its keys: [^()]*$"),
 ]
 
 

@@ -224,7 +224,7 @@ EXPORT fmi2Status fmi2NewDiscreteStates(fmi2Component c, fmi2EventInfo *info)
     memset(info, 0, sizeof *info);
     if (drifted(c)) {
         info->valuesOfContinuousStatesChanged = 1;
-        CHECK(close_state(c))
+        CHECK(close_state(c, settle))
     }
     return fmi2OK;
 }

@@ -251,7 +251,7 @@ EXPORT fmi3Status fmi3UpdateDiscreteStates(fmi3Instance m, bool *again, bool *te
     *next = 0.0;
     *values = drifted(m) != 0;
     if (*values) {
-        CHECK(close_state(m))
+        CHECK(close_state(m, settle))
     }
     return fmi3OK;
 }

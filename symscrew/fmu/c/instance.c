@@ -193,8 +193,8 @@ static int set_value(Instance *m, unsigned int vr, double value)
     return 0;
 }
 
-/* Quaternions of unit length and loops closed; 1 if they cannot be. */
-static int close_state(Instance *m)
+/* Quaternions of unit length and loops closed by `onto`, settle or settled_start; 1 if they cannot be. */
+static int close_state(Instance *m, int (*onto)(double *q, double *v, double *pivot))
 {
     State *s = &m->state;
     double pivot = 1.0;
@@ -211,8 +211,11 @@ static int close_state(Instance *m)
         }
     }
     s->derived = 0;
-    if (settle(s->q, s->v, &pivot) != 0) {
-        m->report(m, 1, "the loops cannot be closed from this configuration");
+    const int outcome = onto(s->q, s->v, &pivot);
+    if (outcome != 0) {
+        m->report(m, 1, outcome == VAGUE ? "the start is beside a singular configuration and off the loops by more than "
+                                           "rounding, which moves it a thousand times as far: give q and v with all digits"
+                                         : "the loops cannot be closed from this configuration");
         return 1;
     }
     return 0;
@@ -225,7 +228,7 @@ static int begin(Instance *m)
     State *s = &m->state;
     const int other = memcmp(s->q, Q_START, sizeof Q_START) != 0 || memcmp(s->v, V_START, sizeof V_START) != 0
                       || memcmp(s->p, P_START, sizeof P_START) != 0;
-    if (close_state(m) != 0) {
+    if (close_state(m, settled_start) != 0) {
         return 1;
     }
 #ifdef STARTED_STATES

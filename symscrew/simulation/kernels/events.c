@@ -125,7 +125,11 @@ static int first_event(Step *s, int method, int fresh, Event *e)
                     values[i] = (c->kind == FRICTION ? c->fixed : 0.0) - side * force[i][k];
                     most = fmax(most, fabs(force[i][k]));
                 }
-                consider(e, k, end_of(through(values), 1e-12 * fmax(most, c->kind == FRICTION ? c->fixed : 0.0)));
+                double zero = 1e-12 * fmax(most, c->kind == FRICTION ? c->fixed : 0.0);
+                if (k == fresh && c->kind == FRICTION && values[0] < 0.0 && -values[0] < MOST_MOVED * c->fixed) {
+                    zero = fmax(zero, -values[0]); /* it has just stuck, as its force fell from the level */
+                }
+                consider(e, k, end_of(through(values), zero));
             }
             continue;
         }

@@ -1,6 +1,6 @@
 /* A run: steps, their control, samples at given times, and what happens on the way. */
 
-enum { DONE = 0, GOING_ON, STEP_TOO_SMALL, TOO_MANY_STEPS, NOT_CLOSED, NOT_DEFINED, STUCK, FULL, EVENT, NEEDS_PRECISION = 11 };
+enum { DONE = 0, GOING_ON, STEP_TOO_SMALL, TOO_MANY_STEPS, NOT_CLOSED, NOT_DEFINED, STUCK, FULL, EVENT, NEEDS_PRECISION = 11, TOO_VAGUE };
 
 typedef struct {
     double t, x[NX1], q[NQ1], v[NV1];
@@ -90,32 +90,6 @@ static void look_how_fast(Simulation *s)
     }
 }
 
-/* The start onto the loops. Near a singular configuration one that is on them to rounding stays as it was given: what
- * moves there is known to rounding by the pivot, and a correction would take it as far off. */
-static int settled_start(Simulation *s)
-{
-#if NR
-    Opening o;
-    double q[NQ1], v[NV1], rates[NR], fastest = 0.0;
-    memcpy(q, s->q, sizeof q);
-    memcpy(v, s->v, sizeof v);
-    const int outcome = settle(s->q, s->v, &s->pivot);
-    if (outcome == 0 && s->pivot < CAREFUL && opening(q, &o) == 0) {
-        for (int k = 0; k < NV; ++k) {
-            fastest = fmax(fastest, fabs(v[k]) / UNIT[k]);
-        }
-        closure_rates(&o, v, rates);
-        if (largest(o.residual, NR) <= CLOSED && largest(rates, NR) <= CLOSED * fastest) {
-            memcpy(s->q, q, sizeof q);
-            memcpy(s->v, v, sizeof v);
-        }
-    }
-    return outcome;
-#else
-    return settle(s->q, s->v, &s->pivot);
-#endif
-}
-
 int simulation_start(Simulation *s, double t, const double *q, const double *v, const double *x, int method, double h,
                      double rtol, double atol, double longest, long budget, const double *edges, const double *lefts,
                      size_t edge_count)
@@ -141,9 +115,9 @@ int simulation_start(Simulation *s, double t, const double *q, const double *v, 
     without_dust(s->v, NV);
     without_dust(s->x, NX);
     s->careful_tolerance = CAREFUL_TOLERANCE;
-    const int outcome = settled_start(s);
+    const int outcome = settled_start(s->q, s->v, &s->pivot);
     s->pivot_rate = pivot_rate(s->q, s->v);
-    return outcome == 0 ? 0 : NOT_CLOSED;
+    return outcome == 0 ? 0 : outcome == VAGUE ? TOO_VAGUE : NOT_CLOSED;
 }
 
 /* The branch in extended precision, whose rounding is `rounding`; both NULL: the run returns NEEDS_PRECISION where it
