@@ -103,6 +103,7 @@ class Settings:
     """What the file says before its bodies: units, default classes, how inertias are found.
 
     `off`: flags of the options by which a force does not act; `idle_groups`: of actuators that are left out;
+    `fuses`: bodies without joints become parts of what carries them;
     `exact_meshes`: what older engines have in place of inertia="exact" of every mesh.
     """
 
@@ -114,6 +115,7 @@ class Settings:
     assets: str = "."
     auto_limits: bool = True
     fits_boxes: bool = False
+    fuses: bool = False
     exact_meshes: bool = False
     least_mass: Real = 0
     least_inertia: Real = 0
@@ -215,6 +217,7 @@ def settings(root: Element, draft: Draft) -> Settings:
         assets=given.get("meshdir") or given.get("assetdir") or ".",
         auto_limits=given.get("autolimits", "true") == "true",
         fits_boxes=given.get("fitaabb", "false") == "true",
+        fuses=given.get("fusestatic", "false") == "true",
         exact_meshes=given.get("exactmeshinertia", "false") == "true",
         least_mass=real(given.get("boundmass", "0")),
         least_inertia=real(given.get("boundinertia", "0")),

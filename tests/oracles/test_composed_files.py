@@ -121,3 +121,24 @@ def test_files_beside_the_model_are_read_where_whoever_imports_says_so(tmp_path:
 def test_what_cannot_be_composed(tmp_path: Path, main: str, message: str) -> None:
     with pytest.raises(DescriptionError, match=message):
         import_file(written(tmp_path, main))
+
+
+FUSED = (
+    '<mujoco><compiler fusestatic="true" {0}/><worldbody><body name="a" gravcomp="0.5"><joint axis="0 1 0"/>'
+    '<geom size="0.1"/><body name="b" pos="0.3 0 0" gravcomp="0.5">'
+    '<inertial pos="0 0 0.1" mass="2" diaginertia="0.1 0.1 0.1"/></body></body></worldbody></mujoco>'
+)
+
+
+def test_inertials_that_the_engine_loses_by_fusing_are_said(tmp_path: Path) -> None:
+    """Where geoms are to say the mass, those of the fused body alone do."""
+    for given in ("", 'inertiafromgeom="true"'):
+        text = FUSED.format(given)
+        fused, apart = (mujoco.MjModel.from_xml_string(t) for t in (text, text.replace('fusestatic="true"', "")))
+        (tmp_path / "main.xml").write_text(text)
+        assert (sum(fused.body_mass) < sum(apart.body_mass) - 1) == bool(given)
+        if given:
+            with pytest.raises(DescriptionError, match="the engine takes the geoms alone of b and a for mass"):
+                import_file(tmp_path / "main.xml")
+        else:
+            assert not import_file(tmp_path / "main.xml").account.influence
