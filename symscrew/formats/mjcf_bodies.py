@@ -24,7 +24,7 @@ from symscrew.formats.mjcf_couplings import Tied
 from symscrew.formats.mjcf_forces import joint_forces
 from symscrew.formats.mjcf_geoms import Solid, solid, together
 from symscrew.formats.mjcf_keyframes import Listed
-from symscrew.formats.mjcf_settings import ORIENTATIONS, READ, Attributes, Settings
+from symscrew.formats.mjcf_settings import ORIENTATIONS, READ, UNSEEN, Attributes, Settings
 from symscrew.formats.rigid_displacements import (
     UNITS,
     ZERO,
@@ -178,6 +178,8 @@ def _body(reading: Reading, name: str, own: Sequence[Part]) -> RawBody:
         attributes = part.attributes
         if attributes.get("contype", "1") != "0" or attributes.get("conaffinity", "1") != "0":
             reading.result.ledger.passed("contacts of geoms")
+        for key in (key for key in UNSEEN if key in attributes):
+            reading.result.ledger.passed(f"{key} of geoms")
         if {"pos", "fromto"} <= attributes.keys():
             reading.result.ledger.passed("pos of geoms whose fromto says where they are")
         if reading.in_medium and attributes.get("fluidshape", "none") != "none":

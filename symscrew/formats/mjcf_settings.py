@@ -39,6 +39,8 @@ from symscrew.formats.safe_xml import Element, check_attributes, elements, label
 
 ORIENTATIONS = ("axisangle", "xyaxes", "zaxis", "euler")
 PLACE = ("pos", "quat", *ORIENTATIONS)
+UNSEEN = ("adhesion", "castshadow", "surfacevel")
+"""Attributes of geoms that are about contacts and pictures, and that few files have: the account says so."""
 READ: dict[str, tuple[str, ...]] = {
     "body": ("name", "childclass", "mocap", "gravcomp", "user", "sleep", *PLACE),
     "frame": ("name", "childclass", *PLACE),
@@ -53,9 +55,9 @@ READ: dict[str, tuple[str, ...]] = {
     "geom": (
         "name", "class", "type", "contype", "conaffinity", "condim", "group", "priority", "size", "material",
         "friction", "mass", "density", "shellinertia", "solmix", "solref", "solimp", "margin", "gap", "fromto",
-        "hfield", "mesh", "fitscale", "rgba", "fluidshape", "fluidcoef", "user", *PLACE,
+        "hfield", "mesh", "fitscale", "rgba", "fluidshape", "fluidcoef", "user", *UNSEEN, *PLACE,
     ),
-    "site": ("name", "class", "type", "group", "material", "size", "fromto", "rgba", "user", *PLACE),
+    "site": ("name", "class", "type", "group", "material", "size", "fromto", "mesh", "rgba", "user", *PLACE),
     "connect": ("name", "class", "active", "solref", "solimp", "body1", "body2", "anchor", "site1", "site2"),
     "weld": (
         "name", "class", "active", "solref", "solimp", "body1", "body2", "relpose", "anchor", "site1", "site2",
@@ -73,7 +75,7 @@ COMPILER = {
 COMPILER_MASSES = ("boundmass", "boundinertia", "settotalmass")
 COMPILER_FREE = (
     "autolimits", "strippath", "meshdir", "texturedir", "assetdir", "discardvisual", "usethread", "fusestatic",
-    "convexhull", "saveinertial", "fitaabb", "exactmeshinertia", "conflict",
+    "convexhull", "saveinertial", "savecanonical", "savecompiled", "fitaabb", "exactmeshinertia", "conflict",
 )  # fmt: skip
 CHECKED_DEFAULTS = ("joint", "geom", "site", "equality")
 OTHER_DEFAULTS = ("tendon", "mesh")

@@ -25,7 +25,8 @@ LEG = f"""<mujoco model="leg"><compiler angle="radian" autolimits="true" meshdir
 <default><joint damping="3"/><geom density="500"/><default class="light"><joint armature="0.1" damping="1"/></default>
 </default><worldbody><body name="hip" pos="0 0.2 0.5" euler="0.5 0 0.1"><joint name="h" class="light" ref="0.2"/>
 {GEOM}<body name="shin" pos="0.2 0 0" childclass="light"><joint name="k" axis="0 1 0" range="-1 1"/>{GEOM}</body></body>
-<body name="other" pos="0 -1 0"><joint name="o" axis="1 0 0"/>{GEOM}</body></worldbody>
+<frame name="outer" pos="0 0 1" euler="0.1 0 0"><frame name="inner" pos="0 0.3 0" euler="0 0 0.5">
+<body name="other" pos="0 -1 0"><joint name="o" axis="1 0 0"/>{GEOM}</body></frame></frame></worldbody>
 <actuator><motor joint="k" name="m"/><motor joint="o"/></actuator>
 <equality><joint joint1="h" joint2="k" polycoef="0 2 0 0 0"/><joint joint1="h" joint2="o"/></equality></mujoco>"""
 MAIN = f"""<mujoco><default><joint damping="7"/></default><asset><model name="leg" file="parts/leg.xml"/></asset>
@@ -83,6 +84,7 @@ def test_replicated_elements(tmp_path: Path, count: int) -> None:
         '<attach model="leg" body="hip" prefix="l_"/>',
         '<attach model="leg" prefix="l_"/><attach model="leg" body="shin" prefix="r_"/>',
         '<attach model="leg" prefix=""/>',
+        '<attach model="leg" frame="outer" prefix="l_"/><attach model="leg" frame="inner" prefix="r_"/>',
     ],
 )
 def test_attached_models(tmp_path: Path, attached: str) -> None:
@@ -114,6 +116,8 @@ def test_files_beside_the_model_are_read_where_whoever_imports_says_so(tmp_path:
         (ROW.replace("COUNT", "10000"), "at most 100000 elements in all copies, got 10000 copies of"),
         (MAIN.replace("ATTACHED", '<attach model="lag"/>'), "did you mean 'leg'"),
         (MAIN.replace("ATTACHED", '<attach model="leg" body="foot"/>'), "no body 'foot'"),
+        (MAIN.replace("ATTACHED", '<attach model="leg" frame="hip"/>'), "no frame 'hip'"),
+        (MAIN.replace("ATTACHED", '<attach model="leg" frame="inner" body="hip"/>'), "a body or a frame of the model"),
         (MAIN.replace("ATTACHED", '<attach model="leg"/>').replace("parts/leg", "../leg"), "outside of the model's"),
         (MAIN.replace("ATTACHED", '<attach model="leg"/>').replace("parts/leg", "main"), "attaches itself"),
     ],
