@@ -70,7 +70,7 @@ def add_drags(draft: Draft, given: Mapping[str, list[Real]] | None) -> None:
 def _alike(moments: Sequence[Real]) -> bool:
     """Whether two of three moments are equal, so that axes across them are anybody's choice, of a cube all three."""
     low, middle, high = sorted(moments)
-    return min(middle - low, high - middle) < ALIKE * high
+    return bool(min(middle - low, high - middle) < ALIKE * high)
 
 
 def _principal(body: RawBody, inertia: Rotation) -> tuple[Rotation, tuple[Real, Real, Real]]:
