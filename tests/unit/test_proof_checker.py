@@ -98,7 +98,7 @@ def test_a_changed_number_is_refused(name: str) -> None:
     values = values_of(name)
     places = [path for path in leaves(values) if number(at(values, path)) or isinstance(at(values, path), bool)]
     assert len(places) > 40
-    for path in places[:: 9 if KINDS[name] == "endless" else 1]:  # of an arc of sixteen orders every ninth number
+    for path in places[:: {"endless": 9, "direction": 3}.get(KINDS[name], 1)]:  # of long proofs a part
         other = tampered(values, path)
         if path[0] == "mechanism":
             assert not accepted(other), path
@@ -241,8 +241,16 @@ def expected(name: str) -> dict[str, Any]:
     }
 
 
+DEAR = {
+    "stewart_6sps", "delta_4s-parallel_forearms", "3rps-mode_transition", "stewart_6ups-fichter_yaw90",
+    "six legs, no circle", "six legs on a circle", "bricard octahedron 1", "miura flat, four columns",
+    "bricard plane-symmetric", "bricard line-symmetric", "waldron hybrid",
+}  # fmt: skip
+"""The oracles of mobility ask this checker of those of the literature, too; of the others, kinds of them are left."""
+
+
 @pytest.mark.slow
-@pytest.mark.parametrize("name", [n for n in ENTRIES if n not in ("stewart_6sps", "delta_4s-parallel_forearms")])
+@pytest.mark.parametrize("name", [name for name in ENTRIES if name not in DEAR])
 def test_what_is_proved_is_what_the_reference_says(name: str) -> None:
     values = values_of(name)
     assert check_proof(values).holds
@@ -256,7 +264,7 @@ def test_what_is_proved_is_what_the_reference_says(name: str) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", CASES)
+@pytest.mark.parametrize("name", [name for name in CASES if name not in DEAR])
 def test_what_is_proved_is_what_the_literature_says(name: str) -> None:
     values = json.loads(json.dumps(mobility_proof(analyse_mobility(CASES[name].make()))))
     assert check_proof(values).holds
