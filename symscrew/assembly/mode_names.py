@@ -63,10 +63,14 @@ def numbered(modes: Sequence[Named], home: int | None, new: str = "") -> list[st
 
 
 def _place(mode: Named) -> tuple[float, ...]:
-    """Turn and distances from the reference, then all entries: the order of modes at the same drives."""
+    """Turn and distances from the reference, then all entries: the order of modes at the same drives.
+
+    First the distances by their size, then in the order of the joints: of modes that a symmetry of the mechanism takes
+    to one another this alone, so that only their names depend on the order in which joints are listed.
+    """
     turn = float(np.arccos(np.clip((np.trace(mode.rotation) - 1) / 2, -1, 1)))
     entries = [*mode.rotation.ravel(), *mode.translation]
-    return tuple(round(float(c), EQUAL) + 0.0 for c in (turn, *mode.distances, *entries))
+    return tuple(round(float(c), EQUAL) + 0.0 for c in (turn, *sorted(mode.distances), *mode.distances, *entries))
 
 
 def names_by_ways(

@@ -24,7 +24,7 @@ from symscrew.formats.mjcf_couplings import Tied
 from symscrew.formats.mjcf_forces import joint_forces
 from symscrew.formats.mjcf_geoms import Solid, solid, together
 from symscrew.formats.mjcf_keyframes import Listed
-from symscrew.formats.mjcf_settings import ORIENTATIONS, READ, Attributes, Settings
+from symscrew.formats.mjcf_settings import ORIENTATIONS, READ, UNSEEN, Attributes, Settings
 from symscrew.formats.rigid_displacements import (
     UNITS,
     ZERO,
@@ -56,7 +56,7 @@ class Reading:
     the same joints' springref;
     `listed`: joints in the order of the file's coordinates; `parts`: settings and meshes of the models in the file;
     `in_medium`: bodies have drag; `carried`: body -> share of its weight, `borne`: joints whose part of that is the
-    actuators'.
+    actuators'; `stand_ins`: bodies with inertials where geoms are to say the mass and none does.
     """
 
     settings: Settings
@@ -77,6 +77,7 @@ class Reading:
     carried: dict[str, Real] = field(default_factory=dict)
     borne: list[str] = field(default_factory=list)
     bare: dict[str, Triple] = field(default_factory=dict)
+    stand_ins: set[str] = field(default_factory=set)
 
     def within(self, attached: Element) -> Reading:
         """The same reading with the units, classes and meshes of a model that is attached."""
@@ -149,6 +150,8 @@ def _read_body(reading: Reading, element: Element, outer: Place) -> None:
     reading.bare[name] = pose.point(local.translation)  # where the engine has a mass that no element gives
     reading.carried[name] = real(number(element.get("gravcomp", "0"), f"{where}, gravcomp"))
     reading.result.joints += joints
+    if reading.settings.fuses and joints[-1].type == "fixed" and reading.stand_ins & {name, outer.body}:
+        reading.result.ledger.lost(f"fusestatic: the engine takes the geoms alone of {name} and {outer.body} for mass")
     read_children(reading, element, place)
 
 
@@ -175,6 +178,8 @@ def _body(reading: Reading, name: str, own: Sequence[Part]) -> RawBody:
         attributes = part.attributes
         if attributes.get("contype", "1") != "0" or attributes.get("conaffinity", "1") != "0":
             reading.result.ledger.passed("contacts of geoms")
+        for key in (key for key in UNSEEN if key in attributes):
+            reading.result.ledger.passed(f"{key} of geoms")
         if {"pos", "fromto"} <= attributes.keys():
             reading.result.ledger.passed("pos of geoms whose fromto says where they are")
         if reading.in_medium and attributes.get("fluidshape", "none") != "none":
@@ -199,6 +204,7 @@ def _body(reading: Reading, name: str, own: Sequence[Part]) -> RawBody:
         raise DescriptionError(f"<body name={name!r}>: expected one <inertial>, got {len(given)}")
     if given and found is None:  # also where geoms are to say it and none of those that may has mass
         found = _inertial(given[0], f"<body name={name!r}>, <inertial>")
+        reading.stand_ins |= {name} if chosen.from_geoms == "true" else set()
     return RawBody(name) if found is None else RawBody(name, found.mass, found.com, found.inertia, found.axes)
 
 

@@ -2,7 +2,8 @@
 
     <replicate count offset euler sep>   count frames, the k-th turned by k times the angles, and the next one offset
                                          from there in its axes; names get sep and a number
-    <attach model body prefix>           the body, or all of the model's world; names and classes get the prefix
+    <attach model body prefix>           the body (or with `frame` what is in that, at its place), or all of the model's
+                                         world; names and classes get the prefix
 
 What refers to a name of a part in <equality>, <tendon> and <actuator> is repeated or comes along with it. A model that
 is attached keeps its own units and default classes; its options, keyframes and sensors stay behind.
@@ -118,7 +119,7 @@ class _Composition:
     def _model(
         self, element: Element, root: Element, models: Mapping[str, Element], at: tuple[Path, tuple[Path, ...]]
     ) -> Element:
-        check_attributes(element, ("model", "body", "prefix"))
+        check_attributes(element, ("model", "body", "frame", "prefix"))
         (path, way), name = at, element.get("model", "")
         if name not in models:
             raise DescriptionError(f"<attach>: there is no <model> {shorten(name)}; {did_you_mean(name, models)}")
@@ -133,20 +134,28 @@ class _Composition:
         part = len(self.parts)
         child = self.of(_namespaced(self.prepare(given), element.get("prefix", ""), part), file, way)
         place = Element(ATTACHED, {"part": str(part), "childclass": f"#{part}"})
-        wanted = element.get("body")
+        wanted, kind = _part_of(element)
         for world in elements(child, "worldbody"):
             place.extend(deepcopy(e) for e in elements(world) if wanted is None)
             place.extend(
-                deepcopy(e) for e in world.iter("body") if e.get("name") == f"{element.get('prefix', '')}{wanted}"
+                deepcopy(e) for e in world.iter(kind) if e.get("name") == f"{element.get('prefix', '')}{wanted}"
             )
         if wanted is not None and not len(place):
-            raise DescriptionError(f"<attach>: {file.name} has no body {shorten(wanted)}")
+            raise DescriptionError(f"<attach>: {file.name} has no {kind} {shorten(wanted)}")
         there = {e.get("name") for e in place.iter()} | {WORLD, None}
         for section in elements(child, *REFERRING):
             kept = copy(section)
             kept[:] = [e for e in elements(section) if wanted is None or _refers_to(e, child, there)]
             root.append(kept)
         return place
+
+
+def _part_of(element: Element) -> tuple[str | None, str]:
+    """Name and kind of the part that an <attach> takes of its model: a body or a frame; no name for all of it."""
+    named = [kind for kind in ("body", "frame") if kind in element.attrib]
+    if len(named) > 1:
+        raise DescriptionError("<attach>: expected a body or a frame of the model, got both")
+    return (element.attrib[named[0]], named[0]) if named else (None, "body")
 
 
 def _check_masses(chosen: Settings, path: Path) -> None:

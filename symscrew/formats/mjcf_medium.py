@@ -9,7 +9,7 @@ https://mujoco.readthedocs.io/en/stable/computation/fluid.html, inertia model.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from symscrew.formats.draft import Draft, RawBody
@@ -28,6 +28,8 @@ from symscrew.formats.safe_xml import Element, elements, numbers
 QUANTITIES = {"density": "0", "viscosity": "0", "wind": "0 0 0"}
 THIN = real("1e-15")
 """The least square of a side [m^2], as in MuJoCo: that of a body which is a line or a point."""
+ALIKE = real("1e-9")
+"""Of the largest moment: two that differ by less have no axes of their own that files' digits tell."""
 
 
 def medium(root: Element) -> dict[str, list[Real]] | None:
@@ -52,12 +54,23 @@ def add_drags(draft: Draft, given: Mapping[str, list[Real]] | None) -> None:
         if body.mass is None or body.inertia is None or body.mass == 0:
             continue
         axes, moments = _principal(body, body.inertia)
+        if body.axes is None and _alike(moments):
+            draft.ledger.changed.append(
+                f"medium, {body.name}: two of its principal moments are equal, about axes that the file does not give; "
+                "its drag is that of a box whose sides there may be turned against the engine's"
+            )
         total = sum(moments, start=real(0))
         sides = [float(CONTEXT.sqrt(max(THIN, (total - 2 * moment) * 6 / body.mass))) for moment in moments]
         columns = [[float(exact(c)) for c in column] for column in transposed(axes)]
         draft.drags[body.name] = {"sides": sides, "axes": columns, **common}
     if draft.drags:
         draft.ledger.turned("medium: drag of bodies", len(draft.drags))
+
+
+def _alike(moments: Sequence[Real]) -> bool:
+    """Whether two of three moments are equal, so that axes across them are anybody's choice, of a cube all three."""
+    low, middle, high = sorted(moments)
+    return bool(min(middle - low, high - middle) < ALIKE * high)
 
 
 def _principal(body: RawBody, inertia: Rotation) -> tuple[Rotation, tuple[Real, Real, Real]]:

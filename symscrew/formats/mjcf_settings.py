@@ -39,6 +39,8 @@ from symscrew.formats.safe_xml import Element, check_attributes, elements, label
 
 ORIENTATIONS = ("axisangle", "xyaxes", "zaxis", "euler")
 PLACE = ("pos", "quat", *ORIENTATIONS)
+UNSEEN = ("adhesion", "castshadow", "surfacevel")
+"""Attributes of geoms that are about contacts and pictures, and that few files have: the account says so."""
 READ: dict[str, tuple[str, ...]] = {
     "body": ("name", "childclass", "mocap", "gravcomp", "user", "sleep", *PLACE),
     "frame": ("name", "childclass", *PLACE),
@@ -53,9 +55,9 @@ READ: dict[str, tuple[str, ...]] = {
     "geom": (
         "name", "class", "type", "contype", "conaffinity", "condim", "group", "priority", "size", "material",
         "friction", "mass", "density", "shellinertia", "solmix", "solref", "solimp", "margin", "gap", "fromto",
-        "hfield", "mesh", "fitscale", "rgba", "fluidshape", "fluidcoef", "user", *PLACE,
+        "hfield", "mesh", "fitscale", "rgba", "fluidshape", "fluidcoef", "user", *UNSEEN, *PLACE,
     ),
-    "site": ("name", "class", "type", "group", "material", "size", "fromto", "rgba", "user", *PLACE),
+    "site": ("name", "class", "type", "group", "material", "size", "fromto", "mesh", "rgba", "user", *PLACE),
     "connect": ("name", "class", "active", "solref", "solimp", "body1", "body2", "anchor", "site1", "site2"),
     "weld": (
         "name", "class", "active", "solref", "solimp", "body1", "body2", "relpose", "anchor", "site1", "site2",
@@ -73,7 +75,7 @@ COMPILER = {
 COMPILER_MASSES = ("boundmass", "boundinertia", "settotalmass")
 COMPILER_FREE = (
     "autolimits", "strippath", "meshdir", "texturedir", "assetdir", "discardvisual", "usethread", "fusestatic",
-    "convexhull", "saveinertial", "fitaabb", "exactmeshinertia", "conflict",
+    "convexhull", "saveinertial", "savecanonical", "savecompiled", "fitaabb", "exactmeshinertia", "conflict",
 )  # fmt: skip
 CHECKED_DEFAULTS = ("joint", "geom", "site", "equality")
 OTHER_DEFAULTS = ("tendon", "mesh")
@@ -103,6 +105,7 @@ class Settings:
     """What the file says before its bodies: units, default classes, how inertias are found.
 
     `off`: flags of the options by which a force does not act; `idle_groups`: of actuators that are left out;
+    `fuses`: bodies without joints become parts of what carries them;
     `exact_meshes`: what older engines have in place of inertia="exact" of every mesh.
     """
 
@@ -114,6 +117,7 @@ class Settings:
     assets: str = "."
     auto_limits: bool = True
     fits_boxes: bool = False
+    fuses: bool = False
     exact_meshes: bool = False
     least_mass: Real = 0
     least_inertia: Real = 0
@@ -215,6 +219,7 @@ def settings(root: Element, draft: Draft) -> Settings:
         assets=given.get("meshdir") or given.get("assetdir") or ".",
         auto_limits=given.get("autolimits", "true") == "true",
         fits_boxes=given.get("fitaabb", "false") == "true",
+        fuses=given.get("fusestatic", "false") == "true",
         exact_meshes=given.get("exactmeshinertia", "false") == "true",
         least_mass=real(given.get("boundmass", "0")),
         least_inertia=real(given.get("boundinertia", "0")),

@@ -21,6 +21,10 @@ POINT_MASS = 1e-15
 """Inertia over mass [m^2] below which a body of a file is a point: what rounding leaves of a zero. A real body of that
 size would be of 30 nm."""
 
+CLEAR = 1e-6
+"""Of the trace: a matrix that is positive by more than this in doubles is so, and its moments need not be found with 50
+digits, which takes most of the time of reading a body."""
+
 
 def physical(body: RawBody, ledger: Ledger, *, repair: bool) -> RawBody:
     """The body, its inertia the nearest possible one where it is impossible and `repair` is asked for.
@@ -28,9 +32,10 @@ def physical(body: RawBody, ledger: Ledger, *, repair: bool) -> RawBody:
     Raises:
         DescriptionError: the inertia is impossible, or the mass negative.
     """
-    found = _principal(body)
-    if found is None or not impossible(body):
+    if not impossible(body):
         return body
+    found = _principal(body)
+    assert found is not None  # only a body with mass is impossible
     (a, b, c), _ = found
     mended = _nearest(a, b, c)
     change = max(abs(x - y) for x, y in zip((a, b, c), mended, strict=True))
@@ -67,12 +72,24 @@ def turned_moments(body: RawBody, change: Callable[[Real, Real, Real], tuple[Rea
 
 def impossible(body: RawBody) -> bool:
     """Whether no body has the principal moments of this one, beyond rounding."""
-    found = _principal(body)
-    if found is None or body.mass is None:
+    if body.mass is None or body.inertia is None or _surely_possible(body.inertia):
         return False
+    found = _principal(body)
+    assert found is not None
     a, b, c = found[0]
     small = max(abs(a), abs(c)) < POINT_MASS * body.mass
     return not small and not (a >= -ROUNDING * c and a + b - c >= -ROUNDING * c)
+
+
+def _surely_possible(inertia: Rotation) -> bool:
+    """Whether doubles tell that a + b > c: the spread of mass, half the trace less the inertia, is positive."""
+    (xx, xy, xz), (yx, yy, yz), (zx, zy, zz) = ([float(entry) for entry in row] for row in inertia)
+    half, clear = (xx + yy + zz) / 2, CLEAR * (xx + yy + zz)
+    a, b, c = half - xx - clear, half - yy - clear, half - zz - clear
+    d, e, f = (xy + yx) / 2, (xz + zx) / 2, (yz + zy) / 2  # of the spread with the other sign
+    second = a * b - d * d
+    whole = a * (b * c - f * f) - d * (d * c + f * e) - e * (d * f + b * e)
+    return clear > 0 and a > 0 and second > 0 and whole > 0
 
 
 def _principal(body: RawBody) -> tuple[tuple[Real, Real, Real], Any] | None:

@@ -8,7 +8,7 @@ Gravity is the file's, or 9.81 m/s^2 along -z. Limits are no effects unless `sto
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
@@ -26,6 +26,9 @@ from symscrew.effects import (
 from symscrew.errors import DescriptionError, did_you_mean, shorten
 from symscrew.formats import Account, Beside, Imported, ImportOptions, JointLimits, import_file, save_as
 from symscrew.mobility import analyse_mobility
+
+Starts = dict[str, Mapping[str, float]]
+QUATERNION, TURNING = ("qw", "qx", "qy", "qz"), ("wx", "wy", "wz")
 
 
 @dataclass(frozen=True)
@@ -96,15 +99,39 @@ def robot_of(found: Imported, *, without: Collection[str] = (), stops: bool = Fa
     made = effects_of_file(found.forces, found.gravity)
     made += _stops(found.limits) if stops else []
     effects = tuple(effect for effect in made if type_name(effect) not in without)
-    return Robot(
-        found.mechanism,
-        effects,
-        found.limits,
-        found.configurations,
-        found.account,
-        found.starts,
-        found.start_rates,
-    )
+    starts, rates = _as_the_tree_counts(found, effects)
+    return Robot(found.mechanism, effects, found.limits, found.configurations, found.account, starts, rates)
+
+
+def _as_the_tree_counts(found: Imported, effects: tuple[Effect, ...]) -> tuple[Starts, Starts]:
+    """Keyframes' coordinates and rates: of a ball that the tree comes to from its child, those of its parent."""
+    mechanism, starts, rates = found.mechanism, dict(found.starts), dict(found.start_rates)
+    closed = len(mechanism.joints) >= len(mechanism.bodies)
+    if not starts or not closed or not any(joint.kind.ball for joint in mechanism.joints.values()):
+        return starts, rates
+    links = system_under(mechanism, effects).tree.links
+    for ball in [link.joint for link in links if link.inverted and link.motion.spherical]:
+        turn, speed = ([f"{ball}.{entry}" for entry in entries] for entries in (QUATERNION, TURNING))
+        for name, values in starts.items():
+            if turn[0] not in values:
+                continue
+            w, *r = (values[label] for label in turn)
+            starts[name] = {**values, **{label: -value for label, value in zip(turn[1:], r, strict=True)}}
+            moving = rates.get(name, {})
+            if any(label in moving for label in speed):
+                back = _turned(w, r, [-moving.get(label, 0.0) for label in speed])
+                rates[name] = {**moving, **dict(zip(speed, back, strict=True))}
+    return starts, rates
+
+
+def _turned(w: float, r: Sequence[float], vector: Sequence[float]) -> list[float]:
+    """A vector turned by the unit quaternion (w, r): v + 2 w r x v + 2 r x (r x v)."""
+
+    def cross(a: Sequence[float], b: Sequence[float]) -> list[float]:
+        return [a[k - 2] * b[k - 1] - a[k - 1] * b[k - 2] for k in range(3)]
+
+    once = cross(r, vector)
+    return [v + 2 * (w * a + b) for v, a, b in zip(vector, once, cross(r, once), strict=True)]
 
 
 def _stops(limits: Mapping[str, JointLimits]) -> list[Effect]:

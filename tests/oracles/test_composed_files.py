@@ -25,7 +25,8 @@ LEG = f"""<mujoco model="leg"><compiler angle="radian" autolimits="true" meshdir
 <default><joint damping="3"/><geom density="500"/><default class="light"><joint armature="0.1" damping="1"/></default>
 </default><worldbody><body name="hip" pos="0 0.2 0.5" euler="0.5 0 0.1"><joint name="h" class="light" ref="0.2"/>
 {GEOM}<body name="shin" pos="0.2 0 0" childclass="light"><joint name="k" axis="0 1 0" range="-1 1"/>{GEOM}</body></body>
-<body name="other" pos="0 -1 0"><joint name="o" axis="1 0 0"/>{GEOM}</body></worldbody>
+<frame name="outer" pos="0 0 1" euler="0.1 0 0"><frame name="inner" pos="0 0.3 0" euler="0 0 0.5">
+<body name="other" pos="0 -1 0"><joint name="o" axis="1 0 0"/>{GEOM}</body></frame></frame></worldbody>
 <actuator><motor joint="k" name="m"/><motor joint="o"/></actuator>
 <equality><joint joint1="h" joint2="k" polycoef="0 2 0 0 0"/><joint joint1="h" joint2="o"/></equality></mujoco>"""
 MAIN = f"""<mujoco><default><joint damping="7"/></default><asset><model name="leg" file="parts/leg.xml"/></asset>
@@ -83,6 +84,7 @@ def test_replicated_elements(tmp_path: Path, count: int) -> None:
         '<attach model="leg" body="hip" prefix="l_"/>',
         '<attach model="leg" prefix="l_"/><attach model="leg" body="shin" prefix="r_"/>',
         '<attach model="leg" prefix=""/>',
+        '<attach model="leg" frame="outer" prefix="l_"/><attach model="leg" frame="inner" prefix="r_"/>',
     ],
 )
 def test_attached_models(tmp_path: Path, attached: str) -> None:
@@ -114,6 +116,8 @@ def test_files_beside_the_model_are_read_where_whoever_imports_says_so(tmp_path:
         (ROW.replace("COUNT", "10000"), "at most 100000 elements in all copies, got 10000 copies of"),
         (MAIN.replace("ATTACHED", '<attach model="lag"/>'), "did you mean 'leg'"),
         (MAIN.replace("ATTACHED", '<attach model="leg" body="foot"/>'), "no body 'foot'"),
+        (MAIN.replace("ATTACHED", '<attach model="leg" frame="hip"/>'), "no frame 'hip'"),
+        (MAIN.replace("ATTACHED", '<attach model="leg" frame="inner" body="hip"/>'), "a body or a frame of the model"),
         (MAIN.replace("ATTACHED", '<attach model="leg"/>').replace("parts/leg", "../leg"), "outside of the model's"),
         (MAIN.replace("ATTACHED", '<attach model="leg"/>').replace("parts/leg", "main"), "attaches itself"),
     ],
@@ -121,3 +125,24 @@ def test_files_beside_the_model_are_read_where_whoever_imports_says_so(tmp_path:
 def test_what_cannot_be_composed(tmp_path: Path, main: str, message: str) -> None:
     with pytest.raises(DescriptionError, match=message):
         import_file(written(tmp_path, main))
+
+
+FUSED = (
+    '<mujoco><compiler fusestatic="true" {0}/><worldbody><body name="a" gravcomp="0.5"><joint axis="0 1 0"/>'
+    '<geom size="0.1"/><body name="b" pos="0.3 0 0" gravcomp="0.5">'
+    '<inertial pos="0 0 0.1" mass="2" diaginertia="0.1 0.1 0.1"/></body></body></worldbody></mujoco>'
+)
+
+
+def test_inertials_that_the_engine_loses_by_fusing_are_said(tmp_path: Path) -> None:
+    """Where geoms are to say the mass, those of the fused body alone do."""
+    for given in ("", 'inertiafromgeom="true"'):
+        text = FUSED.format(given)
+        fused, apart = (mujoco.MjModel.from_xml_string(t) for t in (text, text.replace('fusestatic="true"', "")))
+        (tmp_path / "main.xml").write_text(text)
+        assert (sum(fused.body_mass) < sum(apart.body_mass) - 1) == bool(given)
+        if given:
+            with pytest.raises(DescriptionError, match="the engine takes the geoms alone of b and a for mass"):
+                import_file(tmp_path / "main.xml")
+        else:
+            assert not import_file(tmp_path / "main.xml").account.influence

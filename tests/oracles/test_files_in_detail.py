@@ -233,6 +233,14 @@ def test_two_places_of_a_geom_are_told(tmp_path: Path) -> None:
     assert "pos of geoms whose fromto says where they are" in import_file(saved(text, tmp_path)).account.harmless
 
 
+@pytest.mark.parametrize("given", ['adhesion="3"', 'castshadow="false"', 'surfacevel="1 0 0"'])
+def test_what_geoms_say_of_contacts_and_pictures_is_listed(tmp_path: Path, given: str) -> None:
+    text = model(f'<body><joint/><geom size="0.1" {given}/></body>')
+    plain, engine = mujoco.MjModel.from_xml_string(text.replace(given, "")), mujoco.MjModel.from_xml_string(text)
+    assert engine.body_inertia == pytest.approx(plain.body_inertia)
+    assert import_file(saved(text, tmp_path)).account.harmless[f"{given.partition('=')[0]} of geoms"] == 1
+
+
 def test_a_free_joint_has_armature_and_damping(tmp_path: Path) -> None:
     """The same number in every direction and about every axis; a written file has them, too."""
     text = model(

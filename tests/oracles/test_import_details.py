@@ -234,6 +234,11 @@ def test_a_medium_is_drag_of_every_body(tmp_path: Path, given: str, bodies: str)
         assert a[k][order] == pytest.approx(data.qacc, rel=1e-10, abs=1e-10)
     with pytest.raises(DescriptionError, match=f"does not hold {', '.join(f'drag of {name}' for name in bodies)}"):
         save_robot(robot.mechanism, tmp_path / "again.xml", robot.effects)
+    twins = text.replace(
+        'pos="0.1 0.2 0" mass="2" diaginertia="0.03 0.02 0.04" quat="0.6 0.3 0.2 0.1"',
+        'pos="0 0 0" mass="2" fullinertia="3 2 3 0 0 0"',
+    )
+    assert "two of its principal moments are equal" in " ".join(import_file(saved(twins, tmp_path)).account.changed)
     shaped = MEDIUM.replace("MEDIUM", given).replace('type="cylinder"', 'type="cylinder" fluidshape="ellipsoid"')
     with pytest.raises(DescriptionError, match="fluidshape"):
         load_robot(saved(shaped, tmp_path))

@@ -16,6 +16,9 @@ import pytest
 from benchmarks.robot_files import with_mujoco
 
 from symscrew.formats import ImportOptions
+from symscrew.functions.forward import MASSLESS_NOTE
+from symscrew.model import derive
+from symscrew.scene import load_robot
 
 CLASSES = (
     '<default><joint damping="0.1"/><geom density="700"/><default class="turned"><joint armature="0.05" axis="0 1 0"/>'
@@ -111,3 +114,20 @@ def test_a_body_that_floats_is_tied_to_the_world(tmp_path: Path, inner: str, tie
     path.write_text(f"<mujoco><worldbody>{FREE.format(inner)}</worldbody>{tie}</mujoco>")
     worst, what = with_mujoco(path, ImportOptions())
     assert worst < 1e-9 and f"{freedoms} freedoms" in what
+
+
+TURNED = 'pos="-0.454 -0.053 0.442" zaxis="-0.097 -0.69 -0.1"'
+MASS = '<inertial pos="-0.097 -0.16 0.158" mass="1.3" diaginertia="0.03 0.04 0.05"/>'
+
+
+def test_what_rounding_leaves_of_no_mass_is_none(tmp_path: Path) -> None:
+    """Two of three hinges of a welded body turn on one line and move nothing, in axes of which products are rounded."""
+    path = tmp_path / "model.xml"
+    hinges = '<joint name="a"/><joint name="b" pos="-0.027 0.05 0.075"/><joint name="c"/>'
+    path.write_text(
+        '<mujoco><worldbody><body name="A" quat="-0.481 0.902 0.86 0.249" pos="-0.199 0.475 0.281">'
+        f'<joint name="r" axis="-0.001 -0.294 -0.894"/>{MASS}<body name="B" {TURNED}>{hinges}{MASS}</body></body>'
+        '</worldbody><equality><weld body1="B"/></equality></mujoco>'
+    )
+    found = derive(load_robot(path).mechanism)
+    assert "forward_dynamics" not in found.programs and MASSLESS_NOTE in found.notes
