@@ -41,7 +41,6 @@ CASES = [
         for name, given in [
             ("three_ups_upu_s", {"tilt": RAD(12), "azimuth": RAD(130)}),
             ("three_ups_upu_s", {"tilt": 0.0}),
-            ("three_ups_upu_s", {"rx": RAD(9), "ry": RAD(-30)}),
             ("three_ups_upu_s", {"roll": RAD(9), "platform.pitch": RAD(-5)}),
             ("three_ups_upu_s", {"qx": 0.05, "limb5_S.ry": 0.03}),
             ("delta", {"z": -0.02, "x": 0.01, "rod1a.y": 0.005}),
