@@ -148,13 +148,13 @@ def _of_virtual(mechanism: Mechanism, network: Network, joint: Joint, asked: tup
     reference = _reference(mechanism, joint, place)
     goal, length = goal - reference, network.length
 
-    turned = (
+    readers = (
         lambda r, _: _along(screw[:3], rotation_vector(r, CONTEXT)),
         lambda r, _: _along([float(c) for c in screw[:3]], rotation_vector(r, Doubles())),
     )
 
     def turned_by(variety: ClosureVariety, q: Array) -> Array:
-        return _read(variety, variety.forward(q)[1], body, turned)
+        return _read(variety, variety.forward(q)[1], body, readers)
 
     def shifted_by(variety: ClosureVariety, q: Array) -> Array:
         return _each(_along(screw[3:], t) for _, t in _moved(variety, variety.forward(q)[1], body, edge.point))

@@ -269,7 +269,7 @@ def test_study_of_formulations_on_andrews() -> None:
     scene = load_scene(path)
     subject = Subject(derive(scene.mechanism, scene.effects), scene)
     with pytest.MonkeyPatch.context() as few:  # the settings that are looked at below; stiff libraries have their test
-        few.setattr(forward_study, "SUBSTEPS", (16, 32, 64))
+        few.setattr(forward_study, "SUBSTEPS", (32, 64, 128))
         few.setattr(forward_study, "TOLERANCES", (1e-4, 1e-8, 1e-12))
         few.setattr(forward_study, "OURS", (1e-4, 1e-8, 1e-12))
         few.setattr(forward_study, "stiff_setups", lambda *_, **__: ([], []))
