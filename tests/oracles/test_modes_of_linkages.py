@@ -54,13 +54,7 @@ SIX_BAR = [
 ]  # fmt: skip
 
 
-@pytest.mark.parametrize(
-    ("slides", "drives"),
-    [
-        ({2, 3, 5}, {"j0": "-0.1"}),
-        *(pytest.param(*more, marks=pytest.mark.slow) for more in (({5}, {}), ({3}, {"j0": "0.1"}), ({3, 5}, {}))),
-    ],
-)
+@pytest.mark.parametrize(("slides", "drives"), [({2, 3, 5}, {"j0": "-0.1"}), ({5}, {})])
 def test_linkages_with_slides_have_all_their_modes(slides, drives):
     directions = {2: ["3/5", "4/5", 0], 3: [1, 0, 0], 5: [0, 1, 0]}
     edges = [("P" if k in slides else "R", *edge[1:4], directions.get(k) if k in slides else None)
