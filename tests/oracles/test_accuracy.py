@@ -286,9 +286,11 @@ def test_study_of_formulations_on_andrews() -> None:
     assert any(p.facts.get("peer") for p in study.points)
 
 
-LONG = {"delta": 5, "stewart": 5}
+LONG = {"stewart": 5}
 """Benchmark -> into how many parts it is cut, of which the first is simulated."""
 BENCHMARKS = sorted(path.name.removesuffix(".reference.json") for path in EXAMPLES.glob("*.reference.json"))
+CLOSER = {"bricard", "delta", "flyball_governor", "heavy_top", "spatial_slider_crank"}
+"""Those that `test_simulation.test_reference_histories` holds to the same histories, nearer than they state."""
 
 
 def test_reference_histories_state_their_errors() -> None:
@@ -304,7 +306,7 @@ def test_reference_histories_state_their_errors() -> None:
 
 @pytest.mark.slow
 @needs_compiler
-@pytest.mark.parametrize("name", BENCHMARKS)
+@pytest.mark.parametrize("name", [name for name in BENCHMARKS if name not in CLOSER])
 def test_benchmarks_are_solved_to_their_stated_accuracy(name: str) -> None:
     from symscrew.scene.scene_file import load_scene
 
