@@ -30,6 +30,7 @@ from . import (
     reposed,
     rust_beside_c,
     simulation,
+    size_of_c,
     starts,
     work_precision,
 )
@@ -42,6 +43,7 @@ BENCHMARKS = {
     "growth": (growth.run, 3),
     "lean": (lean.run, 50),
     "lean_instructions": (lean_instructions.run, 1),
+    "size_of_c": (size_of_c.run, 3),
     "arrays": (arrays.run, 25),
     "simulation": (simulation.run, 25),
     "work_precision": (work_precision.run, 5),
