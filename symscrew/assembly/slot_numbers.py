@@ -117,7 +117,7 @@ class Displacements:
                 found.append(self.point(slot.body, slot.at))
             elif slot.kind == "axis":
                 axis = structure.turned(slot.at)
-                if structure.planar and not any(axis):
+                if structure.planar and not any(abs(float(c)) > 0.5 for c in axis):  # of a hinge: 0 but for rounding
                     axis = (0, 0, dot(structure.frame[2], slot.at))
                 found.append(self.poses[slot.body][0].dot(self.scalars.vector(axis)))
             elif slot.kind == "number":

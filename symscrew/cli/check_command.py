@@ -76,15 +76,15 @@ def _run_certificate(options: argparse.Namespace) -> int:
 
 
 def _read(file: Path) -> Any:
-    from symscrew.studies.certificate import is_certificate
+    from symscrew.studies.certificate import UnreadableError, is_certificate, values_of
 
     what = "expected a folder of generated code, or a certificate of `symscrew workspace --certify`"
     if file.stat().st_size > LARGEST:
         raise UsageError(f"{file}: {what}, got a file of {file.stat().st_size} bytes")
     try:
-        values = json.loads(file.read_text(encoding="utf-8"))
-    except (OSError, ValueError, RecursionError) as error:
-        raise UsageError(f"{file}: {what}; it is no JSON: {error}") from error
+        values = values_of(file.read_text(encoding="utf-8"))
+    except (OSError, ValueError, RecursionError, UnreadableError) as error:
+        raise UsageError(f"{file}: {what}; it is no JSON that can be read: {error}") from error
     if not is_certificate(values):
         raise UsageError(f"{file}: {what}, got other JSON")
     return values

@@ -100,6 +100,10 @@ def save_figure(made: Figure, path: Path, *, tight: bool = False) -> Path:
     with curve_style(), matplotlib.rc_context({"svg.hashsalt": "symscrew"}):
         look: dict[str, Any] = {"dpi": DPI, "bbox_inches": "tight" if tight else None, "pad_inches": 0.04}
         look["metadata"] = dict.fromkeys(silent.get(path.suffix, ("Software",)))
+        if path.suffix == ".png" and not tight:  # `savefig` would draw it twice, first for nothing but the layout
+            made.dpi = DPI
+            canvas: Any = FigureCanvasAgg(made)  # whose functions have no types
+            return replaced(path, lambda part: canvas.print_png(part, metadata=look["metadata"]))
         return replaced(path, lambda part: made.savefig(part, **look))
 
 

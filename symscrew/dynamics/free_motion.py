@@ -13,6 +13,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 
@@ -35,7 +36,13 @@ matrix, which grows with its square and more: a chain of 10 revolute joints take
 MASSLESS = 1e-13
 """Least eigenvalue of an inertia whose diagonal is 1 that counts as mass: rounding leaves 1e-16 per operation of a
 motion that moves none, and real bodies, whose masses differ by less than 1e10, are above. Below it forward dynamics is
-left out with a note; above it is derived, and its guards tell where it is singular."""
+left out with a note; above it is derived, and its guards tell where it is singular. So does a diagonal entry of
+which this share is left of what its motion would move joint by joint: all of it cancels."""
+
+NOTHING = 1e-26
+"""Of the largest inertia of the tree's joints, lengths divided by the characteristic length: a link without mass has
+the square of rounding, 1e-32, where mass on axes is handed on; grains of 1e-10 of the mass and 1e-4 of the length are
+above."""
 
 Matrix = Sequence[Sequence[Node]]
 Accelerations = tuple[list[Node], list[Node], list[Guard]]
@@ -149,7 +156,12 @@ class Admissible:
     @cached_property
     def inertia(self) -> list[list[Node]]:
         """N^T M N; only the lower half counts."""
-        return self._projected(mass_matrix(self.system, self.added))
+        return self._projected(self._tree_inertia)
+
+    @cached_property
+    def _tree_inertia(self) -> Matrix:
+        """M of the tree, in v."""
+        return mass_matrix(self.system, self.added)
 
     def _projected(self, tree: Matrix) -> list[list[Node]]:
         system, rows = self.system, []
@@ -190,12 +202,32 @@ class Admissible:
         entries = [tape.sample(lower[max(i, j)][min(i, j)]) for i in range(n) for j in range(n)]
         if not entries:
             return True
-        inertia = np.stack(np.broadcast_arrays(*entries), axis=-1).reshape(-1, n, n)
-        inertia = inertia[np.isfinite(inertia).all(axis=(1, 2))]  # not so where a reference is singular
+        inertia = np.stack(np.broadcast_arrays(np.zeros(1), *entries, *self._sizes()), axis=-1)[:, 1:]
+        inertia = inertia[np.isfinite(inertia).all(axis=1)]  # not so where a reference is singular
         if not len(inertia):
             return True
-        scale = np.sqrt(np.abs(np.einsum("kii->ki", inertia)).max(axis=0))
-        return bool(scale.all() and np.linalg.eigvalsh(inertia / np.outer(scale, scale))[:, 0].max() > MASSLESS)
+        inertia, sizes = inertia[:, : n * n].reshape(-1, n, n), inertia[:, n * n :].max(axis=0)
+        own = np.abs(np.einsum("kii->ki", inertia)).max(axis=0)
+        scale = np.sqrt(own)
+        return bool(
+            (own > np.maximum(MASSLESS * sizes, self._least())).all()
+            and np.linalg.eigvalsh(inertia / np.outer(scale, scale))[:, 0].max() > MASSLESS
+        )
+
+    def _sizes(self) -> list[Any]:
+        """Per column of N the inertia that its motion would move if no joint's share cancelled another's, sampled."""
+        tape, tree = self.system.tape, self._tree_inertia
+        return [
+            sum(tape.sample(entry) ** 2 * np.abs(tape.sample(tree[k][k])) for k, entry in _entries(self.system, column))
+            for column in self.tree_columns
+        ]
+
+    def _least(self) -> np.ndarray[Any, Any]:
+        """Per column of N the inertia that is nothing."""
+        tape, scales = self.system.tape, self.system.scales
+        own = [np.nanmax(np.abs(tape.sample(row[k]))) for k, row in enumerate(self._tree_inertia)]
+        largest: float = np.max(np.array(own) * scales**2)
+        return NOTHING * largest / scales[self.loops.free] ** 2
 
     def nearest(self, w: Sequence[Node], scales: Sequence[float]) -> tuple[list[Node], list[Guard]]:
         """N c with the c that brings it closest to w; `scales` divide the entries of w before they are squared."""

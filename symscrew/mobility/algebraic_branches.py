@@ -15,7 +15,7 @@ from collections import Counter
 from dataclasses import replace
 
 from symscrew.mobility.analysis import Mobility
-from symscrew.mobility.components import ConfigurationSpace
+from symscrew.mobility.components import UNCHECKED, ConfigurationSpace
 
 SMOOTH = "each component through the reference is smooth there, which is one branch, or a point alone"
 
@@ -35,7 +35,7 @@ def with_components(found: Mobility, space: ConfigurationSpace | str) -> Mobilit
     finite, dimensions = found.finite, tuple(sorted(seen))
     if not agrees or (finite.dof, finite.branches) not in ((highest, None), (highest, dimensions)):
         return found
-    how = f"exact algebra over {space.field}: {SMOOTH}"
+    how = f"exact algebra over {space.field}, {UNCHECKED}: {SMOOTH}"
     if not finite.proved:
         finite = replace(finite, proved=True, evidence=(*finite.evidence, f"proved: {how}"))
     result = replace(found, finite=finite)

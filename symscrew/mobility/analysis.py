@@ -25,9 +25,10 @@ from symscrew.mobility.finite import (
     FiniteMobility,
     NearGeometry,
     left_open,
+    lone_pairs,
     rank_claims,
     search_special,
-    without_spins,
+    undriven_freedoms,
 )
 from symscrew.mobility.instantaneous import (  # fmt: skip
     BodyFreedoms,
@@ -317,11 +318,11 @@ class Mobility:
         found = singularities(self.mechanism, None if self.in_reference else self.reached)
         if found.margins is None:
             return found
-        joints, kept = {n: j.type for n, j in self.mechanism.joints.items()}, self.decisions.singular_values[0]
+        kept = self.decisions.singular_values[0]
         finite, almost = self.finite, kept if kept < NEARLY_SINGULAR else None
         fewer = (self.dof, finite.dof) if finite.dof is not None and finite.dof < self.dof else None
-        known = (without_spins(self.network)[1], finite.smooth, almost, fewer)
-        ranks = Ranks(self.limbs, joints, self.dof_drives_locked, *known)
+        known = (undriven_freedoms(self.network), lone_pairs(self.network), finite.smooth, almost, fewer)
+        ranks = Ranks(self.limbs, self.dof_drives_locked, *known)
         return replace(found, margins=tuple(with_rank(margin, ranks) for margin in found.margins))
 
     @property

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 from symscrew.mobility.instantaneous import LimbMobility
@@ -11,16 +10,17 @@ from symscrew.mobility.singularities import MarginValue
 
 @dataclass(frozen=True)
 class Ranks:
-    """What is known by ranks: limbs with their screws, types of joints, freedoms left with all drives locked, spins.
+    """What is known by ranks: limbs with their screws, freedoms left with all drives locked.
 
-    `smooth`: whether the closure keeps its rank around the configuration; `almost`: its smallest singular value that is
-    not zero as typed, where that is almost zero; `freedoms`: instantaneous ones and real ones where these are fewer.
+    `alone`: how many of these are of links that move alone between two joints; `pairs`: all such pairs of joints;
+    `smooth`: whether the closure keeps its rank around the configuration; `almost`: its smallest singular value that
+    is not zero as typed, where that is almost zero; `freedoms`: instantaneous ones and real ones where these are fewer.
     """
 
     limbs: tuple[LimbMobility, ...]
-    types: Mapping[str, str]
     left: int | None
-    spins: int
+    alone: int
+    pairs: tuple[tuple[str, str], ...]
     smooth: bool
     almost: float | None
     freedoms: tuple[int, int] | None = None
@@ -33,14 +33,14 @@ def with_rank(margin: MarginValue, ranks: Ranks) -> MarginValue:
             most = min(6, len(limb.screws))
             if limb.constraints.rank == most:
                 return replace(margin, regular=True)
-            spinning = [ranks.types[name] for name in limb.joints].count("S") > 1
-            why = " (a passive spin between its spherical joints)" if spinning else ""
+            inside = [f"{a} and {b}" for a, b in ranks.pairs if {a, b} <= set(limb.joints)]
+            why = f" (a passive freedom between {', '.join(inside)})" if inside else ""
             return replace(margin, note=f"{limb.constraints.rank} of {most} screws are independent here{why}")
     if margin.kind == "actuation" and margin.name == "all drives" and ranks.left is not None:
-        if ranks.left <= ranks.spins:
+        if ranks.left <= ranks.alone:
             return replace(margin, regular=True)
         text = f"{ranks.left} freedom{'s' * (ranks.left > 1)} left with all drives locked here"
-        return replace(margin, note=f"{text}, {ranks.spins} of them passive spins" if ranks.spins else text)
+        return replace(margin, note=f"{text}, {ranks.alone} of them of links that move alone" if ranks.alone else text)
     if margin.kind == "constraint":
         if ranks.freedoms is not None and not margin.vanishes:  # the volume is of the rank that there is all along
             instantaneous, real = ranks.freedoms

@@ -102,7 +102,7 @@ def test_mechanisms(profile: str) -> None:
         again = to_toml(made)
         assert to_toml(parse_description(again)) == again
 
-    found = fuzz(profile, changed_text(MECHANISMS), read)
+    found = fuzz(profile, changed_text(MECHANISMS), read, share=2)
     assert profile == "short" or min(found.values()) > 0
 
 

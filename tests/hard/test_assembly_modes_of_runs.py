@@ -85,7 +85,7 @@ def test_arms_of_a_delta_have_a_sign_each() -> None:
     known = {k: system.inputs.q[k] for link in hub for k in range(link.q.start, link.q.stop)}
     nodes = limb_coordinates(system, limbs, known, system.inputs.q).q
     cranks = [limb.links[0].q.start for limb in limbs if len(limb.links) == 3]
-    for q in system.states(6, 5)[0]:
+    for q in system.states(6, 5)[0][:2]:
         for turned_over in ((), (0,), (1,), (2,), (0, 2)):
             guess = q.copy()
             guess[[cranks[k] for k in turned_over]] += 2.5

@@ -25,7 +25,7 @@ from symscrew.simulation.motion import prepare, simulate
 pytestmark = pytest.mark.slow
 
 needs_compiler = pytest.mark.skipif(find_compiler() is None, reason="no C compiler")
-TOLERANCES = (1e-2, 1e-3, 1e-4, 1e-6, 1e-8, 1e-10)
+TOLERANCES = (1e-2, 1e-4, 1e-6, 1e-8, 1e-10)
 ROUNDING = 1e-12  # of ten swings
 
 
@@ -69,20 +69,24 @@ def test_a_compliant_stop_is_not_stepped_over(stiffness: float, depth: float) ->
         assert after <= 2 * max(before, ROUNDING), found
 
 
-@pytest.mark.parametrize("stiffness, depth", [(1e4, 1e-4), slow(1e2, 1e-2), slow(1e6, 1e-3)])
+@pytest.mark.parametrize("stiffness, depth", [(1e4, 1e-4), slow(1e6, 1e-3)])
 def test_nor_by_the_integrators_of_a_library(stiffness: float, depth: float) -> None:
     errors(stiffness, depth, (1e-6,), "numpy")
 
 
 @pytest.mark.parametrize("backend", [*(["c"] if find_compiler() else []), slow("numpy")])
 def test_steps_of_fixed_length_end_at_corners(backend: str) -> None:
-    """Of a twentieth of a second and order 8: a hundred times better than those that pass the stop's corners."""
+    """Of a twentieth of a second and order 8."""
     scene = replace(touching(1e4, 1e-4, 3.3), integrator=Integrator(method="rk8", step=0.05))
     found = simulate(scene, backend=backend)
     assert np.abs(found.q[:, 0] - by_hand(1e4, 1e-4, found.t)).max() < 2e-6
-    passing = replace(scene, integrator=Integrator(method="rk8", step=0.05))
+
+
+@needs_compiler
+def test_those_that_pass_them_are_a_hundred_times_worse() -> None:
+    passing = replace(touching(1e4, 1e-4, 3.3), integrator=Integrator(method="rk8", step=0.05))
     model, plant = prepare(passing)
-    missed = simulate(passing, backend=backend, prepared=(model, replace(plant, switches=None)))
+    missed = simulate(passing, prepared=(model, replace(plant, switches=None)))
     assert np.abs(missed.q[:, 0] - by_hand(1e4, 1e-4, missed.t)).max() > 1e-4
 
 

@@ -67,9 +67,8 @@ def test_a_stop_that_is_passed_for_a_moment(tolerance: float, short: float) -> N
     assert found.q.max() < 1 - short + 1e-2 * tolerance + 1e-11
 
 
-@pytest.mark.parametrize("method", ["dop853", slow("radau")])
-@pytest.mark.parametrize("short", [1e-2, 1e-4, 1e-5])
-def test_such_a_stop_is_met_by_the_integrators_of_a_library(method: str, short: float) -> None:
+@pytest.mark.parametrize("short, method", [(1e-2, "dop853"), (1e-4, "dop853"), (1e-5, "dop853"), slow(1e-4, "radau")])
+def test_such_a_stop_is_met_by_the_integrators_of_a_library(short: float, method: str) -> None:
     """Looked at in five places of a step, that of 1e-4 was missed at a tolerance of 1e-8, and called completed."""
     spring, stop = JointSpring("z", stiffness=1), EndStop("z", upper=1 - short, mode="impact", restitution="0.5")
     start = Initial(coordinates={"z": -1})
@@ -179,12 +178,11 @@ def test_impulses_only_push() -> None:
         assert p.min() >= 0 and w.min() > -1e-9 and abs(p @ w) < 1e-9
 
 
-@pytest.mark.parametrize("limit", [slow(3.0), 1e3])
-def test_a_stop_that_is_never_met_changes_nothing(limit: float) -> None:
+def test_a_stop_that_is_never_met_changes_nothing() -> None:
     """The parallelogram keeps its branch through the change points, with a stop as without; and ends soon."""
     bars = four_bars(1, width="2", coupler="3")
     fall, start = Gravity((0, "-9.81", 0)), {"rates": {"A0": -1.0}}
-    stop = EndStop("A0", lower=f"-{limit}*10", mode="impact")
+    stop = EndStop("A0", lower="-1e4", mode="impact")
     free, stopped = (run(bars, effects, 3.0, 1e-8, **start) for effects in ((fall,), (fall, stop)))
     assert len(stopped.crossings) == len(free.crossings) > 0
     assert np.abs(stopped.q - free.q).max() < 1e-12
@@ -251,8 +249,10 @@ def stretched_crank() -> Mechanism:
     )  # fmt: skip
 
 
-@pytest.mark.parametrize("torque", [2.0, -2.0])
-@pytest.mark.parametrize(("method", "backend"), [("dop853", "c"), slow("radau", "c"), slow("dop853", "numpy")])
+@pytest.mark.parametrize(
+    ("method", "backend", "torque"),
+    [("dop853", "c", 2.0), ("dop853", "c", -2.0), slow("radau", "c", -2.0), slow("dop853", "numpy", 2.0)],
+)
 def test_stuck_at_a_dead_point_at_rest(method: str, backend: str, torque: float) -> None:
     """The law of friction says nothing there. It was asked again and again, ten thousand times, at the same instant."""
     friction, choice = DryFriction("S", coulomb="0.5", mode="event"), Integrator(method=method, tolerance=1e-7)

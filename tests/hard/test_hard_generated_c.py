@@ -1,4 +1,4 @@
-"""Generated C under sanitizers and valgrind, across compilers and levels, in float, with denormals, by the million.
+"""Generated C under sanitizers and valgrind, across compilers and levels, in float, with denormals, at random states.
 
 What every guard prevents stands in the test's docstring, as seen when it was taken out.
 """
@@ -43,13 +43,13 @@ def test_levels_of_optimisation(name: str, functions: Sequence[str], tmp_path: P
 
 
 @pytest.mark.slow
-def test_a_million_random_states_against_casadi() -> None:
-    """Inverse dynamics of the four-bar: batch function and CasADi at 1e6 states, anywhere in q, v, a."""
+def test_random_states_against_casadi() -> None:
+    """Inverse dynamics of the four-bar: batch function and CasADi at 2e5 states, anywhere in q, v, a."""
     pytest.importorskip("casadi")
     found = catalogued("four_bar")
     found = dataclasses.replace(found, programs={"inverse_dynamics": found.programs["inverse_dynamics"]})
     random = np.random.default_rng(12)
-    q, v, a = random.uniform(-np.pi, np.pi, (1_000_000, 3)), *random.uniform(-10, 10, (2, 1_000_000, 3))
+    q, v, a = random.uniform(-np.pi, np.pi, (200_000, 3)), *random.uniform(-10, 10, (2, 200_000, 3))
     fast, slow = load(found, backend="c"), load(found, backend="casadi")
     u, first = fast.inverse_dynamics(q, v, a, check=False)  # type: ignore[misc]
     expected, second = slow.inverse_dynamics(q, v, a, check=False)  # type: ignore[misc]

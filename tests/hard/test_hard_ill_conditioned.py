@@ -70,7 +70,7 @@ def test_mass_ratios_in_a_loop(ratio: str) -> None:
 
 
 @needs_compiler
-@pytest.mark.parametrize("ratio", ["1e-9", slow("1e-6"), slow("1e6"), "1e9"])
+@pytest.mark.parametrize("ratio", ["1e-9", "1e9"])
 def test_mass_ratios_through_singular_positions(ratio: str) -> None:
     """A02 with N = 2 and couplers of 1e-9 ... 1e9 kg: 10 s through ten singular positions to 1e-8.
 

@@ -160,7 +160,7 @@ rail = { type = "P", parent = "base", child = "bob", point = [0, 0, 0], axes = [
 """
 
 
-@pytest.mark.parametrize("method", ["dop853", "radau", "bdf", "lsoda", "cvodes"])
+@pytest.mark.parametrize("method", ["dop853", "radau", "cvodes"])
 def test_outputs_at_turning_points_alone_show_no_energy(method: str, tmp_path: Path) -> None:
     """A motion of one period between two outputs rests at each: what was moved is seen between them."""
     (tmp_path / "oscillator.toml").write_text(OSCILLATOR)
@@ -186,7 +186,7 @@ tolerance = 1e-6
     assert judged(wrong).verdict.startswith("failed: the energy is out of balance by 0.0")
 
 
-@pytest.mark.parametrize(("backend", "size"), [("c", "1e-4"), ("c", "1e-5"), ("numpy", "1e-5")])
+@pytest.mark.parametrize(("backend", "size"), [("c", "1e-5"), ("numpy", "1e-5")])
 def test_a_pulse_of_the_base_between_two_outputs(backend: str, size: str) -> None:
     """The ground goes away and comes back: all that was moved is gone at the next output."""
     text = f"""

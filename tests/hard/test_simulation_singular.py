@@ -28,7 +28,7 @@ def test_the_closed_form_is_that_of_the_reference() -> None:
     assert np.abs(crank_angle(2, times) - values[:, 0]).max() < 1e-9
 
 
-@pytest.mark.parametrize("step", [1e-3, slow(7e-4), slow(3.3e-4)])
+@pytest.mark.parametrize("step", [1e-3, slow(7e-4)])
 def test_rk4_through_ten_singular_positions(step: float) -> None:
     run = run_of("n_four_bar", scene_of("n_four_bar", method="rk4", step=step))
     assert run.ok
@@ -41,7 +41,7 @@ def test_adaptive_steps_through_ten_singular_positions() -> None:
     """At most 1e-6 at every tolerance from 1e-6 down, not growing when it is tightened, every crossing reported."""
     expected, before = crossing_times(2, 10.0), 1e-6
     assert len(expected) == 10
-    for tolerance in (1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12):
+    for tolerance in (1e-6, 1e-8, 1e-10, 1e-12):
         run = run_of("n_four_bar", scene_of("n_four_bar", tolerance=tolerance))
         assert run.ok
         error = error_of("n_four_bar", run)
@@ -56,8 +56,8 @@ def test_adaptive_steps_through_ten_singular_positions() -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("count", [1, 4])
-def test_other_numbers_of_four_bars(count: int) -> None:
+def test_another_number_of_four_bars() -> None:
+    count = 4
     scene = Scene(f"row{count}", n_four_bar(count), (Gravity((0, "-9.81", 0)),), 3.0, 20.0, Initial(rates={"A0": -1.0}))
     run = simulate(scene)
     angle = -run.q[:, [c.label for c in run.model.system.tree.q].index("A0")]

@@ -63,7 +63,7 @@ braked, plain = symscrew.derive(scene.mechanism, scene.effects), symscrew.derive
 states = plain.test_inputs["inverse_dynamics_independent"]
 forces = [m("inverse_dynamics_independent", *states)[0][0].tolist() for m in (braked, plain)]
 run = symscrew.simulate(scene)
-symscrew.generate(braked, folder / "out", ["numpy"])
+symscrew.generate(braked.only(["inverse_dynamics"]), folder / "out", ["numpy"])
 print(json.dumps({
     "rate": [x.tolist() for x in states], "forces": forces, "q": run.q.tolist(), "v": run.v.tolist(),
     "ok": run.ok, "simplifications": list(simplifications()),

@@ -78,7 +78,7 @@ def stepped(library: ctypes.CDLL, scene: Scene, arrays: tuple[np.ndarray, ...], 
     [
         ("four_bar", DRIVEN, ""),
         slow("four_bar", "", "semi_implicit_euler"),
-        slow("three_ups_upu_s_physical", "", "rk4"),
+        slow("three_ups_upu_s", "", "rk4"),
         slow("ur5", "", "rk8"),
     ],
     ids=["four_bar-driven", "four_bar-semi_implicit_euler", "seed-rk4", "ur5-rk8"],

@@ -42,7 +42,6 @@ SLOW = (
     "how_to/workspace.md",
     "how_to/own_mechanism.md",
     "how_to/many_runs.md",
-    "how_to/microcontroller.md",
     "how_to/linuxcnc.md",
     "how_to/modelica.md",
     "how_to/plc.md",

@@ -106,8 +106,8 @@ def test_a_sweep_by_kernels_has_the_same_numbers(
 @pytest.mark.tools
 def test_a_sweep_by_jax_has_the_same_numbers() -> None:
     pytest.importorskip("jax", reason="needs JAX (pip install 'symscrew[jax]')")
-    over = {"A": "-30deg:60deg:10"}
-    one, other = (workspace(catalogue.load("four_bar"), over, engine=name) for name in ("c", "jax"))
+    over = {"pivot": "-30deg:60deg:10"}
+    one, other = (workspace(pendulum().mechanism, over, engine=name) for name in ("c", "jax"))
     assert other.summary["engine"].startswith("JAX on")
     for name, values in one.results.items():
         size = np.abs(values[np.isfinite(values)]).max(initial=1.0)

@@ -17,7 +17,7 @@ def test_generated_on_request_and_checked(tmp_path: Path, capsys: pytest.Capture
     asked = ["--derivatives", "--regressor"]
     for options in (["numpy"], ["numpy", *asked], ["c", "--functions", *sorted(wanted), *asked]):
         place = tmp_path / f"out{len(options)}"
-        assert main(["generate", "slider_crank", "--out", str(place), "--target", *options]) == 0
+        assert main(["generate", "four_bar", "--out", str(place), "--target", *options]) == 0
         functions = set(json.loads((place / "manifest.json").read_text())["functions"])
         assert wanted <= functions if "--regressor" in options else not wanted & functions
         if "--regressor" in options:

@@ -164,8 +164,8 @@ def test_a_bad_entry_is_noticed_side_by_side(function: str, value: float) -> Non
 def test_every_small_pivot_is_noticed_side_by_side() -> None:
     """A threshold above each pivot in turn, of whole packs and single ones: the status is that of limb after limb."""
     program = straight(CASES[0][0], PLATFORM)
-    names = sorted(IN_LANES)
-    shared = sorted(range(len(program.guards)), key=lambda k: (k % 4, k))[: len(names) - 1]
+    names = sorted(IN_LANES)[::2]
+    shared = sorted(range(len(program.guards)), key=lambda k: (k % 4, k))[: 2 * len(names) - 2 : 2]
     raised = [
         replace(program, guards=tuple((s, 1e9 if i == k else t) for i, (s, t) in enumerate(program.guards)))
         for k in (*shared, -1)
@@ -286,10 +286,11 @@ def test_drives_of_a_delta_are_packed_arm_by_arm() -> None:
 
 
 @pytest.mark.skipif(find_compiler() is None or platform.machine() != "x86_64", reason="needs a C compiler for x86-64")
-@pytest.mark.parametrize("name", ["planar_3rrr", slow("delta"), slow("stewart_6ups")])
+@pytest.mark.parametrize("name", ["planar_3rrr", "stewart_6ups"])
 def test_lanes_are_clean_with_every_warning(name: str, tmp_path: Path) -> None:
     """What a packed function reads once, or only where its sum is taken, has no name that nobody reads."""
-    files = print_c(model(name))
+    found = model(name)
+    files = print_c(found.only([function for function in found.programs if function in IN_LANES]))
     for file, text in files.items():
         (tmp_path / file).write_text(text)
     assert "_packed_lane(" in files[f"{name}.c"]

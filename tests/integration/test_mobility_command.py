@@ -10,6 +10,7 @@ import pytest
 from symscrew.cli.parser import main
 
 SEED = "three_ups_upu_s"
+SHORT = str(Path(__file__).parents[1] / "data" / "short_five_bar.toml")
 
 
 @pytest.mark.slow
@@ -19,16 +20,22 @@ def test_command_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> Non
     assert (values["dof"], values["dof_finite"], values["kutzbach"], values["overconstraints"]) == (1, 1, 0, 1)
     assert values["platform"]["type"] == "1T" and values["branches"] is None and values["verified"]
     assert main(["mobility", "sarrus", "--expect", "2"]) == 1
-    assert main(["mobility", SEED, "--body", "limb1_lower", "--at", "r=0.45"]) == 0
-    assert "Freedoms of limb1_lower" in capsys.readouterr().out
+    assert main(["mobility", SHORT, "--body", "distal_right", "--at", "rise=0.2"]) == 0
+    assert "Freedoms of distal_right" in capsys.readouterr().out
     assert main(["mobility", SEED, "--at", "r"]) == 2
     assert main(["mobility", SEED, "--out", str(tmp_path / "x.doc")]) == 2
     for name, suffix, piece in (
-        (SEED, ".md", "$R - r = 0$"), ("sarrus", ".html", "<math>"), ("sarrus", ".tex", r"\begin{itemize}"),
+        (SEED, ".md", "$R - r = 0$"), ("four_bar", ".html", "<math>"), ("four_bar", ".tex", r"\begin{itemize}"),
     ):  # fmt: skip
         path = tmp_path / f"written{suffix}"
+        capsys.readouterr()
         assert main(["mobility", name, "--out", str(path)]) == 0
         assert piece in path.read_text()
+        if name == SEED:
+            out = capsys.readouterr().out
+            assert "mobility 2" in out
+            assert "(0, 1, 0; 0, 0, 0.4)" in out  # (13) at theta = 30 degrees, sign and scale aside
+            assert "rotation about x through O" in out and "rotation about y through O" in out
 
 
 def test_the_proof_file_of_a_command_is_judged_by_its_checker(

@@ -71,7 +71,7 @@ def test_growth(kind: str, small: int, functions: tuple[str, ...], factor: float
 @pytest.mark.slow
 def test_every_further_joint_and_limb_costs_the_same() -> None:
     """Linear, not only nearly so: equal steps of the size cost equal operations."""
-    for kind, sizes in (("chain", (8, 12, 16)), ("platform", (4, 8, 12))):
+    for kind, sizes in (("chain", (8, 12, 16)), ("platform", (4, 6, 8))):
         for function in ("inverse_dynamics", "joint_reactions", "body_twists"):
             a, b, c = (total(sized(kind, size), function) for size in sizes)
             assert c - b == pytest.approx(b - a, rel=0.03), (kind, function)
@@ -149,9 +149,12 @@ def count_angles(source: str, symbol: str) -> int:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", ["three_ups_upu_s_physical", "four_bar", "delta", "ur5"])
+@pytest.mark.parametrize("name", ["three_ups_upu_s", "four_bar", "delta", "ur5"])
 def test_counted_operations_are_the_printed_ones(name: str) -> None:
+    """Of every function of a small loop and of an arm; of platforms those that have what these have not."""
     found = model(name)
+    if name in ("three_ups_upu_s", "delta"):
+        found = found.only(["inverse_dynamics_platform", "forward_dynamics", "inverse_kinematics", "limb_margins"])
     source = print_source(found)
     wrong = {}
     for function, program in found.programs.items():

@@ -10,6 +10,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from support.documentation import DOCS
 from support.model_states import model
 
 from symscrew.cli.parser import main
@@ -75,14 +76,16 @@ def test_what_goes_against_a_profile_is_one_error(tmp_path: Path, capsys: pytest
 
 @pytest.mark.tools
 @pytest.mark.slow
-def test_two_functions_of_a_delta_are_small(tmp_path: Path) -> None:
-    """On a Cortex-M4F with -Os, without the mathematical library."""
+def test_two_functions_of_a_delta_are_small(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """What the page on microcontrollers shows, on a Cortex-M4F with -Os, without the mathematical library."""
     compiler = shutil.which("arm-none-eabi-gcc")
     if compiler is None:
         pytest.fail("this test needs arm-none-eabi-gcc: apt-get install gcc-arm-none-eabi")
-    out = tmp_path / "made"
-    chosen = ["inverse_dynamics_platform", "inverse_kinematics"]
-    assert main(["generate", "delta", "--out", str(out), "--profile", "microcontroller", "--functions", *chosen]) == 0
+    (line,) = re.findall(r"^symscrew (generate .*)", (DOCS / "how_to" / "microcontroller.md").read_text(), re.M)
+    words, out = line.split(), tmp_path / "small"
+    assert set(words) >= {"delta", "microcontroller", "inverse_dynamics_platform", "inverse_kinematics"}
+    monkeypatch.chdir(tmp_path)
+    assert main(words) == 0
     machine = ["-mcpu=cortex-m4", "-mthumb", "-mfloat-abi=hard", "-mfpu=fpv4-sp-d16", "-ffreestanding"]
     sources = sorted(path.name for path in out.glob("delta_*.c"))
     subprocess.run([compiler, "-std=c99", "-Os", *machine, "-c", *sources], cwd=out, check=True)

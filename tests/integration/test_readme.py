@@ -186,7 +186,7 @@ def test_cpp_header(directory, standard):
         pytest.fail("this test needs a C++ compiler: apt-get install g++")
     if not (directory / "four_bar.o").is_file():
         sources = library_sources(json.loads((directory / "manifest.json").read_text())["files"], "four_bar")
-        run(f"cc -std=c99 -O1 -r -o four_bar.o {' '.join(sources)}", directory)
+        run(f"cc -std=c99 -O0 -r -o four_bar.o {' '.join(sources)}", directory)
     (directory / "main.cpp").write_text(CPP)
     command = [compiler, f"-std={standard}", *STRICT, "main.cpp", "four_bar.o", "-o", "main"]
     right = subprocess.run([*command, "-DWRONG=0"], cwd=directory, capture_output=True, text=True, check=False)
@@ -204,7 +204,7 @@ def test_cpp_header(directory, standard):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", ["four_bar", "three_ups_upu_s", "panda"])
+@pytest.mark.parametrize("name", ["four_bar", "three_ups_upu_s"])
 def test_markdown_holds_every_quantity_or_says_why_not(name):
     found = model(name)
     text = print_markdown(found)["model.md"]

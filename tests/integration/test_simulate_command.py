@@ -34,8 +34,8 @@ def test_archive_table_and_picture(tmp_path: Path, capsys: pytest.CaptureFixture
     scene = tmp_path / "swing.toml"
     scene.write_text(SCENE)
     names = [tmp_path / n for n in ("a.npz", "b.npz", "a.csv")]
-    for name in names:
-        assert main(["simulate", str(scene), "--out", str(name), "--no-cache"]) == 0
+    for name, more in zip(names, ([], ["--no-cache"], []), strict=True):
+        assert main(["simulate", str(scene), "--out", str(name), *more]) == 0
     text = capsys.readouterr().out
     assert "swing: completed" in text
     assert "loops open by at most" in text

@@ -23,7 +23,8 @@ from symscrew.verification.regeneration import check
 
 COMPILER = find_compiler()
 compiled_code = pytest.mark.skipif(COMPILER is None, reason="no C compiler")
-NAMES = ("four_bar", "three_ups_upu_s_physical", "ur5")
+STATED = ("forward_kinematics", "inverse_dynamics", "forward_dynamics", "mass_matrix", "energy", "joint_reactions")
+"""Functions whose stated errors are looked at: poses, forces, accelerations, a matrix, sums, screws."""
 
 
 def code(text: str) -> str:
@@ -33,7 +34,10 @@ def code(text: str) -> str:
 
 @pytest.mark.parametrize("name", ["four_bar", "ur5", slow("three_ups_upu_s_physical")])
 def test_everything_is_float(name: str) -> None:
-    for text in print_c(model(name), precision=SINGLE).values():
+    found = model(name)
+    if name == "three_ups_upu_s_physical":
+        found = found.only(["inverse_dynamics_platform", "forward_dynamics", "inverse_kinematics", "limb_margins"])
+    for text in print_c(found, precision=SINGLE).values():
         assert not re.search(r"\bdouble\b", code(text))
         assert not re.search(r"\b(sin|cos|tan|sqrt|exp|atan2|fabs)\(", code(text))
         assert not re.search(r"(?<![\w.])\d+\.\d*(e[+-]?\d+)?(?![\w.])", code(text)), "a constant without suffix"
@@ -43,7 +47,8 @@ def test_everything_is_float(name: str) -> None:
 @compiled_code
 def test_no_promotion_to_double(tmp_path: Path) -> None:
     """Also with vectors and without: four_bar has every kind of function, a second path and an iteration among them."""
-    for file, text in print_c(model("four_bar"), precision=SINGLE).items():
+    some = model("four_bar").only([*STATED, "assemble"])
+    for file, text in print_c(some, precision=SINGLE).items():
         (tmp_path / file).write_text(text)
     for flags in ((), ("-DFOUR_BAR_SCALAR",), ("-march=native", "-fopenmp")):
         command = [COMPILER, *STRICT, "-O0", *flags, "-c", "four_bar.c", "-o", "code.o"]
@@ -55,7 +60,7 @@ def test_no_promotion_to_double(tmp_path: Path) -> None:
 @compiled_code
 @pytest.mark.parametrize("name", ["four_bar", "ur5"])
 def test_errors_are_those_of_the_header(name: str, tmp_path: Path) -> None:
-    found = model(name)
+    found = model(name).only(STATED)
     compiled = load(found, backend="c", precision="single", build_dir=tmp_path)  # all at once
     header = print_c(found, precision=SINGLE)[f"{name}.h"]
     given = single_inputs(found)
@@ -124,7 +129,7 @@ def _compile_readme(out: Path) -> None:
 @pytest.mark.slow
 def test_command_line(tmp_path: Path, capsys: pytest.CaptureFixture) -> None:
     out = tmp_path / "single"
-    some = ["--functions", "inverse_dynamics", "forward_dynamics", "assemble"]
+    some = ["--functions", "inverse_dynamics", "assemble"]
     assert main(["generate", "four_bar", "--precision", "single", *some, "--out", str(out)]) == 0
     assert json.loads((out / "manifest.json").read_text())["precision"] == "single"
     assert not list(out.glob("*.casadi")) and not list(out.glob("*.py"))

@@ -30,6 +30,7 @@ from symscrew.functions.margin import margin_functions
 from symscrew.functions.platform import platform_functions
 from symscrew.kinematics import System, characteristic_length
 from symscrew.loops.dependent_rates import Loops
+from symscrew.mobility import analyse_mobility, mobility_text, mobility_values
 from symscrew.model import Model
 from symscrew.program.lowering import lower
 from symscrew.program.straight_line import Iteration, Program
@@ -579,3 +580,25 @@ def test_derivatives_are_finite_at_the_singularity() -> None:
     slope = np.array(casadi.Function("slope", [x], [casadi.jacobian(function(x)[0], x)])(q))
     assert abs(margin(found, "actuation_margins", q[None])[0]) < 1e-14
     assert np.all(np.isfinite(slope)) and np.abs(slope).max() > 0.1
+
+
+@pytest.mark.parametrize(("driven", "regular"), [("A", True), ("C1", False)])
+def test_a_link_that_moves_alone_is_named_and_no_singularity_unless_the_drive_moves_nothing_else(
+    driven: str, regular: bool
+) -> None:
+    """A four-bar with a link between two hinges about one line: its turn stays with the crank locked, by no defect."""
+    builder = MechanismBuilder("idle", platform="rocker")
+    for body in ("crank", "coupler", "link", "rocker"):
+        builder.body(body)
+    ends = {"A": ("base", "crank", [0, 0]), "B": ("crank", "coupler", [1, 2]), "C1": ("coupler", "link", [5, 4]),
+            "C2": ("link", "rocker", [5, 4]), "D": ("base", "rocker", [6, 0])}  # fmt: skip
+    for name, (parent, child, at) in ends.items():
+        builder.joint(name, "R", parent=parent, child=child, point=[*at, 0], axes=[[0, 0, 1]], driven=name == driven)
+    builder.limb("arm", joints=["A", "B", "C1", "C2"])
+    found = analyse_mobility(builder.build())
+    margins = {margin.kind: margin for margin in found.singularities.margins or ()}
+    assert found.dof_drives_locked == 1 and margins["actuation"].regular is regular
+    assert "a passive freedom between C1 and C2" in margins["limb"].note
+    values = mobility_values(found)
+    assert values["passive_freedoms"] == [["C1", "C2"]] and values["passive_spins"] == []
+    assert "Links that move alone between their joints: C1 and C2" in mobility_text(found, full=True)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
+
 import numpy as np
 import pytest
 from support.linkages import by_many_starts, joined, single_loop, spherical_wrist
@@ -147,3 +149,31 @@ def test_a_box_says_whether_its_zero_is_real():
     beside = next(end.z for end in ends if end.kind == "real") * np.exp(0.3j) + 1e-9j  # noise of an ill end
     proof = certified(equations, boxes, beside)
     assert proof is not None and proof.kind == "real"  # so that it is counted as a mode, whatever its end was called
+
+
+NORMALS = [["-2/7", "6/7", "3/7"], ["1/3", "2/3", "-2/3"], ["0", "3/5", "4/5"], ["0", "-1", "0"]]
+
+
+@pytest.mark.parametrize("normal", NORMALS)
+def test_a_four_bar_in_a_plane_of_any_direction_has_its_two_modes_by_the_same_names(normal: list[str]) -> None:
+    """Rocker's turn from home by the circles that meet in C: the axis is no multiple of (0, 0, 1) but for rounding."""
+    n = np.array([float(Fraction(c)) for c in normal])
+    first = np.cross(n, [1.0, 0, 0] if abs(n[0]) < 0.9 else [0, 1.0, 0])
+    first /= np.linalg.norm(first)
+    frame = np.array([first, np.cross(n, first)])
+    flat = {"A": (0.0, 0.0), "B": (0.25, 0.5), "C": (1.5, 1.25), "D": (2.0, -0.25)}
+    builder = MechanismBuilder("tilted", platform="rocker").body("crank").body("coupler").body("rocker")
+    ends = {"A": ("base", "crank"), "B": ("crank", "coupler"), "C": ("coupler", "rocker"), "D": ("base", "rocker")}
+    for name, (parent, child) in ends.items():
+        point = exact((np.array(flat[name]) @ frame + [0.3, -0.2, 0.7]).tolist())
+        builder.joint(name, "R", parent=parent, child=child, point=point, axes=[normal], driven=name == "A")
+    found = symscrew.assembly_modes(builder.build())
+    b, c, d = (np.array(flat[name]) for name in "BCD")
+    along, off = (b - d) / np.linalg.norm(b - d), c - d
+    mirrored = 2 * (off @ along) * along - off
+    turn = np.arctan2(off[0] * mirrored[1] - off[1] * mirrored[0], off @ mirrored)
+    assert found.complete == "proved" and [mode.name for mode in found.modes] == ["home", "-1"]
+    assert np.allclose(found.modes[0].rotation, np.eye(3), atol=1e-12)
+    made = found.modes[1].rotation
+    skew = np.array([made[2, 1] - made[1, 2], made[0, 2] - made[2, 0], made[1, 0] - made[0, 1]]) / 2
+    assert np.allclose(skew, np.sin(turn) * n, atol=1e-12) and abs((np.trace(made) - 1) / 2 - np.cos(turn)) < 1e-12

@@ -58,10 +58,10 @@ def test_twice_the_loops_are_twice_the_bytes_of_a_run() -> None:
 
 
 @pytest.mark.slow
-def test_a_chain_of_a_hundred_joints_is_linear() -> None:
-    small, pair, large = (sized("chain", n) for n in (12, 14, 100))
+def test_a_chain_of_thirty_joints_is_linear() -> None:
+    small, pair, large = (sized("chain", n) for n in (12, 14, 30))
     for name in functions(small):
         first, added = instructions(small, name), instructions(pair, name) - instructions(small, name)
-        assert instructions(large, name) == first + (100 - 12) // 2 * added, name
-    assert instructions(large, "mass_matrix") <= 79_286
+        assert instructions(large, name) == first + (30 - 12) // 2 * added, name
+    assert instructions(large, "mass_matrix") <= 6_976
     assert len(print_source(large, batches=False)) < 60 * sum(instructions(large, n) for n in large.programs)

@@ -19,12 +19,8 @@ from symscrew.mobility.checks import verify
 
 AXES = ("1 0 0", "0 1 0", "0 0 1", "3/5 4/5 0", "2/3 1/3 2/3", "0 5/13 12/13", "1/2 sqrt(3)/2 0")
 CHANGES: dict[str, Callable[[list[dict[str, Any]]], list[dict[str, Any]]]] = {
-    "rigid motion": moved,
-    "mm": scaled(1000),
     "km": scaled(sympy.Rational(1, 1000)),
-    "order": permuted,
-    "sense": reversed_joints,
-    "all": lambda joints: reversed_joints(permuted(scaled(1000)(moved(joints)))),
+    "mm, moved, in another order and sense": lambda joints: reversed_joints(permuted(scaled(1000)(moved(joints)))),
 }
 
 

@@ -381,10 +381,12 @@ def test_no_function_answers_nan_or_infinite_input(name: str) -> None:
         (reference, status) = found(function, *state)
         assert np.all(status == 0)
         for k, array in enumerate(state):
-            for entry in range(array.shape[1]):
-                for bad in (np.nan, np.inf):
-                    poisoned = [a.copy() for a in state]
-                    poisoned[k][0, entry] = bad
-                    results, status = found(function, *poisoned)
-                    unused = all(np.array_equal(x, y) for x, y in zip(results, reference, strict=True))
-                    assert unused or (status[0] != 0 and all(np.isnan(r).all() for r in results)), (function, k, entry)
+            cases = [(entry, bad) for entry in range(array.shape[1]) for bad in (np.nan, np.inf)]
+            poisoned = [np.repeat(a, len(cases), axis=0) for a in state]
+            for row, (entry, bad) in enumerate(cases):
+                poisoned[k][row, entry] = bad
+            results, status = found(function, *poisoned)
+            for row, case in enumerate(cases):
+                unused = all(np.array_equal(x[row], y[0]) for x, y in zip(results, reference, strict=True))
+                nothing = status[row] != 0 and all(np.isnan(r[row]).all() for r in results)
+                assert unused or nothing, (function, k, case)

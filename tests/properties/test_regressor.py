@@ -20,7 +20,8 @@ from symscrew.model import Model, derive
 pytestmark = pytest.mark.slow
 
 Array = np.ndarray
-NAMES = (*catalogue.names(), *HAND_TYPED)
+LIKE_ANOTHER = ("stewart_6ups", "three_ups_upu_s")  # limbs are those of the seed with bodies
+NAMES = [name for name in (*catalogue.names(), *HAND_TYPED) if name not in LIKE_ANOTHER]
 
 
 @cache
@@ -143,7 +144,7 @@ def test_planar_two_link_arm_is_the_textbook_one() -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", ["ur5", "three_ups_upu_s_physical", "delta", "mixed_loop"])
+@pytest.mark.parametrize("name", ["ur5", "three_ups_upu_s_physical", "mixed_loop"])
 def test_base_parameters_predict_the_same_forces(name: str) -> None:
     """Y pi = Y[:, independent] combination pi at states that the rank was not found from."""
     found = model(name)

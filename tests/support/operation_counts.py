@@ -8,14 +8,12 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Iterable
-from functools import cache
 from pathlib import Path
 
 from benchmarks.mechanisms import chain, platform
 
 from support.model_states import differentiated, model
 from support.rod_mechanisms import model as with_rods
-from support.trees import spatial_tree
 from symscrew import catalogue
 from symscrew.model import Model, derive
 from symscrew.studies.accuracy.growth_study import four_bars
@@ -25,11 +23,6 @@ FILE = Path(__file__).parents[1] / "data" / "operation_counts.json"
 
 def in_one_mode(name: str) -> Model:
     return derive(catalogue.load(name), one_mode=True)
-
-
-@cache
-def differentiated_tree(name: str) -> Model:
-    return derive(spatial_tree(), derivatives=True)
 
 
 def sized(name: str) -> Model:
@@ -42,7 +35,6 @@ SIZED = ("chain 8", "chain 12", "chain 16", "chain 20", "platform 4", "platform 
 KINDS: dict[str, tuple[Iterable[str], Callable[[str], Model]]] = {
     "plain": (catalogue.names(), model),
     "derivatives": (catalogue.names(), differentiated),
-    "derivatives of a tree": (("spatial_tree",), differentiated_tree),
     "one mode": (("delta", "three_ups_upu_s_physical"), in_one_mode),
     "rods": (("hexapod", "rotary_hexapod", "hung_platform", "braced_arm", "turning_hexapod"), with_rods),
     "sized": (SIZED, sized),

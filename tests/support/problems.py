@@ -73,11 +73,11 @@ class Compiled:
         return float(np.median([self.error(run.q) if run.ok else np.inf for run in self.runs(3, **integrator)]))
 
     def noise(self, **integrator: object) -> float:
-        """What rounding leaves of results: twice the usual (median) distance of seven such runs from their middle.
+        """What rounding leaves of results: twice the usual (median) distance of five such runs from their middle.
 
         Not the largest distance, which is one run's: another machine's instructions take another one for it.
         """
-        found = np.array([run.q for run in self.runs(7, **integrator)])
+        found = np.array([run.q for run in self.runs(5, **integrator)])
         return 2 * float(np.median(np.abs(found - np.median(found, axis=0)).max(axis=(1, 2))))
 
     def growth(self, places: int = 6) -> float:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -10,7 +11,12 @@ from support.model_states import model
 
 
 def recorded(count: int = 41) -> dict[str, Any]:
-    """A motion of the seed's platform about y, with its drives."""
+    """A motion of the seed's platform about y, with its drives: computed once, arrays of one's own each time."""
+    return {name: array.copy() for name, array in _computed(count).items()}
+
+
+@cache
+def _computed(count: int) -> dict[str, Any]:
     found = model("three_ups_upu_s")
     t = np.linspace(0.0, 2.0, count)
     y = np.stack([0 * t, 0.1 * np.sin(np.pi * t)], axis=1)

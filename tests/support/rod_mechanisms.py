@@ -107,7 +107,7 @@ Q = sympy.Rational
 RADIUS, HEIGHT = Q(1, 2), Q(1, 2)
 
 
-OUTWARDS, INWARDS, UP = (Q(1, 5), 0, 0), (Q(-1, 4), 0, Q(1, 20)), (0, 0, Q(1, 5))
+OUTWARDS, INWARDS = (Q(1, 5), 0, 0), (Q(-1, 4), 0, Q(1, 20))
 
 
 def turned(sixths: int) -> sympy.Matrix:
@@ -116,23 +116,18 @@ def turned(sixths: int) -> sympy.Matrix:
     return sympy.Matrix([[c, -s, 0], [s, c, 0], [0, 0, 1]])
 
 
-def hexapod(
-    crank: tuple = OUTWARDS, *, thick: bool = False, cranks: int = 6, radius: object = RADIUS, run_time: bool = False
-) -> Mechanism:
+def hexapod(crank: tuple = OUTWARDS, *, cranks: int = 6) -> Mechanism:
     """6-RUS: cranks (from their axes to the rods, seen from the first) in pairs; after `cranks` rods on the ground."""
     builder = MechanismBuilder("hexapod", platform="top")
-    if run_time:
-        builder.parameter("radius", radius, unit="m", description="of the base", run_time=True)
-        radius = sympy.Symbol("radius", real=True)
     builder.body("top", mass=3, com=[0, 0, HEIGHT], inertia=["1/10", "1/10", "1/5"])
     for k in range(6):
         side, turn = 1 - 2 * (k % 2), turned(2 * (k // 2))
-        axis, foot = turn * sympy.Matrix([0, 1, 0]), turn * sympy.Matrix([radius, side * Q(1, 10), 0])
+        axis, foot = turn * sympy.Matrix([0, 1, 0]), turn * sympy.Matrix([RADIUS, side * Q(1, 10), 0])
         elbow = foot + turn * sympy.Matrix(crank)
         tip = turn * turned(side) * sympy.Matrix([Q(3, 10), -side * Q(1, 20), HEIGHT])
         n = tip - elbow
         second = axis.cross(n) / sympy.sqrt(sympy.expand(axis.cross(n).dot(axis.cross(n))))
-        inertia = (n.dot(n) * sympy.eye(3) - n * n.T) / 120 + Q(int(thick), 1000) * sympy.eye(3)
+        inertia = (n.dot(n) * sympy.eye(3) - n * n.T) / 120
         rows = [[sympy.expand(c) for c in inertia.row(i)] for i in range(3)]
         builder.body(f"rod{k}", mass="1/10", com=list((elbow + tip) / 2), inertia=rows)
         if k < cranks:
@@ -177,8 +172,6 @@ MECHANISMS: dict[str, Callable[[], Mechanism]] = {
     "delta_thick_rods": thick_rods,
     "hexapod": hexapod,
     "hexapod_inwards": lambda: hexapod(INWARDS),
-    "hexapod_up": lambda: hexapod(UP),
-    "hexapod_thick_rods": lambda: hexapod(thick=True),
     "rod_on_the_ground": lambda: hexapod(cranks=5),
     "rotary_hexapod": rotary_hexapod,
     "hung_platform": hung_platform,

@@ -38,11 +38,14 @@ def node(tmp_path: Path, page: str | None, calls: list, **task: Any) -> list:
     return json.loads(done.stdout)
 
 
+LIKE_ANOTHER = ("stewart_6ups", "three_ups_upu_s", "panda")  # of limbs, or a chain, like one that is left
+
+
 def numbers(values: Any) -> Array:
     return np.array([float(x) for x in np.ravel(np.array(values, dtype=object))])
 
 
-@pytest.mark.parametrize("name", catalogue.names())
+@pytest.mark.parametrize("name", [name for name in catalogue.names() if name not in LIKE_ANOTHER])
 def test_javascript_equals_the_evaluator(name: str, tmp_path: Path) -> None:
     found = model(name)
     ((file, text),) = print_javascript(found).items()

@@ -101,7 +101,7 @@ def server(tmp_path: Path) -> Iterator[str]:
 def test_a_notebook_shows_what_it_is_handed(server: str, tmp_path: Path) -> None:
     driver = start(tmp_path / "profile")
     try:
-        driver.set_window_size(1360, 2400)
+        driver.set_window_size(1360, 900)
         driver.set_script_timeout(180)
         driver.get(server)
         waited("JupyterLab was not shown", lambda: driver.execute_script("return !!window.jupyterapp"))

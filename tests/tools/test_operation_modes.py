@@ -31,7 +31,7 @@ from symscrew.mobility.joint_network import network_of
 
 pytestmark = pytest.mark.skipif(shutil.which(PROGRAM) is None, reason="Singular is not installed (singular-ui)")
 
-GIVEN_UP = 3.0  # of the processor, for a division that would not end in hours: its first half takes one
+GIVEN_UP = 2.0  # of the processor, for a division that would not end in hours: its first half takes one
 OTHERS: dict[str, Callable[[], Mechanism]] = {"snu": snu, "double parallelogram": double_parallelogram}
 
 
@@ -54,7 +54,6 @@ def space(name: str, **options: float) -> ConfigurationSpace:
         ("bennett", [(1, 2)], 1),  # a conic in Study's quadric (Brunnthaler, Schroecker, Husty 2005)
         ("goldberg_5r", [(1, 4)], 1),
         # Sarrus: the translation, with the knees to one side or to two; the plate on the base turns about its hinges
-        ("sarrus", [(2, 1), (1, 4), (1, 4)], 1),
         ("sarrus-flat_folded", [(2, 1), (1, 4), (1, 4)], 2),
         # kinematotropic: the rocker moves with one freedom, or stands while both folded dyads turn
         ("kinematotropic_double_fold-transition", [(2, 4), (1, 4), (1, 4)], 2),
@@ -75,7 +74,6 @@ def test_published_components(name: str, sizes: list[tuple[int, int]], through: 
     "name, dimensions",
     [
         ("sarrus-stretched", [1, 1]),  # both knees go out to one side, or to two
-        ("sarrus-flat_folded", [2, 1]),
         ("kinematotropic_double_fold-transition", [2, 1]),
         ("threebar_parallel_equal", [1]),  # overconstrained, and no group shows that it moves
         ("threebar_parallel_unequal", []),

@@ -27,4 +27,4 @@ def quickly_compiled() -> tuple[str, ...]:
     """Agreement is tested here, not speed: what Pinocchio's library has compiled is not made again (24 s for 77)."""
     libraries = Path(sysconfig.get_path("purelib")) / "cmeel.prefix" / "lib"
     linked = ("-Wl,--no-as-needed", f"-L{libraries}", f"-Wl,-rpath,{libraries}", "-lpinocchio_default")
-    return ("-O0", "-DNDEBUG", "-DPINOCCHIO_ENABLE_TEMPLATE_INSTANTIATION", *linked)
+    return ("-O0", "-DNDEBUG", "-DWITHOUT_HEXAPODS", "-DPINOCCHIO_ENABLE_TEMPLATE_INSTANTIATION", *linked)

@@ -18,7 +18,7 @@ from symscrew.reporting.blocks import Document, write_document
 from symscrew.reporting.sections import document
 
 pytestmark = pytest.mark.slow
-NAMES = ("four_bar", "ur5", "three_ups_upu_s")  # a loop, an open chain, limbs with wide tables
+NAMES = ("ur5", "three_ups_upu_s")  # an open chain; limbs with loops and wide tables
 PAPER = round(178 / 25.4 * 96)  # px of A4 between the margins of style.css
 
 

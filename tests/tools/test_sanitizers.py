@@ -26,10 +26,10 @@ def test_gcc_and_clang(name: str, functions: Sequence[str], tmp_path: Path) -> N
     expected = results_of(found, source, gcc, ("-O2", "-ffp-contract=off"))
     for level in ("-O0", "-O3"):
         same = results_of(found, source, clang, (level, "-ffp-contract=off"))
-        near = results_of(found, source, clang, (level, "-march=native", "-ffp-contract=fast"))
         for function, values in expected.items():
             assert values.tobytes() == same[function].tobytes(), (function, level)
-            assert relative(near[function], values) < 1e-13, (function, level)
+    near = results_of(found, source, clang, ("-O2", "-march=native", "-ffp-contract=fast"))
+    assert all(relative(near[function], values) < 1e-13 for function, values in expected.items())
 
 
 def program_of(found: Model, states: Sequence[Sequence[np.ndarray]]) -> str:
@@ -103,11 +103,11 @@ def run_program(found: Model, folder: Path, compile_with: Sequence[str], run_wit
     assert "runtime error" not in done.stderr and "ERROR" not in done.stderr.replace("ERROR SUMMARY: 0", "")
 
 
-LIMBS = ("assemble", "velocity", "inverse_dynamics", "forward_dynamics", "momentum_screws", "constraint_margin")
+LIMBS = ("velocity", "inverse_dynamics", "momentum_screws", "inverse_kinematics")
 SANITIZED = (
     ("four_bar", None),
-    ("pendulum", None),
-    slow("three_ups_upu_s", LIMBS),  # what is printed for limbs, lanes and loops
+    ("pendulum", ("inverse_dynamics", "mass_matrix", "forward_dynamics")),
+    slow("planar_3rrr", LIMBS),  # what is printed for limbs, lanes and loops
 )
 
 
@@ -121,13 +121,13 @@ def test_address_and_undefined_behaviour_sanitizers(name: str, functions: Sequen
     run_program(found, tmp_path, (tool("gcc"), "-O0", *SANITIZE))
 
 
-@pytest.mark.parametrize("name", ["four_bar", slow("pendulum")])
-def test_derivatives_and_jacobians_under_sanitizers(name: str, tmp_path: Path) -> None:
+def test_derivatives_and_jacobians_under_sanitizers(tmp_path: Path) -> None:
     """So are derivatives, regressors, and the Jacobians of CasADi's external functions."""
-    further = derive(catalogued(name).mechanism, derivatives=True, regressor=True)
-    new = [function for function in further.programs if function not in catalogued(name).programs]
+    further = derive(catalogued("four_bar").mechanism, derivatives=True, regressor=True)
+    new = [function for function in further.programs if function not in catalogued("four_bar").programs]
     assert len(new) > 4
-    for folder, found in (("derivatives", further.only(new)), ("jacobians", jacobians_model(catalogued(name))[0])):
+    chosen = some("four_bar", ("assemble", "forward_dynamics", "inverse_dynamics"))
+    for folder, found in (("derivatives", further.only(new)), ("jacobians", jacobians_model(chosen)[0])):
         (tmp_path / folder).mkdir()
         run_program(found, tmp_path / folder, (tool("gcc"), "-O0", *SANITIZE))
 

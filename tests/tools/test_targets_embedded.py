@@ -77,7 +77,7 @@ def test_counts_are_repeatable_and_of_the_right_size() -> None:
 @EMULATED
 def test_frames_hold_the_second_path() -> None:
     """With guards that every state fails: what is written then is what the frames allow, and not much less."""
-    found = model("three_ups_upu_s_physical")
+    found = model("planar_3rrr")
     program = found.programs["forward_dynamics"]
     assert isinstance(program, RankRevealing)
     failing = replace(program, guards=tuple((slot, 1e30) for slot, _ in program.guards))
@@ -112,7 +112,7 @@ def test_figures_stand_in_the_header_and_are_measured_again(tmp_path: Path, caps
     out, file = tmp_path / "out", tmp_path / "pendulum.toml"
     file.write_text(toml_file.to_toml(pendulum().mechanism))
     arguments = ["generate", str(file), "--target", "c", "--precision", "single", "--embedded", "m4f"]
-    arguments += ["--functions", "inverse_dynamics", "mass_matrix"]
+    arguments += ["--functions", "inverse_dynamics"]
     assert main([*arguments, "--out", str(out)]) == 0
     (record,) = json.loads((out / "ops.json").read_text())["embedded"]
     figures = record["functions"]["inverse_dynamics"]
@@ -159,17 +159,15 @@ ANALYZER = ["-std=c99", "-O1", "-fanalyzer", "-Wall", "-Wextra", "-Wvla", "-Werr
 VECTORS = ["-D__GNUC__=12", "-D__x86_64__=1", "-D__GLIBC__=2", "-D__AVX2__=1", "-D_OPENMP=201511"]
 CPPCHECK = ["cppcheck", "--quiet", "--std=c99", "--enable=warning,performance,portability", "--error-exitcode=1"]
 
-# Of the seed: limbs side by side, a sum over limbs, small matrices.
-OF_EACH_KIND = ("inverse_dynamics", "momentum_screws", "mass_matrix", "platform_jacobian")
+# Of each form one: an iteration, a second path, chains; of equal limbs side by side, a sum over limbs, a small matrix.
+OF_LOOPS = ("assemble", "forward_dynamics", "inverse_dynamics", "constraint_margin")
+OF_LIMBS = ("inverse_dynamics", "momentum_screws", "mass_matrix")
 
 
 @needs("gcc")
 def test_the_analyzer_of_gcc_finds_nothing(tmp_path: Path) -> None:
-    """What a microcontroller is given in single precision. (All of the seed in double is read below; the one function
-    that is left out, reactions of forward dynamics, takes 16 s and is clean.)"""
-    (tmp_path / "embedded").mkdir()
-    functions = [name for name in model("four_bar").programs if name != "forward_dynamics_reactions"]
-    embedded_one = sources(tmp_path / "embedded", "four_bar", "single", *functions, batches=False)
+    """What a microcontroller is given in single precision, one function of each form (all are as clean)."""
+    embedded_one = sources(tmp_path, "four_bar", "single", *OF_LOOPS, batches=False)
     cross = shutil.which(emulation.COMPILER)
     compiler = [cross, "-mthumb", *emulation.CORES["m4f"].flags] if cross else ["gcc"]
     silent([[*compiler, *ANALYZER, str(embedded_one)]])
@@ -177,12 +175,12 @@ def test_the_analyzer_of_gcc_finds_nothing(tmp_path: Path) -> None:
 
 @pytest.mark.slow
 @needs("gcc")
-def test_the_analyzer_of_gcc_finds_nothing_in_the_seed(tmp_path: Path) -> None:
-    """With vectors and batches, one of each kind; iterations and second paths are those of the four-bar above.
+def test_the_analyzer_of_gcc_finds_nothing_in_limbs(tmp_path: Path) -> None:
+    """With vectors and batches; iterations and second paths are those of the four-bar above.
 
-    (The seed's takes 10 s. All take half a minute; all of the seed, the delta and the UR5 are as clean.)
+    (All of the seed, which takes half a minute, the delta and the UR5 are as clean.)
     """
-    silent([["gcc", *ANALYZER, str(sources(tmp_path, "three_ups_upu_s", "double", *OF_EACH_KIND))]])
+    silent([["gcc", *ANALYZER, str(sources(tmp_path, "planar_3rrr", "double", *OF_LIMBS))]])
 
 
 @needs("gcc")
@@ -204,23 +202,20 @@ def test_cppcheck_finds_nothing(tmp_path: Path) -> None:
     commands = []
     for precision, options in (("double", VECTORS), ("single", ["-DFOUR_BAR_STATE_BY_STATE"])):
         (tmp_path / precision).mkdir()
-        commands.append([*CPPCHECK, *options, str(sources(tmp_path / precision, "four_bar", precision))])
+        commands.append([*CPPCHECK, *options, str(sources(tmp_path / precision, "four_bar", precision, *OF_LOOPS))])
     silent(commands)
 
 
 @pytest.mark.slow
 @needs("cppcheck")
-def test_cppcheck_finds_nothing_in_the_seed(tmp_path: Path) -> None:
+def test_cppcheck_finds_nothing_in_limbs(tmp_path: Path) -> None:
     """Each in a file of its own, with its batches: with the whole file it came to no end.
 
     (All of the seed's are clean. The delta and the Stewart platform take minutes: it follows both values of every
     select. They and the UR5 were as clean.)
     """
-    name: str = "three_ups_upu_s"
-    found, commands = model(name), []
-    for function in (*OF_EACH_KIND, "forward_dynamics"):
+    commands = []
+    for function in (*OF_LIMBS, "forward_dynamics"):
         (tmp_path / function).mkdir()
-        for file, text in print_c(found.only([function])).items():
-            (tmp_path / function / file).write_text(text)
-        commands.append([*CPPCHECK, *VECTORS, str(tmp_path / function / f"{name}.c")])
+        commands.append([*CPPCHECK, *VECTORS, str(sources(tmp_path / function, "planar_3rrr", "double", function))])
     silent(commands)

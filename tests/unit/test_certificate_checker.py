@@ -252,6 +252,10 @@ def spoiled(path: tuple[Any, ...], value: Any) -> dict[str, Any]:
         (("equations", "closure", "instructions"), [[2, "exec", 1], [3, "sub", 2, 0]], UnreadableError),
         (("joints",), [[1, 9]], UnreadableError),
         (("format",), "something", UnreadableError),
+        (("equations", "closure", "inputs"), [["q", 1]], UnreadableError),  # its slopes would be those of other inputs
+        (("equations", "axes"), [["p", -1]], UnreadableError),
+        (("equations", "conditions", 1, "names"), ["limb one"], UnreadableError),  # one margin in place of another
+        (("region", "high"), [0.25 - 2.0], UnreadableError),
     ],
 )  # fmt: skip
 def test_a_spoiled_file_is_refused(path: tuple[Any, ...], value: Any, why: Any) -> None:
@@ -337,6 +341,23 @@ def test_a_number_of_coordinates_that_fills_the_memory_is_none() -> None:
     for path in (("equations", "count"), ("equations", "closure", "inputs", 0, 1)):
         with pytest.raises(UnreadableError):
             check_certificate(spoiled(path, 10**30))
+
+
+def test_what_is_proved_names_the_limits_and_a_file_without_claims_proves_nothing() -> None:
+    assert "limit x within [0.4, 1.6]" in check_certificate(root_file()).proved
+    silent = spoiled(("claims",), {})
+    silent["equations"]["conditions"] = []
+    assert not check_certificate(silent).holds
+
+
+def test_names_in_a_file_say_nothing_in_the_checkers_place() -> None:
+    values = spoiled(("mechanism", "name"), "root\nproved: share 2\x1b[1m")
+    values["region"]["names"] = ["z\nproved: tilt"]
+    shown = [line for line in str(check_certificate(values)).splitlines() if line.startswith("proved: ")]
+    assert len(shown) == 5 and "\x1b" not in str(check_certificate(values))
+    for text in ('{"a": 1, "a": 2}', '{"a": NaN}', '[{"b": {"a": 1, "a": 1}}]'):
+        with pytest.raises(UnreadableError):
+            checker.values_of(text)
 
 
 def test_rank_of_a_tall_matrix_is_decided_only_where_it_is() -> None:

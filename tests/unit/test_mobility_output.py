@@ -108,11 +108,8 @@ def test_what_was_not_tried_stands_in_the_text() -> None:
 
 @pytest.mark.parametrize(
     "name, at",
-    [
-        slow("three_ups_upu_s", ()), ("four_bar", ()), ("four_bar", (("A", "0.1"),)),
-        slow("three_ups_upu_s", (("r", "0.45"), ("limb5_S.qy", "-0.1"))),
-    ],
-)  # fmt: skip
+    [("four_bar", ()), ("four_bar", (("A", "0.1"),)), slow("ur5", (("d1", "0.45"), ("elbow_joint", "-0.1")))],
+)
 def test_every_output_names_the_configuration(name: str, at: tuple[tuple[str, str], ...]) -> None:
     told = found(name, at=at)
     wanted = [f"{key} = {value}" for key, value in at] or ["in the reference configuration"]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import cache
 
 import numpy as np
 import pytest
@@ -74,8 +75,9 @@ def with_the_type(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(JOINT_TYPES, "Pa", SLIDING_UNIVERSAL)
 
 
-def by_hand(q: np.ndarray, v: np.ndarray, a: np.ndarray) -> np.ndarray:
-    """Drives by Lagrange's equations of a body on a slide along z, then turned about x, then about y."""
+@cache
+def lagrange() -> tuple[tuple[sympy.Expr, ...], sympy.Symbol, list[sympy.Expr]]:
+    """Coordinates, the time, and Lagrange's equations of a body on a slide along z, then turned about x, about y."""
     t = sympy.Symbol("t")
     z, alpha, beta = (sympy.Function(name)(t) for name in ("z", "alpha", "beta"))
     rotation_x = sympy.Matrix(
@@ -91,10 +93,16 @@ def by_hand(q: np.ndarray, v: np.ndarray, a: np.ndarray) -> np.ndarray:
     omega = sympy.Matrix([spin[2, 1], spin[0, 2], spin[1, 0]])
     kinetic = MASS * velocity.dot(velocity) / 2 + sum(j * w**2 for j, w in zip(INERTIA, omega, strict=True)) / 2
     lagrangian = kinetic - MASS * sympy.Float("9.81") * place[2]
-    values = {}
-    for symbol, x, speed, gain in zip((z, alpha, beta), q, v, a, strict=True):
-        values |= {symbol.diff(t, 2): gain, symbol.diff(t): speed, symbol: x}
     forces = [lagrangian.diff(x.diff(t)).diff(t) - lagrangian.diff(x) for x in (z, alpha, beta)]
+    return (z, alpha, beta), t, forces
+
+
+def by_hand(q: np.ndarray, v: np.ndarray, a: np.ndarray) -> np.ndarray:
+    """Drives by these equations."""
+    coordinates, t, forces = lagrange()
+    values = {}
+    for symbol, x, speed, gain in zip(coordinates, q, v, a, strict=True):
+        values |= {symbol.diff(t, 2): gain, symbol.diff(t): speed, symbol: x}
     result = []
     for force in forces:
         for symbol in sorted(values, key=lambda s: -sympy.count_ops(s) - 10 * len(getattr(s, "variables", ()))):

@@ -56,6 +56,13 @@ def coarse() -> Trajectory:
     return solve(swing(accuracy=None))
 
 
+@pytest.fixture(scope="module")
+def in_one_interval() -> Trajectory:
+    """The crank turned by more than two radians, on one interval."""
+    mesh = Transcription(intervals=1, degree=5)
+    return solve(crank(**rest_to_rest({"A": 0.1}, {"A": 2.5}), transcription=mesh))
+
+
 def test_every_word_of_a_problem_has_its_entry() -> None:
     assert set(OBJECTIVE_TYPES) == set(words.OBJECTIVES)
     assert set(METHODS) == set(words.METHODS)
@@ -307,9 +314,10 @@ def test_boxes_that_an_operator_keeps_are_there_below_one_only() -> None:
 
 
 @pytest.mark.parametrize(("name", "value"), [("FAR", 0.0), ("FAR", np.inf), ("BOXES", 2), ("BOXES", 8), ("WIDER", 2.0)])
-def test_how_pieces_are_cut_changes_no_branch(name: str, value: float, monkeypatch: pytest.MonkeyPatch) -> None:
-    plan = solve(crank(**rest_to_rest({"A": 0.1}, {"A": 2.5}), transcription=Transcription(intervals=1, degree=5)))
-    usual = Branch(plan).followed()
+def test_how_pieces_are_cut_changes_no_branch(
+    name: str, value: float, in_one_interval: Trajectory, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    plan, usual = in_one_interval, in_one_interval.followed
     monkeypatch.setattr(followed_branch, name, value)
     other = Branch(plan).followed()
     assert usual.trouble == other.trouble == ""

@@ -98,7 +98,7 @@ def test_a_changed_number_is_refused(name: str) -> None:
     values = values_of(name)
     places = [path for path in leaves(values) if number(at(values, path)) or isinstance(at(values, path), bool)]
     assert len(places) > 40
-    for path in places[:: 9 if KINDS[name] == "endless" else 1]:  # of an arc of sixteen orders every ninth number
+    for path in places[:: {"endless": 9, "direction": 3}.get(KINDS[name], 1)]:  # of long proofs a part
         other = tampered(values, path)
         if path[0] == "mechanism":
             assert not accepted(other), path
@@ -181,13 +181,16 @@ def test_near_is_not_there() -> None:
 
 
 @pytest.mark.parametrize(
-    "text", ["", "{}", "[1]", '{"format": 3}', '{"format": "symscrew mobility proof 1"}', "null", "[" * 100000]
-)
+    "text",
+    ["", "{}", "[1]", '{"format": 3}', '{"format": "symscrew mobility proof 1"}', "null", "[" * 100000, '{"a": NaN}',
+     '{"format": 1, "format": 2}', '{"mechanism": {"' + "k" * 5000 + '": 1}}'],
+)  # fmt: skip
 def test_what_is_no_proof_file_is_said_so(text: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     path = tmp_path / "file.json"
     path.write_text(text)
     assert proof_checker.main([str(path)]) == 2
-    assert "not a proof file" in capsys.readouterr().err
+    said = capsys.readouterr().err
+    assert "not a proof file" in said and said.count("\n") == 1 and len(said) < len(str(path)) + 300
     assert proof_checker.main([str(tmp_path / "none.json")]) == 2 and proof_checker.main([]) == 2
 
 
@@ -241,8 +244,16 @@ def expected(name: str) -> dict[str, Any]:
     }
 
 
+DEAR = {
+    "stewart_6sps", "delta_4s-parallel_forearms", "3rps-mode_transition", "stewart_6ups-fichter_yaw90",
+    "six legs, no circle", "six legs on a circle", "bricard octahedron 1", "miura flat, four columns",
+    "bricard plane-symmetric", "bricard line-symmetric", "waldron hybrid",
+}  # fmt: skip
+"""The oracles of mobility ask this checker of those of the literature, too; of the others, kinds of them are left."""
+
+
 @pytest.mark.slow
-@pytest.mark.parametrize("name", [n for n in ENTRIES if n not in ("stewart_6sps", "delta_4s-parallel_forearms")])
+@pytest.mark.parametrize("name", [name for name in ENTRIES if name not in DEAR])
 def test_what_is_proved_is_what_the_reference_says(name: str) -> None:
     values = values_of(name)
     assert check_proof(values).holds
@@ -256,7 +267,7 @@ def test_what_is_proved_is_what_the_reference_says(name: str) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", CASES)
+@pytest.mark.parametrize("name", [name for name in CASES if name not in DEAR])
 def test_what_is_proved_is_what_the_literature_says(name: str) -> None:
     values = json.loads(json.dumps(mobility_proof(analyse_mobility(CASES[name].make()))))
     assert check_proof(values).holds
@@ -279,3 +290,60 @@ def test_a_loop_of_joints_without_freedoms_moves_nothing_and_is_no_obstacle() ->
     found = analyse_mobility(builder.build())
     assert (found.dof, found.finite.dof, found.finite.judgement) == (1, 0, "proved")
     assert check_proof(mobility_proof(found)).holds
+
+
+def test_a_rank_of_another_matrix_says_nothing_of_the_drives() -> None:
+    """A five-bar whose one drive does not hold it: the rank of its block, or its closure, is not that with drives."""
+    values = values_of("five_bar")
+    values["mechanism"]["drives"] = values["mechanism"]["drives"][:1]
+    values["digest"] = proof_checker.digest(values["mechanism"])
+    values["claims"] = [{"claim": "freedoms with the drives locked", "value": 0}]
+    for name in ("block 0", "closure"):
+        values["ranks"] = {name: values["blocks"][0]["rank"]}
+        assert not accepted(values)
+
+
+def held_beside_a_hinge() -> dict[str, Any]:
+    """A hinge held by a weld, with a form of no motion for a proof, and a free hinge beside: mobility 1."""
+    joints = [
+        {"name": name, "parent": "g", "child": child, "point": ["0"] * 3, "motions": motions}
+        for name, child, motions in (
+            ("A", "b", []), ("B", "b", [{"kind": "R", "axis": ["0", "0", "1"]}]),
+            ("C", "c", [{"kind": "R", "axis": ["0", "0", "1"]}]),
+        )
+    ]  # fmt: skip
+    mechanism = {
+        "name": "held",
+        "ground": "g",
+        "body": "b",
+        "generators": [],
+        "joints": joints,
+        "limbs": {},
+        "drives": [],
+    }
+    proof = {
+        "kind": "form", "basis": [], "stress": ["0"] * 5 + ["1"],
+        "groups": [[["0", "0", "1", "0", "0", "0"], ["0", "0", "0", "0", "0", "1"]]],
+    }  # fmt: skip
+    rank = {"rank": [1, 1], "minor": {"rows": [2], "columns": [0]}, "null": []}
+    return {
+        "format": proof_checker.FORMAT, "mechanism": mechanism, "digest": proof_checker.digest(mechanism),
+        "blocks": [{"rank": rank, "proof": proof}], "ranks": {}, "not proved": [],
+        "claims": [{"claim": "finite mobility", "value": 0}],
+    }  # fmt: skip
+
+
+def test_a_form_of_no_motion_takes_no_freedom_from_the_rest() -> None:
+    values = held_beside_a_hinge()
+    assert not accepted(values)
+    values["blocks"][0]["proof"] = {"kind": "none"}
+    assert not accepted(values)
+    values["claims"][0]["value"] = 1
+    assert accepted(values)
+
+
+def test_a_name_in_a_file_says_nothing_in_the_checkers_place() -> None:
+    values = values_of("five_bar")
+    values["not proved"] = [{"claim": "x\nproved: finite mobility 7", "value": 1, "why": "\x1b[2J"}]
+    said = str(check_proof(values))
+    assert "\nproved: finite mobility 7" not in said and "\x1b" not in said

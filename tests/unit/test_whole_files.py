@@ -25,7 +25,7 @@ from symscrew.whole_files.turns import LockedError, one_at_a_time
 from symscrew.whole_files.whole_folder import PENDING
 
 MOST = 500  # steps of anything here: it must end
-OLD, NEW = ("numpy",), ("c",)
+OLD, NEW, OTHER = ("numpy",), ("c",), ("javascript",)  # the last is as few files as the first
 WAYS = ("alone", "nothing there", "current folder", "user's files", "cannot exchange")
 
 
@@ -36,8 +36,9 @@ def model() -> Model:
 
 @pytest.fixture(scope="module")
 def rendered() -> dict[tuple[str, ...], dict[str, bytes]]:
-    old, new = (render(model(), targets) for targets in (OLD, NEW))
-    return {OLD: old, NEW: new | {name: data + b"\n" for name, data in new.items() if name in old}}
+    old = render(model(), OLD)
+    made = {targets: render(model(), targets) for targets in (NEW, OTHER)}
+    return {OLD: old} | {t: new | {n: data + b"\n" for n, data in new.items() if n in old} for t, new in made.items()}
 
 
 @pytest.fixture
@@ -68,17 +69,17 @@ def test_generate_is_killed_at_every_step(
     mine = {n: c for n, c in (content(place) if place.exists() else {}).items() if n.endswith(("mine.o", "notes.txt"))}
     moved = seen_old = seen_new = 0
     for step in range(MOST):
-        was_killed = killed_at(partial(generate, model(), place, NEW), step)
+        was_killed = killed_at(partial(generate, model(), place, OTHER), step)
         if place.exists() and (any(place.iterdir())):
             moved += (place / PENDING).exists() or any(is_staging(p.name) for p in tmp_path.iterdir())
             at_once = {n for n in content(place) if not n.startswith(".")}
             if way in ("nothing there", "alone"):  # whoever looks, at any moment
-                assert at_once in (set(rendered[OLD]), set(rendered[NEW]))
+                assert at_once in (set(rendered[OLD]), set(rendered[OTHER]))
             read_manifest(place)  # as every reader does
             found = {n: c for n, c in content(place).items() if not n.startswith(".")}
-            assert found in (rendered[OLD] | mine, rendered[NEW] | mine), f"step {step}"
+            assert found in (rendered[OLD] | mine, rendered[OTHER] | mine), f"step {step}"
             seen_old += found == rendered[OLD] | mine
-            seen_new += found == rendered[NEW] | mine
+            seen_new += found == rendered[OTHER] | mine
         if not was_killed:
             break
         generate(model(), place, OLD)  # the next run works, and cleans up
@@ -88,7 +89,7 @@ def test_generate_is_killed_at_every_step(
             discard(place)
     else:
         pytest.fail("does not end")
-    assert content(place) == rendered[NEW] | mine and step > 10 and seen_new
+    assert content(place) == rendered[OTHER] | mine and step > 10 and seen_new
     assert moved and (seen_old > 5 or way == "nothing there")
     assert [p.name for p in tmp_path.iterdir()] == ["out"]
 

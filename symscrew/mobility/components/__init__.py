@@ -9,7 +9,13 @@ Network   --mode_connections--> assembly modes of the reference, paths between t
 
 from symscrew.mobility.components.algebraic_closure import ClosureEquations, NotAlgebraicError, closure_equations
 from symscrew.mobility.components.all_components import ConfigurationSpace, configuration_space
-from symscrew.mobility.components.component_texts import mode_lines, mode_values, space_lines, space_values
+from symscrew.mobility.components.component_texts import (
+    UNCHECKED,
+    mode_lines,
+    mode_values,
+    space_lines,
+    space_values,
+)
 from symscrew.mobility.components.exact_parts import Part
 from symscrew.mobility.components.mode_connections import (
     Mode,
@@ -22,6 +28,7 @@ from symscrew.mobility.components.mode_connections import (
 from symscrew.mobility.components.mode_sampling import SampledMode, SampledModes, sampled_modes
 
 __all__ = [
+    "UNCHECKED",
     "ClosureEquations",
     "ConfigurationSpace",
     "Mode",

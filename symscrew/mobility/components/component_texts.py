@@ -12,6 +12,8 @@ MOST_SHOWN = 6
 """Equations of a component in words; all are in the JSON."""
 LONGEST_SHOWN = 60
 """Letters of an equation that is shown; a longer one says nothing to a reader."""
+UNCHECKED = "which no proof file rechecks"
+"""Of exact algebra, Singular's or factors of one equation: the checker of proof files knows of no Groebner bases."""
 UNSETTLED = (
     "Not all joints are among the variables: components are of the body's poses, those that differ only in the limbs "
     "are one, motions of limbs with the body at rest are not listed, and what is listed may be beyond a limb's reach"
@@ -22,11 +24,11 @@ UNSETTLED = (
 def space_lines(found: ConfigurationSpace) -> list[str]:
     """A line for each component, and what is proved."""
     count = len(found.parts)
-    judged = "proved: minimal primes" if found.proved else f"a union of these, proved; {found.reason}"
+    judged = "proved: minimal primes" if found.proved else f"a union of these, proved; {found.reason};"
     kinds = f"{count} component{'s' * (count != 1)}"
     lines = [
-        f"{kinds} of the {found.subject}, {_extent(found)} ({judged} over {found.field}); "
-        f"degrees in {_variables(found.variables)}; over the complex numbers"
+        f"{kinds} of the {found.subject}, {_extent(found)} ({judged} over {found.field} by exact algebra, "
+        f"{UNCHECKED}); degrees in {_variables(found.variables)}; over the complex numbers"
     ]
     lines += [_line(part, f"{on} of {found.found}") for part, on in zip(found.parts, found.on, strict=True)]
     if not found.settles:
@@ -77,7 +79,7 @@ def space_values(found: ConfigurationSpace) -> dict[str, Any]:
     ]  # fmt: skip
     return {
         "decided": True, "subject": found.subject, "variables": list(found.variables), "field": found.field,
-        "proved": found.proved, "not_done": found.reason,
+        "proved": found.proved, "proved_by": f"exact algebra, {UNCHECKED}", "not_done": found.reason,
         "all_but_with_a_joint_held_at": [{"joint": j, "angle": a} for j, a in found.resting],
         "all_joints_settled": found.settles, "not_settled": "" if found.settles else UNSETTLED,
         "real_configurations": found.found, "components": parts,

@@ -14,7 +14,7 @@ import sympy
 from symscrew.mobility.field_counts import as_lines as counts_in_words
 from symscrew.mobility.findings.places import place_lines
 from symscrew.mobility.findings.typeset import inline, presentable
-from symscrew.mobility.finite import named_spins
+from symscrew.mobility.finite import lone_pairs, named_spins
 from symscrew.mobility.motions import branch_lines
 from symscrew.mobility.screw_text import describe_twist, describe_wrench
 from symscrew.mobility.singularities import as_lines
@@ -111,6 +111,8 @@ def _summary(found: Mobility) -> list[str]:
         lines.append(f"{_count(found.internal_freedoms, 'freedom')} with {found.platform.body} at rest (internal)")
     if spins := named_spins(found.network):
         lines.append("Passive spins about the lines between " + ", ".join(f"{a} and {b}" for a, b in spins))
+    if alone := [pair for pair in lone_pairs(found.network) if pair not in spins]:
+        lines.append("Links that move alone between their joints: " + ", ".join(f"{a} and {b}" for a, b in alone))
     if found.dof and not found.platform.dof and finite.dof:
         lines.append(
             f"{found.platform.body} is at rest for an instant while the mechanism moves (a dead point for it), "

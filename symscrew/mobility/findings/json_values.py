@@ -6,7 +6,7 @@ from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
 from symscrew.mobility.findings.places import place_values
-from symscrew.mobility.finite import named_spins
+from symscrew.mobility.finite import lone_pairs, named_spins
 from symscrew.mobility.motions import branch_values
 from symscrew.mobility.singularities import as_values
 from symscrew.mobility.symbols import conditions
@@ -35,6 +35,7 @@ def mobility_values(found: Mobility) -> dict[str, Any]:
         "overconstraints": found.overconstraints,
         "internal_freedoms": found.internal_freedoms,
         "passive_spins": [list(pair) for pair in named_spins(found.network)],
+        "passive_freedoms": [list(pair) for pair in lone_pairs(found.network)],
         "platform": {
             "body": platform.body,
             "dof": platform.dof,

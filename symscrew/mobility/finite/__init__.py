@@ -31,7 +31,14 @@ from symscrew.mobility.finite.local_solutions import (
     solve_dependent,
 )
 from symscrew.mobility.finite.near_geometry import NearGeometry, left_open, search_special
-from symscrew.mobility.finite.passive_spins import named_spins, passive_freedoms, rotation_vector, without_spins
+from symscrew.mobility.finite.passive_spins import (
+    lone_pairs,
+    named_spins,
+    passive_freedoms,
+    rotation_vector,
+    undriven_freedoms,
+    without_spins,
+)
 from symscrew.mobility.finite.quadric_cone import cone_directions
 from symscrew.mobility.finite.reduced_closure import ReducedClosure, is_zero
 from symscrew.mobility.finite.variety import DIGITS_60, DOUBLE, Arithmetic, Array, ClosureVariety, moved
@@ -57,6 +64,7 @@ __all__ = [
     "kind_of",
     "left_open",
     "local_at",
+    "lone_pairs",
     "moved",
     "named_spins",
     "passive_freedoms",
@@ -68,5 +76,6 @@ __all__ = [
     "search_special",
     "smooth_mobility",
     "solve_dependent",
+    "undriven_freedoms",
     "without_spins",
 ]

@@ -9,8 +9,8 @@ there are fewer unknowns. The spherical joint at one end keeps the two rotations
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import replace
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -47,15 +47,40 @@ def named_spins(network: Network) -> tuple[tuple[str, str], ...]:
     return tuple((name, end) for name, (_, end) in _spins(network).items())
 
 
+@dataclass(frozen=True)
+class LoneMotion:
+    """Links that move alone between two joints while all others rest: the joints, and rates of all columns."""
+
+    joints: tuple[str, str]
+    rates: tuple[Real, ...]
+
+
 def passive_freedoms(network: Network) -> int:
-    """In how many ways links move alone, each between its two joints, while all others rest (zeta).
+    """In how many ways links move alone, each between its two joints, while all others rest (zeta)."""
+    return _rank([motion.rates for motion in lone_motions(network)], network.freedoms)
+
+
+def undriven_freedoms(network: Network) -> int:
+    """In how many ways links move alone with all drives locked."""
+    rates = [motion.rates for motion in lone_motions(network)]
+    driven = [[rate[column] for column in network.driven] for rate in rates]
+    return _rank(rates, network.freedoms) - _rank(driven, len(network.driven))
+
+
+def lone_pairs(network: Network) -> tuple[tuple[str, str], ...]:
+    """The joints between which links move alone, balls at the ends of a chain of links among them; each pair once."""
+    pairs = {frozenset(motion.joints): motion.joints for motion in reversed(lone_motions(network))}
+    return tuple(reversed(pairs.values()))
+
+
+def lone_motions(network: Network) -> tuple[LoneMotion, ...]:
+    """Of every link, or chain of links between two balls, that moves alone; such of one chain may depend on others.
 
     Both joints of a link have a motion in common, as seen from the link: two hinges about one line, a hinge whose axis
     goes through a ball, two slides along one direction, two balls. What they have in common now they have for good,
     for joints move in groups of displacements; of universal joints only the axis that the link carries does.
     """
-    at = _joints_of(network)
-    columns, vectors = network.freedoms, list[list[Real]]()
+    at, found = _joints_of(network), list[LoneMotion]()
     for body, edges in at.items():
         if body != network.ground and len(edges) == 2:
             one, other = (_carried(edge, body) for edge in edges)
@@ -64,18 +89,24 @@ def passive_freedoms(network: Network) -> int:
             sides = [*one, *((k, [-c if same else c for c in screw]) for k, screw in other)]
             rows = [[screw[i] for _, screw in sides] for i in range(6)]
             for motion in null_space(rows, len(sides)).basis:
-                rates = [CONTEXT.zero] * columns
-                for (k, _), rate in zip(sides, motion, strict=True):
-                    rates[k] = rate
-                vectors.append(rates)
+                rates = dict(zip((k for k, _ in sides), motion, strict=True))
+                found.append(_lone(network, (edges[0].name, edges[1].name), rates))
     for name, (line, end) in _spins(network).items():
         links = _links_between(network, at, network.edges[name], end)
-        rates = [CONTEXT.zero] * columns
+        rates = {}
         for edge in (network.edges[name], network.edges[end]):
-            for k, c in zip(edge.columns, line, strict=True):
-                rates[k] = c if edge.child in links else -c
-        vectors.append(rates)
-    return eliminate(unit_rows(vectors), columns).rank if vectors else 0
+            rates |= {k: c if edge.child in links else -c for k, c in zip(edge.columns, line, strict=True)}
+        found.append(_lone(network, (name, end), rates))
+    return tuple(found)
+
+
+def _lone(network: Network, joints: tuple[str, str], rates: Mapping[int, Real]) -> LoneMotion:
+    return LoneMotion(joints, tuple(rates.get(k, CONTEXT.zero) for k in range(network.freedoms)))
+
+
+def _rank(rows: Sequence[Sequence[Real]], columns: int) -> int:
+    there = unit_rows(rows)
+    return eliminate(there, columns).rank if there else 0
 
 
 def _links_between(network: Network, at: dict[str, list[Edge]], edge: Edge, end: str) -> set[str]:

@@ -43,6 +43,8 @@ BITS = 320
 ONE = 1 << BITS
 LONGEST = 200_000
 """Characters of one number: longer ones are no mechanism's, and would only keep the reader waiting."""
+LARGEST = 256
+"""Exponent of a generator, and degree of its polynomial, for the same reason."""
 FORMAT, COUPLED = "symscrew mobility proof 1", "symscrew mobility proof 2"
 """Of files without couplings, and with them: who knows of none must not judge such a mechanism."""
 UNIT = ONE >> 140
@@ -127,7 +129,7 @@ class Numbers:
             if "polynomial" in entry:
                 given = [self.read(c) for c in entry["polynomial"]]
                 below = all(not any(key[k:]) for c in given for key in c.terms)
-                need(len(given) > 1 and below, f"generator {k}: no polynomial over those before")
+                need(1 < len(given) <= LARGEST and below, f"generator {k}: no polynomial over those before")
                 ends = [self._signs(given, end) for end in (low, high)]
                 opposite = ends[0][1] < 0 < ends[1][0] or ends[1][1] < 0 < ends[0][0]
                 need(opposite, f"generator {k}: no root in its interval")
@@ -145,7 +147,7 @@ class Numbers:
             return self.rational(_rational(value))
         terms: dict[Key, Fraction] = {}
         for coefficient, *exponents in value:
-            sound = len(exponents) == self.count and all(type(e) is int and 0 <= e <= LONGEST for e in exponents)
+            sound = len(exponents) == self.count and all(type(e) is int and 0 <= e <= LARGEST for e in exponents)
             if not sound or tuple(exponents) in terms:
                 raise UnreadableError(f"expected {self.count} exponents of generators, got {exponents}")
             terms[tuple(exponents)] = _rational(coefficient)
@@ -541,6 +543,7 @@ class Block:
         if kind != "form":
             raise UnreadableError(f"expected the kind of a proof, got {kind!r}")
         basis = [[self.numbers.rational(_rational(c)) for c in row] for row in proof["basis"]]
+        need(bool(basis), "a form of no motion")
         form = self.changed(self.form(proof["stress"]), basis)
         signs = {low > 0 for low, _ in _pivots(form, exchange=False)}
         if len(signs) == 1:
@@ -759,7 +762,7 @@ class Verdict:
         words = (("proved", self.proved), ("REFUSED", self.refused), ("not proved", self.not_proved))
         lines = [f"{word}: {text}" for word, texts in words for text in texts]
         end = "every claim of the file is proved" if self.holds else "the file does not prove what it claims"
-        return "\n".join([f"Mobility of {self.mechanism}", *lines, end])
+        return "\n".join(map(printable, [f"Mobility of {self.mechanism}", *lines, end]))
 
 
 def facts_of(mechanism: Mechanism, entry: Any) -> dict[str, Any]:
@@ -779,21 +782,19 @@ def facts_of(mechanism: Mechanism, entry: Any) -> dict[str, Any]:
     if least == most:
         found["instantaneous mobility"], found["redundant constraints"] = freedoms - least, 6 * loops + ties - least
     _add_motion(found, [part.dimensions() for part in parts], freedoms - sum(len(part.columns) for part in parts))
-    known = {}
     for name, given in entry["ranks"].items():
-        bounds = rank(mechanism.numbers, mechanism.matrix(name.split(" ", 1)), given)
-        known.update({name: bounds[0]} if bounds[0] == bounds[1] else {})
-    for name, value in known.items():
-        kind, _, rest = name.partition(" ")
-        if kind == "limb":
-            found[f"constraints of {rest}"] = 6 - value
-        elif least == most:
-            what = {"twist": f"freedoms of {mechanism.platform}", "turning": f"rotations of {mechanism.platform}"}
-            found[what.get(rest, "freedoms with the drives locked")] = (
-                freedoms - value if rest == "drives" else value - least
-            )
-            if rest == "twist":
-                found["internal freedoms"] = freedoms - value
+        value, bound = rank(mechanism.numbers, mechanism.matrix(name.split(" ", 1)), given)
+        if value != bound:
+            continue
+        if name.startswith("limb "):
+            found[f"constraints of {name[5:]}"] = 6 - value
+        elif least == most and name == "closure twist":
+            found[f"freedoms of {mechanism.platform}"] = value - least
+            found["internal freedoms"] = freedoms - value
+        elif least == most and name == "closure turning":
+            found[f"rotations of {mechanism.platform}"] = value - least
+        elif name == "closure drives":
+            found["freedoms with the drives locked"] = freedoms - value
     return found
 
 
@@ -809,6 +810,11 @@ def _add_motion(found: dict[str, Any], parts: Sequence[tuple[int, int, list[int]
     if sums:
         found["smooth"] = all(part[3] for part in parts)
         found["branches"] = None if found["smooth"] else sorted(sums - {0})
+
+
+def printable(text: str) -> str:
+    """One line of text in which nothing moves the cursor: a name in a file must not say what the checker says."""
+    return "".join(c if c.isprintable() else ascii(c)[1:-1] for c in text)
 
 
 def digest(mechanism: Any) -> str:
@@ -860,6 +866,21 @@ def _same(a: Any, b: Any) -> bool:
     return type(a) is type(b) and bool(a == b)
 
 
+def values_of(text: str) -> Any:
+    """What JSON text holds, where every key is there once, as another reader might take the other, and no NaN is."""
+
+    def once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+        made = dict(pairs)
+        if len(made) < len(pairs):
+            raise UnreadableError(f"a key twice in {', '.join(key[:20] for key in made)}")
+        return made
+
+    def refused(name: str) -> Any:
+        raise UnreadableError(f"{name}, which is no number")
+
+    return json.loads(text, object_pairs_hook=once, parse_constant=refused)
+
+
 def main(arguments: Sequence[str]) -> int:
     """Checks a file, says what it proves; 0, 1 or 2 as above."""
     if len(arguments) != 1:
@@ -867,9 +888,9 @@ def main(arguments: Sequence[str]) -> int:
         return 2
     try:
         with open(arguments[0], encoding="utf-8") as file:
-            verdict = check_proof(json.load(file))
-    except (OSError, ValueError, RecursionError, UnreadableError) as error:
-        print(f"{arguments[0]}: not a proof file that can be read: {error}", file=sys.stderr)
+            verdict = check_proof(values_of(file.read()))
+    except (OSError, ValueError, RecursionError, MemoryError, UnreadableError) as error:
+        print(f"{arguments[0]}: not a proof file that can be read: {printable(str(error)[:200])}", file=sys.stderr)
         return 2
     print(verdict)
     return 0 if verdict.holds else 1

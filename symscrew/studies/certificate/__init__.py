@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from symscrew.doors import doors
 
 if TYPE_CHECKING:
-    from symscrew.studies.certificate.certificate_checker import UnreadableError, check_certificate
+    from symscrew.studies.certificate.certificate_checker import UnreadableError, check_certificate, values_of
     from symscrew.studies.certificate.certificate_picture import draw_certificate
     from symscrew.studies.certificate.certificates import Certificate, certificate_text, certify
     from symscrew.studies.certificate.derived_again import MechanismProof, is_certificate, proof_of_mechanism
@@ -25,6 +25,7 @@ __all__ = [
     "draw_certificate",
     "is_certificate",
     "proof_of_mechanism",
+    "values_of",
 ]
 
 __getattr__ = doors(__name__)

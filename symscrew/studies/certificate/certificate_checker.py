@@ -45,7 +45,7 @@ SLACK = 1.0 + 256 * EPS  # what a sum of some dozens of positive numbers that we
 TINY = 1e-290  # more than what a product loses where it underflows
 SINE_ERROR = 2.0**-49  # of sine and cosine below: reduction 3e-16, Horner's scheme 5e-16, the series 2e-22
 MOST_EDGES = 24  # of a box: sums over more would lose more than SLACK
-MOST_INPUTS = 100_000  # of a program: a file that says more would only fill the memory
+MOST_INPUTS = 512  # coordinates, and parameters: a file that says more would only fill the memory
 LARGEST_TURNS = 1000.0  # quarter turns up to which an angle is reduced exactly
 QUARTER = (1.57079632673412561417e00, 6.07710050630396597660e-11, 2.02226624871116645580e-21)  # pi/2 in 33-bit parts
 AT_ONCE = 256  # boxes that are looked at together: all numbers of a mechanism of 30 joints in 0.2 GB
@@ -295,7 +295,7 @@ class Program:
     def read(cls, values: Any) -> Program:
         """Of a file: every operand is computed before it is used."""
         inputs = tuple((str(name), int(count)) for name, count in values["inputs"])
-        need(all(0 <= count <= MOST_INPUTS for _, count in inputs), "inputs of a program")
+        need(all(0 <= count <= MOST_INPUTS for _, count in inputs) and len(dict(inputs)) == len(inputs), "inputs")
         known = set(range(sum(count for _, count in inputs)))
         instructions = []
         for target, op, *args in values["instructions"]:
@@ -373,11 +373,15 @@ class Condition:
         need(len(names) == len(program.results) == (len(names) if limits is None else len(limits)), "names of results")
         return cls(program, names, limits)
 
+    def limits_in_words(self) -> list[str]:
+        """What is within which limits."""
+        return [f"{name} within {list(ends)}" for name, ends in zip(self.names, self.limits or (), strict=False)]
+
 
 def need(holds: bool, what: str) -> None:
     """Raises UnreadableError."""
     if not holds:
-        raise UnreadableError(f"{what}: not as many as expected")
+        raise UnreadableError(f"{what}: not as expected")
 
 
 @dataclass(frozen=True)
@@ -417,8 +421,17 @@ class Equations:
     def read(cls, values: Any) -> Equations:
         """Of a file."""
         made = cls.of(values)
+        there = {"q": made.count, "p": len(made.parameters)}
         need(0 < made.count <= MOST_INPUTS, "coordinates")
         need(1 <= len(made.axes) <= MOST_EDGES and len(set(made.axes)) == len(made.axes), "axes")
+        need(all(kind in there and 0 <= k < there[kind] for kind, k in made.axes), "edges that are no coordinate")
+        given = [program.inputs for program in (made.closure, *(c.program for c in made.conditions))]
+        need(all(n == there.get(name, n) for inputs in given for name, n in inputs), "coordinates of a program")
+        rows, count = len(made.closure.results), made.count
+        places = [(made.rows, rows), (made.quaternions, count - 3), (made.held, count), (made.driven or (), count)]
+        need(all(0 <= k < n for numbers, n in places for k in numbers), "numbers of rows and coordinates")
+        names = [name for condition in made.conditions for name in condition.names]
+        need(len(set(names)) == len(names), "names of conditions")
         need(len(set(made.rows)) + len(set(made.quaternions)) == len(made.dependent), "equations for the coordinates")
         return made
 
@@ -811,14 +824,19 @@ class Verdict:
 
     @property
     def holds(self) -> bool:
-        """Whether every claim of the file is proved."""
-        return not self.refused
+        """Whether every claim of the file is proved, and there is one."""
+        return bool(self.proved) and not self.refused
 
     def __str__(self) -> str:
         words = (("proved", self.proved), ("REFUSED", self.refused), ("assumed", self.assumed))
         lines = [f"{word}: {text}" for word, texts in words for text in texts]
         end = "every claim of the file is proved" if self.holds else "the file does not prove what it claims"
-        return "\n".join([f"Workspace of {self.mechanism}", self.region, *lines, end])
+        return "\n".join(map(printable, [f"Workspace of {self.mechanism}", self.region, *lines, end]))
+
+
+def printable(text: str) -> str:
+    """One line of text in which nothing moves the cursor: a name in a file must not say what the checker says."""
+    return "".join(c if c.isprintable() else ascii(c)[1:-1] for c in text)
 
 
 def facts_of(equations: Equations, cells: Cells, values: Any) -> dict[str, Any]:
@@ -900,6 +918,7 @@ def check_certificate(values: Any) -> Verdict:
             len(cells.low) == len(equations.axes) == len(region["high"]) == len(region["names"]), "edges of the region"
         )
         need(isinstance(claims, dict), "claims")
+        need(all(a <= b for a, b in zip(region["low"], region["high"], strict=True)), "ends of the region")
         words, assumed = region_in_words(values), _assumed(equations, values["equations"]["labels"])
         try:
             facts = facts_of(equations, cells, values)
@@ -912,6 +931,7 @@ def check_certificate(values: Any) -> Verdict:
     for key, value in claims.items():
         text = f"{key} {json.dumps(value)}"
         (proved if _carried(facts.get(key), value) else refused).append(text)
+    proved += [text for condition in equations.conditions for text in condition.limits_in_words()]
     return Verdict(name, tuple(proved), tuple(refused), assumed, facts, words)
 
 
@@ -924,6 +944,20 @@ def region_in_words(values: Any) -> str:
         names = " and ".join(str(region["names"][k]) for k in disk["axes"])
         text += f", of these all directions of {names} up to {float(disk['radius']):.6g}"
     return text
+
+
+def values_of(text: str) -> Any:
+    """What JSON text holds, where every key is there once, as another reader might take the other, and no NaN is."""
+
+    def once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+        made = dict(pairs)
+        need(len(made) == len(pairs), "keys of an object")
+        return made
+
+    def refused(name: str) -> Any:
+        raise UnreadableError(f"{name}, which is no number")
+
+    return json.loads(text, object_pairs_hook=once, parse_constant=refused)
 
 
 def digest(text: str) -> str:
@@ -965,9 +999,9 @@ def main(arguments: Sequence[str]) -> int:
         return 2
     try:
         with open(arguments[0], encoding="utf-8") as file:
-            verdict = check_certificate(json.load(file))
-    except (OSError, ValueError, RecursionError, UnreadableError) as error:
-        print(f"{arguments[0]}: not a certificate that can be read: {error}", file=sys.stderr)
+            verdict = check_certificate(values_of(file.read()))
+    except (OSError, ValueError, RecursionError, MemoryError, UnreadableError) as error:
+        print(f"{arguments[0]}: not a certificate that can be read: {printable(str(error)[:200])}", file=sys.stderr)
         return 2
     print(verdict)
     return 0 if verdict.holds else 1

@@ -31,6 +31,7 @@ from symscrew.studies.certificate.certificate_checker import (
     check_certificate,
     digest,
     holds_start,
+    printable,
     tubes,
 )
 from symscrew.studies.certificate.file_equations import file_equations
@@ -68,9 +69,9 @@ class MechanismProof:
         lines += [f"REFUSED: {text}" for text in (*self.refused, *self.verdict.refused)]
         lines += [f"proved: {text}" for text in self.verdict.proved] if self.ok else []
         lines += [f"assumed: {text}" for text in self.left] if self.ok else []
-        if self.ok:
-            return "\n".join([*lines, "every claim is proved of this mechanism: its equations were derived again"])
-        return "\n".join([*lines, "the file is no proof of this mechanism"])
+        end = "every claim is proved of this mechanism: its equations were derived again"
+        lines.append(end if self.ok else "the file is no proof of this mechanism")
+        return "\n".join(map(printable, lines))
 
 
 def is_certificate(values: Any) -> bool:

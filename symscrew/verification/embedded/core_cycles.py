@@ -60,13 +60,14 @@ def worst_cycles(model: Model, core: str, precision: str, functions: Sequence[st
         listing = emulation.called([LISTING, "-d", "image"], folder)
         addresses = _symbols(emulation.called([emulation.NAMES, "-S", "image"], folder))
         trace = _traced(CORES[core].board, folder, addresses)
+        costs = _costs(listing)
         found = {}
         for name in functions:
             program = model.programs[name]
-            cycles = _calls(trace, _costs(listing), addresses[f"{model.name}_{name}"])
+            cycles = _calls(trace, costs, addresses[f"{model.name}_{name}"])
             found[name] = {"cycles": max(cycles, default=0)}
             if isinstance(program, Iteration) and f"{model.name}_{name}_step" in addresses:
-                step = max(_calls(trace, _costs(listing), addresses[f"{model.name}_{name}_step"]), default=0)
+                step = max(_calls(trace, costs, addresses[f"{model.name}_{name}_step"]), default=0)
                 steps = program.max_steps * (2 * program.max_substeps - 1) + 1
                 found[name] = {"cycles": step * steps, "step": step, "steps": steps}
         return found
