@@ -8,6 +8,7 @@ What an elementary motion does with nodes is in `pairs`, a file each.
 """
 
 from symscrew.kinematics.body_pose import (
+    Doubles,
     PoseRow,
     body_centre,
     half_turn,
@@ -64,6 +65,7 @@ __all__ = [
     "BodyMotion",
     "ClosureJacobian",
     "Cut",
+    "Doubles",
     "Frame",
     "Inertia",
     "Link",

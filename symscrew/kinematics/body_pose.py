@@ -36,6 +36,12 @@ class Arithmetic(Protocol):
         """Angle of (x, y)."""
 
 
+class Doubles:
+    """NumPy under the names that poses use: all poses of an array at once."""
+
+    sqrt, atan2 = staticmethod(np.sqrt), staticmethod(np.arctan2)
+
+
 @dataclass(frozen=True)
 class PoseRow:
     """A number of a pose (R, t) that is to be `goal`; `is_length`: it is in m."""

@@ -17,6 +17,7 @@ from symscrew.errors import DescriptionError
 from symscrew.kinematics import (
     BODY_PARTS,
     SPHERICAL_PARTS,
+    Doubles,
     PoseRow,
     half_turn,
     nearest_names,
@@ -35,6 +36,9 @@ DIFFERENCE = 1e-6
 STRAIGHT = 1e-10
 """Half a rotation vector shorter than this [rad] is its quaternion's vector part, to better than rounding."""
 VECTOR = "xyz"
+Poses = Mapping[str, tuple[Array, Array]]
+Reader = Callable[[Array, Array], Real]
+"""(rotation, displacement) -> a number of them."""
 SPATIAL = 6
 """Freedoms of the joint on which a spatial platform hangs: the only one with a quaternion."""
 
@@ -99,12 +103,18 @@ def targets_of(mechanism: Mechanism, network: Network, given: Mapping[str, sympy
 def _of_pose(network: Network, body: str, parts: Mapping[str, Real]) -> list[Target]:
     """The pose of a body, or some of it."""
 
-    def target(row: PoseRow) -> Target:
-        goal = row.goal / network.length if row.is_length else row.goal
-        return Target(goal, lambda variety, q: _each(
-            row.of(r, t) for r, t in _moved(variety, variety.forward(q)[1], body)))  # fmt: skip
+    exact, doubles = (pose_rows(parts, arithmetic, CONTEXT.tan) for arithmetic in (CONTEXT, Doubles()))
+    last: list[tuple[ClosureVariety, Array, Poses]] = []
 
-    return [target(row) for row in pose_rows(parts, CONTEXT, CONTEXT.tan)]
+    def target(row: PoseRow, fast: PoseRow) -> Target:
+        def read(variety: ClosureVariety, q: Array) -> Array:
+            if not last or last[0][0] is not variety or not np.array_equal(last[0][1], q):  # once for all its numbers
+                last[:] = [(variety, q.copy(), variety.forward(q)[1])]
+            return _read(variety, last[0][2], body, (row.of, fast.of))
+
+        return Target(row.goal / network.length if row.is_length else row.goal, read)
+
+    return [target(*rows) for rows in zip(exact, doubles, strict=True)]
 
 
 def _of_joint(mechanism: Mechanism, network: Network, edge: Edge, asked: tuple[str, str, Real]) -> Target:
@@ -125,10 +135,8 @@ def _of_virtual(mechanism: Mechanism, network: Network, joint: Joint, asked: tup
     edge, body = edge_of(mechanism, joint, network.length, 0), joint.child
     if part in SPHERICAL_PARTS and joint.kind.freedom == SPATIAL:
         axis, read = VECTOR.index(part[1]), half_turn if part[0] == "q" else rotation_vector
-        return Target(
-            goal,
-            lambda variety, q: _each(read(r, CONTEXT)[axis] for r, _ in _moved(variety, variety.forward(q)[1], body)),
-        )
+        of = (lambda r, _: read(r, CONTEXT)[axis], lambda r, _: read(r, Doubles())[axis])
+        return Target(goal, lambda variety, q: _read(variety, variety.forward(q)[1], body, of))
     singles = [(motion, column) for motion, column in edge.motions if motion.single]
     if not part.isdecimal() or int(part) >= len(singles):
         numbers = ", ".join(f".{k}" for k in range(len(singles)))
@@ -140,9 +148,13 @@ def _of_virtual(mechanism: Mechanism, network: Network, joint: Joint, asked: tup
     reference = _reference(mechanism, joint, place)
     goal, length = goal - reference, network.length
 
+    readers = (
+        lambda r, _: _along(screw[:3], rotation_vector(r, CONTEXT)),
+        lambda r, _: _along([float(c) for c in screw[:3]], rotation_vector(r, Doubles())),
+    )
+
     def turned_by(variety: ClosureVariety, q: Array) -> Array:
-        moved = _moved(variety, variety.forward(q)[1], body)
-        return _each(_along(screw[:3], rotation_vector(r, CONTEXT)) for r, _ in moved)
+        return _read(variety, variety.forward(q)[1], body, readers)
 
     def shifted_by(variety: ClosureVariety, q: Array) -> Array:
         return _each(_along(screw[3:], t) for _, t in _moved(variety, variety.forward(q)[1], body, edge.point))
@@ -196,8 +208,16 @@ def _each(values: Iterable[Real]) -> Array:
     return np.array(list(values), dtype=object)
 
 
+def _read(variety: ClosureVariety, poses: Poses, body: str, of: tuple[Reader, Reader]) -> Array:
+    """A number of the pose of a body, at each of some points by the first reader; of doubles by the second, at all."""
+    if variety.arithmetic.dtype is object:
+        return _each(of[0](r, t) for r, t in _moved(variety, poses, body))
+    rotations, places = (np.array(part) for part in zip(*_moved(variety, poses, body), strict=True))
+    return np.asarray(of[1](np.moveaxis(rotations, 0, -1), places.T))
+
+
 def _moved(
-    variety: ClosureVariety, poses: Mapping[str, tuple[Array, Array]], body: str, place: Sequence[Real] | None = None
+    variety: ClosureVariety, poses: Poses, body: str, place: Sequence[Real] | None = None
 ) -> Iterator[tuple[Array, Array]]:
     """(rotation, displacement of a place) of a body from the reference, at every point.
 
@@ -235,9 +255,7 @@ def read_coordinates(mechanism: Mechanism, variety: ClosureVariety, point: Array
     return found
 
 
-def _read_virtual(
-    mechanism: Mechanism, variety: ClosureVariety, joint: Joint, poses: Mapping[str, tuple[Array, Array]]
-) -> dict[str, float]:
+def _read_virtual(mechanism: Mechanism, variety: ClosureVariety, joint: Joint, poses: Poses) -> dict[str, float]:
     """The coordinates of the joint on which the package hangs the platform."""
     found: dict[str, float] = {}
     edge = edge_of(mechanism, joint, variety.network.length, 0)

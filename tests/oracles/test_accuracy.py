@@ -15,6 +15,7 @@ from symscrew.model import Model, derive
 from symscrew.program.numpy_evaluation import evaluate
 from symscrew.reference.newton_euler_method import newton_euler
 from symscrew.simulation.motion import simulate
+from symscrew.studies.accuracy import states as accuracy_states
 from symscrew.studies.accuracy.claims_study import newton_euler_program
 from symscrew.studies.accuracy.load_sharing import evaluated, loaded, redundancy, sharing, without_limbs
 from symscrew.studies.accuracy.measuring import Point, Setup, measured
@@ -242,16 +243,17 @@ def test_mechanism_without_two_limbs_keeps_its_freedoms() -> None:
 @pytest.mark.slow
 def test_additional_limbs_lower_the_peak_drive_and_a_singular_choice_fails() -> None:
     reduced = without_limbs(seed().mechanism, ("limb2", "limb3"))
-    _, rows = redundancy(loaded(seed().mechanism), paper_states(seed(), 3))
+    with pytest.MonkeyPatch.context() as coarse:
+        coarse.setattr(accuracy_states, "MOTION_STEPS", 100)  # of the motion that states are taken from, then closed
+        _, rows = redundancy(loaded(seed().mechanism), paper_states(seed(), 3))
+        found = paper_states(loaded(reduced), 3)
     by_name = {row[0]: row for row in rows}
     whole, fourth = by_name["all limbs"], by_name["only limb4 of the UPS limbs"]
     assert (whole[1], fourth[1]) == ("4", "2")
     assert float(fourth[3]) > float(whole[3])
     assert "singular" in by_name["only limb3 of the UPS limbs"][4]  # in line with limb 1: no drive about x
-    balanced = evaluated(loaded(reduced), "inverse_dynamics", paper_states(loaded(reduced), 3), np.zeros(6))[0]
-    other = derive(reduced)
-    found = paper_states(other, 3)
-    assert np.abs(balanced - drives_of(other, found)).max() < 1e-9
+    balanced = evaluated(loaded(reduced), "inverse_dynamics", found, np.zeros(6))[0]
+    assert np.abs(balanced - drives_of(derive(reduced), found)).max() < 1e-9
 
 
 # -- forward, benchmark problems ------------------------------------------------------------------------
@@ -266,11 +268,16 @@ def test_study_of_formulations_on_andrews() -> None:
     path = EXAMPLES / "andrews.toml"
     scene = load_scene(path)
     subject = Subject(derive(scene.mechanism, scene.effects), scene)
-    study = forward_study.study(subject, QUIET, repeats=1, seconds=0.1, path=path)
+    with pytest.MonkeyPatch.context() as few:  # the settings that are looked at below; stiff libraries have their test
+        few.setattr(forward_study, "SUBSTEPS", (32, 64, 128))
+        few.setattr(forward_study, "TOLERANCES", (1e-4, 1e-8, 1e-12))
+        few.setattr(forward_study, "OURS", (1e-4, 1e-8, 1e-12))
+        few.setattr(forward_study, "stiff_setups", lambda *_, **__: ([], []))
+        study = forward_study.study(subject, QUIET, repeats=1, seconds=0.1, path=path)
     for kind in ("projection", "stabilised (Gear-Gupta-Leimkuhler)", "no stabilisation", "minimal coordinates"):
         assert least_error(study, f"DOP853, {kind}") < 1e-8, kind
         steps = [p.error for p in study.curves[f"RK4, {kind}"]]
-        assert steps[-3] / steps[-1] > 40, kind  # order 4 at two halvings: 256; its rounding comes later
+        assert steps[0] / steps[2] > 40, kind  # order 4 at two halvings: 256
     assert least_error(study, "DOP853, penalty") < 1e-3
     assert least_error(study, "symscrew simulate: DOP853, projection") < 1e-9
     header, rows = next(table for table in study.tables.values() if "ours [ms]" in table[0])
@@ -279,7 +286,11 @@ def test_study_of_formulations_on_andrews() -> None:
     assert any(p.facts.get("peer") for p in study.points)
 
 
+LONG = {"stewart": 5}
+"""Benchmark -> into how many parts it is cut, of which the first is simulated."""
 BENCHMARKS = sorted(path.name.removesuffix(".reference.json") for path in EXAMPLES.glob("*.reference.json"))
+CLOSER = {"bricard", "delta", "flyball_governor", "heavy_top", "spatial_slider_crank"}
+"""Those that `test_simulation.test_reference_histories` holds to the same histories, nearer than they state."""
 
 
 def test_reference_histories_state_their_errors() -> None:
@@ -295,7 +306,7 @@ def test_reference_histories_state_their_errors() -> None:
 
 @pytest.mark.slow
 @needs_compiler
-@pytest.mark.parametrize("name", BENCHMARKS)
+@pytest.mark.parametrize("name", [name for name in BENCHMARKS if name not in CLOSER])
 def test_benchmarks_are_solved_to_their_stated_accuracy(name: str) -> None:
     from symscrew.scene.scene_file import load_scene
 
@@ -303,6 +314,8 @@ def test_benchmarks_are_solved_to_their_stated_accuracy(name: str) -> None:
     scene, reference = load_scene(path), read_reference(path)
     assert reference is not None and reference.stated is not None
     assert reference.times[-1] >= scene.duration * (1 - 1e-12)
+    count = 1 + (len(reference.times) - 1) // LONG.get(name, 1)
+    reference = replace(reference, times=reference.times[:count], values=reference.values[:count])
     tight = replace(scene.integrator, method="dop853", step=None, tolerance=1e-11)
     run = simulate(replace(scene, rate=1 / reference.times[1], duration=reference.times[-1], integrator=tight))
     assert run.ok

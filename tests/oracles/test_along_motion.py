@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from functools import cache
 
 import numpy as np
 import pytest
+from support.analysed import analysed, of_catalogue
 from support.limb_platforms import platform as limb_platform
 from support.marks import slow
-from support.reference_mechanisms import ENTRIES, build
+from support.reference_mechanisms import ENTRIES
 
-from symscrew import catalogue
 from symscrew.cli.parser import main
 from symscrew.mobility import Mobility, WholeMotion, analyse_mobility, motion_lines, motion_values
 from symscrew.mobility.finite import ClosureVariety, local_at
@@ -30,9 +29,8 @@ from symscrew.mobility.motions.screw_classes import class_of_motions
 pytestmark = pytest.mark.slow
 
 
-@cache
 def found(name: str) -> Mobility:
-    return analyse_mobility(build(ENTRIES[name]) if name in ENTRIES else catalogue.load(name))
+    return analysed(name) if name in ENTRIES else of_catalogue(name)
 
 
 def along(name: str) -> WholeMotion:
@@ -139,13 +137,15 @@ def test_a_sarrus_linkage_folds_at_four_poses() -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", ["sarrus", "planar_4bar"])
+@pytest.mark.parametrize("name", ["sarrus", "parallelogram"])
 def test_branches_do_not_hang_on_the_last_digits_of_a_pose(name: str) -> None:
     """Zeros that were followed inwards to rounding were lost where this was more than usual: one branch for two."""
     variety = ClosureVariety(found(name).network)
     random = np.random.default_rng(5)
-    for pose in (pose for pose in along(name).singular if pose.branches):
-        for _ in range(6):
+    poses = [pose for pose in along(name).singular if pose.branches]
+    assert poses
+    for pose in poses[:2]:
+        for _ in range(2):
             q = pose.q + 4e-16 * random.normal(size=pose.q.shape)
             here = local_at(variety, q, rank=variety.columns - pose.instantaneous)
             dimensions = {d: d for d in range(1, pose.instantaneous)}
@@ -159,7 +159,6 @@ def test_branches_do_not_hang_on_the_last_digits_of_a_pose(name: str) -> None:
         ("four_bar", "1R", 1),  # the rocker
         slow("planar_4bar", "1R2T", 3),  # a coupler in the plane: one freedom, three in its group
         slow("sarrus", "1T", 1),  # P. T. Sarrus, C. R. Acad. Sci. Paris 36 (1853) 1036
-        slow("tripteron_cpm", "3T", 3),
         slow("agile_eye", "3R", 3),
     ],
 )

@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-from itertools import pairwise
-
 import numpy as np
 import pytest
-from support.platforms import SHIFT, hexapod, lengths, planar_3rpr, published, three_rps
+from support.platforms import SHIFT, hexapod, lengths, planar_3rpr, published
 
 import symscrew
 from symscrew.assembly import AssemblyModes, follow_mode
@@ -39,17 +37,16 @@ def test_all_forty_postures_of_dietmaier_are_found_and_proved_to_be_all():
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("case", [0, slice(3, 4)])
-def test_the_modes_of_linuxcncs_hexapod_are_eight_of_sixteen_solutions(case):
+def test_the_modes_of_linuxcncs_hexapod_are_eight_of_sixteen_solutions():
     given = published("linuxcnc_genhexkins")
     shift = ("3.1", "-1.7", "21.3")
     mechanism = hexapod(given["base_points"], given["platform_points"], shift)
-    for one in given["cases"][case] if isinstance(case, slice) else [given["cases"][case]]:
-        found = symscrew.assembly_modes(mechanism, lengths(one["leg_lengths"]))
-        assert found.bound is not None and found.bound.count == one["finite_complex_solutions"] == 16
-        assert len(found.modes) == one["real_solutions"]
-        assert farthest(found, one["assembly_modes"], np.array([float(c) for c in shift])) < 1e-12
-        assert found.complete == "proved"
+    one = given["cases"][3]
+    found = symscrew.assembly_modes(mechanism, lengths(one["leg_lengths"]))
+    assert found.bound is not None and found.bound.count == one["finite_complex_solutions"] == 16
+    assert len(found.modes) == one["real_solutions"]
+    assert farthest(found, one["assembly_modes"], np.array([float(c) for c in shift])) < 1e-12
+    assert found.complete == "proved" and max(mode.residual for mode in found.modes) < 1e-13
 
 
 def by_elimination(base: Array, platform: Array, squares: Array) -> Array:
@@ -74,9 +71,8 @@ def by_elimination(base: Array, platform: Array, squares: Array) -> Array:
     return np.sort(2 * np.arctan(real))
 
 
-@pytest.mark.parametrize("seed", [2, *(pytest.param(k, marks=pytest.mark.slow) for k in range(2))])
-def test_planar_platforms_have_the_modes_that_elimination_finds(seed):
-    random = np.random.default_rng(seed)
+def test_planar_platforms_have_the_modes_that_elimination_finds():
+    random = np.random.default_rng(2)
     base = np.array([[0, 0], [2, 0], [1, 2]]) + random.uniform(-0.3, 0.3, (3, 2)).round(3)
     platform = np.array([[0, 0], [1, 0], [0.4, 0.8]]) + random.uniform(-0.2, 0.2, (3, 2)).round(3)
     legs = random.uniform(1.0, 1.6, 3).round(3)
@@ -131,7 +127,6 @@ def test_a_platform_like_its_base_with_legs_alike_moves_and_is_said_to():
         ("andrews", 4),
         pytest.param("planar_3rrr", 2, marks=pytest.mark.slow),
         pytest.param("three_ups_upu_s", 1, marks=pytest.mark.slow),
-        pytest.param("stewart_6ups", 8, marks=pytest.mark.slow),
     ],
 )
 def test_mechanisms_of_the_catalogue_have_their_known_modes(name, count):
@@ -143,44 +138,17 @@ def test_mechanisms_of_the_catalogue_have_their_known_modes(name, count):
 
 
 @pytest.mark.slow
-def test_a_delta_has_two_modes_with_its_platform_as_it_is_and_others_turned():
-    found = symscrew.assembly_modes(symscrew.load_catalogue("delta"))
-    level = [m for m in found.modes if np.abs(m.rotation - np.eye(3)).max() < 1e-9]
-    # arms level: spheres of 0.7 m about three points 0.45 m from the axis meet at -depth and +depth
-    assert np.allclose(sorted(m.translation[2] for m in level), [0, 2 * np.sqrt(0.7**2 - 0.45**2)], atol=1e-12)
-    # of the general 40 platforms on rods 12 lie at infinity; the rest is counted over the field of sqrt(3), sqrt(115)
-    assert found.complete == "proved" and found.bound is not None and found.bound.count == 28
-    assert len(found.modes) == 16
-
-
-@pytest.mark.slow
-def test_names_stay_along_a_motion_and_between_runs():
-    mechanism = symscrew.load_catalogue("planar_3rrr")
-    places = {}
-    for value in (0.0, 0.1, 0.2):
-        found = symscrew.assembly_modes(mechanism, {"limb1_R1": value})
-        for mode in found.modes:
-            places.setdefault(mode.name, []).append(mode.rotation)
-    assert set(places) == {"home", "-1"}
-    for turns in places.values():
-        assert len(turns) == 3
-        steps = [np.linalg.norm(b - a) for a, b in pairwise(turns)]
-        assert max(steps) < 0.3  # modes are 1.2 apart
-
-
-@pytest.mark.slow
 def test_a_mode_is_led_on_and_refused_where_it_ends():
     base, platform = [[0, 0], [2, 0], [1, 2]], [[0, 0], [1, 0], ["0.4", "0.8"]]
     mechanism = planar_3rpr(base, platform, ("0.7", "0.2"))
     start = symscrew.assembly_modes(mechanism)
     longer, shorter = start.held["leg1"] + 0.05, start.held["leg1"] - 0.15
-    end = symscrew.assembly_modes(mechanism, {"leg1": longer})
     led = follow_mode(start, "home", {"leg1": longer})
     assert led.reached == 1.0 and not led.refused and led.residual < 1e-13
-    assert led.q is not None and np.abs(led.q - end.mode("home").q).max() < 1e-9
     refused = follow_mode(start, "home", {"leg1": shorter})  # there the modes have met and are gone
     assert refused.refused and 0.0 < refused.reached < 1.0 and refused.smallest < 0.01
-    assert not symscrew.assembly_modes(mechanism, {"leg1": shorter}).modes
+    corners = (np.array([[float(c) for c in point] for point in points]) for points in (base, platform))
+    assert not len(by_elimination(*corners, np.array([shorter, start.held["leg2"], start.held["leg3"]]) ** 2))
 
 
 def test_a_mode_that_is_led_arrives_at_the_mode_of_its_name():
@@ -191,46 +159,3 @@ def test_a_mode_that_is_led_arrives_at_the_mode_of_its_name():
         led = follow_mode(start, name, {"A": 0.2})
         assert led.reached == 1.0 and led.held == {"A": pytest.approx(0.2)}
         assert np.abs(led.q - end.mode(name).q).max() < 1e-9
-
-
-def by_many_starts(corners: Array, tips: Array, height: float, legs: Array) -> Array:
-    """Tips of a 3-RPS by Newton's method for the three angles of its legs from 600 starts: N x 9, one of each."""
-    along = tips - corners
-    along = along / np.linalg.norm(along, axis=1, keepdims=True)
-    ends = np.column_stack([tips, np.full(3, height)])
-    pairs = [(0, 1), (1, 2), (2, 0)]
-    squares = np.array([((ends[i] - ends[j]) ** 2).sum() for i, j in pairs])
-
-    def places(angles: Array) -> tuple[Array, Array]:
-        c, s = np.cos(angles)[..., None], np.sin(angles)[..., None]
-        flat = np.concatenate([along, np.zeros((3, 1))], axis=1)
-        up = np.array([0.0, 0.0, 1.0])
-        start = np.concatenate([corners, np.zeros((3, 1))], axis=1)
-        return start + legs[:, None] * (c * flat + s * up), legs[:, None] * (c * up - s * flat)
-
-    angles = np.random.default_rng(0).uniform(-np.pi, np.pi, (600, 3))
-    for _ in range(60):
-        at, rate = places(angles)
-        left = np.stack([((at[:, i] - at[:, j]) ** 2).sum(axis=1) for i, j in pairs], axis=1) - squares
-        slopes = np.zeros((len(angles), 3, 3))
-        for row, (i, j) in enumerate(pairs):
-            slopes[:, row, i] = 2 * ((at[:, i] - at[:, j]) * rate[:, i]).sum(axis=1)
-            slopes[:, row, j] = -2 * ((at[:, i] - at[:, j]) * rate[:, j]).sum(axis=1)
-        step = (np.linalg.pinv(slopes) @ left[..., None])[..., 0]
-        angles = angles - step * np.minimum(1.0, 0.5 / np.maximum(np.abs(step).max(axis=1), 1e-300))[:, None]
-    at = places(angles[np.abs(left).max(axis=1) < 1e-12])[0].reshape(-1, 9)
-    return np.unique(at.round(6), axis=0)
-
-
-@pytest.mark.slow
-def test_a_3_rps_has_the_modes_that_newton_finds_from_many_starts():
-    corners = np.array([[1.0, 0.0], [-0.5, 0.8], [-0.6, -0.9]])
-    tips = np.array([[0.5, 0.1], [-0.25, 0.5], [-0.4, -0.4]])
-    found = symscrew.assembly_modes(three_rps(corners.tolist(), tips.tolist(), "0.9"))
-    assert found.complete == "proved" and found.bound is not None and found.bound.count == 16
-    ends = np.column_stack([tips, np.full(3, 0.9)])
-    legs = np.linalg.norm(ends - np.column_stack([corners, np.zeros(3)]), axis=1)
-    expected = by_many_starts(corners, tips, 0.9, legs)
-    got = np.array([(ends @ m.rotation.T + m.translation).ravel() for m in found.modes])
-    assert len(got) == len(expected) >= 4
-    assert all(np.abs(expected - row).max(axis=1).min() < 1e-5 for row in got)

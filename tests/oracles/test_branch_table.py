@@ -2,24 +2,16 @@
 
 from __future__ import annotations
 
-from functools import cache
-
 import numpy as np
 import pytest
-from support.further_mechanisms import CASES, unit
+from support.analysed import analysed as found
+from support.further_mechanisms import unit
 from support.marks import slow
-from support.reference_mechanisms import ENTRIES, build
 
 from symscrew.description import MechanismBuilder
 from symscrew.mobility import BranchTable, ScrewClass, analyse_mobility, mobility_values, screw_class
-from symscrew.mobility.analysis import Mobility
 
 pytestmark = pytest.mark.slow
-
-
-@cache
-def found(name: str) -> Mobility:
-    return analyse_mobility(build(ENTRIES[name]) if name in ENTRIES else CASES[name].make())
 
 
 def table(name: str) -> BranchTable:

@@ -7,12 +7,13 @@ import json
 import numpy as np
 import pytest
 import sympy
+from support.analysed import analysed
 from support.further_mechanisms import CASES
 from support.reference_mechanisms import ENTRIES, build
 
 from symscrew.cli.parser import main
 from symscrew.description.mechanism import Mechanism
-from symscrew.mobility import Components, analyse_mobility, components_of
+from symscrew.mobility import Components, components_of
 from symscrew.mobility.finite import ClosureVariety
 from symscrew.mobility.joint_network import network_of
 from symscrew.mobility.motions.coordinate_lines import Setting, track
@@ -46,7 +47,7 @@ def test_published_components(name: str, degrees: list[tuple[int, int]]) -> None
     found = components(name)
     assert sorted(c.degrees for c in found.curves) == degrees
     assert [sum(c.degrees[k] * c.multiplicity for c in found.curves) for k in (0, 1)] == [2, 2]
-    rows = analyse_mobility(mechanism(name)).branches
+    rows = analysed(name).branches
     assert rows is not None
     through = [c for c in found.curves if c.through]
     assert len(through) == len(rows.rows)  # every branch through the reference is on a component of its own

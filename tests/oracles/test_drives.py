@@ -287,7 +287,6 @@ def test_section_5_of_the_paper() -> None:
 PARTS_OF_POSES = [
     ("planar_3rrr", {"yaw": "0.2*sin(2*t)", "x": "0.01*t^2", "platform.y": "0.01"}),
     ("three_ups_upu_s", {"tilt": "0.2+0.05*t", "azimuth": "2*t"}),
-    ("three_ups_upu_s", {"roll": "0.2*sin(t)", "pitch": "0.1*t"}),
 ]
 
 
@@ -334,15 +333,16 @@ def test_internal_loads_are_of_least_norm_and_hide_nothing(monkeypatch: pytest.M
     assert min(seen.values()) > 1e3 * study.AGREED, seen
 
 
-@pytest.mark.parametrize("ending", [".csv", ".npz"])
-def test_a_run_is_a_motion(ending: str, tmp_path: Path) -> None:
+def test_a_run_is_a_motion(tmp_path: Path) -> None:
     """Files of `simulate` and `drives` are read as they were written: their coordinates are the motion."""
     four_bar = model("four_bar").mechanism
-    first = drives(four_bar, motion_of({"A": "0.3*sin(2*t)"}, four_bar, duration=1, rate=30))
+    first = drives(four_bar, motion_of({"A": "0.3*sin(2*t)"}, four_bar, duration=1, rate=30), backend="casadi")
     written = write_study(first, tmp_path, drawn=False)
-    again = drives(four_bar, load_motion(next(p for p in written if p.suffix == ending), four_bar))
-    assert again.ok and np.abs(again.q - first.q).max() < 1e-9
-    assert np.abs(again.u - first.u).max() < 1e-3 * np.abs(first.u).max()
+    for file in (p for p in written if p.suffix in (".csv", ".npz")):
+        again = drives(four_bar, load_motion(file, four_bar), backend="casadi")
+        assert again.ok and np.abs(again.q - first.q).max() < 1e-9, file
+        assert np.abs(again.u - first.u).max() < 1e-3 * np.abs(first.u).max(), file
+    assert {p.suffix for p in written} >= {".csv", ".npz"}
     text = "\n".join(["t,q.B,speed"] + [f"{k / 10},0,1" for k in range(12)])
     (tmp_path / "own.csv").write_text(text)
     with pytest.raises(DescriptionError, match="speed: expected a coordinate"):

@@ -24,6 +24,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from support.analysed import analysed
 from support.further_mechanisms import CASES, loop
 from support.marks import slow
 from support.parallel_mechanisms import LIMBS, four_ruu, of_limbs
@@ -173,7 +174,7 @@ def mechanism(name: str) -> Mechanism:
 
 @cache
 def found(name: str) -> Mobility:
-    return analyse_mobility(mechanism(name))
+    return analyse_mobility(mechanism(name)) if name in MADE else analysed(name)
 
 
 def counts_of(name: str) -> FieldCounts:

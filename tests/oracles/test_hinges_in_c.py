@@ -87,3 +87,10 @@ def test_all_modes_and_steps_along_one_of_loops_that_a_hinge_closes(name: str, t
         assert off.min() < 1e-8
         steps += walked(compiled, mode, known[int(off.argmin())], random)
     assert steps[0] > 3
+    if name == "7R":  # Lee and Liang 1988: a polynomial of degree 16
+        start = compiled.model.start
+        assert start.bound is not None and start.bound.count == 16 == len(start.zeros)
+        # at -0.3 a path takes 430 steps, at -2.135 one comes to a singular place on the straight way
+        for drive, count in ((0.2, 4), (-0.3, 4), (-2.135042323682198, 0), (1.521, 0)):
+            status, modes = compiled.modes([drive])
+            assert (status, len(modes)) == (OK, count) and all(mode.certified for mode in modes)

@@ -84,7 +84,6 @@ def behind(plan: Trajectory, before: np.ndarray, link: Link) -> tuple[np.ndarray
 @pytest.mark.parametrize("link", [
     Link({"elbow_left": 0.0}),
     pytest.param(Link({"tip": 1.0}), marks=pytest.mark.slow),
-    pytest.param(Link({"base_left": 0.3, "elbow_right": 0.5}), marks=pytest.mark.slow),
     # more than there are freedoms: rates have to fit them
     pytest.param(Link({"base_left": 0.0, "base_right": 0.9, "tip": 0.1}), marks=pytest.mark.slow),
     Link({"elbow_left": 0.2}, catches=True),

@@ -6,6 +6,7 @@ import dataclasses
 
 import pytest
 import sympy
+from support.analysed import analysed, of_catalogue
 from support.reference_mechanisms import ENTRIES, build
 from support.seed_limbs import inclined
 
@@ -46,7 +47,7 @@ def test_horizontal_fourth_axis_gives_a_couple_at_every_inclination() -> None:
 
 
 def test_seed_in_its_own_parameters() -> None:
-    found = analyse_mobility(catalogue.load(SEED))
+    found = of_catalogue(SEED)
     r, H = sympy.symbols("r H", real=True)
     assert found.symbolic is not None
     (wrench,) = found.symbolic.limbs[0].constraints
@@ -88,16 +89,16 @@ def test_another_configuration_by_a_joint_coordinate() -> None:
 
 
 def test_folding_a_parallelogram_by_its_coordinate_reaches_the_change_point() -> None:
-    folded = analyse_mobility(build(ENTRIES["parallelogram-change_point"]))
+    folded = analysed("parallelogram-change_point")
     assert folded.finite.branches == (1,)
 
 
 def test_overconstraints_and_their_cure() -> None:
     """A cure for each redundant constraint; freeing the named joints' constraints leaves the mobility."""
-    found = analyse_mobility(catalogue.load("bennett"))
+    found = of_catalogue("bennett")
     assert found.redundant.count == 3 == len(found.redundant.cure)
     assert set(found.redundant.statically_indeterminate) == set(found.mechanism.joints)
-    assert analyse_mobility(catalogue.load(SEED)).redundant.count == 0
+    assert of_catalogue(SEED).redundant.count == 0
 
 
 def test_independent_blocks_multiply() -> None:

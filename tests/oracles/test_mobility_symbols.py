@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 import sympy
+from support.analysed import analysed, of_catalogue
 from support.further_mechanisms import CASES
 from support.seed_limbs import inclined
 
@@ -55,7 +56,7 @@ def test_rates_of_a_four_bar_in_its_parameters() -> None:
 
 def test_andrews_begins_at_a_dead_point() -> None:
     """Crank and rod are aligned (Theta = 0): they turn with rates d : rr - d while all other bodies rest."""
-    found = analyse_mobility(catalogue.load("andrews"))
+    found = of_catalogue("andrews")
     loops = found.loops
     assert isinstance(loops, SymbolicLoops) and (found.dof, found.platform.dof) == (1, 0)
     d, rr = sympy.symbols("d rr", real=True)
@@ -93,7 +94,7 @@ def test_horizontal_axis_at_any_angle() -> None:
 
 @pytest.mark.parametrize("name", ["three_ups_upu_s", "planar_3rrr", "sarrus", "five_bar", "slider_crank", "four_bar"])
 def test_symbols_are_checked(name: str) -> None:
-    found = analyse_mobility(catalogue.load(name))
+    found = of_catalogue(name)
     checks = verify(found)
     assert all(check.holds for check in checks)
     assert any("displacements" in check.claim or "symbols" in check.claim for check in checks)
@@ -113,7 +114,7 @@ def test_seed_limb_in_its_own_parameters() -> None:
 
 
 def test_constant_angles_have_symbols() -> None:
-    found = analyse_mobility(catalogue.load("stewart_6ups"))
+    found = of_catalogue("stewart_6ups")
     assert found.symbolic is not None and not found.symbolic.constraints and len(found.symbolic.freedoms) == 6
 
 
@@ -136,7 +137,7 @@ def test_planar_joints_have_symbols() -> None:
 
 
 def test_what_is_not_of_reasonable_size_is_said_so() -> None:
-    found = analyse_mobility(catalogue.load("delta"))
+    found = of_catalogue("delta")
     assert isinstance(found.loops, str) and "not of reasonable size" in found.loops
 
 
@@ -144,13 +145,13 @@ def test_what_is_not_of_reasonable_size_is_said_so() -> None:
 def test_rates_of_loops_are_exact(name: str) -> None:
     """Without parameters the rates are exact numbers, and close the loops to the last of 60 digits."""
     mechanism = CASES[name].make()
-    loops = symbolic_loops(mechanism, analyse_mobility(mechanism).platform.body)
+    loops = symbolic_loops(mechanism, analysed(name).platform.body)
     assert isinstance(loops, SymbolicLoops) and len(loops.rates) == 1
-    assert all(check.holds for check in verify(analyse_mobility(mechanism)))
+    assert all(check.holds for check in verify(analysed(name)))
 
 
 def test_report_begins_with_its_figures() -> None:
-    found = analyse_mobility(catalogue.load("three_ups_upu_s"))
+    found = of_catalogue("three_ups_upu_s")
     assert dict(findings.key_figures(found))["freedoms of platform"] == "2 (2R)"
     assert "## Limbs limb2, limb3, limb4" in findings.mobility_markdown(found)
     plain = findings.mobility_text(found)

@@ -57,9 +57,8 @@ def test_a_mode_that_is_not_there_is_refused_by_name(tmp_path):
         scene(tmp_path, "+7")
 
 
-@pytest.mark.parametrize("name", ["five_bar", pytest.param("planar_3rrr", marks=pytest.mark.slow)])
-def test_configurations_in_modes_close_the_loops_of_the_model(name):
-    model = symscrew.derive(symscrew.load_catalogue(name)).only(["closure"])
+def test_configurations_in_modes_close_the_loops_of_the_model():
+    model = symscrew.derive(symscrew.load_catalogue("five_bar")).only(["closure"])
     system = System(model.mechanism)
     found = symscrew.assembly_modes(model)
     assert np.array_equal(configuration_in_mode(system, "home", {}, "here"), system.reference)
@@ -90,7 +89,8 @@ def test_a_plan_starts_in_the_mode_that_it_names(tmp_path, four_bar):
     path = tmp_path / "swing.toml"
     path.write_text(
         '[problem]\nmechanism = "four_bar"\nduration = 1\n[start]\nmode = "-1"\ncoordinates = { A = 0 }\n'
-        'at_rest = true\n[end]\nmode = "-1"\ncoordinates = { A = 0.3 }\nat_rest = true\n[[effects]]\ntype = "gravity"\n'
+        'at_rest = true\n[end]\nmode = "-1"\ncoordinates = { A = 0.3 }\nat_rest = true\n'
+        '[transcription]\nintervals = 4\n[[effects]]\ntype = "gravity"\n'
     )
     assert main(["optimise", str(path), "--out", str(tmp_path / "swing.npz")]) == 0
     with np.load(tmp_path / "swing.npz") as plan:

@@ -150,10 +150,10 @@ def test_random_general_platforms_close_and_come_in_pairs(tmp_path):
     """A general platform on six legs: every mode closes by its points alone, and their number is even."""
     random = np.random.default_rng(11)
     base, platform = random.normal(size=(6, 3)).round(3), 0.6 * random.normal(size=(6, 3)).round(3)
-    compiled = written(hexapod(base.tolist(), platform.tolist(), ("0.1", "0.2", "1.3")), tmp_path, "-O1")
+    compiled = written(hexapod(base.tolist(), platform.tolist(), ("0.1", "0.2", "1.3")), tmp_path)
     shift, counts = np.array([0.1, 0.2, 1.3]), set()
     start = np.array([reference for _, reference, _, _ in compiled.model.drives])
-    for k in range(20):
+    for k in range(8):
         legs = start + (0.2 * random.normal(size=6) if k else 0.0)
         status, modes = compiled.modes(legs)
         for mode in modes:
@@ -179,7 +179,8 @@ def test_check_compares_the_c_with_python(name, tmp_path, model_of):
 def test_level_modes_of_a_delta_are_those_of_three_spheres(tmp_path):
     compiled = written(symscrew.load_catalogue("delta"), tmp_path)
     for angles in ([0.0, 0.0, 0.0], [0.1, -0.2, 0.3]):
-        _, modes = compiled.modes(angles)
+        status, modes = compiled.modes(angles)
+        assert any(angles) or (status, len(modes)) == (OK, 16)  # others hold a turned platform
         level = [m for m in modes if abs(m.pose[0] + m.pose[4] + m.pose[8] - 3) < 1e-9]
         found = sorted((list(m.pose[9:]) for m in level), key=lambda t: t[2])
         assert np.allclose(found, spheres(angles), atol=1e-12)

@@ -11,10 +11,9 @@ from support.platforms import exact
 
 import symscrew
 from symscrew import MechanismBuilder
-from symscrew.assembly import AssemblyModes, modes_model
+from symscrew.assembly import AssemblyModes
 from symscrew.assembly.certified_roots import certified
 from symscrew.assembly.equal_axes import axis_of, straight_in_spinors
-from symscrew.assembly.modes_library import own_compiled_modes
 from symscrew.assembly.rectangles import read
 
 pytestmark = pytest.mark.slow
@@ -31,19 +30,6 @@ SEVEN = [[1, 0, 0], ["0.6", "0.8", "0.1"], ["-0.2", 1, "0.3"], [-1, "0.3", 0], [
          ["0.1", -1, "-0.3"], ["0.7", "-0.7", "0.1"]]  # fmt: skip
 TURNS = [[[0, 0, 1]], [[0, "3/5", "4/5"]], [["2/3", "-1/3", "2/3"]], [["6/7", "2/7", "-3/7"]], [["-4/5", 0, "3/5"]],
          [["1/3", "2/3", "2/3"]], [["2/7", "3/7", "6/7"]]]  # fmt: skip
-
-
-@pytest.mark.slow
-def test_a_loop_of_seven_hinges_has_sixteen_solutions():
-    # Lee and Liang 1988: the displacement analysis of the general 7R is a polynomial of degree 16
-    found = symscrew.assembly_modes(single_loop("RRRRRRR", SEVEN, TURNS), {"j0": "0.2"})
-    assert found.bound is not None and found.bound.count == 16
-    held_to(found, 200)
-    # the C too: at -0.3 a path takes 430 steps, at -2.135 one comes to a singular place on the straight way
-    compiled = own_compiled_modes(modes_model(found.mechanism))
-    for drive, count in ((0.2, 4), (-0.3, 4), (-2.135042323682198, 0), (1.521, 0)):
-        status, modes = compiled.modes([drive])
-        assert (status, len(modes)) == (0, count) and all(mode.certified for mode in modes)
 
 
 def test_a_loop_of_a_hinge_and_three_cylinders_has_two_modes_each_time_it_is_asked_for():
@@ -70,13 +56,7 @@ SIX_BAR = [
 ]  # fmt: skip
 
 
-@pytest.mark.parametrize(
-    ("slides", "drives"),
-    [
-        ({2, 3, 5}, {"j0": "-0.1"}),
-        *(pytest.param(*more, marks=pytest.mark.slow) for more in (({5}, {}), ({3}, {"j0": "0.1"}), ({3, 5}, {}))),
-    ],
-)
+@pytest.mark.parametrize(("slides", "drives"), [({2, 3, 5}, {"j0": "-0.1"}), ({5}, {})])
 def test_linkages_with_slides_have_all_their_modes(slides, drives):
     directions = {2: ["3/5", "4/5", 0], 3: [1, 0, 0], 5: [0, 1, 0]}
     edges = [("P" if k in slides else "R", *edge[1:4], directions.get(k) if k in slides else None)

@@ -21,9 +21,8 @@ REFUSED = 101
 
 
 def rods_of(name: str) -> tuple[symscrew.Mechanism, rods_followed.Rods]:
-    if name != "planar_3rpr":
-        makers = {"stewart_6ups": "stewart"}
-        return symscrew.load_catalogue(name), getattr(rods_followed, makers.get(name, name))()
+    if name == "delta":
+        return symscrew.load_catalogue(name), rods_followed.delta()
     base, tips = (np.c_[np.array(p, dtype=float), np.zeros(3)] for p in (BASE, PLATFORM))
     rods = rods_followed.Rods(lambda d: (base, d), tips + np.array([*SHIFT, 0]), planar=True)
     return planar_3rpr(BASE, PLATFORM, tuple(map(str, SHIFT))), rods
@@ -64,16 +63,12 @@ def walked(compiled: CompiledModes, rods: rods_followed.Rods, seed: int) -> tupl
     return accepted, refused
 
 
-@pytest.mark.parametrize(
-    "name",
-    ["planar_3rpr", *(pytest.param(n, marks=pytest.mark.slow) for n in ("planar_3rrr", "stewart_6ups", "delta"))],
-)
+@pytest.mark.parametrize("name", ["planar_3rpr", "delta"])
 def test_accepted_steps_are_on_the_branch_that_small_steps_follow(name, tmp_path):
     mechanism, rods = rods_of(name)
     model = modes_model(mechanism)
     for file, text in print_modes(model).items():
         (tmp_path / file).write_text(text)
     compiled = compiled_modes(model, tmp_path, ["-O0"])
-    walks = {"planar_3rpr": 2, "planar_3rrr": 1}.get(name, 3)
-    totals = np.sum([walked(compiled, rods, seed) for seed in range(walks)], axis=0)
+    totals = np.sum([walked(compiled, rods, seed) for seed in range(2)], axis=0)
     assert totals.min() > 1  # of both kinds

@@ -17,7 +17,7 @@ from symscrew.model import Model, derive
 from symscrew.program import Iteration, evaluate, jacobian
 
 Array = np.ndarray
-FEW = ["four_bar", slow("five_bar"), slow("three_ups_upu_s_physical")]
+FEW = ["four_bar", slow("five_bar")]
 
 STEP = 2e-2  # [rad, m, ...]; four halvings extrapolated to order 8, so the rounding of 1e-16 / STEP^2 is the limit
 
@@ -125,17 +125,18 @@ def checked(found: Model, name: str) -> None:
     assert sum(blocks) <= sum(sizes) * (sum(sizes) + 1) // 2
 
 
-@pytest.mark.parametrize("name", FEW)
+@pytest.mark.parametrize("name", [*FEW, slow("three_ups_upu_s_physical")])
 def test_second_derivatives_are_second_differences(name: str) -> None:
+    """Of turns of spherical joints, too: by the closure and the inverse dynamics of the seed."""
     found = model(name)
     names = [n for n in found.programs if f"{n}{PRODUCT}" in found.programs]
     assert {"inverse_dynamics_independent", "forward_dynamics_independent"} <= set(names)
     assert ("closure" in names) == bool(found.system.cuts)
-    for function in names:
+    for function in names if name in ("four_bar", "five_bar") else ("closure", "inverse_dynamics_independent"):
         checked(found, function)
 
 
-@pytest.mark.parametrize("name", [n for n in FEW if "ur5" not in str(n)])
+@pytest.mark.parametrize("name", FEW)
 def test_a_product_costs_at_most_four_times_the_first_derivatives(name: str) -> None:
     found = model(name)
     counts = {n: p.operations["total"] for n, p in found.programs.items()}

@@ -67,15 +67,6 @@ class Rods:
         return np.asarray(rates / np.linalg.norm(rates))
 
 
-def stewart() -> Rods:
-    """`stewart_6ups` of the catalogue."""
-    return Rods(
-        lambda d: (ring(1.0, [-10, 10, 110, 130, 230, 250], 0.0), d),
-        ring(0.6, [-50, 50, 70, 170, 190, 290], 1.0),
-        False,
-    )
-
-
 def delta() -> Rods:
     """`delta` of the catalogue."""
     turns = 2 * np.pi * np.repeat(np.arange(3), 2) / 3
@@ -88,21 +79,3 @@ def delta() -> Rods:
         return (0.2 + 0.3 * np.cos(a)) * out + across - 0.3 * np.sin(a) * down, np.full(6, 0.7)
 
     return Rods(ends, 0.05 * out + across - np.sqrt(0.7**2 - 0.45**2) * down, False)
-
-
-def planar_3rrr() -> Rods:
-    """`planar_3rrr` of the catalogue."""
-    third = [np.array([[np.cos(a), -np.sin(a)], [np.sin(a), np.cos(a)]]) for a in 2 * np.pi * np.arange(3) / 3]
-    hinges, elbows, tips = (np.array([t @ p for t in third]) for p in ([0, 0.45], [-0.2, 0.3], [0, 0.15]))
-
-    def ends(d: Array) -> tuple[Array, Array]:
-        c, s, way = np.cos(d), np.sin(d), elbows - hinges
-        at = hinges + np.stack([c * way[:, 0] - s * way[:, 1], s * way[:, 0] + c * way[:, 1]], axis=1)
-        return np.c_[at, 0 * d], np.full(3, 0.25)
-
-    return Rods(ends, np.c_[tips, np.zeros(3)], True)
-
-
-def ring(radius: float, degrees: list[float], height: float) -> Array:
-    angles = np.radians(degrees)
-    return np.stack([radius * np.cos(angles), radius * np.sin(angles), height + 0 * angles], axis=1)

@@ -16,7 +16,7 @@ import numpy as np
 
 from symscrew.errors import DescriptionError
 from symscrew.functions import moving_bodies
-from symscrew.kinematics import BODY_PARTS, PoseRow, body_centre, pose_rows
+from symscrew.kinematics import BODY_PARTS, Doubles, PoseRow, body_centre, pose_rows
 from symscrew.model import Model
 from symscrew.studies.workspace.configurations import Call
 
@@ -26,12 +26,6 @@ MOST_STEPS = 25  # of Newton's method at each step of the walk: regular ones tak
 REACHED = 1e-11  # without units: loops and goals open by less, rounding of differences and of the compiled functions
 CUT_OFF = 1e-9  # relative singular values below are left out: redundant closure equations have 1e-16
 NOT_CONVERGED = 3  # the status that `assemble` has for it
-
-
-class _Doubles:
-    """NumPy under the names that poses use."""
-
-    sqrt, atan2 = staticmethod(np.sqrt), staticmethod(np.arctan2)
 
 
 @dataclass(frozen=True)
@@ -86,7 +80,7 @@ class NamedCoordinates:
             else:
                 body, _, end = name.rpartition(".")
                 poses.setdefault(body, {})[end] = part * value if end != "azimuth" else value
-        made = [(body, pose_rows(parts, _Doubles(), np.tan)) for body, parts in poses.items()]
+        made = [(body, pose_rows(parts, Doubles(), np.tan)) for body, parts in poses.items()]
         return [*made, ("", rows)]
 
     @property
