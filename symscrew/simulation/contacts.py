@@ -28,6 +28,10 @@ HELD = 1e-5
 # Part of the largest singular value of contacts' accelerations by forces under which contacts that act on the same
 # freedom share their force (least squares) instead of being solved one by one.
 SHARED = 1e-12
+# A joint that answers its own force by no more than this part of it, once others are held, is held with them: its rate
+# is rounding. Larger: a joint that hardly moves beside them would never turn back. Smaller: rounding, at 1e-12 where
+# what is held reaches it through loops, would turn it back without end.
+HELD_WITH = 1e-9
 # An answer to a unit force that is less than its inverse of what accelerates already is found by a larger force.
 SMALL_ANSWER = 1e3
 
@@ -234,3 +238,19 @@ def is_dead(at: ContactState, k: int) -> bool:
     response = at.accelerations(force) / at.units - base
     most = float(np.abs(response).max())
     return bool(response[at.rules[k].v] < HELD * most or most < 1e-12 * float(np.abs(base).max()))
+
+
+def held_with(at: ContactState, k: int, others: Sequence[int]) -> bool:
+    """Whether joint k cannot move as long as other contacts are held: a stop at the end of a rod holds its crank, too.
+
+    What rounding leaves of its rate says nothing of its friction then, which bears its part of the load: held back, it
+    would turn back at once, and so on without end. A joint that does not answer its own force (`is_dead`) is not held.
+    """
+    if not others or is_dead(at, k):
+        return False
+    columns = responses(at, [k, *others], np.zeros(len(at.rules)))[1]
+    gain = columns[[at.rules[i].v for i in (k, *others)]]
+    size = 1 / np.sqrt(np.maximum(np.diag(gain), np.finfo(float).tiny))
+    gain = size[:, None] * gain * size  # without units
+    left = gain[0, 0] - gain[0, 1:] @ np.linalg.lstsq(gain[1:, 1:], gain[1:, 0], rcond=SHARED)[0]
+    return bool(abs(left) <= HELD_WITH)

@@ -14,7 +14,7 @@ from functools import cache
 
 import numpy as np
 
-from symscrew.simulation.contacts import ContactState, Law, Modes, forces
+from symscrew.simulation.contacts import ContactState, Law, Modes, forces, held_with
 
 DEGREE = 8  # of the polynomials through a step: those of the integrators are of degree seven, or three
 # Margins below this part of the largest force, of a unit of the joint, and of the largest rate, count as zero at the
@@ -48,12 +48,13 @@ def first_end(
     force = np.array([forces(at, modes) for at in samples]) if held else np.zeros((len(samples), len(rules)))
     found: tuple[float, int] = (NONE, -1)
     for k, rule in enumerate(rules):
+        slips = rule.contact.kind == "friction" and k not in held
         own = _of_forces(force[:, k], rule, modes.values[k], fresh=k == fresh) if k in held else None
         if own is None:
             own = _of_motion(samples, rule, modes.values[k], unit=float(units[rule.v]), fresh=k == fresh)
         for margin, slack, size in own:
             part = end_of(_powers() @ margin, slack, ROUNDINGS * size * _growth())
-            if part <= 1.0 and part < found[0]:
+            if part <= 1.0 and part < found[0] and not (slips and held_with(samples[0], k, held)):
                 found = (part, k)
     return None if found[1] < 0 else found
 

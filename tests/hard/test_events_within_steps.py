@@ -12,6 +12,7 @@ from support.marks import slow
 from support.samples import some_quickly
 
 from hard.mechanisms import chain, four_bars
+from symscrew.catalogue import load
 from symscrew.description.builder import MechanismBuilder
 from symscrew.description.mechanism import Mechanism
 from symscrew.effects import DryFriction, EndStop, Gravity, JointSpring
@@ -159,7 +160,7 @@ def test_a_stop_that_is_left_as_the_force_on_it_fades(often: float) -> None:
     assert found.q[-1, 0] * often**2 == pytest.approx(-3 * (np.sin(4.5) + 4.5 - np.pi), abs=1e-8)
 
 
-@pytest.mark.parametrize(("backend", "level"), [("c", 0.8), ("c", 7.0)])
+@pytest.mark.parametrize(("backend", "level"), [("c", 0.8), ("c", 7.0), ("numpy", 0.8)])
 def test_a_joint_that_rubs_leaves_its_stop_and_sticks(backend: str, level: float) -> None:
     """A force that falls by 4 N/s lets the stop go at the friction's level, and moves the block at minus this level:
     between, it sticks. At the level it was said to slip on and turned back, ten thousand times in an instant."""
@@ -174,6 +175,19 @@ def test_a_joint_that_rubs_leaves_its_stop_and_sticks(backend: str, level: float
     assert [text.partition(": ")[2] for text in found.events] == [
         "z meets its upper stop", "z leaves its stop", "z sticks", "z slips"
     ]  # fmt: skip
+
+
+@pytest.mark.parametrize("backend", ["c", "numpy"])
+def test_friction_of_a_crank_that_a_stop_of_its_slider_holds(backend: str) -> None:
+    """Rounding of the crank's rate turned its friction back ten thousand times, as long as the slider was pressed onto
+    its stop. The stop lets go as the torque falls to the friction's level, and what sticks then slips at minus it."""
+    rubs = DryFriction("crank_R", coulomb="1/2", mode="event"), EndStop("slider_P", upper=0, mode="impact")
+    scene = Scene("s", load("slider_crank"), rubs, 0.7, 20.0, drives={"crank_R": "30*t - 20"})
+    found = simulate(scene, backend=backend)
+    assert found.accurate
+    said = [text.removeprefix("t = ").split(" s: ") for text in found.events[-3:]]
+    assert [what for _, what in said] == ["slider_P leaves its stop", "crank_R sticks", "crank_R slips"]
+    assert [float(t) for t, _ in said] == pytest.approx([19.5 / 30, 19.5 / 30, 20.5 / 30], abs=1e-6)
 
 
 def test_what_hardly_moves_is_judged_by_the_tolerance() -> None:

@@ -152,6 +152,36 @@ static void grip(const Grip *g, const double *wanted, double *force)
     }
 }
 
+/* Whether joint k cannot move as long as the others are held: what is left, beside them, of its answer to its own force
+ * is rounding (contacts.py). A joint that does not answer its own force is not held. */
+static int held_with(int k, double t, const double *q, const double *v, const double *x)
+{
+    Grip g;
+    double a[NV1], x_dot[NX1], own[NV1], wanted[CONTACTS], force[CONTACTS], most = 0.0, least = 0.0;
+    const int row = CONTACT[k].v;
+    memset(CONTACT_FORCE, 0, sizeof CONTACT_FORCE);
+    if (valid(plain_forces_at(t, q, v, x, NULL, a, x_dot)) != 0 || gripped(t, q, v, x, NULL, a, &g) != 0 ||
+        g.count == 0 || answer(t, q, v, x, NULL, a, k, own) != 0) {
+        return 0;
+    }
+    for (int i = 0; i < NV; ++i) {
+        most = fmax(most, fabs(own[i]) / UNIT[i]);
+        least = fmax(least, fabs(a[i]) / UNIT[i]);
+    }
+    if (own[row] / UNIT[row] < HELD * most || most < 1e-12 * least) {
+        return 0;
+    }
+    for (int i = 0; i < g.count; ++i) {
+        wanted[i] = -own[CONTACT[g.unknown[i]].v];
+    }
+    grip(&g, wanted, force);
+    double left = own[row];
+    for (int i = 0; i < g.count; ++i) {
+        left += g.column[i][row] * force[i];
+    }
+    return fabs(left) <= HELD_WITH * own[row];
+}
+
 static int forces_at(double t, const double *q, const double *v, const double *x, const double *u, double *a,
                      double *x_dot)
 {

@@ -90,6 +90,13 @@ static int sampled(Step *s, int method, double (*q)[NQ1], double (*v)[NV1], doub
     return 0;
 }
 
+/* Whether what is held at the start of the step holds joint k, too. */
+static int rests(Step *s, int method, int k)
+{
+    double q[NQ1], v[NV1], x[NX1], pivot;
+    return state_within(s, method, s->t, q, v, x, &pivot) == 0 && held_with(k, s->t, q, v, x);
+}
+
 /* The first end of a mode within the step. 0, or why the step cannot be looked at. `fresh`: the contact whose mode has
  * just changed, or -1: its margin begins at zero up to what putting the state onto the loops has moved it by. */
 static int first_event(Step *s, int method, int fresh, Event *e)
@@ -164,7 +171,10 @@ static int first_event(Step *s, int method, int fresh, Event *e)
             const double other = c->kind == STOP ? fabs(p.c[0] - (side > 0 ? c->lower : c->upper)) : 1e300;
             const int own = fabs(margin.c[0]) <= other; /* of two stops the one that was met, however near they are */
             const int zero = k == fresh && own && fabs(margin.c[0]) < MOST_MOVED * UNIT[c->v];
-            consider(e, k, end_of(margin, zero ? fmax(slack, fabs(margin.c[0])) : slack));
+            const double part = end_of(margin, zero ? fmax(slack, fabs(margin.c[0])) : slack);
+            if (c->kind == STOP || !grips || part > 1.0 || !rests(s, method, k)) {
+                consider(e, k, part);
+            }
         }
     }
     return 0;
