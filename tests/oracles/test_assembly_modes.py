@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from support.platforms import SHIFT, hexapod, lengths, planar_3rpr, published
+from support.platforms import SHIFT, hexapod, lengths, planar_3rpr, published, three_rps
 
 import symscrew
 from symscrew.assembly import AssemblyModes, follow_mode
@@ -159,3 +159,46 @@ def test_a_mode_that_is_led_arrives_at_the_mode_of_its_name():
         led = follow_mode(start, name, {"A": 0.2})
         assert led.reached == 1.0 and led.held == {"A": pytest.approx(0.2)}
         assert np.abs(led.q - end.mode(name).q).max() < 1e-9
+
+
+def by_many_starts(corners: Array, tips: Array, height: float, legs: Array) -> Array:
+    """Tips of a 3-RPS by Newton's method for the three angles of its legs from 300 starts: N x 9, one of each."""
+    along = tips - corners
+    along = along / np.linalg.norm(along, axis=1, keepdims=True)
+    ends = np.column_stack([tips, np.full(3, height)])
+    pairs = [(0, 1), (1, 2), (2, 0)]
+    squares = np.array([((ends[i] - ends[j]) ** 2).sum() for i, j in pairs])
+
+    def places(angles: Array) -> tuple[Array, Array]:
+        c, s = np.cos(angles)[..., None], np.sin(angles)[..., None]
+        flat = np.concatenate([along, np.zeros((3, 1))], axis=1)
+        up = np.array([0.0, 0.0, 1.0])
+        start = np.concatenate([corners, np.zeros((3, 1))], axis=1)
+        return start + legs[:, None] * (c * flat + s * up), legs[:, None] * (c * up - s * flat)
+
+    angles = np.random.default_rng(0).uniform(-np.pi, np.pi, (300, 3))
+    for _ in range(60):
+        at, rate = places(angles)
+        left = np.stack([((at[:, i] - at[:, j]) ** 2).sum(axis=1) for i, j in pairs], axis=1) - squares
+        slopes = np.zeros((len(angles), 3, 3))
+        for row, (i, j) in enumerate(pairs):
+            slopes[:, row, i] = 2 * ((at[:, i] - at[:, j]) * rate[:, i]).sum(axis=1)
+            slopes[:, row, j] = -2 * ((at[:, i] - at[:, j]) * rate[:, j]).sum(axis=1)
+        step = (np.linalg.pinv(slopes) @ left[..., None])[..., 0]
+        angles = angles - step * np.minimum(1.0, 0.5 / np.maximum(np.abs(step).max(axis=1), 1e-300))[:, None]
+    at = places(angles[np.abs(left).max(axis=1) < 1e-12])[0].reshape(-1, 9)
+    return np.unique(at.round(6), axis=0)
+
+
+@pytest.mark.slow
+def test_a_3_rps_has_the_modes_that_newton_finds_from_many_starts():
+    corners = np.array([[1.0, 0.0], [-0.5, 0.8], [-0.6, -0.9]])
+    tips = np.array([[0.5, 0.1], [-0.25, 0.5], [-0.4, -0.4]])
+    found = symscrew.assembly_modes(three_rps(corners.tolist(), tips.tolist(), "0.9"))
+    assert found.complete == "proved" and found.bound is not None and found.bound.count == 16
+    ends = np.column_stack([tips, np.full(3, 0.9)])
+    legs = np.linalg.norm(ends - np.column_stack([corners, np.zeros(3)]), axis=1)
+    expected = by_many_starts(corners, tips, 0.9, legs)
+    got = np.array([(ends @ m.rotation.T + m.translation).ravel() for m in found.modes])
+    assert len(got) == len(expected) >= 4
+    assert all(np.abs(expected - row).max(axis=1).min() < 1e-5 for row in got)

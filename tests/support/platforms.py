@@ -70,3 +70,28 @@ def planar_3rpr(base: Sequence[Any], platform: Sequence[Any], shift: Sequence[An
 def lengths(values: Sequence[Any]) -> dict[str, Any]:
     """Values of the legs' slides."""
     return {f"leg{k}": value for k, value in enumerate(values, start=1)}
+
+
+def three_rps(corners: Sequence[Any], tips: Sequence[Any], height: Any) -> Mechanism:
+    """RPS legs from corners [x, y] of the base, hinges across their directions, to tips [x, y] at a height."""
+    builder = MechanismBuilder("three_rps", ground="base", platform="platform")
+    builder.body("platform")
+    for k, (corner, tip) in enumerate(zip(corners, tips, strict=True), start=1):
+        a, b = [*exact(corner), sympy.Integer(0)], [*exact(tip), *exact([height])]
+        leg = sympy.Matrix(b) - sympy.Matrix(a)
+        across = sympy.Matrix([-leg[1], leg[0], 0])
+        length = sympy.sqrt(leg.dot(leg))
+        builder.body(f"lower{k}")
+        builder.body(f"upper{k}")
+        builder.joint(
+            f"R{k}",
+            "R",
+            parent="base",
+            child=f"lower{k}",
+            point=a,
+            axes=[list(across / sympy.sqrt(across.dot(across)))],
+        )
+        builder.joint(f"leg{k}", "P", parent=f"lower{k}", child=f"upper{k}", point=a, axes=[list(leg / length)],
+                      driven=True, reference=[length])  # fmt: skip
+        builder.joint(f"S{k}", "S", parent=f"upper{k}", child="platform", point=b)
+    return builder.build()
