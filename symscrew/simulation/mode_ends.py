@@ -49,8 +49,9 @@ def first_end(
     found: tuple[float, int] = (NONE, -1)
     for k, rule in enumerate(rules):
         slips = rule.contact.kind == "friction" and k not in held
-        own = _of_forces(force[:, k], rule, modes.values[k], fresh=k == fresh) if k in held else None
-        if own is None:
+        if k in held:
+            own = _of_forces(force[:, k], rule, modes.values[k], fresh=k == fresh)
+        else:
             own = _of_motion(samples, rule, modes.values[k], unit=float(units[rule.v]), fresh=k == fresh)
         for margin, slack, size in own:
             part = end_of(_powers() @ margin, slack, ROUNDINGS * size * _growth())

@@ -346,6 +346,7 @@ def test_a_number_of_coordinates_that_fills_the_memory_is_none() -> None:
 def test_what_is_proved_names_the_limits_and_a_file_without_claims_proves_nothing() -> None:
     assert "limit x within [0.4, 1.6]" in check_certificate(root_file()).proved
     silent = spoiled(("claims",), {})
+    assert not check_certificate(silent).holds
     silent["equations"]["conditions"] = []
     assert not check_certificate(silent).holds
 

@@ -931,7 +931,8 @@ def check_certificate(values: Any) -> Verdict:
     for key, value in claims.items():
         text = f"{key} {json.dumps(value)}"
         (proved if _carried(facts.get(key), value) else refused).append(text)
-    proved += [text for condition in equations.conditions for text in condition.limits_in_words()]
+    if proved:  # the limits hold in the boxes that a claim is about
+        proved += [text for condition in equations.conditions for text in condition.limits_in_words()]
     return Verdict(name, tuple(proved), tuple(refused), assumed, facts, words)
 
 
