@@ -120,10 +120,12 @@ def _measured_card(repeats: int) -> Card | None:
     """The device that is there, or None."""
     try:
         import cupy
-
+    except ImportError:
+        return None
+    try:
         if not cupy.cuda.runtime.getDeviceCount():
             return None
-    except Exception:  # no CuPy, or one without a driver: whatever it says, there is no device to measure
+    except cupy.cuda.runtime.CUDARuntimeError:  # CuPy without a driver
         return None
     threads, blocks, count = 256, 16 * 132, 4096
     kernel = cupy.RawModule(code=FUSED).get_function("fused")
