@@ -26,11 +26,11 @@ from typing import Any
 
 import numpy as np
 
+from symscrew.assembly.closure_structure import WIDTH, Group, Structure
 from symscrew.assembly.dual_forms import PRODUCT
 from symscrew.assembly.equal_axes import axis_of, axis_pairs
-from symscrew.assembly.held_structure import WIDTH, Group, Structure
 from symscrew.assembly.residues import LARGEST_PRIME, residues_of
-from symscrew.assembly.slot_numbers import matrices
+from symscrew.assembly.slot_numbers import matrices, spins_of
 from symscrew.assembly.what_is_held import Held
 from symscrew.mobility import NotDecidableError
 from symscrew.runtime import entry, key_of
@@ -89,6 +89,8 @@ def _general(structure: Structure, prime: int) -> Look:
                 continue
             depth = 0 if structure.planar else rng.randrange(prime)
             slots.append([rng.randrange(prime), rng.randrange(prime), depth])
+        elif slot.kind in ("turned", "slid"):
+            slots.append([rng.randrange(prime), rng.randrange(prime), 0])
         else:
             slots.append(rng.randrange(prime))
     for pair in axis_pairs(structure):
@@ -210,6 +212,9 @@ def _script(structure: Structure, slots: Sequence[Any], prime: int, *, regular: 
         covers *= 1 if group.kind == "slide" else 2
         if group.kind == "free":
             cuts.append("+".join(f"{own[i]}*{own[4 + i]}" for i in range(4)))
+    for spin, motion in zip(structure.spins, spins_of(structure), strict=True):
+        own = [f"z{spin.group}_{j}" for j in range(WIDTH[structure.groups[spin.group].kind])]
+        made += [_sum([(motion[i, j], own[j]) for j in range(len(own))], prime) for i in range(8)]
     lines = [f"poly f{k // 8}_{k % 8} = {text};" for k, text in enumerate(made)]
     equations = [*cuts]
     for n, (square, linear) in enumerate(loops):
@@ -267,6 +272,7 @@ def _loop_lines(structure: Structure, n: int, prime: int) -> list[str]:
     while common < min(len(one), len(two)) and one[common] == two[common]:
         common += 1
     factors = [(k, True) for k in reversed(one[common:])] + [(k, False) for k in two[common:]]
+    factors += [(len(structure.groups) + k, back) for k, back in loop.spins]
     lines = []
     before: list[str] = []
     for place, (k, back) in enumerate(factors):

@@ -13,8 +13,8 @@ from typing import Any
 
 from symscrew.assembly.all_modes import known_zero, structure_of
 from symscrew.assembly.batch_equations import BatchEquations
+from symscrew.assembly.closure_structure import Structure
 from symscrew.assembly.families import AllNumbers
-from symscrew.assembly.held_structure import Structure
 from symscrew.assembly.root_bounds import Bound, own_bound, own_key, stored_entries
 from symscrew.assembly.start_system import encoded, searched, start_key, start_system
 from symscrew.assembly.what_is_held import Held, held_by

@@ -95,15 +95,15 @@ def test_gears_alone_have_one_mode(name, drives, values):
 
 
 @pytest.mark.parametrize(
-    ("at", "why"),
+    ("ratio", "at", "why"),
     [
-        ({"C": 0.2}, "the coupling gears ties A and B, which nothing held settles"),
-        ({"A": 0.2, "B": 0.3}, "the coupling gears does not hold with these values of A and B"),
+        ("sqrt(2)", {"C": 0.2}, "the coupling gears ties A and B, which nothing held settles"),
+        (1, {"A": 0.2, "B": 0.3}, "the coupling gears does not hold with these values of A and B"),
     ],
 )
-def test_what_couplings_leave_open_or_contradict_is_refused(at, why):
+def test_what_couplings_leave_open_or_contradict_is_refused(ratio, at, why):
     with pytest.raises(symscrew.DescriptionError, match=why):
-        symscrew.assembly_modes(geared_five_bar({"A": 1, "B": 1}), at=at)
+        symscrew.assembly_modes(geared_five_bar({"A": ratio, "B": 1}), at=at)
 
 
 def test_what_is_held_is_said_by_name_whatever_its_order():
