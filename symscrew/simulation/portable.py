@@ -17,9 +17,10 @@ from symscrew.effects import Contact
 from symscrew.errors import DescriptionError
 from symscrew.scene import INTEGRATION_METHODS, Scene, features_in_time
 from symscrew.simulation import contacts as contact
+from symscrew.simulation.complementarity import UndecidedError
 from symscrew.simulation.fixed_steps import FIXED_STEPS, cubic, scipy_integrate
 from symscrew.simulation.landing import LANDINGS, SHORT, Corners, passed
-from symscrew.simulation.mode_changes import Change, UndecidedError, beginning, change, onto_stops
+from symscrew.simulation.mode_changes import Change, beginning, change, onto_stops
 from symscrew.simulation.mode_ends import first_end
 from symscrew.simulation.native_contacts import MOST_EVENTS
 from symscrew.simulation.recording import History, Instant, State, faster, shown_time
