@@ -32,6 +32,9 @@ HELD = 1e-5
 HELD_WITH = 1e-9
 # Part of a friction's level by which a force that is at it may seem off: the roundings of its unit, put in and out.
 AT_BOUND = 1e-14
+# Part of the forces at hand by which one that holds a contact may break its law: rounding. At 0 a joint that rubs at
+# its stop, and whose friction just reaches its level, leaves the stop and meets it without end.
+NO_FORCE = 1e-12
 # An answer to a unit force that is less than its inverse of what accelerates already is found by a larger force.
 SMALL_ANSWER = 1e3
 
@@ -129,13 +132,23 @@ class Modes:
 
 def forces(at: ContactState, modes: Modes) -> np.ndarray:
     """Contact forces (n,) at a state: given by the law, or such that rates that are kept at zero stay there."""
-    given, held = _by_law(at, modes)
+    return _holding(at, modes)[0]
+
+
+def _holding(at: ContactState, modes: Modes) -> tuple[np.ndarray, np.ndarray]:
+    """Contact forces (n,), and what rounding may leave of each that holds."""
+    force, held = _by_law(at, modes)
+    rounding = np.zeros(len(force))
     if not held:
-        return given
+        return force, rounding
     rows = [at.rules[k].v for k in held]
-    a, gain = responses(at, held, given)
-    given[held] = np.linalg.lstsq(gain[rows], -a[rows], rcond=SHARED)[0]
-    return given
+    a, columns = responses(at, held, force)
+    gain = columns[rows]
+    force[held] = np.linalg.lstsq(gain, -a[rows], rcond=SHARED)[0]
+    own = np.diag(gain)
+    alone = np.abs(a[rows]) / np.where(own > 0, own, np.inf)  # what would hold each without the others
+    rounding[held] = NO_FORCE * np.maximum(alone, np.abs(force).max())
+    return force, rounding
 
 
 def _by_law(at: ContactState, modes: Modes) -> tuple[np.ndarray, list[int]]:
@@ -245,11 +258,12 @@ def _all_within_laws(at: ContactState, resting: Modes) -> Modes:
 
 def _excess(at: ContactState, modes: Modes) -> dict[int, float]:
     """Held contacts whose forces break their law, with these."""
-    force, found = forces(at, modes), {}
+    force, rounding = _holding(at, modes)
+    found = {}
     for k in _by_law(at, modes)[1]:
         rule = at.rules[k]
         stuck = rule.contact.kind == "friction"
-        if (abs(force[k]) - rule.static if stuck else modes.values[k] * force[k]) > 0:
+        if (abs(force[k]) - rule.static if stuck else modes.values[k] * force[k]) > rounding[k]:
             found[k] = float(force[k])
     return found
 
