@@ -41,7 +41,9 @@ def estimated(scene: Scene, system: System, found: History, run: Callable[[Scene
         return Estimate()
     budget = 4 * choice.most_steps
     if choice.step is not None:
-        return _difference(system, found, run(_with(scene, step=choice.step / 2, most_steps=budget)))
+        # steps end at outputs, knots and corners: half of a longer one would be the same steps
+        taken = min(choice.step, scene.duration / max(found.counters.get("steps", 1.0), 1.0))
+        return _difference(system, found, run(_with(scene, step=taken / 2, most_steps=budget)))
     looser, tighter = OTHER * max(choice.tolerance, TIGHTEST), choice.tolerance / OTHER
     first = Estimate()
     if looser <= LOOSEST:
