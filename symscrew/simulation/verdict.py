@@ -29,6 +29,10 @@ RATES = 1e3
 # Part of its way by which a run with a fixed step, which asks for no accuracy, may be off: with more it is another
 # motion. Explicit Euler with a hundred steps a swing is off by exp(2 pi^2/100) - 1 = 0.22 after the first.
 GROSS = 0.1
+# Coordinates have a way each: a wheel that turns on does not hide what swings beside it. One that has gone less far,
+# in rad or lengths, is measured by this, or by the longest way where that is shorter: of what hardly moves any part is
+# gross.
+SHORT_WAY = 0.1
 
 
 def estimated(scene: Scene, system: System, found: History, run: Callable[[Scene], History]) -> Estimate:
@@ -60,13 +64,15 @@ def _with(scene: Scene, **choice: float) -> Scene:
 def _difference(system: System, found: History, other: History) -> Estimate:
     count = min(len(found.t), len(other.t))
     units = np.array([system.length if c.kind == "length" else 1.0 for c in system.tree.q])
-    apart = np.abs((found.q[:count] - other.q[:count]) / units).max(axis=1, initial=0.0)
+    off = np.abs((found.q[:count] - other.q[:count]) / units)
+    apart = off.max(axis=1, initial=0.0)
     if not other.ok:
         return Estimate(float("inf"), stopped=other.status)
     early = float(apart[: max(2, count // 10)].max(initial=0.0))
     error = float(apart.max(initial=0.0))
-    way = float(np.abs((found.q - found.q[:1]) / units).max(initial=0.0))
-    part = error / way if way > 0 else 0.0  # what rests has gone nowhere
+    ways = np.abs((found.q - found.q[:1]) / units).max(axis=0, initial=0.0)
+    ways = np.maximum(ways, min(SHORT_WAY, ways.max(initial=0.0)))
+    part = float((off.max(axis=0, initial=0.0) / np.where(ways > 0, ways, np.inf)).max(initial=0.0))
     return Estimate(error, error / early if early > 0 else np.nan, part)
 
 

@@ -113,6 +113,22 @@ def test_steps_that_end_sooner_are_halved_too(knots: int) -> None:
         assert found.ok and found.accurate == good, found.verdict
 
 
+@pytest.mark.parametrize(("step", "way", "good"), [(0.1, 0.5, False), (1e-2, 0.5, True), (0.1, 1e-3, True)])
+def test_what_turns_on_does_not_hide_what_swings(step: float, way: float, good: bool) -> None:
+    """A wheel of 80 turns a second beside a spring of 2 Hz, whose phase is off by a rad: that is a small part of the
+    wheel's way, and was completed. Of a way of a millimetre it is none that counts."""
+    body = {"mass": 1, "com": [0, 0, 0], "inertia": [1, 1, 1]}
+    two = [(joint, "R", "base", name, [0, 0, 0], [[0, 0, 1]]) for joint, name in (("on", "wheel"), ("back", "arm"))]
+    start = Initial(coordinates={"back": way}, rates={"on": 500.0})
+    scene = Scene(
+        "s", chain("two", *two, wheel=body, arm=body), (JointSpring("back", stiffness=225),), 2.0, 10.0, start,
+        integrator=Integrator(method="rk4", step=step),
+    )  # fmt: skip
+    found = simulate(scene)
+    assert found.accurate == good, found.verdict
+    assert ("accuracy not reached" in found.verdict) != good
+
+
 def test_the_exit_code_follows(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     (tmp_path / "five_bar.toml").write_text(FIVE_BAR.read_text(encoding="utf-8"), encoding="utf-8")
     text = (
