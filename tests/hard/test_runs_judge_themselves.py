@@ -93,8 +93,8 @@ def test_what_decides() -> None:
     )  # fmt: skip
     fixed = replace(scene, integrator=Integrator(method="rk4", step=0.01))
     assert verdict(fixed, Estimate(0.1, 10.0, 0.05), 1e-13, 0.2) == (True, "completed")
-    assert "the run with half the step" in verdict(fixed, Estimate(float("inf")), 1e-13, 0.2)[1]
-    assert verdict(fixed, Estimate(0.1, 10.0, 0.2), 1e-13, 0.2)[1].startswith(
+    assert "the run with half the step" in verdict(fixed, Estimate(float("inf"), other="half the step"), 1e-13, 0.2)[1]
+    assert verdict(fixed, Estimate(0.1, 10.0, 0.2, other="half the step"), 1e-13, 0.2)[1].startswith(
         "completed, accuracy not reached: with half"
     )
 
