@@ -38,6 +38,26 @@ def nearly_free(matrix: np.ndarray) -> np.ndarray:
     return np.asarray(directions[(values < BESIDE * largest) & (values > LOST * largest)])
 
 
+def left_free(matrix: np.ndarray) -> np.ndarray:
+    """Directions (n, nv) along which rows (k, nv) without units are zero."""
+    _, values, directions = np.linalg.svd(matrix)
+    return np.asarray(directions[int((values > LOST * values.max(initial=0.0)).sum()) :])
+
+
+def leading(matrix: np.ndarray) -> list[int]:
+    """Columns that determine all others best where the rows (k, nv) are zero: as many as these leave free.
+
+    One after the other: the column that moves most along what the ones before leave free.
+    """
+    free, found = left_free(matrix), []
+    for _ in range(len(free)):
+        moved = np.linalg.norm(free, axis=0)
+        found.append(int(np.argmax(moved)))
+        along = free[:, found[-1]] / moved[found[-1]]
+        free = free - np.outer(along, along @ free)
+    return found
+
+
 class FineStart:
     """The loops of a mechanism with 60 digits, and steps that close them."""
 

@@ -12,8 +12,9 @@ import numpy as np
 
 from symscrew.errors import DescriptionError
 from symscrew.scene import Scene
+from symscrew.simulation.complementarity import UndecidedError
 from symscrew.simulation.contacts import ContactState, Law, Modes, forces, laws, start_modes
-from symscrew.simulation.mode_changes import Change, UndecidedError, beginning, change, onto_stops
+from symscrew.simulation.mode_changes import Change, beginning, change, onto_stops
 from symscrew.simulation.recording import State, shown_time
 from symscrew.simulation.state_programs import Plant
 

@@ -17,9 +17,10 @@ from symscrew.effects import Contact
 from symscrew.errors import DescriptionError
 from symscrew.scene import INTEGRATION_METHODS, Scene, features_in_time
 from symscrew.simulation import contacts as contact
+from symscrew.simulation.complementarity import UndecidedError
 from symscrew.simulation.fixed_steps import FIXED_STEPS, cubic, scipy_integrate
 from symscrew.simulation.landing import LANDINGS, SHORT, Corners, passed
-from symscrew.simulation.mode_changes import Change, UndecidedError, beginning, change, onto_stops
+from symscrew.simulation.mode_changes import Change, beginning, change, onto_stops
 from symscrew.simulation.mode_ends import first_end
 from symscrew.simulation.native_contacts import MOST_EVENTS
 from symscrew.simulation.recording import History, Instant, State, faster, shown_time
@@ -90,7 +91,8 @@ class _Marching:
         self.method = INTEGRATION_METHODS[scene.integrator.method]
         self.features, self.latest = features_in_time(scene, functions.plant.model), np.inf
         step = scene.integrator.step
-        self.notices = (*self.features.notices, *(self.features.passed(step, SPAN) if step else ()))
+        unseen = self.features.passed(step, SPAN) if step else ()
+        self.notices, self.passing = (*self.features.notices, *unseen), bool(unseen)
         self.modes = contact.Modes(())
         self.fresh = -1  # the contact whose mode has just changed
         self.contact_forces: list[np.ndarray] = []  # at the samples
@@ -202,7 +204,7 @@ class _Marching:
         return History(
             t, q, v, x, ok, status, "library", (), (*self.notices, *self.events), counters, u, forces,
             tuple(self.losses), doubts=() if self.watch is None else self.watch.doubts,
-            fastest=self.fastest)  # fmt: skip
+            fastest=self.fastest, passing=self.passing)  # fmt: skip
 
     def solver(self, t: float, y: np.ndarray, end: float, first: float | None = None) -> Any:
         """SciPy's integrator from t to `end`, or to the next time that what inputs do there asks for; `first`: step."""

@@ -17,7 +17,8 @@ from symscrew.export import banner, decimal, print_c
 from symscrew.model import Model
 from symscrew.runtime import entry, key_of, version
 from symscrew.scene import Table
-from symscrew.simulation.contacts import HELD, HELD_WITH, SHARED, SMALL_ANSWER, Law, laws
+from symscrew.simulation.complementarity import SHARED
+from symscrew.simulation.contacts import HELD, HELD_WITH, SMALL_ANSWER, Law, laws
 from symscrew.simulation.fronts import layouts, paths
 from symscrew.simulation.state_programs import Plant
 from symscrew.simulation.turned_rounding import Trial, first_path, trial, trial_constants

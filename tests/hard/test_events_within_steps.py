@@ -17,10 +17,12 @@ from symscrew.description.builder import MechanismBuilder
 from symscrew.description.mechanism import Mechanism
 from symscrew.effects import DryFriction, EndStop, Gravity, JointSpring
 from symscrew.effects.effect import Effect
+from symscrew.effects.records import Contact
 from symscrew.runtime.compiled import find_compiler
 from symscrew.scene.contents import Initial, Integrator, Scene
 from symscrew.simulation import mode_ends
-from symscrew.simulation.mode_changes import complementary
+from symscrew.simulation.complementarity import complementary
+from symscrew.simulation.contacts import ContactState, Law, Modes, forces, released
 from symscrew.simulation.motion import Run, simulate
 
 pytestmark = [
@@ -207,6 +209,38 @@ def test_impulses_only_push() -> None:
         p = complementary(gain, offset)
         w = gain @ p + offset
         assert p.min() >= 0 and w.min() > -1e-9 and abs(p @ w) < 1e-9
+
+
+@pytest.mark.parametrize("static", [1.0, 1.5])
+def test_what_rests_lets_go_together(static: float) -> None:
+    """Random joints at rest that rub or are on stops, with masses that couple them: who slips speeds up along its slip
+    and is held by its level, who is held needs no more than its level, stops push only and let nothing sink in. Ended
+    one after the other by what each needs while all are held, a stop that was let go sank in, in two of 150 arms with
+    three stops: ten thousand changes in an instant, and no end for minutes."""
+    random = np.random.default_rng(11)
+    for trial in range(150):
+        n = int(random.integers(2, 5))
+        turned = np.linalg.qr(random.normal(size=(n, n)))[0]
+        mobility = turned @ np.diag(np.logspace(0, -2, n)) @ turned.T
+        pull = random.normal(size=n) * np.exp(random.normal(size=n))
+        rubs, ends = random.random(n) < trial % 3 / 2, random.choice([-1, 1], n)
+        level = np.where(rubs, np.abs(random.normal(size=n)) / 2, 0.0)
+        rules = [
+            Law(
+                Contact("friction" if rub else "stop", f"p{k}", f"j{k}", 0), k, k, c, static * c, np.inf,
+                -np.inf if rub or end > 0 else 0.0, np.inf if rub or end < 0 else 0.0, 0.0,
+            )
+            for k, (rub, c, end) in enumerate(zip(rubs, level, ends, strict=True))
+        ]  # fmt: skip
+        at = ContactState(rules, np.zeros(n), np.zeros(n), np.ones(n), lambda _, f, m=mobility, p=pull: m @ (p + f))
+        modes = released(at, Modes(tuple(np.where(rubs, 0, ends).tolist())))
+        force = forces(at, modes)
+        a = at.accelerations(force)
+        sign, small = np.array(modes.values), 1e-9 * np.abs(a).max() + 1e-13
+        assert (np.abs(force[rubs]) <= np.where(sign == 0, static * level, level * (1 + 1e-12))[rubs]).all()
+        assert (sign * a >= -small)[rubs].all()
+        assert (ends * force <= 0)[~rubs].all() and (ends * a <= small)[~rubs].all()
+        assert (np.abs(a) < small)[rubs & (sign == 0)].all()
 
 
 def test_a_stop_that_is_never_met_changes_nothing() -> None:
