@@ -92,6 +92,12 @@ def test_attached_models(tmp_path: Path, attached: str) -> None:
     agrees(written(tmp_path, MAIN.replace("ATTACHED", attached)))
 
 
+@pytest.mark.filterwarnings("ignore::UserWarning")
+def test_a_model_is_called_as_its_own_file_says(tmp_path: Path) -> None:
+    """Where the file that takes it gives it no name."""
+    agrees(written(tmp_path, MAIN.replace('name="leg" ', "").replace("ATTACHED", '<attach model="leg" prefix="l_"/>')))
+
+
 def test_files_beside_the_model_are_read_where_whoever_imports_says_so(tmp_path: Path) -> None:
     """Attached and included ones, below the folder that is named and nowhere else."""
     written(tmp_path, "")
