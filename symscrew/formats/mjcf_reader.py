@@ -25,11 +25,12 @@ from symscrew.formats.import_options import ImportOptions
 from symscrew.formats.included_files import expanded
 from symscrew.formats.mjcf_actuators import Actuators, actuator_forces
 from symscrew.formats.mjcf_bodies import Place, Reading, read_children
+from symscrew.formats.mjcf_closing import where_they_close
 from symscrew.formats.mjcf_composed import composed
 from symscrew.formats.mjcf_couplings import displacements, raw_coupling, read_couplings
 from symscrew.formats.mjcf_inertias import OwnInertia
 from symscrew.formats.mjcf_keyframes import key_name, keyframe_rates, keyframes
-from symscrew.formats.mjcf_loops import Placed, idle_equalities, loops
+from symscrew.formats.mjcf_loops import Placed, body_ties, idle_equalities, loops
 from symscrew.formats.mjcf_masses import settle_masses
 from symscrew.formats.mjcf_medium import add_drags, medium
 from symscrew.formats.mjcf_rotors import rotors
@@ -94,7 +95,13 @@ def read_mjcf(root: Element, path: Path, options: ImportOptions) -> Draft:
     _read_forces(reading, own_pose.result, actuators, pulled)
     extent = _extent(result)
     closing = Closing(result.ledger, extent, options.snap)
-    result.joints += loops(root, chosen, Placed(reading.poses, reading.sites, ground, closing, own_pose.poses))
+    placed = Placed(reading.poses, reading.sites, ground, own_pose.poses)
+    found = body_ties(root, chosen, placed)
+    if not ties and any(closing.is_open(tie.gap) for tie in found):
+        placed = where_they_close(result, found, placed)
+        found = body_ties(root, chosen, placed)
+        reading.values |= {joint.name: joint.reference[0] for joint in result.joints if joint.name in reading.values}
+    result.joints += loops(found, closing, placed)
     own = {joint: value - reading.displaced.get(joint, ZERO[0]) for joint, value in reading.values.items()}
     result.couplings += [raw_coupling(t, own) for t in ties if next(iter(t.first)) not in reading.made_screws]
     add_pulleys(result, pulled, reading.values, reading.driven)
