@@ -116,12 +116,20 @@ def with_mujoco(path: Path, options: ImportOptions) -> tuple[float, str]:
     data = mujoco.MjData(engine)
     mujoco.mj_forward(engine, data)
     close_sites(engine, data)
+    places = names_in(engine, ours)
+    for (
+        name,
+        i,
+    ) in places.items():  # balls are turned from our reference, where couplings may displace what carries them
+        values = ours.mechanism.joints[name].reference
+        if engine.jnt_type[i] in (2, 3) and values:
+            data.qpos[engine.jnt_qposadr[i]] = float(ours.mechanism.number(values[0]))
+    mujoco.mj_forward(engine, data)
     reference = data.xmat.reshape(-1, 3, 3).copy()
     start = data.xpos.copy()
     bases, mass = ours.null_spaces(), ours.mass()
     closed = bool(ours.system.cuts)
     forces = ours.forces(still=closed)
-    places = names_in(engine, ours)
     worst = 0.0
     for k, basis in enumerate(bases):
         columns = []
