@@ -14,7 +14,7 @@ from __future__ import annotations
 import os
 import struct
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -25,7 +25,7 @@ from symscrew.formats.convex_hulls import hull_of
 from symscrew.formats.included_files import BESIDE, inside
 from symscrew.formats.mjcf_settings import Settings
 from symscrew.formats.rigid_displacements import Pose, Real, Rotation, Triple, from_quaternion, real, triple
-from symscrew.formats.safe_xml import Element, elements, label, number, numbers
+from symscrew.formats.safe_xml import Element, attribute, elements, label, number, numbers
 
 Array = np.ndarray[Any, Any]
 SUFFIXES = (".stl", ".obj")
@@ -53,12 +53,14 @@ class Bulk:
 
 @dataclass(frozen=True)
 class Meshes:
-    """The meshes that an MJCF file names, the folder that they are in, and the one below which that must be."""
+    """The meshes and height `fields` that an MJCF file names, the folder that they are in, and the one below which that
+    must be."""
 
     folder: Path
     assets: str
     given: Mapping[str, Element]
     within: Path | None = None
+    fields: Mapping[str, Element] = field(default_factory=dict)
 
     @classmethod
     def of(cls, root: Element, path: Path, settings: Settings, within: Path | None = None) -> Meshes:
@@ -70,7 +72,20 @@ class Meshes:
                 given[name] = settings.with_defaults(mesh, "mesh")
                 if settings.exact_meshes:
                     given[name].attrib.setdefault("inertia", "exact")
-        return cls(path.parent, settings.assets, given, within)
+        fields = {
+            each.get("name") or Path(each.get("file", "")).stem: each
+            for section in elements(root, "asset") for each in elements(section, "hfield")
+        }  # fmt: skip
+        return cls(path.parent, settings.assets, given, within, fields)
+
+    def slab(self, name: str, where: str) -> list[Real]:
+        """Half the sides of the box that MuJoCo takes a height field for, where it has mass."""
+        if name not in self.fields:
+            raise DescriptionError(
+                f"{where}: there is no height field {shorten(name)}; {did_you_mean(name, self.fields)}"
+            )
+        x, y, top, base = map(real, numbers(attribute(self.fields[name], "size"), f"{where}, size", 4))
+        return [x, y, top / 4 + base / 2]
 
     def bulk(self, name: str, where: str) -> Bulk:
         """The bulk of a mesh by its name; raises DescriptionError."""

@@ -55,7 +55,7 @@ def solid(attributes: Attributes, settings: Settings, outer: Pose, *, where: str
     """The homogeneous solid of a geom, None where it has no mass; raises DescriptionError."""
     kind = attributes.get("type", "sphere")
     group = int(number(attributes.get("group", "0"), f"{where}, group"))
-    if kind in ("plane", "hfield") or not settings.groups[0] <= group <= settings.groups[1]:
+    if kind == "plane" or not settings.groups[0] <= group <= settings.groups[1]:
         return None
     mass = None if "mass" not in attributes else real(number(attributes["mass"], f"{where}, mass"))
     density = real(number(attributes.get("density", WATER), f"{where}, density"))
@@ -67,13 +67,15 @@ def solid(attributes: Attributes, settings: Settings, outer: Pose, *, where: str
         return _bulky(
             bulk, mass if mass is not None else density * bulk.volume, outer @ settings.pose(attributes, where)
         )
-    if kind not in SIZES:
+    if kind not in (*SIZES, "hfield"):
         what = "shellinertia of a mesh" if hollow and kind == "mesh" else f"a geom of type {shorten(kind)}"
         raise DescriptionError(
             f"{where}: the inertia of {what} is not computed here; give the body an <inertial> (and "
             'inertiafromgeom="false"), or the geom mass="0"'
         )
-    if "mesh" in attributes:
+    if kind == "hfield":
+        kind, place, size = "box", settings.pose(attributes, where), meshes.slab(attributes.get("hfield", ""), where)
+    elif "mesh" in attributes:
         if settings.fits_boxes or "fitscale" in attributes:
             raise DescriptionError(f"{where}: a {kind} fitted to the bounds of a mesh is not supported; give its size")
         place, size = fitted(meshes.bulk(attributes["mesh"], where), kind)

@@ -27,6 +27,7 @@ GEOMS = {
         'type="mesh" mesh="m"',
     ),
     "points of a file": ('file="points.obj"', 'type="mesh" mesh="m"'),
+    "ground that a body carries": ("", 'type="hfield" hfield="h" pos="0.1 0.2 0.3"'),
     "a capsule fitted to points": (f'vertex="{POINTS}"', 'type="capsule" mesh="m"'),
 }
 
@@ -37,7 +38,8 @@ def test_inertia_is_that_of_mujoco(tmp_path: Path, name: str) -> None:
     numbers = POINTS.split()
     lines = [f"v {' '.join(numbers[k : k + 3])}" for k in range(0, len(numbers), 3)]
     (tmp_path / "points.obj").write_text("\n".join(lines))
-    asset = f'<asset><mesh name="m" {mesh}/></asset>' if mesh else ""
+    field = '<hfield name="h" nrow="2" ncol="2" size="1 2 3 4"/>' if "hfield" in geom else ""
+    asset = f'<asset>{field}<mesh name="m" {mesh}/></asset>' if mesh else f"<asset>{field}</asset>"
     shell = 'shellinertia="true"' if name.startswith("shell") else ""
     path = saved(
         f'<mujoco>{asset}<worldbody><body name="b"><joint/><geom {geom} {shell}/></body></worldbody></mujoco>', tmp_path
