@@ -85,6 +85,7 @@ def test_replicated_elements(tmp_path: Path, count: int) -> None:
         '<attach model="leg" prefix="l_"/><attach model="leg" body="shin" prefix="r_"/>',
         '<attach model="leg" prefix=""/>',
         '<attach model="leg" frame="outer" prefix="l_"/><attach model="leg" frame="inner" prefix="r_"/>',
+        '<replicate count="3" euler="0 0 40" sep="-"><attach model="leg" prefix="l_"/></replicate>',
     ],
 )
 def test_attached_models(tmp_path: Path, attached: str) -> None:
