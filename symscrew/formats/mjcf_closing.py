@@ -18,6 +18,8 @@ from symscrew.formats.mjcf_loops import Placed, Tie
 from symscrew.formats.rigid_displacements import Pose
 from symscrew.formats.tree_freedoms import freedoms_of, ways_to
 
+FARTHEST = 1e30
+"""Gap [m] from which on doubles hold no squares of it that are worth an iteration; nothing real is as far apart."""
 SINGLE = ("R", "P")
 """Joints that are moved: what others have as values refers to the place of their bodies."""
 
@@ -27,7 +29,7 @@ def where_they_close(draft: Draft, found: Sequence[Tie], placed: Placed) -> Plac
 
     Nor is it looked for where balls or free bodies would be carried along, or what a medium drags by its own axes.
     """
-    if draft.drags:
+    if draft.drags or not all(tie.gap < FARTHEST for tie in found):
         return placed
     freedoms = [f for k, joint in enumerate(draft.joints) if joint.type in SINGLE for f in freedoms_of(k, joint)]
     ways = ways_to(draft, freedoms)

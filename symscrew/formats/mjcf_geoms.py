@@ -61,14 +61,16 @@ def solid(attributes: Attributes, settings: Settings, outer: Pose, *, where: str
     density = real(number(attributes.get("density", WATER), f"{where}, density"))
     if mass == 0 or (mass is None and density == 0):
         return None
-    hollow = attributes.get("shellinertia", "false") != "false"
-    if kind == "mesh" and not hollow and "mesh" in attributes:
+    hollow = attributes.get("shellinertia", "false")
+    if hollow not in ("true", "false"):
+        raise DescriptionError(f"{where}, shellinertia: expected true or false, got {shorten(hollow)}")
+    if kind == "mesh" and hollow == "false" and "mesh" in attributes:
         bulk = meshes.bulk(attributes["mesh"], where)
         return _bulky(
             bulk, mass if mass is not None else density * bulk.volume, outer @ settings.pose(attributes, where)
         )
     if kind not in (*SIZES, "hfield"):
-        what = "shellinertia of a mesh" if hollow and kind == "mesh" else f"a geom of type {shorten(kind)}"
+        what = "shellinertia of a mesh" if hollow == "true" and kind == "mesh" else f"a geom of type {shorten(kind)}"
         raise DescriptionError(
             f"{where}: the inertia of {what} is not computed here; give the body an <inertial> (and "
             'inertiafromgeom="false"), or the geom mass="0"'
@@ -82,7 +84,7 @@ def solid(attributes: Attributes, settings: Settings, outer: Pose, *, where: str
         place = settings.pose(attributes, where) @ place
     else:
         place, size = _placed(attributes, settings, kind, where)
-    volume, radii = (_area_and_radii if hollow else _volume_and_radii)(kind, size)
+    volume, radii = (_area_and_radii if hollow == "true" else _volume_and_radii)(kind, size)
     total = mass if mass is not None else density * volume
     x, y, z = (total * radius for radius in radii)
     zero = ZERO[0]

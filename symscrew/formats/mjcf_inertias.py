@@ -24,6 +24,8 @@ from symscrew.formats.rigid_displacements import Real
 from symscrew.formats.tree_freedoms import freedoms_of, mass_matrix, ways_to
 
 Array = np.ndarray[Any, Any]
+LEAST = 1e-15
+"""Of a time [s] and of its square by the ratio's: what the engine divides by is no less."""
 DEPENDENT = 1e-12
 """Of the largest singular value of M: below it rounding alone is left, and a freedom moves no mass."""
 
@@ -93,11 +95,12 @@ class OwnInertia:
             own = [value for name, value in zip(self.names, yielding, strict=True) if name == joint]
             inertia = len(own) / float(sum(own))
             if "damper" not in off:
-                draft.effects.append(RawEffect(joint, {"kind": "damping", "coefficient": 2 * inertia / spring.time}))
+                size = 2 * inertia / max(spring.time, LEAST)
+                draft.effects.append(RawEffect(joint, {"kind": "damping", "coefficient": size}))
             if spring.rest is None:
                 draft.ledger.lost("stiffness of a ball or free joint")
             elif "spring" not in off:
-                size = inertia / (spring.time * spring.ratio) ** 2
+                size = inertia / max((spring.time * spring.ratio) ** 2, LEAST)
                 draft.effects.append(
                     RawEffect(joint, {"kind": "spring", "stiffness": size, "rest": float(spring.rest)})
                 )

@@ -35,6 +35,9 @@ AT_BOUND = 1e-14
 # Part of the forces at hand by which one that holds a contact may break its law: rounding. At 0 a joint that rubs at
 # its stop, and whose friction just reaches its level, leaves the stop and meets it without end.
 NO_FORCE = 1e-12
+# Part of the time by which what is held lets go later than it is found to: roundings of the instant. At 0, of a force
+# that rises within a nanosecond, its level is met before it is reached: held again, ten thousand times.
+LATE = 1e-15
 # An answer to a unit force that is less than its inverse of what accelerates already is found by a larger force.
 SMALL_ANSWER = 1e3
 
@@ -130,6 +133,11 @@ class Modes:
         return replace(self, values=(*self.values[:k], mode, *self.values[k + 1 :]))
 
 
+def holds(rule: Law, mode: int) -> bool:
+    """Whether a contact in this mode keeps its rate at zero: stuck, or on its stop."""
+    return (mode == 0) == (rule.contact.kind == "friction")
+
+
 def forces(at: ContactState, modes: Modes) -> np.ndarray:
     """Contact forces (n,) at a state: given by the law, or such that rates that are kept at zero stay there."""
     return _holding(at, modes)[0]
@@ -155,11 +163,10 @@ def _by_law(at: ContactState, modes: Modes) -> tuple[np.ndarray, list[int]]:
     """Forces (n,) of contacts that slip or are free, and which others are held."""
     given, held = np.zeros(len(at.rules)), []
     for k, (rule, mode) in enumerate(zip(at.rules, modes.values, strict=True)):
-        friction = rule.contact.kind == "friction"
-        if friction and mode != 0:
-            given[k] = -mode * rule.level(float(at.v[rule.v]))
-        elif friction or mode != 0:
+        if holds(rule, mode):
             held.append(k)
+        elif rule.contact.kind == "friction":
+            given[k] = -mode * rule.level(float(at.v[rule.v]))
     return given, held
 
 

@@ -101,12 +101,7 @@ def _begun(scene: Scene, model: Model, closure: Closure, parameters: np.ndarray)
                 f"{np.abs(residual).max():.3g} off their ground (lengths divided by {system.length:g} m); expected a "
                 "pose where they touch, or coordinates of the tree, the others of which are found"
             )
-        held = {k: float(placed[k]) for k, column in system.tree.plain if column in leading(jacobian)}
-        fine = None
-        if len(nearly_free(_rows(closure, jacobian, held))):
-            fine = FineStart(system, parameters, closure.rows, closure.units)
-            placed = fine.coordinates(placed, held, closure.of_places)
-            _, jacobian = yield At(placed)
+        placed, jacobian, fine = yield from _as_it_is(closure, placed, jacobian, parameters)
         return placed, (yield from _rates(closure, placed, jacobian, scene, fine=fine))
     target = _unit_quaternions(system, dict(_labelled(scene.initial.coordinates, known, "initial.coordinates")))
     q = None
@@ -115,6 +110,11 @@ def _begun(scene: Scene, model: Model, closure: Closure, parameters: np.ndarray)
             q = yield from _followed(reference, closure, target, strides)
             if q is not None:
                 break
+        else:
+            q = yield from _of_more(reference, closure, target)
+            if q is not None:
+                q, jacobian, fine = yield from _as_it_is(closure, q, (yield At(q))[1], parameters)
+                return q, (yield from _rates(closure, q, jacobian, scene, fine=fine))
     else:
         q = yield from _nearest(reference, closure, target, [k for label, k in known.items() if label in hold])
     if q is None:
@@ -280,6 +280,39 @@ def _followed(
             return None
         q = found
     return q
+
+
+def _of_more(reference: np.ndarray, closure: Closure, target: dict[int, float]) -> Asking[np.ndarray | None]:
+    """From more values than there are freedoms, which fit together at their end only: some are followed, if not all
+    are given, and the others are there."""
+    system, columns = closure.system, dict(closure.system.tree.plain)
+    q = np.array([target.get(k, place) for k, place in enumerate(reference)])
+    if len(target) < len(q):
+        _, jacobian = yield At(reference)
+        some = leading(jacobian, [columns[k] for k in target if k in columns])
+        if len(some) < len(left_free(jacobian)):
+            return None
+        followed = {k: value for k, value in target.items() if columns.get(k) in some}
+        for strides in STRIDES:
+            found = yield from _followed(reference, closure, followed, strides)
+            if found is not None:
+                break
+        else:
+            return None
+        q = found
+    return (yield from _solved(system, closure, q, target))
+
+
+def _as_it_is(
+    closure: Closure, q: np.ndarray, jacobian: np.ndarray, parameters: np.ndarray
+) -> Asking[tuple[np.ndarray, np.ndarray, FineStart | None]]:
+    """A configuration that is known to rounding, its rows, and, beside a singular one, its loops with 60 digits."""
+    held = {k: float(q[k]) for k, column in closure.system.tree.plain if column in leading(jacobian)}
+    if not len(nearly_free(_rows(closure, jacobian, held))):
+        return q, jacobian, None
+    fine = FineStart(closure.system, parameters, closure.rows, closure.units)
+    q = fine.coordinates(q, held, closure.of_places)
+    return q, (yield At(q))[1], fine
 
 
 def _continued(

@@ -275,8 +275,14 @@ class _Marching:
             t = left + part * (right - left)
             return self.contacts_at(t, dense(t))
 
-        found = first_end(within, self.modes, self.f.plant.units, self.fresh)
-        return None if found is None else (left + found[0] * (right - left), found[1])
+        blurred = float(np.spacing(right)) / (right - left)
+        found = first_end(within, self.modes, self.f.plant.units, self.fresh, blurred=blurred)
+        if found is None:
+            return None
+        t = left + found[0] * (right - left)
+        if contact.holds(self.rules[found[1]], self.modes.values[found[1]]):
+            t = min(t + contact.LATE * abs(t), right)
+        return t, found[1]
 
     def changed(self, found: tuple[float, int], y: np.ndarray) -> np.ndarray:
         """Rates and modes behind an event."""

@@ -18,7 +18,7 @@ from symscrew.model import Model
 from symscrew.runtime import entry, key_of, version
 from symscrew.scene import Table
 from symscrew.simulation.complementarity import SHARED
-from symscrew.simulation.contacts import HELD, HELD_WITH, SMALL_ANSWER, Law, laws
+from symscrew.simulation.contacts import HELD, HELD_WITH, LATE, SMALL_ANSWER, Law, laws
 from symscrew.simulation.fronts import layouts, paths
 from symscrew.simulation.state_programs import Plant
 from symscrew.simulation.turned_rounding import Trial, first_path, trial, trial_constants
@@ -55,6 +55,7 @@ THRESHOLDS = {
     "SMALL_ANSWER": SMALL_ANSWER,
     "HELD": HELD,
     "HELD_WITH": HELD_WITH,
+    "LATE": LATE,
     # The instant of an event is that of the step's polynomial; putting the state onto the loops moves it by that
     # polynomial's error. A margin that is off zero by less at the start of its new mode counts as zero.
     "MOST_MOVED": 1e-5,

@@ -551,8 +551,12 @@ int simulation_advance(Simulation *s, long most, const double *times, size_t cou
 #endif
             continue;
         }
-        end = event.contact >= 0 ? step->t + event.part * step->h : end;
-        whole = event.contact < 0;
+        if (event.contact >= 0) {
+            end = step->t + event.part * step->h;
+            /* What is held lets go behind the instant, by its last digits: before it, it would be held again. */
+            end = held(event.contact) ? fmin(end + LATE * fabs(end), step->t + step->h) : end;
+            whole = 0;
+        }
 #endif
         const int regular = step->pivot > 0.5 * PIVOT && !step->careful; /* a secant will do */
         const double rate = regular ? (step->pivot - s->pivot) / step->h : pivot_rate(step->q, step->v);
