@@ -24,7 +24,7 @@ FOREIGN = {
     "mobility/proofs/proof_checker.py",  # imports nothing of the package, so that who doubts it need not trust it
     "mobility/proofs/proof_numbers.py",  # what it writes for that checker
     "assembly/held_structure.py",  # groups of unknowns are called free here, as bodies are: no joint is meant
-    "assembly/root_bounds.py",  # the same
+    "assembly/closure_ideal.py",  # the same
     "assembly/batch_equations.py",  # the same
 }
 
