@@ -59,6 +59,16 @@ def identifiers(labels: Iterable[str]) -> dict[str, str]:
     return found
 
 
+def check_apart(mechanism: Mechanism, names: Iterable[str]) -> None:
+    """Raise DescriptionError for a parameter that is an input and has the name of one of these inputs."""
+    for name in names:
+        if name in mechanism.parameters and mechanism.parameters[name].run_time:
+            raise DescriptionError(
+                f"parameters.{name}: as an input it is called like a coordinate, rate, acceleration or drive of a joint; "
+                "give the parameter another name"
+            )
+
+
 def coordinate_units(mechanism: Mechanism) -> dict[str, str]:
     """Every typable name of a coordinate, joints first, then the platform, then the other bodies; with its unit."""
     virtual = virtual_joint(mechanism)

@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+import pytest
+
 from symscrew import MechanismBuilder
+from symscrew.errors import DescriptionError
 from symscrew.kinematics import System, identifiers
+from symscrew.model import derive
 
 
 def test_names_are_as_before_where_they_differ() -> None:
@@ -25,3 +29,18 @@ def test_inputs_of_joints_that_look_alike_are_apart() -> None:
     for nodes in (system.inputs.q, system.inputs.v, system.inputs.a):
         assert len(set(nodes)) == len(nodes) == 3
     assert "q_arm_1" in system.tape.symbols
+
+
+@pytest.mark.parametrize("name", ["q_arm", "v_arm", "a_arm", "u_arm"])
+def test_a_parameter_that_is_an_input_is_not_called_like_another(name: str) -> None:
+    """Its number was the coordinate's. One that is put in is no input, and may be called so."""
+    for run_time in (True, False):
+        built = MechanismBuilder("m")
+        built.parameter(name, 1, unit="kg", run_time=run_time)
+        built.body("p", mass=name, com=(0.1, 0, 0), inertia=(0.1, 0.2, 0.3))
+        built.joint("arm", "R", parent="base", child="p", point=(0, 0, 0), axes=[(0, 1, 0)], driven=[0])
+        if run_time:
+            with pytest.raises(DescriptionError, match=f"parameters.{name}: .*give the parameter another name"):
+                derive(built.build())
+        else:
+            assert derive(built.build()).programs
