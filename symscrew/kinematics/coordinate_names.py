@@ -64,7 +64,7 @@ def check_apart(mechanism: Mechanism, names: Iterable[str]) -> None:
     for name in names:
         if name in mechanism.parameters and mechanism.parameters[name].run_time:
             raise DescriptionError(
-                f"parameters.{name}: as an input it is called like a coordinate, rate, acceleration or drive of a joint; "
+                f"parameters.{name}: as an input it is called like a coordinate, a rate or a drive of a joint; "
                 "give the parameter another name"
             )
 
