@@ -93,15 +93,8 @@ def read_mjcf(root: Element, path: Path, options: ImportOptions) -> Draft:
     add_drags(result, around)
     own_pose = _in_own_pose(root, reading)
     _read_forces(reading, own_pose.result, actuators, pulled)
-    extent = _extent(result)
-    closing = Closing(result.ledger, extent, options.snap)
     placed = Placed(reading.poses, reading.sites, ground, own_pose.poses)
-    found = body_ties(root, chosen, placed)
-    if not ties and any(closing.is_open(tie.gap) for tie in found):
-        placed = where_they_close(result, found, placed)
-        found = body_ties(root, chosen, placed)
-        reading.values |= {joint.name: joint.reference[0] for joint in result.joints if joint.name in reading.values}
-    result.joints += loops(found, closing, placed)
+    _add_loops(root, reading, placed, Closing(result.ledger, _extent(result), options.snap), coupled=bool(ties))
     own = {joint: value - reading.displaced.get(joint, ZERO[0]) for joint, value in reading.values.items()}
     result.couplings += [raw_coupling(t, own) for t in ties if next(iter(t.first)) not in reading.made_screws]
     add_pulleys(result, pulled, reading.values, reading.driven)
@@ -117,6 +110,17 @@ def read_mjcf(root: Element, path: Path, options: ImportOptions) -> Draft:
     chain = len(tips) == 1 and len(result.joints) == len(result.bodies)
     result.platform = platform if platform in reading.poses else (tips[0] if chain else None)
     return result
+
+
+def _add_loops(root: Element, reading: Reading, placed: Placed, closing: Closing, *, coupled: bool) -> None:
+    """The joints that close loops; where these are open in the file's pose, and no joints are coupled, others move."""
+    result, chosen = reading.result, reading.settings
+    found = body_ties(root, chosen, placed)
+    if not coupled and any(closing.is_open(tie.gap) for tie in found):
+        placed = where_they_close(result, found, placed)
+        found = body_ties(root, chosen, placed)
+        reading.values |= {joint.name: joint.reference[0] for joint in result.joints if joint.name in reading.values}
+    result.joints += loops(found, closing, placed)
 
 
 def _read_forces(reading: Reading, own: Draft, actuators: Actuators, pulled: Transmissions) -> None:
