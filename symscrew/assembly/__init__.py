@@ -1,7 +1,7 @@
 """Every assembly mode: the closure as forms in Study's parameters, all its zeros, certified, with names.
 
 Mechanism, values of drives --what_is_held, elementary_graph, held_structure--> unknowns, forms (dual_forms), numbers
-structure --root_bounds--> a proved bound on isolated zeros;  --start_system--> all zeros of a general member, kept
+structure --root_bounds--> a bound on isolated zeros;  --start_system--> all zeros of a general member, kept
 --batch_equations, path_tracking, target_roots--> ends of all paths at the given numbers (families)
 --certified_roots--> a box with one zero;  --joint_angles, mode_signs, mode_names--> modes --all_modes--> result
 structure, start system --modes_c, closed_zeros--> C that finds all modes, and leads one (modes_library calls it)

@@ -60,7 +60,7 @@ class Completeness:
         if best is not None and best.count == every and whole and self._all_certified(real, others):
             several = [root.meeting for root in exact if root.meeting > 1]
             meet = "" if not several else f", of which {', '.join(map(str, several))} meet in one place each"
-            return "proved", f"as many certified solutions, {every}{meet}, as the bound {best.how}", best
+            return "bounded", f"as many certified solutions, {every}{meet}, as the bound {best.how}", best
         if start.complete:
             return "tracked", (
                 f"all {account.paths} paths from the {len(start.zeros)} zeros of a general member were followed; the "

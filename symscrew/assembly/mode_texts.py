@@ -62,7 +62,8 @@ def _reach(mode: AssemblyMode, connections: Sequence[Connection]) -> dict[str, s
 def _verdict(found: AssemblyModes) -> str:
     words = {
         "proved": "complete, proved",
-        "regular": "every regular mode, proved",
+        "bounded": "complete with probability one",
+        "regular": "every regular mode with probability one",
         "tracked": "complete by tracking, not proved",
         "sampled": "not known to be all",
     }

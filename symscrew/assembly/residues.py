@@ -6,7 +6,7 @@
 Numbers of the field whose denominators p does not divide map to residues as a ring does, whichever roots are taken. The
 cosine of a fraction [rad] is transcendental (F. Lindemann, 1882), so that polynomials in the cosines and sines of
 multiples of one angle map by any point of the circle. Rank, and with it a bound by a Groebner basis, only falls on the
-way: what holds of the residues bounds the mechanism itself.
+way, where every zero of the mechanism has residues too: what that asks for stands in `root_bounds`.
 """
 
 from __future__ import annotations
@@ -15,6 +15,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from fractions import Fraction
 from math import gcd, lcm
+from random import Random
 from typing import Any
 
 import sympy
@@ -31,8 +32,6 @@ LARGEST_PRIME = 2147483629
 """The largest prime below 2^31 - 1: coefficients of 31 bits are what Singular takes."""
 MOST_PRIMES = 4000
 """Looked at for one in which all roots are: with five square roots one in 32 has them."""
-POINT = 1234577
-"""Tangent of half the angle, modulo p, of the point of the circle that stands for the unit of held angles."""
 
 
 class Residue:
@@ -103,13 +102,13 @@ class Angle:
         return self if sign > 0 else Angle(-self.multiple, (self.turn[0], -self.turn[1]), -self.value)
 
 
-def residues_of(held: Held) -> tuple[Structure, list[Any], int]:
-    """(structure with lengths in other units, numbers in its slots modulo a prime, the prime).
+def residues_of(held: Held, *, most: int = LARGEST_PRIME) -> tuple[Structure, list[Any], int]:
+    """(structure with lengths in other units, numbers in its slots modulo a prime, the prime, `most` or less).
 
     Raises:
         NotDecidableError: numbers that are in no such field. NotAlgebraicError: as of the structure.
     """
-    return NumbersOf(held).residues()
+    return NumbersOf(held).residues(most)
 
 
 class NumbersOf:
@@ -148,10 +147,11 @@ class NumbersOf:
         scale = (1 if same else -1) / length
         return tuple(c * scale for c in screw)
 
-    def residues(self) -> tuple[Structure, list[Any], int]:
+    def residues(self, most: int = LARGEST_PRIME) -> tuple[Structure, list[Any], int]:
         """As `residues_of` has them."""
-        prime, roots = self._prime()
+        prime, roots = self._prime(most)
         self.prime, self.roots = prime, roots
+        self.tangent = Random(prime).randrange(prime)  # of half the angle that stands for the unit of held ones
         structure, slots = self.in_slots()
         return structure, [s.rest if isinstance(s, Residue) else [c.rest for c in s] for s in slots], prime
 
@@ -164,12 +164,12 @@ class NumbersOf:
         scalars = Scalars(lambda v: self._circle(v)[0], lambda v: self._circle(v)[1], self._read)
         return structure, Displacements(structure, scalars, values).slots()
 
-    def _prime(self) -> tuple[int, Mapping[Any, int]]:
+    def _prime(self, most: int) -> tuple[int, Mapping[Any, int]]:
         """A prime in which every generator has a root, and these roots."""
         step = lcm(2, self.field.unit)
         for k in range(MOST_PRIMES):
-            prime = LARGEST_PRIME - LARGEST_PRIME % step + 1 - k * step
-            if prime <= LARGEST_PRIME and sympy.isprime(prime):
+            prime = most - most % step + 1 - k * step
+            if prime <= most and sympy.isprime(prime):
                 roots = self._roots(prime)
                 if roots is not None:
                     return prime, roots
@@ -216,8 +216,9 @@ class NumbersOf:
         if not isinstance(angle, Angle):  # of a freedom that is held where it is
             return self._read(1), self._read(0)
         p = self.prime
-        below = pow(1 + POINT * POINT, -1, p)
-        c, s = _power((1 - POINT * POINT) * below % p, 2 * POINT * below % p, abs(angle.multiple), p)
+        tangent = self.tangent
+        below = pow(1 + tangent * tangent, -1, p)
+        c, s = _power((1 - tangent * tangent) * below % p, 2 * tangent * below % p, abs(angle.multiple), p)
         s = s if angle.multiple >= 0 else -s
         (a, b), value = angle.turn, angle.value
         return (Residue(CONTEXT.cos(value), a.rest * c - b.rest * s, p),

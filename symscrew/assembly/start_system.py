@@ -43,7 +43,7 @@ STARTS, STEPS, STILL = (100, 1000, 4000), 40, 1e-12
 a step at a zero. Of loops of slides and a ball one place in two hundred leads to a displacement, others to infinity."""
 FINITE = 1e-4
 """|x|^2 of points of length one that are displacements."""
-FORMAT = "2"
+FORMAT = "3"
 """Of what is kept: another one is not read."""
 
 

@@ -14,7 +14,7 @@ def test_json_says_what_words_say(capsys, tmp_path):
     values = json.loads(capsys.readouterr().out)
     assert main(["assemble", "four_bar"]) == 0
     words = capsys.readouterr().out
-    assert values["complete"] == "proved" and "complete, proved" in words
+    assert values["complete"] == "bounded" and "complete with probability one: as many certified" in words
     assert [mode["name"] for mode in values["modes"]] == ["home", "-1"]
     assert all(mode["certified"] and mode["residual"] < 1e-13 for mode in values["modes"])
     assert values["modes"][1]["signs"] == {"drives locked": "-"}

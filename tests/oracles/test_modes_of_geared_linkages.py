@@ -66,7 +66,7 @@ def tip_of(mode: AssemblyMode) -> tuple[float, float]:
 def test_cranks_with_gears_have_the_modes_of_two_circles(terms, follower, drive):
     found = symscrew.assembly_modes(geared_five_bar(terms), {"A": drive})
     wanted = tips(drive, follower(drive))
-    assert found.complete == "proved" and len(found.modes) == len(wanted)
+    assert found.complete == "bounded" and len(found.modes) == len(wanted)
     for tip in wanted:
         assert min(math.dist(tip, tip_of(mode)) for mode in found.modes) < 1e-12
     assert all(mode.certified and abs(mode.values["B"] - follower(drive)) < 1e-12 for mode in found.modes)

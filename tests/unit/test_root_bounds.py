@@ -11,10 +11,11 @@ import sympy
 from symscrew import load_catalogue
 from symscrew.assembly.all_modes import structure_of
 from symscrew.assembly.families import COMPLEX
-from symscrew.assembly.residues import Residue, residues_of
+from symscrew.assembly.residues import LARGEST_PRIME, Residue, residues_of
 from symscrew.assembly.root_bounds import own_bound
 from symscrew.assembly.slot_numbers import Displacements
 from symscrew.assembly.what_is_held import held_by
+from symscrew.description import parse_description
 from symscrew.mobility import NotDecidableError
 
 
@@ -95,6 +96,37 @@ def test_an_angle_in_parts_of_a_turn_and_in_radians_is_added_up():
             pytest.skip(bound)
         counts[text] = bound.count
     assert set(counts.values()) == {2}  # a third of a turn takes the mechanism to itself: four solutions stay far away
+
+
+WEDGE = f"""
+[mechanism]
+name = "wedge"
+platform = "rod"
+[parameters]
+p = {{ value = {LARGEST_PRIME} }}
+[bodies]
+block = {{ mass = 1, com = [0, 0, 0] }}
+rod = {{ mass = 1, com = [0, 0, 0] }}
+slider = {{ mass = 1, com = [0, 0, 0] }}
+[joints]
+rail = {{ type = "P", parent = "base", child = "block", point = [0, 0, 0], axes = [[1, 0, 0]], driven = true }}
+wall = {{ type = "P", parent = "block", child = "rod", point = [0, 0, 0], axes = [[0, 1, 0]] }}
+hinge = {{ type = "R", parent = "slider", child = "rod", point = [0, 0, 0], axes = [[0, 0, 1]] }}
+[joints.slope]
+type = "P"
+parent = "base"
+child = "slider"
+point = [0, 0, 0]
+axes = [["2*p/(1 + p^2)", "(1 - p^2)/(1 + p^2)", 0]]
+"""
+
+
+def test_a_solution_that_is_infinite_modulo_a_prime_is_counted():
+    """Modulo the prime the slope is parallel to the wall: no solution is left; the mechanism has one, a metre down."""
+    bound = own_bound(held_by(parse_description(WEDGE), {"rail": "1/1000000000"}, {}))
+    if isinstance(bound, str):
+        pytest.skip(bound)
+    assert (bound.count, bound.dimension) == (1, 0)
 
 
 def test_numbers_that_are_in_no_field_say_so():
