@@ -27,6 +27,7 @@ from symscrew.simulation.recording import History, Instant, State, faster, shown
 from symscrew.simulation.run_source import SPAN
 from symscrew.simulation.scene_functions import PlantFunctions, RunError
 from symscrew.simulation.singular_watch import singular_watch
+from symscrew.simulation.start_branch import OF_NO_BRANCH, impact_leaves_every_branch
 from symscrew.simulation.state_programs import Plant
 
 Controller = Callable[[float, np.ndarray, np.ndarray], object]
@@ -295,6 +296,8 @@ class _Marching:
     def adopted(self, t: float, y: np.ndarray, found: Change) -> np.ndarray:
         """The state with the rates and modes of a change, which is recorded."""
         q, _, x = self.parts(y)
+        if found.losses and impact_leaves_every_branch(self.f.plant, q, found.v):
+            raise UndecidedError(OF_NO_BRANCH)
         q = onto_stops(self.contacts_at(t, y), found.modes.values, q)
         self.modes = found.modes
         if self.corners is not None:

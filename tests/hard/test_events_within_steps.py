@@ -335,3 +335,17 @@ def test_stuck_at_a_dead_point_at_rest(method: str, backend: str, torque: float)
     end = solve_ivp(slopes, (0, 0.4), [0, 0], method="DOP853", rtol=1e-11, atol=1e-13).y[0, -1]
     angle = [c.label for c in found.model.system.tree.q].index("A")
     assert abs(end) > 0.5 and found.q[-1, angle] == pytest.approx(end, abs=1e-8)
+
+
+def test_a_stop_met_at_a_change_point_is_refused() -> None:
+    """Where a parallelogram is flat, a stop of its crank holds the crank alone: the law of impact leaves its other
+    joints turning, which no motion of the linkage does."""
+    stop = EndStop("A0", lower=repr(float(-np.pi / 2)), mode="impact")
+    bars, fall = four_bars(1, width="2", coupler="3"), Gravity((0, "-9.81", 0))
+    found = simulate(Scene("s", bars, (fall, stop), 1.2, 20.0, Initial(rates={"A0": -1.0})))
+    assert not found.ok and "belongs to none of them" in found.events[0], found.status
+    beside = EndStop("A0", lower=repr(float(-np.pi / 2 + 1e-6)), restitution="0.5", mode="impact")
+    assert simulate(Scene("s", bars, (fall, beside), 1.2, 20.0, Initial(rates={"A0": -1.0}))).accurate
+    rhombus = four_bars(1)  # whose coupler and other crank may turn on there, about one point: steps of 1e-14 s
+    stopped = simulate(Scene("s", rhombus, (fall, stop), 1.2, 20.0, Initial(rates={"A0": -1.0})))
+    assert "the step had to become too small" in stopped.status and stopped.counters["steps"] < 2000

@@ -11,7 +11,7 @@ typedef struct {
     double earlier_error;
     double rtol, atol, longest, shortest;
     int method, started;
-    long steps, rejected, careful, evaluations;
+    long steps, rejected, careful, evaluations, crawling; /* `crawling`: steps in a row that lead nowhere */
     long budget;
     int reason;        /* why the last step failed */
     int event;         /* the contact whose mode has ended */
@@ -609,6 +609,11 @@ int simulation_advance(Simulation *s, long most, const double *times, size_t cou
             return NOT_CLOSED;
         }
 #endif
+        s->crawling = step->h < CRAWL * times[count - 1] ? s->crawling + 1 : 0;
+        if (s->crawling > MOST_CRAWLING) {
+            s->evaluations += evaluations;
+            return STEP_TOO_SMALL;
+        }
         s->fresh = 0;
         s->started = step->until > 0.0 ? 0 : s->started; /* behind a break the slope is another one */
         s->rest = end == step->t + step->h ? ((step->t - end) + step->h) + step->rest : 0.0;
