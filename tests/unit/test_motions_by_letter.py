@@ -19,6 +19,7 @@ FOREIGN = {
     "formats/mjcf_bodies.py",  # a slide and a hinge that an equality couples
     "formats/idle_spins.py",  # a rod between two balls of a file that may be a bar here
     "formats/contradictory_loops.py",  # turns of a file that its author calls spherical
+    "formats/mjcf_closing.py",  # hinges and slides of a file, by which its open loops are closed
     "formats/merged_joints.py",  # chains of elementary joints that are one joint here
     "studies/accuracy/load_sharing.py",  # limbs of the seed by their letters
     "mobility/proofs/proof_checker.py",  # imports nothing of the package, so that who doubts it need not trust it
