@@ -18,11 +18,12 @@ from symscrew import notebook
 from symscrew.algebra import CONTEXT
 from symscrew.assembly.batch_equations import BatchEquations
 from symscrew.assembly.certified_roots import Certificate
+from symscrew.assembly.closure_structure import Structure
 from symscrew.assembly.completeness import Completeness, proof_of
 from symscrew.assembly.coupled_columns import Follower
 from symscrew.assembly.elementary_graph import held_graph
 from symscrew.assembly.families import MOST_RADIANS, AllNumbers, Family, WhatIsHeld
-from symscrew.assembly.held_structure import Structure, held_structure
+from symscrew.assembly.held_structure import held_structure
 from symscrew.assembly.joint_angles import CLOSED, JointAngles
 from symscrew.assembly.mode_names import Named, distances_of, names_by_ways, numbered
 from symscrew.assembly.mode_signs import LOCKED, ModeSigns
@@ -187,7 +188,7 @@ def assembly_modes(
 def structure_of(held: Held) -> Structure:
     """The structure of a mechanism with what is held."""
     network = held.network
-    graph = held_graph(network, held.chosen, held.mechanism.platform)
+    graph = held_graph(network, held.chosen, held.mechanism.platform, held.links)
     points = [edge.point for edge in network.edges.values()]
     x, y, z = (sum(p[k] for p in points) / len(points) for k in range(3))
     return held_structure(graph, (x, y, z), held.mechanism.platform)

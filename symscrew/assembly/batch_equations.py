@@ -16,8 +16,8 @@ from typing import Any
 import numpy as np
 
 from symscrew.assembly import dual_forms as forms
-from symscrew.assembly.held_structure import WIDTH, Structure
-from symscrew.assembly.slot_numbers import matrices
+from symscrew.assembly.closure_structure import WIDTH, Loop, Structure
+from symscrew.assembly.slot_numbers import matrices, spins_of
 
 Array = np.ndarray[Any, Any]
 
@@ -36,10 +36,14 @@ def _times(table: Array, a: Array) -> Array:
 
 @dataclass(frozen=True)
 class _Factor:
-    """A group in the way around a loop; `back`: passed towards the ground."""
+    """A group in the way around a loop; `back`: passed towards the ground.
+
+    `motion`: the place of its displacement, first those of the groups, then those of what couplings tie.
+    """
 
     group: int
     back: bool
+    motion: int
 
 
 class BatchEquations:
@@ -51,19 +55,24 @@ class BatchEquations:
         self.parts = [slice(int(a), int(b)) for a, b in pairwise(starts)]
         self.width = int(starts[-1])
         self.free = [k for k, g in enumerate(structure.groups) if g.kind == "free"]
-        self.ways = [self._way(loop.base, loop.body) for loop in structure.loops]
+        self.spins = [m.astype(complex)[None] for m in spins_of(structure)]
+        self.made_of = [*self.parts, *(self.parts[spin.group] for spin in structure.spins)]
+        self.ways = [self._way(loop) for loop in structure.loops]
         sample = matrices(structure, [1.0 if s.kind in ("number", "distance") else np.ones(3) for s in structure.slots])
         self.shapes = [m.shape for m in sample[0]], [(q.shape, l.shape) for q, l in sample[1]]
         self.sizes = [m.size for m in sample[0]] + [n for q, l in sample[1] for n in (q.size, l.size)]
         self.ends = np.cumsum([0, *self.sizes])
         self.rows = sum(q[0] + l[0] for q, l in self.shapes[1]) + len(self.free)
 
-    def _way(self, base: str, body: str) -> tuple[_Factor, ...]:
-        one, two = self.structure.chains[base], self.structure.chains[body]
+    def _way(self, loop: Loop) -> tuple[_Factor, ...]:
+        count, spins = len(self.parts), self.structure.spins
+        if loop.spins:
+            return tuple(_Factor(spins[k].group, back, count + k) for k, back in loop.spins)
+        one, two = self.structure.chains[loop.base], self.structure.chains[loop.body]
         common = 0
         while common < min(len(one), len(two)) and one[common] == two[common]:
             common += 1
-        return (*(_Factor(k, True) for k in reversed(one[common:])), *(_Factor(k, False) for k in two[common:]))
+        return (*(_Factor(k, True, k) for k in reversed(one[common:])), *(_Factor(k, False, k) for k in two[common:]))
 
     def coefficients(self, slots: Sequence[Any]) -> Array:
         """All entries of all matrices in a row."""
@@ -83,7 +92,7 @@ class BatchEquations:
             g, along = self._product(way, made, motions)
             both, values[:, row : row + self._size(loop)] = self._forms(loop, g)
             for factor, slope in along:
-                slopes[:, row : row + self._size(loop), self.parts[factor.group]] = both @ slope
+                slopes[:, row : row + self._size(loop), self.parts[factor.group]] += both @ slope
             row += self._size(loop)
         for k in self.free:
             x = z[:, self.parts[k]]
@@ -114,11 +123,11 @@ class BatchEquations:
         motions = [p.reshape(len(c), *shape) for p, shape in zip(pieces, self.shapes[0], strict=False)]
         rest = iter(pieces[len(motions) :])
         loops = [(next(rest).reshape(len(c), *q), next(rest).reshape(len(c), *l)) for q, l in self.shapes[1]]
-        return motions, loops
+        return [*motions, *self.spins], loops
 
     def _made(self, motions: Sequence[Array], z: Array) -> list[Array]:
-        """The displacement that each group makes, N x 8."""
-        return [(m @ z[:, part, None])[..., 0] for m, part in zip(motions, self.parts, strict=True)]
+        """The displacement that each group makes, and what couplings tie, N x 8."""
+        return [(m @ z[:, part, None])[..., 0] for m, part in zip(motions, self.made_of, strict=True)]
 
     @staticmethod
     def _size(loop: tuple[Array, Array]) -> int:
@@ -138,7 +147,7 @@ class BatchEquations:
     @staticmethod
     def _passed(way: Sequence[_Factor], made: Sequence[Array]) -> tuple[list[Array], list[Array]]:
         """(the displacements on the way around a loop, the product of those up to each)."""
-        turned = [made[f.group] * CONJUGATE if f.back else made[f.group] for f in way]
+        turned = [made[f.motion] * CONJUGATE if f.back else made[f.motion] for f in way]
         before = [turned[0]]
         for factor in turned[1:]:
             before.append((_times(LEFT, before[-1]) @ factor[..., None])[..., 0])
@@ -149,7 +158,7 @@ class BatchEquations:
     ) -> tuple[Array, list[tuple[_Factor, Array]]]:
         """(g, its derivative by each group on the way)."""
         turned, before = self._passed(way, made)
-        slopes = [motions[f.group] * CONJUGATE[:, None] if f.back else motions[f.group] for f in way]
+        slopes = [motions[f.motion] * CONJUGATE[:, None] if f.back else motions[f.motion] for f in way]
         result: list[tuple[_Factor, Array]] = []
         behind = None
         for k in range(len(way) - 1, -1, -1):

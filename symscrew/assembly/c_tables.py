@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 
+from symscrew.assembly.closure_structure import Structure
 from symscrew.assembly.elementary_graph import Edge
-from symscrew.assembly.held_structure import Structure
 from symscrew.export import decimal, wrapped
 
 LINE = 110

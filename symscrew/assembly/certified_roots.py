@@ -29,7 +29,7 @@ from symscrew.assembly.rectangles import (
     product,
     whole,
 )
-from symscrew.assembly.slot_numbers import matrices
+from symscrew.assembly.slot_numbers import matrices, spins_of
 
 Array = np.ndarray[Any, Any]
 
@@ -105,6 +105,7 @@ class Chart:
     def __init__(self, equations: BatchEquations, slots: Sequence[Any], z: Array) -> None:
         self.equations = equations
         self.motions, self.loops = matrices(equations.structure, slots)
+        self.moving = [*self.motions, *spins_of(equations.structure)]
         self.fixed = [part.start + int(np.abs(z[part]).argmax()) for part in equations.parts]
         middle = np.array(z, dtype=complex)
         for part, place in zip(equations.parts, self.fixed, strict=True):
@@ -134,7 +135,7 @@ class Chart:
             square, linear = self.loops[k]
             keep += range(row, row + len(square))
             row += len(square)
-            if self.equations.structure.planar:
+            if self.equations.structure.planar or loop.spins:
                 keep += range(row, row + len(linear))
             else:
                 drop = int(np.abs(self._between(k, z)[:4]).argmax())
@@ -151,7 +152,7 @@ class Chart:
         g: Array = np.eye(SIZE)[0].astype(complex)
         for factor in self.equations.ways[k]:
             part = self.equations.parts[factor.group]
-            motion = np.vectorize(middle_of_box)(self.motions[factor.group]).astype(complex)
+            motion = np.vectorize(middle_of_box)(self.moving[factor.motion]).astype(complex)
             f = motion @ z[part] * (CONJUGATE if factor.back else 1)
             g = np.asarray(np.einsum("kij,i,j->k", PRODUCT, g, f))
         return g
@@ -175,14 +176,14 @@ class Chart:
 
     def _factors(self, z: Sequence[Rectangle]) -> list[list[Rectangle]]:
         result = []
-        for motion, part in zip(self.motions, self.equations.parts, strict=True):
+        for motion, part in zip(self.moving, self.equations.made_of, strict=True):
             own = z[part]
             result.append([dot(row, own) for row in motion])
         return result
 
     def _way(self, k: int, made: Sequence[Sequence[Rectangle]]) -> list[list[Rectangle]]:
         ways = self.equations.ways[k]
-        return [[c * int(CONJUGATE[i]) if f.back else c for i, c in enumerate(made[f.group])] for f in ways]
+        return [[c * int(CONJUGATE[i]) if f.back else c for i, c in enumerate(made[f.motion])] for f in ways]
 
     def _values(self, z: Sequence[Rectangle]) -> list[Rectangle]:
         made, result = self._factors(z), list[Rectangle]()
@@ -216,13 +217,13 @@ class Chart:
             block = [[zero] * self.equations.width for _ in both]
             for place, factor in enumerate(self.equations.ways[k]):
                 before = [chain(factors[:place])] if place else []
-                motion, part = self.motions[factor.group], self.equations.parts[factor.group]
+                motion, part = self.moving[factor.motion], self.equations.parts[factor.group]
                 for j in range(part.stop - part.start):
                     column = [product(motion[i, j], whole(1)) * (int(CONJUGATE[i]) if factor.back else 1)
                               for i in range(SIZE)]  # fmt: skip
                     slope = chain([*before, column, *factors[place + 1 :]])
                     for n, form in enumerate(both):
-                        block[n][part.start + j] = dot(form, slope)
+                        block[n][part.start + j] += dot(form, slope)
             rows += block
         for place in self.equations.free:
             part, row = self.equations.parts[place], [zero] * self.equations.width

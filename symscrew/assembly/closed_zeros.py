@@ -15,8 +15,8 @@ from typing import Any
 
 from symscrew.algebra import cross, dot, subtract
 from symscrew.assembly.c_tables import Step, c_array, held_steps
+from symscrew.assembly.closure_structure import Form, Structure
 from symscrew.assembly.elementary_graph import Point
-from symscrew.assembly.held_structure import Form, Structure
 
 EXACT = 1e-40
 """Differences of 60 digits that are none."""

@@ -70,6 +70,13 @@ static void FN(column)(int group, int j, NUM (*slots)[3], NUM *out)
     for (int k = 0; k < 8; ++k) {
         out[k] = OF(0.0);
     }
+#ifdef COUPLINGS
+    if (kind == GROUP_TURNED || kind == GROUP_SLID) { /* as a factor of a coupling: about or along one axis for all */
+        const int first = kind == GROUP_TURNED ? 3 : 5;
+        out[j ? first : 0] = OF(j ? spin_size[group - N_GROUPS] : kind == GROUP_TURNED ? 1.0 : 2.0);
+        return;
+    }
+#endif
     if (kind == GROUP_FREE) {
         out[j] = OF(1.0);
     } else if (kind == GROUP_PLANAR) {
@@ -163,6 +170,17 @@ static int FN(form)(int form, NUM (*slots)[3], const NUM *g, const double (*mix)
         }
         return 1;
     }
+#ifdef COUPLINGS
+    if (kind == FORM_TURNED || kind == FORM_SLID) { /* a product of turns or slides is one by what is known */
+        const int along = kind == FORM_TURNED ? 3 : 5;
+        for (int k = 0; k < 8; ++k) {
+            slope[0][k] = k == along ? p[0] : OF(0.0);
+        }
+        slope[0][0] = SUB(OF(0.0), p[1]);
+        value[0] = SUB(MUL(p[0], g[along]), MUL(p[1], g[0]));
+        return 1;
+    }
+#endif
 #if CROSSINGS
     if (kind == FORM_CROSSING) { /* half of u . m' + (q x u) . w' of the lines w through p and u through q: the gradient
                                     of the whole by x is - 2 (u y w + u x m + (q x u) x w), by y it is - 2 u x w */
@@ -289,7 +307,11 @@ static void FN(equations)(NUM (*slots)[3], const NUM *z, const double (*mix)[3][
                     for (int i = 1; i < 8; ++i) {
                         total = ADD(total, MUL(slope[r - begin][i], one[i]));
                     }
+#ifdef COUPLINGS
+                    jacobian[r][at] = ADD(jacobian[r][at], total); /* a group may be several factors */
+#else
                     jacobian[r][at] = total;
+#endif
                 }
             }
         }

@@ -11,7 +11,7 @@ import numpy as np
 from symscrew.assembly.batch_equations import BatchEquations
 from symscrew.assembly.certified_roots import Certificate, certified
 from symscrew.assembly.exact_roots import ExactRoot
-from symscrew.assembly.root_bounds import Bound, own_bound, regular_bound
+from symscrew.assembly.root_bounds import Bound, exact_bound, own_bound, regular_bound
 from symscrew.assembly.start_system import StartSystem, together
 from symscrew.assembly.target_roots import APART, Account, End
 from symscrew.assembly.what_is_held import Held
@@ -34,7 +34,7 @@ class Completeness:
     def verdict(
         self, start: StartSystem, account: Account, certificates: Sequence[Certificate | None]
     ) -> tuple[str, str, Bound | None]:
-        """(what completeness is, why, the bound): by the family's bound, by that of this mechanism's fractions."""
+        """(what completeness is, why, the bound): by the family's bound, by that of this mechanism's own numbers."""
         real = [c for c in certificates if c is not None and c.kind == "real"]
         exact = [end.exact for end in account.ends if end.exact is not None]
         others = [end for end in account.ends if end.kind == "complex" and end.regular]
@@ -60,6 +60,9 @@ class Completeness:
         if best is not None and best.count == every and whole and self._all_certified(real, others):
             several = [root.meeting for root in exact if root.meeting > 1]
             meet = "" if not several else f", of which {', '.join(map(str, several))} meet in one place each"
+            exactly = exact_bound(self.held)
+            if isinstance(exactly, Bound) and exactly.dimension <= 0 and exactly.count == every:
+                return "proved", f"as many certified solutions, {every}{meet}, as the number {exactly.how}", exactly
             return "bounded", f"as many certified solutions, {every}{meet}, as the bound {best.how}", best
         if start.complete:
             return "tracked", (

@@ -4,7 +4,7 @@
     again with these, until nothing more is settled
 
 A coupling is of coordinates as they are counted, not of angles up to whole turns: what follows from held numbers is one
-number, and is held itself. What no coupling settles and some coupling ties is free, and has no polynomials here.
+number, and is held itself. What no coupling settles and some coupling ties is free: `linked_columns`.
 """
 
 from __future__ import annotations
@@ -74,20 +74,20 @@ class Coupled:
 def coupled_columns(mechanism: Mechanism, network: Network, known: Iterable[int]) -> Coupled:
     """What the couplings settle where the columns `known` are held."""
     known = tuple(dict.fromkeys(known))
-    powers = {name: _powers(mechanism, network, name) for name in mechanism.couplings}
+    powers = {name: powers_of(mechanism, network, name) for name in mechanism.couplings}
     met = {name: terms for name, terms in powers.items() if set(terms) <= set(known)}
-    sizes = _sizes(network)
+    sizes = sizes_of(network)
     settled: dict[int, Follower] = {}
     while found := _settled(powers, {*known, *settled}):
         for column, exact in found.items():
-            terms = {c: _scaled(p, sizes[c], sizes[column]) for c, p in exact.items()}
+            terms = {c: scaled(p, sizes[c], sizes[column]) for c, p in exact.items()}
             settled[column] = Follower(column, terms, exact)
     every = {*known, *settled}
     left = {name: tuple(c for c in terms if c not in every) for name, terms in powers.items()}
     return Coupled(tuple(settled.values()), {name: columns for name, columns in left.items() if columns}, met)
 
 
-def _powers(mechanism: Mechanism, network: Network, name: str) -> dict[int, Powers]:
+def powers_of(mechanism: Mechanism, network: Network, name: str) -> dict[int, Powers]:
     """Column -> coefficients of its displacement from the reference, of a coupling."""
     result = dict[int, Powers]()
     for term in mechanism.couplings[name].terms:
@@ -103,13 +103,14 @@ def _powers(mechanism: Mechanism, network: Network, name: str) -> dict[int, Powe
     return result
 
 
-def _sizes(network: Network) -> dict[int, Any]:
+def sizes_of(network: Network) -> dict[int, Any]:
     """Column -> its unit in rad or m."""
     motions = [(start, motion) for e in network.edges.values() for motion, start in e.motions]
     return {start: network.length if motion.prismatic else CONTEXT.one for start, motion in motions}
 
 
-def _scaled(powers: Powers, size: Any, own: Any) -> tuple[Any, ...]:
+def scaled(powers: Powers, size: Any, own: Any) -> tuple[Any, ...]:
+    """Coefficients [rad, m] in 60 digits, of a displacement of this size for one of the size `own`."""
     return tuple(high_precision(p) * size**k / own for k, p in enumerate(powers, start=1))
 
 

@@ -6,6 +6,7 @@
     angle           image of w times u = k      one quadratic form
     parallel axes   image of w = u              four linear forms: x w - u x = 0
     crossing lines  image of w at p meets u     one quadratic form: their mutual moment; lines go to g (w + eps m) g*
+    coupled motions sum of angles, or ways, of a product of turns, or slides, about one axis = what is known: linear
     motions         of a joint: linear in its homogeneous coordinates, a matrix of eight rows
 
 The same matrices serve doubles, complex numbers, intervals and residues: entries are sums of products of what comes in.
@@ -185,6 +186,21 @@ def rolling(p: Vector) -> Array:
     for k in range(3):
         block = block + (LEFT[k] - RIGHT[k]).astype(object) * p[k]
     return np.concatenate([2 * np.eye(4, dtype=int).astype(object), block])
+
+
+def coupled(known: Vector, *, turning: bool) -> Array:
+    """The row  c x_3 - s x_0  of a product of turns by half of whose sum c and s are cosine and sine, or  c y_1 - s x_0
+    of slides, s half of their sum and c one."""
+    row = np.zeros((1, SIZE), dtype=object)
+    row[0, 0], row[0, 3 if turning else 5] = -known[1], known[0]
+    return row
+
+
+def spinning(*, turning: bool, size: int) -> Array:
+    """The columns for the coordinates of a turn about the third axis, or of a slide along the first, `size` times."""
+    basis = np.zeros((SIZE, 2), dtype=int)
+    basis[0, 0], basis[3 if turning else 5, 1] = 1 if turning else 2, size
+    return basis
 
 
 PLANAR = np.zeros((SIZE, 4), dtype=int)

@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from symscrew.algebra import cross, dot, subtract
+from symscrew.assembly.linked_columns import Link
 from symscrew.mobility import Network, NotAlgebraicError
 
 Point = tuple[Any, Any, Any]
@@ -59,7 +60,8 @@ class Run:
 class HeldGraph:
     """Edges by what they do; body -> its cluster; runs; the axis of a planar mechanism.
 
-    `spherical`: whether all joints turn about axes through one point, so that no closure is about places.
+    `spherical`: whether all joints turn about axes through one point, so that no closure is about places. `links`:
+    what couplings tie of what is free.
     """
 
     ground: str
@@ -70,6 +72,11 @@ class HeldGraph:
     idle: tuple[Run, ...]
     axis: Point | None
     spherical: bool = False
+    links: tuple[Link, ...] = ()
+
+    def tied(self, run: Run) -> bool:
+        """Whether a coupling ties a motion of the run to others that are free, so that it is an unknown."""
+        return _tied(run, self.links)
 
 
 def elementary_edges(network: Network) -> list[Edge]:
@@ -93,8 +100,8 @@ def elementary_edges(network: Network) -> list[Edge]:
     return result
 
 
-def held_graph(network: Network, held: Iterable[int], platform: str | None) -> HeldGraph:
-    """Clusters and runs with these columns held.
+def held_graph(network: Network, held: Iterable[int], platform: str | None, links: Sequence[Link] = ()) -> HeldGraph:
+    """Clusters and runs with these columns held, and free ones tied by couplings.
 
     Raises:
         NotAlgebraicError: screw joints, or spherical joints of which single coordinates are held.
@@ -112,12 +119,13 @@ def held_graph(network: Network, held: Iterable[int], platform: str | None) -> H
     runs = [Run(e.kind, (e,), cluster[e.parent], cluster[e.child]) for e in free]
     if any(run.near == run.far for run in runs):
         raise NotAlgebraicError("a joint is free between bodies that what is held joins already")
-    looped, idle = _looped(runs, cluster[network.ground])
+    looped, idle = _looped(runs, cluster[network.ground], links)
     keep = {cluster[network.ground], cluster.get(platform or "", "")}
     spherical = axis is None and _spherical([e for e in edges if e.columns])
     return HeldGraph(
         cluster[network.ground], tuple(edges), tuple(fixed), cluster,
-        tuple(looped if spherical or axis is not None else _gathered(looped, keep)), tuple(idle), axis, spherical,
+        tuple(looped if spherical or axis is not None else _gathered(looped, keep, links)), tuple(idle), axis,
+        spherical, tuple(links),
     )  # fmt: skip
 
 
@@ -155,35 +163,42 @@ def _size(vector: Point) -> float:
     return float(float(dot(vector, vector)) ** 0.5)
 
 
-def _looped(runs: Sequence[Run], ground: str) -> tuple[list[Run], list[Run]]:
-    """(runs on loops, runs that nothing closes), by taking ends away until none is left; bridges stay."""
+def _tied(run: Run, links: Sequence[Link]) -> bool:
+    return any(c in link.factors for edge in run.edges for c in edge.columns for link in links)
+
+
+def _looped(runs: Sequence[Run], ground: str, links: Sequence[Link]) -> tuple[list[Run], list[Run]]:
+    """(runs on loops, runs that nothing closes), by taking ends away until none is left; bridges stay.
+
+    What a coupling ties is closed by it.
+    """
     left = list(runs)
     while True:
         count: dict[str, int] = {ground: 2}
         for run in left:
             for end in (run.near, run.far):
                 count[end] = count.get(end, 0) + 1
-        kept = [run for run in left if count[run.near] > 1 and count[run.far] > 1]
+        kept = [run for run in left if _tied(run, links) or (count[run.near] > 1 and count[run.far] > 1)]
         if len(kept) == len(left):
             return left, [run for run in runs if run not in left]
         left = kept
 
 
-def _gathered(runs: Sequence[Run], keep: set[str]) -> list[Run]:
+def _gathered(runs: Sequence[Run], keep: set[str], links: Sequence[Link]) -> list[Run]:
     """Turns about axes that meet on a body between two others become hooks and balls about that point."""
     result = list(runs)
     while True:
-        pair = next((found for found in _between(result, keep) if found is not None), None)
+        pair = next((found for found in _between(result, keep, links) if found is not None), None)
         if pair is None:
             return result
         one, two, made = pair
         result = [made if run is one else run for run in result if run is not two]
 
 
-def _between(runs: Sequence[Run], keep: set[str]) -> Iterable[tuple[Run, Run, Run] | None]:
+def _between(runs: Sequence[Run], keep: set[str], links: Sequence[Link]) -> Iterable[tuple[Run, Run, Run] | None]:
     for body in dict.fromkeys(end for run in runs for end in (run.near, run.far)):
         at = [run for run in runs if body in (run.near, run.far)]
-        if body in keep or len(at) != 2 or any(run.kind == "slide" for run in at):
+        if body in keep or len(at) != 2 or any(run.kind == "slide" or _tied(run, links) for run in at):
             continue
         one = at[0] if at[0].far == body else at[0].reversed()
         two = at[1] if at[1].near == body else at[1].reversed()

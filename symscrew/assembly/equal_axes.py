@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from symscrew.assembly.held_structure import Structure
+from symscrew.assembly.closure_structure import Structure
 
 Array = np.ndarray[Any, Any]
 

@@ -18,7 +18,7 @@ import numpy as np
 from symscrew.assembly.batch_equations import BatchEquations
 from symscrew.assembly.dual_forms import CONJUGATE, PRODUCT, SIZE
 from symscrew.assembly.residues import Angle, NumbersOf
-from symscrew.assembly.slot_numbers import matrices
+from symscrew.assembly.slot_numbers import matrices, spins_of
 from symscrew.assembly.what_is_held import Held
 from symscrew.mobility import Exact, Field, NotDecidableError, exact_value
 
@@ -112,6 +112,7 @@ class ExactEquations:
     def __init__(self, equations: BatchEquations, slots: Sequence[Any], field: Field) -> None:
         self.equations, self.slots, self.field = equations, slots, field
         self.motions, self.loops = matrices(equations.structure, slots)
+        self.moving = [*self.motions, *spins_of(equations.structure)]
 
     def work(self, terms: int) -> int:
         """Products of fractions that values of series of so many terms take, about."""
@@ -123,12 +124,12 @@ class ExactEquations:
         """Every row, of coordinates that are power series, up to this order."""
         made = [
             [linear(motion[i], z[part]) for i in range(SIZE)]
-            for motion, part in zip(self.motions, self.equations.parts, strict=True)
+            for motion, part in zip(self.moving, self.equations.made_of, strict=True)
         ]
         rows: list[Series] = []
         for (square, linear_), way in zip(self.loops, self.equations.ways, strict=True):
             turned = [
-                [_times(c, Fraction(int(CONJUGATE[i]))) if f.back else c for i, c in enumerate(made[f.group])]
+                [_times(c, Fraction(int(CONJUGATE[i]))) if f.back else c for i, c in enumerate(made[f.motion])]
                 for f in way
             ]
             g = turned[0]

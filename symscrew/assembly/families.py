@@ -87,6 +87,8 @@ class AllNumbers:
             numbers = random.normal(size=3) + 1j * random.normal(size=3)
             if slot.kind in ("number", "distance"):
                 slots.append(2 * numbers[0])
+            elif slot.kind in ("turned", "slid"):
+                slots.append(numbers * np.array([1, 1, 0]))
             elif k in hinges:
                 slots.append(np.array([0, 0, 1], dtype=complex))
             else:
@@ -143,7 +145,9 @@ class WhatIsHeld:
 
     def span(self, start: Sequence[Any], end: Sequence[Any]) -> float:
         """How far all held angles turn together on a way [rad]."""
-        turning = [c for e in self.equations.structure.graph.edges if e.kind == "turn" for c in e.columns]
+        graph = self.equations.structure.graph
+        turning = [c for e in graph.edges if e.kind == "turn" for c in e.columns]
+        turning += [link.column for link in graph.links if link.turning]
         ends = [self._whole(values) for values in (start, end)]
         return float(sum(abs(ends[1][c] - ends[0][c]) for c in turning if c in ends[0]))
 

@@ -4,26 +4,24 @@
               --what is left--> loops: forms of `dual_forms` in the displacement of one cluster against another
     slots --slot_numbers--> numbers, for values of what is held
 
-A body that hangs on distances alone has Study's parameters as coordinates. Two mechanisms of one structure differ in
-the numbers of their slots only: points, axes, lengths.
+A body that hangs on distances alone has Study's parameters as coordinates. What couplings tie is in the tree.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 
 from symscrew.algebra import IDENTITY, cross, dot, scale, subtract
+from symscrew.assembly.closure_structure import WIDTH, Form, Group, Loop, Rod, Slot, Spin, Structure
 from symscrew.assembly.elementary_graph import Edge, HeldGraph, Point, Run
+from symscrew.assembly.linked_columns import Link
 from symscrew.mobility import NotAlgebraicError
 
 Array = np.ndarray[Any, Any]
 
-WIDTH = {"turn": 2, "slide": 2, "ball": 4, "planar": 4, "free": 8}
-"""Homogeneous coordinates of a group."""
 EQUATIONS = {"distance": 1, "ball": 3, "hook": 4, "turn": 5, "slide": 5}
 """Of a run that closes a spatial loop, independent ones."""
 PLANAR_EQUATIONS = {"distance": 1, "turn": 2, "slide": 2}
@@ -41,116 +39,6 @@ TOGETHER = 1e-12
 """Points of one body this close, in sizes of the mechanism, are one point."""
 PARALLEL = 1e-40
 """Difference of axes of length one that have one direction: they are known to 60 digits."""
-
-
-@dataclass(frozen=True)
-class Slot:
-    """Numbers of a structure: a point or an axis fixed in a body, or a number.
-
-    `kind`: "point", "axis", "number", "distance" (of slots 0 and 1, with a rod between two places as length).
-    `body`: that carries it; `at`: where in the reference.
-    """
-
-    kind: str
-    body: str = ""
-    at: Any = None
-    of: tuple[int, ...] = ()
-    rod: tuple[tuple[str, Point], tuple[str, Point]] | None = None
-
-
-@dataclass(frozen=True)
-class Group:
-    """Homogeneous coordinates: of a joint of the tree, or of a cluster against the ground. `edge`: of a joint."""
-
-    kind: str
-    cluster: str
-    parent: str
-    slots: tuple[int, ...]
-    edge: Edge | None = None
-    forward: bool = True
-
-
-@dataclass(frozen=True)
-class Form:
-    """An equation or four: "distance", "angle", "crossing", "meeting" or "parallel", and its slots."""
-
-    kind: str
-    slots: tuple[int, ...]
-
-
-@dataclass(frozen=True)
-class Loop:
-    """All forms in the displacement of cluster `body` against cluster `base`."""
-
-    base: str
-    body: str
-    forms: tuple[Form, ...]
-
-
-@dataclass(frozen=True)
-class Rod:
-    """A cluster that only holds two points at a distance: its runs, from base to body.
-
-    `crossing`: it also holds the outer axes of its universal joints in one plane with itself.
-    """
-
-    cluster: str
-    runs: tuple[Run, Run]
-    crossing: bool = False
-
-
-@dataclass(frozen=True)
-class Structure:
-    """Groups, loops, slots. `unknowns`, `equations`: their numbers, equal where nothing is redundant.
-
-    `chains`: cluster -> its groups from the ground. `open_limbs`: chains that hold nothing. `frame`: rows are the axes
-    that coordinates are counted in, about
-    `centre`; a planar mechanism lies in the first two.
-    """
-
-    graph: HeldGraph
-    groups: tuple[Group, ...]
-    loops: tuple[Loop, ...]
-    slots: tuple[Slot, ...]
-    chains: Mapping[str, tuple[int, ...]]
-    rods: tuple[Rod, ...]
-    unknowns: int
-    equations: int
-    frame: tuple[Point, Point, Point]
-    centre: Point
-    open_limbs: tuple[tuple[Run, ...], ...] = ()
-
-    @property
-    def crossings(self) -> bool:
-        """Whether legs hold axes in one plane: numbers of three slots are multiplied."""
-        return any(rod.crossing for rod in self.rods)
-
-    @property
-    def planar(self) -> bool:
-        """Whether all motion is along one plane."""
-        return self.graph.axis is not None
-
-    @property
-    def key(self) -> str:
-        """The same of two mechanisms of one structure."""
-        groups = [
-            (g.kind, g.slots, [k for k, c in enumerate(self.groups) if c.cluster == g.parent]) for g in self.groups
-        ]
-        loops = [
-            (self.chains[loop.base], self.chains[loop.body], [(f.kind, f.slots) for f in loop.forms])
-            for loop in self.loops
-        ]
-        kind = "spherical" if self.graph.spherical else self.planar
-        return repr((kind, groups, loops, [(s.kind, s.of) for s in self.slots]))
-
-    def local(self, point: Point) -> Point:
-        """A point in the frame about the centre; of a planar mechanism on the plane."""
-        return self.turned(subtract(point, self.centre))
-
-    def turned(self, vector: Point) -> Point:
-        """A vector in the frame."""
-        x, y, z = (dot(axis, vector) for axis in self.frame)
-        return (x, y, 0 * z) if self.planar else (x, y, z)
 
 
 def held_structure(graph: HeldGraph, centre: Point, platform: str | None) -> Structure:
@@ -182,6 +70,8 @@ class _Planner:
         self.chains: dict[str, tuple[int, ...]] = {graph.ground: ()}
         self.forms: dict[tuple[str, str], list[Form]] = {}
         self.counts = {"equations": 0}
+        self.spins: list[Spin] = []
+        self.couplings: list[Loop] = []
 
     def structure(self) -> Structure:
         self.runs, open_limbs = self._open_limbs(list(self.graph.runs))
@@ -203,11 +93,13 @@ class _Planner:
             self._close(run)
         for rod in rods:
             self._distance(rod)
+        for link in self.graph.links:
+            self._couple(link)
         widths = [WIDTH[g.kind] - 1 - (g.kind == "free") for g in self.groups]
-        loops = tuple(Loop(*ends, tuple(found)) for ends, found in self.forms.items())
+        loops = (*(Loop(*ends, tuple(found)) for ends, found in self.forms.items()), *self.couplings)
         return Structure(
             self.graph, tuple(self.groups), loops, tuple(self.slots), dict(self.chains), tuple(rods), sum(widths),
-            self.counts["equations"], self._frame(), self.centre, tuple(open_limbs),
+            self.counts["equations"], self._frame(), self.centre, tuple(open_limbs), tuple(self.spins),
         )  # fmt: skip
 
     def _open_limbs(self, runs: list[Run]) -> tuple[list[Run], list[tuple[Run, ...]]]:
@@ -228,7 +120,7 @@ class _Planner:
                     more = next(r for r in runs if body in (r.near, r.far) and r.edges not in
                                 (chain[-1].edges, chain[-1].edges[::-1]))  # fmt: skip
                     chain.append(more if more.near == body else more.reversed())
-                if chain[-1].far != hub and self._reaches_all(chain):
+                if chain[-1].far != hub and self._reaches_all(chain) and not any(map(self.graph.tied, chain)):
                     used = [set(run.edges) for run in chain]
                     runs = [run for run in runs if set(run.edges) not in used]
                     found.append(tuple(chain))
@@ -277,7 +169,7 @@ class _Planner:
         for body in dict.fromkeys(end for run in runs for end in (run.near, run.far)):
             at = [run for run in runs if body in (run.near, run.far)]
             ends = [end for rod in rods for end in (rod.runs[0].near, rod.runs[1].far)]
-            if len(at) != 2 or body in (self.graph.ground, self.platform) or body in ends:
+            if len(at) != 2 or body in (self.graph.ground, self.platform, *ends) or any(map(self.graph.tied, at)):
                 continue
             kinds = sorted(run.kind for run in at)
             spatial = [["ball", "ball"], *([["ball", "hook"]] if self.platform else [])]
@@ -322,12 +214,13 @@ class _Planner:
         return all(abs(float(gap)) < PARALLEL for gap in gaps)
 
     def _nearest(self, runs: Sequence[Run]) -> tuple[Run, Run] | None:
-        """(run, the same from a cluster that has a place): the platform's on the ground, else with fewest freedoms."""
+        """(run, the same from a cluster that has a place): a coupled one, the platform's, else with fewest freedoms."""
         found = [(run, run if run.near in self.chains else run.reversed()) for run in runs
                  if (run.near in self.chains) != (run.far in self.chains)]  # fmt: skip
         hub = {self.graph.ground, self.platform}  # on the shortest way forms have the lowest degree
         late = [self.slides_first and pair[0].kind != "slide" for pair in found]
-        order = [(l, hub != {r.near, r.far}, r.freedoms) for l, (r, _) in zip(late, found, strict=True)]
+        order = [(not self.graph.tied(r), l, hub != {r.near, r.far}, r.freedoms)
+                 for l, (r, _) in zip(late, found, strict=True)]  # fmt: skip
         return found[order.index(min(order))] if found else None
 
     def _add_group(self, group: Group) -> None:
@@ -417,6 +310,25 @@ class _Planner:
             self._form(ends, Form("angle", (w, u, number)))
         else:
             self._form(ends, Form("parallel", (w, u)))
+
+    def _couple(self, link: Link) -> None:
+        """The equation of a coupling: a product of what it ties, each as often as its whole number says."""
+        groups = {g.edge.columns[0]: (k, g) for k, g in enumerate(self.groups) if g.edge is not None}
+        factors = list[tuple[int, bool]]()
+        for column, times in link.factors.items():
+            if column not in groups:
+                raise NotAlgebraicError(f"the coupling {link.name} ties all joints of a loop")
+            place, group = groups[column]
+            spin = Spin(place, link.turning, 1 if link.turning else abs(times))
+            if spin not in self.spins:
+                self.spins.append(spin)
+            back = (times < 0) == group.forward
+            factors += [(self.spins.index(spin), back)] * (abs(times) if link.turning else 1)
+        kind = "turned" if link.turning else "slid"
+        slot = self._slot(Slot(kind, at=link.column))
+        self.counts["equations"] += 1
+        ground = self.graph.ground
+        self.couplings.append(Loop(ground, ground, (Form(kind, (slot,)),), tuple(factors)))
 
     def _distance(self, rod: Rod) -> None:
         one, two = rod.runs

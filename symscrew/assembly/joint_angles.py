@@ -15,10 +15,11 @@ from typing import Any
 import numpy as np
 
 from symscrew.assembly.batch_equations import BatchEquations
+from symscrew.assembly.closure_structure import Structure
 from symscrew.assembly.dual_forms import MOVED, PRODUCT, TURNED
 from symscrew.assembly.elementary_graph import Edge, Run
 from symscrew.assembly.families import COMPLEX
-from symscrew.assembly.held_structure import Structure
+from symscrew.assembly.linked_columns import in_whole_turns
 from symscrew.assembly.slot_numbers import Displacements, matrices
 
 Array = np.ndarray[Any, Any]
@@ -86,7 +87,8 @@ class JointAngles:
         """(displacements N x columns, worst opening of a limb: below `CLOSED` where all limbs reach)."""
         q, off = np.zeros((len(zeros), self.columns)), np.zeros(len(zeros))
         for column, value in self.values.items():
-            q[:, column] = value
+            if column < self.columns:  # of a joint
+                q[:, column] = value
         bodies, graph = self.bodies(zeros), self.structure.graph
         rods = {rod.cluster: rod for rod in self.structure.rods}
         chains = [self._through(rod.runs) for rod in rods.values()]
@@ -101,7 +103,7 @@ class JointAngles:
             found, left = _nearest(steps, goal, held)
             q[:, columns] = found
             off = np.maximum(off, left)
-        return q, off
+        return in_whole_turns(graph.links, self.values, q), off
 
     def _through(self, runs: Sequence[Run]) -> tuple[str, str, list[Step]]:
         """(first body, last body, the motions between them) of runs one after the other."""

@@ -127,7 +127,7 @@ class _Proofs:
 
     def _columns(self, q: Array) -> dict[int, float]:
         """What is held; drives beyond those that hold the mechanism stay, no equation has them."""
-        return dict(self.found.columns) | {c: float(q[c]) for c in self.found.chosen}
+        return dict(self.found.columns) | {c: float(q[c]) for c in self.drives}
 
     def _proved(self, one: AssemblyMode, two: AssemblyMode, points: Array) -> Corners | None:
         """The corners of a way that is proved to lead from mode to mode."""

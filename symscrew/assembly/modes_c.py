@@ -19,10 +19,10 @@ from symscrew.assembly.all_modes import known_zero, structure_of
 from symscrew.assembly.batch_equations import BatchEquations
 from symscrew.assembly.c_tables import LINE, Step, c_array, held_steps
 from symscrew.assembly.closed_zeros import closed_form
+from symscrew.assembly.closure_structure import Structure
 from symscrew.assembly.coupled_columns import coupled_columns
 from symscrew.assembly.equal_axes import ASIDE, axis_pairs, spinors
 from symscrew.assembly.families import AllNumbers
-from symscrew.assembly.held_structure import WIDTH, Structure
 from symscrew.assembly.start_system import StartSystem, start_system
 from symscrew.assembly.what_is_held import Held, held_by, singles
 from symscrew.description import Mechanism
@@ -35,6 +35,8 @@ Array = np.ndarray[Any, Any]
 KINDS = ("turn", "slide", "ball", "planar", "free")
 FORMS = ("distance", "angle", "meeting", "parallel", "crossing")
 SLOTS = ("point", "axis", "number", "distance")
+COUPLED = ("turned", "slid")
+"""Further kinds of slots and forms, and of groups, of mechanisms whose couplings tie what is free."""
 SEED = 20231009
 """Of the planes in which coordinates stay and of the rows that are mixed: equal input gives equal bytes."""
 MOST_PATHS = 96
@@ -89,6 +91,8 @@ def held_modes_model(held: Held) -> ModesModel:
     tied = coupled_columns(mechanism, held.network, held.drives).met
     if tied:
         raise held.error(f"no C of them: the coupling {next(iter(tied))} ties its arguments; hold fewer")
+    if not held.drives:
+        raise held.error("no C of them: nothing moves the mechanism")
     start = start_system(AllNumbers(equations), known_zero(equations))
     if not start.complete or len(start.zeros) > MOST_PATHS:
         raise held.error(f"no C of them: {len(start.zeros)} zeros of a general mechanism are known; {start.why}")
@@ -213,7 +217,7 @@ def _tables(model: ModesModel) -> list[str]:
     bodies = list(structure.graph.cluster)
     steps = held_steps(structure)
     rows = [sum(_rows(structure, form.kind) for form in loop.forms) for loop in structure.loops]
-    ways = [[(f.group, f.back) for f in way] for way in equations.ways]
+    ways = [[(f.motion, f.back) for f in way] for way in equations.ways]
     hub, pairs = structure.graph.cluster[model.held.body], len(axis_pairs(structure))
     sizes = {
         "N_DRIVES": len(model.drives), "N_BODIES": len(bodies), "N_STEPS": len(steps),
@@ -233,11 +237,14 @@ def _tables(model: ModesModel) -> list[str]:
     lines += [f"#define LEVEL {name}_level_modes"] if closed_form(structure, model.held.drives).more else []
     lines += [f"#define MODES_{status} {name.upper()}_MODES_{status}"
               for status in ("INCOMPLETE", "REFUSED", "NOT_CERTIFIED")]  # fmt: skip
-    for prefix, kinds in (("GROUP", KINDS), ("FORM", FORMS), ("SLOT", SLOTS), ("STEP", ("turn", "slide", "still"))):
+    more = COUPLED if structure.spins else ()
+    lines += [f"#define COUPLINGS {len(structure.spins)}"] if more else []
+    for prefix, kinds in (("GROUP", (*KINDS, *more)), ("FORM", (*FORMS, *more)), ("SLOT", (*SLOTS, *more)),
+                          ("STEP", ("turn", "slide", "still"))):  # fmt: skip
         lines.append(f"enum {{ {', '.join(f'{prefix}_{kind.upper()}' for kind in kinds)} }};")
     lines += [*c_array("int", "planar_place", [0, 3, 5, 6])]
     lines += _of_groups(structure, equations) + _of_loops(structure, ways)
-    lines += _of_slots(structure, bodies) + _of_steps(structure, steps, bodies, model.held.chosen)
+    lines += _of_slots(structure, bodies, model.held.chosen) + _of_steps(structure, steps, bodies, model.held.chosen)
     lines += c_array("double", "drive_reference", [d[1] for d in model.drives])
     lines += c_array("double", "drive_unit", [d[2] for d in model.drives])
     lines += _of_followers(model.held) if model.held.followers else []
@@ -252,9 +259,13 @@ def _rows(structure: Structure, kind: str) -> int:
 
 
 def _of_groups(structure: Structure, equations: BatchEquations) -> list[str]:
-    lines = c_array("int", "group_kind", [KINDS.index(g.kind) for g in structure.groups])
-    lines += c_array("int", "group_start", [part.start for part in equations.parts])
-    lines += c_array("int", "group_width", [WIDTH[g.kind] for g in structure.groups])
+    """What couplings tie comes after the groups, with the coordinates of its own."""
+    spins = [COUPLED[not spin.turning] for spin in structure.spins]
+    kinds = [*(group.kind for group in structure.groups), *spins]
+    lines = c_array("int", "group_kind", [(*KINDS, *COUPLED).index(kind) for kind in kinds])
+    lines += c_array("int", "group_start", [part.start for part in equations.made_of])
+    lines += c_array("int", "group_width", [part.stop - part.start for part in equations.made_of])
+    lines += c_array("double", "spin_size", [float(spin.size) for spin in structure.spins]) if spins else []
     return lines + c_array("int", "group_slots", [[*g.slots, 0, 0][:2] for g in structure.groups])
 
 
@@ -264,21 +275,22 @@ def _of_loops(structure: Structure, ways: Sequence[Sequence[tuple[int, bool]]]) 
     lines += c_array("int", "way_group", [group for way in ways for group, _ in way])
     lines += c_array("int", "way_back", [int(back) for way in ways for _, back in way])
     lines += c_array("int", "form_first", np.cumsum([0, *(len(loop.forms) for loop in structure.loops)]).tolist())
-    lines += c_array("int", "form_kind", [FORMS.index(form.kind) for form in forms])
-    return lines + c_array("int", "form_slots", [[*form.slots, 0, 0][:4] for form in forms])
+    lines += c_array("int", "form_kind", [(*FORMS, *COUPLED).index(form.kind) for form in forms])
+    return lines + c_array("int", "form_slots", [[*form.slots, 0, 0, 0][:4] for form in forms])
 
 
-def _of_slots(structure: Structure, bodies: Sequence[str]) -> list[str]:
+def _of_slots(structure: Structure, bodies: Sequence[str], chosen: Sequence[int]) -> list[str]:
     own, second, at, other = list[int](), list[int](), list[list[float]](), list[list[float]]()
     for slot in structure.slots:
         ends = [(slot.body or bodies[0], slot.at), (bodies[0], None)]
         if slot.rod is not None:
             ends = [(body, place) for body, place in slot.rod]
+        coupled = slot.kind in COUPLED
         own.append(bodies.index(ends[0][0]))
-        second.append(bodies.index(ends[1][0]))
-        at.append(_place(structure, slot.kind, ends[0][1]))
+        second.append(chosen.index(slot.at) if coupled else bodies.index(ends[1][0]))
+        at.append(_place(structure, slot.kind, None if coupled else ends[0][1]))
         other.append(_place(structure, slot.kind, ends[1][1]))
-    lines = c_array("int", "slot_kind", [SLOTS.index(slot.kind) for slot in structure.slots])
+    lines = c_array("int", "slot_kind", [(*SLOTS, *COUPLED).index(slot.kind) for slot in structure.slots])
     lines += c_array("int", "slot_body", own) + c_array("int", "slot_second", second)
     return lines + c_array("double", "slot_at", at) + c_array("double", "slot_other", other)
 

@@ -132,6 +132,10 @@ static void places_of(const Ball *drives, Place *places)
 static void slots_of(const Ball *drives, Place *places, Ball (*slots)[3])
 {
     places_of(drives, places);
+#ifdef COUPLINGS
+    Ball held[N_DRIVES + N_FOLLOWERS];
+    displaced(drives, held);
+#endif
     for (int slot = 0; slot < N_SLOTS; ++slot) {
         const Place *place = &places[slot_body[slot]];
         Ball at[3], ends[2][3];
@@ -150,6 +154,14 @@ static void slots_of(const Ball *drives, Place *places, Ball (*slots)[3])
         } else if (slot_kind[slot] == SLOT_NUMBER) {
             slots[slot][0] = at[0];
             slots[slot][1] = slots[slot][2] = ball_of(0.0);
+#ifdef COUPLINGS
+        } else if (slot_kind[slot] == SLOT_TURNED || slot_kind[slot] == SLOT_SLID) {
+            const Ball known = held[slot_second[slot]];
+            const int turns = slot_kind[slot] == SLOT_TURNED;
+            slots[slot][0] = turns ? ball_cos(known) : ball_of(1.0);
+            slots[slot][1] = turns ? ball_sin(known) : known;
+            slots[slot][2] = ball_of(0.0);
+#endif
         } else { /* the square of a rod's length */
             Ball other[3];
             for (int k = 0; k < 3; ++k) {

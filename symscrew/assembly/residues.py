@@ -11,7 +11,7 @@ way, where every zero of the mechanism has residues too: what that asks for stan
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from fractions import Fraction
 from math import gcd, lcm
@@ -21,11 +21,11 @@ from typing import Any
 import sympy
 
 from symscrew.algebra import CONTEXT, high_precision
+from symscrew.assembly.closure_structure import Structure
 from symscrew.assembly.elementary_graph import held_graph
-from symscrew.assembly.held_structure import Structure, held_structure
+from symscrew.assembly.held_structure import held_structure
 from symscrew.assembly.slot_numbers import Displacements, Scalars
 from symscrew.assembly.what_is_held import Held
-from symscrew.description import Mechanism
 from symscrew.mobility import Edge, Exact, Field, Network, NotDecidableError, exact_system, exact_value
 
 LARGEST_PRIME = 2147483629
@@ -118,6 +118,8 @@ class NumbersOf:
         self.held, self.mechanism = held, held.mechanism
         self.moved = {c: e for c, e in held.given.items() if e != 0}
         self.turning = {c for e in held.network.edges.values() for m, c in e.motions if m.turns}
+        self.turning |= {link.column for link in held.links if link.turning}
+        self.tied = {c for link in held.links for c in link.factors}
         fractions, parts = dict[int, Fraction](), dict[int, sympy.Expr]()
         for column in self.turning & set(self.moved):
             fractions[column], parts[column] = _split(self.moved[column])
@@ -133,10 +135,10 @@ class NumbersOf:
         self.screws = {n: [self._screw(n, k) for k in range(len(s))] for n, s in self.system.screws.items()}
 
     def _screw(self, joint: str, place: int) -> tuple[Exact, ...]:
-        """A freedom's screw; of unit length and in its sense where the freedom is held elsewhere."""
+        """A freedom's screw; of unit length and in its sense where the freedom is held elsewhere, or a coupling's."""
         edge = self.held.network.edges[joint]
         screw, column = self.system.screws[joint][place], edge.start + place
-        if column not in self.moved:
+        if column not in self.moved and column not in self.tied:
             return tuple(screw)
         part = slice(0, 3) if column in self.turning else slice(3, 6)
         length = self.field.sqrt(sum((c * c for c in screw[part]), Fraction(0)))
@@ -157,7 +159,7 @@ class NumbersOf:
         """The structure with lengths in other units, and its numbers as they are read here."""
         edges = {name: self._edge(edge) for name, edge in self.held.network.edges.items()}
         network = replace(self.held.network, edges=edges)
-        structure = structure_in(network, self.held.chosen, self.mechanism)
+        structure = structure_in(network, self.held)
         values = {c: self._value(c) for c in self.held.chosen}
         scalars = Scalars(lambda v: self._circle(v)[0], lambda v: self._circle(v)[1], self._read)
         return structure, Displacements(structure, scalars, values).slots()
@@ -223,12 +225,12 @@ class NumbersOf:
                 Residue(CONTEXT.sin(value), a.rest * s + b.rest * c, p))  # fmt: skip
 
 
-def structure_in(network: Network, chosen: Sequence[int], mechanism: Mechanism) -> Structure:
+def structure_in(network: Network, held: Held) -> Structure:
     """The structure of a network whose numbers are of another kind."""
-    graph = held_graph(network, chosen, mechanism.platform)
+    graph = held_graph(network, held.chosen, held.mechanism.platform, held.links)
     points = [edge.point for edge in network.edges.values()]
     x, y, z = (sum(p[k] for p in points) / len(points) for k in range(3))
-    return held_structure(graph, (x, y, z), mechanism.platform)
+    return held_structure(graph, (x, y, z), held.mechanism.platform)
 
 
 def _split(angle: sympy.Expr) -> tuple[Fraction, sympy.Expr]:

@@ -13,8 +13,8 @@ import numpy as np
 
 from symscrew.algebra import dot
 from symscrew.assembly import dual_forms as forms
+from symscrew.assembly.closure_structure import Group, Structure
 from symscrew.assembly.elementary_graph import Edge, Point
-from symscrew.assembly.held_structure import Group, Structure
 
 Array = np.ndarray[Any, Any]
 Pose = tuple[Array, Array]
@@ -108,6 +108,11 @@ class Displacements:
         turn, shift = self.poses[body]
         return np.asarray(turn.dot(self.scalars.vector(self.structure.local(at))) + shift)
 
+    def _known(self, kind: str, value: Any) -> Array:
+        result = self.scalars.vector((1, 0, 0))
+        result[:2] = (self.scalars.cos(value), self.scalars.sin(value)) if kind == "turned" else (result[0], value)
+        return result
+
     def slots(self) -> list[Any]:
         """The numbers in the slots."""
         found: list[Any] = []
@@ -122,6 +127,8 @@ class Displacements:
                 found.append(self.poses[slot.body][0].dot(self.scalars.vector(axis)))
             elif slot.kind == "number":
                 found.append(self.scalars.read(slot.at))
+            elif slot.kind in ("turned", "slid"):
+                found.append(self._known(slot.kind, self.values.get(slot.at, self.scalars.read(0))))
             else:
                 assert slot.rod is not None
                 way = self.point(*slot.rod[0]) - self.point(*slot.rod[1])
@@ -147,9 +154,16 @@ def matrices(structure: Structure, slots: Sequence[Any]) -> tuple[list[Array], l
             given = [slots[k] for k in form.slots]
             if form.kind in QUADRATIC:
                 quadratic.append(QUADRATIC[form.kind](*given))
+            elif form.kind in ("turned", "slid"):
+                linear.append(forms.coupled(given[0], turning=form.kind == "turned"))
             else:
                 rows = (forms.meeting if form.kind == "meeting" else forms.parallel)(*given)
                 linear.append(rows[1:3] if structure.planar else rows)
         square = np.array(quadratic, dtype=object).reshape(-1, forms.SIZE, forms.SIZE)
         loops.append((square, np.concatenate(linear) if linear else np.zeros((0, forms.SIZE), dtype=object)))
     return motions, loops
+
+
+def spins_of(structure: Structure) -> list[Array]:
+    """The motions of what couplings tie, whole numbers, as factors of their products."""
+    return [forms.spinning(turning=spin.turning, size=spin.size) for spin in structure.spins]

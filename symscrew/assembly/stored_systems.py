@@ -13,9 +13,9 @@ from typing import Any
 
 from symscrew.assembly.all_modes import known_zero, structure_of
 from symscrew.assembly.batch_equations import BatchEquations
+from symscrew.assembly.closure_structure import Structure
 from symscrew.assembly.families import AllNumbers
-from symscrew.assembly.held_structure import Structure
-from symscrew.assembly.root_bounds import Bound, own_bound, own_key, stored_entries
+from symscrew.assembly.root_bounds import Bound, exact_bound, own_bound, own_keys, stored_entries
 from symscrew.assembly.start_system import encoded, searched, start_key, start_system
 from symscrew.assembly.what_is_held import Held, held_by
 from symscrew.catalogue import load, names
@@ -25,6 +25,10 @@ from symscrew.mobility import NotAlgebraicError
 
 FURTHER = ("3-UPU",)
 """Limbs of mechanisms that are in no catalogue and take long to search: a minute. 3-RUU, 3-PUU are of one structure."""
+
+
+PATIENT = 120.0
+"""Seconds for a bound in exact numbers: a platform on six legs takes eight at its reference."""
 
 
 def stored_entries_of(held: Held, structure: Structure, *, anew: bool = False) -> dict[str, Any]:
@@ -37,9 +41,9 @@ def stored_entries_of(held: Held, structure: Structure, *, anew: bool = False) -
     if not made.complete:
         return {}
     found = {start_key(family): encoded(made)}
-    bound = own_bound(held)
-    if isinstance(bound, Bound):
-        found[own_key(held)] = {"own": [bound.count, bound.dimension]}
+    for key, bound in zip(own_keys(held), (own_bound(held), exact_bound(held, PATIENT)), strict=True):
+        if isinstance(bound, Bound):
+            found[key] = {"own": [bound.count, bound.dimension]}
     return found
 
 

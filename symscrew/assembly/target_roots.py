@@ -2,7 +2,8 @@
 
     start system --paths--> regular ends: real, complex, at infinity;  singular ends --around s = 1--> where they lie
     paths that end in one regular point --again, with shorter steps--> apart
-    a path that stays behind, at a singular place of the way --all of them again, on another way--> ends
+    a path that stays behind, at a singular place of the way or far out before its end --all of them again, on another
+    way--> ends
 
 At infinity: the ends at which a group is no displacement, |x|^2 = 0. Several paths in one finite point: a multiple
 zero, or a point of a curve of zeros, along which Newton's method can be led.
@@ -51,6 +52,8 @@ BENDS = (0.0, 0.4, -0.4, 0.8)
 """How far ways go round through complex s: on another way singular places are others, so that paths get past them."""
 BEHIND = 1e-2
 """Part of the way that is left of a path that stays behind: one that comes to a singular end has 3e-3 and less."""
+PASSING = 2e-3
+"""The same of a path that may pass infinity, and end elsewhere: those that end there come to 1.4e-3 and nearer."""
 TIGHTER = (1e-2, 1e-4)
 """Of the correction's length, where two paths have ended in one point: one of them jumped."""
 ALONG = (1e-2, 1e-3)
@@ -100,14 +103,15 @@ class Account:
 def target_roots(family: Family, start: StartSystem, member: Sequence[Any]) -> Account:
     """The ends of all paths from the start system to a member of its family."""
     straight = family.way(start.member, member).at
-    tried: list[tuple[_Roots, Ends]] = []
+    tried: list[tuple[int, Account]] = []
     for bend in BENDS:
         roots = _Roots(family.equations, start, _bent(straight, bend))
-        tried.append((roots, roots.followed()))
-        if not _behind(tried[-1][1]).any():
+        ends = roots.followed()
+        account = roots.account(ends)
+        tried.append((int(_behind(ends).sum()) + roots.open, account))
+        if not tried[-1][0]:
             break
-    roots, ends = min(tried, key=lambda pair: int(_behind(pair[1]).sum()))
-    account = roots.account(ends)
+    _, account = min(tried, key=lambda pair: pair[0])
     return replace(account, again=account.again + len(tried) - 1)
 
 
@@ -128,10 +132,12 @@ def _bent(way: Coefficients, bend: float) -> Coefficients:
 
 
 class _Roots:
+    """`open`: paths far out that may pass infinity, so that their ends are not seen."""
+
     def __init__(self, equations: BatchEquations, start: StartSystem, way: Coefficients) -> None:
         self.equations, self.start, self.way = equations, start, way
         self.goal = way(np.ones(1))
-        self.again = 0
+        self.again = self.open = 0
 
     def followed(self) -> Ends:
         """All paths as far as they come."""
@@ -146,8 +152,8 @@ class _Roots:
     def account(self, ends: Ends) -> Account:
         """Regular ends first, then what the others come to."""
         count = len(self.start.zeros)
-        z, reached, behind = ends.z.copy(), ends.reached.copy(), _behind(ends)
-        good = reached & (self.smallest(z) > SINGULAR)
+        z, behind = ends.z.copy(), _behind(ends)
+        good = ends.reached & (self.smallest(z) > SINGULAR)
         for tighter in TIGHTER:
             doubled = self._doubled(z, good)
             if not len(doubled):
@@ -158,7 +164,7 @@ class _Roots:
         least = self.smallest(z)
         found = [self._regular(z[k], float(least[k])) for k in np.flatnonzero(good)]
         found += [End(place, "lost", regular=False) for place in z[behind]]
-        found += self._singular(np.flatnonzero(~good & ~behind), z, reached)
+        found += self._singular(np.flatnonzero(~good & ~behind), z, 1 - ends.s)
         return Account(tuple(found), count, self.again)
 
     def smallest(self, z: Array) -> Array:
@@ -181,17 +187,18 @@ class _Roots:
         turned = realised(self.equations, z)
         return End(turned, "real" if np.abs(turned.imag).max() < REAL else "complex")
 
-    def _singular(self, places: Array, z: Array, reached: Array) -> list[End]:
-        """What paths come to that do not end in regular points."""
+    def _singular(self, places: Array, z: Array, left: Array) -> list[End]:
+        """What paths come to that do not end in regular points; `left`: of their ways."""
         result: list[End] = []
         if not len(places):
             return result
         centres, back = self._around(places)
         for k, place in enumerate(places):
             z_end = centres[k] if back[k] else z[place]
-            if not back[k] and not reached[place]:
-                lost = self.equations.norms(z[place][None]).min() < NO_DISPLACEMENT**0.5
-                result.append(End(z[place], "infinity" if lost else "lost", regular=False))
+            if not back[k] and left[place] > 0:
+                away = self.equations.norms(z[place][None]).min() < NO_DISPLACEMENT**0.5
+                self.open += away and left[place] > PASSING
+                result.append(End(z[place], "infinity" if away else "lost", regular=False))
             elif self.equations.norms(z_end[None]).min() < NO_DISPLACEMENT:
                 result.append(End(z_end, "infinity", regular=False))
             else:

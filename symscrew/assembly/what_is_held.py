@@ -15,10 +15,11 @@ import sympy
 
 from symscrew.algebra import CONTEXT, high_precision
 from symscrew.assembly.coupled_columns import Coupled, Follower, coupled_columns
+from symscrew.assembly.linked_columns import Link, links_of
 from symscrew.description import Mechanism
 from symscrew.errors import DescriptionError, did_you_mean
 from symscrew.kinematics import given_coordinates
-from symscrew.mobility import ClosureVariety, Network, network_of, targets_of, with_parameters
+from symscrew.mobility import ClosureVariety, Network, NotAlgebraicError, network_of, targets_of, with_parameters
 
 Array = np.ndarray[Any, Any]
 
@@ -34,7 +35,8 @@ class Held:
 
     `given`: exact displacements [rad, m] of those that moved. `chosen`: columns that hold the mechanism, then those of
     `followers`, which couplings settle from them; `extra`: those held too. All are in the order of the description,
-    and so is `shown`: values that were given, as the description counts them.
+    and so is `shown`: values that were given, as the description counts them. `links`: what couplings tie of what is
+    free; what is known in them are the last followers, columns of no joint.
     """
 
     mechanism: Mechanism
@@ -47,6 +49,7 @@ class Held:
     body: str
     given: Mapping[int, sympy.Expr] = field(default_factory=dict)
     followers: tuple[Follower, ...] = ()
+    links: tuple[Link, ...] = ()
 
     @property
     def drives(self) -> tuple[int, ...]:
@@ -57,7 +60,9 @@ class Held:
         """Only as much held as holds the mechanism in the reference; the rest is checked."""
         chosen = _independent(self.network, self.drives)
         extra = tuple(c for c in self.drives if c not in chosen)
-        fewer = replace(self, exact={c: self.exact[c] for c in chosen}, chosen=chosen, extra=extra, followers=())
+        fewer = replace(
+            self, exact={c: self.exact[c] for c in chosen}, chosen=chosen, extra=extra, followers=(), links=()
+        )
         whole = fewer.with_followers() if self.network.ties else fewer
         return replace(whole, extra=tuple(c for c in extra if c not in whole.chosen))
 
@@ -66,22 +71,27 @@ class Held:
         coupled = coupled_columns(self.mechanism, self.network, self.drives)
         names = {column: name for name, column, *_ in singles(self.mechanism, self.network)}
         self._check_couplings(coupled, names)
+        links, halves = self._links(coupled, names)
+        followers = (*coupled.followers, *halves)
         exact, values, given = dict(self.exact), dict(self.values), dict(self.given)
-        for follower in coupled.followers:
+        for follower in followers:
             column = follower.column
             exact[column] = follower.value(exact, CONTEXT.mpf)
             values[column] = float(exact[column])
             given[column] = follower.exactly({c: given.get(c, sympy.Integer(0)) for c in follower.exact})
-        chosen = (*self.drives, *(f.column for f in coupled.followers))
-        return replace(self, exact=exact, values=values, given=given, chosen=chosen, followers=coupled.followers)
+        chosen = (*self.drives, *(f.column for f in followers))
+        return replace(self, exact=exact, values=values, given=given, chosen=chosen, followers=followers, links=links)
+
+    def _links(self, coupled: Coupled, names: Mapping[int, str]) -> tuple[tuple[Link, ...], tuple[Follower, ...]]:
+        try:
+            return links_of(self.mechanism, self.network, coupled)
+        except NotAlgebraicError as error:
+            name, columns = next(iter(coupled.left.items()))
+            tied = " and ".join(names[c] for c in columns)
+            raise self.error(f"the coupling {name} ties {tied}, which nothing held settles, and {error}; "
+                             f"hold {names[columns[0]]} (at)") from error  # fmt: skip
 
     def _check_couplings(self, coupled: Coupled, names: Mapping[int, str]) -> None:
-        for name, columns in coupled.left.items():
-            tied = " and ".join(names[c] for c in columns)
-            raise self.error(
-                f"the coupling {name} ties {tied}, which nothing held settles, and angles that are free have no "
-                f"polynomials in couplings; hold {names[columns[0]]} (at)"
-            )
         for name, terms in coupled.met.items():
             parts = [
                 high_precision(c * self.given.get(column, sympy.Integer(0)) ** k)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Sequence
 from functools import cache
 from pathlib import Path
@@ -53,9 +54,9 @@ def find(name_or_path: str | Path, *, run_time: Sequence[str] = ()) -> Mechanism
     asked = str(name_or_path)
     if asked in names():
         return load_description(_FOLDER / f"{asked}.toml", run_time=run_time) if run_time else _own(asked)
-    path = Path(asked)
-    if "\0" not in asked and (path.suffix == ".toml" or path.suffix in formats.READABLE or path.is_file()):
-        if not path.is_file():
+    path, there = Path(asked), os.path.isfile(asked)  # not so, without an error, where a path is too long or holds NUL
+    if "\0" not in asked and (path.suffix == ".toml" or path.suffix in formats.READABLE or there):
+        if not there:
             raise DescriptionError(f"there is no file {shorten(asked, 200)}; expected a description of a mechanism")
         if path.suffix != ".toml" and path.suffix in formats.READABLE:
             if run_time:

@@ -9,6 +9,7 @@ equations in the drives as the mechanism has freedoms.
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 from copy import copy
 from dataclasses import dataclass, field
@@ -138,10 +139,16 @@ class _Elimination:
         tree = self.setting.tree
         left_out = {index for bar in self.setting.bars.values() for index in bar.links}
         pending = {link.index for link in tree.links[1:]} - left_out
-        while pending:
-            ready = [i for i in pending if not any(tree.links[j].parent == i for j in pending)]
+        outwards = Counter(tree.links[j].parent for j in pending)
+        ready = {i for i in pending if not outwards[i]}
+        while ready:
             index = min(ready, key=lambda i: (self._open_tips(i, pending), self._unknowns(i), i))
             pending.discard(index)
+            ready.discard(index)
+            parent = tree.links[index].parent
+            outwards[parent] -= 1
+            if parent in pending and not outwards[parent]:
+                ready.add(parent)
             self._process(tree.links[index])
 
     def finished(self, *, blocks: bool) -> Balance:

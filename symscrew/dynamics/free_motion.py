@@ -211,7 +211,7 @@ class Admissible:
         scale = np.sqrt(own)
         return bool(
             (own > np.maximum(MASSLESS * sizes, self._least())).all()
-            and np.linalg.eigvalsh(inertia / np.outer(scale, scale))[:, 0].max() > MASSLESS
+            and any(_above(one / np.outer(scale, scale), MASSLESS) for one in inertia)
         )
 
     def _sizes(self) -> list[Any]:
@@ -239,6 +239,15 @@ class Admissible:
         sizes = [1.0 / max(1e-300, magnitude(tape, normal[i][i], 1.0)[1]) for i in range(len(normal))]
         amounts, guards = solve_symmetric(tape, normal, right, sizes)
         return self.moved([tape.zero] * len(w), amounts), list(guards)
+
+
+def _above(matrix: np.ndarray[Any, Any], least: float) -> bool:
+    """Whether all eigenvalues of a symmetric matrix are above a number: the rest has a Cholesky factor then."""
+    try:
+        np.linalg.cholesky(matrix - least * np.eye(len(matrix)))
+    except np.linalg.LinAlgError:
+        return False
+    return True
 
 
 def _inner(system: System, x: Sequence[Node], y: Sequence[Node]) -> Node:

@@ -25,6 +25,7 @@ from symscrew.formats.rigid_displacements import (
     about,
     apply,
     minus,
+    product,
     real,
     scaled,
     turned_inertia,
@@ -75,7 +76,8 @@ def _displacement(freedom: Freedom, amount: Real) -> Pose:
 def _body(body: RawBody, pose: Pose) -> RawBody:
     if body.com is None or body.inertia is None:
         return body
-    return replace(body, com=pose.point(body.com), inertia=turned_inertia(pose.rotation, body.inertia))
+    axes = None if body.axes is None else product(pose.rotation, body.axes)
+    return replace(body, com=pose.point(body.com), inertia=turned_inertia(pose.rotation, body.inertia), axes=axes)
 
 
 def _joint(joint: RawJoint, poses: Mapping[str, Pose], amounts: Sequence[Real], first: Pose) -> RawJoint:

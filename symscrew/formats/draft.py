@@ -56,10 +56,14 @@ class RawCoupling:
 
 @dataclass(frozen=True)
 class RawEffect:
-    """An effect on a joint of the file: the keys of its table besides the joint and its freedom."""
+    """An effect on a joint of the file: the keys of its table besides the joint and its freedom.
+
+    `tendon`: the one that it is along in the file, where that is over the joint, or a pulley's.
+    """
 
     joint: str
     table: Mapping[str, Any]
+    tendon: str | None = None
 
 
 @dataclass(frozen=True)

@@ -4,7 +4,7 @@
 
 Exact for a closed surface of triangles that are turned outwards. MuJoCo's default ("legacy") takes every tetrahedron
 from the surface's middle with a positive volume, which is the same for convex bodies only; both are here, as the file
-asks, and a shell, whose mass is in the triangles. Sources:
+asks, a shell, whose mass is in the triangles, and the convex hull, which a mesh without faces is. Sources:
 https://mujoco.readthedocs.io/en/stable/XMLreference.html#asset-mesh; S. Lien and J. Kajiya, IEEE Computer Graphics and
 Applications 4, 1984, 35-42.
 """
@@ -14,17 +14,18 @@ from __future__ import annotations
 import os
 import struct
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from symscrew.errors import DescriptionError, did_you_mean, shorten
+from symscrew.formats.convex_hulls import hull_of
 from symscrew.formats.included_files import BESIDE, inside
 from symscrew.formats.mjcf_settings import Settings
 from symscrew.formats.rigid_displacements import Pose, Real, Rotation, Triple, from_quaternion, real, triple
-from symscrew.formats.safe_xml import Element, elements, label, numbers
+from symscrew.formats.safe_xml import Element, attribute, elements, label, number, numbers
 
 Array = np.ndarray[Any, Any]
 SUFFIXES = (".stl", ".obj")
@@ -52,12 +53,14 @@ class Bulk:
 
 @dataclass(frozen=True)
 class Meshes:
-    """The meshes that an MJCF file names, the folder that they are in, and the one below which that must be."""
+    """The meshes and height `fields` that an MJCF file names, the folder that they are in, and the one below which that
+    must be."""
 
     folder: Path
     assets: str
     given: Mapping[str, Element]
     within: Path | None = None
+    fields: Mapping[str, Element] = field(default_factory=dict)
 
     @classmethod
     def of(cls, root: Element, path: Path, settings: Settings, within: Path | None = None) -> Meshes:
@@ -69,7 +72,20 @@ class Meshes:
                 given[name] = settings.with_defaults(mesh, "mesh")
                 if settings.exact_meshes:
                     given[name].attrib.setdefault("inertia", "exact")
-        return cls(path.parent, settings.assets, given, within)
+        fields = {
+            each.get("name") or Path(each.get("file", "")).stem: each
+            for section in elements(root, "asset") for each in elements(section, "hfield")
+        }  # fmt: skip
+        return cls(path.parent, settings.assets, given, within, fields)
+
+    def slab(self, name: str, where: str) -> list[Real]:
+        """Half the sides of the box that MuJoCo takes a height field for, where it has mass."""
+        if name not in self.fields:
+            raise DescriptionError(
+                f"{where}: there is no height field {shorten(name)}; {did_you_mean(name, self.fields)}"
+            )
+        x, y, top, base = map(real, numbers(attribute(self.fields[name], "size"), f"{where}, size", 4))
+        return [x, y, top / 4 + base / 2]
 
     def bulk(self, name: str, where: str) -> Bulk:
         """The bulk of a mesh by its name; raises DescriptionError."""
@@ -83,11 +99,15 @@ class Meshes:
             raise DescriptionError(f"{where}: there is no mesh {shorten(name)}; {did_you_mean(name, self.given)}")
         mesh = self.given[name]
         kind = mesh.get("inertia", "legacy")
-        if kind not in ("legacy", "exact", "shell"):
+        if kind not in ("legacy", "exact", "shell", "convex"):
             raise DescriptionError(
                 f"{label(mesh)}: inertia={shorten(kind)} is not supported; write 'exact' or an <inertial>"
             )
-        triangles = read_triangles(self._file(mesh)) if "file" in mesh.attrib else _written(mesh)
+        triangles = read_triangles(self._file(mesh)) if "file" in mesh.attrib else _written(mesh, hull=kind == "convex")
+        if kind == "convex" or not {"file", "face"} & set(mesh.attrib):
+            if number(mesh.get("maxhullvert", "-1"), f"{label(mesh)}, maxhullvert") >= 0:
+                raise DescriptionError(f"{label(mesh)}: maxhullvert of a hull that gives inertia is not supported")
+            triangles = hull_of(triangles.reshape(-1, 3), label(mesh))
         turn = [real(v) for v in numbers(mesh.get("refquat", "1 0 0 0"), f"{label(mesh)}, refquat", 4)]
         shift = triple(numbers(mesh.get("refpos", "0 0 0"), f"{label(mesh)}, refpos", 3))
         back = Pose(from_quaternion(turn, label(mesh)), shift).inverse()
@@ -221,9 +241,17 @@ def _obj(content: bytes) -> Array:
                 corners += [index[0], index[k], index[k + 1]]
     if corners and not 0 <= min(corners) <= max(corners) < len(places):
         raise ValueError(f"a face has a vertex that is none of the {len(places)}")
+    single = _single(np.array(places, dtype=float).reshape(-1, 3))
+    if not corners:
+        return hull_of(single, "points without faces") if len(single) else single.reshape(-1, 3, 3)
+    found: Array = single[np.array(corners, dtype=int)].reshape(-1, 3, 3)
+    return found
+
+
+def _single(places: Array) -> Array:
+    """Numbers in single precision, as engines store vertices, and STL files."""
     with np.errstate(over="ignore"):
-        single = np.array(places, dtype=np.float32).reshape(-1, 3)  # as engines store vertices, and STL files
-    found: Array = single[np.array(corners, dtype=int)].reshape(-1, 3, 3).astype(float)
+        found: Array = places.astype(np.float32).astype(float)
     return found
 
 
@@ -248,11 +276,14 @@ def _in_threes(mesh: Element, key: str) -> Array:
     return rows
 
 
-def _written(mesh: Element) -> Array:
-    """The triangles of a mesh whose vertices and faces stand in the file; without faces it is their convex hull."""
-    if "vertex" not in mesh.attrib or "face" not in mesh.attrib:
-        raise DescriptionError(f"{label(mesh)}: expected a file, or vertices with faces")
-    places, faces = (_in_threes(mesh, key) for key in ("vertex", "face"))
+def _written(mesh: Element, *, hull: bool) -> Array:
+    """The triangles of a mesh that stands in the file; its vertices where it has no faces, or for a hull."""
+    if "vertex" not in mesh.attrib:
+        raise DescriptionError(f"{label(mesh)}: expected a file, or vertices")
+    places = _single(_in_threes(mesh, "vertex"))
+    if hull or "face" not in mesh.attrib:
+        return places[:, None]
+    faces = _in_threes(mesh, "face")
     if not 0 <= faces.min() <= faces.max() < len(places) or (faces != np.floor(faces)).any():
         raise DescriptionError(f"{label(mesh)}, face: expected numbers of vertices from 0 to {len(places) - 1}")
     found: Array = places[faces.astype(int)]

@@ -10,14 +10,12 @@ Source: https://mujoco.readthedocs.io/en/stable/XMLreference.html#actuator.
 
 from __future__ import annotations
 
-import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from decimal import Decimal
+from functools import partial
 from itertools import count
 from typing import Any
-
-import numpy as np
 
 from symscrew.description import JOINT_TYPES
 from symscrew.errors import DescriptionError, did_you_mean, shorten
@@ -25,12 +23,12 @@ from symscrew.formats.draft import Draft, RawEffect, RawLoad
 from symscrew.formats.file_names import safe_names
 from symscrew.formats.mjcf_forces import FREE, effort, limited
 from symscrew.formats.mjcf_gains import ARRAYS, KIND, OWN
+from symscrew.formats.mjcf_inertias import OwnInertia
 from symscrew.formats.mjcf_keyframes import Listed
 from symscrew.formats.mjcf_settings import ACTUATORS, Settings
 from symscrew.formats.mjcf_transmissions import Target, Transmissions, on_joint
 from symscrew.formats.rigid_displacements import UNITS, Real, length, minus, real
 from symscrew.formats.safe_xml import Element, elements, label, number, numbers
-from symscrew.formats.tree_freedoms import freedoms_of, mass_matrix, ways_to
 
 ON_OTHERS = ("tendon", "site", "body", "slidersite", "cranksite", "refsite")
 """What an actuator may act on in place of a joint."""
@@ -113,7 +111,7 @@ def actuator_forces(
     settings: Settings,
     sites: Mapping[str, object],
     *,
-    displaced: bool,
+    inertia: OwnInertia,
     listed: Sequence[Listed],
 ) -> None:
     """Enter servos and limits of the actuators; those that a mechanism has no drive for are in the ledger.
@@ -123,7 +121,7 @@ def actuator_forces(
         actuators: of the file.
         settings: of the file: which limits hold.
         sites: names that an actuator may act on.
-        displaced: whether the reference configuration is not the file's own.
+        inertia: of the tree in the file's own configuration.
         listed: joints with the poses of their bodies there.
     """
     several = {joint.name for joint in draft.joints if JOINT_TYPES[joint.type].freedom > 1}
@@ -144,7 +142,7 @@ def actuator_forces(
         factor = gear * target.factor
         if given.get("dyntype", "none") != "none":
             draft.ledger.turned(f"activation of actuators ({given['dyntype']}): commands here are what comes out of it")
-        damped = _Damped(draft, actuators.transmissions, target, factor, displaced)
+        damped = partial(inertia.damping, target, gear)
         forces = limited(settings, given, "forcerange", "forcelimited")
         tendon = None if on_joint(given) else actuators.transmissions.given[given["tendon"]]
         if tendon is not None and limited(settings, tendon.attrib, "actuatorfrcrange", "actuatorfrclimited"):
@@ -268,42 +266,15 @@ def _on_others(draft: Draft, element: Element, given: Mapping[str, str], sites: 
     draft.ledger.turned("motors on sites: a wrench there is an input, in the body's axes; gears are for the caller")
 
 
-@dataclass(frozen=True)
-class _Damped:
-    """Finds the damping of a servo from its ratio, as MuJoCo does: by the inertia in the file's own configuration."""
-
-    draft: Draft
-    transmissions: Transmissions
-    target: Target
-    gear: Real
-    displaced: bool
-
-    def gain(self, ratio: float, stiffness: float) -> float | None:
-        """2 ratio sqrt(kp m) in the actuator's units, 1/m = J M^-1 J^T of its moment arms J; None: not known."""
-        if self.displaced:
-            return None
-        draft = self.draft
-        freedoms = [f for k, joint in enumerate(draft.joints) for f in freedoms_of(k, joint)]
-        matrix = mass_matrix(draft, freedoms, ways_to(draft, freedoms))
-        names = [draft.joints[freedom.joint].name for freedom in freedoms]
-        for tendon, pulley in self.transmissions.pulleys.items():
-            along = np.array([float(self.transmissions.tendons[tendon].get(name, 0)) for name in names])
-            own = (e.table for e in draft.effects if e.joint == pulley and e.table["kind"] == "armature")
-            matrix += sum(float(table["inertia"]) for table in own) * np.outer(along, along)
-        arms = np.zeros(len(names))
-        for name, factor in self.transmissions.coefficients(self.target).items():
-            if names.count(name) != 1:
-                return None
-            arms[names.index(name)] = float(factor * self.gear / self.target.factor)
-        try:
-            yielding = float(arms @ np.linalg.solve(matrix, arms))
-        except np.linalg.LinAlgError:
-            return None
-        return 2 * ratio * math.sqrt(stiffness / yielding) if yielding > 0 else None
-
-
 def _servo(
-    draft: Draft, tag: str, given: Mapping[str, str], *, name: str, gear: float, damped: _Damped, reach: _Reach
+    draft: Draft,
+    tag: str,
+    given: Mapping[str, str],
+    *,
+    name: str,
+    gear: float,
+    damped: Callable[..., float | None],
+    reach: _Reach,
 ) -> None:
     """An actuator whose force depends on displacement or rate, as a servo beside the drive; of a motor nothing."""
     where, known = f"<{tag} joint={name!r}>", {joint.name for joint in draft.joints}
@@ -318,7 +289,7 @@ def _servo(
     if kv < 0 and kp == float(given["gainprm"].split()[0]) and not ratio:
         ratio, kv = -kv, 0.0  # as the engine reads a bias of this sign
     if ratio:
-        found = damped.gain(ratio, kp)
+        found = damped(ratio=ratio, stiffness=kp)
         if found is None:
             draft.ledger.lost("dampratio of a position actuator, for which the inertia is not known")
         kv = kv if found is None else found

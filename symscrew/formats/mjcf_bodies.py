@@ -21,7 +21,7 @@ from symscrew.formats.merged_joints import one_joint
 from symscrew.formats.mesh_inertias import Meshes
 from symscrew.formats.mjcf_composed import ATTACHED
 from symscrew.formats.mjcf_couplings import Tied
-from symscrew.formats.mjcf_forces import joint_forces
+from symscrew.formats.mjcf_forces import TimedSpring, joint_forces
 from symscrew.formats.mjcf_geoms import Solid, solid, together
 from symscrew.formats.mjcf_keyframes import Listed
 from symscrew.formats.mjcf_settings import ORIENTATIONS, READ, UNSEEN, Attributes, Settings
@@ -53,7 +53,7 @@ class Reading:
 
     `screws`: slide -> the coupling that may make a screw of it and its hinge; `values`: hinge or slide -> its
     coordinate in the reference configuration; `displaced`: joint -> by how much that differs from the file's; `rests`:
-    the same joints' springref;
+    the same joints' springref; `timed`: joint -> its springdamper;
     `listed`: joints in the order of the file's coordinates; `parts`: settings and meshes of the models in the file;
     `in_medium`: bodies have drag; `carried`: body -> share of its weight, `borne`: joints whose part of that is the
     actuators'; `stand_ins`: bodies with inertials where geoms are to say the mass and none does.
@@ -69,6 +69,7 @@ class Reading:
     sites: dict[str, tuple[str, Pose]] = field(default_factory=dict)
     values: dict[str, Real] = field(default_factory=dict)
     rests: dict[str, Real] = field(default_factory=dict)
+    timed: dict[str, TimedSpring] = field(default_factory=dict)
     seen: set[str] = field(default_factory=set)
     made_screws: set[str] = field(default_factory=set)
     listed: list[Listed] = field(default_factory=list)
@@ -150,7 +151,8 @@ def _read_body(reading: Reading, element: Element, outer: Place) -> None:
     reading.bare[name] = pose.point(local.translation)  # where the engine has a mass that no element gives
     reading.carried[name] = real(number(element.get("gravcomp", "0"), f"{where}, gravcomp"))
     reading.result.joints += joints
-    if reading.settings.fuses and joints[-1].type == "fixed" and reading.stand_ins & {name, outer.body}:
+    fused = reading.settings.fuses and element.get("fuse") != "false" and joints[-1].type == "fixed"
+    if fused and reading.stand_ins & {name, outer.body}:
         reading.result.ledger.lost(f"fusestatic: the engine takes the geoms alone of {name} and {outer.body} for mass")
     read_children(reading, element, place)
 
@@ -293,7 +295,8 @@ def _joint(reading: Reading, part: Part, body: Pose) -> RawJoint:
     reading.seen.add(name)
     where = label(element)
     if element.tag == "joint":
-        joint_forces(reading.result, chosen, name, attributes=attributes, kind=kind)
+        timed = joint_forces(reading.result, chosen, name, attributes=attributes, kind=kind)
+        reading.timed |= {name: timed} if timed is not None else {}
     driven = reading.driven.get(name, ())
     if attributes.get("actuatorgravcomp", "false") == "true":
         reading.borne.append(name)

@@ -91,15 +91,16 @@ class _Composition:
             _check_masses(chosen, path)
         known = replace(chosen, defaults={"main": {}, **chosen.defaults})
         self.parts.append((chosen, Meshes.of(root, path, known, self.within)))
-        root = replicated(root, chosen)
-        models: dict[str, Element] = {}
-        for section in elements(root, "asset"):
-            for model in elements(section, "model"):
-                models[model.get("name", "")] = model
         if any(True for _ in root.iter("attach")):
+            found = (model for section in elements(root, "asset") for model in elements(section, "model"))
+            models = {model.get("name") or self._own_name(model, path): model for model in found}
             root = copy(root)
             root[:] = [self._attached(child, root, models, (path, (*way, path.resolve()))) for child in root]
-        return root
+        return replicated(root, chosen)  # what is attached inside is repeated, with what refers to it
+
+    def _own_name(self, model: Element, path: Path) -> str:
+        """What a model's own file calls it, where the one that takes it gives no name."""
+        return read(inside(path.parent, attribute(model, "file"), label(model), self.within)).get("model", "")
 
     def _attached(
         self, element: Element, root: Element, models: Mapping[str, Element], at: tuple[Path, tuple[Path, ...]]

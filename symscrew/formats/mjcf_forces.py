@@ -8,13 +8,14 @@ Source: https://mujoco.readthedocs.io/en/stable/XMLreference.html#body-joint and
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from decimal import Decimal
 from typing import Any
 
 from symscrew.errors import DescriptionError, shorten
 from symscrew.formats.draft import Draft, Limits, RawEffect
 from symscrew.formats.mjcf_settings import Attributes, Settings
-from symscrew.formats.rigid_displacements import real
+from symscrew.formats.rigid_displacements import Real, real
 from symscrew.formats.safe_xml import number, numbers
 
 SLIP = "1e-3"
@@ -24,8 +25,19 @@ UNLIKE = ("ball", FREE)
 """Joints whose freedoms have no axis of their own: a spring there is none of one coordinate."""
 
 
-def joint_forces(draft: Draft, settings: Settings, name: str, *, attributes: Attributes, kind: str) -> None:
-    """Enter what a joint says of forces and limits."""
+@dataclass(frozen=True)
+class TimedSpring:
+    """A joint's springdamper: time [s], ratio, and where its spring rests (None: it has no coordinate of its own)."""
+
+    time: float
+    ratio: float
+    rest: Real | None
+
+
+def joint_forces(
+    draft: Draft, settings: Settings, name: str, *, attributes: Attributes, kind: str
+) -> TimedSpring | None:
+    """Enter what a joint says of forces and limits; a spring and damper that wait for its inertia are the result."""
     where, single = f"<joint name={name!r}>", kind not in UNLIKE
 
     def values(key: str, flag: str = "") -> list[Decimal]:
@@ -40,7 +52,8 @@ def joint_forces(draft: Draft, settings: Settings, name: str, *, attributes: Att
     damping, stiffness = values("damping", "damper"), values("stiffness", "spring")
     if armature != 0:
         add("armature", "armature", inertia=float(armature))
-    if damping[0] != 0:
+    timed = _timed(settings, attributes, where, kind)
+    if damping[0] != 0 and timed is None:
         add("damping", "damping", coefficient=float(damping[0]))
     freedoms = {"ball": range(3), FREE: range(6)}.get(kind, (None,))
     for k in freedoms if friction != 0 else ():
@@ -48,19 +61,33 @@ def joint_forces(draft: Draft, settings: Settings, name: str, *, attributes: Att
         add("friction", "frictionloss", coulomb=float(friction), velocity=float(SLIP), **more)
     if friction != 0 and not single:
         draft.ledger.changed.append(f"{where}, frictionloss: about axes of the parent, the file means the body's own")
-    if stiffness[0] != 0:
-        rest = number(attributes.get("springref", "0"), f"{where}, springref")
-        at = settings.angle(rest) if kind == "hinge" else real(rest)
+    if stiffness[0] != 0 and timed is None:
         if single:
-            add("spring", "stiffness", stiffness=float(stiffness[0]), rest=float(at))
+            rest = _rest(settings, attributes, where, kind)
+            add("spring", "stiffness", stiffness=float(stiffness[0]), rest=float(rest))
         else:
             draft.ledger.lost(f"stiffness of a {kind} joint")
     if any(value != 0 for value in (*damping[1:], *stiffness[1:])):
         draft.ledger.lost("powers of damping or stiffness above the first")
-    if any(value != 0 for value in values("springdamper", "spring")):
-        draft.ledger.lost("springdamper")
     if single:
         _limits(draft, settings, name, attributes=attributes, kind=kind)
+    return timed
+
+
+def _rest(settings: Settings, attributes: Attributes, where: str, kind: str) -> Real:
+    rest = number(attributes.get("springref", "0"), f"{where}, springref")
+    return settings.angle(rest) if kind == "hinge" else real(rest)
+
+
+def _timed(settings: Settings, attributes: Attributes, where: str, kind: str) -> TimedSpring | None:
+    """What is in the place of stiffness and damping, where both numbers of springdamper are above zero."""
+    time, ratio = numbers(attributes.get("springdamper", "0 0"), f"{where}, springdamper", 2)
+    if not time and not ratio:
+        return None
+    if time <= 0 or ratio <= 0:
+        raise DescriptionError(f"{where}, springdamper: expected a time and a ratio above zero, got {time} {ratio}")
+    rest = None if kind in UNLIKE else _rest(settings, attributes, where, kind)
+    return TimedSpring(float(time), float(ratio), rest)
 
 
 def _limits(draft: Draft, settings: Settings, name: str, *, attributes: Attributes, kind: str) -> None:

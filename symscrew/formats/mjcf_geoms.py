@@ -1,4 +1,4 @@
-"""Mass, centre and inertia of a body from its geoms, as MuJoCo finds them for homogeneous solids."""
+"""Mass, centre and inertia of a body from its geoms, as MuJoCo finds them for homogeneous solids and shells."""
 
 from __future__ import annotations
 
@@ -31,7 +31,11 @@ from symscrew.formats.safe_xml import number, numbers
 SIZES = {"sphere": 1, "capsule": 2, "cylinder": 2, "ellipsoid": 3, "box": 3}
 WITH_FROM_TO = ("capsule", "cylinder", "ellipsoid", "box")
 WATER = "1000"
-"""Density [kg/m^3] of a geom that does not say its own, as in MuJoCo."""
+"""Density [kg/m^3] of a geom that does not say its own, as in MuJoCo; of a shell [kg/m^2]."""
+SKIN = "1e-6"
+"""How thick MuJoCo's shell of an ellipsoid is along its axes [m]: what is between two ellipsoids."""
+THOMSEN = "1.6075"
+"""Exponent of K. Thomsen's formula for the area of an ellipsoid, right to 1.1 %, as in MuJoCo."""
 
 
 @dataclass(frozen=True)
@@ -51,31 +55,36 @@ def solid(attributes: Attributes, settings: Settings, outer: Pose, *, where: str
     """The homogeneous solid of a geom, None where it has no mass; raises DescriptionError."""
     kind = attributes.get("type", "sphere")
     group = int(number(attributes.get("group", "0"), f"{where}, group"))
-    if kind in ("plane", "hfield") or not settings.groups[0] <= group <= settings.groups[1]:
+    if kind == "plane" or not settings.groups[0] <= group <= settings.groups[1]:
         return None
     mass = None if "mass" not in attributes else real(number(attributes["mass"], f"{where}, mass"))
     density = real(number(attributes.get("density", WATER), f"{where}, density"))
     if mass == 0 or (mass is None and density == 0):
         return None
-    if kind == "mesh" and attributes.get("shellinertia", "false") == "false" and "mesh" in attributes:
+    hollow = attributes.get("shellinertia", "false")
+    if hollow not in ("true", "false"):
+        raise DescriptionError(f"{where}, shellinertia: expected true or false, got {shorten(hollow)}")
+    if kind == "mesh" and hollow == "false" and "mesh" in attributes:
         bulk = meshes.bulk(attributes["mesh"], where)
         return _bulky(
             bulk, mass if mass is not None else density * bulk.volume, outer @ settings.pose(attributes, where)
         )
-    if kind not in SIZES or attributes.get("shellinertia", "false") != "false":
-        what = "shellinertia" if kind in SIZES else f"a geom of type {shorten(kind)}"
+    if kind not in (*SIZES, "hfield"):
+        what = "shellinertia of a mesh" if hollow == "true" and kind == "mesh" else f"a geom of type {shorten(kind)}"
         raise DescriptionError(
             f"{where}: the inertia of {what} is not computed here; give the body an <inertial> (and "
             'inertiafromgeom="false"), or the geom mass="0"'
         )
-    if "mesh" in attributes:
+    if kind == "hfield":
+        kind, place, size = "box", settings.pose(attributes, where), meshes.slab(attributes.get("hfield", ""), where)
+    elif "mesh" in attributes:
         if settings.fits_boxes or "fitscale" in attributes:
             raise DescriptionError(f"{where}: a {kind} fitted to the bounds of a mesh is not supported; give its size")
         place, size = fitted(meshes.bulk(attributes["mesh"], where), kind)
         place = settings.pose(attributes, where) @ place
     else:
         place, size = _placed(attributes, settings, kind, where)
-    volume, radii = _volume_and_radii(kind, size)
+    volume, radii = (_area_and_radii if hollow == "true" else _volume_and_radii)(kind, size)
     total = mass if mass is not None else density * volume
     x, y, z = (total * radius for radius in radii)
     zero = ZERO[0]
@@ -157,3 +166,43 @@ def _volume_and_radii(kind: str, size: Sequence[Real]) -> tuple[Real, Triple]:
     out = 2 * radius**2 / 5 + half**2 + 3 * radius * half / 4
     mixed = (tube * across + ball * out) / volume
     return volume, (mixed, mixed, (tube * along + ball * 2 * radius**2 / 5) / volume)
+
+
+def _area_and_radii(kind: str, size: Sequence[Real]) -> tuple[Real, Triple]:
+    """Area, and principal moments per mass, of a shell of even thickness; of an ellipsoid as `SKIN` says."""
+    pi = CONTEXT.pi
+    if kind == "ellipsoid":
+        return _ellipsoid_shell(size)
+    if kind == "box":
+        a, b, c = size
+        sides = (b * c, c * a, a * b)  # an eighth of a pair of faces; those across x spread by a^2, b^2/3, c^2/3
+        total = sum(sides, start=ZERO[0])
+        squares = [
+            size[i] ** 2 * sum((s * (1 if i == j else real(1) / 3) for j, s in enumerate(sides)), start=ZERO[0]) / total
+            for i in range(3)
+        ]
+        return 8 * total, (squares[1] + squares[2], squares[2] + squares[0], squares[0] + squares[1])
+    radius = size[0]
+    ball, around = 4 * pi * radius**2, 2 * radius**2 / 3
+    if kind == "sphere":
+        return ball, (around, around, around)
+    half = size[1]
+    tube = 4 * pi * radius * half
+    if kind == "capsule":  # half shells of a ball have their centres r/2 beyond the tube
+        ends, end_out, end_along = ball, around + half**2 + radius * half, around
+    else:
+        ends, end_out, end_along = 2 * pi * radius**2, radius**2 / 4 + half**2, radius**2 / 2
+    area = tube + ends
+    across = (tube * (radius**2 / 2 + half**2 / 3) + ends * end_out) / area
+    return area, (across, across, (tube * radius**2 + ends * end_along) / area)
+
+
+def _ellipsoid_shell(size: Sequence[Real]) -> tuple[Real, Triple]:
+    """Area by Thomsen's formula; moments per mass of what is between an ellipsoid and one with longer axes."""
+    power = real(THOMSEN)
+    a, b, c = (CONTEXT.mpf(s) for s in size)
+    mean = ((a * b) ** power + (b * c) ** power + (c * a) ** power) / 3
+    solids = [_volume_and_radii("ellipsoid", [s + extra for s in size]) for extra in (real(0), real(SKIN))]
+    (less, inner), (more, outer) = solids
+    x, y, z = ((more * far - less * near) / (more - less) for near, far in zip(inner, outer, strict=True))
+    return 4 * CONTEXT.pi * mean ** (1 / power), (x, y, z)

@@ -10,7 +10,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from decimal import Decimal
 
 from symscrew.errors import DescriptionError, did_you_mean, shorten
 from symscrew.formats.draft import RawJoint
@@ -18,12 +17,15 @@ from symscrew.formats.file_names import fresh
 from symscrew.formats.mjcf_settings import Settings
 from symscrew.formats.open_loops import CLOSED, Closing
 from symscrew.formats.rigid_displacements import (
-    ZERO,
+    UNITS,
     Pose,
+    Real,
     from_quaternion,
     length,
     minus,
+    product,
     real,
+    transposed,
     triple,
     unit,
 )
@@ -35,7 +37,7 @@ HELD = "fixed"
 
 @dataclass(frozen=True)
 class Placed:
-    """Poses of the bodies, sites as (body, pose), the name of the ground, and how open loops may be.
+    """Poses of the bodies, sites as (body, pose), and the name of the ground.
 
     `own`: poses in the file's own configuration, in which equalities of bodies hold.
     """
@@ -43,7 +45,6 @@ class Placed:
     poses: Mapping[str, Pose]
     sites: Mapping[str, tuple[str, Pose]]
     ground: str
-    closing: Closing
     own: Mapping[str, Pose]
 
     def moved(self, body: str) -> Pose:
@@ -51,18 +52,45 @@ class Placed:
         return self.poses[body] @ self.own[body].inverse()
 
 
-def loops(root: Element, settings: Settings, placed: Placed) -> list[RawJoint]:
-    """The joints that close loops; raises DescriptionError for what is not supported or does not close."""
+@dataclass(frozen=True)
+class Tie:
+    """An equality of two bodies: the frames that meet, as each of the two has its own, and whether turning is held."""
+
+    element: Element
+    parent: str
+    child: str
+    one: Pose
+    other: Pose
+    turning: bool
+
+    @property
+    def gap(self) -> Real:
+        """How far the frames are apart [m, rad]."""
+        apart = length(minus(self.one.translation, self.other.translation))
+        if not self.turning:
+            return apart
+        by = product(transposed(self.one.rotation), self.other.rotation)
+        return max(apart, *(length(minus(row, unit_row)) for row, unit_row in zip(by, UNITS, strict=True)))
+
+
+def body_ties(root: Element, settings: Settings, placed: Placed) -> list[Tie]:
+    """Connects, then welds, of those that are active; raises DescriptionError for what is not supported."""
     for section in elements(root, "equality"):
         for element in elements(section):
             if element.tag not in ("connect", "weld", "joint", "tendon"):
                 raise DescriptionError(
                     f"{label(element)} in <equality>: only connect, weld, joint and tendon are supported"
                 )
-    connects = [_connect(e, placed) for e in equalities(root, settings, "connect")]
-    welds = [_weld(e, placed) for e in equalities(root, settings, "weld")]
-    connects += [weld for weld in welds if weld.type != HELD]
-    welds = [weld for weld in welds if weld.type == HELD]
+    return [
+        *(_connect(e, placed) for e in equalities(root, settings, "connect")),
+        *(_weld(e, placed) for e in equalities(root, settings, "weld")),
+    ]
+
+
+def loops(found: Sequence[Tie], closing: Closing, placed: Placed) -> list[RawJoint]:
+    """The joints that close loops; raises DescriptionError for what does not close."""
+    connects = [_ball(tie, closing) for tie in found if not tie.turning]
+    welds = [_fixed(tie, closing, placed) for tie in found if tie.turning]
     result = []
     while connects:
         first = connects.pop(0)
@@ -80,6 +108,18 @@ def loops(root: Element, settings: Settings, placed: Placed) -> list[RawJoint]:
     for k, joint in enumerate(result):
         names.append(fresh(joint.name or f"loop_{k}", names))
     return [RawJoint(name, j.type, j.parent, j.child, j.point, j.axes) for name, j in zip(names, result, strict=True)]
+
+
+def _ball(tie: Tie, closing: Closing) -> RawJoint:
+    place = closing.middle(label(tie.element), tie.one.translation, tie.other.translation)
+    return RawJoint(tie.element.get("name") or "", "S", tie.parent, tie.child, place)
+
+
+def _fixed(tie: Tie, closing: Closing, placed: Placed) -> RawJoint:
+    """A fixed joint holds what the reference configuration has, which is what the file wants up to rounding."""
+    closing.accept(label(tie.element), tie.gap)
+    place = placed.poses[tie.child].translation
+    return RawJoint(tie.element.get("name") or "", HELD, tie.parent, tie.child, place)
 
 
 def _twin(a: RawJoint, b: RawJoint) -> bool:
@@ -133,62 +173,31 @@ def _ends(element: Element, placed: Placed) -> tuple[str, str, tuple[Pose, Pose]
     return (ground if one_body == "world" else one_body), (ground if other_body == "world" else other_body), None
 
 
-def _connect(element: Element, placed: Placed) -> RawJoint:
+def _connect(element: Element, placed: Placed) -> Tie:
     parent, child, meeting = _ends(element, placed)
-    if meeting is None:
-        anchor = triple(numbers(attribute(element, "anchor"), f"{label(element)}, anchor", 3))
-        owner = element.attrib["body1"]
-        at = placed.own[placed.ground if owner == "world" else owner].point(anchor)
-        place = placed.closing.middle(label(element), placed.moved(parent).point(at), placed.moved(child).point(at))
-    else:
-        one, other = (pose.translation for pose in meeting)
-        place = placed.closing.middle(label(element), one, other)
-    return RawJoint(element.get("name") or "", "S", parent, child, place)
+    if meeting is not None:
+        return Tie(element, parent, child, *meeting, turning=False)
+    anchor = triple(numbers(attribute(element, "anchor"), f"{label(element)}, anchor", 3))
+    owner = element.attrib["body1"]
+    at = placed.own[placed.ground if owner == "world" else owner].point(anchor)
+    one, other = (Pose(UNITS, placed.moved(body).point(at)) for body in (parent, child))
+    return Tie(element, parent, child, one, other, turning=False)
 
 
-def _weld(element: Element, placed: Placed) -> RawJoint:
-    """A weld; without a torque it holds the points alone, as a connect does."""
+def _weld(element: Element, placed: Placed) -> Tie:
+    """A weld; without a torque it holds points alone, as a connect does."""
     parent, child, meeting = _ends(element, placed)
     given = numbers(element.get("relpose", "0 1 0 0 0 0 0"), f"{label(element)}, relpose", 7)
-    if number(element.get("torquescale", "1"), f"{label(element)}, torquescale") == 0:
-        return _held_point(element, placed, (parent, child, meeting), given)
+    turning = number(element.get("torquescale", "1"), f"{label(element)}, torquescale") != 0
     if meeting is not None:
-        _check_weld(element, placed, *meeting)
-    elif any(value != 0 for value in given[3:]):
-        # relpose is the pose of the second body (the world where there is none) in the first, its place the anchor's
-        first = element.attrib["body1"]
-        one, other = (placed.poses[placed.ground if n in (None, "world") else n] for n in (first, element.get("body2")))
-        turn = [real(value) for value in given[3:]]
-        turned = Pose(from_quaternion(turn, f"{label(element)}, relpose"), ZERO)
-        anchor = triple(numbers(element.get("anchor", "0 0 0"), f"{label(element)}, anchor", 3))
-        wanted = Pose(turned.rotation, minus(triple(given[:3]), turned.point(anchor)))
-        _check_weld(element, placed, wanted, one.inverse() @ other)
+        return Tie(element, parent, child, *meeting, turning=turning)
+    # the anchor of the second body (the world where there is none) is where the first one has relpose, if that is given
+    anchor = triple(numbers(element.get("anchor", "0 0 0"), f"{label(element)}, anchor", 3))
+    first, second = (placed.ground if n in (None, "world") else str(n) for n in map(element.get, ("body1", "body2")))
+    if any(value != 0 for value in given[3:]):
+        turn = from_quaternion([real(value) for value in given[3:]], f"{label(element)}, relpose")
+        wanted = Pose(turn, triple(given[:3]))
     else:
-        own, now = (poses[parent].inverse() @ poses[child] for poses in (placed.own, placed.poses))
-        _check_weld(element, placed, own, now)
-    return RawJoint(element.get("name") or "", HELD, parent, child, placed.poses[child].translation)
-
-
-def _held_point(
-    element: Element, placed: Placed, ends: tuple[str, str, tuple[Pose, Pose] | None], relpose: Sequence[Decimal]
-) -> RawJoint:
-    """Where a weld without torque holds its bodies: the sites, or the anchor of the second body (the world where there
-    is none) at the place of `relpose` in the first one where that is given, else where the file's own pose has it."""
-    parent, child, meeting = ends
-    if meeting is not None:
-        one, other = (pose.translation for pose in meeting)
-    else:
-        anchor = triple(numbers(element.get("anchor", "0 0 0"), f"{label(element)}, anchor", 3))
-        names = (element.attrib["body1"], element.get("body2"))
-        first, second = (placed.ground if name in (None, "world") else str(name) for name in names)
-        given = any(value != 0 for value in relpose[3:])
-        at = triple(relpose[:3]) if given else (placed.own[first].inverse() @ placed.own[second]).point(anchor)
-        one, other = placed.poses[first].point(at), placed.poses[second].point(anchor)
-    place = placed.closing.middle(label(element), one, other)
-    return RawJoint(element.get("name") or "", "S", parent, child, place)
-
-
-def _check_weld(element: Element, placed: Placed, wanted: Pose, found: Pose) -> None:
-    """That two poses are one, up to rounding: a fixed joint holds what the reference configuration has."""
-    turned = max(length(minus(a, b)) for a, b in zip(wanted.rotation, found.rotation, strict=True))
-    placed.closing.accept(label(element), max(length(minus(wanted.translation, found.translation)), turned))
+        wanted = placed.own[first].inverse() @ placed.own[second] @ Pose(UNITS, anchor)
+    sides = {first: placed.poses[first] @ wanted, second: placed.poses[second] @ Pose(UNITS, anchor)}
+    return Tie(element, parent, child, sides[parent], sides[child], turning=turning)

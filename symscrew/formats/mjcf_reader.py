@@ -14,7 +14,8 @@ Source: https://mujoco.readthedocs.io/en/stable/XMLreference.html.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
+from dataclasses import replace
 from pathlib import Path
 
 from symscrew.errors import DescriptionError, did_you_mean, shorten
@@ -24,10 +25,12 @@ from symscrew.formats.import_options import ImportOptions
 from symscrew.formats.included_files import expanded
 from symscrew.formats.mjcf_actuators import Actuators, actuator_forces
 from symscrew.formats.mjcf_bodies import Place, Reading, read_children
+from symscrew.formats.mjcf_closing import where_they_close
 from symscrew.formats.mjcf_composed import composed
 from symscrew.formats.mjcf_couplings import displacements, raw_coupling, read_couplings
+from symscrew.formats.mjcf_inertias import OwnInertia
 from symscrew.formats.mjcf_keyframes import key_name, keyframe_rates, keyframes
-from symscrew.formats.mjcf_loops import Placed, idle_equalities, loops
+from symscrew.formats.mjcf_loops import Placed, body_ties, idle_equalities, loops
 from symscrew.formats.mjcf_masses import settle_masses
 from symscrew.formats.mjcf_medium import add_drags, medium
 from symscrew.formats.mjcf_rotors import rotors
@@ -88,12 +91,10 @@ def read_mjcf(root: Element, path: Path, options: ImportOptions) -> Draft:
     actuated = any(True for section in elements(root, "actuator") for _ in elements(section))
     carry(result, reading.carried, reading.borne, actuated=actuated)
     add_drags(result, around)
-    _read_forces(reading, actuators, pulled)
-    extent = _extent(result)
-    closing = Closing(result.ledger, extent, options.snap)
-    result.joints += loops(
-        root, chosen, Placed(reading.poses, reading.sites, ground, closing, _own_poses(root, reading))
-    )
+    own_pose = _in_own_pose(root, reading)
+    _read_forces(reading, own_pose.result, actuators, pulled)
+    placed = Placed(reading.poses, reading.sites, ground, own_pose.poses)
+    _add_loops(root, reading, placed, Closing(result.ledger, _extent(result), options.snap), coupled=bool(ties))
     own = {joint: value - reading.displaced.get(joint, ZERO[0]) for joint, value in reading.values.items()}
     result.couplings += [raw_coupling(t, own) for t in ties if next(iter(t.first)) not in reading.made_screws]
     add_pulleys(result, pulled, reading.values, reading.driven)
@@ -111,13 +112,26 @@ def read_mjcf(root: Element, path: Path, options: ImportOptions) -> Draft:
     return result
 
 
-def _read_forces(reading: Reading, actuators: Actuators, pulled: Transmissions) -> None:
-    """What tendons and actuators do."""
-    result, chosen, moved = reading.result, reading.settings, any(reading.displaced.values())
+def _add_loops(root: Element, reading: Reading, placed: Placed, closing: Closing, *, coupled: bool) -> None:
+    """The joints that close loops; where these are open in the file's pose, and no joints are coupled, others move."""
+    result, chosen = reading.result, reading.settings
+    found = body_ties(root, chosen, placed)
+    if not coupled and any(closing.is_open(tie.gap) for tie in found):
+        placed = where_they_close(result, found, placed)
+        found = body_ties(root, chosen, placed)
+        reading.values |= {joint.name: joint.reference[0] for joint in result.joints if joint.name in reading.values}
+    result.joints += loops(found, closing, placed)
+
+
+def _read_forces(reading: Reading, own: Draft, actuators: Actuators, pulled: Transmissions) -> None:
+    """What tendons and actuators do; `own`: the tree in the file's own configuration."""
+    result, chosen = reading.result, reading.settings
     _check_all_found(reading, pulled.pulleys.values())
     tendon_forces(result, pulled, reading.rests, chosen.off)
     rotors(result, [*actuators.listed, *actuators.idle], pulled, chosen.off)
-    actuator_forces(result, actuators, chosen, reading.sites, displaced=moved, listed=reading.listed)
+    inertia = OwnInertia(replace(own, effects=result.effects), pulled)
+    inertia.enter_springs(result, reading.timed, chosen.off)
+    actuator_forces(result, actuators, chosen, reading.sites, inertia=inertia, listed=reading.listed)
 
 
 def _read_bodies(root: Element, reading: Reading) -> None:
@@ -132,15 +146,16 @@ def _read_bodies(root: Element, reading: Reading) -> None:
         read_children(reading, world, Place(ground, Pose(), world.get("childclass")))
 
 
-def _own_poses(root: Element, reading: Reading) -> Mapping[str, Pose]:
-    """Poses of the bodies in the file's own configuration, from which couplings may displace them."""
-    if not reading.displaced:
-        return reading.poses
+def _in_own_pose(root: Element, reading: Reading) -> Reading:
+    """Bodies and joints as the file has them, before couplings displace them or make one joint of two."""
+    if not any(reading.displaced.values()) and not reading.made_screws:
+        return reading
     given = reading.result
     aside = Draft(given.name, given.ground, given.origin, gravity=given.gravity)
     own = Reading(reading.settings, {}, reading.driven, aside, reading.meshes, parts=reading.parts)
     _read_bodies(root, own)
-    return own.poses
+    settle_masses(aside, reading.settings, own.bare)
+    return own
 
 
 def _check_sections(root: Element, result: Draft) -> None:

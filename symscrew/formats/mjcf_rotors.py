@@ -49,7 +49,7 @@ def rotors(
             factor = float(gear[0] if gear else 1) * float(target.factor)
             size = float(values[0]) * factor**2
             if size != 0:
-                draft.effects.append(RawEffect(target.joint, {"kind": kind, number_of: size}))
+                draft.effects.append(RawEffect(target.joint, {"kind": kind, number_of: size}, target.tendon))
                 draft.ledger.turned(f"{key} of actuators, times the square of the gear")
                 if key == "armature" and branched(draft, transmissions.coefficients(target)):
                     draft.ledger.turned(BRANCHED)

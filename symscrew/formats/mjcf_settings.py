@@ -42,7 +42,7 @@ PLACE = ("pos", "quat", *ORIENTATIONS)
 UNSEEN = ("adhesion", "castshadow", "surfacevel")
 """Attributes of geoms that are about contacts and pictures, and that few files have: the account says so."""
 READ: dict[str, tuple[str, ...]] = {
-    "body": ("name", "childclass", "mocap", "gravcomp", "user", "sleep", *PLACE),
+    "body": ("name", "childclass", "mocap", "gravcomp", "user", "sleep", "simple", "fuse", *PLACE),
     "frame": ("name", "childclass", *PLACE),
     "inertial": ("mass", "diaginertia", "fullinertia", *PLACE),
     "joint": (

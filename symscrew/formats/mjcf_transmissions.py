@@ -42,10 +42,11 @@ def on_joint(attributes: Mapping[str, str]) -> str | None:
 
 @dataclass(frozen=True)
 class Target:
-    """What a transmission acts on: a joint of the draft, by `factor` times its displacement."""
+    """What a transmission acts on: a joint of the draft, by `factor` times its displacement; through a `tendon`."""
 
     joint: str
     factor: Real
+    tendon: str | None = None
 
 
 @dataclass
@@ -54,12 +55,14 @@ class Transmissions:
 
     Attributes:
         tendons: fixed tendon -> joint -> coefficient, followers of equalities replaced by what they follow.
+        own: the same as the file has it.
         given: all tendons, attributes of their classes included.
         names: of all joints.
         pulleys: tendon -> the joint of its pulley, where it goes over several joints; as they are asked for.
     """
 
     tendons: Mapping[str, Mapping[str, Real]]
+    own: Mapping[str, Mapping[str, Real]]
     given: Mapping[str, Element]
     names: frozenset[str]
     pulleys: dict[str, str] = field(default_factory=dict)
@@ -80,10 +83,10 @@ class Transmissions:
         terms = self.tendons[name]
         if len(terms) == 1:
             ((joint, factor),) = terms.items()
-            return Target(joint, factor)
+            return Target(joint, factor, name)
         if name not in self.pulleys:
             self.pulleys[name] = fresh(name, [*self.names, *self.pulleys.values()])
-        return Target(self.pulleys[name], real(1))
+        return Target(self.pulleys[name], real(1), name)
 
     def coefficients(self, target: Target) -> Mapping[str, Real]:
         """Joint -> by how much it moves what a target's coordinate measures."""
@@ -112,11 +115,10 @@ def transmissions(root: Element, settings: Settings, ties: Sequence[Tied]) -> Tr
     }  # fmt: skip
     if any(any(numbers(joint.get("ref", "0"), "<joint>, ref")) for joint in root.iter("joint")):
         follows = {}
-    tendons: dict[str, Mapping[str, Real]] = {}
-    for name, tendon in given.items():
-        if tendon.tag == "fixed":
-            tendons[name] = _gathered(tendon, follows)
-    return Transmissions(tendons, given, frozenset(j.get("name") or "" for j in root.iter("joint")))
+    fixed = {name: tendon for name, tendon in given.items() if tendon.tag == "fixed"}
+    tendons = {name: _gathered(tendon, follows) for name, tendon in fixed.items()}
+    own = {name: _gathered(tendon, {}) for name, tendon in fixed.items()}
+    return Transmissions(tendons, own, given, frozenset(j.get("name") or "" for j in root.iter("joint")))
 
 
 def _gathered(tendon: Element, follows: Mapping[str, tuple[str, Real]]) -> dict[str, Real]:
@@ -193,7 +195,7 @@ def _forces(
             own = sum((c * rests.get(j, ZERO[0]) for j, c in _terms(tendon)), start=ZERO[0])
             rest = (own if ends[0] == -1 else ends[0]) / target.factor
             table = {"kind": "spring", "stiffness": size * square, "rest": float(rest)}
-        draft.effects.append(RawEffect(target.joint, table))
+        draft.effects.append(RawEffect(target.joint, table, target.tendon))
         draft.ledger.turned(f"{key} of a tendon")
 
 

@@ -49,9 +49,13 @@ class Closing:
             f"{what}: open by {mpmath.nstr(gap, 3)} m or rad in the file's pose; each side is moved by half of it"
         )
 
+    def is_open(self, gap: Real) -> bool:
+        """Whether a gap [m, rad] is larger than what rounding explains or `snap` allows."""
+        return bool(gap > max(SIX_DIGITS * max(self.extent, 1), real(self.snap)))
+
     def check(self, what: str, gap: Real, why: Callable[[], str] | None = None) -> None:
         """Raise DescriptionError for a gap [m, rad] that is too large; `why` says more, where it is asked."""
-        if gap > max(SIX_DIGITS * max(self.extent, 1), real(self.snap)):
+        if self.is_open(gap):
             apart = f"{mpmath.nstr(gap, 6)} m or rad apart"
             accept = f"accept it: --snap {mpmath.nstr(gap * real('1.001'), 4)}"
             if why is None:

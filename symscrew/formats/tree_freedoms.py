@@ -66,7 +66,7 @@ def ways_to(draft: Draft, freedoms: Sequence[Freedom]) -> dict[str, list[int]]:
 
 
 def mass_matrix(draft: Draft, freedoms: Sequence[Freedom], ways: Mapping[str, Sequence[int]]) -> Array:
-    """Inertia of the tree [kg, kg m, kg m^2] in the draft's pose, armatures of joints with one freedom included."""
+    """Inertia of the tree [kg, kg m, kg m^2] in the draft's pose, armatures of joints included, of tendons not."""
     total = np.zeros((len(freedoms), len(freedoms)))
     for body in draft.bodies:
         if body.mass is None or body.com is None or body.inertia is None or body.name not in ways:
@@ -80,7 +80,8 @@ def mass_matrix(draft: Draft, freedoms: Sequence[Freedom], ways: Mapping[str, Se
         total += float(body.mass) * linear.T @ linear + angular.T @ inertia @ angular
     for k, freedom in enumerate(freedoms):
         name = draft.joints[freedom.joint].name
-        own = (e.table for e in draft.effects if e.joint == name and e.table["kind"] == "armature")
+        here = (e for e in draft.effects if e.joint == name and e.tendon is None)
+        own = (e.table for e in here if e.table["kind"] == "armature")
         total[k, k] += sum(float(table["inertia"]) for table in own)
     return total
 

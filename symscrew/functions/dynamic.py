@@ -40,7 +40,7 @@ from symscrew.functions.ports import (
     v_port,
     y_port,
 )
-from symscrew.kinematics import Link, System
+from symscrew.kinematics import Link, System, identifiers
 from symscrew.loops import Loops, counts_all_ways
 from symscrew.program import Function, Port
 
@@ -274,9 +274,10 @@ def _from_independent(system: System, effects: Sequence[Effect], loops: Loops) -
 def _with_preload(equations: Equations) -> Function:
     system = equations.system
     count = len(system.drives)
+    names = identifiers(drive_label(system, k) for k in range(count))
     weights, preload = (
         tuple(
-            system.tape.symbol(f"{name}_{drive_label(system, k).replace('.', '_')}", unit, f"{what} of drive {k + 1}")
+            system.tape.symbol(f"{name}_{names[drive_label(system, k)]}", unit, f"{what} of drive {k + 1}")
             for k in range(count)
         )
         for name, unit, what in (("weight", "1", "weight"), ("preload", "N", "preload"))

@@ -11,7 +11,7 @@ from symscrew.effects import Acting, Effect, Estimate
 from symscrew.functions.closing import THRESHOLD, guarded, jacobian_in_v, moved_by, opening
 from symscrew.functions.dynamic import Equations, all_reactions, in_order, reactions_port
 from symscrew.functions.ports import a_port, function, q_port, u_port, v_port, y_port
-from symscrew.kinematics import System
+from symscrew.kinematics import System, check_apart, identifiers
 from symscrew.loops import Loops
 from symscrew.program import SWITCH, Function, Port, Program, RankRevealing, lower
 
@@ -85,8 +85,10 @@ def driven(system: System, effects: Sequence[Effect], loads: Estimate | None = N
     """
     acting = Acting(system, effects, loads)
     port = acting.drive_port(u_port(system))
+    names = identifiers(port.labels)
+    check_apart(system.mechanism, (f"u_{name}" for name in names.values()))
     nodes = tuple(
-        system.tape.symbol(f"u_{label.replace('.', '_')}", unit, f"drive of {label}")
+        system.tape.symbol(f"u_{names[label]}", unit, f"drive of {label}")
         for label, unit in zip(port.labels, port.units, strict=True)
     )
     for k, ((joint, freedom), node) in enumerate(zip(system.drives, nodes, strict=True)):

@@ -22,7 +22,7 @@ from symscrew.description import Mechanism
 from symscrew.errors import DescriptionError, did_you_mean
 from symscrew.functions.kinematic import Motion, all_joint_screws
 from symscrew.functions.momenta import mass_properties
-from symscrew.kinematics import BodyMotion, MassProperties, System, momentum_rate, momentum_screw
+from symscrew.kinematics import BodyMotion, MassProperties, System, identifiers, momentum_rate, momentum_screw
 
 NOISE = 1e-40  # [any unit] of a constant: rounding of 60 digits is below, no length or mass of a mechanism is
 
@@ -183,11 +183,12 @@ def _symbols(system: System) -> tuple[tuple[sympy.Symbol, str, str, str], ...]:
     marks = {"q": "", "v": r"\dot ", "a": r"\ddot "}
     latex: dict[str, str] = {}
     for prefix, entries in (("q", system.tree.q), ("v", system.tree.v), ("a", system.tree.v)):
+        names = identifiers(c.label for c in entries)
         for c in entries:
             joint = c.label.replace("_", r"\_")
             letter = {"angle": r"\theta", "length": "p", "quaternion": r"\epsilon", "rotation": r"\omega"}[c.kind]
             mark = "" if c.kind == "rotation" and prefix == "v" else marks[prefix]
-            latex[f"{prefix}_{c.label.replace('.', '_')}"] = rf"{mark}{letter}_{{\mathrm{{{joint}}}}}"
+            latex[f"{prefix}_{names[c.label]}"] = rf"{mark}{letter}_{{\mathrm{{{joint}}}}}"
     result = []
     for name, node in system.tape.symbols.items():
         symbol = node.args[0]

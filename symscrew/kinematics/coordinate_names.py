@@ -17,6 +17,7 @@
 from __future__ import annotations
 
 import difflib
+import itertools
 import math
 import re
 from collections.abc import Collection, Iterable, Mapping
@@ -37,6 +38,35 @@ SPHERICAL_PARTS: Mapping[str, str] = {p: BODY_PARTS[p] for p in ("qx", "qy", "qz
 """The same of a spherical joint."""
 COLUMN = "q."
 """What columns of coordinates begin with, in the files of `simulate` and `drives`."""
+
+
+def identifiers(labels: Iterable[str]) -> dict[str, str]:
+    """Label -> its name in expressions and on tapes, each its own: `joint.2` is `joint_2`, or `joint__2` where a joint
+    is called `joint_2`.
+
+    >>> identifiers(["joint.1", "joint.2", "joint_2"])
+    {'joint.1': 'joint_1', 'joint.2': 'joint__2', 'joint_2': 'joint_2'}
+    """
+    given = list(labels)
+    taken = {label for label in given if "." not in label}
+    found = {}
+    for label in dict.fromkeys(given):
+        name = label
+        if "." in label:
+            name = next(n for k in itertools.count(1) if (n := label.replace(".", "_" * k)) not in taken)
+            taken.add(name)
+        found[label] = name
+    return found
+
+
+def check_apart(mechanism: Mechanism, names: Iterable[str]) -> None:
+    """Raise DescriptionError for a parameter that is an input and has the name of one of these inputs."""
+    for name in names:
+        if name in mechanism.parameters and mechanism.parameters[name].run_time:
+            raise DescriptionError(
+                f"parameters.{name}: as an input it is called like a coordinate, a rate or a drive of a joint; "
+                "give the parameter another name"
+            )
 
 
 def coordinate_units(mechanism: Mechanism) -> dict[str, str]:

@@ -26,6 +26,7 @@ from symscrew.algebra import (
     transpose,
 )
 from symscrew.description import Mechanism, exact, sixty_digits
+from symscrew.kinematics.coordinate_names import check_apart, identifiers
 from symscrew.kinematics.geometry_nodes import Geometry
 from symscrew.kinematics.limb_symmetry import equal_limbs
 from symscrew.kinematics.link_frames import link_frames
@@ -85,8 +86,10 @@ class Structure:
 
     def _inputs(self) -> Coordinates:
         def make(prefix: str, coordinates: Sequence[Coordinate], unit: str, what: str) -> tuple[Node, ...]:
+            names = identifiers(c.label for c in coordinates)
+            check_apart(self.mechanism, (f"{prefix}_{name}" for name in names.values()))
             return tuple(
-                self.tape.symbol(f"{prefix}_{c.label.replace('.', '_')}", c.unit + unit, f"{what} of {c.label}")
+                self.tape.symbol(f"{prefix}_{names[c.label]}", c.unit + unit, f"{what} of {c.label}")
                 for c in coordinates
             )
 

@@ -28,7 +28,7 @@ from symscrew.algebra import (
     scale,
 )
 from symscrew.errors import DescriptionError
-from symscrew.kinematics import Link, System, tree_label, unit_quaternion
+from symscrew.kinematics import Link, System, check_apart, identifiers, tree_label, unit_quaternion
 from symscrew.loops.closure import Closure, closures
 
 SMALL = 60
@@ -165,10 +165,10 @@ class Loops:
         what = {"y": "coordinate", "ydot": "rate of coordinate", "yddot": "second rate of coordinate"}[prefix]
         suffix = {"y": "", "ydot": "/s", "yddot": "/s^2"}[prefix]
         q = self.system.tree.q
+        names = identifiers(c.label for c in q)
+        check_apart(self.system.mechanism, (f"{prefix}_{names[q[e.q].label]}" for e in self.entries))
         return tuple(
-            self.system.tape.symbol(
-                f"{prefix}_{q[e.q].label.replace('.', '_')}", q[e.q].unit + suffix, f"{what} {q[e.q].label}"
-            )
+            self.system.tape.symbol(f"{prefix}_{names[q[e.q].label]}", q[e.q].unit + suffix, f"{what} {q[e.q].label}")
             for e in self.entries
         )
 

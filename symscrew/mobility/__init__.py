@@ -26,9 +26,11 @@ if TYPE_CHECKING:
     from symscrew.mobility.analysis import Mobility, analyse_mobility
     from symscrew.mobility.checks import Check, verified, verify
     from symscrew.mobility.components import (
+        ALGEBRA_PROGRAM,
         ConfigurationSpace,
         NotAlgebraicError,
         SampledModes,
+        algebra_answer,
         assembly_connections,
         configuration_space,
         connection_lines,
@@ -84,6 +86,7 @@ if TYPE_CHECKING:
     )
 
 __all__ = [
+    "ALGEBRA_PROGRAM",
     "FORMS",
     "BodyFreedoms",
     "BranchTable",
@@ -109,6 +112,7 @@ __all__ = [
     "Verdict",
     "WholeMotion",
     "actuation_margins",
+    "algebra_answer",
     "analyse_mobility",
     "assembly_connections",
     "check_proof",

@@ -58,8 +58,9 @@ def overconstraints(network: Network, found: Instantaneous) -> Overconstraints:
     stresses = null_space(transposed, len(rows)).basis
     wrenches: dict[str, tuple[Screw, ...]] = {}
     carried: dict[str, list[Row]] = {}
+    loops = network.loops()
     for name in network.edges:
-        signs = [sum(sign for joint, sign in loop if joint == name) for loop in network.loops()]
+        signs = [(k, sign) for k, loop in enumerate(loops) if (sign := sum(s for joint, s in loop if joint == name))]
         own = [_wrench(stress, signs) for stress in stresses]
         carried[name] = own
         independent = eliminate(own, 6)
@@ -73,9 +74,12 @@ def overconstraints(network: Network, found: Instantaneous) -> Overconstraints:
     return Overconstraints(len(stresses), wrenches, _cure(carried, len(stresses), network), tuple(pulling))
 
 
-def _wrench(stress: Sequence[Real], signs: Sequence[int]) -> Row:
-    """The wrench that a joint carries in a self-stress, as (f ; m): the stress pairs with (omega ; v)."""
-    total = [sum(sign * stress[6 * k + i] for k, sign in enumerate(signs)) for i in range(6)]
+def _wrench(stress: Sequence[Real], signs: Sequence[tuple[int, int]]) -> Row:
+    """The wrench that a joint carries in a self-stress, as (f ; m): the stress pairs with (omega ; v).
+
+    `signs`: the loops that it is in, and which way.
+    """
+    total = [sum(sign * stress[6 * k + i] for k, sign in signs) for i in range(6)]
     return swapped(total)
 
 
@@ -86,11 +90,11 @@ def _in_metres(wrench: Sequence[Real], network: Network) -> Screw:
 def _cure(carried: dict[str, list[Row]], count: int, network: Network) -> tuple[str, ...]:
     """Greedy: free one component of a joint's wrench; the self-stresses left carry none of it."""
     left = {name: [list(row) for row in own] for name, own in carried.items()}
+    largest = {name: _largest(own) for name, own in left.items()}
     texts = []
     for _ in range(count):
         best = None
-        for name, rows in left.items():
-            size, component = max((abs(c), i) for row in rows for i, c in enumerate(row))
+        for name, (size, component) in largest.items():
             if size and (best is None or size > best[0] * LARGER):
                 best = (size, name, component)
         if best is None or best[0] < NO_WORK:
@@ -105,8 +109,15 @@ def _cure(carried: dict[str, list[Row]], count: int, network: Network) -> tuple[
             else f"{name}: leave this coupling out"
         )  # fmt: skip
         shares = [w / work[lead] for w in work]
+        changed = [name for name, rows in left.items() if any(rows[lead])]  # joints far away carry none of it
         left = {name: _without(rows, lead, shares) for name, rows in left.items()}
+        largest.update((name, _largest(left[name])) for name in changed)
     return tuple(texts)
+
+
+def _largest(rows: Sequence[Row]) -> tuple[Real, int]:
+    """(size, place) of the largest component; of equals the last."""
+    return max(((abs(c), i) for row in rows for i, c in enumerate(row)), default=(0, 0))
 
 
 def _without(rows: list[Row], lead: int, shares: Sequence[Real]) -> list[Row]:

@@ -9,7 +9,7 @@ given to 30 digits or more.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -74,15 +74,16 @@ class Elimination:
 def eliminate(rows: Vectors, columns: int) -> Elimination:
     """Gauss-Jordan elimination with full pivoting; pivots relative to the largest entry.
 
-    On the tuples that mpmath's numbers hold, in its arithmetic: the numbers around them take more time than it does.
+    On the tuples that mpmath's numbers hold, in its arithmetic: the numbers around them take more time than it does. Of
+    a row its entries that are not zero: of long chains they are few.
     """
-    matrix = [[CONTEXT.convert(c)._mpf_ for c in row] for row in rows]
+    matrix = [{k: c for k, c in enumerate(CONTEXT.convert(c)._mpf_ for c in row) if c[1]} for row in rows]
     own: tuple[int, str] = CONTEXT._prec_rounding
     largest = max((abs(c) for row in rows for c in row), default=CONTEXT.one) or CONTEXT.one
     pivots: list[int] = []
     smallest, residue = float("inf"), 0.0
     for r in range(len(matrix)):
-        found, i, j = _largest(matrix, r, [j for j in range(columns) if j not in pivots])
+        found, i, j = _largest(matrix, r)
         size = CONTEXT.make_mpf(found)
         if size < ZERO_BELOW * largest:
             residue = float(size / largest)
@@ -90,29 +91,38 @@ def eliminate(rows: Vectors, columns: int) -> Elimination:
         smallest = min(smallest, float(size / largest))
         matrix[r], matrix[i] = matrix[i], matrix[r]
         pivot = matrix[r][j]
-        matrix[r] = [mpf_div(c, pivot, *own) if c[1] else c for c in matrix[r]]
-        support = [(k, c) for k, c in enumerate(matrix[r]) if c[1]]
+        matrix[r] = {k: mpf_div(c, pivot, *own) for k, c in matrix[r].items()}
         for k, other in enumerate(matrix):
-            factor = other[j]
-            if k != r and factor[1]:
-                for column, c in support:
-                    other[column] = mpf_sub(other[column], mpf_mul(factor, c, *own), *own)
-                other[j] = fzero
+            factor = other.get(j) if k != r else None
+            if factor is not None:
+                for column, c in matrix[r].items():
+                    left = mpf_sub(other.get(column, fzero), mpf_mul(factor, c, *own), *own)
+                    if left[1] and column != j:
+                        other[column] = left
+                    else:
+                        other.pop(column, None)
         pivots.append(j)
-    reduced = tuple(tuple(_clean(CONTEXT.make_mpf(c)) for c in matrix[r]) for r in range(len(pivots)))
-    return Elimination(reduced, tuple(pivots), smallest if pivots else float("nan"), residue)
+    reduced = []
+    for row in matrix[: len(pivots)]:
+        whole = [CONTEXT.zero] * columns
+        for k, c in row.items():
+            whole[k] = _clean(CONTEXT.make_mpf(c))
+        reduced.append(tuple(whole))
+    return Elimination(tuple(reduced), tuple(pivots), smallest if pivots else float("nan"), residue)
 
 
-def _largest(matrix: Sequence[Sequence[Any]], start: int, free: Sequence[int]) -> tuple[Any, int, int]:
-    """Size, row and column of the largest entry from a row on, in the columns that are free; the first of equals."""
+def _largest(matrix: Sequence[Mapping[int, Any]], start: int) -> tuple[Any, int, int]:
+    """Size, row and column of the largest entry from a row on; of equals the first one of the first row.
+
+    The columns of pivots have no entries there.
+    """
     size, i, j = fzero, start, 0
     for row in range(start, len(matrix)):
-        for column in free:
-            entry = matrix[row][column]
-            if entry[1]:  # the mantissa; the sign stands before it
-                magnitude = (0, *entry[1:])
-                if mpf_cmp(magnitude, size) > 0:
-                    size, i, j = magnitude, row, column
+        for column, entry in matrix[row].items():
+            magnitude = (0, *entry[1:])  # the sign stands before the mantissa
+            more = mpf_cmp(magnitude, size)
+            if more > 0 or (more == 0 and row == i and column < j):
+                size, i, j = magnitude, row, column
     return size, i, j
 
 

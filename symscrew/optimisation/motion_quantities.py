@@ -13,6 +13,7 @@ import casadi as ca
 
 from symscrew.errors import DescriptionError
 from symscrew.functions import moving_bodies
+from symscrew.kinematics import identifiers
 from symscrew.optimisation.casadi_graph import symbolic_outputs
 from symscrew.optimisation.point_model import PointModel
 from symscrew.optimisation.problem import TrajectoryProblem, fixed_duration
@@ -171,9 +172,13 @@ class MotionQuantities:
         model = self.model
         result: dict[str, Any] = {"t": self.known["t"], "T": self.T}
         tree = model.system.tree
-        result |= {f"q_{_plain(c.label)}": self.q[k] for k, c in enumerate(tree.q)}
-        result |= {f"v_{_plain(c.label)}": self._moving["v"][k] for k, c in enumerate(tree.v)}
-        result |= {f"u_{_plain(label)}": self.blocks["u"][k] for k, label in enumerate(model.drive_labels)}
+        for prefix, labels, values in (
+            ("q", [c.label for c in tree.q], self.q),
+            ("v", [c.label for c in tree.v], self._moving["v"]),
+            ("u", model.drive_labels, self.blocks["u"]),
+        ):
+            found = identifiers(labels)
+            result |= {f"{prefix}_{found[label]}": values[k] for k, label in enumerate(labels)}
         result |= (
             {f"{name}_{axis}": at[k] for name, at in self.points.items() for k, axis in enumerate("xyz")}
             if model.system.mechanism.points
@@ -185,7 +190,3 @@ class MotionQuantities:
     def parameters(self) -> dict[str, Any]:
         """Parameters that are inputs, by name."""
         return {name: self.known["p"][k] for k, name in enumerate(self.model.parameter_names)}
-
-
-def _plain(label: str) -> str:
-    return label.replace(".", "_")

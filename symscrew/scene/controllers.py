@@ -12,6 +12,7 @@ import sympy
 from symscrew.algebra import Node, Tape, expression_node
 from symscrew.description import parse
 from symscrew.errors import DescriptionError, did_you_mean
+from symscrew.kinematics import identifiers
 from symscrew.model import Model
 from symscrew.program import Function, Port, Program, lower
 from symscrew.scene.contents import Scene
@@ -85,10 +86,11 @@ class _Expressions:
         tape, system = Tape(), model.system
         self.tape = tape
         q, v = system.tree.q, system.tree.v
+        names, rates = (identifiers(c.label for c in entries) for entries in (q, v))
         groups: list[tuple[str, list[tuple[str, str]]]] = [
             ("t", [("t", "s")]),
-            ("q", [(f"q_{c.label.replace('.', '_')}", c.unit) for c in q]),
-            ("v", [(f"v_{c.label.replace('.', '_')}", c.unit) for c in v]),
+            ("q", [(f"q_{names[c.label]}", c.unit) for c in q]),
+            ("v", [(f"v_{rates[c.label]}", c.unit) for c in v]),
             ("x", [(name, unit) for name, unit in zip(states.labels, states.units, strict=True)] if states else []),
             ("c", [(name, "1") for name in scene.states]),
             ("s", [(name, "1") for name in scene.tables]),

@@ -16,8 +16,9 @@
     [inputs]       PORT = [expressions]: inputs of effects, such as load_<point>
     [integrator]   method, tolerance, step, longest_step, most_steps
 
-Expressions are read by the package's own grammar; they know t, q_LABEL and v_LABEL (dots of a label become _),
-the parameters, and the scene's tables, signals and states. Numbers may be such texts in the parameters alone.
+Expressions are read by the package's own grammar; they know t, q_LABEL and v_LABEL (dots of a label become _,
+or __ where a joint is called so), the parameters, and the scene's tables, signals and states. Numbers may be such
+texts in the parameters alone.
 Keys are fixed: an unknown one is an error. No gravity acts unless a scene says so.
 """
 

@@ -16,6 +16,7 @@ import sympy
 
 from symscrew.description import parse
 from symscrew.effects import Acting
+from symscrew.kinematics import identifiers
 from symscrew.model import Model
 from symscrew.scene.contents import Scene
 from symscrew.scene.interval_series import ORDER, series
@@ -110,7 +111,8 @@ def _expressions(scene: Scene, model: Model) -> Iterator[tuple[str, sympy.Expr]]
     forward = model.programs["forward_dynamics"]
     states = [label for port in forward.inputs if port.name == "x" for label in port.labels]
     tree = model.system.tree
-    others = [*(f"q_{c.label}" for c in tree.q), *(f"v_{c.label}" for c in tree.v), *states, *scene.states]
+    plain = [("q", identifiers(c.label for c in tree.q)), ("v", identifiers(c.label for c in tree.v))]
+    others = [*(f"{prefix}_{name}" for prefix, found in plain for name in found.values()), *states, *scene.states]
     names |= {name.replace(".", "_"): sympy.Symbol(name.replace(".", "_"), real=True) for name in others}
     # knots of tables are breaks, and between them tables are polynomials of order 3: as smooth as a constant
     names |= {name: sympy.Integer(1) for name in scene.tables}

@@ -17,6 +17,7 @@ from symscrew.description import exact, numeric
 from symscrew.effects import Contact
 from symscrew.errors import DescriptionError
 from symscrew.model import Model
+from symscrew.simulation.complementarity import SHARED, complementary
 
 Answers = Callable[[np.ndarray, np.ndarray], np.ndarray]
 # A rate below this part of the largest one counts as zero when modes are chosen: the joint sticks. Larger: what is slow
@@ -25,13 +26,18 @@ STILL = 1e-9
 # A joint that answers its own force by less than this part of the largest acceleration cannot be held by friction (a
 # dead point of the loops): it slips through. Smaller: forces grow without bound close to dead points.
 HELD = 1e-5
-# Part of the largest singular value of contacts' accelerations by forces under which contacts that act on the same
-# freedom share their force (least squares) instead of being solved one by one.
-SHARED = 1e-12
 # A joint that answers its own force by no more than this part of it, once others are held, is held with them: its rate
 # is rounding. Larger: a joint that hardly moves beside them would never turn back. Smaller: rounding, at 1e-12 where
 # what is held reaches it through loops, would turn it back without end.
 HELD_WITH = 1e-9
+# Part of a friction's level by which a force that is at it may seem off: the roundings of its unit, put in and out.
+AT_BOUND = 1e-14
+# Part of the forces at hand by which one that holds a contact may break its law: rounding. At 0 a joint that rubs at
+# its stop, and whose friction just reaches its level, leaves the stop and meets it without end.
+NO_FORCE = 1e-12
+# Part of the time by which what is held lets go later than it is found to: roundings of the instant. At 0, of a force
+# that rises within a nanosecond, its level is met before it is reached: held again, ten thousand times.
+LATE = 1e-15
 # An answer to a unit force that is less than its inverse of what accelerates already is found by a larger force.
 SMALL_ANSWER = 1e3
 
@@ -127,25 +133,41 @@ class Modes:
         return replace(self, values=(*self.values[:k], mode, *self.values[k + 1 :]))
 
 
+def holds(rule: Law, mode: int) -> bool:
+    """Whether a contact in this mode keeps its rate at zero: stuck, or on its stop."""
+    return (mode == 0) == (rule.contact.kind == "friction")
+
+
 def forces(at: ContactState, modes: Modes) -> np.ndarray:
     """Contact forces (n,) at a state: given by the law, or such that rates that are kept at zero stay there."""
-    rules, v = at.rules, at.v
-    given = np.zeros(len(rules))
-    unknown = []
-    for k, (rule, mode) in enumerate(zip(rules, modes.values, strict=True)):
-        if rule.contact.kind == "friction":
-            if mode == 0:
-                unknown.append(k)
-            else:
-                given[k] = -mode * rule.level(float(v[rule.v]))
-        elif mode != 0:
-            unknown.append(k)
-    if not unknown:
-        return given
-    rows = [rules[k].v for k in unknown]
-    a, gain = responses(at, unknown, given)
-    given[unknown] = np.linalg.lstsq(gain[rows], -a[rows], rcond=SHARED)[0]
-    return given
+    return _holding(at, modes)[0]
+
+
+def _holding(at: ContactState, modes: Modes) -> tuple[np.ndarray, np.ndarray]:
+    """Contact forces (n,), and what rounding may leave of each that holds."""
+    force, held = _by_law(at, modes)
+    rounding = np.zeros(len(force))
+    if not held:
+        return force, rounding
+    rows = [at.rules[k].v for k in held]
+    a, columns = responses(at, held, force)
+    gain = columns[rows]
+    force[held] = np.linalg.lstsq(gain, -a[rows], rcond=SHARED)[0]
+    own = np.diag(gain)
+    alone = np.abs(a[rows]) / np.where(own > 0, own, np.inf)  # what would hold each without the others
+    rounding[held] = NO_FORCE * np.maximum(alone, np.abs(force).max())
+    return force, rounding
+
+
+def _by_law(at: ContactState, modes: Modes) -> tuple[np.ndarray, list[int]]:
+    """Forces (n,) of contacts that slip or are free, and which others are held."""
+    given, held = np.zeros(len(at.rules)), []
+    for k, (rule, mode) in enumerate(zip(at.rules, modes.values, strict=True)):
+        if holds(rule, mode):
+            held.append(k)
+        elif rule.contact.kind == "friction":
+            given[k] = -mode * rule.level(float(at.v[rule.v]))
+    return given, held
 
 
 def responses(at: ContactState, which: Sequence[int], given: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -196,26 +218,83 @@ def start_modes(at: ContactState) -> Modes:
 
 
 def released(at: ContactState, modes: Modes) -> Modes:
-    """Modes after those whose forces break their law have ended, one after the other."""
-    rules = at.rules
+    """Modes after those have ended whose forces break their law.
+
+    Contacts hold and release each other: which of them end follows from all together, and not from the forces that each
+    would need if all were held. Of two stops that would pull, one may have to push once the other has let go.
+
+    Raises:
+        UndecidedError: forces that obey all laws were not found.
+    """
     modes = _turned(at, modes)
-    for _ in range(2 * len(rules) + 1):
-        force = forces(at, modes)
-        worst, which = 0.0, -1
-        for k, (rule, mode) in enumerate(zip(rules, modes.values, strict=True)):
-            if rule.contact.kind == "friction" and mode == 0:
-                excess = abs(force[k]) - rule.static
-            elif rule.contact.kind == "stop" and mode != 0:
-                excess = mode * force[k]
-            else:
-                continue
-            if excess > worst:
-                worst, which = excess, k
-        if which < 0:
-            return modes
-        friction = rules[which].contact.kind == "friction"
-        modes = modes.with_mode(which, -int(np.sign(force[which])) if friction else 0)
+    if _excess(at, modes):
+        modes = _all_within_laws(at, modes)
+    while excess := _excess(at, modes):  # they share a freedom, and the least forces are another share of what holds it
+        k = max(excess, key=lambda k: abs(excess[k]))
+        modes = modes.with_mode(k, -int(np.sign(excess[k])) if at.rules[k].contact.kind == "friction" else 0)
     return modes
+
+
+def _all_within_laws(at: ContactState, resting: Modes) -> Modes:
+    """The modes of resting contacts whose forces all obey their laws.
+
+    Behind its static level friction falls to that of slipping: stops that let go may have to push then, and a joint
+    that slips may be held again, once.
+    """
+    slips: dict[int, int] = {}
+    again: set[int] = set()
+    while True:
+        modes = resting
+        for k, way in slips.items():
+            modes = modes.with_mode(k, way)
+        ended = _ended(at, modes)
+        new = {k: way for k, way in ended.items() if way}
+        slips |= new
+        for k, way in ended.items():
+            modes = modes.with_mode(k, way)
+        if new:
+            continue
+        a = at.accelerations(forces(at, modes)) / at.units
+        backwards = {k: way * float(a[at.rules[k].v]) for k, way in slips.items() if k not in again}
+        worst = min(backwards, key=lambda k: backwards[k], default=-1)
+        if worst < 0 or backwards[worst] >= -STILL * float(np.abs(a).max()):
+            return modes
+        del slips[worst]
+        again.add(worst)
+
+
+def _excess(at: ContactState, modes: Modes) -> dict[int, float]:
+    """Held contacts whose forces break their law, with these."""
+    force, rounding = _holding(at, modes)
+    found = {}
+    for k in _by_law(at, modes)[1]:
+        rule = at.rules[k]
+        stuck = rule.contact.kind == "friction"
+        if (abs(force[k]) - rule.static if stuck else modes.values[k] * force[k]) > rounding[k]:
+            found[k] = float(force[k])
+    return found
+
+
+def _ended(at: ContactState, modes: Modes) -> dict[int, int]:
+    """Held contacts whose force is at its bound where all obey their laws, and the modes that they take."""
+    given, held = _by_law(at, modes)
+    if not held:
+        return {}
+    rules, ends = [at.rules[k] for k in held], [modes.values[k] for k in held]
+    rows, rubs = [rule.v for rule in rules], [rule.contact.kind == "friction" for rule in rules]
+    base, columns = responses(at, held, given)
+    level = np.array([rule.static if stuck else np.inf for rule, stuck in zip(rules, rubs, strict=True)])
+    low = np.where([end > 0 or stuck for end, stuck in zip(ends, rubs, strict=True)], -level, 0.0)
+    high = np.where([end < 0 or stuck for end, stuck in zip(ends, rubs, strict=True)], level, 0.0)
+    found = complementary(columns[rows], base[rows], low=low, high=high)
+    moved = base[rows] + columns[rows] @ found
+    ended = {}
+    for i, k in enumerate(held):
+        if rubs[i] and abs(found[i]) >= level[i] * (1 - AT_BOUND):
+            ended[k] = -int(np.sign(found[i])) or int(np.sign(moved[i])) or 1
+        elif not rubs[i] and found[i] == 0.0:
+            ended[k] = 0
+    return ended
 
 
 def _turned(at: ContactState, modes: Modes) -> Modes:

@@ -38,6 +38,30 @@ def nearly_free(matrix: np.ndarray) -> np.ndarray:
     return np.asarray(directions[(values < BESIDE * largest) & (values > LOST * largest)])
 
 
+def left_free(matrix: np.ndarray) -> np.ndarray:
+    """Directions (n, nv) along which rows (k, nv) without units are zero."""
+    _, values, directions = np.linalg.svd(matrix)
+    return np.asarray(directions[int((values > LOST * values.max(initial=0.0)).sum()) :])
+
+
+def leading(matrix: np.ndarray, among: Sequence[int] | None = None) -> list[int]:
+    """Columns that determine all others best where the rows (k, nv) are zero: as many as these leave free, or fewer
+    where those `among` which they are do not determine all.
+
+    One after the other: the column that moves most along what the ones before leave free.
+    """
+    free, found = left_free(matrix), list[int]()
+    asked = np.ones(matrix.shape[1]) if among is None else np.isin(np.arange(matrix.shape[1]), among)
+    for _ in range(len(free)):
+        moved = np.linalg.norm(free, axis=0) * asked
+        if not moved.max() > LOST:
+            break
+        found.append(int(np.argmax(moved)))
+        along = free[:, found[-1]] / moved[found[-1]]
+        free = free - np.outer(along, along @ free)
+    return found
+
+
 class FineStart:
     """The loops of a mechanism with 60 digits, and steps that close them."""
 

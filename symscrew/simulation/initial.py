@@ -22,7 +22,7 @@ from symscrew.mobility import inverse_kinematics
 from symscrew.model import Model
 from symscrew.scene import Scene, parameter_values
 from symscrew.simulation.asked_closure import Asking, At, Bias, Closure, Moved, Question
-from symscrew.simulation.fine_start import BEFORE, LOST, FineStart, nearly_free
+from symscrew.simulation.fine_start import BEFORE, LOST, FineStart, leading, left_free, nearly_free
 from symscrew.simulation.named_rates import rate_rows
 from symscrew.simulation.run_time_values import check_frames, check_values, values_in
 from symscrew.simulation.start_branch import leaves_every_branch
@@ -39,6 +39,7 @@ MOST_STEPS, LARGEST_STEP = 40, 0.5  # of Newton's method; larger steps [1, rad] 
 # determine them. Newton's method steps over such places; rates at the start are to keep more of what was given.
 STEP_RANK, RATE_RANK = 1e-10, LOST
 ALONG = 1e-4  # farthest that a way's continuation may be from what Newton's method found: a root of `STALLED`, and more
+STILL = 1e-9  # of a motion without units: a coordinate that moves by less is at a dead point; rounding leaves 1e-15
 SMALLEST = 1e-12  # of a row of given rates: a coordinate that nothing moves stays a row of zeros, and contradicts
 
 State = tuple[np.ndarray, np.ndarray]
@@ -100,7 +101,8 @@ def _begun(scene: Scene, model: Model, closure: Closure, parameters: np.ndarray)
                 f"{np.abs(residual).max():.3g} off their ground (lengths divided by {system.length:g} m); expected a "
                 "pose where they touch, or coordinates of the tree, the others of which are found"
             )
-        return placed, (yield from _rates(closure, placed, jacobian, scene))
+        placed, jacobian, fine = yield from _as_it_is(closure, placed, jacobian, parameters)
+        return placed, (yield from _rates(closure, placed, jacobian, scene, fine=fine))
     target = _unit_quaternions(system, dict(_labelled(scene.initial.coordinates, known, "initial.coordinates")))
     q = None
     if hold is None:
@@ -108,6 +110,11 @@ def _begun(scene: Scene, model: Model, closure: Closure, parameters: np.ndarray)
             q = yield from _followed(reference, closure, target, strides)
             if q is not None:
                 break
+        else:
+            q = yield from _of_more(reference, closure, target)
+            if q is not None:
+                q, jacobian, fine = yield from _as_it_is(closure, q, (yield At(q))[1], parameters)
+                return q, (yield from _rates(closure, q, jacobian, scene, fine=fine))
     else:
         q = yield from _nearest(reference, closure, target, [k for label, k in known.items() if label in hold])
     if q is None:
@@ -115,11 +122,14 @@ def _begun(scene: Scene, model: Model, closure: Closure, parameters: np.ndarray)
         opened[list(target)] = list(target.values())
         residual, _ = yield At(opened)
         gap = np.abs(residual).max(initial=0.0)
+        cure = "check the values, or give only independent coordinates: the others are assembled"
+        _, jacobian = yield At(reference)
+        if hold is None and (dead := _at_dead_points(closure, jacobian, target)):
+            cure = f"no motion from there changes {', '.join(dead)} at first, a dead point: give others, and it follows"
         raise DescriptionError(
             "initial.coordinates: the loops of "
             f"{model.name} cannot be closed with {_shown(scene.initial.coordinates)}: they stay open by {gap:.3g} "
-            f"(lengths divided by {system.length:g} m) with the others as in the reference; check the values, or give "
-            "only independent coordinates: the others are assembled"
+            f"(lengths divided by {system.length:g} m) with the others as in the reference; {cure}"
         )
     fine = None
     _, jacobian = yield At(q)
@@ -137,6 +147,18 @@ def _rows(closure: Closure, jacobian: np.ndarray, given: Iterable[int]) -> np.nd
     """Rows of given coordinates and of the loops' closure, without units."""
     plain = dict(closure.system.tree.plain)
     return np.concatenate([np.eye(len(closure.units))[[plain[k] for k in given if k in plain]], jacobian])
+
+
+def _at_dead_points(closure: Closure, jacobian: np.ndarray, target: Mapping[int, float]) -> list[str]:
+    """Labels of coordinates that are to be elsewhere, and that no motion from the reference changes at first.
+
+    None where the others that are given leave no motion: these contradict them.
+    """
+    system, free = closure.system, left_free(jacobian)
+    at = {k: column for k, column in system.tree.plain if k in target and target[k] != system.reference[k]}
+    dead = [k for k, column in at.items() if np.abs(free[:, column]).max(initial=0.0) < STILL]
+    others = [k for k in target if k not in dead]
+    return [system.tree.q[k].label for k in dead if len(left_free(_rows(closure, jacobian, others)))]
 
 
 def _told_apart(scene: Scene, model: Model) -> None:
@@ -258,6 +280,39 @@ def _followed(
             return None
         q = found
     return q
+
+
+def _of_more(reference: np.ndarray, closure: Closure, target: dict[int, float]) -> Asking[np.ndarray | None]:
+    """From more values than there are freedoms, which fit together at their end only: some are followed, if not all
+    are given, and the others are there."""
+    system, columns = closure.system, dict(closure.system.tree.plain)
+    q = np.array([target.get(k, place) for k, place in enumerate(reference)])
+    if len(target) < len(q):
+        _, jacobian = yield At(reference)
+        some = leading(jacobian, [columns[k] for k in target if k in columns])
+        if len(some) < len(left_free(jacobian)):
+            return None
+        followed = {k: value for k, value in target.items() if columns.get(k) in some}
+        for strides in STRIDES:
+            found = yield from _followed(reference, closure, followed, strides)
+            if found is not None:
+                break
+        else:
+            return None
+        q = found
+    return (yield from _solved(system, closure, q, target))
+
+
+def _as_it_is(
+    closure: Closure, q: np.ndarray, jacobian: np.ndarray, parameters: np.ndarray
+) -> Asking[tuple[np.ndarray, np.ndarray, FineStart | None]]:
+    """A configuration that is known to rounding, its rows, and, beside a singular one, its loops with 60 digits."""
+    held = {k: float(q[k]) for k, column in closure.system.tree.plain if column in leading(jacobian)}
+    if not len(nearly_free(_rows(closure, jacobian, held))):
+        return q, jacobian, None
+    fine = FineStart(closure.system, parameters, closure.rows, closure.units)
+    q = fine.coordinates(q, held, closure.of_places)
+    return q, (yield At(q))[1], fine
 
 
 def _continued(

@@ -17,7 +17,8 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from symscrew.simulation.contacts import SHARED, STILL, ContactState, Modes, forces, is_dead, released, responses
+from symscrew.simulation.complementarity import SHARED, complementary
+from symscrew.simulation.contacts import STILL, ContactState, Modes, forces, is_dead, released, responses
 
 # A stop is met where its gap is below this, without units: what the search for the instant leaves. Larger: stops that
 # are only near take part in an impact; smaller: of two that are met at once one is met later, by itself.
@@ -30,15 +31,6 @@ SOFT = 1e-13
 NO_REBOUND = 1e-12
 # Part of a friction's level by which the force at an instant that was searched for may be off it.
 AT_LEVEL = 1e-6
-# Sets of pushing contacts that are tried per contact; each is better than the one before, so that few are met twice.
-MOST_SETS = 10
-# Rates below the first part of the largest are rounding of it; a solution whose rates are off by more than the second
-# is none. Between: contacts that depend on each other leave what their least squares cut off.
-ROUNDING, OBEYED = 1e-13, 1e-9
-
-
-class UndecidedError(ArithmeticError):
-    """Rates behind an impact that obey its law were not found; the message says by how much they fail."""
 
 
 @dataclass(frozen=True)
@@ -164,47 +156,6 @@ def _soft(
         modes = modes.with_mode(k, end if closed else 0)
     pressed = -inwards * behind.accelerations(forces(behind, modes))[rows]
     return np.asarray(slow | ((after > 0) & (after**2 <= 2 * SOFT * units[rows] * pressed)))
-
-
-def complementary(gain: np.ndarray, offset: np.ndarray) -> np.ndarray:
-    """p >= 0 with w = gain p + offset >= 0 and p w = 0, for a symmetric gain that has no negative eigenvalues.
-
-    That is the least of p gain p/2 + offset p over p >= 0, by the active sets of Lawson and Hanson (Solving Least
-    Squares Problems, 1974, chapter 23), each contact in units of its own answer to a unit force.
-
-    Raises:
-        UndecidedError: what was found does not obey these conditions.
-    """
-    count = len(offset)
-    answers = np.sqrt(np.maximum(np.diag(gain), 0.0))
-    units = np.where(answers > 0, answers, 1.0)  # a contact that its own force does not move answers nothing
-    gain, offset = gain / np.outer(units, units), offset / units
-    p, pushing = np.zeros(count), np.zeros(count, dtype=bool)
-    largest = float(np.abs(offset).max(initial=0.0))
-    for _ in range(MOST_SETS * (count + 1)):
-        w = gain @ p + offset
-        free = np.flatnonzero(~pushing & (w < -ROUNDING * largest))
-        if not len(free):
-            break
-        pushing[free[np.argmin(w[free])]] = True
-        while pushing.any():
-            trial = np.zeros(count)
-            trial[pushing] = np.linalg.lstsq(gain[np.ix_(pushing, pushing)], -offset[pushing], rcond=SHARED)[0]
-            pulling = pushing & (trial < 0)
-            if not pulling.any():
-                p = trial
-                break
-            part = float((p[pulling] / (p[pulling] - trial[pulling])).min())
-            p = p + part * (trial - p)
-            pushing &= p > 0
-    w = gain @ p + offset
-    wrong = max(float(-w.min(initial=0.0)), float(np.abs(w[p > 0]).max(initial=0.0)))
-    if not wrong <= OBEYED * largest:
-        raise UndecidedError(
-            f"the impulses of {count} stops that are met at one instant were not found: rates are "
-            f"{wrong / largest:.2g} of the largest one off what the law of impact asks for"
-        )
-    return p / units
 
 
 def onto_stops(at: ContactState, modes: Sequence[int], q: np.ndarray) -> np.ndarray:

@@ -14,7 +14,7 @@ from functools import cache
 
 import numpy as np
 
-from symscrew.simulation.contacts import ContactState, Law, Modes, forces, held_with
+from symscrew.simulation.contacts import ContactState, Law, Modes, forces, held_with, holds
 
 DEGREE = 8  # of the polynomials through a step: those of the integrators are of degree seven, or three
 # Margins below this part of the largest force, of a unit of the joint, and of the largest rate, count as zero at the
@@ -32,7 +32,7 @@ NONE = 2.0  # part of a step at which what does not end within it is said to end
 
 
 def first_end(
-    within: Callable[[float], ContactState], modes: Modes, units: np.ndarray, fresh: int
+    within: Callable[[float], ContactState], modes: Modes, units: np.ndarray, fresh: int, *, blurred: float = 0.0
 ) -> tuple[float, int] | None:
     """The part of the step (0 to 1) at which the first mode ends, and its contact; None: all last.
 
@@ -41,10 +41,12 @@ def first_end(
         modes: of the contacts.
         units: of rates (nv,).
         fresh: the contact whose mode has just changed, or -1: its margin begins at zero but for rounding.
+        blurred: part of the step by which roundings of the time put the contacts elsewhere; of a nanosecond after a
+            minute 1e-5, which bends polynomials as roundings of values do.
     """
     samples = [within(float(part)) for part in places()]
     rules = samples[0].rules
-    held = [k for k, rule in enumerate(rules) if (modes.values[k] == 0) == (rule.contact.kind == "friction")]
+    held = [k for k, rule in enumerate(rules) if holds(rule, modes.values[k])]
     force = np.array([forces(at, modes) for at in samples]) if held else np.zeros((len(samples), len(rules)))
     found: tuple[float, int] = (NONE, -1)
     for k, rule in enumerate(rules):
@@ -54,7 +56,8 @@ def first_end(
         else:
             own = _of_motion(samples, rule, modes.values[k], unit=float(units[rule.v]), fresh=k == fresh)
         for margin, slack, size in own:
-            part = end_of(_powers() @ margin, slack, ROUNDINGS * size * _growth())
+            noise = ROUNDINGS + (blurred if k == fresh else 0.0)
+            part = end_of(_powers() @ margin, slack, noise * size * _growth())
             if part <= 1.0 and part < found[0] and not (slips and held_with(samples[0], k, held)):
                 found = (part, k)
     return None if found[1] < 0 else found

@@ -264,7 +264,7 @@ def run_natively(
     forces = contacts.forces(found.t, found.q, found.v, found.x)
     unseen = features.passed(h, SPAN) if h else ()
     events = (*features.notices, *unseen, *contacts.events, *found.events)
-    return replace(found, events=events, losses=contacts.losses, contact_forces=forces)
+    return replace(found, events=events, losses=contacts.losses, contact_forces=forces, passing=bool(unseen))
 
 
 def _history(library: Library, log: RunLog, outcome: int) -> History:

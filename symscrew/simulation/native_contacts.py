@@ -12,9 +12,11 @@ import numpy as np
 
 from symscrew.errors import DescriptionError
 from symscrew.scene import Scene
+from symscrew.simulation.complementarity import UndecidedError
 from symscrew.simulation.contacts import ContactState, Law, Modes, forces, laws, start_modes
-from symscrew.simulation.mode_changes import Change, UndecidedError, beginning, change, onto_stops
+from symscrew.simulation.mode_changes import Change, beginning, change, onto_stops
 from symscrew.simulation.recording import State, shown_time
+from symscrew.simulation.start_branch import OF_NO_BRANCH, impact_leaves_every_branch
 from symscrew.simulation.state_programs import Plant
 
 MOST_EVENTS = 10_000  # a run with more changes of contact is stopped and says so: chattering, not motion
@@ -91,6 +93,8 @@ class NativeContacts:
     def _behind(self, t: float, state: State, law: Callable[[ContactState], Change], going_on: int) -> int:
         try:
             found = law(self.at(t, state))
+            if found.losses and impact_leaves_every_branch(self.library.plant, state[0], found.v):
+                raise UndecidedError(OF_NO_BRANCH)
         except UndecidedError as error:
             self.events += (f"t = {shown_time(t)} s: {error}",)
             return UNDECIDED

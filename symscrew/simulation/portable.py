@@ -17,15 +17,17 @@ from symscrew.effects import Contact
 from symscrew.errors import DescriptionError
 from symscrew.scene import INTEGRATION_METHODS, Scene, features_in_time
 from symscrew.simulation import contacts as contact
+from symscrew.simulation.complementarity import UndecidedError
 from symscrew.simulation.fixed_steps import FIXED_STEPS, cubic, scipy_integrate
 from symscrew.simulation.landing import LANDINGS, SHORT, Corners, passed
-from symscrew.simulation.mode_changes import Change, UndecidedError, beginning, change, onto_stops
+from symscrew.simulation.mode_changes import Change, beginning, change, onto_stops
 from symscrew.simulation.mode_ends import first_end
 from symscrew.simulation.native_contacts import MOST_EVENTS
 from symscrew.simulation.recording import History, Instant, State, faster, shown_time
 from symscrew.simulation.run_source import SPAN
 from symscrew.simulation.scene_functions import PlantFunctions, RunError
 from symscrew.simulation.singular_watch import singular_watch
+from symscrew.simulation.start_branch import OF_NO_BRANCH, impact_leaves_every_branch
 from symscrew.simulation.state_programs import Plant
 
 Controller = Callable[[float, np.ndarray, np.ndarray], object]
@@ -90,7 +92,8 @@ class _Marching:
         self.method = INTEGRATION_METHODS[scene.integrator.method]
         self.features, self.latest = features_in_time(scene, functions.plant.model), np.inf
         step = scene.integrator.step
-        self.notices = (*self.features.notices, *(self.features.passed(step, SPAN) if step else ()))
+        unseen = self.features.passed(step, SPAN) if step else ()
+        self.notices, self.passing = (*self.features.notices, *unseen), bool(unseen)
         self.modes = contact.Modes(())
         self.fresh = -1  # the contact whose mode has just changed
         self.contact_forces: list[np.ndarray] = []  # at the samples
@@ -202,7 +205,7 @@ class _Marching:
         return History(
             t, q, v, x, ok, status, "library", (), (*self.notices, *self.events), counters, u, forces,
             tuple(self.losses), doubts=() if self.watch is None else self.watch.doubts,
-            fastest=self.fastest)  # fmt: skip
+            fastest=self.fastest, passing=self.passing)  # fmt: skip
 
     def solver(self, t: float, y: np.ndarray, end: float, first: float | None = None) -> Any:
         """SciPy's integrator from t to `end`, or to the next time that what inputs do there asks for; `first`: step."""
@@ -273,8 +276,14 @@ class _Marching:
             t = left + part * (right - left)
             return self.contacts_at(t, dense(t))
 
-        found = first_end(within, self.modes, self.f.plant.units, self.fresh)
-        return None if found is None else (left + found[0] * (right - left), found[1])
+        blurred = float(np.spacing(right)) / (right - left)
+        found = first_end(within, self.modes, self.f.plant.units, self.fresh, blurred=blurred)
+        if found is None:
+            return None
+        t = left + found[0] * (right - left)
+        if contact.holds(self.rules[found[1]], self.modes.values[found[1]]):
+            t = min(t + contact.LATE * abs(t), right)
+        return t, found[1]
 
     def changed(self, found: tuple[float, int], y: np.ndarray) -> np.ndarray:
         """Rates and modes behind an event."""
@@ -287,6 +296,8 @@ class _Marching:
     def adopted(self, t: float, y: np.ndarray, found: Change) -> np.ndarray:
         """The state with the rates and modes of a change, which is recorded."""
         q, _, x = self.parts(y)
+        if found.losses and impact_leaves_every_branch(self.f.plant, q, found.v):
+            raise UndecidedError(OF_NO_BRANCH)
         q = onto_stops(self.contacts_at(t, y), found.modes.values, q)
         self.modes = found.modes
         if self.corners is not None:

@@ -17,14 +17,15 @@ class Estimate:
     """`error`: largest difference of a coordinate [rad, characteristic lengths] to the other run; NaN: there is none,
     infinite: it did not come to its end, and `stopped` says where and why.
 
-    `growth`: by how much the differences grew from the first tenth of the run to its end. `part`: the error by the
-    largest way of a coordinate from where it starts.
+    `other`: what the other run has, in words. `growth`: by how much the differences grew from the first tenth of the
+    run to its end. `part`: the largest error of a coordinate by its own way from where it starts.
     """
 
     error: float = np.nan
     growth: float = np.nan
     part: float = np.nan
     stopped: str = "stopped"
+    other: str = "another tolerance"
 
 
 State = tuple[np.ndarray, np.ndarray, np.ndarray]  # q (nq,), v (nv,), x (nx,) at one time
@@ -54,6 +55,7 @@ class Passage:
 class History:
     """Samples t (n,), q (n, nq), v (n, nv), x (n, nx); u (n, drives) where they came from outside.
 
+    `passing`: steps of a fixed length that are longer than what the scene's inputs do within them.
     `contact_forces` (n, contacts): inputs of effects that the integrator determined itself. `losses`: time [s], joint
     and energy [J] of every impact. `doubts`: what the integrator met that it has no treatment of, in words. `fastest`:
     the state with the greatest rates at the end of a step, which all samples may miss.
@@ -75,6 +77,7 @@ class History:
     estimate: Estimate | None = None
     doubts: tuple[str, ...] = ()
     fastest: Instant | None = None
+    passing: bool = False
 
     @property
     def forces(self) -> np.ndarray:

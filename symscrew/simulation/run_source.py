@@ -17,7 +17,8 @@ from symscrew.export import banner, decimal, print_c
 from symscrew.model import Model
 from symscrew.runtime import entry, key_of, version
 from symscrew.scene import Table
-from symscrew.simulation.contacts import HELD, HELD_WITH, SHARED, SMALL_ANSWER, Law, laws
+from symscrew.simulation.complementarity import SHARED
+from symscrew.simulation.contacts import HELD, HELD_WITH, LATE, SMALL_ANSWER, Law, laws
 from symscrew.simulation.fronts import layouts, paths
 from symscrew.simulation.state_programs import Plant
 from symscrew.simulation.turned_rounding import Trial, first_path, trial, trial_constants
@@ -54,6 +55,7 @@ THRESHOLDS = {
     "SMALL_ANSWER": SMALL_ANSWER,
     "HELD": HELD,
     "HELD_WITH": HELD_WITH,
+    "LATE": LATE,
     # The instant of an event is that of the step's polynomial; putting the state onto the loops moves it by that
     # polynomial's error. A margin that is off zero by less at the start of its new mode counts as zero.
     "MOST_MOVED": 1e-5,
@@ -68,11 +70,15 @@ THRESHOLDS = {
     # end and a tighter tolerance ends in a stopped run (governor at 1e-11); the second is what a run may lose there.
     "LEAST_NOISE": 2e-14,
     "MOST_NOISE": 2e-12,
+    # Of the time until the end: a step below it leads nowhere; of a thousand in a row (MOST_CRAWLING) the run does not
+    # end. A stop met exactly where branches cross left steps of 1e-14 s, ten million of them.
+    "CRAWL": 1e-12,
     "DUST": 1e-150,  # slopes below it count as zero: their products would be denormal numbers, twelve times as slow
 }
 # Newton steps onto the loops, each of which doubles the digits; a step of the run that needs more is repeated, shorter
 # or with care.
 MOST_CORRECTIONS = 12
+MOST_CRAWLING = 1000  # steps in a row that lead nowhere; onto a knot or an impact a few may be as short
 # Intervals of time, on each of which inputs are polynomials of order 8 to the tolerance, that a step may span: it is of
 # order 8 itself and would resolve about two. More: short features are seen late; fewer: steps shorter than errors ask.
 SPAN = 4
@@ -151,6 +157,7 @@ def constants(plant: Plant) -> str:
         "SPHERE_COUNT": len(spheres), "NQ1": max(nq, 1), "NV1": max(nv, 1), "NX1": max(nx, 1), "NR1": max(nr, 1),
         "NY1": max(2 * nv + nx, 1), "RANK1": max(plant.rank, 1), "ENTRIES": len(plant.entries),
         "ENTRIES1": max(len(plant.entries), 1), "MOST_CORRECTIONS": MOST_CORRECTIONS, "SPAN": SPAN,
+        "MOST_CRAWLING": MOST_CRAWLING,
         "FAILED": 1001, "IN_ZONE": 1002, "AT_REST": 1003, "LEAST_SQUARES": 5,
     }  # fmt: skip
     reals = {

@@ -37,6 +37,7 @@ Array = np.ndarray[Any, Any]
 STATES = 3
 EQUAL = 1e-9  # relative, as for everything that is compared with other engines
 POINTER = 200  # bytes up to which a mesh is the pointer of a large file that was not fetched
+NEARLY = 1e-5  # of two sites that meet [m]
 COMPARED = ("gravity", "rotor_inertia")  # what both engines have in M a + h
 
 
@@ -115,12 +116,20 @@ def with_mujoco(path: Path, options: ImportOptions) -> tuple[float, str]:
     data = mujoco.MjData(engine)
     mujoco.mj_forward(engine, data)
     close_sites(engine, data)
+    places = names_in(engine, ours)
+    for (
+        name,
+        i,
+    ) in places.items():  # balls are turned from our reference, where couplings may displace what carries them
+        values = ours.mechanism.joints[name].reference
+        if engine.jnt_type[i] in (2, 3) and values:
+            data.qpos[engine.jnt_qposadr[i]] = float(ours.mechanism.number(values[0]))
+    mujoco.mj_forward(engine, data)
     reference = data.xmat.reshape(-1, 3, 3).copy()
     start = data.xpos.copy()
     bases, mass = ours.null_spaces(), ours.mass()
     closed = bool(ours.system.cuts)
     forces = ours.forces(still=closed)
-    places = names_in(engine, ours)
     worst = 0.0
     for k, basis in enumerate(bases):
         columns = []
@@ -137,6 +146,7 @@ def with_mujoco(path: Path, options: ImportOptions) -> tuple[float, str]:
             kept = data.efc_type == mujoco.mjtConstraint.mjCNSTR_EQUALITY
             rows = data.efc_J.reshape(-1, engine.nv)[kept] if data.nefc else np.zeros((0, engine.nv))
             worst = max(worst, float(np.abs(rows @ motions).max(initial=0)))
+            worst = max(worst, float(np.abs(data.efc_pos[kept]).max(initial=0)) if data.nefc else 0.0)
         worst = max(worst, relative(basis.T @ mass[k] @ basis, motions.T @ full @ motions))
         unit = np.abs(full).max(initial=0)  # forces that are zero have the size of one unit of acceleration
         worst = max(worst, relative(basis.T @ forces[k], motions.T @ data.qfrc_bias, unit))
@@ -171,12 +181,14 @@ def mujoco_model(path: Path) -> Any:
 
 
 def close_sites(engine: Any, data: Any) -> None:
-    """Move two sites that meet to the middle between them, where the file has them apart: as our side does it."""
+    """Move two sites that nearly meet to the middle between them: as our side does it, which moves joints else."""
     import mujoco
 
     for k in range(engine.neq):
         if engine.eq_type[k] == mujoco.mjtEq.mjEQ_CONNECT and engine.eq_objtype[k] == mujoco.mjtObj.mjOBJ_SITE:
             sites = [engine.eq_obj1id[k], engine.eq_obj2id[k]]
+            if np.linalg.norm(data.site_xpos[sites[0]] - data.site_xpos[sites[1]]) > NEARLY:
+                continue
             middle = data.site_xpos[sites].mean(axis=0)
             for site in sites:
                 body = engine.site_bodyid[site]

@@ -9,10 +9,11 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from hard.test_events_within_steps import pushed_block
 from symscrew.description.builder import MechanismBuilder
 from symscrew.effects import DryFriction, EndStop
 from symscrew.runtime.compiled import find_compiler
-from symscrew.scene.contents import Initial, Scene, Table
+from symscrew.scene.contents import Initial, Integrator, Scene, Table
 from symscrew.simulation.motion import Run, simulate
 
 pytestmark = pytest.mark.skipif(find_compiler() is None, reason="no C compiler: the compiled loop looks for events")
@@ -57,3 +58,24 @@ def test_a_stop_that_is_met_at_a_knot(speed: float, rate: float) -> None:
     after = run.t[later] - knot
     assert side * run.q[~later, 0] == pytest.approx(-0.5 + abs(speed) * run.t[~later], abs=1e-11)
     assert side * run.q[later, 0] == pytest.approx(1 - abs(speed) * after - after**3 / 3, abs=1e-9)
+
+
+@pytest.mark.parametrize("backend", [*(["c"] if find_compiler() else []), "numpy"])
+@pytest.mark.parametrize("holds", ["friction", "stop"])
+def test_what_is_held_lets_go_within_a_nanosecond(holds: str, backend: str) -> None:
+    """A force of a table rises in 1e-9 s, half a million roundings of the time: at the instant found, its last digits
+    say that the joint holds still, ten thousand times. 3 N for a millisecond against 1 N: 2e-3 m/s, and 2e-6 m till it
+    rests by friction, or 3 N against nothing from a stop that 1 N pressed on."""
+    for start in (9.393618378, 72.98856083787, 43.2):
+        knots = (0.0, start, start + 1e-9, start + 1e-3, start + 1e-3 + 1e-9, 100.0)
+        low = 0.0 if holds == "friction" else -1.0
+        table = Table("f", knots, (low, low, 3.0, 3.0, 0.0, 0.0))
+        stick, stop = DryFriction("z", coulomb=1, mode="event"), EndStop("z", lower=0, mode="impact")
+        scene = Scene(
+            "s", pushed_block(), (stick if holds == "friction" else stop,), start + 0.1, 1 / (start + 0.1),
+            drives={"z": "f"}, tables={"f": table}, integrator=Integrator(tolerance=1e-8),
+        )  # fmt: skip
+        found = simulate(scene, backend=backend)
+        assert found.accurate and len(found.events) == 1 + (holds == "friction"), (found.verdict, found.events[:4])
+        way = 1e-6 + 2e-6 if holds == "friction" else 1.5e-6 + 3e-3 * (0.1 - 1e-3)
+        assert found.q[-1, 0] == pytest.approx(way, rel=3e-6)

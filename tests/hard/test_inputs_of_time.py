@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -140,11 +141,17 @@ def test_a_step_longer_than_between_outputs_says_what_it_becomes() -> None:
     assert not pushed("1", 1.0, method="rk4", step=0.1).events
 
 
-def test_what_fixed_steps_may_pass_is_said() -> None:
-    """A pulse shorter than they are; not one that is longer."""
-    run = pushed("exp(-((t - 5.3)/0.0001)^2)", 10.0, method="rk4", step=0.01)
+@pytest.mark.parametrize("backend", BACKENDS)
+@pytest.mark.parametrize("middle", [5.3, 5.3017])
+def test_what_fixed_steps_may_pass_is_said(backend: str, middle: float) -> None:
+    """A pulse shorter than they are; not one that is longer. Where no step and no half of one has an end in it, a block
+    that a second of the pulse pushes was at rest, and completed."""
+    how: dict[str, Any] = {"method": "rk4", "step": 0.01, "backend": backend}
+    run = pushed(f"1e5*exp(-((t - {middle})/0.0001)^2) + 1", 10.0, **how)
     (text,) = run.events
-    assert text.startswith("inputs change within") and "at t = 5.299" in text
-    assert not run.accurate and "with half the step" in run.verdict  # a step has its middle there, others have not
-    run = pushed("exp(-(t - 5.3)^2)", 10.0, method="rk4", step=0.01)
+    assert text.startswith("inputs change within") and f"at t = {middle - 1e-4:.4f}"[:12] in text
+    assert not run.accurate and "with steps that pass nothing of its inputs the motion is" in run.verdict
+    run = pushed(f"1e-9*exp(-((t - {middle})/0.0001)^2) + 1", 10.0, **how)
+    assert run.accurate and len(run.events) == 1  # passed, and nothing by it
+    run = pushed("exp(-(t - 5.3)^2)", 10.0, **how)
     assert run.accurate and not run.events

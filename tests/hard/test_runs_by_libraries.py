@@ -12,7 +12,7 @@ from support.runs import scene_of
 from hard.mechanisms import four_bars
 from symscrew.effects import Gravity
 from symscrew.scene.contents import Initial, Integrator, Scene
-from symscrew.simulation.mode_changes import UndecidedError, complementary
+from symscrew.simulation.complementarity import UndecidedError, complementary
 from symscrew.simulation.motion import simulate
 from symscrew.simulation.scene_functions import RunError
 from symscrew.simulation.singular_watch import SingularWatch
@@ -74,7 +74,7 @@ def test_steps_that_lead_no_further_beside_a_singular_position_end() -> None:
 
 def test_impulses_that_obey_no_law_are_refused() -> None:
     """Two contacts that only move each other, one pressed: no impulses >= 0 keep both from sinking in."""
-    with pytest.raises(UndecidedError, match="impulses of 2 stops that are met at one instant were not found"):
+    with pytest.raises(UndecidedError, match="impulses of 2 contacts that act at one instant were not found"):
         complementary(np.array([[1.0, -1.0], [-1.0, 1.0]]), np.array([-1.0, -1.0]))
 
 

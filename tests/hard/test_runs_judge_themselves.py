@@ -15,10 +15,10 @@ from hard.mechanisms import chain
 from hard.test_events_within_steps import pushed_block
 from symscrew.cli.parser import main
 from symscrew.description import load_description
-from symscrew.effects import Gravity
+from symscrew.effects import Gravity, JointSpring
 from symscrew.runtime.compiled import find_compiler
 from symscrew.scene import load_scene, parse_scene
-from symscrew.scene.contents import Initial, Integrator, Scene
+from symscrew.scene.contents import Initial, Integrator, Scene, Table
 from symscrew.simulation import native
 from symscrew.simulation.initial import initial_state
 from symscrew.simulation.motion import judged, prepare, simulate
@@ -93,10 +93,40 @@ def test_what_decides() -> None:
     )  # fmt: skip
     fixed = replace(scene, integrator=Integrator(method="rk4", step=0.01))
     assert verdict(fixed, Estimate(0.1, 10.0, 0.05), 1e-13, 0.2) == (True, "completed")
-    assert "the run with half the step" in verdict(fixed, Estimate(float("inf")), 1e-13, 0.2)[1]
-    assert verdict(fixed, Estimate(0.1, 10.0, 0.2), 1e-13, 0.2)[1].startswith(
+    assert "the run with half the step" in verdict(fixed, Estimate(float("inf"), other="half the step"), 1e-13, 0.2)[1]
+    assert verdict(fixed, Estimate(0.1, 10.0, 0.2, other="half the step"), 1e-13, 0.2)[1].startswith(
         "completed, accuracy not reached: with half"
     )
+
+
+@pytest.mark.parametrize("knots", [0, 10])
+def test_steps_that_end_sooner_are_halved_too(knots: int) -> None:
+    """A spring that turns by 1.5 rad between two outputs, or knots of a table, at which steps end: half of a longer
+    step were the same steps, and a motion that is off by half of its way was called completed."""
+    table = {"f": Table("f", tuple(np.linspace(0, 1, knots + 1)), (1.0,) * (knots + 1))} if knots else {}
+    for step, good in ((1.0, False), (1e-3, True)):
+        scene = Scene(
+            "s", pushed_block(), (JointSpring("z", stiffness=225),), 1.0, 10.0 if not knots else 1.0,
+            drives={"z": "f" if knots else "1"}, tables=table, integrator=Integrator(method="rk4", step=step),
+        )  # fmt: skip
+        found = simulate(scene)
+        assert found.ok and found.accurate == good, found.verdict
+
+
+@pytest.mark.parametrize(("step", "way", "good"), [(0.1, 0.5, False), (1e-2, 0.5, True), (0.1, 1e-3, True)])
+def test_what_turns_on_does_not_hide_what_swings(step: float, way: float, good: bool) -> None:
+    """A wheel of 80 turns a second beside a spring of 2 Hz, whose phase is off by a rad: that is a small part of the
+    wheel's way, and was completed. Of a way of a millimetre it is none that counts."""
+    body = {"mass": 1, "com": [0, 0, 0], "inertia": [1, 1, 1]}
+    two = [(joint, "R", "base", name, [0, 0, 0], [[0, 0, 1]]) for joint, name in (("on", "wheel"), ("back", "arm"))]
+    start = Initial(coordinates={"back": way}, rates={"on": 500.0})
+    scene = Scene(
+        "s", chain("two", *two, wheel=body, arm=body), (JointSpring("back", stiffness=225),), 2.0, 10.0, start,
+        integrator=Integrator(method="rk4", step=step),
+    )  # fmt: skip
+    found = simulate(scene)
+    assert found.accurate == good, found.verdict
+    assert ("accuracy not reached" in found.verdict) != good
 
 
 def test_the_exit_code_follows(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -131,19 +131,30 @@ def test_libraries_begin_where_they_were_put(equal_slider: Model, beside: float)
         np.testing.assert_array_equal(kept, given)
 
 
-@pytest.mark.parametrize(("beside", "found"), [(1e-6, True), (-1e-8, False)])
+@pytest.mark.parametrize(("beside", "found"), [(1e-5, True), (1e-7, True), (-1e-8, False)])
 def test_other_names_beside_a_singular_position(equal_slider: Model, beside: float, found: bool) -> None:
-    """By a cut joint's name a start is exact, or refused for what it is: not 'out of reach'."""
+    """By a cut joint's name a start is exact, its rates too (in doubles they were off by rounding over the distance:
+    1e-9 at 1e-7), or refused for what it is: not 'out of reach'."""
     scene, angle = parse_scene(SQUARE), np.pi / 2 - beside
-    initial = replace(scene.initial, coordinates={"C": angle})
+    initial = replace(scene.initial, coordinates={"C": angle}, rates={"C": 2.0})
     scene = replace(scene, mechanism=equal_slider.mechanism, initial=initial)
     if found:
-        q, _ = initial_state(scene, equal_slider, np.zeros(0))
-        labels = [c.label for c in equal_slider.system.tree.q]
-        assert q[labels.index("D")] == pytest.approx(2 * np.cos(angle) - 2, abs=1e-14)
+        q, v = initial_state(scene, equal_slider, np.zeros(0))
+        at = [c.label for c in equal_slider.system.tree.q].index("D")
+        assert q[at] == pytest.approx(2 * np.cos(angle) - 2, abs=1e-14)
+        assert v[at] == pytest.approx(-4 * np.sin(angle), abs=1e-14)
         return
     with pytest.raises(DescriptionError, match=r"or so near a singular configuration .* give other coordinates"):
         initial_state(scene, equal_slider, np.zeros(0))
+
+
+def test_a_start_off_a_dead_point_says_so(equal_slider: Model) -> None:
+    """The slider's place alone, from the stretched reference: two ways lead there, and neither is meant."""
+    scene = replace(parse_scene(SQUARE), mechanism=equal_slider.mechanism)
+    for given, cure in (({"D": -0.1}, "changes D at first, a dead point: give others"), ({"A": 0.1, "D": 1}, "check")):
+        scene = replace(scene, initial=replace(scene.initial, coordinates=given, rates={}))
+        with pytest.raises(DescriptionError, match=cure):
+            initial_state(scene, equal_slider, np.zeros(0))
 
 
 @pytest.mark.parametrize(("beside", "taken"), [(0.1, True), (1e-6, False)])

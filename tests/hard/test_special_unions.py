@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 import sympy
-from support.reposed import _axis
+from support.further_mechanisms import waldron_hybrid
+from support.reposed import _axis, posed
 
 from symscrew.description.builder import MechanismBuilder
 from symscrew.description.mechanism import Mechanism
@@ -79,3 +80,21 @@ def test_hinges_of_a_sarrus_linkage_rounded_one_by_one_are_parallel_as_meant(leg
     assert found.finite.dof == 0 and found.near is not None
     assert (found.near.meant.finite.dof, found.near.meant.platform.type) == (1, "1T")
     assert found.near.distance < 1e-5
+
+
+@pytest.mark.parametrize("digits", ["12", "6"])
+def test_two_bennett_loops_of_one_shape_about_one_axis(digits: str) -> None:
+    """Eight conditions, two of which vanish twice there, as no loops of different shapes have it."""
+    linkage = waldron_hybrid()
+    names = ("name", "type", "parent", "child", "point", "axes")
+    joints = posed([{key: getattr(joint, key) for key in names} for joint in linkage.joints.values()],
+                   seed=0, digits=digits, unit="m")  # fmt: skip
+    builder = MechanismBuilder("typed")
+    for body in (name for name in linkage.bodies if name != linkage.ground):
+        builder.body(body)
+    for joint in joints:
+        builder.joint(joint.pop("name"), joint.pop("type"), **joint)
+    found = analyse_mobility(builder.build())
+    assert found.finite.dof == 0 and found.near is not None and not found.not_tried
+    assert (found.near.meant.dof, found.near.meant.finite.dof, found.near.meant.overconstraints) == (1, 1, 1)
+    assert found.near.distance < 10 ** (0.5 - float(digits))

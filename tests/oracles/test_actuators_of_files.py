@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 from benchmarks.robot_files import Ours, place, with_mujoco
 
+from symscrew.effects import PositionServo
 from symscrew.errors import DescriptionError
 from symscrew.formats import ImportOptions, load_format
 from symscrew.formats.draft import Draft
@@ -107,6 +108,11 @@ ACTING = {
         '<default><position kp="7" kv="2"/><default class="s"><motor gear="3"/></default></default>'
         '<actuator><position joint="b" class="s"/></actuator>',
     ),
+    "springs and dampers by a time": file(
+        hinges("ab", 'springdamper="0.3 0.7" springref="0.2" stiffness="9" damping="8"'),
+        '<tendon><fixed name="t" armature="0.31"><joint joint="a" coef="-1.2"/><joint joint="b" coef="0.3"/></fixed>'
+        '</tendon><actuator><motor joint="b" gear="2" armature="0.1"/></actuator>',
+    ),
     "weights below zero": file(hinges("ab", weight=LIGHT)),
     "weights of which one is above": file(hinges("ab", weight=LIGHT).replace("-0.3", "0.4", 1)),
     "weights through actuators": file(
@@ -130,6 +136,23 @@ def test_accelerations_are_those_of_mujoco(tmp_path: Path, name: str) -> None:
         data.qpos[:], data.qvel[:] = q[k][order], v[k][order]
         mujoco.mj_forward(engine, data)
         assert found[k][order] == pytest.approx(data.qacc, rel=1e-9, abs=1e-9)
+
+
+FOLLOWS = '<equality><joint joint1="b" joint2="a" polycoef="{} 0.5 0 0 0"/></equality>'
+TIED = {
+    "a tendon of which one joint follows the other": (PULLED.format("b"), 'tendon="t"', "0", 1.05),
+    "joints off their own places by a coupling's constant": ("", 'joint="a"', "0.4", 1.0),
+}
+
+
+@pytest.mark.parametrize("name", TIED)
+def test_a_ratio_is_of_the_inertia_without_couplings(tmp_path: Path, name: str) -> None:
+    """As the engine's compiler takes it: in the file's own pose, along the tendon as it is written."""
+    tendon, target, constant, factor = TIED[name]
+    text = file(hinges("ab"), tendon + FOLLOWS.format(constant) + RATIO.format(target))
+    (servo,) = (force for force in load_robot(saved(text, tmp_path)).effects if isinstance(force, PositionServo))
+    engine = mujoco.MjModel.from_xml_string(text)
+    assert servo.damping == pytest.approx(-engine.actuator_biasprm[0][2] * factor**2, rel=1e-9)
 
 
 REFUSED = {

@@ -79,7 +79,7 @@ def test_planar_platforms_have_the_modes_that_elimination_finds():
     found = symscrew.assembly_modes(planar_3rpr(base.tolist(), platform.tolist()), lengths(legs.tolist()))
     angles = np.sort([np.arctan2(m.rotation[1, 0], m.rotation[0, 0]) for m in found.modes])
     expected = by_elimination(base, platform, legs**2)
-    assert found.bound is not None and found.bound.count == 6 and found.complete == "bounded"
+    assert found.bound is not None and found.bound.count == 6 and found.complete == "proved"
     assert angles.shape == expected.shape and np.abs(angles - expected).max(initial=0.0) < 1e-6
 
 
@@ -92,7 +92,7 @@ def test_merlets_planar_platform_has_two_modes():
     shift = np.array([0.3, 1.1, 0.0])
     seen = sorted([*(m.translation + m.rotation @ shift)[:2], np.arctan2(m.rotation[1, 0], m.rotation[0, 0])]
                   for m in found.modes)  # fmt: skip
-    assert found.complete == "bounded"
+    assert found.complete == "proved"
     assert np.allclose(seen, given["own_computation"]["solutions"], atol=1e-12)
 
 
@@ -134,7 +134,7 @@ def test_mechanisms_of_the_catalogue_have_their_known_modes(name, count):
     assert len(found.modes) == count and found.modes[0].name == "home"
     assert all(mode.certified and mode.residual < 1e-12 for mode in found.modes)
     assert np.abs(found.modes[0].rotation - np.eye(3)).max() < 1e-12
-    assert found.complete == "bounded"
+    assert found.complete == "proved"
 
 
 @pytest.mark.slow
@@ -195,7 +195,7 @@ def test_a_3_rps_has_the_modes_that_newton_finds_from_many_starts():
     corners = np.array([[1.0, 0.0], [-0.5, 0.8], [-0.6, -0.9]])
     tips = np.array([[0.5, 0.1], [-0.25, 0.5], [-0.4, -0.4]])
     found = symscrew.assembly_modes(three_rps(corners.tolist(), tips.tolist(), "0.9"))
-    assert found.complete == "bounded" and found.bound is not None and found.bound.count == 16
+    assert found.complete == "proved" and found.bound is not None and found.bound.count == 16
     ends = np.column_stack([tips, np.full(3, 0.9)])
     legs = np.linalg.norm(ends - np.column_stack([corners, np.zeros(3)]), axis=1)
     expected = by_many_starts(corners, tips, 0.9, legs)

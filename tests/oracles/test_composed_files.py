@@ -85,11 +85,18 @@ def test_replicated_elements(tmp_path: Path, count: int) -> None:
         '<attach model="leg" prefix="l_"/><attach model="leg" body="shin" prefix="r_"/>',
         '<attach model="leg" prefix=""/>',
         '<attach model="leg" frame="outer" prefix="l_"/><attach model="leg" frame="inner" prefix="r_"/>',
+        '<replicate count="3" euler="0 0 40" sep="-"><attach model="leg" prefix="l_"/></replicate>',
     ],
 )
 def test_attached_models(tmp_path: Path, attached: str) -> None:
     """With their own units, classes and prefixes; of one body without what refers to others."""
     agrees(written(tmp_path, MAIN.replace("ATTACHED", attached)))
+
+
+@pytest.mark.filterwarnings("ignore::UserWarning")
+def test_a_model_is_called_as_its_own_file_says(tmp_path: Path) -> None:
+    """Where the file that takes it gives it no name."""
+    agrees(written(tmp_path, MAIN.replace('name="leg" ', "").replace("ATTACHED", '<attach model="leg" prefix="l_"/>')))
 
 
 def test_files_beside_the_model_are_read_where_whoever_imports_says_so(tmp_path: Path) -> None:

@@ -199,6 +199,7 @@ def test_formulas_of_the_field_give_the_mobility_of_the_entry(name: str) -> None
     assert counts.modified == expected["dof"] - counts.isolated
     assert (counts.overconstraint, counts.redundancy) == (expected["overconstraints"], expected["internal_freedoms"])
     assert counts.by_limbs in (None, counts.redundant)
+    assert counts.platform == expected["platform"]["dof"]  # connectivity S_F
 
 
 @pytest.mark.parametrize("name", EXPECTED)

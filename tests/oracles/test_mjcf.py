@@ -341,7 +341,7 @@ BODY = '<mujoco>%s<worldbody><body name="a"><joint name="j"/>%s<geom size="0.1"/
         (BODY % ("", '<body quat="0 0 0 0"/>', ""), "quaternion, got one of length zero"),
         (BODY % ("", '<body euler="0 0 0" zaxis="1 0 0"/>', ""), "expected one orientation"),
         (LOOP % '<connect site1="end" site2="end2"/>', "there is no site 'end2'"),
-        (LOOP % '<weld body1="b" body2="d" relpose="1 0 0.001 1 0 0 0"/>', "does not close"),
+        (LOOP % '<weld body1="b" body2="d" relpose="9 0 0 1 0 0 0"/>', "does not close"),
         ("<mujoco/>", "it has no joints"),
         ("<svg/>", "expected the root element <robot> or <mujoco>, got <'svg'>"),
     ],

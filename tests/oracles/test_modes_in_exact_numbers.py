@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from support.linkages import COMPLETE
 
 import symscrew
 from symscrew.assembly import AssemblyModes, mode_lines
@@ -46,7 +47,7 @@ def three_rpr(base: Any, tip: Any) -> symscrew.Mechanism:
 def only(found: AssemblyModes) -> Any:
     """The one mode, of which every solution is."""
     (mode,) = found.modes
-    assert found.complete == "bounded" and mode.certified and mode.exact
+    assert found.complete in COMPLETE and mode.certified and mode.exact
     return mode
 
 
@@ -83,7 +84,7 @@ def test_legs_that_meet_in_a_point_are_a_double_mode() -> None:
     """In (-1, 0); with a third mode so near that both are in one circle around the end of the paths."""
     base, tip = [("10", "18"), ("-19", "-15"), ("12", "17")], [("7.8", "14.4"), ("-13.6", "-10.5"), ("2.9", "5.1")]
     found = symscrew.assembly_modes(three_rpr(base, tip))
-    assert found.complete == "bounded" and found.bound is not None and found.bound.count == 6
+    assert found.complete in COMPLETE and found.bound is not None and found.bound.count == 6
     assert [(m.name, m.meeting) for m in found.modes if m.exact] == [("home", 2)]
     assert sum(not m.exact for m in found.modes) == 2
 
@@ -98,7 +99,7 @@ def test_a_delta_at_the_limit_of_its_reach_is_eight_modes_in_one() -> None:
 def bennett_ratio(found: AssemblyModes) -> float:
     """tan(J1 / 2) and tan(J2 / 2), counted from where links are in line, have one ratio in a Bennett linkage."""
     (mode,) = found.modes
-    assert found.complete == "bounded" and mode.certified and abs(mode.values["J1"] + mode.values["J3"]) % np.pi < 1e-9
+    assert found.complete in COMPLETE and mode.certified and abs(mode.values["J1"] + mode.values["J3"]) % np.pi < 1e-9
     return float(mode.values["J2"])
 
 

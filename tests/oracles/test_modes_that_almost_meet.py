@@ -5,6 +5,7 @@ from __future__ import annotations
 import mpmath
 import numpy as np
 import pytest
+from support.linkages import COMPLETE
 
 import symscrew
 
@@ -54,7 +55,7 @@ def test_both_sides_of_a_stretched_elbow(gap):
         turn = stretched() + sign * DIGITS.mpf(gap)
         found = symscrew.assembly_modes(five_bar(), {"B": DIGITS.nstr(turn, 55)})
         apart = between(turn)
-        assert found.complete == "bounded" and all(m.certified and m.paths == m.ways == 1 for m in found.modes)
+        assert found.complete in COMPLETE and all(m.certified and m.paths == m.ways == 1 for m in found.modes)
         assert len(found.modes) == (2 if apart else 0) and len({m.name for m in found.modes}) == len(found.modes)
         if apart:
             one, two = (m.values["C"] for m in found.modes)

@@ -13,6 +13,10 @@ from symscrew.mobility import ClosureVariety, network_of
 Array = np.ndarray[Any, Any]
 
 
+COMPLETE = ("proved", "bounded")
+"""What `AssemblyModes.complete` says where the modes are all, by exact numbers or by a bound."""
+
+
 def single_loop(types: str, points: Sequence[Any], axes: Sequence[Any], platform: str | None = None) -> Mechanism:
     """Bodies b0, b1 ... between joints j0 (driven), j1 ... of these types, the last one on the ground."""
     named = {} if platform is None else {"platform": platform}

@@ -221,7 +221,8 @@ WORDS = {
     ),
     "A scene": (
         "What `symscrew simulate`, `cost` and `fmu` read. Expressions know `t`, `q_LABEL` and `v_LABEL` (dots of a",
-        "label become _), parameters, tables, signals and states. Examples: `examples/scenes/`.",
+        "label become _, or __ where a joint is called so), parameters, tables, signals and states. Examples:",
+        "`examples/scenes/`.",
     ),
     "A motion": (
         "What `symscrew drives --motion` reads, with `[coordinates]` or `[twist]`, NAME = expression, and",

@@ -26,10 +26,11 @@ from symscrew.mobility.components import (
     space_lines,
 )
 from symscrew.mobility.components import charts as held_charts
-from symscrew.mobility.components.exact_parts import PROGRAM, ExactParts, _answer
+from symscrew.mobility.components.algebra_program import ALGEBRA_PROGRAM, algebra_answer
+from symscrew.mobility.components.exact_parts import ExactParts
 from symscrew.mobility.joint_network import network_of
 
-pytestmark = pytest.mark.skipif(shutil.which(PROGRAM) is None, reason="Singular is not installed (singular-ui)")
+pytestmark = pytest.mark.skipif(shutil.which(ALGEBRA_PROGRAM) is None, reason="Singular is not installed (singular-ui)")
 
 GIVEN_UP = 2.0  # of the processor, for a division that would not end in hours: its first half takes one
 OTHERS: dict[str, Callable[[], Mechanism]] = {"snu": snu, "double parallelogram": double_parallelogram}
@@ -164,9 +165,9 @@ def test_bricard() -> None:
 
 def test_time_is_the_processors_and_what_is_endless_is_given_up() -> None:
     """A program that only waits spends none of it: the clock, which may be slow, ends it much later."""
-    output, ended = _answer(PROGRAM, 'print("@pieces"); int i; while (1) { i = 1 - i; }', 1.0)
+    output, ended = algebra_answer('print("@pieces"); int i; while (1) { i = 1 - i; }', 1.0)
     assert "@pieces" in output and not ended
-    output, ended = _answer(PROGRAM, 'int i = system("sh", "sleep 1.5"); print("@end"); quit;', 1.0)
+    output, ended = algebra_answer('int i = system("sh", "sleep 1.5"); print("@end"); quit;', 1.0)
     assert ended, output
 
 

@@ -207,6 +207,8 @@ def test_find(tmp_path):
         ("nothing/here.toml", "there is no file 'nothing/here.toml'"),
         ("../../etc/passwd\0", "is neither"),
         ("", "is neither"),
+        ("x" * 300, "is neither"),
+        ("x" * 300 + ".toml", "there is no file"),
     ],
 )
 def test_find_refuses(name, message):

@@ -19,12 +19,13 @@ FOREIGN = {
     "formats/mjcf_bodies.py",  # a slide and a hinge that an equality couples
     "formats/idle_spins.py",  # a rod between two balls of a file that may be a bar here
     "formats/contradictory_loops.py",  # turns of a file that its author calls spherical
+    "formats/mjcf_closing.py",  # hinges and slides of a file, by which its open loops are closed
     "formats/merged_joints.py",  # chains of elementary joints that are one joint here
     "studies/accuracy/load_sharing.py",  # limbs of the seed by their letters
     "mobility/proofs/proof_checker.py",  # imports nothing of the package, so that who doubts it need not trust it
     "mobility/proofs/proof_numbers.py",  # what it writes for that checker
     "assembly/held_structure.py",  # groups of unknowns are called free here, as bodies are: no joint is meant
-    "assembly/root_bounds.py",  # the same
+    "assembly/closure_ideal.py",  # the same
     "assembly/batch_equations.py",  # the same
 }
 

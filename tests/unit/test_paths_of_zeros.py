@@ -8,7 +8,7 @@ import numpy as np
 from support.linkages import single_loop
 
 from symscrew.assembly.all_modes import structure_of
-from symscrew.assembly.held_structure import Structure
+from symscrew.assembly.closure_structure import Structure
 from symscrew.assembly.path_tracking import Tracker
 from symscrew.assembly.root_bounds import family_bound
 from symscrew.assembly.what_is_held import held_by

@@ -12,7 +12,7 @@ from symscrew import load_catalogue
 from symscrew.assembly.all_modes import structure_of
 from symscrew.assembly.families import COMPLEX
 from symscrew.assembly.residues import LARGEST_PRIME, Residue, residues_of
-from symscrew.assembly.root_bounds import own_bound
+from symscrew.assembly.root_bounds import exact_bound, own_bound
 from symscrew.assembly.slot_numbers import Displacements
 from symscrew.assembly.what_is_held import held_by
 from symscrew.description import parse_description
@@ -126,7 +126,26 @@ def test_a_solution_that_is_infinite_modulo_a_prime_is_counted():
     bound = own_bound(held_by(parse_description(WEDGE), {"rail": "1/1000000000"}, {}))
     if isinstance(bound, str):
         pytest.skip(bound)
-    assert (bound.count, bound.dimension) == (1, 0)
+    exact = exact_bound(held_by(parse_description(WEDGE), {"rail": "1/1000000000"}, {}))
+    assert (bound.count, bound.dimension) == (1, 0) == (exact.count, exact.dimension)
+
+
+@pytest.mark.parametrize(("name", "drives", "count"), [
+    ("four_bar", {"A": "0.2"}, 2), ("planar_3rrr", {"limb1_R1": "0.1"}, 6),
+    ("planar_3rrr", {"limb1_R1": "pi/5"}, 6),
+])  # fmt: skip
+def test_exact_numbers_count_what_residues_do(name, drives, count):
+    """Angles that are fractions [rad] in the tangent of half their common part, parts of a turn in their field."""
+    held = held_by(load_catalogue(name), drives, {})
+    exact, bound = exact_bound(held, 20.0), own_bound(held)
+    if isinstance(bound, str):
+        pytest.skip(bound)
+    assert (exact.count, exact.dimension) == (count, 0) == (bound.count, bound.dimension)
+
+
+def test_angles_far_from_one_another_are_not_tried_exactly():
+    held = held_by(load_catalogue("planar_3rrr"), {"limb1_R1": "0.2", "limb2_R1": "-0.31"}, {})
+    assert "31 times their common part, 8 at most" in str(exact_bound(held))
 
 
 def test_numbers_that_are_in_no_field_say_so():

@@ -178,6 +178,18 @@ def test_two_frictions_share_what_holds_a_joint(monkeypatch: pytest.MonkeyPatch)
     assert contacts.forces(uneven, contacts.Modes((0, 0))).sum() == pytest.approx(-2.0, abs=1e-6)
 
 
+@pytest.mark.parametrize(("pull", "mode"), [(-1e-13, 1), (-1e-9, 0), (1e-9, 1)])
+def test_rounding_does_not_let_go(pull: float, mode: int) -> None:
+    """A joint whose friction has just reached its level lies on its stop, which holds nothing yet: it was let go by a
+    pull of the last digits, met again and so on, ten thousand times."""
+    model = derive(block(), (DryFriction("slide", coulomb=3, mode="event"), EndStop("slide", upper=0, mode="impact")))
+    laws = contacts.laws(model, [c for e in model.effects for c in e.contacts()])
+    at = contacts.ContactState(
+        laws, np.zeros(1), np.zeros(1), np.ones(1), lambda _, f: np.array([3.0 + pull + f[0] + f[1]])
+    )
+    assert contacts.released(at, contacts.Modes((1, 1))).values == (1, mode)
+
+
 def test_a_joint_that_friction_cannot_hold_slips(monkeypatch: pytest.MonkeyPatch) -> None:
     model = derive(block(), (DryFriction("slide", coulomb=3, mode="event"),))
     law = contacts.laws(model, [c for e in model.effects for c in e.contacts()])[0]

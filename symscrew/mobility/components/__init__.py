@@ -4,9 +4,11 @@ Mechanism --limb_equations, algebraic_closure--> polynomials over an exact field
           --exact_parts--> irreducible components, proved; real_configurations lie on them --all_components--> result
 Network   --mode_sampling--> modes that random configurations show, where exact algebra does not end
 both      --component_texts--> words, JSON
+polynomials --algebra_program--> what Singular says of them
 Network   --mode_connections--> assembly modes of the reference, paths between them without a singularity
 """
 
+from symscrew.mobility.components.algebra_program import ALGEBRA_PROGRAM, algebra_answer
 from symscrew.mobility.components.algebraic_closure import ClosureEquations, NotAlgebraicError, closure_equations
 from symscrew.mobility.components.all_components import ConfigurationSpace, configuration_space
 from symscrew.mobility.components.component_texts import (
@@ -28,6 +30,7 @@ from symscrew.mobility.components.mode_connections import (
 from symscrew.mobility.components.mode_sampling import SampledMode, SampledModes, sampled_modes
 
 __all__ = [
+    "ALGEBRA_PROGRAM",
     "UNCHECKED",
     "ClosureEquations",
     "ConfigurationSpace",
@@ -37,6 +40,7 @@ __all__ = [
     "Part",
     "SampledMode",
     "SampledModes",
+    "algebra_answer",
     "assembly_connections",
     "closure_equations",
     "configuration_space",

@@ -3,31 +3,25 @@
     ClosureEquations --Singular: facstd--> parts whose union is all zeros --minAssGTZ--> irreducible ones
     irreducible one through the reference --standard basis in the local ring--> its multiplicity there
 
-Singular (W. Decker, G.-M. Greuel, G. Pfister, H. Schoenemann) is a program of its own, found on the path. Every part
-has its dimension and degree from a Groebner basis; what is not divided to the end in the time given is said to be so.
+Singular is a program of its own (algebra_program). Every part has its dimension and degree from a Groebner basis; what
+is not divided to the end in the time given is said to be so.
 (P. Gianni, B. Trager, G. Zacharias, J. Symb. Comp. 6 (1988) 149-167: minimal primes.)
 """
 
 from __future__ import annotations
 
-import math
 import re
-import shutil
-import subprocess
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
+from symscrew.mobility.components.algebra_program import ALGEBRA_PROGRAM, algebra_answer
 from symscrew.mobility.components.algebraic_closure import ClosureEquations
 from symscrew.mobility.components.polynomials import Exponents, Polynomial
 from symscrew.mobility.symbols import exact_value, generator_itself
 
-PROGRAM = "Singular"
-"""The program's name on the path; Debian's package is singular-ui."""
 SECONDS = 20.0
 """Of the processor, for one decomposition. Those of the literature here end in a tenth of it, or not in hours."""
-BACKSTOP = 15
-"""Times as long by the clock ends what waits: a busy machine gives a process a tenth of a processor."""
 PART = re.compile(r"@part (\d+) (\d+) (-?\d+) (\d+) (\d) (\d)")
 AWAY = 2
 """In a part's mark: it lies where no configuration is."""
@@ -67,26 +61,11 @@ def exact_parts(closure: ClosureEquations, seconds: float = SECONDS, *, local: b
     generators = closure.field.generators
     if len(generators) > 1:
         return ExactParts((), False, f"the numbers are in {closure.field}: expected one root at most")
-    program = shutil.which(PROGRAM)
-    if program is None:
-        return ExactParts((), False, f"exact algebra needs the program {PROGRAM}, which is not on the path")
-    output, ended = _answer(program, _script(closure, local=local), seconds)
+    answer = algebra_answer(_script(closure, local=local), seconds)
+    if answer is None:
+        return ExactParts((), False, f"exact algebra needs the program {ALGEBRA_PROGRAM}, which is not on the path")
+    output, ended = answer
     return _read(closure, output, ended=ended, seconds=seconds)
-
-
-def _answer(program: str, script: str, seconds: float) -> tuple[str, bool]:
-    """What the program prints within so many seconds of the processor, and whether it came to the end."""
-    command, clock = [program, "--quiet", "--no-rc"], seconds
-    shell = shutil.which("sh")
-    if shell is not None:  # what sets limits wherever there is one; it counts whole seconds
-        command = [shell, "-c", 'ulimit -t "$0" && exec "$@"', str(math.ceil(seconds)), *command]
-        clock = BACKSTOP * seconds
-    try:
-        done = subprocess.run(command, input=script, capture_output=True, text=True, timeout=clock)
-        return done.stdout, "@end" in done.stdout
-    except subprocess.TimeoutExpired as error:
-        output = error.stdout or b""
-        return output.decode(errors="replace") if isinstance(output, bytes) else output, False
 
 
 def _script(closure: ClosureEquations, *, local: bool) -> str:
@@ -184,7 +163,7 @@ def _read(closure: ClosureEquations, output: str, *, ended: bool, seconds: float
     pieces: dict[int, Part] = {}
     primes: dict[int, Part] = {}
     if re.search(r"^ *\? ", output, re.MULTILINE):
-        return ExactParts((), False, f"{PROGRAM} did not accept the equations")
+        return ExactParts((), False, f"{ALGEBRA_PROGRAM} did not accept the equations")
     lines = iter(output.splitlines())
     split = False
     divided: set[int] = set()

@@ -48,7 +48,8 @@ class RankClaim:
             block = np.array([[CONTEXT.zero] * network.freedoms for _ in range(count)], dtype=object)
             for name, sign in steps:
                 for column in network.edges[name].columns:
-                    block[:, column] += np.array([sign * c for c in screws[column][:count]], dtype=object)
+                    for row, c in zip(block, screws[column][:count], strict=True):
+                        row[column] += c if sign > 0 else -c
             rows.append(block)
         for column in self.held:
             row = np.array([[CONTEXT.zero] * network.freedoms], dtype=object)

@@ -22,8 +22,9 @@ ASIDE = 1e-4
 of doubles, and what is of third order cancels between the two sides."""
 LOOKS = 3
 """Random directions in which slopes are looked at: each shows all but what it happens to be perpendicular to."""
-SLOPES = 1e-5
-"""Slopes below this part of the largest are rounding: 1e-12 over `ASIDE`, with room for what decompositions lose."""
+SLOPES = 1e-7
+"""Slopes below this part of the largest are rounding: 1e-12 over `ASIDE` and less, 1e-10 of two Bennett loops about one
+axis. Their least real one is 3e-6: what two such loops of one shape have in common shows late on a motion."""
 LEAST_REACH = 1e-18
 """Shortest step with which slopes are measured in 60 digits: values have 1e-58 of rounding, so the slope 1e-40, and
 what is of third order adds 1e-36."""

@@ -20,6 +20,7 @@ from symscrew.mobility.finite.joint_changes import Slots, changed, closure_rates
 from symscrew.mobility.finite.local_solutions import local_at
 from symscrew.mobility.finite.variety import DIGITS_60, Array, ClosureVariety
 from symscrew.mobility.joint_network import Network
+from symscrew.mobility.screw_systems import Real
 
 
 @dataclass(frozen=True)
@@ -37,7 +38,7 @@ class _Closes:
     def __init__(self, q: Array, rank: int) -> None:
         self.q, self.rank = _fine(q), rank
 
-    def residual(self, _: Network, fine: ClosureVariety) -> Array:
+    def residual(self, fine: ClosureVariety) -> Array:
         return fine.residual(self.q).astype(float)
 
     def step(self, change: Array) -> None:
@@ -50,9 +51,9 @@ class _Singular:
     def __init__(self, claim: RankClaim, rank: int, vector: Array) -> None:
         self.claim, self.rank, self.vector = claim, rank, _fine(vector)
 
-    def residual(self, network: Network, fine: ClosureVariety) -> Array:
-        found = self.claim.matrix(network, np.array(fine.centre, dtype=object)) @ self.vector
-        return np.asarray(found).astype(float)
+    def residual(self, matrix: Sequence[Sequence[tuple[int, Real]]]) -> Array:
+        """`matrix`: the claim's, the entries of every row that are not zero with their columns."""
+        return np.array([float(sum((c * self.vector[j] for j, c in row), CONTEXT.zero)) for row in matrix])
 
     def step(self, change: Array) -> None:
         self.vector = self.vector - _fine(change)
@@ -116,8 +117,14 @@ class Search:
 
     def residuals(self) -> list[Array]:
         """What is left of every condition."""
-        fine = ClosureVariety(self.after, DIGITS_60)
-        return [condition.residual(self.after, fine) for part in self.conditions for condition in part]
+        fine, (closes, singular) = ClosureVariety(self.after, DIGITS_60), self.conditions
+        centre = np.array(fine.centre, dtype=object)
+        matrices = {}  # of a claim one: a rank that is lost by three has three vectors
+        for claim in {one.claim.name: one.claim for one in singular}.values():
+            rows = claim.matrix(self.after, centre)
+            matrices[claim.name] = [[(j, c) for j, c in enumerate(row) if c] for row in rows]
+        own = [one.residual(matrices[one.claim.name]) for one in singular]
+        return [*(one.residual(fine) for one in closes), *own]
 
     def linearise(self) -> None:
         """All conditions about the present numbers, which are then kept until this is asked for anew."""

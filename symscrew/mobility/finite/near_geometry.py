@@ -38,8 +38,11 @@ from symscrew.mobility.joint_network import Network
 
 STEP = 0.2
 """Steps of the finite motions, in units of the mechanism's size and in radians: small enough that Newton's method
-solves them. The longest has `MOTIONS` of them, large enough that what a motion needs at high order shows: on a short
-piece of a curve ten conditions differ by less than the rounding of doubles."""
+solves them."""
+SPREAD = 0.4
+"""How far apart the configurations are in which loops are to close. The longest motion has `MOTIONS` times that, long
+enough that what a motion needs at high order shows: on a short piece of a curve ten conditions differ by less than the
+rounding of doubles, and at half of this the last of the eight of two Bennett loops is a millionth of the first."""
 FAR_FROM_SINGULAR = 0.05
 """A motion ends before its closure comes this much nearer to losing rank, where Newton's method may jump."""
 MOTIONS = 8
@@ -56,7 +59,7 @@ LARGEST_CUT = 0.1
 ROUNDS = 14
 """Steps of Gauss-Newton: linear with the ratio of the distance, so a handful for doubles and a dozen for six digits."""
 LINEARISED = 3
-"""Rounds that linearise anew; what is left then is far below the distance, so that the derivatives stay."""
+"""Rounds that linearise anew whatever they gain; what is left then is mostly far below the distance."""
 CONVERGED = 1e-40
 """Residual at which it has ended: far below what ranks take for zero, far above rounding of 60 digits."""
 AT_VERTEX = 1e-22
@@ -67,6 +70,9 @@ CLOSER = 1e-7
 """How much closer a step to a double zero comes: curvatures are known to eight digits."""
 ENOUGH = 1e-36
 """Residual with which it may end where steps gain no more: what they cut off as rounding. Ranks take 1e-27 for zero."""
+LITTLE = 1e-3
+"""A round that leaves more than this takes slopes anew: small ones change by as much on the way as they are. Fresh ones
+leave what doubles do not tell of the smallest slope, and that a thousandth or less."""
 SLOW = 0.2
 """A round that leaves more than this was no step of Newton's method to a simple zero: to a double one it leaves 1/4."""
 LEAST_NOISE = 1e-15
@@ -189,7 +195,7 @@ def _motions(coarse: ClosureVariety, here: Local, off: float) -> list[tuple[Arra
     points = []
     for k, direction in enumerate(flatten(here.dof, MOTIONS)):
         for length in (k + 1, -k - 1.5):  # all different: one freedom has one line
-            q = _walked(coarse, here, STEP * length * direction, off)
+            q = _walked(coarse, here, SPREAD * length * direction, off)
             if q is None:
                 return []
             points.append((q, here.rank))
@@ -235,21 +241,23 @@ def _solved(
 ) -> NearGeometry | None:
     search = Search(network, points, ranks)
     search.ways = ways
-    best, rough = float("inf"), noise
+    best, rough, fresh = float("inf"), noise, True
     for attempt in range(ROUNDS):
         residuals = search.residuals()
         size = max(float(np.linalg.norm(r)) for r in residuals)
         if size < CONVERGED:
             break
-        if attempt >= LINEARISED and size > SLOW * best:
-            if size < ENOUGH:
-                break
+        slow = attempt >= LINEARISED and size > SLOW * best
+        if slow and size < ENOUGH:
+            break
+        if slow and fresh:
             if not twice:
                 return None
             double = _solved_twice(search.moved(np.zeros(0)), min(LARGEST_CUT, CUT_OFF * max(LEAST_ROUGH, noise)))
             if double is not None or size > best / 2:
                 return None if double is None else _found(double, moves=bool(points))
-        if attempt < LINEARISED:
+        fresh = attempt < LINEARISED or size > LITTLE * best
+        if fresh:
             search.linearise()
             rough = max(LEAST_ROUGH, rough if attempt == 0 else size)
         best = size

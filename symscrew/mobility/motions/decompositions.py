@@ -23,15 +23,16 @@ def none(values: Array) -> float:
     return NONE_OF_60 if values.dtype == object else NONE
 
 
-def svd(matrix: Array) -> tuple[Array, Array, Array]:
-    """(U, singular values, V transposed), with all columns of U and all rows of V transposed."""
+def svd(matrix: Array, *, full: bool = True) -> tuple[Array, Array, Array]:
+    """(U, singular values, V transposed), with all columns of U and all rows of V transposed, or those with a value."""
     rows, columns = matrix.shape
     if matrix.dtype != object or not matrix.size:
-        u, s, vt = np.linalg.svd(matrix.astype(float) if matrix.size else np.zeros(matrix.shape))
+        given = matrix.astype(float) if matrix.size else np.zeros(matrix.shape)
+        u, s, vt = np.linalg.svd(given, full_matrices=full)
         return u, s, vt
     high = rows >= columns  # the library wants it so
-    given = CONTEXT.matrix((matrix if high else matrix.T).tolist())
-    u, s, vt = (np.array(part.tolist(), dtype=object) for part in CONTEXT.svd_r(given, full_matrices=True))
+    tall = CONTEXT.matrix((matrix if high else matrix.T).tolist())
+    u, s, vt = (np.array(part.tolist(), dtype=object) for part in CONTEXT.svd_r(tall, full_matrices=full))
     return (u, s[:, 0], vt) if high else (vt.T, s[:, 0], u.T)
 
 
@@ -58,5 +59,5 @@ def row_space(rows: Array) -> Array:
     rows = rows[sizes > 0] / sizes[sizes > 0][:, None]
     if not len(rows):
         return np.zeros((0, rows.shape[1]))
-    _, s, vt = svd(rows)
-    return np.asarray(vt[: len(s)][s > none(rows) * s[0]])
+    _, s, vt = svd(rows, full=False)  # of hundreds of rows of six all columns of U would take minutes
+    return np.asarray(vt[s > none(rows) * s[0]])

@@ -13,7 +13,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from math import gcd, lcm
+from fractions import Fraction
+from math import gcd, isqrt, lcm
 from typing import Any
 
 import numpy as np
@@ -27,6 +28,7 @@ from symscrew.mobility.symbols.atoms import atoms_of
 from symscrew.mobility.symbols.exact_field import Field
 from symscrew.mobility.symbols.exact_numbers import NotDecidableError, Number
 from symscrew.mobility.symbols.half_angles import Angle, shared_factor, terms_as_forms
+from symscrew.mobility.symbols.square_classes import SquareClasses, is_square
 
 Poly = Any
 """An element of the ring: SymPy's `PolyElement`, which is generic in a way that type checkers do not follow."""
@@ -84,7 +86,7 @@ class Generators:
         self._places: dict[frozenset[tuple[sympy.Symbol, sympy.Expr]], list[Any]] = {}
         self._factors: dict[Poly, list[Poly]] = {}
         self._replaced: dict[sympy.Expr, Quotient] = {}
-        self._radicands: list[Poly] = [self.ring.one]
+        self._radicands = SquareClasses()
         self._roots: list[tuple[Poly, Poly]] = []
         for root in reversed(roots):
             self._define_root(root)
@@ -299,13 +301,13 @@ class Generators:
         for factor, power in factors:
             outside = self.product(outside, factor ** (power // 2))
             rest = self.product(rest, factor ** (power % 2))
-        top = sympy.sqrt(sympy.Rational(int(coefficient.numerator), int(coefficient.denominator)))
-        if top.is_Rational:
-            outside = outside * sympy.QQ(int(top.p), int(top.q))
+        number = _fraction(coefficient)
+        if rational := is_square(number):
+            outside = outside * QQ(isqrt(number.numerator), isqrt(number.denominator))
         else:
             rest = rest * coefficient
         here = outside
-        if not rest.is_ground or not top.is_Rational:
+        if not rest.is_ground or not rational:
             here = self.product(outside, self._root_of(rest, root))
         sign = 1 if self.number(here) * self.number(inner.denominator) >= 0 else -1
         self._replaced[root] = Quotient(sign * here, inner.denominator)
@@ -334,23 +336,15 @@ class Generators:
         for known, generator in self._roots:
             if known == radicand:
                 return generator
-        self._check_independent(radicand)
+        coefficient, factors = radicand.factor_list()
+        if not self._radicands.added(_fraction(coefficient), (factor for factor, power in factors if power % 2)):
+            raise NotPolynomialError("square roots that are products of each other")  # there would be divisors of zero
         generator = self.atoms[root]
         self._roots.append((radicand, generator))
         self._relations.insert(0, generator**2 - radicand)
         self._back[self.ring.symbols[list(self.atoms).index(root)]] = sympy.sqrt(self.expression(radicand))
         self._places.clear()
         return generator
-
-    def _check_independent(self, radicand: Poly) -> None:
-        """A new root must not be a product of earlier ones, or the ring would have divisors of zero."""
-        for products in list(self._radicands):
-            together = products * radicand
-            coefficient, factors = together.factor_list()
-            number = sympy.sqrt(sympy.Rational(int(coefficient.numerator), int(coefficient.denominator)))
-            if number.is_Rational and all(power % 2 == 0 for _, power in factors):
-                raise NotPolynomialError("square roots that are products of each other")
-        self._radicands += [products * radicand for products in self._radicands]
 
     def _read(self, e: sympy.Expr) -> Quotient:
         one = self.ring.one
@@ -383,6 +377,10 @@ class Generators:
             top, bottom = self.normal(base.numerator**power), self.normal(base.denominator**power)
             return Quotient(top, bottom) if e.exp > 0 else Quotient(bottom, top)
         raise NotPolynomialError(f"{e} is neither rational in the parameters nor a sine, cosine or square root")
+
+
+def _fraction(number: Any) -> Fraction:
+    return Fraction(int(number.numerator), int(number.denominator))
 
 
 def _leading(relation: Poly) -> tuple[int, int]:

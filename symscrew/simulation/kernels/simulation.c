@@ -11,7 +11,7 @@ typedef struct {
     double earlier_error;
     double rtol, atol, longest, shortest;
     int method, started;
-    long steps, rejected, careful, evaluations;
+    long steps, rejected, careful, evaluations, crawling; /* `crawling`: steps in a row that lead nowhere */
     long budget;
     int reason;        /* why the last step failed */
     int event;         /* the contact whose mode has ended */
@@ -551,8 +551,12 @@ int simulation_advance(Simulation *s, long most, const double *times, size_t cou
 #endif
             continue;
         }
-        end = event.contact >= 0 ? step->t + event.part * step->h : end;
-        whole = event.contact < 0;
+        if (event.contact >= 0) {
+            end = step->t + event.part * step->h;
+            /* What is held lets go behind the instant, by its last digits: before it, it would be held again. */
+            end = held(event.contact) ? fmin(end + LATE * fabs(end), step->t + step->h) : end;
+            whole = 0;
+        }
 #endif
         const int regular = step->pivot > 0.5 * PIVOT && !step->careful; /* a secant will do */
         const double rate = regular ? (step->pivot - s->pivot) / step->h : pivot_rate(step->q, step->v);
@@ -605,6 +609,11 @@ int simulation_advance(Simulation *s, long most, const double *times, size_t cou
             return NOT_CLOSED;
         }
 #endif
+        s->crawling = step->h < CRAWL * times[count - 1] ? s->crawling + 1 : 0;
+        if (s->crawling > MOST_CRAWLING) {
+            s->evaluations += evaluations;
+            return STEP_TOO_SMALL;
+        }
         s->fresh = 0;
         s->started = step->until > 0.0 ? 0 : s->started; /* behind a break the slope is another one */
         s->rest = end == step->t + step->h ? ((step->t - end) + step->h) + step->rest : 0.0;
