@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 from symscrew.cli.help import DONE, FAILED, UsageError
 from symscrew.cli.shared_options import add_mechanism, add_no_cache, check_folder, settings
 from symscrew.errors import shorten
+from symscrew.garbage import nothing_to_collect
 from symscrew.whole_files import write_text
 
 if TYPE_CHECKING:
@@ -95,7 +96,8 @@ def run(options: argparse.Namespace) -> int:
     writer = writers[suffix] if suffix is not None else None
 
     def made() -> Outcome:
-        return _made(options, mechanism, at, writer)
+        with nothing_to_collect():
+            return _made(options, mechanism, at, writer)
 
     found = made() if anew else once("mobility", given, made)
     if options.json:

@@ -346,6 +346,12 @@ def test_a_stop_met_at_a_change_point_is_refused() -> None:
     assert not found.ok and "belongs to none of them" in found.events[0], found.status
     beside = EndStop("A0", lower=repr(float(-np.pi / 2 + 1e-6)), restitution="0.5", mode="impact")
     assert simulate(Scene("s", bars, (fall, beside), 1.2, 20.0, Initial(rates={"A0": -1.0}))).accurate
-    rhombus = four_bars(1)  # whose coupler and other crank may turn on there, about one point: steps of 1e-14 s
-    stopped = simulate(Scene("s", rhombus, (fall, stop), 1.2, 20.0, Initial(rates={"A0": -1.0})))
+
+
+@pytest.mark.slow  # a thousand steps, each looked at with care
+def test_a_run_that_crawls_ends() -> None:
+    """A rhombus, whose coupler and other crank may turn on where it is flat, about one point: steps of 1e-14 s."""
+    stop = EndStop("A0", lower=repr(float(-np.pi / 2)), mode="impact")
+    fall, start = Gravity((0, "-9.81", 0)), Initial(rates={"A0": -1.0})
+    stopped = simulate(Scene("s", four_bars(1), (fall, stop), 1.2, 20.0, start))
     assert "the step had to become too small" in stopped.status and stopped.counters["steps"] < 2000
