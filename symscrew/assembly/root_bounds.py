@@ -150,7 +150,10 @@ def regular_bound(held: Held) -> Bound | str:
 
 
 def _bound(ideals: Sequence[ClosureIdeal], how: str, *, regular: bool = False, seconds: float = SECONDS) -> Bound | str:
-    """The largest of the bounds of these ideals, or why one of them has none."""
+    """The largest of the bounds of these ideals, or why one of them has none.
+
+    What is found is kept, and how long was looked for what was not.
+    """
     programs = [ideal.program(regular=regular) for ideal in ideals]
     key = _key(programs)
     stored = stored_entries().get(key)
@@ -159,13 +162,18 @@ def _bound(ideals: Sequence[ClosureIdeal], how: str, *, regular: bool = False, s
         return Bound(count, dimension, how)
     with entry(key) as kept:
         content = kept.read()
-        if content is not None:
-            count, dimension = json.loads(content)
+        known = None if content is None else json.loads(content)
+        if isinstance(known, list):
+            count, dimension = known
             return Bound(count, dimension, how)
+        if known is not None and seconds <= known:
+            return _not_ended(known)
         bounds = list[Bound]()
         for ideal, program in zip(ideals, programs, strict=True):
             found = _run(program, ideal.covers, how, seconds)
             if isinstance(found, str):
+                if found == _not_ended(seconds):
+                    kept.write(json.dumps(seconds).encode())
                 return found
             bounds.append(found)
         largest = max(bounds, key=lambda bound: (bound.dimension, bound.count))
@@ -188,13 +196,17 @@ def stored_entries() -> Mapping[str, Any]:
     return dict(json.loads(STORED.read_text())) if STORED.is_file() else {}
 
 
+def _not_ended(seconds: float) -> str:
+    return f"the Groebner basis did not end within {seconds:g} s of the processor"
+
+
 def _run(script: str, covers: int, how: str, seconds: float) -> Bound | str:
     answer = algebra_answer(script, seconds)
     if answer is None:
         return f"a bound needs the program {ALGEBRA_PROGRAM}, which is not on the path"
     output, ended = answer
     if not ended:
-        return f"the Groebner basis did not end within {seconds:g} s of the processor"
+        return _not_ended(seconds)
     found = re.search(r"@zeros (-?\d+) (-?\d+)", output)
     if found is None:
         return f"{ALGEBRA_PROGRAM} did not accept the equations"

@@ -9,6 +9,7 @@ import pytest
 import sympy
 
 from symscrew import load_catalogue
+from symscrew.assembly import root_bounds
 from symscrew.assembly.all_modes import structure_of
 from symscrew.assembly.families import COMPLEX
 from symscrew.assembly.residues import LARGEST_PRIME, Residue, residues_of
@@ -141,6 +142,19 @@ def test_exact_numbers_count_what_residues_do(name, drives, count):
     if isinstance(bound, str):
         pytest.skip(bound)
     assert (exact.count, exact.dimension) == (count, 0) == (bound.count, bound.dimension)
+
+
+def test_a_basis_that_does_not_end_is_not_tried_again_for_as_long(monkeypatch):
+    tried = []
+
+    def without_end(script, seconds):
+        tried.append(seconds)
+        return "", False
+
+    monkeypatch.setattr(root_bounds, "algebra_answer", without_end)
+    held = held_by(load_catalogue("four_bar"), {"A": "0.123"}, {})
+    told = [exact_bound(held, seconds) for seconds in (2.0, 2.0, 1.0, 3.0)]
+    assert tried == [2.0, 3.0] and "within 2 s" in told[2] and "within 3 s" in told[3]
 
 
 def test_angles_far_from_one_another_are_not_tried_exactly():
