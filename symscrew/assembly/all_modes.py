@@ -100,8 +100,8 @@ class AssemblyModes:
     """All real solutions of a mechanism for what is held, and the account of all paths.
 
     `held`: values by coordinate, as the description counts them. `bound`: on isolated complex solutions, or None.
-    `complete`: "proved", where nothing is left to be solved; "bounded", as many certified solutions as a bound allows,
-    which has probability one; "regular", the same of all solutions but singular ones; "tracked" or "sampled"; `why`
+    `complete`: "proved", as many certified solutions as exact numbers count; "bounded", as many as a bound allows that
+    is right with probability one; "regular", the same of all solutions but singular ones; "tracked" or "sampled"; `why`
     says what it rests on. `out_of_reach`: solutions of the closure that the joints of a limb do not reach. `family`: of
     which the mechanism is a member. `columns`: displacements of what is held, in the order of `held`, then of
     `followers`, which couplings settle. `chosen`: the columns that hold it, of more drives than freedoms those that are

@@ -10,11 +10,10 @@ from __future__ import annotations
 
 from fractions import Fraction
 from math import gcd
-from random import Random
 from typing import Any
 
 from symscrew.assembly.closure_ideal import ClosureIdeal, Exactly, Written
-from symscrew.assembly.residues import LARGEST_PRIME, Angle, NumbersOf, Residue
+from symscrew.assembly.residues import Angle, NumbersOf, Residue
 from symscrew.assembly.what_is_held import Held
 from symscrew.mobility import Exact, Field, NotDecidableError
 
@@ -28,10 +27,10 @@ class Told(Residue):
 
     __slots__ = ("exact", "field", "text")
 
-    def __init__(self, number: Residue, field: FieldInWords, exact: Exact | None, text: str = "") -> None:
+    def __init__(self, number: Residue, field: Exactly, exact: Exact | None, text: str = "") -> None:
         super().__init__(number.value, number.rest, number.prime)
         self.field, self.exact = field, exact
-        self.text = text if exact is None else field.words(exact)
+        self.text = text if exact is None else field.exact(exact) or "0"
 
     def _told(self, other: Any) -> Told:
         if isinstance(other, Told):
@@ -82,25 +81,17 @@ class Told(Residue):
         return self
 
 
-class FieldInWords(Exactly):
-    """A field whose numbers are told in words."""
-
-    def words(self, number: Exact) -> str:
-        """A number; 0 too."""
-        return self.exact(number) or "0"
-
-
 class InTangent(Written):
     """Numbers of a field, and t: as `Exactly`, with powers of the point of the circle."""
 
     def __init__(self, field: Field) -> None:
-        self.words = FieldInWords(field)
-        super().__init__("(0,t)", dict(zip(self.words.unknowns, self.words.equations, strict=True)), field.degree)
+        self.exactly = Exactly(field)
+        super().__init__("(0,t)", dict(zip(self.exactly.unknowns, self.exactly.equations, strict=True)), field.degree)
 
     def text(self, number: Any) -> str:
         """A number, or nothing where it is zero."""
         if not isinstance(number, Told) or number.exact is not None:
-            return self.words.exact(number.exact if isinstance(number, Told) else Fraction(int(number)))
+            return self.exactly.exact(number.exact if isinstance(number, Told) else Fraction(int(number)))
         return f"({number.text})"
 
 
@@ -108,8 +99,7 @@ class _InTangent(NumbersOf):
     """The numbers with words."""
 
     def ideal(self) -> ClosureIdeal:
-        self.prime, self.roots = self._prime(LARGEST_PRIME)
-        self.tangent = Random(self.prime).randrange(self.prime)
+        self.take_prime()
         self.written = InTangent(self.field)
         multiples = [int(fraction * self.unit) for fraction in self.fractions.values()]
         self.common = gcd(*multiples) or 1
@@ -120,12 +110,12 @@ class _InTangent(NumbersOf):
         return ClosureIdeal(structure, slots, self.written, tuple(_powers(largest)))
 
     def _read(self, value: Any) -> Any:
-        return (
-            value if isinstance(value, Told) else Told(super()._read(value), self.written.words, Fraction(int(value)))
-        )
+        if isinstance(value, Told):
+            return value
+        return Told(super()._read(value), self.written.exactly, Fraction(int(value)))
 
     def _exact(self, x: Exact) -> Any:
-        return Told(super()._exact(x), self.written.words, x)
+        return Told(super()._exact(x), self.written.exactly, x)
 
     def _circle(self, angle: Any) -> tuple[Any, Any]:
         cosine, sine = super()._circle(angle)
@@ -135,9 +125,9 @@ class _InTangent(NumbersOf):
         assert isinstance(a, Told) and isinstance(b, Told)
         if not k:
             return a, b
-        words, c, s = self.written.words, f"c{abs(k)}", f"s{k}" if k > 0 else f"(-s{-k})"
-        return (Told(cosine, words, None, f"({a.text}*{c}-{b.text}*{s})"),
-                Told(sine, words, None, f"({a.text}*{s}+{b.text}*{c})"))  # fmt: skip
+        field, c, s = self.written.exactly, f"c{abs(k)}", f"s{k}" if k > 0 else f"(-s{-k})"
+        return (Told(cosine, field, None, f"({a.text}*{c}-{b.text}*{s})"),
+                Told(sine, field, None, f"({a.text}*{s}+{b.text}*{c})"))  # fmt: skip
 
 
 def _powers(largest: int) -> list[str]:

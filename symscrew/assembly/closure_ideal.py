@@ -16,6 +16,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
+from symscrew.assembly.batch_equations import BatchEquations
 from symscrew.assembly.closure_structure import WIDTH, Group, Structure
 from symscrew.assembly.dual_forms import PRODUCT
 from symscrew.assembly.exact_slots import Algebraic
@@ -111,8 +112,9 @@ class ClosureIdeal:
         for k, (spin, motion) in enumerate(zip(structure.spins, spins_of(structure), strict=True)):
             lines += self._factor(len(structure.groups) + k, motion, self._unknowns(spin.group))
         equations = [*cuts]
-        for n, (square, linear) in enumerate(loops):
-            lines += self._loop(n)
+        ways = BatchEquations(structure).ways
+        for n, ((square, linear), way) in enumerate(zip(loops, ways, strict=True)):
+            lines += self._loop(n, [(factor.motion, factor.back) for factor in way])
             g = [f"g{n}_{i}" for i in range(8)]
             for form in square:
                 twice = [(form[i, j] * (1 if i == j else 2), i, j) for i in range(8) for j in range(i, 8)]
@@ -150,15 +152,8 @@ class ClosureIdeal:
         x, y, z = self.slots[group.slots[0]]
         return self.written.text(x * x + y * y + z * z) or "0"
 
-    def _loop(self, n: int) -> list[str]:
-        """The displacement around a loop as a product."""
-        structure, loop = self.structure, self.structure.loops[n]
-        one, two = structure.chains[loop.base], structure.chains[loop.body]
-        common = 0
-        while common < min(len(one), len(two)) and one[common] == two[common]:
-            common += 1
-        factors = [(k, True) for k in reversed(one[common:])] + [(k, False) for k in two[common:]]
-        factors += [(len(structure.groups) + k, back) for k, back in loop.spins]
+    def _loop(self, n: int, factors: Sequence[tuple[int, bool]]) -> list[str]:
+        """The displacement around a loop as a product of these, of which some are passed towards the ground."""
         lines = []
         before: list[str] = []
         for place, (k, back) in enumerate(factors):

@@ -149,11 +149,14 @@ class NumbersOf:
 
     def residues(self, most: int = LARGEST_PRIME) -> tuple[Structure, list[Any], int]:
         """As `residues_of` has them."""
-        prime, roots = self._prime(most)
-        self.prime, self.roots = prime, roots
-        self.tangent = Random(prime).randrange(prime)  # of half the angle that stands for the unit of held ones
+        self.take_prime(most)
         structure, slots = self.in_slots()
-        return structure, [s.rest if isinstance(s, Residue) else [c.rest for c in s] for s in slots], prime
+        return structure, [s.rest if isinstance(s, Residue) else [c.rest for c in s] for s in slots], self.prime
+
+    def take_prime(self, most: int = LARGEST_PRIME) -> None:
+        """Chooses the prime, the roots in it, and the tangent of half the angle that is the unit of held ones."""
+        self.prime, self.roots = self._prime(most)
+        self.tangent = Random(self.prime).randrange(self.prime)
 
     def in_slots(self) -> tuple[Structure, list[Any]]:
         """The structure with lengths in other units, and its numbers as they are read here."""
