@@ -86,12 +86,13 @@ class OwnInertia:
             given: joint -> its springdamper.
             off: flags of the file by which forces do not act.
         """
-        if given and self.inverse is None:
+        if not given:
+            return
+        if self.inverse is None:
             draft.ledger.lost("springdamper of a joint, for which the inertia is not known", len(given))
             return
+        yielding = np.diag(self.inverse)
         for joint, spring in given.items():
-            assert self.inverse is not None  # looked at before
-            yielding = np.diag(self.inverse)
             own = [value for name, value in zip(self.names, yielding, strict=True) if name == joint]
             inertia = len(own) / float(sum(own))
             if "damper" not in off:
