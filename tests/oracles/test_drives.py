@@ -103,6 +103,24 @@ def test_the_same_motion_by_other_names(rod, tmp_path: Path) -> None:
         np.testing.assert_allclose(other.u, first.u, atol=2 * other.wanted.uncertain * np.abs(first.u).max())
 
 
+@pytest.mark.parametrize(("noise", "told"), [(1e-6, True), (1e-2, False)])
+def test_samples_that_tell_no_accelerations_are_no_motion_for_drives(
+    rod, tmp_path: Path, noise: float, told: bool
+) -> None:
+    """Noise of so many radians on samples every 17 ms: divided by the square of that it is 0.003 or 30 rad/s^2 of 1.2.
+
+    What is said of the accelerations holds against the sine's own.
+    """
+    t = np.linspace(0, 1, 61)
+    samples = {"t": t, "pivot": 0.3 * np.sin(2 * t) + noise * np.random.default_rng(1).standard_normal(len(t))}
+    np.savez(tmp_path / "swing.npz", **samples)
+    found = drives(rod, tmp_path / "swing.npz", backend="casadi")
+    off = np.abs(found.a[:, 0] + 1.2 * np.sin(2 * t)).max() / np.abs(found.a).max()
+    assert found.ok == told == (off < 0.5)
+    assert found.agree and (told or "DO NOT TELL" in found.status)
+    assert off < 5 * found.wanted.uncertain
+
+
 @pytest.mark.parametrize("name", ["four_bar", pytest.param("three_ups_upu_s", marks=pytest.mark.slow)])
 def test_rates_of_goals_are_their_differences(name: str) -> None:
     """Of coordinates, quaternions' entries, places: along a motion by its Taylor polynomial, at random states."""

@@ -40,6 +40,8 @@ INSIDE = 1e-9  # of the largest: internal loads of which a state has fewer are e
 AGREED = 1e-8
 """Largest difference of drives and reactions between momentum screws and Newton-Euler, by the largest of each: rounding
 leaves 1e-12 in well-posed states and grows with their condition; a term that one of them lacks leaves far more."""
+UNKNOWN = 0.5
+"""Of the largest acceleration: where two polynomials through samples differ by more, even its sign is not known."""
 
 
 @dataclass(frozen=True, repr=False)
@@ -98,15 +100,22 @@ class DriveStudy:
 
     @property
     def ok(self) -> bool:
+        """Whether another method, where there is one, gave the same, for accelerations that are known."""
+        return self.agree and self.wanted.uncertain <= UNKNOWN
+
+    @property
+    def agree(self) -> bool:
         """Whether another method, where there is one, gave the same."""
         return self.difference is None or self.difference <= AGREED
 
     @property
     def status(self) -> str:
         """The verdict in a sentence."""
+        if self.wanted.uncertain > UNKNOWN:
+            return "THE SAMPLES DO NOT TELL ACCELERATIONS: smooth them, or take them more often and evenly"
         if self.difference is None:
             return "not compared with another method: it does not know all of these effects"
-        word = "agree" if self.ok else "DO NOT AGREE"
+        word = "agree" if self.agree else "DO NOT AGREE"
         return f"momentum screws and Newton-Euler {word}: {self.difference:.1e}"
 
     @property
