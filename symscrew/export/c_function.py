@@ -277,7 +277,9 @@ def unread(printed: Printed) -> list[str]:
     """Nothing is said of arguments that are not read or written."""
     gathered = printed.angles.gathered
     lines = printed.unused(printed.program.inputs, _read(printed))
-    lines += [f"    (void){printed.names[port.name]};" for port in printed.program.outputs if not port.size]
+    written = {name for name, _, _ in printed.stored}
+    names = [printed.names[port.name] for port in printed.program.outputs]
+    lines += [f"    (void){name};" for name in names if name not in written]  # empty, or zeros that are there already
     for name, which in (("sine", 1), ("cosine", 2)) if gathered else ():
         if all(entry[which] is None for entry in gathered):
             lines.append(f"    (void){name};")

@@ -67,6 +67,12 @@ def test_many_zeros_are_written_by_a_loop(zeros: int, loops: int) -> None:
     assert (f"WRITE(r, {3 + zeros}, CONSTANT(0.0));" in source(of)) == (not loops)
 
 
+@pytest.mark.parametrize("zeros", [RUN - 1, RUN])
+def test_an_output_of_zeros_that_are_there_already_is_not_read(zeros: int) -> None:
+    """Rates of a closed chain without a freedom: the body has nothing to write, and compilers warn of what it is given."""
+    assert ("(void)r;" in source(program(0, zeros))) == (zeros == RUN)
+
+
 def test_what_must_be_finite_is_summed_side_by_side(monkeypatch: pytest.MonkeyPatch) -> None:
     of = program()
     assert len(of.checked) < c_function.SUMS or "checked3" in source(of)
