@@ -46,7 +46,7 @@ from symscrew.algebra.naming import (
     named_wrench,
 )
 from symscrew.algebra.nodes import Node, Tape, in_sixty_digits, is_zero
-from symscrew.algebra.operations import ARITHMETIC, CONTEXT, apply_numpy, high_precision
+from symscrew.algebra.operations import ARITHMETIC, CONTEXT, apply_high_precision, apply_numpy, high_precision
 from symscrew.algebra.origins import QUANTITIES, Origin
 from symscrew.algebra.rank_volumes import (
     Grid,
@@ -127,6 +127,7 @@ __all__ = [
     "Volume",
     "Wrench",
     "add",
+    "apply_high_precision",
     "apply_numpy",
     "as_vector",
     "choose_pivot",

@@ -10,6 +10,7 @@ lowering            from nodes to a program
 passes              what is done to the nodes before: a table, a file each
 numpy_evaluation    programs on NumPy
 number_by_number    the same for a few states, on Python's own numbers
+sixty_digits        the same without rounding, to see what rounding does
 jacobians           derivatives of a program by its inputs, as a program; the gradient of its weighted results
 json_form           programs as lists that JSON holds
 asked               a mapping whose values are made when somebody asks for them
@@ -25,6 +26,7 @@ from symscrew.program.lanes import Pack, Packing, Vector, packed
 from symscrew.program.lowering import Function, NodeLimit, lower, roots_of, with_roots
 from symscrew.program.numpy_evaluation import evaluate, evaluate_iteration
 from symscrew.program.rank_revealing import RANK, SWITCH, RankRevealing, evaluate_rank_revealing, second_path
+from symscrew.program.sixty_digits import exact_results
 from symscrew.program.straight_line import (
     COUNTED,
     NO_ROTATION,
@@ -70,6 +72,7 @@ __all__ = [
     "evaluate",
     "evaluate_iteration",
     "evaluate_rank_revealing",
+    "exact_results",
     "from_lists",
     "jacobian",
     "lower",

@@ -4,16 +4,14 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-import mpmath
 import numpy as np
 import pytest
 from support.four_bars_in_a_row import n_four_bar
 
-from symscrew.algebra.operations import apply_high_precision
 from symscrew.description.builder import MechanismBuilder
 from symscrew.effects.gravity import Gravity
 from symscrew.model import Model, derive
-from symscrew.program import Program, evaluate
+from symscrew.program import Program, evaluate, exact_results
 from symscrew.scene import Scene, load_scene
 from symscrew.simulation.initial import initial_state
 from symscrew.simulation.motion import prepare
@@ -22,17 +20,6 @@ from symscrew.simulation.state_programs import Plant, plant
 from symscrew.simulation.turned_rounding import APART, Trial, trial, turned
 
 DELTA = "examples/scenes/hanging_delta.toml"
-
-
-def exact(program: Program, arrays: list[np.ndarray]) -> np.ndarray:
-    """The first output (n, size) of a program, computed with 60 digits and then rounded."""
-    found = []
-    for state in zip(*arrays, strict=True):
-        values = dict(enumerate(mpmath.mpf(float(x)) for array in state for x in array))
-        for target, op, args in program.instructions:
-            values[target] = apply_high_precision(op, [values[a] if type(a) is int else mpmath.mpf(a) for a in args])
-        found.append([float(values[s] if isinstance(s, int) else s) for s in program.results[0]])
-    return np.array(found)
 
 
 def judged(made: Plant, q: np.ndarray, v: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -47,7 +34,7 @@ def judged(made: Plant, q: np.ndarray, v: np.ndarray) -> tuple[np.ndarray, np.nd
     (other,), _ = evaluate(found.turned, inputs)
     size = (np.abs(a) / made.units).max(axis=1)
     limit = np.maximum(found.apart, found.part * size)
-    off = (np.abs(a - exact(found.slopes, inputs)) / made.units).max(axis=1)
+    off = (np.abs(a - exact_results(found.slopes, inputs)[0]) / made.units).max(axis=1)
     least = (np.abs(pivots) / found.pivots).min(axis=1)
     return least, (np.abs(a - other) / made.units).max(axis=1) / limit, off / (limit / APART)
 

@@ -69,7 +69,7 @@ def test_many_zeros_are_written_by_a_loop(zeros: int, loops: int) -> None:
 
 @pytest.mark.parametrize("zeros", [RUN - 1, RUN])
 def test_an_output_of_zeros_that_are_there_already_is_not_read(zeros: int) -> None:
-    """Rates of a closed chain without a freedom: the body has nothing to write, and compilers warn of what it is given."""
+    """Rates of a closed chain without a freedom: the body has nothing to write, and compilers warn of that."""
     assert ("(void)r;" in source(program(0, zeros))) == (zeros == RUN)
 
 

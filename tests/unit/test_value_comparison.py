@@ -7,9 +7,17 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from support import handmade
 from support.model_states import model
 
-from symscrew.generation.value_comparison import FLOOR, TOLERANCE, Results, compare_values, relative_difference
+from symscrew.generation.value_comparison import (
+    FLOOR,
+    ROUNDINGS,
+    TOLERANCE,
+    Results,
+    compare_values,
+    relative_difference,
+)
 
 NAN, INF = np.nan, np.inf
 
@@ -62,3 +70,25 @@ def test_a_status_of_its_own_and_numbers_in_place_of_none_fail() -> None:
 def test_relative_difference(expected: list[float], got: list[float], error: float) -> None:
     with np.errstate(all="raise"):
         assert relative_difference(np.array(expected), np.array(got)) == pytest.approx(error, rel=1e-3)
+
+
+def cancelling(size: float, off: float) -> tuple[bool, str]:
+    """(x + size) - size, whose target is off by so many times the evaluator's own rounding."""
+    of = {"y": lambda tape, x: [x[0] + x[1] - x[1] * x[2]]}
+    made = handmade.model(cancelling=handmade.program("cancelling", {"x": 3}, of))
+    at = np.array([[1 / 3, size, 1.0], [1 / 7, size, 1.0]])
+    made = replace(made, test_inputs={"cancelling": (at,)})
+    (array,), status = made("cancelling", at)
+    moved = array + off * np.abs(array - at[:, :1]).max()
+    return compare_values("C", made, {"cancelling": ((array,), status)}, lambda name, inputs: ((moved,), status))
+
+
+@pytest.mark.parametrize(
+    ("size", "off", "passes"),
+    [(1e6, 0.9 * ROUNDINGS, True), (1e6, 1.1 * ROUNDINGS, False), (1e8, 0.9 * ROUNDINGS, True), (1e9, 0.1, False)],
+)
+def test_where_rounding_does_more_the_limit_is_what_it_does(size: float, off: float, passes: bool) -> None:
+    """Of 1e6 rounding leaves 1e-10, of 1e8 1e-8, of 1e9 more than can tell a mistake."""
+    passed, text = cancelling(size, off)
+    assert passed == passes
+    assert ("own roundings there" in text) == (size < 1e9)
