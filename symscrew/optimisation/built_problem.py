@@ -23,6 +23,7 @@ from symscrew.errors import DescriptionError, did_you_mean
 from symscrew.optimisation.compiled_points import CompiledPoints
 from symscrew.optimisation.contradictions import check_problem
 from symscrew.optimisation.explanation import broken_rows, pressing_bounds, status_of
+from symscrew.optimisation.optimality import looked_at
 from symscrew.optimisation.plan_verdict import judged
 from symscrew.optimisation.point_model import PointModel
 from symscrew.optimisation.problem import Bounds, Conditions, Range, TrajectoryProblem
@@ -235,7 +236,11 @@ class OptimisationProblem:
                 break
         found = self._trajectory(given, answer, stats, (began, ready, clock()))
         found = found.told(statistics=replace(found.statistics, undefined=dict(undefined.most_common())))
-        return judged(found) if judge else found
+        if not (judge and found.solved):
+            return found
+        answered = (found.x, found.multipliers, found.bound_multipliers)
+        program = replace(self._program, lower=given.lower, upper=given.upper)
+        return judged(found.told(look=looked_at(program, given.known, answered, given.parameters)))
 
     def _changed(
         self,

@@ -23,6 +23,7 @@ from symscrew.optimisation.guess import Guess, first_guess, unit_scales
 from symscrew.optimisation.interruption import interruptible
 from symscrew.optimisation.many_starts import Attempt, Values, searched
 from symscrew.optimisation.motion_equations import PointEquations
+from symscrew.optimisation.optimality import looked_at
 from symscrew.optimisation.passages import passages
 from symscrew.optimisation.plan_verdict import judged
 from symscrew.optimisation.point_model import PointModel
@@ -47,6 +48,8 @@ METHODS: Mapping[str, Callable[[PointModel], Discretisation]] = {
 # Meshes tried after the first one; a motion that still misses its accuracy is handed out as it is, and `errors` and
 # `Trajectory.notes` say so.
 MOST_REFINEMENTS = 12
+# Times that a solver is sent on from a better motion near what it took for the best: one summit may lead to another.
+MOST_DESCENTS = 3
 # IPOPT from an earlier motion: of another problem, or of the same one on a coarser mesh. The barrier begins low (0.1 by
 # default), so that the start is not pushed into the middle of its bounds; a refined mesh begins nearer still.
 WARM: Mapping[str, Any] = {"warm_start_init_point": "yes", "mu_init": 1e-4}
@@ -276,6 +279,32 @@ def _once(
     until: float,
     start_options: Mapping[str, Any] = WARM,
 ) -> Trajectory:
+    """The optimum on a mesh; where a better motion is near what the solver found, what it finds from there."""
+    found = _solved(model, guess, warm=warm, say=say, began=began, until=until, start_options=start_options)
+    for _ in range(MOST_DESCENTS):
+        if found.better is None or time.perf_counter() >= until:
+            break
+        say("the solver stopped where the cost bends downwards: on, from a better motion near it")
+        other = _solved(model, guess, warm=None, say=say, began=clock(), until=until, begin=found.better)
+        spent = found.statistics + other.statistics
+        if not (other.ok and other.cost < found.cost):
+            return found.told(statistics=spent)
+        found = other.told(statistics=spent)
+    return found
+
+
+def _solved(
+    model: PointModel,
+    guess: Guess,
+    *,
+    warm: Trajectory | None,
+    say: Progress,
+    began: np.ndarray,
+    until: float,
+    start_options: Mapping[str, Any] = WARM,
+    begin: np.ndarray | None = None,
+) -> Trajectory:
+    """What the solver makes of a guess, of an earlier motion `warm`, or of the scaled unknowns `begin`."""
     ready = clock()
     transcribed = transcribe(model)
     unknowns = transcribed.unknowns
@@ -285,9 +314,10 @@ def _once(
     )
     arrays["u"] = control_points(transcribed, arrays["u"])
     start = np.clip(np.nan_to_num(unknowns.pack(arrays)), unknowns.lower, unknowns.upper)
-    if guess.trouble and warm is None:
+    if guess.trouble and warm is None and begin is None:
         return _not_started(transcribed, start, guess.trouble)
     scale = cost_scale_of(transcribed, start)
+    start = start if begin is None else begin
     program = assemble(transcribed.families, transcribed.linear, transcribed.cost, scale)
     say(f"program: {unknowns.size} unknowns, {len(program.labels)} constraints")
     limit = {} if until == np.inf else {"max_wall_time": max(until - time.perf_counter(), LEAST_TIME)}
@@ -311,10 +341,10 @@ def _once(
     status = status_of(word, success=bool(stats["success"]), broken=broken)
     say(f"{status} after {int(stats.get('iter_count', 0))} iterations")
     spent = replace(statistics_of(stats, ready - began, made - ready, done - made), undefined=told.counts)
+    rows = np.array(answer["lam_g"]).ravel()
     return Trajectory(
-        model.problem, transcribed, unknowns.unpack(x), x, np.array(answer["lam_g"]).ravel(),
-        pressure, float(answer["f"]) * scale, scale, ok, status,
-        spent, reasons, solved=ok,
+        model.problem, transcribed, unknowns.unpack(x), x, rows, pressure, float(answer["f"]) * scale, scale, ok,
+        status, spent, reasons, solved=ok, look=looked_at(program, unknowns, (x, rows, pressure)) if ok else None,
     )  # fmt: skip
 
 
