@@ -10,7 +10,7 @@ import casadi as ca
 import numpy as np
 import pytest
 from support.marks import slow
-from support.optimal_problems import bead, cart_pole_problem, rest_to_rest
+from support.optimal_problems import bead, cart_pole_problem, pendulum, rest_to_rest
 
 from symscrew import catalogue
 from symscrew.description import load_description
@@ -249,3 +249,20 @@ def test_a_solver_that_is_content_with_less_is_not_believed(built: bool) -> None
     assert found.status.startswith("not converged: the solver took it for solved by its own options, but ")
     assert "is missed at" in found.status
     assert solve(replace(posed, solver=Solver())).ok
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_errors_of_intervals_are_what_their_replays_miss(seed: int) -> None:
+    """Of a pendulum on coarse meshes, whose residuals integrate to next to nothing without its stiffness."""
+    random = np.random.default_rng(seed)
+    goal, duration = float(random.uniform(0.5, 3.0)), float(random.uniform(0.5, 2.0))
+    mesh = Transcription(intervals=int(random.integers(8, 14)))
+    found = solve(
+        TrajectoryProblem(
+            pendulum(), duration=duration, **rest_to_rest({"hinge": 0.0}, {"hinge": goal}), transcription=mesh,
+            accuracy=None,
+        )
+    )  # fmt: skip
+    estimated, replayed = found.errors.local, replay(found).local_errors
+    assert replayed.max() > 1e-8
+    np.testing.assert_allclose(estimated, replayed, rtol=0.2, atol=0.02 * replayed.max())
