@@ -120,7 +120,7 @@ def _solved(problem: TrajectoryProblem, out: Path, picture: Path | None, *, rate
 
     found = solve(problem, progress=lambda text: print(text, file=sys.stderr))
     write_plan(found, out, rate=rate)
-    again = replay(found) if found.ok else None
+    again = replay(found) if found.ok and found.model.equations.accelerates else None
     files = {"plan": out.read_bytes()}
     if picture is not None:
         from symscrew.optimisation import plot_plan  # brings Matplotlib

@@ -15,6 +15,10 @@ from symscrew.optimisation.result import Replay, Trajectory
 # A replay may end off the plan by so many times the accuracy that the mesh was refined to: its defects are known to
 # first order.
 REPLAYED = 2.0
+NOT_REPLAYED = (
+    "not replayed: accelerations do not follow from forces without mass or quasi-statically; whether the drives hold "
+    "the motion between the points was not looked at"
+)
 UNCURVED = "whether the cost bends upwards was not looked at: the pivots of its second derivatives do not tell"
 
 
@@ -34,7 +38,9 @@ def judged(trajectory: Trajectory) -> Trajectory:
     if accuracy is None:
         return trajectory  # no accuracy was asked for
     missed = _missed(trajectory, accuracy)
-    if not missed:
+    if not trajectory.model.equations.accelerates:
+        trajectory = trajectory.told(notes=(*trajectory.notes, NOT_REPLAYED))
+    elif not missed:
         played = replay(trajectory)
         trajectory = trajectory.told(replayed=played)
         missed = _off(trajectory, played, REPLAYED * accuracy[0])

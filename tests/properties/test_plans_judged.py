@@ -14,13 +14,24 @@ from support.optimal_problems import bead, cart_pole_problem, pendulum, rest_to_
 
 from symscrew import catalogue
 from symscrew.description import load_description
-from symscrew.effects import EndStop
+from symscrew.effects import EndStop, Gravity, QuasiStatic
+from symscrew.errors import DescriptionError
 from symscrew.optimisation import enclosed_functions, enclosures, plan_verdict
 from symscrew.optimisation.bounds_between import violations_of
 from symscrew.optimisation.built_problem import optimisation_problem
 from symscrew.optimisation.followed_branch import Branch
 from symscrew.optimisation.followed_motion import replay
-from symscrew.optimisation.problem import Bounds, Conditions, Distance, Solver, TrajectoryProblem, Transcription
+from symscrew.optimisation.joined_problem import JoinedProblem
+from symscrew.optimisation.joined_solution import solve_joined
+from symscrew.optimisation.problem import (
+    Bounds,
+    Conditions,
+    Distance,
+    Objective,
+    Solver,
+    TrajectoryProblem,
+    Transcription,
+)
 from symscrew.optimisation.result import Trajectory
 from symscrew.optimisation.solution import solve
 
@@ -266,3 +277,22 @@ def test_errors_of_intervals_are_what_their_replays_miss(seed: int) -> None:
     estimated, replayed = found.errors.local, replay(found).local_errors
     assert replayed.max() > 1e-8
     np.testing.assert_allclose(estimated, replayed, rtol=0.2, atol=0.02 * replayed.max())
+
+
+@pytest.mark.parametrize("what", ["massless", "quasi-static"])
+def test_what_cannot_be_replayed_is_called_so(what: str) -> None:
+    """A KeyError came of the search for forward dynamics."""
+    mechanism, effects = pendulum(), (Gravity(), QuasiStatic())
+    if what == "massless":
+        bodies = {name: replace(body, mass=None) for name, body in mechanism.bodies.items()}
+        mechanism, effects = replace(mechanism, bodies=bodies), ()
+    ends = rest_to_rest({"hinge": 0.0}, {"hinge": 1.0})
+    problem = TrajectoryProblem(
+        mechanism, effects, **ends, objectives=(Objective("jerk"),), transcription=Transcription(intervals=4)
+    )
+    found = solve(problem)
+    assert found.ok and found.replayed is None and plan_verdict.NOT_REPLAYED in found.notes
+    with pytest.raises(DescriptionError, match="accelerations do not follow"):
+        replay(found)
+    plan = solve_joined(JoinedProblem((problem, problem), (None,)))
+    assert plan.ok and all(plan_verdict.NOT_REPLAYED in part.notes for part in plan.parts)
