@@ -24,6 +24,7 @@ from symscrew.optimisation.compiled_points import CompiledPoints
 from symscrew.optimisation.contradictions import check_problem
 from symscrew.optimisation.explanation import broken_rows, pressing_bounds, status_of
 from symscrew.optimisation.optimality import looked_at
+from symscrew.optimisation.parameter_values import check_effects, check_parameters
 from symscrew.optimisation.plan_verdict import judged
 from symscrew.optimisation.point_model import PointModel
 from symscrew.optimisation.problem import Bounds, Conditions, Range, TrajectoryProblem
@@ -270,9 +271,13 @@ class OptimisationProblem:
             return problem
         result = replace(problem, **changed)
         check_problem(result)
+        system, acting = self._made.model.system, self._made.model.equations.acting
         difference = other_shape(problem, result, self._made.model)
         if difference:
             raise DescriptionError(f"{difference}; build another optimisation_problem for it")
+        if parameters is not None:
+            check_parameters(result, system.mechanism)
+            check_effects(result, system.mechanism, acting)
         return result
 
     def _numbers(self, problem: TrajectoryProblem) -> _Numbers:

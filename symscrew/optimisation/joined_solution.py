@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from symscrew.optimisation.cost_scale import cost_scale
 from symscrew.optimisation.explanation import broken_rows, pressing_bounds, status_of
 from symscrew.optimisation.interruption import interruptible
 from symscrew.optimisation.joined_plan import JoinedPlan
@@ -24,7 +25,6 @@ from symscrew.optimisation.problem import Conditions, TrajectoryProblem
 from symscrew.optimisation.refinement import refinement_of
 from symscrew.optimisation.result import Statistics, Trajectory
 from symscrew.optimisation.solution import (
-    LEAST_COST,
     LEAST_TIME,
     MOST_DESCENTS,
     MOST_REFINEMENTS,
@@ -224,9 +224,8 @@ def _ends(one: Joined, prepared: Sequence[Prepared]) -> np.ndarray:
 
 
 def _cost_scale(one: Joined, start: np.ndarray) -> float:
-    """A power of ten near the cost at the guess."""
-    value = abs(float(one.cost @ start) + sum(cost_of(f, start) for f in one.families))
-    return 10.0 ** round(float(np.log10(value))) if np.isfinite(value) and value > LEAST_COST else 1.0
+    """A power of ten near the cost at the guess, or of motions of typical size."""
+    return cost_scale(lambda x: float(one.cost @ x) + sum(cost_of(f, x) for f in one.families), start)
 
 
 def _carried(warm: _Found, one: Joined, scale: float) -> tuple[np.ndarray, np.ndarray] | None:

@@ -15,15 +15,17 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-from symscrew.errors import DescriptionError, did_you_mean
+from symscrew.errors import DescriptionError
 from symscrew.optimisation.collocation import Collocation
 from symscrew.optimisation.contradictions import check_inputs, check_problem
+from symscrew.optimisation.cost_scale import cost_scale
 from symscrew.optimisation.explanation import broken_rows, pressing_bounds, status_of
 from symscrew.optimisation.guess import Guess, first_guess, unit_scales
 from symscrew.optimisation.interruption import interruptible
 from symscrew.optimisation.many_starts import Attempt, Values, searched
 from symscrew.optimisation.motion_equations import PointEquations
 from symscrew.optimisation.optimality import looked_at
+from symscrew.optimisation.parameter_values import check_effects, described
 from symscrew.optimisation.passages import passages
 from symscrew.optimisation.plan_verdict import judged
 from symscrew.optimisation.point_model import PointModel
@@ -38,7 +40,6 @@ from symscrew.optimisation.transcription import Discretisation, Transcribed
 from symscrew.optimisation.warm_start import carried_multipliers, carried_unknowns
 
 LEAST_TIME = 1e-3  # [s] where the time is used up already: IPOPT refuses 0, and ends before its first iteration
-LEAST_COST = 1e-6  # a cost at the guess below this says nothing on its size: it is left as it is
 Progress = Callable[[str], None]
 METHODS: Mapping[str, Callable[[PointModel], Discretisation]] = {
     "radau": Collocation,
@@ -79,17 +80,11 @@ def prepare(problem: TrajectoryProblem) -> Prepared:
         DescriptionError: the problem names what does not exist, or contradicts itself.
     """
     check_problem(problem)
-    mechanism = problem.mechanism
-    chosen = {*problem.design, *problem.parameters}
-    for name in chosen:
-        if name not in mechanism.parameters:
-            raise DescriptionError(f"design: no parameter {name!r}; {did_you_mean(name, mechanism.parameters)}")
-    parameters = {n: replace(p, run_time=p.run_time or n in chosen) for n, p in mechanism.parameters.items()}
-    described = replace(mechanism, parameters=parameters)
+    mechanism = described(problem)
     elsewhere = any(
         conditions.mode for conditions in problem.conditions.values()
     )  # perhaps in no mode of the reference
-    equations = PointEquations(described, problem.effects, problem.independent, one_mode=not elsewhere)
+    equations = PointEquations(mechanism, problem.effects, problem.independent, one_mode=not elsewhere)
     if not equations.constant:
         return _prepared(problem, equations)
     try:
@@ -97,12 +92,13 @@ def prepare(problem: TrajectoryProblem) -> Prepared:
     except DescriptionError:
         found = None  # not for these conditions, or without regular equations
     if found is None or found.guess.parted or found.guess.trouble or equations.off_mode(found.guess.q):
-        return _prepared(problem, PointEquations(described, problem.effects, problem.independent))
+        return _prepared(problem, PointEquations(mechanism, problem.effects, problem.independent))
     return found
 
 
 def _prepared(problem: TrajectoryProblem, equations: PointEquations) -> Prepared:
     check_inputs(problem.inputs, {port.name: port.size for port, _ in equations.acting.own_inputs})
+    check_effects(problem, equations.system.mechanism, equations.acting)
     sizes = (len(equations.layout.z), len(equations.system.drives), len(equations.acting.states))
     model = PointModel(problem, equations, unit_scales(len(equations.labels), *sizes))
     if not equations.labels:
@@ -367,9 +363,8 @@ def _not_started(transcribed: Transcribed, start: np.ndarray, trouble: str) -> T
 
 
 def cost_scale_of(transcribed: Transcribed, start: np.ndarray) -> float:
-    """A power of ten near the cost at the guess."""
-    value = abs(float(transcribed.cost @ start) + sum(cost_of(f, start) for f in transcribed.families))
-    return 10.0 ** round(float(np.log10(value))) if np.isfinite(value) and value > LEAST_COST else 1.0
+    """A power of ten near the cost at the guess, or of motions of typical size."""
+    return cost_scale(lambda x: float(transcribed.cost @ x) + sum(cost_of(f, x) for f in transcribed.families), start)
 
 
 def check_bounds(transcribed: Transcribed) -> None:

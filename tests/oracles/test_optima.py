@@ -9,6 +9,8 @@ import numpy as np
 import pytest
 from support.optimal_problems import pendulum, slider
 
+from symscrew.description import Mechanism, MechanismBuilder
+from symscrew.errors import DescriptionError
 from symscrew.optimisation import (
     Bounds,
     Conditions,
@@ -125,3 +127,42 @@ def test_slopes_on_both_sides_of_the_threshold(slope: float, level: bool) -> Non
     pressure[0] = slope
     look = looked_at(program, unknowns, (np.zeros(unknowns.size), np.zeros(len(rows)), pressure))
     assert look.level == level and look.slope == pytest.approx(slope)
+
+
+# -- values of parameters ------------------------------------------------------------------------------------------
+
+
+def weighed(text: str = "m") -> Mechanism:
+    made = MechanismBuilder("weighed").parameter("m", 1, "kg").parameter("l", 1, "m")
+    made.body("mass", mass=text, com=[0, 0, "-l"])
+    made.joint("hinge", "R", parent="base", child="mass", point=[0, 0, 0], axes=[[0, 1, 0]], driven=True)
+    return made.point("tip", body="mass", at=[0, 0, "-2*l"]).build()
+
+
+SWING = {"start": Conditions({"hinge": 0.0}, at_rest=True), "end": Conditions({"hinge": 0.5}, at_rest=True)}
+
+
+@pytest.mark.parametrize("text", ["m", "m - 3/10", "2*m*m - 1"])
+def test_bodies_have_masses_that_bodies_can_have(text: str) -> None:
+    """A mass of -2 kg was called optimal."""
+    mechanism, mesh = weighed(text), Transcription(intervals=4)
+    with pytest.raises(DescriptionError, match=r"bodies\.mass\.mass: expected a mass of at least 0"):
+        solve(TrajectoryProblem(mechanism, **SWING, parameters={"m": -0.5}, transcription=mesh))
+    with pytest.raises(DescriptionError, match=r"design\.m: the range reaches -0\.5: bodies\.mass\.mass"):
+        solve(TrajectoryProblem(mechanism, **SWING, design={"m": (-0.5, 2.0)}, transcription=mesh))
+    built = optimisation_problem(TrajectoryProblem(mechanism, **SWING, parameters={"m": 1.5}, transcription=mesh))
+    assert built.solve(parameters={"m": 1.2}).solved
+    with pytest.raises(DescriptionError, match="expected a mass of at least 0"):
+        built.solve(parameters={"m": -0.5})
+
+
+@pytest.mark.parametrize("size", [1e-3, 3.0, 1e3])
+def test_another_size_is_derived_for_what_it_is(size: float) -> None:
+    """What lengths are divided by is that of the values; moments of a mass go with the square of its arm."""
+    problem = TrajectoryProblem(
+        weighed(), (), **SWING, parameters={"l": size}, transcription=Transcription(intervals=8), accuracy=None
+    )
+    found, usual = solve(problem), solve(replace(problem, parameters={"l": 1.0}))
+    derived = size if not 0.25 <= size <= 4 else 1.0
+    assert found.ok and found.model.system.length == pytest.approx(derived * usual.model.system.length)
+    assert found.cost == pytest.approx(usual.cost * size**4, rel=1e-5, abs=0)

@@ -16,7 +16,7 @@ from symscrew import catalogue
 from symscrew.description import load_description
 from symscrew.effects import EndStop, Gravity, QuasiStatic
 from symscrew.errors import DescriptionError
-from symscrew.optimisation import enclosed_functions, enclosures, plan_verdict
+from symscrew.optimisation import enclosed_functions, enclosures, mesh_errors, plan_verdict
 from symscrew.optimisation.bounds_between import violations_of
 from symscrew.optimisation.built_problem import optimisation_problem
 from symscrew.optimisation.followed_branch import Branch
@@ -243,7 +243,8 @@ def test_errors_that_grow_are_judged_where_they_arise() -> None:
     problem = cart_pole_problem(Transcription("radau", 3, 20))
     upright = rest_to_rest({"slide": 0.0, "hinge": math.pi}, {"slide": 0.5, "hinge": math.pi})
     found = solve(replace(problem, **upright, duration=3.0, accuracy=(5e-7, 1e-9)))
-    assert found.ok and found.errors.growth > 1e4 and found.errors.drift > 5e-7
+    # those that arise late grow less: in the mean e^(5.8 * 3) = 4e7 is a few thousand
+    assert found.ok and found.errors.growth > 10 * mesh_errors.MOST_GROWTH and found.errors.drift > 5e-7
     assert found.errors.judged.sum() <= 5e-7 and len(found.mesh) < 200
     assert replay(found).end_error > 1e-3  # what no mesh can help; each interval by itself is as planned
     assert replay(found).local_errors.sum() <= 1e-6
