@@ -99,8 +99,11 @@ def looked_at(
     fall = matrix.negative(CURVATURE)
     if not fall:
         return Look(slope, curved=fall is not None)
+    down = matrix.way_down()
+    if down is None:
+        return Look(slope, curved=False)
     way = np.zeros(len(x))
-    way[free] = matrix.way_down()
+    way[free] = down
     for sign, step in ((sign, step) for step in STEPS for sign in (1.0, -1.0)):
         other = _back(program, unknowns, x + sign * step * way, p)
         if other is not None and (gain := at.cost - other.cost) > GAIN * max(1.0, abs(at.cost)):
@@ -157,6 +160,8 @@ class _Curvature:
         matrix = sp.bmat([
             [self.curved + added * sp.diags(self.mass), self.jacobian.T], [self.jacobian, -sp.diags(self.soft)]
         ]).tocsc()  # fmt: skip
+        if not np.isfinite(matrix.data).all():
+            raise RuntimeError("not finite")
         return splu(matrix, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True})
 
     def negative(self, added: float) -> int | None:
@@ -170,11 +175,13 @@ class _Curvature:
             return None
         return max(int((pivots < 0).sum()) - len(self.soft), 0)
 
-    def way_down(self) -> np.ndarray:
-        """The direction of least curvature, of mean square one, by inverse iteration from beyond it."""
+    def way_down(self) -> np.ndarray | None:
+        """The direction of least curvature, of mean square one, by inverse iteration from beyond it; None without."""
         added = CURVATURE
-        while self.negative(added) != 0 and added < MOST_CURVED:
+        while self.negative(added) != 0:
             added *= 10.0
+            if added > MOST_CURVED:
+                return None
         factors = self.factors(added)
         way = np.random.default_rng(1).standard_normal(len(self.mass))
         for _ in range(TURNS):
@@ -187,7 +194,7 @@ def _back(program: NonlinearProgram, unknowns: Unknowns, x: np.ndarray, p: np.nd
     """The point on the constraints near x by least changes; None where there is none in a few steps."""
     for at in _steps_back(program, unknowns, x, p):
         missed = np.maximum(np.maximum(program.lower - at.rows, at.rows - program.upper), 0.0)
-        if not np.isfinite(missed).all() or not np.isfinite(at.cost):
+        if not (np.isfinite(missed).all() and np.isfinite(at.cost) and np.isfinite(at.jacobian.data).all()):
             return None
         if missed.max(initial=0.0) <= ON:
             return at

@@ -120,6 +120,17 @@ def test_saddles_are_told_from_valleys_as_by_eigenvalues(seed: int) -> None:
             assert look.gain > 0 and float(program.gradient(look.better, [])[0]) == pytest.approx(-look.gain)
 
 
+@pytest.mark.parametrize("bad", [np.nan, np.inf])
+def test_curvature_that_is_not_finite_is_not_judged(bad: float) -> None:
+    program, unknowns, rows = quadratic(1, indefinite=False)
+    x, p, sigma, lam = (ca.MX.sym(*shape) for shape in (("x", unknowns.size), ("p", 0), ("s",), ("l", len(rows))))
+    upper = np.triu(np.ones((unknowns.size, unknowns.size)))
+    upper[0, 0] = bad
+    program = replace(program, hessian=ca.Function("hessian", [x, p, sigma, lam], [ca.sparsify(ca.DM(upper))]))
+    look = looked_at(program, unknowns, (np.zeros(unknowns.size), np.zeros(len(rows)), np.zeros(unknowns.size)))
+    assert look.level and not look.curved and look.better is None
+
+
 @pytest.mark.parametrize(("slope", "level"), [(0.9 * SLOPE, True), (1.1 * SLOPE, False)])
 def test_slopes_on_both_sides_of_the_threshold(slope: float, level: bool) -> None:
     program, unknowns, rows = quadratic(1, indefinite=False)
