@@ -237,11 +237,15 @@ class OptimisationProblem:
                 break
         found = self._trajectory(given, answer, stats, (began, ready, clock()))
         found = found.told(statistics=replace(found.statistics, undefined=dict(undefined.most_common())))
-        if not (judge and found.solved):
-            return found
-        answered = (found.x, found.multipliers, found.bound_multipliers)
-        program = replace(self._program, lower=given.lower, upper=given.upper)
-        return judged(found.told(look=looked_at(program, given.known, answered, given.parameters)))
+        return self._judged(found, given) if judge else found
+
+    def _judged(self, found: Trajectory, given: _Numbers) -> Trajectory:
+        """A motion with its verdict; slopes and curvature are those of the program with its numbers."""
+        if found.solved:
+            answered = (found.x, found.multipliers, found.bound_multipliers)
+            program = replace(self._program, lower=given.lower, upper=given.upper)
+            found = found.told(look=looked_at(program, given.known, answered, given.parameters))
+        return judged(found)
 
     def _changed(
         self,

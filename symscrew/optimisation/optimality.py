@@ -81,7 +81,7 @@ def looked_at(
     p = np.zeros(program.p.numel()) if parameters is None else parameters
     x, rows, pressure = answer
     at = _at(program, x, p)
-    slope = _slope(program, unknowns, at, rows, pressure)
+    slope = _slope(program, unknowns, at, (rows, pressure))
     if not slope <= SLOPE:
         return Look(slope)
     free = np.flatnonzero(unknowns.lower < unknowns.upper)
@@ -122,8 +122,9 @@ def _matrix(values: ca.DM) -> sp.csc_matrix:
     return sp.csc_matrix((np.array(values.nonzeros()), pattern.row(), pattern.colind()), shape=pattern.shape)
 
 
-def _slope(program: NonlinearProgram, unknowns: Unknowns, at: _At, rows: np.ndarray, pressure: np.ndarray) -> float:
+def _slope(program: NonlinearProgram, unknowns: Unknowns, at: _At, multipliers: tuple[np.ndarray, np.ndarray]) -> float:
     """Largest slope of the Lagrangian, and pressure on bounds that are not near, as IPOPT scales them."""
+    rows, pressure = multipliers
     free = unknowns.lower < unknowns.upper
     slopes = (at.slope + at.jacobian.T @ rows + pressure)[free]
     loose = [
