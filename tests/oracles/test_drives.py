@@ -17,6 +17,7 @@ from symscrew.display.view import read_motion
 from symscrew.effects import DcMotor, DryFriction
 from symscrew.errors import DescriptionError
 from symscrew.mobility import inverse_kinematics
+from symscrew.reporting.motion_pages import motion_section
 from symscrew.runtime import load
 from symscrew.studies.given_motion import drives, load_motion, motion_of, study, study_json, study_text, write_study
 from symscrew.studies.given_motion.goals import SMALL, goals_of, quaternion_of, turn_of_vector
@@ -357,6 +358,7 @@ def test_what_lies_between_samples_is_told(rod, seed: int) -> None:
     text = f"{size!r}*sin({np.pi * rate * waves!r}*t)"
     blind = drives(rod, {"pivot": text}, duration=20 / rate, rate=rate, backend="casadi")
     assert blind.wanted.unseen > 0.9 and "too few samples" in study_text(blind)
+    assert any("Too few samples" in getattr(block, "text", "") for block in motion_section(blind).blocks)
     seen = drives(rod, {"pivot": text}, duration=20 / rate, rate=40 * rate, backend="casadi")
     assert seen.wanted.unseen < 0.01 and "too few samples" not in study_text(seen)
     assert np.abs(seen.u).max() > 2 * np.abs(blind.u).max()
