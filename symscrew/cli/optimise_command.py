@@ -76,9 +76,13 @@ EARLIER = "found in an earlier run of the same problem (times are those of then)
 def _solvers_aside() -> Iterator[None]:
     """What solvers print goes to the standard error, where progress is told: results stand on the standard output."""
     with redirect_stdout(sys.stderr):
-        kept = os.dup(1)
         try:
+            kept = os.dup(1)
             os.dup2(2, 1)
+        except OSError:  # one of them is closed
+            yield
+            return
+        try:
             yield
         finally:
             os.dup2(kept, 1)
