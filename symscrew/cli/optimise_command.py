@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import argparse
+import os
 import sys
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager, redirect_stdout
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -62,11 +64,29 @@ def run(options: argparse.Namespace) -> int:
         raise UsageError(f"--rate: expected samples per second above 0, got {options.rate:g}")
     words = (out.suffix, picture is not None, options.rate, options.time_limit, options.starts)
     written = {"plan": out, "picture": picture}
-    outcome = once_of_files("optimise", words, options.problem, lambda: _found(options, out, picture))
+    with _solvers_aside():
+        outcome = once_of_files("optimise", words, options.problem, lambda: _found(options, out, picture))
     return told(outcome, written, as_json=options.json, said=EARLIER)
 
 
 EARLIER = "found in an earlier run of the same problem (times are those of then); --no-cache solves it again"
+
+
+@contextmanager
+def _solvers_aside() -> Iterator[None]:
+    """What solvers print goes to the standard error, where progress is told: results stand on the standard output."""
+    with redirect_stdout(sys.stderr):
+        try:
+            kept = os.dup(1)
+            os.dup2(2, 1)
+        except OSError:  # one of them is closed
+            yield
+            return
+        try:
+            yield
+        finally:
+            os.dup2(kept, 1)
+            os.close(kept)
 
 
 def _found(options: argparse.Namespace, out: Path, picture: Path | None) -> Outcome:
@@ -104,7 +124,7 @@ def _solved(problem: TrajectoryProblem, out: Path, picture: Path | None, *, rate
 
     found = solve(problem, progress=lambda text: print(text, file=sys.stderr))
     write_plan(found, out, rate=rate)
-    again = replay(found) if found.ok else None
+    again = replay(found) if found.ok and found.model.equations.accelerates else None
     files = {"plan": out.read_bytes()}
     if picture is not None:
         from symscrew.optimisation import plot_plan  # brings Matplotlib

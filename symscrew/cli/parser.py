@@ -54,6 +54,7 @@ A further command is a file with `EXAMPLES`, `add_options` and `run` (`symscrew.
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run a command; returns the exit code."""
     none_at_the_end()
+    _open_streams()
     try:
         made = parser()
         if "_ARGCOMPLETE" in os.environ:
@@ -80,6 +81,17 @@ def main(arguments: Sequence[str] | None = None) -> int:
         if not _is_failure(error):
             raise
         return _fail(error, FAILED)
+
+
+def _open_streams() -> None:
+    """Let streams that were closed for the command lead nowhere.
+
+    Python has None for them, and print takes the standard output for an error stream that is None; the next file to be
+    opened would get their number, and lines of libraries in it.
+    """
+    for name, mode in (("stdin", "r"), ("stdout", "w"), ("stderr", "w")):
+        if getattr(sys, name) is None:
+            setattr(sys, name, open(os.devnull, mode, encoding="utf-8"))  # noqa: SIM115  # as long as the process
 
 
 def _refuse_empty(arguments: Sequence[str]) -> None:

@@ -86,6 +86,7 @@ def run(options: argparse.Namespace) -> int:
     from symscrew.studies.workspace import (
         AZIMUTH,
         TILT,
+        check_drawn,
         held_store,
         prepare_sweep,
         save_csv,
@@ -114,6 +115,7 @@ def run(options: argparse.Namespace) -> int:
     if expected is not None and not {TILT, AZIMUTH} <= {axis.name for axis in plan.axes}:
         raise UsageError("--expect-tilt needs the axes tilt and azimuth: --over tilt=0:20deg:21 azimuth=0:360deg:73")
     made = prepare_sweep(plan)
+    check_drawn(plan, made.model.mechanism)
     for axis in plan.axes:
         far = GivenValue(exact(max(axis.low, axis.high, key=abs)), axis.unit)
         if notice := far.notice(made.units.get(axis.name, ""), axis.name):

@@ -17,6 +17,7 @@ from symscrew.functions.effect_outputs import effect_functions
 from symscrew.functions.forward import (
     REASONS,
     SecondPath,
+    accelerates,
     closing_functions,
     driven,
     forward_functions,
@@ -76,6 +77,7 @@ __all__ = [
     "Quantity",
     "SecondPath",
     "a_port",
+    "accelerates",
     "acceleration_at",
     "all_reactions",
     "assembly",

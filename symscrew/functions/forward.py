@@ -26,8 +26,13 @@ class SecondPath:
     rows: tuple[float, ...]
     regular: int
 
-    def behind(self, first: Program, mark: TapeMark | None = None) -> RankRevealing:
-        """The program with this second path; `mark` as for `lower`."""
+    def behind(self, first: Program, mark: TapeMark | None = None) -> Program:
+        """The program with this second path, or alone where no pivot could ask for it; `mark` as for `lower`.
+
+        Pivots that are numbers, as of loops that gears alone close, ask for nothing.
+        """
+        if not first.guards:
+            return first
         wrenches = lower(self.wrenches, mark) if self.wrenches else None
         return RankRevealing(**vars(first), dense=lower(self.dense, mark), wrenches=wrenches, rates=self.rates,
                              rows=self.rows, regular=self.regular)  # fmt: skip

@@ -23,6 +23,8 @@ from symscrew.errors import DescriptionError, did_you_mean
 from symscrew.optimisation.compiled_points import CompiledPoints
 from symscrew.optimisation.contradictions import check_problem
 from symscrew.optimisation.explanation import broken_rows, pressing_bounds, status_of
+from symscrew.optimisation.optimality import looked_at
+from symscrew.optimisation.parameter_values import check_effects, check_parameters
 from symscrew.optimisation.plan_verdict import judged
 from symscrew.optimisation.point_model import PointModel
 from symscrew.optimisation.problem import Bounds, Conditions, Range, TrajectoryProblem
@@ -235,7 +237,15 @@ class OptimisationProblem:
                 break
         found = self._trajectory(given, answer, stats, (began, ready, clock()))
         found = found.told(statistics=replace(found.statistics, undefined=dict(undefined.most_common())))
-        return judged(found) if judge else found
+        return self._judged(found, given) if judge else found
+
+    def _judged(self, found: Trajectory, given: _Numbers) -> Trajectory:
+        """A motion with its verdict; slopes and curvature are those of the program with its numbers."""
+        if found.solved:
+            answered = (found.x, found.multipliers, found.bound_multipliers)
+            program = replace(self._program, lower=given.lower, upper=given.upper)
+            found = found.told(look=looked_at(program, given.known, answered, given.parameters))
+        return judged(found)
 
     def _changed(
         self,
@@ -265,9 +275,13 @@ class OptimisationProblem:
             return problem
         result = replace(problem, **changed)
         check_problem(result)
+        system, acting = self._made.model.system, self._made.model.equations.acting
         difference = other_shape(problem, result, self._made.model)
         if difference:
             raise DescriptionError(f"{difference}; build another optimisation_problem for it")
+        if parameters is not None:
+            check_parameters(result, system.mechanism)
+            check_effects(result, system.mechanism, acting)
         return result
 
     def _numbers(self, problem: TrajectoryProblem) -> _Numbers:

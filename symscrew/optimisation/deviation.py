@@ -5,7 +5,8 @@ of motion linearised along the plan, with that error as what drives it,
 
     d'' = A d + B d' - error,
 
-so what an interval contributes at the end is the integral of its error carried there by the transition matrices.
+so what an interval contributes at the end is the integral of its error carried there by the transition matrices, those
+within the interval included.
 The states of effects are left aside.
 """
 
@@ -42,13 +43,13 @@ class Deviation:
         n, d = len(steps), self.acceleration.shape[1]
         h, weights = steps[:, None], weights / 2
         error = self.acceleration.reshape(n, -1, d) * self.duration**2
-        rate = np.einsum("kpd,p->kd", error, weights) * h
-        place = np.einsum("kpd,p->kd", error, weights * (1 - nodes) / 2) * h**2
-        own = np.concatenate([place, rate], axis=1)
         mean = [np.einsum("kpij,p->kij", m.reshape(n, -1, d, d), weights) for m in (self.place, self.rate)]
         flow = np.zeros((n, 2 * d, 2 * d))
         flow[:, :d, d:] = np.eye(d)
         flow[:, d:, :d], flow[:, d:, d:] = mean
+        # carried within the interval as well: collocation leaves errors whose plain integrals all but vanish
+        left = flow[:, None] * (h * (1 - nodes) / 2)[:, :, None, None]
+        own = np.einsum("kpij,kpj,p->ki", _exponential(left)[..., d:], error, weights) * h
         transition = _exponential(flow * steps[:, None, None])
         carried, result = np.eye(2 * d), np.zeros(n)
         for k in reversed(range(n)):
@@ -103,7 +104,7 @@ def stacked(
 
 
 def _exponential(x: np.ndarray) -> np.ndarray:
-    """Exponentials of matrices (n, m, m) that are not large: the Taylor series of order 6 by Horner's rule."""
+    """Exponentials of matrices (..., m, m) that are not large: the Taylor series of order 6 by Horner's rule."""
     unit = np.eye(x.shape[-1])
     total = unit + x / 6
     for k in (5, 4, 3, 2, 1):

@@ -12,6 +12,7 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
+from symscrew.errors import DescriptionError
 from symscrew.functions import forward_functions
 from symscrew.optimisation.casadi_graph import numeric_function, symbolic_outputs
 from symscrew.optimisation.result import Replay, Trajectory
@@ -27,7 +28,12 @@ def replay(trajectory: Trajectory, *, tolerance: float = TOLERANCE) -> Replay:
     """Simulate the mechanism under the drives found, from the start of the motion.
 
     `tolerance`: change of the end [rad, m, rad/s, m/s] by halving the steps below which no more halving is tried.
+
+    Raises:
+        DescriptionError: accelerations do not follow from forces: without mass, or quasi-statically.
     """
+    if not trajectory.model.equations.accelerates:
+        raise DescriptionError("replay: accelerations do not follow from forces without mass, or quasi-statically")
     if trajectory.replayed is not None and tolerance == TOLERANCE:
         return trajectory.replayed
     stepper = Stepper(trajectory)

@@ -21,7 +21,7 @@ from symscrew.optimisation.followed_motion import Stepper, settled
 from symscrew.optimisation.joined_plan import JoinedPlan, Passed
 from symscrew.optimisation.joined_problem import Link
 from symscrew.optimisation.mesh_errors import MOST_GROWTH
-from symscrew.optimisation.plan_verdict import REPLAYED
+from symscrew.optimisation.plan_verdict import NOT_REPLAYED, REPLAYED
 from symscrew.optimisation.result import Trajectory
 from symscrew.program import Port, lower
 
@@ -116,6 +116,8 @@ def linked(plan: JoinedPlan) -> JoinedPlan:
     accuracy = plan.parts[0].problem.accuracy
     if accuracy is None or None in plan.problem.links:
         return plan
+    if not all(part.model.equations.accelerates for part in plan.parts):
+        return replace(plan, notes=(*plan.notes, NOT_REPLAYED))
     error = _chain(plan)
     plan = replace(plan, end_error=error)
     growth = float(np.prod([max(1.0, part.errors.growth) for part in plan.parts]))

@@ -11,20 +11,22 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from symscrew.optimisation.cost_scale import cost_scale
 from symscrew.optimisation.explanation import broken_rows, pressing_bounds, status_of
 from symscrew.optimisation.interruption import interruptible
 from symscrew.optimisation.joined_plan import JoinedPlan
 from symscrew.optimisation.joined_problem import JoinedProblem
 from symscrew.optimisation.joined_program import Joined, joined
 from symscrew.optimisation.joined_replay import linked
+from symscrew.optimisation.optimality import Look, looked_at
 from symscrew.optimisation.plan_verdict import judged
 from symscrew.optimisation.point_model import PointModel
 from symscrew.optimisation.problem import Conditions, TrajectoryProblem
 from symscrew.optimisation.refinement import refinement_of
 from symscrew.optimisation.result import Statistics, Trajectory
 from symscrew.optimisation.solution import (
-    LEAST_COST,
     LEAST_TIME,
+    MOST_DESCENTS,
     MOST_REFINEMENTS,
     REFINING,
     Prepared,
@@ -51,6 +53,11 @@ class _Found:
     x: np.ndarray
     multipliers: np.ndarray
     joined: Joined
+
+    @property
+    def cost(self) -> float:
+        """Of all parts."""
+        return sum(part.cost for part in self.parts)
 
 
 def solve_joined(problem: JoinedProblem, *, progress: Progress | None = None) -> JoinedPlan:
@@ -112,7 +119,31 @@ def _once(
     say: Progress,
     until: float,
 ) -> _Found:
-    """One program, solved."""
+    """One program, solved; on from a better motion where one is near what the solver found."""
+    found = _solved(problem, models, prepared, warm, say=say, until=until)
+    for _ in range(MOST_DESCENTS):
+        begin = found.parts[0].better
+        if begin is None or time.perf_counter() >= until:
+            break
+        say("the solver stopped where the cost bends downwards: on, from better motions near it")
+        other = _solved(problem, models, prepared, None, say=say, until=until, begin=begin)
+        if not (other.parts[0].ok and other.cost < found.cost):
+            break
+        found = other
+    return found
+
+
+def _solved(
+    problem: JoinedProblem,
+    models: Sequence[PointModel],
+    prepared: Sequence[Prepared],
+    warm: _Found | None,
+    *,
+    say: Progress,
+    until: float,
+    begin: np.ndarray | None = None,
+) -> _Found:
+    """What the solver makes of the guesses, of earlier motions `warm`, or of the scaled unknowns `begin`."""
     ready = clock()
     parts = [transcribe(model) for model in models]
     for part in parts:
@@ -125,6 +156,7 @@ def _once(
     start[rest:] = warm.x[-(len(start) - rest) :] if warm and len(start) > rest else _ends(one, prepared)
     start = np.clip(start, one.unknowns.lower, one.unknowns.upper)
     scale = _cost_scale(one, start)
+    start = start if begin is None else begin
     program = assemble(one.families, one.linear, one.cost, scale)
     labels = _labels(problem, one, program.labels)
     program = replace(program, labels=labels)
@@ -149,7 +181,8 @@ def _once(
     spent = replace(statistics_of(stats, clock() * 0, made - ready, clock() - made), undefined=told.counts)
     if warm:
         spent = warm.parts[0].statistics + spent
-    outcome = (ok, status, spent, reasons)
+    look = looked_at(program, one.unknowns, (x, rows, pressure)) if ok else None
+    outcome = (ok, status, spent, reasons, look)
     cut = [_part(one, k, (x, rows, pressure), scale=scale, outcome=outcome) for k in range(len(parts))]
     return _Found(tuple(cut), x, rows, one)
 
@@ -160,15 +193,15 @@ def _part(
     answer: tuple[np.ndarray, np.ndarray, np.ndarray],
     *,
     scale: float,
-    outcome: tuple[bool, str, Statistics, tuple[str, ...]],
+    outcome: tuple[bool, str, Statistics, tuple[str, ...], Look | None],
 ) -> Trajectory:
     """What unknowns, multipliers of rows and of bounds say of part k."""
-    (x, rows, pressure), part, (ok, status, spent, reasons) = answer, one.parts[k], outcome
+    (x, rows, pressure), part, (ok, status, spent, reasons, look) = answer, one.parts[k], outcome
     own = one.own(k, x)
     cost = float(part.cost @ own) + sum(cost_of(f, own) for f in part.families)
     return Trajectory(
         part.model.problem, part, part.unknowns.unpack(own), own, one.own_rows(k, rows), one.own(k, pressure), cost,
-        scale, ok, status, spent, reasons, solved=ok,
+        scale, ok, status, spent, reasons, solved=ok, look=look,
     )  # fmt: skip
 
 
@@ -191,9 +224,8 @@ def _ends(one: Joined, prepared: Sequence[Prepared]) -> np.ndarray:
 
 
 def _cost_scale(one: Joined, start: np.ndarray) -> float:
-    """A power of ten near the cost at the guess."""
-    value = abs(float(one.cost @ start) + sum(cost_of(f, start) for f in one.families))
-    return 10.0 ** round(float(np.log10(value))) if np.isfinite(value) and value > LEAST_COST else 1.0
+    """A power of ten near the cost at the guess, or of motions of typical size."""
+    return cost_scale(lambda x: float(one.cost @ x) + sum(cost_of(f, x) for f in one.families), start)
 
 
 def _carried(warm: _Found, one: Joined, scale: float) -> tuple[np.ndarray, np.ndarray] | None:
@@ -251,7 +283,7 @@ def _plan(problem: JoinedProblem, found: _Found, began: np.ndarray, reasons: tup
     first = found.parts[0]
     status = f"not started: {reasons[0]}" if reasons else first.status
     return JoinedPlan(
-        problem, found.parts, sum(part.cost for part in found.parts), bool(first.ok) and not reasons, status,
+        problem, found.parts, found.cost, bool(first.ok) and not reasons, status,
         first.statistics, (*reasons, *first.reasons),
     )  # fmt: skip
 

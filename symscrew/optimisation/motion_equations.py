@@ -28,6 +28,7 @@ from symscrew.errors import DescriptionError
 from symscrew.functions import (
     Equations,
     Motion,
+    accelerates,
     all_reactions,
     driven,
     effect_functions,
@@ -100,6 +101,11 @@ class PointEquations:
     def labels(self) -> tuple[str, ...]:
         """Labels of the independent coordinates y."""
         return self.loops.labels
+
+    @cached_property
+    def accelerates(self) -> bool:
+        """Whether accelerations follow from forces, so that a plan can be replayed: not without mass."""
+        return accelerates(self.system, self.effects, self.loops)
 
     @cached_property
     def layout(self) -> Layout:

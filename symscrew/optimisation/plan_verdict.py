@@ -15,6 +15,11 @@ from symscrew.optimisation.result import Replay, Trajectory
 # A replay may end off the plan by so many times the accuracy that the mesh was refined to: its defects are known to
 # first order.
 REPLAYED = 2.0
+NOT_REPLAYED = (
+    "not replayed: accelerations do not follow from forces without mass or quasi-statically; whether the drives hold "
+    "the motion between the points was not looked at"
+)
+UNCURVED = "whether the cost bends upwards was not looked at: the pivots of its second derivatives do not tell"
 
 
 def judged(trajectory: Trajectory) -> Trajectory:
@@ -23,13 +28,19 @@ def judged(trajectory: Trajectory) -> Trajectory:
         trajectory = trajectory.told(ok=True, status=STATUS["Solve_Succeeded"])
     if not trajectory.ok:
         return trajectory
+    if trajectory.look is not None and not trajectory.look.curved:
+        trajectory = trajectory.told(notes=(*trajectory.notes, UNCURVED))
     if trouble := trajectory.followed.trouble:
         return _refused(trajectory, "impossible", (trouble,))
+    if downhill := _downhill(trajectory):
+        return _refused(trajectory, "not confirmed", (downhill,))
     accuracy = trajectory.problem.accuracy
     if accuracy is None:
         return trajectory  # no accuracy was asked for
     missed = _missed(trajectory, accuracy)
-    if not missed:
+    if not trajectory.model.equations.accelerates:
+        trajectory = trajectory.told(notes=(*trajectory.notes, NOT_REPLAYED))
+    elif not missed:
         played = replay(trajectory)
         trajectory = trajectory.told(replayed=played)
         missed = _off(trajectory, played, REPLAYED * accuracy[0])
@@ -38,6 +49,18 @@ def judged(trajectory: Trajectory) -> Trajectory:
 
 def _refused(trajectory: Trajectory, word: str, reasons: tuple[str, ...]) -> Trajectory:
     return trajectory.told(ok=False, status=f"{word}: {reasons[0]}", reasons=(*reasons, *trajectory.notes))
+
+
+def _downhill(trajectory: Trajectory) -> str:
+    """Why what the solver found is no optimum, by its slopes and curvature; empty where they do not tell."""
+    look = trajectory.look
+    if look is None:
+        return ""
+    if not look.level:
+        return f"the solver stopped on a slope of {look.slope:.1e} (scaled), an optimum has none: a wide tolerance?"
+    if look.better is None:
+        return ""
+    return f"a motion near it costs {look.gain * trajectory.cost_scale:.2g} less, and none that is best was found there"
 
 
 def _missed(trajectory: Trajectory, accuracy: tuple[float, float]) -> tuple[str, ...]:

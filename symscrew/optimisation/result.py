@@ -16,10 +16,11 @@ import numpy as np
 from symscrew.optimisation.followed_branch import Branch, Followed
 from symscrew.optimisation.many_starts import Search
 from symscrew.optimisation.mesh_errors import Errors, costates_of, errors_of
+from symscrew.optimisation.optimality import Look
 from symscrew.optimisation.planned_motion import PlannedMotion
 
 # What is said of a motion, and nothing of what it is.
-WORDS = frozenset({"ok", "status", "statistics", "reasons", "refinements", "notes", "replayed", "search"})
+WORDS = frozenset({"ok", "status", "statistics", "reasons", "refinements", "notes", "replayed", "search", "look"})
 
 
 @dataclass(frozen=True)
@@ -82,7 +83,8 @@ class Trajectory(PlannedMotion):
     own vectors; `cost` is in the units of the objectives; `parameters` the design found, by name. `status` is one
     sentence, `reasons` say which constraints cannot be met, where; `notes` say what was not
     tried to make it more exact, or by which coordinates a passage was found; `replayed` is the replay that
-    confirmed it, None where none was made; `search` what came of other guesses, where several were asked for.
+    confirmed it, None where none was made; `search` what came of other guesses, where several were asked for; `look`
+    what slopes and curvature say of the solver's answer, None where it was not looked at.
     """
 
     x: np.ndarray
@@ -99,9 +101,15 @@ class Trajectory(PlannedMotion):
     replayed: Replay | None = None
     search: Search | None = None
     solved: bool = False
+    look: Look | None = None
 
     def __repr__(self) -> str:
         return f"<Trajectory {self.problem.name}: {self.duration:g} s, cost {self.cost:.6g}, {self.status}>"
+
+    @property
+    def better(self) -> np.ndarray | None:
+        """Scaled unknowns of a better motion near this one; None where none was found."""
+        return self.look.better if self.look else None
 
     def told(self, **words: Any) -> Trajectory:
         """The same motion with other words about it (`ok`, `status`, `notes` ...): looks at it are not made again."""

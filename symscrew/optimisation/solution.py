@@ -15,14 +15,17 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-from symscrew.errors import DescriptionError, did_you_mean
+from symscrew.errors import DescriptionError
 from symscrew.optimisation.collocation import Collocation
 from symscrew.optimisation.contradictions import check_inputs, check_problem
+from symscrew.optimisation.cost_scale import cost_scale
 from symscrew.optimisation.explanation import broken_rows, pressing_bounds, status_of
 from symscrew.optimisation.guess import Guess, first_guess, unit_scales
 from symscrew.optimisation.interruption import interruptible
 from symscrew.optimisation.many_starts import Attempt, Values, searched
 from symscrew.optimisation.motion_equations import PointEquations
+from symscrew.optimisation.optimality import looked_at
+from symscrew.optimisation.parameter_values import check_effects, described
 from symscrew.optimisation.passages import passages
 from symscrew.optimisation.plan_verdict import judged
 from symscrew.optimisation.point_model import PointModel
@@ -37,7 +40,6 @@ from symscrew.optimisation.transcription import Discretisation, Transcribed
 from symscrew.optimisation.warm_start import carried_multipliers, carried_unknowns
 
 LEAST_TIME = 1e-3  # [s] where the time is used up already: IPOPT refuses 0, and ends before its first iteration
-LEAST_COST = 1e-6  # a cost at the guess below this says nothing on its size: it is left as it is
 Progress = Callable[[str], None]
 METHODS: Mapping[str, Callable[[PointModel], Discretisation]] = {
     "radau": Collocation,
@@ -47,6 +49,8 @@ METHODS: Mapping[str, Callable[[PointModel], Discretisation]] = {
 # Meshes tried after the first one; a motion that still misses its accuracy is handed out as it is, and `errors` and
 # `Trajectory.notes` say so.
 MOST_REFINEMENTS = 12
+# Times that a solver is sent on from a better motion near what it took for the best: one summit may lead to another.
+MOST_DESCENTS = 3
 # IPOPT from an earlier motion: of another problem, or of the same one on a coarser mesh. The barrier begins low (0.1 by
 # default), so that the start is not pushed into the middle of its bounds; a refined mesh begins nearer still.
 WARM: Mapping[str, Any] = {"warm_start_init_point": "yes", "mu_init": 1e-4}
@@ -76,17 +80,11 @@ def prepare(problem: TrajectoryProblem) -> Prepared:
         DescriptionError: the problem names what does not exist, or contradicts itself.
     """
     check_problem(problem)
-    mechanism = problem.mechanism
-    chosen = {*problem.design, *problem.parameters}
-    for name in chosen:
-        if name not in mechanism.parameters:
-            raise DescriptionError(f"design: no parameter {name!r}; {did_you_mean(name, mechanism.parameters)}")
-    parameters = {n: replace(p, run_time=p.run_time or n in chosen) for n, p in mechanism.parameters.items()}
-    described = replace(mechanism, parameters=parameters)
+    mechanism = described(problem)
     elsewhere = any(
         conditions.mode for conditions in problem.conditions.values()
     )  # perhaps in no mode of the reference
-    equations = PointEquations(described, problem.effects, problem.independent, one_mode=not elsewhere)
+    equations = PointEquations(mechanism, problem.effects, problem.independent, one_mode=not elsewhere)
     if not equations.constant:
         return _prepared(problem, equations)
     try:
@@ -94,12 +92,13 @@ def prepare(problem: TrajectoryProblem) -> Prepared:
     except DescriptionError:
         found = None  # not for these conditions, or without regular equations
     if found is None or found.guess.parted or found.guess.trouble or equations.off_mode(found.guess.q):
-        return _prepared(problem, PointEquations(described, problem.effects, problem.independent))
+        return _prepared(problem, PointEquations(mechanism, problem.effects, problem.independent))
     return found
 
 
 def _prepared(problem: TrajectoryProblem, equations: PointEquations) -> Prepared:
     check_inputs(problem.inputs, {port.name: port.size for port, _ in equations.acting.own_inputs})
+    check_effects(problem, equations.system.mechanism, equations.acting)
     sizes = (len(equations.layout.z), len(equations.system.drives), len(equations.acting.states))
     model = PointModel(problem, equations, unit_scales(len(equations.labels), *sizes))
     if not equations.labels:
@@ -276,6 +275,32 @@ def _once(
     until: float,
     start_options: Mapping[str, Any] = WARM,
 ) -> Trajectory:
+    """The optimum on a mesh; where a better motion is near what the solver found, what it finds from there."""
+    found = _solved(model, guess, warm=warm, say=say, began=began, until=until, start_options=start_options)
+    for _ in range(MOST_DESCENTS):
+        if found.better is None or time.perf_counter() >= until:
+            break
+        say("the solver stopped where the cost bends downwards: on, from a better motion near it")
+        other = _solved(model, guess, warm=None, say=say, began=clock(), until=until, begin=found.better)
+        spent = found.statistics + other.statistics
+        if not (other.ok and other.cost < found.cost):
+            return found.told(statistics=spent)
+        found = other.told(statistics=spent)
+    return found
+
+
+def _solved(
+    model: PointModel,
+    guess: Guess,
+    *,
+    warm: Trajectory | None,
+    say: Progress,
+    began: np.ndarray,
+    until: float,
+    start_options: Mapping[str, Any] = WARM,
+    begin: np.ndarray | None = None,
+) -> Trajectory:
+    """What the solver makes of a guess, of an earlier motion `warm`, or of the scaled unknowns `begin`."""
     ready = clock()
     transcribed = transcribe(model)
     unknowns = transcribed.unknowns
@@ -285,9 +310,10 @@ def _once(
     )
     arrays["u"] = control_points(transcribed, arrays["u"])
     start = np.clip(np.nan_to_num(unknowns.pack(arrays)), unknowns.lower, unknowns.upper)
-    if guess.trouble and warm is None:
+    if guess.trouble and warm is None and begin is None:
         return _not_started(transcribed, start, guess.trouble)
     scale = cost_scale_of(transcribed, start)
+    start = start if begin is None else begin
     program = assemble(transcribed.families, transcribed.linear, transcribed.cost, scale)
     say(f"program: {unknowns.size} unknowns, {len(program.labels)} constraints")
     limit = {} if until == np.inf else {"max_wall_time": max(until - time.perf_counter(), LEAST_TIME)}
@@ -311,10 +337,10 @@ def _once(
     status = status_of(word, success=bool(stats["success"]), broken=broken)
     say(f"{status} after {int(stats.get('iter_count', 0))} iterations")
     spent = replace(statistics_of(stats, ready - began, made - ready, done - made), undefined=told.counts)
+    rows = np.array(answer["lam_g"]).ravel()
     return Trajectory(
-        model.problem, transcribed, unknowns.unpack(x), x, np.array(answer["lam_g"]).ravel(),
-        pressure, float(answer["f"]) * scale, scale, ok, status,
-        spent, reasons, solved=ok,
+        model.problem, transcribed, unknowns.unpack(x), x, rows, pressure, float(answer["f"]) * scale, scale, ok,
+        status, spent, reasons, solved=ok, look=looked_at(program, unknowns, (x, rows, pressure)) if ok else None,
     )  # fmt: skip
 
 
@@ -337,9 +363,8 @@ def _not_started(transcribed: Transcribed, start: np.ndarray, trouble: str) -> T
 
 
 def cost_scale_of(transcribed: Transcribed, start: np.ndarray) -> float:
-    """A power of ten near the cost at the guess."""
-    value = abs(float(transcribed.cost @ start) + sum(cost_of(f, start) for f in transcribed.families))
-    return 10.0 ** round(float(np.log10(value))) if np.isfinite(value) and value > LEAST_COST else 1.0
+    """A power of ten near the cost at the guess, or of motions of typical size."""
+    return cost_scale(lambda x: float(transcribed.cost @ x) + sum(cost_of(f, x) for f in transcribed.families), start)
 
 
 def check_bounds(transcribed: Transcribed) -> None:

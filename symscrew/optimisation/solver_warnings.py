@@ -12,6 +12,8 @@ from collections import Counter
 from collections.abc import Sequence
 from types import TracebackType
 
+from symscrew.errors import DescriptionError
+
 # What CasADi says of a function with an entry that is not finite; only the first such entry is named.
 LINE = re.compile(r"WARNING\(.*failed: (?:NaN|Inf) detected for output (\w+), at .*?\(row (\d+), col (\d+)\)")
 # What CasADi says of Ctrl-C, before the error that Python raises says so itself.
@@ -49,6 +51,9 @@ class SolverWarnings:
             sys.stderr = self._before
             if self._begun:
                 self._take(self._begun)
+        if isinstance(error, RuntimeError):  # CasADi's: a solver without a library of its own, say
+            lines = [line for line in str(error).splitlines() if not line.startswith(("Error in", "."))]
+            raise DescriptionError(f"solver: it fails: {(lines or [str(error)])[0].strip()}") from error
 
     def write(self, text: str) -> int:
         """Take what a solver or anybody writes; lines may come in pieces."""

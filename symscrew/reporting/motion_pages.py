@@ -10,7 +10,7 @@ import tempfile
 from pathlib import Path
 
 from symscrew.reporting.blocks import Block, Bullets, Picture, Section, Table, Text
-from symscrew.studies.given_motion import DriveStudy, pictures, study_json, watched
+from symscrew.studies.given_motion import DriveStudy, doubts, pictures, study_json, watched
 from symscrew.studies.workspace import Sweep, draw_maps, sweep_summary_text
 
 DRAWN = ("drives.png", "powers.png", "margins.png")
@@ -26,7 +26,7 @@ def motion_section(study: DriveStudy) -> Section:
         f"{', '.join(found['motion'])} over {found['duration']:g} s, {found['states']} states. {study.status}. The "
         f"motion is followed to {found['missed']:.1e}, the loops are open by {found['opening']:.1e}."
     )
-    blocks: list[Block] = [Text(head)]
+    blocks: list[Block] = [Text(head), *(Text(f"{text[0].upper()}{text[1:]}.") for text in doubts(study))]
     header: tuple[str, ...]
     rows: tuple[tuple[str, ...], ...]
     if found["drives"]:

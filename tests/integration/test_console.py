@@ -7,6 +7,7 @@ import json
 import os
 import random
 import re
+import shlex
 import shutil
 import subprocess
 import sys
@@ -199,3 +200,10 @@ def test_words_are_folded_where_somebody_reads_them(
     assert max(map(len, told.splitlines())) <= 60 and told.split() == whole.split()
     assert "\n      equations follow from the others" in told
     assert terminal.folded("| a b c d e |\n\n    aaaaaaaa bb", 6) == "| a b c d e |\n\n    aaaaaaaa\n      bb"
+
+
+@pytest.mark.parametrize(("words", "code"), [("list >&-", 0), ("draw nothing --out a.png 2>&-", 2)])
+def test_streams_that_are_closed_lead_nowhere(words: str, code: int) -> None:
+    """A traceback came of a closed output, and errors among results of a closed error stream."""
+    ran = subprocess.run(["sh", "-c", f"{shlex.quote(sys.executable)} -m symscrew {words}"], capture_output=True)
+    assert (ran.returncode, ran.stdout, ran.stderr) == (code, b"", b"")

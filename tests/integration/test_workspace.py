@@ -16,10 +16,10 @@ from support.model_states import pendulum
 from symscrew import catalogue
 from symscrew.cli.parser import main
 from symscrew.cli.workspace_command import sweep
-from symscrew.description import to_toml
+from symscrew.description import MechanismBuilder, to_toml
 from symscrew.effects.gravity import Gravity
 from symscrew.errors import DescriptionError
-from symscrew.studies.workspace import engine
+from symscrew.studies.workspace import engine, workspace
 from symscrew.studies.workspace.evaluation import evaluate, prepare_sweep
 from symscrew.studies.workspace.map_summary import sweep_summary, tilt_reach
 from symscrew.studies.workspace.plan import Axis, Plan, read_axis, read_limit, read_quantity
@@ -364,3 +364,20 @@ def test_tolerances_are_in_units_of_their_parameter(tmp_path: Path, capsys: pyte
 @pytest.mark.parametrize("text, value", [("5mm", 0.005), ("2 in", 0.0508), ("0.5rev", math.pi), ("3 N mm", 0.003)])
 def test_quantities_are_read_as_descriptions_are(text: str, value: float) -> None:
     assert read_quantity(text, "here")[0] == pytest.approx(value, rel=1e-15)
+
+
+@pytest.mark.parametrize("text", ["m", "3*m - 1"])
+def test_maps_over_masses_that_no_body_can_have_are_refused(text: str) -> None:
+    """Drives that hold a mass of -2 kg came with reached, regular and allowed."""
+    made = MechanismBuilder("weighed", platform="mass").parameter("m", 1, "kg")
+    made.body("mass", mass=text, com=[0, 0, -1])
+    made.joint("hinge", "R", parent="base", child="mass", point=[0, 0, 0], axes=[[0, 1, 0]], driven=True)
+    mechanism = made.build()
+    hinge = {"hinge": "0:1:2"}
+    assert workspace(
+        mechanism, {**hinge, "m": "0.5:2:2"}, tolerances={"m": "0.01"}, samples=3, processes=1, engine="casadi"
+    )
+    with pytest.raises(DescriptionError, match=r"--over: m = -2: bodies\.mass\.mass: expected a mass"):
+        workspace(mechanism, {**hinge, "m": "-2:2:3"}, engine="casadi")
+    with pytest.raises(DescriptionError, match=r"--tolerance: values of m reach -\d.*bodies\.mass\.mass"):
+        workspace(mechanism, hinge, tolerances={"m": "2"}, samples=20, engine="casadi")

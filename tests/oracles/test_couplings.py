@@ -21,6 +21,7 @@ from symscrew.mobility import analyse_mobility
 from symscrew.model import derive
 from symscrew.optimisation.problem import TrajectoryProblem, Transcription
 from symscrew.optimisation.solution import solve
+from symscrew.program import RankRevealing
 from symscrew.reference import newton_euler, numeric
 
 EXACT = 1e-11
@@ -53,6 +54,17 @@ def test_gears_by_hand() -> None:
     arm = (9e-3 + 0.6 * 0.2**2) * a[2] + weight
     assert second * 45 / 15 == pytest.approx(arm, rel=EXACT)
     assert analyse_mobility(found.mechanism).dof == 1
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_gears_alone_have_no_second_path(seed: int) -> None:
+    """Pivots that are numbers are never small: C of a way that nobody takes would be a warning of compilers."""
+    teeth = [int(n) for n in np.random.default_rng(seed).integers(11, 90, 2)]
+    found = derive(shafts({"A": f"{teeth[0]}/{teeth[1]}", "B": 1}).build())
+    seconds = [p for p in (*found.programs.values(), *model("gear_train").programs.values()) if hasattr(p, "dense")]
+    assert "forward_dynamics" in found.programs and not seconds
+    with_loop = model("four_bar").programs["forward_dynamics"]
+    assert isinstance(with_loop, RankRevealing) and with_loop.guards
 
 
 def test_differential_turns_or_swings() -> None:

@@ -17,6 +17,7 @@ from symscrew.display.view import read_motion
 from symscrew.effects import DcMotor, DryFriction
 from symscrew.errors import DescriptionError
 from symscrew.mobility import inverse_kinematics
+from symscrew.reporting.motion_pages import motion_section
 from symscrew.runtime import load
 from symscrew.studies.given_motion import drives, load_motion, motion_of, study, study_json, study_text, write_study
 from symscrew.studies.given_motion.goals import SMALL, goals_of, quaternion_of, turn_of_vector
@@ -365,3 +366,24 @@ def test_a_run_is_a_motion(tmp_path: Path) -> None:
     (tmp_path / "own.csv").write_text(text)
     with pytest.raises(DescriptionError, match="speed: expected a coordinate"):
         drives(four_bar, load_motion(tmp_path / "own.csv", four_bar))
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_what_lies_between_samples_is_told(rod, seed: int) -> None:
+    """A swing of m half-waves a sample has the same angle at every one: its accelerations are in none of them."""
+    random = np.random.default_rng(seed)
+    rate, waves, size = float(random.uniform(20, 200)), int(random.integers(1, 4)), float(random.uniform(0.01, 0.3))
+    text = f"{size!r}*sin({np.pi * rate * waves!r}*t)"
+    blind = drives(rod, {"pivot": text}, duration=20 / rate, rate=rate, backend="casadi")
+    assert blind.wanted.unseen > 0.9 and "too few samples" in study_text(blind)
+    assert any("Too few samples" in getattr(block, "text", "") for block in motion_section(blind).blocks)
+    seen = drives(rod, {"pivot": text}, duration=20 / rate, rate=40 * rate, backend="casadi")
+    assert seen.wanted.unseen < 0.01 and "too few samples" not in study_text(seen)
+    assert np.abs(seen.u).max() > 2 * np.abs(blind.u).max()
+
+
+def test_a_file_of_a_spreadsheet_may_begin_with_a_mark(rod, tmp_path: Path) -> None:
+    file = tmp_path / "swing.csv"
+    rows = "\n".join(f"{0.01 * k:.17g},{np.sin(0.01 * k):.17g}" for k in range(20))
+    file.write_text("\ufefft,pivot\n" + rows, encoding="utf-8")
+    assert load_motion(file, rod).names == ("pivot",)

@@ -10,17 +10,28 @@ import casadi as ca
 import numpy as np
 import pytest
 from support.marks import slow
-from support.optimal_problems import bead, cart_pole_problem, rest_to_rest
+from support.optimal_problems import bead, cart_pole_problem, pendulum, rest_to_rest
 
 from symscrew import catalogue
 from symscrew.description import load_description
-from symscrew.effects import EndStop
-from symscrew.optimisation import enclosed_functions, enclosures, plan_verdict
+from symscrew.effects import EndStop, Gravity, QuasiStatic
+from symscrew.errors import DescriptionError
+from symscrew.optimisation import enclosed_functions, enclosures, mesh_errors, plan_verdict
 from symscrew.optimisation.bounds_between import violations_of
 from symscrew.optimisation.built_problem import optimisation_problem
 from symscrew.optimisation.followed_branch import Branch
 from symscrew.optimisation.followed_motion import replay
-from symscrew.optimisation.problem import Bounds, Conditions, Distance, Solver, TrajectoryProblem, Transcription
+from symscrew.optimisation.joined_problem import JoinedProblem
+from symscrew.optimisation.joined_solution import solve_joined
+from symscrew.optimisation.problem import (
+    Bounds,
+    Conditions,
+    Distance,
+    Objective,
+    Solver,
+    TrajectoryProblem,
+    Transcription,
+)
 from symscrew.optimisation.result import Trajectory
 from symscrew.optimisation.solution import solve
 
@@ -232,7 +243,8 @@ def test_errors_that_grow_are_judged_where_they_arise() -> None:
     problem = cart_pole_problem(Transcription("radau", 3, 20))
     upright = rest_to_rest({"slide": 0.0, "hinge": math.pi}, {"slide": 0.5, "hinge": math.pi})
     found = solve(replace(problem, **upright, duration=3.0, accuracy=(5e-7, 1e-9)))
-    assert found.ok and found.errors.growth > 1e4 and found.errors.drift > 5e-7
+    # those that arise late grow less: in the mean e^(5.8 * 3) = 4e7 is a few thousand
+    assert found.ok and found.errors.growth > 10 * mesh_errors.MOST_GROWTH and found.errors.drift > 5e-7
     assert found.errors.judged.sum() <= 5e-7 and len(found.mesh) < 200
     assert replay(found).end_error > 1e-3  # what no mesh can help; each interval by itself is as planned
     assert replay(found).local_errors.sum() <= 1e-6
@@ -249,3 +261,39 @@ def test_a_solver_that_is_content_with_less_is_not_believed(built: bool) -> None
     assert found.status.startswith("not converged: the solver took it for solved by its own options, but ")
     assert "is missed at" in found.status
     assert solve(replace(posed, solver=Solver())).ok
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_errors_of_intervals_are_what_their_replays_miss(seed: int) -> None:
+    """Of a pendulum on coarse meshes, whose residuals integrate to next to nothing without its stiffness."""
+    random = np.random.default_rng(seed)
+    goal, duration = float(random.uniform(0.5, 3.0)), float(random.uniform(0.5, 2.0))
+    mesh = Transcription(intervals=int(random.integers(8, 14)))
+    found = solve(
+        TrajectoryProblem(
+            pendulum(), duration=duration, **rest_to_rest({"hinge": 0.0}, {"hinge": goal}), transcription=mesh,
+            accuracy=None,
+        )
+    )  # fmt: skip
+    estimated, replayed = found.errors.local, replay(found).local_errors
+    assert replayed.max() > 1e-8
+    np.testing.assert_allclose(estimated, replayed, rtol=0.2, atol=0.02 * replayed.max())
+
+
+@pytest.mark.parametrize("what", ["massless", "quasi-static"])
+def test_what_cannot_be_replayed_is_called_so(what: str) -> None:
+    """A KeyError came of the search for forward dynamics."""
+    mechanism, effects = pendulum(), (Gravity(), QuasiStatic())
+    if what == "massless":
+        bodies = {name: replace(body, mass=None) for name, body in mechanism.bodies.items()}
+        mechanism, effects = replace(mechanism, bodies=bodies), ()
+    ends = rest_to_rest({"hinge": 0.0}, {"hinge": 1.0})
+    problem = TrajectoryProblem(
+        mechanism, effects, **ends, objectives=(Objective("jerk"),), transcription=Transcription(intervals=4)
+    )
+    found = solve(problem)
+    assert found.ok and found.replayed is None and plan_verdict.NOT_REPLAYED in found.notes
+    with pytest.raises(DescriptionError, match="accelerations do not follow"):
+        replay(found)
+    plan = solve_joined(JoinedProblem((problem, problem), (None,)))
+    assert plan.ok and all(plan_verdict.NOT_REPLAYED in part.notes for part in plan.parts)

@@ -12,6 +12,7 @@ from symscrew import catalogue
 from symscrew.errors import DescriptionError
 from symscrew.optimisation import (
     consistent_poses,
+    cost_scale,
     explanation,
     followed_branch,
     followed_motion,
@@ -240,7 +241,7 @@ def test_steps_along_the_guess(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_the_scale_of_a_small_cost_is_left_alone(monkeypatch: pytest.MonkeyPatch) -> None:
     usual = solve(swing(accuracy=None))
     assert usual.cost_scale != 1.0
-    monkeypatch.setattr(solution, "LEAST_COST", 1e9)
+    monkeypatch.setattr(cost_scale, "LEAST_COST", 1e9)
     found = solve(swing(accuracy=None))
     assert found.cost_scale == 1.0 and found.cost == pytest.approx(usual.cost, rel=1e-7)
 

@@ -18,6 +18,7 @@ from support.optimal_problems import pendulum, rest_to_rest
 
 from symscrew.cli.parser import main
 from symscrew.description import to_toml
+from symscrew.errors import DescriptionError
 from symscrew.optimisation.problem import Bounds, Objective, TrajectoryProblem, Transcription
 from symscrew.optimisation.solution import solve
 from symscrew.optimisation.solver_warnings import SolverWarnings
@@ -129,3 +130,25 @@ def test_all_guesses_name_them(monkeypatch: pytest.MonkeyPatch) -> None:
     many = solve(replace(problem, starts=3, seed=4))
     assert many.search is not None and [dict(a.undefined) for a in many.search.attempts] == [{text: 1}] * 3
     assert many.statistics.undefined == {text: 4}  # the best one is solved once more
+
+
+def test_a_solver_that_fails_altogether_is_told_in_one_line() -> None:
+    """CasADi's error of many lines: which file of its own it called, and then what is wrong."""
+    text = "Error in Function::call at .../function.cpp:1655:\n.../os.cpp:335: failed:\nno library 'x'\n(\n"
+    with pytest.raises(DescriptionError, match=r"solver: it fails: no library 'x'$"), SolverWarnings(LABELS):
+        raise RuntimeError(text)
+
+
+def test_what_solvers_print_is_no_part_of_the_result(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
+    """`--json` is read by programs: a solver's own lines go to the standard error."""
+    (tmp_path / "hinge.toml").write_text(to_toml(pendulum()), encoding="utf-8")
+    file = tmp_path / "swing.toml"
+    file.write_text(
+        '[problem]\nmechanism = "hinge.toml"\nduration = 1\naccuracy = [1e-2, 1]\n[start]\ncoordinates.hinge = 0\n'
+        "at_rest = true\n[end]\ncoordinates = { hinge = 0.3 }\nat_rest = true\n[transcription]\nintervals = 3\n"
+        '[solver]\nname = "sqpmethod"\n',
+        encoding="utf-8",
+    )
+    code = main(["optimise", str(file), "--out", str(tmp_path / "swing.npz"), "--json", "--no-cache"])
+    out, err = capfd.readouterr()
+    assert code == 0 and json.loads(out)["ok"] and "qpOASES" in err

@@ -9,13 +9,22 @@ from symscrew.doors import doors
 
 if TYPE_CHECKING:
     from symscrew.studies.given_motion.study import DriveStudy, drives
-    from symscrew.studies.given_motion.study_files import FILES, pictures, study_json, study_text, watched, write_study
+    from symscrew.studies.given_motion.study_files import (
+        FILES,
+        doubts,
+        pictures,
+        study_json,
+        study_text,
+        watched,
+        write_study,
+    )
     from symscrew.studies.given_motion.wanted_motion import WantedMotion, load_motion, motion_of
 
 __all__ = [
     "FILES",
     "DriveStudy",
     "WantedMotion",
+    "doubts",
     "drives",
     "load_motion",
     "motion_of",

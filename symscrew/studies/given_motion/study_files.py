@@ -25,7 +25,21 @@ if TYPE_CHECKING:
 Array = np.ndarray
 ALL_DRIVES = "all drives"  # the margin of a redundant set of drives
 NOTHING = 1e-9  # of the largest reaction: a number below is rounding
+UNSEEN = 0.05  # of what is reached between samples: largest numbers that are wrong by less are told without a word
 MOST_CURVES = 6  # in a frame: as many as there are colours
+
+
+def doubts(study: DriveStudy) -> list[str]:
+    """What the samples of a motion do not tell, in sentences."""
+    found = []
+    if study.wanted.unseen > UNSEEN:
+        found.append(
+            f"too few samples: of what a rate, an acceleration or a load reaches between them "
+            f"{100 * study.wanted.unseen:.0f} % is not in these tables; raise the rate"
+        )
+    if study.wanted.uncertain:
+        found.append(f"accelerations from samples: known to about {study.wanted.uncertain:.1e} of the largest")
+    return found
 
 
 def study_text(study: DriveStudy) -> str:
@@ -37,8 +51,7 @@ def study_text(study: DriveStudy) -> str:
         f"motion followed to {max(followed.missed):.1e}, loops open by {followed.opening:.1e} (lengths by the "
         "characteristic length)",
     ]
-    if study.wanted.uncertain:
-        lines.append(f"accelerations from samples: known to about {study.wanted.uncertain:.1e} of the largest")
+    lines += doubts(study)
     drives, joints, margins = (study_json(study)[key] for key in ("drives", "joints", "margins"))
     if drives:
         header = ["drive", "largest", "rms", "rate", "power [W]"]
@@ -93,6 +106,7 @@ def study_json(study: DriveStudy) -> dict[str, Any]:
         "missed": max(study.followed.missed),
         "opening": study.followed.opening,
         "uncertain": study.wanted.uncertain,
+        "unseen": study.wanted.unseen,
         "drives": drives,
         "joints": joints,
         "displacements": ranges,

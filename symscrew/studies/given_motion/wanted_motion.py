@@ -42,6 +42,7 @@ OF_RUNS = (
     "v", "a", "u", "x", "energy", "closure_error", "energy_balance", "joint", "rate", "power", "reactions", "margins"
 )  # fmt: skip
 """What names of columns of runs begin with, which are no coordinates."""
+LOOKS = 16  # times at which expressions are looked at between two samples
 NEIGHBOURS = 7  # samples of the polynomial that derivatives are taken of: order 6; more samples amplify their rounding
 FEWER = 5  # of the polynomial whose derivatives say how far to trust the former
 _TIME = sympy.Symbol("t", real=True)
@@ -53,7 +54,8 @@ class WantedMotion:
 
     `twist`: names are components of the platform's twist, whose values are not used; `program` gives rates and their
     derivatives at any time then. `loads`: point -> (n, 6) force [N] and moment [N m]. `uncertain`: estimated relative
-    error of the second derivatives, 0 where they are exact.
+    error of the second derivatives, 0 where they are exact. `unseen`: the part of what expressions, their rates or
+    accelerations reach between the samples that is not reached at a sample, 0 where the samples have it all.
     """
 
     names: tuple[str, ...]
@@ -65,6 +67,7 @@ class WantedMotion:
     program: Program | None = None
     loads: Mapping[str, Array] = field(default_factory=dict)
     uncertain: float = 0.0
+    unseen: float = 0.0
 
     def __repr__(self) -> str:
         what = "twist" if self.twist else "values"
@@ -166,15 +169,36 @@ def _expressed(
     twist = set(texts) <= set(TWIST_LABELS)
     program = _program(texts, mechanism)
     values, rates, accelerations = _evaluated(program, t, texts)
+    between = _between(t)
+    others = _evaluated(program, between, texts)
+    # values of a twist's components are velocities, their rates accelerations: second derivatives act on nothing
+    parts = list(zip((values, rates, accelerations), others, strict=True))[: 2 if twist else 3]
     found = {}
     for point, components in loads.items():
         wrench = np.zeros((len(t), len(WRENCH_LABELS)))
-        read = _evaluated(_program(components, mechanism), t, components)[0]
+        of_loads = _program(components, mechanism)
+        read = _evaluated(of_loads, t, components)[0]
+        parts.append((read, _evaluated(of_loads, between, components)[0]))
         wrench[:, [WRENCH_LABELS.index(name) for name in components]] = read
         found[point] = wrench
     return WantedMotion(
-        tuple(texts), t, values, rates, accelerations, twist=twist, program=program if twist else None, loads=found
-    )
+        tuple(texts), t, values, rates, accelerations, twist=twist, program=program if twist else None, loads=found,
+        unseen=max(_unseen(*part) for part in parts),
+    )  # fmt: skip
+
+
+def _between(t: Array) -> Array:
+    """Times between samples, random ones: what repeats with the samples does not repeat with them."""
+    count = int(np.clip(MOST_SAMPLES // len(t), 1, LOOKS))
+    parts = (np.arange(count) + np.random.default_rng(1).uniform(size=(len(t) - 1, count))) / count
+    times: Array = (t[:-1, None] + np.diff(t)[:, None] * parts).ravel()
+    return times
+
+
+def _unseen(sampled: Array, between: Array) -> float:
+    """The part of the largest entry between samples that is beyond the largest at a sample, of the worst column."""
+    seen, there = (np.abs(part).max(axis=0, initial=0.0) for part in (sampled, between))
+    return float((np.where(there > seen, there - seen, 0.0) / np.where(there > 0, there, 1.0)).max(initial=0.0))
 
 
 def _program(texts: Mapping[str, str], mechanism: Mechanism) -> Program:
@@ -214,6 +238,7 @@ def _evaluated(program: Program, t: Array, names: Sequence[str] | Mapping[str, s
 
 
 def _csv(text: str) -> dict[str, Array]:
+    text = text.removeprefix("\ufeff")  # a mark of the order of bytes, with which spreadsheets begin a file
     lines = [line for line in text.splitlines() if line.strip() and not line.lstrip().startswith("#")]
     names = [name.strip() for name in lines[0].split(",")] if lines else []
     if len(lines) - 1 > MOST_SAMPLES:

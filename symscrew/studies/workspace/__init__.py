@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     )
     from symscrew.studies.workspace.engine import run_locally, run_on_dask
     from symscrew.studies.workspace.evaluation import (
+        check_drawn,
         check_plan,
         has_own_axes,
         prepare_sweep,
@@ -53,6 +54,7 @@ __all__ = [
     "Store",
     "Sweep",
     "calls_of",
+    "check_drawn",
     "check_plan",
     "draw_maps",
     "has_own_axes",

@@ -9,7 +9,7 @@ from functools import lru_cache
 import numpy as np
 
 from symscrew.assembly import configuration_in_mode
-from symscrew.description import in_si
+from symscrew.description import Mechanism, check_values_of, exact, followed, in_si
 from symscrew.errors import DescriptionError
 from symscrew.kinematics import BODY_PARTS, coordinate_units, full_name, nearest_names
 from symscrew.model import Model
@@ -141,6 +141,9 @@ def check_plan(plan: Plan, model: Model, units: Mapping[str, str] | None = None)
             near = nearest_names(axis.name, [*labels, *mechanism.parameters, *short, *own])
             raise DescriptionError(f"--over: {axis.name!r} is neither a coordinate nor a parameter; {near}")
         _check_unit("--over", axis.name, axis.unit, units.get(name, known[name]))
+        if name in mechanism.parameters:
+            for end in (axis.low, axis.high):
+                _check_value(mechanism, name, end, f"--over: {name} = {end:g}")
     twice = sorted({n for n in names if names.count(n) > 1})
     if twice:
         raise DescriptionError(f"--over: {twice[0]!r} is given twice")
@@ -157,6 +160,31 @@ def check_plan(plan: Plan, model: Model, units: Mapping[str, str] | None = None)
             raise DescriptionError(f"--limit: no result {name!r}; {nearest_names(name, units)}")
     for option, name, typed in plan.typed:
         _check_unit(option, name, typed, units.get(name, ""))
+
+
+def _check_value(mechanism: Mechanism, name: str, value: float, where: str) -> None:
+    """Raises DescriptionError where a parameter's value leaves a body an inertia that is none, a negative mass say."""
+    given = {name: exact(float(value))}
+    try:
+        check_values_of(replace(mechanism, parameters=followed(mechanism.parameters, given)))
+    except DescriptionError as error:
+        raise DescriptionError(f"{where}: {error}") from error
+
+
+def check_drawn(plan: Plan, mechanism: Mechanism) -> None:
+    """Whether bodies have inertias at the least and the largest value that is drawn of each parameter with a tolerance.
+
+    Raises:
+        DescriptionError: names the value, and the body.
+    """
+    if not plan.tolerances:
+        return
+    drawn = np.concatenate([plan.deviations(chunk) for chunk in range(plan.chunks)])
+    for k, (name, _) in enumerate(plan.tolerances):
+        places = [axis.values for axis in plan.axes if axis.name == name]
+        at = np.concatenate(places) if places else np.array([float(mechanism.parameters[name].value)])
+        for value in (at.min() + drawn[:, k].min(), at.max() + drawn[:, k].max()):
+            _check_value(mechanism, name, value, f"--tolerance: values of {name} reach {value:.6g}")
 
 
 def has_own_axes(plan: Plan, model: Model) -> bool:

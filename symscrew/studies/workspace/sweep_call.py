@@ -17,7 +17,7 @@ from symscrew.description import Mechanism
 from symscrew.effects import Effect, Gravity
 from symscrew.errors import DescriptionError, did_you_mean
 from symscrew.studies.workspace.engine import run_locally
-from symscrew.studies.workspace.evaluation import prepare_sweep
+from symscrew.studies.workspace.evaluation import check_drawn, prepare_sweep
 from symscrew.studies.workspace.map_summary import sweep_summary, sweep_summary_text
 from symscrew.studies.workspace.plan import Plan, read_axis, read_limit, read_quantity
 from symscrew.studies.workspace.store import save_csv, save_npz
@@ -117,6 +117,7 @@ def workspace(
         engine=engine,
     )
     made = prepare_sweep(plan)
+    check_drawn(plan, made.model.mechanism)
     pieces = dict(run_locally(plan, range(plan.chunks), processes))
     results = {name: np.concatenate([pieces[k][name] for k in range(plan.chunks)]) for name in pieces[0]}
     return Sweep(plan, results, made.units, sweep_summary(plan, results, made.units, made.engine.text))
