@@ -199,7 +199,7 @@ def _is_drive(element: Element, given: Mapping[str, str], joint: str, listed: Se
     of its reference configuration, which the parent carries, and of a free joint about the world's, as forces are.
     """
     at = next(one for one in listed if one.name == joint)
-    gear = numbers(given["gear"], f"{label(element)}, gear")
+    gear = numbers(given.get("gear", "1"), f"{label(element)}, gear")
     k = next(index for index, value in enumerate(gear) if value != 0)
     if given.get("biastype", "none") != "none":
         return False
