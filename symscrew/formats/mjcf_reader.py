@@ -73,7 +73,7 @@ def read_mjcf(root: Element, path: Path, options: ImportOptions) -> Draft:
     _check_names(root)
     if "symscrew_characteristic_length" in texts:
         result.characteristic_length = real(number(texts["symscrew_characteristic_length"], "<custom>, length"))
-    ties, around = read_couplings(root, chosen), medium(root)
+    ties, around = read_couplings(root, chosen), medium(root) if chosen.passive else None
     pulled = transmissions(root, chosen, ties)
     actuators = Actuators.of(root, chosen, pulled, result)
     reading = Reading(
@@ -88,8 +88,9 @@ def read_mjcf(root: Element, path: Path, options: ImportOptions) -> Draft:
     )
     _read_bodies(root, reading)
     settle_masses(result, chosen, reading.bare)
-    actuated = any(True for section in elements(root, "actuator") for _ in elements(section))
-    carry(result, reading.carried, reading.borne, actuated=actuated)
+    listed = any(True for section in elements(root, "actuator") for _ in elements(section))
+    actuated = listed and "actuation" not in chosen.off
+    carry(result, reading.carried if chosen.passive else {}, reading.borne, actuated=actuated)
     add_drags(result, around)
     own_pose = _in_own_pose(root, reading)
     _read_forces(reading, own_pose.result, actuators, pulled)

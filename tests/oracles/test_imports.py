@@ -110,10 +110,10 @@ def test_convert_writes_the_scene_beside_it(tmp_path: Path, capsys: pytest.Captu
 
 
 def test_what_numbers_depend_on_is_not_left_out_unasked(tmp_path: Path) -> None:
-    path = saved(GRIPPER.replace('gravity="0 0 -1.6"/>', '><flag equality="disable"/></option>'), tmp_path)
-    with pytest.raises(DescriptionError, match="would be left out: flag equality=disable; accept that with --accept"):
+    path = saved(GRIPPER.replace('gravity="0 0 -1.6"/>', '/><extension><plugin plugin="p"/></extension>'), tmp_path)
+    with pytest.raises(DescriptionError, match="would be left out: <extension>; accept that with --accept"):
         load_format(path)
-    assert import_file(path, ImportOptions(accept=True)).account.influence == {"flag equality=disable": 1}
+    assert import_file(path, ImportOptions(accept=True)).account.influence == {"<extension>": 1}
 
 
 ROUND = '<inertial><mass value="1"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial>'
