@@ -18,11 +18,11 @@ from symscrew.errors import DescriptionError, shorten
 from symscrew.formats.safe_xml import Element, elements, label
 
 KINDS = {
-    **{key: "joint" for key in ("joint", "joint1", "joint2", "jointinparent")},
-    **{key: "body" for key in ("body", "body1", "body2")},
-    **{key: "site" for key in ("site", "site1", "site2", "refsite", "slidersite", "cranksite", "sidesite")},
-    **{key: "geom" for key in ("geom", "geom1", "geom2")},
-    **{key: "tendon" for key in ("tendon", "tendon1", "tendon2")},
+    **dict.fromkeys(("joint", "joint1", "joint2", "jointinparent"), "joint"),
+    **dict.fromkeys(("body", "body1", "body2"), "body"),
+    **dict.fromkeys(("site", "site1", "site2", "refsite", "slidersite", "cranksite", "sidesite"), "site"),
+    **dict.fromkeys(("geom", "geom1", "geom2"), "geom"),
+    **dict.fromkeys(("tendon", "tendon1", "tendon2"), "tendon"),
 }
 """Attribute that refers to a name -> of what kind that is."""
 OF_KIND = {"freejoint": "joint", "fixed": "tendon", "spatial": "tendon"}

@@ -84,7 +84,8 @@ ACTING = {
     ),
     "no actuation": model(
         hinge("a", hinge("b")).replace("<body ", '<body gravcomp="0.7" ', 1),
-        '<option><flag actuation="disable"/></option><actuator><position joint="a" kp="200" armature="0.3"/></actuator>',
+        '<option><flag actuation="disable"/></option>'
+        '<actuator><position joint="a" kp="200" armature="0.3"/></actuator>',
     ),
     "weightless": model(TWO, '<option gravity="1 2 3"><flag gravity="disable"/></option>'),
     "one joint's tendon": model(OWN, TENDON.format("")),
