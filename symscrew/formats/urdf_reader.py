@@ -70,6 +70,9 @@ WITH_INFLUENCE = ("include", *(f"{DRAKE}{name}" for name in ("linear_bushing_rpy
 # elements of a <joint> and a <link> that are known; others are listed
 IN_JOINT = ("origin", "parent", "child", "axis", "limit", "dynamics", *MIMIC, "joint_properties")
 ONCE = ("origin", "axis", "limit", "dynamics", "mimic", "joint_properties")
+MIRRORED = ("iyx", "izx", "izy")
+"""Entries of an inertia below its diagonal, which a URDF does not have, and which say nothing if they say the same."""
+SEEN = ("visual", "collision")
 FREE_JOINT = "root_joint"
 WORLD = "world"
 
@@ -90,6 +93,11 @@ def read_urdf(root: Element, path: Path, options: ImportOptions) -> Draft:
     links = _named(elements(root, "link"), "link")
     every = elements(root, "joint", f"{DRAKE}joint")
     joints = _named((joint for joint in every if not is_loop(joint)), "joint")
+    if links and WORLD not in links and any(attribute(_one(j, "parent"), "link") == WORLD for j in joints.values()):
+        links[WORLD] = Element("link", name=WORLD)
+        ledger.changed.append(
+            f"joints hang on a link {WORLD!r} that the file does not have: it is the ground, as for Drake"
+        )
     if not links:
         raise DescriptionError("<robot>: expected links, found none (a xacro file that only defines macros gives none)")
     carrier = _carriers(links, joints)
@@ -118,8 +126,9 @@ def read_urdf(root: Element, path: Path, options: ImportOptions) -> Draft:
         result.ledger.passed("inertia of the root link, which is the ground (--floating frees it)")
     for joint_name, joint in joints.items():
         joint_forces(result, joint_name, joint)
-        axes = [_triple(attribute(axis, "xyz"), f"{label(joint)}, axis") for axis in first(joint, "axis")]
-        if joint.get("type") != "fixed" and not all(map(has_length_one, axes)):
+        moves = JOINT_TYPES[TYPES[attribute(joint, "type")]].axes > 0
+        axes = [_triple(attribute(a, "xyz"), f"{label(joint)}, axis") for a in first(joint, "axis") if moves]
+        if not all(map(has_length_one, axes)):
             result.ledger.passed(AXES)
     transmission_forces(result, root, joints)
     gazebo_forces(result, root, joints)
@@ -141,7 +150,9 @@ def read_urdf(root: Element, path: Path, options: ImportOptions) -> Draft:
 
 def _check_expanded(root: Element) -> None:
     """Refuses macros and includes of xacro, of which only the expansion is a robot; what it writes is read as it is."""
-    left = next((element for element in root.iter() if isinstance(element.tag, str) and "xacro}" in element.tag), None)
+    pictures = {part for link in elements(root, "link") for seen in elements(link, *SEEN) for part in seen.iter()}
+    macros = (element for element in root.iter() if isinstance(element.tag, str) and "xacro}" in element.tag)
+    left = next((element for element in macros if element not in pictures), None)
     if left is not None:
         raise DescriptionError(
             f"<xacro:{_short(left)}>: it is the source of a URDF, whose macros only xacro expands: "
@@ -261,8 +272,11 @@ def _body(link: Element, pose: Pose) -> RawBody:
     mass = triple([number(attribute(_one(inertial, "mass", where), "value"), f"{where}, mass"), 0, 0])[0]
     moments = _one(inertial, "inertia", where)
     keys = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
-    check_attributes(moments, keys, f"{where}, inertia")
+    check_attributes(moments, (*keys, *MIRRORED), f"{where}, inertia")
     xx, xy, xz, yy, yz, zz = (number(moments.get(key, "0"), f"{where}, {key}") for key in keys)
+    for key, value in zip(MIRRORED, (xy, xz, yz), strict=True):
+        if key in moments.attrib and number(moments.attrib[key], f"{where}, {key}") != value:
+            raise DescriptionError(f"{where}, {key}: expected {value}, as its mirror image has, got {moments.get(key)}")
     matrix: Rotation = (triple([xx, xy, xz]), triple([xy, yy, yz]), triple([xz, yz, zz]))
     if mass == 0 and not any(entry for row in matrix for entry in row):
         return RawBody(name)

@@ -15,7 +15,7 @@ import tempfile
 from functools import cached_property
 from pathlib import Path
 from typing import Any
-from xml.etree.ElementTree import tostring
+from xml.etree.ElementTree import Element, tostring
 
 import numpy as np
 
@@ -404,6 +404,10 @@ def possible(path: Path) -> tuple[str, int]:
             whole = axes @ np.diag(low + max(miss, 0) * np.array([1, 1, -1])) @ axes.T
             for i, j in ((0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)):
                 moments.set(f"i{'xyz'[i]}{'xyz'[j]}", repr(float(whole[i, j])))
-    if not mended:
+    links = {link.get("name") for link in root.findall("link")}
+    whole = "world" in links or all(end.get("link") != "world" for end in root.iter("parent"))
+    if not whole:
+        root.append(Element("link", name="world"))  # Drake's, which it does not read
+    if not mended and whole:
         return path.read_text(), 0
     return tostring(root, encoding="unicode"), mended

@@ -120,3 +120,37 @@ def test_a_body_of_many_points_is_read(tmp_path: Path) -> None:
         warnings = " ".join(import_file(path).mechanism.warnings)
         assert ("the radius of gyration 0.2 m exceeds the body's extent 0.199 m" in warnings) is warned
         assert warned or "gyration" not in warnings
+
+
+WEIGHED = """<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+<link name="a"><visual><xacro:grey/></visual></link>
+<link name="b"><collision><xacro:box/></collision><inertial><mass value="1"/>
+<inertia ixx="1" iyy="1" izz="1" ixy="0.1" ixz="0" iyz="0" {0}/></inertial></link>
+<joint name="j" type="{1}"><parent link="a"/><child link="b"/><axis xzy="0 0 1"/></joint></robot>"""
+
+
+@pytest.mark.parametrize("mirrored", ['iyx="0.1"', 'izx="0.0" izy="0"'])
+def test_what_says_nothing_more_is_passed_over(tmp_path: Path, mirrored: str) -> None:
+    """Mirror images in an inertia, macros that draw, the axis of a fixed joint."""
+    inertia = account(tmp_path, WEIGHED.format(mirrored, "fixed"), "urdf")
+    assert inertia.taken == {"bodies": 1, "joints": 1} and not inertia.influence
+
+
+@pytest.mark.parametrize(
+    ("mirrored", "kind", "says"),
+    [
+        ('iyx="0.2"', "fixed", "iyx: expected 0.1, as its mirror image has, got 0.2"),
+        ("", "continuous", "the attribute 'xyz' is missing"),
+    ],
+)
+def test_what_says_something_else_is_refused(tmp_path: Path, mirrored: str, kind: str, says: str) -> None:
+    with pytest.raises(DescriptionError, match=says):
+        account(tmp_path, WEIGHED.format(mirrored, kind), "urdf")
+
+
+def test_a_world_that_the_file_does_not_have_is_the_ground(tmp_path: Path) -> None:
+    text = HINGE.format(type="revolute", axis="0 0 1", lower="-1", damping="0").replace('<link name="a"/>', "")
+    found = account(tmp_path, text.replace('link="a"', 'link="world"'), "urdf")
+    assert found.taken["joints"] == 1 and "as for Drake" in found.changed[0]
+    with pytest.raises(DescriptionError, match="no parent link 'a'"):
+        account(tmp_path, text, "urdf")
