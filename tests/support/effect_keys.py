@@ -109,6 +109,8 @@ EFFECT_KEYS = {
         "cubic": ("N/m^3 or N m/rad^3", "of either sign"),
         "damping": ("N s/m or N m s/rad", "at least 0"),
         "energy": ("J", "a text E(x) in place of stiffness, cubic and preload"),
+        "through": ("", "points over which it is led without friction, in their order"),
+        "shortest": ("m", "below `length`: between the two nothing pulls or pushes; at least 0"),
         "nearest": ("", "true: of a ball joint's rotation vectors the shortest one; without states"),
     },
     "leg_compliance": {
