@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import pairwise
 
 from symscrew.algebra import Node, Vector, dot, scale, subtract
 from symscrew.effects.acting import Acting, between
@@ -56,7 +57,7 @@ class PointSpring(Effect):
             raise DescriptionError(f"{what}: expected points of two bodies, all are on {points[0].body!r}")
         length = acting.number(self.length, f"{what}: length", least=0)
         c = acting.number(self.damping, f"{what}: damping", least=0)
-        parts = [between(system, a, b) for a, b in zip(points, points[1:], strict=False)]
+        parts = [between(system, a, b) for a, b in pairwise(points)]
         plain = not self.energy and self.preload == 0 and self.cubic == 0 and self.shortest is None
         if length is tape.zero and c is tape.zero and plain and len(parts) == 1:
             ((away, _),) = parts

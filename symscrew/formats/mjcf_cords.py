@@ -9,6 +9,7 @@ https://mujoco.readthedocs.io/en/stable/XMLreference.html#tendon-spatial.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from itertools import pairwise
 from typing import Any
 from xml.etree.ElementTree import SubElement
 
@@ -60,7 +61,7 @@ def cord(draft: Draft, tendon: Element, forces: Sequence[str], *, sites: Sites, 
             return
         if ends[0] == -1:
             places = [sites[name][1].translation for name in names]
-            ends = [sum((length(minus(b, a)) for a, b in zip(places, places[1:], strict=False)), start=real(0))]
+            ends = [sum((length(minus(b, a)) for a, b in pairwise(places)), start=real(0))]
         table["length"] = float(ends[-1])
         if ends[0] != ends[-1]:
             table["shortest"] = float(ends[0])

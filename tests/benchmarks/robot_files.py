@@ -1,7 +1,7 @@
-"""`python -m tests.benchmarks.robot_files FOLDER ... [--jobs N] [--seconds N] [--accept]`: robots by engines.
+"""`python -m tests.benchmarks.robot_files FOLDER ... [--jobs N] [--seconds N] [--accept]`: robots by engine.
 
-Every URDF and MJCF file below the folders is opened as it is and compared with Pinocchio or MuJoCo at random states near
-its reference, as `robot_engines` says. A line per file: ok with the largest difference, relative; DIFFERS; refused, and
+Every URDF and MJCF file below the folders is opened as it is and compared with Pinocchio or MuJoCo at random states
+near its reference, as `robot_engines` says. A line per file: ok with the largest difference, relative; DIFFERS; refused,
 why; or why nothing is compared. Then a table: a line per folder. What has the same bytes as a file before is looked at
 once. Files that a file names are read below the folder that was given. Nothing is changed and nothing is fetched: which
 models there are is for whoever calls.

@@ -36,7 +36,8 @@ ATTACHED</frame></body></worldbody></mujoco>"""
 
 OWN = f"""<mujoco><default><joint damping="7"/><default class="light"><joint damping="1"/></default></default>
 <worldbody><body name="hip" pos="0 0.2 0.5" euler="30 0 10" childclass="light">{GEOM}<joint name="h"/>
-<frame name="f" pos="0 0 1" euler="0 20 0"><body name="shin" pos="0.2 0 0"><joint name="k" axis="0 1 0"/>{GEOM}<site name="s"/></body></frame>
+<frame name="f" pos="0 0 1" euler="0 20 0">
+<body name="shin" pos="0.2 0 0"><joint name="k" axis="0 1 0"/>{GEOM}<site name="s"/></body></frame>
  <body name="toe" pos="0.3 0 0"><joint name="t" class="main" axis="0 1 0"/>{GEOM}ABOVE</body></body>
 <body name="base" pos="1 0 0" euler="90 0 0">{GEOM}<joint name="z"/><frame pos="0 0 2" euler="0 45 0">BELOW
 </frame></body></worldbody><tendon><fixed name="cord"><joint joint="t" coef="2"/></fixed></tendon>

@@ -1,11 +1,10 @@
-"""Tendons in space and springs in balls of MJCF files: MuJoCo's accelerations, and what is written reads back as that."""
+"""Tendons in space and springs in balls of MJCF files: MuJoCo's accelerations, and what is written reads back so."""
 
 from __future__ import annotations
 
 from pathlib import Path
 
 import mujoco
-import numpy as np
 import pytest
 
 from symscrew.errors import DescriptionError
@@ -23,8 +22,10 @@ OVER = {
     "a damper": ("", 'damping="3"><site site="g"/><site site="t"/></spatial'),
     "over a third one": ("", 'stiffness="30" damping="2" springlength="0.1"><site site="g"/><site site="s"/>'
                          '<site site="t"/></spatial'),
-    "that only pulls": ("", 'stiffness="30" springlength="0 0.9"><site site="g"/><site site="t"/><site site="u"/></spatial'),
-    "with slack": ("", 'stiffness="30" springlength="0.8 1.1"><site site="g"/><site site="t"/><site site="s"/></spatial'),
+    "that only pulls": ("", 'stiffness="30" springlength="0 0.9"><site site="g"/><site site="t"/><site site="u"/>'
+                        "</spatial"),
+    "with slack": ("", 'stiffness="30" springlength="0.8 1.1"><site site="g"/><site site="t"/><site site="s"/>'
+                   "</spatial"),
 }  # fmt: skip
 BALL = """<mujoco><worldbody><body><joint type="ball" stiffness="3" damping="0.2"/>
 <inertial pos="0.1 0.2 0" mass="2" diaginertia="0.1 0.2 0.25"/></body></worldbody></mujoco>"""
@@ -58,10 +59,10 @@ def test_accelerations_are_those_of_mujoco(tmp_path: Path, text: str) -> None:
     ("joint", "tendon", "says"),
     [
         ("", 'stiffness="3"><site site="g"/><geom geom="pin"/><site site="t"/></spatial', "around geoms or by pulleys"),
-        ("", 'damping="3"><site site="g"/><site site="t"/><pulley divisor="2"/><site site="g"/><site site="s"/></spatial',
-         "damping of a tendon in space, around geoms"),
+        ("", 'damping="3"><site site="g"/><site site="t"/><pulley divisor="2"/><site site="g"/><site site="s"/>'
+             "</spatial", "damping of a tendon in space, around geoms"),
         ("", 'frictionloss="3"><site site="g"/><site site="t"/></spatial', "frictionloss of a tendon in space"),
-        ('springref="0.3"', 'stiffness="3"><site site="g"/><site site="t"/></spatial', "where joints with springref rest"),
+        ('springref="0.3"', 'stiffness="3"><site site="g"/><site site="t"/></spatial', "where joints with springref"),
         ("", 'stiffness="3 1"><site site="g"/><site site="t"/></spatial', "powers of stiffness"),
         ("", 'stiffness="3"><site site="g"/><site site="x"/></spatial', "there is no site 'x'"),
     ],

@@ -109,8 +109,6 @@ EFFECT_KEYS = {
         "cubic": ("N/m^3 or N m/rad^3", "of either sign"),
         "damping": ("N s/m or N m s/rad", "at least 0"),
         "energy": ("J", "a text E(x) in place of stiffness, cubic and preload"),
-        "through": ("", "points over which it is led without friction, in their order"),
-        "shortest": ("m", "below `length`: between the two nothing pulls or pushes; at least 0"),
         "nearest": ("", "true: of a ball joint's rotation vectors the shortest one; without states"),
     },
     "leg_compliance": {
@@ -135,6 +133,11 @@ EFFECT_KEYS = {
         "cubic": ("N/m^3", "of either sign"),
         "damping": ("N s/m", "at least 0"),
         "energy": ("J", "a text E(x) in place of stiffness, cubic and preload"),
+        "through": ("", "points over which it is led without friction, in their order"),
+        "shortest": (
+            "m",
+            "where there is slack from this length to `length`, at least 0; a cord that only pulls has 0",
+        ),
     },
     "position_servo": {
         "stiffness": ("N/m or N m/rad", "force per way from the target, at least 0"),
