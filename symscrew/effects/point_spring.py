@@ -73,10 +73,10 @@ class PointSpring(Effect):
             acting.store(energy)
             acting.feed(f"point_spring_{self.start}_{self.end}", -(c * rate * rate))
             pulls = [scale(slope + c * rate, e) for e in directions]
-        for k, point in enumerate(points):
-            forces: list[Vector] = pulls[k : k + 1]
-            if k:
-                back: Vector = pulls[k - 1]
+        for n, point in enumerate(points):
+            forces: list[Vector] = pulls[n : n + 1]
+            if n:
+                back: Vector = pulls[n - 1]
                 forces = [subtract(forces[0], back)] if forces else [scale(-1, back)]
             acting.push(point, forces[0])
 

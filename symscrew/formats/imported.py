@@ -5,6 +5,7 @@ taken over | turned into effects and limits | left out without influence | left 
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
@@ -84,6 +85,12 @@ class Imported:
     gravity: tuple[float, ...] | None = None
     starts: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
     start_rates: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
+
+    def acting(self) -> str:
+        """What of it acts beside the usual gravity, by kinds with how often; empty where nothing does."""
+        counts = Counter(str(force["kind"]) for force in self.forces)
+        field = [] if self.gravity is None else [f"gravity {' '.join(f'{c:g}' for c in self.gravity)}"]
+        return ", ".join([*field, *([_counted(counts)] if counts else [])])
 
 
 def _counted(counts: Mapping[str, int]) -> str:

@@ -291,9 +291,8 @@ def with_pinocchio(path: Path, options: ImportOptions) -> tuple[float, str]:
         ".yaml"
     ).is_file():  # it changes joints, which Pinocchio does not read: opened, compared without
         import_file(path, options)
-    text, mended = possible(path)
+    engine, mended = pinocchio_model(path)
     ours = tree_of(path, options)
-    engine = pinocchio.buildModelFromXML(text)
     data = engine.createData()
     ours.system.use_samples()
     mass, forces = ours.mass(), ours.forces(still=False)
@@ -318,7 +317,7 @@ def with_pinocchio(path: Path, options: ImportOptions) -> tuple[float, str]:
         theirs = np.triu(theirs) + np.triu(theirs, 1).T
         motions = np.array(columns[1:]).T
         worst = max(worst, relative(mass[k], motions.T @ theirs @ motions))
-        bias = pinocchio.rnea(engine, data, given, columns[0], np.zeros(engine.nv))
+        bias = pinocchio.rnea(engine, data, given, columns[0], turning(engine, columns[0]))
         unit = np.abs(theirs).max(initial=0)
         worst = max(worst, relative(forces[k], motions.T @ bias, unit))
         pinocchio.forwardKinematics(engine, data, given, columns[0])
@@ -331,6 +330,24 @@ def with_pinocchio(path: Path, options: ImportOptions) -> tuple[float, str]:
     closed = " of its tree" if ours.system.cuts else ""
     repaired = f"; {mended} inertias repaired in both" if mended else ""
     return worst, f"tree: M, forces{closed}, {len(frames)} links; {engine.nv} freedoms{repaired}"
+
+
+def pinocchio_model(path: Path) -> tuple[Any, int]:
+    """Pinocchio's model, and how many of its inertias are the nearest possible ones."""
+    import pinocchio
+
+    text, mended = possible(path)
+    return pinocchio.buildModelFromXML(text), mended
+
+
+def turning(engine: Any, v: Array) -> Array:
+    """Pinocchio's accelerations where ours are zero: velocities of free joints are in axes that turn."""
+    a = np.zeros(engine.nv)
+    for joint in engine.joints:
+        if joint.nv == 6:
+            linear, angular = v[joint.idx_v : joint.idx_v + 3], v[joint.idx_v + 3 : joint.idx_v + 6]
+            a[joint.idx_v : joint.idx_v + 3] = -np.cross(angular, linear)
+    return a
 
 
 def link_frames(engine: Any, ours: Ours) -> dict[str, int]:
@@ -408,6 +425,10 @@ def possible(path: Path) -> tuple[str, int]:
     whole = "world" in links or all(end.get("link") != "world" for end in root.iter("parent"))
     if not whole:
         root.append(Element("link", name="world"))  # Drake's, which it does not read
+    for element in root.iter():
+        for key, value in element.attrib.items():
+            if value != value.strip():  # a line end beside a number, of which it leaves out the whole element
+                element.attrib[key], whole = value.strip(), False
     if not mended and whole:
         return path.read_text(), 0
     return tostring(root, encoding="unicode"), mended

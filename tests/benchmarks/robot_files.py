@@ -1,10 +1,10 @@
 """`python -m tests.benchmarks.robot_files FOLDER ... [--jobs N] [--seconds N] [--accept]`: robots by engine.
 
 Every URDF and MJCF file below the folders is opened as it is and compared with Pinocchio or MuJoCo at random states
-near its reference, as `robot_engines` says. A line per file: ok with the largest difference, relative; DIFFERS; refused,
-why; or why nothing is compared. Then a table: a line per folder. What has the same bytes as a file before is looked at
-once. Files that a file names are read below the folder that was given. Nothing is changed and nothing is fetched: which
-models there are is for whoever calls.
+near its reference, as `robot_engines` says. A line per file: ok with the largest difference, relative; DIFFERS;
+refused, and why, and whether the engine refuses it too; or why nothing is compared. Then a table: a line per folder.
+What has the same bytes as a file before is looked at once. Files that a file names are read below the folder that was
+given. Nothing is changed and nothing is fetched: which models there are is for whoever calls.
 """
 
 from __future__ import annotations
@@ -23,13 +23,14 @@ from pathlib import Path
 from symscrew.errors import DescriptionError
 from symscrew.formats import ImportOptions, import_file
 
-from .robot_engines import with_mujoco, with_pinocchio
+from .robot_engines import pinocchio_model, with_mujoco, with_pinocchio
 from .tables import table
 
 EQUAL = 1e-9  # relative, as for everything that is compared with other engines
 AGREES, DIFFERS, REFUSED, LATE, ALONE, FAILED = "ok", "DIFFERS", "refused", "late", "alone", "failed"
+BY_BOTH = "the engine refuses it too"
 FILES = 20  # that a process looks at: what a derivation keeps goes with it
-HEADER = ("folder", "files", "open", "agree", "differ", "not compared", "refused", "failed")
+HEADER = ("folder", "files", "open", "agree", "differ", "not compared", "refused", "by both", "failed")
 
 
 def files_below(folders: list[Path]) -> Iterator[tuple[Path, Path]]:
@@ -69,7 +70,7 @@ def judged(path: Path, options: ImportOptions, seconds: int) -> tuple[str, str]:
         worst, what = (with_pinocchio if path.suffix == ".urdf" else with_mujoco)(path, options)
         return (AGREES if worst < EQUAL else DIFFERS), f"{worst:.1e} {what}{open_by(path, options)}"
     except DescriptionError as error:
-        return REFUSED, str(error)
+        return REFUSED, f"{error}{by_the_engine(path)}"
     except TimeoutError:
         return LATE, f"more than {seconds} processor seconds"
     except (NotImplementedError, ValueError) as error:  # the other engine's word
@@ -78,6 +79,17 @@ def judged(path: Path, options: ImportOptions, seconds: int) -> tuple[str, str]:
         return FAILED, f"{type(error).__name__}: {error}"
     finally:
         signal.setitimer(signal.ITIMER_PROF, 0)
+
+
+def by_the_engine(path: Path) -> str:
+    """In words, that the other engine does not take the file either."""
+    import mujoco
+
+    try:
+        _ = pinocchio_model(path) if path.suffix == ".urdf" else mujoco.MjModel.from_xml_path(str(path))
+    except Exception as error:
+        return f"; {BY_BOTH}: {error}"
+    return ""
 
 
 def open_by(path: Path, options: ImportOptions) -> str:
@@ -97,7 +109,7 @@ def line(folder: object, found: Counter[str]) -> list[object]:
     """A folder's line of the table."""
     opened = found[AGREES] + found[DIFFERS] + found[ALONE] + found[LATE]
     return [folder, found.total(), opened, found[AGREES], found[DIFFERS], found[ALONE] + found[LATE], found[REFUSED],
-            found[FAILED]]  # fmt: skip
+            found[BY_BOTH], found[FAILED]]  # fmt: skip
 
 
 def main() -> None:
@@ -113,7 +125,7 @@ def main() -> None:
     counts = {folder: Counter[str]() for _, folder in files}
     with Pool(options.jobs, maxtasksperchild=FILES) as pool:
         for (path, folder), (verdict, text, taken) in zip(files, pool.imap(looked_at, tasks), strict=True):
-            counts[folder][verdict] += 1
+            counts[folder][BY_BOTH if verdict == REFUSED and BY_BOTH in text else verdict] += 1
             print(f"{verdict:8} {taken:5.1f} s  {path}: {text}", flush=True)
     rows = [line(folder, found) for folder, found in counts.items()]
     print(table(HEADER, [*rows, line("all", sum(counts.values(), start=Counter()))]))

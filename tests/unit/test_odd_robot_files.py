@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from symscrew.cli.parser import main
 from symscrew.errors import DescriptionError
 from symscrew.formats import Account, import_file
 from symscrew.mobility import analyse_mobility
@@ -154,3 +155,19 @@ def test_a_world_that_the_file_does_not_have_is_the_ground(tmp_path: Path) -> No
     assert found.taken["joints"] == 1 and "as for Drake" in found.changed[0]
     with pytest.raises(DescriptionError, match="no parent link 'a'"):
         account(tmp_path, text, "urdf")
+
+
+SPRUNG = """<mujoco><option gravity="0 0 -3"/><worldbody><body name="a"><joint name="j" armature="2" damping="1"/>
+<geom size="0.1" pos="0.2 0 0"/></body></worldbody></mujoco>"""
+
+
+def test_commands_say_what_of_a_file_they_leave_out_or_have_otherwise(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "arm.xml").write_text(SPRUNG)
+    assert main(["generate", str(tmp_path / "arm.xml"), "--target", "numpy", "--out", str(tmp_path / "out")]) == 0
+    assert "beside the mechanism the file has gravity 0 0 -3, armature, damping, which" in capsys.readouterr().err
+    text = HINGE.format(type="revolute", axis="0 0 1", lower="-1", damping="0").replace('<link name="a"/>', "")
+    (tmp_path / "arm.urdf").write_text(text.replace('link="a"', 'link="world"'))
+    assert main(["mobility", str(tmp_path / "arm.urdf")]) == 0
+    assert "note: joints hang on a link 'world' that the file does not have" in capsys.readouterr().err
