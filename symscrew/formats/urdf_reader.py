@@ -90,38 +90,25 @@ def read_urdf(root: Element, path: Path, options: ImportOptions) -> Draft:
     root = with_exact_digits(root, ledger) if options.exact else root
     if any("quat_xyzw" in origin.attrib for origin in root.iter("origin")) and root.get("version") != "1.2":
         ledger.changed.append("quat_xyzw is read, which ROS reads where <robot> says version 1.2 only")
-    links = _named(elements(root, "link"), "link")
-    every = elements(root, "joint", f"{DRAKE}joint")
-    joints = _named((joint for joint in every if not is_loop(joint)), "joint")
-    if links and WORLD not in links and any(attribute(_one(j, "parent"), "link") == WORLD for j in joints.values()):
-        links[WORLD] = Element("link", name=WORLD)
-        ledger.changed.append(
-            f"joints hang on a link {WORLD!r} that the file does not have: it is the ground, as for Drake"
-        )
-    if not links:
-        raise DescriptionError("<robot>: expected links, found none (a xacro file that only defines macros gives none)")
-    carrier = _carriers(links, joints)
-    roots = [name for name in links if name not in carrier]
-    if len(roots) != 1:
-        found = "none: the joints go in a circle" if not roots else ", ".join(shorten(name) for name in roots[:5])
-        raise DescriptionError(f"<robot>: expected one link that is no joint's child, found {found}")
+    links, joints = _parts(root, ledger)
+    ground = _ground(links, joints)
     mimics = mimics_of(root, joints, ledger)
     offsets = offsets_of(mimics)
-    poses = _poses(roots[0], joints, offsets)
+    poses = _poses(ground, joints, offsets)
     lost = next((name for name in links if name not in poses), None)
     if lost is not None:
-        raise DescriptionError(f"{label(links[lost])}: no chain of joints leads to it from {shorten(roots[0])}")
+        raise DescriptionError(f"{label(links[lost])}: no chain of joints leads to it from {shorten(ground)}")
     name = root.get("name") or "robot"
-    result = Draft(name, roots[0], f"imported from the URDF {path.name}", f"robot {name}", ledger=ledger)
+    result = Draft(name, ground, f"imported from the URDF {path.name}", f"robot {name}", ledger=ledger)
     driven, noted = _driven(root, joints, mimics, ledger)
-    result.bodies += [_body(link, poses[name]) for name, link in links.items() if name != roots[0]]
+    result.bodies += [_body(link, poses[name]) for name, link in links.items() if name != ground]
     for link_name, link in links.items():
         result.pictures += visuals(link, poses[link_name], path=path, within=options.folder, origin=_origin)
     result.joints += [_joint(joint, poses, driven, offsets) for joint in joints.values()]
     _couple(result, mimics)
-    weighs = bool(list(elements(links[roots[0]], "inertial")))
+    weighs = bool(list(elements(links[ground], "inertial")))
     if options.floating or (weighs and not joints):
-        _set_free(result, _body(links[roots[0]], poses[roots[0]]), joints)
+        _set_free(result, _body(links[ground], poses[ground]), joints)
     elif weighs:
         result.ledger.passed("inertia of the root link, which is the ground (--floating frees it)")
     for joint_name, joint in joints.items():
@@ -146,6 +133,31 @@ def read_urdf(root: Element, path: Path, options: ImportOptions) -> Draft:
     result.notes += noted
     _left_out(result, root, links.values(), joints.values())
     return result
+
+
+def _parts(root: Element, ledger: Ledger) -> tuple[dict[str, Element], dict[str, Element]]:
+    """Links and joints of the tree by name; the world where joints hang on it."""
+    links = _named(elements(root, "link"), "link")
+    every = elements(root, "joint", f"{DRAKE}joint")
+    joints = _named((joint for joint in every if not is_loop(joint)), "joint")
+    if links and WORLD not in links and any(attribute(_one(j, "parent"), "link") == WORLD for j in joints.values()):
+        links[WORLD] = Element("link", name=WORLD)
+        ledger.changed.append(
+            f"joints hang on a link {WORLD!r} that the file does not have: it is the ground, as for Drake"
+        )
+    if not links:
+        raise DescriptionError("<robot>: expected links, found none (a xacro file that only defines macros gives none)")
+    return links, joints
+
+
+def _ground(links: Mapping[str, Element], joints: Mapping[str, Element]) -> str:
+    """The one link that no joint carries."""
+    carrier = _carriers(links, joints)
+    roots = [name for name in links if name not in carrier]
+    if len(roots) != 1:
+        found = "none: the joints go in a circle" if not roots else ", ".join(shorten(name) for name in roots[:5])
+        raise DescriptionError(f"<robot>: expected one link that is no joint's child, found {found}")
+    return roots[0]
 
 
 def _check_expanded(root: Element) -> None:

@@ -77,28 +77,8 @@ def pinocchio(compiled: Compiled, name: str, expected: tuple[np.ndarray, ...]) -
     index = joint.addJoint(0, library.JointModelRZ(), library.SE3.Identity(), "one")
     joint.appendBodyToJoint(index, least.inertias[1], library.SE3.Identity())
     listed = columns(compiled.whole)
-    q, *others = states(compiled.model, name, len(expected[0]))
-    arrays = [np.zeros((len(q), made.nq)), *(np.zeros((len(q), made.nv)) for _ in others)]
-    order: list[int] = []
-    drives = iter(range(len(listed)))  # of the forces that a function takes or gives, which a free base has none of
-    given = others[:-1] if name == "forward_dynamics" else others
-    for column in listed:
-        j = made.joints[made.getJointId(column.name)]
-        order += range(j.idx_v, j.idx_v + j.nv)
-        if column.free:
-            places, *moved = to_pinocchio(column, q, tuple(given))
-            arrays[0][:, j.idx_q : j.idx_q + j.nq] = places
-            for array, rate in zip(arrays[1:], moved, strict=False):
-                array[:, j.idx_v : j.idx_v + j.nv] = rate
-            continue
-        x = q[:, column.q[0]]
-        turn = (np.cos(x), np.sin(x)) if j.nq == 2 else (x,)  # a joint that turns without end
-        for i, part in enumerate(turn):
-            arrays[0][:, j.idx_q + i] = part
-        for array, rate in zip(arrays[1:], given, strict=False):
-            array[:, j.idx_v] = rate[:, column.v[0]]
-        if name == "forward_dynamics":
-            arrays[-1][:, j.idx_v] = others[-1][:, next(drives)]
+    q = states(compiled.model, name, len(expected[0]))[0]
+    arrays, order = _tree_in_pinocchio(made, compiled, name, len(expected[0]))
     rows = list(zip(*arrays, strict=True))
     first = [tuple(x[:1] for x in row) for row in rows]
     call = getattr(library, known[name])
@@ -128,6 +108,34 @@ def pinocchio(compiled: Compiled, name: str, expected: tuple[np.ndarray, ...]) -
         return ((middle - start) - (time.thread_time() - middle)) * 1e9 / len(rows)
 
     return {f"pinocchio: {known[name]} from Python, less overhead": Peer(measure, results, expected[0])}
+
+
+def _tree_in_pinocchio(made: Any, compiled: Compiled, name: str, count: int) -> tuple[list[np.ndarray], list[int]]:
+    """Pinocchio's q, v and third input at a function's states, and where in its v the tree's rates stand."""
+    q, *others = states(compiled.model, name, count)
+    arrays = [np.zeros((len(q), made.nq)), *(np.zeros((len(q), made.nv)) for _ in others)]
+    order: list[int] = []
+    drives = 0  # of the forces that a function takes or gives, of which a free base has none
+    given = others[:-1] if name == "forward_dynamics" else others
+    for column in columns(compiled.whole):
+        j = made.joints[made.getJointId(column.name)]
+        order += range(j.idx_v, j.idx_v + j.nv)
+        if column.free:
+            places, *moved = to_pinocchio(column, q, tuple(given))
+            arrays[0][:, j.idx_q : j.idx_q + j.nq] = places
+            for array, rate in zip(arrays[1:], moved, strict=False):
+                array[:, j.idx_v : j.idx_v + j.nv] = rate
+            continue
+        x = q[:, column.q[0]]
+        turn = (np.cos(x), np.sin(x)) if j.nq == 2 else (x,)  # a joint that turns without end
+        for i, part in enumerate(turn):
+            arrays[0][:, j.idx_q + i] = part
+        for array, rate in zip(arrays[1:], given, strict=False):
+            array[:, j.idx_v] = rate[:, column.v[0]]
+        if name == "forward_dynamics":
+            arrays[-1][:, j.idx_v] = others[-1][:, drives]
+        drives += 1
+    return arrays, order
 
 
 def _closed_in_pinocchio(compiled: Compiled, name: str, expected: np.ndarray) -> Found | str:
