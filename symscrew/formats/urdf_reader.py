@@ -101,6 +101,7 @@ def read_urdf(root: Element, path: Path, options: ImportOptions) -> Draft:
     name = root.get("name") or "robot"
     result = Draft(name, ground, f"imported from the URDF {path.name}", f"robot {name}", ledger=ledger)
     driven, noted = _driven(root, joints, mimics, ledger)
+    _check_mirrored(links.values(), ledger)
     result.bodies += [_body(link, poses[name]) for name, link in links.items() if name != ground]
     for link_name, link in links.items():
         result.pictures += visuals(link, poses[link_name], path=path, within=options.folder, origin=_origin)
@@ -275,6 +276,18 @@ def _triple(text: str, where: str) -> Triple:
     return triple(numbers(text, where, 3))
 
 
+def _check_mirrored(links: Iterable[Element], ledger: Ledger) -> None:
+    """Say which inertias have other numbers below their diagonal than above it: these count, as in ROS."""
+    for link in links:
+        for moments in (m for inertial in elements(link, "inertial") for m in elements(inertial, "inertia")):
+            for key in (key for key in MIRRORED if key in moments.attrib):
+                above = f"{key[0]}{key[2]}{key[1]}"
+                where = f"{label(link)}, inertia"
+                own, other = (number(moments.get(k, "0"), f"{where}, {k}") for k in (key, above))
+                if own != other:
+                    ledger.changed.append(f"{where}: {key} is {own}, its mirror image {above} {other}, which counts")
+
+
 def _body(link: Element, pose: Pose) -> RawBody:
     name = attribute(link, "name")
     if not list(elements(link, "inertial")):
@@ -286,9 +299,6 @@ def _body(link: Element, pose: Pose) -> RawBody:
     keys = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
     check_attributes(moments, (*keys, *MIRRORED), f"{where}, inertia")
     xx, xy, xz, yy, yz, zz = (number(moments.get(key, "0"), f"{where}, {key}") for key in keys)
-    for key, value in zip(MIRRORED, (xy, xz, yz), strict=True):
-        if key in moments.attrib and number(moments.attrib[key], f"{where}, {key}") != value:
-            raise DescriptionError(f"{where}, {key}: expected {value}, as its mirror image has, got {moments.get(key)}")
     matrix: Rotation = (triple([xx, xy, xz]), triple([xy, yy, yz]), triple([xz, yz, zz]))
     if mass == 0 and not any(entry for row in matrix for entry in row):
         return RawBody(name)
