@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import cache
 from pathlib import Path
 
@@ -43,10 +43,16 @@ def text(name: str) -> str:
     return (_FOLDER / f"{name}.toml").read_text(encoding="utf-8")
 
 
-def find(name_or_path: str | Path, *, run_time: Sequence[str] = ()) -> Mechanism:
+def find(
+    name_or_path: str | Path,
+    *,
+    run_time: Sequence[str] = (),
+    said: Callable[[formats.Imported], None] = lambda _: None,
+) -> Mechanism:
     """A mechanism by its name in the catalogue or by the path of a .toml, .urdf, .xml or .mjcf file.
 
-    `run_time`: parameters that become run-time inputs, whatever the description says.
+    `run_time`: parameters that become run-time inputs, whatever the description says. `said` is told what a robot's
+    file has beside its mechanism.
 
     Raises:
         DescriptionError: neither, or the file does not describe a mechanism.
@@ -61,7 +67,9 @@ def find(name_or_path: str | Path, *, run_time: Sequence[str] = ()) -> Mechanism
         if path.suffix != ".toml" and path.suffix in formats.READABLE:
             if run_time:
                 raise DescriptionError(f"{shorten(asked, 200)} has no parameters; convert it to .toml and add them")
-            return formats.load_format(path)
+            found = formats.import_file(path)
+            said(found)
+            return found.mechanism
         return load_description(path, run_time=run_time)
     raise DescriptionError(
         f"{shorten(asked)} is neither a mechanism of the catalogue nor a .toml, .urdf, .xml or .mjcf file; "

@@ -12,7 +12,7 @@ from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING
 
 from symscrew.cli.help import DONE, FAILED, UsageError
-from symscrew.cli.shared_options import add_no_cache, need_matplotlib
+from symscrew.cli.shared_options import add_no_cache, find_mechanism, need_matplotlib
 from symscrew.errors import DescriptionError, did_you_mean, shorten
 from symscrew.studies.accuracy import STUDIES, studies_of_a_mechanism
 from symscrew.whole_files import write_text
@@ -149,7 +149,7 @@ def _subject(name: str, progress: Progress) -> tuple[Subject | None, Path | None
             scene = load_scene(path)
             with progress.step(f"derive {scene.mechanism.name}"):
                 return Subject(derive(scene.mechanism, scene.effects), scene), path
-    mechanism = catalogue.find(name)
+    mechanism = find_mechanism(name, acting=True)
     with progress.step(f"derive {mechanism.name}"):
         return Subject(derive(mechanism)), None
 

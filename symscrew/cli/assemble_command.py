@@ -12,7 +12,14 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from symscrew.cli.help import DONE, FAILED, UsageError
-from symscrew.cli.shared_options import add_mechanism, check_folder, need_matplotlib, settings, writable_folder
+from symscrew.cli.shared_options import (
+    add_mechanism,
+    check_folder,
+    find_mechanism,
+    need_matplotlib,
+    settings,
+    writable_folder,
+)
 from symscrew.errors import shorten
 
 if TYPE_CHECKING:
@@ -51,14 +58,13 @@ def add_options(command: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Solve, print, draw; 1 when a mode is neither certified nor singular, or there are others than expected."""
-    from symscrew import catalogue
     from symscrew.assembly import assembly_modes, mode_lines, mode_values, reach_lines, reachable_modes
     from symscrew.display import print_text
     from symscrew.kinematics import angle_notices
 
     picture = _picture(options.picture)
     drives, at = (settings(name, getattr(options, name)) for name in ("drives", "at"))
-    mechanism = catalogue.find(options.mechanism)
+    mechanism = find_mechanism(options.mechanism)
     for notice in angle_notices(mechanism, {**drives, **at}):
         print(f"note: {notice}", file=sys.stderr)
     progress = _progress if sys.stderr.isatty() else lambda _: None

@@ -8,7 +8,7 @@ import sys
 from typing import TYPE_CHECKING
 
 from symscrew.cli.help import DONE, UsageError
-from symscrew.cli.shared_options import add_described_mechanism, add_no_cache, need_matplotlib
+from symscrew.cli.shared_options import add_described_mechanism, add_no_cache, find_mechanism, need_matplotlib
 from symscrew.whole_files import destination
 
 if TYPE_CHECKING:
@@ -35,7 +35,6 @@ def add_options(command: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Measure, print, draw."""
-    from symscrew import catalogue
     from symscrew.display import Progress, print_table, print_text
     from symscrew.model import derive
     from symscrew.studies.benchmark import USUAL_FUNCTIONS, throughput, time_functions
@@ -46,7 +45,7 @@ def run(options: argparse.Namespace) -> int:
     if picture:
         need_matplotlib("--plot needs")
     progress = Progress()
-    mechanism = catalogue.find(options.mechanism)
+    mechanism = find_mechanism(options.mechanism, acting=True)
     with progress.step(f"derive {mechanism.name}"):
         model = derive(mechanism)
     functions = options.function or [name for name in USUAL_FUNCTIONS if name in model.programs]

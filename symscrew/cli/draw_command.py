@@ -6,7 +6,7 @@ import argparse
 from pathlib import Path
 
 from symscrew.cli.help import DONE, UsageError
-from symscrew.cli.shared_options import add_mechanism, check_folder, need_matplotlib, writable_folder
+from symscrew.cli.shared_options import add_mechanism, check_folder, find_mechanism, need_matplotlib, writable_folder
 
 EXAMPLES = ("symscrew draw three_ups_upu_s --out seed.png", "symscrew draw delta --out delta.pdf")
 FORMATS = (".png", ".pdf", ".svg")
@@ -20,13 +20,12 @@ def add_options(command: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Read, draw, print the place."""
-    from symscrew import catalogue
 
     path = Path(options.out)
     if path.suffix not in FORMATS:
         raise UsageError(f"--out: expected a file name that ends in {' or '.join(FORMATS)}, got {options.out!r}")
     check_folder(path.parent)
-    mechanism = catalogue.find(options.mechanism)
+    mechanism = find_mechanism(options.mechanism)
     writable_folder(str(path.parent))
     need_matplotlib()
     from symscrew.display import mechanism_figure, save_figure

@@ -16,6 +16,7 @@ from symscrew.cli.shared_options import (
     add_no_cache,
     check_folder,
     chosen_effects,
+    find_mechanism,
     keep_inputs,
     no_matplotlib,
     writable_folder,
@@ -55,14 +56,13 @@ def add_motion(command: argparse.ArgumentParser, *, required: bool) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Read, follow, compute, compare, write; 1 where another method does not give the same."""
-    from symscrew import catalogue
     from symscrew.display import Progress, print_text
     from symscrew.studies.given_motion import FILES, drives, study_json, study_text, write_study
 
     if options.out:
         check_folder(options.out)
         keep_inputs([Path(options.out, name) for name in FILES], [options.mechanism, *options.motion])
-    mechanism = catalogue.find(options.mechanism)
+    mechanism = find_mechanism(options.mechanism, acting=not options.effects)
     effects = chosen_effects(options, mechanism)
     if options.load:
         raise UsageError("--load: give the wrench in the motion's file, [loads.POINT] with fx ... mz as expressions")

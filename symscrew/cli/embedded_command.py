@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from symscrew.cli.help import DONE, FAILED
-from symscrew.cli.shared_options import add_described_mechanism
+from symscrew.cli.shared_options import add_described_mechanism, find_mechanism
 from symscrew.whole_files import destination, write_text
 
 if TYPE_CHECKING:
@@ -43,7 +43,6 @@ def add_options(command: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Measure, print, write."""
-    from symscrew import catalogue
     from symscrew.display import Progress, fitting_table
     from symscrew.model import derive
     from symscrew.verification import measure
@@ -51,7 +50,7 @@ def run(options: argparse.Namespace) -> int:
     path = destination(options.out, (".json",), "--out") if options.out else None
     report = destination(options.report, (".md",), "--report") if options.report else None
     progress = Progress()
-    mechanism = catalogue.find(options.mechanism)
+    mechanism = find_mechanism(options.mechanism, acting=True)
     with progress.step(f"derive {mechanism.name}"):
         model = derive(mechanism)
     functions = options.function or [name for name in USUAL_FUNCTIONS if name in model.programs]

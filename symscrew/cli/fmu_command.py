@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from symscrew.cli.help import DONE
-from symscrew.cli.shared_options import add_no_cache
+from symscrew.cli.shared_options import add_no_cache, find_mechanism
 from symscrew.whole_files import destination
 
 if TYPE_CHECKING:
@@ -48,7 +48,7 @@ def _scene(name: str) -> Scene:
     from symscrew.formats import READABLE
 
     if name in catalogue.names() or Path(name).suffix in READABLE or _describes(Path(name)):
-        return at_rest(catalogue.find(name), (Gravity(),))
+        return at_rest(find_mechanism(name, acting=True), (Gravity(),))
     return scene.load_scene(name)
 
 

@@ -6,7 +6,7 @@ import argparse
 from pathlib import Path
 
 from symscrew.cli.help import DONE
-from symscrew.cli.shared_options import add_mechanism
+from symscrew.cli.shared_options import add_mechanism, find_mechanism
 from symscrew.whole_files import destination
 
 EXAMPLES = (
@@ -25,10 +25,9 @@ def add_options(command: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """Read, derive, print or write."""
     out: Path | None = destination(options.out, (".tex",), "--out") if options.out is not None else None
-    from symscrew import catalogue
     from symscrew.paper_formulas import paper_formulas
 
-    found = paper_formulas(catalogue.find(options.mechanism))
+    found = paper_formulas(find_mechanism(options.mechanism))
     if out is None:
         print(found.tex(document=options.document), end="")
     else:

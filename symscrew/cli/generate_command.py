@@ -18,6 +18,7 @@ from symscrew.cli.shared_options import (
     add_no_cache,
     check_folder,
     chosen_effects,
+    find_mechanism,
 )
 from symscrew.errors import DescriptionError
 from symscrew.garbage import nothing_to_collect
@@ -92,7 +93,6 @@ def profiled(options: argparse.Namespace) -> argparse.Namespace:
 @nothing_to_collect()  # of modules that are imported here neither
 def run(options: argparse.Namespace) -> int:
     """Read, derive, measure, write, print; what was printed before of the same input is taken from the cache."""
-    from symscrew import catalogue
     from symscrew.cli.kept_outcomes import once
     from symscrew.display import Progress, print_table, print_text
     from symscrew.generation import check_place, write_folder
@@ -103,7 +103,7 @@ def run(options: argparse.Namespace) -> int:
     check_place(options.out)
     progress = Progress()
     with progress.step(f"read {options.mechanism}"):
-        mechanism = catalogue.find(options.mechanism)
+        mechanism = find_mechanism(options.mechanism, acting=not options.effects)
         effects = chosen_effects(options, mechanism)
     given = (mechanism, effects, targets, {name: getattr(options, name) for name in ASKED})
     key: Sequence[object] = (object(),) if options.embedded else given  # what is measured is measured each time

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from symscrew.cli.help import DONE, FAILED, UsageError
-from symscrew.cli.shared_options import add_mechanism, add_no_cache, check_folder, settings
+from symscrew.cli.shared_options import add_mechanism, add_no_cache, check_folder, find_mechanism, settings
 from symscrew.errors import shorten
 from symscrew.garbage import nothing_to_collect
 from symscrew.whole_files import write_text
@@ -73,7 +73,6 @@ ASKED = ("tolerance", "body", "along", "connections", "expect", "full", "json")
 
 def run(options: argparse.Namespace) -> int:
     """Analyse, print, write; 1 when a claim is not verified. What was found before of the same is in the cache."""
-    from symscrew import catalogue
     from symscrew.cli.kept_outcomes import once
     from symscrew.display import print_text
     from symscrew.kinematics import angle_notices
@@ -86,7 +85,7 @@ def run(options: argparse.Namespace) -> int:
     for file, option in ((options.out, "--out"), (options.proof, "--proof")):
         if file:
             check_folder(Path(file).parent, option)
-    mechanism = catalogue.find(options.mechanism)
+    mechanism = find_mechanism(options.mechanism)
     at = settings("at", options.at)
     for notice in angle_notices(mechanism, at):
         print(f"note: {notice}", file=sys.stderr)

@@ -11,7 +11,14 @@ from pathlib import Path
 
 from symscrew.cli.drives_command import add_motion, motion_of_options
 from symscrew.cli.help import DONE, UsageError
-from symscrew.cli.shared_options import add_effects, add_mechanism, add_no_cache, chosen_effects, need_matplotlib
+from symscrew.cli.shared_options import (
+    add_effects,
+    add_mechanism,
+    add_no_cache,
+    chosen_effects,
+    find_mechanism,
+    need_matplotlib,
+)
 from symscrew.errors import shorten
 from symscrew.whole_files import destination
 
@@ -39,7 +46,6 @@ def add_options(command: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """Read, derive, measure, write."""
     need_matplotlib()
-    from symscrew import catalogue
     from symscrew.display import Progress
     from symscrew.model import derive
     from symscrew.reporting import document, write_document
@@ -51,7 +57,7 @@ def run(options: argparse.Namespace) -> int:
     path = destination(options.out, (".html", ".md"), "--out")
     progress = Progress()
     with progress.step(f"read {options.mechanism}"):
-        mechanism = catalogue.find(options.mechanism)
+        mechanism = find_mechanism(options.mechanism, acting=not options.effects)
         effects = chosen_effects(options, mechanism)
         scene = load_scene(options.scene) if options.scene else None
     if scene is not None and scene.mechanism.name != mechanism.name:

@@ -10,6 +10,7 @@ import argparse
 import importlib
 import os
 import re
+import sys
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -20,6 +21,7 @@ from symscrew.errors import shorten
 if TYPE_CHECKING:
     from symscrew.description import Mechanism
     from symscrew.effects import Effect
+    from symscrew.formats import Imported
 
 
 def add_mechanism(command: argparse.ArgumentParser) -> None:
@@ -38,6 +40,26 @@ def add_no_cache(command: argparse.ArgumentParser) -> None:
     command.add_argument(
         "--no-cache", action="store_true", help="compile and derive anew, keep nothing (symscrew cache)"
     )
+
+
+def find_mechanism(name: str, *, acting: bool = False) -> Mechanism:
+    """As `catalogue.find`; on stderr what a robot's file has that the mechanism has otherwise or not.
+
+    `acting`: the command is about forces, and those of the file are none of them.
+    """
+    from symscrew import catalogue
+
+    def said(found: Imported) -> None:
+        for text in found.account.changed:
+            print(f"note: {text}", file=sys.stderr)
+        if acting and found.acting():
+            print(
+                f"note: beside the mechanism the file has {found.acting()}, which is left out here: symscrew convert "
+                f"{name} --out NAME.toml --scene SCENE.toml writes both, and --effects SCENE.toml takes it",
+                file=sys.stderr,
+            )
+
+    return catalogue.find(name, said=said)
 
 
 NEXT_SETTING = re.compile(r",\s*(?=[A-Za-z_][\w.]*\s*=)")

@@ -64,7 +64,9 @@ def add_options(command: argparse.ArgumentParser) -> None:
     command.add_argument("--modes", action="store_true", help="a chooser of all assembly modes at the reference")
     command.add_argument("--run-time", nargs="+", default=[], metavar="NAME", help="parameters that get a slider")
     command.add_argument(
-        "--meshes", metavar="FILE", help="draw bodies as the meshes (STL, OBJ) of a URDF or MJCF file with their names"
+        "--meshes",
+        metavar="FILE",
+        help="draw bodies as the meshes (STL, OBJ, MSH) of a URDF or MJCF file with their names",
     )
     command.add_argument(
         "--folder", metavar="DIR", type=Path, help="below which meshes and packages are; default: the file's own"

@@ -21,6 +21,7 @@ from symscrew.cli.shared_options import (
     add_no_cache,
     check_folder,
     chosen_effects,
+    find_mechanism,
     no_matplotlib,
 )
 from symscrew.errors import did_you_mean, shorten
@@ -162,7 +163,7 @@ def read_plan(options: argparse.Namespace) -> Plan:
     samples = options.samples if tolerances else 1
     if not 1 <= samples <= MOST_SAMPLES:
         raise UsageError(f"--samples: expected a number from 1 to {MOST_SAMPLES}, got {samples}")
-    mechanism = catalogue.find(options.mechanism)
+    mechanism = find_mechanism(options.mechanism, acting=not options.effects)
     for name, _ in tolerances:
         if name not in mechanism.parameters:
             raise UsageError(f"--tolerance: no parameter {name!r}; {did_you_mean(name, mechanism.parameters)}")

@@ -20,18 +20,22 @@ TYPES: Mapping[str, str] = {
     "servo": "position_servo",
     "load": "external_wrench",
     "drag": "fluid_drag",
+    "cord": "point_spring",
 }
 """What a file calls a force -> the type of its effect."""
 HELD: Mapping[str, frozenset[str]] = {
     "armature": frozenset({"joint", "freedom", "inertia", "ratio"}),
     "damping": frozenset({"joint", "freedom", "coefficient"}),
     "friction": frozenset({"joint", "freedom", "coulomb", "velocity"}),
-    "spring": frozenset({"joint", "freedom", "stiffness", "rest", "damping"}),
+    "spring": frozenset({"joint", "freedom", "stiffness", "rest", "damping", "nearest"}),
     "servo": frozenset({"joint", "freedom", "stiffness", "damping", "limit", "lowest", "name"}),
     "load": frozenset({"point", "wrench"}),
+    "cord": frozenset({"start", "end", "through", "stiffness", "length", "shortest", "damping"}),
     "drag": frozenset({"body", "sides", "axes", "density", "viscosity", "wind"}),
 }
 """What files say of each: an effect with other keys is more than a file holds."""
+WORDS = ("joint", "point", "body", "freedom", "name", "start", "end", "through", "nearest")
+"""What of an effect's table is no number."""
 USUAL = (0, 0, "-9.81")
 """Gravity [m/s^2] of a file that does not say its own."""
 
@@ -67,10 +71,7 @@ def forces_of_effects(
         if kind is None or not set(table) <= HELD[kind] or (kind == "load" and table.get("axes") == "body"):
             others.append(f"{name} with {', '.join(table)}" if kind else name)
             continue
-        plain = {
-            k: _number(mechanism, reader, v) if k not in ("joint", "point", "body", "freedom", "name") else v
-            for k, v in table.items()
-        }
+        plain = {k: v if k in WORDS else _number(mechanism, reader, v) for k, v in table.items()}
         forces.append({"kind": kind, **plain})
     return tuple(forces), field, tuple(others)
 

@@ -28,6 +28,17 @@ def drags_of(draft: Draft, bodies: Mapping[str, str]) -> tuple[Mapping[str, Any]
     return tuple({"kind": "drag", "body": bodies[body], **table} for body, table in draft.drags.items())
 
 
+def cords_of(draft: Draft, points: Mapping[str, str]) -> tuple[Mapping[str, Any], ...]:
+    """The draft's springs over points; `points`: point of the file -> point of the mechanism."""
+    tables = []
+    for cord in draft.cords:
+        plain = {key: value for key, value in cord.items() if key not in ("start", "through", "end")}
+        through = tuple(points[name] for name in cord["through"])
+        ends: dict[str, Any] = {"start": points[cord["start"]], "end": points[cord["end"]]}
+        tables.append({"kind": "cord", **ends, **({"through": through} if through else {}), **plain})
+    return tuple(tables)
+
+
 NOT_NEGATIVE = {"armature": "inertia", "damping": "coefficient", "friction": "coulomb"}
 """Kinds of forces -> the number of theirs that would bring in energy if it were negative."""
 

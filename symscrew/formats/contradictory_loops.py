@@ -4,7 +4,7 @@ Gepetto's files say with a word for every loop whether its frames meet in place 
 where nothing is said), and name the joints that are balls though a URDF has turns there. A word that is missing leaves
 a loop that cannot close.
 
-    draft, loops --> a sentence for the error; or, where that is asked for, joints and loops that close
+    draft, loops --> joints and loops that close, where one meaning does or is asked for; else a sentence for the error
 """
 
 from __future__ import annotations
@@ -32,20 +32,31 @@ class Cure:
     full: str
 
 
-def loosened(draft: Draft, loops: Sequence[Loop]) -> Cure | None:
-    """What closes the loops if the file means it, the least change first; None if nothing that is known does."""
-    return next(_cures(draft, loops, open_alone(Tree.of(draft, loops))), None)
+@dataclass(frozen=True)
+class Contradiction:
+    """Loops that no start closes: by how much they stay open alone, and what closes all, the least change first."""
 
+    gaps: Mapping[int, float]
+    cures: Sequence[Cure]
 
-def why_open(draft: Draft, loops: Sequence[Loop]) -> str:
-    """What is known of loops that no start closed: which do not close alone, which changes of the file close all."""
-    gaps = open_alone(Tree.of(draft, loops))
-    said = []
-    if gaps:
-        least = [f"loop 'closing_{k + 1}' {gap:.3g}" for k, gap in gaps.items()]
-        said.append(f"alone, too, the best of {STARTS} starts leave open [m, rad]: {_some(least)}")
-    cures = [f"{cure.short} all loops close" for cure in _cures(draft, loops, gaps)]
-    return "; ".join([*said, *cures, *(["take the first of these with --loosen"] if cures else [])])
+    @classmethod
+    def of(cls, draft: Draft, loops: Sequence[Loop]) -> Contradiction:
+        """What is known of such loops."""
+        gaps = open_alone(Tree.of(draft, loops))
+        return cls(gaps, list(_cures(draft, loops, gaps)))
+
+    def cure(self, loosen: bool) -> Cure | None:
+        """The only thing that closes the loops if the file means it; of several the first where `loosen` says so."""
+        return self.cures[0] if self.cures and (loosen or len(self.cures) == 1) else None
+
+    def said(self) -> str:
+        """Which loops do not close alone, which changes of the file close all."""
+        said = []
+        if self.gaps:
+            least = [f"loop 'closing_{k + 1}' {gap:.3g}" for k, gap in self.gaps.items()]
+            said.append(f"alone, too, the best of {STARTS} starts leave open [m, rad]: {_some(least)}")
+        cures = [f"{cure.short} all loops close" for cure in self.cures]
+        return "; ".join([*said, *cures, *(["take the first of these with --loosen"] if cures else [])])
 
 
 def _cures(draft: Draft, loops: Sequence[Loop], gaps: Mapping[int, float]) -> Iterator[Cure]:

@@ -12,7 +12,16 @@ from decimal import Decimal
 
 from symscrew.description import Mechanism, MechanismBuilder
 from symscrew.errors import DescriptionError
-from symscrew.formats.beside import account_of, check_forces, drags_of, forces_of, limits_of, loads_of, starts_of
+from symscrew.formats.beside import (
+    account_of,
+    check_forces,
+    cords_of,
+    drags_of,
+    forces_of,
+    limits_of,
+    loads_of,
+    starts_of,
+)
 from symscrew.formats.draft import Draft, RawBody, RawJoint
 from symscrew.formats.file_names import fresh, mechanism_name, printable, safe_names
 from symscrew.formats.idle_spins import bars
@@ -77,7 +86,8 @@ def imported(draft: Draft, options: ImportOptions) -> Imported:
         made,
         forces_of(draft, named)
         + loads_of(draft, safe_names(name for name, _, _ in draft.points))
-        + drags_of(draft, named_bodies),
+        + drags_of(draft, named_bodies)
+        + cords_of(draft, safe_names(name for name, _, _ in draft.points)),
         {named(joint)[0]: limits_of(found) for joint, found in draft.limits.items() if joint in places},
         {name: tuple(map(float, values)) for name, values in draft.configurations.items()},
         account,

@@ -5,6 +5,7 @@ taken over | turned into effects and limits | left out without influence | left 
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
@@ -66,7 +67,7 @@ class Imported:
         mechanism: bodies, joints, couplings.
         forces: what the file says of forces: kind (armature, damping, friction, spring, servo), the joint, the freedom
             of a joint with several, and its numbers; kind load, the point, and the wrench where it is no input; kind
-            drag, the body, and its numbers. See
+            drag, the body, and its numbers; kind cord, the points that it is over, and its numbers. See
             `symscrew.effects.effects_of_file`.
         limits: joint -> its limits.
         configurations: name -> coordinates in the file's own order.
@@ -84,6 +85,12 @@ class Imported:
     gravity: tuple[float, ...] | None = None
     starts: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
     start_rates: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
+
+    def acting(self) -> str:
+        """What of it acts beside the usual gravity, by kinds with how often; empty where nothing does."""
+        counts = Counter(str(force["kind"]) for force in self.forces)
+        field = [] if self.gravity is None else [f"gravity {' '.join(f'{c:g}' for c in self.gravity)}"]
+        return ", ".join([*field, *([_counted(counts)] if counts else [])])
 
 
 def _counted(counts: Mapping[str, int]) -> str:

@@ -28,7 +28,7 @@ from symscrew.formats.rigid_displacements import Pose, Real, Rotation, Triple, f
 from symscrew.formats.safe_xml import Element, attribute, elements, label, number, numbers
 
 Array = np.ndarray[Any, Any]
-SUFFIXES = (".stl", ".obj")
+SUFFIXES = (".stl", ".obj", ".msh")
 MOST_BYTES = 100_000_000
 """Of a mesh file: the largest that robots have are of some ten megabytes."""
 POINTER = b"version https://git-lfs.github.com/spec/"
@@ -195,7 +195,7 @@ def fitted(bulk: Bulk, kind: str) -> tuple[Pose, list[Real]]:
 
 
 def read_triangles(path: Path) -> Array:
-    """The triangles (n, 3, 3) of an OBJ or STL file; raises DescriptionError."""
+    """The triangles (n, 3, 3) of an OBJ, STL or MSH file; raises DescriptionError."""
     try:
         if path.stat().st_size > MOST_BYTES:
             raise DescriptionError(f"{path.name}: the mesh has more than {MOST_BYTES} bytes")
@@ -206,9 +206,9 @@ def read_triangles(path: Path) -> Array:
         raise DescriptionError(f"{path.name}: it is not the mesh, but its pointer of Git LFS; git lfs pull fetches it")
     suffix = path.suffix.lower()
     if suffix not in SUFFIXES:
-        raise DescriptionError(f"{path.name}: meshes are read from .stl and .obj files")
+        raise DescriptionError(f"{path.name}: meshes are read from .stl, .obj and .msh files")
     try:
-        return _obj(content) if suffix == ".obj" else _stl(content)
+        return {".obj": _obj, ".stl": _stl, ".msh": _msh}[suffix](content)
     except (ValueError, IndexError, struct.error) as error:
         raise DescriptionError(f"{path.name}: no valid {suffix} file: {shorten(str(error), 100)}") from error
 
@@ -245,6 +245,22 @@ def _obj(content: bytes) -> Array:
     if not corners:
         return hull_of(single, "points without faces") if len(single) else single.reshape(-1, 3, 3)
     found: Array = single[np.array(corners, dtype=int)].reshape(-1, 3, 3)
+    return found
+
+
+def _msh(content: bytes) -> Array:
+    """MuJoCo's own: numbers of vertices, normals, texture coordinates and faces, and these in that order."""
+    counts = struct.unpack_from("<4i", content)
+    sizes = [part * count for part, count in zip((3, 3, 2, 3), counts, strict=True)]
+    if min(counts) < 0 or len(content) != 16 + 4 * sum(sizes):
+        raise ValueError(f"expected {16 + 4 * sum(sizes)} bytes for {counts}, got {len(content)}")
+    places = np.frombuffer(content, "<f4", sizes[0], 16).astype(float).reshape(-1, 3)
+    faces = np.frombuffer(content, "<i4", sizes[3], 16 + 4 * sum(sizes[:3])).reshape(-1, 3)
+    if len(faces) and not 0 <= faces.min() <= faces.max() < len(places):
+        raise ValueError(f"a face has a vertex that is none of the {len(places)}")
+    if not len(faces):
+        return hull_of(places, "points without faces") if len(places) else places.reshape(-1, 3, 3)
+    found: Array = places[faces]
     return found
 
 

@@ -51,7 +51,7 @@ KNOWN = (
 class Actuators:
     """The actuators of a file: elements with the attributes of their classes, and what they act on.
 
-    `idle`: those of groups that are off; their rotors turn with the joint all the same.
+    `idle`: those that are off; their rotors turn with the joint all the same.
     """
 
     listed: Sequence[tuple[Element, Mapping[str, str]]]
@@ -70,8 +70,9 @@ class Actuators:
                     settings.actuator(element) if element.tag in ACTUATORS else {**element.attrib, KIND: element.tag}
                 )
                 _check_actuator(element, given)
-                if int(number(given.get("group", "0"), f"{label(element)}, group")) in settings.idle_groups:
-                    draft.ledger.passed("actuators of groups that are off")
+                group = int(number(given.get("group", "0"), f"{label(element)}, group"))
+                if group in settings.idle_groups or "actuation" in settings.off:
+                    draft.ledger.passed("actuators that are off")
                     idle.append((element, given))
                     continue
                 listed.append((element, given))
@@ -199,7 +200,7 @@ def _is_drive(element: Element, given: Mapping[str, str], joint: str, listed: Se
     of its reference configuration, which the parent carries, and of a free joint about the world's, as forces are.
     """
     at = next(one for one in listed if one.name == joint)
-    gear = numbers(given["gear"], f"{label(element)}, gear")
+    gear = numbers(given.get("gear", "1"), f"{label(element)}, gear")
     k = next(index for index, value in enumerate(gear) if value != 0)
     if given.get("biastype", "none") != "none":
         return False

@@ -3,7 +3,7 @@
     <replicate count offset euler sep>   count frames, the k-th turned by k times the angles, and the next one offset
                                          from there in its axes; names get sep and a number
     <attach model body prefix>           the body (or with `frame` what is in that, at its place), or all of the model's
-                                         world; names and classes get the prefix
+                                         world; names and classes get the prefix; without a model `mjcf_own_parts`
 
 What refers to a name of a part in <equality>, <tendon> and <actuator> is repeated or comes along with it. A model that
 is attached keeps its own units and default classes; its options, keyframes and sensors stay behind.
@@ -22,6 +22,7 @@ from symscrew.errors import DescriptionError, did_you_mean, shorten
 from symscrew.formats.draft import Draft
 from symscrew.formats.included_files import DEEPEST, MOST_FILES, expanded, inside
 from symscrew.formats.mesh_inertias import Meshes
+from symscrew.formats.mjcf_own_parts import own_part
 from symscrew.formats.mjcf_settings import Attributes, Settings, settings
 from symscrew.formats.rigid_displacements import CONTEXT, ZERO, Pose, to_quaternion, triple
 from symscrew.formats.safe_xml import (
@@ -76,6 +77,18 @@ def composed(
     return Composed(made, tuple((replace(chosen, defaults=classes), meshes) for chosen, meshes in composition.parts))
 
 
+@dataclass(frozen=True)
+class _Model:
+    """A model while parts are attached in it: its root as the file has it, models that it names, its file and those
+    in which it is attached, and what its main class is called."""
+
+    given: Element
+    models: Mapping[str, Element]
+    path: Path
+    way: tuple[Path, ...]
+    main: str
+
+
 class _Composition:
     def __init__(self, draft: Draft, prepare: Callable[[Element], Element], within: Path | None) -> None:
         self.draft, self.prepare, self.within = draft, prepare, within
@@ -94,17 +107,16 @@ class _Composition:
         if any(True for _ in root.iter("attach")):
             found = (model for section in elements(root, "asset") for model in elements(section, "model"))
             models = {model.get("name") or self._own_name(model, path): model for model in found}
-            root = copy(root)
-            root[:] = [self._attached(child, root, models, (path, (*way, path.resolve()))) for child in root]
+            given, root = root, copy(root)
+            whole = _Model(given, models, path, (*way, path.resolve()), f"#{index}" if way else "main")
+            root[:] = [self._attached(child, root, whole) for child in root]
         return replicated(root, chosen)  # what is attached inside is repeated, with what refers to it
 
     def _own_name(self, model: Element, path: Path) -> str:
         """What a model's own file calls it, where the one that takes it gives no name."""
         return read(inside(path.parent, attribute(model, "file"), label(model), self.within)).get("model", "")
 
-    def _attached(
-        self, element: Element, root: Element, models: Mapping[str, Element], at: tuple[Path, tuple[Path, ...]]
-    ) -> Element:
+    def _attached(self, element: Element, root: Element, whole: _Model) -> Element:
         """An element with the models that are attached below it; what comes along with them is added to the root."""
         if not any(True for _ in element.iter("attach")):
             return element
@@ -112,16 +124,26 @@ class _Composition:
         made[:] = []
         for child in element:
             if child.tag == "attach":
-                made.append(self._model(child, root, models, at))
+                made.append(self._part(child, root, whole))
             else:
-                made.append(self._attached(child, root, models, at))
+                made.append(self._attached(child, root, whole))
         return made
 
-    def _model(
-        self, element: Element, root: Element, models: Mapping[str, Element], at: tuple[Path, tuple[Path, ...]]
-    ) -> Element:
+    def _part(self, element: Element, root: Element, whole: _Model) -> Element:
+        """What stands in the place of an <attach>."""
         check_attributes(element, ("model", "body", "frame", "prefix"))
-        (path, way), name = at, element.get("model", "")
+        if "model" in element.attrib:
+            return self._model(element, root, whole)
+        wanted, kind = _part_of(element)
+        if wanted is None:
+            raise DescriptionError("<attach>: without a model, expected a body or a frame of this one")
+        part, along = own_part(element, whole.given, wanted, kind, main=whole.main)
+        for section in along:
+            root.append(section)
+        return part
+
+    def _model(self, element: Element, root: Element, whole: _Model) -> Element:
+        path, way, models, name = whole.path, whole.way, whole.models, element.attrib["model"]
         if name not in models:
             raise DescriptionError(f"<attach>: there is no <model> {shorten(name)}; {did_you_mean(name, models)}")
         file = inside(path.parent, attribute(models[name], "file"), label(models[name]), self.within)

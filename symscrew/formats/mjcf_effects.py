@@ -1,6 +1,7 @@
 """Forces, limits and gravity of a mechanism as attributes of an MJCF's joints, and as its actuators.
 
 armature, damping, friction, spring --> <joint armature damping frictionloss stiffness springref>
+cord --> <spatial>
 servo --> <position> in place of the motor          carried weight --> <body gravcomp>
 """
 
@@ -16,6 +17,7 @@ import numpy as np
 from symscrew.description import Mechanism
 from symscrew.errors import DescriptionError
 from symscrew.formats.imported import Beside, JointLimits
+from symscrew.formats.mjcf_cords import add_cord
 from symscrew.formats.mjcf_forces import SLIP
 from symscrew.formats.safe_xml import decimals
 
@@ -27,6 +29,8 @@ def holds(mechanism: Mechanism, force: Mapping[str, Any]) -> bool:
     """Whether MJCF holds a force: a servo on a driven freedom, a wrench that carries a share of a body's weight."""
     if force["kind"] == "drag":
         return False
+    if force["kind"] == "cord":
+        return True
     if force["kind"] == "servo":
         return (force.get("freedom") or 0) in mechanism.joints[str(force["joint"])].driven
     if force["kind"] == "load":
@@ -36,7 +40,8 @@ def holds(mechanism: Mechanism, force: Mapping[str, Any]) -> bool:
     if force["kind"] == "friction" and force.get("velocity") != float(SLIP):  # which no file says
         return False
     if mechanism.joints[str(force["joint"])].kind.unconstrained:  # one number for all its freedoms
-        return force["kind"] in ("armature", "damping") and force.get("freedom") is None
+        alike = force["kind"] in ("armature", "damping") or bool(force.get("nearest"))
+        return alike and force.get("freedom") is None
     return True
 
 
@@ -57,6 +62,9 @@ def add_effects(root: Element, mechanism: Mechanism, beside: Beside, bodies: Map
     for option in root.iter("option"):
         option.set("gravity", decimals(field))
     for force in beside.forces:
+        if force["kind"] == "cord":
+            add_cord(root, force)
+            continue
         if force["kind"] == "load":
             _carry(root, mechanism, force, field=field, bodies=bodies)
             continue
@@ -102,7 +110,8 @@ def _attributes(element: Element, force: Mapping[str, Any]) -> None:
             raise DescriptionError(f"joints.{force['joint']}: MJCF holds one spring of a joint, got two")
         if force.get("stiffness"):
             add("stiffness", force["stiffness"])
-            add("springref", force.get("rest", 0.0))
+            if element.get("type") != "ball":
+                add("springref", force.get("rest", 0.0))
         if force.get("damping"):
             add("damping", force["damping"])
 

@@ -65,6 +65,8 @@ def joint_forces(
         if single:
             rest = _rest(settings, attributes, where, kind)
             add("spring", "stiffness", stiffness=float(stiffness[0]), rest=float(rest))
+        elif kind == "ball":  # along the shortest turn from where it stands in the file
+            add("spring", "stiffness", stiffness=float(stiffness[0]), nearest=True)
         else:
             draft.ledger.lost(f"stiffness of a {kind} joint")
     if any(value != 0 for value in (*damping[1:], *stiffness[1:])):

@@ -135,7 +135,7 @@ def idle_equalities(root: Element, settings: Settings) -> int:
 
 
 def equalities(root: Element, settings: Settings, tag: str, active: str = "true") -> Iterator[Element]:
-    """The active equalities of a kind, or the others."""
+    """The active equalities of a kind, or the others: all of them where the options say that none is."""
     kind = {"joint": "couple", "tendon": "tie"}.get(tag, tag)
     for section in elements(root, "equality"):
         for element in elements(section, tag):
@@ -145,7 +145,7 @@ def equalities(root: Element, settings: Settings, tag: str, active: str = "true"
             given = {**default, **chosen}.get("active", "true")
             if given not in ("true", "false"):
                 raise DescriptionError(f"{label(element)}, active: expected true or false, got {shorten(given)}")
-            if given == active:
+            if ("false" if "equality" in settings.off else given) == active:
                 yield element
 
 

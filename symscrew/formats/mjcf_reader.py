@@ -16,6 +16,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
 from symscrew.errors import DescriptionError, did_you_mean, shorten
@@ -27,6 +28,7 @@ from symscrew.formats.mjcf_actuators import Actuators, actuator_forces
 from symscrew.formats.mjcf_bodies import Place, Reading, read_children
 from symscrew.formats.mjcf_closing import where_they_close
 from symscrew.formats.mjcf_composed import composed
+from symscrew.formats.mjcf_cords import cord
 from symscrew.formats.mjcf_couplings import displacements, raw_coupling, read_couplings
 from symscrew.formats.mjcf_inertias import OwnInertia
 from symscrew.formats.mjcf_keyframes import key_name, keyframe_rates, keyframes
@@ -73,7 +75,7 @@ def read_mjcf(root: Element, path: Path, options: ImportOptions) -> Draft:
     _check_names(root)
     if "symscrew_characteristic_length" in texts:
         result.characteristic_length = real(number(texts["symscrew_characteristic_length"], "<custom>, length"))
-    ties, around = read_couplings(root, chosen), medium(root)
+    ties, around = read_couplings(root, chosen), medium(root) if chosen.passive else None
     pulled = transmissions(root, chosen, ties)
     actuators = Actuators.of(root, chosen, pulled, result)
     reading = Reading(
@@ -88,11 +90,12 @@ def read_mjcf(root: Element, path: Path, options: ImportOptions) -> Draft:
     )
     _read_bodies(root, reading)
     settle_masses(result, chosen, reading.bare)
-    actuated = any(True for section in elements(root, "actuator") for _ in elements(section))
-    carry(result, reading.carried, reading.borne, actuated=actuated)
+    listed = any(True for section in elements(root, "actuator") for _ in elements(section))
+    actuated = listed and "actuation" not in chosen.off
+    carry(result, reading.carried if chosen.passive else {}, reading.borne, actuated=actuated)
     add_drags(result, around)
     own_pose = _in_own_pose(root, reading)
-    _read_forces(reading, own_pose.result, actuators, pulled)
+    _read_forces(reading, own_pose, actuators, pulled)
     placed = Placed(reading.poses, reading.sites, ground, own_pose.poses)
     _add_loops(root, reading, placed, Closing(result.ledger, _extent(result), options.snap), coupled=bool(ties))
     own = {joint: value - reading.displaced.get(joint, ZERO[0]) for joint, value in reading.values.items()}
@@ -123,13 +126,15 @@ def _add_loops(root: Element, reading: Reading, placed: Placed, closing: Closing
     result.joints += loops(found, closing, placed)
 
 
-def _read_forces(reading: Reading, own: Draft, actuators: Actuators, pulled: Transmissions) -> None:
+def _read_forces(reading: Reading, own: Reading, actuators: Actuators, pulled: Transmissions) -> None:
     """What tendons and actuators do; `own`: the tree in the file's own configuration."""
     result, chosen = reading.result, reading.settings
     _check_all_found(reading, pulled.pulleys.values())
-    tendon_forces(result, pulled, reading.rests, chosen.off)
+    sprung = all(own.values[name] == rest for name, rest in reading.rests.items() if name in own.values)
+    over = partial(cord, sites=own.sites, sprung=sprung)
+    tendon_forces(result, pulled, reading.rests, chosen.off, cord=over)
     rotors(result, [*actuators.listed, *actuators.idle], pulled, chosen.off)
-    inertia = OwnInertia(replace(own, effects=result.effects), pulled)
+    inertia = OwnInertia(replace(own.result, effects=result.effects), pulled)
     inertia.enter_springs(result, reading.timed, chosen.off)
     actuator_forces(result, actuators, chosen, reading.sites, inertia=inertia, listed=reading.listed)
 

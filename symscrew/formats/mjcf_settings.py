@@ -82,9 +82,12 @@ OTHER_DEFAULTS = ("tendon", "mesh")
 ACTUATORS = (
     "motor", "position", "velocity", "intvelocity", "damper", "cylinder", "muscle", "general", "dcmotor", "adhesion",
 )  # fmt: skip
-LEFT_OUT = ("equality", "actuation", "constraint", "passive")
-ACTS = ("gravity", "spring", "damper", "frictionloss", "limit", *LEFT_OUT)
-"""Flags of <option> that take a part of the mechanics away; of these a file's are followed but for the first ones."""
+ACTS = ("gravity", "spring", "damper", "frictionloss", "limit", "equality", "actuation", "constraint", "passive")
+"""Flags of <option> that take a part of the mechanics away."""
+IMPLIED = {"constraint": ("equality", "frictionloss", "limit"), "passive": ("spring", "damper")}
+"""Those that take several away; the second one is of older engines."""
+PASSIVE = frozenset({"spring", "damper"})
+"""Where both are off, the engine leaves out the medium and what carries weights, too."""
 IDLE_FLAGS = (
     "contact", "clampctrl", "diagexact", "ipc", "speculative", "warmstart", "filterparent", "refsafe", "sensor",
     "midphase", "eulerdamp", "autoreset", "nativeccd", "island", "override", "energy", "fwdinv", "invdiscrete",
@@ -125,6 +128,11 @@ class Settings:
     total_mass: Real = 0
     off: frozenset[str] = frozenset()
     idle_groups: frozenset[int] = frozenset()
+
+    @property
+    def passive(self) -> bool:
+        """Whether forces act that no actuator and no constraint makes."""
+        return not self.off >= PASSIVE
 
     def merged(self, element: Element, kind: str, inherited: str | None) -> dict[str, str]:
         """The attributes of an element over those of its class (its own, its body's, or the main one)."""
@@ -301,9 +309,8 @@ def _options(root: Element, draft: Draft) -> tuple[frozenset[str], frozenset[int
     for key, value in flags.items():
         if value not in ("enable", "disable"):
             raise DescriptionError(f"<flag>: expected {key}='enable' or 'disable', got {shorten(value)}")
-    off = frozenset(key for key in ACTS if flags.get(key) == "disable")
-    for key in sorted(off & {*LEFT_OUT}):
-        draft.ledger.lost(f"flag {key}=disable")
+    named = [key for key in ACTS if flags.get(key) == "disable"]
+    off = frozenset(one for key in named for one in (key, *IMPLIED.get(key, ())))
     if "gravity" in off:
         draft.gravity = ("0", "0", "0")
     if draft.gravity is not None and numbers(" ".join(draft.gravity), "") == numbers("0 0 -9.81", ""):

@@ -10,7 +10,7 @@ Source: https://mujoco.readthedocs.io/en/stable/XMLreference.html#tendon-fixed.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from symscrew.description import JOINT_TYPES
@@ -142,19 +142,25 @@ def _terms(tendon: Element) -> list[tuple[str, Real]]:
     return [(attribute(p, "joint"), real(number(attribute(p, "coef"), where))) for p in elements(tendon, "joint")]
 
 
-def tendon_forces(draft: Draft, found: Transmissions, rests: Mapping[str, Real], off: Collection[str]) -> None:
+def tendon_forces(
+    draft: Draft,
+    found: Transmissions,
+    rests: Mapping[str, Real],
+    off: Collection[str],
+    *,
+    cord: Callable[[Draft, Element, Sequence[str]], None],
+) -> None:
     """Enter what tendons say of forces and reach; what no mechanism here holds is in the ledger.
 
     `rests`: hinge or slide -> its springref, at which tendons have the length at which they rest unless they say one;
-    `off`: flags of the file by which forces do not act.
+    `off`: flags of the file by which forces do not act; `cord` enters a tendon in space.
     """
     for name, tendon in found.given.items():
         where = label(tendon)
         acting = [key for key, flag in FORCES.items() if flag not in off]
         forces = [key for key in acting if any(v != 0 for v in numbers(tendon.get(key, "0"), f"{where}, {key}"))]
         if tendon.tag != "fixed":
-            for key in forces:
-                draft.ledger.lost(f"{key} of a tendon in space")
+            cord(draft, tendon, forces)
         elif forces:
             _forces(draft, tendon, forces, target=found.of({"tendon": name}, where), rests=rests, found=found)
         if forces and any(v != 0 for v in numbers(tendon.get("springyield", "0"), f"{where}, springyield")):

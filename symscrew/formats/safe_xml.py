@@ -18,6 +18,7 @@ import defusedxml
 import defusedxml.ElementTree
 
 from symscrew.errors import DescriptionError, did_you_mean, shorten
+from symscrew.formats.loose_xml import within_the_rules
 
 # A file beyond these is refused before anything is made of it; the largest models that people publish have a few
 # thousand elements, nested to about thirty. Nesting also limits the readers' recursion, Python's being 1000 calls.
@@ -44,7 +45,7 @@ def read(path: Path) -> Element:
     except OSError as error:
         raise DescriptionError(f"{path.name}: the file cannot be read: {error.strerror}") from error
     try:
-        root: Element = defusedxml.ElementTree.fromstring(content, forbid_dtd=True)
+        root = _parsed(content)
     except defusedxml.DefusedXmlException as error:
         raise DescriptionError(
             f"{path.name}: document types and entities are refused ({type(error).__name__}); remove the DOCTYPE"
@@ -54,6 +55,23 @@ def read(path: Path) -> Element:
     _check_size(root, path.name)
     _drop_namespace(root)
     return root
+
+
+def _parsed(content: bytes) -> Element:
+    """The root element; of text that XML refuses and others read, as these read it."""
+    try:
+        found: Element = defusedxml.ElementTree.fromstring(content, forbid_dtd=True)
+    except (ElementTree.ParseError, ValueError, LookupError):
+        mended = within_the_rules(content)
+        if mended is None:
+            raise
+        try:
+            found = defusedxml.ElementTree.fromstring(mended, forbid_dtd=True)
+        except (ElementTree.ParseError, ValueError):
+            mended = None
+        if mended is None:
+            raise
+    return found
 
 
 def _drop_namespace(root: Element) -> None:

@@ -18,14 +18,13 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import partial
 from pathlib import Path
 
 from symscrew.description import JOINT_TYPES
 from symscrew.errors import DescriptionError, did_you_mean, shorten
 from symscrew.formats.assembled import assembled
 from symscrew.formats.closed_pose import Side, Tree, closed_displacements
-from symscrew.formats.contradictory_loops import loosened, why_open
+from symscrew.formats.contradictory_loops import Contradiction
 from symscrew.formats.draft import Draft, RawJoint
 from symscrew.formats.file_names import fresh
 from symscrew.formats.open_loops import CLOSED, Closing
@@ -285,13 +284,15 @@ def _gepetto(
         tree = Tree.of(draft, sides)
         q, gap = closed_displacements(tree)
         before = replace(draft, joints=list(draft.joints))
-        cure = loosened(before, sides) if gap > CLOSED and closing.loosen else None
+        against = Contradiction.of(before, sides) if closing.is_open(gap) else None
+        cure = against.cure(closing.loosen) if against else None
         if cure is not None:
             draft.joints, sides = list(cure.joints), list(cure.loops)
-            draft.ledger.changed.append(f"loops that close in no pose: {cure.full} they do")
+            only = "" if closing.loosen else ", and with nothing else that such a file may mean"
+            draft.ledger.changed.append(f"loops that close in no pose: {cure.full} they do{only}")
             tree = Tree.of(draft, sides)
             q, gap = closed_displacements(tree)
-        why = partial(why_open, before, sides) if gap > CLOSED else None
+        why = against.said if against else None
         moved = assembled(draft, tree, q)
         sides = [((a, moved[a] @ one), (b, moved[b] @ other), turning) for (a, one), (b, other), turning in sides]
         worst = max(range(len(sides)), key=lambda k: _gap(sides[k]))

@@ -70,6 +70,9 @@ WITH_INFLUENCE = ("include", *(f"{DRAKE}{name}" for name in ("linear_bushing_rpy
 # elements of a <joint> and a <link> that are known; others are listed
 IN_JOINT = ("origin", "parent", "child", "axis", "limit", "dynamics", *MIMIC, "joint_properties")
 ONCE = ("origin", "axis", "limit", "dynamics", "mimic", "joint_properties")
+MIRRORED = ("iyx", "izx", "izy")
+"""Entries of an inertia below its diagonal, which a URDF does not have, and which say nothing if they say the same."""
+SEEN = ("visual", "collision")
 FREE_JOINT = "root_joint"
 WORLD = "world"
 
@@ -87,39 +90,33 @@ def read_urdf(root: Element, path: Path, options: ImportOptions) -> Draft:
     root = with_exact_digits(root, ledger) if options.exact else root
     if any("quat_xyzw" in origin.attrib for origin in root.iter("origin")) and root.get("version") != "1.2":
         ledger.changed.append("quat_xyzw is read, which ROS reads where <robot> says version 1.2 only")
-    links = _named(elements(root, "link"), "link")
-    every = elements(root, "joint", f"{DRAKE}joint")
-    joints = _named((joint for joint in every if not is_loop(joint)), "joint")
-    if not links:
-        raise DescriptionError("<robot>: expected links, found none (a xacro file that only defines macros gives none)")
-    carrier = _carriers(links, joints)
-    roots = [name for name in links if name not in carrier]
-    if len(roots) != 1:
-        found = "none: the joints go in a circle" if not roots else ", ".join(shorten(name) for name in roots[:5])
-        raise DescriptionError(f"<robot>: expected one link that is no joint's child, found {found}")
+    links, joints = _parts(root, ledger)
+    ground = _ground(links, joints)
     mimics = mimics_of(root, joints, ledger)
     offsets = offsets_of(mimics)
-    poses = _poses(roots[0], joints, offsets)
+    poses = _poses(ground, joints, offsets)
     lost = next((name for name in links if name not in poses), None)
     if lost is not None:
-        raise DescriptionError(f"{label(links[lost])}: no chain of joints leads to it from {shorten(roots[0])}")
+        raise DescriptionError(f"{label(links[lost])}: no chain of joints leads to it from {shorten(ground)}")
     name = root.get("name") or "robot"
-    result = Draft(name, roots[0], f"imported from the URDF {path.name}", f"robot {name}", ledger=ledger)
+    result = Draft(name, ground, f"imported from the URDF {path.name}", f"robot {name}", ledger=ledger)
     driven, noted = _driven(root, joints, mimics, ledger)
-    result.bodies += [_body(link, poses[name]) for name, link in links.items() if name != roots[0]]
+    _check_mirrored(links.values(), ledger)
+    result.bodies += [_body(link, poses[name]) for name, link in links.items() if name != ground]
     for link_name, link in links.items():
         result.pictures += visuals(link, poses[link_name], path=path, within=options.folder, origin=_origin)
     result.joints += [_joint(joint, poses, driven, offsets) for joint in joints.values()]
     _couple(result, mimics)
-    weighs = bool(list(elements(links[roots[0]], "inertial")))
+    weighs = bool(list(elements(links[ground], "inertial")))
     if options.floating or (weighs and not joints):
-        _set_free(result, _body(links[roots[0]], poses[roots[0]]), joints)
+        _set_free(result, _body(links[ground], poses[ground]), joints)
     elif weighs:
         result.ledger.passed("inertia of the root link, which is the ground (--floating frees it)")
     for joint_name, joint in joints.items():
         joint_forces(result, joint_name, joint)
-        axes = [_triple(attribute(axis, "xyz"), f"{label(joint)}, axis") for axis in first(joint, "axis")]
-        if joint.get("type") != "fixed" and not all(map(has_length_one, axes)):
+        moves = JOINT_TYPES[TYPES[attribute(joint, "type")]].axes > 0
+        axes = [_triple(attribute(a, "xyz"), f"{label(joint)}, axis") for a in first(joint, "axis") if moves]
+        if not all(map(has_length_one, axes)):
             result.ledger.passed(AXES)
     transmission_forces(result, root, joints)
     gazebo_forces(result, root, joints)
@@ -139,9 +136,36 @@ def read_urdf(root: Element, path: Path, options: ImportOptions) -> Draft:
     return result
 
 
+def _parts(root: Element, ledger: Ledger) -> tuple[dict[str, Element], dict[str, Element]]:
+    """Links and joints of the tree by name; the world where joints hang on it."""
+    links = _named(elements(root, "link"), "link")
+    every = elements(root, "joint", f"{DRAKE}joint")
+    joints = _named((joint for joint in every if not is_loop(joint)), "joint")
+    if links and WORLD not in links and any(attribute(_one(j, "parent"), "link") == WORLD for j in joints.values()):
+        links[WORLD] = Element("link", name=WORLD)
+        ledger.changed.append(
+            f"joints hang on a link {WORLD!r} that the file does not have: it is the ground, as for Drake"
+        )
+    if not links:
+        raise DescriptionError("<robot>: expected links, found none (a xacro file that only defines macros gives none)")
+    return links, joints
+
+
+def _ground(links: Mapping[str, Element], joints: Mapping[str, Element]) -> str:
+    """The one link that no joint carries."""
+    carrier = _carriers(links, joints)
+    roots = [name for name in links if name not in carrier]
+    if len(roots) != 1:
+        found = "none: the joints go in a circle" if not roots else ", ".join(shorten(name) for name in roots[:5])
+        raise DescriptionError(f"<robot>: expected one link that is no joint's child, found {found}")
+    return roots[0]
+
+
 def _check_expanded(root: Element) -> None:
     """Refuses macros and includes of xacro, of which only the expansion is a robot; what it writes is read as it is."""
-    left = next((element for element in root.iter() if isinstance(element.tag, str) and "xacro}" in element.tag), None)
+    pictures = {part for link in elements(root, "link") for seen in elements(link, *SEEN) for part in seen.iter()}
+    macros = (element for element in root.iter() if isinstance(element.tag, str) and "xacro}" in element.tag)
+    left = next((element for element in macros if element not in pictures), None)
     if left is not None:
         raise DescriptionError(
             f"<xacro:{_short(left)}>: it is the source of a URDF, whose macros only xacro expands: "
@@ -252,6 +276,18 @@ def _triple(text: str, where: str) -> Triple:
     return triple(numbers(text, where, 3))
 
 
+def _check_mirrored(links: Iterable[Element], ledger: Ledger) -> None:
+    """Say which inertias have other numbers below their diagonal than above it: these count, as in ROS."""
+    for link in links:
+        for moments in (m for inertial in elements(link, "inertial") for m in elements(inertial, "inertia")):
+            for key in (key for key in MIRRORED if key in moments.attrib):
+                above = f"{key[0]}{key[2]}{key[1]}"
+                where = f"{label(link)}, inertia"
+                own, other = (number(moments.get(k, "0"), f"{where}, {k}") for k in (key, above))
+                if own != other:
+                    ledger.changed.append(f"{where}: {key} is {own}, its mirror image {above} {other}, which counts")
+
+
 def _body(link: Element, pose: Pose) -> RawBody:
     name = attribute(link, "name")
     if not list(elements(link, "inertial")):
@@ -261,7 +297,7 @@ def _body(link: Element, pose: Pose) -> RawBody:
     mass = triple([number(attribute(_one(inertial, "mass", where), "value"), f"{where}, mass"), 0, 0])[0]
     moments = _one(inertial, "inertia", where)
     keys = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
-    check_attributes(moments, keys, f"{where}, inertia")
+    check_attributes(moments, (*keys, *MIRRORED), f"{where}, inertia")
     xx, xy, xz, yy, yz, zz = (number(moments.get(key, "0"), f"{where}, {key}") for key in keys)
     matrix: Rotation = (triple([xx, xy, xz]), triple([xy, yy, yz]), triple([xz, yz, zz]))
     if mass == 0 and not any(entry for row in matrix for entry in row):

@@ -14,6 +14,7 @@ from support.model_states import model
 from symscrew.cli.parser import main
 from symscrew.errors import DescriptionError
 from symscrew.formats import by_suffix
+from symscrew.model import derive
 from symscrew.program.numpy_evaluation import evaluate
 from symscrew.runtime.compiled import CompileError, find_compiler
 from symscrew.studies.benchmark import function_times, peers
@@ -79,6 +80,23 @@ def test_another_library_agrees_before_it_is_timed() -> None:
     others = [row for row in rows if row.variant.startswith("mujoco")]
     assert [row.variant for row in others] == ["mujoco: mj_inverse from C", "mujoco: mj_forward from C"]
     assert all(0 < row.agreement < 1e-9 for row in others)
+
+
+FLOATING = """<mujoco><worldbody><body name="trunk" pos="0.1 0 2" euler="0 30 0"><freejoint name="root"/>
+<inertial pos="0.1 0 0.2" mass="3" diaginertia="0.2 0.3 0.4"/>{0}</body></worldbody><actuator><motor joint="a"/>
+<motor joint="b"/></actuator></mujoco>"""
+LEG = """<body pos="0.2 0 0"><joint name="{0}" type="{1}" axis="0.6 0 0.8"/><inertial pos="0 0.1 0" mass="1"
+diaginertia="0.01 0.02 0.02"/>{2}</body>"""
+
+
+@pytest.mark.parametrize("peer", ["pinocchio", "mujoco"])
+def test_trees_on_a_free_base_agree_before_they_are_timed(tmp_path: Path, peer: str) -> None:
+    pytest.importorskip(peer)
+    path = tmp_path / "floating.xml"
+    path.write_text(FLOATING.format(LEG.format("a", "hinge", LEG.format("b", "slide", ""))))
+    functions = ["inverse_dynamics", "forward_dynamics", *(["mass_matrix"] if peer == "pinocchio" else [])]
+    rows, notes = time_functions(derive(by_suffix.load_format(path)), functions, [peer], repeats=1)
+    assert not notes and [row.function for row in rows if row.variant.startswith(peer)] == functions
 
 
 def test_results_that_differ_are_not_timed(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -9,7 +9,7 @@ from xml.etree import ElementTree
 import mujoco
 import numpy as np
 import pytest
-from benchmarks.robot_files import Ours, place, with_mujoco
+from benchmarks.robot_engines import Ours, place, with_mujoco
 
 from symscrew.effects import PositionServo
 from symscrew.errors import DescriptionError

@@ -34,6 +34,17 @@ MAIN = f"""<mujoco><default><joint damping="7"/></default><asset><model name="le
 ATTACHED</frame></body></worldbody></mujoco>"""
 
 
+OWN = f"""<mujoco><default><joint damping="7"/><default class="light"><joint damping="1"/></default></default>
+<worldbody><body name="hip" pos="0 0.2 0.5" euler="30 0 10" childclass="light">{GEOM}<joint name="h"/>
+<frame name="f" pos="0 0 1" euler="0 20 0">
+<body name="shin" pos="0.2 0 0"><joint name="k" axis="0 1 0"/>{GEOM}<site name="s"/></body></frame>
+ <body name="toe" pos="0.3 0 0"><joint name="t" class="main" axis="0 1 0"/>{GEOM}ABOVE</body></body>
+<body name="base" pos="1 0 0" euler="90 0 0">{GEOM}<joint name="z"/><frame pos="0 0 2" euler="0 45 0">BELOW
+</frame></body></worldbody><tendon><fixed name="cord"><joint joint="t" coef="2"/></fixed></tendon>
+<equality><joint joint1="h" joint2="k" polycoef="0 2 0 0 0"/></equality>
+<actuator><motor joint="k" name="m"/><motor tendon="cord"/><motor joint="z"/></actuator></mujoco>"""
+
+
 def written(folder: Path, main: str) -> Path:
     (folder / "parts").mkdir(exist_ok=True)
     (folder / "parts" / "leg.xml").write_text(LEG)
@@ -75,6 +86,20 @@ def agrees(path: Path) -> None:
 @pytest.mark.parametrize("count", [1, 11])
 def test_replicated_elements(tmp_path: Path, count: int) -> None:
     agrees(written(tmp_path, ROW.replace("COUNT", str(count))))
+
+
+@pytest.mark.parametrize(
+    ("above", "below"),
+    [
+        ("", '<attach body="hip" prefix="l_"/>'),
+        ("", '<attach body="shin" prefix="l_"/><attach body="toe" prefix="r_"/>'),
+        ("", '<attach frame="f" prefix="l_"/>'),
+        ('<frame pos="0 1 0"><attach body="shin" prefix="l_"/></frame>', '<attach body="shin" prefix="r_"/>'),
+        ("", '<replicate count="3" euler="0 0 40" sep="-"><attach body="hip" prefix="l_"/></replicate>'),
+    ],
+)
+def test_parts_of_the_model_itself_once_more(tmp_path: Path, above: str, below: str) -> None:
+    agrees(written(tmp_path, OWN.replace("ABOVE", above).replace("BELOW", below)))
 
 
 @pytest.mark.filterwarnings("ignore::UserWarning")
@@ -121,6 +146,9 @@ def test_files_beside_the_model_are_read_where_whoever_imports_says_so(tmp_path:
         (ROW.replace("COUNT", "20000"), "expected a count from 1 to 10000"),
         (ROW.replace("COUNT", "1.5"), "expected a count"),
         (ROW.replace("COUNT", "10000"), "at most 100000 elements in all copies, got 10000 copies of"),
+        (OWN.replace("ABOVE", '<attach body="hip"/>'), "a body of the model itself that ends above"),
+        (OWN.replace("ABOVE", '<attach body="base"/>'), "a body of the model itself that ends above"),
+        (OWN.replace("BELOW", '<attach prefix="l_"/>'), "without a model, expected a body or a frame"),
         (MAIN.replace("ATTACHED", '<attach model="lag"/>'), "did you mean 'leg'"),
         (MAIN.replace("ATTACHED", '<attach model="leg" body="foot"/>'), "no body 'foot'"),
         (MAIN.replace("ATTACHED", '<attach model="leg" frame="hip"/>'), "no frame 'hip'"),

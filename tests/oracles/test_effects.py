@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from functools import cache
+from itertools import pairwise
 
 import mpmath
 import numpy as np
@@ -247,6 +249,28 @@ def test_point_spring(name: str, ends: tuple[str, str], fields: dict) -> None:
     )
     force = tension * away / distance
     expected = of.solve(of.at(ends[0], force), of.at(ends[1], -force)).drives
+    assert relative(drives(found), expected) < EXACT
+
+
+@pytest.mark.parametrize(
+    ("fields", "tension"),
+    [
+        ({"stiffness": 30, "length": "0.5", "damping": "1.5"}, lambda d: 30 * (d - 0.5)),
+        ({"stiffness": 30, "length": "0.5", "shortest": 0}, lambda d: 30 * (d - 0.5)),
+        ({"stiffness": 30, "length": "9.5", "shortest": "9.1"}, lambda d: 30 * (d - 9.1)),
+        ({"stiffness": 30, "length": "9.5", "shortest": "0.1"}, lambda d: 0 * d),
+    ],
+)
+def test_point_spring_over_further_points(fields: dict, tension: Callable) -> None:
+    names = ("A1", "E", "A2")
+    of = oracle("three_ups_upu_s")
+    found = inverse_only(of.mechanism, [effect("PointSpring", names[0], names[2], through=names[1:2], **fields)])
+    ends = [(of.place(b) - of.place(a), of.velocity(b) - of.velocity(a)) for a, b in pairwise(names)]
+    sizes = [np.linalg.norm(away, axis=1, keepdims=True) for away, _ in ends]
+    speed = sum((w * away).sum(1, keepdims=True) / d for d, (away, w) in zip(sizes, ends, strict=True))
+    pull = tension(sum(sizes)) + float(fields.get("damping", 0)) * speed
+    first, second = (pull * away / d for d, (away, _) in zip(sizes, ends, strict=True))
+    expected = of.solve(of.at("A1", first), of.at("E", second - first), of.at("A2", -second)).drives
     assert relative(drives(found), expected) < EXACT
 
 

@@ -35,6 +35,7 @@ TENDON = '<tendon><fixed name="t" stiffness="7"><joint joint="a" coef="2"/>{0}</
 OWN = hinge("a", hinge("b"), 'axis="0 1 0" ref="0.5" springref="0.2"')
 BOTH = '<body gravcomp="0.6" pos="0 0 1">{0}<joint name="b" axis="0 1 0.3"/>{1}<body pos="0.3 0 0"/></body>'
 BOTH = BOTH.format('<joint name="a" type="slide" axis="1 2 3"/>', INERTIAL + "{0}")
+HALF = '<equality><joint joint1="b" joint2="a" polycoef="0 0.5"/><connect body1="Bb" anchor="0 0 0"/></equality>'
 ACTING = {
     "least masses": model(BOTH.format(""), '<compiler boundmass="2.7" boundinertia="0.5"/>'),
     "least masses of tendons": model(
@@ -72,6 +73,19 @@ ACTING = {
     "flags": model(
         hinge("a", hinge("b"), 'axis="0 1 0" stiffness="3" damping="2"'),
         '<option><flag spring="disable" damper="disable"/></option>' + TENDON.format(""),
+    ),
+    "nothing passive": model(
+        hinge("a", hinge("b"), 'axis="0 1 0" stiffness="3" damping="2"').replace("<body ", '<body gravcomp="0.7" ', 1),
+        '<option density="900" viscosity="3"><flag spring="disable" damper="disable"/></option>',
+    ),
+    "no equality": model(TWO, f'<option><flag equality="disable"/></option>{HALF}'),
+    "no constraint": model(
+        hinge("a", hinge("b"), 'axis="0 1 0" frictionloss="3"'), f'<option><flag constraint="disable"/></option>{HALF}'
+    ),
+    "no actuation": model(
+        hinge("a", hinge("b")).replace("<body ", '<body gravcomp="0.7" ', 1),
+        '<option><flag actuation="disable"/></option>'
+        '<actuator><position joint="a" kp="200" armature="0.3"/></actuator>',
     ),
     "weightless": model(TWO, '<option gravity="1 2 3"><flag gravity="disable"/></option>'),
     "one joint's tendon": model(OWN, TENDON.format("")),
@@ -298,7 +312,6 @@ def test_keyframes_have_rates(tmp_path: Path) -> None:
         (model(TWO, '<default class="robot"><joint armature="1"/></default>'), "outermost default is of the class"),
         (model(TWO, '<option><flag springs="disable"/></option>'), "attribute 'springs' is not supported"),
         (model(TWO, '<option><flag spring="off"/></option>'), "expected spring='enable' or 'disable'"),
-        (model(TWO, '<option><flag constraint="disable"/></option>'), "left out: flag constraint=disable"),
         (model('<joint name="w"/>' + TWO), "the world stands still and has no <joint>"),
         (model(f'<body name="b"><joint/>{INERTIAL}{INERTIAL}</body>'), "expected one <inertial>, got 2"),
         (model('<body><joint/><inertial mass="-1" pos="0 0 0" diaginertia="1 1 1"/></body>'), "at least 0 kg, got -1"),

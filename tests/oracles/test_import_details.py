@@ -117,6 +117,27 @@ def test_meshes_that_are_not_convex(tmp_path: Path, kind: str, shape: str) -> No
     assert np.array(body.inertia, dtype=float) == pytest.approx(whole, rel=1e-5, abs=1e-6 * np.abs(whole).max())
 
 
+CORNERS = np.array([[0, 0, 0], [0.3, 0, 0], [0, 0.2, 0], [0, 0, 0.25], [0.05, 0.04, 0.05]], "<f4")
+FACES = np.array([[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]], "<i4")
+
+
+@pytest.mark.parametrize("faces", [FACES, FACES[:0]], ids=["faces", "points"])
+def test_the_engines_own_mesh_files(tmp_path: Path, faces: np.ndarray) -> None:
+    parts = [np.array([len(CORNERS), 5, 5, len(faces)], "<i4"), CORNERS, CORNERS, CORNERS[:, :2], faces]
+    content = b"".join(np.ascontiguousarray(part).tobytes() for part in parts)
+    (tmp_path / "m.msh").write_bytes(content)
+    text = """<mujoco><asset><mesh file="m.msh" inertia="exact"/></asset><worldbody><body name="b"><joint/>
+    <geom type="mesh" mesh="m"/></body></worldbody></mujoco>"""
+    path = saved(text, tmp_path)
+    engine, body = mujoco.MjModel.from_xml_path(str(path)), load_format(path).bodies["b"]
+    assert float(body.mass or 0) == pytest.approx(engine.body_mass[1], rel=1e-6)
+    assert float(np.trace(np.array(body.inertia, dtype=float))) == pytest.approx(engine.body_inertia[1].sum(), rel=1e-6)
+    for cut, says in ((content[:-4], "expected .* bytes for"), (content[:12], "no valid .msh file")):
+        (tmp_path / "m.msh").write_bytes(cut)
+        with pytest.raises(DescriptionError, match=says):
+            load_format(path)
+
+
 @pytest.mark.slow
 def test_armature_and_friction_of_a_ball(tmp_path: Path) -> None:
     text = f"""<mujoco><worldbody><body name="b"><joint name="j" type="ball" armature="0.3" frictionloss="0.2"/>

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from benchmarks.robot_files import with_mujoco
+from benchmarks.robot_engines import with_mujoco
 
 from symscrew.formats import ImportOptions
 

@@ -13,7 +13,7 @@ from itertools import count
 from pathlib import Path
 
 import pytest
-from benchmarks.robot_files import with_mujoco
+from benchmarks.robot_engines import with_mujoco
 
 from symscrew.formats import ImportOptions
 from symscrew.functions.forward import MASSLESS_NOTE

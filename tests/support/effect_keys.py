@@ -133,6 +133,11 @@ EFFECT_KEYS = {
         "cubic": ("N/m^3", "of either sign"),
         "damping": ("N s/m", "at least 0"),
         "energy": ("J", "a text E(x) in place of stiffness, cubic and preload"),
+        "through": ("", "points over which it is led without friction, in their order"),
+        "shortest": (
+            "m",
+            "where there is slack from this length to `length`, at least 0; a cord that only pulls has 0",
+        ),
     },
     "position_servo": {
         "stiffness": ("N/m or N m/rad", "force per way from the target, at least 0"),

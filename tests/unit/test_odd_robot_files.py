@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from symscrew.cli.parser import main
 from symscrew.errors import DescriptionError
 from symscrew.formats import Account, import_file
 from symscrew.mobility import analyse_mobility
@@ -120,3 +121,48 @@ def test_a_body_of_many_points_is_read(tmp_path: Path) -> None:
         warnings = " ".join(import_file(path).mechanism.warnings)
         assert ("the radius of gyration 0.2 m exceeds the body's extent 0.199 m" in warnings) is warned
         assert warned or "gyration" not in warnings
+
+
+WEIGHED = """<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+<link name="a"><visual><xacro:grey/></visual></link>
+<link name="b"><collision><xacro:box/></collision><inertial><mass value="1"/>
+<inertia ixx="1" iyy="1" izz="1" ixy="0.1" ixz="0" iyz="0" {0}/></inertial></link>
+<joint name="j" type="{1}"><parent link="a"/><child link="b"/><axis xzy="0 0 1"/></joint></robot>"""
+
+
+@pytest.mark.parametrize("mirrored", ['iyx="0.1"', 'izx="0.0" izy="0"'])
+def test_what_says_nothing_more_is_passed_over(tmp_path: Path, mirrored: str) -> None:
+    """Mirror images in an inertia, macros that draw, the axis of a fixed joint."""
+    inertia = account(tmp_path, WEIGHED.format(mirrored, "fixed"), "urdf")
+    assert inertia.taken == {"bodies": 1, "joints": 1} and not inertia.influence
+
+
+def test_what_says_something_else_is_said_or_refused(tmp_path: Path) -> None:
+    found = account(tmp_path, WEIGHED.format('iyx="0.2"', "fixed"), "urdf")
+    assert "iyx is 0.2, its mirror image ixy 0.1, which counts" in found.changed[0]
+    with pytest.raises(DescriptionError, match="the attribute 'xyz' is missing"):
+        account(tmp_path, WEIGHED.format("", "continuous"), "urdf")
+
+
+def test_a_world_that_the_file_does_not_have_is_the_ground(tmp_path: Path) -> None:
+    text = HINGE.format(type="revolute", axis="0 0 1", lower="-1", damping="0").replace('<link name="a"/>', "")
+    found = account(tmp_path, text.replace('link="a"', 'link="world"'), "urdf")
+    assert found.taken["joints"] == 1 and "as for Drake" in found.changed[0]
+    with pytest.raises(DescriptionError, match="no parent link 'a'"):
+        account(tmp_path, text, "urdf")
+
+
+SPRUNG = """<mujoco><option gravity="0 0 -3"/><worldbody><body name="a"><joint name="j" armature="2" damping="1"/>
+<geom size="0.1" pos="0.2 0 0"/></body></worldbody></mujoco>"""
+
+
+def test_commands_say_what_of_a_file_they_leave_out_or_have_otherwise(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "arm.xml").write_text(SPRUNG)
+    assert main(["generate", str(tmp_path / "arm.xml"), "--target", "numpy", "--out", str(tmp_path / "out")]) == 0
+    assert "beside the mechanism the file has gravity 0 0 -3, armature, damping, which" in capsys.readouterr().err
+    text = HINGE.format(type="revolute", axis="0 0 1", lower="-1", damping="0").replace('<link name="a"/>', "")
+    (tmp_path / "arm.urdf").write_text(text.replace('link="a"', 'link="world"'))
+    assert main(["mobility", str(tmp_path / "arm.urdf")]) == 0
+    assert "note: joints hang on a link 'world' that the file does not have" in capsys.readouterr().err

@@ -21,6 +21,7 @@ import numpy as np
 from symscrew.effects import Gravity
 from symscrew.formats import text_of
 from symscrew.reference import BodyState
+from symscrew.studies.benchmark.floating_base import columns, comparable, from_pinocchio, to_pinocchio, turned
 from symscrew.studies.benchmark.timed_code import Compiled, pointers, states
 
 if TYPE_CHECKING:
@@ -53,14 +54,11 @@ def _obstacle(compiled: Compiled, name: str, known: Sequence[str], package: str)
         return "compared under usual gravity and no other effect only"
     if compiled.model.mechanism.couplings:
         return "mechanisms with couplings of coordinates are not compared: the others have none, or soft ones"
-    joints = compiled.model.mechanism.joints.values()
-    if not compiled.model.system.cuts and any(j.kind.freedom > 1 or len(j.driven) != j.kind.freedom for j in joints):
-        return "open chains are compared if all their joints are driven R and P joints, or fixed"
+    if not compiled.model.system.cuts and not comparable(compiled.whole):
+        return (
+            "open chains are compared if their joints are driven R and P joints, or fixed, on the ground or a free base"
+        )
     return None
-
-
-def _labels(compiled: Compiled) -> list[str]:
-    return [c.label.split(".")[0] for c in compiled.model.system.tree.v]
 
 
 def pinocchio(compiled: Compiled, name: str, expected: tuple[np.ndarray, ...]) -> Found | str:
@@ -78,16 +76,9 @@ def pinocchio(compiled: Compiled, name: str, expected: tuple[np.ndarray, ...]) -
     joint = library.Model()
     index = joint.addJoint(0, library.JointModelRZ(), library.SE3.Identity(), "one")
     joint.appendBodyToJoint(index, least.inertias[1], library.SE3.Identity())
-    joints = [made.joints[made.getJointId(label)] for label in _labels(compiled)]
-    order = [j.idx_v for j in joints]
-    q, *others = states(compiled.model, name, len(expected[0]))
-    arrays = [np.zeros((len(q), made.nq)), *(np.zeros((len(q), made.nv)) for _ in others)]
-    for k, j in enumerate(joints):
-        turn = (np.cos(q[:, k]), np.sin(q[:, k])) if j.nq == 2 else (q[:, k],)  # a joint that turns without end
-        for i, part in enumerate(turn):
-            arrays[0][:, j.idx_q + i] = part
-    for moved, array in zip(arrays[1:], others, strict=True):
-        moved[:, order] = array
+    listed = columns(compiled.whole)
+    q = states(compiled.model, name, len(expected[0]))[0]
+    arrays, order = _tree_in_pinocchio(made, compiled, name, len(expected[0]))
     rows = list(zip(*arrays, strict=True))
     first = [tuple(x[:1] for x in row) for row in rows]
     call = getattr(library, known[name])
@@ -95,9 +86,17 @@ def pinocchio(compiled: Compiled, name: str, expected: tuple[np.ndarray, ...]) -
     results = np.array([np.array(call(made, data, *row)) for row in rows])
     if name == "mass_matrix":
         results = np.triu(results) + np.triu(results, 1).swapaxes(1, 2)
-        results = results[:, order][:, :, order].swapaxes(1, 2).reshape(len(rows), -1)
+        results = results[:, order][:, :, order]
+        to_theirs = turned(q, listed)
+        results = to_theirs.swapaxes(1, 2) @ results @ to_theirs
+        results = results.swapaxes(1, 2).reshape(len(rows), -1)
     else:
         results = results[:, order]
+        for column in (c for c in listed if c.free):
+            if name == "forward_dynamics":
+                results[:, column.v] = from_pinocchio(column, q, arrays[1][:, order][:, column.v], results[:, column.v])
+            else:
+                results = np.delete(results, column.v, axis=1)
 
     def measure() -> float:
         start = time.thread_time()  # a difference of two times: of this thread, whatever else the machine does
@@ -109,6 +108,34 @@ def pinocchio(compiled: Compiled, name: str, expected: tuple[np.ndarray, ...]) -
         return ((middle - start) - (time.thread_time() - middle)) * 1e9 / len(rows)
 
     return {f"pinocchio: {known[name]} from Python, less overhead": Peer(measure, results, expected[0])}
+
+
+def _tree_in_pinocchio(made: Any, compiled: Compiled, name: str, count: int) -> tuple[list[np.ndarray], list[int]]:
+    """Pinocchio's q, v and third input at a function's states, and where in its v the tree's rates stand."""
+    q, *others = states(compiled.model, name, count)
+    arrays = [np.zeros((len(q), made.nq)), *(np.zeros((len(q), made.nv)) for _ in others)]
+    order: list[int] = []
+    drives = 0  # of the forces that a function takes or gives, of which a free base has none
+    given = others[:-1] if name == "forward_dynamics" else others
+    for column in columns(compiled.whole):
+        j = made.joints[made.getJointId(column.name)]
+        order += range(j.idx_v, j.idx_v + j.nv)
+        if column.free:
+            places, *moved = to_pinocchio(column, q, tuple(given))
+            arrays[0][:, j.idx_q : j.idx_q + j.nq] = places
+            for array, rate in zip(arrays[1:], moved, strict=False):
+                array[:, j.idx_v : j.idx_v + j.nv] = rate
+            continue
+        x = q[:, column.q[0]]
+        turn = (np.cos(x), np.sin(x)) if j.nq == 2 else (x,)  # a joint that turns without end
+        for i, part in enumerate(turn):
+            arrays[0][:, j.idx_q + i] = part
+        for array, rate in zip(arrays[1:], given, strict=False):
+            array[:, j.idx_v] = rate[:, column.v[0]]
+        if name == "forward_dynamics":
+            arrays[-1][:, j.idx_v] = others[-1][:, drives]
+        drives += 1
+    return arrays, order
 
 
 def _closed_in_pinocchio(compiled: Compiled, name: str, expected: np.ndarray) -> Found | str:
@@ -161,13 +188,7 @@ def mujoco(compiled: Compiled, name: str, expected: tuple[np.ndarray, ...]) -> F
         given[2][:, order] = states(compiled.model, name, len(wanted))[2]
         third, last = data.ctrl, data.qacc
     else:
-        names = [library.mj_id2name(made, library.mjtObj.mjOBJ_JOINT, k) for k in range(made.njnt)]
-        order = [names.index(label) for label in _labels(compiled)]
-        given = [np.empty_like(array) for array in states(compiled.model, name, len(expected[0]))]
-        for moved, array in zip(given, states(compiled.model, name, len(expected[0])), strict=True):
-            moved[:, order] = array
-        wanted = np.empty_like(expected[0])
-        wanted[:, order] = expected[0]
+        given, wanted, compared = _tree_in_mujoco(made, compiled, name, expected[0])
         third, last = (data.qacc, data.qfrc_inverse) if name == "inverse_dynamics" else (data.qfrc_applied, data.qacc)
     results = np.full((len(given[0]), made.nv), np.nan)
     found = sorted(Path(library.__file__).parent.glob("libmujoco*"))
@@ -189,7 +210,39 @@ def mujoco(compiled: Compiled, name: str, expected: tuple[np.ndarray, ...]) -> F
 
     measure(1)
     soft = ", soft constraints" if cut else ""
-    return {f"mujoco: {known[name]} from C{soft}": Peer(measure, results, wanted, None if cut else EXACT)}
+    seen = results if cut else results[:, compared]  # the base's own forces no drive of ours gives
+    return {f"mujoco: {known[name]} from C{soft}": Peer(measure, seen, wanted, None if cut else EXACT)}
+
+
+def _tree_in_mujoco(
+    made: Any, compiled: Compiled, name: str, expected: np.ndarray
+) -> tuple[list[np.ndarray], np.ndarray, list[int]]:
+    """qpos, qvel and third input of a function at its states, its results, and which of MuJoCo's these are."""
+    import mujoco as library
+
+    q, v, third = states(compiled.model, name, len(expected))
+    inverse, count = name == "inverse_dynamics", len(q)
+    given = [np.zeros((count, size)) for size in (made.nq, made.nv, made.nv)]
+    found: list[np.ndarray] = []
+    compared: list[int] = []
+    drives = 0
+    for column in columns(compiled.whole):
+        joint = library.mj_name2id(made, library.mjtObj.mjOBJ_JOINT, column.name)
+        at, dof = int(made.jnt_qposadr[joint]), int(made.jnt_dofadr[joint])
+        dofs = slice(dof, dof + len(column.v))
+        given[0][:, at : at + len(column.q)] = q[:, column.q]
+        given[1][:, dofs] = v[:, column.v]
+        if column.free:
+            given[0][:, at : at + 3] += made.qpos0[at : at + 3]
+        if inverse:
+            given[2][:, dofs] = third[:, column.v]
+        elif not column.free:
+            given[2][:, dof] = third[:, drives]
+        if not (inverse and column.free):
+            compared += range(dofs.start, dofs.stop)
+            found.append(expected[:, [drives] if inverse else column.v])
+        drives += not column.free
+    return given, np.concatenate(found, axis=1), compared
 
 
 def _drives(compiled: Compiled, actuators: Sequence[str]) -> list[str]:

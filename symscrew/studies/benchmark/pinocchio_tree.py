@@ -103,7 +103,7 @@ class PinocchioTree:
             if len(element.q) > len(element.v):  # a quaternion
                 place = np.concatenate([place[:, :-4], place[:, -3:], place[:, -4:-3]], axis=1)  # (x, y, z, w)
             if len(element.v) == 6:
-                turn = _rotations(q[:, element.q[-4:]])
+                turn = rotations(q[:, element.q[-4:]])
                 omega = rate[:, 3:]
                 linear = np.einsum("sji,sj->si", turn, rate[:, :3])
                 linear_dot = np.einsum("sji,sj->si", turn, change[:, :3]) - np.cross(omega, linear)
@@ -205,7 +205,8 @@ def triad(axis: Array) -> Array:
     return np.column_stack([first, np.cross(axis, first), axis])
 
 
-def _rotations(quaternions: Array) -> Array:
+def rotations(quaternions: Array) -> Array:
+    """Rotation matrices (states, 3, 3) of unit quaternions (w, x, y, z)."""
     w, r = quaternions[:, 0], quaternions[:, 1:]
     cross = np.cross(np.eye(3)[None], r[:, None, :])
     outer = 2 * r[:, :, None] * r[:, None, :]
