@@ -86,7 +86,7 @@ def configuration_space(mechanism: Mechanism, network: Network, seconds: float =
     count = len(values[0]) if values else 0
     told = told_apart(network, q[:count])
     open_to = np.where(told, ON, NEARLY_ON)
-    on_each = [_on(part, v, open_to) for (part, _), v in zip(parts, values, strict=True)]
+    on_each = [on_part(part, v, open_to) for (part, _), v in zip(parts, values, strict=True)]
     members = np.array(on_each).reshape(len(parts), count)
     seen = members.any(axis=0)
     if (told & ~seen).any():
@@ -104,7 +104,7 @@ def _values(closure: ClosureEquations, network: Network, q: Array) -> Array:
     return np.zeros((0, len(closure.variables))) if values is None else values
 
 
-def _on(part: Part, values: Array, open_to: Array) -> Array:
+def on_part(part: Part, values: Array, open_to: Array) -> Array:
     """Which rows of values are zeros of all equations of the part, each as near as it is known."""
     inside = np.array(np.abs(values).max(axis=1, initial=0.0) < NO_VALUE)
     largest = np.abs(values).max(axis=1, initial=1.0)
