@@ -119,10 +119,12 @@ def _made(
 ) -> Outcome:
     """Analysed and verified: what is said, the exit code and the report."""
     from symscrew.cli.same_files import Outcome
-    from symscrew.mobility import analyse_mobility, verified
+    from symscrew.mobility import analyse_mobility, verified, with_rechecked_parts
 
     found, checks = verified(analyse_mobility(mechanism, body=options.body, at=at, tolerance=options.tolerance))
     failed = [check.claim for check in checks if not check.holds]
+    if options.components:
+        found = with_rechecked_parts(found)
     proved = not options.proof or _proved(found, Path(options.proof))
     parts: Parts | None = None
     if options.components:

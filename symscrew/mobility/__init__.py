@@ -22,7 +22,7 @@ from typing import TYPE_CHECKING
 from symscrew.doors import doors
 
 if TYPE_CHECKING:
-    from symscrew.mobility.algebraic_branches import with_components
+    from symscrew.mobility.algebraic_branches import with_components, with_rechecked_parts
     from symscrew.mobility.analysis import Mobility, analyse_mobility
     from symscrew.mobility.checks import Check, verified, verify
     from symscrew.mobility.components import (
@@ -164,6 +164,7 @@ __all__ = [
     "verify",
     "with_components",
     "with_parameters",
+    "with_rechecked_parts",
     "write_proof",
 ]
 

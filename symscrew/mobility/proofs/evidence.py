@@ -10,7 +10,8 @@ from typing import Any
 
 from symscrew.description import Mechanism
 from symscrew.mobility.joint_network import Network
-from symscrew.mobility.proofs.motion_proofs import block_entry
+from symscrew.mobility.proofs.motion_proofs import accepted, block_entry
+from symscrew.mobility.proofs.parts_proof import SECONDS, parts_proof
 from symscrew.mobility.proofs.proof_checker import Block, facts_of
 from symscrew.mobility.proofs.proof_numbers import ProofNumbers, described
 
@@ -23,6 +24,7 @@ METHODS = {
     "stopped": "a self-stress does work on the only motion",
     "endless": "the only motion of the loop keeps it shut to order 16, which no isolated one of six joints does",
     "tied": "parts that are smooth without couplings, and couplings that are independent of them",
+    "parts": "near the configuration the loops' polynomials are zero on smooth parts and nowhere else, multiplied out",
     "form": "the one redundant equation, or a combination of them, has a quadratic form that is not degenerate",
 }
 """Kind of a proof -> how it shows the real motion, in words."""
@@ -48,6 +50,23 @@ def gathered(mechanism: Mechanism, network: Network, body: str) -> Evidence:
     return numbers, {"blocks": [block_entry(numbers, k) for k in range(len(numbers.read.blocks))], "ranks": {}}
 
 
+def with_parts(numbers: ProofNumbers, values: dict[str, Any], seconds: float = SECONDS) -> dict[str, Any]:
+    """Evidence with that of smooth parts, by exact algebra, wherever there was none of all branches before.
+
+    The program of exact algebra has so many seconds of the processor for each block; the checker judges every proof.
+    """
+    blocks = []
+    for k, entry in enumerate(values["blocks"]):
+        name = ("block", str(k))
+        block = Block(numbers.read, name, entry)
+        if block.dimensions()[2] is None:
+            proof = parts_proof(numbers, block, seconds)
+            if proof is not None and accepted(numbers, name, {**entry, "proof": proof}):
+                entry = {**entry, "proof": proof}
+        blocks.append(entry)
+    return {**values, "blocks": blocks}
+
+
 def motion_proof(numbers: ProofNumbers, values: dict[str, Any]) -> MotionProof | None:
     """The real motion in the reference configuration, where evidence proves it as a whole; else None."""
     facts = facts_of(numbers.read, values)
@@ -60,6 +79,8 @@ def motion_proof(numbers: ProofNumbers, values: dict[str, Any]) -> MotionProof |
         motions = len(entry["rank"].get("null", ()))
         if kind == "form" and facts["branches"] and motions == 2 and not _definite(numbers, values, entry):
             count *= 2  # two lines; from three motions on the cone of a form is one
+        elif kind == "parts":
+            count *= len(entry["proof"]["parts"])
     branches = None if facts["branches"] is None else tuple(facts["branches"])
     how = "; ".join(dict.fromkeys(kinds)) or "no loops"
     return MotionProof(facts["finite mobility"], facts["smooth"], branches, count, how)

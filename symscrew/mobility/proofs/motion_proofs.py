@@ -67,6 +67,15 @@ def _entry(numbers: ProofNumbers, name: tuple[str, str]) -> dict[str, Any]:
     return entry
 
 
+def accepted(numbers: ProofNumbers, name: Sequence[str], entry: dict[str, Any]) -> bool:
+    """Whether the checker takes the proof of a part."""
+    try:
+        Block(numbers.read, name, entry).dimensions()
+    except RefusedError:
+        return False
+    return True
+
+
 class _Part:
     """A part of the mechanism, as the checker has it, and what proofs are made of."""
 
@@ -78,11 +87,7 @@ class _Part:
 
     def accepted(self, proof: dict[str, Any]) -> bool:
         """Whether the checker takes it."""
-        try:
-            Block(self.numbers.read, self.name, {**self.entry, "proof": proof}).dimensions()
-        except RefusedError:
-            return False
-        return True
+        return accepted(self.numbers, self.name, {**self.entry, "proof": proof})
 
     def tied(self) -> Iterator[dict[str, Any]]:
         """Smooth, by parts that are so without couplings, and couplings that are independent or follow from others."""
