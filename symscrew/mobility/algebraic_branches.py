@@ -35,7 +35,7 @@ def with_rechecked_parts(found: Mobility) -> Mobility:
     proof = motion_proof(numbers, evidence)
     if evidence["blocks"] == before["blocks"] or proof is None:
         return found
-    finite, table = confirmed(found.finite, proof), found.branches
+    finite, table = confirmed(found.network, found.finite, proof), found.branches
     complete = why_complete(finite, proof)
     result = replace(found, finite=finite)
     vars(result).update({name: value for name, value in vars(found).items() if name not in vars(result)})  # as it was

@@ -24,6 +24,8 @@ METHODS = {
     "stopped": "a self-stress does work on the only motion",
     "endless": "the only motion of the loop keeps it shut to order 16, which no isolated one of six joints does",
     "tied": "parts that are smooth without couplings, and couplings that are independent of them",
+    "nested": "smooth in the loops of some joints alone, and all other loops are independent of these",
+    "rigid": "joints with independent screws in loops of their own are at rest",
     "parts": "near the configuration the loops' polynomials are zero on smooth parts and nowhere else, multiplied out",
     "form": "the one redundant equation, or a combination of them, has a quadratic form that is not degenerate",
 }
@@ -34,7 +36,8 @@ METHODS = {
 class MotionProof:
     """What is proved of the real motion in the reference configuration.
 
-    `dof`, `smooth`, `branches` as in `FiniteMobility`; `count`: how many branches there are; `how`: in words.
+    `dof`, `smooth`, `branches` as in `FiniteMobility`; `count`: how many branches there are; `how`: in words;
+    `resting`: joints in loops that move on none of them.
     """
 
     dof: int
@@ -42,6 +45,7 @@ class MotionProof:
     branches: tuple[int, ...] | None
     count: int
     how: str
+    resting: tuple[str, ...] = ()
 
 
 def gathered(mechanism: Mechanism, network: Network, body: str) -> Evidence:
@@ -72,20 +76,25 @@ def motion_proof(numbers: ProofNumbers, values: dict[str, Any]) -> MotionProof |
     facts = facts_of(numbers.read, values)
     if "finite mobility" not in facts or "branches" not in facts:
         return None
-    kinds, count = [], 1
-    for entry in values["blocks"]:
+    kinds, count = list[str](), 1
+    for k, whole in enumerate(values["blocks"]):
+        entry = whole
+        while entry["proof"]["kind"] == "rigid":
+            kinds.append(METHODS["rigid"])
+            entry = entry["proof"]["rest"]
         kind = entry["proof"]["kind"]
         kinds.append(METHODS[kind])
         motions = len(entry["rank"].get("null", ()))
-        if kind == "form" and facts["branches"] and motions == 2 and not _definite(numbers, values, entry):
+        if kind == "form" and facts["branches"] and motions == 2 and _moves(numbers, k, whole):
             count *= 2  # two lines; from three motions on the cone of a form is one
         elif kind == "parts":
             count *= len(entry["proof"]["parts"])
     branches = None if facts["branches"] is None else tuple(facts["branches"])
     how = "; ".join(dict.fromkeys(kinds)) or "no loops"
-    return MotionProof(facts["finite mobility"], facts["smooth"], branches, count, how)
+    resting = tuple(facts.get("joints at rest", ()))
+    return MotionProof(facts["finite mobility"], facts["smooth"], branches, count, how, resting)
 
 
-def _definite(numbers: ProofNumbers, values: dict[str, Any], entry: dict[str, Any]) -> bool:
-    """Whether a part with a form is isolated."""
-    return Block(numbers.read, ("block", str(values["blocks"].index(entry))), entry).dimensions()[0] == 0
+def _moves(numbers: ProofNumbers, index: int, entry: dict[str, Any]) -> bool:
+    """Whether a part is not isolated."""
+    return Block(numbers.read, ("block", str(index)), entry).dimensions()[0] > 0

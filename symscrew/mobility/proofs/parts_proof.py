@@ -21,8 +21,8 @@ from symscrew.mobility.proofs.proof_numbers import ProofNumbers, encoded
 from symscrew.mobility.proofs.rank_proofs import rank_entry
 from symscrew.mobility.symbols import Exact, Generator, generator_itself, terms_of
 
-SECONDS = 20.0
-"""Of the processor: those of the tests end in a fifth of it."""
+SECONDS = 10.0
+"""Of the processor: those of the tests end in half of it."""
 MOST_UNKNOWNS = 16
 """Tangents: of more, exact algebra ends within no reasonable time."""
 LARGEST = 3_000_000

@@ -7,9 +7,11 @@ from the mechanism; from the evidence come only what is quick to check and long 
 
     rank at least r     a minor of r rows and columns: no pivot of its elimination in intervals contains zero
     rank at most r      columns - r independent vectors that the matrix maps to zero, exactly
+    at rest             independent screws of joints in the loops that these make among themselves; others go on alone
     smooth              every loop moves in a group of displacements (a basis closed under the screw bracket), and the
                         rank is the sum of their dimensions: implicit functions;
                         or limbs between two bodies of which each reaches all of a group;
+                        or smooth in the loops of some of the joints, and the other loops independent of these;
                         or parts that are smooth without couplings, and couplings independent of them;
                         or the only motion of a loop of six freedoms, shut to an order that no isolated one has
     isolated            a self-stress that does work on the only motion at some order, all lower orders closed; or
@@ -288,7 +290,7 @@ class Mechanism:
     """The graph, its loops, its couplings and its matrices, from the description in the file."""
 
     def __init__(self, entry: Any) -> None:
-        self.numbers = Numbers(entry["generators"])
+        self.entry, self.numbers = entry, Numbers(entry["generators"])
         self.ground, self.platform = entry["ground"], entry["body"]
         self.joints: dict[str, Joint] = {}
         self.freedoms = 0
@@ -305,6 +307,14 @@ class Mechanism:
         self.loops = [self._loop(self.joints[name]) for name in chords]
         self.ties = [self._tie(coupling["terms"]) for coupling in entry.get("couplings", [])]
         self.untied, self.blocks = self._parts([]), self._parts(self.ties)
+
+    def alone(self, names: Sequence[str]) -> Mechanism:
+        """These joints and the bodies that they join, one of these the ground; all that is connected."""
+        joints = [joint for joint in self.entry["joints"] if joint["name"] in names]
+        need(len(joints) == len(names) > 0, "joints that are not there, or there twice")
+        body = joints[0]["parent"]
+        empty: dict[str, Any] = {"drives": [], "limbs": {}, "couplings": []}
+        return Mechanism({**self.entry, **empty, "joints": joints, "ground": body, "body": body})
 
     def _screws(self, joint: Any, motion: Any) -> list[Screw]:
         read, zero = self.numbers.read, self.numbers.zero
@@ -560,17 +570,23 @@ def chain(mechanism: Mechanism, ends: Sequence[str], names: Sequence[str]) -> tu
 class Block:
     """A part of the mechanism with the bounds of its rank, its motions, and the groups of its loops."""
 
-    def __init__(self, mechanism: Mechanism, name: Sequence[str], entry: Any) -> None:
-        """`name`: as of its matrix, ("block", "0"); "untied" instead of "block" for a part without couplings."""
-        self.mechanism, self.numbers, self.entry = mechanism, mechanism.numbers, entry
+    def __init__(
+        self, mechanism: Mechanism, name: Sequence[str], entry: Any, *, held: frozenset[str] = frozenset()
+    ) -> None:
+        """`name`: as of its matrix, ("block", "0"); "untied" instead of "block" for a part without couplings.
+
+        `held`: joints that are shown to be at rest, so that they are none.
+        """
+        self.mechanism, self.numbers, self.entry, self.name, self.held = mechanism, mechanism.numbers, entry, name, held
         part = (mechanism.blocks if name[0] == "block" else mechanism.untied)[int(name[1])]
-        self.loops, self.ties, self.names = part.loops, part.ties, part.names
+        self.loops, self.ties, self.names = part.loops, part.ties, [name for name in part.names if name not in held]
+        moving = [name not in held for name in part.names for _ in mechanism.joints[name].screws]
         self.columns = [c for name in self.names for c in mechanism.joints[name].columns]
-        matrix = mechanism.matrix(name)
+        matrix = [[c for c, kept in zip(row, moving, strict=True) if kept] for row in mechanism.matrix(name)]
         self.least, self.most = rank(self.numbers, matrix, entry["rank"])
         self.motions = null_space(self.numbers, matrix, entry["rank"].get("null", []))
         at = {column: k for k, column in enumerate(self.columns)}
-        self.factors = [[(at[c], s) for c, s in mechanism.factors(loop)] for loop in self.loops]
+        self.factors = [[(at[c], s) for c, s in mechanism.factors(loop) if c in at] for loop in self.loops]
         self.brackets: list[list[tuple[int, int, Screw]]] = []
         self.tied_columns = [{at[c]: powers for c, powers in mechanism.ties[k].items()} for k in self.ties]
 
@@ -581,6 +597,12 @@ class Block:
         low, high = width - self.most, width - self.least
         if kind == "none":
             return (0, high, None, False) if high else (0, 0, [0], True)
+        if kind == "rigid":
+            return self.rest(proof).dimensions()
+        if kind == "nested":
+            self.nested(proof)
+            need(low == high, "a rank that is not decided")
+            return low, low, [low], True
         if kind == "tied":
             self.tied(proof)
             return high, high, [high], True
@@ -620,6 +642,38 @@ class Block:
             return 0, 0, [0], False
         need(redundant == 1, "an indefinite form among several redundant equations")
         return high - 1, high - 1, [high - 1], False
+
+    def resting(self) -> list[str]:
+        """Joints that are shown not to move: of parts that do not move at all, and of rigid loops."""
+        if not self.dimensions()[1]:
+            return self.names
+        proof = self.entry["proof"]
+        if proof["kind"] != "rigid":
+            return []
+        rest = self.rest(proof)
+        return sorted(rest.held - self.held) + rest.resting()
+
+    def rest(self, proof: Any) -> Block:
+        """The part without joints which have independent screws in the loops that they alone make: they cannot move."""
+        need(not self.ties, "a proof that leaves couplings out")
+        held = set(self.held)
+        for entry in proof["rigid"]:
+            alone = self.mechanism.alone(entry["joints"])
+            shown = at_least(alone.numbers, alone.matrix(["closure"]), entry["minor"]) == alone.freedoms
+            need(shown and set(entry["joints"]) <= set(self.names), "joints that are not shown to be at rest")
+            held |= set(entry["joints"])
+        return Block(self.mechanism, self.name, proof["rest"], held=frozenset(held))
+
+    def nested(self, proof: Any) -> None:
+        """Smooth in the loops that some joints make alone, and all other loops independent on their motions: smooth."""
+        need(not self.ties and set(proof["joints"]) <= set(self.names), "joints of another part, or couplings left out")
+        alone = self.mechanism.alone(proof["joints"])
+        need(len(alone.blocks) == len(proof["parts"]), "parts that are missing")
+        inside = [Block(alone, ("block", str(k)), entry) for k, entry in enumerate(proof["parts"])]
+        need(all(part.dimensions()[3] for part in inside), "joints whose own loops are not smooth")
+        own = sum(len(part.columns) - part.dimensions()[0] for part in inside)
+        others = len(self.loops) - len(alone.loops)
+        need(self.least == own + 6 * others, "other loops that are not independent of these")
 
     def parts(self, proof: Any) -> list[int]:
         """Dimensions of smooth parts that are, near the configuration, together all zeros of the loops' polynomials.
@@ -897,6 +951,8 @@ def facts_of(mechanism: Mechanism, entry: Any) -> dict[str, Any]:
     if least == most:
         found["instantaneous mobility"], found["redundant constraints"] = freedoms - least, 6 * loops + ties - least
     _add_motion(found, [part.dimensions() for part in parts], freedoms - sum(len(part.columns) for part in parts))
+    if resting := sorted(name for part in parts for name in part.resting()):
+        found["joints at rest"] = resting
     for name, given in entry["ranks"].items():
         value, bound = rank(mechanism.numbers, mechanism.matrix(name.split(" ", 1)), given)
         if value != bound:
