@@ -85,6 +85,20 @@ def double_parallelogram() -> Mechanism:
     return builder.build()
 
 
+def cells(count: int) -> Mechanism:
+    """Parallelograms in a row, each on the coupler of the one before."""
+    builder = MechanismBuilder("cells")
+    for k in range(count):
+        below = f"coupler{k - 1}" if k else "base"
+        builder.body(f"coupler{k}")
+        for i, x in enumerate((0, 3)):
+            builder.body(f"crank{k}_{i}")
+            foot, top = [x + k, 2 * k + i, 0], [x + k + 1, 2 * k + 2 + i, 0]
+            builder.joint(f"A{k}_{i}", "R", parent=below, child=f"crank{k}_{i}", point=foot, axes=[[0, 0, 1]])
+            builder.joint(f"B{k}_{i}", "R", parent=f"crank{k}_{i}", child=f"coupler{k}", point=top, axes=[[0, 0, 1]])
+    return builder.build()
+
+
 LIMBS: dict[str, tuple[tuple[tuple[str, Sequence[Any], Sequence[Sequence[Any]]], ...], ...]] = {
     # Kong and Gosselin 2002: cylinders along the axes of a frame, two hinges parallel to each
     "3-CRR": tuple(

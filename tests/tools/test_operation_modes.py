@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+import re
 import shutil
 from collections.abc import Callable
 from dataclasses import replace
@@ -13,7 +14,7 @@ from typing import Any
 import numpy as np
 import pytest
 from support.further_mechanisms import CASES, Z, loop
-from support.parallel_mechanisms import double_parallelogram, four_puu, four_ruu, snu
+from support.parallel_mechanisms import cells, double_parallelogram, four_puu, four_ruu, snu
 from support.reference_mechanisms import ENTRIES, build
 
 from symscrew.cli.parser import main
@@ -32,7 +33,7 @@ from symscrew.mobility.components import (
 )
 from symscrew.mobility.components import charts as held_charts
 from symscrew.mobility.components.algebra_program import ALGEBRA_PROGRAM, algebra_answer
-from symscrew.mobility.components.exact_parts import ExactParts
+from symscrew.mobility.components.component_parts import ExactParts
 from symscrew.mobility.joint_network import network_of
 
 pytestmark = pytest.mark.skipif(shutil.which(ALGEBRA_PROGRAM) is None, reason="Singular is not installed (singular-ui)")
@@ -108,6 +109,19 @@ def test_a_double_parallelogram_keeps_its_coupler_parallel_or_is_stiff() -> None
     """The third crank takes the antiparallelogram away: of that mode two poses are left (Hunt 1978, ch. 12)."""
     found = space("double parallelogram")
     assert found.proved and [(p.dimension, p.degree) for p in found.parts if p.dimension] == [(1, 2)]
+
+
+def test_cells_in_a_row_have_the_products_of_their_components() -> None:
+    """A cell is a parallelogram or an antiparallelogram (Hunt 1978, ch. 12), each whatever the others are."""
+    found = configuration_space(cells(2), network_of(cells(2)))
+    assert isinstance(found, ConfigurationSpace)
+    assert [(p.dimension, p.degree, p.through) for p in found.parts] == [
+        (2, 4, True), (2, 8, False), (2, 8, False), (2, 16, False)]  # fmt: skip
+    assert [p.irreducible for p in found.parts] == [True, True, True, False]  # of two that have no point in the field
+    assert not found.proved and "numbers outside of the field" in found.reason and all(found.on)
+    assert sum(found.on) == found.found and len(set(found.variables)) == len(found.variables) == 12
+    names = {name for part in found.parts for e in part.equations for name in re.findall(r"[cs]_\w+", e)}
+    assert names == set(found.variables)
 
 
 def test_modes_of_the_3_upu_of_seoul() -> None:

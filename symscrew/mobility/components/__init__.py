@@ -12,6 +12,7 @@ Network   --mode_connections--> assembly modes of the reference, paths between t
 from symscrew.mobility.components.algebra_program import ALGEBRA_PROGRAM, algebra_answer
 from symscrew.mobility.components.algebraic_closure import ClosureEquations, NotAlgebraicError, closure_equations
 from symscrew.mobility.components.all_components import ConfigurationSpace, configuration_space
+from symscrew.mobility.components.component_parts import Part
 from symscrew.mobility.components.component_texts import (
     UNCHECKED,
     mode_lines,
@@ -21,7 +22,6 @@ from symscrew.mobility.components.component_texts import (
     space_lines,
     space_values,
 )
-from symscrew.mobility.components.exact_parts import Part
 from symscrew.mobility.components.mode_connections import (
     Mode,
     ModeConnections,

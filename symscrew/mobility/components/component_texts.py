@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from symscrew.mobility.components.all_components import ConfigurationSpace
-from symscrew.mobility.components.exact_parts import Part
+from symscrew.mobility.components.component_parts import Part
 from symscrew.mobility.components.mode_sampling import SampledMode, SampledModes
 from symscrew.mobility.components.modes_of_poses import Motion, PoseMode, PoseModes
 

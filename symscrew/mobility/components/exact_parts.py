@@ -11,12 +11,13 @@ is not divided to the end in the time given is said to be so.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from fractions import Fraction
 
 from symscrew.mobility.components.algebra_program import ALGEBRA_PROGRAM, algebra_answer
 from symscrew.mobility.components.algebraic_closure import ClosureEquations
+from symscrew.mobility.components.component_parts import ExactParts, Part
 from symscrew.mobility.components.polynomials import Exponents, Polynomial
 from symscrew.mobility.symbols import exact_value, generator_itself
 
@@ -24,35 +25,6 @@ SECONDS = 20.0
 """Of the processor, for one decomposition. Those of the literature here end in a tenth of it, or not in hours."""
 AWAY = 2
 """In a part's mark: it lies where no configuration is."""
-
-
-@dataclass(frozen=True)
-class Part:
-    """A component: dimension and degree, its first equations, whether the reference is on it.
-
-    `irreducible`: over the field of the description; otherwise it may consist of several of its dimension and lower.
-    `polynomials`: the equations in doubles; `held`: (joint, angle [rad]) all over it, where these are variables of
-    another chart; `multiplicity`: of an irreducible one at the reference, 1 where it is smooth; 0 where it does not
-    pass through it, or that is not known.
-    """
-
-    dimension: int
-    degree: int
-    equations: tuple[str, ...]
-    through: bool
-    irreducible: bool
-    polynomials: tuple[Mapping[Exponents, float], ...] = ()
-    held: tuple[tuple[str, float], ...] = ()
-    multiplicity: int = 0
-
-
-@dataclass(frozen=True)
-class ExactParts:
-    """All components, or why there are none; `complete`: whether their union is proved to be all configurations."""
-
-    parts: tuple[Part, ...]
-    complete: bool
-    reason: str = ""
 
 
 def exact_parts(closure: ClosureEquations, seconds: float = SECONDS, *, local: bool = False) -> ExactParts:

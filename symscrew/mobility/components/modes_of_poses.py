@@ -18,7 +18,7 @@ import numpy as np
 from symscrew.description import Mechanism
 from symscrew.mobility.components.algebraic_closure import ClosureEquations, NotAlgebraicError, closure_equations
 from symscrew.mobility.components.all_components import ON, on_part
-from symscrew.mobility.components.exact_parts import Part
+from symscrew.mobility.components.component_parts import Part
 from symscrew.mobility.components.mode_sampling import SampledModes, freedoms_at, sampled_modes
 from symscrew.mobility.components.parallel_axes import modes_of_axes
 from symscrew.mobility.components.real_configurations import body_pose, real_configurations

@@ -19,8 +19,8 @@ from symscrew.algebra import cross
 from symscrew.description import Mechanism
 from symscrew.mobility.components.algebra_program import ALGEBRA_PROGRAM, algebra_answer
 from symscrew.mobility.components.algebraic_closure import ClosureEquations, limbs_between
+from symscrew.mobility.components.component_parts import Part
 from symscrew.mobility.components.exact_parts import (
-    Part,
     field_text,
     polynomials_text,
     printed_parts,
