@@ -21,6 +21,7 @@ from support.reference_mechanisms import ENTRIES, build
 from symscrew.description.mechanism import Mechanism
 from symscrew.mobility import Mobility, analyse_mobility, with_rechecked_parts, write_proof
 from symscrew.mobility.components import ALGEBRA_PROGRAM
+from symscrew.mobility.proofs import parts_proof as proofs_of_parts
 from symscrew.mobility.proofs import proof_checker
 from symscrew.mobility.proofs.parts_proof import parts_proof
 from symscrew.mobility.proofs.proof_checker import Block, RefusedError, at_least
@@ -72,8 +73,20 @@ def taken(proof: dict[str, Any]) -> tuple[int, int, list[int] | None, bool]:
     return Block(block.mechanism, ("block", "0"), {**block.entry, "proof": proof}).dimensions()
 
 
-def test_two_curves_meet() -> None:
+def test_two_curves_meet(monkeypatch: pytest.MonkeyPatch) -> None:
+    """By minimal primes, or where these are not found by factors of a Groebner basis."""
     assert taken(change_point()[1]) == (1, 1, [1], False)
+    whole, given = proofs_of_parts.algebra_answer, list[str]()
+
+    def without_primes(script: str, seconds: float) -> tuple[str, bool] | None:
+        given.append(script)
+        return ("", False) if "minAssGTZ" in script else whole(script, seconds)
+
+    monkeypatch.setattr(proofs_of_parts, "algebra_answer", without_primes)
+    block = change_point()[0]
+    numbers = analyse_mobility(mechanism("parallelogram-change_point")).evidence[0]
+    proof = parts_proof(numbers, block)
+    assert proof is not None and len(given) == 2 and taken(proof) == (1, 1, [1], False)
 
 
 def _without_a_part(proof: dict[str, Any]) -> None:

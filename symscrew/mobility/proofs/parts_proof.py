@@ -3,8 +3,9 @@
     loops in tangents of half the angles --Singular: minimal primes--> those through the configuration, smooth there
     products of their equations, times a unit --division, lifted--> combinations of the loops' polynomials
 
-The unit is made of equations of the components elsewhere and of what no configuration fulfils, as few as do. What the
-program says is believed by nobody: the checker multiplies out.
+The unit is made of equations of the components elsewhere and of what no configuration fulfils, as few as do. Where the
+minimal primes are not found, the parts that factors of a Groebner basis tell apart may do, with a unit of an ideal
+quotient. What the program says is believed by nobody: the checker multiplies out.
 """
 
 from __future__ import annotations
@@ -37,13 +38,14 @@ def parts_proof(numbers: ProofNumbers, block: Block, seconds: float = SECONDS) -
     if system is None or block.ties or not 0 < count <= MOST_UNKNOWNS or len(system.field.generators) > 1:
         return None
     loops = [closed(numbers.read.numbers, factors, count) for factors in block.factors]
-    answer = algebra_answer(_script(numbers, loops, count), seconds)
-    if answer is None or not answer[1] or len(answer[0]) > LARGEST:
-        return None
-    return _read(numbers, answer[0], count)
+    for divided in (True, False):
+        answer = algebra_answer(_script(numbers, loops, count, divided=divided), seconds / 2)
+        if answer is not None and answer[1] and len(answer[0]) <= LARGEST:
+            return _read(numbers, answer[0], count)
+    return None
 
 
-def _script(numbers: ProofNumbers, loops: Sequence[Sequence[Polynomial]], count: int) -> str:
+def _script(numbers: ProofNumbers, loops: Sequence[Sequence[Polynomial]], count: int, *, divided: bool) -> str:
     assert numbers.system is not None
     generators = numbers.system.field.generators
     names = [f"v{k + 1}" for k in range(count)]
@@ -70,7 +72,7 @@ ideal closure = {", ".join(text(p) for loop in loops for p in loop[1:] if p)};
 list through; ideal never = {", ".join(text(loop[0]) for loop in loops)}; ideal units;
 list pieces = facstd(closure, never);
 for (i = 1; i <= size(pieces); i++) {{
-  list minimal = minAssGTZ(pieces[i]);
+  list minimal = {"minAssGTZ(pieces[i])" if divided else "list(pieces[i])"};
   for (j = 1; j <= size(minimal); j++) {{
     ideal K = std(minimal[j]);
     if (size(subst(K{zero})) == 0) {{ through[size(through) + 1] = K; }} else {{
@@ -108,7 +110,14 @@ option(noredSB);
 proc without(poly p, ideal G, ideal units) {{
   int i; int j; ideal used; poly q = p; poly d;
   for (i = 1; i <= size(units) and q != 0; i++) {{ q = reduce(q * units[i], G); used[i] = units[i]; }}
-  if (q != 0) {{ return(poly(0)); }}
+  if (q != 0) {{
+    {"return(poly(0));" if divided else ""}
+    ideal Q = std(quotient(G, ideal(p)));
+    for (i = 1; i <= size(Q); i++) {{
+      if (jet(Q[i], 0) != 0 and (d == 0 or size(Q[i]) < size(d))) {{ d = Q[i]; }}
+    }}
+    return(d);
+  }}
   for (i = size(used); i >= 1; i--) {{
     d = used[i]; used[i] = 1; q = p;
     for (j = 1; j <= ncols(used); j++) {{ if (used[j] != 0) {{ q = reduce(q * used[j], G); }} }}
