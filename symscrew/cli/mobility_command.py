@@ -65,6 +65,8 @@ def add_options(command: argparse.ArgumentParser) -> None:
     add_no_cache(command)
 
 
+SHORTLY = 5.0
+"""Of the processor, for all components where modes are known: those that end at all take a second or two."""
 Parts = tuple[list[str], dict[str, Any]]
 """Components in words and as JSON values."""
 ASKED = ("tolerance", "body", "along", "connections", "expect", "full", "json")
@@ -116,10 +118,12 @@ def _made(
 ) -> Outcome:
     """Analysed and verified: what is said, the exit code and the report."""
     from symscrew.cli.same_files import Outcome
-    from symscrew.mobility import analyse_mobility, verified
+    from symscrew.mobility import analyse_mobility, verified, with_rechecked_parts
 
     found, checks = verified(analyse_mobility(mechanism, body=options.body, at=at, tolerance=options.tolerance))
     failed = [check.claim for check in checks if not check.holds]
+    if options.components:
+        found = with_rechecked_parts(found)
     proved = not options.proof or _proved(found, Path(options.proof))
     parts: Parts | None = None
     if options.components:
@@ -160,7 +164,8 @@ def _words(found: Mobility, failed: list[str], options: argparse.Namespace, part
 def _components(found: Mobility) -> tuple[Mobility, Parts]:
     """(the result with what components prove of its branches, the components in words and as JSON values).
 
-    Four-bars have a way of their own, which needs no program.
+    Four-bars have a way of their own, which needs no program. Modes with parallel axes are soon found: where they are
+    known the whole, which rarely ends then, is tried for a shorter time.
     """
     from symscrew.mobility import (
         component_lines,
@@ -169,6 +174,9 @@ def _components(found: Mobility) -> tuple[Mobility, Parts]:
         configuration_space,
         mode_lines,
         mode_values,
+        pose_lines,
+        pose_modes,
+        pose_values,
         sampled_modes,
         space_lines,
         space_values,
@@ -178,14 +186,20 @@ def _components(found: Mobility) -> tuple[Mobility, Parts]:
     curves = components_of(found.mechanism, found.network)
     if not isinstance(curves, str):
         return found, (component_lines(curves), component_values(curves))
-    space = configuration_space(found.mechanism, found.network)
+    modes = pose_modes(found.mechanism, found.network) if len(found.network.chords) > 1 else "not decided: one loop"
+    limit = {} if isinstance(modes, str) else {"seconds": SHORTLY}
+    space = configuration_space(found.mechanism, found.network, **limit)
     if not isinstance(space, str):
         return with_components(found, space), (space_lines(space), space_values(space))
     if not found.network.chords:
         return found, ([space], {"decided": False, "why": space})
-    modes = sampled_modes(found.network, found.platform.body)
-    values = {"decided": False, "why": space, "operation_modes": mode_values(modes)}
-    return found, ([space, *mode_lines(modes)], values)
+    if isinstance(modes, str) and len(found.network.chords) == 1:
+        modes = pose_modes(found.mechanism, found.network)
+    if not isinstance(modes, str):
+        return found, ([space, *pose_lines(modes)], {"decided": False, "why": space, "pose_modes": pose_values(modes)})
+    seen = sampled_modes(found.network, found.platform.body)
+    values = {"decided": False, "why": space, "operation_modes": mode_values(seen)}
+    return found, ([space, *mode_lines(seen)], values)
 
 
 def _connections(found: Mobility) -> tuple[list[str], dict[str, Any]]:

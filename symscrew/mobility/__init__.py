@@ -22,13 +22,14 @@ from typing import TYPE_CHECKING
 from symscrew.doors import doors
 
 if TYPE_CHECKING:
-    from symscrew.mobility.algebraic_branches import with_components
+    from symscrew.mobility.algebraic_branches import with_components, with_rechecked_parts
     from symscrew.mobility.analysis import Mobility, analyse_mobility
     from symscrew.mobility.checks import Check, verified, verify
     from symscrew.mobility.components import (
         ALGEBRA_PROGRAM,
         ConfigurationSpace,
         NotAlgebraicError,
+        PoseModes,
         SampledModes,
         algebra_answer,
         assembly_connections,
@@ -37,6 +38,9 @@ if TYPE_CHECKING:
         connection_values,
         mode_lines,
         mode_values,
+        pose_lines,
+        pose_modes,
+        pose_values,
         regular_ways,
         sampled_modes,
         space_lines,
@@ -105,6 +109,7 @@ __all__ = [
     "Network",
     "NotAlgebraicError",
     "NotDecidableError",
+    "PoseModes",
     "Reached",
     "SampledModes",
     "ScrewClass",
@@ -144,6 +149,9 @@ __all__ = [
     "motion_values",
     "moved",
     "network_of",
+    "pose_lines",
+    "pose_modes",
+    "pose_values",
     "read_coordinates",
     "regular_ways",
     "sampled_modes",
@@ -156,6 +164,7 @@ __all__ = [
     "verify",
     "with_components",
     "with_parameters",
+    "with_rechecked_parts",
     "write_proof",
 ]
 

@@ -445,6 +445,6 @@ def analyse_mobility(
                      reached.closed_to, coordinates, parameters, reached=reached)  # fmt: skip
     if not coordinates and not finite.proved:
         kept = {"motion_proof": found.motion_proof, "evidence": found.evidence}  # which do not rest on the judgement
-        found = replace(found, finite=confirmed(finite, found.motion_proof))
+        found = replace(found, finite=confirmed(network, finite, found.motion_proof))
         vars(found).update(kept)
     return found if tolerance is None else as_meant(found, tolerance)

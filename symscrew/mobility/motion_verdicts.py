@@ -41,11 +41,15 @@ def judged(network: Network, first_order: Instantaneous, decisions: Decisions) -
     return replace(found, proved=False, evidence=(*found.evidence, text))
 
 
-def confirmed(finite: FiniteMobility, proof: MotionProof | None) -> FiniteMobility:
+def confirmed(network: Network, finite: FiniteMobility, proof: MotionProof | None) -> FiniteMobility:
     """What was sampled, as proved where evidence that a checker can judge shows the same.
 
-    What was not decided by finite motions, such as singular configurations with couplings, is what is proved.
+    What was not decided by finite motions, such as singular configurations with couplings, or screws that are dependent
+    but for a difference of 1e-11, is what is proved.
     """
+    if proof is not None and finite.dof is None and proof.smooth:
+        smooth = smooth_mobility(network, proof.dof, f"proved: {proof.how}")
+        return replace(smooth, evidence=(*finite.evidence, *smooth.evidence))
     if proof is not None and finite.dof is None and proof.branches is not None:
         kind, evidence = kind_of(proof.branches), (*finite.evidence, f"proved: {proof.how}")
         return FiniteMobility(proof.dof, False, proof.branches, kind, evidence, True)

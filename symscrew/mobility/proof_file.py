@@ -50,6 +50,8 @@ def mobility_proof(found: Mobility) -> dict[str, Any]:
             open_claims.append((AS_MEANT + claim, value, found.decisions.why))
         else:
             claims.append({"claim": claim, "value": value})
+    if "joints at rest" in facts and found.in_reference:
+        claims.append({"claim": "joints at rest", "value": facts["joints at rest"]})
     for bound in ("finite mobility at least", "finite mobility at most"):
         if "finite mobility" not in facts or not found.in_reference:
             claims.append({"claim": bound, "value": facts[bound]})

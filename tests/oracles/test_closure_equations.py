@@ -19,6 +19,7 @@ from symscrew.mobility.components.algebraic_closure import (
     _settled,
     closure_equations,
 )
+from symscrew.mobility.components.exact_parts import _read
 from symscrew.mobility.components.limb_equations import null_space
 from symscrew.mobility.components.polynomials import Polynomial
 from symscrew.mobility.components.real_configurations import (
@@ -108,6 +109,19 @@ def test_what_the_components_leave_open_is_said(name: str, settles: bool, tangen
     assert ("all of them" in head) == (not tangents) and all(f"{j} at {a:.6g} rad" in head for j, a in angles)
     assert any("beyond a limb's reach" in line for line in lines) != settles == values["all_joints_settled"]
     assert [(v["joint"], v["angle"]) for v in values["all_but_with_a_joint_held_at"]] == list(angles)
+
+
+def test_a_component_within_a_part_that_is_not_divided_is_none_of_its_own() -> None:
+    """The time ended before the second part was divided: what the first one's component is within is said once."""
+    closure = closure_of("bennett")[1]
+    head = "@part {} 4 2 1 1 {}\nv1\n@shown\n"
+    printed = head.format(1, 0) + head.format(2, 0) + "@pieces\n" + head.format(1, 1)
+    divided = "@divided 1\n"
+    for inside, kinds in (("", [False, True]), ("@inside 1 2\n", [False]), ("@inside 1 1\n", [False, True])):
+        found = _read(closure, printed + inside + divided, ended=False, seconds=1.0)
+        assert found.complete and sorted(part.irreducible for part in found.parts) == kinds
+    both = _read(closure, printed + "@inside 1 2\n" + divided + "@divided 2\n@local 1 3\n@end", ended=True, seconds=1.0)
+    assert [(part.irreducible, part.multiplicity) for part in both.parts] == [(True, 3)]
 
 
 def test_two_hinges_on_one_line_are_not_settled_by_the_pose() -> None:

@@ -7,7 +7,7 @@ from functools import cache
 import pytest
 from support.further_mechanisms import CASES
 from support.marks import slow
-from support.parallel_mechanisms import four_ruu, snu
+from support.parallel_mechanisms import snu
 from support.reference_mechanisms import ENTRIES, build
 
 from symscrew.description.mechanism import Mechanism
@@ -16,7 +16,7 @@ from symscrew.mobility.joint_network import network_of
 
 
 def mechanism(name: str) -> Mechanism:
-    return {"snu": snu, "four_ruu": four_ruu}[name]() if name in ("snu", "four_ruu") else build(ENTRIES[name])
+    return snu() if name == "snu" else build(ENTRIES[name])
 
 
 @cache
@@ -35,8 +35,6 @@ def modes(name: str) -> SampledModes:
         slow("tripteron_cpm", [(3, 3, True)]),
         # Schadlbauer, Walter and Husty 2014
         slow("3rps", [(3, 3, "x0"), (3, 3, "x3")]),
-        # Nurahmi, Caro, Wenger, Schadlbauer and Husty 2016: two Schoenflies modes and one of two freedoms
-        slow("four_ruu", [(4, 4, "x0 x3"), (4, 4, "x1 x2"), (2, 2, "")]),
     ],
 )
 def test_published_modes(name: str, expected: list[tuple[int, int, object]]) -> None:

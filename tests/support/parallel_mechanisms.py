@@ -42,16 +42,35 @@ def snu() -> Mechanism:
     return three_upu([1, 0, 0], [0, 1, 0])
 
 
-def four_ruu() -> Mechanism:
-    """Four limbs whose outer axes are vertical (Nurahmi, Caro, Wenger, Schadlbauer, Husty 2016)."""
+def four_ruu(limbs: int = 4, stand: Sequence[Sequence[Any]] = ((1, 0, 0), (0, 1, 0), (0, 0, 1))) -> Mechanism:
+    """Limbs with vertical outer axes (Nurahmi, Caro, Wenger, Schadlbauer, Husty 2016); fewer than four, turned."""
     builder = MechanismBuilder("four_ruu", platform="plate").body("plate")
-    for k, place in enumerate(QUARTERS):
-        foot, knee, top = (turned(p, place) for p in ([6, 0, 0], [6, 5, 0], [3, 1, 4]))
-        inner = turned([Rational(4, 5), -Rational(3, 5), 0], place)
+
+    def there(vector: Sequence[Any], place: tuple[Any, Any] = (1, 0)) -> list[Any]:
+        return [sum(a * b for a, b in zip(row, turned(vector, place), strict=True)) for row in stand]
+
+    vertical = there([0, 0, 1])
+    for k, place in enumerate(QUARTERS[:limbs]):
+        foot, knee, top = (there(p, place) for p in ([6, 0, 0], [6, 5, 0], [3, 1, 4]))
+        inner = there([Rational(4, 5), -Rational(3, 5), 0], place)
         builder.body(f"low{k}").body(f"high{k}")
-        builder.joint(f"A{k}", "R", parent="base", child=f"low{k}", point=foot, axes=[[0, 0, 1]], driven=True)
-        builder.joint(f"B{k}", "U", parent=f"low{k}", child=f"high{k}", point=knee, axes=[[0, 0, 1], inner])
-        builder.joint(f"C{k}", "U", parent=f"high{k}", child="plate", point=top, axes=[inner, [0, 0, 1]])
+        builder.joint(f"A{k}", "R", parent="base", child=f"low{k}", point=foot, axes=[vertical], driven=True)
+        builder.joint(f"B{k}", "U", parent=f"low{k}", child=f"high{k}", point=knee, axes=[vertical, inner])
+        builder.joint(f"C{k}", "U", parent=f"high{k}", child="plate", point=top, axes=[inner, vertical])
+        builder.limb(f"limb{k}", joints=[f"A{k}", f"B{k}", f"C{k}"])
+    return builder.build()
+
+
+def four_puu() -> Mechanism:
+    """Four slides around the base, rods on universal joints whose outer axes are vertical."""
+    builder = MechanismBuilder("four_puu", platform="plate").body("plate")
+    for k, place in enumerate(QUARTERS):
+        foot, top = turned([6, 1, 0], place), turned([3, 1, 4], place)
+        along = turned([0, 1, 0], place)
+        builder.body(f"low{k}").body(f"high{k}")
+        builder.joint(f"A{k}", "P", parent="base", child=f"low{k}", point=foot, axes=[along], driven=True)
+        builder.joint(f"B{k}", "U", parent=f"low{k}", child=f"high{k}", point=foot, axes=[[0, 0, 1], along])
+        builder.joint(f"C{k}", "U", parent=f"high{k}", child="plate", point=top, axes=[along, [0, 0, 1]])
         builder.limb(f"limb{k}", joints=[f"A{k}", f"B{k}", f"C{k}"])
     return builder.build()
 
@@ -63,6 +82,20 @@ def double_parallelogram() -> Mechanism:
         builder.body(f"crank{k}")
         builder.joint(f"A{k}", "R", parent="base", child=f"crank{k}", point=[x, 0, 0], axes=[[0, 0, 1]])
         builder.joint(f"B{k}", "R", parent=f"crank{k}", child="coupler", point=[x + HALF * 3, 2, 0], axes=[[0, 0, 1]])
+    return builder.build()
+
+
+def cells(count: int) -> Mechanism:
+    """Parallelograms in a row, each on the coupler of the one before."""
+    builder = MechanismBuilder("cells")
+    for k in range(count):
+        below = f"coupler{k - 1}" if k else "base"
+        builder.body(f"coupler{k}")
+        for i, x in enumerate((0, 3)):
+            builder.body(f"crank{k}_{i}")
+            foot, top = [x + k, 2 * k + i, 0], [x + k + 1, 2 * k + 2 + i, 0]
+            builder.joint(f"A{k}_{i}", "R", parent=below, child=f"crank{k}_{i}", point=foot, axes=[[0, 0, 1]])
+            builder.joint(f"B{k}_{i}", "R", parent=f"crank{k}_{i}", child=f"coupler{k}", point=top, axes=[[0, 0, 1]])
     return builder.build()
 
 

@@ -4,30 +4,36 @@ from __future__ import annotations
 
 import json
 import math
+import re
 import shutil
 from collections.abc import Callable
 from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
+import numpy as np
 import pytest
 from support.further_mechanisms import CASES, Z, loop
-from support.parallel_mechanisms import double_parallelogram, snu
+from support.parallel_mechanisms import cells, double_parallelogram, four_puu, four_ruu, snu
 from support.reference_mechanisms import ENTRIES, build
 
 from symscrew.cli.parser import main
 from symscrew.description.mechanism import Mechanism
 from symscrew.mobility import analyse_mobility, with_components
 from symscrew.mobility.components import (
+    UNCHECKED,
     ConfigurationSpace,
+    PoseModes,
     algebraic_closure,
     all_components,
     configuration_space,
+    pose_lines,
+    pose_modes,
     space_lines,
 )
 from symscrew.mobility.components import charts as held_charts
 from symscrew.mobility.components.algebra_program import ALGEBRA_PROGRAM, algebra_answer
-from symscrew.mobility.components.exact_parts import ExactParts
+from symscrew.mobility.components.component_parts import ExactParts
 from symscrew.mobility.joint_network import network_of
 
 pytestmark = pytest.mark.skipif(shutil.which(ALGEBRA_PROGRAM) is None, reason="Singular is not installed (singular-ui)")
@@ -105,6 +111,19 @@ def test_a_double_parallelogram_keeps_its_coupler_parallel_or_is_stiff() -> None
     assert found.proved and [(p.dimension, p.degree) for p in found.parts if p.dimension] == [(1, 2)]
 
 
+def test_cells_in_a_row_have_the_products_of_their_components() -> None:
+    """A cell is a parallelogram or an antiparallelogram (Hunt 1978, ch. 12), each whatever the others are."""
+    found = configuration_space(cells(2), network_of(cells(2)))
+    assert isinstance(found, ConfigurationSpace)
+    assert [(p.dimension, p.degree, p.through) for p in found.parts] == [
+        (2, 4, True), (2, 8, False), (2, 8, False), (2, 16, False)]  # fmt: skip
+    assert [p.irreducible for p in found.parts] == [True, True, True, False]  # of two that have no point in the field
+    assert not found.proved and "numbers outside of the field" in found.reason and all(found.on)
+    assert sum(found.on) == found.found and len(set(found.variables)) == len(found.variables) == 12
+    names = {name for part in found.parts for e in part.equations for name in re.findall(r"[cs]_\w+", e)}
+    assert names == set(found.variables)
+
+
 def test_modes_of_the_3_upu_of_seoul() -> None:
     """Walter, Husty and Pfurner 2009: translations, twisted ones, planar ones upright and upside down, general ones."""
     found = space("snu")
@@ -156,6 +175,54 @@ def test_a_joint_at_rest_where_its_variable_has_no_value(
         assert isinstance(missed, ConfigurationSpace) and [joint for joint, _ in missed.resting] == ["J1"]
     else:
         assert isinstance(missed, str) and "on none of the components" in missed
+
+
+ROTATION = [[Fraction(c, 15) for c in row] for row in ((11, -10, 2), (2, 5, 14), (-10, -10, 5))]
+
+
+def seen_modes(made: Mechanism) -> PoseModes:
+    found = pose_modes(made, network_of(made))
+    assert isinstance(found, PoseModes), found
+    return found
+
+
+def test_the_modes_of_the_4_ruu() -> None:
+    """Nurahmi, Caro, Wenger, Schadlbauer and Husty 2016: two Schoenflies modes, and a third of two freedoms."""
+    found = seen_modes(four_ruu())
+    assert [set(mode.part.equations) for mode in found.modes] == [
+        {"x1", "x2", "x0*y0+x3*y3"}, {"x0", "x3", "x1*y1+x2*y2"}]  # fmt: skip
+    assert [(m.part.dimension, m.part.degree, m.part.through, m.motion.upright) for m in found.modes] == [
+        (4, 2, True, 1), (4, 2, False, -1)]  # fmt: skip
+    assert [(m.dimension, m.poses) for m in found.others.modes] == [(2, 2)] and not found.unseen
+    for mode in found.modes:
+        assert mode.motion.system.type == "1R3T" and mode.motion.axis == pytest.approx([0, 0, 1])
+        assert mode.motion.freedoms == 4 and mode.motion.residual < 1e-12 and mode.motion.exact
+    lines = pose_lines(found)
+    assert "Schoenflies motion about (0, 0, 1)" in lines[1] and "the other way up" in lines[2]
+    assert "sampled" in lines[3] and UNCHECKED in lines[0]
+
+
+@pytest.mark.parametrize("limbs, general", [(2, 4), (3, 3), (4, 2)])
+def test_modes_of_ruu_limbs_that_stand_askew(limbs: int, general: int) -> None:
+    """Each limb takes one freedom in general, and all together only two where the outer axes are parallel."""
+    found = seen_modes(four_ruu(limbs, ROTATION))
+    assert {(m.part.dimension, m.part.degree, m.motion.upright) for m in found.modes} == {(4, 2, 1), (4, 2, -1)}
+    vertical = np.array([float(row[2]) for row in ROTATION])
+    assert all(np.abs(np.cross(m.motion.axis, vertical)).max() < 1e-9 for m in found.modes)
+    assert [(m.dimension, m.poses) for m in found.others.modes] == [(general, general)]
+
+
+def test_poses_that_no_configuration_reaches_are_no_mode() -> None:
+    """Of four slides around the base none reaches the platform upside down, which has their places the other way."""
+    found = seen_modes(four_puu())
+    assert [(m.part.dimension, m.motion.upright) for m in found.modes] == [(4, 1)]
+    assert [set(part.equations) for part in found.unseen] == [{"x0", "x3", "x1*y1+x2*y2"}]
+    assert any("was seen on the poses x" in line for line in pose_lines(found))
+
+
+def test_what_has_no_modes_of_axes_says_why() -> None:
+    for name, reason in (("3rps", "no limb begins and ends"), ("parallelogram", "angles of all bodies")):
+        assert reason in str(pose_modes(mechanism(name), network_of(mechanism(name))))
 
 
 def test_bricard() -> None:

@@ -2,6 +2,7 @@
 
 Mechanism --limb_equations, algebraic_closure--> polynomials over an exact field (polynomials)
           --exact_parts--> irreducible components, proved; real_configurations lie on them --all_components--> result
+          --parallel_axes, modes_of_poses--> where the whole does not end: sets of poses, proved, with real witnesses
 Network   --mode_sampling--> modes that random configurations show, where exact algebra does not end
 both      --component_texts--> words, JSON
 polynomials --algebra_program--> what Singular says of them
@@ -11,14 +12,16 @@ Network   --mode_connections--> assembly modes of the reference, paths between t
 from symscrew.mobility.components.algebra_program import ALGEBRA_PROGRAM, algebra_answer
 from symscrew.mobility.components.algebraic_closure import ClosureEquations, NotAlgebraicError, closure_equations
 from symscrew.mobility.components.all_components import ConfigurationSpace, configuration_space
+from symscrew.mobility.components.component_parts import Part
 from symscrew.mobility.components.component_texts import (
     UNCHECKED,
     mode_lines,
     mode_values,
+    pose_lines,
+    pose_values,
     space_lines,
     space_values,
 )
-from symscrew.mobility.components.exact_parts import Part
 from symscrew.mobility.components.mode_connections import (
     Mode,
     ModeConnections,
@@ -28,6 +31,7 @@ from symscrew.mobility.components.mode_connections import (
     regular_ways,
 )
 from symscrew.mobility.components.mode_sampling import SampledMode, SampledModes, sampled_modes
+from symscrew.mobility.components.modes_of_poses import PoseModes, pose_modes
 
 __all__ = [
     "ALGEBRA_PROGRAM",
@@ -38,6 +42,7 @@ __all__ = [
     "ModeConnections",
     "NotAlgebraicError",
     "Part",
+    "PoseModes",
     "SampledMode",
     "SampledModes",
     "algebra_answer",
@@ -48,6 +53,9 @@ __all__ = [
     "connection_values",
     "mode_lines",
     "mode_values",
+    "pose_lines",
+    "pose_modes",
+    "pose_values",
     "regular_ways",
     "sampled_modes",
     "space_lines",

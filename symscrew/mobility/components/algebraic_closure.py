@@ -93,10 +93,13 @@ class ClosureEquations:
     settles: bool = True
 
 
-def closure_equations(mechanism: Mechanism, network: Network, chart: int = 0) -> ClosureEquations:
+def closure_equations(
+    mechanism: Mechanism, network: Network, chart: int = 0, *, fewest: bool = False
+) -> ClosureEquations:
     """The polynomials of a mechanism; raises NotAlgebraicError with the reason where there are none.
 
-    `chart`: below the length of `CHARTS`; in each every joint's variable lacks another angle.
+    `chart`: below the length of `CHARTS`; in each every joint's variable lacks another angle. `fewest`: of a single
+    loop, too, as few joints among the variables as limbs are cut out with, which then may not settle all joints.
     """
     if not network.chords:
         raise NotAlgebraicError("no loops")
@@ -110,7 +113,7 @@ def closure_equations(mechanism: Mechanism, network: Network, chart: int = 0) ->
         system = exact_system(mechanism)
         found = _planar(mechanism, network, system)
         if found is None:
-            found = _between_two_bodies(network, system, looped, chart)
+            found = _between_two_bodies(network, system, looped, chart, fewest=fewest)
     except NotDecidableError as error:
         raise NotAlgebraicError(str(error)) from error
     if len(found.variables) > MOST_VARIABLES:
@@ -216,7 +219,9 @@ class _Limb:
     settled: bool
 
 
-def _between_two_bodies(network: Network, system: ExactSystem, looped: set[str], chart: int) -> ClosureEquations:
+def _between_two_bodies(
+    network: Network, system: ExactSystem, looped: set[str], chart: int, *, fewest: bool
+) -> ClosureEquations:
     """The equations of a mechanism of limbs between two bodies; a single loop is two limbs."""
     base, body, chains = limbs_between(network, looped)
     limbs = []
@@ -224,7 +229,7 @@ def _between_two_bodies(network: Network, system: ExactSystem, looped: set[str],
         steps = [
             (name, k, sign, screw) for name, sign in joints for k, screw in list(enumerate(system.screws[name]))[::sign]
         ]
-        limbs.append(_limb(steps, single=len(chains) == 2))
+        limbs.append(_limb(steps, single=len(chains) == 2 and not fewest))
     count = sum(len(limb.heads) for limb in limbs) + PARAMETERS
     names = [f"t{k + 1}" for k in range(count - PARAMETERS)] + ["x0", "x1", "x2", "x3", "y0", "y1", "y2", "y3"]
     first = count - PARAMETERS

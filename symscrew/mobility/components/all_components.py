@@ -12,7 +12,11 @@ of limbs with the body at rest are none of their own, and a part of the zeros ma
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from itertools import product
+from math import prod
 from typing import Any
 
 import numpy as np
@@ -20,13 +24,15 @@ import numpy as np
 from symscrew.description import Mechanism
 from symscrew.mobility.components.algebraic_closure import ClosureEquations, NotAlgebraicError, closure_equations
 from symscrew.mobility.components.charts import held_components
-from symscrew.mobility.components.exact_parts import SECONDS, Part, exact_parts
+from symscrew.mobility.components.component_parts import Part, joined
+from symscrew.mobility.components.exact_parts import SECONDS, exact_parts
 from symscrew.mobility.components.real_configurations import (
     real_configurations,
     resting_angles,
     told_apart,
     variables_at,
 )
+from symscrew.mobility.finite import blocks_of
 from symscrew.mobility.joint_network import Network
 
 Array = np.ndarray[Any, Any]
@@ -36,6 +42,9 @@ ON = 1e-5
 are closed to 1e-12, and where branches touch Newton's method gives half these digits."""
 NEARLY_ON = 1e-2
 """The same where many solutions meet in one: there a closure of 1e-12 tells the place to 1e-4, or 1e-3 of four."""
+MOST_PRODUCTS = 256
+"""Products of components that are listed: eight independent loops with two components each."""
+DIVIDED = "products of components of independent loops, which numbers outside of the field might divide"
 NO_VALUE = 1e8
 """A tangent beyond this belongs to a joint within 1e-8 rad of the angle at which it has no value: it rests there, and
 lies on what another chart shows."""
@@ -69,7 +78,57 @@ class ConfigurationSpace:
 
 
 def configuration_space(mechanism: Mechanism, network: Network, seconds: float = SECONDS) -> ConfigurationSpace | str:
-    """The components, or why they are not decided; exact algebra is given up after so many seconds."""
+    """The components, or why they are not decided; exact algebra is given up after so many seconds.
+
+    Loops that share no joint move independently: for each set of these it has so many seconds.
+    """
+    blocks = [block for block in blocks_of(network) if block.chords]
+    if len(blocks) < 2:
+        return _of_one(mechanism, network, seconds)
+    spaces = list[ConfigurationSpace]()
+    for block in blocks:
+        space = _of_one(mechanism, block, seconds)
+        if isinstance(space, str):
+            return space
+        spaces.append(space)
+    if prod(len(space.parts) for space in spaces) > MOST_PRODUCTS:
+        return f"not decided: more than {MOST_PRODUCTS} products of components of independent loops"
+    return _product(spaces)
+
+
+def _product(spaces: Sequence[ConfigurationSpace]) -> ConfigurationSpace:
+    """The products of the components of independent loops; configurations of each go together in every way."""
+    named = [_apart(space, k + 1) for k, space in enumerate(spaces)]
+    each = [list(zip(space.parts, space.on, strict=True)) for space in named]
+    found = []
+    for chosen in product(*each):
+        sized = [(part, len(space.variables)) for (part, _), space in zip(chosen, named, strict=True)]
+        found.append((joined(sized), prod(on for _, on in chosen)))
+    found.sort(key=lambda pair: (-pair[0].dimension, pair[0].degree, pair[0].equations))
+    reason = next((space.reason for space in named if space.reason), "")
+    return ConfigurationSpace(
+        "; ".join(dict.fromkeys(space.subject for space in named)),
+        tuple(name for space in named for name in space.variables),
+        ", ".join(dict.fromkeys(space.field for space in named)), tuple(part for part, _ in found),
+        reason or ("" if all(part.irreducible for part, _ in found) else DIVIDED),
+        prod(space.found for space in named), tuple(on for _, on in found),
+        tuple(rest for space in named for rest in space.resting), all(space.settles for space in named),
+    )  # fmt: skip
+
+
+def _apart(space: ConfigurationSpace, number: int) -> ConfigurationSpace:
+    """The same with names of variables that other loops do not have."""
+
+    def renamed(text: str) -> str:
+        return re.sub(names, rf"\1_{number}", text)
+
+    names = re.compile(rf"\b({'|'.join(map(re.escape, space.variables))})\b")
+    parts = tuple(replace(p, equations=tuple(map(renamed, p.equations))) for p in space.parts)
+    return replace(space, variables=tuple(map(renamed, space.variables)), parts=parts)
+
+
+def _of_one(mechanism: Mechanism, network: Network, seconds: float) -> ConfigurationSpace | str:
+    """The components of loops that are linked by joints."""
     try:
         closure = closure_equations(mechanism, network)
     except NotAlgebraicError as error:
@@ -86,7 +145,7 @@ def configuration_space(mechanism: Mechanism, network: Network, seconds: float =
     count = len(values[0]) if values else 0
     told = told_apart(network, q[:count])
     open_to = np.where(told, ON, NEARLY_ON)
-    on_each = [_on(part, v, open_to) for (part, _), v in zip(parts, values, strict=True)]
+    on_each = [on_part(part, v, open_to) for (part, _), v in zip(parts, values, strict=True)]
     members = np.array(on_each).reshape(len(parts), count)
     seen = members.any(axis=0)
     if (told & ~seen).any():
@@ -104,7 +163,7 @@ def _values(closure: ClosureEquations, network: Network, q: Array) -> Array:
     return np.zeros((0, len(closure.variables))) if values is None else values
 
 
-def _on(part: Part, values: Array, open_to: Array) -> Array:
+def on_part(part: Part, values: Array, open_to: Array) -> Array:
     """Which rows of values are zeros of all equations of the part, each as near as it is known."""
     inside = np.array(np.abs(values).max(axis=1, initial=0.0) < NO_VALUE)
     largest = np.abs(values).max(axis=1, initial=1.0)

@@ -14,7 +14,8 @@ from dataclasses import replace
 
 from symscrew.description import Mechanism
 from symscrew.mobility.components.algebraic_closure import CHARTS, ClosureEquations, Length, closure_equations
-from symscrew.mobility.components.exact_parts import Part, exact_parts
+from symscrew.mobility.components.component_parts import Part
+from symscrew.mobility.components.exact_parts import exact_parts
 from symscrew.mobility.components.real_configurations import resting_angles, turning
 from symscrew.mobility.joint_network import Network
 from symscrew.mobility.symbols import exact_value

@@ -5,8 +5,9 @@ from __future__ import annotations
 from typing import Any
 
 from symscrew.mobility.components.all_components import ConfigurationSpace
-from symscrew.mobility.components.exact_parts import Part
+from symscrew.mobility.components.component_parts import Part
 from symscrew.mobility.components.mode_sampling import SampledMode, SampledModes
+from symscrew.mobility.components.modes_of_poses import Motion, PoseMode, PoseModes
 
 MOST_SHOWN = 6
 """Equations of a component in words; all are in the JSON."""
@@ -112,3 +113,58 @@ def mode_values(found: SampledModes) -> dict[str, Any]:
         for m in found.modes
     ]  # fmt: skip
     return {"body": found.body, "judgement": "sampled", "configurations": found.found, "modes": modes}
+
+
+def pose_lines(found: PoseModes) -> list[str]:
+    """A line for each mode by exact algebra, those that were not seen, and what was sampled beside them."""
+    count = len(found.modes)
+    head = (
+        f"{count} operation mode{'s' * (count != 1)} of {found.body} against {found.base}, with an axis that stays "
+        f"parallel: sets of poses by exact algebra, irreducible over {found.field}, proved, {UNCHECKED}; degrees in "
+        "Study's parameters x, y; that the poses are reached is by the rank at a witness"
+    )
+    lines = [head, *(_pose_mode(mode, found) for mode in found.modes)]
+    for part in found.unseen:
+        equations = "; ".join(f"{e} = 0" for e in part.equations[:MOST_SHOWN] if len(e) <= LONGEST_SHOWN)
+        lines.append(f"no motion of dimension {part.dimension} was seen on the poses {equations}")
+    beside, *modes = mode_lines(found.others)
+    return [*lines, f"All other configurations are beside these. {beside}", *modes]
+
+
+def _pose_mode(mode: PoseMode, found: PoseModes) -> str:
+    witness = mode.motion
+    more = f", of {witness.freedoms} freedoms of the joints" if witness.freedoms > mode.part.dimension else ""
+    return (
+        f"{_line(mode.part, f'{mode.count} of {found.found}')}; {found.body} {witness.system.type}, "
+        f"{witness.system}{_about(witness)}; at the witness, closed to {witness.residual:.0e}, the rank "
+        f"{'in 60 digits ' if witness.exact else ''}leaves {mode.part.dimension}{more}"
+    )
+
+
+def _about(motion: Motion) -> str:
+    """The axis about which the body turns, and whether it is upside down."""
+    if motion.axis is None:
+        return ""
+    name = "Schoenflies motion" if motion.system.type == "1R3T" else "turning"
+    against = {1: "", -1: ", the body the other way up", 0: ", about another line of the body than in the reference"}
+    return f", {name} about ({', '.join(f'{c + 0.0:.6g}' for c in motion.axis.round(9))}){against[motion.upright]}"
+
+
+def pose_values(found: PoseModes) -> dict[str, Any]:
+    """The same as JSON values; displacements of a witness in rad and in sizes of the mechanism."""
+    modes = [
+        {"dimension": m.part.dimension, "degree": m.part.degree, "through_reference": m.part.through,
+         "equations": [f"{e} = 0" for e in m.part.equations], "real_configurations": m.count,
+         "platform": {"type": m.motion.system.type, "class": m.motion.system.name,
+                      "axis": None if m.motion.axis is None else m.motion.axis.round(12).tolist(),
+                      "upright": m.motion.upright},
+         "witness": {"displacements": m.motion.q.tolist(), "closed_to": m.motion.residual,
+                     "in_60_digits": m.motion.exact, "freedoms": m.motion.freedoms}}
+        for m in found.modes
+    ]  # fmt: skip
+    return {
+        "base": found.base, "field": found.field,
+        "proved_by": f"exact algebra, {UNCHECKED}; reached by ranks in doubles",
+        "modes": modes, "unseen": [[f"{e} = 0" for e in part.equations] for part in found.unseen],
+        **{f"beside_{name}": value for name, value in mode_values(found.others).items()},
+    }  # fmt: skip

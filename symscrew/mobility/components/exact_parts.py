@@ -11,49 +11,20 @@ is not divided to the end in the time given is said to be so.
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from fractions import Fraction
 
 from symscrew.mobility.components.algebra_program import ALGEBRA_PROGRAM, algebra_answer
 from symscrew.mobility.components.algebraic_closure import ClosureEquations
+from symscrew.mobility.components.component_parts import ExactParts, Part
 from symscrew.mobility.components.polynomials import Exponents, Polynomial
 from symscrew.mobility.symbols import exact_value, generator_itself
 
 SECONDS = 20.0
 """Of the processor, for one decomposition. Those of the literature here end in a tenth of it, or not in hours."""
-PART = re.compile(r"@part (\d+) (\d+) (-?\d+) (\d+) (\d) (\d)")
 AWAY = 2
 """In a part's mark: it lies where no configuration is."""
-
-
-@dataclass(frozen=True)
-class Part:
-    """A component: dimension and degree, its first equations, whether the reference is on it.
-
-    `irreducible`: over the field of the description; otherwise it may consist of several of its dimension and lower.
-    `polynomials`: the equations in doubles; `held`: (joint, angle [rad]) all over it, where these are variables of
-    another chart; `multiplicity`: of an irreducible one at the reference, 1 where it is smooth; 0 where it does not
-    pass through it, or that is not known.
-    """
-
-    dimension: int
-    degree: int
-    equations: tuple[str, ...]
-    through: bool
-    irreducible: bool
-    polynomials: tuple[Mapping[Exponents, float], ...] = ()
-    held: tuple[tuple[str, float], ...] = ()
-    multiplicity: int = 0
-
-
-@dataclass(frozen=True)
-class ExactParts:
-    """All components, or why there are none; `complete`: whether their union is proved to be all configurations."""
-
-    parts: tuple[Part, ...]
-    complete: bool
-    reason: str = ""
 
 
 def exact_parts(closure: ClosureEquations, seconds: float = SECONDS, *, local: bool = False) -> ExactParts:
@@ -69,38 +40,22 @@ def exact_parts(closure: ClosureEquations, seconds: float = SECONDS, *, local: b
 
 
 def _script(closure: ClosureEquations, *, local: bool) -> str:
-    names = [f"v{k + 1}" for k in range(len(closure.variables))]
-    generators = closure.field.generators
-
-    def text(polynomials: Sequence[Polynomial]) -> str:
-        return ",\n".join(p.text(names, generators, ["a"] * len(generators)) for p in polynomials) or "0"
-
-    modulus = ""
-    if generators:
-        low = [f"({c})*a^{k}" for k, c in enumerate(generators[0].modulus) if c]
-        modulus = f"minpoly = a^{generators[0].degree}+{'+'.join(low)};"
-    reference = "".join(f"q = subst(q, v{k + 1}, {value});" for k, value in enumerate(closure.reference))
-    field = "(0,a)" if generators else "0"
+    names = variable_names(closure)
     return f"""
 LIB "primdec.lib";
-ring r = {field}, ({",".join(names)}), dp; {modulus}
+ring r = {field_text(closure)[0]}, ({",".join(names)}), dp; {field_text(closure)[1]}
 option(redSB); short = 0;
-ideal closure = {text(closure.equations)};
-ideal never = {text(closure.excluded)};
-proc shown(ideal K, int mark, int whole) {{
-  int i; int on = 1; int away = 0; poly q; poly n;
-  for (i = 1; i <= size(K); i++) {{ q = K[i]; {reference} if (q != 0) {{ on = 0; }} }}
-  for (i = 1; i <= size(never); i++) {{ n = never[i]; if (n != 0 and reduce(n, K) == 0) {{ away = 1; }} }}
-  print("@part " + string(mark) + " " + string(dim(K)) + " " + string(mult(K)) + " " + string(size(K)) + " "
-    + string(on) + " " + string(whole + 2 * away));
-  for (i = 1; i <= size(K); i++) {{ print(string(K[i])); }}
-  print("@shown");
-}}
-proc within(ideal K, ideal L) {{ int i; for (i = 1; i <= size(L); i++) {{ if (reduce(L[i], K) != 0) {{ return(0); }} }}
-  return(1); }}
+ideal closure = {polynomials_text(closure, closure.equations)};
+ideal never = {polynomials_text(closure, closure.excluded)};
+{shown_procedure(closure)}
 list pieces = {"facstd(closure, never)" if closure.excluded else "facstd(closure)"};
 int i; int j; int k; int mark; int drop; list all; list marks;
-for (i = 1; i <= size(pieces); i++) {{ shown(std(pieces[i]), i, 0); }}
+for (i = size(pieces); i >= 1; i--) {{
+  pieces[i] = std(pieces[i]); drop = 0;
+  for (j = 1; j <= size(pieces); j++) {{ if (j != i and drop == 0) {{ drop = within(pieces[i], std(pieces[j])); }} }}
+  if (drop) {{ pieces = delete(pieces, i); }}
+}}
+for (i = 1; i <= size(pieces); i++) {{ shown(pieces[i], i, 0); }}
 print("@pieces");
 for (i = 1; i <= size(pieces); i++) {{
   list minimal = minAssGTZ(pieces[i]);
@@ -114,6 +69,9 @@ for (i = 1; i <= size(pieces); i++) {{
     }}
     if (drop == 0) {{
       mark++; all[size(all) + 1] = K; marks[size(marks) + 1] = mark; shown(K, mark, 1);
+      for (k = 1; k <= size(pieces); k++) {{
+        if (k != i) {{ if (within(K, pieces[k])) {{ print("@inside " + string(mark) + " " + string(k)); }} }}
+      }}
     }}
     kill K;
   }}
@@ -121,9 +79,48 @@ for (i = 1; i <= size(pieces); i++) {{
   kill minimal;
 }}
 print("@end");
-{_local(closure, field, modulus) if local else ""}
+{_local(closure, *field_text(closure)) if local else ""}
 quit;
 """
+
+
+def variable_names(closure: ClosureEquations) -> list[str]:
+    """What the program calls the closure's variables."""
+    return [f"v{k + 1}" for k in range(len(closure.variables))]
+
+
+def polynomials_text(closure: ClosureEquations, polynomials: Sequence[Polynomial]) -> str:
+    """Polynomials in the closure's variables as the generators of an ideal."""
+    generators = closure.field.generators
+    names = variable_names(closure)
+    return ",\n".join(p.text(names, generators, ["a"] * len(generators)) for p in polynomials) or "0"
+
+
+def field_text(closure: ClosureEquations) -> tuple[str, str]:
+    """(coefficients of a ring, the equation of the field's generator)."""
+    generators = closure.field.generators
+    if not generators:
+        return "0", ""
+    low = [f"({c})*a^{k}" for k, c in enumerate(generators[0].modulus) if c]
+    return "(0,a)", f"minpoly = a^{generators[0].degree}+{'+'.join(low)};"
+
+
+def shown_procedure(closure: ClosureEquations, *, first: int = 0) -> str:
+    """Procedures that print a part, in a ring of the variables from the first on, and compare two ideals."""
+    given = list(enumerate(closure.reference))[first:]
+    reference = "".join(f"q = subst(q, v{k + 1}, {value});" for k, value in given)
+    return f"""
+proc shown(ideal K, int mark, int whole) {{
+  int i; int on = 1; int away = 0; poly q; poly n;
+  for (i = 1; i <= size(K); i++) {{ q = K[i]; {reference} if (q != 0) {{ on = 0; }} }}
+  for (i = 1; i <= size(never); i++) {{ n = never[i]; if (n != 0 and reduce(n, K) == 0) {{ away = 1; }} }}
+  print("@part " + string(mark) + " " + string(dim(K)) + " " + string(mult(K)) + " " + string(size(K)) + " "
+    + string(on) + " " + string(whole + 2 * away));
+  for (i = 1; i <= size(K); i++) {{ print(string(K[i])); }}
+  print("@shown");
+}}
+proc within(ideal K, ideal L) {{ int i; for (i = 1; i <= size(L); i++) {{ if (reduce(L[i], K) != 0) {{ return(0); }} }}
+  return(1); }}"""
 
 
 def _local(closure: ClosureEquations, field: str, modulus: str) -> str:
@@ -160,43 +157,32 @@ for (i = 1; i <= size(singular); i++) {{
 
 def _read(closure: ClosureEquations, output: str, *, ended: bool, seconds: float) -> ExactParts:
     """The parts that the program has printed: primes of divided pieces, the others as they are."""
-    pieces: dict[int, Part] = {}
-    primes: dict[int, Part] = {}
     if re.search(r"^ *\? ", output, re.MULTILINE):
         return ExactParts((), False, f"{ALGEBRA_PROGRAM} did not accept the equations")
-    lines = iter(output.splitlines())
-    split = False
-    divided: set[int] = set()
-    for line in lines:
-        word = line.split()
-        if line.startswith("@pieces"):
-            split = True
-        elif line.startswith("@divided"):
-            divided.add(int(word[1]))
-        elif line.startswith("@drop"):
-            primes.pop(int(word[1]), None)
-        elif line.startswith("@local") and int(word[1]) in primes:
-            primes[int(word[1])] = replace(primes[int(word[1])], multiplicity=int(word[2]))
-        elif found := PART.match(line):
-            number, dimension, degree, _, on, kind = map(int, found.groups())
-            equations = []
-            for inner in lines:
-                if inner.startswith("@shown"):
-                    break
-                equations.append(inner)
-            part = _part(closure, (dimension, degree), equations, through=bool(on), prime=split)
-            if kind >= AWAY:
-                continue
-            if split:
-                primes[number] = part
-            else:
-                pieces[number] = part
-        left = [pieces[k] for k in pieces if k not in divided]
+    first, split, second = output.partition("@pieces")
     if not split:
         return ExactParts((), False, f"exact algebra did not end within {seconds:g} s of the processor")
+    pieces = {number: part for number, part, away in printed_parts(closure, first, prime=False) if not away}
+    primes = {number: part for number, part, away in printed_parts(closure, second, prime=True) if not away}
+    marks: dict[str, list[list[int]]] = {}
+    for word, numbers in re.findall(r"^@(\w+)((?: \d+)+)$", second, re.MULTILINE):
+        marks.setdefault(word, []).append([int(n) for n in numbers.split()])
+    left = {k: part for k, part in pieces.items() if [k] not in marks.get("divided", [])}
+    dropped = {mark for (mark,) in marks.get("drop", [])} | {mark for mark, k in marks.get("inside", []) if k in left}
+    several = {numbers[0]: numbers[1] for numbers in marks.get("local", [])}
+    kept = [replace(part, multiplicity=several.get(k, 0)) for k, part in primes.items() if k not in dropped]
     reason = "" if ended else f"not divided to the end within {seconds:g} s of the processor"
-    parts = sorted([*primes.values(), *left], key=lambda part: (-part.dimension, part.degree, part.equations))
+    parts = sorted([*kept, *left.values()], key=lambda part: (-part.dimension, part.degree, part.equations))
     return ExactParts(tuple(parts), True, reason)
+
+
+def printed_parts(closure: ClosureEquations, output: str, *, prime: bool) -> Iterator[tuple[int, Part, bool]]:
+    """(mark, part, whether it lies where no configuration is) of every part that was printed whole."""
+    for text in output.split("@part ")[1:]:
+        head, *equations = text.partition("@shown")[0].splitlines()
+        if "@shown" in text:
+            number, dimension, degree, _, on, kind = map(int, head.split())
+            yield number, _part(closure, (dimension, degree), equations, through=bool(on), prime=prime), kind >= AWAY
 
 
 def _part(

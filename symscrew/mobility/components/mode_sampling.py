@@ -82,9 +82,24 @@ class _Forms:
     cut_out: bool
 
 
-def sampled_modes(network: Network, body: str) -> SampledModes:
-    """The modes of the body's motion against the ground that random configurations show."""
-    found = real_configurations(network)
+@dataclass(frozen=True, eq=False)
+class Freedoms:
+    """What moves at a configuration.
+
+    `freedoms`: of the mechanism; `poses`: of one body against another; `twists`: theirs in unit motions as columns,
+    (omega ; v/length) in the axes of the ground; `gap`: smallest singular value of the closure that is not zero, over
+    the largest.
+    """
+
+    freedoms: int
+    poses: int
+    twists: Array
+    gap: float
+
+
+def sampled_modes(network: Network, body: str, found: Array | None = None) -> SampledModes:
+    """The modes of the body's motion against the ground that random configurations show, or those that are given."""
+    found = real_configurations(network) if found is None else found
     variety = ClosureVariety(network)
     random = np.random.default_rng(SEED)
     groups: list[tuple[_Forms, int]] = []
@@ -103,6 +118,7 @@ def sampled_modes(network: Network, body: str) -> SampledModes:
             elif len(forms.quadratic) < len(groups[same][0].quadratic):  # the earlier walk has not left a part
                 groups[same] = (forms, groups[same][1])
         groups[same] = (groups[same][0], groups[same][1] + 1)
+    groups = _merged(groups)
     reference = _monomials(network, variety, np.zeros(variety.columns), body)
     modes = []
     for forms, count in groups:
@@ -110,6 +126,18 @@ def sampled_modes(network: Network, body: str) -> SampledModes:
         modes.append(SampledMode(*forms.size, _equations(forms.linear), len(forms.quadratic), count, through))
     modes.sort(key=lambda m: (-m.dimension, -m.poses, m.equations))
     return SampledModes(body, tuple(modes), len(found))
+
+
+def _merged(groups: list[tuple[_Forms, int]]) -> list[tuple[_Forms, int]]:
+    """Of groups that are alike the one with the fewest forms: the walks of the others have not left a part of it."""
+    kept: list[tuple[_Forms, int]] = []
+    for forms, count in sorted(groups, key=lambda group: len(group[0].quadratic)):
+        same = next((k for k, (other, _) in enumerate(kept) if _alike(other, forms)), None)
+        if same is None:
+            kept.append((forms, count))
+        else:
+            kept[same] = (kept[same][0], kept[same][1] + count)
+    return kept
 
 
 def _walk(network: Network, variety: ClosureVariety, q: Array, random: np.random.Generator) -> Array:
@@ -140,17 +168,27 @@ def _closed(variety: ClosureVariety, q: Array) -> Array | None:
     return None
 
 
-def _dimensions(network: Network, variety: ClosureVariety, q: Array, body: str) -> tuple[int, int]:
-    """Of the instantaneous motions, and of the body's twists in them."""
+def freedoms_at(network: Network, variety: ClosureVariety, q: Array, between: tuple[str, str]) -> Freedoms:
+    """The instantaneous motions at a configuration, and those of the second body against the first."""
     screws = variety.forward(q[None])[0]
     _, s, vt = np.linalg.svd(variety.jacobians(screws, q[None])[0])
-    motions = vt[int((s > RANK * s[0]).sum()) :].T
+    rank = int((s > RANK * s[0]).sum())
+    motions = vt[rank:].T
     rows = np.zeros((6, variety.columns))
-    for name, sign in network.path(body):
-        columns = list(network.edges[name].columns)
-        rows[:, columns] = sign * screws[0, columns].T
-    values = np.linalg.svd(rows @ motions, compute_uv=False)
-    return motions.shape[1], int((values > RANK * max(1.0, values.max(initial=0.0))).sum())
+    for sense, end in zip((-1, 1), between, strict=True):
+        for name, sign in network.path(end):
+            columns = list(network.edges[name].columns)
+            rows[:, columns] += sense * sign * screws[0, columns].T
+    twists = rows @ motions
+    values = np.linalg.svd(twists, compute_uv=False)
+    poses = int((values > RANK * max(1.0, values.max(initial=0.0))).sum())
+    return Freedoms(motions.shape[1], poses, twists, float(s[rank - 1] / s[0]) if rank else 1.0)
+
+
+def _dimensions(network: Network, variety: ClosureVariety, q: Array, body: str) -> tuple[int, int]:
+    """Of the instantaneous motions, and of the body's twists in them."""
+    found = freedoms_at(network, variety, q, (network.ground, body))
+    return found.freedoms, found.poses
 
 
 def _forms(network: Network, variety: ClosureVariety, poses: Array, body: str) -> _Forms:

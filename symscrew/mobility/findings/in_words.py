@@ -12,6 +12,7 @@ import numpy as np
 import sympy
 
 from symscrew.mobility.field_counts import as_lines as counts_in_words
+from symscrew.mobility.findings.at_rest import resting_lines
 from symscrew.mobility.findings.places import place_lines
 from symscrew.mobility.findings.typeset import inline, presentable
 from symscrew.mobility.finite import lone_pairs, named_spins
@@ -52,7 +53,12 @@ def sections(found: Mobility) -> list[tuple[str, list[str]]]:
         lines.append(found.without_symbols)
     result.append((f"Freedoms of {found.platform.body}", lines))
     if found.branches is not None:
-        result.append(("Branches through the configuration", branch_lines(found.branches, found.network)))
+        result.append(
+            (
+                "Branches through the configuration",
+                [*branch_lines(found.branches, found.network), *resting_lines(found)],
+            )
+        )
     if not found.limbs and found.network.chords and (lines := _motions(found)):
         result.append(("Motions of the loops in symbols", lines))
     if found.loci:

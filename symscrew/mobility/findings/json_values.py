@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
+from symscrew.mobility.findings.at_rest import resting_joints
 from symscrew.mobility.findings.places import place_values
 from symscrew.mobility.finite import lone_pairs, named_spins
 from symscrew.mobility.motions import branch_values
@@ -71,6 +72,7 @@ def mobility_values(found: Mobility) -> dict[str, Any]:
         "proved": finite.proved,
         "judgement": finite.judgement,
         "branch_table": None if found.branches is None else branch_values(found.branches, found.network),
+        "joints_at_rest_proved": list(resting_joints(found)),
         "near": _near(found),
         "taken": _taken(found),
         "nearly_singular": found.nearly_singular or None,

@@ -21,6 +21,7 @@
 
 from symscrew.mobility.finite.almost_ranks import RankClaim, rank_claims
 from symscrew.mobility.finite.finite_motion import FiniteMobility, finite_mobility, kind_of, smooth_mobility
+from symscrew.mobility.finite.independent_parts import blocks_of
 from symscrew.mobility.finite.local_solutions import (
     CLOSED,
     Local,
@@ -57,6 +58,7 @@ __all__ = [
     "RankClaim",
     "ReducedClosure",
     "Witness",
+    "blocks_of",
     "cone_directions",
     "definite_stress",
     "finite_mobility",

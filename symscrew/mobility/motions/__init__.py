@@ -14,7 +14,8 @@ from symscrew.mobility.motions.loop_components import (
     components_of,
 )
 from symscrew.mobility.motions.motion_words import motion_lines, motion_values
-from symscrew.mobility.motions.screw_classes import ScrewClass, screw_class
+from symscrew.mobility.motions.screw_classes import ScrewClass, class_of_motions, screw_class
+from symscrew.mobility.motions.seen_poses import Closures, seen_at
 from symscrew.mobility.motions.singular_poses import SingularPose
 from symscrew.mobility.motions.whole_branch import CommonGroup, common_group
 from symscrew.mobility.motions.whole_motion import WholeMotion, motion_along
@@ -22,6 +23,7 @@ from symscrew.mobility.motions.whole_motion import WholeMotion, motion_along
 __all__ = [
     "BranchRow",
     "BranchTable",
+    "Closures",
     "CommonGroup",
     "Component",
     "Components",
@@ -31,6 +33,7 @@ __all__ = [
     "branch_lines",
     "branch_values",
     "branches_through",
+    "class_of_motions",
     "common_group",
     "component_lines",
     "component_values",
@@ -39,4 +42,5 @@ __all__ = [
     "motion_lines",
     "motion_values",
     "screw_class",
+    "seen_at",
 ]

@@ -1,6 +1,7 @@
 """Proofs of a mobility verdict that others can check: the evidence in exact numbers, and the checker of a proof file.
 
     Mechanism --proof_numbers--> exact numbers --rank_proofs, motion_proofs, evidence--> evidence
+              exact algebra --parts_proof--> combinations of polynomials that are multiplied out
     JSON      --proof_checker--> every claim proved, refused, or said to be sampled
 
 The file itself is written by `symscrew/mobility/proof_file.py`, from a whole verdict.
@@ -15,7 +16,7 @@ from typing import TYPE_CHECKING
 from symscrew.doors import doors
 
 if TYPE_CHECKING:
-    from symscrew.mobility.proofs.evidence import Evidence, MotionProof, gathered, motion_proof
+    from symscrew.mobility.proofs.evidence import Evidence, MotionProof, gathered, motion_proof, with_parts
     from symscrew.mobility.proofs.proof_checker import COUPLED, FORMAT, Verdict, check_proof, digest, facts_of
     from symscrew.mobility.proofs.rank_proofs import rank_entry
 
@@ -31,6 +32,7 @@ __all__ = [
     "gathered",
     "motion_proof",
     "rank_entry",
+    "with_parts",
 ]
 
 __getattr__ = doors(__name__)

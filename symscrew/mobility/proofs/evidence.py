@@ -10,7 +10,8 @@ from typing import Any
 
 from symscrew.description import Mechanism
 from symscrew.mobility.joint_network import Network
-from symscrew.mobility.proofs.motion_proofs import block_entry
+from symscrew.mobility.proofs.motion_proofs import accepted, block_entry
+from symscrew.mobility.proofs.parts_proof import SECONDS, parts_proof
 from symscrew.mobility.proofs.proof_checker import Block, facts_of
 from symscrew.mobility.proofs.proof_numbers import ProofNumbers, described
 
@@ -23,6 +24,9 @@ METHODS = {
     "stopped": "a self-stress does work on the only motion",
     "endless": "the only motion of the loop keeps it shut to order 16, which no isolated one of six joints does",
     "tied": "parts that are smooth without couplings, and couplings that are independent of them",
+    "nested": "smooth in the loops of some joints alone, and all other loops are independent of these",
+    "rigid": "joints with independent screws in loops of their own are at rest",
+    "parts": "near the configuration the loops' polynomials are zero on smooth parts and nowhere else, multiplied out",
     "form": "the one redundant equation, or a combination of them, has a quadratic form that is not degenerate",
 }
 """Kind of a proof -> how it shows the real motion, in words."""
@@ -32,7 +36,8 @@ METHODS = {
 class MotionProof:
     """What is proved of the real motion in the reference configuration.
 
-    `dof`, `smooth`, `branches` as in `FiniteMobility`; `count`: how many branches there are; `how`: in words.
+    `dof`, `smooth`, `branches` as in `FiniteMobility`; `count`: how many branches there are; `how`: in words;
+    `resting`: joints in loops that move on none of them.
     """
 
     dof: int
@@ -40,6 +45,7 @@ class MotionProof:
     branches: tuple[int, ...] | None
     count: int
     how: str
+    resting: tuple[str, ...] = ()
 
 
 def gathered(mechanism: Mechanism, network: Network, body: str) -> Evidence:
@@ -48,23 +54,47 @@ def gathered(mechanism: Mechanism, network: Network, body: str) -> Evidence:
     return numbers, {"blocks": [block_entry(numbers, k) for k in range(len(numbers.read.blocks))], "ranks": {}}
 
 
+def with_parts(numbers: ProofNumbers, values: dict[str, Any], seconds: float = SECONDS) -> dict[str, Any]:
+    """Evidence with that of smooth parts, by exact algebra, wherever there was none of all branches before.
+
+    The program of exact algebra has so many seconds of the processor for each block; the checker judges every proof.
+    """
+    blocks = []
+    for k, entry in enumerate(values["blocks"]):
+        name = ("block", str(k))
+        block = Block(numbers.read, name, entry)
+        if block.dimensions()[2] is None:
+            proof = parts_proof(numbers, block, seconds)
+            if proof is not None and accepted(numbers, name, {**entry, "proof": proof}):
+                entry = {**entry, "proof": proof}
+        blocks.append(entry)
+    return {**values, "blocks": blocks}
+
+
 def motion_proof(numbers: ProofNumbers, values: dict[str, Any]) -> MotionProof | None:
     """The real motion in the reference configuration, where evidence proves it as a whole; else None."""
     facts = facts_of(numbers.read, values)
     if "finite mobility" not in facts or "branches" not in facts:
         return None
-    kinds, count = [], 1
-    for entry in values["blocks"]:
+    kinds, count = list[str](), 1
+    for k, whole in enumerate(values["blocks"]):
+        entry = whole
+        while entry["proof"]["kind"] == "rigid":
+            kinds.append(METHODS["rigid"])
+            entry = entry["proof"]["rest"]
         kind = entry["proof"]["kind"]
         kinds.append(METHODS[kind])
         motions = len(entry["rank"].get("null", ()))
-        if kind == "form" and facts["branches"] and motions == 2 and not _definite(numbers, values, entry):
+        if kind == "form" and facts["branches"] and motions == 2 and _moves(numbers, k, whole):
             count *= 2  # two lines; from three motions on the cone of a form is one
+        elif kind == "parts":
+            count *= len(entry["proof"]["parts"])
     branches = None if facts["branches"] is None else tuple(facts["branches"])
     how = "; ".join(dict.fromkeys(kinds)) or "no loops"
-    return MotionProof(facts["finite mobility"], facts["smooth"], branches, count, how)
+    resting = tuple(facts.get("joints at rest", ()))
+    return MotionProof(facts["finite mobility"], facts["smooth"], branches, count, how, resting)
 
 
-def _definite(numbers: ProofNumbers, values: dict[str, Any], entry: dict[str, Any]) -> bool:
-    """Whether a part with a form is isolated."""
-    return Block(numbers.read, ("block", str(values["blocks"].index(entry))), entry).dimensions()[0] == 0
+def _moves(numbers: ProofNumbers, index: int, entry: dict[str, Any]) -> bool:
+    """Whether a part is not isolated."""
+    return Block(numbers.read, ("block", str(index)), entry).dimensions()[0] > 0

@@ -8,6 +8,7 @@ Every proof is given to the checker before it is used; what the checker does not
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from fractions import Fraction
 from functools import cached_property
 from itertools import combinations
@@ -21,6 +22,7 @@ from symscrew.mobility.proofs.proof_checker import (
     MOST_WAYS,
     WHOLE,
     Block,
+    Mechanism,
     Number,
     RefusedError,
     Screw,
@@ -51,12 +53,17 @@ def block_entry(numbers: ProofNumbers, index: int) -> dict[str, Any]:
     return _entry(numbers, ("block", str(index)))
 
 
-def _entry(numbers: ProofNumbers, name: tuple[str, str]) -> dict[str, Any]:
-    entry: dict[str, Any] = {"rank": rank_entry(numbers, numbers.read.matrix(name)), "proof": NONE}
-    part = _Part(numbers, name, entry)
+def _entry(numbers: ProofNumbers, name: tuple[str, str], held: frozenset[str] = frozenset()) -> dict[str, Any]:
+    matrix = numbers.read.matrix(name)
+    if held:
+        joints = (numbers.read.blocks if name[0] == "block" else numbers.read.untied)[int(name[1])].names
+        moving = [n not in held for n in joints for _ in numbers.read.joints[n].screws]
+        matrix = [[c for c, kept in zip(row, moving, strict=True) if kept] for row in matrix]
+    entry: dict[str, Any] = {"rank": rank_entry(numbers, matrix), "proof": NONE}
+    part = _Part(numbers, name, entry, held)
     if part.block.least == len(part.block.columns):
         return entry
-    smooth = (part.tied,) if part.block.ties else (part.groups_alone, part.limbs)
+    smooth = (part.tied,) if part.block.ties else (part.groups_alone, part.limbs, part.rigid, part.nested)
     for attempt in (*smooth, part.stopped, part.endless, part.form, part.direction):
         try:
             for proof in attempt():
@@ -67,22 +74,31 @@ def _entry(numbers: ProofNumbers, name: tuple[str, str]) -> dict[str, Any]:
     return entry
 
 
+def accepted(
+    numbers: ProofNumbers, name: Sequence[str], entry: dict[str, Any], held: frozenset[str] = frozenset()
+) -> bool:
+    """Whether the checker takes the proof of a part, of which some joints are held."""
+    try:
+        Block(numbers.read, name, entry, held=held).dimensions()
+    except RefusedError:
+        return False
+    return True
+
+
 class _Part:
     """A part of the mechanism, as the checker has it, and what proofs are made of."""
 
-    def __init__(self, numbers: ProofNumbers, name: tuple[str, str], entry: dict[str, Any]) -> None:
-        self.numbers, self.name, self.entry = numbers, name, entry
-        self.block = Block(numbers.read, name, entry)
+    def __init__(
+        self, numbers: ProofNumbers, name: tuple[str, str], entry: dict[str, Any], held: frozenset[str]
+    ) -> None:
+        self.numbers, self.name, self.entry, self.held = numbers, name, entry, held
+        self.block = Block(numbers.read, name, entry, held=held)
         self.decided = numbers.system is not None and self.block.least == self.block.most
         self._groups: list[Any] | None = None
 
     def accepted(self, proof: dict[str, Any]) -> bool:
         """Whether the checker takes it."""
-        try:
-            Block(self.numbers.read, self.name, {**self.entry, "proof": proof}).dimensions()
-        except RefusedError:
-            return False
-        return True
+        return accepted(self.numbers, self.name, {**self.entry, "proof": proof}, self.held)
 
     def tied(self) -> Iterator[dict[str, Any]]:
         """Smooth, by parts that are so without couplings, and couplings that are independent or follow from others."""
@@ -160,6 +176,48 @@ class _Part:
                 return None
             limbs.append(names)
         return limbs if sum(map(len, limbs)) == len(self.block.names) else None
+
+    def rigid(self) -> Iterator[dict[str, Any]]:
+        """Loops of joints at rest whose screws are independent, and a proof for what is left without these joints."""
+        read, block = self.numbers.read, self.block
+        if not self.decided or block.ties:
+            return
+        still = [n for n in block.names if not any(u[block.columns.index(c)] for u in block.motions
+                                                   for c in read.joints[n].columns)]  # fmt: skip
+        found = [entry for names in _looped(read, still) for entry in self._stiff(names)]
+        if found:
+            held = self.held.union(*(entry["joints"] for entry in found))
+            rest = _entry(self.numbers, self.name, held)
+            if Block(read, self.name, rest, held=held).dimensions()[2] is not None:
+                yield {"kind": "rigid", "rigid": found, "rest": rest}
+
+    def nested(self) -> Iterator[dict[str, Any]]:
+        """Smooth by one loop that is so alone, if all others are independent of it."""
+        block, read = self.block, self.numbers.read
+        if not self.decided or block.ties or len(block.loops) < 2 or self.held:
+            return
+        loops = [frozenset(name for name, _ in read.loops[k]) for k in block.loops]
+        single = [*loops, *(a ^ b for a, b in combinations(loops, 2) if a & b)]  # in which a common way is left out
+        for joints in sorted(dict.fromkeys(map(frozenset, single)), key=lambda names: (len(names), sorted(names))):
+            names = [name for name in block.names if name in joints]
+            alone = read.alone(names)
+            closure = alone.matrix(["closure"])
+            redundant = 6 * len(block.loops) - block.least
+            if len(alone.loops) == 1 and 6 - len(rank_entry(self.numbers, closure)["minor"]["rows"]) == redundant:
+                inside = replace(self.numbers, read=alone)
+                yield {"kind": "nested", "joints": names, "parts": [_entry(inside, ("block", "0"))]}
+
+    def _stiff(self, names: list[str]) -> Iterator[dict[str, Any]]:
+        """Those of the joints that are shown to be rigid: all of them, or the loops of them that are so alone."""
+        alone = self.numbers.read.alone(names)
+        loops = [sorted({name for name, _ in loop}) for loop in alone.loops]
+        for joints in (names, *loops) if len(loops) > 1 else (names,):
+            part = self.numbers.read.alone(joints)
+            minor = rank_entry(self.numbers, part.matrix(["closure"]))["minor"]
+            if len(minor["rows"]) == part.freedoms:
+                yield {"joints": joints, "minor": minor}
+                if joints is names:
+                    return
 
     def stresses(self) -> list[tuple[Exact, ...]]:
         """Self-stresses that are independent on the groups of the loops."""
@@ -303,6 +361,24 @@ class _Part:
                 "slices": [[str(c) for c in row] for row in slices],
                 "inverse": [[str(_fraction(c)) for c in row] for row in np.linalg.inv(square)],
             }
+
+
+def _looped(read: Mechanism, names: Sequence[str]) -> list[list[str]]:
+    """Of these joints those that lie in loops of them alone, in connected pieces."""
+    left = [read.joints[name] for name in names]
+    while True:
+        ends = [body for joint in left for body in (joint.parent, joint.child)]
+        kept = [joint for joint in left if min(ends.count(joint.parent), ends.count(joint.child)) > 1]
+        if len(kept) == len(left):
+            break
+        left = kept
+    pieces: list[tuple[set[str], list[str]]] = []
+    for joint in left:
+        near = [piece for piece in pieces if piece[0] & {joint.parent, joint.child}]
+        pieces = [piece for piece in pieces if not piece[0] & {joint.parent, joint.child}]
+        bodies = {joint.parent, joint.child}.union(*(piece[0] for piece in near))
+        pieces.append((bodies, [*(name for piece in near for name in piece[1]), joint.name]))
+    return [names for _, names in pieces]
 
 
 def _fraction(value: float) -> Fraction:

@@ -7,14 +7,18 @@ from the mechanism; from the evidence come only what is quick to check and long 
 
     rank at least r     a minor of r rows and columns: no pivot of its elimination in intervals contains zero
     rank at most r      columns - r independent vectors that the matrix maps to zero, exactly
+    at rest             independent screws of joints in the loops that these make among themselves; others go on alone
     smooth              every loop moves in a group of displacements (a basis closed under the screw bracket), and the
                         rank is the sum of their dimensions: implicit functions;
                         or limbs between two bodies of which each reaches all of a group;
+                        or smooth in the loops of some of the joints, and the other loops independent of these;
                         or parts that are smooth without couplings, and couplings independent of them;
                         or the only motion of a loop of six freedoms, shut to an order that no isolated one has
     isolated            a self-stress that does work on the only motion at some order, all lower orders closed; or
                         one whose quadratic form is definite
-    branches            one redundant equation with a quadratic form that is not degenerate: a cone (Morse)
+    branches            one redundant equation with a quadratic form that is not degenerate: a cone (Morse);
+                        or smooth parts whose equations, multiplied, are combinations of the loops' polynomials, and the
+                        other way round, up to factors that are not zero in the configuration
     at least d          a zero of all quadratic forms at which they are independent, in a box that Krawczyk's
                         operator maps into itself: a branch of dimension d along it
 
@@ -35,7 +39,8 @@ import sys
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from itertools import combinations
+from itertools import combinations, permutations, product
+from operator import add
 from typing import Any
 
 BITS = 320
@@ -107,6 +112,8 @@ class Number:
     def __mul__(self, other: Number) -> Number:
         if not self.terms or not other.terms:
             return self.within.zero
+        if not self.within.count:  # rational numbers have one term each
+            return Number(self.within, {(): self.terms[()] * other.terms[()]})
         terms: dict[Key, Fraction] = {}
         for a, x in self.terms.items():
             for b, y in other.terms.items():
@@ -283,7 +290,7 @@ class Mechanism:
     """The graph, its loops, its couplings and its matrices, from the description in the file."""
 
     def __init__(self, entry: Any) -> None:
-        self.numbers = Numbers(entry["generators"])
+        self.entry, self.numbers = entry, Numbers(entry["generators"])
         self.ground, self.platform = entry["ground"], entry["body"]
         self.joints: dict[str, Joint] = {}
         self.freedoms = 0
@@ -300,6 +307,14 @@ class Mechanism:
         self.loops = [self._loop(self.joints[name]) for name in chords]
         self.ties = [self._tie(coupling["terms"]) for coupling in entry.get("couplings", [])]
         self.untied, self.blocks = self._parts([]), self._parts(self.ties)
+
+    def alone(self, names: Sequence[str]) -> Mechanism:
+        """These joints and the bodies that they join, one of these the ground; all that is connected."""
+        joints = [joint for joint in self.entry["joints"] if joint["name"] in names]
+        need(len(joints) == len(names) > 0, "joints that are not there, or there twice")
+        body = joints[0]["parent"]
+        empty: dict[str, Any] = {"drives": [], "limbs": {}, "couplings": []}
+        return Mechanism({**self.entry, **empty, "joints": joints, "ground": body, "body": body})
 
     def _screws(self, joint: Any, motion: Any) -> list[Screw]:
         read, zero = self.numbers.read, self.numbers.zero
@@ -480,6 +495,67 @@ def group(numbers: Numbers, screws: Sequence[Screw], given: Any) -> list[Screw]:
     return basis
 
 
+Polynomial = dict[Key, Number]
+"""In the tangents of a part's freedoms: exponents -> coefficient."""
+
+
+def polynomial(numbers: Numbers, given: Any, count: int) -> Polynomial:
+    """A polynomial of the file: [[number, exponents ...], ...]."""
+    terms: Polynomial = {}
+    for number, *powers in given:
+        sound = len(powers) == count and all(type(e) is int and 0 <= e <= LARGEST for e in powers)
+        if not sound or tuple(powers) in terms:
+            raise UnreadableError(f"expected {count} exponents of tangents, got {powers}")
+        terms[tuple(powers)] = numbers.read(number)
+    return {key: c for key, c in terms.items() if c}
+
+
+def multiplied(a: Polynomial, b: Polynomial) -> Polynomial:
+    """Their product."""
+    terms: Polynomial = {}
+    for one, x in a.items():
+        for two, y in b.items():
+            key = tuple(map(add, one, two))
+            terms[key] = terms[key] + x * y if key in terms else x * y
+    return {key: c for key, c in terms.items() if c}
+
+
+def closed(numbers: Numbers, factors: Sequence[tuple[int, Screw]], count: int) -> list[Polynomial]:
+    """The product of 1 + t (w + eps v), a dual quaternion: no displacement where all but its first part is zero."""
+    pose = [{(0,) * count: numbers.one}, *({} for _ in range(7))]
+    for column, screw in factors:
+        key = _power(column, count)
+        turn = [[{key: c} if c else {} for c in half] for half in (screw[:3], screw[3:])]
+        moved = [_hamilton(pose[:4], turn[0]), _hamilton(pose[4:], turn[0]), _hamilton(pose[:4], turn[1])]
+        added = [*moved[0], *(_added(a, b) for a, b in zip(moved[1], moved[2], strict=True))]
+        pose = [_added(a, b) for a, b in zip(pose, added, strict=True)]
+    return pose
+
+
+def _hamilton(q: Sequence[Polynomial], v: Sequence[Polynomial]) -> list[Polynomial]:
+    """A quaternion times a vector."""
+    w, x, y, z = q
+    rows = (((x, 0, -1), (y, 1, -1), (z, 2, -1)), ((w, 0, 1), (y, 2, 1), (z, 1, -1)),
+            ((w, 1, 1), (z, 0, 1), (x, 2, -1)), ((w, 2, 1), (x, 1, 1), (y, 0, -1)))  # fmt: skip
+    result = []
+    for row in rows:
+        total: Polynomial = {}
+        for p, k, sign in row:
+            part = multiplied(p, v[k])
+            total = _added(total, part if sign > 0 else {key: -c for key, c in part.items()})
+        result.append(total)
+    return result
+
+
+def _added(a: Polynomial, b: Polynomial) -> Polynomial:
+    terms = {**a, **{key: a[key] + c if key in a else c for key, c in b.items()}}
+    return {key: c for key, c in terms.items() if c}
+
+
+def _power(column: int, count: int) -> Key:
+    return tuple(int(k == column) for k in range(count))
+
+
 def chain(mechanism: Mechanism, ends: Sequence[str], names: Sequence[str]) -> tuple[list[Screw], list[str]]:
     """(screws of the joints that lead from one body to another, the bodies between)."""
     bodies, screws = [ends[0]], []
@@ -494,17 +570,23 @@ def chain(mechanism: Mechanism, ends: Sequence[str], names: Sequence[str]) -> tu
 class Block:
     """A part of the mechanism with the bounds of its rank, its motions, and the groups of its loops."""
 
-    def __init__(self, mechanism: Mechanism, name: Sequence[str], entry: Any) -> None:
-        """`name`: as of its matrix, ("block", "0"); "untied" instead of "block" for a part without couplings."""
-        self.mechanism, self.numbers, self.entry = mechanism, mechanism.numbers, entry
+    def __init__(
+        self, mechanism: Mechanism, name: Sequence[str], entry: Any, *, held: frozenset[str] = frozenset()
+    ) -> None:
+        """`name`: as of its matrix, ("block", "0"); "untied" instead of "block" for a part without couplings.
+
+        `held`: joints that are shown to be at rest, so that they are none.
+        """
+        self.mechanism, self.numbers, self.entry, self.name, self.held = mechanism, mechanism.numbers, entry, name, held
         part = (mechanism.blocks if name[0] == "block" else mechanism.untied)[int(name[1])]
-        self.loops, self.ties, self.names = part.loops, part.ties, part.names
+        self.loops, self.ties, self.names = part.loops, part.ties, [name for name in part.names if name not in held]
+        moving = [name not in held for name in part.names for _ in mechanism.joints[name].screws]
         self.columns = [c for name in self.names for c in mechanism.joints[name].columns]
-        matrix = mechanism.matrix(name)
+        matrix = [[c for c, kept in zip(row, moving, strict=True) if kept] for row in mechanism.matrix(name)]
         self.least, self.most = rank(self.numbers, matrix, entry["rank"])
         self.motions = null_space(self.numbers, matrix, entry["rank"].get("null", []))
         at = {column: k for k, column in enumerate(self.columns)}
-        self.factors = [[(at[c], s) for c, s in mechanism.factors(loop)] for loop in self.loops]
+        self.factors = [[(at[c], s) for c, s in mechanism.factors(loop) if c in at] for loop in self.loops]
         self.brackets: list[list[tuple[int, int, Screw]]] = []
         self.tied_columns = [{at[c]: powers for c, powers in mechanism.ties[k].items()} for k in self.ties]
 
@@ -515,6 +597,12 @@ class Block:
         low, high = width - self.most, width - self.least
         if kind == "none":
             return (0, high, None, False) if high else (0, 0, [0], True)
+        if kind == "rigid":
+            return self.rest(proof).dimensions()
+        if kind == "nested":
+            self.nested(proof)
+            need(low == high, "a rank that is not decided")
+            return low, low, [low], True
         if kind == "tied":
             self.tied(proof)
             return high, high, [high], True
@@ -523,6 +611,10 @@ class Block:
             self.limbs(proof)
             need(low == high, "a rank that is not decided")
             return low, low, [low], True
+        if kind == "parts":
+            sizes = self.parts(proof)
+            alone = sizes == [high] and low == high
+            return max(sizes), max(sizes), sizes, alone
         groups = [group(self.numbers, [s for _, s in f], g) for f, g in zip(self.factors, proof["groups"], strict=True)]
         redundant = sum(map(len, groups)) + len(self.ties) - self.least
         need(redundant == 0 or low == high == len(self.motions), "a rank that is not decided")
@@ -550,6 +642,83 @@ class Block:
             return 0, 0, [0], False
         need(redundant == 1, "an indefinite form among several redundant equations")
         return high - 1, high - 1, [high - 1], False
+
+    def resting(self) -> list[str]:
+        """Joints that are shown not to move: of parts that do not move at all, and of rigid loops."""
+        if not self.dimensions()[1]:
+            return self.names
+        proof = self.entry["proof"]
+        if proof["kind"] != "rigid":
+            return []
+        rest = self.rest(proof)
+        return sorted(rest.held - self.held) + rest.resting()
+
+    def rest(self, proof: Any) -> Block:
+        """The part without joints which have independent screws in the loops that they alone make: they cannot move."""
+        need(not self.ties, "a proof that leaves couplings out")
+        held = set(self.held)
+        for entry in proof["rigid"]:
+            alone = self.mechanism.alone(entry["joints"])
+            shown = at_least(alone.numbers, alone.matrix(["closure"]), entry["minor"]) == alone.freedoms
+            need(shown and set(entry["joints"]) <= set(self.names), "joints that are not shown to be at rest")
+            held |= set(entry["joints"])
+        return Block(self.mechanism, self.name, proof["rest"], held=frozenset(held))
+
+    def nested(self, proof: Any) -> None:
+        """Smooth in the loops that some joints make alone, and all other loops independent on their motions: smooth."""
+        need(not self.ties and set(proof["joints"]) <= set(self.names), "joints of another part, or couplings left out")
+        alone = self.mechanism.alone(proof["joints"])
+        need(len(alone.blocks) == len(proof["parts"]), "parts that are missing")
+        inside = [Block(alone, ("block", str(k)), entry) for k, entry in enumerate(proof["parts"])]
+        need(all(part.dimensions()[3] for part in inside), "joints whose own loops are not smooth")
+        own = sum(len(part.columns) - part.dimensions()[0] for part in inside)
+        others = len(self.loops) - len(alone.loops)
+        need(self.least == own + 6 * others, "other loops that are not independent of these")
+
+    def parts(self, proof: Any) -> list[int]:
+        """Dimensions of smooth parts that are, near the configuration, together all zeros of the loops' polynomials.
+
+        Unknowns are t = tan(|w| q / 2) / |w| of every freedom, of a slide q / 2. Equations of a part are zero at t = 0
+        with independent derivatives. Each polynomial of the loops, times a unit, is a combination of them: the part is
+        among the zeros. Each product of one equation from every part, to some power and times a unit, is a combination
+        of the loops' polynomials: there are no others. A unit is a polynomial that is not zero at t = 0. No Groebner
+        basis is needed to see any of this, nor that parts cannot be divided: smooth ones near a point cannot.
+        """
+        numbers, count = self.numbers, len(self.columns)
+        need(not self.ties, "a proof that leaves couplings out")
+        need(not any(_dot(s[:3], s[3:]) for f in self.factors for _, s in f), "a screw joint, which is not algebraic")
+        closure = [p for factors in self.factors for p in closed(numbers, factors, count)[1:] if p]
+        parts = [[polynomial(numbers, e, count) for e in part["equations"]] for part in proof["parts"]]
+        need(bool(parts), "no part")
+        origin = (0,) * count
+        slopes = [[[p.get(_power(k, count), numbers.zero) for k in range(count)] for p in part] for part in parts]
+        for part, rows, entry in zip(parts, slopes, proof["parts"], strict=True):
+            need(not any(origin in p for p in part), "a part that does not hold the configuration")
+            independent = not part or at_least(numbers, rows, entry["minor"]) == len(part)
+            need(independent, "equations of a part that are not independent in the configuration")
+            for p, shown in zip(closure, entry["closure"], strict=True):
+                self._combined(p, shown, part)
+        for (a, rows), (b, others) in permutations(enumerate(slopes), 2):
+            minor = next(m["minor"] for m in proof["apart"] if m["parts"] == [a, b])
+            need(at_least(numbers, [*rows, *others], minor) > len(rows), "a part that may be within another")
+        for chosen, shown in zip(product(*parts), proof["products"], strict=True):
+            need(type(shown["power"]) is int and 0 < shown["power"] <= MOST_WAYS, "a power that is none")
+            p = {origin: numbers.one}
+            for factor in chosen * shown["power"]:
+                p = multiplied(p, factor)
+            self._combined(p, shown, closure)
+        return sorted({count - len(part) for part in parts})
+
+    def _combined(self, p: Polynomial, shown: Any, others: Sequence[Polynomial]) -> None:
+        """Refuses unless p times a unit is the sum of the others times the factors shown."""
+        numbers, count = self.numbers, len(self.columns)
+        unit = polynomial(numbers, shown["unit"], count)
+        need(_apart(numbers.interval(unit.get((0,) * count, numbers.zero))), "a unit that may be zero")
+        left = multiplied(unit, p)
+        for other, given in zip(others, shown["factors"], strict=True):
+            for key, c in multiplied(other, polynomial(numbers, given, count)).items():
+                left[key] = left[key] - c if key in left else -c
+        need(not any(left.values()), "a polynomial that is not the combination shown")
 
     def tied(self, proof: Any) -> None:
         """Smooth without the couplings, and these independent on its motions: smooth, by implicit functions.
@@ -782,6 +951,8 @@ def facts_of(mechanism: Mechanism, entry: Any) -> dict[str, Any]:
     if least == most:
         found["instantaneous mobility"], found["redundant constraints"] = freedoms - least, 6 * loops + ties - least
     _add_motion(found, [part.dimensions() for part in parts], freedoms - sum(len(part.columns) for part in parts))
+    if resting := sorted(name for part in parts for name in part.resting()):
+        found["joints at rest"] = resting
     for name, given in entry["ranks"].items():
         value, bound = rank(mechanism.numbers, mechanism.matrix(name.split(" ", 1)), given)
         if value != bound:
