@@ -56,6 +56,7 @@ from symscrew.mobility.symbols import (
     NotPolynomialError,
     SymbolicLoops,
     SymbolicMobility,
+    SymbolicScrews,
     conditions,
     limb_pose,
     rounded_axis,
@@ -139,10 +140,12 @@ class Mobility:
         """The verdict on special geometry close to what was typed; None where there is none, or it is undecided."""
         found = () if isinstance(self._searched, str) else self._searched
         judged = [(self._meant(replace(one.network, ties=self.network.ties)), one) for one in found]
-        judged = [(meant, one) for meant, one in judged if (meant.finite.dof or 0) >= (self.finite.dof or 0)]
-        if not judged:  # less mobile than as typed is not what was meant
+        mobile = [(meant, one) for meant, one in judged if (meant.finite.dof or 0) >= (self.finite.dof or 0)]
+        # less mobile: a stretched chain, where nothing was seen that nearly moves; else more may have been meant
+        mobile = mobile or [(meant, one) for meant, one in judged if not one.stalled]
+        if not mobile:
             return None
-        meant, one = max(judged, key=lambda pair: (pair[0].finite.dof or 0, -pair[1].distance))
+        meant, one = max(mobile, key=lambda pair: (pair[0].finite.dof or 0, -pair[1].distance))
         if meant.finite.dof is None or meant.verdict == self.verdict:
             return None
         length = float(self.network.length)
@@ -226,7 +229,17 @@ class Mobility:
         """
         if not self.in_reference or "symbols" in self.withdrawn or self.network.ties:
             return None
-        return symbolic_mobility(self.mechanism)
+        return symbolic_mobility(self.mechanism, work=self._screws)
+
+    @cached_property
+    def _screws(self) -> SymbolicScrews | None:
+        """Limbs' screws and reciprocals in symbols, found once for them and the drives; None without a ring."""
+        if not self.mechanism.limbs:
+            return None
+        try:
+            return symbolic_screws(self.mechanism)
+        except NotPolynomialError:
+            return None
 
     @cached_property
     def without_symbols(self) -> str | None:
@@ -315,7 +328,8 @@ class Mobility:
     @cached_property
     def singularities(self) -> Singularities:
         """Margins from limb, constraint and actuation singularities, and actuation loci in the parameters."""
-        found = singularities(self.mechanism, None if self.in_reference else self.reached)
+        work = self._screws if self.in_reference else None
+        found = singularities(self.mechanism, None if self.in_reference else self.reached, work=work)
         if found.margins is None:
             return found
         kept = self.decisions.singular_values[0]
@@ -332,8 +346,8 @@ class Mobility:
         poses = (pose for pose in self.limb_poses.values() if not isinstance(pose, str))
         limbs = self.symbolic.not_tried if self.symbolic is not None else ()
         texts = [*loops, *limbs, *(text for pose in poses for text in pose.not_tried), *self.singularities.not_tried]
-        rests = self.near is not None and not self.near.meant.finite.dof
-        return (*left_open(self._searched, rests=rests), *texts)
+        named = None if self.near is None else bool(self.near.meant.finite.dof)
+        return (*left_open(self._searched, moves=named), *texts)
 
     @property
     def loci(self) -> tuple[Locus, ...]:

@@ -130,13 +130,17 @@ class ClosureVariety:
     def evaluate(self, q: Array) -> tuple[Array, Array]:
         """(residuals N x rows, Jacobians N x rows x columns) at the points q, N x columns."""
         screws, poses = self.forward(q)
+        return self.gaps(poses, q), self.jacobians(screws, q)
+
+    def gaps(self, poses: Mapping[str, Pose], q: Array) -> Array:
+        """The residuals N x rows at the points q with these displacements of the bodies, as `forward` has them."""
         residuals = self._zeros(len(q), self.rows)
         for k, name in enumerate(self.network.chords):
             edge = self.network.edges[name]
             gap = _product(poses[f"{name} closed"], _inverse(poses[edge.child]))
             residuals[:, 6 * k : 6 * k + 6] = _small_twist(gap)
         residuals[:, 6 * len(self.network.chords) :] = self._tied(q)
-        return residuals, self.jacobians(screws, q)
+        return residuals
 
     def _tied(self, q: Array) -> Array:
         """How far the couplings are off at the points q."""
@@ -148,6 +152,11 @@ class ClosureVariety:
 
     def forward(self, q: Array) -> tuple[Array, dict[str, tuple[Array, Array]]]:
         """(displaced screws N x columns x 6, displacement (rotation, translation) of every body), about the centre."""
+        poses, every, starts = self._placed(q)
+        return self._displaced(len(q), every, starts), poses
+
+    def _placed(self, q: Array) -> tuple[dict[str, Pose], dict[int, Step], dict[int, Pose]]:
+        """(displacement of every body, the step of every motion, the displacement before it)."""
         count, starts = len(q), dict[int, Pose]()
         poses = {self.network.ground: (self._identity(count), self._zeros(count, 3))}
         every = self._steps(q)
@@ -164,17 +173,31 @@ class ClosureVariety:
         for name in self.network.chords:
             start = poses[self.network.edges[name].parent]
             poses[f"{name} closed"] = self._passed(name, every, start, starts)
-        return self._displaced(count, every, starts), poses
+        return poses, every, starts
 
     def residual(self, q: Array) -> Array:
         """The residual at one point."""
         if self._fixed is not None:
             return np.array([*self._fixed(list(q)), *self._tied(q[None])[0]], dtype=object)
-        return np.asarray(self.evaluate(q[None])[0][0])
+        return np.asarray(self.gaps(self._placed(q[None])[0], q[None])[0])
+
+    def displaced(self, q: Array) -> Array:
+        """The displaced screws N x columns x 6 at the points q, as `forward` has them."""
+        if self._fixed is None or len(q) != 1:
+            _, every, starts = self._placed(q)
+            return self._displaced(len(q), every, starts)
+        result = np.empty((1, self.columns, 6), dtype=object)
+        for column, screw in enumerate(self._fixed.screws(list(q[0]))):
+            result[0, column] = screw
+        return result
+
+    def slopes(self, q: Array) -> Array:
+        """The Jacobians N x rows x columns at the points q."""
+        return self.jacobians(self.displaced(q), q)
 
     def stations(self, q: Array) -> dict[str, list[Pose]]:
         """Joint -> displacements, about the centre, before, between and after its motions, at the points q."""
-        poses, result, every = self.forward(q)[1], {}, self._steps(q)
+        (poses, every, _), result = self._placed(q), dict[str, list[Pose]]()
         for name, edge in self.network.edges.items():
             found = [poses[edge.parent]]
             for motion in self._motions[name]:

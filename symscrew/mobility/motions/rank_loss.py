@@ -76,7 +76,7 @@ def at_pose(setting: Setting, line: Track, loss: Loss, known: Loss) -> Loss:
     equations = _Equations(setting, line, loss.kind)
     if equations.usual is None:
         return loss
-    screws = equations.fine.forward(known.q[None])[0][0]
+    screws = equations.fine.displaced(known.q[None])[0]
     matrix = equations.matrix(equations.fine, screws, known.q)
     rank = eliminate(matrix.tolist(), matrix.shape[1]).rank
     lost = matrix.shape[1] - rank > equations.usual
@@ -86,7 +86,7 @@ def at_pose(setting: Setting, line: Track, loss: Loss, known: Loss) -> Loss:
 def freedoms_at(setting: Setting, q: Array) -> int:
     """Instantaneous freedoms at a pose of 60 digits."""
     fine = ClosureVariety(setting.network, DIGITS_60)
-    return fine.columns - eliminate(fine.evaluate(q[None])[1][0].tolist(), fine.columns).rank
+    return fine.columns - eliminate(fine.slopes(q[None])[0].tolist(), fine.columns).rank
 
 
 class _Equations:
@@ -103,7 +103,7 @@ class _Equations:
 
     def _reference(self) -> tuple[Array, Array]:
         origin = np.zeros(self.coarse.columns)
-        return self.coarse.forward(origin[None])[0][0], origin
+        return self.coarse.displaced(origin[None])[0], origin
 
     def _usual(self) -> int | None:
         """Null vectors of M at regular poses; None where that is not known."""
@@ -137,7 +137,7 @@ class _Equations:
 
     def at(self, variety: ClosureVariety, q: Array, vectors: Array) -> Array:
         """What is left of the equations."""
-        screws = variety.forward(q[None])[0][0]
+        screws = variety.displaced(q[None])[0]
         loops = variety.residual(q) if self.coarse.rows else q[:0]
         return np.concatenate([loops, q[list(self.held)], (self.matrix(variety, screws, q) @ vectors).ravel()])
 
@@ -145,10 +145,10 @@ class _Equations:
         """Their Jacobian by q and W, in doubles."""
         count, width = len(q), vectors.shape[1]
         points = np.concatenate([q + DIFFERENCE * np.eye(count), q - DIFFERENCE * np.eye(count)])
-        screws = self.coarse.forward(points)[0]
+        screws = self.coarse.displaced(points)
         values = np.array([self.matrix(self.coarse, s, p) @ vectors for s, p in zip(screws, points, strict=True)])
         bent = (values[:count] - values[count:]).reshape(count, -1).T / (2 * DIFFERENCE)
-        here = self.coarse.forward(q[None])[0]
+        here = self.coarse.displaced(q[None])
         loops = self.coarse.jacobians(here, q[None])[0]
         linear = np.kron(self.matrix(self.coarse, here[0], q) @ across, np.eye(width))
         top = np.concatenate([loops, np.eye(count)[list(self.held)]])
@@ -158,7 +158,7 @@ class _Equations:
 
 def _solved(equations: _Equations, start: Array, within: float) -> tuple[bool | None, Array, float]:
     """(whether there is a solution next to the pose, it or the pose, what is left of the equations)."""
-    screws = equations.coarse.forward(start[None])[0][0]
+    screws = equations.coarse.displaced(start[None])[0]
     _, s, vt = np.linalg.svd(equations.matrix(equations.coarse, screws, start))
     size = len(vt)
     null = max(size - int((s > LOST * max(s[0], LOST)).sum()), (equations.usual or 0) + 1)

@@ -22,7 +22,7 @@ from symscrew.mobility.finite import (
     quadratic_forms,
     without_spins,
 )
-from symscrew.mobility.motions.coordinate_lines import STRIDE, Pose, Setting, Track, corrected, pose_at
+from symscrew.mobility.motions.coordinate_lines import STRIDE, Pose, Setting, Track, poses_next_to
 from symscrew.mobility.motions.germs import germs_at
 from symscrew.mobility.motions.one_equation import sheets_of_one_equation
 from symscrew.mobility.motions.rank_loss import Loss, at_pose, decided, freedoms_at
@@ -163,11 +163,11 @@ def _lowest(
     """
 
     def at(part: float) -> tuple[float, Array] | None:
-        q = corrected(setting, start.q + part * STRIDE * start.direction, line.held)
-        if q is None:
+        aside = (start.q + part * STRIDE * start.direction)[None]
+        pose = poses_next_to(setting, aside, [line.held], [start.direction])[0]
+        if pose is None:
             return None
-        pose = pose_at(setting, q, line.held, start.direction)
-        return (abs(float(pose.direction[line.column])) if kind is None else pose.margins[kind]), q
+        return (abs(float(pose.direction[line.column])) if kind is None else pose.margins[kind]), pose.q
 
     low, high = 0.0, strides
     inner = [high - GOLDEN * (high - low), low + GOLDEN * (high - low)]

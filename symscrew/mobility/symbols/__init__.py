@@ -35,6 +35,7 @@ from symscrew.mobility.symbols.loop_groups import group_dimensions, screw_algebr
 from symscrew.mobility.symbols.loop_motions import SymbolicLoops, symbolic_loops
 from symscrew.mobility.symbols.polynomial_screws import (
     SymbolicMobility,
+    SymbolicScrews,
     Vector,
     numbers_at,
     symbolic_mobility,
@@ -56,6 +57,7 @@ __all__ = [
     "Row",
     "SymbolicLoops",
     "SymbolicMobility",
+    "SymbolicScrews",
     "Vector",
     "across",
     "actuation_loci",
