@@ -261,7 +261,8 @@ def test_lines_side_by_side_are_those_of_each_alone(well: float, monkeypatch: py
     """And they are the same whether Newton's steps come from singular values or from the normal equations."""
     setting = setting_of("stewart_6ups")
     drives = setting.drives
-    ways = [(moved, tuple(d for d in drives if d != moved), sign) for moved, sign in zip(drives, (1, -1, -1), strict=False)]
+    signs = zip(drives, (1, -1, -1), strict=False)
+    ways = [(moving, tuple(d for d in drives if d != moving), sign) for moving, sign in signs]
     alone = [track(setting, column, held, sign, most=6) for column, held, sign in ways]
     monkeypatch.setattr(coordinate_lines, "WELL", well)
     for one, line in zip(alone, tracks(setting, ways, most=6), strict=True):
