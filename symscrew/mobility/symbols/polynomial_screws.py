@@ -95,6 +95,23 @@ def expressions_of(joint: Joint) -> list[sympy.Expr]:
     return [*joint.point, *(c for axis in joint.axes for c in axis), *pitch]
 
 
+def screws_of_limbs(mechanism: Mechanism) -> SymbolicScrews | None:
+    """`symbolic_screws`; None without limbs or where an expression has no exact ring."""
+    try:
+        return symbolic_screws(mechanism) if mechanism.limbs else None
+    except NotPolynomialError:
+        return None
+
+
+def why_no_symbols(mechanism: Mechanism) -> str:
+    """Why limbs and platform have none, in words: an expression without an exact ring, or the size of what follows."""
+    try:
+        symbolic_screws(mechanism)
+    except NotPolynomialError as error:
+        return f"no symbols: {error}"
+    return "no symbols: the closed forms are not of reasonable size"
+
+
 class SymbolicScrews:
     """Screws, wrenches and where they degenerate, over one ring."""
 
