@@ -332,7 +332,7 @@ class Mobility:
         poses = (pose for pose in self.limb_poses.values() if not isinstance(pose, str))
         limbs = self.symbolic.not_tried if self.symbolic is not None else ()
         texts = [*loops, *limbs, *(text for pose in poses for text in pose.not_tried), *self.singularities.not_tried]
-        named = None if self.near is None else bool(self.near.meant.finite.dof)
+        named = None if self.near is None else (self.near.meant.finite.dof or 0) > (self.finite.dof or 0)
         return (*left_open(self._searched, moves=named), *texts)
 
     @property

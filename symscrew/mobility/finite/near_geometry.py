@@ -101,10 +101,10 @@ class NearGeometry:
 
 
 STALLED = (
-    "special geometry that moves next to what was typed: the loops nearly close along finite motions, but the search "
-    "for geometry with which they close did not converge"
+    "special geometry that moves more next to what was typed: the loops nearly close along finite motions, but the "
+    "search for geometry with which they close did not converge"
 )
-RANKS_ALONE = "the one named has the ranks alone, one that moves may be near"
+RANKS_ALONE = "the one named has the ranks alone, one that moves more may be near"
 NOT_NAMED = "such geometry may be near, and is not named"
 MOST_LINEARISED = 60
 """Linearisations that a double zero is looked for with, a second of time for a hexapod's conditions each dozen: eight
@@ -130,7 +130,7 @@ def search_special(network: Network, claims: Sequence[RankClaim], *, moves: bool
 def left_open(searched: Sequence[NearGeometry] | str, *, moves: bool | None) -> tuple[str, ...]:
     """What the search did not find, in words: why it was given up, or that it stalled.
 
-    `moves`: whether what is named moves; None where nothing is named.
+    `moves`: whether what is named moves more than what was typed; None where nothing is named.
     """
     if isinstance(searched, str):
         return (searched,)
