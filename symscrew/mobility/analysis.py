@@ -144,7 +144,7 @@ class Mobility:
         least = self.finite.dof or 0
         judged = [(meant, one) for meant, one in judged if (meant.finite.dof or 0) >= least or not one.stalled]
         best = max(judged, key=lambda pair: (pair[0].finite.dof or 0, -pair[1].distance), default=None)
-        if best is None or best[0].finite.dof is None or best[0].verdict == self.verdict:
+        if best is None or best[0].dof < self.dof or best[0].finite.dof is None or best[0].verdict == self.verdict:
             return None
         meant, one = best
         length = float(self.network.length)
