@@ -10,10 +10,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence, Set
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Any
 
 import numpy as np
 
+from symscrew.mobility.finite import DIGITS_60, ClosureVariety
 from symscrew.mobility.joint_network import Network
 from symscrew.mobility.motions.held_spins import HeldSpins
 from symscrew.mobility.motions.seen_poses import body_twists
@@ -69,6 +71,16 @@ class Setting:
     def whole(self) -> int:
         """The dimension with the passive spins."""
         return self.dimension + len(self.variety.ends)
+
+    @cached_property
+    def fine(self) -> HeldSpins:
+        """The closure with passive spins held, in 60 digits."""
+        return HeldSpins(self.network, self.body, DIGITS_60)
+
+    @cached_property
+    def fine_with_spins(self) -> ClosureVariety:
+        """The closure with no spin held, in 60 digits."""
+        return ClosureVariety(self.network, DIGITS_60)
 
 
 @dataclass(frozen=True)
