@@ -14,6 +14,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -116,8 +117,6 @@ class ClosureVariety:
         self.network, self.arithmetic = network, arithmetic
         edges = list(network.edges.values())
         self.centre = centre = [sum(edge.point[k] for edge in edges) / len(edges) for k in range(3)]
-        self._motions = {edge.name: _motions(edge, centre, arithmetic) for edge in edges}
-        self._alike = _Alike.of([motion for motions in self._motions.values() for motion in motions])
         self.columns = network.freedoms
         self._places = _places(network)
         self.rows = 6 * len(network.chords) + len(network.ties)
@@ -126,6 +125,15 @@ class ClosureVariety:
             for tie in network.ties
         ]
         self._fixed = None if arithmetic is DOUBLE else ClosureResidual(network, centre)
+
+    @cached_property
+    def _motions(self) -> dict[str, tuple[Motion, ...]]:
+        """The motions of every joint; residuals and screws of 60 digits do without."""
+        return {edge.name: _motions(edge, self.centre, self.arithmetic) for edge in self.network.edges.values()}
+
+    @cached_property
+    def _alike(self) -> _Alike:
+        return _Alike.of([motion for motions in self._motions.values() for motion in motions])
 
     def evaluate(self, q: Array) -> tuple[Array, Array]:
         """(residuals N x rows, Jacobians N x rows x columns) at the points q, N x columns."""
