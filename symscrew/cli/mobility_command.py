@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import os
 import sys
 from collections.abc import Callable, Mapping
 from pathlib import Path
@@ -75,6 +76,7 @@ ASKED = ("tolerance", "body", "along", "connections", "expect", "full", "json")
 
 def run(options: argparse.Namespace) -> int:
     """Analyse, print, write; 1 when a claim is not verified. What was found before of the same is in the cache."""
+    _one_thread()
     from symscrew.cli.kept_outcomes import once
     from symscrew.display import print_text
     from symscrew.kinematics import angle_notices
@@ -108,6 +110,15 @@ def run(options: argparse.Namespace) -> int:
     if options.out:
         _write(Path(options.out), found.files["report"].decode())
     return int(found.facts["code"])
+
+
+def _one_thread() -> None:
+    """Linear algebra on one thread, unless the user says otherwise; NumPy reads it when it is first imported.
+
+    Matrices here have a hundred rows: threads that wait for each other take more of all cores than they bring.
+    """
+    for name in ("OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB_MAXIMUM_THREADS"):
+        os.environ.setdefault(name, "1")
 
 
 def _made(

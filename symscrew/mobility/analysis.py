@@ -53,15 +53,16 @@ from symscrew.mobility.singularities import Singularities, singularities
 from symscrew.mobility.symbols import (
     LimbPose,
     Locus,
-    NotPolynomialError,
     SymbolicLoops,
     SymbolicMobility,
+    SymbolicScrews,
     conditions,
     limb_pose,
     rounded_axis,
+    screws_of_limbs,
     symbolic_loops,
     symbolic_mobility,
-    symbolic_screws,
+    why_no_symbols,
 )
 from symscrew.mobility.withheld import AS_MEANT, NOT_ALONE, SOLVED_FOR, TIED, WITHDRAWN
 
@@ -139,12 +140,13 @@ class Mobility:
         """The verdict on special geometry close to what was typed; None where there is none, or it is undecided."""
         found = () if isinstance(self._searched, str) else self._searched
         judged = [(self._meant(replace(one.network, ties=self.network.ties)), one) for one in found]
-        judged = [(meant, one) for meant, one in judged if (meant.finite.dof or 0) >= (self.finite.dof or 0)]
-        if not judged:  # less mobile than as typed is not what was meant
+        # less mobile: a stretched chain, where nothing was seen that nearly moves; else more may have been meant
+        least = self.finite.dof or 0
+        judged = [(meant, one) for meant, one in judged if (meant.finite.dof or 0) >= least or not one.stalled]
+        best = max(judged, key=lambda pair: (pair[0].finite.dof or 0, -pair[1].distance), default=None)
+        if best is None or best[0].dof < self.dof or best[0].finite.dof is None or best[0].verdict == self.verdict:
             return None
-        meant, one = max(judged, key=lambda pair: (pair[0].finite.dof or 0, -pair[1].distance))
-        if meant.finite.dof is None or meant.verdict == self.verdict:
-            return None
+        meant, one = best
         length = float(self.network.length)
         return Near(meant, one.distance * length, tuple((name, size * length) for name, size in one.changes))
 
@@ -226,7 +228,12 @@ class Mobility:
         """
         if not self.in_reference or "symbols" in self.withdrawn or self.network.ties:
             return None
-        return symbolic_mobility(self.mechanism)
+        return symbolic_mobility(self.mechanism, work=self._screws)
+
+    @cached_property
+    def _screws(self) -> SymbolicScrews | None:
+        """Limbs' screws and reciprocals in symbols, found once for them and the drives; None without a ring."""
+        return screws_of_limbs(self.mechanism)
 
     @cached_property
     def without_symbols(self) -> str | None:
@@ -235,17 +242,9 @@ class Mobility:
             return NOT_ALONE if self.symbolic is not None and self.constraints is None else None
         if not self.in_reference:
             return "symbols describe the reference configuration only"
-        if self.network.ties:
-            return TIED
-        if self.taken is not None:
-            return AS_MEANT
-        if "symbols" in self.withdrawn:
-            return WITHDRAWN["symbols"]
-        try:
-            symbolic_screws(self.mechanism)
-        except NotPolynomialError as error:
-            return f"no symbols: {error}"
-        return "no symbols: the closed forms are not of reasonable size"
+        if self.network.ties or self.taken is not None:
+            return TIED if self.network.ties else AS_MEANT
+        return WITHDRAWN["symbols"] if "symbols" in self.withdrawn else why_no_symbols(self.mechanism)
 
     @cached_property
     def loops(self) -> SymbolicLoops | str:
@@ -315,7 +314,8 @@ class Mobility:
     @cached_property
     def singularities(self) -> Singularities:
         """Margins from limb, constraint and actuation singularities, and actuation loci in the parameters."""
-        found = singularities(self.mechanism, None if self.in_reference else self.reached)
+        reached, work = (None, self._screws) if self.in_reference else (self.reached, None)
+        found = singularities(self.mechanism, reached, work=work)
         if found.margins is None:
             return found
         kept = self.decisions.singular_values[0]
@@ -332,8 +332,8 @@ class Mobility:
         poses = (pose for pose in self.limb_poses.values() if not isinstance(pose, str))
         limbs = self.symbolic.not_tried if self.symbolic is not None else ()
         texts = [*loops, *limbs, *(text for pose in poses for text in pose.not_tried), *self.singularities.not_tried]
-        rests = self.near is not None and not self.near.meant.finite.dof
-        return (*left_open(self._searched, rests=rests), *texts)
+        named = None if self.near is None else (self.near.meant.finite.dof or 0) > (self.finite.dof or 0)
+        return (*left_open(self._searched, moves=named), *texts)
 
     @property
     def loci(self) -> tuple[Locus, ...]:

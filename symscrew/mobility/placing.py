@@ -198,7 +198,7 @@ def _least_missed(variety: ClosureVariety, targets: Sequence[Target]) -> Array:
 
     def slopes(q: Array) -> Array:
         picked = np.array([target.gradient(variety, q) for target in targets]).reshape(len(targets), len(q))
-        return np.concatenate([variety.evaluate(q[None])[1][0], STIFF * picked])
+        return np.concatenate([variety.slopes(q[None])[0], STIFF * picked])
 
     error = missed(q)
     for _ in range(DAMPED_STEPS):

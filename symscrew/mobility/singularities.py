@@ -30,7 +30,7 @@ from symscrew.mobility.margins import (
     limb_margins,
     size_of,
 )
-from symscrew.mobility.symbols import ActuationLoci, Locus, actuation_loci
+from symscrew.mobility.symbols import ActuationLoci, Locus, SymbolicScrews, actuation_loci
 
 SINGULAR = 1e-9
 """A margin below this, of its size over the sample states, is said to be zero: seven digits above what rounding leaves
@@ -110,8 +110,13 @@ class Singularities:
     unknown: str = ""
 
 
-def singularities(mechanism: Mechanism, reached: Reached | None) -> Singularities:
-    """Margins in the configuration that was reached, or in the reference configuration where it is None."""
+def singularities(
+    mechanism: Mechanism, reached: Reached | None, *, work: SymbolicScrews | None = None
+) -> Singularities:
+    """Margins in the configuration that was reached, or in the reference configuration where it is None.
+
+    `work`: the mechanism's screws in symbols, where somebody has them already.
+    """
     try:
         system = System(mechanism)
     except DescriptionError as error:  # of a loop of screws that are not parallel none can be cut
@@ -119,7 +124,7 @@ def singularities(mechanism: Mechanism, reached: Reached | None) -> Singularitie
     system.use_samples()
     q = np.asarray(system.reference if reached is None else reached.tree(system))
     kinds = (limb_margins(system), constraint_margins(system), actuation_margins(system))
-    loci = actuation_loci(mechanism) if reached is None else ActuationLoci()
+    loci = actuation_loci(mechanism, work=work) if reached is None else ActuationLoci()
     not_tried = (*(text for kind in kinds for text in kind.not_tried), *loci.not_tried)
     gap = system.numeric(system.residual, (system.inputs.q, q[None])) if system.cuts else np.zeros(1)
     if not np.abs(gap).max() < OPEN * max(1.0, system.length):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 from pathlib import Path
 
 import pytest
@@ -58,3 +59,10 @@ def test_a_displaced_configuration_is_not_proved(tmp_path: Path, capsys: pytest.
     assert main(["mobility", "four_bar", "--at", "A=0.2", "--proof", str(path)]) == 0
     values = json.loads(path.read_text())
     assert all(entry["claim"].startswith("displaced") for entry in values["not proved"]) and values["not proved"]
+
+
+def test_linear_algebra_runs_on_one_thread_unless_the_user_says_otherwise(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("MKL_NUM_THREADS", "3")
+    monkeypatch.delenv("OPENBLAS_NUM_THREADS", raising=False)
+    main(["mobility", "four_bar"])
+    assert (os.environ["OPENBLAS_NUM_THREADS"], os.environ["MKL_NUM_THREADS"]) == ("1", "3")

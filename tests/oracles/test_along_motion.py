@@ -21,6 +21,7 @@ from symscrew.mobility.motions.coordinate_lines import (
     pose_at,
     the_other_way_round,
     track,
+    tracks,
 )
 from symscrew.mobility.motions.germs import germs_at
 from symscrew.mobility.motions.held_spins import HeldSpins
@@ -253,6 +254,22 @@ def test_a_full_turn_of_a_ball_is_no_singular_pose() -> None:
     ]
     for body, (rotation, _) in ahead[0].items():
         assert np.abs(rotation - ahead[1][body][0]).max() < 1e-8
+
+
+@pytest.mark.parametrize("well", [0.0, coordinate_lines.WELL], ids=["singular values", "normal equations"])
+def test_lines_side_by_side_are_those_of_each_alone(well: float, monkeypatch: pytest.MonkeyPatch) -> None:
+    """And they are the same whether Newton's steps come from singular values or from the normal equations."""
+    setting = setting_of("stewart_6ups")
+    drives = setting.drives
+    signs = zip(drives, (1, -1, -1), strict=False)
+    ways = [(moving, tuple(d for d in drives if d != moving), sign) for moving, sign in signs]
+    alone = [track(setting, column, held, sign, most=6) for column, held, sign in ways]
+    monkeypatch.setattr(coordinate_lines, "WELL", well)
+    for one, line in zip(alone, tracks(setting, ways, most=6), strict=True):
+        assert (one.column, one.held, one.end, len(one.poses)) == (line.column, line.held, line.end, len(line.poses))
+        assert max(np.abs(a.q - b.q).max() for a, b in zip(one.poses, line.poses, strict=True)) < 1e-9
+        assert all(abs(a.margins[k] - b.margins[k]) < 1e-8
+                   for a, b in zip(one.poses, line.poses, strict=True) for k in a.margins)  # fmt: skip
 
 
 def test_spins_held_leave_all_other_motions() -> None:

@@ -158,3 +158,17 @@ def test_transcendental_ratios_are_said_to_be_open() -> None:
     verdict = check_proof(json.loads(json.dumps(mobility_proof(result))))
     assert verdict.holds and any("finite mobility at most" in line for line in verdict.proved)
     assert any(line.startswith("finite mobility 1: pi is not") for line in verdict.not_proved)
+
+
+def test_special_geometry_to_which_a_coupling_leaves_less_is_not_what_was_meant() -> None:
+    """A parallelogram with gears on its pins, typed to 17 digits in the plane and to 45 across it."""
+    builder, bodies = MechanismBuilder("geared", platform="c2"), ["base", "c1", "c2", "c3", "base"]
+    for body in bodies[1:-1]:
+        builder.body(body)
+    places = {"A": ["0", "0"], "B": ["0.3", "1"], "C": ["1.5", "1"], "D": ["1.19999999999999995", "0"]}
+    for k, (name, place) in enumerate(places.items()):
+        axis = ["1e-45", 0, "sqrt(1-1e-90)"] if name == "C" else [0, 0, 1]
+        builder.joint(name, "R", parent=bodies[k], child=bodies[k + 1], point=[*place, 0], axes=[axis])
+    found = analyse_mobility(builder.coupling("gears", terms={"A": 1, "D": 1}).build())
+    assert (found.dof, found.finite.dof) == (1, None)
+    assert found.near is None or found.near.meant.dof == 1

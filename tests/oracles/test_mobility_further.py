@@ -68,7 +68,9 @@ def test_fixed_point_residual_is_that_of_the_exponentials(name: str) -> None:
     variety = ClosureVariety(network, DIGITS_60)
     random = np.random.default_rng(5)
     q = np.array([CONTEXT.mpf(float(c)) for c in 0.3 * random.normal(size=variety.columns)], dtype=object)
-    assert max(abs(variety.evaluate(q[None])[0][0] - variety.residual(q))) < 1e-56
+    residual, slopes = (part[0] for part in variety.evaluate(q[None]))
+    assert max(abs(residual - variety.residual(q))) < 1e-56
+    assert abs(slopes - variety.slopes(q[None])[0]).max() < 1e-56
 
 
 def test_wrong_claims_are_found_out() -> None:

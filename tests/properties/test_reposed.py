@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from functools import cache
 from typing import Any
 
 import pytest
 import sympy
-from support.further_mechanisms import cranks
+from support.further_mechanisms import CASES, NO_CIRCLE, cranks, legs
 from support.marks import slow
 from support.reference_mechanisms import ENTRIES, build
 from support.reposed import DIGITS, UNITS, Posed, generic_posed, posed, reference
@@ -16,7 +17,7 @@ from support.reposed import DIGITS, UNITS, Posed, generic_posed, posed, referenc
 from symscrew.description.builder import MechanismBuilder
 from symscrew.description.mechanism import Mechanism
 from symscrew.errors import DescriptionError
-from symscrew.mobility import analyse_mobility, sections, verify
+from symscrew.mobility import Mobility, analyse_mobility, sections, verify
 from symscrew.mobility.analysis import as_meant
 from symscrew.mobility.finite import near_geometry
 
@@ -72,6 +73,34 @@ def test_every_special_mechanism_keeps_its_verdict_or_says_what_was_meant(digits
             continue
         verdict = reference(name, seed=k, digits=digits, unit="mm").verdict
         assert verdict in (("warned",) if name in NOT_FOUND.get(digits, ()) else ("kept", "explained")), name
+
+
+def as_typed(exact: Mechanism, *, seed: int, digits: str) -> Mobility:
+    joints = [{"point": list(j.point), "axes": [list(axis) for axis in j.axes]} for j in exact.joints.values()]
+    made = posed(joints, seed=seed, digits=digits, unit="m")
+    typed = {name: replace(joint, point=tuple(new["point"]), axes=tuple(map(tuple, new["axes"])))
+             for (name, joint), new in zip(exact.joints.items(), made, strict=True)}  # fmt: skip
+    return analyse_mobility(replace(exact, joints=typed))
+
+
+@pytest.mark.parametrize("seed, near", [(133165, True), (42918, False)])
+def test_a_stretched_chain_is_named_although_it_moves_less_than_as_typed(seed: int, near: bool) -> None:
+    """Five bars in line rest as meant and move as typed; where the search ended without them, it says so."""
+    found = as_typed(CASES["five-bar, stretched"].make(), seed=seed, digits="double" if near else "6")
+    assert found.finite.dof == 2 and (found.near is not None) is near
+    if near:
+        assert found.near is not None and found.near.distance < 1e-15
+        assert (found.near.meant.dof, found.near.meant.finite.dof) == (3, 0) and not found.not_tried
+    else:
+        assert found.nearly_singular and sum("is not named" in text for text in found.not_tried) == 1
+
+
+def test_what_has_the_ranks_alone_and_moves_no_more_than_as_typed_is_not_all_that_may_be_near() -> None:
+    """Six equal legs side by side let a platform go round on a circle; with six digits only their ranks are found."""
+    found = as_typed(legs((*NO_CIRCLE, [2, 1])), seed=1, digits="6")
+    assert found.finite.dof == 6 and found.near is not None
+    assert (found.near.meant.dof, found.near.meant.finite.dof) == (9, 6)
+    assert sum("one that moves more may be near" in text for text in found.not_tried) == 1
 
 
 @pytest.mark.parametrize(

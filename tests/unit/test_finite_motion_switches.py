@@ -133,6 +133,13 @@ def test_a_pivot_that_is_rounding_proves_nothing(monkeypatch: pytest.MonkeyPatch
     assert local_solutions.proved_definite(network(name), motions, stress) is None
 
 
+def test_a_form_that_is_zero_is_not_definite() -> None:
+    """Forces across the plane do no work on motions in it, whatever doubles leave of it."""
+    motions = null_space(network("parallelogram").loop_rows(), network("parallelogram").freedoms).basis
+    across = np.array([0, 0, 0, 0, 0, 1.0])
+    assert local_solutions.proved_definite(network("parallelogram"), motions, across) is None
+
+
 # -- series ----------------------------------------------------------------------------------------------
 
 

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from fractions import Fraction
+from typing import Any
 
 import numpy as np
 import pytest
@@ -23,6 +25,7 @@ from symscrew.mobility.symbols.exact_numbers import NotDecidableError
 from symscrew.mobility.symbols.exact_ranks import EliminationTooLongError, exact_rank, rank_modulo
 from symscrew.mobility.symbols.limb_poses import LimbPose, limb_pose
 from symscrew.mobility.symbols.loop_motions import SymbolicLoops, symbolic_loops
+from symscrew.mobility.symbols.polynomial_screws import SymbolicScrews
 
 pytestmark = pytest.mark.slow
 
@@ -238,6 +241,20 @@ def test_products_of_the_loci_of_drives_may_be_too_many(monkeypatch: pytest.Monk
     monkeypatch.setattr(drive_loci, "_actuation_loci", too_many)
     found = actuation_loci(catalogue.load(SEED))
     assert found.found == () and found.not_tried == ("actuation loci: the closed forms are not of reasonable size",)
+
+
+def test_what_limbs_cannot_carry_is_found_once_for_symbols_and_drives(monkeypatch: pytest.MonkeyPatch) -> None:
+    asked = list[str]()
+    reciprocal = SymbolicScrews.reciprocal
+
+    def counted(self: SymbolicScrews, screws: Sequence[Sequence[Any]]) -> Any:
+        asked.append(str(screws))
+        return reciprocal(self, screws)
+
+    monkeypatch.setattr(SymbolicScrews, "reciprocal", counted)
+    found = analyse_mobility(catalogue.load("planar_3rrr"))
+    assert found.symbolic is not None and found.singularities.margins
+    assert len(asked) == len(set(asked)) == 3 + 1 + 3  # limbs, their union, limbs with their drives locked
 
 
 def test_the_place_in_general_position_is_always_the_same() -> None:

@@ -53,7 +53,7 @@ class _Singular:
 
     def residual(self, matrix: Sequence[Sequence[tuple[int, Real]]]) -> Array:
         """`matrix`: the claim's, the entries of every row that are not zero with their columns."""
-        return np.array([float(sum((c * self.vector[j] for j, c in row), CONTEXT.zero)) for row in matrix])
+        return np.array([float(CONTEXT.fdot((c, self.vector[j]) for j, c in row)) for row in matrix])
 
     def step(self, change: Array) -> None:
         self.vector = self.vector - _fine(change)

@@ -97,7 +97,7 @@ def local_at(
     variety: ClosureVariety, q: Array, *, motions: Sequence[Screw] | None = None, rank: int | None = None
 ) -> Local:
     """The decomposition at q. The rank is that of the known `motions`, or given, or decided by the gap."""
-    jacobian = variety.evaluate(q[None])[1][0]
+    jacobian = variety.slopes(q[None])[0]
     u, s, vt = np.linalg.svd(jacobian)
     if motions is not None:
         rank = variety.columns - len(motions)
@@ -124,7 +124,7 @@ def _rank(values: Array) -> int:
 
 def coarse_rank(variety: ClosureVariety, q: Array) -> float:
     """Rank of the Jacobian in double precision, and of equal ranks the one with the larger smallest value."""
-    values = np.linalg.svd(variety.evaluate(q[None])[1][0], compute_uv=False)
+    values = np.linalg.svd(variety.slopes(q[None])[0], compute_uv=False)
     rank = int((values > DISTINCT * max(values[0], 1e-300)).sum())
     return rank + min(0.5, float(values[rank - 1])) if rank else 0.0
 
@@ -195,14 +195,14 @@ def local_refined(coarse: ClosureVariety, fine: ClosureVariety, q: Array) -> tup
     they are told apart after the zero has been refined. Where it cannot be (a shaky branch), by the gap.
     """
     doubtful = local_at(coarse, q)
-    values = np.linalg.svd(coarse.evaluate(q[None])[1][0], compute_uv=False)
+    values = np.linalg.svd(coarse.slopes(q[None])[0], compute_uv=False)
     most = int((values > DISTINCT * max(values[0], 1e-300)).sum())
     if most == doubtful.rank:
         return doubtful, *refine(coarse, fine, q, doubtful.rank)
     point, residual = refine(coarse, fine, q, most)
     if residual > CLOSED:
         return doubtful, *refine(coarse, fine, q, doubtful.rank)
-    rank = eliminate(fine.evaluate(point[None])[1][0].tolist(), fine.columns).rank
+    rank = eliminate(fine.slopes(point[None])[0].tolist(), fine.columns).rank
     return local_at(coarse, point.astype(float), rank=rank), point, residual
 
 
@@ -211,7 +211,7 @@ def quadratic_forms(variety: ClosureVariety, here: Local) -> Array:
 
     By screw brackets (`tangent_cone.second_order`); what is rounding becomes zero.
     """
-    screws = variety.forward(here.q[None])[0][0]
+    screws = variety.displaced(here.q[None])[0]
     forms = second_order(variety.network, screws, here.stresses, here.kernel)
     forms[np.abs(forms) < ROUNDING * max(1.0, float(np.abs(forms).max(initial=0.0)))] = 0.0
     return forms
@@ -257,6 +257,8 @@ def proved_definite(network: Network, motions: Sequence[Screw], stress: Array) -
     kernel = np.array(motions, dtype=object).T
     form = second_order(network, screws, np.array([combined], dtype=object), kernel)[0]
     largest = max(abs(c) for c in form.ravel())
+    if not largest:  # what doubles saw of it was rounding
+        return None
     smallest = None
     for k in range(len(form)):
         pivot = form[k, k] / largest

@@ -89,7 +89,8 @@ class NearGeometry:
     """The special geometry: its network, the largest change of a joint [1, the mechanism's size], and of which.
 
     `moves`: found from finite motions that close; else only ranks in the reference configuration are lost.
-    `stalled`: finite motions do close nearly, but the search for geometry with which they close did not converge.
+    `stalled`: loops do nearly close in other configurations, but the search for geometry with which they close did not
+        converge.
     """
 
     network: Network
@@ -100,9 +101,11 @@ class NearGeometry:
 
 
 STALLED = (
-    "special geometry that moves next to what was typed: the loops nearly close along finite motions, but the search "
-    "for geometry with which they close did not converge; the one named has the ranks alone, one that moves may be near"
+    "special geometry that moves more next to what was typed: the loops nearly close along finite motions, but the "
+    "search for geometry with which they close did not converge"
 )
+RANKS_ALONE = "the one named has the ranks alone, one that moves more may be near"
+NOT_NAMED = "such geometry may be near, and is not named"
 MOST_LINEARISED = 60
 """Linearisations that a double zero is looked for with, a second of time for a hexapod's conditions each dozen: eight
 cranks with their pins in line take thirty."""
@@ -124,11 +127,16 @@ def search_special(network: Network, claims: Sequence[RankClaim], *, moves: bool
         return str(error)
 
 
-def left_open(searched: Sequence[NearGeometry] | str, *, rests: bool) -> tuple[str, ...]:
-    """What the search did not find, in words: why it was given up, or that it stalled and what is named `rests`."""
+def left_open(searched: Sequence[NearGeometry] | str, *, moves: bool | None) -> tuple[str, ...]:
+    """What the search did not find, in words: why it was given up, or that it stalled.
+
+    `moves`: whether what is named moves more than what was typed; None where nothing is named.
+    """
     if isinstance(searched, str):
         return (searched,)
-    return (STALLED,) if rests and any(one.stalled for one in searched) else ()
+    if moves or not any(one.stalled for one in searched):
+        return ()
+    return (f"{STALLED}; {NOT_NAMED if moves is None else RANKS_ALONE}",)
 
 
 def nearest_special(network: Network, claims: Sequence[RankClaim], *, moves: bool) -> tuple[NearGeometry, ...]:
@@ -165,10 +173,11 @@ def nearest_special(network: Network, claims: Sequence[RankClaim], *, moves: boo
             return () if found is None else (found,)
         zeros = zeros_nearby(coarse, here, quadratic_forms(coarse, here), off)
         points = _open(network, coarse, [(point, _rank(coarse, point)) for point in zeros])
-    tried: list[list[tuple[Array, int]]] = [[]] if almost else []
-    tried += [points] if points else []
-    found_all = (_solved(network, given, ranks, noise, twice=True) for given in tried)
-    return tuple(one for one in found_all if one is not None)
+    moving = _solved(network, points, ranks, noise, twice=True) if points else None
+    alone = _solved(network, [], ranks, noise, twice=True) if almost else None
+    if alone is not None and points and moving is None:
+        alone = replace(alone, stalled=True)
+    return tuple(one for one in (alone, moving) if one is not None)
 
 
 def _by_alignment(network: Network, low: Sequence[LowRank], noise: float) -> NearGeometry | None:
@@ -226,7 +235,7 @@ def _open(network: Network, coarse: ClosureVariety, points: Sequence[tuple[Array
 
 
 def _rank(coarse: ClosureVariety, q: Array) -> int:
-    values = np.linalg.svd(coarse.evaluate(q[None])[1][0], compute_uv=False)
+    values = np.linalg.svd(coarse.slopes(q[None])[0], compute_uv=False)
     return int((values > NEAR * values[0]).sum())
 
 

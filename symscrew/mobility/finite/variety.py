@@ -14,6 +14,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -116,8 +117,6 @@ class ClosureVariety:
         self.network, self.arithmetic = network, arithmetic
         edges = list(network.edges.values())
         self.centre = centre = [sum(edge.point[k] for edge in edges) / len(edges) for k in range(3)]
-        self._motions = {edge.name: _motions(edge, centre, arithmetic) for edge in edges}
-        self._alike = _Alike.of([motion for motions in self._motions.values() for motion in motions])
         self.columns = network.freedoms
         self._places = _places(network)
         self.rows = 6 * len(network.chords) + len(network.ties)
@@ -127,16 +126,29 @@ class ClosureVariety:
         ]
         self._fixed = None if arithmetic is DOUBLE else ClosureResidual(network, centre)
 
+    @cached_property
+    def _motions(self) -> dict[str, tuple[Motion, ...]]:
+        """The motions of every joint; residuals and screws of 60 digits do without."""
+        return {edge.name: _motions(edge, self.centre, self.arithmetic) for edge in self.network.edges.values()}
+
+    @cached_property
+    def _alike(self) -> _Alike:
+        return _Alike.of([motion for motions in self._motions.values() for motion in motions])
+
     def evaluate(self, q: Array) -> tuple[Array, Array]:
         """(residuals N x rows, Jacobians N x rows x columns) at the points q, N x columns."""
         screws, poses = self.forward(q)
+        return self.gaps(poses, q), self.jacobians(screws, q)
+
+    def gaps(self, poses: Mapping[str, Pose], q: Array) -> Array:
+        """The residuals N x rows at the points q with these displacements of the bodies, as `forward` has them."""
         residuals = self._zeros(len(q), self.rows)
         for k, name in enumerate(self.network.chords):
             edge = self.network.edges[name]
             gap = _product(poses[f"{name} closed"], _inverse(poses[edge.child]))
             residuals[:, 6 * k : 6 * k + 6] = _small_twist(gap)
         residuals[:, 6 * len(self.network.chords) :] = self._tied(q)
-        return residuals, self.jacobians(screws, q)
+        return residuals
 
     def _tied(self, q: Array) -> Array:
         """How far the couplings are off at the points q."""
@@ -148,6 +160,11 @@ class ClosureVariety:
 
     def forward(self, q: Array) -> tuple[Array, dict[str, tuple[Array, Array]]]:
         """(displaced screws N x columns x 6, displacement (rotation, translation) of every body), about the centre."""
+        poses, every, starts = self._placed(q)
+        return self._displaced(len(q), every, starts), poses
+
+    def _placed(self, q: Array) -> tuple[dict[str, Pose], dict[int, Step], dict[int, Pose]]:
+        """(displacement of every body, the step of every motion, the displacement before it)."""
         count, starts = len(q), dict[int, Pose]()
         poses = {self.network.ground: (self._identity(count), self._zeros(count, 3))}
         every = self._steps(q)
@@ -164,17 +181,31 @@ class ClosureVariety:
         for name in self.network.chords:
             start = poses[self.network.edges[name].parent]
             poses[f"{name} closed"] = self._passed(name, every, start, starts)
-        return self._displaced(count, every, starts), poses
+        return poses, every, starts
 
     def residual(self, q: Array) -> Array:
         """The residual at one point."""
         if self._fixed is not None:
             return np.array([*self._fixed(list(q)), *self._tied(q[None])[0]], dtype=object)
-        return np.asarray(self.evaluate(q[None])[0][0])
+        return np.asarray(self.gaps(self._placed(q[None])[0], q[None])[0])
+
+    def displaced(self, q: Array) -> Array:
+        """The displaced screws N x columns x 6 at the points q, as `forward` has them."""
+        if self._fixed is None or len(q) != 1:
+            _, every, starts = self._placed(q)
+            return self._displaced(len(q), every, starts)
+        result = np.empty((1, self.columns, 6), dtype=object)
+        for column, screw in enumerate(self._fixed.screws(list(q[0]))):
+            result[0, column] = screw
+        return result
+
+    def slopes(self, q: Array) -> Array:
+        """The Jacobians N x rows x columns at the points q."""
+        return self.jacobians(self.displaced(q), q)
 
     def stations(self, q: Array) -> dict[str, list[Pose]]:
         """Joint -> displacements, about the centre, before, between and after its motions, at the points q."""
-        poses, result, every = self.forward(q)[1], {}, self._steps(q)
+        (poses, every, _), result = self._placed(q), dict[str, list[Pose]]()
         for name, edge in self.network.edges.items():
             found = [poses[edge.parent]]
             for motion in self._motions[name]:

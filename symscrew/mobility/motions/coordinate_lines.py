@@ -8,12 +8,14 @@ losing rank there: the closure itself, the hold of the drives, the freedoms of t
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping, Sequence, Set
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Any
 
 import numpy as np
 
+from symscrew.mobility.finite import DIGITS_60, ClosureVariety
 from symscrew.mobility.joint_network import Network
 from symscrew.mobility.motions.held_spins import HeldSpins
 from symscrew.mobility.motions.seen_poses import body_twists
@@ -34,6 +36,9 @@ JUMPED = 0.5
 """Newton's method may move a predicted pose by this part of a step; more is another branch."""
 CUT_OFF = 1e-8
 """Relative singular values below this are left out of Newton's steps: redundant equations have 1e-16."""
+WELL = 1e8
+"""Bound of the squared condition of independent equations below which their normal equations leave eight digits, which
+the next step of Newton's method mends; beyond it singular values are found."""
 MOST_TURNED = 1.2 * np.pi
 """Size of a ball joint's rotation vector [rad] beyond which the other one of the same rotation takes its place: at a
 full turn the coordinates are singular where the mechanism is not."""
@@ -66,6 +71,16 @@ class Setting:
     def whole(self) -> int:
         """The dimension with the passive spins."""
         return self.dimension + len(self.variety.ends)
+
+    @cached_property
+    def fine(self) -> HeldSpins:
+        """The closure with passive spins held, in 60 digits."""
+        return HeldSpins(self.network, self.body, DIGITS_60)
+
+    @cached_property
+    def fine_with_spins(self) -> ClosureVariety:
+        """The closure with no spin held, in 60 digits."""
+        return ClosureVariety(self.network, DIGITS_60)
 
 
 @dataclass(frozen=True)
@@ -111,67 +126,155 @@ def independent_columns(network: Network, motions: Array, drives: Sequence[int])
 
 def pose_at(setting: Setting, q: Array, held: Sequence[int], before: Array | None) -> Pose:
     """The pose with its margins; its direction continues the one before."""
-    variety = setting.variety
-    screws = variety.forward(q[None])[0][0]
-    jacobian = variety.jacobians(screws[None], q[None])[0]
+    screws = setting.variety.displaced(q[None])
+    jacobians = setting.variety.jacobians(screws, q[None])
+    return _posed(setting, _Places(q[None], screws, jacobians), [held], [before])[0]
+
+
+@dataclass(frozen=True)
+class _Places:
+    """Displacements N x columns with the displaced screws and the closure's Jacobians there."""
+
+    q: Array
+    screws: Array
+    jacobians: Array
+
+    def at(self, index: Array) -> _Places:
+        return _Places(self.q[index], self.screws[index], self.jacobians[index])
+
+
+def _posed(
+    setting: Setting, places: _Places, held: Sequence[Sequence[int]], before: Sequence[Array | None]
+) -> list[Pose]:
+    """The poses at these places, each of a line of its own; `held` are equally many on all lines."""
+    variety, screws, count = setting.variety, places.screws, len(places.q)
     rank = variety.columns - setting.dimension
-    _, s, vt = np.linalg.svd(jacobian)
-    motions = vt[rank:].T
-    rest = np.linalg.svd(motions[list(held)])[2][len(held) :] if held else np.eye(setting.dimension)
-    line = motions @ rest[0]
-    if before is not None:
-        if len(held) < setting.dimension - 1 or rank == 0:
-            line = before
-        line = line if line @ before >= 0 else -line
-    margins = {"closure": float(s[rank - 1]) if rank else 1.0}
+    _, s, vt = np.linalg.svd(places.jacobians)
+    motions = np.swapaxes(vt[:, rank:], 1, 2)
+    margins = {"closure": s[:, rank - 1] if rank else np.ones(count)}
     if len(setting.drives) >= setting.dimension:
-        margins["drives"] = float(np.linalg.svd(motions[list(setting.drives)], compute_uv=False)[setting.dimension - 1])
+        driven = np.linalg.svd(motions[:, list(setting.drives)], compute_uv=False)
+        margins["drives"] = driven[:, setting.dimension - 1]
     if setting.order:
         twists = body_twists(setting.network, variety, screws, setting.body) @ motions
-        margins["platform"] = float(np.linalg.svd(twists, compute_uv=False)[setting.order - 1])
+        margins["platform"] = np.linalg.svd(twists, compute_uv=False)[:, setting.order - 1]
     for name, (columns, most) in setting.limbs.items():
-        margins[name] = float(np.linalg.svd(screws[list(columns)], compute_uv=False)[most - 1])
-    return Pose(q, motions, line, margins)
+        margins[name] = np.linalg.svd(screws[:, list(columns)], compute_uv=False)[:, most - 1]
+    poses = []
+    for k in range(count):
+        rest = np.linalg.svd(motions[k][list(held[k])])[2][len(held[k]) :] if held[k] else np.eye(setting.dimension)
+        line, old = motions[k] @ rest[0], before[k]
+        if old is not None:
+            if len(held[k]) < setting.dimension - 1 or rank == 0:
+                line = old
+            line = line if line @ old >= 0 else -line
+        poses.append(Pose(places.q[k], motions[k], line, {kind: float(found[k]) for kind, found in margins.items()}))
+    return poses
 
 
-def corrected(setting: Setting, q: Array, held: Sequence[int]) -> Array | None:
-    """The pose nearest to q with the loops closed and the held coordinates at the reference; None without one."""
-    variety, start = setting.variety, q
-    picked = np.eye(variety.columns)[list(held)]
+def poses_next_to(
+    setting: Setting, starts: Array, held: Sequence[Sequence[int]], before: Sequence[Array | None]
+) -> list[Pose | None]:
+    """Of every start the nearest pose with the loops closed and the held coordinates at the reference; None without."""
+    found: list[Pose | None] = [None] * len(starts)
+    index, places = _closed(setting, starts, held)
+    poses = _posed(setting, places, [held[k] for k in index], [before[k] for k in index]) if len(index) else []
+    for k, pose in zip(index, poses, strict=True):
+        found[k] = pose
+    return found
+
+
+def _closed(setting: Setting, starts: Array, held: Sequence[Sequence[int]]) -> tuple[Array, _Places]:
+    """(which of the starts closed, the places they led to), by Newton's method."""
+    variety, q, left = setting.variety, starts, np.arange(len(starts))
+    rest = np.array([list(columns) for columns in held], dtype=int).reshape(len(starts), -1)
+    picked = np.eye(variety.columns)[rest]
+    ended = list[tuple[Array, _Places]]()
     for _ in range(NEWTON):
-        residuals, jacobians = variety.evaluate(q[None])
-        residual = np.concatenate([residuals[0], q[list(held)]])
-        if np.linalg.norm(residual) < CLOSED:
-            return q
-        q = q - np.linalg.pinv(np.concatenate([jacobians[0], picked]), rcond=CUT_OFF) @ residual
-        if np.linalg.norm(q - start) > JUMPED * STRIDE:
-            return None
-    return None
+        screws, poses = variety.forward(q)
+        places = _Places(q, screws, variety.jacobians(screws, q))
+        off = np.concatenate([variety.gaps(poses, q), np.take_along_axis(q, rest[left], axis=1)], axis=1)
+        good = np.linalg.norm(off, axis=1) < CLOSED
+        ended.append((left[good], places.at(good)))
+        q, left = q[~good], left[~good]
+        if not len(left):
+            break
+        rows = np.concatenate([places.jacobians[~good], picked[left]], axis=1)
+        q = q - _shortest(setting, rows, off[~good])
+        near = np.linalg.norm(q - starts[left], axis=1) <= JUMPED * STRIDE
+        q, left = q[near], left[near]
+        if not len(left):
+            break
+    index = np.concatenate([index for index, _ in ended])
+    parts = [places for _, places in ended]
+    return index, _Places(*(np.concatenate(of) for of in zip(*((p.q, p.screws, p.jacobians) for p in parts),
+                                                            strict=True)))  # fmt: skip
+
+
+def _shortest(setting: Setting, rows: Array, off: Array) -> Array:
+    """The shortest steps that the linear equations ask for, N at once; singular values are cut off at `CUT_OFF`.
+
+    Independent equations that are well conditioned need no singular values: x = A' (A A')^-1 b, at a tenth of the time.
+    """
+    left, steps = np.ones(len(rows), dtype=bool), np.empty((len(rows), rows.shape[2]))
+    if setting.variety.rows + len(setting.variety.ends) == setting.variety.columns - setting.dimension:
+        across = np.swapaxes(rows, 1, 2)
+        products = rows @ across
+        try:
+            inverse = np.linalg.inv(products)
+        except np.linalg.LinAlgError:
+            inverse = np.full(products.shape, np.inf)
+        left = ~(np.linalg.norm(products, axis=(1, 2)) * np.linalg.norm(inverse, axis=(1, 2)) < WELL)
+        steps[~left] = (across @ (inverse @ off[..., None]))[~left, :, 0]
+    if left.any():
+        steps[left] = (np.linalg.pinv(rows[left], rcond=CUT_OFF) @ off[left, :, None])[..., 0]
+    return steps
 
 
 def track(setting: Setting, column: int, held: Sequence[int], sign: int, *, most: int = MOST_STEPS) -> Track:
     """The line of one coordinate from the reference in one direction, at most so many poses."""
-    origin = np.zeros(setting.variety.columns)
-    pose = pose_at(setting, origin, held, None)
-    direction = pose.direction * sign * (1 if pose.direction[column] >= 0 else -1)
-    pose = pose_at(setting, origin, held, direction)
-    poses = [pose]
+    return tracks(setting, [(column, held, sign)], most=most)[0]
+
+
+def tracks(
+    setting: Setting, wanted: Sequence[tuple[int, Sequence[int], int]], *, most: int = MOST_STEPS
+) -> list[Track]:
+    """The lines of (coordinate, those held, direction) from the reference, at most so many poses each.
+
+    They are followed side by side: a step of all of them costs little more than one of one.
+    """
+    origin, columns = np.zeros(setting.variety.columns), setting.variety.columns
+    lines = list[list[Pose]]()
+    for column, held, sign in wanted:
+        pose = pose_at(setting, origin, held, None)
+        direction = pose.direction * sign * (1 if pose.direction[column] >= 0 else -1)
+        lines.append([pose_at(setting, origin, held, direction)])
     slides = {start for e in setting.network.edges.values() for motion, start in e.motions if motion.prismatic}
-    turns = np.array([0.0 if c in slides else 2 * np.pi for c in range(setting.variety.columns)])
+    turns = np.array([0.0 if c in slides else 2 * np.pi for c in range(columns)])
+    ends = ["as far as was looked"] * len(lines)
+    going = list(range(len(lines)))
+    while going := [k for k in going if len(lines[k]) < most]:
+        for k, stepped in zip(going, _steps(setting, [(lines[k][-1], wanted[k][1]) for k in going]), strict=True):
+            if stepped is None:
+                ends[k] = "the line could not be followed further"
+                continue
+            after = the_other_way_round(setting, stepped, wanted[k][1])
+            lines[k].append(after)
+            ends[k] = _ended(lines[k], wanted[k][0], slides, turns) or ends[k]
+        going = [k for k in going if ends[k] == "as far as was looked"]
+    return [Track(column, tuple(held), tuple(poses), end)
+            for (column, held, _), poses, end in zip(wanted, lines, ends, strict=True)]  # fmt: skip
+
+
+def _ended(poses: Sequence[Pose], column: int, slides: Set[int], turns: Array) -> str:
+    """Why a line ends with its last pose; empty where it goes on."""
     limit = ENDS[1] if column in slides else ENDS[0]
-    while len(poses) < most:
-        stepped = _step(setting, poses[-1], held)
-        if stepped is None:
-            return Track(column, tuple(held), tuple(poses), "the line could not be followed further")
-        stepped = the_other_way_round(setting, stepped, held)
-        poses.append(stepped)
-        if abs(stepped.q[column]) > limit:
-            return Track(column, tuple(held), tuple(poses), "half a turn" if limit == ENDS[0] else "far away")
-        away = np.abs(stepped.q)
-        away = np.where(turns > 0, np.abs((away + np.pi) % (2 * np.pi) - np.pi), away)
-        if len(poses) > 4 and np.linalg.norm(away) < 0.6 * STRIDE and stepped.direction @ poses[0].direction > 0:
-            return Track(column, tuple(held), tuple(poses), "back at the reference")
-    return Track(column, tuple(held), tuple(poses), "as far as was looked")
+    if abs(poses[-1].q[column]) > limit:
+        return "half a turn" if limit == ENDS[0] else "far away"
+    away = np.abs(poses[-1].q)
+    away = np.where(turns > 0, np.abs((away + np.pi) % (2 * np.pi) - np.pi), away)
+    back = np.linalg.norm(away) < 0.6 * STRIDE and poses[-1].direction @ poses[0].direction > 0
+    return "back at the reference" if len(poses) > 5 and back else ""
 
 
 def the_other_way_round(setting: Setting, pose: Pose, held: Sequence[int]) -> Pose:
@@ -190,18 +293,25 @@ def the_other_way_round(setting: Setting, pose: Pose, held: Sequence[int]) -> Po
 
 def _turning(setting: Setting, q: Array, balls: Sequence[list[int]]) -> Array:
     """Rates of joints as they are seen, angular velocities of ball joints, by rates of the coordinates."""
-    screws = setting.variety.forward(q[None])[0][0]
+    screws = setting.variety.displaced(q[None])[0]
     seen = np.eye(len(q))
     for columns in balls:
         seen[np.ix_(columns, columns)] = screws[columns, :3].T
     return seen
 
 
-def _step(setting: Setting, pose: Pose, held: Sequence[int]) -> Pose | None:
+def _steps(setting: Setting, lines: Sequence[tuple[Pose, Sequence[int]]]) -> list[Pose | None]:
+    """The next pose of every line (last pose, held coordinates); None where no step that is tried arrives."""
+    found: list[Pose | None] = [None] * len(lines)
     for part in SHRINK:
-        q = corrected(setting, pose.q + part * STRIDE * pose.direction, held)
-        if q is not None and (q - pose.q) @ pose.direction > 0:
-            after = pose_at(setting, q, held, pose.direction)
-            if after.direction @ pose.direction > JUMPED:
-                return after
-    return None
+        left = [k for k, after in enumerate(found) if after is None]
+        if not left:
+            break
+        poses, held = [lines[k][0] for k in left], [lines[k][1] for k in left]
+        starts = np.array([pose.q + part * STRIDE * pose.direction for pose in poses])
+        for k, pose, after in zip(
+            left, poses, poses_next_to(setting, starts, held, [pose.direction for pose in poses]), strict=True
+        ):
+            if after is not None and (after.q - pose.q) @ pose.direction > 0:
+                found[k] = after if after.direction @ pose.direction > JUMPED else None
+    return found

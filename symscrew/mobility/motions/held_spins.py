@@ -7,6 +7,7 @@ along the line of centres; where the rod has turned to by then does not matter. 
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -15,6 +16,7 @@ from symscrew.mobility.finite import DOUBLE, Arithmetic, ClosureVariety, named_s
 from symscrew.mobility.joint_network import Network
 
 Array = np.ndarray[Any, Any]
+Pose = tuple[Array, Array]
 
 
 class HeldSpins(ClosureVariety):
@@ -32,10 +34,9 @@ class HeldSpins(ClosureVariety):
             if body not in bodies and not {*edges[a].columns, *edges[b].columns} & set(network.driven)
         ]
 
-    def evaluate(self, q: Array) -> tuple[Array, Array]:
-        """(residuals, Jacobians) at the points q; see `ClosureVariety`."""
-        residuals, jacobians = super().evaluate(q)
-        return np.concatenate([residuals, self._zeros(len(q), len(self.ends))], axis=1), jacobians
+    def gaps(self, poses: Mapping[str, Pose], q: Array) -> Array:
+        """The residuals at the points q with these displacements of the bodies; see `ClosureVariety`."""
+        return np.concatenate([super().gaps(poses, q), self._zeros(len(q), len(self.ends))], axis=1)
 
     def residual(self, q: Array) -> Array:
         """The residual at one point."""
@@ -55,7 +56,7 @@ class HeldSpins(ClosureVariety):
 
     def places(self, q: Array) -> Array:
         """Where joints are at one point: axes as lines, ball joints by their centres; turns and spins do not count."""
-        screws = self.forward(q[None])[0]
+        screws = self.displaced(q[None])
         found = [np.zeros(0)]
         for edge in (edge for name, edge in self.network.edges.items() if name not in self._spinning):
             for motion, start in edge.motions:

@@ -15,9 +15,8 @@ from typing import Any
 import numpy as np
 
 from symscrew.algebra import CONTEXT
-from symscrew.mobility.finite import DIGITS_60, ClosureVariety
+from symscrew.mobility.finite import ClosureVariety
 from symscrew.mobility.motions.coordinate_lines import Setting, Track
-from symscrew.mobility.motions.held_spins import HeldSpins
 from symscrew.mobility.motions.seen_poses import body_twists
 from symscrew.mobility.screw_systems import eliminate
 
@@ -76,7 +75,7 @@ def at_pose(setting: Setting, line: Track, loss: Loss, known: Loss) -> Loss:
     equations = _Equations(setting, line, loss.kind)
     if equations.usual is None:
         return loss
-    screws = equations.fine.forward(known.q[None])[0][0]
+    screws = equations.fine.displaced(known.q[None])[0]
     matrix = equations.matrix(equations.fine, screws, known.q)
     rank = eliminate(matrix.tolist(), matrix.shape[1]).rank
     lost = matrix.shape[1] - rank > equations.usual
@@ -85,8 +84,8 @@ def at_pose(setting: Setting, line: Track, loss: Loss, known: Loss) -> Loss:
 
 def freedoms_at(setting: Setting, q: Array) -> int:
     """Instantaneous freedoms at a pose of 60 digits."""
-    fine = ClosureVariety(setting.network, DIGITS_60)
-    return fine.columns - eliminate(fine.evaluate(q[None])[1][0].tolist(), fine.columns).rank
+    fine = setting.fine_with_spins
+    return fine.columns - eliminate(fine.slopes(q[None])[0].tolist(), fine.columns).rank
 
 
 class _Equations:
@@ -94,7 +93,7 @@ class _Equations:
 
     def __init__(self, setting: Setting, line: Track, kind: str) -> None:
         self.setting, self.held, self.kind, self.column = setting, line.held, kind, line.column
-        self.coarse, self.fine = setting.variety, HeldSpins(setting.network, setting.body, DIGITS_60)
+        self.coarse, self.fine = setting.variety, setting.fine
         self.turned = False
         self.usual = self._usual()
         rows = self.matrix(self.coarse, *self._reference()).shape
@@ -103,7 +102,7 @@ class _Equations:
 
     def _reference(self) -> tuple[Array, Array]:
         origin = np.zeros(self.coarse.columns)
-        return self.coarse.forward(origin[None])[0][0], origin
+        return self.coarse.displaced(origin[None])[0], origin
 
     def _usual(self) -> int | None:
         """Null vectors of M at regular poses; None where that is not known."""
@@ -119,36 +118,40 @@ class _Equations:
 
     def matrix(self, variety: ClosureVariety, screws: Array, q: Array) -> Array:
         """M at a pose, in the arithmetic of the variety, or its transpose where fewer vectors vanish on that side."""
-        found = self._matrix(variety, screws, q)
-        return found.T if self.turned else found
+        return np.asarray(self.matrices(variety, screws[None], q[None])[0])
 
-    def _matrix(self, variety: ClosureVariety, screws: Array, q: Array) -> Array:
+    def matrices(self, variety: ClosureVariety, screws: Array, q: Array) -> Array:
+        """The same at N poses."""
+        found = self._matrices(variety, screws, q)
+        return np.swapaxes(found, 1, 2) if self.turned else found
+
+    def _matrices(self, variety: ClosureVariety, screws: Array, q: Array) -> Array:
         if self.kind in self.setting.limbs:
-            return np.asarray(screws[list(self.setting.limbs[self.kind][0])].T)
-        jacobian: Array = variety.jacobians(screws[None], q[None])[0]
+            return np.swapaxes(screws[:, list(self.setting.limbs[self.kind][0])], 1, 2)
+        jacobians: Array = variety.jacobians(screws, q)
         if self.kind == "closure":
-            return jacobian
+            return jacobians
         if self.kind == "platform":
             more = body_twists(self.setting.network, variety, screws, self.setting.body)
         else:
             picked = self.setting.drives if self.kind == "drives" else (*self.held, self.column)
-            more = np.eye(self.coarse.columns)[list(picked)]
-        return np.concatenate([jacobian, more.astype(jacobian.dtype)])
+            more = np.repeat(np.eye(self.coarse.columns)[None, list(picked)], len(q), axis=0)
+        return np.concatenate([jacobians, more.astype(jacobians.dtype)], axis=1)
 
     def at(self, variety: ClosureVariety, q: Array, vectors: Array) -> Array:
         """What is left of the equations."""
-        screws = variety.forward(q[None])[0][0]
+        screws = variety.displaced(q[None])[0]
         loops = variety.residual(q) if self.coarse.rows else q[:0]
-        return np.concatenate([loops, q[list(self.held)], (self.matrix(variety, screws, q) @ vectors).ravel()])
+        return np.concatenate([loops, q[list(self.held)], _product(self.matrix(variety, screws, q), vectors).ravel()])
 
     def slopes(self, q: Array, vectors: Array, across: Array) -> Array:
         """Their Jacobian by q and W, in doubles."""
         count, width = len(q), vectors.shape[1]
         points = np.concatenate([q + DIFFERENCE * np.eye(count), q - DIFFERENCE * np.eye(count)])
-        screws = self.coarse.forward(points)[0]
-        values = np.array([self.matrix(self.coarse, s, p) @ vectors for s, p in zip(screws, points, strict=True)])
+        screws = self.coarse.displaced(points)
+        values = self.matrices(self.coarse, screws, points) @ vectors
         bent = (values[:count] - values[count:]).reshape(count, -1).T / (2 * DIFFERENCE)
-        here = self.coarse.forward(q[None])[0]
+        here = self.coarse.displaced(q[None])
         loops = self.coarse.jacobians(here, q[None])[0]
         linear = np.kron(self.matrix(self.coarse, here[0], q) @ across, np.eye(width))
         top = np.concatenate([loops, np.eye(count)[list(self.held)]])
@@ -156,9 +159,21 @@ class _Equations:
         return np.block([[top, empty], [bent, linear]])
 
 
+def _product(matrix: Array, vectors: Array) -> Array:
+    """Matrix times vectors; most entries of a matrix of 60 digits are zero, and left out."""
+    if matrix.dtype != object:
+        return np.asarray(matrix @ vectors)
+    result = np.empty((len(matrix), vectors.shape[1]), dtype=object)
+    for i, row in enumerate(matrix):
+        columns = [j for j, c in enumerate(row) if c]
+        for k in range(vectors.shape[1]):
+            result[i, k] = CONTEXT.fdot(row[columns], vectors[columns, k])
+    return result
+
+
 def _solved(equations: _Equations, start: Array, within: float) -> tuple[bool | None, Array, float]:
     """(whether there is a solution next to the pose, it or the pose, what is left of the equations)."""
-    screws = equations.coarse.forward(start[None])[0][0]
+    screws = equations.coarse.displaced(start[None])[0]
     _, s, vt = np.linalg.svd(equations.matrix(equations.coarse, screws, start))
     size = len(vt)
     null = max(size - int((s > LOST * max(s[0], LOST)).sum()), (equations.usual or 0) + 1)

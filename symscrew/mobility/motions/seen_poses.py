@@ -102,7 +102,7 @@ def _refined(closures: Closures, q: Array, dimension: int) -> tuple[Array, Array
         point, residual = refine(coarse, fine, q, coarse.columns - dimension)
         if not residual < CLOSED:
             return None
-    screws = fine.forward(point[None])[0]
+    screws = fine.displaced(point[None])
     motions = null_space(fine.jacobians(screws, point[None])[0].tolist(), fine.columns).basis
     if len(motions) != dimension:
         return None
@@ -113,20 +113,21 @@ def _refined(closures: Closures, q: Array, dimension: int) -> tuple[Array, Array
 
 def tangent_at(variety: ClosureVariety, q: Array, dimension: int) -> tuple[Array, Array]:
     """(displaced screws about the variety's centre, orthonormal tangent vectors as columns) at a point of a branch."""
-    screws = variety.forward(q[None])[0][0]
-    jacobian = variety.evaluate(q[None])[1][0]
+    screws = variety.displaced(q[None])
+    jacobian = variety.jacobians(screws, q[None])[0]
     vt = np.linalg.svd(jacobian)[2] if jacobian.size else np.eye(variety.columns)
-    return screws, vt[variety.columns - dimension :].T
+    return screws[0], vt[variety.columns - dimension :].T
 
 
 def body_twists(network: Network, variety: ClosureVariety, screws: Array, body: str) -> Array:
-    """6 x n: twist (omega ; v_O) of the body by the joint rates, lengths in units of the mechanism."""
-    rows = np.full((6, variety.columns), CONTEXT.zero if screws.dtype == object else 0.0, dtype=screws.dtype)
+    """6 x n: twist (omega ; v_O) of the body by the joint rates, lengths in units of the mechanism; or of many."""
+    zero = CONTEXT.zero if screws.dtype == object else 0.0
+    twists = np.full((*screws.shape[:-2], variety.columns, 6), zero, dtype=screws.dtype)
     for name, sign in network.path(body):
         for column in network.edges[name].columns:
-            rows[:, column] = sign * screws[column]
-    rows[3:] += np.cross(_centre(variety, screws), rows[:3].T).T
-    return rows
+            twists[..., column, :] = sign * screws[..., column, :]
+    twists[..., 3:] += np.cross(_centre(variety, screws), twists[..., :3])
+    return np.swapaxes(twists, -2, -1)
 
 
 def _centre(variety: ClosureVariety, like: Array) -> Array:

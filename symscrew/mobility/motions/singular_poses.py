@@ -14,7 +14,6 @@ from typing import Any
 import numpy as np
 
 from symscrew.mobility.finite import (
-    DIGITS_60,
     ClosureVariety,
     ReducedClosure,
     local_at,
@@ -22,7 +21,7 @@ from symscrew.mobility.finite import (
     quadratic_forms,
     without_spins,
 )
-from symscrew.mobility.motions.coordinate_lines import STRIDE, Pose, Setting, Track, corrected, pose_at
+from symscrew.mobility.motions.coordinate_lines import STRIDE, Pose, Setting, Track, poses_next_to
 from symscrew.mobility.motions.germs import germs_at
 from symscrew.mobility.motions.one_equation import sheets_of_one_equation
 from symscrew.mobility.motions.rank_loss import Loss, at_pose, decided, freedoms_at
@@ -79,21 +78,23 @@ class SingularPose:
 
 def singular_poses(setting: Setting, tracks: Sequence[Track]) -> tuple[SingularPose, ...]:
     """Those on all lines, each once."""
-    found: list[tuple[Track, list[Loss]]] = []
+    found: list[tuple[Track, list[Loss], Array]] = []
     for line in tracks:
         for loss in _on(setting, line):
-            same = [group for of, group in found if of.column == line.column and _same(setting, group[0], loss)]
+            joints = setting.variety.places(loss.place)
+            same = [group for of, group, there in found
+                    if of.column == line.column and _same((group[0], there), (loss, joints))]  # fmt: skip
             if not same:
-                found.append((line, [loss]))
+                found.append((line, [loss], joints))
             elif all(loss.kind != other.kind for other in same[0]):
                 same[0].append(loss)
-    return tuple(_judged(setting, line, group) for line, group in found)
+    return tuple(_judged(setting, line, group) for line, group, _ in found)
 
 
-def _same(setting: Setting, a: Loss, b: Loss) -> bool:
-    exact = a.real is True and b.real is True
-    apart = setting.variety.places(a.place) - setting.variety.places(b.place)
-    return bool(np.linalg.norm(apart) < (SAME_OF_60 if exact else SAME))
+def _same(a: tuple[Loss, Array], b: tuple[Loss, Array]) -> bool:
+    """Whether two losses, each with the places of the joints there, are at one pose."""
+    exact = a[0].real is True and b[0].real is True
+    return bool(np.linalg.norm(a[1] - b[1]) < (SAME_OF_60 if exact else SAME))
 
 
 def _on(setting: Setting, line: Track) -> Iterator[Loss]:
@@ -162,39 +163,42 @@ def _lowest(
     Without a kind the value is the coordinate's own rate.
     """
 
-    def at(part: float) -> tuple[float, Array] | None:
-        q = corrected(setting, start.q + part * STRIDE * start.direction, line.held)
-        if q is None:
-            return None
-        pose = pose_at(setting, q, line.held, start.direction)
-        return (abs(float(pose.direction[line.column])) if kind is None else pose.margins[kind]), q
+    def at(*parts: float) -> list[tuple[float, Array] | None]:
+        aside = np.array([start.q + part * STRIDE * start.direction for part in parts])
+        count = len(parts)
+        poses = poses_next_to(setting, aside, [line.held] * count, [start.direction] * count)
+        return [None if pose is None else (_value(pose, line.column, kind), pose.q) for pose in poses]
 
     low, high = 0.0, strides
     inner = [high - GOLDEN * (high - low), low + GOLDEN * (high - low)]
-    values = [at(part) for part in inner]
+    values = at(*inner)
     before = max((value[0] for value in values if value is not None), default=0.0)
     for _ in range(TIMES):
         left = values[1] is None or (values[0] is not None and values[0][0] < values[1][0])
         if left:
             high, inner = inner[1], [inner[1] - GOLDEN * (inner[1] - low), inner[0]]
-            values = [at(inner[0]), values[0]]
+            values = [*at(inner[0]), values[0]]
         else:
             low, inner = inner[0], [inner[1], inner[0] + GOLDEN * (high - inner[0])]
-            values = [values[1], at(inner[1])]
+            values = [values[1], *at(inner[1])]
     best = min((v for v in values if v is not None), key=lambda pair: pair[0], default=None)
     if best is not None and best[0] > FLAT * before:
         return best[1], best[0]
     for _ in range(SECANTS):  # a margin goes through zero like a distance: both sides of the V meet there
-        ends = at(low), at(high)
+        ends = at(low, high)
         if ends[0] is None or ends[1] is None or not ends[0][0] + ends[1][0] > 0:
             break
         middle = (ends[0][0] * high + ends[1][0] * low) / (ends[0][0] + ends[1][0])
-        there = at(middle)
+        there = at(middle)[0]
         if there is None:
             break
         best = there if best is None or there[0] < best[0] else best
         low, high = middle - (high - low) / NARROWER, middle + (high - low) / NARROWER
     return None if best is None else (best[1], best[0])
+
+
+def _value(pose: Pose, column: int, kind: str | None) -> float:
+    return abs(float(pose.direction[column])) if kind is None else pose.margins[kind]
 
 
 def _judged(setting: Setting, line: Track, losses: Sequence[Loss]) -> SingularPose:
@@ -217,7 +221,7 @@ def _crossing(setting: Setting, q: Array) -> tuple[int, tuple[int, ...]]:
     instantaneous = freedoms_at(setting, q)
     if instantaneous <= setting.whole:
         return instantaneous, ()
-    there, spins = without_spins(moved(setting.network, ClosureVariety(setting.network, DIGITS_60), q))
+    there, spins = without_spins(moved(setting.network, setting.fine_with_spins, q))
     variety = ClosureVariety(there)
     here = local_at(variety, np.zeros(variety.columns), rank=variety.columns - instantaneous + spins)
     if len(here.stresses) == 1:  # what one equation tells needs no zeros of it

@@ -21,10 +21,11 @@ from symscrew.mobility.motions.coordinate_lines import (
     Pose,
     Setting,
     Track,
-    corrected,
     independent_columns,
     pose_at,
+    poses_next_to,
     track,
+    tracks,
 )
 from symscrew.mobility.motions.held_spins import HeldSpins
 from symscrew.mobility.motions.screw_classes import ScrewClass
@@ -144,11 +145,10 @@ def _followed(
     pose = pose_at(first, origin, (), None)
     setting = Setting(network, variety, others, body, _generic_order(first), network.driven, _limbs(network, limbs))
     columns = independent_columns(network, pose.motions, network.driven)
-    tracks = [
-        track(setting, column, tuple(c for c in columns if c != column), sign) for column in columns for sign in (1, -1)
-    ]
+    ways = [(column, tuple(c for c in columns if c != column), sign) for column in columns for sign in (1, -1)]
+    lines = tracks(setting, ways)
     length, closures = float(network.length), Closures(network)
-    regular, typical = _regular(tracks)
+    regular, typical = _regular(lines)
     beside = _beside(setting, regular, typical)
     seen = _decided(closures, [pose.q for pose in (*regular, *beside)], dimension, body)
     if not seen:
@@ -164,11 +164,11 @@ def _followed(
     idle = tuple(name for name in network.edges if all(name in one.resting(network) for one in seen))
     common = set[str].intersection(*(set(one.axes) for one in seen))
     axes = {name: _proof(network, body, name, order[0][0]) for name in sorted(common)}
-    ends = tuple((t.column, 1 if k % 2 == 0 else -1, t.end) for k, t in enumerate(tracks))
-    total = sum(len(t.poses) for t in tracks)
+    ends = tuple((t.column, 1 if k % 2 == 0 else -1, t.end) for k, t in enumerate(lines))
+    total = sum(len(t.poses) for t in lines)
     classes_seen = tuple(g[0] for g in order)
-    return WholeMotion(columns, total, len(beside), classes_seen, same, idle, axes, singular_poses(setting, tracks),
-                       ends, group, lost=lost_lines(tracks))  # fmt: skip
+    return WholeMotion(columns, total, len(beside), classes_seen, same, idle, axes, singular_poses(setting, lines),
+                       ends, group, lost=lost_lines(lines))  # fmt: skip
 
 
 def _decided(closures: Closures, poses: list[Array], dimension: int, body: str) -> list[Seen]:
@@ -226,7 +226,7 @@ def _generic_order(setting: Setting) -> int:
         held = tuple(c for c in columns if c != column)
         line = track(setting, column, held, 1, most=AROUND) if setting.variety.rows else None
         for there in line.poses[1:] if line else (pose,):
-            screws = setting.variety.forward(there.q[None])[0][0]
+            screws = setting.variety.displaced(there.q[None])[0]
             twists = body_twists(setting.network, setting.variety, screws, setting.body) @ there.motions
             orders.append(int((np.linalg.svd(twists, compute_uv=False) > CLEAR).sum()))
     return max(orders)
@@ -251,15 +251,12 @@ def _beside(setting: Setting, regular: list[Pose], typical: Mapping[str, float])
     if setting.dimension < 2 or not regular:
         return []
     random = np.random.default_rng(SEED)
-    found = []
+    starts = []
     for k in np.linspace(0, len(regular) - 1, min(BESIDE, len(regular))).astype(int):
         along = random.normal(size=setting.dimension)
-        q = regular[k].q + STRIDE * regular[k].motions @ (along / np.linalg.norm(along))
-        closed = corrected(setting, q, ()) if setting.variety.rows else q
-        if closed is not None:
-            pose = pose_at(setting, closed, (), None)
-            found += [pose] if _clear(pose, typical) else []
-    return found
+        starts.append(regular[k].q + STRIDE * regular[k].motions @ (along / np.linalg.norm(along)))
+    found = poses_next_to(setting, np.array(starts), [()] * len(starts), [None] * len(starts))
+    return [pose for pose in found if pose is not None and _clear(pose, typical)]
 
 
 def _proof(network: Network, body: str, axis: str, found: ScrewClass) -> str:

@@ -28,17 +28,18 @@ from symscrew.mobility.symbols.exact_screws import (
     loop_rows,
     tie_row,
 )
-from symscrew.mobility.symbols.generators import NotPolynomialError
 from symscrew.mobility.symbols.limb_poses import LimbPose, limb_pose, rounded_axis
 from symscrew.mobility.symbols.locus import Locus
 from symscrew.mobility.symbols.loop_groups import group_dimensions, screw_algebra
 from symscrew.mobility.symbols.loop_motions import SymbolicLoops, symbolic_loops
 from symscrew.mobility.symbols.polynomial_screws import (
     SymbolicMobility,
+    SymbolicScrews,
     Vector,
     numbers_at,
+    screws_of_limbs,
     symbolic_mobility,
-    symbolic_screws,
+    why_no_symbols,
 )
 from symscrew.mobility.symbols.short_loci import condition, conditions
 
@@ -52,10 +53,10 @@ __all__ = [
     "LimbPose",
     "Locus",
     "NotDecidableError",
-    "NotPolynomialError",
     "Row",
     "SymbolicLoops",
     "SymbolicMobility",
+    "SymbolicScrews",
     "Vector",
     "across",
     "actuation_loci",
@@ -76,9 +77,10 @@ __all__ = [
     "reduced",
     "rounded_axis",
     "screw_algebra",
+    "screws_of_limbs",
     "symbolic_loops",
     "symbolic_mobility",
-    "symbolic_screws",
     "terms_of",
     "tie_row",
+    "why_no_symbols",
 ]

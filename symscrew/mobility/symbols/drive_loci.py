@@ -38,11 +38,12 @@ class ActuationLoci:
     not_tried: tuple[str, ...] = ()
 
 
-def actuation_loci(mechanism: Mechanism) -> ActuationLoci:
+def actuation_loci(mechanism: Mechanism, *, work: SymbolicScrews | None = None) -> ActuationLoci:
     """Where the drives lose their hold on the platform: all of them, and every set that is just enough.
 
     A set whose determinants vanish for all parameters has the locus 0 = 0. None where the description has no
-    exact ring, no driven limbs, or a platform that not they alone carry.
+    exact ring, no driven limbs, or a platform that not they alone carry. `work`: the mechanism's `symbolic_screws`
+    where somebody has them already, with what was found of them.
     """
     driven = [(j.name, k) for j in mechanism.joints.values() for k in j.driven]
     inside = {joint for limb in mechanism.limbs.values() for joint in limb.joints}
@@ -50,7 +51,7 @@ def actuation_loci(mechanism: Mechanism) -> ActuationLoci:
     if not driven or open_chain or any(joint not in inside for joint, _ in driven) or not carried_by_limbs(mechanism):
         return ActuationLoci()
     try:
-        work = symbolic_screws(mechanism)
+        work = work or symbolic_screws(mechanism)
     except NotPolynomialError:
         return ActuationLoci()  # the result says why there are no symbols at all
     try:
@@ -60,19 +61,19 @@ def actuation_loci(mechanism: Mechanism) -> ActuationLoci:
 
 
 def _actuation_loci(work: SymbolicScrews, mechanism: Mechanism, driven: Sequence[tuple[str, int]]) -> ActuationLoci:
-    bound = {name: _limb_wrenches(work, mechanism, name, ()) for name in mechanism.limbs}
+    bound = {name: work.of_limb(name).wrenches for name in mechanism.limbs}
     union = [wrench for wrenches in bound.values() for wrench in wrenches]
     freedoms = 6 - len(work.independent(union))
     sets, left_out = drive_sets(driven, freedoms)
     not_tried = [f"actuation loci: {text}" for text in left_out]
     # what the constraints lose, drives cannot hold either: not a matter of the drives
-    known = work.ring.factors(work.reciprocal(union)[1]) if union else []
+    known = work.ring.factors(work.of_all_limbs.dependent) if union else []
     loci: list[Locus] = []
     for locked in sets:
         wrenches = []
         for name, limb in mechanism.limbs.items():
             own = [d for d in locked if d[0] in limb.joints]
-            wrenches += _limb_wrenches(work, mechanism, name, own) if own else bound[name]
+            wrenches += work.of_limb(name, own).wrenches if own else bound[name]
         label = "all drives" if locked == tuple(driven) else " ".join(_label(mechanism, *d) for d in locked)
         count = comb(len(wrenches), 6)
         if count > MOST_MINORS:
@@ -97,18 +98,6 @@ def _actuation_loci(work: SymbolicScrews, mechanism: Mechanism, driven: Sequence
 
 def _label(mechanism: Mechanism, joint: str, freedom: int) -> str:
     return joint if len(mechanism.joints[joint].driven) == 1 and freedom == 0 else f"{joint}.{freedom}"
-
-
-def _limb_wrenches(
-    work: SymbolicScrews, mechanism: Mechanism, limb: str, locked: Sequence[tuple[str, int]]
-) -> list[list[Poly]]:
-    screws = [
-        screw
-        for name in mechanism.limbs[limb].joints
-        for k, screw in enumerate(work.screws(mechanism.joints[name]))
-        if (name, k) not in locked
-    ]
-    return work.reciprocal(screws)[0]
 
 
 def _common_factors(work: SymbolicScrews, wrenches: Sequence[list[Poly]]) -> tuple[list[Poly], bool]:

@@ -10,8 +10,9 @@ couple. Rows and columns of the minors are chosen at random values of the parame
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from itertools import combinations
 from typing import Any, NamedTuple
 
@@ -68,13 +69,15 @@ class Reciprocal(NamedTuple):
     all_listed: bool
 
 
-def symbolic_mobility(mechanism: Mechanism) -> SymbolicMobility | None:
-    """The limbs and the platform with symbols; None without limbs or where an expression has no exact ring."""
+def symbolic_mobility(mechanism: Mechanism, *, work: SymbolicScrews | None = None) -> SymbolicMobility | None:
+    """The limbs and the platform with symbols; None without limbs or where an expression has no exact ring.
+
+    `work`: the mechanism's `symbolic_screws` where somebody has them already, with what was found of them.
+    """
     if not mechanism.limbs or mechanism.platform is None:
         return None
-    chains = {name: [mechanism.joints[j] for j in limb.joints] for name, limb in mechanism.limbs.items()}
     try:
-        return symbolic_screws(mechanism).run(chains)
+        return (work or symbolic_screws(mechanism)).run()
     except NotPolynomialError:
         return None
 
@@ -92,6 +95,23 @@ def expressions_of(joint: Joint) -> list[sympy.Expr]:
     return [*joint.point, *(c for axis in joint.axes for c in axis), *pitch]
 
 
+def screws_of_limbs(mechanism: Mechanism) -> SymbolicScrews | None:
+    """`symbolic_screws`; None without limbs or where an expression has no exact ring."""
+    try:
+        return symbolic_screws(mechanism) if mechanism.limbs else None
+    except NotPolynomialError:
+        return None
+
+
+def why_no_symbols(mechanism: Mechanism) -> str:
+    """Why limbs and platform have none, in words: an expression without an exact ring, or the size of what follows."""
+    try:
+        symbolic_screws(mechanism)
+    except NotPolynomialError as error:
+        return f"no symbols: {error}"
+    return "no symbols: the closed forms are not of reasonable size"
+
+
 class SymbolicScrews:
     """Screws, wrenches and where they degenerate, over one ring."""
 
@@ -105,13 +125,16 @@ class SymbolicScrews:
             for symbol in ring.parameters
         }
         self.loci: list[Locus] = []
+        self._scaled: dict[str, list[tuple[list[Poly], Quotient]]] = {}
+        self._limbs: dict[tuple[str, frozenset[tuple[str, int]]], Reciprocal] = {}
 
-    def run(self, chains: dict[str, list[Joint]]) -> SymbolicMobility:
+    def run(self) -> SymbolicMobility:
         """Limbs, their constraints, the platform's freedoms and where they degenerate."""
         limbs, union, open_ones = [], list[list[Poly]](), list[str]()
-        for name, joints in chains.items():
-            screws = [screw for joint in joints for screw in self.screws(joint)]
-            wrenches, dependent, all_listed = self.reciprocal(screws)
+        self.loci = []
+        for name, limb in self.mechanism.limbs.items():
+            screws = [screw for joint in limb.joints for screw in self.screws(self.mechanism.joints[joint])]
+            wrenches, dependent, all_listed = self.of_limb(name)
             open_ones += [] if all_listed else [name]
             self._note("limb", name, dependent, "the screws of the limb become dependent")
             for wrench in wrenches:
@@ -122,13 +145,28 @@ class SymbolicScrews:
         if not carried_by_limbs(self.mechanism):
             loci = true_loci(self.mechanism, self.loci)
             return SymbolicMobility(parameters, tuple(limbs), (), (), loci, self._not_listed(loci, open_ones))
-        freedoms, dependent, all_listed = self.reciprocal(union)
+        freedoms, dependent, all_listed = self.of_all_limbs
         open_ones += [] if all_listed else [self.mechanism.platform or ""]
         meaning = "the constraints of the limbs become dependent"
         self._note("constraint", self.mechanism.platform or "", dependent, meaning)
         loci = true_loci(self.mechanism, self.loci)
         constraints, moved = self._vectors(union), self._vectors(freedoms)
         return SymbolicMobility(parameters, tuple(limbs), constraints, moved, loci, self._not_listed(loci, open_ones))
+
+    def of_limb(self, limb: str, locked: Collection[tuple[str, int]] = ()) -> Reciprocal:
+        """What is reciprocal to the limb's screws without those of the `locked` freedoms (joint, number)."""
+        key = (limb, frozenset(locked))
+        if key not in self._limbs:
+            joints = [self.mechanism.joints[name] for name in self.mechanism.limbs[limb].joints]
+            screws = [screw for joint in joints for k, screw in enumerate(self.screws(joint))
+                      if (joint.name, k) not in locked]  # fmt: skip
+            self._limbs[key] = self.reciprocal(screws)
+        return self._limbs[key]
+
+    @cached_property
+    def of_all_limbs(self) -> Reciprocal:
+        """What is reciprocal to the constraints of all limbs."""
+        return self.reciprocal([wrench for name in self.mechanism.limbs for wrench in self.of_limb(name).wrenches])
 
     def _not_listed(self, loci: Sequence[Locus], names: Sequence[str]) -> tuple[str, ...]:
         """That rank may be lost elsewhere; so, too, where a factor was of rows that others take the place of."""
@@ -142,7 +180,9 @@ class SymbolicScrews:
 
     def scaled_screws(self, joint: Joint) -> list[tuple[list[Poly], Quotient]]:
         """(screw as polynomials, what the unit screw was multiplied by) for each freedom of the joint."""
-        return [self.scalars().cleared(screw) for screw in self.unit_screws(joint)]
+        if joint.name not in self._scaled:
+            self._scaled[joint.name] = [self.scalars().cleared(screw) for screw in self.unit_screws(joint)]
+        return self._scaled[joint.name]
 
     def scalars(self) -> Scalars:
         """Fractions over the ring, with arithmetic."""
