@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator, Sequence
 
-from symscrew.export import c_lanes, c_unread
+from symscrew.export import c_lanes, c_limbs, c_unread
 from symscrew.export.c_angles import calls
 from symscrew.export.c_names import arguments, declare, grouped, wrapped_code
 from symscrew.export.c_printed import Form, Printed, place
@@ -19,6 +19,7 @@ from symscrew.export.listing import balanced_sum, checked_slots, expressions, pl
 from symscrew.export.pivots import pivot_text
 from symscrew.export.stages import headed
 from symscrew.program import OUT_OF_REACH, Packing, status_texts
+from symscrew.program.lanes.limb_stages import limb_stages
 
 SUMS = 4  # of what must be finite, side by side: one alone is a chain of additions that wait for each other
 
@@ -37,14 +38,29 @@ def body(printed: Printed) -> list[str]:
     real = printed.precision.real
     given = ["size_t stride", *arguments(printed.program, printed.precision), *sines(printed)]
     head = declare(f"BODY({printed.symbol})", [*given, f"{real} *restrict total"], "")
-    return [head, "{", *unread(printed), *(f"    {line}" for line in grouped(_Body(printed).lines())), "}"]
+    limbs = limb_text(printed)
+    inner = _Body(printed, limbs)
+    lines = [*unread(printed), *inner.variables(), *(f"    {line}" for line in grouped(inner.lines()))]
+    return [*(limbs.head() if limbs else []), head, "{", *lines, "}"]
+
+
+def limb_text(printed: Printed) -> c_limbs.LimbText | None:
+    """What equal limbs do, if there is enough of it."""
+    stored = [slot for *_, slot in printed.stored if isinstance(slot, int)]
+    arrays = {slot: array for slot, (array, _) in printed.entries.items()}
+    staged = limb_stages(printed.angles.rest, stored, arrays, origins=printed.program.origins, limbs=printed.program.limbs)
+    return c_limbs.LimbText(printed, staged) if staged else None
 
 
 class _Body:
     """Statements while they are written: where results go, and what is to be checked yet."""
 
-    def __init__(self, printed: Printed) -> None:
-        self.printed = printed
+    def __init__(self, printed: Printed, limbs: c_limbs.LimbText | None = None) -> None:
+        self.printed, self.limbs = printed, limbs
+        self.hub = c_limbs.hub(limbs) if limbs else None
+        self.order = self.hub.order if self.hub else printed.order
+        self.called = self.hub.called if self.hub else printed.called
+        self.tested = self.hub.tested if self.hub else {slot: slot for slot in printed.program.tested}
         own = ("sine", "cosine")
         self.entered = {
             slot: f"{'SINES' if array in own else 'READ'}({array}, {k})" for slot, (array, k) in printed.entries.items()
@@ -52,47 +68,67 @@ class _Body:
         self.written: list[tuple[str, int | None]] = []  # statements, and the slot that each serves
         self.places: dict[int, list[tuple[str, int]]] = {}
         self.constants: list[str] = []
-        for array, k, slot in printed.stored:
+        for array, k, slot in self.hub.stored if self.hub else printed.stored:
             if isinstance(slot, int):
                 self.places.setdefault(slot, []).append((array, k))
             else:
                 self.constants.append(f"WRITE({array}, {k}, CONSTANT({printed.named(slot)}));")
-        self.waiting = dict.fromkeys(checked_slots(printed.program))
+        self.waiting = dict.fromkeys(self.hub.checked if self.hub else checked_slots(printed.program))
         self.terms = 0
+
+    def variables(self) -> list[str]:
+        """What limbs hand on."""
+        if not self.limbs or not (self.limbs.members or self.hub.sums):
+            return []
+        return [f"    LIMB({self.printed.symbol}) {', '.join(self.limbs.variables)};"]
+
+    def named(self, value: int | float) -> str:
+        """A slot by its name, or a constant by its own."""
+        return self.called[value] if isinstance(value, int) else self.printed.number(value)
 
     def lines(self) -> list[str]:
         """The statements under headings, the last of which gives the state's status."""
         printed = self.printed
-        uses = Counter(a for i in printed.order for a in i.args if isinstance(a, int))
+        uses = Counter(a for i in self.order for a in i.args if isinstance(a, int))
         read = set(uses)
         for slot, places in self.places.items():
             uses[slot] += len(places)
-        tested = printed.program.tested
-        uses.update(tested)
+        tested = set(self.tested.values())
+        uses.update(self.tested.values())
         uses.update(slot for slot in self.waiting if slot not in self.places)
+        if self.hub:
+            uses.update(self.hub.read)
+            uses.update({call: 2 for call in self.hub.members})
         self._inputs(uses)
-        table = printed.precision.body_table
+        table = self.hub.table if self.hub else printed.precision.body_table
         known = set[int]()
         found = folded(
-            printed.order, uses, table, name=printed.named, places=self.entered,
+            self.order, uses, table, name=self.named, places=self.entered,
             ends=lambda slot: slot not in read and slot not in tested,
         )  # fmt: skip
         for item in found:
             if item.kind == "last":
                 self._last(item.slot, item.text)
                 continue
+            if self.hub and item.slot in self.hub.members:
+                self._write(f"{item.text};")
+                for slot in self.hub.members[item.slot]:
+                    self._ready(slot)
+                if item.slot in self.hub.sums:
+                    self._checked(self.hub.sums[item.slot], None)
+                continue
             text = item.text or self.entered[item.slot]
-            self._write(f"const REAL {printed.called[item.slot]} = {text};", item.slot)
+            self._write(f"const REAL {self.called[item.slot]} = {text};", item.slot)
             if item.kind == "named" or item.slot in self.places or item.slot in self.waiting:
                 self._ready(item.slot)
             known.add(item.slot)
         for slot in [*self.places, *self.waiting, *tested]:
             if slot in self.entered and slot not in known:
                 known.add(slot)
-                self._write(f"const REAL {printed.called[slot]} = {self.entered[slot]};", slot)
+                self._write(f"const REAL {self.called[slot]} = {self.entered[slot]};", slot)
                 self._ready(slot)
         return [
-            *headed(self.written, printed.stages, printed.named),
+            *headed(self.written, printed.stages, self.named),
             *self.constants,
             *self._limits(),
             *self._status(),
@@ -126,7 +162,7 @@ class _Body:
             self._write(f"RESULT(checked{self.terms % SUMS}, {array}, {k}, {text});", slot)
             self.terms += 1
         elif checked:
-            name = self.printed.called[slot]
+            name = self.called[slot]
             self._write(f"const REAL {name} = {text};", slot)
             self._write(f"WRITE({array}, {k}, {name});", slot)
             self._checked(name, slot)
@@ -135,14 +171,14 @@ class _Body:
 
     def _ready(self, slot: int) -> None:
         """What is known goes to its places, and into a sum."""
-        name = self.printed.called[slot]
+        name = self.called[slot]
         for array, k in self.places.pop(slot, ()):
             self._write(f"WRITE({array}, {k}, {name});", slot)
         if slot in self.waiting:
             del self.waiting[slot]
             self._checked(name, slot)
 
-    def _checked(self, text: str, slot: int) -> None:
+    def _checked(self, text: str, slot: int | None) -> None:
         """What must be finite goes into one of some sums, side by side."""
         name = f"checked{self.terms % SUMS}"
         loose = " " in text
@@ -164,14 +200,14 @@ class _Body:
                 yield f"/* else status {status}: {plain(texts[status].partition(end)[0])} */"
             for macro, bound in (("NOT_BELOW", low), ("NOT_ABOVE", high)):
                 if bound is not None:
-                    yield f"{macro}({printed.called[slot]}, {printed.precision.number(bound)}, {status});"
+                    yield f"{macro}({self.called[self.tested[slot]]}, {printed.precision.number(bound)}, {status});"
 
     def _status(self) -> list[str]:
         """What the function returns, and what each pivot means."""
         printed = self.printed
         sums = balanced_sum([f"checked{k}" for k in range(min(self.terms, SUMS))] or ["CONSTANT(0.0)"])
         guards = printed.program.guards
-        limits = [(printed.called[s], printed.precision.threshold(t)) for s, t in guards]
+        limits = [(self.called[self.tested[s]], printed.precision.threshold(t)) for s, t in guards]
         if not limits:
             return [f"FINITE({sums});" if self.terms else "UNCHECKED();"]
         told = [f"SMALL({name}, {limit})" for name, limit in limits]

@@ -67,6 +67,10 @@ def one_state(model: str, precision: Precision) -> list[str]:
     return [
         "/* Bodies of functions are written once. Here they take one state ... */",
         f"#define BODY(function) static inline {upper}_INLINE int function##_body",
+        f"#define STAGE(function, n) static inline {upper}_INLINE void function##_limb##n",
+        "#define STAGE_OF(function, n) function##_limb##n",
+        "#define LIMB(function) function##_limb",
+        *OF,
         f"#define REAL {real}",
         "#define READ(array, k) ((array)[k])",
         "#define SINES(array, k) ((array)[k])",
@@ -97,7 +101,14 @@ RESULT = [
     "#define RESULT(checked, array, k, x) \\",
     "    { const REAL result_ = (x); WRITE(array, k, result_); checked = checked + result_; }",
 ]
+OF = [
+    "#define OF2(limb, a, b) ((limb) == 0 ? (a) : (b))",
+    "#define OF3(limb, a, b, c) ((limb) == 0 ? (a) : (limb) == 1 ? (b) : (c))",
+    "#define OF4(limb, a, b, c, d) ((limb) == 0 ? (a) : (limb) == 1 ? (b) : (limb) == 2 ? (c) : (d))",
+    "#define OF6(limb, a, b, c, d, e, f) ((limb) == 0 ? (a) : (limb) == 1 ? (b) : (limb) == 2 ? (c) : (limb) == 3 ? (d) : (limb) == 4 ? (e) : (f))",
+]
 _MACROS = """
+    STAGE STAGE_OF LIMB OF2 OF3 OF4 OF6
     BODY REAL READ SINES WRITE CONSTANT SQRT ABS LESS SELECT FOURS FOUR SUM_OF_FOUR SMALL OR FINITE_UNLESS FINITE
     UNCHECKED NOT_BELOW NOT_ABOVE RESULT
 """
@@ -116,6 +127,10 @@ def states(model: str, precision: Precision) -> list[str]:
     return [
         "/* ... and here as many states as a vector holds: entry k of an argument lies at k * stride. */",
         "#define BODY(function) __attribute__((noinline)) static void function##_wide",
+        f"#define STAGE(function, n) static inline {upper}_INLINE void function##_wide_limb##n",
+        "#define STAGE_OF(function, n) function##_wide_limb##n",
+        "#define LIMB(function) function##_wide_limb",
+        *OF,
         f"#define REAL {wide}",
         f"#define READ(array, k) (*(const {wide}_there *)&(array)[(k) * stride])",
         f"#define SINES(array, k) (*(const {wide}_there *)&(array)[(k) * {LANES}])",
