@@ -10,8 +10,10 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator, Sequence
 
-from symscrew.export import c_lanes, c_limbs, c_unread
+from symscrew.export import c_lanes, c_unread
 from symscrew.export.c_angles import calls
+from symscrew.export.c_hub import Hub, hub_of
+from symscrew.export.c_limbs import LIMBS, LimbText
 from symscrew.export.c_names import arguments, declare, grouped, wrapped_code
 from symscrew.export.c_printed import Form, Printed, place
 from symscrew.export.folding import folded
@@ -19,7 +21,6 @@ from symscrew.export.listing import balanced_sum, checked_slots, expressions, pl
 from symscrew.export.pivots import pivot_text
 from symscrew.export.stages import headed
 from symscrew.program import OUT_OF_REACH, Packing, status_texts
-from symscrew.program.lanes.limb_stages import limb_stages
 
 SUMS = 4  # of what must be finite, side by side: one alone is a chain of additions that wait for each other
 
@@ -38,29 +39,22 @@ def body(printed: Printed) -> list[str]:
     real = printed.precision.real
     given = ["size_t stride", *arguments(printed.program, printed.precision), *sines(printed)]
     head = declare(f"BODY({printed.symbol})", [*given, f"{real} *restrict total"], "")
-    limbs = limb_text(printed)
+    limbs = LimbText(printed, printed.staged) if printed.staged else None
     inner = _Body(printed, limbs)
-    lines = [*unread(printed), *inner.variables(), *(f"    {line}" for line in grouped(inner.lines()))]
+    own = [f"    LIMBS({limbs.function}) {LIMBS};"] if limbs and limbs.hands_on else []
+    lines = [*unread(printed), *own, *(f"    {line}" for line in grouped(inner.lines()))]
     return [*(limbs.head() if limbs else []), head, "{", *lines, "}"]
-
-
-def limb_text(printed: Printed) -> c_limbs.LimbText | None:
-    """What equal limbs do, if there is enough of it."""
-    stored = [slot for *_, slot in printed.stored if isinstance(slot, int)]
-    arrays = {slot: array for slot, (array, _) in printed.entries.items()}
-    staged = limb_stages(printed.angles.rest, stored, arrays, origins=printed.program.origins, limbs=printed.program.limbs)
-    return c_limbs.LimbText(printed, staged) if staged else None
 
 
 class _Body:
     """Statements while they are written: where results go, and what is to be checked yet."""
 
-    def __init__(self, printed: Printed, limbs: c_limbs.LimbText | None = None) -> None:
+    def __init__(self, printed: Printed, limbs: LimbText | None) -> None:
         self.printed, self.limbs = printed, limbs
-        self.hub = c_limbs.hub(limbs) if limbs else None
-        self.order = self.hub.order if self.hub else printed.order
-        self.called = self.hub.called if self.hub else printed.called
-        self.tested = self.hub.tested if self.hub else {slot: slot for slot in printed.program.tested}
+        slots = {slot: slot for slot in printed.program.tested}
+        stored, table = printed.stored, dict(printed.precision.body_table)
+        self.hub = hub_of(limbs) if limbs else Hub(printed.order, dict(printed.called), table, stored, slots)
+        self.called = self.hub.called
         own = ("sine", "cosine")
         self.entered = {
             slot: f"{'SINES' if array in own else 'READ'}({array}, {k})" for slot, (array, k) in printed.entries.items()
@@ -68,71 +62,72 @@ class _Body:
         self.written: list[tuple[str, int | None]] = []  # statements, and the slot that each serves
         self.places: dict[int, list[tuple[str, int]]] = {}
         self.constants: list[str] = []
-        for array, k, slot in self.hub.stored if self.hub else printed.stored:
+        for array, k, slot in self.hub.stored:
             if isinstance(slot, int):
                 self.places.setdefault(slot, []).append((array, k))
             else:
                 self.constants.append(f"WRITE({array}, {k}, CONSTANT({printed.named(slot)}));")
-        self.waiting = dict.fromkeys(self.hub.checked if self.hub else checked_slots(printed.program))
+        self.waiting = dict.fromkeys(limbs.checked if limbs else checked_slots(printed.program))
         self.terms = 0
+        self.begun: set[str] = set()  # stages of which a limb has been called
 
-    def variables(self) -> list[str]:
-        """What limbs hand on."""
-        if not self.limbs or not (self.limbs.members or self.hub.sums):
-            return []
-        return [f"    LIMB({self.printed.symbol}) {', '.join(self.limbs.variables)};"]
-
-    def named(self, value: int | float) -> str:
+    def _named(self, value: int | float) -> str:
         """A slot by its name, or a constant by its own."""
         return self.called[value] if isinstance(value, int) else self.printed.number(value)
 
     def lines(self) -> list[str]:
         """The statements under headings, the last of which gives the state's status."""
-        printed = self.printed
-        uses = Counter(a for i in self.order for a in i.args if isinstance(a, int))
+        printed, hub = self.printed, self.hub
+        uses = Counter(a for i in hub.order for a in i.args if isinstance(a, int))
         read = set(uses)
         for slot, places in self.places.items():
             uses[slot] += len(places)
-        tested = set(self.tested.values())
-        uses.update(self.tested.values())
+        tested = set(hub.tested.values())
+        uses.update(hub.tested.values())
         uses.update(slot for slot in self.waiting if slot not in self.places)
-        if self.hub:
-            uses.update(self.hub.read)
-            uses.update({call: 2 for call in self.hub.members})
+        uses.update(hub.read)
+        uses.update(dict.fromkeys([*hub.hands_on, *hub.given], 2))  # statements of their own
         self._inputs(uses)
-        table = self.hub.table if self.hub else printed.precision.body_table
         known = set[int]()
         found = folded(
-            self.order, uses, table, name=self.named, places=self.entered,
+            hub.order, uses, hub.table, name=self._named, places=self.entered,
             ends=lambda slot: slot not in read and slot not in tested,
         )  # fmt: skip
         for item in found:
             if item.kind == "last":
                 self._last(item.slot, item.text)
-                continue
-            if self.hub and item.slot in self.hub.members:
-                self._write(f"{item.text};")
-                for slot in self.hub.members[item.slot]:
-                    self._ready(slot)
-                if item.slot in self.hub.sums:
-                    self._checked(self.hub.sums[item.slot], None)
-                continue
-            text = item.text or self.entered[item.slot]
-            self._write(f"const REAL {self.called[item.slot]} = {text};", item.slot)
-            if item.kind == "named" or item.slot in self.places or item.slot in self.waiting:
-                self._ready(item.slot)
-            known.add(item.slot)
+            elif item.slot in hub.hands_on:
+                self._stage(item.slot, item.text)
+            elif item.slot in hub.given:
+                assert self.limbs is not None
+                self._write(f"const EACH{self.limbs.count} {self.called[item.slot]} = {item.text};")
+            else:
+                text = item.text or self.entered[item.slot]
+                self._write(f"const REAL {self.called[item.slot]} = {text};", item.slot)
+                if item.kind == "named" or item.slot in self.places or item.slot in self.waiting:
+                    self._ready(item.slot)
+                known.add(item.slot)
         for slot in [*self.places, *self.waiting, *tested]:
             if slot in self.entered and slot not in known:
                 known.add(slot)
                 self._write(f"const REAL {self.called[slot]} = {self.entered[slot]};", slot)
                 self._ready(slot)
         return [
-            *headed(self.written, printed.stages, self.named),
+            *headed(self.written, printed.stages, lambda slot: self.called.get(slot, "")),
             *self.constants,
             *self._limits(),
             *self._status(),
         ]
+
+    def _stage(self, call: int, text: str) -> None:
+        """A limb's stage; the first limb's, in text, is that of all of them where they are side by side."""
+        stage = text.split(", ")[2]
+        self._write(f"{'NEXT' if stage in self.begun else 'FIRST'}_{text};")
+        self.begun.add(stage)
+        for slot in self.hub.hands_on[call]:
+            self._ready(slot)
+        if call in self.hub.sums:
+            self._checked(self.hub.sums[call])
 
     def _write(self, text: str, slot: int | None = None) -> None:
         self.written.append((text, slot))
@@ -178,7 +173,7 @@ class _Body:
             del self.waiting[slot]
             self._checked(name, slot)
 
-    def _checked(self, text: str, slot: int | None) -> None:
+    def _checked(self, text: str, slot: int | None = None) -> None:
         """What must be finite goes into one of some sums, side by side."""
         name = f"checked{self.terms % SUMS}"
         loose = " " in text
@@ -200,14 +195,14 @@ class _Body:
                 yield f"/* else status {status}: {plain(texts[status].partition(end)[0])} */"
             for macro, bound in (("NOT_BELOW", low), ("NOT_ABOVE", high)):
                 if bound is not None:
-                    yield f"{macro}({self.called[self.tested[slot]]}, {printed.precision.number(bound)}, {status});"
+                    yield f"{macro}({self.called[self.hub.tested[slot]]}, {printed.precision.number(bound)}, {status});"
 
     def _status(self) -> list[str]:
         """What the function returns, and what each pivot means."""
         printed = self.printed
         sums = balanced_sum([f"checked{k}" for k in range(min(self.terms, SUMS))] or ["CONSTANT(0.0)"])
         guards = printed.program.guards
-        limits = [(self.called[self.tested[s]], printed.precision.threshold(t)) for s, t in guards]
+        limits = [(self.called[self.hub.tested[s]], printed.precision.threshold(t)) for s, t in guards]
         if not limits:
             return [f"FINITE({sums});" if self.terms else "UNCHECKED();"]
         told = [f"SMALL({name}, {limit})" for name, limit in limits]
@@ -344,11 +339,13 @@ def function(printed: Printed, signature: str, second: str = "", *, packed: Sequ
 
     `second` is its way out of small pivots, `packed` its lane with equal limbs side by side.
     """
-    if not printed.packing or not packed:
+    shared = bool(printed.lanes_of_limbs)
+    if not printed.packing or not (packed or shared):
         return _one_by_one(printed, signature, second)
     condition = f"#if {c_lanes.condition(printed.model, printed.packing.width, printed.precision)}"
     apart = declare(f"{printed.symbol}_limb_by_limb", arguments(printed.program, printed.precision), "int ")
     handed = [*printed.handed(), *(["sine", "cosine"] if printed.angles.gathered else [])]
+    handed = ["1", *handed, "NULL"] if shared else handed
     return [
         *packed,
         "",

@@ -1,530 +1,377 @@
-"""What equal limbs do, written once: functions of a limb, called one limb after the other.
+"""What equal limbs do, written once: stages, functions of a limb.
 
-    STAGE(<symbol>_limbs0)(limb, inputs ..., what the hub gives, &limb1)      limb is a number in every call
+    STAGE(<function>, 0)(limb, stride, inputs ..., what the hub gives, own)        own: what limbs hand on
+    NEXT_LIMB(1, <function>, 0, stride, inputs ..., what the hub gives, &limbs);   limb is a number in every call
 
-`limb` is a literal wherever a stage is called, and stages are inlined: entries of inputs and signs that depend on it are
-constants to the compiler, and what a limb hands on (`<symbol>_limb`) are values like others. Signs multiply the second
-term of a sum, and are no operations: `a + sign1 * b` is `a + b` of one limb and `a - b` of another one.
+Stages are inlined, and limbs are numbers wherever one is called: entries of inputs, and signs that depend on the limb,
+are constants to the compiler, what a limb hands on are values like others. `x + sign1 * y` is `x + y` of one limb and
+`x - y` of another one: no operation. With limbs side by side in lanes (see `c_lanes`) the same text works on vectors,
+and a stage is called once.
 """
 
 from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 
 from symscrew.export.c_names import TAKEN, arguments, declare, grouped
 from symscrew.export.c_order import short_lived
 from symscrew.export.c_printed import Printed
-from symscrew.export.folding import ATOM, BINDING, LOOSE, PRODUCT, SUM, folded
-from symscrew.export.listing import checked_slots
+from symscrew.export.folding import ATOM, BINDING, PRODUCT, SUM, folded
+from symscrew.export.listing import checked_slots, wrapped
 from symscrew.export.stages import TOGETHER, Stage, headed
-from symscrew.export.value_names import ANONYMOUS
+from symscrew.export.value_names import ANONYMOUS, LONGEST
 from symscrew.program import Instruction
-from symscrew.program.lanes.limb_stages import LimbRow, LimbStages, Single
+from symscrew.program.lanes import LimbRow, LimbStages
 
-CALL = "call"
 MINUS = "minus_"
-
-
-@dataclass(frozen=True)
-class Call:
-    """The call of a stage for one limb."""
-
-    target: int
-    stage: int
-    limb: int
+LIMBS = "limbs"  # the variable of what limbs hand on
+WIDTH = 108  # characters of a line of members
+Entries = tuple[int | float, ...]  # slots or numbers, one per limb
 
 
 @dataclass
 class StageText:
-    """A printed stage: its parameters beside the inputs, each with what the calls give, and its lines."""
+    """A printed stage: the inputs that it reads, its parameters beside them with what they are, and its lines."""
 
     arrays: list[str] = field(default_factory=list)
-    given: list[tuple[str, tuple[int | float, ...]]] = field(default_factory=list)
+    given: list[tuple[str, Entries]] = field(default_factory=list)
     lines: list[str] = field(default_factory=list)
     checked: bool = False
 
 
 class LimbText:
-    """A function whose equal limbs are written once, while it is printed."""
+    """A function whose equal limbs are written once: what its stages hold, and how it is printed."""
 
     def __init__(self, printed: Printed, staged: LimbStages) -> None:
-        self.printed, self.staged = printed, staged
-        self.count = len(staged.limbs)
+        self.printed, self.staged, self.count = printed, staged, len(staged.limbs)
+        self.function = printed.symbol.removeprefix(f"{printed.model}_")
         self.row_of = {slot: (row, k) for row in staged.rows for k, slot in enumerate(row.slots)}
         self.sign = {single.slot: single.sign for single in staged.singles}
         self.sign |= {slot: sign for row in staged.rows for slot, sign in zip(row.slots, row.signs, strict=True)}
-        self.entries = printed.entries
-        self.free = max([*self.row_of, *self.sign, *printed.called, 0]) + 1
-        self.stored_in_stage: dict[int, list[tuple[str, tuple[int, ...], tuple[int, ...]]]] = {}
-        self.stored: list[tuple[str, int, int | float]] = []
-        self._store()
+        self.written, self.stored = self._stored()
         checked = dict.fromkeys(self.base(slot)[0] for slot in checked_slots(printed.program))
         self.checked_rows = {r.number for r in staged.rows if all(slot in checked for slot in r.slots)}
         self.checked = [s for s in checked if s not in self.row_of or self.row_of[s][0].number not in self.checked_rows]
         self.crossing = self._crossing()
         constants = printed.shared.constants.names.values() if printed.shared else ()
-        taken = {*TAKEN, *printed.names.values(), *constants, "limb", "sine", "cosine", "stride"}
-        self.variables = [self._unique(limb.name, taken) for limb in staged.limbs]
-        self.taken = {*taken, *self.variables}
-        self.members = self._named_rows([r for r in staged.rows if r.number in self.crossing], set(taken) | {"checked"})
-        self.calls = {}
-        for stage in range(len(staged.stages)):
-            for k in range(self.count):
-                self.calls[stage, k] = Call(self.free, stage, k)
-                self.free += 1
-        self.texts = [self._stage(n, rows) for n, rows in enumerate(staged.stages)]
+        self.taken = {*TAKEN, *printed.names.values(), *constants, LIMBS, "limb", "own", "sine", "cosine"}
+        self.members = self.named([r for r in staged.rows if r.number in self.crossing], {"checked"})
+        self.checked_before = False  # whether a stage before has begun the sum of what must be finite
+        self.texts = [_Stage(self, rows).text for rows in staged.stages]
+        self.last_check = max((n for n, text in enumerate(self.texts) if text.checked), default=-1)
 
     # -- what is where ----------------------------------------------------------------------------------------
 
-    def base(self, slot: int) -> tuple[int | float, int]:
+    def base(self, slot: int | float) -> tuple[int | float, int]:
         """The slot or number that a slot is, and its sign."""
-        return self.staged.negatives.get(slot, (slot, 1))
+        return self.staged.negatives.get(slot, (slot, 1)) if isinstance(slot, int) else (slot, 1)
 
-    def _store(self) -> None:
-        """Results that stages write, and the others."""
-        at: dict[int, list[tuple[str, int, int]]] = {}
+    def _stored(self) -> tuple[dict[int, list[tuple[str, Entries, Entries]]], list[tuple[str, int, int | float]]]:
+        """By row the results that its stage writes: array, entries, signs; and those that are written elsewhere."""
+        at: dict[int, list[tuple[str, int, int, int]]] = {}
+        rest: list[tuple[str, int, int | float]] = []
         for array, k, slot in self.printed.stored:
-            base, sign = self.base(slot) if isinstance(slot, int) else (slot, 1)
-            if isinstance(base, int) and base in self.row_of:
-                at.setdefault(base, []).append((array, k, sign * self.sign[base]))
+            base, sign = self.base(slot)
+            if isinstance(base, int) and base in self.row_of and isinstance(slot, int):
+                at.setdefault(base, []).append((array, k, sign * self.sign[base], slot))
             else:
-                self.stored.append((array, k, slot))
+                rest.append((array, k, slot))
+        found: dict[int, list[tuple[str, Entries, Entries]]] = {}
         for row in self.staged.rows:
             places = [at.get(slot, []) for slot in row.slots]
-            if not any(places):
+            if len({tuple(array for array, *_ in some) for some in places}) > 1:
+                rest += [(array, k, slot) for some in places for array, k, _, slot in some]
                 continue
-            arrays = {tuple(array for array, _, _ in some) for some in places}
-            if len(arrays) == 1:
-                self.stored_in_stage[row.number] = [
-                    (some[0][0], tuple(k for _, k, _ in some), tuple(sign for _, _, sign in some))
-                    for some in zip(*places, strict=True)
-                ]
-            else:
-                exact = {(a, k): s for a, k, s in self.printed.stored}
-                self.stored += [(array, k, exact[array, k]) for some in places for array, k, _ in some]
+            found[row.number] = [
+                (some[0][0], tuple(k for _, k, *_ in some), tuple(sign for *_, sign, _ in some))
+                for some in zip(*places, strict=True)
+            ]
+        return found, rest
 
     def _crossing(self) -> set[int]:
         """The rows that are read outside of their stage."""
-        read: set[int | float] = {a for single in self.staged.singles for a, _ in single.operands}
-        read |= {self.base(slot)[0] for _, _, slot in self.stored if isinstance(slot, int)}
+        read: set[int | float] = {self.base(a)[0] for single in self.staged.singles for a, _ in single.operands}
+        read |= {self.base(slot)[0] for *_, slot in self.stored}
         read |= {self.base(slot)[0] for slot in self.printed.program.tested} | set(self.checked)
         found: set[int] = set()
         stage = {row.number: row.stage for row in self.staged.rows}
         for row in self.staged.rows:
             for source, entries in zip(row.sources, row.operands, strict=True):
                 if source is None:
-                    read.update(entries)
+                    read.update(self.base(a)[0] for a in entries)
                 elif stage[source] != row.stage:
                     found.add(source)
         return found | {self.row_of[a][0].number for a in read if isinstance(a, int) and a in self.row_of}
 
     # -- names ------------------------------------------------------------------------------------------------
 
-    @staticmethod
-    def _unique(name: str, used: set[str]) -> str:
-        found, number = name, 2
-        while found in used:
-            found, number = f"{name}_{number}", number + 1
-        used.add(found)
-        return found
-
-    def lane_name(self, entries: Sequence[int | float], signs: Sequence[int]) -> str:
-        """The name of what corresponds in every limb; "" where none tells."""
+    def lane_name(self, entries: Entries, signs: Sequence[int]) -> str:
+        """The name of what corresponds in every limb, the limb's left out; "" where none tells."""
         called, found = self.printed.called, []
         for k, (a, sign) in enumerate(zip(entries, signs, strict=True)):
-            if not isinstance(a, int) or a not in called:
-                continue
-            name, negative = called[a].removeprefix(MINUS), called[a].startswith(MINUS) ^ (sign < 0)
-            if not ANONYMOUS.fullmatch(name):
+            name = called.get(a, "") if isinstance(a, int) else ""
+            bare = name.removeprefix(MINUS)
+            if bare and not ANONYMOUS.fullmatch(bare):
                 limb = self.staged.limbs[k].name
-                name = name.removeprefix(f"{limb}_").replace(f"_by_{limb}_", "_by_")
-                found.append((name, negative))
+                short = bare.removeprefix(f"{limb}_").replace(f"_by_{limb}_", "_by_")
+                found.append((short if "_" in short else bare, (name != bare) ^ (sign < 0)))
         if not found:
             return ""
         name = Counter(name for name, _ in found).most_common(1)[0][0]
         negative = {negative for _, negative in found}
-        name = name if "_" in name and not name[0].isdigit() else f"own_{name}"
-        return (MINUS if negative == {True} else "signed_" if len(negative) > 1 else "") + name
+        name = (MINUS if negative == {True} else "signed_" if len(negative) > 1 else "") + name
+        return name if len(name) <= LONGEST else ""
 
-    def _named_rows(self, rows: Sequence[LimbRow], used: set[str]) -> dict[int, str]:
-        found: dict[int, str] = {}
-        anonymous = 0
-        for row in rows:
-            name = self.lane_name(row.slots, row.signs)
-            while not name:
-                anonymous += 1
-                name = f"t{anonymous}" if f"t{anonymous}" not in used else ""
-            found[row.number] = self._unique(name, used)
-        return found
+    def named(self, rows: Sequence[LimbRow], used: set[str]) -> dict[int, str]:
+        """Names of rows by number, none of those that are used, which are more now."""
+        return {row.number: unused(self.lane_name(row.slots, row.signs), used) for row in rows}
 
-    # -- a stage ----------------------------------------------------------------------------------------------
+    # -- the text ---------------------------------------------------------------------------------------------
 
-    def of(self, values: Sequence[str]) -> str:
-        """A text that depends on the limb."""
-        return values[0] if len(set(values)) == 1 else f"OF{self.count}(limb, {', '.join(values)})"
-
-    def index(self, places: Sequence[int]) -> str:
-        """The entry of an array, by the limb."""
-        first, step = places[0], places[1] - places[0]
-        if step == 0 and len(set(places)) == 1:
-            return str(first)
-        if step > 0 and all(place == first + step * k for k, place in enumerate(places)):
-            by = "limb" if step == 1 else f"{step} * limb"
-            return by if first == 0 else f"{first} + {by}"
-        return self.of([f"{place}u" for place in places])
-
-    def _leaf(self, slot: int, place: str | None = None) -> str:
-        array, k = self.entries[slot]
-        macro = "SINES" if array in ("sine", "cosine") else "READ"
-        return f"{macro}({array}, {k if place is None else place})"
-
-    def _stage(self, number: int, rows: Sequence[LimbRow]) -> StageText:
-        return _Stage(self, number, rows).text
-
-    # -- the whole --------------------------------------------------------------------------------------------
+    @cached_property
+    def hands_on(self) -> list[str]:
+        """The members of what limbs hand on."""
+        return [*self.members.values(), *(["checked"] if self.last_check >= 0 else [])]
 
     def head(self) -> list[str]:
-        """The type of what a limb hands on, and the stages."""
-        symbol = self.printed.symbol
+        """The type of what limbs hand on, and the stages."""
         lines = []
-        members = [*self.members.values(), *(["checked"] if any(t.checked for t in self.texts) else [])]
-        if members:
-            listed = declare("REAL ", members, "", width=104).removeprefix("REAL (").removesuffix(")")
-            lines += ["typedef struct {", f"    REAL {listed};", f"}} LIMB({symbol});", ""]
+        if self.hands_on:
+            listed = wrapped(f"EACH{self.count} {', '.join(self.hands_on)};", first="    ", later="      ", width=WIDTH)
+            lines += ["typedef struct {", *listed, f"}} LIMBS({self.function});", ""]
         for n, text in enumerate(self.texts):
-            given = ["size_t limb", "size_t stride", *self._array_arguments(text.arrays)]
-            given += [f"REAL {name}" for name, _ in text.given]
-            given += [f"LIMB({symbol}) *own"] if members else []
-            lines += [declare(f"STAGE({symbol}, {n})", given, ""), "{", *(f"    {line}" for line in text.lines), "}", ""]
+            given = ["size_t limb", "size_t stride", *self._arguments(text.arrays)]
+            given += [f"REAL {name}" if same(e) else f"const EACH{self.count} {name}" for name, e in text.given]
+            given += [f"LIMBS({self.function}) *own"] if self.hands_on else []
+            lines += [declare(f"STAGE({self.function}, {n})", given, ""), "{", *text.lines, "}", ""]
         return lines
 
-    def _array_arguments(self, arrays: Sequence[str]) -> list[str]:
-        real = self.printed.precision.real
-        known = arguments(self.printed.program, self.printed.precision)
-        known += [f"const {real} *restrict {name}" for name in ("sine", "cosine")]
-        return [text for text in known if text.rpartition("*")[2].removeprefix("restrict ") in arrays]
+    def _arguments(self, arrays: Sequence[str]) -> list[str]:
+        """Declared arguments of these names."""
+        precision = self.printed.precision
+        known = arguments(self.printed.program, precision)
+        known += [f"const {precision.real} *restrict {name}" for name in ("sine", "cosine")]
+        return [text for text in known if text.split()[-1].lstrip("*") in arrays]
 
-    def call_text(self, call: Call) -> tuple[str, tuple[int | float, ...]]:
-        """The call as a format, and the operands that it is given."""
-        text = self.texts[call.stage]
-        arrays = [name.rpartition("*")[2].removeprefix("restrict ") for name in self._array_arguments(text.arrays)]
-        values = tuple(entries[call.limb] for _, entries in text.given)
-        number = self.printed.number
-        given = [str(call.limb), "stride", *arrays]
-        given += [f"{{{n}}}" if isinstance(a, int) else f"CONSTANT({number(a)})" for n, a in enumerate(values)]
-        given += [f"&{self.variables[call.limb]}"] if self.members or any(t.checked for t in self.texts) else []
-        return f"STAGE_OF({self.printed.symbol}, {call.stage})({', '.join(given)})", values
+    def handed(self, stage: int) -> list[str]:
+        """The arguments of a call but for what the hub gives, which comes before the last one."""
+        names = [text.split()[-1].lstrip("*") for text in self._arguments(self.texts[stage].arrays)]
+        return ["stride", *names]
+
+
+def same(entries: Entries) -> bool:
+    """Whether something is the same in all limbs."""
+    return len(set(map(repr, entries))) == 1
+
+
+def unused(name: str, used: set[str]) -> str:
+    """A name that is not used yet, t1, t2 ... where there is none; it is used from here on."""
+    found, number = name, 2
+    if not name:
+        found, number = "t1", 2
+    while found in used:
+        found, number = f"{name}_{number}" if name else f"t{number}", number + 1
+    used.add(found)
+    return found
 
 
 class _Stage:
     """A stage while it is printed."""
 
-    def __init__(self, whole: LimbText, number: int, rows: Sequence[LimbRow]) -> None:
-        self.whole, self.number, self.rows = whole, number, rows
-        self.text = StageText()
+    def __init__(self, whole: LimbText, rows: Sequence[LimbRow]) -> None:
+        self.whole, self.rows, self.count, self.text = whole, rows, whole.count, StageText()
         self.ids = {row.number: -1 - n for n, row in enumerate(rows)}
-        self.free = -1 - len(rows)
-        self.used = set(whole.taken) | {"checked", "own"}
+        self.row_of = {self.ids[row.number]: row for row in rows}
+        self.used = {*whole.taken, "checked"}
         self.names: dict[int, str] = {}
-        self.leaves: dict[int, str] = {}
-        self.columns: dict[tuple[int | float, ...], int | float] = {}
+        self.leaves: dict[int, str] = {}  # what is there from the start: its text, and whether it is a limb's own
+        self.own: set[int] = set()
+        self.known: dict[tuple[object, ...], int | float] = {}
         self.signs: dict[tuple[int, ...], str] = {}
-        self.table = dict(whole.printed.precision.body_table)
-        self.binding = dict(BINDING)
-        local = whole._named_rows([r for r in rows if r.number not in whole.crossing], self.used)
+        self.constants: list[str] = []
+        self.table, self.binding = dict(whole.printed.precision.body_table), dict(BINDING)
+        self.table["sqrt"] = f"SQRT{self.count}({{0}})"
+        self.order: list[Instruction] = []
+        local = whole.named([row for row in rows if row.number not in whole.crossing], self.used)
         for row in rows:
             crossing = row.number in whole.crossing
-            self.names[self.ids[row.number]] = f"own->{whole.members[row.number]}" if crossing else local[row.number]
+            self.names[self.ids[row.number]] = self._member(row.number) if crossing else local[row.number]
+        for row in rows:
+            self._operation(row)
         self._print()
 
+    def _member(self, row: int) -> str:
+        return f"OWN(own->{self.whole.members[row]})"
+
     def _new(self, name: str) -> int:
-        found, self.free = self.free, self.free - 1
+        found = -1 - len(self.names)
         self.names[found] = name
         return found
 
-    def name(self, value: int | float) -> str:
+    def _name(self, value: int | float) -> str:
         return self.names[value] if isinstance(value, int) else self.whole.printed.number(value)
 
-    def _operand(self, row: LimbRow, n: int) -> int | float:
-        source, entries = row.sources[n], row.operands[n]
-        if source is not None:
-            if source in self.ids:
-                return self.ids[source]
-            key: tuple[int | float, ...] = (source,)
-            if key not in self.columns:
-                self.columns[key] = self._new(f"own->{self.whole.members[source]}")
-            return self.columns[key]
-        if entries not in self.columns:
-            self.columns[entries] = self._gathered(entries)
-        return self.columns[entries]
+    # -- operands ---------------------------------------------------------------------------------------------
 
-    def _gathered(self, entries: tuple[int | float, ...]) -> int | float:
-        """An input's entry, a number, or a parameter."""
+    def _operation(self, row: LimbRow) -> None:
+        """A row as an instruction on what it reads."""
+        args = [self._operand(row, n) for n in range(len(row.operands))]
+        if all(not isinstance(a, int) or a not in self.own for a in args):  # one must differ by limb, to be a vector
+            args[0] = self._given(row.operands[0], "")
+        self.order.append(Instruction(self.ids[row.number], row.op, tuple(args)))
+
+    def _operand(self, row: LimbRow, n: int) -> int | float:
+        source, entries, flips = row.sources[n], row.operands[n], row.flips[n]
+        if source in self.ids:
+            found: int | float = self.ids[source]
+        elif source is not None:
+            found = self._once(("row", source), lambda: self._new(self._member(source)))
+        else:
+            found = self._once(("entries", *entries), lambda: self._gathered(entries))
+        if isinstance(found, int) and (source is not None):
+            self.own.add(found)
+        if flips is None:
+            return found
+        return self._once(("flipped", found, flips), lambda: self._flipped(found, flips))
+
+    def _once(self, key: tuple[object, ...], make: Callable[[], int | float]) -> int | float:
+        text = tuple(map(repr, key))
+        if text not in self.known:
+            self.known[text] = make()
+        return self.known[text]
+
+    def _flipped(self, found: int | float, flips: tuple[int, ...]) -> int:
+        """A value times signs."""
+        op = f"times {flips}"
+        text, sum_ = self._times(flips, "{0}"), flips == (-1,) * self.count
+        self.table[op], self.binding[op] = text, ((ATOM,), SUM if sum_ else PRODUCT)
+        target = self._new(unused("", self.used))
+        self.own.add(target)
+        self.order.append(Instruction(target, op, (found,)))
+        return target
+
+    def _times(self, signs: tuple[int, ...], text: str) -> str:
+        """A text times signs; what all limbs share of them stands in front."""
+        minus = "-" if signs[0] < 0 else ""
+        pattern = tuple(s * signs[0] for s in signs)
+        if len(set(pattern)) == 1:
+            return f"{minus}{text}"
+        if pattern not in self.signs:
+            number = self.whole.printed.precision.number
+            self.signs[pattern] = name = unused(f"sign{len(self.signs) + 1}", self.used)
+            self._constant(name, [number(float(s)).strip("()") for s in pattern])
+        return f"{minus}{self.signs[pattern]} * {text}"
+
+    def _constant(self, name: str, values: Sequence[str]) -> None:
+        self.constants.append(f"const NUMBER{self.count} {name} = OF{self.count}({', '.join(values)});")
+
+    def _gathered(self, entries: Entries) -> int | float:
+        """An input's entry, a number, or what the hub gives."""
         whole = self.whole
-        if all(isinstance(a, float) for a in entries):
-            if len(set(entries)) == 1:
-                return entries[0]
-            found = self._new("")
-            self.leaves[found] = whole.of([whole.printed.number(a) for a in entries])
-            self.names[found] = LimbText._unique("of_the_limb", self.used)
+        numbers = [a for a in entries if isinstance(a, float)]
+        if len(numbers) == len(entries):
+            if same(entries):
+                return numbers[0]
+            texts = [whole.printed.number(a) for a in numbers]
+            name = unused(f"each_{re.sub(r'_[0-9]+$', '', texts[0].strip('(-)'))}" if texts[0][-2:-1].isalpha() else "factor", self.used)
+            self._constant(name, [text.strip("()") for text in texts])
+            found = self._new(name)
+            self.own.add(found)
             return found
+        slots = [a for a in entries if isinstance(a, int)]
         name = whole.lane_name(entries, (1,) * len(entries))
-        name = LimbText._unique(name, self.used) if name else LimbText._unique("given", self.used)
-        found = self._new(name)
-        if all(isinstance(a, int) and a in whole.entries for a in entries):
-            slots = [a for a in entries if isinstance(a, int)]
-            arrays = [whole.entries[a][0] for a in slots]
-            self.text.arrays += [array for array in dict.fromkeys(arrays) if array not in self.text.arrays]
-            if len(set(arrays)) == 1:
-                self.leaves[found] = whole._leaf(slots[0], whole.index([whole.entries[a][1] for a in slots]))
-            else:
-                self.leaves[found] = whole.of([whole._leaf(a) for a in slots])
+        if numbers or any(a not in whole.printed.entries for a in slots):
+            return self._given(entries, name)
+        found = self._new(unused(name, self.used))
+        places = [whole.printed.entries[a] for a in slots]
+        self.text.arrays += [a for a in dict.fromkeys(array for array, _ in places) if a not in self.text.arrays]
+        texts = [f"{_reader(array)}({array}, {k})" for array, k in places]
+        step = places[1][1] - places[0][1]
+        if same(entries):
+            self.leaves[found] = texts[0]
             return found
-        self.text.given.append((name, entries))
+        self.own.add(found)
+        if [(places[0][0], places[0][1] + step * n) for n in range(self.count)] == places and step > 0:
+            array, first = places[0]
+            self.leaves[found] = f"IN_EACH{self.count}({_reader(array)}, {array}, {first}, {step})"
+        else:
+            self.leaves[found] = f"OF{self.count}({', '.join(texts)})"
         return found
 
-    def _times(self, signs: tuple[int, ...]) -> tuple[str, int]:
-        """The name of signs, up to the last factor."""
-        first = signs[0]
-        pattern = tuple(s * first for s in signs)
-        if pattern not in self.signs:
-            self.signs[pattern] = LimbText._unique(f"sign{len(self.signs) + 1}", self.used)
-        return self.signs[pattern], first
+    def _given(self, entries: Entries, name: str) -> int:
+        """A parameter."""
+        name = unused(name or "given", self.used)
+        self.text.given.append((name, entries))
+        if same(entries):
+            return self._new(name)
+        found = self._new(f"OWN({name})")
+        self.own.add(found)
+        return found
+
+    # -- statements -------------------------------------------------------------------------------------------
 
     def _print(self) -> None:
-        whole = self.whole
-        instructions = []
-        for row in self.rows:
-            args = tuple(self._operand(row, n) for n in range(len(row.operands)))
-            op = row.op
-            if op in ("add", "sqrt") and len(set(row.terms)) > 1:
-                sign, first = self._times(row.terms)
-                op = f"{op} {'-' if first < 0 else '+'} {sign}"
-                if row.op == "add":
-                    self.table[op] = f"{{0}} {'-' if first < 0 else '+'} {sign} * {{1}}"
-                    self.binding[op] = ((SUM, ATOM), SUM)
-                else:
-                    self.table[op] = self.table["sqrt"].format(f"{'-' if first < 0 else ''}{sign} * {{0}}")
-                    self.binding[op] = ((ATOM,), ATOM)
-            elif op == "add" and row.terms[0] < 0:
-                op = "sub"
-            elif op == "sqrt" and row.terms[0] < 0:
-                op = "root of minus"
-                self.table[op] = self.table["sqrt"].format("-{0}")
-                self.binding[op] = ((ATOM,), ATOM)
-            instructions.append(Instruction(self.ids[row.number], op, args))
-        order = short_lived(instructions)
-        row_of = {self.ids[row.number]: row for row in self.rows}
+        whole, order = self.whole, short_lived(self.order)
         uses = Counter(a for i in order for a in i.args if isinstance(a, int))
         read = set(uses)
-        for row in self.rows:
-            me = self.ids[row.number]
-            uses[me] += 2 * (row.number in whole.crossing) + len(whole.stored_in_stage.get(row.number, ()))
-            uses[me] += row.number in whole.checked_rows
-        written: list[tuple[str, int | None]] = []
-
-        def served(target: int) -> int | None:
-            row = row_of.get(target)
-            return None if row is None else row.slots[0]
-
-        def ready(row: LimbRow, text: str) -> None:
-            slot = row.slots[0]
-            for array, places, signs in whole.stored_in_stage.get(row.number, ()):
-                if array not in self.text.arrays:
-                    self.text.arrays.append(array)
-                value = text
-                if len(set(signs)) > 1:
-                    sign, first = self._times(signs)
-                    value = f"{'-' if first < 0 else ''}{sign} * {self._atom(text)}"
-                elif signs[0] < 0:
-                    value = f"-{self._atom(text)}"
-                written.append((f"WRITE({array}, {whole.index(places)}, {value});", slot))
-            if row.number in whole.checked_rows:
-                if self.text.checked:
-                    written.append((f"checked = checked + {self._product(text)};", slot))
-                else:
-                    written.append((f"REAL checked = {text};", slot))
-                self.text.checked = True
-
-        for item in folded(
-            order, uses, self.table, name=self.name, places=self.leaves, binding=self.binding,
-            ends=lambda slot: slot not in read and slot in row_of and row_of[slot].number not in whole.crossing,
-        ):  # fmt: skip
-            if item.kind == "read":
-                written.append((f"const REAL {self.names[item.slot]} = {self.leaves[item.slot]};", None))
-            elif item.kind == "last":
-                ready(row_of[item.slot], item.text)
+        for target, row in self.row_of.items():
+            uses[target] += 2 * (row.number in whole.crossing) + (row.number in whole.checked_rows)
+            uses[target] += len(whole.written.get(row.number, ()))
+        self.lines: list[tuple[str, int | None]] = []
+        kind = f"LIMB{self.count}"
+        found = folded(
+            order, uses, self.table, name=self._name, places=self.leaves, binding=self.binding,
+            ends=lambda slot: slot not in read,
+        )  # fmt: skip
+        for item in found:
+            row = self.row_of.get(item.slot)
+            slot = row.slots[0] if row else None
+            name, text = self.names[item.slot], item.text or self.leaves.get(item.slot, "")
+            if item.kind == "last":
+                name = text
+            elif row is not None and row.number in whole.crossing:
+                self.lines.append((f"{name} = {text};", slot))
             else:
-                name = self.names[item.slot]
-                head = "" if name.startswith("own->") else "const REAL "
-                written.append((f"{head}{name} = {item.text};", served(item.slot)))
-                ready(row_of[item.slot], name)
+                self.lines.append((f"const {kind if item.slot in self.own or row else 'REAL'} {name} = {text};", slot))
+            if row is not None:
+                self._known(row, name, item.kind == "last")
         if self.text.checked:
-            written.append(("own->checked = checked;", None))
-        real = whole.printed.precision.real
-        one, minus = (whole.printed.precision.number(x) for x in (1.0, -1.0))
-        signs = [
-            f"const {real} {name} = {whole.of([one if s > 0 else minus[1:-1] for s in pattern])};"
-            for pattern, name in self.signs.items()
-        ]
-        self.text.lines = ["(void)limb, (void)stride;", *signs, *grouped(headed(written, _Heads(whole), self.name_of_slot))]
+            self.lines.append(("OWN(own->checked) = checked;", None))
+        told = grouped([*self.constants, *headed(self.lines, _Heads(whole), lambda slot: "")])
+        self.text.lines = ["    (void)limb, (void)stride;", *(f"    {line}" for line in told)]
 
-    def name_of_slot(self, slot: int) -> str:
-        return "x"
+    def _known(self, row: LimbRow, text: str, loose: bool) -> None:
+        """A value goes to its places, and into the sum of what must be finite."""
+        slot, count = row.slots[0], self.count
+        for array, places, signs in self.whole.written.get(row.number, ()):
+            if array not in self.text.arrays:
+                self.text.arrays.append(array)
+            value = text if set(signs) == {1} else self._times(signs, f"({text})" if loose else text)
+            at = ", ".join(map(str, places))
+            self.lines.append((f"WRITE{count}({array}, {at}, {value});", slot))
+        if row.number in self.whole.checked_rows:
+            before = "" if self.text.checked else f"LIMB{count} "
+            start = "checked" if self.text.checked else "OWN(own->checked)" if self.whole.checked_before else ""
+            value = f"({text})" if loose and start and " " in text else text
+            self.lines.append((f"{before}checked = {f'{start} + ' if start else ''}{value};", slot))
+            self.text.checked = self.whole.checked_before = True
 
-    @staticmethod
-    def _atom(text: str) -> str:
-        return text if re.fullmatch(r"(own->)?\w+", text) else f"({text})"
 
-    @staticmethod
-    def _product(text: str) -> str:
-        return text if " " not in text else f"({text})"
+def _reader(array: str) -> str:
+    return "SINES" if array in ("sine", "cosine") else "READ"
 
 
 class _Heads:
-    """The stages of the theory that rows are of."""
+    """The stages of the theory that rows are of, by the slot of the first limb."""
 
     def __init__(self, whole: LimbText) -> None:
         self.single = whole.printed.stages
 
     def of(self, slot: int) -> Stage | None:
-        """That of a row, by the slot of its first limb."""
+        """Of limbs together."""
         stage = self.single.of(slot)
         return Stage(TOGETHER, stage.text, TOGETHER) if stage is not None else None
-
-
-@dataclass(frozen=True)
-class Hub:
-    """What is done for no limb alone, between calls of stages; `members` are the values that a call hands on."""
-
-    order: list[Instruction]
-    called: Mapping[int, str]
-    table: Mapping[str, str]
-    stored: list[tuple[str, int, int | float]]
-    checked: list[int]
-    tested: Mapping[int, int]
-    members: Mapping[int, list[int]]
-    sums: Mapping[int, str]
-    read: Counter[int]
-
-
-def hub(whole: LimbText) -> Hub:
-    """The rest of a function whose equal limbs are in stages."""
-    staged, printed = whole.staged, whole.printed
-    called = _called(whole)
-    table = dict(printed.precision.body_table)
-    made: dict[int, Instruction] = {}
-    negative: dict[int, int] = {}
-
-    def exact(slot: int | float, sign: int = 1) -> int | float:
-        base, own = whole.base(slot) if isinstance(slot, int) else (slot, 1)
-        sign *= own
-        if not isinstance(base, int):
-            return sign * base
-        if sign * whole.sign.get(base, 1) > 0:
-            return base
-        if base not in negative:
-            negative[base] = new = whole.free
-            whole.free += 1
-            made[new] = Instruction(new, "neg", (base,))
-            name = printed.called[slot] if isinstance(slot, int) and slot in printed.called else f"exact_{new}"
-            called[new] = LimbText._unique(name, whole.used)
-        return negative[base]
-
-    def instruction(single: Single) -> Instruction:
-        if single.op in ("add", "mul", "div", "reciprocal"):
-            op = "sub" if single.op == "add" and single.term < 0 else single.op
-            return Instruction(single.slot, op, tuple(a for a, _ in single.operands))
-        return Instruction(single.slot, single.op, tuple(exact(a, _plain(whole, a) * s) for a, s in single.operands))
-
-    for single in staged.singles:
-        made[single.slot] = instruction(single)
-    stored = [(array, k, exact(slot)) for array, k, slot in whole.stored]
-    limited = {slot for slot, *_ in printed.program.limits}
-    tested = {}
-    for slot in printed.program.tested:
-        found = exact(slot) if slot in limited else whole.base(slot)[0]
-        assert isinstance(found, int)
-        tested[slot] = found
-    stage = {row.number: row.stage for row in staged.rows}
-    proxies = [_proxy(whole, i) for i in made.values()]
-    for call in whole.calls.values():
-        text, values = whole.call_text(call)
-        table[f"{CALL} {call.stage} {call.limb}"] = text
-        made[call.target] = Instruction(call.target, f"{CALL} {call.stage} {call.limb}", values)
-        before = {stage[s] for row in staged.stages[call.stage] for s in row.sources if s is not None} - {call.stage}
-        earlier = tuple(whole.calls[n, call.limb].target for n in sorted(before))
-        proxies.append(_proxy(whole, Instruction(call.target, CALL, (*values, *earlier))))
-    proxies = _sorted(proxies)
-    order = [made[i.target] for i in short_lived(proxies)]
-    members = {
-        call.target: [r.slots[call.limb] for r in staged.stages[call.stage] if r.number in whole.crossing]
-        for call in whole.calls.values()
-    }
-    sums = {
-        call.target: f"{whole.variables[call.limb]}.checked"
-        for call in whole.calls.values()
-        if whole.texts[call.stage].checked
-    }
-    read = Counter(
-        a for row in staged.rows for e in row.operands for a in e if isinstance(a, int) and a in whole.entries
-    )
-    return Hub(order, called, table, stored, list(whole.checked), tested, members, sums, read)
-
-
-def _plain(whole: LimbText, a: int | float) -> int:
-    """A sign that `exact` takes twice."""
-    return whole.sign.get(a, 1) if isinstance(a, int) else 1
-
-
-def _called(whole: LimbText) -> dict[int, str]:
-    printed, staged = whole.printed, whole.staged
-    found: dict[int, str] = {}
-    whole.used = set(whole.taken)
-    for slot in [*whole.entries, *(single.slot for single in staged.singles)]:
-        name = printed.called[slot]
-        if whole.sign.get(slot, 1) < 0 and not ANONYMOUS.fullmatch(name):
-            name = name.removeprefix(MINUS) if name.startswith(MINUS) else f"{MINUS}{name}"
-        found[slot] = LimbText._unique(name, whole.used)
-    for row in staged.rows:
-        if row.number in whole.crossing:
-            for k, slot in enumerate(row.slots):
-                found[slot] = f"{whole.variables[k]}.{whole.members[row.number]}"
-    return found
-
-
-def _proxy(whole: LimbText, instruction: Instruction) -> Instruction:
-    """An instruction that waits for calls in place of what they hand on."""
-    args: list[int | float] = []
-    for a in instruction.args:
-        if isinstance(a, int) and a in whole.row_of:
-            row, k = whole.row_of[a]
-            args.append(whole.calls[row.stage, k].target)
-        else:
-            args.append(a)
-    return Instruction(instruction.target, instruction.op, tuple(args))
-
-
-def _sorted(proxies: Sequence[Instruction]) -> list[Instruction]:
-    """In an order of evaluation."""
-    by = {i.target: i for i in proxies}
-    done: dict[int, Instruction] = {}
-
-    for root in sorted(by):
-        stack = [root]
-        while stack:
-            target = stack[-1]
-            if target in done:
-                stack.pop()
-                continue
-            left = [a for a in by[target].args if isinstance(a, int) and a in by and a not in done]
-            if left:
-                stack += left
-            else:
-                done[target] = by[target]
-                stack.pop()
-    return list(done.values())

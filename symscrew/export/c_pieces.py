@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable, Sequence
 from contextlib import ExitStack
 from typing import NamedTuple
 
-from symscrew.export import c_angles, c_batch, c_lanes, c_parts, c_unread
+from symscrew.export import c_angles, c_batch, c_lanes, c_limb_macros, c_parts, c_unread
 from symscrew.export.c_function import body, function, packed_lane
 from symscrew.export.c_iteration import iteration_functions
 from symscrew.export.c_names import arguments, declare
@@ -133,7 +134,29 @@ class Pieces:
         self._texts = self._arranged(straight, processes, meanwhile)
         self.bodies = {f: self._texts[f].body for f in self.blocks}
         self.functions = {f: self._function(f) for f in model.programs}
+        self.limbs = limbs_in(line for text in (*self.bodies.values(), *self.functions.values()) for line in text)
+        self.lanes = {f: found.width for f in self.blocks if (found := self.printed[f].packing) and self._shared(f)}
         self.wide = [line for f in self.blocks for line in ("", *c_batch.block(self.printed[f]))]
+
+    def _shared(self, name: str) -> bool:
+        """Whether a function in lanes has the text of its body."""
+        return bool(self.printed[name].lanes_of_limbs)
+
+    def body(self, name: str) -> list[str]:
+        """A body, left out where bodies are read in lanes that are not its own."""
+        if not self.lanes:
+            return ["", *self.bodies[name]]
+        macro, width = lanes_macro(self.name), self.lanes.get(name)
+        more = f" || {macro} == {width}" if width else ""
+        return ["", f"#if !defined({macro}){more}", *self.bodies[name], "#endif"]
+
+    def side_by_side(self, names: Iterable[str], reads: Callable[[int], Sequence[str]]) -> list[str]:
+        """Bodies of some functions read again, with equal limbs side by side; `reads` are the lines that do so."""
+        lines: list[str] = []
+        for width in sorted({self.lanes[name] for name in names if name in self.lanes}):
+            lines += ["", f"#if {c_lanes.condition(self.name, width, self.precision)}"]
+            lines += [f"#define {again(self.name)}", f"#define {lanes_macro(self.name)} {width}", *reads(width), "#endif"]
+        return lines
 
     def _function(self, name: str) -> list[str]:
         """A function of one state, with its body if that has no second form."""
@@ -179,7 +202,8 @@ class Pieces:
     def batch_routines(self) -> list[str]:
         """Types and routines of batch functions."""
         every, chosen = list(self.model.programs.values()), [self.printed[name] for name in self.blocks]
-        return c_batch.prologue(self.name, self.precision, chosen, angles=_angles(self), every=every)
+        angles, limbs = _angles(self), self.limbs
+        return c_batch.prologue(self.name, self.precision, chosen, angles=angles, every=every, limbs=limbs)
 
     def batch_functions(self) -> list[str]:
         """All batch functions."""
@@ -188,6 +212,16 @@ class Pieces:
             symbol, lanes = f"{self.name}_{name}", name in self.blocks
             found += ["", *c_batch.batch(self.name, symbol, program, self.precision, lanes=lanes)]
         return found
+
+
+def limbs_in(lines: Iterable[str]) -> list[int]:
+    """The numbers of equal limbs for which stages are printed."""
+    return sorted({int(n) for line in lines for n in re.findall(r"\b(?:LIMB|EACH)(\d)\b", line)})
+
+
+def lanes_macro(model: str) -> str:
+    """The macro that is defined, as the number of lanes, where bodies are read with equal limbs side by side."""
+    return f"{model.upper()}_LANES"
 
 
 def again(model: str) -> str:
@@ -216,6 +250,8 @@ def shared_types(pieces: Pieces) -> list[str]:
     lines += c_parts.prologue(name, every)
     if any(c_unread.fours(p.inputs, p.program.checked)[0] for p in every if not p.in_parts):
         lines += c_unread.prologue(name, precision)
+    each = c_limb_macros.types(precision.real, f"{name}_each", pieces.limbs)
+    lines += ["", "/* One value per limb. */", *each] if each else []
     return lines + c_lanes.prologue(name, [p.packing for p in pieces.printed.values() if p.packing], precision)
 
 
@@ -235,7 +271,8 @@ def _text(printed: Printed) -> _Text:
     """Nearly all that is printed of a function."""
     if printed.in_parts:
         return _Text(c_parts.lane_in_parts(printed), [])
-    return _Text(body(printed), packed_lane(printed, printed.packing) if printed.packing else [])
+    apart = printed.packing is not None and not printed.lanes_of_limbs
+    return _Text(body(printed), packed_lane(printed, printed.packing) if apart else [])
 
 
 def _one_state(

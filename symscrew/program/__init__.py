@@ -21,7 +21,7 @@ from symscrew.program.asked import Asked
 from symscrew.program.equal_limbs import NO_LIMBS, Limb, Limbs
 from symscrew.program.jacobians import Jacobian, adjoint, jacobian
 from symscrew.program.json_form import from_lists, to_lists
-from symscrew.program.lanes import Pack, Packing, Vector, packed
+from symscrew.program.lanes import LimbStages, Pack, Packing, Vector, limb_stages, packed, stages_of_lanes
 from symscrew.program.lowering import Function, NodeLimit, lower, roots_of, with_roots
 from symscrew.program.numpy_evaluation import evaluate, evaluate_iteration
 from symscrew.program.rank_revealing import RANK, SWITCH, RankRevealing, evaluate_rank_revealing, second_path
@@ -57,6 +57,7 @@ __all__ = [
     "Iteration",
     "Jacobian",
     "Limb",
+    "LimbStages",
     "Limbs",
     "Limit",
     "NodeLimit",
@@ -72,11 +73,13 @@ __all__ = [
     "evaluate_rank_revealing",
     "from_lists",
     "jacobian",
+    "limb_stages",
     "lower",
     "packed",
     "roots_of",
     "second_path",
     "signature",
+    "stages_of_lanes",
     "status_texts",
     "to_lists",
     "with_roots",

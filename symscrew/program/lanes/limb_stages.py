@@ -12,28 +12,29 @@ the other one is added or taken away, limb by limb. So no operation is added whe
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 
 from symscrew.algebra import Origin
 from symscrew.program.equal_limbs import Limb, Limbs
 from symscrew.program.lanes.limb_lanes import readings_of
 from symscrew.program.lanes.limb_rows import rows_of
 from symscrew.program.lanes.pack_plan import Code, Item, Plan
-from symscrew.program.lanes.signed_operations import Operand, Operation, Row, signed
+from symscrew.program.lanes.packs import Pack, Packing
+from symscrew.program.lanes.signed_operations import Operand, Operation, signed
 from symscrew.program.straight_line import Instruction
 
 FEWEST = 6  # rows of a stage: its head, its call per limb and what it hands on take as many lines as it saves
+PART = 0.15  # of the operations that stages must save: of less, the text is hardly shorter
 MOST_LIMBS = 8  # pairs of operations grow with the square of their number
-SIGNLESS = ("add", "mul", "div", "reciprocal")  # operations that take operands of any sign
+SIGNLESS = ("add", "sub", "mul", "div", "reciprocal")  # operations that take operands of any sign
 
 
 @dataclass(frozen=True)
 class LimbRow:
-    """`signs[k] * slots[k]` = op of `operands[n][k]` in every limb k; `sources[n]` is the row that operand n is of.
+    """`signs[k] * slots[k]` = op of `operands[n][k]` in every limb k, times `flips[n][k]` where these are given.
 
-    Of a sum, `terms` are the signs with which its second operand is added; numbers are without sign, but for those of
-    roots.
+    `sources[n]` is the row that operand n is of, if it is one.
     """
 
     number: int
@@ -42,29 +43,29 @@ class LimbRow:
     signs: tuple[int, ...]
     operands: tuple[tuple[int | float, ...], ...]
     sources: tuple[int | None, ...]
-    terms: tuple[int, ...]
-    stage: int
+    flips: tuple[tuple[int, ...] | None, ...]
+    stage: int = 0
 
 
 @dataclass(frozen=True)
 class Single:
-    """`sign * slot` = op of operands; of a sum, `term` is the sign with which the second operand is added."""
+    """`sign * slot` = op of operands; those of operations that any sign suits are without, others times theirs."""
 
     slot: int
     op: str
     sign: int
     operands: tuple[Operand, ...]
-    term: int
 
 
 @dataclass(frozen=True)
 class LimbStages:
-    """A program in stages of equal limbs, and single operations; all are in an order of evaluation."""
+    """A program in stages of equal limbs, and single operations."""
 
     limbs: tuple[Limb, ...]
     rows: tuple[LimbRow, ...]
     singles: tuple[Single, ...]
     negatives: Mapping[int, Operand]
+    exact: bool = False  # whether rows read single values as they are, not up to their sign
 
     @property
     def stages(self) -> tuple[tuple[LimbRow, ...], ...]:
@@ -83,7 +84,7 @@ def limb_stages(
 ) -> LimbStages | None:
     """The stages that save most, or None where there are none; `stored` are slots that are needed with their sign."""
     operations, negatives = signed(instructions)
-    best: tuple[int, Plan, dict[Item, int], tuple[Limb, ...]] | None = None
+    best: tuple[int, Plan, tuple[Limb, ...]] | None = None
     for family in limbs.families:
         if len(family) > MOST_LIMBS:
             continue
@@ -93,106 +94,167 @@ def limb_stages(
                 continue
             code = Code(operations, set(), set(), 1 + max(i.target for i in instructions), arrays)
             plan = Plan(code, whole, widths=(len(family),))
-            levels = _stages(plan)
+            _without_small_ones(plan)
             saved = sum(plan.on) * (len(family) - 1)
-            if saved and (best is None or saved > best[0]):
-                best = saved, plan, levels, family
+            if saved > PART * len(operations) and (best is None or saved > best[0]):
+                best = saved, plan, family
     if best is None:
         return None
-    _, plan, levels, family = best
+    _, plan, family = best
     wanted = {base: sign for base, sign in (negatives.get(slot, (slot, 1)) for slot in stored)}
-    rows, singles = _signed(plan, levels, wanted)
-    return LimbStages(family, tuple(rows), tuple(singles), negatives)
+    rows, singles = _signed(plan, wanted)
+    return LimbStages(family, tuple(_staged(rows, singles)), tuple(singles), negatives)
 
 
-def _stages(plan: Plan) -> dict[Item, int]:
-    """The stage of every row, and of single operations the one behind which they are (-1: before all)."""
+def stages_of_lanes(packing: Packing, family: tuple[Limb, ...]) -> LimbStages | None:
+    """The stages of a program in lanes, if every lane is a limb and all of them are there in every pack."""
+    packs = [item for item in packing.items if isinstance(item, Pack)]
+    if packing.width != len(family) or any(None in pack.targets for pack in packs):
+        return None
+    sign = {slot: pack.signs[lane] for slot, (pack, lane) in packing.place.items()}
+    rows = [
+        LimbRow(
+            pack.number,
+            pack.op,
+            tuple(t for t in pack.targets if t is not None),
+            pack.signs,
+            tuple(v.entries for v in pack.operands),
+            tuple(v.source for v in pack.operands),
+            tuple(v.flips for v in pack.operands),
+        )
+        for pack in packs
+    ]
+    gathered = {a for row in rows for entries in row.operands for a in entries if isinstance(a, int)}
+    singles = []
+    for item in packing.items:
+        if not isinstance(item, Pack):
+            single = _single(item, packing.operations[item], sign, {a: 1 for a in gathered})
+            sign[item] = single.sign
+            singles.append(single)
+    return LimbStages(family, tuple(_staged(rows, singles)), tuple(singles), packing.negatives, exact=True)
+
+
+def _without_small_ones(plan: Plan) -> None:
+    """Stages of few rows are done one by one."""
     while True:
-        levels = _levels(plan)
         sizes: dict[int, int] = {}
+        levels = _levels(*_skeleton(plan))
         for (packs, _), level in levels.items():
             if packs:
                 sizes[level] = sizes.get(level, 0) + 1
         few = min(sizes, key=lambda level: (sizes[level], -level), default=-1)
         if few < 0 or sizes[few] >= FEWEST:
-            break
+            return
         for (packs, number), level in levels.items():
             if packs and level == few:
                 plan.on[number] = False
-    _later(plan, levels)
-    order = {level: n for n, level in enumerate(sorted({level for (packs, _), level in levels.items() if packs}))}
-    return {item: order[level] if item[0] else level for item, level in levels.items()}
 
 
-def _levels(plan: Plan) -> dict[Item, int]:
-    found: dict[Item, int] = {}
+Read = tuple[tuple[int, ...], tuple[int | float, ...]]  # rows that are read limb by limb, and slots or numbers
+
+
+def _skeleton(plan: Plan) -> tuple[dict[Item, Read], dict[int, int]]:
+    """What every row and single operation reads, in an order of evaluation, and the rows that slots are in."""
+    found: dict[Item, Read] = {}
+    place: dict[int, int] = {}
     for item in plan.order():
         packs, number = item
-        level = 0 if packs else -1
-        if packs:
-            for column, source in zip(plan.columns[number], map(plan.source, plan.columns[number]), strict=True):
-                if source is not None:
-                    level = max(level, found[True, source])
-                    continue
-                read = [_item(plan, entry[0]) for entry in column if entry is not None]
-                level = max([level, *(found[other] + 1 for other in read if other is not None)])
-        else:
-            read = [_item(plan, a) for a, _ in plan.operations[number].args]
-            level = max([level, *(found[other] for other in read if other is not None)])
-        found[item] = level
+        if not packs:
+            found[item] = (), tuple(a for a, _ in plan.operations[number].args)
+            continue
+        place |= {slot: number for slot in plan.rows[number] if slot is not None}
+        sources = [plan.source(column) for column in plan.columns[number]]
+        apart = [c for c, s in zip(plan.columns[number], sources, strict=True) if s is None]
+        entries = tuple(entry[0] for column in apart for entry in column if entry is not None)
+        found[item] = tuple(s for s in sources if s is not None), entries
+    return found, place
+
+
+def _levels(read: Mapping[Item, Read], place: Mapping[int, int]) -> dict[Item, int]:
+    """The stage of every row, and of single operations the one behind which they are (-1: before all)."""
+    found: dict[Item, int] = {}
+    for item, (sources, slots) in read.items():
+        behind = max((found[other] for other in _items(slots, place) if other in found), default=-1)
+        found[item] = max([behind + 1, *(found[True, s] for s in sources)]) if item[0] else behind
     return found
 
 
-def _item(plan: Plan, value: int | float) -> Item | None:
-    if not isinstance(value, int) or value not in plan.operations:
-        return None
-    place = plan.at(value)
-    return (False, value) if place is None else (True, place[0])
+def _items(slots: Iterable[int | float], place: Mapping[int, int]) -> Iterator[Item]:
+    for a in slots:
+        if isinstance(a, int):
+            yield (True, place[a]) if a in place else (False, a)
 
 
-def _later(plan: Plan, levels: dict[Item, int]) -> None:
-    """Rows that only later stages read come there, where not more of their operands have to wait for them."""
-    readers: dict[int, list[int]] = {row: [] for (packs, row) in levels if packs}
-    outside: set[int] = set()
-    sources = {row: [plan.source(column) for column in plan.columns[row]] for row in readers}
-    for row, read in sources.items():
-        for source, column in zip(read, plan.columns[row], strict=True):
-            if source is not None:
-                readers[source].append(row)
+def _staged(rows: Sequence[LimbRow], singles: Sequence[Single]) -> list[LimbRow]:
+    """The rows, each with its stage."""
+    place = {slot: row.number for row in rows for slot in row.slots}
+    unordered: dict[Item, Read] = {}
+    for row in rows:
+        pairs = list(zip(row.sources, row.operands, strict=True))
+        apart = tuple(a for source, entries in pairs if source is None for a in entries)
+        unordered[True, row.number] = tuple(s for s, _ in pairs if s is not None), apart
+    for single in singles:
+        unordered[False, single.slot] = (), tuple(a for a, _ in single.operands)
+    read = _ordered(unordered, place)
+    levels = _levels(read, place)
+    _later(read, place, levels)
+    used = {level: n for n, level in enumerate(sorted({levels[True, row.number] for row in rows}))}
+    by_number = {row.number: row for row in rows}
+    return [replace(by_number[n], stage=used[levels[True, n]]) for packs, n in read if packs]
+
+
+def _ordered(read: Mapping[Item, Read], place: Mapping[int, int]) -> dict[Item, Read]:
+    """In an order of evaluation."""
+    found: dict[Item, Read] = {}
+    for root in read:
+        stack = [root]
+        while stack:
+            item = stack[-1]
+            sources, slots = read[item]
+            before = [*((True, s) for s in sources), *_items(slots, place)]
+            left = [other for other in before if other in read and other not in found] if item not in found else []
+            if left:
+                stack += left
             else:
-                outside.update(at[0] for e in column if e is not None and (at := plan.at(e[0])) is not None)
-    for packs, number in levels:
-        if not packs:
-            outside.update(at[0] for a, _ in plan.operations[number].args if (at := plan.at(a)) is not None)
-    for packs, row in reversed(list(levels)):
+                found[item] = read[item]
+                stack.pop()
+    return found
+
+
+def _later(read: Mapping[Item, Read], place: Mapping[int, int], levels: dict[Item, int]) -> None:
+    """Rows that only later stages read come there, where not more of their operands have to wait for them."""
+    readers: dict[int, list[int]] = {number: [] for packs, number in read if packs}
+    outside: set[int] = set()
+    for (_, number), (sources, slots) in read.items():
+        for source in sources:
+            readers[source].append(number)
+        outside.update(place[a] for a in slots if a in place)  # type: ignore[index]
+    for packs, row in reversed(list(read)):
         if not packs or row in outside or not readers[row]:
             continue
         first = min(levels[True, reader] for reader in readers[row])
-        if first <= levels[True, row]:
-            continue
         waiting = 0
-        for source in {s for s in sources[row] if s is not None}:
+        for source in set(read[True, row][0]):
             own = levels[True, source]
             others = [levels[True, reader] for reader in readers[source] if reader != row]
             waiting += own < first and source not in outside and all(level <= own for level in others)
-        if waiting <= 1:
+        if first > levels[True, row] and waiting <= 1:
             levels[True, row] = first
 
 
-def _signed(plan: Plan, levels: Mapping[Item, int], wanted: Mapping[int | float, int]) -> tuple[list[LimbRow], list[Single]]:
+def _signed(plan: Plan, wanted: Mapping[int | float, int]) -> tuple[list[LimbRow], list[Single]]:
     """Rows and single operations with the sign of every value."""
     sign: dict[int, int] = {}
     rows, singles = [], []
-    for packs, number in levels:
-        if not packs:
-            operation = plan.operations[number]
-            single = _single(number, operation, sign, wanted)
+    for packs, number in plan.order():
+        if packs:
+            row = _row(plan, number, sign, wanted)
+            sign.update(zip(row.slots, row.signs, strict=True))
+            rows.append(row)
+        else:
+            single = _single(number, plan.operations[number], sign, wanted)
             sign[number] = single.sign
             singles.append(single)
-            continue
-        row = _row(plan, number, levels[True, number], sign, wanted)
-        sign.update(zip(row.slots, row.signs, strict=True))
-        rows.append(row)
     return rows, singles
 
 
@@ -210,37 +272,36 @@ def _bare(value: int | float) -> int | float:
 def _single(slot: int, operation: Operation, sign: Mapping[int, int], wanted: Mapping[int | float, int]) -> Single:
     op, args = operation
     if op not in SIGNLESS:
-        return Single(slot, op, 1, tuple((a, _exact(a, own, sign)) for a, own in args), 1)
+        return Single(slot, op, 1, args)
     signs = [_sign(a, sign) for a in args]
     bare = tuple((_bare(a), 1) for a, _ in args)
     if op != "add":
-        result = signs[0] * (signs[1] if len(signs) > 1 else 1)
-        return Single(slot, op, result, bare, 1)
-    term = signs[0] * signs[1]
-    if term < 0 and signs[1] == wanted.get(slot, 1):
-        return Single(slot, op, signs[1], bare[::-1], term)
-    return Single(slot, op, signs[0], bare, term)
+        return Single(slot, op, signs[0] * (signs[1] if len(signs) > 1 else 1), bare)
+    if signs[0] == signs[1]:
+        return Single(slot, op, signs[0], bare)
+    if signs[1] == wanted.get(slot, 1):
+        return Single(slot, "sub", signs[1], bare[::-1])
+    return Single(slot, "sub", signs[0], bare)
 
 
-def _exact(value: int | float, own: int, sign: Mapping[int, int]) -> int:
-    """The sign by which what is known of an operand must be taken where it is needed with its own."""
-    return own * sign.get(value, 1) if isinstance(value, int) else own
-
-
-def _row(plan: Plan, number: int, stage: int, sign: Mapping[int, int], wanted: Mapping[int | float, int]) -> LimbRow:
+def _row(plan: Plan, number: int, sign: Mapping[int, int], wanted: Mapping[int | float, int]) -> LimbRow:
     slots = tuple(slot for slot in plan.rows[number] if slot is not None)
     op, columns = plan.ops[number], [tuple(e for e in column if e is not None) for column in plan.columns[number]]
     signs = [tuple(_sign(e, sign) for e in column) for column in columns]
     operands = [tuple(_bare(a) for a, _ in column) for column in columns]
     sources = [plan.source(column) for column in plan.columns[number]]
     ones = (1,) * len(slots)
+    flips: list[tuple[int, ...] | None] = [None] * len(columns)
+    result = signs[0]
     if op == "sqrt":
-        return LimbRow(number, op, slots, ones, tuple(operands), tuple(sources), signs[0], stage)
-    if op != "add":
-        result = tuple(a * b for a, b in zip(signs[0], signs[1] if len(signs) > 1 else ones, strict=True))
-        return LimbRow(number, op, slots, result, tuple(operands), tuple(sources), ones, stage)
-    terms = tuple(a * b for a, b in zip(*signs, strict=True))
-    hoped = tuple(wanted.get(slot, 1) for slot in slots)
-    if signs[0] != signs[1] and (signs[1] == hoped or (signs[0] != hoped and signs[1] == ones)):
-        signs.reverse(), operands.reverse(), sources.reverse()
-    return LimbRow(number, op, slots, signs[0], tuple(operands), tuple(sources), terms, stage)
+        result, flips[0] = ones, signs[0] if signs[0] != ones else None
+    elif op == "add":
+        hoped = tuple(wanted.get(slot, 1) for slot in slots)
+        if signs[0] != signs[1] and (signs[1] == hoped or (signs[0] != hoped and signs[1] == ones)):
+            signs.reverse(), operands.reverse(), sources.reverse()
+        result, terms = signs[0], tuple(a * b for a, b in zip(*signs, strict=True))
+        op = "sub" if terms == tuple(-one for one in ones) else "add"
+        flips[1] = terms if len(set(terms)) > 1 else None
+    elif len(signs) > 1:
+        result = tuple(a * b for a, b in zip(*signs, strict=True))
+    return LimbRow(number, op, slots, result, tuple(operands), tuple(sources), tuple(flips))
