@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 
-from symscrew.export.c_limbs import LIMBS, MINUS, Entries, LimbText, same, unused
+from symscrew.export.c_limbs import LIMBS, MINUS, Entries, LimbText, unused
 from symscrew.export.c_order import short_lived
 from symscrew.export.value_names import ANONYMOUS
 from symscrew.program import Instruction
@@ -109,19 +109,21 @@ class _Making:
         """Calls of all stages, and what is given to their limbs."""
         whole, hub = self.whole, self.hub
         for n, text in enumerate(whole.texts):
-            args: list[int | float] = []
-            for name, entries in text.given:
-                values = tuple(self._exact(a) for a in entries) if whole.staged.exact else entries
-                args.append(values[0] if same(values) else self._vector(name, values))
+            values = [tuple(map(self._exact, entries)) if whole.staged.exact else entries for _, entries in text.given]
+            vectors = [
+                self._vector(name, some) if whole.waits(some) else None
+                for (name, _), some in zip(text.given, values, strict=True)
+            ]
+            rows = [row for row in whole.staged.stages[n] if row.number in whole.crossing]
             for k in range(whole.count):
                 self.calls[n, k] = target = self.free
                 self.free += 1
+                args = [some[k] if v is None else v for v, some in zip(vectors, values, strict=True)]
                 handed = ", ".join([*whole.handed(n), *self._given(args), *([f"&{LIMBS}"] if whole.hands_on else [])])
                 op = f"{CALL} {n} {k}"
                 hub.table[op] = f"LIMB({k}, {whole.function}, {n}, {handed})"
                 self.made[target] = Instruction(target, op, tuple(a for a in args if isinstance(a, int)))
-                rows = whole.staged.stages[n]
-                hub.hands_on[target] = [row.slots[k] for row in rows if row.number in whole.crossing]
+                hub.hands_on[target] = [row.slots[k] for row in rows]
                 if n == whole.last_check:
                     hub.sums[target] = f"{LIMBS}.checked[{k}]"
 

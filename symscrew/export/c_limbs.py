@@ -145,10 +145,14 @@ class LimbText:
             lines += ["typedef struct {", *listed, f"}} LIMBS({self.function});", ""]
         for n, text in enumerate(self.texts):
             given = ["size_t limb", "size_t stride", *self._arguments(text.arrays)]
-            given += [f"REAL {name}" if same(e) else f"const EACH{self.count} {name}" for name, e in text.given]
+            given += [f"const EACH{self.count} {name}" if self.waits(e) else f"REAL {name}" for name, e in text.given]
             given += [f"LIMBS({self.function}) *own"] if self.hands_on else []
             lines += [declare(f"STAGE({self.function}, {n})", given, ""), "{", *text.lines, "}", ""]
         return lines
+
+    def waits(self, entries: Entries) -> bool:
+        """Whether what the hub gives is one value per limb, all of them at once: where lanes have the same text."""
+        return self.staged.exact and not same(entries)
 
     def _arguments(self, arrays: Sequence[str]) -> list[str]:
         """Declared arguments of these names."""
@@ -308,7 +312,7 @@ class _Stage:
         self.text.given.append((name, entries))
         if same(entries):
             return self._new(name)
-        found = self._new(f"OWN({name})")
+        found = self._new(f"OWN({name})" if self.whole.waits(entries) else name)
         self.own.add(found)
         return found
 

@@ -25,6 +25,7 @@ from symscrew.program.lanes.signed_operations import Operand, Operation, signed
 from symscrew.program.straight_line import Instruction
 
 FEWEST = 6  # rows of a stage: its head, its call per limb and what it hands on take as many lines as it saves
+PARTED = 12  # rows of each part of a stage that is parted
 PART = 0.15  # of the operations that stages must save: of less, the text is hardly shorter
 MOST_LIMBS = 8  # pairs of operations grow with the square of their number
 SIGNLESS = ("add", "sub", "mul", "div", "reciprocal")  # operations that take operands of any sign
@@ -198,9 +199,27 @@ def _staged(rows: Sequence[LimbRow], singles: Sequence[Single]) -> list[LimbRow]
     read = _ordered(unordered, place)
     levels = _levels(read, place)
     _later(read, place, levels)
-    used = {level: n for n, level in enumerate(sorted({levels[True, row.number] for row in rows}))}
+    parts = _parted(read, place, levels)
+    used = {part: n for n, part in enumerate(sorted(set(parts.values())))}
     by_number = {row.number: row for row in rows}
-    return [replace(by_number[n], stage=used[levels[True, n]]) for packs, n in read if packs]
+    return [replace(by_number[n], stage=used[parts[n]]) for packs, n in read if packs]
+
+
+def _parted(read: Mapping[Item, Read], place: Mapping[int, int], levels: Mapping[Item, int]) -> dict[int, tuple[int, bool]]:
+    """The stage of every row, and whether no later one needs it: such rows are a stage of their own, done when wanted."""
+    latest: dict[Item, int] = {}  # stage that needs an item, itself or through others
+    for item in reversed(list(read)):
+        own = max(latest.get(item, -1), levels[item] if item[0] else -1)
+        sources, slots = read[item]
+        for other in (*((True, s) for s in sources), *_items(slots, place)):
+            if other in read:
+                latest[other] = max(latest.get(other, -1), own)
+    found = {n: (levels[True, n], latest.get((True, n), -1) <= levels[True, n]) for packs, n in read if packs}
+    sizes: dict[tuple[int, bool], int] = {}
+    for part in found.values():
+        sizes[part] = sizes.get(part, 0) + 1
+    small = {level for (level, _), size in sizes.items() if size < PARTED}
+    return {n: (level, last and level not in small) for n, (level, last) in found.items()}
 
 
 def _ordered(read: Mapping[Item, Read], place: Mapping[int, int]) -> dict[Item, Read]:
