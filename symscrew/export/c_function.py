@@ -202,17 +202,33 @@ class _Body:
         printed = self.printed
         sums = balanced_sum([f"checked{k}" for k in range(min(self.terms, SUMS))] or ["CONSTANT(0.0)"])
         guards = printed.program.guards
-        limits = [(self.called[self.hub.tested[s]], printed.precision.threshold(t)) for s, t in guards]
-        if not limits:
+        if not guards:
             return [f"FINITE({sums});" if self.terms else "UNCHECKED();"]
-        told = [f"SMALL({name}, {limit})" for name, limit in limits]
-        lines = [f"{text}{' OR' if k + 1 < len(told) else ','}" for k, text in enumerate(told)]
-        texts = [plain(pivot_text(printed.program.origins.get(slot))) for slot, _ in guards]
+        told = list(self._small(guards))
         return [
             "FINITE_UNLESS( /* status 1 where a pivot is smaller than its limit: */",
-            *(f"    {line} /* {text} */" for line, text in zip(lines, texts, strict=True)),
+            *(f"    {test}{' OR' if k + 1 < len(told) else ','} /* {text} */" for k, (test, text) in enumerate(told)),
             f"    {sums});",
         ]
+
+    def _small(self, guards: Sequence[tuple[int, float]]) -> Iterator[tuple[str, str]]:
+        """What tells of a small pivot, and where it is one; those that correspond in all limbs together."""
+        printed, whole = self.printed, self.limbs
+        texts = {slot: plain(pivot_text(printed.program.origins.get(slot))) for slot, _ in guards}
+        limits = {slot: printed.precision.threshold(limit) for slot, limit in guards}
+        at = {self.hub.tested[slot]: slot for slot, _ in guards}
+        for slot, _ in guards:
+            held = self.hub.tested[slot]
+            row, k = whole.row_of.get(held, (None, 0)) if whole else (None, 0)
+            if whole and row is not None and all(other in at for other in row.slots):
+                if k:
+                    continue
+                slots, limbs = [at[other] for other in row.slots], whole.staged.limbs
+                several = (texts[s].replace(limb.name, "limb") for s, limb in zip(slots, limbs, strict=True))
+                test = f"{LIMBS}.{whole.members[row.number]}, {', '.join(limits[s] for s in slots)}"
+                yield f"SMALL{whole.count}({test})", "; ".join(dict.fromkeys(several))
+            else:
+                yield f"SMALL({self.called[held]}, {limits[slot]})", texts[slot]
 
 
 def angles_symbol(printed: Printed) -> str:

@@ -49,6 +49,12 @@ def _type(model: str, width: int, precision: Precision, *, root: bool) -> list[s
     ]
     if root:
         lines += precision.vector_root(name, width)
+    lines += [
+        f"{model.upper()}_UNUSED static inline int {name}_any({name}_mask mask)",
+        "{",
+        f"    return ({' | '.join(f'mask[{k}]' for k in range(width))}) != 0;",
+        "}",
+    ]
     return [*lines, "#endif"]
 
 

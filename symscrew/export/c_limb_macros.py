@@ -10,7 +10,7 @@ from collections.abc import Sequence
 
 LETTERS = "abcdefgh"
 OF_ALL = ("STAGE", "LIMBS", "FIRST_LIMB", "NEXT_LIMB", "OWN")
-BY_COUNT = ("EACH", "LIMB", "NUMBER", "OF", "IN_EACH", "WRITE", "SQRT")
+BY_COUNT = ("EACH", "LIMB", "NUMBER", "OF", "IN_EACH", "WRITE", "SQRT", "SMALL")
 
 
 def names(limbs: Sequence[int]) -> list[str]:
@@ -48,6 +48,7 @@ def one_by_one(model: str, kind: str, each: str, real: str, limbs: Sequence[int]
             f"#define IN_EACH{n}(read, array, first, step) read(array, (first) + (step) * limb)",
             f"#define WRITE{n}(array, {listed}, x) WRITE(array, OF{n}({listed}), x)",
             f"#define SQRT{n}(x) SQRT(x)",
+            f"#define SMALL{n}(x, {listed}) ({' OR '.join(f'SMALL((x)[{k}], {a})' for k, a in enumerate(letters))})",
         ]
     return lines
 
@@ -71,4 +72,6 @@ def side_by_side(model: str, limbs: int) -> list[str]:
         f"    ({vector}){{{', '.join(f'read(array, {place})' for place in places)}}}",
         f"#define WRITE{n}(array, {listed}, x) do {{ const {vector} out_ = (x); {writes} }} while (0)",
         f"#define SQRT{n}(x) {vector}_sqrt(x)",
+        f"#define SMALL{n}(x, {listed}) \\",
+        f"    {vector}_any(((x) <= OF{n}({listed})) & ((x) >= -OF{n}({listed})))",
     ]

@@ -108,12 +108,18 @@ class Printed:
         return packed(self.angles.rest, kept, checked, arrays, origins=origins, limbs=limbs)
 
     @cached_property
+    def ports(self) -> dict[int, int]:
+        """The input, by its number, of slots that are there from the start; angles are of the first one."""
+        numbers = {self.names[port.name]: n for n, port in enumerate(self.program.inputs)}
+        return {slot: numbers.get(array, 0) for slot, (array, _) in self.entries.items()}
+
+    @cached_property
     def lanes_of_limbs(self) -> LimbStages | None:
         """Its stages of equal limbs that are those of its form in lanes, too: where every lane is a limb."""
         if not self.packing:
             return None
         families = (f for f in self.program.limbs.families if len(f) == self.packing.width)
-        return next(filter(None, (stages_of_lanes(self.packing, family) for family in families)), None)
+        return next(filter(None, (stages_of_lanes(self.packing, family, self.ports) for family in families)), None)
 
     @cached_property
     def staged(self) -> LimbStages | None:

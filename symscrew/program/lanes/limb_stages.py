@@ -12,6 +12,7 @@ the other one is added or taken away, limb by limb. So no operation is added whe
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
@@ -83,7 +84,10 @@ def limb_stages(
     origins: Mapping[int, Origin],
     limbs: Limbs,
 ) -> LimbStages | None:
-    """The stages that save most, or None where there are none; `stored` are slots that are needed with their sign."""
+    """The stages that save most, or None where there are none; `stored` are slots that are needed with their sign.
+
+    `arrays` says of which array slots are that are there from the start.
+    """
     operations, negatives = signed(instructions)
     best: tuple[int, Plan, tuple[Limb, ...]] | None = None
     for family in limbs.families:
@@ -104,10 +108,12 @@ def limb_stages(
     _, plan, family = best
     wanted = {base: sign for base, sign in (negatives.get(slot, (slot, 1)) for slot in stored)}
     rows, singles = _signed(plan, wanted)
-    return LimbStages(family, tuple(_staged(rows, singles)), tuple(singles), negatives)
+    return LimbStages(family, tuple(_staged(rows, singles, {})), tuple(singles), negatives)
 
 
-def stages_of_lanes(packing: Packing, family: tuple[Limb, ...]) -> LimbStages | None:
+def stages_of_lanes(
+    packing: Packing, family: tuple[Limb, ...], ports: Mapping[int, int]
+) -> LimbStages | None:
     """The stages of a program in lanes, if every lane is a limb and all of them are there in every pack."""
     packs = [item for item in packing.items if isinstance(item, Pack)]
     if packing.width != len(family) or any(None in pack.targets for pack in packs):
@@ -132,7 +138,7 @@ def stages_of_lanes(packing: Packing, family: tuple[Limb, ...]) -> LimbStages | 
             single = _single(item, packing.operations[item], sign, {a: 1 for a in gathered})
             sign[item] = single.sign
             singles.append(single)
-    return LimbStages(family, tuple(_staged(rows, singles)), tuple(singles), packing.negatives, exact=True)
+    return LimbStages(family, tuple(_staged(rows, singles, ports)), tuple(singles), packing.negatives, exact=True)
 
 
 def _without_small_ones(plan: Plan) -> None:
@@ -186,7 +192,7 @@ def _items(slots: Iterable[int | float], place: Mapping[int, int]) -> Iterator[I
             yield (True, place[a]) if a in place else (False, a)
 
 
-def _staged(rows: Sequence[LimbRow], singles: Sequence[Single]) -> list[LimbRow]:
+def _staged(rows: Sequence[LimbRow], singles: Sequence[Single], ports: Mapping[int, int]) -> list[LimbRow]:
     """The rows, each with its stage."""
     place = {slot: row.number for row in rows for slot in row.slots}
     unordered: dict[Item, Read] = {}
@@ -199,14 +205,20 @@ def _staged(rows: Sequence[LimbRow], singles: Sequence[Single]) -> list[LimbRow]
     read = _ordered(unordered, place)
     levels = _levels(read, place)
     _later(read, place, levels)
-    parts = _parted(read, place, levels)
+    parts = _parted(read, place, levels, ports)
     used = {part: n for n, part in enumerate(sorted(set(parts.values())))}
     by_number = {row.number: row for row in rows}
     return [replace(by_number[n], stage=used[parts[n]]) for packs, n in read if packs]
 
 
-def _parted(read: Mapping[Item, Read], place: Mapping[int, int], levels: Mapping[Item, int]) -> dict[int, tuple[int, bool]]:
-    """The stage of every row, and whether no later one needs it: such rows are a stage of their own, done when wanted."""
+def _parted(
+    read: Mapping[Item, Read], place: Mapping[int, int], levels: Mapping[Item, int], ports: Mapping[int, int]
+) -> dict[int, tuple[int, int, bool]]:
+    """The stage of every row: what needs nothing of later inputs is done before these are worked off on the hub.
+
+    Position, velocities, accelerations are stages of their own where the hub gives limbs something of each. So are rows
+    that no later stage needs: they are done when the hub wants them.
+    """
     latest: dict[Item, int] = {}  # stage that needs an item, itself or through others
     for item in reversed(list(read)):
         own = max(latest.get(item, -1), levels[item] if item[0] else -1)
@@ -214,12 +226,26 @@ def _parted(read: Mapping[Item, Read], place: Mapping[int, int], levels: Mapping
         for other in (*((True, s) for s in sources), *_items(slots, place)):
             if other in read:
                 latest[other] = max(latest.get(other, -1), own)
-    found = {n: (levels[True, n], latest.get((True, n), -1) <= levels[True, n]) for packs, n in read if packs}
-    sizes: dict[tuple[int, bool], int] = {}
-    for part in found.values():
-        sizes[part] = sizes.get(part, 0) + 1
-    small = {level for (level, _), size in sizes.items() if size < PARTED}
-    return {n: (level, last and level not in small) for n, (level, last) in found.items()}
+    rank: dict[Item, int] = {}  # of the last input that an item needs; of rows, by what the hub gives
+    for item, (sources, slots) in read.items():
+        others = [other for other in _items(slots, place) if other in read]
+        inputs = [] if item[0] else [ports.get(a, -1) for a in slots if isinstance(a, int)]
+        rank[item] = max([-1, *inputs, *(rank[True, s] for s in sources), *(rank[other] for other in others)])
+    found = {n: (levels[True, n], rank[True, n], False) for packs, n in read if packs}
+    late = {n for n, (level, *_) in found.items() if latest.get((True, n), -1) <= level}
+    while True:
+        parts = sorted(set(found.values()))
+        sizes = Counter(found.values())
+        few = next((part for part in parts if sizes[part] < PARTED and sum(p[0] == part[0] for p in parts) > 1), None)
+        if few is None:
+            break
+        same = [part for part in parts if part[0] == few[0]]
+        at = same.index(few)
+        gone, into = (few, same[at + 1]) if at + 1 < len(same) else (same[at - 1], few)
+        found = {n: into if part == gone else part for n, part in found.items()}
+    sizes = Counter((part, n in late) for n, part in found.items())
+    apart = {part for part in found.values() if min(sizes[part, True], sizes[part, False]) >= PARTED}
+    return {n: (*part[:2], part in apart and n in late) for n, part in found.items()}
 
 
 def _ordered(read: Mapping[Item, Read], place: Mapping[int, int]) -> dict[Item, Read]:
