@@ -13,6 +13,10 @@ from symscrew.program import Instruction
 from symscrew.program.lanes import SIGNLESS, Single
 
 GIVEN, CALL = "given", "call"
+# Of two orders the one that begins with the first result, often what platforms need of themselves while sines of limbs
+# are still on their way: one state of the seed's momentum rates takes 6 % less. The other one only if it has this part
+# of the values alive.
+PREFERRED = 0.9
 
 
 @dataclass
@@ -109,7 +113,7 @@ class _Making:
         """Calls of all stages, and what is given to their limbs."""
         whole, hub = self.whole, self.hub
         for n, text in enumerate(whole.texts):
-            values = [tuple(map(self._exact, entries)) if whole.staged.exact else entries for _, entries in text.given]
+            values = [tuple(map(self._exact, entries)) for _, entries in text.given]
             vectors = [
                 self._vector(name, some) if whole.waits(some) else None
                 for (name, _), some in zip(text.given, values, strict=True)
@@ -167,7 +171,7 @@ class _Making:
                 if whole.texts[n].checked:
                     args += [self.calls[e, k] for e in range(n) if whole.texts[e].checked and e not in sources]
             proxies.append(Instruction(target, instruction.op, tuple(args)))
-        return [self.made[i.target] for i in short_lived(_sorted(proxies))]
+        return [self.made[i.target] for i in short_lived(_sorted(proxies), PREFERRED)]
 
 
 def _sorted(instructions: Sequence[Instruction]) -> list[Instruction]:

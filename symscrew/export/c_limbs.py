@@ -152,7 +152,7 @@ class LimbText:
 
     def waits(self, entries: Entries) -> bool:
         """Whether what the hub gives is one value per limb, all of them at once: where lanes have the same text."""
-        return self.staged.exact and not same(entries)
+        return self.staged.lanes and not same(entries)
 
     def _arguments(self, arrays: Sequence[str]) -> list[str]:
         """Declared arguments of these names."""

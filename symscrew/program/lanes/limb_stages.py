@@ -21,7 +21,7 @@ from symscrew.program.equal_limbs import Limb, Limbs
 from symscrew.program.lanes.limb_lanes import readings_of
 from symscrew.program.lanes.limb_rows import rows_of
 from symscrew.program.lanes.pack_plan import Code, Item, Plan
-from symscrew.program.lanes.packs import Pack, Packing
+from symscrew.program.lanes.packs import Pack, Packing, packing_of
 from symscrew.program.lanes.signed_operations import Operand, Operation, signed
 from symscrew.program.straight_line import Instruction
 
@@ -67,7 +67,7 @@ class LimbStages:
     rows: tuple[LimbRow, ...]
     singles: tuple[Single, ...]
     negatives: Mapping[int, Operand]
-    exact: bool = False  # whether rows read single values as they are, not up to their sign
+    lanes: bool = False  # whether these are those of its form in lanes, too
 
     @property
     def stages(self) -> tuple[tuple[LimbRow, ...], ...]:
@@ -106,18 +106,22 @@ def limb_stages(
     if best is None:
         return None
     _, plan, family = best
-    wanted = {base: sign for base, sign in (negatives.get(slot, (slot, 1)) for slot in stored)}
-    rows, singles = _signed(plan, wanted)
-    return LimbStages(family, tuple(_staged(rows, singles, {})), tuple(singles), negatives)
+    return _stages(packing_of(plan, negatives, stored), family, {}, lanes=False)
 
 
-def stages_of_lanes(
-    packing: Packing, family: tuple[Limb, ...], ports: Mapping[int, int]
-) -> LimbStages | None:
-    """The stages of a program in lanes, if every lane is a limb and all of them are there in every pack."""
-    packs = [item for item in packing.items if isinstance(item, Pack)]
+def stages_of_lanes(packing: Packing, family: tuple[Limb, ...], ports: Mapping[int, int]) -> LimbStages | None:
+    """The stages of a program in lanes, if every lane is a limb and all of them are there in every pack.
+
+    `ports` says of which input slots are that are there from the start.
+    """
+    packs = (item for item in packing.items if isinstance(item, Pack))
     if packing.width != len(family) or any(None in pack.targets for pack in packs):
         return None
+    return _stages(packing, family, ports, lanes=True)
+
+
+def _stages(packing: Packing, family: tuple[Limb, ...], ports: Mapping[int, int], *, lanes: bool) -> LimbStages:
+    """Rows in stages, and single operations with their signs."""
     sign = {slot: pack.signs[lane] for slot, (pack, lane) in packing.place.items()}
     rows = [
         LimbRow(
@@ -129,16 +133,17 @@ def stages_of_lanes(
             tuple(v.source for v in pack.operands),
             tuple(v.flips for v in pack.operands),
         )
-        for pack in packs
+        for pack in packing.items
+        if isinstance(pack, Pack)
     ]
     gathered = {a for row in rows for entries in row.operands for a in entries if isinstance(a, int)}
     singles = []
     for item in packing.items:
         if not isinstance(item, Pack):
-            single = _single(item, packing.operations[item], sign, {a: 1 for a in gathered})
+            single = _single(item, packing.operations[item], sign, gathered)
             sign[item] = single.sign
             singles.append(single)
-    return LimbStages(family, tuple(_staged(rows, singles, ports)), tuple(singles), packing.negatives, exact=True)
+    return LimbStages(family, tuple(_staged(rows, singles, ports)), tuple(singles), packing.negatives, lanes)
 
 
 def _without_small_ones(plan: Plan) -> None:
@@ -287,22 +292,6 @@ def _later(read: Mapping[Item, Read], place: Mapping[int, int], levels: dict[Ite
             levels[True, row] = first
 
 
-def _signed(plan: Plan, wanted: Mapping[int | float, int]) -> tuple[list[LimbRow], list[Single]]:
-    """Rows and single operations with the sign of every value."""
-    sign: dict[int, int] = {}
-    rows, singles = [], []
-    for packs, number in plan.order():
-        if packs:
-            row = _row(plan, number, sign, wanted)
-            sign.update(zip(row.slots, row.signs, strict=True))
-            rows.append(row)
-        else:
-            single = _single(number, plan.operations[number], sign, wanted)
-            sign[number] = single.sign
-            singles.append(single)
-    return rows, singles
-
-
 def _sign(operand: Operand, sign: Mapping[int, int]) -> int:
     value, own = operand
     if isinstance(value, int):
@@ -314,7 +303,7 @@ def _bare(value: int | float) -> int | float:
     return value if isinstance(value, int) else abs(value)
 
 
-def _single(slot: int, operation: Operation, sign: Mapping[int, int], wanted: Mapping[int | float, int]) -> Single:
+def _single(slot: int, operation: Operation, sign: Mapping[int, int], gathered: Collection[int]) -> Single:
     op, args = operation
     if op not in SIGNLESS:
         return Single(slot, op, 1, args)
@@ -324,29 +313,6 @@ def _single(slot: int, operation: Operation, sign: Mapping[int, int], wanted: Ma
         return Single(slot, op, signs[0] * (signs[1] if len(signs) > 1 else 1), bare)
     if signs[0] == signs[1]:
         return Single(slot, op, signs[0], bare)
-    if signs[1] == wanted.get(slot, 1):
+    if signs[1] > 0:
         return Single(slot, "sub", signs[1], bare[::-1])
     return Single(slot, "sub", signs[0], bare)
-
-
-def _row(plan: Plan, number: int, sign: Mapping[int, int], wanted: Mapping[int | float, int]) -> LimbRow:
-    slots = tuple(slot for slot in plan.rows[number] if slot is not None)
-    op, columns = plan.ops[number], [tuple(e for e in column if e is not None) for column in plan.columns[number]]
-    signs = [tuple(_sign(e, sign) for e in column) for column in columns]
-    operands = [tuple(_bare(a) for a, _ in column) for column in columns]
-    sources = [plan.source(column) for column in plan.columns[number]]
-    ones = (1,) * len(slots)
-    flips: list[tuple[int, ...] | None] = [None] * len(columns)
-    result = signs[0]
-    if op == "sqrt":
-        result, flips[0] = ones, signs[0] if signs[0] != ones else None
-    elif op == "add":
-        hoped = tuple(wanted.get(slot, 1) for slot in slots)
-        if signs[0] != signs[1] and (signs[1] == hoped or (signs[0] != hoped and signs[1] == ones)):
-            signs.reverse(), operands.reverse(), sources.reverse()
-        result, terms = signs[0], tuple(a * b for a, b in zip(*signs, strict=True))
-        op = "sub" if terms == tuple(-one for one in ones) else "add"
-        flips[1] = terms if len(set(terms)) > 1 else None
-    elif len(signs) > 1:
-        result = tuple(a * b for a, b in zip(*signs, strict=True))
-    return LimbRow(number, op, slots, result, tuple(operands), tuple(sources), tuple(flips))
