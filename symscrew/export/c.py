@@ -74,13 +74,13 @@ def print_source(model: Model, *, precision: Precision = DOUBLE, batches: bool =
     lines += ["", *routines] if routines else []
     one, undefined = c_wide.one_state(name, precision, pieces.limbs), c_wide.undefined(pieces.limbs)
     lines += ["", *pieces.shared.constants.lines(), "", *pieces.shared.lines(), *one]
-    lines += [f"#endif /* {again(name)} */", *(line for f in pieces.blocks for line in pieces.body(f))]
+    lines += [f"#endif /* {again(name)} */", *(line for f in pieces.bodies for line in pieces.body(f))]
 
     def read_again(width: int) -> list[str]:
         macros = [*undefined, *c_wide.side_by_side(name, precision, width), f'#include "{name}.c"']
         return [*macros, *(f"#undef {macro}" for macro in (again(name), lanes_macro(name))), *undefined, *one]
 
-    lines += ["", f"#if !defined({again(name)})", *pieces.side_by_side(pieces.blocks, read_again)]
+    lines += ["", f"#if !defined({again(name)})", *pieces.side_by_side(pieces.bodies, read_again)]
     lines += [*(line for f in pieces.functions.values() for line in f), "", *undefined]
     if pieces.blocks:
         lines += ["", f"#if {c_wide.guard(name)}", f"#define {again(name)}"]

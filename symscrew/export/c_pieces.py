@@ -101,7 +101,9 @@ class Pieces:
 
     Attributes:
         shared: what several functions call, and the constants.
-        bodies: by function with a block, the body for one state or several.
+        bodies: by function with a block, or with equal limbs side by side, the body for one state or several.
+        lanes: by function whose body is also that with equal limbs side by side, how many these are.
+        limbs: the numbers of equal limbs for which stages are printed.
         functions: by function, it for one state, with the bodies of those that have no block.
         wide: the functions of blocks.
     """
@@ -132,23 +134,24 @@ class Pieces:
         straight = [f for f, program in model.programs.items() if not isinstance(program, Iteration)]
         self.blocks = [f for f in straight if batches and c_batch.by_lanes(self.printed[f])]
         self._texts = self._arranged(straight, processes, meanwhile)
-        self.bodies = {f: self._texts[f].body for f in self.blocks}
+        shared = {f: self.printed[f].lanes_of_limbs for f in straight}
+        self.lanes = {f: len(found.limbs) for f, found in shared.items() if found}
+        self.bodies = {f: self._texts[f].body for f in straight if f in self.blocks or f in self.lanes}
         self.functions = {f: self._function(f) for f in model.programs}
         self.limbs = limbs_in(line for text in (*self.bodies.values(), *self.functions.values()) for line in text)
-        self.lanes = {f: found.width for f in self.blocks if (found := self.printed[f].packing) and self._shared(f)}
         self.wide = [line for f in self.blocks for line in ("", *c_batch.block(self.printed[f]))]
 
-    def _shared(self, name: str) -> bool:
-        """Whether a function in lanes has the text of its body."""
-        return bool(self.printed[name].lanes_of_limbs)
-
     def body(self, name: str) -> list[str]:
-        """A body, left out where bodies are read in lanes that are not its own."""
+        """A body, left out where bodies are read again for what it is not for: several states, so many lanes."""
+        vectors, lanes, width = again(self.name), lanes_macro(self.name), self.lanes.get(name)
+        text = self.bodies[name]
         if not self.lanes:
-            return ["", *self.bodies[name]]
-        macro, width = lanes_macro(self.name), self.lanes.get(name)
-        more = f" || {macro} == {width}" if width else ""
-        return ["", f"#if !defined({macro}){more}", *self.bodies[name], "#endif"]
+            return ["", *text]
+        if width is None:
+            return ["", f"#if !defined({lanes})", *text, "#endif"]
+        if name in self.blocks:
+            return ["", f"#if !defined({lanes}) || {lanes} == {width}", *text, "#endif"]
+        return ["", f"#if !defined({vectors}) || (defined({lanes}) && {lanes} == {width})", *text, "#endif"]
 
     def side_by_side(self, names: Iterable[str], reads: Callable[[int], Sequence[str]]) -> list[str]:
         """Bodies of some functions read again, with equal limbs side by side; `reads` are the lines that do so."""
@@ -164,7 +167,7 @@ class Pieces:
         if isinstance(program, Iteration):
             return ["", *iteration_functions(self.name, symbol, program, self.precision, shared=self.shared)]
         text = self._texts[name]
-        lane = [] if name in self.blocks else ["", *text.body]
+        lane = [] if name in self.bodies else ["", *text.body]
         return [*lane, "", *_one_state(self.printed[name], program, self.dense, text.packed)]
 
     def _arranged(self, functions: Sequence[str], processes: int, meanwhile: Callable[[], object]) -> dict[str, _Text]:

@@ -27,7 +27,7 @@ from symscrew.program.straight_line import Instruction
 
 FEWEST = 6  # rows of a stage: its head, its call per limb and what it hands on take as many lines as it saves
 PARTED = 12  # rows of each part of a stage that is parted
-PART = 0.15  # of the operations that stages must save: of less, the text is hardly shorter
+PART = 0.3  # of the operations that stages must save: of less, the text is hardly shorter, and limbs are not so equal
 MOST_LIMBS = 8  # pairs of operations grow with the square of their number
 SIGNLESS = ("add", "sub", "mul", "div", "reciprocal")  # operations that take operands of any sign
 
