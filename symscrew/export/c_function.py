@@ -22,6 +22,8 @@ from symscrew.export.pivots import pivot_text
 from symscrew.export.stages import headed
 from symscrew.program import OUT_OF_REACH, Packing, status_texts
 
+LARGE = 40  # rows of a stage in the mean from which on stages are shorter text in any case; below, both are printed
+SHORTER = 0.85  # of the text that stages must leave: where they save less, limbs are not very equal
 SUMS = 4  # of what must be finite, side by side: one alone is a chain of additions that wait for each other
 
 
@@ -36,10 +38,21 @@ def body(printed: Printed) -> list[str]:
     What is read is read where it is first needed, results are written and summed where they are known, so that few
     values live at once. What is only checked comes first: at the end it would wait for the results in its sum.
     """
+    staged = printed.staged
+    if staged is None:
+        return _body(printed, None)
+    text = _body(printed, LimbText(printed, staged))
+    if staged.lanes or len(staged.rows) >= LARGE * len(staged.stages):
+        return text
+    whole = _body(printed, None)
+    return text if sum(map(len, text)) < SHORTER * sum(map(len, whole)) else whole
+
+
+def _body(printed: Printed, limbs: LimbText | None) -> list[str]:
+    """A body with what equal limbs do in stages, or limb after limb in one text."""
     real = printed.precision.real
     given = ["size_t stride", *arguments(printed.program, printed.precision), *sines(printed)]
     head = declare(f"BODY({printed.symbol})", [*given, f"{real} *restrict total"], "")
-    limbs = LimbText(printed, printed.staged) if printed.staged else None
     inner = _Body(printed, limbs)
     own = [f"    LIMBS({limbs.function}) {LIMBS};"] if limbs and limbs.hands_on else []
     lines = [*unread(printed), *own, *(f"    {line}" for line in grouped(inner.lines()))]
