@@ -22,7 +22,7 @@ from symscrew.export.pivots import pivot_text
 from symscrew.export.stages import headed
 from symscrew.program import OUT_OF_REACH, Packing, status_texts
 
-LARGE = 40  # rows of a stage in the mean from which on stages are shorter text in any case; below, both are printed
+LARGE = 100  # rows of a stage in the mean from which on stages are shorter text in any case; below, both are printed
 SHORTER = 0.85  # of the text that stages must leave: where they save less, limbs are not very equal
 SUMS = 4  # of what must be finite, side by side: one alone is a chain of additions that wait for each other
 
