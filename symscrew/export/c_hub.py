@@ -9,8 +9,7 @@ from dataclasses import dataclass, field
 from symscrew.export.c_limbs import LIMBS, MINUS, Entries, LimbText, unused
 from symscrew.export.c_order import short_lived
 from symscrew.export.value_names import ANONYMOUS
-from symscrew.program import Instruction
-from symscrew.program.lanes import SIGNLESS, Single
+from symscrew.program import SIGNLESS, Instruction, Single
 
 GIVEN, CALL = "given", "call"
 # Of two orders the one that begins with the first result, often what platforms need of themselves while sines of limbs
@@ -156,14 +155,20 @@ class _Making:
         self.made[target] = Instruction(target, op, tuple(slots))
         return target
 
+    def _waited_for(self, value: int | float) -> int | float:
+        """The call that makes a slot, or the slot itself."""
+        if not isinstance(value, int) or value not in self.whole.row_of:
+            return value
+        row, k = self.whole.row_of[value]
+        return self.calls[row.stage, k]
+
     def _ordered(self) -> list[Instruction]:
         """Instructions in an order that suits registers; those that read what a limb hands on wait for its stage."""
         whole, proxies = self.whole, list[Instruction]()
         stage = {row.number: row.stage for row in whole.staged.rows}
         of_call = {target: key for key, target in self.calls.items()}
         for target, instruction in self.made.items():
-            args = [self.calls[whole.row_of[a][0].stage, whole.row_of[a][1]] if a in whole.row_of else a
-                    for a in instruction.args]  # fmt: skip
+            args = list(map(self._waited_for, instruction.args))
             if target in of_call:
                 n, k = of_call[target]
                 sources = {stage[s] for row in whole.staged.stages[n] for s in row.sources if s is not None}

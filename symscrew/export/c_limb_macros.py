@@ -1,7 +1,7 @@
-"""The macros by which stages of equal limbs (see `c_limbs`) work on one limb, or on all of them in the lanes of a vector.
+"""Macros by which stages of equal limbs (see `c_limbs`) work on one limb, or on all of them in the lanes of a vector.
 
-    OF4(a, b, c, d)     limb == 0 ? a : limb == 1 ? b ...      or  (vector){a, b, c, d}
-    OWN(x)              x[limb]                                or  x
+OF4(a, b, c, d)     limb == 0 ? a : limb == 1 ? b ...      or  (vector){a, b, c, d}
+OWN(x)              x[limb]                                or  x
 """
 
 from __future__ import annotations

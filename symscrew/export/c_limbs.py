@@ -22,15 +22,15 @@ from symscrew.export.c_order import short_lived
 from symscrew.export.c_printed import Printed
 from symscrew.export.folding import ATOM, BINDING, PRODUCT, SUM, folded
 from symscrew.export.listing import checked_slots, wrapped
-from symscrew.export.stages import TOGETHER, Stage, headed
+from symscrew.export.stages import LaneStages, headed
 from symscrew.export.value_names import ANONYMOUS, LONGEST
-from symscrew.program import Instruction
-from symscrew.program.lanes import LimbRow, LimbStages
+from symscrew.program import Instruction, LimbRow, LimbStages
 
 MINUS = "minus_"
 LIMBS = "limbs"  # the variable of what limbs hand on
 WIDTH = 108  # characters of a line of members
 Entries = tuple[int | float, ...]  # slots or numbers, one per limb
+Stored = tuple[str, tuple[int, ...], tuple[int, ...]]  # array, entries, and signs, of what limbs write
 
 
 @dataclass
@@ -55,7 +55,8 @@ class LimbText:
         self.written, self.stored = self._stored()
         checked = dict.fromkeys(self.base(slot)[0] for slot in checked_slots(printed.program))
         self.checked_rows = {r.number for r in staged.rows if all(slot in checked for slot in r.slots)}
-        self.checked = [s for s in checked if s not in self.row_of or self.row_of[s][0].number not in self.checked_rows]
+        there = {slot for row in staged.rows if row.number in self.checked_rows for slot in row.slots}
+        self.checked = [slot for slot in checked if isinstance(slot, int) and slot not in there]
         self.crossing = self._crossing()
         constants = printed.shared.constants.names.values() if printed.shared else ()
         self.taken = {*TAKEN, *printed.names.values(), *constants, LIMBS, "limb", "own", "sine", "cosine"}
@@ -70,7 +71,7 @@ class LimbText:
         """The slot or number that a slot is, and its sign."""
         return self.staged.negatives.get(slot, (slot, 1)) if isinstance(slot, int) else (slot, 1)
 
-    def _stored(self) -> tuple[dict[int, list[tuple[str, Entries, Entries]]], list[tuple[str, int, int | float]]]:
+    def _stored(self) -> tuple[dict[int, list[Stored]], list[tuple[str, int, int | float]]]:
         """By row the results that its stage writes: array, entries, signs; and those that are written elsewhere."""
         at: dict[int, list[tuple[str, int, int, int]]] = {}
         rest: list[tuple[str, int, int | float]] = []
@@ -80,7 +81,7 @@ class LimbText:
                 at.setdefault(base, []).append((array, k, sign * self.sign[base], slot))
             else:
                 rest.append((array, k, slot))
-        found: dict[int, list[tuple[str, Entries, Entries]]] = {}
+        found: dict[int, list[Stored]] = {}
         for row in self.staged.rows:
             places = [at.get(slot, []) for slot in row.slots]
             if len({tuple(array for array, *_ in some) for some in places}) > 1:
@@ -118,6 +119,7 @@ class LimbText:
             if bare and not ANONYMOUS.fullmatch(bare):
                 limb = self.staged.limbs[k].name
                 short = bare.removeprefix(f"{limb}_").replace(f"_by_{limb}_", "_by_")
+                short = short if short[0].isalpha() else f"limb_{short}"
                 found.append((short if "_" in short else bare, (name != bare) ^ (sign < 0)))
         if not found:
             return ""
@@ -281,7 +283,8 @@ class _Stage:
             if same(entries):
                 return numbers[0]
             texts = [whole.printed.number(a) for a in numbers]
-            name = unused(f"each_{re.sub(r'_[0-9]+$', '', texts[0].strip('(-)'))}" if texts[0][-2:-1].isalpha() else "factor", self.used)
+            stem = re.sub(r"_\d+$", "", texts[0].strip("(-)"))
+            name = unused(f"each_{stem}" if stem[0].isalpha() else "factor", self.used)
             self._constant(name, [text.strip("()") for text in texts])
             found = self._new(name)
             self.own.add(found)
@@ -322,9 +325,9 @@ class _Stage:
         whole, order = self.whole, short_lived(self.order)
         uses = Counter(a for i in order for a in i.args if isinstance(a, int))
         read = set(uses)
-        for target, row in self.row_of.items():
-            uses[target] += 2 * (row.number in whole.crossing) + (row.number in whole.checked_rows)
-            uses[target] += len(whole.written.get(row.number, ()))
+        for target, member in self.row_of.items():
+            uses[target] += 2 * (member.number in whole.crossing) + (member.number in whole.checked_rows)
+            uses[target] += len(whole.written.get(member.number, ()))
         self.lines: list[tuple[str, int | None]] = []
         kind = f"LIMB{self.count}"
         found = folded(
@@ -333,7 +336,7 @@ class _Stage:
         )  # fmt: skip
         for item in found:
             row = self.row_of.get(item.slot)
-            slot = row.slots[0] if row else None
+            slot = item.slot if row else None
             name, text = self.names[item.slot], item.text or self.leaves.get(item.slot, "")
             if item.kind == "last":
                 name = text
@@ -343,14 +346,15 @@ class _Stage:
                 self.lines.append((f"const {kind if item.slot in self.own or row else 'REAL'} {name} = {text};", slot))
             if row is not None:
                 self._known(row, name, item.kind == "last")
+        heads = LaneStages(whole.printed.stages, {t: row.slots[0] for t, row in self.row_of.items()}, ())
         if self.text.checked:
             self.lines.append(("OWN(own->checked) = checked;", None))
-        told = grouped([*self.constants, *headed(self.lines, _Heads(whole), lambda slot: "")])
+        told = grouped([*self.constants, *headed(self.lines, heads, lambda slot: "")])
         self.text.lines = ["    (void)limb, (void)stride;", *(f"    {line}" for line in told)]
 
     def _known(self, row: LimbRow, text: str, loose: bool) -> None:
         """A value goes to its places, and into the sum of what must be finite."""
-        slot, count = row.slots[0], self.count
+        slot, count = self.ids[row.number], self.count
         for array, places, signs in self.whole.written.get(row.number, ()):
             if array not in self.text.arrays:
                 self.text.arrays.append(array)
@@ -367,15 +371,3 @@ class _Stage:
 
 def _reader(array: str) -> str:
     return "SINES" if array in ("sine", "cosine") else "READ"
-
-
-class _Heads:
-    """The stages of the theory that rows are of, by the slot of the first limb."""
-
-    def __init__(self, whole: LimbText) -> None:
-        self.single = whole.printed.stages
-
-    def of(self, slot: int) -> Stage | None:
-        """Of limbs together."""
-        stage = self.single.of(slot)
-        return Stage(TOGETHER, stage.text, TOGETHER) if stage is not None else None

@@ -158,7 +158,12 @@ class Pieces:
         lines: list[str] = []
         for width in sorted({self.lanes[name] for name in names if name in self.lanes}):
             lines += ["", f"#if {c_lanes.condition(self.name, width, self.precision)}"]
-            lines += [f"#define {again(self.name)}", f"#define {lanes_macro(self.name)} {width}", *reads(width), "#endif"]
+            lines += [
+                f"#define {again(self.name)}",
+                f"#define {lanes_macro(self.name)} {width}",
+                *reads(width),
+                "#endif",
+            ]
         return lines
 
     def _function(self, name: str) -> list[str]:
@@ -274,8 +279,8 @@ def _text(printed: Printed) -> _Text:
     """Nearly all that is printed of a function."""
     if printed.in_parts:
         return _Text(c_parts.lane_in_parts(printed), [])
-    apart = printed.packing is not None and not printed.lanes_of_limbs
-    return _Text(body(printed), packed_lane(printed, printed.packing) if apart else [])
+    packing = None if printed.lanes_of_limbs else printed.packing
+    return _Text(body(printed), packed_lane(printed, packing) if packing else [])
 
 
 def _one_state(

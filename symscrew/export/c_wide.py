@@ -151,7 +151,8 @@ def side_by_side(model: str, precision: Precision, limbs: int) -> list[str]:
     upper, real, zero = model.upper(), precision.real, precision.number(0.0)
     changed = {
         "BODY(": f"#define BODY(function) static inline {upper}_INLINE {real} function##_packed_lane",
-        "FINITE_UNLESS(": f"#define FINITE_UNLESS(small, sum) (void)stride, (void)total; return (small) ? ({real})NAN : (sum)",
+        "FINITE_UNLESS(": "#define FINITE_UNLESS(small, sum) \\\n"
+        f"    (void)stride, (void)total; return (small) ? ({real})NAN : (sum)",
         "FINITE(": "#define FINITE(sum) (void)stride, (void)total; return (sum)",
         "UNCHECKED(": f"#define UNCHECKED() (void)stride, (void)total; return {zero}",
         "NOT_BELOW(": f"#define NOT_BELOW(x, low, status) if (!((x) >= (low))) {{ return ({real})NAN; }}",

@@ -21,7 +21,18 @@ from symscrew.program.asked import Asked
 from symscrew.program.equal_limbs import NO_LIMBS, Limb, Limbs
 from symscrew.program.jacobians import Jacobian, adjoint, jacobian
 from symscrew.program.json_form import from_lists, to_lists
-from symscrew.program.lanes import LimbStages, Pack, Packing, Vector, limb_stages, packed, stages_of_lanes
+from symscrew.program.lanes import (
+    SIGNLESS,
+    LimbRow,
+    LimbStages,
+    Pack,
+    Packing,
+    Single,
+    Vector,
+    packed,
+    stages_of_lanes,
+    stages_of_limbs,
+)
 from symscrew.program.lowering import Function, NodeLimit, lower, roots_of, with_roots
 from symscrew.program.numpy_evaluation import evaluate, evaluate_iteration
 from symscrew.program.rank_revealing import RANK, SWITCH, RankRevealing, evaluate_rank_revealing, second_path
@@ -49,6 +60,7 @@ __all__ = [
     "OUT_OF_REACH",
     "QUATERNION",
     "RANK",
+    "SIGNLESS",
     "STATUS",
     "SWITCH",
     "Asked",
@@ -57,6 +69,7 @@ __all__ = [
     "Iteration",
     "Jacobian",
     "Limb",
+    "LimbRow",
     "LimbStages",
     "Limbs",
     "Limit",
@@ -66,6 +79,7 @@ __all__ = [
     "Port",
     "Program",
     "RankRevealing",
+    "Single",
     "Vector",
     "adjoint",
     "evaluate",
@@ -73,13 +87,13 @@ __all__ = [
     "evaluate_rank_revealing",
     "from_lists",
     "jacobian",
-    "limb_stages",
     "lower",
     "packed",
     "roots_of",
     "second_path",
     "signature",
     "stages_of_lanes",
+    "stages_of_limbs",
     "status_texts",
     "to_lists",
     "with_roots",

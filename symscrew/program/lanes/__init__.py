@@ -4,7 +4,7 @@ Program with origins --limb_lanes, limb_rows--> corresponding operations --lane_
                      --pack_plan, packs--> Packing
 """
 
-from symscrew.program.lanes.limb_stages import SIGNLESS, LimbRow, LimbStages, Single, limb_stages, stages_of_lanes
+from symscrew.program.lanes.limb_stages import SIGNLESS, LimbRow, LimbStages, Single, stages_of_lanes, stages_of_limbs
 from symscrew.program.lanes.packs import Pack, Packing, Vector, packed
 
 __all__ = [
@@ -15,7 +15,7 @@ __all__ = [
     "Packing",
     "Single",
     "Vector",
-    "limb_stages",
     "packed",
     "stages_of_lanes",
+    "stages_of_limbs",
 ]

@@ -76,7 +76,7 @@ class LimbStages:
         return tuple(tuple(row for row in self.rows if row.stage == k) for k in range(count))
 
 
-def limb_stages(
+def stages_of_limbs(
     instructions: Sequence[Instruction],
     stored: Collection[int],
     arrays: Mapping[int, str],
@@ -248,8 +248,8 @@ def _parted(
         at = same.index(few)
         gone, into = (few, same[at + 1]) if at + 1 < len(same) else (same[at - 1], few)
         found = {n: into if part == gone else part for n, part in found.items()}
-    sizes = Counter((part, n in late) for n, part in found.items())
-    apart = {part for part in found.values() if min(sizes[part, True], sizes[part, False]) >= PARTED}
+    wanted = Counter(part for n, part in found.items() if n in late)
+    apart = {part for part, size in Counter(found.values()).items() if PARTED <= wanted[part] <= size - PARTED}
     return {n: (*part[:2], part in apart and n in late) for n, part in found.items()}
 
 
