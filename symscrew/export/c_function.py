@@ -140,7 +140,7 @@ class _Body:
         for slot in self.hub.hands_on[call]:
             self._ready(slot)
         if call in self.hub.sums:
-            self._checked(self.hub.sums[call])
+            self._checked(f"ALONE({self.hub.sums[call]})")
 
     def _write(self, text: str, slot: int | None = None) -> None:
         self.written.append((text, slot))
@@ -215,13 +215,15 @@ class _Body:
         printed = self.printed
         sums = balanced_sum([f"checked{k}" for k in range(min(self.terms, SUMS))] or ["CONSTANT(0.0)"])
         guards = printed.program.guards
+        whole = self.limbs
+        kind, every = (str(whole.count), f", {LIMBS}.checked") if whole and whole.last_check >= 0 else ("", "")
         if not guards:
-            return [f"FINITE({sums});" if self.terms else "UNCHECKED();"]
+            return [f"FINITE{kind}({sums}{every});" if self.terms or every else "UNCHECKED();"]
         told = list(self._small(guards))
         return [
-            "FINITE_UNLESS( /* status 1 where a pivot is smaller than its limit: */",
+            f"FINITE_UNLESS{kind}( /* status 1 where a pivot is smaller than its limit: */",
             *(f"    {test}{' OR' if k + 1 < len(told) else ','} /* {text} */" for k, (test, text) in enumerate(told)),
-            f"    {sums});",
+            f"    {sums}{every});",
         ]
 
     def _small(self, guards: Sequence[tuple[int, float]]) -> Iterator[tuple[str, str]]:

@@ -50,9 +50,9 @@ def _type(model: str, width: int, precision: Precision, *, root: bool) -> list[s
     if root:
         lines += precision.vector_root(name, width)
     lines += [
-        f"{model.upper()}_UNUSED static inline int {name}_any({name}_mask mask)",
+        f"{model.upper()}_UNUSED static inline {precision.real} {name}_sum({name} x)",
         "{",
-        f"    return ({' | '.join(f'mask[{k}]' for k in range(width))}) != 0;",
+        f"    return {balanced_sum([f'x[{k}]' for k in range(width)])};",
         "}",
     ]
     return [*lines, "#endif"]

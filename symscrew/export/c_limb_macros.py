@@ -9,8 +9,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 LETTERS = "abcdefgh"
-OF_ALL = ("STAGE", "LIMBS", "FIRST_LIMB", "NEXT_LIMB", "OWN")
-BY_COUNT = ("EACH", "LIMB", "NUMBER", "OF", "IN_EACH", "WRITE", "SQRT", "SMALL")
+OF_ALL = ("STAGE", "LIMBS", "FIRST_LIMB", "NEXT_LIMB", "OWN", "ALONE")
+BY_COUNT = ("EACH", "LIMB", "NUMBER", "OF", "IN_EACH", "WRITE", "SQRT", "SMALL", "FINITE_UNLESS", "FINITE")
 
 
 def names(limbs: Sequence[int]) -> list[str]:
@@ -35,6 +35,7 @@ def one_by_one(model: str, kind: str, each: str, real: str, limbs: Sequence[int]
         f"#define FIRST_LIMB(k, function, n, ...) {symbol}##n(k, __VA_ARGS__)",
         f"#define NEXT_LIMB(k, function, n, ...) {symbol}##n(k, __VA_ARGS__)",
         "#define OWN(x) (x)[limb]",
+        "#define ALONE(x) (x)",
     ]
     for n in limbs:
         letters = LETTERS[:n]
@@ -49,11 +50,13 @@ def one_by_one(model: str, kind: str, each: str, real: str, limbs: Sequence[int]
             f"#define WRITE{n}(array, {listed}, x) WRITE(array, OF{n}({listed}), x)",
             f"#define SQRT{n}(x) SQRT(x)",
             f"#define SMALL{n}(x, {listed}) ({' OR '.join(f'SMALL((x)[{k}], {a})' for k, a in enumerate(letters))})",
+            f"#define FINITE_UNLESS{n}(small, sum, each) FINITE_UNLESS(small, sum)",
+            f"#define FINITE{n}(sum, each) FINITE(sum)",
         ]
     return lines
 
 
-def side_by_side(model: str, limbs: int) -> list[str]:
+def side_by_side(model: str, limbs: int, minus_zero: str) -> list[str]:
     """Of all limbs at once: whichever is called first, in text, stands for all of them."""
     upper, vector, n = model.upper(), f"{model}_vector{limbs}", limbs
     symbol, letters = f"{model}_##function##_lanes", LETTERS[:limbs]
@@ -66,12 +69,15 @@ def side_by_side(model: str, limbs: int) -> list[str]:
         f"#define FIRST_LIMB(k, function, n, ...) {symbol}##n(k, __VA_ARGS__)",
         "#define NEXT_LIMB(k, function, n, ...) (void)0",
         "#define OWN(x) (x)",
+        f"#define ALONE(x) ({minus_zero}) /* adds nothing: limbs are summed together */",
         *(f"#define {name}{n} {vector}" for name in ("EACH", "LIMB", "NUMBER")),
         f"#define OF{n}({listed}) ({vector}){{{listed}}}",
         f"#define IN_EACH{n}(read, array, first, step) \\",
         f"    ({vector}){{{', '.join(f'read(array, {place})' for place in places)}}}",
         f"#define WRITE{n}(array, {listed}, x) do {{ const {vector} out_ = (x); {writes} }} while (0)",
         f"#define SQRT{n}(x) {vector}_sqrt(x)",
-        f"#define SMALL{n}(x, {listed}) \\",
-        f"    {vector}_any(((x) <= OF{n}({listed})) & ((x) >= -OF{n}({listed})))",
+        f"#define SMALL{n}(x, {listed}) (((x) <= OF{n}({listed})) & ((x) >= -OF{n}({listed})))",
+        f"#define FINITE_UNLESS{n}(small, sum, each) \\",
+        f"    (void)stride, (void)total; return (sum) + {vector}_sum(({vector})(({vector}_mask)(each) | (small)))",
+        f"#define FINITE{n}(sum, each) (void)stride, (void)total; return (sum) + {vector}_sum(each)",
     ]

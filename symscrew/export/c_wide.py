@@ -149,19 +149,22 @@ def states(model: str, precision: Precision, limbs: Sequence[int]) -> list[str]:
 def side_by_side(model: str, precision: Precision, limbs: int) -> list[str]:
     """The macros of bodies that take one state with so many equal limbs in the lanes of a vector."""
     upper, real, zero = model.upper(), precision.real, precision.number(0.0)
+    vector, fabs = f"{model}_vector{limbs}", precision.function("fabs")
     changed = {
         "BODY(": f"#define BODY(function) static inline {upper}_INLINE {real} function##_packed_lane",
+        "SMALL(": f"#define SMALL(pivot, limit) (({vector}_mask){{-({fabs}(pivot) <= (limit))}})",
+        "OR ": "#define OR |",
         "FINITE_UNLESS(": "#define FINITE_UNLESS(small, sum) \\\n"
-        f"    (void)stride, (void)total; return (small) ? ({real})NAN : (sum)",
+        f"    (void)stride, (void)total; return (sum) + {vector}_sum(({vector})(small))",
         "FINITE(": "#define FINITE(sum) (void)stride, (void)total; return (sum)",
         "UNCHECKED(": f"#define UNCHECKED() (void)stride, (void)total; return {zero}",
         "NOT_BELOW(": f"#define NOT_BELOW(x, low, status) if (!((x) >= (low))) {{ return ({real})NAN; }}",
         "NOT_ABOVE(": f"#define NOT_ABOVE(x, high, status) if (!((x) <= (high))) {{ return ({real})NAN; }}",
     }
-    lines = ["/* ... and here one state with equal limbs side by side; what fails is NaN. */"]
+    lines = ["/* ... and here one state with equal limbs side by side; what fails is NaN, all bits set. */"]
     for line in one_state(model, precision, ())[1:]:
         if line.startswith("    if (!(("):
             continue
         name = next((name for name in changed if line.startswith(f"#define {name}")), "")
         lines.append(changed[name] if name else line)
-    return [*lines, *c_limb_macros.side_by_side(model, limbs)]
+    return [*lines, *c_limb_macros.side_by_side(model, limbs, f"-{zero}")]

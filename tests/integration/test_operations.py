@@ -102,8 +102,8 @@ COUNTS = dict.fromkeys(("sin", "cos", "tan", "atan2", "exp", "SQRT", "ABS", "LES
 COUNTS |= {f"SQRT{n}": 1 for n in range(2, 9)} | {f"SMALL{n}": 2 * n for n in range(2, 9)}
 COUNTS |= {
     "SMALL": 2,
-    "FINITE": 1,
-    "FINITE_UNLESS": 1,
+    **{f"FINITE{n}": 1 for n in ("", *range(2, 9))},
+    **{f"FINITE_UNLESS{n}": 1 for n in ("", *range(2, 9))},
     "RESULT": 1,
     "FOUR": 3,
     "NOT_BELOW": 1,
