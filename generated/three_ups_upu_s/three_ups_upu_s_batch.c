@@ -361,7 +361,9 @@ int function##_batch_soa(size_t count, size_t stride, THREE_UPS_UPU_S_ALL given,
 #define NOT_ABOVE(x, high, status) checked0 = (three_ups_upu_s_wide)((three_ups_upu_s_wide_mask)checked0 | ~(three_ups_upu_s_wide_mask)((x) <= (high)))
 #define RESULT(checked, array, k, x) \
     { const REAL result_ = (x); WRITE(array, k, result_); checked = checked + result_; }
-/* Stages of equal limbs: of the limb with this number. */
+/* Stages are what equal limbs do, written once: here of the limb with the number `limb`. Values have the
+   names of the theory without the limb's. OWN(own->x): what a limb hands on; limbs.x[0]: that of the first
+   limb; given: what limbs are given; sign1 ...: 1 or -1 by limb, where equal limbs mirror each other. */
 #define STAGE(function, n) static inline THREE_UPS_UPU_S_INLINE void three_ups_upu_s_##function##_wide_limb##n
 #define LIMBS(function) three_ups_upu_s_##function##_wide_limbs
 #define FIRST_LIMB(k, function, n, ...) three_ups_upu_s_##function##_wide_limb##n(k, __VA_ARGS__)

@@ -5,7 +5,6 @@
  */
 #include "three_ups_upu_s_support.h"
 
-#if !defined(THREE_UPS_UPU_S_LANES)
 BODY(three_ups_upu_s_limb_margins)(size_t stride, const double *restrict q, double *restrict margins,
     const double *restrict sine, const double *restrict cosine, double *restrict total)
 {
@@ -40,9 +39,7 @@ BODY(three_ups_upu_s_limb_margins)(size_t stride, const double *restrict q, doub
     NOT_ABOVE(t7, 1.000001, 5);
     FINITE((checked0 + checked1) + (checked2 + checked3));
 }
-#endif
 
-#if !defined(THREE_UPS_UPU_S_LANES)
 BODY(three_ups_upu_s_constraint_margin)(size_t stride, const double *restrict q, double *restrict margins,
     const double *restrict sine, const double *restrict cosine, double *restrict total)
 {
@@ -85,9 +82,7 @@ BODY(three_ups_upu_s_constraint_margin)(size_t stride, const double *restrict q,
     NOT_ABOVE(t8, 1.000001, 5);
     FINITE((checked0 + checked1) + checked2);
 }
-#endif
 
-#if !defined(THREE_UPS_UPU_S_LANES)
 BODY(three_ups_upu_s_actuation_margins)(size_t stride, const double *restrict q, double *restrict margins,
     const double *restrict sine, const double *restrict cosine, double *restrict total)
 {
@@ -151,7 +146,6 @@ BODY(three_ups_upu_s_actuation_margins)(size_t stride, const double *restrict q,
     NOT_ABOVE(t41, 1.000001, 5);
     FINITE((checked0 + checked1) + (checked2 + checked3));
 }
-#endif
 
 #if !defined(THREE_UPS_UPU_S_VECTORS)
 

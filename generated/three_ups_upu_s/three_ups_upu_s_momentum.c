@@ -5,7 +5,6 @@
  */
 #include "three_ups_upu_s_support.h"
 
-#if !defined(THREE_UPS_UPU_S_LANES)
 typedef struct {
     EACH4 lower_momentum_px, lower_momentum_py, lower_momentum_pz, lower_momentum_Lx, lower_momentum_Ly,
       signed_lower_momentum_Lz, signed_upper_momentum_px, upper_momentum_py, signed_upper_momentum_pz,
@@ -207,9 +206,7 @@ BODY(three_ups_upu_s_momentum_screws)(size_t stride, const double *restrict q, c
     NOT_ABOVE(t7, 1.000001, 5);
     FINITE4((checked0 + checked1) + (checked2 + checked3), limbs.checked);
 }
-#endif
 
-#if !defined(THREE_UPS_UPU_S_LANES)
 typedef struct {
     EACH4 checked;
 } LIMBS(momentum_rates);
@@ -454,9 +451,7 @@ BODY(three_ups_upu_s_momentum_rates)(size_t stride, const double *restrict q, co
     NOT_ABOVE(t7, 1.000001, 5);
     FINITE4((checked0 + checked1) + (checked2 + checked3), limbs.checked);
 }
-#endif
 
-#if !defined(THREE_UPS_UPU_S_LANES)
 typedef struct {
     EACH4 U_0_energy_kinetic_up_to, t1, t2, signed_lower_rotation_zx, t3;
 } LIMBS(energy);
@@ -521,9 +516,7 @@ BODY(three_ups_upu_s_energy)(size_t stride, const double *restrict q, const doub
     NOT_ABOVE(t21, 1.000001, 5);
     FINITE(checked0 + checked1);
 }
-#endif
 
-#if !defined(THREE_UPS_UPU_S_LANES)
 BODY(three_ups_upu_s_mass_matrix)(size_t stride, const double *restrict q, double *restrict mass_matrix,
     const double *restrict sine, const double *restrict cosine, double *restrict total)
 {
@@ -566,9 +559,7 @@ BODY(three_ups_upu_s_mass_matrix)(size_t stride, const double *restrict q, doubl
     WRITE(mass_matrix, 224, CONSTANT(platform_Izz));
     FINITE((checked0 + checked1) + (checked2 + checked3));
 }
-#endif
 
-#if !defined(THREE_UPS_UPU_S_LANES)
 typedef struct {
     EACH4 checked;
 } LIMBS(bias);
@@ -640,7 +631,6 @@ BODY(three_ups_upu_s_bias)(size_t stride, const double *restrict q, const double
     NOT_ABOVE(t8, 1.000001, 5);
     FINITE4((checked0 + checked1) + (checked2 + checked3), limbs.checked);
 }
-#endif
 
 #if !defined(THREE_UPS_UPU_S_VECTORS)
 

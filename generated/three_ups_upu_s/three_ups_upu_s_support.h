@@ -420,7 +420,9 @@ static inline THREE_UPS_UPU_S_INLINE void three_ups_upu_s_sines9(const double *r
     if (!((x) <= (high))) { (void)stride, (void)total; return isfinite(x) ? (status) : 2; }
 #define RESULT(checked, array, k, x) \
     { const REAL result_ = (x); WRITE(array, k, result_); checked = checked + result_; }
-/* Stages of equal limbs: of the limb with this number. */
+/* Stages are what equal limbs do, written once: here of the limb with the number `limb`. Values have the
+   names of the theory without the limb's. OWN(own->x): what a limb hands on; limbs.x[0]: that of the first
+   limb; given: what limbs are given; sign1 ...: 1 or -1 by limb, where equal limbs mirror each other. */
 #define STAGE(function, n) static inline THREE_UPS_UPU_S_INLINE void three_ups_upu_s_##function##_limb##n
 #define LIMBS(function) three_ups_upu_s_##function##_limbs
 #define FIRST_LIMB(k, function, n, ...) three_ups_upu_s_##function##_limb##n(k, __VA_ARGS__)

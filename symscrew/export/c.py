@@ -74,7 +74,8 @@ def print_source(model: Model, *, precision: Precision = DOUBLE, batches: bool =
     lines += ["", *routines] if routines else []
     one, undefined = c_wide.one_state(name, precision, pieces.limbs), c_wide.undefined(pieces.limbs)
     lines += ["", *pieces.shared.constants.lines(), "", *pieces.shared.lines(), *one]
-    lines += [f"#endif /* {again(name)} */", *(line for f in pieces.bodies for line in pieces.body(f))]
+    lines += [f"#endif /* {again(name)} */"]
+    lines += [line for f in pieces.bodies for line in pieces.body(f, beside=pieces.bodies)]
 
     def read_again(width: int) -> list[str]:
         macros = [*undefined, *c_wide.side_by_side(name, precision, width), f'#include "{name}.c"']

@@ -71,7 +71,7 @@ def _about(pieces: Pieces, what: str, functions: Sequence[str] = ()) -> list[str
 
 def _family(pieces: Pieces, kind: str, functions: Sequence[str]) -> list[str]:
     """Bodies, which are read twice, then functions of one state, which are not."""
-    bodies = [line for f in functions if f in pieces.bodies for line in pieces.body(f)]
+    bodies = [line for f in functions if f in pieces.bodies for line in pieces.body(f, beside=functions)]
     own = [line for f in functions for line in pieces.functions[f]]
     lines = [*_about(pieces, kind, functions), f'#include "{pieces.name}_support.h"', *bodies]
     if not bodies:

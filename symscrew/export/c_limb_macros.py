@@ -29,7 +29,9 @@ def one_by_one(model: str, kind: str, each: str, real: str, limbs: Sequence[int]
         return []
     upper, symbol = model.upper(), f"{model}_##function##{kind}_limb"
     lines = [
-        "/* Stages of equal limbs: of the limb with this number. */",
+        "/* Stages are what equal limbs do, written once: here of the limb with the number `limb`. Values have the",
+        "   names of the theory without the limb's. OWN(own->x): what a limb hands on; limbs.x[0]: that of the first",
+        "   limb; given: what limbs are given; sign1 ...: 1 or -1 by limb, where equal limbs mirror each other. */",
         f"#define STAGE(function, n) static inline {upper}_INLINE void {symbol}##n",
         f"#define LIMBS(function) {symbol}s",
         f"#define FIRST_LIMB(k, function, n, ...) {symbol}##n(k, __VA_ARGS__)",

@@ -141,11 +141,14 @@ class Pieces:
         self.limbs = limbs_in(line for text in (*self.bodies.values(), *self.functions.values()) for line in text)
         self.wide = [line for f in self.blocks for line in ("", *c_batch.block(self.printed[f]))]
 
-    def body(self, name: str) -> list[str]:
-        """A body, left out where bodies are read again for what it is not for: several states, so many lanes."""
+    def body(self, name: str, *, beside: Iterable[str]) -> list[str]:
+        """A body, left out where bodies are read again for what it is not for: several states, so many lanes.
+
+        `beside` are the functions whose bodies are read with it.
+        """
         vectors, lanes, width = again(self.name), lanes_macro(self.name), self.lanes.get(name)
         text = self.bodies[name]
-        if not self.lanes:
+        if self.lanes.keys().isdisjoint(beside):
             return ["", *text]
         if width is None:
             return ["", f"#if !defined({lanes})", *text, "#endif"]
