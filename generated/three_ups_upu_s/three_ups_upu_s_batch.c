@@ -28,6 +28,7 @@ static inline three_ups_upu_s_wide three_ups_upu_s_wide_sqrt(three_ups_upu_s_wid
     }
     return root;
 }
+typedef three_ups_upu_s_wide three_ups_upu_s_wide_each4[4];
 #endif
 #if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(THREE_UPS_UPU_S_SCALAR) && !defined(THREE_UPS_UPU_S_STATE_BY_STATE)
 #define THREE_UPS_UPU_S_ROOM 1928
@@ -315,6 +316,22 @@ int function##_batch_soa(size_t count, size_t stride, THREE_UPS_UPU_S_ALL given,
 #undef NOT_BELOW
 #undef NOT_ABOVE
 #undef RESULT
+#undef STAGE
+#undef LIMBS
+#undef FIRST_LIMB
+#undef NEXT_LIMB
+#undef OWN
+#undef ALONE
+#undef EACH4
+#undef LIMB4
+#undef NUMBER4
+#undef OF4
+#undef IN_EACH4
+#undef WRITE4
+#undef SQRT4
+#undef SMALL4
+#undef FINITE_UNLESS4
+#undef FINITE4
 
 #if defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__)) && !defined(THREE_UPS_UPU_S_SCALAR) && !defined(THREE_UPS_UPU_S_STATE_BY_STATE)
 #define THREE_UPS_UPU_S_VECTORS
@@ -344,6 +361,25 @@ int function##_batch_soa(size_t count, size_t stride, THREE_UPS_UPU_S_ALL given,
 #define NOT_ABOVE(x, high, status) checked0 = (three_ups_upu_s_wide)((three_ups_upu_s_wide_mask)checked0 | ~(three_ups_upu_s_wide_mask)((x) <= (high)))
 #define RESULT(checked, array, k, x) \
     { const REAL result_ = (x); WRITE(array, k, result_); checked = checked + result_; }
+/* Stages are what equal limbs do, written once: here of the limb with the number `limb`. Values have the
+   names of the theory without the limb's. OWN(own->x): what a limb hands on; limbs.x[0]: that of the first
+   limb; given: what limbs are given; sign1 ...: 1 or -1 by limb, where equal limbs mirror each other. */
+#define STAGE(function, n) static inline THREE_UPS_UPU_S_INLINE void three_ups_upu_s_##function##_wide_limb##n
+#define LIMBS(function) three_ups_upu_s_##function##_wide_limbs
+#define FIRST_LIMB(k, function, n, ...) three_ups_upu_s_##function##_wide_limb##n(k, __VA_ARGS__)
+#define NEXT_LIMB(k, function, n, ...) three_ups_upu_s_##function##_wide_limb##n(k, __VA_ARGS__)
+#define OWN(x) (x)[limb]
+#define ALONE(x) (x)
+#define EACH4 three_ups_upu_s_wide_each4
+#define LIMB4 REAL
+#define NUMBER4 double
+#define OF4(a, b, c, d) (limb == 0 ? (a) : limb == 1 ? (b) : limb == 2 ? (c) : (d))
+#define IN_EACH4(read, array, first, step) read(array, (first) + (step) * limb)
+#define WRITE4(array, a, b, c, d, x) WRITE(array, OF4(a, b, c, d), x)
+#define SQRT4(x) SQRT(x)
+#define SMALL4(x, a, b, c, d) (SMALL((x)[0], a) OR SMALL((x)[1], b) OR SMALL((x)[2], c) OR SMALL((x)[3], d))
+#define FINITE_UNLESS4(small, sum, each) FINITE_UNLESS(small, sum)
+#define FINITE4(sum, each) FINITE(sum)
 #include "three_ups_upu_s_kinematics.c"
 #include "three_ups_upu_s_loops.c"
 #include "three_ups_upu_s_momentum.c"
@@ -372,6 +408,22 @@ int function##_batch_soa(size_t count, size_t stride, THREE_UPS_UPU_S_ALL given,
 #undef NOT_BELOW
 #undef NOT_ABOVE
 #undef RESULT
+#undef STAGE
+#undef LIMBS
+#undef FIRST_LIMB
+#undef NEXT_LIMB
+#undef OWN
+#undef ALONE
+#undef EACH4
+#undef LIMB4
+#undef NUMBER4
+#undef OF4
+#undef IN_EACH4
+#undef WRITE4
+#undef SQRT4
+#undef SMALL4
+#undef FINITE_UNLESS4
+#undef FINITE4
 
 THREE_UPS_UPU_S_SIDE_BY_SIDE(three_ups_upu_s_body_poses,
     const double *restrict q = in[0]; double *restrict poses = out[0];

@@ -7,214 +7,143 @@
  */
 #include "three_ups_upu_s_support.h"
 
+#if !defined(THREE_UPS_UPU_S_LANES)
+typedef struct {
+    EACH4 signed_lower_poses_Ryx, signed_lower_poses_Rzx, signed_lower_poses_Rxz, lower_poses_Rzz, checked;
+} LIMBS(body_poses);
+
+STAGE(body_poses, 0)(size_t limb, size_t stride, const double *restrict q, double *restrict poses,
+    const double *restrict sine, const double *restrict cosine, LIMBS(body_poses) *own)
+{
+    (void)limb, (void)stride;
+    const NUMBER4 each_k1 = OF4(k1, -k1, k1, -k1), sign1 = OF4(1.0, -1.0, 1.0, -1.0),
+      each_k1_2 = OF4(-k1, k1, -k1, k1), factor_2 = OF4(0.5, -0.5, 0.5, -0.5),
+      each_param_R = OF4(param_R, param_R, -param_R, -param_R),
+      each_param_R_2 = OF4(-param_R, -param_R, param_R, param_R),
+      each_param_R_3 = OF4(-param_R, param_R, -param_R, param_R), factor_3 = OF4(-0.5, 0.5, -0.5, 0.5),
+      each_param_H = OF4(-param_H, param_H, -param_H, param_H), sign2 = OF4(1.0, 1.0, -1.0, -1.0),
+      sign3 = OF4(1.0, -1.0, -1.0, 1.0);
+    const LIMB4 lower_cos = IN_EACH4(SINES, cosine, 1, 2), t26 = sign1 * lower_cos,
+      U_0_cos = IN_EACH4(SINES, cosine, 0, 2);
+    /* limbs together: geometry */
+    const LIMB4 lower_rotation_zx = U_0_cos * t26, signed_U_0_sin = IN_EACH4(SINES, sine, 0, 2),
+      signed_lower_rotation_yx = signed_U_0_sin * t26, signed_lower_sin = IN_EACH4(SINES, sine, 1, 2);
+    /* limbs together: results; geometry */
+    const LIMB4 t5 = 0.5 * lower_rotation_zx, t27 = sign1 * signed_lower_sin,
+      signed_lower_rotation_zy = U_0_cos * t27;
+    OWN(own->signed_lower_poses_Rzx) = t5 - each_k1 * signed_lower_rotation_zy;
+    WRITE4(poses, 14, 41, 62, 89, sign2 * OWN(own->signed_lower_poses_Rzx));
+    WRITE4(poses, 26, 53, 74, 101, sign2 * OWN(own->signed_lower_poses_Rzx));
+    const LIMB4 t13 = factor_2 * signed_lower_rotation_zy, lower_poses_z = param_R * OWN(own->signed_lower_poses_Rzx);
+    WRITE4(poses, 23, 47, 71, 95, lower_poses_z);
+    LIMB4 checked = lower_poses_z;
+    const LIMB4 t23 = 0.5 * OWN(own->signed_lower_poses_Rzx);
+    OWN(own->lower_poses_Rzz) = k1 * lower_rotation_zx + t13;
+    WRITE4(poses, 20, 44, 68, 92, OWN(own->lower_poses_Rzz));
+    WRITE4(poses, 32, 56, 80, 104, OWN(own->lower_poses_Rzz));
+    const LIMB4 t25 = t23 - param_H * OWN(own->lower_poses_Rzz),
+      upper_offset_x = IN_EACH4(READ, q, 2, 3) + limb_upper_phase,
+      upper_poses_z = upper_offset_x * lower_rotation_zx + t25;
+    WRITE4(poses, 35, 59, 83, 107, upper_poses_z);
+    checked = checked + upper_poses_z;
+    const LIMB4 t3 = 0.5 * signed_lower_rotation_yx, signed_lower_rotation_yy = signed_U_0_sin * t27,
+      t9 = (-k1) * signed_lower_rotation_yx, t29 = sign1 * (upper_offset_x * signed_lower_rotation_yx),
+      signed_upper_position_x = t27 * upper_offset_x + each_param_R_3;
+    OWN(own->signed_lower_poses_Ryx) = t3 - each_k1 * signed_lower_rotation_yy;
+    WRITE4(poses, 13, 39, 61, 87, -sign3 * OWN(own->signed_lower_poses_Ryx));
+    WRITE4(poses, 25, 51, 73, 99, -sign3 * OWN(own->signed_lower_poses_Ryx));
+    const LIMB4 t11 = t9 - factor_2 * signed_lower_rotation_yy;
+    WRITE4(poses, 19, 42, 67, 90, sign1 * t11);
+    WRITE4(poses, 31, 54, 79, 102, sign1 * t11);
+    checked = checked + t11;
+    const LIMB4 t20 = each_param_H * t11, t15 = each_param_R_3 * OWN(own->signed_lower_poses_Ryx);
+    WRITE4(poses, 22, 45, 70, 93, t15);
+    checked = checked + t15;
+    const LIMB4 t22 = t20 - sign1 * (0.5 * OWN(own->signed_lower_poses_Ryx)) - t29;
+    WRITE4(poses, 34, 57, 82, 105, t22);
+    checked = checked + t22;
+    const LIMB4 lower_poses_Rxx = 0.5 * signed_lower_sin + each_k1 * lower_cos;
+    WRITE4(poses, 12, 40, 60, 88, lower_poses_Rxx);
+    WRITE4(poses, 24, 52, 72, 100, lower_poses_Rxx);
+    const LIMB4 t16 = factor_3 * lower_poses_Rxx, lower_poses_x = each_param_R * lower_poses_Rxx + each_param_R_2;
+    WRITE4(poses, 21, 46, 69, 94, lower_poses_x);
+    checked = checked + lower_poses_x;
+    OWN(own->signed_lower_poses_Rxz) = each_k1_2 * signed_lower_sin + 0.5 * lower_cos;
+    WRITE4(poses, 18, 43, 66, 91, -sign3 * OWN(own->signed_lower_poses_Rxz));
+    WRITE4(poses, 30, 55, 78, 103, -sign3 * OWN(own->signed_lower_poses_Rxz));
+    const LIMB4 signed_upper_poses_x = t16 - param_H * OWN(own->signed_lower_poses_Rxz) - signed_upper_position_x;
+    WRITE4(poses, 33, 58, 81, 106, -sign3 * signed_upper_poses_x);
+    checked = checked + signed_upper_poses_x;
+    OWN(own->checked) = checked;
+}
+
 BODY(three_ups_upu_s_body_poses)(size_t stride, const double *restrict q, double *restrict poses,
     const double *restrict sine, const double *restrict cosine, double *restrict total)
 {
-    /* limb4: geometry */
-    const REAL minus_limb4_U_0_cos = SINES(sine, 6), limb4_U_0_cos = -minus_limb4_U_0_cos;
-    WRITE(poses, 86, limb4_U_0_cos);
-    WRITE(poses, 98, limb4_U_0_cos);
-    REAL checked0 = limb4_U_0_cos;
-    const REAL minus_limb2_U_0_cos = SINES(sine, 2), limb2_U_0_cos = -minus_limb2_U_0_cos;
-    WRITE(poses, 38, limb2_U_0_cos);
-    WRITE(poses, 50, limb2_U_0_cos);
-    REAL checked1 = limb2_U_0_cos;
-    const REAL limb4_U_0_sin = SINES(cosine, 6);
-    WRITE(poses, 84, limb4_U_0_sin);
-    WRITE(poses, 96, limb4_U_0_sin);
-    const REAL limb4_lower_cos = SINES(cosine, 7), minus_limb4_lower_rotation_zx = limb4_U_0_sin * limb4_lower_cos,
-      minus_limb4_lower_sin = SINES(sine, 7);
-    /* limb4: results; geometry */
-    const REAL t115 = 0.5 * minus_limb4_lower_rotation_zx,
-      minus_limb4_lower_rotation_zy = limb4_U_0_sin * minus_limb4_lower_sin,
-      limb4_lower_poses_Rzy = t115 + k1 * minus_limb4_lower_rotation_zy;
-    WRITE(poses, 89, limb4_lower_poses_Rzy);
-    WRITE(poses, 101, limb4_lower_poses_Rzy);
-    const REAL t124 = 0.5 * minus_limb4_lower_rotation_zy, t136 = 0.5 * limb4_lower_poses_Rzy,
-      limb4_lower_poses_z = -(param_R * limb4_lower_poses_Rzy);
-    WRITE(poses, 95, limb4_lower_poses_z);
-    REAL checked2 = limb4_lower_poses_z;
-    const REAL t125 = k1 * minus_limb4_lower_rotation_zx - t124, limb4_lower_poses_Rzz = -t125;
-    WRITE(poses, 92, limb4_lower_poses_Rzz);
-    WRITE(poses, 104, limb4_lower_poses_Rzz);
-    REAL checked3 = limb4_lower_poses_Rzz;
-    const REAL t138 = t136 - param_H * t125, limb4_upper_offset_x = limb_upper_phase + READ(q, 11);
-    RESULT(checked0, poses, 107, -(limb4_upper_offset_x * minus_limb4_lower_rotation_zx + t138));
-    const REAL limb4_lower_poses_Ryy = 0.5 * minus_limb4_lower_sin - k1 * limb4_lower_cos;
-    WRITE(poses, 88, limb4_lower_poses_Ryy);
-    WRITE(poses, 100, limb4_lower_poses_Ryy);
-    const REAL t133 = 0.5 * limb4_lower_poses_Ryy;
-    RESULT(checked1, poses, 94, param_R - param_R * limb4_lower_poses_Ryy);
-    const REAL t122 = k1 * minus_limb4_lower_sin + 0.5 * limb4_lower_cos, limb4_lower_poses_Ryz = -t122;
-    WRITE(poses, 91, limb4_lower_poses_Ryz);
-    WRITE(poses, 103, limb4_lower_poses_Ryz);
-    checked2 = checked2 + limb4_lower_poses_Ryz;
-    RESULT(checked3, poses, 106, param_R - minus_limb4_lower_sin * limb4_upper_offset_x - (t133 - param_H * t122));
-    const REAL minus_limb4_lower_rotation_xx = minus_limb4_U_0_cos * limb4_lower_cos,
-      minus_limb4_upper_position_x = limb4_upper_offset_x * minus_limb4_lower_rotation_xx,
-      t111 = 0.5 * minus_limb4_lower_rotation_xx, t117 = k1 * minus_limb4_lower_rotation_xx,
-      minus_limb4_lower_rotation_xy = minus_limb4_U_0_cos * minus_limb4_lower_sin,
-      limb4_lower_poses_Rxy = t111 + k1 * minus_limb4_lower_rotation_xy;
-    WRITE(poses, 87, limb4_lower_poses_Rxy);
-    WRITE(poses, 99, limb4_lower_poses_Rxy);
-    const REAL t119 = t117 - 0.5 * minus_limb4_lower_rotation_xy, limb4_lower_poses_Rxz = -t119;
-    WRITE(poses, 90, limb4_lower_poses_Rxz);
-    WRITE(poses, 102, limb4_lower_poses_Rxz);
-    checked0 = checked0 + limb4_lower_poses_Rxz;
-    RESULT(checked1, poses, 105, -(minus_limb4_upper_position_x + (0.5 * limb4_lower_poses_Rxy - param_H * t119)));
-    RESULT(checked2, poses, 93, -(param_R * limb4_lower_poses_Rxy));
-    /* limb3: geometry */
-    const REAL limb3_U_0_cos = SINES(cosine, 4);
-    WRITE(poses, 64, limb3_U_0_cos);
-    WRITE(poses, 76, limb3_U_0_cos);
-    const REAL limb3_lower_cos = SINES(cosine, 5), limb3_lower_rotation_zx = limb3_U_0_cos * limb3_lower_cos,
-      minus_limb3_lower_sin = SINES(sine, 5);
-    /* limb3: results; geometry */
-    const REAL t87 = 0.5 * limb3_lower_rotation_zx, limb3_lower_rotation_zy = limb3_U_0_cos * minus_limb3_lower_sin,
-      t89 = t87 - k1 * limb3_lower_rotation_zy, t97 = 0.5 * limb3_lower_rotation_zy;
-    RESULT(checked3, poses, 71, param_R * t89);
-    const REAL limb3_lower_poses_Rzx = -t89;
-    WRITE(poses, 62, limb3_lower_poses_Rzx);
-    WRITE(poses, 74, limb3_lower_poses_Rzx);
-    checked0 = checked0 + limb3_lower_poses_Rzx;
-    const REAL t107 = 0.5 * t89, limb3_lower_poses_Rzz = k1 * limb3_lower_rotation_zx + t97;
-    WRITE(poses, 68, limb3_lower_poses_Rzz);
-    WRITE(poses, 80, limb3_lower_poses_Rzz);
-    const REAL t109 = t107 - param_H * limb3_lower_poses_Rzz, limb3_upper_offset_x = limb_upper_phase + READ(q, 8);
-    RESULT(checked1, poses, 83, limb3_upper_offset_x * limb3_lower_rotation_zx + t109);
-    const REAL limb3_U_0_sin = SINES(sine, 4);
-    WRITE(poses, 65, limb3_U_0_sin);
-    WRITE(poses, 77, limb3_U_0_sin);
-    const REAL minus_limb3_lower_rotation_yx = limb3_U_0_sin * limb3_lower_cos,
-      t85 = 0.5 * minus_limb3_lower_rotation_yx,
-      minus_limb3_lower_rotation_yy = limb3_U_0_sin * minus_limb3_lower_sin,
-      limb3_lower_poses_Ryx = t85 - k1 * minus_limb3_lower_rotation_yy;
-    WRITE(poses, 61, limb3_lower_poses_Ryx);
-    WRITE(poses, 73, limb3_lower_poses_Ryx);
-    const REAL t94 = 0.5 * minus_limb3_lower_rotation_yy, t103 = 0.5 * limb3_lower_poses_Ryx;
-    RESULT(checked2, poses, 70, -(param_R * limb3_lower_poses_Ryx));
-    const REAL t95 = k1 * minus_limb3_lower_rotation_yx + t94,
-      minus_limb3_upper_position_y = limb3_upper_offset_x * minus_limb3_lower_rotation_yx,
-      limb3_upper_position_x = param_R - minus_limb3_lower_sin * limb3_upper_offset_x, limb3_lower_poses_Ryz = -t95;
-    WRITE(poses, 67, limb3_lower_poses_Ryz);
-    WRITE(poses, 79, limb3_lower_poses_Ryz);
-    checked3 = checked3 + limb3_lower_poses_Ryz;
-    RESULT(checked0, poses, 82, -(minus_limb3_upper_position_y + (t103 - param_H * t95)));
-    const REAL limb3_lower_poses_Rxx = 0.5 * minus_limb3_lower_sin + k1 * limb3_lower_cos;
-    WRITE(poses, 60, limb3_lower_poses_Rxx);
-    WRITE(poses, 72, limb3_lower_poses_Rxx);
-    const REAL t100 = 0.5 * limb3_lower_poses_Rxx;
-    RESULT(checked1, poses, 69, param_R - param_R * limb3_lower_poses_Rxx);
-    const REAL t92 = k1 * minus_limb3_lower_sin - 0.5 * limb3_lower_cos, limb3_lower_poses_Rxz = -t92;
-    WRITE(poses, 66, limb3_lower_poses_Rxz);
-    WRITE(poses, 78, limb3_lower_poses_Rxz);
-    checked2 = checked2 + limb3_lower_poses_Rxz;
-    RESULT(checked3, poses, 81, limb3_upper_position_x - (t100 - param_H * t92));
-    /* limb2: geometry */
-    const REAL limb2_U_0_sin = SINES(cosine, 2);
-    WRITE(poses, 36, limb2_U_0_sin);
-    WRITE(poses, 48, limb2_U_0_sin);
-    const REAL limb2_lower_cos = SINES(cosine, 3), minus_limb2_lower_rotation_zx = limb2_U_0_sin * limb2_lower_cos,
-      limb2_lower_sin = SINES(sine, 3);
-    /* limb2: results; geometry */
-    const REAL t57 = 0.5 * minus_limb2_lower_rotation_zx, limb2_lower_rotation_zy = limb2_U_0_sin * limb2_lower_sin,
-      t59 = t57 + k1 * limb2_lower_rotation_zy, t66 = 0.5 * limb2_lower_rotation_zy, limb2_lower_poses_Rzy = -t59;
-    WRITE(poses, 41, limb2_lower_poses_Rzy);
-    WRITE(poses, 53, limb2_lower_poses_Rzy);
-    checked0 = checked0 + limb2_lower_poses_Rzy;
-    const REAL t78 = 0.5 * t59;
-    RESULT(checked1, poses, 47, -(param_R * t59));
-    const REAL t67 = k1 * minus_limb2_lower_rotation_zx - t66, limb2_lower_poses_Rzz = -t67;
-    WRITE(poses, 44, limb2_lower_poses_Rzz);
-    WRITE(poses, 56, limb2_lower_poses_Rzz);
-    checked2 = checked2 + limb2_lower_poses_Rzz;
-    const REAL t80 = t78 - param_H * t67, limb2_upper_offset_x = limb_upper_phase + READ(q, 5);
-    RESULT(checked3, poses, 59, -(limb2_upper_offset_x * minus_limb2_lower_rotation_zx + t80));
-    const REAL limb2_lower_poses_Ryy = 0.5 * limb2_lower_sin - k1 * limb2_lower_cos;
-    WRITE(poses, 40, limb2_lower_poses_Ryy);
-    WRITE(poses, 52, limb2_lower_poses_Ryy);
-    const REAL t75 = 0.5 * limb2_lower_poses_Ryy;
-    RESULT(checked0, poses, 46, param_R * limb2_lower_poses_Ryy - param_R);
-    const REAL limb2_lower_poses_Ryz = k1 * limb2_lower_sin + 0.5 * limb2_lower_cos;
-    WRITE(poses, 43, limb2_lower_poses_Ryz);
-    WRITE(poses, 55, limb2_lower_poses_Ryz);
-    RESULT(checked1, poses, 58, t75 - param_H * limb2_lower_poses_Ryz - (param_R - limb2_lower_sin * limb2_upper_offset_x));
-    const REAL minus_limb2_lower_rotation_xx = minus_limb2_U_0_cos * limb2_lower_cos,
-      minus_limb2_upper_position_x = limb2_upper_offset_x * minus_limb2_lower_rotation_xx,
-      t52 = 0.5 * minus_limb2_lower_rotation_xx, t60 = k1 * minus_limb2_lower_rotation_xx,
-      limb2_lower_rotation_xy = minus_limb2_U_0_cos * limb2_lower_sin, t54 = t52 + k1 * limb2_lower_rotation_xy,
-      t62 = t60 - 0.5 * limb2_lower_rotation_xy, limb2_lower_poses_Rxz = -t62;
-    WRITE(poses, 42, limb2_lower_poses_Rxz);
-    WRITE(poses, 54, limb2_lower_poses_Rxz);
-    checked2 = checked2 + limb2_lower_poses_Rxz;
-    const REAL t72 = param_H * t62, limb2_lower_poses_Rxy = -t54;
-    WRITE(poses, 39, limb2_lower_poses_Rxy);
-    WRITE(poses, 51, limb2_lower_poses_Rxy);
-    checked3 = checked3 + limb2_lower_poses_Rxy;
-    RESULT(checked0, poses, 57, -(minus_limb2_upper_position_x + (0.5 * t54 - t72)));
-    RESULT(checked1, poses, 45, -(param_R * t54));
-    /* limb1: geometry */
-    const REAL limb1_U_0_cos = SINES(cosine, 0);
-    WRITE(poses, 16, limb1_U_0_cos);
-    WRITE(poses, 28, limb1_U_0_cos);
-    const REAL limb1_lower_cos = SINES(cosine, 1), limb1_lower_rotation_zx = limb1_U_0_cos * limb1_lower_cos,
-      limb1_lower_sin = SINES(sine, 1);
-    /* limb1: results; geometry */
-    const REAL t30 = 0.5 * limb1_lower_rotation_zx, minus_limb1_lower_rotation_zy = limb1_U_0_cos * limb1_lower_sin,
-      limb1_lower_poses_Rzx = t30 - k1 * minus_limb1_lower_rotation_zy;
-    WRITE(poses, 14, limb1_lower_poses_Rzx);
-    WRITE(poses, 26, limb1_lower_poses_Rzx);
-    const REAL t38 = 0.5 * minus_limb1_lower_rotation_zy;
-    RESULT(checked2, poses, 23, param_R * limb1_lower_poses_Rzx);
-    const REAL t48 = 0.5 * limb1_lower_poses_Rzx, limb1_lower_poses_Rzz = k1 * limb1_lower_rotation_zx + t38;
-    WRITE(poses, 20, limb1_lower_poses_Rzz);
-    WRITE(poses, 32, limb1_lower_poses_Rzz);
-    const REAL t50 = t48 - param_H * limb1_lower_poses_Rzz, limb1_upper_offset_x = limb_upper_phase + READ(q, 2);
-    RESULT(checked3, poses, 35, limb1_upper_offset_x * limb1_lower_rotation_zx + t50);
-    const REAL limb1_U_0_sin = SINES(sine, 0);
-    WRITE(poses, 17, limb1_U_0_sin);
-    WRITE(poses, 29, limb1_U_0_sin);
-    const REAL minus_limb1_lower_rotation_yx = limb1_U_0_sin * limb1_lower_cos,
-      t27 = 0.5 * minus_limb1_lower_rotation_yx, limb1_lower_rotation_yy = limb1_U_0_sin * limb1_lower_sin,
-      t29 = t27 - k1 * limb1_lower_rotation_yy, t35 = 0.5 * limb1_lower_rotation_yy, limb1_lower_poses_Ryx = -t29;
-    WRITE(poses, 13, limb1_lower_poses_Ryx);
-    WRITE(poses, 25, limb1_lower_poses_Ryx);
-    checked0 = checked0 + limb1_lower_poses_Ryx;
-    const REAL t44 = 0.5 * t29;
-    RESULT(checked1, poses, 22, -(param_R * t29));
-    const REAL t36 = k1 * minus_limb1_lower_rotation_yx + t35,
-      minus_limb1_upper_position_y = limb1_upper_offset_x * minus_limb1_lower_rotation_yx,
-      minus_limb1_upper_position_x = param_R - limb1_lower_sin * limb1_upper_offset_x, limb1_lower_poses_Ryz = -t36;
-    WRITE(poses, 19, limb1_lower_poses_Ryz);
-    WRITE(poses, 31, limb1_lower_poses_Ryz);
-    checked2 = checked2 + limb1_lower_poses_Ryz;
-    RESULT(checked3, poses, 34, -(minus_limb1_upper_position_y + (t44 - param_H * t36)));
-    const REAL limb1_lower_poses_Rxx = 0.5 * limb1_lower_sin + k1 * limb1_lower_cos;
-    WRITE(poses, 12, limb1_lower_poses_Rxx);
-    WRITE(poses, 24, limb1_lower_poses_Rxx);
-    const REAL t41 = 0.5 * limb1_lower_poses_Rxx;
-    RESULT(checked0, poses, 21, param_R * limb1_lower_poses_Rxx - param_R);
-    const REAL limb1_lower_poses_Rxz = k1 * limb1_lower_sin - 0.5 * limb1_lower_cos;
-    WRITE(poses, 18, limb1_lower_poses_Rxz);
-    WRITE(poses, 30, limb1_lower_poses_Rxz);
-    RESULT(checked1, poses, 33, t41 - param_H * limb1_lower_poses_Rxz - minus_limb1_upper_position_x);
+    LIMBS(body_poses) limbs;
+    FIRST_LIMB(0, body_poses, 0, stride, q, poses, sine, cosine, &limbs);
+    /* limb1: results */
+    REAL checked0 = limbs.signed_lower_poses_Ryx[0];
+    REAL checked1 = ALONE(limbs.checked[0]);
+    NEXT_LIMB(1, body_poses, 0, stride, q, poses, sine, cosine, &limbs);
+    REAL checked2 = limbs.signed_lower_poses_Ryx[1];
+    REAL checked3 = limbs.signed_lower_poses_Rzx[1];
+    checked0 = checked0 + limbs.lower_poses_Rzz[1];
+    checked1 = checked1 + ALONE(limbs.checked[1]);
+    NEXT_LIMB(2, body_poses, 0, stride, q, poses, sine, cosine, &limbs);
+    checked2 = checked2 + limbs.signed_lower_poses_Rzx[2];
+    checked3 = checked3 + limbs.signed_lower_poses_Rxz[2];
+    checked0 = checked0 + ALONE(limbs.checked[2]);
+    NEXT_LIMB(3, body_poses, 0, stride, q, poses, sine, cosine, &limbs);
+    checked1 = checked1 + limbs.signed_lower_poses_Rxz[3];
+    checked2 = checked2 + limbs.lower_poses_Rzz[3];
+    checked3 = checked3 + ALONE(limbs.checked[3]);
+    const REAL minus_limb2_U_0_cos = SINES(sine, 2);
+    checked0 = checked0 + minus_limb2_U_0_cos;
+    const REAL minus_limb2_U_0_cos_2 = -minus_limb2_U_0_cos;
+    WRITE(poses, 38, minus_limb2_U_0_cos_2);
+    WRITE(poses, 50, minus_limb2_U_0_cos_2);
+    const REAL minus_limb4_U_0_cos = SINES(sine, 6);
+    checked1 = checked1 + minus_limb4_U_0_cos;
+    const REAL minus_limb4_U_0_cos_2 = -minus_limb4_U_0_cos;
+    WRITE(poses, 86, minus_limb4_U_0_cos_2);
+    WRITE(poses, 98, minus_limb4_U_0_cos_2);
     /* limb5_S: geometry */
     const REAL limb5_S_q_qw = READ(q, 12), limb5_S_q_qx = READ(q, 13), t4 = limb5_S_q_qw * limb5_S_q_qw,
       t5 = limb5_S_q_qx * limb5_S_q_qx, limb5_S_q_qy = READ(q, 14), t6 = t4 + t5, t1 = limb5_S_q_qy * limb5_S_q_qy,
-      limb5_S_q_qz = READ(q, 15), t2 = limb5_S_q_qz * limb5_S_q_qz, t3 = t1 + t2, t7 = t6 + t3, t9 = 4.0 - 2.0 * t7,
-      t17 = t5 + t2;
-    RESULT(checked2, poses, 8, 1.0 - t9 * (t5 + t1));
-    RESULT(checked3, poses, 4, 1.0 - t9 * t17);
-    RESULT(checked0, poses, 0, 1.0 - t3 * t9);
-    const REAL t13 = limb5_S_q_qz * t9, t19 = limb5_S_q_qy * t13, t21 = limb5_S_q_qw * (limb5_S_q_qx * t9);
-    RESULT(checked1, poses, 7, t19 - t21);
-    RESULT(checked2, poses, 5, t19 + t21);
-    const REAL t11 = limb5_S_q_qy * t9, t15 = limb5_S_q_qx * t13, t14 = limb5_S_q_qw * t13, t16 = limb5_S_q_qw * t11;
-    RESULT(checked3, poses, 6, t15 + t16);
-    RESULT(checked0, poses, 2, t15 - t16);
-    const REAL t12 = limb5_S_q_qx * t11;
-    RESULT(checked1, poses, 3, t12 - t14);
-    RESULT(checked2, poses, 1, t12 + t14);
+      limb5_S_q_qz = READ(q, 15), t2 = limb5_S_q_qz * limb5_S_q_qz, t3 = t1 + t2, t7 = t6 + t3, t9 = 4.0 - 2.0 * t7;
+    RESULT(checked2, poses, 0, 1.0 - t3 * t9);
+    const REAL t22 = t5 + t1;
+    RESULT(checked3, poses, 4, 1.0 - t9 * (t5 + t2));
+    RESULT(checked0, poses, 8, 1.0 - t9 * t22);
+    const REAL t11 = limb5_S_q_qy * t9, t12 = limb5_S_q_qx * t11, t16 = limb5_S_q_qw * t11, t13 = limb5_S_q_qz * t9,
+      t21 = limb5_S_q_qw * (limb5_S_q_qx * t9), t14 = limb5_S_q_qw * t13;
+    RESULT(checked1, poses, 1, t12 + t14);
+    RESULT(checked2, poses, 3, t12 - t14);
+    const REAL t15 = limb5_S_q_qx * t13;
+    RESULT(checked3, poses, 2, t15 - t16);
+    RESULT(checked0, poses, 6, t15 + t16);
+    const REAL t19 = limb5_S_q_qy * t13;
+    RESULT(checked1, poses, 5, t19 + t21);
+    RESULT(checked2, poses, 7, t19 - t21);
+    const REAL limb1_U_0_cos = SINES(cosine, 0);
+    WRITE(poses, 16, limb1_U_0_cos);
+    WRITE(poses, 28, limb1_U_0_cos);
+    const REAL limb1_U_0_sin = SINES(sine, 0);
+    WRITE(poses, 17, limb1_U_0_sin);
+    WRITE(poses, 29, limb1_U_0_sin);
+    const REAL limb2_U_0_sin = SINES(cosine, 2);
+    WRITE(poses, 36, limb2_U_0_sin);
+    WRITE(poses, 48, limb2_U_0_sin);
+    const REAL limb3_U_0_cos = SINES(cosine, 4);
+    WRITE(poses, 64, limb3_U_0_cos);
+    WRITE(poses, 76, limb3_U_0_cos);
+    const REAL limb3_U_0_sin = SINES(sine, 4);
+    WRITE(poses, 65, limb3_U_0_sin);
+    WRITE(poses, 77, limb3_U_0_sin);
+    const REAL limb4_U_0_sin = SINES(cosine, 6);
+    WRITE(poses, 84, limb4_U_0_sin);
+    WRITE(poses, 96, limb4_U_0_sin);
     WRITE(poses, 9, CONSTANT(0.0));
     WRITE(poses, 10, CONSTANT(0.0));
     WRITE(poses, 11, CONSTANT(0.0));
@@ -229,111 +158,89 @@ BODY(three_ups_upu_s_body_poses)(size_t stride, const double *restrict q, double
     /* else status 5: no rotation */
     NOT_BELOW(t7, 0.999999, 5);
     NOT_ABOVE(t7, 1.000001, 5);
-    FINITE((checked0 + checked1) + (checked2 + checked3));
+    FINITE4((checked0 + checked1) + (checked2 + checked3), limbs.checked);
+}
+#endif
+
+#if !defined(THREE_UPS_UPU_S_LANES)
+typedef struct {
+    EACH4 lower_twist_vy, signed_lower_twist_vz, checked;
+} LIMBS(body_twists);
+
+STAGE(body_twists, 0)(size_t limb, size_t stride, const double *restrict v, double *restrict twists,
+    const double *restrict sine, const double *restrict cosine, REAL signed_U_1_screw_vy,
+    REAL signed_U_1_screw_vz, LIMBS(body_twists) *own)
+{
+    (void)limb, (void)stride;
+    const NUMBER4 sign1 = OF4(1.0, 1.0, -1.0, -1.0), sign2 = OF4(1.0, -1.0, -1.0, 1.0),
+      sign3 = OF4(1.0, -1.0, 1.0, -1.0);
+    const LIMB4 P_v = IN_EACH4(READ, v, 2, 3);
+    /* limbs together: velocities, eq. (6) */
+    const LIMB4 signed_upper_twist_vx = P_v * IN_EACH4(SINES, sine, 1, 2);
+    WRITE4(twists, 15, 28, 39, 52, sign1 * signed_upper_twist_vx);
+    LIMB4 checked = signed_upper_twist_vx;
+    const LIMB4 U_0_cos = IN_EACH4(SINES, cosine, 0, 2), lower_cos = IN_EACH4(SINES, cosine, 1, 2),
+      t2 = P_v * (U_0_cos * lower_cos), t3 = sign1 * IN_EACH4(READ, v, 1, 3),
+      signed_U_0_sin = IN_EACH4(SINES, sine, 0, 2), signed_lower_twist_wz = t3 * signed_U_0_sin;
+    WRITE4(twists, 8, 20, 32, 44, sign2 * signed_lower_twist_wz);
+    WRITE4(twists, 14, 26, 38, 50, sign2 * signed_lower_twist_wz);
+    checked = checked + signed_lower_twist_wz;
+    const LIMB4 signed_lower_twist_wy = t3 * U_0_cos;
+    WRITE4(twists, 7, 18, 31, 42, sign1 * signed_lower_twist_wy);
+    WRITE4(twists, 13, 24, 37, 48, sign1 * signed_lower_twist_wy);
+    checked = checked + signed_lower_twist_wy;
+    OWN(own->signed_lower_twist_vz) = t3 * signed_U_1_screw_vz;
+    WRITE4(twists, 11, 23, 35, 47, -sign3 * OWN(own->signed_lower_twist_vz));
+    const LIMB4 signed_upper_twist_vz = t2 - OWN(own->signed_lower_twist_vz);
+    WRITE4(twists, 17, 29, 41, 53, sign3 * signed_upper_twist_vz);
+    checked = checked + signed_upper_twist_vz;
+    OWN(own->lower_twist_vy) = t3 * signed_U_1_screw_vy;
+    WRITE4(twists, 10, 21, 34, 45, OWN(own->lower_twist_vy));
+    const LIMB4 upper_twist_vy = OWN(own->lower_twist_vy) - P_v * (signed_U_0_sin * lower_cos);
+    WRITE4(twists, 16, 27, 40, 51, upper_twist_vy);
+    checked = checked + upper_twist_vy;
+    OWN(own->checked) = checked;
 }
 
 BODY(three_ups_upu_s_body_twists)(size_t stride, const double *restrict q, const double *restrict v,
     double *restrict twists, const double *restrict sine, const double *restrict cosine,
     double *restrict total)
 {
+    LIMBS(body_twists) limbs;
     REAL checked0 = READ(q, 2);
     REAL checked1 = READ(q, 5);
     REAL checked2 = READ(q, 8);
     REAL checked3 = READ(q, 11);
-    /* limb4: velocities, eq. (6); geometry */
-    const REAL limb4_U_v_1 = READ(v, 10), limb4_U_0_sin = SINES(cosine, 6),
-      limb4_lower_twist_wx = limb4_U_v_1 * limb4_U_0_sin;
-    WRITE(twists, 42, limb4_lower_twist_wx);
-    WRITE(twists, 48, limb4_lower_twist_wx);
-    checked0 = checked0 + limb4_lower_twist_wx;
-    /* limb3: velocities, eq. (6); geometry */
-    const REAL limb3_U_v_1 = READ(v, 7), limb3_U_0_sin = SINES(sine, 4),
-      limb3_lower_twist_wz = limb3_U_v_1 * limb3_U_0_sin;
-    WRITE(twists, 32, limb3_lower_twist_wz);
-    WRITE(twists, 38, limb3_lower_twist_wz);
-    checked1 = checked1 + limb3_lower_twist_wz;
-    const REAL limb3_U_0_cos = SINES(cosine, 4), limb3_lower_twist_wy = limb3_U_v_1 * limb3_U_0_cos;
-    WRITE(twists, 31, limb3_lower_twist_wy);
-    WRITE(twists, 37, limb3_lower_twist_wy);
-    checked2 = checked2 + limb3_lower_twist_wy;
-    /* limb2: velocities, eq. (6); geometry */
-    const REAL limb2_P_v = READ(v, 5);
-    RESULT(checked3, twists, 28, limb2_P_v * SINES(sine, 3));
-    const REAL limb2_U_v_1 = READ(v, 4), limb2_U_0_sin = SINES(cosine, 2),
-      limb2_lower_twist_wx = limb2_U_v_1 * limb2_U_0_sin;
-    WRITE(twists, 18, limb2_lower_twist_wx);
-    WRITE(twists, 24, limb2_lower_twist_wx);
-    checked0 = checked0 + limb2_lower_twist_wx;
-    /* limb1: velocities, eq. (6); geometry */
-    const REAL limb1_P_v = READ(v, 2);
-    RESULT(checked1, twists, 15, limb1_P_v * SINES(sine, 1));
-    const REAL limb1_U_v_1 = READ(v, 1), limb1_U_0_sin = SINES(sine, 0),
-      limb1_lower_twist_wz = limb1_U_v_1 * limb1_U_0_sin;
-    WRITE(twists, 8, limb1_lower_twist_wz);
-    WRITE(twists, 14, limb1_lower_twist_wz);
-    checked2 = checked2 + limb1_lower_twist_wz;
-    const REAL limb1_U_0_cos = SINES(cosine, 0), limb1_lower_twist_wy = limb1_U_v_1 * limb1_U_0_cos;
-    WRITE(twists, 7, limb1_lower_twist_wy);
-    WRITE(twists, 13, limb1_lower_twist_wy);
-    checked3 = checked3 + limb1_lower_twist_wy;
-    /* limb4: velocities, eq. (6); geometry */
-    const REAL minus_limb4_lower_twist_vz = limb4_U_v_1 * (param_R * limb4_U_0_sin);
-    RESULT(checked0, twists, 47, -minus_limb4_lower_twist_vz);
-    const REAL limb4_lower_cos = SINES(cosine, 7), limb4_P_v = READ(v, 11);
-    RESULT(checked1, twists, 53, -(minus_limb4_lower_twist_vz + limb4_P_v * (limb4_U_0_sin * limb4_lower_cos)));
-    RESULT(checked2, twists, 52, -(limb4_P_v * SINES(sine, 7)));
-    const REAL minus_limb4_U_0_cos = SINES(sine, 6),
-      minus_limb4_lower_twist_vx = limb4_U_v_1 * (param_R * minus_limb4_U_0_cos);
-    RESULT(checked3, twists, 45, -minus_limb4_lower_twist_vx);
-    RESULT(checked0, twists, 51, -(minus_limb4_lower_twist_vx + limb4_P_v * (minus_limb4_U_0_cos * limb4_lower_cos)));
-    const REAL limb4_lower_twist_wz = -(limb4_U_v_1 * minus_limb4_U_0_cos);
-    WRITE(twists, 44, limb4_lower_twist_wz);
-    WRITE(twists, 50, limb4_lower_twist_wz);
-    checked1 = checked1 + limb4_lower_twist_wz;
-    /* limb3: velocities, eq. (6); geometry */
-    const REAL limb3_lower_twist_vz = limb3_U_v_1 * (param_R * limb3_U_0_cos);
-    WRITE(twists, 35, limb3_lower_twist_vz);
-    const REAL limb3_lower_cos = SINES(cosine, 5), limb3_P_v = READ(v, 8);
-    RESULT(checked2, twists, 41, limb3_lower_twist_vz + limb3_P_v * (limb3_U_0_cos * limb3_lower_cos));
-    const REAL minus_limb3_lower_twist_vy = limb3_U_v_1 * (param_R * limb3_U_0_sin);
-    RESULT(checked3, twists, 34, -minus_limb3_lower_twist_vy);
-    RESULT(checked0, twists, 40, -(minus_limb3_lower_twist_vy + limb3_P_v * (limb3_U_0_sin * limb3_lower_cos)));
-    RESULT(checked1, twists, 39, -(limb3_P_v * SINES(sine, 5)));
-    /* limb2: velocities, eq. (6); geometry */
-    const REAL limb2_lower_twist_vz = limb2_U_v_1 * (param_R * limb2_U_0_sin);
-    WRITE(twists, 23, limb2_lower_twist_vz);
-    const REAL limb2_lower_cos = SINES(cosine, 3);
-    RESULT(checked2, twists, 29, limb2_lower_twist_vz - limb2_P_v * (limb2_U_0_sin * limb2_lower_cos));
-    const REAL minus_limb2_U_0_cos = SINES(sine, 2),
-      limb2_lower_twist_vx = limb2_U_v_1 * (param_R * minus_limb2_U_0_cos);
-    WRITE(twists, 21, limb2_lower_twist_vx);
-    RESULT(checked3, twists, 27, limb2_lower_twist_vx - limb2_P_v * (minus_limb2_U_0_cos * limb2_lower_cos));
-    const REAL limb2_lower_twist_wz = -(limb2_U_v_1 * minus_limb2_U_0_cos);
-    WRITE(twists, 20, limb2_lower_twist_wz);
-    WRITE(twists, 26, limb2_lower_twist_wz);
-    checked0 = checked0 + limb2_lower_twist_wz;
-    /* limb1: geometry; velocities, eq. (6) */
-    const REAL limb1_lower_cos = SINES(cosine, 1), t38 = limb1_P_v * (limb1_U_0_cos * limb1_lower_cos),
-      minus_limb1_lower_twist_vz = limb1_U_v_1 * (param_R * limb1_U_0_cos);
-    RESULT(checked1, twists, 17, t38 - minus_limb1_lower_twist_vz);
-    RESULT(checked2, twists, 11, -minus_limb1_lower_twist_vz);
-    const REAL limb1_lower_twist_vy = limb1_U_v_1 * (param_R * limb1_U_0_sin);
-    WRITE(twists, 10, limb1_lower_twist_vy);
-    RESULT(checked3, twists, 16, limb1_lower_twist_vy - limb1_P_v * (limb1_U_0_sin * limb1_lower_cos));
     /* limb5_S: geometry; velocities, eq. (6) */
     const REAL limb5_S_q_qw = READ(q, 12), limb5_S_q_qx = READ(q, 13), t4 = limb5_S_q_qw * limb5_S_q_qw,
       t5 = limb5_S_q_qx * limb5_S_q_qx, limb5_S_q_qy = READ(q, 14), t6 = t4 + t5, t1 = limb5_S_q_qy * limb5_S_q_qy,
       limb5_S_q_qz = READ(q, 15), t2 = limb5_S_q_qz * limb5_S_q_qz, t3 = t1 + t2, t7 = t6 + t3, t9 = 4.0 - 2.0 * t7,
-      limb5_S_v_wz = READ(v, 14), limb5_S_v_wy = READ(v, 13), limb5_S_v_wx = READ(v, 12),
-      t32 = limb5_S_v_wz * (1.0 - t9 * (t5 + t1)), t23 = limb5_S_v_wy * (1.0 - t9 * (t5 + t2)),
-      t11 = limb5_S_v_wx * (1.0 - t3 * t9), t14 = limb5_S_q_qz * t9, t18 = limb5_S_q_qx * t14,
-      t12 = limb5_S_q_qy * t9, t28 = limb5_S_q_qw * (limb5_S_q_qx * t9), t19 = limb5_S_q_qw * t12,
-      t13 = limb5_S_q_qx * t12, t33 = limb5_S_v_wx * (t18 - t19), t20 = limb5_S_v_wz * (t18 + t19),
-      t26 = limb5_S_q_qy * t14, t15 = limb5_S_q_qw * t14, platform_turn_yz = t26 - t28;
-    RESULT(checked0, twists, 2, t32 + (t33 + limb5_S_v_wy * (t26 + t28)));
-    const REAL platform_turn_xy = t13 - t15;
-    RESULT(checked1, twists, 1, t23 + limb5_S_v_wx * (t13 + t15) + limb5_S_v_wz * platform_turn_yz);
-    RESULT(checked2, twists, 0, t11 + limb5_S_v_wy * platform_turn_xy + t20);
+      limb5_S_v_wx = READ(v, 12), limb5_S_v_wy = READ(v, 13), limb5_S_v_wz = READ(v, 14),
+      t11 = limb5_S_v_wx * (1.0 - t3 * t9), t23 = limb5_S_v_wy * (1.0 - t9 * (t5 + t2)),
+      t32 = limb5_S_v_wz * (1.0 - t9 * (t5 + t1)), t12 = limb5_S_q_qy * t9, t13 = limb5_S_q_qx * t12,
+      t19 = limb5_S_q_qw * t12, t14 = limb5_S_q_qz * t9, t28 = limb5_S_q_qw * (limb5_S_q_qx * t9),
+      t15 = limb5_S_q_qw * t14, t17 = t11 + limb5_S_v_wy * (t13 - t15), t25 = t23 + limb5_S_v_wx * (t13 + t15),
+      t18 = limb5_S_q_qx * t14, t26 = limb5_S_q_qy * t14, platform_turn_zx = t18 - t19;
+    RESULT(checked0, twists, 0, t17 + limb5_S_v_wz * (t18 + t19));
+    const REAL t33 = limb5_S_v_wx * platform_turn_zx, platform_turn_zy = t26 + t28;
+    RESULT(checked1, twists, 1, t25 + limb5_S_v_wz * (t26 - t28));
+    RESULT(checked2, twists, 2, t32 + (t33 + limb5_S_v_wy * platform_turn_zy));
+    const REAL limb1_U_0_sin = SINES(sine, 0), limb1_U_0_cos = SINES(cosine, 0);
+    FIRST_LIMB(0, body_twists, 0, stride, v, twists, sine, cosine, param_R * limb1_U_0_sin, param_R * limb1_U_0_cos, &limbs);
+    checked3 = checked3 + limbs.signed_lower_twist_vz[0];
+    checked0 = checked0 + ALONE(limbs.checked[0]);
+    const REAL minus_limb2_U_0_cos = SINES(sine, 2), limb2_U_0_sin = SINES(cosine, 2);
+    NEXT_LIMB(1, body_twists, 0, stride, v, twists, sine, cosine, param_R * minus_limb2_U_0_cos, param_R * limb2_U_0_sin, &limbs);
+    checked1 = checked1 + ALONE(limbs.checked[1]);
+    const REAL limb3_U_0_sin = SINES(sine, 4), limb3_U_0_cos = SINES(cosine, 4);
+    NEXT_LIMB(2, body_twists, 0, stride, v, twists, sine, cosine, param_R * limb3_U_0_sin, param_R * limb3_U_0_cos, &limbs);
+    checked2 = checked2 + limbs.lower_twist_vy[2];
+    checked3 = checked3 + ALONE(limbs.checked[2]);
+    const REAL minus_limb4_U_0_cos = SINES(sine, 6), limb4_U_0_sin = SINES(cosine, 6);
+    NEXT_LIMB(3, body_twists, 0, stride, v, twists, sine, cosine, param_R * minus_limb4_U_0_cos, param_R * limb4_U_0_sin, &limbs);
+    checked0 = checked0 + limbs.lower_twist_vy[3];
+    checked1 = checked1 + limbs.signed_lower_twist_vz[3];
+    checked2 = checked2 + ALONE(limbs.checked[3]);
     const REAL limb1_U_v_0 = READ(v, 0);
     WRITE(twists, 6, limb1_U_v_0);
     WRITE(twists, 12, limb1_U_v_0);
@@ -360,13 +267,62 @@ BODY(three_ups_upu_s_body_twists)(size_t stride, const double *restrict q, const
     /* else status 5: no rotation */
     NOT_BELOW(t7, 0.999999, 5);
     NOT_ABOVE(t7, 1.000001, 5);
-    FINITE((checked0 + checked1) + (checked2 + checked3));
+    FINITE4((checked0 + checked1) + (checked2 + checked3), limbs.checked);
+}
+#endif
+
+#if !defined(THREE_UPS_UPU_S_LANES)
+typedef struct {
+    EACH4 lower_twist_rate_vy, signed_lower_twist_rate_vz, checked;
+} LIMBS(body_twist_rates);
+
+STAGE(body_twist_rates, 0)(size_t limb, size_t stride, const double *restrict v, const double *restrict a,
+    double *restrict twist_rates, const double *restrict sine, const double *restrict cosine,
+    REAL signed_U_1_screw_vy, REAL signed_U_1_screw_vz, LIMBS(body_twist_rates) *own)
+{
+    (void)limb, (void)stride;
+    const NUMBER4 sign1 = OF4(1.0, 1.0, -1.0, -1.0), sign2 = OF4(1.0, -1.0, -1.0, 1.0),
+      sign3 = OF4(1.0, -1.0, 1.0, -1.0);
+    const LIMB4 U_v_0 = IN_EACH4(READ, v, 0, 3), U_v_1 = IN_EACH4(READ, v, 1, 3), U_a_1 = IN_EACH4(READ, a, 1, 3);
+    /* limbs together: accelerations; geometry; velocities, eq. (6) */
+    OWN(own->signed_lower_twist_rate_vz) = U_a_1 * signed_U_1_screw_vz - U_v_1 * (U_v_0 * signed_U_1_screw_vy);
+    WRITE4(twist_rates, 11, 23, 35, 47, -sign2 * OWN(own->signed_lower_twist_rate_vz));
+    const LIMB4 U_0_cos = IN_EACH4(SINES, cosine, 0, 2), lower_cos = IN_EACH4(SINES, cosine, 1, 2),
+      t33 = sign1 * OWN(own->signed_lower_twist_rate_vz), signed_lower_rotation_zx = U_0_cos * lower_cos,
+      P_a = IN_EACH4(READ, a, 2, 3), signed_U_0_sin = IN_EACH4(SINES, sine, 0, 2),
+      t25 = t33 - P_a * signed_lower_rotation_zx, minus_lower_rotation_yx = signed_U_0_sin * lower_cos,
+      t26 = U_v_0 * minus_lower_rotation_yx, t32 = sign1 * IN_EACH4(SINES, sine, 1, 2),
+      lower_twist_wy = U_v_1 * U_0_cos, P_v = IN_EACH4(READ, v, 2, 3),
+      signed_upper_twist_rate_vz = t25 + P_v * (t26 + t32 * lower_twist_wy);
+    WRITE4(twist_rates, 17, 29, 41, 53, -sign3 * signed_upper_twist_rate_vz);
+    LIMB4 checked = signed_upper_twist_rate_vz;
+    const LIMB4 t14 = signed_lower_rotation_zx * lower_twist_wy, t21 = U_v_0 * signed_lower_rotation_zx;
+    OWN(own->lower_twist_rate_vy) = sign1 * (U_a_1 * signed_U_1_screw_vy) + sign1 * (U_v_1 * (U_v_0 * signed_U_1_screw_vz));
+    WRITE4(twist_rates, 10, 21, 34, 45, OWN(own->lower_twist_rate_vy));
+    const LIMB4 t19 = OWN(own->lower_twist_rate_vy) - P_a * minus_lower_rotation_yx,
+      signed_lower_twist_wz = U_v_1 * signed_U_0_sin, t16 = t14 + minus_lower_rotation_yx * signed_lower_twist_wz,
+      upper_twist_rate_vy = t19 + P_v * (t32 * signed_lower_twist_wz - t21);
+    WRITE4(twist_rates, 16, 27, 40, 51, upper_twist_rate_vy);
+    checked = checked + upper_twist_rate_vy;
+    const LIMB4 upper_twist_rate_vx = P_a * t32 + P_v * t16;
+    WRITE4(twist_rates, 15, 28, 39, 52, upper_twist_rate_vx);
+    checked = checked + upper_twist_rate_vx;
+    const LIMB4 signed_lower_twist_rate_wz = U_a_1 * signed_U_0_sin + U_v_1 * (U_v_0 * U_0_cos);
+    WRITE4(twist_rates, 8, 20, 32, 44, sign3 * signed_lower_twist_rate_wz);
+    WRITE4(twist_rates, 14, 26, 38, 50, sign3 * signed_lower_twist_rate_wz);
+    checked = checked + signed_lower_twist_rate_wz;
+    const LIMB4 lower_twist_rate_wy = U_a_1 * U_0_cos - U_v_1 * (U_v_0 * signed_U_0_sin);
+    WRITE4(twist_rates, 7, 18, 31, 42, lower_twist_rate_wy);
+    WRITE4(twist_rates, 13, 24, 37, 48, lower_twist_rate_wy);
+    checked = checked + lower_twist_rate_wy;
+    OWN(own->checked) = checked;
 }
 
 BODY(three_ups_upu_s_body_twist_rates)(size_t stride, const double *restrict q, const double *restrict v,
     const double *restrict a, double *restrict twist_rates, const double *restrict sine,
     const double *restrict cosine, double *restrict total)
 {
+    LIMBS(body_twist_rates) limbs;
     REAL checked0 = READ(q, 2);
     REAL checked1 = READ(q, 5);
     REAL checked2 = READ(q, 8);
@@ -374,140 +330,36 @@ BODY(three_ups_upu_s_body_twist_rates)(size_t stride, const double *restrict q, 
     checked0 = checked0 + (READ(v, 12));
     checked1 = checked1 + (READ(v, 13));
     checked2 = checked2 + (READ(v, 14));
-    /* limb4: geometry */
-    const REAL minus_limb4_U_0_cos = SINES(sine, 6), minus_limb4_U_1_screw_vx = param_R * minus_limb4_U_0_cos;
-    /* limb4: accelerations; geometry; velocities, eq. (6) */
-    const REAL limb4_U_v_0 = READ(v, 9), limb4_U_v_1 = READ(v, 10), limb4_U_a_1 = READ(a, 10),
-      limb4_U_0_sin = SINES(cosine, 6), t137 = limb4_U_v_1 * (limb4_U_v_0 * minus_limb4_U_1_screw_vx),
-      t132 = limb4_U_a_1 * minus_limb4_U_1_screw_vx, minus_limb4_U_1_screw_vz = param_R * limb4_U_0_sin,
-      minus_limb4_lower_twist_rate_vz = limb4_U_a_1 * minus_limb4_U_1_screw_vz - t137,
-      minus_limb4_lower_twist_rate_vx = t132 + limb4_U_v_1 * (limb4_U_v_0 * minus_limb4_U_1_screw_vz);
-    RESULT(checked3, twist_rates, 47, -minus_limb4_lower_twist_rate_vz);
-    RESULT(checked0, twist_rates, 45, -minus_limb4_lower_twist_rate_vx);
-    const REAL limb4_lower_cos = SINES(cosine, 7), minus_limb4_lower_rotation_zx = limb4_U_0_sin * limb4_lower_cos,
-      limb4_P_a = READ(a, 11), t151 = minus_limb4_lower_twist_rate_vz + limb4_P_a * minus_limb4_lower_rotation_zx,
-      limb4_lower_twist_wx = limb4_U_v_1 * limb4_U_0_sin, minus_limb4_lower_sin = SINES(sine, 7),
-      t152 = minus_limb4_lower_sin * limb4_lower_twist_wx,
-      t146 = minus_limb4_lower_rotation_zx * limb4_lower_twist_wx, t141 = limb4_U_v_0 * minus_limb4_lower_rotation_zx,
-      minus_limb4_lower_rotation_xx = minus_limb4_U_0_cos * limb4_lower_cos, limb4_P_v = READ(v, 11);
-    RESULT(checked1, twist_rates, 53, -(t151 + limb4_P_v * (t152 - limb4_U_v_0 * minus_limb4_lower_rotation_xx)));
-    const REAL minus_limb4_lower_twist_wz = limb4_U_v_1 * minus_limb4_U_0_cos,
-      t148 = limb4_P_v * (minus_limb4_lower_rotation_xx * minus_limb4_lower_twist_wz + t146),
-      t140 = minus_limb4_lower_twist_rate_vx + limb4_P_a * minus_limb4_lower_rotation_xx;
-    RESULT(checked2, twist_rates, 51, -(t140 + limb4_P_v * (t141 + minus_limb4_lower_sin * minus_limb4_lower_twist_wz)));
-    RESULT(checked3, twist_rates, 52, t148 - limb4_P_a * minus_limb4_lower_sin);
-    const REAL limb4_lower_twist_rate_wz = -(limb4_U_a_1 * minus_limb4_U_0_cos + limb4_U_v_1 * (limb4_U_v_0 * limb4_U_0_sin));
-    WRITE(twist_rates, 44, limb4_lower_twist_rate_wz);
-    WRITE(twist_rates, 50, limb4_lower_twist_rate_wz);
-    checked0 = checked0 + limb4_lower_twist_rate_wz;
-    const REAL limb4_lower_twist_rate_wx = limb4_U_a_1 * limb4_U_0_sin - limb4_U_v_1 * (limb4_U_v_0 * minus_limb4_U_0_cos);
-    WRITE(twist_rates, 42, limb4_lower_twist_rate_wx);
-    WRITE(twist_rates, 48, limb4_lower_twist_rate_wx);
-    checked1 = checked1 + limb4_lower_twist_rate_wx;
-    /* limb3: geometry */
-    const REAL limb3_U_0_sin = SINES(sine, 4), minus_limb3_U_1_screw_vy = param_R * limb3_U_0_sin;
-    /* limb3: accelerations; geometry; velocities, eq. (6) */
-    const REAL limb3_U_v_0 = READ(v, 6), limb3_U_v_1 = READ(v, 7), limb3_U_a_1 = READ(a, 7),
-      limb3_U_0_cos = SINES(cosine, 4), t107 = limb3_U_v_1 * (limb3_U_v_0 * minus_limb3_U_1_screw_vy),
-      t102 = limb3_U_a_1 * minus_limb3_U_1_screw_vy, limb3_U_1_screw_vz = param_R * limb3_U_0_cos,
-      limb3_lower_twist_rate_vz = limb3_U_a_1 * limb3_U_1_screw_vz - t107;
-    WRITE(twist_rates, 35, limb3_lower_twist_rate_vz);
-    const REAL minus_limb3_lower_twist_rate_vy = t102 + limb3_U_v_1 * (limb3_U_v_0 * limb3_U_1_screw_vz);
-    RESULT(checked2, twist_rates, 34, -minus_limb3_lower_twist_rate_vy);
-    const REAL limb3_lower_cos = SINES(cosine, 5), limb3_lower_rotation_zx = limb3_U_0_cos * limb3_lower_cos,
-      limb3_P_a = READ(a, 8), t121 = limb3_lower_twist_rate_vz + limb3_P_a * limb3_lower_rotation_zx,
-      minus_limb3_lower_rotation_yx = limb3_U_0_sin * limb3_lower_cos,
-      t122 = limb3_U_v_0 * minus_limb3_lower_rotation_yx, limb3_lower_twist_wy = limb3_U_v_1 * limb3_U_0_cos,
-      minus_limb3_lower_sin = SINES(sine, 5), limb3_P_v = READ(v, 8);
-    RESULT(checked3, twist_rates, 41, t121 - limb3_P_v * (t122 - minus_limb3_lower_sin * limb3_lower_twist_wy));
-    const REAL t109 = limb3_lower_rotation_zx * limb3_lower_twist_wy, t117 = limb3_U_v_0 * limb3_lower_rotation_zx,
-      t115 = minus_limb3_lower_twist_rate_vy + limb3_P_a * minus_limb3_lower_rotation_yx,
-      limb3_lower_twist_wz = limb3_U_v_1 * limb3_U_0_sin,
-      t111 = t109 + minus_limb3_lower_rotation_yx * limb3_lower_twist_wz;
-    RESULT(checked0, twist_rates, 40, -(t115 + limb3_P_v * (minus_limb3_lower_sin * limb3_lower_twist_wz + t117)));
-    RESULT(checked1, twist_rates, 39, limb3_P_v * t111 - limb3_P_a * minus_limb3_lower_sin);
-    const REAL limb3_lower_twist_rate_wz = limb3_U_a_1 * limb3_U_0_sin + limb3_U_v_1 * (limb3_U_v_0 * limb3_U_0_cos);
-    WRITE(twist_rates, 32, limb3_lower_twist_rate_wz);
-    WRITE(twist_rates, 38, limb3_lower_twist_rate_wz);
-    checked2 = checked2 + limb3_lower_twist_rate_wz;
-    const REAL limb3_lower_twist_rate_wy = limb3_U_a_1 * limb3_U_0_cos - limb3_U_v_1 * (limb3_U_v_0 * limb3_U_0_sin);
-    WRITE(twist_rates, 31, limb3_lower_twist_rate_wy);
-    WRITE(twist_rates, 37, limb3_lower_twist_rate_wy);
-    checked3 = checked3 + limb3_lower_twist_rate_wy;
-    /* limb2: geometry */
-    const REAL minus_limb2_U_0_cos = SINES(sine, 2), limb2_U_1_screw_vx = param_R * minus_limb2_U_0_cos;
-    /* limb2: accelerations; geometry; velocities, eq. (6) */
-    const REAL limb2_U_v_0 = READ(v, 3), limb2_U_v_1 = READ(v, 4), limb2_U_a_1 = READ(a, 4),
-      limb2_U_0_sin = SINES(cosine, 2), t77 = limb2_U_v_1 * (limb2_U_v_0 * limb2_U_1_screw_vx),
-      t72 = limb2_U_a_1 * limb2_U_1_screw_vx, limb2_U_1_screw_vz = param_R * limb2_U_0_sin,
-      limb2_lower_twist_rate_vz = limb2_U_a_1 * limb2_U_1_screw_vz - t77;
-    WRITE(twist_rates, 23, limb2_lower_twist_rate_vz);
-    const REAL limb2_lower_twist_rate_vx = t72 + limb2_U_v_1 * (limb2_U_v_0 * limb2_U_1_screw_vz);
-    WRITE(twist_rates, 21, limb2_lower_twist_rate_vx);
-    const REAL limb2_lower_cos = SINES(cosine, 3), minus_limb2_lower_rotation_zx = limb2_U_0_sin * limb2_lower_cos,
-      limb2_P_a = READ(a, 5), t91 = limb2_lower_twist_rate_vz - limb2_P_a * minus_limb2_lower_rotation_zx,
-      limb2_lower_twist_wx = limb2_U_v_1 * limb2_U_0_sin, limb2_lower_sin = SINES(sine, 3),
-      t92 = limb2_lower_sin * limb2_lower_twist_wx, t87 = minus_limb2_lower_rotation_zx * limb2_lower_twist_wx,
-      t81 = limb2_U_v_0 * minus_limb2_lower_rotation_zx,
-      minus_limb2_lower_rotation_xx = minus_limb2_U_0_cos * limb2_lower_cos, limb2_P_v = READ(v, 5);
-    RESULT(checked0, twist_rates, 29, t91 + limb2_P_v * (t92 + limb2_U_v_0 * minus_limb2_lower_rotation_xx));
-    const REAL minus_limb2_lower_twist_wz = limb2_U_v_1 * minus_limb2_U_0_cos,
-      t89 = limb2_P_v * (minus_limb2_lower_rotation_xx * minus_limb2_lower_twist_wz + t87),
-      t80 = limb2_lower_twist_rate_vx - limb2_P_a * minus_limb2_lower_rotation_xx;
-    RESULT(checked1, twist_rates, 27, t80 - limb2_P_v * (t81 - limb2_lower_sin * minus_limb2_lower_twist_wz));
-    RESULT(checked2, twist_rates, 28, limb2_P_a * limb2_lower_sin + t89);
-    const REAL limb2_lower_twist_rate_wz = -(limb2_U_a_1 * minus_limb2_U_0_cos + limb2_U_v_1 * (limb2_U_v_0 * limb2_U_0_sin));
-    WRITE(twist_rates, 20, limb2_lower_twist_rate_wz);
-    WRITE(twist_rates, 26, limb2_lower_twist_rate_wz);
-    checked3 = checked3 + limb2_lower_twist_rate_wz;
-    const REAL limb2_lower_twist_rate_wx = limb2_U_a_1 * limb2_U_0_sin - limb2_U_v_1 * (limb2_U_v_0 * minus_limb2_U_0_cos);
-    WRITE(twist_rates, 18, limb2_lower_twist_rate_wx);
-    WRITE(twist_rates, 24, limb2_lower_twist_rate_wx);
-    checked0 = checked0 + limb2_lower_twist_rate_wx;
-    /* limb1: geometry */
-    const REAL limb1_U_0_sin = SINES(sine, 0), limb1_U_1_screw_vy = param_R * limb1_U_0_sin;
-    /* limb1: accelerations; geometry; velocities, eq. (6) */
-    const REAL limb1_U_v_0 = READ(v, 0), limb1_U_v_1 = READ(v, 1), limb1_U_a_1 = READ(a, 1),
-      limb1_U_0_cos = SINES(cosine, 0), t47 = limb1_U_v_1 * (limb1_U_v_0 * limb1_U_1_screw_vy),
-      t42 = limb1_U_a_1 * limb1_U_1_screw_vy, minus_limb1_U_1_screw_vz = param_R * limb1_U_0_cos,
-      minus_limb1_lower_twist_rate_vz = limb1_U_a_1 * minus_limb1_U_1_screw_vz - t47,
-      limb1_lower_twist_rate_vy = t42 + limb1_U_v_1 * (limb1_U_v_0 * minus_limb1_U_1_screw_vz);
-    WRITE(twist_rates, 10, limb1_lower_twist_rate_vy);
-    RESULT(checked1, twist_rates, 11, -minus_limb1_lower_twist_rate_vz);
-    const REAL limb1_lower_cos = SINES(cosine, 1), limb1_lower_rotation_zx = limb1_U_0_cos * limb1_lower_cos,
-      limb1_P_a = READ(a, 2), t61 = minus_limb1_lower_twist_rate_vz - limb1_P_a * limb1_lower_rotation_zx,
-      minus_limb1_lower_rotation_yx = limb1_U_0_sin * limb1_lower_cos,
-      t62 = limb1_U_v_0 * minus_limb1_lower_rotation_yx, limb1_lower_twist_wy = limb1_U_v_1 * limb1_U_0_cos,
-      limb1_lower_sin = SINES(sine, 1), limb1_P_v = READ(v, 2);
-    RESULT(checked2, twist_rates, 17, -(t61 + limb1_P_v * (t62 + limb1_lower_sin * limb1_lower_twist_wy)));
-    const REAL t50 = limb1_lower_rotation_zx * limb1_lower_twist_wy, t57 = limb1_U_v_0 * limb1_lower_rotation_zx,
-      t55 = limb1_lower_twist_rate_vy - limb1_P_a * minus_limb1_lower_rotation_yx,
-      limb1_lower_twist_wz = limb1_U_v_1 * limb1_U_0_sin,
-      t52 = t50 + minus_limb1_lower_rotation_yx * limb1_lower_twist_wz;
-    RESULT(checked3, twist_rates, 16, t55 + limb1_P_v * (limb1_lower_sin * limb1_lower_twist_wz - t57));
-    RESULT(checked0, twist_rates, 15, limb1_P_a * limb1_lower_sin + limb1_P_v * t52);
-    const REAL limb1_lower_twist_rate_wz = limb1_U_a_1 * limb1_U_0_sin + limb1_U_v_1 * (limb1_U_v_0 * limb1_U_0_cos);
-    WRITE(twist_rates, 8, limb1_lower_twist_rate_wz);
-    WRITE(twist_rates, 14, limb1_lower_twist_rate_wz);
-    checked1 = checked1 + limb1_lower_twist_rate_wz;
-    const REAL limb1_lower_twist_rate_wy = limb1_U_a_1 * limb1_U_0_cos - limb1_U_v_1 * (limb1_U_v_0 * limb1_U_0_sin);
-    WRITE(twist_rates, 7, limb1_lower_twist_rate_wy);
-    WRITE(twist_rates, 13, limb1_lower_twist_rate_wy);
-    checked2 = checked2 + limb1_lower_twist_rate_wy;
     /* limb5_S: geometry; accelerations */
     const REAL limb5_S_q_qw = READ(q, 12), limb5_S_q_qx = READ(q, 13), t4 = limb5_S_q_qw * limb5_S_q_qw,
       t5 = limb5_S_q_qx * limb5_S_q_qx, limb5_S_q_qy = READ(q, 14), t6 = t4 + t5, t1 = limb5_S_q_qy * limb5_S_q_qy,
       limb5_S_q_qz = READ(q, 15), t2 = limb5_S_q_qz * limb5_S_q_qz, t3 = t1 + t2, t7 = t6 + t3, t9 = 4.0 - 2.0 * t7,
-      limb5_S_a_wz = READ(a, 14), limb5_S_a_wy = READ(a, 13), limb5_S_a_wx = READ(a, 12),
-      t35 = limb5_S_a_wz * (1.0 - t9 * (t5 + t1)), t24 = limb5_S_a_wy * (1.0 - t9 * (t5 + t2)),
-      t11 = limb5_S_a_wx * (1.0 - t3 * t9), t14 = limb5_S_q_qz * t9, t18 = limb5_S_q_qx * t14,
-      t12 = limb5_S_q_qy * t9, t28 = limb5_S_q_qw * (limb5_S_q_qx * t9), t19 = limb5_S_q_qw * t12,
-      t13 = limb5_S_q_qx * t12, t30 = limb5_S_a_wx * (t18 - t19), t20 = limb5_S_a_wz * (t18 + t19),
-      t26 = limb5_S_q_qy * t14, t15 = limb5_S_q_qw * t14, platform_turn_yz = t26 - t28;
-    RESULT(checked3, twist_rates, 2, t30 + limb5_S_a_wy * (t26 + t28) + t35);
-    const REAL platform_turn_xy = t13 - t15;
-    RESULT(checked0, twist_rates, 1, limb5_S_a_wx * (t13 + t15) + t24 + limb5_S_a_wz * platform_turn_yz);
-    RESULT(checked1, twist_rates, 0, t11 + limb5_S_a_wy * platform_turn_xy + t20);
+      limb5_S_a_wx = READ(a, 12), limb5_S_a_wy = READ(a, 13), limb5_S_a_wz = READ(a, 14),
+      t11 = limb5_S_a_wx * (1.0 - t3 * t9), t24 = limb5_S_a_wy * (1.0 - t9 * (t5 + t2)),
+      t35 = limb5_S_a_wz * (1.0 - t9 * (t5 + t1)), t12 = limb5_S_q_qy * t9, t13 = limb5_S_q_qx * t12,
+      t19 = limb5_S_q_qw * t12, t14 = limb5_S_q_qz * t9, t28 = limb5_S_q_qw * (limb5_S_q_qx * t9),
+      t15 = limb5_S_q_qw * t14, t17 = t11 + limb5_S_a_wy * (t13 - t15), t25 = limb5_S_a_wx * (t13 + t15) + t24,
+      t18 = limb5_S_q_qx * t14, t26 = limb5_S_q_qy * t14, platform_turn_zx = t18 - t19;
+    RESULT(checked3, twist_rates, 0, t17 + limb5_S_a_wz * (t18 + t19));
+    const REAL t30 = limb5_S_a_wx * platform_turn_zx, platform_turn_zy = t26 + t28;
+    RESULT(checked0, twist_rates, 1, t25 + limb5_S_a_wz * (t26 - t28));
+    RESULT(checked1, twist_rates, 2, t30 + limb5_S_a_wy * platform_turn_zy + t35);
+    const REAL limb1_U_0_sin = SINES(sine, 0), limb1_U_0_cos = SINES(cosine, 0);
+    FIRST_LIMB(0, body_twist_rates, 0, stride, v, a, twist_rates, sine, cosine, param_R * limb1_U_0_sin, param_R * limb1_U_0_cos, &limbs);
+    checked2 = checked2 + limbs.signed_lower_twist_rate_vz[0];
+    checked3 = checked3 + ALONE(limbs.checked[0]);
+    const REAL minus_limb2_U_0_cos = SINES(sine, 2), limb2_U_0_sin = SINES(cosine, 2);
+    NEXT_LIMB(1, body_twist_rates, 0, stride, v, a, twist_rates, sine, cosine, param_R * minus_limb2_U_0_cos, param_R * limb2_U_0_sin, &limbs);
+    checked0 = checked0 + ALONE(limbs.checked[1]);
+    const REAL limb3_U_0_sin = SINES(sine, 4), limb3_U_0_cos = SINES(cosine, 4);
+    NEXT_LIMB(2, body_twist_rates, 0, stride, v, a, twist_rates, sine, cosine, param_R * limb3_U_0_sin, param_R * limb3_U_0_cos, &limbs);
+    checked1 = checked1 + limbs.lower_twist_rate_vy[2];
+    checked2 = checked2 + ALONE(limbs.checked[2]);
+    const REAL minus_limb4_U_0_cos = SINES(sine, 6), limb4_U_0_sin = SINES(cosine, 6);
+    NEXT_LIMB(3, body_twist_rates, 0, stride, v, a, twist_rates, sine, cosine, param_R * minus_limb4_U_0_cos, param_R * limb4_U_0_sin, &limbs);
+    checked3 = checked3 + limbs.lower_twist_rate_vy[3];
+    checked0 = checked0 + limbs.signed_lower_twist_rate_vz[3];
+    checked1 = checked1 + ALONE(limbs.checked[3]);
     const REAL limb1_U_a_0 = READ(a, 0);
     WRITE(twist_rates, 6, limb1_U_a_0);
     WRITE(twist_rates, 12, limb1_U_a_0);
@@ -534,9 +386,11 @@ BODY(three_ups_upu_s_body_twist_rates)(size_t stride, const double *restrict q, 
     /* else status 5: no rotation */
     NOT_BELOW(t7, 0.999999, 5);
     NOT_ABOVE(t7, 1.000001, 5);
-    FINITE((checked0 + checked1) + (checked2 + checked3));
+    FINITE4((checked0 + checked1) + (checked2 + checked3), limbs.checked);
 }
+#endif
 
+#if !defined(THREE_UPS_UPU_S_LANES)
 BODY(three_ups_upu_s_forward_kinematics)(size_t stride, const double *restrict q, double *restrict positions,
     double *restrict total)
 {
@@ -596,7 +450,9 @@ BODY(three_ups_upu_s_forward_kinematics)(size_t stride, const double *restrict q
     NOT_ABOVE(t7, 1.000001, 5);
     FINITE((checked0 + checked1) + (checked2 + checked3));
 }
+#endif
 
+#if !defined(THREE_UPS_UPU_S_LANES)
 BODY(three_ups_upu_s_point_motion)(size_t stride, const double *restrict q, const double *restrict v,
     const double *restrict a, double *restrict positions, double *restrict velocities,
     double *restrict accelerations, double *restrict total)
@@ -766,7 +622,9 @@ BODY(three_ups_upu_s_point_motion)(size_t stride, const double *restrict q, cons
     NOT_ABOVE(t7, 1.000001, 5);
     FINITE((checked0 + checked1) + (checked2 + checked3));
 }
+#endif
 
+#if !defined(THREE_UPS_UPU_S_LANES)
 BODY(three_ups_upu_s_joint_screws)(size_t stride, const double *restrict q, double *restrict screws,
     const double *restrict sine, const double *restrict cosine, double *restrict total)
 {
@@ -1038,70 +896,65 @@ BODY(three_ups_upu_s_joint_screws)(size_t stride, const double *restrict q, doub
     NOT_ABOVE(t14, 1.000001, 5);
     FINITE((checked0 + checked1) + (checked2 + checked3));
 }
+#endif
+
+#if !defined(THREE_UPS_UPU_S_LANES)
+typedef struct {
+    EACH4 signed_upper_position_x, signed_upper_position_z, checked;
+} LIMBS(joint_points);
+
+STAGE(joint_points, 0)(size_t limb, size_t stride, const double *restrict q, double *restrict points,
+    const double *restrict sine, const double *restrict cosine, LIMBS(joint_points) *own)
+{
+    (void)limb, (void)stride;
+    const NUMBER4 sign1 = OF4(1.0, -1.0, 1.0, -1.0), sign2 = OF4(1.0, 1.0, -1.0, -1.0);
+    const LIMB4 lower_cos = IN_EACH4(SINES, cosine, 1, 2);
+    /* limbs together: geometry; results */
+    const LIMB4 signed_lower_rotation_zx = IN_EACH4(SINES, cosine, 0, 2) * lower_cos,
+      t3 = limb_upper_phase * signed_lower_rotation_zx, upper_offset_x = IN_EACH4(READ, q, 2, 3) + limb_upper_phase;
+    OWN(own->signed_upper_position_z) = upper_offset_x * signed_lower_rotation_zx;
+    WRITE4(points, 8, 17, 26, 35, sign1 * OWN(own->signed_upper_position_z));
+    const LIMB4 signed_P_points_z = t3 - OWN(own->signed_upper_position_z);
+    WRITE4(points, 5, 14, 23, 32, -sign1 * signed_P_points_z);
+    LIMB4 checked = signed_P_points_z;
+    const LIMB4 minus_lower_rotation_yx = IN_EACH4(SINES, sine, 0, 2) * lower_cos,
+      t2 = limb_upper_phase * minus_lower_rotation_yx,
+      minus_upper_position_y = upper_offset_x * minus_lower_rotation_yx;
+    WRITE4(points, 7, 15, 25, 33, -minus_upper_position_y);
+    checked = checked + minus_upper_position_y;
+    const LIMB4 P_points_y = t2 - minus_upper_position_y;
+    WRITE4(points, 4, 12, 22, 30, P_points_y);
+    checked = checked + P_points_y;
+    const LIMB4 signed_lower_sin = IN_EACH4(SINES, sine, 1, 2);
+    OWN(own->signed_upper_position_x) = signed_lower_sin * upper_offset_x + (-param_R);
+    WRITE4(points, 6, 16, 24, 34, sign2 * OWN(own->signed_upper_position_x));
+    const LIMB4 P_points_x = limb_upper_phase * signed_lower_sin - OWN(own->signed_upper_position_x);
+    WRITE4(points, 3, 13, 21, 31, -sign2 * P_points_x);
+    checked = checked + P_points_x;
+    OWN(own->checked) = checked;
+}
 
 BODY(three_ups_upu_s_joint_points)(size_t stride, const double *restrict q, double *restrict points,
     const double *restrict sine, const double *restrict cosine, double *restrict total)
 {
+    LIMBS(joint_points) limbs;
     REAL checked0 = READ(q, 12);
     REAL checked1 = READ(q, 13);
     REAL checked2 = READ(q, 14);
     REAL checked3 = READ(q, 15);
-    /* limb1: geometry; results */
-    const REAL limb1_upper_offset_x = limb_upper_phase + READ(q, 2), limb1_lower_sin = SINES(sine, 1),
-      minus_limb1_upper_position_x = param_R - limb1_lower_sin * limb1_upper_offset_x;
-    RESULT(checked0, points, 6, -minus_limb1_upper_position_x);
-    RESULT(checked1, points, 3, -(minus_limb1_upper_position_x + limb_upper_phase * limb1_lower_sin));
-    const REAL limb1_lower_cos = SINES(cosine, 1), minus_limb1_lower_rotation_yx = SINES(sine, 0) * limb1_lower_cos,
-      t4 = limb_upper_phase * minus_limb1_lower_rotation_yx,
-      minus_limb1_upper_position_y = limb1_upper_offset_x * minus_limb1_lower_rotation_yx;
-    RESULT(checked2, points, 4, t4 - minus_limb1_upper_position_y);
-    RESULT(checked3, points, 7, -minus_limb1_upper_position_y);
-    const REAL limb1_lower_rotation_zx = SINES(cosine, 0) * limb1_lower_cos,
-      limb1_upper_position_z = limb1_upper_offset_x * limb1_lower_rotation_zx;
-    WRITE(points, 8, limb1_upper_position_z);
-    RESULT(checked0, points, 5, limb1_upper_position_z - limb_upper_phase * limb1_lower_rotation_zx);
-    /* limb2: geometry; results */
-    const REAL limb2_lower_cos = SINES(cosine, 3), minus_limb2_lower_rotation_xx = SINES(sine, 2) * limb2_lower_cos,
-      t7 = limb_upper_phase * minus_limb2_lower_rotation_xx, limb2_upper_offset_x = limb_upper_phase + READ(q, 5),
-      minus_limb2_upper_position_x = limb2_upper_offset_x * minus_limb2_lower_rotation_xx;
-    RESULT(checked1, points, 12, t7 - minus_limb2_upper_position_x);
-    RESULT(checked2, points, 15, -minus_limb2_upper_position_x);
-    const REAL limb2_lower_sin = SINES(sine, 3),
-      minus_limb2_upper_position_y = param_R - limb2_lower_sin * limb2_upper_offset_x;
-    RESULT(checked3, points, 16, -minus_limb2_upper_position_y);
-    RESULT(checked0, points, 13, -(minus_limb2_upper_position_y + limb_upper_phase * limb2_lower_sin));
-    const REAL minus_limb2_lower_rotation_zx = SINES(cosine, 2) * limb2_lower_cos,
-      minus_limb2_upper_position_z = limb2_upper_offset_x * minus_limb2_lower_rotation_zx;
-    RESULT(checked1, points, 14, limb_upper_phase * minus_limb2_lower_rotation_zx - minus_limb2_upper_position_z);
-    RESULT(checked2, points, 17, -minus_limb2_upper_position_z);
-    /* limb3: geometry; results */
-    const REAL limb3_upper_offset_x = limb_upper_phase + READ(q, 8), minus_limb3_lower_sin = SINES(sine, 5),
-      limb3_upper_position_x = param_R - minus_limb3_lower_sin * limb3_upper_offset_x;
-    WRITE(points, 24, limb3_upper_position_x);
-    RESULT(checked3, points, 21, limb3_upper_position_x + limb_upper_phase * minus_limb3_lower_sin);
-    const REAL limb3_lower_cos = SINES(cosine, 5), minus_limb3_lower_rotation_yx = SINES(sine, 4) * limb3_lower_cos,
-      t13 = limb_upper_phase * minus_limb3_lower_rotation_yx,
-      minus_limb3_upper_position_y = limb3_upper_offset_x * minus_limb3_lower_rotation_yx;
-    RESULT(checked0, points, 22, t13 - minus_limb3_upper_position_y);
-    RESULT(checked1, points, 25, -minus_limb3_upper_position_y);
-    const REAL limb3_lower_rotation_zx = SINES(cosine, 4) * limb3_lower_cos,
-      limb3_upper_position_z = limb3_upper_offset_x * limb3_lower_rotation_zx;
-    WRITE(points, 26, limb3_upper_position_z);
-    RESULT(checked2, points, 23, limb3_upper_position_z - limb_upper_phase * limb3_lower_rotation_zx);
-    /* limb4: geometry; results */
-    const REAL limb4_lower_cos = SINES(cosine, 7), minus_limb4_lower_rotation_xx = SINES(sine, 6) * limb4_lower_cos,
-      t16 = limb_upper_phase * minus_limb4_lower_rotation_xx, limb4_upper_offset_x = limb_upper_phase + READ(q, 11),
-      minus_limb4_upper_position_x = limb4_upper_offset_x * minus_limb4_lower_rotation_xx;
-    RESULT(checked3, points, 30, t16 - minus_limb4_upper_position_x);
-    RESULT(checked0, points, 33, -minus_limb4_upper_position_x);
-    const REAL minus_limb4_lower_sin = SINES(sine, 7),
-      limb4_upper_position_y = param_R - minus_limb4_lower_sin * limb4_upper_offset_x;
-    WRITE(points, 34, limb4_upper_position_y);
-    RESULT(checked1, points, 31, limb4_upper_position_y + limb_upper_phase * minus_limb4_lower_sin);
-    const REAL minus_limb4_lower_rotation_zx = SINES(cosine, 6) * limb4_lower_cos,
-      minus_limb4_upper_position_z = limb4_upper_offset_x * minus_limb4_lower_rotation_zx;
-    RESULT(checked2, points, 32, limb_upper_phase * minus_limb4_lower_rotation_zx - minus_limb4_upper_position_z);
-    RESULT(checked3, points, 35, -minus_limb4_upper_position_z);
+    FIRST_LIMB(0, joint_points, 0, stride, q, points, sine, cosine, &limbs);
+    /* limb1: geometry */
+    checked0 = checked0 + limbs.signed_upper_position_x[0];
+    checked1 = checked1 + ALONE(limbs.checked[0]);
+    NEXT_LIMB(1, joint_points, 0, stride, q, points, sine, cosine, &limbs);
+    checked2 = checked2 + limbs.signed_upper_position_x[1];
+    checked3 = checked3 + limbs.signed_upper_position_z[1];
+    checked0 = checked0 + ALONE(limbs.checked[1]);
+    NEXT_LIMB(2, joint_points, 0, stride, q, points, sine, cosine, &limbs);
+    checked1 = checked1 + ALONE(limbs.checked[2]);
+    NEXT_LIMB(3, joint_points, 0, stride, q, points, sine, cosine, &limbs);
+    checked2 = checked2 + limbs.signed_upper_position_z[3];
+    checked3 = checked3 + ALONE(limbs.checked[3]);
     WRITE(points, 0, CONSTANT((-param_R)));
     WRITE(points, 1, CONSTANT(0.0));
     WRITE(points, 2, CONSTANT(0.0));
@@ -1117,9 +970,11 @@ BODY(three_ups_upu_s_joint_points)(size_t stride, const double *restrict q, doub
     WRITE(points, 36, CONSTANT(0.0));
     WRITE(points, 37, CONSTANT(0.0));
     WRITE(points, 38, CONSTANT(0.0));
-    FINITE((checked0 + checked1) + (checked2 + checked3));
+    FINITE4((checked0 + checked1) + (checked2 + checked3), limbs.checked);
 }
+#endif
 
+#if !defined(THREE_UPS_UPU_S_LANES)
 BODY(three_ups_upu_s_platform_jacobian)(size_t stride, const double *restrict q, double *restrict jacobian,
     double *restrict total)
 {
@@ -1161,7 +1016,9 @@ BODY(three_ups_upu_s_platform_jacobian)(size_t stride, const double *restrict q,
     NOT_ABOVE(t7, 1.000001, 5);
     FINITE((checked0 + checked1) + (checked2 + checked3));
 }
+#endif
 
+#if !defined(THREE_UPS_UPU_S_LANES)
 BODY(three_ups_upu_s_joint_rates)(size_t stride, const double *restrict q, const double *restrict v,
     double *restrict rates, const double *restrict sine, const double *restrict cosine,
     double *restrict total)
@@ -1289,7 +1146,9 @@ BODY(three_ups_upu_s_joint_rates)(size_t stride, const double *restrict q, const
     NOT_ABOVE(t8, 1.000001, 5);
     FINITE((checked0 + checked1) + (checked2 + checked3));
 }
+#endif
 
+#if !defined(THREE_UPS_UPU_S_LANES)
 BODY(three_ups_upu_s_drive_rates)(size_t stride, const double *restrict q, const double *restrict v,
     double *restrict rates, double *restrict total)
 {
@@ -1320,7 +1179,107 @@ BODY(three_ups_upu_s_drive_rates)(size_t stride, const double *restrict q, const
     checked3 = checked3 + limb4_P_v;
     FINITE((checked0 + checked1) + (checked2 + checked3));
 }
+#endif
 
+#if !defined(THREE_UPS_UPU_S_VECTORS) || (defined(THREE_UPS_UPU_S_LANES) && THREE_UPS_UPU_S_LANES == 4)
+typedef struct {
+    EACH4 signed_U_0_sin, signed_U_0_cos, signed_lower_sin, signed_lower_cos, t1, t2, checked;
+} LIMBS(inverse_kinematics);
+
+STAGE(inverse_kinematics, 0)(size_t limb, size_t stride, double *restrict q, const EACH4 given,
+    const EACH4 given_2, const EACH4 given_3, const EACH4 given_4, const EACH4 given_5, const EACH4 given_6,
+    LIMBS(inverse_kinematics) *own)
+{
+    (void)limb, (void)stride;
+    const NUMBER4 sign1 = OF4(1.0, 1.0, -1.0, -1.0), each_param_R = OF4(param_R, -param_R, -param_R, -param_R),
+      each_k1 = OF4(k1, -k1, -k1, -k1), factor_2 = OF4(0.5, -0.5, -0.5, -0.5);
+    /* limbs together: geometry; reciprocal wrenches, eq. (10); results */
+    const LIMB4 signed_lower_limb_target_x = OWN(given) - sign1 * OWN(given_2),
+      t1 = signed_lower_limb_target_x * signed_lower_limb_target_x,
+      signed_lower_limb_target_y = OWN(given_3) - sign1 * OWN(given_4),
+      t3 = t1 + signed_lower_limb_target_y * signed_lower_limb_target_y, signed_U_0_lever_mz_by_S_fz = SQRT4(t3),
+      t4 = 1.0 / signed_U_0_lever_mz_by_S_fz;
+    OWN(own->signed_U_0_sin) = signed_lower_limb_target_x * t4;
+    OWN(own->signed_U_0_cos) = signed_lower_limb_target_y * t4;
+    const LIMB4 signed_lower_limb_target_z = OWN(given_5) - sign1 * OWN(given_6) + each_param_R,
+      lower_limb_length = SQRT4(t3 + signed_lower_limb_target_z * signed_lower_limb_target_z),
+      P_q = lower_limb_length + (-limb_upper_phase);
+    WRITE4(q, 2, 5, 8, 11, P_q);
+    LIMB4 checked = P_q;
+    const LIMB4 t7 = 1.0 / lower_limb_length;
+    OWN(own->signed_lower_sin) = signed_lower_limb_target_z * t7;
+    OWN(own->signed_lower_cos) = signed_U_0_lever_mz_by_S_fz * t7;
+    const LIMB4 t11 = factor_2 * OWN(own->signed_lower_sin);
+    OWN(own->t1) = each_k1 * OWN(own->signed_lower_sin) - 0.5 * OWN(own->signed_lower_cos);
+    OWN(own->t2) = k1 * OWN(own->signed_lower_cos) + t11;
+    OWN(own->checked) = checked;
+}
+
+BODY(three_ups_upu_s_inverse_kinematics)(size_t stride, const double *restrict pose, double *restrict q,
+    double *restrict total)
+{
+    LIMBS(inverse_kinematics) limbs;
+    /* limb5_S: geometry */
+    const REAL limb5_S_pose_qw = READ(pose, 0);
+    WRITE(q, 12, limb5_S_pose_qw);
+    const REAL limb5_S_pose_qx = READ(pose, 1);
+    WRITE(q, 13, limb5_S_pose_qx);
+    const REAL t1 = limb5_S_pose_qw * limb5_S_pose_qw, t2 = limb5_S_pose_qx * limb5_S_pose_qx,
+      limb5_S_pose_qy = READ(pose, 2);
+    WRITE(q, 14, limb5_S_pose_qy);
+    const REAL t3 = t1 + t2, t4 = limb5_S_pose_qy * limb5_S_pose_qy, limb5_S_pose_qz = READ(pose, 3);
+    WRITE(q, 15, limb5_S_pose_qz);
+    const REAL t5 = limb5_S_pose_qz * limb5_S_pose_qz, t6 = t4 + t5, t7 = t3 + t6, t9 = 4.0 - 2.0 * t7, t30 = t2 + t5,
+      t21 = param_H * (1.0 - t9 * (t2 + t4)), platform_turn_yy = 1.0 - t9 * t30, t29 = 0.5 * (1.0 - t6 * t9),
+      t10 = limb5_S_pose_qy * t9, t11 = limb5_S_pose_qx * t10, t24 = limb5_S_pose_qw * t10,
+      t12 = limb5_S_pose_qz * t9, t17 = limb5_S_pose_qw * (limb5_S_pose_qx * t9), t13 = limb5_S_pose_qw * t12,
+      platform_turn_yx = t11 + t13, platform_turn_xy = t11 - t13, t14 = 0.5 * platform_turn_yx;
+    const EACH4 given = {t14, t21, t14, t21};
+    const REAL t15 = limb5_S_pose_qy * t12, t23 = limb5_S_pose_qx * t12, platform_turn_yz = t15 - t17,
+      platform_turn_zy = t15 + t17, t18 = param_H * platform_turn_yz;
+    const EACH4 given_6 = {t29, t18, t29, t18};
+    const REAL t22 = 0.5 * platform_turn_zy;
+    const EACH4 given_2 = {t18, t22, t18, t22};
+    const REAL platform_turn_xz = t23 + t24, t25 = 0.5 * (t23 - t24), t26 = param_H * platform_turn_xz;
+    const EACH4 given_3 = {t25, t26, t25, t26};
+    const REAL t27 = 0.5 * platform_turn_xy;
+    const EACH4 given_4 = {t21, t27, t21, t27};
+    const REAL t32 = 0.5 * platform_turn_yy;
+    const EACH4 given_5 = {t26, t32, t26, t32};
+    FIRST_LIMB(0, inverse_kinematics, 0, stride, q, given, given_2, given_3, given_4, given_5, given_6, &limbs);
+    REAL checked0 = ALONE(limbs.checked[0]);
+    /* limb1: results; loop closure */
+    const REAL limb1_U_q_1 = atan2(limbs.t1[0], limbs.t2[0]);
+    WRITE(q, 1, limb1_U_q_1);
+    REAL checked1 = limb1_U_q_1;
+    const REAL t36 = limbs.signed_lower_sin[0] * (platform_turn_yy * limbs.signed_U_0_sin[0] + platform_turn_zy * limbs.signed_U_0_cos[0]),
+      limb1_U2_opening_mn = t36 + platform_turn_xy * limbs.signed_lower_cos[0],
+      t38 = limb1_U2_opening_mn * limb1_U2_opening_mn,
+      limb1_U_q_0 = atan2(limbs.signed_U_0_sin[0], -limbs.signed_U_0_cos[0]);
+    WRITE(q, 0, limb1_U_q_0);
+    REAL checked2 = limb1_U_q_0;
+    NEXT_LIMB(1, inverse_kinematics, 0, stride, q, given, given_2, given_3, given_4, given_5, given_6, &limbs);
+    REAL checked3 = ALONE(limbs.checked[1]);
+    RESULT(checked0, q, 3, atan2(limbs.signed_U_0_cos[1], limbs.signed_U_0_sin[1]));
+    RESULT(checked1, q, 4, atan2(-limbs.t1[1], limbs.t2[1]));
+    NEXT_LIMB(2, inverse_kinematics, 0, stride, q, given, given_2, given_3, given_4, given_5, given_6, &limbs);
+    checked2 = checked2 + ALONE(limbs.checked[2]);
+    NEXT_LIMB(3, inverse_kinematics, 0, stride, q, given, given_2, given_3, given_4, given_5, given_6, &limbs);
+    checked3 = checked3 + ALONE(limbs.checked[3]);
+    RESULT(checked0, q, 9, atan2(limbs.signed_U_0_cos[3], limbs.signed_U_0_sin[3]));
+    RESULT(checked1, q, 10, atan2(limbs.t1[3], limbs.t2[3]));
+    RESULT(checked2, q, 6, atan2(-limbs.signed_U_0_sin[2], limbs.signed_U_0_cos[2]));
+    RESULT(checked3, q, 7, atan2(-limbs.t1[2], limbs.t2[2]));
+    /* else status 5: no rotation */
+    NOT_BELOW(t7, 0.999999, 5);
+    NOT_ABOVE(t7, 1.000001, 5);
+    /* else status 6: not on the mechanism */
+    NOT_ABOVE(t38, 1.0e-12, 6);
+    FINITE4((checked0 + checked1) + (checked2 + checked3), limbs.checked);
+}
+#endif
+
+#if !defined(THREE_UPS_UPU_S_LANES)
 BODY(three_ups_upu_s_drive_positions)(size_t stride, const double *restrict pose, double *restrict positions,
     double *restrict total)
 {
@@ -1383,148 +1342,143 @@ BODY(three_ups_upu_s_drive_positions)(size_t stride, const double *restrict pose
     NOT_ABOVE(t60, 1.0e-12, 6);
     FINITE((checked0 + checked1) + (checked2 + checked3));
 }
+#endif
+
+#if !defined(THREE_UPS_UPU_S_LANES) || THREE_UPS_UPU_S_LANES == 4
+typedef struct {
+    EACH4 signed_lower_limb_target_x, signed_lower_limb_target_y, signed_U_0_lever_mz_by_S_fz, t1,
+      signed_upper_position_x, signed_U_0_cos, signed_U_0_sin, lower_limb_length, t2, signed_lower_sin,
+      signed_lower_cos, checked;
+} LIMBS(inverse_velocity);
+
+STAGE(inverse_velocity, 0)(size_t limb, size_t stride, const EACH4 given, const EACH4 given_2,
+    const EACH4 given_3, const EACH4 given_4, const EACH4 given_5, const EACH4 given_6,
+    LIMBS(inverse_velocity) *own)
+{
+    (void)limb, (void)stride;
+    const NUMBER4 sign1 = OF4(1.0, 1.0, -1.0, -1.0), each_param_R = OF4(-param_R, param_R, -param_R, -param_R);
+    /* limbs together: geometry; reciprocal wrenches, eq. (10) */
+    OWN(own->signed_lower_limb_target_x) = OWN(given) - sign1 * OWN(given_2);
+    const LIMB4 t1 = OWN(own->signed_lower_limb_target_x) * OWN(own->signed_lower_limb_target_x);
+    OWN(own->signed_lower_limb_target_y) = OWN(given_3) - sign1 * OWN(given_4);
+    const LIMB4 t3 = t1 + OWN(own->signed_lower_limb_target_y) * OWN(own->signed_lower_limb_target_y);
+    OWN(own->signed_U_0_lever_mz_by_S_fz) = SQRT4(t3);
+    OWN(own->t1) = 1.0 / OWN(own->signed_U_0_lever_mz_by_S_fz);
+    OWN(own->signed_U_0_cos) = OWN(own->signed_lower_limb_target_y) * OWN(own->t1);
+    OWN(own->signed_U_0_sin) = OWN(own->signed_lower_limb_target_x) * OWN(own->t1);
+    OWN(own->signed_upper_position_x) = OWN(given_5) - sign1 * OWN(given_6);
+    const LIMB4 signed_lower_limb_target_z = OWN(own->signed_upper_position_x) + each_param_R;
+    OWN(own->lower_limb_length) = SQRT4(t3 + signed_lower_limb_target_z * signed_lower_limb_target_z);
+    LIMB4 checked = OWN(own->lower_limb_length);
+    OWN(own->t2) = 1.0 / OWN(own->lower_limb_length);
+    OWN(own->signed_lower_sin) = signed_lower_limb_target_z * OWN(own->t2);
+    OWN(own->signed_lower_cos) = OWN(own->signed_U_0_lever_mz_by_S_fz) * OWN(own->t2);
+    OWN(own->checked) = checked;
+}
+
+STAGE(inverse_velocity, 1)(size_t limb, size_t stride, double *restrict v, const EACH4 platform_twist_wz,
+    const EACH4 platform_twist_wx, const EACH4 platform_twist_wy, LIMBS(inverse_velocity) *own)
+{
+    (void)limb, (void)stride;
+    const NUMBER4 sign1 = OF4(1.0, 1.0, -1.0, 1.0);
+    /* limbs together: loop closure; velocities, eq. (6) */
+    const LIMB4 t1 = OWN(own->signed_upper_position_x) * OWN(platform_twist_wz),
+      t3 = t1 - OWN(own->signed_lower_limb_target_y) * OWN(platform_twist_wx), t9 = t3 * OWN(own->signed_U_0_sin),
+      t4 = t3 * OWN(own->signed_U_0_cos), t6 = OWN(own->signed_upper_position_x) * OWN(platform_twist_wy),
+      t7 = t6 - OWN(own->signed_lower_limb_target_x) * OWN(platform_twist_wx),
+      t11 = t9 - t7 * OWN(own->signed_U_0_cos),
+      minus_U_0_omega_z = OWN(own->t1) * (t4 + t7 * OWN(own->signed_U_0_sin));
+    WRITE4(v, 0, 3, 6, 9, -minus_U_0_omega_z);
+    LIMB4 checked = OWN(own->checked) + minus_U_0_omega_z;
+    const LIMB4 t17 = OWN(own->signed_lower_cos) * t11, t12 = OWN(own->signed_lower_sin) * t11,
+      t14 = OWN(own->signed_lower_limb_target_x) * OWN(platform_twist_wz),
+      t15 = t14 - OWN(own->signed_lower_limb_target_y) * OWN(platform_twist_wy),
+      minus_S_opening_rate_fx = t17 - t15 * OWN(own->signed_lower_sin);
+    WRITE4(v, 2, 5, 8, 11, minus_S_opening_rate_fx);
+    checked = checked + minus_S_opening_rate_fx;
+    const LIMB4 signed_lower_omega_z = OWN(own->t2) * (t12 + t15 * OWN(own->signed_lower_cos));
+    WRITE4(v, 1, 4, 7, 10, sign1 * signed_lower_omega_z);
+    checked = checked + signed_lower_omega_z;
+    OWN(own->checked) = checked;
+}
 
 BODY(three_ups_upu_s_inverse_velocity)(size_t stride, const double *restrict pose,
     const double *restrict rate, double *restrict v, double *restrict total)
 {
+    LIMBS(inverse_velocity) limbs;
     /* limb5_S: geometry; velocities, eq. (6) */
     const REAL limb5_S_pose_qw = READ(pose, 0), limb5_S_pose_qx = READ(pose, 1),
       t1 = limb5_S_pose_qw * limb5_S_pose_qw, t2 = limb5_S_pose_qx * limb5_S_pose_qx, limb5_S_pose_qy = READ(pose, 2),
       t3 = t1 + t2, t4 = limb5_S_pose_qy * limb5_S_pose_qy, limb5_S_pose_qz = READ(pose, 3),
-      t5 = limb5_S_pose_qz * limb5_S_pose_qz, t6 = t4 + t5, t7 = t3 + t6, t9 = 4.0 - 2.0 * t7, t45 = t2 + t5,
-      platform_turn_zz = 1.0 - t9 * (t2 + t4), platform_turn_xx = 1.0 - t6 * t9, platform_turn_yy = 1.0 - t9 * t45,
-      t10 = limb5_S_pose_qy * t9, t11 = limb5_S_pose_qx * t10, t21 = limb5_S_pose_qw * t10,
-      t12 = limb5_S_pose_qz * t9, t17 = limb5_S_pose_qw * (limb5_S_pose_qx * t9), t13 = limb5_S_pose_qw * t12,
-      platform_turn_yx = t11 + t13, platform_turn_xy = t11 - t13, t14 = 0.5 * platform_turn_yx,
-      limb5_S_rate_wx = READ(rate, 0);
+      t5 = limb5_S_pose_qz * limb5_S_pose_qz, t6 = t4 + t5, t7 = t3 + t6, t9 = 4.0 - 2.0 * t7, t30 = t2 + t5,
+      platform_turn_zz = 1.0 - t9 * (t2 + t4), platform_turn_xx = 1.0 - t6 * t9, platform_turn_yy = 1.0 - t9 * t30,
+      t12 = limb5_S_pose_qz * t9, t23 = limb5_S_pose_qx * t12, t10 = limb5_S_pose_qy * t9,
+      t17 = limb5_S_pose_qw * (limb5_S_pose_qx * t9), t24 = limb5_S_pose_qw * t10, t11 = limb5_S_pose_qx * t10,
+      platform_turn_zx = t23 - t24, platform_turn_xz = t23 + t24, limb5_S_rate_wx = READ(rate, 0);
     WRITE(v, 12, limb5_S_rate_wx);
-    const REAL t48 = limb5_S_rate_wx * platform_turn_yx, t15 = limb5_S_pose_qy * t12, t20 = limb5_S_pose_qx * t12,
-      platform_turn_yz = t15 - t17, platform_turn_zy = t15 + t17, t18 = param_H * platform_turn_yz,
-      limb5_S_rate_wz = READ(rate, 2);
-    WRITE(v, 14, limb5_S_rate_wz);
-    const REAL t50 = limb5_S_rate_wz * platform_turn_yz, minus_limb1_lower_limb_target_x = t14 - t18,
-      limb3_lower_limb_target_x = t14 + t18,
-      t19 = minus_limb1_lower_limb_target_x * minus_limb1_lower_limb_target_x, /* limb1 */
-      platform_turn_zx = t20 - t21, platform_turn_xz = t20 + t21, t22 = 0.5 * platform_turn_zx,
-      t33 = limb5_S_rate_wx * platform_turn_zx, t25 = param_H * platform_turn_zz,
-      t32 = limb5_S_rate_wz * platform_turn_zz, minus_limb1_lower_limb_target_y = t22 - t25,
-      limb3_lower_limb_target_y = t22 + t25,
-      t27 = t19 + minus_limb1_lower_limb_target_y * minus_limb1_lower_limb_target_y, /* limb1 */
-      minus_limb1_U_0_lever_mz_by_limb1_U2_fz = SQRT(t27),
-      t28 = 1.0 / minus_limb1_U_0_lever_mz_by_limb1_U2_fz, /* limb1 */
-      minus_limb1_U_0_cos = minus_limb1_lower_limb_target_y * t28, limb5_S_rate_wy = READ(rate, 1);
+    const REAL t34 = limb5_S_rate_wx * platform_turn_zx, t25 = 0.5 * platform_turn_zx, t15 = limb5_S_pose_qy * t12,
+      t13 = limb5_S_pose_qw * t12, platform_turn_zy = t15 + t17, platform_turn_yz = t15 - t17,
+      limb5_S_rate_wy = READ(rate, 1);
     WRITE(v, 13, limb5_S_rate_wy);
-    const REAL platform_twist_wz = t32 + (t33 + limb5_S_rate_wy * platform_turn_zy), t31 = param_H * platform_turn_xz,
-      t40 = limb5_S_rate_wz * platform_turn_xz, t30 = 0.5 * platform_turn_xx,
-      t37 = limb5_S_rate_wx * platform_turn_xx;
-    /* limb1: geometry */
-    const REAL minus_limb1_upper_position_x = t30 - t31, limb3_upper_position_x = t30 + t31;
-    /* limb1: loop closure; geometry; velocities, eq. (6) */
-    const REAL t36 = minus_limb1_upper_position_x * platform_twist_wz,
-      platform_twist_wx = t37 + limb5_S_rate_wy * platform_turn_xy + t40,
-      t42 = t36 - minus_limb1_lower_limb_target_y * platform_twist_wx, t43 = t42 * minus_limb1_U_0_cos,
-      limb1_U_0_sin = minus_limb1_lower_limb_target_x * t28, t57 = t42 * limb1_U_0_sin,
-      t44 = minus_limb1_lower_limb_target_x * platform_twist_wx,
-      t62 = minus_limb1_lower_limb_target_x * platform_twist_wz,
-      platform_twist_wy = limb5_S_rate_wy * platform_turn_yy + t48 + t50,
-      t63 = minus_limb1_lower_limb_target_y * platform_twist_wy - t62,
-      t52 = t44 - minus_limb1_upper_position_x * platform_twist_wy,
-      limb1_lower_limb_target_z = param_R - minus_limb1_upper_position_x,
-      limb1_U_0_omega_z = -(t28 * (t43 - t52 * limb1_U_0_sin));
-    WRITE(v, 0, limb1_U_0_omega_z);
-    REAL checked0 = limb1_U_0_omega_z;
-    const REAL t59 = t57 + t52 * minus_limb1_U_0_cos, t145 = platform_turn_yy * limb1_U_0_sin,
-      t73 = 0.5 * platform_turn_yy, /* platform */
-      t147 = t145 + platform_turn_zy * minus_limb1_U_0_cos, t67 = 0.5 * platform_turn_zy, /* platform */
-      limb1_lower_limb_length = SQRT(t27 + limb1_lower_limb_target_z * limb1_lower_limb_target_z);
-    REAL checked1 = limb1_lower_limb_length;
-    const REAL t56 = 1.0 / limb1_lower_limb_length, limb1_lower_sin = limb1_lower_limb_target_z * t56,
-      limb1_lower_cos = minus_limb1_U_0_lever_mz_by_limb1_U2_fz * t56, t148 = limb1_lower_sin * t147,
-      t60 = limb1_lower_sin * t59, minus_limb1_U2_opening_rate_fx = limb1_lower_cos * t59 - t63 * limb1_lower_sin;
-    WRITE(v, 2, minus_limb1_U2_opening_rate_fx);
-    REAL checked2 = minus_limb1_U2_opening_rate_fx;
-    const REAL limb1_lower_omega_z = -(t56 * (t60 + t63 * limb1_lower_cos));
-    WRITE(v, 1, limb1_lower_omega_z);
-    REAL checked3 = limb1_lower_omega_z;
-    const REAL limb1_U2_opening_mn = t148 + platform_turn_xy * limb1_lower_cos,
-      t150 = limb1_U2_opening_mn * limb1_U2_opening_mn, t69 = 0.5 * platform_turn_xy; /* platform */
-    /* limb2: geometry; reciprocal wrenches, eq. (10) */
-    const REAL limb2_lower_limb_target_x = t25 - t67, limb4_lower_limb_target_x = t25 + t67,
-      t68 = limb2_lower_limb_target_x * limb2_lower_limb_target_x, limb2_lower_limb_target_y = t31 - t69,
-      limb4_lower_limb_target_y = t31 + t69, t71 = t68 + limb2_lower_limb_target_y * limb2_lower_limb_target_y,
-      limb2_U_0_lever_mz_by_limb2_S_fz = SQRT(t71), t72 = 1.0 / limb2_U_0_lever_mz_by_limb2_S_fz,
-      minus_limb2_U_0_cos = limb2_lower_limb_target_y * t72, limb2_upper_position_y = t18 - t73,
-      limb4_upper_position_y = t18 + t73;
-    /* limb2: loop closure; geometry; velocities, eq. (6) */
-    const REAL t76 = limb2_upper_position_y * platform_twist_wx - limb2_lower_limb_target_y * platform_twist_wy,
-      t89 = limb2_lower_limb_target_y * platform_twist_wz, t77 = t76 * minus_limb2_U_0_cos,
-      limb2_U_0_sin = limb2_lower_limb_target_x * t72, t85 = t76 * limb2_U_0_sin,
-      t78 = limb2_lower_limb_target_x * platform_twist_wy, t91 = t89 - limb2_lower_limb_target_x * platform_twist_wx,
-      t80 = t78 - limb2_upper_position_y * platform_twist_wz;
-    RESULT(checked0, v, 3, -(t72 * (t77 - t80 * limb2_U_0_sin)));
-    const REAL t87 = t85 + t80 * minus_limb2_U_0_cos, limb2_lower_limb_target_z = param_R + limb2_upper_position_y,
-      limb2_lower_limb_length = SQRT(t71 + limb2_lower_limb_target_z * limb2_lower_limb_target_z);
-    checked1 = checked1 + limb2_lower_limb_length;
-    const REAL t84 = 1.0 / limb2_lower_limb_length, limb2_lower_sin = limb2_lower_limb_target_z * t84,
-      minus_limb2_lower_cos = limb2_U_0_lever_mz_by_limb2_S_fz * t84, t93 = minus_limb2_lower_cos * t87;
-    RESULT(checked2, v, 4, t84 * (limb2_lower_sin * t87 - t91 * minus_limb2_lower_cos));
-    RESULT(checked3, v, 5, t93 + t91 * limb2_lower_sin);
-    /* limb3: reciprocal wrenches, eq. (10); geometry */
-    const REAL t95 = limb3_lower_limb_target_x * limb3_lower_limb_target_x,
-      t97 = t95 + limb3_lower_limb_target_y * limb3_lower_limb_target_y,
-      minus_limb3_U_0_lever_mz_by_limb3_S_fz = SQRT(t97), t98 = 1.0 / minus_limb3_U_0_lever_mz_by_limb3_S_fz,
-      limb3_U_0_cos = limb3_lower_limb_target_y * t98;
-    /* limb3: loop closure; geometry; velocities, eq. (6) */
-    const REAL t101 = limb3_upper_position_x * platform_twist_wz - limb3_lower_limb_target_y * platform_twist_wx,
-      t114 = limb3_lower_limb_target_y * platform_twist_wy, t102 = t101 * limb3_U_0_cos,
-      minus_limb3_U_0_sin = limb3_lower_limb_target_x * t98, t110 = t101 * minus_limb3_U_0_sin,
-      t103 = limb3_lower_limb_target_x * platform_twist_wx,
-      t116 = t114 - limb3_lower_limb_target_x * platform_twist_wz,
-      t105 = t103 - limb3_upper_position_x * platform_twist_wy;
-    RESULT(checked0, v, 6, -(t98 * (t102 - t105 * minus_limb3_U_0_sin)));
-    const REAL t112 = t110 + t105 * limb3_U_0_cos, minus_limb3_lower_limb_target_z = param_R - limb3_upper_position_x,
-      limb3_lower_limb_length = SQRT(t97 + minus_limb3_lower_limb_target_z * minus_limb3_lower_limb_target_z);
-    checked1 = checked1 + limb3_lower_limb_length;
-    const REAL t109 = 1.0 / limb3_lower_limb_length, minus_limb3_lower_sin = minus_limb3_lower_limb_target_z * t109,
-      limb3_lower_cos = minus_limb3_U_0_lever_mz_by_limb3_S_fz * t109, t118 = limb3_lower_cos * t112;
-    RESULT(checked2, v, 7, t109 * (minus_limb3_lower_sin * t112 + t116 * limb3_lower_cos));
-    RESULT(checked3, v, 8, t118 - t116 * minus_limb3_lower_sin);
-    /* limb4: reciprocal wrenches, eq. (10); geometry; loop closure */
-    const REAL t120 = limb4_lower_limb_target_x * limb4_lower_limb_target_x,
-      t122 = t120 + limb4_lower_limb_target_y * limb4_lower_limb_target_y,
-      limb4_U_0_lever_mz_by_limb4_S_fz = SQRT(t122), t123 = 1.0 / limb4_U_0_lever_mz_by_limb4_S_fz,
-      minus_limb4_U_0_cos = limb4_lower_limb_target_y * t123, t140 = limb4_lower_limb_target_x * platform_twist_wx,
-      t126 = limb4_upper_position_y * platform_twist_wx - limb4_lower_limb_target_y * platform_twist_wy,
-      t128 = limb4_lower_limb_target_x * platform_twist_wy, limb4_U_0_sin = limb4_lower_limb_target_x * t123,
-      t141 = limb4_lower_limb_target_y * platform_twist_wz - t140,
-      t130 = t128 - limb4_upper_position_y * platform_twist_wz,
-      minus_limb4_lower_limb_target_z = param_R - limb4_upper_position_y, t135 = t126 * limb4_U_0_sin;
-    RESULT(checked0, v, 9, -(t123 * (t126 * minus_limb4_U_0_cos - t130 * limb4_U_0_sin)));
-    const REAL t137 = t135 + t130 * minus_limb4_U_0_cos,
-      limb4_lower_limb_length = SQRT(t122 + minus_limb4_lower_limb_target_z * minus_limb4_lower_limb_target_z);
-    checked1 = checked1 + limb4_lower_limb_length;
-    const REAL t134 = 1.0 / limb4_lower_limb_length, minus_limb4_lower_sin = minus_limb4_lower_limb_target_z * t134,
-      minus_limb4_lower_cos = limb4_U_0_lever_mz_by_limb4_S_fz * t134, t143 = minus_limb4_lower_cos * t137;
-    RESULT(checked2, v, 10, -(t134 * (minus_limb4_lower_sin * t137 + t141 * minus_limb4_lower_cos)));
-    RESULT(checked3, v, 11, t143 - t141 * minus_limb4_lower_sin);
+    const REAL limb5_S_rate_wz = READ(rate, 2);
+    WRITE(v, 14, limb5_S_rate_wz);
+    const REAL platform_twist_wz = limb5_S_rate_wz * platform_turn_zz + (t34 + limb5_S_rate_wy * platform_turn_zy),
+      t21 = param_H * platform_turn_zz, platform_turn_xy = t11 - t13, platform_turn_yx = t11 + t13,
+      t39 = limb5_S_rate_wx * platform_turn_xx + limb5_S_rate_wy * platform_turn_xy, t29 = 0.5 * platform_turn_xx,
+      platform_twist_wx = t39 + limb5_S_rate_wz * platform_turn_xz, t26 = param_H * platform_turn_xz;
+    const EACH4 given_3 = {t25, t26, t25, t26},
+      platform_twist_wz_2 = {platform_twist_wz, platform_twist_wx, platform_twist_wz, platform_twist_wx};
+    const REAL t42 = limb5_S_rate_wx * platform_turn_yx, t14 = 0.5 * platform_turn_yx;
+    const EACH4 given = {t14, t21, t14, t21};
+    const REAL platform_twist_wy = limb5_S_rate_wy * platform_turn_yy + t42 + limb5_S_rate_wz * platform_turn_yz;
+    const EACH4 platform_twist_wx_2 = {platform_twist_wx, platform_twist_wy, platform_twist_wx, platform_twist_wy},
+      platform_twist_wy_2 = {platform_twist_wy, platform_twist_wz, platform_twist_wy, platform_twist_wz};
+    const REAL t18 = param_H * platform_turn_yz;
+    const EACH4 given_5 = {t29, t18, t29, t18};
+    const REAL t22 = 0.5 * platform_turn_zy;
+    const EACH4 given_2 = {t18, t22, t18, t22};
+    const REAL t27 = 0.5 * platform_turn_xy;
+    const EACH4 given_4 = {t21, t27, t21, t27};
+    const REAL t32 = 0.5 * platform_turn_yy;
+    const EACH4 given_6 = {t26, t32, t26, t32};
+    FIRST_LIMB(3, inverse_velocity, 0, stride, given, given_2, given_3, given_4, given_5, given_6, &limbs);
+    FIRST_LIMB(3, inverse_velocity, 1, stride, v, platform_twist_wz_2, platform_twist_wx_2, platform_twist_wy_2, &limbs);
+    REAL checked0 = ALONE(limbs.checked[3]);
+    NEXT_LIMB(2, inverse_velocity, 0, stride, given, given_2, given_3, given_4, given_5, given_6, &limbs);
+    NEXT_LIMB(2, inverse_velocity, 1, stride, v, platform_twist_wz_2, platform_twist_wx_2, platform_twist_wy_2, &limbs);
+    REAL checked1 = ALONE(limbs.checked[2]);
+    NEXT_LIMB(1, inverse_velocity, 0, stride, given, given_2, given_3, given_4, given_5, given_6, &limbs);
+    NEXT_LIMB(0, inverse_velocity, 0, stride, given, given_2, given_3, given_4, given_5, given_6, &limbs);
+    NEXT_LIMB(1, inverse_velocity, 1, stride, v, platform_twist_wz_2, platform_twist_wx_2, platform_twist_wy_2, &limbs);
+    REAL checked2 = ALONE(limbs.checked[1]);
+    NEXT_LIMB(0, inverse_velocity, 1, stride, v, platform_twist_wz_2, platform_twist_wx_2, platform_twist_wy_2, &limbs);
+    REAL checked3 = ALONE(limbs.checked[0]);
+    const REAL t48 = limbs.signed_lower_sin[0] * (platform_turn_yy * limbs.signed_U_0_sin[0] + platform_turn_zy * limbs.signed_U_0_cos[0]), /* limb1 */
+      limb1_U2_opening_mn = platform_turn_xy * limbs.signed_lower_cos[0] - t48,
+      t50 = limb1_U2_opening_mn * limb1_U2_opening_mn;
     /* else status 5: no rotation */
     NOT_BELOW(t7, 0.999999, 5);
     NOT_ABOVE(t7, 1.000001, 5);
     /* else status 6: not on the mechanism */
-    NOT_ABOVE(t150, 1.0e-12, 6);
-    FINITE_UNLESS( /* status 1 where a pivot is smaller than its limit: */
-        SMALL(limb3_lower_limb_length, 6.62327e-10) OR /* where the points of limb3_lower coincide */
-        SMALL(limb2_lower_limb_length, 6.62327e-10) OR /* where the points of limb2_lower coincide */
-        SMALL(limb4_lower_limb_length, 6.62327e-10) OR /* where the points of limb4_lower coincide */
-        SMALL(limb1_lower_limb_length, 6.62327e-10) OR /* where the points of limb1_lower coincide */
-        SMALL(minus_limb3_U_0_lever_mz_by_limb3_S_fz, 6.62327e-10) OR /* where the reciprocal wrench limb3_S.fz has no power along limb3_U.0, as in a stretched limb */
-        SMALL(limb2_U_0_lever_mz_by_limb2_S_fz, 6.62327e-10) OR /* where the reciprocal wrench limb2_S.fz has no power along limb2_U.0, as in a stretched limb */
-        SMALL(limb4_U_0_lever_mz_by_limb4_S_fz, 6.62327e-10) OR /* where the reciprocal wrench limb4_S.fz has no power along limb4_U.0, as in a stretched limb */
-        SMALL(minus_limb1_U_0_lever_mz_by_limb1_U2_fz, 6.62327e-10), /* where the reciprocal wrench limb1_U2.fz has no power along limb1_U.0, as in a stretched limb */
-        (checked0 + checked1) + (checked2 + checked3));
+    NOT_ABOVE(t50, 1.0e-12, 6);
+    FINITE_UNLESS4( /* status 1 where a pivot is smaller than its limit: */
+        SMALL4(limbs.lower_limb_length, 6.62327e-10, 6.62327e-10, 6.62327e-10, 6.62327e-10) OR /* where the points of limb_lower coincide */
+        SMALL4(limbs.signed_U_0_lever_mz_by_S_fz, 6.62327e-10, 6.62327e-10, 6.62327e-10, 6.62327e-10), /* where the reciprocal wrench limb_U2.fz has no power along limb_U.0, as in a stretched limb; where the reciprocal wrench limb_S.fz has no power along limb_U.0, as in a stretched limb */
+        (checked0 + checked1) + (checked2 + checked3), limbs.checked);
 }
+#endif
 
 #if !defined(THREE_UPS_UPU_S_VECTORS)
+
+#if defined(__GNUC__) && defined(__AVX2__) && !defined(THREE_UPS_UPU_S_SCALAR) && !defined(THREE_UPS_UPU_S_LIMB_BY_LIMB)
+#define THREE_UPS_UPU_S_VECTORS
+#define THREE_UPS_UPU_S_LANES 4
+#include "three_ups_upu_s_support.h" /* for all limbs at once */
+#include "three_ups_upu_s_kinematics.c"
+#undef THREE_UPS_UPU_S_VECTORS
+#undef THREE_UPS_UPU_S_LANES
+#include "three_ups_upu_s_support.h" /* for one limb again */
+#endif
 
 int three_ups_upu_s_body_poses(const double *restrict q, double *restrict poses)
 {
@@ -1854,179 +1808,6 @@ int three_ups_upu_s_drive_rates(const double *restrict q, const double *restrict
     return outcome;
 }
 
-BODY(three_ups_upu_s_inverse_kinematics)(size_t stride, const double *restrict pose, double *restrict q,
-    double *restrict total)
-{
-    /* limb5_S: geometry */
-    const REAL limb5_S_pose_qw = READ(pose, 0);
-    WRITE(q, 12, limb5_S_pose_qw);
-    const REAL limb5_S_pose_qx = READ(pose, 1);
-    WRITE(q, 13, limb5_S_pose_qx);
-    const REAL t1 = limb5_S_pose_qw * limb5_S_pose_qw, t2 = limb5_S_pose_qx * limb5_S_pose_qx,
-      limb5_S_pose_qy = READ(pose, 2);
-    WRITE(q, 14, limb5_S_pose_qy);
-    const REAL t3 = t1 + t2, t4 = limb5_S_pose_qy * limb5_S_pose_qy, limb5_S_pose_qz = READ(pose, 3);
-    WRITE(q, 15, limb5_S_pose_qz);
-    const REAL t5 = limb5_S_pose_qz * limb5_S_pose_qz, t6 = t4 + t5, t7 = t3 + t6, t9 = 4.0 - 2.0 * t7, t47 = t2 + t5,
-      t25 = param_H * (1.0 - t9 * (t2 + t4)), t30 = 0.5 * (1.0 - t6 * t9), platform_turn_yy = 1.0 - t9 * t47,
-      t10 = limb5_S_pose_qy * t9, t11 = limb5_S_pose_qx * t10, t21 = limb5_S_pose_qw * t10,
-      t12 = limb5_S_pose_qz * t9, t17 = limb5_S_pose_qw * (limb5_S_pose_qx * t9), t13 = limb5_S_pose_qw * t12,
-      platform_turn_yx = t11 + t13, platform_turn_xy = t11 - t13, t14 = 0.5 * platform_turn_yx,
-      t15 = limb5_S_pose_qy * t12, t20 = limb5_S_pose_qx * t12, platform_turn_yz = t15 - t17,
-      platform_turn_zy = t15 + t17, t18 = param_H * platform_turn_yz, minus_limb1_lower_limb_target_x = t14 - t18,
-      limb3_lower_limb_target_x = t14 + t18;
-    /* limb1: geometry; results; loop closure */
-    const REAL t19 = minus_limb1_lower_limb_target_x * minus_limb1_lower_limb_target_x, platform_turn_xz = t20 + t21,
-      t22 = 0.5 * (t20 - t21), /* platform */
-      t31 = param_H * platform_turn_xz, /* platform */
-      minus_limb1_lower_limb_target_y = t22 - t25, limb3_lower_limb_target_y = t22 + t25,
-      t27 = t19 + minus_limb1_lower_limb_target_y * minus_limb1_lower_limb_target_y,
-      minus_limb1_U_0_lever_mz_by_limb1_U2_fz = SQRT(t27), t28 = 1.0 / minus_limb1_U_0_lever_mz_by_limb1_U2_fz,
-      minus_limb1_U_0_cos = minus_limb1_lower_limb_target_y * t28,
-      limb1_U_0_sin = minus_limb1_lower_limb_target_x * t28, limb1_U_q_0 = atan2(limb1_U_0_sin, -minus_limb1_U_0_cos);
-    WRITE(q, 0, limb1_U_q_0);
-    REAL checked0 = limb1_U_q_0;
-    const REAL t85 = platform_turn_yy * limb1_U_0_sin, t49 = 0.5 * platform_turn_yy, /* platform */
-      t87 = t85 + platform_turn_zy * minus_limb1_U_0_cos, t42 = 0.5 * platform_turn_zy, /* platform */
-      limb1_lower_limb_target_z = param_R - (t30 - t31), minus_limb3_lower_limb_target_z = param_R - (t30 + t31),
-      limb1_lower_limb_length = SQRT(t27 + limb1_lower_limb_target_z * limb1_lower_limb_target_z),
-      limb1_P_q = limb1_lower_limb_length - limb_upper_phase;
-    WRITE(q, 2, limb1_P_q);
-    REAL checked1 = limb1_P_q;
-    const REAL t34 = 1.0 / limb1_lower_limb_length, limb1_lower_sin = limb1_lower_limb_target_z * t34,
-      limb1_lower_cos = minus_limb1_U_0_lever_mz_by_limb1_U2_fz * t34, t88 = limb1_lower_sin * t87,
-      t37 = k1 * limb1_lower_sin - 0.5 * limb1_lower_cos,
-      limb1_U_q_1 = atan2(t37, k1 * limb1_lower_cos + 0.5 * limb1_lower_sin);
-    WRITE(q, 1, limb1_U_q_1);
-    REAL checked2 = limb1_U_q_1;
-    const REAL limb1_U2_opening_mn = t88 + platform_turn_xy * limb1_lower_cos,
-      t90 = limb1_U2_opening_mn * limb1_U2_opening_mn, t41 = 0.5 * platform_turn_xy; /* platform */
-    /* limb2: geometry; reciprocal wrenches, eq. (10); results */
-    const REAL limb2_lower_limb_target_x = t25 - t42, limb4_lower_limb_target_x = t25 + t42,
-      t43 = limb2_lower_limb_target_x * limb2_lower_limb_target_x, limb2_lower_limb_target_y = t31 - t41,
-      limb4_lower_limb_target_y = t31 + t41, t45 = t43 + limb2_lower_limb_target_y * limb2_lower_limb_target_y,
-      limb2_U_0_lever_mz_by_limb2_S_fz = SQRT(t45), t46 = 1.0 / limb2_U_0_lever_mz_by_limb2_S_fz,
-      limb2_U_q_0 = atan2(limb2_lower_limb_target_y * t46, limb2_lower_limb_target_x * t46);
-    WRITE(q, 3, limb2_U_q_0);
-    REAL checked3 = limb2_U_q_0;
-    const REAL limb4_upper_position_y = t18 + t49, limb2_lower_limb_target_z = param_R + (t18 - t49),
-      minus_limb4_lower_limb_target_z = param_R - limb4_upper_position_y,
-      limb2_lower_limb_length = SQRT(t45 + limb2_lower_limb_target_z * limb2_lower_limb_target_z);
-    RESULT(checked0, q, 5, limb2_lower_limb_length - limb_upper_phase);
-    const REAL t52 = 1.0 / limb2_lower_limb_length, minus_limb2_lower_cos = limb2_U_0_lever_mz_by_limb2_S_fz * t52,
-      limb2_lower_sin = limb2_lower_limb_target_z * t52, t55 = 0.5 * minus_limb2_lower_cos - k1 * limb2_lower_sin;
-    RESULT(checked1, q, 4, atan2(t55, k1 * minus_limb2_lower_cos + 0.5 * limb2_lower_sin));
-    /* limb3: reciprocal wrenches, eq. (10); geometry; results */
-    const REAL t59 = limb3_lower_limb_target_x * limb3_lower_limb_target_x,
-      t61 = t59 + limb3_lower_limb_target_y * limb3_lower_limb_target_y,
-      minus_limb3_U_0_lever_mz_by_limb3_S_fz = SQRT(t61), t62 = 1.0 / minus_limb3_U_0_lever_mz_by_limb3_S_fz;
-    RESULT(checked2, q, 6, atan2(-(limb3_lower_limb_target_x * t62), limb3_lower_limb_target_y * t62));
-    const REAL limb3_lower_limb_length = SQRT(t61 + minus_limb3_lower_limb_target_z * minus_limb3_lower_limb_target_z);
-    RESULT(checked3, q, 8, limb3_lower_limb_length - limb_upper_phase);
-    const REAL t65 = 1.0 / limb3_lower_limb_length, limb3_lower_cos = minus_limb3_U_0_lever_mz_by_limb3_S_fz * t65,
-      minus_limb3_lower_sin = minus_limb3_lower_limb_target_z * t65,
-      t68 = 0.5 * limb3_lower_cos - k1 * minus_limb3_lower_sin;
-    RESULT(checked0, q, 7, atan2(t68, k1 * limb3_lower_cos + 0.5 * minus_limb3_lower_sin));
-    /* limb4: reciprocal wrenches, eq. (10); geometry; results */
-    const REAL t72 = limb4_lower_limb_target_x * limb4_lower_limb_target_x,
-      t74 = t72 + limb4_lower_limb_target_y * limb4_lower_limb_target_y, limb4_U_0_lever_mz_by_limb4_S_fz = SQRT(t74),
-      t75 = 1.0 / limb4_U_0_lever_mz_by_limb4_S_fz;
-    RESULT(checked1, q, 9, atan2(limb4_lower_limb_target_y * t75, limb4_lower_limb_target_x * t75));
-    const REAL limb4_lower_limb_length = SQRT(t74 + minus_limb4_lower_limb_target_z * minus_limb4_lower_limb_target_z);
-    RESULT(checked2, q, 11, limb4_lower_limb_length - limb_upper_phase);
-    const REAL t78 = 1.0 / limb4_lower_limb_length, minus_limb4_lower_sin = minus_limb4_lower_limb_target_z * t78,
-      minus_limb4_lower_cos = limb4_U_0_lever_mz_by_limb4_S_fz * t78,
-      t81 = k1 * minus_limb4_lower_sin - 0.5 * minus_limb4_lower_cos;
-    RESULT(checked3, q, 10, atan2(t81, k1 * minus_limb4_lower_cos + 0.5 * minus_limb4_lower_sin));
-    /* else status 5: no rotation */
-    NOT_BELOW(t7, 0.999999, 5);
-    NOT_ABOVE(t7, 1.000001, 5);
-    /* else status 6: not on the mechanism */
-    NOT_ABOVE(t90, 1.0e-12, 6);
-    FINITE((checked0 + checked1) + (checked2 + checked3));
-}
-
-#if defined(__GNUC__) && defined(__AVX2__) && !defined(THREE_UPS_UPU_S_SCALAR) && !defined(THREE_UPS_UPU_S_LIMB_BY_LIMB)
-static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_inverse_kinematics_packed_lane(const double *restrict pose,
-    double *restrict q)
-{
-    typedef three_ups_upu_s_vector4 lanes4;
-    q[12] = pose[0];
-    q[13] = pose[1];
-    q[14] = pose[2];
-    q[15] = pose[3];
-    const double limb5_S_pose_qw = pose[0], limb5_S_pose_qx = pose[1], limb5_S_pose_qy = pose[2],
-      limb5_S_pose_qz = pose[3];
-    /* limb5_S: geometry */
-    const double t1 = limb5_S_pose_qw * limb5_S_pose_qw, t2 = limb5_S_pose_qx * limb5_S_pose_qx, t3 = t1 + t2,
-      t4 = limb5_S_pose_qy * limb5_S_pose_qy, t5 = limb5_S_pose_qz * limb5_S_pose_qz, t6 = t4 + t5, t7 = t3 +
-        t6,
-      t9 = 4.0 - 2.0 * t7, t47 = t2 + t5, t25 = param_H * (1.0 - t9 * (t2 + t4)), t30 = 0.5 * (1.0 - t6 * t9),
-      platform_turn_yy = 1.0 - t9 * t47, t10 = limb5_S_pose_qy * t9, t11 = limb5_S_pose_qx * t10,
-      t21 = limb5_S_pose_qw * t10, t12 = limb5_S_pose_qz * t9, t17 = limb5_S_pose_qw * (limb5_S_pose_qx * t9),
-      t13 = limb5_S_pose_qw * t12, platform_turn_yx = t11 + t13, platform_turn_xy = t11 - t13,
-      t14 = 0.5 * platform_turn_yx, t15 = limb5_S_pose_qy * t12, t20 = limb5_S_pose_qx * t12,
-      platform_turn_yz = t15 - t17, platform_turn_zy = t15 + t17, t18 = param_H * platform_turn_yz,
-      t42 = 0.5 * platform_turn_zy;
-    /* limbs together: geometry; reciprocal wrenches, eq. (10); results */
-    const lanes4 signed_limb_lower_limb_target_x = (lanes4){t14, t25, t14, t25} - (lanes4){1.0, 1.0, -1.0,
-        -1.0} * (lanes4){t18, t42, t18, t42},
-      lanes_5 = signed_limb_lower_limb_target_x * signed_limb_lower_limb_target_x;
-    const double platform_turn_xz = t20 + t21, t22 = 0.5 * (t20 - t21), /* platform */
-      t31 = param_H * platform_turn_xz, /* platform */
-      t41 = 0.5 * platform_turn_xy; /* platform */
-    const lanes4 signed_limb_lower_limb_target_y = (lanes4){t22, t31, t22, t31} - (lanes4){1.0, 1.0, -1.0,
-        -1.0} * (lanes4){t25, t41, t25, t41},
-      lanes_11 = lanes_5 + signed_limb_lower_limb_target_y * signed_limb_lower_limb_target_y,
-      each_limb1_U_0_lever_mz_by_limb1_U2_fz = three_ups_upu_s_vector4_sqrt(lanes_11),
-      lanes_12 = 1.0 / each_limb1_U_0_lever_mz_by_limb1_U2_fz,
-      signed_limb_U_0_sin = signed_limb_lower_limb_target_x * lanes_12,
-      signed_limb_U_0_cos = signed_limb_lower_limb_target_y * lanes_12;
-    const double limb1_U_0_sin = signed_limb_U_0_sin[0], minus_limb1_U_0_cos = signed_limb_U_0_cos[0],
-      limb1_U_q_0 = atan2(limb1_U_0_sin, -minus_limb1_U_0_cos);
-    q[0] = limb1_U_q_0;
-    const double limb2_U_q_0 = atan2(signed_limb_U_0_cos[1], signed_limb_U_0_sin[1]);
-    q[3] = limb2_U_q_0;
-    const double limb3_U_q_0 = atan2(-signed_limb_U_0_sin[2], signed_limb_U_0_cos[2]);
-    q[6] = limb3_U_q_0;
-    const double limb4_U_q_0 = atan2(signed_limb_U_0_cos[3], signed_limb_U_0_sin[3]);
-    q[9] = limb4_U_q_0;
-    const double t87 = platform_turn_yy * limb1_U_0_sin + platform_turn_zy * minus_limb1_U_0_cos, /* limb1 */
-      t49 = 0.5 * platform_turn_yy; /* platform */
-    const lanes4 each_limb1_upper_position_x = (lanes4){t31, t49, t31, t49} - (lanes4){1.0, 1.0, -1.0, -1.0} *
-        (lanes4){t30, t18, t30, t18},
-      signed_limb_lower_limb_target_z = each_limb1_upper_position_x + (lanes4){param_R, -param_R, -param_R,
-        -param_R},
-      limb_lower_limb_length = three_ups_upu_s_vector4_sqrt(lanes_11 + signed_limb_lower_limb_target_z *
-        signed_limb_lower_limb_target_z),
-      limb_P_q = limb_lower_limb_length + (-limb_upper_phase);
-    q[2] = limb_P_q[0];
-    q[5] = limb_P_q[1];
-    q[8] = limb_P_q[2];
-    q[11] = limb_P_q[3];
-    const lanes4 lanes_20 = 1.0 / limb_lower_limb_length,
-      signed_limb_lower_sin = signed_limb_lower_limb_target_z * lanes_20,
-      signed_limb_lower_cos = each_limb1_U_0_lever_mz_by_limb1_U2_fz * lanes_20;
-    const double limb1_U2_opening_mn = signed_limb_lower_sin[0] * t87 + platform_turn_xy *
-        signed_limb_lower_cos[0],
-      t90 = limb1_U2_opening_mn * limb1_U2_opening_mn;
-    const lanes4 lanes_24 = (lanes4){0.5, -0.5, -0.5, -0.5} * signed_limb_lower_sin,
-      lanes_26 = (lanes4){k1, -k1, -k1, -k1} * signed_limb_lower_sin - 0.5 * signed_limb_lower_cos,
-      lanes_28 = k1 * signed_limb_lower_cos + lanes_24;
-    const double limb1_U_q_1 = atan2(lanes_26[0], lanes_28[0]);
-    q[1] = limb1_U_q_1;
-    const double limb2_U_q_1 = atan2(-lanes_26[1], lanes_28[1]);
-    q[4] = limb2_U_q_1;
-    const double limb3_U_q_1 = atan2(-lanes_26[2], lanes_28[2]);
-    q[7] = limb3_U_q_1;
-    const double limb4_U_q_1 = atan2(lanes_26[3], lanes_28[3]);
-    q[10] = limb4_U_q_1;
-    const lanes4 every = limb_P_q;
-    return !(t7 >= 0.999999 && t7 <= 1.000001) || !(t90 <= 1.0e-12) ? (double)NAN : (((limb1_U_q_0 +
-        limb1_U_q_1) + (limb2_U_q_0 + limb2_U_q_1)) + ((limb3_U_q_0 + limb3_U_q_1) + (limb4_U_q_0 +
-        limb4_U_q_1))) + ((every[0] + every[1]) + (every[2] + every[3]));
-}
-#endif
 
 #if defined(__GNUC__) && defined(__AVX2__) && !defined(THREE_UPS_UPU_S_SCALAR) && !defined(THREE_UPS_UPU_S_LIMB_BY_LIMB)
 __attribute__((noinline))
@@ -2043,7 +1824,7 @@ static int three_ups_upu_s_inverse_kinematics_limb_by_limb(const double *restric
 int three_ups_upu_s_inverse_kinematics(const double *restrict pose, double *restrict q)
 {
 #if defined(__GNUC__) && defined(__AVX2__) && !defined(THREE_UPS_UPU_S_SCALAR) && !defined(THREE_UPS_UPU_S_LIMB_BY_LIMB)
-    if (isfinite(three_ups_upu_s_inverse_kinematics_packed_lane(pose, q))) {
+    if (isfinite(three_ups_upu_s_inverse_kinematics_packed_lane(1, pose, q, NULL))) {
         return 0;
     }
 #endif
@@ -2059,107 +1840,6 @@ int three_ups_upu_s_drive_positions(const double *restrict pose, double *restric
     return outcome;
 }
 
-#if defined(__GNUC__) && defined(__AVX2__) && !defined(THREE_UPS_UPU_S_SCALAR) && !defined(THREE_UPS_UPU_S_LIMB_BY_LIMB)
-static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_inverse_velocity_packed_lane(const double *restrict pose,
-    const double *restrict rate, double *restrict v)
-{
-    typedef three_ups_upu_s_vector4 lanes4;
-    v[12] = rate[0];
-    v[13] = rate[1];
-    v[14] = rate[2];
-    const double limb5_S_pose_qw = pose[0], limb5_S_pose_qx = pose[1], limb5_S_pose_qy = pose[2],
-      limb5_S_pose_qz = pose[3], limb5_S_rate_wx = rate[0], limb5_S_rate_wy = rate[1], limb5_S_rate_wz =
-        rate[2];
-    /* platform: geometry; velocities, eq. (6) */
-    const double t1 = limb5_S_pose_qw * limb5_S_pose_qw, t2 = limb5_S_pose_qx * limb5_S_pose_qx, t3 = t1 + t2,
-      t4 = limb5_S_pose_qy * limb5_S_pose_qy, t5 = limb5_S_pose_qz * limb5_S_pose_qz, t6 = t4 + t5, t7 = t3 +
-        t6,
-      t9 = 4.0 - 2.0 * t7, t45 = t2 + t5, platform_turn_zz = 1.0 - t9 * (t2 + t4), platform_turn_xx = 1.0 - t6
-        * t9,
-      platform_turn_yy = 1.0 - t9 * t45, t10 = limb5_S_pose_qy * t9, t11 = limb5_S_pose_qx * t10,
-      t21 = limb5_S_pose_qw * t10, t12 = limb5_S_pose_qz * t9, t17 = limb5_S_pose_qw * (limb5_S_pose_qx * t9),
-      t13 = limb5_S_pose_qw * t12, platform_turn_yx = t11 + t13, platform_turn_xy = t11 - t13,
-      t14 = 0.5 * platform_turn_yx, t48 = limb5_S_rate_wx * platform_turn_yx, t15 = limb5_S_pose_qy * t12,
-      t20 = limb5_S_pose_qx * t12, platform_turn_yz = t15 - t17, platform_turn_zy = t15 + t17,
-      t18 = param_H * platform_turn_yz, t50 = limb5_S_rate_wz * platform_turn_yz, t67 = 0.5 *
-        platform_turn_zy,
-      t25 = param_H * platform_turn_zz;
-    const lanes4 signed_limb_lower_limb_target_x = (lanes4){t14, t25, t14, t25} - (lanes4){1.0, 1.0, -1.0,
-        -1.0} * (lanes4){t18, t67, t18, t67};
-    const double t32 = limb5_S_rate_wz * platform_turn_zz;
-    const lanes4 lanes_5 = signed_limb_lower_limb_target_x * signed_limb_lower_limb_target_x;
-    const double platform_turn_zx = t20 - t21, platform_turn_xz = t20 + t21, t22 = 0.5 * platform_turn_zx,
-      t33 = limb5_S_rate_wx * platform_turn_zx, t31 = param_H * platform_turn_xz,
-      t40 = limb5_S_rate_wz * platform_turn_xz, t69 = 0.5 * platform_turn_xy;
-    const lanes4 signed_limb_lower_limb_target_y = (lanes4){t22, t31, t22, t31} - (lanes4){1.0, 1.0, -1.0,
-        -1.0} * (lanes4){t25, t69, t25, t69},
-      lanes_11 = lanes_5 + signed_limb_lower_limb_target_y * signed_limb_lower_limb_target_y,
-      each_limb1_U_0_lever_mz_by_limb1_U2_fz = three_ups_upu_s_vector4_sqrt(lanes_11),
-      lanes_12 = 1.0 / each_limb1_U_0_lever_mz_by_limb1_U2_fz,
-      signed_limb_U_0_cos = signed_limb_lower_limb_target_y * lanes_12;
-    const double platform_twist_wz = t32 + (t33 + limb5_S_rate_wy * platform_turn_zy),
-      t146 = platform_turn_zy * signed_limb_U_0_cos[0], /* limb1 */
-      platform_twist_wx = limb5_S_rate_wx * platform_turn_xx + limb5_S_rate_wy * platform_turn_xy + t40,
-      t30 = 0.5 * platform_turn_xx, t73 = 0.5 * platform_turn_yy;
-    /* limbs together: geometry */
-    const lanes4 each_limb1_upper_position_x = (lanes4){t30, t18, t30, t18} - (lanes4){1.0, 1.0, -1.0, -1.0} *
-        (lanes4){t31, t73, t31, t73},
-      each_platform_twist_wz = {platform_twist_wz, platform_twist_wx, platform_twist_wz, platform_twist_wx};
-    /* limbs together: loop closure; geometry; velocities, eq. (6) */
-    const lanes4 lanes_17 = each_limb1_upper_position_x * each_platform_twist_wz;
-    const double platform_twist_wy = limb5_S_rate_wy * platform_turn_yy + t48 + t50;
-    const lanes4 each_platform_twist_wx = {platform_twist_wx, platform_twist_wy, platform_twist_wx,
-        platform_twist_wy},
-      lanes_19 = lanes_17 - signed_limb_lower_limb_target_y * each_platform_twist_wx,
-      each_platform_twist_wy = {platform_twist_wy, platform_twist_wz, platform_twist_wy, platform_twist_wz},
-      lanes_20 = signed_limb_lower_limb_target_y * each_platform_twist_wy, lanes_21 = lanes_19 *
-        signed_limb_U_0_cos,
-      signed_limb_U_0_sin = signed_limb_lower_limb_target_x * lanes_12, lanes_22 = lanes_19 *
-        signed_limb_U_0_sin;
-    const double t147 = platform_turn_yy * signed_limb_U_0_sin[0] + t146; /* limb1 */
-    const lanes4 lanes_23 = signed_limb_lower_limb_target_x * each_platform_twist_wx,
-      lanes_24 = signed_limb_lower_limb_target_x * each_platform_twist_wz,
-      lanes_26 = each_limb1_upper_position_x * each_platform_twist_wy - lanes_23, lanes_27 = lanes_24 -
-        lanes_20,
-      minus_limb_U_0_omega_z = lanes_12 * (lanes_21 + lanes_26 * signed_limb_U_0_sin);
-    v[0] = -minus_limb_U_0_omega_z[0];
-    v[3] = -minus_limb_U_0_omega_z[1];
-    v[6] = -minus_limb_U_0_omega_z[2];
-    v[9] = -minus_limb_U_0_omega_z[3];
-    const lanes4 lanes_30 = lanes_22 - lanes_26 * signed_limb_U_0_cos,
-      signed_limb_lower_limb_target_z = each_limb1_upper_position_x + (lanes4){-param_R, param_R, -param_R,
-        -param_R},
-      limb_lower_limb_length = three_ups_upu_s_vector4_sqrt(lanes_11 + signed_limb_lower_limb_target_z *
-        signed_limb_lower_limb_target_z),
-      lanes_34 = 1.0 / limb_lower_limb_length, signed_limb_lower_sin = signed_limb_lower_limb_target_z *
-        lanes_34,
-      signed_limb_lower_cos = each_limb1_U_0_lever_mz_by_limb1_U2_fz * lanes_34;
-    const double limb1_U2_opening_mn = (-signed_limb_lower_sin[0]) * t147 + platform_turn_xy *
-        signed_limb_lower_cos[0],
-      t150 = limb1_U2_opening_mn * limb1_U2_opening_mn;
-    const lanes4 lanes_36 = signed_limb_lower_cos * lanes_30,
-      signed_limb_lower_omega_z = lanes_34 * (signed_limb_lower_sin * lanes_30 + lanes_27 *
-        signed_limb_lower_cos);
-    v[1] = -(-signed_limb_lower_omega_z[0]);
-    v[4] = signed_limb_lower_omega_z[1];
-    v[7] = -signed_limb_lower_omega_z[2];
-    v[10] = -(-signed_limb_lower_omega_z[3]);
-    const lanes4 each_limb1_U2_opening_rate_fx = lanes_36 - lanes_27 * signed_limb_lower_sin;
-    v[2] = each_limb1_U2_opening_rate_fx[0];
-    v[5] = each_limb1_U2_opening_rate_fx[1];
-    v[8] = each_limb1_U2_opening_rate_fx[2];
-    v[11] = each_limb1_U2_opening_rate_fx[3];
-    const lanes4 every = (lanes4)((three_ups_upu_s_vector4_mask)((minus_limb_U_0_omega_z +
-        limb_lower_limb_length) + (signed_limb_lower_omega_z + each_limb1_U2_opening_rate_fx)) |
-        ((each_limb1_U_0_lever_mz_by_limb1_U2_fz <= (lanes4){6.62327e-10, 6.62327e-10, 6.62327e-10,
-        6.62327e-10}) & (each_limb1_U_0_lever_mz_by_limb1_U2_fz >= -(lanes4){6.62327e-10, 6.62327e-10,
-        6.62327e-10, 6.62327e-10})) | ((limb_lower_limb_length <= (lanes4){6.62327e-10, 6.62327e-10,
-        6.62327e-10, 6.62327e-10}) & (limb_lower_limb_length >= -(lanes4){6.62327e-10, 6.62327e-10,
-        6.62327e-10, 6.62327e-10})));
-    return !(t7 >= 0.999999 && t7 <= 1.000001) || !(t150 <= 1.0e-12) ? (double)NAN : (every[0] + every[1]) +
-        (every[2] + every[3]);
-}
-#endif
 
 #if defined(__GNUC__) && defined(__AVX2__) && !defined(THREE_UPS_UPU_S_SCALAR) && !defined(THREE_UPS_UPU_S_LIMB_BY_LIMB)
 __attribute__((noinline))
@@ -2178,7 +1858,7 @@ int three_ups_upu_s_inverse_velocity(const double *restrict pose, const double *
     double *restrict v)
 {
 #if defined(__GNUC__) && defined(__AVX2__) && !defined(THREE_UPS_UPU_S_SCALAR) && !defined(THREE_UPS_UPU_S_LIMB_BY_LIMB)
-    if (isfinite(three_ups_upu_s_inverse_velocity_packed_lane(pose, rate, v))) {
+    if (isfinite(three_ups_upu_s_inverse_velocity_packed_lane(1, pose, rate, v, NULL))) {
         return 0;
     }
 #endif

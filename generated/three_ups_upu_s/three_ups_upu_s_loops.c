@@ -6,292 +6,276 @@
  */
 #include "three_ups_upu_s_support.h"
 
+#if !defined(THREE_UPS_UPU_S_LANES)
+typedef struct {
+    EACH4 t1, t2, t3, t4, t5, checked;
+} LIMBS(closure);
+
+STAGE(closure, 0)(size_t limb, size_t stride, const double *restrict q, double *restrict residual_,
+    const double *restrict sine, const double *restrict cosine, REAL given, REAL given_2, REAL given_3,
+    REAL given_4, REAL given_5, REAL given_6, LIMBS(closure) *own)
+{
+    (void)limb, (void)stride;
+    const NUMBER4 sign1 = OF4(1.0, 1.0, -1.0, -1.0), sign2 = OF4(1.0, 1.0, 1.0, -1.0),
+      sign3 = OF4(1.0, -1.0, -1.0, -1.0), sign4 = OF4(1.0, -1.0, 1.0, 1.0), sign5 = OF4(1.0, -1.0, 1.0, -1.0);
+    const LIMB4 t8 = sign4 * (given_5 - sign1 * given_6);
+    /* limbs together: geometry */
+    const LIMB4 upper_offset_x = IN_EACH4(READ, q, 2, 3) + limb_upper_phase,
+      U_0_sin = OF4(SINES(sine, 0), SINES(cosine, 2), SINES(sine, 4), SINES(cosine, 6)),
+      lower_cos = IN_EACH4(SINES, cosine, 1, 2), minus_lower_rotation_yx = U_0_sin * lower_cos;
+    /* limbs together: loop closure; geometry */
+    OWN(own->t4) = upper_offset_x * minus_lower_rotation_yx + t8;
+    OWN(own->t5) = minus_lower_rotation_yx * OWN(own->t4);
+    const LIMB4 signed_U_0_cos = OF4(SINES(cosine, 0), SINES(sine, 2), SINES(cosine, 4), SINES(sine, 6)),
+      t2 = signed_U_0_cos * OWN(own->t4), t4 = sign2 * (given - sign1 * given_2),
+      signed_lower_rotation_zx = signed_U_0_cos * lower_cos;
+    OWN(own->t1) = upper_offset_x * signed_lower_rotation_zx - t4;
+    OWN(own->t2) = signed_lower_rotation_zx * OWN(own->t1);
+    const LIMB4 signed_S_opening_fz = t2 - U_0_sin * OWN(own->t1);
+    WRITE4(residual_, 2, 6, 9, 12, -sign5 * signed_S_opening_fz);
+    LIMB4 checked = signed_S_opening_fz;
+    OWN(own->t3) = IN_EACH4(SINES, sine, 1, 2) * upper_offset_x + (-param_R) - sign3 * (given_3 - sign1 * given_4);
+    OWN(own->checked) = checked;
+}
+
+STAGE(closure, 1)(size_t limb, size_t stride, double *restrict residual_, const double *restrict sine,
+    const double *restrict cosine, REAL given, REAL given_2, REAL given_3, REAL given_4, LIMBS(closure) *own)
+{
+    (void)limb, (void)stride;
+    const NUMBER4 sign1 = OF4(1.0, 1.0, -1.0, -1.0);
+    const LIMB4 signed_lower_sin = IN_EACH4(SINES, sine, 1, 2);
+    /* limbs together: loop closure */
+    const LIMB4 S_opening_fx = given_2 + (signed_lower_sin * OWN(own->t3) + given);
+    WRITE4(residual_, 0, 4, 7, 10, S_opening_fx);
+    LIMB4 checked = OWN(own->checked) + S_opening_fx;
+    const LIMB4 t4 = IN_EACH4(SINES, sine, 0, 2) * signed_lower_sin * given_3,
+      t5 = t4 - IN_EACH4(SINES, cosine, 1, 2) * OWN(own->t3),
+      signed_S_opening_fy = t5 + IN_EACH4(SINES, cosine, 0, 2) * signed_lower_sin * given_4;
+    WRITE4(residual_, 1, 5, 8, 11, -sign1 * signed_S_opening_fy);
+    checked = checked + signed_S_opening_fy;
+    OWN(own->checked) = checked;
+}
+
 BODY(three_ups_upu_s_closure)(size_t stride, const double *restrict q, double *restrict residual_,
     const double *restrict sine, const double *restrict cosine, double *restrict total)
 {
+    LIMBS(closure) limbs;
     /* limb5_S: geometry */
-    const REAL limb5_S_q_qw = READ(q, 12), limb5_S_q_qx = READ(q, 13), t2 = limb5_S_q_qw * limb5_S_q_qw,
-      t3 = limb5_S_q_qx * limb5_S_q_qx, limb5_S_q_qy = READ(q, 14), t4 = t2 + t3, t5 = limb5_S_q_qy * limb5_S_q_qy,
-      limb5_S_q_qz = READ(q, 15), t6 = limb5_S_q_qz * limb5_S_q_qz, t7 = t5 + t6, t8 = t4 + t7, t10 = 4.0 - 2.0 * t8,
-      t22 = 0.5 * (1.0 - t7 * t10), t42 = t3 + t6, t18 = param_H * (1.0 - t10 * (t3 + t5)),
-      platform_turn_yy = 1.0 - t10 * t42, t11 = limb5_S_q_qz * t10, t12 = limb5_S_q_qx * t11,
-      t13 = limb5_S_q_qy * t10, t31 = limb5_S_q_qw * (limb5_S_q_qx * t10), t14 = limb5_S_q_qw * t13,
-      t26 = limb5_S_q_qx * t13, platform_turn_zx = t12 - t14, t23 = param_H * (t12 + t14),
-      t15 = 0.5 * platform_turn_zx, minus_limb1_upper_position_x_2 = t22 - t23, limb3_upper_position_x_2 = t22 + t23,
-      limb1_upper_offset_x = limb_upper_phase + READ(q, 2), limb1_lower_sin = SINES(sine, 1),
-      t24 = param_R - limb1_lower_sin * limb1_upper_offset_x - minus_limb1_upper_position_x_2, /* limb1 */
-      limb1_lower_cos = SINES(cosine, 1), t25 = limb1_lower_sin * t24, /* limb1 */
-      t36 = limb1_lower_cos * t24, /* limb1 */
-      t27 = limb5_S_q_qw * t11, t29 = limb5_S_q_qy * t11, platform_turn_yx = t26 + t27, platform_turn_xy = t26 - t27,
-      t28 = 0.5 * platform_turn_yx, platform_turn_yz = t29 - t31, platform_turn_zy = t29 + t31,
-      t32 = param_H * platform_turn_yz;
-    /* limb1: geometry */
-    const REAL limb1_U_0_sin = SINES(sine, 0), minus_limb1_lower_limb_target_x = t28 - t32,
-      limb3_lower_limb_target_x = t28 + t32, minus_limb1_lower_rotation_yx = limb1_U_0_sin * limb1_lower_cos;
-    /* limb1: loop closure; geometry */
-    const REAL t33 = limb1_upper_offset_x * minus_limb1_lower_rotation_yx - minus_limb1_lower_limb_target_x,
-      limb1_U_0_cos = SINES(cosine, 0), t35 = t25 - minus_limb1_lower_rotation_yx * t33,
-      minus_limb1_lower_limb_target_y = t15 - t18, limb3_lower_limb_target_y = t15 + t18,
-      limb1_lower_rotation_zx = limb1_U_0_cos * limb1_lower_cos,
-      t19 = limb1_upper_offset_x * limb1_lower_rotation_zx + minus_limb1_lower_limb_target_y,
-      limb1_U2_opening_fx = limb1_lower_rotation_zx * t19 - t35;
-    WRITE(residual_, 0, limb1_U2_opening_fx);
-    REAL checked0 = limb1_U2_opening_fx;
-    const REAL t41 = limb1_U_0_cos * t33,
-      minus_limb1_U2_opening_fy = t36 + limb1_U_0_sin * limb1_lower_sin * t33 + limb1_U_0_cos * limb1_lower_sin * t19,
-      limb1_U2_opening_fy = -minus_limb1_U2_opening_fy;
-    WRITE(residual_, 1, limb1_U2_opening_fy);
-    REAL checked1 = limb1_U2_opening_fy;
-    const REAL limb1_U2_opening_fz = limb1_U_0_sin * t19 - t41;
-    WRITE(residual_, 2, limb1_U2_opening_fz);
-    REAL checked2 = limb1_U2_opening_fz;
-    const REAL t45 = limb1_U_0_cos * platform_turn_zy, t57 = 0.5 * platform_turn_zy, /* platform */
-      t47 = limb1_lower_sin * (limb1_U_0_sin * platform_turn_yy - t45),
-      t53 = 0.5 * platform_turn_yy, /* platform */
-      limb1_U2_opening_mn = t47 + limb1_lower_cos * platform_turn_xy;
+    const REAL limb5_S_q_qw = READ(q, 12), limb5_S_q_qx = READ(q, 13), t1 = limb5_S_q_qw * limb5_S_q_qw,
+      t2 = limb5_S_q_qx * limb5_S_q_qx, limb5_S_q_qy = READ(q, 14), t3 = t1 + t2, t4 = limb5_S_q_qy * limb5_S_q_qy,
+      limb5_S_q_qz = READ(q, 15), t5 = limb5_S_q_qz * limb5_S_q_qz, t6 = t4 + t5, t7 = t3 + t6, t9 = 4.0 - 2.0 * t7,
+      t15 = t2 + t4, platform_turn_yy = 1.0 - t9 * (t2 + t5), t17 = param_H * (1.0 - t9 * t15),
+      t23 = 0.5 * (1.0 - t6 * t9), t10 = limb5_S_q_qz * t9, t24 = limb5_S_q_qy * t10,
+      t26 = limb5_S_q_qw * (limb5_S_q_qx * t9), t12 = limb5_S_q_qy * t9, platform_turn_zy = t24 + t26,
+      t27 = param_H * (t24 - t26), limb1_U_0_cos = SINES(cosine, 0),
+      t34 = limb1_U_0_cos * platform_turn_zy, /* limb1 */
+      t32 = 0.5 * platform_turn_zy, limb1_U_0_sin = SINES(sine, 0), limb1_lower_sin = SINES(sine, 1),
+      t36 = limb1_lower_sin * (limb1_U_0_sin * platform_turn_yy - t34), /* limb1 */
+      t30 = 0.5 * platform_turn_yy, t19 = limb5_S_q_qx * t12, t13 = limb5_S_q_qw * t12, t20 = limb5_S_q_qw * t10,
+      t11 = limb5_S_q_qx * t10, platform_turn_xy = t19 - t20, t31 = 0.5 * (t19 + t20),
+      limb1_lower_cos = SINES(cosine, 1), limb1_U2_opening_mn = t36 + limb1_lower_cos * platform_turn_xy;
     WRITE(residual_, 3, limb1_U2_opening_mn);
-    REAL checked3 = limb1_U2_opening_mn;
-    const REAL t50 = 0.5 * platform_turn_xy; /* platform */
-    /* limb2: geometry; loop closure */
-    const REAL limb2_lower_limb_target_y = t23 - t50, limb4_lower_limb_target_y = t23 + t50,
-      limb2_upper_offset_x = limb_upper_phase + READ(q, 5), minus_limb2_U_0_cos = SINES(sine, 2),
-      limb2_lower_cos = SINES(cosine, 3), minus_limb2_lower_rotation_xx = minus_limb2_U_0_cos * limb2_lower_cos,
-      t51 = limb2_upper_offset_x * minus_limb2_lower_rotation_xx + limb2_lower_limb_target_y,
-      limb2_lower_sin = SINES(sine, 3), t52 = minus_limb2_lower_rotation_xx * t51,
-      limb4_upper_position_y_2 = t32 + t53;
-    /* limb2: loop closure; geometry */
-    const REAL t54 = param_R - limb2_lower_sin * limb2_upper_offset_x + (t32 - t53), limb2_U_0_sin = SINES(cosine, 2),
-      t56 = t52 - limb2_lower_sin * t54, t61 = limb2_lower_cos * t54, limb2_lower_limb_target_x = t18 - t57,
-      limb4_lower_limb_target_x = t18 + t57, minus_limb2_lower_rotation_zx = limb2_U_0_sin * limb2_lower_cos,
-      t58 = limb2_upper_offset_x * minus_limb2_lower_rotation_zx + limb2_lower_limb_target_x;
-    RESULT(checked0, residual_, 4, t56 + minus_limb2_lower_rotation_zx * t58);
-    const REAL t65 = limb2_U_0_sin * t51,
-      minus_limb2_S_opening_fy = minus_limb2_U_0_cos * limb2_lower_sin * t51 + t61 + limb2_U_0_sin * limb2_lower_sin * t58;
-    RESULT(checked1, residual_, 5, -minus_limb2_S_opening_fy);
-    RESULT(checked2, residual_, 6, minus_limb2_U_0_cos * t58 - t65);
-    /* limb3: geometry; loop closure */
-    const REAL limb3_upper_offset_x = limb_upper_phase + READ(q, 8), minus_limb3_lower_sin = SINES(sine, 5),
-      t69 = param_R - minus_limb3_lower_sin * limb3_upper_offset_x - limb3_upper_position_x_2,
-      limb3_lower_cos = SINES(cosine, 5), limb3_U_0_sin = SINES(sine, 4);
-    /* limb3: loop closure; geometry */
-    const REAL t70 = minus_limb3_lower_sin * t69, t74 = limb3_lower_cos * t69,
-      minus_limb3_lower_rotation_yx = limb3_U_0_sin * limb3_lower_cos,
-      t71 = limb3_upper_offset_x * minus_limb3_lower_rotation_yx + limb3_lower_limb_target_x,
-      limb3_U_0_cos = SINES(cosine, 4), t73 = t70 - minus_limb3_lower_rotation_yx * t71,
-      limb3_lower_rotation_zx = limb3_U_0_cos * limb3_lower_cos,
-      t67 = limb3_upper_offset_x * limb3_lower_rotation_zx - limb3_lower_limb_target_y;
-    RESULT(checked3, residual_, 7, limb3_lower_rotation_zx * t67 - t73);
-    const REAL t79 = limb3_U_0_cos * t71;
-    RESULT(checked0, residual_, 8, t74 + limb3_U_0_sin * minus_limb3_lower_sin * t71 + limb3_U_0_cos * minus_limb3_lower_sin * t67);
-    RESULT(checked1, residual_, 9, limb3_U_0_sin * t67 - t79);
-    /* limb4: geometry */
-    const REAL limb4_upper_offset_x = limb_upper_phase + READ(q, 11), minus_limb4_U_0_cos = SINES(sine, 6),
-      limb4_lower_cos = SINES(cosine, 7), minus_limb4_lower_rotation_xx = minus_limb4_U_0_cos * limb4_lower_cos;
-    /* limb4: loop closure; geometry */
-    const REAL t81 = limb4_upper_offset_x * minus_limb4_lower_rotation_xx + limb4_lower_limb_target_y,
-      minus_limb4_lower_sin = SINES(sine, 7), t82 = minus_limb4_lower_rotation_xx * t81,
-      t83 = param_R - minus_limb4_lower_sin * limb4_upper_offset_x - limb4_upper_position_y_2,
-      limb4_U_0_sin = SINES(cosine, 6), t85 = t82 - minus_limb4_lower_sin * t83, t89 = limb4_lower_cos * t83,
-      minus_limb4_lower_rotation_zx = limb4_U_0_sin * limb4_lower_cos,
-      t86 = limb4_upper_offset_x * minus_limb4_lower_rotation_zx + limb4_lower_limb_target_x;
-    RESULT(checked2, residual_, 10, t85 + minus_limb4_lower_rotation_zx * t86);
-    const REAL t90 = minus_limb4_U_0_cos * minus_limb4_lower_sin * t81 + t89, t93 = limb4_U_0_sin * t81;
-    RESULT(checked3, residual_, 11, t90 + limb4_U_0_sin * minus_limb4_lower_sin * t86);
-    RESULT(checked0, residual_, 12, minus_limb4_U_0_cos * t86 - t93);
+    REAL checked0 = limb1_U2_opening_mn;
+    const REAL t21 = 0.5 * platform_turn_xy, platform_turn_xz = t11 + t13, t14 = 0.5 * (t11 - t13),
+      t18 = param_H * platform_turn_xz;
+    FIRST_LIMB(0, closure, 0, stride, q, residual_, sine, cosine, t17, t14, t18, t23, t27, t31, &limbs);
+    NEXT_LIMB(2, closure, 0, stride, q, residual_, sine, cosine, t17, t14, t18, t23, t27, t31, &limbs);
+    FIRST_LIMB(0, closure, 1, stride, residual_, sine, cosine, limbs.t5[0], limbs.t2[0], limbs.t4[0], limbs.t1[0], &limbs);
+    REAL checked1 = ALONE(limbs.checked[0]);
+    NEXT_LIMB(2, closure, 1, stride, residual_, sine, cosine, limbs.t5[2], limbs.t2[2], limbs.t4[2], limbs.t1[2], &limbs);
+    REAL checked2 = ALONE(limbs.checked[2]);
+    NEXT_LIMB(1, closure, 0, stride, q, residual_, sine, cosine, t21, t18, t30, t27, t32, t17, &limbs);
+    NEXT_LIMB(3, closure, 0, stride, q, residual_, sine, cosine, t21, t18, t30, t27, t32, t17, &limbs);
+    NEXT_LIMB(1, closure, 1, stride, residual_, sine, cosine, limbs.t2[1], limbs.t5[1], limbs.t1[1], limbs.t4[1], &limbs);
+    REAL checked3 = ALONE(limbs.checked[1]);
+    NEXT_LIMB(3, closure, 1, stride, residual_, sine, cosine, limbs.t2[3], limbs.t5[3], limbs.t1[3], limbs.t4[3], &limbs);
+    checked0 = checked0 + ALONE(limbs.checked[3]);
     /* else status 5: no rotation */
-    NOT_BELOW(t8, 0.999999, 5);
-    NOT_ABOVE(t8, 1.000001, 5);
-    FINITE((checked0 + checked1) + (checked2 + checked3));
+    NOT_BELOW(t7, 0.999999, 5);
+    NOT_ABOVE(t7, 1.000001, 5);
+    FINITE4((checked0 + checked1) + (checked2 + checked3), limbs.checked);
+}
+#endif
+
+#if !defined(THREE_UPS_UPU_S_LANES)
+typedef struct {
+    EACH4 t1, t2, t3, t4, t5, t6, t7, t8, t9, t10, t11, t12, t13, t14, t15, t16, t17, t18, checked;
+} LIMBS(closure_jacobian);
+
+STAGE(closure_jacobian, 0)(size_t limb, size_t stride, const double *restrict q, double *restrict jacobian,
+    const double *restrict sine, const double *restrict cosine, REAL platform_turn_yx,
+    REAL minus_lower_rotation_yx, REAL platform_turn_zx, REAL signed_lower_rotation_yy, REAL platform_turn_xx,
+    REAL platform_turn_yy, REAL platform_turn_zy, REAL platform_turn_xy, REAL platform_turn_yz,
+    REAL platform_turn_zz, REAL platform_turn_xz, LIMBS(closure_jacobian) *own)
+{
+    (void)limb, (void)stride;
+    const NUMBER4 sign1 = OF4(1.0, 1.0, -1.0, -1.0);
+    const LIMB4 U_0_cos = IN_EACH4(SINES, cosine, 0, 2), lower_cos = IN_EACH4(SINES, cosine, 1, 2);
+    /* limbs together: reciprocal wrenches, eq. (10) */
+    const LIMB4 signed_base_lever_mx_by_S_fx = param_R * (U_0_cos * lower_cos);
+    /* limbs together: results; reciprocal wrenches, eq. (10); geometry */
+    OWN(own->t1) = platform_turn_yx * signed_base_lever_mx_by_S_fx;
+    OWN(own->t7) = platform_turn_yy * signed_base_lever_mx_by_S_fx;
+    OWN(own->t13) = platform_turn_yz * signed_base_lever_mx_by_S_fx;
+    const LIMB4 signed_base_lever_mz_by_S_fx = param_R * minus_lower_rotation_yx;
+    OWN(own->t2) = platform_turn_zx * signed_base_lever_mz_by_S_fx;
+    OWN(own->t8) = platform_turn_zy * signed_base_lever_mz_by_S_fx;
+    OWN(own->t14) = platform_turn_zz * signed_base_lever_mz_by_S_fx;
+    const LIMB4 upper_offset_x = IN_EACH4(READ, q, 2, 3) + limb_upper_phase;
+    WRITE4(jacobian, 14, 57, 99, 141, upper_offset_x);
+    const LIMB4 signed_lower_sin = IN_EACH4(SINES, sine, 1, 2),
+      base_lever_mx_by_S_fy = U_0_cos * upper_offset_x - param_R * (U_0_cos * signed_lower_sin);
+    OWN(own->t3) = platform_turn_yx * base_lever_mx_by_S_fy;
+    OWN(own->t9) = platform_turn_yy * base_lever_mx_by_S_fy;
+    OWN(own->t15) = platform_turn_yz * base_lever_mx_by_S_fy;
+    const LIMB4 signed_U_0_sin = IN_EACH4(SINES, sine, 0, 2),
+      signed_base_lever_mz_by_S_fy = signed_U_0_sin * upper_offset_x - param_R * signed_lower_rotation_yy;
+    OWN(own->t4) = platform_turn_zx * signed_base_lever_mz_by_S_fy;
+    OWN(own->t10) = platform_turn_zy * signed_base_lever_mz_by_S_fy;
+    OWN(own->t16) = platform_turn_zz * signed_base_lever_mz_by_S_fy;
+    const LIMB4 signed_upper_position_x = signed_lower_sin * upper_offset_x + (-param_R),
+      minus_U_0_lever_mz_by_S_fz = lower_cos * upper_offset_x;
+    WRITE4(jacobian, 2, 45, 87, 129, -minus_U_0_lever_mz_by_S_fz);
+    LIMB4 checked = minus_U_0_lever_mz_by_S_fz;
+    const LIMB4 t11 = sign1 * minus_U_0_lever_mz_by_S_fz,
+      signed_base_lever_mx_by_S_fz = signed_U_0_sin * signed_upper_position_x,
+      signed_base_lever_mz_by_S_fz = U_0_cos * signed_upper_position_x;
+    OWN(own->t6) = platform_turn_zx * signed_base_lever_mz_by_S_fz;
+    OWN(own->t12) = platform_turn_zy * signed_base_lever_mz_by_S_fz;
+    OWN(own->t18) = platform_turn_zz * signed_base_lever_mz_by_S_fz;
+    OWN(own->t5) = platform_turn_xx * t11 + platform_turn_yx * signed_base_lever_mx_by_S_fz;
+    const LIMB4 t10 = platform_turn_yz * signed_base_lever_mx_by_S_fz;
+    OWN(own->t11) = platform_turn_xy * t11 + platform_turn_yy * signed_base_lever_mx_by_S_fz;
+    OWN(own->t17) = platform_turn_xz * t11 + t10;
+    OWN(own->checked) = checked;
 }
 
 BODY(three_ups_upu_s_closure_jacobian)(size_t stride, const double *restrict q, double *restrict jacobian,
     const double *restrict sine, const double *restrict cosine, double *restrict total)
 {
-    /* limb5_S: geometry; results; reciprocal wrenches, eq. (10) */
-    const REAL limb5_S_q_qw = READ(q, 12), limb5_S_q_qx = READ(q, 13), t2 = limb5_S_q_qw * limb5_S_q_qw,
-      t3 = limb5_S_q_qx * limb5_S_q_qx, limb5_S_q_qy = READ(q, 14), t4 = t2 + t3, t5 = limb5_S_q_qy * limb5_S_q_qy,
-      limb5_S_q_qz = READ(q, 15), t6 = limb5_S_q_qz * limb5_S_q_qz, t7 = t5 + t6, t8 = t4 + t7, t10 = 4.0 - 2.0 * t8,
-      t11 = t3 + t6, platform_turn_zz = 1.0 - t10 * (t3 + t5), platform_turn_yy = 1.0 - t10 * t11,
-      platform_turn_xx = 1.0 - t7 * t10, t14 = limb5_S_q_qz * t10, t15 = limb5_S_q_qy * t14,
-      t17 = limb5_S_q_qw * (limb5_S_q_qx * t10), t23 = limb5_S_q_qy * t10, platform_turn_yz = t15 - t17,
-      platform_turn_zy = t15 + t17, limb4_upper_offset_x = limb_upper_phase + READ(q, 11);
-    WRITE(jacobian, 141, limb4_upper_offset_x);
-    const REAL limb4_lower_cos = SINES(cosine, 7),
-      minus_limb4_U_0_lever_mz_by_limb4_S_fz = limb4_lower_cos * limb4_upper_offset_x,
-      limb4_U_0_lever_mz_by_limb4_S_fz = -minus_limb4_U_0_lever_mz_by_limb4_S_fz;
-    WRITE(jacobian, 129, limb4_U_0_lever_mz_by_limb4_S_fz);
-    REAL checked0 = limb4_U_0_lever_mz_by_limb4_S_fz;
-    const REAL t170 = platform_turn_yz * minus_limb4_U_0_lever_mz_by_limb4_S_fz, t31 = limb5_S_q_qx * t14,
-      t25 = limb5_S_q_qw * t14, t32 = limb5_S_q_qw * t23, t24 = limb5_S_q_qx * t23, platform_turn_xz = t31 + t32,
-      platform_turn_zx = t31 - t32, minus_limb4_lower_sin = SINES(sine, 7),
-      limb4_upper_position_y = param_R - minus_limb4_lower_sin * limb4_upper_offset_x,
-      minus_limb4_U_0_cos = SINES(sine, 6),
-      minus_base_lever_mx_by_limb4_S_fz = minus_limb4_U_0_cos * limb4_upper_position_y,
-      limb4_U_0_sin = SINES(cosine, 6), minus_base_lever_mz_by_limb4_S_fz = limb4_U_0_sin * limb4_upper_position_y;
-    /* mechanism: results; reciprocal wrenches, eq. (10) */
-    const REAL t172 = t170 + platform_turn_xz * minus_base_lever_mx_by_limb4_S_fz,
-      jacobian_194 = t172 + platform_turn_zz * minus_base_lever_mz_by_limb4_S_fz;
-    WRITE(jacobian, 194, jacobian_194);
-    REAL checked1 = jacobian_194;
-    const REAL t82 = minus_limb4_U_0_cos * limb4_upper_offset_x, /* limb4 */
-      base_lever_mx_by_limb4_S_fy = limb4_U_0_sin * limb4_upper_offset_x - param_R * (limb4_U_0_sin * minus_limb4_lower_sin),
-      t169 = platform_turn_xz * base_lever_mx_by_limb4_S_fy,
-      minus_base_lever_mz_by_limb4_S_fy = t82 - param_R * (minus_limb4_U_0_cos * minus_limb4_lower_sin),
-      jacobian_193 = platform_turn_zz * minus_base_lever_mz_by_limb4_S_fy - t169;
-    WRITE(jacobian, 193, jacobian_193);
-    REAL checked2 = jacobian_193;
-    const REAL minus_base_lever_mx_by_limb4_S_fx = param_R * (limb4_U_0_sin * limb4_lower_cos),
-      t166 = platform_turn_xz * minus_base_lever_mx_by_limb4_S_fx,
-      base_lever_mz_by_limb4_S_fx = param_R * (minus_limb4_U_0_cos * limb4_lower_cos),
-      jacobian_192 = t166 - platform_turn_zz * base_lever_mz_by_limb4_S_fx;
-    WRITE(jacobian, 192, jacobian_192);
-    REAL checked3 = jacobian_192;
-    /* limb3: geometry; reciprocal wrenches, eq. (10) */
-    const REAL limb3_upper_offset_x = limb_upper_phase + READ(q, 8);
-    WRITE(jacobian, 99, limb3_upper_offset_x);
-    const REAL limb3_lower_cos = SINES(cosine, 5),
-      minus_limb3_U_0_lever_mz_by_limb3_S_fz = limb3_lower_cos * limb3_upper_offset_x;
-    RESULT(checked0, jacobian, 87, -minus_limb3_U_0_lever_mz_by_limb3_S_fz);
-    const REAL minus_limb3_lower_sin = SINES(sine, 5);
-    /* mechanism: results; reciprocal wrenches, eq. (10) */
-    const REAL t162 = platform_turn_xz * minus_limb3_U_0_lever_mz_by_limb3_S_fz,
-      limb3_upper_position_x = param_R - minus_limb3_lower_sin * limb3_upper_offset_x, limb3_U_0_sin = SINES(sine, 4),
-      minus_base_lever_my_by_limb3_S_fz = limb3_U_0_sin * limb3_upper_position_x, limb3_U_0_cos = SINES(cosine, 4),
-      base_lever_mz_by_limb3_S_fz = limb3_U_0_cos * limb3_upper_position_x,
-      t164 = t162 + platform_turn_yz * minus_base_lever_my_by_limb3_S_fz;
-    RESULT(checked1, jacobian, 191, t164 - platform_turn_zz * base_lever_mz_by_limb3_S_fz);
-    const REAL t72 = limb3_U_0_sin * limb3_upper_offset_x, /* limb3 */
-      base_lever_my_by_limb3_S_fy = limb3_U_0_cos * limb3_upper_offset_x - param_R * (limb3_U_0_cos * minus_limb3_lower_sin),
-      t159 = platform_turn_yz * base_lever_my_by_limb3_S_fy,
-      base_lever_mz_by_limb3_S_fy = t72 - param_R * (limb3_U_0_sin * minus_limb3_lower_sin);
-    RESULT(checked2, jacobian, 190, -(t159 + platform_turn_zz * base_lever_mz_by_limb3_S_fy));
-    const REAL minus_base_lever_my_by_limb3_S_fx = param_R * (limb3_U_0_cos * limb3_lower_cos),
-      t157 = platform_turn_yz * minus_base_lever_my_by_limb3_S_fx,
-      minus_base_lever_mz_by_limb3_S_fx = param_R * (limb3_U_0_sin * limb3_lower_cos);
-    RESULT(checked3, jacobian, 189, t157 + platform_turn_zz * minus_base_lever_mz_by_limb3_S_fx);
-    /* limb2: geometry; reciprocal wrenches, eq. (10) */
-    const REAL limb2_upper_offset_x = limb_upper_phase + READ(q, 5);
-    WRITE(jacobian, 57, limb2_upper_offset_x);
-    const REAL limb2_lower_cos = SINES(cosine, 3),
-      minus_limb2_U_0_lever_mz_by_limb2_S_fz = limb2_lower_cos * limb2_upper_offset_x;
-    RESULT(checked0, jacobian, 45, -minus_limb2_U_0_lever_mz_by_limb2_S_fz);
-    const REAL limb2_lower_sin = SINES(sine, 3);
-    /* mechanism: results; reciprocal wrenches, eq. (10) */
-    const REAL t153 = platform_turn_yz * minus_limb2_U_0_lever_mz_by_limb2_S_fz,
-      minus_limb2_upper_position_y = param_R - limb2_lower_sin * limb2_upper_offset_x,
-      minus_limb2_U_0_cos = SINES(sine, 2),
-      base_lever_mx_by_limb2_S_fz = minus_limb2_U_0_cos * minus_limb2_upper_position_y,
-      limb2_U_0_sin = SINES(cosine, 2), base_lever_mz_by_limb2_S_fz = limb2_U_0_sin * minus_limb2_upper_position_y,
-      t155 = t153 - platform_turn_xz * base_lever_mx_by_limb2_S_fz;
-    RESULT(checked1, jacobian, 188, t155 - platform_turn_zz * base_lever_mz_by_limb2_S_fz);
-    const REAL t57 = minus_limb2_U_0_cos * limb2_upper_offset_x, /* limb2 */
-      base_lever_mx_by_limb2_S_fy = limb2_U_0_sin * limb2_upper_offset_x - param_R * (limb2_U_0_sin * limb2_lower_sin),
-      t152 = platform_turn_xz * base_lever_mx_by_limb2_S_fy,
-      minus_base_lever_mz_by_limb2_S_fy = t57 - param_R * (minus_limb2_U_0_cos * limb2_lower_sin);
-    RESULT(checked2, jacobian, 187, platform_turn_zz * minus_base_lever_mz_by_limb2_S_fy - t152);
-    const REAL base_lever_mx_by_limb2_S_fx = param_R * (limb2_U_0_sin * limb2_lower_cos),
-      t150 = platform_turn_xz * base_lever_mx_by_limb2_S_fx,
-      minus_base_lever_mz_by_limb2_S_fx = param_R * (minus_limb2_U_0_cos * limb2_lower_cos);
-    RESULT(checked3, jacobian, 186, platform_turn_zz * minus_base_lever_mz_by_limb2_S_fx - t150);
+    LIMBS(closure_jacobian) limbs;
+    /* limb5_S: geometry */
+    const REAL limb5_S_q_qw = READ(q, 12), limb5_S_q_qx = READ(q, 13), t1 = limb5_S_q_qw * limb5_S_q_qw,
+      t2 = limb5_S_q_qx * limb5_S_q_qx, limb5_S_q_qy = READ(q, 14), t3 = t1 + t2, t4 = limb5_S_q_qy * limb5_S_q_qy,
+      limb5_S_q_qz = READ(q, 15), t5 = limb5_S_q_qz * limb5_S_q_qz, t6 = t4 + t5, t7 = t3 + t6, t9 = 4.0 - 2.0 * t7,
+      platform_turn_xx = 1.0 - t6 * t9, t48 = t2 + t4, platform_turn_yy = 1.0 - t9 * (t2 + t5),
+      platform_turn_zz = 1.0 - t9 * t48, t22 = limb5_S_q_qy * t9, t23 = limb5_S_q_qx * t22, t28 = limb5_S_q_qw * t22,
+      t13 = limb5_S_q_qz * t9, t16 = limb5_S_q_qw * (limb5_S_q_qx * t9), t24 = limb5_S_q_qw * t13,
+      platform_turn_yx = t23 + t24, platform_turn_xy = t23 - t24, t27 = limb5_S_q_qx * t13, t14 = limb5_S_q_qy * t13,
+      platform_turn_zx = t27 - t28, platform_turn_xz = t27 + t28, platform_turn_zy = t14 + t16,
+      platform_turn_yz = t14 - t16, limb1_U_0_sin = SINES(sine, 0), limb1_lower_cos = SINES(cosine, 1),
+      limb1_lower_sin = SINES(sine, 1);
+    FIRST_LIMB(0, closure_jacobian, 0, stride, q, jacobian, sine, cosine, platform_turn_yx, limb1_U_0_sin * limb1_lower_cos, platform_turn_zx, limb1_U_0_sin * limb1_lower_sin, platform_turn_xx, platform_turn_yy, platform_turn_zy, platform_turn_xy, platform_turn_yz, platform_turn_zz, platform_turn_xz, &limbs);
+    REAL checked0 = ALONE(limbs.checked[0]);
+    /* mechanism: results */
+    const REAL jacobian_158 = limbs.t5[0] - limbs.t6[0];
+    WRITE(jacobian, 158, jacobian_158);
+    REAL checked1 = jacobian_158;
+    const REAL jacobian_171 = limbs.t11[0] - limbs.t12[0];
+    WRITE(jacobian, 171, jacobian_171);
+    REAL checked2 = jacobian_171;
+    const REAL jacobian_184 = limbs.t17[0] - limbs.t18[0];
+    WRITE(jacobian, 184, jacobian_184);
+    REAL checked3 = jacobian_184;
+    const REAL minus_limb2_U_0_cos = SINES(sine, 2), limb2_lower_cos = SINES(cosine, 3),
+      limb2_lower_sin = SINES(sine, 3);
+    NEXT_LIMB(1, closure_jacobian, 0, stride, q, jacobian, sine, cosine, platform_turn_xx, minus_limb2_U_0_cos * limb2_lower_cos, platform_turn_zx, minus_limb2_U_0_cos * limb2_lower_sin, platform_turn_yx, platform_turn_xy, platform_turn_zy, platform_turn_yy, platform_turn_xz, platform_turn_zz, platform_turn_yz, &limbs);
+    checked0 = checked0 + ALONE(limbs.checked[1]);
+    RESULT(checked1, jacobian, 160, limbs.t2[1] - limbs.t1[1]);
+    RESULT(checked2, jacobian, 161, limbs.t4[1] - limbs.t3[1]);
+    RESULT(checked3, jacobian, 162, limbs.t5[1] + limbs.t6[1]);
+    RESULT(checked0, jacobian, 173, limbs.t8[1] - limbs.t7[1]);
+    RESULT(checked1, jacobian, 174, limbs.t10[1] - limbs.t9[1]);
+    RESULT(checked2, jacobian, 175, limbs.t11[1] + limbs.t12[1]);
+    RESULT(checked3, jacobian, 186, limbs.t14[1] - limbs.t13[1]);
+    RESULT(checked0, jacobian, 187, limbs.t16[1] - limbs.t15[1]);
+    RESULT(checked1, jacobian, 188, limbs.t17[1] + limbs.t18[1]);
+    const REAL limb3_U_0_sin = SINES(sine, 4), limb3_lower_cos = SINES(cosine, 5),
+      minus_limb3_lower_sin = SINES(sine, 5);
+    NEXT_LIMB(2, closure_jacobian, 0, stride, q, jacobian, sine, cosine, platform_turn_yx, limb3_U_0_sin * limb3_lower_cos, platform_turn_zx, limb3_U_0_sin * minus_limb3_lower_sin, platform_turn_xx, platform_turn_yy, platform_turn_zy, platform_turn_xy, platform_turn_yz, platform_turn_zz, platform_turn_xz, &limbs);
+    checked2 = checked2 + ALONE(limbs.checked[2]);
+    RESULT(checked3, jacobian, 163, limbs.t1[2] + limbs.t2[2]);
+    RESULT(checked0, jacobian, 165, limbs.t6[2] - limbs.t5[2]);
+    RESULT(checked1, jacobian, 176, limbs.t7[2] + limbs.t8[2]);
+    RESULT(checked2, jacobian, 178, limbs.t12[2] - limbs.t11[2]);
+    RESULT(checked3, jacobian, 189, limbs.t13[2] + limbs.t14[2]);
+    RESULT(checked0, jacobian, 191, limbs.t18[2] - limbs.t17[2]);
+    const REAL minus_limb4_U_0_cos = SINES(sine, 6), limb4_lower_cos = SINES(cosine, 7),
+      minus_limb4_lower_sin = SINES(sine, 7);
+    NEXT_LIMB(3, closure_jacobian, 0, stride, q, jacobian, sine, cosine, platform_turn_xx, minus_limb4_U_0_cos * limb4_lower_cos, platform_turn_zx, minus_limb4_U_0_cos * minus_limb4_lower_sin, platform_turn_yx, platform_turn_xy, platform_turn_zy, platform_turn_yy, platform_turn_xz, platform_turn_zz, platform_turn_yz, &limbs);
+    checked1 = checked1 + ALONE(limbs.checked[3]);
+    RESULT(checked2, jacobian, 166, limbs.t1[3] - limbs.t2[3]);
+    RESULT(checked3, jacobian, 167, limbs.t4[3] - limbs.t3[3]);
+    RESULT(checked0, jacobian, 179, limbs.t7[3] - limbs.t8[3]);
+    RESULT(checked1, jacobian, 180, limbs.t10[3] - limbs.t9[3]);
+    RESULT(checked2, jacobian, 192, limbs.t13[3] - limbs.t14[3]);
+    RESULT(checked3, jacobian, 193, limbs.t16[3] - limbs.t15[3]);
+    const REAL t29 = limbs.t1[0] + limbs.t2[0];
+    checked0 = checked0 + t29;
+    WRITE(jacobian, 156, -t29);
+    const REAL t30 = limbs.t3[0] + limbs.t4[0];
+    checked1 = checked1 + t30;
+    WRITE(jacobian, 157, -t30);
     /* limb1: geometry */
-    const REAL limb1_U_0_cos = SINES(cosine, 0), limb1_U_0_sin = SINES(sine, 0), limb1_lower_cos = SINES(cosine, 1);
-    /* limb1: reciprocal wrenches, eq. (10); geometry */
-    const REAL t22 = limb1_lower_cos * (limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos * platform_turn_zy),
-      platform_turn_xy = t24 - t25, platform_turn_yx = t24 + t25, limb1_lower_sin = SINES(sine, 1),
-      limb1_U2_constraint_mn_couple_z = t22 - limb1_lower_sin * platform_turn_xy;
+    const REAL limb1_U_0_cos = SINES(cosine, 0);
+    /* limb1: reciprocal wrenches, eq. (10) */
+    const REAL t21 = limb1_lower_cos * (limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos * platform_turn_zy),
+      limb1_U2_constraint_mn_couple_z = t21 - limb1_lower_sin * platform_turn_xy;
     WRITE(jacobian, 16, limb1_U2_constraint_mn_couple_z);
-    const REAL t48 = limb1_U_0_cos * limb1_U2_constraint_mn_couple_z,
-      t51 = limb1_U_0_sin * limb1_U2_constraint_mn_couple_z,
+    const REAL t32 = limb1_U_0_cos * limb1_U2_constraint_mn_couple_z,
+      t35 = limb1_U_0_sin * limb1_U2_constraint_mn_couple_z,
       limb1_U2_constraint_mn_couple_x = limb1_U_0_cos * platform_turn_yy + limb1_U_0_sin * platform_turn_zy,
       limb1_U_0_lever_my_by_limb1_U2_mn = limb1_lower_cos * limb1_U2_constraint_mn_couple_x,
       limb1_U_0_lever_mz_by_limb1_U2_mn = limb1_lower_sin * limb1_U2_constraint_mn_couple_x;
     WRITE(jacobian, 3, limb1_U_0_lever_mz_by_limb1_U2_mn);
-    const REAL base_lever_my_by_limb1_U2_mn = t48 - limb1_U_0_sin * limb1_U_0_lever_my_by_limb1_U2_mn,
-      base_lever_mz_by_limb1_U2_mn = t51 + limb1_U_0_cos * limb1_U_0_lever_my_by_limb1_U2_mn,
-      t145 = platform_turn_yz * base_lever_my_by_limb1_U2_mn, /* mechanism */
-      t146 = platform_turn_xz * limb1_U_0_lever_mz_by_limb1_U2_mn + t145; /* mechanism */
-    RESULT(checked0, jacobian, 185, -(t146 + platform_turn_zz * base_lever_mz_by_limb1_U2_mn));
-    const REAL limb1_upper_offset_x = limb_upper_phase + READ(q, 2);
-    WRITE(jacobian, 14, limb1_upper_offset_x);
-    const REAL minus_limb1_U_0_lever_mz_by_limb1_U2_fz = limb1_lower_cos * limb1_upper_offset_x;
     /* mechanism: results; reciprocal wrenches, eq. (10) */
-    const REAL t140 = platform_turn_xz * minus_limb1_U_0_lever_mz_by_limb1_U2_fz;
-    RESULT(checked1, jacobian, 2, -minus_limb1_U_0_lever_mz_by_limb1_U2_fz);
-    const REAL minus_limb1_upper_position_x = param_R - limb1_lower_sin * limb1_upper_offset_x,
-      base_lever_my_by_limb1_U2_fz = limb1_U_0_sin * minus_limb1_upper_position_x,
-      minus_base_lever_mz_by_limb1_U2_fz = limb1_U_0_cos * minus_limb1_upper_position_x,
-      t142 = t140 - platform_turn_yz * base_lever_my_by_limb1_U2_fz;
-    RESULT(checked2, jacobian, 184, t142 + platform_turn_zz * minus_base_lever_mz_by_limb1_U2_fz);
-    const REAL t38 = limb1_U_0_sin * limb1_upper_offset_x, /* limb1 */
-      base_lever_my_by_limb1_U2_fy = limb1_U_0_cos * limb1_upper_offset_x - param_R * (limb1_U_0_cos * limb1_lower_sin),
-      t137 = platform_turn_yz * base_lever_my_by_limb1_U2_fy,
-      base_lever_mz_by_limb1_U2_fy = t38 - param_R * (limb1_U_0_sin * limb1_lower_sin);
-    RESULT(checked3, jacobian, 183, -(t137 + platform_turn_zz * base_lever_mz_by_limb1_U2_fy));
-    const REAL base_lever_my_by_limb1_U2_fx = param_R * (limb1_U_0_cos * limb1_lower_cos),
-      t132 = platform_turn_yz * base_lever_my_by_limb1_U2_fx,
-      base_lever_mz_by_limb1_U2_fx = param_R * (limb1_U_0_sin * limb1_lower_cos);
-    RESULT(checked0, jacobian, 182, -(t132 + platform_turn_zz * base_lever_mz_by_limb1_U2_fx));
-    const REAL t129 = platform_turn_xy * minus_base_lever_mx_by_limb4_S_fz,
-      t89 = platform_turn_xx * minus_base_lever_mx_by_limb4_S_fz,
-      t130 = platform_turn_yy * minus_limb4_U_0_lever_mz_by_limb4_S_fz + t129,
-      t90 = platform_turn_yx * minus_limb4_U_0_lever_mz_by_limb4_S_fz + t89;
-    RESULT(checked1, jacobian, 181, t130 + platform_turn_zy * minus_base_lever_mz_by_limb4_S_fz);
-    RESULT(checked2, jacobian, 168, t90 + platform_turn_zx * minus_base_lever_mz_by_limb4_S_fz);
-    const REAL t126 = platform_turn_zy * minus_base_lever_mz_by_limb4_S_fy,
-      t84 = platform_turn_zx * minus_base_lever_mz_by_limb4_S_fy;
-    RESULT(checked3, jacobian, 180, t126 - platform_turn_xy * base_lever_mx_by_limb4_S_fy);
-    RESULT(checked0, jacobian, 167, t84 - platform_turn_xx * base_lever_mx_by_limb4_S_fy);
-    const REAL t124 = platform_turn_xy * minus_base_lever_mx_by_limb4_S_fx,
-      t80 = platform_turn_xx * minus_base_lever_mx_by_limb4_S_fx;
-    RESULT(checked1, jacobian, 179, t124 - platform_turn_zy * base_lever_mz_by_limb4_S_fx);
-    RESULT(checked2, jacobian, 166, t80 - platform_turn_zx * base_lever_mz_by_limb4_S_fx);
-    const REAL t120 = platform_turn_xy * minus_limb3_U_0_lever_mz_by_limb3_S_fz,
-      t76 = platform_turn_xx * minus_limb3_U_0_lever_mz_by_limb3_S_fz,
-      t122 = t120 + platform_turn_yy * minus_base_lever_my_by_limb3_S_fz,
-      t78 = t76 + platform_turn_yx * minus_base_lever_my_by_limb3_S_fz;
-    RESULT(checked3, jacobian, 178, t122 - platform_turn_zy * base_lever_mz_by_limb3_S_fz);
-    RESULT(checked0, jacobian, 165, t78 - platform_turn_zx * base_lever_mz_by_limb3_S_fz);
-    const REAL t74 = platform_turn_zx * base_lever_mz_by_limb3_S_fy,
-      t119 = platform_turn_yy * base_lever_my_by_limb3_S_fy + platform_turn_zy * base_lever_mz_by_limb3_S_fy;
-    RESULT(checked1, jacobian, 177, -t119);
-    RESULT(checked2, jacobian, 164, -(platform_turn_yx * base_lever_my_by_limb3_S_fy + t74));
-    const REAL t116 = platform_turn_zy * minus_base_lever_mz_by_limb3_S_fx,
-      t68 = platform_turn_zx * minus_base_lever_mz_by_limb3_S_fx;
-    RESULT(checked3, jacobian, 176, platform_turn_yy * minus_base_lever_my_by_limb3_S_fx + t116);
-    RESULT(checked0, jacobian, 163, platform_turn_yx * minus_base_lever_my_by_limb3_S_fx + t68);
-    const REAL t112 = platform_turn_xy * base_lever_mx_by_limb2_S_fz,
-      t64 = platform_turn_xx * base_lever_mx_by_limb2_S_fz,
-      t113 = platform_turn_yy * minus_limb2_U_0_lever_mz_by_limb2_S_fz - t112,
-      t65 = platform_turn_yx * minus_limb2_U_0_lever_mz_by_limb2_S_fz - t64;
-    RESULT(checked1, jacobian, 175, t113 - platform_turn_zy * base_lever_mz_by_limb2_S_fz);
-    RESULT(checked2, jacobian, 162, t65 - platform_turn_zx * base_lever_mz_by_limb2_S_fz);
-    const REAL t109 = platform_turn_zy * minus_base_lever_mz_by_limb2_S_fy,
-      t59 = platform_turn_zx * minus_base_lever_mz_by_limb2_S_fy;
-    RESULT(checked3, jacobian, 174, t109 - platform_turn_xy * base_lever_mx_by_limb2_S_fy);
-    RESULT(checked0, jacobian, 161, t59 - platform_turn_xx * base_lever_mx_by_limb2_S_fy);
-    const REAL t107 = platform_turn_zy * minus_base_lever_mz_by_limb2_S_fx,
-      t55 = platform_turn_zx * minus_base_lever_mz_by_limb2_S_fx;
-    RESULT(checked1, jacobian, 173, t107 - platform_turn_xy * base_lever_mx_by_limb2_S_fx);
-    RESULT(checked2, jacobian, 160, t55 - platform_turn_xx * base_lever_mx_by_limb2_S_fx);
-    const REAL t103 = platform_turn_yy * base_lever_my_by_limb1_U2_mn,
-      t49 = platform_turn_yx * base_lever_my_by_limb1_U2_mn,
-      t104 = platform_turn_xy * limb1_U_0_lever_mz_by_limb1_U2_mn + t103,
-      t98 = platform_turn_xy * minus_limb1_U_0_lever_mz_by_limb1_U2_fz,
-      t50 = platform_turn_xx * limb1_U_0_lever_mz_by_limb1_U2_mn + t49,
-      t43 = platform_turn_xx * minus_limb1_U_0_lever_mz_by_limb1_U2_fz;
-    RESULT(checked3, jacobian, 172, -(t104 + platform_turn_zy * base_lever_mz_by_limb1_U2_mn));
-    RESULT(checked0, jacobian, 159, -(t50 + platform_turn_zx * base_lever_mz_by_limb1_U2_mn));
-    const REAL t100 = t98 - platform_turn_yy * base_lever_my_by_limb1_U2_fz,
-      t45 = t43 - platform_turn_yx * base_lever_my_by_limb1_U2_fz;
-    RESULT(checked1, jacobian, 171, t100 + platform_turn_zy * minus_base_lever_mz_by_limb1_U2_fz);
-    RESULT(checked2, jacobian, 158, t45 + platform_turn_zx * minus_base_lever_mz_by_limb1_U2_fz);
-    const REAL t96 = platform_turn_zy * base_lever_mz_by_limb1_U2_fy,
-      t93 = platform_turn_zy * base_lever_mz_by_limb1_U2_fx, t40 = platform_turn_zx * base_lever_mz_by_limb1_U2_fy,
-      t33 = platform_turn_zx * base_lever_mz_by_limb1_U2_fx;
-    RESULT(checked3, jacobian, 170, -(platform_turn_yy * base_lever_my_by_limb1_U2_fy + t96));
-    RESULT(checked0, jacobian, 169, -(platform_turn_yy * base_lever_my_by_limb1_U2_fx + t93));
-    RESULT(checked1, jacobian, 157, -(platform_turn_yx * base_lever_my_by_limb1_U2_fy + t40));
-    RESULT(checked2, jacobian, 156, -(platform_turn_yx * base_lever_my_by_limb1_U2_fx + t33));
+    const REAL t31 = platform_turn_xx * limb1_U_0_lever_mz_by_limb1_U2_mn,
+      t42 = platform_turn_xy * limb1_U_0_lever_mz_by_limb1_U2_mn,
+      t52 = platform_turn_xz * limb1_U_0_lever_mz_by_limb1_U2_mn,
+      base_lever_my_by_limb1_U2_mn = t32 - limb1_U_0_sin * limb1_U_0_lever_my_by_limb1_U2_mn,
+      t34 = t31 + platform_turn_yx * base_lever_my_by_limb1_U2_mn,
+      base_lever_mz_by_limb1_U2_mn = t35 + limb1_U_0_cos * limb1_U_0_lever_my_by_limb1_U2_mn,
+      t38 = t34 + platform_turn_zx * base_lever_mz_by_limb1_U2_mn;
+    checked2 = checked2 + t38;
+    WRITE(jacobian, 159, -t38);
+    const REAL t44 = t42 + platform_turn_yy * base_lever_my_by_limb1_U2_mn,
+      t54 = t52 + platform_turn_yz * base_lever_my_by_limb1_U2_mn,
+      t46 = t44 + platform_turn_zy * base_lever_mz_by_limb1_U2_mn;
+    checked3 = checked3 + t46;
+    WRITE(jacobian, 172, -t46);
+    const REAL t56 = t54 + platform_turn_zz * base_lever_mz_by_limb1_U2_mn;
+    checked0 = checked0 + t56;
+    WRITE(jacobian, 185, -t56);
+    const REAL t39 = limbs.t3[2] + limbs.t4[2];
+    checked1 = checked1 + t39;
+    WRITE(jacobian, 164, -t39);
+    const REAL minus_jacobian_168 = limbs.t5[3] + limbs.t6[3];
+    checked2 = checked2 + minus_jacobian_168;
+    WRITE(jacobian, 168, -minus_jacobian_168);
+    const REAL t40 = limbs.t7[0] + limbs.t8[0];
+    checked3 = checked3 + t40;
+    WRITE(jacobian, 169, -t40);
+    const REAL t41 = limbs.t9[0] + limbs.t10[0];
+    checked0 = checked0 + t41;
+    WRITE(jacobian, 170, -t41);
+    const REAL t47 = limbs.t9[2] + limbs.t10[2];
+    checked1 = checked1 + t47;
+    WRITE(jacobian, 177, -t47);
+    const REAL t57 = limbs.t15[2] + limbs.t16[2];
+    checked2 = checked2 + t57;
+    WRITE(jacobian, 190, -t57);
+    const REAL minus_jacobian_181 = limbs.t11[3] + limbs.t12[3];
+    checked3 = checked3 + minus_jacobian_181;
+    WRITE(jacobian, 181, -minus_jacobian_181);
+    const REAL minus_jacobian_194 = limbs.t17[3] + limbs.t18[3];
+    checked0 = checked0 + minus_jacobian_194;
+    WRITE(jacobian, 194, -minus_jacobian_194);
+    const REAL t50 = limbs.t13[0] + limbs.t14[0];
+    checked1 = checked1 + t50;
+    WRITE(jacobian, 182, -t50);
+    const REAL t51 = limbs.t15[0] + limbs.t16[0];
+    checked2 = checked2 + t51;
+    WRITE(jacobian, 183, -t51);
     WRITE(jacobian, 0, CONSTANT(0.0));
     WRITE(jacobian, 1, CONSTANT(0.0));
     WRITE(jacobian, 15, CONSTANT(0.0));
@@ -302,251 +286,231 @@ BODY(three_ups_upu_s_closure_jacobian)(size_t stride, const double *restrict q, 
     WRITE(jacobian, 154, CONSTANT(0.0));
     WRITE(jacobian, 155, CONSTANT(0.0));
     /* else status 5: no rotation */
-    NOT_BELOW(t8, 0.999999, 5);
-    NOT_ABOVE(t8, 1.000001, 5);
-    FINITE((checked0 + checked1) + (checked2 + checked3));
+    NOT_BELOW(t7, 0.999999, 5);
+    NOT_ABOVE(t7, 1.000001, 5);
+    FINITE4((checked0 + checked1) + (checked2 + checked3), limbs.checked);
+}
+#endif
+
+#if !defined(THREE_UPS_UPU_S_LANES)
+typedef struct {
+    EACH4 signed_lower_omega_y, t1, t2, t3, signed_lower_omega_x, checked;
+} LIMBS(closure_bias);
+
+STAGE(closure_bias, 0)(size_t limb, size_t stride, const double *restrict q, const double *restrict v,
+    double *restrict bias, const double *restrict sine, const double *restrict cosine, REAL platform_twist_wy,
+    REAL platform_twist_wz, REAL platform_twist_wx, LIMBS(closure_bias) *own)
+{
+    (void)limb, (void)stride;
+    const NUMBER4 sign1 = OF4(1.0, 1.0, -1.0, -1.0), sign2 = OF4(1.0, -1.0, 1.0, -1.0),
+      each_param_R = OF4(-param_R, -param_R, param_R, param_R), factor_2 = OF4(2.0, 2.0, -2.0, -2.0);
+    const LIMB4 t36 = sign2 * platform_twist_wz, U_0_cos = IN_EACH4(SINES, cosine, 0, 2),
+      signed_U_0_sin = IN_EACH4(SINES, sine, 0, 2);
+    /* limbs together: loop closure; reciprocal wrenches, eq. (10); velocities, eq. (6) */
+    const LIMB4 t16 = signed_U_0_sin * t36, t5 = signed_U_0_sin * platform_twist_wy - U_0_cos * t36,
+      lower_cos = IN_EACH4(SINES, cosine, 1, 2), t33 = sign1 * lower_cos,
+      signed_lower_sin = IN_EACH4(SINES, sine, 1, 2), t6 = signed_lower_sin * t5;
+    OWN(own->t2) = t33 * t5 - signed_lower_sin * platform_twist_wx;
+    const LIMB4 signed_S_arm_y = param_R * lower_cos, t10 = signed_S_arm_y * OWN(own->t2);
+    OWN(own->t1) = t6 + t33 * platform_twist_wx;
+    const LIMB4 U_v_0 = IN_EACH4(READ, v, 0, 3);
+    OWN(own->signed_lower_omega_y) = U_v_0 * t33;
+    const LIMB4 t35 = sign1 * (IN_EACH4(READ, q, 2, 3) + limb_upper_phase),
+      signed_S_arm_x = t35 + each_param_R * signed_lower_sin, t13 = t10 - signed_S_arm_x * OWN(own->t1),
+      t14 = OWN(own->t1) * t13, t25 = OWN(own->t2) * t13;
+    OWN(own->t3) = U_0_cos * platform_twist_wy + t16;
+    const LIMB4 t17 = signed_S_arm_x * OWN(own->t3), t23 = signed_S_arm_y * OWN(own->t3),
+      t19 = t14 - OWN(own->t3) * t17, t32 = OWN(own->t2) * t17 + OWN(own->t1) * t23,
+      t37 = sign1 * (OWN(own->t3) * t23 + t25), t34 = sign1 * OWN(own->signed_lower_omega_y),
+      P_v = IN_EACH4(READ, v, 2, 3), U_v_1 = IN_EACH4(READ, v, 1, 3),
+      t29 = P_v * (factor_2 * OWN(own->signed_lower_omega_y)),
+      signed_S_opening_bias_fx = t35 * (t34 * t34 + U_v_1 * U_v_1) + t19;
+    WRITE4(bias, 0, 4, 7, 10, -sign1 * signed_S_opening_bias_fx);
+    LIMB4 checked = signed_S_opening_bias_fx;
+    OWN(own->signed_lower_omega_x) = U_v_0 * signed_lower_sin;
+    const LIMB4 t20 = t35 * (OWN(own->signed_lower_omega_x) * t34),
+      S_opening_bias_fz = t32 - (t29 - t35 * (2.0 * (U_v_1 * OWN(own->signed_lower_omega_x))));
+    WRITE4(bias, 2, 6, 9, 12, S_opening_bias_fz);
+    checked = checked + S_opening_bias_fz;
+    const LIMB4 S_opening_bias_fy = t20 + P_v * (2.0 * U_v_1) - t37;
+    WRITE4(bias, 1, 5, 8, 11, S_opening_bias_fy);
+    checked = checked + S_opening_bias_fy;
+    OWN(own->checked) = checked;
 }
 
 BODY(three_ups_upu_s_closure_bias)(size_t stride, const double *restrict q, const double *restrict v,
     double *restrict bias, const double *restrict sine, const double *restrict cosine, double *restrict total)
 {
+    LIMBS(closure_bias) limbs;
     /* limb5_S: geometry; velocities, eq. (6) */
-    const REAL limb5_S_q_qw = READ(q, 12), limb5_S_q_qx = READ(q, 13), t4 = limb5_S_q_qw * limb5_S_q_qw,
-      t5 = limb5_S_q_qx * limb5_S_q_qx, limb5_S_q_qy = READ(q, 14), t6 = t4 + t5, t7 = limb5_S_q_qy * limb5_S_q_qy,
-      limb5_S_q_qz = READ(q, 15), t8 = limb5_S_q_qz * limb5_S_q_qz, t9 = t7 + t8, t10 = t6 + t9,
-      t12 = 4.0 - 2.0 * t10, t27 = t5 + t7, platform_turn_yy = 1.0 - t12 * (t5 + t8), limb5_S_v_wz = READ(v, 14),
-      limb5_S_v_wx = READ(v, 12), t29 = limb5_S_v_wz * (1.0 - t12 * t27), t39 = limb5_S_v_wx * (1.0 - t9 * t12),
-      t16 = limb5_S_q_qy * t12, t17 = limb5_S_q_qx * t16, t31 = limb5_S_q_qw * t16, t18 = limb5_S_q_qz * t12,
-      t24 = limb5_S_q_qw * (limb5_S_q_qx * t12), t19 = limb5_S_q_qw * t18, platform_turn_yx = t17 + t19,
-      platform_turn_xy = t17 - t19, limb5_S_v_wy = READ(v, 13),
-      t21 = limb5_S_v_wy * platform_turn_yy + limb5_S_v_wx * platform_turn_yx, t22 = limb5_S_q_qy * t18,
-      t30 = limb5_S_q_qx * t18, platform_turn_yz = t22 - t24, platform_turn_zy = t22 + t24,
-      platform_twist_wy = t21 + limb5_S_v_wz * platform_turn_yz;
-    /* limb1: geometry; loop closure */
-    const REAL limb1_U_0_sin = SINES(sine, 0), t26 = limb1_U_0_sin * platform_twist_wy,
-      t42 = limb5_S_v_wz * (t30 + t31), /* platform */
-      platform_twist_wz = t29 + (limb5_S_v_wx * (t30 - t31) + limb5_S_v_wy * platform_turn_zy),
-      limb1_U_0_cos = SINES(cosine, 0), t36 = t26 - limb1_U_0_cos * platform_twist_wz,
-      limb1_lower_cos = SINES(cosine, 1), limb1_lower_sin = SINES(sine, 1);
-    /* limb1: loop closure; reciprocal wrenches, eq. (10); accelerations */
-    const REAL t45 = limb1_lower_cos * t36, t37 = limb1_lower_sin * t36,
-      platform_twist_wx = t39 + limb5_S_v_wy * platform_turn_xy + t42,
-      t47 = t45 - limb1_lower_sin * platform_twist_wx, minus_limb1_U2_arm_y = param_R * limb1_lower_cos,
-      t48 = minus_limb1_U2_arm_y * t47, t44 = t37 + limb1_lower_cos * platform_twist_wx,
-      limb1_upper_offset_x = limb_upper_phase + READ(q, 2),
-      limb1_U2_arm_x = limb1_upper_offset_x - param_R * limb1_lower_sin, t51 = t48 - limb1_U2_arm_x * t44,
-      t52 = t44 * t51, t64 = t47 * t51, t55 = limb1_U_0_cos * platform_twist_wy + limb1_U_0_sin * platform_twist_wz,
-      t56 = limb1_U2_arm_x * t55, t62 = minus_limb1_U2_arm_y * t55, limb1_U_v_0 = READ(v, 0), t58 = t52 - t55 * t56,
-      t69 = t47 * t56, limb1_lower_omega_y = limb1_U_v_0 * limb1_lower_cos, limb1_U_v_1 = READ(v, 1),
-      minus_limb1_upper_acc_still_x = limb1_upper_offset_x * (limb1_lower_omega_y * limb1_lower_omega_y + limb1_U_v_1 * limb1_U_v_1),
-      limb1_U2_opening_bias_fx = -(minus_limb1_upper_acc_still_x + t58);
-    WRITE(bias, 0, limb1_U2_opening_bias_fx);
-    REAL checked0 = limb1_U2_opening_bias_fx;
-    const REAL t65 = t55 * t62 + t64, t71 = t69 + t44 * t62, t76 = limb1_lower_omega_y - t44, t74 = limb1_U_v_1 - t55,
-      limb1_lower_omega_x = limb1_U_v_0 * limb1_lower_sin, t87 = limb1_lower_omega_x + t47, limb1_P_v = READ(v, 2),
-      t59 = limb1_upper_offset_x * (limb1_lower_omega_x * limb1_lower_omega_y),
-      limb1_U2_opening_bias_fy = t59 + limb1_P_v * (2.0 * limb1_U_v_1) - t65;
-    WRITE(bias, 1, limb1_U2_opening_bias_fy);
-    REAL checked1 = limb1_U2_opening_bias_fy;
-    const REAL t66 = limb1_upper_offset_x * (2.0 * (limb1_U_v_1 * limb1_lower_omega_x)),
-      t86 = limb1_lower_omega_x * t76, limb1_U2_opening_bias_fz = t66 - limb1_P_v * (2.0 * limb1_lower_omega_y) + t71;
-    WRITE(bias, 2, limb1_U2_opening_bias_fz);
-    REAL checked2 = limb1_U2_opening_bias_fz;
-    const REAL t79 = limb1_U_v_1 * limb1_lower_omega_y - (limb1_lower_omega_y * t74 - limb1_U_v_1 * t76),
-      t89 = t86 - limb1_lower_omega_y * t87, t82 = limb1_U_0_cos * platform_turn_zy,
-      limb1_U2_constraint_mn_couple_x = limb1_U_0_cos * platform_turn_yy + limb1_U_0_sin * platform_turn_zy,
-      t80 = limb1_U2_constraint_mn_couple_x * t79, t83 = limb1_U_0_sin * platform_turn_yy - t82,
-      t98 = limb1_U2_constraint_mn_couple_x * t76, t92 = limb1_lower_sin * t83,
-      limb1_U2_constraint_mn_couple_z = limb1_lower_cos * t83 - limb1_lower_sin * platform_turn_xy,
-      t91 = t80 - limb1_U2_constraint_mn_couple_z * t89, t95 = limb1_U2_constraint_mn_couple_z * t76,
-      limb1_U2_opening_mn = t92 + limb1_lower_cos * platform_turn_xy, t97 = t87 * (limb1_U2_opening_mn * t87 + t95),
-      limb1_U2_opening_bias_mn = t91 - (t97 - t74 * (t98 - limb1_U2_opening_mn * t74));
-    WRITE(bias, 3, limb1_U2_opening_bias_mn);
-    REAL checked3 = limb1_U2_opening_bias_mn;
-    /* limb2: geometry; loop closure */
-    const REAL limb2_U_0_sin = SINES(cosine, 2), minus_limb2_U_0_cos = SINES(sine, 2),
-      t108 = limb2_U_0_sin * platform_twist_wz + minus_limb2_U_0_cos * platform_twist_wx,
-      limb2_lower_cos = SINES(cosine, 3), limb2_lower_sin = SINES(sine, 3);
-    /* limb2: loop closure; velocities, eq. (6); accelerations */
-    const REAL t109 = limb2_lower_sin * t108, t114 = limb2_lower_cos * t108 - limb2_lower_sin * platform_twist_wy,
-      minus_limb2_S_arm_y = param_R * limb2_lower_cos, t115 = minus_limb2_S_arm_y * t114,
-      t111 = t109 + limb2_lower_cos * platform_twist_wy, limb2_upper_offset_x = limb_upper_phase + READ(q, 5),
-      limb2_S_arm_x = limb2_upper_offset_x - param_R * limb2_lower_sin, t118 = t115 - limb2_S_arm_x * t111,
-      t119 = t111 * t118, t131 = t114 * t118,
-      t122 = minus_limb2_U_0_cos * platform_twist_wz - limb2_U_0_sin * platform_twist_wx, t123 = limb2_S_arm_x * t122,
-      t129 = minus_limb2_S_arm_y * t122, limb2_U_v_0 = READ(v, 3), t125 = t119 - t122 * t123,
-      t132 = t122 * t129 + t131, t138 = t114 * t123 + t111 * t129,
-      limb2_lower_omega_y = limb2_U_v_0 * limb2_lower_cos, limb2_U_v_1 = READ(v, 4),
-      minus_limb2_upper_acc_still_x = limb2_upper_offset_x * (limb2_lower_omega_y * limb2_lower_omega_y + limb2_U_v_1 * limb2_U_v_1);
-    RESULT(checked0, bias, 4, -(minus_limb2_upper_acc_still_x + t125));
-    const REAL limb2_lower_omega_x = limb2_U_v_0 * limb2_lower_sin, limb2_P_v = READ(v, 5),
-      t126 = limb2_upper_offset_x * (limb2_lower_omega_x * limb2_lower_omega_y),
-      t133 = limb2_upper_offset_x * (2.0 * (limb2_U_v_1 * limb2_lower_omega_x));
-    RESULT(checked1, bias, 6, t133 - limb2_P_v * (2.0 * limb2_lower_omega_y) - t138);
-    RESULT(checked2, bias, 5, t126 + limb2_P_v * (2.0 * limb2_U_v_1) - t132);
-    /* limb3: geometry; loop closure */
-    const REAL limb3_U_0_sin = SINES(sine, 4), limb3_U_0_cos = SINES(cosine, 4),
-      t144 = limb3_U_0_sin * platform_twist_wy - limb3_U_0_cos * platform_twist_wz,
-      limb3_lower_cos = SINES(cosine, 5), minus_limb3_lower_sin = SINES(sine, 5);
-    /* limb3: loop closure; velocities, eq. (6); accelerations */
-    const REAL t145 = minus_limb3_lower_sin * t144,
-      t150 = limb3_lower_cos * t144 + minus_limb3_lower_sin * platform_twist_wx,
-      limb3_S_arm_y = param_R * limb3_lower_cos, t151 = limb3_S_arm_y * t150,
-      t147 = t145 - limb3_lower_cos * platform_twist_wx, limb3_upper_offset_x = limb_upper_phase + READ(q, 8),
-      limb3_S_arm_x = limb3_upper_offset_x - param_R * minus_limb3_lower_sin, t154 = t151 - limb3_S_arm_x * t147,
-      t155 = t147 * t154, t164 = t150 * t154,
-      t158 = limb3_U_0_cos * platform_twist_wy + limb3_U_0_sin * platform_twist_wz, t159 = limb3_S_arm_x * t158,
-      t162 = limb3_S_arm_y * t158, limb3_U_v_0 = READ(v, 6), t161 = t155 - t158 * t159, t165 = t158 * t162 + t164,
-      t171 = t150 * t159 + t147 * t162, limb3_lower_omega_y = limb3_U_v_0 * limb3_lower_cos, limb3_U_v_1 = READ(v, 7),
-      minus_limb3_upper_acc_still_x = limb3_upper_offset_x * (limb3_lower_omega_y * limb3_lower_omega_y + limb3_U_v_1 * limb3_U_v_1);
-    RESULT(checked3, bias, 7, -(minus_limb3_upper_acc_still_x + t161));
-    const REAL minus_limb3_lower_omega_x = limb3_U_v_0 * minus_limb3_lower_sin, limb3_P_v = READ(v, 8),
-      t166 = limb3_upper_offset_x * (minus_limb3_lower_omega_x * limb3_lower_omega_y),
-      t172 = limb3_upper_offset_x * (2.0 * (limb3_U_v_1 * minus_limb3_lower_omega_x));
-    RESULT(checked0, bias, 9, t171 - (t172 + limb3_P_v * (2.0 * limb3_lower_omega_y)));
-    RESULT(checked1, bias, 8, t165 - (t166 - limb3_P_v * (2.0 * limb3_U_v_1)));
-    /* limb4: geometry */
-    const REAL limb4_U_0_sin = SINES(cosine, 6), minus_limb4_U_0_cos = SINES(sine, 6);
-    /* limb4: loop closure; geometry; accelerations */
-    const REAL t192 = minus_limb4_U_0_cos * platform_twist_wz,
-      t180 = limb4_U_0_sin * platform_twist_wz + minus_limb4_U_0_cos * platform_twist_wx,
-      t194 = t192 - limb4_U_0_sin * platform_twist_wx, limb4_lower_cos = SINES(cosine, 7),
-      minus_limb4_lower_sin = SINES(sine, 7), t181 = minus_limb4_lower_sin * t180,
-      t186 = limb4_lower_cos * t180 + minus_limb4_lower_sin * platform_twist_wy,
-      t183 = t181 - limb4_lower_cos * platform_twist_wy, limb4_S_arm_y = param_R * limb4_lower_cos,
-      t187 = limb4_S_arm_y * t186, t198 = limb4_S_arm_y * t194, limb4_upper_offset_x = limb_upper_phase + READ(q, 11),
-      limb4_S_arm_x = limb4_upper_offset_x - param_R * minus_limb4_lower_sin, t190 = t187 - limb4_S_arm_x * t183,
-      t195 = limb4_S_arm_x * t194, limb4_U_v_0 = READ(v, 9), t197 = t183 * t190 - t194 * t195,
-      t201 = t194 * t198 + t186 * t190, t210 = t186 * t195 + t183 * t198,
-      limb4_lower_omega_y = limb4_U_v_0 * limb4_lower_cos, limb4_U_v_1 = READ(v, 10),
-      minus_limb4_upper_acc_still_x = limb4_upper_offset_x * (limb4_lower_omega_y * limb4_lower_omega_y + limb4_U_v_1 * limb4_U_v_1);
-    RESULT(checked2, bias, 10, -(minus_limb4_upper_acc_still_x + t197));
-    const REAL minus_limb4_lower_omega_x = limb4_U_v_0 * minus_limb4_lower_sin, limb4_P_v = READ(v, 11),
-      t202 = limb4_upper_offset_x * (minus_limb4_lower_omega_x * limb4_lower_omega_y),
-      t205 = limb4_upper_offset_x * (2.0 * (limb4_U_v_1 * minus_limb4_lower_omega_x));
-    RESULT(checked3, bias, 12, -(t205 + limb4_P_v * (2.0 * limb4_lower_omega_y) + t210));
-    RESULT(checked0, bias, 11, t201 - (t202 - limb4_P_v * (2.0 * limb4_U_v_1)));
+    const REAL limb5_S_q_qw = READ(q, 12), limb5_S_q_qx = READ(q, 13), t1 = limb5_S_q_qw * limb5_S_q_qw,
+      t2 = limb5_S_q_qx * limb5_S_q_qx, limb5_S_q_qy = READ(q, 14), t3 = t1 + t2, t4 = limb5_S_q_qy * limb5_S_q_qy,
+      limb5_S_q_qz = READ(q, 15), t5 = limb5_S_q_qz * limb5_S_q_qz, t6 = t4 + t5, t7 = t3 + t6, t9 = 4.0 - 2.0 * t7,
+      t30 = t2 + t4, platform_turn_yy = 1.0 - t9 * (t2 + t5), limb5_S_v_wz = READ(v, 14), limb5_S_v_wx = READ(v, 12),
+      t32 = limb5_S_v_wz * (1.0 - t9 * t30), t24 = limb5_S_v_wx * (1.0 - t6 * t9), t13 = limb5_S_q_qy * t9,
+      t14 = limb5_S_q_qx * t13, t28 = limb5_S_q_qw * t13, t15 = limb5_S_q_qz * t9,
+      t21 = limb5_S_q_qw * (limb5_S_q_qx * t9), t16 = limb5_S_q_qw * t15, platform_turn_yx = t14 + t16,
+      platform_turn_xy = t14 - t16, limb5_S_v_wy = READ(v, 13),
+      t18 = limb5_S_v_wy * platform_turn_yy + limb5_S_v_wx * platform_turn_yx, t19 = limb5_S_q_qy * t15,
+      t27 = limb5_S_q_qx * t15, platform_turn_yz = t19 - t21, platform_turn_zy = t19 + t21,
+      platform_twist_wy = t18 + limb5_S_v_wz * platform_turn_yz, t29 = limb5_S_v_wz * (t27 + t28),
+      platform_twist_wz = t32 + (limb5_S_v_wx * (t27 - t28) + limb5_S_v_wy * platform_turn_zy),
+      platform_twist_wx = t24 + limb5_S_v_wy * platform_turn_xy + t29;
+    FIRST_LIMB(1, closure_bias, 0, stride, q, v, bias, sine, cosine, platform_twist_wx, platform_twist_wz, platform_twist_wy, &limbs);
+    REAL checked0 = ALONE(limbs.checked[1]);
+    NEXT_LIMB(2, closure_bias, 0, stride, q, v, bias, sine, cosine, platform_twist_wy, platform_twist_wz, platform_twist_wx, &limbs);
+    REAL checked1 = ALONE(limbs.checked[2]);
+    NEXT_LIMB(3, closure_bias, 0, stride, q, v, bias, sine, cosine, platform_twist_wx, platform_twist_wz, platform_twist_wy, &limbs);
+    REAL checked2 = ALONE(limbs.checked[3]);
+    NEXT_LIMB(0, closure_bias, 0, stride, q, v, bias, sine, cosine, platform_twist_wy, platform_twist_wz, platform_twist_wx, &limbs);
+    REAL checked3 = ALONE(limbs.checked[0]);
+    /* limb1: loop closure; geometry; reciprocal wrenches, eq. (10) */
+    const REAL limb1_U_v_1 = READ(v, 1), t38 = limb1_U_v_1 - limbs.t3[0], t39 = limbs.signed_lower_omega_y[0] * t38,
+      t40 = limbs.signed_lower_omega_y[0] - limbs.t1[0], limb1_U_0_sin = SINES(sine, 0),
+      limb1_U_0_cos = SINES(cosine, 0), t43 = limb1_U_v_1 * limbs.signed_lower_omega_y[0] - (t39 - limb1_U_v_1 * t40),
+      t46 = limb1_U_0_cos * platform_turn_zy,
+      limb1_U2_constraint_mn_couple_x = limb1_U_0_cos * platform_turn_yy + limb1_U_0_sin * platform_turn_zy;
+    /* limb1: loop closure; reciprocal wrenches, eq. (10); geometry */
+    const REAL t44 = limb1_U2_constraint_mn_couple_x * t43, t47 = limb1_U_0_sin * platform_turn_yy - t46,
+      t62 = limb1_U2_constraint_mn_couple_x * t40, t50 = limbs.signed_lower_omega_x[0] * t40,
+      t51 = limbs.signed_lower_omega_x[0] + limbs.t2[0], limb1_lower_cos = SINES(cosine, 1),
+      limb1_lower_sin = SINES(sine, 1), t53 = t50 - limbs.signed_lower_omega_y[0] * t51, t56 = limb1_lower_sin * t47,
+      limb1_U2_constraint_mn_couple_z = limb1_lower_cos * t47 - limb1_lower_sin * platform_turn_xy,
+      t55 = t44 - limb1_U2_constraint_mn_couple_z * t53, t59 = limb1_U2_constraint_mn_couple_z * t40,
+      limb1_U2_opening_mn = t56 + limb1_lower_cos * platform_turn_xy, t61 = t51 * (limb1_U2_opening_mn * t51 + t59);
+    RESULT(checked0, bias, 3, t55 - (t61 - t38 * (t62 - limb1_U2_opening_mn * t38)));
     /* else status 5: no rotation */
-    NOT_BELOW(t10, 0.999999, 5);
-    NOT_ABOVE(t10, 1.000001, 5);
-    FINITE((checked0 + checked1) + (checked2 + checked3));
+    NOT_BELOW(t7, 0.999999, 5);
+    NOT_ABOVE(t7, 1.000001, 5);
+    FINITE4((checked0 + checked1) + (checked2 + checked3), limbs.checked);
+}
+#endif
+
+#if !defined(THREE_UPS_UPU_S_LANES) || THREE_UPS_UPU_S_LANES == 4
+typedef struct {
+    EACH4 signed_upper_position_x, minus_U_0_lever_mz_by_S_fz, t1, S_arm_x, t2, checked;
+} LIMBS(velocity);
+
+STAGE(velocity, 0)(size_t limb, size_t stride, const double *restrict q, const double *restrict sine,
+    const double *restrict cosine, LIMBS(velocity) *own)
+{
+    (void)limb, (void)stride;
+    const NUMBER4 factor_2 = OF4(1.0, -1.0, 1.0, 1.0);
+    /* limbs together: geometry; reciprocal wrenches, eq. (10); rates that follow */
+    const LIMB4 upper_offset_x = IN_EACH4(READ, q, 2, 3) + limb_upper_phase,
+      signed_lower_sin = IN_EACH4(SINES, sine, 1, 2);
+    OWN(own->signed_upper_position_x) = signed_lower_sin * upper_offset_x + (-param_R);
+    OWN(own->S_arm_x) = upper_offset_x - param_R * signed_lower_sin;
+    const LIMB4 lower_cos = IN_EACH4(SINES, cosine, 1, 2);
+    OWN(own->minus_U_0_lever_mz_by_S_fz) = lower_cos * upper_offset_x;
+    LIMB4 checked = OWN(own->minus_U_0_lever_mz_by_S_fz);
+    OWN(own->t1) = factor_2 / OWN(own->minus_U_0_lever_mz_by_S_fz);
+    OWN(own->t2) = lower_cos * OWN(own->t1);
+    OWN(own->checked) = checked;
+}
+
+STAGE(velocity, 1)(size_t limb, size_t stride, double *restrict v, const double *restrict sine,
+    const double *restrict cosine, REAL limb5_S_joint_rate_wz, const EACH4 limb5_S_joint_rate_wy,
+    const EACH4 limb5_S_joint_rate_wx, LIMBS(velocity) *own)
+{
+    (void)limb, (void)stride;
+    const NUMBER4 sign1 = OF4(1.0, -1.0, 1.0, -1.0), sign2 = OF4(1.0, -1.0, -1.0, -1.0),
+      sign3 = OF4(1.0, -1.0, -1.0, 1.0), sign4 = OF4(1.0, 1.0, 1.0, -1.0);
+    const LIMB4 t9 = sign1 * IN_EACH4(SINES, cosine, 0, 2), signed_U_0_sin = IN_EACH4(SINES, sine, 0, 2);
+    /* limbs together: velocities, eq. (6) */
+    const LIMB4 t1 = t9 * limb5_S_joint_rate_wz,
+      t8 = signed_U_0_sin * limb5_S_joint_rate_wz + t9 * OWN(limb5_S_joint_rate_wy),
+      signed_P_joint_rate = param_R * IN_EACH4(SINES, cosine, 1, 2) * t8;
+    WRITE4(v, 2, 5, 8, 11, sign3 * signed_P_joint_rate);
+    LIMB4 checked = OWN(own->checked) + signed_P_joint_rate;
+    const LIMB4 signed_U_joint_rate_1 = OWN(own->t2) * (OWN(own->S_arm_x) * t8);
+    WRITE4(v, 1, 4, 7, 10, sign4 * signed_U_joint_rate_1);
+    checked = checked + signed_U_joint_rate_1;
+    const LIMB4 t5 = OWN(own->t1) * (OWN(own->signed_upper_position_x) * (t1 - signed_U_0_sin * OWN(limb5_S_joint_rate_wy))),
+      U_joint_rate_0 = OWN(limb5_S_joint_rate_wx) - sign2 * t5;
+    WRITE4(v, 0, 3, 6, 9, U_joint_rate_0);
+    checked = checked + U_joint_rate_0;
+    OWN(own->checked) = checked;
 }
 
 BODY(three_ups_upu_s_velocity)(size_t stride, const double *restrict q, const double *restrict y_dot,
     double *restrict v, const double *restrict sine, const double *restrict cosine, double *restrict total)
 {
+    LIMBS(velocity) limbs;
     /* limb5_S: velocities, eq. (6) */
     const REAL limb5_S_q_qw = READ(q, 12), limb5_S_q_qx = READ(q, 13), t1 = limb5_S_q_qw * limb5_S_q_qw,
       t2 = limb5_S_q_qx * limb5_S_q_qx, limb5_S_q_qy = READ(q, 14), t3 = t1 + t2, t4 = limb5_S_q_qy * limb5_S_q_qy,
       limb5_S_q_qz = READ(q, 15), t5 = limb5_S_q_qz * limb5_S_q_qz, t6 = t4 + t5, t7 = t3 + t6;
     /* limb5_S: geometry; velocities, eq. (6) */
-    const REAL t15 = t2 + t5, t114 = t2 + t4, t14 = 4.0 - 2.0 * t7, platform_turn_yy = 1.0 - t14 * t15,
-      t9 = k2 - 0.5 * t7, platform_turn_zz = 1.0 - t14 * t114, platform_turn_xx = 1.0 - t6 * t14,
-      t18 = limb5_S_q_qz * t14, t19 = limb5_S_q_qy * t18, t21 = limb5_S_q_qw * (limb5_S_q_qx * t14),
-      t30 = limb5_S_q_qy * t14, platform_turn_zy = t19 + t21, limb1_U_0_cos = SINES(cosine, 0),
-      limb1_U_0_sin = SINES(sine, 0), limb1_lower_cos = SINES(cosine, 1), platform_turn_yz = t19 - t21,
-      t29 = limb1_lower_cos * (limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos * platform_turn_zy), /* limb1 */
-      t31 = limb5_S_q_qx * t30, t104 = limb5_S_q_qw * t30, t32 = limb5_S_q_qw * t18, t103 = limb5_S_q_qx * t18,
-      platform_turn_xy = t31 - t32;
+    const REAL t14 = t2 + t5, t66 = t2 + t4, t13 = 4.0 - 2.0 * t7, platform_turn_yy = 1.0 - t13 * t14,
+      t9 = k2 - 0.5 * t7, platform_turn_xx = 1.0 - t6 * t13, platform_turn_zz = 1.0 - t13 * t66,
+      t17 = limb5_S_q_qz * t13, t18 = limb5_S_q_qy * t17, t20 = limb5_S_q_qw * (limb5_S_q_qx * t13),
+      t28 = limb5_S_q_qy * t13, platform_turn_zy = t18 + t20, limb1_U_0_cos = SINES(cosine, 0),
+      limb1_U_0_sin = SINES(sine, 0), limb1_lower_cos = SINES(cosine, 1), platform_turn_yz = t18 - t20,
+      t27 = limb1_lower_cos * (limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos * platform_turn_zy), /* limb1 */
+      t29 = limb5_S_q_qx * t28, t56 = limb5_S_q_qw * t28, t30 = limb5_S_q_qw * t17, t55 = limb5_S_q_qx * t17,
+      platform_turn_xy = t29 - t30;
     /* limb1: geometry; reciprocal wrenches, eq. (10); rates that follow */
-    const REAL limb1_lower_sin = SINES(sine, 1), platform_turn_yx = t31 + t32,
-      limb1_U2_constraint_mn_couple_z = t29 - limb1_lower_sin * platform_turn_xy,
-      limb1_upper_offset_x = limb_upper_phase + READ(q, 2),
-      minus_limb1_U_0_lever_mz_by_limb1_U2_fz = limb1_lower_cos * limb1_upper_offset_x;
-    REAL checked0 = minus_limb1_U_0_lever_mz_by_limb1_U2_fz;
-    const REAL t23 = 1.0 / minus_limb1_U_0_lever_mz_by_limb1_U2_fz, t35 = limb1_lower_cos * t23,
-      limb1_U_factor_1_by_3 = limb1_U2_constraint_mn_couple_z * t35,
-      limb1_U2_arm_x = limb1_upper_offset_x - param_R * limb1_lower_sin,
-      minus_limb1_U2_factor_0_by_3 = limb1_U2_constraint_mn_couple_z - limb1_U2_arm_x * limb1_U_factor_1_by_3,
-      minus_limb1_upper_position_x = param_R - limb1_lower_sin * limb1_upper_offset_x,
-      t37 = limb1_U_0_sin * minus_limb1_U2_factor_0_by_3, t40 = limb1_U_0_cos * minus_limb1_U2_factor_0_by_3,
+    const REAL limb1_lower_sin = SINES(sine, 1), platform_turn_yx = t29 + t30,
+      limb1_U2_constraint_mn_couple_z = t27 - limb1_lower_sin * platform_turn_xy;
+    FIRST_LIMB(0, velocity, 0, stride, q, sine, cosine, &limbs);
+    const REAL minus_limb1_U2_factor_0_by_3 = limb1_U2_constraint_mn_couple_z - limbs.S_arm_x[0] * (limb1_U2_constraint_mn_couple_z * limbs.t2[0]),
+      t33 = limb1_U_0_sin * minus_limb1_U2_factor_0_by_3, t36 = limb1_U_0_cos * minus_limb1_U2_factor_0_by_3,
       limb1_U2_constraint_mn_couple_x = limb1_U_0_cos * platform_turn_yy + limb1_U_0_sin * platform_turn_zy,
-      t24 = minus_limb1_upper_position_x * (limb1_lower_sin * limb1_U2_constraint_mn_couple_x * t23),
-      minus_limb1_U2_factor_1_by_3 = limb1_lower_cos * limb1_U2_constraint_mn_couple_x - t24;
+      t22 = limbs.signed_upper_position_x[0] * (limb1_lower_sin * limb1_U2_constraint_mn_couple_x * limbs.t1[0]),
+      minus_limb1_U2_factor_1_by_3 = limb1_lower_cos * limb1_U2_constraint_mn_couple_x + t22;
     /* limb5_S: pivots; rates that follow */
-    const REAL minus_limb5_S_pivot_wz = limb1_U_0_cos * minus_limb1_U2_factor_1_by_3 + t37;
-    REAL checked1 = minus_limb5_S_pivot_wz;
-    const REAL t38 = 1.0 / minus_limb5_S_pivot_wz,
-      t41 = limb1_U_0_sin * minus_limb1_U2_factor_1_by_3 - t40, /* limb1 */
-      limb5_S_null_space_wz_by_limb5_S_wy = t38 * t41;
+    const REAL minus_limb5_S_pivot_wz = limb1_U_0_cos * minus_limb1_U2_factor_1_by_3 + t33;
+    REAL checked0 = minus_limb5_S_pivot_wz;
+    const REAL t34 = 1.0 / minus_limb5_S_pivot_wz,
+      t37 = limb1_U_0_sin * minus_limb1_U2_factor_1_by_3 - t36, /* limb1 */
+      limb5_S_null_space_wz_by_limb5_S_wy = t34 * t37;
     /* limb5_S: velocities, eq. (6); geometry */
-    const REAL t42 = limb5_S_q_qx * t9 * limb5_S_null_space_wz_by_limb5_S_wy, t10 = limb5_S_q_qw * t9,
-      a_pivot = 0.5 * (t10 + t42);
-    REAL checked2 = a_pivot;
-    const REAL t44 = 1.0 / a_pivot, t53 = 0.5 * t10, t47 = limb5_S_q_qy * t9 * limb5_S_null_space_wz_by_limb5_S_wy,
-      t45 = limb5_S_q_qz * t9, t50 = t44 * (0.5 * (t45 - t47)), t54 = 0.5 * t45, limb5_S_y_dot_qy = READ(y_dot, 1),
-      t52 = READ(y_dot, 0) - limb5_S_y_dot_qy * t50, a_pivot_2 = t53 + t54 * t50;
-    REAL checked3 = a_pivot_2;
-    const REAL limb5_S_joint_rate_wx = t52 / a_pivot_2,
-      limb5_S_joint_rate_wy = t44 * (limb5_S_y_dot_qy + t54 * limb5_S_joint_rate_wx),
-      limb5_S_joint_rate_wz = t38 * (t41 * limb5_S_joint_rate_wy), t116 = platform_turn_zz * limb5_S_joint_rate_wz,
-      t117 = platform_turn_yz * limb5_S_joint_rate_wy, t110 = platform_turn_zy * limb5_S_joint_rate_wz;
-    RESULT(checked0, v, 13, t110 + (platform_turn_yy * limb5_S_joint_rate_wy + platform_turn_xy * limb5_S_joint_rate_wx));
-    const REAL t109 = platform_turn_yx * limb5_S_joint_rate_wy + platform_turn_xx * limb5_S_joint_rate_wx,
-      platform_turn_zx = t103 - t104;
-    RESULT(checked1, v, 14, t116 + (t117 + (t103 + t104) * limb5_S_joint_rate_wx));
-    RESULT(checked2, v, 12, platform_turn_zx * limb5_S_joint_rate_wz + t109);
-    /* limb4: geometry; velocities, eq. (6); reciprocal wrenches, eq. (10) */
-    const REAL minus_limb4_U_0_cos = SINES(sine, 6), limb4_U_0_sin = SINES(cosine, 6),
-      t101 = minus_limb4_U_0_cos * limb5_S_joint_rate_wz - limb4_U_0_sin * limb5_S_joint_rate_wx,
-      limb4_lower_cos = SINES(cosine, 7);
-    RESULT(checked3, v, 11, param_R * limb4_lower_cos * t101);
-    const REAL limb4_upper_offset_x = limb_upper_phase + READ(q, 11), minus_limb4_lower_sin = SINES(sine, 7),
-      minus_limb4_upper_vel_y = (limb4_upper_offset_x - param_R * minus_limb4_lower_sin) * t101,
-      minus_limb4_U_0_lever_mz_by_limb4_S_fz = limb4_lower_cos * limb4_upper_offset_x;
-    checked0 = checked0 + minus_limb4_U_0_lever_mz_by_limb4_S_fz;
-    const REAL t92 = 1.0 / minus_limb4_U_0_lever_mz_by_limb4_S_fz,
-      limb4_upper_position_y = param_R - minus_limb4_lower_sin * limb4_upper_offset_x;
-    RESULT(checked1, v, 10, -(minus_limb4_upper_vel_y * (limb4_lower_cos * t92)));
-    const REAL t96 = limb4_upper_position_y * (limb4_U_0_sin * limb5_S_joint_rate_wz + minus_limb4_U_0_cos * limb5_S_joint_rate_wx);
-    RESULT(checked2, v, 9, limb5_S_joint_rate_wy + t92 * t96);
-    /* limb3: geometry; velocities, eq. (6); reciprocal wrenches, eq. (10) */
-    const REAL limb3_U_0_sin = SINES(sine, 4), limb3_U_0_cos = SINES(cosine, 4),
-      t89 = limb3_U_0_sin * limb5_S_joint_rate_wz + limb3_U_0_cos * limb5_S_joint_rate_wy,
-      limb3_lower_cos = SINES(cosine, 5);
-    RESULT(checked3, v, 8, -(param_R * limb3_lower_cos * t89));
-    const REAL limb3_upper_offset_x = limb_upper_phase + READ(q, 8), minus_limb3_lower_sin = SINES(sine, 5),
-      limb3_upper_vel_y = (limb3_upper_offset_x - param_R * minus_limb3_lower_sin) * t89,
-      minus_limb3_U_0_lever_mz_by_limb3_S_fz = limb3_lower_cos * limb3_upper_offset_x;
-    checked0 = checked0 + minus_limb3_U_0_lever_mz_by_limb3_S_fz;
-    const REAL t80 = 1.0 / minus_limb3_U_0_lever_mz_by_limb3_S_fz,
-      limb3_upper_position_x = param_R - minus_limb3_lower_sin * limb3_upper_offset_x;
-    RESULT(checked1, v, 7, limb3_upper_vel_y * (limb3_lower_cos * t80));
-    const REAL t84 = limb3_upper_position_x * (limb3_U_0_cos * limb5_S_joint_rate_wz - limb3_U_0_sin * limb5_S_joint_rate_wy);
-    RESULT(checked2, v, 6, limb5_S_joint_rate_wx - t80 * t84);
-    /* limb2: geometry; velocities, eq. (6); reciprocal wrenches, eq. (10) */
-    const REAL minus_limb2_U_0_cos = SINES(sine, 2), limb2_U_0_sin = SINES(cosine, 2),
-      t77 = minus_limb2_U_0_cos * limb5_S_joint_rate_wz - limb2_U_0_sin * limb5_S_joint_rate_wx,
-      limb2_lower_cos = SINES(cosine, 3);
-    RESULT(checked3, v, 5, -(param_R * limb2_lower_cos * t77));
-    const REAL limb2_upper_offset_x = limb_upper_phase + READ(q, 5), limb2_lower_sin = SINES(sine, 3),
-      minus_limb2_upper_vel_y = (limb2_upper_offset_x - param_R * limb2_lower_sin) * t77,
-      minus_limb2_U_0_lever_mz_by_limb2_S_fz = limb2_lower_cos * limb2_upper_offset_x;
-    checked0 = checked0 + minus_limb2_U_0_lever_mz_by_limb2_S_fz;
-    const REAL t68 = 1.0 / minus_limb2_U_0_lever_mz_by_limb2_S_fz,
-      minus_limb2_upper_position_y = param_R - limb2_lower_sin * limb2_upper_offset_x;
-    RESULT(checked1, v, 4, -(minus_limb2_upper_vel_y * (limb2_lower_cos * t68)));
-    const REAL t72 = minus_limb2_upper_position_y * (limb2_U_0_sin * limb5_S_joint_rate_wz + minus_limb2_U_0_cos * limb5_S_joint_rate_wx);
-    RESULT(checked2, v, 3, limb5_S_joint_rate_wy - t68 * t72);
-    const REAL t59 = limb1_U_0_cos * limb5_S_joint_rate_wz, /* limb1 */
-      t66 = limb1_U_0_sin * limb5_S_joint_rate_wz + limb1_U_0_cos * limb5_S_joint_rate_wy; /* limb1 */
-    RESULT(checked3, v, 1, t35 * (limb1_U2_arm_x * t66));
-    RESULT(checked0, v, 0, limb5_S_joint_rate_wx + t23 * (minus_limb1_upper_position_x * (t59 - limb1_U_0_sin * limb5_S_joint_rate_wy)));
-    RESULT(checked1, v, 2, param_R * limb1_lower_cos * t66);
+    const REAL t38 = limb5_S_q_qx * t9 * limb5_S_null_space_wz_by_limb5_S_wy, t10 = limb5_S_q_qw * t9,
+      a_pivot = 0.5 * (t10 + t38);
+    REAL checked1 = a_pivot;
+    const REAL t40 = 1.0 / a_pivot, t49 = 0.5 * t10, t43 = limb5_S_q_qy * t9 * limb5_S_null_space_wz_by_limb5_S_wy,
+      t41 = limb5_S_q_qz * t9, t46 = t40 * (0.5 * (t41 - t43)), t50 = 0.5 * t41, limb5_S_y_dot_qy = READ(y_dot, 1),
+      t48 = READ(y_dot, 0) - limb5_S_y_dot_qy * t46, a_pivot_2 = t49 + t50 * t46;
+    REAL checked2 = a_pivot_2;
+    const REAL limb5_S_joint_rate_wx = t48 / a_pivot_2,
+      limb5_S_joint_rate_wy = t40 * (limb5_S_y_dot_qy + t50 * limb5_S_joint_rate_wx),
+      limb5_S_joint_rate_wz = t34 * (t37 * limb5_S_joint_rate_wy),
+      t61 = platform_turn_yx * limb5_S_joint_rate_wy + platform_turn_xx * limb5_S_joint_rate_wx,
+      t62 = platform_turn_zy * limb5_S_joint_rate_wz,
+      platform_omega_y = t62 + (platform_turn_yy * limb5_S_joint_rate_wy + platform_turn_xy * limb5_S_joint_rate_wx);
+    WRITE(v, 13, platform_omega_y);
+    REAL checked3 = platform_omega_y;
+    const REAL t68 = platform_turn_zz * limb5_S_joint_rate_wz, t69 = platform_turn_yz * limb5_S_joint_rate_wy,
+      platform_turn_xz = t55 + t56;
+    RESULT(checked0, v, 12, (t55 - t56) * limb5_S_joint_rate_wz + t61);
+    RESULT(checked1, v, 14, t68 + (t69 + platform_turn_xz * limb5_S_joint_rate_wx));
+    const EACH4 limb5_S_joint_rate_wy_2 = {limb5_S_joint_rate_wy, limb5_S_joint_rate_wx, limb5_S_joint_rate_wy, limb5_S_joint_rate_wx},
+      limb5_S_joint_rate_wx_2 = {limb5_S_joint_rate_wx, limb5_S_joint_rate_wy, limb5_S_joint_rate_wx, limb5_S_joint_rate_wy};
+    FIRST_LIMB(0, velocity, 1, stride, v, sine, cosine, limb5_S_joint_rate_wz, limb5_S_joint_rate_wy_2, limb5_S_joint_rate_wx_2, &limbs);
+    checked2 = checked2 + ALONE(limbs.checked[0]);
+    NEXT_LIMB(1, velocity, 0, stride, q, sine, cosine, &limbs);
+    NEXT_LIMB(1, velocity, 1, stride, v, sine, cosine, limb5_S_joint_rate_wz, limb5_S_joint_rate_wy_2, limb5_S_joint_rate_wx_2, &limbs);
+    checked3 = checked3 + ALONE(limbs.checked[1]);
+    NEXT_LIMB(2, velocity, 0, stride, q, sine, cosine, &limbs);
+    NEXT_LIMB(2, velocity, 1, stride, v, sine, cosine, limb5_S_joint_rate_wz, limb5_S_joint_rate_wy_2, limb5_S_joint_rate_wx_2, &limbs);
+    checked0 = checked0 + ALONE(limbs.checked[2]);
+    NEXT_LIMB(3, velocity, 0, stride, q, sine, cosine, &limbs);
+    NEXT_LIMB(3, velocity, 1, stride, v, sine, cosine, limb5_S_joint_rate_wz, limb5_S_joint_rate_wy_2, limb5_S_joint_rate_wx_2, &limbs);
+    checked1 = checked1 + ALONE(limbs.checked[3]);
     /* else status 5: no rotation */
     NOT_BELOW(t7, 0.999999, 5);
     NOT_ABOVE(t7, 1.000001, 5);
-    FINITE_UNLESS( /* status 1 where a pivot is smaller than its limit: */
-        SMALL(minus_limb3_U_0_lever_mz_by_limb3_S_fz, 6.62327e-10) OR /* where the reciprocal wrench limb3_S.fz has no power along limb3_U.0, as in a stretched limb */
-        SMALL(minus_limb2_U_0_lever_mz_by_limb2_S_fz, 6.62327e-10) OR /* where the reciprocal wrench limb2_S.fz has no power along limb2_U.0, as in a stretched limb */
-        SMALL(minus_limb4_U_0_lever_mz_by_limb4_S_fz, 6.62327e-10) OR /* where the reciprocal wrench limb4_S.fz has no power along limb4_U.0, as in a stretched limb */
-        SMALL(minus_limb1_U_0_lever_mz_by_limb1_U2_fz, 6.62327e-10) OR /* where the reciprocal wrench limb1_U2.fz has no power along limb1_U.0, as in a stretched limb */
+    FINITE_UNLESS4( /* status 1 where a pivot is smaller than its limit: */
+        SMALL4(limbs.minus_U_0_lever_mz_by_S_fz, 6.62327e-10, 6.62327e-10, 6.62327e-10, 6.62327e-10) OR /* where the reciprocal wrench limb_U2.fz has no power along limb_U.0, as in a stretched limb; where the reciprocal wrench limb_S.fz has no power along limb_U.0, as in a stretched limb */
         SMALL(minus_limb5_S_pivot_wz, 1.0e-09) OR /* where the loops no longer determine limb5_S.wz */
         SMALL(a_pivot, 1.0e-09) OR /* where the elimination meets a singularity */
         SMALL(a_pivot_2, 1.0e-09), /* where the elimination meets a singularity */
-        (checked0 + checked1) + (checked2 + checked3));
+        (checked0 + checked1) + (checked2 + checked3), limbs.checked);
 }
+#endif
 
+#if !defined(THREE_UPS_UPU_S_LANES)
 BODY(three_ups_upu_s_null_space)(size_t stride, const double *restrict q, double *restrict null_space,
     const double *restrict sine, const double *restrict cosine, double *restrict total)
 {
@@ -706,216 +670,206 @@ BODY(three_ups_upu_s_null_space)(size_t stride, const double *restrict q, double
         SMALL(a_pivot_2, 1.0e-09), /* where the elimination meets a singularity */
         (checked0 + checked1) + (checked2 + checked3));
 }
+#endif
+
+#if !defined(THREE_UPS_UPU_S_LANES) || THREE_UPS_UPU_S_LANES == 4
+typedef struct {
+    EACH4 upper_position_x, minus_U_0_lever_mz_by_S_fz, t1, S_arm_x, t2, t3, t4, t5, t6, t7, t8, t9, t10,
+      t11, signed_S_arm_y, t12, t13, checked;
+} LIMBS(acceleration);
+
+STAGE(acceleration, 0)(size_t limb, size_t stride, const double *restrict q, const double *restrict v,
+    const double *restrict sine, const double *restrict cosine, LIMBS(acceleration) *own)
+{
+    (void)limb, (void)stride;
+    const NUMBER4 sign1 = OF4(1.0, 1.0, -1.0, -1.0), each_param_R = OF4(-param_R, -param_R, param_R, param_R),
+      factor_2 = OF4(1.0, -1.0, 1.0, -1.0), sign2 = OF4(1.0, -1.0, 1.0, -1.0),
+      each_param_R_2 = OF4(param_R, param_R, -param_R, -param_R);
+    const LIMB4 U_v_1 = IN_EACH4(READ, v, 1, 3), P_v = IN_EACH4(READ, v, 2, 3);
+    /* limbs together: accelerations; reciprocal wrenches, eq. (10); geometry */
+    OWN(own->t9) = U_v_1 * P_v;
+    const LIMB4 lower_cos = IN_EACH4(SINES, cosine, 1, 2);
+    OWN(own->signed_S_arm_y) = param_R * lower_cos;
+    const LIMB4 signed_lower_sin = IN_EACH4(SINES, sine, 1, 2), t8 = sign1 * signed_lower_sin,
+      upper_offset_x = IN_EACH4(READ, q, 2, 3) + limb_upper_phase;
+    OWN(own->upper_position_x) = t8 * upper_offset_x + each_param_R;
+    OWN(own->S_arm_x) = upper_offset_x - param_R * signed_lower_sin;
+    OWN(own->minus_U_0_lever_mz_by_S_fz) = lower_cos * upper_offset_x;
+    LIMB4 checked = OWN(own->minus_U_0_lever_mz_by_S_fz);
+    OWN(own->t1) = factor_2 / OWN(own->minus_U_0_lever_mz_by_S_fz);
+    OWN(own->t2) = lower_cos * OWN(own->t1);
+    const LIMB4 t2 = U_v_1 * t8, upper_twist_vx = P_v * t8;
+    OWN(own->t12) = param_R * t2;
+    OWN(own->t4) = P_v * lower_cos - upper_offset_x * t2;
+    OWN(own->t5) = IN_EACH4(READ, v, 0, 3) * (sign2 * OWN(own->t4));
+    const LIMB4 t5 = U_v_1 * lower_cos;
+    OWN(own->t7) = upper_twist_vx + upper_offset_x * t5;
+    OWN(own->t10) = each_param_R_2 * t5 - P_v;
+    OWN(own->checked) = checked;
+}
+
+STAGE(acceleration, 1)(size_t limb, size_t stride, const double *restrict v, const double *restrict sine,
+    const double *restrict cosine, const EACH4 platform_twist_wy, REAL platform_twist_wz,
+    const EACH4 platform_twist_wx, LIMBS(acceleration) *own)
+{
+    (void)limb, (void)stride;
+    const NUMBER4 sign1 = OF4(1.0, -1.0, 1.0, -1.0);
+    const LIMB4 t17 = sign1 * OWN(platform_twist_wy), signed_U_0_sin = IN_EACH4(SINES, sine, 0, 2),
+      U_0_cos = IN_EACH4(SINES, cosine, 0, 2);
+    /* limbs together: accelerations */
+    const LIMB4 t1 = U_0_cos * t17;
+    OWN(own->t6) = signed_U_0_sin * t17 - U_0_cos * platform_twist_wz;
+    const LIMB4 U_v_0 = IN_EACH4(READ, v, 0, 3), t11 = U_v_0 * OWN(own->t6), t8 = OWN(own->t6) * OWN(own->t7),
+      t15 = OWN(own->signed_S_arm_y) * t11, t12 = OWN(own->S_arm_x) * t11;
+    OWN(own->t3) = t1 + signed_U_0_sin * platform_twist_wz;
+    OWN(own->t13) = t15 + OWN(own->t3) * OWN(own->t12);
+    OWN(own->t11) = t12 + sign1 * OWN(own->t9) + OWN(own->t3) * OWN(own->t10);
+    const LIMB4 t9 = OWN(own->t5) - OWN(own->upper_position_x) * (U_v_0 * OWN(own->t3)) - t8;
+    OWN(own->t8) = t9 - OWN(platform_twist_wx) * (sign1 * OWN(own->t4));
+}
+
+STAGE(acceleration, 2)(size_t limb, size_t stride, double *restrict a, const double *restrict sine,
+    const double *restrict cosine, REAL given, const EACH4 signed_limb5_S_joint_acc_wy,
+    const EACH4 signed_limb5_S_joint_acc_wx, REAL minus_limb5_S_joint_acc_still_wz, LIMBS(acceleration) *own)
+{
+    (void)limb, (void)stride;
+    const NUMBER4 sign1 = OF4(1.0, -1.0, 1.0, -1.0), sign2 = OF4(1.0, -1.0, -1.0, 1.0);
+    const LIMB4 signed_U_0_sin = IN_EACH4(SINES, sine, 0, 2), U_0_cos = IN_EACH4(SINES, cosine, 0, 2);
+    /* limbs together: accelerations */
+    const LIMB4 t12 = signed_U_0_sin * given + U_0_cos * OWN(signed_limb5_S_joint_acc_wy),
+      t18 = OWN(own->signed_S_arm_y) * t12, t13 = OWN(own->S_arm_x) * t12,
+      t14 = signed_U_0_sin * minus_limb5_S_joint_acc_still_wz,
+      signed_P_joint_acc = t18 - (OWN(own->t13) + OWN(own->signed_S_arm_y) * t14);
+    WRITE4(a, 2, 5, 8, 11, sign2 * signed_P_joint_acc);
+    LIMB4 checked = OWN(own->checked) + signed_P_joint_acc;
+    const LIMB4 U_joint_acc_1 = OWN(own->t2) * (t13 - (OWN(own->t11) + OWN(own->S_arm_x) * t14));
+    WRITE4(a, 1, 4, 7, 10, U_joint_acc_1);
+    checked = checked + U_joint_acc_1;
+    const LIMB4 t4 = OWN(own->upper_position_x) * (U_0_cos * given - signed_U_0_sin * OWN(signed_limb5_S_joint_acc_wy)),
+      t6 = sign1 * OWN(signed_limb5_S_joint_acc_wx) + OWN(own->t1) * t4,
+      U_joint_acc_still_0 = OWN(own->t1) * (OWN(own->upper_position_x) * (U_0_cos * minus_limb5_S_joint_acc_still_wz) - OWN(own->t8)),
+      U_joint_acc_0 = U_joint_acc_still_0 - t6;
+    WRITE4(a, 0, 3, 6, 9, U_joint_acc_0);
+    checked = checked + U_joint_acc_0;
+    OWN(own->checked) = checked;
+}
 
 BODY(three_ups_upu_s_acceleration)(size_t stride, const double *restrict q, const double *restrict v,
     const double *restrict y_ddot, double *restrict a, const double *restrict sine,
     const double *restrict cosine, double *restrict total)
 {
+    LIMBS(acceleration) limbs;
     /* limb5_S: accelerations */
     const REAL limb5_S_q_qw = READ(q, 12), limb5_S_q_qx = READ(q, 13), t1 = limb5_S_q_qw * limb5_S_q_qw,
       t2 = limb5_S_q_qx * limb5_S_q_qx, limb5_S_q_qy = READ(q, 14), t3 = t1 + t2, t4 = limb5_S_q_qy * limb5_S_q_qy,
       limb5_S_q_qz = READ(q, 15), t5 = limb5_S_q_qz * limb5_S_q_qz, t6 = t4 + t5, t7 = t3 + t6;
     /* limb5_S: geometry; accelerations; velocities, eq. (6) */
-    const REAL t15 = t2 + t5, t65 = t2 + t4, t14 = 4.0 - 2.0 * t7, platform_turn_yy = 1.0 - t14 * t15,
-      platform_turn_zz = 1.0 - t14 * t65, platform_turn_xx = 1.0 - t6 * t14, t9 = k2 - 0.5 * t7,
-      t30 = limb5_S_q_qy * t14, t31 = limb5_S_q_qx * t30, t60 = limb5_S_q_qw * t30, t18 = limb5_S_q_qz * t14,
-      t21 = limb5_S_q_qw * (limb5_S_q_qx * t14), t32 = limb5_S_q_qw * t18, platform_turn_yx = t31 + t32,
-      platform_turn_xy = t31 - t32, limb5_S_v_wx = READ(v, 12), limb5_S_v_wy = READ(v, 13),
-      t53 = limb5_S_v_wy * platform_turn_yy + limb5_S_v_wx * platform_turn_yx, t19 = limb5_S_q_qy * t18,
-      t59 = limb5_S_q_qx * t18, platform_turn_yz = t19 - t21, platform_turn_zy = t19 + t21,
-      limb5_S_v_wz = READ(v, 14), platform_twist_wy = t53 + limb5_S_v_wz * platform_turn_yz,
-      limb1_U_0_sin = SINES(sine, 0), t104 = limb1_U_0_sin * platform_twist_wy, platform_turn_zx = t59 - t60,
-      platform_turn_xz = t59 + t60, t70 = limb5_S_v_wx * platform_turn_zx + limb5_S_v_wy * platform_turn_zy,
-      platform_twist_wz = limb5_S_v_wz * platform_turn_zz + t70;
-    /* limb1: geometry; loop closure; accelerations */
-    const REAL limb1_U_0_cos = SINES(cosine, 0), t106 = t104 - limb1_U_0_cos * platform_twist_wz, /* limb5_S */
-      limb1_lower_sin = SINES(sine, 1), t117 = limb1_lower_sin * t106,
-      t58 = limb5_S_v_wx * platform_turn_xx + limb5_S_v_wy * platform_turn_xy, /* platform */
-      platform_twist_wx = t58 + limb5_S_v_wz * platform_turn_xz, limb1_lower_cos = SINES(cosine, 1),
-      limb1_U_v_0 = READ(v, 0), t119 = t117 + limb1_lower_cos * platform_twist_wx,
-      limb1_lower_omega_y = limb1_U_v_0 * limb1_lower_cos;
-    /* limb1: loop closure; accelerations; reciprocal wrenches, eq. (10) */
-    const REAL t120 = limb1_lower_omega_y - t119, limb1_U_v_1 = READ(v, 1), t121 = limb1_U_v_1 * t120,
-      t95 = limb1_U_0_cos * platform_twist_wy + limb1_U_0_sin * platform_twist_wz, /* limb5_S */
-      t115 = limb1_U_v_1 - t95, t123 = limb1_U_v_1 * limb1_lower_omega_y - (limb1_lower_omega_y * t115 - t121),
+    const REAL t14 = t2 + t5, t61 = t2 + t4, t13 = 4.0 - 2.0 * t7, platform_turn_yy = 1.0 - t13 * t14,
+      platform_turn_xx = 1.0 - t6 * t13, platform_turn_zz = 1.0 - t13 * t61, t9 = k2 - 0.5 * t7,
+      t28 = limb5_S_q_qy * t13, t29 = limb5_S_q_qx * t28, t56 = limb5_S_q_qw * t28, t17 = limb5_S_q_qz * t13,
+      t20 = limb5_S_q_qw * (limb5_S_q_qx * t13), t30 = limb5_S_q_qw * t17, platform_turn_yx = t29 + t30,
+      platform_turn_xy = t29 - t30, limb5_S_v_wx = READ(v, 12), limb5_S_v_wy = READ(v, 13),
+      t49 = limb5_S_v_wy * platform_turn_yy + limb5_S_v_wx * platform_turn_yx, t18 = limb5_S_q_qy * t17,
+      t55 = limb5_S_q_qx * t17, platform_turn_yz = t18 - t20, platform_turn_zy = t18 + t20,
+      limb5_S_v_wz = READ(v, 14), platform_twist_wy = t49 + limb5_S_v_wz * platform_turn_yz,
+      t54 = limb5_S_v_wx * platform_turn_xx + limb5_S_v_wy * platform_turn_xy, platform_turn_xz = t55 + t56,
+      platform_turn_zx = t55 - t56, platform_twist_wx = t54 + limb5_S_v_wz * platform_turn_xz;
+    const EACH4 platform_twist_wy_2 = {platform_twist_wy, platform_twist_wx, platform_twist_wy, platform_twist_wx},
+      platform_twist_wx_2 = {platform_twist_wx, platform_twist_wy, platform_twist_wx, platform_twist_wy};
+    const REAL t66 = limb5_S_v_wx * platform_turn_zx + limb5_S_v_wy * platform_turn_zy,
+      platform_twist_wz = limb5_S_v_wz * platform_turn_zz + t66;
+    FIRST_LIMB(0, acceleration, 0, stride, q, v, sine, cosine, &limbs);
+    FIRST_LIMB(0, acceleration, 1, stride, v, sine, cosine, platform_twist_wy_2, platform_twist_wz, platform_twist_wx_2, &limbs);
+    /* limb1: geometry; accelerations; loop closure */
+    const REAL limb1_lower_sin = SINES(sine, 1), limb1_lower_cos = SINES(cosine, 1), limb1_U_v_0 = READ(v, 0),
+      t94 = limb1_lower_sin * limbs.t6[0] + limb1_lower_cos * platform_twist_wx,
+      limb1_lower_omega_y = limb1_U_v_0 * limb1_lower_cos, t95 = limb1_lower_omega_y - t94, limb1_U_v_1 = READ(v, 1),
+      t96 = limb1_U_v_1 * t95, t90 = limb1_U_v_1 - limbs.t3[0], limb1_U_0_sin = SINES(sine, 0),
+      limb1_U_0_cos = SINES(cosine, 0);
+    /* limb1: loop closure; reciprocal wrenches, eq. (10); rates that follow */
+    const REAL t98 = limb1_U_v_1 * limb1_lower_omega_y - (limb1_lower_omega_y * t90 - t96),
       limb1_U2_constraint_mn_couple_x = limb1_U_0_cos * platform_turn_yy + limb1_U_0_sin * platform_turn_zy,
-      t124 = limb1_U2_constraint_mn_couple_x * t123, limb1_lower_omega_x = limb1_U_v_0 * limb1_lower_sin,
-      t125 = limb1_lower_omega_x * t120,
-      t129 = limb1_lower_omega_x + (limb1_lower_cos * t106 - limb1_lower_sin * platform_twist_wx),
-      t131 = t125 - limb1_lower_omega_y * t129,
-      t28 = limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos * platform_turn_zy, t134 = limb1_lower_sin * t28,
-      limb1_U2_constraint_mn_couple_z = limb1_lower_cos * t28 - limb1_lower_sin * platform_turn_xy,
-      t133 = t124 - limb1_U2_constraint_mn_couple_z * t131,
-      limb1_U2_opening_mn = t134 + limb1_lower_cos * platform_turn_xy,
-      t139 = t129 * (limb1_U2_opening_mn * t129 + limb1_U2_constraint_mn_couple_z * t120),
-      limb1_U2_opening_bias_mn = t133 - (t139 - t115 * (limb1_U2_constraint_mn_couple_x * t120 - limb1_U2_opening_mn * t115)),
-      t145 = limb1_U_v_0 * t106, /* limb5_S */
-      limb1_upper_offset_x = limb_upper_phase + READ(q, 2),
-      limb1_U2_arm_x = limb1_upper_offset_x - param_R * limb1_lower_sin, limb1_P_v = READ(v, 2),
-      t148 = limb1_U2_arm_x * t145 + limb1_U_v_1 * limb1_P_v, /* limb5_S */
-      t107 = limb1_U_v_1 * limb1_lower_cos, t152 = t148 - t95 * (limb1_P_v - param_R * t107), /* limb5_S */
-      t108 = limb1_upper_offset_x * t107,
-      minus_limb1_U_0_lever_mz_by_limb1_U2_fz = limb1_lower_cos * limb1_upper_offset_x;
-    REAL checked0 = minus_limb1_U_0_lever_mz_by_limb1_U2_fz;
-    const REAL t23 = 1.0 / minus_limb1_U_0_lever_mz_by_limb1_U2_fz, t35 = limb1_lower_cos * t23,
-      limb1_U_factor_1_by_3 = limb1_U2_constraint_mn_couple_z * t35,
-      t154 = limb1_U2_opening_bias_mn - t152 * limb1_U_factor_1_by_3, /* limb5_S */
-      minus_limb1_U2_factor_0_by_3 = limb1_U2_constraint_mn_couple_z - limb1_U2_arm_x * limb1_U_factor_1_by_3,
-      t96 = limb1_U_v_0 * t95, /* limb5_S */
-      minus_limb1_upper_position_x = param_R - limb1_lower_sin * limb1_upper_offset_x,
-      t97 = minus_limb1_upper_position_x * t96, /* limb5_S */
-      t98 = limb1_U_v_1 * limb1_lower_sin, t204 = t95 * (param_R * t98),
-      t101 = limb1_upper_offset_x * t98 - limb1_P_v * limb1_lower_cos;
+      t99 = limb1_U2_constraint_mn_couple_x * t98, limb1_lower_omega_x = limb1_U_v_0 * limb1_lower_sin,
+      t100 = limb1_lower_omega_x * t95,
+      t104 = limb1_lower_omega_x + (limb1_lower_cos * limbs.t6[0] - limb1_lower_sin * platform_twist_wx),
+      t106 = t100 - limb1_lower_omega_y * t104,
+      t26 = limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos * platform_turn_zy, t109 = limb1_lower_sin * t26,
+      limb1_U2_constraint_mn_couple_z = limb1_lower_cos * t26 - limb1_lower_sin * platform_turn_xy,
+      t108 = t99 - limb1_U2_constraint_mn_couple_z * t106,
+      limb1_U2_opening_mn = t109 + limb1_lower_cos * platform_turn_xy,
+      t114 = t104 * (limb1_U2_opening_mn * t104 + limb1_U2_constraint_mn_couple_z * t95),
+      limb1_U2_opening_bias_mn = t108 - (t114 - t90 * (limb1_U2_constraint_mn_couple_x * t95 - limb1_U2_opening_mn * t90)),
+      limb1_U_factor_1_by_3 = limb1_U2_constraint_mn_couple_z * limbs.t2[0],
+      t121 = limb1_U2_opening_bias_mn - limbs.t11[0] * limb1_U_factor_1_by_3, /* limb5_S */
+      minus_limb1_U2_factor_0_by_3 = limb1_U2_constraint_mn_couple_z - limbs.S_arm_x[0] * limb1_U_factor_1_by_3,
+      minus_limb1_U_factor_0_by_3 = limb1_lower_sin * limb1_U2_constraint_mn_couple_x * limbs.t1[0],
+      limb1_U_0_lever_my_by_limb1_U2_mn = limb1_lower_cos * limb1_U2_constraint_mn_couple_x;
     /* limb5_S: accelerations; pivots; rates that follow */
-    const REAL t112 = platform_twist_wx * t101,
-      t111 = t97 - limb1_U_v_0 * t101 - t106 * (limb1_P_v * limb1_lower_sin + t108), t113 = t111 + t112,
-      minus_limb1_U_factor_0_by_3 = limb1_lower_sin * limb1_U2_constraint_mn_couple_x * t23,
-      limb1_U_0_lever_my_by_limb1_U2_mn = limb1_lower_cos * limb1_U2_constraint_mn_couple_x,
-      t155 = minus_limb1_U_factor_0_by_3 * t113 - t154,
-      minus_limb1_U2_factor_1_by_3 = limb1_U_0_lever_my_by_limb1_U2_mn - minus_limb1_upper_position_x * minus_limb1_U_factor_0_by_3,
-      t40 = limb1_U_0_cos * minus_limb1_U2_factor_0_by_3, /* limb1 */
+    const REAL t122 = minus_limb1_U_factor_0_by_3 * limbs.t8[0] - t121,
+      minus_limb1_U2_factor_1_by_3 = limb1_U_0_lever_my_by_limb1_U2_mn + limbs.upper_position_x[0] * minus_limb1_U_factor_0_by_3,
+      t36 = limb1_U_0_cos * minus_limb1_U2_factor_0_by_3, /* limb1 */
       minus_limb5_S_pivot_wz = limb1_U_0_cos * minus_limb1_U2_factor_1_by_3 + limb1_U_0_sin * minus_limb1_U2_factor_0_by_3;
-    REAL checked1 = minus_limb5_S_pivot_wz;
-    const REAL t38 = 1.0 / minus_limb5_S_pivot_wz, minus_limb5_S_joint_acc_still_wz = t38 * t155,
-      t41 = limb1_U_0_sin * minus_limb1_U2_factor_1_by_3 - t40, /* limb1 */
-      t11 = limb5_S_q_qx * t9, t157 = 0.5 * (t11 * minus_limb5_S_joint_acc_still_wz), t45 = limb5_S_q_qz * t9,
-      t76 = platform_twist_wy * t45, t46 = limb5_S_q_qy * t9, t10 = limb5_S_q_qw * t9,
-      t81 = platform_twist_wz * (0.5 * (platform_twist_wx * t10 + (t76 - platform_twist_wz * t46))),
-      t87 = 0.5 * (platform_twist_wz * t10 + (platform_twist_wx * t46 - platform_twist_wy * t11)),
-      t89 = t81 - platform_twist_wx * t87, t161 = platform_twist_wy * t87,
-      t73 = 0.5 * (platform_twist_wx * t11 + platform_twist_wy * t46 + platform_twist_wz * t45),
-      t158 = READ(y_ddot, 1) + 0.5 * (platform_twist_wy * t73 - t89) + t157, t160 = platform_twist_wx * t73,
-      limb5_S_null_space_wz_by_limb5_S_wy = t38 * t41,
+    REAL checked0 = minus_limb5_S_pivot_wz;
+    const REAL t34 = 1.0 / minus_limb5_S_pivot_wz, minus_limb5_S_joint_acc_still_wz = t34 * t122,
+      t37 = limb1_U_0_sin * minus_limb1_U2_factor_1_by_3 - t36, /* limb1 */
+      t11 = limb5_S_q_qx * t9, t124 = 0.5 * (t11 * minus_limb5_S_joint_acc_still_wz), t41 = limb5_S_q_qz * t9,
+      t72 = platform_twist_wy * t41, t42 = limb5_S_q_qy * t9, t10 = limb5_S_q_qw * t9,
+      t77 = platform_twist_wz * (0.5 * (platform_twist_wx * t10 + (t72 - platform_twist_wz * t42))),
+      t83 = 0.5 * (platform_twist_wz * t10 + (platform_twist_wx * t42 - platform_twist_wy * t11)),
+      t85 = t77 - platform_twist_wx * t83, t128 = platform_twist_wy * t83,
+      t69 = 0.5 * (platform_twist_wx * t11 + platform_twist_wy * t42 + platform_twist_wz * t41),
+      t125 = READ(y_ddot, 1) + 0.5 * (platform_twist_wy * t69 - t85) + t124, t129 = platform_twist_wy * t10,
+      t127 = platform_twist_wx * t69, t131 = platform_twist_wx * t41, limb5_S_null_space_wz_by_limb5_S_wy = t34 * t37,
       a_pivot = 0.5 * (t10 + t11 * limb5_S_null_space_wz_by_limb5_S_wy);
-    REAL checked2 = a_pivot;
-    const REAL t44 = 1.0 / a_pivot, t50 = t44 * (0.5 * (t45 - t46 * limb5_S_null_space_wz_by_limb5_S_wy)),
-      t174 = 0.5 * (t46 * minus_limb5_S_joint_acc_still_wz), t159 = t50 * t158,
-      t165 = platform_twist_wz * t11 - platform_twist_wx * t45, t178 = 0.5 * t45, t179 = t178 * t50,
-      t170 = t160 - (t161 - platform_twist_wz * (0.5 * (platform_twist_wy * t10 + t165))),
-      t176 = t159 - (READ(y_ddot, 0) + 0.5 * t170 - t174), a_pivot_2 = 0.5 * t10 + t179;
-    REAL checked3 = a_pivot_2;
-    const REAL minus_limb5_S_joint_acc_wx = t176 / a_pivot_2,
-      limb5_S_joint_acc_wy = t44 * (t158 - t178 * minus_limb5_S_joint_acc_wx);
-    /* limb1: accelerations; reciprocal wrenches, eq. (10) */
-    const REAL t183 = t38 * (t41 * limb5_S_joint_acc_wy),
-      t377 = platform_turn_yx * limb5_S_joint_acc_wy - platform_turn_xx * minus_limb5_S_joint_acc_wx, /* limb5_S */
-      t381 = platform_turn_yy * limb5_S_joint_acc_wy - platform_turn_xy * minus_limb5_S_joint_acc_wx, /* limb5_S */
-      t385 = platform_turn_yz * limb5_S_joint_acc_wy - platform_turn_xz * minus_limb5_S_joint_acc_wx, /* limb5_S */
-      t188 = t23 * (minus_limb1_upper_position_x * (limb1_U_0_cos * t183 - limb1_U_0_sin * limb5_S_joint_acc_wy)),
-      t189 = minus_limb5_S_joint_acc_wx - t188,
-      minus_limb1_U_joint_acc_still_0 = t23 * (t113 + minus_limb1_upper_position_x * (limb1_U_0_cos * minus_limb5_S_joint_acc_still_wz));
-    RESULT(checked0, a, 0, -(t189 + minus_limb1_U_joint_acc_still_0));
-    const REAL t195 = limb1_U_0_sin * t183 + limb1_U_0_cos * limb5_S_joint_acc_wy, t196 = limb1_U2_arm_x * t195,
-      t197 = limb1_U_0_sin * minus_limb5_S_joint_acc_still_wz;
-    RESULT(checked1, a, 1, t35 * (t196 - (t152 + limb1_U2_arm_x * t197)));
-    const REAL minus_limb1_U2_arm_y = param_R * limb1_lower_cos;
-    RESULT(checked2, a, 2, minus_limb1_U2_arm_y * t195 - (minus_limb1_U2_arm_y * t145 + t204 + minus_limb1_U2_arm_y * t197));
-    /* limb2: geometry; accelerations */
-    const REAL limb2_U_0_sin = SINES(cosine, 2), minus_limb2_U_0_cos = SINES(sine, 2),
-      t211 = limb2_U_0_sin * t183 - minus_limb2_U_0_cos * minus_limb5_S_joint_acc_wx,
-      limb2_upper_offset_x = limb_upper_phase + READ(q, 5), limb2_lower_sin = SINES(sine, 3),
-      minus_limb2_upper_position_y = param_R - limb2_lower_sin * limb2_upper_offset_x,
-      limb2_lower_cos = SINES(cosine, 3);
-    /* limb2: accelerations; reciprocal wrenches, eq. (10) */
-    const REAL t212 = minus_limb2_upper_position_y * t211,
-      minus_limb2_U_0_lever_mz_by_limb2_S_fz = limb2_lower_cos * limb2_upper_offset_x;
-    checked3 = checked3 + minus_limb2_U_0_lever_mz_by_limb2_S_fz;
-    const REAL t208 = 1.0 / minus_limb2_U_0_lever_mz_by_limb2_S_fz, t214 = limb5_S_joint_acc_wy - t208 * t212,
-      t237 = minus_limb2_upper_position_y * (limb2_U_0_sin * minus_limb5_S_joint_acc_still_wz),
-      t217 = minus_limb2_U_0_cos * platform_twist_wz - limb2_U_0_sin * platform_twist_wx, limb2_U_v_0 = READ(v, 3),
-      limb2_U_v_1 = READ(v, 4), t219 = minus_limb2_upper_position_y * (limb2_U_v_0 * t217),
-      t220 = limb2_U_v_1 * limb2_lower_sin, limb2_P_v = READ(v, 5), t260 = t217 * (param_R * t220),
-      t223 = limb2_upper_offset_x * t220 - limb2_P_v * limb2_lower_cos, t225 = t219 + limb2_U_v_0 * t223,
-      t234 = platform_twist_wy * t223,
-      t228 = limb2_U_0_sin * platform_twist_wz + minus_limb2_U_0_cos * platform_twist_wx,
-      t229 = limb2_U_v_1 * limb2_lower_cos, t251 = t217 * (limb2_P_v - param_R * t229),
-      t235 = t225 + t228 * (limb2_P_v * limb2_lower_sin + limb2_upper_offset_x * t229) - t234;
-    RESULT(checked0, a, 3, t214 + t208 * (t235 + t237));
-    const REAL t245 = limb2_U_v_0 * t228, t239 = limb2_lower_cos * t208,
-      t243 = minus_limb2_U_0_cos * t183 + limb2_U_0_sin * minus_limb5_S_joint_acc_wx,
-      limb2_S_arm_x = limb2_upper_offset_x - param_R * limb2_lower_sin, t244 = limb2_S_arm_x * t243,
-      t253 = minus_limb2_U_0_cos * minus_limb5_S_joint_acc_still_wz,
-      t255 = limb2_S_arm_x * t245 + limb2_U_v_1 * limb2_P_v + t251 - limb2_S_arm_x * t253;
-    RESULT(checked1, a, 4, -(t239 * (t244 + t255)));
-    const REAL minus_limb2_S_arm_y = param_R * limb2_lower_cos,
-      minus_limb2_P_joint_acc = minus_limb2_S_arm_y * t243 + (minus_limb2_S_arm_y * t245 - t260 - minus_limb2_S_arm_y * t253);
-    RESULT(checked2, a, 5, -minus_limb2_P_joint_acc);
-    /* limb3: geometry; accelerations */
-    const REAL limb3_U_0_cos = SINES(cosine, 4), limb3_U_0_sin = SINES(sine, 4),
-      t291 = limb3_U_0_cos * t183 - limb3_U_0_sin * limb5_S_joint_acc_wy,
-      limb3_upper_offset_x = limb_upper_phase + READ(q, 8), minus_limb3_lower_sin = SINES(sine, 5),
-      limb3_upper_position_x = param_R - minus_limb3_lower_sin * limb3_upper_offset_x,
-      limb3_lower_cos = SINES(cosine, 5);
-    /* limb3: accelerations; reciprocal wrenches, eq. (10) */
-    const REAL t292 = limb3_upper_position_x * t291,
-      minus_limb3_U_0_lever_mz_by_limb3_S_fz = limb3_lower_cos * limb3_upper_offset_x;
-    checked3 = checked3 + minus_limb3_U_0_lever_mz_by_limb3_S_fz;
-    const REAL t264 = 1.0 / minus_limb3_U_0_lever_mz_by_limb3_S_fz, t294 = minus_limb5_S_joint_acc_wx + t264 * t292,
-      t287 = limb3_upper_position_x * (limb3_U_0_cos * minus_limb5_S_joint_acc_still_wz),
-      t267 = limb3_U_0_cos * platform_twist_wy + limb3_U_0_sin * platform_twist_wz, limb3_U_v_0 = READ(v, 6),
-      limb3_U_v_1 = READ(v, 7), t269 = limb3_upper_position_x * (limb3_U_v_0 * t267),
-      t270 = limb3_U_v_1 * minus_limb3_lower_sin, limb3_P_v = READ(v, 8), t315 = t267 * (param_R * t270),
-      t273 = limb3_upper_offset_x * t270 + limb3_P_v * limb3_lower_cos, t275 = t269 - limb3_U_v_0 * t273,
-      t284 = platform_twist_wx * t273, t278 = limb3_U_0_sin * platform_twist_wy - limb3_U_0_cos * platform_twist_wz,
-      t279 = limb3_U_v_1 * limb3_lower_cos, t307 = t267 * (limb3_P_v + param_R * t279),
-      t285 = t275 - t278 * (limb3_P_v * minus_limb3_lower_sin - limb3_upper_offset_x * t279) + t284;
-    RESULT(checked0, a, 6, t264 * (t285 + t287) - t294);
-    const REAL t301 = limb3_U_v_0 * t278, t295 = limb3_lower_cos * t264,
-      t299 = limb3_U_0_sin * t183 + limb3_U_0_cos * limb5_S_joint_acc_wy,
-      limb3_S_arm_x = limb3_upper_offset_x - param_R * minus_limb3_lower_sin, t300 = limb3_S_arm_x * t299,
-      t309 = limb3_U_0_sin * minus_limb5_S_joint_acc_still_wz,
-      t311 = limb3_S_arm_x * t301 + limb3_U_v_1 * limb3_P_v - t307 + limb3_S_arm_x * t309;
-    RESULT(checked1, a, 7, t295 * (t300 - t311));
-    const REAL limb3_S_arm_y = param_R * limb3_lower_cos;
-    RESULT(checked2, a, 8, limb3_S_arm_y * t301 - t315 + limb3_S_arm_y * t309 - limb3_S_arm_y * t299);
-    /* limb4: geometry; accelerations */
-    const REAL limb4_U_0_sin = SINES(cosine, 6), minus_limb4_U_0_cos = SINES(sine, 6),
-      t323 = limb4_U_0_sin * t183 - minus_limb4_U_0_cos * minus_limb5_S_joint_acc_wx,
-      t354 = limb4_U_0_sin * minus_limb5_S_joint_acc_wx, limb4_upper_offset_x = limb_upper_phase + READ(q, 11),
-      minus_limb4_lower_sin = SINES(sine, 7),
-      limb4_upper_position_y = param_R - minus_limb4_lower_sin * limb4_upper_offset_x,
-      limb4_lower_cos = SINES(cosine, 7);
-    /* limb4: accelerations; reciprocal wrenches, eq. (10) */
-    const REAL t324 = limb4_upper_position_y * t323,
-      minus_limb4_U_0_lever_mz_by_limb4_S_fz = limb4_lower_cos * limb4_upper_offset_x;
-    checked3 = checked3 + minus_limb4_U_0_lever_mz_by_limb4_S_fz;
-    const REAL t320 = 1.0 / minus_limb4_U_0_lever_mz_by_limb4_S_fz, t326 = limb5_S_joint_acc_wy + t320 * t324,
-      t349 = limb4_upper_position_y * (limb4_U_0_sin * minus_limb5_S_joint_acc_still_wz),
-      t338 = limb4_U_0_sin * platform_twist_wz,
-      t329 = minus_limb4_U_0_cos * platform_twist_wz - limb4_U_0_sin * platform_twist_wx,
-      t340 = t338 + minus_limb4_U_0_cos * platform_twist_wx, limb4_U_v_0 = READ(v, 9), limb4_U_v_1 = READ(v, 10),
-      t331 = limb4_upper_position_y * (limb4_U_v_0 * t329), t332 = limb4_U_v_1 * minus_limb4_lower_sin,
-      limb4_P_v = READ(v, 11), t372 = t329 * (param_R * t332),
-      t335 = limb4_upper_offset_x * t332 + limb4_P_v * limb4_lower_cos, t346 = platform_twist_wy * t335,
-      t337 = t331 + limb4_U_v_0 * t335, t341 = limb4_U_v_1 * limb4_lower_cos,
-      t363 = t329 * (limb4_P_v + param_R * t341),
-      t347 = t337 + t340 * (limb4_P_v * minus_limb4_lower_sin - limb4_upper_offset_x * t341) - t346;
-    RESULT(checked0, a, 9, t326 - t320 * (t347 + t349));
-    const REAL t357 = limb4_U_v_0 * t340, t351 = limb4_lower_cos * t320, t355 = minus_limb4_U_0_cos * t183 + t354,
-      minus_limb5_S_joint_acc_wz = minus_limb5_S_joint_acc_still_wz - t183,
-      t365 = minus_limb4_U_0_cos * minus_limb5_S_joint_acc_still_wz;
-    RESULT(checked1, a, 12, t377 - platform_turn_zx * minus_limb5_S_joint_acc_wz);
-    RESULT(checked2, a, 13, t381 - platform_turn_zy * minus_limb5_S_joint_acc_wz);
-    RESULT(checked3, a, 14, t385 - platform_turn_zz * minus_limb5_S_joint_acc_wz);
-    const REAL limb4_S_arm_x = limb4_upper_offset_x - param_R * minus_limb4_lower_sin, t356 = limb4_S_arm_x * t355,
-      t367 = limb4_S_arm_x * t357 + limb4_U_v_1 * limb4_P_v + t363 - limb4_S_arm_x * t365;
-    RESULT(checked0, a, 10, -(t351 * (t356 + t367)));
-    const REAL limb4_S_arm_y = param_R * limb4_lower_cos;
-    RESULT(checked1, a, 11, limb4_S_arm_y * t355 + (limb4_S_arm_y * t357 + t372 - limb4_S_arm_y * t365));
+    REAL checked1 = a_pivot;
+    const REAL t40 = 1.0 / a_pivot, t46 = t40 * (0.5 * (t41 - t42 * limb5_S_null_space_wz_by_limb5_S_wy)),
+      t141 = 0.5 * (t42 * minus_limb5_S_joint_acc_still_wz),
+      t136 = t128 - platform_twist_wz * (0.5 * (t129 + (platform_twist_wz * t11 - t131))),
+      t142 = READ(y_ddot, 0) + 0.5 * (t127 - t136) - t141, t145 = 0.5 * t41, t143 = t46 * t125 - t142,
+      a_pivot_2 = 0.5 * t10 + t145 * t46;
+    REAL checked2 = a_pivot_2;
+    const REAL minus_limb5_S_joint_acc_wx = t143 / a_pivot_2,
+      limb5_S_joint_acc_wy = t40 * (t125 - t145 * minus_limb5_S_joint_acc_wx),
+      t150 = t34 * (t37 * limb5_S_joint_acc_wy); /* limb1 */
+    /* limb5_S: results; accelerations */
+    const REAL t153 = platform_turn_yx * limb5_S_joint_acc_wy - platform_turn_xx * minus_limb5_S_joint_acc_wx,
+      t157 = platform_turn_yy * limb5_S_joint_acc_wy - platform_turn_xy * minus_limb5_S_joint_acc_wx,
+      t161 = platform_turn_yz * limb5_S_joint_acc_wy - platform_turn_xz * minus_limb5_S_joint_acc_wx,
+      minus_limb5_S_joint_acc_wz = minus_limb5_S_joint_acc_still_wz - t150,
+      limb5_S_a_wx = t153 - platform_turn_zx * minus_limb5_S_joint_acc_wz;
+    WRITE(a, 12, limb5_S_a_wx);
+    REAL checked3 = limb5_S_a_wx;
+    RESULT(checked0, a, 13, t157 - platform_turn_zy * minus_limb5_S_joint_acc_wz);
+    RESULT(checked1, a, 14, t161 - platform_turn_zz * minus_limb5_S_joint_acc_wz);
+    const EACH4 signed_limb5_S_joint_acc_wy = {limb5_S_joint_acc_wy, minus_limb5_S_joint_acc_wx, limb5_S_joint_acc_wy, minus_limb5_S_joint_acc_wx},
+      signed_limb5_S_joint_acc_wx = {minus_limb5_S_joint_acc_wx, limb5_S_joint_acc_wy, minus_limb5_S_joint_acc_wx, limb5_S_joint_acc_wy};
+    FIRST_LIMB(0, acceleration, 2, stride, a, sine, cosine, t150, signed_limb5_S_joint_acc_wy, signed_limb5_S_joint_acc_wx, minus_limb5_S_joint_acc_still_wz, &limbs);
+    checked2 = checked2 + ALONE(limbs.checked[0]);
+    NEXT_LIMB(1, acceleration, 0, stride, q, v, sine, cosine, &limbs);
+    NEXT_LIMB(1, acceleration, 1, stride, v, sine, cosine, platform_twist_wy_2, platform_twist_wz, platform_twist_wx_2, &limbs);
+    NEXT_LIMB(1, acceleration, 2, stride, a, sine, cosine, t150, signed_limb5_S_joint_acc_wy, signed_limb5_S_joint_acc_wx, minus_limb5_S_joint_acc_still_wz, &limbs);
+    checked3 = checked3 + ALONE(limbs.checked[1]);
+    NEXT_LIMB(2, acceleration, 0, stride, q, v, sine, cosine, &limbs);
+    NEXT_LIMB(2, acceleration, 1, stride, v, sine, cosine, platform_twist_wy_2, platform_twist_wz, platform_twist_wx_2, &limbs);
+    NEXT_LIMB(2, acceleration, 2, stride, a, sine, cosine, t150, signed_limb5_S_joint_acc_wy, signed_limb5_S_joint_acc_wx, minus_limb5_S_joint_acc_still_wz, &limbs);
+    checked0 = checked0 + ALONE(limbs.checked[2]);
+    NEXT_LIMB(3, acceleration, 0, stride, q, v, sine, cosine, &limbs);
+    NEXT_LIMB(3, acceleration, 1, stride, v, sine, cosine, platform_twist_wy_2, platform_twist_wz, platform_twist_wx_2, &limbs);
+    NEXT_LIMB(3, acceleration, 2, stride, a, sine, cosine, t150, signed_limb5_S_joint_acc_wy, signed_limb5_S_joint_acc_wx, minus_limb5_S_joint_acc_still_wz, &limbs);
+    checked1 = checked1 + ALONE(limbs.checked[3]);
     /* else status 5: no rotation */
     NOT_BELOW(t7, 0.999999, 5);
     NOT_ABOVE(t7, 1.000001, 5);
-    FINITE_UNLESS( /* status 1 where a pivot is smaller than its limit: */
-        SMALL(minus_limb3_U_0_lever_mz_by_limb3_S_fz, 6.62327e-10) OR /* where the reciprocal wrench limb3_S.fz has no power along limb3_U.0, as in a stretched limb */
-        SMALL(minus_limb2_U_0_lever_mz_by_limb2_S_fz, 6.62327e-10) OR /* where the reciprocal wrench limb2_S.fz has no power along limb2_U.0, as in a stretched limb */
-        SMALL(minus_limb4_U_0_lever_mz_by_limb4_S_fz, 6.62327e-10) OR /* where the reciprocal wrench limb4_S.fz has no power along limb4_U.0, as in a stretched limb */
-        SMALL(minus_limb1_U_0_lever_mz_by_limb1_U2_fz, 6.62327e-10) OR /* where the reciprocal wrench limb1_U2.fz has no power along limb1_U.0, as in a stretched limb */
+    FINITE_UNLESS4( /* status 1 where a pivot is smaller than its limit: */
+        SMALL4(limbs.minus_U_0_lever_mz_by_S_fz, 6.62327e-10, 6.62327e-10, 6.62327e-10, 6.62327e-10) OR /* where the reciprocal wrench limb_U2.fz has no power along limb_U.0, as in a stretched limb; where the reciprocal wrench limb_S.fz has no power along limb_U.0, as in a stretched limb */
         SMALL(minus_limb5_S_pivot_wz, 1.0e-09) OR /* where the loops no longer determine limb5_S.wz */
         SMALL(a_pivot, 1.0e-09) OR /* where the elimination meets a singularity */
         SMALL(a_pivot_2, 1.0e-09), /* where the elimination meets a singularity */
-        (checked0 + checked1) + (checked2 + checked3));
+        (checked0 + checked1) + (checked2 + checked3), limbs.checked);
 }
+#endif
 
+#if !defined(THREE_UPS_UPU_S_LANES)
 BODY(three_ups_upu_s_close_position)(size_t stride, const double *restrict q, double *restrict q_next,
     double *restrict residual_, const double *restrict sine, const double *restrict cosine,
     double *restrict total)
@@ -1181,7 +1135,9 @@ BODY(three_ups_upu_s_close_position)(size_t stride, const double *restrict q, do
         SMALL(minus_pivot_1, 5.4385e-09), /* where step 1 of symmetric equations loses rank: of drives, inertia or internal loads */
         (checked0 + checked1) + (checked2 + checked3));
 }
+#endif
 
+#if !defined(THREE_UPS_UPU_S_LANES)
 BODY(three_ups_upu_s_close_velocity)(size_t stride, const double *restrict q, const double *restrict v,
     double *restrict v_next, const double *restrict sine, const double *restrict cosine,
     double *restrict total)
@@ -1367,8 +1323,19 @@ BODY(three_ups_upu_s_close_velocity)(size_t stride, const double *restrict q, co
         SMALL(minus_pivot_1, 5.4385e-09), /* where step 1 of symmetric equations loses rank: of drives, inertia or internal loads */
         (checked0 + checked1) + (checked2 + checked3));
 }
+#endif
 
 #if !defined(THREE_UPS_UPU_S_VECTORS)
+
+#if defined(__GNUC__) && defined(__AVX2__) && !defined(THREE_UPS_UPU_S_SCALAR) && !defined(THREE_UPS_UPU_S_LIMB_BY_LIMB)
+#define THREE_UPS_UPU_S_VECTORS
+#define THREE_UPS_UPU_S_LANES 4
+#include "three_ups_upu_s_support.h" /* for all limbs at once */
+#include "three_ups_upu_s_loops.c"
+#undef THREE_UPS_UPU_S_VECTORS
+#undef THREE_UPS_UPU_S_LANES
+#include "three_ups_upu_s_support.h" /* for one limb again */
+#endif
 
 int three_ups_upu_s_closure(const double *restrict q, double *restrict residual_)
 {
@@ -1414,107 +1381,6 @@ int three_ups_upu_s_closure_bias(const double *restrict q, const double *restric
     return outcome;
 }
 
-#if defined(__GNUC__) && defined(__AVX2__) && !defined(THREE_UPS_UPU_S_SCALAR) && !defined(THREE_UPS_UPU_S_LIMB_BY_LIMB)
-static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_velocity_packed_lane(const double *restrict q,
-    const double *restrict y_dot, double *restrict v, const double *restrict sine,
-    const double *restrict cosine)
-{
-    typedef three_ups_upu_s_vector4 lanes4;
-    const double limb5_S_q_qw = q[12], limb5_S_q_qx = q[13], limb5_S_q_qy = q[14], limb5_S_q_qz = q[15],
-      limb5_S_y_dot_qy = y_dot[1], limb1_U_0_sin = sine[0], limb1_U_0_cos = cosine[0], limb1_lower_sin =
-        sine[1],
-      limb1_lower_cos = cosine[1];
-    /* limb5_S: velocities, eq. (6) */
-    const double t1 = limb5_S_q_qw * limb5_S_q_qw, t2 = limb5_S_q_qx * limb5_S_q_qx, t3 = t1 + t2,
-      t4 = limb5_S_q_qy * limb5_S_q_qy, t5 = limb5_S_q_qz * limb5_S_q_qz, t6 = t4 + t5, t7 = t3 + t6;
-    /* limb5_S: geometry; velocities, eq. (6) */
-    const double t15 = t2 + t5, t114 = t2 + t4, t14 = 4.0 - 2.0 * t7, platform_turn_yy = 1.0 - t14 * t15,
-      t9 = k2 - 0.5 * t7, platform_turn_zz = 1.0 - t14 * t114, platform_turn_xx = 1.0 - t6 * t14,
-      t18 = limb5_S_q_qz * t14, t19 = limb5_S_q_qy * t18, t21 = limb5_S_q_qw * (limb5_S_q_qx * t14),
-      t30 = limb5_S_q_qy * t14, platform_turn_zy = t19 + t21, platform_turn_yz = t19 - t21,
-      t29 = limb1_lower_cos * (limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos * platform_turn_zy), /* limb1 */
-      t31 = limb5_S_q_qx * t30, t104 = limb5_S_q_qw * t30, t32 = limb5_S_q_qw * t18, t103 = limb5_S_q_qx *
-        t18,
-      platform_turn_xy = t31 - t32, platform_turn_yx = t31 + t32,
-      limb1_U2_constraint_mn_couple_z = t29 - limb1_lower_sin * platform_turn_xy;
-    const lanes4 limb_upper_offset_x = (lanes4){q[2], q[5], q[8], q[11]} + limb_upper_phase,
-      limb_lower_cos = {limb1_lower_cos, cosine[3], cosine[5], cosine[7]},
-      each_limb1_U_0_lever_mz_by_limb1_U2_fz = limb_lower_cos * limb_upper_offset_x,
-      lanes_2 = (lanes4){1.0, -1.0, 1.0, 1.0} / each_limb1_U_0_lever_mz_by_limb1_U2_fz,
-      lanes_3 = limb_lower_cos * lanes_2;
-    /* limb1: rates that follow; pivots; reciprocal wrenches, eq. (10) */
-    const double limb1_U_factor_1_by_3 = limb1_U2_constraint_mn_couple_z * lanes_3[0];
-    const lanes4 signed_limb_lower_sin = {limb1_lower_sin, sine[3], sine[5], sine[7]},
-      each_limb1_U2_arm_x = limb_upper_offset_x - param_R * signed_limb_lower_sin;
-    const double minus_limb1_U2_factor_0_by_3 = limb1_U2_constraint_mn_couple_z - each_limb1_U2_arm_x[0] *
-        limb1_U_factor_1_by_3;
-    const lanes4 each_limb1_upper_position_x = signed_limb_lower_sin * limb_upper_offset_x + (-param_R);
-    const double t37 = limb1_U_0_sin * minus_limb1_U2_factor_0_by_3,
-      t40 = limb1_U_0_cos * minus_limb1_U2_factor_0_by_3,
-      limb1_U2_constraint_mn_couple_x = limb1_U_0_cos * platform_turn_yy + limb1_U_0_sin * platform_turn_zy,
-      minus_limb1_U_factor_0_by_3 = limb1_lower_sin * limb1_U2_constraint_mn_couple_x * lanes_2[0],
-      t24 = (-each_limb1_upper_position_x[0]) * minus_limb1_U_factor_0_by_3,
-      minus_limb1_U2_factor_1_by_3 = limb1_lower_cos * limb1_U2_constraint_mn_couple_x - t24;
-    /* limb5_S: pivots; rates that follow */
-    const double minus_limb5_S_pivot_wz = limb1_U_0_cos * minus_limb1_U2_factor_1_by_3 + t37,
-      t38 = 1.0 / minus_limb5_S_pivot_wz, t41 = limb1_U_0_sin * minus_limb1_U2_factor_1_by_3 - t40, /* limb1 */
-      limb5_S_null_space_wz_by_limb5_S_wy = t38 * t41;
-    /* limb5_S: velocities, eq. (6); geometry */
-    const double t42 = limb5_S_q_qx * t9 * limb5_S_null_space_wz_by_limb5_S_wy, t10 = limb5_S_q_qw * t9,
-      a_pivot = 0.5 * (t10 + t42), t44 = 1.0 / a_pivot, t53 = 0.5 * t10,
-      t47 = limb5_S_q_qy * t9 * limb5_S_null_space_wz_by_limb5_S_wy, t45 = limb5_S_q_qz * t9,
-      t50 = t44 * (0.5 * (t45 - t47)), t54 = 0.5 * t45, t52 = y_dot[0] - limb5_S_y_dot_qy * t50,
-      a_pivot_2 = t53 + t54 * t50, limb5_S_joint_rate_wx = t52 / a_pivot_2,
-      limb5_S_joint_rate_wy = t44 * (limb5_S_y_dot_qy + t54 * limb5_S_joint_rate_wx),
-      limb5_S_joint_rate_wz = t38 * (t41 * limb5_S_joint_rate_wy), t116 = platform_turn_zz *
-        limb5_S_joint_rate_wz,
-      t117 = platform_turn_yz * limb5_S_joint_rate_wy, t110 = platform_turn_zy * limb5_S_joint_rate_wz,
-      platform_omega_y = t110 + (platform_turn_yy * limb5_S_joint_rate_wy + platform_turn_xy *
-        limb5_S_joint_rate_wx);
-    v[13] = platform_omega_y;
-    const double t109 = platform_turn_yx * limb5_S_joint_rate_wy + platform_turn_xx * limb5_S_joint_rate_wx,
-      platform_turn_zx = t103 - t104, platform_omega_z = t116 + (t117 + (t103 + t104) *
-        limb5_S_joint_rate_wx);
-    v[14] = platform_omega_z;
-    const double platform_omega_x = platform_turn_zx * limb5_S_joint_rate_wz + t109;
-    v[12] = platform_omega_x;
-    const lanes4 each_limb1_U_0_sin = {limb1_U_0_sin, sine[2], sine[4], sine[6]},
-      lanes_5 = each_limb1_U_0_sin * limb5_S_joint_rate_wz,
-      lanes_7 = (lanes4){1.0, -1.0, 1.0, -1.0} * (lanes4){limb1_U_0_cos, cosine[2], cosine[4], cosine[6]},
-      lanes_8 = lanes_7 * limb5_S_joint_rate_wz,
-      each_limb5_S_joint_rate_wy = {limb5_S_joint_rate_wy, limb5_S_joint_rate_wx, limb5_S_joint_rate_wy,
-        limb5_S_joint_rate_wx},
-      lanes_10 = lanes_5 + lanes_7 * each_limb5_S_joint_rate_wy,
-      signed_limb_U_joint_rate_1 = lanes_3 * (each_limb1_U2_arm_x * lanes_10);
-    v[1] = signed_limb_U_joint_rate_1[0];
-    v[4] = -(-signed_limb_U_joint_rate_1[1]);
-    v[7] = signed_limb_U_joint_rate_1[2];
-    v[10] = -signed_limb_U_joint_rate_1[3];
-    const lanes4 signed_limb_P_joint_rate = param_R * limb_lower_cos * lanes_10;
-    v[2] = signed_limb_P_joint_rate[0];
-    v[5] = -signed_limb_P_joint_rate[1];
-    v[8] = -signed_limb_P_joint_rate[2];
-    v[11] = signed_limb_P_joint_rate[3];
-    const lanes4 lanes_14 = lanes_2 * (each_limb1_upper_position_x * (lanes_8 - each_limb1_U_0_sin *
-        each_limb5_S_joint_rate_wy)),
-      each_limb5_S_joint_rate_wx = {limb5_S_joint_rate_wx, limb5_S_joint_rate_wy, limb5_S_joint_rate_wx,
-        limb5_S_joint_rate_wy},
-      limb_U_joint_rate_0 = each_limb5_S_joint_rate_wx - (lanes4){1.0, -1.0, -1.0, -1.0} * lanes_14;
-    v[0] = limb_U_joint_rate_0[0];
-    v[3] = limb_U_joint_rate_0[1];
-    v[6] = limb_U_joint_rate_0[2];
-    v[9] = limb_U_joint_rate_0[3];
-    const lanes4 every = (lanes4)((three_ups_upu_s_vector4_mask)((each_limb1_U_0_lever_mz_by_limb1_U2_fz +
-        limb_U_joint_rate_0) + (signed_limb_U_joint_rate_1 + signed_limb_P_joint_rate)) |
-        ((each_limb1_U_0_lever_mz_by_limb1_U2_fz <= (lanes4){6.62327e-10, 6.62327e-10, 6.62327e-10,
-        6.62327e-10}) & (each_limb1_U_0_lever_mz_by_limb1_U2_fz >= -(lanes4){6.62327e-10, 6.62327e-10,
-        6.62327e-10, 6.62327e-10})));
-    return fabs(minus_limb5_S_pivot_wz) <= 1.0e-09 || fabs(a_pivot) <= 1.0e-09 || fabs(a_pivot_2) <= 1.0e-09
-        || !(t7 >= 0.999999 && t7 <= 1.000001) ? (double)NAN : (((minus_limb5_S_pivot_wz + a_pivot) +
-        (a_pivot_2 + platform_omega_x)) + ((platform_omega_y + platform_omega_z) + (every[0] + every[1]))) +
-        (every[2] + every[3]);
-}
-#endif
 
 #if defined(__GNUC__) && defined(__AVX2__) && !defined(THREE_UPS_UPU_S_SCALAR) && !defined(THREE_UPS_UPU_S_LIMB_BY_LIMB)
 __attribute__((noinline))
@@ -1536,7 +1402,7 @@ int three_ups_upu_s_velocity(const double *restrict q, const double *restrict y_
 #if defined(__GNUC__) && defined(__AVX2__) && !defined(THREE_UPS_UPU_S_SCALAR) && !defined(THREE_UPS_UPU_S_LIMB_BY_LIMB)
     double sine[8] = {0.0}, cosine[8] = {0.0};
     three_ups_upu_s_sines1(q, sine, cosine);
-    if (isfinite(three_ups_upu_s_velocity_packed_lane(q, y_dot, v, sine, cosine))) {
+    if (isfinite(three_ups_upu_s_velocity_packed_lane(1, q, y_dot, v, sine, cosine, NULL))) {
         return 0;
     }
 #endif
@@ -1554,174 +1420,6 @@ int three_ups_upu_s_null_space(const double *restrict q, double *restrict null_s
     return outcome;
 }
 
-#if defined(__GNUC__) && defined(__AVX2__) && !defined(THREE_UPS_UPU_S_SCALAR) && !defined(THREE_UPS_UPU_S_LIMB_BY_LIMB)
-static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_acceleration_packed_lane(const double *restrict q,
-    const double *restrict v, const double *restrict y_ddot, double *restrict a, const double *restrict sine,
-    const double *restrict cosine)
-{
-    typedef three_ups_upu_s_vector4 lanes4;
-    const double limb5_S_q_qw = q[12], limb5_S_q_qx = q[13], limb5_S_q_qy = q[14], limb5_S_q_qz = q[15],
-      limb1_U_v_0 = v[0], limb1_U_v_1 = v[1], limb5_S_v_wx = v[12], limb5_S_v_wy = v[13], limb5_S_v_wz =
-        v[14],
-      limb1_U_0_sin = sine[0], limb1_U_0_cos = cosine[0], limb1_lower_sin = sine[1], limb1_lower_cos =
-        cosine[1];
-    /* limb5_S: accelerations */
-    const double t1 = limb5_S_q_qw * limb5_S_q_qw, t2 = limb5_S_q_qx * limb5_S_q_qx, t3 = t1 + t2,
-      t4 = limb5_S_q_qy * limb5_S_q_qy, t5 = limb5_S_q_qz * limb5_S_q_qz, t6 = t4 + t5, t7 = t3 + t6;
-    /* platform: geometry; accelerations; velocities, eq. (6) */
-    const double t15 = t2 + t5, t65 = t2 + t4, t14 = 4.0 - 2.0 * t7, platform_turn_yy = 1.0 - t14 * t15,
-      platform_turn_xx = 1.0 - t6 * t14, platform_turn_zz = 1.0 - t14 * t65, t9 = k2 - 0.5 * t7,
-      t30 = limb5_S_q_qy * t14, t31 = limb5_S_q_qx * t30, t60 = limb5_S_q_qw * t30, t18 = limb5_S_q_qz * t14,
-      t21 = limb5_S_q_qw * (limb5_S_q_qx * t14), t32 = limb5_S_q_qw * t18, platform_turn_yx = t31 + t32,
-      platform_turn_xy = t31 - t32, t53 = limb5_S_v_wy * platform_turn_yy + limb5_S_v_wx * platform_turn_yx,
-      t19 = limb5_S_q_qy * t18, t59 = limb5_S_q_qx * t18, platform_turn_yz = t19 - t21, platform_turn_zy = t19
-        + t21,
-      platform_twist_wy = t53 + limb5_S_v_wz * platform_turn_yz,
-      t58 = limb5_S_v_wx * platform_turn_xx + limb5_S_v_wy * platform_turn_xy, platform_turn_xz = t59 + t60,
-      platform_turn_zx = t59 - t60, platform_twist_wx = t58 + limb5_S_v_wz * platform_turn_xz;
-    const lanes4 each_limb1_U_0_sin = {limb1_U_0_sin, sine[2], sine[4], sine[6]},
-      each_platform_twist_wy = {platform_twist_wy, platform_twist_wx, platform_twist_wy, platform_twist_wx},
-      lanes_2 = (lanes4){1.0, -1.0, 1.0, -1.0} * each_platform_twist_wy, lanes_3 = each_limb1_U_0_sin *
-        lanes_2;
-    const double t70 = limb5_S_v_wx * platform_turn_zx + limb5_S_v_wy * platform_turn_zy,
-      platform_twist_wz = limb5_S_v_wz * platform_turn_zz + t70;
-    const lanes4 each_limb1_U_0_cos = {limb1_U_0_cos, cosine[2], cosine[4], cosine[6]},
-      lanes_5 = lanes_3 - each_limb1_U_0_cos * platform_twist_wz;
-    const double t106 = lanes_5[0];
-    /* limb1: loop closure; velocities, eq. (6); reciprocal wrenches, eq. (10) */
-    const double t119 = limb1_lower_sin * t106 + limb1_lower_cos * platform_twist_wx,
-      limb1_lower_omega_y = limb1_U_v_0 * limb1_lower_cos, t120 = limb1_lower_omega_y - t119,
-      t121 = limb1_U_v_1 * t120;
-    const lanes4 lanes_8 = each_limb1_U_0_cos * lanes_2 + each_limb1_U_0_sin * platform_twist_wz;
-    const double t115 = limb1_U_v_1 - lanes_8[0],
-      t123 = limb1_U_v_1 * limb1_lower_omega_y - (limb1_lower_omega_y * t115 - t121),
-      limb1_U2_constraint_mn_couple_x = limb1_U_0_cos * platform_turn_yy + limb1_U_0_sin * platform_turn_zy,
-      t124 = limb1_U2_constraint_mn_couple_x * t123, limb1_lower_omega_x = limb1_U_v_0 * limb1_lower_sin,
-      t125 = limb1_lower_omega_x * t120,
-      t129 = limb1_lower_omega_x + (limb1_lower_cos * t106 - limb1_lower_sin * platform_twist_wx),
-      t131 = t125 - limb1_lower_omega_y * t129,
-      t28 = limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos * platform_turn_zy, t134 = limb1_lower_sin * t28,
-      limb1_U2_constraint_mn_couple_z = limb1_lower_cos * t28 - limb1_lower_sin * platform_turn_xy,
-      t133 = t124 - limb1_U2_constraint_mn_couple_z * t131,
-      limb1_U2_opening_mn = t134 + limb1_lower_cos * platform_turn_xy,
-      t139 = t129 * (limb1_U2_opening_mn * t129 + limb1_U2_constraint_mn_couple_z * t120),
-      limb1_U2_opening_bias_mn = t133 - (t139 - t115 * (limb1_U2_constraint_mn_couple_x * t120 -
-        limb1_U2_opening_mn * t115));
-    const lanes4 limb_U_v_0 = {limb1_U_v_0, v[3], v[6], v[9]};
-    /* limbs together: accelerations; geometry; reciprocal wrenches, eq. (10) */
-    const lanes4 lanes_9 = limb_U_v_0 * lanes_5,
-      limb_upper_offset_x = (lanes4){q[2], q[5], q[8], q[11]} + limb_upper_phase,
-      signed_limb_lower_sin = {limb1_lower_sin, sine[3], sine[5], sine[7]},
-      each_limb1_U2_arm_x = limb_upper_offset_x - param_R * signed_limb_lower_sin,
-      lanes_11 = each_limb1_U2_arm_x * lanes_9, limb_U_v_1 = {limb1_U_v_1, v[4], v[7], v[10]},
-      limb_P_v = {v[2], v[5], v[8], v[11]},
-      lanes_15 = lanes_11 + (lanes4){1.0, -1.0, 1.0, -1.0} * (limb_U_v_1 * limb_P_v),
-      limb_lower_cos = {limb1_lower_cos, cosine[3], cosine[5], cosine[7]}, lanes_16 = limb_U_v_1 *
-        limb_lower_cos,
-      lanes_21 = lanes_15 + lanes_8 * ((lanes4){param_R, param_R, -param_R, -param_R} * lanes_16 - limb_P_v),
-      lanes_22 = limb_upper_offset_x * lanes_16,
-      each_limb1_U_0_lever_mz_by_limb1_U2_fz = limb_lower_cos * limb_upper_offset_x,
-      lanes_24 = (lanes4){1.0, -1.0, 1.0, -1.0} / each_limb1_U_0_lever_mz_by_limb1_U2_fz,
-      lanes_25 = limb_lower_cos * lanes_24;
-    const double limb1_U_factor_1_by_3 = limb1_U2_constraint_mn_couple_z * lanes_25[0],
-      t154 = limb1_U2_opening_bias_mn - lanes_21[0] * limb1_U_factor_1_by_3, /* limb5_S */
-      minus_limb1_U2_factor_0_by_3 = limb1_U2_constraint_mn_couple_z - each_limb1_U2_arm_x[0] *
-        limb1_U_factor_1_by_3;
-    const lanes4 lanes_26 = limb_U_v_0 * lanes_8, lanes_28 = (lanes4){1.0, 1.0, -1.0, -1.0} *
-        signed_limb_lower_sin,
-      each_limb1_upper_position_x = lanes_28 * limb_upper_offset_x + (lanes4){-param_R, -param_R, param_R,
-        param_R},
-      lanes_30 = each_limb1_upper_position_x * lanes_26, lanes_31 = limb_U_v_1 * lanes_28,
-      lanes_34 = lanes_8 * (param_R * lanes_31),
-      lanes_38 = (lanes4){1.0, -1.0, 1.0, -1.0} * (limb_P_v * limb_lower_cos - limb_upper_offset_x *
-        lanes_31),
-      lanes_41 = (lanes4){platform_twist_wx, platform_twist_wy, platform_twist_wx, platform_twist_wy} *
-        lanes_38,
-      lanes_44 = limb_U_v_0 * lanes_38 - lanes_30 - lanes_5 * (limb_P_v * lanes_28 + lanes_22),
-      lanes_45 = lanes_44 - lanes_41;
-    const double minus_limb1_U_factor_0_by_3 = limb1_lower_sin * limb1_U2_constraint_mn_couple_x *
-        lanes_24[0],
-      limb1_U_0_lever_my_by_limb1_U2_mn = limb1_lower_cos * limb1_U2_constraint_mn_couple_x;
-    /* limb5_S: accelerations; pivots; rates that follow */
-    const double t155 = minus_limb1_U_factor_0_by_3 * lanes_45[0] - t154,
-      minus_limb1_U2_factor_1_by_3 = limb1_U_0_lever_my_by_limb1_U2_mn - (-each_limb1_upper_position_x[0]) *
-        minus_limb1_U_factor_0_by_3,
-      t40 = limb1_U_0_cos * minus_limb1_U2_factor_0_by_3, /* limb1 */
-      minus_limb5_S_pivot_wz = limb1_U_0_cos * minus_limb1_U2_factor_1_by_3 + limb1_U_0_sin *
-        minus_limb1_U2_factor_0_by_3,
-      t38 = 1.0 / minus_limb5_S_pivot_wz, minus_limb5_S_joint_acc_still_wz = t38 * t155,
-      t41 = limb1_U_0_sin * minus_limb1_U2_factor_1_by_3 - t40, /* limb1 */
-      t11 = limb5_S_q_qx * t9, t157 = 0.5 * (t11 * minus_limb5_S_joint_acc_still_wz), t45 = limb5_S_q_qz * t9,
-      t76 = platform_twist_wy * t45, t46 = limb5_S_q_qy * t9, t10 = limb5_S_q_qw * t9,
-      t81 = platform_twist_wz * (0.5 * (platform_twist_wx * t10 + (t76 - platform_twist_wz * t46))),
-      t87 = 0.5 * (platform_twist_wz * t10 + (platform_twist_wx * t46 - platform_twist_wy * t11)),
-      t89 = t81 - platform_twist_wx * t87, t161 = platform_twist_wy * t87,
-      t73 = 0.5 * (platform_twist_wx * t11 + platform_twist_wy * t46 + platform_twist_wz * t45),
-      t158 = y_ddot[1] + 0.5 * (platform_twist_wy * t73 - t89) + t157, t162 = platform_twist_wy * t10,
-      t160 = platform_twist_wx * t73, t164 = platform_twist_wx * t45, limb5_S_null_space_wz_by_limb5_S_wy =
-        t38 * t41,
-      a_pivot = 0.5 * (t10 + t11 * limb5_S_null_space_wz_by_limb5_S_wy), t44 = 1.0 / a_pivot,
-      t50 = t44 * (0.5 * (t45 - t46 * limb5_S_null_space_wz_by_limb5_S_wy)),
-      t174 = 0.5 * (t46 * minus_limb5_S_joint_acc_still_wz),
-      t169 = t161 - platform_twist_wz * (0.5 * (t162 + (platform_twist_wz * t11 - t164))),
-      t175 = y_ddot[0] + 0.5 * (t160 - t169) - t174, t178 = 0.5 * t45, t176 = t50 * t158 - t175,
-      a_pivot_2 = 0.5 * t10 + t178 * t50, minus_limb5_S_joint_acc_wx = t176 / a_pivot_2,
-      limb5_S_joint_acc_wy = t44 * (t158 - t178 * minus_limb5_S_joint_acc_wx),
-      t183 = t38 * (t41 * limb5_S_joint_acc_wy); /* limb1 */
-    /* limb5_S: results; accelerations */
-    const double t385 = platform_turn_yz * limb5_S_joint_acc_wy - platform_turn_xz *
-        minus_limb5_S_joint_acc_wx,
-      t381 = platform_turn_yy * limb5_S_joint_acc_wy - platform_turn_xy * minus_limb5_S_joint_acc_wx,
-      t377 = platform_turn_yx * limb5_S_joint_acc_wy - platform_turn_xx * minus_limb5_S_joint_acc_wx,
-      minus_limb5_S_joint_acc_wz = minus_limb5_S_joint_acc_still_wz - t183,
-      limb5_S_a_wz = t385 - platform_turn_zz * minus_limb5_S_joint_acc_wz;
-    a[14] = limb5_S_a_wz;
-    const double limb5_S_a_wy = t381 - platform_turn_zy * minus_limb5_S_joint_acc_wz;
-    a[13] = limb5_S_a_wy;
-    const double limb5_S_a_wx = t377 - platform_turn_zx * minus_limb5_S_joint_acc_wz;
-    a[12] = limb5_S_a_wx;
-    /* limbs together: accelerations; reciprocal wrenches, eq. (10) */
-    const lanes4 lanes_46 = each_limb1_U_0_sin * t183, lanes_47 = each_limb1_U_0_cos * t183,
-      each_limb5_S_joint_acc_wy = {limb5_S_joint_acc_wy, minus_limb5_S_joint_acc_wx, limb5_S_joint_acc_wy,
-        minus_limb5_S_joint_acc_wx},
-      lanes_49 = lanes_46 + each_limb1_U_0_cos * each_limb5_S_joint_acc_wy,
-      each_limb1_U2_arm_y = param_R * limb_lower_cos, lanes_51 = each_limb1_U2_arm_y * lanes_9 + lanes_34,
-      lanes_52 = each_limb1_U2_arm_y * lanes_49, lanes_53 = each_limb1_U2_arm_x * lanes_49,
-      lanes_54 = each_limb1_U_0_sin * minus_limb5_S_joint_acc_still_wz,
-      signed_limb_P_joint_acc = lanes_52 - (lanes_51 + each_limb1_U2_arm_y * lanes_54);
-    a[2] = signed_limb_P_joint_acc[0];
-    a[5] = -signed_limb_P_joint_acc[1];
-    a[8] = -signed_limb_P_joint_acc[2];
-    a[11] = signed_limb_P_joint_acc[3];
-    const lanes4 limb_U_joint_acc_1 = lanes_25 * (lanes_53 - (lanes_21 + each_limb1_U2_arm_x * lanes_54));
-    a[1] = limb_U_joint_acc_1[0];
-    a[4] = -(-limb_U_joint_acc_1[1]);
-    a[7] = limb_U_joint_acc_1[2];
-    a[10] = -(-limb_U_joint_acc_1[3]);
-    const lanes4 lanes_61 = each_limb1_upper_position_x * (each_limb1_U_0_cos *
-        minus_limb5_S_joint_acc_still_wz) - lanes_45,
-      limb_U_joint_acc_still_0 = lanes_24 * lanes_61,
-      lanes_65 = lanes_24 * (each_limb1_upper_position_x * (lanes_47 - each_limb1_U_0_sin *
-        each_limb5_S_joint_acc_wy)),
-      each_limb5_S_joint_acc_wx = {minus_limb5_S_joint_acc_wx, limb5_S_joint_acc_wy,
-        minus_limb5_S_joint_acc_wx, limb5_S_joint_acc_wy},
-      limb_U_joint_acc_0 = limb_U_joint_acc_still_0 - ((lanes4){1.0, -1.0, 1.0, -1.0} *
-        each_limb5_S_joint_acc_wx + lanes_65);
-    a[0] = -(-limb_U_joint_acc_0[0]);
-    a[3] = limb_U_joint_acc_0[1];
-    a[6] = limb_U_joint_acc_0[2];
-    a[9] = limb_U_joint_acc_0[3];
-    const lanes4 every = (lanes4)((three_ups_upu_s_vector4_mask)((each_limb1_U_0_lever_mz_by_limb1_U2_fz +
-        limb_U_joint_acc_0) + (limb_U_joint_acc_1 + signed_limb_P_joint_acc)) |
-        ((each_limb1_U_0_lever_mz_by_limb1_U2_fz <= (lanes4){6.62327e-10, 6.62327e-10, 6.62327e-10,
-        6.62327e-10}) & (each_limb1_U_0_lever_mz_by_limb1_U2_fz >= -(lanes4){6.62327e-10, 6.62327e-10,
-        6.62327e-10, 6.62327e-10})));
-    return fabs(minus_limb5_S_pivot_wz) <= 1.0e-09 || fabs(a_pivot) <= 1.0e-09 || fabs(a_pivot_2) <= 1.0e-09
-        || !(t7 >= 0.999999 && t7 <= 1.000001) ? (double)NAN : (((minus_limb5_S_pivot_wz + a_pivot) +
-        (a_pivot_2 + limb5_S_a_wx)) + ((limb5_S_a_wy + limb5_S_a_wz) + (every[0] + every[1]))) + (every[2] +
-        every[3]);
-}
-#endif
 
 #if defined(__GNUC__) && defined(__AVX2__) && !defined(THREE_UPS_UPU_S_SCALAR) && !defined(THREE_UPS_UPU_S_LIMB_BY_LIMB)
 __attribute__((noinline))
@@ -1744,7 +1442,7 @@ int three_ups_upu_s_acceleration(const double *restrict q, const double *restric
 #if defined(__GNUC__) && defined(__AVX2__) && !defined(THREE_UPS_UPU_S_SCALAR) && !defined(THREE_UPS_UPU_S_LIMB_BY_LIMB)
     double sine[8] = {0.0}, cosine[8] = {0.0};
     three_ups_upu_s_sines1(q, sine, cosine);
-    if (isfinite(three_ups_upu_s_acceleration_packed_lane(q, v, y_ddot, a, sine, cosine))) {
+    if (isfinite(three_ups_upu_s_acceleration_packed_lane(1, q, v, y_ddot, a, sine, cosine, NULL))) {
         return 0;
     }
 #endif
@@ -1776,306 +1474,269 @@ int three_ups_upu_s_close_velocity(const double *restrict q, const double *restr
     return outcome;
 }
 
+typedef struct {
+    EACH4 upper_offset_x, signed_upper_position_x, minus_U_0_lever_mz_by_S_fz, t1, S_arm_x, t2,
+      signed_S_opening_fz, t3, t4, signed_S_opening_fy, signed_S_arm_y, t5, t6, S_opening_fx,
+      signed_lower_limb_target_y, signed_lower_limb_target_x_2, t7, t8, t9, t10, signed_lower_limb_target_z,
+      lower_limb_length, t11, t12, t13, t14, t15, checked;
+} LIMBS(assemble_step);
+
+STAGE(assemble_step, 0)(size_t limb, size_t stride, const double *restrict q, const double *restrict sine,
+    const double *restrict cosine, REAL given, REAL given_2, REAL given_3, REAL given_4,
+    LIMBS(assemble_step) *own)
+{
+    (void)limb, (void)stride;
+    const NUMBER4 sign1 = OF4(1.0, 1.0, -1.0, -1.0), sign2 = OF4(1.0, -1.0, -1.0, -1.0),
+      sign3 = OF4(1.0, 1.0, -1.0, 1.0);
+    const LIMB4 lower_cos = OF4(SINES(cosine, 1), SINES(cosine, 4), SINES(cosine, 6), SINES(cosine, 9));
+    /* limbs together: reciprocal wrenches, eq. (10); geometry; rates that follow */
+    OWN(own->signed_S_arm_y) = param_R * lower_cos;
+    OWN(own->upper_offset_x) = IN_EACH4(READ, q, 2, 3) + limb_upper_phase;
+    const LIMB4 signed_lower_sin = OF4(SINES(sine, 1), SINES(sine, 4), SINES(sine, 6), SINES(sine, 9));
+    OWN(own->signed_upper_position_x) = signed_lower_sin * OWN(own->upper_offset_x) + (-param_R);
+    OWN(own->S_arm_x) = OWN(own->upper_offset_x) - param_R * signed_lower_sin;
+    OWN(own->minus_U_0_lever_mz_by_S_fz) = lower_cos * OWN(own->upper_offset_x);
+    OWN(own->t1) = 1.0 / OWN(own->minus_U_0_lever_mz_by_S_fz);
+    OWN(own->t2) = lower_cos * OWN(own->t1);
+    const LIMB4 U_0_sin = OF4(SINES(sine, 0), SINES(cosine, 2), SINES(sine, 5), SINES(cosine, 7)),
+      t8 = sign2 * (given - sign1 * given_2), minus_lower_rotation_yx = U_0_sin * lower_cos;
+    /* limbs together: loop closure; geometry; results */
+    const LIMB4 t2 = OWN(own->upper_offset_x) * minus_lower_rotation_yx - t8;
+    OWN(own->t6) = minus_lower_rotation_yx * t2;
+    OWN(own->t3) = U_0_sin * signed_lower_sin * t2;
+    const LIMB4 signed_U_0_cos = OF4(SINES(cosine, 0), SINES(sine, 2), SINES(cosine, 5), SINES(sine, 7)),
+      t3 = signed_U_0_cos * t2, t10 = sign3 * (given_3 - sign1 * given_4),
+      signed_lower_rotation_zx = signed_U_0_cos * lower_cos,
+      t4 = OWN(own->upper_offset_x) * signed_lower_rotation_zx + t10;
+    OWN(own->t5) = signed_lower_rotation_zx * t4;
+    OWN(own->t4) = signed_U_0_cos * signed_lower_sin * t4;
+    OWN(own->signed_S_opening_fz) = t3 - U_0_sin * t4;
+    const LIMB4 t6 = per_length * OWN(own->signed_S_opening_fz);
+    OWN(own->t15) = t6 * t6;
+}
+
+STAGE(assemble_step, 1)(size_t limb, size_t stride, const double *restrict sine,
+    const double *restrict cosine, REAL given, REAL given_2, REAL given_3, REAL given_4, REAL given_5,
+    REAL given_6, LIMBS(assemble_step) *own)
+{
+    (void)limb, (void)stride;
+    const NUMBER4 sign1 = OF4(1.0, 1.0, -1.0, -1.0), sign2 = OF4(1.0, -1.0, 1.0, 1.0);
+    /* limbs together: loop closure; results */
+    const LIMB4 t1 = OWN(own->signed_upper_position_x) + sign2 * (given - sign1 * given_2);
+    OWN(own->S_opening_fx) = OF4(SINES(sine, 1), SINES(sine, 4), SINES(sine, 6), SINES(sine, 9)) * t1 + given_5 + given_6;
+    const LIMB4 t6 = (-per_length) * OWN(own->S_opening_fx);
+    OWN(own->t13) = t6 * t6;
+    OWN(own->signed_S_opening_fy) = given_4 - (OF4(SINES(cosine, 1), SINES(cosine, 4), SINES(cosine, 6), SINES(cosine, 9)) * t1 - given_3);
+    const LIMB4 t7 = per_length * OWN(own->signed_S_opening_fy);
+    OWN(own->t14) = t7 * t7;
+}
+
+STAGE(assemble_step, 2)(size_t limb, size_t stride, double *restrict q_next, const double *restrict sine,
+    const double *restrict cosine, REAL given, REAL given_2, REAL given_3, REAL given_4, REAL given_5,
+    REAL given_6, LIMBS(assemble_step) *own)
+{
+    (void)limb, (void)stride;
+    const NUMBER4 sign1 = OF4(1.0, 1.0, -1.0, -1.0), sign2 = OF4(1.0, -1.0, -1.0, 1.0),
+      each_param_R = OF4(-param_R, -param_R, param_R, -param_R);
+    /* limbs together: geometry; results */
+    OWN(own->signed_lower_limb_target_x_2) = given_3 + sign2 * given_4;
+    const LIMB4 t1 = OF4(SINES(sine, 0), SINES(sine, 3), SINES(sine, 5), SINES(sine, 8)) * OWN(own->signed_lower_limb_target_x_2),
+      t4 = OWN(own->signed_lower_limb_target_x_2) * OWN(own->signed_lower_limb_target_x_2);
+    OWN(own->signed_lower_limb_target_y) = given - sign1 * given_2;
+    const LIMB4 t2 = OF4(SINES(cosine, 0), SINES(cosine, 3), SINES(cosine, 5), SINES(cosine, 8)) * OWN(own->signed_lower_limb_target_y);
+    OWN(own->t7) = t1 + t2;
+    OWN(own->t8) = OWN(own->signed_lower_limb_target_y) * OWN(own->signed_lower_limb_target_y) + t4;
+    OWN(own->signed_lower_limb_target_z) = given_5 + sign1 * given_6 + each_param_R;
+    OWN(own->lower_limb_length) = SQRT4(OWN(own->signed_lower_limb_target_z) * OWN(own->signed_lower_limb_target_z) + OWN(own->t8));
+    const LIMB4 P_q_next = OWN(own->lower_limb_length) + (-limb_upper_phase);
+    WRITE4(q_next, 2, 5, 8, 11, P_q_next);
+    LIMB4 checked = P_q_next;
+    OWN(own->checked) = checked;
+}
+
+STAGE(assemble_step, 3)(size_t limb, size_t stride, const double *restrict sine,
+    const double *restrict cosine, REAL given, LIMBS(assemble_step) *own)
+{
+    (void)limb, (void)stride;
+    const NUMBER4 sign1 = OF4(1.0, 1.0, -1.0, 1.0);
+    /* limbs together: geometry; results */
+    const LIMB4 t1 = SQRT4(OWN(own->t8)), t2 = given / t1, t8 = given * t1,
+      minus_U_0_cos = OWN(own->signed_lower_limb_target_y) * t2,
+      minus_U_0_sin = OWN(own->signed_lower_limb_target_x_2) * t2,
+      U_0_sin = OF4(SINES(sine, 0), SINES(sine, 3), SINES(sine, 5), SINES(sine, 8)),
+      U_0_cos = OF4(SINES(cosine, 0), SINES(cosine, 3), SINES(cosine, 5), SINES(cosine, 8)),
+      t6 = U_0_cos * minus_U_0_cos;
+    OWN(own->t9) = U_0_sin * minus_U_0_cos - U_0_cos * minus_U_0_sin;
+    OWN(own->t10) = U_0_sin * minus_U_0_sin + t6;
+    const LIMB4 t7 = 1.0 / OWN(own->lower_limb_length), minus_lower_cos = t7 * t8,
+      minus_lower_sin_2 = OWN(own->signed_lower_limb_target_z) * t7,
+      signed_lower_sin = OF4(SINES(sine, 1), SINES(sine, 4), SINES(sine, 6), SINES(sine, 9)),
+      lower_cos = OF4(SINES(cosine, 1), SINES(cosine, 4), SINES(cosine, 6), SINES(cosine, 9)),
+      t14 = sign1 * (lower_cos * minus_lower_cos);
+    OWN(own->t11) = signed_lower_sin * minus_lower_cos - sign1 * (lower_cos * minus_lower_sin_2);
+    OWN(own->t12) = signed_lower_sin * minus_lower_sin_2 + t14;
+}
+
 BODY(three_ups_upu_s_assemble_step)(size_t stride, const double *restrict q, const double *restrict y,
     double *restrict q_next, double *restrict residual_, double *restrict step, double *restrict orientation_,
     const double *restrict sine, const double *restrict cosine, double *restrict total)
 {
+    LIMBS(assemble_step) limbs;
     /* limb5_S: results */
-    const REAL limb5_S_q_qw = READ(q, 12), limb5_S_q_qx = READ(q, 13), t1 = limb5_S_q_qw * limb5_S_q_qw,
-      t2 = limb5_S_q_qx * limb5_S_q_qx, limb5_S_q_qy = READ(q, 14), t3 = t1 + t2, t4 = limb5_S_q_qy * limb5_S_q_qy,
-      limb5_S_q_qz = READ(q, 15), t5 = limb5_S_q_qz * limb5_S_q_qz, t6 = t4 + t5, t7 = t3 + t6;
+    const REAL limb5_S_q_qw = READ(q, 12), limb5_S_q_qx = READ(q, 13), t5 = limb5_S_q_qw * limb5_S_q_qw,
+      t6 = limb5_S_q_qx * limb5_S_q_qx, limb5_S_q_qy = READ(q, 14), t7 = t5 + t6, t8 = limb5_S_q_qy * limb5_S_q_qy,
+      limb5_S_q_qz = READ(q, 15), t9 = limb5_S_q_qz * limb5_S_q_qz, t10 = t8 + t9, t11 = t7 + t10;
     /* limb5_S: geometry; results */
-    const REAL t15 = t2 + t5, t53 = t2 + t4, t14 = 4.0 - 2.0 * t7, platform_turn_yy = 1.0 - t14 * t15,
-      t9 = k2 - 0.5 * t7, t62 = 0.5 * (1.0 - t6 * t14), t55 = param_H * (1.0 - t14 * t53), t18 = limb5_S_q_qz * t14,
-      t19 = limb5_S_q_qy * t18, t21 = limb5_S_q_qw * (limb5_S_q_qx * t14), t30 = limb5_S_q_qy * t14,
-      platform_turn_zy = t19 + t21, t47 = param_H * (t19 - t21), limb1_U_0_cos = SINES(cosine, 0),
-      limb1_U_0_sin = SINES(sine, 0),
-      t28 = limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos * platform_turn_zy, /* limb1 */
+    const REAL t18 = t6 + t9, t48 = t6 + t8, t17 = 4.0 - 2.0 * t11, platform_turn_yy = 1.0 - t17 * t18,
+      t50 = param_H * (1.0 - t17 * t48), t13 = k2 - 0.5 * t11, t61 = 0.5 * (1.0 - t10 * t17),
+      t21 = limb5_S_q_qz * t17, t22 = limb5_S_q_qy * t21, t24 = limb5_S_q_qw * (limb5_S_q_qx * t17),
+      t32 = limb5_S_q_qy * t17, platform_turn_zy = t22 + t24, t47 = param_H * (t22 - t24),
+      limb1_U_0_cos = SINES(cosine, 0), limb1_U_0_sin = SINES(sine, 0),
+      t30 = limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos * platform_turn_zy, /* limb1 */
       limb1_lower_cos = SINES(cosine, 1), limb1_lower_sin = SINES(sine, 1),
-      t29 = limb1_lower_cos * t28, /* limb1 */
-      t59 = limb1_lower_sin * t28, /* limb1 */
-      t31 = limb5_S_q_qx * t30, t51 = limb5_S_q_qw * t30, t32 = limb5_S_q_qw * t18, t50 = limb5_S_q_qx * t18,
-      platform_turn_xy = t31 - t32, t46 = 0.5 * (t31 + t32);
-    /* limb1: reciprocal wrenches, eq. (10); geometry; rates that follow */
-    const REAL limb1_U2_constraint_mn_couple_z = t29 - limb1_lower_sin * platform_turn_xy,
-      limb1_upper_offset_x = limb_upper_phase + READ(q, 2),
-      minus_limb1_U_0_lever_mz_by_limb1_U2_fz = limb1_lower_cos * limb1_upper_offset_x,
-      t23 = 1.0 / minus_limb1_U_0_lever_mz_by_limb1_U2_fz, t35 = limb1_lower_cos * t23,
-      limb1_U_factor_1_by_3 = limb1_U2_constraint_mn_couple_z * t35,
-      limb1_U2_arm_x = limb1_upper_offset_x - param_R * limb1_lower_sin,
-      minus_limb1_U2_factor_0_by_3 = limb1_U2_constraint_mn_couple_z - limb1_U2_arm_x * limb1_U_factor_1_by_3,
+      t31 = limb1_lower_cos * t30, /* limb1 */
+      t58 = limb1_lower_sin * t30, /* limb1 */
+      t33 = limb5_S_q_qx * t32, t53 = limb5_S_q_qw * t32, t34 = limb5_S_q_qw * t21, t52 = limb5_S_q_qx * t21,
+      platform_turn_xy = t33 - t34, t46 = 0.5 * (t33 + t34),
+      limb1_U2_constraint_mn_couple_z = t31 - limb1_lower_sin * platform_turn_xy, platform_turn_xz = t52 + t53,
+      t54 = 0.5 * (t52 - t53), t55 = param_H * platform_turn_xz;
+    FIRST_LIMB(0, assemble_step, 0, stride, q, sine, cosine, t46, t47, t54, t50, &limbs);
+    NEXT_LIMB(2, assemble_step, 0, stride, q, sine, cosine, t46, t47, t54, t50, &limbs);
+    /* limb1: rates that follow; pivots; reciprocal wrenches, eq. (10) */
+    const REAL limb1_U_factor_1_by_3 = limb1_U2_constraint_mn_couple_z * limbs.t2[0],
+      minus_limb1_U2_factor_0_by_3 = limb1_U2_constraint_mn_couple_z - limbs.S_arm_x[0] * limb1_U_factor_1_by_3,
       t37 = limb1_U_0_sin * minus_limb1_U2_factor_0_by_3, t40 = limb1_U_0_cos * minus_limb1_U2_factor_0_by_3,
-      t22 = limb1_U_0_sin * platform_turn_zy, t113 = 0.5 * platform_turn_zy, /* platform */
-      limb1_U2_constraint_mn_couple_x = limb1_U_0_cos * platform_turn_yy + t22,
-      t109 = 0.5 * platform_turn_yy, /* platform */
-      minus_limb1_U_factor_0_by_3 = limb1_lower_sin * limb1_U2_constraint_mn_couple_x * t23,
+      t25 = limb1_U_0_sin * platform_turn_zy, t51 = 0.5 * platform_turn_zy, /* platform */
+      limb1_U2_constraint_mn_couple_x = limb1_U_0_cos * platform_turn_yy + t25,
+      t62 = 0.5 * platform_turn_yy, /* platform */
+      minus_limb1_U_factor_0_by_3 = limb1_lower_sin * limb1_U2_constraint_mn_couple_x * limbs.t1[0],
       limb1_U_0_lever_my_by_limb1_U2_mn = limb1_lower_cos * limb1_U2_constraint_mn_couple_x,
-      minus_limb1_upper_position_x = param_R - limb1_lower_sin * limb1_upper_offset_x,
-      minus_limb1_U2_factor_1_by_3 = limb1_U_0_lever_my_by_limb1_U2_mn - minus_limb1_upper_position_x * minus_limb1_U_factor_0_by_3;
+      minus_limb1_U2_factor_1_by_3 = limb1_U_0_lever_my_by_limb1_U2_mn + limbs.signed_upper_position_x[0] * minus_limb1_U_factor_0_by_3,
+      t57 = limbs.signed_S_opening_fz[0] * minus_limb1_U_factor_0_by_3;
     /* limb5_S: pivots; rates that follow */
     const REAL minus_limb5_S_pivot_wz = limb1_U_0_cos * minus_limb1_U2_factor_1_by_3 + t37,
       t41 = limb1_U_0_sin * minus_limb1_U2_factor_1_by_3 - t40, /* limb1 */
       t38 = 1.0 / minus_limb5_S_pivot_wz, limb5_S_null_space_wz_by_limb5_S_wy = t38 * t41;
-    /* limb5_S: results; geometry */
-    const REAL t11 = limb5_S_q_qx * t9, t42 = t11 * limb5_S_null_space_wz_by_limb5_S_wy, t10 = limb5_S_q_qw * t9,
-      a_pivot = 0.5 * (t10 + t42), t89 = 0.5 * t10, t44 = 1.0 / a_pivot, t78 = limb5_S_q_qy * t9,
-      t79 = t78 * limb5_S_null_space_wz_by_limb5_S_wy, t76 = limb5_S_q_qz * t9, t82 = t44 * (0.5 * (t76 - t79)),
-      t77 = 0.5 * t76, platform_turn_zx = t50 - t51, t63 = param_H * (t50 + t51), t52 = 0.5 * platform_turn_zx;
-    /* limb1: loop closure; geometry; results */
-    const REAL t64 = minus_limb1_upper_position_x - (t62 - t63), limb3_upper_position_x_2 = t62 + t63,
-      t65 = limb1_lower_cos * t64, t243 = limb1_lower_sin * t64, minus_limb1_lower_limb_target_x = t46 - t47,
-      limb3_lower_limb_target_x = t46 + t47, minus_limb1_lower_rotation_yx = limb1_U_0_sin * limb1_lower_cos,
-      t48 = limb1_upper_offset_x * minus_limb1_lower_rotation_yx - minus_limb1_lower_limb_target_x,
-      t245 = t243 - minus_limb1_lower_rotation_yx * t48, t67 = t65 + limb1_U_0_sin * limb1_lower_sin * t48,
-      t49 = limb1_U_0_cos * t48, minus_limb1_lower_limb_target_y = t52 - t55, limb3_lower_limb_target_y = t52 + t55,
-      limb1_lower_rotation_zx = limb1_U_0_cos * limb1_lower_cos,
-      t56 = limb1_upper_offset_x * limb1_lower_rotation_zx + minus_limb1_lower_limb_target_y,
-      minus_limb1_U2_opening_fx = t245 - limb1_lower_rotation_zx * t56,
-      minus_limb1_U2_opening_fy = t67 + limb1_U_0_cos * limb1_lower_sin * t56,
-      t69 = minus_limb1_U2_opening_fy * limb1_U_factor_1_by_3, minus_limb1_U2_opening_fz = t49 - limb1_U_0_sin * t56,
-      t58 = minus_limb1_U2_opening_fz * minus_limb1_U_factor_0_by_3,
-      limb1_U2_opening_mn = t59 + limb1_lower_cos * platform_turn_xy;
     /* step: results; geometry */
-    const REAL t72 = t38 * (t58 - (limb1_U2_opening_mn + t69)), t74 = 0.5 * (t11 * t72), t86 = 0.5 * (t78 * t72),
-      t106 = 0.5 * platform_turn_xy, t503 = limb1_U2_opening_mn * limb1_U2_opening_mn, /* limb1 */
-      t75 = limb5_S_q_qy - READ(y, 1) - t74, t83 = t82 * t75, a_pivot_2 = t89 + t77 * t82,
-      t91 = (t83 - (limb5_S_q_qx - READ(y, 0) + t86)) / a_pivot_2, t94 = t44 * (t75 - t77 * t91),
-      t96 = t38 * (t41 * t94),
-      t258 = t91 - t23 * (minus_limb1_upper_position_x * (limb1_U_0_cos * t96 - limb1_U_0_sin * t94)),
-      t263 = t258 - t23 * (minus_limb1_U2_opening_fz + minus_limb1_upper_position_x * (limb1_U_0_cos * t72)),
-      t264 = t263 * t263, t500 = per_length * minus_limb1_U2_opening_fz, /* limb1 */
-      t501 = t500 * t500, /* limb1 */
-      t241 = limb1_U_0_sin * t96 + limb1_U_0_cos * t94, t265 = limb1_U2_arm_x * t241, t247 = limb1_U_0_sin * t72,
-      t269 = t35 * (t265 - (minus_limb1_U2_opening_fy - limb1_U2_arm_x * t247)), t271 = t264 + t269 * t269,
-      t497 = per_length * minus_limb1_U2_opening_fy, /* limb1 */
-      t498 = t497 * t497, /* limb1 */
-      minus_limb1_U2_arm_y = param_R * limb1_lower_cos,
-      t251 = per_length * (minus_limb1_U2_arm_y * t241 - (minus_limb1_U2_opening_fx - minus_limb1_U2_arm_y * t247)),
-      t272 = t251 * t251 + t271, t495 = per_length * minus_limb1_U2_opening_fx; /* limb1 */
-    /* limb2: geometry; results; loop closure */
-    const REAL limb2_U_0_sin = SINES(cosine, 2), minus_limb2_U_0_cos = SINES(sine, 2),
-      t504 = t495 * t495 + t498 + t501 + t503, /* limb1 */
-      t227 = limb2_U_0_sin * t96 - minus_limb2_U_0_cos * t91, /* step */
-      limb2_upper_offset_x = limb_upper_phase + READ(q, 5), limb2_lower_sin = SINES(sine, 4),
-      minus_limb2_upper_position_y = param_R - limb2_lower_sin * limb2_upper_offset_x,
-      limb2_lower_cos = SINES(cosine, 4), t228 = minus_limb2_upper_position_y * t227, /* step */
-      minus_limb2_U_0_lever_mz_by_limb2_S_fz = limb2_lower_cos * limb2_upper_offset_x,
-      t212 = 1.0 / minus_limb2_U_0_lever_mz_by_limb2_S_fz, t230 = t94 - t212 * t228, /* step */
-      t234 = minus_limb2_upper_position_y * (limb2_U_0_sin * t72), /* step */
-      limb2_lower_limb_target_y = t63 - t106, limb4_lower_limb_target_y = t63 + t106,
-      minus_limb2_lower_rotation_xx = minus_limb2_U_0_cos * limb2_lower_cos,
-      t199 = limb2_upper_offset_x * minus_limb2_lower_rotation_xx + limb2_lower_limb_target_y,
-      t200 = minus_limb2_lower_rotation_xx * t199, t231 = limb2_U_0_sin * t199,
-      limb2_lower_limb_target_x = t55 - t113, limb4_lower_limb_target_x = t55 + t113,
-      minus_limb2_lower_rotation_zx = limb2_U_0_sin * limb2_lower_cos,
-      t204 = limb2_upper_offset_x * minus_limb2_lower_rotation_zx + limb2_lower_limb_target_x,
-      t205 = minus_limb2_lower_rotation_zx * t204, minus_limb2_S_opening_fz = t231 - minus_limb2_U_0_cos * t204,
-      t237 = t230 + t212 * (minus_limb2_S_opening_fz - t234), /* step */
-      t273 = t237 * t237 + t272, /* step */
-      t213 = limb2_lower_cos * t212, t511 = per_length * minus_limb2_S_opening_fz, t512 = t511 * t511,
-      t197 = minus_limb2_U_0_cos * t96 + limb2_U_0_sin * t91, /* step */
-      limb2_S_arm_x = limb2_upper_offset_x - param_R * limb2_lower_sin, t215 = limb2_S_arm_x * t197, /* step */
-      t206 = minus_limb2_U_0_cos * t72, /* step */
-      t220 = limb2_S_arm_x * t206, /* step */
-      t216 = minus_limb2_U_0_cos * limb2_lower_sin * t199, t201 = minus_limb2_upper_position_y + (t47 - t109),
-      limb4_upper_position_y_2 = t47 + t109, t218 = t216 + limb2_lower_cos * t201,
-      limb2_S_opening_fx = t200 - limb2_lower_sin * t201 + t205,
-      minus_limb2_S_opening_fy = t218 + limb2_U_0_sin * limb2_lower_sin * t204,
-      t223 = t213 * (t215 + (minus_limb2_S_opening_fy + t220)), /* step */
-      t274 = t223 * t223 + t273, /* step */
-      t508 = per_length * minus_limb2_S_opening_fy, t509 = t508 * t508,
-      minus_limb2_S_arm_y = param_R * limb2_lower_cos,
-      t210 = per_length * (minus_limb2_S_arm_y * t197 - (limb2_S_opening_fx - minus_limb2_S_arm_y * t206)), /* step */
-      t275 = t210 * t210 + t274, /* step */
-      t505 = per_length * limb2_S_opening_fx;
-    /* limb3: geometry; loop closure; results */
-    const REAL limb3_U_0_cos = SINES(cosine, 5), limb3_U_0_sin = SINES(sine, 5),
-      t513 = t504 + t505 * t505 + t509 + t512, /* residual */
-      t182 = limb3_U_0_cos * t96 - limb3_U_0_sin * t94, /* step */
-      limb3_upper_offset_x = limb_upper_phase + READ(q, 8), minus_limb3_lower_sin = SINES(sine, 6),
-      t532 = limb2_upper_offset_x * limb3_upper_offset_x, /* orientation */
-      limb3_upper_position_x = param_R - minus_limb3_lower_sin * limb3_upper_offset_x,
-      t183 = limb3_upper_position_x * t182, /* step */
-      t154 = limb3_upper_position_x - limb3_upper_position_x_2, limb3_lower_cos = SINES(cosine, 6),
-      minus_limb3_U_0_lever_mz_by_limb3_S_fz = limb3_lower_cos * limb3_upper_offset_x,
-      t167 = 1.0 / minus_limb3_U_0_lever_mz_by_limb3_S_fz, t185 = t91 + t167 * t183, /* step */
-      t189 = limb3_upper_position_x * (limb3_U_0_cos * t72), /* step */
-      minus_limb3_lower_rotation_yx = limb3_U_0_sin * limb3_lower_cos,
-      t156 = limb3_upper_offset_x * minus_limb3_lower_rotation_yx + limb3_lower_limb_target_x,
-      t157 = minus_limb3_lower_rotation_yx * t156, t186 = limb3_U_0_cos * t156,
-      limb3_lower_rotation_zx = limb3_U_0_cos * limb3_lower_cos,
-      t159 = limb3_upper_offset_x * limb3_lower_rotation_zx - limb3_lower_limb_target_y,
-      t160 = limb3_lower_rotation_zx * t159, minus_limb3_S_opening_fz = t186 - limb3_U_0_sin * t159,
-      t192 = t185 - t167 * (minus_limb3_S_opening_fz - t189), /* step */
-      t276 = t192 * t192 + t275, /* step */
-      t168 = limb3_lower_cos * t167, t520 = per_length * minus_limb3_S_opening_fz, t521 = t520 * t520,
-      t152 = limb3_U_0_sin * t96 + limb3_U_0_cos * t94, /* step */
-      limb3_S_arm_x = limb3_upper_offset_x - param_R * minus_limb3_lower_sin,
-      t170 = limb3_S_arm_x * t152, /* step */
-      t161 = limb3_U_0_sin * t72, /* step */
-      t175 = limb3_S_arm_x * t161, /* step */
-      t171 = limb3_lower_cos * t154, minus_limb3_S_opening_fx = minus_limb3_lower_sin * t154 - t157 - t160,
-      t173 = t171 + limb3_U_0_sin * minus_limb3_lower_sin * t156,
-      limb3_S_opening_fy = t173 + limb3_U_0_cos * minus_limb3_lower_sin * t159,
-      t178 = t168 * (t170 + (limb3_S_opening_fy + t175)), /* step */
-      t277 = t178 * t178 + t276, /* step */
-      t517 = per_length * limb3_S_opening_fy, t518 = t517 * t517, limb3_S_arm_y = param_R * limb3_lower_cos,
-      t165 = per_length * (limb3_S_arm_y * t152 + (minus_limb3_S_opening_fx + limb3_S_arm_y * t161)), /* step */
-      t278 = t165 * t165 + t277, /* step */
-      t514 = per_length * minus_limb3_S_opening_fx, limb4_U_0_sin = SINES(cosine, 7),
-      minus_limb4_U_0_cos = SINES(sine, 7), t522 = t513 + t514 * t514 + t518 + t521, /* residual */
-      t137 = limb4_U_0_sin * t96 - minus_limb4_U_0_cos * t91, /* step */
-      limb4_upper_offset_x = limb_upper_phase + READ(q, 11),
-      t535 = minus_limb3_U_0_lever_mz_by_limb3_S_fz * (limb1_upper_offset_x * (limb4_upper_offset_x * t532)), /* orientation */
-      minus_limb4_lower_sin = SINES(sine, 9),
-      t536 = minus_limb2_U_0_lever_mz_by_limb2_S_fz * t535, /* orientation */
-      limb4_upper_position_y = param_R - minus_limb4_lower_sin * limb4_upper_offset_x,
-      t138 = limb4_upper_position_y * t137, /* step */
-      t110 = limb4_upper_position_y - limb4_upper_position_y_2, /* limb4 */
-      limb4_lower_cos = SINES(cosine, 9),
-      minus_limb4_U_0_lever_mz_by_limb4_S_fz = limb4_lower_cos * limb4_upper_offset_x,
-      t539 = minus_limb1_U_0_lever_mz_by_limb1_U2_fz * (minus_limb4_U_0_lever_mz_by_limb4_S_fz * t536) * minus_limb5_S_pivot_wz, /* orientation */
-      orientation_orientation = -(a_pivot_2 * (a_pivot * t539));
-    WRITE(orientation_, 0, orientation_orientation);
-    REAL checked0 = orientation_orientation;
-    /* limb4: results; geometry; loop closure */
-    const REAL t122 = 1.0 / minus_limb4_U_0_lever_mz_by_limb4_S_fz, t140 = t94 + t122 * t138, /* step */
-      t144 = limb4_upper_position_y * (limb4_U_0_sin * t72), /* step */
-      minus_limb4_lower_rotation_xx = minus_limb4_U_0_cos * limb4_lower_cos,
-      t107 = limb4_upper_offset_x * minus_limb4_lower_rotation_xx + limb4_lower_limb_target_y,
-      t108 = minus_limb4_lower_rotation_xx * t107, t141 = limb4_U_0_sin * t107,
-      minus_limb4_lower_rotation_zx = limb4_U_0_sin * limb4_lower_cos,
-      t114 = limb4_upper_offset_x * minus_limb4_lower_rotation_zx + limb4_lower_limb_target_x,
-      t115 = minus_limb4_lower_rotation_zx * t114, minus_limb4_S_opening_fz = t141 - minus_limb4_U_0_cos * t114;
-    /* step: results; geometry */
-    const REAL t147 = t140 + t122 * (minus_limb4_S_opening_fz + t144), t279 = t147 * t147 + t278,
-      t123 = limb4_lower_cos * t122, /* limb4 */
-      t529 = per_length * minus_limb4_S_opening_fz, /* limb4 */
-      t530 = t529 * t529, /* limb4 */
-      t102 = minus_limb4_U_0_cos * t96, t97 = t72 + t96, t116 = minus_limb4_U_0_cos * t72,
-      t104 = t102 + limb4_U_0_sin * t91, limb4_S_arm_x = limb4_upper_offset_x - param_R * minus_limb4_lower_sin,
-      t125 = limb4_S_arm_x * t104, t130 = limb4_S_arm_x * t116,
-      t128 = minus_limb4_U_0_cos * minus_limb4_lower_sin * t107 + limb4_lower_cos * t110, /* limb4 */
-      limb4_S_opening_fx = t108 - minus_limb4_lower_sin * t110 + t115,
-      limb4_S_opening_fy = t128 + limb4_U_0_sin * minus_limb4_lower_sin * t114,
-      t133 = t123 * (t125 - (limb4_S_opening_fy - t130)), t280 = t133 * t133 + t279,
-      t526 = per_length * limb4_S_opening_fy, /* limb4 */
-      t527 = t526 * t526, /* limb4 */
-      limb4_S_arm_y = param_R * limb4_lower_cos,
-      t120 = per_length * (limb4_S_arm_y * t104 + (limb4_S_opening_fx + limb4_S_arm_y * t116)),
-      t281 = t120 * t120 + t280, t523 = per_length * limb4_S_opening_fx, /* limb4 */
-      residual_residual = SQRT(t522 + t523 * t523 + t527 + t530);
+    const REAL t15 = limb5_S_q_qx * t13, t42 = t15 * limb5_S_null_space_wz_by_limb5_S_wy, t14 = limb5_S_q_qw * t13,
+      a_pivot = 0.5 * (t14 + t42), t83 = 0.5 * t14, t44 = 1.0 / a_pivot, t72 = limb5_S_q_qy * t13,
+      t73 = t72 * limb5_S_null_space_wz_by_limb5_S_wy, t70 = limb5_S_q_qz * t13, t76 = t44 * (0.5 * (t70 - t73)),
+      t71 = 0.5 * t70, a_pivot_2 = t83 + t71 * t76, t56 = 0.5 * platform_turn_xy,
+      limb1_U2_opening_mn = t58 + limb1_lower_cos * platform_turn_xy;
+    NEXT_LIMB(1, assemble_step, 0, stride, q, sine, cosine, t50, t51, t55, t56, &limbs);
+    NEXT_LIMB(3, assemble_step, 0, stride, q, sine, cosine, t50, t51, t55, t56, &limbs);
+    const REAL t328 = limbs.upper_offset_x[0] * (limbs.upper_offset_x[3] * (limbs.upper_offset_x[1] * limbs.upper_offset_x[2])),
+      t331 = limbs.minus_U_0_lever_mz_by_S_fz[3] * (limbs.minus_U_0_lever_mz_by_S_fz[1] * (limbs.minus_U_0_lever_mz_by_S_fz[2] * t328)),
+      t335 = a_pivot_2 * (a_pivot * (limbs.minus_U_0_lever_mz_by_S_fz[0] * t331 * minus_limb5_S_pivot_wz));
+    REAL checked0 = t335;
+    WRITE(orientation_, 0, -t335);
+    FIRST_LIMB(0, assemble_step, 1, stride, sine, cosine, t61, t55, limbs.t3[0], limbs.t4[0], limbs.t6[0], limbs.t5[0], &limbs);
+    NEXT_LIMB(2, assemble_step, 1, stride, sine, cosine, t61, t55, limbs.t3[2], limbs.t4[2], limbs.t6[2], limbs.t5[2], &limbs);
+    const REAL t66 = t38 * (t57 - (limb1_U2_opening_mn + limbs.signed_S_opening_fy[0] * limb1_U_factor_1_by_3)),
+      t80 = 0.5 * (t72 * t66), t315 = limb1_U2_opening_mn * limb1_U2_opening_mn, /* limb1 */
+      t69 = limb5_S_q_qy - READ(y, 1) - 0.5 * (t15 * t66),
+      t85 = (t76 * t69 - (limb5_S_q_qx - READ(y, 0) + t80)) / a_pivot_2, t88 = t44 * (t69 - t71 * t85),
+      t90 = t38 * (t41 * t88),
+      t193 = limbs.t1[0] * (limbs.signed_upper_position_x[0] * (limb1_U_0_cos * t90 - limb1_U_0_sin * t88)),
+      t194 = t85 + t193,
+      t198 = limbs.t1[0] * (limbs.signed_S_opening_fz[0] - limbs.signed_upper_position_x[0] * (limb1_U_0_cos * t66)),
+      t199 = t194 - t198, t200 = t199 * t199, t181 = limb1_U_0_sin * t90 + limb1_U_0_cos * t88,
+      t201 = limbs.S_arm_x[0] * t181, t182 = limbs.signed_S_arm_y[0] * t181, t183 = limb1_U_0_sin * t66,
+      t205 = limbs.t2[0] * (t201 - (limbs.signed_S_opening_fy[0] - limbs.S_arm_x[0] * t183)),
+      t207 = t200 + t205 * t205,
+      t187 = per_length * (t182 + (limbs.S_opening_fx[0] + limbs.signed_S_arm_y[0] * t183)),
+      limb2_U_0_sin = SINES(cosine, 2), minus_limb2_U_0_cos = SINES(sine, 2), t208 = t187 * t187 + t207,
+      t316 = limbs.t13[0] + limbs.t14[0] + limbs.t15[0] + t315, /* limb1 */
+      t171 = limbs.t1[1] * (limbs.signed_upper_position_x[1] * (limb2_U_0_sin * t90 - minus_limb2_U_0_cos * t85)),
+      t172 = t88 + t171,
+      t176 = limbs.t1[1] * (limbs.signed_upper_position_x[1] * (limb2_U_0_sin * t66) - limbs.signed_S_opening_fz[1]),
+      t177 = t172 + t176, t209 = t177 * t177 + t208, t153 = minus_limb2_U_0_cos * t90 + limb2_U_0_sin * t85,
+      t161 = limbs.S_arm_x[1] * t153, t154 = limbs.signed_S_arm_y[1] * t153, t155 = minus_limb2_U_0_cos * t66,
+      t162 = limbs.S_arm_x[1] * t155, t156 = limbs.signed_S_arm_y[1] * t155;
+    NEXT_LIMB(1, assemble_step, 1, stride, sine, cosine, t47, t62, limbs.t4[1], limbs.t3[1], limbs.t5[1], limbs.t6[1], &limbs);
+    NEXT_LIMB(3, assemble_step, 1, stride, sine, cosine, t47, t62, limbs.t4[3], limbs.t3[3], limbs.t5[3], limbs.t6[3], &limbs);
+    const REAL t165 = limbs.t2[1] * (t161 + (limbs.signed_S_opening_fy[1] + t162)), t210 = t165 * t165 + t209,
+      t159 = per_length * (t154 - (limbs.S_opening_fx[1] - t156)), t211 = t159 * t159 + t210,
+      t322 = t316 + limbs.t13[1] + limbs.t14[1] + limbs.t15[1] + limbs.t13[2] + limbs.t14[2] + limbs.t15[2],
+      residual_residual = SQRT(t322 + limbs.t13[3] + limbs.t14[3] + limbs.t15[3]);
     WRITE(residual_, 0, residual_residual);
     REAL checked1 = residual_residual;
-    const REAL t284 = t97 * t97 + (t94 * t94 + (t91 * t91 + t281)), step_step = SQRT(t284);
+    const REAL limb3_U_0_cos = SINES(cosine, 5), limb3_U_0_sin = SINES(sine, 5),
+      t143 = limbs.t1[2] * (limbs.signed_upper_position_x[2] * (limb3_U_0_cos * t90 - limb3_U_0_sin * t88)),
+      t144 = t85 - t143,
+      t148 = limbs.t1[2] * (limbs.signed_S_opening_fz[2] + limbs.signed_upper_position_x[2] * (limb3_U_0_cos * t66)),
+      t149 = t144 - t148, t212 = t149 * t149 + t211, t125 = limb3_U_0_sin * t90 + limb3_U_0_cos * t88,
+      t133 = limbs.S_arm_x[2] * t125, t126 = limbs.signed_S_arm_y[2] * t125, t127 = limb3_U_0_sin * t66,
+      t137 = limbs.t2[2] * (t133 + (limbs.signed_S_opening_fy[2] + limbs.S_arm_x[2] * t127)),
+      t213 = t137 * t137 + t212,
+      t131 = per_length * (t126 + (limbs.signed_S_arm_y[2] * t127 - limbs.S_opening_fx[2])),
+      limb4_U_0_sin = SINES(cosine, 7), minus_limb4_U_0_cos = SINES(sine, 7), t214 = t131 * t131 + t213,
+      t115 = limbs.t1[3] * (limbs.signed_upper_position_x[3] * (limb4_U_0_sin * t90 - minus_limb4_U_0_cos * t85)),
+      t116 = t88 - t115,
+      t120 = limbs.t1[3] * (limbs.signed_S_opening_fz[3] + limbs.signed_upper_position_x[3] * (limb4_U_0_sin * t66)),
+      t121 = t116 - t120, t215 = t121 * t121 + t214, t95 = minus_limb4_U_0_cos * t90, t91 = t66 + t90,
+      t99 = minus_limb4_U_0_cos * t66, t97 = t95 + limb4_U_0_sin * t85, t98 = limbs.signed_S_arm_y[3] * t97,
+      t109 = limbs.t2[3] * (limbs.S_arm_x[3] * t97 - (limbs.signed_S_opening_fy[3] - limbs.S_arm_x[3] * t99)),
+      t216 = t109 * t109 + t215, t103 = per_length * (t98 + (limbs.S_opening_fx[3] + limbs.signed_S_arm_y[3] * t99)),
+      t219 = t88 * t88 + (t85 * t85 + (t103 * t103 + t216)), step_step = SQRT(t91 * t91 + t219);
     WRITE(step, 0, step_step);
     REAL checked2 = step_step;
-    const REAL t285 = LESS(step_step, 0.5), t288 = SELECT(t285, 1.0, 0.5 / SELECT(t285, 1.0, step_step)),
-      t290 = 0.5 * (t94 * t288), t296 = t97 * t288, t293 = 0.5 * (t91 * t288), t297 = 0.5 * t296,
-      t321 = limb5_S_q_qw + (limb5_S_q_qz * t297 + (limb5_S_q_qy * t290 - limb5_S_q_qx * t293)), t322 = t321 * t321,
-      t314 = limb5_S_q_qy * t297 - limb5_S_q_qz * t290 + (limb5_S_q_qx + limb5_S_q_qw * t293),
-      t323 = t314 * t314 + t322, t294 = limb5_S_q_qy * t293, t299 = limb5_S_q_qz - limb5_S_q_qw * t297,
-      t307 = limb5_S_q_qz * t293 + limb5_S_q_qx * t297 - (limb5_S_q_qy - limb5_S_q_qw * t290),
-      t300 = limb5_S_q_qx * t290 + t294 + t299, t327 = 1.0 / SQRT(t300 * t300 + (t307 * t307 + t323)),
-      limb5_S_q_next_qz = t300 * t327;
+    const REAL t221 = LESS(step_step, 0.5), t224 = SELECT(t221, 1.0, 0.5 / SELECT(t221, 1.0, step_step)),
+      t226 = 0.5 * (t88 * t224), t232 = t91 * t224, t229 = 0.5 * (t85 * t224), t233 = 0.5 * t232,
+      t257 = limb5_S_q_qw + (limb5_S_q_qz * t233 + (limb5_S_q_qy * t226 - limb5_S_q_qx * t229)), t258 = t257 * t257,
+      t250 = limb5_S_q_qy * t233 - limb5_S_q_qz * t226 + (limb5_S_q_qx + limb5_S_q_qw * t229),
+      t259 = t250 * t250 + t258, t230 = limb5_S_q_qy * t229, t235 = limb5_S_q_qz - limb5_S_q_qw * t233,
+      t243 = limb5_S_q_qz * t229 + limb5_S_q_qx * t233 - (limb5_S_q_qy - limb5_S_q_qw * t226),
+      t236 = limb5_S_q_qx * t226 + t230 + t235, t263 = 1.0 / SQRT(t236 * t236 + (t243 * t243 + t259)),
+      t265 = t243 * t263;
+    REAL checked3 = t265;
+    WRITE(q_next, 14, -t265);
+    const REAL limb5_S_q_next_qz = t236 * t263;
     WRITE(q_next, 15, limb5_S_q_next_qz);
-    const REAL t329 = t307 * t327, limb5_S_q_next_qx = t314 * t327;
+    const REAL limb5_S_q_next_qx = t250 * t263;
     WRITE(q_next, 13, limb5_S_q_next_qx);
-    const REAL limb5_S_q_next_qw = t321 * t327;
+    const REAL limb5_S_q_next_qw = t257 * t263;
     WRITE(q_next, 12, limb5_S_q_next_qw);
-    const REAL limb5_S_q_next_qy = -t329;
-    WRITE(q_next, 14, limb5_S_q_next_qy);
-    REAL checked3 = limb5_S_q_next_qy;
     /* limb5_S: geometry */
-    const REAL t328 = limb5_S_q_next_qz * limb5_S_q_next_qz, t330 = t329 * t329, t331 = t328 + t330,
-      t332 = limb5_S_q_next_qx * limb5_S_q_next_qx, t338 = t332 + t330, t411 = t328 + t332,
-      t337 = 4.0 - 2.0 * (t331 + (t332 + limb5_S_q_next_qw * limb5_S_q_next_qw)), t343 = limb5_S_q_next_qz * t337,
-      t340 = param_H * (1.0 - t337 * t338), t374 = 0.5 * (1.0 - t331 * t337), t413 = 0.5 * (1.0 - t411 * t337),
-      t347 = limb5_S_q_next_qw * (limb5_S_q_next_qx * t337), t341 = t329 * t337, t348 = t329 * t343,
-      platform_turn_zy_2 = t347 - t348, t349 = param_H * (t347 + t348), t390 = 0.5 * platform_turn_zy_2,
-      t350 = limb5_S_q_next_qw * t343, t342 = limb5_S_q_next_qw * t341, t351 = limb5_S_q_next_qx * t341,
-      t344 = limb5_S_q_next_qx * t343, minus_platform_turn_xy = t350 + t351, t352 = 0.5 * (t350 - t351),
-      t389 = 0.5 * minus_platform_turn_xy, minus_limb1_lower_limb_target_x_2 = t349 + t352,
-      minus_limb3_lower_limb_target_x = t349 - t352;
-    /* limb1: geometry; results */
-    const REAL t353 = limb1_U_0_sin * minus_limb1_lower_limb_target_x_2, minus_platform_turn_xz = t342 - t344,
-      t345 = 0.5 * (t342 + t344), /* platform */
-      t372 = param_H * minus_platform_turn_xz, /* platform */
-      limb1_lower_limb_target_y = t340 - t345, limb3_lower_limb_target_y_2 = t340 + t345,
-      t358 = SELECT(LESS(-(t353 + limb1_U_0_cos * limb1_lower_limb_target_y), 0.0), (-1.0), 1.0),
-      t359 = limb1_lower_limb_target_y * limb1_lower_limb_target_y,
-      t361 = t359 + minus_limb1_lower_limb_target_x_2 * minus_limb1_lower_limb_target_x_2, t362 = SQRT(t361),
-      t363 = t358 / t362, t379 = t358 * t362, minus_limb1_U_0_sin = minus_limb1_lower_limb_target_x_2 * t363,
-      minus_limb1_U_0_cos = limb1_lower_limb_target_y * t363,
-      t370 = -(limb1_U_0_sin * minus_limb1_U_0_sin + limb1_U_0_cos * minus_limb1_U_0_cos);
-    RESULT(checked0, q_next, 0, READ(q, 0) + atan2(limb1_U_0_sin * minus_limb1_U_0_cos - limb1_U_0_cos * minus_limb1_U_0_sin, t370));
-    const REAL limb1_lower_limb_target_z = param_R - (t372 + t374),
-      minus_limb3_lower_limb_target_z = param_R + (t372 - t374),
-      limb1_lower_limb_length = SQRT(limb1_lower_limb_target_z * limb1_lower_limb_target_z + t361);
-    RESULT(checked1, q_next, 2, limb1_lower_limb_length - limb_upper_phase);
-    const REAL t378 = 1.0 / limb1_lower_limb_length, minus_limb1_lower_cos = t378 * t379,
-      limb1_lower_sin_2 = limb1_lower_limb_target_z * t378,
-      t382 = limb1_lower_sin * minus_limb1_lower_cos + limb1_lower_cos * limb1_lower_sin_2;
-    RESULT(checked2, q_next, 1, READ(q, 1) + atan2(t382, limb1_lower_sin * limb1_lower_sin_2 - limb1_lower_cos * minus_limb1_lower_cos));
-    /* limb2: geometry; results */
-    const REAL minus_limb2_lower_limb_target_x = t390 - t340, limb4_lower_limb_target_x_2 = t390 + t340,
-      t388 = SINES(sine, 3), t391 = t388 * minus_limb2_lower_limb_target_x, limb2_lower_limb_target_y_2 = t389 - t372,
-      minus_limb4_lower_limb_target_y = t389 + t372, t392 = SINES(cosine, 3),
-      t397 = SELECT(LESS(-(t391 + t392 * limb2_lower_limb_target_y_2), 0.0), (-1.0), 1.0),
-      t398 = limb2_lower_limb_target_y_2 * limb2_lower_limb_target_y_2,
-      t400 = t398 + minus_limb2_lower_limb_target_x * minus_limb2_lower_limb_target_x, t401 = SQRT(t400),
-      t402 = t397 / t401, t418 = t397 * t401, minus_limb2_U_0_sin = minus_limb2_lower_limb_target_x * t402,
-      minus_limb2_U_0_cos_2 = limb2_lower_limb_target_y_2 * t402,
-      t409 = -(t388 * minus_limb2_U_0_sin + t392 * minus_limb2_U_0_cos_2);
-    RESULT(checked3, q_next, 3, READ(q, 3) + atan2(t388 * minus_limb2_U_0_cos_2 - t392 * minus_limb2_U_0_sin, t409));
-    const REAL t480 = t413 - t349, /* platform */
-      limb2_lower_limb_target_z = param_R - (t413 + t349), minus_limb4_lower_limb_target_z = param_R - t480,
-      limb2_lower_limb_length = SQRT(limb2_lower_limb_target_z * limb2_lower_limb_target_z + t400);
-    RESULT(checked0, q_next, 5, limb2_lower_limb_length - limb_upper_phase);
-    const REAL t417 = 1.0 / limb2_lower_limb_length, minus_limb2_lower_cos = t417 * t418,
-      limb2_lower_sin_2 = limb2_lower_limb_target_z * t417,
-      t421 = limb2_lower_sin * minus_limb2_lower_cos + limb2_lower_cos * limb2_lower_sin_2;
-    RESULT(checked1, q_next, 4, READ(q, 4) + atan2(t421, limb2_lower_sin * limb2_lower_sin_2 - limb2_lower_cos * minus_limb2_lower_cos));
-    /* limb3: geometry; results */
-    const REAL t428 = limb3_U_0_sin * minus_limb3_lower_limb_target_x + limb3_U_0_cos * limb3_lower_limb_target_y_2,
-      t431 = SELECT(LESS(-t428, 0.0), (-1.0), 1.0), t432 = limb3_lower_limb_target_y_2 * limb3_lower_limb_target_y_2,
-      t434 = t432 + minus_limb3_lower_limb_target_x * minus_limb3_lower_limb_target_x, t435 = SQRT(t434),
-      t436 = t431 / t435, t449 = t431 * t435, minus_limb3_U_0_sin = minus_limb3_lower_limb_target_x * t436,
-      minus_limb3_U_0_cos = limb3_lower_limb_target_y_2 * t436,
-      t443 = -(limb3_U_0_sin * minus_limb3_U_0_sin + limb3_U_0_cos * minus_limb3_U_0_cos);
-    RESULT(checked2, q_next, 6, READ(q, 6) + atan2(limb3_U_0_sin * minus_limb3_U_0_cos - limb3_U_0_cos * minus_limb3_U_0_sin, t443));
-    const REAL limb3_lower_limb_length = SQRT(minus_limb3_lower_limb_target_z * minus_limb3_lower_limb_target_z + t434);
-    RESULT(checked3, q_next, 8, limb3_lower_limb_length - limb_upper_phase);
-    const REAL t448 = 1.0 / limb3_lower_limb_length, minus_limb3_lower_cos = t448 * t449,
-      minus_limb3_lower_sin_2 = minus_limb3_lower_limb_target_z * t448,
-      t453 = -(minus_limb3_lower_sin * minus_limb3_lower_cos + limb3_lower_cos * minus_limb3_lower_sin_2),
-      t457 = atan2(t453, minus_limb3_lower_sin * minus_limb3_lower_sin_2 - limb3_lower_cos * minus_limb3_lower_cos);
-    RESULT(checked0, q_next, 7, READ(q, 7) + t457);
-    /* limb4: results; geometry */
-    const REAL t460 = SINES(sine, 8), t459 = SINES(cosine, 8),
-      t465 = SELECT(LESS(t460 * limb4_lower_limb_target_x_2 + t459 * minus_limb4_lower_limb_target_y, 0.0), (-1.0), 1.0),
-      t466 = minus_limb4_lower_limb_target_y * minus_limb4_lower_limb_target_y,
-      t468 = t466 + limb4_lower_limb_target_x_2 * limb4_lower_limb_target_x_2, t469 = SQRT(t468), t470 = t465 / t469,
-      t484 = t465 * t469, t471 = limb4_lower_limb_target_x_2 * t470, t473 = minus_limb4_lower_limb_target_y * t470,
-      t475 = t459 * t471 - t460 * t473;
-    RESULT(checked1, q_next, 9, READ(q, 9) + atan2(t475, t460 * t471 + t459 * t473));
-    const REAL limb4_lower_limb_length = SQRT(minus_limb4_lower_limb_target_z * minus_limb4_lower_limb_target_z + t468);
-    RESULT(checked2, q_next, 11, limb4_lower_limb_length - limb_upper_phase);
-    const REAL t483 = 1.0 / limb4_lower_limb_length, t485 = t483 * t484,
-      t487 = minus_limb4_lower_limb_target_z * t483, t490 = -(minus_limb4_lower_sin * t485 + limb4_lower_cos * t487);
-    RESULT(checked3, q_next, 10, READ(q, 10) + atan2(t490, minus_limb4_lower_sin * t487 - limb4_lower_cos * t485));
+    const REAL t264 = limb5_S_q_next_qz * limb5_S_q_next_qz, t266 = t265 * t265, t267 = t264 + t266,
+      t268 = limb5_S_q_next_qx * limb5_S_q_next_qx, t274 = t268 + t266, t303 = t264 + t268,
+      t273 = 4.0 - 2.0 * (t267 + (t268 + limb5_S_q_next_qw * limb5_S_q_next_qw)), t279 = limb5_S_q_next_qz * t273,
+      t276 = param_H * (1.0 - t273 * t274), t305 = 0.5 * (1.0 - t303 * t273), t302 = 0.5 * (1.0 - t267 * t273),
+      t282 = limb5_S_q_next_qw * t279, t277 = t265 * t273, t287 = limb5_S_q_next_qw * (limb5_S_q_next_qx * t273),
+      t278 = limb5_S_q_next_qw * t277, t283 = limb5_S_q_next_qx * t277, t280 = limb5_S_q_next_qx * t279,
+      t288 = t265 * t279, platform_turn_yx_2 = t282 - t283, t284 = 0.5 * (t282 + t283),
+      t290 = 0.5 * platform_turn_yx_2, platform_turn_zx_2 = t278 + t280, t285 = param_H * (t278 - t280),
+      t281 = 0.5 * platform_turn_zx_2, minus_platform_turn_yz = t287 + t288, t291 = 0.5 * (t287 - t288),
+      t289 = param_H * minus_platform_turn_yz;
+    FIRST_LIMB(3, assemble_step, 2, stride, q_next, sine, cosine, t284, t285, t291, t276, t305, t289, &limbs);
+    checked0 = checked0 + ALONE(limbs.checked[3]);
+    NEXT_LIMB(1, assemble_step, 2, stride, q_next, sine, cosine, t284, t285, t291, t276, t305, t289, &limbs);
+    checked1 = checked1 + ALONE(limbs.checked[1]);
+    FIRST_LIMB(3, assemble_step, 3, stride, sine, cosine, SELECT(LESS(limbs.t7[3], 0.0), (-1.0), 1.0), &limbs);
+    RESULT(checked2, q_next, 10, READ(q, 10) + atan2(-limbs.t11[3], -limbs.t12[3]));
+    RESULT(checked3, q_next, 9, READ(q, 9) + atan2(-limbs.t9[3], limbs.t10[3]));
+    NEXT_LIMB(2, assemble_step, 2, stride, q_next, sine, cosine, t276, t281, t289, t290, t285, t302, &limbs);
+    checked0 = checked0 + ALONE(limbs.checked[2]);
+    NEXT_LIMB(0, assemble_step, 2, stride, q_next, sine, cosine, t276, t281, t289, t290, t285, t302, &limbs);
+    checked1 = checked1 + ALONE(limbs.checked[0]);
+    NEXT_LIMB(2, assemble_step, 3, stride, sine, cosine, SELECT(LESS(-limbs.t7[2], 0.0), (-1.0), 1.0), &limbs);
+    RESULT(checked2, q_next, 7, READ(q, 7) + atan2(-limbs.t11[2], limbs.t12[2]));
+    RESULT(checked3, q_next, 6, READ(q, 6) + atan2(limbs.t9[2], -limbs.t10[2]));
+    NEXT_LIMB(1, assemble_step, 3, stride, sine, cosine, SELECT(LESS(-limbs.t7[1], 0.0), (-1.0), 1.0), &limbs);
+    RESULT(checked0, q_next, 4, READ(q, 4) + atan2(limbs.t11[1], -limbs.t12[1]));
+    RESULT(checked1, q_next, 3, READ(q, 3) + atan2(limbs.t9[1], -limbs.t10[1]));
+    NEXT_LIMB(0, assemble_step, 3, stride, sine, cosine, SELECT(LESS(-limbs.t7[0], 0.0), (-1.0), 1.0), &limbs);
+    RESULT(checked2, q_next, 1, READ(q, 1) + atan2(limbs.t11[0], -limbs.t12[0]));
+    RESULT(checked3, q_next, 0, READ(q, 0) + atan2(limbs.t9[0], -limbs.t10[0]));
     /* else status 5: no rotation */
-    NOT_BELOW(t7, 0.999999, 5);
-    NOT_ABOVE(t7, 1.000001, 5);
-    FINITE_UNLESS( /* status 1 where a pivot is smaller than its limit: */
-        SMALL(minus_limb3_U_0_lever_mz_by_limb3_S_fz, 6.62327e-13) OR /* where the reciprocal wrench limb3_S.fz has no power along limb3_U.0, as in a stretched limb */
-        SMALL(minus_limb2_U_0_lever_mz_by_limb2_S_fz, 6.62327e-13) OR /* where the reciprocal wrench limb2_S.fz has no power along limb2_U.0, as in a stretched limb */
-        SMALL(minus_limb4_U_0_lever_mz_by_limb4_S_fz, 6.62327e-13) OR /* where the reciprocal wrench limb4_S.fz has no power along limb4_U.0, as in a stretched limb */
-        SMALL(minus_limb1_U_0_lever_mz_by_limb1_U2_fz, 6.62327e-13) OR /* where the reciprocal wrench limb1_U2.fz has no power along limb1_U.0, as in a stretched limb */
+    NOT_BELOW(t11, 0.999999, 5);
+    NOT_ABOVE(t11, 1.000001, 5);
+    FINITE_UNLESS4( /* status 1 where a pivot is smaller than its limit: */
+        SMALL4(limbs.minus_U_0_lever_mz_by_S_fz, 6.62327e-13, 6.62327e-13, 6.62327e-13, 6.62327e-13) OR /* where the reciprocal wrench limb_U2.fz has no power along limb_U.0, as in a stretched limb; where the reciprocal wrench limb_S.fz has no power along limb_U.0, as in a stretched limb */
         SMALL(minus_limb5_S_pivot_wz, 1.0e-12) OR /* where the loops no longer determine limb5_S.wz */
         SMALL(a_pivot, 1.0e-12) OR /* where the elimination meets a singularity */
         SMALL(a_pivot_2, 1.0e-12), /* where the elimination meets a singularity */
-        (checked0 + checked1) + (checked2 + checked3));
+        (checked0 + checked1) + (checked2 + checked3), limbs.checked);
 }
 
 static int three_ups_upu_s_assemble_step(const double *restrict q, const double *restrict y,

@@ -80,6 +80,9 @@ typedef double three_ups_upu_s_four;
 #define THREE_UPS_UPU_S_SUM(four) (four)
 #endif
 
+/* One value per limb. */
+typedef double three_ups_upu_s_each4[4];
+
 #if defined(__GNUC__) && defined(__AVX2__) && !defined(THREE_UPS_UPU_S_SCALAR) && !defined(THREE_UPS_UPU_S_LIMB_BY_LIMB)
 typedef double three_ups_upu_s_vector4 __attribute__((vector_size(32)));
 typedef long long three_ups_upu_s_vector4_mask __attribute__((vector_size(32)));
@@ -90,6 +93,10 @@ static inline three_ups_upu_s_vector4 three_ups_upu_s_vector4_sqrt(three_ups_upu
         root[k] = sqrt(x[k]);
     }
     return root;
+}
+THREE_UPS_UPU_S_UNUSED static inline double three_ups_upu_s_vector4_sum(three_ups_upu_s_vector4 x)
+{
+    return (x[0] + x[1]) + (x[2] + x[3]);
 }
 #endif
 
@@ -300,6 +307,94 @@ static inline THREE_UPS_UPU_S_INLINE void three_ups_upu_s_sines9(const double *r
     three_ups_upu_s_sincos(2, angle, sine, cosine);
 }
 
+
+#endif /* THREE_UPS_UPU_S_SUPPORT_H */
+
+/* Read again where bodies are, with equal limbs side by side. */
+#if !defined(THREE_UPS_UPU_S_VECTORS) || defined(THREE_UPS_UPU_S_LANES)
+#undef BODY
+#undef REAL
+#undef READ
+#undef SINES
+#undef WRITE
+#undef CONSTANT
+#undef SQRT
+#undef ABS
+#undef LESS
+#undef SELECT
+#undef FOURS
+#undef FOUR
+#undef SUM_OF_FOUR
+#undef SMALL
+#undef OR
+#undef FINITE_UNLESS
+#undef FINITE
+#undef UNCHECKED
+#undef NOT_BELOW
+#undef NOT_ABOVE
+#undef RESULT
+#undef STAGE
+#undef LIMBS
+#undef FIRST_LIMB
+#undef NEXT_LIMB
+#undef OWN
+#undef ALONE
+#undef EACH4
+#undef LIMB4
+#undef NUMBER4
+#undef OF4
+#undef IN_EACH4
+#undef WRITE4
+#undef SQRT4
+#undef SMALL4
+#undef FINITE_UNLESS4
+#undef FINITE4
+#endif
+#if defined(THREE_UPS_UPU_S_LANES) && THREE_UPS_UPU_S_LANES == 4
+/* ... and here one state with equal limbs side by side; what fails is NaN, all bits set. */
+#define BODY(function) static inline THREE_UPS_UPU_S_INLINE double function##_packed_lane
+#define REAL double
+#define READ(array, k) ((array)[k])
+#define SINES(array, k) ((array)[k])
+#define WRITE(array, k, x) ((array)[k] = (x))
+#define CONSTANT(x) (x)
+#define SQRT(x) sqrt(x)
+#define ABS(x) fabs(x)
+#define LESS(a, b) ((a) < (b) ? 1.0 : 0.0)
+#define SELECT(condition, a, b) ((condition) != 0.0 ? (a) : (b))
+#define FOURS three_ups_upu_s_four
+#define FOUR(array, k) THREE_UPS_UPU_S_FOUR((array) + (k))
+#define SUM_OF_FOUR(x) THREE_UPS_UPU_S_SUM(x)
+#define SMALL(pivot, limit) ((three_ups_upu_s_vector4_mask){-(fabs(pivot) <= (limit))})
+#define OR |
+#define FINITE_UNLESS(small, sum) \
+    (void)stride, (void)total; return (sum) + three_ups_upu_s_vector4_sum((three_ups_upu_s_vector4)(small))
+#define FINITE(sum) (void)stride, (void)total; return (sum)
+#define UNCHECKED() (void)stride, (void)total; return 0.0
+#define NOT_BELOW(x, low, status) if (!((x) >= (low))) { return (double)NAN; }
+#define NOT_ABOVE(x, high, status) if (!((x) <= (high))) { return (double)NAN; }
+#define RESULT(checked, array, k, x) \
+    { const REAL result_ = (x); WRITE(array, k, result_); checked = checked + result_; }
+#define STAGE(function, n) static inline THREE_UPS_UPU_S_INLINE void three_ups_upu_s_##function##_lanes##n
+#define LIMBS(function) three_ups_upu_s_##function##_lanes
+#define FIRST_LIMB(k, function, n, ...) three_ups_upu_s_##function##_lanes##n(k, __VA_ARGS__)
+#define NEXT_LIMB(k, function, n, ...) (void)0
+#define OWN(x) (x)
+#define ALONE(x) (-0.0) /* adds nothing: limbs are summed together */
+#define EACH4 three_ups_upu_s_vector4
+#define LIMB4 three_ups_upu_s_vector4
+#define NUMBER4 three_ups_upu_s_vector4
+#define OF4(a, b, c, d) (three_ups_upu_s_vector4){a, b, c, d}
+#define IN_EACH4(read, array, first, step) \
+    (three_ups_upu_s_vector4){read(array, first), read(array, (first) + (step)), read(array, (first) + 2 * (step)), read(array, (first) + 3 * (step))}
+#define WRITE4(array, a, b, c, d, x) do { const three_ups_upu_s_vector4 out_ = (x); WRITE(array, a, out_[0]); WRITE(array, b, out_[1]); WRITE(array, c, out_[2]); WRITE(array, d, out_[3]); } while (0)
+#define SQRT4(x) three_ups_upu_s_vector4_sqrt(x)
+#define SMALL4(x, a, b, c, d) (((x) <= OF4(a, b, c, d)) & ((x) >= -OF4(a, b, c, d)))
+#define FINITE_UNLESS4(small, sum, each) \
+    (void)stride, (void)total; return (sum) + three_ups_upu_s_vector4_sum((three_ups_upu_s_vector4)((three_ups_upu_s_vector4_mask)(each) | (small)))
+#define FINITE4(sum, each) (void)stride, (void)total; return (sum) + three_ups_upu_s_vector4_sum(each)
+#endif
+#if !defined(THREE_UPS_UPU_S_VECTORS)
 /* Bodies of functions are written once. Here they take one state ... */
 #define BODY(function) static inline THREE_UPS_UPU_S_INLINE int function##_body
 #define REAL double
@@ -325,5 +420,23 @@ static inline THREE_UPS_UPU_S_INLINE void three_ups_upu_s_sines9(const double *r
     if (!((x) <= (high))) { (void)stride, (void)total; return isfinite(x) ? (status) : 2; }
 #define RESULT(checked, array, k, x) \
     { const REAL result_ = (x); WRITE(array, k, result_); checked = checked + result_; }
-
-#endif /* THREE_UPS_UPU_S_SUPPORT_H */
+/* Stages are what equal limbs do, written once: here of the limb with the number `limb`. Values have the
+   names of the theory without the limb's. OWN(own->x): what a limb hands on; limbs.x[0]: that of the first
+   limb; given: what limbs are given; sign1 ...: 1 or -1 by limb, where equal limbs mirror each other. */
+#define STAGE(function, n) static inline THREE_UPS_UPU_S_INLINE void three_ups_upu_s_##function##_limb##n
+#define LIMBS(function) three_ups_upu_s_##function##_limbs
+#define FIRST_LIMB(k, function, n, ...) three_ups_upu_s_##function##_limb##n(k, __VA_ARGS__)
+#define NEXT_LIMB(k, function, n, ...) three_ups_upu_s_##function##_limb##n(k, __VA_ARGS__)
+#define OWN(x) (x)[limb]
+#define ALONE(x) (x)
+#define EACH4 three_ups_upu_s_each4
+#define LIMB4 REAL
+#define NUMBER4 double
+#define OF4(a, b, c, d) (limb == 0 ? (a) : limb == 1 ? (b) : limb == 2 ? (c) : (d))
+#define IN_EACH4(read, array, first, step) read(array, (first) + (step) * limb)
+#define WRITE4(array, a, b, c, d, x) WRITE(array, OF4(a, b, c, d), x)
+#define SQRT4(x) SQRT(x)
+#define SMALL4(x, a, b, c, d) (SMALL((x)[0], a) OR SMALL((x)[1], b) OR SMALL((x)[2], c) OR SMALL((x)[3], d))
+#define FINITE_UNLESS4(small, sum, each) FINITE_UNLESS(small, sum)
+#define FINITE4(sum, each) FINITE(sum)
+#endif

@@ -21,6 +21,7 @@ from symscrew.export.c_pieces import (
     Pieces,
     again,
     head,
+    lanes_macro,
     routines_of,
     shared_types,
     status_text,
@@ -71,13 +72,21 @@ def print_source(model: Model, *, precision: Precision = DOUBLE, batches: bool =
     lines += ["", *status_text(model), *shared_types(pieces)]
     lines += ["", *pieces.batch_routines()] if batches else []
     lines += ["", *routines] if routines else []
-    lines += ["", *pieces.shared.constants.lines(), "", *pieces.shared.lines(), *c_wide.one_state(name, precision)]
-    lines += [f"#endif /* {again(name)} */", *(line for f in pieces.blocks for line in ("", *pieces.bodies[f]))]
-    lines += ["", f"#if !defined({again(name)})", *(line for f in pieces.functions.values() for line in f)]
-    lines += ["", *c_wide.undefined()]
+    one, undefined = c_wide.one_state(name, precision, pieces.limbs), c_wide.undefined(pieces.limbs)
+    lines += ["", *pieces.shared.constants.lines(), "", *pieces.shared.lines(), *one]
+    lines += [f"#endif /* {again(name)} */"]
+    lines += [line for f in pieces.bodies for line in pieces.body(f, beside=pieces.bodies)]
+
+    def read_again(width: int) -> list[str]:
+        macros = [*undefined, *c_wide.side_by_side(name, precision, width), f'#include "{name}.c"']
+        return [*macros, *(f"#undef {macro}" for macro in (again(name), lanes_macro(name))), *undefined, *one]
+
+    lines += ["", f"#if !defined({again(name)})", *pieces.side_by_side(pieces.bodies, read_again)]
+    lines += [*(line for f in pieces.functions.values() for line in f), "", *undefined]
     if pieces.blocks:
-        lines += ["", f"#if {c_wide.guard(name)}", f"#define {again(name)}", *c_wide.states(name, precision)]
-        lines += [f'#include "{name}.c"', *c_wide.undefined(), *pieces.wide, "#endif"]
+        lines += ["", f"#if {c_wide.guard(name)}", f"#define {again(name)}"]
+        lines += [*c_wide.states(name, precision, pieces.limbs), f'#include "{name}.c"', *undefined]
+        lines += [*pieces.wide, "#endif"]
     lines += pieces.batch_functions() if batches else []
     lines += [*interface_table(model, precision), f"#endif /* {again(name)} */"]
     return "\n".join([*lines, ""])

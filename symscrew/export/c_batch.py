@@ -271,11 +271,18 @@ int function##_batch_soa(size_t count, size_t stride, UPPER_ALL given, int *rest
 
 
 def prologue(
-    model: str, precision: Precision, blocks: Sequence[Printed], *, angles: bool, every: Sequence[Program | Iteration]
+    model: str,
+    precision: Precision,
+    blocks: Sequence[Printed],
+    *,
+    angles: bool,
+    every: Sequence[Program | Iteration],
+    limbs: Sequence[int],
 ) -> list[str]:
     """The types and routines that all batch functions of a model share.
 
-    `blocks`: the functions that have blocks; `angles`: some functions take sines of angles; `every`: all functions.
+    `blocks`: the functions that have blocks; `angles`: some functions take sines of angles; `every`: all functions;
+    `limbs`: the numbers of equal limbs of stages.
     """
     ports = max(len(p.inputs) + len(p.outputs) for p in every)
     rooms = [sum(port.size for port in (*p.inputs, *p.outputs)) for p in every]
@@ -285,7 +292,7 @@ def prologue(
     words |= {"ZERO": precision.number(0.0), "THREADED": str(THREADED), "UPPER": upper, "MODEL": model}
     return [
         f"/* Batch functions take {LANES} states at once; {upper}_STATE_BY_STATE or {upper}_SCALAR: one by one. */",
-        *(c_wide.types(model, precision, {i.op for p in blocks for i in p.angles.rest}) if blocks else []),
+        *(c_wide.types(model, precision, {i.op for p in blocks for i in p.angles.rest}, limbs) if blocks else []),
         f"#if {c_wide.guard(model)}",
         f"#define {upper}_ROOM {max([*rooms, *wide, 1])}",
         f"#define {upper}_BLOCK(block) block",

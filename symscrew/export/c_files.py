@@ -17,7 +17,7 @@ from collections.abc import Sequence
 from symscrew.export import c_wide
 from symscrew.export.c_header import comment
 from symscrew.export.c_interface import interface_table
-from symscrew.export.c_pieces import Pieces, again, head, routines_of, shared_types, status_text
+from symscrew.export.c_pieces import Pieces, again, head, lanes_macro, routines_of, shared_types, status_text
 from symscrew.export.listing import packed
 
 # family: the names of its functions; the first that fits is it, and what fits none is `further`
@@ -71,12 +71,15 @@ def _about(pieces: Pieces, what: str, functions: Sequence[str] = ()) -> list[str
 
 def _family(pieces: Pieces, kind: str, functions: Sequence[str]) -> list[str]:
     """Bodies, which are read twice, then functions of one state, which are not."""
-    bodies = [line for f in functions if f in pieces.blocks for line in ("", *pieces.bodies[f])]
+    bodies = [line for f in functions if f in pieces.bodies for line in pieces.body(f, beside=functions)]
     own = [line for f in functions for line in pieces.functions[f]]
     lines = [*_about(pieces, kind, functions), f'#include "{pieces.name}_support.h"', *bodies]
     if not bodies:
         return [*lines, *own]
-    guard = again(pieces.name)
+    name, guard = pieces.name, again(pieces.name)
+    support, lanes = f'#include "{name}_support.h"', lanes_macro(name)
+    read = [f'#include "{name}_{kind}.c"', f"#undef {guard}", f"#undef {lanes}", f"{support} /* for one limb again */"]
+    own = [*pieces.side_by_side(functions, lambda width: [f"{support} /* for all limbs at once */", *read]), *own]
     return [*lines, "", f"#if !defined({guard})", *own, f"#endif /* {guard} */"]
 
 
@@ -86,9 +89,10 @@ def _batch(pieces: Pieces, bodies: Sequence[str]) -> list[str]:
     lines = [*_about(pieces, "functions of many states"), f'#include "{name}_support.h"', "", "#include <string.h>"]
     lines += ["", *pieces.batch_routines()]
     if pieces.blocks:
-        lines += ["", *c_wide.undefined(), "", f"#if {c_wide.guard(name)}", f"#define {again(name)}"]
-        lines += [*c_wide.states(name, precision), *(f'#include "{file}"' for file in bodies)]
-        lines += [*c_wide.undefined(), *pieces.wide, "#endif"]
+        undefined = c_wide.undefined(pieces.limbs)
+        lines += ["", *undefined, "", f"#if {c_wide.guard(name)}", f"#define {again(name)}"]
+        lines += [*c_wide.states(name, precision, pieces.limbs), *(f'#include "{file}"' for file in bodies)]
+        lines += [*undefined, *pieces.wide, "#endif"]
     return [*lines, *pieces.batch_functions()]
 
 
@@ -114,7 +118,15 @@ def _support_header(pieces: Pieces) -> list[str]:
     prototypes = _prototypes(routines_of(pieces))
     lines += ["", "/* Of the second path of functions, in the support's source. */", *prototypes] if prototypes else []
     lines += ["", *pieces.shared.constants.lines(), "", *pieces.shared.lines()]
-    return [*lines, *c_wide.one_state(name, precision), "", f"#endif /* {guard} */"]
+    one = c_wide.one_state(name, precision, pieces.limbs)
+    if not pieces.lanes:
+        return [*lines, *one, "", f"#endif /* {guard} */"]
+    lines += ["", f"#endif /* {guard} */", "", "/* Read again where bodies are, with equal limbs side by side. */"]
+    lines += [f"#if !defined({again(name)}) || defined({lanes_macro(name)})", *c_wide.undefined(pieces.limbs), "#endif"]
+    for width in sorted(set(pieces.lanes.values())):
+        lines += [f"#if defined({lanes_macro(name)}) && {lanes_macro(name)} == {width}"]
+        lines += [*c_wide.side_by_side(name, precision, width), "#endif"]
+    return [*lines, f"#if !defined({again(name)})", *one, "#endif"]
 
 
 def _prototypes(routines: Sequence[str]) -> list[str]:

@@ -12,6 +12,8 @@ from collections.abc import Iterator, Sequence
 
 from symscrew.export import c_lanes, c_unread
 from symscrew.export.c_angles import calls
+from symscrew.export.c_hub import Hub, hub_of
+from symscrew.export.c_limbs import LIMBS, LimbText
 from symscrew.export.c_names import arguments, declare, grouped, wrapped_code
 from symscrew.export.c_printed import Form, Printed, place
 from symscrew.export.folding import folded
@@ -20,6 +22,8 @@ from symscrew.export.pivots import pivot_text
 from symscrew.export.stages import headed
 from symscrew.program import OUT_OF_REACH, Packing, status_texts
 
+LARGE = 100  # rows of a stage in the mean from which on stages are shorter text in any case; below, both are printed
+SHORTER = 0.85  # of the text that stages must leave: where they save less, limbs are not very equal
 SUMS = 4  # of what must be finite, side by side: one alone is a chain of additions that wait for each other
 
 
@@ -34,17 +38,36 @@ def body(printed: Printed) -> list[str]:
     What is read is read where it is first needed, results are written and summed where they are known, so that few
     values live at once. What is only checked comes first: at the end it would wait for the results in its sum.
     """
+    staged = printed.staged
+    if staged is None:
+        return _body(printed, None)
+    text = _body(printed, LimbText(printed, staged))
+    if staged.lanes or len(staged.rows) >= LARGE * len(staged.stages):
+        return text
+    whole = _body(printed, None)
+    return text if sum(map(len, text)) < SHORTER * sum(map(len, whole)) else whole
+
+
+def _body(printed: Printed, limbs: LimbText | None) -> list[str]:
+    """A body with what equal limbs do in stages, or limb after limb in one text."""
     real = printed.precision.real
     given = ["size_t stride", *arguments(printed.program, printed.precision), *sines(printed)]
     head = declare(f"BODY({printed.symbol})", [*given, f"{real} *restrict total"], "")
-    return [head, "{", *unread(printed), *(f"    {line}" for line in grouped(_Body(printed).lines())), "}"]
+    inner = _Body(printed, limbs)
+    own = [f"    LIMBS({limbs.function}) {LIMBS};"] if limbs and limbs.hands_on else []
+    lines = [*unread(printed), *own, *(f"    {line}" for line in grouped(inner.lines()))]
+    return [*(limbs.head() if limbs else []), head, "{", *lines, "}"]
 
 
 class _Body:
     """Statements while they are written: where results go, and what is to be checked yet."""
 
-    def __init__(self, printed: Printed) -> None:
-        self.printed = printed
+    def __init__(self, printed: Printed, limbs: LimbText | None) -> None:
+        self.printed, self.limbs = printed, limbs
+        slots = {slot: slot for slot in printed.program.tested}
+        stored, table = printed.stored, dict(printed.precision.body_table)
+        self.hub = hub_of(limbs) if limbs else Hub(printed.order, dict(printed.called), table, stored, slots)
+        self.called = self.hub.called
         own = ("sine", "cosine")
         self.entered = {
             slot: f"{'SINES' if array in own else 'READ'}({array}, {k})" for slot, (array, k) in printed.entries.items()
@@ -52,51 +75,72 @@ class _Body:
         self.written: list[tuple[str, int | None]] = []  # statements, and the slot that each serves
         self.places: dict[int, list[tuple[str, int]]] = {}
         self.constants: list[str] = []
-        for array, k, slot in printed.stored:
+        for array, k, slot in self.hub.stored:
             if isinstance(slot, int):
                 self.places.setdefault(slot, []).append((array, k))
             else:
                 self.constants.append(f"WRITE({array}, {k}, CONSTANT({printed.named(slot)}));")
-        self.waiting = dict.fromkeys(checked_slots(printed.program))
+        self.waiting = dict.fromkeys(limbs.checked if limbs else checked_slots(printed.program))
         self.terms = 0
+        self.begun: set[str] = set()  # stages of which a limb has been called
+
+    def _named(self, value: int | float) -> str:
+        """A slot by its name, or a constant by its own."""
+        return self.called[value] if isinstance(value, int) else self.printed.number(value)
 
     def lines(self) -> list[str]:
         """The statements under headings, the last of which gives the state's status."""
-        printed = self.printed
-        uses = Counter(a for i in printed.order for a in i.args if isinstance(a, int))
+        printed, hub = self.printed, self.hub
+        uses = Counter(a for i in hub.order for a in i.args if isinstance(a, int))
         read = set(uses)
         for slot, places in self.places.items():
             uses[slot] += len(places)
-        tested = printed.program.tested
-        uses.update(tested)
+        tested = set(hub.tested.values())
+        uses.update(hub.tested.values())
         uses.update(slot for slot in self.waiting if slot not in self.places)
+        uses.update(hub.read)
+        uses.update(dict.fromkeys([*hub.hands_on, *hub.given], 2))  # statements of their own
         self._inputs(uses)
-        table = printed.precision.body_table
         known = set[int]()
         found = folded(
-            printed.order, uses, table, name=printed.named, places=self.entered,
+            hub.order, uses, hub.table, name=self._named, places=self.entered,
             ends=lambda slot: slot not in read and slot not in tested,
         )  # fmt: skip
         for item in found:
             if item.kind == "last":
                 self._last(item.slot, item.text)
-                continue
-            text = item.text or self.entered[item.slot]
-            self._write(f"const REAL {printed.called[item.slot]} = {text};", item.slot)
-            if item.kind == "named" or item.slot in self.places or item.slot in self.waiting:
-                self._ready(item.slot)
-            known.add(item.slot)
+            elif item.slot in hub.hands_on:
+                self._stage(item.slot, item.text)
+            elif item.slot in hub.given:
+                assert self.limbs is not None
+                self._write(f"const EACH{self.limbs.count} {self.called[item.slot]} = {item.text};")
+            else:
+                text = item.text or self.entered[item.slot]
+                self._write(f"const REAL {self.called[item.slot]} = {text};", item.slot)
+                if item.kind == "named" or item.slot in self.places or item.slot in self.waiting:
+                    self._ready(item.slot)
+                known.add(item.slot)
         for slot in [*self.places, *self.waiting, *tested]:
             if slot in self.entered and slot not in known:
                 known.add(slot)
-                self._write(f"const REAL {printed.called[slot]} = {self.entered[slot]};", slot)
+                self._write(f"const REAL {self.called[slot]} = {self.entered[slot]};", slot)
                 self._ready(slot)
         return [
-            *headed(self.written, printed.stages, printed.named),
+            *headed(self.written, printed.stages, lambda slot: self.called.get(slot, "")),
             *self.constants,
             *self._limits(),
             *self._status(),
         ]
+
+    def _stage(self, call: int, text: str) -> None:
+        """A limb's stage; the first limb's, in text, is that of all of them where they are side by side."""
+        stage = text.split(", ")[2]
+        self._write(f"{'NEXT' if stage in self.begun else 'FIRST'}_{text};")
+        self.begun.add(stage)
+        for slot in self.hub.hands_on[call]:
+            self._ready(slot)
+        if call in self.hub.sums:
+            self._checked(f"ALONE({self.hub.sums[call]})")
 
     def _write(self, text: str, slot: int | None = None) -> None:
         self.written.append((text, slot))
@@ -126,7 +170,7 @@ class _Body:
             self._write(f"RESULT(checked{self.terms % SUMS}, {array}, {k}, {text});", slot)
             self.terms += 1
         elif checked:
-            name = self.printed.called[slot]
+            name = self.called[slot]
             self._write(f"const REAL {name} = {text};", slot)
             self._write(f"WRITE({array}, {k}, {name});", slot)
             self._checked(name, slot)
@@ -135,14 +179,14 @@ class _Body:
 
     def _ready(self, slot: int) -> None:
         """What is known goes to its places, and into a sum."""
-        name = self.printed.called[slot]
+        name = self.called[slot]
         for array, k in self.places.pop(slot, ()):
             self._write(f"WRITE({array}, {k}, {name});", slot)
         if slot in self.waiting:
             del self.waiting[slot]
             self._checked(name, slot)
 
-    def _checked(self, text: str, slot: int) -> None:
+    def _checked(self, text: str, slot: int | None = None) -> None:
         """What must be finite goes into one of some sums, side by side."""
         name = f"checked{self.terms % SUMS}"
         loose = " " in text
@@ -164,24 +208,42 @@ class _Body:
                 yield f"/* else status {status}: {plain(texts[status].partition(end)[0])} */"
             for macro, bound in (("NOT_BELOW", low), ("NOT_ABOVE", high)):
                 if bound is not None:
-                    yield f"{macro}({printed.called[slot]}, {printed.precision.number(bound)}, {status});"
+                    yield f"{macro}({self.called[self.hub.tested[slot]]}, {printed.precision.number(bound)}, {status});"
 
     def _status(self) -> list[str]:
         """What the function returns, and what each pivot means."""
         printed = self.printed
         sums = balanced_sum([f"checked{k}" for k in range(min(self.terms, SUMS))] or ["CONSTANT(0.0)"])
         guards = printed.program.guards
-        limits = [(printed.called[s], printed.precision.threshold(t)) for s, t in guards]
-        if not limits:
-            return [f"FINITE({sums});" if self.terms else "UNCHECKED();"]
-        told = [f"SMALL({name}, {limit})" for name, limit in limits]
-        lines = [f"{text}{' OR' if k + 1 < len(told) else ','}" for k, text in enumerate(told)]
-        texts = [plain(pivot_text(printed.program.origins.get(slot))) for slot, _ in guards]
+        whole = self.limbs
+        kind, every = (str(whole.count), f", {LIMBS}.checked") if whole and whole.last_check >= 0 else ("", "")
+        if not guards:
+            return [f"FINITE{kind}({sums}{every});" if self.terms or every else "UNCHECKED();"]
+        told = list(self._small(guards))
         return [
-            "FINITE_UNLESS( /* status 1 where a pivot is smaller than its limit: */",
-            *(f"    {line} /* {text} */" for line, text in zip(lines, texts, strict=True)),
-            f"    {sums});",
+            f"FINITE_UNLESS{kind}( /* status 1 where a pivot is smaller than its limit: */",
+            *(f"    {test}{' OR' if k + 1 < len(told) else ','} /* {text} */" for k, (test, text) in enumerate(told)),
+            f"    {sums}{every});",
         ]
+
+    def _small(self, guards: Sequence[tuple[int, float]]) -> Iterator[tuple[str, str]]:
+        """What tells of a small pivot, and where it is one; those that correspond in all limbs together."""
+        printed, whole = self.printed, self.limbs
+        texts = {slot: plain(pivot_text(printed.program.origins.get(slot))) for slot, _ in guards}
+        limits = {slot: printed.precision.threshold(limit) for slot, limit in guards}
+        at = {self.hub.tested[slot]: slot for slot, _ in guards}
+        for slot, _ in guards:
+            held = self.hub.tested[slot]
+            row, k = whole.row_of.get(held, (None, 0)) if whole else (None, 0)
+            if whole and row is not None and all(other in at for other in row.slots):
+                if k:
+                    continue
+                slots, limbs = [at[other] for other in row.slots], whole.staged.limbs
+                several = (texts[s].replace(limb.name, "limb") for s, limb in zip(slots, limbs, strict=True))
+                test = f"{LIMBS}.{whole.members[row.number]}, {', '.join(limits[s] for s in slots)}"
+                yield f"SMALL{whole.count}({test})", "; ".join(dict.fromkeys(several))
+            else:
+                yield f"SMALL({self.called[held]}, {limits[slot]})", texts[slot]
 
 
 def angles_symbol(printed: Printed) -> str:
@@ -310,11 +372,13 @@ def function(printed: Printed, signature: str, second: str = "", *, packed: Sequ
 
     `second` is its way out of small pivots, `packed` its lane with equal limbs side by side.
     """
-    if not printed.packing or not packed:
+    shared = bool(printed.lanes_of_limbs)
+    if not printed.packing or not (packed or shared):
         return _one_by_one(printed, signature, second)
     condition = f"#if {c_lanes.condition(printed.model, printed.packing.width, printed.precision)}"
     apart = declare(f"{printed.symbol}_limb_by_limb", arguments(printed.program, printed.precision), "int ")
     handed = [*printed.handed(), *(["sine", "cosine"] if printed.angles.gathered else [])]
+    handed = ["1", *handed, "NULL"] if shared else handed
     return [
         *packed,
         "",

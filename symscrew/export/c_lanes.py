@@ -1,5 +1,8 @@
 """Equal limbs in vector lanes: the packed form of a function of one state, in C with vector types.
 
+Where every lane is a limb it is the text of the function's body (see `c_limbs`), read with other macros; what is here
+is for six limbs in vectors of four, and for limbs that lie differently.
+
 `<symbol>_packed_lane` computes what `<symbol>_lane` computes of one state, with packs (see `symscrew.program.lanes`) as
 vectors of GCC and clang. It stands behind the condition of `condition`; elsewhere, and if `<MODEL>_SCALAR` or
 `<MODEL>_LIMB_BY_LIMB` is defined, `<symbol>_limb_by_limb` does the same one by one. So it does for a state that fails:
@@ -49,6 +52,12 @@ def _type(model: str, width: int, precision: Precision, *, root: bool) -> list[s
     ]
     if root:
         lines += precision.vector_root(name, width)
+    lines += [
+        f"{model.upper()}_UNUSED static inline {precision.real} {name}_sum({name} x)",
+        "{",
+        f"    return {balanced_sum([f'x[{k}]' for k in range(width)])};",
+        "}",
+    ]
     return [*lines, "#endif"]
 
 

@@ -27,11 +27,14 @@ class _Graph:
     chain: list[int]
 
 
-def short_lived(instructions: Sequence[Instruction]) -> list[Instruction]:
-    """The same instructions, what ends most lives first; of two such orders the one with fewer values alive."""
+def short_lived(instructions: Sequence[Instruction], part: float = 1.0) -> list[Instruction]:
+    """The same instructions, what ends most lives first; of two such orders the one with fewer values alive.
+
+    That which begins at the last result is taken if its values are less than this part of the other one's.
+    """
     graph = _graph(instructions)
-    orders = [_ending_lives(graph, _walk(graph, last=last)) for last in (False, True)]
-    return [instructions[k] for k in min(orders, key=lambda order: _alive(graph, order))]
+    first, last = (_ending_lives(graph, _walk(graph, last=last)) for last in (False, True))
+    return [instructions[k] for k in (last if _alive(graph, last) < part * _alive(graph, first) else first)]
 
 
 def _graph(instructions: Sequence[Instruction]) -> _Graph:

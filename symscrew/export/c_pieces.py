@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable, Sequence
 from contextlib import ExitStack
 from typing import NamedTuple
 
-from symscrew.export import c_angles, c_batch, c_lanes, c_parts, c_unread
+from symscrew.export import c_angles, c_batch, c_lanes, c_limb_macros, c_parts, c_unread
 from symscrew.export.c_function import body, function, packed_lane
 from symscrew.export.c_iteration import iteration_functions
 from symscrew.export.c_names import arguments, declare
@@ -100,7 +101,9 @@ class Pieces:
 
     Attributes:
         shared: what several functions call, and the constants.
-        bodies: by function with a block, the body for one state or several.
+        bodies: by function with a block, or with equal limbs side by side, the body for one state or several.
+        lanes: by function whose body is also that with equal limbs side by side, how many these are.
+        limbs: the numbers of equal limbs for which stages are printed.
         functions: by function, it for one state, with the bodies of those that have no block.
         wide: the functions of blocks.
     """
@@ -131,9 +134,40 @@ class Pieces:
         straight = [f for f, program in model.programs.items() if not isinstance(program, Iteration)]
         self.blocks = [f for f in straight if batches and c_batch.by_lanes(self.printed[f])]
         self._texts = self._arranged(straight, processes, meanwhile)
-        self.bodies = {f: self._texts[f].body for f in self.blocks}
+        shared = {f: self.printed[f].lanes_of_limbs for f in straight}
+        self.lanes = {f: len(found.limbs) for f, found in shared.items() if found}
+        self.bodies = {f: self._texts[f].body for f in straight if f in self.blocks or f in self.lanes}
         self.functions = {f: self._function(f) for f in model.programs}
+        self.limbs = limbs_in(line for text in (*self.bodies.values(), *self.functions.values()) for line in text)
         self.wide = [line for f in self.blocks for line in ("", *c_batch.block(self.printed[f]))]
+
+    def body(self, name: str, *, beside: Iterable[str]) -> list[str]:
+        """A body, left out where bodies are read again for what it is not for: several states, so many lanes.
+
+        `beside` are the functions whose bodies are read with it.
+        """
+        vectors, lanes, width = again(self.name), lanes_macro(self.name), self.lanes.get(name)
+        text = self.bodies[name]
+        if self.lanes.keys().isdisjoint(beside):
+            return ["", *text]
+        if width is None:
+            return ["", f"#if !defined({lanes})", *text, "#endif"]
+        if name in self.blocks:
+            return ["", f"#if !defined({lanes}) || {lanes} == {width}", *text, "#endif"]
+        return ["", f"#if !defined({vectors}) || (defined({lanes}) && {lanes} == {width})", *text, "#endif"]
+
+    def side_by_side(self, names: Iterable[str], reads: Callable[[int], Sequence[str]]) -> list[str]:
+        """Bodies of some functions read again, with equal limbs side by side; `reads` are the lines that do so."""
+        lines: list[str] = []
+        for width in sorted({self.lanes[name] for name in names if name in self.lanes}):
+            lines += ["", f"#if {c_lanes.condition(self.name, width, self.precision)}"]
+            lines += [
+                f"#define {again(self.name)}",
+                f"#define {lanes_macro(self.name)} {width}",
+                *reads(width),
+                "#endif",
+            ]
+        return lines
 
     def _function(self, name: str) -> list[str]:
         """A function of one state, with its body if that has no second form."""
@@ -141,7 +175,7 @@ class Pieces:
         if isinstance(program, Iteration):
             return ["", *iteration_functions(self.name, symbol, program, self.precision, shared=self.shared)]
         text = self._texts[name]
-        lane = [] if name in self.blocks else ["", *text.body]
+        lane = [] if name in self.bodies else ["", *text.body]
         return [*lane, "", *_one_state(self.printed[name], program, self.dense, text.packed)]
 
     def _arranged(self, functions: Sequence[str], processes: int, meanwhile: Callable[[], object]) -> dict[str, _Text]:
@@ -179,7 +213,8 @@ class Pieces:
     def batch_routines(self) -> list[str]:
         """Types and routines of batch functions."""
         every, chosen = list(self.model.programs.values()), [self.printed[name] for name in self.blocks]
-        return c_batch.prologue(self.name, self.precision, chosen, angles=_angles(self), every=every)
+        angles, limbs = _angles(self), self.limbs
+        return c_batch.prologue(self.name, self.precision, chosen, angles=angles, every=every, limbs=limbs)
 
     def batch_functions(self) -> list[str]:
         """All batch functions."""
@@ -188,6 +223,16 @@ class Pieces:
             symbol, lanes = f"{self.name}_{name}", name in self.blocks
             found += ["", *c_batch.batch(self.name, symbol, program, self.precision, lanes=lanes)]
         return found
+
+
+def limbs_in(lines: Iterable[str]) -> list[int]:
+    """The numbers of equal limbs for which stages are printed."""
+    return sorted({int(n) for line in lines for n in re.findall(r"\b(?:LIMB|EACH)(\d)\b", line)})
+
+
+def lanes_macro(model: str) -> str:
+    """The macro that is defined, as the number of lanes, where bodies are read with equal limbs side by side."""
+    return f"{model.upper()}_LANES"
 
 
 def again(model: str) -> str:
@@ -216,6 +261,8 @@ def shared_types(pieces: Pieces) -> list[str]:
     lines += c_parts.prologue(name, every)
     if any(c_unread.fours(p.inputs, p.program.checked)[0] for p in every if not p.in_parts):
         lines += c_unread.prologue(name, precision)
+    each = c_limb_macros.types(precision.real, f"{name}_each", pieces.limbs)
+    lines += ["", "/* One value per limb. */", *each] if each else []
     return lines + c_lanes.prologue(name, [p.packing for p in pieces.printed.values() if p.packing], precision)
 
 
@@ -235,7 +282,8 @@ def _text(printed: Printed) -> _Text:
     """Nearly all that is printed of a function."""
     if printed.in_parts:
         return _Text(c_parts.lane_in_parts(printed), [])
-    return _Text(body(printed), packed_lane(printed, printed.packing) if printed.packing else [])
+    packing = None if printed.lanes_of_limbs else printed.packing
+    return _Text(body(printed), packed_lane(printed, packing) if packing else [])
 
 
 def _one_state(

@@ -20,7 +20,7 @@ from symscrew.export.listing import checked_slots, input_entries, live_instructi
 from symscrew.export.stages import Stages
 from symscrew.export.value_names import value_names
 from symscrew.model import Model
-from symscrew.program import Instruction, Packing, Port, Program, packed
+from symscrew.program import Instruction, LimbStages, Packing, Port, Program, packed, stages_of_lanes, stages_of_limbs
 
 # Instructions of functions that are tried in lanes: of fewer, gathering costs what is saved; of more, finding what goes
 # together takes half a second and more (within: forward dynamics of the 6-UPS, 0.73 of the time limb after limb).
@@ -106,6 +106,32 @@ class Printed:
         checked = [*self.program.tested, *checked_slots(self.program)]
         origins, limbs = self.program.origins, self.program.limbs
         return packed(self.angles.rest, kept, checked, arrays, origins=origins, limbs=limbs)
+
+    @cached_property
+    def ports(self) -> dict[int, int]:
+        """The input, by its number, of slots that are there from the start; angles are of the first one."""
+        numbers = {self.names[port.name]: n for n, port in enumerate(self.program.inputs)}
+        return {slot: numbers.get(array, 0) for slot, (array, _) in self.entries.items()}
+
+    @cached_property
+    def lanes_of_limbs(self) -> LimbStages | None:
+        """Its stages of equal limbs that are those of its form in lanes, too: where every lane is a limb."""
+        if not self.packing:
+            return None
+        families = (f for f in self.program.limbs.families if len(f) == self.packing.width)
+        return next(filter(None, (stages_of_lanes(self.packing, family, self.ports) for family in families)), None)
+
+    @cached_property
+    def staged(self) -> LimbStages | None:
+        """What its equal limbs do, once, if that is a good part of it."""
+        if self.registers:  # an order for one machine's registers is that of all operations, limb after limb
+            return None
+        if self.lanes_of_limbs:
+            return self.lanes_of_limbs
+        stored = [slot for *_, slot in self.stored if isinstance(slot, int)]
+        arrays = {slot: array for slot, (array, _) in self.entries.items()}
+        origins, limbs = self.program.origins, self.program.limbs
+        return stages_of_limbs(self.angles.rest, stored, arrays, origins=origins, limbs=limbs)
 
     def take(self, packing: Packing | None) -> None:
         """Its packed form, found by another process."""

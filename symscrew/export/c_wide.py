@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence, Set
 
+from symscrew.export import c_limb_macros
 from symscrew.export.c_precision import Precision
 
 LANES = 8  # states of a block: those of one AVX-512 register of doubles, and of two or four smaller ones
@@ -23,7 +24,7 @@ def guard(model: str) -> str:
     return f"{machine} && !defined({model.upper()}_SCALAR) && !defined({model.upper()}_STATE_BY_STATE)"
 
 
-def types(model: str, precision: Precision, operations: Set[str]) -> list[str]:
+def types(model: str, precision: Precision, operations: Set[str], limbs: Sequence[int] = ()) -> list[str]:
     """Vectors of states, how they are read and written where they are, and what has no sign in C."""
     upper, real, size = model.upper(), precision.real, precision.size
     wide, mask, zero = f"{model}_wide", f"({model}_wide_mask)", f"{upper}_ZERO"
@@ -56,12 +57,13 @@ def types(model: str, precision: Precision, operations: Set[str]) -> list[str]:
         f"    __attribute__((vector_size({upper}_WIDE * {size}), aligned({size}), may_alias));",
         f"#define {zero} (({wide}){{{precision.number(0.0)}}})",
         *(line for op, lines in routines.items() if op in operations for line in lines),
+        *c_limb_macros.types(wide, f"{wide}_each", limbs),
         "#endif",
     ]
 
 
-def one_state(model: str, precision: Precision) -> list[str]:
-    """The macros of bodies that take one state."""
+def one_state(model: str, precision: Precision, limbs: Sequence[int]) -> list[str]:
+    """The macros of bodies that take one state; `limbs` are the numbers of equal limbs that there are."""
     upper, real, fabs = model.upper(), precision.real, precision.function("fabs")
     one, zero = precision.number(1.0), precision.number(0.0)
     return [
@@ -89,6 +91,7 @@ def one_state(model: str, precision: Precision) -> list[str]:
         "#define NOT_ABOVE(x, high, status) \\",
         "    if (!((x) <= (high))) { (void)stride, (void)total; return isfinite(x) ? (status) : 2; }",
         *RESULT,
+        *c_limb_macros.one_by_one(model, "", f"{model}_each", precision.real, limbs),
     ]
 
 
@@ -104,12 +107,12 @@ _MACROS = """
 MACROS = tuple(_MACROS.split())
 
 
-def undefined() -> list[str]:
+def undefined(limbs: Sequence[int]) -> list[str]:
     """The end of these macros."""
-    return [f"#undef {macro}" for macro in MACROS]
+    return [f"#undef {macro}" for macro in (*MACROS, *c_limb_macros.names(limbs))]
 
 
-def states(model: str, precision: Precision) -> list[str]:
+def states(model: str, precision: Precision, limbs: Sequence[int]) -> list[str]:
     """The macros of bodies that take as many states as a vector holds."""
     upper, wide, mask = model.upper(), f"{model}_wide", f"({model}_wide_mask)"
     zero = f"{upper}_ZERO"
@@ -139,4 +142,29 @@ def states(model: str, precision: Precision) -> list[str]:
         f"#define NOT_BELOW(x, low, status) checked0 = ({wide})({mask}checked0 | ~{mask}((x) >= (low)))",
         f"#define NOT_ABOVE(x, high, status) checked0 = ({wide})({mask}checked0 | ~{mask}((x) <= (high)))",
         *RESULT,
+        *c_limb_macros.one_by_one(model, "_wide", f"{wide}_each", precision.real, limbs),
     ]
+
+
+def side_by_side(model: str, precision: Precision, limbs: int) -> list[str]:
+    """The macros of bodies that take one state with so many equal limbs in the lanes of a vector."""
+    upper, real, zero = model.upper(), precision.real, precision.number(0.0)
+    vector, fabs = f"{model}_vector{limbs}", precision.function("fabs")
+    changed = {
+        "BODY(": f"#define BODY(function) static inline {upper}_INLINE {real} function##_packed_lane",
+        "SMALL(": f"#define SMALL(pivot, limit) (({vector}_mask){{-({fabs}(pivot) <= (limit))}})",
+        "OR ": "#define OR |",
+        "FINITE_UNLESS(": "#define FINITE_UNLESS(small, sum) \\\n"
+        f"    (void)stride, (void)total; return (sum) + {vector}_sum(({vector})(small))",
+        "FINITE(": "#define FINITE(sum) (void)stride, (void)total; return (sum)",
+        "UNCHECKED(": f"#define UNCHECKED() (void)stride, (void)total; return {zero}",
+        "NOT_BELOW(": f"#define NOT_BELOW(x, low, status) if (!((x) >= (low))) {{ return ({real})NAN; }}",
+        "NOT_ABOVE(": f"#define NOT_ABOVE(x, high, status) if (!((x) <= (high))) {{ return ({real})NAN; }}",
+    }
+    lines = ["/* ... and here one state with equal limbs side by side; what fails is NaN, all bits set. */"]
+    for line in one_state(model, precision, ())[1:]:
+        if line.startswith("    if (!(("):
+            continue
+        name = next((name for name in changed if line.startswith(f"#define {name}")), "")
+        lines.append(changed[name] if name else line)
+    return [*lines, *c_limb_macros.side_by_side(model, limbs, f"-{zero}")]

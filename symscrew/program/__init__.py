@@ -22,7 +22,18 @@ from symscrew.program.asked import Asked
 from symscrew.program.equal_limbs import NO_LIMBS, Limb, Limbs
 from symscrew.program.jacobians import Jacobian, adjoint, jacobian
 from symscrew.program.json_form import from_lists, to_lists
-from symscrew.program.lanes import Pack, Packing, Vector, packed
+from symscrew.program.lanes import (
+    SIGNLESS,
+    LimbRow,
+    LimbStages,
+    Pack,
+    Packing,
+    Single,
+    Vector,
+    packed,
+    stages_of_lanes,
+    stages_of_limbs,
+)
 from symscrew.program.lowering import Function, NodeLimit, lower, roots_of, with_roots
 from symscrew.program.numpy_evaluation import evaluate, evaluate_iteration
 from symscrew.program.rank_revealing import RANK, SWITCH, RankRevealing, evaluate_rank_revealing, second_path
@@ -51,6 +62,7 @@ __all__ = [
     "OUT_OF_REACH",
     "QUATERNION",
     "RANK",
+    "SIGNLESS",
     "STATUS",
     "SWITCH",
     "Asked",
@@ -59,6 +71,8 @@ __all__ = [
     "Iteration",
     "Jacobian",
     "Limb",
+    "LimbRow",
+    "LimbStages",
     "Limbs",
     "Limit",
     "NodeLimit",
@@ -67,6 +81,7 @@ __all__ = [
     "Port",
     "Program",
     "RankRevealing",
+    "Single",
     "Vector",
     "adjoint",
     "evaluate",
@@ -80,6 +95,8 @@ __all__ = [
     "roots_of",
     "second_path",
     "signature",
+    "stages_of_lanes",
+    "stages_of_limbs",
     "status_texts",
     "to_lists",
     "with_roots",

@@ -127,7 +127,7 @@ def test_vector_units_are_used_where_there_are_any(tmp_path: Path) -> None:
         command = [str(find_compiler()), "-E", *flags, "-I", str(tmp_path), str(tmp_path / f"{name}.c")]
         text = subprocess.run(command, capture_output=True, text=True, check=False).stdout
         assert "_body(" in text
-        return f"{name}_{PLATFORM}_packed_lane(pose," in text
+        return f"{name}_{PLATFORM}_packed_lane(1, pose," in text
 
     assert not kept(f"-D{name.upper()}_LIMB_BY_LIMB")
     assert not kept(f"-D{name.upper()}_SCALAR", "-D__AVX2__")
@@ -171,7 +171,7 @@ def test_every_small_pivot_is_noticed_side_by_side() -> None:
         for k in (*shared, -1)
     ]
     found = replace(model(CASES[0][0]), programs=dict(zip(names, raised, strict=True)))
-    assert print_source(found).count("_packed_lane(pose,") == len(names)
+    assert print_source(found).count("_packed_lane(1, pose,") == len(names)
     compiled = load(found, backend="c", vectorised=True, flags=("-O1",))
     given = [np.atleast_2d(x)[0] for x in found.test_inputs[PLATFORM]]
     for name, k in zip(names, (*shared, -1), strict=True):

@@ -4,6 +4,18 @@ Program with origins --limb_lanes, limb_rows--> corresponding operations --lane_
                      --pack_plan, packs--> Packing
 """
 
+from symscrew.program.lanes.limb_stages import SIGNLESS, LimbRow, LimbStages, Single, stages_of_lanes, stages_of_limbs
 from symscrew.program.lanes.packs import Pack, Packing, Vector, packed
 
-__all__ = ["Pack", "Packing", "Vector", "packed"]
+__all__ = [
+    "SIGNLESS",
+    "LimbRow",
+    "LimbStages",
+    "Pack",
+    "Packing",
+    "Single",
+    "Vector",
+    "packed",
+    "stages_of_lanes",
+    "stages_of_limbs",
+]

@@ -55,12 +55,13 @@ class Plan:
         found: tuple[Row, ...],
         *,
         copies: Mapping[int, int | float] | None = None,
+        widths: tuple[int, ...] = WIDTHS,
     ) -> None:
         self.code, self.copies = code, copies or {}
         self.operations = operations = code.operations
-        parts = -(-len(found[0]) // WIDTHS[-1])
+        parts = -(-len(found[0]) // widths[-1])
         lanes = -(-len(found[0]) // parts)
-        self.width = next(width for width in WIDTHS if width >= lanes)
+        self.width = next(width for width in widths if width >= lanes)
         cut = [row[start : start + lanes] for row in found for start in range(0, len(row), lanes)]
         self.rows = rows = [(*row, *(None,) * (self.width - len(row))) for row in cut if len(row) - row.count(None) > 1]
         self.place = {slot: (i, k) for i, row in enumerate(rows) for k, slot in enumerate(row) if slot is not None}

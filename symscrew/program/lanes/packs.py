@@ -107,7 +107,11 @@ def packed(
     plan = min(plans, key=lambda p: p.cost)
     if plan.cost > ENOUGH * scalar:
         return None
-    plan = plan.settled()
+    return packing_of(plan.settled(), negatives, results)
+
+
+def packing_of(plan: Plan, negatives: Mapping[int, Operand], results: Iterable[int]) -> Packing:
+    """The packed program of a plan, with few flips."""
     order = plan.order()
     items = tuple(_signed_packs(plan, order, fewest_flips(list(_parts(plan, order, _stored(results, negatives))))))
     place = {t: (p, k) for p in items if isinstance(p, Pack) for k, t in enumerate(p.targets) if t is not None}
