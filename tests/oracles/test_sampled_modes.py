@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from functools import cache
 
+import numpy as np
 import pytest
 from support.further_mechanisms import CASES
 from support.marks import slow
@@ -12,6 +13,7 @@ from support.reference_mechanisms import ENTRIES, build
 
 from symscrew.description.mechanism import Mechanism
 from symscrew.mobility.components import SampledModes, mode_lines, mode_values, sampled_modes
+from symscrew.mobility.components.mode_sampling import _null, _pairs
 from symscrew.mobility.joint_network import network_of
 
 
@@ -52,6 +54,20 @@ def test_modes_of_the_3_upu_of_seoul() -> None:
     found = modes("snu")
     assert {(m.dimension, m.poses) for m in found.modes if m.count > 1} == {(3, 3)}
     assert {("x1", "x2", "x3", "y0"), ("x0", "x1", "x2", "y3")} <= {m.equations for m in found.modes}
+
+
+def test_forms_that_are_small_where_a_walk_stays_do_not_vanish() -> None:
+    """On a small patch of a surface quadrics are as small as 1e-9, and none vanishes but the one that makes it."""
+    random = np.random.default_rng(3)
+    patch = np.zeros((60, 8))
+    patch[:, 0] = 1.0
+    patch[:, 1:3] = 5e-2 * random.uniform(-1, 1, size=(60, 2))
+    patch[:, 3] = patch[:, 1] ** 3 + patch[:, 2] ** 3 + patch[:, 1] * patch[:, 2]
+    patch[:, 4] = -(patch[:, 1:4] ** 2).sum(axis=1)
+    monomials = _pairs(patch)
+    values = np.linalg.svd(monomials, compute_uv=False)
+    assert 1e-12 < values[13] / values[0] < 1e-7  # of 15 monomials in five unknowns
+    assert len(_null(monomials)) == 36 - 15 + 1
 
 
 def test_in_words_and_json() -> None:

@@ -37,8 +37,13 @@ CLOSED = 1e-11
 """Closure residual of a pose of the sample, in units of the mechanism's size."""
 RANK = 1e-8
 """Relative singular value of the closure below which a row is redundant: those of doubles have 1e-15."""
-VANISHES = 1e-7
-"""Relative singular value of the poses' monomials below which a form vanishes on them."""
+VANISHES = 1e-12
+"""Relative singular value of the poses' monomials below which a form vanishes on them: such forms have 1e-16, and on a
+surface on which walks do not get far others have 1e-11."""
+ON = 1e-6
+"""A form that vanishes is below this at a configuration, which is known to half the digits where branches are near."""
+ALIKE = 3e-4
+"""Part by which directions of forms differ that are the same: where others have 1e-11 they are known to 1e-5."""
 SEED = 20231009
 """Of the steps: always the same, so that results repeat."""
 SIMPLE = 1000
@@ -162,9 +167,10 @@ def _walk(network: Network, variety: ClosureVariety, q: Array, random: np.random
 def _closed(variety: ClosureVariety, q: Array) -> Array | None:
     for _ in range(NEWTON):
         residuals, jacobians = variety.evaluate(q[None])
-        if np.abs(residuals).max(initial=0.0) < CLOSED:
-            return q
+        closed = np.abs(residuals).max(initial=0.0) < CLOSED
         q = q - np.linalg.pinv(jacobians[0], rcond=RANK) @ residuals[0]
+        if closed:  # one step more leaves rounding
+            return q
     return None
 
 
@@ -202,7 +208,7 @@ def _forms(network: Network, variety: ClosureVariety, poses: Array, body: str) -
         gradients[:, i] += quadratic[:, form] * x[j]
         gradients[:, j] += quadratic[:, form] * x[i]
     values = np.linalg.svd(np.concatenate([linear, gradients]), compute_uv=False)
-    cut_out = len(NAMES) - 1 - int((values > np.sqrt(VANISHES)).sum()) == size[1]
+    cut_out = len(NAMES) - 1 - int((values > ALIKE).sum()) == size[1]
     return _Forms(size, linear, quadratic, cut_out)
 
 
@@ -230,7 +236,7 @@ def _monomials(network: Network, variety: ClosureVariety, q: Array, body: str) -
 def _zero(forms: _Forms, monomials: tuple[Array, Array]) -> bool:
     """Whether all forms vanish there."""
     return all(
-        bool(np.abs(basis @ m).max(initial=0.0) < 10 * VANISHES * np.linalg.norm(m))
+        bool(np.abs(basis @ m).max(initial=0.0) < ON * np.linalg.norm(m))
         for basis, m in zip((forms.linear, forms.quadratic), monomials, strict=True)
     )
 
@@ -245,7 +251,7 @@ def _alike(one: _Forms, two: _Forms) -> bool:
 
 def _inside(few: Array, many: Array) -> bool:
     across = few - few @ many.T @ many
-    return bool(np.abs(across).max(initial=0.0) < np.sqrt(VANISHES))
+    return bool(np.abs(across).max(initial=0.0) < ALIKE)
 
 
 def _equations(linear: Array) -> tuple[str, ...]:
@@ -264,9 +270,9 @@ def _equations(linear: Array) -> tuple[str, ...]:
 def _sum(row: Sequence[float]) -> str:
     terms = []
     for value, name in zip(row, NAMES, strict=True):
-        if abs(value) < np.sqrt(VANISHES):
+        if abs(value) < ALIKE:
             continue
         near = Fraction(value).limit_denominator(SIMPLE)
-        text = str(near) if abs(float(near) - value) < VANISHES else f"{value:.4g}"
+        text = str(near) if abs(float(near) - value) < ON else f"{value:.4g}"
         terms.append(name if text == "1" else f"{text}*{name}")
     return "+".join(terms).replace("+-", "-")

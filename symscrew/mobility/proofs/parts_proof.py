@@ -30,6 +30,79 @@ LARGEST = 3_000_000
 """Letters of what the program prints: evidence that takes longer to read than to believe is none."""
 TERM = re.compile(r"[-+]?(?:\([^()]*\)|[^-+()])+")
 """A term of a printed polynomial: signs within brackets do not end it."""
+SMOOTH_PARTS = """\
+for (i = size(through); i >= 1; i--) {
+  for (j = size(through); j >= 1; j--) {
+    if (j != i and i <= size(through)) {
+      if (size(reduce(through[j], through[i])) == 0) { through = delete(through, i); }
+    }
+  }
+}
+units = simplify(units, 2 + 4) + never;
+list parts;
+for (i = 1; i <= size(through); i++) {
+  ideal own;
+  for (j = 1; j <= size(through[i]); j++) {
+    if (size(interred(jet(own + ideal(through[i][j]), 1))) > size(own)) {
+      own = simplify(own + ideal(through[i][j]), 2);
+    }
+  }
+  parts[i] = own;
+  print("@part"); for (j = 1; j <= size(own); j++) { print(string(own[j])); }
+  kill own;
+}
+option(noredSB);
+"""
+"""Parts through the origin, none within another, and of each as many equations as are independent there."""
+COMBINATIONS = """\
+proc without(poly p, ideal G, ideal units, int divided) {
+  int i; int j; ideal used; poly q = p; poly d;
+  for (i = 1; i <= size(units) and q != 0; i++) { q = reduce(q * units[i], G); used[i] = units[i]; }
+  if (q != 0) {
+    if (divided) { return(poly(0)); }
+    ideal Q = std(quotient(G, ideal(p)));
+    for (i = 1; i <= size(Q); i++) {
+      if (jet(Q[i], 0) != 0 and (d == 0 or size(Q[i]) < size(d))) { d = Q[i]; }
+    }
+    return(d);
+  }
+  for (i = size(used); i >= 1; i--) {
+    d = used[i]; used[i] = 1; q = p;
+    for (j = 1; j <= ncols(used); j++) { if (used[j] != 0) { q = reduce(q * used[j], G); } }
+    if (q != 0) { used[i] = d; }
+  }
+  q = 1; for (j = 1; j <= ncols(used); j++) { if (used[j] != 0) { q = q * used[j]; } }
+  return(q);
+}
+proc shown(poly p, int power, poly unit, ideal G, matrix T) {
+  int i; list found = division(unit * p, G); matrix W = T * found[1];
+  print("@shown " + string(power)); print(string(unit));
+  for (i = 1; i <= nrows(W); i++) { print(string(W[i, 1])); }
+}
+poly p; poly unit; int e;
+for (i = 1; i <= size(parts); i++) {
+  matrix T; ideal G = liftstd(parts[i], T);
+  for (j = 1; j <= size(closure); j++) { shown(closure[j], 1, without(closure[j], std(G), units, divided), G, T); }
+  kill T; kill G;
+}
+matrix T; ideal G = liftstd(closure, T); ideal S = std(closure); unit = 0;
+ideal all = 1; for (i = 1; i <= size(parts); i++) {
+  ideal wider;
+  for (j = 1; j <= ncols(all); j++) {
+    for (k = 1; k <= ncols(parts[i]); k++) { wider[(j - 1) * ncols(parts[i]) + k] = all[j] * parts[i][k]; }
+  }
+  all = wider; kill wider;
+}
+for (i = 1; i <= ncols(all); i++) {
+  unit = 0; p = 1;
+  for (e = 1; e <= 4 and unit == 0; e++) { p = p * all[i]; unit = without(p, S, units, divided); }
+  if (unit == 0) { quit; }
+  shown(p, e - 1, unit, G, T);
+}
+print("@end");
+quit;
+"""
+"""Polynomials of the loops as combinations of a part's, products of these as combinations of the loops', with units."""
 
 
 def parts_proof(numbers: ProofNumbers, block: Block, seconds: float = SECONDS) -> dict[str, Any] | None:
@@ -86,74 +159,8 @@ for (i = 1; i <= size(pieces); i++) {{
   }}
   kill minimal;
 }}
-for (i = size(through); i >= 1; i--) {{
-  for (j = size(through); j >= 1; j--) {{
-    if (j != i and i <= size(through)) {{
-      if (size(reduce(through[j], through[i])) == 0) {{ through = delete(through, i); }}
-    }}
-  }}
-}}
-units = simplify(units, 2 + 4) + never;
-list parts;
-for (i = 1; i <= size(through); i++) {{
-  ideal own;
-  for (j = 1; j <= size(through[i]); j++) {{
-    if (size(interred(jet(own + ideal(through[i][j]), 1))) > size(own)) {{
-      own = simplify(own + ideal(through[i][j]), 2);
-    }}
-  }}
-  parts[i] = own;
-  print("@part"); for (j = 1; j <= size(own); j++) {{ print(string(own[j])); }}
-  kill own;
-}}
-option(noredSB);
-proc without(poly p, ideal G, ideal units) {{
-  int i; int j; ideal used; poly q = p; poly d;
-  for (i = 1; i <= size(units) and q != 0; i++) {{ q = reduce(q * units[i], G); used[i] = units[i]; }}
-  if (q != 0) {{
-    {"return(poly(0));" if divided else ""}
-    ideal Q = std(quotient(G, ideal(p)));
-    for (i = 1; i <= size(Q); i++) {{
-      if (jet(Q[i], 0) != 0 and (d == 0 or size(Q[i]) < size(d))) {{ d = Q[i]; }}
-    }}
-    return(d);
-  }}
-  for (i = size(used); i >= 1; i--) {{
-    d = used[i]; used[i] = 1; q = p;
-    for (j = 1; j <= ncols(used); j++) {{ if (used[j] != 0) {{ q = reduce(q * used[j], G); }} }}
-    if (q != 0) {{ used[i] = d; }}
-  }}
-  q = 1; for (j = 1; j <= ncols(used); j++) {{ if (used[j] != 0) {{ q = q * used[j]; }} }}
-  return(q);
-}}
-proc shown(poly p, int power, poly unit, ideal G, matrix T) {{
-  int i; list found = division(unit * p, G); matrix W = T * found[1];
-  print("@shown " + string(power)); print(string(unit));
-  for (i = 1; i <= nrows(W); i++) {{ print(string(W[i, 1])); }}
-}}
-poly p; poly unit; int e;
-for (i = 1; i <= size(parts); i++) {{
-  matrix T; ideal G = liftstd(parts[i], T);
-  for (j = 1; j <= size(closure); j++) {{ shown(closure[j], 1, without(closure[j], std(G), units), G, T); }}
-  kill T; kill G;
-}}
-matrix T; ideal G = liftstd(closure, T); ideal S = std(closure); unit = 0;
-ideal all = 1; for (i = 1; i <= size(parts); i++) {{
-  ideal wider;
-  for (j = 1; j <= ncols(all); j++) {{
-    for (k = 1; k <= ncols(parts[i]); k++) {{ wider[(j - 1) * ncols(parts[i]) + k] = all[j] * parts[i][k]; }}
-  }}
-  all = wider; kill wider;
-}}
-for (i = 1; i <= ncols(all); i++) {{
-  unit = 0; p = 1;
-  for (e = 1; e <= 4 and unit == 0; e++) {{ p = p * all[i]; unit = without(p, S, units); }}
-  if (unit == 0) {{ quit; }}
-  shown(p, e - 1, unit, G, T);
-}}
-print("@end");
-quit;
-"""
+{SMOOTH_PARTS}int divided = {int(divided)};
+{COMBINATIONS}"""
 
 
 def _read(numbers: ProofNumbers, output: str, count: int) -> dict[str, Any] | None:
