@@ -142,7 +142,7 @@ class Mobility:
         judged = [(self._meant(replace(one.network, ties=self.network.ties)), one) for one in found]
         # less mobile: a stretched chain, where nothing was seen that nearly moves; else more may have been meant
         least = self.finite.dof or 0
-        judged = [(meant, one) for meant, one in judged if (meant.finite.dof or 0) >= least or not one.stalled]
+        judged = [(meant, one) for meant, one in judged if (meant.finite.dof or 0) >= least or one.tells]
         best = max(judged, key=lambda pair: (pair[0].finite.dof or 0, -pair[1].distance), default=None)
         if best is None or best[0].dof < self.dof or best[0].finite.dof is None or best[0].verdict == self.verdict:
             return None

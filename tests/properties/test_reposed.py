@@ -95,6 +95,16 @@ def test_a_stretched_chain_is_named_although_it_moves_less_than_as_typed(seed: i
         assert found.nearly_singular and sum("is not named" in text for text in found.not_tried) == 1
 
 
+def test_of_a_cusp_in_six_digits_no_geometry_that_rests_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
+    """It is 1e-7 from geometry with its ranks that rests, and moves as meant."""
+    name = "double_watt_cusp"
+    typed = reference(name, seed=list(ENTRIES).index(name), digits="6", unit="mm")
+    assert typed.verdict == "warned" and typed.found is not None and typed.found.near is None
+    monkeypatch.setattr(near_geometry, "FEW_DIGITS", 1e-5)
+    again = replace(typed.found)
+    assert again.near is not None and again.near.meant.finite.dof == 0
+
+
 def test_what_has_the_ranks_alone_and_moves_no_more_than_as_typed_is_not_all_that_may_be_near() -> None:
     """Six equal legs side by side let a platform go round on a circle; with six digits only their ranks are found."""
     found = as_typed(legs((*NO_CIRCLE, [2, 1])), seed=1, digits="6")

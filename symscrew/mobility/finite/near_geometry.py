@@ -83,6 +83,10 @@ those below `NEAR`."""
 FARTHEST = 1e-3
 """Of the mechanism's size: farther geometry is another mechanism."""
 
+FEW_DIGITS = 1e-9
+"""Of the mechanism's size: farther geometry that has ranks alone may rest by rounding only. A cusp in six digits
+is 1e-7 from such, and moves as meant; of five bars in line ten digits tell that they rest."""
+
 
 @dataclass(frozen=True)
 class NearGeometry:
@@ -98,6 +102,11 @@ class NearGeometry:
     changes: tuple[tuple[str, float], ...]
     moves: bool
     stalled: bool = False
+
+    @property
+    def tells(self) -> bool:
+        """Whether less mobility than as typed is believed of it: it is near, and nothing beside it was seen to move."""
+        return not self.stalled and self.distance < FEW_DIGITS
 
 
 STALLED = (

@@ -90,7 +90,7 @@ def _actuation_loci(work: SymbolicScrews, mechanism: Mechanism, driven: Sequence
             elif factor not in known and -factor not in known:
                 known.append(factor)  # once for all drives, not again for each set
                 loci.append(Locus("actuation", label, work.ring.expression(factor), meaning))
-    kept = true_loci(mechanism, loci)
+    kept = true_loci(work.shape, loci)
     for label in dict.fromkeys(locus.where for locus in loci if locus not in kept):
         not_tried.append(f"actuation loci with {label} locked, {AT_ONCE}")
     return ActuationLoci(kept, tuple(dict.fromkeys(not_tried)))

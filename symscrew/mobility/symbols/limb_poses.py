@@ -23,7 +23,7 @@ from symscrew.algebra import product as matrix_product
 from symscrew.description import Joint, Mechanism, Motion, Parameter
 from symscrew.mobility.symbols.further_losses import place_of_loss
 from symscrew.mobility.symbols.generators import Generators, NotPolynomialError, Poly
-from symscrew.mobility.symbols.loci_at_points import limb_loses, reference_screws, true_loci
+from symscrew.mobility.symbols.loci_at_points import Shape, limb_loses, reference_screws, true_loci
 from symscrew.mobility.symbols.locus import Locus
 from symscrew.mobility.symbols.loop_motions import FormulaTooLargeError, motions_by_minors
 from symscrew.mobility.symbols.polynomial_screws import SymbolicScrews, Vector, expressions_of
@@ -168,7 +168,7 @@ def _posed(mechanism: Mechanism, name: str, chain: list[_Freedom], symbols: list
                 loci += [Locus(kind, name, _read(work, part, symbols), meaning) for part in parts]
     places = [(f.joint.name, f.index, f.sense, symbol) for f, symbol in zip(displaced, symbols, strict=True)]
     first = chain[0]
-    found = true_loci(mechanism, loci, places)
+    found = true_loci(Shape(mechanism, places), loci)
     said = [locus for locus in found if locus.kind == "limb"]
     further = None
     # a factor that is zero where rank is kept is one of the rows that were chosen, and others take their place there

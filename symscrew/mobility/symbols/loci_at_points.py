@@ -44,26 +44,19 @@ SEED = 22
 """Of the changes of the other symbols: always the same, so that results repeat."""
 
 
-def true_loci(
-    mechanism: Mechanism, loci: Iterable[Locus], displaced: Sequence[tuple[str, int, int, sympy.Symbol]] = ()
-) -> tuple[Locus, ...]:
+def true_loci(shape: Shape, loci: Iterable[Locus]) -> tuple[Locus, ...]:
     """Those of the loci that are so at their zeros; and those that no values near the description's reach.
 
     Args:
-        mechanism: with the parameters' values.
+        shape: the geometry at the parameters' values.
         loci: where something degenerates, in the parameters and displacements.
-        displaced: (joint, its motion, sense in which it is passed, symbol) of a limb's freedoms that have a symbol.
     """
-    given = tuple(loci)
-    if not given:
-        return ()
-    shape = _Shape(mechanism, tuple(displaced))
-    return tuple(locus for locus in given if _holds(shape, locus))
+    return tuple(locus for locus in loci if _holds(shape, locus))
 
 
 def reference_screws(mechanism: Mechanism) -> tuple[Mapping[str, Array], float]:
     """(joint -> its unit screws in the reference, lengths over the size; the size [m])."""
-    shape = _Shape(mechanism, ())
+    shape = Shape(mechanism)
     there = shape.at(shape.values)
     if there is None:
         raise ValueError("expected a geometry that is real at the description's values")
@@ -74,12 +67,12 @@ def limb_loses(
     mechanism: Mechanism, limb: str, displaced: Sequence[tuple[str, int, int, sympy.Symbol]], at: Values
 ) -> bool:
     """Whether the limb's screws have a rank less at displacements than beside these."""
-    shape = _Shape(mechanism, tuple(displaced))
+    shape = Shape(mechanism, displaced)
     there, usual = (shape.at({**shape.values, **{s: v + off for s, v in at.items()}}) for off in (0.0, BESIDE))
     return there is not None and usual is not None and there.limb(limb) < usual.limb(limb)
 
 
-def _holds(shape: _Shape, locus: Locus) -> bool:
+def _holds(shape: Shape, locus: Locus) -> bool:
     for zero, beside in _zeros(shape, locus.expression):
         there, usual = shape.at(zero), shape.at(beside)
         if there is not None and usual is not None:
@@ -87,7 +80,7 @@ def _holds(shape: _Shape, locus: Locus) -> bool:
     return True
 
 
-def _zeros(shape: _Shape, expression: sympy.Expr) -> Iterator[tuple[Values, Values]]:
+def _zeros(shape: Shape, expression: sympy.Expr) -> Iterator[tuple[Values, Values]]:
     """(values at a zero of the expression, values beside it), nearest to the description's first."""
     symbols = sorted(expression.free_symbols, key=str)
     random = np.random.default_rng(SEED)
@@ -141,17 +134,23 @@ def _is_so(locus: Locus, there: _Place, usual: _Place) -> bool:
     raise ValueError(f"expected a kind of locus, got {locus.kind!r}")
 
 
-class _Shape:
-    """The geometry as a function of the parameters and of displacements, in doubles."""
+class Shape:
+    """The geometry as a function of the parameters and of displacements, in doubles.
 
-    def __init__(self, mechanism: Mechanism, displaced: tuple[tuple[str, int, int, sympy.Symbol], ...]) -> None:
-        self.mechanism, self.displaced = mechanism, displaced
+    `displaced`: (joint, its motion, sense in which it is passed, symbol) of a limb's freedoms that have a symbol.
+    """
+
+    def __init__(self, mechanism: Mechanism, displaced: Sequence[tuple[str, int, int, sympy.Symbol]] = ()) -> None:
+        self.mechanism, self.displaced = mechanism, tuple(displaced)
         self.values = {p.symbol: float(p.value) for p in mechanism.parameters.values()}
         self.values |= {symbol: 0.0 for *_, symbol in displaced}
-        joints = mechanism.joints.values()
-        given = [[list(j.point), [list(a) for a in j.axes], 0 if j.pitch is None else j.pitch] for j in joints]
         self.symbols = [p.symbol for p in mechanism.parameters.values()]
-        self._geometry = sympy.lambdify(self.symbols, given, "numpy")
+
+    @cached_property
+    def _geometry(self) -> Any:
+        joints = self.mechanism.joints.values()
+        given = [[list(j.point), [list(a) for a in j.axes], 0 if j.pitch is None else j.pitch] for j in joints]
+        return sympy.lambdify(self.symbols, given, "numpy")
 
     @cached_property
     def network(self) -> Network:
@@ -215,7 +214,7 @@ def _carry(screws: dict[str, Array], behind: Sequence[tuple[str, int]], about: A
 class _Place:
     """Ranks of the geometry at some values."""
 
-    shape: _Shape
+    shape: Shape
     screws: Mapping[str, Array]
     size: float
 

@@ -112,7 +112,7 @@ def _loops(mechanism: Mechanism, work: SymbolicScrews, body: str) -> SymbolicLoo
             f"{MOST_MINORS}"
         )
     meaning = "the closure equations become dependent"
-    loci = true_loci(mechanism, [Locus("closure", "loops", ring.expression(part), meaning) for part in shown])
+    loci = true_loci(work.shape, [Locus("closure", "loops", ring.expression(part), meaning) for part in shown])
     if not found.all_listed or len(loci) < len(shown):
         not_tried.append(f"the closure, {AT_ONCE}")
     return SymbolicLoops(

@@ -26,7 +26,7 @@ from symscrew.mobility.carrying_limbs import carried_by_limbs
 from symscrew.mobility.screw_systems import Screw, eliminate, unit_rows
 from symscrew.mobility.symbols.exact_screws import across
 from symscrew.mobility.symbols.generators import Generators, NotPolynomialError, Poly, Quotient
-from symscrew.mobility.symbols.loci_at_points import true_loci
+from symscrew.mobility.symbols.loci_at_points import Shape, true_loci
 from symscrew.mobility.symbols.locus import AT_ONCE, Locus
 
 Vector = tuple[sympy.Expr, ...]
@@ -143,13 +143,13 @@ class SymbolicScrews:
             union += wrenches
         parameters = tuple(self.ring.parameters)
         if not carried_by_limbs(self.mechanism):
-            loci = true_loci(self.mechanism, self.loci)
+            loci = true_loci(self.shape, self.loci)
             return SymbolicMobility(parameters, tuple(limbs), (), (), loci, self._not_listed(loci, open_ones))
         freedoms, dependent, all_listed = self.of_all_limbs
         open_ones += [] if all_listed else [self.mechanism.platform or ""]
         meaning = "the constraints of the limbs become dependent"
         self._note("constraint", self.mechanism.platform or "", dependent, meaning)
-        loci = true_loci(self.mechanism, self.loci)
+        loci = true_loci(self.shape, self.loci)
         constraints, moved = self._vectors(union), self._vectors(freedoms)
         return SymbolicMobility(parameters, tuple(limbs), constraints, moved, loci, self._not_listed(loci, open_ones))
 
@@ -162,6 +162,11 @@ class SymbolicScrews:
                       if (joint.name, k) not in locked]  # fmt: skip
             self._limbs[key] = self.reciprocal(screws)
         return self._limbs[key]
+
+    @cached_property
+    def shape(self) -> Shape:
+        """The geometry in numbers, for loci at their zeros."""
+        return Shape(self.mechanism)
 
     @cached_property
     def of_all_limbs(self) -> Reciprocal:
