@@ -291,8 +291,8 @@ def with_pinocchio(path: Path, options: ImportOptions) -> tuple[float, str]:
         ".yaml"
     ).is_file():  # it changes joints, which Pinocchio does not read: opened, compared without
         import_file(path, options)
+    ours = tree_of(path, options)  # first: what we refuse is refused, whatever the engine does
     engine, mended = pinocchio_model(path)
-    ours = tree_of(path, options)
     data = engine.createData()
     ours.system.use_samples()
     mass, forces = ours.mass(), ours.forces(still=False)
