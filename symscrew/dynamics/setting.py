@@ -9,7 +9,19 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 
-from symscrew.algebra import Affine, Column, Node, Tape, Vector, add, named_entries, named_wrench, scale
+from symscrew.algebra import (
+    Affine,
+    Column,
+    Node,
+    Tape,
+    Vector,
+    add,
+    cross,
+    named_entries,
+    named_wrench,
+    scale,
+    subtract,
+)
 from symscrew.kinematics import Cut, Frame, Link, Linkage, Placement, Row, Tree, on_hub
 
 ONE: Column = "1"
@@ -47,6 +59,7 @@ class Setting:
     )  # forces, couples it cannot bear
     joint_forces: Mapping[int, Node] = field(default_factory=dict)  # index into v -> known generalised force
     bars: Mapping[int, Bar] = field(default_factory=dict)  # cut -> the bar that ends there
+    about: Mapping[int, Vector] = field(default_factory=dict)  # link -> its point about which its joint's moments are
     called: str = "force"  # the wrench of a link and all that hangs on it
 
     @property
@@ -82,24 +95,42 @@ class Setting:
     def before_motion(
         self, link: Link, here: Wrenches, loads: Mapping[int, tuple[Vector, Vector]], at_cut: Callable[[int], Wrenches]
     ) -> Wrenches:
-        """All that the joint of a link must supply, in the axes before its motion, at its origin.
+        """All that the joint of a link must supply, in the axes before its motion, at its origin or the point `about`.
 
         `here` are the wrenches on the link in its own axes; the loads and the cuts where it is the hub
         (`at_cut(c)`: what cut c exerts on its tip, tip axes) come on top.
         """
-        placed = self.placed[link.index]
         self._named(here, self.called, link.index)
-        result: Wrenches = {c: (placed.before(f), placed.before(m)) for c, (f, m) in here.items()}
-        if link.index in loads:
-            force, moment = loads[link.index]
-            accumulate(result, ONE, scale(-1, force), scale(-1, moment))
+        result = self.turned_back(link, here, loads)
         for c, cut in enumerate(self.cuts):
             if cut.hub != link.index or c in self.bars:
                 continue
             for column, (f, m) in at_cut(c).items():
-                accumulate(result, column, *on_hub(cut, self.linkage, f, m))
+                accumulate(result, column, *on_hub(cut, self.linkage, f, m, self.about.get(link.index)))
         self._named(result, f"joint_{self.called}", link.index)
         return result
+
+    def turned_back(self, link: Link, here: Wrenches, loads: Mapping[int, Wrench]) -> Wrenches:
+        """Wrenches on a link, from its own axes and origin to the axes before its motion and its point `about`, with
+        its loads."""
+        placed, about = self.placed[link.index], self.about.get(link.index)
+        if about is not None:
+            here = {c: (f, subtract(m, cross(about, f))) for c, (f, m) in here.items()}
+        result: Wrenches = {c: (placed.before(f), placed.before(m)) for c, (f, m) in here.items()}
+        if link.index in loads:
+            force, moment = loads[link.index]
+            if about is not None:
+                moment = subtract(moment, cross(placed.before(about), force))
+            accumulate(result, ONE, scale(-1, force), scale(-1, moment))
+        return result
+
+    def handed_on(self, index: int, force: Vector, moment: Vector) -> Wrench:
+        """From the axes before a link's motion, at its origin or point `about`, to its parent's, at the parent's."""
+        placed = self.placed[index]
+        force, arm = placed.from_before(force), placed.offset
+        if index in self.about:
+            arm = add(arm, placed.inwards(self.about[index]))
+        return force, add(placed.from_before(moment), cross(arm, force))
 
     @cached_property
     def ties(self) -> dict[int, list[tuple[int, Node]]]:

@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
 
-from symscrew.algebra import ZERO, Guard, Node, Vector, cost, named_entries
+from symscrew.algebra import ZERO, Guard, Node, Vector, cost, count_operations, named_entries
 from symscrew.dynamics import (
     Balance,
     DriveSolution,
@@ -19,6 +19,7 @@ from symscrew.dynamics import (
     generalised_forces,
     joint_wrenches,
     mass_matrix,
+    moment_centre,
     numeric_multipliers,
     solve_drives,
     solve_reactions,
@@ -57,14 +58,15 @@ class Equations:
         loads: Estimate | None = None,
         *,
         unloaded: bool = False,
+        given: Sequence[Node] | None = None,
         cost: Callable[[Sequence[Node]], int] = cost,
     ) -> None:
         """Equations at the system's present nodes; `cost` of nodes is what is kept low.
 
         `loads` are what load-dependent effects read; by default what the same equations give without these effects
-        (`unloaded`).
+        (`unloaded`). `given`: forces and torques of the drives, where only reactions are asked for.
         """
-        self.system, self.cost = system, cost
+        self.system, self.given, self.cost = system, given, cost
         self.forces = Acting(system, effects, loads)
         if self.forces.needs_reactions and loads is None and not unloaded:
             before = Equations(system, effects, unloaded=True)
@@ -89,7 +91,14 @@ class Equations:
     @cached_property
     def balance(self) -> Balance:
         """Multipliers and the equations at the hub, in the order of elimination that takes fewer operations."""
-        return self._fewest(self.setting, self.lean_wrench)
+
+        def found(way: Balance) -> list[Node]:
+            known = way.multipliers if self.given is None else numeric_multipliers(self.setting, way, self.given)
+            multipliers = [entry for affine in known.values() for entry in affine.values()]
+            pivots = [guard.pivot for guard in way.guards]
+            return [*multipliers, *(self._drives_and_pivots(way) if self.given is None else pivots)]
+
+        return self._fewest(self._plain_ways, found)
 
     @cached_property
     def solution(self) -> DriveSolution:
@@ -101,42 +110,68 @@ class Equations:
         """The equations at the hub for drives alone, with thin rods as masses at their ends where that is shorter."""
         rods = thin_rods(self.system, self.forces)
         if not rods:
-            return self.balance
+            return self._fewest(self._plain_ways, self._drives_and_pivots, no_more_than=self.balance)
         inertia = with_end_masses(self.system, list(rods.values()), self.forces.inertia)
-        setting = replace(self.setting, bars=bars(self.system, rods, self.rates))
 
         def wrench(link: Link) -> tuple[Vector, Vector]:
             return self.forces.inertial_wrench(link.index, inertia[link.index], self.rates)
 
-        ways = [self.balance, self._fewest(setting, wrench)]
-        return min(ways, key=lambda way: self.cost(self._drives_and_pivots(way)))
+        centre = moment_centre(self.setting, rods)
+        settings = [
+            replace(self.setting, bars=bars(self.system, rods, self.rates, about), about=about)
+            for about in ({}, centre)[: 2 if centre else 1]
+        ]
+        ways = [*self._plain_ways, *self._ways(settings, wrench)]
+        return self._fewest(ways, self._drives_and_pivots, no_more_than=self.balance)
 
     @cached_property
     def lean_solution(self) -> DriveSolution:
         """The drives of smallest sum of squares, without what only reactions need."""
         return self.drives(self.lean_balance)
 
-    def _fewest(self, setting: Setting, wrench: Callable[[Link], tuple[Vector, Vector]]) -> Balance:
-        """The balance with the rows of the drives in their places or last, by operations.
+    @cached_property
+    def _plain_ways(self) -> list[Balance]:
+        centre = moment_centre(self.setting, {})
+        settings = [self.setting, *([replace(self.setting, about=centre)] if centre else [])]
+        return self._ways(settings, self.lean_wrench)
+
+    def _ways(self, settings: Sequence[Setting], wrench: Callable[[Link], tuple[Vector, Vector]]) -> list[Balance]:
+        """The balance in each of the settings, with the rows of the drives in their places or last.
 
         Links that carry whole loops supply what cancels inside these, or the inertia that they carry alone.
         """
-        either = setting.drives and setting.cuts and counts_all_ways(self.system)
-        if not either:
-            return balance(setting, wrench, self.forces.loads)
-        loads, carried = self.forces.loads, carried_wrenches(setting, wrench, self.forces.loads)
-        ways = [
+        loads = self.forces.loads
+        if not (self.setting.drives and self.setting.cuts and counts_all_ways(self.system)):
+            return [balance(settings[0], wrench, loads)]
+        return [
             way
+            for setting in settings
+            for carried in (carried_wrenches(setting, wrench, loads),)
             for known in ({}, carried)[: 2 if carried else 1]
             for last in (False, True)
             for way in balances(setting, wrench, loads, drives_last=last, carried=known)
         ]
 
-        def found(way: Balance) -> list[Node]:
-            multipliers = [entry for affine in way.multipliers.values() for entry in affine.values()]
-            return [*self._drives_and_pivots(way), *multipliers]
+    def _fewest(
+        self,
+        ways: Sequence[Balance],
+        found: Callable[[Balance], Sequence[Node]],
+        *,
+        no_more_than: Balance | None = None,
+    ) -> Balance:
+        """The way of the lowest cost; of those with no more operations than another one, if that is given.
 
-        return min(ways, key=lambda way: self.cost(found(way)))
+        The cost weighs divisions that wait: what reactions share is not left for fewer of them at more operations.
+        """
+        if no_more_than is not None:
+            limit = self._size(no_more_than)
+            ways = [way for way in ways if self._size(way) <= limit]
+        return min(ways, key=lambda way: self.cost(found(way))) if len(ways) > 1 else ways[0]
+
+    def _size(self, way: Balance) -> int:
+        """Operations of the drives, with those that watch the pivots: magnitude, comparison, sum of what is finite."""
+        found = self._drives_and_pivots(way)
+        return count_operations(found) + 3 * (len(found) - len(self.system.drives))
 
     def _drives_and_pivots(self, way: Balance) -> list[Node]:
         solution = self.drives(way)
