@@ -17,9 +17,9 @@ from symscrew.dynamics.derivatives import (
 from symscrew.dynamics.drives import DriveSolution, solve_drives, solve_symmetric
 from symscrew.dynamics.equilibrium import Balance, balance, balances
 from symscrew.dynamics.free_motion import Admissible, by_articulated_bodies
-from symscrew.dynamics.moment_centres import moment_centre
+from symscrew.dynamics.hub_seats import seats
 from symscrew.dynamics.reactions import Reactions, at_origin, joint_wrenches, numeric_multipliers, solve_reactions
-from symscrew.dynamics.rods import bars, thin_rods, with_end_masses
+from symscrew.dynamics.rods import Rod, bars, thin_rods, with_end_masses
 from symscrew.dynamics.setting import ONE, Setting
 from symscrew.dynamics.tree_dynamics import applied_forces, generalised_forces, mass_matrix
 
@@ -30,6 +30,7 @@ __all__ = [
     "Direction",
     "DriveSolution",
     "Reactions",
+    "Rod",
     "Setting",
     "Variation",
     "applied_forces",
@@ -45,9 +46,9 @@ __all__ = [
     "joint_wrenches",
     "long_branches",
     "mass_matrix",
-    "moment_centre",
     "numeric_multipliers",
     "power_changes",
+    "seats",
     "solve_drives",
     "solve_reactions",
     "solve_symmetric",

@@ -20,7 +20,8 @@ from symscrew.kinematics import GROUND, Link
 def carriers(setting: Setting) -> dict[int, int | None]:
     """Links that carry whole loops -> the first link of the platform that does not hang on them, but is carried."""
     tree = setting.tree
-    platform = next((link.index for link in tree.links[1:] if link.joint == tree.virtual), None)
+    virtual = [link.index for link in tree.links[1:] if link.joint == tree.virtual]
+    platform = setting.seated.hub if setting.seated else next(iter(virtual), None)
     apart = None if platform is None or tree.links[platform].parent != GROUND else platform
     ends = [[set(tree.path(end)) for end in (cut.tip, cut.hub)] for cut in setting.cuts if cut.relation is None]
     found: dict[int, int | None] = {}
@@ -38,17 +39,17 @@ def carriers(setting: Setting) -> dict[int, int | None]:
 def carried_wrenches(
     setting: Setting, wrench: Callable[[Link], Wrench], loads: Mapping[int, Wrench]
 ) -> dict[int, Wrenches]:
-    """What the joint of every such link must supply, in the axes before its motion, at its origin or its point `about`.
+    """What the joint of every such link must supply, in the axes before its motion, at its origin.
 
     `wrench` and `loads` as for `balance`.
     """
     known = carriers(setting)
     if not known:
         return {}
-    left_out = {index for bar in setting.bars.values() for index in bar.links}
+    left_out = setting.left_out
     waiting: dict[int, Wrenches] = {link.index: {} for link in setting.tree.links}
     supplied: dict[int, Wrench] = {}
-    for link in reversed(setting.tree.links[1:]):
+    for link in _inwards(setting):
         if link.index in left_out:
             continue
         here = waiting[link.index]
@@ -59,6 +60,12 @@ def carried_wrenches(
         supplied[link.index] = before[ONE]
         accumulate(waiting[link.parent], ONE, *setting.handed_on(link.index, *before[ONE]))
     return {index: {ONE: _with_platform(setting, supplied, index, more)} for index, more in known.items()}
+
+
+def _inwards(setting: Setting) -> list[Link]:
+    """Links from the tips to the ground; a hub that sits elsewhere may be older than what it sits on."""
+    found = list(reversed(setting.tree.links[1:]))
+    return sorted(found, key=lambda link: -len(setting.tree.path(link.index))) if setting.seated else found
 
 
 def _with_platform(setting: Setting, supplied: Mapping[int, Wrench], index: int, platform: int | None) -> Wrench:

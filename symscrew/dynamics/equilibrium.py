@@ -16,6 +16,7 @@ from dataclasses import dataclass, field
 from functools import partial
 
 from symscrew.algebra import (
+    IDENTITY,
     SAFE,
     Affine,
     Column,
@@ -38,7 +39,7 @@ from symscrew.algebra import (
     transform,
 )
 from symscrew.dynamics.carried_loops import carried_wrenches
-from symscrew.dynamics.setting import ONE, Setting, Wrench, Wrenches, accumulate
+from symscrew.dynamics.setting import ONE, Seated, Setting, Wrench, Wrenches, accumulate
 from symscrew.kinematics import GROUND, Link
 
 Projection = Callable[[Wrench], Node]
@@ -141,8 +142,7 @@ class _Elimination:
     def sweep(self) -> None:
         """From the tips of the limbs to the ground."""
         tree = self.setting.tree
-        left_out = {index for bar in self.setting.bars.values() for index in bar.links}
-        pending = {link.index for link in tree.links[1:]} - left_out
+        pending = {link.index for link in tree.links[1:]} - self.setting.left_out
         outwards = Counter(tree.links[j].parent for j in pending)
         ready = {i for i in pending if not outwards[i]}
         while ready:
@@ -185,6 +185,9 @@ class _Elimination:
             accumulate(here, ONE, *self.wrench(link))
             before = setting.before_motion(link, here, self.loads, self._cut_wrench)
             setting.add_bars(link, before, self.solved)
+        if setting.seated and link.index == setting.seated.hub:
+            self._use_rows(*self._seated_rows(link, setting.seated), before)
+            return
         screws = [lambda w, k=k: self._component(link, k, *w) for k in range(link.v.stop - link.v.start)]
         before = self._use_rows(list(range(link.v.start, link.v.stop)), screws, before)
         if link.joint == setting.tree.virtual and link.parent == GROUND:
@@ -202,6 +205,15 @@ class _Elimination:
         forces, couples = self.setting.virtual_directions
         rows: list[Projection] = [*(partial(_along, 0, d) for d in forces), *(partial(_along, 1, d) for d in couples)]
         return [None] * len(rows), rows
+
+    def _seated_rows(self, link: Link, seated: Seated) -> tuple[list[int | None], list[Projection]]:
+        """All rows of a hub on a free joint, which are called by its coordinates."""
+        inner = [k for index in seated.inner[::-1] for k in self._freedoms(self.setting.tree.links[index])]
+        rows = [partial(_along, part, direction) for part in (0, 1) for direction in IDENTITY]
+        return [*inner, *self._freedoms(link)], [*rows]
+
+    def _freedoms(self, link: Link) -> range:
+        return range(link.v.start, link.v.stop)
 
     def _component(self, link: Link, k: int, f: Vector, m: Vector) -> Node:
         """S . W for the k-th screw of the link's motion; axes before the motion."""
@@ -236,7 +248,7 @@ class _Elimination:
 
     def _defer(self, rows: Sequence[tuple[int | None, Affine]]) -> None:
         self.deferred += rows
-        self.driven |= {v: row for v, row in rows if v in self.setting.drives}
+        self.driven |= {v: row for v, row in rows if v is not None and v in self.setting.drives}
 
     def _of_platform(self, v_index: int | None) -> bool:
         """Whether a row is one of a hub on a virtual joint, all of whose rows are compared at once."""

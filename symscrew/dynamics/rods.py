@@ -32,7 +32,7 @@ from symscrew.algebra import (
 from symscrew.dynamics.setting import Bar, Wrench
 from symscrew.dynamics.tree_dynamics import balanced_forces, mass_matrix
 from symscrew.effects import Acting, AddedInertia
-from symscrew.kinematics import GROUND, Cut, Inertia, Link, Rates, System, combined, regrouped
+from symscrew.kinematics import GROUND, Cut, Inertia, Link, Linkage, Rates, System, combined, regrouped
 from symscrew.loops import rod_limb
 
 
@@ -114,18 +114,23 @@ def _point_mass(mass: Node, at: Vector) -> Inertia:
 
 
 def bars(
-    system: System, rods: Mapping[int, Rod], moving: Sequence[Rates], about: Mapping[int, Vector] | None = None
+    system: System,
+    rods: Mapping[int, Rod],
+    moving: Sequence[Rates],
+    at: Linkage | None = None,
+    origins: Mapping[int, Vector] | None = None,
 ) -> dict[int, Bar]:
-    """What the parent and the hub of every rod must supply for it, by its cut joint: moments are about the links'
-    origins, or points `about` that links have for it.
+    """What the parent and the hub of every rod must supply for it, by its cut joint.
 
+    `at`: the system's tree, with links elsewhere perhaps, for which `origins` has the accelerations of the points from
+    where their points are seen, without those points' own rotation, in the axes before the links' motions.
     Of several rods between the same two links the first one's unknown is all their tension, the others' are shares of
     it that these bear instead: where rods are parallel, a share is a couple alone. Their inertia is the first one's.
     """
     together: dict[tuple[int, int], list[int]] = {}
     for c, rod in rods.items():
         together.setdefault((rod.parent, rod.hub), []).append(c)
-    seen = _Ends(system, moving, about or {})
+    seen = _Ends(system, at or system.linkage, moving, origins or {})
     result = {}
     for cuts in together.values():
         first = rods[cuts[0]]
@@ -159,30 +164,23 @@ def _sum(wrenches: Sequence[Wrench]) -> Wrench:
 
 @dataclass(frozen=True)
 class _Ends:
-    """What the ends of rods are to the links there: places, accelerations, wrenches; axes before the links' motions.
-
-    Moments are about the links' origins, or the points `about` from where a link's other points are seen then.
-    """
+    """What the ends of rods are to the links there: places, accelerations, wrenches; axes before the links' motions."""
 
     system: System
+    at: Linkage
     moving: Sequence[Rates]
-    about: Mapping[int, Vector] = field(default_factory=dict)
+    origins: Mapping[int, Vector] = field(default_factory=dict)
 
     def line(self, rod: Rod) -> Vector:
         """From the near to the far end, in the axes before the parent's motion."""
-        system, hub, parent = self.system, rod.hub, rod.parent
-        if hub in self.about:
-            middle = system.linkage.carry_point(hub, parent, self.about[hub], before=parent != GROUND)
-            far = add(middle, self._across(hub, parent, self._arm(hub, rod.far)))
-        else:
-            far = system.linkage.seen_before(hub, parent, rod.far)
-        part = system.tree.part(rod.links[1].index)
-        return named_vector(subtract(far, self._before(parent, rod.near)), "rod", part)
+        far = self.at.seen_before(rod.hub, rod.parent, rod.far)
+        part = self.system.tree.part(rod.links[1].index)
+        return named_vector(subtract(far, self._before(rod.parent, rod.near)), "rod", part)
 
     def pull(self, rod: Rod, first: Rod, *, line: Vector, link: int) -> Wrench:
         """What a link must supply per unit of a rod's unknown; `line` is that of the first rod."""
         sign = -1 if link == rod.parent else 1
-        at = self._arm(link, _end(rod, link))
+        at = self._before(link, _end(rod, link))
         beside = self._before(link, subtract(_end(rod, link), _end(first, link)))
         along = scale(sign, self._across(rod.parent, link, line))
         if rod is first:
@@ -201,33 +199,29 @@ class _Ends:
                 part, end = self.system.tree.part(rod.links[1].index), "near" if other == rod.parent else "far"
                 named_vector(acceleration, "end_acceleration", part, prefix=f"{end}_")
                 force = scale(rod.masses[1], self._across(other, link, acceleration))
-                moment = cross(self._arm(link, _end(rod, link)), force)
+                moment = cross(self._before(link, _end(rod, link)), force)
                 result[link] = named_wrench((force, moment), "end_inertia", part, by="near" if end == "far" else "far")
         return result
 
-    def _arm(self, link: int, point: Vector) -> Vector:
-        """To a point of a link from where moments on it are about."""
-        return self._before(link, subtract(point, self.about[link]) if link in self.about else point)
-
     def _before(self, link: int, vector: Vector) -> Vector:
-        return vector if link == GROUND else self.system.placed[link].before(vector)
+        return vector if link == GROUND else self.at.placed[link].before(vector)
 
     def _across(self, source: int, target: int, vector: Vector) -> Vector:
-        return self.system.linkage.carry_across(source, target, vector)
+        return self.at.carry_across(source, target, vector)
 
     def _acceleration(self, link: int, point: Vector) -> Vector:
         """Acceleration of a link's point: what rotates is turned once."""
-        system, own, placed = self.system, self.moving[link], self.system.placed[link]
+        own, placed = self.moving[link], self.at.placed[link]
         if link == GROUND:
             return own.at(point)
-        motion = system.tree.links[link].motion
-        if motion.slides or not motion.turns:
+        inner = self.at.tree.links[link]
+        if inner.motion.slides or not inner.motion.turns:
             return placed.before(own.at(point))
-        carried = transform(transpose(placed.rotation), self.moving[system.tree.links[link].parent].at(placed.offset))
+        if link in self.origins:
+            carried = self.origins[link]
+        else:
+            carried = transform(transpose(placed.rotation), self.moving[inner.parent].at(placed.offset))
         turned: Matrix = product(placed.turn, own.matrix)
-        if link in self.about:
-            carried = add(carried, transform(turned, self.about[link]))
-            point = subtract(point, self.about[link])
         return add(carried, transform(turned, point))
 
 
@@ -278,7 +272,7 @@ def rod_forces(system: System, acting: Acting, rods: Mapping[int, Rod], a: Seque
     wrenches = {k: acting.inertial_wrench(k, inertia[k], moving) for k in range(1, len(inertia))}
     coupled: dict[int, list[Wrench]] = {}
     for rod in rods.values():
-        for link, wrench in _Ends(system, moving).inertia(rod).items():
+        for link, wrench in _Ends(system, system.linkage, moving).inertia(rod).items():
             coupled.setdefault(link, []).append(wrench)
     for link, some in coupled.items():
         back, (force, moment) = transpose(system.placed[link].turn), _sum(some)

@@ -10,8 +10,10 @@ from dataclasses import dataclass, field
 from functools import cached_property
 
 from symscrew.algebra import (
+    ZERO,
     Affine,
     Column,
+    Matrix,
     Node,
     Tape,
     Vector,
@@ -21,6 +23,7 @@ from symscrew.algebra import (
     named_wrench,
     scale,
     subtract,
+    transform,
 )
 from symscrew.kinematics import Cut, Frame, Link, Linkage, Placement, Row, Tree, on_hub
 
@@ -42,6 +45,22 @@ class Bar:
 
 
 @dataclass(frozen=True)
+class Seated:
+    """A hub that sits on another link than its virtual joint puts it: see `symscrew.dynamics.hub_seats`.
+
+    `inner`: the joint's other links, which are left out. `rotation`: from the axes before the joint's motion to those
+    of the link that the hub sits on. In these stand `arm`, from the hub's own origin to its new one, and the `force`
+    that its mass needs at its own.
+    """
+
+    hub: int
+    inner: tuple[int, ...]
+    rotation: Matrix
+    arm: Vector
+    force: Vector
+
+
+@dataclass(frozen=True)
 class Setting:
     """What equilibrium is written for: the tree at given placements, its cuts, drives and unit scales."""
 
@@ -59,7 +78,7 @@ class Setting:
     )  # forces, couples it cannot bear
     joint_forces: Mapping[int, Node] = field(default_factory=dict)  # index into v -> known generalised force
     bars: Mapping[int, Bar] = field(default_factory=dict)  # cut -> the bar that ends there
-    about: Mapping[int, Vector] = field(default_factory=dict)  # link -> its point about which its joint's moments are
+    seated: Seated | None = None
     called: str = "force"  # the wrench of a link and all that hangs on it
 
     @property
@@ -95,7 +114,7 @@ class Setting:
     def before_motion(
         self, link: Link, here: Wrenches, loads: Mapping[int, tuple[Vector, Vector]], at_cut: Callable[[int], Wrenches]
     ) -> Wrenches:
-        """All that the joint of a link must supply, in the axes before its motion, at its origin or the point `about`.
+        """All that the joint of a link must supply, in the axes before its motion, at its origin.
 
         `here` are the wrenches on the link in its own axes; the loads and the cuts where it is the hub
         (`at_cut(c)`: what cut c exerts on its tip, tip axes) come on top.
@@ -106,31 +125,37 @@ class Setting:
             if cut.hub != link.index or c in self.bars:
                 continue
             for column, (f, m) in at_cut(c).items():
-                accumulate(result, column, *on_hub(cut, self.linkage, f, m, self.about.get(link.index)))
+                accumulate(result, column, *on_hub(cut, self.linkage, f, m))
         self._named(result, f"joint_{self.called}", link.index)
         return result
 
     def turned_back(self, link: Link, here: Wrenches, loads: Mapping[int, Wrench]) -> Wrenches:
-        """Wrenches on a link, from its own axes and origin to the axes before its motion and its point `about`, with
-        its loads."""
-        placed, about = self.placed[link.index], self.about.get(link.index)
-        if about is not None:
-            here = {c: (f, subtract(m, cross(about, f))) for c, (f, m) in here.items()}
+        """Wrenches on a link, in its own axes, in those before its motion, with its loads, which stand there."""
+        placed, seated = self.placed[link.index], self.seated
         result: Wrenches = {c: (placed.before(f), placed.before(m)) for c, (f, m) in here.items()}
+        if seated is None or seated.hub != link.index:
+            if link.index in loads:
+                force, moment = loads[link.index]
+                accumulate(result, ONE, scale(-1, force), scale(-1, moment))
+            return result
         if link.index in loads:
-            force, moment = loads[link.index]
-            if about is not None:
-                moment = subtract(moment, cross(placed.before(about), force))
-            accumulate(result, ONE, scale(-1, force), scale(-1, moment))
-        return result
+            force, moment = (scale(-1, transform(seated.rotation, vector)) for vector in loads[link.index])
+            accumulate(result, ONE, force, moment)
+        accumulate(result, ONE, seated.force, ZERO)
+        return {c: (f, subtract(m, cross(seated.arm, f))) for c, (f, m) in result.items()}
 
     def handed_on(self, index: int, force: Vector, moment: Vector) -> Wrench:
-        """From the axes before a link's motion, at its origin or point `about`, to its parent's, at the parent's."""
+        """From the axes before a link's motion, at its origin, to its parent's, at the parent's."""
         placed = self.placed[index]
-        force, arm = placed.from_before(force), placed.offset
-        if index in self.about:
-            arm = add(arm, placed.inwards(self.about[index]))
-        return force, add(placed.from_before(moment), cross(arm, force))
+        force = placed.from_before(force)
+        return force, add(placed.from_before(moment), cross(placed.offset, force))
+
+    @property
+    def left_out(self) -> set[int]:
+        """Links that carry no wrench: those of bars, and those of a virtual joint whose hub is seen from elsewhere."""
+        return {index for bar in self.bars.values() for index in bar.links} | {
+            *(self.seated.inner if self.seated else ())
+        }
 
     @cached_property
     def ties(self) -> dict[int, list[tuple[int, Node]]]:

@@ -5,12 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
+from typing import NamedTuple
 
 from symscrew.algebra import ZERO, Guard, Node, Vector, cost, count_operations, named_entries
 from symscrew.dynamics import (
     Balance,
     DriveSolution,
     Reactions,
+    Rod,
     Setting,
     balance,
     balances,
@@ -19,8 +21,8 @@ from symscrew.dynamics import (
     generalised_forces,
     joint_wrenches,
     mass_matrix,
-    moment_centre,
     numeric_multipliers,
+    seats,
     solve_drives,
     solve_reactions,
     thin_rods,
@@ -46,6 +48,13 @@ from symscrew.loops import Loops, counts_all_ways
 from symscrew.program import Function, Port
 
 NO_DRIVE = "carry no drive"  # of a note: some freedoms
+
+
+class _Ways(NamedTuple):
+    """Balances with the hub where its coordinates put it, and with it on seats."""
+
+    unseated: list[Balance]
+    seated: list[Balance]
 
 
 class Equations:
@@ -98,7 +107,7 @@ class Equations:
             pivots = [guard.pivot for guard in way.guards]
             return [*multipliers, *(self._drives_and_pivots(way) if self.given is None else pivots)]
 
-        return self._fewest(self._plain_ways, found)
+        return self._fewest([*self._plain_ways.unseated, *self._plain_ways.seated], found)
 
     @cached_property
     def solution(self) -> DriveSolution:
@@ -107,22 +116,17 @@ class Equations:
 
     @cached_property
     def lean_balance(self) -> Balance:
-        """The equations at the hub for drives alone, with thin rods as masses at their ends where that is shorter."""
+        """The equations at the hub for drives alone, with thin rods as masses at their ends where that is shorter.
+
+        The cost weighs divisions that wait, but of what is shared with reactions, or is there without a seat of the
+        hub, no operation is given for fewer of them.
+        """
         rods = thin_rods(self.system, self.forces)
-        if not rods:
-            return self._fewest(self._plain_ways, self._drives_and_pivots, no_more_than=self.balance)
-        inertia = with_end_masses(self.system, list(rods.values()), self.forces.inertia)
-
-        def wrench(link: Link) -> tuple[Vector, Vector]:
-            return self.forces.inertial_wrench(link.index, inertia[link.index], self.rates)
-
-        centre = moment_centre(self.setting, rods)
-        settings = [
-            replace(self.setting, bars=bars(self.system, rods, self.rates, about), about=about)
-            for about in ({}, centre)[: 2 if centre else 1]
-        ]
-        ways = [*self._plain_ways, *self._ways(settings, wrench)]
-        return self._fewest(ways, self._drives_and_pivots, no_more_than=self.balance)
+        more = self._ways_with_bars(rods) if rods else _Ways([], [])
+        unseated, found = [*self._plain_ways.unseated, *more.unseated], self._drives_and_pivots
+        limit = min(self._size(self.balance), self._size(self._fewest(unseated, found)))
+        every = [*unseated, *self._plain_ways.seated, *more.seated]
+        return self._fewest([way for way in every if self._size(way) <= limit], found)
 
     @cached_property
     def lean_solution(self) -> DriveSolution:
@@ -130,42 +134,43 @@ class Equations:
         return self.drives(self.lean_balance)
 
     @cached_property
-    def _plain_ways(self) -> list[Balance]:
-        centre = moment_centre(self.setting, {})
-        settings = [self.setting, *([replace(self.setting, about=centre)] if centre else [])]
-        return self._ways(settings, self.lean_wrench)
+    def _plain_ways(self) -> _Ways:
+        seated = [seat.taken(self.inertia) for seat in seats(self.setting, self.rates, {})]
+        return self._ways(self.setting, seated, self.lean_wrench)
 
-    def _ways(self, settings: Sequence[Setting], wrench: Callable[[Link], tuple[Vector, Vector]]) -> list[Balance]:
-        """The balance in each of the settings, with the rows of the drives in their places or last.
+    def _ways_with_bars(self, rods: Mapping[int, Rod]) -> _Ways:
+        inertia = with_end_masses(self.system, list(rods.values()), self.forces.inertia)
+
+        def wrench(link: Link) -> tuple[Vector, Vector]:
+            return self.forces.inertial_wrench(link.index, inertia[link.index], self.rates)
+
+        seated = []
+        for seat in seats(self.setting, self.rates, rods):
+            ends = bars(self.system, seat.rods(rods), self.rates, seat.linkage, seat.origins)
+            seated.append(replace(seat.taken(inertia), bars=ends))
+        return self._ways(replace(self.setting, bars=bars(self.system, rods, self.rates)), seated, wrench)
+
+    def _ways(
+        self, unseated: Setting, seated: Sequence[Setting], wrench: Callable[[Link], tuple[Vector, Vector]]
+    ) -> _Ways:
+        if not (self.setting.drives and self.setting.cuts and counts_all_ways(self.system)):
+            return _Ways([balance(unseated, wrench, self.forces.loads)], [])
+        return _Ways(self._tried(unseated, wrench), [way for some in seated for way in self._tried(some, wrench)])
+
+    def _tried(self, setting: Setting, wrench: Callable[[Link], tuple[Vector, Vector]]) -> list[Balance]:
+        """The balance with the rows of the drives in their places or last.
 
         Links that carry whole loops supply what cancels inside these, or the inertia that they carry alone.
         """
-        loads = self.forces.loads
-        if not (self.setting.drives and self.setting.cuts and counts_all_ways(self.system)):
-            return [balance(settings[0], wrench, loads)]
+        loads, carried = self.forces.loads, carried_wrenches(setting, wrench, self.forces.loads)
         return [
             way
-            for setting in settings
-            for carried in (carried_wrenches(setting, wrench, loads),)
             for known in ({}, carried)[: 2 if carried else 1]
             for last in (False, True)
             for way in balances(setting, wrench, loads, drives_last=last, carried=known)
         ]
 
-    def _fewest(
-        self,
-        ways: Sequence[Balance],
-        found: Callable[[Balance], Sequence[Node]],
-        *,
-        no_more_than: Balance | None = None,
-    ) -> Balance:
-        """The way of the lowest cost; of those with no more operations than another one, if that is given.
-
-        The cost weighs divisions that wait: what reactions share is not left for fewer of them at more operations.
-        """
-        if no_more_than is not None:
-            limit = self._size(no_more_than)
-            ways = [way for way in ways if self._size(way) <= limit]
+    def _fewest(self, ways: Sequence[Balance], found: Callable[[Balance], Sequence[Node]]) -> Balance:
         return min(ways, key=lambda way: self.cost(found(way))) if len(ways) > 1 else ways[0]
 
     def _size(self, way: Balance) -> int:

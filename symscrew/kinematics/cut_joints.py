@@ -287,14 +287,11 @@ def _arm(at: Linkage, cut: Cut) -> Vector | None:
     return subtract(cut.tip_point, at.carry_point(hub.parent, cut.tip, at.placed[cut.hub].offset))
 
 
-def on_hub(cut: Cut, at: Linkage, force: Vector, couple: Vector, about: Vector | None = None) -> tuple[Vector, Vector]:
-    """A wrench at the cut joint (tip axes) as force and moment about the hub's origin, axes before the hub's motion.
-
-    The moment may be `about` another point of the hub, given in its coordinates.
-    """
+def on_hub(cut: Cut, at: Linkage, force: Vector, couple: Vector) -> tuple[Vector, Vector]:
+    """A wrench at the cut joint (tip axes) as force and moment about the hub's origin, axes before the hub's motion."""
     if cut.arm is not None:
         couple = add(couple, cross(cut.arm, force))
     force, couple = (at.carry(cut.tip, cut.hub, vector, before=True) for vector in (force, couple))
-    arm = ZERO if cut.arm is not None else cut.contact
-    arm = arm if about is None else subtract(arm, about)
-    return force, add(couple, cross(at.placed[cut.hub].before(arm), force))
+    if cut.arm is None:
+        couple = add(couple, cross(at.placed[cut.hub].before(cut.contact), force))
+    return force, couple
