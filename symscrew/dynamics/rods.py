@@ -119,18 +119,20 @@ def bars(
     moving: Sequence[Rates],
     at: Linkage | None = None,
     origins: Mapping[int, Vector] | None = None,
+    matrices: Mapping[int, Matrix] | None = None,
 ) -> dict[int, Bar]:
     """What the parent and the hub of every rod must supply for it, by its cut joint.
 
     `at`: the system's tree, with links elsewhere perhaps, for which `origins` has the accelerations of the points from
     where their points are seen, without those points' own rotation, in the axes before the links' motions.
+    `matrices`: U of links in these axes, where it is known.
     Of several rods between the same two links the first one's unknown is all their tension, the others' are shares of
     it that these bear instead: where rods are parallel, a share is a couple alone. Their inertia is the first one's.
     """
     together: dict[tuple[int, int], list[int]] = {}
     for c, rod in rods.items():
         together.setdefault((rod.parent, rod.hub), []).append(c)
-    seen = _Ends(system, at or system.linkage, moving, origins or {})
+    seen = _Ends(system, at or system.linkage, moving, origins or {}, matrices or {})
     result = {}
     for cuts in together.values():
         first = rods[cuts[0]]
@@ -170,6 +172,7 @@ class _Ends:
     at: Linkage
     moving: Sequence[Rates]
     origins: Mapping[int, Vector] = field(default_factory=dict)
+    matrices: Mapping[int, Matrix] = field(default_factory=dict)
 
     def line(self, rod: Rod) -> Vector:
         """From the near to the far end, in the axes before the parent's motion."""
@@ -221,6 +224,8 @@ class _Ends:
             carried = self.origins[link]
         else:
             carried = transform(transpose(placed.rotation), self.moving[inner.parent].at(placed.offset))
+        if link in self.matrices:
+            return add(carried, transform(self.matrices[link], placed.before(point)))
         turned: Matrix = product(placed.turn, own.matrix)
         return add(carried, transform(turned, point))
 

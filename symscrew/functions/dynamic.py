@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Container, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
 from typing import NamedTuple
@@ -11,14 +11,18 @@ from symscrew.algebra import ZERO, Guard, Node, Vector, cost, count_operations, 
 from symscrew.dynamics import (
     Balance,
     DriveSolution,
+    HingedTip,
     Reactions,
     Rod,
     Setting,
+    Wrench,
+    as_loads,
     balance,
     balances,
     bars,
     carried_wrenches,
     generalised_forces,
+    hinged_tips,
     joint_wrenches,
     mass_matrix,
     numeric_multipliers,
@@ -43,7 +47,7 @@ from symscrew.functions.ports import (
     v_port,
     y_port,
 )
-from symscrew.kinematics import Link, System, identifiers
+from symscrew.kinematics import Inertia, Link, System, identifiers
 from symscrew.loops import Loops, counts_all_ways
 from symscrew.program import Function, Port
 
@@ -136,33 +140,49 @@ class Equations:
     @cached_property
     def _plain_ways(self) -> _Ways:
         seated = [seat.taken(self.inertia) for seat in seats(self.setting, self.rates, {})]
-        return self._ways(self.setting, seated, self.lean_wrench)
+        return self._ways(self.setting, seated, self.inertia, {})
 
     def _ways_with_bars(self, rods: Mapping[int, Rod]) -> _Ways:
         inertia = with_end_masses(self.system, list(rods.values()), self.forces.inertia)
-
-        def wrench(link: Link) -> tuple[Vector, Vector]:
-            return self.forces.inertial_wrench(link.index, inertia[link.index], self.rates)
-
+        left_out = {link.index for rod in rods.values() for link in rod.links}
+        tips = hinged_tips(self.system, self.forces, inertia, self.rates, left_out)
+        matrices = {index: tip.matrix for index, tip in tips.items()}
         seated = []
         for seat in seats(self.setting, self.rates, rods):
-            ends = bars(self.system, seat.rods(rods), self.rates, seat.linkage, seat.origins)
+            ends = bars(self.system, seat.rods(rods), self.rates, seat.linkage, seat.origins, matrices)
             seated.append(replace(seat.taken(inertia), bars=ends))
-        return self._ways(replace(self.setting, bars=bars(self.system, rods, self.rates)), seated, wrench)
+        return self._ways(replace(self.setting, bars=bars(self.system, rods, self.rates)), seated, inertia, tips)
 
     def _ways(
-        self, unseated: Setting, seated: Sequence[Setting], wrench: Callable[[Link], tuple[Vector, Vector]]
+        self,
+        unseated: Setting,
+        seated: Sequence[Setting],
+        inertia: Sequence[Inertia],
+        tips: Mapping[int, HingedTip],
     ) -> _Ways:
+        """`inertia` of the links; `tips` are as they are in the seated settings."""
         if not (self.setting.drives and self.setting.cuts and counts_all_ways(self.system)):
-            return _Ways([balance(unseated, wrench, self.forces.loads)], [])
-        return _Ways(self._tried(unseated, wrench), [way for some in seated for way in self._tried(some, wrench)])
+            return _Ways([balance(unseated, self._wrench(inertia), self.forces.loads)], [])
+        known = self._wrench(inertia), self.forces.loads
+        before = self._wrench(inertia, tips), as_loads(tips, self.forces.loads)
+        return _Ways(self._tried(unseated, *known), [way for some in seated for way in self._tried(some, *before)])
 
-    def _tried(self, setting: Setting, wrench: Callable[[Link], tuple[Vector, Vector]]) -> list[Balance]:
+    def _wrench(self, inertia: Sequence[Inertia], left: Container[int] = ()) -> Callable[[Link], Wrench]:
+        """The inertial wrenches of links, but for those that are `left`."""
+
+        def wrench(link: Link) -> Wrench:
+            if link.index in left:
+                return ZERO, ZERO
+            return self.forces.inertial_wrench(link.index, inertia[link.index], self.rates)
+
+        return wrench
+
+    def _tried(self, setting: Setting, wrench: Callable[[Link], Wrench], loads: Mapping[int, Wrench]) -> list[Balance]:
         """The balance with the rows of the drives in their places or last.
 
         Links that carry whole loops supply what cancels inside these, or the inertia that they carry alone.
         """
-        loads, carried = self.forces.loads, carried_wrenches(setting, wrench, self.forces.loads)
+        carried = carried_wrenches(setting, wrench, loads)
         return [
             way
             for known in ({}, carried)[: 2 if carried else 1]
