@@ -27,10 +27,15 @@ def equations_of(mechanism: Mechanism, effects: Sequence[Effect]) -> Equations:
 
 
 def drives_by_all_ways(found: Equations) -> list[np.ndarray]:
-    plain, rods = found._plain_ways, thin_rods(found.system, found.forces)
-    bars = found._ways_with_bars(rods) if rods else plain
-    every = [*plain.unseated, *plain.seated, *bars.unseated, *bars.seated]
-    return [np.array([found.system.tape.sample(u) for u in found.drives(way).u]) for way in every]
+    """The first where the coordinates are; without rods on seats as well, where the model itself tries none."""
+    ways, rods = list(found._plain_ways), thin_rods(found.system, found.forces)
+    if rods:
+        ways += [way for some in found._ways_with_bars(rods) for way in some]
+    else:
+        wrench = found._wrench(found.inertia)
+        for seat in seats(found.setting, found.rates, {}):
+            ways += found._tried(seat.taken(found.inertia), wrench, found.forces.loads)
+    return [np.array([found.system.tape.sample(u) for u in found.drives(way).u]) for way in ways]
 
 
 @pytest.mark.parametrize(
