@@ -109,15 +109,19 @@ class Seat:
 
 
 def seats(setting: Setting, moving: Sequence[Rates], rods: Mapping[int, Rod]) -> list[Seat]:
-    """Seats of the hub: about the point where most limbs end, on the ground and on a link that carries all limbs."""
+    """Seats of a hub that only rods hold: about the point where most end, on the ground and on a link that carries all.
+
+    None where another limb ends at the hub. What such a limb exerts has three components, which are turned and moved to
+    the hub whatever its origin is, and one of several equal limbs that differs leaves the lanes of the others: a 6-UPS
+    takes 4 % fewer operations on a seat, and 4 to 8 % more time; three rods beside three legs 3 % fewer, and 18 % more.
+    """
     tree = setting.tree
     hub = next((link for link in tree.links[1:] if link.joint == tree.virtual and link.motion.spherical), None)
     if hub is None or any(setting.virtual_directions):
         return []
+    if any(hub.index in (cut.hub, cut.tip) and c not in rods for c, cut in enumerate(setting.cuts)):
+        return []
     ends = [rod.far for rod in rods.values() if rod.hub == hub.index]
-    for c, cut in enumerate(setting.cuts):
-        if cut.hub == hub.index and c not in rods and cut.is_joint and cut.joint.kind.ball and cut.arm is None:
-            ends.append(cut.contact)
     if not ends:
         return []
     centre = Counter(ends).most_common(1)[0][0]

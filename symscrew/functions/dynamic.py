@@ -149,12 +149,7 @@ class Equations:
         return self._tried(self.setting, self._wrench(self.inertia), self.forces.loads)
 
     def _ways_with_bars(self, rods: Mapping[int, Rod]) -> tuple[list[Balance], list[Balance]]:
-        """Balances with the hub where its coordinates put it, and with it on seats and tips of hinges by their powers.
-
-        Without bars no seat is tried: what a limb exerts has three components then, which are turned and moved to the
-        hub whatever its origin is, and one of several equal limbs that differs leaves the lanes of the others: a 6-UPS
-        takes 4 % fewer operations on a seat, and 4 to 8 % more time.
-        """
+        """Balances with the hub where its coordinates put it; with it on seats, and tips of hinges by their powers."""
         inertia = with_end_masses(self.system, list(rods.values()), self.forces.inertia)
         setting = replace(self.setting, bars=bars(self.system, rods, self.rates))
         unseated = self._tried(setting, self._wrench(inertia), self.forces.loads)
