@@ -17,7 +17,7 @@ from symscrew.dynamics.derivatives import (
 from symscrew.dynamics.drives import DriveSolution, solve_drives, solve_symmetric
 from symscrew.dynamics.equilibrium import Balance, balance, balances
 from symscrew.dynamics.free_motion import Admissible, by_articulated_bodies
-from symscrew.dynamics.hinged_tips import HingedTip, as_loads, hinged_tips
+from symscrew.dynamics.hinge_powers import HingedTip, as_loads, hinged_tips
 from symscrew.dynamics.hub_seats import seats
 from symscrew.dynamics.reactions import Reactions, at_origin, joint_wrenches, numeric_multipliers, solve_reactions
 from symscrew.dynamics.rods import Rod, bars, thin_rods, with_end_masses
