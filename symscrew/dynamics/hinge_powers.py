@@ -47,7 +47,7 @@ class HingedTip:
 
 
 def hinged_tips(
-    system: System, acting: Acting, inertia: Sequence[Inertia], moving: Sequence[Rates], left_out: set[int]
+    system: System, acting: Acting, inertia: Sequence[Inertia], moving: Sequence[Rates], *, left_out: set[int]
 ) -> dict[int, HingedTip]:
     """The links, by index, that take fewer operations so; `left_out` are no links, but bars."""
     if not acting.keeps_motion:
@@ -57,13 +57,12 @@ def hinged_tips(
     found = {}
     for link in system.tree.links[1:]:
         own, placed = inertia[link.index], system.placed[link.index]
-        back = transpose(placed.rotation)
-        axis = transform(back, (0, 0, 1))
+        axis = transform(transpose(placed.rotation), (0, 0, 1))
         if not link.motion.revolute or link.index in {*carrying, *left_out, *bent} or not _still(own):
             continue
         if not _about_axis_at_rest(system, acting, link.parent) or not _crosses(system, axis):
             continue
-        tip = _tip(system, link, own, moving[link.parent], axis, back)
+        tip = _tip(system, link, own, moving[link.parent])
         plain = [placed.before(part) for part in acting.inertial_wrench(link.index, own, moving)]
         if _operations(system, tip.wrench) < _operations(system, plain):
             named_wrench(tip.wrench, "joint_force", system.tree.part(link.index))
@@ -75,11 +74,13 @@ def _operations(system: System, vectors: Sequence[Vector]) -> int:
     return count_operations([system.tape.node(c) for vector in vectors for c in vector])
 
 
-def _tip(system: System, link: Link, inertia: Inertia, carrier: Rates, axis: Vector, back: Matrix) -> HingedTip:
+def _tip(system: System, link: Link, inertia: Inertia, carrier: Rates) -> HingedTip:
     placed = system.placed[link.index]
+    back = transpose(placed.rotation)
     matrix = _matrix(system, link, transform(back, carrier.omega), transform(back, carrier.alpha))
     origin = transform(back, carrier.origin)  # what the ground and gravity give all points
-    couple = _couple(system, link, inertia, axis, transform(back, placed.offset))
+    axis, arm = transform(back, (0, 0, 1)), transform(back, placed.offset)
+    couple = _couple(system, link, inertia, axis=axis, arm=arm)
     return HingedTip((scale(inertia.mass, origin), add(couple, cross(placed.before(inertia.first), origin))), matrix)
 
 
@@ -107,7 +108,7 @@ def _across(system: System, axis: Vector) -> Node:
     return system.tape.node(axis[0] * axis[0] + axis[1] * axis[1])
 
 
-def _couple(system: System, link: Link, inertia: Inertia, axis: Vector, arm: Vector) -> Vector:
+def _couple(system: System, link: Link, inertia: Inertia, *, axis: Vector, arm: Vector) -> Vector:
     """A couple with the powers of the link's inertia along its hinge and its carrier's, axes before its motion.
 
     `axis` is that of the carrier, unit length, `arm` from there to the link's origin, both in these axes.

@@ -117,6 +117,7 @@ def bars(
     system: System,
     rods: Mapping[int, Rod],
     moving: Sequence[Rates],
+    *,
     at: Linkage | None = None,
     origins: Mapping[int, Vector] | None = None,
     matrices: Mapping[int, Matrix] | None = None,

@@ -155,12 +155,14 @@ class Equations:
         unseated = self._tried(setting, self._wrench(inertia), self.forces.loads)
         if len(unseated) == 1:
             return unseated, []
-        tips = hinged_tips(self.system, self.forces, inertia, self.rates, setting.left_out)
+        tips = hinged_tips(self.system, self.forces, inertia, self.rates, left_out=setting.left_out)
         matrices = {index: tip.matrix for index, tip in tips.items()}
         wrench, loads = self._wrench(inertia, tips), as_loads(tips, self.forces.loads)
         found = []
         for seat in seats(self.setting, self.rates, rods):
-            ends = bars(self.system, seat.rods(rods), self.rates, seat.linkage, seat.origins, matrices)
+            ends = bars(
+                self.system, seat.rods(rods), self.rates, at=seat.linkage, origins=seat.origins, matrices=matrices
+            )
             found += self._tried(replace(seat.taken(inertia), bars=ends), wrench, loads)
         return unseated, found
 

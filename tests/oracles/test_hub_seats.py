@@ -56,4 +56,4 @@ def test_all_ways_ask_for_the_same_drives(
     assert seated == on
     inertia = with_end_masses(found.system, list(rods.values()), found.forces.inertia)
     left_out = {link.index for rod in rods.values() for link in rod.links}
-    assert len(hinged_tips(found.system, found.forces, inertia, found.rates, left_out)) == tips
+    assert len(hinged_tips(found.system, found.forces, inertia, found.rates, left_out=left_out)) == tips
