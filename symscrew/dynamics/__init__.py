@@ -17,9 +17,11 @@ from symscrew.dynamics.derivatives import (
 from symscrew.dynamics.drives import DriveSolution, solve_drives, solve_symmetric
 from symscrew.dynamics.equilibrium import Balance, balance, balances
 from symscrew.dynamics.free_motion import Admissible, by_articulated_bodies
+from symscrew.dynamics.hinge_powers import HingedTip, as_loads, hinged_tips
+from symscrew.dynamics.hub_seats import seats
 from symscrew.dynamics.reactions import Reactions, at_origin, joint_wrenches, numeric_multipliers, solve_reactions
-from symscrew.dynamics.rods import bars, thin_rods, with_end_masses
-from symscrew.dynamics.setting import ONE, Setting
+from symscrew.dynamics.rods import Rod, bars, thin_rods, with_end_masses
+from symscrew.dynamics.setting import ONE, Setting, Wrench
 from symscrew.dynamics.tree_dynamics import applied_forces, generalised_forces, mass_matrix
 
 __all__ = [
@@ -28,10 +30,14 @@ __all__ = [
     "Balance",
     "Direction",
     "DriveSolution",
+    "HingedTip",
     "Reactions",
+    "Rod",
     "Setting",
     "Variation",
+    "Wrench",
     "applied_forces",
+    "as_loads",
     "at_origin",
     "balance",
     "balances",
@@ -40,12 +46,14 @@ __all__ = [
     "carried_wrenches",
     "closure_changes",
     "generalised_forces",
+    "hinged_tips",
     "inertial_derivatives",
     "joint_wrenches",
     "long_branches",
     "mass_matrix",
     "numeric_multipliers",
     "power_changes",
+    "seats",
     "solve_drives",
     "solve_reactions",
     "solve_symmetric",

@@ -12,15 +12,16 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from symscrew.algebra import Vector, add, cross, named_wrench, scale, subtract, transform, transpose
+from symscrew.algebra import cross, named_wrench, subtract, transform, transpose
 from symscrew.dynamics.setting import ONE, Setting, Wrench, Wrenches, accumulate
-from symscrew.kinematics import GROUND, Link, Placement
+from symscrew.kinematics import GROUND, Link
 
 
 def carriers(setting: Setting) -> dict[int, int | None]:
     """Links that carry whole loops -> the first link of the platform that does not hang on them, but is carried."""
     tree = setting.tree
-    platform = next((link.index for link in tree.links[1:] if link.joint == tree.virtual), None)
+    virtual = [link.index for link in tree.links[1:] if link.joint == tree.virtual]
+    platform = setting.seated.hub if setting.seated else next(iter(virtual), None)
     apart = None if platform is None or tree.links[platform].parent != GROUND else platform
     ends = [[set(tree.path(end)) for end in (cut.tip, cut.hub)] for cut in setting.cuts if cut.relation is None]
     found: dict[int, int | None] = {}
@@ -45,29 +46,26 @@ def carried_wrenches(
     known = carriers(setting)
     if not known:
         return {}
-    left_out = {index for bar in setting.bars.values() for index in bar.links}
+    left_out = setting.left_out
     waiting: dict[int, Wrenches] = {link.index: {} for link in setting.tree.links}
     supplied: dict[int, Wrench] = {}
-    for link in reversed(setting.tree.links[1:]):
+    for link in _inwards(setting):
         if link.index in left_out:
             continue
-        here, placed = waiting[link.index], setting.placed[link.index]
+        here = waiting[link.index]
         accumulate(here, ONE, *wrench(link))
         named_wrench(here[ONE], "carried", setting.tree.part(link.index))
-        before = {ONE: (placed.before(here[ONE][0]), placed.before(here[ONE][1]))}
-        if link.index in loads:
-            force, moment = loads[link.index]
-            accumulate(before, ONE, scale(-1, force), scale(-1, moment))
+        before = setting.turned_back(link, {ONE: here[ONE]}, loads)
         setting.add_inertia_of_bars(link, before)
         supplied[link.index] = before[ONE]
-        accumulate(waiting[link.parent], ONE, *_handed_on(placed, *before[ONE]))
+        accumulate(waiting[link.parent], ONE, *setting.handed_on(link.index, *before[ONE]))
     return {index: {ONE: _with_platform(setting, supplied, index, more)} for index, more in known.items()}
 
 
-def _handed_on(placed: Placement, force: Vector, moment: Vector) -> Wrench:
-    """From the axes before a link's motion, at its origin, to its parent's, at the parent's."""
-    force = placed.from_before(force)
-    return force, add(placed.from_before(moment), cross(placed.offset, force))
+def _inwards(setting: Setting) -> list[Link]:
+    """Links from the tips to the ground; a hub that sits elsewhere may be older than what it sits on."""
+    found = list(reversed(setting.tree.links[1:]))
+    return sorted(found, key=lambda link: -len(setting.tree.path(link.index))) if setting.seated else found
 
 
 def _with_platform(setting: Setting, supplied: Mapping[int, Wrench], index: int, platform: int | None) -> Wrench:
@@ -75,7 +73,7 @@ def _with_platform(setting: Setting, supplied: Mapping[int, Wrench], index: int,
     force, moment = supplied[index]
     if platform is None:
         return force, moment
-    more = _handed_on(setting.placed[platform], *supplied[platform])
+    more = setting.handed_on(platform, *supplied[platform])
     for k in reversed(setting.tree.path(index)):
         placed = setting.placed[k]
         back = transpose(placed.rotation)

@@ -16,6 +16,7 @@ from dataclasses import dataclass, field
 from functools import partial
 
 from symscrew.algebra import (
+    IDENTITY,
     SAFE,
     Affine,
     Column,
@@ -25,6 +26,8 @@ from symscrew.algebra import (
     Vector,
     add,
     choose_pivot,
+    combine,
+    count_operations,
     cross,
     dot,
     insert_solution,
@@ -36,7 +39,7 @@ from symscrew.algebra import (
     transform,
 )
 from symscrew.dynamics.carried_loops import carried_wrenches
-from symscrew.dynamics.setting import ONE, Setting, Wrench, Wrenches, accumulate
+from symscrew.dynamics.setting import ONE, Seated, Setting, Wrench, Wrenches, accumulate
 from symscrew.kinematics import GROUND, Link
 
 Projection = Callable[[Wrench], Node]
@@ -125,11 +128,13 @@ class _Elimination:
                     accumulate(here, column, scale(-1, f), scale(-1, add(cross(cut.tip_point, f), m)))
         self.result = Balance(self.solved, [], [], [])
         self.deferred: list[tuple[int | None, Affine]] = []
+        self.driven: dict[int, Affine] = {}  # index into v of a drive whose row waits -> the row as it was then
 
     def copied(self) -> _Elimination:
         """The same elimination; what is done with one leaves the other as it is."""
         other = copy(self)
         other.solved, other.waiting, other.deferred = dict(self.solved), dict(self.waiting), list(self.deferred)
+        other.driven = dict(self.driven)
         known = self.result
         other.result = Balance(other.solved, list(known.finals), list(known.guards), [], list(known.unbalanced))
         return other
@@ -137,8 +142,7 @@ class _Elimination:
     def sweep(self) -> None:
         """From the tips of the limbs to the ground."""
         tree = self.setting.tree
-        left_out = {index for bar in self.setting.bars.values() for index in bar.links}
-        pending = {link.index for link in tree.links[1:]} - left_out
+        pending = {link.index for link in tree.links[1:]} - self.setting.left_out
         outwards = Counter(tree.links[j].parent for j in pending)
         ready = {i for i in pending if not outwards[i]}
         while ready:
@@ -181,6 +185,9 @@ class _Elimination:
             accumulate(here, ONE, *self.wrench(link))
             before = setting.before_motion(link, here, self.loads, self._cut_wrench)
             setting.add_bars(link, before, self.solved)
+        if setting.seated and link.index == setting.seated.hub:
+            self._use_rows(*self._seated_rows(link, setting.seated), before)
+            return
         screws = [lambda w, k=k: self._component(link, k, *w) for k in range(link.v.stop - link.v.start)]
         before = self._use_rows(list(range(link.v.start, link.v.stop)), screws, before)
         if link.joint == setting.tree.virtual and link.parent == GROUND:
@@ -199,6 +206,15 @@ class _Elimination:
         rows: list[Projection] = [*(partial(_along, 0, d) for d in forces), *(partial(_along, 1, d) for d in couples)]
         return [None] * len(rows), rows
 
+    def _seated_rows(self, link: Link, seated: Seated) -> tuple[list[int | None], list[Projection]]:
+        """All rows of a hub on a free joint, which are called by its coordinates."""
+        inner = [k for index in seated.inner[::-1] for k in self._freedoms(self.setting.tree.links[index])]
+        rows = [partial(_along, part, direction) for part in (0, 1) for direction in IDENTITY]
+        return [*inner, *self._freedoms(link)], [*rows]
+
+    def _freedoms(self, link: Link) -> range:
+        return range(link.v.start, link.v.stop)
+
     def _component(self, link: Link, k: int, f: Vector, m: Vector) -> Node:
         """S . W for the k-th screw of the link's motion; axes before the motion."""
         return self.setting.tape.node(link.pair.powers(self.setting.frames[link.index], f, m)[k])
@@ -216,7 +232,7 @@ class _Elimination:
         waiting = dict(enumerate(zip(v_indices, screws, strict=True)))
         if self.drives_last:
             later = [k for k, (v, _) in waiting.items() if v in self.setting.drives or self._of_platform(v)]
-            self.deferred += [(v, self._row(v, screw, before)) for v, screw in (waiting.pop(k) for k in later)]
+            self._defer([(v, self._row(v, screw, before)) for v, screw in (waiting.pop(k) for k in later)])
         while waiting:
             rows = {k: self._row(v, screw, before) for k, (v, screw) in waiting.items()}
             found = {k: self._pivot(rows[k], v) for k, (v, _) in waiting.items()}
@@ -224,11 +240,15 @@ class _Elimination:
             best = max(waiting, key=sizes.__getitem__)
             pivot = found[best]
             if pivot is None or pivot.size < SAFE:
-                self.deferred += [(v, rows[k]) for k, (v, _) in waiting.items()]
+                self._defer([(v, rows[k]) for k, (v, _) in waiting.items()])
                 return before
             before = _substitute_wrench(before, pivot.column, self._solve(rows[best], pivot.column))
             del waiting[best]
         return before
+
+    def _defer(self, rows: Sequence[tuple[int | None, Affine]]) -> None:
+        self.deferred += rows
+        self.driven |= {v: row for v, row in rows if v is not None and v in self.setting.drives}
 
     def _of_platform(self, v_index: int | None) -> bool:
         """Whether a row is one of a hub on a virtual joint, all of whose rows are compared at once."""
@@ -347,13 +367,28 @@ class _Elimination:
         return cost
 
     def _keep(self, v_index: int | None, row: Affine) -> None:
-        """A row without multipliers: an equation for the drives, or nothing on the manifold."""
+        """A row without multipliers: an equation for the drives, or nothing on the manifold.
+
+        That of a drive takes its multipliers as they are known now, each once, not those again of which they consist:
+        but for constants, which fold.
+        """
+        if v_index in self.driven:
+            ways = row, self._with_solutions(self.driven[v_index])
+            row = min(ways, key=lambda way: count_operations([*way.values()]))
         known = {c: e for c, e in row.items() if c not in self.scales}
         self.setting.name_row(known, v_index)
         if any(c != ONE for c in known):
             self.result.finals.append(known)
         elif known and v_index is not None:
             self.result.unbalanced.append(v_index)
+
+    def _with_solutions(self, row: Affine) -> Affine:
+        """A row with all multipliers put in, as far as they are solved."""
+        total = {c: entry for c, entry in row.items() if c not in self.scales}
+        for c, entry in row.items():
+            if c in self.scales:
+                total = combine(total, entry, self.solved[c])
+        return total
 
 
 def _along(part: int, direction: Vector, wrench: Wrench) -> Node:

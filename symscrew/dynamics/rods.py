@@ -10,7 +10,7 @@ bodies: neither sines nor rates of the rods are needed, and one unknown per rod 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from itertools import product as pairs_of
 
 from symscrew.algebra import (
@@ -32,7 +32,7 @@ from symscrew.algebra import (
 from symscrew.dynamics.setting import Bar, Wrench
 from symscrew.dynamics.tree_dynamics import balanced_forces, mass_matrix
 from symscrew.effects import Acting, AddedInertia
-from symscrew.kinematics import GROUND, Cut, Inertia, Link, Rates, System, combined, regrouped
+from symscrew.kinematics import GROUND, Cut, Inertia, Link, Linkage, Rates, System, combined, regrouped
 from symscrew.loops import rod_limb
 
 
@@ -113,26 +113,35 @@ def _point_mass(mass: Node, at: Vector) -> Inertia:
     return Inertia(mass, first, (scale(at[0], first), scale(at[1], first), scale(at[2], first)))
 
 
-def bars(system: System, rods: Mapping[int, Rod], moving: Sequence[Rates]) -> dict[int, Bar]:
+def bars(
+    system: System,
+    rods: Mapping[int, Rod],
+    moving: Sequence[Rates],
+    *,
+    at: Linkage | None = None,
+    origins: Mapping[int, Vector] | None = None,
+    matrices: Mapping[int, Matrix] | None = None,
+) -> dict[int, Bar]:
     """What the parent and the hub of every rod must supply for it, by its cut joint.
 
+    `at`: the system's tree, with links elsewhere perhaps, for which `origins` has the accelerations of the points from
+    where their points are seen, without those points' own rotation, in the axes before the links' motions.
+    `matrices`: U of links in these axes, where it is known.
     Of several rods between the same two links the first one's unknown is all their tension, the others' are shares of
     it that these bear instead: where rods are parallel, a share is a couple alone. Their inertia is the first one's.
     """
     together: dict[tuple[int, int], list[int]] = {}
     for c, rod in rods.items():
         together.setdefault((rod.parent, rod.hub), []).append(c)
+    seen = _Ends(system, at or system.linkage, moving, origins or {}, matrices or {})
     result = {}
     for cuts in together.values():
         first = rods[cuts[0]]
-        line = _line(system, first)
+        line = seen.line(first)
         for c in cuts:
-            inertia = [_inertia(system, rods[k], moving) for k in cuts] if c == cuts[0] else []
+            inertia = [seen.inertia(rods[k]) for k in cuts] if c == cuts[0] else []
             ends = {
-                link: (
-                    _pull(system, rods[c], first, line=line, link=link),
-                    _sum([wrenches[link] for wrenches in inertia]),
-                )
+                link: (seen.pull(rods[c], first, line=line, link=link), _sum([wrenches[link] for wrenches in inertia]))
                 for link in sorted({first.parent, first.hub} - {GROUND})
             }
             _name(system, rods[c], ends)
@@ -156,64 +165,75 @@ def _sum(wrenches: Sequence[Wrench]) -> Wrench:
     return force, moment
 
 
-def _line(system: System, rod: Rod) -> Vector:
-    """From the near to the far end, in the axes before the parent's motion."""
-    far = system.linkage.seen_before(rod.hub, rod.parent, rod.far)
-    part = system.tree.part(rod.links[1].index)
-    return named_vector(subtract(far, _before(system, rod.parent, rod.near)), "rod", part)
+@dataclass(frozen=True)
+class _Ends:
+    """What the ends of rods are to the links there: places, accelerations, wrenches; axes before the links' motions."""
 
+    system: System
+    at: Linkage
+    moving: Sequence[Rates]
+    origins: Mapping[int, Vector] = field(default_factory=dict)
+    matrices: Mapping[int, Matrix] = field(default_factory=dict)
 
-def _pull(system: System, rod: Rod, first: Rod, *, line: Vector, link: int) -> Wrench:
-    """What a link must supply per unit of a rod's unknown, axes before its motion; `line` is that of the first rod."""
-    sign = -1 if link == rod.parent else 1
-    at, beside = (_before(system, link, x) for x in (_end(rod, link), subtract(_end(rod, link), _end(first, link))))
-    along = scale(sign, _across(system, rod.parent, link, line))
-    if rod is first:
-        return along, cross(at, along)
-    far, near = (_before(system, k, subtract(_end(rod, k), _end(first, k))) for k in (rod.hub, rod.parent))
-    apart = subtract(_across(system, rod.hub, rod.parent, far), near)  # of the lines: nothing where they are parallel
-    share = scale(sign, _across(system, rod.parent, link, apart))
-    return share, add(cross(beside, along), cross(at, share))
+    def line(self, rod: Rod) -> Vector:
+        """From the near to the far end, in the axes before the parent's motion."""
+        far = self.at.seen_before(rod.hub, rod.parent, rod.far)
+        part = self.system.tree.part(rod.links[1].index)
+        return named_vector(subtract(far, self._before(rod.parent, rod.near)), "rod", part)
 
+    def pull(self, rod: Rod, first: Rod, *, line: Vector, link: int) -> Wrench:
+        """What a link must supply per unit of a rod's unknown; `line` is that of the first rod."""
+        sign = -1 if link == rod.parent else 1
+        at = self._before(link, _end(rod, link))
+        beside = self._before(link, subtract(_end(rod, link), _end(first, link)))
+        along = scale(sign, self._across(rod.parent, link, line))
+        if rod is first:
+            return along, cross(at, along)
+        far, near = (self._before(k, subtract(_end(rod, k), _end(first, k))) for k in (rod.hub, rod.parent))
+        apart = subtract(self._across(rod.hub, rod.parent, far), near)  # of the lines: nothing where they are parallel
+        share = scale(sign, self._across(rod.parent, link, apart))
+        return share, add(cross(beside, along), cross(at, share))
 
-def _inertia(system: System, rod: Rod, moving: Sequence[Rates]) -> dict[int, Wrench]:
-    """What the two links must supply for the mass that couples a rod's ends, axes before their motions."""
-    result = {}
-    for link, other in ((rod.parent, rod.hub), (rod.hub, rod.parent)):
-        if link != GROUND:
-            acceleration = _acceleration(system, moving, other, _end(rod, other))
-            part, end = system.tree.part(rod.links[1].index), "near" if other == rod.parent else "far"
-            named_vector(acceleration, "end_acceleration", part, prefix=f"{end}_")
-            force = scale(rod.masses[1], _across(system, other, link, acceleration))
-            moment = cross(_before(system, link, _end(rod, link)), force)
-            result[link] = named_wrench((force, moment), "end_inertia", part, by="near" if end == "far" else "far")
-    return result
+    def inertia(self, rod: Rod) -> dict[int, Wrench]:
+        """What the two links must supply for the mass that couples a rod's ends."""
+        result = {}
+        for link, other in ((rod.parent, rod.hub), (rod.hub, rod.parent)):
+            if link != GROUND:
+                acceleration = self._acceleration(other, _end(rod, other))
+                part, end = self.system.tree.part(rod.links[1].index), "near" if other == rod.parent else "far"
+                named_vector(acceleration, "end_acceleration", part, prefix=f"{end}_")
+                force = scale(rod.masses[1], self._across(other, link, acceleration))
+                moment = cross(self._before(link, _end(rod, link)), force)
+                result[link] = named_wrench((force, moment), "end_inertia", part, by="near" if end == "far" else "far")
+        return result
+
+    def _before(self, link: int, vector: Vector) -> Vector:
+        return vector if link == GROUND else self.at.placed[link].before(vector)
+
+    def _across(self, source: int, target: int, vector: Vector) -> Vector:
+        return self.at.carry_across(source, target, vector)
+
+    def _acceleration(self, link: int, point: Vector) -> Vector:
+        """Acceleration of a link's point: what rotates is turned once."""
+        own, placed = self.moving[link], self.at.placed[link]
+        if link == GROUND:
+            return own.at(point)
+        inner = self.at.tree.links[link]
+        if inner.motion.slides or not inner.motion.turns:
+            return placed.before(own.at(point))
+        if link in self.origins:
+            carried = self.origins[link]
+        else:
+            carried = transform(transpose(placed.rotation), self.moving[inner.parent].at(placed.offset))
+        if link in self.matrices:
+            return add(carried, transform(self.matrices[link], placed.before(point)))
+        turned: Matrix = product(placed.turn, own.matrix)
+        return add(carried, transform(turned, point))
 
 
 def _end(rod: Rod, link: int) -> Vector:
     """The rod's end on its parent or its hub, in the coordinates of that link."""
     return rod.near if link == rod.parent else rod.far
-
-
-def _before(system: System, link: int, vector: Vector) -> Vector:
-    return vector if link == GROUND else system.placed[link].before(vector)
-
-
-def _across(system: System, source: int, target: int, vector: Vector) -> Vector:
-    return system.linkage.carry_across(source, target, vector)
-
-
-def _acceleration(system: System, moving: Sequence[Rates], link: int, point: Vector) -> Vector:
-    """Acceleration of a link's point, in the axes before its motion: what rotates is turned once."""
-    own, placed = moving[link], system.placed[link]
-    if link == GROUND:
-        return own.at(point)
-    motion = system.tree.links[link].motion
-    if motion.slides or not motion.turns:
-        return placed.before(own.at(point))
-    carried = transform(transpose(placed.rotation), moving[system.tree.links[link].parent].at(placed.offset))
-    turned: Matrix = product(placed.turn, own.matrix)
-    return add(carried, transform(turned, point))
 
 
 def rod_matrix(system: System, rods: Mapping[int, Rod], added: AddedInertia | None) -> list[list[Node]]:
@@ -246,7 +266,7 @@ def _velocities(system: System, index: int, point: Vector) -> dict[int, Vector]:
         else:  # its axis has the same components before the motion
             velocities = [add(cross(screw.angular, before), screw.linear) for screw in screws]
         for k, velocity in enumerate(velocities, start=link.v.start):
-            found[k] = _across(system, index, GROUND, velocity)
+            found[k] = system.linkage.carry_across(index, GROUND, velocity)
         point = add(transform(placed.rotation, before), placed.offset)
         index = link.parent
     return found
@@ -258,7 +278,7 @@ def rod_forces(system: System, acting: Acting, rods: Mapping[int, Rod], a: Seque
     wrenches = {k: acting.inertial_wrench(k, inertia[k], moving) for k in range(1, len(inertia))}
     coupled: dict[int, list[Wrench]] = {}
     for rod in rods.values():
-        for link, wrench in _inertia(system, rod, moving).items():
+        for link, wrench in _Ends(system, system.linkage, moving).inertia(rod).items():
             coupled.setdefault(link, []).append(wrench)
     for link, some in coupled.items():
         back, (force, moment) = transpose(system.placed[link].turn), _sum(some)

@@ -9,7 +9,22 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 
-from symscrew.algebra import Affine, Column, Node, Tape, Vector, add, named_entries, named_wrench, scale
+from symscrew.algebra import (
+    ZERO,
+    Affine,
+    Column,
+    Matrix,
+    Node,
+    Tape,
+    Vector,
+    add,
+    cross,
+    named_entries,
+    named_wrench,
+    scale,
+    subtract,
+    transform,
+)
 from symscrew.kinematics import Cut, Frame, Link, Linkage, Placement, Row, Tree, on_hub
 
 ONE: Column = "1"
@@ -30,6 +45,22 @@ class Bar:
 
 
 @dataclass(frozen=True)
+class Seated:
+    """A hub that sits on another link than its virtual joint puts it: see `symscrew.dynamics.hub_seats`.
+
+    `inner`: the joint's other links, which are left out. `rotation`: from the axes before the joint's motion to those
+    of the link that the hub sits on. In these stand `arm`, from the hub's own origin to its new one, and the `force`
+    that its mass needs at its own.
+    """
+
+    hub: int
+    inner: tuple[int, ...]
+    rotation: Matrix
+    arm: Vector
+    force: Vector
+
+
+@dataclass(frozen=True)
 class Setting:
     """What equilibrium is written for: the tree at given placements, its cuts, drives and unit scales."""
 
@@ -47,6 +78,7 @@ class Setting:
     )  # forces, couples it cannot bear
     joint_forces: Mapping[int, Node] = field(default_factory=dict)  # index into v -> known generalised force
     bars: Mapping[int, Bar] = field(default_factory=dict)  # cut -> the bar that ends there
+    seated: Seated | None = None
     called: str = "force"  # the wrench of a link and all that hangs on it
 
     @property
@@ -87,12 +119,8 @@ class Setting:
         `here` are the wrenches on the link in its own axes; the loads and the cuts where it is the hub
         (`at_cut(c)`: what cut c exerts on its tip, tip axes) come on top.
         """
-        placed = self.placed[link.index]
         self._named(here, self.called, link.index)
-        result: Wrenches = {c: (placed.before(f), placed.before(m)) for c, (f, m) in here.items()}
-        if link.index in loads:
-            force, moment = loads[link.index]
-            accumulate(result, ONE, scale(-1, force), scale(-1, moment))
+        result = self.turned_back(link, here, loads)
         for c, cut in enumerate(self.cuts):
             if cut.hub != link.index or c in self.bars:
                 continue
@@ -100,6 +128,34 @@ class Setting:
                 accumulate(result, column, *on_hub(cut, self.linkage, f, m))
         self._named(result, f"joint_{self.called}", link.index)
         return result
+
+    def turned_back(self, link: Link, here: Wrenches, loads: Mapping[int, Wrench]) -> Wrenches:
+        """Wrenches on a link, in its own axes, in those before its motion, with its loads, which stand there."""
+        placed, seated = self.placed[link.index], self.seated
+        result: Wrenches = {c: (placed.before(f), placed.before(m)) for c, (f, m) in here.items()}
+        if seated is None or seated.hub != link.index:
+            if link.index in loads:
+                force, moment = loads[link.index]
+                accumulate(result, ONE, scale(-1, force), scale(-1, moment))
+            return result
+        if link.index in loads:
+            force, moment = (scale(-1, transform(seated.rotation, vector)) for vector in loads[link.index])
+            accumulate(result, ONE, force, moment)
+        accumulate(result, ONE, seated.force, ZERO)
+        return {c: (f, subtract(m, cross(seated.arm, f))) for c, (f, m) in result.items()}
+
+    def handed_on(self, index: int, force: Vector, moment: Vector) -> Wrench:
+        """From the axes before a link's motion, at its origin, to its parent's, at the parent's."""
+        placed = self.placed[index]
+        force = placed.from_before(force)
+        return force, add(placed.from_before(moment), cross(placed.offset, force))
+
+    @property
+    def left_out(self) -> set[int]:
+        """Links that carry no wrench: those of bars, and those of a virtual joint whose hub is seen from elsewhere."""
+        return {index for bar in self.bars.values() for index in bar.links} | {
+            *(self.seated.inner if self.seated else ())
+        }
 
     @cached_property
     def ties(self) -> dict[int, list[tuple[int, Node]]]:

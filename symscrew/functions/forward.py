@@ -236,7 +236,8 @@ def _inputs(system: System, found: Solved) -> State:
 def _with_reactions(system: System, effects: Sequence[Effect], loops: Loops) -> Function:
     """Accelerations first, then the equilibrium of all links with the drives put in."""
     found = solved(system, effects, loops)
-    equations = Equations(system.at(system.inputs.q, {}, system.inputs.v, found.a), effects, found.loads)
+    at = system.at(system.inputs.q, {}, system.inputs.v, found.a)
+    equations = Equations(at, effects, found.loads, given=found.forces)
     port, values, more, notes = all_reactions(equations, found.forces)
     text = (
         "Accelerations of the tree and all joint reactions, at O in absolute axes, from a consistent state and drives."

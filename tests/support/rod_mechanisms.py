@@ -44,25 +44,33 @@ def circle(radius: object, twelfths: object, height: object) -> Matrix:
     return Matrix([radius * cos(angle), radius * sin(angle), height])
 
 
-def rotary_hexapod(thick: object = 0, across: object = 0, base: str = "base") -> Mechanism:
+def rotary_hexapod(
+    thick: object = 0, across: object = 0, base: str = "base", *, cranks: int = 6, arm: bool = False
+) -> Mechanism:
     """6-RUS: six driven cranks whose axes are tangents of a circle, six rods to a platform above them.
 
     On another `base` than the ground, a driven body that turns about a leaning axis, they are carried all together.
+    After `cranks` the rods are on the base itself. With an `arm` the platform has another driven link and a point.
     """
     builder = MechanismBuilder("rotary_hexapod", platform="top")
+    leaning = [0, Rational(3, 5), Rational(4, 5)]
     if base != "base":
         builder.body(base, mass=1, com=["1/10", 0, "1/20"], inertia=["1/30", "1/40", "1/50"])
-        leaning = [0, Rational(3, 5), Rational(4, 5)]
         builder.joint("R", "R", parent="base", child=base, point=[0, "1/10", 0], axes=[leaning], driven=True)
     builder.body("top", mass=2, com=[0, 0, "2/5"], inertia=["1/50", "1/40", "1/30"])
+    if arm:
+        builder.body("arm", mass="1/2", com=["1/10", "1/20", "3/5"], inertia=["1/300", "1/200", "1/250"])
+        builder.joint("A", "R", parent="top", child="arm", point=["1/10", 0, "2/5"], axes=[leaning], driven=True)
+        builder.point("tool", body="top", at=["1/20", "1/10", "1/2"])
     for k, place in enumerate(PLACES):
         foot, knee = circle(Rational(3, 10), place, 0), circle(Rational(2, 5), place, Rational(1, 20))
         tangent = circle(1, place + 3, 0)
-        builder.body(f"crank{k}", mass="3/10", com=list((foot + knee) / 2), inertia=["1/2000", "1/1000", "1/1500"])
-        builder.joint(f"R{k}", "R", parent=base, child=f"crank{k}", point=list(foot), axes=[list(tangent)],
-                      driven=True)  # fmt: skip
+        if k < cranks:
+            builder.body(f"crank{k}", mass="3/10", com=list((foot + knee) / 2), inertia=["1/2000", "1/1000", "1/1500"])
+            builder.joint(f"R{k}", "R", parent=base, child=f"crank{k}", point=list(foot), axes=[list(tangent)],
+                          driven=True)  # fmt: skip
         end = circle(Rational(1, 5), Rational(PLACES[k] + (1 if k % 2 else -1)), Rational(2, 5))
-        rod(builder, f"rod{k}", f"crank{k}", knee, end, thick, across)
+        rod(builder, f"rod{k}", f"crank{k}" if k < cranks else base, knee, end, thick, across)
     return builder.build()
 
 
