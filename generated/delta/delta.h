@@ -12,12 +12,12 @@
  * allocated and no state is kept: functions may run in several threads at once. On failure all outputs are NaN. Do not
  * compile with -ffinite-math-only or -ffast-math: the checks for NaN would vanish.
  *
- * A batch writes the status of each of `count` states to `status` unless that is NULL, and returns the largest.
- * <function>_batch takes the arrays of the states one after the other; <function>_batch_soa has entry k of state i at
- * [k * stride + i], stride >= count. Both take eight states at once on vector units; results may differ from those of
- * single calls by rounding (not where the compiler contracts nothing and the sines are the same). With -fopenmp, 1024
- * states and more are shared among threads. The stack holds blocks of eight states, 29632 bytes and temporaries at
- * most: define DELTA_STATE_BY_STATE to do without.
+ * A batch writes the status of each of `count` states to `status` unless that is NULL, and returns the largest, 0 if
+ * all are below. <function>_batch takes the arrays of the states one after the other; <function>_batch_soa has entry k
+ * of state i at [k * stride + i], stride >= count. Both take eight states at once on vector units; results may differ
+ * from those of single calls by rounding (not where the compiler contracts nothing and the sines are the same). With
+ * -fopenmp, 1024 states and more are shared among threads. The stack holds blocks of eight states, 29632 bytes and
+ * temporaries at most: define DELTA_STATE_BY_STATE to do without.
  *
  * Single calls have equal limbs side by side on vector units of x86-64 (AVX2) where that is faster; results are those
  * of limb after limb, but for what the compiler contracts. Define DELTA_LIMB_BY_LIMB to do without.
