@@ -78,7 +78,7 @@ def side_by_side(model: str, limbs: int, minus_zero: str) -> list[str]:
         f"#define OF{n}({listed}) ({vector}){{{listed}}}",
         f"#define IN_EACH{n}(read, array, first, step) \\",
         f"    ({vector}){{{', '.join(f'read(array, {place})' for place in places)}}}",
-        f"#define WRITE{n}(array, {listed}, x) do {{ const {vector} out_ = (x); {writes} }} while (0)",
+        f"#define WRITE{n}(array, {listed}, x) {{ const {vector} out_ = (x); {writes} }}",
         f"#define SQRT{n}(x) {vector}_sqrt(x)",
         f"#define SMALL{n}(x, {listed}) (((x) <= OF{n}({listed})) & ((x) >= -OF{n}({listed})))",
         f"#define FINITE_UNLESS{n}(small, sum, each) \\",
