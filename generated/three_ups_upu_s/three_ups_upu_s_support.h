@@ -389,7 +389,7 @@ static inline THREE_UPS_UPU_S_INLINE void three_ups_upu_s_sines9(const double *r
 #define OF4(a, b, c, d) (three_ups_upu_s_vector4){a, b, c, d}
 #define IN_EACH4(read, array, first, step) \
     (three_ups_upu_s_vector4){read(array, first), read(array, (first) + (step)), read(array, (first) + 2 * (step)), read(array, (first) + 3 * (step))}
-#define WRITE4(array, a, b, c, d, x) do { const three_ups_upu_s_vector4 out_ = (x); WRITE(array, a, out_[0]); WRITE(array, b, out_[1]); WRITE(array, c, out_[2]); WRITE(array, d, out_[3]); } while (0)
+#define WRITE4(array, a, b, c, d, x) { const three_ups_upu_s_vector4 out_ = (x); WRITE(array, a, out_[0]); WRITE(array, b, out_[1]); WRITE(array, c, out_[2]); WRITE(array, d, out_[3]); }
 #define SQRT4(x) three_ups_upu_s_vector4_sqrt(x)
 #define SMALL4(x, a, b, c, d) (((x) <= OF4(a, b, c, d)) & ((x) >= -OF4(a, b, c, d)))
 #define FINITE_UNLESS4(small, sum, each) \
