@@ -321,6 +321,7 @@ int function##_batch_soa(size_t count, size_t stride, THREE_UPS_UPU_S_ALL given,
 #undef FIRST_LIMB
 #undef NEXT_LIMB
 #undef OWN
+#undef GIVEN
 #undef ALONE
 #undef EACH4
 #undef LIMB4
@@ -362,13 +363,14 @@ int function##_batch_soa(size_t count, size_t stride, THREE_UPS_UPU_S_ALL given,
 #define RESULT(checked, array, k, x) \
     { const REAL result_ = (x); WRITE(array, k, result_); checked = checked + result_; }
 /* Stages are what equal limbs do, written once: here of the limb with the number `limb`. Values have the
-   names of the theory without the limb's. OWN(own->x): what a limb hands on; limbs.x[0]: that of the first
-   limb; given: what limbs are given; sign1 ...: 1 or -1 by limb, where equal limbs mirror each other. */
+   names of the theory without the limb's. OWN(x): what a limb hands on; limbs.x[0]: that of the first limb;
+   GIVEN(x): what each limb is given; sign1 ...: 1 or -1 by limb, where equal limbs mirror each other. */
 #define STAGE(function, n) static inline THREE_UPS_UPU_S_INLINE void three_ups_upu_s_##function##_wide_limb##n
 #define LIMBS(function) three_ups_upu_s_##function##_wide_limbs
 #define FIRST_LIMB(k, function, n, ...) three_ups_upu_s_##function##_wide_limb##n(k, __VA_ARGS__)
 #define NEXT_LIMB(k, function, n, ...) three_ups_upu_s_##function##_wide_limb##n(k, __VA_ARGS__)
-#define OWN(x) (x)[limb]
+#define OWN(x) own->x[limb]
+#define GIVEN(x) (x)[limb]
 #define ALONE(x) (x)
 #define EACH4 three_ups_upu_s_wide_each4
 #define LIMB4 REAL
@@ -413,6 +415,7 @@ int function##_batch_soa(size_t count, size_t stride, THREE_UPS_UPU_S_ALL given,
 #undef FIRST_LIMB
 #undef NEXT_LIMB
 #undef OWN
+#undef GIVEN
 #undef ALONE
 #undef EACH4
 #undef LIMB4

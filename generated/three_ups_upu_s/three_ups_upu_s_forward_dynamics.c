@@ -18,59 +18,59 @@ STAGE(forward_dynamics, 0)(size_t limb, size_t stride, const double *restrict q,
     LIMBS(forward_dynamics) *own)
 {
     (void)limb, (void)stride;
-    const NUMBER4 sign1 = OF4(1.0, 1.0, -1.0, -1.0), each_param_R = OF4(-param_R, -param_R, param_R, param_R),
-      factor_2 = OF4(1.0, -1.0, 1.0, -1.0), each_param_R_2 = OF4(param_R, param_R, -param_R, -param_R),
-      sign2 = OF4(1.0, -1.0, 1.0, -1.0), each_gravity_z = OF4(gravity_z, -gravity_z, gravity_z, -gravity_z);
+    const NUMBER4 sign1 = OF4(1.0, 1.0, -1.0, -1.0), each_param_R = -sign1 * param_R,
+      sign2 = OF4(1.0, -1.0, 1.0, -1.0), factor_2 = sign2 * 1.0, each_param_R_2 = sign1 * param_R,
+      each_gravity_z = sign2 * gravity_z;
     /* limbs together: geometry; inertia; free motion */
     const LIMB4 upper_offset_x = IN_EACH4(READ, q, 2, 3) + limb_upper_phase,
       lower_composite_first_x = limb_lower_m * upper_offset_x, t1 = lower_composite_first_x + (-k7),
       t27 = lower_composite_first_x + t1, t2 = upper_offset_x * t1, t3 = t2 + k8;
-    OWN(own->U_mass_matrix_1_by_U_1) = t2 + k9;
+    OWN(U_mass_matrix_1_by_U_1) = t2 + k9;
     const LIMB4 lower_cos = IN_EACH4(SINES, cosine, 1, 2), t4 = lower_cos * t3;
-    OWN(own->U_mass_matrix_0_by_U_0) = lower_cos * t4 + k3;
+    OWN(U_mass_matrix_0_by_U_0) = lower_cos * t4 + k3;
     const LIMB4 signed_lower_sin = IN_EACH4(SINES, sine, 1, 2), t44 = sign1 * signed_lower_sin,
       t24 = t44 * t4 + lower_cos * (t44 * t3);
-    OWN(own->upper_position_x) = t44 * upper_offset_x + each_param_R;
-    OWN(own->minus_U_0_lever_mz_by_S_fz) = lower_cos * upper_offset_x;
-    LIMB4 checked = OWN(own->minus_U_0_lever_mz_by_S_fz);
-    OWN(own->t1) = factor_2 / OWN(own->minus_U_0_lever_mz_by_S_fz);
-    OWN(own->signed_U_follows_0_by_S_1) = OWN(own->upper_position_x) * OWN(own->t1);
+    OWN(upper_position_x) = t44 * upper_offset_x + each_param_R;
+    OWN(minus_U_0_lever_mz_by_S_fz) = lower_cos * upper_offset_x;
+    LIMB4 checked = OWN(minus_U_0_lever_mz_by_S_fz);
+    OWN(t1) = factor_2 / OWN(minus_U_0_lever_mz_by_S_fz);
+    OWN(signed_U_follows_0_by_S_1) = OWN(upper_position_x) * OWN(t1);
     /* limbs together: free motion; rates that follow; accelerations */
-    const LIMB4 t6 = OWN(own->signed_U_follows_0_by_S_1) * OWN(own->U_mass_matrix_0_by_U_0),
+    const LIMB4 t6 = OWN(signed_U_follows_0_by_S_1) * OWN(U_mass_matrix_0_by_U_0),
       U_0_cos = IN_EACH4(SINES, cosine, 0, 2);
-    OWN(own->t2) = U_0_cos * t6;
-    const LIMB4 t7 = OWN(own->signed_U_follows_0_by_S_1) * t6, signed_U_0_sin = IN_EACH4(SINES, sine, 0, 2);
-    OWN(own->t26) = signed_U_0_sin * t6;
-    OWN(own->t3) = lower_cos * OWN(own->t1);
-    OWN(own->S_arm_x) = upper_offset_x - param_R * signed_lower_sin;
-    OWN(own->signed_U_follows_1_by_S_0) = OWN(own->S_arm_x) * OWN(own->t3);
-    const LIMB4 t12 = OWN(own->signed_U_follows_1_by_S_0) * (OWN(own->U_mass_matrix_1_by_U_1) * OWN(own->signed_U_follows_1_by_S_0));
-    OWN(own->signed_S_arm_y) = param_R * lower_cos;
-    const LIMB4 t13 = OWN(own->signed_S_arm_y) * (k20 * lower_cos) + t12, t15 = U_0_cos * (t7 - t13);
-    OWN(own->t4) = signed_U_0_sin * t15;
+    OWN(t2) = U_0_cos * t6;
+    const LIMB4 t7 = OWN(signed_U_follows_0_by_S_1) * t6, signed_U_0_sin = IN_EACH4(SINES, sine, 0, 2);
+    OWN(t26) = signed_U_0_sin * t6;
+    OWN(t3) = lower_cos * OWN(t1);
+    OWN(S_arm_x) = upper_offset_x - param_R * signed_lower_sin;
+    OWN(signed_U_follows_1_by_S_0) = OWN(S_arm_x) * OWN(t3);
+    const LIMB4 t12 = OWN(signed_U_follows_1_by_S_0) * (OWN(U_mass_matrix_1_by_U_1) * OWN(signed_U_follows_1_by_S_0));
+    OWN(signed_S_arm_y) = param_R * lower_cos;
+    const LIMB4 t13 = OWN(signed_S_arm_y) * (k20 * lower_cos) + t12, t15 = U_0_cos * (t7 - t13);
+    OWN(t4) = signed_U_0_sin * t15;
     const LIMB4 t43 = U_0_cos * t15;
-    OWN(own->t23) = t13 + t43;
-    OWN(own->t27) = t7 - t43;
+    OWN(t23) = t13 + t43;
+    OWN(t27) = t7 - t43;
     const LIMB4 U_v_1 = IN_EACH4(READ, v, 1, 3), t16 = U_v_1 * t44;
-    OWN(own->t18) = param_R * t16;
+    OWN(t18) = param_R * t16;
     const LIMB4 P_v = IN_EACH4(READ, v, 2, 3);
-    OWN(own->t6) = P_v * lower_cos - upper_offset_x * t16;
+    OWN(t6) = P_v * lower_cos - upper_offset_x * t16;
     const LIMB4 U_v_0 = IN_EACH4(READ, v, 0, 3);
-    OWN(own->t7) = U_v_0 * OWN(own->t6);
+    OWN(t7) = U_v_0 * OWN(t6);
     const LIMB4 upper_twist_vx = P_v * t44, t19 = U_v_1 * lower_cos;
-    OWN(own->t9) = upper_twist_vx + upper_offset_x * t19;
-    OWN(own->t12) = each_param_R_2 * t19 - P_v;
+    OWN(t9) = upper_twist_vx + upper_offset_x * t19;
+    OWN(t12) = each_param_R_2 * t19 - P_v;
     const LIMB4 t26 = t24 * (U_v_0 * U_v_1), t39 = 0.5 * t24, t29 = lower_cos * (lower_cos * t27),
       t45 = sign2 * (t26 - t29 * (U_v_0 * P_v)), t33 = 0.5 * t29;
-    OWN(own->t14) = lower_cos * (upper_offset_x * (limb_lower_m_gravity_z * signed_U_0_sin)) + t45;
+    OWN(t14) = lower_cos * (upper_offset_x * (limb_lower_m_gravity_z * signed_U_0_sin)) + t45;
     const LIMB4 minus_U_0_U_still_xx = U_v_0 * U_v_0, t40 = minus_U_0_U_still_xx * t39,
       t38 = minus_U_0_U_still_xx * t33 + U_v_1 * U_v_1 * (0.5 * t27), U_0_acc_y = each_gravity_z * U_0_cos,
       minus_lower_acc_y = t44 * U_0_acc_y;
-    OWN(own->t17) = limb_lower_m * (lower_cos * U_0_acc_y) - IN_EACH4(READ, u, 0, 1) - t38;
+    OWN(t17) = limb_lower_m * (lower_cos * U_0_acc_y) - IN_EACH4(READ, u, 0, 1) - t38;
     const LIMB4 minus_lower_moment_z = upper_offset_x * (limb_lower_m * minus_lower_acc_y);
-    OWN(own->t11) = U_v_1 * P_v;
-    OWN(own->t20) = t40 + OWN(own->t11) * t27 - minus_lower_moment_z;
-    OWN(own->checked) = checked;
+    OWN(t11) = U_v_1 * P_v;
+    OWN(t20) = t40 + OWN(t11) * t27 - minus_lower_moment_z;
+    OWN(checked) = checked;
 }
 
 STAGE(forward_dynamics, 1)(size_t limb, size_t stride, const double *restrict v, const double *restrict sine,
@@ -78,34 +78,32 @@ STAGE(forward_dynamics, 1)(size_t limb, size_t stride, const double *restrict v,
     const EACH4 platform_twist_wx, LIMBS(forward_dynamics) *own)
 {
     (void)limb, (void)stride;
-    const NUMBER4 sign1 = OF4(1.0, -1.0, 1.0, -1.0),
-      each_limb_lower_m = OF4(limb_lower_m, limb_lower_m, -limb_lower_m, -limb_lower_m),
-      sign2 = OF4(1.0, -1.0, -1.0, 1.0);
+    const NUMBER4 sign1 = OF4(1.0, -1.0, 1.0, -1.0), sign2 = OF4(1.0, 1.0, -1.0, -1.0),
+      each_limb_lower_m = sign2 * limb_lower_m, sign3 = OF4(1.0, -1.0, -1.0, 1.0);
     const LIMB4 t22 = sign1 * platform_twist_wz, signed_U_0_sin = IN_EACH4(SINES, sine, 0, 2),
       U_0_cos = IN_EACH4(SINES, cosine, 0, 2);
     /* limbs together: accelerations */
     const LIMB4 t7 = U_0_cos * t22;
-    OWN(own->t5) = U_0_cos * OWN(platform_twist_wy) + signed_U_0_sin * t22;
-    const LIMB4 U_v_0 = IN_EACH4(READ, v, 0, 3),
-      t5 = OWN(own->t7) - OWN(own->upper_position_x) * (U_v_0 * OWN(own->t5));
-    OWN(own->t8) = signed_U_0_sin * OWN(platform_twist_wy) - t7;
-    const LIMB4 t9 = t5 - OWN(own->t8) * OWN(own->t9), t11 = U_v_0 * OWN(own->t8);
-    OWN(own->t10) = t9 - OWN(platform_twist_wx) * OWN(own->t6);
+    OWN(t5) = U_0_cos * GIVEN(platform_twist_wy) + signed_U_0_sin * t22;
+    const LIMB4 U_v_0 = IN_EACH4(READ, v, 0, 3), t5 = OWN(t7) - OWN(upper_position_x) * (U_v_0 * OWN(t5));
+    OWN(t8) = signed_U_0_sin * GIVEN(platform_twist_wy) - t7;
+    const LIMB4 t9 = t5 - OWN(t8) * OWN(t9), t11 = U_v_0 * OWN(t8);
+    OWN(t10) = t9 - GIVEN(platform_twist_wx) * OWN(t6);
     /* limbs together: free motion; accelerations */
-    OWN(own->t15) = OWN(own->t1) * OWN(own->t10);
-    OWN(own->signed_U_handed_force_0) = OWN(own->t14) + OWN(own->U_mass_matrix_0_by_U_0) * OWN(own->t15);
-    const LIMB4 S_handed_force_1 = OWN(own->signed_U_follows_0_by_S_1) * OWN(own->signed_U_handed_force_0);
-    OWN(own->t16) = signed_U_0_sin * S_handed_force_1;
-    OWN(own->t24) = U_0_cos * S_handed_force_1;
-    const LIMB4 t16 = OWN(own->signed_S_arm_y) * t11;
-    OWN(own->t13) = OWN(own->S_arm_x) * t11 + OWN(own->t11) + OWN(own->t5) * OWN(own->t12);
-    OWN(own->t21) = OWN(own->t13) * OWN(own->t3);
-    const LIMB4 t21 = OWN(own->signed_U_follows_1_by_S_0) * (OWN(own->t20) - sign1 * (OWN(own->U_mass_matrix_1_by_U_1) * OWN(own->t21))),
-      t24 = sign2 * t21;
-    OWN(own->t19) = t16 + OWN(own->t5) * OWN(own->t18);
-    const LIMB4 signed_S_handed_force_0 = OWN(own->signed_S_arm_y) * (each_limb_lower_m * OWN(own->t19) - OWN(own->t17)) - t24;
-    OWN(own->t22) = U_0_cos * signed_S_handed_force_0;
-    OWN(own->t25) = signed_U_0_sin * signed_S_handed_force_0;
+    OWN(t15) = OWN(t1) * OWN(t10);
+    OWN(signed_U_handed_force_0) = OWN(t14) + OWN(U_mass_matrix_0_by_U_0) * OWN(t15);
+    const LIMB4 S_handed_force_1 = OWN(signed_U_follows_0_by_S_1) * OWN(signed_U_handed_force_0);
+    OWN(t16) = signed_U_0_sin * S_handed_force_1;
+    OWN(t24) = U_0_cos * S_handed_force_1;
+    const LIMB4 t16 = OWN(signed_S_arm_y) * t11;
+    OWN(t13) = OWN(S_arm_x) * t11 + OWN(t11) + OWN(t5) * OWN(t12);
+    OWN(t21) = OWN(t13) * OWN(t3);
+    const LIMB4 t21 = OWN(signed_U_follows_1_by_S_0) * (OWN(t20) - sign1 * (OWN(U_mass_matrix_1_by_U_1) * OWN(t21))),
+      t24 = sign3 * t21;
+    OWN(t19) = t16 + OWN(t5) * OWN(t18);
+    const LIMB4 signed_S_handed_force_0 = OWN(signed_S_arm_y) * (each_limb_lower_m * OWN(t19) - OWN(t17)) - t24;
+    OWN(t22) = U_0_cos * signed_S_handed_force_0;
+    OWN(t25) = signed_U_0_sin * signed_S_handed_force_0;
 }
 
 STAGE(forward_dynamics, 2)(size_t limb, size_t stride, double *restrict a, const double *restrict sine,
@@ -116,18 +114,18 @@ STAGE(forward_dynamics, 2)(size_t limb, size_t stride, double *restrict a, const
     const NUMBER4 sign1 = OF4(1.0, -1.0, 1.0, -1.0), sign2 = OF4(1.0, 1.0, -1.0, -1.0);
     const LIMB4 U_0_cos = IN_EACH4(SINES, cosine, 0, 2), signed_U_0_sin = IN_EACH4(SINES, sine, 0, 2);
     /* limbs together: accelerations */
-    const LIMB4 t4 = OWN(own->signed_U_follows_0_by_S_1) * (U_0_cos * minus_limb5_S_joint_acc_wz - signed_U_0_sin * OWN(signed_limb5_S_joint_acc_wy)),
-      U_joint_acc_0 = sign1 * OWN(signed_limb5_S_joint_acc_wx) + (t4 - sign1 * OWN(own->t15));
+    const LIMB4 t4 = OWN(signed_U_follows_0_by_S_1) * (U_0_cos * minus_limb5_S_joint_acc_wz - signed_U_0_sin * GIVEN(signed_limb5_S_joint_acc_wy)),
+      U_joint_acc_0 = sign1 * GIVEN(signed_limb5_S_joint_acc_wx) + (t4 - sign1 * OWN(t15));
     WRITE4(a, 0, 3, 6, 9, U_joint_acc_0);
-    LIMB4 checked = OWN(own->checked) + U_joint_acc_0;
-    const LIMB4 t13 = sign1 * (signed_U_0_sin * minus_limb5_S_joint_acc_wz + U_0_cos * OWN(signed_limb5_S_joint_acc_wy)),
-      signed_U_joint_acc_1 = OWN(own->t21) + OWN(own->signed_U_follows_1_by_S_0) * t13;
+    LIMB4 checked = OWN(checked) + U_joint_acc_0;
+    const LIMB4 t13 = sign1 * (signed_U_0_sin * minus_limb5_S_joint_acc_wz + U_0_cos * GIVEN(signed_limb5_S_joint_acc_wy)),
+      signed_U_joint_acc_1 = OWN(t21) + OWN(signed_U_follows_1_by_S_0) * t13;
     WRITE4(a, 1, 4, 7, 10, -sign1 * signed_U_joint_acc_1);
     checked = checked + signed_U_joint_acc_1;
-    const LIMB4 signed_P_joint_acc = OWN(own->t19) + OWN(own->signed_S_arm_y) * t13;
+    const LIMB4 signed_P_joint_acc = OWN(t19) + OWN(signed_S_arm_y) * t13;
     WRITE4(a, 2, 5, 8, 11, -sign2 * signed_P_joint_acc);
     checked = checked + signed_P_joint_acc;
-    OWN(own->checked) = checked;
+    OWN(checked) = checked;
 }
 
 BODY(three_ups_upu_s_forward_dynamics)(size_t stride, const double *restrict q, const double *restrict v,
@@ -278,25 +276,24 @@ STAGE(forward_dynamics_independent, 0)(size_t limb, size_t stride, const double 
     (void)limb, (void)stride;
     const LIMB4 lower_cos = IN_EACH4(SINES, cosine, 1, 2);
     /* limbs together: reciprocal wrenches, eq. (10); inertia; rates that follow */
-    OWN(own->signed_S_arm_y) = param_R * lower_cos;
-    OWN(own->upper_offset_x) = IN_EACH4(READ, q, 2, 3) + limb_upper_phase;
-    const LIMB4 lower_composite_first_x = limb_lower_m * OWN(own->upper_offset_x),
-      t2 = lower_composite_first_x + (-k7);
-    OWN(own->t12) = lower_composite_first_x + t2;
-    const LIMB4 t3 = OWN(own->upper_offset_x) * t2;
-    OWN(own->U_mass_matrix_1_by_U_1) = t3 + k9;
+    OWN(signed_S_arm_y) = param_R * lower_cos;
+    OWN(upper_offset_x) = IN_EACH4(READ, q, 2, 3) + limb_upper_phase;
+    const LIMB4 lower_composite_first_x = limb_lower_m * OWN(upper_offset_x), t2 = lower_composite_first_x + (-k7);
+    OWN(t12) = lower_composite_first_x + t2;
+    const LIMB4 t3 = OWN(upper_offset_x) * t2;
+    OWN(U_mass_matrix_1_by_U_1) = t3 + k9;
     const LIMB4 t4 = t3 + k8, t5 = lower_cos * t4, signed_lower_sin = IN_EACH4(SINES, sine, 1, 2);
-    OWN(own->t14) = signed_lower_sin * t5 + lower_cos * (signed_lower_sin * t4);
-    OWN(own->U_mass_matrix_0_by_U_0) = lower_cos * t5 + k3;
-    OWN(own->minus_U_0_lever_mz_by_S_fz) = lower_cos * OWN(own->upper_offset_x);
-    LIMB4 checked = OWN(own->minus_U_0_lever_mz_by_S_fz);
-    OWN(own->t1) = 1.0 / OWN(own->minus_U_0_lever_mz_by_S_fz);
-    OWN(own->t2) = lower_cos * OWN(own->t1);
-    OWN(own->S_arm_x) = OWN(own->upper_offset_x) - param_R * signed_lower_sin;
-    OWN(own->U_follows_1_by_S_0) = OWN(own->S_arm_x) * OWN(own->t2);
-    OWN(own->signed_upper_position_x) = signed_lower_sin * OWN(own->upper_offset_x) + (-param_R);
-    OWN(own->signed_U_follows_0_by_S_1) = OWN(own->signed_upper_position_x) * OWN(own->t1);
-    OWN(own->checked) = checked;
+    OWN(t14) = signed_lower_sin * t5 + lower_cos * (signed_lower_sin * t4);
+    OWN(U_mass_matrix_0_by_U_0) = lower_cos * t5 + k3;
+    OWN(minus_U_0_lever_mz_by_S_fz) = lower_cos * OWN(upper_offset_x);
+    LIMB4 checked = OWN(minus_U_0_lever_mz_by_S_fz);
+    OWN(t1) = 1.0 / OWN(minus_U_0_lever_mz_by_S_fz);
+    OWN(t2) = lower_cos * OWN(t1);
+    OWN(S_arm_x) = OWN(upper_offset_x) - param_R * signed_lower_sin;
+    OWN(U_follows_1_by_S_0) = OWN(S_arm_x) * OWN(t2);
+    OWN(signed_upper_position_x) = signed_lower_sin * OWN(upper_offset_x) + (-param_R);
+    OWN(signed_U_follows_0_by_S_1) = OWN(signed_upper_position_x) * OWN(t1);
+    OWN(checked) = checked;
 }
 
 STAGE(forward_dynamics_independent, 1)(size_t limb, size_t stride, const double *restrict sine,
@@ -305,34 +302,33 @@ STAGE(forward_dynamics_independent, 1)(size_t limb, size_t stride, const double 
     (void)limb, (void)stride;
     const NUMBER4 sign1 = OF4(1.0, -1.0, 1.0, -1.0);
     /* limbs together: free motion */
-    const LIMB4 t4 = OWN(own->signed_S_arm_y) * (k20 * IN_EACH4(SINES, cosine, 1, 2)),
-      t6 = OWN(own->U_follows_1_by_S_0) * (OWN(own->U_mass_matrix_1_by_U_1) * OWN(own->U_follows_1_by_S_0)),
-      t7 = t4 + t6, t1 = OWN(own->signed_U_follows_0_by_S_1) * OWN(own->U_mass_matrix_0_by_U_0),
-      U_0_cos = IN_EACH4(SINES, cosine, 0, 2);
-    OWN(own->t8) = U_0_cos * t1;
-    const LIMB4 t2 = OWN(own->signed_U_follows_0_by_S_1) * t1, t9 = U_0_cos * (t2 - t7), t10 = U_0_cos * t9;
-    OWN(own->t11) = t7 + t10;
-    OWN(own->t10) = t2 - t10;
+    const LIMB4 t4 = OWN(signed_S_arm_y) * (k20 * IN_EACH4(SINES, cosine, 1, 2)),
+      t7 = t4 + OWN(U_follows_1_by_S_0) * (OWN(U_mass_matrix_1_by_U_1) * OWN(U_follows_1_by_S_0)),
+      t1 = OWN(signed_U_follows_0_by_S_1) * OWN(U_mass_matrix_0_by_U_0), U_0_cos = IN_EACH4(SINES, cosine, 0, 2);
+    OWN(t8) = U_0_cos * t1;
+    const LIMB4 t2 = OWN(signed_U_follows_0_by_S_1) * t1, t9 = U_0_cos * (t2 - t7), t10 = U_0_cos * t9;
+    OWN(t11) = t7 + t10;
+    OWN(t10) = t2 - t10;
     const LIMB4 t11 = sign1 * IN_EACH4(SINES, sine, 0, 2);
-    OWN(own->t9) = t11 * t9;
-    OWN(own->t7) = t11 * t1;
+    OWN(t9) = t11 * t9;
+    OWN(t7) = t11 * t1;
 }
 
 STAGE(forward_dynamics_independent, 2)(size_t limb, size_t stride, const double *restrict u,
     const double *restrict sine, const double *restrict cosine, LIMBS(forward_dynamics_independent) *own)
 {
     (void)limb, (void)stride;
-    const NUMBER4 each_gravity_z = OF4(gravity_z, -gravity_z, gravity_z, -gravity_z);
+    const NUMBER4 sign1 = OF4(1.0, -1.0, 1.0, -1.0), each_gravity_z = sign1 * gravity_z;
     /* limbs together: free motion; balance, eqs. (40)-(47); accelerations */
-    OWN(own->t16) = (-0.5) * OWN(own->t14);
-    OWN(own->t17) = 0.5 * OWN(own->t12);
+    OWN(t16) = (-0.5) * OWN(t14);
+    OWN(t17) = 0.5 * OWN(t12);
     const LIMB4 lower_cos = IN_EACH4(SINES, cosine, 1, 2);
-    OWN(own->signed_U_0_moment_z) = lower_cos * (OWN(own->upper_offset_x) * (limb_lower_m_gravity_z * IN_EACH4(SINES, sine, 0, 2)));
+    OWN(signed_U_0_moment_z) = lower_cos * (OWN(upper_offset_x) * (limb_lower_m_gravity_z * IN_EACH4(SINES, sine, 0, 2)));
     const LIMB4 U_0_acc_y = each_gravity_z * IN_EACH4(SINES, cosine, 0, 2);
-    OWN(own->signed_lower_moment_z) = OWN(own->upper_offset_x) * (limb_lower_m * (IN_EACH4(SINES, sine, 1, 2) * U_0_acc_y));
-    OWN(own->P_generalised_force) = limb_lower_m * (lower_cos * U_0_acc_y) - IN_EACH4(READ, u, 0, 1);
-    OWN(own->t13) = lower_cos * (lower_cos * OWN(own->t12));
-    OWN(own->t18) = 0.5 * OWN(own->t13);
+    OWN(signed_lower_moment_z) = OWN(upper_offset_x) * (limb_lower_m * (IN_EACH4(SINES, sine, 1, 2) * U_0_acc_y));
+    OWN(P_generalised_force) = limb_lower_m * (lower_cos * U_0_acc_y) - IN_EACH4(READ, u, 0, 1);
+    OWN(t13) = lower_cos * (lower_cos * OWN(t12));
+    OWN(t18) = 0.5 * OWN(t13);
 }
 
 STAGE(forward_dynamics_independent, 3)(size_t limb, size_t stride, const double *restrict sine,
@@ -344,43 +340,41 @@ STAGE(forward_dynamics_independent, 3)(size_t limb, size_t stride, const double 
     const NUMBER4 sign1 = OF4(1.0, -1.0, 1.0, -1.0), sign2 = OF4(1.0, -1.0, -1.0, 1.0);
     const LIMB4 t61 = sign1 * IN_EACH4(SINES, sine, 0, 2), U_0_cos = IN_EACH4(SINES, cosine, 0, 2);
     /* limbs together: velocities, eq. (6) */
-    const LIMB4 t3 = t61 * limb5_S_joint_rate_wz + U_0_cos * OWN(limb5_S_joint_rate_wy);
-    OWN(own->U_joint_rate_1) = OWN(own->t2) * (OWN(own->S_arm_x) * t3);
-    const LIMB4 signed_P_joint_rate = OWN(own->signed_S_arm_y) * t3, signed_lower_sin = IN_EACH4(SINES, sine, 1, 2);
+    const LIMB4 t3 = t61 * limb5_S_joint_rate_wz + U_0_cos * GIVEN(limb5_S_joint_rate_wy);
+    OWN(U_joint_rate_1) = OWN(t2) * (OWN(S_arm_x) * t3);
+    const LIMB4 signed_P_joint_rate = OWN(signed_S_arm_y) * t3, signed_lower_sin = IN_EACH4(SINES, sine, 1, 2);
     /* limbs together: accelerations; free motion; velocities, eq. (6) */
-    const LIMB4 t5 = signed_lower_sin * OWN(own->U_joint_rate_1), lower_cos = IN_EACH4(SINES, cosine, 1, 2),
-      t50 = param_R * t5, t7 = OWN(own->upper_offset_x) * t5 - lower_cos * signed_P_joint_rate,
-      t19 = OWN(own->signed_upper_position_x) * (t61 * OWN(limb5_S_joint_rate_wy) - U_0_cos * limb5_S_joint_rate_wz);
-    OWN(own->signed_U_joint_rate_0) = sign2 * OWN(limb5_S_joint_rate_wx) + OWN(own->t1) * t19;
-    const LIMB4 t21 = t7 * OWN(own->signed_U_joint_rate_0), t63 = sign2 * (t7 * OWN(given));
-    OWN(own->t4) = t61 * given_2 + U_0_cos * OWN(given_3);
-    const LIMB4 t51 = OWN(own->t4) * t50,
-      t26 = t21 + OWN(own->signed_upper_position_x) * (OWN(own->signed_U_joint_rate_0) * OWN(own->t4)),
-      t10 = lower_cos * OWN(own->U_joint_rate_1), t30 = OWN(own->t4) * (param_R * t10 - signed_P_joint_rate),
-      t12 = signed_lower_sin * signed_P_joint_rate + OWN(own->upper_offset_x) * t10;
-    OWN(own->t3) = U_0_cos * given_2 - t61 * OWN(given_3);
-    OWN(own->t5) = t26 - t12 * OWN(own->t3) - t63;
+    const LIMB4 t5 = signed_lower_sin * OWN(U_joint_rate_1), lower_cos = IN_EACH4(SINES, cosine, 1, 2),
+      t50 = param_R * t5, t7 = OWN(upper_offset_x) * t5 - lower_cos * signed_P_joint_rate,
+      t19 = OWN(signed_upper_position_x) * (t61 * GIVEN(limb5_S_joint_rate_wy) - U_0_cos * limb5_S_joint_rate_wz);
+    OWN(signed_U_joint_rate_0) = sign2 * GIVEN(limb5_S_joint_rate_wx) + OWN(t1) * t19;
+    const LIMB4 t21 = t7 * OWN(signed_U_joint_rate_0), t63 = sign2 * (t7 * GIVEN(given));
+    OWN(t4) = t61 * given_2 + U_0_cos * GIVEN(given_3);
+    const LIMB4 t51 = OWN(t4) * t50,
+      t26 = t21 + OWN(signed_upper_position_x) * (OWN(signed_U_joint_rate_0) * OWN(t4)),
+      t10 = lower_cos * OWN(U_joint_rate_1), t30 = OWN(t4) * (param_R * t10 - signed_P_joint_rate),
+      t12 = signed_lower_sin * signed_P_joint_rate + OWN(upper_offset_x) * t10;
+    OWN(t3) = U_0_cos * given_2 - t61 * GIVEN(given_3);
+    OWN(t5) = t26 - t12 * OWN(t3) - t63;
     /* limbs together: free motion; accelerations */
-    const LIMB4 t36 = OWN(own->U_mass_matrix_0_by_U_0) * (OWN(own->t1) * OWN(own->t5)),
-      t32 = OWN(own->t3) * OWN(own->signed_U_joint_rate_0),
-      t38 = OWN(own->t13) * (signed_P_joint_rate * OWN(own->signed_U_joint_rate_0)),
-      t31 = signed_P_joint_rate * OWN(own->U_joint_rate_1),
-      t42 = OWN(own->signed_U_0_moment_z) - (t38 - OWN(own->t14) * (OWN(own->U_joint_rate_1) * OWN(own->signed_U_joint_rate_0)));
-    OWN(own->signed_U_handed_force_0) = t36 - t42;
-    const LIMB4 signed_S_handed_force_1 = OWN(own->signed_U_follows_0_by_S_1) * OWN(own->signed_U_handed_force_0);
-    OWN(own->t15) = t61 * signed_S_handed_force_1;
-    OWN(own->t20) = U_0_cos * signed_S_handed_force_1;
-    const LIMB4 minus_U_0_U_still_xx = OWN(own->signed_U_joint_rate_0) * OWN(own->signed_U_joint_rate_0),
-      t56 = OWN(own->t17) * (OWN(own->U_joint_rate_1) * OWN(own->U_joint_rate_1));
-    OWN(own->t6) = OWN(own->S_arm_x) * t32 - t31 - t30;
-    const LIMB4 t44 = OWN(own->U_mass_matrix_1_by_U_1) * (OWN(own->t2) * OWN(own->t6)),
-      t54 = limb_lower_m * (t51 - OWN(own->signed_S_arm_y) * t32),
-      t48 = OWN(own->signed_lower_moment_z) - (OWN(own->t12) * t31 - OWN(own->t16) * minus_U_0_U_still_xx),
-      t49 = OWN(own->U_follows_1_by_S_0) * (t44 - t48),
-      t60 = OWN(own->signed_S_arm_y) * (t54 - (OWN(own->P_generalised_force) - (t56 + OWN(own->t18) * minus_U_0_U_still_xx))),
+    const LIMB4 t36 = OWN(U_mass_matrix_0_by_U_0) * (OWN(t1) * OWN(t5)), t32 = OWN(t3) * OWN(signed_U_joint_rate_0),
+      t38 = OWN(t13) * (signed_P_joint_rate * OWN(signed_U_joint_rate_0)),
+      t31 = signed_P_joint_rate * OWN(U_joint_rate_1),
+      t42 = OWN(signed_U_0_moment_z) - (t38 - OWN(t14) * (OWN(U_joint_rate_1) * OWN(signed_U_joint_rate_0)));
+    OWN(signed_U_handed_force_0) = t36 - t42;
+    const LIMB4 signed_S_handed_force_1 = OWN(signed_U_follows_0_by_S_1) * OWN(signed_U_handed_force_0);
+    OWN(t15) = t61 * signed_S_handed_force_1;
+    OWN(t20) = U_0_cos * signed_S_handed_force_1;
+    const LIMB4 minus_U_0_U_still_xx = OWN(signed_U_joint_rate_0) * OWN(signed_U_joint_rate_0),
+      t56 = OWN(t17) * (OWN(U_joint_rate_1) * OWN(U_joint_rate_1));
+    OWN(t6) = OWN(S_arm_x) * t32 - t31 - t30;
+    const LIMB4 t44 = OWN(U_mass_matrix_1_by_U_1) * (OWN(t2) * OWN(t6)),
+      t54 = limb_lower_m * (t51 - OWN(signed_S_arm_y) * t32),
+      t49 = OWN(U_follows_1_by_S_0) * (t44 - (OWN(signed_lower_moment_z) - (OWN(t12) * t31 - OWN(t16) * minus_U_0_U_still_xx))),
+      t60 = OWN(signed_S_arm_y) * (t54 - (OWN(P_generalised_force) - (t56 + OWN(t18) * minus_U_0_U_still_xx))),
       signed_S_handed_force_0 = t49 - t60;
-    OWN(own->t21) = t61 * signed_S_handed_force_0;
-    OWN(own->t19) = U_0_cos * signed_S_handed_force_0;
+    OWN(t21) = t61 * signed_S_handed_force_0;
+    OWN(t19) = U_0_cos * signed_S_handed_force_0;
 }
 
 BODY(three_ups_upu_s_forward_dynamics_independent)(size_t stride, const double *restrict q,
@@ -523,23 +517,23 @@ BODY(three_ups_upu_s_forward_dynamics_independent)(size_t stride, const double *
     /* limb5_S: results */
     const REAL t232 = platform_turn_zy * limb5_S_joint_acc_wz,
       t236 = t232 + (platform_turn_yy * limb5_S_joint_acc_wy - platform_turn_xy * minus_limb5_S_joint_acc_wx),
-      t237 = platform_turn_zy * t236, t248 = platform_turn_yy * t236, t255 = platform_turn_xy * t236,
+      t255 = platform_turn_xy * t236, t237 = platform_turn_zy * t236, t248 = platform_turn_yy * t236,
       t238 = platform_turn_zx * limb5_S_joint_acc_wz, t226 = platform_turn_zz * limb5_S_joint_acc_wz,
       t227 = platform_turn_yz * limb5_S_joint_acc_wy,
       t242 = t238 + (platform_turn_yx * limb5_S_joint_acc_wy - platform_turn_xx * minus_limb5_S_joint_acc_wx),
-      t244 = t237 + platform_turn_zx * t242, t230 = t226 + (t227 - platform_turn_xz * minus_limb5_S_joint_acc_wx),
-      t245 = platform_turn_zz * t230 + t244, t257 = t255 + platform_turn_xx * t242,
-      t251 = platform_turn_yz * t230 + (t248 + platform_turn_yx * t242), t258 = platform_turn_xz * t230 + t257,
-      t260 = t43 * t245 - t41 * t251 - t36 * t258, t277 = t41 * t258 - t37 * t245 - t36 * t251,
-      t60 = 0.5 * (t41 * limb5_S_joint_rate_wx - t37 * limb5_S_joint_rate_wz - t36 * limb5_S_joint_rate_wy),
-      t61 = limb5_S_joint_rate_wz * t60, t266 = t36 * limb5_S_joint_rate_wx, t72 = t37 * limb5_S_joint_rate_wx,
+      t257 = t255 + platform_turn_xx * t242, t230 = t226 + (t227 - platform_turn_xz * minus_limb5_S_joint_acc_wx),
+      t258 = platform_turn_xz * t230 + t257, t250 = t248 + platform_turn_yx * t242,
+      t245 = platform_turn_zz * t230 + (t237 + platform_turn_zx * t242), t251 = platform_turn_yz * t230 + t250,
+      t277 = t41 * t258 - t37 * t245 - t36 * t251, t260 = t43 * t245 - t41 * t251 - t36 * t258,
+      t268 = 0.5 * (t43 * limb5_S_joint_rate_wz - t41 * limb5_S_joint_rate_wy - t36 * limb5_S_joint_rate_wx),
+      t269 = limb5_S_joint_rate_wz * t268, t58 = t36 * limb5_S_joint_rate_wy,
       t67 = 0.5 * (t37 * limb5_S_joint_rate_wy - t43 * limb5_S_joint_rate_wx - t36 * limb5_S_joint_rate_wz),
-      t69 = t61 - limb5_S_joint_rate_wy * t67, t262 = limb5_S_joint_rate_wx * t67, t264 = t41 * limb5_S_joint_rate_wy,
-      t75 = 0.5 * (t41 * limb5_S_joint_rate_wz + (t43 * limb5_S_joint_rate_wy + t72));
-    RESULT(checked1, y_ddot, 0, 0.5 * (t69 - limb5_S_joint_rate_wx * t75 - t260));
-    const REAL t271 = limb5_S_joint_rate_wy * t75,
-      t270 = t262 - limb5_S_joint_rate_wz * (0.5 * (t43 * limb5_S_joint_rate_wz - t264 - t266));
-    RESULT(checked2, y_ddot, 1, 0.5 * (t270 - t271 - t277));
+      t270 = limb5_S_joint_rate_wx * t67 - t269, t68 = limb5_S_joint_rate_wy * t67, t55 = t41 * limb5_S_joint_rate_wx,
+      t75 = 0.5 * (t41 * limb5_S_joint_rate_wz + (t43 * limb5_S_joint_rate_wy + t37 * limb5_S_joint_rate_wx));
+    RESULT(checked1, y_ddot, 1, 0.5 * (t270 - limb5_S_joint_rate_wy * t75 - t277));
+    const REAL t76 = limb5_S_joint_rate_wx * t75,
+      t69 = limb5_S_joint_rate_wz * (0.5 * (t55 - t37 * limb5_S_joint_rate_wz - t58)) - t68;
+    RESULT(checked2, y_ddot, 0, 0.5 * (t69 - t76 - t260));
     /* else status 5: no rotation */
     NOT_BELOW(t7, 0.999999, 5);
     NOT_ABOVE(t7, 1.000001, 5);
@@ -575,90 +569,87 @@ STAGE(forward_dynamics_reactions, 0)(size_t limb, size_t stride, const double *r
     LIMBS(forward_dynamics_reactions) *own)
 {
     (void)limb, (void)stride;
-    const NUMBER4 sign1 = OF4(1.0, 1.0, -1.0, -1.0), each_param_R = OF4(-param_R, -param_R, param_R, param_R),
-      each_k20 = OF4(-k20, -k20, k20, k20), sign2 = OF4(1.0, -1.0, 1.0, -1.0),
-      each_param_R_2 = OF4(param_R, param_R, -param_R, -param_R),
-      each_limb_lower_m_gravity_z = OF4(-limb_lower_m_gravity_z, limb_lower_m_gravity_z, -limb_lower_m_gravity_z, limb_lower_m_gravity_z),
-      each_gravity_z = OF4(-gravity_z, gravity_z, -gravity_z, gravity_z);
+    const NUMBER4 sign1 = OF4(1.0, 1.0, -1.0, -1.0), each_param_R = -sign1 * param_R, each_k20 = -sign1 * k20,
+      sign2 = OF4(1.0, -1.0, 1.0, -1.0), each_param_R_2 = sign1 * param_R,
+      each_limb_lower_m_gravity_z = -sign2 * limb_lower_m_gravity_z, each_gravity_z = -sign2 * gravity_z;
     const LIMB4 signed_U_0_sin = IN_EACH4(SINES, sine, 0, 2), lower_cos = IN_EACH4(SINES, cosine, 1, 2);
     /* limbs together: geometry; accelerations; inertia */
-    OWN(own->minus_lower_rotation_yx) = signed_U_0_sin * lower_cos;
+    OWN(minus_lower_rotation_yx) = signed_U_0_sin * lower_cos;
     const LIMB4 U_0_cos = IN_EACH4(SINES, cosine, 0, 2);
-    OWN(own->signed_lower_rotation_zx) = U_0_cos * lower_cos;
+    OWN(signed_lower_rotation_zx) = U_0_cos * lower_cos;
     const LIMB4 U_v_0 = IN_EACH4(READ, v, 0, 3);
-    OWN(own->lower_omega_y) = U_v_0 * lower_cos;
+    OWN(lower_omega_y) = U_v_0 * lower_cos;
     const LIMB4 U_v_1 = IN_EACH4(READ, v, 1, 3);
-    OWN(own->lower_alpha_still_x) = U_v_1 * OWN(own->lower_omega_y);
-    const LIMB4 t74 = OWN(own->lower_omega_y) * OWN(own->lower_omega_y), t56 = U_v_1 * U_v_1;
-    OWN(own->minus_lower_U_still_xx) = t74 + t56;
-    OWN(own->upper_offset_x) = IN_EACH4(READ, q, 2, 3) + limb_upper_phase;
-    const LIMB4 minus_upper_acc_still_x = OWN(own->upper_offset_x) * OWN(own->minus_lower_U_still_xx),
+    OWN(lower_alpha_still_x) = U_v_1 * OWN(lower_omega_y);
+    const LIMB4 t74 = OWN(lower_omega_y) * OWN(lower_omega_y), t56 = U_v_1 * U_v_1;
+    OWN(minus_lower_U_still_xx) = t74 + t56;
+    OWN(upper_offset_x) = IN_EACH4(READ, q, 2, 3) + limb_upper_phase;
+    const LIMB4 minus_upper_acc_still_x = OWN(upper_offset_x) * OWN(minus_lower_U_still_xx),
       minus_U_0_acc_y = each_gravity_z * U_0_cos, minus_lower_acc_x = lower_cos * minus_U_0_acc_y;
-    OWN(own->minus_upper_acc_still_x_2) = minus_upper_acc_still_x + minus_lower_acc_x;
-    OWN(own->minus_upper_force_x) = limb_lower_m * minus_lower_acc_x;
-    const LIMB4 minus_P_generalised_force = OWN(own->minus_upper_force_x) + IN_EACH4(READ, u, 0, 1),
-      lower_composite_first_x = limb_lower_m * OWN(own->upper_offset_x), t1 = lower_composite_first_x + (-k7),
-      t46 = lower_composite_first_x + t1, t2 = OWN(own->upper_offset_x) * t1, t3 = t2 + k8,
+    OWN(minus_upper_acc_still_x_2) = minus_upper_acc_still_x + minus_lower_acc_x;
+    OWN(minus_upper_force_x) = limb_lower_m * minus_lower_acc_x;
+    const LIMB4 minus_P_generalised_force = OWN(minus_upper_force_x) + IN_EACH4(READ, u, 0, 1),
+      lower_composite_first_x = limb_lower_m * OWN(upper_offset_x), t1 = lower_composite_first_x + (-k7),
+      t46 = lower_composite_first_x + t1, t2 = OWN(upper_offset_x) * t1, t3 = t2 + k8,
       U_mass_matrix_1_by_U_1 = t2 + k9, t4 = lower_cos * t3;
-    OWN(own->U_mass_matrix_0_by_U_0) = lower_cos * t4 + k3;
+    OWN(U_mass_matrix_0_by_U_0) = lower_cos * t4 + k3;
     const LIMB4 signed_lower_sin = IN_EACH4(SINES, sine, 1, 2), t75 = sign1 * signed_lower_sin,
       t43 = t75 * t4 + lower_cos * (t75 * t3);
-    OWN(own->lower_acc_y) = t75 * minus_U_0_acc_y;
-    OWN(own->upper_force_y) = limb_lower_m * OWN(own->lower_acc_y);
-    const LIMB4 lower_moment_z = OWN(own->upper_offset_x) * OWN(own->upper_force_y);
-    OWN(own->lower_omega_x) = U_v_0 * t75;
-    OWN(own->upper_position_x) = t75 * OWN(own->upper_offset_x) + each_param_R;
-    OWN(own->minus_U_0_lever_mz_by_S_fz) = lower_cos * OWN(own->upper_offset_x);
-    LIMB4 checked = OWN(own->minus_U_0_lever_mz_by_S_fz);
-    OWN(own->t1) = (-1.0) / OWN(own->minus_U_0_lever_mz_by_S_fz);
-    OWN(own->U_follows_0_by_S_1) = OWN(own->upper_position_x) * OWN(own->t1);
+    OWN(lower_acc_y) = t75 * minus_U_0_acc_y;
+    OWN(upper_force_y) = limb_lower_m * OWN(lower_acc_y);
+    const LIMB4 lower_moment_z = OWN(upper_offset_x) * OWN(upper_force_y);
+    OWN(lower_omega_x) = U_v_0 * t75;
+    OWN(upper_position_x) = t75 * OWN(upper_offset_x) + each_param_R;
+    OWN(minus_U_0_lever_mz_by_S_fz) = lower_cos * OWN(upper_offset_x);
+    LIMB4 checked = OWN(minus_U_0_lever_mz_by_S_fz);
+    OWN(t1) = (-1.0) / OWN(minus_U_0_lever_mz_by_S_fz);
+    OWN(U_follows_0_by_S_1) = OWN(upper_position_x) * OWN(t1);
     /* limbs together: free motion; rates that follow; reciprocal wrenches, eq. (10) */
-    const LIMB4 t6 = OWN(own->U_follows_0_by_S_1) * OWN(own->U_mass_matrix_0_by_U_0);
-    OWN(own->t17) = signed_U_0_sin * t6;
-    OWN(own->t2) = U_0_cos * t6;
-    const LIMB4 t7 = OWN(own->U_follows_0_by_S_1) * t6;
-    OWN(own->t3) = lower_cos * OWN(own->t1);
-    OWN(own->S_arm_x) = OWN(own->upper_offset_x) - param_R * signed_lower_sin;
-    OWN(own->minus_U_follows_1_by_S_0) = OWN(own->S_arm_x) * OWN(own->t3);
-    const LIMB4 t12 = OWN(own->minus_U_follows_1_by_S_0) * (U_mass_matrix_1_by_U_1 * OWN(own->minus_U_follows_1_by_S_0));
-    OWN(own->S_arm_y) = each_param_R * lower_cos;
-    const LIMB4 t13 = OWN(own->S_arm_y) * (each_k20 * lower_cos) + t12, t15 = U_0_cos * (t7 - t13);
-    OWN(own->t4) = signed_U_0_sin * t15;
+    const LIMB4 t6 = OWN(U_follows_0_by_S_1) * OWN(U_mass_matrix_0_by_U_0);
+    OWN(t17) = signed_U_0_sin * t6;
+    OWN(t2) = U_0_cos * t6;
+    const LIMB4 t7 = OWN(U_follows_0_by_S_1) * t6;
+    OWN(t3) = lower_cos * OWN(t1);
+    OWN(S_arm_x) = OWN(upper_offset_x) - param_R * signed_lower_sin;
+    OWN(minus_U_follows_1_by_S_0) = OWN(S_arm_x) * OWN(t3);
+    const LIMB4 t12 = OWN(minus_U_follows_1_by_S_0) * (U_mass_matrix_1_by_U_1 * OWN(minus_U_follows_1_by_S_0));
+    OWN(S_arm_y) = each_param_R * lower_cos;
+    const LIMB4 t13 = OWN(S_arm_y) * (each_k20 * lower_cos) + t12, t15 = U_0_cos * (t7 - t13);
+    OWN(t4) = signed_U_0_sin * t15;
     const LIMB4 t73 = U_0_cos * t15;
-    OWN(own->t18) = t7 - t73;
-    OWN(own->t14) = t13 + t73;
+    OWN(t18) = t7 - t73;
+    OWN(t14) = t13 + t73;
     const LIMB4 t66 = 0.5 * t43;
     /* limbs together: accelerations; free motion */
     const LIMB4 minus_U_0_U_still_xx = U_v_0 * U_v_0, P_v = IN_EACH4(READ, v, 2, 3), t67 = minus_U_0_U_still_xx * t66,
       t36 = U_v_1 * P_v, t70 = lower_moment_z + (t67 + t36 * t46), t76 = sign2 * platform_twist_wz,
       t17 = signed_U_0_sin * t76;
-    OWN(own->t6) = signed_U_0_sin * platform_twist_wy - U_0_cos * t76;
-    const LIMB4 t34 = U_v_0 * OWN(own->t6), t37 = OWN(own->S_arm_x) * t34 + t36, t61 = OWN(own->S_arm_y) * t34;
-    OWN(own->t5) = U_0_cos * platform_twist_wy + t17;
+    OWN(t6) = signed_U_0_sin * platform_twist_wy - U_0_cos * t76;
+    const LIMB4 t34 = U_v_0 * OWN(t6), t37 = OWN(S_arm_x) * t34 + t36, t61 = OWN(S_arm_y) * t34;
+    OWN(t5) = U_0_cos * platform_twist_wy + t17;
     const LIMB4 t28 = U_v_1 * lower_cos;
-    OWN(own->t8) = t37 + OWN(own->t5) * (each_param_R_2 * t28 - P_v);
+    OWN(t8) = t37 + OWN(t5) * (each_param_R_2 * t28 - P_v);
     /* limbs together: free motion; accelerations; balance, eqs. (40)-(47) */
-    OWN(own->t12) = OWN(own->t8) * OWN(own->t3);
-    const LIMB4 t72 = OWN(own->minus_U_follows_1_by_S_0) * (t70 + U_mass_matrix_1_by_U_1 * OWN(own->t12)),
-      t29 = OWN(own->upper_offset_x) * t28, t48 = lower_cos * (lower_cos * t46),
+    OWN(t12) = OWN(t8) * OWN(t3);
+    const LIMB4 t72 = OWN(minus_U_follows_1_by_S_0) * (t70 + U_mass_matrix_1_by_U_1 * OWN(t12)),
+      t29 = OWN(upper_offset_x) * t28, t48 = lower_cos * (lower_cos * t46),
       t60 = minus_P_generalised_force + (minus_U_0_U_still_xx * (0.5 * t48) + t56 * (0.5 * t46)), t20 = U_v_1 * t75,
-      t31 = OWN(own->t6) * (P_v * t75 + t29);
-    OWN(own->t11) = OWN(own->t5) * (each_param_R_2 * t20) - t61;
-    const LIMB4 S_handed_force_0 = OWN(own->S_arm_y) * (t60 + limb_lower_m * OWN(own->t11)) - t72;
-    OWN(own->t16) = signed_U_0_sin * S_handed_force_0;
-    OWN(own->t13) = U_0_cos * S_handed_force_0;
-    const LIMB4 t21 = OWN(own->upper_offset_x) * t20, t19 = OWN(own->upper_position_x) * (U_v_0 * OWN(own->t5)),
+      t31 = OWN(t6) * (P_v * t75 + t29);
+    OWN(t11) = OWN(t5) * (each_param_R_2 * t20) - t61;
+    const LIMB4 S_handed_force_0 = OWN(S_arm_y) * (t60 + limb_lower_m * OWN(t11)) - t72;
+    OWN(t16) = signed_U_0_sin * S_handed_force_0;
+    OWN(t13) = U_0_cos * S_handed_force_0;
+    const LIMB4 t21 = OWN(upper_offset_x) * t20, t19 = OWN(upper_position_x) * (U_v_0 * OWN(t5)),
       t51 = t43 * (U_v_0 * U_v_1) - t48 * (U_v_0 * P_v);
-    OWN(own->minus_upper_force_z) = each_limb_lower_m_gravity_z * signed_U_0_sin;
-    const LIMB4 t52 = lower_cos * (OWN(own->upper_offset_x) * OWN(own->minus_upper_force_z)) - t51,
-      t23 = P_v * lower_cos - t21;
-    OWN(own->t7) = U_v_0 * t23 - t19 - t31 - platform_twist_wx * t23;
-    OWN(own->t9) = OWN(own->t1) * OWN(own->t7);
-    OWN(own->U_handed_force_0) = t52 + OWN(own->U_mass_matrix_0_by_U_0) * OWN(own->t9);
-    const LIMB4 S_handed_force_1 = OWN(own->U_follows_0_by_S_1) * OWN(own->U_handed_force_0);
-    OWN(own->t15) = U_0_cos * S_handed_force_1;
-    OWN(own->t10) = signed_U_0_sin * S_handed_force_1;
-    OWN(own->checked) = checked;
+    OWN(minus_upper_force_z) = each_limb_lower_m_gravity_z * signed_U_0_sin;
+    const LIMB4 t52 = lower_cos * (OWN(upper_offset_x) * OWN(minus_upper_force_z)) - t51, t23 = P_v * lower_cos - t21;
+    OWN(t7) = U_v_0 * t23 - t19 - t31 - platform_twist_wx * t23;
+    OWN(t9) = OWN(t1) * OWN(t7);
+    OWN(U_handed_force_0) = t52 + OWN(U_mass_matrix_0_by_U_0) * OWN(t9);
+    const LIMB4 S_handed_force_1 = OWN(U_follows_0_by_S_1) * OWN(U_handed_force_0);
+    OWN(t15) = U_0_cos * S_handed_force_1;
+    OWN(t10) = signed_U_0_sin * S_handed_force_1;
+    OWN(checked) = checked;
 }
 
 STAGE(forward_dynamics_reactions, 1)(size_t limb, size_t stride, const double *restrict v,
@@ -668,67 +659,63 @@ STAGE(forward_dynamics_reactions, 1)(size_t limb, size_t stride, const double *r
     LIMBS(forward_dynamics_reactions) *own)
 {
     (void)limb, (void)stride;
-    const NUMBER4 sign1 = OF4(1.0, -1.0, 1.0, -1.0), each_k3 = OF4(k3, -k3, k3, -k3),
-      sign2 = OF4(1.0, 1.0, -1.0, -1.0),
-      each_gravity_z_limb_lower_mx = OF4(gravity_z_limb_lower_mx, -gravity_z_limb_lower_mx, gravity_z_limb_lower_mx, -gravity_z_limb_lower_mx),
-      each_gravity_z = OF4(-gravity_z, gravity_z, -gravity_z, gravity_z);
+    const NUMBER4 sign1 = OF4(1.0, -1.0, 1.0, -1.0), each_k3 = sign1 * k3, sign2 = OF4(1.0, 1.0, -1.0, -1.0),
+      each_gravity_z_limb_lower_mx = sign1 * gravity_z_limb_lower_mx, each_gravity_z = -sign1 * gravity_z;
     const LIMB4 signed_U_0_sin = IN_EACH4(SINES, sine, 0, 2);
     /* limbs together: balance, eqs. (40)-(47) */
-    const LIMB4 signed_limb1_U2_part_mn_by_P = signed_U_0_sin * OWN(own->S_arm_y) * given,
-      P_u = IN_EACH4(READ, u, 0, 1);
-    OWN(own->t23) = P_u * signed_limb1_U2_part_mn_by_P;
-    OWN(own->t19) = P_u * (limb1_U_factor_1_by_3 * signed_limb1_U2_part_mn_by_P);
-    OWN(own->t21) = P_u * (minus_limb1_U_factor_0_by_3 * signed_limb1_U2_part_mn_by_P);
+    const LIMB4 signed_limb1_U2_part_mn_by_P = signed_U_0_sin * OWN(S_arm_y) * given, P_u = IN_EACH4(READ, u, 0, 1);
+    OWN(t23) = P_u * signed_limb1_U2_part_mn_by_P;
+    OWN(t19) = P_u * (limb1_U_factor_1_by_3 * signed_limb1_U2_part_mn_by_P);
+    OWN(t21) = P_u * (minus_limb1_U_factor_0_by_3 * signed_limb1_U2_part_mn_by_P);
     const LIMB4 U_0_cos = IN_EACH4(SINES, cosine, 0, 2);
     /* limbs together: accelerations; momentum rate, eq. (35); balance, eqs. (40)-(47) */
-    const LIMB4 t4 = OWN(own->U_follows_0_by_S_1) * (U_0_cos * minus_limb5_S_joint_acc_wz - signed_U_0_sin * signed_limb5_S_joint_acc_wy);
-    OWN(own->signed_U_joint_acc_0) = signed_limb5_S_joint_acc_wx - (t4 - sign1 * OWN(own->t9));
-    WRITE4(a, 0, 3, 6, 9, sign1 * OWN(own->signed_U_joint_acc_0));
-    const LIMB4 t51 = sign1 * OWN(own->signed_U_joint_acc_0), lower_cos = IN_EACH4(SINES, cosine, 1, 2),
-      U_v_1 = IN_EACH4(READ, v, 1, 3), U_0_rate_mz = each_k3 * OWN(own->signed_U_joint_acc_0),
-      lower_U_xz = lower_cos * t51, minus_lower_alpha_still_y = U_v_1 * OWN(own->lower_omega_x),
+    const LIMB4 t4 = OWN(U_follows_0_by_S_1) * (U_0_cos * minus_limb5_S_joint_acc_wz - signed_U_0_sin * signed_limb5_S_joint_acc_wy);
+    OWN(signed_U_joint_acc_0) = signed_limb5_S_joint_acc_wx - (t4 - sign1 * OWN(t9));
+    WRITE4(a, 0, 3, 6, 9, sign1 * OWN(signed_U_joint_acc_0));
+    const LIMB4 t51 = sign1 * OWN(signed_U_joint_acc_0), lower_cos = IN_EACH4(SINES, cosine, 1, 2),
+      U_v_1 = IN_EACH4(READ, v, 1, 3), U_0_rate_mz = each_k3 * OWN(signed_U_joint_acc_0),
+      lower_U_xz = lower_cos * t51, minus_lower_alpha_still_y = U_v_1 * OWN(lower_omega_x),
       minus_lower_alpha_y = minus_lower_alpha_still_y - lower_U_xz,
-      lower_U_zx = minus_lower_alpha_still_y + minus_lower_alpha_y, t26 = OWN(own->upper_offset_x) * lower_U_zx,
+      lower_U_zx = minus_lower_alpha_still_y + minus_lower_alpha_y, t26 = OWN(upper_offset_x) * lower_U_zx,
       lower_rate_fz = limb_lower_mx * lower_U_zx;
-    OWN(own->lower_rate_fz_2) = lower_rate_fz - OWN(own->minus_upper_force_z);
+    OWN(lower_rate_fz_2) = lower_rate_fz - OWN(minus_upper_force_z);
     const LIMB4 P_v = IN_EACH4(READ, v, 2, 3),
-      minus_upper_acc_z = P_v * (2.0 * OWN(own->lower_omega_y)) + (each_gravity_z * signed_U_0_sin - t26);
-    OWN(own->minus_upper_rate_fz) = lower_rate_fz + limb_lower_m * minus_upper_acc_z;
-    const LIMB4 t28 = OWN(own->upper_offset_x) * OWN(own->minus_upper_rate_fz),
+      minus_upper_acc_z = P_v * (2.0 * OWN(lower_omega_y)) + (each_gravity_z * signed_U_0_sin - t26);
+    OWN(minus_upper_rate_fz) = lower_rate_fz + limb_lower_m * minus_upper_acc_z;
+    const LIMB4 t28 = OWN(upper_offset_x) * OWN(minus_upper_rate_fz),
       minus_upper_rate_my = limb_lower_mx * minus_upper_acc_z, t29 = t28 - minus_upper_rate_my,
       t23 = k9 * minus_lower_alpha_still_y + k8 * minus_lower_alpha_y;
-    OWN(own->t22) = k17 * minus_lower_alpha_still_y + k16 * minus_lower_alpha_y;
-    OWN(own->minus_upper_rate_my_2) = minus_upper_rate_my + OWN(own->t22);
-    OWN(own->upper_moment_y) = each_gravity_z_limb_lower_mx * signed_U_0_sin;
-    const LIMB4 t30 = lower_cos * (OWN(own->upper_moment_y) + t23 - t29), t50 = sign2 * IN_EACH4(SINES, sine, 1, 2),
-      t44 = k14 * (OWN(own->lower_alpha_still_x) + t50 * t51);
-    OWN(own->S_multiplier_fz) = OWN(own->t1) * (U_0_rate_mz + (t50 * (k10 * OWN(own->lower_alpha_still_x)) - t30));
-    const LIMB4 t32 = t50 * (OWN(own->S_arm_x) * OWN(own->S_multiplier_fz)),
-      t36 = U_0_cos * (t32 + lower_cos * (OWN(own->S_arm_y) * OWN(own->S_multiplier_fz))),
+    OWN(t22) = k17 * minus_lower_alpha_still_y + k16 * minus_lower_alpha_y;
+    OWN(minus_upper_rate_my_2) = minus_upper_rate_my + OWN(t22);
+    OWN(upper_moment_y) = each_gravity_z_limb_lower_mx * signed_U_0_sin;
+    const LIMB4 t30 = lower_cos * (OWN(upper_moment_y) + t23 - t29), t50 = sign2 * IN_EACH4(SINES, sine, 1, 2),
+      t44 = k14 * (OWN(lower_alpha_still_x) + t50 * t51);
+    OWN(S_multiplier_fz) = OWN(t1) * (U_0_rate_mz + (t50 * (k10 * OWN(lower_alpha_still_x)) - t30));
+    const LIMB4 t35 = t50 * (OWN(S_arm_x) * OWN(S_multiplier_fz)) + lower_cos * (OWN(S_arm_y) * OWN(S_multiplier_fz)),
+      t36 = U_0_cos * t35,
       t49 = sign1 * (signed_U_0_sin * minus_limb5_S_joint_acc_wz + U_0_cos * signed_limb5_S_joint_acc_wy),
-      U_joint_acc_1 = OWN(own->t12) + OWN(own->minus_U_follows_1_by_S_0) * t49;
+      U_joint_acc_1 = OWN(t12) + OWN(minus_U_follows_1_by_S_0) * t49;
     WRITE4(a, 1, 4, 7, 10, U_joint_acc_1);
-    LIMB4 checked = OWN(own->checked) + U_joint_acc_1;
-    OWN(own->P_joint_acc) = OWN(own->S_arm_y) * t49 - OWN(own->t11);
-    WRITE4(a, 2, 5, 8, 11, OWN(own->P_joint_acc));
-    const LIMB4 minus_lower_force_x = limb_lower_m * (OWN(own->minus_upper_acc_still_x_2) - OWN(own->P_joint_acc)),
-      lower_U_still_xy = OWN(own->lower_omega_x) * OWN(own->lower_omega_y),
-      lower_U_yx = lower_U_still_xy + U_joint_acc_1,
-      t14 = OWN(own->lower_acc_y) + OWN(own->upper_offset_x) * lower_U_yx, lower_rate_fy = limb_lower_mx * lower_U_yx;
-    OWN(own->lower_rate_fy) = OWN(own->upper_force_y) + lower_rate_fy;
+    LIMB4 checked = OWN(checked) + U_joint_acc_1;
+    OWN(P_joint_acc) = OWN(S_arm_y) * t49 - OWN(t11);
+    WRITE4(a, 2, 5, 8, 11, OWN(P_joint_acc));
+    const LIMB4 minus_lower_force_x = limb_lower_m * (OWN(minus_upper_acc_still_x_2) - OWN(P_joint_acc)),
+      lower_U_still_xy = OWN(lower_omega_x) * OWN(lower_omega_y), lower_U_yx = lower_U_still_xy + U_joint_acc_1,
+      t14 = OWN(lower_acc_y) + OWN(upper_offset_x) * lower_U_yx, lower_rate_fy = limb_lower_mx * lower_U_yx;
+    OWN(lower_rate_fy) = OWN(upper_force_y) + lower_rate_fy;
     const LIMB4 upper_acc_y = P_v * (2.0 * U_v_1) + t14;
-    OWN(own->minus_upper_rate_fy) = lower_rate_fy - limb_lower_m * upper_acc_y;
-    const LIMB4 t18 = OWN(own->upper_offset_x) * OWN(own->minus_upper_rate_fy),
+    OWN(minus_upper_rate_fy) = lower_rate_fy - limb_lower_m * upper_acc_y;
+    const LIMB4 t18 = OWN(upper_offset_x) * OWN(minus_upper_rate_fy),
       minus_upper_rate_mz = limb_lower_mx * upper_acc_y, t19 = t18 + minus_upper_rate_mz,
       t17 = k8 * lower_U_still_xy - (-k9) * U_joint_acc_1;
-    OWN(own->minus_upper_rate_mz_2) = minus_upper_rate_mz + ((-k18) * U_joint_acc_1 - k19 * lower_U_still_xy);
-    OWN(own->S_multiplier_fy) = OWN(own->t3) * (t19 - (limb_lower_mx * OWN(own->lower_acc_y) + t17));
-    const LIMB4 t38 = OWN(own->S_arm_x) * OWN(own->S_multiplier_fy);
-    OWN(own->minus_lower_rate_fx) = limb_lower_mx * OWN(own->minus_lower_U_still_xx);
-    OWN(own->minus_upper_rate_fx) = minus_lower_force_x - OWN(own->minus_lower_rate_fx);
-    OWN(own->t20) = t36 + signed_U_0_sin * (OWN(own->S_arm_y) * OWN(own->minus_upper_rate_fx) + t38);
-    OWN(own->minus_upper_rate_mx) = k15 * OWN(own->lower_alpha_still_x) - t44;
-    OWN(own->checked) = checked;
+    OWN(minus_upper_rate_mz_2) = minus_upper_rate_mz + ((-k18) * U_joint_acc_1 - k19 * lower_U_still_xy);
+    OWN(S_multiplier_fy) = OWN(t3) * (t19 - (limb_lower_mx * OWN(lower_acc_y) + t17));
+    const LIMB4 t38 = OWN(S_arm_x) * OWN(S_multiplier_fy);
+    OWN(minus_lower_rate_fx) = limb_lower_mx * OWN(minus_lower_U_still_xx);
+    OWN(minus_upper_rate_fx) = minus_lower_force_x - OWN(minus_lower_rate_fx);
+    OWN(t20) = t36 + signed_U_0_sin * (OWN(S_arm_y) * OWN(minus_upper_rate_fx) + t38);
+    OWN(minus_upper_rate_mx) = k15 * OWN(lower_alpha_still_x) - t44;
+    OWN(checked) = checked;
 }
 
 STAGE(forward_dynamics_reactions, 2)(size_t limb, size_t stride, const double *restrict u,
@@ -738,72 +725,70 @@ STAGE(forward_dynamics_reactions, 2)(size_t limb, size_t stride, const double *r
 {
     (void)limb, (void)stride;
     const NUMBER4 sign1 = OF4(1.0, 1.0, -1.0, -1.0), sign2 = OF4(1.0, -1.0, -1.0, 1.0),
-      sign3 = OF4(1.0, 1.0, -1.0, 1.0), each_param_R = OF4(param_R, param_R, -param_R, -param_R),
-      each_param_R_2 = OF4(-param_R, -param_R, param_R, param_R), sign4 = OF4(1.0, -1.0, 1.0, -1.0);
+      sign3 = OF4(1.0, 1.0, -1.0, 1.0), each_param_R = sign1 * param_R, each_param_R_2 = -sign1 * param_R,
+      sign4 = OF4(1.0, -1.0, 1.0, -1.0);
     const LIMB4 t66 = sign1 * IN_EACH4(SINES, sine, 1, 2), t67 = sign2 * signed_S_multiplier_fy,
       P_u = IN_EACH4(READ, u, 0, 1);
     /* limbs together: balance, eqs. (40)-(47) */
-    const LIMB4 t62 = t66 * t67, minus_S_multiplier_fx = P_u + OWN(own->minus_upper_rate_fx),
+    const LIMB4 t62 = t66 * t67, minus_S_multiplier_fx = P_u + OWN(minus_upper_rate_fx),
       lower_cos = IN_EACH4(SINES, cosine, 1, 2), t63 = t62 - lower_cos * minus_S_multiplier_fx,
       U_0_cos = IN_EACH4(SINES, cosine, 0, 2), signed_U_0_sin = IN_EACH4(SINES, sine, 0, 2), t65 = U_0_cos * t63,
       t64 = signed_U_0_sin * t63, t68 = sign3 * signed_S_multiplier_fz;
     /* limbs together: reactions, eq. (32); balance, eqs. (40)-(47); geometry */
     const LIMB4 t51 = signed_U_0_sin * t68;
-    OWN(own->t25) = t65 + t51;
+    OWN(t25) = t65 + t51;
     const LIMB4 t47 = U_0_cos * t68;
-    OWN(own->t24) = t64 - t47;
-    const LIMB4 minus_upper_sent_fz = OWN(own->minus_upper_rate_fz) + t68, lower_rotation_yy = signed_U_0_sin * t66;
-    OWN(own->S_reaction_fx) = lower_rotation_yy * t67 - OWN(own->minus_lower_rotation_yx) * minus_S_multiplier_fx - t47;
-    WRITE4(reactions, 13, 30, 49, 66, OWN(own->S_reaction_fx));
-    const LIMB4 t60 = OWN(own->upper_position_x) * OWN(own->S_reaction_fx);
-    OWN(own->S_reaction_fy) = lower_cos * t67 + t66 * minus_S_multiplier_fx;
-    WRITE4(reactions, 12, 31, 48, 67, OWN(own->S_reaction_fy));
-    const LIMB4 t53 = OWN(own->signed_lower_rotation_zx) * minus_S_multiplier_fx,
-      minus_upper_position_y = OWN(own->upper_offset_x) * OWN(own->minus_lower_rotation_yx);
-    OWN(own->signed_S_reaction_mz) = minus_upper_position_y * OWN(own->S_reaction_fy) + t60;
+    OWN(t24) = t64 - t47;
+    const LIMB4 minus_upper_sent_fz = OWN(minus_upper_rate_fz) + t68, lower_rotation_yy = signed_U_0_sin * t66;
+    OWN(S_reaction_fx) = lower_rotation_yy * t67 - OWN(minus_lower_rotation_yx) * minus_S_multiplier_fx - t47;
+    WRITE4(reactions, 13, 30, 49, 66, OWN(S_reaction_fx));
+    const LIMB4 t60 = OWN(upper_position_x) * OWN(S_reaction_fx);
+    OWN(S_reaction_fy) = lower_cos * t67 + t66 * minus_S_multiplier_fx;
+    WRITE4(reactions, 12, 31, 48, 67, OWN(S_reaction_fy));
+    const LIMB4 t53 = OWN(signed_lower_rotation_zx) * minus_S_multiplier_fx,
+      minus_upper_position_y = OWN(upper_offset_x) * OWN(minus_lower_rotation_yx);
+    OWN(signed_S_reaction_mz) = minus_upper_position_y * OWN(S_reaction_fy) + t60;
     const LIMB4 signed_lower_rotation_zy = U_0_cos * t66;
-    OWN(own->signed_S_reaction_fz) = t51 + (signed_lower_rotation_zy * t67 - t53);
-    WRITE4(reactions, 14, 32, 50, 68, -sign4 * OWN(own->signed_S_reaction_fz));
-    const LIMB4 upper_sent_fy = t67 - OWN(own->minus_upper_rate_fy),
-      t57 = OWN(own->upper_position_x) * OWN(own->signed_S_reaction_fz),
-      t56 = minus_upper_position_y * OWN(own->signed_S_reaction_fz),
-      signed_upper_position_z = OWN(own->upper_offset_x) * OWN(own->signed_lower_rotation_zx);
-    OWN(own->S_reaction_mx) = t57 + signed_upper_position_z * OWN(own->S_reaction_fy);
-    OWN(own->S_reaction_my) = t56 - signed_upper_position_z * OWN(own->S_reaction_fx);
-    const LIMB4 t33 = lower_rotation_yy * OWN(own->minus_upper_rate_my_2);
-    OWN(own->P_reaction_fy) = lower_rotation_yy * upper_sent_fy - U_0_cos * minus_upper_sent_fz;
-    WRITE4(reactions, 7, 24, 43, 60, OWN(own->P_reaction_fy));
-    const LIMB4 t38 = OWN(own->upper_position_x) * OWN(own->P_reaction_fy),
-      t23 = signed_upper_position_z * OWN(own->P_reaction_fy);
-    OWN(own->P_reaction_fx) = lower_cos * upper_sent_fy;
-    WRITE4(reactions, 6, 25, 42, 61, OWN(own->P_reaction_fx));
-    const LIMB4 t30 = signed_upper_position_z * OWN(own->P_reaction_fx),
-      t39 = minus_upper_position_y * OWN(own->P_reaction_fx) + t38,
-      t41 = signed_lower_rotation_zy * OWN(own->minus_upper_rate_my_2),
-      t22 = signed_lower_rotation_zy * upper_sent_fy, lower_sent_fy = upper_sent_fy + OWN(own->lower_rate_fy),
-      t43 = t41 - OWN(own->signed_lower_rotation_zx) * minus_upper_rate_mx,
+    OWN(signed_S_reaction_fz) = t51 + (signed_lower_rotation_zy * t67 - t53);
+    WRITE4(reactions, 14, 32, 50, 68, -sign4 * OWN(signed_S_reaction_fz));
+    const LIMB4 upper_sent_fy = t67 - OWN(minus_upper_rate_fy),
+      t57 = OWN(upper_position_x) * OWN(signed_S_reaction_fz),
+      t56 = minus_upper_position_y * OWN(signed_S_reaction_fz),
+      signed_upper_position_z = OWN(upper_offset_x) * OWN(signed_lower_rotation_zx);
+    OWN(S_reaction_mx) = t57 + signed_upper_position_z * OWN(S_reaction_fy);
+    OWN(S_reaction_my) = t56 - signed_upper_position_z * OWN(S_reaction_fx);
+    const LIMB4 t33 = lower_rotation_yy * OWN(minus_upper_rate_my_2);
+    OWN(P_reaction_fy) = lower_rotation_yy * upper_sent_fy - U_0_cos * minus_upper_sent_fz;
+    WRITE4(reactions, 7, 24, 43, 60, OWN(P_reaction_fy));
+    const LIMB4 t38 = OWN(upper_position_x) * OWN(P_reaction_fy), t23 = signed_upper_position_z * OWN(P_reaction_fy);
+    OWN(P_reaction_fx) = lower_cos * upper_sent_fy;
+    WRITE4(reactions, 6, 25, 42, 61, OWN(P_reaction_fx));
+    const LIMB4 t30 = signed_upper_position_z * OWN(P_reaction_fx),
+      t39 = minus_upper_position_y * OWN(P_reaction_fx) + t38,
+      t41 = signed_lower_rotation_zy * OWN(minus_upper_rate_my_2), t22 = signed_lower_rotation_zy * upper_sent_fy,
+      lower_sent_fy = upper_sent_fy + OWN(lower_rate_fy),
+      t43 = t41 - OWN(signed_lower_rotation_zx) * minus_upper_rate_mx,
       signed_P_reaction_mz = t39 - (signed_U_0_sin * minus_upper_rate_mz_2 - t43);
     WRITE4(reactions, 11, 29, 47, 65, sign4 * signed_P_reaction_mz);
-    LIMB4 checked = OWN(own->checked) + signed_P_reaction_mz;
-    OWN(own->signed_P_reaction_fz) = signed_U_0_sin * minus_upper_sent_fz + t22;
-    WRITE4(reactions, 8, 26, 44, 62, -sign4 * OWN(own->signed_P_reaction_fz));
-    const LIMB4 t25 = minus_upper_position_y * OWN(own->signed_P_reaction_fz) - t23,
-      t31 = OWN(own->upper_position_x) * OWN(own->signed_P_reaction_fz) + t30,
-      t36 = OWN(own->minus_lower_rotation_yx) * minus_upper_rate_mx - t33 - U_0_cos * minus_upper_rate_mz_2,
-      P_reaction_my = t31 + t36;
+    LIMB4 checked = OWN(checked) + signed_P_reaction_mz;
+    OWN(signed_P_reaction_fz) = signed_U_0_sin * minus_upper_sent_fz + t22;
+    WRITE4(reactions, 8, 26, 44, 62, -sign4 * OWN(signed_P_reaction_fz));
+    const LIMB4 t25 = minus_upper_position_y * OWN(signed_P_reaction_fz) - t23,
+      t31 = OWN(upper_position_x) * OWN(signed_P_reaction_fz) + t30,
+      P_reaction_my = t31 + (OWN(minus_lower_rotation_yx) * minus_upper_rate_mx - t33 - U_0_cos * minus_upper_rate_mz_2);
     WRITE4(reactions, 10, 27, 46, 63, P_reaction_my);
     checked = checked + P_reaction_my;
-    const LIMB4 P_reaction_mx = t25 - (lower_cos * OWN(own->minus_upper_rate_my_2) + t66 * minus_upper_rate_mx);
+    const LIMB4 P_reaction_mx = t25 - (lower_cos * OWN(minus_upper_rate_my_2) + t66 * minus_upper_rate_mx);
     WRITE4(reactions, 9, 28, 45, 64, P_reaction_mx);
     checked = checked + P_reaction_mx;
     /* limbs together: balance, eqs. (40)-(47); reactions, eq. (32) */
-    const LIMB4 t10 = OWN(own->upper_offset_x) * minus_upper_sent_fz - OWN(own->minus_upper_rate_my_2),
-      lower_sent_fz = OWN(own->lower_rate_fz_2) - minus_upper_sent_fz,
-      lower_sent_my = t10 - (OWN(own->upper_moment_y) + OWN(own->t22)), t11 = lower_cos * lower_sent_my,
+    const LIMB4 t10 = OWN(upper_offset_x) * minus_upper_sent_fz - OWN(minus_upper_rate_my_2),
+      lower_sent_fz = OWN(lower_rate_fz_2) - minus_upper_sent_fz,
+      lower_sent_my = t10 - (OWN(upper_moment_y) + OWN(t22)), t11 = lower_cos * lower_sent_my,
       minus_lower_joint_sent_mx = t66 * lower_sent_my + lower_cos * minus_lower_sent_mx,
       t17 = U_0_cos * minus_lower_joint_sent_mx, t16 = signed_U_0_sin * minus_lower_joint_sent_mx,
       t4 = t66 * lower_sent_fy, t2 = lower_cos * lower_sent_fy,
-      minus_lower_sent_fx = OWN(own->minus_lower_rate_fx) + OWN(own->minus_upper_force_x) - P_u,
+      minus_lower_sent_fx = OWN(minus_lower_rate_fx) + OWN(minus_upper_force_x) - P_u,
       minus_lower_joint_sent_fx = lower_cos * minus_lower_sent_fx + t4,
       lower_joint_sent_fy = t2 - t66 * minus_lower_sent_fx;
     WRITE4(reactions, 0, 19, 36, 55, lower_joint_sent_fy);
@@ -817,12 +802,12 @@ STAGE(forward_dynamics_reactions, 2)(size_t limb, size_t stride, const double *r
     const LIMB4 signed_U_reaction_mz = t17 - each_param_R_2 * U_0_joint_sent_fx;
     WRITE4(reactions, 5, 23, 41, 59, -sign4 * signed_U_reaction_mz);
     checked = checked + signed_U_reaction_mz;
-    OWN(own->signed_U_0_joint_sent_fy) = t7 - signed_U_0_sin * lower_sent_fz;
-    WRITE4(reactions, 2, 20, 38, 56, -sign4 * OWN(own->signed_U_0_joint_sent_fy));
-    const LIMB4 U_reaction_my = t16 - each_param_R * OWN(own->signed_U_0_joint_sent_fy);
+    OWN(signed_U_0_joint_sent_fy) = t7 - signed_U_0_sin * lower_sent_fz;
+    WRITE4(reactions, 2, 20, 38, 56, -sign4 * OWN(signed_U_0_joint_sent_fy));
+    const LIMB4 U_reaction_my = t16 - each_param_R * OWN(signed_U_0_joint_sent_fy);
     WRITE4(reactions, 4, 21, 40, 57, U_reaction_my);
     checked = checked + U_reaction_my;
-    OWN(own->checked) = checked;
+    OWN(checked) = checked;
 }
 
 BODY(three_ups_upu_s_forward_dynamics_reactions)(size_t stride, const double *restrict q,
@@ -1081,10 +1066,9 @@ STAGE(forward_dynamics_dense, 0)(size_t limb, size_t stride, const double *restr
     REAL platform_twist_wx, LIMBS(forward_dynamics_dense) *own)
 {
     (void)limb, (void)stride;
-    const NUMBER4 sign1 = OF4(1.0, 1.0, -1.0, -1.0),
-      each_gravity_z = OF4(gravity_z, -gravity_z, -gravity_z, gravity_z),
-      each_gravity_z_limb_lower_mx = OF4(gravity_z_limb_lower_mx, -gravity_z_limb_lower_mx, -gravity_z_limb_lower_mx, gravity_z_limb_lower_mx),
-      each_gravity_z_2 = OF4(-gravity_z, gravity_z, gravity_z, -gravity_z), sign2 = OF4(1.0, -1.0, 1.0, -1.0);
+    const NUMBER4 sign1 = OF4(1.0, 1.0, -1.0, -1.0), sign2 = OF4(1.0, -1.0, -1.0, 1.0),
+      each_gravity_z = sign2 * gravity_z, each_gravity_z_limb_lower_mx = sign2 * gravity_z_limb_lower_mx,
+      each_gravity_z_2 = -sign2 * gravity_z, sign3 = OF4(1.0, -1.0, 1.0, -1.0);
     /* limbs together: geometry */
     const LIMB4 upper_offset_x = IN_EACH4(READ, q, 2, 3) + limb_upper_phase;
     WRITE4(closure_, 14, 57, 99, 141, upper_offset_x);
@@ -1097,29 +1081,28 @@ STAGE(forward_dynamics_dense, 0)(size_t limb, size_t stride, const double *restr
     WRITE4(inertia_, 0, 48, 96, 144, U_mass_matrix_0_by_U_0);
     checked = checked + U_mass_matrix_0_by_U_0;
     const LIMB4 U_v_0 = IN_EACH4(READ, v, 0, 3), signed_lower_sin = IN_EACH4(SINES, sine, 1, 2);
-    OWN(own->signed_lower_omega_x) = U_v_0 * signed_lower_sin;
+    OWN(signed_lower_omega_x) = U_v_0 * signed_lower_sin;
     const LIMB4 U_v_1 = IN_EACH4(READ, v, 1, 3);
     /* limbs together: accelerations; balance, eqs. (40)-(47); free motion */
-    const LIMB4 signed_lower_alpha_still_y = U_v_1 * OWN(own->signed_lower_omega_x),
+    const LIMB4 signed_lower_alpha_still_y = U_v_1 * OWN(signed_lower_omega_x),
       t8 = upper_offset_x * (2.0 * signed_lower_alpha_still_y), signed_U_0_sin = IN_EACH4(SINES, sine, 0, 2),
       t9 = t8 + each_gravity_z * signed_U_0_sin;
-    OWN(own->signed_lower_omega_y) = U_v_0 * t58;
-    const LIMB4 lower_U_still_xy = OWN(own->signed_lower_omega_x) * OWN(own->signed_lower_omega_y),
-      P_v = IN_EACH4(READ, v, 2, 3), t7 = P_v * (2.0 * OWN(own->signed_lower_omega_y)),
-      signed_upper_acc_still_z = t7 - t9, signed_upper_acc_still_z_2 = t8 - t7,
-      signed_upper_rate_my = limb_lower_mx * signed_upper_acc_still_z,
+    OWN(signed_lower_omega_y) = U_v_0 * t58;
+    const LIMB4 lower_U_still_xy = OWN(signed_lower_omega_x) * OWN(signed_lower_omega_y),
+      P_v = IN_EACH4(READ, v, 2, 3), t7 = P_v * (2.0 * OWN(signed_lower_omega_y)), signed_upper_acc_still_z = t7 - t9,
+      signed_upper_acc_still_z_2 = t8 - t7, signed_upper_rate_my = limb_lower_mx * signed_upper_acc_still_z,
       t11 = upper_offset_x * (k7 * signed_lower_alpha_still_y + limb_lower_m * signed_upper_acc_still_z) - signed_upper_rate_my,
       t13 = t58 * (each_gravity_z_limb_lower_mx * signed_U_0_sin + k11 * signed_lower_alpha_still_y - t11);
-    OWN(own->signed_lower_alpha_still_x) = U_v_1 * OWN(own->signed_lower_omega_y);
-    const LIMB4 minus_U_0_moment_z = t13 - signed_lower_sin * (k10 * OWN(own->signed_lower_alpha_still_x));
+    OWN(signed_lower_alpha_still_x) = U_v_1 * OWN(signed_lower_omega_y);
+    const LIMB4 minus_U_0_moment_z = t13 - signed_lower_sin * (k10 * OWN(signed_lower_alpha_still_x));
     WRITE4(load_, 0, 3, 6, 9, minus_U_0_moment_z);
     checked = checked + minus_U_0_moment_z;
-    const LIMB4 t22 = OWN(own->signed_lower_omega_y) * OWN(own->signed_lower_omega_y),
-      t17 = upper_offset_x * lower_U_still_xy, U_0_cos = IN_EACH4(SINES, cosine, 0, 2),
-      signed_U_0_acc_y = each_gravity_z_2 * U_0_cos, lower_acc_y = signed_lower_sin * signed_U_0_acc_y,
-      minus_lower_acc_x = t58 * signed_U_0_acc_y, t18 = t17 + lower_acc_y,
-      minus_upper_moment_z = limb_lower_mx * lower_acc_y, t16 = P_v * (2.0 * U_v_1), upper_acc_still_y = t16 + t18,
-      upper_acc_still_y_2 = t17 + t16, minus_upper_rate_mz = limb_lower_mx * upper_acc_still_y,
+    const LIMB4 t22 = OWN(signed_lower_omega_y) * OWN(signed_lower_omega_y), t17 = upper_offset_x * lower_U_still_xy,
+      U_0_cos = IN_EACH4(SINES, cosine, 0, 2), signed_U_0_acc_y = each_gravity_z_2 * U_0_cos,
+      lower_acc_y = signed_lower_sin * signed_U_0_acc_y, minus_lower_acc_x = t58 * signed_U_0_acc_y,
+      t18 = t17 + lower_acc_y, minus_upper_moment_z = limb_lower_mx * lower_acc_y, t16 = P_v * (2.0 * U_v_1),
+      upper_acc_still_y = t16 + t18, upper_acc_still_y_2 = t17 + t16,
+      minus_upper_rate_mz = limb_lower_mx * upper_acc_still_y,
       t20 = minus_upper_rate_mz + upper_offset_x * (limb_lower_mx * lower_U_still_xy - limb_lower_m * upper_acc_still_y),
       minus_lower_moment_z = t20 - (k8 * lower_U_still_xy + minus_upper_moment_z);
     WRITE4(load_, 1, 4, 7, 10, minus_lower_moment_z);
@@ -1132,56 +1115,55 @@ STAGE(forward_dynamics_dense, 0)(size_t limb, size_t stride, const double *restr
     checked = checked + minus_P_generalised_force;
     const LIMB4 base_lever_mx_by_S_fx = param_R * (U_0_cos * t58);
     /* limbs together: loop closure; reciprocal wrenches, eq. (10); geometry */
-    OWN(own->t1) = platform_turn_yx * base_lever_mx_by_S_fx;
-    OWN(own->t7) = platform_turn_yy * base_lever_mx_by_S_fx;
-    OWN(own->t13) = platform_turn_yz * base_lever_mx_by_S_fx;
+    OWN(t1) = platform_turn_yx * base_lever_mx_by_S_fx;
+    OWN(t7) = platform_turn_yy * base_lever_mx_by_S_fx;
+    OWN(t13) = platform_turn_yz * base_lever_mx_by_S_fx;
     const LIMB4 signed_base_lever_mz_by_S_fx = param_R * (signed_U_0_sin * t58);
-    OWN(own->t2) = platform_turn_zx * signed_base_lever_mz_by_S_fx;
-    OWN(own->t8) = platform_turn_zy * signed_base_lever_mz_by_S_fx;
-    OWN(own->t14) = platform_turn_zz * signed_base_lever_mz_by_S_fx;
+    OWN(t2) = platform_turn_zx * signed_base_lever_mz_by_S_fx;
+    OWN(t8) = platform_turn_zy * signed_base_lever_mz_by_S_fx;
+    OWN(t14) = platform_turn_zz * signed_base_lever_mz_by_S_fx;
     const LIMB4 base_lever_mx_by_S_fy = U_0_cos * upper_offset_x - param_R * (U_0_cos * signed_lower_sin);
-    OWN(own->t3) = platform_turn_yx * base_lever_mx_by_S_fy;
-    OWN(own->t9) = platform_turn_yy * base_lever_mx_by_S_fy;
-    OWN(own->t15) = platform_turn_yz * base_lever_mx_by_S_fy;
+    OWN(t3) = platform_turn_yx * base_lever_mx_by_S_fy;
+    OWN(t9) = platform_turn_yy * base_lever_mx_by_S_fy;
+    OWN(t15) = platform_turn_yz * base_lever_mx_by_S_fy;
     const LIMB4 signed_base_lever_mz_by_S_fy = signed_U_0_sin * upper_offset_x - param_R * (signed_U_0_sin * signed_lower_sin);
-    OWN(own->t4) = platform_turn_zx * signed_base_lever_mz_by_S_fy;
-    OWN(own->t10) = platform_turn_zy * signed_base_lever_mz_by_S_fy;
-    OWN(own->t16) = platform_turn_zz * signed_base_lever_mz_by_S_fy;
+    OWN(t4) = platform_turn_zx * signed_base_lever_mz_by_S_fy;
+    OWN(t10) = platform_turn_zy * signed_base_lever_mz_by_S_fy;
+    OWN(t16) = platform_turn_zz * signed_base_lever_mz_by_S_fy;
     const LIMB4 signed_upper_position_x = signed_lower_sin * upper_offset_x + (-param_R),
       signed_base_lever_mx_by_S_fz = signed_U_0_sin * signed_upper_position_x,
       signed_base_lever_mz_by_S_fz = U_0_cos * signed_upper_position_x;
-    OWN(own->t6) = platform_turn_zx * signed_base_lever_mz_by_S_fz;
-    OWN(own->t12) = platform_turn_zy * signed_base_lever_mz_by_S_fz;
-    OWN(own->t18) = platform_turn_zz * signed_base_lever_mz_by_S_fz;
+    OWN(t6) = platform_turn_zx * signed_base_lever_mz_by_S_fz;
+    OWN(t12) = platform_turn_zy * signed_base_lever_mz_by_S_fz;
+    OWN(t18) = platform_turn_zz * signed_base_lever_mz_by_S_fz;
     const LIMB4 t29 = platform_turn_yx * signed_base_lever_mx_by_S_fz,
       signed_U_0_lever_mz_by_S_fz = t58 * upper_offset_x;
     WRITE4(closure_, 2, 45, 87, 129, -sign1 * signed_U_0_lever_mz_by_S_fz);
     checked = checked + signed_U_0_lever_mz_by_S_fz;
-    OWN(own->t5) = platform_turn_xx * signed_U_0_lever_mz_by_S_fz + t29;
+    OWN(t5) = platform_turn_xx * signed_U_0_lever_mz_by_S_fz + t29;
     const LIMB4 t31 = platform_turn_yy * signed_base_lever_mx_by_S_fz,
       t33 = platform_turn_yz * signed_base_lever_mx_by_S_fz;
-    OWN(own->t11) = platform_turn_xy * signed_U_0_lever_mz_by_S_fz + t31;
-    OWN(own->t17) = platform_turn_xz * signed_U_0_lever_mz_by_S_fz + t33;
-    const LIMB4 t59 = sign2 * platform_twist_wz, t47 = signed_U_0_sin * t59,
+    OWN(t11) = platform_turn_xy * signed_U_0_lever_mz_by_S_fz + t31;
+    OWN(t17) = platform_turn_xz * signed_U_0_lever_mz_by_S_fz + t33;
+    const LIMB4 t59 = sign3 * platform_twist_wz, t47 = signed_U_0_sin * t59,
       t36 = signed_U_0_sin * platform_twist_wy - U_0_cos * t59, t39 = t58 * t36;
-    OWN(own->t19) = signed_lower_sin * t36 + t58 * platform_twist_wx;
-    const LIMB4 t60 = sign1 * OWN(own->t19), S_arm_x = upper_offset_x - param_R * signed_lower_sin,
-      t43 = S_arm_x * t60;
-    OWN(own->t20) = t39 - signed_lower_sin * platform_twist_wx;
-    const LIMB4 signed_S_arm_y = param_R * lower_cos, t44 = signed_S_arm_y * OWN(own->t20) - t43, t45 = t60 * t44,
-      t53 = OWN(own->t20) * t44;
-    OWN(own->t21) = U_0_cos * platform_twist_wy + t47;
-    const LIMB4 t48 = S_arm_x * OWN(own->t21), t51 = signed_S_arm_y * OWN(own->t21), t56 = t60 * t51,
-      t54 = OWN(own->t21) * t51 + t53, S_opening_bias_fx = OWN(own->t21) * t48 - t45 - minus_upper_acc_still_x;
+    OWN(t19) = signed_lower_sin * t36 + t58 * platform_twist_wx;
+    const LIMB4 t60 = sign1 * OWN(t19), S_arm_x = upper_offset_x - param_R * signed_lower_sin, t43 = S_arm_x * t60;
+    OWN(t20) = t39 - signed_lower_sin * platform_twist_wx;
+    const LIMB4 signed_S_arm_y = param_R * lower_cos, t44 = signed_S_arm_y * OWN(t20) - t43, t45 = t60 * t44,
+      t53 = OWN(t20) * t44;
+    OWN(t21) = U_0_cos * platform_twist_wy + t47;
+    const LIMB4 t48 = S_arm_x * OWN(t21), t51 = signed_S_arm_y * OWN(t21), t56 = t60 * t51,
+      t54 = OWN(t21) * t51 + t53, S_opening_bias_fx = OWN(t21) * t48 - t45 - minus_upper_acc_still_x;
     WRITE4(curvature_, 0, 4, 7, 10, S_opening_bias_fx);
     checked = checked + S_opening_bias_fx;
-    const LIMB4 signed_S_opening_bias_fz = signed_upper_acc_still_z_2 + (OWN(own->t20) * t48 + t56);
+    const LIMB4 signed_S_opening_bias_fz = signed_upper_acc_still_z_2 + (OWN(t20) * t48 + t56);
     WRITE4(curvature_, 2, 6, 9, 12, sign1 * signed_S_opening_bias_fz);
     checked = checked + signed_S_opening_bias_fz;
     const LIMB4 S_opening_bias_fy = upper_acc_still_y_2 - sign1 * t54;
     WRITE4(curvature_, 1, 5, 8, 11, S_opening_bias_fy);
     checked = checked + S_opening_bias_fy;
-    OWN(own->checked) = checked;
+    OWN(checked) = checked;
 }
 
 BODY(three_ups_upu_s_forward_dynamics_dense)(size_t stride, const double *restrict q,
@@ -1508,17 +1490,15 @@ STAGE(forward_dynamics_reactions_wrenches, 0)(size_t limb, size_t stride, const 
     LIMBS(forward_dynamics_reactions_wrenches) *own)
 {
     (void)limb, (void)stride;
-    const NUMBER4 sign1 = OF4(1.0, 1.0, -1.0, -1.0),
-      each_gravity_z = OF4(gravity_z, -gravity_z, gravity_z, -gravity_z),
-      each_limb_lower_m_gravity_z = OF4(-limb_lower_m_gravity_z, limb_lower_m_gravity_z, -limb_lower_m_gravity_z, limb_lower_m_gravity_z),
-      each_gravity_z_limb_lower_mx = OF4(-gravity_z_limb_lower_mx, gravity_z_limb_lower_mx, -gravity_z_limb_lower_mx, gravity_z_limb_lower_mx),
-      each_param_R = OF4(-param_R, -param_R, param_R, param_R), sign2 = OF4(1.0, -1.0, -1.0, -1.0),
-      sign3 = OF4(1.0, -1.0, 1.0, -1.0);
+    const NUMBER4 sign1 = OF4(1.0, 1.0, -1.0, -1.0), sign2 = OF4(1.0, -1.0, 1.0, -1.0),
+      each_gravity_z = sign2 * gravity_z, each_limb_lower_m_gravity_z = -sign2 * limb_lower_m_gravity_z,
+      each_gravity_z_limb_lower_mx = -sign2 * gravity_z_limb_lower_mx, each_param_R = -sign1 * param_R,
+      sign3 = OF4(1.0, -1.0, -1.0, -1.0);
     const LIMB4 U_0_cos = IN_EACH4(SINES, cosine, 0, 2);
     /* limbs together: reciprocal wrenches, eq. (10); velocities, eq. (6) */
-    OWN(own->t1) = U_0_cos * platform_turn_yy;
+    OWN(t1) = U_0_cos * platform_turn_yy;
     const LIMB4 signed_U_0_sin = IN_EACH4(SINES, sine, 0, 2);
-    OWN(own->t2) = signed_U_0_sin * platform_turn_zy;
+    OWN(t2) = signed_U_0_sin * platform_turn_zy;
     const LIMB4 t45 = sign1 * IN_EACH4(SINES, sine, 1, 2), U_v_0 = IN_EACH4(READ, v, 0, 3),
       lower_omega_x = U_v_0 * t45, lower_cos = IN_EACH4(SINES, cosine, 1, 2), lower_omega_y = U_v_0 * lower_cos;
     /* limbs together: accelerations; momentum rate, eq. (35); geometry */
@@ -1559,45 +1539,44 @@ STAGE(forward_dynamics_reactions_wrenches, 0)(size_t limb, size_t stride, const 
       upper_sent_fz = limb_lower_m * upper_acc_z - lower_rate_fz - OF4(READ(multipliers_, 2), READ(multipliers_, 6), READ(multipliers_, 9), READ(multipliers_, 12));
     WRITE4(sized_, 8, 26, 44, 62, upper_sent_fz);
     checked = checked + upper_sent_fz;
-    OWN(own->minus_upper_rate_my_2) = (-limb_lower_mx) * upper_acc_z + t25;
-    OWN(own->lower_sent_fz) = lower_rate_fz - each_limb_lower_m_gravity_z * signed_U_0_sin + upper_sent_fz;
-    WRITE4(sized_, 2, 20, 38, 56, OWN(own->lower_sent_fz));
-    OWN(own->U_0_joint_sent_fx) = U_0_cos * OWN(own->lower_sent_fz) - t16;
-    WRITE4(reactions, 1, 18, 37, 54, OWN(own->U_0_joint_sent_fx));
-    OWN(own->signed_U_0_joint_sent_fy) = signed_U_0_sin * OWN(own->lower_sent_fz) + t18;
-    WRITE4(reactions, 2, 20, 38, 56, sign3 * OWN(own->signed_U_0_joint_sent_fy));
-    OWN(own->upper_rate_mx) = k14 * (lower_alpha_still_x + U_a_0 * t45) - k15 * lower_alpha_still_x;
-    OWN(own->lower_rotation_yy) = signed_U_0_sin * t45;
-    const LIMB4 t22 = OWN(own->lower_rotation_yy) * multipliers_1, t28 = OWN(own->lower_rotation_yy) * upper_sent_fy;
-    OWN(own->minus_lower_rotation_yx) = signed_U_0_sin * lower_cos;
-    OWN(own->t3) = OWN(own->minus_lower_rotation_yx) * multipliers_0 - t22;
-    OWN(own->minus_upper_position_y) = upper_offset_x * OWN(own->minus_lower_rotation_yx);
-    const LIMB4 t27 = OWN(own->minus_upper_rate_my_2) + upper_offset_x * upper_sent_fz;
-    OWN(own->minus_lower_sent_my) = t27 - (each_gravity_z_limb_lower_mx * signed_U_0_sin - t25);
+    OWN(minus_upper_rate_my_2) = (-limb_lower_mx) * upper_acc_z + t25;
+    OWN(lower_sent_fz) = lower_rate_fz - each_limb_lower_m_gravity_z * signed_U_0_sin + upper_sent_fz;
+    WRITE4(sized_, 2, 20, 38, 56, OWN(lower_sent_fz));
+    OWN(U_0_joint_sent_fx) = U_0_cos * OWN(lower_sent_fz) - t16;
+    WRITE4(reactions, 1, 18, 37, 54, OWN(U_0_joint_sent_fx));
+    OWN(signed_U_0_joint_sent_fy) = signed_U_0_sin * OWN(lower_sent_fz) + t18;
+    WRITE4(reactions, 2, 20, 38, 56, sign2 * OWN(signed_U_0_joint_sent_fy));
+    OWN(upper_rate_mx) = k14 * (lower_alpha_still_x + U_a_0 * t45) - k15 * lower_alpha_still_x;
+    OWN(lower_rotation_yy) = signed_U_0_sin * t45;
+    const LIMB4 t22 = OWN(lower_rotation_yy) * multipliers_1, t28 = OWN(lower_rotation_yy) * upper_sent_fy;
+    OWN(minus_lower_rotation_yx) = signed_U_0_sin * lower_cos;
+    OWN(t3) = OWN(minus_lower_rotation_yx) * multipliers_0 - t22;
+    OWN(minus_upper_position_y) = upper_offset_x * OWN(minus_lower_rotation_yx);
+    const LIMB4 t27 = OWN(minus_upper_rate_my_2) + upper_offset_x * upper_sent_fz;
+    OWN(minus_lower_sent_my) = t27 - (each_gravity_z_limb_lower_mx * signed_U_0_sin - t25);
     /* limbs together: reactions, eq. (32); geometry; momentum rate, eq. (35) */
-    OWN(own->P_reactions_fy) = t28 + U_0_cos * upper_sent_fz;
-    WRITE4(reactions, 7, 24, 43, 60, OWN(own->P_reactions_fy));
+    OWN(P_reactions_fy) = t28 + U_0_cos * upper_sent_fz;
+    WRITE4(reactions, 7, 24, 43, 60, OWN(P_reactions_fy));
     const LIMB4 t31 = signed_U_0_sin * upper_sent_fz;
-    OWN(own->signed_lower_rotation_zx) = U_0_cos * lower_cos;
-    OWN(own->signed_upper_position_z) = upper_offset_x * OWN(own->signed_lower_rotation_zx);
-    OWN(own->upper_position_x) = t45 * upper_offset_x + each_param_R;
-    const LIMB4 t41 = OWN(own->signed_lower_rotation_zx) * multipliers_0,
-      t33 = OWN(own->signed_upper_position_z) * OWN(own->P_reactions_fy),
-      t43 = OWN(own->upper_position_x) * OWN(own->P_reactions_fy);
-    OWN(own->signed_lower_rotation_zy) = U_0_cos * t45;
-    OWN(own->signed_P_reactions_fz) = OWN(own->signed_lower_rotation_zy) * upper_sent_fy - t31;
-    WRITE4(reactions, 8, 26, 44, 62, -sign3 * OWN(own->signed_P_reactions_fz));
-    const LIMB4 t35 = OWN(own->upper_position_x) * OWN(own->signed_P_reactions_fz);
-    OWN(own->t4) = t33 - OWN(own->minus_upper_position_y) * OWN(own->signed_P_reactions_fz);
+    OWN(signed_lower_rotation_zx) = U_0_cos * lower_cos;
+    OWN(signed_upper_position_z) = upper_offset_x * OWN(signed_lower_rotation_zx);
+    OWN(upper_position_x) = t45 * upper_offset_x + each_param_R;
+    const LIMB4 t41 = OWN(signed_lower_rotation_zx) * multipliers_0,
+      t33 = OWN(signed_upper_position_z) * OWN(P_reactions_fy), t43 = OWN(upper_position_x) * OWN(P_reactions_fy);
+    OWN(signed_lower_rotation_zy) = U_0_cos * t45;
+    OWN(signed_P_reactions_fz) = OWN(signed_lower_rotation_zy) * upper_sent_fy - t31;
+    WRITE4(reactions, 8, 26, 44, 62, -sign2 * OWN(signed_P_reactions_fz));
+    const LIMB4 t35 = OWN(upper_position_x) * OWN(signed_P_reactions_fz);
+    OWN(t4) = t33 - OWN(minus_upper_position_y) * OWN(signed_P_reactions_fz);
     const LIMB4 P_reactions_fx = lower_cos * upper_sent_fy;
     WRITE4(reactions, 6, 25, 42, 61, P_reactions_fx);
-    OWN(own->t5) = OWN(own->signed_upper_position_z) * P_reactions_fx + t35;
-    OWN(own->t13) = t43 + OWN(own->minus_upper_position_y) * P_reactions_fx;
-    OWN(own->t10) = t41 - OWN(own->signed_lower_rotation_zy) * multipliers_1;
-    OWN(own->minus_upper_rate_mz_2) = minus_upper_rate_mz - (k18 * U_a_1 + t37);
-    const LIMB4 t46 = sign2 * OF4(READ(multipliers_, 0), READ(multipliers_, 5), READ(multipliers_, 8), READ(multipliers_, 11));
-    OWN(own->t7) = t45 * t46 + lower_cos * IN_EACH4(READ, multipliers_, 1, 3);
-    OWN(own->checked) = checked;
+    OWN(t5) = OWN(signed_upper_position_z) * P_reactions_fx + t35;
+    OWN(t13) = t43 + OWN(minus_upper_position_y) * P_reactions_fx;
+    OWN(t10) = t41 - OWN(signed_lower_rotation_zy) * multipliers_1;
+    OWN(minus_upper_rate_mz_2) = minus_upper_rate_mz - (k18 * U_a_1 + t37);
+    const LIMB4 t46 = sign3 * OF4(READ(multipliers_, 0), READ(multipliers_, 5), READ(multipliers_, 8), READ(multipliers_, 11));
+    OWN(t7) = t45 * t46 + lower_cos * IN_EACH4(READ, multipliers_, 1, 3);
+    OWN(checked) = checked;
 }
 
 STAGE(forward_dynamics_reactions_wrenches, 1)(size_t limb, size_t stride, double *restrict reactions,
@@ -1608,14 +1587,14 @@ STAGE(forward_dynamics_reactions_wrenches, 1)(size_t limb, size_t stride, double
     (void)limb, (void)stride;
     const NUMBER4 sign1 = OF4(1.0, -1.0, -1.0, -1.0), sign2 = OF4(1.0, -1.0, 1.0, -1.0);
     /* limbs together: reciprocal wrenches, eq. (10); reactions, eq. (32) */
-    OWN(own->t8) = IN_EACH4(SINES, sine, 0, 2) * platform_turn_yy;
-    OWN(own->t9) = IN_EACH4(SINES, cosine, 0, 2) * platform_turn_zy;
-    OWN(own->U2_constraint_mn_couple_x) = OWN(own->t1) + sign1 * given;
-    OWN(own->minus_U2_joint_reaction_mx) = OWN(own->U2_constraint_mn_couple_x) * signed_upper_position_z;
-    OWN(own->S_reactions_fz) = given_2 + OWN(own->t10);
-    WRITE4(reactions, 14, 32, 50, 68, -sign2 * OWN(own->S_reactions_fz));
-    OWN(own->t11) = OWN(own->upper_position_x) * OWN(own->S_reactions_fz);
-    OWN(own->t14) = OWN(own->minus_upper_position_y) * OWN(own->S_reactions_fz);
+    OWN(t8) = IN_EACH4(SINES, sine, 0, 2) * platform_turn_yy;
+    OWN(t9) = IN_EACH4(SINES, cosine, 0, 2) * platform_turn_zy;
+    OWN(U2_constraint_mn_couple_x) = OWN(t1) + sign1 * given;
+    OWN(minus_U2_joint_reaction_mx) = OWN(U2_constraint_mn_couple_x) * signed_upper_position_z;
+    OWN(S_reactions_fz) = given_2 + OWN(t10);
+    WRITE4(reactions, 14, 32, 50, 68, -sign2 * OWN(S_reactions_fz));
+    OWN(t11) = OWN(upper_position_x) * OWN(S_reactions_fz);
+    OWN(t14) = OWN(minus_upper_position_y) * OWN(S_reactions_fz);
 }
 
 STAGE(forward_dynamics_reactions_wrenches, 2)(size_t limb, size_t stride, double *restrict reactions,
@@ -1624,34 +1603,34 @@ STAGE(forward_dynamics_reactions_wrenches, 2)(size_t limb, size_t stride, double
     LIMBS(forward_dynamics_reactions_wrenches) *own)
 {
     (void)limb, (void)stride;
-    const NUMBER4 sign1 = OF4(1.0, 1.0, -1.0, -1.0), each_param_R = OF4(param_R, param_R, -param_R, -param_R),
+    const NUMBER4 sign1 = OF4(1.0, 1.0, -1.0, -1.0), each_param_R = sign1 * param_R,
       sign2 = OF4(1.0, -1.0, -1.0, -1.0), sign3 = OF4(1.0, -1.0, 1.0, 1.0), sign4 = OF4(1.0, -1.0, 1.0, -1.0);
     const LIMB4 t18 = sign1 * IN_EACH4(SINES, sine, 1, 2), lower_cos = IN_EACH4(SINES, cosine, 1, 2);
     /* limbs together: balance, eqs. (40)-(47) */
-    OWN(own->lower_joint_sent_my) = t18 * lower_sent_mx - lower_cos * OWN(own->minus_lower_sent_my);
-    WRITE4(reactions, 3, 22, 39, 58, OWN(own->lower_joint_sent_my));
-    OWN(own->lower_joint_sent_mx) = lower_cos * lower_sent_mx + t18 * OWN(own->minus_lower_sent_my);
+    OWN(lower_joint_sent_my) = t18 * lower_sent_mx - lower_cos * OWN(minus_lower_sent_my);
+    WRITE4(reactions, 3, 22, 39, 58, OWN(lower_joint_sent_my));
+    OWN(lower_joint_sent_mx) = lower_cos * lower_sent_mx + t18 * OWN(minus_lower_sent_my);
     /* limbs together: reactions, eq. (32); reciprocal wrenches, eq. (10); balance, eqs. (40)-(47) */
-    const LIMB4 t6 = IN_EACH4(SINES, sine, 0, 2) * OWN(own->lower_joint_sent_mx),
-      t7 = IN_EACH4(SINES, cosine, 0, 2) * OWN(own->lower_joint_sent_mx),
-      U_reactions_my = each_param_R * OWN(own->signed_U_0_joint_sent_fy) - t6;
+    const LIMB4 t6 = IN_EACH4(SINES, sine, 0, 2) * OWN(lower_joint_sent_mx),
+      t7 = IN_EACH4(SINES, cosine, 0, 2) * OWN(lower_joint_sent_mx),
+      U_reactions_my = each_param_R * OWN(signed_U_0_joint_sent_fy) - t6;
     WRITE4(reactions, 4, 21, 40, 57, U_reactions_my);
-    LIMB4 checked = OWN(own->checked) + U_reactions_my;
-    const LIMB4 signed_U_reactions_mz = t7 - each_param_R * OWN(own->U_0_joint_sent_fx);
+    LIMB4 checked = OWN(checked) + U_reactions_my;
+    const LIMB4 signed_U_reactions_mz = t7 - each_param_R * OWN(U_0_joint_sent_fx);
     WRITE4(reactions, 5, 23, 41, 59, sign4 * signed_U_reactions_mz);
     checked = checked + signed_U_reactions_mz;
     const LIMB4 t15 = t18 * platform_turn_xy,
-      P_reactions_my = t18 * upper_rate_mx - lower_cos * OWN(own->minus_upper_rate_my_2) - OWN(own->t4);
+      P_reactions_my = t18 * upper_rate_mx - lower_cos * OWN(minus_upper_rate_my_2) - OWN(t4);
     WRITE4(reactions, 9, 28, 45, 64, P_reactions_my);
     checked = checked + P_reactions_my;
-    const LIMB4 t12 = OWN(own->lower_rotation_yy) * OWN(own->minus_upper_rate_my_2);
-    OWN(own->t6) = t12 + OWN(own->minus_lower_rotation_yx) * upper_rate_mx;
-    OWN(own->U2_constraint_mn_couple_z) = lower_cos * (sign2 * multipliers_5) - t15;
-    OWN(own->minus_U2_joint_reaction_mz) = OWN(own->U2_constraint_mn_couple_z) * signed_upper_position_z;
-    OWN(own->signed_upper_sent_mz) = sign3 * minus_upper_rate_mz_2 + OWN(own->minus_U2_joint_reaction_mz);
-    const LIMB4 t16 = OWN(own->signed_lower_rotation_zy) * OWN(own->minus_upper_rate_my_2);
-    OWN(own->t12) = t16 + OWN(own->signed_lower_rotation_zx) * upper_rate_mx;
-    OWN(own->checked) = checked;
+    const LIMB4 t12 = OWN(lower_rotation_yy) * OWN(minus_upper_rate_my_2);
+    OWN(t6) = t12 + OWN(minus_lower_rotation_yx) * upper_rate_mx;
+    OWN(U2_constraint_mn_couple_z) = lower_cos * (sign2 * multipliers_5) - t15;
+    OWN(minus_U2_joint_reaction_mz) = OWN(U2_constraint_mn_couple_z) * signed_upper_position_z;
+    OWN(signed_upper_sent_mz) = sign3 * minus_upper_rate_mz_2 + OWN(minus_U2_joint_reaction_mz);
+    const LIMB4 t16 = OWN(signed_lower_rotation_zy) * OWN(minus_upper_rate_my_2);
+    OWN(t12) = t16 + OWN(signed_lower_rotation_zx) * upper_rate_mx;
+    OWN(checked) = checked;
 }
 
 STAGE(forward_dynamics_reactions_wrenches, 3)(size_t limb, size_t stride, double *restrict reactions,
@@ -1661,14 +1640,14 @@ STAGE(forward_dynamics_reactions_wrenches, 3)(size_t limb, size_t stride, double
     (void)limb, (void)stride;
     const NUMBER4 sign1 = OF4(1.0, -1.0, 1.0, -1.0);
     /* limbs together: reactions, eq. (32) */
-    const LIMB4 P_reactions_my = OWN(own->t5) - (OWN(own->t6) + IN_EACH4(SINES, cosine, 0, 2) * minus_upper_rate_mz_2);
+    const LIMB4 P_reactions_my = OWN(t5) - (OWN(t6) + IN_EACH4(SINES, cosine, 0, 2) * minus_upper_rate_mz_2);
     WRITE4(reactions, 10, 27, 46, 63, P_reactions_my);
-    LIMB4 checked = OWN(own->checked) + P_reactions_my;
-    const LIMB4 P_reactions_mz = OWN(own->t12) - IN_EACH4(SINES, sine, 0, 2) * minus_upper_rate_mz_2 + OWN(own->t13);
+    LIMB4 checked = OWN(checked) + P_reactions_my;
+    const LIMB4 P_reactions_mz = OWN(t12) - IN_EACH4(SINES, sine, 0, 2) * minus_upper_rate_mz_2 + OWN(t13);
     WRITE4(reactions, 11, 29, 47, 65, sign1 * P_reactions_mz);
     checked = checked + P_reactions_mz;
-    OWN(own->signed_S_reactions_mz) = OWN(own->minus_upper_position_y) * S_reactions_fx - given;
-    OWN(own->checked) = checked;
+    OWN(signed_S_reactions_mz) = OWN(minus_upper_position_y) * S_reactions_fx - given;
+    OWN(checked) = checked;
 }
 
 BODY(three_ups_upu_s_forward_dynamics_reactions_wrenches)(size_t stride, const double *restrict q,

@@ -16,13 +16,10 @@ STAGE(body_poses, 0)(size_t limb, size_t stride, const double *restrict q, doubl
     const double *restrict sine, const double *restrict cosine, LIMBS(body_poses) *own)
 {
     (void)limb, (void)stride;
-    const NUMBER4 each_k1 = OF4(k1, -k1, k1, -k1), sign1 = OF4(1.0, -1.0, 1.0, -1.0),
-      each_k1_2 = OF4(-k1, k1, -k1, k1), factor_2 = OF4(0.5, -0.5, 0.5, -0.5),
-      each_param_R = OF4(param_R, param_R, -param_R, -param_R),
-      each_param_R_2 = OF4(-param_R, -param_R, param_R, param_R),
-      each_param_R_3 = OF4(-param_R, param_R, -param_R, param_R), factor_3 = OF4(-0.5, 0.5, -0.5, 0.5),
-      each_param_H = OF4(-param_H, param_H, -param_H, param_H), sign2 = OF4(1.0, 1.0, -1.0, -1.0),
-      sign3 = OF4(1.0, -1.0, -1.0, 1.0);
+    const NUMBER4 sign1 = OF4(1.0, -1.0, 1.0, -1.0), each_k1 = sign1 * k1, each_k1_2 = -sign1 * k1,
+      factor_2 = sign1 * 0.5, sign2 = OF4(1.0, 1.0, -1.0, -1.0), each_param_R = sign2 * param_R,
+      each_param_R_2 = -sign2 * param_R, each_param_R_3 = -sign1 * param_R, factor_3 = -sign1 * 0.5,
+      each_param_H = -sign1 * param_H, sign3 = OF4(1.0, -1.0, -1.0, 1.0);
     const LIMB4 lower_cos = IN_EACH4(SINES, cosine, 1, 2), t26 = sign1 * lower_cos,
       U_0_cos = IN_EACH4(SINES, cosine, 0, 2);
     /* limbs together: geometry */
@@ -31,17 +28,17 @@ STAGE(body_poses, 0)(size_t limb, size_t stride, const double *restrict q, doubl
     /* limbs together: results; geometry */
     const LIMB4 t5 = 0.5 * lower_rotation_zx, t27 = sign1 * signed_lower_sin,
       signed_lower_rotation_zy = U_0_cos * t27;
-    OWN(own->signed_lower_poses_Rzx) = t5 - each_k1 * signed_lower_rotation_zy;
-    WRITE4(poses, 14, 41, 62, 89, sign2 * OWN(own->signed_lower_poses_Rzx));
-    WRITE4(poses, 26, 53, 74, 101, sign2 * OWN(own->signed_lower_poses_Rzx));
-    const LIMB4 t13 = factor_2 * signed_lower_rotation_zy, lower_poses_z = param_R * OWN(own->signed_lower_poses_Rzx);
+    OWN(signed_lower_poses_Rzx) = t5 - each_k1 * signed_lower_rotation_zy;
+    WRITE4(poses, 14, 41, 62, 89, sign2 * OWN(signed_lower_poses_Rzx));
+    WRITE4(poses, 26, 53, 74, 101, sign2 * OWN(signed_lower_poses_Rzx));
+    const LIMB4 t13 = factor_2 * signed_lower_rotation_zy, lower_poses_z = param_R * OWN(signed_lower_poses_Rzx);
     WRITE4(poses, 23, 47, 71, 95, lower_poses_z);
     LIMB4 checked = lower_poses_z;
-    const LIMB4 t23 = 0.5 * OWN(own->signed_lower_poses_Rzx);
-    OWN(own->lower_poses_Rzz) = k1 * lower_rotation_zx + t13;
-    WRITE4(poses, 20, 44, 68, 92, OWN(own->lower_poses_Rzz));
-    WRITE4(poses, 32, 56, 80, 104, OWN(own->lower_poses_Rzz));
-    const LIMB4 t25 = t23 - param_H * OWN(own->lower_poses_Rzz),
+    const LIMB4 t23 = 0.5 * OWN(signed_lower_poses_Rzx);
+    OWN(lower_poses_Rzz) = k1 * lower_rotation_zx + t13;
+    WRITE4(poses, 20, 44, 68, 92, OWN(lower_poses_Rzz));
+    WRITE4(poses, 32, 56, 80, 104, OWN(lower_poses_Rzz));
+    const LIMB4 t25 = t23 - param_H * OWN(lower_poses_Rzz),
       upper_offset_x = IN_EACH4(READ, q, 2, 3) + limb_upper_phase,
       upper_poses_z = upper_offset_x * lower_rotation_zx + t25;
     WRITE4(poses, 35, 59, 83, 107, upper_poses_z);
@@ -49,17 +46,17 @@ STAGE(body_poses, 0)(size_t limb, size_t stride, const double *restrict q, doubl
     const LIMB4 t3 = 0.5 * signed_lower_rotation_yx, signed_lower_rotation_yy = signed_U_0_sin * t27,
       t9 = (-k1) * signed_lower_rotation_yx, t29 = sign1 * (upper_offset_x * signed_lower_rotation_yx),
       signed_upper_position_x = t27 * upper_offset_x + each_param_R_3;
-    OWN(own->signed_lower_poses_Ryx) = t3 - each_k1 * signed_lower_rotation_yy;
-    WRITE4(poses, 13, 39, 61, 87, -sign3 * OWN(own->signed_lower_poses_Ryx));
-    WRITE4(poses, 25, 51, 73, 99, -sign3 * OWN(own->signed_lower_poses_Ryx));
+    OWN(signed_lower_poses_Ryx) = t3 - each_k1 * signed_lower_rotation_yy;
+    WRITE4(poses, 13, 39, 61, 87, -sign3 * OWN(signed_lower_poses_Ryx));
+    WRITE4(poses, 25, 51, 73, 99, -sign3 * OWN(signed_lower_poses_Ryx));
     const LIMB4 t11 = t9 - factor_2 * signed_lower_rotation_yy;
     WRITE4(poses, 19, 42, 67, 90, sign1 * t11);
     WRITE4(poses, 31, 54, 79, 102, sign1 * t11);
     checked = checked + t11;
-    const LIMB4 t20 = each_param_H * t11, t15 = each_param_R_3 * OWN(own->signed_lower_poses_Ryx);
+    const LIMB4 t20 = each_param_H * t11, t15 = each_param_R_3 * OWN(signed_lower_poses_Ryx);
     WRITE4(poses, 22, 45, 70, 93, t15);
     checked = checked + t15;
-    const LIMB4 t22 = t20 - sign1 * (0.5 * OWN(own->signed_lower_poses_Ryx)) - t29;
+    const LIMB4 t22 = t20 - sign1 * (0.5 * OWN(signed_lower_poses_Ryx)) - t29;
     WRITE4(poses, 34, 57, 82, 105, t22);
     checked = checked + t22;
     const LIMB4 lower_poses_Rxx = 0.5 * signed_lower_sin + each_k1 * lower_cos;
@@ -68,64 +65,63 @@ STAGE(body_poses, 0)(size_t limb, size_t stride, const double *restrict q, doubl
     const LIMB4 t16 = factor_3 * lower_poses_Rxx, lower_poses_x = each_param_R * lower_poses_Rxx + each_param_R_2;
     WRITE4(poses, 21, 46, 69, 94, lower_poses_x);
     checked = checked + lower_poses_x;
-    OWN(own->signed_lower_poses_Rxz) = each_k1_2 * signed_lower_sin + 0.5 * lower_cos;
-    WRITE4(poses, 18, 43, 66, 91, -sign3 * OWN(own->signed_lower_poses_Rxz));
-    WRITE4(poses, 30, 55, 78, 103, -sign3 * OWN(own->signed_lower_poses_Rxz));
-    const LIMB4 signed_upper_poses_x = t16 - param_H * OWN(own->signed_lower_poses_Rxz) - signed_upper_position_x;
+    OWN(signed_lower_poses_Rxz) = each_k1_2 * signed_lower_sin + 0.5 * lower_cos;
+    WRITE4(poses, 18, 43, 66, 91, -sign3 * OWN(signed_lower_poses_Rxz));
+    WRITE4(poses, 30, 55, 78, 103, -sign3 * OWN(signed_lower_poses_Rxz));
+    const LIMB4 signed_upper_poses_x = t16 - param_H * OWN(signed_lower_poses_Rxz) - signed_upper_position_x;
     WRITE4(poses, 33, 58, 81, 106, -sign3 * signed_upper_poses_x);
     checked = checked + signed_upper_poses_x;
-    OWN(own->checked) = checked;
+    OWN(checked) = checked;
 }
 
 BODY(three_ups_upu_s_body_poses)(size_t stride, const double *restrict q, double *restrict poses,
     const double *restrict sine, const double *restrict cosine, double *restrict total)
 {
     LIMBS(body_poses) limbs;
-    FIRST_LIMB(0, body_poses, 0, stride, q, poses, sine, cosine, &limbs);
-    /* limb1: results */
-    REAL checked0 = limbs.signed_lower_poses_Ryx[0];
-    REAL checked1 = ALONE(limbs.checked[0]);
-    NEXT_LIMB(1, body_poses, 0, stride, q, poses, sine, cosine, &limbs);
-    REAL checked2 = limbs.signed_lower_poses_Ryx[1];
-    REAL checked3 = limbs.signed_lower_poses_Rzx[1];
-    checked0 = checked0 + limbs.lower_poses_Rzz[1];
-    checked1 = checked1 + ALONE(limbs.checked[1]);
-    NEXT_LIMB(2, body_poses, 0, stride, q, poses, sine, cosine, &limbs);
-    checked2 = checked2 + limbs.signed_lower_poses_Rzx[2];
-    checked3 = checked3 + limbs.signed_lower_poses_Rxz[2];
-    checked0 = checked0 + ALONE(limbs.checked[2]);
-    NEXT_LIMB(3, body_poses, 0, stride, q, poses, sine, cosine, &limbs);
-    checked1 = checked1 + limbs.signed_lower_poses_Rxz[3];
-    checked2 = checked2 + limbs.lower_poses_Rzz[3];
-    checked3 = checked3 + ALONE(limbs.checked[3]);
-    const REAL minus_limb2_U_0_cos = SINES(sine, 2);
-    checked0 = checked0 + minus_limb2_U_0_cos;
-    const REAL minus_limb2_U_0_cos_2 = -minus_limb2_U_0_cos;
-    WRITE(poses, 38, minus_limb2_U_0_cos_2);
-    WRITE(poses, 50, minus_limb2_U_0_cos_2);
+    /* limb4: geometry; results */
     const REAL minus_limb4_U_0_cos = SINES(sine, 6);
-    checked1 = checked1 + minus_limb4_U_0_cos;
+    REAL checked0 = minus_limb4_U_0_cos;
     const REAL minus_limb4_U_0_cos_2 = -minus_limb4_U_0_cos;
     WRITE(poses, 86, minus_limb4_U_0_cos_2);
     WRITE(poses, 98, minus_limb4_U_0_cos_2);
+    const REAL minus_limb2_U_0_cos = SINES(sine, 2);
+    REAL checked1 = minus_limb2_U_0_cos;
+    const REAL minus_limb2_U_0_cos_2 = -minus_limb2_U_0_cos;
+    WRITE(poses, 38, minus_limb2_U_0_cos_2);
+    WRITE(poses, 50, minus_limb2_U_0_cos_2);
+    FIRST_LIMB(3, body_poses, 0, stride, q, poses, sine, cosine, &limbs);
+    REAL checked2 = limbs.signed_lower_poses_Rxz[3];
+    REAL checked3 = limbs.lower_poses_Rzz[3];
+    checked0 = checked0 + ALONE(limbs.checked[3]);
+    NEXT_LIMB(2, body_poses, 0, stride, q, poses, sine, cosine, &limbs);
+    checked1 = checked1 + limbs.signed_lower_poses_Rzx[2];
+    checked2 = checked2 + limbs.signed_lower_poses_Rxz[2];
+    checked3 = checked3 + ALONE(limbs.checked[2]);
+    NEXT_LIMB(1, body_poses, 0, stride, q, poses, sine, cosine, &limbs);
+    checked0 = checked0 + limbs.signed_lower_poses_Ryx[1];
+    checked1 = checked1 + limbs.signed_lower_poses_Rzx[1];
+    checked2 = checked2 + limbs.lower_poses_Rzz[1];
+    checked3 = checked3 + ALONE(limbs.checked[1]);
+    NEXT_LIMB(0, body_poses, 0, stride, q, poses, sine, cosine, &limbs);
+    checked0 = checked0 + limbs.signed_lower_poses_Ryx[0];
+    checked1 = checked1 + ALONE(limbs.checked[0]);
     /* limb5_S: geometry */
     const REAL limb5_S_q_qw = READ(q, 12), limb5_S_q_qx = READ(q, 13), t4 = limb5_S_q_qw * limb5_S_q_qw,
       t5 = limb5_S_q_qx * limb5_S_q_qx, limb5_S_q_qy = READ(q, 14), t6 = t4 + t5, t1 = limb5_S_q_qy * limb5_S_q_qy,
-      limb5_S_q_qz = READ(q, 15), t2 = limb5_S_q_qz * limb5_S_q_qz, t3 = t1 + t2, t7 = t6 + t3, t9 = 4.0 - 2.0 * t7;
-    RESULT(checked2, poses, 0, 1.0 - t3 * t9);
-    const REAL t22 = t5 + t1;
-    RESULT(checked3, poses, 4, 1.0 - t9 * (t5 + t2));
-    RESULT(checked0, poses, 8, 1.0 - t9 * t22);
-    const REAL t11 = limb5_S_q_qy * t9, t12 = limb5_S_q_qx * t11, t16 = limb5_S_q_qw * t11, t13 = limb5_S_q_qz * t9,
-      t21 = limb5_S_q_qw * (limb5_S_q_qx * t9), t14 = limb5_S_q_qw * t13;
-    RESULT(checked1, poses, 1, t12 + t14);
-    RESULT(checked2, poses, 3, t12 - t14);
-    const REAL t15 = limb5_S_q_qx * t13;
-    RESULT(checked3, poses, 2, t15 - t16);
-    RESULT(checked0, poses, 6, t15 + t16);
-    const REAL t19 = limb5_S_q_qy * t13;
-    RESULT(checked1, poses, 5, t19 + t21);
-    RESULT(checked2, poses, 7, t19 - t21);
+      limb5_S_q_qz = READ(q, 15), t2 = limb5_S_q_qz * limb5_S_q_qz, t3 = t1 + t2, t7 = t6 + t3, t9 = 4.0 - 2.0 * t7,
+      t17 = t5 + t2;
+    RESULT(checked2, poses, 8, 1.0 - t9 * (t5 + t1));
+    RESULT(checked3, poses, 4, 1.0 - t9 * t17);
+    RESULT(checked0, poses, 0, 1.0 - t3 * t9);
+    const REAL t13 = limb5_S_q_qz * t9, t19 = limb5_S_q_qy * t13, t21 = limb5_S_q_qw * (limb5_S_q_qx * t9);
+    RESULT(checked1, poses, 7, t19 - t21);
+    RESULT(checked2, poses, 5, t19 + t21);
+    const REAL t11 = limb5_S_q_qy * t9, t15 = limb5_S_q_qx * t13, t14 = limb5_S_q_qw * t13, t16 = limb5_S_q_qw * t11;
+    RESULT(checked3, poses, 6, t15 + t16);
+    RESULT(checked0, poses, 2, t15 - t16);
+    const REAL t12 = limb5_S_q_qx * t11;
+    RESULT(checked1, poses, 3, t12 - t14);
+    RESULT(checked2, poses, 1, t12 + t14);
     const REAL limb1_U_0_cos = SINES(cosine, 0);
     WRITE(poses, 16, limb1_U_0_cos);
     WRITE(poses, 28, limb1_U_0_cos);
@@ -189,17 +185,17 @@ STAGE(body_twists, 0)(size_t limb, size_t stride, const double *restrict v, doub
     WRITE4(twists, 7, 18, 31, 42, sign1 * signed_lower_twist_wy);
     WRITE4(twists, 13, 24, 37, 48, sign1 * signed_lower_twist_wy);
     checked = checked + signed_lower_twist_wy;
-    OWN(own->signed_lower_twist_vz) = t3 * signed_U_1_screw_vz;
-    WRITE4(twists, 11, 23, 35, 47, -sign3 * OWN(own->signed_lower_twist_vz));
-    const LIMB4 signed_upper_twist_vz = t2 - OWN(own->signed_lower_twist_vz);
+    OWN(signed_lower_twist_vz) = t3 * signed_U_1_screw_vz;
+    WRITE4(twists, 11, 23, 35, 47, -sign3 * OWN(signed_lower_twist_vz));
+    const LIMB4 signed_upper_twist_vz = t2 - OWN(signed_lower_twist_vz);
     WRITE4(twists, 17, 29, 41, 53, sign3 * signed_upper_twist_vz);
     checked = checked + signed_upper_twist_vz;
-    OWN(own->lower_twist_vy) = t3 * signed_U_1_screw_vy;
-    WRITE4(twists, 10, 21, 34, 45, OWN(own->lower_twist_vy));
-    const LIMB4 upper_twist_vy = OWN(own->lower_twist_vy) - P_v * (signed_U_0_sin * lower_cos);
+    OWN(lower_twist_vy) = t3 * signed_U_1_screw_vy;
+    WRITE4(twists, 10, 21, 34, 45, OWN(lower_twist_vy));
+    const LIMB4 upper_twist_vy = OWN(lower_twist_vy) - P_v * (signed_U_0_sin * lower_cos);
     WRITE4(twists, 16, 27, 40, 51, upper_twist_vy);
     checked = checked + upper_twist_vy;
-    OWN(own->checked) = checked;
+    OWN(checked) = checked;
 }
 
 BODY(three_ups_upu_s_body_twists)(size_t stride, const double *restrict q, const double *restrict v,
@@ -285,10 +281,10 @@ STAGE(body_twist_rates, 0)(size_t limb, size_t stride, const double *restrict v,
       sign3 = OF4(1.0, -1.0, 1.0, -1.0);
     const LIMB4 U_v_0 = IN_EACH4(READ, v, 0, 3), U_v_1 = IN_EACH4(READ, v, 1, 3), U_a_1 = IN_EACH4(READ, a, 1, 3);
     /* limbs together: accelerations; geometry; velocities, eq. (6) */
-    OWN(own->signed_lower_twist_rate_vz) = U_a_1 * signed_U_1_screw_vz - U_v_1 * (U_v_0 * signed_U_1_screw_vy);
-    WRITE4(twist_rates, 11, 23, 35, 47, -sign2 * OWN(own->signed_lower_twist_rate_vz));
+    OWN(signed_lower_twist_rate_vz) = U_a_1 * signed_U_1_screw_vz - U_v_1 * (U_v_0 * signed_U_1_screw_vy);
+    WRITE4(twist_rates, 11, 23, 35, 47, -sign2 * OWN(signed_lower_twist_rate_vz));
     const LIMB4 U_0_cos = IN_EACH4(SINES, cosine, 0, 2), lower_cos = IN_EACH4(SINES, cosine, 1, 2),
-      t33 = sign1 * OWN(own->signed_lower_twist_rate_vz), signed_lower_rotation_zx = U_0_cos * lower_cos,
+      t33 = sign1 * OWN(signed_lower_twist_rate_vz), signed_lower_rotation_zx = U_0_cos * lower_cos,
       P_a = IN_EACH4(READ, a, 2, 3), signed_U_0_sin = IN_EACH4(SINES, sine, 0, 2),
       t25 = t33 - P_a * signed_lower_rotation_zx, minus_lower_rotation_yx = signed_U_0_sin * lower_cos,
       t26 = U_v_0 * minus_lower_rotation_yx, t32 = sign1 * IN_EACH4(SINES, sine, 1, 2),
@@ -297,9 +293,9 @@ STAGE(body_twist_rates, 0)(size_t limb, size_t stride, const double *restrict v,
     WRITE4(twist_rates, 17, 29, 41, 53, -sign3 * signed_upper_twist_rate_vz);
     LIMB4 checked = signed_upper_twist_rate_vz;
     const LIMB4 t14 = signed_lower_rotation_zx * lower_twist_wy, t21 = U_v_0 * signed_lower_rotation_zx;
-    OWN(own->lower_twist_rate_vy) = sign1 * (U_a_1 * signed_U_1_screw_vy) + sign1 * (U_v_1 * (U_v_0 * signed_U_1_screw_vz));
-    WRITE4(twist_rates, 10, 21, 34, 45, OWN(own->lower_twist_rate_vy));
-    const LIMB4 t19 = OWN(own->lower_twist_rate_vy) - P_a * minus_lower_rotation_yx,
+    OWN(lower_twist_rate_vy) = sign1 * (U_a_1 * signed_U_1_screw_vy) + sign1 * (U_v_1 * (U_v_0 * signed_U_1_screw_vz));
+    WRITE4(twist_rates, 10, 21, 34, 45, OWN(lower_twist_rate_vy));
+    const LIMB4 t19 = OWN(lower_twist_rate_vy) - P_a * minus_lower_rotation_yx,
       signed_lower_twist_wz = U_v_1 * signed_U_0_sin, t16 = t14 + minus_lower_rotation_yx * signed_lower_twist_wz,
       upper_twist_rate_vy = t19 + P_v * (t32 * signed_lower_twist_wz - t21);
     WRITE4(twist_rates, 16, 27, 40, 51, upper_twist_rate_vy);
@@ -315,7 +311,7 @@ STAGE(body_twist_rates, 0)(size_t limb, size_t stride, const double *restrict v,
     WRITE4(twist_rates, 7, 18, 31, 42, lower_twist_rate_wy);
     WRITE4(twist_rates, 13, 24, 37, 48, lower_twist_rate_wy);
     checked = checked + lower_twist_rate_wy;
-    OWN(own->checked) = checked;
+    OWN(checked) = checked;
 }
 
 BODY(three_ups_upu_s_body_twist_rates)(size_t stride, const double *restrict q, const double *restrict v,
@@ -912,9 +908,9 @@ STAGE(joint_points, 0)(size_t limb, size_t stride, const double *restrict q, dou
     /* limbs together: geometry; results */
     const LIMB4 signed_lower_rotation_zx = IN_EACH4(SINES, cosine, 0, 2) * lower_cos,
       t3 = limb_upper_phase * signed_lower_rotation_zx, upper_offset_x = IN_EACH4(READ, q, 2, 3) + limb_upper_phase;
-    OWN(own->signed_upper_position_z) = upper_offset_x * signed_lower_rotation_zx;
-    WRITE4(points, 8, 17, 26, 35, sign1 * OWN(own->signed_upper_position_z));
-    const LIMB4 signed_P_points_z = t3 - OWN(own->signed_upper_position_z);
+    OWN(signed_upper_position_z) = upper_offset_x * signed_lower_rotation_zx;
+    WRITE4(points, 8, 17, 26, 35, sign1 * OWN(signed_upper_position_z));
+    const LIMB4 signed_P_points_z = t3 - OWN(signed_upper_position_z);
     WRITE4(points, 5, 14, 23, 32, -sign1 * signed_P_points_z);
     LIMB4 checked = signed_P_points_z;
     const LIMB4 minus_lower_rotation_yx = IN_EACH4(SINES, sine, 0, 2) * lower_cos,
@@ -926,12 +922,12 @@ STAGE(joint_points, 0)(size_t limb, size_t stride, const double *restrict q, dou
     WRITE4(points, 4, 12, 22, 30, P_points_y);
     checked = checked + P_points_y;
     const LIMB4 signed_lower_sin = IN_EACH4(SINES, sine, 1, 2);
-    OWN(own->signed_upper_position_x) = signed_lower_sin * upper_offset_x + (-param_R);
-    WRITE4(points, 6, 16, 24, 34, sign2 * OWN(own->signed_upper_position_x));
-    const LIMB4 P_points_x = limb_upper_phase * signed_lower_sin - OWN(own->signed_upper_position_x);
+    OWN(signed_upper_position_x) = signed_lower_sin * upper_offset_x + (-param_R);
+    WRITE4(points, 6, 16, 24, 34, sign2 * OWN(signed_upper_position_x));
+    const LIMB4 P_points_x = limb_upper_phase * signed_lower_sin - OWN(signed_upper_position_x);
     WRITE4(points, 3, 13, 21, 31, -sign2 * P_points_x);
     checked = checked + P_points_x;
-    OWN(own->checked) = checked;
+    OWN(checked) = checked;
 }
 
 BODY(three_ups_upu_s_joint_points)(size_t stride, const double *restrict q, double *restrict points,
@@ -1191,28 +1187,28 @@ STAGE(inverse_kinematics, 0)(size_t limb, size_t stride, double *restrict q, con
     LIMBS(inverse_kinematics) *own)
 {
     (void)limb, (void)stride;
-    const NUMBER4 sign1 = OF4(1.0, 1.0, -1.0, -1.0), each_param_R = OF4(param_R, -param_R, -param_R, -param_R),
-      each_k1 = OF4(k1, -k1, -k1, -k1), factor_2 = OF4(0.5, -0.5, -0.5, -0.5);
+    const NUMBER4 sign1 = OF4(1.0, 1.0, -1.0, -1.0), sign2 = OF4(1.0, -1.0, -1.0, -1.0),
+      each_param_R = sign2 * param_R, each_k1 = sign2 * k1, factor_2 = sign2 * 0.5;
     /* limbs together: geometry; reciprocal wrenches, eq. (10); results */
-    const LIMB4 signed_lower_limb_target_x = OWN(given) - sign1 * OWN(given_2),
+    const LIMB4 signed_lower_limb_target_x = GIVEN(given) - sign1 * GIVEN(given_2),
       t1 = signed_lower_limb_target_x * signed_lower_limb_target_x,
-      signed_lower_limb_target_y = OWN(given_3) - sign1 * OWN(given_4),
+      signed_lower_limb_target_y = GIVEN(given_3) - sign1 * GIVEN(given_4),
       t3 = t1 + signed_lower_limb_target_y * signed_lower_limb_target_y, signed_U_0_lever_mz_by_S_fz = SQRT4(t3),
       t4 = 1.0 / signed_U_0_lever_mz_by_S_fz;
-    OWN(own->signed_U_0_sin) = signed_lower_limb_target_x * t4;
-    OWN(own->signed_U_0_cos) = signed_lower_limb_target_y * t4;
-    const LIMB4 signed_lower_limb_target_z = OWN(given_5) - sign1 * OWN(given_6) + each_param_R,
+    OWN(signed_U_0_sin) = signed_lower_limb_target_x * t4;
+    OWN(signed_U_0_cos) = signed_lower_limb_target_y * t4;
+    const LIMB4 signed_lower_limb_target_z = GIVEN(given_5) - sign1 * GIVEN(given_6) + each_param_R,
       lower_limb_length = SQRT4(t3 + signed_lower_limb_target_z * signed_lower_limb_target_z),
       P_q = lower_limb_length + (-limb_upper_phase);
     WRITE4(q, 2, 5, 8, 11, P_q);
     LIMB4 checked = P_q;
     const LIMB4 t7 = 1.0 / lower_limb_length;
-    OWN(own->signed_lower_sin) = signed_lower_limb_target_z * t7;
-    OWN(own->signed_lower_cos) = signed_U_0_lever_mz_by_S_fz * t7;
-    const LIMB4 t11 = factor_2 * OWN(own->signed_lower_sin);
-    OWN(own->t1) = each_k1 * OWN(own->signed_lower_sin) - 0.5 * OWN(own->signed_lower_cos);
-    OWN(own->t2) = k1 * OWN(own->signed_lower_cos) + t11;
-    OWN(own->checked) = checked;
+    OWN(signed_lower_sin) = signed_lower_limb_target_z * t7;
+    OWN(signed_lower_cos) = signed_U_0_lever_mz_by_S_fz * t7;
+    const LIMB4 t11 = factor_2 * OWN(signed_lower_sin);
+    OWN(t1) = each_k1 * OWN(signed_lower_sin) - 0.5 * OWN(signed_lower_cos);
+    OWN(t2) = k1 * OWN(signed_lower_cos) + t11;
+    OWN(checked) = checked;
 }
 
 BODY(three_ups_upu_s_inverse_kinematics)(size_t stride, const double *restrict pose, double *restrict q,
@@ -1248,28 +1244,26 @@ BODY(three_ups_upu_s_inverse_kinematics)(size_t stride, const double *restrict p
     const EACH4 given_5 = {t26, t32, t26, t32};
     FIRST_LIMB(0, inverse_kinematics, 0, stride, q, given, given_2, given_3, given_4, given_5, given_6, &limbs);
     REAL checked0 = ALONE(limbs.checked[0]);
-    /* limb1: results; loop closure */
-    const REAL limb1_U_q_1 = atan2(limbs.t1[0], limbs.t2[0]);
+    const REAL t36 = limbs.signed_lower_sin[0] * (platform_turn_yy * limbs.signed_U_0_sin[0] + platform_turn_zy * limbs.signed_U_0_cos[0]), /* limb1 */
+      limb1_U2_opening_mn = t36 + platform_turn_xy * limbs.signed_lower_cos[0],
+      t38 = limb1_U2_opening_mn * limb1_U2_opening_mn, limb1_U_q_1 = atan2(limbs.t1[0], limbs.t2[0]);
     WRITE(q, 1, limb1_U_q_1);
     REAL checked1 = limb1_U_q_1;
-    const REAL t36 = limbs.signed_lower_sin[0] * (platform_turn_yy * limbs.signed_U_0_sin[0] + platform_turn_zy * limbs.signed_U_0_cos[0]),
-      limb1_U2_opening_mn = t36 + platform_turn_xy * limbs.signed_lower_cos[0],
-      t38 = limb1_U2_opening_mn * limb1_U2_opening_mn,
-      limb1_U_q_0 = atan2(limbs.signed_U_0_sin[0], -limbs.signed_U_0_cos[0]);
-    WRITE(q, 0, limb1_U_q_0);
-    REAL checked2 = limb1_U_q_0;
-    NEXT_LIMB(1, inverse_kinematics, 0, stride, q, given, given_2, given_3, given_4, given_5, given_6, &limbs);
-    REAL checked3 = ALONE(limbs.checked[1]);
-    RESULT(checked0, q, 3, atan2(limbs.signed_U_0_cos[1], limbs.signed_U_0_sin[1]));
-    RESULT(checked1, q, 4, atan2(-limbs.t1[1], limbs.t2[1]));
-    NEXT_LIMB(2, inverse_kinematics, 0, stride, q, given, given_2, given_3, given_4, given_5, given_6, &limbs);
-    checked2 = checked2 + ALONE(limbs.checked[2]);
     NEXT_LIMB(3, inverse_kinematics, 0, stride, q, given, given_2, given_3, given_4, given_5, given_6, &limbs);
-    checked3 = checked3 + ALONE(limbs.checked[3]);
+    REAL checked2 = ALONE(limbs.checked[3]);
+    const REAL limb4_U_q_1 = atan2(limbs.t1[3], limbs.t2[3]);
+    WRITE(q, 10, limb4_U_q_1);
+    REAL checked3 = limb4_U_q_1;
     RESULT(checked0, q, 9, atan2(limbs.signed_U_0_cos[3], limbs.signed_U_0_sin[3]));
-    RESULT(checked1, q, 10, atan2(limbs.t1[3], limbs.t2[3]));
-    RESULT(checked2, q, 6, atan2(-limbs.signed_U_0_sin[2], limbs.signed_U_0_cos[2]));
-    RESULT(checked3, q, 7, atan2(-limbs.t1[2], limbs.t2[2]));
+    NEXT_LIMB(2, inverse_kinematics, 0, stride, q, given, given_2, given_3, given_4, given_5, given_6, &limbs);
+    checked1 = checked1 + ALONE(limbs.checked[2]);
+    NEXT_LIMB(1, inverse_kinematics, 0, stride, q, given, given_2, given_3, given_4, given_5, given_6, &limbs);
+    checked2 = checked2 + ALONE(limbs.checked[1]);
+    RESULT(checked3, q, 3, atan2(limbs.signed_U_0_cos[1], limbs.signed_U_0_sin[1]));
+    RESULT(checked0, q, 7, atan2(-limbs.t1[2], limbs.t2[2]));
+    RESULT(checked1, q, 6, atan2(-limbs.signed_U_0_sin[2], limbs.signed_U_0_cos[2]));
+    RESULT(checked2, q, 4, atan2(-limbs.t1[1], limbs.t2[1]));
+    RESULT(checked3, q, 0, atan2(limbs.signed_U_0_sin[0], -limbs.signed_U_0_cos[0]));
     /* else status 5: no rotation */
     NOT_BELOW(t7, 0.999999, 5);
     NOT_ABOVE(t7, 1.000001, 5);
@@ -1356,24 +1350,25 @@ STAGE(inverse_velocity, 0)(size_t limb, size_t stride, const EACH4 given, const 
     LIMBS(inverse_velocity) *own)
 {
     (void)limb, (void)stride;
-    const NUMBER4 sign1 = OF4(1.0, 1.0, -1.0, -1.0), each_param_R = OF4(-param_R, param_R, -param_R, -param_R);
+    const NUMBER4 sign1 = OF4(1.0, 1.0, -1.0, -1.0), sign2 = OF4(1.0, -1.0, 1.0, 1.0),
+      each_param_R = -sign2 * param_R;
     /* limbs together: geometry; reciprocal wrenches, eq. (10) */
-    OWN(own->signed_lower_limb_target_x) = OWN(given) - sign1 * OWN(given_2);
-    const LIMB4 t1 = OWN(own->signed_lower_limb_target_x) * OWN(own->signed_lower_limb_target_x);
-    OWN(own->signed_lower_limb_target_y) = OWN(given_3) - sign1 * OWN(given_4);
-    const LIMB4 t3 = t1 + OWN(own->signed_lower_limb_target_y) * OWN(own->signed_lower_limb_target_y);
-    OWN(own->signed_U_0_lever_mz_by_S_fz) = SQRT4(t3);
-    OWN(own->t1) = 1.0 / OWN(own->signed_U_0_lever_mz_by_S_fz);
-    OWN(own->signed_U_0_cos) = OWN(own->signed_lower_limb_target_y) * OWN(own->t1);
-    OWN(own->signed_U_0_sin) = OWN(own->signed_lower_limb_target_x) * OWN(own->t1);
-    OWN(own->signed_upper_position_x) = OWN(given_5) - sign1 * OWN(given_6);
-    const LIMB4 signed_lower_limb_target_z = OWN(own->signed_upper_position_x) + each_param_R;
-    OWN(own->lower_limb_length) = SQRT4(t3 + signed_lower_limb_target_z * signed_lower_limb_target_z);
-    LIMB4 checked = OWN(own->lower_limb_length);
-    OWN(own->t2) = 1.0 / OWN(own->lower_limb_length);
-    OWN(own->signed_lower_sin) = signed_lower_limb_target_z * OWN(own->t2);
-    OWN(own->signed_lower_cos) = OWN(own->signed_U_0_lever_mz_by_S_fz) * OWN(own->t2);
-    OWN(own->checked) = checked;
+    OWN(signed_lower_limb_target_x) = GIVEN(given) - sign1 * GIVEN(given_2);
+    const LIMB4 t1 = OWN(signed_lower_limb_target_x) * OWN(signed_lower_limb_target_x);
+    OWN(signed_lower_limb_target_y) = GIVEN(given_3) - sign1 * GIVEN(given_4);
+    const LIMB4 t3 = t1 + OWN(signed_lower_limb_target_y) * OWN(signed_lower_limb_target_y);
+    OWN(signed_U_0_lever_mz_by_S_fz) = SQRT4(t3);
+    OWN(t1) = 1.0 / OWN(signed_U_0_lever_mz_by_S_fz);
+    OWN(signed_U_0_cos) = OWN(signed_lower_limb_target_y) * OWN(t1);
+    OWN(signed_U_0_sin) = OWN(signed_lower_limb_target_x) * OWN(t1);
+    OWN(signed_upper_position_x) = GIVEN(given_5) - sign1 * GIVEN(given_6);
+    const LIMB4 signed_lower_limb_target_z = OWN(signed_upper_position_x) + each_param_R;
+    OWN(lower_limb_length) = SQRT4(t3 + signed_lower_limb_target_z * signed_lower_limb_target_z);
+    LIMB4 checked = OWN(lower_limb_length);
+    OWN(t2) = 1.0 / OWN(lower_limb_length);
+    OWN(signed_lower_sin) = signed_lower_limb_target_z * OWN(t2);
+    OWN(signed_lower_cos) = OWN(signed_U_0_lever_mz_by_S_fz) * OWN(t2);
+    OWN(checked) = checked;
 }
 
 STAGE(inverse_velocity, 1)(size_t limb, size_t stride, double *restrict v, const EACH4 platform_twist_wz,
@@ -1382,24 +1377,23 @@ STAGE(inverse_velocity, 1)(size_t limb, size_t stride, double *restrict v, const
     (void)limb, (void)stride;
     const NUMBER4 sign1 = OF4(1.0, 1.0, -1.0, 1.0);
     /* limbs together: loop closure; velocities, eq. (6) */
-    const LIMB4 t1 = OWN(own->signed_upper_position_x) * OWN(platform_twist_wz),
-      t3 = t1 - OWN(own->signed_lower_limb_target_y) * OWN(platform_twist_wx), t9 = t3 * OWN(own->signed_U_0_sin),
-      t4 = t3 * OWN(own->signed_U_0_cos), t6 = OWN(own->signed_upper_position_x) * OWN(platform_twist_wy),
-      t7 = t6 - OWN(own->signed_lower_limb_target_x) * OWN(platform_twist_wx),
-      t11 = t9 - t7 * OWN(own->signed_U_0_cos),
-      minus_U_0_omega_z = OWN(own->t1) * (t4 + t7 * OWN(own->signed_U_0_sin));
+    const LIMB4 t1 = OWN(signed_upper_position_x) * GIVEN(platform_twist_wz),
+      t3 = t1 - OWN(signed_lower_limb_target_y) * GIVEN(platform_twist_wx), t9 = t3 * OWN(signed_U_0_sin),
+      t4 = t3 * OWN(signed_U_0_cos), t6 = OWN(signed_upper_position_x) * GIVEN(platform_twist_wy),
+      t7 = t6 - OWN(signed_lower_limb_target_x) * GIVEN(platform_twist_wx), t11 = t9 - t7 * OWN(signed_U_0_cos),
+      minus_U_0_omega_z = OWN(t1) * (t4 + t7 * OWN(signed_U_0_sin));
     WRITE4(v, 0, 3, 6, 9, -minus_U_0_omega_z);
-    LIMB4 checked = OWN(own->checked) + minus_U_0_omega_z;
-    const LIMB4 t17 = OWN(own->signed_lower_cos) * t11, t12 = OWN(own->signed_lower_sin) * t11,
-      t14 = OWN(own->signed_lower_limb_target_x) * OWN(platform_twist_wz),
-      t15 = t14 - OWN(own->signed_lower_limb_target_y) * OWN(platform_twist_wy),
-      minus_S_opening_rate_fx = t17 - t15 * OWN(own->signed_lower_sin);
+    LIMB4 checked = OWN(checked) + minus_U_0_omega_z;
+    const LIMB4 t17 = OWN(signed_lower_cos) * t11, t12 = OWN(signed_lower_sin) * t11,
+      t14 = OWN(signed_lower_limb_target_x) * GIVEN(platform_twist_wz),
+      t15 = t14 - OWN(signed_lower_limb_target_y) * GIVEN(platform_twist_wy),
+      minus_S_opening_rate_fx = t17 - t15 * OWN(signed_lower_sin);
     WRITE4(v, 2, 5, 8, 11, minus_S_opening_rate_fx);
     checked = checked + minus_S_opening_rate_fx;
-    const LIMB4 signed_lower_omega_z = OWN(own->t2) * (t12 + t15 * OWN(own->signed_lower_cos));
+    const LIMB4 signed_lower_omega_z = OWN(t2) * (t12 + t15 * OWN(signed_lower_cos));
     WRITE4(v, 1, 4, 7, 10, sign1 * signed_lower_omega_z);
     checked = checked + signed_lower_omega_z;
-    OWN(own->checked) = checked;
+    OWN(checked) = checked;
 }
 
 BODY(three_ups_upu_s_inverse_velocity)(size_t stride, const double *restrict pose,

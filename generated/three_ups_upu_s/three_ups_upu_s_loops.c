@@ -24,18 +24,18 @@ STAGE(closure, 0)(size_t limb, size_t stride, const double *restrict q, double *
       U_0_sin = OF4(SINES(sine, 0), SINES(cosine, 2), SINES(sine, 4), SINES(cosine, 6)),
       lower_cos = IN_EACH4(SINES, cosine, 1, 2), minus_lower_rotation_yx = U_0_sin * lower_cos;
     /* limbs together: loop closure; geometry */
-    OWN(own->t4) = upper_offset_x * minus_lower_rotation_yx + t8;
-    OWN(own->t5) = minus_lower_rotation_yx * OWN(own->t4);
+    OWN(t4) = upper_offset_x * minus_lower_rotation_yx + t8;
+    OWN(t5) = minus_lower_rotation_yx * OWN(t4);
     const LIMB4 signed_U_0_cos = OF4(SINES(cosine, 0), SINES(sine, 2), SINES(cosine, 4), SINES(sine, 6)),
-      t2 = signed_U_0_cos * OWN(own->t4), t4 = sign2 * (given - sign1 * given_2),
+      t2 = signed_U_0_cos * OWN(t4), t4 = sign2 * (given - sign1 * given_2),
       signed_lower_rotation_zx = signed_U_0_cos * lower_cos;
-    OWN(own->t1) = upper_offset_x * signed_lower_rotation_zx - t4;
-    OWN(own->t2) = signed_lower_rotation_zx * OWN(own->t1);
-    const LIMB4 signed_S_opening_fz = t2 - U_0_sin * OWN(own->t1);
+    OWN(t1) = upper_offset_x * signed_lower_rotation_zx - t4;
+    OWN(t2) = signed_lower_rotation_zx * OWN(t1);
+    const LIMB4 signed_S_opening_fz = t2 - U_0_sin * OWN(t1);
     WRITE4(residual_, 2, 6, 9, 12, -sign5 * signed_S_opening_fz);
     LIMB4 checked = signed_S_opening_fz;
-    OWN(own->t3) = IN_EACH4(SINES, sine, 1, 2) * upper_offset_x + (-param_R) - sign3 * (given_3 - sign1 * given_4);
-    OWN(own->checked) = checked;
+    OWN(t3) = IN_EACH4(SINES, sine, 1, 2) * upper_offset_x + (-param_R) - sign3 * (given_3 - sign1 * given_4);
+    OWN(checked) = checked;
 }
 
 STAGE(closure, 1)(size_t limb, size_t stride, double *restrict residual_, const double *restrict sine,
@@ -45,15 +45,15 @@ STAGE(closure, 1)(size_t limb, size_t stride, double *restrict residual_, const 
     const NUMBER4 sign1 = OF4(1.0, 1.0, -1.0, -1.0);
     const LIMB4 signed_lower_sin = IN_EACH4(SINES, sine, 1, 2);
     /* limbs together: loop closure */
-    const LIMB4 S_opening_fx = given_2 + (signed_lower_sin * OWN(own->t3) + given);
+    const LIMB4 S_opening_fx = given_2 + (signed_lower_sin * OWN(t3) + given);
     WRITE4(residual_, 0, 4, 7, 10, S_opening_fx);
-    LIMB4 checked = OWN(own->checked) + S_opening_fx;
+    LIMB4 checked = OWN(checked) + S_opening_fx;
     const LIMB4 t4 = IN_EACH4(SINES, sine, 0, 2) * signed_lower_sin * given_3,
-      t5 = t4 - IN_EACH4(SINES, cosine, 1, 2) * OWN(own->t3),
+      t5 = t4 - IN_EACH4(SINES, cosine, 1, 2) * OWN(t3),
       signed_S_opening_fy = t5 + IN_EACH4(SINES, cosine, 0, 2) * signed_lower_sin * given_4;
     WRITE4(residual_, 1, 5, 8, 11, -sign1 * signed_S_opening_fy);
     checked = checked + signed_S_opening_fy;
-    OWN(own->checked) = checked;
+    OWN(checked) = checked;
 }
 
 BODY(three_ups_upu_s_closure)(size_t stride, const double *restrict q, double *restrict residual_,
@@ -114,25 +114,25 @@ STAGE(closure_jacobian, 0)(size_t limb, size_t stride, const double *restrict q,
     /* limbs together: reciprocal wrenches, eq. (10) */
     const LIMB4 signed_base_lever_mx_by_S_fx = param_R * (U_0_cos * lower_cos);
     /* limbs together: results; reciprocal wrenches, eq. (10); geometry */
-    OWN(own->t1) = platform_turn_yx * signed_base_lever_mx_by_S_fx;
-    OWN(own->t7) = platform_turn_yy * signed_base_lever_mx_by_S_fx;
-    OWN(own->t13) = platform_turn_yz * signed_base_lever_mx_by_S_fx;
+    OWN(t1) = platform_turn_yx * signed_base_lever_mx_by_S_fx;
+    OWN(t7) = platform_turn_yy * signed_base_lever_mx_by_S_fx;
+    OWN(t13) = platform_turn_yz * signed_base_lever_mx_by_S_fx;
     const LIMB4 signed_base_lever_mz_by_S_fx = param_R * minus_lower_rotation_yx;
-    OWN(own->t2) = platform_turn_zx * signed_base_lever_mz_by_S_fx;
-    OWN(own->t8) = platform_turn_zy * signed_base_lever_mz_by_S_fx;
-    OWN(own->t14) = platform_turn_zz * signed_base_lever_mz_by_S_fx;
+    OWN(t2) = platform_turn_zx * signed_base_lever_mz_by_S_fx;
+    OWN(t8) = platform_turn_zy * signed_base_lever_mz_by_S_fx;
+    OWN(t14) = platform_turn_zz * signed_base_lever_mz_by_S_fx;
     const LIMB4 upper_offset_x = IN_EACH4(READ, q, 2, 3) + limb_upper_phase;
     WRITE4(jacobian, 14, 57, 99, 141, upper_offset_x);
     const LIMB4 signed_lower_sin = IN_EACH4(SINES, sine, 1, 2),
       base_lever_mx_by_S_fy = U_0_cos * upper_offset_x - param_R * (U_0_cos * signed_lower_sin);
-    OWN(own->t3) = platform_turn_yx * base_lever_mx_by_S_fy;
-    OWN(own->t9) = platform_turn_yy * base_lever_mx_by_S_fy;
-    OWN(own->t15) = platform_turn_yz * base_lever_mx_by_S_fy;
+    OWN(t3) = platform_turn_yx * base_lever_mx_by_S_fy;
+    OWN(t9) = platform_turn_yy * base_lever_mx_by_S_fy;
+    OWN(t15) = platform_turn_yz * base_lever_mx_by_S_fy;
     const LIMB4 signed_U_0_sin = IN_EACH4(SINES, sine, 0, 2),
       signed_base_lever_mz_by_S_fy = signed_U_0_sin * upper_offset_x - param_R * signed_lower_rotation_yy;
-    OWN(own->t4) = platform_turn_zx * signed_base_lever_mz_by_S_fy;
-    OWN(own->t10) = platform_turn_zy * signed_base_lever_mz_by_S_fy;
-    OWN(own->t16) = platform_turn_zz * signed_base_lever_mz_by_S_fy;
+    OWN(t4) = platform_turn_zx * signed_base_lever_mz_by_S_fy;
+    OWN(t10) = platform_turn_zy * signed_base_lever_mz_by_S_fy;
+    OWN(t16) = platform_turn_zz * signed_base_lever_mz_by_S_fy;
     const LIMB4 signed_upper_position_x = signed_lower_sin * upper_offset_x + (-param_R),
       minus_U_0_lever_mz_by_S_fz = lower_cos * upper_offset_x;
     WRITE4(jacobian, 2, 45, 87, 129, -minus_U_0_lever_mz_by_S_fz);
@@ -140,14 +140,14 @@ STAGE(closure_jacobian, 0)(size_t limb, size_t stride, const double *restrict q,
     const LIMB4 t11 = sign1 * minus_U_0_lever_mz_by_S_fz,
       signed_base_lever_mx_by_S_fz = signed_U_0_sin * signed_upper_position_x,
       signed_base_lever_mz_by_S_fz = U_0_cos * signed_upper_position_x;
-    OWN(own->t6) = platform_turn_zx * signed_base_lever_mz_by_S_fz;
-    OWN(own->t12) = platform_turn_zy * signed_base_lever_mz_by_S_fz;
-    OWN(own->t18) = platform_turn_zz * signed_base_lever_mz_by_S_fz;
-    OWN(own->t5) = platform_turn_xx * t11 + platform_turn_yx * signed_base_lever_mx_by_S_fz;
+    OWN(t6) = platform_turn_zx * signed_base_lever_mz_by_S_fz;
+    OWN(t12) = platform_turn_zy * signed_base_lever_mz_by_S_fz;
+    OWN(t18) = platform_turn_zz * signed_base_lever_mz_by_S_fz;
+    OWN(t5) = platform_turn_xx * t11 + platform_turn_yx * signed_base_lever_mx_by_S_fz;
     const LIMB4 t10 = platform_turn_yz * signed_base_lever_mx_by_S_fz;
-    OWN(own->t11) = platform_turn_xy * t11 + platform_turn_yy * signed_base_lever_mx_by_S_fz;
-    OWN(own->t17) = platform_turn_xz * t11 + t10;
-    OWN(own->checked) = checked;
+    OWN(t11) = platform_turn_xy * t11 + platform_turn_yy * signed_base_lever_mx_by_S_fz;
+    OWN(t17) = platform_turn_xz * t11 + t10;
+    OWN(checked) = checked;
 }
 
 BODY(three_ups_upu_s_closure_jacobian)(size_t stride, const double *restrict q, double *restrict jacobian,
@@ -303,39 +303,38 @@ STAGE(closure_bias, 0)(size_t limb, size_t stride, const double *restrict q, con
 {
     (void)limb, (void)stride;
     const NUMBER4 sign1 = OF4(1.0, 1.0, -1.0, -1.0), sign2 = OF4(1.0, -1.0, 1.0, -1.0),
-      each_param_R = OF4(-param_R, -param_R, param_R, param_R), factor_2 = OF4(2.0, 2.0, -2.0, -2.0);
+      each_param_R = -sign1 * param_R, factor_2 = sign1 * 2.0;
     const LIMB4 t36 = sign2 * platform_twist_wz, U_0_cos = IN_EACH4(SINES, cosine, 0, 2),
       signed_U_0_sin = IN_EACH4(SINES, sine, 0, 2);
     /* limbs together: loop closure; reciprocal wrenches, eq. (10); velocities, eq. (6) */
     const LIMB4 t16 = signed_U_0_sin * t36, t5 = signed_U_0_sin * platform_twist_wy - U_0_cos * t36,
       lower_cos = IN_EACH4(SINES, cosine, 1, 2), t33 = sign1 * lower_cos,
       signed_lower_sin = IN_EACH4(SINES, sine, 1, 2), t6 = signed_lower_sin * t5;
-    OWN(own->t2) = t33 * t5 - signed_lower_sin * platform_twist_wx;
-    const LIMB4 signed_S_arm_y = param_R * lower_cos, t10 = signed_S_arm_y * OWN(own->t2);
-    OWN(own->t1) = t6 + t33 * platform_twist_wx;
+    OWN(t2) = t33 * t5 - signed_lower_sin * platform_twist_wx;
+    const LIMB4 signed_S_arm_y = param_R * lower_cos, t10 = signed_S_arm_y * OWN(t2);
+    OWN(t1) = t6 + t33 * platform_twist_wx;
     const LIMB4 U_v_0 = IN_EACH4(READ, v, 0, 3);
-    OWN(own->signed_lower_omega_y) = U_v_0 * t33;
+    OWN(signed_lower_omega_y) = U_v_0 * t33;
     const LIMB4 t35 = sign1 * (IN_EACH4(READ, q, 2, 3) + limb_upper_phase),
-      signed_S_arm_x = t35 + each_param_R * signed_lower_sin, t13 = t10 - signed_S_arm_x * OWN(own->t1),
-      t14 = OWN(own->t1) * t13, t25 = OWN(own->t2) * t13;
-    OWN(own->t3) = U_0_cos * platform_twist_wy + t16;
-    const LIMB4 t17 = signed_S_arm_x * OWN(own->t3), t23 = signed_S_arm_y * OWN(own->t3),
-      t19 = t14 - OWN(own->t3) * t17, t32 = OWN(own->t2) * t17 + OWN(own->t1) * t23,
-      t37 = sign1 * (OWN(own->t3) * t23 + t25), t34 = sign1 * OWN(own->signed_lower_omega_y),
-      P_v = IN_EACH4(READ, v, 2, 3), U_v_1 = IN_EACH4(READ, v, 1, 3),
-      t29 = P_v * (factor_2 * OWN(own->signed_lower_omega_y)),
+      signed_S_arm_x = t35 + each_param_R * signed_lower_sin, t13 = t10 - signed_S_arm_x * OWN(t1),
+      t14 = OWN(t1) * t13, t25 = OWN(t2) * t13;
+    OWN(t3) = U_0_cos * platform_twist_wy + t16;
+    const LIMB4 t17 = signed_S_arm_x * OWN(t3), t23 = signed_S_arm_y * OWN(t3), t19 = t14 - OWN(t3) * t17,
+      t32 = OWN(t2) * t17 + OWN(t1) * t23, t37 = sign1 * (OWN(t3) * t23 + t25),
+      t34 = sign1 * OWN(signed_lower_omega_y), P_v = IN_EACH4(READ, v, 2, 3), U_v_1 = IN_EACH4(READ, v, 1, 3),
+      t29 = P_v * (factor_2 * OWN(signed_lower_omega_y)),
       signed_S_opening_bias_fx = t35 * (t34 * t34 + U_v_1 * U_v_1) + t19;
     WRITE4(bias, 0, 4, 7, 10, -sign1 * signed_S_opening_bias_fx);
     LIMB4 checked = signed_S_opening_bias_fx;
-    OWN(own->signed_lower_omega_x) = U_v_0 * signed_lower_sin;
-    const LIMB4 t20 = t35 * (OWN(own->signed_lower_omega_x) * t34),
-      S_opening_bias_fz = t32 - (t29 - t35 * (2.0 * (U_v_1 * OWN(own->signed_lower_omega_x))));
+    OWN(signed_lower_omega_x) = U_v_0 * signed_lower_sin;
+    const LIMB4 t20 = t35 * (OWN(signed_lower_omega_x) * t34),
+      S_opening_bias_fz = t32 - (t29 - t35 * (2.0 * (U_v_1 * OWN(signed_lower_omega_x))));
     WRITE4(bias, 2, 6, 9, 12, S_opening_bias_fz);
     checked = checked + S_opening_bias_fz;
     const LIMB4 S_opening_bias_fy = t20 + P_v * (2.0 * U_v_1) - t37;
     WRITE4(bias, 1, 5, 8, 11, S_opening_bias_fy);
     checked = checked + S_opening_bias_fy;
-    OWN(own->checked) = checked;
+    OWN(checked) = checked;
 }
 
 BODY(three_ups_upu_s_closure_bias)(size_t stride, const double *restrict q, const double *restrict v,
@@ -395,18 +394,18 @@ STAGE(velocity, 0)(size_t limb, size_t stride, const double *restrict q, const d
     const double *restrict cosine, LIMBS(velocity) *own)
 {
     (void)limb, (void)stride;
-    const NUMBER4 factor_2 = OF4(1.0, -1.0, 1.0, 1.0);
+    const NUMBER4 sign1 = OF4(1.0, -1.0, 1.0, 1.0), factor_2 = sign1 * 1.0;
     /* limbs together: geometry; reciprocal wrenches, eq. (10); rates that follow */
     const LIMB4 upper_offset_x = IN_EACH4(READ, q, 2, 3) + limb_upper_phase,
       signed_lower_sin = IN_EACH4(SINES, sine, 1, 2);
-    OWN(own->signed_upper_position_x) = signed_lower_sin * upper_offset_x + (-param_R);
-    OWN(own->S_arm_x) = upper_offset_x - param_R * signed_lower_sin;
+    OWN(signed_upper_position_x) = signed_lower_sin * upper_offset_x + (-param_R);
+    OWN(S_arm_x) = upper_offset_x - param_R * signed_lower_sin;
     const LIMB4 lower_cos = IN_EACH4(SINES, cosine, 1, 2);
-    OWN(own->minus_U_0_lever_mz_by_S_fz) = lower_cos * upper_offset_x;
-    LIMB4 checked = OWN(own->minus_U_0_lever_mz_by_S_fz);
-    OWN(own->t1) = factor_2 / OWN(own->minus_U_0_lever_mz_by_S_fz);
-    OWN(own->t2) = lower_cos * OWN(own->t1);
-    OWN(own->checked) = checked;
+    OWN(minus_U_0_lever_mz_by_S_fz) = lower_cos * upper_offset_x;
+    LIMB4 checked = OWN(minus_U_0_lever_mz_by_S_fz);
+    OWN(t1) = factor_2 / OWN(minus_U_0_lever_mz_by_S_fz);
+    OWN(t2) = lower_cos * OWN(t1);
+    OWN(checked) = checked;
 }
 
 STAGE(velocity, 1)(size_t limb, size_t stride, double *restrict v, const double *restrict sine,
@@ -419,18 +418,18 @@ STAGE(velocity, 1)(size_t limb, size_t stride, double *restrict v, const double 
     const LIMB4 t9 = sign1 * IN_EACH4(SINES, cosine, 0, 2), signed_U_0_sin = IN_EACH4(SINES, sine, 0, 2);
     /* limbs together: velocities, eq. (6) */
     const LIMB4 t1 = t9 * limb5_S_joint_rate_wz,
-      t8 = signed_U_0_sin * limb5_S_joint_rate_wz + t9 * OWN(limb5_S_joint_rate_wy),
+      t8 = signed_U_0_sin * limb5_S_joint_rate_wz + t9 * GIVEN(limb5_S_joint_rate_wy),
       signed_P_joint_rate = param_R * IN_EACH4(SINES, cosine, 1, 2) * t8;
     WRITE4(v, 2, 5, 8, 11, sign3 * signed_P_joint_rate);
-    LIMB4 checked = OWN(own->checked) + signed_P_joint_rate;
-    const LIMB4 signed_U_joint_rate_1 = OWN(own->t2) * (OWN(own->S_arm_x) * t8);
+    LIMB4 checked = OWN(checked) + signed_P_joint_rate;
+    const LIMB4 signed_U_joint_rate_1 = OWN(t2) * (OWN(S_arm_x) * t8);
     WRITE4(v, 1, 4, 7, 10, sign4 * signed_U_joint_rate_1);
     checked = checked + signed_U_joint_rate_1;
-    const LIMB4 t5 = OWN(own->t1) * (OWN(own->signed_upper_position_x) * (t1 - signed_U_0_sin * OWN(limb5_S_joint_rate_wy))),
-      U_joint_rate_0 = OWN(limb5_S_joint_rate_wx) - sign2 * t5;
+    const LIMB4 t5 = OWN(t1) * (OWN(signed_upper_position_x) * (t1 - signed_U_0_sin * GIVEN(limb5_S_joint_rate_wy))),
+      U_joint_rate_0 = GIVEN(limb5_S_joint_rate_wx) - sign2 * t5;
     WRITE4(v, 0, 3, 6, 9, U_joint_rate_0);
     checked = checked + U_joint_rate_0;
-    OWN(own->checked) = checked;
+    OWN(checked) = checked;
 }
 
 BODY(three_ups_upu_s_velocity)(size_t stride, const double *restrict q, const double *restrict y_dot,
@@ -511,164 +510,151 @@ BODY(three_ups_upu_s_velocity)(size_t stride, const double *restrict q, const do
 #endif
 
 #if !defined(THREE_UPS_UPU_S_LANES)
+typedef struct {
+    EACH4 signed_upper_position_x, minus_U_0_lever_mz_by_S_fz, t1, S_arm_x, t2, checked;
+} LIMBS(null_space);
+
+STAGE(null_space, 0)(size_t limb, size_t stride, const double *restrict q, const double *restrict sine,
+    const double *restrict cosine, LIMBS(null_space) *own)
+{
+    (void)limb, (void)stride;
+    const NUMBER4 sign1 = OF4(1.0, -1.0, 1.0, 1.0), factor_2 = sign1 * 1.0;
+    /* limbs together: geometry; reciprocal wrenches, eq. (10); rates that follow */
+    const LIMB4 upper_offset_x = IN_EACH4(READ, q, 2, 3) + limb_upper_phase,
+      signed_lower_sin = IN_EACH4(SINES, sine, 1, 2);
+    OWN(signed_upper_position_x) = signed_lower_sin * upper_offset_x + (-param_R);
+    OWN(S_arm_x) = upper_offset_x - param_R * signed_lower_sin;
+    const LIMB4 lower_cos = IN_EACH4(SINES, cosine, 1, 2);
+    OWN(minus_U_0_lever_mz_by_S_fz) = lower_cos * upper_offset_x;
+    LIMB4 checked = OWN(minus_U_0_lever_mz_by_S_fz);
+    OWN(t1) = factor_2 / OWN(minus_U_0_lever_mz_by_S_fz);
+    OWN(t2) = lower_cos * OWN(t1);
+    OWN(checked) = checked;
+}
+
+STAGE(null_space, 1)(size_t limb, size_t stride, double *restrict null_space, const double *restrict sine,
+    const double *restrict cosine, REAL limb5_S_null_space_wz_by_limb5_S_qx,
+    REAL limb5_S_null_space_wy_by_limb5_S_qx, REAL limb5_S_null_space_wx_by_limb5_S_qx,
+    REAL limb5_S_null_space_wz_by_limb5_S_qy, REAL limb5_S_null_space_wy_by_limb5_S_qy,
+    REAL limb5_S_null_space_wy_by_limb5_S_qy_2, LIMBS(null_space) *own)
+{
+    (void)limb, (void)stride;
+    const NUMBER4 sign1 = OF4(1.0, -1.0, 1.0, -1.0), sign2 = OF4(1.0, 1.0, -1.0, 1.0),
+      sign3 = OF4(1.0, -1.0, -1.0, -1.0), sign4 = OF4(1.0, 1.0, 1.0, -1.0), sign5 = OF4(1.0, -1.0, -1.0, 1.0);
+    const LIMB4 t19 = sign1 * limb5_S_null_space_wy_by_limb5_S_qx, signed_U_0_sin = IN_EACH4(SINES, sine, 0, 2),
+      U_0_cos = IN_EACH4(SINES, cosine, 0, 2);
+    /* limbs together: rates that follow; reciprocal wrenches, eq. (10) */
+    const LIMB4 t7 = U_0_cos * t19,
+      t4 = OWN(signed_upper_position_x) * (U_0_cos * limb5_S_null_space_wz_by_limb5_S_qx - signed_U_0_sin * t19),
+      U_null_space_0_by_limb5_S_qx = limb5_S_null_space_wx_by_limb5_S_qx - sign2 * (OWN(t1) * t4);
+    WRITE4(null_space, 0, 3, 6, 9, U_null_space_0_by_limb5_S_qx);
+    LIMB4 checked = OWN(checked) + U_null_space_0_by_limb5_S_qx;
+    const LIMB4 t8 = signed_U_0_sin * limb5_S_null_space_wz_by_limb5_S_qx + t7,
+      signed_U_null_space_1_by_limb5_S_qx = OWN(t2) * (OWN(S_arm_x) * t8);
+    WRITE4(null_space, 1, 4, 7, 10, sign4 * signed_U_null_space_1_by_limb5_S_qx);
+    checked = checked + signed_U_null_space_1_by_limb5_S_qx;
+    const LIMB4 signed_S_arm_y = param_R * IN_EACH4(SINES, cosine, 1, 2),
+      signed_P_null_space_by_limb5_S_qx = signed_S_arm_y * t8;
+    WRITE4(null_space, 2, 5, 8, 11, sign5 * signed_P_null_space_by_limb5_S_qx);
+    checked = checked + signed_P_null_space_by_limb5_S_qx;
+    const LIMB4 t11 = signed_U_0_sin * limb5_S_null_space_wy_by_limb5_S_qy,
+      t14 = OWN(t1) * (OWN(signed_upper_position_x) * (t11 - U_0_cos * limb5_S_null_space_wz_by_limb5_S_qy)),
+      signed_U_null_space_0_by_limb5_S_qy = t14 - sign3 * limb5_S_null_space_wy_by_limb5_S_qy_2;
+    WRITE4(null_space, 15, 18, 21, 24, sign2 * signed_U_null_space_0_by_limb5_S_qy);
+    checked = checked + signed_U_null_space_0_by_limb5_S_qy;
+    const LIMB4 t15 = signed_U_0_sin * limb5_S_null_space_wz_by_limb5_S_qy,
+      t17 = t15 + U_0_cos * limb5_S_null_space_wy_by_limb5_S_qy,
+      signed_P_null_space_by_limb5_S_qy = signed_S_arm_y * t17;
+    WRITE4(null_space, 17, 20, 23, 26, sign5 * signed_P_null_space_by_limb5_S_qy);
+    checked = checked + signed_P_null_space_by_limb5_S_qy;
+    const LIMB4 signed_U_null_space_1_by_limb5_S_qy = OWN(t2) * (OWN(S_arm_x) * t17);
+    WRITE4(null_space, 16, 19, 22, 25, sign4 * signed_U_null_space_1_by_limb5_S_qy);
+    checked = checked + signed_U_null_space_1_by_limb5_S_qy;
+    OWN(checked) = checked;
+}
+
 BODY(three_ups_upu_s_null_space)(size_t stride, const double *restrict q, double *restrict null_space,
     const double *restrict sine, const double *restrict cosine, double *restrict total)
 {
+    LIMBS(null_space) limbs;
     /* limb5_S: rates that follow */
     const REAL limb5_S_q_qw = READ(q, 12), limb5_S_q_qx = READ(q, 13), t1 = limb5_S_q_qw * limb5_S_q_qw,
       t2 = limb5_S_q_qx * limb5_S_q_qx, limb5_S_q_qy = READ(q, 14), t3 = t1 + t2, t4 = limb5_S_q_qy * limb5_S_q_qy,
       limb5_S_q_qz = READ(q, 15), t5 = limb5_S_q_qz * limb5_S_q_qz, t6 = t4 + t5, t7 = t3 + t6;
     /* limb5_S: geometry; rates that follow */
-    const REAL t18 = t2 + t5, t115 = t2 + t4, t17 = 4.0 - 2.0 * t7, platform_turn_yy = 1.0 - t17 * t18,
-      t9 = k2 - 0.5 * t7, platform_turn_zz = 1.0 - t17 * t115, platform_turn_xx = 1.0 - t6 * t17,
-      t21 = limb5_S_q_qz * t17, t22 = limb5_S_q_qy * t21, t24 = limb5_S_q_qw * (limb5_S_q_qx * t17),
-      t33 = limb5_S_q_qy * t17, platform_turn_zy = t22 + t24, platform_turn_yz = t22 - t24,
+    const REAL t17 = t2 + t5, t63 = t2 + t4, t16 = 4.0 - 2.0 * t7, platform_turn_yy = 1.0 - t16 * t17,
+      t9 = k2 - 0.5 * t7, platform_turn_xx = 1.0 - t6 * t16, platform_turn_zz = 1.0 - t16 * t63,
+      t20 = limb5_S_q_qz * t16, t21 = limb5_S_q_qy * t20, t23 = limb5_S_q_qw * (limb5_S_q_qx * t16),
+      t31 = limb5_S_q_qy * t16, platform_turn_zy = t21 + t23, platform_turn_yz = t21 - t23,
       limb1_U_0_cos = SINES(cosine, 0), limb1_U_0_sin = SINES(sine, 0), limb1_lower_cos = SINES(cosine, 1),
-      t32 = limb1_lower_cos * (limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos * platform_turn_zy), /* limb1 */
-      t34 = limb5_S_q_qx * t33, t105 = limb5_S_q_qw * t33, t35 = limb5_S_q_qw * t21, t104 = limb5_S_q_qx * t21,
-      platform_turn_xy = t34 - t35, platform_turn_yx = t34 + t35;
+      t30 = limb1_lower_cos * (limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos * platform_turn_zy), /* limb1 */
+      t32 = limb5_S_q_qx * t31, t53 = limb5_S_q_qw * t31, t33 = limb5_S_q_qw * t20, t52 = limb5_S_q_qx * t20,
+      platform_turn_xy = t32 - t33, platform_turn_yx = t32 + t33;
     /* limb1: geometry; reciprocal wrenches, eq. (10); rates that follow */
     const REAL limb1_lower_sin = SINES(sine, 1),
-      limb1_U2_constraint_mn_couple_z = t32 - limb1_lower_sin * platform_turn_xy,
-      limb1_upper_offset_x = limb_upper_phase + READ(q, 2),
-      minus_limb1_U_0_lever_mz_by_limb1_U2_fz = limb1_lower_cos * limb1_upper_offset_x;
-    REAL checked0 = minus_limb1_U_0_lever_mz_by_limb1_U2_fz;
-    const REAL t26 = 1.0 / minus_limb1_U_0_lever_mz_by_limb1_U2_fz, t38 = limb1_lower_cos * t26,
-      limb1_U_factor_1_by_3 = limb1_U2_constraint_mn_couple_z * t38,
-      limb1_U2_arm_x = limb1_upper_offset_x - param_R * limb1_lower_sin,
-      minus_limb1_U2_factor_0_by_3 = limb1_U2_constraint_mn_couple_z - limb1_U2_arm_x * limb1_U_factor_1_by_3,
-      minus_limb1_upper_position_x = param_R - limb1_lower_sin * limb1_upper_offset_x,
-      t40 = limb1_U_0_sin * minus_limb1_U2_factor_0_by_3, t43 = limb1_U_0_cos * minus_limb1_U2_factor_0_by_3,
+      limb1_U2_constraint_mn_couple_z = t30 - limb1_lower_sin * platform_turn_xy;
+    FIRST_LIMB(0, null_space, 0, stride, q, sine, cosine, &limbs);
+    const REAL minus_limb1_U2_factor_0_by_3 = limb1_U2_constraint_mn_couple_z - limbs.S_arm_x[0] * (limb1_U2_constraint_mn_couple_z * limbs.t2[0]),
+      t36 = limb1_U_0_sin * minus_limb1_U2_factor_0_by_3, t39 = limb1_U_0_cos * minus_limb1_U2_factor_0_by_3,
       limb1_U2_constraint_mn_couple_x = limb1_U_0_cos * platform_turn_yy + limb1_U_0_sin * platform_turn_zy,
-      t27 = minus_limb1_upper_position_x * (limb1_lower_sin * limb1_U2_constraint_mn_couple_x * t26),
-      minus_limb1_U2_factor_1_by_3 = limb1_lower_cos * limb1_U2_constraint_mn_couple_x - t27;
+      t25 = limbs.signed_upper_position_x[0] * (limb1_lower_sin * limb1_U2_constraint_mn_couple_x * limbs.t1[0]),
+      minus_limb1_U2_factor_1_by_3 = limb1_lower_cos * limb1_U2_constraint_mn_couple_x + t25;
     /* limb5_S: pivots */
-    const REAL minus_limb5_S_pivot_wz = limb1_U_0_cos * minus_limb1_U2_factor_1_by_3 + t40;
-    REAL checked1 = minus_limb5_S_pivot_wz;
+    const REAL minus_limb5_S_pivot_wz = limb1_U_0_cos * minus_limb1_U2_factor_1_by_3 + t36;
+    REAL checked0 = minus_limb5_S_pivot_wz;
     /* limb5_S: rates that follow; geometry */
-    const REAL t41 = 1.0 / minus_limb5_S_pivot_wz,
-      t44 = limb1_U_0_sin * minus_limb1_U2_factor_1_by_3 - t43, /* limb1 */
-      limb5_S_null_space_wz_by_limb5_S_wy = t41 * t44, t45 = limb5_S_q_qx * t9 * limb5_S_null_space_wz_by_limb5_S_wy,
-      t10 = limb5_S_q_qw * t9, a_pivot = 0.5 * (t10 + t45);
-    REAL checked2 = a_pivot;
-    const REAL t47 = 1.0 / a_pivot, t11 = 0.5 * t10, t49 = limb5_S_q_qy * t9 * limb5_S_null_space_wz_by_limb5_S_wy,
-      t12 = limb5_S_q_qz * t9, t52 = t47 * (0.5 * (t12 - t49)), t13 = 0.5 * t12, a_pivot_2 = t11 + t13 * t52;
-    REAL checked3 = a_pivot_2;
-    const REAL limb5_S_null_space_wx_by_limb5_S_qx = 1.0 / a_pivot_2,
-      t121 = t52 * limb5_S_null_space_wx_by_limb5_S_qx,
-      limb5_S_null_space_wy_by_limb5_S_qy = t47 * (1.0 - t13 * t121),
-      limb5_S_null_space_wy_by_limb5_S_qx = t47 * (t13 * limb5_S_null_space_wx_by_limb5_S_qx),
-      limb5_S_null_space_wz_by_limb5_S_qy = t41 * (t44 * limb5_S_null_space_wy_by_limb5_S_qy),
-      limb5_S_null_space_wz_by_limb5_S_qx = t41 * (t44 * limb5_S_null_space_wy_by_limb5_S_qx),
-      t169 = platform_turn_zz * limb5_S_null_space_wz_by_limb5_S_qy,
-      t117 = platform_turn_zz * limb5_S_null_space_wz_by_limb5_S_qx,
-      t170 = platform_turn_yz * limb5_S_null_space_wy_by_limb5_S_qy,
-      t118 = platform_turn_yz * limb5_S_null_space_wy_by_limb5_S_qx, platform_turn_xz = t104 + t105,
-      platform_turn_zx = t104 - t105;
-    RESULT(checked0, null_space, 29, t169 + (t170 - platform_turn_xz * t121));
-    RESULT(checked1, null_space, 14, t117 + (t118 + platform_turn_xz * limb5_S_null_space_wx_by_limb5_S_qx));
-    const REAL t165 = platform_turn_zy * limb5_S_null_space_wz_by_limb5_S_qy,
-      t111 = platform_turn_zy * limb5_S_null_space_wz_by_limb5_S_qx,
-      t112 = platform_turn_yy * limb5_S_null_space_wy_by_limb5_S_qx;
-    RESULT(checked2, null_space, 28, t165 + (platform_turn_yy * limb5_S_null_space_wy_by_limb5_S_qy - platform_turn_xy * t121));
-    RESULT(checked3, null_space, 13, t111 + (t112 + platform_turn_xy * limb5_S_null_space_wx_by_limb5_S_qx));
-    const REAL t161 = platform_turn_zx * limb5_S_null_space_wz_by_limb5_S_qy,
-      t106 = platform_turn_zx * limb5_S_null_space_wz_by_limb5_S_qx,
-      t107 = platform_turn_yx * limb5_S_null_space_wy_by_limb5_S_qx;
-    RESULT(checked0, null_space, 27, t161 + (platform_turn_yx * limb5_S_null_space_wy_by_limb5_S_qy - platform_turn_xx * t121));
-    RESULT(checked1, null_space, 12, t106 + (t107 + platform_turn_xx * limb5_S_null_space_wx_by_limb5_S_qx));
-    /* limb4: geometry; rates that follow; reciprocal wrenches, eq. (10) */
-    const REAL minus_limb4_U_0_cos = SINES(sine, 6), limb4_U_0_sin = SINES(cosine, 6),
-      t159 = minus_limb4_U_0_cos * limb5_S_null_space_wz_by_limb5_S_qy + limb4_U_0_sin * t121,
-      limb4_lower_cos = SINES(cosine, 7), limb4_S_arm_y = param_R * limb4_lower_cos;
-    RESULT(checked2, null_space, 26, limb4_S_arm_y * t159);
-    const REAL limb4_upper_offset_x = limb_upper_phase + READ(q, 11), minus_limb4_lower_sin = SINES(sine, 7),
-      limb4_S_arm_x = limb4_upper_offset_x - param_R * minus_limb4_lower_sin, t160 = limb4_S_arm_x * t159,
-      minus_limb4_U_0_lever_mz_by_limb4_S_fz = limb4_lower_cos * limb4_upper_offset_x;
-    checked3 = checked3 + minus_limb4_U_0_lever_mz_by_limb4_S_fz;
-    const REAL t92 = 1.0 / minus_limb4_U_0_lever_mz_by_limb4_S_fz,
-      limb4_upper_position_y = param_R - minus_limb4_lower_sin * limb4_upper_offset_x, t98 = limb4_lower_cos * t92;
-    RESULT(checked0, null_space, 25, -(t160 * t98));
-    const REAL t155 = limb4_upper_position_y * (limb4_U_0_sin * limb5_S_null_space_wz_by_limb5_S_qy - minus_limb4_U_0_cos * t121);
-    RESULT(checked1, null_space, 24, limb5_S_null_space_wy_by_limb5_S_qy + t92 * t155);
-    /* limb3: geometry; rates that follow; reciprocal wrenches, eq. (10) */
-    const REAL limb3_U_0_sin = SINES(sine, 4), limb3_U_0_cos = SINES(cosine, 4),
-      t148 = limb3_U_0_sin * limb5_S_null_space_wz_by_limb5_S_qy,
-      t150 = t148 + limb3_U_0_cos * limb5_S_null_space_wy_by_limb5_S_qy, limb3_lower_cos = SINES(cosine, 5),
-      limb3_S_arm_y = param_R * limb3_lower_cos;
-    RESULT(checked2, null_space, 23, -(limb3_S_arm_y * t150));
-    const REAL limb3_upper_offset_x = limb_upper_phase + READ(q, 8), minus_limb3_lower_sin = SINES(sine, 5),
-      limb3_S_arm_x = limb3_upper_offset_x - param_R * minus_limb3_lower_sin, t151 = limb3_S_arm_x * t150,
-      minus_limb3_U_0_lever_mz_by_limb3_S_fz = limb3_lower_cos * limb3_upper_offset_x;
-    checked3 = checked3 + minus_limb3_U_0_lever_mz_by_limb3_S_fz;
-    const REAL t79 = 1.0 / minus_limb3_U_0_lever_mz_by_limb3_S_fz,
-      limb3_upper_position_x = param_R - minus_limb3_lower_sin * limb3_upper_offset_x, t85 = limb3_lower_cos * t79;
-    RESULT(checked0, null_space, 22, t151 * t85);
-    const REAL t143 = limb3_U_0_cos * limb5_S_null_space_wz_by_limb5_S_qy,
-      t147 = t79 * (limb3_upper_position_x * (t143 - limb3_U_0_sin * limb5_S_null_space_wy_by_limb5_S_qy));
-    RESULT(checked1, null_space, 21, -(t121 + t147));
-    /* limb2: geometry; rates that follow; reciprocal wrenches, eq. (10) */
-    const REAL minus_limb2_U_0_cos = SINES(sine, 2), limb2_U_0_sin = SINES(cosine, 2),
-      t141 = minus_limb2_U_0_cos * limb5_S_null_space_wz_by_limb5_S_qy + limb2_U_0_sin * t121,
-      limb2_lower_cos = SINES(cosine, 3), minus_limb2_S_arm_y = param_R * limb2_lower_cos;
-    RESULT(checked2, null_space, 20, -(minus_limb2_S_arm_y * t141));
-    const REAL limb2_upper_offset_x = limb_upper_phase + READ(q, 5), limb2_lower_sin = SINES(sine, 3),
-      limb2_S_arm_x = limb2_upper_offset_x - param_R * limb2_lower_sin, t142 = limb2_S_arm_x * t141,
-      minus_limb2_U_0_lever_mz_by_limb2_S_fz = limb2_lower_cos * limb2_upper_offset_x;
-    checked3 = checked3 + minus_limb2_U_0_lever_mz_by_limb2_S_fz;
-    const REAL t66 = 1.0 / minus_limb2_U_0_lever_mz_by_limb2_S_fz,
-      minus_limb2_upper_position_y = param_R - limb2_lower_sin * limb2_upper_offset_x, t72 = limb2_lower_cos * t66;
-    RESULT(checked0, null_space, 19, -(t142 * t72));
-    const REAL t137 = minus_limb2_upper_position_y * (limb2_U_0_sin * limb5_S_null_space_wz_by_limb5_S_qy - minus_limb2_U_0_cos * t121);
-    RESULT(checked1, null_space, 18, limb5_S_null_space_wy_by_limb5_S_qy - t66 * t137);
-    /* limb1: rates that follow; reciprocal wrenches, eq. (10) */
-    const REAL t130 = limb1_U_0_sin * limb5_S_null_space_wz_by_limb5_S_qy,
-      t125 = limb1_U_0_cos * limb5_S_null_space_wz_by_limb5_S_qy,
-      t132 = t130 + limb1_U_0_cos * limb5_S_null_space_wy_by_limb5_S_qy,
-      t129 = t26 * (minus_limb1_upper_position_x * (t125 - limb1_U_0_sin * limb5_S_null_space_wy_by_limb5_S_qy));
-    RESULT(checked2, null_space, 15, t129 - t121);
-    const REAL minus_limb1_U2_arm_y = param_R * limb1_lower_cos;
-    RESULT(checked3, null_space, 17, minus_limb1_U2_arm_y * t132);
-    RESULT(checked0, null_space, 16, t38 * (limb1_U2_arm_x * t132));
-    const REAL t100 = minus_limb4_U_0_cos * limb5_S_null_space_wz_by_limb5_S_qx, /* limb4 */
-      t102 = t100 - limb4_U_0_sin * limb5_S_null_space_wx_by_limb5_S_qx; /* limb4 */
-    RESULT(checked1, null_space, 11, limb4_S_arm_y * t102);
-    RESULT(checked2, null_space, 10, -(t98 * (limb4_S_arm_x * t102)));
-    const REAL t93 = limb4_U_0_sin * limb5_S_null_space_wz_by_limb5_S_qx, /* limb4 */
-      t97 = t92 * (limb4_upper_position_y * (t93 + minus_limb4_U_0_cos * limb5_S_null_space_wx_by_limb5_S_qx)); /* limb4 */
-    RESULT(checked3, null_space, 9, limb5_S_null_space_wy_by_limb5_S_qx + t97);
-    const REAL t87 = limb3_U_0_sin * limb5_S_null_space_wz_by_limb5_S_qx, /* limb3 */
-      t89 = t87 + limb3_U_0_cos * limb5_S_null_space_wy_by_limb5_S_qx; /* limb3 */
-    RESULT(checked0, null_space, 8, -(limb3_S_arm_y * t89));
-    RESULT(checked1, null_space, 7, t85 * (limb3_S_arm_x * t89));
-    const REAL t80 = limb3_U_0_cos * limb5_S_null_space_wz_by_limb5_S_qx; /* limb3 */
-    RESULT(checked2, null_space, 6, limb5_S_null_space_wx_by_limb5_S_qx - t79 * (limb3_upper_position_x * (t80 - limb3_U_0_sin * limb5_S_null_space_wy_by_limb5_S_qx)));
-    const REAL t74 = minus_limb2_U_0_cos * limb5_S_null_space_wz_by_limb5_S_qx, /* limb2 */
-      t76 = t74 - limb2_U_0_sin * limb5_S_null_space_wx_by_limb5_S_qx; /* limb2 */
-    RESULT(checked3, null_space, 5, -(minus_limb2_S_arm_y * t76));
-    RESULT(checked0, null_space, 4, -(t72 * (limb2_S_arm_x * t76)));
-    const REAL t67 = limb2_U_0_sin * limb5_S_null_space_wz_by_limb5_S_qx, /* limb2 */
-      t70 = minus_limb2_upper_position_y * (t67 + minus_limb2_U_0_cos * limb5_S_null_space_wx_by_limb5_S_qx); /* limb2 */
-    RESULT(checked1, null_space, 3, limb5_S_null_space_wy_by_limb5_S_qx - t66 * t70);
-    const REAL t61 = limb1_U_0_sin * limb5_S_null_space_wz_by_limb5_S_qx,
-      t56 = limb1_U_0_cos * limb5_S_null_space_wz_by_limb5_S_qx,
-      t63 = t61 + limb1_U_0_cos * limb5_S_null_space_wy_by_limb5_S_qx;
-    RESULT(checked2, null_space, 2, minus_limb1_U2_arm_y * t63);
-    RESULT(checked3, null_space, 1, t38 * (limb1_U2_arm_x * t63));
-    const REAL t60 = t26 * (minus_limb1_upper_position_x * (t56 - limb1_U_0_sin * limb5_S_null_space_wy_by_limb5_S_qx));
-    RESULT(checked0, null_space, 0, limb5_S_null_space_wx_by_limb5_S_qx + t60);
+    const REAL t37 = 1.0 / minus_limb5_S_pivot_wz,
+      t40 = limb1_U_0_sin * minus_limb1_U2_factor_1_by_3 - t39, /* limb1 */
+      limb5_S_null_space_wz_by_limb5_S_wy = t37 * t40, t41 = limb5_S_q_qx * t9 * limb5_S_null_space_wz_by_limb5_S_wy,
+      t10 = limb5_S_q_qw * t9, a_pivot = 0.5 * (t10 + t41);
+    REAL checked1 = a_pivot;
+    const REAL t43 = 1.0 / a_pivot, t11 = 0.5 * t10, t45 = limb5_S_q_qy * t9 * limb5_S_null_space_wz_by_limb5_S_wy,
+      t12 = limb5_S_q_qz * t9, t48 = t43 * (0.5 * (t12 - t45)), t13 = 0.5 * t12, a_pivot_2 = t11 + t13 * t48;
+    REAL checked2 = a_pivot_2;
+    const REAL limb5_S_null_space_wx_by_limb5_S_qx = 1.0 / a_pivot_2, t69 = t48 * limb5_S_null_space_wx_by_limb5_S_qx,
+      limb5_S_null_space_wy_by_limb5_S_qx = t43 * (t13 * limb5_S_null_space_wx_by_limb5_S_qx),
+      limb5_S_null_space_wy_by_limb5_S_qy = t43 * (1.0 - t13 * t69),
+      limb5_S_null_space_wz_by_limb5_S_qx = t37 * (t40 * limb5_S_null_space_wy_by_limb5_S_qx),
+      limb5_S_null_space_wz_by_limb5_S_qy = t37 * (t40 * limb5_S_null_space_wy_by_limb5_S_qy);
+    FIRST_LIMB(0, null_space, 1, stride, null_space, sine, cosine, limb5_S_null_space_wz_by_limb5_S_qx, limb5_S_null_space_wy_by_limb5_S_qx, limb5_S_null_space_wx_by_limb5_S_qx, limb5_S_null_space_wz_by_limb5_S_qy, limb5_S_null_space_wy_by_limb5_S_qy, t69, &limbs);
+    REAL checked3 = ALONE(limbs.checked[0]);
+    const REAL platform_turn_zx = t52 - t53, platform_turn_xz = t52 + t53,
+      t54 = platform_turn_zx * limb5_S_null_space_wz_by_limb5_S_qx,
+      t73 = platform_turn_zx * limb5_S_null_space_wz_by_limb5_S_qy,
+      t55 = platform_turn_yx * limb5_S_null_space_wy_by_limb5_S_qx,
+      t74 = platform_turn_yx * limb5_S_null_space_wy_by_limb5_S_qy;
+    RESULT(checked0, null_space, 12, t54 + (t55 + platform_turn_xx * limb5_S_null_space_wx_by_limb5_S_qx));
+    RESULT(checked1, null_space, 27, t73 + (t74 - platform_turn_xx * t69));
+    const REAL t59 = platform_turn_zy * limb5_S_null_space_wz_by_limb5_S_qx,
+      t77 = platform_turn_zy * limb5_S_null_space_wz_by_limb5_S_qy,
+      t60 = platform_turn_yy * limb5_S_null_space_wy_by_limb5_S_qx,
+      t78 = platform_turn_yy * limb5_S_null_space_wy_by_limb5_S_qy;
+    RESULT(checked2, null_space, 13, t59 + (t60 + platform_turn_xy * limb5_S_null_space_wx_by_limb5_S_qx));
+    RESULT(checked3, null_space, 28, t77 + (t78 - platform_turn_xy * t69));
+    const REAL t65 = platform_turn_zz * limb5_S_null_space_wz_by_limb5_S_qx,
+      t81 = platform_turn_zz * limb5_S_null_space_wz_by_limb5_S_qy,
+      t66 = platform_turn_yz * limb5_S_null_space_wy_by_limb5_S_qx,
+      t82 = platform_turn_yz * limb5_S_null_space_wy_by_limb5_S_qy;
+    RESULT(checked0, null_space, 14, t65 + (t66 + platform_turn_xz * limb5_S_null_space_wx_by_limb5_S_qx));
+    RESULT(checked1, null_space, 29, t81 + (t82 - platform_turn_xz * t69));
+    NEXT_LIMB(1, null_space, 0, stride, q, sine, cosine, &limbs);
+    NEXT_LIMB(1, null_space, 1, stride, null_space, sine, cosine, limb5_S_null_space_wz_by_limb5_S_qx, limb5_S_null_space_wx_by_limb5_S_qx, limb5_S_null_space_wy_by_limb5_S_qx, limb5_S_null_space_wz_by_limb5_S_qy, t69, limb5_S_null_space_wy_by_limb5_S_qy, &limbs);
+    checked2 = checked2 + ALONE(limbs.checked[1]);
+    NEXT_LIMB(2, null_space, 0, stride, q, sine, cosine, &limbs);
+    NEXT_LIMB(2, null_space, 1, stride, null_space, sine, cosine, limb5_S_null_space_wz_by_limb5_S_qx, limb5_S_null_space_wy_by_limb5_S_qx, limb5_S_null_space_wx_by_limb5_S_qx, limb5_S_null_space_wz_by_limb5_S_qy, limb5_S_null_space_wy_by_limb5_S_qy, t69, &limbs);
+    checked3 = checked3 + ALONE(limbs.checked[2]);
+    NEXT_LIMB(3, null_space, 0, stride, q, sine, cosine, &limbs);
+    NEXT_LIMB(3, null_space, 1, stride, null_space, sine, cosine, limb5_S_null_space_wz_by_limb5_S_qx, limb5_S_null_space_wx_by_limb5_S_qx, limb5_S_null_space_wy_by_limb5_S_qx, limb5_S_null_space_wz_by_limb5_S_qy, t69, limb5_S_null_space_wy_by_limb5_S_qy, &limbs);
+    checked0 = checked0 + ALONE(limbs.checked[3]);
     /* else status 5: no rotation */
     NOT_BELOW(t7, 0.999999, 5);
     NOT_ABOVE(t7, 1.000001, 5);
-    FINITE_UNLESS( /* status 1 where a pivot is smaller than its limit: */
-        SMALL(minus_limb3_U_0_lever_mz_by_limb3_S_fz, 6.62327e-10) OR /* where the reciprocal wrench limb3_S.fz has no power along limb3_U.0, as in a stretched limb */
-        SMALL(minus_limb2_U_0_lever_mz_by_limb2_S_fz, 6.62327e-10) OR /* where the reciprocal wrench limb2_S.fz has no power along limb2_U.0, as in a stretched limb */
-        SMALL(minus_limb4_U_0_lever_mz_by_limb4_S_fz, 6.62327e-10) OR /* where the reciprocal wrench limb4_S.fz has no power along limb4_U.0, as in a stretched limb */
-        SMALL(minus_limb1_U_0_lever_mz_by_limb1_U2_fz, 6.62327e-10) OR /* where the reciprocal wrench limb1_U2.fz has no power along limb1_U.0, as in a stretched limb */
+    FINITE_UNLESS4( /* status 1 where a pivot is smaller than its limit: */
+        SMALL4(limbs.minus_U_0_lever_mz_by_S_fz, 6.62327e-10, 6.62327e-10, 6.62327e-10, 6.62327e-10) OR /* where the reciprocal wrench limb_U2.fz has no power along limb_U.0, as in a stretched limb; where the reciprocal wrench limb_S.fz has no power along limb_U.0, as in a stretched limb */
         SMALL(minus_limb5_S_pivot_wz, 1.0e-09) OR /* where the loops no longer determine limb5_S.wz */
         SMALL(a_pivot, 1.0e-09) OR /* where the elimination meets a singularity */
         SMALL(a_pivot_2, 1.0e-09), /* where the elimination meets a singularity */
-        (checked0 + checked1) + (checked2 + checked3));
+        (checked0 + checked1) + (checked2 + checked3), limbs.checked);
 }
 #endif
 
@@ -682,30 +668,29 @@ STAGE(acceleration, 0)(size_t limb, size_t stride, const double *restrict q, con
     const double *restrict sine, const double *restrict cosine, LIMBS(acceleration) *own)
 {
     (void)limb, (void)stride;
-    const NUMBER4 sign1 = OF4(1.0, 1.0, -1.0, -1.0), each_param_R = OF4(-param_R, -param_R, param_R, param_R),
-      factor_2 = OF4(1.0, -1.0, 1.0, -1.0), sign2 = OF4(1.0, -1.0, 1.0, -1.0),
-      each_param_R_2 = OF4(param_R, param_R, -param_R, -param_R);
+    const NUMBER4 sign1 = OF4(1.0, 1.0, -1.0, -1.0), each_param_R = -sign1 * param_R,
+      sign2 = OF4(1.0, -1.0, 1.0, -1.0), factor_2 = sign2 * 1.0, each_param_R_2 = sign1 * param_R;
     const LIMB4 U_v_1 = IN_EACH4(READ, v, 1, 3), P_v = IN_EACH4(READ, v, 2, 3);
     /* limbs together: accelerations; reciprocal wrenches, eq. (10); geometry */
-    OWN(own->t9) = U_v_1 * P_v;
+    OWN(t9) = U_v_1 * P_v;
     const LIMB4 lower_cos = IN_EACH4(SINES, cosine, 1, 2);
-    OWN(own->signed_S_arm_y) = param_R * lower_cos;
+    OWN(signed_S_arm_y) = param_R * lower_cos;
     const LIMB4 signed_lower_sin = IN_EACH4(SINES, sine, 1, 2), t8 = sign1 * signed_lower_sin,
       upper_offset_x = IN_EACH4(READ, q, 2, 3) + limb_upper_phase;
-    OWN(own->upper_position_x) = t8 * upper_offset_x + each_param_R;
-    OWN(own->S_arm_x) = upper_offset_x - param_R * signed_lower_sin;
-    OWN(own->minus_U_0_lever_mz_by_S_fz) = lower_cos * upper_offset_x;
-    LIMB4 checked = OWN(own->minus_U_0_lever_mz_by_S_fz);
-    OWN(own->t1) = factor_2 / OWN(own->minus_U_0_lever_mz_by_S_fz);
-    OWN(own->t2) = lower_cos * OWN(own->t1);
+    OWN(upper_position_x) = t8 * upper_offset_x + each_param_R;
+    OWN(S_arm_x) = upper_offset_x - param_R * signed_lower_sin;
+    OWN(minus_U_0_lever_mz_by_S_fz) = lower_cos * upper_offset_x;
+    LIMB4 checked = OWN(minus_U_0_lever_mz_by_S_fz);
+    OWN(t1) = factor_2 / OWN(minus_U_0_lever_mz_by_S_fz);
+    OWN(t2) = lower_cos * OWN(t1);
     const LIMB4 t2 = U_v_1 * t8, upper_twist_vx = P_v * t8;
-    OWN(own->t12) = param_R * t2;
-    OWN(own->t4) = P_v * lower_cos - upper_offset_x * t2;
-    OWN(own->t5) = IN_EACH4(READ, v, 0, 3) * (sign2 * OWN(own->t4));
+    OWN(t12) = param_R * t2;
+    OWN(t4) = P_v * lower_cos - upper_offset_x * t2;
+    OWN(t5) = IN_EACH4(READ, v, 0, 3) * (sign2 * OWN(t4));
     const LIMB4 t5 = U_v_1 * lower_cos;
-    OWN(own->t7) = upper_twist_vx + upper_offset_x * t5;
-    OWN(own->t10) = each_param_R_2 * t5 - P_v;
-    OWN(own->checked) = checked;
+    OWN(t7) = upper_twist_vx + upper_offset_x * t5;
+    OWN(t10) = each_param_R_2 * t5 - P_v;
+    OWN(checked) = checked;
 }
 
 STAGE(acceleration, 1)(size_t limb, size_t stride, const double *restrict v, const double *restrict sine,
@@ -714,18 +699,18 @@ STAGE(acceleration, 1)(size_t limb, size_t stride, const double *restrict v, con
 {
     (void)limb, (void)stride;
     const NUMBER4 sign1 = OF4(1.0, -1.0, 1.0, -1.0);
-    const LIMB4 t17 = sign1 * OWN(platform_twist_wy), signed_U_0_sin = IN_EACH4(SINES, sine, 0, 2),
+    const LIMB4 t17 = sign1 * GIVEN(platform_twist_wy), signed_U_0_sin = IN_EACH4(SINES, sine, 0, 2),
       U_0_cos = IN_EACH4(SINES, cosine, 0, 2);
     /* limbs together: accelerations */
     const LIMB4 t1 = U_0_cos * t17;
-    OWN(own->t6) = signed_U_0_sin * t17 - U_0_cos * platform_twist_wz;
-    const LIMB4 U_v_0 = IN_EACH4(READ, v, 0, 3), t11 = U_v_0 * OWN(own->t6), t8 = OWN(own->t6) * OWN(own->t7),
-      t15 = OWN(own->signed_S_arm_y) * t11, t12 = OWN(own->S_arm_x) * t11;
-    OWN(own->t3) = t1 + signed_U_0_sin * platform_twist_wz;
-    OWN(own->t13) = t15 + OWN(own->t3) * OWN(own->t12);
-    OWN(own->t11) = t12 + sign1 * OWN(own->t9) + OWN(own->t3) * OWN(own->t10);
-    const LIMB4 t9 = OWN(own->t5) - OWN(own->upper_position_x) * (U_v_0 * OWN(own->t3)) - t8;
-    OWN(own->t8) = t9 - OWN(platform_twist_wx) * (sign1 * OWN(own->t4));
+    OWN(t6) = signed_U_0_sin * t17 - U_0_cos * platform_twist_wz;
+    const LIMB4 U_v_0 = IN_EACH4(READ, v, 0, 3), t11 = U_v_0 * OWN(t6), t8 = OWN(t6) * OWN(t7),
+      t15 = OWN(signed_S_arm_y) * t11, t12 = OWN(S_arm_x) * t11;
+    OWN(t3) = t1 + signed_U_0_sin * platform_twist_wz;
+    OWN(t13) = t15 + OWN(t3) * OWN(t12);
+    OWN(t11) = t12 + sign1 * OWN(t9) + OWN(t3) * OWN(t10);
+    const LIMB4 t9 = OWN(t5) - OWN(upper_position_x) * (U_v_0 * OWN(t3)) - t8;
+    OWN(t8) = t9 - GIVEN(platform_twist_wx) * (sign1 * OWN(t4));
 }
 
 STAGE(acceleration, 2)(size_t limb, size_t stride, double *restrict a, const double *restrict sine,
@@ -736,22 +721,21 @@ STAGE(acceleration, 2)(size_t limb, size_t stride, double *restrict a, const dou
     const NUMBER4 sign1 = OF4(1.0, -1.0, 1.0, -1.0), sign2 = OF4(1.0, -1.0, -1.0, 1.0);
     const LIMB4 signed_U_0_sin = IN_EACH4(SINES, sine, 0, 2), U_0_cos = IN_EACH4(SINES, cosine, 0, 2);
     /* limbs together: accelerations */
-    const LIMB4 t12 = signed_U_0_sin * given + U_0_cos * OWN(signed_limb5_S_joint_acc_wy),
-      t18 = OWN(own->signed_S_arm_y) * t12, t13 = OWN(own->S_arm_x) * t12,
+    const LIMB4 t12 = signed_U_0_sin * given + U_0_cos * GIVEN(signed_limb5_S_joint_acc_wy),
+      t18 = OWN(signed_S_arm_y) * t12, t13 = OWN(S_arm_x) * t12,
       t14 = signed_U_0_sin * minus_limb5_S_joint_acc_still_wz,
-      signed_P_joint_acc = t18 - (OWN(own->t13) + OWN(own->signed_S_arm_y) * t14);
+      signed_P_joint_acc = t18 - (OWN(t13) + OWN(signed_S_arm_y) * t14);
     WRITE4(a, 2, 5, 8, 11, sign2 * signed_P_joint_acc);
-    LIMB4 checked = OWN(own->checked) + signed_P_joint_acc;
-    const LIMB4 U_joint_acc_1 = OWN(own->t2) * (t13 - (OWN(own->t11) + OWN(own->S_arm_x) * t14));
+    LIMB4 checked = OWN(checked) + signed_P_joint_acc;
+    const LIMB4 U_joint_acc_1 = OWN(t2) * (t13 - (OWN(t11) + OWN(S_arm_x) * t14));
     WRITE4(a, 1, 4, 7, 10, U_joint_acc_1);
     checked = checked + U_joint_acc_1;
-    const LIMB4 t4 = OWN(own->upper_position_x) * (U_0_cos * given - signed_U_0_sin * OWN(signed_limb5_S_joint_acc_wy)),
-      t6 = sign1 * OWN(signed_limb5_S_joint_acc_wx) + OWN(own->t1) * t4,
-      U_joint_acc_still_0 = OWN(own->t1) * (OWN(own->upper_position_x) * (U_0_cos * minus_limb5_S_joint_acc_still_wz) - OWN(own->t8)),
-      U_joint_acc_0 = U_joint_acc_still_0 - t6;
+    const LIMB4 t4 = OWN(upper_position_x) * (U_0_cos * given - signed_U_0_sin * GIVEN(signed_limb5_S_joint_acc_wy)),
+      t6 = sign1 * GIVEN(signed_limb5_S_joint_acc_wx) + OWN(t1) * t4,
+      U_joint_acc_0 = OWN(t1) * (OWN(upper_position_x) * (U_0_cos * minus_limb5_S_joint_acc_still_wz) - OWN(t8)) - t6;
     WRITE4(a, 0, 3, 6, 9, U_joint_acc_0);
     checked = checked + U_joint_acc_0;
-    OWN(own->checked) = checked;
+    OWN(checked) = checked;
 }
 
 BODY(three_ups_upu_s_acceleration)(size_t stride, const double *restrict q, const double *restrict v,
@@ -870,270 +854,259 @@ BODY(three_ups_upu_s_acceleration)(size_t stride, const double *restrict q, cons
 #endif
 
 #if !defined(THREE_UPS_UPU_S_LANES)
+typedef struct {
+    EACH4 minus_U_0_lever_mz_by_S_fz, t1, signed_S_opening_fz, signed_upper_position_x, S_arm_x, t2, t3, t4,
+      signed_S_opening_fy, signed_S_arm_y, t5, t6, signed_P_null_space_by_limb5_S_wy, t7,
+      signed_U_null_space_1_by_limb5_S_wy, signed_U_null_space_0_by_limb5_S_wy, t8, t9, S_opening_fx, t10,
+      t11, t12, t13, P_q_next, t14, t15, t16, checked;
+} LIMBS(close_position);
+
+STAGE(close_position, 0)(size_t limb, size_t stride, const double *restrict q, const double *restrict sine,
+    const double *restrict cosine, REAL given, REAL given_2, REAL given_3, REAL given_4,
+    LIMBS(close_position) *own)
+{
+    (void)limb, (void)stride;
+    const NUMBER4 sign1 = OF4(1.0, 1.0, -1.0, -1.0), sign2 = OF4(1.0, -1.0, -1.0, -1.0),
+      sign3 = OF4(1.0, 1.0, -1.0, 1.0);
+    const LIMB4 lower_cos = IN_EACH4(SINES, cosine, 1, 2);
+    /* limbs together: reciprocal wrenches, eq. (10); geometry; rates that follow */
+    OWN(signed_S_arm_y) = param_R * lower_cos;
+    const LIMB4 upper_offset_x = IN_EACH4(READ, q, 2, 3) + limb_upper_phase,
+      signed_lower_sin = IN_EACH4(SINES, sine, 1, 2);
+    OWN(signed_upper_position_x) = signed_lower_sin * upper_offset_x + (-param_R);
+    OWN(S_arm_x) = upper_offset_x - param_R * signed_lower_sin;
+    OWN(minus_U_0_lever_mz_by_S_fz) = lower_cos * upper_offset_x;
+    OWN(t1) = 1.0 / OWN(minus_U_0_lever_mz_by_S_fz);
+    OWN(t2) = lower_cos * OWN(t1);
+    const LIMB4 U_0_sin = OF4(SINES(sine, 0), SINES(cosine, 2), SINES(sine, 4), SINES(cosine, 6)),
+      t8 = sign2 * (given - sign1 * given_2), minus_lower_rotation_yx = U_0_sin * lower_cos;
+    /* limbs together: loop closure; geometry; results */
+    const LIMB4 t1 = upper_offset_x * minus_lower_rotation_yx - t8;
+    OWN(t9) = minus_lower_rotation_yx * t1;
+    OWN(t3) = U_0_sin * signed_lower_sin * t1;
+    const LIMB4 signed_U_0_cos = OF4(SINES(cosine, 0), SINES(sine, 2), SINES(cosine, 4), SINES(sine, 6)),
+      t2 = signed_U_0_cos * t1, t10 = sign3 * (given_3 - sign1 * given_4),
+      signed_lower_rotation_zx = signed_U_0_cos * lower_cos, t3 = upper_offset_x * signed_lower_rotation_zx + t10;
+    OWN(t8) = signed_lower_rotation_zx * t3;
+    OWN(t4) = signed_U_0_cos * signed_lower_sin * t3;
+    OWN(signed_S_opening_fz) = t2 - U_0_sin * t3;
+    const LIMB4 t6 = per_length * OWN(signed_S_opening_fz);
+    OWN(t16) = t6 * t6;
+}
+
+STAGE(close_position, 1)(size_t limb, size_t stride, const double *restrict sine,
+    const double *restrict cosine, REAL given, REAL given_2, REAL given_3, REAL given_4,
+    REAL limb5_S_null_space_wz_by_limb5_S_wy, REAL given_5, REAL given_6, LIMBS(close_position) *own)
+{
+    (void)limb, (void)stride;
+    const NUMBER4 sign1 = OF4(1.0, 1.0, -1.0, -1.0), sign2 = OF4(1.0, -1.0, 1.0, 1.0);
+    /* limbs together: rates that follow; loop closure; results */
+    OWN(t5) = OF4(SINES(cosine, 0), SINES(sine, 2), SINES(cosine, 4), SINES(sine, 6)) * limb5_S_null_space_wz_by_limb5_S_wy;
+    OWN(t6) = OF4(SINES(sine, 0), SINES(cosine, 2), SINES(sine, 4), SINES(cosine, 6)) * limb5_S_null_space_wz_by_limb5_S_wy;
+    const LIMB4 t1 = OWN(signed_upper_position_x) + sign2 * (given - sign1 * given_2);
+    OWN(S_opening_fx) = IN_EACH4(SINES, sine, 1, 2) * t1 + given_5 + given_6;
+    const LIMB4 t6 = (-per_length) * OWN(S_opening_fx);
+    OWN(t14) = t6 * t6;
+    OWN(signed_S_opening_fy) = given_4 - (IN_EACH4(SINES, cosine, 1, 2) * t1 - given_3);
+    const LIMB4 t7 = per_length * OWN(signed_S_opening_fy);
+    OWN(t15) = t7 * t7;
+}
+
+STAGE(close_position, 2)(size_t limb, size_t stride, REAL given, REAL given_2, LIMBS(close_position) *own)
+{
+    (void)limb, (void)stride;
+    /* limbs together: rates that follow; results; pivots */
+    OWN(signed_P_null_space_by_limb5_S_wy) = OWN(signed_S_arm_y) * given;
+    OWN(t7) = 2.2795812745707664 * OWN(signed_P_null_space_by_limb5_S_wy);
+    OWN(t10) = OWN(signed_P_null_space_by_limb5_S_wy) * OWN(t7);
+    OWN(signed_U_null_space_1_by_limb5_S_wy) = OWN(t2) * (OWN(S_arm_x) * given);
+    OWN(t11) = OWN(signed_U_null_space_1_by_limb5_S_wy) * OWN(signed_U_null_space_1_by_limb5_S_wy);
+    OWN(signed_U_null_space_0_by_limb5_S_wy) = OWN(t1) * given_2;
+    OWN(t12) = OWN(signed_U_null_space_0_by_limb5_S_wy) * OWN(signed_U_null_space_0_by_limb5_S_wy);
+}
+
+STAGE(close_position, 3)(size_t limb, size_t stride, const double *restrict q, double *restrict q_next,
+    REAL given, REAL given_2, REAL given_3, REAL given_4, REAL P_q, LIMBS(close_position) *own)
+{
+    (void)limb, (void)stride;
+    const NUMBER4 sign1 = OF4(1.0, 1.0, -1.0, -1.0), sign2 = OF4(1.0, -1.0, 1.0, 1.0);
+    const LIMB4 t6 = sign1 * given;
+    /* limbs together: results */
+    OWN(t13) = OWN(signed_U_null_space_1_by_limb5_S_wy) * t6;
+    const LIMB4 U_q_next_0 = IN_EACH4(READ, q, 0, 3) - (given_3 - sign2 * (given_2 - OWN(signed_U_null_space_0_by_limb5_S_wy) * t6));
+    WRITE4(q_next, 0, 3, 6, 9, U_q_next_0);
+    LIMB4 checked = U_q_next_0;
+    OWN(P_q_next) = P_q + (sign2 * given_4 + OWN(signed_P_null_space_by_limb5_S_wy) * t6);
+    OWN(checked) = checked;
+}
+
 BODY(three_ups_upu_s_close_position)(size_t stride, const double *restrict q, double *restrict q_next,
     double *restrict residual_, const double *restrict sine, const double *restrict cosine,
     double *restrict total)
 {
+    LIMBS(close_position) limbs;
     /* limb5_S: geometry */
-    const REAL limb5_S_q_qw = READ(q, 12), limb5_S_q_qx = READ(q, 13), t3 = limb5_S_q_qw * limb5_S_q_qw,
-      t4 = limb5_S_q_qx * limb5_S_q_qx, limb5_S_q_qy = READ(q, 14), t5 = t3 + t4, t6 = limb5_S_q_qy * limb5_S_q_qy,
-      limb5_S_q_qz = READ(q, 15), t7 = limb5_S_q_qz * limb5_S_q_qz, t8 = t6 + t7, t9 = t5 + t8, t11 = 4.0 - 2.0 * t9,
-      t51 = 0.5 * (1.0 - t8 * t11), t31 = t4 + t7, t28 = param_H * (1.0 - t11 * (t4 + t6)),
-      platform_turn_yy = 1.0 - t11 * t31, t14 = limb5_S_q_qz * t11, t23 = limb5_S_q_qx * t14,
-      t12 = limb5_S_q_qy * t11, t19 = limb5_S_q_qw * (limb5_S_q_qx * t11), t24 = limb5_S_q_qw * t12,
-      t13 = limb5_S_q_qx * t12, platform_turn_zx = t23 - t24, t52 = param_H * (t23 + t24),
-      t25 = 0.5 * platform_turn_zx;
-    /* limb1: geometry; loop closure */
-    const REAL limb1_P_q = READ(q, 2), minus_limb1_upper_position_x_2 = t51 - t52,
-      limb3_upper_position_x_2 = t51 + t52, limb1_upper_offset_x = limb_upper_phase + limb1_P_q,
-      limb1_lower_sin = SINES(sine, 1),
-      minus_limb1_upper_position_x = param_R - limb1_lower_sin * limb1_upper_offset_x,
-      t53 = minus_limb1_upper_position_x - minus_limb1_upper_position_x_2, limb1_lower_cos = SINES(cosine, 1),
-      t236 = limb1_lower_sin * t53, t54 = limb1_lower_cos * t53;
-    /* platform: geometry */
-    const REAL t15 = limb5_S_q_qw * t14, t17 = limb5_S_q_qy * t14, platform_turn_yx = t13 + t15,
-      platform_turn_xy = t13 - t15, t16 = 0.5 * platform_turn_yx, platform_turn_yz = t17 - t19,
-      platform_turn_zy = t17 + t19, t20 = param_H * platform_turn_yz;
-    /* limb1: geometry; loop closure; results */
-    const REAL limb1_U_0_sin = SINES(sine, 0), minus_limb1_lower_limb_target_x = t16 - t20,
-      limb3_lower_limb_target_x = t16 + t20, minus_limb1_lower_rotation_yx = limb1_U_0_sin * limb1_lower_cos,
-      t21 = limb1_upper_offset_x * minus_limb1_lower_rotation_yx - minus_limb1_lower_limb_target_x,
-      limb1_U_0_cos = SINES(cosine, 0), t238 = t236 - minus_limb1_lower_rotation_yx * t21,
-      minus_limb1_lower_limb_target_y = t25 - t28, limb3_lower_limb_target_y = t25 + t28,
-      limb1_lower_rotation_zx = limb1_U_0_cos * limb1_lower_cos,
-      t29 = limb1_upper_offset_x * limb1_lower_rotation_zx + minus_limb1_lower_limb_target_y,
-      minus_limb1_U2_opening_fx = t238 - limb1_lower_rotation_zx * t29, t372 = per_length * minus_limb1_U2_opening_fx,
-      t373 = t372 * t372, t22 = limb1_U_0_cos * t21,
-      minus_limb1_U2_opening_fy = t54 + limb1_U_0_sin * limb1_lower_sin * t21 + limb1_U_0_cos * limb1_lower_sin * t29,
-      minus_limb1_U2_opening_fz = t22 - limb1_U_0_sin * t29, t374 = per_length * minus_limb1_U2_opening_fy,
-      t376 = t373 + t374 * t374, t377 = per_length * minus_limb1_U2_opening_fz, t379 = t376 + t377 * t377,
-      t39 = limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos * platform_turn_zy, t40 = limb1_lower_cos * t39,
-      limb1_U2_opening_mn = limb1_lower_sin * t39 + limb1_lower_cos * platform_turn_xy,
-      t381 = t379 + limb1_U2_opening_mn * limb1_U2_opening_mn, t131 = 0.5 * platform_turn_xy, /* platform */
-      limb1_U2_constraint_mn_couple_z = t40 - limb1_lower_sin * platform_turn_xy;
-    /* limb2: geometry; loop closure; results */
-    const REAL limb2_P_q = READ(q, 5), limb2_lower_limb_target_y = t52 - t131, limb4_lower_limb_target_y = t52 + t131,
-      limb2_upper_offset_x = limb_upper_phase + limb2_P_q, minus_limb2_U_0_cos = SINES(sine, 2),
-      limb2_lower_cos = SINES(cosine, 3), minus_limb2_lower_rotation_xx = minus_limb2_U_0_cos * limb2_lower_cos,
-      t160 = limb2_upper_offset_x * minus_limb2_lower_rotation_xx + limb2_lower_limb_target_y,
-      t161 = minus_limb2_lower_rotation_xx * t160, t134 = 0.5 * platform_turn_yy, /* platform */
-      limb2_lower_sin = SINES(sine, 3), t33 = limb1_U_0_cos * platform_turn_yy, /* limb1 */
-      limb2_upper_position_y = t20 - t134, limb4_upper_position_y_2 = t20 + t134,
-      minus_limb2_upper_position_y = param_R - limb2_lower_sin * limb2_upper_offset_x,
-      t162 = minus_limb2_upper_position_y + limb2_upper_position_y, t164 = t161 - limb2_lower_sin * t162,
-      t172 = limb2_lower_cos * t162, t138 = 0.5 * platform_turn_zy, /* platform */
-      limb1_U2_constraint_mn_couple_x = t33 + limb1_U_0_sin * platform_turn_zy, limb2_U_0_sin = SINES(cosine, 2),
-      limb2_lower_limb_target_x = t28 - t138, limb4_lower_limb_target_x = t28 + t138,
-      minus_limb2_lower_rotation_zx = limb2_U_0_sin * limb2_lower_cos,
-      t165 = limb2_upper_offset_x * minus_limb2_lower_rotation_zx + limb2_lower_limb_target_x,
-      limb2_S_opening_fx = t164 + minus_limb2_lower_rotation_zx * t165, t382 = per_length * limb2_S_opening_fx,
-      t384 = t381 + t382 * t382, /* residual */
-      t179 = limb2_U_0_sin * t160,
-      minus_limb2_S_opening_fy = minus_limb2_U_0_cos * limb2_lower_sin * t160 + t172 + limb2_U_0_sin * limb2_lower_sin * t165,
-      minus_limb2_S_opening_fz = t179 - minus_limb2_U_0_cos * t165, t385 = per_length * minus_limb2_S_opening_fy,
-      t387 = t384 + t385 * t385, /* residual */
-      t388 = per_length * minus_limb2_S_opening_fz;
-    /* limb3: geometry; loop closure */
-    const REAL limb3_P_q = READ(q, 8), t390 = t387 + t388 * t388, /* residual */
-      limb3_upper_offset_x = limb_upper_phase + limb3_P_q, minus_limb3_lower_sin = SINES(sine, 5),
-      limb3_upper_position_x = param_R - minus_limb3_lower_sin * limb3_upper_offset_x,
-      t209 = limb3_upper_position_x - limb3_upper_position_x_2, limb3_lower_cos = SINES(cosine, 5),
-      limb3_U_0_sin = SINES(sine, 4), t210 = minus_limb3_lower_sin * t209, t221 = limb3_lower_cos * t209,
-      minus_limb3_lower_rotation_yx = limb3_U_0_sin * limb3_lower_cos;
-    /* limb3: loop closure; geometry; results */
-    const REAL t189 = limb3_upper_offset_x * minus_limb3_lower_rotation_yx + limb3_lower_limb_target_x,
-      limb3_U_0_cos = SINES(cosine, 4), t212 = t210 - minus_limb3_lower_rotation_yx * t189,
-      limb3_lower_rotation_zx = limb3_U_0_cos * limb3_lower_cos,
-      t191 = limb3_upper_offset_x * limb3_lower_rotation_zx - limb3_lower_limb_target_y,
-      minus_limb3_S_opening_fx = t212 - limb3_lower_rotation_zx * t191, t391 = per_length * minus_limb3_S_opening_fx,
-      t393 = t390 + t391 * t391, /* residual */
-      t223 = t221 + limb3_U_0_sin * minus_limb3_lower_sin * t189, t190 = limb3_U_0_cos * t189,
-      limb3_S_opening_fy = t223 + limb3_U_0_cos * minus_limb3_lower_sin * t191,
-      minus_limb3_S_opening_fz = t190 - limb3_U_0_sin * t191, t394 = per_length * limb3_S_opening_fy,
-      t396 = t393 + t394 * t394, /* residual */
-      t397 = per_length * minus_limb3_S_opening_fz;
-    /* limb4: geometry; loop closure */
-    const REAL limb4_P_q = READ(q, 11), t399 = t396 + t397 * t397, /* residual */
-      limb4_upper_offset_x = limb_upper_phase + limb4_P_q, minus_limb4_U_0_cos = SINES(sine, 6),
-      limb4_lower_cos = SINES(cosine, 7), minus_limb4_lower_rotation_xx = minus_limb4_U_0_cos * limb4_lower_cos,
-      t132 = limb4_upper_offset_x * minus_limb4_lower_rotation_xx + limb4_lower_limb_target_y,
-      minus_limb4_lower_sin = SINES(sine, 7), t133 = minus_limb4_lower_rotation_xx * t132,
-      limb4_upper_position_y = param_R - minus_limb4_lower_sin * limb4_upper_offset_x;
-    /* limb4: loop closure; geometry; results */
-    const REAL t135 = limb4_upper_position_y - limb4_upper_position_y_2, limb4_U_0_sin = SINES(cosine, 6),
-      t137 = t133 - minus_limb4_lower_sin * t135, t146 = limb4_lower_cos * t135,
-      minus_limb4_lower_rotation_zx = limb4_U_0_sin * limb4_lower_cos,
-      t139 = limb4_upper_offset_x * minus_limb4_lower_rotation_zx + limb4_lower_limb_target_x,
-      limb4_S_opening_fx = t137 + minus_limb4_lower_rotation_zx * t139, t400 = per_length * limb4_S_opening_fx,
-      t402 = t399 + t400 * t400, /* residual */
-      t147 = minus_limb4_U_0_cos * minus_limb4_lower_sin * t132 + t146, t153 = limb4_U_0_sin * t132,
-      limb4_S_opening_fy = t147 + limb4_U_0_sin * minus_limb4_lower_sin * t139,
-      minus_limb4_S_opening_fz = t153 - minus_limb4_U_0_cos * t139, t403 = per_length * limb4_S_opening_fy,
-      t405 = t402 + t403 * t403, /* residual */
-      t406 = per_length * minus_limb4_S_opening_fz, residual_residual = SQRT(t405 + t406 * t406);
-    WRITE(residual_, 0, residual_residual);
-    REAL checked0 = residual_residual;
-    /* limb1: reciprocal wrenches, eq. (10); rates that follow; results */
-    const REAL minus_limb1_U_0_lever_mz_by_limb1_U2_fz = limb1_lower_cos * limb1_upper_offset_x;
-    REAL checked1 = minus_limb1_U_0_lever_mz_by_limb1_U2_fz;
-    const REAL t2 = 1.0 / minus_limb1_U_0_lever_mz_by_limb1_U2_fz, t43 = limb1_lower_cos * t2,
-      limb1_U_factor_1_by_3 = limb1_U2_constraint_mn_couple_z * t43,
-      limb1_U2_arm_x = limb1_upper_offset_x - param_R * limb1_lower_sin,
-      minus_limb1_U2_factor_0_by_3 = limb1_U2_constraint_mn_couple_z - limb1_U2_arm_x * limb1_U_factor_1_by_3,
-      t59 = limb1_U2_opening_mn + minus_limb1_U2_opening_fy * limb1_U_factor_1_by_3,
-      t45 = limb1_U_0_sin * minus_limb1_U2_factor_0_by_3, t95 = limb1_U_0_cos * minus_limb1_U2_factor_0_by_3,
-      minus_limb1_U_factor_0_by_3 = limb1_lower_sin * limb1_U2_constraint_mn_couple_x * t2,
+    const REAL limb5_S_q_qw = READ(q, 12), limb5_S_q_qx = READ(q, 13), t1 = limb5_S_q_qw * limb5_S_q_qw,
+      t2 = limb5_S_q_qx * limb5_S_q_qx, limb5_S_q_qy = READ(q, 14), t3 = t1 + t2, t4 = limb5_S_q_qy * limb5_S_q_qy,
+      limb5_S_q_qz = READ(q, 15), t5 = limb5_S_q_qz * limb5_S_q_qz, t6 = t4 + t5, t7 = t3 + t6, t9 = 4.0 - 2.0 * t7,
+      t19 = t2 + t4, platform_turn_yy = 1.0 - t9 * (t2 + t5), t21 = param_H * (1.0 - t9 * t19),
+      t46 = 0.5 * (1.0 - t6 * t9), t12 = limb5_S_q_qz * t9, t15 = limb5_S_q_qy * t12,
+      t17 = limb5_S_q_qw * (limb5_S_q_qx * t9), t10 = limb5_S_q_qy * t9, platform_turn_zy = t15 + t17,
+      t18 = param_H * (t15 - t17), limb1_U_0_cos = SINES(cosine, 0), limb1_U_0_sin = SINES(sine, 0),
+      t36 = limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos * platform_turn_zy, /* limb1 */
+      limb1_lower_cos = SINES(cosine, 1), limb1_lower_sin = SINES(sine, 1),
+      t37 = limb1_lower_cos * t36, /* limb1 */
+      t43 = limb1_lower_sin * t36, /* limb1 */
+      t11 = limb5_S_q_qx * t10, t24 = limb5_S_q_qw * t10, t13 = limb5_S_q_qw * t12, t23 = limb5_S_q_qx * t12,
+      platform_turn_xy = t11 - t13, t14 = 0.5 * (t11 + t13),
+      limb1_U2_constraint_mn_couple_z = t37 - limb1_lower_sin * platform_turn_xy, platform_turn_xz = t23 + t24,
+      t25 = 0.5 * (t23 - t24), t26 = param_H * platform_turn_xz;
+    FIRST_LIMB(0, close_position, 0, stride, q, sine, cosine, t14, t18, t25, t21, &limbs);
+    /* limb1: reciprocal wrenches, eq. (10); rates that follow; pivots */
+    REAL checked0 = limbs.minus_U_0_lever_mz_by_S_fz[0];
+    NEXT_LIMB(2, close_position, 0, stride, q, sine, cosine, t14, t18, t25, t21, &limbs);
+    REAL checked1 = limbs.minus_U_0_lever_mz_by_S_fz[2];
+    const REAL limb1_U_factor_1_by_3 = limb1_U2_constraint_mn_couple_z * limbs.t2[0],
+      minus_limb1_U2_factor_0_by_3 = limb1_U2_constraint_mn_couple_z - limbs.S_arm_x[0] * limb1_U_factor_1_by_3,
+      t40 = limb1_U_0_sin * minus_limb1_U2_factor_0_by_3, t77 = limb1_U_0_cos * minus_limb1_U2_factor_0_by_3,
+      t31 = limb1_U_0_sin * platform_turn_zy, t22 = 0.5 * platform_turn_zy, /* platform */
+      limb1_U2_constraint_mn_couple_x = limb1_U_0_cos * platform_turn_yy + t31,
+      t47 = 0.5 * platform_turn_yy, /* platform */
+      minus_limb1_U_factor_0_by_3 = limb1_lower_sin * limb1_U2_constraint_mn_couple_x * limbs.t1[0],
       limb1_U_0_lever_my_by_limb1_U2_mn = limb1_lower_cos * limb1_U2_constraint_mn_couple_x,
-      minus_limb1_U2_factor_1_by_3 = limb1_U_0_lever_my_by_limb1_U2_mn - minus_limb1_upper_position_x * minus_limb1_U_factor_0_by_3,
-      t60 = minus_limb1_U2_opening_fz * minus_limb1_U_factor_0_by_3 - t59,
-      minus_limb5_S_pivot_wz = limb1_U_0_cos * minus_limb1_U2_factor_1_by_3 + t45;
+      minus_limb1_U2_factor_1_by_3 = limb1_U_0_lever_my_by_limb1_U2_mn + limbs.signed_upper_position_x[0] * minus_limb1_U_factor_0_by_3,
+      t42 = limbs.signed_S_opening_fz[0] * minus_limb1_U_factor_0_by_3,
+      minus_limb5_S_pivot_wz = limb1_U_0_cos * minus_limb1_U2_factor_1_by_3 + t40;
     REAL checked2 = minus_limb5_S_pivot_wz;
-    const REAL t46 = 1.0 / minus_limb5_S_pivot_wz, /* limb5_S */
-      limb5_S_null_space_wz_by_limb5_S_wy = t46 * (limb1_U_0_sin * minus_limb1_U2_factor_1_by_3 - t95),
-      t61 = t46 * t60, t234 = limb1_U_0_cos + limb1_U_0_sin * limb5_S_null_space_wz_by_limb5_S_wy,
-      limb1_U_null_space_1_by_limb5_S_wy = t43 * (limb1_U2_arm_x * t234),
-      t275 = limb1_U_null_space_1_by_limb5_S_wy * limb1_U_null_space_1_by_limb5_S_wy,
-      t111 = minus_limb1_upper_position_x * (limb1_U_0_sin - limb1_U_0_cos * limb5_S_null_space_wz_by_limb5_S_wy),
-      minus_limb1_U_null_space_0_by_limb5_S_wy = t2 * t111,
-      t277 = t275 + minus_limb1_U_null_space_0_by_limb5_S_wy * minus_limb1_U_null_space_0_by_limb5_S_wy,
-      minus_limb1_U2_arm_y = param_R * limb1_lower_cos,
-      limb1_P_null_space_by_limb5_S_wy = minus_limb1_U2_arm_y * t234,
-      t235 = 2.2795812745707664 * limb1_P_null_space_by_limb5_S_wy,
-      t278 = limb1_P_null_space_by_limb5_S_wy * t235 + t277;
-    /* limb2: rates that follow; reciprocal wrenches, eq. (10); results */
-    const REAL t106 = minus_limb2_upper_position_y * (limb2_U_0_sin * limb5_S_null_space_wz_by_limb5_S_wy),
-      minus_limb2_U_0_lever_mz_by_limb2_S_fz = limb2_lower_cos * limb2_upper_offset_x,
-      t107 = minus_limb2_U_0_lever_mz_by_limb2_S_fz - t106, t79 = 1.0 / minus_limb2_U_0_lever_mz_by_limb2_S_fz,
-      limb2_U_null_space_0_by_limb5_S_wy = t79 * t107,
-      t279 = limb2_U_null_space_0_by_limb5_S_wy * limb2_U_null_space_0_by_limb5_S_wy + t278, /* mechanism */
-      t100 = minus_limb2_U_0_cos * limb5_S_null_space_wz_by_limb5_S_wy,
-      limb2_S_arm_x = limb2_upper_offset_x - param_R * limb2_lower_sin, t103 = limb2_S_arm_x * t100,
-      t85 = limb2_lower_cos * t79, minus_limb2_U_null_space_1_by_limb5_S_wy = t85 * t103,
-      t280 = minus_limb2_U_null_space_1_by_limb5_S_wy * minus_limb2_U_null_space_1_by_limb5_S_wy + t279, /* mechanism */
-      minus_limb2_S_arm_y = param_R * limb2_lower_cos,
-      minus_limb2_P_null_space_by_limb5_S_wy = minus_limb2_S_arm_y * t100,
-      t101 = 2.2795812745707664 * minus_limb2_P_null_space_by_limb5_S_wy,
-      t281 = minus_limb2_P_null_space_by_limb5_S_wy * t101 + t280; /* mechanism */
-    /* limb3: rates that follow; reciprocal wrenches, eq. (10); results */
-    const REAL t119 = limb3_upper_position_x * (limb3_U_0_sin - limb3_U_0_cos * limb5_S_null_space_wz_by_limb5_S_wy),
-      minus_limb3_U_0_lever_mz_by_limb3_S_fz = limb3_lower_cos * limb3_upper_offset_x;
-    REAL checked3 = minus_limb3_U_0_lever_mz_by_limb3_S_fz;
-    const REAL t116 = 1.0 / minus_limb3_U_0_lever_mz_by_limb3_S_fz, limb3_U_null_space_0_by_limb5_S_wy = t116 * t119,
-      t282 = limb3_U_null_space_0_by_limb5_S_wy * limb3_U_null_space_0_by_limb5_S_wy + t281, /* mechanism */
-      t207 = limb3_U_0_cos + limb3_U_0_sin * limb5_S_null_space_wz_by_limb5_S_wy,
-      limb3_S_arm_x = limb3_upper_offset_x - param_R * minus_limb3_lower_sin, t219 = limb3_S_arm_x * t207,
-      t220 = limb3_lower_cos * t116, limb3_U_null_space_1_by_limb5_S_wy = t219 * t220,
-      t283 = limb3_U_null_space_1_by_limb5_S_wy * limb3_U_null_space_1_by_limb5_S_wy + t282, /* mechanism */
-      limb3_S_arm_y = param_R * limb3_lower_cos, minus_limb3_P_null_space_by_limb5_S_wy = limb3_S_arm_y * t207,
-      t208 = 2.2795812745707664 * minus_limb3_P_null_space_by_limb5_S_wy,
-      t284 = minus_limb3_P_null_space_by_limb5_S_wy * t208 + t283; /* mechanism */
-    /* limb4: rates that follow; reciprocal wrenches, eq. (10); results */
-    const REAL t122 = limb4_upper_position_y * (limb4_U_0_sin * limb5_S_null_space_wz_by_limb5_S_wy),
-      minus_limb4_U_0_lever_mz_by_limb4_S_fz = limb4_lower_cos * limb4_upper_offset_x,
-      t123 = minus_limb4_U_0_lever_mz_by_limb4_S_fz + t122, t71 = 1.0 / minus_limb4_U_0_lever_mz_by_limb4_S_fz,
-      limb4_U_null_space_0_by_limb5_S_wy = t71 * t123,
-      t285 = limb4_U_null_space_0_by_limb5_S_wy * limb4_U_null_space_0_by_limb5_S_wy + t284, /* mechanism */
-      t97 = minus_limb4_U_0_cos * limb5_S_null_space_wz_by_limb5_S_wy,
-      limb4_S_arm_x = limb4_upper_offset_x - param_R * minus_limb4_lower_sin, t126 = limb4_S_arm_x * t97,
-      t72 = limb4_lower_cos * t71, minus_limb4_U_null_space_1_by_limb5_S_wy = t72 * t126,
-      t286 = minus_limb4_U_null_space_1_by_limb5_S_wy * minus_limb4_U_null_space_1_by_limb5_S_wy + t285, /* mechanism */
-      limb4_S_arm_y = param_R * limb4_lower_cos, limb4_P_null_space_by_limb5_S_wy = limb4_S_arm_y * t97,
-      t98 = 2.2795812745707664 * limb4_P_null_space_by_limb5_S_wy,
-      t288 = 1.0 + (limb4_P_null_space_by_limb5_S_wy * t98 + t286), /* mechanism */
-      t289 = limb5_S_null_space_wz_by_limb5_S_wy * limb5_S_null_space_wz_by_limb5_S_wy + t288, /* mechanism */
-      minus_limb2_U_null_space_0_by_limb5_S_wx = t79 * (minus_limb2_U_0_cos * minus_limb2_upper_position_y),
-      t112 = minus_limb2_U_null_space_0_by_limb5_S_wx * limb2_U_null_space_0_by_limb5_S_wy + minus_limb1_U_null_space_0_by_limb5_S_wy, /* limb1 */
-      limb2_U_null_space_1_by_limb5_S_wx = limb2_U_0_sin * limb2_S_arm_x * t85,
-      t113 = limb2_U_null_space_1_by_limb5_S_wx * minus_limb2_U_null_space_1_by_limb5_S_wy + t112, /* limb1 */
-      minus_platform_joint_force_mx_by_limb2_P = limb2_U_0_sin * minus_limb2_S_arm_y,
-      t120 = minus_platform_joint_force_mx_by_limb2_P * t101 + t113 - limb3_U_null_space_0_by_limb5_S_wy, /* limb1 */
-      limb4_U_null_space_0_by_limb5_S_wx = t71 * (minus_limb4_U_0_cos * limb4_upper_position_y),
-      t125 = t120 - limb4_U_null_space_0_by_limb5_S_wx * limb4_U_null_space_0_by_limb5_S_wy, /* limb1 */
-      limb4_U_null_space_1_by_limb5_S_wx = limb4_U_0_sin * limb4_S_arm_x * t72,
-      t128 = t125 + limb4_U_null_space_1_by_limb5_S_wx * minus_limb4_U_null_space_1_by_limb5_S_wy; /* limb1 */
-    /* platform: balance, eqs. (40)-(47) */
-    const REAL platform_joint_force_mx_by_limb4_P = limb4_U_0_sin * limb4_S_arm_y,
-      t129 = platform_joint_force_mx_by_limb4_P * t98 + t128, /* limb1 */
-      t82 = 1.0 + minus_limb2_U_null_space_0_by_limb5_S_wx * minus_limb2_U_null_space_0_by_limb5_S_wx, /* limb2 */
-      t87 = t82 + limb2_U_null_space_1_by_limb5_S_wx * limb2_U_null_space_1_by_limb5_S_wx; /* limb2 */
+    const REAL t41 = 1.0 / minus_limb5_S_pivot_wz, /* limb5_S */
+      limb5_S_null_space_wz_by_limb5_S_wy = t41 * (limb1_U_0_sin * minus_limb1_U2_factor_1_by_3 - t77);
+    FIRST_LIMB(0, close_position, 1, stride, sine, cosine, t46, t26, limbs.t3[0], limbs.t4[0], limb5_S_null_space_wz_by_limb5_S_wy, limbs.t9[0], limbs.t8[0], &limbs);
+    /* limb1: results; loop closure */
+    const REAL t48 = limbs.signed_S_opening_fy[0] * limb1_U_factor_1_by_3;
+    NEXT_LIMB(2, close_position, 1, stride, sine, cosine, t46, t26, limbs.t3[2], limbs.t4[2], limb5_S_null_space_wz_by_limb5_S_wy, limbs.t9[2], limbs.t8[2], &limbs);
+    const REAL limb1_U2_opening_mn = t43 + limb1_lower_cos * platform_turn_xy,
+      t51 = t41 * (t42 - (limb1_U2_opening_mn + t48)), t27 = 0.5 * platform_turn_xy, /* platform */
+      t252 = limb1_U2_opening_mn * limb1_U2_opening_mn, t157 = limb1_U_0_sin * t51,
+      t163 = limbs.t2[0] * (limbs.signed_S_opening_fy[0] - limbs.S_arm_x[0] * t157),
+      t159 = limbs.S_opening_fx[0] + limbs.signed_S_arm_y[0] * t157,
+      t263 = -(limbs.signed_upper_position_x[0] * (limb1_U_0_sin - limbs.t5[0]));
+    FIRST_LIMB(0, close_position, 2, stride, limb1_U_0_cos + limbs.t6[0], t263, &limbs);
+    const REAL t253 = limbs.t14[0] + limbs.t15[0] + limbs.t16[0] + t252,
+      t164 = limbs.signed_U_null_space_1_by_limb5_S_wy[0] * t163,
+      t55 = limbs.t1[0] * (limbs.signed_S_opening_fz[0] - limbs.signed_upper_position_x[0] * (limb1_U_0_cos * t51)),
+      limb2_U_0_sin = SINES(cosine, 2),
+      t167 = t164 + limbs.signed_U_null_space_0_by_limb5_S_wy[0] * t55 - limbs.t7[0] * t159, t268 = -t159,
+      t124 = limb2_U_0_sin * t51;
+    NEXT_LIMB(1, close_position, 0, stride, q, sine, cosine, t21, t22, t26, t27, &limbs);
+    NEXT_LIMB(3, close_position, 0, stride, q, sine, cosine, t21, t22, t26, t27, &limbs);
+    const REAL t127 = limbs.t1[1] * (limbs.signed_upper_position_x[1] * t124 - limbs.signed_S_opening_fz[1]);
+    NEXT_LIMB(1, close_position, 1, stride, sine, cosine, t18, t47, limbs.t4[1], limbs.t3[1], limb5_S_null_space_wz_by_limb5_S_wy, limbs.t8[1], limbs.t9[1], &limbs);
+    NEXT_LIMB(3, close_position, 1, stride, sine, cosine, t18, t47, limbs.t4[3], limbs.t3[3], limb5_S_null_space_wz_by_limb5_S_wy, limbs.t8[3], limbs.t9[3], &limbs);
+    const REAL t259 = t253 + limbs.t14[1] + limbs.t15[1] + limbs.t16[1] + limbs.t14[2] + limbs.t15[2] + limbs.t16[2], /* residual */
+      residual_residual = SQRT(t259 + limbs.t14[3] + limbs.t15[3] + limbs.t16[3]);
+    WRITE(residual_, 0, residual_residual);
+    REAL checked3 = residual_residual;
+    NEXT_LIMB(1, close_position, 2, stride, limbs.t5[1], limbs.minus_U_0_lever_mz_by_S_fz[1] + limbs.signed_upper_position_x[1] * limbs.t6[1], &limbs);
+    const REAL minus_limb2_U_0_cos = SINES(sine, 2),
+      t168 = limbs.signed_U_null_space_0_by_limb5_S_wy[1] * t127 - t167, t116 = minus_limb2_U_0_cos * t51,
+      t122 = limbs.t2[1] * (limbs.signed_S_opening_fy[1] + limbs.S_arm_x[1] * t116),
+      t118 = limbs.S_opening_fx[1] - limbs.signed_S_arm_y[1] * t116, limb3_U_0_cos = SINES(cosine, 4),
+      t170 = limbs.t7[1] * t118 - (limbs.signed_U_null_space_1_by_limb5_S_wy[1] * t122 + t168),
+      t135 = limbs.t1[2] * (limbs.signed_S_opening_fz[2] + limbs.signed_upper_position_x[2] * (limb3_U_0_cos * t51)),
+      limb3_U_0_sin = SINES(sine, 4), t264 = -(limbs.signed_upper_position_x[2] * (limb3_U_0_sin - limbs.t5[2]));
+    NEXT_LIMB(2, close_position, 2, stride, limb3_U_0_cos + limbs.t6[2], t264, &limbs);
+    const REAL t171 = limbs.signed_U_null_space_0_by_limb5_S_wy[2] * t135 - t170, t145 = limb3_U_0_sin * t51,
+      t151 = limbs.t2[2] * (limbs.signed_S_opening_fy[2] + limbs.S_arm_x[2] * t145),
+      t147 = limbs.signed_S_arm_y[2] * t145 - limbs.S_opening_fx[2], limb4_U_0_sin = SINES(cosine, 6),
+      t173 = limbs.t7[2] * t147 + (limbs.signed_U_null_space_1_by_limb5_S_wy[2] * t151 + t171),
+      t114 = limbs.t1[3] * (limbs.signed_S_opening_fz[3] + limbs.signed_upper_position_x[3] * (limb4_U_0_sin * t51));
+    NEXT_LIMB(3, close_position, 2, stride, limbs.t5[3], limbs.minus_U_0_lever_mz_by_S_fz[3] - limbs.signed_upper_position_x[3] * limbs.t6[3], &limbs);
+    const REAL minus_limb4_U_0_cos = SINES(sine, 6),
+      t174 = t173 - limbs.signed_U_null_space_0_by_limb5_S_wy[3] * t114, t103 = minus_limb4_U_0_cos * t51,
+      t109 = limbs.t2[3] * (limbs.signed_S_opening_fy[3] - limbs.S_arm_x[3] * t103),
+      t105 = limbs.S_opening_fx[3] + limbs.signed_S_arm_y[3] * t103,
+      t176 = limbs.t7[3] * t105 - (limbs.signed_U_null_space_1_by_limb5_S_wy[3] * t109 - t174),
+      t177 = limb5_S_null_space_wz_by_limb5_S_wy * t51 + t176,
+      limb2_U_null_space_0_by_limb5_S_wx = limbs.t1[1] * (minus_limb2_U_0_cos * limbs.signed_upper_position_x[1]),
+      t129 = limb2_U_null_space_0_by_limb5_S_wx * t127 + t55,
+      limb2_U_null_space_1_by_limb5_S_wx = limb2_U_0_sin * limbs.S_arm_x[1] * limbs.t2[1],
+      minus_platform_joint_force_mx_by_limb2_P = limb2_U_0_sin * limbs.signed_S_arm_y[1],
+      t130 = limb2_U_null_space_1_by_limb5_S_wx * t122 - t129,
+      t62 = 2.2795812745707664 * minus_platform_joint_force_mx_by_limb2_P, /* platform */
+      t136 = t62 * t118 - t130 + t135, t63 = minus_platform_joint_force_mx_by_limb2_P * t62, /* platform */
+      minus_limb4_U_null_space_0_by_limb5_S_wx = limbs.t1[3] * (minus_limb4_U_0_cos * limbs.signed_upper_position_x[3]),
+      t137 = minus_limb4_U_null_space_0_by_limb5_S_wx * t114 + t136, t267 = -t114,
+      limb4_U_null_space_1_by_limb5_S_wx = limb4_U_0_sin * limbs.S_arm_x[3] * limbs.t2[3],
+      platform_joint_force_mx_by_limb4_P = limb4_U_0_sin * limbs.signed_S_arm_y[3],
+      t138 = limb4_U_null_space_1_by_limb5_S_wx * t109 + t137,
+      t56 = 2.2795812745707664 * platform_joint_force_mx_by_limb4_P, /* platform */
+      t139 = t56 * t105 - t138, t57 = platform_joint_force_mx_by_limb4_P * t56, /* platform */
+      t93 = limbs.signed_U_null_space_0_by_limb5_S_wy[0] - limb2_U_null_space_0_by_limb5_S_wx * limbs.signed_U_null_space_0_by_limb5_S_wy[1],
+      t94 = limb2_U_null_space_1_by_limb5_S_wx * limbs.signed_U_null_space_1_by_limb5_S_wy[1] + t93,
+      t96 = minus_platform_joint_force_mx_by_limb2_P * limbs.t7[1] + t94 - limbs.signed_U_null_space_0_by_limb5_S_wy[2],
+      t98 = t96 + minus_limb4_U_null_space_0_by_limb5_S_wx * limbs.signed_U_null_space_0_by_limb5_S_wy[3],
+      t100 = t98 + limb4_U_null_space_1_by_limb5_S_wx * limbs.signed_U_null_space_1_by_limb5_S_wy[3],
+      t101 = platform_joint_force_mx_by_limb4_P * limbs.t7[3] + t100,
+      t66 = 1.0 + limb2_U_null_space_0_by_limb5_S_wx * limb2_U_null_space_0_by_limb5_S_wx; /* limb2 */
     /* mechanism: pivots; results */
-    const REAL t77 = 2.2795812745707664 * minus_platform_joint_force_mx_by_limb2_P,
-      t89 = 1.0 + (minus_platform_joint_force_mx_by_limb2_P * t77 + t87),
-      t90 = limb4_U_null_space_0_by_limb5_S_wx * limb4_U_null_space_0_by_limb5_S_wx + t89,
-      t91 = limb4_U_null_space_1_by_limb5_S_wx * limb4_U_null_space_1_by_limb5_S_wx + t90,
-      t67 = 2.2795812745707664 * platform_joint_force_mx_by_limb4_P,
-      pivot_0 = 1.0 + (platform_joint_force_mx_by_limb4_P * t67 + t91);
+    const REAL t71 = 1.0 + (t63 + (t66 + limb2_U_null_space_1_by_limb5_S_wx * limb2_U_null_space_1_by_limb5_S_wx)),
+      t72 = minus_limb4_U_null_space_0_by_limb5_S_wx * minus_limb4_U_null_space_0_by_limb5_S_wx + t71,
+      pivot_0 = 1.0 + (t57 + (limb4_U_null_space_1_by_limb5_S_wx * limb4_U_null_space_1_by_limb5_S_wx + t72));
     checked0 = checked0 + pivot_0;
-    const REAL t93 = 1.0 / pivot_0;
-    /* limb1: results */
-    const REAL t130 = t93 * t129, minus_pivot_1 = t129 * t130 - t289;
+    const REAL t75 = 1.0 / pivot_0;
+    /* limb1: results; pivots; geometry */
+    const REAL t102 = t75 * t101, t179 = t101 * t102, t196 = t75 * t139, t178 = t102 * t139 - t177,
+      t185 = limbs.t10[1] + (limbs.t11[1] + (limbs.t12[1] + (limbs.t10[0] + (limbs.t11[0] + limbs.t12[0])))), /* mechanism */
+      t191 = limbs.t10[3] + (limbs.t11[3] + (limbs.t12[3] + (limbs.t10[2] + (limbs.t11[2] + (limbs.t12[2] + t185))))), /* mechanism */
+      minus_pivot_1 = t179 - (limb5_S_null_space_wz_by_limb5_S_wy * limb5_S_null_space_wz_by_limb5_S_wy + (1.0 + t191));
     checked1 = checked1 + minus_pivot_1;
-    const REAL t240 = limb1_U_0_sin * t61, t247 = t43 * (minus_limb1_U2_opening_fy - limb1_U2_arm_x * t240),
-      t242 = minus_limb1_U2_opening_fx - minus_limb1_U2_arm_y * t240, t243 = t235 * t242,
-      t248 = limb1_U_null_space_1_by_limb5_S_wy * t247,
-      t65 = t2 * (minus_limb1_U2_opening_fz + minus_limb1_upper_position_x * (limb1_U_0_cos * t61)),
-      t251 = t243 + (t248 + minus_limb1_U_null_space_0_by_limb5_S_wy * t65),
-      t184 = t79 * (minus_limb2_S_opening_fz - minus_limb2_upper_position_y * (limb2_U_0_sin * t61)),
-      t252 = limb2_U_null_space_0_by_limb5_S_wy * t184 - t251, t167 = minus_limb2_U_0_cos * t61,
-      t177 = t85 * (minus_limb2_S_opening_fy + limb2_S_arm_x * t167),
-      t169 = limb2_S_opening_fx - minus_limb2_S_arm_y * t167, t170 = t77 * t169,
-      t254 = t101 * t169 - (minus_limb2_U_null_space_1_by_limb5_S_wy * t177 + t252),
-      t196 = t116 * (minus_limb3_S_opening_fz - limb3_upper_position_x * (limb3_U_0_cos * t61)),
-      t255 = limb3_U_null_space_0_by_limb5_S_wy * t196 - t254, t214 = limb3_U_0_sin * t61,
-      t227 = t220 * (limb3_S_opening_fy + limb3_S_arm_x * t214),
-      t216 = minus_limb3_S_opening_fx + limb3_S_arm_y * t214,
-      t257 = t208 * t216 + (limb3_U_null_space_1_by_limb5_S_wy * t227 + t255),
-      t158 = t71 * (minus_limb4_S_opening_fz + limb4_upper_position_y * (limb4_U_0_sin * t61)),
-      t258 = limb4_U_null_space_0_by_limb5_S_wy * t158 + t257, t141 = minus_limb4_U_0_cos * t61,
-      t151 = t72 * (limb4_S_opening_fy - limb4_S_arm_x * t141), t143 = limb4_S_opening_fx + limb4_S_arm_y * t141,
-      t144 = t67 * t143, t260 = t98 * t143 - (minus_limb4_U_null_space_1_by_limb5_S_wy * t151 - t258),
-      t261 = limb5_S_null_space_wz_by_limb5_S_wy * t61 + t260,
-      t186 = minus_limb2_U_null_space_0_by_limb5_S_wx * t184 - t65,
-      t197 = t170 - (limb2_U_null_space_1_by_limb5_S_wx * t177 + t186) + t196,
-      t199 = limb4_U_null_space_1_by_limb5_S_wx * t151 + (limb4_U_null_space_0_by_limb5_S_wx * t158 + t197),
-      t200 = t144 - t199, t292 = t93 * t200, t290 = (t130 * t200 - t261) / minus_pivot_1, t293 = t130 * t290 - t292,
-      t334 = 0.5 * (t61 - limb5_S_null_space_wz_by_limb5_S_wy * t290); /* limb5_S */
-    RESULT(checked2, q_next, 11, limb4_P_q - (t143 - (limb4_P_null_space_by_limb5_S_wy * t290 - platform_joint_force_mx_by_limb4_P * t293)));
-    const REAL t327 = t151 + (minus_limb4_U_null_space_1_by_limb5_S_wy * t290 - limb4_U_null_space_1_by_limb5_S_wx * t293); /* limb4 */
-    RESULT(checked3, q_next, 10, READ(q, 10) - t327);
-    const REAL t323 = t158 - (limb4_U_null_space_0_by_limb5_S_wy * t290 + limb4_U_null_space_0_by_limb5_S_wx * t293); /* limb4 */
-    RESULT(checked0, q_next, 9, READ(q, 9) - t323);
-    RESULT(checked1, q_next, 8, limb3_P_q + (t216 - minus_limb3_P_null_space_by_limb5_S_wy * t290));
-    RESULT(checked2, q_next, 7, READ(q, 7) - (t227 - limb3_U_null_space_1_by_limb5_S_wy * t290));
-    RESULT(checked3, q_next, 6, READ(q, 6) - (t196 - (t293 + limb3_U_null_space_0_by_limb5_S_wy * t290)));
-    const REAL t311 = minus_limb2_P_null_space_by_limb5_S_wy * t290 - minus_platform_joint_force_mx_by_limb2_P * t293; /* limb2 */
-    RESULT(checked0, q_next, 5, limb2_P_q - (t169 + t311));
-    const REAL t308 = t177 - (minus_limb2_U_null_space_1_by_limb5_S_wy * t290 - limb2_U_null_space_1_by_limb5_S_wx * t293); /* limb2 */
-    RESULT(checked1, q_next, 4, READ(q, 4) + t308);
-    const REAL t304 = t184 - (limb2_U_null_space_0_by_limb5_S_wy * t290 - minus_limb2_U_null_space_0_by_limb5_S_wx * t293); /* limb2 */
-    RESULT(checked2, q_next, 3, READ(q, 3) - t304);
-    RESULT(checked3, q_next, 2, limb1_P_q + (t242 + limb1_P_null_space_by_limb5_S_wy * t290));
-    RESULT(checked0, q_next, 1, READ(q, 1) + (t247 + limb1_U_null_space_1_by_limb5_S_wy * t290));
-    const REAL t294 = minus_limb1_U_null_space_0_by_limb5_S_wy * t290, t336 = 0.5 * t290;
-    RESULT(checked1, q_next, 0, READ(q, 0) - (t65 - (t293 - t294)));
-    const REAL t338 = 0.5 * t293;
+    const REAL t194 = t178 / minus_pivot_1, t197 = t102 * t194 - t196, limb1_P_q = READ(q, 2);
+    FIRST_LIMB(0, close_position, 3, stride, q, q_next, t194, t197, t55, t268, limb1_P_q, &limbs);
+    WRITE(q_next, 2, limbs.P_q_next[0]);
+    checked2 = checked2 + limbs.P_q_next[0];
+    checked3 = checked3 + ALONE(limbs.checked[0]);
+    const REAL limb3_P_q = READ(q, 8);
+    NEXT_LIMB(2, close_position, 3, stride, q, q_next, t194, t197, t135, t147, limb3_P_q, &limbs);
+    WRITE(q_next, 8, limbs.P_q_next[2]);
+    checked0 = checked0 + limbs.P_q_next[2];
+    checked1 = checked1 + ALONE(limbs.checked[2]);
+    RESULT(checked2, q_next, 1, READ(q, 1) + (t163 + limbs.t13[0]));
+    RESULT(checked3, q_next, 7, READ(q, 7) - (t151 + limbs.t13[2]));
+    NEXT_LIMB(1, close_position, 3, stride, q, q_next, t194, -(limb2_U_null_space_0_by_limb5_S_wx * t197), t127, minus_platform_joint_force_mx_by_limb2_P * t197, t118, &limbs);
+    checked0 = checked0 + ALONE(limbs.checked[1]);
+    RESULT(checked1, q_next, 4, READ(q, 4) + (t122 - (limbs.t13[1] - limb2_U_null_space_1_by_limb5_S_wx * t197)));
+    const REAL limb2_P_q = READ(q, 5);
+    RESULT(checked2, q_next, 5, limb2_P_q - limbs.P_q_next[1]);
+    NEXT_LIMB(3, close_position, 3, stride, q, q_next, t194, -(minus_limb4_U_null_space_0_by_limb5_S_wx * t197), t267, platform_joint_force_mx_by_limb4_P * t197, t105, &limbs);
+    checked3 = checked3 + ALONE(limbs.checked[3]);
+    RESULT(checked0, q_next, 10, READ(q, 10) - (t109 - (limbs.t13[3] + limb4_U_null_space_1_by_limb5_S_wx * t197)));
+    const REAL limb4_P_q = READ(q, 11);
+    RESULT(checked1, q_next, 11, limb4_P_q - limbs.P_q_next[3]);
+    const REAL t216 = 0.5 * t197;
     /* limb5_S: results */
-    const REAL t342 = limb5_S_q_qw + (limb5_S_q_qz * t334 - (limb5_S_q_qy * t336 + limb5_S_q_qx * t338)),
-      t364 = t342 * t342, t362 = limb5_S_q_qy * t334 + limb5_S_q_qz * t336 + (limb5_S_q_qx + limb5_S_q_qw * t338),
-      t365 = t362 * t362 + t364, t344 = limb5_S_q_qy * t338, t347 = limb5_S_q_qz - limb5_S_q_qw * t334,
-      t355 = limb5_S_q_qz * t338 + limb5_S_q_qx * t334 - (limb5_S_q_qy + limb5_S_q_qw * t336),
-      t348 = limb5_S_q_qx * t336 - t344 - t347, t369 = 1.0 / SQRT(t348 * t348 + (t355 * t355 + t365));
-    RESULT(checked2, q_next, 13, t362 * t369);
-    RESULT(checked3, q_next, 12, t342 * t369);
-    RESULT(checked0, q_next, 15, -(t348 * t369));
-    RESULT(checked1, q_next, 14, -(t355 * t369));
+    const REAL t211 = t51 - limb5_S_null_space_wz_by_limb5_S_wy * t194, t214 = 0.5 * t194, /* limb1 */
+      t212 = 0.5 * t211, t220 = limb5_S_q_qw + (limb5_S_q_qz * t212 - (limb5_S_q_qy * t214 + limb5_S_q_qx * t216)),
+      t242 = t220 * t220, t240 = limb5_S_q_qy * t212 + limb5_S_q_qz * t214 + (limb5_S_q_qx + limb5_S_q_qw * t216),
+      t243 = t240 * t240 + t242, t222 = limb5_S_q_qy * t216, t225 = limb5_S_q_qz - limb5_S_q_qw * t212,
+      t233 = limb5_S_q_qz * t216 + limb5_S_q_qx * t212 - (limb5_S_q_qy + limb5_S_q_qw * t214),
+      t226 = limb5_S_q_qx * t214 - t222 - t225, t247 = 1.0 / SQRT(t226 * t226 + (t233 * t233 + t243));
+    RESULT(checked2, q_next, 12, t220 * t247);
+    RESULT(checked3, q_next, 13, t240 * t247);
+    const REAL t248 = t233 * t247;
+    checked0 = checked0 + t248;
+    WRITE(q_next, 14, -t248);
+    const REAL t249 = t226 * t247;
+    checked1 = checked1 + t249;
+    WRITE(q_next, 15, -t249);
     /* else status 5: no rotation */
-    NOT_BELOW(t9, 0.999999, 5);
-    NOT_ABOVE(t9, 1.000001, 5);
-    FINITE_UNLESS( /* status 1 where a pivot is smaller than its limit: */
-        SMALL(minus_limb3_U_0_lever_mz_by_limb3_S_fz, 6.62327e-10) OR /* where the reciprocal wrench limb3_S.fz has no power along limb3_U.0, as in a stretched limb */
-        SMALL(minus_limb2_U_0_lever_mz_by_limb2_S_fz, 6.62327e-10) OR /* where the reciprocal wrench limb2_S.fz has no power along limb2_U.0, as in a stretched limb */
-        SMALL(minus_limb4_U_0_lever_mz_by_limb4_S_fz, 6.62327e-10) OR /* where the reciprocal wrench limb4_S.fz has no power along limb4_U.0, as in a stretched limb */
-        SMALL(minus_limb1_U_0_lever_mz_by_limb1_U2_fz, 6.62327e-10) OR /* where the reciprocal wrench limb1_U2.fz has no power along limb1_U.0, as in a stretched limb */
+    NOT_BELOW(t7, 0.999999, 5);
+    NOT_ABOVE(t7, 1.000001, 5);
+    FINITE_UNLESS4( /* status 1 where a pivot is smaller than its limit: */
+        SMALL4(limbs.minus_U_0_lever_mz_by_S_fz, 6.62327e-10, 6.62327e-10, 6.62327e-10, 6.62327e-10) OR /* where the reciprocal wrench limb_U2.fz has no power along limb_U.0, as in a stretched limb; where the reciprocal wrench limb_S.fz has no power along limb_U.0, as in a stretched limb */
         SMALL(minus_limb5_S_pivot_wz, 1.0e-09) OR /* where the loops no longer determine limb5_S.wz */
         SMALL(pivot_0, 5.4106e-09) OR /* where step 0 of symmetric equations loses rank: of drives, inertia or internal loads */
         SMALL(minus_pivot_1, 5.4385e-09), /* where step 1 of symmetric equations loses rank: of drives, inertia or internal loads */
-        (checked0 + checked1) + (checked2 + checked3));
+        (checked0 + checked1) + (checked2 + checked3), limbs.checked);
 }
 #endif
 
@@ -1490,29 +1463,29 @@ STAGE(assemble_step, 0)(size_t limb, size_t stride, const double *restrict q, co
       sign3 = OF4(1.0, 1.0, -1.0, 1.0);
     const LIMB4 lower_cos = OF4(SINES(cosine, 1), SINES(cosine, 4), SINES(cosine, 6), SINES(cosine, 9));
     /* limbs together: reciprocal wrenches, eq. (10); geometry; rates that follow */
-    OWN(own->signed_S_arm_y) = param_R * lower_cos;
-    OWN(own->upper_offset_x) = IN_EACH4(READ, q, 2, 3) + limb_upper_phase;
+    OWN(signed_S_arm_y) = param_R * lower_cos;
+    OWN(upper_offset_x) = IN_EACH4(READ, q, 2, 3) + limb_upper_phase;
     const LIMB4 signed_lower_sin = OF4(SINES(sine, 1), SINES(sine, 4), SINES(sine, 6), SINES(sine, 9));
-    OWN(own->signed_upper_position_x) = signed_lower_sin * OWN(own->upper_offset_x) + (-param_R);
-    OWN(own->S_arm_x) = OWN(own->upper_offset_x) - param_R * signed_lower_sin;
-    OWN(own->minus_U_0_lever_mz_by_S_fz) = lower_cos * OWN(own->upper_offset_x);
-    OWN(own->t1) = 1.0 / OWN(own->minus_U_0_lever_mz_by_S_fz);
-    OWN(own->t2) = lower_cos * OWN(own->t1);
+    OWN(signed_upper_position_x) = signed_lower_sin * OWN(upper_offset_x) + (-param_R);
+    OWN(S_arm_x) = OWN(upper_offset_x) - param_R * signed_lower_sin;
+    OWN(minus_U_0_lever_mz_by_S_fz) = lower_cos * OWN(upper_offset_x);
+    OWN(t1) = 1.0 / OWN(minus_U_0_lever_mz_by_S_fz);
+    OWN(t2) = lower_cos * OWN(t1);
     const LIMB4 U_0_sin = OF4(SINES(sine, 0), SINES(cosine, 2), SINES(sine, 5), SINES(cosine, 7)),
       t8 = sign2 * (given - sign1 * given_2), minus_lower_rotation_yx = U_0_sin * lower_cos;
     /* limbs together: loop closure; geometry; results */
-    const LIMB4 t2 = OWN(own->upper_offset_x) * minus_lower_rotation_yx - t8;
-    OWN(own->t6) = minus_lower_rotation_yx * t2;
-    OWN(own->t3) = U_0_sin * signed_lower_sin * t2;
+    const LIMB4 t2 = OWN(upper_offset_x) * minus_lower_rotation_yx - t8;
+    OWN(t6) = minus_lower_rotation_yx * t2;
+    OWN(t3) = U_0_sin * signed_lower_sin * t2;
     const LIMB4 signed_U_0_cos = OF4(SINES(cosine, 0), SINES(sine, 2), SINES(cosine, 5), SINES(sine, 7)),
       t3 = signed_U_0_cos * t2, t10 = sign3 * (given_3 - sign1 * given_4),
       signed_lower_rotation_zx = signed_U_0_cos * lower_cos,
-      t4 = OWN(own->upper_offset_x) * signed_lower_rotation_zx + t10;
-    OWN(own->t5) = signed_lower_rotation_zx * t4;
-    OWN(own->t4) = signed_U_0_cos * signed_lower_sin * t4;
-    OWN(own->signed_S_opening_fz) = t3 - U_0_sin * t4;
-    const LIMB4 t6 = per_length * OWN(own->signed_S_opening_fz);
-    OWN(own->t15) = t6 * t6;
+      t4 = OWN(upper_offset_x) * signed_lower_rotation_zx + t10;
+    OWN(t5) = signed_lower_rotation_zx * t4;
+    OWN(t4) = signed_U_0_cos * signed_lower_sin * t4;
+    OWN(signed_S_opening_fz) = t3 - U_0_sin * t4;
+    const LIMB4 t6 = per_length * OWN(signed_S_opening_fz);
+    OWN(t15) = t6 * t6;
 }
 
 STAGE(assemble_step, 1)(size_t limb, size_t stride, const double *restrict sine,
@@ -1522,13 +1495,13 @@ STAGE(assemble_step, 1)(size_t limb, size_t stride, const double *restrict sine,
     (void)limb, (void)stride;
     const NUMBER4 sign1 = OF4(1.0, 1.0, -1.0, -1.0), sign2 = OF4(1.0, -1.0, 1.0, 1.0);
     /* limbs together: loop closure; results */
-    const LIMB4 t1 = OWN(own->signed_upper_position_x) + sign2 * (given - sign1 * given_2);
-    OWN(own->S_opening_fx) = OF4(SINES(sine, 1), SINES(sine, 4), SINES(sine, 6), SINES(sine, 9)) * t1 + given_5 + given_6;
-    const LIMB4 t6 = (-per_length) * OWN(own->S_opening_fx);
-    OWN(own->t13) = t6 * t6;
-    OWN(own->signed_S_opening_fy) = given_4 - (OF4(SINES(cosine, 1), SINES(cosine, 4), SINES(cosine, 6), SINES(cosine, 9)) * t1 - given_3);
-    const LIMB4 t7 = per_length * OWN(own->signed_S_opening_fy);
-    OWN(own->t14) = t7 * t7;
+    const LIMB4 t1 = OWN(signed_upper_position_x) + sign2 * (given - sign1 * given_2);
+    OWN(S_opening_fx) = OF4(SINES(sine, 1), SINES(sine, 4), SINES(sine, 6), SINES(sine, 9)) * t1 + given_5 + given_6;
+    const LIMB4 t6 = (-per_length) * OWN(S_opening_fx);
+    OWN(t13) = t6 * t6;
+    OWN(signed_S_opening_fy) = given_4 - (OF4(SINES(cosine, 1), SINES(cosine, 4), SINES(cosine, 6), SINES(cosine, 9)) * t1 - given_3);
+    const LIMB4 t7 = per_length * OWN(signed_S_opening_fy);
+    OWN(t14) = t7 * t7;
 }
 
 STAGE(assemble_step, 2)(size_t limb, size_t stride, double *restrict q_next, const double *restrict sine,
@@ -1537,21 +1510,21 @@ STAGE(assemble_step, 2)(size_t limb, size_t stride, double *restrict q_next, con
 {
     (void)limb, (void)stride;
     const NUMBER4 sign1 = OF4(1.0, 1.0, -1.0, -1.0), sign2 = OF4(1.0, -1.0, -1.0, 1.0),
-      each_param_R = OF4(-param_R, -param_R, param_R, -param_R);
+      sign3 = OF4(1.0, 1.0, -1.0, 1.0), each_param_R = -sign3 * param_R;
     /* limbs together: geometry; results */
-    OWN(own->signed_lower_limb_target_x_2) = given_3 + sign2 * given_4;
-    const LIMB4 t1 = OF4(SINES(sine, 0), SINES(sine, 3), SINES(sine, 5), SINES(sine, 8)) * OWN(own->signed_lower_limb_target_x_2),
-      t4 = OWN(own->signed_lower_limb_target_x_2) * OWN(own->signed_lower_limb_target_x_2);
-    OWN(own->signed_lower_limb_target_y) = given - sign1 * given_2;
-    const LIMB4 t2 = OF4(SINES(cosine, 0), SINES(cosine, 3), SINES(cosine, 5), SINES(cosine, 8)) * OWN(own->signed_lower_limb_target_y);
-    OWN(own->t7) = t1 + t2;
-    OWN(own->t8) = OWN(own->signed_lower_limb_target_y) * OWN(own->signed_lower_limb_target_y) + t4;
-    OWN(own->signed_lower_limb_target_z) = given_5 + sign1 * given_6 + each_param_R;
-    OWN(own->lower_limb_length) = SQRT4(OWN(own->signed_lower_limb_target_z) * OWN(own->signed_lower_limb_target_z) + OWN(own->t8));
-    const LIMB4 P_q_next = OWN(own->lower_limb_length) + (-limb_upper_phase);
+    OWN(signed_lower_limb_target_x_2) = given_3 + sign2 * given_4;
+    const LIMB4 t1 = OF4(SINES(sine, 0), SINES(sine, 3), SINES(sine, 5), SINES(sine, 8)) * OWN(signed_lower_limb_target_x_2),
+      t4 = OWN(signed_lower_limb_target_x_2) * OWN(signed_lower_limb_target_x_2);
+    OWN(signed_lower_limb_target_y) = given - sign1 * given_2;
+    const LIMB4 t2 = OF4(SINES(cosine, 0), SINES(cosine, 3), SINES(cosine, 5), SINES(cosine, 8)) * OWN(signed_lower_limb_target_y);
+    OWN(t7) = t1 + t2;
+    OWN(t8) = OWN(signed_lower_limb_target_y) * OWN(signed_lower_limb_target_y) + t4;
+    OWN(signed_lower_limb_target_z) = given_5 + sign1 * given_6 + each_param_R;
+    OWN(lower_limb_length) = SQRT4(OWN(signed_lower_limb_target_z) * OWN(signed_lower_limb_target_z) + OWN(t8));
+    const LIMB4 P_q_next = OWN(lower_limb_length) + (-limb_upper_phase);
     WRITE4(q_next, 2, 5, 8, 11, P_q_next);
     LIMB4 checked = P_q_next;
-    OWN(own->checked) = checked;
+    OWN(checked) = checked;
 }
 
 STAGE(assemble_step, 3)(size_t limb, size_t stride, const double *restrict sine,
@@ -1560,21 +1533,20 @@ STAGE(assemble_step, 3)(size_t limb, size_t stride, const double *restrict sine,
     (void)limb, (void)stride;
     const NUMBER4 sign1 = OF4(1.0, 1.0, -1.0, 1.0);
     /* limbs together: geometry; results */
-    const LIMB4 t1 = SQRT4(OWN(own->t8)), t2 = given / t1, t8 = given * t1,
-      minus_U_0_cos = OWN(own->signed_lower_limb_target_y) * t2,
-      minus_U_0_sin = OWN(own->signed_lower_limb_target_x_2) * t2,
+    const LIMB4 t1 = SQRT4(OWN(t8)), t2 = given / t1, t8 = given * t1,
+      minus_U_0_cos = OWN(signed_lower_limb_target_y) * t2, minus_U_0_sin = OWN(signed_lower_limb_target_x_2) * t2,
       U_0_sin = OF4(SINES(sine, 0), SINES(sine, 3), SINES(sine, 5), SINES(sine, 8)),
       U_0_cos = OF4(SINES(cosine, 0), SINES(cosine, 3), SINES(cosine, 5), SINES(cosine, 8)),
       t6 = U_0_cos * minus_U_0_cos;
-    OWN(own->t9) = U_0_sin * minus_U_0_cos - U_0_cos * minus_U_0_sin;
-    OWN(own->t10) = U_0_sin * minus_U_0_sin + t6;
-    const LIMB4 t7 = 1.0 / OWN(own->lower_limb_length), minus_lower_cos = t7 * t8,
-      minus_lower_sin_2 = OWN(own->signed_lower_limb_target_z) * t7,
+    OWN(t9) = U_0_sin * minus_U_0_cos - U_0_cos * minus_U_0_sin;
+    OWN(t10) = U_0_sin * minus_U_0_sin + t6;
+    const LIMB4 t7 = 1.0 / OWN(lower_limb_length), minus_lower_cos = t7 * t8,
+      minus_lower_sin_2 = OWN(signed_lower_limb_target_z) * t7,
       signed_lower_sin = OF4(SINES(sine, 1), SINES(sine, 4), SINES(sine, 6), SINES(sine, 9)),
       lower_cos = OF4(SINES(cosine, 1), SINES(cosine, 4), SINES(cosine, 6), SINES(cosine, 9)),
       t14 = sign1 * (lower_cos * minus_lower_cos);
-    OWN(own->t11) = signed_lower_sin * minus_lower_cos - sign1 * (lower_cos * minus_lower_sin_2);
-    OWN(own->t12) = signed_lower_sin * minus_lower_sin_2 + t14;
+    OWN(t11) = signed_lower_sin * minus_lower_cos - sign1 * (lower_cos * minus_lower_sin_2);
+    OWN(t12) = signed_lower_sin * minus_lower_sin_2 + t14;
 }
 
 BODY(three_ups_upu_s_assemble_step)(size_t stride, const double *restrict q, const double *restrict y,

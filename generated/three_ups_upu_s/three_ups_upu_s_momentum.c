@@ -16,11 +16,9 @@ STAGE(momentum_screws, 0)(size_t limb, size_t stride, const double *restrict q, 
     REAL signed_U_1_screw_vy, REAL signed_U_1_screw_vz, LIMBS(momentum_screws) *own)
 {
     (void)limb, (void)stride;
-    const NUMBER4 sign1 = OF4(1.0, 1.0, -1.0, -1.0), each_k1 = OF4(-k1, k1, -k1, k1),
-      factor_2 = OF4(0.5, -0.5, 0.5, -0.5), factor_3 = OF4(-0.5, 0.5, -0.5, 0.5),
-      each_limb_lower_m = OF4(limb_lower_m, limb_lower_m, -limb_lower_m, -limb_lower_m),
-      each_limb_lower_m_2 = OF4(-limb_lower_m, limb_lower_m, -limb_lower_m, limb_lower_m),
-      sign2 = OF4(1.0, -1.0, 1.0, -1.0), sign3 = OF4(1.0, -1.0, -1.0, 1.0);
+    const NUMBER4 sign1 = OF4(1.0, 1.0, -1.0, -1.0), sign2 = OF4(1.0, -1.0, 1.0, -1.0), each_k1 = -sign2 * k1,
+      factor_2 = sign2 * 0.5, factor_3 = -sign2 * 0.5, each_limb_lower_m = sign1 * limb_lower_m,
+      each_limb_lower_m_2 = -sign2 * limb_lower_m, sign3 = OF4(1.0, -1.0, -1.0, 1.0);
     const LIMB4 U_0_cos = IN_EACH4(SINES, cosine, 0, 2), lower_cos = IN_EACH4(SINES, cosine, 1, 2);
     /* limbs together: geometry */
     const LIMB4 signed_lower_rotation_zx = U_0_cos * lower_cos, signed_lower_sin = IN_EACH4(SINES, sine, 1, 2);
@@ -39,62 +37,62 @@ STAGE(momentum_screws, 0)(size_t limb, size_t stride, const double *restrict q, 
       t156 = signed_lower_twist_wz * t153 - t155, lower_twist_vy = t172 * signed_U_1_screw_vy,
       minus_lower_rotation_yx = signed_U_0_sin * lower_cos,
       minus_upper_position_y = upper_offset_x * minus_lower_rotation_yx;
-    OWN(own->upper_momentum_py) = limb_lower_m * (lower_twist_vy - P_v * minus_lower_rotation_yx + t156);
-    WRITE4(momenta, 13, 24, 37, 48, OWN(own->upper_momentum_py));
-    const LIMB4 t169 = t153 * OWN(own->upper_momentum_py), t164 = t132 * OWN(own->upper_momentum_py),
+    OWN(upper_momentum_py) = limb_lower_m * (lower_twist_vy - P_v * minus_lower_rotation_yx + t156);
+    WRITE4(momenta, 13, 24, 37, 48, OWN(upper_momentum_py));
+    const LIMB4 t169 = t153 * OWN(upper_momentum_py), t164 = t132 * OWN(upper_momentum_py),
       signed_lower_twist_wy = t172 * U_0_cos, signed_lower_twist_vz = t172 * signed_U_1_screw_vz,
       signed_upper_twist_vz = signed_lower_twist_vz - t158, t133 = signed_lower_twist_wy * t132,
       t13 = 0.5 * minus_lower_rotation_yx, t18 = k1 * minus_lower_rotation_yx,
       signed_lower_rotation_yy = signed_U_0_sin * signed_lower_sin, t15 = t13 + each_k1 * signed_lower_rotation_yy,
       t20 = t18 - factor_3 * signed_lower_rotation_yy, t137 = minus_upper_position_y + (0.5 * t15 - param_H * t20),
       t141 = t137 - (limb_upper_com_x * t15 - limb_upper_com_z * t20);
-    OWN(own->signed_upper_momentum_px) = limb_lower_m * (P_v * signed_lower_sin + (t133 + signed_lower_twist_wz * t141));
-    WRITE4(momenta, 12, 25, 36, 49, sign1 * OWN(own->signed_upper_momentum_px));
-    const LIMB4 t171 = t169 + t141 * OWN(own->signed_upper_momentum_px),
-      t178 = sign1 * (t132 * OWN(own->signed_upper_momentum_px)), t102 = limb_lower_Ixx * t3 - limb_lower_Ixz * t8,
+    OWN(signed_upper_momentum_px) = limb_lower_m * (P_v * signed_lower_sin + (t133 + signed_lower_twist_wz * t141));
+    WRITE4(momenta, 12, 25, 36, 49, sign1 * OWN(signed_upper_momentum_px));
+    const LIMB4 t171 = t169 + t141 * OWN(signed_upper_momentum_px),
+      t178 = sign1 * (t132 * OWN(signed_upper_momentum_px)), t102 = limb_lower_Ixx * t3 - limb_lower_Ixz * t8,
       t110 = t15 * t102, t111 = limb_lower_Iyy * signed_U_0_sin, t113 = t110 - U_0_cos * t111,
       t119 = signed_U_0_sin * t111, t106 = limb_lower_Ixz * t3 - limb_lower_Izz * t8,
       t116 = signed_lower_twist_wy * (t113 - t20 * t106), t117 = U_v_0 * (t28 * t102 - t34 * t106) - t116,
       t124 = t117 + signed_lower_twist_wz * (t3 * t102 + t119 - t8 * t106);
-    OWN(own->signed_upper_momentum_Lz) = t124 + t171;
-    WRITE4(momenta, 17, 29, 41, 53, sign3 * OWN(own->signed_upper_momentum_Lz));
-    OWN(own->signed_upper_momentum_pz) = each_limb_lower_m * (signed_upper_twist_vz + (U_v_0 * t141 + signed_lower_twist_wy * t153));
-    WRITE4(momenta, 14, 26, 38, 50, -sign3 * OWN(own->signed_upper_momentum_pz));
-    const LIMB4 t168 = t178 + t153 * OWN(own->signed_upper_momentum_pz),
-      t165 = t164 - sign1 * (t141 * OWN(own->signed_upper_momentum_pz)),
-      t74 = limb_lower_Ixx * t15 - limb_lower_Ixz * t20, t82 = t15 * t74, t83 = limb_lower_Iyy * U_0_cos,
-      t85 = t82 + U_0_cos * t83, t91 = signed_U_0_sin * t83, t78 = limb_lower_Ixz * t15 - limb_lower_Izz * t20,
-      t88 = signed_lower_twist_wy * (t85 - t20 * t78), t89 = U_v_0 * (t28 * t74 - t34 * t78) - t88,
-      t96 = t89 + signed_lower_twist_wz * (t3 * t74 - t91 - t8 * t78), t175 = sign1 * t96;
-    OWN(own->upper_momentum_Ly) = t168 - t175;
-    WRITE4(momenta, 16, 27, 40, 51, OWN(own->upper_momentum_Ly));
+    OWN(signed_upper_momentum_Lz) = t124 + t171;
+    WRITE4(momenta, 17, 29, 41, 53, sign3 * OWN(signed_upper_momentum_Lz));
+    OWN(signed_upper_momentum_pz) = each_limb_lower_m * (signed_upper_twist_vz + (U_v_0 * t141 + signed_lower_twist_wy * t153));
+    WRITE4(momenta, 14, 26, 38, 50, -sign3 * OWN(signed_upper_momentum_pz));
+    const LIMB4 t168 = t178 + t153 * OWN(signed_upper_momentum_pz),
+      t165 = t164 - sign1 * (t141 * OWN(signed_upper_momentum_pz)), t74 = limb_lower_Ixx * t15 - limb_lower_Ixz * t20,
+      t82 = t15 * t74, t83 = limb_lower_Iyy * U_0_cos, t85 = t82 + U_0_cos * t83, t91 = signed_U_0_sin * t83,
+      t78 = limb_lower_Ixz * t15 - limb_lower_Izz * t20, t88 = signed_lower_twist_wy * (t85 - t20 * t78),
+      t89 = U_v_0 * (t28 * t74 - t34 * t78) - t88, t96 = t89 + signed_lower_twist_wz * (t3 * t74 - t91 - t8 * t78),
+      t175 = sign1 * t96;
+    OWN(upper_momentum_Ly) = t168 - t175;
+    WRITE4(momenta, 16, 27, 40, 51, OWN(upper_momentum_Ly));
     const LIMB4 t55 = limb_lower_Izz * t34 - limb_lower_Ixz * t28, t56 = t34 * t55, t35 = limb_lower_com_z * t34,
       t51 = limb_lower_Ixz * t34 - limb_lower_Ixx * t28, t58 = U_v_0 * (t56 - t28 * t51),
       t63 = t58 + signed_lower_twist_wy * (t15 * t51 - t20 * t55),
       t68 = t63 + signed_lower_twist_wz * (t8 * t55 - t3 * t51);
-    OWN(own->upper_momentum_Lx) = t68 - t165;
-    WRITE4(momenta, 15, 28, 39, 52, OWN(own->upper_momentum_Lx));
+    OWN(upper_momentum_Lx) = t68 - t165;
+    WRITE4(momenta, 15, 28, 39, 52, OWN(upper_momentum_Lx));
     const LIMB4 t21 = limb_lower_com_z * t20, t11 = param_R * t3 + (limb_lower_com_z * t8 - limb_lower_com_x * t3),
       t39 = U_v_0 * t11, t37 = param_R * t28 + (-param_R) - (limb_lower_com_x * t28 - t35);
-    OWN(own->lower_momentum_py) = limb_lower_m * (lower_twist_vy + (signed_lower_twist_wz * t37 - t39));
-    WRITE4(momenta, 7, 18, 31, 42, OWN(own->lower_momentum_py));
-    const LIMB4 t97 = t37 * OWN(own->lower_momentum_py), t47 = t11 * OWN(own->lower_momentum_py),
+    OWN(lower_momentum_py) = limb_lower_m * (lower_twist_vy + (signed_lower_twist_wz * t37 - t39));
+    WRITE4(momenta, 7, 18, 31, 42, OWN(lower_momentum_py));
+    const LIMB4 t97 = t37 * OWN(lower_momentum_py), t47 = t11 * OWN(lower_momentum_py),
       t12 = signed_lower_twist_wy * t11, t43 = signed_lower_twist_wy * t37,
       t23 = param_R * t15 - (limb_lower_com_x * t15 - t21);
-    OWN(own->lower_momentum_px) = each_limb_lower_m * (t12 + signed_lower_twist_wz * t23);
-    WRITE4(momenta, 6, 19, 30, 43, OWN(own->lower_momentum_px));
-    const LIMB4 t69 = t11 * OWN(own->lower_momentum_px);
-    OWN(own->signed_lower_momentum_Lz) = t97 + sign1 * (t23 * OWN(own->lower_momentum_px)) + t124;
-    WRITE4(momenta, 11, 23, 35, 47, sign3 * OWN(own->signed_lower_momentum_Lz));
-    LIMB4 checked = OWN(own->signed_lower_momentum_Lz);
-    OWN(own->lower_momentum_pz) = each_limb_lower_m_2 * (signed_lower_twist_vz + (U_v_0 * t23 + t43));
-    WRITE4(momenta, 8, 20, 32, 44, OWN(own->lower_momentum_pz));
-    const LIMB4 t46 = t23 * OWN(own->lower_momentum_pz);
-    OWN(own->lower_momentum_Ly) = t69 - sign3 * (t37 * OWN(own->lower_momentum_pz)) - t175;
-    WRITE4(momenta, 10, 21, 34, 45, OWN(own->lower_momentum_Ly));
-    OWN(own->lower_momentum_Lx) = t68 - (sign2 * t46 + t47);
-    WRITE4(momenta, 9, 22, 33, 46, OWN(own->lower_momentum_Lx));
-    OWN(own->checked) = checked;
+    OWN(lower_momentum_px) = each_limb_lower_m * (t12 + signed_lower_twist_wz * t23);
+    WRITE4(momenta, 6, 19, 30, 43, OWN(lower_momentum_px));
+    const LIMB4 t69 = t11 * OWN(lower_momentum_px);
+    OWN(signed_lower_momentum_Lz) = t97 + sign1 * (t23 * OWN(lower_momentum_px)) + t124;
+    WRITE4(momenta, 11, 23, 35, 47, sign3 * OWN(signed_lower_momentum_Lz));
+    LIMB4 checked = OWN(signed_lower_momentum_Lz);
+    OWN(lower_momentum_pz) = each_limb_lower_m_2 * (signed_lower_twist_vz + (U_v_0 * t23 + t43));
+    WRITE4(momenta, 8, 20, 32, 44, OWN(lower_momentum_pz));
+    const LIMB4 t46 = t23 * OWN(lower_momentum_pz);
+    OWN(lower_momentum_Ly) = t69 - sign3 * (t37 * OWN(lower_momentum_pz)) - t175;
+    WRITE4(momenta, 10, 21, 34, 45, OWN(lower_momentum_Ly));
+    OWN(lower_momentum_Lx) = t68 - (sign2 * t46 + t47);
+    WRITE4(momenta, 9, 22, 33, 46, OWN(lower_momentum_Lx));
+    OWN(checked) = checked;
 }
 
 BODY(three_ups_upu_s_momentum_screws)(size_t stride, const double *restrict q, const double *restrict v,
@@ -106,18 +104,32 @@ BODY(three_ups_upu_s_momentum_screws)(size_t stride, const double *restrict q, c
     const REAL limb5_S_q_qw = READ(q, 12), limb5_S_q_qx = READ(q, 13), t1 = limb5_S_q_qw * limb5_S_q_qw,
       t2 = limb5_S_q_qx * limb5_S_q_qx, limb5_S_q_qy = READ(q, 14), t3 = t1 + t2, t4 = limb5_S_q_qy * limb5_S_q_qy,
       limb5_S_q_qz = READ(q, 15), t5 = limb5_S_q_qz * limb5_S_q_qz, t6 = t4 + t5, t7 = t3 + t6, t9 = 4.0 - 2.0 * t7,
-      t10 = t2 + t4, platform_turn_yy = 1.0 - t9 * (t2 + t5), platform_turn_zz = 1.0 - t9 * t10,
-      platform_turn_xx = 1.0 - t6 * t9, t16 = limb5_S_q_qy * t9, t17 = limb5_S_q_qx * t16, t30 = limb5_S_q_qw * t16,
-      t18 = limb5_S_q_qz * t9, t24 = limb5_S_q_qw * (limb5_S_q_qx * t9), t19 = limb5_S_q_qw * t18,
-      platform_turn_yx = t17 + t19, platform_turn_xy = t17 - t19, limb5_S_v_wx = READ(v, 12),
-      limb5_S_v_wy = READ(v, 13), t21 = limb5_S_v_wy * platform_turn_yy + limb5_S_v_wx * platform_turn_yx,
-      t22 = limb5_S_q_qy * t18, t29 = limb5_S_q_qx * t18, platform_turn_yz = t22 - t24, platform_turn_zy = t22 + t24,
-      limb5_S_v_wz = READ(v, 14), platform_twist_wy = t21 + limb5_S_v_wz * platform_turn_yz,
-      t12 = param_H * platform_turn_zz, t26 = t12 * platform_twist_wy, platform_turn_zx = t29 - t30,
-      platform_turn_xz = t29 + t30, t33 = limb5_S_v_wx * platform_turn_zx + limb5_S_v_wy * platform_turn_zy,
-      platform_twist_wz = limb5_S_v_wz * platform_turn_zz + t33, t27 = param_H * platform_turn_yz,
-      platform_momentum_px = platform_m * (t26 - t27 * platform_twist_wz);
+      t13 = t2 + t5, platform_turn_zz = 1.0 - t9 * (t2 + t4), platform_turn_xx = 1.0 - t6 * t9,
+      platform_turn_yy = 1.0 - t9 * t13, t18 = limb5_S_q_qz * t9, t29 = limb5_S_q_qx * t18, t16 = limb5_S_q_qy * t9,
+      t24 = limb5_S_q_qw * (limb5_S_q_qx * t9), t30 = limb5_S_q_qw * t16, t17 = limb5_S_q_qx * t16,
+      platform_turn_zx = t29 - t30, platform_turn_xz = t29 + t30, limb5_S_v_wx = READ(v, 12),
+      t31 = limb5_S_v_wx * platform_turn_zx, t22 = limb5_S_q_qy * t18, t19 = limb5_S_q_qw * t18,
+      platform_turn_zy = t22 + t24, platform_turn_yz = t22 - t24, limb5_S_v_wy = READ(v, 13),
+      limb5_S_v_wz = READ(v, 14),
+      platform_twist_wz = limb5_S_v_wz * platform_turn_zz + (t31 + limb5_S_v_wy * platform_turn_zy),
+      t36 = param_H * platform_turn_xz, t37 = t36 * platform_twist_wz, platform_turn_xy = t17 - t19,
+      platform_turn_yx = t17 + t19, t41 = limb5_S_v_wx * platform_turn_xx + limb5_S_v_wy * platform_turn_xy,
+      platform_twist_wx = t41 + limb5_S_v_wz * platform_turn_xz;
+    /* platform: momentum, eq. (31); velocities, eq. (6); results */
+    const REAL t12 = param_H * platform_turn_zz, platform_momentum_py = platform_m * (t37 - t12 * platform_twist_wx);
+    WRITE(momenta, 1, platform_momentum_py);
+    const REAL t100 = t36 * platform_momentum_py,
+      t21 = limb5_S_v_wy * platform_turn_yy + limb5_S_v_wx * platform_turn_yx,
+      platform_twist_wy = t21 + limb5_S_v_wz * platform_turn_yz, t26 = t12 * platform_twist_wy,
+      t27 = param_H * platform_turn_yz, platform_momentum_px = platform_m * (t26 - t27 * platform_twist_wz);
     WRITE(momenta, 0, platform_momentum_px);
+    const REAL t102 = t100 - t27 * platform_momentum_px, t103 = platform_Ixx * platform_turn_zx,
+      t104 = platform_turn_xx * t103, t105 = platform_Ixx * platform_turn_zy, t107 = t104 + platform_turn_xy * t105,
+      t108 = platform_Izz * platform_turn_zz, t111 = platform_twist_wx * (t107 + platform_turn_xz * t108),
+      t121 = platform_turn_zx * t103 + platform_turn_zy * t105,
+      t117 = platform_twist_wy * (platform_turn_yx * t103 + platform_turn_yy * t105 + platform_turn_yz * t108),
+      platform_momentum_Lz = t102 + (t111 + t117 + platform_twist_wz * (t121 + platform_turn_zz * t108));
+    WRITE(momenta, 5, platform_momentum_Lz);
     const REAL limb1_U_0_sin = SINES(sine, 0), limb1_U_0_cos = SINES(cosine, 0);
     FIRST_LIMB(0, momentum_screws, 0, stride, q, v, momenta, sine, cosine, param_R * limb1_U_0_sin, param_R * limb1_U_0_cos, &limbs);
     REAL checked0 = limbs.lower_momentum_pz[0];
@@ -125,7 +137,7 @@ BODY(three_ups_upu_s_momentum_screws)(size_t stride, const double *restrict q, c
     REAL checked2 = limbs.upper_momentum_Ly[0];
     REAL checked3 = ALONE(limbs.checked[0]);
     const REAL minus_limb2_U_0_cos = SINES(sine, 2), limb2_U_0_sin = SINES(cosine, 2),
-      t127 = platform_momentum_px + limbs.lower_momentum_px[0] + limbs.signed_upper_momentum_px[0];
+      t162 = platform_momentum_Lz + limbs.signed_lower_momentum_Lz[0] + limbs.signed_upper_momentum_Lz[0];
     NEXT_LIMB(1, momentum_screws, 0, stride, q, v, momenta, sine, cosine, param_R * minus_limb2_U_0_cos, param_R * limb2_U_0_sin, &limbs);
     checked0 = checked0 + limbs.lower_momentum_Lx[1];
     checked1 = checked1 + limbs.lower_momentum_Ly[1];
@@ -133,7 +145,7 @@ BODY(three_ups_upu_s_momentum_screws)(size_t stride, const double *restrict q, c
     checked3 = checked3 + limbs.signed_upper_momentum_Lz[1];
     checked0 = checked0 + ALONE(limbs.checked[1]);
     const REAL limb3_U_0_sin = SINES(sine, 4), limb3_U_0_cos = SINES(cosine, 4),
-      t129 = t127 + limbs.lower_momentum_py[1] + limbs.upper_momentum_py[1];
+      t164 = t162 - limbs.signed_lower_momentum_Lz[1] - limbs.signed_upper_momentum_Lz[1];
     NEXT_LIMB(2, momentum_screws, 0, stride, q, v, momenta, sine, cosine, param_R * limb3_U_0_sin, param_R * limb3_U_0_cos, &limbs);
     checked1 = checked1 + limbs.lower_momentum_py[2];
     checked2 = checked2 + limbs.lower_momentum_Lx[2];
@@ -143,7 +155,7 @@ BODY(three_ups_upu_s_momentum_screws)(size_t stride, const double *restrict q, c
     checked2 = checked2 + ALONE(limbs.checked[2]);
     /* limb4: geometry; momentum, eq. (31) */
     const REAL minus_limb4_U_0_cos = SINES(sine, 6), limb4_U_0_sin = SINES(cosine, 6),
-      t131 = t129 + limbs.lower_momentum_px[2] - limbs.signed_upper_momentum_px[2]; /* px */
+      t166 = t164 - limbs.signed_lower_momentum_Lz[2] - limbs.signed_upper_momentum_Lz[2]; /* Lz */
     NEXT_LIMB(3, momentum_screws, 0, stride, q, v, momenta, sine, cosine, param_R * minus_limb4_U_0_cos, param_R * limb4_U_0_sin, &limbs);
     checked3 = checked3 + limbs.lower_momentum_py[3];
     checked0 = checked0 + limbs.lower_momentum_pz[3];
@@ -153,34 +165,22 @@ BODY(three_ups_upu_s_momentum_screws)(size_t stride, const double *restrict q, c
     checked0 = checked0 + limbs.signed_upper_momentum_pz[3];
     checked1 = checked1 + limbs.signed_upper_momentum_Lz[3];
     checked2 = checked2 + ALONE(limbs.checked[3]);
-    /* platform: results; momentum, eq. (31); velocities, eq. (6) */
-    RESULT(checked3, total_, 0, t131 + limbs.lower_momentum_py[3] + limbs.upper_momentum_py[3]);
-    const REAL t36 = param_H * platform_turn_xz, t37 = t36 * platform_twist_wz,
-      t41 = limb5_S_v_wx * platform_turn_xx + limb5_S_v_wy * platform_turn_xy,
-      platform_twist_wx = t41 + limb5_S_v_wz * platform_turn_xz,
-      platform_momentum_py = platform_m * (t37 - t12 * platform_twist_wx);
-    WRITE(momenta, 1, platform_momentum_py);
-    const REAL t135 = platform_momentum_py + limbs.lower_momentum_py[0] + limbs.upper_momentum_py[0] + limbs.lower_momentum_px[1],
+    /* py: results; momentum, eq. (31) */
+    RESULT(checked3, total_, 5, t166 + limbs.signed_lower_momentum_Lz[3] + limbs.signed_upper_momentum_Lz[3]);
+    const REAL t74 = t12 * platform_momentum_px, t49 = t12 * platform_momentum_py,
+      t135 = platform_momentum_py + limbs.lower_momentum_py[0] + limbs.upper_momentum_py[0] + limbs.lower_momentum_px[1],
       t138 = t135 + limbs.signed_upper_momentum_px[1] + limbs.lower_momentum_py[2] + limbs.upper_momentum_py[2];
     RESULT(checked0, total_, 1, t138 + limbs.lower_momentum_px[3] - limbs.signed_upper_momentum_px[3]);
+    const REAL t128 = platform_momentum_px + limbs.lower_momentum_px[0] + limbs.signed_upper_momentum_px[0] + limbs.lower_momentum_py[1],
+      t131 = t128 + limbs.upper_momentum_py[1] + limbs.lower_momentum_px[2] - limbs.signed_upper_momentum_px[2];
+    RESULT(checked1, total_, 0, t131 + limbs.lower_momentum_py[3] + limbs.upper_momentum_py[3]);
     /* platform: momentum, eq. (31); results */
     const REAL platform_momentum_pz = platform_m * (t27 * platform_twist_wx - t36 * platform_twist_wy);
     WRITE(momenta, 2, platform_momentum_pz);
-    const REAL t142 = platform_momentum_pz + limbs.lower_momentum_pz[0] - limbs.signed_upper_momentum_pz[0] + limbs.lower_momentum_pz[1],
+    const REAL t76 = t74 - t36 * platform_momentum_pz, t50 = t27 * platform_momentum_pz - t49,
+      t142 = platform_momentum_pz + limbs.lower_momentum_pz[0] - limbs.signed_upper_momentum_pz[0] + limbs.lower_momentum_pz[1],
       t145 = t142 + limbs.signed_upper_momentum_pz[1] + limbs.lower_momentum_pz[2] + limbs.signed_upper_momentum_pz[2];
-    RESULT(checked1, total_, 2, t145 + limbs.lower_momentum_pz[3] - limbs.signed_upper_momentum_pz[3]);
-    const REAL t50 = t27 * platform_momentum_pz - t12 * platform_momentum_py,
-      t76 = t12 * platform_momentum_px - t36 * platform_momentum_pz,
-      t102 = t36 * platform_momentum_py - t27 * platform_momentum_px, t53 = platform_Ixx * platform_turn_xy,
-      t54 = platform_turn_xy * t53, t51 = platform_Ixx * platform_turn_xx, t55 = platform_turn_xx * t51 + t54,
-      t56 = platform_Izz * platform_turn_xz, t59 = platform_twist_wx * (t55 + platform_turn_xz * t56),
-      t69 = platform_turn_zx * t51 + platform_turn_zy * t53,
-      t65 = platform_twist_wy * (platform_turn_yx * t51 + platform_turn_yy * t53 + platform_turn_yz * t56),
-      platform_momentum_Lx = t50 + (t59 + t65 + platform_twist_wz * (t69 + platform_turn_zz * t56));
-    WRITE(momenta, 3, platform_momentum_Lx);
-    const REAL t149 = platform_momentum_Lx + limbs.lower_momentum_Lx[0] + limbs.upper_momentum_Lx[0] + limbs.lower_momentum_Ly[1],
-      t153 = t149 + limbs.upper_momentum_Ly[1] + limbs.lower_momentum_Lx[2] + limbs.upper_momentum_Lx[2] + limbs.lower_momentum_Ly[3];
-    RESULT(checked2, total_, 3, t153 + limbs.upper_momentum_Ly[3]);
+    RESULT(checked2, total_, 2, t145 + limbs.lower_momentum_pz[3] - limbs.signed_upper_momentum_pz[3]);
     const REAL t77 = platform_Ixx * platform_turn_yx, t78 = platform_turn_xx * t77,
       t79 = platform_Ixx * platform_turn_yy, t81 = t78 + platform_turn_xy * t79,
       t82 = platform_Izz * platform_turn_yz, t85 = platform_twist_wx * (t81 + platform_turn_xz * t82),
@@ -191,16 +191,16 @@ BODY(three_ups_upu_s_momentum_screws)(size_t stride, const double *restrict q, c
     const REAL t156 = platform_momentum_Ly + limbs.lower_momentum_Ly[0] + limbs.upper_momentum_Ly[0] + limbs.lower_momentum_Lx[1],
       t160 = t156 + limbs.upper_momentum_Lx[1] + limbs.lower_momentum_Ly[2] + limbs.upper_momentum_Ly[2] + limbs.lower_momentum_Lx[3];
     RESULT(checked3, total_, 4, t160 + limbs.upper_momentum_Lx[3]);
-    const REAL t103 = platform_Ixx * platform_turn_zx, t104 = platform_turn_xx * t103, t112 = platform_turn_yx * t103,
-      t119 = platform_turn_zx * t103, t105 = platform_Ixx * platform_turn_zy, t107 = t104 + platform_turn_xy * t105,
-      t114 = t112 + platform_turn_yy * t105, t121 = t119 + platform_turn_zy * t105,
-      t108 = platform_Izz * platform_turn_zz, t111 = platform_twist_wx * (t107 + platform_turn_xz * t108),
-      t118 = t111 + platform_twist_wy * (t114 + platform_turn_yz * t108),
-      platform_momentum_Lz = t102 + (t118 + platform_twist_wz * (t121 + platform_turn_zz * t108));
-    WRITE(momenta, 5, platform_momentum_Lz);
-    const REAL t163 = platform_momentum_Lz + limbs.signed_lower_momentum_Lz[0] + limbs.signed_upper_momentum_Lz[0] - limbs.signed_lower_momentum_Lz[1],
-      t166 = t163 - limbs.signed_upper_momentum_Lz[1] - limbs.signed_lower_momentum_Lz[2] - limbs.signed_upper_momentum_Lz[2];
-    RESULT(checked0, total_, 5, t166 + limbs.signed_lower_momentum_Lz[3] + limbs.signed_upper_momentum_Lz[3]);
+    const REAL t53 = platform_Ixx * platform_turn_xy, t54 = platform_turn_xy * t53, t61 = platform_turn_yy * t53,
+      t68 = platform_turn_zy * t53, t51 = platform_Ixx * platform_turn_xx, t55 = platform_turn_xx * t51 + t54,
+      t62 = platform_turn_yx * t51 + t61, t69 = platform_turn_zx * t51 + t68, t56 = platform_Izz * platform_turn_xz,
+      t59 = platform_twist_wx * (t55 + platform_turn_xz * t56),
+      t66 = t59 + platform_twist_wy * (t62 + platform_turn_yz * t56),
+      platform_momentum_Lx = t50 + (t66 + platform_twist_wz * (t69 + platform_turn_zz * t56));
+    WRITE(momenta, 3, platform_momentum_Lx);
+    const REAL t149 = platform_momentum_Lx + limbs.lower_momentum_Lx[0] + limbs.upper_momentum_Lx[0] + limbs.lower_momentum_Ly[1],
+      t153 = t149 + limbs.upper_momentum_Ly[1] + limbs.lower_momentum_Lx[2] + limbs.upper_momentum_Lx[2] + limbs.lower_momentum_Ly[3];
+    RESULT(checked0, total_, 3, t153 + limbs.upper_momentum_Ly[3]);
     /* else status 5: no rotation */
     NOT_BELOW(t7, 0.999999, 5);
     NOT_ABOVE(t7, 1.000001, 5);
@@ -217,8 +217,8 @@ STAGE(momentum_rates, 0)(size_t limb, size_t stride, const double *restrict q, c
     LIMBS(momentum_rates) *own)
 {
     (void)limb, (void)stride;
-    const NUMBER4 sign1 = OF4(1.0, 1.0, -1.0, -1.0), each_k1 = OF4(-k1, k1, -k1, k1),
-      factor_2 = OF4(-0.5, 0.5, -0.5, 0.5), sign2 = OF4(1.0, -1.0, 1.0, -1.0), sign3 = OF4(1.0, -1.0, -1.0, 1.0);
+    const NUMBER4 sign1 = OF4(1.0, 1.0, -1.0, -1.0), sign2 = OF4(1.0, -1.0, 1.0, -1.0), each_k1 = -sign2 * k1,
+      factor_2 = -sign2 * 0.5, sign3 = OF4(1.0, -1.0, -1.0, 1.0);
     const LIMB4 signed_U_0_sin = IN_EACH4(SINES, sine, 0, 2), lower_cos = IN_EACH4(SINES, cosine, 1, 2);
     /* limbs together: geometry; momentum rate, eq. (35) */
     const LIMB4 minus_lower_rotation_yx = signed_U_0_sin * lower_cos, signed_lower_sin = IN_EACH4(SINES, sine, 1, 2),
@@ -352,7 +352,7 @@ STAGE(momentum_rates, 0)(size_t limb, size_t stride, const double *restrict q, c
     const LIMB4 signed_upper_rate_at_O_mz = t202 + (t314 - t225 * t229) + t324;
     WRITE4(momentum_rates, 17, 29, 41, 53, -sign3 * signed_upper_rate_at_O_mz);
     checked = checked + signed_upper_rate_at_O_mz;
-    OWN(own->checked) = checked;
+    OWN(checked) = checked;
 }
 
 BODY(three_ups_upu_s_momentum_rates)(size_t stride, const double *restrict q, const double *restrict v,
@@ -463,20 +463,20 @@ STAGE(energy, 0)(size_t limb, size_t stride, const double *restrict q, const dou
     /* limbs together: geometry */
     const LIMB4 upper_offset_x = IN_EACH4(READ, q, 2, 3) + limb_upper_phase,
       lower_cos = IN_EACH4(SINES, cosine, 1, 2);
-    OWN(own->signed_lower_rotation_zx) = IN_EACH4(SINES, cosine, 0, 2) * lower_cos;
+    OWN(signed_lower_rotation_zx) = IN_EACH4(SINES, cosine, 0, 2) * lower_cos;
     /* limbs together: energy; velocities, eq. (6) */
-    const LIMB4 t26 = limb_lower_m * (upper_offset_x * OWN(own->signed_lower_rotation_zx));
-    OWN(own->t3) = (-gravity_z) * (t26 - limb_lower_mx * OWN(own->signed_lower_rotation_zx));
+    const LIMB4 t26 = limb_lower_m * (upper_offset_x * OWN(signed_lower_rotation_zx));
+    OWN(t3) = (-gravity_z) * (t26 - limb_lower_mx * OWN(signed_lower_rotation_zx));
     const LIMB4 U_v_1 = IN_EACH4(READ, v, 1, 3), upper_vel_y = U_v_1 * upper_offset_x, P_v = IN_EACH4(READ, v, 2, 3),
       t19 = upper_vel_y * (limb_lower_m * upper_vel_y - k7 * U_v_1), U_v_0 = IN_EACH4(READ, v, 0, 3),
       t20 = P_v * (limb_lower_m * P_v) + t19, lower_omega_y = U_v_0 * lower_cos,
       minus_upper_vel_z = upper_offset_x * lower_omega_y;
-    OWN(own->t2) = t20 + minus_upper_vel_z * (limb_lower_m * minus_upper_vel_z - k7 * lower_omega_y);
+    OWN(t2) = t20 + minus_upper_vel_z * (limb_lower_m * minus_upper_vel_z - k7 * lower_omega_y);
     const LIMB4 signed_lower_omega_x = U_v_0 * IN_EACH4(SINES, sine, 1, 2),
       t4 = U_v_1 * U_v_1 + (signed_lower_omega_x * signed_lower_omega_x + lower_omega_y * lower_omega_y),
       t5 = k4 * t4, t10 = signed_lower_omega_x * (k4 * signed_lower_omega_x) + lower_omega_y * (k5 * lower_omega_y);
-    OWN(own->t1) = t5 + (U_v_1 * (k5 * U_v_1) - t10);
-    OWN(own->U_0_energy_kinetic_up_to) = k3 * (U_v_0 * U_v_0);
+    OWN(t1) = t5 + (U_v_1 * (k5 * U_v_1) - t10);
+    OWN(U_0_energy_kinetic_up_to) = k3 * (U_v_0 * U_v_0);
 }
 
 BODY(three_ups_upu_s_energy)(size_t stride, const double *restrict q, const double *restrict v,
@@ -568,9 +568,8 @@ STAGE(bias, 0)(size_t limb, size_t stride, const double *restrict q, const doubl
     double *restrict bias, const double *restrict sine, const double *restrict cosine, LIMBS(bias) *own)
 {
     (void)limb, (void)stride;
-    const NUMBER4 sign1 = OF4(1.0, 1.0, -1.0, -1.0), factor_2 = OF4(2.0, -2.0, -2.0, 2.0),
-      each_gravity_z = OF4(-gravity_z, gravity_z, gravity_z, -gravity_z), sign2 = OF4(1.0, -1.0, -1.0, 1.0),
-      each_gravity_z_limb_lower_mx = OF4(gravity_z_limb_lower_mx, -gravity_z_limb_lower_mx, -gravity_z_limb_lower_mx, gravity_z_limb_lower_mx);
+    const NUMBER4 sign1 = OF4(1.0, 1.0, -1.0, -1.0), sign2 = OF4(1.0, -1.0, -1.0, 1.0), factor_2 = sign2 * 2.0,
+      each_gravity_z = -sign2 * gravity_z, each_gravity_z_limb_lower_mx = sign2 * gravity_z_limb_lower_mx;
     const LIMB4 U_v_0 = IN_EACH4(READ, v, 0, 3), signed_lower_sin = IN_EACH4(SINES, sine, 1, 2);
     /* limbs together: accelerations; momentum rate, eq. (35); balance, eqs. (40)-(47) */
     const LIMB4 signed_lower_omega_x = U_v_0 * signed_lower_sin, U_v_1 = IN_EACH4(READ, v, 1, 3),
@@ -601,7 +600,7 @@ STAGE(bias, 0)(size_t limb, size_t stride, const double *restrict q, const doubl
       upper_rate_fx = limb_lower_mx * minus_lower_U_still_xx - minus_lower_force_x;
     WRITE4(bias, 2, 5, 8, 11, upper_rate_fx);
     checked = checked + upper_rate_fx;
-    OWN(own->checked) = checked;
+    OWN(checked) = checked;
 }
 
 BODY(three_ups_upu_s_bias)(size_t stride, const double *restrict q, const double *restrict v,

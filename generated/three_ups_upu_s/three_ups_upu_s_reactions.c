@@ -23,79 +23,77 @@ STAGE(joint_reactions, 0)(size_t limb, size_t stride, const double *restrict q, 
     LIMBS(joint_reactions) *own)
 {
     (void)limb, (void)stride;
-    const NUMBER4 each_param_R = OF4(param_R, param_R, -param_R, -param_R), sign1 = OF4(1.0, 1.0, -1.0, -1.0),
-      each_gravity_z = OF4(gravity_z, -gravity_z, -gravity_z, gravity_z),
-      each_gravity_z_limb_lower_mx = OF4(gravity_z_limb_lower_mx, -gravity_z_limb_lower_mx, -gravity_z_limb_lower_mx, gravity_z_limb_lower_mx),
-      each_gravity_z_2 = OF4(-gravity_z, gravity_z, gravity_z, -gravity_z),
-      each_limb_lower_m_gravity_z = OF4(limb_lower_m_gravity_z, -limb_lower_m_gravity_z, -limb_lower_m_gravity_z, limb_lower_m_gravity_z),
-      each_k14 = OF4(k14, k14, -k14, -k14), each_k15 = OF4(k15, k15, -k15, -k15);
+    const NUMBER4 sign1 = OF4(1.0, 1.0, -1.0, -1.0), each_param_R = sign1 * param_R,
+      sign2 = OF4(1.0, -1.0, -1.0, 1.0), each_gravity_z = sign2 * gravity_z,
+      each_gravity_z_limb_lower_mx = sign2 * gravity_z_limb_lower_mx, each_gravity_z_2 = -sign2 * gravity_z,
+      each_limb_lower_m_gravity_z = sign2 * limb_lower_m_gravity_z, each_k14 = sign1 * k14, each_k15 = sign1 * k15;
     const LIMB4 lower_cos = IN_EACH4(SINES, cosine, 1, 2), t46 = sign1 * lower_cos,
       signed_U_0_sin = IN_EACH4(SINES, sine, 0, 2);
     /* limbs together: geometry; velocities, eq. (6) */
-    OWN(own->signed_lower_rotation_yx) = signed_U_0_sin * t46;
+    OWN(signed_lower_rotation_yx) = signed_U_0_sin * t46;
     const LIMB4 U_0_cos = IN_EACH4(SINES, cosine, 0, 2);
-    OWN(own->signed_lower_rotation_zx) = U_0_cos * t46;
+    OWN(signed_lower_rotation_zx) = U_0_cos * t46;
     const LIMB4 U_v_0 = IN_EACH4(READ, v, 0, 3), signed_lower_omega_y = U_v_0 * t46,
       signed_lower_sin = IN_EACH4(SINES, sine, 1, 2), signed_lower_omega_x = U_v_0 * signed_lower_sin;
     /* limbs together: accelerations; geometry; momentum rate, eq. (35) */
     const LIMB4 lower_U_still_xy = signed_lower_omega_x * signed_lower_omega_y, U_v_1 = IN_EACH4(READ, v, 1, 3),
       signed_lower_alpha_still_y = U_v_1 * signed_lower_omega_x, U_a_1 = IN_EACH4(READ, a, 1, 3),
       lower_U_yx = U_a_1 + lower_U_still_xy;
-    OWN(own->upper_offset_x) = IN_EACH4(READ, q, 2, 3) + limb_upper_phase;
-    const LIMB4 t24 = OWN(own->upper_offset_x) * lower_U_yx, lower_rate_fy = limb_lower_mx * lower_U_yx,
+    OWN(upper_offset_x) = IN_EACH4(READ, q, 2, 3) + limb_upper_phase;
+    const LIMB4 t24 = OWN(upper_offset_x) * lower_U_yx, lower_rate_fy = limb_lower_mx * lower_U_yx,
       signed_U_0_acc_y = each_gravity_z_2 * U_0_cos, lower_acc_y = signed_lower_sin * signed_U_0_acc_y,
       t25 = t24 + lower_acc_y, minus_lower_acc_x = t46 * signed_U_0_acc_y, P_v = IN_EACH4(READ, v, 2, 3),
       upper_acc_y = P_v * (2.0 * U_v_1) + t25, minus_upper_rate_mz = limb_lower_mx * upper_acc_y;
-    OWN(own->minus_upper_rate_fy) = lower_rate_fy - limb_lower_m * upper_acc_y;
-    const LIMB4 t27 = minus_upper_rate_mz + OWN(own->upper_offset_x) * OWN(own->minus_upper_rate_fy),
+    OWN(minus_upper_rate_fy) = lower_rate_fy - limb_lower_m * upper_acc_y;
+    const LIMB4 t27 = minus_upper_rate_mz + OWN(upper_offset_x) * OWN(minus_upper_rate_fy),
       t28 = k8 * lower_U_still_xy;
-    OWN(own->minus_upper_rate_mz_2) = minus_upper_rate_mz - (k18 * U_a_1 + k19 * lower_U_still_xy);
+    OWN(minus_upper_rate_mz_2) = minus_upper_rate_mz - (k18 * U_a_1 + k19 * lower_U_still_xy);
     const LIMB4 U_a_0 = IN_EACH4(READ, a, 0, 3), signed_lower_alpha_y = signed_lower_alpha_still_y - U_a_0 * t46,
       signed_lower_U_zx = signed_lower_alpha_still_y + signed_lower_alpha_y,
-      t5 = OWN(own->upper_offset_x) * signed_lower_U_zx;
+      t5 = OWN(upper_offset_x) * signed_lower_U_zx;
     /* limbs together: momentum rate, eq. (35); accelerations; balance, eqs. (40)-(47) */
     const LIMB4 signed_lower_rate_fz = limb_lower_mx * signed_lower_U_zx,
       signed_upper_acc_z = P_v * (2.0 * signed_lower_omega_y) - (t5 + each_gravity_z * signed_U_0_sin),
       signed_upper_rate_my = limb_lower_mx * signed_upper_acc_z;
-    OWN(own->signed_upper_rate_fz) = limb_lower_m * signed_upper_acc_z + signed_lower_rate_fz;
-    const LIMB4 t8 = signed_upper_rate_my - OWN(own->upper_offset_x) * OWN(own->signed_upper_rate_fz),
+    OWN(signed_upper_rate_fz) = limb_lower_m * signed_upper_acc_z + signed_lower_rate_fz;
+    const LIMB4 t8 = signed_upper_rate_my - OWN(upper_offset_x) * OWN(signed_upper_rate_fz),
       t10 = k8 * signed_lower_alpha_y, t42 = k16 * signed_lower_alpha_y + k17 * signed_lower_alpha_still_y;
-    OWN(own->signed_upper_rate_my_2) = signed_upper_rate_my + t42;
+    OWN(signed_upper_rate_my_2) = signed_upper_rate_my + t42;
     const LIMB4 t11 = k9 * signed_lower_alpha_still_y + t10,
       signed_upper_moment_y = each_gravity_z_limb_lower_mx * signed_U_0_sin;
-    OWN(own->signed_lower_rate_my_2) = signed_upper_moment_y + t42;
+    OWN(signed_lower_rate_my_2) = signed_upper_moment_y + t42;
     const LIMB4 t12 = t46 * (t8 + (signed_upper_moment_y + t11)),
       signed_lower_alpha_still_x = U_v_1 * signed_lower_omega_y, t19 = signed_lower_omega_y * signed_lower_omega_y,
       t38 = each_k14 * (signed_lower_alpha_still_x + U_a_0 * signed_lower_sin);
-    OWN(own->upper_rate_mx) = t38 - each_k15 * signed_lower_alpha_still_x;
+    OWN(upper_rate_mx) = t38 - each_k15 * signed_lower_alpha_still_x;
     const LIMB4 minus_lower_joint_force_my = t12 - signed_lower_sin * (k10 * signed_lower_alpha_still_x);
-    OWN(own->signed_lower_rate_fz_2) = signed_lower_rate_fz + each_limb_lower_m_gravity_z * signed_U_0_sin;
+    OWN(signed_lower_rate_fz_2) = signed_lower_rate_fz + each_limb_lower_m_gravity_z * signed_U_0_sin;
     const LIMB4 minus_lower_U_still_xx = t19 + U_v_1 * U_v_1,
       minus_lower_rate_fx = limb_lower_mx * minus_lower_U_still_xx,
-      minus_upper_acc_still_x_2 = OWN(own->upper_offset_x) * minus_lower_U_still_xx + minus_lower_acc_x;
-    OWN(own->lower_rate_fx_2) = (-limb_lower_m) * minus_lower_acc_x - minus_lower_rate_fx;
-    OWN(own->upper_rate_fx) = minus_lower_rate_fx + limb_lower_m * (IN_EACH4(READ, a, 2, 3) - minus_upper_acc_still_x_2);
-    OWN(own->lower_rate_fy_2) = lower_rate_fy + limb_lower_m * lower_acc_y;
+      minus_upper_acc_still_x_2 = OWN(upper_offset_x) * minus_lower_U_still_xx + minus_lower_acc_x;
+    OWN(lower_rate_fx_2) = (-limb_lower_m) * minus_lower_acc_x - minus_lower_rate_fx;
+    OWN(upper_rate_fx) = minus_lower_rate_fx + limb_lower_m * (IN_EACH4(READ, a, 2, 3) - minus_upper_acc_still_x_2);
+    OWN(lower_rate_fy_2) = lower_rate_fy + limb_lower_m * lower_acc_y;
     const LIMB4 minus_upper_moment_z = limb_lower_mx * lower_acc_y,
       U_0_moment_z = k3 * U_a_0 - minus_lower_joint_force_my;
-    OWN(own->signed_U_0_lever_mz_by_S_fz) = t46 * OWN(own->upper_offset_x);
-    LIMB4 checked = OWN(own->signed_U_0_lever_mz_by_S_fz);
-    OWN(own->t1) = 1.0 / OWN(own->signed_U_0_lever_mz_by_S_fz);
+    OWN(signed_U_0_lever_mz_by_S_fz) = t46 * OWN(upper_offset_x);
+    LIMB4 checked = OWN(signed_U_0_lever_mz_by_S_fz);
+    OWN(t1) = 1.0 / OWN(signed_U_0_lever_mz_by_S_fz);
     /* limbs together: balance, eqs. (40)-(47); rates that follow; reciprocal wrenches, eq. (10) */
-    OWN(own->signed_S_multiplier_fz) = OWN(own->t1) * U_0_moment_z;
-    OWN(own->t2) = t46 * OWN(own->t1);
-    OWN(own->minus_S_arm_y) = each_param_R * lower_cos;
-    const LIMB4 t21 = OWN(own->minus_S_arm_y) * OWN(own->upper_rate_fx),
-      t13 = OWN(own->minus_S_arm_y) * OWN(own->signed_S_multiplier_fz), t36 = signed_lower_sin * t13, t14 = t46 * t13;
-    OWN(own->S_arm_x) = OWN(own->upper_offset_x) - param_R * signed_lower_sin;
-    const LIMB4 t15 = OWN(own->S_arm_x) * OWN(own->signed_S_multiplier_fz);
-    OWN(own->t6) = t36 + t46 * t15;
+    OWN(signed_S_multiplier_fz) = OWN(t1) * U_0_moment_z;
+    OWN(t2) = t46 * OWN(t1);
+    OWN(minus_S_arm_y) = each_param_R * lower_cos;
+    const LIMB4 t21 = OWN(minus_S_arm_y) * OWN(upper_rate_fx), t13 = OWN(minus_S_arm_y) * OWN(signed_S_multiplier_fz),
+      t36 = signed_lower_sin * t13, t14 = t46 * t13;
+    OWN(S_arm_x) = OWN(upper_offset_x) - param_R * signed_lower_sin;
+    const LIMB4 t15 = OWN(S_arm_x) * OWN(signed_S_multiplier_fz);
+    OWN(t6) = t36 + t46 * t15;
     const LIMB4 t17 = t14 - signed_lower_sin * t15, t34 = signed_U_0_sin * t17, t18 = U_0_cos * t17;
-    OWN(own->minus_S_multiplier_fy) = (t27 - (minus_upper_moment_z + (t28 + k9 * U_a_1))) * OWN(own->t2);
-    const LIMB4 t32 = t21 - OWN(own->S_arm_x) * OWN(own->minus_S_multiplier_fy);
-    OWN(own->t5) = t34 - U_0_cos * t32;
-    OWN(own->t4) = t18 + signed_U_0_sin * t32;
-    OWN(own->checked) = checked;
+    OWN(minus_S_multiplier_fy) = (t27 - (minus_upper_moment_z + (t28 + k9 * U_a_1))) * OWN(t2);
+    const LIMB4 t32 = t21 - OWN(S_arm_x) * OWN(minus_S_multiplier_fy);
+    OWN(t5) = t34 - U_0_cos * t32;
+    OWN(t4) = t18 + signed_U_0_sin * t32;
+    OWN(checked) = checked;
 }
 
 STAGE(joint_reactions, 1)(size_t limb, size_t stride, const double *restrict sine,
@@ -104,13 +102,13 @@ STAGE(joint_reactions, 1)(size_t limb, size_t stride, const double *restrict sin
 {
     (void)limb, (void)stride;
     /* limbs together: balance, eqs. (40)-(47); drives */
-    OWN(own->signed_limb1_U2_part_mn_by_P) = IN_EACH4(SINES, sine, 0, 2) * OWN(own->minus_S_arm_y) * given;
-    const LIMB4 t1 = OWN(platform_joint_force_mx_by_limb1_U2_mn) * OWN(own->signed_limb1_U2_part_mn_by_P);
-    OWN(own->limb5_S_balance_wx_by_P) = OWN(platform_joint_force_mx_by_U2_mn) * OWN(own->signed_limb1_U2_part_mn_by_P);
-    OWN(own->t8) = OWN(own->limb5_S_balance_wx_by_P) * OWN(own->limb5_S_balance_wx_by_P);
-    OWN(own->minus_limb5_S_balance_wy_by_P) = IN_EACH4(SINES, cosine, 0, 2) * OWN(own->minus_S_arm_y) + t1;
-    OWN(own->t3) = OWN(own->minus_limb5_S_balance_wy_by_P) * OWN(own->limb5_S_balance_wx_by_P);
-    OWN(own->t7) = OWN(own->minus_limb5_S_balance_wy_by_P) * OWN(own->minus_limb5_S_balance_wy_by_P);
+    OWN(signed_limb1_U2_part_mn_by_P) = IN_EACH4(SINES, sine, 0, 2) * OWN(minus_S_arm_y) * given;
+    const LIMB4 t1 = GIVEN(platform_joint_force_mx_by_limb1_U2_mn) * OWN(signed_limb1_U2_part_mn_by_P);
+    OWN(limb5_S_balance_wx_by_P) = GIVEN(platform_joint_force_mx_by_U2_mn) * OWN(signed_limb1_U2_part_mn_by_P);
+    OWN(t8) = OWN(limb5_S_balance_wx_by_P) * OWN(limb5_S_balance_wx_by_P);
+    OWN(minus_limb5_S_balance_wy_by_P) = IN_EACH4(SINES, cosine, 0, 2) * OWN(minus_S_arm_y) + t1;
+    OWN(t3) = OWN(minus_limb5_S_balance_wy_by_P) * OWN(limb5_S_balance_wx_by_P);
+    OWN(t7) = OWN(minus_limb5_S_balance_wy_by_P) * OWN(minus_limb5_S_balance_wy_by_P);
 }
 
 STAGE(joint_reactions, 2)(size_t limb, size_t stride, double *restrict u, const EACH4 given,
@@ -120,15 +118,15 @@ STAGE(joint_reactions, 2)(size_t limb, size_t stride, double *restrict u, const 
     (void)limb, (void)stride;
     const NUMBER4 sign1 = OF4(1.0, -1.0, 1.0, -1.0);
     /* limbs together: drives; balance, eqs. (40)-(47) */
-    const LIMB4 t1 = OWN(own->minus_limb5_S_balance_wy_by_P) * OWN(given);
-    OWN(own->signed_P_drive) = t1 + OWN(own->limb5_S_balance_wx_by_P) * OWN(given_2);
-    WRITE4(u, 0, 1, 2, 3, -sign1 * OWN(own->signed_P_drive));
-    OWN(own->t11) = OWN(own->signed_limb1_U2_part_mn_by_P) * OWN(own->signed_P_drive);
-    OWN(own->t9) = OWN(own->signed_P_drive) * (limb1_U_factor_1_by_3 * OWN(own->signed_limb1_U2_part_mn_by_P));
-    const LIMB4 t3 = sign1 * OWN(own->signed_P_drive);
-    OWN(own->lower_sent_fx) = OWN(own->lower_rate_fx_2) - t3;
-    OWN(own->S_multiplier_fx) = OWN(own->upper_rate_fx) + t3;
-    OWN(own->t10) = OWN(own->signed_P_drive) * (minus_limb1_U_factor_0_by_3 * OWN(own->signed_limb1_U2_part_mn_by_P));
+    const LIMB4 t1 = OWN(minus_limb5_S_balance_wy_by_P) * GIVEN(given);
+    OWN(signed_P_drive) = t1 + OWN(limb5_S_balance_wx_by_P) * GIVEN(given_2);
+    WRITE4(u, 0, 1, 2, 3, -sign1 * OWN(signed_P_drive));
+    OWN(t11) = OWN(signed_limb1_U2_part_mn_by_P) * OWN(signed_P_drive);
+    OWN(t9) = OWN(signed_P_drive) * (limb1_U_factor_1_by_3 * OWN(signed_limb1_U2_part_mn_by_P));
+    const LIMB4 t3 = sign1 * OWN(signed_P_drive);
+    OWN(lower_sent_fx) = OWN(lower_rate_fx_2) - t3;
+    OWN(S_multiplier_fx) = OWN(upper_rate_fx) + t3;
+    OWN(t10) = OWN(signed_P_drive) * (minus_limb1_U_factor_0_by_3 * OWN(signed_limb1_U2_part_mn_by_P));
 }
 
 STAGE(joint_reactions, 3)(size_t limb, size_t stride, double *restrict reactions, const double *restrict sine,
@@ -139,76 +137,74 @@ STAGE(joint_reactions, 3)(size_t limb, size_t stride, double *restrict reactions
     (void)limb, (void)stride;
     const NUMBER4 sign1 = OF4(1.0, -1.0, -1.0, -1.0), sign2 = OF4(1.0, 1.0, -1.0, -1.0),
       factor_2 = OF4(-1.0, -2.0, 2.0, 2.0), sign3 = OF4(1.0, -1.0, -1.0, 1.0), sign4 = OF4(1.0, -1.0, 1.0, -1.0);
-    const LIMB4 t66 = sign1 * OWN(signed_S_multiplier_fy), signed_lower_sin = IN_EACH4(SINES, sine, 1, 2);
-    /* limbs together: balance, eqs. (40)-(47) */
+    const LIMB4 t66 = sign1 * GIVEN(signed_S_multiplier_fy), signed_lower_sin = IN_EACH4(SINES, sine, 1, 2);
+    /* limbs together: balance, eqs. (40)-(47); reactions, eq. (32); geometry */
     const LIMB4 t62 = signed_lower_sin * t66, t67 = sign2 * IN_EACH4(SINES, cosine, 1, 2),
-      t63 = t62 - t67 * OWN(own->S_multiplier_fx), U_0_cos = IN_EACH4(SINES, cosine, 0, 2),
-      signed_U_0_sin = IN_EACH4(SINES, sine, 0, 2), t65 = U_0_cos * t63, t64 = signed_U_0_sin * t63;
-    /* limbs together: reactions, eq. (32); balance, eqs. (40)-(47); geometry */
-    const LIMB4 t51 = signed_U_0_sin * OWN(signed_S_multiplier_fz);
-    OWN(own->t13) = t65 + t51;
-    const LIMB4 t47 = U_0_cos * OWN(signed_S_multiplier_fz);
-    OWN(own->t12) = t64 - t47;
-    const LIMB4 signed_lower_rotation_yy = signed_U_0_sin * signed_lower_sin,
-      t50 = signed_lower_rotation_yy * t66 - OWN(own->signed_lower_rotation_yx) * OWN(own->S_multiplier_fx);
-    OWN(own->signed_S_reaction_fx) = t47 - t50;
-    WRITE4(reactions, 13, 30, 49, 66, sign2 * OWN(own->signed_S_reaction_fx));
-    const LIMB4 signed_upper_position_x = signed_lower_sin * OWN(own->upper_offset_x) + (-param_R),
-      t60 = signed_upper_position_x * OWN(own->signed_S_reaction_fx);
-    OWN(own->signed_S_reaction_fy) = t67 * t66 + signed_lower_sin * OWN(own->S_multiplier_fx);
-    WRITE4(reactions, 12, 31, 48, 67, -sign2 * OWN(own->signed_S_reaction_fy));
-    const LIMB4 signed_upper_position_y = OWN(own->upper_offset_x) * OWN(own->signed_lower_rotation_yx);
-    OWN(own->signed_S_reaction_mz) = signed_upper_position_y * OWN(own->signed_S_reaction_fy) - t60;
+      t63 = t62 - t67 * OWN(S_multiplier_fx), U_0_cos = IN_EACH4(SINES, cosine, 0, 2),
+      signed_U_0_sin = IN_EACH4(SINES, sine, 0, 2), t65 = U_0_cos * t63, t64 = signed_U_0_sin * t63,
+      t51 = signed_U_0_sin * GIVEN(signed_S_multiplier_fz);
+    OWN(t13) = t65 + t51;
+    const LIMB4 t47 = U_0_cos * GIVEN(signed_S_multiplier_fz);
+    OWN(t12) = t64 - t47;
+    const LIMB4 signed_lower_rotation_yy = signed_U_0_sin * signed_lower_sin;
+    /* limbs together: reactions, eq. (32); geometry; balance, eqs. (40)-(47) */
+    OWN(signed_S_reaction_fx) = t47 - (signed_lower_rotation_yy * t66 - OWN(signed_lower_rotation_yx) * OWN(S_multiplier_fx));
+    WRITE4(reactions, 13, 30, 49, 66, sign2 * OWN(signed_S_reaction_fx));
+    const LIMB4 signed_upper_position_x = signed_lower_sin * OWN(upper_offset_x) + (-param_R),
+      t60 = signed_upper_position_x * OWN(signed_S_reaction_fx);
+    OWN(signed_S_reaction_fy) = t67 * t66 + signed_lower_sin * OWN(S_multiplier_fx);
+    WRITE4(reactions, 12, 31, 48, 67, -sign2 * OWN(signed_S_reaction_fy));
+    const LIMB4 signed_upper_position_y = OWN(upper_offset_x) * OWN(signed_lower_rotation_yx);
+    OWN(signed_S_reaction_mz) = signed_upper_position_y * OWN(signed_S_reaction_fy) - t60;
     const LIMB4 signed_lower_rotation_zy = U_0_cos * signed_lower_sin, t52 = signed_lower_rotation_zy * t66,
-      minus_upper_sent_fy = OWN(own->minus_upper_rate_fy) + t66;
-    OWN(own->signed_S_reaction_fz) = OWN(own->signed_lower_rotation_zx) * OWN(own->S_multiplier_fx) - t52 - t51;
-    WRITE4(reactions, 14, 32, 50, 68, -sign3 * OWN(own->signed_S_reaction_fz));
-    const LIMB4 t57 = signed_upper_position_x * OWN(own->signed_S_reaction_fz),
-      t56 = signed_upper_position_y * OWN(own->signed_S_reaction_fz),
-      signed_upper_position_z = OWN(own->upper_offset_x) * OWN(own->signed_lower_rotation_zx);
-    OWN(own->S_reaction_mx) = t57 - signed_upper_position_z * OWN(own->signed_S_reaction_fy);
-    OWN(own->S_reaction_my) = t56 - signed_upper_position_z * OWN(own->signed_S_reaction_fx);
+      minus_upper_sent_fy = OWN(minus_upper_rate_fy) + t66;
+    OWN(signed_S_reaction_fz) = OWN(signed_lower_rotation_zx) * OWN(S_multiplier_fx) - t52 - t51;
+    WRITE4(reactions, 14, 32, 50, 68, -sign3 * OWN(signed_S_reaction_fz));
+    const LIMB4 t57 = signed_upper_position_x * OWN(signed_S_reaction_fz),
+      t56 = signed_upper_position_y * OWN(signed_S_reaction_fz),
+      signed_upper_position_z = OWN(upper_offset_x) * OWN(signed_lower_rotation_zx);
+    OWN(S_reaction_mx) = t57 - signed_upper_position_z * OWN(signed_S_reaction_fy);
+    OWN(S_reaction_my) = t56 - signed_upper_position_z * OWN(signed_S_reaction_fx);
     const LIMB4 t20 = signed_lower_rotation_yy * minus_upper_sent_fy,
-      t33 = signed_lower_rotation_yy * OWN(own->signed_upper_rate_my_2),
-      signed_upper_sent_fz = OWN(own->signed_upper_rate_fz) - OWN(signed_S_multiplier_fz),
+      t33 = signed_lower_rotation_yy * OWN(signed_upper_rate_my_2),
+      signed_upper_sent_fz = OWN(signed_upper_rate_fz) - GIVEN(signed_S_multiplier_fz),
       signed_P_reaction_fy = U_0_cos * signed_upper_sent_fz + t20;
     WRITE4(reactions, 7, 24, 43, 60, -sign2 * signed_P_reaction_fy);
-    LIMB4 checked = OWN(own->checked) + signed_P_reaction_fy;
+    LIMB4 checked = OWN(checked) + signed_P_reaction_fy;
     const LIMB4 t38 = signed_upper_position_x * signed_P_reaction_fy,
       t23 = signed_upper_position_z * signed_P_reaction_fy, signed_P_reaction_fx = t67 * minus_upper_sent_fy;
     WRITE4(reactions, 6, 25, 42, 61, -sign2 * signed_P_reaction_fx);
     const LIMB4 t30 = signed_upper_position_z * signed_P_reaction_fx,
       t39 = signed_upper_position_y * signed_P_reaction_fx + t38,
-      t41 = signed_lower_rotation_zy * OWN(own->signed_upper_rate_my_2),
+      t41 = signed_lower_rotation_zy * OWN(signed_upper_rate_my_2),
       t22 = signed_lower_rotation_zy * minus_upper_sent_fy,
-      lower_sent_fy = OWN(own->lower_rate_fy_2) - minus_upper_sent_fy, t68 = sign2 * OWN(upper_rate_mx_2),
-      t44 = signed_U_0_sin * OWN(minus_upper_rate_mz_2) - (t41 + OWN(own->signed_lower_rotation_zx) * t68),
-      signed_P_reaction_mz = t39 + t44;
+      lower_sent_fy = OWN(lower_rate_fy_2) - minus_upper_sent_fy, t68 = sign2 * GIVEN(upper_rate_mx_2),
+      signed_P_reaction_mz = t39 + (signed_U_0_sin * GIVEN(minus_upper_rate_mz_2) - (t41 + OWN(signed_lower_rotation_zx) * t68));
     WRITE4(reactions, 11, 29, 47, 65, -sign4 * signed_P_reaction_mz);
     checked = checked + signed_P_reaction_mz;
-    OWN(own->signed_P_reaction_fz) = signed_U_0_sin * signed_upper_sent_fz - t22;
-    WRITE4(reactions, 8, 26, 44, 62, -sign3 * OWN(own->signed_P_reaction_fz));
-    const LIMB4 t31 = signed_upper_position_x * OWN(own->signed_P_reaction_fz) - t30,
-      t25 = t23 + signed_upper_position_y * OWN(own->signed_P_reaction_fz), t27 = signed_lower_sin * t68,
-      P_reaction_my = t31 - (U_0_cos * OWN(minus_upper_rate_mz_2) + (t33 + OWN(own->signed_lower_rotation_yx) * t68));
+    OWN(signed_P_reaction_fz) = signed_U_0_sin * signed_upper_sent_fz - t22;
+    WRITE4(reactions, 8, 26, 44, 62, -sign3 * OWN(signed_P_reaction_fz));
+    const LIMB4 t31 = signed_upper_position_x * OWN(signed_P_reaction_fz) - t30,
+      t25 = t23 + signed_upper_position_y * OWN(signed_P_reaction_fz), t27 = signed_lower_sin * t68,
+      P_reaction_my = t31 - (U_0_cos * GIVEN(minus_upper_rate_mz_2) + (t33 + OWN(signed_lower_rotation_yx) * t68));
     WRITE4(reactions, 10, 27, 46, 63, P_reaction_my);
     checked = checked + P_reaction_my;
-    const LIMB4 P_reaction_mx = t25 + (t27 - t67 * OWN(own->signed_upper_rate_my_2));
+    const LIMB4 P_reaction_mx = t25 + (t27 - t67 * OWN(signed_upper_rate_my_2));
     WRITE4(reactions, 9, 28, 45, 64, P_reaction_mx);
     checked = checked + P_reaction_mx;
     /* limbs together: balance, eqs. (40)-(47); reactions, eq. (32) */
     const LIMB4 t1 = t67 * lower_sent_fy,
-      signed_lower_joint_sent_fx = t67 * OWN(own->lower_sent_fx) - signed_lower_sin * lower_sent_fy,
+      signed_lower_joint_sent_fx = t67 * OWN(lower_sent_fx) - signed_lower_sin * lower_sent_fy,
       t5 = signed_U_0_sin * signed_lower_joint_sent_fx, t7 = U_0_cos * signed_lower_joint_sent_fx,
-      signed_lower_sent_fz = OWN(own->signed_lower_rate_fz_2) - signed_upper_sent_fz,
-      signed_lower_sent_my = OWN(own->upper_offset_x) * signed_upper_sent_fz - OWN(own->signed_upper_rate_my_2) - OWN(own->signed_lower_rate_my_2);
-    OWN(own->signed_U_0_joint_sent_fx) = t5 - U_0_cos * signed_lower_sent_fz;
-    WRITE4(reactions, 1, 18, 37, 54, -sign2 * OWN(own->signed_U_0_joint_sent_fx));
-    const LIMB4 t18 = param_R * OWN(own->signed_U_0_joint_sent_fx);
-    OWN(own->signed_U_0_joint_sent_fy) = t7 + signed_U_0_sin * signed_lower_sent_fz;
-    WRITE4(reactions, 2, 20, 38, 56, sign3 * OWN(own->signed_U_0_joint_sent_fy));
-    const LIMB4 t13 = param_R * OWN(own->signed_U_0_joint_sent_fy), t14 = signed_lower_sin * signed_lower_sent_my,
-      t12 = t67 * signed_lower_sent_my, signed_lower_sent_mx = factor_2 * OWN(upper_rate_mx),
+      signed_lower_sent_fz = OWN(signed_lower_rate_fz_2) - signed_upper_sent_fz,
+      signed_lower_sent_my = OWN(upper_offset_x) * signed_upper_sent_fz - OWN(signed_upper_rate_my_2) - OWN(signed_lower_rate_my_2);
+    OWN(signed_U_0_joint_sent_fx) = t5 - U_0_cos * signed_lower_sent_fz;
+    WRITE4(reactions, 1, 18, 37, 54, -sign2 * OWN(signed_U_0_joint_sent_fx));
+    const LIMB4 t18 = param_R * OWN(signed_U_0_joint_sent_fx);
+    OWN(signed_U_0_joint_sent_fy) = t7 + signed_U_0_sin * signed_lower_sent_fz;
+    WRITE4(reactions, 2, 20, 38, 56, sign3 * OWN(signed_U_0_joint_sent_fy));
+    const LIMB4 t13 = param_R * OWN(signed_U_0_joint_sent_fy), t14 = signed_lower_sin * signed_lower_sent_my,
+      t12 = t67 * signed_lower_sent_my, signed_lower_sent_mx = factor_2 * GIVEN(upper_rate_mx),
       minus_lower_joint_sent_mx = t14 + t67 * signed_lower_sent_mx,
       lower_joint_sent_my = t12 - signed_lower_sin * signed_lower_sent_mx;
     WRITE4(reactions, 3, 22, 39, 58, lower_joint_sent_my);
@@ -219,10 +215,10 @@ STAGE(joint_reactions, 3)(size_t limb, size_t stride, double *restrict reactions
     const LIMB4 U_reaction_my = t13 + signed_U_0_sin * minus_lower_joint_sent_mx;
     WRITE4(reactions, 4, 21, 40, 57, U_reaction_my);
     checked = checked + U_reaction_my;
-    const LIMB4 signed_lower_joint_sent_fy = t1 + signed_lower_sin * OWN(own->lower_sent_fx);
+    const LIMB4 signed_lower_joint_sent_fy = t1 + signed_lower_sin * OWN(lower_sent_fx);
     WRITE4(reactions, 0, 19, 36, 55, sign2 * signed_lower_joint_sent_fy);
     checked = checked + signed_lower_joint_sent_fy;
-    OWN(own->checked) = checked;
+    OWN(checked) = checked;
 }
 
 BODY(three_ups_upu_s_joint_reactions)(size_t stride, const double *restrict q, const double *restrict v,
@@ -321,33 +317,33 @@ BODY(three_ups_upu_s_joint_reactions)(size_t stride, const double *restrict q, c
     const EACH4 upper_rate_mx = {limbs.upper_rate_mx[0] + limb1_upper_sent_mx, limbs.upper_rate_mx[1], limbs.upper_rate_mx[2], limbs.upper_rate_mx[3]},
       upper_rate_mx_2 = {limb1_upper_sent_mx, limbs.upper_rate_mx[1], limbs.upper_rate_mx[2], limbs.upper_rate_mx[3]},
       minus_upper_rate_mz_2 = {limbs.minus_upper_rate_mz_2[0] - limb1_U2_joint_reaction_mz, limbs.minus_upper_rate_mz_2[1], limbs.minus_upper_rate_mz_2[2], limbs.minus_upper_rate_mz_2[3]};
-    FIRST_LIMB(1, joint_reactions, 3, stride, reactions, sine, cosine, signed_S_multiplier_fy, signed_S_multiplier_fz, upper_rate_mx, upper_rate_mx_2, minus_upper_rate_mz_2, &limbs);
-    /* limb2: balance, eqs. (40)-(47) */
-    checked0 = checked0 + limbs.signed_U_0_joint_sent_fx[1];
-    /* limb2: reactions, eq. (32) */
-    checked1 = checked1 + limbs.signed_S_reaction_fy[1];
-    checked2 = checked2 + limbs.signed_S_reaction_fz[1];
-    WRITE(reactions, 34, limbs.S_reaction_my[1]);
-    checked3 = checked3 + limbs.S_reaction_my[1];
-    WRITE(reactions, 33, limbs.S_reaction_mx[1]);
-    checked0 = checked0 + limbs.S_reaction_mx[1];
-    WRITE(reactions, 35, limbs.signed_S_reaction_mz[1]);
-    checked1 = checked1 + limbs.signed_S_reaction_mz[1];
-    checked2 = checked2 + ALONE(limbs.checked[1]);
-    NEXT_LIMB(2, joint_reactions, 3, stride, reactions, sine, cosine, signed_S_multiplier_fy, signed_S_multiplier_fz, upper_rate_mx, upper_rate_mx_2, minus_upper_rate_mz_2, &limbs);
+    FIRST_LIMB(2, joint_reactions, 3, stride, reactions, sine, cosine, signed_S_multiplier_fy, signed_S_multiplier_fz, upper_rate_mx, upper_rate_mx_2, minus_upper_rate_mz_2, &limbs);
     /* limb3: balance, eqs. (40)-(47) */
-    checked3 = checked3 + limbs.signed_U_0_joint_sent_fx[2];
-    checked0 = checked0 + limbs.signed_U_0_joint_sent_fy[2];
+    checked0 = checked0 + limbs.signed_U_0_joint_sent_fx[2];
+    checked1 = checked1 + limbs.signed_U_0_joint_sent_fy[2];
     /* limb3: reactions, eq. (32) */
-    checked1 = checked1 + limbs.signed_P_reaction_fz[2];
-    checked2 = checked2 + limbs.signed_S_reaction_fx[2];
-    checked3 = checked3 + limbs.signed_S_reaction_fz[2];
+    checked2 = checked2 + limbs.signed_P_reaction_fz[2];
+    checked3 = checked3 + limbs.signed_S_reaction_fx[2];
+    checked0 = checked0 + limbs.signed_S_reaction_fz[2];
     WRITE(reactions, 51, limbs.S_reaction_my[2]);
-    checked0 = checked0 + limbs.S_reaction_my[2];
+    checked1 = checked1 + limbs.S_reaction_my[2];
     WRITE(reactions, 52, limbs.S_reaction_mx[2]);
-    checked1 = checked1 + limbs.S_reaction_mx[2];
-    checked2 = checked2 + limbs.signed_S_reaction_mz[2];
-    checked3 = checked3 + ALONE(limbs.checked[2]);
+    checked2 = checked2 + limbs.S_reaction_mx[2];
+    checked3 = checked3 + limbs.signed_S_reaction_mz[2];
+    checked0 = checked0 + ALONE(limbs.checked[2]);
+    NEXT_LIMB(1, joint_reactions, 3, stride, reactions, sine, cosine, signed_S_multiplier_fy, signed_S_multiplier_fz, upper_rate_mx, upper_rate_mx_2, minus_upper_rate_mz_2, &limbs);
+    /* limb2: balance, eqs. (40)-(47) */
+    checked1 = checked1 + limbs.signed_U_0_joint_sent_fx[1];
+    /* limb2: reactions, eq. (32) */
+    checked2 = checked2 + limbs.signed_S_reaction_fy[1];
+    checked3 = checked3 + limbs.signed_S_reaction_fz[1];
+    WRITE(reactions, 34, limbs.S_reaction_my[1]);
+    checked0 = checked0 + limbs.S_reaction_my[1];
+    WRITE(reactions, 33, limbs.S_reaction_mx[1]);
+    checked1 = checked1 + limbs.S_reaction_mx[1];
+    WRITE(reactions, 35, limbs.signed_S_reaction_mz[1]);
+    checked2 = checked2 + limbs.signed_S_reaction_mz[1];
+    checked3 = checked3 + ALONE(limbs.checked[1]);
     NEXT_LIMB(3, joint_reactions, 3, stride, reactions, sine, cosine, signed_S_multiplier_fy, signed_S_multiplier_fz, upper_rate_mx, upper_rate_mx_2, minus_upper_rate_mz_2, &limbs);
     /* limb4: balance, eqs. (40)-(47); reactions, eq. (32) */
     checked0 = checked0 + limbs.signed_U_0_joint_sent_fx[3];
@@ -360,34 +356,34 @@ BODY(three_ups_upu_s_joint_reactions)(size_t stride, const double *restrict q, c
     checked0 = checked0 + limbs.signed_S_reaction_mz[3];
     checked1 = checked1 + ALONE(limbs.checked[3]);
     NEXT_LIMB(0, joint_reactions, 3, stride, reactions, sine, cosine, signed_S_multiplier_fy, signed_S_multiplier_fz, upper_rate_mx, upper_rate_mx_2, minus_upper_rate_mz_2, &limbs);
-    /* limb1: balance, eqs. (40)-(47); reactions, eq. (32) */
     checked2 = checked2 + limbs.signed_U_0_joint_sent_fy[0];
     checked3 = checked3 + limbs.signed_P_reaction_fz[0];
     checked0 = checked0 + limbs.signed_S_reaction_fy[0];
     checked1 = checked1 + ALONE(limbs.checked[0]);
     WRITE(reactions, 53, -limbs.signed_S_reaction_mz[2]);
-    RESULT(checked2, reactions, 15, limb1_lower_sin * limb1_U2_joint_reaction_mx + limbs.S_reaction_my[0]);
-    const REAL t107 = limb1_U_0_cos * limb1_U2_joint_reaction_mz, t110 = limb1_U_0_sin * limb1_U2_joint_reaction_mz;
-    RESULT(checked3, reactions, 16, limbs.S_reaction_mx[0] + (t107 - limbs.signed_lower_rotation_yx[0] * limb1_U2_joint_reaction_mx));
-    RESULT(checked0, reactions, 17, t110 + limbs.signed_lower_rotation_zx[0] * limb1_U2_joint_reaction_mx - limbs.signed_S_reaction_mz[0]);
     /* platform: momentum rate, eq. (35) */
     const REAL platform_rate_fx_2 = platform_rate_fx + platform_m_gravity_z * platform_turn_zx;
     /* platform: balance, eqs. (40)-(47); momentum rate, eq. (35) */
-    const REAL t126 = platform_turn_yx * platform_rate_fx_2, t134 = platform_turn_zx * platform_rate_fx_2,
-      t114 = platform_turn_xx * platform_rate_fx_2,
+    const REAL t114 = platform_turn_xx * platform_rate_fx_2, t134 = platform_turn_zx * platform_rate_fx_2,
+      t126 = platform_turn_yx * platform_rate_fx_2,
       minus_platform_rate_fy_2 = minus_platform_rate_fy - platform_m_gravity_z * platform_turn_zy,
-      t128 = t126 - platform_turn_yy * minus_platform_rate_fy_2,
+      t117 = t114 - platform_turn_xy * minus_platform_rate_fy_2,
       t136 = t134 - platform_turn_zy * minus_platform_rate_fy_2,
-      t117 = t114 - platform_turn_xy * minus_platform_rate_fy_2, t120 = platform_m_gravity_z * platform_turn_zz,
+      t128 = t126 - platform_turn_yy * minus_platform_rate_fy_2, t120 = platform_m_gravity_z * platform_turn_zz,
       minus_platform_rate_fz_2 = platform_mz * (limb5_S_v_wx * limb5_S_v_wx + limb5_S_v_wy * limb5_S_v_wy) - t120,
-      t132 = limbs.signed_S_reaction_fy[1] + (t128 - platform_turn_yz * minus_platform_rate_fz_2 + limbs.t12[0]);
-    RESULT(checked1, reactions, 73, t132 - limbs.t12[2] - limbs.signed_S_reaction_fy[3]);
-    const REAL t124 = limbs.t12[1] + (t117 - platform_turn_xz * minus_platform_rate_fz_2 + limbs.signed_S_reaction_fy[0]),
-      t141 = limbs.t13[2] + (limbs.t13[1] + (t136 - platform_turn_zz * minus_platform_rate_fz_2 - limbs.t13[0]));
-    RESULT(checked2, reactions, 74, t141 - limbs.t13[3]);
-    const REAL minus_platform_joint_sent_fx = limbs.t12[3] + (limbs.signed_S_reaction_fy[2] - t124);
-    checked3 = checked3 + minus_platform_joint_sent_fx;
+      t124 = limbs.t12[1] + (t117 - platform_turn_xz * minus_platform_rate_fz_2 + limbs.signed_S_reaction_fy[0]),
+      minus_platform_joint_sent_fx = limbs.t12[3] + (limbs.signed_S_reaction_fy[2] - t124);
+    checked2 = checked2 + minus_platform_joint_sent_fx;
     WRITE(reactions, 72, -minus_platform_joint_sent_fx);
+    const REAL t130 = t128 - platform_turn_yz * minus_platform_rate_fz_2,
+      t141 = limbs.t13[2] + (limbs.t13[1] + (t136 - platform_turn_zz * minus_platform_rate_fz_2 - limbs.t13[0]));
+    RESULT(checked3, reactions, 74, t141 - limbs.t13[3]);
+    RESULT(checked0, reactions, 73, limbs.signed_S_reaction_fy[1] + (t130 + limbs.t12[0]) - limbs.t12[2] - limbs.signed_S_reaction_fy[3]);
+    const REAL t110 = limb1_U_0_sin * limb1_U2_joint_reaction_mz, /* limb1 */
+      t107 = limb1_U_0_cos * limb1_U2_joint_reaction_mz; /* limb1 */
+    RESULT(checked1, reactions, 17, t110 + limbs.signed_lower_rotation_zx[0] * limb1_U2_joint_reaction_mx - limbs.signed_S_reaction_mz[0]);
+    RESULT(checked2, reactions, 16, limbs.S_reaction_mx[0] + (t107 - limbs.signed_lower_rotation_yx[0] * limb1_U2_joint_reaction_mx));
+    RESULT(checked3, reactions, 15, limb1_lower_sin * limb1_U2_joint_reaction_mx + limbs.S_reaction_my[0]);
     WRITE(reactions, 75, CONSTANT(0.0));
     WRITE(reactions, 76, CONSTANT(0.0));
     WRITE(reactions, 77, CONSTANT(0.0));

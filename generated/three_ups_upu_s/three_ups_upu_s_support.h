@@ -338,6 +338,7 @@ static inline THREE_UPS_UPU_S_INLINE void three_ups_upu_s_sines9(const double *r
 #undef FIRST_LIMB
 #undef NEXT_LIMB
 #undef OWN
+#undef GIVEN
 #undef ALONE
 #undef EACH4
 #undef LIMB4
@@ -379,7 +380,8 @@ static inline THREE_UPS_UPU_S_INLINE void three_ups_upu_s_sines9(const double *r
 #define LIMBS(function) three_ups_upu_s_##function##_lanes
 #define FIRST_LIMB(k, function, n, ...) three_ups_upu_s_##function##_lanes##n(k, __VA_ARGS__)
 #define NEXT_LIMB(k, function, n, ...) (void)0
-#define OWN(x) (x)
+#define OWN(x) own->x
+#define GIVEN(x) (x)
 #define ALONE(x) (-0.0) /* adds nothing: limbs are summed together */
 #define EACH4 three_ups_upu_s_vector4
 #define LIMB4 three_ups_upu_s_vector4
@@ -387,7 +389,7 @@ static inline THREE_UPS_UPU_S_INLINE void three_ups_upu_s_sines9(const double *r
 #define OF4(a, b, c, d) (three_ups_upu_s_vector4){a, b, c, d}
 #define IN_EACH4(read, array, first, step) \
     (three_ups_upu_s_vector4){read(array, first), read(array, (first) + (step)), read(array, (first) + 2 * (step)), read(array, (first) + 3 * (step))}
-#define WRITE4(array, a, b, c, d, x) do { const three_ups_upu_s_vector4 out_ = (x); WRITE(array, a, out_[0]); WRITE(array, b, out_[1]); WRITE(array, c, out_[2]); WRITE(array, d, out_[3]); } while (0)
+#define WRITE4(array, a, b, c, d, x) { const three_ups_upu_s_vector4 out_ = (x); WRITE(array, a, out_[0]); WRITE(array, b, out_[1]); WRITE(array, c, out_[2]); WRITE(array, d, out_[3]); }
 #define SQRT4(x) three_ups_upu_s_vector4_sqrt(x)
 #define SMALL4(x, a, b, c, d) (((x) <= OF4(a, b, c, d)) & ((x) >= -OF4(a, b, c, d)))
 #define FINITE_UNLESS4(small, sum, each) \
@@ -421,13 +423,14 @@ static inline THREE_UPS_UPU_S_INLINE void three_ups_upu_s_sines9(const double *r
 #define RESULT(checked, array, k, x) \
     { const REAL result_ = (x); WRITE(array, k, result_); checked = checked + result_; }
 /* Stages are what equal limbs do, written once: here of the limb with the number `limb`. Values have the
-   names of the theory without the limb's. OWN(own->x): what a limb hands on; limbs.x[0]: that of the first
-   limb; given: what limbs are given; sign1 ...: 1 or -1 by limb, where equal limbs mirror each other. */
+   names of the theory without the limb's. OWN(x): what a limb hands on; limbs.x[0]: that of the first limb;
+   GIVEN(x): what each limb is given; sign1 ...: 1 or -1 by limb, where equal limbs mirror each other. */
 #define STAGE(function, n) static inline THREE_UPS_UPU_S_INLINE void three_ups_upu_s_##function##_limb##n
 #define LIMBS(function) three_ups_upu_s_##function##_limbs
 #define FIRST_LIMB(k, function, n, ...) three_ups_upu_s_##function##_limb##n(k, __VA_ARGS__)
 #define NEXT_LIMB(k, function, n, ...) three_ups_upu_s_##function##_limb##n(k, __VA_ARGS__)
-#define OWN(x) (x)[limb]
+#define OWN(x) own->x[limb]
+#define GIVEN(x) (x)[limb]
 #define ALONE(x) (x)
 #define EACH4 three_ups_upu_s_each4
 #define LIMB4 REAL

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 LETTERS = "abcdefgh"
-OF_ALL = ("STAGE", "LIMBS", "FIRST_LIMB", "NEXT_LIMB", "OWN", "ALONE")
+OF_ALL = ("STAGE", "LIMBS", "FIRST_LIMB", "NEXT_LIMB", "OWN", "GIVEN", "ALONE")
 BY_COUNT = ("EACH", "LIMB", "NUMBER", "OF", "IN_EACH", "WRITE", "SQRT", "SMALL", "FINITE_UNLESS", "FINITE")
 
 
@@ -30,13 +30,14 @@ def one_by_one(model: str, kind: str, each: str, real: str, limbs: Sequence[int]
     upper, symbol = model.upper(), f"{model}_##function##{kind}_limb"
     lines = [
         "/* Stages are what equal limbs do, written once: here of the limb with the number `limb`. Values have the",
-        "   names of the theory without the limb's. OWN(own->x): what a limb hands on; limbs.x[0]: that of the first",
-        "   limb; given: what limbs are given; sign1 ...: 1 or -1 by limb, where equal limbs mirror each other. */",
+        "   names of the theory without the limb's. OWN(x): what a limb hands on; limbs.x[0]: that of the first limb;",
+        "   GIVEN(x): what each limb is given; sign1 ...: 1 or -1 by limb, where equal limbs mirror each other. */",
         f"#define STAGE(function, n) static inline {upper}_INLINE void {symbol}##n",
         f"#define LIMBS(function) {symbol}s",
         f"#define FIRST_LIMB(k, function, n, ...) {symbol}##n(k, __VA_ARGS__)",
         f"#define NEXT_LIMB(k, function, n, ...) {symbol}##n(k, __VA_ARGS__)",
-        "#define OWN(x) (x)[limb]",
+        "#define OWN(x) own->x[limb]",
+        "#define GIVEN(x) (x)[limb]",
         "#define ALONE(x) (x)",
     ]
     for n in limbs:
@@ -70,13 +71,14 @@ def side_by_side(model: str, limbs: int, minus_zero: str) -> list[str]:
         f"#define LIMBS(function) {symbol}",
         f"#define FIRST_LIMB(k, function, n, ...) {symbol}##n(k, __VA_ARGS__)",
         "#define NEXT_LIMB(k, function, n, ...) (void)0",
-        "#define OWN(x) (x)",
+        "#define OWN(x) own->x",
+        "#define GIVEN(x) (x)",
         f"#define ALONE(x) ({minus_zero}) /* adds nothing: limbs are summed together */",
         *(f"#define {name}{n} {vector}" for name in ("EACH", "LIMB", "NUMBER")),
         f"#define OF{n}({listed}) ({vector}){{{listed}}}",
         f"#define IN_EACH{n}(read, array, first, step) \\",
         f"    ({vector}){{{', '.join(f'read(array, {place})' for place in places)}}}",
-        f"#define WRITE{n}(array, {listed}, x) do {{ const {vector} out_ = (x); {writes} }} while (0)",
+        f"#define WRITE{n}(array, {listed}, x) {{ const {vector} out_ = (x); {writes} }}",
         f"#define SQRT{n}(x) {vector}_sqrt(x)",
         f"#define SMALL{n}(x, {listed}) (((x) <= OF{n}({listed})) & ((x) >= -OF{n}({listed})))",
         f"#define FINITE_UNLESS{n}(small, sum, each) \\",

@@ -211,7 +211,7 @@ class _Stage:
         self._print()
 
     def _member(self, row: int) -> str:
-        return f"OWN(own->{self.whole.members[row]})"
+        return f"OWN({self.whole.members[row]})"
 
     def _new(self, name: str) -> int:
         found = -1 - len(self.names)
@@ -285,7 +285,12 @@ class _Stage:
             texts = [whole.printed.number(a) for a in numbers]
             stem = re.sub(r"_\d+$", "", texts[0].strip("(-)"))
             name = unused(f"each_{stem}" if stem[0].isalpha() else "factor", self.used)
-            self._constant(name, [text.strip("()") for text in texts])
+            sizes = tuple(abs(a) for a in numbers)
+            if same(sizes):  # by a name for it and one for the signs, which others have, too
+                text = self._times(tuple(-1 if a < 0 else 1 for a in numbers), whole.printed.number(sizes[0]))
+                self.constants.append(f"const NUMBER{self.count} {name} = {text};")
+            else:
+                self._constant(name, [text.strip("()") for text in texts])
             found = self._new(name)
             self.own.add(found)
             return found
@@ -315,7 +320,7 @@ class _Stage:
         self.text.given.append((name, entries))
         if same(entries):
             return self._new(name)
-        found = self._new(f"OWN({name})" if self.whole.waits(entries) else name)
+        found = self._new(f"GIVEN({name})" if self.whole.waits(entries) else name)
         self.own.add(found)
         return found
 
@@ -348,7 +353,7 @@ class _Stage:
                 self._known(row, name, item.kind == "last")
         heads = LaneStages(whole.printed.stages, {t: row.slots[0] for t, row in self.row_of.items()}, ())
         if self.text.checked:
-            self.lines.append(("OWN(own->checked) = checked;", None))
+            self.lines.append(("OWN(checked) = checked;", None))
         told = grouped([*self.constants, *headed(self.lines, heads, lambda slot: "")])
         self.text.lines = ["    (void)limb, (void)stride;", *(f"    {line}" for line in told)]
 
@@ -363,7 +368,7 @@ class _Stage:
             self.lines.append((f"WRITE{count}({array}, {at}, {value});", slot))
         if row.number in self.whole.checked_rows:
             before = "" if self.text.checked else f"LIMB{count} "
-            start = "checked" if self.text.checked else "OWN(own->checked)" if self.whole.checked_before else ""
+            start = "checked" if self.text.checked else "OWN(checked)" if self.whole.checked_before else ""
             value = f"({text})" if loose and start and " " in text else text
             self.lines.append((f"{before}checked = {f'{start} + ' if start else ''}{value};", slot))
             self.text.checked = self.whole.checked_before = True

@@ -27,14 +27,16 @@ class _Graph:
     chain: list[int]
 
 
-def short_lived(instructions: Sequence[Instruction], part: float = 1.0) -> list[Instruction]:
-    """The same instructions, what ends most lives first; of two such orders the one with fewer values alive.
+def short_lived(instructions: Sequence[Instruction]) -> list[Instruction]:
+    """The same instructions, what ends most lives first; of two such orders the one with fewer values alive."""
+    return min(short_lived_orders(instructions), key=lambda found: found[0])[1]
 
-    That which begins at the last result is taken if its values are less than this part of the other one's.
-    """
+
+def short_lived_orders(instructions: Sequence[Instruction]) -> list[tuple[int, list[Instruction]]]:
+    """Orders that end lives early, from the first and from the last result, each with how much is alive in it."""
     graph = _graph(instructions)
-    first, last = (_ending_lives(graph, _walk(graph, last=last)) for last in (False, True))
-    return [instructions[k] for k in (last if _alive(graph, last) < part * _alive(graph, first) else first)]
+    orders = [_ending_lives(graph, _walk(graph, last=last)) for last in (False, True)]
+    return [(_alive(graph, order), [instructions[k] for k in order]) for order in orders]
 
 
 def _graph(instructions: Sequence[Instruction]) -> _Graph:

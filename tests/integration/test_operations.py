@@ -130,7 +130,9 @@ def count_c(source: str, symbol: str, *, signs: bool = True) -> int:
     return count + len(sines)
 
 
-HANDED_ON = 2  # negations more than in the program: what limbs hand on has one sign in all of them where it can
+# Negations more than in the program, of all its operations: what limbs hand on up to a sign is turned where it is read
+# alone. Everything else is equal.
+HANDED_ON = 0.015
 
 
 def sines_of(text: str) -> set[tuple[str, int]]:
@@ -195,6 +197,6 @@ def test_counted_operations_are_the_printed_ones(name: str) -> None:
         if not isinstance(program, Iteration):
             total, negations = program.operations["total"], sum(i.op == "neg" for i in program.instructions)
             printed = count_c(source, f"{name}_{function}", signs=False)
-            if printed != total - negations or count_c(source, f"{name}_{function}") > total + HANDED_ON:
+            if printed != total - negations or count_c(source, f"{name}_{function}") > total + HANDED_ON * total:
                 wrong[function] = (printed, total - negations)
     assert not wrong, f"printed and counted operations differ: {wrong}"
