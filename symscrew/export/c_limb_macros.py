@@ -23,7 +23,7 @@ def types(value: str, name: str, limbs: Sequence[int]) -> list[str]:
     return [f"typedef {value} {name}{n}[{n}];" for n in limbs]
 
 
-def one_by_one(model: str, kind: str, each: str, real: str, limbs: Sequence[int]) -> list[str]:
+def one_by_one(model: str, kind: str, each: str, *, real: str, limbs: Sequence[int]) -> list[str]:
     """Of one limb, whose number is `limb`; `each` is the name of types."""
     if not limbs:
         return []

@@ -91,7 +91,7 @@ def one_state(model: str, precision: Precision, limbs: Sequence[int]) -> list[st
         "#define NOT_ABOVE(x, high, status) \\",
         "    if (!((x) <= (high))) { (void)stride, (void)total; return isfinite(x) ? (status) : 2; }",
         *RESULT,
-        *c_limb_macros.one_by_one(model, "", f"{model}_each", precision.real, limbs),
+        *c_limb_macros.one_by_one(model, "", f"{model}_each", real=precision.real, limbs=limbs),
     ]
 
 
@@ -142,7 +142,7 @@ def states(model: str, precision: Precision, limbs: Sequence[int]) -> list[str]:
         f"#define NOT_BELOW(x, low, status) checked0 = ({wide})({mask}checked0 | ~{mask}((x) >= (low)))",
         f"#define NOT_ABOVE(x, high, status) checked0 = ({wide})({mask}checked0 | ~{mask}((x) <= (high)))",
         *RESULT,
-        *c_limb_macros.one_by_one(model, "_wide", f"{wide}_each", precision.real, limbs),
+        *c_limb_macros.one_by_one(model, "_wide", f"{wide}_each", real=precision.real, limbs=limbs),
     ]
 
 
