@@ -32,6 +32,7 @@ from symscrew.algebra.elimination import (
     eliminate,
     insert_solution,
     magnitude,
+    pair,
     solve_block,
     solve_for,
 )
@@ -160,6 +161,7 @@ __all__ = [
     "named_vector",
     "named_wrench",
     "needed",
+    "pair",
     "prismatic",
     "product",
     "rank_of",

@@ -204,6 +204,39 @@ class Elimination:
         return solution
 
 
+@dataclass
+class Pair(Elimination):
+    """Two unknowns from two full rows by their determinant: one division, of two of which one would wait for the other.
+
+    The determinant is the product of the pivots, up to sign, and stands for both in `steps` and `guards`.
+    """
+
+    matrix: tuple[tuple[Node, Node], tuple[Node, Node]] | None = None
+
+    def solve(self, right: Sequence[Node], free: Mapping[Column, Node] | None = None) -> dict[Column, Node]:
+        """Both unknowns, 0 and 1, from rows . unknowns = right."""
+        assert self.matrix is not None
+        ((a, b), (c, d)), ((_, _, determinant, _),) = self.matrix, self.steps
+        over, (x, y) = 1 / determinant, right
+        return {**(free or {}), 0: (d * x - b * y) * over, 1: (a * y - c * x) * over}
+
+
+def pair(tape: Tape, rows: Sequence[Mapping[Column, Node]], scales: tuple[float, float]) -> Pair | None:
+    """The pair of unknowns 0 and 1, if there are two rows that hold both and determine them at all samples.
+
+    `scales`: of each row, in the way of `eliminate`, where the unknowns are without units.
+    """
+    if len(rows) != 2 or any(set(row) != {0, 1} for row in rows):
+        return None
+    (a, b), (c, d) = ((row[0], row[1]) for row in rows)
+    determinant = tape.node(a * d - b * c)
+    scale = scales[0] * scales[1]
+    if determinant.value is not None or magnitude(tape, determinant, scale)[0] < SMALL:
+        return None
+    guards = [Guard(determinant, scale)]
+    return Pair(steps=[(0, 0, determinant, {})], guards=guards, matrix=((a, b), (c, d)))
+
+
 def eliminate(
     tape: Tape,
     rows: Sequence[Mapping[Column, Node]],

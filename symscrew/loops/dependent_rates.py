@@ -25,6 +25,7 @@ from symscrew.algebra import (
     dot,
     eliminate,
     named_entries,
+    pair,
     scale,
 )
 from symscrew.errors import DescriptionError
@@ -237,7 +238,7 @@ class Loops:
         for i, entry in enumerate(self.entries):
             rates = unit[i] if entry.component is None else [self.quaternion_rate(entry, c) for c in columns]
             rows.append({j: rate for j, rate in enumerate(rates) if rate is not tape.zero})
-        return eliminate(tape, rows, dict.fromkeys(range(count), 1.0), [1.0] * count)
+        return pair(tape, rows, (1.0, 1.0)) or eliminate(tape, rows, dict.fromkeys(range(count), 1.0), [1.0] * count)
 
     def quaternion(self, link: Link) -> tuple[Node, Vector]:
         """Scalar and vector part of a spherical link's quaternion, of unit length."""

@@ -25,6 +25,7 @@ from symscrew.algebra import (
     eliminate,
     expression_node,
     magnitude,
+    pair,
     rank_volumes,
     traversal,
     volume,
@@ -81,6 +82,30 @@ def test_a_small_pivot_comes_last_though_its_row_has_no_better_one(size: float, 
     rows = [{0: a, 1: b}, {2: small}, {0: c, 1: d}]
     found = eliminate(tape, rows, dict.fromkeys(range(3), 1.0), [1.0] * 3)
     assert [row for row, *_ in found.steps].index(1) == place and not found.redundant
+
+
+@pytest.mark.parametrize(("size", "at_once"), [(0.3, True), (1e-3, True), (1e-5, False)])
+def test_two_unknowns_are_found_by_their_determinant_where_it_is_not_small(size: float, at_once: bool) -> None:
+    """Rows (1, 1) and (1, 1 + size), whose determinant is size; equal to what NumPy solves at every sample."""
+    tape = Tape()
+    a, b, c, d, x, y = inputs(tape, 1.0, 1.0, 1.0, 1.0 + size, 0.7, -0.4)
+    found = pair(tape, [{0: a, 1: b}, {0: c, 1: d}], (1.0, 1.0))
+    assert (found is not None) == at_once
+    if found:
+        solution = found.solve([x, y])
+        for k, (left, right) in enumerate(zip(*(tape.sample(n) for n in (solution[0], solution[1])), strict=True)):
+            matrix = np.array([[tape.sample(a)[k], tape.sample(b)[k]], [tape.sample(c)[k], tape.sample(d)[k]]])
+            np.testing.assert_allclose(
+                np.linalg.solve(matrix, [tape.sample(x)[k], tape.sample(y)[k]]), [left, right], rtol=1e-12
+            )
+        assert len(found.guards) == 1 and found.guards[0].pivot is found.steps[0][2]
+
+
+def test_two_unknowns_are_no_pair_if_a_row_lacks_one_or_another_row_is_there() -> None:
+    tape = Tape()
+    a, b, c = inputs(tape, 1.0, 0.5, 2.0)
+    assert pair(tape, [{0: a, 1: b}, {1: c}], (1.0, 1.0)) is None
+    assert pair(tape, [{0: a, 1: b}, {0: b, 1: c}, {0: c, 1: a}], (1.0, 1.0)) is None
 
 
 @pytest.mark.parametrize("safe", [0.0, math.inf])
