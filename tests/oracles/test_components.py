@@ -14,9 +14,9 @@ from support.reference_mechanisms import ENTRIES, build
 from symscrew.cli.parser import main
 from symscrew.description.mechanism import Mechanism
 from symscrew.mobility import Components, components_of
-from symscrew.mobility.finite import ClosureVariety
 from symscrew.mobility.joint_network import network_of
 from symscrew.mobility.motions.coordinate_lines import Setting, track
+from symscrew.mobility.motions.held_spins import HeldSpins
 
 pytestmark = pytest.mark.slow
 
@@ -56,7 +56,7 @@ def test_published_components(name: str, degrees: list[tuple[int, int]]) -> None
 @pytest.mark.parametrize("name, factors", [("planar_4bar", 1), ("parallelogram", 1), ("spherical_4r", 1)])
 def test_motion_by_exponentials_stays_on_one_component(name: str, factors: int) -> None:
     network = network_of(mechanism(name))
-    setting = Setting(network, ClosureVariety(network), 1, network.bodies[-1], 0, (), {})
+    setting = Setting(network, HeldSpins(network, network.bodies[-1]), 1, network.bodies[-1], 0, (), {})
     found = components(name)
     first, last = (network.edges[h] for h in found.hinges)
     poses = track(setting, first.start, (), 1).poses[1:12]

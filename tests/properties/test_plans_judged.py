@@ -246,7 +246,8 @@ def test_errors_that_grow_are_judged_where_they_arise() -> None:
     # those that arise late grow less: in the mean e^(5.8 * 3) = 4e7 is a few thousand
     assert found.ok and found.errors.growth > 10 * mesh_errors.MOST_GROWTH and found.errors.drift > 5e-7
     assert found.errors.judged.sum() <= 5e-7 and len(found.mesh) < 200
-    assert replay(found).end_error > 1e-3  # what no mesh can help; each interval by itself is as planned
+    # What no mesh can help: how much of what grows 4e7 times there is to grow follows from the solver's last digits.
+    assert replay(found).end_error > 20 * 5e-7
     assert replay(found).local_errors.sum() <= 1e-6
 
 
