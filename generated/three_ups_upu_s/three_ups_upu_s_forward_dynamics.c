@@ -264,10 +264,10 @@ BODY(three_ups_upu_s_forward_dynamics)(size_t stride, const double *restrict q, 
 #if !defined(THREE_UPS_UPU_S_LANES) || THREE_UPS_UPU_S_LANES == 4
 typedef struct {
     EACH4 upper_offset_x, signed_upper_position_x, minus_U_0_lever_mz_by_S_fz, t1, S_arm_x, t2,
-      signed_S_arm_y, U_joint_rate_1, t3, signed_U_joint_rate_0, t4, t5, t6, signed_U_follows_0_by_S_1,
-      U_mass_matrix_0_by_U_0, t7, t8, U_follows_1_by_S_0, U_mass_matrix_1_by_U_1, t9, t10, t11,
-      signed_U_0_moment_z, t12, t13, t14, signed_U_handed_force_0, t15, signed_lower_moment_z, t16,
-      P_generalised_force, t17, t18, t19, t20, t21, checked;
+      signed_S_arm_y, signed_U_joint_rate_1, t3, signed_U_joint_rate_0, t4, t5, t6,
+      signed_U_follows_0_by_S_1, U_mass_matrix_0_by_U_0, t7, t8, U_follows_1_by_S_0, U_mass_matrix_1_by_U_1,
+      t9, t10, t11, signed_U_0_moment_z, t12, t13, t14, signed_U_handed_force_0, t15, signed_lower_moment_z,
+      t16, P_generalised_force, t17, t18, t19, t20, t21, checked;
 } LIMBS(forward_dynamics_independent);
 
 STAGE(forward_dynamics_independent, 0)(size_t limb, size_t stride, const double *restrict q,
@@ -300,30 +300,31 @@ STAGE(forward_dynamics_independent, 1)(size_t limb, size_t stride, const double 
     const double *restrict cosine, LIMBS(forward_dynamics_independent) *own)
 {
     (void)limb, (void)stride;
-    const NUMBER4 sign1 = OF4(1.0, -1.0, 1.0, -1.0);
     /* limbs together: free motion */
     const LIMB4 t4 = OWN(signed_S_arm_y) * (k20 * IN_EACH4(SINES, cosine, 1, 2)),
       t7 = t4 + OWN(U_follows_1_by_S_0) * (OWN(U_mass_matrix_1_by_U_1) * OWN(U_follows_1_by_S_0)),
       t1 = OWN(signed_U_follows_0_by_S_1) * OWN(U_mass_matrix_0_by_U_0), U_0_cos = IN_EACH4(SINES, cosine, 0, 2);
     OWN(t8) = U_0_cos * t1;
-    const LIMB4 t2 = OWN(signed_U_follows_0_by_S_1) * t1, t9 = U_0_cos * (t2 - t7), t10 = U_0_cos * t9;
+    const LIMB4 signed_U_0_sin = IN_EACH4(SINES, sine, 0, 2);
+    OWN(t7) = signed_U_0_sin * t1;
+    const LIMB4 t2 = OWN(signed_U_follows_0_by_S_1) * t1, t9 = U_0_cos * (t2 - t7);
+    OWN(t9) = signed_U_0_sin * t9;
+    const LIMB4 t10 = U_0_cos * t9;
     OWN(t11) = t7 + t10;
     OWN(t10) = t2 - t10;
-    const LIMB4 t11 = sign1 * IN_EACH4(SINES, sine, 0, 2);
-    OWN(t9) = t11 * t9;
-    OWN(t7) = t11 * t1;
 }
 
 STAGE(forward_dynamics_independent, 2)(size_t limb, size_t stride, const double *restrict u,
     const double *restrict sine, const double *restrict cosine, LIMBS(forward_dynamics_independent) *own)
 {
     (void)limb, (void)stride;
-    const NUMBER4 sign1 = OF4(1.0, -1.0, 1.0, -1.0), each_gravity_z = sign1 * gravity_z;
+    const NUMBER4 sign1 = OF4(1.0, -1.0, -1.0, 1.0), sign2 = OF4(1.0, -1.0, 1.0, -1.0),
+      each_gravity_z = sign2 * gravity_z;
     /* limbs together: free motion; balance, eqs. (40)-(47); accelerations */
     OWN(t16) = (-0.5) * OWN(t14);
     OWN(t17) = 0.5 * OWN(t12);
     const LIMB4 lower_cos = IN_EACH4(SINES, cosine, 1, 2);
-    OWN(signed_U_0_moment_z) = lower_cos * (OWN(upper_offset_x) * (limb_lower_m_gravity_z * IN_EACH4(SINES, sine, 0, 2)));
+    OWN(signed_U_0_moment_z) = lower_cos * (sign1 * (OWN(upper_offset_x) * (limb_lower_m_gravity_z * IN_EACH4(SINES, sine, 0, 2))));
     const LIMB4 U_0_acc_y = each_gravity_z * IN_EACH4(SINES, cosine, 0, 2);
     OWN(signed_lower_moment_z) = OWN(upper_offset_x) * (limb_lower_m * (IN_EACH4(SINES, sine, 1, 2) * U_0_acc_y));
     OWN(P_generalised_force) = limb_lower_m * (lower_cos * U_0_acc_y) - IN_EACH4(READ, u, 0, 1);
@@ -332,49 +333,52 @@ STAGE(forward_dynamics_independent, 2)(size_t limb, size_t stride, const double 
 }
 
 STAGE(forward_dynamics_independent, 3)(size_t limb, size_t stride, const double *restrict sine,
-    const double *restrict cosine, REAL limb5_S_joint_rate_wz, const EACH4 limb5_S_joint_rate_wy,
-    const EACH4 given, REAL given_2, const EACH4 given_3, const EACH4 limb5_S_joint_rate_wx,
+    const double *restrict cosine, REAL limb5_S_joint_rate_wz, const EACH4 signed_limb5_S_joint_rate_wy,
+    const EACH4 given, REAL given_2, const EACH4 given_3, const EACH4 signed_limb5_S_joint_rate_wx,
     LIMBS(forward_dynamics_independent) *own)
 {
     (void)limb, (void)stride;
-    const NUMBER4 sign1 = OF4(1.0, -1.0, 1.0, -1.0), sign2 = OF4(1.0, -1.0, -1.0, 1.0);
-    const LIMB4 t61 = sign1 * IN_EACH4(SINES, sine, 0, 2), U_0_cos = IN_EACH4(SINES, cosine, 0, 2);
+    const NUMBER4 sign1 = OF4(1.0, -1.0, 1.0, -1.0), sign2 = OF4(1.0, -1.0, -1.0, 1.0),
+      sign3 = OF4(1.0, 1.0, -1.0, -1.0);
+    const LIMB4 signed_U_0_sin = IN_EACH4(SINES, sine, 0, 2), U_0_cos = IN_EACH4(SINES, cosine, 0, 2);
     /* limbs together: velocities, eq. (6) */
-    const LIMB4 t3 = t61 * limb5_S_joint_rate_wz + U_0_cos * GIVEN(limb5_S_joint_rate_wy);
-    OWN(U_joint_rate_1) = OWN(t2) * (OWN(S_arm_x) * t3);
+    const LIMB4 t3 = signed_U_0_sin * limb5_S_joint_rate_wz + U_0_cos * GIVEN(signed_limb5_S_joint_rate_wy);
+    OWN(signed_U_joint_rate_1) = OWN(t2) * (OWN(S_arm_x) * t3);
     const LIMB4 signed_P_joint_rate = OWN(signed_S_arm_y) * t3, signed_lower_sin = IN_EACH4(SINES, sine, 1, 2);
     /* limbs together: accelerations; free motion; velocities, eq. (6) */
-    const LIMB4 t5 = signed_lower_sin * OWN(U_joint_rate_1), lower_cos = IN_EACH4(SINES, cosine, 1, 2),
-      t50 = param_R * t5, t7 = OWN(upper_offset_x) * t5 - lower_cos * signed_P_joint_rate,
-      t19 = OWN(signed_upper_position_x) * (t61 * GIVEN(limb5_S_joint_rate_wy) - U_0_cos * limb5_S_joint_rate_wz);
-    OWN(signed_U_joint_rate_0) = sign2 * GIVEN(limb5_S_joint_rate_wx) + OWN(t1) * t19;
-    const LIMB4 t21 = t7 * OWN(signed_U_joint_rate_0), t63 = sign2 * (t7 * GIVEN(given));
-    OWN(t4) = t61 * given_2 + U_0_cos * GIVEN(given_3);
-    const LIMB4 t51 = OWN(t4) * t50,
-      t26 = t21 + OWN(signed_upper_position_x) * (OWN(signed_U_joint_rate_0) * OWN(t4)),
-      t10 = lower_cos * OWN(U_joint_rate_1), t30 = OWN(t4) * (param_R * t10 - signed_P_joint_rate),
+    const LIMB4 t5 = signed_lower_sin * OWN(signed_U_joint_rate_1), lower_cos = IN_EACH4(SINES, cosine, 1, 2),
+      t50 = param_R * t5, t7 = lower_cos * signed_P_joint_rate - OWN(upper_offset_x) * t5,
+      t19 = OWN(signed_upper_position_x) * (U_0_cos * limb5_S_joint_rate_wz - signed_U_0_sin * GIVEN(signed_limb5_S_joint_rate_wy));
+    OWN(signed_U_joint_rate_0) = GIVEN(signed_limb5_S_joint_rate_wx) + sign3 * (OWN(t1) * t19);
+    const LIMB4 t21 = t7 * OWN(signed_U_joint_rate_0), t65 = sign1 * (t7 * GIVEN(given)), t61 = sign1 * given_2,
+      t13 = U_0_cos * t61;
+    OWN(t4) = signed_U_0_sin * t61 + U_0_cos * GIVEN(given_3);
+    const LIMB4 t64 = sign1 * OWN(t4), t51 = t64 * t50,
+      t26 = t21 - OWN(signed_upper_position_x) * (OWN(signed_U_joint_rate_0) * t64),
+      t10 = lower_cos * OWN(signed_U_joint_rate_1), t30 = t64 * (signed_P_joint_rate - param_R * t10),
       t12 = signed_lower_sin * signed_P_joint_rate + OWN(upper_offset_x) * t10;
-    OWN(t3) = U_0_cos * given_2 - t61 * GIVEN(given_3);
-    OWN(t5) = t26 - t12 * OWN(t3) - t63;
+    OWN(t3) = t13 - signed_U_0_sin * GIVEN(given_3);
+    const LIMB4 t62 = sign2 * OWN(t3);
+    OWN(t5) = t65 + (t26 - t12 * t62);
     /* limbs together: free motion; accelerations */
-    const LIMB4 t36 = OWN(U_mass_matrix_0_by_U_0) * (OWN(t1) * OWN(t5)), t32 = OWN(t3) * OWN(signed_U_joint_rate_0),
+    const LIMB4 t36 = OWN(U_mass_matrix_0_by_U_0) * (OWN(t1) * OWN(t5)), t32 = t62 * OWN(signed_U_joint_rate_0),
       t38 = OWN(t13) * (signed_P_joint_rate * OWN(signed_U_joint_rate_0)),
-      t31 = signed_P_joint_rate * OWN(U_joint_rate_1),
-      t42 = OWN(signed_U_0_moment_z) - (t38 - OWN(t14) * (OWN(U_joint_rate_1) * OWN(signed_U_joint_rate_0)));
+      t31 = signed_P_joint_rate * OWN(signed_U_joint_rate_1),
+      t42 = OWN(signed_U_0_moment_z) + (t38 - OWN(t14) * (OWN(signed_U_joint_rate_1) * OWN(signed_U_joint_rate_0)));
     OWN(signed_U_handed_force_0) = t36 - t42;
-    const LIMB4 signed_S_handed_force_1 = OWN(signed_U_follows_0_by_S_1) * OWN(signed_U_handed_force_0);
-    OWN(t15) = t61 * signed_S_handed_force_1;
-    OWN(t20) = U_0_cos * signed_S_handed_force_1;
+    const LIMB4 minus_S_handed_force_1 = OWN(signed_U_follows_0_by_S_1) * OWN(signed_U_handed_force_0);
+    OWN(t15) = signed_U_0_sin * minus_S_handed_force_1;
+    OWN(t20) = U_0_cos * minus_S_handed_force_1;
     const LIMB4 minus_U_0_U_still_xx = OWN(signed_U_joint_rate_0) * OWN(signed_U_joint_rate_0),
-      t56 = OWN(t17) * (OWN(U_joint_rate_1) * OWN(U_joint_rate_1));
-    OWN(t6) = OWN(S_arm_x) * t32 - t31 - t30;
+      t56 = OWN(t17) * (OWN(signed_U_joint_rate_1) * OWN(signed_U_joint_rate_1));
+    OWN(t6) = t30 - (t31 + OWN(S_arm_x) * t32);
     const LIMB4 t44 = OWN(U_mass_matrix_1_by_U_1) * (OWN(t2) * OWN(t6)),
-      t54 = limb_lower_m * (t51 - OWN(signed_S_arm_y) * t32),
-      t49 = OWN(U_follows_1_by_S_0) * (t44 - (OWN(signed_lower_moment_z) - (OWN(t12) * t31 - OWN(t16) * minus_U_0_U_still_xx))),
-      t60 = OWN(signed_S_arm_y) * (t54 - (OWN(P_generalised_force) - (t56 + OWN(t18) * minus_U_0_U_still_xx))),
+      t54 = limb_lower_m * (t51 + OWN(signed_S_arm_y) * t32),
+      t49 = OWN(U_follows_1_by_S_0) * (OWN(signed_lower_moment_z) - (OWN(t12) * t31 - OWN(t16) * minus_U_0_U_still_xx) - t44),
+      t60 = OWN(signed_S_arm_y) * (OWN(P_generalised_force) - (t56 + OWN(t18) * minus_U_0_U_still_xx) - t54),
       signed_S_handed_force_0 = t49 - t60;
-    OWN(t21) = t61 * signed_S_handed_force_0;
     OWN(t19) = U_0_cos * signed_S_handed_force_0;
+    OWN(t21) = signed_U_0_sin * signed_S_handed_force_0;
 }
 
 BODY(three_ups_upu_s_forward_dynamics_independent)(size_t stride, const double *restrict q,
@@ -386,16 +390,16 @@ BODY(three_ups_upu_s_forward_dynamics_independent)(size_t stride, const double *
     const REAL limb5_S_q_qw = READ(q, 12), limb5_S_q_qx = READ(q, 13), t1 = limb5_S_q_qw * limb5_S_q_qw,
       t2 = limb5_S_q_qx * limb5_S_q_qx, limb5_S_q_qy = READ(q, 14), t3 = t1 + t2, t4 = limb5_S_q_qy * limb5_S_q_qy,
       limb5_S_q_qz = READ(q, 15), t5 = limb5_S_q_qz * limb5_S_q_qz, t6 = t4 + t5, t7 = t3 + t6, t10 = t2 + t5,
-      t78 = t2 + t4, t9 = 4.0 - 2.0 * t7, platform_turn_yy = 1.0 - t9 * t10, t35 = k2 - 0.5 * t7,
-      platform_turn_xx = 1.0 - t6 * t9, platform_turn_zz = 1.0 - t9 * t78, t13 = limb5_S_q_qz * t9,
+      t81 = t2 + t4, t9 = 4.0 - 2.0 * t7, platform_turn_yy = 1.0 - t9 * t10, t35 = k2 - 0.5 * t7,
+      platform_turn_xx = 1.0 - t6 * t9, platform_turn_zz = 1.0 - t9 * t81, t13 = limb5_S_q_qz * t9,
       t14 = limb5_S_q_qy * t13, t16 = limb5_S_q_qw * (limb5_S_q_qx * t9), t24 = limb5_S_q_qy * t9,
       platform_turn_zy = t14 + t16, platform_turn_yz = t14 - t16, limb1_U_0_cos = SINES(cosine, 0),
       limb1_U_0_sin = SINES(sine, 0),
       t22 = limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos * platform_turn_zy, /* limb1 */
       limb1_lower_cos = SINES(cosine, 1), limb1_lower_sin = SINES(sine, 1),
       t23 = limb1_lower_cos * t22, /* limb1 */
-      t113 = limb1_lower_sin * t22, /* limb1 */
-      t25 = limb5_S_q_qx * t24, t81 = limb5_S_q_qw * t24, t26 = limb5_S_q_qw * t13, t80 = limb5_S_q_qx * t13,
+      t116 = limb1_lower_sin * t22, /* limb1 */
+      t25 = limb5_S_q_qx * t24, t84 = limb5_S_q_qw * t24, t26 = limb5_S_q_qw * t13, t83 = limb5_S_q_qx * t13,
       platform_turn_xy = t25 - t26, platform_turn_yx = t25 + t26;
     /* limb1: reciprocal wrenches, eq. (10); rates that follow; pivots */
     const REAL limb1_U2_constraint_mn_couple_z = t23 - limb1_lower_sin * platform_turn_xy;
@@ -415,125 +419,133 @@ BODY(three_ups_upu_s_forward_dynamics_independent)(size_t stride, const double *
       t33 = limb1_U_0_sin * minus_limb1_U2_factor_1_by_3 - t32, /* limb1 */
       limb5_S_null_space_wz_by_limb5_S_wy = t30 * t33;
     /* limb5_S: velocities, eq. (6); accelerations; geometry */
-    const REAL t37 = limb5_S_q_qx * t35, t38 = t37 * limb5_S_null_space_wz_by_limb5_S_wy, t36 = limb5_S_q_qw * t35,
-      a_pivot = 0.5 * (t36 + t38);
+    const REAL t43 = limb5_S_q_qy * t35, t44 = t43 * limb5_S_null_space_wz_by_limb5_S_wy, t39 = limb5_S_q_qz * t35,
+      t46 = 0.5 * (t39 - t44), t40 = 0.5 * t39, limb5_S_y_dot_qx = READ(y_dot, 0), limb5_S_y_dot_qy = READ(y_dot, 1),
+      t47 = t40 * t46, t41 = t40 * limb5_S_y_dot_qx, t55 = limb5_S_y_dot_qy * t46, t48 = limb5_S_q_qx * t35,
+      t36 = limb5_S_q_qw * t35, t51 = 0.5 * (t36 + t48 * limb5_S_null_space_wz_by_limb5_S_wy), t37 = 0.5 * t36,
+      a_pivot = t47 + t37 * t51;
     REAL checked2 = a_pivot;
-    const REAL t40 = 1.0 / a_pivot, t43 = limb5_S_q_qy * t35, t41 = limb5_S_q_qz * t35,
-      t47 = t40 * (0.5 * (t41 - t43 * limb5_S_null_space_wz_by_limb5_S_wy)), limb5_S_y_dot_qy = READ(y_dot, 1),
-      t49 = READ(y_dot, 0) - limb5_S_y_dot_qy * t47, t42 = 0.5 * t41, a_pivot_2 = 0.5 * t36 + t42 * t47;
-    REAL checked3 = a_pivot_2;
-    const REAL limb5_S_joint_rate_wx = t49 / a_pivot_2,
-      limb5_S_joint_rate_wy = t40 * (limb5_S_y_dot_qy + t42 * limb5_S_joint_rate_wx),
-      limb5_S_joint_rate_wz = t30 * (t33 * limb5_S_joint_rate_wy), t87 = platform_turn_zy * limb5_S_joint_rate_wz,
-      platform_omega_y = t87 + (platform_turn_yy * limb5_S_joint_rate_wy + platform_turn_xy * limb5_S_joint_rate_wx),
-      t91 = platform_turn_xy * platform_omega_y, platform_turn_zx = t80 - t81, platform_turn_xz = t80 + t81,
-      t93 = platform_turn_zx * limb5_S_joint_rate_wz,
-      platform_omega_x = t93 + (platform_turn_yx * limb5_S_joint_rate_wy + platform_turn_xx * limb5_S_joint_rate_wx);
+    const REAL t53 = 1.0 / a_pivot, limb5_S_joint_rate_wy = (t37 * limb5_S_y_dot_qy + t41) * t53,
+      limb5_S_joint_rate_wz = t30 * (t33 * limb5_S_joint_rate_wy),
+      minus_limb5_S_joint_rate_wx = t53 * (t55 - limb5_S_y_dot_qx * t51),
+      t90 = platform_turn_zy * limb5_S_joint_rate_wz,
+      platform_omega_y = t90 + (platform_turn_yy * limb5_S_joint_rate_wy - platform_turn_xy * minus_limb5_S_joint_rate_wx),
+      t94 = platform_turn_xy * platform_omega_y, platform_turn_zx = t83 - t84, platform_turn_xz = t83 + t84,
+      t96 = platform_turn_zx * limb5_S_joint_rate_wz,
+      platform_omega_x = t96 + (platform_turn_yx * limb5_S_joint_rate_wy - platform_turn_xx * minus_limb5_S_joint_rate_wx);
     /* platform: accelerations; velocities, eq. (6); momentum rate, eq. (35) */
-    const REAL t98 = t91 + platform_turn_xx * platform_omega_x, t82 = platform_turn_zz * limb5_S_joint_rate_wz,
-      platform_omega_z = t82 + (platform_turn_yz * limb5_S_joint_rate_wy + platform_turn_xz * limb5_S_joint_rate_wx),
-      t99 = platform_turn_xz * platform_omega_z + t98,
-      t103 = platform_turn_yy * platform_omega_y + platform_turn_yx * platform_omega_x,
-      t104 = platform_turn_yz * platform_omega_z + t103;
-    const EACH4 given = {t99, t104, t99, t104}, given_3 = {t104, t99, t104, t99};
-    const REAL t181 = k12 * (platform_omega_z * platform_omega_y),
-      t108 = platform_turn_zy * platform_omega_y + platform_turn_zx * platform_omega_x,
-      platform_U_still_xz = platform_omega_z * platform_omega_x, t109 = platform_turn_zz * platform_omega_z + t108,
-      t179 = k12 * platform_U_still_xz;
-    const EACH4 limb5_S_joint_rate_wy_2 = {limb5_S_joint_rate_wy, limb5_S_joint_rate_wx, limb5_S_joint_rate_wy, limb5_S_joint_rate_wx},
-      limb5_S_joint_rate_wx_2 = {limb5_S_joint_rate_wx, limb5_S_joint_rate_wy, limb5_S_joint_rate_wx, limb5_S_joint_rate_wy};
+    const REAL t101 = t94 + platform_turn_xx * platform_omega_x, t85 = platform_turn_zz * limb5_S_joint_rate_wz,
+      platform_omega_z = t85 + (platform_turn_yz * limb5_S_joint_rate_wy - platform_turn_xz * minus_limb5_S_joint_rate_wx),
+      t102 = platform_turn_xz * platform_omega_z + t101,
+      t106 = platform_turn_yy * platform_omega_y + platform_turn_yx * platform_omega_x,
+      t107 = platform_turn_yz * platform_omega_z + t106;
+    const EACH4 given = {t102, t107, t102, t107}, given_3 = {t107, t102, t107, t102};
+    const REAL t184 = k12 * (platform_omega_z * platform_omega_y),
+      t111 = platform_turn_zy * platform_omega_y + platform_turn_zx * platform_omega_x,
+      platform_U_still_xz = platform_omega_z * platform_omega_x, t112 = platform_turn_zz * platform_omega_z + t111,
+      t182 = k12 * platform_U_still_xz;
+    const EACH4 signed_limb5_S_joint_rate_wy = {limb5_S_joint_rate_wy, minus_limb5_S_joint_rate_wx, limb5_S_joint_rate_wy, minus_limb5_S_joint_rate_wx},
+      signed_limb5_S_joint_rate_wx = {minus_limb5_S_joint_rate_wx, limb5_S_joint_rate_wy, minus_limb5_S_joint_rate_wx, limb5_S_joint_rate_wy};
     FIRST_LIMB(0, forward_dynamics_independent, 2, stride, u, sine, cosine, &limbs);
-    FIRST_LIMB(0, forward_dynamics_independent, 3, stride, sine, cosine, limb5_S_joint_rate_wz, limb5_S_joint_rate_wy_2, given, t109, given_3, limb5_S_joint_rate_wx_2, &limbs);
-    const REAL t111 = limb1_U_factor_1_by_3 * limbs.t6[0], t110 = minus_limb1_U_factor_0_by_3 * limbs.t5[0];
+    FIRST_LIMB(0, forward_dynamics_independent, 3, stride, sine, cosine, limb5_S_joint_rate_wz, signed_limb5_S_joint_rate_wy, given, t112, given_3, signed_limb5_S_joint_rate_wx, &limbs);
+    const REAL t114 = limb1_U_factor_1_by_3 * limbs.t6[0], t113 = minus_limb1_U_factor_0_by_3 * limbs.t5[0];
     /* limb1: loop closure; velocities, eq. (6) */
-    const REAL t118 = limb1_lower_cos * t99 - limb1_lower_sin * limbs.t3[0], t123 = limb1_lower_sin * t99,
-      limb1_lower_omega_y = limb1_lower_cos * limbs.signed_U_joint_rate_0[0], t119 = t118 - limb1_lower_omega_y,
-      t136 = limbs.U_joint_rate_1[0] * t119, t112 = limbs.U_joint_rate_1[0] - limbs.t4[0],
-      t140 = limb1_U2_constraint_mn_couple_x * (t136 + t112 * limb1_lower_omega_y - limbs.U_joint_rate_1[0] * limb1_lower_omega_y),
-      t120 = limb1_U2_constraint_mn_couple_x * t119, t125 = t123 + limb1_lower_cos * limbs.t3[0],
-      limb1_lower_omega_x = limb1_lower_sin * limbs.signed_U_joint_rate_0[0], t126 = t125 - limb1_lower_omega_x,
-      t141 = limb1_U2_constraint_mn_couple_z * (limb1_lower_omega_y * t126 - t119 * limb1_lower_omega_x) + t140,
-      t127 = limb1_U2_constraint_mn_couple_z * t119, limb1_U2_opening_mn = t113 + limb1_lower_cos * platform_turn_xy,
-      t122 = t112 * (limb1_U2_opening_mn * t112 + t120);
+    const REAL t121 = limb1_lower_cos * t102 - limb1_lower_sin * limbs.t3[0], t126 = limb1_lower_sin * t102,
+      minus_limb1_lower_omega_y = limb1_lower_cos * limbs.signed_U_joint_rate_0[0],
+      t122 = t121 + minus_limb1_lower_omega_y, t139 = limbs.signed_U_joint_rate_1[0] * t122,
+      t115 = limbs.signed_U_joint_rate_1[0] - limbs.t4[0], t141 = t139 - t115 * minus_limb1_lower_omega_y,
+      t143 = limb1_U2_constraint_mn_couple_x * (t141 + limbs.signed_U_joint_rate_1[0] * minus_limb1_lower_omega_y),
+      t123 = limb1_U2_constraint_mn_couple_x * t122, t128 = t126 + limb1_lower_cos * limbs.t3[0],
+      minus_limb1_lower_omega_x = limb1_lower_sin * limbs.signed_U_joint_rate_0[0],
+      t129 = t128 + minus_limb1_lower_omega_x,
+      t138 = limb1_U2_constraint_mn_couple_z * (minus_limb1_lower_omega_y * t129 - t122 * minus_limb1_lower_omega_x),
+      t144 = t138 - t143, t130 = limb1_U2_constraint_mn_couple_z * t122,
+      limb1_U2_opening_mn = t116 + limb1_lower_cos * platform_turn_xy,
+      t125 = t115 * (limb1_U2_opening_mn * t115 + t123);
     /* limb5_S: accelerations */
-    const REAL t142 = t111 - (t122 + t126 * (t127 + limb1_U2_opening_mn * t126) + t141),
-      limb5_S_joint_acc_still_wz = t30 * (t110 + t142);
+    const REAL t145 = t114 - (t125 + t129 * (t130 + limb1_U2_opening_mn * t129) - t144),
+      limb5_S_joint_acc_still_wz = t30 * (t113 + t145);
     /* limb5_S: free motion; accelerations; pivots */
-    const REAL t150 = k12 * platform_turn_zz, t168 = k13 + platform_turn_zz * t150, t151 = platform_turn_xz * t150;
+    const REAL t153 = k12 * platform_turn_zz, t171 = k13 + platform_turn_zz * t153, t154 = platform_turn_xz * t153;
     NEXT_LIMB(2, forward_dynamics_independent, 0, stride, q, sine, cosine, &limbs);
-    checked0 = checked0 + ALONE(limbs.checked[2]);
+    REAL checked3 = ALONE(limbs.checked[2]);
     FIRST_LIMB(2, forward_dynamics_independent, 1, stride, sine, cosine, &limbs);
-    const REAL t169 = t168 + limbs.t11[2], t152 = t151 + limbs.t8[2];
+    const REAL t172 = t171 + limbs.t11[2], t155 = t154 + limbs.t8[2];
     NEXT_LIMB(1, forward_dynamics_independent, 0, stride, q, sine, cosine, &limbs);
-    checked1 = checked1 + ALONE(limbs.checked[1]);
+    checked0 = checked0 + ALONE(limbs.checked[1]);
     NEXT_LIMB(1, forward_dynamics_independent, 1, stride, sine, cosine, &limbs);
-    const REAL t170 = limbs.t11[1] + t169, t153 = t152 - limbs.t9[1];
+    const REAL t173 = limbs.t11[1] + t172, t156 = t155 + limbs.t9[1];
     NEXT_LIMB(3, forward_dynamics_independent, 0, stride, q, sine, cosine, &limbs);
-    checked2 = checked2 + ALONE(limbs.checked[3]);
+    checked1 = checked1 + ALONE(limbs.checked[3]);
     NEXT_LIMB(3, forward_dynamics_independent, 1, stride, sine, cosine, &limbs);
-    const REAL t171 = limbs.t11[3] + t170, t154 = t153 - limbs.t9[3];
+    const REAL t174 = limbs.t11[3] + t173, t157 = limbs.t9[3] + t156;
     NEXT_LIMB(0, forward_dynamics_independent, 1, stride, sine, cosine, &limbs);
-    const REAL limb5_S_handed_inertia_wz = limbs.t11[0] + t171,
-      limb5_S_handed_inertia_wz_by_limb5_S_wx = t154 - limbs.t8[0],
-      t190 = limb5_S_handed_inertia_wz * limb5_S_joint_acc_still_wz,
-      t172 = limb5_S_null_space_wz_by_limb5_S_wy * limb5_S_handed_inertia_wz;
+    const REAL limb5_S_handed_inertia_wz = limbs.t11[0] + t174,
+      limb5_S_handed_inertia_wz_by_limb5_S_wx = t157 - limbs.t8[0],
+      t193 = limb5_S_handed_inertia_wz * limb5_S_joint_acc_still_wz,
+      t175 = limb5_S_null_space_wz_by_limb5_S_wy * limb5_S_handed_inertia_wz;
     NEXT_LIMB(2, forward_dynamics_independent, 2, stride, u, sine, cosine, &limbs);
-    NEXT_LIMB(2, forward_dynamics_independent, 3, stride, sine, cosine, limb5_S_joint_rate_wz, limb5_S_joint_rate_wy_2, given, t109, given_3, limb5_S_joint_rate_wx_2, &limbs);
-    const REAL platform_rate_my = gravity_z_platform_mz * platform_turn_zx - t179,
-      t191 = platform_turn_zy * platform_rate_my,
-      minus_platform_rate_mx = gravity_z_platform_mz * platform_turn_zy - t181,
-      t194 = limbs.t21[2] - (t191 - platform_turn_zx * minus_platform_rate_mx);
+    NEXT_LIMB(2, forward_dynamics_independent, 3, stride, sine, cosine, limb5_S_joint_rate_wz, signed_limb5_S_joint_rate_wy, given, t112, given_3, signed_limb5_S_joint_rate_wx, &limbs);
+    const REAL platform_rate_my = gravity_z_platform_mz * platform_turn_zx - t182,
+      t194 = platform_turn_zy * platform_rate_my,
+      minus_platform_rate_mx = gravity_z_platform_mz * platform_turn_zy - t184,
+      t197 = limbs.t21[2] + (t194 - platform_turn_zx * minus_platform_rate_mx);
     NEXT_LIMB(1, forward_dynamics_independent, 2, stride, u, sine, cosine, &limbs);
-    NEXT_LIMB(1, forward_dynamics_independent, 3, stride, sine, cosine, limb5_S_joint_rate_wz, limb5_S_joint_rate_wy_2, given, t109, given_3, limb5_S_joint_rate_wx_2, &limbs);
-    const REAL t195 = limbs.t21[1] - t194;
+    NEXT_LIMB(1, forward_dynamics_independent, 3, stride, sine, cosine, limb5_S_joint_rate_wz, signed_limb5_S_joint_rate_wy, given, t112, given_3, signed_limb5_S_joint_rate_wx, &limbs);
+    const REAL t198 = limbs.t21[1] + t197;
     NEXT_LIMB(3, forward_dynamics_independent, 2, stride, u, sine, cosine, &limbs);
-    NEXT_LIMB(3, forward_dynamics_independent, 3, stride, sine, cosine, limb5_S_joint_rate_wz, limb5_S_joint_rate_wy_2, given, t109, given_3, limb5_S_joint_rate_wx_2, &limbs);
-    const REAL t201 = limbs.t20[3] + (limbs.t20[2] + (limbs.t21[0] - (limbs.t21[3] - t195)) - limbs.t20[1]) - limbs.t20[0],
-      t202 = limb5_S_null_space_wz_by_limb5_S_wy * (t190 + t201), t144 = k12 * platform_turn_yz,
-      t166 = limbs.t9[0] - (limbs.t8[1] + (platform_turn_zz * t144 - limbs.t9[2]) - limbs.t8[3]),
-      t203 = t166 * limb5_S_joint_acc_still_wz, t175 = limb5_S_null_space_wz_by_limb5_S_wy * (t166 + (t166 - t172)),
-      t180 = platform_turn_xy * platform_rate_my,
-      t207 = limbs.t19[2] - (platform_turn_yy * platform_rate_my - platform_turn_yx * minus_platform_rate_mx),
-      t211 = limbs.signed_U_handed_force_0[3] + (limbs.signed_U_handed_force_0[1] + (limbs.t15[2] - (limbs.t19[0] - t207))),
-      minus_limb5_S_reduced_force_wy = t202 - (t203 + (t211 - limbs.t15[0])),
-      t186 = limbs.signed_U_handed_force_0[2] + (limbs.t19[1] + (t180 - platform_turn_xx * minus_platform_rate_mx) - limbs.t19[3]),
-      t189 = limbs.signed_U_handed_force_0[0] + (limbs.t15[1] + t186 - limbs.t15[3]),
-      t160 = limbs.U_mass_matrix_0_by_U_0[3] + (limbs.U_mass_matrix_0_by_U_0[1] + (k13 + platform_turn_yz * t144 + limbs.t10[2])),
-      limb5_S_reduced_inertia_wy_by_limb5_S_wy = limbs.t10[0] + t160 - t175;
-    checked3 = checked3 + limb5_S_reduced_inertia_wy_by_limb5_S_wy;
-    const REAL t176 = 1.0 / limb5_S_reduced_inertia_wy_by_limb5_S_wy,
-      t149 = platform_turn_xz * t144 - limbs.t7[2] - limbs.t7[1] + limbs.t7[3] + limbs.t7[0],
-      limb5_S_reduced_inertia_wx_by_limb5_S_wy = t149 + limb5_S_null_space_wz_by_limb5_S_wy * limb5_S_handed_inertia_wz_by_limb5_S_wx,
-      minus_limb5_S_reduced_force_wx = limb5_S_handed_inertia_wz_by_limb5_S_wx * limb5_S_joint_acc_still_wz + t189,
-      t177 = limb5_S_reduced_inertia_wx_by_limb5_S_wy * t176, t222 = limb5_S_reduced_inertia_wx_by_limb5_S_wy * t177,
-      t224 = minus_limb5_S_reduced_force_wy * t176,
-      t215 = minus_limb5_S_reduced_force_wx - minus_limb5_S_reduced_force_wy * t177,
-      t220 = limbs.U_mass_matrix_0_by_U_0[2] + (k13 + platform_turn_xz * (k12 * platform_turn_xz)) + limbs.t10[1],
-      pivot_1 = limbs.U_mass_matrix_0_by_U_0[0] + (limbs.t10[3] + t220) - t222;
-    checked0 = checked0 + pivot_1;
-    const REAL minus_limb5_S_joint_acc_wx = t215 / pivot_1,
-      limb5_S_joint_acc_wy = t177 * minus_limb5_S_joint_acc_wx - t224,
+    NEXT_LIMB(3, forward_dynamics_independent, 3, stride, sine, cosine, limb5_S_joint_rate_wz, signed_limb5_S_joint_rate_wy, given, t112, given_3, signed_limb5_S_joint_rate_wx, &limbs);
+    const REAL t204 = limbs.t20[3] + (limbs.t20[1] - (limbs.t20[2] + (limbs.t21[0] + (limbs.t21[3] - t198)))) - limbs.t20[0],
+      t205 = limb5_S_null_space_wz_by_limb5_S_wy * (t193 + t204), t147 = k12 * platform_turn_yz,
+      t169 = limbs.t9[0] - (limbs.t8[1] + (platform_turn_zz * t147 - limbs.t9[2]) - limbs.t8[3]),
+      t206 = t169 * limb5_S_joint_acc_still_wz, t178 = limb5_S_null_space_wz_by_limb5_S_wy * (t169 + (t169 - t175)),
+      t183 = platform_turn_xy * platform_rate_my,
+      t210 = limbs.t19[2] + (platform_turn_yy * platform_rate_my - platform_turn_yx * minus_platform_rate_mx),
+      t214 = limbs.signed_U_handed_force_0[1] + (limbs.t15[2] + (t210 - limbs.t19[0])) - limbs.signed_U_handed_force_0[3],
+      minus_limb5_S_reduced_force_wy = t205 - (t206 - (limbs.t15[0] + t214)),
+      t189 = limbs.signed_U_handed_force_0[2] - (limbs.t19[3] - (limbs.t19[1] - (t183 - platform_turn_xx * minus_platform_rate_mx))),
+      t192 = limbs.signed_U_handed_force_0[0] + (limbs.t15[3] + (limbs.t15[1] - t189)),
+      t163 = limbs.U_mass_matrix_0_by_U_0[3] + (limbs.U_mass_matrix_0_by_U_0[1] + (k13 + platform_turn_yz * t147 + limbs.t10[2])),
+      limb5_S_reduced_inertia_wy_by_limb5_S_wy = limbs.t10[0] + t163 - t178;
+    checked2 = checked2 + limb5_S_reduced_inertia_wy_by_limb5_S_wy;
+    const REAL t179 = 1.0 / limb5_S_reduced_inertia_wy_by_limb5_S_wy,
+      t152 = platform_turn_xz * t147 - limbs.t7[2] + limbs.t7[1] - limbs.t7[3] + limbs.t7[0],
+      limb5_S_reduced_inertia_wx_by_limb5_S_wy = t152 + limb5_S_null_space_wz_by_limb5_S_wy * limb5_S_handed_inertia_wz_by_limb5_S_wx,
+      minus_limb5_S_reduced_force_wx = limb5_S_handed_inertia_wz_by_limb5_S_wx * limb5_S_joint_acc_still_wz + t192,
+      t180 = limb5_S_reduced_inertia_wx_by_limb5_S_wy * t179, t225 = limb5_S_reduced_inertia_wx_by_limb5_S_wy * t180,
+      t227 = minus_limb5_S_reduced_force_wy * t179,
+      t218 = minus_limb5_S_reduced_force_wx - minus_limb5_S_reduced_force_wy * t180,
+      t223 = limbs.U_mass_matrix_0_by_U_0[2] + (k13 + platform_turn_xz * (k12 * platform_turn_xz)) + limbs.t10[1],
+      pivot_1 = limbs.U_mass_matrix_0_by_U_0[0] + (limbs.t10[3] + t223) - t225;
+    checked3 = checked3 + pivot_1;
+    const REAL minus_limb5_S_joint_acc_wx = t218 / pivot_1,
+      limb5_S_joint_acc_wy = t180 * minus_limb5_S_joint_acc_wx - t227,
       limb5_S_joint_acc_wz = limb5_S_joint_acc_still_wz + limb5_S_null_space_wz_by_limb5_S_wy * limb5_S_joint_acc_wy;
     /* limb5_S: results */
-    const REAL t232 = platform_turn_zy * limb5_S_joint_acc_wz,
-      t236 = t232 + (platform_turn_yy * limb5_S_joint_acc_wy - platform_turn_xy * minus_limb5_S_joint_acc_wx),
-      t255 = platform_turn_xy * t236, t237 = platform_turn_zy * t236, t248 = platform_turn_yy * t236,
-      t238 = platform_turn_zx * limb5_S_joint_acc_wz, t226 = platform_turn_zz * limb5_S_joint_acc_wz,
-      t227 = platform_turn_yz * limb5_S_joint_acc_wy,
-      t242 = t238 + (platform_turn_yx * limb5_S_joint_acc_wy - platform_turn_xx * minus_limb5_S_joint_acc_wx),
-      t257 = t255 + platform_turn_xx * t242, t230 = t226 + (t227 - platform_turn_xz * minus_limb5_S_joint_acc_wx),
-      t258 = platform_turn_xz * t230 + t257, t250 = t248 + platform_turn_yx * t242,
-      t245 = platform_turn_zz * t230 + (t237 + platform_turn_zx * t242), t251 = platform_turn_yz * t230 + t250,
-      t277 = t41 * t258 - t37 * t245 - t36 * t251, t260 = t43 * t245 - t41 * t251 - t36 * t258,
-      t268 = 0.5 * (t43 * limb5_S_joint_rate_wz - t41 * limb5_S_joint_rate_wy - t36 * limb5_S_joint_rate_wx),
-      t269 = limb5_S_joint_rate_wz * t268, t58 = t36 * limb5_S_joint_rate_wy,
-      t67 = 0.5 * (t37 * limb5_S_joint_rate_wy - t43 * limb5_S_joint_rate_wx - t36 * limb5_S_joint_rate_wz),
-      t270 = limb5_S_joint_rate_wx * t67 - t269, t68 = limb5_S_joint_rate_wy * t67, t55 = t41 * limb5_S_joint_rate_wx,
-      t75 = 0.5 * (t41 * limb5_S_joint_rate_wz + (t43 * limb5_S_joint_rate_wy + t37 * limb5_S_joint_rate_wx));
-    RESULT(checked1, y_ddot, 1, 0.5 * (t270 - limb5_S_joint_rate_wy * t75 - t277));
-    const REAL t76 = limb5_S_joint_rate_wx * t75,
-      t69 = limb5_S_joint_rate_wz * (0.5 * (t55 - t37 * limb5_S_joint_rate_wz - t58)) - t68;
-    RESULT(checked2, y_ddot, 0, 0.5 * (t69 - t76 - t260));
+    const REAL t235 = platform_turn_zy * limb5_S_joint_acc_wz,
+      t239 = t235 + (platform_turn_yy * limb5_S_joint_acc_wy - platform_turn_xy * minus_limb5_S_joint_acc_wx),
+      t258 = platform_turn_xy * t239, t240 = platform_turn_zy * t239, t251 = platform_turn_yy * t239,
+      t241 = platform_turn_zx * limb5_S_joint_acc_wz, t229 = platform_turn_zz * limb5_S_joint_acc_wz,
+      t230 = platform_turn_yz * limb5_S_joint_acc_wy,
+      t245 = t241 + (platform_turn_yx * limb5_S_joint_acc_wy - platform_turn_xx * minus_limb5_S_joint_acc_wx),
+      t260 = t258 + platform_turn_xx * t245, t233 = t229 + (t230 - platform_turn_xz * minus_limb5_S_joint_acc_wx),
+      t261 = platform_turn_xz * t233 + t260, t253 = t251 + platform_turn_yx * t245,
+      t248 = platform_turn_zz * t233 + (t240 + platform_turn_zx * t245), t254 = platform_turn_yz * t233 + t253,
+      t281 = t39 * t261 - t48 * t248 - t36 * t254, t263 = t43 * t248 - t39 * t254 - t36 * t261,
+      t271 = t43 * limb5_S_joint_rate_wz - t39 * limb5_S_joint_rate_wy + t36 * minus_limb5_S_joint_rate_wx,
+      t273 = limb5_S_joint_rate_wz * (0.5 * t271), t61 = t36 * limb5_S_joint_rate_wy,
+      t69 = t48 * limb5_S_joint_rate_wy + t43 * minus_limb5_S_joint_rate_wx - t36 * limb5_S_joint_rate_wz,
+      t70 = 0.5 * t69, t274 = minus_limb5_S_joint_rate_wx * t70 + t273, t71 = limb5_S_joint_rate_wy * t70,
+      t58 = t39 * minus_limb5_S_joint_rate_wx,
+      t77 = t39 * limb5_S_joint_rate_wz + (t43 * limb5_S_joint_rate_wy - t48 * minus_limb5_S_joint_rate_wx),
+      t78 = 0.5 * t77, t79 = minus_limb5_S_joint_rate_wx * t78,
+      t283 = 0.5 * (t274 + limb5_S_joint_rate_wy * t78 + t281);
+    checked0 = checked0 + t283;
+    WRITE(y_ddot, 1, -t283);
+    const REAL t72 = limb5_S_joint_rate_wz * (0.5 * (t58 + t48 * limb5_S_joint_rate_wz + t61)) + t71,
+      t265 = 0.5 * (t72 - t79 + t263);
+    checked1 = checked1 + t265;
+    WRITE(y_ddot, 0, -t265);
     /* else status 5: no rotation */
     NOT_BELOW(t7, 0.999999, 5);
     NOT_ABOVE(t7, 1.000001, 5);
@@ -541,7 +553,6 @@ BODY(three_ups_upu_s_forward_dynamics_independent)(size_t stride, const double *
         SMALL4(limbs.minus_U_0_lever_mz_by_S_fz, 6.62327e-10, 6.62327e-10, 6.62327e-10, 6.62327e-10) OR /* where the reciprocal wrench limb_U2.fz has no power along limb_U.0, as in a stretched limb; where the reciprocal wrench limb_S.fz has no power along limb_U.0, as in a stretched limb */
         SMALL(minus_limb5_S_pivot_wz, 1.0e-09) OR /* where the loops no longer determine limb5_S.wz */
         SMALL(a_pivot, 1.0e-09) OR /* where the elimination meets a singularity */
-        SMALL(a_pivot_2, 1.0e-09) OR /* where the elimination meets a singularity */
         SMALL(limb5_S_reduced_inertia_wy_by_limb5_S_wy, 7.562600000000002e-08) OR /* where limb5_S.wy feels no inertia */
         SMALL(pivot_1, 7.551200000000001e-08), /* where step 1 of symmetric equations loses rank: of drives, inertia or internal loads */
         (checked0 + checked1) + (checked2 + checked3), limbs.checked);

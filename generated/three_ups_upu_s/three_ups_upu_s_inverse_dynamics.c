@@ -187,19 +187,18 @@ BODY(three_ups_upu_s_inverse_dynamics)(size_t stride, const double *restrict q, 
 typedef struct {
     EACH4 signed_S_arm_y, upper_offset_x, minus_U_0_lever_mz_by_S_fz, t1, S_arm_x, t2,
       signed_limb5_S_balance_wy_by_P, signed_limb5_S_balance_wx_by_P, t3, t4, t5, signed_upper_position_x,
-      signed_U_joint_rate_1, t6, t7, t8, t9, lower_omega_y, signed_lower_omega_x,
-      signed_lower_alpha_still_x, signed_U_joint_acc_still_0, signed_upper_moment_y,
-      signed_lower_alpha_still_y, t10, signed_U_0_acc_x, t11, t12, minus_lower_U_still_xx,
-      minus_lower_rate_fx, minus_U_0_acc_y, minus_upper_acc_still_x, t13, signed_P_joint_acc_still,
-      signed_lower_acc_y, signed_upper_moment_z, signed_lower_U_still_xy, t14, t15, t16, t17, t18, t19,
-      checked;
+      signed_U_joint_rate_1, t6, t7, t8, t9, signed_lower_omega_y, signed_lower_omega_x,
+      signed_lower_alpha_still_x, U_joint_acc_still_0, signed_upper_moment_y, signed_lower_alpha_still_y,
+      t10, signed_U_0_acc_x, t11, t12, minus_lower_U_still_xx, minus_lower_rate_fx, minus_U_0_acc_y,
+      minus_upper_acc_still_x, t13, signed_P_joint_acc_still, signed_lower_acc_y, signed_upper_moment_z,
+      signed_lower_U_still_xy, t14, t15, t16, t17, t18, t19, checked;
 } LIMBS(inverse_dynamics_independent);
 
 STAGE(inverse_dynamics_independent, 0)(size_t limb, size_t stride, const double *restrict q,
     const double *restrict sine, const double *restrict cosine, LIMBS(inverse_dynamics_independent) *own)
 {
     (void)limb, (void)stride;
-    const NUMBER4 sign1 = OF4(1.0, 1.0, -1.0, -1.0), factor_2 = sign1 * 1.0;
+    const NUMBER4 sign1 = OF4(1.0, -1.0, -1.0, 1.0), factor_2 = sign1 * 1.0;
     const LIMB4 lower_cos = IN_EACH4(SINES, cosine, 1, 2);
     /* limbs together: reciprocal wrenches, eq. (10); geometry; rates that follow */
     OWN(signed_S_arm_y) = param_R * lower_cos;
@@ -217,12 +216,12 @@ STAGE(inverse_dynamics_independent, 0)(size_t limb, size_t stride, const double 
 STAGE(inverse_dynamics_independent, 1)(size_t limb, size_t stride, const double *restrict sine,
     const double *restrict cosine, REAL given, const EACH4 platform_joint_force_mx_by_limb1_U2_mn,
     const EACH4 platform_joint_force_mx_by_U2_mn, REAL limb5_S_joint_rate_wz,
-    const EACH4 limb5_S_joint_rate_wy, const EACH4 given_2, REAL given_3, const EACH4 given_4,
-    const EACH4 limb5_S_joint_rate_wx, LIMBS(inverse_dynamics_independent) *own)
+    const EACH4 signed_limb5_S_joint_rate_wy, const EACH4 given_2, REAL given_3, const EACH4 given_4,
+    const EACH4 signed_limb5_S_joint_rate_wx, LIMBS(inverse_dynamics_independent) *own)
 {
     (void)limb, (void)stride;
-    const NUMBER4 sign1 = OF4(1.0, -1.0, 1.0, -1.0), sign2 = OF4(1.0, 1.0, -1.0, -1.0),
-      sign3 = OF4(1.0, -1.0, -1.0, 1.0), each_gravity_z = -sign1 * gravity_z;
+    const NUMBER4 sign1 = OF4(1.0, -1.0, -1.0, 1.0), sign2 = OF4(1.0, -1.0, 1.0, -1.0),
+      each_gravity_z = -sign2 * gravity_z;
     const LIMB4 signed_U_0_sin = IN_EACH4(SINES, sine, 0, 2);
     /* limbs together: balance, eqs. (40)-(47); drives; velocities, eq. (6) */
     const LIMB4 signed_limb1_U2_part_mn_by_P = signed_U_0_sin * OWN(signed_S_arm_y) * given,
@@ -233,34 +232,33 @@ STAGE(inverse_dynamics_independent, 1)(size_t limb, size_t stride, const double 
     OWN(signed_limb5_S_balance_wy_by_P) = U_0_cos * OWN(signed_S_arm_y) + t1;
     OWN(t3) = OWN(signed_limb5_S_balance_wy_by_P) * OWN(signed_limb5_S_balance_wx_by_P);
     OWN(t5) = OWN(signed_limb5_S_balance_wy_by_P) * OWN(signed_limb5_S_balance_wy_by_P);
-    const LIMB4 t43 = sign1 * GIVEN(limb5_S_joint_rate_wy), t18 = signed_U_0_sin * t43,
-      t4 = signed_U_0_sin * limb5_S_joint_rate_wz + U_0_cos * t43;
+    const LIMB4 t4 = signed_U_0_sin * limb5_S_joint_rate_wz + U_0_cos * GIVEN(signed_limb5_S_joint_rate_wy);
     OWN(signed_U_joint_rate_1) = OWN(t2) * (OWN(S_arm_x) * t4);
-    const LIMB4 t44 = sign2 * (OWN(signed_S_arm_y) * t4), signed_lower_sin = IN_EACH4(SINES, sine, 1, 2);
+    const LIMB4 t43 = sign1 * (OWN(signed_S_arm_y) * t4), signed_lower_sin = IN_EACH4(SINES, sine, 1, 2);
     /* limbs together: accelerations; velocities, eq. (6) */
     const LIMB4 t6 = signed_lower_sin * OWN(signed_U_joint_rate_1), lower_cos = IN_EACH4(SINES, cosine, 1, 2),
-      t39 = param_R * t6, t8 = sign2 * (lower_cos * t44) - sign2 * (OWN(upper_offset_x) * t6),
-      U_joint_rate_0 = GIVEN(limb5_S_joint_rate_wx) - sign1 * (OWN(t1) * (OWN(signed_upper_position_x) * (U_0_cos * limb5_S_joint_rate_wz - t18)));
-    OWN(signed_lower_omega_x) = signed_lower_sin * U_joint_rate_0;
-    const LIMB4 t22 = t8 * U_joint_rate_0, t9 = t8 * GIVEN(given_2), t47 = sign1 * given_3,
-      t48 = sign1 * (U_0_cos * t47);
-    OWN(t7) = signed_U_0_sin * t47 + U_0_cos * GIVEN(given_4);
-    const LIMB4 t40 = OWN(t7) * t39, t27 = t22 - sign1 * (OWN(signed_upper_position_x) * (U_joint_rate_0 * OWN(t7))),
-      t11 = lower_cos * OWN(signed_U_joint_rate_1), t31 = OWN(t7) * (t44 - param_R * t11),
-      t50 = sign1 * (signed_lower_sin * t44 + OWN(upper_offset_x) * t11);
-    OWN(t6) = t48 - sign1 * (signed_U_0_sin * GIVEN(given_4));
-    OWN(t8) = t9 - (t50 * OWN(t6) + t27);
-    const LIMB4 t33 = OWN(t6) * U_joint_rate_0;
-    OWN(lower_omega_y) = lower_cos * U_joint_rate_0;
+      t39 = param_R * t6, t8 = sign1 * (lower_cos * t43) - sign1 * (OWN(upper_offset_x) * t6),
+      t20 = OWN(signed_upper_position_x) * (U_0_cos * limb5_S_joint_rate_wz - signed_U_0_sin * GIVEN(signed_limb5_S_joint_rate_wy)),
+      signed_U_joint_rate_0 = GIVEN(signed_limb5_S_joint_rate_wx) + sign2 * (OWN(t1) * t20);
+    OWN(signed_lower_omega_x) = signed_lower_sin * signed_U_joint_rate_0;
+    const LIMB4 t22 = t8 * signed_U_joint_rate_0, t9 = t8 * GIVEN(given_2);
+    OWN(t7) = signed_U_0_sin * given_3 + sign2 * (U_0_cos * GIVEN(given_4));
+    const LIMB4 t40 = OWN(t7) * t39, t27 = t22 - OWN(signed_upper_position_x) * (signed_U_joint_rate_0 * OWN(t7)),
+      t11 = lower_cos * OWN(signed_U_joint_rate_1), t31 = OWN(t7) * (t43 + (-param_R) * t11),
+      t13 = signed_lower_sin * t43 + OWN(upper_offset_x) * t11;
+    OWN(t6) = sign2 * (U_0_cos * given_3) - signed_U_0_sin * GIVEN(given_4);
+    OWN(t8) = t9 - sign2 * (t13 * OWN(t6) - t27);
+    const LIMB4 t33 = OWN(t6) * signed_U_joint_rate_0;
+    OWN(signed_lower_omega_y) = lower_cos * signed_U_joint_rate_0;
+    OWN(signed_lower_alpha_still_x) = OWN(signed_U_joint_rate_1) * OWN(signed_lower_omega_y);
     const LIMB4 t34 = OWN(S_arm_x) * t33;
-    OWN(t13) = t40 - OWN(signed_S_arm_y) * t33;
-    OWN(t9) = t31 + (t34 - sign3 * (t44 * OWN(signed_U_joint_rate_1)));
-    const LIMB4 t54 = sign1 * OWN(lower_omega_y);
-    OWN(signed_lower_alpha_still_x) = OWN(signed_U_joint_rate_1) * t54;
-    OWN(t11) = t44 * (2.0 * OWN(lower_omega_y));
-    OWN(minus_lower_U_still_xx) = OWN(signed_U_joint_rate_1) * OWN(signed_U_joint_rate_1) + t54 * t54;
+    OWN(t13) = t40 + OWN(signed_S_arm_y) * t33;
+    OWN(t9) = t31 - (sign1 * (t43 * OWN(signed_U_joint_rate_1)) + t34);
+    OWN(t11) = t43 * (2.0 * OWN(signed_lower_omega_y));
+    const LIMB4 t38 = OWN(signed_lower_omega_y) * OWN(signed_lower_omega_y);
+    OWN(minus_lower_U_still_xx) = OWN(signed_U_joint_rate_1) * OWN(signed_U_joint_rate_1) + t38;
     const LIMB4 minus_upper_acc_still_x = OWN(upper_offset_x) * OWN(minus_lower_U_still_xx);
-    OWN(t16) = t44 * (2.0 * OWN(signed_U_joint_rate_1));
+    OWN(t16) = t43 * (2.0 * OWN(signed_U_joint_rate_1));
     OWN(minus_U_0_acc_y) = each_gravity_z * U_0_cos;
     OWN(minus_upper_acc_still_x) = lower_cos * OWN(minus_U_0_acc_y) + minus_upper_acc_still_x;
 }
@@ -269,8 +267,6 @@ STAGE(inverse_dynamics_independent, 2)(size_t limb, size_t stride, const double 
     const double *restrict cosine, REAL limb5_S_joint_acc_still_wz, LIMBS(inverse_dynamics_independent) *own)
 {
     (void)limb, (void)stride;
-    const NUMBER4 sign1 = OF4(1.0, -1.0, 1.0, -1.0), each_k10 = sign1 * k10,
-      each_limb_lower_mx = -sign1 * limb_lower_mx;
     const LIMB4 signed_U_0_sin = IN_EACH4(SINES, sine, 0, 2);
     /* limbs together: balance, eqs. (40)-(47) */
     OWN(signed_upper_moment_y) = gravity_z_limb_lower_mx * signed_U_0_sin;
@@ -278,57 +274,57 @@ STAGE(inverse_dynamics_independent, 2)(size_t limb, size_t stride, const double 
     OWN(signed_U_0_acc_x) = gravity_z * signed_U_0_sin;
     OWN(minus_lower_rate_fx) = limb_lower_mx * OWN(minus_lower_U_still_xx);
     const LIMB4 t3 = OWN(t8) - OWN(signed_upper_position_x) * (IN_EACH4(SINES, cosine, 0, 2) * limb5_S_joint_acc_still_wz);
-    OWN(signed_U_joint_acc_still_0) = OWN(t1) * t3;
+    OWN(U_joint_acc_still_0) = OWN(t1) * t3;
     OWN(signed_lower_alpha_still_y) = OWN(signed_U_joint_rate_1) * OWN(signed_lower_omega_x);
     OWN(t10) = k9 * OWN(signed_lower_alpha_still_y);
     const LIMB4 signed_lower_sin = IN_EACH4(SINES, sine, 1, 2);
-    OWN(t12) = signed_lower_sin * (each_k10 * OWN(signed_lower_alpha_still_x));
+    OWN(t12) = signed_lower_sin * (k10 * OWN(signed_lower_alpha_still_x));
     const LIMB4 t4 = signed_U_0_sin * limb5_S_joint_acc_still_wz;
     OWN(signed_P_joint_acc_still) = OWN(signed_S_arm_y) * t4 - OWN(t13);
     OWN(t15) = OWN(t9) + OWN(S_arm_x) * t4;
     OWN(signed_lower_acc_y) = signed_lower_sin * OWN(minus_U_0_acc_y);
-    OWN(signed_upper_moment_z) = each_limb_lower_mx * OWN(signed_lower_acc_y);
-    OWN(signed_lower_U_still_xy) = sign1 * OWN(lower_omega_y) * OWN(signed_lower_omega_x);
+    OWN(signed_upper_moment_z) = limb_lower_mx * OWN(signed_lower_acc_y);
+    OWN(signed_lower_U_still_xy) = OWN(signed_lower_omega_y) * OWN(signed_lower_omega_x);
     OWN(t14) = k8 * OWN(signed_lower_U_still_xy);
 }
 
 STAGE(inverse_dynamics_independent, 3)(size_t limb, size_t stride, const double *restrict sine,
-    const double *restrict cosine, REAL given, const EACH4 signed_limb5_S_joint_acc_wy,
-    const EACH4 signed_limb5_S_joint_acc_wx, LIMBS(inverse_dynamics_independent) *own)
+    const double *restrict cosine, REAL given, const EACH4 limb5_S_joint_acc_wy,
+    const EACH4 limb5_S_joint_acc_wx, LIMBS(inverse_dynamics_independent) *own)
 {
     (void)limb, (void)stride;
-    const NUMBER4 sign1 = OF4(1.0, -1.0, -1.0, 1.0), sign2 = OF4(1.0, -1.0, 1.0, -1.0),
-      each_limb_lower_mx = sign2 * limb_lower_mx;
-    const LIMB4 U_0_cos = IN_EACH4(SINES, cosine, 0, 2), signed_U_0_sin = IN_EACH4(SINES, sine, 0, 2);
+    const NUMBER4 sign1 = OF4(1.0, -1.0, 1.0, -1.0), each_k3 = -sign1 * k3, sign2 = OF4(1.0, 1.0, -1.0, -1.0),
+      sign3 = OF4(1.0, -1.0, -1.0, 1.0);
+    const LIMB4 t40 = sign1 * GIVEN(limb5_S_joint_acc_wy), signed_U_0_sin = IN_EACH4(SINES, sine, 0, 2),
+      U_0_cos = IN_EACH4(SINES, cosine, 0, 2);
     /* limbs together: accelerations; momentum rate, eq. (35) */
-    const LIMB4 t4 = OWN(signed_upper_position_x) * (U_0_cos * given - signed_U_0_sin * GIVEN(signed_limb5_S_joint_acc_wy)),
-      signed_U_joint_acc_0 = GIVEN(signed_limb5_S_joint_acc_wx) + OWN(t1) * t4 + OWN(signed_U_joint_acc_still_0),
-      lower_cos = IN_EACH4(SINES, cosine, 1, 2),
-      signed_lower_alpha_y = OWN(signed_lower_alpha_still_y) - lower_cos * signed_U_joint_acc_0,
-      signed_U_0_rate_mz = k3 * signed_U_joint_acc_0,
+    const LIMB4 t21 = U_0_cos * t40,
+      t6 = GIVEN(limb5_S_joint_acc_wx) - OWN(t1) * (OWN(signed_upper_position_x) * (U_0_cos * given - signed_U_0_sin * t40)),
+      U_joint_acc_0 = t6 + OWN(U_joint_acc_still_0), lower_cos = IN_EACH4(SINES, cosine, 1, 2),
+      signed_lower_alpha_y = OWN(signed_lower_alpha_still_y) + sign1 * (lower_cos * U_joint_acc_0),
+      signed_U_0_rate_mz = each_k3 * U_joint_acc_0,
       signed_lower_U_zx = OWN(signed_lower_alpha_still_y) + signed_lower_alpha_y,
-      signed_lower_rate_my = OWN(signed_upper_moment_y) + (OWN(t10) + k8 * signed_lower_alpha_y),
-      signed_upper_acc_z = OWN(signed_U_0_acc_x) + OWN(upper_offset_x) * signed_lower_U_zx - OWN(t11);
+      signed_lower_rate_my = OWN(signed_upper_moment_y) - (OWN(t10) + k8 * signed_lower_alpha_y),
+      signed_upper_acc_z = OWN(signed_U_0_acc_x) - OWN(upper_offset_x) * signed_lower_U_zx + OWN(t11);
     /* limbs together: balance, eqs. (40)-(47); accelerations; momentum rate, eq. (35) */
-    const LIMB4 t11 = OWN(upper_offset_x) * (limb_lower_mx * signed_lower_U_zx - limb_lower_m * signed_upper_acc_z),
-      signed_U_0_moment_z = signed_U_0_rate_mz + (OWN(t12) - lower_cos * (signed_lower_rate_my - (t11 + limb_lower_mx * signed_upper_acc_z))),
+    const LIMB4 t11 = OWN(upper_offset_x) * (limb_lower_mx * signed_lower_U_zx + limb_lower_m * signed_upper_acc_z),
+      signed_U_0_moment_z = signed_U_0_rate_mz + (lower_cos * (signed_lower_rate_my + (t11 - limb_lower_mx * signed_upper_acc_z)) + OWN(t12)),
       signed_S_multiplier_fz = OWN(t1) * signed_U_0_moment_z, t14 = OWN(S_arm_x) * signed_S_multiplier_fz,
       t16 = OWN(signed_S_arm_y) * signed_S_multiplier_fz, signed_lower_sin = IN_EACH4(SINES, sine, 1, 2),
       t15 = signed_lower_sin * t14;
     OWN(t19) = lower_cos * t14 + signed_lower_sin * t16;
-    const LIMB4 t40 = sign1 * (t15 - lower_cos * t16), t36 = signed_U_0_sin * t40, t19 = U_0_cos * t40,
-      t22 = signed_U_0_sin * given + U_0_cos * GIVEN(signed_limb5_S_joint_acc_wy),
-      signed_U_joint_acc_1 = OWN(t2) * (OWN(S_arm_x) * t22 - OWN(t15)),
-      minus_upper_acc_x = OWN(minus_upper_acc_still_x) + sign1 * (OWN(signed_S_arm_y) * t22 - OWN(signed_P_joint_acc_still)),
+    const LIMB4 t42 = sign2 * (t15 - lower_cos * t16), t36 = signed_U_0_sin * t42, t19 = U_0_cos * t42,
+      t22 = signed_U_0_sin * given + t21, signed_U_joint_acc_1 = OWN(t2) * (OWN(S_arm_x) * t22 + OWN(t15)),
+      minus_upper_acc_x = OWN(minus_upper_acc_still_x) - sign3 * (OWN(signed_S_arm_y) * t22 + OWN(signed_P_joint_acc_still)),
       t24 = OWN(signed_S_arm_y) * (OWN(minus_lower_rate_fx) - limb_lower_m * minus_upper_acc_x),
-      signed_lower_U_yx = OWN(signed_lower_U_still_xy) - signed_U_joint_acc_1,
-      signed_lower_rate_mz = OWN(signed_upper_moment_z) - (OWN(t14) - k9 * signed_U_joint_acc_1),
-      signed_upper_acc_y = OWN(t16) + (OWN(signed_lower_acc_y) + sign2 * (OWN(upper_offset_x) * signed_lower_U_yx)),
-      t31 = OWN(upper_offset_x) * (each_limb_lower_mx * signed_lower_U_yx - limb_lower_m * signed_upper_acc_y),
-      t33 = OWN(S_arm_x) * (OWN(t2) * (signed_lower_rate_mz + (sign2 * t31 + each_limb_lower_mx * signed_upper_acc_y))),
-      t34 = t24 - sign1 * t33;
-    OWN(t18) = t36 + U_0_cos * t34;
-    OWN(t17) = t19 - signed_U_0_sin * t34;
+      signed_lower_U_yx = OWN(signed_lower_U_still_xy) + signed_U_joint_acc_1,
+      signed_lower_rate_mz = OWN(signed_upper_moment_z) + (OWN(t14) + k9 * signed_U_joint_acc_1),
+      signed_upper_acc_y = OWN(t16) + (OWN(signed_lower_acc_y) + OWN(upper_offset_x) * signed_lower_U_yx),
+      t31 = OWN(upper_offset_x) * (limb_lower_mx * signed_lower_U_yx - limb_lower_m * signed_upper_acc_y),
+      t33 = OWN(S_arm_x) * (OWN(t2) * (signed_lower_rate_mz - (t31 + limb_lower_mx * signed_upper_acc_y))),
+      t34 = t24 + sign3 * t33;
+    OWN(t18) = t36 - U_0_cos * t34;
+    OWN(t17) = t19 + signed_U_0_sin * t34;
 }
 
 STAGE(inverse_dynamics_independent, 4)(size_t limb, size_t stride, double *restrict u, const EACH4 given,
@@ -339,7 +335,7 @@ STAGE(inverse_dynamics_independent, 4)(size_t limb, size_t stride, double *restr
     /* limbs together: drives */
     const LIMB4 t1 = OWN(signed_limb5_S_balance_wy_by_P) * GIVEN(given),
       signed_P_drive = t1 + OWN(signed_limb5_S_balance_wx_by_P) * GIVEN(given_2);
-    WRITE4(u, 0, 1, 2, 3, sign1 * signed_P_drive);
+    WRITE4(u, 0, 1, 2, 3, -sign1 * signed_P_drive);
     LIMB4 checked = OWN(checked) + signed_P_drive;
     OWN(checked) = checked;
 }
@@ -349,20 +345,20 @@ BODY(three_ups_upu_s_inverse_dynamics_independent)(size_t stride, const double *
     const double *restrict sine, const double *restrict cosine, double *restrict total)
 {
     LIMBS(inverse_dynamics_independent) limbs;
-    /* limb5_S: geometry; rates that follow */
+    /* limb5_S: geometry; velocities, eq. (6) */
     const REAL limb5_S_q_qw = READ(q, 12), limb5_S_q_qx = READ(q, 13), t1 = limb5_S_q_qw * limb5_S_q_qw,
       t2 = limb5_S_q_qx * limb5_S_q_qx, limb5_S_q_qy = READ(q, 14), t3 = t1 + t2, t4 = limb5_S_q_qy * limb5_S_q_qy,
       limb5_S_q_qz = READ(q, 15), t5 = limb5_S_q_qz * limb5_S_q_qz, t6 = t4 + t5, t7 = t3 + t6, t10 = t2 + t5,
-      t78 = t2 + t4, t9 = 4.0 - 2.0 * t7, platform_turn_yy = 1.0 - t9 * t10, t51 = k2 - 0.5 * t7,
-      platform_turn_xx = 1.0 - t6 * t9, platform_turn_zz = 1.0 - t9 * t78, t13 = limb5_S_q_qz * t9,
+      t81 = t2 + t4, t9 = 4.0 - 2.0 * t7, platform_turn_yy = 1.0 - t9 * t10, t51 = k2 - 0.5 * t7,
+      platform_turn_xx = 1.0 - t6 * t9, platform_turn_zz = 1.0 - t9 * t81, t13 = limb5_S_q_qz * t9,
       t14 = limb5_S_q_qy * t13, t16 = limb5_S_q_qw * (limb5_S_q_qx * t9), t29 = limb5_S_q_qy * t9,
       platform_turn_zy = t14 + t16, platform_turn_yz = t14 - t16, limb1_U_0_cos = SINES(cosine, 0),
       limb1_U_0_sin = SINES(sine, 0),
       t27 = limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos * platform_turn_zy, /* limb1 */
       limb1_lower_cos = SINES(cosine, 1), limb1_lower_sin = SINES(sine, 1),
       t28 = limb1_lower_cos * t27, /* limb1 */
-      t111 = limb1_lower_sin * t27, /* limb1 */
-      t30 = limb5_S_q_qx * t29, t77 = limb5_S_q_qw * t29, t31 = limb5_S_q_qw * t13, t76 = limb5_S_q_qx * t13,
+      t114 = limb1_lower_sin * t27, /* limb1 */
+      t30 = limb5_S_q_qx * t29, t80 = limb5_S_q_qw * t29, t31 = limb5_S_q_qw * t13, t79 = limb5_S_q_qx * t13,
       platform_turn_xy = t30 - t31, platform_turn_yx = t30 + t31;
     /* limb1: reciprocal wrenches, eq. (10); rates that follow; balance, eqs. (40)-(47) */
     const REAL limb1_U2_constraint_mn_couple_z = t28 - limb1_lower_sin * platform_turn_xy;
@@ -372,42 +368,41 @@ BODY(three_ups_upu_s_inverse_dynamics_independent)(size_t stride, const double *
       t37 = limb1_U_0_sin * minus_limb1_U2_factor_0_by_3, t34 = limb1_U_0_cos * minus_limb1_U2_factor_0_by_3,
       limb1_U2_constraint_mn_couple_x = limb1_U_0_cos * platform_turn_yy + limb1_U_0_sin * platform_turn_zy,
       minus_limb1_U_factor_0_by_3 = limb1_lower_sin * limb1_U2_constraint_mn_couple_x * limbs.t1[0],
-      t54 = limbs.signed_upper_position_x[0] * minus_limb1_U_factor_0_by_3,
-      minus_limb1_U2_factor_1_by_3 = limb1_lower_cos * limb1_U2_constraint_mn_couple_x + t54;
-    /* limb5_S: pivots */
+      t55 = limbs.signed_upper_position_x[0] * minus_limb1_U_factor_0_by_3,
+      minus_limb1_U2_factor_1_by_3 = limb1_lower_cos * limb1_U2_constraint_mn_couple_x + t55;
+    /* limb5_S: pivots; rates that follow */
     const REAL minus_limb5_S_pivot_wz = limb1_U_0_cos * minus_limb1_U2_factor_1_by_3 + t37;
     REAL checked0 = minus_limb5_S_pivot_wz;
-    /* limb5_S: rates that follow */
-    const REAL t56 = 1.0 / minus_limb5_S_pivot_wz,
-      t58 = limb1_U_0_sin * minus_limb1_U2_factor_1_by_3 - t34, /* limb1 */
-      limb5_S_null_space_wz_by_limb5_S_wy = t56 * t58, t53 = limb5_S_q_qx * t51,
-      t59 = t53 * limb5_S_null_space_wz_by_limb5_S_wy, t52 = limb5_S_q_qw * t51, a_pivot = 0.5 * (t52 + t59);
-    REAL checked1 = a_pivot;
-    const REAL t61 = 1.0 / a_pivot, t65 = limb5_S_q_qy * t51, t66 = t65 * limb5_S_null_space_wz_by_limb5_S_wy,
-      t62 = limb5_S_q_qz * t51, t69 = t61 * (0.5 * (t62 - t66)), t63 = 0.5 * t62, a_pivot_2 = 0.5 * t52 + t63 * t69;
-    REAL checked2 = a_pivot_2;
-    const REAL limb5_S_null_space_wx_by_limb5_S_qx = 1.0 / a_pivot_2;
+    const REAL t57 = 1.0 / minus_limb5_S_pivot_wz,
+      t59 = limb1_U_0_sin * minus_limb1_U2_factor_1_by_3 - t34, /* limb1 */
+      limb5_S_null_space_wz_by_limb5_S_wy = t57 * t59;
     /* platform: velocities, eq. (6); accelerations; balance, eqs. (40)-(47) */
-    const REAL limb5_S_y_dot_qy = READ(y_dot, 1),
-      limb5_S_joint_rate_wx = limb5_S_null_space_wx_by_limb5_S_qx * (READ(y_dot, 0) - limb5_S_y_dot_qy * t69),
-      limb5_S_joint_rate_wy = t61 * (limb5_S_y_dot_qy + t63 * limb5_S_joint_rate_wx),
-      limb5_S_joint_rate_wz = t56 * (t58 * limb5_S_joint_rate_wy), t85 = platform_turn_zy * limb5_S_joint_rate_wz,
-      platform_omega_y = t85 + (platform_turn_yy * limb5_S_joint_rate_wy + platform_turn_xy * limb5_S_joint_rate_wx),
-      t89 = platform_turn_xy * platform_omega_y, platform_turn_zx = t76 - t77, platform_turn_xz = t76 + t77,
-      t91 = platform_turn_zx * limb5_S_joint_rate_wz,
-      platform_omega_x = t91 + (platform_turn_yx * limb5_S_joint_rate_wy + platform_turn_xx * limb5_S_joint_rate_wx),
-      t96 = t89 + platform_turn_xx * platform_omega_x, t80 = platform_turn_zz * limb5_S_joint_rate_wz,
-      platform_omega_z = t80 + (platform_turn_yz * limb5_S_joint_rate_wy + platform_turn_xz * limb5_S_joint_rate_wx),
-      t97 = platform_turn_xz * platform_omega_z + t96,
-      t101 = platform_turn_yy * platform_omega_y + platform_turn_yx * platform_omega_x,
-      t102 = platform_turn_yz * platform_omega_z + t101;
-    const EACH4 given_2 = {t97, t102, t97, t102}, given_4 = {t102, t97, t102, t97};
-    const REAL t205 = k12 * (platform_omega_z * platform_omega_y),
-      t106 = platform_turn_zy * platform_omega_y + platform_turn_zx * platform_omega_x,
-      platform_U_still_xz = platform_omega_z * platform_omega_x, t107 = platform_turn_zz * platform_omega_z + t106,
-      t197 = k12 * platform_U_still_xz;
-    const EACH4 limb5_S_joint_rate_wy_2 = {limb5_S_joint_rate_wy, limb5_S_joint_rate_wx, limb5_S_joint_rate_wy, limb5_S_joint_rate_wx},
-      limb5_S_joint_rate_wx_2 = {limb5_S_joint_rate_wx, limb5_S_joint_rate_wy, limb5_S_joint_rate_wx, limb5_S_joint_rate_wy};
+    const REAL t54 = limb5_S_q_qy * t51, t60 = t54 * limb5_S_null_space_wz_by_limb5_S_wy, t52 = limb5_S_q_qz * t51,
+      t62 = 0.5 * (t52 - t60), t53 = 0.5 * t52, t63 = t53 * t62, t66 = limb5_S_q_qx * t51,
+      t67 = t66 * limb5_S_null_space_wz_by_limb5_S_wy, t64 = limb5_S_q_qw * t51, t69 = 0.5 * (t64 + t67),
+      t65 = 0.5 * t64, a_pivot = t63 + t65 * t69;
+    REAL checked1 = a_pivot;
+    const REAL t71 = 1.0 / a_pivot, limb5_S_y_dot_qy = READ(y_dot, 1), limb5_S_y_dot_qx = READ(y_dot, 0),
+      limb5_S_joint_rate_wy = (t65 * limb5_S_y_dot_qy + t53 * limb5_S_y_dot_qx) * t71,
+      limb5_S_joint_rate_wz = t57 * (t59 * limb5_S_joint_rate_wy), t88 = platform_turn_zy * limb5_S_joint_rate_wz,
+      t89 = platform_turn_yy * limb5_S_joint_rate_wy,
+      minus_limb5_S_joint_rate_wx = t71 * (limb5_S_y_dot_qy * t62 - limb5_S_y_dot_qx * t69),
+      platform_omega_y = t88 + (t89 - platform_turn_xy * minus_limb5_S_joint_rate_wx),
+      t92 = platform_turn_xy * platform_omega_y, platform_turn_zx = t79 - t80, platform_turn_xz = t79 + t80,
+      t94 = platform_turn_zx * limb5_S_joint_rate_wz,
+      platform_omega_x = t94 + (platform_turn_yx * limb5_S_joint_rate_wy - platform_turn_xx * minus_limb5_S_joint_rate_wx),
+      t99 = t92 + platform_turn_xx * platform_omega_x, t83 = platform_turn_zz * limb5_S_joint_rate_wz,
+      platform_omega_z = t83 + (platform_turn_yz * limb5_S_joint_rate_wy - platform_turn_xz * minus_limb5_S_joint_rate_wx),
+      t100 = platform_turn_xz * platform_omega_z + t99,
+      t104 = platform_turn_yy * platform_omega_y + platform_turn_yx * platform_omega_x,
+      t105 = platform_turn_yz * platform_omega_z + t104;
+    const EACH4 given_2 = {t100, t105, t100, t105}, given_4 = {t105, t100, t105, t100};
+    const REAL t210 = k12 * (platform_omega_z * platform_omega_y),
+      t109 = platform_turn_zy * platform_omega_y + platform_turn_zx * platform_omega_x,
+      platform_U_still_xz = platform_omega_z * platform_omega_x, t110 = platform_turn_zz * platform_omega_z + t109,
+      t202 = k12 * platform_U_still_xz;
+    const EACH4 signed_limb5_S_joint_rate_wy = {limb5_S_joint_rate_wy, minus_limb5_S_joint_rate_wx, limb5_S_joint_rate_wy, minus_limb5_S_joint_rate_wx},
+      signed_limb5_S_joint_rate_wx = {minus_limb5_S_joint_rate_wx, limb5_S_joint_rate_wy, minus_limb5_S_joint_rate_wx, limb5_S_joint_rate_wy};
     const REAL t19 = limb1_U2_constraint_mn_couple_x - limbs.signed_S_arm_y[0] * minus_limb1_U_factor_0_by_3, /* limb1 */
       t20 = limb1_lower_cos * t19, /* limb1 */
       t39 = limb1_lower_sin * t19, /* limb1 */
@@ -415,92 +410,94 @@ BODY(three_ups_upu_s_inverse_dynamics_independent)(size_t stride, const double *
       t23 = t20 + limb1_lower_sin * t21, /* limb1 */
       platform_joint_force_mx_by_limb1_U2_mn = t39 - limb1_lower_cos * t21,
       platform_joint_force_mz_by_limb1_U2_mn = limb1_U_0_cos * t23 + t37;
-    REAL checked3 = platform_joint_force_mz_by_limb1_U2_mn;
+    REAL checked2 = platform_joint_force_mz_by_limb1_U2_mn;
     const REAL t38 = 1.0 / platform_joint_force_mz_by_limb1_U2_mn, t35 = limb1_U_0_sin * t23 - t34;
     const EACH4 platform_joint_force_mx_by_limb1_U2_mn_2 = {t35, platform_joint_force_mx_by_limb1_U2_mn, t35, platform_joint_force_mx_by_limb1_U2_mn},
       platform_joint_force_mx_by_U2_mn = {platform_joint_force_mx_by_limb1_U2_mn, t35, platform_joint_force_mx_by_limb1_U2_mn, t35};
-    FIRST_LIMB(0, inverse_dynamics_independent, 1, stride, sine, cosine, t38, platform_joint_force_mx_by_limb1_U2_mn_2, platform_joint_force_mx_by_U2_mn, limb5_S_joint_rate_wz, limb5_S_joint_rate_wy_2, given_2, t107, given_4, limb5_S_joint_rate_wx_2, &limbs);
-    const REAL t109 = limb1_U_factor_1_by_3 * limbs.t9[0], t108 = minus_limb1_U_factor_0_by_3 * limbs.t8[0];
+    FIRST_LIMB(0, inverse_dynamics_independent, 1, stride, sine, cosine, t38, platform_joint_force_mx_by_limb1_U2_mn_2, platform_joint_force_mx_by_U2_mn, limb5_S_joint_rate_wz, signed_limb5_S_joint_rate_wy, given_2, t110, given_4, signed_limb5_S_joint_rate_wx, &limbs);
+    const REAL t112 = limb1_U_factor_1_by_3 * limbs.t9[0], t111 = minus_limb1_U_factor_0_by_3 * limbs.t8[0];
     /* limb1: loop closure */
-    const REAL t117 = limb1_lower_cos * t97 - limb1_lower_sin * limbs.t6[0] - limbs.lower_omega_y[0],
-      t134 = limbs.signed_U_joint_rate_1[0] * t117, t110 = limbs.signed_U_joint_rate_1[0] - limbs.t7[0],
-      t138 = limb1_U2_constraint_mn_couple_x * (t134 + t110 * limbs.lower_omega_y[0] - limbs.signed_lower_alpha_still_x[0]),
-      t118 = limb1_U2_constraint_mn_couple_x * t117,
-      t124 = limb1_lower_sin * t97 + limb1_lower_cos * limbs.t6[0] - limbs.signed_lower_omega_x[0],
-      t133 = limb1_U2_constraint_mn_couple_z * (limbs.lower_omega_y[0] * t124 - t117 * limbs.signed_lower_omega_x[0]),
-      t139 = t133 + t138, t125 = limb1_U2_constraint_mn_couple_z * t117,
-      limb1_U2_opening_mn = t111 + limb1_lower_cos * platform_turn_xy,
-      t120 = t110 * (limb1_U2_opening_mn * t110 + t118);
+    const REAL t120 = limb1_lower_cos * t100 - limb1_lower_sin * limbs.t6[0] + limbs.signed_lower_omega_y[0],
+      t137 = limbs.signed_U_joint_rate_1[0] * t120, t113 = limbs.signed_U_joint_rate_1[0] - limbs.t7[0],
+      t141 = limb1_U2_constraint_mn_couple_x * (t137 - t113 * limbs.signed_lower_omega_y[0] + limbs.signed_lower_alpha_still_x[0]),
+      t121 = limb1_U2_constraint_mn_couple_x * t120,
+      t127 = limb1_lower_sin * t100 + limb1_lower_cos * limbs.t6[0] + limbs.signed_lower_omega_x[0],
+      t136 = limb1_U2_constraint_mn_couple_z * (limbs.signed_lower_omega_y[0] * t127 - t120 * limbs.signed_lower_omega_x[0]),
+      t142 = t136 - t141, t128 = limb1_U2_constraint_mn_couple_z * t120,
+      limb1_U2_opening_mn = t114 + limb1_lower_cos * platform_turn_xy,
+      t123 = t113 * (limb1_U2_opening_mn * t113 + t121);
     /* limb5_S: accelerations; momentum rate, eq. (35); balance, eqs. (40)-(47) */
-    const REAL t140 = t109 - (t120 + t124 * (t125 + limb1_U2_opening_mn * t124) + t139),
-      limb5_S_joint_acc_still_wz = t56 * (t108 + t140), t143 = 0.5 * (t53 * limb5_S_joint_acc_still_wz),
-      t149 = 0.5 * (t53 * t102 - t65 * t97 - t52 * t107), t150 = t97 * t149, t180 = t102 * t149,
-      t156 = 0.5 * (t65 * t107 - t62 * t102 - t52 * t97), t158 = t150 - t107 * t156, t176 = t52 * t102,
-      t172 = 0.5 * (t65 * limb5_S_joint_acc_still_wz), t174 = t53 * t107,
-      t164 = 0.5 * (t62 * t107 + (t65 * t102 + t53 * t97)),
-      t169 = t143 - (READ(y_ddot, 1) - 0.5 * (t158 - t102 * t164)), t170 = t69 * t169, t182 = t97 * t164,
-      t181 = t107 * (0.5 * (t62 * t97 - t174 - t176)) - t180,
-      limb5_S_joint_acc_wx = limb5_S_null_space_wx_by_limb5_S_qx * (t170 + (t172 + (READ(y_ddot, 0) - 0.5 * (t181 - t182)))),
-      minus_limb5_S_joint_acc_wy = t61 * (t169 - t63 * limb5_S_joint_acc_wx),
-      t191 = t56 * (t58 * minus_limb5_S_joint_acc_wy), /* limb4 */
-      limb5_S_joint_acc_wz = limb5_S_joint_acc_still_wz - t191, t198 = platform_turn_zy * limb5_S_joint_acc_wz,
-      platform_alpha_y = t198 - (platform_turn_yy * minus_limb5_S_joint_acc_wy - platform_turn_xy * limb5_S_joint_acc_wx),
-      platform_rate_my = gravity_z_platform_mz * platform_turn_zx - (t197 - k13 * platform_alpha_y),
-      t220 = platform_turn_xy * platform_rate_my, t230 = platform_turn_yy * platform_rate_my,
-      t204 = platform_turn_zy * platform_rate_my, minus_platform_moment_x = gravity_z_platform_mz * platform_turn_zy,
-      t206 = platform_turn_zx * limb5_S_joint_acc_wz, t192 = platform_turn_zz * limb5_S_joint_acc_wz,
-      platform_alpha_x = t206 - (platform_turn_yx * minus_limb5_S_joint_acc_wy - platform_turn_xx * limb5_S_joint_acc_wx),
-      minus_platform_rate_mx = minus_platform_moment_x - (t205 + k13 * platform_alpha_x);
+    const REAL t143 = t112 - (t123 + t127 * (t128 + limb1_U2_opening_mn * t127) - t142),
+      limb5_S_joint_acc_still_wz = t57 * (t111 + t143), t146 = 0.5 * (t54 * limb5_S_joint_acc_still_wz),
+      t152 = 0.5 * (t52 * t100 - t66 * t110 - t64 * t105), t153 = t110 * t152,
+      t159 = 0.5 * (t66 * t105 - t54 * t100 - t64 * t110), t180 = t64 * t100, t161 = t153 - t105 * t159,
+      t176 = t100 * t159, t177 = t54 * t110, t175 = 0.5 * (t66 * limb5_S_joint_acc_still_wz),
+      t167 = 0.5 * (t52 * t110 + (t54 * t105 + t66 * t100)),
+      t172 = t146 + (READ(y_ddot, 0) - 0.5 * (t161 - t100 * t167)), t173 = t53 * t172, t195 = t69 * t172,
+      t185 = t105 * t167, t184 = t176 - t110 * (0.5 * (t177 - t52 * t105 - t180)),
+      t189 = t175 - (READ(y_ddot, 1) - 0.5 * (t184 - t185)), t196 = t62 * t189 + t195,
+      limb5_S_joint_acc_wy = t71 * (t173 - t65 * t189), limb5_S_joint_acc_wx = t71 * t196,
+      t193 = t57 * (t59 * limb5_S_joint_acc_wy), /* limb4 */
+      limb5_S_joint_acc_wz = limb5_S_joint_acc_still_wz + t193, t203 = platform_turn_zy * limb5_S_joint_acc_wz,
+      t207 = k13 * (t203 + (platform_turn_yy * limb5_S_joint_acc_wy + platform_turn_xy * limb5_S_joint_acc_wx)),
+      platform_rate_my = gravity_z_platform_mz * platform_turn_zx - (t202 - t207),
+      t235 = platform_turn_yy * platform_rate_my, t225 = platform_turn_xy * platform_rate_my,
+      t209 = platform_turn_zy * platform_rate_my, minus_platform_moment_x = gravity_z_platform_mz * platform_turn_zy,
+      t211 = platform_turn_zx * limb5_S_joint_acc_wz, t197 = platform_turn_zz * limb5_S_joint_acc_wz,
+      t215 = k13 * (t211 + (platform_turn_yx * limb5_S_joint_acc_wy + platform_turn_xx * limb5_S_joint_acc_wx)),
+      minus_platform_rate_mx = minus_platform_moment_x - (t210 + t215);
     /* platform: balance, eqs. (40)-(47); drives; pivots */
-    const REAL t213 = t204 - platform_turn_zx * minus_platform_rate_mx,
-      t222 = t220 - platform_turn_xx * minus_platform_rate_mx,
-      t232 = t230 - platform_turn_yx * minus_platform_rate_mx,
-      platform_alpha_z = t192 - (platform_turn_yz * minus_limb5_S_joint_acc_wy - platform_turn_xz * limb5_S_joint_acc_wx),
-      platform_rate_mz = platform_Izz * platform_alpha_z, t214 = platform_turn_zz * platform_rate_mz + t213,
-      t223 = platform_turn_xz * platform_rate_mz + t222, t233 = platform_turn_yz * platform_rate_mz + t232;
-    const EACH4 signed_limb5_S_joint_acc_wy = {minus_limb5_S_joint_acc_wy, limb5_S_joint_acc_wx, minus_limb5_S_joint_acc_wy, limb5_S_joint_acc_wx},
-      signed_limb5_S_joint_acc_wx = {limb5_S_joint_acc_wx, minus_limb5_S_joint_acc_wy, limb5_S_joint_acc_wx, minus_limb5_S_joint_acc_wy};
+    const REAL t218 = t209 - platform_turn_zx * minus_platform_rate_mx,
+      t237 = t235 - platform_turn_yx * minus_platform_rate_mx,
+      t227 = t225 - platform_turn_xx * minus_platform_rate_mx,
+      platform_rate_mz = platform_Izz * (t197 + (platform_turn_yz * limb5_S_joint_acc_wy + platform_turn_xz * limb5_S_joint_acc_wx)),
+      t219 = platform_turn_zz * platform_rate_mz + t218, t238 = platform_turn_yz * platform_rate_mz + t237,
+      t228 = platform_turn_xz * platform_rate_mz + t227;
+    const EACH4 limb5_S_joint_acc_wy_2 = {limb5_S_joint_acc_wy, limb5_S_joint_acc_wx, limb5_S_joint_acc_wy, limb5_S_joint_acc_wx},
+      limb5_S_joint_acc_wx_2 = {limb5_S_joint_acc_wx, limb5_S_joint_acc_wy, limb5_S_joint_acc_wx, limb5_S_joint_acc_wy};
     FIRST_LIMB(0, inverse_dynamics_independent, 2, stride, sine, cosine, limb5_S_joint_acc_still_wz, &limbs);
-    FIRST_LIMB(0, inverse_dynamics_independent, 3, stride, sine, cosine, t191, signed_limb5_S_joint_acc_wy, signed_limb5_S_joint_acc_wx, &limbs);
-    const REAL t215 = t214 - limbs.t17[0], t224 = limbs.t19[0] + t223, t234 = t233 + limbs.t18[0];
+    FIRST_LIMB(0, inverse_dynamics_independent, 3, stride, sine, cosine, t193, limb5_S_joint_acc_wy_2, limb5_S_joint_acc_wx_2, &limbs);
+    const REAL t220 = t219 + limbs.t17[0], t239 = t238 - limbs.t18[0], t229 = t228 - limbs.t19[0];
     NEXT_LIMB(1, inverse_dynamics_independent, 0, stride, q, sine, cosine, &limbs);
-    NEXT_LIMB(1, inverse_dynamics_independent, 1, stride, sine, cosine, t38, platform_joint_force_mx_by_limb1_U2_mn_2, platform_joint_force_mx_by_U2_mn, limb5_S_joint_rate_wz, limb5_S_joint_rate_wy_2, given_2, t107, given_4, limb5_S_joint_rate_wx_2, &limbs);
+    NEXT_LIMB(1, inverse_dynamics_independent, 1, stride, sine, cosine, t38, platform_joint_force_mx_by_limb1_U2_mn_2, platform_joint_force_mx_by_U2_mn, limb5_S_joint_rate_wz, signed_limb5_S_joint_rate_wy, given_2, t110, given_4, signed_limb5_S_joint_rate_wx, &limbs);
     NEXT_LIMB(1, inverse_dynamics_independent, 2, stride, sine, cosine, limb5_S_joint_acc_still_wz, &limbs);
-    NEXT_LIMB(1, inverse_dynamics_independent, 3, stride, sine, cosine, t191, signed_limb5_S_joint_acc_wy, signed_limb5_S_joint_acc_wx, &limbs);
-    const REAL t216 = limbs.t17[1] + t215, t225 = t224 + limbs.t18[1], t235 = limbs.t19[1] - t234;
+    NEXT_LIMB(1, inverse_dynamics_independent, 3, stride, sine, cosine, t193, limb5_S_joint_acc_wy_2, limb5_S_joint_acc_wx_2, &limbs);
+    const REAL t221 = t220 - limbs.t17[1], t240 = t239 - limbs.t19[1], t230 = t229 - limbs.t18[1];
     NEXT_LIMB(2, inverse_dynamics_independent, 0, stride, q, sine, cosine, &limbs);
-    NEXT_LIMB(2, inverse_dynamics_independent, 1, stride, sine, cosine, t38, platform_joint_force_mx_by_limb1_U2_mn_2, platform_joint_force_mx_by_U2_mn, limb5_S_joint_rate_wz, limb5_S_joint_rate_wy_2, given_2, t107, given_4, limb5_S_joint_rate_wx_2, &limbs);
+    NEXT_LIMB(2, inverse_dynamics_independent, 1, stride, sine, cosine, t38, platform_joint_force_mx_by_limb1_U2_mn_2, platform_joint_force_mx_by_U2_mn, limb5_S_joint_rate_wz, signed_limb5_S_joint_rate_wy, given_2, t110, given_4, signed_limb5_S_joint_rate_wx, &limbs);
     NEXT_LIMB(2, inverse_dynamics_independent, 2, stride, sine, cosine, limb5_S_joint_acc_still_wz, &limbs);
-    NEXT_LIMB(2, inverse_dynamics_independent, 3, stride, sine, cosine, t191, signed_limb5_S_joint_acc_wy, signed_limb5_S_joint_acc_wx, &limbs);
-    const REAL t217 = limbs.t17[2] + t216, t226 = t225 - limbs.t19[2], t236 = limbs.t18[2] + t235;
+    NEXT_LIMB(2, inverse_dynamics_independent, 3, stride, sine, cosine, t193, limb5_S_joint_acc_wy_2, limb5_S_joint_acc_wx_2, &limbs);
+    const REAL t222 = t221 - limbs.t17[2], t241 = limbs.t18[2] + t240, t231 = limbs.t19[2] + t230;
     NEXT_LIMB(3, inverse_dynamics_independent, 0, stride, q, sine, cosine, &limbs);
-    NEXT_LIMB(3, inverse_dynamics_independent, 1, stride, sine, cosine, t38, platform_joint_force_mx_by_limb1_U2_mn_2, platform_joint_force_mx_by_U2_mn, limb5_S_joint_rate_wz, limb5_S_joint_rate_wy_2, given_2, t107, given_4, limb5_S_joint_rate_wx_2, &limbs);
+    NEXT_LIMB(3, inverse_dynamics_independent, 1, stride, sine, cosine, t38, platform_joint_force_mx_by_limb1_U2_mn_2, platform_joint_force_mx_by_U2_mn, limb5_S_joint_rate_wz, signed_limb5_S_joint_rate_wy, given_2, t110, given_4, signed_limb5_S_joint_rate_wx, &limbs);
     NEXT_LIMB(3, inverse_dynamics_independent, 2, stride, sine, cosine, limb5_S_joint_acc_still_wz, &limbs);
-    NEXT_LIMB(3, inverse_dynamics_independent, 3, stride, sine, cosine, t191, signed_limb5_S_joint_acc_wy, signed_limb5_S_joint_acc_wx, &limbs);
-    const REAL minus_limb1_U2_part_mn = t38 * (t217 - limbs.t17[3]), t228 = t35 * minus_limb1_U2_part_mn,
-      minus_limb5_S_balance_wx = platform_joint_force_mx_by_limb1_U2_mn * minus_limb1_U2_part_mn - (t226 - limbs.t18[3]),
-      limb5_S_balance_wy = t228 - (t236 - limbs.t19[3]),
+    NEXT_LIMB(3, inverse_dynamics_independent, 3, stride, sine, cosine, t193, limb5_S_joint_acc_wy_2, limb5_S_joint_acc_wx_2, &limbs);
+    const REAL minus_limb1_U2_part_mn = t38 * (limbs.t17[3] + t222),
+      t223 = platform_joint_force_mx_by_limb1_U2_mn * minus_limb1_U2_part_mn,
+      limb5_S_balance_wy = t35 * minus_limb1_U2_part_mn + (limbs.t19[3] + t241),
+      limb5_S_balance_wx = limbs.t18[3] + t231 - t223,
       minus_drives_share_0_1 = limbs.t3[3] + (limbs.t3[2] + (limbs.t3[1] + limbs.t3[0])),
-      t227 = minus_drives_share_0_1 * minus_limb5_S_balance_wx, /* limb1 */
-      drives_share_0_0 = limbs.t5[3] + (limbs.t4[2] + (limbs.t5[1] + limbs.t4[0])),
-      t238 = t227 - drives_share_0_0 * limb5_S_balance_wy, /* limb1 */
-      t240 = minus_drives_share_0_1 * limb5_S_balance_wy, /* limb1 */
-      t43 = minus_drives_share_0_1 * minus_drives_share_0_1,
+      t245 = minus_drives_share_0_1 * limb5_S_balance_wy, /* limb1 */
       drives_share_1_1 = limbs.t4[3] + (limbs.t5[2] + (limbs.t4[1] + limbs.t5[0])),
+      t247 = t245 + drives_share_1_1 * limb5_S_balance_wx, /* limb1 */
+      t232 = minus_drives_share_0_1 * limb5_S_balance_wx, /* limb1 */
+      t43 = minus_drives_share_0_1 * minus_drives_share_0_1,
+      drives_share_0_0 = limbs.t5[3] + (limbs.t4[2] + (limbs.t5[1] + limbs.t4[0])),
       minus_determinant = t43 - drives_share_1_1 * drives_share_0_0;
-    checked0 = checked0 + minus_determinant;
-    const REAL t242 = t240 - drives_share_1_1 * minus_limb5_S_balance_wx, /* limb1 */
-      t49 = 1.0 / minus_determinant, t239 = t49 * t238, /* limb1 */
-      t243 = t49 * t242; /* limb1 */
-    const EACH4 given = {t239, t243, t239, t243}, given_2_2 = {t243, t239, t243, t239};
+    REAL checked3 = minus_determinant;
+    const REAL t243 = t232 + drives_share_0_0 * limb5_S_balance_wy, /* limb1 */
+      t49 = 1.0 / minus_determinant, t248 = t49 * t247, /* limb1 */
+      t244 = t49 * t243, /* limb1 */
+      t249 = -t248;
+    const EACH4 given = {t244, t249, t244, t249}, given_2_2 = {t249, t244, t249, t244};
     FIRST_LIMB(0, inverse_dynamics_independent, 4, stride, u, given, given_2_2, &limbs);
-    checked1 = checked1 + ALONE(limbs.checked[0]);
+    checked0 = checked0 + ALONE(limbs.checked[0]);
     NEXT_LIMB(1, inverse_dynamics_independent, 4, stride, u, given, given_2_2, &limbs);
-    checked2 = checked2 + ALONE(limbs.checked[1]);
+    checked1 = checked1 + ALONE(limbs.checked[1]);
     NEXT_LIMB(2, inverse_dynamics_independent, 4, stride, u, given, given_2_2, &limbs);
-    checked3 = checked3 + ALONE(limbs.checked[2]);
+    checked2 = checked2 + ALONE(limbs.checked[2]);
     NEXT_LIMB(3, inverse_dynamics_independent, 4, stride, u, given, given_2_2, &limbs);
-    checked0 = checked0 + ALONE(limbs.checked[3]);
+    checked3 = checked3 + ALONE(limbs.checked[3]);
     /* else status 5: no rotation */
     NOT_BELOW(t7, 0.999999, 5);
     NOT_ABOVE(t7, 1.000001, 5);
@@ -508,7 +505,6 @@ BODY(three_ups_upu_s_inverse_dynamics_independent)(size_t stride, const double *
         SMALL4(limbs.minus_U_0_lever_mz_by_S_fz, 6.62327e-10, 6.62327e-10, 6.62327e-10, 6.62327e-10) OR /* where the reciprocal wrench limb_U2.fz has no power along limb_U.0, as in a stretched limb; where the reciprocal wrench limb_S.fz has no power along limb_U.0, as in a stretched limb */
         SMALL(minus_limb5_S_pivot_wz, 1.0e-09) OR /* where the loops no longer determine limb5_S.wz */
         SMALL(a_pivot, 1.0e-09) OR /* where the elimination meets a singularity */
-        SMALL(a_pivot_2, 1.0e-09) OR /* where the elimination meets a singularity */
         SMALL(platform_joint_force_mz_by_limb1_U2_mn, 4.0171000000000005e-10) OR /* where limb1_U2.mn cannot balance platform.moment_z */
         SMALL(minus_determinant, 2.393867125597279e-10), /* where equations that are solved at once lose rank, as drives do at a singularity */
         (checked0 + checked1) + (checked2 + checked3), limbs.checked);

@@ -387,14 +387,14 @@ BODY(three_ups_upu_s_closure_bias)(size_t stride, const double *restrict q, cons
 
 #if !defined(THREE_UPS_UPU_S_LANES) || THREE_UPS_UPU_S_LANES == 4
 typedef struct {
-    EACH4 signed_upper_position_x, minus_U_0_lever_mz_by_S_fz, t1, S_arm_x, t2, checked;
+    EACH4 minus_U_0_lever_mz_by_S_fz, t1, signed_upper_position_x, S_arm_x, t2, checked;
 } LIMBS(velocity);
 
 STAGE(velocity, 0)(size_t limb, size_t stride, const double *restrict q, const double *restrict sine,
     const double *restrict cosine, LIMBS(velocity) *own)
 {
     (void)limb, (void)stride;
-    const NUMBER4 sign1 = OF4(1.0, -1.0, 1.0, 1.0), factor_2 = sign1 * 1.0;
+    const NUMBER4 sign1 = OF4(1.0, -1.0, -1.0, -1.0), factor_2 = sign1 * 1.0;
     /* limbs together: geometry; reciprocal wrenches, eq. (10); rates that follow */
     const LIMB4 upper_offset_x = IN_EACH4(READ, q, 2, 3) + limb_upper_phase,
       signed_lower_sin = IN_EACH4(SINES, sine, 1, 2);
@@ -409,26 +409,25 @@ STAGE(velocity, 0)(size_t limb, size_t stride, const double *restrict q, const d
 }
 
 STAGE(velocity, 1)(size_t limb, size_t stride, double *restrict v, const double *restrict sine,
-    const double *restrict cosine, REAL limb5_S_joint_rate_wz, const EACH4 limb5_S_joint_rate_wy,
-    const EACH4 limb5_S_joint_rate_wx, LIMBS(velocity) *own)
+    const double *restrict cosine, REAL limb5_S_joint_rate_wz, const EACH4 signed_limb5_S_joint_rate_wy,
+    const EACH4 signed_limb5_S_joint_rate_wx, LIMBS(velocity) *own)
 {
     (void)limb, (void)stride;
-    const NUMBER4 sign1 = OF4(1.0, -1.0, 1.0, -1.0), sign2 = OF4(1.0, -1.0, -1.0, -1.0),
-      sign3 = OF4(1.0, -1.0, -1.0, 1.0), sign4 = OF4(1.0, 1.0, 1.0, -1.0);
-    const LIMB4 t9 = sign1 * IN_EACH4(SINES, cosine, 0, 2), signed_U_0_sin = IN_EACH4(SINES, sine, 0, 2);
+    const NUMBER4 sign1 = OF4(1.0, -1.0, 1.0, 1.0), sign2 = OF4(1.0, -1.0, -1.0, 1.0),
+      sign3 = OF4(1.0, 1.0, -1.0, 1.0), sign4 = OF4(1.0, -1.0, 1.0, -1.0);
+    const LIMB4 signed_U_0_sin = IN_EACH4(SINES, sine, 0, 2), U_0_cos = IN_EACH4(SINES, cosine, 0, 2);
     /* limbs together: velocities, eq. (6) */
-    const LIMB4 t1 = t9 * limb5_S_joint_rate_wz,
-      t8 = signed_U_0_sin * limb5_S_joint_rate_wz + t9 * GIVEN(limb5_S_joint_rate_wy),
+    const LIMB4 t8 = signed_U_0_sin * limb5_S_joint_rate_wz + U_0_cos * GIVEN(signed_limb5_S_joint_rate_wy),
       signed_P_joint_rate = param_R * IN_EACH4(SINES, cosine, 1, 2) * t8;
-    WRITE4(v, 2, 5, 8, 11, sign3 * signed_P_joint_rate);
+    WRITE4(v, 2, 5, 8, 11, sign2 * signed_P_joint_rate);
     LIMB4 checked = OWN(checked) + signed_P_joint_rate;
     const LIMB4 signed_U_joint_rate_1 = OWN(t2) * (OWN(S_arm_x) * t8);
-    WRITE4(v, 1, 4, 7, 10, sign4 * signed_U_joint_rate_1);
+    WRITE4(v, 1, 4, 7, 10, sign3 * signed_U_joint_rate_1);
     checked = checked + signed_U_joint_rate_1;
-    const LIMB4 t5 = OWN(t1) * (OWN(signed_upper_position_x) * (t1 - signed_U_0_sin * GIVEN(limb5_S_joint_rate_wy))),
-      U_joint_rate_0 = GIVEN(limb5_S_joint_rate_wx) - sign2 * t5;
-    WRITE4(v, 0, 3, 6, 9, U_joint_rate_0);
-    checked = checked + U_joint_rate_0;
+    const LIMB4 t4 = OWN(signed_upper_position_x) * (U_0_cos * limb5_S_joint_rate_wz - signed_U_0_sin * GIVEN(signed_limb5_S_joint_rate_wy)),
+      signed_U_joint_rate_0 = sign1 * (OWN(t1) * t4) + GIVEN(signed_limb5_S_joint_rate_wx);
+    WRITE4(v, 0, 3, 6, 9, -sign4 * signed_U_joint_rate_0);
+    checked = checked + signed_U_joint_rate_0;
     OWN(checked) = checked;
 }
 
@@ -436,75 +435,72 @@ BODY(three_ups_upu_s_velocity)(size_t stride, const double *restrict q, const do
     double *restrict v, const double *restrict sine, const double *restrict cosine, double *restrict total)
 {
     LIMBS(velocity) limbs;
-    /* limb5_S: velocities, eq. (6) */
+    /* limb5_S: geometry; velocities, eq. (6) */
     const REAL limb5_S_q_qw = READ(q, 12), limb5_S_q_qx = READ(q, 13), t1 = limb5_S_q_qw * limb5_S_q_qw,
       t2 = limb5_S_q_qx * limb5_S_q_qx, limb5_S_q_qy = READ(q, 14), t3 = t1 + t2, t4 = limb5_S_q_qy * limb5_S_q_qy,
-      limb5_S_q_qz = READ(q, 15), t5 = limb5_S_q_qz * limb5_S_q_qz, t6 = t4 + t5, t7 = t3 + t6;
-    /* limb5_S: geometry; velocities, eq. (6) */
-    const REAL t14 = t2 + t5, t66 = t2 + t4, t13 = 4.0 - 2.0 * t7, platform_turn_yy = 1.0 - t13 * t14,
-      t9 = k2 - 0.5 * t7, platform_turn_xx = 1.0 - t6 * t13, platform_turn_zz = 1.0 - t13 * t66,
-      t17 = limb5_S_q_qz * t13, t18 = limb5_S_q_qy * t17, t20 = limb5_S_q_qw * (limb5_S_q_qx * t13),
-      t28 = limb5_S_q_qy * t13, platform_turn_zy = t18 + t20, limb1_U_0_cos = SINES(cosine, 0),
-      limb1_U_0_sin = SINES(sine, 0), limb1_lower_cos = SINES(cosine, 1), platform_turn_yz = t18 - t20,
-      t27 = limb1_lower_cos * (limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos * platform_turn_zy), /* limb1 */
-      t29 = limb5_S_q_qx * t28, t56 = limb5_S_q_qw * t28, t30 = limb5_S_q_qw * t17, t55 = limb5_S_q_qx * t17,
-      platform_turn_xy = t29 - t30;
+      limb5_S_q_qz = READ(q, 15), t5 = limb5_S_q_qz * limb5_S_q_qz, t6 = t4 + t5, t7 = t3 + t6, t10 = t2 + t5,
+      t69 = t2 + t4, t9 = 4.0 - 2.0 * t7, platform_turn_yy = 1.0 - t9 * t10, t35 = k2 - 0.5 * t7,
+      platform_turn_xx = 1.0 - t6 * t9, platform_turn_zz = 1.0 - t9 * t69, t13 = limb5_S_q_qz * t9,
+      t14 = limb5_S_q_qy * t13, t16 = limb5_S_q_qw * (limb5_S_q_qx * t9), t24 = limb5_S_q_qy * t9,
+      platform_turn_zy = t14 + t16, limb1_U_0_cos = SINES(cosine, 0), limb1_U_0_sin = SINES(sine, 0),
+      limb1_lower_cos = SINES(cosine, 1), platform_turn_yz = t14 - t16,
+      t23 = limb1_lower_cos * (limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos * platform_turn_zy), /* limb1 */
+      t25 = limb5_S_q_qx * t24, t59 = limb5_S_q_qw * t24, t26 = limb5_S_q_qw * t13, t58 = limb5_S_q_qx * t13,
+      platform_turn_xy = t25 - t26;
     /* limb1: geometry; reciprocal wrenches, eq. (10); rates that follow */
-    const REAL limb1_lower_sin = SINES(sine, 1), platform_turn_yx = t29 + t30,
-      limb1_U2_constraint_mn_couple_z = t27 - limb1_lower_sin * platform_turn_xy;
+    const REAL limb1_lower_sin = SINES(sine, 1), platform_turn_yx = t25 + t26,
+      limb1_U2_constraint_mn_couple_z = t23 - limb1_lower_sin * platform_turn_xy;
     FIRST_LIMB(0, velocity, 0, stride, q, sine, cosine, &limbs);
     const REAL minus_limb1_U2_factor_0_by_3 = limb1_U2_constraint_mn_couple_z - limbs.S_arm_x[0] * (limb1_U2_constraint_mn_couple_z * limbs.t2[0]),
-      t33 = limb1_U_0_sin * minus_limb1_U2_factor_0_by_3, t36 = limb1_U_0_cos * minus_limb1_U2_factor_0_by_3,
+      t29 = limb1_U_0_sin * minus_limb1_U2_factor_0_by_3, t32 = limb1_U_0_cos * minus_limb1_U2_factor_0_by_3,
       limb1_U2_constraint_mn_couple_x = limb1_U_0_cos * platform_turn_yy + limb1_U_0_sin * platform_turn_zy,
-      t22 = limbs.signed_upper_position_x[0] * (limb1_lower_sin * limb1_U2_constraint_mn_couple_x * limbs.t1[0]),
-      minus_limb1_U2_factor_1_by_3 = limb1_lower_cos * limb1_U2_constraint_mn_couple_x + t22;
+      t18 = limbs.signed_upper_position_x[0] * (limb1_lower_sin * limb1_U2_constraint_mn_couple_x * limbs.t1[0]),
+      minus_limb1_U2_factor_1_by_3 = limb1_lower_cos * limb1_U2_constraint_mn_couple_x + t18;
     /* limb5_S: pivots; rates that follow */
-    const REAL minus_limb5_S_pivot_wz = limb1_U_0_cos * minus_limb1_U2_factor_1_by_3 + t33;
+    const REAL minus_limb5_S_pivot_wz = limb1_U_0_cos * minus_limb1_U2_factor_1_by_3 + t29;
     REAL checked0 = minus_limb5_S_pivot_wz;
-    const REAL t34 = 1.0 / minus_limb5_S_pivot_wz,
-      t37 = limb1_U_0_sin * minus_limb1_U2_factor_1_by_3 - t36, /* limb1 */
-      limb5_S_null_space_wz_by_limb5_S_wy = t34 * t37;
+    const REAL t30 = 1.0 / minus_limb5_S_pivot_wz,
+      t33 = limb1_U_0_sin * minus_limb1_U2_factor_1_by_3 - t32, /* limb1 */
+      limb5_S_null_space_wz_by_limb5_S_wy = t30 * t33;
     /* limb5_S: velocities, eq. (6); geometry */
-    const REAL t38 = limb5_S_q_qx * t9 * limb5_S_null_space_wz_by_limb5_S_wy, t10 = limb5_S_q_qw * t9,
-      a_pivot = 0.5 * (t10 + t38);
+    const REAL t44 = limb5_S_q_qy * t35 * limb5_S_null_space_wz_by_limb5_S_wy, t39 = limb5_S_q_qz * t35,
+      t46 = 0.5 * (t39 - t44), t40 = 0.5 * t39, limb5_S_y_dot_qx = READ(y_dot, 0), limb5_S_y_dot_qy = READ(y_dot, 1),
+      t47 = t40 * t46, t41 = t40 * limb5_S_y_dot_qx, t55 = limb5_S_y_dot_qy * t46,
+      t49 = limb5_S_q_qx * t35 * limb5_S_null_space_wz_by_limb5_S_wy, t36 = limb5_S_q_qw * t35,
+      t51 = 0.5 * (t36 + t49), t37 = 0.5 * t36, a_pivot = t47 + t37 * t51;
     REAL checked1 = a_pivot;
-    const REAL t40 = 1.0 / a_pivot, t49 = 0.5 * t10, t43 = limb5_S_q_qy * t9 * limb5_S_null_space_wz_by_limb5_S_wy,
-      t41 = limb5_S_q_qz * t9, t46 = t40 * (0.5 * (t41 - t43)), t50 = 0.5 * t41, limb5_S_y_dot_qy = READ(y_dot, 1),
-      t48 = READ(y_dot, 0) - limb5_S_y_dot_qy * t46, a_pivot_2 = t49 + t50 * t46;
-    REAL checked2 = a_pivot_2;
-    const REAL limb5_S_joint_rate_wx = t48 / a_pivot_2,
-      limb5_S_joint_rate_wy = t40 * (limb5_S_y_dot_qy + t50 * limb5_S_joint_rate_wx),
-      limb5_S_joint_rate_wz = t34 * (t37 * limb5_S_joint_rate_wy),
-      t61 = platform_turn_yx * limb5_S_joint_rate_wy + platform_turn_xx * limb5_S_joint_rate_wx,
-      t62 = platform_turn_zy * limb5_S_joint_rate_wz,
-      platform_omega_y = t62 + (platform_turn_yy * limb5_S_joint_rate_wy + platform_turn_xy * limb5_S_joint_rate_wx);
+    const REAL t53 = 1.0 / a_pivot, limb5_S_joint_rate_wy = (t37 * limb5_S_y_dot_qy + t41) * t53,
+      limb5_S_joint_rate_wz = t30 * (t33 * limb5_S_joint_rate_wy), t61 = platform_turn_yx * limb5_S_joint_rate_wy,
+      minus_limb5_S_joint_rate_wx = t53 * (t55 - limb5_S_y_dot_qx * t51),
+      t64 = t61 - platform_turn_xx * minus_limb5_S_joint_rate_wx, t65 = platform_turn_zy * limb5_S_joint_rate_wz,
+      platform_omega_y = t65 + (platform_turn_yy * limb5_S_joint_rate_wy - platform_turn_xy * minus_limb5_S_joint_rate_wx);
     WRITE(v, 13, platform_omega_y);
-    REAL checked3 = platform_omega_y;
-    const REAL t68 = platform_turn_zz * limb5_S_joint_rate_wz, t69 = platform_turn_yz * limb5_S_joint_rate_wy,
-      platform_turn_xz = t55 + t56;
-    RESULT(checked0, v, 12, (t55 - t56) * limb5_S_joint_rate_wz + t61);
-    RESULT(checked1, v, 14, t68 + (t69 + platform_turn_xz * limb5_S_joint_rate_wx));
-    const EACH4 limb5_S_joint_rate_wy_2 = {limb5_S_joint_rate_wy, limb5_S_joint_rate_wx, limb5_S_joint_rate_wy, limb5_S_joint_rate_wx},
-      limb5_S_joint_rate_wx_2 = {limb5_S_joint_rate_wx, limb5_S_joint_rate_wy, limb5_S_joint_rate_wx, limb5_S_joint_rate_wy};
-    FIRST_LIMB(0, velocity, 1, stride, v, sine, cosine, limb5_S_joint_rate_wz, limb5_S_joint_rate_wy_2, limb5_S_joint_rate_wx_2, &limbs);
-    checked2 = checked2 + ALONE(limbs.checked[0]);
+    REAL checked2 = platform_omega_y;
+    const REAL t71 = platform_turn_zz * limb5_S_joint_rate_wz, t72 = platform_turn_yz * limb5_S_joint_rate_wy,
+      platform_turn_xz = t58 + t59, platform_omega_x = (t58 - t59) * limb5_S_joint_rate_wz + t64;
+    WRITE(v, 12, platform_omega_x);
+    REAL checked3 = platform_omega_x;
+    RESULT(checked0, v, 14, t71 + (t72 - platform_turn_xz * minus_limb5_S_joint_rate_wx));
+    const EACH4 signed_limb5_S_joint_rate_wy = {limb5_S_joint_rate_wy, minus_limb5_S_joint_rate_wx, limb5_S_joint_rate_wy, minus_limb5_S_joint_rate_wx},
+      signed_limb5_S_joint_rate_wx = {minus_limb5_S_joint_rate_wx, limb5_S_joint_rate_wy, minus_limb5_S_joint_rate_wx, limb5_S_joint_rate_wy};
+    FIRST_LIMB(0, velocity, 1, stride, v, sine, cosine, limb5_S_joint_rate_wz, signed_limb5_S_joint_rate_wy, signed_limb5_S_joint_rate_wx, &limbs);
+    checked1 = checked1 + ALONE(limbs.checked[0]);
     NEXT_LIMB(1, velocity, 0, stride, q, sine, cosine, &limbs);
-    NEXT_LIMB(1, velocity, 1, stride, v, sine, cosine, limb5_S_joint_rate_wz, limb5_S_joint_rate_wy_2, limb5_S_joint_rate_wx_2, &limbs);
-    checked3 = checked3 + ALONE(limbs.checked[1]);
+    NEXT_LIMB(1, velocity, 1, stride, v, sine, cosine, limb5_S_joint_rate_wz, signed_limb5_S_joint_rate_wy, signed_limb5_S_joint_rate_wx, &limbs);
+    checked2 = checked2 + ALONE(limbs.checked[1]);
     NEXT_LIMB(2, velocity, 0, stride, q, sine, cosine, &limbs);
-    NEXT_LIMB(2, velocity, 1, stride, v, sine, cosine, limb5_S_joint_rate_wz, limb5_S_joint_rate_wy_2, limb5_S_joint_rate_wx_2, &limbs);
-    checked0 = checked0 + ALONE(limbs.checked[2]);
+    NEXT_LIMB(2, velocity, 1, stride, v, sine, cosine, limb5_S_joint_rate_wz, signed_limb5_S_joint_rate_wy, signed_limb5_S_joint_rate_wx, &limbs);
+    checked3 = checked3 + ALONE(limbs.checked[2]);
     NEXT_LIMB(3, velocity, 0, stride, q, sine, cosine, &limbs);
-    NEXT_LIMB(3, velocity, 1, stride, v, sine, cosine, limb5_S_joint_rate_wz, limb5_S_joint_rate_wy_2, limb5_S_joint_rate_wx_2, &limbs);
-    checked1 = checked1 + ALONE(limbs.checked[3]);
+    NEXT_LIMB(3, velocity, 1, stride, v, sine, cosine, limb5_S_joint_rate_wz, signed_limb5_S_joint_rate_wy, signed_limb5_S_joint_rate_wx, &limbs);
+    checked0 = checked0 + ALONE(limbs.checked[3]);
     /* else status 5: no rotation */
     NOT_BELOW(t7, 0.999999, 5);
     NOT_ABOVE(t7, 1.000001, 5);
     FINITE_UNLESS4( /* status 1 where a pivot is smaller than its limit: */
         SMALL4(limbs.minus_U_0_lever_mz_by_S_fz, 6.62327e-10, 6.62327e-10, 6.62327e-10, 6.62327e-10) OR /* where the reciprocal wrench limb_U2.fz has no power along limb_U.0, as in a stretched limb; where the reciprocal wrench limb_S.fz has no power along limb_U.0, as in a stretched limb */
         SMALL(minus_limb5_S_pivot_wz, 1.0e-09) OR /* where the loops no longer determine limb5_S.wz */
-        SMALL(a_pivot, 1.0e-09) OR /* where the elimination meets a singularity */
-        SMALL(a_pivot_2, 1.0e-09), /* where the elimination meets a singularity */
+        SMALL(a_pivot, 1.0e-09), /* where the elimination meets a singularity */
         (checked0 + checked1) + (checked2 + checked3), limbs.checked);
 }
 #endif
@@ -582,78 +578,77 @@ BODY(three_ups_upu_s_null_space)(size_t stride, const double *restrict q, double
       t2 = limb5_S_q_qx * limb5_S_q_qx, limb5_S_q_qy = READ(q, 14), t3 = t1 + t2, t4 = limb5_S_q_qy * limb5_S_q_qy,
       limb5_S_q_qz = READ(q, 15), t5 = limb5_S_q_qz * limb5_S_q_qz, t6 = t4 + t5, t7 = t3 + t6;
     /* limb5_S: geometry; rates that follow */
-    const REAL t17 = t2 + t5, t63 = t2 + t4, t16 = 4.0 - 2.0 * t7, platform_turn_yy = 1.0 - t16 * t17,
-      t9 = k2 - 0.5 * t7, platform_turn_xx = 1.0 - t6 * t16, platform_turn_zz = 1.0 - t16 * t63,
-      t20 = limb5_S_q_qz * t16, t21 = limb5_S_q_qy * t20, t23 = limb5_S_q_qw * (limb5_S_q_qx * t16),
-      t31 = limb5_S_q_qy * t16, platform_turn_zy = t21 + t23, platform_turn_yz = t21 - t23,
+    const REAL t14 = t2 + t5, t63 = t2 + t4, t13 = 4.0 - 2.0 * t7, platform_turn_yy = 1.0 - t13 * t14,
+      t9 = k2 - 0.5 * t7, platform_turn_xx = 1.0 - t6 * t13, platform_turn_zz = 1.0 - t13 * t63,
+      t17 = limb5_S_q_qz * t13, t18 = limb5_S_q_qy * t17, t20 = limb5_S_q_qw * (limb5_S_q_qx * t13),
+      t28 = limb5_S_q_qy * t13, platform_turn_zy = t18 + t20, platform_turn_yz = t18 - t20,
       limb1_U_0_cos = SINES(cosine, 0), limb1_U_0_sin = SINES(sine, 0), limb1_lower_cos = SINES(cosine, 1),
-      t30 = limb1_lower_cos * (limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos * platform_turn_zy), /* limb1 */
-      t32 = limb5_S_q_qx * t31, t53 = limb5_S_q_qw * t31, t33 = limb5_S_q_qw * t20, t52 = limb5_S_q_qx * t20,
-      platform_turn_xy = t32 - t33, platform_turn_yx = t32 + t33;
+      t27 = limb1_lower_cos * (limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos * platform_turn_zy), /* limb1 */
+      t29 = limb5_S_q_qx * t28, t53 = limb5_S_q_qw * t28, t30 = limb5_S_q_qw * t17, t52 = limb5_S_q_qx * t17,
+      platform_turn_xy = t29 - t30, platform_turn_yx = t29 + t30;
     /* limb1: geometry; reciprocal wrenches, eq. (10); rates that follow */
     const REAL limb1_lower_sin = SINES(sine, 1),
-      limb1_U2_constraint_mn_couple_z = t30 - limb1_lower_sin * platform_turn_xy;
+      limb1_U2_constraint_mn_couple_z = t27 - limb1_lower_sin * platform_turn_xy;
     FIRST_LIMB(0, null_space, 0, stride, q, sine, cosine, &limbs);
     const REAL minus_limb1_U2_factor_0_by_3 = limb1_U2_constraint_mn_couple_z - limbs.S_arm_x[0] * (limb1_U2_constraint_mn_couple_z * limbs.t2[0]),
-      t36 = limb1_U_0_sin * minus_limb1_U2_factor_0_by_3, t39 = limb1_U_0_cos * minus_limb1_U2_factor_0_by_3,
+      t33 = limb1_U_0_sin * minus_limb1_U2_factor_0_by_3, t36 = limb1_U_0_cos * minus_limb1_U2_factor_0_by_3,
       limb1_U2_constraint_mn_couple_x = limb1_U_0_cos * platform_turn_yy + limb1_U_0_sin * platform_turn_zy,
-      t25 = limbs.signed_upper_position_x[0] * (limb1_lower_sin * limb1_U2_constraint_mn_couple_x * limbs.t1[0]),
-      minus_limb1_U2_factor_1_by_3 = limb1_lower_cos * limb1_U2_constraint_mn_couple_x + t25;
+      t22 = limbs.signed_upper_position_x[0] * (limb1_lower_sin * limb1_U2_constraint_mn_couple_x * limbs.t1[0]),
+      minus_limb1_U2_factor_1_by_3 = limb1_lower_cos * limb1_U2_constraint_mn_couple_x + t22;
     /* limb5_S: pivots */
-    const REAL minus_limb5_S_pivot_wz = limb1_U_0_cos * minus_limb1_U2_factor_1_by_3 + t36;
+    const REAL minus_limb5_S_pivot_wz = limb1_U_0_cos * minus_limb1_U2_factor_1_by_3 + t33;
     REAL checked0 = minus_limb5_S_pivot_wz;
     /* limb5_S: rates that follow; geometry */
-    const REAL t37 = 1.0 / minus_limb5_S_pivot_wz,
-      t40 = limb1_U_0_sin * minus_limb1_U2_factor_1_by_3 - t39, /* limb1 */
-      limb5_S_null_space_wz_by_limb5_S_wy = t37 * t40, t41 = limb5_S_q_qx * t9 * limb5_S_null_space_wz_by_limb5_S_wy,
-      t10 = limb5_S_q_qw * t9, a_pivot = 0.5 * (t10 + t41);
+    const REAL t34 = 1.0 / minus_limb5_S_pivot_wz,
+      t37 = limb1_U_0_sin * minus_limb1_U2_factor_1_by_3 - t36, /* limb1 */
+      limb5_S_null_space_wz_by_limb5_S_wy = t34 * t37, t44 = limb5_S_q_qy * t9 * limb5_S_null_space_wz_by_limb5_S_wy,
+      t41 = limb5_S_q_qz * t9, t46 = 0.5 * (t41 - t44), t42 = 0.5 * t41, t47 = t42 * t46,
+      t38 = limb5_S_q_qx * t9 * limb5_S_null_space_wz_by_limb5_S_wy, t10 = limb5_S_q_qw * t9, t40 = 0.5 * (t10 + t38),
+      t48 = 0.5 * t10, a_pivot = t47 + t48 * t40;
     REAL checked1 = a_pivot;
-    const REAL t43 = 1.0 / a_pivot, t11 = 0.5 * t10, t45 = limb5_S_q_qy * t9 * limb5_S_null_space_wz_by_limb5_S_wy,
-      t12 = limb5_S_q_qz * t9, t48 = t43 * (0.5 * (t12 - t45)), t13 = 0.5 * t12, a_pivot_2 = t11 + t13 * t48;
-    REAL checked2 = a_pivot_2;
-    const REAL limb5_S_null_space_wx_by_limb5_S_qx = 1.0 / a_pivot_2, t69 = t48 * limb5_S_null_space_wx_by_limb5_S_qx,
-      limb5_S_null_space_wy_by_limb5_S_qx = t43 * (t13 * limb5_S_null_space_wx_by_limb5_S_qx),
-      limb5_S_null_space_wy_by_limb5_S_qy = t43 * (1.0 - t13 * t69),
-      limb5_S_null_space_wz_by_limb5_S_qx = t37 * (t40 * limb5_S_null_space_wy_by_limb5_S_qx),
-      limb5_S_null_space_wz_by_limb5_S_qy = t37 * (t40 * limb5_S_null_space_wy_by_limb5_S_qy);
-    FIRST_LIMB(0, null_space, 1, stride, null_space, sine, cosine, limb5_S_null_space_wz_by_limb5_S_qx, limb5_S_null_space_wy_by_limb5_S_qx, limb5_S_null_space_wx_by_limb5_S_qx, limb5_S_null_space_wz_by_limb5_S_qy, limb5_S_null_space_wy_by_limb5_S_qy, t69, &limbs);
-    REAL checked3 = ALONE(limbs.checked[0]);
+    const REAL t50 = 1.0 / a_pivot, limb5_S_null_space_wy_by_limb5_S_qx = t42 * t50,
+      limb5_S_null_space_wx_by_limb5_S_qx = t40 * t50, limb5_S_null_space_wy_by_limb5_S_qy = t48 * t50,
+      t70 = t46 * t50, limb5_S_null_space_wz_by_limb5_S_qx = t34 * (t37 * limb5_S_null_space_wy_by_limb5_S_qx),
+      limb5_S_null_space_wz_by_limb5_S_qy = t34 * (t37 * limb5_S_null_space_wy_by_limb5_S_qy);
+    FIRST_LIMB(0, null_space, 1, stride, null_space, sine, cosine, limb5_S_null_space_wz_by_limb5_S_qx, limb5_S_null_space_wy_by_limb5_S_qx, limb5_S_null_space_wx_by_limb5_S_qx, limb5_S_null_space_wz_by_limb5_S_qy, limb5_S_null_space_wy_by_limb5_S_qy, t70, &limbs);
+    REAL checked2 = ALONE(limbs.checked[0]);
     const REAL platform_turn_zx = t52 - t53, platform_turn_xz = t52 + t53,
       t54 = platform_turn_zx * limb5_S_null_space_wz_by_limb5_S_qx,
-      t73 = platform_turn_zx * limb5_S_null_space_wz_by_limb5_S_qy,
+      t71 = platform_turn_zx * limb5_S_null_space_wz_by_limb5_S_qy,
       t55 = platform_turn_yx * limb5_S_null_space_wy_by_limb5_S_qx,
-      t74 = platform_turn_yx * limb5_S_null_space_wy_by_limb5_S_qy;
-    RESULT(checked0, null_space, 12, t54 + (t55 + platform_turn_xx * limb5_S_null_space_wx_by_limb5_S_qx));
-    RESULT(checked1, null_space, 27, t73 + (t74 - platform_turn_xx * t69));
+      t72 = platform_turn_yx * limb5_S_null_space_wy_by_limb5_S_qy,
+      limb5_S_null_space_wx_by_limb5_S_qx_2 = t54 + (t55 + platform_turn_xx * limb5_S_null_space_wx_by_limb5_S_qx);
+    WRITE(null_space, 12, limb5_S_null_space_wx_by_limb5_S_qx_2);
+    REAL checked3 = limb5_S_null_space_wx_by_limb5_S_qx_2;
+    RESULT(checked0, null_space, 27, t71 + (t72 - platform_turn_xx * t70));
     const REAL t59 = platform_turn_zy * limb5_S_null_space_wz_by_limb5_S_qx,
-      t77 = platform_turn_zy * limb5_S_null_space_wz_by_limb5_S_qy,
+      t75 = platform_turn_zy * limb5_S_null_space_wz_by_limb5_S_qy,
       t60 = platform_turn_yy * limb5_S_null_space_wy_by_limb5_S_qx,
-      t78 = platform_turn_yy * limb5_S_null_space_wy_by_limb5_S_qy;
-    RESULT(checked2, null_space, 13, t59 + (t60 + platform_turn_xy * limb5_S_null_space_wx_by_limb5_S_qx));
-    RESULT(checked3, null_space, 28, t77 + (t78 - platform_turn_xy * t69));
+      t76 = platform_turn_yy * limb5_S_null_space_wy_by_limb5_S_qy;
+    RESULT(checked1, null_space, 13, t59 + (t60 + platform_turn_xy * limb5_S_null_space_wx_by_limb5_S_qx));
+    RESULT(checked2, null_space, 28, t75 + (t76 - platform_turn_xy * t70));
     const REAL t65 = platform_turn_zz * limb5_S_null_space_wz_by_limb5_S_qx,
-      t81 = platform_turn_zz * limb5_S_null_space_wz_by_limb5_S_qy,
+      t79 = platform_turn_zz * limb5_S_null_space_wz_by_limb5_S_qy,
       t66 = platform_turn_yz * limb5_S_null_space_wy_by_limb5_S_qx,
-      t82 = platform_turn_yz * limb5_S_null_space_wy_by_limb5_S_qy;
-    RESULT(checked0, null_space, 14, t65 + (t66 + platform_turn_xz * limb5_S_null_space_wx_by_limb5_S_qx));
-    RESULT(checked1, null_space, 29, t81 + (t82 - platform_turn_xz * t69));
+      t80 = platform_turn_yz * limb5_S_null_space_wy_by_limb5_S_qy;
+    RESULT(checked3, null_space, 14, t65 + (t66 + platform_turn_xz * limb5_S_null_space_wx_by_limb5_S_qx));
+    RESULT(checked0, null_space, 29, t79 + (t80 - platform_turn_xz * t70));
     NEXT_LIMB(1, null_space, 0, stride, q, sine, cosine, &limbs);
-    NEXT_LIMB(1, null_space, 1, stride, null_space, sine, cosine, limb5_S_null_space_wz_by_limb5_S_qx, limb5_S_null_space_wx_by_limb5_S_qx, limb5_S_null_space_wy_by_limb5_S_qx, limb5_S_null_space_wz_by_limb5_S_qy, t69, limb5_S_null_space_wy_by_limb5_S_qy, &limbs);
-    checked2 = checked2 + ALONE(limbs.checked[1]);
+    NEXT_LIMB(1, null_space, 1, stride, null_space, sine, cosine, limb5_S_null_space_wz_by_limb5_S_qx, limb5_S_null_space_wx_by_limb5_S_qx, limb5_S_null_space_wy_by_limb5_S_qx, limb5_S_null_space_wz_by_limb5_S_qy, t70, limb5_S_null_space_wy_by_limb5_S_qy, &limbs);
+    checked1 = checked1 + ALONE(limbs.checked[1]);
     NEXT_LIMB(2, null_space, 0, stride, q, sine, cosine, &limbs);
-    NEXT_LIMB(2, null_space, 1, stride, null_space, sine, cosine, limb5_S_null_space_wz_by_limb5_S_qx, limb5_S_null_space_wy_by_limb5_S_qx, limb5_S_null_space_wx_by_limb5_S_qx, limb5_S_null_space_wz_by_limb5_S_qy, limb5_S_null_space_wy_by_limb5_S_qy, t69, &limbs);
-    checked3 = checked3 + ALONE(limbs.checked[2]);
+    NEXT_LIMB(2, null_space, 1, stride, null_space, sine, cosine, limb5_S_null_space_wz_by_limb5_S_qx, limb5_S_null_space_wy_by_limb5_S_qx, limb5_S_null_space_wx_by_limb5_S_qx, limb5_S_null_space_wz_by_limb5_S_qy, limb5_S_null_space_wy_by_limb5_S_qy, t70, &limbs);
+    checked2 = checked2 + ALONE(limbs.checked[2]);
     NEXT_LIMB(3, null_space, 0, stride, q, sine, cosine, &limbs);
-    NEXT_LIMB(3, null_space, 1, stride, null_space, sine, cosine, limb5_S_null_space_wz_by_limb5_S_qx, limb5_S_null_space_wx_by_limb5_S_qx, limb5_S_null_space_wy_by_limb5_S_qx, limb5_S_null_space_wz_by_limb5_S_qy, t69, limb5_S_null_space_wy_by_limb5_S_qy, &limbs);
-    checked0 = checked0 + ALONE(limbs.checked[3]);
+    NEXT_LIMB(3, null_space, 1, stride, null_space, sine, cosine, limb5_S_null_space_wz_by_limb5_S_qx, limb5_S_null_space_wx_by_limb5_S_qx, limb5_S_null_space_wy_by_limb5_S_qx, limb5_S_null_space_wz_by_limb5_S_qy, t70, limb5_S_null_space_wy_by_limb5_S_qy, &limbs);
+    checked3 = checked3 + ALONE(limbs.checked[3]);
     /* else status 5: no rotation */
     NOT_BELOW(t7, 0.999999, 5);
     NOT_ABOVE(t7, 1.000001, 5);
     FINITE_UNLESS4( /* status 1 where a pivot is smaller than its limit: */
         SMALL4(limbs.minus_U_0_lever_mz_by_S_fz, 6.62327e-10, 6.62327e-10, 6.62327e-10, 6.62327e-10) OR /* where the reciprocal wrench limb_U2.fz has no power along limb_U.0, as in a stretched limb; where the reciprocal wrench limb_S.fz has no power along limb_U.0, as in a stretched limb */
         SMALL(minus_limb5_S_pivot_wz, 1.0e-09) OR /* where the loops no longer determine limb5_S.wz */
-        SMALL(a_pivot, 1.0e-09) OR /* where the elimination meets a singularity */
-        SMALL(a_pivot_2, 1.0e-09), /* where the elimination meets a singularity */
+        SMALL(a_pivot, 1.0e-09), /* where the elimination meets a singularity */
         (checked0 + checked1) + (checked2 + checked3), limbs.checked);
 }
 #endif
@@ -748,107 +743,106 @@ BODY(three_ups_upu_s_acceleration)(size_t stride, const double *restrict q, cons
       t2 = limb5_S_q_qx * limb5_S_q_qx, limb5_S_q_qy = READ(q, 14), t3 = t1 + t2, t4 = limb5_S_q_qy * limb5_S_q_qy,
       limb5_S_q_qz = READ(q, 15), t5 = limb5_S_q_qz * limb5_S_q_qz, t6 = t4 + t5, t7 = t3 + t6;
     /* limb5_S: geometry; accelerations; velocities, eq. (6) */
-    const REAL t14 = t2 + t5, t61 = t2 + t4, t13 = 4.0 - 2.0 * t7, platform_turn_yy = 1.0 - t13 * t14,
-      platform_turn_xx = 1.0 - t6 * t13, platform_turn_zz = 1.0 - t13 * t61, t9 = k2 - 0.5 * t7,
-      t28 = limb5_S_q_qy * t13, t29 = limb5_S_q_qx * t28, t56 = limb5_S_q_qw * t28, t17 = limb5_S_q_qz * t13,
-      t20 = limb5_S_q_qw * (limb5_S_q_qx * t13), t30 = limb5_S_q_qw * t17, platform_turn_yx = t29 + t30,
-      platform_turn_xy = t29 - t30, limb5_S_v_wx = READ(v, 12), limb5_S_v_wy = READ(v, 13),
-      t49 = limb5_S_v_wy * platform_turn_yy + limb5_S_v_wx * platform_turn_yx, t18 = limb5_S_q_qy * t17,
-      t55 = limb5_S_q_qx * t17, platform_turn_yz = t18 - t20, platform_turn_zy = t18 + t20,
-      limb5_S_v_wz = READ(v, 14), platform_twist_wy = t49 + limb5_S_v_wz * platform_turn_yz,
-      t54 = limb5_S_v_wx * platform_turn_xx + limb5_S_v_wy * platform_turn_xy, platform_turn_xz = t55 + t56,
-      platform_turn_zx = t55 - t56, platform_twist_wx = t54 + limb5_S_v_wz * platform_turn_xz;
+    const REAL t15 = t2 + t5, t65 = t2 + t4, t14 = 4.0 - 2.0 * t7, platform_turn_yy = 1.0 - t14 * t15,
+      platform_turn_xx = 1.0 - t6 * t14, platform_turn_zz = 1.0 - t14 * t65, t9 = k2 - 0.5 * t7,
+      t29 = limb5_S_q_qy * t14, t30 = limb5_S_q_qx * t29, t60 = limb5_S_q_qw * t29, t18 = limb5_S_q_qz * t14,
+      t21 = limb5_S_q_qw * (limb5_S_q_qx * t14), t31 = limb5_S_q_qw * t18, platform_turn_yx = t30 + t31,
+      platform_turn_xy = t30 - t31, limb5_S_v_wx = READ(v, 12), limb5_S_v_wy = READ(v, 13),
+      t53 = limb5_S_v_wy * platform_turn_yy + limb5_S_v_wx * platform_turn_yx, t19 = limb5_S_q_qy * t18,
+      t59 = limb5_S_q_qx * t18, platform_turn_yz = t19 - t21, platform_turn_zy = t19 + t21,
+      limb5_S_v_wz = READ(v, 14), platform_twist_wy = t53 + limb5_S_v_wz * platform_turn_yz,
+      t58 = limb5_S_v_wx * platform_turn_xx + limb5_S_v_wy * platform_turn_xy, platform_turn_xz = t59 + t60,
+      platform_turn_zx = t59 - t60, platform_twist_wx = t58 + limb5_S_v_wz * platform_turn_xz;
     const EACH4 platform_twist_wy_2 = {platform_twist_wy, platform_twist_wx, platform_twist_wy, platform_twist_wx},
       platform_twist_wx_2 = {platform_twist_wx, platform_twist_wy, platform_twist_wx, platform_twist_wy};
-    const REAL t66 = limb5_S_v_wx * platform_turn_zx + limb5_S_v_wy * platform_turn_zy,
-      platform_twist_wz = limb5_S_v_wz * platform_turn_zz + t66;
+    const REAL t70 = limb5_S_v_wx * platform_turn_zx + limb5_S_v_wy * platform_turn_zy,
+      platform_twist_wz = limb5_S_v_wz * platform_turn_zz + t70;
     FIRST_LIMB(0, acceleration, 0, stride, q, v, sine, cosine, &limbs);
     FIRST_LIMB(0, acceleration, 1, stride, v, sine, cosine, platform_twist_wy_2, platform_twist_wz, platform_twist_wx_2, &limbs);
     /* limb1: geometry; accelerations; loop closure */
     const REAL limb1_lower_sin = SINES(sine, 1), limb1_lower_cos = SINES(cosine, 1), limb1_U_v_0 = READ(v, 0),
-      t94 = limb1_lower_sin * limbs.t6[0] + limb1_lower_cos * platform_twist_wx,
-      limb1_lower_omega_y = limb1_U_v_0 * limb1_lower_cos, t95 = limb1_lower_omega_y - t94, limb1_U_v_1 = READ(v, 1),
-      t96 = limb1_U_v_1 * t95, t90 = limb1_U_v_1 - limbs.t3[0], limb1_U_0_sin = SINES(sine, 0),
+      t98 = limb1_lower_sin * limbs.t6[0] + limb1_lower_cos * platform_twist_wx,
+      limb1_lower_omega_y = limb1_U_v_0 * limb1_lower_cos, t99 = limb1_lower_omega_y - t98, limb1_U_v_1 = READ(v, 1),
+      t100 = limb1_U_v_1 * t99, t94 = limb1_U_v_1 - limbs.t3[0], limb1_U_0_sin = SINES(sine, 0),
       limb1_U_0_cos = SINES(cosine, 0);
     /* limb1: loop closure; reciprocal wrenches, eq. (10); rates that follow */
-    const REAL t98 = limb1_U_v_1 * limb1_lower_omega_y - (limb1_lower_omega_y * t90 - t96),
+    const REAL t102 = limb1_U_v_1 * limb1_lower_omega_y - (limb1_lower_omega_y * t94 - t100),
       limb1_U2_constraint_mn_couple_x = limb1_U_0_cos * platform_turn_yy + limb1_U_0_sin * platform_turn_zy,
-      t99 = limb1_U2_constraint_mn_couple_x * t98, limb1_lower_omega_x = limb1_U_v_0 * limb1_lower_sin,
-      t100 = limb1_lower_omega_x * t95,
-      t104 = limb1_lower_omega_x + (limb1_lower_cos * limbs.t6[0] - limb1_lower_sin * platform_twist_wx),
-      t106 = t100 - limb1_lower_omega_y * t104,
-      t26 = limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos * platform_turn_zy, t109 = limb1_lower_sin * t26,
-      limb1_U2_constraint_mn_couple_z = limb1_lower_cos * t26 - limb1_lower_sin * platform_turn_xy,
-      t108 = t99 - limb1_U2_constraint_mn_couple_z * t106,
-      limb1_U2_opening_mn = t109 + limb1_lower_cos * platform_turn_xy,
-      t114 = t104 * (limb1_U2_opening_mn * t104 + limb1_U2_constraint_mn_couple_z * t95),
-      limb1_U2_opening_bias_mn = t108 - (t114 - t90 * (limb1_U2_constraint_mn_couple_x * t95 - limb1_U2_opening_mn * t90)),
+      t103 = limb1_U2_constraint_mn_couple_x * t102, limb1_lower_omega_x = limb1_U_v_0 * limb1_lower_sin,
+      t104 = limb1_lower_omega_x * t99,
+      t108 = limb1_lower_omega_x + (limb1_lower_cos * limbs.t6[0] - limb1_lower_sin * platform_twist_wx),
+      t110 = t104 - limb1_lower_omega_y * t108,
+      t27 = limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos * platform_turn_zy, t113 = limb1_lower_sin * t27,
+      limb1_U2_constraint_mn_couple_z = limb1_lower_cos * t27 - limb1_lower_sin * platform_turn_xy,
+      t112 = t103 - limb1_U2_constraint_mn_couple_z * t110,
+      limb1_U2_opening_mn = t113 + limb1_lower_cos * platform_turn_xy,
+      t118 = t108 * (limb1_U2_opening_mn * t108 + limb1_U2_constraint_mn_couple_z * t99),
+      limb1_U2_opening_bias_mn = t112 - (t118 - t94 * (limb1_U2_constraint_mn_couple_x * t99 - limb1_U2_opening_mn * t94)),
       limb1_U_factor_1_by_3 = limb1_U2_constraint_mn_couple_z * limbs.t2[0],
-      t121 = limb1_U2_opening_bias_mn - limbs.t11[0] * limb1_U_factor_1_by_3, /* limb5_S */
+      t125 = limb1_U2_opening_bias_mn - limbs.t11[0] * limb1_U_factor_1_by_3, /* limb5_S */
       minus_limb1_U2_factor_0_by_3 = limb1_U2_constraint_mn_couple_z - limbs.S_arm_x[0] * limb1_U_factor_1_by_3,
       minus_limb1_U_factor_0_by_3 = limb1_lower_sin * limb1_U2_constraint_mn_couple_x * limbs.t1[0],
       limb1_U_0_lever_my_by_limb1_U2_mn = limb1_lower_cos * limb1_U2_constraint_mn_couple_x;
     /* limb5_S: accelerations; pivots; rates that follow */
-    const REAL t122 = minus_limb1_U_factor_0_by_3 * limbs.t8[0] - t121,
+    const REAL t126 = minus_limb1_U_factor_0_by_3 * limbs.t8[0] - t125,
       minus_limb1_U2_factor_1_by_3 = limb1_U_0_lever_my_by_limb1_U2_mn + limbs.upper_position_x[0] * minus_limb1_U_factor_0_by_3,
-      t36 = limb1_U_0_cos * minus_limb1_U2_factor_0_by_3, /* limb1 */
+      t37 = limb1_U_0_cos * minus_limb1_U2_factor_0_by_3, /* limb1 */
       minus_limb5_S_pivot_wz = limb1_U_0_cos * minus_limb1_U2_factor_1_by_3 + limb1_U_0_sin * minus_limb1_U2_factor_0_by_3;
     REAL checked0 = minus_limb5_S_pivot_wz;
-    const REAL t34 = 1.0 / minus_limb5_S_pivot_wz, minus_limb5_S_joint_acc_still_wz = t34 * t122,
-      t37 = limb1_U_0_sin * minus_limb1_U2_factor_1_by_3 - t36, /* limb1 */
-      t11 = limb5_S_q_qx * t9, t124 = 0.5 * (t11 * minus_limb5_S_joint_acc_still_wz), t41 = limb5_S_q_qz * t9,
-      t72 = platform_twist_wy * t41, t42 = limb5_S_q_qy * t9, t10 = limb5_S_q_qw * t9,
-      t77 = platform_twist_wz * (0.5 * (platform_twist_wx * t10 + (t72 - platform_twist_wz * t42))),
-      t83 = 0.5 * (platform_twist_wz * t10 + (platform_twist_wx * t42 - platform_twist_wy * t11)),
-      t85 = t77 - platform_twist_wx * t83, t128 = platform_twist_wy * t83,
-      t69 = 0.5 * (platform_twist_wx * t11 + platform_twist_wy * t42 + platform_twist_wz * t41),
-      t125 = READ(y_ddot, 1) + 0.5 * (platform_twist_wy * t69 - t85) + t124, t129 = platform_twist_wy * t10,
-      t127 = platform_twist_wx * t69, t131 = platform_twist_wx * t41, limb5_S_null_space_wz_by_limb5_S_wy = t34 * t37,
-      a_pivot = 0.5 * (t10 + t11 * limb5_S_null_space_wz_by_limb5_S_wy);
+    const REAL t35 = 1.0 / minus_limb5_S_pivot_wz, minus_limb5_S_joint_acc_still_wz = t35 * t126,
+      t38 = limb1_U_0_sin * minus_limb1_U2_factor_1_by_3 - t37, /* limb1 */
+      t12 = limb5_S_q_qy * t9, t145 = 0.5 * (t12 * minus_limb5_S_joint_acc_still_wz), t83 = platform_twist_wx * t12,
+      t45 = limb5_S_q_qx * t9, t85 = t83 - platform_twist_wy * t45, t43 = limb5_S_q_qw * t9, t10 = limb5_S_q_qz * t9,
+      t87 = 0.5 * (platform_twist_wz * t43 + t85), t132 = platform_twist_wy * t87, t88 = platform_twist_wx * t87,
+      t138 = 0.5 * (platform_twist_wy * t43 + (platform_twist_wz * t45 - platform_twist_wx * t10)),
+      t140 = t132 - platform_twist_wz * t138,
+      t73 = 0.5 * (platform_twist_wx * t45 + platform_twist_wy * t12 + platform_twist_wz * t10),
+      t146 = READ(y_ddot, 0) + 0.5 * (platform_twist_wx * t73 - t140) - t145, t75 = platform_twist_wx * t43,
+      t74 = platform_twist_wy * t73, t76 = platform_twist_wy * t10, t11 = 0.5 * t10, t149 = t11 * t146,
+      t128 = 0.5 * (t45 * minus_limb5_S_joint_acc_still_wz),
+      t89 = platform_twist_wz * (0.5 * (t75 + (t76 - platform_twist_wz * t12))) - t88,
+      t129 = READ(y_ddot, 1) + 0.5 * (t74 - t89) + t128, t44 = 0.5 * t43, t151 = t149 + t44 * t129,
+      limb5_S_null_space_wz_by_limb5_S_wy = t35 * t38, t47 = t43 + t45 * limb5_S_null_space_wz_by_limb5_S_wy,
+      t41 = 0.5 * (t10 - t12 * limb5_S_null_space_wz_by_limb5_S_wy), t42 = t11 * t41, t130 = t41 * t129,
+      t48 = 0.5 * t47, a_pivot = t42 + t44 * t48;
     REAL checked1 = a_pivot;
-    const REAL t40 = 1.0 / a_pivot, t46 = t40 * (0.5 * (t41 - t42 * limb5_S_null_space_wz_by_limb5_S_wy)),
-      t141 = 0.5 * (t42 * minus_limb5_S_joint_acc_still_wz),
-      t136 = t128 - platform_twist_wz * (0.5 * (t129 + (platform_twist_wz * t11 - t131))),
-      t142 = READ(y_ddot, 0) + 0.5 * (t127 - t136) - t141, t145 = 0.5 * t41, t143 = t46 * t125 - t142,
-      a_pivot_2 = 0.5 * t10 + t145 * t46;
-    REAL checked2 = a_pivot_2;
-    const REAL minus_limb5_S_joint_acc_wx = t143 / a_pivot_2,
-      limb5_S_joint_acc_wy = t40 * (t125 - t145 * minus_limb5_S_joint_acc_wx),
-      t150 = t34 * (t37 * limb5_S_joint_acc_wy); /* limb1 */
+    const REAL t148 = t130 - t48 * t146, t50 = 1.0 / a_pivot, limb5_S_joint_acc_wy = t151 * t50,
+      minus_limb5_S_joint_acc_wx = t50 * t148, t153 = t35 * (t38 * limb5_S_joint_acc_wy); /* limb1 */
     /* limb5_S: results; accelerations */
-    const REAL t153 = platform_turn_yx * limb5_S_joint_acc_wy - platform_turn_xx * minus_limb5_S_joint_acc_wx,
-      t157 = platform_turn_yy * limb5_S_joint_acc_wy - platform_turn_xy * minus_limb5_S_joint_acc_wx,
-      t161 = platform_turn_yz * limb5_S_joint_acc_wy - platform_turn_xz * minus_limb5_S_joint_acc_wx,
-      minus_limb5_S_joint_acc_wz = minus_limb5_S_joint_acc_still_wz - t150,
-      limb5_S_a_wx = t153 - platform_turn_zx * minus_limb5_S_joint_acc_wz;
+    const REAL t156 = platform_turn_yx * limb5_S_joint_acc_wy - platform_turn_xx * minus_limb5_S_joint_acc_wx,
+      t160 = platform_turn_yy * limb5_S_joint_acc_wy - platform_turn_xy * minus_limb5_S_joint_acc_wx,
+      t164 = platform_turn_yz * limb5_S_joint_acc_wy - platform_turn_xz * minus_limb5_S_joint_acc_wx,
+      minus_limb5_S_joint_acc_wz = minus_limb5_S_joint_acc_still_wz - t153,
+      limb5_S_a_wx = t156 - platform_turn_zx * minus_limb5_S_joint_acc_wz;
     WRITE(a, 12, limb5_S_a_wx);
-    REAL checked3 = limb5_S_a_wx;
-    RESULT(checked0, a, 13, t157 - platform_turn_zy * minus_limb5_S_joint_acc_wz);
-    RESULT(checked1, a, 14, t161 - platform_turn_zz * minus_limb5_S_joint_acc_wz);
+    REAL checked2 = limb5_S_a_wx;
+    const REAL limb5_S_a_wy = t160 - platform_turn_zy * minus_limb5_S_joint_acc_wz;
+    WRITE(a, 13, limb5_S_a_wy);
+    REAL checked3 = limb5_S_a_wy;
+    RESULT(checked0, a, 14, t164 - platform_turn_zz * minus_limb5_S_joint_acc_wz);
     const EACH4 signed_limb5_S_joint_acc_wy = {limb5_S_joint_acc_wy, minus_limb5_S_joint_acc_wx, limb5_S_joint_acc_wy, minus_limb5_S_joint_acc_wx},
       signed_limb5_S_joint_acc_wx = {minus_limb5_S_joint_acc_wx, limb5_S_joint_acc_wy, minus_limb5_S_joint_acc_wx, limb5_S_joint_acc_wy};
-    FIRST_LIMB(0, acceleration, 2, stride, a, sine, cosine, t150, signed_limb5_S_joint_acc_wy, signed_limb5_S_joint_acc_wx, minus_limb5_S_joint_acc_still_wz, &limbs);
-    checked2 = checked2 + ALONE(limbs.checked[0]);
+    FIRST_LIMB(0, acceleration, 2, stride, a, sine, cosine, t153, signed_limb5_S_joint_acc_wy, signed_limb5_S_joint_acc_wx, minus_limb5_S_joint_acc_still_wz, &limbs);
+    checked1 = checked1 + ALONE(limbs.checked[0]);
     NEXT_LIMB(1, acceleration, 0, stride, q, v, sine, cosine, &limbs);
     NEXT_LIMB(1, acceleration, 1, stride, v, sine, cosine, platform_twist_wy_2, platform_twist_wz, platform_twist_wx_2, &limbs);
-    NEXT_LIMB(1, acceleration, 2, stride, a, sine, cosine, t150, signed_limb5_S_joint_acc_wy, signed_limb5_S_joint_acc_wx, minus_limb5_S_joint_acc_still_wz, &limbs);
-    checked3 = checked3 + ALONE(limbs.checked[1]);
+    NEXT_LIMB(1, acceleration, 2, stride, a, sine, cosine, t153, signed_limb5_S_joint_acc_wy, signed_limb5_S_joint_acc_wx, minus_limb5_S_joint_acc_still_wz, &limbs);
+    checked2 = checked2 + ALONE(limbs.checked[1]);
     NEXT_LIMB(2, acceleration, 0, stride, q, v, sine, cosine, &limbs);
     NEXT_LIMB(2, acceleration, 1, stride, v, sine, cosine, platform_twist_wy_2, platform_twist_wz, platform_twist_wx_2, &limbs);
-    NEXT_LIMB(2, acceleration, 2, stride, a, sine, cosine, t150, signed_limb5_S_joint_acc_wy, signed_limb5_S_joint_acc_wx, minus_limb5_S_joint_acc_still_wz, &limbs);
-    checked0 = checked0 + ALONE(limbs.checked[2]);
+    NEXT_LIMB(2, acceleration, 2, stride, a, sine, cosine, t153, signed_limb5_S_joint_acc_wy, signed_limb5_S_joint_acc_wx, minus_limb5_S_joint_acc_still_wz, &limbs);
+    checked3 = checked3 + ALONE(limbs.checked[2]);
     NEXT_LIMB(3, acceleration, 0, stride, q, v, sine, cosine, &limbs);
     NEXT_LIMB(3, acceleration, 1, stride, v, sine, cosine, platform_twist_wy_2, platform_twist_wz, platform_twist_wx_2, &limbs);
-    NEXT_LIMB(3, acceleration, 2, stride, a, sine, cosine, t150, signed_limb5_S_joint_acc_wy, signed_limb5_S_joint_acc_wx, minus_limb5_S_joint_acc_still_wz, &limbs);
-    checked1 = checked1 + ALONE(limbs.checked[3]);
+    NEXT_LIMB(3, acceleration, 2, stride, a, sine, cosine, t153, signed_limb5_S_joint_acc_wy, signed_limb5_S_joint_acc_wx, minus_limb5_S_joint_acc_still_wz, &limbs);
+    checked0 = checked0 + ALONE(limbs.checked[3]);
     /* else status 5: no rotation */
     NOT_BELOW(t7, 0.999999, 5);
     NOT_ABOVE(t7, 1.000001, 5);
     FINITE_UNLESS4( /* status 1 where a pivot is smaller than its limit: */
         SMALL4(limbs.minus_U_0_lever_mz_by_S_fz, 6.62327e-10, 6.62327e-10, 6.62327e-10, 6.62327e-10) OR /* where the reciprocal wrench limb_U2.fz has no power along limb_U.0, as in a stretched limb; where the reciprocal wrench limb_S.fz has no power along limb_U.0, as in a stretched limb */
         SMALL(minus_limb5_S_pivot_wz, 1.0e-09) OR /* where the loops no longer determine limb5_S.wz */
-        SMALL(a_pivot, 1.0e-09) OR /* where the elimination meets a singularity */
-        SMALL(a_pivot_2, 1.0e-09), /* where the elimination meets a singularity */
+        SMALL(a_pivot, 1.0e-09), /* where the elimination meets a singularity */
         (checked0 + checked1) + (checked2 + checked3), limbs.checked);
 }
 #endif
@@ -1559,137 +1553,139 @@ BODY(three_ups_upu_s_assemble_step)(size_t stride, const double *restrict q, con
       t6 = limb5_S_q_qx * limb5_S_q_qx, limb5_S_q_qy = READ(q, 14), t7 = t5 + t6, t8 = limb5_S_q_qy * limb5_S_q_qy,
       limb5_S_q_qz = READ(q, 15), t9 = limb5_S_q_qz * limb5_S_q_qz, t10 = t8 + t9, t11 = t7 + t10;
     /* limb5_S: geometry; results */
-    const REAL t18 = t6 + t9, t48 = t6 + t8, t17 = 4.0 - 2.0 * t11, platform_turn_yy = 1.0 - t17 * t18,
-      t50 = param_H * (1.0 - t17 * t48), t13 = k2 - 0.5 * t11, t61 = 0.5 * (1.0 - t10 * t17),
-      t21 = limb5_S_q_qz * t17, t22 = limb5_S_q_qy * t21, t24 = limb5_S_q_qw * (limb5_S_q_qx * t17),
-      t32 = limb5_S_q_qy * t17, platform_turn_zy = t22 + t24, t47 = param_H * (t22 - t24),
+    const REAL t20 = t6 + t9, t43 = t6 + t8, t19 = 4.0 - 2.0 * t11, platform_turn_yy = 1.0 - t19 * t20,
+      t45 = param_H * (1.0 - t19 * t43), t13 = k2 - 0.5 * t11, t56 = 0.5 * (1.0 - t10 * t19),
+      t23 = limb5_S_q_qz * t19, t24 = limb5_S_q_qy * t23, t26 = limb5_S_q_qw * (limb5_S_q_qx * t19),
+      t34 = limb5_S_q_qy * t19, platform_turn_zy = t24 + t26, t42 = param_H * (t24 - t26),
       limb1_U_0_cos = SINES(cosine, 0), limb1_U_0_sin = SINES(sine, 0),
-      t30 = limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos * platform_turn_zy, /* limb1 */
+      t32 = limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos * platform_turn_zy, /* limb1 */
       limb1_lower_cos = SINES(cosine, 1), limb1_lower_sin = SINES(sine, 1),
-      t31 = limb1_lower_cos * t30, /* limb1 */
-      t58 = limb1_lower_sin * t30, /* limb1 */
-      t33 = limb5_S_q_qx * t32, t53 = limb5_S_q_qw * t32, t34 = limb5_S_q_qw * t21, t52 = limb5_S_q_qx * t21,
-      platform_turn_xy = t33 - t34, t46 = 0.5 * (t33 + t34),
-      limb1_U2_constraint_mn_couple_z = t31 - limb1_lower_sin * platform_turn_xy, platform_turn_xz = t52 + t53,
-      t54 = 0.5 * (t52 - t53), t55 = param_H * platform_turn_xz;
-    FIRST_LIMB(0, assemble_step, 0, stride, q, sine, cosine, t46, t47, t54, t50, &limbs);
-    NEXT_LIMB(2, assemble_step, 0, stride, q, sine, cosine, t46, t47, t54, t50, &limbs);
+      t33 = limb1_lower_cos * t32, /* limb1 */
+      t53 = limb1_lower_sin * t32, /* limb1 */
+      t35 = limb5_S_q_qx * t34, t48 = limb5_S_q_qw * t34, t36 = limb5_S_q_qw * t23, t47 = limb5_S_q_qx * t23,
+      platform_turn_xy = t35 - t36, t41 = 0.5 * (t35 + t36),
+      limb1_U2_constraint_mn_couple_z = t33 - limb1_lower_sin * platform_turn_xy, platform_turn_xz = t47 + t48,
+      t49 = 0.5 * (t47 - t48), t50 = param_H * platform_turn_xz;
+    FIRST_LIMB(0, assemble_step, 0, stride, q, sine, cosine, t41, t42, t49, t45, &limbs);
+    NEXT_LIMB(2, assemble_step, 0, stride, q, sine, cosine, t41, t42, t49, t45, &limbs);
     /* limb1: rates that follow; pivots; reciprocal wrenches, eq. (10) */
     const REAL limb1_U_factor_1_by_3 = limb1_U2_constraint_mn_couple_z * limbs.t2[0],
       minus_limb1_U2_factor_0_by_3 = limb1_U2_constraint_mn_couple_z - limbs.S_arm_x[0] * limb1_U_factor_1_by_3,
-      t37 = limb1_U_0_sin * minus_limb1_U2_factor_0_by_3, t40 = limb1_U_0_cos * minus_limb1_U2_factor_0_by_3,
-      t25 = limb1_U_0_sin * platform_turn_zy, t51 = 0.5 * platform_turn_zy, /* platform */
-      limb1_U2_constraint_mn_couple_x = limb1_U_0_cos * platform_turn_yy + t25,
-      t62 = 0.5 * platform_turn_yy, /* platform */
+      t39 = limb1_U_0_sin * minus_limb1_U2_factor_0_by_3, t76 = limb1_U_0_cos * minus_limb1_U2_factor_0_by_3,
+      t27 = limb1_U_0_sin * platform_turn_zy, t46 = 0.5 * platform_turn_zy, /* platform */
+      limb1_U2_constraint_mn_couple_x = limb1_U_0_cos * platform_turn_yy + t27,
+      t57 = 0.5 * platform_turn_yy, /* platform */
       minus_limb1_U_factor_0_by_3 = limb1_lower_sin * limb1_U2_constraint_mn_couple_x * limbs.t1[0],
       limb1_U_0_lever_my_by_limb1_U2_mn = limb1_lower_cos * limb1_U2_constraint_mn_couple_x,
       minus_limb1_U2_factor_1_by_3 = limb1_U_0_lever_my_by_limb1_U2_mn + limbs.signed_upper_position_x[0] * minus_limb1_U_factor_0_by_3,
-      t57 = limbs.signed_S_opening_fz[0] * minus_limb1_U_factor_0_by_3;
-    /* limb5_S: pivots; rates that follow */
-    const REAL minus_limb5_S_pivot_wz = limb1_U_0_cos * minus_limb1_U2_factor_1_by_3 + t37,
-      t41 = limb1_U_0_sin * minus_limb1_U2_factor_1_by_3 - t40, /* limb1 */
-      t38 = 1.0 / minus_limb5_S_pivot_wz, limb5_S_null_space_wz_by_limb5_S_wy = t38 * t41;
-    /* step: results; geometry */
-    const REAL t15 = limb5_S_q_qx * t13, t42 = t15 * limb5_S_null_space_wz_by_limb5_S_wy, t14 = limb5_S_q_qw * t13,
-      a_pivot = 0.5 * (t14 + t42), t83 = 0.5 * t14, t44 = 1.0 / a_pivot, t72 = limb5_S_q_qy * t13,
-      t73 = t72 * limb5_S_null_space_wz_by_limb5_S_wy, t70 = limb5_S_q_qz * t13, t76 = t44 * (0.5 * (t70 - t73)),
-      t71 = 0.5 * t70, a_pivot_2 = t83 + t71 * t76, t56 = 0.5 * platform_turn_xy,
-      limb1_U2_opening_mn = t58 + limb1_lower_cos * platform_turn_xy;
-    NEXT_LIMB(1, assemble_step, 0, stride, q, sine, cosine, t50, t51, t55, t56, &limbs);
-    NEXT_LIMB(3, assemble_step, 0, stride, q, sine, cosine, t50, t51, t55, t56, &limbs);
-    const REAL t328 = limbs.upper_offset_x[0] * (limbs.upper_offset_x[3] * (limbs.upper_offset_x[1] * limbs.upper_offset_x[2])),
-      t331 = limbs.minus_U_0_lever_mz_by_S_fz[3] * (limbs.minus_U_0_lever_mz_by_S_fz[1] * (limbs.minus_U_0_lever_mz_by_S_fz[2] * t328)),
-      t335 = a_pivot_2 * (a_pivot * (limbs.minus_U_0_lever_mz_by_S_fz[0] * t331 * minus_limb5_S_pivot_wz));
-    REAL checked0 = t335;
-    WRITE(orientation_, 0, -t335);
-    FIRST_LIMB(0, assemble_step, 1, stride, sine, cosine, t61, t55, limbs.t3[0], limbs.t4[0], limbs.t6[0], limbs.t5[0], &limbs);
-    NEXT_LIMB(2, assemble_step, 1, stride, sine, cosine, t61, t55, limbs.t3[2], limbs.t4[2], limbs.t6[2], limbs.t5[2], &limbs);
-    const REAL t66 = t38 * (t57 - (limb1_U2_opening_mn + limbs.signed_S_opening_fy[0] * limb1_U_factor_1_by_3)),
-      t80 = 0.5 * (t72 * t66), t315 = limb1_U2_opening_mn * limb1_U2_opening_mn, /* limb1 */
-      t69 = limb5_S_q_qy - READ(y, 1) - 0.5 * (t15 * t66),
-      t85 = (t76 * t69 - (limb5_S_q_qx - READ(y, 0) + t80)) / a_pivot_2, t88 = t44 * (t69 - t71 * t85),
-      t90 = t38 * (t41 * t88),
-      t193 = limbs.t1[0] * (limbs.signed_upper_position_x[0] * (limb1_U_0_cos * t90 - limb1_U_0_sin * t88)),
-      t194 = t85 + t193,
-      t198 = limbs.t1[0] * (limbs.signed_S_opening_fz[0] - limbs.signed_upper_position_x[0] * (limb1_U_0_cos * t66)),
-      t199 = t194 - t198, t200 = t199 * t199, t181 = limb1_U_0_sin * t90 + limb1_U_0_cos * t88,
-      t201 = limbs.S_arm_x[0] * t181, t182 = limbs.signed_S_arm_y[0] * t181, t183 = limb1_U_0_sin * t66,
-      t205 = limbs.t2[0] * (t201 - (limbs.signed_S_opening_fy[0] - limbs.S_arm_x[0] * t183)),
-      t207 = t200 + t205 * t205,
-      t187 = per_length * (t182 + (limbs.S_opening_fx[0] + limbs.signed_S_arm_y[0] * t183)),
-      limb2_U_0_sin = SINES(cosine, 2), minus_limb2_U_0_cos = SINES(sine, 2), t208 = t187 * t187 + t207,
-      t316 = limbs.t13[0] + limbs.t14[0] + limbs.t15[0] + t315, /* limb1 */
-      t171 = limbs.t1[1] * (limbs.signed_upper_position_x[1] * (limb2_U_0_sin * t90 - minus_limb2_U_0_cos * t85)),
-      t172 = t88 + t171,
-      t176 = limbs.t1[1] * (limbs.signed_upper_position_x[1] * (limb2_U_0_sin * t66) - limbs.signed_S_opening_fz[1]),
-      t177 = t172 + t176, t209 = t177 * t177 + t208, t153 = minus_limb2_U_0_cos * t90 + limb2_U_0_sin * t85,
-      t161 = limbs.S_arm_x[1] * t153, t154 = limbs.signed_S_arm_y[1] * t153, t155 = minus_limb2_U_0_cos * t66,
-      t162 = limbs.S_arm_x[1] * t155, t156 = limbs.signed_S_arm_y[1] * t155;
-    NEXT_LIMB(1, assemble_step, 1, stride, sine, cosine, t47, t62, limbs.t4[1], limbs.t3[1], limbs.t5[1], limbs.t6[1], &limbs);
-    NEXT_LIMB(3, assemble_step, 1, stride, sine, cosine, t47, t62, limbs.t4[3], limbs.t3[3], limbs.t5[3], limbs.t6[3], &limbs);
-    const REAL t165 = limbs.t2[1] * (t161 + (limbs.signed_S_opening_fy[1] + t162)), t210 = t165 * t165 + t209,
-      t159 = per_length * (t154 - (limbs.S_opening_fx[1] - t156)), t211 = t159 * t159 + t210,
-      t322 = t316 + limbs.t13[1] + limbs.t14[1] + limbs.t15[1] + limbs.t13[2] + limbs.t14[2] + limbs.t15[2],
-      residual_residual = SQRT(t322 + limbs.t13[3] + limbs.t14[3] + limbs.t15[3]);
+      t52 = limbs.signed_S_opening_fz[0] * minus_limb1_U_factor_0_by_3;
+    /* limb5_S: pivots */
+    const REAL minus_limb5_S_pivot_wz = limb1_U_0_cos * minus_limb1_U2_factor_1_by_3 + t39,
+      t77 = limb1_U_0_sin * minus_limb1_U2_factor_1_by_3 - t76; /* limb1 */
+    /* step: results; rates that follow; geometry */
+    const REAL t40 = 1.0 / minus_limb5_S_pivot_wz, limb5_S_null_space_wz_by_limb5_S_wy = t40 * t77,
+      t17 = limb5_S_q_qy * t13, t78 = t17 * limb5_S_null_space_wz_by_limb5_S_wy, t14 = limb5_S_q_qz * t13,
+      t80 = 0.5 * (t14 - t78), t15 = 0.5 * t14, t81 = t15 * t80, t69 = limb5_S_q_qx * t13,
+      t82 = t69 * limb5_S_null_space_wz_by_limb5_S_wy, t66 = limb5_S_q_qw * t13, t84 = 0.5 * (t66 + t82),
+      t67 = 0.5 * t66, a_pivot = t81 + t67 * t84, t51 = 0.5 * platform_turn_xy,
+      limb1_U2_opening_mn = t53 + limb1_lower_cos * platform_turn_xy;
+    NEXT_LIMB(1, assemble_step, 0, stride, q, sine, cosine, t45, t46, t50, t51, &limbs);
+    NEXT_LIMB(3, assemble_step, 0, stride, q, sine, cosine, t45, t46, t50, t51, &limbs);
+    const REAL t331 = limbs.upper_offset_x[0] * (limbs.upper_offset_x[3] * (limbs.upper_offset_x[1] * limbs.upper_offset_x[2])),
+      t334 = limbs.minus_U_0_lever_mz_by_S_fz[3] * (limbs.minus_U_0_lever_mz_by_S_fz[1] * (limbs.minus_U_0_lever_mz_by_S_fz[2] * t331)),
+      t337 = a_pivot * (limbs.minus_U_0_lever_mz_by_S_fz[0] * t334 * minus_limb5_S_pivot_wz);
+    REAL checked0 = t337;
+    WRITE(orientation_, 0, -t337);
+    const REAL t86 = 1.0 / a_pivot;
+    FIRST_LIMB(0, assemble_step, 1, stride, sine, cosine, t56, t50, limbs.t3[0], limbs.t4[0], limbs.t6[0], limbs.t5[0], &limbs);
+    NEXT_LIMB(2, assemble_step, 1, stride, sine, cosine, t56, t50, limbs.t3[2], limbs.t4[2], limbs.t6[2], limbs.t5[2], &limbs);
+    const REAL t61 = t40 * (t52 - (limb1_U2_opening_mn + limbs.signed_S_opening_fy[0] * limb1_U_factor_1_by_3)),
+      t71 = 0.5 * (t69 * t61), t318 = limb1_U2_opening_mn * limb1_U2_opening_mn, /* limb1 */
+      t64 = limb5_S_q_qx - READ(y, 0) + 0.5 * (t17 * t61), t65 = t15 * t64, t94 = t84 * t64,
+      t72 = limb5_S_q_qy - READ(y, 1) - t71, t95 = t80 * t72 - t94, t87 = (t65 + t67 * t72) * t86, t96 = t86 * t95,
+      t89 = t40 * (t77 * t87),
+      t196 = limbs.t1[0] * (limbs.signed_upper_position_x[0] * (limb1_U_0_cos * t89 - limb1_U_0_sin * t87)),
+      t197 = t96 + t196,
+      t201 = limbs.t1[0] * (limbs.signed_S_opening_fz[0] - limbs.signed_upper_position_x[0] * (limb1_U_0_cos * t61)),
+      t202 = t197 - t201, t203 = t202 * t202, t184 = limb1_U_0_sin * t89 + limb1_U_0_cos * t87,
+      t204 = limbs.S_arm_x[0] * t184, t185 = limbs.signed_S_arm_y[0] * t184, t186 = limb1_U_0_sin * t61,
+      t208 = limbs.t2[0] * (t204 - (limbs.signed_S_opening_fy[0] - limbs.S_arm_x[0] * t186)),
+      t210 = t203 + t208 * t208,
+      t190 = per_length * (t185 + (limbs.S_opening_fx[0] + limbs.signed_S_arm_y[0] * t186)),
+      limb2_U_0_sin = SINES(cosine, 2), minus_limb2_U_0_cos = SINES(sine, 2), t211 = t190 * t190 + t210,
+      t319 = limbs.t13[0] + limbs.t14[0] + limbs.t15[0] + t318, /* limb1 */
+      t174 = limbs.t1[1] * (limbs.signed_upper_position_x[1] * (limb2_U_0_sin * t89 - minus_limb2_U_0_cos * t96)),
+      t175 = t87 + t174,
+      t179 = limbs.t1[1] * (limbs.signed_upper_position_x[1] * (limb2_U_0_sin * t61) - limbs.signed_S_opening_fz[1]),
+      t180 = t175 + t179, t212 = t180 * t180 + t211, t156 = minus_limb2_U_0_cos * t89 + limb2_U_0_sin * t96,
+      t164 = limbs.S_arm_x[1] * t156, t157 = limbs.signed_S_arm_y[1] * t156, t158 = minus_limb2_U_0_cos * t61,
+      t165 = limbs.S_arm_x[1] * t158, t159 = limbs.signed_S_arm_y[1] * t158;
+    NEXT_LIMB(1, assemble_step, 1, stride, sine, cosine, t42, t57, limbs.t4[1], limbs.t3[1], limbs.t5[1], limbs.t6[1], &limbs);
+    NEXT_LIMB(3, assemble_step, 1, stride, sine, cosine, t42, t57, limbs.t4[3], limbs.t3[3], limbs.t5[3], limbs.t6[3], &limbs);
+    const REAL t168 = limbs.t2[1] * (t164 + (limbs.signed_S_opening_fy[1] + t165)), t213 = t168 * t168 + t212,
+      t162 = per_length * (t157 - (limbs.S_opening_fx[1] - t159)), t214 = t162 * t162 + t213,
+      t325 = t319 + limbs.t13[1] + limbs.t14[1] + limbs.t15[1] + limbs.t13[2] + limbs.t14[2] + limbs.t15[2],
+      residual_residual = SQRT(t325 + limbs.t13[3] + limbs.t14[3] + limbs.t15[3]);
     WRITE(residual_, 0, residual_residual);
     REAL checked1 = residual_residual;
     const REAL limb3_U_0_cos = SINES(cosine, 5), limb3_U_0_sin = SINES(sine, 5),
-      t143 = limbs.t1[2] * (limbs.signed_upper_position_x[2] * (limb3_U_0_cos * t90 - limb3_U_0_sin * t88)),
-      t144 = t85 - t143,
-      t148 = limbs.t1[2] * (limbs.signed_S_opening_fz[2] + limbs.signed_upper_position_x[2] * (limb3_U_0_cos * t66)),
-      t149 = t144 - t148, t212 = t149 * t149 + t211, t125 = limb3_U_0_sin * t90 + limb3_U_0_cos * t88,
-      t133 = limbs.S_arm_x[2] * t125, t126 = limbs.signed_S_arm_y[2] * t125, t127 = limb3_U_0_sin * t66,
-      t137 = limbs.t2[2] * (t133 + (limbs.signed_S_opening_fy[2] + limbs.S_arm_x[2] * t127)),
-      t213 = t137 * t137 + t212,
-      t131 = per_length * (t126 + (limbs.signed_S_arm_y[2] * t127 - limbs.S_opening_fx[2])),
-      limb4_U_0_sin = SINES(cosine, 7), minus_limb4_U_0_cos = SINES(sine, 7), t214 = t131 * t131 + t213,
-      t115 = limbs.t1[3] * (limbs.signed_upper_position_x[3] * (limb4_U_0_sin * t90 - minus_limb4_U_0_cos * t85)),
-      t116 = t88 - t115,
-      t120 = limbs.t1[3] * (limbs.signed_S_opening_fz[3] + limbs.signed_upper_position_x[3] * (limb4_U_0_sin * t66)),
-      t121 = t116 - t120, t215 = t121 * t121 + t214, t95 = minus_limb4_U_0_cos * t90, t91 = t66 + t90,
-      t99 = minus_limb4_U_0_cos * t66, t97 = t95 + limb4_U_0_sin * t85, t98 = limbs.signed_S_arm_y[3] * t97,
-      t109 = limbs.t2[3] * (limbs.S_arm_x[3] * t97 - (limbs.signed_S_opening_fy[3] - limbs.S_arm_x[3] * t99)),
-      t216 = t109 * t109 + t215, t103 = per_length * (t98 + (limbs.S_opening_fx[3] + limbs.signed_S_arm_y[3] * t99)),
-      t219 = t88 * t88 + (t85 * t85 + (t103 * t103 + t216)), step_step = SQRT(t91 * t91 + t219);
+      t146 = limbs.t1[2] * (limbs.signed_upper_position_x[2] * (limb3_U_0_cos * t89 - limb3_U_0_sin * t87)),
+      t147 = t96 - t146,
+      t151 = limbs.t1[2] * (limbs.signed_S_opening_fz[2] + limbs.signed_upper_position_x[2] * (limb3_U_0_cos * t61)),
+      t152 = t147 - t151, t215 = t152 * t152 + t214, t128 = limb3_U_0_sin * t89 + limb3_U_0_cos * t87,
+      t136 = limbs.S_arm_x[2] * t128, t129 = limbs.signed_S_arm_y[2] * t128, t130 = limb3_U_0_sin * t61,
+      t140 = limbs.t2[2] * (t136 + (limbs.signed_S_opening_fy[2] + limbs.S_arm_x[2] * t130)),
+      t216 = t140 * t140 + t215,
+      t134 = per_length * (t129 + (limbs.signed_S_arm_y[2] * t130 - limbs.S_opening_fx[2])),
+      limb4_U_0_sin = SINES(cosine, 7), minus_limb4_U_0_cos = SINES(sine, 7), t217 = t134 * t134 + t216,
+      t118 = limbs.t1[3] * (limbs.signed_upper_position_x[3] * (limb4_U_0_sin * t89 - minus_limb4_U_0_cos * t96)),
+      t119 = t87 - t118,
+      t123 = limbs.t1[3] * (limbs.signed_S_opening_fz[3] + limbs.signed_upper_position_x[3] * (limb4_U_0_sin * t61)),
+      t124 = t119 - t123, t218 = t124 * t124 + t217, t98 = minus_limb4_U_0_cos * t89, t90 = t61 + t89,
+      t102 = minus_limb4_U_0_cos * t61, t100 = t98 + limb4_U_0_sin * t96, t101 = limbs.signed_S_arm_y[3] * t100,
+      t112 = limbs.t2[3] * (limbs.S_arm_x[3] * t100 - (limbs.signed_S_opening_fy[3] - limbs.S_arm_x[3] * t102)),
+      t219 = t112 * t112 + t218,
+      t106 = per_length * (t101 + (limbs.S_opening_fx[3] + limbs.signed_S_arm_y[3] * t102)),
+      t222 = t87 * t87 + (t96 * t96 + (t106 * t106 + t219)), step_step = SQRT(t90 * t90 + t222);
     WRITE(step, 0, step_step);
     REAL checked2 = step_step;
-    const REAL t221 = LESS(step_step, 0.5), t224 = SELECT(t221, 1.0, 0.5 / SELECT(t221, 1.0, step_step)),
-      t226 = 0.5 * (t88 * t224), t232 = t91 * t224, t229 = 0.5 * (t85 * t224), t233 = 0.5 * t232,
-      t257 = limb5_S_q_qw + (limb5_S_q_qz * t233 + (limb5_S_q_qy * t226 - limb5_S_q_qx * t229)), t258 = t257 * t257,
-      t250 = limb5_S_q_qy * t233 - limb5_S_q_qz * t226 + (limb5_S_q_qx + limb5_S_q_qw * t229),
-      t259 = t250 * t250 + t258, t230 = limb5_S_q_qy * t229, t235 = limb5_S_q_qz - limb5_S_q_qw * t233,
-      t243 = limb5_S_q_qz * t229 + limb5_S_q_qx * t233 - (limb5_S_q_qy - limb5_S_q_qw * t226),
-      t236 = limb5_S_q_qx * t226 + t230 + t235, t263 = 1.0 / SQRT(t236 * t236 + (t243 * t243 + t259)),
-      t265 = t243 * t263;
-    REAL checked3 = t265;
-    WRITE(q_next, 14, -t265);
-    const REAL limb5_S_q_next_qz = t236 * t263;
+    const REAL t224 = LESS(step_step, 0.5), t227 = SELECT(t224, 1.0, 0.5 / SELECT(t224, 1.0, step_step)),
+      t229 = 0.5 * (t87 * t227), t235 = t90 * t227, t232 = 0.5 * (t96 * t227), t236 = 0.5 * t235,
+      t260 = limb5_S_q_qw + (limb5_S_q_qz * t236 + (limb5_S_q_qy * t229 - limb5_S_q_qx * t232)), t261 = t260 * t260,
+      t253 = limb5_S_q_qy * t236 - limb5_S_q_qz * t229 + (limb5_S_q_qx + limb5_S_q_qw * t232),
+      t262 = t253 * t253 + t261, t233 = limb5_S_q_qy * t232, t238 = limb5_S_q_qz - limb5_S_q_qw * t236,
+      t246 = limb5_S_q_qz * t232 + limb5_S_q_qx * t236 - (limb5_S_q_qy - limb5_S_q_qw * t229),
+      t239 = limb5_S_q_qx * t229 + t233 + t238, t266 = 1.0 / SQRT(t239 * t239 + (t246 * t246 + t262)),
+      t268 = t246 * t266;
+    REAL checked3 = t268;
+    WRITE(q_next, 14, -t268);
+    const REAL limb5_S_q_next_qz = t239 * t266;
     WRITE(q_next, 15, limb5_S_q_next_qz);
-    const REAL limb5_S_q_next_qx = t250 * t263;
+    const REAL limb5_S_q_next_qx = t253 * t266;
     WRITE(q_next, 13, limb5_S_q_next_qx);
-    const REAL limb5_S_q_next_qw = t257 * t263;
+    const REAL limb5_S_q_next_qw = t260 * t266;
     WRITE(q_next, 12, limb5_S_q_next_qw);
     /* limb5_S: geometry */
-    const REAL t264 = limb5_S_q_next_qz * limb5_S_q_next_qz, t266 = t265 * t265, t267 = t264 + t266,
-      t268 = limb5_S_q_next_qx * limb5_S_q_next_qx, t274 = t268 + t266, t303 = t264 + t268,
-      t273 = 4.0 - 2.0 * (t267 + (t268 + limb5_S_q_next_qw * limb5_S_q_next_qw)), t279 = limb5_S_q_next_qz * t273,
-      t276 = param_H * (1.0 - t273 * t274), t305 = 0.5 * (1.0 - t303 * t273), t302 = 0.5 * (1.0 - t267 * t273),
-      t282 = limb5_S_q_next_qw * t279, t277 = t265 * t273, t287 = limb5_S_q_next_qw * (limb5_S_q_next_qx * t273),
-      t278 = limb5_S_q_next_qw * t277, t283 = limb5_S_q_next_qx * t277, t280 = limb5_S_q_next_qx * t279,
-      t288 = t265 * t279, platform_turn_yx_2 = t282 - t283, t284 = 0.5 * (t282 + t283),
-      t290 = 0.5 * platform_turn_yx_2, platform_turn_zx_2 = t278 + t280, t285 = param_H * (t278 - t280),
-      t281 = 0.5 * platform_turn_zx_2, minus_platform_turn_yz = t287 + t288, t291 = 0.5 * (t287 - t288),
-      t289 = param_H * minus_platform_turn_yz;
-    FIRST_LIMB(3, assemble_step, 2, stride, q_next, sine, cosine, t284, t285, t291, t276, t305, t289, &limbs);
+    const REAL t267 = limb5_S_q_next_qz * limb5_S_q_next_qz, t269 = t268 * t268, t270 = t267 + t269,
+      t271 = limb5_S_q_next_qx * limb5_S_q_next_qx, t277 = t271 + t269, t306 = t267 + t271,
+      t276 = 4.0 - 2.0 * (t270 + (t271 + limb5_S_q_next_qw * limb5_S_q_next_qw)), t282 = limb5_S_q_next_qz * t276,
+      t279 = param_H * (1.0 - t276 * t277), t308 = 0.5 * (1.0 - t306 * t276), t305 = 0.5 * (1.0 - t270 * t276),
+      t285 = limb5_S_q_next_qw * t282, t280 = t268 * t276, t290 = limb5_S_q_next_qw * (limb5_S_q_next_qx * t276),
+      t281 = limb5_S_q_next_qw * t280, t286 = limb5_S_q_next_qx * t280, t283 = limb5_S_q_next_qx * t282,
+      t291 = t268 * t282, platform_turn_yx_2 = t285 - t286, t287 = 0.5 * (t285 + t286),
+      t293 = 0.5 * platform_turn_yx_2, platform_turn_zx_2 = t281 + t283, t288 = param_H * (t281 - t283),
+      t284 = 0.5 * platform_turn_zx_2, minus_platform_turn_yz = t290 + t291, t294 = 0.5 * (t290 - t291),
+      t292 = param_H * minus_platform_turn_yz;
+    FIRST_LIMB(3, assemble_step, 2, stride, q_next, sine, cosine, t287, t288, t294, t279, t308, t292, &limbs);
     checked0 = checked0 + ALONE(limbs.checked[3]);
-    NEXT_LIMB(1, assemble_step, 2, stride, q_next, sine, cosine, t284, t285, t291, t276, t305, t289, &limbs);
+    NEXT_LIMB(1, assemble_step, 2, stride, q_next, sine, cosine, t287, t288, t294, t279, t308, t292, &limbs);
     checked1 = checked1 + ALONE(limbs.checked[1]);
     FIRST_LIMB(3, assemble_step, 3, stride, sine, cosine, SELECT(LESS(limbs.t7[3], 0.0), (-1.0), 1.0), &limbs);
     RESULT(checked2, q_next, 10, READ(q, 10) + atan2(-limbs.t11[3], -limbs.t12[3]));
     RESULT(checked3, q_next, 9, READ(q, 9) + atan2(-limbs.t9[3], limbs.t10[3]));
-    NEXT_LIMB(2, assemble_step, 2, stride, q_next, sine, cosine, t276, t281, t289, t290, t285, t302, &limbs);
+    NEXT_LIMB(2, assemble_step, 2, stride, q_next, sine, cosine, t279, t284, t292, t293, t288, t305, &limbs);
     checked0 = checked0 + ALONE(limbs.checked[2]);
-    NEXT_LIMB(0, assemble_step, 2, stride, q_next, sine, cosine, t276, t281, t289, t290, t285, t302, &limbs);
+    NEXT_LIMB(0, assemble_step, 2, stride, q_next, sine, cosine, t279, t284, t292, t293, t288, t305, &limbs);
     checked1 = checked1 + ALONE(limbs.checked[0]);
     NEXT_LIMB(2, assemble_step, 3, stride, sine, cosine, SELECT(LESS(-limbs.t7[2], 0.0), (-1.0), 1.0), &limbs);
     RESULT(checked2, q_next, 7, READ(q, 7) + atan2(-limbs.t11[2], limbs.t12[2]));
@@ -1706,8 +1702,7 @@ BODY(three_ups_upu_s_assemble_step)(size_t stride, const double *restrict q, con
     FINITE_UNLESS4( /* status 1 where a pivot is smaller than its limit: */
         SMALL4(limbs.minus_U_0_lever_mz_by_S_fz, 6.62327e-13, 6.62327e-13, 6.62327e-13, 6.62327e-13) OR /* where the reciprocal wrench limb_U2.fz has no power along limb_U.0, as in a stretched limb; where the reciprocal wrench limb_S.fz has no power along limb_U.0, as in a stretched limb */
         SMALL(minus_limb5_S_pivot_wz, 1.0e-12) OR /* where the loops no longer determine limb5_S.wz */
-        SMALL(a_pivot, 1.0e-12) OR /* where the elimination meets a singularity */
-        SMALL(a_pivot_2, 1.0e-12), /* where the elimination meets a singularity */
+        SMALL(a_pivot, 1.0e-12), /* where the elimination meets a singularity */
         (checked0 + checked1) + (checked2 + checked3), limbs.checked);
 }
 

@@ -2,7 +2,7 @@
 
 Mechanism: three_ups_upu_s, two rotations about O, four driven sliders; inertias as printed in Table 3
 Effects: Gravity(acceleration=(0, 0, '-9.81'))
-Programs: a0b280a216e1cab0
+Programs: 23a9ebd01ed3e273
 Note: bodies.platform: the radius of gyration 5.665 m exceeds the body's extent 1.0 m (joint points,
   named points and centre of mass); are inertia and units right?
 Note: bodies.limb1_lower, bodies.limb1_upper, bodies.limb2_lower, bodies.limb2_upper,
@@ -2768,7 +2768,7 @@ def velocity(*arguments):
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
       5 no rotation: the length of a quaternion differs from 1 by more than rounding; all outputs are
         NaN
-    Operations: 244 (add 87, mul 117, div 7, trig 16, compare 17)
+    Operations: 244 (add 87, mul 120, div 6, trig 16, compare 15)
     Note: independent coordinates y: limb5_S.qx, limb5_S.qy
     """
     entries, batch = _entries("velocity", {"q": 16, "y_dot": 2}, arguments)
@@ -2778,7 +2778,189 @@ def velocity(*arguments):
         limb5_S_q_qy, limb5_S_q_qz, limb5_S_y_dot_qx, limb5_S_y_dot_qy,
     ) = entries
     with np.errstate(all="ignore"):
-        # limb5_S: velocities, eq. (6); geometry
+        # limb1: geometry; reciprocal wrenches, eq. (10); rates that follow
+        t1 = 0.5235987755982989 + limb1_U_q_1
+        limb1_lower_cos = np.cos(t1)
+        limb1_upper_offset_x = 0.3 + limb1_P_q
+        minus_limb1_U_0_lever_mz_by_limb1_U2_fz = limb1_lower_cos * limb1_upper_offset_x
+        t2 = 1.0 / minus_limb1_U_0_lever_mz_by_limb1_U2_fz
+        limb1_lower_sin = np.sin(t1)
+        minus_limb1_upper_position_x = 0.8 - limb1_lower_sin * limb1_upper_offset_x
+        limb1_U_0_cos = np.cos(limb1_U_q_0)
+        # limb5_S: geometry
+        t3 = limb5_S_q_qw * limb5_S_q_qw
+        t4 = limb5_S_q_qx * limb5_S_q_qx
+        t5 = t3 + t4
+        t6 = limb5_S_q_qy * limb5_S_q_qy
+        t7 = limb5_S_q_qz * limb5_S_q_qz
+        t8 = t6 + t7
+        t9 = t5 + t8
+        t11 = 4.0 - 2.0 * t9
+        platform_turn_yy = 1.0 - t11 * (t4 + t7)
+        t14 = limb1_U_0_cos * platform_turn_yy  # limb1
+        limb1_U_0_sin = np.sin(limb1_U_q_0)
+        t15 = limb5_S_q_qz * t11
+        t16 = limb5_S_q_qy * t15
+        t18 = limb5_S_q_qw * (limb5_S_q_qx * t11)
+        platform_turn_zy = t16 + t18
+        # limb1: reciprocal wrenches, eq. (10); rates that follow; pivots
+        limb1_U2_constraint_mn_couple_x = t14 + limb1_U_0_sin * platform_turn_zy
+        limb1_U_0_lever_my_by_limb1_U2_mn = limb1_lower_cos * limb1_U2_constraint_mn_couple_x
+        minus_limb1_U2_factor_1_by_3 = limb1_U_0_lever_my_by_limb1_U2_mn - minus_limb1_upper_position_x * (limb1_lower_sin * limb1_U2_constraint_mn_couple_x * t2)
+        t21 = limb1_U_0_cos * minus_limb1_U2_factor_1_by_3
+        t25 = limb1_lower_cos * (limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos * platform_turn_zy)
+        t26 = limb5_S_q_qy * t11  # limb5_S
+        t27 = limb5_S_q_qx * t26  # limb5_S
+        t28 = limb5_S_q_qw * t15  # limb5_S
+        platform_turn_xy = t27 - t28
+        limb1_U2_constraint_mn_couple_z = t25 - limb1_lower_sin * platform_turn_xy
+        limb1_U2_arm_x = limb1_upper_offset_x - 0.8 * limb1_lower_sin
+        t31 = limb1_lower_cos * t2
+        minus_limb1_U2_factor_0_by_3 = limb1_U2_constraint_mn_couple_z - limb1_U2_arm_x * (limb1_U2_constraint_mn_couple_z * t31)
+        # limb5_S: pivots; rates that follow
+        minus_limb5_S_pivot_wz = t21 + limb1_U_0_sin * minus_limb1_U2_factor_0_by_3
+        t34 = 1.0 / minus_limb5_S_pivot_wz
+        t37 = limb1_U_0_sin * minus_limb1_U2_factor_1_by_3 - limb1_U_0_cos * minus_limb1_U2_factor_0_by_3  # limb1
+        # limb5_S: velocities, eq. (6); rates that follow
+        t39 = 1.5 - 0.5 * t9
+        t40 = limb5_S_q_qw * t39
+        t41 = 0.5 * t40
+        t42 = t41 * limb5_S_y_dot_qy
+        t43 = limb5_S_q_qz * t39
+        t44 = 0.5 * t43
+        t46 = t42 + t44 * limb5_S_y_dot_qx
+        t47 = limb5_S_q_qy * t39
+        limb5_S_null_space_wz_by_limb5_S_wy = t34 * t37
+        t50 = 0.5 * (t43 - t47 * limb5_S_null_space_wz_by_limb5_S_wy)
+        t51 = t44 * t50
+        t55 = 0.5 * (t40 + limb5_S_q_qx * t39 * limb5_S_null_space_wz_by_limb5_S_wy)
+        a_pivot = t51 + t41 * t55
+        t57 = 1.0 / a_pivot
+        limb5_S_joint_rate_wy = t46 * t57
+        limb5_S_joint_rate_wz = t34 * (t37 * limb5_S_joint_rate_wy)
+        t62 = minus_limb1_upper_position_x * (limb1_U_0_cos * limb5_S_joint_rate_wz - limb1_U_0_sin * limb5_S_joint_rate_wy)  # limb1
+        t63 = t2 * t62  # limb1
+        minus_limb5_S_joint_rate_wx = t57 * (limb5_S_y_dot_qy * t50 - limb5_S_y_dot_qx * t55)
+        limb1_U_joint_rate_0 = t63 - minus_limb5_S_joint_rate_wx
+        t69 = limb1_U_0_sin * limb5_S_joint_rate_wz + limb1_U_0_cos * limb5_S_joint_rate_wy  # limb1
+        limb1_U_joint_rate_1 = t31 * (limb1_U2_arm_x * t69)
+        limb1_P_joint_rate = 0.8 * limb1_lower_cos * t69
+        # limb2: geometry; reciprocal wrenches, eq. (10); velocities, eq. (6)
+        t70 = 2.6179938779914944 + limb2_U_q_1
+        limb2_lower_cos = np.cos(t70)
+        limb2_upper_offset_x = 0.3 + limb2_P_q
+        minus_limb2_U_0_lever_mz_by_limb2_S_fz = limb2_lower_cos * limb2_upper_offset_x
+        t71 = 1.0 / minus_limb2_U_0_lever_mz_by_limb2_S_fz
+        limb2_lower_sin = np.sin(t70)
+        minus_limb2_upper_position_y = 0.8 - limb2_lower_sin * limb2_upper_offset_x
+        limb2_U_0_sin = np.cos(limb2_U_q_0)
+        t72 = limb2_U_0_sin * limb5_S_joint_rate_wz
+        minus_limb2_U_0_cos = np.sin(limb2_U_q_0)
+        t76 = t71 * (minus_limb2_upper_position_y * (t72 - minus_limb2_U_0_cos * minus_limb5_S_joint_rate_wx))
+        limb2_U_joint_rate_0 = limb5_S_joint_rate_wy - t76
+        limb2_S_arm_x = limb2_upper_offset_x - 0.8 * limb2_lower_sin
+        t80 = minus_limb2_U_0_cos * limb5_S_joint_rate_wz + limb2_U_0_sin * minus_limb5_S_joint_rate_wx
+        limb2_U_joint_rate_1 = -(limb2_S_arm_x * t80 * (limb2_lower_cos * t71))
+        limb2_P_joint_rate = -(0.8 * limb2_lower_cos * t80)
+        # limb3: geometry; reciprocal wrenches, eq. (10); velocities, eq. (6)
+        t82 = 0.5235987755982989 - limb3_U_q_1
+        limb3_lower_cos = np.cos(t82)
+        limb3_upper_offset_x = 0.3 + limb3_P_q
+        minus_limb3_U_0_lever_mz_by_limb3_S_fz = limb3_lower_cos * limb3_upper_offset_x
+        t83 = 1.0 / minus_limb3_U_0_lever_mz_by_limb3_S_fz
+        minus_limb3_lower_sin = np.sin(t82)
+        limb3_upper_position_x = 0.8 - minus_limb3_lower_sin * limb3_upper_offset_x
+        limb3_U_0_cos = np.cos(limb3_U_q_0)
+        t84 = limb3_U_0_cos * limb5_S_joint_rate_wz
+        limb3_U_0_sin = np.sin(limb3_U_q_0)
+        minus_limb3_U_joint_rate_0 = minus_limb5_S_joint_rate_wx + t83 * (limb3_upper_position_x * (t84 - limb3_U_0_sin * limb5_S_joint_rate_wy))
+        limb3_U_joint_rate_0 = -minus_limb3_U_joint_rate_0
+        limb3_S_arm_x = limb3_upper_offset_x - 0.8 * minus_limb3_lower_sin
+        t92 = limb3_U_0_sin * limb5_S_joint_rate_wz + limb3_U_0_cos * limb5_S_joint_rate_wy
+        limb3_U_joint_rate_1 = limb3_S_arm_x * t92 * (limb3_lower_cos * t83)
+        limb3_P_joint_rate = -(0.8 * limb3_lower_cos * t92)
+        # limb4: geometry; reciprocal wrenches, eq. (10); velocities, eq. (6)
+        t94 = 2.6179938779914944 - limb4_U_q_1
+        limb4_lower_cos = np.cos(t94)
+        limb4_upper_offset_x = 0.3 + limb4_P_q
+        minus_limb4_U_0_lever_mz_by_limb4_S_fz = limb4_lower_cos * limb4_upper_offset_x
+        t95 = 1.0 / minus_limb4_U_0_lever_mz_by_limb4_S_fz
+        minus_limb4_lower_sin = np.sin(t94)
+        limb4_upper_position_y = 0.8 - minus_limb4_lower_sin * limb4_upper_offset_x
+        limb4_U_0_sin = np.cos(limb4_U_q_0)
+        t96 = limb4_U_0_sin * limb5_S_joint_rate_wz
+        minus_limb4_U_0_cos = np.sin(limb4_U_q_0)
+        limb4_U_joint_rate_0 = limb5_S_joint_rate_wy + t95 * (limb4_upper_position_y * (t96 - minus_limb4_U_0_cos * minus_limb5_S_joint_rate_wx))
+        limb4_S_arm_x = limb4_upper_offset_x - 0.8 * minus_limb4_lower_sin
+        t104 = minus_limb4_U_0_cos * limb5_S_joint_rate_wz + limb4_U_0_sin * minus_limb5_S_joint_rate_wx
+        limb4_U_joint_rate_1 = -(limb4_S_arm_x * t104 * (limb4_lower_cos * t95))
+        limb4_P_joint_rate = 0.8 * limb4_lower_cos * t104
+        # platform: geometry; velocities, eq. (6)
+        t106 = limb5_S_q_qx * t15
+        t107 = limb5_S_q_qw * t26
+        t108 = (t106 - t107) * limb5_S_joint_rate_wz
+        t112 = (t27 + t28) * limb5_S_joint_rate_wy - (1.0 - t8 * t11) * minus_limb5_S_joint_rate_wx
+        platform_omega_x = t108 + t112
+        t113 = platform_turn_zy * limb5_S_joint_rate_wz
+        platform_omega_y = t113 + (platform_turn_yy * limb5_S_joint_rate_wy - platform_turn_xy * minus_limb5_S_joint_rate_wx)
+        t119 = (1.0 - t11 * (t4 + t6)) * limb5_S_joint_rate_wz
+        platform_omega_z = t119 + ((t16 - t18) * limb5_S_joint_rate_wy - (t106 + t107) * minus_limb5_S_joint_rate_wx)
+        return _finish(batch, ((limb1_U_joint_rate_0, limb1_U_joint_rate_1, limb1_P_joint_rate,
+            limb2_U_joint_rate_0, limb2_U_joint_rate_1, limb2_P_joint_rate, limb3_U_joint_rate_0,
+            limb3_U_joint_rate_1, limb3_P_joint_rate, limb4_U_joint_rate_0, limb4_U_joint_rate_1,
+            limb4_P_joint_rate, platform_omega_x, platform_omega_y, platform_omega_z),),
+            ((minus_limb3_U_0_lever_mz_by_limb3_S_fz, 6.62327e-10),
+            (minus_limb2_U_0_lever_mz_by_limb2_S_fz, 6.62327e-10),
+            (minus_limb4_U_0_lever_mz_by_limb4_S_fz, 6.62327e-10),
+            (minus_limb1_U_0_lever_mz_by_limb1_U2_fz, 6.62327e-10), (minus_limb5_S_pivot_wz,
+            1.0e-09), (a_pivot, 1.0e-09)), (minus_limb1_U_0_lever_mz_by_limb1_U2_fz,
+            minus_limb5_S_pivot_wz, a_pivot, limb1_U_joint_rate_0, limb1_U_joint_rate_1,
+            limb1_P_joint_rate, minus_limb2_U_0_lever_mz_by_limb2_S_fz, limb2_U_joint_rate_0,
+            limb2_U_joint_rate_1, limb2_P_joint_rate, minus_limb3_U_0_lever_mz_by_limb3_S_fz,
+            limb3_U_joint_rate_0, limb3_U_joint_rate_1, limb3_P_joint_rate,
+            minus_limb4_U_0_lever_mz_by_limb4_S_fz, limb4_U_joint_rate_0, limb4_U_joint_rate_1,
+            limb4_P_joint_rate, platform_omega_x, platform_omega_y, platform_omega_z), ((t9,
+            0.999999, 1.000001, 5),))
+
+
+def null_space(*arguments):
+    """null_space: Null space of the closure: v = null_space y_dot.
+    Inputs
+      q[16]: configuration of the tree
+          0 limb1_U.0 [rad]; 1 limb1_U.1 [rad]; 2 limb1_P [m]; 3 limb2_U.0 [rad]; 4 limb2_U.1 [rad];
+          5 limb2_P [m]; 6 limb3_U.0 [rad]; 7 limb3_U.1 [rad]; 8 limb3_P [m]; 9 limb4_U.0 [rad];
+          10 limb4_U.1 [rad]; 11 limb4_P [m]; 12 limb5_S.qw [1]; 13 limb5_S.qx [1]; 14 limb5_S.qy [1];
+          15 limb5_S.qz [1]
+    Outputs
+      null_space[30] (15x2, column by column): columns: v for a unit rate of each y
+          0 limb1_U.0|limb5_S.qx [rad]; 1 limb1_U.1|limb5_S.qx [rad]; 2 limb1_P|limb5_S.qx [m];
+          3 limb2_U.0|limb5_S.qx [rad]; 4 limb2_U.1|limb5_S.qx [rad]; 5 limb2_P|limb5_S.qx [m];
+          6 limb3_U.0|limb5_S.qx [rad]; 7 limb3_U.1|limb5_S.qx [rad]; 8 limb3_P|limb5_S.qx [m];
+          9 limb4_U.0|limb5_S.qx [rad]; 10 limb4_U.1|limb5_S.qx [rad]; 11 limb4_P|limb5_S.qx [m];
+          12 limb5_S.wx|limb5_S.qx [rad]; 13 limb5_S.wy|limb5_S.qx [rad];
+          14 limb5_S.wz|limb5_S.qx [rad]; 15 limb1_U.0|limb5_S.qy [rad]; 16 limb1_U.1|limb5_S.qy [rad];
+          17 limb1_P|limb5_S.qy [m]; 18 limb2_U.0|limb5_S.qy [rad]; 19 limb2_U.1|limb5_S.qy [rad];
+          20 limb2_P|limb5_S.qy [m]; 21 limb3_U.0|limb5_S.qy [rad]; 22 limb3_U.1|limb5_S.qy [rad];
+          23 limb3_P|limb5_S.qy [m]; 24 limb4_U.0|limb5_S.qy [rad]; 25 limb4_U.1|limb5_S.qy [rad];
+          26 limb4_P|limb5_S.qy [m]; 27 limb5_S.wx|limb5_S.qy [rad]; 28 limb5_S.wy|limb5_S.qy [rad];
+          29 limb5_S.wz|limb5_S.qy [rad]
+    Returns
+      0 success
+      1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
+      2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
+      5 no rotation: the length of a quaternion differs from 1 by more than rounding; all outputs are
+        NaN
+    Operations: 324 (add 122, mul 165, div 6, trig 16, compare 15)
+    Note: independent coordinates y: limb5_S.qx, limb5_S.qy
+    """
+    entries, batch = _entries("null_space", {"q": 16}, arguments)
+    (
+        limb1_U_q_0, limb1_U_q_1, limb1_P_q, limb2_U_q_0, limb2_U_q_1, limb2_P_q, limb3_U_q_0,
+        limb3_U_q_1, limb3_P_q, limb4_U_q_0, limb4_U_q_1, limb4_P_q, limb5_S_q_qw, limb5_S_q_qx,
+        limb5_S_q_qy, limb5_S_q_qz,
+    ) = entries
+    with np.errstate(all="ignore"):
+        # limb5_S: rates that follow; geometry
         t1 = limb5_S_q_qw * limb5_S_q_qw
         t2 = limb5_S_q_qx * limb5_S_q_qx
         t3 = t1 + t2
@@ -2820,206 +3002,30 @@ def velocity(*arguments):
         limb1_U2_arm_x = limb1_upper_offset_x - 0.8 * limb1_lower_sin
         t35 = limb1_lower_cos * t23
         minus_limb1_U2_factor_0_by_3 = limb1_U2_constraint_mn_couple_z - limb1_U2_arm_x * (limb1_U2_constraint_mn_couple_z * t35)
-        # limb5_S: pivots; rates that follow
+        # limb5_S: pivots
         minus_limb5_S_pivot_wz = t25 + limb1_U_0_sin * minus_limb1_U2_factor_0_by_3
+        # limb5_S: rates that follow
         t38 = 1.0 / minus_limb5_S_pivot_wz
         t41 = limb1_U_0_sin * minus_limb1_U2_factor_1_by_3 - limb1_U_0_cos * minus_limb1_U2_factor_0_by_3  # limb1
         limb5_S_null_space_wz_by_limb5_S_wy = t38 * t41
-        # limb5_S: velocities, eq. (6)
-        a_pivot = 0.5 * (t10 + t11 * limb5_S_null_space_wz_by_limb5_S_wy)
-        t44 = 1.0 / a_pivot
+        t44 = 0.5 * (t10 + t11 * limb5_S_null_space_wz_by_limb5_S_wy)
         t45 = limb5_S_q_qz * t9
-        t50 = t44 * (0.5 * (t45 - limb5_S_q_qy * t9 * limb5_S_null_space_wz_by_limb5_S_wy))
-        t52 = limb5_S_y_dot_qx - limb5_S_y_dot_qy * t50
-        t53 = 0.5 * t10
-        t54 = 0.5 * t45
-        a_pivot_2 = t53 + t54 * t50
-        limb5_S_joint_rate_wx = t52 / a_pivot_2
-        limb5_S_joint_rate_wy = t44 * (limb5_S_y_dot_qy + t54 * limb5_S_joint_rate_wx)
-        limb5_S_joint_rate_wz = t38 * (t41 * limb5_S_joint_rate_wy)
-        t62 = minus_limb1_upper_position_x * (limb1_U_0_cos * limb5_S_joint_rate_wz - limb1_U_0_sin * limb5_S_joint_rate_wy)  # limb1
-        limb1_U_joint_rate_0 = limb5_S_joint_rate_wx + t23 * t62
-        t66 = limb1_U_0_sin * limb5_S_joint_rate_wz + limb1_U_0_cos * limb5_S_joint_rate_wy  # limb1
-        limb1_U_joint_rate_1 = t35 * (limb1_U2_arm_x * t66)
-        limb1_P_joint_rate = 0.8 * limb1_lower_cos * t66
-        # limb2: geometry; reciprocal wrenches, eq. (10); velocities, eq. (6)
-        t67 = 2.6179938779914944 + limb2_U_q_1
-        limb2_lower_cos = np.cos(t67)
-        limb2_upper_offset_x = 0.3 + limb2_P_q
-        minus_limb2_U_0_lever_mz_by_limb2_S_fz = limb2_lower_cos * limb2_upper_offset_x
-        t68 = 1.0 / minus_limb2_U_0_lever_mz_by_limb2_S_fz
-        limb2_lower_sin = np.sin(t67)
-        minus_limb2_upper_position_y = 0.8 - limb2_lower_sin * limb2_upper_offset_x
-        limb2_U_0_sin = np.cos(limb2_U_q_0)
-        t69 = limb2_U_0_sin * limb5_S_joint_rate_wz
-        minus_limb2_U_0_cos = np.sin(limb2_U_q_0)
-        limb2_U_joint_rate_0 = limb5_S_joint_rate_wy - t68 * (minus_limb2_upper_position_y * (t69 + minus_limb2_U_0_cos * limb5_S_joint_rate_wx))
-        limb2_S_arm_x = limb2_upper_offset_x - 0.8 * limb2_lower_sin
-        t77 = minus_limb2_U_0_cos * limb5_S_joint_rate_wz - limb2_U_0_sin * limb5_S_joint_rate_wx
-        limb2_U_joint_rate_1 = -(limb2_S_arm_x * t77 * (limb2_lower_cos * t68))
-        limb2_P_joint_rate = -(0.8 * limb2_lower_cos * t77)
-        # limb3: geometry; reciprocal wrenches, eq. (10); velocities, eq. (6)
-        t79 = 0.5235987755982989 - limb3_U_q_1
-        limb3_lower_cos = np.cos(t79)
-        limb3_upper_offset_x = 0.3 + limb3_P_q
-        minus_limb3_U_0_lever_mz_by_limb3_S_fz = limb3_lower_cos * limb3_upper_offset_x
-        t80 = 1.0 / minus_limb3_U_0_lever_mz_by_limb3_S_fz
-        minus_limb3_lower_sin = np.sin(t79)
-        limb3_upper_position_x = 0.8 - minus_limb3_lower_sin * limb3_upper_offset_x
-        limb3_U_0_cos = np.cos(limb3_U_q_0)
-        t81 = limb3_U_0_cos * limb5_S_joint_rate_wz
-        limb3_U_0_sin = np.sin(limb3_U_q_0)
-        limb3_U_joint_rate_0 = limb5_S_joint_rate_wx - t80 * (limb3_upper_position_x * (t81 - limb3_U_0_sin * limb5_S_joint_rate_wy))
-        limb3_S_arm_x = limb3_upper_offset_x - 0.8 * minus_limb3_lower_sin
-        t89 = limb3_U_0_sin * limb5_S_joint_rate_wz + limb3_U_0_cos * limb5_S_joint_rate_wy
-        limb3_U_joint_rate_1 = limb3_S_arm_x * t89 * (limb3_lower_cos * t80)
-        limb3_P_joint_rate = -(0.8 * limb3_lower_cos * t89)
-        # limb4: geometry; reciprocal wrenches, eq. (10); velocities, eq. (6)
-        t91 = 2.6179938779914944 - limb4_U_q_1
-        limb4_lower_cos = np.cos(t91)
-        limb4_upper_offset_x = 0.3 + limb4_P_q
-        minus_limb4_U_0_lever_mz_by_limb4_S_fz = limb4_lower_cos * limb4_upper_offset_x
-        t92 = 1.0 / minus_limb4_U_0_lever_mz_by_limb4_S_fz
-        minus_limb4_lower_sin = np.sin(t91)
-        limb4_upper_position_y = 0.8 - minus_limb4_lower_sin * limb4_upper_offset_x
-        limb4_U_0_sin = np.cos(limb4_U_q_0)
-        t93 = limb4_U_0_sin * limb5_S_joint_rate_wz
-        minus_limb4_U_0_cos = np.sin(limb4_U_q_0)
-        limb4_U_joint_rate_0 = limb5_S_joint_rate_wy + t92 * (limb4_upper_position_y * (t93 + minus_limb4_U_0_cos * limb5_S_joint_rate_wx))
-        limb4_S_arm_x = limb4_upper_offset_x - 0.8 * minus_limb4_lower_sin
-        t101 = minus_limb4_U_0_cos * limb5_S_joint_rate_wz - limb4_U_0_sin * limb5_S_joint_rate_wx
-        limb4_U_joint_rate_1 = -(limb4_S_arm_x * t101 * (limb4_lower_cos * t92))
-        limb4_P_joint_rate = 0.8 * limb4_lower_cos * t101
-        # platform: geometry; velocities, eq. (6)
-        t103 = limb5_S_q_qx * t18
-        t104 = limb5_S_q_qw * t30
-        t105 = (t103 - t104) * limb5_S_joint_rate_wz
-        t109 = (t31 + t32) * limb5_S_joint_rate_wy + (1.0 - t6 * t14) * limb5_S_joint_rate_wx
-        platform_omega_x = t105 + t109
-        t110 = platform_turn_zy * limb5_S_joint_rate_wz
-        platform_omega_y = t110 + (platform_turn_yy * limb5_S_joint_rate_wy + platform_turn_xy * limb5_S_joint_rate_wx)
-        t116 = (1.0 - t14 * (t2 + t4)) * limb5_S_joint_rate_wz
-        platform_omega_z = t116 + ((t19 - t21) * limb5_S_joint_rate_wy + (t103 + t104) * limb5_S_joint_rate_wx)
-        return _finish(batch, ((limb1_U_joint_rate_0, limb1_U_joint_rate_1, limb1_P_joint_rate,
-            limb2_U_joint_rate_0, limb2_U_joint_rate_1, limb2_P_joint_rate, limb3_U_joint_rate_0,
-            limb3_U_joint_rate_1, limb3_P_joint_rate, limb4_U_joint_rate_0, limb4_U_joint_rate_1,
-            limb4_P_joint_rate, platform_omega_x, platform_omega_y, platform_omega_z),),
-            ((minus_limb3_U_0_lever_mz_by_limb3_S_fz, 6.62327e-10),
-            (minus_limb2_U_0_lever_mz_by_limb2_S_fz, 6.62327e-10),
-            (minus_limb4_U_0_lever_mz_by_limb4_S_fz, 6.62327e-10),
-            (minus_limb1_U_0_lever_mz_by_limb1_U2_fz, 6.62327e-10), (minus_limb5_S_pivot_wz,
-            1.0e-09), (a_pivot, 1.0e-09), (a_pivot_2, 1.0e-09)),
-            (minus_limb1_U_0_lever_mz_by_limb1_U2_fz, minus_limb5_S_pivot_wz, a_pivot, a_pivot_2,
-            limb1_U_joint_rate_0, limb1_U_joint_rate_1, limb1_P_joint_rate,
-            minus_limb2_U_0_lever_mz_by_limb2_S_fz, limb2_U_joint_rate_0, limb2_U_joint_rate_1,
-            limb2_P_joint_rate, minus_limb3_U_0_lever_mz_by_limb3_S_fz, limb3_U_joint_rate_0,
-            limb3_U_joint_rate_1, limb3_P_joint_rate, minus_limb4_U_0_lever_mz_by_limb4_S_fz,
-            limb4_U_joint_rate_0, limb4_U_joint_rate_1, limb4_P_joint_rate, platform_omega_x,
-            platform_omega_y, platform_omega_z), ((t7, 0.999999, 1.000001, 5),))
-
-
-def null_space(*arguments):
-    """null_space: Null space of the closure: v = null_space y_dot.
-    Inputs
-      q[16]: configuration of the tree
-          0 limb1_U.0 [rad]; 1 limb1_U.1 [rad]; 2 limb1_P [m]; 3 limb2_U.0 [rad]; 4 limb2_U.1 [rad];
-          5 limb2_P [m]; 6 limb3_U.0 [rad]; 7 limb3_U.1 [rad]; 8 limb3_P [m]; 9 limb4_U.0 [rad];
-          10 limb4_U.1 [rad]; 11 limb4_P [m]; 12 limb5_S.qw [1]; 13 limb5_S.qx [1]; 14 limb5_S.qy [1];
-          15 limb5_S.qz [1]
-    Outputs
-      null_space[30] (15x2, column by column): columns: v for a unit rate of each y
-          0 limb1_U.0|limb5_S.qx [rad]; 1 limb1_U.1|limb5_S.qx [rad]; 2 limb1_P|limb5_S.qx [m];
-          3 limb2_U.0|limb5_S.qx [rad]; 4 limb2_U.1|limb5_S.qx [rad]; 5 limb2_P|limb5_S.qx [m];
-          6 limb3_U.0|limb5_S.qx [rad]; 7 limb3_U.1|limb5_S.qx [rad]; 8 limb3_P|limb5_S.qx [m];
-          9 limb4_U.0|limb5_S.qx [rad]; 10 limb4_U.1|limb5_S.qx [rad]; 11 limb4_P|limb5_S.qx [m];
-          12 limb5_S.wx|limb5_S.qx [rad]; 13 limb5_S.wy|limb5_S.qx [rad];
-          14 limb5_S.wz|limb5_S.qx [rad]; 15 limb1_U.0|limb5_S.qy [rad]; 16 limb1_U.1|limb5_S.qy [rad];
-          17 limb1_P|limb5_S.qy [m]; 18 limb2_U.0|limb5_S.qy [rad]; 19 limb2_U.1|limb5_S.qy [rad];
-          20 limb2_P|limb5_S.qy [m]; 21 limb3_U.0|limb5_S.qy [rad]; 22 limb3_U.1|limb5_S.qy [rad];
-          23 limb3_P|limb5_S.qy [m]; 24 limb4_U.0|limb5_S.qy [rad]; 25 limb4_U.1|limb5_S.qy [rad];
-          26 limb4_P|limb5_S.qy [m]; 27 limb5_S.wx|limb5_S.qy [rad]; 28 limb5_S.wy|limb5_S.qy [rad];
-          29 limb5_S.wz|limb5_S.qy [rad]
-    Returns
-      0 success
-      1 near-singular: a pivot of the elimination fell below its threshold; all outputs are NaN
-      2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
-      5 no rotation: the length of a quaternion differs from 1 by more than rounding; all outputs are
-        NaN
-    Operations: 330 (add 124, mul 166, div 7, trig 16, compare 17)
-    Note: independent coordinates y: limb5_S.qx, limb5_S.qy
-    """
-    entries, batch = _entries("null_space", {"q": 16}, arguments)
-    (
-        limb1_U_q_0, limb1_U_q_1, limb1_P_q, limb2_U_q_0, limb2_U_q_1, limb2_P_q, limb3_U_q_0,
-        limb3_U_q_1, limb3_P_q, limb4_U_q_0, limb4_U_q_1, limb4_P_q, limb5_S_q_qw, limb5_S_q_qx,
-        limb5_S_q_qy, limb5_S_q_qz,
-    ) = entries
-    with np.errstate(all="ignore"):
-        # limb5_S: rates that follow; geometry
-        t1 = limb5_S_q_qw * limb5_S_q_qw
-        t2 = limb5_S_q_qx * limb5_S_q_qx
-        t3 = t1 + t2
-        t4 = limb5_S_q_qy * limb5_S_q_qy
-        t5 = limb5_S_q_qz * limb5_S_q_qz
-        t6 = t4 + t5
-        t7 = t3 + t6
-        t9 = 1.5 - 0.5 * t7
-        t10 = limb5_S_q_qw * t9
-        t11 = 0.5 * t10
-        t12 = limb5_S_q_qz * t9
-        t13 = 0.5 * t12
-        t14 = limb5_S_q_qx * t9
-        limb1_U_0_cos = np.cos(limb1_U_q_0)
-        t15 = 0.5235987755982989 + limb1_U_q_1  # limb1
-        limb1_lower_cos = np.cos(t15)
-        t17 = 4.0 - 2.0 * t7
-        platform_turn_yy = 1.0 - t17 * (t2 + t5)
-        # limb1: reciprocal wrenches, eq. (10); geometry; rates that follow
-        t20 = limb1_U_0_cos * platform_turn_yy
-        limb1_U_0_sin = np.sin(limb1_U_q_0)
-        t21 = limb5_S_q_qz * t17  # limb5_S
-        t22 = limb5_S_q_qy * t21  # limb5_S
-        t24 = limb5_S_q_qw * (limb5_S_q_qx * t17)  # limb5_S
-        platform_turn_zy = t22 + t24
-        limb1_U2_constraint_mn_couple_x = t20 + limb1_U_0_sin * platform_turn_zy
-        limb1_U_0_lever_my_by_limb1_U2_mn = limb1_lower_cos * limb1_U2_constraint_mn_couple_x
-        limb1_lower_sin = np.sin(t15)
-        limb1_upper_offset_x = 0.3 + limb1_P_q
-        minus_limb1_upper_position_x = 0.8 - limb1_lower_sin * limb1_upper_offset_x
-        limb1_U_0_lever_mz_by_limb1_U2_mn = limb1_lower_sin * limb1_U2_constraint_mn_couple_x
-        minus_limb1_U_0_lever_mz_by_limb1_U2_fz = limb1_lower_cos * limb1_upper_offset_x
-        t26 = 1.0 / minus_limb1_U_0_lever_mz_by_limb1_U2_fz
-        minus_limb1_U2_factor_1_by_3 = limb1_U_0_lever_my_by_limb1_U2_mn - minus_limb1_upper_position_x * (limb1_U_0_lever_mz_by_limb1_U2_mn * t26)
-        t28 = limb1_U_0_cos * minus_limb1_U2_factor_1_by_3
-        t32 = limb1_lower_cos * (limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos * platform_turn_zy)
-        t33 = limb5_S_q_qy * t17  # limb5_S
-        t34 = limb5_S_q_qx * t33  # limb5_S
-        t35 = limb5_S_q_qw * t21  # limb5_S
-        platform_turn_xy = t34 - t35
-        limb1_U2_constraint_mn_couple_z = t32 - limb1_lower_sin * platform_turn_xy
-        limb1_U2_arm_x = limb1_upper_offset_x - 0.8 * limb1_lower_sin
-        t38 = limb1_lower_cos * t26
-        minus_limb1_U2_factor_0_by_3 = limb1_U2_constraint_mn_couple_z - limb1_U2_arm_x * (limb1_U2_constraint_mn_couple_z * t38)
-        # limb5_S: pivots
-        minus_limb5_S_pivot_wz = t28 + limb1_U_0_sin * minus_limb1_U2_factor_0_by_3
-        # limb5_S: rates that follow
-        t41 = 1.0 / minus_limb5_S_pivot_wz
-        t44 = limb1_U_0_sin * minus_limb1_U2_factor_1_by_3 - limb1_U_0_cos * minus_limb1_U2_factor_0_by_3  # limb1
-        limb5_S_null_space_wz_by_limb5_S_wy = t41 * t44
-        a_pivot = 0.5 * (t10 + t14 * limb5_S_null_space_wz_by_limb5_S_wy)
-        t47 = 1.0 / a_pivot
-        t52 = t47 * (0.5 * (t12 - limb5_S_q_qy * t9 * limb5_S_null_space_wz_by_limb5_S_wy))
-        a_pivot_2 = t11 + t13 * t52
-        limb5_S_null_space_wx_by_limb5_S_qx = 1.0 / a_pivot_2
-        limb5_S_null_space_wy_by_limb5_S_qx = t47 * (t13 * limb5_S_null_space_wx_by_limb5_S_qx)
-        limb5_S_null_space_wz_by_limb5_S_qx = t41 * (t44 * limb5_S_null_space_wy_by_limb5_S_qx)
+        t46 = 0.5 * t45
+        t50 = 0.5 * (t45 - limb5_S_q_qy * t9 * limb5_S_null_space_wz_by_limb5_S_wy)
+        t51 = t46 * t50
+        t52 = 0.5 * t10
+        a_pivot = t51 + t52 * t44
+        t54 = 1.0 / a_pivot
+        limb5_S_null_space_wx_by_limb5_S_qx = t44 * t54
+        limb5_S_null_space_wy_by_limb5_S_qx = t46 * t54
+        limb5_S_null_space_wz_by_limb5_S_qx = t38 * (t41 * limb5_S_null_space_wy_by_limb5_S_qx)
         # limb1: rates that follow; reciprocal wrenches, eq. (10)
         t56 = limb1_U_0_cos * limb5_S_null_space_wz_by_limb5_S_qx
-        t60 = t26 * (minus_limb1_upper_position_x * (t56 - limb1_U_0_sin * limb5_S_null_space_wy_by_limb5_S_qx))
+        t60 = t23 * (minus_limb1_upper_position_x * (t56 - limb1_U_0_sin * limb5_S_null_space_wy_by_limb5_S_qx))
         limb1_U_null_space_0_by_limb5_S_qx = limb5_S_null_space_wx_by_limb5_S_qx + t60
         t61 = limb1_U_0_sin * limb5_S_null_space_wz_by_limb5_S_qx
         t63 = t61 + limb1_U_0_cos * limb5_S_null_space_wy_by_limb5_S_qx
-        limb1_U_null_space_1_by_limb5_S_qx = t38 * (limb1_U2_arm_x * t63)
+        limb1_U_null_space_1_by_limb5_S_qx = t35 * (limb1_U2_arm_x * t63)
         minus_limb1_U2_arm_y = 0.8 * limb1_lower_cos
         limb1_P_null_space_by_limb5_S_qx = minus_limb1_U2_arm_y * t63
         # limb2: geometry; reciprocal wrenches, eq. (10); rates that follow
@@ -3084,57 +3090,57 @@ def null_space(*arguments):
         limb4_S_arm_y = 0.8 * limb4_lower_cos
         limb4_P_null_space_by_limb5_S_qx = limb4_S_arm_y * t102
         # limb5_S: geometry
-        t104 = limb5_S_q_qx * t21
-        t105 = limb5_S_q_qw * t33
+        t104 = limb5_S_q_qx * t18
+        t105 = limb5_S_q_qw * t30
         platform_turn_zx = t104 - t105
         # limb5_S: rates that follow; geometry
         t106 = platform_turn_zx * limb5_S_null_space_wz_by_limb5_S_qx
-        platform_turn_yx = t34 + t35
+        platform_turn_yx = t31 + t32
         t107 = platform_turn_yx * limb5_S_null_space_wy_by_limb5_S_qx
-        platform_turn_xx = 1.0 - t6 * t17
+        platform_turn_xx = 1.0 - t6 * t14
         limb5_S_null_space_wx_by_limb5_S_qx_2 = t106 + (t107 + platform_turn_xx * limb5_S_null_space_wx_by_limb5_S_qx)
         t111 = platform_turn_zy * limb5_S_null_space_wz_by_limb5_S_qx
         t112 = platform_turn_yy * limb5_S_null_space_wy_by_limb5_S_qx
         limb5_S_null_space_wy_by_limb5_S_qx_2 = t111 + (t112 + platform_turn_xy * limb5_S_null_space_wx_by_limb5_S_qx)
-        platform_turn_zz = 1.0 - t17 * (t2 + t4)
+        platform_turn_zz = 1.0 - t14 * (t2 + t4)
         t117 = platform_turn_zz * limb5_S_null_space_wz_by_limb5_S_qx
-        platform_turn_yz = t22 - t24
+        platform_turn_yz = t19 - t21
         t118 = platform_turn_yz * limb5_S_null_space_wy_by_limb5_S_qx
         platform_turn_xz = t104 + t105
         limb5_S_null_space_wz_by_limb5_S_qx_2 = t117 + (t118 + platform_turn_xz * limb5_S_null_space_wx_by_limb5_S_qx)
-        t121 = t52 * limb5_S_null_space_wx_by_limb5_S_qx
-        limb5_S_null_space_wy_by_limb5_S_qy = t47 * (1.0 - t13 * t121)
-        limb5_S_null_space_wz_by_limb5_S_qy = t41 * (t44 * limb5_S_null_space_wy_by_limb5_S_qy)
-        t125 = limb1_U_0_cos * limb5_S_null_space_wz_by_limb5_S_qy  # limb1
-        t129 = t26 * (minus_limb1_upper_position_x * (t125 - limb1_U_0_sin * limb5_S_null_space_wy_by_limb5_S_qy))  # limb1
-        limb1_U_null_space_0_by_limb5_S_qy = t129 - t121
-        t130 = limb1_U_0_sin * limb5_S_null_space_wz_by_limb5_S_qy  # limb1
-        t132 = t130 + limb1_U_0_cos * limb5_S_null_space_wy_by_limb5_S_qy  # limb1
-        limb1_U_null_space_1_by_limb5_S_qy = t38 * (limb1_U2_arm_x * t132)
-        limb1_P_null_space_by_limb5_S_qy = minus_limb1_U2_arm_y * t132
-        t137 = minus_limb2_upper_position_y * (limb2_U_0_sin * limb5_S_null_space_wz_by_limb5_S_qy - minus_limb2_U_0_cos * t121)  # limb2
-        limb2_U_null_space_0_by_limb5_S_qy = limb5_S_null_space_wy_by_limb5_S_qy - t66 * t137
-        t141 = minus_limb2_U_0_cos * limb5_S_null_space_wz_by_limb5_S_qy + limb2_U_0_sin * t121  # limb2
-        limb2_U_null_space_1_by_limb5_S_qy = -(limb2_S_arm_x * t141 * t72)
-        limb2_P_null_space_by_limb5_S_qy = -(minus_limb2_S_arm_y * t141)
-        t143 = limb3_U_0_cos * limb5_S_null_space_wz_by_limb5_S_qy  # limb3
-        t147 = t79 * (limb3_upper_position_x * (t143 - limb3_U_0_sin * limb5_S_null_space_wy_by_limb5_S_qy))  # limb3
-        limb3_U_null_space_0_by_limb5_S_qy = -(t121 + t147)
-        t148 = limb3_U_0_sin * limb5_S_null_space_wz_by_limb5_S_qy  # limb3
-        t150 = t148 + limb3_U_0_cos * limb5_S_null_space_wy_by_limb5_S_qy  # limb3
-        limb3_U_null_space_1_by_limb5_S_qy = limb3_S_arm_x * t150 * t85
-        limb3_P_null_space_by_limb5_S_qy = -(limb3_S_arm_y * t150)
-        t155 = limb4_upper_position_y * (limb4_U_0_sin * limb5_S_null_space_wz_by_limb5_S_qy - minus_limb4_U_0_cos * t121)  # limb4
-        limb4_U_null_space_0_by_limb5_S_qy = limb5_S_null_space_wy_by_limb5_S_qy + t92 * t155
-        t159 = minus_limb4_U_0_cos * limb5_S_null_space_wz_by_limb5_S_qy + limb4_U_0_sin * t121  # limb4
-        limb4_U_null_space_1_by_limb5_S_qy = -(limb4_S_arm_x * t159 * t98)
-        limb4_P_null_space_by_limb5_S_qy = limb4_S_arm_y * t159
-        t161 = platform_turn_zx * limb5_S_null_space_wz_by_limb5_S_qy
-        limb5_S_null_space_wx_by_limb5_S_qy = t161 + (platform_turn_yx * limb5_S_null_space_wy_by_limb5_S_qy - platform_turn_xx * t121)
-        t165 = platform_turn_zy * limb5_S_null_space_wz_by_limb5_S_qy
-        limb5_S_null_space_wy_by_limb5_S_qy_2 = t165 + (platform_turn_yy * limb5_S_null_space_wy_by_limb5_S_qy - platform_turn_xy * t121)
-        t169 = platform_turn_zz * limb5_S_null_space_wz_by_limb5_S_qy
-        limb5_S_null_space_wz_by_limb5_S_qy_2 = t169 + (platform_turn_yz * limb5_S_null_space_wy_by_limb5_S_qy - platform_turn_xz * t121)
+        limb5_S_null_space_wy_by_limb5_S_qy = t52 * t54
+        limb5_S_null_space_wz_by_limb5_S_qy = t38 * (t41 * limb5_S_null_space_wy_by_limb5_S_qy)
+        t122 = limb1_U_0_cos * limb5_S_null_space_wz_by_limb5_S_qy  # limb1
+        t126 = t23 * (minus_limb1_upper_position_x * (t122 - limb1_U_0_sin * limb5_S_null_space_wy_by_limb5_S_qy))  # limb1
+        t127 = t50 * t54
+        limb1_U_null_space_0_by_limb5_S_qy = t126 - t127
+        t128 = limb1_U_0_sin * limb5_S_null_space_wz_by_limb5_S_qy  # limb1
+        t130 = t128 + limb1_U_0_cos * limb5_S_null_space_wy_by_limb5_S_qy  # limb1
+        limb1_U_null_space_1_by_limb5_S_qy = t35 * (limb1_U2_arm_x * t130)
+        limb1_P_null_space_by_limb5_S_qy = minus_limb1_U2_arm_y * t130
+        t135 = minus_limb2_upper_position_y * (limb2_U_0_sin * limb5_S_null_space_wz_by_limb5_S_qy - minus_limb2_U_0_cos * t127)  # limb2
+        limb2_U_null_space_0_by_limb5_S_qy = limb5_S_null_space_wy_by_limb5_S_qy - t66 * t135
+        t139 = minus_limb2_U_0_cos * limb5_S_null_space_wz_by_limb5_S_qy + limb2_U_0_sin * t127  # limb2
+        limb2_U_null_space_1_by_limb5_S_qy = -(limb2_S_arm_x * t139 * t72)
+        limb2_P_null_space_by_limb5_S_qy = -(minus_limb2_S_arm_y * t139)
+        t141 = limb3_U_0_cos * limb5_S_null_space_wz_by_limb5_S_qy  # limb3
+        t145 = t79 * (limb3_upper_position_x * (t141 - limb3_U_0_sin * limb5_S_null_space_wy_by_limb5_S_qy))  # limb3
+        limb3_U_null_space_0_by_limb5_S_qy = -(t127 + t145)
+        t146 = limb3_U_0_sin * limb5_S_null_space_wz_by_limb5_S_qy  # limb3
+        t148 = t146 + limb3_U_0_cos * limb5_S_null_space_wy_by_limb5_S_qy  # limb3
+        limb3_U_null_space_1_by_limb5_S_qy = limb3_S_arm_x * t148 * t85
+        limb3_P_null_space_by_limb5_S_qy = -(limb3_S_arm_y * t148)
+        t153 = limb4_upper_position_y * (limb4_U_0_sin * limb5_S_null_space_wz_by_limb5_S_qy - minus_limb4_U_0_cos * t127)  # limb4
+        limb4_U_null_space_0_by_limb5_S_qy = limb5_S_null_space_wy_by_limb5_S_qy + t92 * t153
+        t157 = minus_limb4_U_0_cos * limb5_S_null_space_wz_by_limb5_S_qy + limb4_U_0_sin * t127  # limb4
+        limb4_U_null_space_1_by_limb5_S_qy = -(limb4_S_arm_x * t157 * t98)
+        limb4_P_null_space_by_limb5_S_qy = limb4_S_arm_y * t157
+        t159 = platform_turn_zx * limb5_S_null_space_wz_by_limb5_S_qy
+        limb5_S_null_space_wx_by_limb5_S_qy = t159 + (platform_turn_yx * limb5_S_null_space_wy_by_limb5_S_qy - platform_turn_xx * t127)
+        t163 = platform_turn_zy * limb5_S_null_space_wz_by_limb5_S_qy
+        limb5_S_null_space_wy_by_limb5_S_qy_2 = t163 + (platform_turn_yy * limb5_S_null_space_wy_by_limb5_S_qy - platform_turn_xy * t127)
+        t167 = platform_turn_zz * limb5_S_null_space_wz_by_limb5_S_qy
+        limb5_S_null_space_wz_by_limb5_S_qy_2 = t167 + (platform_turn_yz * limb5_S_null_space_wy_by_limb5_S_qy - platform_turn_xz * t127)
         return _finish(batch, ((limb1_U_null_space_0_by_limb5_S_qx,
             limb1_U_null_space_1_by_limb5_S_qx, limb1_P_null_space_by_limb5_S_qx,
             limb2_U_null_space_0_by_limb5_S_qx, limb2_U_null_space_1_by_limb5_S_qx,
@@ -3154,25 +3160,25 @@ def null_space(*arguments):
             6.62327e-10), (minus_limb2_U_0_lever_mz_by_limb2_S_fz, 6.62327e-10),
             (minus_limb4_U_0_lever_mz_by_limb4_S_fz, 6.62327e-10),
             (minus_limb1_U_0_lever_mz_by_limb1_U2_fz, 6.62327e-10), (minus_limb5_S_pivot_wz,
-            1.0e-09), (a_pivot, 1.0e-09), (a_pivot_2, 1.0e-09)),
-            (minus_limb1_U_0_lever_mz_by_limb1_U2_fz, minus_limb5_S_pivot_wz, a_pivot, a_pivot_2,
-            limb1_U_null_space_0_by_limb5_S_qx, limb1_U_null_space_1_by_limb5_S_qx,
-            limb1_P_null_space_by_limb5_S_qx, minus_limb2_U_0_lever_mz_by_limb2_S_fz,
-            limb2_U_null_space_0_by_limb5_S_qx, limb2_U_null_space_1_by_limb5_S_qx,
-            limb2_P_null_space_by_limb5_S_qx, minus_limb3_U_0_lever_mz_by_limb3_S_fz,
-            limb3_U_null_space_0_by_limb5_S_qx, limb3_U_null_space_1_by_limb5_S_qx,
-            limb3_P_null_space_by_limb5_S_qx, minus_limb4_U_0_lever_mz_by_limb4_S_fz,
-            limb4_U_null_space_0_by_limb5_S_qx, limb4_U_null_space_1_by_limb5_S_qx,
-            limb4_P_null_space_by_limb5_S_qx, limb5_S_null_space_wx_by_limb5_S_qx_2,
-            limb5_S_null_space_wy_by_limb5_S_qx_2, limb5_S_null_space_wz_by_limb5_S_qx_2,
-            limb1_U_null_space_0_by_limb5_S_qy, limb1_U_null_space_1_by_limb5_S_qy,
-            limb1_P_null_space_by_limb5_S_qy, limb2_U_null_space_0_by_limb5_S_qy,
-            limb2_U_null_space_1_by_limb5_S_qy, limb2_P_null_space_by_limb5_S_qy,
-            limb3_U_null_space_0_by_limb5_S_qy, limb3_U_null_space_1_by_limb5_S_qy,
-            limb3_P_null_space_by_limb5_S_qy, limb4_U_null_space_0_by_limb5_S_qy,
-            limb4_U_null_space_1_by_limb5_S_qy, limb4_P_null_space_by_limb5_S_qy,
-            limb5_S_null_space_wx_by_limb5_S_qy, limb5_S_null_space_wy_by_limb5_S_qy_2,
-            limb5_S_null_space_wz_by_limb5_S_qy_2), ((t7, 0.999999, 1.000001, 5),))
+            1.0e-09), (a_pivot, 1.0e-09)), (minus_limb1_U_0_lever_mz_by_limb1_U2_fz,
+            minus_limb5_S_pivot_wz, a_pivot, limb1_U_null_space_0_by_limb5_S_qx,
+            limb1_U_null_space_1_by_limb5_S_qx, limb1_P_null_space_by_limb5_S_qx,
+            minus_limb2_U_0_lever_mz_by_limb2_S_fz, limb2_U_null_space_0_by_limb5_S_qx,
+            limb2_U_null_space_1_by_limb5_S_qx, limb2_P_null_space_by_limb5_S_qx,
+            minus_limb3_U_0_lever_mz_by_limb3_S_fz, limb3_U_null_space_0_by_limb5_S_qx,
+            limb3_U_null_space_1_by_limb5_S_qx, limb3_P_null_space_by_limb5_S_qx,
+            minus_limb4_U_0_lever_mz_by_limb4_S_fz, limb4_U_null_space_0_by_limb5_S_qx,
+            limb4_U_null_space_1_by_limb5_S_qx, limb4_P_null_space_by_limb5_S_qx,
+            limb5_S_null_space_wx_by_limb5_S_qx_2, limb5_S_null_space_wy_by_limb5_S_qx_2,
+            limb5_S_null_space_wz_by_limb5_S_qx_2, limb1_U_null_space_0_by_limb5_S_qy,
+            limb1_U_null_space_1_by_limb5_S_qy, limb1_P_null_space_by_limb5_S_qy,
+            limb2_U_null_space_0_by_limb5_S_qy, limb2_U_null_space_1_by_limb5_S_qy,
+            limb2_P_null_space_by_limb5_S_qy, limb3_U_null_space_0_by_limb5_S_qy,
+            limb3_U_null_space_1_by_limb5_S_qy, limb3_P_null_space_by_limb5_S_qy,
+            limb4_U_null_space_0_by_limb5_S_qy, limb4_U_null_space_1_by_limb5_S_qy,
+            limb4_P_null_space_by_limb5_S_qy, limb5_S_null_space_wx_by_limb5_S_qy,
+            limb5_S_null_space_wy_by_limb5_S_qy_2, limb5_S_null_space_wz_by_limb5_S_qy_2), ((t7,
+            0.999999, 1.000001, 5),))
 
 
 def acceleration(*arguments):
@@ -3202,7 +3208,7 @@ def acceleration(*arguments):
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
       5 no rotation: the length of a quaternion differs from 1 by more than rounding; all outputs are
         NaN
-    Operations: 528 (add 194, mul 294, div 7, trig 16, compare 17)
+    Operations: 527 (add 193, mul 297, div 6, trig 16, compare 15)
     Note: independent coordinates y: limb5_S.qx, limb5_S.qy
     """
     entries, batch = _entries("acceleration", {"q": 16, "v": 15, "y_ddot": 2}, arguments)
@@ -3223,250 +3229,251 @@ def acceleration(*arguments):
         t6 = t4 + t5
         t7 = t3 + t6
         t9 = 1.5 - 0.5 * t7
-        t10 = limb5_S_q_qw * t9
-        t11 = limb5_S_q_qx * t9
+        t10 = limb5_S_q_qz * t9
+        t11 = 0.5 * t10
+        t12 = limb5_S_q_qy * t9
         limb1_U_0_cos = np.cos(limb1_U_q_0)
-        t12 = 0.5235987755982989 + limb1_U_q_1  # limb1
-        limb1_lower_cos = np.cos(t12)
-        t14 = 4.0 - 2.0 * t7
-        platform_turn_yy = 1.0 - t14 * (t2 + t5)
+        t13 = 0.5235987755982989 + limb1_U_q_1  # limb1
+        limb1_lower_cos = np.cos(t13)
+        t15 = 4.0 - 2.0 * t7
+        platform_turn_yy = 1.0 - t15 * (t2 + t5)
         # limb1: reciprocal wrenches, eq. (10); geometry; rates that follow
-        t17 = limb1_U_0_cos * platform_turn_yy
+        t18 = limb1_U_0_cos * platform_turn_yy
         limb1_U_0_sin = np.sin(limb1_U_q_0)
-        t18 = limb5_S_q_qz * t14  # limb5_S
-        t19 = limb5_S_q_qy * t18  # limb5_S
-        t21 = limb5_S_q_qw * (limb5_S_q_qx * t14)  # limb5_S
-        platform_turn_zy = t19 + t21
-        limb1_U2_constraint_mn_couple_x = t17 + limb1_U_0_sin * platform_turn_zy
+        t19 = limb5_S_q_qz * t15  # limb5_S
+        t20 = limb5_S_q_qy * t19  # limb5_S
+        t22 = limb5_S_q_qw * (limb5_S_q_qx * t15)  # limb5_S
+        platform_turn_zy = t20 + t22
+        limb1_U2_constraint_mn_couple_x = t18 + limb1_U_0_sin * platform_turn_zy
         limb1_U_0_lever_my_by_limb1_U2_mn = limb1_lower_cos * limb1_U2_constraint_mn_couple_x
-        limb1_lower_sin = np.sin(t12)
+        limb1_lower_sin = np.sin(t13)
         limb1_upper_offset_x = 0.3 + limb1_P_q
         minus_limb1_upper_position_x = 0.8 - limb1_lower_sin * limb1_upper_offset_x
         limb1_U_0_lever_mz_by_limb1_U2_mn = limb1_lower_sin * limb1_U2_constraint_mn_couple_x
         minus_limb1_U_0_lever_mz_by_limb1_U2_fz = limb1_lower_cos * limb1_upper_offset_x
-        t23 = 1.0 / minus_limb1_U_0_lever_mz_by_limb1_U2_fz
-        minus_limb1_U_factor_0_by_3 = limb1_U_0_lever_mz_by_limb1_U2_mn * t23
+        t24 = 1.0 / minus_limb1_U_0_lever_mz_by_limb1_U2_fz
+        minus_limb1_U_factor_0_by_3 = limb1_U_0_lever_mz_by_limb1_U2_mn * t24
         minus_limb1_U2_factor_1_by_3 = limb1_U_0_lever_my_by_limb1_U2_mn - minus_limb1_upper_position_x * minus_limb1_U_factor_0_by_3
-        t25 = limb1_U_0_cos * minus_limb1_U2_factor_1_by_3
-        t28 = limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos * platform_turn_zy
-        t29 = limb1_lower_cos * t28
-        t30 = limb5_S_q_qy * t14  # limb5_S
-        t31 = limb5_S_q_qx * t30  # limb5_S
-        t32 = limb5_S_q_qw * t18  # limb5_S
-        platform_turn_xy = t31 - t32
-        limb1_U2_constraint_mn_couple_z = t29 - limb1_lower_sin * platform_turn_xy
+        t26 = limb1_U_0_cos * minus_limb1_U2_factor_1_by_3
+        t29 = limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos * platform_turn_zy
+        t30 = limb1_lower_cos * t29
+        t31 = limb5_S_q_qy * t15  # limb5_S
+        t32 = limb5_S_q_qx * t31  # limb5_S
+        t33 = limb5_S_q_qw * t19  # limb5_S
+        platform_turn_xy = t32 - t33
+        limb1_U2_constraint_mn_couple_z = t30 - limb1_lower_sin * platform_turn_xy
         limb1_U2_arm_x = limb1_upper_offset_x - 0.8 * limb1_lower_sin
-        t35 = limb1_lower_cos * t23
-        limb1_U_factor_1_by_3 = limb1_U2_constraint_mn_couple_z * t35
+        t36 = limb1_lower_cos * t24
+        limb1_U_factor_1_by_3 = limb1_U2_constraint_mn_couple_z * t36
         minus_limb1_U2_factor_0_by_3 = limb1_U2_constraint_mn_couple_z - limb1_U2_arm_x * limb1_U_factor_1_by_3
+        # limb5_S: pivots; rates that follow
+        minus_limb5_S_pivot_wz = t26 + limb1_U_0_sin * minus_limb1_U2_factor_0_by_3
+        t39 = 1.0 / minus_limb5_S_pivot_wz
+        t42 = limb1_U_0_sin * minus_limb1_U2_factor_1_by_3 - limb1_U_0_cos * minus_limb1_U2_factor_0_by_3  # limb1
+        limb5_S_null_space_wz_by_limb5_S_wy = t39 * t42
         # limb5_S: accelerations; velocities, eq. (6); geometry
-        minus_limb5_S_pivot_wz = t25 + limb1_U_0_sin * minus_limb1_U2_factor_0_by_3
-        t38 = 1.0 / minus_limb5_S_pivot_wz
-        t41 = limb1_U_0_sin * minus_limb1_U2_factor_1_by_3 - limb1_U_0_cos * minus_limb1_U2_factor_0_by_3  # limb1
-        limb5_S_null_space_wz_by_limb5_S_wy = t38 * t41
-        a_pivot = 0.5 * (t10 + t11 * limb5_S_null_space_wz_by_limb5_S_wy)
-        t44 = 1.0 / a_pivot
-        t45 = limb5_S_q_qz * t9
-        t46 = limb5_S_q_qy * t9
-        t50 = t44 * (0.5 * (t45 - t46 * limb5_S_null_space_wz_by_limb5_S_wy))
-        t51 = limb5_S_v_wy * platform_turn_yy
-        platform_turn_yx = t31 + t32
-        t53 = t51 + limb5_S_v_wx * platform_turn_yx
-        platform_turn_yz = t19 - t21
-        platform_twist_wy = t53 + limb5_S_v_wz * platform_turn_yz
-        platform_turn_xx = 1.0 - t6 * t14
-        t58 = limb5_S_v_wx * platform_turn_xx + limb5_S_v_wy * platform_turn_xy
-        t59 = limb5_S_q_qx * t18
-        t60 = limb5_S_q_qw * t30
-        platform_turn_xz = t59 + t60
-        platform_twist_wx = t58 + limb5_S_v_wz * platform_turn_xz
-        # limb5_S: accelerations; geometry; velocities, eq. (6)
-        t64 = platform_twist_wx * t11 + platform_twist_wy * t46
-        platform_turn_zz = 1.0 - t14 * (t2 + t4)
-        t67 = limb5_S_v_wz * platform_turn_zz
-        platform_turn_zx = t59 - t60
-        platform_twist_wz = t67 + (limb5_S_v_wx * platform_turn_zx + limb5_S_v_wy * platform_turn_zy)
-        t73 = 0.5 * (t64 + platform_twist_wz * t45)
-        t74 = platform_twist_wy * t73
-        t80 = 0.5 * (platform_twist_wx * t10 + (platform_twist_wy * t45 - platform_twist_wz * t46))
-        t81 = platform_twist_wz * t80
-        t87 = 0.5 * (platform_twist_wz * t10 + (platform_twist_wx * t46 - platform_twist_wy * t11))
-        t92 = limb5_S_y_ddot_qy + 0.5 * (t74 - (t81 - platform_twist_wx * t87))
-        t95 = limb1_U_0_cos * platform_twist_wy + limb1_U_0_sin * platform_twist_wz
-        t97 = minus_limb1_upper_position_x * (limb1_U_v_0 * t95)
+        t45 = 0.5 * (t10 - t12 * limb5_S_null_space_wz_by_limb5_S_wy)
+        t46 = t11 * t45
+        t47 = limb5_S_q_qw * t9
+        t48 = 0.5 * t47
+        t49 = limb5_S_q_qx * t9
+        t52 = 0.5 * (t47 + t49 * limb5_S_null_space_wz_by_limb5_S_wy)
+        a_pivot = t46 + t48 * t52
+        t54 = 1.0 / a_pivot
+        t55 = limb5_S_v_wy * platform_turn_yy
+        platform_turn_yx = t32 + t33
+        t57 = t55 + limb5_S_v_wx * platform_turn_yx
+        platform_turn_yz = t20 - t22
+        platform_twist_wy = t57 + limb5_S_v_wz * platform_turn_yz
+        platform_turn_xx = 1.0 - t6 * t15
+        t62 = limb5_S_v_wx * platform_turn_xx + limb5_S_v_wy * platform_turn_xy
+        t63 = limb5_S_q_qx * t19
+        t64 = limb5_S_q_qw * t31
+        platform_turn_xz = t63 + t64
+        platform_twist_wx = t62 + limb5_S_v_wz * platform_turn_xz
+        t68 = platform_twist_wx * t49 + platform_twist_wy * t12
+        platform_turn_zz = 1.0 - t15 * (t2 + t4)
+        t71 = limb5_S_v_wz * platform_turn_zz
+        platform_turn_zx = t63 - t64
+        platform_twist_wz = t71 + (limb5_S_v_wx * platform_turn_zx + limb5_S_v_wy * platform_turn_zy)
+        t77 = 0.5 * (t68 + platform_twist_wz * t10)
+        t78 = platform_twist_wy * t77
+        t84 = 0.5 * (platform_twist_wx * t47 + (platform_twist_wy * t10 - platform_twist_wz * t12))
+        t85 = platform_twist_wz * t84
+        t91 = 0.5 * (platform_twist_wz * t47 + (platform_twist_wx * t12 - platform_twist_wy * t49))
+        t96 = limb5_S_y_ddot_qy + 0.5 * (t78 - (t85 - platform_twist_wx * t91))
+        t99 = limb1_U_0_cos * platform_twist_wy + limb1_U_0_sin * platform_twist_wz
+        t101 = minus_limb1_upper_position_x * (limb1_U_v_0 * t99)
         # limb1: accelerations; velocities, eq. (6)
-        t98 = limb1_U_v_1 * limb1_lower_sin
-        t101 = limb1_upper_offset_x * t98 - limb1_P_v * limb1_lower_cos
-        t103 = t97 - limb1_U_v_0 * t101  # limb5_S
-        t106 = limb1_U_0_sin * platform_twist_wy - limb1_U_0_cos * platform_twist_wz  # limb5_S
+        t102 = limb1_U_v_1 * limb1_lower_sin
+        t105 = limb1_upper_offset_x * t102 - limb1_P_v * limb1_lower_cos
+        t107 = t101 - limb1_U_v_0 * t105  # limb5_S
+        t110 = limb1_U_0_sin * platform_twist_wy - limb1_U_0_cos * platform_twist_wz  # limb5_S
         limb1_upper_twist_vx = limb1_P_v * limb1_lower_sin
-        t107 = limb1_U_v_1 * limb1_lower_cos
-        t113 = t103 - t106 * (limb1_upper_twist_vx + limb1_upper_offset_x * t107) + platform_twist_wx * t101  # limb5_S
-        t114 = minus_limb1_U_factor_0_by_3 * t113  # limb5_S
+        t111 = limb1_U_v_1 * limb1_lower_cos
+        t117 = t107 - t110 * (limb1_upper_twist_vx + limb1_upper_offset_x * t111) + platform_twist_wx * t105  # limb5_S
+        t118 = minus_limb1_U_factor_0_by_3 * t117  # limb5_S
         limb1_lower_omega_y = limb1_U_v_0 * limb1_lower_cos
         limb1_lower_alpha_still_x = limb1_U_v_1 * limb1_lower_omega_y
         # limb1: loop closure; velocities, eq. (6)
-        t115 = limb1_U_v_1 - t95
-        t116 = limb1_lower_omega_y * t115
-        t120 = limb1_lower_omega_y - (limb1_lower_sin * t106 + limb1_lower_cos * platform_twist_wx)
-        t124 = limb1_U2_constraint_mn_couple_x * (limb1_lower_alpha_still_x - (t116 - limb1_U_v_1 * t120))
+        t119 = limb1_U_v_1 - t99
+        t120 = limb1_lower_omega_y * t119
+        t124 = limb1_lower_omega_y - (limb1_lower_sin * t110 + limb1_lower_cos * platform_twist_wx)
+        t128 = limb1_U2_constraint_mn_couple_x * (limb1_lower_alpha_still_x - (t120 - limb1_U_v_1 * t124))
         limb1_lower_omega_x = limb1_U_v_0 * limb1_lower_sin
-        t125 = limb1_lower_omega_x * t120
-        t129 = limb1_lower_omega_x + (limb1_lower_cos * t106 - limb1_lower_sin * platform_twist_wx)
-        t133 = t124 - limb1_U2_constraint_mn_couple_z * (t125 - limb1_lower_omega_y * t129)
-        limb1_U2_opening_mn = limb1_lower_sin * t28 + limb1_lower_cos * platform_turn_xy
-        t139 = t129 * (limb1_U2_opening_mn * t129 + limb1_U2_constraint_mn_couple_z * t120)
-        limb1_U2_opening_bias_mn = t133 - (t139 - t115 * (limb1_U2_constraint_mn_couple_x * t120 - limb1_U2_opening_mn * t115))
+        t129 = limb1_lower_omega_x * t124
+        t133 = limb1_lower_omega_x + (limb1_lower_cos * t110 - limb1_lower_sin * platform_twist_wx)
+        t137 = t128 - limb1_U2_constraint_mn_couple_z * (t129 - limb1_lower_omega_y * t133)
+        limb1_U2_opening_mn = limb1_lower_sin * t29 + limb1_lower_cos * platform_turn_xy
+        t143 = t133 * (limb1_U2_opening_mn * t133 + limb1_U2_constraint_mn_couple_z * t124)
+        limb1_U2_opening_bias_mn = t137 - (t143 - t119 * (limb1_U2_constraint_mn_couple_x * t124 - limb1_U2_opening_mn * t119))
         # limb5_S: accelerations
-        t145 = limb1_U_v_0 * t106
-        t148 = limb1_U2_arm_x * t145 + limb1_U_v_1 * limb1_P_v
-        t152 = t148 - t95 * (limb1_P_v - 0.8 * t107)
-        minus_limb5_S_joint_acc_still_wz = t38 * (t114 - (limb1_U2_opening_bias_mn - t152 * limb1_U_factor_1_by_3))
-        t158 = t92 + 0.5 * (t11 * minus_limb5_S_joint_acc_still_wz)
-        t159 = t50 * t158
-        t160 = platform_twist_wx * t73
-        t161 = platform_twist_wy * t87
-        t167 = 0.5 * (platform_twist_wy * t10 + (platform_twist_wz * t11 - platform_twist_wx * t45))
-        t172 = limb5_S_y_ddot_qx + 0.5 * (t160 - (t161 - platform_twist_wz * t167))
-        t176 = t159 - (t172 - 0.5 * (t46 * minus_limb5_S_joint_acc_still_wz))
-        t177 = 0.5 * t10
-        t178 = 0.5 * t45
-        a_pivot_2 = t177 + t178 * t50
-        minus_limb5_S_joint_acc_wx = t176 / a_pivot_2
-        limb5_S_joint_acc_wy = t44 * (t158 - t178 * minus_limb5_S_joint_acc_wx)
+        t149 = limb1_U_v_0 * t110
+        t152 = limb1_U2_arm_x * t149 + limb1_U_v_1 * limb1_P_v
+        t156 = t152 - t99 * (limb1_P_v - 0.8 * t111)
+        minus_limb5_S_joint_acc_still_wz = t39 * (t118 - (limb1_U2_opening_bias_mn - t156 * limb1_U_factor_1_by_3))
+        t162 = t96 + 0.5 * (t49 * minus_limb5_S_joint_acc_still_wz)
+        t163 = t45 * t162
+        t164 = platform_twist_wx * t77
+        t165 = platform_twist_wy * t91
+        t171 = 0.5 * (platform_twist_wy * t47 + (platform_twist_wz * t49 - platform_twist_wx * t10))
+        t176 = limb5_S_y_ddot_qx + 0.5 * (t164 - (t165 - platform_twist_wz * t171))
+        t179 = t176 - 0.5 * (t12 * minus_limb5_S_joint_acc_still_wz)
+        minus_limb5_S_joint_acc_wx = t54 * (t163 - t52 * t179)
+        limb5_S_joint_acc_wy = (t11 * t179 + t48 * t162) * t54
         # limb1: accelerations; reciprocal wrenches, eq. (10)
-        t183 = t38 * (t41 * limb5_S_joint_acc_wy)
-        t188 = t23 * (minus_limb1_upper_position_x * (limb1_U_0_cos * t183 - limb1_U_0_sin * limb5_S_joint_acc_wy))
-        t189 = minus_limb5_S_joint_acc_wx - t188
-        minus_limb1_U_joint_acc_still_0 = t23 * (t113 + minus_limb1_upper_position_x * (limb1_U_0_cos * minus_limb5_S_joint_acc_still_wz))
-        limb1_U_joint_acc_0 = -(t189 + minus_limb1_U_joint_acc_still_0)
-        t195 = limb1_U_0_sin * t183 + limb1_U_0_cos * limb5_S_joint_acc_wy
-        t196 = limb1_U2_arm_x * t195
-        t197 = limb1_U_0_sin * minus_limb5_S_joint_acc_still_wz
-        limb1_U_joint_acc_1 = t35 * (t196 - (t152 + limb1_U2_arm_x * t197))
+        t186 = t39 * (t42 * limb5_S_joint_acc_wy)
+        t191 = t24 * (minus_limb1_upper_position_x * (limb1_U_0_cos * t186 - limb1_U_0_sin * limb5_S_joint_acc_wy))
+        t192 = minus_limb5_S_joint_acc_wx - t191
+        minus_limb1_U_joint_acc_still_0 = t24 * (t117 + minus_limb1_upper_position_x * (limb1_U_0_cos * minus_limb5_S_joint_acc_still_wz))
+        limb1_U_joint_acc_0 = -(t192 + minus_limb1_U_joint_acc_still_0)
+        t198 = limb1_U_0_sin * t186 + limb1_U_0_cos * limb5_S_joint_acc_wy
+        t199 = limb1_U2_arm_x * t198
+        t200 = limb1_U_0_sin * minus_limb5_S_joint_acc_still_wz
+        limb1_U_joint_acc_1 = t36 * (t199 - (t156 + limb1_U2_arm_x * t200))
         minus_limb1_U2_arm_y = 0.8 * limb1_lower_cos
-        t201 = minus_limb1_U2_arm_y * t195
-        minus_limb1_P_joint_acc_still = minus_limb1_U2_arm_y * t145 + t95 * (0.8 * t98) + minus_limb1_U2_arm_y * t197
-        limb1_P_joint_acc = t201 - minus_limb1_P_joint_acc_still
+        t204 = minus_limb1_U2_arm_y * t198
+        minus_limb1_P_joint_acc_still = minus_limb1_U2_arm_y * t149 + t99 * (0.8 * t102) + minus_limb1_U2_arm_y * t200
+        limb1_P_joint_acc = t204 - minus_limb1_P_joint_acc_still
         # limb2: geometry; reciprocal wrenches, eq. (10)
-        t207 = 2.6179938779914944 + limb2_U_q_1
-        limb2_lower_cos = np.cos(t207)
+        t210 = 2.6179938779914944 + limb2_U_q_1
+        limb2_lower_cos = np.cos(t210)
         limb2_upper_offset_x = 0.3 + limb2_P_q
         minus_limb2_U_0_lever_mz_by_limb2_S_fz = limb2_lower_cos * limb2_upper_offset_x
         # limb2: accelerations; geometry; reciprocal wrenches, eq. (10)
-        t208 = 1.0 / minus_limb2_U_0_lever_mz_by_limb2_S_fz
-        limb2_lower_sin = np.sin(t207)
+        t211 = 1.0 / minus_limb2_U_0_lever_mz_by_limb2_S_fz
+        limb2_lower_sin = np.sin(t210)
         minus_limb2_upper_position_y = 0.8 - limb2_lower_sin * limb2_upper_offset_x
         limb2_U_0_sin = np.cos(limb2_U_q_0)
-        t209 = limb2_U_0_sin * t183
+        t212 = limb2_U_0_sin * t186
         minus_limb2_U_0_cos = np.sin(limb2_U_q_0)
-        t213 = t208 * (minus_limb2_upper_position_y * (t209 - minus_limb2_U_0_cos * minus_limb5_S_joint_acc_wx))
-        t214 = limb5_S_joint_acc_wy - t213
-        t217 = minus_limb2_U_0_cos * platform_twist_wz - limb2_U_0_sin * platform_twist_wx
-        t219 = minus_limb2_upper_position_y * (limb2_U_v_0 * t217)
-        t220 = limb2_U_v_1 * limb2_lower_sin
-        t223 = limb2_upper_offset_x * t220 - limb2_P_v * limb2_lower_cos
-        t225 = t219 + limb2_U_v_0 * t223
-        t228 = limb2_U_0_sin * platform_twist_wz + minus_limb2_U_0_cos * platform_twist_wx
+        t216 = t211 * (minus_limb2_upper_position_y * (t212 - minus_limb2_U_0_cos * minus_limb5_S_joint_acc_wx))
+        t217 = limb5_S_joint_acc_wy - t216
+        t220 = minus_limb2_U_0_cos * platform_twist_wz - limb2_U_0_sin * platform_twist_wx
+        t222 = minus_limb2_upper_position_y * (limb2_U_v_0 * t220)
+        t223 = limb2_U_v_1 * limb2_lower_sin
+        t226 = limb2_upper_offset_x * t223 - limb2_P_v * limb2_lower_cos
+        t228 = t222 + limb2_U_v_0 * t226
+        t231 = limb2_U_0_sin * platform_twist_wz + minus_limb2_U_0_cos * platform_twist_wx
         limb2_upper_twist_vy = limb2_P_v * limb2_lower_sin
-        t229 = limb2_U_v_1 * limb2_lower_cos
-        t235 = t225 + t228 * (limb2_upper_twist_vy + limb2_upper_offset_x * t229) - platform_twist_wy * t223
-        limb2_U_joint_acc_still_0 = t208 * (t235 + minus_limb2_upper_position_y * (limb2_U_0_sin * minus_limb5_S_joint_acc_still_wz))
-        limb2_U_joint_acc_0 = t214 + limb2_U_joint_acc_still_0
-        t239 = limb2_lower_cos * t208
+        t232 = limb2_U_v_1 * limb2_lower_cos
+        t238 = t228 + t231 * (limb2_upper_twist_vy + limb2_upper_offset_x * t232) - platform_twist_wy * t226
+        limb2_U_joint_acc_still_0 = t211 * (t238 + minus_limb2_upper_position_y * (limb2_U_0_sin * minus_limb5_S_joint_acc_still_wz))
+        limb2_U_joint_acc_0 = t217 + limb2_U_joint_acc_still_0
+        t242 = limb2_lower_cos * t211
         limb2_S_arm_x = limb2_upper_offset_x - 0.8 * limb2_lower_sin
-        t243 = minus_limb2_U_0_cos * t183 + limb2_U_0_sin * minus_limb5_S_joint_acc_wx
-        t244 = limb2_S_arm_x * t243
-        t245 = limb2_U_v_0 * t228
-        t248 = limb2_S_arm_x * t245 + limb2_U_v_1 * limb2_P_v
-        t252 = t248 + t217 * (limb2_P_v - 0.8 * t229)
-        t253 = minus_limb2_U_0_cos * minus_limb5_S_joint_acc_still_wz
-        limb2_U_joint_acc_1 = -(t239 * (t244 + (t252 - limb2_S_arm_x * t253)))
+        t246 = minus_limb2_U_0_cos * t186 + limb2_U_0_sin * minus_limb5_S_joint_acc_wx
+        t247 = limb2_S_arm_x * t246
+        t248 = limb2_U_v_0 * t231
+        t251 = limb2_S_arm_x * t248 + limb2_U_v_1 * limb2_P_v
+        t255 = t251 + t220 * (limb2_P_v - 0.8 * t232)
+        t256 = minus_limb2_U_0_cos * minus_limb5_S_joint_acc_still_wz
+        limb2_U_joint_acc_1 = -(t242 * (t247 + (t255 - limb2_S_arm_x * t256)))
         minus_limb2_S_arm_y = 0.8 * limb2_lower_cos
-        t257 = minus_limb2_S_arm_y * t243
-        minus_limb2_P_joint_acc_still = minus_limb2_S_arm_y * t245 - t217 * (0.8 * t220) - minus_limb2_S_arm_y * t253
-        limb2_P_joint_acc = -(t257 + minus_limb2_P_joint_acc_still)
+        t260 = minus_limb2_S_arm_y * t246
+        minus_limb2_P_joint_acc_still = minus_limb2_S_arm_y * t248 - t220 * (0.8 * t223) - minus_limb2_S_arm_y * t256
+        limb2_P_joint_acc = -(t260 + minus_limb2_P_joint_acc_still)
         # limb3: geometry; reciprocal wrenches, eq. (10)
-        t263 = 0.5235987755982989 - limb3_U_q_1
-        limb3_lower_cos = np.cos(t263)
+        t266 = 0.5235987755982989 - limb3_U_q_1
+        limb3_lower_cos = np.cos(t266)
         limb3_upper_offset_x = 0.3 + limb3_P_q
         minus_limb3_U_0_lever_mz_by_limb3_S_fz = limb3_lower_cos * limb3_upper_offset_x
         # limb3: accelerations; geometry; reciprocal wrenches, eq. (10)
-        t264 = 1.0 / minus_limb3_U_0_lever_mz_by_limb3_S_fz
-        minus_limb3_lower_sin = np.sin(t263)
+        t267 = 1.0 / minus_limb3_U_0_lever_mz_by_limb3_S_fz
+        minus_limb3_lower_sin = np.sin(t266)
         limb3_upper_position_x = 0.8 - minus_limb3_lower_sin * limb3_upper_offset_x
         limb3_U_0_cos = np.cos(limb3_U_q_0)
-        t265 = limb3_U_0_cos * platform_twist_wy
+        t268 = limb3_U_0_cos * platform_twist_wy
         limb3_U_0_sin = np.sin(limb3_U_q_0)
-        t267 = t265 + limb3_U_0_sin * platform_twist_wz
-        t269 = limb3_upper_position_x * (limb3_U_v_0 * t267)
-        t270 = limb3_U_v_1 * minus_limb3_lower_sin
-        t273 = limb3_upper_offset_x * t270 + limb3_P_v * limb3_lower_cos
-        t275 = t269 - limb3_U_v_0 * t273
-        t278 = limb3_U_0_sin * platform_twist_wy - limb3_U_0_cos * platform_twist_wz
+        t270 = t268 + limb3_U_0_sin * platform_twist_wz
+        t272 = limb3_upper_position_x * (limb3_U_v_0 * t270)
+        t273 = limb3_U_v_1 * minus_limb3_lower_sin
+        t276 = limb3_upper_offset_x * t273 + limb3_P_v * limb3_lower_cos
+        t278 = t272 - limb3_U_v_0 * t276
+        t281 = limb3_U_0_sin * platform_twist_wy - limb3_U_0_cos * platform_twist_wz
         minus_limb3_upper_twist_vx = limb3_P_v * minus_limb3_lower_sin
-        t279 = limb3_U_v_1 * limb3_lower_cos
-        t283 = t275 - t278 * (minus_limb3_upper_twist_vx - limb3_upper_offset_x * t279)
-        t285 = t283 + platform_twist_wx * t273
-        limb3_U_joint_acc_still_0 = t264 * (t285 + limb3_upper_position_x * (limb3_U_0_cos * minus_limb5_S_joint_acc_still_wz))
-        t293 = t264 * (limb3_upper_position_x * (limb3_U_0_cos * t183 - limb3_U_0_sin * limb5_S_joint_acc_wy))
-        limb3_U_joint_acc_0 = limb3_U_joint_acc_still_0 - (minus_limb5_S_joint_acc_wx + t293)
-        t295 = limb3_lower_cos * t264
+        t282 = limb3_U_v_1 * limb3_lower_cos
+        t286 = t278 - t281 * (minus_limb3_upper_twist_vx - limb3_upper_offset_x * t282)
+        t288 = t286 + platform_twist_wx * t276
+        limb3_U_joint_acc_still_0 = t267 * (t288 + limb3_upper_position_x * (limb3_U_0_cos * minus_limb5_S_joint_acc_still_wz))
+        t296 = t267 * (limb3_upper_position_x * (limb3_U_0_cos * t186 - limb3_U_0_sin * limb5_S_joint_acc_wy))
+        limb3_U_joint_acc_0 = limb3_U_joint_acc_still_0 - (minus_limb5_S_joint_acc_wx + t296)
+        t298 = limb3_lower_cos * t267
         limb3_S_arm_x = limb3_upper_offset_x - 0.8 * minus_limb3_lower_sin
-        t299 = limb3_U_0_sin * t183 + limb3_U_0_cos * limb5_S_joint_acc_wy
-        t300 = limb3_S_arm_x * t299
-        t301 = limb3_U_v_0 * t278
-        t304 = limb3_S_arm_x * t301 + limb3_U_v_1 * limb3_P_v
-        t308 = t304 - t267 * (limb3_P_v + 0.8 * t279)
-        t309 = limb3_U_0_sin * minus_limb5_S_joint_acc_still_wz
-        limb3_U_joint_acc_1 = t295 * (t300 - (t308 + limb3_S_arm_x * t309))
+        t302 = limb3_U_0_sin * t186 + limb3_U_0_cos * limb5_S_joint_acc_wy
+        t303 = limb3_S_arm_x * t302
+        t304 = limb3_U_v_0 * t281
+        t307 = limb3_S_arm_x * t304 + limb3_U_v_1 * limb3_P_v
+        t311 = t307 - t270 * (limb3_P_v + 0.8 * t282)
+        t312 = limb3_U_0_sin * minus_limb5_S_joint_acc_still_wz
+        limb3_U_joint_acc_1 = t298 * (t303 - (t311 + limb3_S_arm_x * t312))
         limb3_S_arm_y = 0.8 * limb3_lower_cos
-        limb3_P_joint_acc_still = limb3_S_arm_y * t301 - t267 * (0.8 * t270) + limb3_S_arm_y * t309
-        limb3_P_joint_acc = limb3_P_joint_acc_still - limb3_S_arm_y * t299
+        limb3_P_joint_acc_still = limb3_S_arm_y * t304 - t270 * (0.8 * t273) + limb3_S_arm_y * t312
+        limb3_P_joint_acc = limb3_P_joint_acc_still - limb3_S_arm_y * t302
         # limb4: geometry; reciprocal wrenches, eq. (10)
-        t319 = 2.6179938779914944 - limb4_U_q_1
-        limb4_lower_cos = np.cos(t319)
+        t322 = 2.6179938779914944 - limb4_U_q_1
+        limb4_lower_cos = np.cos(t322)
         limb4_upper_offset_x = 0.3 + limb4_P_q
         minus_limb4_U_0_lever_mz_by_limb4_S_fz = limb4_lower_cos * limb4_upper_offset_x
         # limb4: accelerations; geometry; reciprocal wrenches, eq. (10)
-        t320 = 1.0 / minus_limb4_U_0_lever_mz_by_limb4_S_fz
-        minus_limb4_lower_sin = np.sin(t319)
+        t323 = 1.0 / minus_limb4_U_0_lever_mz_by_limb4_S_fz
+        minus_limb4_lower_sin = np.sin(t322)
         limb4_upper_position_y = 0.8 - minus_limb4_lower_sin * limb4_upper_offset_x
         limb4_U_0_sin = np.cos(limb4_U_q_0)
-        t321 = limb4_U_0_sin * t183
+        t324 = limb4_U_0_sin * t186
         minus_limb4_U_0_cos = np.sin(limb4_U_q_0)
-        t326 = limb5_S_joint_acc_wy + t320 * (limb4_upper_position_y * (t321 - minus_limb4_U_0_cos * minus_limb5_S_joint_acc_wx))
-        t329 = minus_limb4_U_0_cos * platform_twist_wz - limb4_U_0_sin * platform_twist_wx
-        t331 = limb4_upper_position_y * (limb4_U_v_0 * t329)
-        t332 = limb4_U_v_1 * minus_limb4_lower_sin
-        t335 = limb4_upper_offset_x * t332 + limb4_P_v * limb4_lower_cos
-        t337 = t331 + limb4_U_v_0 * t335
-        t340 = limb4_U_0_sin * platform_twist_wz + minus_limb4_U_0_cos * platform_twist_wx
+        t329 = limb5_S_joint_acc_wy + t323 * (limb4_upper_position_y * (t324 - minus_limb4_U_0_cos * minus_limb5_S_joint_acc_wx))
+        t332 = minus_limb4_U_0_cos * platform_twist_wz - limb4_U_0_sin * platform_twist_wx
+        t334 = limb4_upper_position_y * (limb4_U_v_0 * t332)
+        t335 = limb4_U_v_1 * minus_limb4_lower_sin
+        t338 = limb4_upper_offset_x * t335 + limb4_P_v * limb4_lower_cos
+        t340 = t334 + limb4_U_v_0 * t338
+        t343 = limb4_U_0_sin * platform_twist_wz + minus_limb4_U_0_cos * platform_twist_wx
         minus_limb4_upper_twist_vy = limb4_P_v * minus_limb4_lower_sin
-        t341 = limb4_U_v_1 * limb4_lower_cos
-        t345 = t337 + t340 * (minus_limb4_upper_twist_vy - limb4_upper_offset_x * t341)
-        t347 = t345 - platform_twist_wy * t335
-        limb4_U_joint_acc_0 = t326 - t320 * (t347 + limb4_upper_position_y * (limb4_U_0_sin * minus_limb5_S_joint_acc_still_wz))
-        t351 = limb4_lower_cos * t320
+        t344 = limb4_U_v_1 * limb4_lower_cos
+        t348 = t340 + t343 * (minus_limb4_upper_twist_vy - limb4_upper_offset_x * t344)
+        t350 = t348 - platform_twist_wy * t338
+        limb4_U_joint_acc_0 = t329 - t323 * (t350 + limb4_upper_position_y * (limb4_U_0_sin * minus_limb5_S_joint_acc_still_wz))
+        t354 = limb4_lower_cos * t323
         limb4_S_arm_x = limb4_upper_offset_x - 0.8 * minus_limb4_lower_sin
-        t355 = minus_limb4_U_0_cos * t183 + limb4_U_0_sin * minus_limb5_S_joint_acc_wx
-        t356 = limb4_S_arm_x * t355
-        t357 = limb4_U_v_0 * t340
-        t360 = limb4_S_arm_x * t357 + limb4_U_v_1 * limb4_P_v
-        t364 = t360 + t329 * (limb4_P_v + 0.8 * t341)
-        t365 = minus_limb4_U_0_cos * minus_limb5_S_joint_acc_still_wz
-        limb4_U_joint_acc_1 = -(t351 * (t356 + (t364 - limb4_S_arm_x * t365)))
+        t358 = minus_limb4_U_0_cos * t186 + limb4_U_0_sin * minus_limb5_S_joint_acc_wx
+        t359 = limb4_S_arm_x * t358
+        t360 = limb4_U_v_0 * t343
+        t363 = limb4_S_arm_x * t360 + limb4_U_v_1 * limb4_P_v
+        t367 = t363 + t332 * (limb4_P_v + 0.8 * t344)
+        t368 = minus_limb4_U_0_cos * minus_limb5_S_joint_acc_still_wz
+        limb4_U_joint_acc_1 = -(t354 * (t359 + (t367 - limb4_S_arm_x * t368)))
         limb4_S_arm_y = 0.8 * limb4_lower_cos
-        t369 = limb4_S_arm_y * t355
-        limb4_P_joint_acc_still = limb4_S_arm_y * t357 + t329 * (0.8 * t332) - limb4_S_arm_y * t365
-        limb4_P_joint_acc = t369 + limb4_P_joint_acc_still
-        t377 = platform_turn_yx * limb5_S_joint_acc_wy - platform_turn_xx * minus_limb5_S_joint_acc_wx  # limb5_S
-        minus_limb5_S_joint_acc_wz = minus_limb5_S_joint_acc_still_wz - t183
-        limb5_S_a_wx = t377 - platform_turn_zx * minus_limb5_S_joint_acc_wz
-        t381 = platform_turn_yy * limb5_S_joint_acc_wy - platform_turn_xy * minus_limb5_S_joint_acc_wx  # limb5_S
-        limb5_S_a_wy = t381 - platform_turn_zy * minus_limb5_S_joint_acc_wz
-        t385 = platform_turn_yz * limb5_S_joint_acc_wy - platform_turn_xz * minus_limb5_S_joint_acc_wx  # limb5_S
-        limb5_S_a_wz = t385 - platform_turn_zz * minus_limb5_S_joint_acc_wz
+        t372 = limb4_S_arm_y * t358
+        limb4_P_joint_acc_still = limb4_S_arm_y * t360 + t332 * (0.8 * t335) - limb4_S_arm_y * t368
+        limb4_P_joint_acc = t372 + limb4_P_joint_acc_still
+        t380 = platform_turn_yx * limb5_S_joint_acc_wy - platform_turn_xx * minus_limb5_S_joint_acc_wx  # limb5_S
+        minus_limb5_S_joint_acc_wz = minus_limb5_S_joint_acc_still_wz - t186
+        limb5_S_a_wx = t380 - platform_turn_zx * minus_limb5_S_joint_acc_wz
+        t384 = platform_turn_yy * limb5_S_joint_acc_wy - platform_turn_xy * minus_limb5_S_joint_acc_wx  # limb5_S
+        limb5_S_a_wy = t384 - platform_turn_zy * minus_limb5_S_joint_acc_wz
+        t388 = platform_turn_yz * limb5_S_joint_acc_wy - platform_turn_xz * minus_limb5_S_joint_acc_wx  # limb5_S
+        limb5_S_a_wz = t388 - platform_turn_zz * minus_limb5_S_joint_acc_wz
         return _finish(batch, ((limb1_U_joint_acc_0, limb1_U_joint_acc_1, limb1_P_joint_acc,
             limb2_U_joint_acc_0, limb2_U_joint_acc_1, limb2_P_joint_acc, limb3_U_joint_acc_0,
             limb3_U_joint_acc_1, limb3_P_joint_acc, limb4_U_joint_acc_0, limb4_U_joint_acc_1,
@@ -3475,14 +3482,14 @@ def acceleration(*arguments):
             (minus_limb2_U_0_lever_mz_by_limb2_S_fz, 6.62327e-10),
             (minus_limb4_U_0_lever_mz_by_limb4_S_fz, 6.62327e-10),
             (minus_limb1_U_0_lever_mz_by_limb1_U2_fz, 6.62327e-10), (minus_limb5_S_pivot_wz,
-            1.0e-09), (a_pivot, 1.0e-09), (a_pivot_2, 1.0e-09)),
-            (minus_limb1_U_0_lever_mz_by_limb1_U2_fz, minus_limb5_S_pivot_wz, a_pivot, a_pivot_2,
-            limb1_U_joint_acc_0, limb1_U_joint_acc_1, limb1_P_joint_acc,
-            minus_limb2_U_0_lever_mz_by_limb2_S_fz, limb2_U_joint_acc_0, limb2_U_joint_acc_1,
-            limb2_P_joint_acc, minus_limb3_U_0_lever_mz_by_limb3_S_fz, limb3_U_joint_acc_0,
-            limb3_U_joint_acc_1, limb3_P_joint_acc, minus_limb4_U_0_lever_mz_by_limb4_S_fz,
-            limb4_U_joint_acc_0, limb4_U_joint_acc_1, limb4_P_joint_acc, limb5_S_a_wx, limb5_S_a_wy,
-            limb5_S_a_wz), ((t7, 0.999999, 1.000001, 5),))
+            1.0e-09), (a_pivot, 1.0e-09)), (minus_limb1_U_0_lever_mz_by_limb1_U2_fz,
+            minus_limb5_S_pivot_wz, a_pivot, limb1_U_joint_acc_0, limb1_U_joint_acc_1,
+            limb1_P_joint_acc, minus_limb2_U_0_lever_mz_by_limb2_S_fz, limb2_U_joint_acc_0,
+            limb2_U_joint_acc_1, limb2_P_joint_acc, minus_limb3_U_0_lever_mz_by_limb3_S_fz,
+            limb3_U_joint_acc_0, limb3_U_joint_acc_1, limb3_P_joint_acc,
+            minus_limb4_U_0_lever_mz_by_limb4_S_fz, limb4_U_joint_acc_0, limb4_U_joint_acc_1,
+            limb4_P_joint_acc, limb5_S_a_wx, limb5_S_a_wy, limb5_S_a_wz), ((t7, 0.999999, 1.000001,
+            5),))
 
 
 def momentum_screws(*arguments):
@@ -5684,7 +5691,7 @@ def inverse_dynamics_independent(*arguments):
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
       5 no rotation: the length of a quaternion differs from 1 by more than rounding; all outputs are
         NaN
-    Operations: 1042 (add 364, mul 632, div 9, trig 16, compare 21)
+    Operations: 1042 (add 363, mul 636, div 8, trig 16, compare 19)
     Note: 2 more drives than freedoms: the drives of smallest sum of squares; inverse_dynamics_preload
       takes weights and an internal preload
     """
@@ -5783,7 +5790,7 @@ def inverse_dynamics_independent(*arguments):
         minus_limb1_U2_part_mn_by_limb2_P = minus_limb2_U_0_cos * minus_limb2_S_arm_y * t42
         minus_limb5_S_balance_wx_by_limb2_P = minus_platform_joint_force_mx_by_limb2_P + platform_joint_force_mx_by_limb1_U2_mn * minus_limb1_U2_part_mn_by_limb2_P
         limb5_S_balance_wy_by_limb2_P = t39 * minus_limb1_U2_part_mn_by_limb2_P
-        # limb5_S: drives; pivots; rates that follow
+        # limb5_S: drives; pivots; velocities, eq. (6)
         t54 = minus_limb5_S_balance_wx_by_limb2_P * limb5_S_balance_wy_by_limb2_P
         limb5_S_balance_wx_by_limb1_P = platform_joint_force_mx_by_limb1_U2_mn * limb1_U2_part_mn_by_limb1_P
         minus_drives_share_0_1 = t48 + (t51 + (t54 + minus_limb5_S_balance_wy_by_limb1_P * limb5_S_balance_wx_by_limb1_P))
@@ -5804,28 +5811,27 @@ def inverse_dynamics_independent(*arguments):
         minus_limb4_U_0_lever_mz_by_limb4_S_fz = limb4_lower_cos * limb4_upper_offset_x
         t74 = 1.0 / minus_limb4_U_0_lever_mz_by_limb4_S_fz  # limb4
         t76 = 1.5 - 0.5 * t8
-        t77 = limb5_S_q_qw * t76
-        t78 = limb5_S_q_qx * t76
+        t77 = limb5_S_q_qz * t76
+        t78 = 0.5 * t77
+        t79 = limb5_S_q_qy * t76
         limb1_U_0_lever_my_by_limb1_U2_mn = limb1_lower_cos * limb1_U2_constraint_mn_couple_x
         minus_limb1_upper_position_x = 0.8 - limb1_lower_sin * limb1_upper_offset_x
         minus_limb1_U2_factor_1_by_3 = limb1_U_0_lever_my_by_limb1_U2_mn - minus_limb1_upper_position_x * minus_limb1_U_factor_0_by_3
         minus_limb5_S_pivot_wz = limb1_U_0_cos * minus_limb1_U2_factor_1_by_3 + t41
-        # limb5_S: rates that follow; velocities, eq. (6); geometry
-        t81 = 1.0 / minus_limb5_S_pivot_wz
-        t83 = limb1_U_0_sin * minus_limb1_U2_factor_1_by_3 - t38  # limb1
-        limb5_S_null_space_wz_by_limb5_S_wy = t81 * t83
-        a_pivot = 0.5 * (t77 + t78 * limb5_S_null_space_wz_by_limb5_S_wy)
-        t86 = 1.0 / a_pivot
-        t87 = limb5_S_q_qz * t76
-        t88 = 0.5 * t87
-        t89 = 0.5 * t77
-        t90 = limb5_S_q_qy * t76
-        t94 = t86 * (0.5 * (t87 - t90 * limb5_S_null_space_wz_by_limb5_S_wy))
-        a_pivot_2 = t89 + t88 * t94
-        limb5_S_null_space_wx_by_limb5_S_qx = 1.0 / a_pivot_2
-        limb5_S_joint_rate_wx = limb5_S_null_space_wx_by_limb5_S_qx * (limb5_S_y_dot_qx - limb5_S_y_dot_qy * t94)
-        limb5_S_joint_rate_wy = t86 * (limb5_S_y_dot_qy + t88 * limb5_S_joint_rate_wx)
-        limb5_S_joint_rate_wz = t81 * (t83 * limb5_S_joint_rate_wy)
+        t82 = 1.0 / minus_limb5_S_pivot_wz
+        t84 = limb1_U_0_sin * minus_limb1_U2_factor_1_by_3 - t38  # limb1
+        limb5_S_null_space_wz_by_limb5_S_wy = t82 * t84
+        # platform: velocities, eq. (6); geometry; accelerations
+        t87 = 0.5 * (t77 - t79 * limb5_S_null_space_wz_by_limb5_S_wy)
+        t88 = t78 * t87
+        t89 = limb5_S_q_qw * t76
+        t90 = 0.5 * t89
+        t91 = limb5_S_q_qx * t76
+        t94 = 0.5 * (t89 + t91 * limb5_S_null_space_wz_by_limb5_S_wy)
+        a_pivot = t88 + t90 * t94
+        t96 = 1.0 / a_pivot
+        limb5_S_joint_rate_wy = (t90 * limb5_S_y_dot_qy + t78 * limb5_S_y_dot_qx) * t96
+        limb5_S_joint_rate_wz = t82 * (t84 * limb5_S_joint_rate_wy)
         t103 = limb1_U_0_sin * limb5_S_joint_rate_wz + limb1_U_0_cos * limb5_S_joint_rate_wy  # limb1
         limb1_P_joint_rate = minus_limb1_U2_arm_y * t103
         t104 = limb1_lower_cos * limb1_P_joint_rate  # limb1
@@ -5838,422 +5844,426 @@ def inverse_dynamics_independent(*arguments):
         platform_turn_zz = 1.0 - t10 * (t3 + t5)
         t112 = platform_turn_zz * limb5_S_joint_rate_wz
         platform_turn_yz = t15 - t17
-        platform_omega_z = t112 + (platform_turn_yz * limb5_S_joint_rate_wy + platform_turn_xz * limb5_S_joint_rate_wx)
-        t116 = platform_turn_xz * platform_omega_z
-        t117 = platform_turn_zy * limb5_S_joint_rate_wz
-        platform_omega_y = t117 + (platform_turn_yy * limb5_S_joint_rate_wy + platform_turn_xy * limb5_S_joint_rate_wx)
-        t121 = platform_turn_xy * platform_omega_y
+        t113 = platform_turn_yz * limb5_S_joint_rate_wy
+        minus_limb5_S_joint_rate_wx = t96 * (limb5_S_y_dot_qy * t87 - limb5_S_y_dot_qx * t94)
+        platform_omega_z = t112 + (t113 - platform_turn_xz * minus_limb5_S_joint_rate_wx)
+        t119 = platform_turn_xz * platform_omega_z
+        t120 = platform_turn_zy * limb5_S_joint_rate_wz
+        platform_omega_y = t120 + (platform_turn_yy * limb5_S_joint_rate_wy - platform_turn_xy * minus_limb5_S_joint_rate_wx)
+        t124 = platform_turn_xy * platform_omega_y
         platform_turn_xx = 1.0 - t7 * t10
         platform_turn_zx = t108 - t109
-        t123 = platform_turn_zx * limb5_S_joint_rate_wz
+        t126 = platform_turn_zx * limb5_S_joint_rate_wz
         platform_turn_yx = t33 + t34
-        platform_omega_x = t123 + (platform_turn_yx * limb5_S_joint_rate_wy + platform_turn_xx * limb5_S_joint_rate_wx)
+        platform_omega_x = t126 + (platform_turn_yx * limb5_S_joint_rate_wy - platform_turn_xx * minus_limb5_S_joint_rate_wx)
         # limb5_S: accelerations
-        t129 = t116 + (t121 + platform_turn_xx * platform_omega_x)
-        t130 = t107 * t129
-        t131 = limb1_lower_sin * limb1_P_joint_rate  # limb1
-        t132 = limb1_lower_cos * limb1_U_joint_rate_1  # limb1
-        t134 = t131 + limb1_upper_offset_x * t132  # limb1
-        t135 = platform_turn_zz * platform_omega_z
-        t139 = t135 + (platform_turn_zy * platform_omega_y + platform_turn_zx * platform_omega_x)
-        t140 = limb1_U_0_cos * t139
-        t141 = platform_turn_yz * platform_omega_z
-        t145 = t141 + (platform_turn_yy * platform_omega_y + platform_turn_yx * platform_omega_x)
-        t147 = t140 - limb1_U_0_sin * t145
-        t148 = t134 * t147
-        t152 = minus_limb1_upper_position_x * (limb1_U_0_cos * limb5_S_joint_rate_wz - limb1_U_0_sin * limb5_S_joint_rate_wy)  # limb1
-        limb1_U_joint_rate_0 = limb5_S_joint_rate_wx + t19 * t152
-        t154 = t107 * limb1_U_joint_rate_0  # limb1
-        t157 = limb1_U_0_sin * t139 + limb1_U_0_cos * t145
-        t162 = t130 - (t148 + (t154 + minus_limb1_upper_position_x * (limb1_U_joint_rate_0 * t157)))
-        t163 = minus_limb1_U_factor_0_by_3 * t162
-        t166 = t157 * (limb1_P_joint_rate - 0.8 * t132)
+        t132 = t119 + (t124 + platform_turn_xx * platform_omega_x)
+        t133 = t107 * t132
+        t134 = limb1_lower_sin * limb1_P_joint_rate  # limb1
+        t135 = limb1_lower_cos * limb1_U_joint_rate_1  # limb1
+        t137 = t134 + limb1_upper_offset_x * t135  # limb1
+        t138 = platform_turn_zz * platform_omega_z
+        t142 = t138 + (platform_turn_zy * platform_omega_y + platform_turn_zx * platform_omega_x)
+        t143 = limb1_U_0_cos * t142
+        t144 = platform_turn_yz * platform_omega_z
+        t148 = t144 + (platform_turn_yy * platform_omega_y + platform_turn_yx * platform_omega_x)
+        t150 = t143 - limb1_U_0_sin * t148
+        t151 = t137 * t150
+        t155 = minus_limb1_upper_position_x * (limb1_U_0_cos * limb5_S_joint_rate_wz - limb1_U_0_sin * limb5_S_joint_rate_wy)  # limb1
+        minus_limb1_U_joint_rate_0 = minus_limb5_S_joint_rate_wx - t19 * t155
+        t157 = t107 * minus_limb1_U_joint_rate_0  # limb1
+        t160 = limb1_U_0_sin * t142 + limb1_U_0_cos * t148
+        t165 = t133 - (t151 - (t157 + minus_limb1_upper_position_x * (minus_limb1_U_joint_rate_0 * t160)))
+        t166 = minus_limb1_U_factor_0_by_3 * t165
+        t169 = t160 * (limb1_P_joint_rate - 0.8 * t135)
         # limb1: accelerations
-        t167 = limb1_P_joint_rate * limb1_U_joint_rate_1
-        t168 = t147 * limb1_U_joint_rate_0  # limb5_S
-        t171 = t166 - (t167 - limb1_U2_arm_x * t168)  # limb5_S
-        t172 = limb1_U_factor_1_by_3 * t171  # limb5_S
+        t170 = limb1_P_joint_rate * limb1_U_joint_rate_1
+        t171 = t150 * minus_limb1_U_joint_rate_0  # limb5_S
+        t174 = t169 - (t170 + limb1_U2_arm_x * t171)  # limb5_S
+        t175 = limb1_U_factor_1_by_3 * t174  # limb5_S
         # limb1: loop closure; velocities, eq. (6); accelerations
-        t173 = limb1_U_joint_rate_1 - t157
+        t176 = limb1_U_joint_rate_1 - t160
         limb1_U2_opening_mn = limb1_lower_sin * t30 + limb1_lower_cos * platform_turn_xy
-        t176 = limb1_U2_opening_mn * t173
-        t179 = limb1_lower_cos * t129 - limb1_lower_sin * t147
-        limb1_lower_omega_y = limb1_lower_cos * limb1_U_joint_rate_0
-        t180 = t179 - limb1_lower_omega_y
-        t183 = t173 * (t176 + limb1_U2_constraint_mn_couple_x * t180)
-        t186 = limb1_lower_sin * t129 + limb1_lower_cos * t147
-        limb1_lower_omega_x = limb1_lower_sin * limb1_U_joint_rate_0
-        t187 = t186 - limb1_lower_omega_x
-        t192 = t183 + t187 * (limb1_U2_constraint_mn_couple_z * t180 + limb1_U2_opening_mn * t187)
-        t196 = limb1_U2_constraint_mn_couple_z * (limb1_lower_omega_y * t187 - t180 * limb1_lower_omega_x)
-        t199 = limb1_U_joint_rate_1 * t180 + t173 * limb1_lower_omega_y
-        limb1_lower_alpha_still_x = limb1_U_joint_rate_1 * limb1_lower_omega_y
+        t179 = limb1_U2_opening_mn * t176
+        t182 = limb1_lower_cos * t132 - limb1_lower_sin * t150
+        minus_limb1_lower_omega_y = limb1_lower_cos * minus_limb1_U_joint_rate_0
+        t183 = t182 + minus_limb1_lower_omega_y
+        t186 = t176 * (t179 + limb1_U2_constraint_mn_couple_x * t183)
+        t189 = limb1_lower_sin * t132 + limb1_lower_cos * t150
+        minus_limb1_lower_omega_x = limb1_lower_sin * minus_limb1_U_joint_rate_0
+        t190 = t189 + minus_limb1_lower_omega_x
+        t195 = t186 + t190 * (limb1_U2_constraint_mn_couple_z * t183 + limb1_U2_opening_mn * t190)
+        t199 = limb1_U2_constraint_mn_couple_z * (minus_limb1_lower_omega_y * t190 - t183 * minus_limb1_lower_omega_x)
+        t202 = limb1_U_joint_rate_1 * t183 - t176 * minus_limb1_lower_omega_y
+        minus_limb1_lower_alpha_still_x = limb1_U_joint_rate_1 * minus_limb1_lower_omega_y
         # limb5_S: accelerations
-        t203 = t172 - (t192 + (t196 + limb1_U2_constraint_mn_couple_x * (t199 - limb1_lower_alpha_still_x)))
-        limb5_S_joint_acc_still_wz = t81 * (t163 + t203)
-        t206 = 0.5 * (t78 * limb5_S_joint_acc_still_wz)
-        t212 = 0.5 * (t78 * t145 - t90 * t129 - t77 * t139)
-        t213 = t129 * t212
-        t219 = 0.5 * (t90 * t139 - t87 * t145 - t77 * t129)
-        t221 = t213 - t139 * t219
-        t227 = 0.5 * (t87 * t139 + (t90 * t145 + t78 * t129))
-        t232 = t206 - (limb5_S_y_ddot_qy - 0.5 * (t221 - t145 * t227))
-        t233 = t94 * t232
-        t235 = 0.5 * (t90 * limb5_S_joint_acc_still_wz)
-        t241 = 0.5 * (t87 * t129 - t78 * t139 - t77 * t145)
-        t247 = 0.5 * (t139 * t241 - t145 * t212 - t129 * t227)
-        limb5_S_joint_acc_wx = limb5_S_null_space_wx_by_limb5_S_qx * (t233 + (t235 + (limb5_S_y_ddot_qx - t247)))
-        minus_limb5_S_joint_acc_wy = t86 * (t232 - t88 * limb5_S_joint_acc_wx)
+        t206 = t175 - (t195 - (t199 - limb1_U2_constraint_mn_couple_x * (t202 + minus_limb1_lower_alpha_still_x)))
+        limb5_S_joint_acc_still_wz = t82 * (t166 + t206)
+        t209 = 0.5 * (t79 * limb5_S_joint_acc_still_wz)
+        t215 = 0.5 * (t77 * t132 - t91 * t142 - t89 * t148)
+        t216 = t142 * t215
+        t222 = 0.5 * (t91 * t148 - t79 * t132 - t89 * t142)
+        t224 = t216 - t148 * t222
+        t230 = 0.5 * (t77 * t142 + (t79 * t148 + t91 * t132))
+        t235 = t209 + (limb5_S_y_ddot_qx - 0.5 * (t224 - t132 * t230))
+        t236 = t78 * t235
+        t238 = 0.5 * (t91 * limb5_S_joint_acc_still_wz)
+        t239 = t132 * t222
+        t245 = 0.5 * (t79 * t142 - t77 * t148 - t89 * t132)
+        t251 = limb5_S_y_ddot_qy - 0.5 * (t239 - t142 * t245 - t148 * t230)
+        t252 = t238 - t251
+        limb5_S_joint_acc_wy = t96 * (t236 - t90 * t252)
         # limb4: geometry; accelerations; velocities, eq. (6)
         limb4_upper_position_y = 0.8 - minus_limb4_lower_sin * limb4_upper_offset_x
-        t254 = t81 * (t83 * minus_limb5_S_joint_acc_wy)
-        t259 = t74 * (limb4_upper_position_y * (limb4_U_0_sin * t254 - minus_limb4_U_0_cos * limb5_S_joint_acc_wx))
-        t260 = minus_limb5_S_joint_acc_wy + t259
-        t262 = limb4_upper_position_y * (limb4_U_0_sin * limb5_S_joint_acc_still_wz)
-        t265 = minus_limb4_U_0_cos * limb5_S_joint_rate_wz - limb4_U_0_sin * limb5_S_joint_rate_wx
-        limb4_P_joint_rate = limb4_S_arm_y * t265
+        t256 = t82 * (t84 * limb5_S_joint_acc_wy)
+        t257 = limb4_U_0_sin * t256
+        limb5_S_joint_acc_wx = t96 * (t87 * t252 + t94 * t235)
+        t265 = limb5_S_joint_acc_wy + t74 * (limb4_upper_position_y * (t257 + minus_limb4_U_0_cos * limb5_S_joint_acc_wx))
+        t267 = limb4_upper_position_y * (limb4_U_0_sin * limb5_S_joint_acc_still_wz)
+        t270 = minus_limb4_U_0_cos * limb5_S_joint_rate_wz + limb4_U_0_sin * minus_limb5_S_joint_rate_wx
+        limb4_P_joint_rate = limb4_S_arm_y * t270
         # limb4: accelerations; velocities, eq. (6); momentum rate, eq. (35)
-        t266 = limb4_lower_cos * limb4_P_joint_rate
-        minus_limb4_upper_vel_y = limb4_S_arm_x * t265
-        t267 = limb4_lower_cos * t74
-        minus_limb4_U_joint_rate_1 = minus_limb4_upper_vel_y * t267
-        t268 = minus_limb4_lower_sin * minus_limb4_U_joint_rate_1
-        t270 = t266 - limb4_upper_offset_x * t268
-        t271 = t145 * t270
-        t272 = minus_limb4_lower_sin * limb4_P_joint_rate
-        t273 = limb4_lower_cos * minus_limb4_U_joint_rate_1
-        t275 = t272 + limb4_upper_offset_x * t273
-        t278 = minus_limb4_U_0_cos * t129 + limb4_U_0_sin * t139
-        t279 = t275 * t278
-        t283 = limb4_upper_position_y * (limb4_U_0_sin * limb5_S_joint_rate_wz + minus_limb4_U_0_cos * limb5_S_joint_rate_wx)
-        limb4_U_joint_rate_0 = limb5_S_joint_rate_wy + t74 * t283
-        t285 = t270 * limb4_U_joint_rate_0
-        t288 = limb4_U_0_sin * t129 - minus_limb4_U_0_cos * t139
-        t294 = t262 + (t271 - (t279 + (t285 - limb4_upper_position_y * (limb4_U_joint_rate_0 * t288))))
-        minus_limb4_U_joint_acc_0 = t260 - t74 * t294
-        minus_limb4_U_0_rate_mz = 0.1112 * minus_limb4_U_joint_acc_0
+        t271 = limb4_lower_cos * limb4_P_joint_rate
+        minus_limb4_upper_vel_y = limb4_S_arm_x * t270
+        t272 = limb4_lower_cos * t74
+        minus_limb4_U_joint_rate_1 = minus_limb4_upper_vel_y * t272
+        t273 = minus_limb4_lower_sin * minus_limb4_U_joint_rate_1
+        t275 = t271 - limb4_upper_offset_x * t273
+        t276 = t148 * t275
+        t277 = minus_limb4_lower_sin * limb4_P_joint_rate
+        t278 = limb4_lower_cos * minus_limb4_U_joint_rate_1
+        t280 = t277 + limb4_upper_offset_x * t278
+        t283 = minus_limb4_U_0_cos * t132 + limb4_U_0_sin * t142
+        t284 = t280 * t283
+        t288 = limb4_upper_position_y * (limb4_U_0_sin * limb5_S_joint_rate_wz - minus_limb4_U_0_cos * minus_limb5_S_joint_rate_wx)
+        limb4_U_joint_rate_0 = limb5_S_joint_rate_wy + t74 * t288
+        t290 = t275 * limb4_U_joint_rate_0
+        t293 = limb4_U_0_sin * t132 - minus_limb4_U_0_cos * t142
+        t299 = t267 + (t276 - (t284 + (t290 - limb4_upper_position_y * (limb4_U_joint_rate_0 * t293))))
+        limb4_U_joint_acc_0 = t265 + t74 * t299
+        limb4_U_0_rate_mz = 0.1112 * limb4_U_joint_acc_0
         minus_limb4_upper_moment_y = 2.08953 * minus_limb4_U_0_cos
         minus_limb4_lower_omega_x = minus_limb4_lower_sin * limb4_U_joint_rate_0
         minus_limb4_lower_alpha_still_y = minus_limb4_U_joint_rate_1 * minus_limb4_lower_omega_x
-        t295 = 2.3439 * minus_limb4_lower_alpha_still_y
-        minus_limb4_lower_alpha_y = minus_limb4_lower_alpha_still_y + limb4_lower_cos * minus_limb4_U_joint_acc_0
-        limb4_lower_rate_my = minus_limb4_upper_moment_y - (t295 + 2.2727 * minus_limb4_lower_alpha_y)
+        t300 = 2.3439 * minus_limb4_lower_alpha_still_y
+        minus_limb4_lower_alpha_y = minus_limb4_lower_alpha_still_y - limb4_lower_cos * limb4_U_joint_acc_0
+        limb4_lower_rate_my = minus_limb4_upper_moment_y - (t300 + 2.2727 * minus_limb4_lower_alpha_y)
         limb4_lower_U_zx = minus_limb4_lower_alpha_still_y + minus_limb4_lower_alpha_y
         limb4_lower_rate_fz = 0.213 * limb4_lower_U_zx
-        t299 = 9.81 * minus_limb4_U_0_cos - limb4_upper_offset_x * limb4_lower_U_zx
+        t304 = 9.81 * minus_limb4_U_0_cos - limb4_upper_offset_x * limb4_lower_U_zx
         limb4_lower_omega_y = limb4_lower_cos * limb4_U_joint_rate_0
-        minus_limb4_upper_acc_z = t299 + limb4_P_joint_rate * (2.0 * limb4_lower_omega_y)
+        minus_limb4_upper_acc_z = t304 + limb4_P_joint_rate * (2.0 * limb4_lower_omega_y)
         # limb4: balance, eqs. (40)-(47)
-        t302 = limb4_upper_offset_x * (limb4_lower_rate_fz + 1.42 * minus_limb4_upper_acc_z)
-        t304 = limb4_lower_cos * (limb4_lower_rate_my + (t302 - 0.213 * minus_limb4_upper_acc_z))
-        minus_limb4_U_0_moment_z = minus_limb4_U_0_rate_mz - (t304 + minus_limb4_lower_sin * (0.0712 * (minus_limb4_U_joint_rate_1 * limb4_lower_omega_y)))
-        limb4_S_multiplier_fz = t74 * minus_limb4_U_0_moment_z
-        t306 = limb4_S_arm_x * limb4_S_multiplier_fz
-        t307 = minus_limb4_lower_sin * t306
-        t308 = limb4_S_arm_y * limb4_S_multiplier_fz
-        t310 = t307 - limb4_lower_cos * t308
-        t311 = limb4_U_0_sin * t310
+        t307 = limb4_upper_offset_x * (limb4_lower_rate_fz + 1.42 * minus_limb4_upper_acc_z)
+        t309 = limb4_lower_cos * (limb4_lower_rate_my + (t307 - 0.213 * minus_limb4_upper_acc_z))
+        limb4_U_0_moment_z = limb4_U_0_rate_mz + (t309 + minus_limb4_lower_sin * (0.0712 * (minus_limb4_U_joint_rate_1 * limb4_lower_omega_y)))
+        minus_limb4_S_multiplier_fz = t74 * limb4_U_0_moment_z
+        t311 = limb4_S_arm_x * minus_limb4_S_multiplier_fz
+        t312 = minus_limb4_lower_sin * t311
+        t313 = limb4_S_arm_y * minus_limb4_S_multiplier_fz
+        t315 = t312 - limb4_lower_cos * t313
+        t316 = limb4_U_0_sin * t315
         # limb4: accelerations; momentum rate, eq. (35); balance, eqs. (40)-(47)
-        t312 = minus_limb4_U_joint_rate_1 * minus_limb4_U_joint_rate_1
-        minus_limb4_lower_U_still_xx = t312 + limb4_lower_omega_y * limb4_lower_omega_y
+        t317 = minus_limb4_U_joint_rate_1 * minus_limb4_U_joint_rate_1
+        minus_limb4_lower_U_still_xx = t317 + limb4_lower_omega_y * limb4_lower_omega_y
         minus_limb4_lower_rate_fx = 0.213 * minus_limb4_lower_U_still_xx
         minus_limb4_U_0_acc_y = 9.81 * limb4_U_0_sin
         minus_limb4_upper_acc_still_x_2 = limb4_lower_cos * minus_limb4_U_0_acc_y + limb4_upper_offset_x * minus_limb4_lower_U_still_xx
-        t316 = minus_limb4_U_0_cos * t254 + limb4_U_0_sin * limb5_S_joint_acc_wx
-        t317 = limb4_S_arm_y * t316
-        t318 = minus_limb4_U_0_cos * limb5_S_joint_acc_still_wz
-        t319 = limb4_S_arm_y * t318
-        t321 = t288 * (0.8 * t268)
-        t322 = t278 * limb4_U_joint_rate_0
-        minus_limb4_lower_force_x = 1.42 * (minus_limb4_upper_acc_still_x_2 + (t317 - (t319 + (t321 + limb4_S_arm_y * t322))))
-        t325 = limb4_S_arm_y * (minus_limb4_lower_rate_fx - minus_limb4_lower_force_x)
+        t321 = minus_limb4_U_0_cos * t256 - limb4_U_0_sin * limb5_S_joint_acc_wx
+        t322 = limb4_S_arm_y * t321
+        t323 = minus_limb4_U_0_cos * limb5_S_joint_acc_still_wz
+        t324 = limb4_S_arm_y * t323
+        t326 = t293 * (0.8 * t273)
+        t327 = t283 * limb4_U_joint_rate_0
+        minus_limb4_lower_force_x = 1.42 * (minus_limb4_upper_acc_still_x_2 - (t322 + (t324 + (t326 + limb4_S_arm_y * t327))))
+        t330 = limb4_S_arm_y * (minus_limb4_lower_rate_fx - minus_limb4_lower_force_x)
         minus_limb4_lower_acc_y = minus_limb4_lower_sin * minus_limb4_U_0_acc_y
         limb4_upper_moment_z = 0.213 * minus_limb4_lower_acc_y
         minus_limb4_lower_U_still_xy = minus_limb4_lower_omega_x * limb4_lower_omega_y
-        t326 = 2.2727 * minus_limb4_lower_U_still_xy
-        t327 = limb4_S_arm_x * t316
-        t328 = limb4_S_arm_x * t318
-        t331 = t288 * (limb4_P_joint_rate - 0.8 * t273)
-        t337 = t327 - (t328 - (t331 + (limb4_P_joint_rate * minus_limb4_U_joint_rate_1 - limb4_S_arm_x * t322)))
-        limb4_U_joint_acc_1 = t267 * t337
-        minus_limb4_lower_rate_mz = limb4_upper_moment_z + (t326 - 2.3439 * limb4_U_joint_acc_1)
-        minus_limb4_lower_U_yx = minus_limb4_lower_U_still_xy - limb4_U_joint_acc_1
+        t331 = 2.2727 * minus_limb4_lower_U_still_xy
+        t332 = limb4_S_arm_x * t321
+        t333 = limb4_S_arm_x * t323
+        t336 = t293 * (limb4_P_joint_rate - 0.8 * t278)
+        t342 = t332 + (t333 - (t336 + (limb4_P_joint_rate * minus_limb4_U_joint_rate_1 - limb4_S_arm_x * t327)))
+        minus_limb4_U_joint_acc_1 = t272 * t342
+        minus_limb4_lower_rate_mz = limb4_upper_moment_z + (t331 + 2.3439 * minus_limb4_U_joint_acc_1)
+        minus_limb4_lower_U_yx = minus_limb4_lower_U_still_xy + minus_limb4_U_joint_acc_1
         minus_limb4_lower_rate_fy = 0.213 * minus_limb4_lower_U_yx
-        t341 = limb4_P_joint_rate * (2.0 * minus_limb4_U_joint_rate_1)
-        minus_limb4_upper_acc_y = t341 + (minus_limb4_lower_acc_y + limb4_upper_offset_x * minus_limb4_lower_U_yx)
-        t344 = limb4_upper_offset_x * (minus_limb4_lower_rate_fy - 1.42 * minus_limb4_upper_acc_y)
-        t346 = limb4_S_arm_x * (t267 * (minus_limb4_lower_rate_mz - (t344 + 0.213 * minus_limb4_upper_acc_y)))
-        t347 = t325 + t346
-        t349 = t311 + minus_limb4_U_0_cos * t347
+        t346 = limb4_P_joint_rate * (2.0 * minus_limb4_U_joint_rate_1)
+        minus_limb4_upper_acc_y = t346 + (minus_limb4_lower_acc_y + limb4_upper_offset_x * minus_limb4_lower_U_yx)
+        t349 = limb4_upper_offset_x * (minus_limb4_lower_rate_fy - 1.42 * minus_limb4_upper_acc_y)
+        t351 = limb4_S_arm_x * (t272 * (minus_limb4_lower_rate_mz - (t349 + 0.213 * minus_limb4_upper_acc_y)))
+        t352 = t330 + t351
+        t354 = t316 - minus_limb4_U_0_cos * t352
         # limb3: geometry; reciprocal wrenches, eq. (10); accelerations
         minus_limb3_lower_sin = np.sin(t49)
         limb3_upper_offset_x = 0.3 + limb3_P_q
         limb3_S_arm_x = limb3_upper_offset_x - 0.8 * minus_limb3_lower_sin
         minus_limb3_U_0_lever_mz_by_limb3_S_fz = limb3_lower_cos * limb3_upper_offset_x
-        t351 = 1.0 / minus_limb3_U_0_lever_mz_by_limb3_S_fz
+        t356 = 1.0 / minus_limb3_U_0_lever_mz_by_limb3_S_fz
         limb3_upper_position_x = 0.8 - minus_limb3_lower_sin * limb3_upper_offset_x
-        t356 = t351 * (limb3_upper_position_x * (limb3_U_0_cos * t254 - limb3_U_0_sin * minus_limb5_S_joint_acc_wy))
-        t357 = limb5_S_joint_acc_wx + t356
-        t359 = limb3_upper_position_x * (limb3_U_0_cos * limb5_S_joint_acc_still_wz)
-        t362 = limb3_U_0_sin * limb5_S_joint_rate_wz + limb3_U_0_cos * limb5_S_joint_rate_wy
-        minus_limb3_P_joint_rate = limb3_S_arm_y * t362
+        t361 = t356 * (limb3_upper_position_x * (limb3_U_0_cos * t256 - limb3_U_0_sin * limb5_S_joint_acc_wy))
+        t362 = limb5_S_joint_acc_wx - t361
+        t364 = limb3_upper_position_x * (limb3_U_0_cos * limb5_S_joint_acc_still_wz)
+        t367 = limb3_U_0_sin * limb5_S_joint_rate_wz + limb3_U_0_cos * limb5_S_joint_rate_wy
+        minus_limb3_P_joint_rate = limb3_S_arm_y * t367
         # limb3: accelerations; velocities, eq. (6); momentum rate, eq. (35)
-        t363 = limb3_lower_cos * minus_limb3_P_joint_rate
-        limb3_upper_vel_y = limb3_S_arm_x * t362
-        t364 = limb3_lower_cos * t351
-        limb3_U_joint_rate_1 = limb3_upper_vel_y * t364
-        t365 = minus_limb3_lower_sin * limb3_U_joint_rate_1
-        t367 = t363 - limb3_upper_offset_x * t365
-        t368 = t129 * t367
-        t369 = minus_limb3_lower_sin * minus_limb3_P_joint_rate
-        t370 = limb3_lower_cos * limb3_U_joint_rate_1
-        t372 = t369 + limb3_upper_offset_x * t370
-        t375 = limb3_U_0_cos * t139 - limb3_U_0_sin * t145
-        t376 = t372 * t375
-        t380 = limb3_upper_position_x * (limb3_U_0_cos * limb5_S_joint_rate_wz - limb3_U_0_sin * limb5_S_joint_rate_wy)
-        limb3_U_joint_rate_0 = limb5_S_joint_rate_wx - t351 * t380
-        t382 = t367 * limb3_U_joint_rate_0
-        t385 = limb3_U_0_sin * t139 + limb3_U_0_cos * t145
-        t391 = t359 + (t368 + (t376 - (t382 + limb3_upper_position_x * (limb3_U_joint_rate_0 * t385))))
-        limb3_U_joint_acc_0 = t357 - t351 * t391
+        t368 = limb3_lower_cos * minus_limb3_P_joint_rate
+        limb3_upper_vel_y = limb3_S_arm_x * t367
+        t369 = limb3_lower_cos * t356
+        limb3_U_joint_rate_1 = limb3_upper_vel_y * t369
+        t370 = minus_limb3_lower_sin * limb3_U_joint_rate_1
+        t372 = t368 - limb3_upper_offset_x * t370
+        t373 = t132 * t372
+        t374 = minus_limb3_lower_sin * minus_limb3_P_joint_rate
+        t375 = limb3_lower_cos * limb3_U_joint_rate_1
+        t377 = t374 + limb3_upper_offset_x * t375
+        t380 = limb3_U_0_cos * t142 - limb3_U_0_sin * t148
+        t381 = t377 * t380
+        t385 = limb3_upper_position_x * (limb3_U_0_cos * limb5_S_joint_rate_wz - limb3_U_0_sin * limb5_S_joint_rate_wy)
+        minus_limb3_U_joint_rate_0 = minus_limb5_S_joint_rate_wx + t356 * t385
+        t387 = t372 * minus_limb3_U_joint_rate_0
+        t390 = limb3_U_0_sin * t142 + limb3_U_0_cos * t148
+        t396 = t364 + (t373 + (t381 + (t387 + limb3_upper_position_x * (minus_limb3_U_joint_rate_0 * t390))))
+        limb3_U_joint_acc_0 = t362 - t356 * t396
         limb3_U_0_rate_mz = 0.1112 * limb3_U_joint_acc_0
         limb3_upper_moment_y = 2.08953 * limb3_U_0_sin
-        minus_limb3_lower_omega_x = minus_limb3_lower_sin * limb3_U_joint_rate_0
-        limb3_lower_alpha_still_y = limb3_U_joint_rate_1 * minus_limb3_lower_omega_x
-        t392 = 2.3439 * limb3_lower_alpha_still_y
-        limb3_lower_alpha_y = limb3_lower_alpha_still_y + limb3_lower_cos * limb3_U_joint_acc_0
-        minus_limb3_lower_rate_my = limb3_upper_moment_y - (t392 + 2.2727 * limb3_lower_alpha_y)
-        minus_limb3_lower_U_zx = limb3_lower_alpha_still_y + limb3_lower_alpha_y
-        minus_limb3_lower_rate_fz = 0.213 * minus_limb3_lower_U_zx
-        t396 = 9.81 * limb3_U_0_sin - limb3_upper_offset_x * minus_limb3_lower_U_zx
-        limb3_lower_omega_y = limb3_lower_cos * limb3_U_joint_rate_0
-        limb3_upper_acc_z = t396 + minus_limb3_P_joint_rate * (2.0 * limb3_lower_omega_y)
+        limb3_lower_omega_x = minus_limb3_lower_sin * minus_limb3_U_joint_rate_0
+        minus_limb3_lower_alpha_still_y = limb3_U_joint_rate_1 * limb3_lower_omega_x
+        t397 = 2.3439 * minus_limb3_lower_alpha_still_y
+        minus_limb3_lower_alpha_y = minus_limb3_lower_alpha_still_y - limb3_lower_cos * limb3_U_joint_acc_0
+        minus_limb3_lower_rate_my = limb3_upper_moment_y + (t397 + 2.2727 * minus_limb3_lower_alpha_y)
+        limb3_lower_U_zx = minus_limb3_lower_alpha_still_y + minus_limb3_lower_alpha_y
+        limb3_lower_rate_fz = 0.213 * limb3_lower_U_zx
+        t401 = 9.81 * limb3_U_0_sin + limb3_upper_offset_x * limb3_lower_U_zx
+        minus_limb3_lower_omega_y = limb3_lower_cos * minus_limb3_U_joint_rate_0
+        limb3_upper_acc_z = t401 - minus_limb3_P_joint_rate * (2.0 * minus_limb3_lower_omega_y)
         # limb3: balance, eqs. (40)-(47)
-        t399 = limb3_upper_offset_x * (minus_limb3_lower_rate_fz + 1.42 * limb3_upper_acc_z)
-        t401 = limb3_lower_cos * (minus_limb3_lower_rate_my + (t399 - 0.213 * limb3_upper_acc_z))
-        limb3_U_0_moment_z = limb3_U_0_rate_mz - (t401 + minus_limb3_lower_sin * (0.0712 * (limb3_U_joint_rate_1 * limb3_lower_omega_y)))
-        minus_limb3_S_multiplier_fz = t351 * limb3_U_0_moment_z
-        t403 = limb3_S_arm_x * minus_limb3_S_multiplier_fz
-        t404 = minus_limb3_lower_sin * t403
-        t405 = limb3_S_arm_y * minus_limb3_S_multiplier_fz
-        t407 = t404 - limb3_lower_cos * t405
-        t408 = limb3_U_0_cos * t407
+        t404 = limb3_upper_offset_x * (limb3_lower_rate_fz - 1.42 * limb3_upper_acc_z)
+        t406 = limb3_lower_cos * (minus_limb3_lower_rate_my - (t404 + 0.213 * limb3_upper_acc_z))
+        limb3_U_0_moment_z = limb3_U_0_rate_mz - (t406 - minus_limb3_lower_sin * (0.0712 * (limb3_U_joint_rate_1 * minus_limb3_lower_omega_y)))
+        minus_limb3_S_multiplier_fz = t356 * limb3_U_0_moment_z
+        t408 = limb3_S_arm_x * minus_limb3_S_multiplier_fz
+        t409 = minus_limb3_lower_sin * t408
+        t410 = limb3_S_arm_y * minus_limb3_S_multiplier_fz
+        t412 = t409 - limb3_lower_cos * t410
+        t413 = limb3_U_0_cos * t412
         # limb3: accelerations; momentum rate, eq. (35); balance, eqs. (40)-(47)
-        minus_limb3_lower_U_still_xx = limb3_U_joint_rate_1 * limb3_U_joint_rate_1 + limb3_lower_omega_y * limb3_lower_omega_y
+        t414 = limb3_U_joint_rate_1 * limb3_U_joint_rate_1
+        minus_limb3_lower_U_still_xx = t414 + minus_limb3_lower_omega_y * minus_limb3_lower_omega_y
         minus_limb3_lower_rate_fx = 0.213 * minus_limb3_lower_U_still_xx
         limb3_U_0_acc_y = 9.81 * limb3_U_0_cos
         limb3_upper_acc_still_x = limb3_lower_cos * limb3_U_0_acc_y - limb3_upper_offset_x * minus_limb3_lower_U_still_xx
-        t413 = limb3_U_0_sin * t254 + limb3_U_0_cos * minus_limb5_S_joint_acc_wy
-        t414 = limb3_S_arm_y * t413
-        t415 = limb3_U_0_sin * limb5_S_joint_acc_still_wz
-        t416 = limb3_S_arm_y * t415
-        t418 = t385 * (0.8 * t365)
-        t419 = t375 * limb3_U_joint_rate_0
-        limb3_lower_force_x = 1.42 * (limb3_upper_acc_still_x + (t414 - (t416 + (t418 + limb3_S_arm_y * t419))))
-        t422 = limb3_S_arm_y * (minus_limb3_lower_rate_fx + limb3_lower_force_x)
+        t418 = limb3_U_0_sin * t256 + limb3_U_0_cos * limb5_S_joint_acc_wy
+        t419 = limb3_S_arm_y * t418
+        t420 = limb3_U_0_sin * limb5_S_joint_acc_still_wz
+        t421 = limb3_S_arm_y * t420
+        t423 = t390 * (0.8 * t370)
+        t424 = t380 * minus_limb3_U_joint_rate_0
+        limb3_lower_force_x = 1.42 * (limb3_upper_acc_still_x - (t419 + (t421 + (t423 - limb3_S_arm_y * t424))))
+        t427 = limb3_S_arm_y * (minus_limb3_lower_rate_fx + limb3_lower_force_x)
         limb3_lower_acc_y = minus_limb3_lower_sin * limb3_U_0_acc_y
         minus_limb3_upper_moment_z = 0.213 * limb3_lower_acc_y
-        minus_limb3_lower_U_still_xy = minus_limb3_lower_omega_x * limb3_lower_omega_y
-        t423 = 2.2727 * minus_limb3_lower_U_still_xy
-        t424 = limb3_S_arm_x * t413
-        t425 = limb3_S_arm_x * t415
-        t428 = t385 * (minus_limb3_P_joint_rate - 0.8 * t370)
-        t434 = t424 - (t425 - (t428 - (minus_limb3_P_joint_rate * limb3_U_joint_rate_1 + limb3_S_arm_x * t419)))
-        minus_limb3_U_joint_acc_1 = t364 * t434
-        limb3_lower_rate_mz = minus_limb3_upper_moment_z - (t423 + 2.3439 * minus_limb3_U_joint_acc_1)
-        minus_limb3_lower_U_yx = minus_limb3_lower_U_still_xy + minus_limb3_U_joint_acc_1
+        minus_limb3_lower_U_still_xy = limb3_lower_omega_x * minus_limb3_lower_omega_y
+        t428 = 2.2727 * minus_limb3_lower_U_still_xy
+        t429 = limb3_S_arm_x * t418
+        t430 = limb3_S_arm_x * t420
+        t433 = t390 * (minus_limb3_P_joint_rate - 0.8 * t375)
+        t439 = t429 + (t430 - (t433 - (minus_limb3_P_joint_rate * limb3_U_joint_rate_1 - limb3_S_arm_x * t424)))
+        limb3_U_joint_acc_1 = t369 * t439
+        limb3_lower_rate_mz = minus_limb3_upper_moment_z - (t428 - 2.3439 * limb3_U_joint_acc_1)
+        minus_limb3_lower_U_yx = minus_limb3_lower_U_still_xy - limb3_U_joint_acc_1
         minus_limb3_lower_rate_fy = 0.213 * minus_limb3_lower_U_yx
-        t438 = minus_limb3_P_joint_rate * (2.0 * limb3_U_joint_rate_1)
-        minus_limb3_upper_acc_y = t438 - (limb3_lower_acc_y - limb3_upper_offset_x * minus_limb3_lower_U_yx)
-        t441 = limb3_upper_offset_x * (minus_limb3_lower_rate_fy - 1.42 * minus_limb3_upper_acc_y)
-        t444 = t422 - limb3_S_arm_x * (t364 * (limb3_lower_rate_mz + (t441 + 0.213 * minus_limb3_upper_acc_y)))
-        t446 = t408 - limb3_U_0_sin * t444
+        t443 = minus_limb3_P_joint_rate * (2.0 * limb3_U_joint_rate_1)
+        minus_limb3_upper_acc_y = t443 - (limb3_lower_acc_y - limb3_upper_offset_x * minus_limb3_lower_U_yx)
+        t446 = limb3_upper_offset_x * (minus_limb3_lower_rate_fy - 1.42 * minus_limb3_upper_acc_y)
+        t449 = t427 - limb3_S_arm_x * (t369 * (limb3_lower_rate_mz + (t446 + 0.213 * minus_limb3_upper_acc_y)))
+        t451 = t413 - limb3_U_0_sin * t449
         # limb2: geometry; reciprocal wrenches, eq. (10); accelerations
         limb2_lower_sin = np.sin(t52)
         limb2_upper_offset_x = 0.3 + limb2_P_q
         limb2_S_arm_x = limb2_upper_offset_x - 0.8 * limb2_lower_sin
         minus_limb2_U_0_lever_mz_by_limb2_S_fz = limb2_lower_cos * limb2_upper_offset_x
-        t448 = 1.0 / minus_limb2_U_0_lever_mz_by_limb2_S_fz
+        t453 = 1.0 / minus_limb2_U_0_lever_mz_by_limb2_S_fz
         minus_limb2_upper_position_y = 0.8 - limb2_lower_sin * limb2_upper_offset_x
-        t452 = minus_limb2_upper_position_y * (limb2_U_0_sin * t254 - minus_limb2_U_0_cos * limb5_S_joint_acc_wx)
-        t454 = minus_limb5_S_joint_acc_wy - t448 * t452
-        t456 = minus_limb2_upper_position_y * (limb2_U_0_sin * limb5_S_joint_acc_still_wz)
-        t459 = minus_limb2_U_0_cos * limb5_S_joint_rate_wz - limb2_U_0_sin * limb5_S_joint_rate_wx
-        minus_limb2_P_joint_rate = minus_limb2_S_arm_y * t459
+        t457 = minus_limb2_upper_position_y * (limb2_U_0_sin * t256 + minus_limb2_U_0_cos * limb5_S_joint_acc_wx)
+        t459 = limb5_S_joint_acc_wy - t453 * t457
+        t461 = minus_limb2_upper_position_y * (limb2_U_0_sin * limb5_S_joint_acc_still_wz)
+        t464 = minus_limb2_U_0_cos * limb5_S_joint_rate_wz + limb2_U_0_sin * minus_limb5_S_joint_rate_wx
+        minus_limb2_P_joint_rate = minus_limb2_S_arm_y * t464
         # limb2: accelerations; velocities, eq. (6); momentum rate, eq. (35)
-        t460 = limb2_lower_cos * minus_limb2_P_joint_rate
-        minus_limb2_upper_vel_y = limb2_S_arm_x * t459
-        t461 = limb2_lower_cos * t448
-        minus_limb2_U_joint_rate_1 = minus_limb2_upper_vel_y * t461
-        t462 = limb2_lower_sin * minus_limb2_U_joint_rate_1
-        t464 = t460 - limb2_upper_offset_x * t462
-        t465 = t145 * t464
-        t466 = limb2_lower_sin * minus_limb2_P_joint_rate
-        t467 = limb2_lower_cos * minus_limb2_U_joint_rate_1
-        t469 = t466 + limb2_upper_offset_x * t467
-        t472 = minus_limb2_U_0_cos * t129 + limb2_U_0_sin * t139
-        t473 = t469 * t472
-        t477 = minus_limb2_upper_position_y * (limb2_U_0_sin * limb5_S_joint_rate_wz + minus_limb2_U_0_cos * limb5_S_joint_rate_wx)
-        limb2_U_joint_rate_0 = limb5_S_joint_rate_wy - t448 * t477
-        t479 = t464 * limb2_U_joint_rate_0
-        t482 = limb2_U_0_sin * t129 - minus_limb2_U_0_cos * t139
-        t488 = t456 + (t465 + (t473 - (t479 - minus_limb2_upper_position_y * (limb2_U_joint_rate_0 * t482))))
-        minus_limb2_U_joint_acc_0 = t454 + t448 * t488
-        minus_limb2_U_0_rate_mz = 0.1112 * minus_limb2_U_joint_acc_0
+        t465 = limb2_lower_cos * minus_limb2_P_joint_rate
+        minus_limb2_upper_vel_y = limb2_S_arm_x * t464
+        t466 = limb2_lower_cos * t453
+        minus_limb2_U_joint_rate_1 = minus_limb2_upper_vel_y * t466
+        t467 = limb2_lower_sin * minus_limb2_U_joint_rate_1
+        t469 = t465 - limb2_upper_offset_x * t467
+        t470 = t148 * t469
+        t471 = limb2_lower_sin * minus_limb2_P_joint_rate
+        t472 = limb2_lower_cos * minus_limb2_U_joint_rate_1
+        t474 = t471 + limb2_upper_offset_x * t472
+        t477 = minus_limb2_U_0_cos * t132 + limb2_U_0_sin * t142
+        t478 = t474 * t477
+        t482 = minus_limb2_upper_position_y * (limb2_U_0_sin * limb5_S_joint_rate_wz - minus_limb2_U_0_cos * minus_limb5_S_joint_rate_wx)
+        limb2_U_joint_rate_0 = limb5_S_joint_rate_wy - t453 * t482
+        t484 = t469 * limb2_U_joint_rate_0
+        t487 = limb2_U_0_sin * t132 - minus_limb2_U_0_cos * t142
+        t493 = t461 + (t470 + (t478 - (t484 - minus_limb2_upper_position_y * (limb2_U_joint_rate_0 * t487))))
+        limb2_U_joint_acc_0 = t459 - t453 * t493
+        limb2_U_0_rate_mz = 0.1112 * limb2_U_joint_acc_0
         minus_limb2_upper_moment_y = 2.08953 * minus_limb2_U_0_cos
         limb2_lower_omega_x = limb2_lower_sin * limb2_U_joint_rate_0
         limb2_lower_alpha_still_y = minus_limb2_U_joint_rate_1 * limb2_lower_omega_x
-        t489 = 2.3439 * limb2_lower_alpha_still_y
-        limb2_lower_alpha_y = limb2_lower_alpha_still_y - limb2_lower_cos * minus_limb2_U_joint_acc_0
-        limb2_lower_rate_my = minus_limb2_upper_moment_y + (t489 + 2.2727 * limb2_lower_alpha_y)
+        t494 = 2.3439 * limb2_lower_alpha_still_y
+        limb2_lower_alpha_y = limb2_lower_alpha_still_y + limb2_lower_cos * limb2_U_joint_acc_0
+        limb2_lower_rate_my = minus_limb2_upper_moment_y + (t494 + 2.2727 * limb2_lower_alpha_y)
         minus_limb2_lower_U_zx = limb2_lower_alpha_still_y + limb2_lower_alpha_y
         minus_limb2_lower_rate_fz = 0.213 * minus_limb2_lower_U_zx
-        t493 = 9.81 * minus_limb2_U_0_cos + limb2_upper_offset_x * minus_limb2_lower_U_zx
+        t498 = 9.81 * minus_limb2_U_0_cos + limb2_upper_offset_x * minus_limb2_lower_U_zx
         limb2_lower_omega_y = limb2_lower_cos * limb2_U_joint_rate_0
-        minus_limb2_upper_acc_z = t493 - minus_limb2_P_joint_rate * (2.0 * limb2_lower_omega_y)
+        minus_limb2_upper_acc_z = t498 - minus_limb2_P_joint_rate * (2.0 * limb2_lower_omega_y)
         # limb2: balance, eqs. (40)-(47)
-        t496 = limb2_upper_offset_x * (minus_limb2_lower_rate_fz - 1.42 * minus_limb2_upper_acc_z)
-        t498 = limb2_lower_cos * (limb2_lower_rate_my - (t496 + 0.213 * minus_limb2_upper_acc_z))
-        minus_limb2_U_0_moment_z = minus_limb2_U_0_rate_mz - (t498 - limb2_lower_sin * (0.0712 * (minus_limb2_U_joint_rate_1 * limb2_lower_omega_y)))
-        limb2_S_multiplier_fz = t448 * minus_limb2_U_0_moment_z
-        t500 = limb2_S_arm_x * limb2_S_multiplier_fz
-        t501 = limb2_lower_sin * t500
-        t502 = minus_limb2_S_arm_y * limb2_S_multiplier_fz
-        t504 = t501 - limb2_lower_cos * t502
-        t505 = limb2_U_0_sin * t504
+        t501 = limb2_upper_offset_x * (minus_limb2_lower_rate_fz - 1.42 * minus_limb2_upper_acc_z)
+        t503 = limb2_lower_cos * (limb2_lower_rate_my - (t501 + 0.213 * minus_limb2_upper_acc_z))
+        limb2_U_0_moment_z = limb2_U_0_rate_mz + (t503 - limb2_lower_sin * (0.0712 * (minus_limb2_U_joint_rate_1 * limb2_lower_omega_y)))
+        minus_limb2_S_multiplier_fz = t453 * limb2_U_0_moment_z
+        t505 = limb2_S_arm_x * minus_limb2_S_multiplier_fz
+        t506 = limb2_lower_sin * t505
+        t507 = minus_limb2_S_arm_y * minus_limb2_S_multiplier_fz
+        t509 = t506 - limb2_lower_cos * t507
+        t510 = limb2_U_0_sin * t509
         # limb2: accelerations; momentum rate, eq. (35); balance, eqs. (40)-(47)
-        t506 = minus_limb2_U_joint_rate_1 * minus_limb2_U_joint_rate_1
-        minus_limb2_lower_U_still_xx = t506 + limb2_lower_omega_y * limb2_lower_omega_y
+        t511 = minus_limb2_U_joint_rate_1 * minus_limb2_U_joint_rate_1
+        minus_limb2_lower_U_still_xx = t511 + limb2_lower_omega_y * limb2_lower_omega_y
         minus_limb2_lower_rate_fx = 0.213 * minus_limb2_lower_U_still_xx
         minus_limb2_U_0_acc_y = 9.81 * limb2_U_0_sin
         minus_limb2_upper_acc_still_x_2 = limb2_lower_cos * minus_limb2_U_0_acc_y + limb2_upper_offset_x * minus_limb2_lower_U_still_xx
-        t510 = minus_limb2_U_0_cos * t254 + limb2_U_0_sin * limb5_S_joint_acc_wx
-        t511 = minus_limb2_S_arm_y * t510
-        t512 = minus_limb2_U_0_cos * limb5_S_joint_acc_still_wz
-        t513 = minus_limb2_S_arm_y * t512
-        t515 = t482 * (0.8 * t462)
-        t516 = t472 * limb2_U_joint_rate_0
-        minus_limb2_lower_force_x = 1.42 * (minus_limb2_upper_acc_still_x_2 - (t511 - (t513 - (t515 - minus_limb2_S_arm_y * t516))))
-        t519 = minus_limb2_S_arm_y * (minus_limb2_lower_rate_fx - minus_limb2_lower_force_x)
+        t515 = minus_limb2_U_0_cos * t256 - limb2_U_0_sin * limb5_S_joint_acc_wx
+        t516 = minus_limb2_S_arm_y * t515
+        t517 = minus_limb2_U_0_cos * limb5_S_joint_acc_still_wz
+        t518 = minus_limb2_S_arm_y * t517
+        t520 = t487 * (0.8 * t467)
+        t521 = t477 * limb2_U_joint_rate_0
+        minus_limb2_lower_force_x = 1.42 * (minus_limb2_upper_acc_still_x_2 + (t516 + (t518 - (t520 - minus_limb2_S_arm_y * t521))))
+        t524 = minus_limb2_S_arm_y * (minus_limb2_lower_rate_fx - minus_limb2_lower_force_x)
         limb2_lower_acc_y = limb2_lower_sin * minus_limb2_U_0_acc_y
         minus_limb2_upper_moment_z = 0.213 * limb2_lower_acc_y
         limb2_lower_U_still_xy = limb2_lower_omega_x * limb2_lower_omega_y
-        t520 = 2.2727 * limb2_lower_U_still_xy
-        t521 = limb2_S_arm_x * t510
-        t522 = limb2_S_arm_x * t512
-        t525 = t482 * (minus_limb2_P_joint_rate - 0.8 * t467)
-        t530 = t522 + (t525 + (minus_limb2_P_joint_rate * minus_limb2_U_joint_rate_1 + limb2_S_arm_x * t516))
-        limb2_U_joint_acc_1 = t461 * (t521 - t530)
-        limb2_lower_rate_mz = minus_limb2_upper_moment_z + (t520 + 2.3439 * limb2_U_joint_acc_1)
-        limb2_lower_U_yx = limb2_lower_U_still_xy + limb2_U_joint_acc_1
+        t525 = 2.2727 * limb2_lower_U_still_xy
+        t526 = limb2_S_arm_x * t515
+        t527 = limb2_S_arm_x * t517
+        t530 = t487 * (minus_limb2_P_joint_rate - 0.8 * t472)
+        t535 = t527 + (t530 + (minus_limb2_P_joint_rate * minus_limb2_U_joint_rate_1 + limb2_S_arm_x * t521))
+        minus_limb2_U_joint_acc_1 = t466 * (t526 + t535)
+        limb2_lower_rate_mz = minus_limb2_upper_moment_z + (t525 - 2.3439 * minus_limb2_U_joint_acc_1)
+        limb2_lower_U_yx = limb2_lower_U_still_xy - minus_limb2_U_joint_acc_1
         limb2_lower_rate_fy = 0.213 * limb2_lower_U_yx
-        t535 = minus_limb2_P_joint_rate * (2.0 * minus_limb2_U_joint_rate_1)
-        limb2_upper_acc_y = t535 + (limb2_lower_acc_y + limb2_upper_offset_x * limb2_lower_U_yx)
-        t538 = limb2_upper_offset_x * (limb2_lower_rate_fy - 1.42 * limb2_upper_acc_y)
-        t541 = t519 + limb2_S_arm_x * (t461 * (limb2_lower_rate_mz - (t538 + 0.213 * limb2_upper_acc_y)))
-        t543 = t505 + minus_limb2_U_0_cos * t541
+        t540 = minus_limb2_P_joint_rate * (2.0 * minus_limb2_U_joint_rate_1)
+        limb2_upper_acc_y = t540 + (limb2_lower_acc_y + limb2_upper_offset_x * limb2_lower_U_yx)
+        t543 = limb2_upper_offset_x * (limb2_lower_rate_fy - 1.42 * limb2_upper_acc_y)
+        t546 = t524 + limb2_S_arm_x * (t466 * (limb2_lower_rate_mz - (t543 + 0.213 * limb2_upper_acc_y)))
+        t548 = t510 - minus_limb2_U_0_cos * t546
         # platform: accelerations; momentum rate, eq. (35); balance, eqs. (40)-(47)
-        limb5_S_joint_acc_wz = limb5_S_joint_acc_still_wz - t254
-        t544 = platform_turn_zz * limb5_S_joint_acc_wz
-        platform_alpha_z = t544 - (platform_turn_yz * minus_limb5_S_joint_acc_wy - platform_turn_xz * limb5_S_joint_acc_wx)
-        platform_rate_mz = 92.1 * platform_alpha_z
-        t548 = platform_turn_zz * platform_rate_mz
+        limb5_S_joint_acc_wz = limb5_S_joint_acc_still_wz + t256
+        t549 = platform_turn_zz * limb5_S_joint_acc_wz
+        platform_rate_mz = 92.1 * (t549 + (platform_turn_yz * limb5_S_joint_acc_wy + platform_turn_xz * limb5_S_joint_acc_wx))
+        t553 = platform_turn_zz * platform_rate_mz
         platform_moment_y = 14.62961126155784 * platform_turn_zx
-        t549 = 22.6251 * (platform_omega_z * platform_omega_x)
-        t550 = platform_turn_zy * limb5_S_joint_acc_wz
-        platform_alpha_y = t550 - (platform_turn_yy * minus_limb5_S_joint_acc_wy - platform_turn_xy * limb5_S_joint_acc_wx)
-        platform_rate_my = platform_moment_y - (t549 - 69.4749 * platform_alpha_y)
-        t556 = platform_turn_zy * platform_rate_my
+        t554 = 22.6251 * (platform_omega_z * platform_omega_x)
+        t555 = platform_turn_zy * limb5_S_joint_acc_wz
+        t559 = 69.4749 * (t555 + (platform_turn_yy * limb5_S_joint_acc_wy + platform_turn_xy * limb5_S_joint_acc_wx))
+        platform_rate_my = platform_moment_y - (t554 - t559)
+        t561 = platform_turn_zy * platform_rate_my
         minus_platform_moment_x = 14.62961126155784 * platform_turn_zy
-        t557 = 22.6251 * (platform_omega_z * platform_omega_y)
-        t558 = platform_turn_zx * limb5_S_joint_acc_wz
-        platform_alpha_x = t558 - (platform_turn_yx * minus_limb5_S_joint_acc_wy - platform_turn_xx * limb5_S_joint_acc_wx)
-        minus_platform_rate_mx = minus_platform_moment_x - (t557 + 69.4749 * platform_alpha_x)
-        t566 = t548 + (t556 - platform_turn_zx * minus_platform_rate_mx)
+        t562 = 22.6251 * (platform_omega_z * platform_omega_y)
+        t563 = platform_turn_zx * limb5_S_joint_acc_wz
+        t567 = 69.4749 * (t563 + (platform_turn_yx * limb5_S_joint_acc_wy + platform_turn_xx * limb5_S_joint_acc_wx))
+        minus_platform_rate_mx = minus_platform_moment_x - (t562 + t567)
+        t571 = t553 + (t561 - platform_turn_zx * minus_platform_rate_mx)
         # limb1: accelerations; momentum rate, eq. (35); balance, eqs. (40)-(47)
-        t570 = minus_limb1_upper_position_x * (limb1_U_0_cos * t254 - limb1_U_0_sin * minus_limb5_S_joint_acc_wy)
-        t572 = limb5_S_joint_acc_wx - t19 * t570
-        limb1_U_joint_acc_0 = t572 + t19 * (t162 + minus_limb1_upper_position_x * (limb1_U_0_cos * limb5_S_joint_acc_still_wz))
+        t576 = t19 * (minus_limb1_upper_position_x * (limb1_U_0_cos * t256 - limb1_U_0_sin * limb5_S_joint_acc_wy))
+        t577 = limb5_S_joint_acc_wx + t576
+        limb1_U_joint_acc_0 = t577 + t19 * (t165 + minus_limb1_upper_position_x * (limb1_U_0_cos * limb5_S_joint_acc_still_wz))
         limb1_U_0_rate_mz = 0.1112 * limb1_U_joint_acc_0
         limb1_upper_moment_y = 2.08953 * limb1_U_0_sin
-        minus_limb1_lower_alpha_still_y = limb1_U_joint_rate_1 * limb1_lower_omega_x
-        t576 = 2.3439 * minus_limb1_lower_alpha_still_y
-        minus_limb1_lower_alpha_y = minus_limb1_lower_alpha_still_y - limb1_lower_cos * limb1_U_joint_acc_0
-        minus_limb1_lower_rate_my = limb1_upper_moment_y + (t576 + 2.2727 * minus_limb1_lower_alpha_y)
-        limb1_lower_U_zx = minus_limb1_lower_alpha_still_y + minus_limb1_lower_alpha_y
-        limb1_lower_rate_fz = 0.213 * limb1_lower_U_zx
-        t580 = 9.81 * limb1_U_0_sin + limb1_upper_offset_x * limb1_lower_U_zx
-        limb1_upper_acc_z = t580 - limb1_P_joint_rate * (2.0 * limb1_lower_omega_y)
+        limb1_lower_alpha_still_y = limb1_U_joint_rate_1 * minus_limb1_lower_omega_x
+        t581 = 2.3439 * limb1_lower_alpha_still_y
+        limb1_lower_alpha_y = limb1_lower_alpha_still_y + limb1_lower_cos * limb1_U_joint_acc_0
+        minus_limb1_lower_rate_my = limb1_upper_moment_y - (t581 + 2.2727 * limb1_lower_alpha_y)
+        minus_limb1_lower_U_zx = limb1_lower_alpha_still_y + limb1_lower_alpha_y
+        minus_limb1_lower_rate_fz = 0.213 * minus_limb1_lower_U_zx
+        t585 = 9.81 * limb1_U_0_sin - limb1_upper_offset_x * minus_limb1_lower_U_zx
+        limb1_upper_acc_z = t585 + limb1_P_joint_rate * (2.0 * minus_limb1_lower_omega_y)
         # limb1: balance, eqs. (40)-(47)
-        t583 = limb1_upper_offset_x * (limb1_lower_rate_fz - 1.42 * limb1_upper_acc_z)
-        t585 = limb1_lower_cos * (minus_limb1_lower_rate_my - (t583 + 0.213 * limb1_upper_acc_z))
-        minus_limb1_U2_part_fz = t19 * (limb1_U_0_rate_mz - (t585 - limb1_lower_sin * (0.0712 * limb1_lower_alpha_still_x)))
-        t587 = limb1_U2_arm_x * minus_limb1_U2_part_fz
-        t588 = limb1_lower_sin * t587
-        t589 = minus_limb1_U2_arm_y * minus_limb1_U2_part_fz
-        t591 = t588 - limb1_lower_cos * t589
-        t592 = limb1_U_0_cos * t591
+        t588 = limb1_upper_offset_x * (minus_limb1_lower_rate_fz + 1.42 * limb1_upper_acc_z)
+        t590 = limb1_lower_cos * (minus_limb1_lower_rate_my + (t588 - 0.213 * limb1_upper_acc_z))
+        minus_limb1_U2_part_fz = t19 * (limb1_U_0_rate_mz - (t590 + limb1_lower_sin * (0.0712 * minus_limb1_lower_alpha_still_x)))
+        t592 = limb1_U2_arm_x * minus_limb1_U2_part_fz
+        t593 = limb1_lower_sin * t592
+        t594 = minus_limb1_U2_arm_y * minus_limb1_U2_part_fz
+        t596 = t593 - limb1_lower_cos * t594
+        t597 = limb1_U_0_cos * t596
         # limb1: accelerations; momentum rate, eq. (35); balance, eqs. (40)-(47)
-        minus_limb1_lower_U_still_xx = limb1_U_joint_rate_1 * limb1_U_joint_rate_1 + limb1_lower_omega_y * limb1_lower_omega_y
+        t598 = limb1_U_joint_rate_1 * limb1_U_joint_rate_1
+        minus_limb1_lower_U_still_xx = t598 + minus_limb1_lower_omega_y * minus_limb1_lower_omega_y
         minus_limb1_lower_rate_fx = 0.213 * minus_limb1_lower_U_still_xx
         limb1_U_0_acc_y = 9.81 * limb1_U_0_cos
         limb1_upper_acc_still_x = limb1_lower_cos * limb1_U_0_acc_y - limb1_upper_offset_x * minus_limb1_lower_U_still_xx
-        t597 = limb1_U_0_sin * t254 + limb1_U_0_cos * minus_limb5_S_joint_acc_wy
-        t598 = minus_limb1_U2_arm_y * t597
-        t599 = limb1_U_0_sin * limb5_S_joint_acc_still_wz
-        limb1_P_joint_acc_still = minus_limb1_U2_arm_y * t599 - (t157 * (0.8 * t105) - minus_limb1_U2_arm_y * t168)
-        limb1_upper_rate_fx = minus_limb1_lower_rate_fx + 1.42 * (limb1_upper_acc_still_x - (t598 - limb1_P_joint_acc_still))
-        t605 = minus_limb1_U2_arm_y * limb1_upper_rate_fx
+        t602 = limb1_U_0_sin * t256 + limb1_U_0_cos * limb5_S_joint_acc_wy
+        t603 = minus_limb1_U2_arm_y * t602
+        t604 = limb1_U_0_sin * limb5_S_joint_acc_still_wz
+        limb1_P_joint_acc_still = minus_limb1_U2_arm_y * t604 - (t160 * (0.8 * t105) + minus_limb1_U2_arm_y * t171)
+        limb1_upper_rate_fx = minus_limb1_lower_rate_fx + 1.42 * (limb1_upper_acc_still_x + (t603 + limb1_P_joint_acc_still))
+        t610 = minus_limb1_U2_arm_y * limb1_upper_rate_fx
         minus_limb1_lower_acc_y = limb1_lower_sin * limb1_U_0_acc_y
         limb1_upper_moment_z = 0.213 * minus_limb1_lower_acc_y
-        limb1_lower_U_still_xy = limb1_lower_omega_y * limb1_lower_omega_x
-        t606 = 2.2727 * limb1_lower_U_still_xy
-        minus_limb1_U_joint_acc_1 = t36 * (limb1_U2_arm_x * t597 - (t171 + limb1_U2_arm_x * t599))
-        minus_limb1_lower_rate_mz = limb1_upper_moment_z - (t606 - 2.3439 * minus_limb1_U_joint_acc_1)
-        limb1_lower_U_yx = limb1_lower_U_still_xy - minus_limb1_U_joint_acc_1
+        limb1_lower_U_still_xy = minus_limb1_lower_omega_y * minus_limb1_lower_omega_x
+        t611 = 2.2727 * limb1_lower_U_still_xy
+        limb1_U_joint_acc_1 = t36 * (limb1_U2_arm_x * t602 + (t174 + limb1_U2_arm_x * t604))
+        minus_limb1_lower_rate_mz = limb1_upper_moment_z - (t611 + 2.3439 * limb1_U_joint_acc_1)
+        limb1_lower_U_yx = limb1_lower_U_still_xy + limb1_U_joint_acc_1
         limb1_lower_rate_fy = 0.213 * limb1_lower_U_yx
-        t614 = limb1_P_joint_rate * (2.0 * limb1_U_joint_rate_1)
-        limb1_upper_acc_y = t614 - (minus_limb1_lower_acc_y - limb1_upper_offset_x * limb1_lower_U_yx)
-        t617 = limb1_upper_offset_x * (limb1_lower_rate_fy - 1.42 * limb1_upper_acc_y)
-        t620 = t605 - limb1_U2_arm_x * (t36 * (minus_limb1_lower_rate_mz + (t617 + 0.213 * limb1_upper_acc_y)))
-        platform_joint_force_mz = t349 + (t446 - (t543 - (t566 - (t592 - limb1_U_0_sin * t620))))
-        minus_limb1_U2_part_mn = t42 * platform_joint_force_mz
-        t626 = platform_joint_force_mx_by_limb1_U2_mn * minus_limb1_U2_part_mn  # limb5_S
-        t629 = minus_limb4_U_0_cos * t310 - limb4_U_0_sin * t347  # limb4
-        t632 = limb3_lower_cos * t403 + minus_limb3_lower_sin * t405  # limb3
-        t635 = limb1_lower_cos * t587 + limb1_lower_sin * t589
+        t619 = limb1_P_joint_rate * (2.0 * limb1_U_joint_rate_1)
+        limb1_upper_acc_y = t619 - (minus_limb1_lower_acc_y - limb1_upper_offset_x * limb1_lower_U_yx)
+        t622 = limb1_upper_offset_x * (limb1_lower_rate_fy - 1.42 * limb1_upper_acc_y)
+        t625 = t610 - limb1_U2_arm_x * (t36 * (minus_limb1_lower_rate_mz + (t622 + 0.213 * limb1_upper_acc_y)))
+        minus_platform_joint_force_mz = t354 - (t451 + (t548 + (t571 - (t597 - limb1_U_0_sin * t625))))
+        limb1_U2_part_mn = t42 * minus_platform_joint_force_mz
+        t631 = platform_joint_force_mx_by_limb1_U2_mn * limb1_U2_part_mn  # limb5_S
+        t634 = minus_limb4_U_0_cos * t315 + limb4_U_0_sin * t352  # limb4
+        t637 = limb3_lower_cos * t408 + minus_limb3_lower_sin * t410  # limb3
+        t640 = limb1_lower_cos * t592 + limb1_lower_sin * t594
         # platform: balance, eqs. (40)-(47)
-        t636 = platform_turn_xz * platform_rate_mz
-        t641 = t635 + (t636 + (platform_turn_xy * platform_rate_my - platform_turn_xx * minus_platform_rate_mx))
-        platform_joint_force_mx = t629 + (t632 + (t641 - (minus_limb2_U_0_cos * t504 - limb2_U_0_sin * t541)))
-        minus_limb5_S_balance_wx = t626 - platform_joint_force_mx
-        t647 = minus_drives_share_0_1 * minus_limb5_S_balance_wx  # limb1
-        t648 = t39 * minus_limb1_U2_part_mn
-        t651 = limb4_lower_cos * t306 + minus_limb4_lower_sin * t308  # limb4
-        t654 = limb3_U_0_sin * t407 + limb3_U_0_cos * t444  # limb3
-        t657 = limb2_lower_cos * t500 + limb2_lower_sin * t502  # limb2
-        t658 = platform_turn_yz * platform_rate_mz
-        t662 = t658 + (platform_turn_yy * platform_rate_my - platform_turn_yx * minus_platform_rate_mx)
-        t668 = t654 + (t657 - (t662 + (limb1_U_0_sin * t591 + limb1_U_0_cos * t620)))
-        limb5_S_balance_wy = t648 - (t651 + t668)
-        t671 = t72 * (t647 - drives_share_0_0 * limb5_S_balance_wy)  # limb1
-        t672 = minus_limb5_S_balance_wy_by_limb1_P * t671  # limb1
-        t676 = t72 * (minus_drives_share_0_1 * limb5_S_balance_wy - drives_share_1_1 * minus_limb5_S_balance_wx)  # limb1
-        limb1_P_drive = t672 + limb5_S_balance_wx_by_limb1_P * t676
-        limb2_P_drive = -(limb5_S_balance_wy_by_limb2_P * t671 + minus_limb5_S_balance_wx_by_limb2_P * t676)
-        limb3_P_drive = -(limb5_S_balance_wy_by_limb3_P * t671 + minus_limb5_S_balance_wx_by_limb3_P * t676)
-        limb4_P_drive = minus_limb5_S_balance_wy_by_limb4_P * t671 + limb5_S_balance_wx_by_limb4_P * t676
+        t641 = platform_turn_xz * platform_rate_mz
+        t646 = t640 + (t641 + (platform_turn_xy * platform_rate_my - platform_turn_xx * minus_platform_rate_mx))
+        minus_platform_joint_force_mx = t634 - (t637 + (t646 + (minus_limb2_U_0_cos * t509 + limb2_U_0_sin * t546)))
+        limb5_S_balance_wx = t631 - minus_platform_joint_force_mx
+        t652 = minus_drives_share_0_1 * limb5_S_balance_wx  # limb1
+        t653 = t39 * limb1_U2_part_mn
+        t656 = limb4_lower_cos * t311 + minus_limb4_lower_sin * t313  # limb4
+        t659 = limb3_U_0_sin * t412 + limb3_U_0_cos * t449  # limb3
+        t662 = limb2_lower_cos * t505 + limb2_lower_sin * t507  # limb2
+        t663 = platform_turn_yz * platform_rate_mz
+        t667 = t663 + (platform_turn_yy * platform_rate_my - platform_turn_yx * minus_platform_rate_mx)
+        t673 = t659 - (t662 + (t667 + (limb1_U_0_sin * t596 + limb1_U_0_cos * t625)))
+        minus_limb5_S_balance_wy = t653 - (t656 - t673)
+        t676 = t72 * (t652 - drives_share_0_0 * minus_limb5_S_balance_wy)  # limb1
+        t677 = minus_limb5_S_balance_wy_by_limb1_P * t676  # limb1
+        t681 = t72 * (minus_drives_share_0_1 * minus_limb5_S_balance_wy - drives_share_1_1 * limb5_S_balance_wx)  # limb1
+        limb1_P_drive = -(t677 + limb5_S_balance_wx_by_limb1_P * t681)
+        limb2_P_drive = limb5_S_balance_wy_by_limb2_P * t676 + minus_limb5_S_balance_wx_by_limb2_P * t681
+        limb3_P_drive = limb5_S_balance_wy_by_limb3_P * t676 + minus_limb5_S_balance_wx_by_limb3_P * t681
+        limb4_P_drive = -(minus_limb5_S_balance_wy_by_limb4_P * t676 + limb5_S_balance_wx_by_limb4_P * t681)
         return _finish(batch, ((limb1_P_drive, limb2_P_drive, limb3_P_drive, limb4_P_drive),),
             ((minus_limb3_U_0_lever_mz_by_limb3_S_fz, 6.62327e-10),
             (minus_limb2_U_0_lever_mz_by_limb2_S_fz, 6.62327e-10),
             (minus_limb4_U_0_lever_mz_by_limb4_S_fz, 6.62327e-10),
             (minus_limb1_U_0_lever_mz_by_limb1_U2_fz, 6.62327e-10), (minus_limb5_S_pivot_wz,
-            1.0e-09), (a_pivot, 1.0e-09), (a_pivot_2, 1.0e-09),
-            (platform_joint_force_mz_by_limb1_U2_mn, 4.0171000000000005e-10), (minus_determinant,
-            2.393867125597279e-10)), (minus_limb1_U_0_lever_mz_by_limb1_U2_fz,
-            platform_joint_force_mz_by_limb1_U2_mn, minus_determinant,
-            minus_limb4_U_0_lever_mz_by_limb4_S_fz, minus_limb5_S_pivot_wz, a_pivot, a_pivot_2,
-            minus_limb3_U_0_lever_mz_by_limb3_S_fz, minus_limb2_U_0_lever_mz_by_limb2_S_fz,
+            1.0e-09), (a_pivot, 1.0e-09), (platform_joint_force_mz_by_limb1_U2_mn,
+            4.0171000000000005e-10), (minus_determinant, 2.393867125597279e-10)),
+            (minus_limb1_U_0_lever_mz_by_limb1_U2_fz, platform_joint_force_mz_by_limb1_U2_mn,
+            minus_determinant, minus_limb4_U_0_lever_mz_by_limb4_S_fz, minus_limb5_S_pivot_wz,
+            a_pivot, minus_limb3_U_0_lever_mz_by_limb3_S_fz, minus_limb2_U_0_lever_mz_by_limb2_S_fz,
             limb1_P_drive, limb2_P_drive, limb3_P_drive, limb4_P_drive), ((t8, 0.999999, 1.000001,
             5),))
 
@@ -8427,7 +8437,7 @@ def forward_dynamics_independent(*arguments):
       2 not finite: an input was NaN or infinite, or an output overflowed; all outputs are NaN
       5 no rotation: the length of a quaternion differs from 1 by more than rounding; all outputs are
         NaN
-    Operations: 910 (add 316, mul 548, div 9, trig 16, compare 21)
+    Operations: 911 (add 317, mul 551, div 8, trig 16, compare 19)
     """
     entries, batch = _entries("forward_dynamics_independent", {"q": 16, "y_dot": 2, "u": 4}, arguments)
     (
@@ -8484,450 +8494,458 @@ def forward_dynamics_independent(*arguments):
         minus_limb5_S_pivot_wz = t21 + limb1_U_0_sin * minus_limb1_U2_factor_0_by_3
         t34 = 1.0 / minus_limb5_S_pivot_wz
         t37 = limb1_U_0_sin * minus_limb1_U2_factor_1_by_3 - limb1_U_0_cos * minus_limb1_U2_factor_0_by_3  # limb1
-        # limb5_S: velocities, eq. (6); results; geometry
+        # limb5_S: velocities, eq. (6); rates that follow
         t39 = 1.5 - 0.5 * t8
         t40 = limb5_S_q_qw * t39
-        t41 = limb5_S_q_qx * t39
-        limb5_S_null_space_wz_by_limb5_S_wy = t34 * t37
-        a_pivot = 0.5 * (t40 + t41 * limb5_S_null_space_wz_by_limb5_S_wy)
-        t44 = 1.0 / a_pivot
-        t45 = limb5_S_q_qz * t39
-        t46 = 0.5 * t45
+        t41 = 0.5 * t40
+        t42 = t41 * limb5_S_y_dot_qy
+        t43 = limb5_S_q_qz * t39
+        t44 = 0.5 * t43
+        t46 = t42 + t44 * limb5_S_y_dot_qx
         t47 = limb5_S_q_qy * t39
-        t51 = t44 * (0.5 * (t45 - t47 * limb5_S_null_space_wz_by_limb5_S_wy))
-        t53 = limb5_S_y_dot_qx - limb5_S_y_dot_qy * t51
-        a_pivot_2 = 0.5 * t40 + t46 * t51
-        limb5_S_joint_rate_wx = t53 / a_pivot_2
-        limb5_S_joint_rate_wy = t44 * (limb5_S_y_dot_qy + t46 * limb5_S_joint_rate_wx)
+        limb5_S_null_space_wz_by_limb5_S_wy = t34 * t37
+        t50 = 0.5 * (t43 - t47 * limb5_S_null_space_wz_by_limb5_S_wy)
+        t51 = t44 * t50
+        t52 = limb5_S_q_qx * t39
+        t55 = 0.5 * (t40 + t52 * limb5_S_null_space_wz_by_limb5_S_wy)
+        a_pivot = t51 + t41 * t55
+        t57 = 1.0 / a_pivot
+        limb5_S_joint_rate_wy = t46 * t57
         limb5_S_joint_rate_wz = t34 * (t37 * limb5_S_joint_rate_wy)
-        t64 = 0.5 * (t45 * limb5_S_joint_rate_wx - t41 * limb5_S_joint_rate_wz - t40 * limb5_S_joint_rate_wy)
-        t65 = limb5_S_joint_rate_wz * t64
-        t71 = 0.5 * (t41 * limb5_S_joint_rate_wy - t47 * limb5_S_joint_rate_wx - t40 * limb5_S_joint_rate_wz)
-        t73 = t65 - limb5_S_joint_rate_wy * t71
-        t79 = 0.5 * (t45 * limb5_S_joint_rate_wz + (t47 * limb5_S_joint_rate_wy + t41 * limb5_S_joint_rate_wx))
-        t81 = t73 - limb5_S_joint_rate_wx * t79
+        minus_limb5_S_joint_rate_wx = t57 * (limb5_S_y_dot_qy * t50 - limb5_S_y_dot_qx * t55)
+        # platform: results; geometry; velocities, eq. (6)
+        t66 = t43 * minus_limb5_S_joint_rate_wx + t52 * limb5_S_joint_rate_wz + t40 * limb5_S_joint_rate_wy
+        t68 = limb5_S_joint_rate_wz * (0.5 * t66)
+        t73 = t52 * limb5_S_joint_rate_wy + t47 * minus_limb5_S_joint_rate_wx - t40 * limb5_S_joint_rate_wz
+        t74 = 0.5 * t73
+        t76 = t68 + limb5_S_joint_rate_wy * t74
+        t81 = t43 * limb5_S_joint_rate_wz + (t47 * limb5_S_joint_rate_wy - t52 * minus_limb5_S_joint_rate_wx)
+        t82 = 0.5 * t81
+        t84 = t76 - minus_limb5_S_joint_rate_wx * t82
         platform_turn_zz = 1.0 - t10 * (t3 + t5)
         minus_limb1_U2_arm_y = 0.8 * limb1_lower_cos
-        t86 = limb1_U_0_sin * limb5_S_joint_rate_wz + limb1_U_0_cos * limb5_S_joint_rate_wy  # limb1
-        limb1_P_joint_rate = minus_limb1_U2_arm_y * t86
-        t87 = limb1_lower_cos * limb1_P_joint_rate  # limb1
-        limb1_U_joint_rate_1 = t31 * (limb1_U2_arm_x * t86)
-        t88 = limb1_lower_sin * limb1_U_joint_rate_1  # limb1
-        t90 = t87 - limb1_upper_offset_x * t88  # limb1
-        t91 = limb5_S_q_qx * t14
-        t92 = limb5_S_q_qw * t26
-        platform_turn_xz = t91 + t92
-        t93 = platform_turn_zz * limb5_S_joint_rate_wz
+        t89 = limb1_U_0_sin * limb5_S_joint_rate_wz + limb1_U_0_cos * limb5_S_joint_rate_wy  # limb1
+        limb1_P_joint_rate = minus_limb1_U2_arm_y * t89
+        t90 = limb1_lower_cos * limb1_P_joint_rate  # limb1
+        limb1_U_joint_rate_1 = t31 * (limb1_U2_arm_x * t89)
+        t91 = limb1_lower_sin * limb1_U_joint_rate_1  # limb1
+        t93 = t90 - limb1_upper_offset_x * t91  # limb1
+        t94 = limb5_S_q_qx * t14
+        t95 = limb5_S_q_qw * t26
+        platform_turn_xz = t94 + t95
+        t96 = platform_turn_zz * limb5_S_joint_rate_wz
         platform_turn_yz = t15 - t17
-        platform_omega_z = t93 + (platform_turn_yz * limb5_S_joint_rate_wy + platform_turn_xz * limb5_S_joint_rate_wx)
-        t97 = platform_turn_xz * platform_omega_z
-        t98 = platform_turn_zy * limb5_S_joint_rate_wz
-        platform_omega_y = t98 + (platform_turn_yy * limb5_S_joint_rate_wy + platform_turn_xy * limb5_S_joint_rate_wx)
-        t102 = platform_turn_xy * platform_omega_y
+        platform_omega_z = t96 + (platform_turn_yz * limb5_S_joint_rate_wy - platform_turn_xz * minus_limb5_S_joint_rate_wx)
+        t100 = platform_turn_xz * platform_omega_z
+        t101 = platform_turn_zy * limb5_S_joint_rate_wz
+        platform_omega_y = t101 + (platform_turn_yy * limb5_S_joint_rate_wy - platform_turn_xy * minus_limb5_S_joint_rate_wx)
+        t105 = platform_turn_xy * platform_omega_y
         platform_turn_xx = 1.0 - t7 * t10
-        platform_turn_zx = t91 - t92
-        t104 = platform_turn_zx * limb5_S_joint_rate_wz
+        platform_turn_zx = t94 - t95
+        t107 = platform_turn_zx * limb5_S_joint_rate_wz
         platform_turn_yx = t27 + t28
-        platform_omega_x = t104 + (platform_turn_yx * limb5_S_joint_rate_wy + platform_turn_xx * limb5_S_joint_rate_wx)
+        platform_omega_x = t107 + (platform_turn_yx * limb5_S_joint_rate_wy - platform_turn_xx * minus_limb5_S_joint_rate_wx)
         # limb5_S: accelerations
-        t110 = t97 + (t102 + platform_turn_xx * platform_omega_x)
-        t111 = t90 * t110
-        t112 = limb1_lower_sin * limb1_P_joint_rate  # limb1
-        t113 = limb1_lower_cos * limb1_U_joint_rate_1  # limb1
-        t115 = t112 + limb1_upper_offset_x * t113  # limb1
-        t116 = platform_turn_zz * platform_omega_z
-        t120 = t116 + (platform_turn_zy * platform_omega_y + platform_turn_zx * platform_omega_x)
-        t121 = limb1_U_0_cos * t120
-        t122 = platform_turn_yz * platform_omega_z
-        t126 = t122 + (platform_turn_yy * platform_omega_y + platform_turn_yx * platform_omega_x)
-        t128 = t121 - limb1_U_0_sin * t126
-        t129 = t115 * t128
-        t133 = minus_limb1_upper_position_x * (limb1_U_0_cos * limb5_S_joint_rate_wz - limb1_U_0_sin * limb5_S_joint_rate_wy)  # limb1
-        limb1_U_joint_rate_0 = limb5_S_joint_rate_wx + t19 * t133
-        t135 = t90 * limb1_U_joint_rate_0  # limb1
-        t138 = limb1_U_0_sin * t120 + limb1_U_0_cos * t126
-        t143 = t111 - (t129 + (t135 + minus_limb1_upper_position_x * (limb1_U_joint_rate_0 * t138)))
-        t144 = minus_limb1_U_factor_0_by_3 * t143
-        t147 = t138 * (limb1_P_joint_rate - 0.8 * t113)
+        t113 = t100 + (t105 + platform_turn_xx * platform_omega_x)
+        t114 = t93 * t113
+        t115 = limb1_lower_sin * limb1_P_joint_rate  # limb1
+        t116 = limb1_lower_cos * limb1_U_joint_rate_1  # limb1
+        t118 = t115 + limb1_upper_offset_x * t116  # limb1
+        t119 = platform_turn_zz * platform_omega_z
+        t123 = t119 + (platform_turn_zy * platform_omega_y + platform_turn_zx * platform_omega_x)
+        t124 = limb1_U_0_cos * t123
+        t125 = platform_turn_yz * platform_omega_z
+        t129 = t125 + (platform_turn_yy * platform_omega_y + platform_turn_yx * platform_omega_x)
+        t131 = t124 - limb1_U_0_sin * t129
+        t132 = t118 * t131
+        t136 = minus_limb1_upper_position_x * (limb1_U_0_cos * limb5_S_joint_rate_wz - limb1_U_0_sin * limb5_S_joint_rate_wy)  # limb1
+        minus_limb1_U_joint_rate_0 = minus_limb5_S_joint_rate_wx - t19 * t136
+        t138 = t93 * minus_limb1_U_joint_rate_0  # limb1
+        t141 = limb1_U_0_sin * t123 + limb1_U_0_cos * t129
+        t146 = t114 - (t132 - (t138 + minus_limb1_upper_position_x * (minus_limb1_U_joint_rate_0 * t141)))
+        t147 = minus_limb1_U_factor_0_by_3 * t146
+        t150 = t141 * (limb1_P_joint_rate - 0.8 * t116)
         # limb1: accelerations
-        t148 = limb1_P_joint_rate * limb1_U_joint_rate_1
-        t149 = t128 * limb1_U_joint_rate_0  # limb5_S
-        t152 = t147 - (t148 - limb1_U2_arm_x * t149)  # limb5_S
-        t153 = limb1_U_factor_1_by_3 * t152  # limb5_S
+        t151 = limb1_P_joint_rate * limb1_U_joint_rate_1
+        t152 = t131 * minus_limb1_U_joint_rate_0  # limb5_S
+        t155 = t150 - (t151 + limb1_U2_arm_x * t152)  # limb5_S
+        t156 = limb1_U_factor_1_by_3 * t155  # limb5_S
         # limb1: loop closure; velocities, eq. (6)
-        t154 = limb1_U_joint_rate_1 - t138
+        t157 = limb1_U_joint_rate_1 - t141
         limb1_U2_opening_mn = limb1_lower_sin * t24 + limb1_lower_cos * platform_turn_xy
-        t157 = limb1_U2_opening_mn * t154
-        t160 = limb1_lower_cos * t110 - limb1_lower_sin * t128
-        limb1_lower_omega_y = limb1_lower_cos * limb1_U_joint_rate_0
-        t161 = t160 - limb1_lower_omega_y
-        t164 = t154 * (t157 + limb1_U2_constraint_mn_couple_x * t161)
-        t167 = limb1_lower_sin * t110 + limb1_lower_cos * t128
-        limb1_lower_omega_x = limb1_lower_sin * limb1_U_joint_rate_0
-        t168 = t167 - limb1_lower_omega_x
-        t173 = t164 + t168 * (limb1_U2_constraint_mn_couple_z * t161 + limb1_U2_opening_mn * t168)
-        t177 = limb1_U2_constraint_mn_couple_z * (limb1_lower_omega_y * t168 - t161 * limb1_lower_omega_x)
-        t180 = limb1_U_joint_rate_1 * t161 + t154 * limb1_lower_omega_y
-        minus_limb1_U2_opening_bias_mn = t173 + (t177 + limb1_U2_constraint_mn_couple_x * (t180 - limb1_U_joint_rate_1 * limb1_lower_omega_y))
-        limb5_S_joint_acc_still_wz = t34 * (t144 + (t153 - minus_limb1_U2_opening_bias_mn))
-        t186 = 22.6251 * platform_turn_yz  # platform
-        t187 = platform_turn_xz * t186  # platform
+        t160 = limb1_U2_opening_mn * t157
+        t163 = limb1_lower_cos * t113 - limb1_lower_sin * t131
+        minus_limb1_lower_omega_y = limb1_lower_cos * minus_limb1_U_joint_rate_0
+        t164 = t163 + minus_limb1_lower_omega_y
+        t167 = t157 * (t160 + limb1_U2_constraint_mn_couple_x * t164)
+        t170 = limb1_lower_sin * t113 + limb1_lower_cos * t131
+        minus_limb1_lower_omega_x = limb1_lower_sin * minus_limb1_U_joint_rate_0
+        t171 = t170 + minus_limb1_lower_omega_x
+        t176 = t167 + t171 * (limb1_U2_constraint_mn_couple_z * t164 + limb1_U2_opening_mn * t171)
+        t180 = limb1_U2_constraint_mn_couple_z * (minus_limb1_lower_omega_y * t171 - t164 * minus_limb1_lower_omega_x)
+        t183 = limb1_U_joint_rate_1 * t164 - t157 * minus_limb1_lower_omega_y
+        t186 = t180 - limb1_U2_constraint_mn_couple_x * (t183 + limb1_U_joint_rate_1 * minus_limb1_lower_omega_y)
+        limb5_S_joint_acc_still_wz = t34 * (t147 + (t156 - (t176 - t186)))
+        t189 = 22.6251 * platform_turn_yz  # platform
+        t190 = platform_turn_xz * t189  # platform
         # limb3: geometry; rates that follow; inertia
         limb3_U_0_sin = np.sin(limb3_U_q_0)
-        t188 = 0.5235987755982989 - limb3_U_q_1
-        minus_limb3_lower_sin = np.sin(t188)
+        t191 = 0.5235987755982989 - limb3_U_q_1
+        minus_limb3_lower_sin = np.sin(t191)
         limb3_upper_offset_x = 0.3 + limb3_P_q
         limb3_upper_position_x = 0.8 - minus_limb3_lower_sin * limb3_upper_offset_x
-        limb3_lower_cos = np.cos(t188)
+        limb3_lower_cos = np.cos(t191)
         minus_limb3_U_0_lever_mz_by_limb3_S_fz = limb3_lower_cos * limb3_upper_offset_x
-        t189 = 1.0 / minus_limb3_U_0_lever_mz_by_limb3_S_fz
-        minus_limb3_U_follows_0_by_limb3_S_1 = limb3_upper_position_x * t189
+        t192 = 1.0 / minus_limb3_U_0_lever_mz_by_limb3_S_fz
+        minus_limb3_U_follows_0_by_limb3_S_1 = limb3_upper_position_x * t192
         limb3_lower_composite_first_x = 1.42 * limb3_upper_offset_x
-        t190 = 0.426 - limb3_lower_composite_first_x
-        t191 = limb3_upper_offset_x * t190
-        t192 = t191 - 2.2727
-        t193 = limb3_lower_cos * t192
-        limb3_U_mass_matrix_0_by_limb3_U_0 = 0.1112 - limb3_lower_cos * t193
-        t195 = minus_limb3_U_follows_0_by_limb3_S_1 * limb3_U_mass_matrix_0_by_limb3_U_0
-        t197 = t187 + limb3_U_0_sin * t195  # limb5_S
+        t193 = 0.426 - limb3_lower_composite_first_x
+        t194 = limb3_upper_offset_x * t193
+        t195 = t194 - 2.2727
+        t196 = limb3_lower_cos * t195
+        limb3_U_mass_matrix_0_by_limb3_U_0 = 0.1112 - limb3_lower_cos * t196
+        t198 = minus_limb3_U_follows_0_by_limb3_S_1 * limb3_U_mass_matrix_0_by_limb3_U_0
+        t200 = t190 + limb3_U_0_sin * t198  # limb5_S
         # limb2: geometry; rates that follow; inertia
         minus_limb2_U_0_cos = np.sin(limb2_U_q_0)
-        t198 = 2.6179938779914944 + limb2_U_q_1
-        limb2_lower_sin = np.sin(t198)
+        t201 = 2.6179938779914944 + limb2_U_q_1
+        limb2_lower_sin = np.sin(t201)
         limb2_upper_offset_x = 0.3 + limb2_P_q
         minus_limb2_upper_position_y = 0.8 - limb2_lower_sin * limb2_upper_offset_x
-        limb2_lower_cos = np.cos(t198)
+        limb2_lower_cos = np.cos(t201)
         minus_limb2_U_0_lever_mz_by_limb2_S_fz = limb2_lower_cos * limb2_upper_offset_x
-        t199 = 1.0 / minus_limb2_U_0_lever_mz_by_limb2_S_fz
-        limb2_U_follows_0_by_limb2_S_1 = minus_limb2_upper_position_y * t199
+        t202 = 1.0 / minus_limb2_U_0_lever_mz_by_limb2_S_fz
+        limb2_U_follows_0_by_limb2_S_1 = minus_limb2_upper_position_y * t202
         limb2_lower_composite_first_x = 1.42 * limb2_upper_offset_x
-        t200 = 0.426 - limb2_lower_composite_first_x
-        t201 = limb2_upper_offset_x * t200
-        t202 = t201 - 2.2727
-        t203 = limb2_lower_cos * t202
-        limb2_U_mass_matrix_0_by_limb2_U_0 = 0.1112 - limb2_lower_cos * t203
-        t205 = limb2_U_follows_0_by_limb2_S_1 * limb2_U_mass_matrix_0_by_limb2_U_0
-        t207 = t197 - minus_limb2_U_0_cos * t205  # limb5_S
+        t203 = 0.426 - limb2_lower_composite_first_x
+        t204 = limb2_upper_offset_x * t203
+        t205 = t204 - 2.2727
+        t206 = limb2_lower_cos * t205
+        limb2_U_mass_matrix_0_by_limb2_U_0 = 0.1112 - limb2_lower_cos * t206
+        t208 = limb2_U_follows_0_by_limb2_S_1 * limb2_U_mass_matrix_0_by_limb2_U_0
+        t210 = t200 - minus_limb2_U_0_cos * t208  # limb5_S
         # limb4: geometry; rates that follow; inertia
         minus_limb4_U_0_cos = np.sin(limb4_U_q_0)
-        t208 = 2.6179938779914944 - limb4_U_q_1
-        minus_limb4_lower_sin = np.sin(t208)
+        t211 = 2.6179938779914944 - limb4_U_q_1
+        minus_limb4_lower_sin = np.sin(t211)
         limb4_upper_offset_x = 0.3 + limb4_P_q
         limb4_upper_position_y = 0.8 - minus_limb4_lower_sin * limb4_upper_offset_x
-        limb4_lower_cos = np.cos(t208)
+        limb4_lower_cos = np.cos(t211)
         minus_limb4_U_0_lever_mz_by_limb4_S_fz = limb4_lower_cos * limb4_upper_offset_x
-        t209 = 1.0 / minus_limb4_U_0_lever_mz_by_limb4_S_fz
-        minus_limb4_U_follows_0_by_limb4_S_1 = limb4_upper_position_y * t209
+        t212 = 1.0 / minus_limb4_U_0_lever_mz_by_limb4_S_fz
+        minus_limb4_U_follows_0_by_limb4_S_1 = limb4_upper_position_y * t212
         limb4_lower_composite_first_x = 1.42 * limb4_upper_offset_x
-        t210 = 0.426 - limb4_lower_composite_first_x
-        t211 = limb4_upper_offset_x * t210
-        t212 = t211 - 2.2727
-        t213 = limb4_lower_cos * t212
-        limb4_U_mass_matrix_0_by_limb4_U_0 = 0.1112 - limb4_lower_cos * t213
-        t215 = minus_limb4_U_follows_0_by_limb4_S_1 * limb4_U_mass_matrix_0_by_limb4_U_0
-        t217 = t207 + minus_limb4_U_0_cos * t215  # limb5_S
+        t213 = 0.426 - limb4_lower_composite_first_x
+        t214 = limb4_upper_offset_x * t213
+        t215 = t214 - 2.2727
+        t216 = limb4_lower_cos * t215
+        limb4_U_mass_matrix_0_by_limb4_U_0 = 0.1112 - limb4_lower_cos * t216
+        t218 = minus_limb4_U_follows_0_by_limb4_S_1 * limb4_U_mass_matrix_0_by_limb4_U_0
+        t220 = t210 + minus_limb4_U_0_cos * t218  # limb5_S
         # limb1: rates that follow; inertia; free motion
         limb1_U_follows_0_by_limb1_U2_1 = minus_limb1_upper_position_x * t19
         limb1_lower_composite_first_x = 1.42 * limb1_upper_offset_x
-        t218 = 0.426 - limb1_lower_composite_first_x
-        t219 = limb1_upper_offset_x * t218
-        t220 = t219 - 2.2727
-        t221 = limb1_lower_cos * t220
-        limb1_U_mass_matrix_0_by_limb1_U_0 = 0.1112 - limb1_lower_cos * t221
-        t223 = limb1_U_follows_0_by_limb1_U2_1 * limb1_U_mass_matrix_0_by_limb1_U_0
-        t225 = t217 - limb1_U_0_sin * t223  # limb5_S
-        t226 = limb1_U_0_cos * t223
+        t221 = 0.426 - limb1_lower_composite_first_x
+        t222 = limb1_upper_offset_x * t221
+        t223 = t222 - 2.2727
+        t224 = limb1_lower_cos * t223
+        limb1_U_mass_matrix_0_by_limb1_U_0 = 0.1112 - limb1_lower_cos * t224
+        t226 = limb1_U_follows_0_by_limb1_U2_1 * limb1_U_mass_matrix_0_by_limb1_U_0
+        t228 = t220 - limb1_U_0_sin * t226  # limb5_S
+        t229 = limb1_U_0_cos * t226
         # limb4: free motion; reciprocal wrenches, eq. (10); rates that follow
         limb4_U_0_sin = np.cos(limb4_U_q_0)
-        t227 = minus_limb4_U_follows_0_by_limb4_S_1 * t215
+        t230 = minus_limb4_U_follows_0_by_limb4_S_1 * t218
         limb4_S_arm_y = 0.8 * limb4_lower_cos
-        t229 = limb4_S_arm_y * (1.136 * limb4_lower_cos)
+        t232 = limb4_S_arm_y * (1.136 * limb4_lower_cos)
         limb4_S_arm_x = limb4_upper_offset_x - 0.8 * minus_limb4_lower_sin
-        t231 = limb4_lower_cos * t209
-        limb4_U_follows_1_by_limb4_S_0 = limb4_S_arm_x * t231
-        limb4_U_mass_matrix_1_by_limb4_U_1 = 2.3439 - t211
-        t233 = limb4_U_follows_1_by_limb4_S_0 * (limb4_U_mass_matrix_1_by_limb4_U_1 * limb4_U_follows_1_by_limb4_S_0)
-        t234 = t229 + t233
-        t236 = limb4_U_0_sin * (t227 - t234)
-        t237 = minus_limb4_U_0_cos * t236
-        t238 = 22.6251 * platform_turn_zz  # platform
-        t239 = platform_turn_xz * t238  # platform
+        t234 = limb4_lower_cos * t212
+        limb4_U_follows_1_by_limb4_S_0 = limb4_S_arm_x * t234
+        limb4_U_mass_matrix_1_by_limb4_U_1 = 2.3439 - t214
+        t236 = limb4_U_follows_1_by_limb4_S_0 * (limb4_U_mass_matrix_1_by_limb4_U_1 * limb4_U_follows_1_by_limb4_S_0)
+        t237 = t232 + t236
+        t239 = limb4_U_0_sin * (t230 - t237)
+        t240 = minus_limb4_U_0_cos * t239
+        t241 = 22.6251 * platform_turn_zz  # platform
+        t242 = platform_turn_xz * t241  # platform
         limb3_U_0_cos = np.cos(limb3_U_q_0)
-        t241 = t239 - limb3_U_0_cos * t195  # limb5_S
+        t244 = t242 - limb3_U_0_cos * t198  # limb5_S
         # limb2: free motion; reciprocal wrenches, eq. (10); rates that follow
         limb2_U_0_sin = np.cos(limb2_U_q_0)
-        t242 = limb2_U_follows_0_by_limb2_S_1 * t205
+        t245 = limb2_U_follows_0_by_limb2_S_1 * t208
         minus_limb2_S_arm_y = 0.8 * limb2_lower_cos
-        t244 = minus_limb2_S_arm_y * (1.136 * limb2_lower_cos)
+        t247 = minus_limb2_S_arm_y * (1.136 * limb2_lower_cos)
         limb2_S_arm_x = limb2_upper_offset_x - 0.8 * limb2_lower_sin
-        t246 = limb2_lower_cos * t199
-        limb2_U_follows_1_by_limb2_S_0 = limb2_S_arm_x * t246
-        limb2_U_mass_matrix_1_by_limb2_U_1 = 2.3439 - t201
-        t248 = limb2_U_follows_1_by_limb2_S_0 * (limb2_U_mass_matrix_1_by_limb2_U_1 * limb2_U_follows_1_by_limb2_S_0)
-        t249 = t244 + t248
-        t251 = limb2_U_0_sin * (t242 - t249)
-        limb5_S_handed_inertia_wz_by_limb5_S_wx = t226 + (t237 + (t241 + minus_limb2_U_0_cos * t251))
-        limb5_S_reduced_inertia_wx_by_limb5_S_wy = t225 + limb5_S_null_space_wz_by_limb5_S_wy * limb5_S_handed_inertia_wz_by_limb5_S_wx
+        t249 = limb2_lower_cos * t202
+        limb2_U_follows_1_by_limb2_S_0 = limb2_S_arm_x * t249
+        limb2_U_mass_matrix_1_by_limb2_U_1 = 2.3439 - t204
+        t251 = limb2_U_follows_1_by_limb2_S_0 * (limb2_U_mass_matrix_1_by_limb2_U_1 * limb2_U_follows_1_by_limb2_S_0)
+        t252 = t247 + t251
+        t254 = limb2_U_0_sin * (t245 - t252)
+        limb5_S_handed_inertia_wz_by_limb5_S_wx = t229 + (t240 + (t244 + minus_limb2_U_0_cos * t254))
+        limb5_S_reduced_inertia_wx_by_limb5_S_wy = t228 + limb5_S_null_space_wz_by_limb5_S_wy * limb5_S_handed_inertia_wz_by_limb5_S_wx
         # limb1: free motion; rates that follow; inertia
-        t256 = limb1_U_follows_0_by_limb1_U2_1 * t223
-        t258 = minus_limb1_U2_arm_y * (1.136 * limb1_lower_cos)
+        t259 = limb1_U_follows_0_by_limb1_U2_1 * t226
+        t261 = minus_limb1_U2_arm_y * (1.136 * limb1_lower_cos)
         limb1_U_follows_1_by_limb1_U2_0 = limb1_U2_arm_x * t31
-        limb1_U_mass_matrix_1_by_limb1_U_1 = 2.3439 - t219
-        t260 = limb1_U_follows_1_by_limb1_U2_0 * (limb1_U_mass_matrix_1_by_limb1_U_1 * limb1_U_follows_1_by_limb1_U2_0)
-        t261 = t258 + t260
-        t263 = limb1_U_0_cos * (t256 - t261)
-        t264 = limb1_U_0_cos * t263
-        t265 = t256 - t264
-        t267 = 69.4749 + platform_turn_yz * t186  # platform
+        limb1_U_mass_matrix_1_by_limb1_U_1 = 2.3439 - t222
+        t263 = limb1_U_follows_1_by_limb1_U2_0 * (limb1_U_mass_matrix_1_by_limb1_U_1 * limb1_U_follows_1_by_limb1_U2_0)
+        t264 = t261 + t263
+        t266 = limb1_U_0_cos * (t259 - t264)
+        t267 = limb1_U_0_cos * t266
+        t268 = t259 - t267
+        t270 = 69.4749 + platform_turn_yz * t189  # platform
         # limb3: free motion; reciprocal wrenches, eq. (10); rates that follow
-        t268 = minus_limb3_U_follows_0_by_limb3_S_1 * t195
+        t271 = minus_limb3_U_follows_0_by_limb3_S_1 * t198
         limb3_S_arm_y = 0.8 * limb3_lower_cos
-        t270 = limb3_S_arm_y * (1.136 * limb3_lower_cos)
+        t273 = limb3_S_arm_y * (1.136 * limb3_lower_cos)
         limb3_S_arm_x = limb3_upper_offset_x - 0.8 * minus_limb3_lower_sin
-        t272 = limb3_lower_cos * t189
-        limb3_U_follows_1_by_limb3_S_0 = limb3_S_arm_x * t272
-        limb3_U_mass_matrix_1_by_limb3_U_1 = 2.3439 - t191
-        t274 = limb3_U_follows_1_by_limb3_S_0 * (limb3_U_mass_matrix_1_by_limb3_U_1 * limb3_U_follows_1_by_limb3_S_0)
-        t275 = t270 + t274
-        t277 = limb3_U_0_cos * (t268 - t275)
-        t278 = limb3_U_0_cos * t277
-        t282 = limb4_U_mass_matrix_0_by_limb4_U_0 + (limb2_U_mass_matrix_0_by_limb2_U_0 + (t267 + (t268 - t278)))  # limb5_S
-        t283 = t265 + t282  # limb5_S
-        t284 = limb1_U_0_sin * t263  # limb1
-        t285 = limb4_U_0_sin * t215  # limb4
+        t275 = limb3_lower_cos * t192
+        limb3_U_follows_1_by_limb3_S_0 = limb3_S_arm_x * t275
+        limb3_U_mass_matrix_1_by_limb3_U_1 = 2.3439 - t194
+        t277 = limb3_U_follows_1_by_limb3_S_0 * (limb3_U_mass_matrix_1_by_limb3_U_1 * limb3_U_follows_1_by_limb3_S_0)
+        t278 = t273 + t277
+        t280 = limb3_U_0_cos * (t271 - t278)
+        t281 = limb3_U_0_cos * t280
+        t285 = limb4_U_mass_matrix_0_by_limb4_U_0 + (limb2_U_mass_matrix_0_by_limb2_U_0 + (t270 + (t271 - t281)))  # limb5_S
+        t286 = t268 + t285  # limb5_S
+        t287 = limb1_U_0_sin * t266  # limb1
+        t288 = limb4_U_0_sin * t218  # limb4
         # limb5_S: free motion; accelerations
-        t291 = t285 - (limb2_U_0_sin * t205 - (platform_turn_zz * t186 - limb3_U_0_sin * t277))
-        t292 = t284 - t291
-        t293 = t261 + t264  # limb1
-        t294 = limb4_U_0_sin * t236  # limb4
-        t295 = t234 + t294  # limb4
-        t296 = limb2_U_0_sin * t251  # limb2
-        t302 = t249 + t296 + (69.4749 + platform_turn_zz * t238 + (t275 + t278))
-        limb5_S_handed_inertia_wz = t293 + (t295 + t302)
-        t307 = limb5_S_null_space_wz_by_limb5_S_wy * (t292 + (t292 - limb5_S_null_space_wz_by_limb5_S_wy * limb5_S_handed_inertia_wz))
-        limb5_S_reduced_inertia_wy_by_limb5_S_wy = t283 - t307
-        t308 = 1.0 / limb5_S_reduced_inertia_wy_by_limb5_S_wy
-        t309 = limb5_S_reduced_inertia_wx_by_limb5_S_wy * t308
-        t310 = limb5_S_handed_inertia_wz_by_limb5_S_wx * limb5_S_joint_acc_still_wz
-        t312 = limb1_U_mass_matrix_0_by_limb1_U_0 * (t19 * t143)  # limb1
+        t294 = t288 - (limb2_U_0_sin * t208 - (platform_turn_zz * t189 - limb3_U_0_sin * t280))
+        t295 = t287 - t294
+        t296 = t264 + t267  # limb1
+        t297 = limb4_U_0_sin * t239  # limb4
+        t298 = t237 + t297  # limb4
+        t299 = limb2_U_0_sin * t254  # limb2
+        t305 = t252 + t299 + (69.4749 + platform_turn_zz * t241 + (t278 + t281))
+        limb5_S_handed_inertia_wz = t296 + (t298 + t305)
+        t310 = limb5_S_null_space_wz_by_limb5_S_wy * (t295 + (t295 - limb5_S_null_space_wz_by_limb5_S_wy * limb5_S_handed_inertia_wz))
+        limb5_S_reduced_inertia_wy_by_limb5_S_wy = t286 - t310
+        t311 = 1.0 / limb5_S_reduced_inertia_wy_by_limb5_S_wy
+        t312 = limb5_S_reduced_inertia_wx_by_limb5_S_wy * t311
+        t313 = limb5_S_handed_inertia_wz_by_limb5_S_wx * limb5_S_joint_acc_still_wz
+        # limb1: free motion; balance, eqs. (40)-(47)
+        t315 = limb1_U_mass_matrix_0_by_limb1_U_0 * (t19 * t146)
         minus_limb1_U_0_moment_z = limb1_lower_cos * (limb1_upper_offset_x * (13.9302 * limb1_U_0_sin))
-        t313 = limb1_lower_composite_first_x - t218  # limb1
-        t315 = limb1_lower_cos * (limb1_lower_cos * t313)  # limb1
-        t317 = t315 * (limb1_P_joint_rate * limb1_U_joint_rate_0)  # limb1
-        t320 = limb1_lower_sin * t221 + limb1_lower_cos * (limb1_lower_sin * t220)  # limb1
-        limb1_U_handed_force_0 = t312 - (minus_limb1_U_0_moment_z - (t317 + t320 * (limb1_U_joint_rate_1 * limb1_U_joint_rate_0)))
+        t316 = limb1_lower_composite_first_x - t221
+        t318 = limb1_lower_cos * (limb1_lower_cos * t316)
+        t320 = t318 * (limb1_P_joint_rate * minus_limb1_U_joint_rate_0)
+        t323 = limb1_lower_sin * t224 + limb1_lower_cos * (limb1_lower_sin * t223)
+        t327 = minus_limb1_U_0_moment_z + (t320 + t323 * (limb1_U_joint_rate_1 * minus_limb1_U_joint_rate_0))
+        limb1_U_handed_force_0 = t315 - t327
         # limb4: velocities, eq. (6)
-        t327 = minus_limb4_U_0_cos * limb5_S_joint_rate_wz - limb4_U_0_sin * limb5_S_joint_rate_wx
-        limb4_P_joint_rate = limb4_S_arm_y * t327
+        t330 = minus_limb4_U_0_cos * limb5_S_joint_rate_wz + limb4_U_0_sin * minus_limb5_S_joint_rate_wx
+        limb4_P_joint_rate = limb4_S_arm_y * t330
         # limb4: free motion; velocities, eq. (6); balance, eqs. (40)-(47)
-        t328 = limb4_lower_cos * limb4_P_joint_rate
-        minus_limb4_U_joint_rate_1 = t231 * (limb4_S_arm_x * t327)
-        t329 = minus_limb4_lower_sin * minus_limb4_U_joint_rate_1
-        t331 = t328 - limb4_upper_offset_x * t329
-        t332 = t126 * t331
-        t333 = minus_limb4_lower_sin * limb4_P_joint_rate
-        t334 = limb4_lower_cos * minus_limb4_U_joint_rate_1
-        t336 = t333 + limb4_upper_offset_x * t334
-        t339 = minus_limb4_U_0_cos * t110 + limb4_U_0_sin * t120
-        t340 = t336 * t339
-        t344 = limb4_upper_position_y * (limb4_U_0_sin * limb5_S_joint_rate_wz + minus_limb4_U_0_cos * limb5_S_joint_rate_wx)
-        limb4_U_joint_rate_0 = limb5_S_joint_rate_wy + t209 * t344
-        t346 = t331 * limb4_U_joint_rate_0
-        t349 = limb4_U_0_sin * t110 - minus_limb4_U_0_cos * t120
-        t355 = t209 * (t332 - (t340 + (t346 - limb4_upper_position_y * (limb4_U_joint_rate_0 * t349))))
-        t356 = limb4_U_mass_matrix_0_by_limb4_U_0 * t355
+        t331 = limb4_lower_cos * limb4_P_joint_rate
+        minus_limb4_U_joint_rate_1 = t234 * (limb4_S_arm_x * t330)
+        t332 = minus_limb4_lower_sin * minus_limb4_U_joint_rate_1
+        t334 = t331 - limb4_upper_offset_x * t332
+        t335 = t129 * t334
+        t336 = minus_limb4_lower_sin * limb4_P_joint_rate
+        t337 = limb4_lower_cos * minus_limb4_U_joint_rate_1
+        t339 = t336 + limb4_upper_offset_x * t337
+        t342 = minus_limb4_U_0_cos * t113 + limb4_U_0_sin * t123
+        t343 = t339 * t342
+        t347 = limb4_upper_position_y * (limb4_U_0_sin * limb5_S_joint_rate_wz - minus_limb4_U_0_cos * minus_limb5_S_joint_rate_wx)
+        limb4_U_joint_rate_0 = limb5_S_joint_rate_wy + t212 * t347
+        t349 = t334 * limb4_U_joint_rate_0
+        t352 = limb4_U_0_sin * t113 - minus_limb4_U_0_cos * t123
+        t358 = t212 * (t335 - (t343 + (t349 - limb4_upper_position_y * (limb4_U_joint_rate_0 * t352))))
+        t359 = limb4_U_mass_matrix_0_by_limb4_U_0 * t358
         limb4_U_0_moment_z = limb4_lower_cos * (limb4_upper_offset_x * (13.9302 * minus_limb4_U_0_cos))
-        t357 = limb4_lower_composite_first_x - t210
-        t359 = limb4_lower_cos * (limb4_lower_cos * t357)
-        t361 = t359 * (limb4_P_joint_rate * limb4_U_joint_rate_0)
-        t364 = minus_limb4_lower_sin * t213 + limb4_lower_cos * (minus_limb4_lower_sin * t212)
-        limb4_U_handed_force_0 = t356 + (limb4_U_0_moment_z + (t361 + t364 * (minus_limb4_U_joint_rate_1 * limb4_U_joint_rate_0)))
+        t360 = limb4_lower_composite_first_x - t213
+        t362 = limb4_lower_cos * (limb4_lower_cos * t360)
+        t364 = t362 * (limb4_P_joint_rate * limb4_U_joint_rate_0)
+        t367 = minus_limb4_lower_sin * t216 + limb4_lower_cos * (minus_limb4_lower_sin * t215)
+        limb4_U_handed_force_0 = t359 + (limb4_U_0_moment_z + (t364 + t367 * (minus_limb4_U_joint_rate_1 * limb4_U_joint_rate_0)))
         minus_limb4_S_handed_force_1 = minus_limb4_U_follows_0_by_limb4_S_1 * limb4_U_handed_force_0
-        t369 = minus_limb4_U_0_cos * minus_limb4_S_handed_force_1
+        t372 = minus_limb4_U_0_cos * minus_limb4_S_handed_force_1
         # limb2: velocities, eq. (6)
-        t372 = minus_limb2_U_0_cos * limb5_S_joint_rate_wz - limb2_U_0_sin * limb5_S_joint_rate_wx
-        minus_limb2_P_joint_rate = minus_limb2_S_arm_y * t372
+        t375 = minus_limb2_U_0_cos * limb5_S_joint_rate_wz + limb2_U_0_sin * minus_limb5_S_joint_rate_wx
+        minus_limb2_P_joint_rate = minus_limb2_S_arm_y * t375
         # limb2: free motion; velocities, eq. (6); balance, eqs. (40)-(47)
-        t373 = limb2_lower_cos * minus_limb2_P_joint_rate
-        minus_limb2_U_joint_rate_1 = t246 * (limb2_S_arm_x * t372)
-        t374 = limb2_lower_sin * minus_limb2_U_joint_rate_1
-        t376 = t373 - limb2_upper_offset_x * t374
-        t377 = t126 * t376
-        t378 = limb2_lower_sin * minus_limb2_P_joint_rate
-        t379 = limb2_lower_cos * minus_limb2_U_joint_rate_1
-        t381 = t378 + limb2_upper_offset_x * t379
-        t384 = minus_limb2_U_0_cos * t110 + limb2_U_0_sin * t120
-        t385 = t381 * t384
-        t389 = minus_limb2_upper_position_y * (limb2_U_0_sin * limb5_S_joint_rate_wz + minus_limb2_U_0_cos * limb5_S_joint_rate_wx)
-        limb2_U_joint_rate_0 = limb5_S_joint_rate_wy - t199 * t389
-        t391 = t376 * limb2_U_joint_rate_0
-        t394 = limb2_U_0_sin * t110 - minus_limb2_U_0_cos * t120
-        t400 = t199 * (t377 + (t385 - (t391 - minus_limb2_upper_position_y * (limb2_U_joint_rate_0 * t394))))
-        t401 = limb2_U_mass_matrix_0_by_limb2_U_0 * t400
+        t376 = limb2_lower_cos * minus_limb2_P_joint_rate
+        minus_limb2_U_joint_rate_1 = t249 * (limb2_S_arm_x * t375)
+        t377 = limb2_lower_sin * minus_limb2_U_joint_rate_1
+        t379 = t376 - limb2_upper_offset_x * t377
+        t380 = t129 * t379
+        t381 = limb2_lower_sin * minus_limb2_P_joint_rate
+        t382 = limb2_lower_cos * minus_limb2_U_joint_rate_1
+        t384 = t381 + limb2_upper_offset_x * t382
+        t387 = minus_limb2_U_0_cos * t113 + limb2_U_0_sin * t123
+        t388 = t384 * t387
+        t392 = minus_limb2_upper_position_y * (limb2_U_0_sin * limb5_S_joint_rate_wz - minus_limb2_U_0_cos * minus_limb5_S_joint_rate_wx)
+        limb2_U_joint_rate_0 = limb5_S_joint_rate_wy - t202 * t392
+        t394 = t379 * limb2_U_joint_rate_0
+        t397 = limb2_U_0_sin * t113 - minus_limb2_U_0_cos * t123
+        t403 = t202 * (t380 + (t388 - (t394 - minus_limb2_upper_position_y * (limb2_U_joint_rate_0 * t397))))
+        t404 = limb2_U_mass_matrix_0_by_limb2_U_0 * t403
         limb2_U_0_moment_z = limb2_lower_cos * (limb2_upper_offset_x * (13.9302 * minus_limb2_U_0_cos))
-        t402 = limb2_lower_composite_first_x - t200
-        t404 = limb2_lower_cos * (limb2_lower_cos * t402)
-        t406 = t404 * (minus_limb2_P_joint_rate * limb2_U_joint_rate_0)
-        t409 = limb2_lower_sin * t203 + limb2_lower_cos * (limb2_lower_sin * t202)
-        minus_limb2_U_handed_force_0 = t401 - (limb2_U_0_moment_z - (t406 + t409 * (minus_limb2_U_joint_rate_1 * limb2_U_joint_rate_0)))
+        t405 = limb2_lower_composite_first_x - t203
+        t407 = limb2_lower_cos * (limb2_lower_cos * t405)
+        t409 = t407 * (minus_limb2_P_joint_rate * limb2_U_joint_rate_0)
+        t412 = limb2_lower_sin * t206 + limb2_lower_cos * (limb2_lower_sin * t205)
+        minus_limb2_U_handed_force_0 = t404 - (limb2_U_0_moment_z - (t409 + t412 * (minus_limb2_U_joint_rate_1 * limb2_U_joint_rate_0)))
         minus_limb2_S_handed_force_1 = limb2_U_follows_0_by_limb2_S_1 * minus_limb2_U_handed_force_0
-        t414 = minus_limb2_U_0_cos * minus_limb2_S_handed_force_1
+        t417 = minus_limb2_U_0_cos * minus_limb2_S_handed_force_1
         # limb3: velocities, eq. (6)
-        t417 = limb3_U_0_sin * limb5_S_joint_rate_wz + limb3_U_0_cos * limb5_S_joint_rate_wy
-        minus_limb3_P_joint_rate = limb3_S_arm_y * t417
+        t420 = limb3_U_0_sin * limb5_S_joint_rate_wz + limb3_U_0_cos * limb5_S_joint_rate_wy
+        minus_limb3_P_joint_rate = limb3_S_arm_y * t420
         # limb3: free motion; velocities, eq. (6); balance, eqs. (40)-(47)
-        t418 = limb3_lower_cos * minus_limb3_P_joint_rate
-        limb3_U_joint_rate_1 = t272 * (limb3_S_arm_x * t417)
-        t419 = minus_limb3_lower_sin * limb3_U_joint_rate_1
-        t421 = t418 - limb3_upper_offset_x * t419
-        t422 = t110 * t421
-        t423 = minus_limb3_lower_sin * minus_limb3_P_joint_rate
-        t424 = limb3_lower_cos * limb3_U_joint_rate_1
-        t426 = t423 + limb3_upper_offset_x * t424
-        t429 = limb3_U_0_cos * t120 - limb3_U_0_sin * t126
-        t430 = t426 * t429
-        t434 = limb3_upper_position_x * (limb3_U_0_cos * limb5_S_joint_rate_wz - limb3_U_0_sin * limb5_S_joint_rate_wy)
-        limb3_U_joint_rate_0 = limb5_S_joint_rate_wx - t189 * t434
-        t436 = t421 * limb3_U_joint_rate_0
-        t439 = limb3_U_0_sin * t120 + limb3_U_0_cos * t126
-        t445 = t189 * (t422 + (t430 - (t436 + limb3_upper_position_x * (limb3_U_joint_rate_0 * t439))))
-        t446 = limb3_U_mass_matrix_0_by_limb3_U_0 * t445
+        t421 = limb3_lower_cos * minus_limb3_P_joint_rate
+        limb3_U_joint_rate_1 = t275 * (limb3_S_arm_x * t420)
+        t422 = minus_limb3_lower_sin * limb3_U_joint_rate_1
+        t424 = t421 - limb3_upper_offset_x * t422
+        t425 = t113 * t424
+        t426 = minus_limb3_lower_sin * minus_limb3_P_joint_rate
+        t427 = limb3_lower_cos * limb3_U_joint_rate_1
+        t429 = t426 + limb3_upper_offset_x * t427
+        t432 = limb3_U_0_cos * t123 - limb3_U_0_sin * t129
+        t433 = t429 * t432
+        t437 = limb3_upper_position_x * (limb3_U_0_cos * limb5_S_joint_rate_wz - limb3_U_0_sin * limb5_S_joint_rate_wy)
+        minus_limb3_U_joint_rate_0 = minus_limb5_S_joint_rate_wx + t192 * t437
+        t439 = t424 * minus_limb3_U_joint_rate_0
+        t442 = limb3_U_0_sin * t123 + limb3_U_0_cos * t129
+        t448 = t192 * (t425 + (t433 + (t439 + limb3_upper_position_x * (minus_limb3_U_joint_rate_0 * t442))))
+        t449 = limb3_U_mass_matrix_0_by_limb3_U_0 * t448
         minus_limb3_U_0_moment_z = limb3_lower_cos * (limb3_upper_offset_x * (13.9302 * limb3_U_0_sin))
-        t447 = limb3_lower_composite_first_x - t190
-        t449 = limb3_lower_cos * (limb3_lower_cos * t447)
-        t451 = t449 * (minus_limb3_P_joint_rate * limb3_U_joint_rate_0)
-        t454 = minus_limb3_lower_sin * t193 + limb3_lower_cos * (minus_limb3_lower_sin * t192)
-        minus_limb3_U_handed_force_0 = t446 + (minus_limb3_U_0_moment_z + (t451 + t454 * (limb3_U_joint_rate_1 * limb3_U_joint_rate_0)))
+        t450 = limb3_lower_composite_first_x - t193
+        t452 = limb3_lower_cos * (limb3_lower_cos * t450)
+        t454 = t452 * (minus_limb3_P_joint_rate * minus_limb3_U_joint_rate_0)
+        t457 = minus_limb3_lower_sin * t196 + limb3_lower_cos * (minus_limb3_lower_sin * t195)
+        t461 = minus_limb3_U_0_moment_z - (t454 + t457 * (limb3_U_joint_rate_1 * minus_limb3_U_joint_rate_0))
+        minus_limb3_U_handed_force_0 = t449 + t461
         # limb4: free motion; accelerations; balance, eqs. (40)-(47)
-        t461 = t349 * (limb4_P_joint_rate - 0.8 * t334)
-        t462 = limb4_P_joint_rate * minus_limb4_U_joint_rate_1
-        t463 = t339 * limb4_U_joint_rate_0
-        t468 = limb4_U_mass_matrix_1_by_limb4_U_1 * (t231 * (t461 + (t462 - limb4_S_arm_x * t463)))
+        t464 = t352 * (limb4_P_joint_rate - 0.8 * t337)
+        t465 = limb4_P_joint_rate * minus_limb4_U_joint_rate_1
+        t466 = t342 * limb4_U_joint_rate_0
+        t471 = limb4_U_mass_matrix_1_by_limb4_U_1 * (t234 * (t464 + (t465 - limb4_S_arm_x * t466)))
         minus_limb4_U_0_acc_y = 9.81 * limb4_U_0_sin
         minus_limb4_lower_moment_z = limb4_upper_offset_x * (1.42 * (minus_limb4_lower_sin * minus_limb4_U_0_acc_y))
-        t469 = t357 * t462
-        t470 = 0.5 * t364
+        t472 = t360 * t465
+        t473 = 0.5 * t367
         minus_limb4_U_0_U_still_xx = limb4_U_joint_rate_0 * limb4_U_joint_rate_0
-        t474 = limb4_U_follows_1_by_limb4_S_0 * (t468 - (minus_limb4_lower_moment_z + (t469 - t470 * minus_limb4_U_0_U_still_xx)))
-        t479 = 1.42 * (t349 * (0.8 * t329) + limb4_S_arm_y * t463)
+        t477 = limb4_U_follows_1_by_limb4_S_0 * (t471 - (minus_limb4_lower_moment_z + (t472 - t473 * minus_limb4_U_0_U_still_xx)))
+        t482 = 1.42 * (t352 * (0.8 * t332) + limb4_S_arm_y * t466)
         minus_limb4_P_generalised_force = 1.42 * (limb4_lower_cos * minus_limb4_U_0_acc_y) + limb4_P_u
-        t482 = 0.5 * t357 * (minus_limb4_U_joint_rate_1 * minus_limb4_U_joint_rate_1)
-        t487 = limb4_S_arm_y * (t479 - (minus_limb4_P_generalised_force + (t482 + 0.5 * t359 * minus_limb4_U_0_U_still_xx)))
-        limb4_S_handed_force_0 = t474 - t487
-        t488 = limb4_U_0_sin * limb4_S_handed_force_0
+        t485 = 0.5 * t360 * (minus_limb4_U_joint_rate_1 * minus_limb4_U_joint_rate_1)
+        t490 = limb4_S_arm_y * (t482 - (minus_limb4_P_generalised_force + (t485 + 0.5 * t362 * minus_limb4_U_0_U_still_xx)))
+        limb4_S_handed_force_0 = t477 - t490
+        t491 = limb4_U_0_sin * limb4_S_handed_force_0
         # limb2: free motion; accelerations; balance, eqs. (40)-(47)
-        t491 = t394 * (minus_limb2_P_joint_rate - 0.8 * t379)
-        t492 = minus_limb2_P_joint_rate * minus_limb2_U_joint_rate_1
-        t493 = t384 * limb2_U_joint_rate_0
-        t498 = limb2_U_mass_matrix_1_by_limb2_U_1 * (t246 * (t491 + (t492 + limb2_S_arm_x * t493)))
+        t494 = t397 * (minus_limb2_P_joint_rate - 0.8 * t382)
+        t495 = minus_limb2_P_joint_rate * minus_limb2_U_joint_rate_1
+        t496 = t387 * limb2_U_joint_rate_0
+        t501 = limb2_U_mass_matrix_1_by_limb2_U_1 * (t249 * (t494 + (t495 + limb2_S_arm_x * t496)))
         minus_limb2_U_0_acc_y = 9.81 * limb2_U_0_sin
         limb2_lower_moment_z = limb2_upper_offset_x * (1.42 * (limb2_lower_sin * minus_limb2_U_0_acc_y))
-        t499 = t402 * t492
-        t500 = 0.5 * t409
+        t502 = t405 * t495
+        t503 = 0.5 * t412
         minus_limb2_U_0_U_still_xx = limb2_U_joint_rate_0 * limb2_U_joint_rate_0
-        t504 = limb2_U_follows_1_by_limb2_S_0 * (t498 - (limb2_lower_moment_z + (t499 - t500 * minus_limb2_U_0_U_still_xx)))
-        t509 = 1.42 * (t394 * (0.8 * t374) - minus_limb2_S_arm_y * t493)
+        t507 = limb2_U_follows_1_by_limb2_S_0 * (t501 - (limb2_lower_moment_z + (t502 - t503 * minus_limb2_U_0_U_still_xx)))
+        t512 = 1.42 * (t397 * (0.8 * t377) - minus_limb2_S_arm_y * t496)
         minus_limb2_P_generalised_force = 1.42 * (limb2_lower_cos * minus_limb2_U_0_acc_y) + limb2_P_u
-        t512 = 0.5 * t402 * (minus_limb2_U_joint_rate_1 * minus_limb2_U_joint_rate_1)
-        t517 = minus_limb2_S_arm_y * (t509 - (minus_limb2_P_generalised_force + (t512 + 0.5 * t404 * minus_limb2_U_0_U_still_xx)))
-        minus_limb2_S_handed_force_0 = t504 - t517
-        t518 = limb2_U_0_sin * minus_limb2_S_handed_force_0
+        t515 = 0.5 * t405 * (minus_limb2_U_joint_rate_1 * minus_limb2_U_joint_rate_1)
+        t520 = minus_limb2_S_arm_y * (t512 - (minus_limb2_P_generalised_force + (t515 + 0.5 * t407 * minus_limb2_U_0_U_still_xx)))
+        minus_limb2_S_handed_force_0 = t507 - t520
+        t521 = limb2_U_0_sin * minus_limb2_S_handed_force_0
         platform_rate_my = 14.62961126155784 * platform_turn_zx - 22.6251 * (platform_omega_z * platform_omega_x)
-        t520 = platform_turn_xy * platform_rate_my  # platform
+        t523 = platform_turn_xy * platform_rate_my  # platform
         minus_platform_rate_mx = 14.62961126155784 * platform_turn_zy - 22.6251 * (platform_omega_z * platform_omega_y)
-        t526 = minus_limb3_U_handed_force_0 - (t488 - (t518 - (t520 - platform_turn_xx * minus_platform_rate_mx)))  # limb5_S
-        minus_limb5_S_reduced_force_wx = t310 + (limb1_U_handed_force_0 + (t369 + (t414 - t526)))
-        t530 = limb5_S_handed_inertia_wz * limb5_S_joint_acc_still_wz  # limb5_S
+        t529 = minus_limb3_U_handed_force_0 - (t491 - (t521 - (t523 - platform_turn_xx * minus_platform_rate_mx)))  # limb5_S
+        minus_limb5_S_reduced_force_wx = t313 + (limb1_U_handed_force_0 + (t372 + (t417 - t529)))
+        t533 = limb5_S_handed_inertia_wz * limb5_S_joint_acc_still_wz  # limb5_S
         # limb1: free motion; accelerations; balance, eqs. (40)-(47)
         limb1_U2_handed_force_1 = limb1_U_follows_0_by_limb1_U2_1 * limb1_U_handed_force_0
-        t531 = limb1_U_0_cos * limb1_U2_handed_force_1
-        t532 = limb4_U_0_sin * minus_limb4_S_handed_force_1  # limb4
-        t533 = limb2_U_0_sin * minus_limb2_S_handed_force_1  # limb2
+        t534 = limb1_U_0_cos * limb1_U2_handed_force_1
+        t535 = limb4_U_0_sin * minus_limb4_S_handed_force_1  # limb4
+        t536 = limb2_U_0_sin * minus_limb2_S_handed_force_1  # limb2
         limb3_S_handed_force_1 = minus_limb3_U_follows_0_by_limb3_S_1 * minus_limb3_U_handed_force_0
-        t534 = limb3_U_0_cos * limb3_S_handed_force_1  # limb3
-        t536 = limb1_U_mass_matrix_1_by_limb1_U_1 * (t31 * t152)
+        t537 = limb3_U_0_cos * limb3_S_handed_force_1  # limb3
+        t539 = limb1_U_mass_matrix_1_by_limb1_U_1 * (t31 * t155)
         limb1_U_0_acc_y = 9.81 * limb1_U_0_cos
         minus_limb1_lower_moment_z = limb1_upper_offset_x * (1.42 * (limb1_lower_sin * limb1_U_0_acc_y))
-        t537 = t313 * t148
-        t538 = 0.5 * t320
-        minus_limb1_U_0_U_still_xx = limb1_U_joint_rate_0 * limb1_U_joint_rate_0
-        t542 = limb1_U_follows_1_by_limb1_U2_0 * (t536 - (minus_limb1_lower_moment_z - (t537 - t538 * minus_limb1_U_0_U_still_xx)))
-        t547 = 1.42 * (t138 * (0.8 * t88) - minus_limb1_U2_arm_y * t149)
+        t540 = t316 * t151
+        t541 = 0.5 * t323
+        minus_limb1_U_0_U_still_xx = minus_limb1_U_joint_rate_0 * minus_limb1_U_joint_rate_0
+        t545 = limb1_U_follows_1_by_limb1_U2_0 * (t539 - (minus_limb1_lower_moment_z - (t540 - t541 * minus_limb1_U_0_U_still_xx)))
+        t550 = 1.42 * (t141 * (0.8 * t91) + minus_limb1_U2_arm_y * t152)
         limb1_P_generalised_force = 1.42 * (limb1_lower_cos * limb1_U_0_acc_y) - limb1_P_u
-        t550 = 0.5 * t313 * (limb1_U_joint_rate_1 * limb1_U_joint_rate_1)
-        t555 = minus_limb1_U2_arm_y * (t547 - (limb1_P_generalised_force - (t550 + 0.5 * t315 * minus_limb1_U_0_U_still_xx)))
-        limb1_U2_handed_force_0 = t542 - t555
-        t556 = limb1_U_0_sin * limb1_U2_handed_force_0
-        t557 = minus_limb4_U_0_cos * limb4_S_handed_force_0  # limb4
-        t558 = minus_limb2_U_0_cos * minus_limb2_S_handed_force_0  # limb2
+        t553 = 0.5 * t316 * (limb1_U_joint_rate_1 * limb1_U_joint_rate_1)
+        t558 = minus_limb1_U2_arm_y * (t550 - (limb1_P_generalised_force - (t553 + 0.5 * t318 * minus_limb1_U_0_U_still_xx)))
+        limb1_U2_handed_force_0 = t545 - t558
+        t559 = limb1_U_0_sin * limb1_U2_handed_force_0
+        t560 = minus_limb4_U_0_cos * limb4_S_handed_force_0  # limb4
+        t561 = minus_limb2_U_0_cos * minus_limb2_S_handed_force_0  # limb2
         # limb3: free motion; accelerations; balance, eqs. (40)-(47)
-        t561 = t439 * (minus_limb3_P_joint_rate - 0.8 * t424)
-        t562 = minus_limb3_P_joint_rate * limb3_U_joint_rate_1
-        t563 = t429 * limb3_U_joint_rate_0
-        t568 = limb3_U_mass_matrix_1_by_limb3_U_1 * (t272 * (t561 - (t562 + limb3_S_arm_x * t563)))
+        t564 = t442 * (minus_limb3_P_joint_rate - 0.8 * t427)
+        t565 = minus_limb3_P_joint_rate * limb3_U_joint_rate_1
+        t566 = t432 * minus_limb3_U_joint_rate_0
+        t571 = limb3_U_mass_matrix_1_by_limb3_U_1 * (t275 * (t564 - (t565 - limb3_S_arm_x * t566)))
         limb3_U_0_acc_y = 9.81 * limb3_U_0_cos
         limb3_lower_moment_z = limb3_upper_offset_x * (1.42 * (minus_limb3_lower_sin * limb3_U_0_acc_y))
-        t569 = t447 * t562
-        t570 = 0.5 * t454
-        minus_limb3_U_0_U_still_xx = limb3_U_joint_rate_0 * limb3_U_joint_rate_0
-        t574 = limb3_U_follows_1_by_limb3_S_0 * (t568 - (limb3_lower_moment_z - (t569 - t570 * minus_limb3_U_0_U_still_xx)))
-        t579 = 1.42 * (t439 * (0.8 * t419) + limb3_S_arm_y * t563)
+        t572 = t450 * t565
+        t573 = 0.5 * t457
+        minus_limb3_U_0_U_still_xx = minus_limb3_U_joint_rate_0 * minus_limb3_U_joint_rate_0
+        t577 = limb3_U_follows_1_by_limb3_S_0 * (t571 - (limb3_lower_moment_z - (t572 - t573 * minus_limb3_U_0_U_still_xx)))
+        t582 = 1.42 * (t442 * (0.8 * t422) - limb3_S_arm_y * t566)
         limb3_P_generalised_force = 1.42 * (limb3_lower_cos * limb3_U_0_acc_y) - limb3_P_u
-        t582 = 0.5 * t447 * (limb3_U_joint_rate_1 * limb3_U_joint_rate_1)
-        t587 = limb3_S_arm_y * (t579 - (limb3_P_generalised_force - (t582 + 0.5 * t449 * minus_limb3_U_0_U_still_xx)))
-        minus_limb3_S_handed_force_0 = t574 - t587
-        t588 = limb3_U_0_sin * minus_limb3_S_handed_force_0
-        t593 = t558 - (t588 - (platform_turn_zy * platform_rate_my - platform_turn_zx * minus_platform_rate_mx))  # limb5_S
-        t599 = t531 + (t532 + (t533 + (t534 + (t556 - (t557 - t593)))))  # limb5_S
-        t600 = limb5_S_null_space_wz_by_limb5_S_wy * (t530 + t599)  # limb5_S
-        t601 = t292 * limb5_S_joint_acc_still_wz  # limb5_S
-        t602 = limb1_U_0_sin * limb1_U2_handed_force_1  # limb1
-        t603 = limb3_U_0_sin * limb3_S_handed_force_1
-        t604 = limb1_U_0_cos * limb1_U2_handed_force_0  # limb1
-        t605 = limb3_U_0_cos * minus_limb3_S_handed_force_0
+        t585 = 0.5 * t450 * (limb3_U_joint_rate_1 * limb3_U_joint_rate_1)
+        t590 = limb3_S_arm_y * (t582 - (limb3_P_generalised_force - (t585 + 0.5 * t452 * minus_limb3_U_0_U_still_xx)))
+        minus_limb3_S_handed_force_0 = t577 - t590
+        t591 = limb3_U_0_sin * minus_limb3_S_handed_force_0
+        t596 = t561 - (t591 - (platform_turn_zy * platform_rate_my - platform_turn_zx * minus_platform_rate_mx))  # limb5_S
+        t602 = t534 + (t535 + (t536 + (t537 + (t559 - (t560 - t596)))))  # limb5_S
+        t603 = limb5_S_null_space_wz_by_limb5_S_wy * (t533 + t602)  # limb5_S
+        t604 = t295 * limb5_S_joint_acc_still_wz  # limb5_S
+        t605 = limb1_U_0_sin * limb1_U2_handed_force_1  # limb1
+        t606 = limb3_U_0_sin * limb3_S_handed_force_1
+        t607 = limb1_U_0_cos * limb1_U2_handed_force_0  # limb1
+        t608 = limb3_U_0_cos * minus_limb3_S_handed_force_0
         # limb5_S: free motion; accelerations; pivots
-        t610 = t604 - (t605 - (platform_turn_yy * platform_rate_my - platform_turn_yx * minus_platform_rate_mx))
-        minus_limb5_S_reduced_force_wy = t600 - (t601 + (t602 - (limb4_U_handed_force_0 - (minus_limb2_U_handed_force_0 + (t603 - t610)))))
-        t617 = minus_limb5_S_reduced_force_wx - minus_limb5_S_reduced_force_wy * t309
-        t618 = t227 - t294  # limb4
-        t622 = limb3_U_mass_matrix_0_by_limb3_U_0 + (69.4749 + platform_turn_xz * (22.6251 * platform_turn_xz))
-        limb5_S_reduced_inertia_wx_by_limb5_S_wx = limb1_U_mass_matrix_0_by_limb1_U_0 + (t618 + (t622 + (t242 - t296)))
-        pivot_1 = limb5_S_reduced_inertia_wx_by_limb5_S_wx - limb5_S_reduced_inertia_wx_by_limb5_S_wy * t309
-        minus_limb5_S_joint_acc_wx = t617 / pivot_1
-        limb5_S_joint_acc_wy = t309 * minus_limb5_S_joint_acc_wx - minus_limb5_S_reduced_force_wy * t308
+        t613 = t607 - (t608 - (platform_turn_yy * platform_rate_my - platform_turn_yx * minus_platform_rate_mx))
+        minus_limb5_S_reduced_force_wy = t603 - (t604 + (t605 - (limb4_U_handed_force_0 - (minus_limb2_U_handed_force_0 + (t606 - t613)))))
+        t620 = minus_limb5_S_reduced_force_wx - minus_limb5_S_reduced_force_wy * t312
+        t621 = t230 - t297  # limb4
+        t625 = limb3_U_mass_matrix_0_by_limb3_U_0 + (69.4749 + platform_turn_xz * (22.6251 * platform_turn_xz))
+        limb5_S_reduced_inertia_wx_by_limb5_S_wx = limb1_U_mass_matrix_0_by_limb1_U_0 + (t621 + (t625 + (t245 - t299)))
+        pivot_1 = limb5_S_reduced_inertia_wx_by_limb5_S_wx - limb5_S_reduced_inertia_wx_by_limb5_S_wy * t312
+        minus_limb5_S_joint_acc_wx = t620 / pivot_1
+        limb5_S_joint_acc_wy = t312 * minus_limb5_S_joint_acc_wx - minus_limb5_S_reduced_force_wy * t311
         limb5_S_joint_acc_wz = limb5_S_joint_acc_still_wz + limb5_S_null_space_wz_by_limb5_S_wy * limb5_S_joint_acc_wy
         # limb5_S: results
-        t630 = platform_turn_zz * limb5_S_joint_acc_wz
-        t634 = t630 + (platform_turn_yz * limb5_S_joint_acc_wy - platform_turn_xz * minus_limb5_S_joint_acc_wx)
-        t635 = platform_turn_zz * t634
-        t636 = platform_turn_zy * limb5_S_joint_acc_wz
-        t640 = t636 + (platform_turn_yy * limb5_S_joint_acc_wy - platform_turn_xy * minus_limb5_S_joint_acc_wx)
-        t641 = platform_turn_zy * t640
-        t642 = platform_turn_zx * limb5_S_joint_acc_wz
-        t646 = t642 + (platform_turn_yx * limb5_S_joint_acc_wy - platform_turn_xx * minus_limb5_S_joint_acc_wx)
-        t649 = t635 + (t641 + platform_turn_zx * t646)
-        t650 = t47 * t649
-        t655 = platform_turn_yz * t634 + (platform_turn_yy * t640 + platform_turn_yx * t646)
-        t657 = t650 - t45 * t655
-        t662 = platform_turn_xz * t634 + (platform_turn_xy * t640 + platform_turn_xx * t646)
-        limb5_S_y_ddot_qx = 0.5 * (t81 - (t657 - t40 * t662))
-        t666 = limb5_S_joint_rate_wx * t71
-        t672 = 0.5 * (t47 * limb5_S_joint_rate_wz - t45 * limb5_S_joint_rate_wy - t40 * limb5_S_joint_rate_wx)
-        t676 = t666 - limb5_S_joint_rate_wz * t672 - limb5_S_joint_rate_wy * t79
-        t682 = t676 - (t45 * t662 - t41 * t649 - t40 * t655)
-        limb5_S_y_ddot_qy = 0.5 * t682
+        t633 = platform_turn_zz * limb5_S_joint_acc_wz
+        t637 = t633 + (platform_turn_yz * limb5_S_joint_acc_wy - platform_turn_xz * minus_limb5_S_joint_acc_wx)
+        t638 = platform_turn_zz * t637
+        t639 = platform_turn_zy * limb5_S_joint_acc_wz
+        t643 = t639 + (platform_turn_yy * limb5_S_joint_acc_wy - platform_turn_xy * minus_limb5_S_joint_acc_wx)
+        t644 = platform_turn_zy * t643
+        t645 = platform_turn_zx * limb5_S_joint_acc_wz
+        t649 = t645 + (platform_turn_yx * limb5_S_joint_acc_wy - platform_turn_xx * minus_limb5_S_joint_acc_wx)
+        t652 = t638 + (t644 + platform_turn_zx * t649)
+        t653 = t47 * t652
+        t658 = platform_turn_yz * t637 + (platform_turn_yy * t643 + platform_turn_yx * t649)
+        t660 = t653 - t43 * t658
+        t665 = platform_turn_xz * t637 + (platform_turn_xy * t643 + platform_turn_xx * t649)
+        limb5_S_y_ddot_qx = -(0.5 * (t84 + (t660 - t40 * t665)))
+        t670 = minus_limb5_S_joint_rate_wx * t74
+        t675 = t47 * limb5_S_joint_rate_wz - t43 * limb5_S_joint_rate_wy + t40 * minus_limb5_S_joint_rate_wx
+        t680 = t670 + limb5_S_joint_rate_wz * (0.5 * t675) + limb5_S_joint_rate_wy * t82
+        t686 = t680 + (t43 * t665 - t52 * t652 - t40 * t658)
+        limb5_S_y_ddot_qy = -(0.5 * t686)
         return _finish(batch, ((limb5_S_y_ddot_qx, limb5_S_y_ddot_qy),),
             ((minus_limb3_U_0_lever_mz_by_limb3_S_fz, 6.62327e-10),
             (minus_limb2_U_0_lever_mz_by_limb2_S_fz, 6.62327e-10),
             (minus_limb4_U_0_lever_mz_by_limb4_S_fz, 6.62327e-10),
             (minus_limb1_U_0_lever_mz_by_limb1_U2_fz, 6.62327e-10), (minus_limb5_S_pivot_wz,
-            1.0e-09), (a_pivot, 1.0e-09), (a_pivot_2, 1.0e-09),
-            (limb5_S_reduced_inertia_wy_by_limb5_S_wy, 7.562600000000002e-08), (pivot_1,
-            7.551200000000001e-08)), (minus_limb1_U_0_lever_mz_by_limb1_U2_fz,
-            minus_limb5_S_pivot_wz, a_pivot, a_pivot_2, minus_limb3_U_0_lever_mz_by_limb3_S_fz,
-            minus_limb2_U_0_lever_mz_by_limb2_S_fz, minus_limb4_U_0_lever_mz_by_limb4_S_fz,
-            limb5_S_reduced_inertia_wy_by_limb5_S_wy, pivot_1, limb5_S_y_ddot_qx,
-            limb5_S_y_ddot_qy), ((t8, 0.999999, 1.000001, 5),))
+            1.0e-09), (a_pivot, 1.0e-09), (limb5_S_reduced_inertia_wy_by_limb5_S_wy,
+            7.562600000000002e-08), (pivot_1, 7.551200000000001e-08)),
+            (minus_limb1_U_0_lever_mz_by_limb1_U2_fz, minus_limb5_S_pivot_wz, a_pivot,
+            minus_limb3_U_0_lever_mz_by_limb3_S_fz, minus_limb2_U_0_lever_mz_by_limb2_S_fz,
+            minus_limb4_U_0_lever_mz_by_limb4_S_fz, limb5_S_reduced_inertia_wy_by_limb5_S_wy,
+            pivot_1, limb5_S_y_ddot_qx, limb5_S_y_ddot_qy), ((t8, 0.999999, 1.000001, 5),))
 
 
 def _forward_dynamics_reactions_first(*arguments):
@@ -12650,391 +12668,393 @@ def _assemble_step(*arguments):
         t6 = t4 + t5
         t7 = t3 + t6
         t9 = 1.5 - 0.5 * t7
-        t10 = limb5_S_q_qw * t9
-        t11 = limb5_S_q_qx * t9
+        t10 = limb5_S_q_qz * t9
+        t11 = 0.5 * t10
+        t12 = limb5_S_q_qx - limb5_S_y_qx
+        t13 = limb5_S_q_qy * t9
         limb1_U_0_cos = np.cos(limb1_U_q_0)
-        t12 = 0.5235987755982989 + limb1_U_q_1  # limb1
-        limb1_lower_cos = np.cos(t12)
-        t14 = 4.0 - 2.0 * t7
-        platform_turn_yy = 1.0 - t14 * (t2 + t5)
+        t14 = 0.5235987755982989 + limb1_U_q_1  # limb1
+        limb1_lower_cos = np.cos(t14)
+        t16 = 4.0 - 2.0 * t7
+        platform_turn_yy = 1.0 - t16 * (t2 + t5)
         # limb1: reciprocal wrenches, eq. (10); geometry; rates that follow
-        t17 = limb1_U_0_cos * platform_turn_yy
-        t18 = limb5_S_q_qz * t14  # limb5_S
-        t19 = limb5_S_q_qy * t18  # limb5_S
-        t21 = limb5_S_q_qw * (limb5_S_q_qx * t14)  # limb5_S
-        platform_turn_zy = t19 + t21
-        limb1_U2_constraint_mn_couple_x = t17 + limb1_U_0_sin * platform_turn_zy
+        t19 = limb1_U_0_cos * platform_turn_yy
+        t20 = limb5_S_q_qz * t16  # limb5_S
+        t21 = limb5_S_q_qy * t20  # limb5_S
+        t23 = limb5_S_q_qw * (limb5_S_q_qx * t16)  # limb5_S
+        platform_turn_zy = t21 + t23
+        limb1_U2_constraint_mn_couple_x = t19 + limb1_U_0_sin * platform_turn_zy
         limb1_U_0_lever_my_by_limb1_U2_mn = limb1_lower_cos * limb1_U2_constraint_mn_couple_x
-        limb1_lower_sin = np.sin(t12)
+        limb1_lower_sin = np.sin(t14)
         limb1_upper_offset_x = 0.3 + limb1_P_q
         minus_limb1_upper_position_x = 0.8 - limb1_lower_sin * limb1_upper_offset_x
         limb1_U_0_lever_mz_by_limb1_U2_mn = limb1_lower_sin * limb1_U2_constraint_mn_couple_x
         minus_limb1_U_0_lever_mz_by_limb1_U2_fz = limb1_lower_cos * limb1_upper_offset_x
-        t23 = 1.0 / minus_limb1_U_0_lever_mz_by_limb1_U2_fz
-        minus_limb1_U_factor_0_by_3 = limb1_U_0_lever_mz_by_limb1_U2_mn * t23
+        t25 = 1.0 / minus_limb1_U_0_lever_mz_by_limb1_U2_fz
+        minus_limb1_U_factor_0_by_3 = limb1_U_0_lever_mz_by_limb1_U2_mn * t25
         minus_limb1_U2_factor_1_by_3 = limb1_U_0_lever_my_by_limb1_U2_mn - minus_limb1_upper_position_x * minus_limb1_U_factor_0_by_3
-        t25 = limb1_U_0_cos * minus_limb1_U2_factor_1_by_3
-        t28 = limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos * platform_turn_zy
-        t29 = limb1_lower_cos * t28
-        t30 = limb5_S_q_qy * t14  # limb5_S
-        t31 = limb5_S_q_qx * t30  # limb5_S
-        t32 = limb5_S_q_qw * t18  # limb5_S
-        platform_turn_xy = t31 - t32
-        limb1_U2_constraint_mn_couple_z = t29 - limb1_lower_sin * platform_turn_xy
+        t27 = limb1_U_0_cos * minus_limb1_U2_factor_1_by_3
+        t30 = limb1_U_0_sin * platform_turn_yy - limb1_U_0_cos * platform_turn_zy
+        t31 = limb1_lower_cos * t30
+        t32 = limb5_S_q_qy * t16  # limb5_S
+        t33 = limb5_S_q_qx * t32  # limb5_S
+        t34 = limb5_S_q_qw * t20  # limb5_S
+        platform_turn_xy = t33 - t34
+        limb1_U2_constraint_mn_couple_z = t31 - limb1_lower_sin * platform_turn_xy
         limb1_U2_arm_x = limb1_upper_offset_x - 0.8 * limb1_lower_sin
-        t35 = limb1_lower_cos * t23
-        limb1_U_factor_1_by_3 = limb1_U2_constraint_mn_couple_z * t35
+        t37 = limb1_lower_cos * t25
+        limb1_U_factor_1_by_3 = limb1_U2_constraint_mn_couple_z * t37
         minus_limb1_U2_factor_0_by_3 = limb1_U2_constraint_mn_couple_z - limb1_U2_arm_x * limb1_U_factor_1_by_3
-        # limb5_S: rates that follow; results; geometry
-        minus_limb5_S_pivot_wz = t25 + limb1_U_0_sin * minus_limb1_U2_factor_0_by_3
-        t38 = 1.0 / minus_limb5_S_pivot_wz
-        t41 = limb1_U_0_sin * minus_limb1_U2_factor_1_by_3 - limb1_U_0_cos * minus_limb1_U2_factor_0_by_3  # limb1
-        limb5_S_null_space_wz_by_limb5_S_wy = t38 * t41
-        a_pivot = 0.5 * (t10 + t11 * limb5_S_null_space_wz_by_limb5_S_wy)
-        t44 = 1.0 / a_pivot
-        t45 = limb5_S_q_qy - limb5_S_y_qy
+        minus_limb5_S_pivot_wz = t27 + limb1_U_0_sin * minus_limb1_U2_factor_0_by_3
+        t40 = 1.0 / minus_limb5_S_pivot_wz  # limb5_S
         minus_limb1_lower_rotation_yx = limb1_U_0_sin * limb1_lower_cos
         minus_limb1_upper_position_y = limb1_upper_offset_x * minus_limb1_lower_rotation_yx
-        t46 = 0.5 * (t31 + t32)
-        t47 = 0.5196152422706631 * (t19 - t21)
-        # limb1: loop closure; geometry; results
-        t48 = minus_limb1_upper_position_y - (t46 - t47)
-        t49 = limb1_U_0_cos * t48
+        t41 = 0.5 * (t33 + t34)  # platform
+        t42 = 0.5196152422706631 * (t21 - t23)  # platform
+        t43 = minus_limb1_upper_position_y - (t41 - t42)
+        t44 = limb1_U_0_cos * t43
         limb1_lower_rotation_zx = limb1_U_0_cos * limb1_lower_cos
         limb1_upper_position_z = limb1_upper_offset_x * limb1_lower_rotation_zx
-        t50 = limb5_S_q_qx * t18  # limb5_S
-        t51 = limb5_S_q_qw * t30  # limb5_S
-        t52 = 0.5 * (t50 - t51)  # platform
-        t55 = 0.5196152422706631 * (1.0 - t14 * (t2 + t4))  # platform
-        t56 = limb1_upper_position_z + (t52 - t55)
-        minus_limb1_U2_opening_fz = t49 - limb1_U_0_sin * t56
-        t58 = minus_limb1_U2_opening_fz * minus_limb1_U_factor_0_by_3
-        limb1_U2_opening_mn = limb1_lower_sin * t28 + limb1_lower_cos * platform_turn_xy
+        t45 = limb5_S_q_qx * t20  # limb5_S
+        t46 = limb5_S_q_qw * t32  # limb5_S
+        t47 = 0.5 * (t45 - t46)  # platform
+        t50 = 0.5196152422706631 * (1.0 - t16 * (t2 + t4))  # platform
+        t51 = limb1_upper_position_z + (t47 - t50)
+        minus_limb1_U2_opening_fz = t44 - limb1_U_0_sin * t51
+        t53 = minus_limb1_U2_opening_fz * minus_limb1_U_factor_0_by_3
+        limb1_U2_opening_mn = limb1_lower_sin * t30 + limb1_lower_cos * platform_turn_xy
         # platform: geometry
-        t62 = 0.5 * (1.0 - t6 * t14)
-        t63 = 0.5196152422706631 * (t50 + t51)
-        t64 = minus_limb1_upper_position_x - (t62 - t63)  # limb1
-        t67 = limb1_lower_cos * t64 + limb1_U_0_sin * limb1_lower_sin * t48  # limb1
-        minus_limb1_U2_opening_fy = t67 + limb1_U_0_cos * limb1_lower_sin * t56
-        # step: results
-        t72 = t38 * (t58 - (limb1_U2_opening_mn + minus_limb1_U2_opening_fy * limb1_U_factor_1_by_3))
-        t75 = t45 - 0.5 * (t11 * t72)
-        t76 = limb5_S_q_qz * t9
-        t77 = 0.5 * t76
-        t78 = limb5_S_q_qy * t9
-        t82 = t44 * (0.5 * (t76 - t78 * limb5_S_null_space_wz_by_limb5_S_wy))
-        t88 = t82 * t75 - (limb5_S_q_qx - limb5_S_y_qx + 0.5 * (t78 * t72))
-        a_pivot_2 = 0.5 * t10 + t77 * t82
-        t91 = t88 / a_pivot_2
-        t94 = t44 * (t75 - t77 * t91)
-        t96 = t38 * (t41 * t94)
-        t97 = t72 + t96
-        t98 = t97 * t97
-        t99 = t94 * t94
-        t100 = t91 * t91
+        t57 = 0.5 * (1.0 - t6 * t16)
+        t58 = 0.5196152422706631 * (t45 + t46)
+        t59 = minus_limb1_upper_position_x - (t57 - t58)  # limb1
+        t62 = limb1_lower_cos * t59 + limb1_U_0_sin * limb1_lower_sin * t43  # limb1
+        minus_limb1_U2_opening_fy = t62 + limb1_U_0_cos * limb1_lower_sin * t51
+        # step: results; rates that follow
+        t67 = t40 * (t53 - (limb1_U2_opening_mn + minus_limb1_U2_opening_fy * limb1_U_factor_1_by_3))
+        t70 = t12 + 0.5 * (t13 * t67)
+        t71 = t11 * t70
+        t72 = limb5_S_q_qw * t9
+        t73 = 0.5 * t72
+        t74 = limb5_S_q_qy - limb5_S_y_qy
+        t75 = limb5_S_q_qx * t9
+        t78 = t74 - 0.5 * (t75 * t67)
+        t80 = t71 + t73 * t78
+        t83 = limb1_U_0_sin * minus_limb1_U2_factor_1_by_3 - limb1_U_0_cos * minus_limb1_U2_factor_0_by_3  # limb1
+        limb5_S_null_space_wz_by_limb5_S_wy = t40 * t83
+        t86 = 0.5 * (t10 - t13 * limb5_S_null_space_wz_by_limb5_S_wy)
+        t87 = t11 * t86
+        t90 = 0.5 * (t72 + t75 * limb5_S_null_space_wz_by_limb5_S_wy)
+        a_pivot = t87 + t73 * t90
+        t92 = 1.0 / a_pivot
+        t93 = t80 * t92
+        t95 = t40 * (t83 * t93)
+        t96 = t67 + t95
+        t97 = t96 * t96
+        t98 = t93 * t93
+        t102 = t92 * (t86 * t78 - t90 * t70)
+        t103 = t102 * t102
         # limb4: geometry; reciprocal wrenches, eq. (10); loop closure
-        t101 = 2.6179938779914944 - limb4_U_q_1
-        limb4_lower_cos = np.cos(t101)
+        t104 = 2.6179938779914944 - limb4_U_q_1
+        limb4_lower_cos = np.cos(t104)
         limb4_S_arm_y = 0.8 * limb4_lower_cos
         minus_limb4_U_0_cos = np.sin(limb4_U_q_0)
-        t102 = minus_limb4_U_0_cos * t96  # step
+        t105 = minus_limb4_U_0_cos * t95  # step
         limb4_U_0_sin = np.cos(limb4_U_q_0)
-        t104 = t102 + limb4_U_0_sin * t91  # step
-        t105 = limb4_S_arm_y * t104  # step
+        t107 = t105 + limb4_U_0_sin * t102  # step
+        t108 = limb4_S_arm_y * t107  # step
         minus_limb4_lower_rotation_xx = minus_limb4_U_0_cos * limb4_lower_cos
         limb4_upper_offset_x = 0.3 + limb4_P_q
         minus_limb4_upper_position_x = limb4_upper_offset_x * minus_limb4_lower_rotation_xx
-        t106 = 0.5 * platform_turn_xy  # platform
-        t107 = minus_limb4_upper_position_x + (t63 + t106)
-        t108 = minus_limb4_lower_rotation_xx * t107
-        minus_limb4_lower_sin = np.sin(t101)
+        t109 = 0.5 * platform_turn_xy  # platform
+        t110 = minus_limb4_upper_position_x + (t58 + t109)
+        t111 = minus_limb4_lower_rotation_xx * t110
+        minus_limb4_lower_sin = np.sin(t104)
         limb4_upper_position_y = 0.8 - minus_limb4_lower_sin * limb4_upper_offset_x
-        t109 = 0.5 * platform_turn_yy  # platform
-        t110 = limb4_upper_position_y - (t47 + t109)
-        t112 = t108 - minus_limb4_lower_sin * t110
+        t112 = 0.5 * platform_turn_yy  # platform
+        t113 = limb4_upper_position_y - (t42 + t112)
+        t115 = t111 - minus_limb4_lower_sin * t113
         minus_limb4_lower_rotation_zx = limb4_U_0_sin * limb4_lower_cos
         minus_limb4_upper_position_z = limb4_upper_offset_x * minus_limb4_lower_rotation_zx
-        t113 = 0.5 * platform_turn_zy  # platform
-        t114 = minus_limb4_upper_position_z + (t55 + t113)
-        limb4_S_opening_fx = t112 + minus_limb4_lower_rotation_zx * t114
-        t116 = minus_limb4_U_0_cos * t72  # step
-        t120 = 1.5098282268426322 * (t105 + (limb4_S_opening_fx + limb4_S_arm_y * t116))  # step
-        t121 = t120 * t120  # step
+        t116 = 0.5 * platform_turn_zy  # platform
+        t117 = minus_limb4_upper_position_z + (t50 + t116)
+        limb4_S_opening_fx = t115 + minus_limb4_lower_rotation_zx * t117
+        t119 = minus_limb4_U_0_cos * t67  # step
+        t123 = 1.5098282268426322 * (t108 + (limb4_S_opening_fx + limb4_S_arm_y * t119))  # step
+        t124 = t123 * t123  # step
         minus_limb4_U_0_lever_mz_by_limb4_S_fz = limb4_lower_cos * limb4_upper_offset_x
-        t122 = 1.0 / minus_limb4_U_0_lever_mz_by_limb4_S_fz
-        t123 = limb4_lower_cos * t122
+        t125 = 1.0 / minus_limb4_U_0_lever_mz_by_limb4_S_fz
+        t126 = limb4_lower_cos * t125
         limb4_S_arm_x = limb4_upper_offset_x - 0.8 * minus_limb4_lower_sin
-        t125 = limb4_S_arm_x * t104  # step
-        t128 = minus_limb4_U_0_cos * minus_limb4_lower_sin * t107 + limb4_lower_cos * t110
-        limb4_S_opening_fy = t128 + limb4_U_0_sin * minus_limb4_lower_sin * t114
-        t133 = t123 * (t125 - (limb4_S_opening_fy - limb4_S_arm_x * t116))  # step
-        t134 = t133 * t133  # step
-        t140 = t94 + t122 * (limb4_upper_position_y * (limb4_U_0_sin * t96 - minus_limb4_U_0_cos * t91))  # step
-        minus_limb4_S_opening_fz = limb4_U_0_sin * t107 - minus_limb4_U_0_cos * t114
-        t147 = t140 + t122 * (minus_limb4_S_opening_fz + limb4_upper_position_y * (limb4_U_0_sin * t72))  # step
-        t148 = t147 * t147  # step
+        t128 = limb4_S_arm_x * t107  # step
+        t131 = minus_limb4_U_0_cos * minus_limb4_lower_sin * t110 + limb4_lower_cos * t113
+        limb4_S_opening_fy = t131 + limb4_U_0_sin * minus_limb4_lower_sin * t117
+        t136 = t126 * (t128 - (limb4_S_opening_fy - limb4_S_arm_x * t119))  # step
+        t137 = t136 * t136  # step
+        t143 = t93 + t125 * (limb4_upper_position_y * (limb4_U_0_sin * t95 - minus_limb4_U_0_cos * t102))  # step
+        minus_limb4_S_opening_fz = limb4_U_0_sin * t110 - minus_limb4_U_0_cos * t117
+        t150 = t143 + t125 * (minus_limb4_S_opening_fz + limb4_upper_position_y * (limb4_U_0_sin * t67))  # step
+        t151 = t150 * t150  # step
         # limb3: geometry; reciprocal wrenches, eq. (10); loop closure
-        t149 = 0.5235987755982989 - limb3_U_q_1
-        limb3_lower_cos = np.cos(t149)
+        t152 = 0.5235987755982989 - limb3_U_q_1
+        limb3_lower_cos = np.cos(t152)
         limb3_S_arm_y = 0.8 * limb3_lower_cos
         limb3_U_0_sin = np.sin(limb3_U_q_0)
-        t150 = limb3_U_0_sin * t96  # step
+        t153 = limb3_U_0_sin * t95  # step
         limb3_U_0_cos = np.cos(limb3_U_q_0)
-        t152 = t150 + limb3_U_0_cos * t94  # step
-        t153 = limb3_S_arm_y * t152  # step
-        minus_limb3_lower_sin = np.sin(t149)
+        t155 = t153 + limb3_U_0_cos * t93  # step
+        t156 = limb3_S_arm_y * t155  # step
+        minus_limb3_lower_sin = np.sin(t152)
         limb3_upper_offset_x = 0.3 + limb3_P_q
         limb3_upper_position_x = 0.8 - minus_limb3_lower_sin * limb3_upper_offset_x
-        t154 = limb3_upper_position_x - (t62 + t63)
-        t155 = minus_limb3_lower_sin * t154
+        t157 = limb3_upper_position_x - (t57 + t58)
+        t158 = minus_limb3_lower_sin * t157
         minus_limb3_lower_rotation_yx = limb3_U_0_sin * limb3_lower_cos
-        t156 = limb3_upper_offset_x * minus_limb3_lower_rotation_yx + (t46 + t47)
-        t158 = t155 - minus_limb3_lower_rotation_yx * t156
+        t159 = limb3_upper_offset_x * minus_limb3_lower_rotation_yx + (t41 + t42)
+        t161 = t158 - minus_limb3_lower_rotation_yx * t159
         limb3_lower_rotation_zx = limb3_U_0_cos * limb3_lower_cos
-        t159 = limb3_upper_offset_x * limb3_lower_rotation_zx - (t52 + t55)
-        minus_limb3_S_opening_fx = t158 - limb3_lower_rotation_zx * t159
-        t161 = limb3_U_0_sin * t72  # step
-        t165 = 1.5098282268426322 * (t153 + (minus_limb3_S_opening_fx + limb3_S_arm_y * t161))  # step
-        t166 = t165 * t165  # step
+        t162 = limb3_upper_offset_x * limb3_lower_rotation_zx - (t47 + t50)
+        minus_limb3_S_opening_fx = t161 - limb3_lower_rotation_zx * t162
+        t164 = limb3_U_0_sin * t67  # step
+        t168 = 1.5098282268426322 * (t156 + (minus_limb3_S_opening_fx + limb3_S_arm_y * t164))  # step
+        t169 = t168 * t168  # step
         minus_limb3_U_0_lever_mz_by_limb3_S_fz = limb3_lower_cos * limb3_upper_offset_x
-        t167 = 1.0 / minus_limb3_U_0_lever_mz_by_limb3_S_fz
-        t168 = limb3_lower_cos * t167
+        t170 = 1.0 / minus_limb3_U_0_lever_mz_by_limb3_S_fz
+        t171 = limb3_lower_cos * t170
         limb3_S_arm_x = limb3_upper_offset_x - 0.8 * minus_limb3_lower_sin
-        t170 = limb3_S_arm_x * t152  # step
-        t173 = limb3_lower_cos * t154 + limb3_U_0_sin * minus_limb3_lower_sin * t156
-        limb3_S_opening_fy = t173 + limb3_U_0_cos * minus_limb3_lower_sin * t159
-        t178 = t168 * (t170 + (limb3_S_opening_fy + limb3_S_arm_x * t161))  # step
-        t179 = t178 * t178  # step
-        t185 = t91 + t167 * (limb3_upper_position_x * (limb3_U_0_cos * t96 - limb3_U_0_sin * t94))  # step
-        minus_limb3_S_opening_fz = limb3_U_0_cos * t156 - limb3_U_0_sin * t159
-        t192 = t185 - t167 * (minus_limb3_S_opening_fz - limb3_upper_position_x * (limb3_U_0_cos * t72))  # step
-        t193 = t192 * t192  # step
+        t173 = limb3_S_arm_x * t155  # step
+        t176 = limb3_lower_cos * t157 + limb3_U_0_sin * minus_limb3_lower_sin * t159
+        limb3_S_opening_fy = t176 + limb3_U_0_cos * minus_limb3_lower_sin * t162
+        t181 = t171 * (t173 + (limb3_S_opening_fy + limb3_S_arm_x * t164))  # step
+        t182 = t181 * t181  # step
+        t188 = t102 + t170 * (limb3_upper_position_x * (limb3_U_0_cos * t95 - limb3_U_0_sin * t93))  # step
+        minus_limb3_S_opening_fz = limb3_U_0_cos * t159 - limb3_U_0_sin * t162
+        t195 = t188 - t170 * (minus_limb3_S_opening_fz - limb3_upper_position_x * (limb3_U_0_cos * t67))  # step
+        t196 = t195 * t195  # step
         # limb2: geometry; reciprocal wrenches, eq. (10); loop closure
-        t194 = 2.6179938779914944 + limb2_U_q_1
-        limb2_lower_cos = np.cos(t194)
+        t197 = 2.6179938779914944 + limb2_U_q_1
+        limb2_lower_cos = np.cos(t197)
         minus_limb2_S_arm_y = 0.8 * limb2_lower_cos
         minus_limb2_U_0_cos = np.sin(limb2_U_q_0)
-        t195 = minus_limb2_U_0_cos * t96  # step
+        t198 = minus_limb2_U_0_cos * t95  # step
         limb2_U_0_sin = np.cos(limb2_U_q_0)
-        t197 = t195 + limb2_U_0_sin * t91  # step
-        t198 = minus_limb2_S_arm_y * t197  # step
+        t200 = t198 + limb2_U_0_sin * t102  # step
+        t201 = minus_limb2_S_arm_y * t200  # step
         minus_limb2_lower_rotation_xx = minus_limb2_U_0_cos * limb2_lower_cos
         limb2_upper_offset_x = 0.3 + limb2_P_q
-        t199 = limb2_upper_offset_x * minus_limb2_lower_rotation_xx + (t63 - t106)
-        t200 = minus_limb2_lower_rotation_xx * t199
-        limb2_lower_sin = np.sin(t194)
+        t202 = limb2_upper_offset_x * minus_limb2_lower_rotation_xx + (t58 - t109)
+        t203 = minus_limb2_lower_rotation_xx * t202
+        limb2_lower_sin = np.sin(t197)
         minus_limb2_upper_position_y = 0.8 - limb2_lower_sin * limb2_upper_offset_x
-        t201 = minus_limb2_upper_position_y + (t47 - t109)
-        t203 = t200 - limb2_lower_sin * t201
+        t204 = minus_limb2_upper_position_y + (t42 - t112)
+        t206 = t203 - limb2_lower_sin * t204
         minus_limb2_lower_rotation_zx = limb2_U_0_sin * limb2_lower_cos
-        t204 = limb2_upper_offset_x * minus_limb2_lower_rotation_zx + (t55 - t113)
-        limb2_S_opening_fx = t203 + minus_limb2_lower_rotation_zx * t204
-        t206 = minus_limb2_U_0_cos * t72  # step
-        t210 = 1.5098282268426322 * (t198 - (limb2_S_opening_fx - minus_limb2_S_arm_y * t206))  # step
-        t211 = t210 * t210  # step
+        t207 = limb2_upper_offset_x * minus_limb2_lower_rotation_zx + (t50 - t116)
+        limb2_S_opening_fx = t206 + minus_limb2_lower_rotation_zx * t207
+        t209 = minus_limb2_U_0_cos * t67  # step
+        t213 = 1.5098282268426322 * (t201 - (limb2_S_opening_fx - minus_limb2_S_arm_y * t209))  # step
+        t214 = t213 * t213  # step
         minus_limb2_U_0_lever_mz_by_limb2_S_fz = limb2_lower_cos * limb2_upper_offset_x
-        t212 = 1.0 / minus_limb2_U_0_lever_mz_by_limb2_S_fz
-        t213 = limb2_lower_cos * t212
+        t215 = 1.0 / minus_limb2_U_0_lever_mz_by_limb2_S_fz
+        t216 = limb2_lower_cos * t215
         limb2_S_arm_x = limb2_upper_offset_x - 0.8 * limb2_lower_sin
         # step: results
-        t215 = limb2_S_arm_x * t197
-        t218 = minus_limb2_U_0_cos * limb2_lower_sin * t199 + limb2_lower_cos * t201  # limb2
-        minus_limb2_S_opening_fy = t218 + limb2_U_0_sin * limb2_lower_sin * t204
-        t223 = t213 * (t215 + (minus_limb2_S_opening_fy + limb2_S_arm_x * t206))
-        t224 = t223 * t223
-        t230 = t94 - t212 * (minus_limb2_upper_position_y * (limb2_U_0_sin * t96 - minus_limb2_U_0_cos * t91))
-        minus_limb2_S_opening_fz = limb2_U_0_sin * t199 - minus_limb2_U_0_cos * t204
-        t237 = t230 + t212 * (minus_limb2_S_opening_fz - minus_limb2_upper_position_y * (limb2_U_0_sin * t72))
-        t238 = t237 * t237
+        t218 = limb2_S_arm_x * t200
+        t221 = minus_limb2_U_0_cos * limb2_lower_sin * t202 + limb2_lower_cos * t204  # limb2
+        minus_limb2_S_opening_fy = t221 + limb2_U_0_sin * limb2_lower_sin * t207
+        t226 = t216 * (t218 + (minus_limb2_S_opening_fy + limb2_S_arm_x * t209))
+        t227 = t226 * t226
+        t233 = t93 - t215 * (minus_limb2_upper_position_y * (limb2_U_0_sin * t95 - minus_limb2_U_0_cos * t102))
+        minus_limb2_S_opening_fz = limb2_U_0_sin * t202 - minus_limb2_U_0_cos * t207
+        t240 = t233 + t215 * (minus_limb2_S_opening_fz - minus_limb2_upper_position_y * (limb2_U_0_sin * t67))
+        t241 = t240 * t240
         minus_limb1_U2_arm_y = 0.8 * limb1_lower_cos
-        t241 = limb1_U_0_sin * t96 + limb1_U_0_cos * t94
-        t242 = minus_limb1_U2_arm_y * t241
-        minus_limb1_U2_opening_fx = limb1_lower_sin * t64 - minus_limb1_lower_rotation_yx * t48 - limb1_lower_rotation_zx * t56
-        t247 = limb1_U_0_sin * t72
-        t251 = 1.5098282268426322 * (t242 - (minus_limb1_U2_opening_fx - minus_limb1_U2_arm_y * t247))
-        t252 = t251 * t251
-        t258 = t91 - t23 * (minus_limb1_upper_position_x * (limb1_U_0_cos * t96 - limb1_U_0_sin * t94))
-        t263 = t258 - t23 * (minus_limb1_U2_opening_fz + minus_limb1_upper_position_x * (limb1_U_0_cos * t72))
-        t264 = t263 * t263
-        t269 = t35 * (limb1_U2_arm_x * t241 - (minus_limb1_U2_opening_fy - limb1_U2_arm_x * t247))
-        t275 = t211 + (t224 + (t238 + (t252 + (t264 + t269 * t269))))
-        t281 = t121 + (t134 + (t148 + (t166 + (t179 + (t193 + t275)))))
-        step_step = np.sqrt(t98 + (t99 + (t100 + t281)))
-        t285 = np.where(step_step < 0.5, 1.0, 0.0)
-        t288 = np.where(t285 != 0.0, 1.0, 0.5 / np.where(t285 != 0.0, 1.0, step_step))
-        t290 = 0.5 * (t94 * t288)
-        t291 = limb5_S_q_qx * t290
-        t293 = 0.5 * (t91 * t288)
-        t295 = t291 + limb5_S_q_qy * t293
-        t297 = 0.5 * (t97 * t288)
-        t300 = t295 + (limb5_S_q_qz - limb5_S_q_qw * t297)
-        t301 = t300 * t300
-        t307 = limb5_S_q_qz * t293 + limb5_S_q_qx * t297 - (limb5_S_q_qy - limb5_S_q_qw * t290)
-        t308 = t307 * t307
-        t314 = limb5_S_q_qy * t297 - limb5_S_q_qz * t290 + (limb5_S_q_qx + limb5_S_q_qw * t293)
-        t315 = t314 * t314
-        t321 = limb5_S_q_qw + (limb5_S_q_qz * t297 + (limb5_S_q_qy * t290 - limb5_S_q_qx * t293))
-        t327 = 1.0 / np.sqrt(t301 + (t308 + (t315 + t321 * t321)))
-        limb5_S_q_next_qz = t300 * t327
+        t244 = limb1_U_0_sin * t95 + limb1_U_0_cos * t93
+        t245 = minus_limb1_U2_arm_y * t244
+        minus_limb1_U2_opening_fx = limb1_lower_sin * t59 - minus_limb1_lower_rotation_yx * t43 - limb1_lower_rotation_zx * t51
+        t250 = limb1_U_0_sin * t67
+        t254 = 1.5098282268426322 * (t245 - (minus_limb1_U2_opening_fx - minus_limb1_U2_arm_y * t250))
+        t255 = t254 * t254
+        t261 = t102 - t25 * (minus_limb1_upper_position_x * (limb1_U_0_cos * t95 - limb1_U_0_sin * t93))
+        t266 = t261 - t25 * (minus_limb1_U2_opening_fz + minus_limb1_upper_position_x * (limb1_U_0_cos * t67))
+        t267 = t266 * t266
+        t272 = t37 * (limb1_U2_arm_x * t244 - (minus_limb1_U2_opening_fy - limb1_U2_arm_x * t250))
+        t278 = t214 + (t227 + (t241 + (t255 + (t267 + t272 * t272))))
+        t284 = t124 + (t137 + (t151 + (t169 + (t182 + (t196 + t278)))))
+        step_step = np.sqrt(t97 + (t98 + (t103 + t284)))
+        t288 = np.where(step_step < 0.5, 1.0, 0.0)
+        t291 = np.where(t288 != 0.0, 1.0, 0.5 / np.where(t288 != 0.0, 1.0, step_step))
+        t293 = 0.5 * (t93 * t291)
+        t294 = limb5_S_q_qx * t293
+        t296 = 0.5 * (t102 * t291)
+        t298 = t294 + limb5_S_q_qy * t296
+        t300 = 0.5 * (t96 * t291)
+        t303 = t298 + (limb5_S_q_qz - limb5_S_q_qw * t300)
+        t304 = t303 * t303
+        t310 = limb5_S_q_qz * t296 + limb5_S_q_qx * t300 - (limb5_S_q_qy - limb5_S_q_qw * t293)
+        t311 = t310 * t310
+        t317 = limb5_S_q_qy * t300 - limb5_S_q_qz * t293 + (limb5_S_q_qx + limb5_S_q_qw * t296)
+        t318 = t317 * t317
+        t324 = limb5_S_q_qw + (limb5_S_q_qz * t300 + (limb5_S_q_qy * t293 - limb5_S_q_qx * t296))
+        t330 = 1.0 / np.sqrt(t304 + (t311 + (t318 + t324 * t324)))
+        limb5_S_q_next_qz = t303 * t330
         # limb5_S: geometry; results
-        t328 = limb5_S_q_next_qz * limb5_S_q_next_qz
-        t329 = t307 * t327
-        t330 = t329 * t329
-        t331 = t328 + t330
-        limb5_S_q_next_qx = t314 * t327
-        t332 = limb5_S_q_next_qx * limb5_S_q_next_qx
-        limb5_S_q_next_qw = t321 * t327
-        t337 = 4.0 - 2.0 * (t331 + (t332 + limb5_S_q_next_qw * limb5_S_q_next_qw))
-        t340 = 0.5196152422706631 * (1.0 - t337 * (t332 + t330))
-        t341 = t329 * t337
-        t342 = limb5_S_q_next_qw * t341
-        t343 = limb5_S_q_next_qz * t337
-        t344 = limb5_S_q_next_qx * t343
-        t345 = 0.5 * (t342 + t344)
-        limb1_lower_limb_target_y = t340 - t345
-        t347 = limb5_S_q_next_qw * (limb5_S_q_next_qx * t337)
-        t348 = t329 * t343
-        t349 = 0.5196152422706631 * (t347 + t348)
-        t350 = limb5_S_q_next_qw * t343
-        t351 = limb5_S_q_next_qx * t341
-        t352 = 0.5 * (t350 - t351)
+        t331 = limb5_S_q_next_qz * limb5_S_q_next_qz
+        t332 = t310 * t330
+        t333 = t332 * t332
+        t334 = t331 + t333
+        limb5_S_q_next_qx = t317 * t330
+        t335 = limb5_S_q_next_qx * limb5_S_q_next_qx
+        limb5_S_q_next_qw = t324 * t330
+        t340 = 4.0 - 2.0 * (t334 + (t335 + limb5_S_q_next_qw * limb5_S_q_next_qw))
+        t343 = 0.5196152422706631 * (1.0 - t340 * (t335 + t333))
+        t344 = t332 * t340
+        t345 = limb5_S_q_next_qw * t344
+        t346 = limb5_S_q_next_qz * t340
+        t347 = limb5_S_q_next_qx * t346
+        t348 = 0.5 * (t345 + t347)
+        limb1_lower_limb_target_y = t343 - t348
+        t350 = limb5_S_q_next_qw * (limb5_S_q_next_qx * t340)
+        t351 = t332 * t346
+        t352 = 0.5196152422706631 * (t350 + t351)
+        t353 = limb5_S_q_next_qw * t346
+        t354 = limb5_S_q_next_qx * t344
+        t355 = 0.5 * (t353 - t354)
         # limb1: geometry; results
-        minus_limb1_lower_limb_target_x_2 = t349 + t352
-        t355 = limb1_U_0_sin * minus_limb1_lower_limb_target_x_2 + limb1_U_0_cos * limb1_lower_limb_target_y
-        t358 = np.where(np.where(-t355 < 0.0, 1.0, 0.0) != 0.0, (-1.0), 1.0)
-        t359 = limb1_lower_limb_target_y * limb1_lower_limb_target_y
-        t361 = t359 + minus_limb1_lower_limb_target_x_2 * minus_limb1_lower_limb_target_x_2
-        t362 = np.sqrt(t361)
-        t363 = t358 / t362
-        minus_limb1_U_0_cos = limb1_lower_limb_target_y * t363
-        t364 = limb1_U_0_sin * minus_limb1_U_0_cos
-        minus_limb1_U_0_sin = minus_limb1_lower_limb_target_x_2 * t363
-        t366 = t364 - limb1_U_0_cos * minus_limb1_U_0_sin
-        t371 = np.arctan2(t366, -(limb1_U_0_sin * minus_limb1_U_0_sin + limb1_U_0_cos * minus_limb1_U_0_cos))
-        limb1_U_q_next_0 = limb1_U_q_0 + t371
-        t372 = 0.5196152422706631 * (t342 - t344)  # platform
-        t374 = 0.5 * (1.0 - t331 * t337)  # platform
-        limb1_lower_limb_target_z = 0.8 - (t372 + t374)
-        limb1_lower_limb_length = np.sqrt(limb1_lower_limb_target_z * limb1_lower_limb_target_z + t361)
-        t378 = 1.0 / limb1_lower_limb_length
-        minus_limb1_lower_cos = t378 * (t358 * t362)
-        t380 = limb1_lower_sin * minus_limb1_lower_cos
-        limb1_lower_sin_2 = limb1_lower_limb_target_z * t378
-        t382 = t380 + limb1_lower_cos * limb1_lower_sin_2
-        t386 = np.arctan2(t382, limb1_lower_sin * limb1_lower_sin_2 - limb1_lower_cos * minus_limb1_lower_cos)
-        limb1_U_q_next_1 = limb1_U_q_1 + t386
+        minus_limb1_lower_limb_target_x_2 = t352 + t355
+        t358 = limb1_U_0_sin * minus_limb1_lower_limb_target_x_2 + limb1_U_0_cos * limb1_lower_limb_target_y
+        t361 = np.where(np.where(-t358 < 0.0, 1.0, 0.0) != 0.0, (-1.0), 1.0)
+        t362 = limb1_lower_limb_target_y * limb1_lower_limb_target_y
+        t364 = t362 + minus_limb1_lower_limb_target_x_2 * minus_limb1_lower_limb_target_x_2
+        t365 = np.sqrt(t364)
+        t366 = t361 / t365
+        minus_limb1_U_0_cos = limb1_lower_limb_target_y * t366
+        t367 = limb1_U_0_sin * minus_limb1_U_0_cos
+        minus_limb1_U_0_sin = minus_limb1_lower_limb_target_x_2 * t366
+        t369 = t367 - limb1_U_0_cos * minus_limb1_U_0_sin
+        t374 = np.arctan2(t369, -(limb1_U_0_sin * minus_limb1_U_0_sin + limb1_U_0_cos * minus_limb1_U_0_cos))
+        limb1_U_q_next_0 = limb1_U_q_0 + t374
+        t375 = 0.5196152422706631 * (t345 - t347)  # platform
+        t377 = 0.5 * (1.0 - t334 * t340)  # platform
+        limb1_lower_limb_target_z = 0.8 - (t375 + t377)
+        limb1_lower_limb_length = np.sqrt(limb1_lower_limb_target_z * limb1_lower_limb_target_z + t364)
+        t381 = 1.0 / limb1_lower_limb_length
+        minus_limb1_lower_cos = t381 * (t361 * t365)
+        t383 = limb1_lower_sin * minus_limb1_lower_cos
+        limb1_lower_sin_2 = limb1_lower_limb_target_z * t381
+        t385 = t383 + limb1_lower_cos * limb1_lower_sin_2
+        t389 = np.arctan2(t385, limb1_lower_sin * limb1_lower_sin_2 - limb1_lower_cos * minus_limb1_lower_cos)
+        limb1_U_q_next_1 = limb1_U_q_1 + t389
         limb1_P_q_next = limb1_lower_limb_length - 0.3
         # limb2: geometry; results
-        t387 = 1.5707963267948966 + limb2_U_q_0
-        t388 = np.sin(t387)
-        t389 = 0.5 * (t350 + t351)  # platform
-        limb2_lower_limb_target_y_2 = t389 - t372
-        t390 = 0.5 * (t347 - t348)  # platform
-        minus_limb2_lower_limb_target_x = t390 - t340
-        t391 = t388 * minus_limb2_lower_limb_target_x
-        t392 = np.cos(t387)
-        t397 = np.where(np.where(-(t391 + t392 * limb2_lower_limb_target_y_2) < 0.0, 1.0, 0.0) != 0.0, (-1.0), 1.0)
-        t398 = limb2_lower_limb_target_y_2 * limb2_lower_limb_target_y_2
-        t400 = t398 + minus_limb2_lower_limb_target_x * minus_limb2_lower_limb_target_x
-        t401 = np.sqrt(t400)
-        t402 = t397 / t401
-        minus_limb2_U_0_cos_2 = limb2_lower_limb_target_y_2 * t402
-        t403 = t388 * minus_limb2_U_0_cos_2
-        minus_limb2_U_0_sin = minus_limb2_lower_limb_target_x * t402
-        t405 = t403 - t392 * minus_limb2_U_0_sin
-        limb2_U_q_next_0 = limb2_U_q_0 + np.arctan2(t405, -(t388 * minus_limb2_U_0_sin + t392 * minus_limb2_U_0_cos_2))
-        t413 = 0.5 * (1.0 - (t328 + t332) * t337)  # platform
-        limb2_lower_limb_target_z = 0.8 - (t413 + t349)
-        limb2_lower_limb_length = np.sqrt(limb2_lower_limb_target_z * limb2_lower_limb_target_z + t400)
-        t417 = 1.0 / limb2_lower_limb_length
-        minus_limb2_lower_cos = t417 * (t397 * t401)
-        t419 = limb2_lower_sin * minus_limb2_lower_cos
-        limb2_lower_sin_2 = limb2_lower_limb_target_z * t417
-        t421 = t419 + limb2_lower_cos * limb2_lower_sin_2
-        t425 = np.arctan2(t421, limb2_lower_sin * limb2_lower_sin_2 - limb2_lower_cos * minus_limb2_lower_cos)
-        limb2_U_q_next_1 = limb2_U_q_1 + t425
+        t390 = 1.5707963267948966 + limb2_U_q_0
+        t391 = np.sin(t390)
+        t392 = 0.5 * (t353 + t354)  # platform
+        limb2_lower_limb_target_y_2 = t392 - t375
+        t393 = 0.5 * (t350 - t351)  # platform
+        minus_limb2_lower_limb_target_x = t393 - t343
+        t394 = t391 * minus_limb2_lower_limb_target_x
+        t395 = np.cos(t390)
+        t400 = np.where(np.where(-(t394 + t395 * limb2_lower_limb_target_y_2) < 0.0, 1.0, 0.0) != 0.0, (-1.0), 1.0)
+        t401 = limb2_lower_limb_target_y_2 * limb2_lower_limb_target_y_2
+        t403 = t401 + minus_limb2_lower_limb_target_x * minus_limb2_lower_limb_target_x
+        t404 = np.sqrt(t403)
+        t405 = t400 / t404
+        minus_limb2_U_0_cos_2 = limb2_lower_limb_target_y_2 * t405
+        t406 = t391 * minus_limb2_U_0_cos_2
+        minus_limb2_U_0_sin = minus_limb2_lower_limb_target_x * t405
+        t408 = t406 - t395 * minus_limb2_U_0_sin
+        limb2_U_q_next_0 = limb2_U_q_0 + np.arctan2(t408, -(t391 * minus_limb2_U_0_sin + t395 * minus_limb2_U_0_cos_2))
+        t416 = 0.5 * (1.0 - (t331 + t335) * t340)  # platform
+        limb2_lower_limb_target_z = 0.8 - (t416 + t352)
+        limb2_lower_limb_length = np.sqrt(limb2_lower_limb_target_z * limb2_lower_limb_target_z + t403)
+        t420 = 1.0 / limb2_lower_limb_length
+        minus_limb2_lower_cos = t420 * (t400 * t404)
+        t422 = limb2_lower_sin * minus_limb2_lower_cos
+        limb2_lower_sin_2 = limb2_lower_limb_target_z * t420
+        t424 = t422 + limb2_lower_cos * limb2_lower_sin_2
+        t428 = np.arctan2(t424, limb2_lower_sin * limb2_lower_sin_2 - limb2_lower_cos * minus_limb2_lower_cos)
+        limb2_U_q_next_1 = limb2_U_q_1 + t428
         limb2_P_q_next = limb2_lower_limb_length - 0.3
         # limb3: geometry; results
-        limb3_lower_limb_target_y_2 = t340 + t345
-        minus_limb3_lower_limb_target_x = t349 - t352
-        t428 = limb3_U_0_sin * minus_limb3_lower_limb_target_x + limb3_U_0_cos * limb3_lower_limb_target_y_2
-        t431 = np.where(np.where(-t428 < 0.0, 1.0, 0.0) != 0.0, (-1.0), 1.0)
-        t432 = limb3_lower_limb_target_y_2 * limb3_lower_limb_target_y_2
-        t434 = t432 + minus_limb3_lower_limb_target_x * minus_limb3_lower_limb_target_x
-        t435 = np.sqrt(t434)
-        t436 = t431 / t435
-        minus_limb3_U_0_cos = limb3_lower_limb_target_y_2 * t436
-        t437 = limb3_U_0_sin * minus_limb3_U_0_cos
-        minus_limb3_U_0_sin = minus_limb3_lower_limb_target_x * t436
-        t439 = t437 - limb3_U_0_cos * minus_limb3_U_0_sin
-        t444 = np.arctan2(t439, -(limb3_U_0_sin * minus_limb3_U_0_sin + limb3_U_0_cos * minus_limb3_U_0_cos))
-        limb3_U_q_next_0 = limb3_U_q_0 + t444
-        minus_limb3_lower_limb_target_z = 0.8 + (t372 - t374)
-        limb3_lower_limb_length = np.sqrt(minus_limb3_lower_limb_target_z * minus_limb3_lower_limb_target_z + t434)
-        t448 = 1.0 / limb3_lower_limb_length
-        minus_limb3_lower_cos = t448 * (t431 * t435)
-        t450 = minus_limb3_lower_sin * minus_limb3_lower_cos
-        minus_limb3_lower_sin_2 = minus_limb3_lower_limb_target_z * t448
-        t453 = -(t450 + limb3_lower_cos * minus_limb3_lower_sin_2)
-        t457 = np.arctan2(t453, minus_limb3_lower_sin * minus_limb3_lower_sin_2 - limb3_lower_cos * minus_limb3_lower_cos)
-        limb3_U_q_next_1 = limb3_U_q_1 + t457
+        limb3_lower_limb_target_y_2 = t343 + t348
+        minus_limb3_lower_limb_target_x = t352 - t355
+        t431 = limb3_U_0_sin * minus_limb3_lower_limb_target_x + limb3_U_0_cos * limb3_lower_limb_target_y_2
+        t434 = np.where(np.where(-t431 < 0.0, 1.0, 0.0) != 0.0, (-1.0), 1.0)
+        t435 = limb3_lower_limb_target_y_2 * limb3_lower_limb_target_y_2
+        t437 = t435 + minus_limb3_lower_limb_target_x * minus_limb3_lower_limb_target_x
+        t438 = np.sqrt(t437)
+        t439 = t434 / t438
+        minus_limb3_U_0_cos = limb3_lower_limb_target_y_2 * t439
+        t440 = limb3_U_0_sin * minus_limb3_U_0_cos
+        minus_limb3_U_0_sin = minus_limb3_lower_limb_target_x * t439
+        t442 = t440 - limb3_U_0_cos * minus_limb3_U_0_sin
+        t447 = np.arctan2(t442, -(limb3_U_0_sin * minus_limb3_U_0_sin + limb3_U_0_cos * minus_limb3_U_0_cos))
+        limb3_U_q_next_0 = limb3_U_q_0 + t447
+        minus_limb3_lower_limb_target_z = 0.8 + (t375 - t377)
+        limb3_lower_limb_length = np.sqrt(minus_limb3_lower_limb_target_z * minus_limb3_lower_limb_target_z + t437)
+        t451 = 1.0 / limb3_lower_limb_length
+        minus_limb3_lower_cos = t451 * (t434 * t438)
+        t453 = minus_limb3_lower_sin * minus_limb3_lower_cos
+        minus_limb3_lower_sin_2 = minus_limb3_lower_limb_target_z * t451
+        t456 = -(t453 + limb3_lower_cos * minus_limb3_lower_sin_2)
+        t460 = np.arctan2(t456, minus_limb3_lower_sin * minus_limb3_lower_sin_2 - limb3_lower_cos * minus_limb3_lower_cos)
+        limb3_U_q_next_1 = limb3_U_q_1 + t460
         limb3_P_q_next = limb3_lower_limb_length - 0.3
         # limb4: results; geometry
-        t458 = 1.5707963267948966 + limb4_U_q_0
-        t459 = np.cos(t458)
-        limb4_lower_limb_target_x_2 = t390 + t340
-        t460 = np.sin(t458)
-        t461 = t460 * limb4_lower_limb_target_x_2
-        minus_limb4_lower_limb_target_y = t389 + t372
-        t465 = np.where(np.where(t461 + t459 * minus_limb4_lower_limb_target_y < 0.0, 1.0, 0.0) != 0.0, (-1.0), 1.0)
-        t466 = minus_limb4_lower_limb_target_y * minus_limb4_lower_limb_target_y
-        t468 = t466 + limb4_lower_limb_target_x_2 * limb4_lower_limb_target_x_2
-        t469 = np.sqrt(t468)
-        t470 = t465 / t469
-        t471 = limb4_lower_limb_target_x_2 * t470
-        t472 = t459 * t471
-        t473 = minus_limb4_lower_limb_target_y * t470
-        t479 = np.arctan2(t472 - t460 * t473, t460 * t471 + t459 * t473)
-        limb4_U_q_next_0 = limb4_U_q_0 + t479
-        minus_limb4_lower_limb_target_z = 0.8 - (t413 - t349)
-        limb4_lower_limb_length = np.sqrt(minus_limb4_lower_limb_target_z * minus_limb4_lower_limb_target_z + t468)
-        t483 = 1.0 / limb4_lower_limb_length
-        t485 = t483 * (t465 * t469)
-        t486 = minus_limb4_lower_sin * t485
-        t487 = minus_limb4_lower_limb_target_z * t483
-        t490 = -(t486 + limb4_lower_cos * t487)
-        limb4_U_q_next_1 = limb4_U_q_1 + np.arctan2(t490, minus_limb4_lower_sin * t487 - limb4_lower_cos * t485)
+        t461 = 1.5707963267948966 + limb4_U_q_0
+        t462 = np.cos(t461)
+        limb4_lower_limb_target_x_2 = t393 + t343
+        t463 = np.sin(t461)
+        t464 = t463 * limb4_lower_limb_target_x_2
+        minus_limb4_lower_limb_target_y = t392 + t375
+        t468 = np.where(np.where(t464 + t462 * minus_limb4_lower_limb_target_y < 0.0, 1.0, 0.0) != 0.0, (-1.0), 1.0)
+        t469 = minus_limb4_lower_limb_target_y * minus_limb4_lower_limb_target_y
+        t471 = t469 + limb4_lower_limb_target_x_2 * limb4_lower_limb_target_x_2
+        t472 = np.sqrt(t471)
+        t473 = t468 / t472
+        t474 = limb4_lower_limb_target_x_2 * t473
+        t475 = t462 * t474
+        t476 = minus_limb4_lower_limb_target_y * t473
+        t482 = np.arctan2(t475 - t463 * t476, t463 * t474 + t462 * t476)
+        limb4_U_q_next_0 = limb4_U_q_0 + t482
+        minus_limb4_lower_limb_target_z = 0.8 - (t416 - t352)
+        limb4_lower_limb_length = np.sqrt(minus_limb4_lower_limb_target_z * minus_limb4_lower_limb_target_z + t471)
+        t486 = 1.0 / limb4_lower_limb_length
+        t488 = t486 * (t468 * t472)
+        t489 = minus_limb4_lower_sin * t488
+        t490 = minus_limb4_lower_limb_target_z * t486
+        t493 = -(t489 + limb4_lower_cos * t490)
+        limb4_U_q_next_1 = limb4_U_q_1 + np.arctan2(t493, minus_limb4_lower_sin * t490 - limb4_lower_cos * t488)
         limb4_P_q_next = limb4_lower_limb_length - 0.3
-        limb5_S_q_next_qy = -t329
-        t495 = 1.5098282268426322 * minus_limb1_U2_opening_fx  # limb1
-        t496 = t495 * t495  # limb1
-        t497 = 1.5098282268426322 * minus_limb1_U2_opening_fy  # limb1
-        t499 = t496 + t497 * t497  # limb1
-        t500 = 1.5098282268426322 * minus_limb1_U2_opening_fz  # limb1
-        t504 = t499 + t500 * t500 + limb1_U2_opening_mn * limb1_U2_opening_mn  # limb1
-        t505 = 1.5098282268426322 * limb2_S_opening_fx  # limb2
-        t507 = t504 + t505 * t505  # residual
-        t508 = 1.5098282268426322 * minus_limb2_S_opening_fy  # limb2
+        limb5_S_q_next_qy = -t332
+        t498 = 1.5098282268426322 * minus_limb1_U2_opening_fx  # limb1
+        t499 = t498 * t498  # limb1
+        t500 = 1.5098282268426322 * minus_limb1_U2_opening_fy  # limb1
+        t502 = t499 + t500 * t500  # limb1
+        t503 = 1.5098282268426322 * minus_limb1_U2_opening_fz  # limb1
+        t507 = t502 + t503 * t503 + limb1_U2_opening_mn * limb1_U2_opening_mn  # limb1
+        t508 = 1.5098282268426322 * limb2_S_opening_fx  # limb2
         t510 = t507 + t508 * t508  # residual
-        t511 = 1.5098282268426322 * minus_limb2_S_opening_fz  # limb2
+        t511 = 1.5098282268426322 * minus_limb2_S_opening_fy  # limb2
         t513 = t510 + t511 * t511  # residual
-        t514 = 1.5098282268426322 * minus_limb3_S_opening_fx  # limb3
+        t514 = 1.5098282268426322 * minus_limb2_S_opening_fz  # limb2
         t516 = t513 + t514 * t514  # residual
-        t517 = 1.5098282268426322 * limb3_S_opening_fy  # limb3
+        t517 = 1.5098282268426322 * minus_limb3_S_opening_fx  # limb3
+        t519 = t516 + t517 * t517  # residual
+        t520 = 1.5098282268426322 * limb3_S_opening_fy  # limb3
         # residual: results
-        t519 = t516 + t517 * t517
-        t520 = 1.5098282268426322 * minus_limb3_S_opening_fz  # limb3
         t522 = t519 + t520 * t520
-        t523 = 1.5098282268426322 * limb4_S_opening_fx  # limb4
+        t523 = 1.5098282268426322 * minus_limb3_S_opening_fz  # limb3
         t525 = t522 + t523 * t523
-        t526 = 1.5098282268426322 * limb4_S_opening_fy  # limb4
+        t526 = 1.5098282268426322 * limb4_S_opening_fx  # limb4
         t528 = t525 + t526 * t526
-        t529 = 1.5098282268426322 * minus_limb4_S_opening_fz  # limb4
-        residual_residual = np.sqrt(t528 + t529 * t529)
-        t534 = limb1_upper_offset_x * (limb4_upper_offset_x * (limb2_upper_offset_x * limb3_upper_offset_x))
-        t537 = minus_limb4_U_0_lever_mz_by_limb4_S_fz * (minus_limb2_U_0_lever_mz_by_limb2_S_fz * (minus_limb3_U_0_lever_mz_by_limb3_S_fz * t534))
-        t541 = a_pivot_2 * (a_pivot * (minus_limb1_U_0_lever_mz_by_limb1_U2_fz * t537 * minus_limb5_S_pivot_wz))
-        orientation_orientation = -t541
+        t529 = 1.5098282268426322 * limb4_S_opening_fy  # limb4
+        t531 = t528 + t529 * t529
+        t532 = 1.5098282268426322 * minus_limb4_S_opening_fz  # limb4
+        residual_residual = np.sqrt(t531 + t532 * t532)
+        t537 = limb1_upper_offset_x * (limb4_upper_offset_x * (limb2_upper_offset_x * limb3_upper_offset_x))
+        t540 = minus_limb4_U_0_lever_mz_by_limb4_S_fz * (minus_limb2_U_0_lever_mz_by_limb2_S_fz * (minus_limb3_U_0_lever_mz_by_limb3_S_fz * t537))
+        orientation_orientation = -(a_pivot * (minus_limb1_U_0_lever_mz_by_limb1_U2_fz * t540 * minus_limb5_S_pivot_wz))
         return _finish(batch, ((limb1_U_q_next_0, limb1_U_q_next_1, limb1_P_q_next,
             limb2_U_q_next_0, limb2_U_q_next_1, limb2_P_q_next, limb3_U_q_next_0, limb3_U_q_next_1,
             limb3_P_q_next, limb4_U_q_next_0, limb4_U_q_next_1, limb4_P_q_next, limb5_S_q_next_qw,
@@ -13043,11 +13063,11 @@ def _assemble_step(*arguments):
             6.62327e-13), (minus_limb2_U_0_lever_mz_by_limb2_S_fz, 6.62327e-13),
             (minus_limb4_U_0_lever_mz_by_limb4_S_fz, 6.62327e-13),
             (minus_limb1_U_0_lever_mz_by_limb1_U2_fz, 6.62327e-13), (minus_limb5_S_pivot_wz,
-            1.0e-12), (a_pivot, 1.0e-12), (a_pivot_2, 1.0e-12)), (step_step, limb1_U_q_next_0,
-            limb1_U_q_next_1, limb1_P_q_next, limb2_U_q_next_0, limb2_U_q_next_1, limb2_P_q_next,
-            limb3_U_q_next_0, limb3_U_q_next_1, limb3_P_q_next, limb4_U_q_next_0, limb4_U_q_next_1,
-            limb4_P_q_next, limb5_S_q_next_qy, residual_residual, orientation_orientation), ((t7,
-            0.999999, 1.000001, 5),))
+            1.0e-12), (a_pivot, 1.0e-12)), (step_step, limb1_U_q_next_0, limb1_U_q_next_1,
+            limb1_P_q_next, limb2_U_q_next_0, limb2_U_q_next_1, limb2_P_q_next, limb3_U_q_next_0,
+            limb3_U_q_next_1, limb3_P_q_next, limb4_U_q_next_0, limb4_U_q_next_1, limb4_P_q_next,
+            limb5_S_q_next_qy, residual_residual, orientation_orientation), ((t7, 0.999999,
+            1.000001, 5),))
 
 
 def assemble(*arguments):
@@ -13075,8 +13095,8 @@ def assemble(*arguments):
         NaN
       5 no rotation: the length of a quaternion differs from 1 by more than rounding; all outputs are
         NaN
-    Operations of one Newton step (at most 25 per substep): 739 (add 271, mul 384, div 17, sqrt 11, trig
-    28, compare 28)
+    Operations of one Newton step (at most 25 per substep): 738 (add 271, mul 386, div 16, sqrt 11, trig
+    28, compare 26)
     Note: independent coordinates y: limb5_S.qx, limb5_S.qy
     """
     return _iterate_batch(arguments, _assemble_step, [13, 14], 1.0e-13, 25, 64)
