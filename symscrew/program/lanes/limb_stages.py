@@ -98,13 +98,14 @@ def stages_of_limbs(
             continue
         for rows in dict.fromkeys(rows_of(operations, readings_of(operations, negatives, origins, family))):
             whole = tuple(row for row in rows if None not in row)
-            if not whole:
+            least = max(PART * len(operations), best[0] if best else 0)
+            if len(whole) * (len(family) - 1) <= least:  # what all of them would save
                 continue
             code = Code(operations, set(), set(), 1 + max(i.target for i in instructions), arrays)
             plan = Plan(code, whole, widths=(len(family),))
-            _without_small_ones(plan)
+            _without_small_ones(plan, least / (len(family) - 1))
             saved = sum(plan.on) * (len(family) - 1)
-            if saved > PART * len(operations) and (best is None or saved > best[0]):
+            if saved > least:
                 best = saved, plan, family
     if best is None:
         return None
@@ -150,9 +151,9 @@ def _stages(packing: Packing, family: tuple[Limb, ...], ports: Mapping[int, int]
     return LimbStages(family, tuple(_staged(rows, singles, ports)), tuple(singles), packing.negatives, lanes)
 
 
-def _without_small_ones(plan: Plan) -> None:
-    """Stages of few rows are done one by one."""
-    while True:
+def _without_small_ones(plan: Plan, least: float) -> None:
+    """Stages of few rows are done one by one, until the rows that are left are too few at all."""
+    while sum(plan.on) > least:
         sizes: dict[int, int] = {}
         levels = _levels(*_skeleton(plan))
         for (packs, _), level in levels.items():
