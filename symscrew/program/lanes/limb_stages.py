@@ -15,6 +15,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 from symscrew.algebra import Origin
 from symscrew.program.equal_limbs import Limb, Limbs
@@ -72,7 +73,7 @@ class LimbStages:
     negatives: Mapping[int, Operand]
     lanes: bool = False  # whether these are those of its form in lanes, too
 
-    @property
+    @cached_property
     def stages(self) -> tuple[tuple[LimbRow, ...], ...]:
         """The rows of every stage."""
         count = 1 + max(row.stage for row in self.rows)
