@@ -15,7 +15,7 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-from symscrew.errors import DescriptionError
+from symscrew.errors import DescriptionError, expect
 from symscrew.optimisation.collocation import Collocation
 from symscrew.optimisation.contradictions import check_inputs, check_problem
 from symscrew.optimisation.cost_scale import cost_scale
@@ -125,6 +125,7 @@ def solve(
     Raises:
         DescriptionError: the problem cannot be used as it is given.
     """
+    expect(problem, TrajectoryProblem)
     began, until = clock(), time.perf_counter() + problem.solver.time_limit
     say = progress or (lambda text: None)
     found = prepared or prepare(problem)
