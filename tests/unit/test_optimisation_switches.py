@@ -188,7 +188,19 @@ def test_conditions_out_of_reach(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def test_too_few_damped_steps_do_not_reach(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(consistent_poses, "MOST_DAMPED_STEPS", 1)
+    monkeypatch.setattr(consistent_poses, "STEPS_OF_A_STEP", 0)
     assert "is out of reach" in prepare(crank()).guess.trouble
+
+
+@pytest.mark.parametrize("way", [99.0, 101.0, 600.0])
+def test_what_is_far_is_not_out_of_reach(monkeypatch: pytest.MonkeyPatch, way: float) -> None:
+    """A rail of more than 100 m, a crank that turns more than 15 times: steps of half a metre ended before it."""
+    rail = TrajectoryProblem(slider(), (), **rest_to_rest({"slide": 0.0}, {"slide": way}))  # type: ignore[arg-type]
+    turned = crank(end=Conditions(coordinates={"A": way}, at_rest=True))
+    for problem in (rail, turned):
+        assert prepare(problem).guess.trouble == ""
+    monkeypatch.setattr(consistent_poses, "MOST_FAR_STEPS", 0)
+    assert ("is out of reach" in prepare(rail).guess.trouble) == (way > 100)
 
 
 def test_damping_only_changes_the_way(monkeypatch: pytest.MonkeyPatch) -> None:
