@@ -33,7 +33,7 @@ REACHED = 1e-9  # without units: what conditions may be missed by; more is out o
 # Levenberg's damping of the least squares towards conditions: at first, least, and where it is given up.
 DAMPING, LEAST_DAMPING, MOST_DAMPING = 1e-3, 1e-14, 1e8
 MOST_DAMPED_STEPS = 200  # then the nearest configuration so far counts, and what it misses decides
-# More for a goal that is far, a wheel's turns, a crane's rail: twice what shortened steps need, a second of them at most.
+# More for a far goal, a wheel's turns, a crane's rail: twice what shortened steps need, a second of them at most.
 STEPS_OF_A_STEP, MOST_FAR_STEPS = 2, 20_000
 
 
