@@ -17,6 +17,7 @@ from functools import partial
 
 from symscrew.algebra import (
     IDENTITY,
+    NEGLIGIBLE,
     SAFE,
     Affine,
     Column,
@@ -401,10 +402,17 @@ class _Elimination:
                 row = min(row, other, key=lambda way: count_operations([*way.values()]))
         known = {c: e for c, e in row.items() if c not in self.scales}
         self.setting.name_row(known, v_index)
-        if any(c != ONE for c in known):
+        if any(self._pushes(c, entry, v_index) for c, entry in known.items()):
             self.result.finals.append(known)
         elif known and v_index is not None:
             self.result.unbalanced.append(v_index)
+
+    def _pushes(self, column: Column, entry: Node, v_index: int | None) -> bool:
+        """Whether a column is a drive that does work on a freedom; a rod's spin has rounding where its ends would."""
+        if column == ONE:
+            return False
+        unit = self.setting.row_scale(v_index) * self.setting.drive_scales[column[1]]
+        return magnitude(self.setting.tape, entry, unit)[1] > NEGLIGIBLE
 
     def _with_multipliers(self, row: Affine) -> Affine:
         """A row with all multipliers put in, as far as they are solved."""
