@@ -27,7 +27,6 @@ from symscrew.algebra import (
     Vector,
     add,
     choose_pivot,
-    combine,
     count_operations,
     cross,
     dot,
@@ -397,7 +396,7 @@ class _Elimination:
         but for constants, which fold.
         """
         if v_index in self.driven:
-            other = self._with_multipliers(self.driven[v_index])
+            other = _with_solutions(self.driven[v_index], self.solved)
             if other != row:  # in an open chain it is the same, joint by joint: counting all behind it grows squarely
                 row = min(row, other, key=lambda way: count_operations([*way.values()]))
         known = {c: e for c, e in row.items() if c not in self.scales}
@@ -413,14 +412,6 @@ class _Elimination:
             return False
         unit = self.setting.row_scale(v_index) * self.setting.drive_scales[column[1]]
         return magnitude(self.setting.tape, entry, unit)[1] > NEGLIGIBLE
-
-    def _with_multipliers(self, row: Affine) -> Affine:
-        """A row with all multipliers put in, as far as they are solved."""
-        total = {c: entry for c, entry in row.items() if c not in self.scales}
-        for c, entry in row.items():
-            if c in self.scales:
-                total = combine(total, entry, self.solved[c])
-        return total
 
 
 def _with_solutions(affine: Affine, solutions: Mapping[Column, Affine]) -> Affine:
