@@ -30,6 +30,8 @@ SMALL = 1 << 20
 distance of modes."""
 WIDER = 1.5
 """A tube's radius over the least with which it would hold its image, did the image not grow with it."""
+INSIDE = 1.01
+"""The same, of a radius with which a tube is taken."""
 AIM, MOST = 0.75, 0.88
 """Of the tube the part to which the operator may map it: aimed at, and at most. It grows as the length of the piece."""
 LONGER, SMALLEST = 2.0, 0.01
@@ -190,15 +192,16 @@ class _Proposed:
         track = [self.numbers(np.zeros(self.variety.columns))]
         for q in trail:
             track.append(_like(self.numbers(q), track[-1]))
-        points, radii, at, step = [first], list[int](), 0.0, 1.0
+        points, radii, at, step, guess = [first], list[int](), 0.0, 1.0, SMALL
         while at < len(track) - 1:
             self.left -= 1
             if self.left < 0:
                 raise RefusedError("a way of too many pieces")
             end = min(at + step, len(track) - 1.0)
             there = self._integers(track[-1] if end == len(track) - 1 else self._between(track, end))
-            radius, share = self._radius(points[-1], there)
-            step = (end - at) * min(LONGER, AIM / share)
+            radius, share = self._radius(points[-1], there, guess)
+            longer = min(LONGER, AIM / share)
+            step, guess = (end - at) * longer, SMALL + int((radius or guess) * longer**2)
             if radius is not None:
                 at = end
                 points.append(there)
@@ -214,23 +217,24 @@ class _Proposed:
     def _integers(self, numbers: Sequence[Array]) -> list[list[int]]:
         return [[int(c) for c in np.rint(x * 2.0**POINT)] for x in numbers]
 
-    def _radius(self, one: list[list[int]], two: list[list[int]]) -> tuple[int | None, float]:
+    def _radius(self, one: list[list[int]], two: list[list[int]], guess: int) -> tuple[int | None, float]:
         """(a radius for the tube of a piece, None where it is too long; the largest part of it that is its image)."""
-        try:
-            moved, wide, _ = self.tubes.images(one, two, SMALL)
-        except RefusedError:
-            return None, 2.0
-        unit = [scale << PLACES >> 2 * POINT for scale in (self.tubes.scales[c] for c in self.tubes.passive)]
-        shares = [spread / (SMALL * u) for spread, u in zip(wide, unit, strict=True)]
-        share = max([*shares, SMALLEST])
-        if share > MOST:
-            return None, share
-        radius = SMALL + int(WIDER * max(m / u / (1 - s) for m, u, s in zip(moved, unit, shares, strict=True)))
-        try:
-            self.tubes.shown(one, two, radius)
-        except RefusedError:  # the image has grown with the tube
-            return None, max(share, MOST)
-        return radius, share
+        share = MOST
+        for _ in range(2):
+            try:
+                moved, wide, _ = self.tubes.images(one, two, guess)
+            except RefusedError:
+                return None, 2.0
+            unit = [scale << PLACES >> 2 * POINT for scale in (self.tubes.scales[c] for c in self.tubes.passive)]
+            shares = [spread / (guess * u) for spread, u in zip(wide, unit, strict=True)]
+            share = max([*shares, SMALLEST])
+            if share > MOST:
+                break
+            least = max(m / u / (1 - s) for m, u, s in zip(moved, unit, shares, strict=True))
+            if least * INSIDE < guess:
+                return guess, share
+            guess = SMALL + int(WIDER * least)
+        return None, max(share, MOST)
 
     def _settled(self, q: Array) -> Array:
         """Closed again with the drives as they are."""
