@@ -7,6 +7,7 @@ import json
 import os
 import sys
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -194,6 +195,7 @@ def _components(found: Mobility) -> tuple[Mobility, Parts]:
         component_values,
         components_of,
         configuration_space,
+        judged_modes,
         mode_lines,
         mode_values,
         pose_lines,
@@ -218,8 +220,10 @@ def _components(found: Mobility) -> tuple[Mobility, Parts]:
     if isinstance(modes, str) and len(found.network.chords) == 1:
         modes = pose_modes(found.mechanism, found.network)
     if not isinstance(modes, str):
+        modes = replace(modes, others=judged_modes(found, modes.others)) if found.in_reference else modes
         return found, ([space, *pose_lines(modes)], {"decided": False, "why": space, "pose_modes": pose_values(modes)})
     seen = sampled_modes(found.network, found.platform.body)
+    seen = judged_modes(found, seen) if found.in_reference else seen
     values = {"decided": False, "why": space, "operation_modes": mode_values(seen)}
     return found, ([space, *mode_lines(seen)], values)
 

@@ -25,7 +25,13 @@ from symscrew.doors import doors
 if TYPE_CHECKING:
     from symscrew.mobility.algebraic_branches import with_components, with_rechecked_parts
     from symscrew.mobility.analysis import Mobility, analyse_mobility
-    from symscrew.mobility.assembly_ways import Connections, connection_lines, connection_values, judged_connections
+    from symscrew.mobility.assembly_ways import (
+        Connections,
+        connection_lines,
+        connection_values,
+        judged_connections,
+        judged_modes,
+    )
     from symscrew.mobility.checks import Check, verified, verify
     from symscrew.mobility.components import (
         ALGEBRA_PROGRAM,
@@ -137,6 +143,7 @@ __all__ = [
     "generator_itself",
     "inverse_kinematics",
     "judged_connections",
+    "judged_modes",
     "key_figures",
     "limb_margins",
     "mathml",

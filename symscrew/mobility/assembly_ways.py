@@ -14,9 +14,9 @@ from dataclasses import dataclass
 from typing import Any
 
 from symscrew.mobility.analysis import Mobility
-from symscrew.mobility.components import Mode, ModeConnections, assembly_connections
+from symscrew.mobility.components import Mode, ModeConnections, SampledModes, assembly_connections
 from symscrew.mobility.joint_network import Network
-from symscrew.mobility.proofs import CONNECTED, SEPARATED, WayEvidence, described, way_evidence
+from symscrew.mobility.proofs import CONNECTED, SEPARATED, WayEvidence, certified_modes, described, way_evidence
 
 DISPLACED = "the displaced configuration has no exact coordinates"
 CERTIFIED, SAMPLED = "certified", "sampled"
@@ -58,6 +58,11 @@ def judged_connections(found: Mobility, drives: Sequence[int] = ()) -> Connectio
         )
     numbers = described(found.mechanism, found.network, found.platform.body)
     return Connections(found.network, modes, way_evidence(numbers, found.network, modes))
+
+
+def judged_modes(found: Mobility, modes: SampledModes) -> SampledModes:
+    """Sampled operation modes, with what is certified of them."""
+    return certified_modes(described(found.mechanism, found.network, found.platform.body), found.network, modes)
 
 
 def connection_lines(found: Connections | str) -> list[str]:

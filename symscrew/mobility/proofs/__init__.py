@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from symscrew.mobility.proofs.proof_numbers import described
     from symscrew.mobility.proofs.rank_proofs import rank_entry
     from symscrew.mobility.proofs.way_checker import CONNECTED, SEPARATED, check_ways
-    from symscrew.mobility.proofs.way_proofs import WayEvidence, way_evidence
+    from symscrew.mobility.proofs.way_proofs import WayEvidence, certified_modes, way_evidence
 
 __all__ = [
     "CONNECTED",
@@ -35,6 +35,7 @@ __all__ = [
     "MotionProof",
     "Verdict",
     "WayEvidence",
+    "certified_modes",
     "check_proof",
     "check_ways",
     "described",

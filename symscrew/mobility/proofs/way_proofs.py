@@ -10,12 +10,12 @@ Doubles only propose: what is called proved has been judged by the checker, in i
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
 
-from symscrew.mobility.components import ModeConnections
+from symscrew.mobility.components import ModeConnections, SampledMode, SampledModes
 from symscrew.mobility.finite import ClosureVariety
 from symscrew.mobility.joint_network import Network
 from symscrew.mobility.proofs.motion_proofs import group_of
@@ -97,6 +97,40 @@ def way_evidence(numbers: ProofNumbers, network: Network, found: ModeConnections
         entry["claims"].append({"kind": proved[k], "modes": [0, k], **claim})
     entry["not proved"] = [f"modes 1 and {k + 1}: {text}" for k, text in why.items()]
     return WayEvidence(entry, proved, pieces, why, ways.signs)
+
+
+def certified_modes(numbers: ProofNumbers, network: Network, found: SampledModes) -> SampledModes:
+    """The same, with what intervals show of a configuration of each mode: it closes, and is regular.
+
+    With as many freedoms held as the mode has dimensions, Krawczyk's operator maps a box around the others into itself:
+    there is a configuration with these values, the matrix of the others is regular, and around it configurations are
+    those of so many parameters.
+    """
+    return replace(found, modes=tuple(replace(m, certified=_regular(numbers, network, m)) for m in found.modes))
+
+
+def _regular(numbers: ProofNumbers, network: Network, mode: SampledMode) -> bool:
+    if mode.witness is None or not 0 < mode.dimension < network.freedoms:
+        return False
+    _, _, vt = np.linalg.svd(ClosureVariety(network).evaluate(mode.witness[None])[1][0])
+    motions, held, names = vt[-mode.dimension :], list[int](), _freedoms(network)
+    for _ in range(mode.dimension):  # freedoms that move most, one after another
+        held.append(int((motions**2).sum(axis=0).argmax()))
+        along = motions[:, held[-1]] / np.linalg.norm(motions[:, held[-1]])
+        motions = motions - np.outer(along, along @ motions)
+    read = numbers.read
+    entry = {
+        "drives": [list(names[c]) for c in held], "scales": [1 << POINT] * read.freedoms,
+        "groups": [group_of(numbers, [s for _, s in read.factors(k)]) for k in range(len(read.loops))],
+    }  # fmt: skip
+    try:
+        proposed = _Proposed(numbers, network, entry)
+        proposed.tubes.scales = proposed.scales()
+        point = proposed.point(proposed.settled(mode.witness))
+        proposed.tubes.shown(point, point, SMALL)
+    except RefusedError:
+        return False
+    return True
 
 
 def _freedoms(network: Network) -> dict[int, tuple[str, int]]:
@@ -212,7 +246,7 @@ class _Proposed:
         """A place of the track, between two of its points, closed again with the drives as they are."""
         k = min(int(at), len(track) - 2)
         guess = [a + (at - k) * (b - a) for a, b in zip(track[k], track[k + 1], strict=True)]
-        return _like(self.numbers(self._settled(self.displacements(guess))), guess)
+        return _like(self.numbers(self.settled(self.displacements(guess))), guess)
 
     def _integers(self, numbers: Sequence[Array]) -> list[list[int]]:
         return [[int(c) for c in np.rint(x * 2.0**POINT)] for x in numbers]
@@ -236,7 +270,7 @@ class _Proposed:
             guess = SMALL + int(WIDER * least)
         return None, max(share, MOST)
 
-    def _settled(self, q: Array) -> Array:
+    def settled(self, q: Array) -> Array:
         """Closed again with the drives as they are."""
         for _ in range(NEWTON):
             residuals, jacobians = self.variety.evaluate(q[None])
