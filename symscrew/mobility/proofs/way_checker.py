@@ -51,6 +51,7 @@ Dual = list[Interval]
 Point = Sequence[Sequence[int]]
 """Numbers of each motion, times 2^POINT: two of a hinge or slide, four of a ball joint."""
 ZERO = (0, 0)
+"""The number zero, which is left out of sums."""
 SIGNS = ((0, 1, 2, 3), (1, ~0, 3, ~2), (2, ~3, ~0, 1), (3, 2, ~1, ~0))
 """Place of the product of two units of quaternions, inverted where it is negative; 1, i, j, k."""
 PLACED = [[(SIGNS[i % 4][j % 4] if SIGNS[i % 4][j % 4] >= 0 else ~SIGNS[i % 4][j % 4], SIGNS[i % 4][j % 4] >= 0)
