@@ -13,7 +13,16 @@ from pathlib import Path
 from typing import Any
 
 from symscrew.mobility.analysis import Mobility
-from symscrew.mobility.proofs import COUPLED, FORMAT, Verdict, check_proof, digest, facts_of, rank_entry
+from symscrew.mobility.proofs import (
+    COUPLED,
+    FORMAT,
+    Verdict,
+    check_proof,
+    check_ways,
+    digest,
+    facts_of,
+    rank_entry,
+)
 from symscrew.whole_files import write_text
 
 AS_MEANT = "with differences below 1e-27 taken for rounding, "
@@ -88,14 +97,27 @@ def _why(found: Mobility, claim: str) -> str:
     return found.decisions.why or "the numbers of the elimination over the field grow too long"
 
 
-def write_proof(found: Mobility, path: Path) -> Verdict:
-    """Writes the proof file and returns what the checker says of it.
+def write_proof(found: Mobility, path: Path, ways: dict[str, Any] | None = None) -> Verdict:
+    """Writes the proof file and returns what the checkers say of it.
+
+    Args:
+        found: whose claims are written.
+        path: of the file.
+        ways: evidence of ways between assembly modes, for `way_checker`.
 
     Raises:
         OSError: the file cannot be written.
     """
     values = mobility_proof(found)
+    if ways is not None:
+        values["ways"] = ways
     text = json.dumps(values, separators=(",", ":"))
     verdict = check_proof(json.loads(text))
+    if ways is not None:
+        beside = check_ways(json.loads(text))
+        verdict = Verdict(
+            verdict.mechanism, verdict.proved + beside.proved, verdict.refused + beside.refused,
+            verdict.not_proved + beside.not_proved,
+        )  # fmt: skip
     write_text(path, text + "\n")
     return verdict

@@ -19,7 +19,7 @@ from support.reference_mechanisms import ENTRIES, build
 
 from symscrew.cli.parser import main
 from symscrew.description.mechanism import Mechanism
-from symscrew.mobility import analyse_mobility, with_components
+from symscrew.mobility import analyse_mobility, judged_modes, with_components
 from symscrew.mobility.components import (
     UNCHECKED,
     ClosureEquations,
@@ -29,6 +29,7 @@ from symscrew.mobility.components import (
     all_components,
     closure_equations,
     configuration_space,
+    mode_lines,
     pose_lines,
     pose_modes,
     space_lines,
@@ -320,3 +321,15 @@ def test_where_many_solutions_meet_doubles_refute_nothing(monkeypatch: pytest.Mo
     monkeypatch.setattr(all_components, "exact_parts", without_the_others)
     made = mechanism("coupler point")
     assert "on none of the components" in str(configuration_space(made, network_of(made)))
+
+
+def test_the_third_mode_of_the_4_ruu_is_there_with_two_freedoms() -> None:
+    """Nurahmi and others 2016: certified by a regular configuration, in intervals; not where it does not close."""
+    found = analyse_mobility(four_ruu())
+    modes = seen_modes(four_ruu()).others
+    (mode,) = judged_modes(found, modes).modes
+    assert mode.certified and mode.dimension == 2 and mode.witness is not None
+    assert "certified by intervals" in mode_lines(replace(modes, modes=(mode,)))[1]
+    for other in (replace(mode, dimension=3), replace(mode, witness=0 * mode.witness)):  # there more moves
+        (refused,) = judged_modes(found, replace(modes, modes=(replace(other, certified=False),))).modes
+        assert not refused.certified

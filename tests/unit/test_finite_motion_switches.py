@@ -197,7 +197,7 @@ def test_fixed_point_integers_hold_sixty_digits(monkeypatch: pytest.MonkeyPatch)
 
 def values(g: float, u: float) -> Values:
     one = np.ones((1, 1))
-    return Values(one * u, one, one * g, one[None], np.array([True]))
+    return Values(one * u, one, one * g, one[None], one[None], np.array([True]))
 
 
 @pytest.mark.parametrize(
@@ -209,7 +209,7 @@ def test_what_counts_as_a_zero_on_a_sphere(g: float, u: float, zero: bool) -> No
     assert len(is_zero(values(g, u), 0.1, 1e-8)) == zero
 
 
-@pytest.mark.parametrize("name, value", [("STEPS", 0), ("SOLVES", 0), ("SOLVED", 0.0), ("DAMPING", 0.0)])
+@pytest.mark.parametrize("name, value", [("STEPS", 0), ("SOLVES", 1), ("SOLVED", 0.0), ("DAMPING", 0.0)])
 def test_zeros_on_a_sphere_need_their_steps(monkeypatch: pytest.MonkeyPatch, name: str, value: float) -> None:
     coarse, _, here = local(CHANGE_POINT)
     starts = np.array(list(local_solutions.flatten(here.dof, 12)))

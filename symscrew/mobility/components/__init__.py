@@ -26,8 +26,6 @@ from symscrew.mobility.components.mode_connections import (
     Mode,
     ModeConnections,
     assembly_connections,
-    connection_lines,
-    connection_values,
     regular_ways,
 )
 from symscrew.mobility.components.mode_sampling import SampledMode, SampledModes, sampled_modes
@@ -49,8 +47,6 @@ __all__ = [
     "assembly_connections",
     "closure_equations",
     "configuration_space",
-    "connection_lines",
-    "connection_values",
     "mode_lines",
     "mode_values",
     "pose_lines",

@@ -17,6 +17,8 @@ UNCHECKED = "which no proof file rechecks"
 """Of exact algebra, Singular's or factors of one equation: the checker of proof files knows of no Groebner bases."""
 ALONE = "irreducible in its dimension, while lower ones within it are not excluded"
 """A part whose section is that of one component, and of which no more is known."""
+CERTIFIED = "a regular configuration of it is certified by intervals, with exactly this dimension"
+"""Of a sampled mode: it is there, and as large as said; that it is one, and that there are no others, is sampled."""
 UNSETTLED = (
     "Not all joints are among the variables: components are of the body's poses, those that differ only in the limbs "
     "are one, motions of limbs with the body at rest are not listed, and what is listed may be beyond a limb's reach"
@@ -105,14 +107,16 @@ def _mode(mode: SampledMode, found: SampledModes) -> str:
     where = places[mode.through]
     shown = "; ".join(f"{e} = 0" for e in mode.equations) or "no linear equation"
     text = f"dimension {mode.dimension} ({mode.poses} of the poses), {where}, {mode.count} of {found.found}: {shown}"
-    return f"{text}; {mode.quadrics} quadrics" if mode.quadrics > 1 else text
+    text += f"; {mode.quadrics} quadrics" if mode.quadrics > 1 else ""
+    return f"{text}; {CERTIFIED}" if mode.certified else text
 
 
 def mode_values(found: SampledModes) -> dict[str, Any]:
     """The same as JSON values."""
     modes = [
         {"dimension": m.dimension, "dimension_of_poses": m.poses, "through_reference": m.through,
-         "linear_equations": [f"{e} = 0" for e in m.equations], "quadrics": m.quadrics, "configurations": m.count}
+         "linear_equations": [f"{e} = 0" for e in m.equations], "quadrics": m.quadrics, "configurations": m.count,
+         "certified_at_a_configuration": m.certified}
         for m in found.modes
     ]  # fmt: skip
     return {"body": found.body, "judgement": "sampled", "configurations": found.found, "modes": modes}
