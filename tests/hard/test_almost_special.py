@@ -167,7 +167,7 @@ def test_a_loop_of_screws_that_are_not_quite_parallel_has_its_verdict_without_ma
 
 
 def screws(pitches: list[str]) -> Mobility:
-    """A parallelogram of screw joints: opposite ones turn alike, neighbours back, so that h1 - h2 + h3 - h4 = 0 moves."""
+    """A parallelogram of screw joints: opposite ones turn alike, neighbours back; h1 - h2 + h3 - h4 = 0 moves."""
     places = ([0, 0, 0], ["1.7", "0.4", 0], ["2.6", "2.3", 0], ["0.9", "1.9", 0])
     joints = [("H", [sympy.Rational(c) for c in place], Z) for place in places]
     return analyse_mobility(loop(*joints, pitches={k: sympy.Rational(h) for k, h in enumerate(pitches)}))
