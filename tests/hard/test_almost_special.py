@@ -201,3 +201,19 @@ def test_limbs_that_are_almost_stretched_have_fewer_constraints_over_the_field(o
     exact = {rank.claim: (rank.numeric, rank.exact) for rank in found.decisions.ranks}
     assert exact["rank of the limbs' constraints"] == ((4, 3) if off else (4, 4))
     assert [check.claim for check in verify(found) if not check.holds] == []
+
+
+def test_what_rests_is_not_all_that_is_named_where_newton_solves_short_steps_alone() -> None:
+    """P. G. Altmann 1954, in six digits: a step of 0.2 is not solved, and geometry with the ranks alone rests."""
+    joints = [
+        ("-0.339465 -0.227676 0.596856", "-0.982104 -0.147667 0.116903"),
+        ("-0.479174 0.0771909 -0.191747", "-0.094301 0.922838 0.373468"),
+        ("-0.479174 0.0771909 -0.191747", "0.99137 0.121361 -0.04956"),
+        ("-0.612133 0.690843 -1.34869", "0.0835608 -0.876327 -0.474415"),
+        ("-0.558744 0.287603 -0.594431", "0.994553 0.103104 -0.0152761"),
+        ("-0.558744 0.287603 -0.594431", "-0.0878769 0.908275 0.409041"),
+    ]
+    read = lambda text: [sympy.Rational(c) for c in text.split()]  # noqa: E731
+    found = analyse_mobility(loop(*(("R", read(point), read(axis)) for point, axis in joints)))
+    moves = found.near is not None and found.near.meant.finite.dof == 1
+    assert found.finite.dof == 0 and (moves or any("special geometry" in text for text in found.not_tried))

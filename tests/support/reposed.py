@@ -180,9 +180,7 @@ def generic_posed(seed: int, *, digits: str, unit: str) -> Posed:
     return judged(f"generic{seed}", builder.build(), expected)
 
 
-def every(
-    names: Any = None, generics: int = 30, seed: int = 0
-) -> Iterator[tuple[str, str, str, Callable[[], Posed]]]:
+def every(names: Any = None, generics: int = 30, seed: int = 0) -> Iterator[tuple[str, str, str, Callable[[], Posed]]]:
     """(digits, unit, name, what judges it) of the whole set; seeds follow the order from `seed` on, so results repeat.
 
     Another `seed` poses all anew, and makes other generic mechanisms.
