@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from symscrew.mobility.analysis import Mobility
+from symscrew.mobility.motion_verdicts import STOPPED
 from symscrew.mobility.proofs import (
     COUPLED,
     FORMAT,
@@ -27,6 +28,7 @@ from symscrew.whole_files import write_text
 
 AS_MEANT = "with differences below 1e-27 taken for rounding, "
 """What the package takes for rounding (`screw_systems.ZERO_BELOW`) is a difference in exact numbers."""
+OF_MOTION = ("finite mobility", "smooth", "branches")
 SAMPLED = "sampled: no proof was found"
 
 
@@ -54,9 +56,9 @@ def mobility_proof(found: Mobility) -> dict[str, Any]:
             open_claims.append((f"displaced, {claim}", value, "the displaced configuration has no exact coordinates"))
         elif claim not in facts:
             open_claims.append((claim, value, numbers.why or _why(found, claim)))
-        elif facts[claim] != value and rounded:
+        elif facts[claim] != value and (rounded or (claim in OF_MOTION and _closed(found))):
             claims.append({"claim": claim, "value": facts[claim]})
-            open_claims.append((AS_MEANT + claim, value, found.decisions.why))
+            open_claims.append((AS_MEANT + claim, value, found.decisions.why or STOPPED))
         else:
             claims.append({"claim": claim, "value": value})
     if "joints at rest" in facts and found.in_reference:
@@ -91,8 +93,13 @@ def _statements(found: Mobility) -> Iterator[tuple[str, Any]]:
         yield "branches", None if found.finite.branches is None else list(found.finite.branches)
 
 
+def _closed(found: Mobility) -> bool:
+    """Whether the motion was seen to close all loops, up to what counts as rounding, and nothing beyond that."""
+    return found.finite.smooth and not found.finite.proved
+
+
 def _why(found: Mobility, claim: str) -> str:
-    if claim in ("finite mobility", "smooth", "branches"):
+    if claim in OF_MOTION:
         return SAMPLED
     return found.decisions.why or "the numbers of the elimination over the field grow too long"
 
