@@ -50,7 +50,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
     )  # fmt: skip
     command.add_argument(
         "--components", action="store_true",
-        help="also the operation modes: components of the configuration space, exact by Singular, else sampled",
+        help="also the operation modes: components of the configuration space, exact by Singular, or numerical",
     )  # fmt: skip
     command.add_argument(
         "--connections", action="store_true",
@@ -176,7 +176,8 @@ def _components(found: Mobility) -> tuple[Mobility, Parts]:
     """(the result with what components prove of its branches, the components in words and as JSON values).
 
     Four-bars have a way of their own, which needs no program. Modes with parallel axes are soon found: where they are
-    known the whole, which rarely ends then, is tried for a shorter time.
+    known the whole, which rarely ends then, is tried for a shorter time. What exact algebra does not divide is
+    decomposed numerically.
     """
     from symscrew.mobility import (
         component_lines,
@@ -185,6 +186,9 @@ def _components(found: Mobility) -> tuple[Mobility, Parts]:
         configuration_space,
         mode_lines,
         mode_values,
+        numerical_components,
+        numerical_lines,
+        numerical_values,
         pose_lines,
         pose_modes,
         pose_values,
@@ -204,13 +208,16 @@ def _components(found: Mobility) -> tuple[Mobility, Parts]:
         return with_components(found, space), (space_lines(space), space_values(space))
     if not found.network.chords:
         return found, ([space], {"decided": False, "why": space})
+    numerical = numerical_components(found.mechanism, found.network, **limit)
+    lines = [space, *([numerical] if isinstance(numerical, str) else numerical_lines(numerical))]
+    values: dict[str, Any] = {"decided": False, "why": space}
+    values["numerical"] = numerical if isinstance(numerical, str) else numerical_values(numerical)
     if isinstance(modes, str) and len(found.network.chords) == 1:
         modes = pose_modes(found.mechanism, found.network)
     if not isinstance(modes, str):
-        return found, ([space, *pose_lines(modes)], {"decided": False, "why": space, "pose_modes": pose_values(modes)})
+        return found, ([*lines, *pose_lines(modes)], {**values, "pose_modes": pose_values(modes)})
     seen = sampled_modes(found.network, found.platform.body)
-    values = {"decided": False, "why": space, "operation_modes": mode_values(seen)}
-    return found, ([space, *mode_lines(seen)], values)
+    return found, ([*lines, *mode_lines(seen)], {**values, "operation_modes": mode_values(seen)})
 
 
 def _connections(found: Mobility) -> tuple[list[str], dict[str, Any]]:

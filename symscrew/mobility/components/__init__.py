@@ -3,6 +3,8 @@
 Mechanism --limb_equations, algebraic_closure--> polynomials over an exact field (polynomials)
           --exact_parts--> irreducible components, proved; real_configurations lie on them --all_components--> result
           --parallel_axes, modes_of_poses--> where the whole does not end: sets of poses, proved, with real witnesses
+          --numerical_decomposition--> where exact algebra does not end: components by their points on a section,
+            from witness_sets by moving_sections of polynomials at many_points, and certified_points
 Network   --mode_sampling--> modes that random configurations show, where exact algebra does not end
 both      --component_texts--> words, JSON
 polynomials --algebra_program--> what Singular says of them; plane_sections --> what is irreducible
@@ -17,6 +19,8 @@ from symscrew.mobility.components.component_texts import (
     UNCHECKED,
     mode_lines,
     mode_values,
+    numerical_lines,
+    numerical_values,
     pose_lines,
     pose_values,
     space_lines,
@@ -32,6 +36,11 @@ from symscrew.mobility.components.mode_connections import (
 )
 from symscrew.mobility.components.mode_sampling import SampledMode, SampledModes, sampled_modes
 from symscrew.mobility.components.modes_of_poses import PoseModes, pose_modes
+from symscrew.mobility.components.numerical_decomposition import (
+    NumericalComponent,
+    NumericalSpace,
+    numerical_components,
+)
 
 __all__ = [
     "ALGEBRA_PROGRAM",
@@ -41,6 +50,8 @@ __all__ = [
     "Mode",
     "ModeConnections",
     "NotAlgebraicError",
+    "NumericalComponent",
+    "NumericalSpace",
     "Part",
     "PoseModes",
     "SampledMode",
@@ -53,6 +64,9 @@ __all__ = [
     "connection_values",
     "mode_lines",
     "mode_values",
+    "numerical_components",
+    "numerical_lines",
+    "numerical_values",
     "pose_lines",
     "pose_modes",
     "pose_values",
