@@ -13,12 +13,8 @@ from support.reference_mechanisms import ENTRIES, build
 
 from symscrew.description.mechanism import Mechanism
 from symscrew.mobility.components import ConfigurationSpace, Part, space_lines, space_values
-from symscrew.mobility.components.algebraic_closure import (
-    ClosureEquations,
-    NotAlgebraicError,
-    _settled,
-    closure_equations,
-)
+from symscrew.mobility.components.algebraic_closure import closure_equations
+from symscrew.mobility.components.closure_parts import ClosureEquations, NotAlgebraicError, _settled
 from symscrew.mobility.components.exact_parts import _read
 from symscrew.mobility.components.limb_equations import null_space
 from symscrew.mobility.components.polynomials import Polynomial

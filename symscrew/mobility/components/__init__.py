@@ -1,6 +1,6 @@
 """Operation modes and components of the configuration space: closure as polynomials, taken apart.
 
-Mechanism --limb_equations, algebraic_closure--> polynomials over an exact field (polynomials)
+Mechanism --limb_equations, closure_parts, several_bodies, algebraic_closure--> polynomials over an exact field
           --exact_parts--> irreducible components, proved; real_configurations lie on them --all_components--> result
           --parallel_axes, modes_of_poses--> where the whole does not end: sets of poses, proved, with real witnesses
           --numerical_decomposition--> where exact algebra does not end: components by their points on a section,
@@ -12,8 +12,9 @@ Network   --mode_connections--> assembly modes of the reference, paths between t
 """
 
 from symscrew.mobility.components.algebra_program import ALGEBRA_PROGRAM, algebra_answer
-from symscrew.mobility.components.algebraic_closure import ClosureEquations, NotAlgebraicError, closure_equations
+from symscrew.mobility.components.algebraic_closure import closure_equations
 from symscrew.mobility.components.all_components import ConfigurationSpace, configuration_space
+from symscrew.mobility.components.closure_parts import ClosureEquations, NotAlgebraicError
 from symscrew.mobility.components.component_parts import Part
 from symscrew.mobility.components.component_texts import (
     UNCHECKED,

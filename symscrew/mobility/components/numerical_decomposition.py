@@ -19,8 +19,9 @@ from typing import Any
 import numpy as np
 
 from symscrew.description import Mechanism
-from symscrew.mobility.components.algebraic_closure import ClosureEquations, NotAlgebraicError, closure_equations
+from symscrew.mobility.components.algebraic_closure import closure_equations
 from symscrew.mobility.components.certified_points import refined, trace_in_digits
+from symscrew.mobility.components.closure_parts import ClosureEquations, NotAlgebraicError
 from symscrew.mobility.components.many_points import ManyPoints
 from symscrew.mobility.components.moving_sections import (
     Section,

@@ -18,7 +18,8 @@ from collections.abc import Iterator, Sequence
 from symscrew.algebra import cross
 from symscrew.description import Mechanism
 from symscrew.mobility.components.algebra_program import ALGEBRA_PROGRAM, algebra_answer
-from symscrew.mobility.components.algebraic_closure import ClosureEquations, limbs_between
+from symscrew.mobility.components.algebraic_closure import limbs_between
+from symscrew.mobility.components.closure_parts import ClosureEquations
 from symscrew.mobility.components.component_parts import Part
 from symscrew.mobility.components.exact_parts import (
     field_text,
