@@ -49,6 +49,9 @@ LARGE = 1e4
 """A variable beyond it is a joint near the angle where its tangent has no value: the point is left out."""
 RANK = 1e-8
 """Relative singular value of the derivatives that counts as none: those of dependent equations have 1e-15."""
+LEAST = 1e-2
+"""Largest singular value, of equations with coefficients about one, below which it is no measure of rounding: where all
+derivatives are zero it is rounding itself, 1e-15, and where equations move at all it is near one."""
 ZERO = 1e-8
 """Of equations with coefficients about one, at a point that was followed: more is a zero of combinations only."""
 ALL = 1e-30
@@ -287,7 +290,7 @@ def _coranks(polynomials: ManyPoints, z: Array) -> Array:
     """Dimensions of what the equations leave to first order."""
     _, slopes = polynomials.at(z)
     values = np.linalg.svd(slopes, compute_uv=False)
-    return np.asarray(z.shape[1] - (values > RANK * values[:, :1]).sum(axis=1))
+    return np.asarray(z.shape[1] - (values > RANK * np.maximum(values[:, :1], LEAST)).sum(axis=1))
 
 
 def _different(z: Array, closure: ClosureEquations) -> int:
