@@ -100,7 +100,8 @@ class NumericalSpace:
 
     `found`: real configurations; `isolated`: of these the ones about which nothing moves, how many different ones;
     `unplaced`: those that are on none, as they are singular or could not be followed; `combined`: whether points are
-    certified of combinations of the equations; `reason`: why it is not all, empty where every component is closed.
+    certified of combinations of the equations; `reason`: why not all points of the components
+    that were met are known, else empty.
     """
 
     subject: str
@@ -117,7 +118,7 @@ class NumericalSpace:
     @property
     def closed(self) -> bool:
         """Whether every component that was met has all its points."""
-        return all(component.closed for component in self.components)
+        return not self.reason
 
 
 def numerical_components(
@@ -178,12 +179,13 @@ def decomposed(closure: ClosureEquations, network: Network, seconds: float = SEC
             components.append(replace(part, on=len(on - {len(z)}), through=through))
     components.sort(key=lambda c: (-c.dimension, c.degree, -c.on))
     least = min((c.dimension for c in components), default=0) + cone
+    late = time.process_time() - begun > LOOPING * seconds
     reason = f"not all points were found within {seconds:g} s of the processor"
     return NumericalSpace(
         closure.subject, closure.variables, str(closure.field), tuple(components), len(z) + blurred,
         _different(z[ranks[:-1] == cone], closure), int((~placed[:-1]).sum()) + blurred,
         len(closure.equations) > len(closure.variables) - least, closure.settles,
-        "" if all(c.closed for c in components) else reason,
+        reason if not all(c.closed for c in components) or (late and not placed.all()) else "",
     )  # fmt: skip
 
 
