@@ -31,7 +31,7 @@ from symscrew.mobility.components.exact_parts import (
 from symscrew.mobility.components.limb_equations import PARAMETERS
 from symscrew.mobility.components.polynomials import Polynomial, conjugate, constant, product, variable
 from symscrew.mobility.joint_network import Network
-from symscrew.mobility.symbols import Exact, exact_system
+from symscrew.mobility.symbols import Exact, exact_inverse, exact_system, exact_value
 
 SECONDS = 10.0
 """Of the processor. Those of the literature here end in one."""
@@ -72,8 +72,8 @@ def _outer_axes(mechanism: Mechanism, network: Network) -> Iterator[tuple[Direct
 
 def _scaled(vector: Sequence[Exact]) -> Direction:
     """The same line's direction, however long it was given, so that equal ones are seen to be."""
-    largest = max(vector, key=lambda c: abs(float(c)))
-    return tuple(c / largest for c in vector)
+    back = exact_inverse(max(vector, key=lambda c: abs(float(exact_value(c)))))
+    return tuple(c * back for c in vector)
 
 
 def _parallel(closure: ClosureEquations, a: Direction, b: Direction) -> list[Polynomial]:
