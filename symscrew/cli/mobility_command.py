@@ -204,14 +204,17 @@ def _components(found: Mobility) -> tuple[Mobility, Parts]:
     modes = pose_modes(found.mechanism, found.network) if len(found.network.chords) > 1 else "not decided: one loop"
     limit = {} if isinstance(modes, str) else {"seconds": SHORTLY}
     space = configuration_space(found.mechanism, found.network, **limit)
-    if not isinstance(space, str):
-        return with_components(found, space), (space_lines(space), space_values(space))
     if not found.network.chords:
-        return found, ([space], {"decided": False, "why": space})
+        return found, ([str(space)], {"decided": False, "why": str(space)})
+    if not isinstance(space, str) and space.proved:
+        return with_components(found, space), (space_lines(space), space_values(space))
     numerical = numerical_components(found.mechanism, found.network, **limit)
-    lines = [space, *([numerical] if isinstance(numerical, str) else numerical_lines(numerical))]
-    values: dict[str, Any] = {"decided": False, "why": space}
-    values["numerical"] = numerical if isinstance(numerical, str) else numerical_values(numerical)
+    divided = [numerical] if isinstance(numerical, str) else numerical_lines(numerical)
+    numbers = numerical if isinstance(numerical, str) else numerical_values(numerical)
+    if not isinstance(space, str):
+        parts = [*space_lines(space), *divided], {**space_values(space), "numerical": numbers}
+        return with_components(found, space), parts
+    lines, values = [space, *divided], {"decided": False, "why": space, "numerical": numbers}
     if isinstance(modes, str) and len(found.network.chords) == 1:
         modes = pose_modes(found.mechanism, found.network)
     if not isinstance(modes, str):
