@@ -51,7 +51,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
     )  # fmt: skip
     command.add_argument(
         "--components", action="store_true",
-        help="also the operation modes: components of the configuration space, exact by Singular, else sampled",
+        help="also the operation modes: components of the configuration space, exact by Singular, or numerical",
     )  # fmt: skip
     command.add_argument(
         "--connections", action="store_true",
@@ -188,7 +188,8 @@ def _components(found: Mobility) -> tuple[Mobility, Parts]:
     """(the result with what components prove of its branches, the components in words and as JSON values).
 
     Four-bars have a way of their own, which needs no program. Modes with parallel axes are soon found: where they are
-    known the whole, which rarely ends then, is tried for a shorter time.
+    known the whole, which rarely ends then, is tried for a shorter time. What exact algebra does not divide is
+    decomposed numerically.
     """
     from symscrew.mobility import (
         component_lines,
@@ -198,6 +199,9 @@ def _components(found: Mobility) -> tuple[Mobility, Parts]:
         judged_modes,
         mode_lines,
         mode_values,
+        numerical_components,
+        numerical_lines,
+        numerical_values,
         pose_lines,
         pose_modes,
         pose_values,
@@ -213,19 +217,25 @@ def _components(found: Mobility) -> tuple[Mobility, Parts]:
     modes = pose_modes(found.mechanism, found.network) if len(found.network.chords) > 1 else "not decided: one loop"
     limit = {} if isinstance(modes, str) else {"seconds": SHORTLY}
     space = configuration_space(found.mechanism, found.network, **limit)
-    if not isinstance(space, str):
-        return with_components(found, space), (space_lines(space), space_values(space))
     if not found.network.chords:
-        return found, ([space], {"decided": False, "why": space})
+        return found, ([str(space)], {"decided": False, "why": str(space)})
+    if not isinstance(space, str) and space.proved:
+        return with_components(found, space), (space_lines(space), space_values(space))
+    numerical = numerical_components(found.mechanism, found.network, **limit)
+    divided = [numerical] if isinstance(numerical, str) else numerical_lines(numerical)
+    numbers = numerical if isinstance(numerical, str) else numerical_values(numerical)
+    if not isinstance(space, str):
+        parts = [*space_lines(space), *divided], {**space_values(space), "numerical": numbers}
+        return with_components(found, space), parts
+    lines, values = [space, *divided], {"decided": False, "why": space, "numerical": numbers}
     if isinstance(modes, str) and len(found.network.chords) == 1:
         modes = pose_modes(found.mechanism, found.network)
     if not isinstance(modes, str):
         modes = replace(modes, others=judged_modes(found, modes.others)) if found.in_reference else modes
-        return found, ([space, *pose_lines(modes)], {"decided": False, "why": space, "pose_modes": pose_values(modes)})
+        return found, ([*lines, *pose_lines(modes)], {**values, "pose_modes": pose_values(modes)})
     seen = sampled_modes(found.network, found.platform.body)
     seen = judged_modes(found, seen) if found.in_reference else seen
-    values = {"decided": False, "why": space, "operation_modes": mode_values(seen)}
-    return found, ([space, *mode_lines(seen)], values)
+    return found, ([*lines, *mode_lines(seen)], {**values, "operation_modes": mode_values(seen)})
 
 
 def _along_lines(found: Mobility) -> list[str]:

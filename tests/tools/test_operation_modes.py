@@ -158,6 +158,19 @@ def test_components_prove_nothing_where_they_are_singular_or_others_were_seen() 
         assert again is not None and not again.complete
 
 
+def test_a_miura_fold_is_decomposed_whole() -> None:
+    """Flat it folds along its zigzag, about two straight lines, or each of these with the other flat: all, proved.
+
+    Nine panels about four vertices; a component on which a joint is turned by half a turn is listed once.
+    """
+    found = space("miura flat")
+    assert found.proved and found.settles and not found.resting and all(not part.held for part in found.parts)
+    assert [(p.dimension, p.degree) for p in found.parts if p.through] == [(2, 1), (1, 3), (1, 3), (1, 4)]
+    assert len(found.parts) == 11 and len({part.equations for part in found.parts}) == 11
+    rows = with_components(analyse_mobility(mechanism("miura flat")), found).branches
+    assert rows is not None and rows.complete and sorted(row.dimension for row in rows.rows) == [1, 1, 1, 2]
+
+
 def test_a_double_parallelogram_keeps_its_coupler_parallel_or_is_stiff() -> None:
     """The third crank takes the antiparallelogram away: of that mode two poses are left (Hunt 1978, ch. 12)."""
     found = space("double parallelogram")

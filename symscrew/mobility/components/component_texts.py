@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 from symscrew.mobility.components.all_components import ConfigurationSpace
 from symscrew.mobility.components.component_parts import Part
 from symscrew.mobility.components.mode_sampling import SampledMode, SampledModes
 from symscrew.mobility.components.modes_of_poses import Motion, PoseMode, PoseModes
+from symscrew.mobility.components.numerical_decomposition import NumericalComponent, NumericalSpace
 
 MOST_SHOWN = 6
 """Equations of a component in words; all are in the JSON."""
@@ -175,3 +177,55 @@ def pose_values(found: PoseModes) -> dict[str, Any]:
         "modes": modes, "unseen": [[f"{e} = 0" for e in part.equations] for part in found.unseen],
         **{f"beside_{name}": value for name, value in mode_values(found.others).items()},
     }  # fmt: skip
+
+
+def numerical_lines(spaces: Sequence[NumericalSpace]) -> list[str]:
+    """A line for each component by numerical decomposition, and what it rests on."""
+    return [line for space in spaces for line in _numerical_space(space)]
+
+
+def _numerical_space(found: NumericalSpace) -> list[str]:
+    count = len(found.components)
+    head = (
+        f"numerical: {count} component{'s' * (count != 1)} of the {found.subject} that real configurations are on, "
+        f"irreducible over the complex numbers; degrees by the trace test in {_variables(found.variables)}; "
+        f"others may be missing{f'; {found.reason}' if found.reason else ''}"
+    )
+    lines = [head, *(_numerical(part, found) for part in found.components)]
+    if found.isolated:
+        lines.append(f"{found.isolated} isolated configurations with no freedom, where the equations are regular")
+    if found.unplaced:
+        lines.append(f"{found.unplaced} of {found.found} real configurations on none: singular, or not followed")
+    return lines if found.settles else [*lines, UNSETTLED]
+
+
+def _numerical(part: NumericalComponent, found: NumericalSpace) -> str:
+    where = {True: "through the reference", False: "elsewhere", None: "not known whether through the reference"}
+    several = f"one component or up to {part.sets}, " if part.sets > 1 else ""
+    number = f"degree {part.degree}" if part.closed else f"{several}not all points found, {part.degree} so far"
+    of = " of combinations of the equations, all of which are" if found.combined else ", the equations are"
+    proof = (
+        f"{part.certified} of {part.degree} points on a random section certified (Krawczyk) as regular zeros{of} "
+        f"below {part.residual:.0e} there" if part.certified else "no point certified"
+    )  # fmt: skip
+    trace = f"; trace {part.trace:.0e}{' in 60 digits' if part.fine else ''}" if part.closed else ""
+    joined = f"; all joined again in {part.loops} loop{'s' * (part.loops != 1)}" if part.loops else ""
+    size = f"dimension {part.dimension}, {number}, {where[part.through]}"
+    return f"{size}, {part.on} of {found.found} real configurations; {proof}{trace}{joined}"
+
+
+def numerical_values(spaces: Sequence[NumericalSpace]) -> list[dict[str, Any]]:
+    """The same as JSON values, one for each set of loops that share no joint with others."""
+    return [
+        {"judgement": "numerical", "subject": s.subject, "variables": list(s.variables), "field": s.field,
+         "all_points_found": s.closed, "not_done": s.reason, "real_configurations": s.found,
+         "isolated_configurations": s.isolated, "unplaced_configurations": s.unplaced,
+         "all_joints_settled": s.settles, "certified_of_combinations": s.combined,
+         "components": [
+             {"dimension": c.dimension, "degree": c.degree, "all_points_found": c.closed,
+              "through_reference": c.through, "real_configurations": c.on, "certified_points": c.certified,
+              "largest_equation": c.residual if c.certified else None, "trace": c.trace if c.closed else None,
+              "trace_in_60_digits": c.fine, "at_most_components": c.sets, "loops_that_join_again": c.loops}
+             for c in s.components]}
+        for s in spaces
+    ]  # fmt: skip
