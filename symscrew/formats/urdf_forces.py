@@ -116,7 +116,7 @@ def _number(parts: Sequence[Element], transmission: Element, tags: tuple[str, ..
     for element in (element for part in parts for element in _below(part)):
         tag = element.tag.rpartition("}")[2].rpartition(":")[2]
         if tag in tags:
-            text = element.get("value") or (element.text or "").strip()
+            text = element.get("value") or (element.text or "").strip().strip("\"'")  # as files have it: "1"
             return float(number(text, f"{label(transmission)}, {tag}"))
     return None
 
