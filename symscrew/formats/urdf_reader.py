@@ -107,6 +107,7 @@ def read_urdf(root: Element, path: Path, options: ImportOptions) -> Draft:
     result = Draft(name, ground, f"imported from the URDF {path.name}", f"robot {name}", ledger=ledger)
     driven, noted = _driven(root, joints, mimics, ledger)
     _check_mirrored(links.values(), ledger)
+    _say_points(links.values(), ledger)
     result.bodies += [_body(link, poses[name]) for name, link in links.items() if name != ground]
     for link_name, link in links.items():
         result.pictures += visuals(link, poses[link_name], path=path, within=options.folder, origin=_origin)
@@ -301,6 +302,14 @@ def _triple(text: str, where: str) -> Triple:
     return triple(numbers(text, where, 3))
 
 
+def _say_points(links: Iterable[Element], ledger: Ledger) -> None:
+    """Links with a mass and no element for moments of inertia are points, as for what reads URDFs in ROS."""
+    for link in links:
+        inertial = first(link, "inertial")
+        if inertial and list(elements(inertial[0], "mass")) and not list(elements(inertial[0], "inertia")):
+            ledger.changed.append(f"{label(link)}: a mass without <inertia>: a point, as for ROS")
+
+
 def _check_mirrored(links: Iterable[Element], ledger: Ledger) -> None:
     """Say which inertias have other numbers below their diagonal than above it: these count, as in ROS."""
     for link in links:
@@ -320,7 +329,8 @@ def _body(link: Element, pose: Pose) -> RawBody:
     inertial = _one(link, "inertial")
     where = f"{label(link)}, inertial"
     mass = triple([number(attribute(_one(inertial, "mass", where), "value"), f"{where}, mass"), 0, 0])[0]
-    moments = _one(inertial, "inertia", where)
+    found = list(elements(inertial, "inertia"))
+    moments = found[0] if found else Element("inertia")  # a point, as `_say_points` says
     keys = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
     check_attributes(moments, (*keys, *MIRRORED), f"{where}, inertia")
     xx, xy, xz, yy, yz, zz = (number(moments.get(key, "0"), f"{where}, {key}") for key in keys)
