@@ -337,7 +337,24 @@ def pinocchio_model(path: Path) -> tuple[Any, int]:
     import pinocchio
 
     text, mended = possible(path)
-    return pinocchio.buildModelFromXML(text), mended
+    engine = pinocchio.buildModelFromXML(text)
+    for k, whole in enumerate(engine.inertias):  # of links that fixed joints join, in one
+        near = nearest(np.array(whole.inertia))
+        if near is not None:
+            engine.inertias[k] = pinocchio.Inertia(whole.mass, whole.lever, near)
+            mended += 1
+    return engine, mended
+
+
+def nearest(given: Array) -> Array | None:
+    """The nearest inertia that a body can have, or None where this is one."""
+    values, axes = np.linalg.eigh(given)
+    low = values.clip(min=0)
+    miss = (low[2] - low[0] - low[1]) / 3
+    if values[0] >= -1e-12 * values[2] and miss <= 1e-12 * values[2]:
+        return None
+    near: Array = axes @ np.diag(low + max(miss, 0) * np.array([1, 1, -1])) @ axes.T
+    return near
 
 
 def turning(engine: Any, v: Array) -> Array:
@@ -416,13 +433,10 @@ def possible(path: Path) -> tuple[str, int]:
             given = np.zeros((3, 3))
             for i, j in ((0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)):
                 given[i, j] = given[j, i] = float(moments.get(f"i{'xyz'[i]}{'xyz'[j]}", "0"))
-            values, axes = np.linalg.eigh(given)
-            low = values.clip(min=0)
-            miss = (low[2] - low[0] - low[1]) / 3
-            if link.get("name") in fixed or (values[0] >= -1e-12 * values[2] and miss <= 1e-12 * values[2]):
+            near = None if link.get("name") in fixed else nearest(given)
+            if near is None:
                 continue
             mended += 1
-            near = axes @ np.diag(low + max(miss, 0) * np.array([1, 1, -1])) @ axes.T
             for i, j in ((0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)):
                 moments.set(f"i{'xyz'[i]}{'xyz'[j]}", repr(float(near[i, j])))
     links = {link.get("name") for link in root.findall("link")}
