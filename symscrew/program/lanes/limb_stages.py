@@ -1,6 +1,6 @@
 """Stages of equal limbs: what each limb does alike, to be written once and done limb after limb.
 
-    rows of corresponding operations --Plan--> rows and single operations --stage_order--> stage 0 | what is between | ...
+    corresponding operations --Plan--> rows and single operations --staged_rows--> stage 0 | between | stage 1 | ...
 
 Of the readings of a program that one is taken which saves most. Stages of few rows are not worth a function and stay
 one by one.
@@ -18,7 +18,7 @@ from symscrew.program.lanes.corresponding import Corresponding
 from symscrew.program.lanes.pack_plan import Code, Item, Plan
 from symscrew.program.lanes.packs import Pack, Packing, packing_of
 from symscrew.program.lanes.signed_operations import Operand, Operation
-from symscrew.program.lanes.stage_order import LimbRow, LimbStages, Single, staged
+from symscrew.program.lanes.staged_rows import LimbRow, LimbStages, Single, staged
 
 FEWEST = 6  # rows of a stage: its head, its call per limb and what it hands on take as many lines as it saves
 PART = 0.3  # of the operations that stages must save: of less, the text is hardly shorter, and limbs are not so equal
