@@ -24,7 +24,7 @@ BODY(four_bar_forward_dynamics)(size_t stride, const double *restrict q, const d
       minus_coupler_acc_still_x = coupler_cos * t2, coupler_omega_z = A_v + READ(v, 1),
       minus_coupler_U_still_xx = coupler_omega_z * coupler_omega_z,
       C_opening_bias_fx = t27 - (minus_coupler_acc_still_x + 0.5 * minus_coupler_U_still_xx),
-      minus_crank_force_y = coupler_sin * (coupler_com_z * minus_coupler_U_still_xx),
+      minus_crank_force_y = coupler_sin * (k7 * minus_coupler_U_still_xx),
       coupler_rotation_xx = crank_sin * coupler_cos + crank_cos * coupler_sin,
       minus_rocker_joint_force_my_by_C_fz = k6 * rocker_cos,
       t30 = coupler_rotation_xx * minus_rocker_joint_force_my_by_C_fz, /* C */
@@ -41,8 +41,8 @@ BODY(four_bar_forward_dynamics)(size_t stride, const double *restrict q, const d
       t35 = coupler_com_x * t34, /* coupler */
       minus_B_joint_acc_still = 2.0 * t34,
       coupler_acc_still_y = coupler_sin * (t2 - gravity_z * crank_cos) - coupler_cos * (gravity_z * crank_sin),
-      coupler_rate_mz_2 = coupler_com_z * coupler_acc_still_y - t35,
-      minus_A_generalised_force = READ(u, 0) + (k10 * crank_sin - (coupler_rate_mz_2 - t37)),
+      coupler_rate_mz_2 = k7 * coupler_acc_still_y - t35,
+      minus_A_generalised_force = READ(u, 0) + (k12 * crank_sin - (coupler_rate_mz_2 - t37)),
       D_null_space_by_A = B_at_z * coupler_sin * t32,
       t41 = 0.5 + B_at_z * coupler_cos + C_closure_fy_by_D * D_null_space_by_A, /* B */
       minus_B_null_space_by_A = 2.0 * t41;
@@ -50,10 +50,10 @@ BODY(four_bar_forward_dynamics)(size_t stride, const double *restrict q, const d
     const REAL t43 = minus_A_generalised_force + minus_B_null_space_by_A * coupler_rate_mz_2,
       t53 = coupler_com_x * t41, /* B */
       t45 = D_null_space_by_A * (gravity_z_rocker_mx * minus_rocker_sin + rocker_sxx * D_joint_acc_still),
-      A_reduced_force = t43 - t45, A_mass_matrix_by_B = coupler_sxx + B_at_z_coupler_com_z * coupler_cos,
+      A_reduced_force = t43 - t45, A_mass_matrix_by_B = coupler_sxx + k11 * coupler_cos,
       t51 = minus_B_null_space_by_A * A_mass_matrix_by_B, t55 = minus_B_null_space_by_A * (A_mass_matrix_by_B - t53),
       t47 = coupler_cos * (coupler_sxx * coupler_cos), /* coupler */
-      t52 = coupler_sxx - t47 + (k7 + (t47 + k9 * coupler_cos)) - t51,
+      t52 = coupler_sxx - t47 + (k8 + (t47 + k10 * coupler_cos)) - t51,
       A_reduced_inertia_by_A = t52 - t55 + D_null_space_by_A * (rocker_sxx * D_null_space_by_A);
     REAL checked1 = A_reduced_inertia_by_A;
     const REAL A_joint_acc = A_reduced_force / A_reduced_inertia_by_A;
@@ -103,25 +103,25 @@ BODY(four_bar_forward_dynamics_independent)(size_t stride, const double *restric
       coupler_omega_z = A_y_dot - 2.0 * (crank_lever_mz_by_C_fy * A_y_dot + t31),
       minus_coupler_U_still_xx = coupler_omega_z * coupler_omega_z,
       t33 = 0.5 * minus_coupler_U_still_xx, /* coupler */
-      minus_crank_force_y = coupler_sin * (coupler_com_z * minus_coupler_U_still_xx),
-      t2 = B_at_z * (A_y_dot * A_y_dot), D_joint_acc_still = t11 * (t28 - (coupler_cos * t2 + t33)),
+      minus_crank_force_y = coupler_sin * (k7 * minus_coupler_U_still_xx), t2 = B_at_z * (A_y_dot * A_y_dot),
+      D_joint_acc_still = t11 * (t28 - (coupler_cos * t2 + t33)),
       t35 = C_closure_fy_by_D * D_joint_acc_still, /* coupler */
       t45 = crank_lever_mz_by_C_fy + C_closure_fy_by_D * D_null_space_by_A, /* B */
       t48 = rocker_sxx * D_joint_acc_still, /* D */
       t36 = coupler_sin * t2 - t23 + t35, /* coupler */
       t42 = B_at_z * (minus_crank_force_y + coupler_cos * (k2 * t36)), t37 = coupler_com_x * t36, /* coupler */
       minus_coupler_acc_y = coupler_cos * (gravity_z * crank_sin) + coupler_sin * (gravity_z * crank_cos - t2),
-      minus_coupler_rate_mz_2 = t37 + coupler_com_z * minus_coupler_acc_y;
+      minus_coupler_rate_mz_2 = t37 + k7 * minus_coupler_acc_y;
     /* A: free motion; inertia; accelerations */
-    const REAL minus_A_generalised_force = READ(u, 0) + (k10 * crank_sin + (minus_coupler_rate_mz_2 + t42)),
+    const REAL minus_A_generalised_force = READ(u, 0) + (k12 * crank_sin + (minus_coupler_rate_mz_2 + t42)),
       minus_B_null_space_by_A = 2.0 * t45,
       t47 = minus_A_generalised_force - minus_B_null_space_by_A * minus_coupler_rate_mz_2,
       t57 = coupler_com_x * t45, /* B */
       A_reduced_force = t47 - D_null_space_by_A * (gravity_z_rocker_mx * minus_rocker_sin + t48),
-      A_mass_matrix_by_B = coupler_sxx + B_at_z_coupler_com_z * coupler_cos,
-      t55 = minus_B_null_space_by_A * A_mass_matrix_by_B, t59 = minus_B_null_space_by_A * (A_mass_matrix_by_B - t57),
+      A_mass_matrix_by_B = coupler_sxx + k11 * coupler_cos, t55 = minus_B_null_space_by_A * A_mass_matrix_by_B,
+      t59 = minus_B_null_space_by_A * (A_mass_matrix_by_B - t57),
       t51 = coupler_cos * (coupler_sxx * coupler_cos), /* coupler */
-      t56 = coupler_sxx - t51 + (k7 + (t51 + k9 * coupler_cos)) - t55,
+      t56 = coupler_sxx - t51 + (k8 + (t51 + k10 * coupler_cos)) - t55,
       A_reduced_inertia_by_A = t56 - t59 + D_null_space_by_A * (rocker_sxx * D_null_space_by_A);
     REAL checked1 = A_reduced_inertia_by_A;
     const REAL A_joint_acc = A_reduced_force / A_reduced_inertia_by_A;
@@ -155,7 +155,7 @@ BODY(four_bar_forward_dynamics_reactions)(size_t stride, const double *restrict 
       minus_coupler_acc_still_x = coupler_cos * t2, coupler_omega_z = A_v + READ(v, 1),
       minus_coupler_U_still_xx = coupler_omega_z * coupler_omega_z,
       C_opening_bias_fx = t27 - (minus_coupler_acc_still_x + 0.5 * minus_coupler_U_still_xx),
-      minus_coupler_rate_fx = coupler_com_z * minus_coupler_U_still_xx,
+      minus_coupler_rate_fx = k7 * minus_coupler_U_still_xx,
       coupler_rotation_xx = crank_sin * coupler_cos + crank_cos * coupler_sin,
       minus_rocker_joint_force_my_by_C_fz = k6 * rocker_cos,
       t30 = coupler_rotation_xx * minus_rocker_joint_force_my_by_C_fz, /* C */
@@ -176,9 +176,9 @@ BODY(four_bar_forward_dynamics_reactions)(size_t stride, const double *restrict 
       t4 = coupler_sin * t3, /* coupler */
       t70 = coupler_cos * t3, /* coupler */
       minus_crank_acc_y = gravity_z * crank_sin,
-      coupler_rate_mz_2 = coupler_com_z * (t4 - coupler_cos * minus_crank_acc_y) - t35,
+      coupler_rate_mz_2 = k7 * (t4 - coupler_cos * minus_crank_acc_y) - t35,
       t38 = coupler_rate_mz_2 - t37, /* crank */
-      minus_crank_rate_mz = k10 * crank_sin, A_u = READ(u, 0),
+      minus_crank_rate_mz = k12 * crank_sin, A_u = READ(u, 0),
       minus_A_generalised_force = A_u + (minus_crank_rate_mz - t38), crank_lever_mz_by_C_fx = B_at_z * coupler_sin,
       D_null_space_by_A = crank_lever_mz_by_C_fx * t32,
       t41 = 0.5 + B_at_z * coupler_cos + C_closure_fy_by_D * D_null_space_by_A, /* B */
@@ -187,10 +187,10 @@ BODY(four_bar_forward_dynamics_reactions)(size_t stride, const double *restrict 
     const REAL t43 = minus_A_generalised_force + minus_B_null_space_by_A * coupler_rate_mz_2,
       t53 = coupler_com_x * t41, /* B */
       t45 = D_null_space_by_A * (gravity_z_rocker_mx * minus_rocker_sin + rocker_sxx * D_joint_acc_still),
-      A_reduced_force = t43 - t45, A_mass_matrix_by_B = coupler_sxx + B_at_z_coupler_com_z * coupler_cos,
+      A_reduced_force = t43 - t45, A_mass_matrix_by_B = coupler_sxx + k11 * coupler_cos,
       t51 = minus_B_null_space_by_A * A_mass_matrix_by_B, t55 = minus_B_null_space_by_A * (A_mass_matrix_by_B - t53),
       t47 = coupler_cos * (coupler_sxx * coupler_cos), /* coupler */
-      t52 = coupler_sxx - t47 + (k7 + (t47 + k9 * coupler_cos)) - t51,
+      t52 = coupler_sxx - t47 + (k8 + (t47 + k10 * coupler_cos)) - t51,
       A_reduced_inertia_by_A = t52 - t55 + D_null_space_by_A * (rocker_sxx * D_null_space_by_A);
     REAL checked1 = A_reduced_inertia_by_A;
     const REAL A_joint_acc = A_reduced_force / A_reduced_inertia_by_A;
@@ -204,13 +204,12 @@ BODY(four_bar_forward_dynamics_reactions)(size_t stride, const double *restrict 
     const REAL rocker_rate_fy = rocker_mx * D_joint_acc, t65 = minus_crank_acc_y - B_at_z * A_joint_acc,
       coupler_acc_y = t4 - coupler_cos * t65,
       minus_coupler_rate_fx_2 = minus_coupler_rate_fx + rocker_m * (t70 + coupler_sin * t65),
-      t68 = rocker_m * coupler_acc_y,
-      C_multiplier_fy = 2.0 * (coupler_sxx * coupler_alpha_z + coupler_com_z * coupler_acc_y),
-      coupler_rate_fy = coupler_com_z * coupler_alpha_z,
+      t68 = rocker_m * coupler_acc_y, C_multiplier_fy = 2.0 * (coupler_sxx * coupler_alpha_z + k7 * coupler_acc_y),
+      coupler_rate_fy = k7 * coupler_alpha_z,
       minus_coupler_joint_force_fy = minus_crank_force_y - coupler_cos * coupler_rate_fy,
       minus_coupler_sent_fy = C_multiplier_fy - (coupler_rate_fy + t68),
       t74 = coupler_cos * C_multiplier_fy, /* crank */
-      t78 = A_u + (B_at_z * (minus_coupler_joint_force_fy + t74) + (minus_crank_rate_mz - k7 * A_joint_acc)), /* C */
+      t78 = A_u + (B_at_z * (minus_coupler_joint_force_fy + t74) + (minus_crank_rate_mz - k8 * A_joint_acc)), /* C */
       minus_C_multiplier_fx = t78 / crank_lever_mz_by_C_fx,
       minus_coupler_sent_fx = minus_coupler_rate_fx_2 - minus_C_multiplier_fx,
       t82 = crank_mx * A_joint_acc, /* A */
@@ -259,8 +258,8 @@ BODY(four_bar_forward_dynamics_reactions)(size_t stride, const double *restrict 
       t125 = 2.0 + t123 * t123, /* coupler */
       t126 = per_length_crank_m * coupler_cos, /* coupler */
       t129 = 1.0 + (t125 + t126 * t126), /* coupler */
-      t130 = k11 * minus_rocker_sin, t132 = t129 + t130 * t130, /* mechanism */
-      t133 = k11 * rocker_cos, t136 = 1.0 + (t132 + t133 * t133), /* mechanism */
+      t130 = k13 * minus_rocker_sin, t132 = t129 + t130 * t130, /* mechanism */
+      t133 = k13 * rocker_cos, t136 = 1.0 + (t132 + t133 * t133), /* mechanism */
       minus_crank_lever_my_by_C_fz = B_at_z + 0.5 * coupler_cos,
       t138 = crank_sin * minus_crank_lever_my_by_C_fz, /* crank */
       t143 = crank_cos * minus_crank_lever_my_by_C_fz, /* crank */
@@ -341,7 +340,7 @@ BODY(four_bar_forward_dynamics_dense)(size_t stride, const double *restrict q, c
       C_opening_bias_fx = t34 - (minus_coupler_acc_still_x + 0.5 * minus_coupler_U_still_xx);
     WRITE(curvature_, 0, C_opening_bias_fx);
     REAL checked2 = C_opening_bias_fx;
-    const REAL t11 = B_at_z * (coupler_sin * (coupler_com_z * minus_coupler_U_still_xx)), /* crank */
+    const REAL t11 = B_at_z * (coupler_sin * (k7 * minus_coupler_U_still_xx)), /* crank */
       minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos,
       minus_rocker_joint_force_my_by_C_fz = k6 * rocker_cos,
       t21 = minus_coupler_rotation_xy * minus_rocker_joint_force_my_by_C_fz,
@@ -357,15 +356,15 @@ BODY(four_bar_forward_dynamics_dense)(size_t stride, const double *restrict q, c
     checked2 = checked2 + rocker_rate_mz;
     WRITE(load_, 2, -rocker_rate_mz);
     const REAL coupler_acc_still_y = coupler_sin * (t7 - gravity_z * crank_cos) - coupler_cos * (gravity_z * crank_sin),
-      coupler_rate_mz = coupler_com_z * coupler_acc_still_y;
+      coupler_rate_mz = k7 * coupler_acc_still_y;
     WRITE(load_, 1, -coupler_rate_mz);
-    RESULT(checked3, load_, 0, k10 * crank_sin - (coupler_rate_mz - t11) + READ(u, 0));
-    const REAL A_mass_matrix_by_B = coupler_sxx + B_at_z_coupler_com_z * coupler_cos;
+    RESULT(checked3, load_, 0, k12 * crank_sin - (coupler_rate_mz - t11) + READ(u, 0));
+    const REAL A_mass_matrix_by_B = coupler_sxx + k11 * coupler_cos;
     WRITE(inertia_, 1, A_mass_matrix_by_B);
     WRITE(inertia_, 3, A_mass_matrix_by_B);
     checked0 = checked0 + A_mass_matrix_by_B;
     const REAL t3 = coupler_cos * (coupler_sxx * coupler_cos); /* coupler */
-    RESULT(checked1, inertia_, 0, coupler_sxx - t3 + (k7 + (t3 + k9 * coupler_cos)));
+    RESULT(checked1, inertia_, 0, coupler_sxx - t3 + (k8 + (t3 + k10 * coupler_cos)));
     WRITE(inertia_, 2, CONSTANT(0.0));
     WRITE(inertia_, 4, CONSTANT(coupler_sxx));
     WRITE(inertia_, 5, CONSTANT(0.0));
@@ -499,9 +498,9 @@ BODY(four_bar_forward_dynamics_reactions_wrenches)(size_t stride, const double *
       t8 = B_at_z * A_a - gravity_z * crank_sin, t10 = rocker_m * (t6 - coupler_sin * t8),
       t14 = rocker_m * (t12 + coupler_cos * t8), coupler_omega_z = A_v + READ(v, 1);
     /* coupler: balance, eqs. (40)-(47) */
-    const REAL minus_coupler_sent_fx = coupler_com_z * (coupler_omega_z * coupler_omega_z) + t10 + multipliers_0,
+    const REAL minus_coupler_sent_fx = k7 * (coupler_omega_z * coupler_omega_z) + t10 + multipliers_0,
       t11 = coupler_cos * minus_coupler_sent_fx, t19 = coupler_sin * minus_coupler_sent_fx,
-      coupler_sent_fy = coupler_com_z * (A_a + READ(a, 1)) + t14 - multipliers_1,
+      coupler_sent_fy = k7 * (A_a + READ(a, 1)) + t14 - multipliers_1,
       minus_coupler_joint_sent_fx = t11 + coupler_sin * coupler_sent_fy,
       minus_coupler_joint_sent_fy = t19 - coupler_cos * coupler_sent_fy;
     WRITE(sized_, 6, -minus_coupler_joint_sent_fx);

@@ -15,9 +15,9 @@ BODY(four_bar_inverse_dynamics)(size_t stride, const double *restrict q, const d
     const REAL A_v = READ(v, 0), crank_cos = SINES(cosine, 0), coupler_sin = SINES(sine, 1), A_a = READ(a, 0),
       crank_sin = SINES(sine, 0), coupler_cos = SINES(cosine, 1),
       t7 = coupler_sin * (B_at_z * (A_v * A_v) - gravity_z * crank_cos), /* coupler */
-      t11 = coupler_com_z * (t7 + coupler_cos * (B_at_z * A_a - gravity_z * crank_sin)), /* coupler */
+      t11 = k7 * (t7 + coupler_cos * (B_at_z * A_a - gravity_z * crank_sin)), /* coupler */
       coupler_twist_rate_wy = A_a + READ(a, 1), C_multiplier_fy = 2.0 * (coupler_sxx * coupler_twist_rate_wy + t11),
-      t30 = coupler_cos * (coupler_com_z * coupler_twist_rate_wy); /* coupler */
+      t30 = coupler_cos * (k7 * coupler_twist_rate_wy); /* coupler */
     /* rocker: balance, eqs. (40)-(47); geometry */
     const REAL t12 = coupler_sin * C_multiplier_fy, t14 = coupler_cos * C_multiplier_fy, t18 = crank_cos * t12,
       t16 = crank_sin * t12 - crank_cos * t14, minus_rocker_joint_force_my_by_C_fz = k6 * SINES(cosine, 2),
@@ -30,8 +30,8 @@ BODY(four_bar_inverse_dynamics)(size_t stride, const double *restrict q, const d
     REAL checked1 = minus_C_closure_fx_by_D;
     const REAL t29 = B_at_z * coupler_sin * (rocker_joint_force_mz / minus_C_closure_fx_by_D), /* A */
       coupler_omega_z = A_v + READ(v, 1),
-      t32 = B_at_z * (coupler_sin * (coupler_com_z * (coupler_omega_z * coupler_omega_z)) - t30 + t14), /* crank */
-      A_balance = t29 - (t32 + (k10 * crank_sin - k7 * A_a));
+      t32 = B_at_z * (coupler_sin * (k7 * (coupler_omega_z * coupler_omega_z)) - t30 + t14), /* crank */
+      A_balance = t29 - (t32 + (k12 * crank_sin - k8 * A_a));
     WRITE(u, 0, A_balance);
     REAL checked2 = A_balance;
     FINITE_UNLESS( /* status 1 where a pivot is smaller than its limit: */
@@ -71,22 +71,21 @@ BODY(four_bar_inverse_dynamics_independent)(size_t stride, const double *restric
       minus_coupler_U_still_xx = coupler_omega_z * coupler_omega_z, A_y_ddot = READ(y_ddot, 0),
       t35 = crank_lever_mz_by_C_fy * A_y_ddot, /* B */
       t31 = 0.5 * minus_coupler_U_still_xx, /* coupler */
-      minus_crank_force_y = coupler_sin * (coupler_com_z * minus_coupler_U_still_xx),
-      t24 = B_at_z * (A_y_dot * A_y_dot),
+      minus_crank_force_y = coupler_sin * (k7 * minus_coupler_U_still_xx), t24 = B_at_z * (A_y_dot * A_y_dot),
       D_joint_acc = t9 * (crank_lever_mz_by_C_fx * A_y_ddot + (t23 - (coupler_cos * t24 + t31))),
       t34 = rocker_sxx * D_joint_acc, /* D */
       minus_B_joint_acc = 2.0 * (t35 + (coupler_sin * t24 - t38) + C_closure_fy_by_D * D_joint_acc),
       coupler_alpha_z = A_y_ddot - minus_B_joint_acc, t42 = coupler_sxx * coupler_alpha_z, /* coupler */
-      minus_coupler_joint_force_fy = minus_crank_force_y - coupler_cos * (coupler_com_z * coupler_alpha_z),
+      minus_coupler_joint_force_fy = minus_crank_force_y - coupler_cos * (k7 * coupler_alpha_z),
       t44 = coupler_sin * (gravity_z * crank_cos - t24), /* coupler */
-      t48 = coupler_com_z * (t44 + coupler_cos * (gravity_z * crank_sin - B_at_z * A_y_ddot)), /* coupler */
+      t48 = k7 * (t44 + coupler_cos * (gravity_z * crank_sin - B_at_z * A_y_ddot)), /* coupler */
       C_multiplier_fy = 2.0 * (t42 - t48), t49 = coupler_sin * C_multiplier_fy, /* rocker */
       t51 = coupler_cos * C_multiplier_fy, /* rocker */
       t63 = B_at_z * (minus_coupler_joint_force_fy + t51),
       t54 = minus_rocker_joint_force_my_by_C_fz * (crank_sin * t49 - crank_cos * t51), /* rocker */
       t59 = t54 + minus_rocker_joint_force_mx_by_C_fz * (crank_cos * t49 + crank_sin * t51), /* rocker */
       t60 = crank_lever_mz_by_C_fx * (t9 * (gravity_z_rocker_mx * minus_rocker_sin + t34 - t59)), /* A */
-      A_balance = t60 - (t63 + (k10 * crank_sin - k7 * A_y_ddot));
+      A_balance = t60 - (t63 + (k12 * crank_sin - k8 * A_y_ddot));
     WRITE(u, 0, A_balance);
     REAL checked1 = A_balance;
     FINITE_UNLESS( /* status 1 where a pivot is smaller than its limit: */
@@ -104,26 +103,26 @@ BODY(four_bar_inverse_dynamics_platform)(size_t stride, const double *restrict p
     /* rocker: reciprocal wrenches, eq. (10); geometry; balance, eqs. (40)-(47) */
     const REAL t3 = D_at_x - minus_rocker_joint_force_mx_by_C_fz, rocker_cos = SINES(cosine, 0), t4 = t3 * t3,
       minus_rocker_joint_force_my_by_C_fz = k6 * rocker_cos,
-      t5 = minus_rocker_joint_force_my_by_C_fz * minus_rocker_joint_force_my_by_C_fz + t4, t6 = t5 - k12,
-      t7 = 0.5 * t6, t9 = k14 - t7 * t7, t10 = SQRT(t9), t12 = SELECT(0.0, -t10, t10);
+      t5 = minus_rocker_joint_force_my_by_C_fz * minus_rocker_joint_force_my_by_C_fz + t4, t6 = t5 - k14,
+      t7 = 0.5 * t6, t9 = k16 - t7 * t7, t10 = SQRT(t9), t12 = SELECT(0.0, -t10, t10);
     /* crank: reciprocal wrenches, eq. (10); geometry */
-    const REAL crank_lever_mx_by_C_fz = k15 * t12, t19 = t3 * crank_lever_mx_by_C_fz,
+    const REAL crank_lever_mx_by_C_fz = k17 * t12, t19 = t3 * crank_lever_mx_by_C_fz,
       t16 = minus_rocker_joint_force_my_by_C_fz * crank_lever_mx_by_C_fz,
-      minus_crank_lever_my_by_C_fz = B_at_z + k13 * t6, t17 = t3 * minus_crank_lever_my_by_C_fz - t16,
-      t20 = minus_rocker_joint_force_my_by_C_fz * minus_crank_lever_my_by_C_fz + t19, coupler_cos = k15 * t6,
+      minus_crank_lever_my_by_C_fz = B_at_z + k15 * t6, t17 = t3 * minus_crank_lever_my_by_C_fz - t16,
+      t20 = minus_rocker_joint_force_my_by_C_fz * minus_crank_lever_my_by_C_fz + t19, coupler_cos = k17 * t6,
       t14 = 1.0 / t5, /* rocker */
-      crank_cos = t14 * t20, crank_sin = t14 * t17, crank_lever_mz_by_C_fy = t5 + k20, D_rate = READ(rate, 0),
+      crank_cos = t14 * t20, crank_sin = t14 * t17, crank_lever_mz_by_C_fy = t5 + k22, D_rate = READ(rate, 0),
       t38 = k6 * D_rate; /* D */
     /* C: loop closure; balance, eqs. (40)-(47) */
     const REAL t39 = minus_rocker_sin * t38, t41 = rocker_cos * t38, t45 = crank_sin * t39,
       t43 = crank_cos * t39 + crank_sin * t41, t47 = t45 - crank_cos * t41, t44 = coupler_cos * t43,
-      coupler_sin = k19 * t12, crank_lever_mz_by_C_fx = 2.0 * t12, minus_C_opening_rate_fx = t44 - coupler_sin * t47,
+      coupler_sin = k21 * t12, crank_lever_mz_by_C_fx = 2.0 * t12, minus_C_opening_rate_fx = t44 - coupler_sin * t47,
       C_opening_rate_fy = coupler_sin * t43 + coupler_cos * t47, minus_C_part_fx_by_A = 1.0 / crank_lever_mz_by_C_fx,
       crank_omega_z = minus_C_opening_rate_fx * minus_C_part_fx_by_A,
       coupler_omega_z = crank_omega_z - 2.0 * (C_opening_rate_fy + crank_lever_mz_by_C_fy * crank_omega_z),
       minus_coupler_U_xx = coupler_omega_z * coupler_omega_z,
       t49 = B_at_z * (crank_omega_z * crank_omega_z), /* crank */
-      t88 = coupler_sin * (coupler_com_z * minus_coupler_U_xx), /* coupler */
+      t88 = coupler_sin * (k7 * minus_coupler_U_xx), /* coupler */
       t56 = coupler_cos * t49 + 0.5 * minus_coupler_U_xx, /* coupler */
       t21 = k6 * (D_rate * D_rate), /* rocker */
       D_acc = READ(acceleration, 0), t22 = rocker_cos * t21, /* rocker */
@@ -135,10 +134,10 @@ BODY(four_bar_inverse_dynamics_platform)(size_t stride, const double *restrict p
       t61 = coupler_sin * t49 - (t57 + coupler_cos * t35) - crank_lever_mz_by_C_fy * minus_crank_alpha_z, /* coupler */
       minus_coupler_alpha_z = minus_crank_alpha_z + 2.0 * t61,
       t63 = coupler_sxx * minus_coupler_alpha_z, /* coupler */
-      minus_coupler_joint_force_fy = t88 + coupler_cos * (coupler_com_z * minus_coupler_alpha_z),
-      t92 = k7 * minus_crank_alpha_z, /* crank */
+      minus_coupler_joint_force_fy = t88 + coupler_cos * (k7 * minus_coupler_alpha_z),
+      t92 = k8 * minus_crank_alpha_z, /* crank */
       t68 = coupler_cos * (gravity_z * crank_sin + B_at_z * minus_crank_alpha_z), /* coupler */
-      minus_coupler_rate_mz = t63 - coupler_com_z * (coupler_sin * (t49 - gravity_z * crank_cos) - t68),
+      minus_coupler_rate_mz = t63 - k7 * (coupler_sin * (t49 - gravity_z * crank_cos) - t68),
       minus_C_multiplier_fy = 2.0 * minus_coupler_rate_mz, t70 = coupler_sin * minus_C_multiplier_fy, /* rocker */
       t72 = coupler_cos * minus_C_multiplier_fy, /* rocker */
       t91 = B_at_z * (minus_coupler_joint_force_fy - t72), /* crank */
@@ -149,7 +148,7 @@ BODY(four_bar_inverse_dynamics_platform)(size_t stride, const double *restrict p
       minus_C_closure_fx_by_D = t83 + minus_rocker_joint_force_mx_by_C_fz * (crank_cos * coupler_cos - crank_sin * coupler_sin);
     REAL checked0 = minus_C_closure_fx_by_D;
     const REAL t87 = crank_lever_mz_by_C_fx * (rocker_joint_force_mz / minus_C_closure_fx_by_D), /* A */
-      A_balance = t87 - (t91 + (t92 + k10 * crank_sin));
+      A_balance = t87 - (t91 + (t92 + k12 * crank_sin));
     WRITE(u, 0, A_balance);
     REAL checked1 = A_balance;
     /* else status 11: out of reach: limb A does not get there */

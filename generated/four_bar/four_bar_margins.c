@@ -12,7 +12,7 @@ BODY(four_bar_limb_margins)(size_t stride, const double *restrict q, double *res
     REAL checked0 = READ(q, 0);
     REAL checked1 = READ(q, 2);
     /* rocker: results */
-    const REAL rocker_margins = k21 * SINES(sine, 0);
+    const REAL rocker_margins = k23 * SINES(sine, 0);
     WRITE(margins, 0, rocker_margins);
     REAL checked2 = rocker_margins;
     FINITE((checked0 + checked1) + checked2);
@@ -34,11 +34,11 @@ BODY(four_bar_constraint_margin)(size_t stride, const double *restrict q, double
       minus_C_closure_fx_by_D = t14 - minus_coupler_rotation_xy * minus_rocker_joint_force_mx_by_C_fz,
       t13 = per_length_B_at_z * coupler_sin * (per_length * C_closure_fy_by_D), /* rocker */
       t16 = per_length * minus_C_closure_fx_by_D, /* C */
-      t23 = k22 * minus_C_closure_fx_by_D, /* C */
+      t23 = k24 * minus_C_closure_fx_by_D, /* C */
       t24 = t23 * t23, /* C */
       t20 = t13 + t16 * (per_length * (0.5 + B_at_z * coupler_cos)), /* rocker */
       t21 = t20 * t20, /* rocker */
-      t2 = k21 * coupler_sin, /* coupler */
+      t2 = k23 * coupler_sin, /* coupler */
       rocker_margins = t2 * t2 + t21 + t24;
     WRITE(margins, 0, rocker_margins);
     REAL checked0 = rocker_margins;
@@ -54,7 +54,7 @@ BODY(four_bar_actuation_margins)(size_t stride, const double *restrict q, double
       coupler_sin = SINES(sine, 1),
       t5 = (crank_sin * coupler_cos + crank_cos * coupler_sin) * (k6 * SINES(cosine, 2)), /* C */
       minus_C_closure_fx_by_D = t5 - (crank_sin * coupler_sin - crank_cos * coupler_cos) * (k6 * SINES(sine, 2)),
-      all_drives_margins = k22 * minus_C_closure_fx_by_D;
+      all_drives_margins = k24 * minus_C_closure_fx_by_D;
     WRITE(margins, 0, all_drives_margins);
     REAL checked0 = all_drives_margins;
     FINITE(checked0);

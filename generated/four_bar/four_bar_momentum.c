@@ -19,12 +19,12 @@ BODY(four_bar_momentum_screws)(size_t stride, const double *restrict q, const do
       t16 = t12 - k2 * minus_coupler_rotation_xy, t21 = t19 + k1 * minus_coupler_rotation_xy, t17 = B_at_z * t16,
       coupler_position_z = B_at_z * crank_cos, B_v = READ(v, 1), minus_coupler_twist_vx = B_v * coupler_position_z;
     /* coupler: momentum, eq. (31); velocities, eq. (6); geometry */
-    const REAL t25 = coupler_position_z - t17 - (coupler_com_x * t21 - coupler_com_z * t16), A_v = READ(v, 0),
+    const REAL t25 = coupler_position_z - t17 - (coupler_com_x * t21 - k7 * t16), A_v = READ(v, 0),
       t30 = coupler_com_x * t16, coupler_omega_z = A_v + B_v,
       minus_coupler_momentum_px = rocker_m * (minus_coupler_twist_vx - coupler_omega_z * t25),
       t36 = t25 * minus_coupler_momentum_px;
     WRITE(momenta, 6, -minus_coupler_momentum_px);
-    const REAL t28 = B_at_z * t21, t32 = t30 + coupler_com_z * t21, coupler_position_x = B_at_z * crank_sin,
+    const REAL t28 = B_at_z * t21, t32 = t30 + k7 * t21, coupler_position_x = B_at_z * crank_sin,
       t33 = coupler_position_x - t28 + t32,
       coupler_momentum_pz = rocker_m * (B_v * coupler_position_x - coupler_omega_z * t33);
     WRITE(momenta, 8, coupler_momentum_pz);
@@ -101,12 +101,11 @@ BODY(four_bar_momentum_rates)(size_t stride, const double *restrict q, const dou
       coupler_rotation_xx = crank_sin * coupler_cos + crank_cos * coupler_sin, t18 = k2 * coupler_rotation_xx,
       t25 = k1 * coupler_rotation_xx, minus_coupler_rotation_xy = crank_sin * coupler_sin - crank_cos * coupler_cos,
       t22 = t18 + k1 * minus_coupler_rotation_xy, t27 = t25 - k2 * minus_coupler_rotation_xy, t23 = B_at_z * t22,
-      coupler_position_x = B_at_z * crank_sin,
-      t31 = coupler_position_x - t23 + (coupler_com_x * t27 + coupler_com_z * t22), B_v = READ(v, 1),
-      t40 = coupler_com_x * t22, coupler_omega_z = A_v + B_v, t32 = coupler_omega_z * t31,
+      coupler_position_x = B_at_z * crank_sin, t31 = coupler_position_x - t23 + (coupler_com_x * t27 + k7 * t22),
+      B_v = READ(v, 1), t40 = coupler_com_x * t22, coupler_omega_z = A_v + B_v, t32 = coupler_omega_z * t31,
       coupler_twist_vz = B_v * coupler_position_x, coupler_momentum_pz = rocker_m * (coupler_twist_vz - t32);
     /* coupler: momentum rate, eq. (35); accelerations; momentum, eq. (31) */
-    const REAL t34 = coupler_omega_z * coupler_momentum_pz, t38 = B_at_z * t27, t42 = t40 - coupler_com_z * t27,
+    const REAL t34 = coupler_omega_z * coupler_momentum_pz, t38 = B_at_z * t27, t42 = t40 - k7 * t27,
       coupler_position_z = B_at_z * crank_cos, t43 = coupler_position_z - t38 - t42, B_a = READ(a, 1),
       coupler_twist_rate_wy = A_a + B_a, t50 = B_a * coupler_position_x,
       t45 = B_a * coupler_position_z - B_v * (A_v * coupler_position_x) - coupler_twist_rate_wy * t43,
@@ -155,14 +154,14 @@ BODY(four_bar_energy)(size_t stride, const double *restrict q, const double *res
     (void)q;
     /* A: accelerations */
     const REAL A_v = READ(v, 0), D_v = READ(v, 2), coupler_cos = SINES(cosine, 1),
-      rocker_energy_kinetic_up_to = k7 * (A_v * A_v) + rocker_sxx * (D_v * D_v),
+      rocker_energy_kinetic_up_to = k8 * (A_v * A_v) + rocker_sxx * (D_v * D_v),
       coupler_vel_y = coupler_cos * (B_at_z * A_v), coupler_omega_z = A_v + READ(v, 1),
       t6 = rocker_energy_kinetic_up_to + coupler_vel_y * (k2 * coupler_omega_z), /* coupler */
       kinetic_energy = 0.5 * (t6 + coupler_sxx * (coupler_omega_z * coupler_omega_z));
     WRITE(energy, 0, kinetic_energy);
     REAL checked0 = kinetic_energy;
     const REAL crank_cos = SINES(cosine, 0),
-      t16 = k8 * crank_cos - coupler_com_z * (SINES(sine, 0) * SINES(sine, 1) - crank_cos * coupler_cos), /* potential */
+      t16 = k9 * crank_cos - k7 * (SINES(sine, 0) * SINES(sine, 1) - crank_cos * coupler_cos), /* potential */
       potential_energy = gravity_z_crank_mx * crank_cos + gravity_z_rocker_mx * SINES(cosine, 2) + gravity_z * t16;
     WRITE(energy, 1, potential_energy);
     REAL checked1 = potential_energy;
@@ -177,10 +176,10 @@ BODY(four_bar_mass_matrix)(size_t stride, const double *restrict q, double *rest
     REAL checked1 = READ(q, 2);
     /* coupler: geometry; inertia */
     const REAL coupler_cos = SINES(cosine, 0), t3 = coupler_cos * (coupler_sxx * coupler_cos),
-      A_mass_matrix_by_A = coupler_sxx - t3 + (k7 + (t3 + k9 * coupler_cos));
+      A_mass_matrix_by_A = coupler_sxx - t3 + (k8 + (t3 + k10 * coupler_cos));
     WRITE(mass_matrix, 0, A_mass_matrix_by_A);
     REAL checked2 = A_mass_matrix_by_A;
-    const REAL A_mass_matrix_by_B = coupler_sxx + B_at_z_coupler_com_z * coupler_cos;
+    const REAL A_mass_matrix_by_B = coupler_sxx + k11 * coupler_cos;
     WRITE(mass_matrix, 1, A_mass_matrix_by_B);
     WRITE(mass_matrix, 3, A_mass_matrix_by_B);
     REAL checked3 = A_mass_matrix_by_B;
@@ -204,11 +203,11 @@ BODY(four_bar_bias)(size_t stride, const double *restrict q, const double *restr
     REAL checked1 = rocker_rate_mz;
     const REAL A_v = READ(v, 0), coupler_sin = SINES(sine, 1), crank_sin = SINES(sine, 0),
       t4 = coupler_sin * (B_at_z * (A_v * A_v) - gravity_z * SINES(cosine, 0)), /* coupler */
-      coupler_rate_mz = coupler_com_z * (t4 - SINES(cosine, 1) * (gravity_z * crank_sin));
+      coupler_rate_mz = k7 * (t4 - SINES(cosine, 1) * (gravity_z * crank_sin));
     WRITE(bias, 1, coupler_rate_mz);
     const REAL coupler_omega_z = A_v + READ(v, 1),
-      t7 = coupler_rate_mz - B_at_z * (coupler_sin * (coupler_com_z * (coupler_omega_z * coupler_omega_z))), /* crank */
-      crank_moment_z = t7 - k10 * crank_sin;
+      t7 = coupler_rate_mz - B_at_z * (coupler_sin * (k7 * (coupler_omega_z * coupler_omega_z))), /* crank */
+      crank_moment_z = t7 - k12 * crank_sin;
     WRITE(bias, 0, crank_moment_z);
     REAL checked2 = crank_moment_z;
     FINITE((checked0 + checked1) + checked2);

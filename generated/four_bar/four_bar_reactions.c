@@ -18,9 +18,9 @@ BODY(four_bar_joint_reactions)(size_t stride, const double *restrict q, const do
     const REAL coupler_sin = SINES(sine, 1), coupler_cos = SINES(cosine, 1), A_a = READ(a, 0),
       crank_sin = SINES(sine, 0), t7 = coupler_sin * t6, t34 = coupler_cos * t6,
       t9 = B_at_z * A_a - gravity_z * crank_sin, coupler_acc_y = t7 + coupler_cos * t9,
-      t36 = rocker_m * (t34 - coupler_sin * t9), t11 = coupler_com_z * coupler_acc_y, t38 = rocker_m * coupler_acc_y,
+      t36 = rocker_m * (t34 - coupler_sin * t9), t11 = k7 * coupler_acc_y, t38 = rocker_m * coupler_acc_y,
       coupler_twist_rate_wy = A_a + READ(a, 1), C_multiplier_fy = 2.0 * (coupler_sxx * coupler_twist_rate_wy + t11),
-      coupler_rate_fy = coupler_com_z * coupler_twist_rate_wy, t30 = coupler_cos * coupler_rate_fy,
+      coupler_rate_fy = k7 * coupler_twist_rate_wy, t30 = coupler_cos * coupler_rate_fy,
       minus_coupler_sent_fy = C_multiplier_fy - (coupler_rate_fy + t38);
     /* rocker: balance, eqs. (40)-(47); geometry */
     const REAL t12 = coupler_sin * C_multiplier_fy, t13 = crank_sin * t12, t14 = coupler_cos * C_multiplier_fy,
@@ -37,10 +37,10 @@ BODY(four_bar_joint_reactions)(size_t stride, const double *restrict q, const do
     REAL checked0 = minus_C_closure_fx_by_D;
     const REAL minus_C_multiplier_fx = rocker_joint_force_mz / minus_C_closure_fx_by_D,
       t29 = B_at_z * coupler_sin * minus_C_multiplier_fx, /* A */
-      coupler_omega_z = A_v + READ(v, 1), minus_coupler_rate_fx = coupler_com_z * (coupler_omega_z * coupler_omega_z),
+      coupler_omega_z = A_v + READ(v, 1), minus_coupler_rate_fx = k7 * (coupler_omega_z * coupler_omega_z),
       t32 = B_at_z * (coupler_sin * minus_coupler_rate_fx - t30 + t14), /* crank */
       coupler_sent_fx = minus_C_multiplier_fx - (minus_coupler_rate_fx + t36),
-      A_balance = t29 - (t32 + (k10 * crank_sin - k7 * A_a));
+      A_balance = t29 - (t32 + (k12 * crank_sin - k8 * A_a));
     WRITE(u, 0, A_balance);
     REAL checked1 = A_balance;
     const REAL t43 = coupler_sin * coupler_sent_fx, /* coupler */
@@ -86,8 +86,8 @@ BODY(four_bar_joint_reactions)(size_t stride, const double *restrict q, const do
       t86 = 2.0 + t84 * t84, /* coupler */
       t87 = per_length_crank_m * coupler_cos, /* coupler */
       t90 = 1.0 + (t86 + t87 * t87), /* coupler */
-      t91 = k11 * minus_rocker_sin, t93 = t90 + t91 * t91, /* mechanism */
-      t94 = k11 * rocker_cos, t97 = 1.0 + (t93 + t94 * t94), /* mechanism */
+      t91 = k13 * minus_rocker_sin, t93 = t90 + t91 * t91, /* mechanism */
+      t94 = k13 * rocker_cos, t97 = 1.0 + (t93 + t94 * t94), /* mechanism */
       minus_crank_lever_my_by_C_fz = B_at_z + 0.5 * coupler_cos,
       t99 = crank_sin * minus_crank_lever_my_by_C_fz, /* crank */
       t104 = crank_cos * minus_crank_lever_my_by_C_fz, /* crank */

@@ -144,7 +144,7 @@ BODY(three_ups_upu_s_inverse_dynamics)(size_t stride, const double *restrict q, 
       minus_determinant = t85 - drives_share_1_1 * drives_share_0_0;
     REAL checked1 = minus_determinant;
     const REAL t89 = 1.0 / minus_determinant, limb5_S_v_wz = READ(v, 14);
-    /* platform: balance, eqs. (40)-(47); momentum rate, eq. (35); geometry */
+    /* platform: balance, eqs. (40)-(47); momentum rate, eq. (35); drives */
     const REAL minus_platform_moment_x = gravity_z_platform_mz * platform_turn_zy,
       minus_platform_rate_mx = minus_platform_moment_x - (k12 * (READ(v, 13) * limb5_S_v_wz) + k13 * READ(a, 12)),
       t63 = platform_turn_xx * minus_platform_rate_mx, t75 = platform_turn_yx * minus_platform_rate_mx,
@@ -160,9 +160,9 @@ BODY(three_ups_upu_s_inverse_dynamics)(size_t stride, const double *restrict q, 
       minus_platform_joint_force_mx = limbs.t5[3] + (t65 - platform_turn_xz * platform_rate_mz - limbs.t6[0] + limbs.t5[1] - limbs.t6[2]),
       limb5_S_balance_wx = t61 - minus_platform_joint_force_mx,
       minus_limb5_S_balance_wy = t74 + (limbs.t5[2] - (limbs.t6[1] - (t79 + limbs.t5[0])) - limbs.t6[3]),
-      t93 = minus_drives_share_0_1 * minus_limb5_S_balance_wy - drives_share_1_1 * limb5_S_balance_wx, /* limb1 */
-      t90 = (minus_drives_share_0_1 * limb5_S_balance_wx - drives_share_0_0 * minus_limb5_S_balance_wy) * t89, /* limb1 */
-      t94 = t89 * t93; /* limb1 */
+      t93 = minus_drives_share_0_1 * minus_limb5_S_balance_wy - drives_share_1_1 * limb5_S_balance_wx,
+      t90 = (minus_drives_share_0_1 * limb5_S_balance_wx - drives_share_0_0 * minus_limb5_S_balance_wy) * t89,
+      t94 = t89 * t93;
     const EACH4 given = {t90, t94, t90, t94}, given_2 = {t94, t90, t94, t90};
     FIRST_LIMB(0, inverse_dynamics, 2, stride, u, given, given_2, &limbs);
     REAL checked2 = ALONE(limbs.checked[0]);
@@ -437,8 +437,8 @@ BODY(three_ups_upu_s_inverse_dynamics_independent)(size_t stride, const double *
       t185 = t105 * t167, t184 = t176 - t110 * (0.5 * (t177 - t52 * t105 - t180)),
       t189 = t175 - (READ(y_ddot, 1) - 0.5 * (t184 - t185)), t196 = t62 * t189 + t195,
       limb5_S_joint_acc_wy = t71 * (t173 - t65 * t189), limb5_S_joint_acc_wx = t71 * t196,
-      t193 = t57 * (t59 * limb5_S_joint_acc_wy), /* limb4 */
-      limb5_S_joint_acc_wz = limb5_S_joint_acc_still_wz + t193, t203 = platform_turn_zy * limb5_S_joint_acc_wz,
+      t193 = t57 * (t59 * limb5_S_joint_acc_wy), limb5_S_joint_acc_wz = limb5_S_joint_acc_still_wz + t193,
+      t203 = platform_turn_zy * limb5_S_joint_acc_wz,
       t207 = k13 * (t203 + (platform_turn_yy * limb5_S_joint_acc_wy + platform_turn_xy * limb5_S_joint_acc_wx)),
       platform_rate_my = gravity_z_platform_mz * platform_turn_zx - (t202 - t207),
       t235 = platform_turn_yy * platform_rate_my, t225 = platform_turn_xy * platform_rate_my,
@@ -446,7 +446,7 @@ BODY(three_ups_upu_s_inverse_dynamics_independent)(size_t stride, const double *
       t211 = platform_turn_zx * limb5_S_joint_acc_wz, t197 = platform_turn_zz * limb5_S_joint_acc_wz,
       t215 = k13 * (t211 + (platform_turn_yx * limb5_S_joint_acc_wy + platform_turn_xx * limb5_S_joint_acc_wx)),
       minus_platform_rate_mx = minus_platform_moment_x - (t210 + t215);
-    /* platform: balance, eqs. (40)-(47); drives; pivots */
+    /* platform: balance, eqs. (40)-(47); momentum rate, eq. (35) */
     const REAL t218 = t209 - platform_turn_zx * minus_platform_rate_mx,
       t237 = t235 - platform_turn_yx * minus_platform_rate_mx,
       t227 = t225 - platform_turn_xx * minus_platform_rate_mx,
@@ -475,20 +475,18 @@ BODY(three_ups_upu_s_inverse_dynamics_independent)(size_t stride, const double *
     const REAL minus_limb1_U2_part_mn = t38 * (limbs.t17[3] + t222),
       t223 = platform_joint_force_mx_by_limb1_U2_mn * minus_limb1_U2_part_mn,
       limb5_S_balance_wy = t35 * minus_limb1_U2_part_mn + (limbs.t19[3] + t241),
-      limb5_S_balance_wx = limbs.t18[3] + t231 - t223,
-      minus_drives_share_0_1 = limbs.t3[3] + (limbs.t3[2] + (limbs.t3[1] + limbs.t3[0])),
-      t245 = minus_drives_share_0_1 * limb5_S_balance_wy, /* limb1 */
+      limb5_S_balance_wx = limbs.t18[3] + t231 - t223;
+    /* mechanism: drives; pivots */
+    const REAL minus_drives_share_0_1 = limbs.t3[3] + (limbs.t3[2] + (limbs.t3[1] + limbs.t3[0])),
+      t245 = minus_drives_share_0_1 * limb5_S_balance_wy,
       drives_share_1_1 = limbs.t4[3] + (limbs.t5[2] + (limbs.t4[1] + limbs.t5[0])),
-      t247 = t245 + drives_share_1_1 * limb5_S_balance_wx, /* limb1 */
-      t232 = minus_drives_share_0_1 * limb5_S_balance_wx, /* limb1 */
+      t247 = t245 + drives_share_1_1 * limb5_S_balance_wx, t232 = minus_drives_share_0_1 * limb5_S_balance_wx,
       t43 = minus_drives_share_0_1 * minus_drives_share_0_1,
       drives_share_0_0 = limbs.t5[3] + (limbs.t4[2] + (limbs.t5[1] + limbs.t4[0])),
       minus_determinant = t43 - drives_share_1_1 * drives_share_0_0;
     REAL checked3 = minus_determinant;
-    const REAL t243 = t232 + drives_share_0_0 * limb5_S_balance_wy, /* limb1 */
-      t49 = 1.0 / minus_determinant, t248 = t49 * t247, /* limb1 */
-      t244 = t49 * t243, /* limb1 */
-      t249 = -t248;
+    const REAL t243 = t232 + drives_share_0_0 * limb5_S_balance_wy, t49 = 1.0 / minus_determinant, t248 = t49 * t247,
+      t244 = t49 * t243, t249 = -t248;
     const EACH4 given = {t244, t249, t244, t249}, given_2_2 = {t249, t244, t249, t244};
     FIRST_LIMB(0, inverse_dynamics_independent, 4, stride, u, given, given_2_2, &limbs);
     checked0 = checked0 + ALONE(limbs.checked[0]);
@@ -656,9 +654,9 @@ BODY(three_ups_upu_s_inverse_dynamics_preload)(size_t stride, const double *rest
       minus_determinant = t109 - drives_share_1_1 * drives_share_0_0;
     checked1 = checked1 + minus_determinant;
     const REAL t117 = 1.0 / minus_determinant, limb5_S_v_wz = READ(v, 14),
-      t53 = limbs.t4[3] - (limbs.t5[2] + (limbs.t4[1] - limbs.t5[0])), /* limb1 */
-      t96 = limbs.t5[3] - (limbs.t4[2] + (limbs.t5[1] - limbs.t4[0])); /* limb1 */
-    /* platform: balance, eqs. (40)-(47); momentum rate, eq. (35); geometry */
+      t53 = limbs.t4[3] - (limbs.t5[2] + (limbs.t4[1] - limbs.t5[0])),
+      t96 = limbs.t5[3] - (limbs.t4[2] + (limbs.t5[1] - limbs.t4[0]));
+    /* platform: balance, eqs. (40)-(47); momentum rate, eq. (35); drives */
     const REAL minus_platform_moment_x = gravity_z_platform_mz * platform_turn_zy,
       minus_platform_rate_mx = minus_platform_moment_x - (k12 * (READ(v, 13) * limb5_S_v_wz) + k13 * READ(a, 12)),
       t74 = platform_turn_xx * minus_platform_rate_mx, t98 = platform_turn_yx * minus_platform_rate_mx,
@@ -667,12 +665,10 @@ BODY(three_ups_upu_s_inverse_dynamics_preload)(size_t stride, const double *rest
       platform_rate_my = platform_moment_y - (k12 * (READ(v, 12) * limb5_S_v_wz) - k13 * READ(a, 13)),
       t64 = t59 - platform_turn_zy * platform_rate_my, t76 = t74 - platform_turn_xy * platform_rate_my,
       t100 = t98 - platform_turn_yy * platform_rate_my, platform_rate_mz = platform_Izz * READ(a, 14),
-      minus_platform_joint_force_mz = limbs.t6[2] + (limbs.t6[1] + (t64 - platform_turn_zz * platform_rate_mz - limbs.t6[0])) - limbs.t6[3];
-    /* limb1: balance, eqs. (40)-(47); drives */
-    const REAL limb1_U2_part_mn = t38 * minus_platform_joint_force_mz,
-      t72 = platform_joint_force_mx_by_limb1_U2_mn * limb1_U2_part_mn, /* limb5_S */
-      t97 = t35 * limb1_U2_part_mn, /* limb5_S */
-      t105 = limbs.t7[2] + (limbs.t8[1] - (t100 - platform_turn_yz * platform_rate_mz + limbs.t7[0])), /* platform */
+      minus_platform_joint_force_mz = limbs.t6[2] + (limbs.t6[1] + (t64 - platform_turn_zz * platform_rate_mz - limbs.t6[0])) - limbs.t6[3],
+      limb1_U2_part_mn = t38 * minus_platform_joint_force_mz,
+      t72 = platform_joint_force_mx_by_limb1_U2_mn * limb1_U2_part_mn, t97 = t35 * limb1_U2_part_mn,
+      t105 = limbs.t7[2] + (limbs.t8[1] - (t100 - platform_turn_yz * platform_rate_mz + limbs.t7[0])),
       minus_platform_joint_force_mx = limbs.t8[2] + (t76 - platform_turn_xz * platform_rate_mz - limbs.t8[0] + limbs.t7[1]) - limbs.t7[3],
       t82 = t53 + (t72 - minus_platform_joint_force_mx), t106 = t96 + (t97 + (limbs.t8[3] - t105)),
       t122 = minus_drives_share_1_0 * t106 - drives_share_1_1 * t82,
@@ -963,14 +959,11 @@ BODY(three_ups_upu_s_inverse_dynamics_platform)(size_t stride, const double *res
     const REAL t169 = t168 - limbs.t22[2], t159 = t158 + limbs.t18[2];
     NEXT_LIMB(3, inverse_dynamics_platform, 1, stride, limbs.signed_U_0_sin[3], limbs.signed_U_0_cos[3], &limbs);
     NEXT_LIMB(3, inverse_dynamics_platform, 2, stride, limbs.t10[3], limbs.t13[3], limbs.t17[3], &limbs);
-    /* limb1: balance, eqs. (40)-(47) */
-    const REAL limb1_U2_part_mn = (t159 + limbs.t14[3]) * t118, t160 = t113 * limb1_U2_part_mn, /* limb5_S */
-      minus_limb5_S_balance_wx = t169 + limbs.t18[3] + t122 * limb1_U2_part_mn;
-    /* limb1: drives; balance, eqs. (40)-(47) */
-    const REAL t175 = minus_limb5_S_balance_wx * drives_share_1_1,
-      t171 = minus_limb5_S_balance_wx * minus_drives_share_0_1,
-      t143 = limbs.signed_lower_limb_target_y[0] * limbs.t10[0],
-      t148 = t142 + (t143 + limbs.signed_upper_position_x[0] * limbs.t13[0]) - limbs.t22[1] + limbs.t14[2], /* platform */
+    const REAL limb1_U2_part_mn = (t159 + limbs.t14[3]) * t118, t160 = t113 * limb1_U2_part_mn,
+      minus_limb5_S_balance_wx = t169 + limbs.t18[3] + t122 * limb1_U2_part_mn,
+      t175 = minus_limb5_S_balance_wx * drives_share_1_1, t171 = minus_limb5_S_balance_wx * minus_drives_share_0_1,
+      t143 = limbs.signed_lower_limb_target_y[0] * limbs.t10[0], /* limb1 */
+      t148 = t142 + (t143 + limbs.signed_upper_position_x[0] * limbs.t13[0]) - limbs.t22[1] + limbs.t14[2],
       minus_limb5_S_balance_wy = t148 - limbs.t22[3] + t160,
       t177 = t175 + minus_limb5_S_balance_wy * minus_drives_share_0_1,
       t173 = t131 * (minus_limb5_S_balance_wy * drives_share_0_0 + t171), t178 = t131 * t177,
@@ -1356,7 +1349,7 @@ static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_inverse_dynamics_pla
     const lanes4 lanes_147 = lanes_145 + signed_limb_lower_limb_target_y * lanes_111;
     const double minus_platform_rate_mx = gravity_z_platform_mz * platform_turn_zy - (t141 + k13 *
         limb5_S_acc_wx);
-    /* platform: balance, eqs. (40)-(47); momentum rate, eq. (35) */
+    /* platform: balance, eqs. (40)-(47); momentum rate, eq. (35); drives */
     const double t144 = platform_turn_yx * minus_platform_rate_mx, t546 = platform_turn_xx *
         minus_platform_rate_mx,
       t512 = platform_turn_zx * minus_platform_rate_mx,
@@ -1368,12 +1361,11 @@ static inline THREE_UPS_UPU_S_INLINE double three_ups_upu_s_inverse_dynamics_pla
       t566 = t70 * limb1_U2_part_mn, t550 = t548 - platform_turn_xz * platform_rate_mz,
       t366 = t149 - platform_turn_yz * platform_rate_mz + t274 - lanes_147[1],
       minus_limb5_S_balance_wy = t366 + lanes_131[2] - lanes_147[3] + t544,
-      t545 = minus_limb5_S_balance_wy * drives_share_0_0, /* limb1 */
-      t562 = t550 - lanes_147[0] + lanes_119[1] - lanes_147[2], minus_limb5_S_balance_wx = t562 + lanes_119[3]
-        + t566,
-      t573 = minus_limb5_S_balance_wx * drives_share_1_1 + minus_limb5_S_balance_wy * minus_drives_share_0_1, /* limb1 */
-      t569 = t140 * (t545 + minus_limb5_S_balance_wx * minus_drives_share_0_1), /* limb1 */
-      t574 = t140 * t573; /* limb1 */
+      t545 = minus_limb5_S_balance_wy * drives_share_0_0, t562 = t550 - lanes_147[0] + lanes_119[1] -
+        lanes_147[2],
+      minus_limb5_S_balance_wx = t562 + lanes_119[3] + t566,
+      t573 = minus_limb5_S_balance_wx * drives_share_1_1 + minus_limb5_S_balance_wy * minus_drives_share_0_1,
+      t569 = t140 * (t545 + minus_limb5_S_balance_wx * minus_drives_share_0_1), t574 = t140 * t573;
     const lanes4 lanes_149 = lanes_142 * (lanes4){t569, t574, t569, t574},
       limb_P_drive = each_limb5_S_balance_wx_by_limb1_P * (lanes4){t574, t569, t574, t569} - lanes_149;
     u[0] = limb_P_drive[0];

@@ -803,7 +803,7 @@ BODY(three_ups_upu_s_acceleration)(size_t stride, const double *restrict q, cons
       t48 = 0.5 * t47, a_pivot = t42 + t44 * t48;
     REAL checked1 = a_pivot;
     const REAL t148 = t130 - t48 * t146, t50 = 1.0 / a_pivot, limb5_S_joint_acc_wy = t151 * t50,
-      minus_limb5_S_joint_acc_wx = t50 * t148, t153 = t35 * (t38 * limb5_S_joint_acc_wy); /* limb1 */
+      minus_limb5_S_joint_acc_wx = t50 * t148, t153 = t35 * (t38 * limb5_S_joint_acc_wy);
     /* limb5_S: results; accelerations */
     const REAL t156 = platform_turn_yx * limb5_S_joint_acc_wy - platform_turn_xx * minus_limb5_S_joint_acc_wx,
       t160 = platform_turn_yy * limb5_S_joint_acc_wy - platform_turn_xy * minus_limb5_S_joint_acc_wx,
@@ -965,23 +965,24 @@ BODY(three_ups_upu_s_close_position)(size_t stride, const double *restrict q, do
       minus_limb1_U_factor_0_by_3 = limb1_lower_sin * limb1_U2_constraint_mn_couple_x * limbs.t1[0],
       limb1_U_0_lever_my_by_limb1_U2_mn = limb1_lower_cos * limb1_U2_constraint_mn_couple_x,
       minus_limb1_U2_factor_1_by_3 = limb1_U_0_lever_my_by_limb1_U2_mn + limbs.signed_upper_position_x[0] * minus_limb1_U_factor_0_by_3,
-      t42 = limbs.signed_S_opening_fz[0] * minus_limb1_U_factor_0_by_3,
-      minus_limb5_S_pivot_wz = limb1_U_0_cos * minus_limb1_U2_factor_1_by_3 + t40;
+      t42 = limbs.signed_S_opening_fz[0] * minus_limb1_U_factor_0_by_3;
+    /* limb5_S: pivots; results; rates that follow */
+    const REAL minus_limb5_S_pivot_wz = limb1_U_0_cos * minus_limb1_U2_factor_1_by_3 + t40;
     REAL checked2 = minus_limb5_S_pivot_wz;
-    const REAL t41 = 1.0 / minus_limb5_S_pivot_wz, /* limb5_S */
+    const REAL t41 = 1.0 / minus_limb5_S_pivot_wz,
       limb5_S_null_space_wz_by_limb5_S_wy = t41 * (limb1_U_0_sin * minus_limb1_U2_factor_1_by_3 - t77);
     FIRST_LIMB(0, close_position, 1, stride, sine, cosine, t46, t26, limbs.t3[0], limbs.t4[0], limb5_S_null_space_wz_by_limb5_S_wy, limbs.t9[0], limbs.t8[0], &limbs);
-    /* limb1: results; loop closure */
-    const REAL t48 = limbs.signed_S_opening_fy[0] * limb1_U_factor_1_by_3;
+    const REAL t48 = limbs.signed_S_opening_fy[0] * limb1_U_factor_1_by_3; /* limb1 */
     NEXT_LIMB(2, close_position, 1, stride, sine, cosine, t46, t26, limbs.t3[2], limbs.t4[2], limb5_S_null_space_wz_by_limb5_S_wy, limbs.t9[2], limbs.t8[2], &limbs);
-    const REAL limb1_U2_opening_mn = t43 + limb1_lower_cos * platform_turn_xy,
-      t51 = t41 * (t42 - (limb1_U2_opening_mn + t48)), t27 = 0.5 * platform_turn_xy, /* platform */
-      t252 = limb1_U2_opening_mn * limb1_U2_opening_mn, t157 = limb1_U_0_sin * t51,
-      t163 = limbs.t2[0] * (limbs.signed_S_opening_fy[0] - limbs.S_arm_x[0] * t157),
+    const REAL limb1_U2_opening_mn = t43 + limb1_lower_cos * platform_turn_xy;
+    /* mechanism: results; balance, eqs. (40)-(47); pivots */
+    const REAL t51 = t41 * (t42 - (limb1_U2_opening_mn + t48)), t27 = 0.5 * platform_turn_xy,
+      t252 = limb1_U2_opening_mn * limb1_U2_opening_mn, /* limb1 */
+      t157 = limb1_U_0_sin * t51, t163 = limbs.t2[0] * (limbs.signed_S_opening_fy[0] - limbs.S_arm_x[0] * t157),
       t159 = limbs.S_opening_fx[0] + limbs.signed_S_arm_y[0] * t157,
       t263 = -(limbs.signed_upper_position_x[0] * (limb1_U_0_sin - limbs.t5[0]));
     FIRST_LIMB(0, close_position, 2, stride, limb1_U_0_cos + limbs.t6[0], t263, &limbs);
-    const REAL t253 = limbs.t14[0] + limbs.t15[0] + limbs.t16[0] + t252,
+    const REAL t253 = limbs.t14[0] + limbs.t15[0] + limbs.t16[0] + t252, /* limb1 */
       t164 = limbs.signed_U_null_space_1_by_limb5_S_wy[0] * t163,
       t55 = limbs.t1[0] * (limbs.signed_S_opening_fz[0] - limbs.signed_upper_position_x[0] * (limb1_U_0_cos * t51)),
       limb2_U_0_sin = SINES(cosine, 2),
@@ -992,7 +993,7 @@ BODY(three_ups_upu_s_close_position)(size_t stride, const double *restrict q, do
     const REAL t127 = limbs.t1[1] * (limbs.signed_upper_position_x[1] * t124 - limbs.signed_S_opening_fz[1]);
     NEXT_LIMB(1, close_position, 1, stride, sine, cosine, t18, t47, limbs.t4[1], limbs.t3[1], limb5_S_null_space_wz_by_limb5_S_wy, limbs.t8[1], limbs.t9[1], &limbs);
     NEXT_LIMB(3, close_position, 1, stride, sine, cosine, t18, t47, limbs.t4[3], limbs.t3[3], limb5_S_null_space_wz_by_limb5_S_wy, limbs.t8[3], limbs.t9[3], &limbs);
-    const REAL t259 = t253 + limbs.t14[1] + limbs.t15[1] + limbs.t16[1] + limbs.t14[2] + limbs.t15[2] + limbs.t16[2], /* residual */
+    const REAL t259 = t253 + limbs.t14[1] + limbs.t15[1] + limbs.t16[1] + limbs.t14[2] + limbs.t15[2] + limbs.t16[2],
       residual_residual = SQRT(t259 + limbs.t14[3] + limbs.t15[3] + limbs.t16[3]);
     WRITE(residual_, 0, residual_residual);
     REAL checked3 = residual_residual;
@@ -1022,15 +1023,15 @@ BODY(three_ups_upu_s_close_position)(size_t stride, const double *restrict q, do
       limb2_U_null_space_1_by_limb5_S_wx = limb2_U_0_sin * limbs.S_arm_x[1] * limbs.t2[1],
       minus_platform_joint_force_mx_by_limb2_P = limb2_U_0_sin * limbs.signed_S_arm_y[1],
       t130 = limb2_U_null_space_1_by_limb5_S_wx * t122 - t129,
-      t62 = 2.2795812745707664 * minus_platform_joint_force_mx_by_limb2_P, /* platform */
-      t136 = t62 * t118 - t130 + t135, t63 = minus_platform_joint_force_mx_by_limb2_P * t62, /* platform */
+      t62 = 2.2795812745707664 * minus_platform_joint_force_mx_by_limb2_P, t136 = t62 * t118 - t130 + t135,
+      t63 = minus_platform_joint_force_mx_by_limb2_P * t62,
       minus_limb4_U_null_space_0_by_limb5_S_wx = limbs.t1[3] * (minus_limb4_U_0_cos * limbs.signed_upper_position_x[3]),
       t137 = minus_limb4_U_null_space_0_by_limb5_S_wx * t114 + t136, t267 = -t114,
       limb4_U_null_space_1_by_limb5_S_wx = limb4_U_0_sin * limbs.S_arm_x[3] * limbs.t2[3],
       platform_joint_force_mx_by_limb4_P = limb4_U_0_sin * limbs.signed_S_arm_y[3],
       t138 = limb4_U_null_space_1_by_limb5_S_wx * t109 + t137,
-      t56 = 2.2795812745707664 * platform_joint_force_mx_by_limb4_P, /* platform */
-      t139 = t56 * t105 - t138, t57 = platform_joint_force_mx_by_limb4_P * t56, /* platform */
+      t56 = 2.2795812745707664 * platform_joint_force_mx_by_limb4_P, t139 = t56 * t105 - t138,
+      t57 = platform_joint_force_mx_by_limb4_P * t56,
       t93 = limbs.signed_U_null_space_0_by_limb5_S_wy[0] - limb2_U_null_space_0_by_limb5_S_wx * limbs.signed_U_null_space_0_by_limb5_S_wy[1],
       t94 = limb2_U_null_space_1_by_limb5_S_wx * limbs.signed_U_null_space_1_by_limb5_S_wy[1] + t93,
       t96 = minus_platform_joint_force_mx_by_limb2_P * limbs.t7[1] + t94 - limbs.signed_U_null_space_0_by_limb5_S_wy[2],
@@ -1043,11 +1044,10 @@ BODY(three_ups_upu_s_close_position)(size_t stride, const double *restrict q, do
       t72 = minus_limb4_U_null_space_0_by_limb5_S_wx * minus_limb4_U_null_space_0_by_limb5_S_wx + t71,
       pivot_0 = 1.0 + (t57 + (limb4_U_null_space_1_by_limb5_S_wx * limb4_U_null_space_1_by_limb5_S_wx + t72));
     checked0 = checked0 + pivot_0;
-    const REAL t75 = 1.0 / pivot_0;
-    /* limb1: results; pivots; geometry */
-    const REAL t102 = t75 * t101, t179 = t101 * t102, t196 = t75 * t139, t178 = t102 * t139 - t177,
-      t185 = limbs.t10[1] + (limbs.t11[1] + (limbs.t12[1] + (limbs.t10[0] + (limbs.t11[0] + limbs.t12[0])))), /* mechanism */
-      t191 = limbs.t10[3] + (limbs.t11[3] + (limbs.t12[3] + (limbs.t10[2] + (limbs.t11[2] + (limbs.t12[2] + t185))))), /* mechanism */
+    const REAL t75 = 1.0 / pivot_0, t102 = t75 * t101, t179 = t101 * t102, t196 = t75 * t139,
+      t178 = t102 * t139 - t177,
+      t185 = limbs.t10[1] + (limbs.t11[1] + (limbs.t12[1] + (limbs.t10[0] + (limbs.t11[0] + limbs.t12[0])))),
+      t191 = limbs.t10[3] + (limbs.t11[3] + (limbs.t12[3] + (limbs.t10[2] + (limbs.t11[2] + (limbs.t12[2] + t185))))),
       minus_pivot_1 = t179 - (limb5_S_null_space_wz_by_limb5_S_wy * limb5_S_null_space_wz_by_limb5_S_wy + (1.0 + t191));
     checked1 = checked1 + minus_pivot_1;
     const REAL t194 = t178 / minus_pivot_1, t197 = t102 * t194 - t196, limb1_P_q = READ(q, 2);
@@ -1072,9 +1072,8 @@ BODY(three_ups_upu_s_close_position)(size_t stride, const double *restrict q, do
     RESULT(checked0, q_next, 10, READ(q, 10) - (t109 - (limbs.t13[3] + limb4_U_null_space_1_by_limb5_S_wx * t197)));
     const REAL limb4_P_q = READ(q, 11);
     RESULT(checked1, q_next, 11, limb4_P_q - limbs.P_q_next[3]);
-    const REAL t216 = 0.5 * t197;
     /* limb5_S: results */
-    const REAL t211 = t51 - limb5_S_null_space_wz_by_limb5_S_wy * t194, t214 = 0.5 * t194, /* limb1 */
+    const REAL t216 = 0.5 * t197, t211 = t51 - limb5_S_null_space_wz_by_limb5_S_wy * t194, t214 = 0.5 * t194,
       t212 = 0.5 * t211, t220 = limb5_S_q_qw + (limb5_S_q_qz * t212 - (limb5_S_q_qy * t214 + limb5_S_q_qx * t216)),
       t242 = t220 * t220, t240 = limb5_S_q_qy * t212 + limb5_S_q_qz * t214 + (limb5_S_q_qx + limb5_S_q_qw * t216),
       t243 = t240 * t240 + t242, t222 = limb5_S_q_qy * t216, t225 = limb5_S_q_qz - limb5_S_q_qw * t212,
@@ -1158,19 +1157,19 @@ BODY(three_ups_upu_s_close_velocity)(size_t stride, const double *restrict q, co
       t78 = minus_limb2_U_0_lever_mz_by_limb2_S_fz - t77, t53 = 1.0 / minus_limb2_U_0_lever_mz_by_limb2_S_fz,
       limb2_U_null_space_0_by_limb5_S_wy = t53 * t78, minus_limb2_U_null_space_0_by_limb5_S_wx = t53 * t54,
       t59 = limb2_lower_cos * t53, limb2_U_v_0 = READ(v, 3),
-      t156 = limb2_U_v_0 * limb2_U_null_space_0_by_limb5_S_wy + t155, /* limb1 */
+      t156 = limb2_U_v_0 * limb2_U_null_space_0_by_limb5_S_wy + t155, /* mechanism */
       t71 = minus_limb2_U_0_cos * limb5_S_null_space_wz_by_limb5_S_wy,
       limb2_S_arm_x = limb2_upper_offset_x - param_R * limb2_lower_sin,
       minus_limb2_U_null_space_1_by_limb5_S_wy = t59 * (limb2_S_arm_x * t71),
       limb2_U_null_space_1_by_limb5_S_wx = limb2_U_0_sin * limb2_S_arm_x * t59, limb2_U_v_1 = READ(v, 4),
-      t157 = limb2_U_v_1 * minus_limb2_U_null_space_1_by_limb5_S_wy - t156, /* limb1 */
+      t157 = limb2_U_v_1 * minus_limb2_U_null_space_1_by_limb5_S_wy - t156, /* mechanism */
       minus_limb2_S_arm_y = param_R * limb2_lower_cos,
       minus_limb2_P_null_space_by_limb5_S_wy = minus_limb2_S_arm_y * t71,
       minus_platform_joint_force_mx_by_limb2_P = limb2_U_0_sin * minus_limb2_S_arm_y,
       t72 = 2.2795812745707664 * minus_limb2_P_null_space_by_limb5_S_wy, limb2_P_v = READ(v, 5);
     /* limb3: geometry; rates that follow; reciprocal wrenches, eq. (10) */
     const REAL limb3_U_0_cos = SINES(cosine, 4), limb3_U_0_sin = SINES(sine, 4),
-      t158 = limb2_P_v * t72 + t157, /* limb1 */
+      t158 = limb2_P_v * t72 + t157, /* mechanism */
       t86 = limb3_U_0_sin - limb3_U_0_cos * limb5_S_null_space_wz_by_limb5_S_wy,
       limb3_upper_offset_x = limb_upper_phase + READ(q, 8), minus_limb3_lower_sin = SINES(sine, 5),
       limb3_lower_cos = SINES(cosine, 5), t87 = (param_R - minus_limb3_lower_sin * limb3_upper_offset_x) * t86,
@@ -1178,14 +1177,14 @@ BODY(three_ups_upu_s_close_velocity)(size_t stride, const double *restrict q, co
     REAL checked2 = minus_limb3_U_0_lever_mz_by_limb3_S_fz;
     const REAL t84 = 1.0 / minus_limb3_U_0_lever_mz_by_limb3_S_fz, limb3_U_null_space_0_by_limb5_S_wy = t84 * t87,
       limb3_U_v_0 = READ(v, 6), t141 = limb3_lower_cos * t84,
-      t159 = limb3_U_v_0 * limb3_U_null_space_0_by_limb5_S_wy - t158, /* limb1 */
+      t159 = limb3_U_v_0 * limb3_U_null_space_0_by_limb5_S_wy - t158, /* mechanism */
       t136 = limb3_U_0_cos + limb3_U_0_sin * limb5_S_null_space_wz_by_limb5_S_wy,
       limb3_U_null_space_1_by_limb5_S_wy = (limb3_upper_offset_x - param_R * minus_limb3_lower_sin) * t136 * t141,
-      t160 = READ(v, 7) * limb3_U_null_space_1_by_limb5_S_wy + t159, /* limb1 */
+      t160 = READ(v, 7) * limb3_U_null_space_1_by_limb5_S_wy + t159, /* mechanism */
       minus_limb3_P_null_space_by_limb5_S_wy = param_R * limb3_lower_cos * t136,
       t137 = 2.2795812745707664 * minus_limb3_P_null_space_by_limb5_S_wy;
     /* limb4: geometry; rates that follow */
-    const REAL limb4_U_0_sin = SINES(cosine, 6), t161 = READ(v, 8) * t137 - t160, /* limb1 */
+    const REAL limb4_U_0_sin = SINES(cosine, 6), t161 = READ(v, 8) * t137 - t160, /* mechanism */
       t173 = minus_limb3_P_null_space_by_limb5_S_wy * t137, /* limb3 */
       t89 = limb4_U_0_sin * limb5_S_null_space_wz_by_limb5_S_wy,
       limb4_upper_offset_x = limb_upper_phase + READ(q, 11), minus_limb4_lower_sin = SINES(sine, 7),
@@ -1197,23 +1196,20 @@ BODY(three_ups_upu_s_close_velocity)(size_t stride, const double *restrict q, co
       t91 = minus_limb4_U_0_lever_mz_by_limb4_S_fz + t90, t45 = 1.0 / minus_limb4_U_0_lever_mz_by_limb4_S_fz,
       limb4_U_null_space_0_by_limb5_S_wy = t45 * t91, limb4_U_null_space_0_by_limb5_S_wx = t45 * t48,
       t46 = limb4_lower_cos * t45, limb4_U_v_0 = READ(v, 9),
-      t162 = limb4_U_v_0 * limb4_U_null_space_0_by_limb5_S_wy - t161, /* limb1 */
+      t162 = limb4_U_v_0 * limb4_U_null_space_0_by_limb5_S_wy - t161, /* mechanism */
       t68 = minus_limb4_U_0_cos * limb5_S_null_space_wz_by_limb5_S_wy,
       limb4_S_arm_x = limb4_upper_offset_x - param_R * minus_limb4_lower_sin,
       minus_limb4_U_null_space_1_by_limb5_S_wy = t46 * (limb4_S_arm_x * t68),
-      limb4_U_null_space_1_by_limb5_S_wx = limb4_U_0_sin * limb4_S_arm_x * t46, limb4_U_v_1 = READ(v, 10),
-      t163 = limb4_U_v_1 * minus_limb4_U_null_space_1_by_limb5_S_wy - t162, /* limb1 */
-      limb4_S_arm_y = param_R * limb4_lower_cos, limb4_P_null_space_by_limb5_S_wy = limb4_S_arm_y * t68;
-    /* limb5_S: balance, eqs. (40)-(47); velocities, eq. (6) */
-    const REAL platform_joint_force_mx_by_limb4_P = limb4_U_0_sin * limb4_S_arm_y,
+      limb4_U_null_space_1_by_limb5_S_wx = limb4_U_0_sin * limb4_S_arm_x * t46, limb4_U_v_1 = READ(v, 10);
+    /* mechanism: results; velocities, eq. (6); geometry */
+    const REAL t163 = limb4_U_v_1 * minus_limb4_U_null_space_1_by_limb5_S_wy - t162,
+      limb4_S_arm_y = param_R * limb4_lower_cos, limb4_P_null_space_by_limb5_S_wy = limb4_S_arm_y * t68,
+      platform_joint_force_mx_by_limb4_P = limb4_U_0_sin * limb4_S_arm_y,
       t69 = 2.2795812745707664 * limb4_P_null_space_by_limb5_S_wy, /* limb4 */
       limb4_P_v = READ(v, 11), limb5_S_v_wx = READ(v, 12), limb5_S_v_wy = READ(v, 13), limb5_S_v_wz = READ(v, 14),
-      t164 = limb4_P_v * t69 - t163, /* limb1 */
-      t130 = limb5_S_v_wy * platform_turn_yy + limb5_S_v_wx * platform_turn_yx;
-    /* limb1: results */
-    const REAL t165 = t130 + limb5_S_v_wz * platform_turn_yz + t164, platform_turn_zx = t103 - t104,
-      platform_turn_xz = t103 + t104,
-      t126 = limb5_S_v_wx * platform_turn_zx + limb5_S_v_wy * platform_turn_zy, /* platform */
+      t164 = limb4_P_v * t69 - t163, t130 = limb5_S_v_wy * platform_turn_yy + limb5_S_v_wx * platform_turn_yx,
+      t165 = t130 + limb5_S_v_wz * platform_turn_yz + t164, platform_turn_zx = t103 - t104,
+      platform_turn_xz = t103 + t104, t126 = limb5_S_v_wx * platform_turn_zx + limb5_S_v_wy * platform_turn_zy,
       t166 = (limb5_S_v_wz * platform_turn_zz + t126) * limb5_S_null_space_wz_by_limb5_S_wy + t165,
       t80 = minus_limb2_U_null_space_0_by_limb5_S_wx * limb2_U_null_space_0_by_limb5_S_wy + minus_limb1_U_null_space_0_by_limb5_S_wy,
       t81 = limb2_U_null_space_1_by_limb5_S_wx * minus_limb2_U_null_space_1_by_limb5_S_wy + t80,
@@ -1227,24 +1223,23 @@ BODY(three_ups_upu_s_close_velocity)(size_t stride, const double *restrict q, co
       t61 = t56 + limb2_U_null_space_1_by_limb5_S_wx * limb2_U_null_space_1_by_limb5_S_wx; /* limb2 */
     /* mechanism: pivots; results */
     const REAL t51 = 2.2795812745707664 * minus_platform_joint_force_mx_by_limb2_P,
-      t63 = 1.0 + (minus_platform_joint_force_mx_by_limb2_P * t51 + t61), t109 = limb2_P_v * t51, /* limb1 */
+      t63 = 1.0 + (minus_platform_joint_force_mx_by_limb2_P * t51 + t61), t109 = limb2_P_v * t51,
       t64 = limb4_U_null_space_0_by_limb5_S_wx * limb4_U_null_space_0_by_limb5_S_wx + t63,
       t65 = limb4_U_null_space_1_by_limb5_S_wx * limb4_U_null_space_1_by_limb5_S_wx + t64,
       t41 = 2.2795812745707664 * platform_joint_force_mx_by_limb4_P,
       pivot_0 = 1.0 + (platform_joint_force_mx_by_limb4_P * t41 + t65);
     REAL checked3 = pivot_0;
-    const REAL t67 = 1.0 / pivot_0;
-    /* limb1: results; pivots */
-    const REAL t106 = limb4_P_v * t41, t98 = t67 * t97, t168 = t97 * t98,
+    /* mechanism: results; pivots; velocities, eq. (6) */
+    const REAL t67 = 1.0 / pivot_0, t106 = limb4_P_v * t41, t98 = t67 * t97, t168 = t97 * t98,
       t111 = limb1_U_v_0 - limb2_U_v_0 * minus_limb2_U_null_space_0_by_limb5_S_wx,
       t115 = limb3_U_v_0 + (t109 + (t111 + limb2_U_v_1 * limb2_U_null_space_1_by_limb5_S_wx)),
       t116 = limb4_U_v_0 * limb4_U_null_space_0_by_limb5_S_wx + t115,
       t118 = t106 - (limb4_U_v_1 * limb4_U_null_space_1_by_limb5_S_wx + t116),
-      t102 = limb5_S_v_wx * platform_turn_xx + limb5_S_v_wy * platform_turn_xy, /* platform */
+      t102 = limb5_S_v_wx * platform_turn_xx + limb5_S_v_wy * platform_turn_xy,
       t119 = t102 + limb5_S_v_wz * platform_turn_xz - t118, t198 = t67 * t119, t167 = t98 * t119 + t166,
-      t180 = limb1_U_null_space_1_by_limb5_S_wy * limb1_U_null_space_1_by_limb5_S_wy,
-      t183 = t179 + (t180 + minus_limb1_U_null_space_0_by_limb5_S_wy * minus_limb1_U_null_space_0_by_limb5_S_wy);
-    /* mechanism: pivots */
+      t180 = limb1_U_null_space_1_by_limb5_S_wy * limb1_U_null_space_1_by_limb5_S_wy, /* limb1 */
+      t183 = t179 + (t180 + minus_limb1_U_null_space_0_by_limb5_S_wy * minus_limb1_U_null_space_0_by_limb5_S_wy); /* limb1 */
+    /* mechanism: pivots; results */
     const REAL t184 = limb2_U_null_space_0_by_limb5_S_wy * limb2_U_null_space_0_by_limb5_S_wy + t183,
       t186 = t176 + (minus_limb2_U_null_space_1_by_limb5_S_wy * minus_limb2_U_null_space_1_by_limb5_S_wy + t184),
       t187 = limb3_U_null_space_0_by_limb5_S_wy * limb3_U_null_space_0_by_limb5_S_wy + t186,
@@ -1253,16 +1248,15 @@ BODY(three_ups_upu_s_close_velocity)(size_t stride, const double *restrict q, co
       t192 = t170 + (minus_limb4_U_null_space_1_by_limb5_S_wy * minus_limb4_U_null_space_1_by_limb5_S_wy + t190),
       minus_pivot_1 = t168 - (limb5_S_null_space_wz_by_limb5_S_wy * limb5_S_null_space_wz_by_limb5_S_wy + (1.0 + t192));
     checked0 = checked0 + minus_pivot_1;
-    /* limb1: results */
     const REAL t195 = t167 / minus_pivot_1;
     RESULT(checked1, v_next, 8, minus_limb3_P_null_space_by_limb5_S_wy * t195);
     const REAL t199 = t98 * t195 - t198;
     RESULT(checked2, v_next, 0, minus_limb1_U_null_space_0_by_limb5_S_wy * t195 - t199);
-    const REAL t200 = limb1_U_null_space_1_by_limb5_S_wy * t195;
-    checked3 = checked3 + t200;
+    const REAL t200 = limb1_U_null_space_1_by_limb5_S_wy * t195; /* limb1 */
+    checked3 = checked3 + t200; /* limb1 */
     WRITE(v_next, 1, -t200);
-    const REAL t201 = limb1_P_null_space_by_limb5_S_wy * t195;
-    checked0 = checked0 + t201;
+    const REAL t201 = limb1_P_null_space_by_limb5_S_wy * t195; /* limb1 */
+    checked0 = checked0 + t201; /* limb1 */
     WRITE(v_next, 2, -t201);
     RESULT(checked1, v_next, 3, minus_limb2_U_null_space_0_by_limb5_S_wx * t199 - limb2_U_null_space_0_by_limb5_S_wy * t195);
     RESULT(checked2, v_next, 4, minus_limb2_U_null_space_1_by_limb5_S_wy * t195 - limb2_U_null_space_1_by_limb5_S_wx * t199);

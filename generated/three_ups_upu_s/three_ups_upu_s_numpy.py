@@ -3405,8 +3405,8 @@ def acceleration(*arguments):
         t179 = t176 - 0.5 * (t12 * minus_limb5_S_joint_acc_still_wz)
         minus_limb5_S_joint_acc_wx = t54 * (t163 - t52 * t179)
         limb5_S_joint_acc_wy = (t11 * t179 + t48 * t162) * t54
-        # limb1: accelerations; reciprocal wrenches, eq. (10)
         t186 = t39 * (t42 * limb5_S_joint_acc_wy)
+        # limb1: accelerations; reciprocal wrenches, eq. (10)
         t191 = t24 * (minus_limb1_upper_position_x * (limb1_U_0_cos * t186 - limb1_U_0_sin * limb5_S_joint_acc_wy))
         t192 = minus_limb5_S_joint_acc_wx - t191
         minus_limb1_U_joint_acc_still_0 = t24 * (t117 + minus_limb1_upper_position_x * (limb1_U_0_cos * minus_limb5_S_joint_acc_still_wz))
@@ -5690,7 +5690,7 @@ def inverse_dynamics(*arguments):
         t206 = minus_limb1_upper_rate_mz - limb1_upper_offset_x * (1.42 * limb1_upper_acc_y - 0.213 * limb1_lower_U_yx)
         minus_limb1_lower_moment_z = t206 + (0.213 * minus_limb1_lower_acc_y - (2.2727 * limb1_lower_U_still_xy + 2.3439 * limb1_U_a_1))
         t211 = t200 - limb1_U2_arm_x * (minus_limb1_lower_moment_z * t36)
-        # limb5_S: balance, eqs. (40)-(47); drives; pivots
+        # platform: balance, eqs. (40)-(47); drives
         minus_platform_joint_force_mz = t93 - (t129 - (t165 + (t180 - (t197 + limb1_U_0_sin * t211))))
         limb1_U2_part_mn = t42 * minus_platform_joint_force_mz
         t217 = platform_joint_force_mx_by_limb1_U2_mn * limb1_U2_part_mn
@@ -5701,7 +5701,7 @@ def inverse_dynamics(*arguments):
         t233 = t229 - (limb1_lower_sin * t192 + limb1_lower_cos * t194)
         minus_platform_joint_force_mx = t220 + (t223 + (t233 + (minus_limb2_U_0_cos * t147 - limb2_U_0_sin * t163)))
         limb5_S_balance_wx = t217 - minus_platform_joint_force_mx
-        t239 = minus_drives_share_0_1 * limb5_S_balance_wx  # limb1
+        t239 = minus_drives_share_0_1 * limb5_S_balance_wx
         t240 = limb5_S_balance_wx_by_limb4_P * limb5_S_balance_wx_by_limb4_P
         t241 = minus_limb5_S_balance_wx_by_limb3_P * minus_limb5_S_balance_wx_by_limb3_P
         t242 = minus_limb5_S_balance_wx_by_limb2_P * minus_limb5_S_balance_wx_by_limb2_P
@@ -5714,7 +5714,8 @@ def inverse_dynamics(*arguments):
         t260 = t258 - (t15 - t17) * platform_rate_mz
         t266 = t252 - (t255 - (t260 + (limb1_U_0_sin * t196 - limb1_U_0_cos * t211)))
         minus_limb5_S_balance_wy = t246 + (t249 + t266)
-        t268 = t239 - drives_share_0_0 * minus_limb5_S_balance_wy  # limb1
+        # mechanism: drives; pivots
+        t268 = t239 - drives_share_0_0 * minus_limb5_S_balance_wy
         t269 = minus_drives_share_0_1 * minus_drives_share_0_1
         t270 = minus_limb5_S_balance_wy_by_limb4_P * minus_limb5_S_balance_wy_by_limb4_P
         t271 = limb5_S_balance_wy_by_limb3_P * limb5_S_balance_wy_by_limb3_P
@@ -5722,9 +5723,9 @@ def inverse_dynamics(*arguments):
         drives_share_1_1 = t270 + (t271 + (t272 + minus_limb5_S_balance_wy_by_limb1_P * minus_limb5_S_balance_wy_by_limb1_P))
         minus_determinant = t269 - drives_share_1_1 * drives_share_0_0
         t277 = 1.0 / minus_determinant
-        t278 = t268 * t277  # limb1
+        t278 = t268 * t277
         t279 = minus_limb5_S_balance_wy_by_limb1_P * t278  # limb1
-        t283 = t277 * (minus_drives_share_0_1 * minus_limb5_S_balance_wy - drives_share_1_1 * limb5_S_balance_wx)  # limb1
+        t283 = t277 * (minus_drives_share_0_1 * minus_limb5_S_balance_wy - drives_share_1_1 * limb5_S_balance_wx)
         minus_limb1_P_drive = t279 + limb5_S_balance_wx_by_limb1_P * t283
         limb1_P_drive = -minus_limb1_P_drive
         limb2_P_drive = limb5_S_balance_wy_by_limb2_P * t278 + minus_limb5_S_balance_wx_by_limb2_P * t283
@@ -5990,7 +5991,7 @@ def inverse_dynamics_independent(*arguments):
         limb5_S_joint_acc_wy = t96 * (t236 - t90 * t252)
         # limb4: geometry; accelerations; velocities, eq. (6)
         limb4_upper_position_y = 0.8 - minus_limb4_lower_sin * limb4_upper_offset_x
-        t256 = t82 * (t84 * limb5_S_joint_acc_wy)
+        t256 = t82 * (t84 * limb5_S_joint_acc_wy)  # mechanism
         t257 = limb4_U_0_sin * t256
         limb5_S_joint_acc_wx = t96 * (t87 * t252 + t94 * t235)
         t265 = limb5_S_joint_acc_wy + t74 * (limb4_upper_position_y * (t257 + minus_limb4_U_0_cos * limb5_S_joint_acc_wx))
@@ -6302,18 +6303,18 @@ def inverse_dynamics_independent(*arguments):
         limb1_upper_acc_y = t619 - (minus_limb1_lower_acc_y - limb1_upper_offset_x * limb1_lower_U_yx)
         t622 = limb1_upper_offset_x * (limb1_lower_rate_fy - 1.42 * limb1_upper_acc_y)
         t625 = t610 - limb1_U2_arm_x * (t36 * (minus_limb1_lower_rate_mz + (t622 + 0.213 * limb1_upper_acc_y)))
+        # platform: balance, eqs. (40)-(47); drives
         minus_platform_joint_force_mz = t354 - (t451 + (t548 + (t571 - (t597 - limb1_U_0_sin * t625))))
         limb1_U2_part_mn = t42 * minus_platform_joint_force_mz
-        t631 = platform_joint_force_mx_by_limb1_U2_mn * limb1_U2_part_mn  # limb5_S
+        t631 = platform_joint_force_mx_by_limb1_U2_mn * limb1_U2_part_mn
         t634 = minus_limb4_U_0_cos * t315 + limb4_U_0_sin * t352  # limb4
         t637 = limb3_lower_cos * t408 + minus_limb3_lower_sin * t410  # limb3
-        t640 = limb1_lower_cos * t592 + limb1_lower_sin * t594
-        # platform: balance, eqs. (40)-(47)
+        t640 = limb1_lower_cos * t592 + limb1_lower_sin * t594  # limb1
         t641 = platform_turn_xz * platform_rate_mz
         t646 = t640 + (t641 + (platform_turn_xy * platform_rate_my - platform_turn_xx * minus_platform_rate_mx))
         minus_platform_joint_force_mx = t634 - (t637 + (t646 + (minus_limb2_U_0_cos * t509 + limb2_U_0_sin * t546)))
         limb5_S_balance_wx = t631 - minus_platform_joint_force_mx
-        t652 = minus_drives_share_0_1 * limb5_S_balance_wx  # limb1
+        t652 = minus_drives_share_0_1 * limb5_S_balance_wx
         t653 = t39 * limb1_U2_part_mn
         t656 = limb4_lower_cos * t311 + minus_limb4_lower_sin * t313  # limb4
         t659 = limb3_U_0_sin * t412 + limb3_U_0_cos * t449  # limb3
@@ -6322,9 +6323,9 @@ def inverse_dynamics_independent(*arguments):
         t667 = t663 + (platform_turn_yy * platform_rate_my - platform_turn_yx * minus_platform_rate_mx)
         t673 = t659 - (t662 + (t667 + (limb1_U_0_sin * t596 + limb1_U_0_cos * t625)))
         minus_limb5_S_balance_wy = t653 - (t656 - t673)
-        t676 = t72 * (t652 - drives_share_0_0 * minus_limb5_S_balance_wy)  # limb1
+        t676 = t72 * (t652 - drives_share_0_0 * minus_limb5_S_balance_wy)
         t677 = minus_limb5_S_balance_wy_by_limb1_P * t676  # limb1
-        t681 = t72 * (minus_drives_share_0_1 * minus_limb5_S_balance_wy - drives_share_1_1 * limb5_S_balance_wx)  # limb1
+        t681 = t72 * (minus_drives_share_0_1 * minus_limb5_S_balance_wy - drives_share_1_1 * limb5_S_balance_wx)
         minus_limb1_P_drive = t677 + limb5_S_balance_wx_by_limb1_P * t681
         limb1_P_drive = -minus_limb1_P_drive
         limb2_P_drive = limb5_S_balance_wy_by_limb2_P * t676 + minus_limb5_S_balance_wx_by_limb2_P * t681
@@ -6487,10 +6488,10 @@ def inverse_dynamics_preload(*arguments):
         t62 = t60 * minus_limb5_S_balance_wx_by_limb2_P
         limb5_S_balance_wx_by_limb1_P = platform_joint_force_mx_by_limb1_U2_mn * limb1_U2_part_mn_by_limb1_P
         minus_drives_share_1_0 = t52 + (t57 + (t62 + t45 * limb5_S_balance_wx_by_limb1_P))
-        t66 = limb4_P_preload * limb5_S_balance_wx_by_limb4_P  # limb1
-        t67 = limb3_P_preload * minus_limb5_S_balance_wx_by_limb3_P  # limb1
-        t68 = limb2_P_preload * minus_limb5_S_balance_wx_by_limb2_P  # limb1
-        t72 = t66 - (t67 + (t68 - limb1_P_preload * limb5_S_balance_wx_by_limb1_P))  # limb1
+        t66 = limb4_P_preload * limb5_S_balance_wx_by_limb4_P
+        t67 = limb3_P_preload * minus_limb5_S_balance_wx_by_limb3_P
+        t68 = limb2_P_preload * minus_limb5_S_balance_wx_by_limb2_P
+        t72 = t66 - (t67 + (t68 - limb1_P_preload * limb5_S_balance_wx_by_limb1_P))
         # limb4: geometry; balance, eqs. (40)-(47); accelerations
         limb4_upper_offset_x = 0.3 + limb4_P_q
         minus_limb4_U_0_lever_mz_by_limb4_S_fz = limb4_lower_cos * limb4_upper_offset_x
@@ -6668,9 +6669,9 @@ def inverse_dynamics_preload(*arguments):
         t221 = minus_limb1_upper_rate_mz - limb1_upper_offset_x * (1.42 * limb1_upper_acc_y - 0.213 * limb1_lower_U_yx)
         minus_limb1_lower_moment_z = t221 + (0.213 * minus_limb1_lower_acc_y - (2.2727 * limb1_lower_U_still_xy + 2.3439 * limb1_U_a_1))
         t226 = t215 - limb1_U2_arm_x * (minus_limb1_lower_moment_z * t37)
+        # platform: balance, eqs. (40)-(47)
         minus_platform_joint_force_mz = t108 - (t144 - (t180 + (t195 - (t212 + limb1_U_0_sin * t226))))
         limb1_U2_part_mn = t43 * minus_platform_joint_force_mz
-        # platform: balance, eqs. (40)-(47)
         t232 = platform_joint_force_mx_by_limb1_U2_mn * limb1_U2_part_mn
         t235 = minus_limb4_U_0_cos * t90 + limb4_U_0_sin * t106  # limb4
         t238 = minus_limb3_lower_sin * t121 + limb3_lower_cos * t124  # limb3
@@ -6678,9 +6679,9 @@ def inverse_dynamics_preload(*arguments):
         t244 = t242 - (t181 + t182) * platform_rate_mz
         t248 = t244 - (limb1_lower_sin * t207 + limb1_lower_cos * t209)
         minus_platform_joint_force_mx = t235 + (t238 + (t248 + (minus_limb2_U_0_cos * t162 - limb2_U_0_sin * t178)))
-        t254 = t72 + (t232 - minus_platform_joint_force_mx)  # limb1
-        t255 = minus_drives_share_1_0 * t254  # limb1
-        # drives: drives; balance, eqs. (40)-(47); pivots
+        # mechanism: drives; balance, eqs. (40)-(47); pivots
+        t254 = t72 + (t232 - minus_platform_joint_force_mx)
+        t255 = minus_drives_share_1_0 * t254
         t256 = t46 * limb5_S_balance_wx_by_limb4_P
         t257 = limb5_S_balance_wx_by_limb4_P * t256
         t258 = t53 * minus_limb5_S_balance_wx_by_limb3_P
@@ -6689,10 +6690,10 @@ def inverse_dynamics_preload(*arguments):
         t261 = minus_limb5_S_balance_wx_by_limb2_P * t260
         t262 = t1 * limb5_S_balance_wx_by_limb1_P
         drives_share_0_0 = t257 + (t259 + (t261 + limb5_S_balance_wx_by_limb1_P * t262))
-        t266 = limb4_P_preload * minus_limb5_S_balance_wy_by_limb4_P  # limb1
-        t267 = limb3_P_preload * limb5_S_balance_wy_by_limb3_P  # limb1
-        t268 = limb2_P_preload * limb5_S_balance_wy_by_limb2_P  # limb1
-        t272 = t266 - (t267 + (t268 - limb1_P_preload * minus_limb5_S_balance_wy_by_limb1_P))  # limb1
+        t266 = limb4_P_preload * minus_limb5_S_balance_wy_by_limb4_P
+        t267 = limb3_P_preload * limb5_S_balance_wy_by_limb3_P
+        t268 = limb2_P_preload * limb5_S_balance_wy_by_limb2_P
+        t272 = t266 - (t267 + (t268 - limb1_P_preload * minus_limb5_S_balance_wy_by_limb1_P))
         t273 = t40 * limb1_U2_part_mn
         t276 = minus_limb4_lower_sin * t85 + limb4_lower_cos * t88  # limb4
         t279 = limb3_U_0_sin * t126 + limb3_U_0_cos * t142  # limb3
@@ -6700,17 +6701,17 @@ def inverse_dynamics_preload(*arguments):
         t285 = (t34 + t35) * minus_platform_rate_mx - platform_turn_yy * platform_rate_my
         t287 = t285 - (t16 - t18) * platform_rate_mz
         t293 = t279 - (t282 - (t287 + (limb1_U_0_sin * t211 - limb1_U_0_cos * t226)))
-        t294 = t272 + (t273 + (t276 + t293))  # limb1
-        t296 = t255 - drives_share_0_0 * t294  # limb1
+        t294 = t272 + (t273 + (t276 + t293))
+        t296 = t255 - drives_share_0_0 * t294
         t297 = minus_drives_share_1_0 * minus_drives_share_1_0
         t298 = minus_limb5_S_balance_wy_by_limb4_P * t48
         t299 = limb5_S_balance_wy_by_limb3_P * t56
         drives_share_1_1 = t298 + (t299 + (limb5_S_balance_wy_by_limb2_P * t60 + minus_limb5_S_balance_wy_by_limb1_P * t45))
         minus_determinant = t297 - drives_share_1_1 * drives_share_0_0
         t305 = 1.0 / minus_determinant
-        t306 = t296 * t305  # limb1
+        t306 = t296 * t305
         t307 = t45 * t306  # limb1
-        t311 = t305 * (minus_drives_share_1_0 * t294 - drives_share_1_1 * t254)  # limb1
+        t311 = t305 * (minus_drives_share_1_0 * t294 - drives_share_1_1 * t254)
         limb1_P_drive = limb1_P_preload - (t307 + t262 * t311)
         limb2_P_drive = limb2_P_preload + (t60 * t306 + t260 * t311)
         limb3_P_drive = limb3_P_preload + (t56 * t306 + t258 * t311)
@@ -7108,7 +7109,7 @@ def joint_reactions(*arguments):
         t233 = t227 - platform_turn_xz * platform_rate_mz - (limb1_lower_sin * t192 + limb1_lower_cos * t194)
         minus_platform_joint_force_mx = t220 + (t223 + (t233 + (minus_limb2_U_0_cos * t147 - limb2_U_0_sin * t163)))
         limb5_S_balance_wx = t217 - minus_platform_joint_force_mx
-        t239 = minus_drives_share_0_1 * limb5_S_balance_wx  # limb1
+        t239 = minus_drives_share_0_1 * limb5_S_balance_wx
         t240 = limb5_S_balance_wx_by_limb4_P * limb5_S_balance_wx_by_limb4_P
         t241 = minus_limb5_S_balance_wx_by_limb3_P * minus_limb5_S_balance_wx_by_limb3_P
         t242 = minus_limb5_S_balance_wx_by_limb2_P * minus_limb5_S_balance_wx_by_limb2_P
@@ -7122,7 +7123,8 @@ def joint_reactions(*arguments):
         platform_turn_yz = t15 - t17
         t264 = t258 - platform_turn_yz * platform_rate_mz + (limb1_U_0_sin * t196 - limb1_U_0_cos * t211)
         minus_limb5_S_balance_wy = t246 + (t249 + (t252 - (t255 - t264)))
-        t268 = t239 - drives_share_0_0 * minus_limb5_S_balance_wy  # limb1
+        # mechanism: drives; pivots
+        t268 = t239 - drives_share_0_0 * minus_limb5_S_balance_wy
         t269 = minus_drives_share_0_1 * minus_drives_share_0_1
         t270 = minus_limb5_S_balance_wy_by_limb4_P * minus_limb5_S_balance_wy_by_limb4_P
         t271 = limb5_S_balance_wy_by_limb3_P * limb5_S_balance_wy_by_limb3_P
@@ -7130,10 +7132,10 @@ def joint_reactions(*arguments):
         drives_share_1_1 = t270 + (t271 + (t272 + minus_limb5_S_balance_wy_by_limb1_P * minus_limb5_S_balance_wy_by_limb1_P))
         minus_determinant = t269 - drives_share_1_1 * drives_share_0_0
         t277 = 1.0 / minus_determinant
-        # limb1: drives; momentum rate, eq. (35)
         t278 = t268 * t277
-        t279 = minus_limb5_S_balance_wy_by_limb1_P * t278
+        t279 = minus_limb5_S_balance_wy_by_limb1_P * t278  # limb1
         t283 = t277 * (minus_drives_share_0_1 * minus_limb5_S_balance_wy - drives_share_1_1 * limb5_S_balance_wx)
+        # limb1: drives; momentum rate, eq. (35)
         minus_limb1_P_drive = t279 + limb5_S_balance_wx_by_limb1_P * t283
         limb1_P_drive = -minus_limb1_P_drive
         limb2_P_drive = limb5_S_balance_wy_by_limb2_P * t278 + minus_limb5_S_balance_wx_by_limb2_P * t283
@@ -11299,8 +11301,8 @@ def close_position(*arguments):
         t53 = minus_limb1_upper_position_x - (t51 - t52)
         t56 = limb1_lower_cos * t53 + limb1_U_0_sin * limb1_lower_sin * t21
         minus_limb1_U2_opening_fy = t56 + limb1_U_0_cos * limb1_lower_sin * t29
-        t61 = t46 * (t47 - (limb1_U2_opening_mn + minus_limb1_U2_opening_fy * limb1_U_factor_1_by_3))
-        t65 = t2 * (minus_limb1_U2_opening_fz + minus_limb1_upper_position_x * (limb1_U_0_cos * t61))
+        t61 = t46 * (t47 - (limb1_U2_opening_mn + minus_limb1_U2_opening_fy * limb1_U_factor_1_by_3))  # mechanism
+        t65 = t2 * (minus_limb1_U2_opening_fz + minus_limb1_upper_position_x * (limb1_U_0_cos * t61))  # mechanism
         # limb4: geometry; reciprocal wrenches, eq. (10); rates that follow
         limb4_U_0_sin = np.cos(limb4_U_q_0)
         t66 = 2.6179938779914944 - limb4_U_q_1
@@ -11349,11 +11351,11 @@ def close_position(*arguments):
         t97 = minus_limb4_U_0_cos * limb5_S_null_space_wz_by_limb5_S_wy  # limb4
         limb4_P_null_space_by_limb5_S_wy = limb4_S_arm_y * t97
         t98 = 2.2795812745707664 * limb4_P_null_space_by_limb5_S_wy  # limb4
-        t99 = platform_joint_force_mx_by_limb4_P * t98  # limb1
+        t99 = platform_joint_force_mx_by_limb4_P * t98  # mechanism
         t100 = minus_limb2_U_0_cos * limb5_S_null_space_wz_by_limb5_S_wy
         minus_limb2_P_null_space_by_limb5_S_wy = minus_limb2_S_arm_y * t100
         t101 = 2.2795812745707664 * minus_limb2_P_null_space_by_limb5_S_wy
-        t102 = minus_platform_joint_force_mx_by_limb2_P * t101  # limb1
+        t102 = minus_platform_joint_force_mx_by_limb2_P * t101  # mechanism
         minus_limb2_U_null_space_1_by_limb5_S_wy = t85 * (limb2_S_arm_x * t100)
         t104 = limb2_U_null_space_1_by_limb5_S_wx * minus_limb2_U_null_space_1_by_limb5_S_wy
         t107 = minus_limb2_U_0_lever_mz_by_limb2_S_fz - minus_limb2_upper_position_y * (limb2_U_0_sin * limb5_S_null_space_wz_by_limb5_S_wy)
@@ -11361,7 +11363,7 @@ def close_position(*arguments):
         t108 = minus_limb2_U_null_space_0_by_limb5_S_wx * limb2_U_null_space_0_by_limb5_S_wy
         t111 = minus_limb1_upper_position_x * (limb1_U_0_sin - limb1_U_0_cos * limb5_S_null_space_wz_by_limb5_S_wy)  # limb1
         minus_limb1_U_null_space_0_by_limb5_S_wy = t2 * t111
-        t114 = t102 + (t104 + (t108 + minus_limb1_U_null_space_0_by_limb5_S_wy))  # limb1
+        t114 = t102 + (t104 + (t108 + minus_limb1_U_null_space_0_by_limb5_S_wy))  # mechanism
         # limb3: geometry; reciprocal wrenches, eq. (10); rates that follow
         t115 = 0.5235987755982989 - limb3_U_q_1
         limb3_lower_cos = np.cos(t115)
@@ -11374,14 +11376,14 @@ def close_position(*arguments):
         limb3_U_0_cos = np.cos(limb3_U_q_0)
         t119 = limb3_upper_position_x * (limb3_U_0_sin - limb3_U_0_cos * limb5_S_null_space_wz_by_limb5_S_wy)
         limb3_U_null_space_0_by_limb5_S_wy = t116 * t119
-        t120 = t114 - limb3_U_null_space_0_by_limb5_S_wy  # limb1
+        t120 = t114 - limb3_U_null_space_0_by_limb5_S_wy  # mechanism
         t123 = minus_limb4_U_0_lever_mz_by_limb4_S_fz + limb4_upper_position_y * (limb4_U_0_sin * limb5_S_null_space_wz_by_limb5_S_wy)  # limb4
         limb4_U_null_space_0_by_limb5_S_wy = t71 * t123
-        t125 = t120 - limb4_U_null_space_0_by_limb5_S_wx * limb4_U_null_space_0_by_limb5_S_wy  # limb1
+        t125 = t120 - limb4_U_null_space_0_by_limb5_S_wx * limb4_U_null_space_0_by_limb5_S_wy  # mechanism
         # limb4: rates that follow; geometry; loop closure
         minus_limb4_U_null_space_1_by_limb5_S_wy = t72 * (limb4_S_arm_x * t97)
-        t129 = t99 + (t125 + limb4_U_null_space_1_by_limb5_S_wx * minus_limb4_U_null_space_1_by_limb5_S_wy)  # limb1
-        t130 = t93 * t129  # limb1
+        t129 = t99 + (t125 + limb4_U_null_space_1_by_limb5_S_wx * minus_limb4_U_null_space_1_by_limb5_S_wy)  # mechanism
+        t130 = t93 * t129  # mechanism
         minus_limb4_lower_rotation_xx = minus_limb4_U_0_cos * limb4_lower_cos
         minus_limb4_upper_position_x = limb4_upper_offset_x * minus_limb4_lower_rotation_xx
         t131 = 0.5 * platform_turn_xy  # platform
@@ -11395,16 +11397,16 @@ def close_position(*arguments):
         t138 = 0.5 * platform_turn_zy  # platform
         t139 = minus_limb4_upper_position_z + (t28 + t138)
         limb4_S_opening_fx = t137 + minus_limb4_lower_rotation_zx * t139
-        t141 = minus_limb4_U_0_cos * t61  # limb1
-        t143 = limb4_S_opening_fx + limb4_S_arm_y * t141  # limb1
-        t144 = t67 * t143  # limb1
+        t141 = minus_limb4_U_0_cos * t61  # mechanism
+        t143 = limb4_S_opening_fx + limb4_S_arm_y * t141  # mechanism
+        t144 = t67 * t143  # mechanism
         t147 = minus_limb4_U_0_cos * minus_limb4_lower_sin * t132 + limb4_lower_cos * t135
         limb4_S_opening_fy = t147 + limb4_U_0_sin * minus_limb4_lower_sin * t139
-        t151 = t72 * (limb4_S_opening_fy - limb4_S_arm_x * t141)  # limb1
-        t152 = limb4_U_null_space_1_by_limb5_S_wx * t151  # limb1
+        t151 = t72 * (limb4_S_opening_fy - limb4_S_arm_x * t141)  # mechanism
+        t152 = limb4_U_null_space_1_by_limb5_S_wx * t151  # mechanism
         minus_limb4_S_opening_fz = limb4_U_0_sin * t132 - minus_limb4_U_0_cos * t139
-        t158 = t71 * (minus_limb4_S_opening_fz + limb4_upper_position_y * (limb4_U_0_sin * t61))  # limb1
-        t159 = limb4_U_null_space_0_by_limb5_S_wx * t158  # limb1
+        t158 = t71 * (minus_limb4_S_opening_fz + limb4_upper_position_y * (limb4_U_0_sin * t61))  # mechanism
+        t159 = limb4_U_null_space_0_by_limb5_S_wx * t158  # mechanism
         # limb2: geometry
         minus_limb2_lower_rotation_xx = minus_limb2_U_0_cos * limb2_lower_cos
         # limb2: loop closure; geometry
@@ -11415,29 +11417,29 @@ def close_position(*arguments):
         minus_limb2_lower_rotation_zx = limb2_U_0_sin * limb2_lower_cos
         t165 = limb2_upper_offset_x * minus_limb2_lower_rotation_zx + (t28 - t138)
         limb2_S_opening_fx = t164 + minus_limb2_lower_rotation_zx * t165
-        t167 = minus_limb2_U_0_cos * t61  # limb1
-        t169 = limb2_S_opening_fx - minus_limb2_S_arm_y * t167  # limb1
-        t170 = t77 * t169  # limb1
+        t167 = minus_limb2_U_0_cos * t61  # mechanism
+        t169 = limb2_S_opening_fx - minus_limb2_S_arm_y * t167  # mechanism
+        t170 = t77 * t169  # mechanism
         t173 = minus_limb2_U_0_cos * limb2_lower_sin * t160 + limb2_lower_cos * t162
         minus_limb2_S_opening_fy = t173 + limb2_U_0_sin * limb2_lower_sin * t165
-        t177 = t85 * (minus_limb2_S_opening_fy + limb2_S_arm_x * t167)  # limb1
-        t178 = limb2_U_null_space_1_by_limb5_S_wx * t177  # limb1
+        t177 = t85 * (minus_limb2_S_opening_fy + limb2_S_arm_x * t167)  # mechanism
+        t178 = limb2_U_null_space_1_by_limb5_S_wx * t177  # mechanism
         minus_limb2_S_opening_fz = limb2_U_0_sin * t160 - minus_limb2_U_0_cos * t165
-        t184 = t79 * (minus_limb2_S_opening_fz - minus_limb2_upper_position_y * (limb2_U_0_sin * t61))  # limb1
-        t188 = t170 - (t178 + (minus_limb2_U_null_space_0_by_limb5_S_wx * t184 - t65))  # limb1
+        t184 = t79 * (minus_limb2_S_opening_fz - minus_limb2_upper_position_y * (limb2_U_0_sin * t61))  # mechanism
+        t188 = t170 - (t178 + (minus_limb2_U_null_space_0_by_limb5_S_wx * t184 - t65))  # mechanism
         minus_limb3_lower_rotation_yx = limb3_U_0_sin * limb3_lower_cos
         t189 = limb3_upper_offset_x * minus_limb3_lower_rotation_yx + (t16 + t20)  # limb3
         t190 = limb3_U_0_cos * t189  # limb3
         limb3_lower_rotation_zx = limb3_U_0_cos * limb3_lower_cos
         t191 = limb3_upper_offset_x * limb3_lower_rotation_zx - (t25 + t28)  # limb3
         minus_limb3_S_opening_fz = t190 - limb3_U_0_sin * t191
-        t196 = t116 * (minus_limb3_S_opening_fz - limb3_upper_position_x * (limb3_U_0_cos * t61))  # limb1
-        t200 = t144 - (t152 + (t159 + (t188 + t196)))  # limb1
-        t201 = t130 * t200  # limb1
-        t202 = limb5_S_null_space_wz_by_limb5_S_wy * t61  # limb1
-        t203 = t98 * t143  # limb1
-        t204 = minus_limb4_U_null_space_1_by_limb5_S_wy * t151  # limb1
-        t205 = limb4_U_null_space_0_by_limb5_S_wy * t158  # limb1
+        t196 = t116 * (minus_limb3_S_opening_fz - limb3_upper_position_x * (limb3_U_0_cos * t61))  # mechanism
+        t200 = t144 - (t152 + (t159 + (t188 + t196)))  # mechanism
+        t201 = t130 * t200  # mechanism
+        t202 = limb5_S_null_space_wz_by_limb5_S_wy * t61  # mechanism
+        t203 = t98 * t143  # mechanism
+        t204 = minus_limb4_U_null_space_1_by_limb5_S_wy * t151  # mechanism
+        t205 = limb4_U_null_space_0_by_limb5_S_wy * t158  # mechanism
         # limb3: reciprocal wrenches, eq. (10); rates that follow; loop closure
         limb3_S_arm_y = 0.8 * limb3_lower_cos
         t207 = limb3_U_0_cos + limb3_U_0_sin * limb5_S_null_space_wz_by_limb5_S_wy
@@ -11446,27 +11448,27 @@ def close_position(*arguments):
         t209 = limb3_upper_position_x - (t51 + t52)
         t212 = minus_limb3_lower_sin * t209 - minus_limb3_lower_rotation_yx * t189
         minus_limb3_S_opening_fx = t212 - limb3_lower_rotation_zx * t191
-        t214 = limb3_U_0_sin * t61  # limb1
-        t216 = minus_limb3_S_opening_fx + limb3_S_arm_y * t214  # limb1
-        t217 = t208 * t216  # limb1
+        t214 = limb3_U_0_sin * t61  # mechanism
+        t216 = minus_limb3_S_opening_fx + limb3_S_arm_y * t214  # mechanism
+        t217 = t208 * t216  # mechanism
         limb3_S_arm_x = limb3_upper_offset_x - 0.8 * minus_limb3_lower_sin
         t219 = limb3_S_arm_x * t207
         t220 = limb3_lower_cos * t116
         limb3_U_null_space_1_by_limb5_S_wy = t219 * t220
         t223 = limb3_lower_cos * t209 + limb3_U_0_sin * minus_limb3_lower_sin * t189
         limb3_S_opening_fy = t223 + limb3_U_0_cos * minus_limb3_lower_sin * t191
-        # limb1: results; rates that follow; pivots
-        t227 = t220 * (limb3_S_opening_fy + limb3_S_arm_x * t214)
-        t228 = limb3_U_null_space_1_by_limb5_S_wy * t227
-        t229 = limb3_U_null_space_0_by_limb5_S_wy * t196
-        t230 = t101 * t169
-        t231 = minus_limb2_U_null_space_1_by_limb5_S_wy * t177
-        t232 = limb2_U_null_space_0_by_limb5_S_wy * t184
+        t227 = t220 * (limb3_S_opening_fy + limb3_S_arm_x * t214)  # mechanism
+        t228 = limb3_U_null_space_1_by_limb5_S_wy * t227  # mechanism
+        t229 = limb3_U_null_space_0_by_limb5_S_wy * t196  # mechanism
+        t230 = t101 * t169  # mechanism
+        t231 = minus_limb2_U_null_space_1_by_limb5_S_wy * t177  # mechanism
+        t232 = limb2_U_null_space_0_by_limb5_S_wy * t184  # mechanism
         minus_limb1_U2_arm_y = 0.8 * limb1_lower_cos
-        t234 = limb1_U_0_cos + limb1_U_0_sin * limb5_S_null_space_wz_by_limb5_S_wy
+        t234 = limb1_U_0_cos + limb1_U_0_sin * limb5_S_null_space_wz_by_limb5_S_wy  # limb1
         limb1_P_null_space_by_limb5_S_wy = minus_limb1_U2_arm_y * t234
-        t235 = 2.2795812745707664 * limb1_P_null_space_by_limb5_S_wy
+        t235 = 2.2795812745707664 * limb1_P_null_space_by_limb5_S_wy  # limb1
         minus_limb1_U2_opening_fx = limb1_lower_sin * t53 - minus_limb1_lower_rotation_yx * t21 - limb1_lower_rotation_zx * t29
+        # limb5_S: results; pivots
         t240 = limb1_U_0_sin * t61
         t242 = minus_limb1_U2_opening_fx - minus_limb1_U2_arm_y * t240
         t243 = t235 * t242
@@ -11476,7 +11478,7 @@ def close_position(*arguments):
         t257 = t217 + (t228 + (t229 - (t230 - (t231 + (t232 - t251)))))
         t262 = t201 - (t202 + (t203 - (t204 - (t205 + t257))))
         t263 = t129 * t130
-        t264 = limb5_S_null_space_wz_by_limb5_S_wy * limb5_S_null_space_wz_by_limb5_S_wy  # limb5_S
+        t264 = limb5_S_null_space_wz_by_limb5_S_wy * limb5_S_null_space_wz_by_limb5_S_wy
         t265 = limb4_P_null_space_by_limb5_S_wy * t98  # limb4
         t266 = minus_limb4_U_null_space_1_by_limb5_S_wy * minus_limb4_U_null_space_1_by_limb5_S_wy  # limb4
         t267 = limb4_U_null_space_0_by_limb5_S_wy * limb4_U_null_space_0_by_limb5_S_wy  # limb4
@@ -11486,10 +11488,10 @@ def close_position(*arguments):
         t271 = minus_limb2_P_null_space_by_limb5_S_wy * t101  # limb2
         t272 = minus_limb2_U_null_space_1_by_limb5_S_wy * minus_limb2_U_null_space_1_by_limb5_S_wy  # limb2
         t273 = limb2_U_null_space_0_by_limb5_S_wy * limb2_U_null_space_0_by_limb5_S_wy  # limb2
-        t274 = limb1_P_null_space_by_limb5_S_wy * t235
-        t275 = limb1_U_null_space_1_by_limb5_S_wy * limb1_U_null_space_1_by_limb5_S_wy
-        t278 = t274 + (t275 + minus_limb1_U_null_space_0_by_limb5_S_wy * minus_limb1_U_null_space_0_by_limb5_S_wy)
-        t284 = t268 + (t269 + (t270 + (t271 + (t272 + (t273 + t278)))))  # mechanism
+        t274 = limb1_P_null_space_by_limb5_S_wy * t235  # limb1
+        t275 = limb1_U_null_space_1_by_limb5_S_wy * limb1_U_null_space_1_by_limb5_S_wy  # limb1
+        t278 = t274 + (t275 + minus_limb1_U_null_space_0_by_limb5_S_wy * minus_limb1_U_null_space_0_by_limb5_S_wy)  # limb1
+        t284 = t268 + (t269 + (t270 + (t271 + (t272 + (t273 + t278)))))
         minus_pivot_1 = t263 - (t264 + (1.0 + (t265 + (t266 + (t267 + t284)))))
         t290 = t262 / minus_pivot_1
         t293 = t130 * t290 - t93 * t200
@@ -11510,12 +11512,11 @@ def close_position(*arguments):
         t327 = t151 + (minus_limb4_U_null_space_1_by_limb5_S_wy * t290 - limb4_U_null_space_1_by_limb5_S_wx * t293)  # limb4
         limb4_U_q_next_1 = limb4_U_q_1 - t327
         limb4_P_q_next = limb4_P_q - (t143 - (limb4_P_null_space_by_limb5_S_wy * t290 - platform_joint_force_mx_by_limb4_P * t293))
-        # limb5_S: results
         t334 = 0.5 * (t61 - limb5_S_null_space_wz_by_limb5_S_wy * t290)
         t335 = limb5_S_q_qz * t334
-        t336 = 0.5 * t290  # limb1
+        t336 = 0.5 * t290
         t337 = limb5_S_q_qy * t336
-        t338 = 0.5 * t293  # limb1
+        t338 = 0.5 * t293
         t342 = limb5_S_q_qw + (t335 - (t337 + limb5_S_q_qx * t338))
         t348 = limb5_S_q_qx * t336 - limb5_S_q_qy * t338 - (limb5_S_q_qz - limb5_S_q_qw * t334)
         t349 = t348 * t348
@@ -11698,17 +11699,17 @@ def close_velocity(*arguments):
         t68 = minus_limb4_U_0_cos * limb5_S_null_space_wz_by_limb5_S_wy  # limb4
         limb4_P_null_space_by_limb5_S_wy = limb4_S_arm_y * t68
         t69 = 2.2795812745707664 * limb4_P_null_space_by_limb5_S_wy  # limb4
-        t70 = platform_joint_force_mx_by_limb4_P * t69  # limb1
+        t70 = platform_joint_force_mx_by_limb4_P * t69  # mechanism
         t71 = minus_limb2_U_0_cos * limb5_S_null_space_wz_by_limb5_S_wy
         minus_limb2_P_null_space_by_limb5_S_wy = minus_limb2_S_arm_y * t71
         t72 = 2.2795812745707664 * minus_limb2_P_null_space_by_limb5_S_wy
-        t73 = minus_platform_joint_force_mx_by_limb2_P * t72  # limb1
+        t73 = minus_platform_joint_force_mx_by_limb2_P * t72  # mechanism
         minus_limb2_U_null_space_1_by_limb5_S_wy = t59 * (limb2_S_arm_x * t71)
         t75 = limb2_U_null_space_1_by_limb5_S_wx * minus_limb2_U_null_space_1_by_limb5_S_wy
         t78 = minus_limb2_U_0_lever_mz_by_limb2_S_fz - minus_limb2_upper_position_y * (limb2_U_0_sin * limb5_S_null_space_wz_by_limb5_S_wy)
         limb2_U_null_space_0_by_limb5_S_wy = t53 * t78
-        t80 = minus_limb2_U_null_space_0_by_limb5_S_wx * limb2_U_null_space_0_by_limb5_S_wy + minus_limb1_U_null_space_0_by_limb5_S_wy  # limb1
-        t82 = t73 + (t75 + t80)  # limb1
+        t80 = minus_limb2_U_null_space_0_by_limb5_S_wx * limb2_U_null_space_0_by_limb5_S_wy + minus_limb1_U_null_space_0_by_limb5_S_wy  # mechanism
+        t82 = t73 + (t75 + t80)  # mechanism
         # limb3: geometry; reciprocal wrenches, eq. (10); rates that follow
         t83 = 0.5235987755982989 - limb3_U_q_1
         limb3_lower_cos = np.cos(t83)
@@ -11721,32 +11722,32 @@ def close_velocity(*arguments):
         limb3_U_0_cos = np.cos(limb3_U_q_0)
         t87 = limb3_upper_position_x * (limb3_U_0_sin - limb3_U_0_cos * limb5_S_null_space_wz_by_limb5_S_wy)
         limb3_U_null_space_0_by_limb5_S_wy = t84 * t87
-        t88 = t82 - limb3_U_null_space_0_by_limb5_S_wy  # limb1
+        # platform: results; geometry; velocities, eq. (6)
+        t88 = t82 - limb3_U_null_space_0_by_limb5_S_wy
         t91 = minus_limb4_U_0_lever_mz_by_limb4_S_fz + limb4_upper_position_y * (limb4_U_0_sin * limb5_S_null_space_wz_by_limb5_S_wy)  # limb4
         limb4_U_null_space_0_by_limb5_S_wy = t45 * t91
-        t93 = t88 - limb4_U_null_space_0_by_limb5_S_wx * limb4_U_null_space_0_by_limb5_S_wy  # limb1
+        t93 = t88 - limb4_U_null_space_0_by_limb5_S_wx * limb4_U_null_space_0_by_limb5_S_wy
         minus_limb4_U_null_space_1_by_limb5_S_wy = t46 * (limb4_S_arm_x * t68)
-        t97 = t70 + (t93 + limb4_U_null_space_1_by_limb5_S_wx * minus_limb4_U_null_space_1_by_limb5_S_wy)  # limb1
-        t98 = t67 * t97  # limb1
+        t97 = t70 + (t93 + limb4_U_null_space_1_by_limb5_S_wx * minus_limb4_U_null_space_1_by_limb5_S_wy)
+        t98 = t67 * t97
         platform_turn_xx = 1.0 - t8 * t11
-        t102 = limb5_S_v_wx * platform_turn_xx + limb5_S_v_wy * platform_turn_xy  # platform
-        t103 = limb5_S_q_qx * t15  # limb5_S
-        t104 = limb5_S_q_qw * t26  # limb5_S
+        t102 = limb5_S_v_wx * platform_turn_xx + limb5_S_v_wy * platform_turn_xy
+        t103 = limb5_S_q_qx * t15
+        t104 = limb5_S_q_qw * t26
         platform_turn_xz = t103 + t104
         platform_twist_wx = t102 + limb5_S_v_wz * platform_turn_xz
-        t106 = limb4_P_v * t41  # limb1
+        t106 = limb4_P_v * t41
         t107 = limb4_U_v_1 * limb4_U_null_space_1_by_limb5_S_wx  # limb4
         t108 = limb4_U_v_0 * limb4_U_null_space_0_by_limb5_S_wx  # limb4
-        t109 = limb2_P_v * t51  # limb1
-        t111 = limb1_U_v_0 - limb2_U_v_0 * minus_limb2_U_null_space_0_by_limb5_S_wx  # limb1
-        t117 = t107 + (t108 + (limb3_U_v_0 + (t109 + (t111 + limb2_U_v_1 * limb2_U_null_space_1_by_limb5_S_wx))))  # limb1
-        t119 = platform_twist_wx - (t106 - t117)  # limb1
-        t120 = t98 * t119  # limb1
-        # platform: geometry; velocities, eq. (6)
+        t109 = limb2_P_v * t51
+        t111 = limb1_U_v_0 - limb2_U_v_0 * minus_limb2_U_null_space_0_by_limb5_S_wx
+        t117 = t107 + (t108 + (limb3_U_v_0 + (t109 + (t111 + limb2_U_v_1 * limb2_U_null_space_1_by_limb5_S_wx))))
+        t119 = platform_twist_wx - (t106 - t117)
+        t120 = t98 * t119
         platform_turn_zz = 1.0 - t11 * (t4 + t6)
         t123 = limb5_S_v_wz * platform_turn_zz
         platform_turn_zx = t103 - t104
-        t127 = (t123 + (limb5_S_v_wx * platform_turn_zx + limb5_S_v_wy * platform_turn_zy)) * limb5_S_null_space_wz_by_limb5_S_wy  # limb1
+        t127 = (t123 + (limb5_S_v_wx * platform_turn_zx + limb5_S_v_wy * platform_turn_zy)) * limb5_S_null_space_wz_by_limb5_S_wy
         t128 = limb5_S_v_wy * platform_turn_yy
         platform_turn_yx = t27 + t28
         t130 = t128 + limb5_S_v_wx * platform_turn_yx
@@ -11755,7 +11756,7 @@ def close_velocity(*arguments):
         t132 = limb4_P_v * t69  # limb4
         t133 = limb4_U_v_1 * minus_limb4_U_null_space_1_by_limb5_S_wy  # limb4
         t134 = limb4_U_v_0 * limb4_U_null_space_0_by_limb5_S_wy  # limb4
-        # limb3: reciprocal wrenches, eq. (10); rates that follow; results
+        # limb3: rates that follow; results; pivots
         limb3_S_arm_y = 0.8 * limb3_lower_cos
         t136 = limb3_U_0_cos + limb3_U_0_sin * limb5_S_null_space_wz_by_limb5_S_wy
         minus_limb3_P_null_space_by_limb5_S_wy = limb3_S_arm_y * t136
@@ -11767,37 +11768,36 @@ def close_velocity(*arguments):
         t144 = limb2_P_v * t72  # limb2
         t145 = limb2_U_v_1 * minus_limb2_U_null_space_1_by_limb5_S_wy  # limb2
         t146 = limb2_U_v_0 * limb2_U_null_space_0_by_limb5_S_wy  # limb2
-        # limb1: rates that follow; results; pivots
         minus_limb1_U2_arm_y = 0.8 * limb1_lower_cos
-        t148 = limb1_U_0_cos + limb1_U_0_sin * limb5_S_null_space_wz_by_limb5_S_wy
+        t148 = limb1_U_0_cos + limb1_U_0_sin * limb5_S_null_space_wz_by_limb5_S_wy  # limb1
         limb1_P_null_space_by_limb5_S_wy = minus_limb1_U2_arm_y * t148
-        t149 = 2.2795812745707664 * limb1_P_null_space_by_limb5_S_wy
-        t150 = limb1_P_v * t149
+        t149 = 2.2795812745707664 * limb1_P_null_space_by_limb5_S_wy  # limb1
+        t150 = limb1_P_v * t149  # limb1
         limb1_U_null_space_1_by_limb5_S_wy = t31 * (limb1_U2_arm_x * t148)
-        t152 = limb1_U_v_1 * limb1_U_null_space_1_by_limb5_S_wy
-        t158 = t144 + (t145 - (t146 + (t150 + (t152 - limb1_U_v_0 * minus_limb1_U_null_space_0_by_limb5_S_wy))))
-        t164 = t132 - (t133 - (t134 - (t138 - (t142 + (t143 - t158)))))
-        t167 = t120 + (t127 + (platform_twist_wy + t164))
-        t168 = t97 * t98
+        t152 = limb1_U_v_1 * limb1_U_null_space_1_by_limb5_S_wy  # limb1
+        t158 = t144 + (t145 - (t146 + (t150 + (t152 - limb1_U_v_0 * minus_limb1_U_null_space_0_by_limb5_S_wy))))  # mechanism
+        t164 = t132 - (t133 - (t134 - (t138 - (t142 + (t143 - t158)))))  # mechanism
+        t167 = t120 + (t127 + (platform_twist_wy + t164))  # mechanism
+        t168 = t97 * t98  # mechanism
         t169 = limb5_S_null_space_wz_by_limb5_S_wy * limb5_S_null_space_wz_by_limb5_S_wy  # limb5_S
         t170 = limb4_P_null_space_by_limb5_S_wy * t69  # limb4
         t171 = minus_limb4_U_null_space_1_by_limb5_S_wy * minus_limb4_U_null_space_1_by_limb5_S_wy  # limb4
         t172 = limb4_U_null_space_0_by_limb5_S_wy * limb4_U_null_space_0_by_limb5_S_wy  # limb4
-        t173 = minus_limb3_P_null_space_by_limb5_S_wy * t137  # limb3
-        t174 = limb3_U_null_space_1_by_limb5_S_wy * limb3_U_null_space_1_by_limb5_S_wy  # limb3
-        t175 = limb3_U_null_space_0_by_limb5_S_wy * limb3_U_null_space_0_by_limb5_S_wy  # limb3
+        t173 = minus_limb3_P_null_space_by_limb5_S_wy * t137
+        t174 = limb3_U_null_space_1_by_limb5_S_wy * limb3_U_null_space_1_by_limb5_S_wy
+        t175 = limb3_U_null_space_0_by_limb5_S_wy * limb3_U_null_space_0_by_limb5_S_wy
         t176 = minus_limb2_P_null_space_by_limb5_S_wy * t72  # limb2
         t177 = minus_limb2_U_null_space_1_by_limb5_S_wy * minus_limb2_U_null_space_1_by_limb5_S_wy  # limb2
         t178 = limb2_U_null_space_0_by_limb5_S_wy * limb2_U_null_space_0_by_limb5_S_wy  # limb2
+        # limb1: pivots; results
         t179 = limb1_P_null_space_by_limb5_S_wy * t149
         t180 = limb1_U_null_space_1_by_limb5_S_wy * limb1_U_null_space_1_by_limb5_S_wy
         t183 = t179 + (t180 + minus_limb1_U_null_space_0_by_limb5_S_wy * minus_limb1_U_null_space_0_by_limb5_S_wy)
         t189 = t173 + (t174 + (t175 + (t176 + (t177 + (t178 + t183)))))  # mechanism
         minus_pivot_1 = t168 - (t169 + (1.0 + (t170 + (t171 + (t172 + t189)))))
-        # limb1: results
-        t195 = t167 / minus_pivot_1
+        t195 = t167 / minus_pivot_1  # mechanism
         t196 = minus_limb1_U_null_space_0_by_limb5_S_wy * t195
-        t199 = t98 * t195 - t67 * t119
+        t199 = t98 * t195 - t67 * t119  # mechanism
         limb1_U_v_next_0 = t196 - t199
         t200 = limb1_U_null_space_1_by_limb5_S_wy * t195
         limb1_U_v_next_1 = -t200
@@ -12751,16 +12751,16 @@ def inverse_dynamics_platform(*arguments):
         t514 = platform_turn_zx * minus_platform_rate_mx - platform_turn_zy * platform_rate_my  # platform
         t516 = t514 - platform_turn_zz * platform_rate_mz  # platform
         t519 = minus_limb1_U_0_cos * minus_limb1_U2_part_fz + limb1_U_0_sin * t270  # limb1
-        t523 = t516 + (minus_limb1_upper_position_x * t519 - minus_limb1_lower_limb_target_x * t249)  # platform
+        # platform: balance, eqs. (40)-(47); drives
+        t523 = t516 + (minus_limb1_upper_position_x * t519 - minus_limb1_lower_limb_target_x * t249)
         t526 = minus_limb2_lower_cos * minus_limb2_S_multiplier_fy + limb2_lower_sin * limb2_upper_rate_fx  # limb2
-        # platform: balance, eqs. (40)-(47)
         t530 = t523 - (limb2_lower_limb_target_y * t526 - limb2_upper_position_y * t359)
         t533 = limb3_U_0_cos * minus_limb3_S_multiplier_fz + minus_limb3_U_0_sin * t434  # limb3
         t537 = t530 + (limb3_upper_position_x * t533 - limb3_lower_limb_target_x * t413)
         t540 = minus_limb4_lower_cos * limb4_S_multiplier_fy + minus_limb4_lower_sin * limb4_upper_rate_fx  # limb4
         limb1_U2_part_mn = (t537 + (limb4_lower_limb_target_y * t540 + limb4_upper_position_y * t505)) * t63
         minus_limb5_S_balance_wy = minus_platform_joint_force_my + t53 * limb1_U2_part_mn
-        t545 = minus_limb5_S_balance_wy * drives_share_0_0  # limb1
+        t545 = minus_limb5_S_balance_wy * drives_share_0_0
         t548 = platform_turn_xx * minus_platform_rate_mx - platform_turn_xy * platform_rate_my
         t550 = t548 - platform_turn_xz * platform_rate_mz
         t554 = t550 - (minus_limb1_lower_limb_target_x * t272 + minus_limb1_lower_limb_target_y * t519)
@@ -12768,10 +12768,10 @@ def inverse_dynamics_platform(*arguments):
         t562 = t558 - (limb3_lower_limb_target_x * t436 + limb3_lower_limb_target_y * t533)
         minus_platform_joint_force_mx = t562 + (limb4_upper_position_y * t509 - limb4_lower_limb_target_x * t540)
         minus_limb5_S_balance_wx = minus_platform_joint_force_mx + t70 * limb1_U2_part_mn
-        t569 = t140 * (t545 + minus_limb5_S_balance_wx * minus_drives_share_0_1)  # limb1
+        t569 = t140 * (t545 + minus_limb5_S_balance_wx * minus_drives_share_0_1)
         t570 = limb5_S_balance_wy_by_limb1_P * t569  # limb1
-        t573 = minus_limb5_S_balance_wx * drives_share_1_1 + minus_limb5_S_balance_wy * minus_drives_share_0_1  # limb1
-        t574 = t140 * t573  # limb1
+        t573 = minus_limb5_S_balance_wx * drives_share_1_1 + minus_limb5_S_balance_wy * minus_drives_share_0_1
+        t574 = t140 * t573
         limb1_P_drive = t570 - minus_limb5_S_balance_wx_by_limb1_P * t574
         minus_limb2_P_drive = minus_limb5_S_balance_wx_by_limb2_P * t574 + minus_limb5_S_balance_wy_by_limb2_P * t569
         limb2_P_drive = -minus_limb2_P_drive

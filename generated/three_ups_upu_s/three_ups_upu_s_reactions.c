@@ -280,7 +280,7 @@ BODY(three_ups_upu_s_joint_reactions)(size_t stride, const double *restrict q, c
       platform_U_still_xz = limb5_S_v_wx * limb5_S_v_wz, limb5_S_a_wy = READ(a, 13),
       platform_rate_fx = platform_mz * (limb5_S_a_wy + platform_U_still_xz),
       platform_rate_my = platform_moment_y - (k12 * platform_U_still_xz - k13 * limb5_S_a_wy);
-    /* platform: balance, eqs. (40)-(47); momentum rate, eq. (35) */
+    /* platform: balance, eqs. (40)-(47); momentum rate, eq. (35); drives */
     const REAL t53 = t48 - platform_turn_zy * platform_rate_my, platform_rate_mz = platform_Izz * READ(a, 14),
       minus_platform_joint_force_mz = limbs.t4[3] - (limbs.t4[2] - (limbs.t4[1] + (t53 - platform_turn_zz * platform_rate_mz - limbs.t4[0]))),
       limb1_U2_part_mn = t38 * minus_platform_joint_force_mz,
@@ -290,9 +290,8 @@ BODY(three_ups_upu_s_joint_reactions)(size_t stride, const double *restrict q, c
       minus_platform_joint_force_mx = limbs.t5[3] + (t65 - platform_turn_xz * platform_rate_mz - limbs.t6[0] + limbs.t5[1] - limbs.t6[2]),
       limb5_S_balance_wx = t61 - minus_platform_joint_force_mx,
       minus_platform_joint_force_my = limbs.t5[2] - (limbs.t6[1] - (t77 - platform_turn_yz * platform_rate_mz + limbs.t5[0])) - limbs.t6[3],
-      minus_limb5_S_balance_wy = t74 + minus_platform_joint_force_my;
-    /* limb1: drives; balance, eqs. (40)-(47); reactions, eq. (32) */
-    const REAL t93 = minus_drives_share_0_1 * minus_limb5_S_balance_wy - drives_share_1_1 * limb5_S_balance_wx,
+      minus_limb5_S_balance_wy = t74 + minus_platform_joint_force_my,
+      t93 = minus_drives_share_0_1 * minus_limb5_S_balance_wy - drives_share_1_1 * limb5_S_balance_wx,
       t90 = (minus_drives_share_0_1 * limb5_S_balance_wx - drives_share_0_0 * minus_limb5_S_balance_wy) * t89,
       t94 = t89 * t93;
     const EACH4 given = {t90, t94, t90, t94}, given_2 = {t94, t90, t94, t90};
@@ -300,9 +299,9 @@ BODY(three_ups_upu_s_joint_reactions)(size_t stride, const double *restrict q, c
     NEXT_LIMB(1, joint_reactions, 2, stride, u, given, given_2, limb1_U_factor_1_by_3, minus_limb1_U_factor_0_by_3, &limbs);
     NEXT_LIMB(2, joint_reactions, 2, stride, u, given, given_2, limb1_U_factor_1_by_3, minus_limb1_U_factor_0_by_3, &limbs);
     NEXT_LIMB(3, joint_reactions, 2, stride, u, given, given_2, limb1_U_factor_1_by_3, minus_limb1_U_factor_0_by_3, &limbs);
-    const REAL t97 = limbs.t9[1] + (limbs.t9[0] - (limbs.minus_S_multiplier_fy[0] + limb1_U_factor_1_by_3 * limb1_U2_part_mn));
+    const REAL t97 = limbs.t9[1] + (limbs.t9[0] - (limbs.minus_S_multiplier_fy[0] + limb1_U_factor_1_by_3 * limb1_U2_part_mn)); /* limb1 */
     const EACH4 signed_S_multiplier_fy = {limbs.t9[3] + (limbs.t9[2] + t97), limbs.minus_S_multiplier_fy[1], limbs.minus_S_multiplier_fy[2], limbs.minus_S_multiplier_fy[3]};
-    const REAL t99 = minus_limb1_U_factor_0_by_3 * limb1_U2_part_mn,
+    const REAL t99 = minus_limb1_U_factor_0_by_3 * limb1_U2_part_mn, /* limb1 */
       minus_limb1_U2_multiplier_mn = limbs.t11[3] + (limbs.t11[2] + (limbs.t11[1] - (limb1_U2_part_mn - limbs.t11[0]))),
       limb1_U2_joint_reaction_mx = limb1_U2_constraint_mn_couple_x * minus_limb1_U2_multiplier_mn,
       limb1_U2_joint_reaction_mz = limb1_U2_constraint_mn_couple_z * minus_limb1_U2_multiplier_mn,
@@ -338,10 +337,8 @@ BODY(three_ups_upu_s_joint_reactions)(size_t stride, const double *restrict q, c
     NEXT_LIMB(0, joint_reactions, 3, stride, reactions, sine, cosine, signed_S_multiplier_fy, signed_S_multiplier_fz, upper_rate_mx, upper_rate_mx_2, minus_upper_rate_mz_2, &limbs);
     checked2 = checked2 + ALONE(limbs.checked[0]);
     WRITE(reactions, 53, -limbs.signed_S_reaction_mz[2]);
-    /* platform: momentum rate, eq. (35) */
-    const REAL platform_rate_fx_2 = platform_rate_fx + platform_m_gravity_z * platform_turn_zx;
-    /* platform: balance, eqs. (40)-(47); momentum rate, eq. (35) */
-    const REAL t114 = platform_turn_xx * platform_rate_fx_2, t134 = platform_turn_zx * platform_rate_fx_2,
+    const REAL platform_rate_fx_2 = platform_rate_fx + platform_m_gravity_z * platform_turn_zx,
+      t114 = platform_turn_xx * platform_rate_fx_2, t134 = platform_turn_zx * platform_rate_fx_2,
       t126 = platform_turn_yx * platform_rate_fx_2,
       minus_platform_rate_fy_2 = minus_platform_rate_fy - platform_m_gravity_z * platform_turn_zy,
       t117 = t114 - platform_turn_xy * minus_platform_rate_fy_2,
