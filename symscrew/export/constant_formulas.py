@@ -17,7 +17,7 @@ from typing import Any, NamedTuple
 from symscrew.algebra import Node
 
 Unit = tuple[int, int, int]  # powers of m, kg and s
-ONE: Unit = (0, 0, 0)
+ONE: Unit = (0, 0, 0)  # of a number without a unit
 BASE: Mapping[str, Unit] = {
     "1": ONE,
     "rad": ONE,

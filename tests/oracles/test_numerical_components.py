@@ -82,7 +82,7 @@ def test_what_is_of_several_components_stays_apart() -> None:
     section = Section(complex_numbers(random, 1, 2), complex_numbers(random, 1))
     points, come = moved_points(system, seeds, (start, section), lambda: False)
     never = (lambda: False, lambda: False)
-    sets = completed_sets(system, section, points, never, random)
+    sets = completed_sets(system, section, points, never, random=random)
     assert come.all() and [(len(s.points), s.closed, s.seeds) for s in sets] == [(2, True, (0,)), (3, True, (1,))]
     assert all(s.sure and s.trace < 1e-10 for s in sets)
     assert np.linalg.norm(np.einsum("ij,pj->pi", section.matrix, points) - section.right) < 1e-9

@@ -27,6 +27,7 @@ STEPS = 2000
 NEAR = {False: 1e-4, True: 1e-6}
 """The first correction of a step at most, against the point; `True`: of a way that is followed again, to be sure."""
 CORRECTIONS = 3
+"""Of a step: Newton's method from a near guess has all digits by then, and from another is not waited for."""
 CLOSE = 1e-10
 """A correction below this, against the point, ends a step: the next one would be rounding."""
 GROWN = 3
@@ -99,7 +100,7 @@ def moved_points(
             break
         h = np.minimum(step[who], 1 - t[who])
         way = (first.of(who), last.of(who))
-        guess = _ahead(system, z[who], way, t[who], h)
+        guess = _ahead(system, z[who], way, t[who], h=h)
         after, good = _corrected(system, guess, _between(way, t[who] + h), NEAR[sure])
         come, back = who[good], who[~good]
         z[come], t[come] = after[good], t[come] + h[good]
@@ -119,7 +120,7 @@ def _between(way: tuple[Section, Section], t: Array) -> Section:
     return Section(matrix, first.right * (1 - s) + last.right * s)
 
 
-def _ahead(system: SquareSystem, z: Array, way: tuple[Section, Section], t: Array, h: Array) -> Array:
+def _ahead(system: SquareSystem, z: Array, way: tuple[Section, Section], t: Array, *, h: Array) -> Array:
     """A step of Runge and Kutta."""
     one = _velocity(system, z, way, t)
     two = _velocity(system, z + h[:, None] / 2 * one, way, t + h / 2)

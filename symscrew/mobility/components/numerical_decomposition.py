@@ -206,7 +206,7 @@ class _Dimension:
         start = Section(matrix, np.einsum("pij,pj->pi", matrix, points))
         moved, come = moved_points(self.system, points, (start, self.section), self.times[0])
         come[come] &= np.abs(self.system.polynomials.at(moved[come])[0]).max(axis=1, initial=0.0) < ZERO
-        return together(completed_sets(self.system, self.section, moved[come], self.times, self.random)), come
+        return together(completed_sets(self.system, self.section, moved[come], self.times, random=self.random)), come
 
     def component(self, found: WitnessSet, dimension: int) -> NumericalComponent:
         """What is known of the set's component, its points in 60 digits where there is time for them."""

@@ -71,6 +71,7 @@ def completed_sets(
     section: Section,
     seeds: Array,
     times: tuple[Callable[[], bool], Callable[[], bool]],
+    *,
     random: np.random.Generator,
 ) -> list[WitnessSet]:
     """The sets that seeds, points on the section, belong to; `times`: whether that of each half of the work is over."""
@@ -131,7 +132,7 @@ class _Growing:
     def loop(self) -> bool:
         """All points of open sets once round a loop; whether that brought something."""
         who = np.flatnonzero(self.open())
-        moved, come = round_loop(self.system, self.section, self.points[who], self.spent, self.random)
+        moved, come = round_loop(self.system, self.section, self.points[who], self.spent, random=self.random)
         news = False
         for k, point, there in zip(who, moved, come, strict=True):
             if not there:
@@ -177,7 +178,7 @@ class _Growing:
         for count in range(1, AGAIN + 1):
             if self.spent():
                 break
-            moved, come = round_loop(self.system, self.section, points, self.spent, self.random, sure=True)
+            moved, come = round_loop(self.system, self.section, points, self.spent, random=self.random, sure=True)
             to = {k: place_among(points, moved[k]) for k in np.flatnonzero(come).tolist()}
             known = {k: other for k, other in to.items() if other is not None}
             if len(known) < len(to) or len(set(known.values())) < len(known):
@@ -194,8 +195,8 @@ def round_loop(
     section: Section,
     points: Array,
     spent: Callable[[], bool],
-    random: np.random.Generator,
     *,
+    random: np.random.Generator,
     sure: bool = False,
 ) -> tuple[Array, Array]:
     """Where points come to when the section goes by two random ones back to itself, and which have come there."""
