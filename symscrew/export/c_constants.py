@@ -157,7 +157,7 @@ class Constants:
     def _others(self) -> list[str]:
         """What formulas mention and no statement reads."""
         told: dict[str, str] = {}
-        while len(told) < len(self._mentioned):
+        while not told.keys() >= {*self._mentioned.values()}:  # what is told may mention more; nodes may share a name
             for node, name in list(self._mentioned.items()):
                 if name not in told:
                     told[name] = f"{name} = {self.precision.number(abs(float(node.value)))} {self._told(node)}"
