@@ -156,16 +156,16 @@ class Constants:
 
     def _others(self) -> list[str]:
         """What formulas mention and no statement reads."""
-        told: dict[str, str] = {}
-        while not told.keys() >= {*self._mentioned.values()}:  # what is told may mention more; nodes may share a name
+        told: dict[Node, tuple[str, str]] = {}
+        while len(told) < len(self._mentioned):  # what is told may mention more
             for node, name in list(self._mentioned.items()):
-                if name not in told:
-                    told[name] = f"{name} = {self.precision.number(abs(float(node.value)))} {self._told(node)}"
+                if node not in told:
+                    told[node] = name, f"{name} = {self.precision.number(abs(float(node.value)))} {self._told(node)}"
         if not told:
             return []
         lines = ["/* They are made of these, too, which no statement reads:"]
-        for name in sorted(told, key=lambda name: (bool(ANY.fullmatch(name)), name)):
-            lines += wrapped(told[name], first="   ", later="       ", width=WIDTH)
+        for _, text in sorted({*told.values()}, key=lambda one: (bool(ANY.fullmatch(one[0])), *one)):
+            lines += wrapped(text, first="   ", later="       ", width=WIDTH)
         return [*lines[:-1], f"{lines[-1]} */"]
 
     def _told(self, node: Node) -> str:

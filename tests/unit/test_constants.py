@@ -14,8 +14,9 @@ from support.model_states import model
 
 from symscrew.description import parse
 from symscrew.export.c import print_source
-from symscrew.export.c_constants import SILENT, common
+from symscrew.export.c_constants import SILENT, Constants, common
 from symscrew.export.c_names import TAKEN
+from symscrew.export.c_precision import DOUBLE
 
 LINE = re.compile(r"^    (\w+) = ([\d.e+-]+)[,;] /\* (.*?) \*/$", re.M | re.S)
 
@@ -100,6 +101,18 @@ def test_every_name_in_a_formula_has_a_line(name: str) -> None:
     found = block(printed(name))
     formulas = [f for _, line in found.values() for f in readings(line).values() if re.search("[*/+]", f)]
     assert formulas and all(words(formula) <= set(found) for formula in formulas)
+
+
+def test_two_numbers_of_one_name_have_a_line_each() -> None:
+    """As a length and its negative may, which formulas mention and no statement reads."""
+    four_bar = model("four_bar")
+    constants = Constants(four_bar, DOUBLE)
+    size, other = list(constants.names)[:2]
+    constants.text(other)  # a statement reads it
+    node = constants._nodes[size]
+    assert constants._called(node) == constants._called(-node) == constants.names[size]
+    told = [line for line in constants.lines() if line.startswith(f"   {constants.names[size]} = ")]
+    assert 1 <= len(told) <= 2
 
 
 def test_a_number_that_is_two_things_is_called_by_neither() -> None:
