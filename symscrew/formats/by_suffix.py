@@ -41,8 +41,8 @@ class Format:
         suffixes: of its files; several formats may share one.
         read: (root element, path of the file, options) -> what the file says; None for a format that is only written.
         write: mechanism -> text of a file; None for a format that is only read. It takes what stands beside the
-            mechanism as its second argument where it `holds` any of that.
-        holds: (mechanism, force) -> whether its files hold that force; None where they hold none.
+            mechanism as its second argument where it has `held` any of that.
+        held: (mechanism, forces) -> those that its files hold beside each other; None where they hold none.
         gravity: whether they hold the field of gravity.
     """
 
@@ -50,13 +50,13 @@ class Format:
     suffixes: tuple[str, ...]
     read: Callable[[Element, Path, ImportOptions], Draft] | None = None
     write: Callable[..., str] | None = None
-    holds: Callable[[Mechanism, Mapping[str, Any]], bool] | None = None
+    held: Callable[[Mechanism, Sequence[Mapping[str, Any]]], tuple[Mapping[str, Any], ...]] | None = None
     gravity: bool = False
 
 
 FORMATS = (
-    Format("robot", (".urdf",), read_urdf, print_urdf, urdf_effects.holds),
-    Format("mujoco", (".xml", ".mjcf"), read_mjcf, print_mjcf, mjcf_effects.holds, gravity=True),
+    Format("robot", (".urdf",), read_urdf, print_urdf, urdf_effects.held),
+    Format("mujoco", (".xml", ".mjcf"), read_mjcf, print_mjcf, mjcf_effects.held, gravity=True),
 )
 
 
@@ -173,10 +173,10 @@ def _text_and_rest(
     if suffix not in known:
         raise DescriptionError(f"expected a file name that ends in {', '.join(known)}, got {shorten(suffix)}")
     form = next((f for f in formats if suffix in f.suffixes and f.write is not None), None)
-    if beside is None or form is None or form.holds is None:
+    if beside is None or form is None or form.held is None:
         return known[suffix](model), []
     left = [*beside.others]
-    kept = tuple(force for force in beside.forces if form.holds(model, force))
+    kept = form.held(model, beside.forces)
     left += [f"{f['kind']} of {f.get('joint', f.get('point', f.get('body')))}" for f in beside.forces if f not in kept]
     if not form.gravity and beside.gravity not in (None, USUAL_GRAVITY):
         left.append(f"gravity {beside.gravity}")

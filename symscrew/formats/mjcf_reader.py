@@ -36,7 +36,7 @@ from symscrew.formats.mjcf_loops import Placed, body_ties, idle_equalities, loop
 from symscrew.formats.mjcf_masses import settle_masses
 from symscrew.formats.mjcf_medium import add_drags, medium
 from symscrew.formats.mjcf_rotors import rotors
-from symscrew.formats.mjcf_settings import ORIENTATIONS
+from symscrew.formats.mjcf_settings import FIXED, ORIENTATIONS
 from symscrew.formats.mjcf_transmissions import Transmissions, add_pulleys, tendon_forces, transmissions
 from symscrew.formats.mjcf_weights import carry
 from symscrew.formats.open_loops import Closing
@@ -90,6 +90,7 @@ def read_mjcf(root: Element, path: Path, options: ImportOptions) -> Draft:
         parts=whole.parts,
         in_medium=around is not None,
         given=frozenset(e.get("name", "") for tag in ("body", "joint", "freejoint") for e in root.iter(tag)),
+        fixed={name.removeprefix(FIXED): own for name, own in texts.items() if name and name.startswith(FIXED) and own},
     )
     _read_bodies(root, reading)
     settle_masses(result, chosen, reading.bare)

@@ -107,7 +107,16 @@ class Ours:
                 parts[joint.name] = values[..., start : start + joint.kind.freedom]
                 start += joint.kind.freedom
             found.append(parts)
+        for name in self.turned_round:
+            turns, rates = (part[name] for part in found)
+            back = [-(rotation_about(turn).T @ rate) for turn, rate in zip(turns, rates, strict=True)]
+            found[0][name], found[1][name] = -turns, np.array(back)
         return found[0], found[1]
+
+    @cached_property
+    def turned_round(self) -> list[str]:
+        """Balls whose coordinates are those of the parent against the child: the tree comes from there."""
+        return [link.joint for link in self.system.tree.links if link.inverted and link.motion.spherical]
 
     @cached_property
     def moved(self) -> dict[str, tuple[Array, Array]]:
