@@ -170,6 +170,9 @@ def _in_own_pose(root: Element, reading: Reading) -> Reading:
 
 
 def _check_sections(root: Element, result: Draft) -> None:
+    for stray in list(elements(root, "body", "frame")):  # the engine takes the file without them
+        result.ledger.changed.append(f"{label(stray)} outside <worldbody>: left out, as MuJoCo leaves it out")
+        root.remove(stray)
     for child in elements(root):
         if child.tag in WITHOUT_MECHANICS and len(child):
             if child.tag != "custom":

@@ -63,8 +63,8 @@ def _where_it_was(written: Mechanism, read: NumericMechanism) -> NumericMechanis
     for j, name in enumerate(read.joints):
         given = np.zeros(len(read.freedoms[j]))
         if name in written.joints:
-            values = [[float(m.number(value)) for value in m.joints[name].reference] for m in (written, read.mechanism)]
-            given[: max(map(len, values))] += np.subtract(*(np.array(value) if value else 0.0 for value in values))
+            wanted, own = ([float(m.number(x)) for x in m.joints[name].reference] for m in (written, read.mechanism))
+            given[: max(len(wanted), len(own))] += np.subtract(wanted or 0.0, own or 0.0)
         steps[j] = given
     if not any(given.any() for given in steps.values()):
         return read
