@@ -44,6 +44,7 @@ from symscrew.formats.rigid_displacements import (
 )
 from symscrew.formats.safe_xml import Element, check_attributes, elements, label, number, numbers
 
+FLEXIBLE = ("composite", "flexcomp")
 IN_BODY = ("body", "frame", "joint", "freejoint", "geom", "site", "inertial", "camera", "light", ATTACHED)
 
 
@@ -121,6 +122,10 @@ class Part:
 def read_children(reading: Reading, parent: Element, place: Place) -> None:
     """Bodies, sites and frames inside a body or frame."""
     for child in elements(parent):
+        if child.tag in FLEXIBLE:
+            raise DescriptionError(
+                f"{label(child)}: bends, and bodies of a mechanism are rigid; remove it, or write its links and joints"
+            )
         if child.tag not in IN_BODY:
             raise DescriptionError(f"{label(parent)}: the element <{child.tag}> of MJCF is not supported")
         if child.tag == "frame":

@@ -73,6 +73,8 @@ def joint_forces(
         draft.ledger.lost("powers of damping or stiffness above the first")
     if single:
         _limits(draft, settings, name, attributes=attributes, kind=kind)
+    elif "limit" not in settings.off and limited(settings, attributes, "range", "limited"):
+        draft.ledger.passed(f"range of a {kind} joint")
     return timed
 
 

@@ -180,6 +180,7 @@ def _check_sections(root: Element, result: Draft) -> None:
         elif child.tag in WITH_INFLUENCE and len(child):
             named = [plugin.get("plugin", "") for plugin in child.iter("plugin")]
             harmless = child.tag == "extension" and all(name.startswith(PASSIVE_PLUGINS) for name in named)
+            harmless = harmless or all(part.tag == "skin" for part in elements(child))
             (result.ledger.passed if harmless else result.ledger.lost)(f"<{child.tag}>")
         elif child.tag not in (*SECTIONS, *WITHOUT_MECHANICS) and (len(child) or child.attrib):
             raise DescriptionError(f"<{child.tag}>: this element of MJCF is not supported; remove it")

@@ -45,9 +45,7 @@ def apart(one: Model, other: Model) -> float:
     return worst
 
 
-CASES = [
-    (IN_MJCF, ".xml", 6), (IN_MJCF, ".xml", 8), (IN_URDF, ".urdf", 2), (IN_URDF, ".urdf", 5), (CLOSED, ".xml", 4),
-]  # fmt: skip
+CASES = [(IN_MJCF, ".xml", 3), (IN_MJCF, ".xml", 11), (IN_URDF, ".urdf", 3), (IN_URDF, ".urdf", 6), (CLOSED, ".xml", 8)]
 
 
 @pytest.mark.parametrize(("kinds", "suffix", "seed"), CASES)
@@ -75,3 +73,55 @@ def test_robots_come_back(tmp_path: Path, kinds: tuple[str, ...], suffix: str, s
     assert apart(derive(mechanism, effects), derive(again.mechanism, again.effects)) < (RAISED if raised else EXACT)
     engine = with_pinocchio if suffix == ".urdf" else with_mujoco
     assert engine(path, ImportOptions())[0] < 1e-9
+
+
+def ball_and_bar() -> MechanismBuilder:
+    """A ball on the ground, and a bar that hangs on it and on the ground in a loop with a slide."""
+    made = MechanismBuilder("loop")
+    for k, name in enumerate(("one", "two", "three")):
+        made.body(name, mass=1, com=[f"{k}/5", "1/10", 0], inertia=["1/50", "1/40", "1/60"])
+    made.joint("S", "S", parent="base", child="one", point=[0, 0, 0])
+    made.joint("A", "R", parent="base", child="two", point=["1/2", 0, 0], axes=[[0, 1, 0]], driven=True)
+    made.joint("B", "R", parent="two", child="three", point=["1/2", 0, "1/2"], axes=[[0, 1, 0]])
+    made.joint("C", "P", parent="base", child="three", point=["3/2", 0, 0], axes=[[1, 0, 0]], driven=True)
+    return made
+
+
+@pytest.mark.parametrize("levels", [(0.0, 0.4, 0.0), (0.4, 0.0, 0.0), (0.4, 0.4, 0.5), (0.4, 0.4, 0.4)])
+def test_a_ball_has_one_friction_in_an_mjcf(tmp_path: Path, levels: tuple[float, ...]) -> None:
+    """One that differs from freedom to freedom is left out and named, not dropped or taken for all."""
+    tables = [{"freedom": k, "coulomb": level} for k, level in enumerate(levels) if level]
+    common = {"type": "dry_friction", "joint": "S", "velocity": 1e-3}
+    effects = [effect_from_table({"type": "gravity", "acceleration": [0, 0, "-9.81"]})]
+    effects += [effect_from_table({**common, **table}) for table in tables]
+    mechanism, path = ball_and_bar().build(), tmp_path / "ball.xml"
+    said = save_robot(mechanism, path, effects, accept=True)
+    again = forces_of_effects(mechanism, load_robot(path).effects)[0]
+    if len(set(levels)) == 1:
+        assert not said and [force["coulomb"] for force in again] == list(levels)
+    else:
+        assert said == ["friction of S"] * len(tables) and not again
+
+
+def test_springs_of_one_joint_are_one(tmp_path: Path) -> None:
+    """9 (x - 0.2) + 3 (x + 0.4) = 12 (x - 0.05)."""
+    springs = [{"stiffness": 9, "rest": 0.2, "damping": 1}, {"stiffness": 3, "rest": -0.4}, {"damping": 0.5}]
+    effects = [effect_from_table({"type": "joint_spring", "joint": "A", **table}) for table in springs]
+    mechanism, path = ball_and_bar().build(), tmp_path / "springs.xml"
+    assert save_robot(mechanism, path, effects) == []
+    found = {force["kind"]: force for force in forces_of_effects(mechanism, load_robot(path).effects)[0]}
+    assert found["spring"]["stiffness"] == 12 and found["spring"]["rest"] == pytest.approx(0.05, rel=1e-15)
+    assert found["damping"]["coefficient"] == 1.5
+
+
+def test_joints_that_close_loops_and_that_fix_keep_value_and_name(tmp_path: Path) -> None:
+    made = ball_and_bar().body("tool", mass=1, com=[1, 0, 0], inertia=["1/50"] * 3)
+    made.joint("flange", "fixed", parent="one", child="tool", point=[0, 0, 0])
+    made.joint("D", "R", parent="base", child="four", point=[1, 0, 1], axes=[[0, 1, 0]])
+    made.body("four", mass=1, com=[1, 0, 0], inertia=["1/50"] * 3)
+    made.joint("E", "R", parent="four", child="three", point=[1, 0, "1/2"], axes=[[0, 1, 0]], reference="1/3")
+    mechanism, path = made.build(), tmp_path / "loop.xml"
+    save_robot(mechanism, path, [])
+    again = load_robot(path).mechanism
+    assert float(again.number(again.joints["E"].reference[0])) == pytest.approx(1 / 3, rel=1e-15)
+    assert again.joints["flange"].type == "fixed" and difference(mechanism, again) is None
