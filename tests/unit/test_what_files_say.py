@@ -55,6 +55,7 @@ def test_what_is_left_out_is_said(tmp_path: Path, text: str, said: str) -> None:
     "text",
     [
         BALL.format("", ""),
+        BALL.format('limited="true"', ""),
         ARM.format("", gazebo("<static>false</static>")),
         ARM.format("", gazebo('<plugin name="eye" filename="libgazebo_ros_camera.so"/>')),
         ARM.format("", '<mujoco><compiler discardvisual="false" balanceinertia="true"/></mujoco>'),
