@@ -6,8 +6,9 @@ from pathlib import Path
 
 import pytest
 
+from symscrew import catalogue
 from symscrew.errors import DescriptionError
-from symscrew.formats import import_file
+from symscrew.formats import import_file, save_as
 
 INERTIAL = '<inertial pos="0.1 0 0" mass="1" diaginertia="0.1 0.2 0.2"/>'
 BALL = f'<mujoco><worldbody><body name="A"><joint name="a" type="ball" {{}}/>{INERTIAL}</body></worldbody>{{}}</mujoco>'
@@ -81,3 +82,21 @@ def test_what_numbers_depend_on_is_refused(tmp_path: Path, text: str, message: s
     path.write_text(text)
     with pytest.raises(DescriptionError, match=message):
         import_file(path)
+
+
+@pytest.mark.parametrize(
+    ("suffix", "left"),
+    [
+        (".toml", []),
+        (".xml", ["formulas of the parameters (d1, a2, a3, d4, d5, d6)", "names of limbs (arm)"]),
+        (
+            ".urdf",
+            [
+                "formulas of the parameters (d1, a2, a3, d4, d5, d6)", "names of limbs (arm)", "named points (flange)",
+                "the platform (wrist_3_link)",
+            ],
+        ),
+    ],
+)  # fmt: skip
+def test_what_a_written_file_does_not_hold_is_said(tmp_path: Path, suffix: str, left: list[str]) -> None:
+    assert save_as(catalogue.load("ur5"), tmp_path / f"ur5{suffix}") == left
