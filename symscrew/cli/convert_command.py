@@ -137,8 +137,9 @@ def _save(
 
     path = Path(options.out)
     if effects is None or path.suffix == ".toml":
-        save_as(mechanism, path)
+        left = save_as(mechanism, path)
     else:
-        for left in save_robot(mechanism, path, effects, limits=limits, accept=options.accept):
-            print(f"left out of {path.name}: {left}", file=sys.stderr)
+        left = save_robot(mechanism, path, effects, limits=limits, accept=options.accept)
+    for text in left:
+        print(f"left out of {path.name}: {text}", file=sys.stderr)
     print(path)

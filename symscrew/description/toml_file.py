@@ -128,6 +128,11 @@ def read_tables(text: str) -> dict[str, Any]:
         # Decimal keeps every digit; a float would round the file's decimals.
         return tomllib.loads(text, parse_float=Decimal)
     except (tomllib.TOMLDecodeError, ValueError, ArithmeticError) as error:
+        if text.lstrip().startswith("<"):
+            raise DescriptionError(
+                "not a valid TOML file, but XML: of that URDF and MJCF are read, from files that end in .urdf, .xml or "
+                ".mjcf (xacro expands its sources to URDF; SDF is not read)"
+            ) from error
         raise DescriptionError(f"not a valid TOML file: {shorten(str(error), 200)}") from error
     except RecursionError as error:
         raise DescriptionError(f"the description is nested more than {MAX_NESTING} deep") from error

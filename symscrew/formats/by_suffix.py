@@ -41,22 +41,24 @@ class Format:
         suffixes: of its files; several formats may share one.
         read: (root element, path of the file, options) -> what the file says; None for a format that is only written.
         write: mechanism -> text of a file; None for a format that is only read. It takes what stands beside the
-            mechanism as its second argument where it `holds` any of that.
-        holds: (mechanism, force) -> whether its files hold that force; None where they hold none.
+            mechanism as its second argument where it has `held` any of that.
+        held: (mechanism, forces) -> those that its files hold beside each other; None where they hold none.
         gravity: whether they hold the field of gravity.
+        words: whether they hold named points, the platform and the characteristic length.
     """
 
     root: str
     suffixes: tuple[str, ...]
     read: Callable[[Element, Path, ImportOptions], Draft] | None = None
     write: Callable[..., str] | None = None
-    holds: Callable[[Mechanism, Mapping[str, Any]], bool] | None = None
+    held: Callable[[Mechanism, Sequence[Mapping[str, Any]]], tuple[Mapping[str, Any], ...]] | None = None
     gravity: bool = False
+    words: bool = False
 
 
 FORMATS = (
-    Format("robot", (".urdf",), read_urdf, print_urdf, urdf_effects.holds),
-    Format("mujoco", (".xml", ".mjcf"), read_mjcf, print_mjcf, mjcf_effects.holds, gravity=True),
+    Format("robot", (".urdf",), read_urdf, print_urdf, urdf_effects.held),
+    Format("mujoco", (".xml", ".mjcf"), read_mjcf, print_mjcf, mjcf_effects.held, gravity=True, words=True),
 )
 
 
@@ -143,7 +145,7 @@ def _draft(file: Path, options: ImportOptions, formats: Sequence[Format]) -> Dra
 def save_as(model: Mechanism, path: str | Path, *, beside: Beside | None = None) -> list[str]:
     """Write a mechanism to a file; its suffix says as what. An existing file is replaced at the end, or not at all.
 
-    `beside`: forces, limits and gravity that the file is to have as well. Returns what of it the file does not hold.
+    `beside`: forces, limits and gravity that the file is to have as well. Returns what of both the file does not hold.
 
     Raises:
         DescriptionError: no format has this suffix, or the format does not hold such a mechanism, or what stands
@@ -168,15 +170,16 @@ def text_of(model: Mechanism, suffix: str, *, beside: Beside | None = None, form
 def _text_and_rest(
     model: Mechanism, suffix: str, beside: Beside | None, formats: Sequence[Format]
 ) -> tuple[str, list[str]]:
-    """(text, what stands beside the mechanism and is not in it)."""
+    """(text, what of the mechanism and of what stands beside it is not in it)."""
     known = writers(formats)
     if suffix not in known:
         raise DescriptionError(f"expected a file name that ends in {', '.join(known)}, got {shorten(suffix)}")
     form = next((f for f in formats if suffix in f.suffixes and f.write is not None), None)
-    if beside is None or form is None or form.holds is None:
-        return known[suffix](model), []
+    unheld = [] if form is None else _words_left(model, form)
+    if beside is None or form is None or form.held is None:
+        return known[suffix](model), unheld
     left = [*beside.others]
-    kept = tuple(force for force in beside.forces if form.holds(model, force))
+    kept = form.held(model, beside.forces)
     left += [f"{f['kind']} of {f.get('joint', f.get('point', f.get('body')))}" for f in beside.forces if f not in kept]
     if not form.gravity and beside.gravity not in (None, USUAL_GRAVITY):
         left.append(f"gravity {beside.gravity}")
@@ -185,4 +188,14 @@ def _text_and_rest(
             f"a {suffix} file does not hold {', '.join(left)}; write another format, leave these effects out (--bare), "
             "or accept that with --accept"
         )
-    return known[suffix](model, replace(beside, forces=kept)), left
+    return known[suffix](model, replace(beside, forces=kept)), left + unheld
+
+
+def _words_left(model: Mechanism, form: Format) -> list[str]:
+    """What of a mechanism the files do not hold, on which none of their numbers depends: formulas and names."""
+    kinds = [("formulas of the parameters", [*model.parameters]), ("names of limbs", [*model.limbs])]
+    if not form.words:
+        kinds += [("named points", [*model.points]), ("the platform", [model.platform] if model.platform else [])]
+        length = model.characteristic_length
+        kinds.append(("characteristic length", [] if length is None else [f"{float(model.number(length)):g} m"]))
+    return [f"{what} ({', '.join(named)})" for what, named in kinds if named]

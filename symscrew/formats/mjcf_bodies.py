@@ -44,6 +44,7 @@ from symscrew.formats.rigid_displacements import (
 )
 from symscrew.formats.safe_xml import Element, check_attributes, elements, label, number, numbers
 
+FLEXIBLE = ("composite", "flexcomp")
 IN_BODY = ("body", "frame", "joint", "freejoint", "geom", "site", "inertial", "camera", "light", ATTACHED)
 
 
@@ -57,7 +58,8 @@ class Reading:
     `listed`: joints in the order of the file's coordinates; `parts`: settings and meshes of the models in the file;
     `in_medium`: bodies have drag; `carried`: body -> share of its weight, `borne`: joints whose part of that is the
     actuators'; `stand_ins`: bodies with inertials where geoms are to say the mass and none does; `geoms`: those with
-    names, and their bodies; `given`: names that bodies and joints of the file have, which none without gets.
+    names, and their bodies; `given`: names that bodies and joints of the file have, which none without gets; `fixed`:
+    body -> the name of what fixes it, where the file says one.
     """
 
     settings: Settings
@@ -82,6 +84,7 @@ class Reading:
     stand_ins: set[str] = field(default_factory=set)
     geoms: dict[str, tuple[str, Part]] = field(default_factory=dict)
     given: frozenset[str] = frozenset()
+    fixed: Mapping[str, str] = field(default_factory=dict)
 
     def within(self, attached: Element) -> Reading:
         """The same reading with the units, classes and meshes of a model that is attached."""
@@ -119,6 +122,10 @@ class Part:
 def read_children(reading: Reading, parent: Element, place: Place) -> None:
     """Bodies, sites and frames inside a body or frame."""
     for child in elements(parent):
+        if child.tag in FLEXIBLE:
+            raise DescriptionError(
+                f"{label(child)}: bends, and bodies of a mechanism are rigid; remove it, or write its links and joints"
+            )
         if child.tag not in IN_BODY:
             raise DescriptionError(f"{label(parent)}: the element <{child.tag}> of MJCF is not supported")
         if child.tag == "frame":
@@ -277,7 +284,7 @@ def _joints(reading: Reading, parent: str, place: Place, own: Sequence[Part]) ->
             moved = _displacement(joint, reading.displaced.get(joint.name)) @ moved
     parts = _screwed(reading, single)
     if not parts:
-        name = fresh(f"{body}_fixed", reading.seen | reading.given)
+        name = fresh(reading.fixed.get(body, f"{body}_fixed"), reading.seen | reading.given)
         return [RawJoint(name, "fixed", parent, body, pose.translation)], moved
     links = [parent]
     for k in range(1, len(parts)):

@@ -7,7 +7,7 @@ servo --> <position> in place of the motor          carried weight --> <body gra
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from itertools import count
 from typing import Any
 from xml.etree.ElementTree import Element, SubElement
@@ -27,7 +27,19 @@ CARRIED = 1e-12
 """Of a weight: what rounding leaves of a force that carries a share of it."""
 
 
-def holds(mechanism: Mechanism, force: Mapping[str, Any]) -> bool:
+def held(mechanism: Mechanism, forces: Sequence[Mapping[str, Any]]) -> tuple[Mapping[str, Any], ...]:
+    """The forces that MJCF holds beside each other: a ball has one friction for all its freedoms."""
+    possible = [force for force in forces if _holds(mechanism, force)]
+    frictions: dict[str, dict[int, float]] = {}
+    for force in possible:
+        if force["kind"] == "friction" and mechanism.joints[str(force["joint"])].kind.ball:
+            per_freedom = frictions.setdefault(str(force["joint"]), dict.fromkeys(range(3), 0.0))
+            per_freedom[force.get("freedom") or 0] += force["coulomb"]
+    uneven = {joint for joint, found in frictions.items() if len(set(found.values())) > 1}
+    return tuple(force for force in possible if force["kind"] != "friction" or force["joint"] not in uneven)
+
+
+def _holds(mechanism: Mechanism, force: Mapping[str, Any]) -> bool:
     """Whether MJCF holds a force: a servo on a driven freedom, a wrench that carries a share of a body's weight."""
     if force["kind"] == "drag":
         return False
@@ -108,12 +120,13 @@ def _attributes(element: Element, force: Mapping[str, Any]) -> None:
         if force.get("freedom", 0) in (0, None) or element.get("type") != "ball":
             add("frictionloss", force["coulomb"])
     else:
-        if "stiffness" in element.attrib and force.get("stiffness"):
-            raise DescriptionError(f"joints.{force['joint']}: MJCF holds one spring of a joint, got two")
-        if force.get("stiffness"):
-            add("stiffness", force["stiffness"])
-            if element.get("type") != "ball":
-                add("springref", force.get("rest", 0.0))
+        stiffness, there = force.get("stiffness", 0.0), float(element.get("stiffness", "0"))
+        if stiffness:
+            if element.get("type") != "ball":  # of two springs the sum is one, which rests where they balance
+                rests = (float(element.get("springref", "0")), force.get("rest", 0.0))
+                rest = (there * rests[0] + stiffness * rests[1]) / (there + stiffness) if there else rests[1]
+                element.set("springref", decimals([rest]))
+            add("stiffness", stiffness)
         if force.get("damping"):
             add("damping", force["damping"])
 

@@ -73,6 +73,8 @@ def joint_forces(
         draft.ledger.lost("powers of damping or stiffness above the first")
     if single:
         _limits(draft, settings, name, attributes=attributes, kind=kind)
+    elif any(numbers(attributes.get("range", "0"), f"{where}, range")) and attributes.get("limited") != "false":
+        draft.ledger.passed(f"range of a {kind} joint")
     return timed
 
 

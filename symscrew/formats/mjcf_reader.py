@@ -36,7 +36,7 @@ from symscrew.formats.mjcf_loops import Placed, body_ties, idle_equalities, loop
 from symscrew.formats.mjcf_masses import settle_masses
 from symscrew.formats.mjcf_medium import add_drags, medium
 from symscrew.formats.mjcf_rotors import rotors
-from symscrew.formats.mjcf_settings import ORIENTATIONS
+from symscrew.formats.mjcf_settings import FIXED, ORIENTATIONS
 from symscrew.formats.mjcf_transmissions import Transmissions, add_pulleys, tendon_forces, transmissions
 from symscrew.formats.mjcf_weights import carry
 from symscrew.formats.open_loops import Closing
@@ -90,6 +90,7 @@ def read_mjcf(root: Element, path: Path, options: ImportOptions) -> Draft:
         parts=whole.parts,
         in_medium=around is not None,
         given=frozenset(e.get("name", "") for tag in ("body", "joint", "freejoint") for e in root.iter(tag)),
+        fixed={name.removeprefix(FIXED): own for name, own in texts.items() if name and name.startswith(FIXED) and own},
     )
     _read_bodies(root, reading)
     settle_masses(result, chosen, reading.bare)
@@ -169,6 +170,9 @@ def _in_own_pose(root: Element, reading: Reading) -> Reading:
 
 
 def _check_sections(root: Element, result: Draft) -> None:
+    for stray in list(elements(root, "body", "frame")):  # the engine takes the file without them
+        result.ledger.changed.append(f"{label(stray)} outside <worldbody>: left out, as MuJoCo leaves it out")
+        root.remove(stray)
     for child in elements(root):
         if child.tag in WITHOUT_MECHANICS and len(child):
             if child.tag != "custom":
@@ -176,6 +180,7 @@ def _check_sections(root: Element, result: Draft) -> None:
         elif child.tag in WITH_INFLUENCE and len(child):
             named = [plugin.get("plugin", "") for plugin in child.iter("plugin")]
             harmless = child.tag == "extension" and all(name.startswith(PASSIVE_PLUGINS) for name in named)
+            harmless = harmless or all(part.tag == "skin" for part in elements(child))
             (result.ledger.passed if harmless else result.ledger.lost)(f"<{child.tag}>")
         elif child.tag not in (*SECTIONS, *WITHOUT_MECHANICS) and (len(child) or child.attrib):
             raise DescriptionError(f"<{child.tag}>: this element of MJCF is not supported; remove it")

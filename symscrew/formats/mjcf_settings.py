@@ -38,6 +38,8 @@ from symscrew.formats.rigid_displacements import (
 from symscrew.formats.safe_xml import Element, check_attributes, elements, label, number, numbers
 
 ORIENTATIONS = ("axisangle", "xyaxes", "zaxis", "euler")
+FIXED = "symscrew_fixed_"
+"""Before a body's name: the custom text with the name of the joint that fixes it, for which MJCF has no element."""
 PLACE = ("pos", "quat", *ORIENTATIONS)
 UNSEEN = ("adhesion", "castshadow", "surfacevel")
 """Attributes of geoms that are about contacts and pictures, and that few files have: the account says so."""

@@ -30,6 +30,7 @@ from symscrew.formats.imported import Beside
 from symscrew.formats.mjcf_couplings import add_couplings, tied_joints
 from symscrew.formats.mjcf_effects import add_effects, joints_acted_on
 from symscrew.formats.mjcf_pulleys import as_tendons
+from symscrew.formats.mjcf_settings import FIXED
 from symscrew.formats.rigid_displacements import CONTEXT
 from symscrew.formats.safe_xml import decimals, text_of
 from symscrew.reference import NumericMechanism, numeric
@@ -97,6 +98,8 @@ def print_mjcf(mechanism: Mechanism, beside: Beside | None = None) -> str:
     for branch in tree.branches:
         if branch.body not in inside:
             _add_body(writing, branch, over.get(branch.body, ()))
+        if not branch.joint.kind.freedom and branch.joint.name != f"{names[branch.body]}_fixed":
+            SubElement(custom, "text", name=f"{FIXED}{names[branch.body]}", data=branch.joint.name)
     for joint in tree.cut:
         _close(writing, joint)
     add_couplings(mechanism, root, equality)
@@ -120,8 +123,13 @@ def print_mjcf(mechanism: Mechanism, beside: Beside | None = None) -> str:
 
 
 def _rank(joint: Joint) -> int:
-    """Joints that no equality stands for come first into the tree, spherical ones last."""
-    return 0 if joint.driven else RANKS.get(joint.type, 0)
+    """Joints that no equality stands for come first into the tree, spherical ones last; none stands for a reference."""
+    return 0 if joint.driven or _counted(joint) else RANKS.get(joint.type, 0)
+
+
+def _counted(joint: Joint) -> bool:
+    """Whether its coordinates do not count from zero in the reference configuration."""
+    return any(value != 0 for value in joint.reference)
 
 
 def _over_nothing(mechanism: Mechanism, tree: Chains) -> dict[str, list[Branch]]:
@@ -255,7 +263,7 @@ def _close(writing: Writing, joint: Joint) -> None:
         _add_equality(writing, "weld", joint.name, ends)
     elif kind.ball and not joint.driven:
         _add_equality(writing, "connect", joint.name, ends, anchor=point)
-    elif kind.hinge and not joint.driven:
+    elif kind.hinge and not joint.driven and not _counted(joint):
         # read back, the ground is the parent: the coordinate keeps its sign
         axis = numbers(writing.mechanism, joint.axes[0]) * (-1 if joint.child == writing.mechanism.ground else 1)
         for k, place in enumerate((point, point + writing.numbers.length * axis)):

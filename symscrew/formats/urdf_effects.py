@@ -5,7 +5,7 @@ damping, friction --> <dynamics>    limits --> <limit>    armature --> rotor ine
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 from xml.etree.ElementTree import Element, SubElement
 
@@ -15,8 +15,12 @@ from symscrew.formats.safe_xml import decimals
 from symscrew.formats.urdf_forces import SLIP, WIDE
 
 
-def holds(mechanism: Mechanism, force: Mapping[str, Any]) -> bool:
-    """Whether a URDF holds a force: damping and friction, and rotors of driven joints; of none that is spherical."""
+def held(mechanism: Mechanism, forces: Sequence[Mapping[str, Any]]) -> tuple[Mapping[str, Any], ...]:
+    """The forces that a URDF holds: damping and friction, and rotors of driven joints; of none that is spherical."""
+    return tuple(force for force in forces if _holds(mechanism, force))
+
+
+def _holds(mechanism: Mechanism, force: Mapping[str, Any]) -> bool:
     if force["kind"] not in ("armature", "damping", "friction"):
         return False
     if force["kind"] == "friction" and force.get("velocity") != SLIP:  # which no file says

@@ -19,6 +19,7 @@ SLIP = 1e-3
 WIDE = 1000000
 """What a file gives as limit [m, rad, per s, N, N m] that it must give and that the mechanism does not have."""
 DYNAMICS = ("damping", "friction", "armature", "spring_stiffness", "spring_reference")
+LIMITS = ("lower", "upper", "velocity", "effort")
 MOVING = ("revolute", "continuous", "prismatic")
 
 
@@ -36,9 +37,7 @@ def _dynamics(draft: Draft, name: str, joint: Element, element: Element, *, sing
     """What an element says of damping, friction, and in some dialects of a rotor and a spring."""
     where = f"{label(joint)}, {element.tag}"
     values = {key: float(number(element.get(key, "0"), f"{where}, {key}")) for key in DYNAMICS}
-    other = sorted(set(element.attrib) - set(DYNAMICS))
-    if other:
-        draft.ledger.passed(f"attributes of <{element.tag}> that a URDF does not have: {', '.join(other)}")
+    _other_attributes(draft, element, DYNAMICS)
     tables: dict[str, dict[str, Any]] = {
         "damping": {"kind": "damping", "coefficient": values["damping"]},
         "friction": {"kind": "friction", "coulomb": values["friction"], "velocity": SLIP},
@@ -59,11 +58,18 @@ def _dynamics(draft: Draft, name: str, joint: Element, element: Element, *, sing
             draft.ledger.lost(f"{key} of a {joint.get('type')} joint")
 
 
+def _other_attributes(draft: Draft, element: Element, known: Sequence[str]) -> None:
+    other = sorted({key.rpartition("}")[2] for key in set(element.attrib) - set(known)})
+    if other:
+        draft.ledger.passed(f"attributes of <{element.tag}> that a URDF does not have: {', '.join(other)}")
+
+
 def _limit(draft: Draft, name: str, joint: Element, limit: Element) -> None:
     if joint.get("type") not in MOVING:
         return
     found = draft.limits.setdefault(name, Limits())
-    for key in ("lower", "upper", "velocity", "effort"):
+    _other_attributes(draft, limit, LIMITS)
+    for key in LIMITS:
         if key in limit.attrib and not (key in ("lower", "upper") and joint.get("type") == "continuous"):
             value = real(number(limit.attrib[key], f"{label(joint)}, limit {key}"))
             setattr(found, key, None if abs(value) == WIDE else value)

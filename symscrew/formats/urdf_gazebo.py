@@ -1,19 +1,25 @@
-"""What <gazebo> elements say of the mechanics of a URDF's links and joints; pictures, contacts and plugins say nothing.
+"""What <gazebo> and <mujoco> elements say of the mechanics of a URDF: springs are taken, other things are said.
 
     springStiffness, springReference of a joint --> joint spring
     turnGravityOff, gravity, dampingFactor, kinematic of a link --> said: here gravity acts, and nothing damps
+    static of the model, plugins that push bodies, MuJoCo's weights and medium --> said
 
-Source: https://classic.gazebosim.org/tutorials?tut=ros_urdf.
+Source: https://classic.gazebosim.org/tutorials?tut=ros_urdf, and MuJoCo's "URDF extensions".
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 
+from symscrew.errors import shorten
 from symscrew.formats.draft import Draft, RawEffect
 from symscrew.formats.safe_xml import Element, elements, number
 from symscrew.formats.urdf_forces import MOVING
 
+PUSHING = ("liftdrag", "buoyancy", "hydrodynamics")
+"""Plugins that push bodies, by their names in small letters without marks; others control, sense or show."""
+IN_MUJOCO = ("boundmass", "boundinertia", "settotalmass", "inertiafromgeom", "gravity", "density", "viscosity", "wind")
+"""Settings of MuJoCo that change masses and forces; those that mend inertias meet one that is refused here."""
 YES = ("true", "1")
 NO = ("false", "0")
 
@@ -30,6 +36,12 @@ def gazebo_forces(draft: Draft, root: Element, joints: Mapping[str, Element]) ->
             damped.add(name)
         if said.get("kinematic") in YES:
             held.add(name)
+        if said.get("static") in YES:
+            draft.ledger.changed.append("the robot moves, which <gazebo> calls static")
+        for plugin in elements(section, "plugin"):
+            names = [plugin.get(key, "") for key in ("name", "filename")]
+            if any(word in "".join(filter(str.isalpha, name)).lower() for word in PUSHING for name in names):
+                draft.ledger.changed.append(f"no forces of the plugin {shorten(names[0])} in <gazebo> act")
         _spring(draft, name, said, joints)
     for links, what in (
         (weightless, "gravity acts on {}, from which <gazebo> takes it"),
@@ -40,6 +52,14 @@ def gazebo_forces(draft: Draft, root: Element, joints: Mapping[str, Element]) ->
             listed = sorted(links)
             more = f" and {len(listed) - 3} more links" if len(listed) > 3 else ""
             draft.ledger.changed.append(what.format(", ".join(listed[:3]) + more))
+
+
+def mujoco_settings(draft: Draft, root: Element) -> None:
+    """Say which of MuJoCo's own settings in a URDF change its masses and forces and not ours."""
+    parts = [part for section in elements(root, "mujoco") for part in elements(section, "compiler", "option")]
+    named = [key for part in parts for key in IN_MUJOCO if part.get(key) not in (None, "auto", "0")]
+    if named:
+        draft.ledger.changed.append(f"MuJoCo's own {', '.join(named)} in <mujoco> is not taken")
 
 
 def _spring(draft: Draft, name: str, said: Mapping[str, str], joints: Mapping[str, Element]) -> None:

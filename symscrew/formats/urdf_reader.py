@@ -48,7 +48,7 @@ from symscrew.formats.rigid_displacements import (
 )
 from symscrew.formats.safe_xml import Element, attribute, check_attributes, elements, first, label, number, numbers
 from symscrew.formats.urdf_forces import joint_forces, transmission_forces
-from symscrew.formats.urdf_gazebo import gazebo_forces
+from symscrew.formats.urdf_gazebo import gazebo_forces, mujoco_settings
 from symscrew.formats.urdf_loops import DRAKE, is_loop, loops
 from symscrew.formats.urdf_mimics import MIMIC, SINGLE, Mimic, mimics_of, offsets_of
 
@@ -67,7 +67,7 @@ READ = (
     f"{DRAKE}joint",
     f"{DRAKE}ball_constraint",
 )
-WITH_INFLUENCE = ("include", *(f"{DRAKE}{name}" for name in ("linear_bushing_rpy", "linear_spring_damper")))
+WITH_INFLUENCE = ("include", "coupling", *(f"{DRAKE}{name}" for name in ("linear_bushing_rpy", "linear_spring_damper")))
 # elements of a <joint> and a <link> that are known; others are listed
 IN_JOINT = ("origin", "parent", "child", "axis", "limit", "dynamics", *MIMIC, "joint_properties")
 ONCE = ("origin", "axis", "limit", "dynamics", "mimic", "joint_properties")
@@ -126,6 +126,7 @@ def read_urdf(root: Element, path: Path, options: ImportOptions) -> Draft:
             result.ledger.passed(AXES)
     transmission_forces(result, root, joints)
     gazebo_forces(result, root, joints)
+    mujoco_settings(result, root)
     points = [joint.point for joint in result.joints]
     result.frames = {name: poses[attribute(_one(joint, "child"), "link")] for name, joint in joints.items()}
     extent = max((length(minus(point, points[0])) for point in points), default=ZERO[0])

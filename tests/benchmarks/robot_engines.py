@@ -89,6 +89,8 @@ class Ours:
             given = [float(self.mechanism.number(value)) for value in joint.reference]
             values[joint.name] = np.array([*given, *[0.0] * (joint.kind.freedom - len(given))])
             zeros[joint.name] = np.zeros(joint.kind.freedom)
+        for name, (joint_name, at, factor) in self.elementary.items():
+            values[name], zeros[name] = values[joint_name][at] * factor, zeros[joint_name][at]
         return values, zeros
 
     @cached_property
@@ -106,8 +108,42 @@ class Ours:
             for joint in self.mechanism.joints.values():
                 parts[joint.name] = values[..., start : start + joint.kind.freedom]
                 start += joint.kind.freedom
-            found.append(parts)
+            found.append(parts | {name: parts[j][..., at] * f for name, (j, at, f) in self.elementary.items()})
+        for name in self.turned_round:
+            turns, rates = (part[name] for part in found)
+            back = [-(rotation_about(turn).T @ rate) for turn, rate in zip(turns, rates, strict=True)]
+            found[0][name], found[1][name] = -turns, np.array(back)
         return found[0], found[1]
+
+    @cached_property
+    def elementary(self) -> dict[str, tuple[str, slice, float]]:
+        """Name in files of one motion of a joint with several -> (joint, where in its displacements, times what)."""
+        found = {}
+        for name, joint in self.mechanism.joints.items():
+            kind = joint.kind
+            if kind.helical:
+                pitch = float(self.mechanism.number(joint.pitch))
+                found |= {f"{name}_{k}": (name, slice(0, 1), factor) for k, factor in enumerate((pitch, 1.0))}
+            for k, (motion, at) in enumerate(zip(kind.motions, kind.starts, strict=True)):
+                if len(kind.motions) > 1 and f"{name}_{k}" not in self.mechanism.joints:
+                    found[f"{name}_{k}"] = (name, slice(at, at + motion.freedom), 1.0)
+        return found
+
+    def reference(self, name: str) -> float:
+        """The coordinate [rad or m] of a joint of a file with one freedom in the reference configuration."""
+        joint, at, factor = self.elementary.get(name, (name, slice(0, 1), 1.0))
+        values = self.mechanism.joints[joint].reference[at]
+        return factor * float(self.mechanism.number(values[0])) if values else 0.0
+
+    @property
+    def known(self) -> set[str]:
+        """Names of joints in files that are compared."""
+        return {*self.mechanism.joints, *self.elementary}
+
+    @cached_property
+    def turned_round(self) -> list[str]:
+        """Balls whose coordinates are those of the parent against the child: the tree comes from there."""
+        return [link.joint for link in self.system.tree.links if link.inverted and link.motion.spherical]
 
     @cached_property
     def moved(self) -> dict[str, tuple[Array, Array]]:
@@ -146,9 +182,8 @@ def with_mujoco(path: Path, options: ImportOptions) -> tuple[float, str]:
         name,
         i,
     ) in places.items():  # balls are turned from our reference, where couplings may displace what carries them
-        values = ours.mechanism.joints[name].reference
-        if engine.jnt_type[i] in (2, 3) and values:
-            data.qpos[engine.jnt_qposadr[i]] = float(ours.mechanism.number(values[0]))
+        if engine.jnt_type[i] in (2, 3):
+            data.qpos[engine.jnt_qposadr[i]] = ours.reference(name) or data.qpos[engine.jnt_qposadr[i]]
     mujoco.mj_forward(engine, data)
     reference = data.xmat.reshape(-1, 3, 3).copy()
     start = data.xpos.copy()
@@ -240,7 +275,7 @@ def names_in(engine: Any, ours: Ours) -> dict[str, int]:
     for i in range(engine.njnt):
         listed.append(engine.joint(i).name or fresh("joint", listed))
     renamed = safe_names(listed)
-    found = {renamed[name]: i for i, name in enumerate(listed) if renamed[name] in ours.mechanism.joints}
+    found = {renamed[name]: i for i, name in enumerate(listed) if renamed[name] in ours.known}
     if len(found) < engine.njnt:
         raise NotImplementedError("joints that were merged are not compared")
     return found
@@ -298,7 +333,7 @@ def with_pinocchio(path: Path, options: ImportOptions) -> tuple[float, str]:
     mass, forces = ours.mass(), ours.forces(still=False)
     renamed = safe_names(str(name) for name in engine.names)
     names = [renamed[str(name)] for name in engine.names]
-    missing = [name for name in names[1:] if name not in ours.mechanism.joints]
+    missing = [name for name in names[1:] if name not in ours.known]
     if missing:
         raise NotImplementedError(f"joints {', '.join(missing)} are not ours")
     rest, _ = placed(engine, names, ours.at_rest(), None)

@@ -312,3 +312,13 @@ def test_rotations_by_small_angles_stay_rotations(angle: str) -> None:
     """A cosine is one to 15 digits long before its sine is nothing."""
     turn = about(UNITS[0], CONTEXT.mpf(angle))
     assert all(abs(dot(row, row) - 1) < 1e-40 for row in turn)
+
+
+def test_a_body_outside_of_the_world_is_none_as_in_mujoco(tmp_path: Path) -> None:
+    hand = f'<body name="hand"><joint name="thumb"/>{INERTIAL}</body>'
+    ball = f'<worldbody><body name="ball"><freejoint/>{INERTIAL}</body></worldbody>'
+    path = saved(f"<mujoco>{hand}{ball}</mujoco>", tmp_path)
+    found = import_file(path)
+    engine = mujoco.MjModel.from_xml_path(str(path))
+    assert [*found.mechanism.bodies] == [engine.body(k).name for k in range(engine.nbody)] == ["world", "ball"]
+    assert found.account.changed == ("<body name='hand'> outside <worldbody>: left out, as MuJoCo leaves it out",)

@@ -321,7 +321,7 @@ BODY = '<mujoco>%s<worldbody><body name="a"><joint name="j"/>%s<geom size="0.1"/
     ("text", "message"),
     [
         (BODY % ("", '<plugin plugin="x"/>', ""), "<plugin> of MJCF is not supported"),
-        (BODY % ("", "<composite count='3'/>", ""), "<composite> of MJCF is not supported"),
+        (BODY % ("", "<composite count='3'/>", ""), "<composite>: bends, and bodies of a mechanism are rigid"),
         (BODY % ('<include file="/etc/passwd"/>', "", ""), "outside of the model's folder"),
         (BODY % ("", "", "<equality><tendon tendon1='t'/></equality>"), "no fixed tendon"),
         (BODY % ("", "", "<equality><joint joint1='x' joint2='j'/></equality>"), "a hinge or slide joint, got 'x'"),

@@ -13,7 +13,7 @@ from itertools import count
 from pathlib import Path
 
 import pytest
-from benchmarks.robot_engines import with_mujoco
+from benchmarks.robot_engines import Ours, with_mujoco
 
 from symscrew.formats import ImportOptions
 from symscrew.functions.forward import MASSLESS_NOTE
@@ -114,6 +114,23 @@ def test_a_body_that_floats_is_tied_to_the_world(tmp_path: Path, inner: str, tie
     path.write_text(f"<mujoco><worldbody>{FREE.format(inner)}</worldbody>{tie}</mujoco>")
     worst, what = with_mujoco(path, ImportOptions())
     assert worst < 1e-9 and f"{freedoms} freedoms" in what
+
+
+def test_balls_that_the_tree_comes_to_from_their_child_are_compared(tmp_path: Path) -> None:
+    """Where the balls of a leg have rotors, none is cut: it hangs on the platform, at which the tree begins."""
+    inertial, legs, ties = '<inertial pos="0.1 0 0.2" mass="1" diaginertia="0.1 0.2 0.2"/>', "", ""
+    for k in range(3):
+        ball = f'<joint name="s{k}" type="ball" armature="0.1"/>{inertial}'
+        top = f'<body name="top" pos="0 0 1">{ball.replace("s0", "t")}</body>' if k == 0 else ""
+        hip = f'<body pos="{k} {k * k / 2} 0"><joint axis="{k - 1} 1 0.2"/>{inertial}'
+        legs += f'{hip}<body name="rod{k}" pos="0 0.3 0">{ball}{top}</body></body>'
+        ties += f'<connect body1="top" body2="rod{k}" anchor="{k} {k / 3} 0"/>' if k else ""
+    path = tmp_path / "model.xml"
+    path.write_text(f"<mujoco><worldbody>{legs}</worldbody><equality>{ties}</equality></mujoco>")
+    options = ImportOptions()
+    assert Ours(path, options).turned_round == ["t", "s0"]
+    worst, what = with_mujoco(path, options)
+    assert worst < 1e-9 and "closed" in what
 
 
 TURNED = 'pos="-0.454 -0.053 0.442" zaxis="-0.097 -0.69 -0.1"'

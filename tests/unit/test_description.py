@@ -121,6 +121,7 @@ INERTIA = 'inertia = ["mass*length^2/12", "mass*length^2/12", 0]'
 
 BAD = {
     "not toml": ("[mechanism", "not a valid TOML file"),
+    "XML": ('<sdf version="1.7"/>', "not a valid TOML file, but XML.*SDF is not read"),
     "empty": ("", r"the section \[mechanism\] is missing"),
     "no name": ("[mechanism]\n", "mechanism: the key 'name' is missing"),
     "no joints": ('[mechanism]\nname = "m"\n', "it has no joints"),
