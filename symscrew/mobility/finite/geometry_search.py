@@ -133,11 +133,7 @@ class Search:
     def step(self, residuals: Sequence[Array], cut: float) -> None:
         """One step of Gauss-Newton with the least change, for singular values above `cut` of the largest."""
         missing = np.concatenate([one.left @ r for one, r in zip(self.linear, residuals, strict=True)])
-        matrix, ways = self.matrix(), self.ways
-        if ways is None:
-            dz = -np.linalg.lstsq(matrix, missing, rcond=cut)[0]
-        else:
-            dz = -ways @ np.linalg.lstsq(matrix @ ways, missing, rcond=cut)[0]
+        dz = -self.along_ways(np.linalg.lstsq(self._along(self.matrix()), missing, rcond=cut)[0])
         self.move(dz, residuals)
 
     def matrix(self) -> Array:
@@ -167,18 +163,28 @@ class Search:
         return self
 
     def without_slope(self, cut: float) -> Conditions:
-        """The conditions about the present numbers, for the directions in which they vanish twice."""
+        """The conditions about the present numbers, for the directions in which they vanish twice.
 
-        def slopes(dz: Array) -> Array:
-            if not dz.size:
-                return self.matrix()
-            other = self.moved(dz)
+        Their numbers are factors of the `ways` where z may change along these alone.
+        """
+
+        def slopes(dw: Array) -> Array:
+            if not dw.size:
+                return self._along(self.matrix())
+            other = self.moved(self.along_ways(dw))
             other.linearise()
             pairs = zip(self.linear, other.linear, strict=True)
-            return np.concatenate([mine.left @ its.left.T @ its.left @ its.by_z for mine, its in pairs])
+            return self._along(np.concatenate([mine.left @ its.left.T @ its.left @ its.by_z for mine, its in pairs]))
 
-        def values(dz: Array) -> Array:
-            pairs = zip(self.linear, self.moved(dz).settled().residuals(), strict=True)
+        def values(dw: Array) -> Array:
+            pairs = zip(self.linear, self.moved(self.along_ways(dw)).settled().residuals(), strict=True)
             return np.concatenate([one.left @ r for one, r in pairs])
 
         return Conditions(slopes, values, cut)
+
+    def _along(self, matrix: Array) -> Array:
+        return matrix if self.ways is None else np.asarray(matrix @ self.ways)
+
+    def along_ways(self, dw: Array) -> Array:
+        """The change of z by factors of the ways."""
+        return dw if self.ways is None else np.asarray(self.ways @ dw)

@@ -180,8 +180,11 @@ def nearest_special(network: Network, claims: Sequence[RankClaim], *, moves: boo
         if points and not almost and not _open(network, coarse, points):
             return ()  # what was typed moves so itself
         if points:
-            approach = _Approach(network, points, ranks, noise=noise)
-            found = approach.found() or _by_alignment(network, low, noise) or approach.found(twice=True)
+            approach, kept = _Approach(network, points, ranks, noise=noise), turned_together(network)
+            tries = [approach]
+            if kept.shape[1] < len(approach.search.z):
+                tries.insert(0, _Approach(network, points, ranks, noise=noise, ways=kept))
+            found = _first(tries) or _by_alignment(network, low, noise) or _first(tries, twice=True)
             if found is not None or not almost:  # else ranks alone are those of what was typed
                 return () if found is None else (found,)
             astray = approach.astray  # then these motions are none that were meant
@@ -196,6 +199,12 @@ def nearest_special(network: Network, claims: Sequence[RankClaim], *, moves: boo
     if alone is not None and (points or astray) and moving is None:
         alone = replace(alone, stalled=True)
     return tuple(one for one in (alone, moving) if one is not None)
+
+
+def _first(tries: Sequence[_Approach], *, twice: bool = False) -> NearGeometry | None:
+    """The first that is found: with axes that are parallel as typed turned together, as those of a planar linkage are
+    meant, then with all alone. The former has no double zeros of hinges that are tilted against each other."""
+    return next((found for one in tries if (found := one.found(twice=twice)) is not None), None)
 
 
 def _by_alignment(network: Network, low: Sequence[LowRank], noise: float) -> NearGeometry | None:
@@ -365,7 +374,7 @@ def _solved_twice(search: Search, cut: float) -> Search | None:
                 raise GivenUpError(GIVEN_UP)
         if doubled is None:
             return None
-        step = vertex(search.without_slope(cut), doubled, believed)
+        step = search.along_ways(vertex(search.without_slope(cut), doubled, believed))
         search.move(step)
         search.step(search.residuals(), cut)
         size = max(float(np.linalg.norm(r)) for r in search.residuals())
