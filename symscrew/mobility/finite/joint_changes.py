@@ -93,19 +93,19 @@ def screw_rates(network: Network, slots: Slots, centre: Array) -> Array:
     row = 0
     for name, edge in network.edges.items():
         point = np.array([float(c) for c in edge.point]) - centre
+        own = np.array([about(screw, centre) for screw in edge.screws])
         for slot in slots[name]:
             if slot == PITCH:
                 for k in _turning(edge):
                     result[row, k, 3:] = [float(c) for c in edge.screws[k - edge.start][:3]]
                 row += 1
                 continue
-            for xi in _carriers(slot, point):
-                for motion, column in edge.motions:
-                    if slot in (PLACE, edge.slot(motion)):
-                        for k in range(column, column + motion.freedom):
-                            screw = about(edge.screws[k - edge.start], centre)
-                            result[row, k] = np.concatenate(_bracket(xi, screw))
-                row += 1
+            moved = [k for motion, column in edge.motions if slot in (PLACE, edge.slot(motion))
+                     for k in range(column, column + motion.freedom)]  # fmt: skip
+            if moved:
+                carriers = np.array(_carriers(slot, point))[:, None, :]
+                result[row : row + 3, moved] = _bracket(carriers, own[[k - edge.start for k in moved]])
+            row += 3
     return result
 
 
@@ -167,8 +167,10 @@ def _carriers(slot: int, point: Array) -> list[Array]:
     return [np.concatenate([axis, np.cross(point, axis)]) for axis in axes]
 
 
-def _bracket(a: Array, b: Array) -> tuple[Array, Array]:
-    return np.cross(a[:3], b[:3]), np.cross(a[:3], b[3:]) + np.cross(a[3:], b[:3])
+def _bracket(a: Array, b: Array) -> Array:
+    """The brackets [a, b] of twists in the last axis."""
+    linear = np.cross(a[..., :3], b[..., 3:]) + np.cross(a[..., 3:], b[..., :3])
+    return np.concatenate([np.cross(a[..., :3], b[..., :3]), linear], axis=-1)
 
 
 def _adjoint(rotation: Array, translation: Array) -> Array:
