@@ -25,7 +25,7 @@ from symscrew.algebra import (
     scale,
     subtract,
 )
-from symscrew.description import Joint, Mechanism, Motion
+from symscrew.description import JOINT_TYPES, Joint, Mechanism, Motion
 from symscrew.kinematics import motion_screws
 from symscrew.mobility.coupled_rates import Tie, ties_of
 from symscrew.mobility.screw_systems import Real, Row, Screw
@@ -75,18 +75,40 @@ class Edge:
         a, b, c, x, y, z = self.screws[column - self.start]
         return dot((a, b, c), (x, y, z))
 
+    @property
+    def slots(self) -> tuple[int, ...]:
+        """Which of the joint's axes the description gives: all, of a planar joint its normal, of a free one none."""
+        given = {self.slot(motion) for motion, _ in self.motions if motion.single}
+        return tuple(sorted(slot for slot in given if slot is not None))
+
+    def slot(self, motion: Motion) -> int | None:
+        """The given axis that an elementary motion turns with; both directions in a plane do with its normal."""
+        free = JOINT_TYPES[self.type].unconstrained
+        return None if free else self.plane if self.plane is not None else motion.axis or 0
+
+    @property
+    def plane(self) -> int | None:
+        """The slot of a planar joint's normal; None for other joints."""
+        kind = JOINT_TYPES[self.type]
+        return kind.turning[0] if kind.planar else None
+
+    def axis(self, slot: int) -> Vector:
+        """The unit axis in a slot."""
+        columns = (column for motion, column in self.motions if motion.single and (motion.axis or 0) == slot)
+        screw = self.screws[next(columns) - self.start]
+        turning = any(screw[:3])
+        return (screw[0], screw[1], screw[2]) if turning else (screw[3], screw[4], screw[5])
+
     def as_typed(self, length: Real) -> tuple[tuple[str, ...], tuple[tuple[str, ...], ...], str | None]:
         """(point [m], axes, pitch [m/rad] of a screw joint) in `TYPED` digits: what a description says of it.
 
         `length` is that of the network [m].
         """
-        axes, pitch = [], None
+        pitch = None
         for motion, column in self.motions:
-            if motion.single:
-                screw = self.screws[column - self.start]
-                axes.append(tuple(CONTEXT.nstr(c, TYPED) for c in (screw[:3] if motion.turns else screw[3:])))
             if motion.helical:
                 pitch = CONTEXT.nstr(self.pitch(column) * length, TYPED)
+        axes = [tuple(CONTEXT.nstr(c, TYPED) for c in self.axis(slot)) for slot in self.slots]
         return tuple(CONTEXT.nstr(c * length, TYPED) for c in self.point), tuple(axes), pitch
 
 

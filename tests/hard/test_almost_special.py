@@ -178,7 +178,8 @@ def test_pitches_that_are_almost_those_of_a_linkage_that_moves_are_named() -> No
     typed = screws(["0.3", "-0.2", "0.1", "0.600000004"])
     assert typed.finite.dof == 0 and typed.near is not None
     assert typed.near.meant.finite.dof == 1 and 1e-10 < typed.near.distance < 1e-8
-    pitches = [place[2] for place in typed.near.places().values()]
+    places = typed.near.places()
+    pitches = [places[f"J{k}"][2] for k in range(1, 5)]
     again = screws([pitch for pitch in pitches if pitch is not None])
     assert again.finite.dof == 1 and again.near is None
     assert mobility_values(typed)["near"]["type_instead"]["J1"]["pitch"] == pitches[0]

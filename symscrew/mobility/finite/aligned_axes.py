@@ -80,26 +80,18 @@ def _across_each_other(a: _Line, b: _Line) -> object:
 
 def _lines(edge: Edge) -> Iterator[_Line]:
     point = np.array([float(c) for c in edge.point])
-    for motion, column in edge.motions:
-        if motion.single:
-            screw = edge.screws[column - edge.start]
-            x, y, z = screw[:3] if motion.turns else screw[3:]
-            direction = np.array([float(x), float(y), float(z)])
-            yield _Line(edge, motion.axis or 0, motion.turns, point, direction, (x, y, z))
+    turning = {edge.slot(motion) for motion, _ in edge.motions if motion.single and motion.turns} - {edge.plane}
+    for slot in edge.slots:
+        direction = np.array([float(c) for c in edge.axis(slot)])
+        yield _Line(edge, slot, slot in turning, point, direction, edge.axis(slot))
 
 
 def _turn(line: _Line) -> Array:
     """What `changed` takes for the axis a to become b: t with a + t x a along b."""
-    screw = next(s for (motion, _), s in zip(line.edge.motions, _firsts(line.edge), strict=True)
-                 if motion.single and (motion.axis or 0) == line.slot)  # fmt: skip
-    x, y, z = screw[:3] if line.turns else screw[3:]
+    x, y, z = line.edge.axis(line.slot)
     across = cross((x, y, z), line.to)
     size = dot((x, y, z), line.to)
     return np.array([c / size for c in across], dtype=object)
-
-
-def _firsts(edge: Edge) -> list[tuple[object, ...]]:
-    return [edge.screws[column - edge.start] for _, column in edge.motions]
 
 
 def _parallel(lines: Sequence[_Line], tolerance: float) -> list[_Line]:

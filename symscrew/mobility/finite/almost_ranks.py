@@ -57,6 +57,18 @@ class RankClaim:
             rows.append(row)
         return np.asarray(np.concatenate(rows)[:, list(self.columns)])
 
+    def in_doubles(self, network: Network, screws: Array) -> Array:
+        """The matrix in doubles, of the screws about the centre, freedoms x 6."""
+        rows = np.zeros((sum(count for _, count in self.blocks) + len(self.held), network.freedoms))
+        first = 0
+        for steps, count in self.blocks:
+            for name, sign in steps:
+                own = list(network.edges[name].columns)
+                rows[first : first + count, own] += sign * screws[own, :count].T
+            first += count
+        rows[range(first, len(rows)), list(self.held)] = 1.0
+        return rows[:, list(self.columns)]
+
     def pulled(self, network: Network, rates: Array, vector: Array) -> Array:
         """d(matrix)/dz times a vector of rates, in doubles: rows x z; `rates` of the screws by z."""
         parts = []

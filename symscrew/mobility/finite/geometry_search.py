@@ -16,7 +16,7 @@ import numpy as np
 from symscrew.algebra import CONTEXT
 from symscrew.mobility.finite.almost_ranks import RankClaim
 from symscrew.mobility.finite.double_zeros import Conditions
-from symscrew.mobility.finite.joint_changes import Slots, changed, closure_rates, count_of, screw_rates, slots_of
+from symscrew.mobility.finite.joint_changes import Slots, about, changed, closure_rates, count_of, screw_rates, slots_of
 from symscrew.mobility.finite.local_solutions import local_at
 from symscrew.mobility.finite.variety import DIGITS_60, Array, ClosureVariety
 from symscrew.mobility.joint_network import Network
@@ -89,11 +89,12 @@ def _linear(network: Network, slots: Slots, conditions: _Conditions) -> list[_Li
             place = local_at(coarse, q, rank=one.rank)
             result.append(_Linear(place.stresses, place.inverse, by_z))
     rates = screw_rates(network, slots, centre.astype(float))
+    screws = np.array([about(screw, centre) for edge in network.edges.values() for screw in edge.screws])
     decomposed = {}
     for vanishing in singular:
         claim, rank = vanishing.claim, vanishing.rank
         if claim.name not in decomposed:
-            decomposed[claim.name] = np.linalg.svd(claim.matrix(network, centre).astype(float))
+            decomposed[claim.name] = np.linalg.svd(claim.in_doubles(network, screws))
         u, s, vt = decomposed[claim.name]
         inverse = vt[:rank].T @ ((u[:, :rank] / s[:rank]).T)
         pulled = claim.pulled(network, rates, vanishing.vector.astype(float))
@@ -130,15 +131,12 @@ class Search:
         """All conditions about the present numbers, which are then kept until this is asked for anew."""
         self.linear = _linear(self.after, self.slots, self.conditions)
 
-    def step(self, residuals: Sequence[Array], cut: float) -> None:
-        """One step of Gauss-Newton with the least change, for singular values above `cut` of the largest."""
+    def step(self, residuals: Sequence[Array], cut: float) -> Array:
+        """One step of Gauss-Newton with the least change, for singular values above `cut` of the largest: dz."""
         missing = np.concatenate([one.left @ r for one, r in zip(self.linear, residuals, strict=True)])
-        matrix, ways = self.matrix(), self.ways
-        if ways is None:
-            dz = -np.linalg.lstsq(matrix, missing, rcond=cut)[0]
-        else:
-            dz = -ways @ np.linalg.lstsq(matrix @ ways, missing, rcond=cut)[0]
+        dz = -self.along_ways(np.linalg.lstsq(self._along(self.matrix()), missing, rcond=cut)[0])
         self.move(dz, residuals)
+        return dz
 
     def matrix(self) -> Array:
         """What the conditions change by z, their own unknowns following."""
@@ -167,18 +165,28 @@ class Search:
         return self
 
     def without_slope(self, cut: float) -> Conditions:
-        """The conditions about the present numbers, for the directions in which they vanish twice."""
+        """The conditions about the present numbers, for the directions in which they vanish twice.
 
-        def slopes(dz: Array) -> Array:
-            if not dz.size:
-                return self.matrix()
-            other = self.moved(dz)
+        Their numbers are factors of the `ways` where z may change along these alone.
+        """
+
+        def slopes(dw: Array) -> Array:
+            if not dw.size:
+                return self._along(self.matrix())
+            other = self.moved(self.along_ways(dw))
             other.linearise()
             pairs = zip(self.linear, other.linear, strict=True)
-            return np.concatenate([mine.left @ its.left.T @ its.left @ its.by_z for mine, its in pairs])
+            return self._along(np.concatenate([mine.left @ its.left.T @ its.left @ its.by_z for mine, its in pairs]))
 
-        def values(dz: Array) -> Array:
-            pairs = zip(self.linear, self.moved(dz).settled().residuals(), strict=True)
+        def values(dw: Array) -> Array:
+            pairs = zip(self.linear, self.moved(self.along_ways(dw)).settled().residuals(), strict=True)
             return np.concatenate([one.left @ r for one, r in pairs])
 
         return Conditions(slopes, values, cut)
+
+    def _along(self, matrix: Array) -> Array:
+        return matrix if self.ways is None else np.asarray(matrix @ self.ways)
+
+    def along_ways(self, dw: Array) -> Array:
+        """The change of z by factors of the ways."""
+        return dw if self.ways is None else np.asarray(self.ways @ dw)

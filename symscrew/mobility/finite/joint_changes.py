@@ -16,7 +16,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from symscrew.algebra import CONTEXT, IDENTITY, Vector, cross, dot, scale
+from symscrew.algebra import CONTEXT, IDENTITY, Vector, add, cross, dot, scale, subtract
 from symscrew.mobility.finite.variety import Array, ClosureVariety
 from symscrew.mobility.joint_network import Edge, Network
 from symscrew.mobility.screw_systems import Screw
@@ -32,9 +32,8 @@ def slots_of(network: Network) -> Slots:
     """Joint -> what is changed of it: its place and its axes, three numbers each, its pitch, one."""
     result = {}
     for name, edge in network.edges.items():
-        axes = sorted({motion.axis or 0 for motion, _ in edge.motions if motion.single})
         pitched = any(motion.helical for motion, _ in edge.motions)
-        result[name] = (PLACE, *axes, *([PITCH] if pitched else []))
+        result[name] = (PLACE, *edge.slots, *([PITCH] if pitched else []))
     return result
 
 
@@ -94,19 +93,19 @@ def screw_rates(network: Network, slots: Slots, centre: Array) -> Array:
     row = 0
     for name, edge in network.edges.items():
         point = np.array([float(c) for c in edge.point]) - centre
+        own = np.array([about(screw, centre) for screw in edge.screws])
         for slot in slots[name]:
             if slot == PITCH:
                 for k in _turning(edge):
                     result[row, k, 3:] = [float(c) for c in edge.screws[k - edge.start][:3]]
                 row += 1
                 continue
-            for xi in _carriers(slot, point):
-                for motion, column in edge.motions:
-                    if slot in (PLACE, motion.axis or 0):
-                        for k in range(column, column + motion.freedom):
-                            screw = about(edge.screws[k - edge.start], centre)
-                            result[row, k] = np.concatenate(_bracket(xi, screw))
-                row += 1
+            moved = [k for motion, column in edge.motions if slot in (PLACE, edge.slot(motion))
+                     for k in range(column, column + motion.freedom)]  # fmt: skip
+            if moved:
+                carriers = np.array(_carriers(slot, point))[:, None, :]
+                result[row : row + 3, moved] = _bracket(carriers, own[[k - edge.start for k in moved]])
+            row += 3
     return result
 
 
@@ -124,7 +123,7 @@ def closure_rates(variety: ClosureVariety, slots: Slots, q: Array) -> Array:
             if slot == PITCH:
                 parts.append(_by_pitch(edge, carried, q))
                 continue
-            moved = [k for k, (motion, _) in enumerate(edge.motions) if slot in (PLACE, motion.axis or 0)]
+            moved = [k for k, (motion, _) in enumerate(edge.motions) if slot in (PLACE, edge.slot(motion))]
             # a fixed joint moves nothing, wherever it is
             across = sum((carried[k] - carried[k + 1] for k in moved), start=np.zeros_like(carried[0]))
             parts.append(across @ np.array(_carriers(slot, point)).T)
@@ -168,8 +167,10 @@ def _carriers(slot: int, point: Array) -> list[Array]:
     return [np.concatenate([axis, np.cross(point, axis)]) for axis in axes]
 
 
-def _bracket(a: Array, b: Array) -> tuple[Array, Array]:
-    return np.cross(a[:3], b[:3]), np.cross(a[:3], b[3:]) + np.cross(a[3:], b[:3])
+def _bracket(a: Array, b: Array) -> Array:
+    """The brackets [a, b] of twists in the last axis."""
+    linear = np.cross(a[..., :3], b[..., 3:]) + np.cross(a[..., 3:], b[..., :3])
+    return np.concatenate([np.cross(a[..., :3], b[..., :3]), linear], axis=-1)
 
 
 def _adjoint(rotation: Array, translation: Array) -> Array:
@@ -185,17 +186,14 @@ def _changed_edge(edge: Edge, given: Mapping[int, Array]) -> Edge:
         return edge
     x, y, z = (a + b for a, b in zip(edge.point, given[PLACE], strict=True))
     point: Vector = (x, y, z)
+    axes = _turned(edge, given)
     screws: list[Screw] = []
     for motion, column in edge.motions:
         own = edge.screws[column - edge.start : column - edge.start + motion.freedom]
         if motion.spherical:
             screws += [(*axis, *cross(point, axis)) for axis in IDENTITY]
             continue
-        turned = own[0][:3] if motion.turns else own[0][3:]
-        axis: Vector = (turned[0], turned[1], turned[2])
-        turn = given[motion.axis or 0]
-        u, v, w = (a + b for a, b in zip(axis, cross((turn[0], turn[1], turn[2]), axis), strict=True))
-        axis = scale(1 / CONTEXT.sqrt(dot((u, v, w), (u, v, w))), (u, v, w))
+        axis = axes[motion.axis or 0]
         if not motion.turns:
             screws.append((CONTEXT.zero, CONTEXT.zero, CONTEXT.zero, *axis))
             continue
@@ -203,3 +201,21 @@ def _changed_edge(edge: Edge, given: Mapping[int, Array]) -> Edge:
         moment = cross(point, axis)
         screws.append((*axis, *(m + pitch * a for m, a in zip(moment, axis, strict=True))))
     return replace(edge, point=point, screws=tuple(tuple(CONTEXT.mpf(c) for c in s) for s in screws))
+
+
+def _turned(edge: Edge, given: Mapping[int, Array]) -> dict[int, Vector]:
+    """All axes of the joint after the change; of a planar joint they stay at right angles to each other."""
+    axes = {motion.axis or 0: edge.axis(motion.axis or 0) for motion, _ in edge.motions if motion.single}
+    for slot in edge.slots:
+        x, y, z = given[slot]
+        carried = {k: add(axis, cross((x, y, z), axis)) for k, axis in axes.items() if slot in (k, edge.plane)}
+        axes[slot] = normal = _unit(carried[slot])
+        if slot == edge.plane:
+            first, second = sorted(carried.keys() - {slot})
+            axes[first] = _unit(subtract(carried[first], scale(dot(carried[first], normal), normal)))
+            axes[second] = cross(normal, axes[first])
+    return axes
+
+
+def _unit(axis: Vector) -> Vector:
+    return scale(1 / CONTEXT.sqrt(dot(axis, axis)), axis)

@@ -84,6 +84,9 @@ LITTLE = 1e-3
 leave what doubles do not tell of the smallest slope, and that a thousandth or less."""
 SLOW = 0.2
 """A round that leaves more than this was no step of Newton's method to a simple zero: to a double one it leaves 1/4."""
+QUARTERS = (0.2, 0.3)
+"""A round that leaves so much was half of the way to a double zero that has slopes beside it: the step once more is the
+other half. Parallelograms side by side in six digits took fourteen such rounds and had not ended."""
 LEAST_NOISE = 1e-15
 """Rounding of doubles: what is smaller is not measured by them."""
 ROUGH = 30.0
@@ -130,12 +133,13 @@ class NearGeometry:
         return not self.stalled and self.distance < FEW_DIGITS
 
 
-MOST_LINEARISED = 60
-"""Linearisations that a double zero is looked for with, a second of time for a hexapod's conditions each dozen: eight
-cranks with their pins in line take thirty."""
+MOST_LINEARISED = 720
+"""Linearisations that a double zero is looked for with, times joints: a second of time for a hexapod's conditions each
+dozen, of which a loop of six hinges takes a sixth. Eight cranks with their pins in line take thirty, Bricard's
+threefold linkage ninety: there the surfaces of three kinds of linkages that move meet."""
 GIVEN_UP = (
     "special geometry next to what was typed: the search for a double zero of its conditions was ended after "
-    f"{MOST_LINEARISED} linearisations, so there may be such geometry that is not named"
+    "{count} linearisations, so there may be such geometry that is not named"
 )
 
 
@@ -180,8 +184,11 @@ def nearest_special(network: Network, claims: Sequence[RankClaim], *, moves: boo
         if points and not almost and not _open(network, coarse, points):
             return ()  # what was typed moves so itself
         if points:
-            approach = _Approach(network, points, ranks, noise=noise)
-            found = approach.found() or _by_alignment(network, low, noise) or approach.found(twice=True)
+            approach, kept = _Approach(network, points, ranks, noise=noise), turned_together(network)
+            tries = [approach]
+            if kept.shape[1] < len(approach.search.z):
+                tries.insert(0, _Approach(network, points, ranks, noise=noise, ways=kept))
+            found = _first(tries) or _by_alignment(network, low, noise) or _first(tries, twice=True)
             if found is not None or not almost:  # else ranks alone are those of what was typed
                 return () if found is None else (found,)
             astray = approach.astray  # then these motions are none that were meant
@@ -196,6 +203,12 @@ def nearest_special(network: Network, claims: Sequence[RankClaim], *, moves: boo
     if alone is not None and (points or astray) and moving is None:
         alone = replace(alone, stalled=True)
     return tuple(one for one in (alone, moving) if one is not None)
+
+
+def _first(tries: Sequence[_Approach], *, twice: bool = False) -> NearGeometry | None:
+    """The first that is found: with axes that are parallel as typed turned together, as those of a planar linkage are
+    meant, then with all alone. The former has no double zeros of hinges that are tilted against each other."""
+    return next((found for one in tries if (found := one.found(twice=twice)) is not None), None)
 
 
 def _by_alignment(network: Network, low: Sequence[LowRank], noise: float) -> NearGeometry | None:
@@ -312,6 +325,7 @@ class _Approach:
         self.moves, self.noise, self.astray = bool(points), noise, False
         self._attempt, self._best, self._rough, self._fresh = 0, float("inf"), noise, True
         self._left: list[Array] = self.search.residuals()
+        self._rest: Array | None = None
 
     def found(self, *, twice: bool = False, rounds: int = ROUNDS) -> NearGeometry | None:
         """The geometry; None where it stalls, or has not ended after so many rounds. `twice`: double zeros as well."""
@@ -323,6 +337,10 @@ class _Approach:
             slow = self._attempt >= LINEARISED and size > SLOW * self._best
             if slow and size < ENOUGH:
                 return self._ended(search)
+            if slow and self._fresh and self._rest is not None and QUARTERS[0] < size / self._best < QUARTERS[1]:
+                search.move(self._rest)
+                self._rest, self._best, self._left = None, float("inf"), search.settled().residuals()
+                continue
             if slow and self._fresh:
                 if not twice:
                     return None
@@ -335,7 +353,7 @@ class _Approach:
                 search.linearise()
                 self._rough = max(LEAST_ROUGH, self._rough if self._attempt == 0 else size)
             self._best = size
-            search.step(self._left, min(LARGEST_CUT, CUT_OFF * self._rough))
+            self._rest = search.step(self._left, min(LARGEST_CUT, CUT_OFF * self._rough))
             self._attempt += 1
             self.astray = bool(max(abs(c) for c in search.z) > ASTRAY)
             self._left = [] if self.astray else search.residuals()
@@ -354,7 +372,7 @@ def _between(network: Network, after: Network, *, moves: bool) -> NearGeometry |
 def _solved_twice(search: Search, cut: float) -> Search | None:
     """The search ended in a double zero of conditions that linear steps hardly make smaller; None where it is none."""
     believed, best, length = float(max(abs(c) for c in search.z)), float("inf"), float("inf")
-    left = MOST_LINEARISED
+    left = most = MOST_LINEARISED // len(search.network.edges)
     for _ in range(ROUNDS):
         if believed > FARTHEST:
             return None
@@ -362,10 +380,10 @@ def _solved_twice(search: Search, cut: float) -> Search | None:
             search.linearise()
             doubled, left = double_directions(search.without_slope(cut), left)
             if left < 0:
-                raise GivenUpError(GIVEN_UP)
+                raise GivenUpError(GIVEN_UP.format(count=most))
         if doubled is None:
             return None
-        step = vertex(search.without_slope(cut), doubled, believed)
+        step = search.along_ways(vertex(search.without_slope(cut), doubled, believed))
         search.move(step)
         search.step(search.residuals(), cut)
         size = max(float(np.linalg.norm(r)) for r in search.residuals())

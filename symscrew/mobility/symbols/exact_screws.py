@@ -7,7 +7,7 @@ Directions need no unit length: a screw times a number spans the same line, and 
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
@@ -77,6 +77,18 @@ def across(normal: Sequence[Exact], present: Sequence[bool]) -> tuple[Vector, Ve
     nearest = IDENTITY[min(range(3), key=lambda k: present[k])]
     first = subtract(scale(dot(n, n), nearest), scale(dot(nearest, n), n))
     return (first, cross(n, first), n)
+
+
+def unmeasured_plane(joints: Iterable[Joint], number: Callable[[sympy.Expr], sympy.Expr]) -> str:
+    """Why displacements in the plane of a joint have no symbols; empty where `across` has unit directions for all.
+
+    Across a normal with a component that is zero an absolute axis is one of the directions; of others the lengths are
+    roots, so that symbols along them would not be lengths. `number`: an expression at the parameters' values.
+    """
+    for joint in joints:
+        if joint.kind.planar and all(number(c) != 0 for c in joint.axes[0]):
+            return f"no symbols: unit directions in the plane of {joint.name}, across no absolute axis, are roots"
+    return ""
 
 
 def loop_rows(network: Network, system: ExactSystem, loop: Sequence[tuple[str, int]]) -> list[Row]:

@@ -21,6 +21,7 @@ from sympy.simplify.fu import TR10i
 from symscrew.algebra import IDENTITY, Matrix, add, cross, transform
 from symscrew.algebra import product as matrix_product
 from symscrew.description import Joint, Mechanism, Motion, Parameter
+from symscrew.mobility.symbols.exact_screws import unmeasured_plane
 from symscrew.mobility.symbols.further_losses import place_of_loss
 from symscrew.mobility.symbols.generators import Generators, NotPolynomialError, Poly
 from symscrew.mobility.symbols.loci_at_points import Shape, limb_loses, reference_screws, true_loci
@@ -80,6 +81,8 @@ def limb_pose(mechanism: Mechanism, name: str) -> LimbPose | str:
         return "no displacement inside the limb: its constraints keep their form and move with its first joint"
     if rounded := rounded_axis([f.joint for f in inner], mechanism):
         return rounded
+    if unmeasured := unmeasured_plane([f.joint for f in inner], mechanism.number):
+        return unmeasured
     reason = f"more than {MOST_SYMBOLS} symbols"
     for count in range(min(len(inner), MOST_SYMBOLS), 0, -1):
         symbols = _symbols(mechanism, inner[:count])

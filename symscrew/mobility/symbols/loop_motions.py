@@ -17,6 +17,7 @@ import sympy
 from symscrew.description import Mechanism
 from symscrew.mobility.joint_network import Network, network_of
 from symscrew.mobility.screw_systems import eliminate
+from symscrew.mobility.symbols.exact_screws import unmeasured_plane
 from symscrew.mobility.symbols.generators import NotPolynomialError, Poly, Quotient
 from symscrew.mobility.symbols.loci_at_points import true_loci
 from symscrew.mobility.symbols.locus import AT_ONCE, Locus
@@ -73,6 +74,8 @@ class SymbolicLoops:
 
 def symbolic_loops(mechanism: Mechanism, body: str) -> SymbolicLoops | str:
     """The motions of a mechanism in its parameters, or a sentence why they are not given."""
+    if unmeasured := unmeasured_plane(mechanism.joints.values(), mechanism.number):
+        return unmeasured
     try:
         return _loops(mechanism, symbolic_screws(mechanism), body)
     except NotPolynomialError as error:
@@ -82,9 +85,6 @@ def symbolic_loops(mechanism: Mechanism, body: str) -> SymbolicLoops | str:
 
 
 def _loops(mechanism: Mechanism, work: SymbolicScrews, body: str) -> SymbolicLoops:
-    for name, joint in mechanism.joints.items():
-        if joint.kind.planar and sum(mechanism.number(c) != 0 for c in joint.axes[0]) > 1:
-            raise NotPolynomialError(f"unit directions in the plane of {name}, across no absolute axis, are roots")
     network = network_of(mechanism)
     ring = work.ring
     scaled = {name: work.scaled_screws(joint) for name, joint in mechanism.joints.items()}
