@@ -84,7 +84,7 @@ class OverJoints:
     reason: str
 
     @property
-    def proved_irreducible(self) -> bool:
+    def irreducible(self) -> bool:
         """Whether factors leave no finer parts than those that loops have not joined."""
         return set(self.sums) == sums_of([part.poses for part in self.parts])
 
@@ -96,8 +96,9 @@ def over_joints(
     dimension: int,
     *,
     spent: Callable[[], bool],
+    reference: bool,
 ) -> OverJoints | None:
-    """The components of the dimension at these real points (in units, the reference last where it is one of them).
+    """The components of the dimension at these real points, in units; `reference`: whether it is the last of them.
 
     None where no joints' variables are independent there, or the count did not end or is not one of simple points.
     """
@@ -122,7 +123,8 @@ def over_joints(
     for z, seeds in sets:
         fine = refined(system, section, z)
         on = {int(who[k]) for k in seeds}
-        parts.append(PosesOfOne(len(z), fine.certified, fine.residual, len(on - {len(points) - 1}), len(points) - 1 in on))
+        through = {len(points) - 1} & on if reference else set[int]()
+        parts.append(PosesOfOne(len(z), fine.certified, fine.residual, len(on - through), bool(through)))
     found = sum(part.poses for part in parts)
     reason = "" if found == total else f"{found} of {total} poses were found"
     parts.sort(key=lambda part: (part.poses, -part.on))
