@@ -19,7 +19,8 @@ from symscrew.mobility.components.certified_points import refined
 from symscrew.mobility.components.many_points import ManyPoints
 from symscrew.mobility.components.moving_sections import Section, SquareSystem, complex_numbers, moved_points
 from symscrew.mobility.components.polynomials import Polynomial
-from symscrew.mobility.components.witness_sets import bend, completed_sets
+from symscrew.mobility.components.plane_sections import places_modulo, sums_of
+from symscrew.mobility.components.witness_sets import bend, completed_sets, joined_sets
 from symscrew.mobility.joint_network import network_of
 
 FINE = 1e-40  # of 60 digits: incomplete sets have 1e-2
@@ -88,6 +89,43 @@ def test_what_is_of_several_components_stays_apart() -> None:
     assert np.linalg.norm(np.einsum("ij,pj->pi", section.matrix, points) - section.right) < 1e-9
     for s in sets:  # the sum of some points alone is not linear
         assert s.beside is not None and bend(s.points[:-1], (s.beside[0][:-1], s.beside[1][:-1])) > 1e-4
+
+
+def test_points_over_a_variable_are_joined_where_they_are_of_one_component() -> None:
+    """Over x a conic and a cubic have two points each; the section stays one of x. One more is looked for until time is over."""
+    conic, cubic = of({(2, 0): 1, (0, 2): 2, (0, 0): -1}, {(3, 0): 1, (0, 2): -1, (1, 0): 1, (0, 0): 3})
+    system = SquareSystem.of(ManyPoints.of([conic * cubic], np.ones(2)), 1, np.random.default_rng(1))
+    random = np.random.default_rng(2)
+    seeds = np.array([[0.0, np.sqrt(0.5)], [0.0, np.sqrt(3)]])
+    section = Section(np.array([[1.0 + 0j, 0]]), np.zeros(1, dtype=complex))
+    other = section.another(random)
+    assert other.matrix[0, 1] == 0 != other.matrix[0, 0] != 1
+    sets, quiet = joined_sets(system, section, seeds, 4, random=random, spent=lambda: False)
+    assert [(len(z), seeds) for z, seeds in sets] == [(2, (0,)), (2, (1,))] and quiet == 8
+    assert all(abs(z[:, 0]).max() < 1e-9 for z, _ in sets)
+    sets, quiet = joined_sets(system, section, seeds, 5, random=random, spent=iter([False] * 200 + [True] * 9999).__next__)
+    assert sum(len(z) for z, _ in sets) == 4
+
+
+def test_who_is_slow_is_given_up_where_not_all_are_needed() -> None:
+    """y^2 = x: nine points go round, one comes upon the branch point, in steps a thousandth as long."""
+    system = SquareSystem.of(ManyPoints.of(of({(0, 2): 1, (1, 0): -1}), np.ones(2)), 1, np.random.default_rng(1))
+    start = np.array([*[4.0 + 0.1 * k for k in range(9)], 1.0])
+    end = np.array([*[5.0] * 9, -1 + 1e-3j])
+    row = np.array([[[1.0, 0.0]]] * 10)
+    ways = (Section(row, start[:, None].astype(complex)), Section(row, end[:, None]))
+    points = np.stack([start, np.sqrt(start)], axis=1)
+    for patient in (True, False):
+        z, come = moved_points(system, points, ways, lambda: False, patient=patient)
+        assert come.tolist() == [True] * 9 + [patient] and np.allclose(z[come, 1] ** 2, end[come])
+
+
+def test_places_are_primes_with_roots_of_the_fields_numbers() -> None:
+    """sqrt(3) and sqrt(115), which a delta has; every prime has its own place."""
+    found = places_modulo([(Fraction(-3), Fraction(0)), (Fraction(-115), Fraction(0))], 0, 4)
+    assert len({p for p, _ in found}) == 4 and all(a * a % p == 3 and b * b % p == 115 for p, (a, b) in found)
+    assert places_modulo([], 0, 2) == [(30011, ()), (30013, ())]
+    assert sums_of([1, 1, 38]) & sums_of([2, 4, 4, 30]) == {0, 2, 38, 40}
 
 
 def test_a_ball_has_the_zero_and_a_double_zero_has_none() -> None:

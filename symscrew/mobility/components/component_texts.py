@@ -5,11 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
+from symscrew.mobility.components.algebra_program import ALGEBRA_PROGRAM
 from symscrew.mobility.components.all_components import ConfigurationSpace
 from symscrew.mobility.components.component_parts import Part
 from symscrew.mobility.components.mode_sampling import SampledMode, SampledModes
 from symscrew.mobility.components.modes_of_poses import Motion, PoseMode, PoseModes
 from symscrew.mobility.components.numerical_decomposition import NumericalComponent, NumericalSpace
+from symscrew.mobility.components.over_joints import OverJoints
 
 MOST_SHOWN = 6
 """Equations of a component in words; all are in the JSON."""
@@ -196,6 +198,7 @@ def _numerical_space(found: NumericalSpace) -> list[str]:
         lines.append(f"{found.isolated} isolated configurations with no freedom, where the equations are regular")
     if found.unplaced:
         lines.append(f"{found.unplaced} of {found.found} real configurations on none: singular, or not followed")
+    lines += [line for over in found.over for line in _over_joints(over)]
     return lines if found.settles else [*lines, UNSETTLED]
 
 
@@ -214,6 +217,41 @@ def _numerical(part: NumericalComponent, found: NumericalSpace) -> str:
     return f"{size}, {part.on} of {found.found} real configurations; {proof}{trace}{joined}"
 
 
+def _over_joints(found: OverJoints) -> list[str]:
+    """The components over given joint angles, and what says that they are all."""
+    count = len(found.parts)
+    head = (
+        f"over given {', '.join(found.joints)}: {count} component{'s' * (count != 1)} of dimension {found.dimension} on "
+        f"which these vary freely, {found.total} poses over the complex numbers for generic values (counted by "
+        f"{ALGEBRA_PROGRAM} modulo {found.primes} primes, all simple)"
+    )
+    if found.reason:
+        return [f"{head}; not decided: {found.reason}, so that there may be further components"]
+    left = "their factors leave no other division" if found.irreducible else (
+        f"the factors' degrees leave {', '.join(map(str, found.sums[1:-1])) or 'no'} poses of a component"
+    )  # fmt: skip
+    lines = [f"{head}; all were found, {found.quiet} further loops joined no other; {left}"]
+    for part in found.parts:
+        where = "through the reference" if part.through else "not through the reference, or it is singular"
+        lines.append(
+            f"dimension {found.dimension}, {part.poses} poses for given joints, {where}, {part.on} real configurations; "
+            f"{part.certified} certified (Krawczyk), all equations below {part.residual:.0e} there"
+        )
+    return lines
+
+
+def _over_values(found: OverJoints) -> dict[str, Any]:
+    return {
+        "joints": list(found.joints), "dimension": found.dimension, "poses": found.total, "primes": found.primes,
+        "poses_of_one_component": list(found.sums), "factors_leave_no_other_division": found.irreducible,
+        "all_poses_found": not found.reason, "not_done": found.reason, "loops_without_news": found.quiet,
+        "components": [
+            {"poses": p.poses, "through_reference": p.through, "real_configurations": p.on,
+             "certified_points": p.certified, "largest_equation": p.residual}
+            for p in found.parts],
+    }  # fmt: skip
+
+
 def numerical_values(spaces: Sequence[NumericalSpace]) -> list[dict[str, Any]]:
     """The same as JSON values, one for each set of loops that share no joint with others."""
     return [
@@ -226,6 +264,7 @@ def numerical_values(spaces: Sequence[NumericalSpace]) -> list[dict[str, Any]]:
               "through_reference": c.through, "real_configurations": c.on, "certified_points": c.certified,
               "largest_equation": c.residual if c.certified else None, "trace": c.trace if c.closed else None,
               "trace_in_60_digits": c.fine, "at_most_components": c.sets, "loops_that_join_again": c.loops}
-             for c in s.components]}
+             for c in s.components],
+         "over_joints": [_over_values(over) for over in s.over]}
         for s in spaces
     ]  # fmt: skip

@@ -24,6 +24,9 @@ FIRST_STEP, LEAST_STEP, LONGEST_STEP = 0.05, 1e-6, 0.25
 """Of the way, whose length is one; a path that needs shorter ones is near a singular point, and is given up."""
 STEPS = 2000
 """Of a path: those of regular ones are ten to a hundred."""
+PATIENCE = 3
+"""Times as many steps as half of the paths took, after which those left are given up where not all are needed: a few
+that pass near a singular point took half of all time, and come by another way on the next loop."""
 NEAR = {False: 1e-4, True: 1e-6}
 """The first correction of a step at most, against the point; `True`: of a way that is followed again, to be sure."""
 CORRECTIONS = 3
@@ -53,6 +56,11 @@ class Section:
     def of(self, paths: Array) -> Section:
         """Those of some paths."""
         return Section(self.matrix[paths], self.right[paths])
+
+    def another(self, random: np.random.Generator) -> Section:
+        """A random one of the same kind: variables that are in none of its equations, or not in one, stay out of it."""
+        numbers = complex_numbers(random, *self.matrix.shape) * (self.matrix != 0)
+        return Section(numbers, complex_numbers(random, len(self.right)))
 
 
 @dataclass(frozen=True, eq=False)
@@ -87,17 +95,29 @@ def short_numbers(random: np.random.Generator, count: int) -> Array:
 
 
 def moved_points(
-    system: SquareSystem, z: Array, ends: tuple[Section, Section], spent: Callable[[], bool], *, sure: bool = False
+    system: SquareSystem,
+    z: Array,
+    ends: tuple[Section, Section],
+    spent: Callable[[], bool],
+    *,
+    sure: bool = False,
+    patient: bool = True,
 ) -> tuple[Array, Array]:
-    """(where points of the first section come to on the second, which have come there); all give up when time is."""
+    """(where points of the first section come to on the second, which have come there); all give up when time is.
+
+    Without `patient` the slowest are given up.
+    """
     first, last = (end.of_each(len(z)) for end in ends)
     z, t = z.astype(complex), np.zeros(len(z))
     step, well = np.full(len(z), FIRST_STEP), np.zeros(len(z), dtype=int)
     going = np.ones(len(z), dtype=bool)
-    for _ in range(STEPS):
+    most = STEPS
+    for k in range(STEPS):
         who = np.flatnonzero(going & (t < 1))
-        if not len(who) or spent():
+        if not len(who) or k > most or spent():
             break
+        if not patient and most == STEPS and 2 * len(who) < len(z):
+            most = PATIENCE * k
         h = np.minimum(step[who], 1 - t[who])
         way = (first.of(who), last.of(who))
         guess = _ahead(system, z[who], way, t[who], h=h)

@@ -30,6 +30,7 @@ from symscrew.mobility.components.moving_sections import (
     moved_points,
     short_numbers,
 )
+from symscrew.mobility.components.over_joints import OverJoints, over_joints
 from symscrew.mobility.components.real_configurations import (
     SEED,
     real_configurations,
@@ -59,6 +60,8 @@ ALL = 1e-30
 1e-6, one near it can be a zero of combinations, and others are 1e-9 there."""
 APART = 1e-6
 """Isolated configurations that differ by more are two."""
+OVER = 1.0
+"""Times the time of the decomposition that components over given joints may take, where that has not closed."""
 LOOPING, JOINING = 0.75, 0.85
 """Parts of the time after which no further points are looked for, and those that were found not joined once more."""
 ENDS = (1e-2, 1e-4, 1e-6)
@@ -101,7 +104,7 @@ class NumericalSpace:
     `found`: real configurations; `isolated`: of these the ones about which nothing moves, how many different ones;
     `unplaced`: those that are on none, as they are singular or could not be followed; `combined`: whether points are
     certified of combinations of the equations; `reason`: why not all points of the components
-    that were met are known, else empty.
+    that were met are known, else empty; `over`: then the components over given joint angles, where these are fewer.
     """
 
     subject: str
@@ -114,6 +117,7 @@ class NumericalSpace:
     combined: bool
     settles: bool
     reason: str
+    over: tuple[OverJoints, ...] = ()
 
     @property
     def closed(self) -> bool:
@@ -167,25 +171,32 @@ def decomposed(closure: ClosureEquations, network: Network, seconds: float = SEC
         who = np.flatnonzero(ranks == size)
         sets, known = work.sets(points[who])
         placed[who[known]] = True
-        for found in sets:
-            part = work.component(found, size - cone)
+        for one in sets:
+            part = work.component(one, size - cone)
             if part.residual > ALL:
-                placed[[who[known][k] for k in found.seeds]] = False
+                placed[[who[known][k] for k in one.seeds]] = False
                 continue
-            on = {int(who[known][k]) for k in found.seeds}
-            through = len(z) in on if ranks[-1] <= size else work.reaches(found, reference[0])
+            on = {int(who[known][k]) for k in one.seeds}
+            through = len(z) in on if ranks[-1] <= size else work.reaches(one, reference[0])
             if ranks[-1] == size and not placed[-1]:
                 through = None
             components.append(replace(part, on=len(on - {len(z)}), through=through))
     components.sort(key=lambda c: (-c.dimension, c.degree, -c.on))
     least = min((c.dimension for c in components), default=0) + cone
     late = time.process_time() - begun > LOOPING * seconds
-    reason = f"not all points were found within {seconds:g} s of the processor"
+    done = all(c.closed for c in components) and not (late and not placed.all())
+    over = list[OverJoints]()
+    if not done:
+        spent = _limit(time.process_time(), OVER * seconds)
+        for size in several:
+            found = over_joints(closure, polynomials, points[ranks == size], size - cone,
+                                spent=lambda: spent(1.0), reference=bool(ranks[-1] == size))  # fmt: skip
+            over += [found] if found is not None else []
     return NumericalSpace(
         closure.subject, closure.variables, str(closure.field), tuple(components), len(z) + blurred,
         _different(z[ranks[:-1] == cone], closure), int((~placed[:-1]).sum()) + blurred,
         len(closure.equations) > len(closure.variables) - least, closure.settles,
-        reason if not all(c.closed for c in components) or (late and not placed.all()) else "",
+        "" if done else f"not all points were found within {seconds:g} s of the processor", tuple(over),
     )  # fmt: skip
 
 

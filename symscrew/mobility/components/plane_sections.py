@@ -65,7 +65,7 @@ def sections(bases: Sequence[Basis], count: int, modulus: Sequence[Exact], secon
     pure, met = set[int](), set[int]()
     chosen = random.Random(SEED)
     for start in range(0, PRIMES, AT_ONCE):
-        places = _places(modulus, start, AT_ONCE)
+        places = [(p, *roots, 0)[:2] for p, roots in places_modulo([modulus] if modulus else [], start, AT_ONCE)]
         todo = sorted(k for k in left if left[k] or k not in met)
         if not todo or not places:
             break
@@ -77,7 +77,7 @@ def sections(bases: Sequence[Basis], count: int, modulus: Sequence[Exact], secon
             degrees = [int(d) for d in text.split()]
             if sum(degrees) == bases[int(k)].degree:
                 met.add(int(k))
-                left[int(k)] &= _sums(degrees)
+                left[int(k)] &= sums_of(degrees)
         pure |= {int(k) for k in re.findall(r"^@pure (\d+)$", answer[0], re.MULTILINE)}
         if not answer[1]:
             break
@@ -86,27 +86,26 @@ def sections(bases: Sequence[Basis], count: int, modulus: Sequence[Exact], secon
     return found
 
 
-def _sums(degrees: Sequence[int]) -> set[int]:
+def sums_of(degrees: Sequence[int]) -> set[int]:
+    """All sums of some of them, that of none included."""
     sums = {0}
     for degree in degrees:
         sums |= {s + degree for s in sums}
     return sums
 
 
-def _places(modulus: Sequence[Exact], start: int, count: int) -> list[tuple[int, int]]:
-    """(prime, a root of the field's polynomial modulo it), from the start-th on."""
-    low = [next(iter(terms_of(c, ()).values()), 0) for c in modulus]
-    found: list[tuple[int, int]] = []
+def places_modulo(moduli: Sequence[Sequence[Exact]], start: int, count: int) -> list[tuple[int, tuple[int, ...]]]:
+    """(prime, a root modulo it of each polynomial, given by its low coefficients), from the start-th on."""
+    lows = [[next(iter(terms_of(c, ()).values()), 0) for c in modulus] for modulus in moduli]
+    found: list[tuple[int, tuple[int, ...]]] = []
     p = LARGE
     while len(found) < start + count:
         p += 1
-        if any(p % d == 0 for d in range(2, int(p**0.5) + 1)) or any(c.denominator % p == 0 for c in low):
+        if any(p % d == 0 for d in range(2, int(p**0.5) + 1)) or any(c.denominator % p == 0 for low in lows for c in low):
             continue
-        values = [c.numerator * pow(c.denominator, -1, p) % p for c in low]
-        roots = (x for x in range(p) if _value(values, x, p) == 0) if low else iter([0])
-        root = next(roots, None)
-        if root is not None:
-            found.append((p, root))
+        roots = [next((x for x in range(p) if _value(low, x, p) == 0), None) for low in lows]
+        if None not in roots:
+            found.append((p, tuple(root for root in roots if root is not None)))
     return found[start:]
 
 

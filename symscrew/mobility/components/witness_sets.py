@@ -19,7 +19,6 @@ import numpy as np
 from symscrew.mobility.components.moving_sections import (
     Section,
     SquareSystem,
-    complex_numbers,
     moved_points,
     short_numbers,
 )
@@ -87,6 +86,28 @@ def completed_sets(
             found.test()
     found.spent = times[1]
     return [found.result(label, seeds) for label in dict.fromkeys(found.labels.tolist())]
+
+
+def joined_sets(
+    system: SquareSystem, section: Section, seeds: Array, total: int, *, random: np.random.Generator,
+    spent: Callable[[], bool],
+) -> tuple[list[tuple[Array, tuple[int, ...]]], int]:  # fmt: skip
+    """(sets of points with the seeds they are from, loops since something was new), where `total` points are known.
+
+    Of a section whose trace is not linear, so that another count says when no point is missing.
+    """
+    found = _Growing(system, section, random, spent)
+    found.take(seeds)
+    quiet = 0
+    for _ in range(LOOPS):
+        if spent() or (len(found.points) >= total and quiet >= AGAIN):
+            break
+        quiet = 0 if found.loop() else quiet + 1
+    sets = []
+    for label in dict.fromkeys(found.labels.tolist()):
+        points = found.points[found.labels == label]
+        sets.append((points, tuple(k for k, z in enumerate(seeds) if place_among(points, z) is not None)))
+    return sets, quiet
 
 
 def together(sets: Sequence[WitnessSet]) -> list[WitnessSet]:
@@ -200,12 +221,11 @@ def round_loop(
     sure: bool = False,
 ) -> tuple[Array, Array]:
     """Where points come to when the section goes by two random ones back to itself, and which have come there."""
-    shape = section.matrix.shape
-    corners = [Section(complex_numbers(random, *shape), complex_numbers(random, shape[0])) for _ in range(2)]
+    corners = [section.another(random) for _ in range(2)]
     come = np.ones(len(points), dtype=bool)
     for ends in zip([section, *corners], [*corners, section], strict=True):
         points = points.copy()
-        points[come], arrived = moved_points(system, points[come], ends, spent, sure=sure)
+        points[come], arrived = moved_points(system, points[come], ends, spent, sure=sure, patient=sure)
         come[np.flatnonzero(come)[~arrived]] = False
     return points, come
 
