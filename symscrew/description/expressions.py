@@ -15,6 +15,7 @@ can occupy the machine (`9**9**9`).
 
 from __future__ import annotations
 
+import contextlib
 import re
 from collections.abc import Callable, Mapping
 from decimal import Decimal
@@ -114,7 +115,8 @@ def exact(value: object, names: Mapping[str, sympy.Expr] | None = None, *, where
     if isinstance(value, Fraction):
         return _limited(sympy.Rational(value.numerator, value.denominator), where)
     if isinstance(value, Decimal | float) or hasattr(value, "__float__"):
-        return _from_decimal(value if isinstance(value, Decimal) else float(value), where)
+        with contextlib.suppress(TypeError, ValueError):  # a class, an array of several numbers
+            return _from_decimal(value if isinstance(value, Decimal) else float(value), where)
     raise DescriptionError(
         f"{where}: expected a number or a text with an expression, got {shorten(value)} ({type(value).__name__})"
     )
