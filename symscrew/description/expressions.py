@@ -15,14 +15,13 @@ can occupy the machine (`9**9**9`).
 
 from __future__ import annotations
 
-import contextlib
 import re
 from collections.abc import Callable, Mapping
 from decimal import Decimal
 from fractions import Fraction
 from functools import lru_cache
 from numbers import Integral
-from typing import TYPE_CHECKING, NoReturn
+from typing import TYPE_CHECKING, NoReturn, SupportsFloat
 
 import sympy
 from sympy.printing.precedence import PRECEDENCE
@@ -115,11 +114,20 @@ def exact(value: object, names: Mapping[str, sympy.Expr] | None = None, *, where
     if isinstance(value, Fraction):
         return _limited(sympy.Rational(value.numerator, value.denominator), where)
     if isinstance(value, Decimal | float) or hasattr(value, "__float__"):
-        with contextlib.suppress(TypeError, ValueError):  # a class, an array of several numbers
-            return _from_decimal(value if isinstance(value, Decimal) else float(value), where)
+        decimal = value if isinstance(value, Decimal) else _number_of(value)
+        if decimal is not None:
+            return _from_decimal(decimal, where)
     raise DescriptionError(
         f"{where}: expected a number or a text with an expression, got {shorten(value)} ({type(value).__name__})"
     )
+
+
+def _number_of(value: SupportsFloat) -> float | None:
+    """What bears `__float__` as a number; None of a class, of an array of several numbers."""
+    try:
+        return float(value)
+    except (TypeError, ValueError, OverflowError):
+        return None
 
 
 @lru_cache(maxsize=8192)  # as many as `sixty_digits`

@@ -30,6 +30,7 @@ from symscrew.description.expressions import to_text
 from symscrew.description.mechanism import Body, Coupling, Joint, Mechanism, Parameter, Vector
 from symscrew.errors import DescriptionError, did_you_mean, in_file, shorten
 from symscrew.kinds import public
+from symscrew.whole_files import only_file
 
 # The reader of TOML descends once per bracket and per dot: beyond these limits a file is refused before it is read.
 MAX_BYTES = 1_000_000  # the largest of the catalogue has 14 kB
@@ -99,7 +100,7 @@ def load_description(path: str | Path, *, run_time: Sequence[str] = ()) -> Mecha
 def read_text(file: Path) -> str:
     """The text of a file that is not too large; raises DescriptionError."""
     try:
-        if file.stat().st_size > MAX_BYTES:
+        if only_file(file).stat().st_size > MAX_BYTES:
             raise DescriptionError(f"the file has {file.stat().st_size} bytes; a description has at most {MAX_BYTES}")
         return file.read_bytes().decode("utf-8")
     except OSError as error:
