@@ -51,6 +51,7 @@ The map: rooms in the order of the flow. A file imports only from rooms above it
 their `__init__` names); `tests/unit/test_structure.py` reads the order from here.
 
     errors          what input can do wrong, in one sentence
+    kinds           what public functions are given, held against what their signatures say
     doors           rooms whose parts are imported when somebody asks for them
     garbage         times at which nobody searches for unused objects
     workers         processes that end with the one that started them

@@ -17,6 +17,7 @@ from typing import IO
 import numpy as np
 
 from symscrew.errors import DescriptionError, shorten
+from symscrew.whole_files import only_file
 
 KINDS = "biufU"  # of arrays that are read: truth values, whole and real numbers, texts; no objects, no complex numbers
 MAX_BYTES = 400_000_000  # of an array: 50 million numbers; more would fill the memory of a small machine
@@ -44,7 +45,7 @@ def read_archive(
     file = Path(path)
     found: dict[str, np.ndarray] = {}
     try:
-        with zipfile.ZipFile(file) as archive:
+        with zipfile.ZipFile(only_file(file)) as archive:
             entries = [entry for entry in archive.infolist() if entry.filename.endswith(".npy")]
             if len(entries) > MAX_MEMBERS:
                 raise DescriptionError(f"{file.name}: expected at most {MAX_MEMBERS} arrays, got {len(entries)}")

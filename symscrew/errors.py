@@ -4,13 +4,21 @@ from __future__ import annotations
 
 import difflib
 from collections.abc import Iterable
+from typing import Any
+
+MOST_LETTERS = 3000  # of an error: forty lines; lists of what is known are shorter
 
 
 class DescriptionError(ValueError):
     """A description that cannot be used: says where, what was expected, what came, and the cure.
 
-    The command line turns it into exit code 2.
+    The command line turns it into exit code 2. Of a text that would fill the screen (hostile names) the middle is left
+    out: what comes first says where it is wrong, what comes last is the cure.
     """
+
+    def __str__(self) -> str:
+        text = super().__str__()
+        return text if len(text) <= MOST_LETTERS else f"{text[: MOST_LETTERS // 2]} ... {text[-MOST_LETTERS // 4 :]}"
 
 
 class FileError(DescriptionError):
@@ -63,6 +71,32 @@ symscrew.load_description(file) or a MechanismBuilder makes one
     raise KindError(f"expected a {wanted}, got {shorten(value)} ({type(value).__name__}); {cure}")
 
 
+def real_numbers(value: object, shape: tuple[int, ...], where: str) -> Any:
+    """An array of finite real numbers of a shape, of whatever NumPy makes one of.
+
+    Raises:
+        DescriptionError: it makes none, of another shape, or with NaN or infinity in it.
+    """
+    import numpy as np
+
+    wanted = f"{where}: expected finite real numbers of shape {shape}"
+    try:
+        found = np.asarray(value)
+        made = np.asarray(found, dtype=float) if found.dtype.kind in "biufO" else None
+    except (TypeError, ValueError, OverflowError):  # no numbers, numbers beyond all doubles, lists of several lengths
+        made = None
+    if made is None:
+        raise DescriptionError(f"{wanted}, got {shorten(value)} ({type(value).__name__})")
+    if made.shape != shape:
+        raise DescriptionError(f"{wanted}, got {made.shape}")
+    if not np.isfinite(made).all():
+        raise DescriptionError(f"{wanted}, got {shorten(made.tolist())}")
+    return made
+
+
+LONGEST = 200  # letters of a name that similar ones are looked for: none is similar to a longer one
+
+
 def did_you_mean(name: str, known: Iterable[str]) -> str:
     """A sentence that lists the known names nearest to `name`, or all of them when they are few.
 
@@ -72,6 +106,7 @@ def did_you_mean(name: str, known: Iterable[str]) -> str:
     "did you mean 'elbow_joint'?"
     """
     candidates = list(known)
+    name = str(name)[:LONGEST]
     near = difflib.get_close_matches(name, candidates, n=3, cutoff=0.6)
     if not near and len(name) > 2:
         near = [candidate for candidate in candidates if name.lower() in candidate.lower()][:3]

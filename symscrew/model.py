@@ -19,7 +19,7 @@ from symscrew import notebook
 from symscrew.algebra import TapeMark, tape_mark
 from symscrew.description import Mechanism, Reader
 from symscrew.effects import Effect, Gravity, given_effects, system_under
-from symscrew.errors import DescriptionError, did_you_mean, expect, shorten
+from symscrew.errors import DescriptionError, did_you_mean, shorten
 from symscrew.functions import (
     SUFFIX,
     Assembly,
@@ -52,6 +52,7 @@ from symscrew.functions import (
     untried_notes,
 )
 from symscrew.garbage import nothing_to_collect
+from symscrew.kinds import public
 from symscrew.kinematics import System
 from symscrew.loops import hub_links, operation_mode
 from symscrew.program import (
@@ -127,6 +128,7 @@ class Model:
         ]
         return notebook.table(repr(self), ("function", "of", "gives", "operations"), rows)
 
+    @public("Model.only")
     def only(self, names: Sequence[str]) -> Model:
         """The model with those functions of these names that it has, and no others.
 
@@ -135,21 +137,31 @@ class Model:
         Raises:
             DescriptionError: a name that no function has, or one text in place of names.
         """
-        if isinstance(names, str):
-            raise DescriptionError(f"expected names of functions, ({names!r},), got the text {names!r}")
         for name in names:
-            if name not in self.programs and not (isinstance(name, str) and known_function(name)):
-                near = did_you_mean(str(name), self.programs)
+            if name not in self.programs and not known_function(name):
+                near = did_you_mean(name, self.programs)
                 raise DescriptionError(f"no function {shorten(name)} in {self.name}; {near}")
         if isinstance(self.programs, Asked):
             return replace(self, programs=self.programs.only(names), selected=True)
         kept = {name: program for name, program in self.programs.items() if name in names}
         return replace(self, programs=kept, selected=True)
 
+    @public("Model.declared")
     def declared(self, name: str) -> Declared:
-        """Ports, notes and limbs out of reach of a function, for which nothing is lowered that was not yet."""
+        """Ports, notes and limbs out of reach of a function, for which nothing is lowered that was not yet.
+
+        Raises:
+            DescriptionError: a function that the model does not have.
+        """
+        self._find(name)
         known = self.programs.given.get(name) if isinstance(self.programs, Asked) else None
         return known if isinstance(known, Function | Assembly) else self.programs[name]
+
+    def _find(self, function: str) -> None:
+        """Raises DescriptionError for a function that the model does not have."""
+        if function not in self.programs:
+            near = did_you_mean(function, self.programs)
+            raise DescriptionError(f"no function {shorten(function)} in {self.name}; {near}")
 
     @property
     def sample_q(self) -> np.ndarray:
@@ -157,15 +169,14 @@ class Model:
         at = self.test_inputs.get("closure_jacobian")
         return np.asarray(at[0]) if at is not None else self.system.sample_states[0]
 
+    @public("Model")
     def __call__(self, function: str, *arguments: object) -> tuple[tuple[np.ndarray, ...], np.ndarray]:
         """Evaluate a function on NumPy arrays (*batch, size): its results and the status.
 
         Raises:
             DescriptionError: a function that the model does not have.
         """
-        if function not in self.programs:
-            near = did_you_mean(str(function), self.programs)
-            raise DescriptionError(f"no function {shorten(function)} in {self.name}; {near}")
+        self._find(function)
         program = self.programs[function]
         if isinstance(program, Iteration):
             return evaluate_iteration(program, arguments)
@@ -182,6 +193,7 @@ def _again(
     return model if names is None else model.only(names)
 
 
+@public("derive")
 @nothing_to_collect()
 def derive(
     mechanism: Mechanism,
@@ -209,7 +221,6 @@ def derive(
     A simplification that is only wanted where it saves operations is undone where it does not, see `Effect.undone`.
     Raises DescriptionError for names that do not exist and for a length that is not positive.
     """
-    expect(mechanism, Mechanism)
     if length is not None:
         read = Reader(dict(mechanism.parameters)).characteristic_length(length)
         mechanism = replace(mechanism, characteristic_length=read)

@@ -37,8 +37,9 @@ from symscrew.assembly.target_roots import Account, End, reference_end, target_r
 from symscrew.assembly.what_is_held import Held, held_by
 from symscrew.assembly.without_boxes import without_boxes
 from symscrew.description import Mechanism
-from symscrew.errors import expect
+from symscrew.kinds import public
 from symscrew.mobility import Network, NotAlgebraicError
+from symscrew.model import Model
 
 Array = np.ndarray[Any, Any]
 
@@ -150,8 +151,9 @@ class AssemblyModes:
         return {mode.name: mode for mode in self.modes}[name]
 
 
+@public("assembly_modes")
 def assembly_modes(
-    mechanism: Mechanism | Any,
+    mechanism: Mechanism | Model,
     drives: Mapping[str, Any] | None = None,
     *,
     at: Mapping[str, Any] | None = None,
@@ -170,10 +172,8 @@ def assembly_modes(
     Raises:
         DescriptionError: unknown names, too little held, a closure that is not algebraic.
     """
-    mechanism = getattr(mechanism, "mechanism", mechanism)
-    expect(mechanism, Mechanism)
-    expect(drives or {}, Mapping)
-    held = held_by(getattr(mechanism, "mechanism", mechanism), drives or {}, at or {})
+    mechanism = mechanism if isinstance(mechanism, Mechanism) else mechanism.mechanism
+    held = held_by(mechanism, drives or {}, at or {})
     try:
         structure = structure_of(held)
         if structure.equations > structure.unknowns:

@@ -9,7 +9,8 @@ from pathlib import Path
 
 from symscrew import formats
 from symscrew.description import Mechanism, load_description
-from symscrew.errors import DescriptionError, did_you_mean, expect, shorten
+from symscrew.errors import DescriptionError, did_you_mean, shorten
+from symscrew.kinds import public
 
 _FOLDER = Path(__file__).parent
 
@@ -19,13 +20,13 @@ def names() -> tuple[str, ...]:
     return tuple(sorted(file.stem for file in _FOLDER.glob("*.toml")))
 
 
+@public("load_catalogue")
 def load(name: str) -> Mechanism:
     """The catalogue's mechanism `name`; raises DescriptionError with the nearest names.
 
     >>> load("four_bar").ground
     'base'
     """
-    expect(name, str)
     if name not in names():
         raise DescriptionError(f"the catalogue has no mechanism {shorten(name)}; {did_you_mean(name, names())}")
     return _own(name)

@@ -12,6 +12,7 @@ from typing import Any
 
 from symscrew.cli.help import DONE, FAILED, UsageError
 from symscrew.cli.shared_options import add_no_cache
+from symscrew.whole_files import only_file
 
 EXAMPLES = (
     "symscrew check seed",
@@ -79,7 +80,7 @@ def _read(file: Path) -> Any:
     from symscrew.studies.certificate import UnreadableError, is_certificate, values_of
 
     what = "expected a folder of generated code, or a certificate of `symscrew workspace --certify`"
-    if file.stat().st_size > LARGEST:
+    if only_file(file).stat().st_size > LARGEST:
         raise UsageError(f"{file}: {what}, got a file of {file.stat().st_size} bytes")
     try:
         values = values_of(file.read_text(encoding="utf-8"))

@@ -54,6 +54,8 @@ def _scene(name: str) -> Scene:
 
 def _describes(path: Path) -> bool:
     """Whether a file has the section of a mechanism, which a scene only names."""
+    from symscrew.description import read_text
+
     if path.suffix != ".toml" or not path.is_file():
         return False
-    return re.search(r"^\s*\[mechanism\]", path.read_text(encoding="utf-8", errors="replace"), re.MULTILINE) is not None
+    return re.search(r"^\s*\[mechanism\]", read_text(path), re.MULTILINE) is not None

@@ -15,7 +15,7 @@ from symscrew.cli.help import DONE, FAILED, UsageError
 from symscrew.cli.shared_options import add_mechanism, add_no_cache, check_folder, find_mechanism, settings
 from symscrew.errors import shorten
 from symscrew.garbage import nothing_to_collect
-from symscrew.whole_files import write_text
+from symscrew.whole_files import destination, write_text
 
 if TYPE_CHECKING:
     from symscrew.cli.same_files import Outcome
@@ -90,6 +90,8 @@ def run(options: argparse.Namespace) -> int:
     for file, option in ((options.out, "--out"), (options.proof, "--proof")):
         if file:
             check_folder(Path(file).parent, option)
+    if options.proof:
+        destination(options.proof, (".json",), "--proof")
     mechanism = find_mechanism(options.mechanism)
     at = settings("at", options.at)
     for notice in angle_notices(mechanism, at):

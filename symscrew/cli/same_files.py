@@ -122,7 +122,7 @@ def _files(file: Path) -> Iterator[tuple[str, bytes | None]]:
     wanted, seen = [("", file)], set[Path]()
     while wanted:
         name, path = wanted.pop()
-        if path.suffix != ".toml" or path.stat().st_size > MOST_BYTES:
+        if path.suffix != ".toml" or not path.is_file() or path.stat().st_size > MOST_BYTES:
             yield name, None
             return
         content = path.read_bytes()

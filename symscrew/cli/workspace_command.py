@@ -24,7 +24,7 @@ from symscrew.cli.shared_options import (
     find_mechanism,
     no_matplotlib,
 )
-from symscrew.errors import did_you_mean, shorten
+from symscrew.errors import shorten
 from symscrew.whole_files import discard, write_text
 
 if TYPE_CHECKING:
@@ -53,7 +53,6 @@ FINEST_OF_MORE = 17  # ... and the same in three dimensions and more
 TOLERANCE = "a parameter with the standard deviation of its normal distribution"
 ROUNDING = 1e-12  # of a tilt in degrees turned into radians twice: a tilt as expected is not missed by this part
 PROVED_PART = 1e-8  # of a tilt by which claims are rounded down: the tilt asked for is not missed by it
-MOST_SAMPLES = 1_000_000  # per place; more is a slip of the finger, and MOST_CASES would refuse it later with less help
 
 
 def add_options(command: argparse.ArgumentParser) -> None:
@@ -146,7 +145,7 @@ def run(options: argparse.Namespace) -> int:
 def read_plan(options: argparse.Namespace) -> Plan:
     """The plan that the options describe; raises UsageError or DescriptionError."""
     from symscrew import catalogue
-    from symscrew.studies.workspace import MOST_CASES, Plan, read_axis, read_limit, read_quantity
+    from symscrew.studies.workspace import Plan, check_numbers, read_axis, read_limit, read_quantity
 
     finest = FINEST.get(len(options.over or ()), FINEST_OF_MORE) if options.certify else None
     axes = tuple(read_axis(item, finest) for item in options.over or ())
@@ -161,12 +160,7 @@ def read_plan(options: argparse.Namespace) -> Plan:
     limits = [read_limit(item) for item in options.limit or ()]
     typed += [("--limit", limit[0], unit) for limit, unit in limits]
     samples = options.samples if tolerances else 1
-    if not 1 <= samples <= MOST_SAMPLES:
-        raise UsageError(f"--samples: expected a number from 1 to {MOST_SAMPLES}, got {samples}")
     mechanism = find_mechanism(options.mechanism, acting=not options.effects)
-    for name, _ in tolerances:
-        if name not in mechanism.parameters:
-            raise UsageError(f"--tolerance: no parameter {name!r}; {did_you_mean(name, mechanism.parameters)}")
     varied = tuple(
         dict.fromkeys(n for n in (*(a.name for a in axes), *(n for n, _ in tolerances)) if n in mechanism.parameters)
     )
@@ -190,10 +184,7 @@ def read_plan(options: argparse.Namespace) -> Plan:
         raise UsageError("--mode: certificates begin in the reference configuration; leave one of both out")
     if options.engine and options.certify:
         raise UsageError("--engine: certificates evaluate bounds in an arithmetic of their own; leave one of both out")
-    if not axes and not tolerances:
-        raise UsageError("nothing to sweep: give --over COORDINATE=from:to:count, or --tolerance PARAMETER=deviation")
-    if plan.count > MOST_CASES and not options.certify:
-        raise UsageError(f"{plan.count} cases; at most {MOST_CASES // 10**6} million are computed in one sweep")
+    check_numbers(plan, options.processes, certify=options.certify)
     return plan
 
 

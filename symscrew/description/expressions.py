@@ -21,7 +21,7 @@ from decimal import Decimal
 from fractions import Fraction
 from functools import lru_cache
 from numbers import Integral
-from typing import TYPE_CHECKING, NoReturn
+from typing import TYPE_CHECKING, NoReturn, SupportsFloat
 
 import sympy
 from sympy.printing.precedence import PRECEDENCE
@@ -114,10 +114,20 @@ def exact(value: object, names: Mapping[str, sympy.Expr] | None = None, *, where
     if isinstance(value, Fraction):
         return _limited(sympy.Rational(value.numerator, value.denominator), where)
     if isinstance(value, Decimal | float) or hasattr(value, "__float__"):
-        return _from_decimal(value if isinstance(value, Decimal) else float(value), where)
+        decimal = value if isinstance(value, Decimal) else _number_of(value)
+        if decimal is not None:
+            return _from_decimal(decimal, where)
     raise DescriptionError(
         f"{where}: expected a number or a text with an expression, got {shorten(value)} ({type(value).__name__})"
     )
+
+
+def _number_of(value: SupportsFloat) -> float | None:
+    """What bears `__float__` as a number; None of a class, of an array of several numbers."""
+    try:
+        return float(value)
+    except (TypeError, ValueError, OverflowError):
+        return None
 
 
 @lru_cache(maxsize=8192)  # as many as `sixty_digits`

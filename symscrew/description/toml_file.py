@@ -19,7 +19,6 @@ import re
 import tomllib
 from collections.abc import Mapping, Sequence
 from decimal import Decimal, Inexact, localcontext
-from os import PathLike
 from pathlib import Path
 from typing import Any
 
@@ -29,7 +28,9 @@ from symscrew.description.builder import MechanismBuilder
 from symscrew.description.coupled import terms_of
 from symscrew.description.expressions import to_text
 from symscrew.description.mechanism import Body, Coupling, Joint, Mechanism, Parameter, Vector
-from symscrew.errors import DescriptionError, did_you_mean, expect, in_file, shorten
+from symscrew.errors import DescriptionError, did_you_mean, in_file, shorten
+from symscrew.kinds import public
+from symscrew.whole_files import only_file
 
 # The reader of TOML descends once per bracket and per dot: beyond these limits a file is refused before it is read.
 MAX_BYTES = 1_000_000  # the largest of the catalogue has 14 kB
@@ -80,6 +81,7 @@ _STRUCTURE = re.compile(
 )
 
 
+@public("load_description")
 def load_description(path: str | Path, *, run_time: Sequence[str] = ()) -> Mechanism:
     """The validated mechanism described by the TOML file at `path`.
 
@@ -88,7 +90,6 @@ def load_description(path: str | Path, *, run_time: Sequence[str] = ()) -> Mecha
     Raises:
         DescriptionError: the file cannot be read or does not describe a mechanism.
     """
-    expect(path, str, PathLike)
     file = Path(path)
     try:
         return parse_description(read_text(file), run_time=run_time)
@@ -99,7 +100,7 @@ def load_description(path: str | Path, *, run_time: Sequence[str] = ()) -> Mecha
 def read_text(file: Path) -> str:
     """The text of a file that is not too large; raises DescriptionError."""
     try:
-        if file.stat().st_size > MAX_BYTES:
+        if only_file(file).stat().st_size > MAX_BYTES:
             raise DescriptionError(f"the file has {file.stat().st_size} bytes; a description has at most {MAX_BYTES}")
         return file.read_bytes().decode("utf-8")
     except OSError as error:

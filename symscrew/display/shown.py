@@ -18,6 +18,7 @@ from symscrew import notebook
 from symscrew.description import Mechanism
 from symscrew.display.view import Limits, Pictures, RecordedMotion, make_page, open_made, page_modes, write_made
 from symscrew.errors import DescriptionError, expect
+from symscrew.kinds import public
 from symscrew.model import Model, derive
 
 PICTURES = (".png", ".pdf", ".svg")  # ends of names of files that a picture can be written into
@@ -114,6 +115,7 @@ class Picture:
         return content.getvalue()
 
 
+@public("view")
 def show_page(
     subject: Mechanism | Model | Moved,
     motion: RecordedMotion | None = None,
@@ -161,6 +163,7 @@ def recorded(moved: Moved) -> RecordedMotion:
     )
 
 
+@public("draw")
 def draw(
     mechanism: Mechanism, *, elevation: float | None = None, azimuth: float | None = None, labels: bool = True
 ) -> Picture:
@@ -172,7 +175,6 @@ def draw(
         azimuth: of the viewer about z, from x [degrees]; default: likewise, else -62.
         labels: whether joints and points have their names.
     """
-    expect(mechanism, Mechanism)
     from symscrew.display.drawing import mechanism_figure
 
     figure = mechanism_figure(mechanism, elevation=elevation, azimuth=azimuth, labels=labels)

@@ -26,6 +26,7 @@ from symscrew.formats.included_files import BESIDE, inside
 from symscrew.formats.mjcf_settings import Settings
 from symscrew.formats.rigid_displacements import Pose, Real, Rotation, Triple, from_quaternion, real, triple
 from symscrew.formats.safe_xml import Element, attribute, elements, label, number, numbers
+from symscrew.whole_files import only_file
 
 Array = np.ndarray[Any, Any]
 SUFFIXES = (".stl", ".obj", ".msh")
@@ -197,7 +198,7 @@ def fitted(bulk: Bulk, kind: str) -> tuple[Pose, list[Real]]:
 def read_triangles(path: Path) -> Array:
     """The triangles (n, 3, 3) of an OBJ, STL or MSH file; raises DescriptionError."""
     try:
-        if path.stat().st_size > MOST_BYTES:
+        if only_file(path).stat().st_size > MOST_BYTES:
             raise DescriptionError(f"{path.name}: the mesh has more than {MOST_BYTES} bytes")
         content = path.read_bytes()
     except OSError as error:

@@ -19,6 +19,7 @@ import defusedxml.ElementTree
 
 from symscrew.errors import DescriptionError, did_you_mean, shorten
 from symscrew.formats.loose_xml import within_the_rules
+from symscrew.whole_files import only_file
 
 # A file beyond these is refused before anything is made of it; the largest models that people publish have a few
 # thousand elements, nested to about thirty. Nesting also limits the readers' recursion, Python's being 1000 calls.
@@ -37,7 +38,7 @@ def read(path: Path) -> Element:
         DescriptionError: the file cannot be read, is not XML, is too large or too deep, or has a document type.
     """
     try:
-        if path.stat().st_size > MAX_BYTES:
+        if only_file(path).stat().st_size > MAX_BYTES:
             raise DescriptionError(
                 f"{path.name}: the file has {path.stat().st_size} bytes; at most {MAX_BYTES} are read"
             )

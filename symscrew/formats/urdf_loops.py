@@ -47,6 +47,7 @@ from symscrew.formats.rigid_displacements import (
 )
 from symscrew.formats.safe_xml import Element, elements, label, number, numbers
 from symscrew.formats.urdf_forces import DYNAMICS
+from symscrew.whole_files import only_file
 
 TYPES = {
     "fixed": "fixed", "revolute": "R", "continuous": "R", "prismatic": "P", "planar": "E", "spherical": "S",
@@ -265,7 +266,7 @@ def _joined(
 def _lists(path: Path) -> dict[str, list[object]]:
     """The lists of a file `key: [...]`, nested at most twice, of words; anything else of YAML is refused."""
     try:
-        text = path.read_bytes()[: MOST_BYTES + 1].decode("utf-8")
+        text = only_file(path).read_bytes()[: MOST_BYTES + 1].decode("utf-8")
     except (OSError, UnicodeDecodeError) as error:
         raise DescriptionError(f"{path.name}: the file beside the URDF cannot be read") from error
     if len(text) > MOST_BYTES:

@@ -14,9 +14,10 @@ import numpy as np
 
 from symscrew.description import Mechanism
 from symscrew.effects import Effect, Gravity, given_effects
-from symscrew.errors import expect
+from symscrew.errors import DescriptionError, shorten
 from symscrew.functions.kinematic import moving_bodies
 from symscrew.functions.regressor import PARAMETERS, parameter_labels, regressor_functions
+from symscrew.kinds import public
 from symscrew.kinematics import System
 from symscrew.loops import Loops
 from symscrew.program import evaluate, lower
@@ -42,6 +43,8 @@ STEP = 0.4
 """A step of a walk on the closure manifold [rad, or characteristic lengths]: longer ones leave Newton's reach, shorter
 ones give states that differ less. A walker that lands further than that away has left its branch and turns round."""
 
+# States: beyond, the regressor of a small mechanism fills a gigabyte; seeds: all that NumPy takes in one word.
+MOST = {"states": 1_000_000, "seed": 2**64 - 1}
 DEPENDENT = 1e-9  # rows of the closure Jacobian whose singular values are below this, relative, are redundant ones
 
 ROUNDING = 1e-9  # coefficients below this, without units, are zero, and those so near a number of nine digits are that
@@ -100,13 +103,13 @@ class BaseParameters:
         return text
 
 
+@public("inertial_parameters")
 def inertial_parameters(mechanism: Mechanism) -> Array:
     """pi of a mechanism, shape (10 bodies,): m, m c, and the inertia about O of every moving body [kg, m].
 
     Absolute axes of the reference configuration, origin O; bodies and parameters in the order of the columns of
     `regressor`. Run-time parameters take their default values.
     """
-    expect(mechanism, Mechanism)
     result: list[float] = []
     for name, body in mechanism.bodies.items():
         if name == mechanism.ground:
@@ -124,6 +127,7 @@ def inertial_parameters(mechanism: Mechanism) -> Array:
     return np.array(result)
 
 
+@public("base_parameters")
 def base_parameters(
     mechanism: Mechanism, effects: Sequence[Effect] = (Gravity(),), *, states: int = 0, seed: int = 1
 ) -> BaseParameters:
@@ -135,8 +139,10 @@ def base_parameters(
     Raises:
         RankError: the singular values show no clear gap, or half of the states tell another number.
     """
-    expect(mechanism, Mechanism)
     effects = given_effects(effects)
+    for name, value in (("states", states), ("seed", seed)):
+        if not 0 <= value <= MOST[name]:
+            raise DescriptionError(f"{name}: expected a whole number from 0 to {MOST[name]}, got {shorten(value)}")
     system = System(mechanism)
     system.use_samples()
     loops = Loops(system)

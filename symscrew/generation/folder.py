@@ -21,7 +21,7 @@ from typing import Any
 import numpy as np
 
 from symscrew.description import to_toml
-from symscrew.errors import expect
+from symscrew.errors import DescriptionError, shorten
 from symscrew.export import (
     HASHES,
     MANIFEST,
@@ -39,6 +39,7 @@ from symscrew.export import (
 from symscrew.garbage import nothing_to_collect
 from symscrew.generation.target_file import Order
 from symscrew.generation.targets import TARGETS, USUAL, apart, by_value, printable, with_brought
+from symscrew.kinds import public
 from symscrew.model import Model
 from symscrew.program import Iteration
 from symscrew.runtime import remember_folder
@@ -52,6 +53,7 @@ EVALUATED_BESIDE = 5000
 READ = (".h", "ops.json", "manifest.json", "mechanism.toml")  # endings of what stays beside hashes.json
 
 
+@public("generate")
 def generate(
     model: Model,
     out_dir: str | Path,
@@ -81,7 +83,6 @@ def generate(
         OutputError: the directory holds something else; nothing has been written then.
         DescriptionError: a format cannot hold the mechanism; nothing has been written then.
     """
-    expect(model, Model)
     check_place(out_dir)
     files = render(model, targets, precision=precision, measured=measured, form=form, processes=processes)
     return write_folder(with_hashes(files) if hashes_only else files, out_dir)
@@ -135,16 +136,18 @@ def render(
     """File name to content of everything that `generate` writes, without hashes.json.
 
     Raises:
-        ValueError: an unknown target or precision, or a target that the precision cannot have.
+        DescriptionError: an unknown target or precision, or a target that the precision cannot have.
         OutputError: two targets that no folder holds together.
     """
     chosen = with_brought(targets)
     if precision not in PRECISIONS:
-        raise ValueError(f"expected the precision {' or '.join(PRECISIONS)}, got {precision!r}")
+        raise DescriptionError(f"expected the precision {' or '.join(PRECISIONS)}, got {shorten(precision)}")
     possible = printable(precision)
     for target in targets:
         if target not in possible:
-            raise ValueError(f"expected targets among {', '.join(possible)} in {precision} precision, got {target!r}")
+            raise DescriptionError(
+                f"expected targets among {', '.join(possible)} in {precision} precision, got {target!r}"
+            )
     if both := apart(targets):
         raise OutputError(both)
     order = Order(model, PRECISIONS[precision], measured, form, processes)

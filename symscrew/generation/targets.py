@@ -14,6 +14,8 @@ from dataclasses import dataclass
 from importlib import import_module
 from typing import TYPE_CHECKING
 
+from symscrew.errors import DescriptionError, did_you_mean, shorten
+
 if TYPE_CHECKING:
     from symscrew.generation.target_file import Case, Finding, Order
 
@@ -107,12 +109,14 @@ def with_brought(names: Iterable[str]) -> tuple[str, ...]:
     """The named targets and those that they bring along, in the order of the table.
 
     Raises:
-        ValueError: one of them is unknown.
+        DescriptionError: one of them is unknown.
     """
     wanted = list(names)
     for name in wanted:
         if name not in TARGETS:
-            raise ValueError(f"expected targets among {', '.join(TARGETS)}, got {name!r}")
+            raise DescriptionError(
+                f"expected targets among {', '.join(TARGETS)}, got {shorten(name)}; {did_you_mean(name, TARGETS)}"
+            )
     brought = {other for name in wanted for other in TARGETS[name].brings}
     return tuple(name for name in TARGETS if name in wanted or name in brought)
 

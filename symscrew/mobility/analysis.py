@@ -17,6 +17,7 @@ from typing import Any
 from symscrew import notebook
 from symscrew.description import Mechanism
 from symscrew.errors import DescriptionError
+from symscrew.kinds import public
 from symscrew.mobility.almost_singular import NEARLY_SINGULAR, almost_lower, almost_singular, left_open
 from symscrew.mobility.carrying_limbs import carried_by_limbs
 from symscrew.mobility.configuration import Reached, displaced, in_words, with_parameters
@@ -404,6 +405,7 @@ def as_meant(typed: Mobility, tolerance: float) -> Mobility:
     return replace(near.meant, taken=Taken(typed, near.distance, tolerance))
 
 
+@public("analyse_mobility")
 def analyse_mobility(
     mechanism: Mechanism,
     *,
@@ -419,8 +421,7 @@ def analyse_mobility(
         at: values of parameters, and of coordinates (`joint`, `joint.i`, `platform.z`, `tilt` ...: the names are those
             of `symscrew.kinematics.coordinate_names`) that the loops are assembled to from the reference configuration;
             numbers [rad, m], or texts with a unit such as "10mm", "30deg".
-        tolerance: special geometry within this of the one typed [m; axes times the mechanism's size] is taken for it,
-            and the result says so (`Mobility.taken`); default none is.
+        tolerance: special geometry within this of the one typed [m; axes times the size] is meant (`Mobility.taken`).
 
     Raises:
         DescriptionError: unknown body, parameter or coordinate, no assembly there, or a tolerance that is no length.
@@ -445,6 +446,5 @@ def analyse_mobility(
                      reached.closed_to, coordinates, parameters, reached=reached)  # fmt: skip
     if not coordinates and not finite.proved:
         kept = {"motion_proof": found.motion_proof, "evidence": found.evidence}  # which do not rest on the judgement
-        found = replace(found, finite=confirmed(network, finite, found.motion_proof))
-        vars(found).update(kept)
+        vars(found := replace(found, finite=confirmed(network, finite, found.motion_proof))).update(kept)
     return found if tolerance is None else as_meant(found, tolerance)

@@ -15,7 +15,7 @@ import sympy
 
 from symscrew import notebook, program
 from symscrew.description import Mechanism
-from symscrew.errors import expect
+from symscrew.kinds import public
 from symscrew.kinematics import System, coordinate_units, given_coordinates
 from symscrew.mobility.configuration import (
     CUT_OFF,
@@ -114,6 +114,7 @@ class Configuration:
         return self.reached.tree(system)
 
 
+@public("inverse_kinematics")
 def inverse_kinematics(mechanism: Mechanism, at: Mapping[str, Any] | None = None, **coordinates: Any) -> Configuration:
     """The configuration with the given coordinates, assembled from the reference; all others follow.
 
@@ -129,7 +130,6 @@ def inverse_kinematics(mechanism: Mechanism, at: Mapping[str, Any] | None = None
     >>> inverse_kinematics(catalogue.load("four_bar"), A="20deg").ok
     True
     """
-    expect(at or {}, Mapping)
     asked = {**(at or {}), **coordinates}
     mechanism, wanted = with_parameters(mechanism, asked)
     network = network_of(mechanism)

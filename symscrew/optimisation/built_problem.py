@@ -20,6 +20,7 @@ import casadi as ca
 import numpy as np
 
 from symscrew.errors import DescriptionError, did_you_mean, expect
+from symscrew.kinds import public
 from symscrew.optimisation.compiled_points import CompiledPoints
 from symscrew.optimisation.contradictions import check_problem
 from symscrew.optimisation.explanation import broken_rows, pressing_bounds, status_of
@@ -90,6 +91,7 @@ class _Start:
     bounds: np.ndarray | None = None
 
 
+@public("optimisation_problem")
 def optimisation_problem(problem: TrajectoryProblem, *, prepared: Prepared | None = None) -> OptimisationProblem:
     """A problem built once, to be solved often: see `OptimisationProblem`."""
     return OptimisationProblem(problem, prepared=prepared)

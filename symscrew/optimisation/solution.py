@@ -15,7 +15,8 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-from symscrew.errors import DescriptionError, expect
+from symscrew.errors import DescriptionError
+from symscrew.kinds import public
 from symscrew.optimisation.collocation import Collocation
 from symscrew.optimisation.contradictions import check_inputs, check_problem
 from symscrew.optimisation.cost_scale import cost_scale
@@ -106,12 +107,13 @@ def _prepared(problem: TrajectoryProblem, equations: PointEquations) -> Prepared
     return Prepared(problem, PointModel(problem, equations, guess.scales), guess)
 
 
+@public("optimise")
 def solve(
     problem: TrajectoryProblem,
     *,
     warm: Trajectory | None = None,
     prepared: Prepared | None = None,
-    progress: Progress | None = None,
+    progress: Callable[[str], None] | None = None,
 ) -> Trajectory:
     """The optimal trajectory of a problem; look at `ok` and `status`.
 
@@ -124,7 +126,6 @@ def solve(
     Raises:
         DescriptionError: the problem cannot be used as it is given.
     """
-    expect(problem, TrajectoryProblem)
     began, until = clock(), time.perf_counter() + problem.solver.time_limit
     say = progress or (lambda text: None)
     found = prepared or prepare(problem)

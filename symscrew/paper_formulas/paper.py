@@ -11,7 +11,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from symscrew.description import Mechanism, markdown_text
-from symscrew.errors import DescriptionError, expect
+from symscrew.errors import DescriptionError
+from symscrew.kinds import public
 from symscrew.mobility import analyse_mobility
 from symscrew.paper_formulas.equal_turns import Turned, families
 from symscrew.paper_formulas.formula import Formula, Part, degrees
@@ -85,6 +86,7 @@ class Paper:
         return rf"$$\begin{{gathered}} {rows} \end{{gathered}}$$"
 
 
+@public("formulas")
 def paper_formulas(mechanism: Mechanism) -> Paper:
     """The formulas of a mechanism: lengths, limbs, what equal limbs are, inverse kinematics, constraints, loci.
 
@@ -93,7 +95,6 @@ def paper_formulas(mechanism: Mechanism) -> Paper:
     Raises:
         DescriptionError: neither limbs nor a chain that reaches the platform.
     """
-    expect(mechanism, Mechanism)
     lengths = Lengths(mechanism)
     limbs = limbs_of(mechanism)
     parts: list[Part] = []

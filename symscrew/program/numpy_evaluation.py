@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 
 from symscrew.algebra import apply_numpy
+from symscrew.errors import DescriptionError, KindError
 from symscrew.program.number_by_number import number_by_number
 from symscrew.program.straight_line import NO_ROTATION, Iteration, Program
 
@@ -33,12 +34,12 @@ def evaluate(program: Program, arguments: Sequence[object]) -> tuple[tuple[np.nd
         is not 0 the results are NaN.
 
     Raises:
-        TypeError: more or fewer arguments than inputs, or not real numbers.
-        ValueError: an array of another size than its input.
+        KindError: more or fewer arguments than inputs, or not real numbers.
+        DescriptionError: an array of another size than its input.
     """
     if len(arguments) != len(program.inputs):
         names = ", ".join(p.name for p in program.inputs)
-        raise TypeError(f"{program.name} expects {len(program.inputs)} inputs ({names}), got {len(arguments)}")
+        raise KindError(f"{program.name} expects {len(program.inputs)} inputs ({names}), got {len(arguments)}")
     arrays, batch = _arrays(program, arguments)
     with np.errstate(all="ignore"):
         values = _one_by_one(program, arrays, batch) or _all_at_once(program, arrays)
@@ -61,11 +62,11 @@ def real_array(argument: object, where: str) -> np.ndarray:
     """An argument as an array of doubles.
 
     Raises:
-        TypeError: complex numbers, of which NumPy would take the real part and only warn.
+        KindError: complex numbers, of which NumPy would take the real part and only warn.
     """
     array = np.asarray(argument)
     if array.dtype.kind == "c":
-        raise TypeError(f"{where}: expected real numbers, got {array.dtype}; take x.real if its imaginary part is zero")
+        raise KindError(f"{where}: expected real numbers, got {array.dtype}; take x.real if its imaginary part is zero")
     return np.asarray(array, dtype=float)
 
 
@@ -75,7 +76,7 @@ def _arrays(program: Program, arguments: Sequence[object]) -> tuple[list[np.ndar
     for port, argument in zip(program.inputs, arguments, strict=True):
         array = real_array(argument, f"{program.name}, {port.name}")
         if array.shape[-1:] != (port.size,) and port.size != 1:
-            raise ValueError(
+            raise DescriptionError(
                 f"{program.name}: {port.name} has {port.size} entries, got an array of shape {array.shape}"
             )
         if port.size == 1 and array.shape[-1:] != (1,):

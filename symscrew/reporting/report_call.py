@@ -8,7 +8,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from symscrew.description import Mechanism
-from symscrew.errors import expect
+from symscrew.kinds import public
 from symscrew.model import Model, derive
 from symscrew.reporting.blocks import Document
 from symscrew.reporting.sections import document
@@ -18,6 +18,7 @@ from symscrew.studies.given_motion import DriveStudy
 from symscrew.studies.workspace import Sweep
 
 
+@public("report")
 def report(
     subject: Mechanism | Model,
     *,
@@ -41,7 +42,6 @@ def report(
     Raises:
         DescriptionError: the folder holds no results.
     """
-    expect(subject, Mechanism, Model)
     model = derive(subject) if isinstance(subject, Mechanism) else subject
     times: dict[str, Times] | None = None
     if timed:

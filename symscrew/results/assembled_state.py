@@ -13,7 +13,8 @@ import numpy as np
 
 from symscrew import notebook
 from symscrew.description import given_value, numeric
-from symscrew.errors import DescriptionError, did_you_mean, expect
+from symscrew.errors import DescriptionError, did_you_mean, real_numbers
+from symscrew.kinds import public
 from symscrew.kinematics import full_name
 from symscrew.mobility import inverse_kinematics
 from symscrew.model import Model
@@ -54,6 +55,7 @@ class AssembledConfiguration:
         return notebook.table(repr(self), ("coordinate", "value", "unit"), rows)
 
 
+@public("assemble")
 def assemble(model: Model, y: Mapping[str, float | str], guess: object = None) -> AssembledConfiguration:
     """The one configuration near a guess in which coordinates have these values.
 
@@ -73,16 +75,11 @@ def assemble(model: Model, y: Mapping[str, float | str], guess: object = None) -
 
     Raises:
         DescriptionError: a name of no coordinate, of one that is not independent beside a guess, or a value that is no
-            number or in another unit.
-        ValueError: a guess of another size.
+            number or in another unit; a guess of another size.
     """
-    expect(model, Model)
-    expect(y, Mapping)
     tree = model.system.tree
     labels = tuple(c.label for c in tree.q)
-    start = np.asarray(model.system.reference if guess is None else guess, dtype=float)
-    if start.shape != (len(labels),):
-        raise ValueError(f"expected a guess of shape ({len(labels)},), got {start.shape}")
+    start = model.system.reference if guess is None else real_numbers(guess, (len(labels),), "guess")
     program = model.programs.get("assemble")
     independent = program.inputs[0].labels if program is not None else labels
     y = {label if label in independent else full_name(model.mechanism, label): value for label, value in y.items()}

@@ -15,7 +15,8 @@ import numpy as np
 
 from symscrew import notebook
 from symscrew.description import Mechanism
-from symscrew.errors import DescriptionError, did_you_mean, expect
+from symscrew.errors import DescriptionError, did_you_mean
+from symscrew.kinds import public
 from symscrew.model import Model
 from symscrew.runtime import CompiledModel, load
 
@@ -108,6 +109,7 @@ class JointWrenches(Mapping[str, JointWrench]):
         self.mechanism = mechanism
         bodies = [name for name in mechanism.bodies if name != mechanism.ground]
         batch = reactions.shape[:-2]
+        points, poses = (np.broadcast_to(of, (*batch, *of.shape[-2:])) for of in (points, poses))  # which q alone says
         turns = np.swapaxes(np.moveaxis(poses[..., :TURN, :], -1, 0).reshape(len(bodies), *batch, 3, 3), -1, -2)
         still = np.broadcast_to(np.eye(3), (*batch, 3, 3))
         self._wrenches = {
@@ -151,6 +153,7 @@ class JointWrenches(Mapping[str, JointWrench]):
         )
 
 
+@public("joint_wrenches")
 def joint_wrenches(model: Model, q: object, v: object, a: object, **inputs: object) -> JointWrenches:
     """What every joint transmits in states (q, v, a) of the tree.
 
@@ -174,7 +177,6 @@ def joint_wrenches(model: Model, q: object, v: object, a: object, **inputs: obje
     >>> joint_wrenches(crank, crank.system.reference, rest, rest)["crank_R"].about_joint().axes
     'absolute'
     """
-    expect(model, Model)
     known = ["q", "v", "a", *(port.name for name in NEEDED for port in model.declared(name).inputs)]
     for name in inputs:
         if name not in known:

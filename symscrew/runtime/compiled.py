@@ -21,7 +21,6 @@ import warnings
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from functools import cache
-from os import PathLike
 from pathlib import Path
 from pickle import PicklingError
 from typing import Any
@@ -29,8 +28,9 @@ from typing import Any
 import numpy as np
 
 from symscrew import notebook
-from symscrew.errors import expect
+from symscrew.errors import DescriptionError, shorten
 from symscrew.export import DOUBLE, library_sources
+from symscrew.kinds import public
 from symscrew.model import Model
 from symscrew.runtime.c_library import Evaluators, Made, evaluators, library_of
 from symscrew.runtime.compiled_function import CompiledFunction, EvaluationError, Evaluator
@@ -93,6 +93,7 @@ class CompiledModel:
         return [*super().__dir__(), *self.functions]
 
 
+@public("load")
 def load(
     source: Model | str | Path,
     *,
@@ -129,14 +130,13 @@ def load(
         OutputError: the directory holds nothing that `generate` wrote, only hashes of its code, other code than its
             description gives, or a manifest that does not fit the C.
         DescriptionError: the directory's mechanism.toml describes no mechanism.
-        ValueError: a backend or precision that cannot be had.
+        DescriptionError: a backend or precision that cannot be had.
     """
-    expect(source, Model, str, PathLike)
     if backend not in (None, "c", "casadi"):
-        raise ValueError(f"expected the backend 'c' or 'casadi', got {backend!r}")
+        raise DescriptionError(f"expected the backend 'c' or 'casadi', got {shorten(backend)}")
     origin = origin_of(source, precision, trusted=trusted, lanes=vectorised is True)
     if backend == "casadi" and origin.precision is not DOUBLE:
-        raise ValueError("expected the backend 'c' for single precision, got 'casadi'")
+        raise DescriptionError("expected the backend 'c' for single precision, got 'casadi'")
     chosen = backend or ("c" if find_compiler() else "casadi")
     share = (os.cpu_count() or 1) if threads is True else int(threads) or 1
     if chosen == "c":

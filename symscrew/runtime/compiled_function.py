@@ -15,6 +15,7 @@ from operator import index
 
 import numpy as np
 
+from symscrew.errors import DescriptionError, KindError
 from symscrew.program import STATUS, Port
 from symscrew.runtime.state_arrays import (
     BYTES,
@@ -92,8 +93,9 @@ class CompiledFunction:
 
         Raises:
             EvaluationError: a status above 0, unless `check` is False.
-            TypeError: not the function's inputs, each of them once, or not real numbers; threads that are no number.
-            ValueError: an array that does not end in the shape of its input, batches that do not fit, an unfit `out`.
+            KindError: not the function's inputs, each of them once, or not real numbers; threads that are no number.
+            DescriptionError: an array that does not end in the shape of its input, batches or an `out`
+                that do not fit.
         """
         given = arguments if not named and len(arguments) == len(self.inputs) else self._ordered(arguments, named)
         shares = self.threads if threads is None else min(index(threads), sys.maxsize)
@@ -160,19 +162,19 @@ class CompiledFunction:
         """The caller's arrays as (states, entries), and themselves."""
         given = out if isinstance(out, tuple) else (out,)
         if len(given) != len(self.outputs):
-            raise ValueError(f"{self.name}: expected out to hold {len(self.outputs)} arrays, got {len(given)}")
+            raise DescriptionError(f"{self.name}: expected out to hold {len(self.outputs)} arrays, got {len(given)}")
         results: list[np.ndarray] = []
         for port, array in zip(self.outputs, given, strict=True):
             wanted, where = (*batch, *port.shape), f"{self.name}: expected out for {port.name} to be"
             if not isinstance(array, np.ndarray) or array.dtype != DOUBLE or array.shape != wanted:
                 got = f"{array.dtype} {array.shape}" if isinstance(array, np.ndarray) else type(array).__name__
-                raise ValueError(f"{where} an array of float64 of shape {wanted}, got {got}")
+                raise DescriptionError(f"{where} an array of float64 of shape {wanted}, got {got}")
             if not array.flags.writeable:
-                raise ValueError(f"{where} writeable")
+                raise DescriptionError(f"{where} writeable")
             if overlaps_itself(array):
-                raise ValueError(f"{where} an array whose entries lie apart, but several lie in one place")
+                raise DescriptionError(f"{where} an array whose entries lie apart, but several lie in one place")
             if any(np.may_share_memory(array, other) for other in (*arrays, *results)):
-                raise ValueError(f"{where} apart from all inputs and other outputs, but it overlaps one")
+                raise DescriptionError(f"{where} apart from all inputs and other outputs, but it overlaps one")
             flat = flatten(array, batch, port.shape)
             whole = flat is not None and array.flags.aligned and not any(step % BYTES for step in flat.strides)
             if flat is None or not whole or (self.strided is None and not flat.flags.c_contiguous):
@@ -212,7 +214,7 @@ class CompiledFunction:
         twice = [name for name in named if name in given]
         if len(arguments) > len(names) or twice or sorted({**given, **named}) != sorted(names):
             got = ", ".join([*(str(n) for n in given), *named]) or "nothing"
-            raise TypeError(f"{self.name} expects ({', '.join(names)}), got {len(arguments)} arrays and {got}")
+            raise KindError(f"{self.name} expects ({', '.join(names)}), got {len(arguments)} arrays and {got}")
         return [{**given, **named}[name] for name in names]
 
     def _failure(self, status: np.ndarray) -> str:

@@ -93,7 +93,8 @@ def origin_of(source: Model | str | Path, precision: str | None, *, trusted: boo
         raise OutputError(f"{source}: holds hashes in place of its code ({HASHES}); generate it without --hashes-only")
     told = _status_texts(content)
     if precision not in (None, own.name):
-        raise ValueError(f"{source}: expected its own precision, {own.name}, got {precision}; generate it again")
+        text = f"expected its own precision, {own.name}, got {shorten(precision)}"
+        raise DescriptionError(f"{source}: {text}; generate it again")
 
     def derived() -> Model:
         model = model_of(directory, content)

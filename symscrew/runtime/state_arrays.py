@@ -15,7 +15,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from symscrew.errors import shorten
+from symscrew.errors import DescriptionError, KindError, shorten
 from symscrew.program import Port
 
 ROWS, COLUMNS, STRIDED = "rows", "columns", "strided"
@@ -37,19 +37,19 @@ def numbers(argument: object, where: str) -> np.ndarray:
     """The argument as an array of float64; the array itself where it is one.
 
     Raises:
-        TypeError: complex numbers, objects, texts, times, masked entries: nothing that is a real number as it stands.
+        KindError: complex numbers, objects, texts, times, masked entries: nothing that is a real number as it stands.
     """
     try:
         array = argument if isinstance(argument, np.ndarray) else np.asarray(argument)
     except (TypeError, ValueError) as error:
-        raise TypeError(f"{where} expects an array of real numbers, got {shorten(argument)} ({error})") from error
+        raise KindError(f"{where} expects an array of real numbers, got {shorten(argument)} ({error})") from error
     if array.dtype.kind not in REAL_KINDS:
-        raise TypeError(
+        raise KindError(
             f"{where} expects an array of real numbers, got one of type {array.dtype}; convert it first, "
             "as by np.asarray(x, dtype=float), or x.real of complex numbers"
         )
     if isinstance(array, np.ma.MaskedArray) and np.ma.is_masked(array):
-        raise TypeError(
+        raise KindError(
             f"{where} expects an array of real numbers, got a masked one; give masked entries numbers first"
         )
     found = np.asarray(array, dtype=DOUBLE)
@@ -62,8 +62,8 @@ def views(ports: Sequence[Port], arguments: Sequence[object], name: str) -> tupl
     """Arrays (states, entries) of all arguments, and the shape of the batch; copied is only what no strides describe.
 
     Raises:
-        TypeError: not real numbers.
-        ValueError: an array that does not end in the shape of its port, or batches that do not fit.
+        KindError: not real numbers.
+        DescriptionError: an array that does not end in the shape of its port, or batches that do not fit.
     """
     arrays = []
     for port, argument in zip(ports, arguments, strict=True):
@@ -72,7 +72,7 @@ def views(ports: Sequence[Port], arguments: Sequence[object], name: str) -> tupl
         depth = array.ndim - len(shape)
         if depth < 0 or array.shape[depth:] != shape:
             expected = f"{port.name} of shape {port.shape} after batch dimensions"
-            raise ValueError(f"{name} expects {expected}, got {array.shape}")
+            raise DescriptionError(f"{name} expects {expected}, got {array.shape}")
         if len(shape) > 1:  # column-major
             array = np.moveaxis(array, range(depth, array.ndim), range(array.ndim - 1, depth - 1, -1))
         arrays.append(array if len(shape) == 1 else array.reshape(*array.shape[:depth], port.size))
@@ -81,7 +81,7 @@ def views(ports: Sequence[Port], arguments: Sequence[object], name: str) -> tupl
         batch = batches.pop() if len(batches) == 1 else np.broadcast_shapes(*batches)
     except ValueError as error:
         shapes = ", ".join(f"{p.name} {a.shape[:-1]}" for p, a in zip(ports, arrays, strict=True))
-        raise ValueError(f"{name}: expected batches that fit together, got {shapes}") from error
+        raise DescriptionError(f"{name}: expected batches that fit together, got {shapes}") from error
     count = math.prod(batch)
     whole = (a if a.shape[:-1] == batch else np.broadcast_to(a, (*batch, a.shape[-1])) for a in arrays)
     return [a.reshape(count, a.shape[-1]) for a in whole], batch

@@ -27,7 +27,6 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from decimal import Decimal
-from os import PathLike
 from pathlib import Path
 from typing import Any
 
@@ -48,7 +47,8 @@ from symscrew.description import (
     read_tables,
 )
 from symscrew.effects import check_effects, effect_from_table
-from symscrew.errors import DescriptionError, did_you_mean, expect, shorten
+from symscrew.errors import DescriptionError, did_you_mean, shorten
+from symscrew.kinds import public
 from symscrew.kinematics import coordinate_units, full_name, typable_names
 from symscrew.scene.contents import INTERPOLATIONS, Initial, Integrator, Scene, Table
 from symscrew.scene.integration_methods import INTEGRATION_METHODS
@@ -65,13 +65,13 @@ LONGEST_TABLE = 100_000  # its pieces become constant data of a C file; a longer
 RESERVED = ("t", "x", "u", "s", "p", "work")  # names of expressions and of the last state, not for signals
 
 
+@public("load_scene")
 def load_scene(path: str | Path) -> Scene:
     """The scene that the TOML file at `path` describes.
 
     Raises:
         DescriptionError: the file cannot be read, or says where and what is wrong in it, and the cure.
     """
-    expect(path, str, PathLike)
     return from_file(path, parse_scene)
 
 

@@ -18,7 +18,8 @@ from queue import LifoQueue
 import numpy as np
 
 from symscrew.array_archives import MAX_BYTES, MAX_TOGETHER
-from symscrew.errors import DescriptionError, expect
+from symscrew.errors import DescriptionError, shorten
+from symscrew.kinds import public
 from symscrew.model import Model
 from symscrew.results import Columns
 from symscrew.runtime import CompileError, find_compiler
@@ -94,6 +95,7 @@ class Runs:
         return columns_of(f"{self.scene.name} {k}", self.model, self.t, parts, x_labels=self.x_labels)
 
 
+@public("simulate_many")
 def simulate_many(
     scene: Scene,
     starts: Mapping[str, np.ndarray],
@@ -116,14 +118,12 @@ def simulate_many(
 
     Raises:
         DescriptionError: arrays that do not fit the scene, results that would not fit into memory and file, or no
-            start from which the scene can begin.
-        ValueError: an unknown backend, no thread.
+            start from which the scene can begin, an unknown backend, no thread.
     """
-    expect(scene, Scene)
     if threads is not None and threads < 1:
-        raise ValueError(f"expected at least one thread, got {threads}")
+        raise DescriptionError(f"threads: expected at least one, got {shorten(threads)}")
     if backend not in (None, "c", "numpy"):
-        raise ValueError(f"expected the backend 'c' or 'numpy', got {backend!r}")
+        raise DescriptionError(f"expected the backend 'c' or 'numpy', got {shorten(backend)}")
     model, plant = prepared or prepare(scene)
     found = starts_of(scene, model, plant, starts)
     made = _Packed(found, model, plant)

@@ -11,8 +11,9 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from symscrew.effects import Contact, Passed
-from symscrew.errors import DescriptionError, expect
+from symscrew.errors import DescriptionError, shorten
 from symscrew.functions import REASONS
+from symscrew.kinds import public
 from symscrew.model import Model
 from symscrew.program import Program
 from symscrew.results import Columns, JointWrenches
@@ -160,12 +161,13 @@ def prepare(scene: Scene, *, held: bool = False) -> tuple[Model, Plant]:
     return model, plant(model, made, held=held, parameters=values, outside=outside, watched=True)
 
 
+@public("simulate")
 def simulate(
     scene: Scene,
     *,
     controller: Controller | None = None,
     backend: str | None = None,
-    progress: Progress | None = None,
+    progress: Callable[[float], None] | None = None,
     prepared: tuple[Model, Plant] | None = None,
 ) -> Run:
     """The run of a scene.
@@ -183,9 +185,8 @@ def simulate(
 
     Raises:
         DescriptionError: the scene's start or controller cannot work.
-        ValueError: an unknown backend.
+        DescriptionError: an unknown backend.
     """
-    expect(scene, Scene)
     model, programs = prepared or prepare(scene, held=controller is not None)
     q, v = initial_state(scene, model, programs.parameters)
     x = initial_states(scene, model, q, v)
@@ -245,7 +246,7 @@ def integrated(
     own = scene.integrator.method in NATIVE_METHODS and controller is None
     chosen = backend or ("c" if find_compiler() else "numpy")
     if chosen not in ("c", "numpy"):
-        raise ValueError(f"expected the backend 'c' or 'numpy', got {backend!r}")
+        raise DescriptionError(f"expected the backend 'c' or 'numpy', got {shorten(backend)}")
 
     def further(*, compiled: bool) -> History:
         def run(other: Scene, progress: Progress | None = None) -> History:

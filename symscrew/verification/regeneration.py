@@ -13,13 +13,12 @@ import re
 import tempfile
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from os import PathLike
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from symscrew.errors import expect, shorten
+from symscrew.errors import shorten
 from symscrew.export import (
     HASHES,
     PRECISIONS,
@@ -32,6 +31,7 @@ from symscrew.export import (
     read_manifest,
 )
 from symscrew.generation import EMBEDDED, TARGETS, Case, Results, by_value, compare_values, render, with_brought
+from symscrew.kinds import public
 from symscrew.model import Model
 from symscrew.runtime import CompileError, model_of
 from symscrew.verification.embedded import CORES, measure, missing_tools
@@ -74,6 +74,7 @@ class CheckResult:
         return "all checks passed"
 
 
+@public("check")
 def check(directory: str | Path) -> CheckResult:
     """Check one generated directory, or every one in a directory of such.
 
@@ -87,7 +88,6 @@ def check(directory: str | Path) -> CheckResult:
         OutputError: there is nothing generated at this place, or a file that says what was generated cannot be read.
         DescriptionError: mechanism.toml describes no mechanism.
     """
-    expect(directory, str, PathLike)
     root = Path(directory)
     if (root / "manifest.json").is_file():
         found = [root]

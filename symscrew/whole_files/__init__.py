@@ -3,6 +3,7 @@
 staging       a place beside, held by a lock as long as its process lives; what dead ones left is removed
 one_file      a file made there and moved
 whole_folder  a folder made there and exchanged, or moved file by file behind a marker that readers finish
+given_file    a file that is read, and no pipe or device
 turns         one process at a time
 """
 
@@ -11,6 +12,7 @@ from typing import TYPE_CHECKING
 from symscrew.doors import doors
 
 if TYPE_CHECKING:
+    from symscrew.whole_files.given_file import only_file
     from symscrew.whole_files.one_file import created, destination, replaced, write_text
     from symscrew.whole_files.staging import discard, is_staging, remove_abandoned, stage
     from symscrew.whole_files.turns import LockedError, one_at_a_time
@@ -25,6 +27,7 @@ __all__ = [
     "finish",
     "is_staging",
     "one_at_a_time",
+    "only_file",
     "put_files",
     "remove_abandoned",
     "replaced",

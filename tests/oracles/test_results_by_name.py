@@ -103,6 +103,19 @@ def test_names_that_are_not_there_are_refused_with_the_nearest(wrenches: JointWr
         Columns("run", np.zeros(1), {"q.A": np.zeros(1)}, {"q.A": "rad"})["q.a"]
 
 
+def test_wrenches_of_one_configuration_at_many_rates() -> None:
+    """What q alone says is the same for all of them; states that are none are refused."""
+    crank = model("slider_crank")
+    q, rates = crank.system.reference, np.array([[0.0, 0.0, 0.0], [1.0, -1.0, 0.5]])
+    together = joint_wrenches(crank, q, rates, np.zeros(3))["crank_R"].about_joint().in_body_axes()
+    apart = [joint_wrenches(crank, q, v, np.zeros(3))["crank_R"].about_joint().in_body_axes() for v in rates]
+    np.testing.assert_allclose(together.force, [w.force for w in apart], rtol=1e-12)
+    np.testing.assert_allclose(together.moment, [w.moment for w in apart], rtol=1e-12)
+    for wrong, said in (("x", "expects an array of real numbers, got"), ([0, 0], "expects q of shape")):
+        with pytest.raises(DescriptionError, match=said):
+            joint_wrenches(crank, wrong, rates[0], rates[0])
+
+
 def test_columns_in_files_are_what_they_were(tmp_path: Path) -> None:
     t, values = np.linspace(0, 1, 5), np.random.default_rng(5).normal(size=(2, 5))
     columns = Columns("run", t, {"q.A": values[0], "u.A": values[1]}, {"q.A": "rad", "u.A": "N m"})

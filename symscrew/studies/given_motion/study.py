@@ -16,8 +16,9 @@ from symscrew import notebook
 from symscrew.description import Mechanism
 from symscrew.display import Progress
 from symscrew.effects import Effect, ExternalWrench, Gravity, given_effects
-from symscrew.errors import DescriptionError, did_you_mean, expect
+from symscrew.errors import DescriptionError, did_you_mean
 from symscrew.functions import WRENCH_LABELS
+from symscrew.kinds import public
 from symscrew.model import Model, derive
 from symscrew.program import Program
 from symscrew.reference import newton_euler
@@ -163,6 +164,7 @@ class DriveStudy:
         return notebook.table(repr(self), ("drive", "unit", "largest", "largest rate", "largest power [W]"), rows)
 
 
+@public("drives")
 def drives(
     mechanism: Mechanism,
     motion: WantedMotion | str | Path | Mapping[str, str],
@@ -191,7 +193,6 @@ def drives(
         DescriptionError: a motion that the mechanism cannot make, or names that it does not have.
         EvaluationError: a configuration in which a function fails.
     """
-    expect(mechanism, Mechanism)
     shown = progress or Progress(quiet=True)
     if isinstance(motion, WantedMotion):
         wanted = motion

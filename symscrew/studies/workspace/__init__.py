@@ -31,10 +31,10 @@ if TYPE_CHECKING:
     from symscrew.studies.workspace.maps import draw_maps
     from symscrew.studies.workspace.plan import (
         AZIMUTH,
-        MOST_CASES,
         TILT,
         Axis,
         Plan,
+        check_numbers,
         read_axis,
         read_limit,
         read_quantity,
@@ -44,7 +44,6 @@ if TYPE_CHECKING:
 
 __all__ = [
     "AZIMUTH",
-    "MOST_CASES",
     "SINGULAR",
     "TILT",
     "Axis",
@@ -55,6 +54,7 @@ __all__ = [
     "Sweep",
     "calls_of",
     "check_drawn",
+    "check_numbers",
     "check_plan",
     "draw_maps",
     "has_own_axes",

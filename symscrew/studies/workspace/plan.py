@@ -11,10 +11,13 @@ import numpy as np
 
 from symscrew.description import Mechanism, given_value, numeric, to_toml
 from symscrew.effects import Effect, type_name
-from symscrew.errors import DescriptionError, shorten
+from symscrew.errors import DescriptionError, did_you_mean, shorten
 
 TILT, AZIMUTH = "tilt", "azimuth"
 MOST_CASES = 50_000_000  # of a sweep: 0.4 GB for every result, of which there are dozens; more is refused
+
+MOST_SAMPLES = 1_000_000  # per place; more is a slip of the finger, and MOST_CASES would refuse it later with less help
+MOST_SEED = 2**64 - 1  # what NumPy takes in one word
 
 
 @dataclass(frozen=True)
@@ -105,6 +108,32 @@ class Plan:
         count = len(self.cases(chunk))
         stream = np.random.Generator(np.random.PCG64(np.random.SeedSequence([self.seed, chunk])))
         return stream.standard_normal((count, len(self.tolerances))) * [sigma for _, sigma in self.tolerances]
+
+
+def check_numbers(plan: Plan, processes: int | None = None, *, certify: bool = False) -> None:
+    """Before anything is derived: whether samples, cases, seed, deviations and processes can be.
+
+    `certify`: of boxes, which are not counted beforehand.
+
+    Raises:
+        DescriptionError: names what cannot be as the option of the command line.
+    """
+    known = plan.mechanism.parameters
+    for name, sigma in plan.tolerances:
+        if name not in known:
+            raise DescriptionError(f"--tolerance: no parameter {shorten(name)}; {did_you_mean(name, known)}")
+        if not sigma > 0:
+            raise DescriptionError(f"--tolerance: expected a standard deviation of {name} above 0, got {sigma:g}")
+    for option, value, least, most in (("samples", plan.samples, 1, MOST_SAMPLES), ("seed", plan.seed, 0, MOST_SEED)):
+        if not least <= value <= most:
+            raise DescriptionError(f"--{option}: expected a number from {least} to {most}, got {shorten(value)}")
+    if processes is not None and processes < 1:
+        raise DescriptionError(f"--processes: expected a number above 0, got {shorten(processes)}")
+    if not plan.axes and not plan.tolerances:
+        text = "nothing to sweep: give --over COORDINATE=from:to:count, or --tolerance PARAMETER=deviation"
+        raise DescriptionError(text)
+    if plan.count > MOST_CASES and not certify:
+        raise DescriptionError(f"{plan.count} cases; at most {MOST_CASES // 10**6} million are computed in one sweep")
 
 
 def read_axis(text: str, count: int | None = None) -> Axis:

@@ -15,11 +15,12 @@ import numpy as np
 from symscrew import notebook
 from symscrew.description import Mechanism
 from symscrew.effects import Effect, Gravity, given_effects
-from symscrew.errors import DescriptionError, did_you_mean, expect
+from symscrew.errors import DescriptionError, did_you_mean
+from symscrew.kinds import public
 from symscrew.studies.workspace.engine import run_locally
 from symscrew.studies.workspace.evaluation import check_drawn, prepare_sweep
 from symscrew.studies.workspace.map_summary import sweep_summary, sweep_summary_text
-from symscrew.studies.workspace.plan import Plan, read_axis, read_limit, read_quantity
+from symscrew.studies.workspace.plan import Plan, check_numbers, read_axis, read_limit, read_quantity
 from symscrew.studies.workspace.store import save_csv, save_npz
 
 
@@ -64,6 +65,7 @@ class Sweep:
         return notebook.lines(repr(self), sweep_summary_text(dict(self.summary)).splitlines())
 
 
+@public("workspace")
 def workspace(
     mechanism: Mechanism,
     over: Mapping[str, str],
@@ -95,9 +97,6 @@ def workspace(
     Raises:
         DescriptionError: axes, tolerances or limits that the mechanism does not have, an engine that is not here.
     """
-    expect(mechanism, Mechanism)
-    for named in (over, limits or {}, tolerances or {}):
-        expect(named, Mapping)
     axes = tuple(read_axis(f"{name}={values}") for name, values in over.items())
     quantities = {name: read_quantity(value, f"tolerance of {name}") for name, value in (tolerances or {}).items()}
     spread = tuple((name, value) for name, (value, _) in quantities.items())
@@ -111,7 +110,7 @@ def workspace(
         given_effects(effects),
         axes,
         tolerances=spread,
-        samples=samples if spread else 1,
+        samples=samples if spread else min(samples, 1),
         seed=seed,
         limits=tuple(limit for limit, _ in allowed),
         parameters=varied,
@@ -119,6 +118,7 @@ def workspace(
         mode=mode,
         engine=engine,
     )
+    check_numbers(plan, processes)
     made = prepare_sweep(plan)
     check_drawn(plan, made.model.mechanism)
     pieces = dict(run_locally(plan, range(plan.chunks), processes))
