@@ -385,12 +385,23 @@ def all_reactions(equations: Equations, u: Sequence[Node]) -> tuple[Port, list[o
     system, reactions = equations.system, equations.reactions(u)
     notes = []
     if reactions.free:
+        loads = f"{reactions.free} internal load{'s' * (reactions.free != 1)}"
         notes.append(
-            f"overconstrained: {reactions.free} internal loads are undetermined and take the minimum-norm values "
-            f"(moments divided by the characteristic length {system.length!r} m); not unique: "
-            + ", ".join(reactions.not_unique)
+            f"overconstrained: {loads} undetermined, minimum-norm values are taken (moments divided by the "
+            f"characteristic length {system.length!r} m); not unique: {_by_component(reactions.not_unique)}"
         )
     return reactions_port(system), in_order(system, reactions.wrenches), reactions.guards, notes
+
+
+def _by_component(labels: Sequence[str]) -> str:
+    """Components of reactions, joints that share theirs together: "fy, mx of A, B; fz of C"."""
+    of_joint: dict[str, list[str]] = {}
+    for joint, _, component in (label.rpartition(".") for label in labels):
+        of_joint.setdefault(joint, []).append(component)
+    alike: dict[str, list[str]] = {}
+    for joint, components in of_joint.items():
+        alike.setdefault(", ".join(components), []).append(joint)
+    return "; ".join(f"{components} of {', '.join(joints)}" for components, joints in alike.items())
 
 
 def reactions_port(system: System) -> Port:

@@ -114,7 +114,8 @@ class DriveStudy:
         if self.wanted.uncertain > UNKNOWN:
             return "THE SAMPLES DO NOT TELL ACCELERATIONS: smooth them, or take them more often and evenly"
         if self.difference is None:
-            return "not compared with another method: it does not know all of these effects"
+            coupled = "couplings" if self.model.mechanism.couplings else "all of these effects"
+            return f"not compared with another method: it does not know {coupled}"
         word = "agree" if self.agree else "DO NOT AGREE"
         return f"momentum screws and Newton-Euler {word}: {self.difference:.1e}"
 
