@@ -160,7 +160,7 @@ class Equations:
 
     @cached_property
     def _plain_ways(self) -> list[Balance]:
-        return self._tried(self.setting, self._wrench(self.inertia), self.forces.loads)
+        return self._tried(self.setting, self.inertial_wrenches(self.inertia), self.forces.loads)
 
     def _ways_with_bars(self, rods: Mapping[int, Rod]) -> tuple[list[Balance], list[Balance]]:
         """Balances with the hub where its coordinates put it; with it on seats, rods by their ends and by angles."""
@@ -170,8 +170,9 @@ class Equations:
             return unseated, []
         return unseated, [way for one in (*stated.by_ends(), *stated.by_angles()) for way in self._tried(*one)]
 
-    def _wrench(self, inertia: Sequence[Inertia]) -> Callable[[Link], Wrench]:
-        """The inertial wrenches of links."""
+    def inertial_wrenches(self, inertia: Sequence[Inertia]) -> Callable[[Link], Wrench]:
+        """Inertial wrenches of links with these inertias: those of the bodies as given (`forces.inertia`), which are
+        right everywhere, or the regrouped ones, which are for drives and cut joints but not inside the tree."""
 
         def wrench(link: Link) -> Wrench:
             return self.forces.inertial_wrench(link.index, inertia[link.index], self.rates)
@@ -205,21 +206,13 @@ class Equations:
         solution = self.drives(way)
         return [*solution.u, *(guard.pivot for guard in (*way.guards, *solution.guards))]
 
-    def lean_wrench(self, link: Link) -> tuple[Vector, Vector]:
-        """Inertial wrench with regrouped inertias: right for drives and cut joints, not inside the tree."""
-        return self.forces.inertial_wrench(link.index, self.inertia[link.index], self.rates)
-
-    def true_wrench(self, link: Link) -> tuple[Vector, Vector]:
-        """Inertial wrench of the bodies as given."""
-        return self.forces.inertial_wrench(link.index, self.forces.inertia[link.index], self.rates)
-
     def reactions(self, forces: Sequence[Node]) -> Reactions:
         """Reactions of all joints for given forces and torques of the drives on their joints."""
         multipliers = numeric_multipliers(self.setting, self.balance, forces)
         found = joint_wrenches(
             self.setting,
             self.system.pose,
-            wrench=self.true_wrench,
+            wrench=self.inertial_wrenches(self.forces.inertia),
             loads=self.forces.loads,
             multipliers=multipliers,
             u=forces,
