@@ -26,7 +26,6 @@ from symscrew.assembly.families import AllNumbers
 from symscrew.assembly.start_system import StartSystem, start_system
 from symscrew.assembly.what_is_held import Held, held_by, singles
 from symscrew.description import Mechanism
-from symscrew.errors import DescriptionError
 from symscrew.export import decimal, wrapped
 from symscrew.mobility import NotAlgebraicError
 
@@ -367,12 +366,3 @@ def _of_start(model: ModesModel) -> list[str]:
 
 def _pairs(values: Array) -> list[Any]:
     return list(np.stack([values.real, values.imag], axis=-1).tolist())
-
-
-def why_no_modes(mechanism: Mechanism) -> str | None:
-    """Why there is no C of a mechanism's modes, None where there is."""
-    try:
-        modes_model(mechanism)
-    except DescriptionError as error:
-        return str(error)
-    return None

@@ -111,7 +111,8 @@ def run(options: argparse.Namespace) -> int:
     with progress.step(f"write {', '.join(targets)} to {options.out}" + ", as in an earlier run" * made.earlier):
         files = write_folder(made.files, options.out)
     operations = made.facts["operations"]
-    print_text(f"{made.facts['name']}: {len(operations)} functions, {len(files)} files in {options.out}")
+    count = f"{len(operations)} function{'s' * (len(operations) != 1)}"
+    print_text(f"{made.facts['name']}: {count}, {len(files)} files in {options.out}")
     print_table(("function", "operations"), [[name, str(count)] for name, count in operations.items()])
     if made.facts["presets"]:
         print_text(f"fewer of them: {made.facts['presets']}")

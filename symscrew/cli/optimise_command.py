@@ -169,12 +169,11 @@ def joined_summary(found: JoinedPlan) -> list[str]:
         )
         link = found.links[k] if k < len(found.links) else None
         if link is not None:
-            lines.append(
-                f"  then rates {_vector(link.before)} become {_vector(link.behind)}, which takes {link.lost:.6g} J"
-            )
+            changes = _changes(part, link.before, link.behind)
+            lines.append(f"  then rates become others: {changes}, which takes {link.lost:.6g} J")
     if found.end_error is not None:
         lines.append(f"replayed from phase to phase: ends {found.end_error:.1e} from the plan")
-    done = f"{found.statistics.iterations} iterations, {found.refinements} refinements"
+    done = f"{_counted(found.statistics.iterations, 'iteration')}, {_counted(found.refinements, 'refinement')}"
     return [*lines, *found.notes, *_undefined(found.statistics), done]
 
 
@@ -186,8 +185,15 @@ def _undefined(spent: Statistics) -> list[str]:
     return [f"warnings of the solver, not finite where it went (evaluations): {named}"]
 
 
-def _vector(values: Iterable[float]) -> str:
-    return "(" + ", ".join(f"{value:.6g}" for value in values) + ")"
+def _changes(part: Trajectory, before: Iterable[float], behind: Iterable[float]) -> str:
+    """Rates of the independent coordinates before and behind a link, by name with units."""
+    units = {c.label: c.unit for c in part.model.system.tree.v}
+    rates = zip(part.model.equations.labels, before, behind, strict=True)
+    return ", ".join(f"{name} {a:.6g} to {b:.6g} {units.get(name, '')}".rstrip() for name, a, b in rates)
+
+
+def _counted(count: int, name: str) -> str:
+    return f"{count} {name}{'s' * (count != 1)}"
 
 
 def _joined_numbers(found: JoinedPlan) -> dict[str, object]:
@@ -222,6 +228,7 @@ UNSHARED = (
 def summary(found: Trajectory, again: Replay | None = None) -> list[str]:
     """The outcome in words, with a table of time."""
     from symscrew.display import aligned_table
+    from symscrew.functions import u_port
 
     lines = [f"{found.problem.name}: {found.status}"]
     if not found.ok:
@@ -232,12 +239,12 @@ def summary(found: Trajectory, again: Replay | None = None) -> list[str]:
     errors = found.errors
     lines.append(f"cost {found.cost:.10g} (estimated error {errors.cost:.1e}), duration {found.duration:.10g} s")
     lines += [f"{name} = {value:.10g}" for name, value in found.parameters.items()]
-    for k, label in enumerate(found.drive_labels):
+    for k, (label, unit) in enumerate(zip(found.drive_labels, u_port(found.model.system).units, strict=True)):
         u = found.drives_at_points[:, k]
         low, high = found.model.drive_range(label)
         near = 1e-3 * found.model.scales.u[k]
         share = 100 * float(((u < low + near) | (u > high - near)).mean())
-        lines.append(f"drive {label}: {u.min():.6g} to {u.max():.6g}, on a bound at {share:.0f} % of the points")
+        lines.append(f"drive {label}: {u.min():.6g} to {u.max():.6g} {unit}, on a bound at {share:.0f} % of the points")
     lines.append(
         f"between the points: closure {errors.closure:.1e}, dynamic error {errors.dynamic:.1e} 1/s^2 (at the end "
         f"{errors.drift:.1e}), bounds broken by at most {errors.violation:.1e} of their size; smallest pivot of the "
@@ -251,7 +258,8 @@ def summary(found: Trajectory, again: Replay | None = None) -> list[str]:
     spent = found.statistics
     lines += [*found.notes, *_undefined(spent)]
     rows = [[name, f"{seconds:.3f}", f"{spent.processor[name]:.3f}"] for name, seconds in spent.times.items()]
-    lines.append(f"{spent.iterations} iterations, {found.refinements} refinements to {len(found.mesh) - 1} intervals")
+    finer = _counted(found.refinements, "refinement")
+    lines.append(f"{_counted(spent.iterations, 'iteration')}, {finer} to {len(found.mesh) - 1} intervals")
     return [*lines, aligned_table(("part", "time [s]", "processor [s]"), rows)]
 
 

@@ -189,6 +189,8 @@ def _head(name: str, made: Proposal) -> list[str]:
     limbs, what, platform = made.limbs, plain[made.kind], made.platform
     if made.architecture is not None:
         limbs, what = made.architecture.limbs, f"the axes of {made.architecture.name}: {made.architecture.says}"
+        if made.architecture.name == limbs:
+            what = made.architecture.says
     return [
         f"# {name}: {limbs}, {what}. Everything here is a proposal to change.",
         "#",

@@ -43,11 +43,9 @@ if TYPE_CHECKING:
         RecordedMotion,
         make_page,
         open_made,
-        open_page,
         page_modes,
         read_mechanism_and_motion,
         write_made,
-        write_page,
     )
 
 __all__ = [
@@ -82,7 +80,6 @@ __all__ = [
     "modes_figure",
     "one_line",
     "open_made",
-    "open_page",
     "page_modes",
     "print_table",
     "print_text",
@@ -92,7 +89,6 @@ __all__ = [
     "show_page",
     "write_film",
     "write_made",
-    "write_page",
 ]
 
 __getattr__ = doors(__name__)

@@ -160,7 +160,7 @@ class Equations:
 
     @cached_property
     def _plain_ways(self) -> list[Balance]:
-        return self._tried(self.setting, self._wrench(self.inertia), self.forces.loads)
+        return self._tried(self.setting, self.inertial_wrenches(self.inertia), self.forces.loads)
 
     def _ways_with_bars(self, rods: Mapping[int, Rod]) -> tuple[list[Balance], list[Balance]]:
         """Balances with the hub where its coordinates put it; with it on seats, rods by their ends and by angles."""
@@ -170,8 +170,9 @@ class Equations:
             return unseated, []
         return unseated, [way for one in (*stated.by_ends(), *stated.by_angles()) for way in self._tried(*one)]
 
-    def _wrench(self, inertia: Sequence[Inertia]) -> Callable[[Link], Wrench]:
-        """The inertial wrenches of links."""
+    def inertial_wrenches(self, inertia: Sequence[Inertia]) -> Callable[[Link], Wrench]:
+        """Inertial wrenches of links with these inertias: those of the bodies as given (`forces.inertia`), which are
+        right everywhere, or the regrouped ones, which are for drives and cut joints but not inside the tree."""
 
         def wrench(link: Link) -> Wrench:
             return self.forces.inertial_wrench(link.index, inertia[link.index], self.rates)
@@ -205,21 +206,13 @@ class Equations:
         solution = self.drives(way)
         return [*solution.u, *(guard.pivot for guard in (*way.guards, *solution.guards))]
 
-    def lean_wrench(self, link: Link) -> tuple[Vector, Vector]:
-        """Inertial wrench with regrouped inertias: right for drives and cut joints, not inside the tree."""
-        return self.forces.inertial_wrench(link.index, self.inertia[link.index], self.rates)
-
-    def true_wrench(self, link: Link) -> tuple[Vector, Vector]:
-        """Inertial wrench of the bodies as given."""
-        return self.forces.inertial_wrench(link.index, self.forces.inertia[link.index], self.rates)
-
     def reactions(self, forces: Sequence[Node]) -> Reactions:
         """Reactions of all joints for given forces and torques of the drives on their joints."""
         multipliers = numeric_multipliers(self.setting, self.balance, forces)
         found = joint_wrenches(
             self.setting,
             self.system.pose,
-            wrench=self.true_wrench,
+            wrench=self.inertial_wrenches(self.forces.inertia),
             loads=self.forces.loads,
             multipliers=multipliers,
             u=forces,
@@ -385,12 +378,23 @@ def all_reactions(equations: Equations, u: Sequence[Node]) -> tuple[Port, list[o
     system, reactions = equations.system, equations.reactions(u)
     notes = []
     if reactions.free:
+        loads = f"{reactions.free} internal load{'s' * (reactions.free != 1)}"
         notes.append(
-            f"overconstrained: {reactions.free} internal loads are undetermined and take the minimum-norm values "
-            f"(moments divided by the characteristic length {system.length!r} m); not unique: "
-            + ", ".join(reactions.not_unique)
+            f"overconstrained: {loads} undetermined, minimum-norm values are taken (moments divided by the "
+            f"characteristic length {system.length!r} m); not unique: {_by_component(reactions.not_unique)}"
         )
     return reactions_port(system), in_order(system, reactions.wrenches), reactions.guards, notes
+
+
+def _by_component(labels: Sequence[str]) -> str:
+    """Components of reactions, joints that share theirs together: "fy, mx of A, B; fz of C"."""
+    of_joint: dict[str, list[str]] = {}
+    for joint, _, component in (label.rpartition(".") for label in labels):
+        of_joint.setdefault(joint, []).append(component)
+    alike: dict[str, list[str]] = {}
+    for joint, components in of_joint.items():
+        alike.setdefault(", ".join(components), []).append(joint)
+    return "; ".join(f"{components} of {', '.join(joints)}" for components, joints in alike.items())
 
 
 def reactions_port(system: System) -> Port:

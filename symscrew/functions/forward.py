@@ -196,7 +196,12 @@ def _wrenches(system: System, effects: Sequence[Effect]) -> Function:
     symbols = [tape.symbol(f"multiplier_{i}", unit, f"multiplier {i + 1}") for i, unit in enumerate(units)]
     known = {label: {ONE: symbol} for label, symbol in zip(labels, symbols, strict=True)}
     found = joint_wrenches(
-        setting, system.pose, wrench=equations.true_wrench, loads=equations.forces.loads, multipliers=known, u=u
+        setting,
+        system.pose,
+        wrench=equations.inertial_wrenches(equations.forces.inertia),
+        loads=equations.forces.loads,
+        multipliers=known,
+        u=u,
     )
     at_points = {joint.joint: joint.columns.get(ONE, (ZERO, ZERO)) for joint in found}
     absolute = {joint.joint: at_origin(joint.pose, *at_points[joint.joint]) for joint in found}

@@ -101,7 +101,7 @@ def compare(case: Case) -> Iterator[Finding]:
 
 
 def _results(source: Path | Model) -> Evaluate:
-    compiled = runtime.load(source, backend="c", flags=("-ffp-contract=off", "-O1", *STRICT), trusted=True)
+    compiled = runtime.load(source, backend="c", flags=("-ffp-contract=off", QUICK, *STRICT), trusted=True)
 
     def evaluate(name: str, inputs: Sequence[np.ndarray]) -> Results:
         function = compiled[name]

@@ -14,7 +14,6 @@ from symscrew.kinematics.body_pose import (
     half_turn,
     pose_read,
     pose_rows,
-    rotation_of,
     rotation_vector,
 )
 from symscrew.kinematics.closure_jacobian import ClosureJacobian
@@ -118,7 +117,6 @@ __all__ = [
     "quaternion_matrix",
     "rates",
     "regrouped",
-    "rotation_of",
     "rotation_vector",
     "spanning_tree",
     "squared_length",

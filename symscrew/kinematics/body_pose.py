@@ -152,19 +152,6 @@ def rotation_vector(r: Any, arithmetic: Arithmetic) -> list[Number]:
     return [factor * c for c in half]
 
 
-def rotation_of(vector: tuple[float, float, float]) -> list[list[float]]:
-    """The rotation matrix of a rotation vector [rad]."""
-    angle = math.sqrt(sum(c * c for c in vector))
-    x, y, z = (c / angle if angle > 0 else 0.0 for c in vector)
-    c, s = math.cos(angle), math.sin(angle)
-    v = 1 - c
-    return [
-        [c + x * x * v, x * y * v - z * s, x * z * v + y * s],
-        [y * x * v + z * s, c + y * y * v, y * z * v - x * s],
-        [z * x * v - y * s, z * y * v + x * s, c + z * z * v],
-    ]
-
-
 def pose_read(r: Any, t: Any, arithmetic: Arithmetic) -> dict[str, Number]:
     """Every part of a pose by name [m, rad]: what `pose_rows` takes."""
     found = dict(zip(AXES, t, strict=True))

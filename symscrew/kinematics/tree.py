@@ -15,15 +15,17 @@ from functools import cached_property
 import sympy
 
 from symscrew.description import NO_MOTION, Joint, Mechanism, Motion, Vector
-from symscrew.kinematics.kept_joints import SAME_DIRECTION, keeping
+from symscrew.errors import DescriptionError
+from symscrew.kinematics.kept_joints import SAME_DIRECTION, Reached, keeping
 from symscrew.kinematics.pairs import LowerPair, pair_of
 from symscrew.kinematics.parameter_trials import always_below
 
 GROUND = 0  # index of the ground among the links: the first of them, which all others hang on
 
 LIMBS_OF_HUB = 3
-"""Joints that meet at a platform from which on it hangs on a joint of its own: its limbs are chains of their own then,
-and only its own equations couple them. With two limbs a single loop through the platform has fewer coordinates."""
+"""Limbs from the ground that meet at a platform from which on it hangs on a joint of its own: they are chains of their
+own then, and only its own equations couple them. With two limbs a single loop through the platform has fewer
+coordinates. What the platform carries, a gripper's jaws, is no limb."""
 
 SPATIAL_PATH, PLANAR_PATH = 5, 3
 """Freedoms of the shortest path to the platform from which on a free joint (six freedoms), or in a planar mechanism a
@@ -143,14 +145,13 @@ def spanning_tree(mechanism: Mechanism, read: Collection[str] = (), kept: Collec
     need coordinates of their own, as those with stops and friction that events switch.
     """
     virtual = virtual_joint(mechanism)
-    joints = dict(mechanism.joints)
-    if virtual is not None:
-        joints[virtual.name] = virtual
-    reached = _grow(mechanism, joints, virtual)
-    coupled = {*kept, *(term.joint for coupling in mechanism.couplings.values() for term in coupling.terms)}
-    reached = keeping(
-        mechanism, joints, reached, read=read, coupled=coupled, grow=lambda some: _grow(mechanism, some, virtual)
-    )
+    try:
+        joints, reached = _kept_tree(mechanism, virtual, read, kept)
+    except DescriptionError:
+        if virtual is None:
+            raise
+        virtual = None  # a limb all of whose joints must stay: it carries the platform itself, and another one is cut
+        joints, reached = _kept_tree(mechanism, virtual, read, kept)
     tree_joints = {name for name, _ in reached.values()}
     order = [j for j in joints.values() if j.name in tree_joints]
     coordinates = _coordinates(order)
@@ -163,6 +164,20 @@ def spanning_tree(mechanism: Mechanism, read: Collection[str] = (), kept: Collec
         q=tuple(c for joint in order for c in coordinates[joint.name][0]),
         v=tuple(c for joint in order for c in coordinates[joint.name][1]),
         virtual=virtual.name if virtual else None,
+    )
+
+
+def _kept_tree(
+    mechanism: Mechanism, virtual: Joint | None, read: Collection[str], kept: Collection[str]
+) -> tuple[dict[str, Joint], Reached]:
+    """All joints, and the tree that has those which must stay; its platform hangs on `virtual` where that is one."""
+    joints = dict(mechanism.joints)
+    if virtual is not None:
+        joints[virtual.name] = virtual
+    coupled = {*kept, *(term.joint for coupling in mechanism.couplings.values() for term in coupling.terms)}
+    grown = _grow(mechanism, joints, virtual)
+    return joints, keeping(
+        mechanism, joints, grown, read=read, coupled=coupled, grow=lambda some: _grow(mechanism, some, virtual)
     )
 
 
@@ -209,7 +224,8 @@ def virtual_joint(mechanism: Mechanism) -> Joint | None:
     platform = mechanism.platform
     if platform is None or platform == mechanism.ground:
         return None
-    meeting = [j for j in mechanism.joints.values() if platform in (j.parent, j.child)]
+    held = _held(mechanism, platform)
+    meeting = [j for j in mechanism.joints.values() if platform in (j.parent, j.child) and {j.parent, j.child} & held]
     reached = _grow(mechanism, dict(mechanism.joints), None)
     freedoms, length, body = 0, 0, platform
     while body != mechanism.ground:
@@ -229,6 +245,20 @@ def virtual_joint(mechanism: Mechanism) -> Joint | None:
     if freedoms >= PLANAR_PATH and normal is not None:
         return Joint(name, "E", mechanism.ground, platform, point, axes=(normal,))
     return None
+
+
+def _held(mechanism: Mechanism, platform: str) -> set[str]:
+    """Bodies that the ground reaches without the platform: what a limb goes through. A gripper's jaws are none."""
+    held, waiting = {mechanism.ground}, [mechanism.ground]
+    while waiting:
+        body = waiting.pop()
+        for joint in mechanism.joints.values():
+            if body in (joint.parent, joint.child):
+                far = joint.child if joint.parent == body else joint.parent
+                if far != platform and far not in held:
+                    held.add(far)
+                    waiting.append(far)
+    return held
 
 
 def _common_normal(mechanism: Mechanism) -> Vector | None:

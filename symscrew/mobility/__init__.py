@@ -67,6 +67,7 @@ if TYPE_CHECKING:
         mobility_text,
         mobility_values,
         sections,
+        signs_ahead,
     )
     from symscrew.mobility.finite import ClosureVariety, moved
     from symscrew.mobility.instantaneous import BodyFreedoms, LimbMobility
@@ -175,6 +176,7 @@ __all__ = [
     "sampled_modes",
     "screw_class",
     "sections",
+    "signs_ahead",
     "space_lines",
     "space_values",
     "targets_of",

@@ -320,10 +320,10 @@ class Mobility:
         found = singularities(self.mechanism, reached, work=work)
         if found.margins is None:
             return found
-        kept = self.decisions.singular_values[0]
+        without, kept = self.dof - len(self.network.driven), self.decisions.singular_values[0]
         finite, almost = self.finite, kept if kept < NEARLY_SINGULAR else None
         fewer = (self.dof, finite.dof) if finite.dof is not None and finite.dof < self.dof else None
-        known = (undriven_freedoms(self.network), lone_pairs(self.network), finite.smooth, almost, fewer)
+        known = (undriven_freedoms(self.network), lone_pairs(self.network), finite.smooth, almost, fewer, without)
         ranks = Ranks(self.limbs, self.dof_drives_locked, *known)
         return replace(found, margins=tuple(with_rank(margin, ranks) for margin in found.margins))
 

@@ -108,7 +108,7 @@ def _displaced(found: Mobility) -> list[Check]:
         for k, (symbol, joint) in enumerate(zip(pose.displacements, pose.of, strict=True), start=1):
             edge, _, index = joint.partition(".")
             column = network.edges[edge].motions[int(index or 0)][1]
-            size = sympy.Rational(k, 5) * (sympy.Rational(1, 4) if symbol.name.startswith("p") else 1)
+            size = sympy.Rational(k, 5) * (sympy.Rational(1, 4) if symbol.name.startswith("d") else 1)
             values[symbol] = size
             exact = CONTEXT.mpf(int(size.p)) / int(size.q)
             q[column] = exact / network.length if network.edges[edge].motions[int(index or 0)][0].prismatic else exact

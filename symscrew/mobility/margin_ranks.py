@@ -14,7 +14,8 @@ class Ranks:
 
     `alone`: how many of these are of links that move alone between two joints; `pairs`: all such pairs of joints;
     `smooth`: whether the closure keeps its rank around the configuration; `almost`: its smallest singular value that
-    is not zero as typed, where that is almost zero; `freedoms`: instantaneous ones and real ones where these are fewer.
+    is not zero as typed, where that is almost zero; `freedoms`: instantaneous ones and real ones where these are fewer;
+    `without_drive`: by how many there are more freedoms than drives.
     """
 
     limbs: tuple[LimbMobility, ...]
@@ -24,6 +25,7 @@ class Ranks:
     smooth: bool
     almost: float | None
     freedoms: tuple[int, int] | None = None
+    without_drive: int = 0
 
 
 def with_rank(margin: MarginValue, ranks: Ranks) -> MarginValue:
@@ -39,6 +41,10 @@ def with_rank(margin: MarginValue, ranks: Ranks) -> MarginValue:
     if margin.kind == "actuation" and margin.name == "all drives" and ranks.left is not None:
         if ranks.left <= ranks.alone:
             return replace(margin, regular=True)
+        if ranks.left == ranks.without_drive:  # every drive holds one: there are too few of them
+            more = margin.meaning.replace("a freedom is left", "a freedom more is left")
+            count = f"{ranks.left} freedom{'s' * (ranks.left > 1)} without a drive"
+            return replace(margin, note=count, underactuated=True, meaning=more)
         text = f"{ranks.left} freedom{'s' * (ranks.left > 1)} left with all drives locked here"
         return replace(margin, note=f"{text}, {ranks.alone} of them of links that move alone" if ranks.alone else text)
     if margin.kind == "constraint":

@@ -78,6 +78,8 @@ class MarginValue:
     """Whether the rank was decided to be full here, so that a small value is not zero."""
     almost: str = ""
     """That a rank is almost lost as typed: the value may be the volume of what is left without it."""
+    underactuated: bool = False
+    """Whether `note` tells freedoms that have no drive because there are fewer drives than freedoms: no singularity."""
 
     @property
     def nearest(self) -> Displaced | None:
@@ -92,7 +94,7 @@ class MarginValue:
     @property
     def singular(self) -> bool:
         """Whether the configuration is singular in this sense."""
-        return bool(self.note) or (self.vanishes and not self.regular)
+        return (bool(self.note) and not self.underactuated) or (self.vanishes and not self.regular)
 
 
 @dataclass(frozen=True)
@@ -184,6 +186,8 @@ def as_lines(found: Singularities) -> list[str]:
 def _value(m: MarginValue) -> str:
     if m.note and abs(m.value) < SINGULAR:  # all of its sample states may be singular, and its size rounding
         return f"SINGULAR here: {m.note}"
+    if m.underactuated and not m.vanishes:
+        return f"underactuated, {m.note}, so this is the volume of what the drives hold, {m.value:.6g}"
     if m.note and not m.vanishes:
         lost = "architecturally SINGULAR" if m.kind == "actuation" else "SINGULAR all along"
         return f"{lost}: {m.note}, so this is the volume of what is left, {m.value:.6g}"

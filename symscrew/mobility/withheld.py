@@ -8,6 +8,6 @@ WITHDRAWN = {
 }
 """Statement that falls with a failed check -> what is said instead of it."""
 NOT_ALONE = "no symbols: other bodies or loops than its limbs, side by side, carry it"
-TIED = "no symbols: couplings of coordinates are not sines and cosines of them"
+TIED = "no symbols: gears and tendons couple the angles themselves, not their sines and cosines"
 AS_MEANT = "no symbols: the geometry meant was solved for in numbers of 60 digits"
 SOLVED_FOR = "the geometry meant was solved for in 60 digits"

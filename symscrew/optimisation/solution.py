@@ -183,7 +183,7 @@ def _accurate(
 ) -> Trajectory:
     """The optimum on a mesh that is fine enough, as far as it is found and stays on its branch."""
     model = PointModel(problem, found.model.equations, found.guess.scales)
-    say(f"model: {model.d} independent coordinates {', '.join(model.equations.labels)}")
+    say(f"model: independent coordinates {', '.join(model.equations.labels)}")
     trajectory = _once(model, found.guess, warm=warm, say=say, began=began, until=until)
     part = 0.0
     if warm is None and can_break_ties(trajectory) and time.perf_counter() < until:

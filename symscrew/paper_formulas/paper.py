@@ -31,6 +31,16 @@ HEAD = r"""\documentclass[11pt]{article}
 \begin{document}
 """
 
+NOTATION = (
+    r"Screws stand at the origin $O$ in absolute axes. $\boldsymbol{S}_{ik} = (\boldsymbol{\omega}; \boldsymbol{v}_O)$ "
+    "is the unit screw of freedom $k$ of limb $i$, counted from the base: "
+    r"$(\boldsymbol{e}; \boldsymbol{r} \times \boldsymbol{e})$ of a rotation about $\boldsymbol{e}$ through "
+    r"$\boldsymbol{r}$, $(\boldsymbol{0}; \boldsymbol{e})$ of a translation. A wrench is "
+    r"$(\boldsymbol{f}; \boldsymbol{m}_O)$; it is reciprocal to a twist where "
+    r"$\boldsymbol{f} \cdot \boldsymbol{v}_O + \boldsymbol{m}_O \cdot \boldsymbol{\omega} = 0$."
+)
+"""What every formula rests on."""
+
 
 @dataclass(frozen=True, repr=False)
 class Paper:
@@ -60,7 +70,8 @@ class Paper:
                 lines.append(rf"\par\noindent {said}.")
             lines += [rf"\begin{{equation*}}{chr(10)}{f.text}{chr(10)}\end{{equation*}}" for f in part.formulas]
         body = "\n".join(lines) + "\n"
-        return f"{HEAD}{body}\\end{{document}}\n" if document else body
+        title = rf"\section*{{Formulas of {_text(self.mechanism.name)}}}"
+        return f"{HEAD}{title}\n{body}\\end{{document}}\n" if document else body
 
     def save(self, path: str | Path, *, document: bool = False) -> Path:
         """Write a .tex file. Raises DescriptionError where the name ends in something else."""
@@ -97,7 +108,7 @@ def paper_formulas(mechanism: Mechanism) -> Paper:
     """
     lengths = Lengths(mechanism)
     limbs = limbs_of(mechanism)
-    parts: list[Part] = []
+    parts: list[Part] = [Part("Notation", NOTATION)]
     if lengths.geometric:
         symbols = {
             lengths.names[lengths.positive.get(p.symbol, p.symbol)]: f"{p.description or p.name} [{p.unit}]"

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from symscrew.doors import doors
 
 if TYPE_CHECKING:
-    from symscrew.studies.bill_of_effects import BILLED_FUNCTIONS, Bill, bill_figure, bill_table, bill_text, scene_bill
+    from symscrew.studies.bill_of_effects import BILLED_FUNCTIONS, Bill, bill_figure, bill_table, scene_bill
     from symscrew.studies.this_machine import machine
     from symscrew.studies.timing import Times, time_every_function
 
@@ -17,7 +17,6 @@ __all__ = [
     "Times",
     "bill_figure",
     "bill_table",
-    "bill_text",
     "machine",
     "scene_bill",
     "time_every_function",

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from symscrew.description import Mechanism, exact
-from symscrew.display import Progress, aligned_table
+from symscrew.display import Progress
 from symscrew.effects import Acting, Effect, simplifications, type_name
 from symscrew.errors import DescriptionError
 from symscrew.kinematics import System
@@ -360,11 +360,6 @@ def _compiled(model: Model) -> CompiledModel:
 
 
 # -- output -------------------------------------------------------------------------------------------
-
-
-def bill_text(found: Bill) -> str:
-    """The bill as a table in Markdown, with its notes."""
-    return "\n".join([aligned_table(*bill_table(found)), *found.notes])
 
 
 def bill_table(found: Bill) -> tuple[list[str], list[list[str]]]:

@@ -50,13 +50,13 @@ def forces(mechanism: Mechanism, effects: Sequence[Effect]) -> tuple[list[np.nda
     system = System(mechanism)
     system.use_samples()
     equations = Equations(system, effects)
-    setting, loads = equations.setting, equations.forces.loads
-    carried = carried_wrenches(setting, equations.lean_wrench, loads)
+    setting, loads, wrench = equations.setting, equations.forces.loads, equations.inertial_wrenches(equations.inertia)
+    carried = carried_wrenches(setting, wrench, loads)
     ways = [
         way
         for known in ({}, carried)
         for last in (False, True)
-        for way in balances(setting, equations.lean_wrench, loads, drives_last=last, carried=known)
+        for way in balances(setting, wrench, loads, drives_last=last, carried=known)
     ]
     found = [np.array([system.tape.sample(u) for u in equations.drives(way).u]) for way in ways]
     return found, {system.tree.links[k].joint for k in carriers(setting)}

@@ -13,7 +13,8 @@ import subprocess
 import sys
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
+from types import SimpleNamespace
+from typing import Any, cast
 
 import numpy as np
 import pytest
@@ -22,7 +23,15 @@ from symscrew import catalogue
 from symscrew.cli.parser import main
 from symscrew.description.builder import MechanismBuilder
 from symscrew.description.mechanism import Mechanism
-from symscrew.mobility import Connections, analyse_mobility, check_ways, connection_lines, judged_connections
+from symscrew.mobility import (
+    Connections,
+    analyse_mobility,
+    check_ways,
+    connection_lines,
+    connection_values,
+    judged_connections,
+    network_of,
+)
 from symscrew.mobility.proofs import described, digest, proof_checker, way_checker, way_proofs
 from symscrew.mobility.proofs.proof_checker import RefusedError, UnreadableError
 
@@ -208,6 +217,15 @@ def test_what_no_tube_can_certify_is_sampled_with_the_reason() -> None:
         "the displaced configuration has no exact coordinates",
     )
     assert "sampled (the displaced configuration" in connection_lines(found)[2]
+
+
+def test_drives_are_called_by_their_joints_and_of_several_freedoms_by_which() -> None:
+    builder = MechanismBuilder("wrist", platform="hand").body("arm").body("hand")
+    builder.joint("shoulder", "R", parent="base", child="arm", point=[0, 0, 0], axes=[[0, 1, 0]], driven=True)
+    builder.joint("wrist", "U", parent="arm", child="hand", point=[1, 0, 0], axes=[[0, 1, 0], [0, 0, 1]], driven=[1])
+    network = network_of(builder.build())
+    found = SimpleNamespace(network=network, found=SimpleNamespace(drives=network.driven, modes=()))
+    assert connection_values(cast(Connections, found))["drives"] == ["shoulder", "wrist.1"]
 
 
 def test_the_command_writes_ways_that_the_checkers_judge_alone(

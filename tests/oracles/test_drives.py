@@ -12,7 +12,7 @@ import sympy
 from support.model_states import model
 
 from symscrew.cli.parser import main
-from symscrew.description import parse_description
+from symscrew.description import MechanismBuilder, parse_description
 from symscrew.display.view import read_motion
 from symscrew.effects import DcMotor, DryFriction
 from symscrew.errors import DescriptionError
@@ -387,3 +387,17 @@ def test_a_file_of_a_spreadsheet_may_begin_with_a_mark(rod, tmp_path: Path) -> N
     rows = "\n".join(f"{0.01 * k:.17g},{np.sin(0.01 * k):.17g}" for k in range(20))
     file.write_text("\ufefft,pivot\n" + rows, encoding="utf-8")
     assert load_motion(file, rod).names == ("pivot",)
+
+
+@pytest.mark.parametrize(("more", "compared"), [({}, True), ({"twice": {"terms": {"A": 2, "B": 4}}}, False)])
+def test_drives_through_gears_are_compared_where_these_share_nothing(more: dict[str, object], compared: bool) -> None:
+    builder = MechanismBuilder("gears")
+    for k, name in enumerate("AB"):
+        builder.body(f"wheel_{name}", mass=1, com=[k, "1/50", "1/100"], inertia=["1/1000", "1/500", "1/1000"])
+        axis = [[0, f"{3 * k}/5", "4/5" if k else 1]]
+        builder.joint(name, "R", parent="base", child=f"wheel_{name}", point=[k, 0, 0], axes=axis, driven=not k)
+    for name, coupling in ({"gears": {"terms": {"A": 1, "B": 2}}} | more).items():
+        builder.coupling(name, **coupling)
+    found = drives(builder.build(), {"A": "0.4*sin(2*t)"}, duration=0.2)
+    assert (found.difference is not None) == compared and found.ok
+    assert not compared or found.difference < 1e-9

@@ -159,9 +159,9 @@ def test_a_rod_of_a_length_that_is_a_parameter_is_looked_at_with_its_value() -> 
     pose = limb_pose(made, "limb")
     assert isinstance(pose, LimbPose)
     (length,) = [locus.expression for locus in pose.loci if locus.kind == "limb"]
-    assert {str(s) for s in length.free_symbols} == {"L", "p_3"}
+    assert {str(s) for s in length.free_symbols} == {"L", "d_3"}
     at = dict(pose.further)
-    assert abs(at[sympy.Symbol("p_3", real=True)] + 0.5) > 1e-3
+    assert abs(at[sympy.Symbol("d_3", real=True)] + 0.5) > 1e-3
     angles = [at[s] for s in pose.displacements if str(s).startswith("theta")]
     assert all(abs(abs(x) - np.pi / 2) < 1e-6 for x in angles)  # first and last axis along the rod
 

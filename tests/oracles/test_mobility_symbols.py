@@ -68,7 +68,7 @@ def test_andrews_begins_at_a_dead_point() -> None:
 
 
 def test_the_papers_limb_at_any_angle() -> None:
-    """(13) with L + p_3 for L and theta + theta_2 for theta; the fourth angle turns the force about the leg's end."""
+    """(13) with L + d_3 for L and theta + theta_2 for theta; the fourth angle turns the force about the leg's end."""
     pose = limb_pose(inclined(), "limb1")
     assert isinstance(pose, LimbPose) and pose.carried_by.startswith("limb1_U")
     second, slider, fourth = pose.displacements

@@ -15,7 +15,7 @@ from support.recorded_motion import recorded
 
 from symscrew.display import make_page, page_modes
 from symscrew.display.view.motion_file import read_motion
-from symscrew.display.view.page import write_made, write_page
+from symscrew.display.view.page import write_made
 
 selenium = pytest.importorskip("selenium", reason='needs selenium: pip install ".[browser]"')
 from PIL import Image  # noqa: E402
@@ -119,15 +119,15 @@ def files(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], Path]:
         path = folder / f"{name}.html"
         if not path.exists():
             if name == "limited":
-                write_page(model("delta"), path, limits={"arm1_R": (-0.4, 0.5)})
+                write_made(make_page(model("delta"), limits={"arm1_R": (-0.4, 0.5)}), path)
             elif name == "run":
                 np.savez(folder / "run.npz", **recorded())
-                write_page(model("three_ups_upu_s"), path, read_motion(folder / "run.npz"))
+                write_made(make_page(model("three_ups_upu_s"), read_motion(folder / "run.npz")), path)
             elif name == "modes":
                 found = model("four_bar")
                 write_made(make_page(found, modes=page_modes(found)), path)
             else:
-                write_page(model(name), path)
+                write_made(make_page(model(name)), path)
         return path
 
     return file

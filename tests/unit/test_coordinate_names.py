@@ -24,7 +24,6 @@ from symscrew.kinematics import (
     pose_read,
     pose_rows,
     quaternion_entry,
-    rotation_of,
     tree_label,
 )
 
@@ -117,13 +116,15 @@ def test_poses_in_every_form_are_what_another_library_says() -> None:
 def test_rows_of_a_pose_are_zero_at_what_is_read_from_it() -> None:
     """In sixty digits, for whole poses given in each of the three ways; elsewhere a row is not."""
     for vector in ((0.3, -0.2, 0.5), (0.0, 0.0, 0.0), (0.0, 1e-8, 0.0)):
-        r = [[CONTEXT.mpf(c) for c in row] for row in rotation_of(vector)]
+        r = [[CONTEXT.mpf(c) for c in row] for row in Rotation.from_rotvec(vector).as_matrix()]
         t = [CONTEXT.mpf(c) for c in (0.1, 0.2, -0.3)]
         read = pose_read(r, t, CONTEXT)
         for parts in (("roll", "pitch", "yaw"), ("rx", "ry", "rz"), ("tilt", "azimuth", "torsion"), ("x", "y", "z")):
             rows = pose_rows({p: read[p] for p in parts}, CONTEXT, CONTEXT.tan)
             assert len(rows) == 3 and all(abs(row.of(r, t) - row.goal) < 1e-15 for row in rows)
-            other = [[CONTEXT.mpf(c) for c in row] for row in rotation_of((vector[0] + 0.1, 0.1, 0.2))]
+            other = [
+                [CONTEXT.mpf(c) for c in row] for row in Rotation.from_rotvec((vector[0] + 0.1, 0.1, 0.2)).as_matrix()
+            ]
             assert max(abs(row.of(other, [2 * c for c in t]) - row.goal) for row in rows) > 1e-3
     for given, text in (({"azimuth": 1.0}, "give the tilt too"), ({"tilt": 3.2}, "less than half a turn")):
         with pytest.raises(DescriptionError, match=text):

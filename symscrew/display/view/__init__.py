@@ -7,7 +7,7 @@ from symscrew.doors import doors
 if TYPE_CHECKING:
     from symscrew.display.view.mode_chooser import page_modes
     from symscrew.display.view.motion_file import RecordedMotion, read_mechanism_and_motion, read_motion
-    from symscrew.display.view.page import Limits, Pictures, make_page, open_made, open_page, write_made, write_page
+    from symscrew.display.view.page import Limits, Pictures, make_page, open_made, write_made
     from symscrew.display.view.page_data import page_scene
 
 __all__ = [
@@ -16,13 +16,11 @@ __all__ = [
     "RecordedMotion",
     "make_page",
     "open_made",
-    "open_page",
     "page_modes",
     "page_scene",
     "read_mechanism_and_motion",
     "read_motion",
     "write_made",
-    "write_page",
 ]
 
 __getattr__ = doors(__name__)

@@ -68,21 +68,9 @@ def make_page(
     return re.sub(r"<!-- insert (\w+) -->", lambda found: parts[found.group(1)], _file("page", "page.html"))
 
 
-def write_page(
-    model: Model, path: str | Path, motion: RecordedMotion | None = None, limits: Limits | None = None
-) -> Path:
-    """Write the page of a model; the file is there whole or not at all. Raises OSError where it cannot be written."""
-    return write_made(make_page(model, motion, limits), path)
-
-
 def write_made(page: str, path: str | Path) -> Path:
     """Write a page that is made; the file is there whole or not at all. Raises OSError where it cannot be written."""
     return replaced(Path(path), lambda part: part.write_text(page, encoding="utf-8"))
-
-
-def open_page(model: Model, motion: RecordedMotion | None = None, limits: Limits | None = None) -> Path:
-    """Write the page into a new temporary directory and open it in the browser, if there is one."""
-    return open_made(make_page(model, motion, limits), model.name)
 
 
 def open_made(page: str, name: str) -> Path:

@@ -191,12 +191,12 @@ def _drives(model: Model) -> list[dict[str, Any]]:
 def _independent(model: Model) -> list[dict[str, Any]]:
     """The independent coordinates y: entry of q, kind, for a quaternion's component where it starts, what they move.
 
-    `axis`: of the platform's free motion and of rotation vectors, x, y or z.
+    `axis`: of free joints, of the platform's own motion and of rotation vectors, x, y or z.
     """
     tree = model.system.tree
     at = {c.label: k for k, c in enumerate(tree.q)}
     pose = {k.q.start: "xyz"[k.motion.axis or 0] for k in tree.links[1:]
-            if k.motion.prismatic and k.joint not in model.mechanism.joints}  # fmt: skip
+            if k.motion.prismatic and (tree.joints[k.joint].kind.unconstrained or k.joint == tree.virtual)}  # fmt: skip
     result = []
     for label in next(p for p in model.programs["velocity"].inputs if p.name == "y_dot").labels:
         entry = at[label]

@@ -210,7 +210,8 @@ def _displaced(found: Mobility, limb: str) -> list[str]:
 
 
 def _displacement(value: float, *, turns: bool) -> str:
-    return f"{np.degrees(value):.4g} deg" if turns else f"{1000 * value:.4g} mm"
+    shown = round(float(np.degrees(value)) if turns else 1000 * value, 9) + 0.0  # what was looked for in doubles
+    return f"{shown:.4g} {'deg' if turns else 'mm'}"
 
 
 def _motions(found: Mobility) -> list[str]:

@@ -35,9 +35,30 @@ def _long(expression: sympy.Expr) -> set[sympy.Rational]:
     return {n for n in expression.atoms(sympy.Rational) if max(abs(n.p), n.q) > LONGEST_NUMBER}
 
 
+def signs_ahead(expression: sympy.Expr) -> sympy.Expr:
+    """The same with minus signs in front of products, where sums within them then have fewer, or begin without one.
+
+    >>> R, r, s = sympy.symbols("R r s")
+    >>> signs_ahead(R - s * (-R + r)), signs_ahead((-R + r) * (-r - s))
+    (R + s*(R - r), (R - r)*(r + s))
+    """
+
+    def negative(total: sympy.Expr) -> bool:
+        minus = [term.could_extract_minus_sign() for term in total.as_ordered_terms()]
+        return bool((2 * sum(minus), minus[0]) > (len(minus), False))
+
+    def ahead(product: sympy.Expr) -> sympy.Expr:
+        turned = [f.is_Add and negative(f) for f in product.args]
+        factors = [-f if turn else f for f, turn in zip(product.args, turned, strict=True)]
+        return sympy.Mul((-1) ** sum(turned), *factors)
+
+    return expression.replace(lambda e: e.is_Mul and any(f.is_Add for f in e.args), ahead)
+
+
 def presentable(expression: sympy.Expr) -> sympy.Expr:
-    """The expression as it is shown: numbers with many digits as decimals."""
+    """The expression as it is shown: numbers with many digits as decimals, signs in front."""
     long = {n: sympy.Float(n, 6) for n in _long(expression)}
+    expression = signs_ahead(expression)
     if not long:
         return expression
     shown = expression.xreplace(long)

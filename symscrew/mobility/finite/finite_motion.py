@@ -158,11 +158,12 @@ def _by_reduced_closure(network: Network, motions: Sequence[Screw], dof: int) ->
         if largest > ROUNDED:
             _confirmed_by_series(network, motions, largest)
         step = max(trial.step for trial in trials)
+        along = "the instantaneous freedom" if dof == 1 else f"all {dof} instantaneous freedoms"
         return _smooth(
             network,
             dof,
             f"all loops close in 60 digits (residual {largest:.0e}) after {len(trials)} random finite motions "
-            f"of size {step:g} along all {dof} instantaneous freedoms: the redundant equations vanish identically",
+            f"of size {step:g} along {along}: the redundant equations vanish identically",
             proved=False,
         )
     text = _missed(trials)

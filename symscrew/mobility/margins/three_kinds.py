@@ -175,7 +175,7 @@ def limbs(system: System) -> dict[str, tuple[str, ...]]:
     owner = {k: link.joint for link in tree.links[1:] for k in range(link.v.start, link.v.stop)}
     chains = {}
     for cut, private in zip(system.cuts, closure.private, strict=True):
-        if private:
+        if private and cut.is_joint:  # gears and rolling hold no chain together whose screws could become dependent
             chains[cut.joint.name] = (*dict.fromkeys(owner[k] for k in private), cut.joint.name)
     return chains
 

@@ -129,7 +129,7 @@ def rounded_axis(joints: Iterable[Joint], mechanism: Mechanism) -> str:
 def _symbols(mechanism: Mechanism, inner: Sequence[_Freedom]) -> list[sympy.Symbol]:
     symbols = []
     for k, freedom in enumerate(inner, start=2):
-        name = f"{'p' if freedom.motion.prismatic else 'theta'}_{k}"
+        name = f"{'d' if freedom.motion.prismatic else 'theta'}_{k}"
         while name in mechanism.parameters:
             name += "_"
         symbols.append(sympy.Symbol(name, real=True))

@@ -6,7 +6,7 @@ motion --following--> q, v, a --generated functions--> everything over time --Ne
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
 
@@ -115,7 +115,11 @@ class DriveStudy:
         if self.wanted.uncertain > UNKNOWN:
             return "THE SAMPLES DO NOT TELL ACCELERATIONS: smooth them, or take them more often and evenly"
         if self.difference is None:
-            return "not compared with another method: it does not know all of these effects"
+            return (
+                "not compared with another method: it does not know all of these effects"
+                if not self.model.mechanism.couplings
+                else "not compared with another method: it does not know all of these effects, or couplings share loads"
+            )
         word = "agree" if self.agree else "DO NOT AGREE"
         return f"momentum screws and Newton-Euler {word}: {self.difference:.1e}"
 
@@ -274,14 +278,15 @@ def _difference(
     reactions: Array,
     points: Array,
 ) -> float | None:
-    """Difference from Newton-Euler by the largest drive, force and moment; None for effects it does not know.
+    """Difference from Newton-Euler by the largest drive, force and moment; None for effects that it does not know, and
+    where nothing determines the forces of couplings.
 
     Of an overconstrained mechanism internal loads are left out of the difference, for nothing determines them; instead
     the reactions must have no part along them, which makes them those of least norm.
     """
     gravity = [e for e in model.effects if isinstance(e, Gravity)]
     others = [e for e in model.effects if not isinstance(e, Gravity) and getattr(e, "point", None) not in wanted.loads]
-    if others or len(gravity) > 1 or model.mechanism.couplings:
+    if others or len(gravity) > 1:
         return None
     motion = Motion(wanted.t, followed.q, followed.v, followed.a, np.zeros((len(wanted.t), 6)), 0.0, 0.0)
     states = body_states(model, functions, motion)
@@ -297,6 +302,10 @@ def _difference(
         loads[point.body] = loads.get(point.body, 0.0) + np.concatenate([wrench[:, :3], moment], axis=1)
     fall = [float(x) for x in gravity[0].exact] if gravity else (0.0, 0.0, 0.0)
     other = newton_euler(model.mechanism, states, gravity=fall, loads=loads)
+    if model.mechanism.couplings:  # where forces of couplings are among internal loads, norms of reactions alone differ
+        alone = newton_euler(replace(model.mechanism, couplings={}), states, gravity=fall, loads=loads)
+        if (alone.reaction_redundancy != other.reaction_redundancy).any():
+            return None
     expected = np.stack([other.reactions[name] for name in model.mechanism.joints], axis=-1)
     length = model.system.length  # so that moments that are rounding are held against the forces that make it
     force = float(np.abs(expected[:, :3]).max(initial=0.0))
