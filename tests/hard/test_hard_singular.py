@@ -379,3 +379,28 @@ def product(a: np.ndarray, b: np.ndarray) -> np.ndarray:
     """Quaternions (n, 4) a b."""
     w = a[:, :1] * b[:, :1] - (a[:, 1:] * b[:, 1:]).sum(axis=1, keepdims=True)
     return np.concatenate([w, a[:, :1] * b[:, 1:] + b[:, :1] * a[:, 1:] + np.cross(a[:, 1:], b[:, 1:])], 1)
+
+
+def rhombus():
+    """Folded onto itself, where three branches meet; with a passive slider on its crank."""
+    builder = MechanismBuilder("rhombus")
+    chain = ("base", "crank", "coupler", "rocker", "base")
+    for body in chain[1:4]:
+        builder.body(body, mass=1, com=["1/2", "1/7", 0], inertia=["1/10"] * 3)
+    for k in range(4):
+        place = [k % 2, 0, 0]
+        builder.joint(f"J{k}", "R", parent=chain[k], child=chain[k + 1], point=place, axes=[[0, 0, 1]], driven=k == 0)
+    builder.body("weight", mass=1, com=["1/3", 0, 0], inertia=["1/10"] * 3)
+    builder.joint("slide", "P", parent="crank", child="weight", point=["1/3", 0, 0], axes=[[1, 0, 0]])
+    return builder.build()
+
+
+def test_rounding_at_singular_samples_is_no_size_of_what_is_divided_by_it():
+    """Samples lie on several branches; on those where the rates are known, the accelerations are, too."""
+    found = derive(rhombus())
+    _, rates = found("velocity", *found.test_inputs["velocity"])
+    (gains,), status = found("forward_dynamics_independent", *found.test_inputs["forward_dynamics_independent"])
+    assert 0 < np.count_nonzero(rates == 0) < len(rates)
+    assert np.array_equal(status == 0, rates == 0)
+    (whole,), _ = found("forward_dynamics", *found.test_inputs["forward_dynamics"])
+    assert np.isfinite(gains[rates == 0]).all() and np.isfinite(whole).all()
