@@ -23,7 +23,13 @@ import mpmath
 import numpy as np
 import sympy
 
-from symscrew.algebra.operations import CONTEXT, apply_at_samples, apply_high_precision, evaluate_constant, high_precision
+from symscrew.algebra.operations import (
+    CONTEXT,
+    apply_at_samples,
+    apply_high_precision,
+    evaluate_constant,
+    high_precision,
+)
 from symscrew.algebra.origins import Origin
 
 # Constants carry 60 digits, and a derivation loses a few of them. What is left of a zero is 1e-58 or so, and the

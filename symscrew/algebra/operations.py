@@ -25,9 +25,9 @@ ARITHMETIC: dict[str, Any] = {
 """What means the same for numbers of every kind and for nodes of a tape."""
 
 ROUNDING = 1e-9
-"""A value at a sample state that is smaller than this by its largest at all of them is rounding of a zero. Samples close
-the loops to 1e-14, which leaves 1e-12 of a zero; a pivot that means something is above 1e-6. Below, 1 over it is
-infinite; above, it is a number."""
+"""A value at a sample state that is smaller than this by its largest at all of them is rounding of a zero. Samples
+close the loops to 1e-14, which leaves 1e-12 of a zero; a pivot that means something is above 1e-6. Below, 1 over it
+is infinite; above, it is a number."""
 
 # every operation of the tape, as a function of SymPy expressions
 IN_SYMPY: dict[str, Any] = {
