@@ -24,6 +24,11 @@ ARITHMETIC: dict[str, Any] = {
 }
 """What means the same for numbers of every kind and for nodes of a tape."""
 
+ROUNDING = 1e-9
+"""A value at a sample state that is smaller than this by its largest at all of them is rounding of a zero. Samples
+close the loops to 1e-14, which leaves 1e-12 of a zero; a pivot that means something is above 1e-6. Below, 1 over it
+is infinite; above, it is a number."""
+
 # every operation of the tape, as a function of SymPy expressions
 IN_SYMPY: dict[str, Any] = {
     **ARITHMETIC,
@@ -57,6 +62,20 @@ IN_NUMPY: dict[str, Any] = {
     "less": lambda x, y: np.where(x < y, 1.0, 0.0),
     "select": lambda c, x, y: np.where(c != 0, x, y),
 }
+
+
+def apply_at_samples(op: str, args: list[Any]) -> Any:
+    """`apply_numpy` over sample states, where 1 over rounding is 1/0.
+
+    A pivot that is rounding at a state where others are not, as at a singular reference, would let whatever is divided
+    by it pass for a large number there, and that for what the sizes of the other states are measured by.
+    """
+    result = apply_numpy(op, args)
+    if op == "reciprocal" and np.ndim(args[0]):
+        sizes = np.abs(args[0])
+        largest = np.max(sizes[np.isfinite(sizes)], initial=0.0)
+        result = np.where(sizes < ROUNDING * largest, np.inf, result)
+    return result
 
 
 def apply_numpy(op: str, args: list[Any]) -> Any:

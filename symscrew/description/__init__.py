@@ -26,6 +26,7 @@ from symscrew.description.mechanism import (
     Vector,
     followed,
 )
+from symscrew.description.mechanism_size import characteristic_length
 from symscrew.description.names import RESERVED, check_name, check_text, longer_name, markdown_text
 from symscrew.description.number_range import check_range
 from symscrew.description.reader import Reader
@@ -62,6 +63,7 @@ __all__ = [
     "Reader",
     "Vector",
     "architecture",
+    "characteristic_length",
     "check_keys",
     "check_name",
     "check_range",

@@ -19,7 +19,14 @@ from symscrew.dynamics.equilibrium import Balance, balance, balances
 from symscrew.dynamics.free_motion import Admissible, by_articulated_bodies
 from symscrew.dynamics.hinge_powers import hinged_tips
 from symscrew.dynamics.hub_seats import seats
-from symscrew.dynamics.reactions import Reactions, at_origin, joint_wrenches, numeric_multipliers, solve_reactions
+from symscrew.dynamics.reactions import (
+    Reactions,
+    about_point,
+    at_origin,
+    joint_wrenches,
+    numeric_multipliers,
+    solve_reactions,
+)
 from symscrew.dynamics.rod_settings import RodSettings
 from symscrew.dynamics.rods import Rod, thin_rods, with_end_masses
 from symscrew.dynamics.setting import ONE, Setting, Wrench
@@ -39,6 +46,7 @@ __all__ = [
     "TurningRod",
     "Variation",
     "Wrench",
+    "about_point",
     "applied_forces",
     "at_origin",
     "balance",

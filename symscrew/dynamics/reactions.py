@@ -25,6 +25,7 @@ from symscrew.algebra import (
     Vector,
     add,
     cross,
+    is_zero,
     magnitude,
     named_wrench,
     scale,
@@ -35,19 +36,21 @@ from symscrew.algebra import (
 from symscrew.dynamics.drives import solve_symmetric
 from symscrew.dynamics.equilibrium import Balance
 from symscrew.dynamics.setting import ONE, Setting, Wrenches, accumulate
-from symscrew.kinematics import GROUND, Link
+from symscrew.kinematics import GROUND, Link, System
 
 
 @dataclass(frozen=True)
 class JointWrench:
-    """Reaction of a joint per column (1 and free multipliers), at `point` in the axes of `rotation`'s source.
+    """Reaction of a joint per column (1 and free multipliers), at the origin of `pose` in its axes.
 
-    `rotation` maps those axes to absolute axes; `position` is the point in absolute coordinates.
+    That origin is `place` in the coordinates of `link`: on a hinge's line, for one, where that costs least.
     """
 
     joint: str
     columns: Wrenches
     pose: Pose
+    link: int = GROUND
+    place: Vector = ZERO
 
 
 @dataclass(frozen=True)
@@ -108,7 +111,7 @@ def joint_wrenches(
         sign = -1 if cut.tip_is_parent else 1
         place = Pose(pose[cut.tip].rotation, pose[cut.tip].point(cut.tip_point))
         signed: Wrenches = {k: (scale(sign, f), scale(sign, m)) for k, (f, m) in at_tip.items()}
-        result[cut.joint.name] = _named(JointWrench(cut.joint.name, signed, place))
+        result[cut.joint.name] = _named(JointWrench(cut.joint.name, signed, place, cut.tip, cut.tip_point))
         for column, (f, m) in with_drives(c).items():
             if cut.tip != GROUND:
                 accumulate(waiting[cut.tip], column, scale(-1, f), scale(-1, add(m, cross(cut.tip_point, f))))
@@ -153,7 +156,7 @@ def _tree_reaction(
         f, m = link.pair.cleared(frame, force, moment)
         columns[column] = scale(sign, f), scale(sign, m)
     _remove_known(setting, pose, link, columns=columns, place=place, arm=frame.arm, known=known)
-    return _named(JointWrench(link.joint, columns, place))
+    return _named(JointWrench(link.joint, columns, place, link.index))
 
 
 def _arm(setting: Setting, pose: Sequence[Pose], last: Link, place: Pose) -> Vector:
@@ -215,7 +218,34 @@ def _remove_known(
             accumulate(columns, column, *((local, cross(arm, local)) if link.motion.prismatic else (ZERO, local)))
 
 
-def solve_reactions(setting: Setting, found: Sequence[JointWrench], free: Sequence[Column]) -> Reactions:
+def about_point(system: System, joint: JointWrench, force: Vector, moment: Vector) -> tuple[Vector, Vector]:
+    """A wrench at the origin of the joint's pose, in its axes, with the moment about the joint's point.
+
+    It is the child's (`joint_points`): where the frame of a link begins along a hinge is nobody's affair but ours, and
+    internal loads of least norm must not follow it.
+    """
+    found = system.mechanism.joints.get(joint.joint)
+    if found is None:  # a coupling
+        return force, moment
+    target = system.tree.link_of_body[found.child] if found.kind.slides else joint.link
+    local = system.local_point(target, system.geometry.vector(found.point))
+    if target == joint.link:
+        shift = subtract(local, joint.place)
+        x, y, z = (is_zero(system.tape.node(c)) for c in shift)
+        if x and y and z:
+            return force, moment
+        if x and y and system.tree.links[target].motion.single:  # along the axis that the link turns about
+            return force, subtract(moment, cross(shift, force))
+        absolute = system.pose[target].direction(shift)
+    else:
+        absolute = subtract(system.pose[target].point(local), joint.pose.translation)
+    arm = transform(transpose(joint.pose.rotation), absolute)
+    return force, subtract(moment, cross(arm, force))
+
+
+def solve_reactions(
+    system: System, setting: Setting, found: Sequence[JointWrench], free: Sequence[Column]
+) -> Reactions:
     """Reactions (f ; m_O), absolute axes, with the free multipliers of an overconstrained mechanism put in.
 
     They take the values for which the sum of squares over all joints, at their points and with moments divided by the
@@ -224,7 +254,7 @@ def solve_reactions(setting: Setting, found: Sequence[JointWrench], free: Sequen
     guards: tuple[Guard, ...] = ()
     amounts: dict[Column, Node] = {}
     if free:
-        amounts, guards = _smallest(setting, found, free)
+        amounts, guards = _smallest(system, found, free)
     wrenches: dict[str, tuple[Vector, Vector]] = {}
     touched: list[str] = []
     for joint in found:
@@ -245,16 +275,16 @@ def at_origin(pose: Pose, force: Vector, moment: Vector) -> tuple[Vector, Vector
 
 
 def _smallest(
-    setting: Setting, found: Sequence[JointWrench], free: Sequence[Column]
+    system: System, found: Sequence[JointWrench], free: Sequence[Column]
 ) -> tuple[dict[Column, Node], tuple[Guard, ...]]:
     """Free multipliers that minimise the weighted sum of squares of all reactions."""
-    tape = setting.tape
-    weight = tape.constant(1.0 / setting.length)
+    tape = system.tape
+    weight = tape.constant(1.0 / system.length)
 
     def components(joint: JointWrench, column: Column) -> list[Node]:
         if column not in joint.columns:
             return [tape.zero] * 6
-        force, moment = joint.columns[column]
+        force, moment = about_point(system, joint, *joint.columns[column])
         return [tape.node(c) for c in (*force, *scale(weight, moment))]
 
     stacked = {c: _sparse(n for joint in found for n in components(joint, c)) for c in (ONE, *free)}

@@ -12,12 +12,12 @@ from pathlib import Path
 from typing import Any
 
 from symscrew import __version__
+from symscrew.description import characteristic_length
 from symscrew.effects import Effect, effect_from_table, effect_to_table
 from symscrew.errors import DescriptionError
 from symscrew.export.c_form import USUAL_FORM, Form
 from symscrew.export.conventions import conventions
 from symscrew.export.listing import model_hash, statuses
-from symscrew.kinematics import characteristic_length
 from symscrew.model import Model
 from symscrew.program import Iteration, Port, Program
 

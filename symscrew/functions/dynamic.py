@@ -217,7 +217,7 @@ class Equations:
             multipliers=multipliers,
             u=forces,
         )
-        return solve_reactions(self.setting, found, self.balance.free)
+        return solve_reactions(self.system, self.setting, found, self.balance.free)
 
     def estimate(self, found: Reactions) -> Estimate:
         """What load-dependent effects read of these equations and their reactions."""

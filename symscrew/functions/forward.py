@@ -6,7 +6,15 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from symscrew.algebra import ZERO, Guard, Node, TapeMark, scale
-from symscrew.dynamics import ONE, Admissible, at_origin, generalised_forces, joint_wrenches, mass_matrix
+from symscrew.dynamics import (
+    ONE,
+    Admissible,
+    about_point,
+    at_origin,
+    generalised_forces,
+    joint_wrenches,
+    mass_matrix,
+)
 from symscrew.effects import Acting, Effect, Estimate
 from symscrew.functions.closing import THRESHOLD, guarded, jacobian_in_v, moved_by, opening
 from symscrew.functions.dynamic import Equations, all_reactions, in_order, reactions_port
@@ -206,7 +214,8 @@ def _wrenches(system: System, effects: Sequence[Effect]) -> Function:
     at_points = {joint.joint: joint.columns.get(ONE, (ZERO, ZERO)) for joint in found}
     absolute = {joint.joint: at_origin(joint.pose, *at_points[joint.joint]) for joint in found}
     shorter = tape.constant(1.0 / system.length)
-    sized = {name: (force, scale(shorter, moment)) for name, (force, moment) in at_points.items()}
+    about = {joint.joint: about_point(system, joint, *at_points[joint.joint]) for joint in found}
+    sized = {name: (force, scale(shorter, moment)) for name, (force, moment) in about.items()}
     inputs = [(q_port(system), system.inputs.q), (v_port(system), system.inputs.v), *drives, *acting.inputs]
     further = [(a_port(system), system.inputs.a), (_plain("multipliers", len(symbols)), symbols)]
     count = 6 * len(system.mechanism.joints)

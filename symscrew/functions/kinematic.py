@@ -246,7 +246,7 @@ def _joint_points(system: System) -> Function:
     values: list[object] = []
     cut = {c.joint.name: c for c in system.cuts}
     for name, joint in system.mechanism.joints.items():
-        if name in cut:
+        if name in cut and not joint.kind.slides:  # else its point moves on the parent, which may be the tip
             values += system.pose[cut[name].tip].point(cut[name].tip_point)
             continue
         link = system.tree.link_of_body[joint.child]

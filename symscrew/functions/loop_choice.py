@@ -68,7 +68,11 @@ def fewest_operations(system: System, effects: Sequence[Effect], independent: Se
         DescriptionError: see `Loops`.
     """
     tried = islice(closures(system), None if counts_all_ways(system) else 1)
-    return _cheapest((Loops(system, independent, closure) for closure in tried), effects)
+    closure = next(tried)
+    first = Loops(system, independent, closure)
+    if first.keep_to_one_branch():
+        first = Loops(system, independent, closure)
+    return _cheapest(chain((first,), (Loops(system, independent, other) for other in tried)), effects)
 
 
 def fewest_in_mode(found: Ways, mode: Mode, effects: Sequence[Effect], independent: Sequence[str] | None) -> Ways:

@@ -53,7 +53,6 @@ from symscrew.kinematics.recursion import acceleration_matrix, inertial_wrench, 
 from symscrew.kinematics.rolling import Rolling
 from symscrew.kinematics.screws_at_origin import BodyMotion, body_motions, displacement, joint_screws, motion_screws
 from symscrew.kinematics.sloped_poses import pose_rates
-from symscrew.kinematics.structure import characteristic_length
 from symscrew.kinematics.system import System
 from symscrew.kinematics.tree import GROUND, Link, Tree, spanning_tree, virtual_joint
 
@@ -87,7 +86,6 @@ __all__ = [
     "angle_notices",
     "body_centre",
     "body_motions",
-    "characteristic_length",
     "check_apart",
     "closure_bias",
     "closure_rate",

@@ -124,6 +124,13 @@ class SampleStates:
         a = structure.numeric(linkage.tree_rates(inputs.v), (inputs.q, q), (inputs.v, gain))
         return v, a
 
+    def keep(self, regular: Array) -> None:
+        """Let some states, and the reference, stand for the others; `regular` (samples,) says which."""
+        places = np.resize(np.flatnonzero(regular[1:]) + 1, len(regular) - 1)
+        q, v, a = (array[[0, *places]] for array in self.chosen)
+        self.chosen = (q, v, a)
+        self.use()
+
     def use(self) -> None:
         """Give the tape's inputs their values at the chosen states."""
         structure = self.structure

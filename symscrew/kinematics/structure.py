@@ -25,7 +25,7 @@ from symscrew.algebra import (
     transform,
     transpose,
 )
-from symscrew.description import Mechanism, exact, sixty_digits
+from symscrew.description import Mechanism, characteristic_length, exact
 from symscrew.kinematics.coordinate_names import check_apart, identifiers
 from symscrew.kinematics.geometry_nodes import Geometry
 from symscrew.kinematics.limb_symmetry import equal_limbs
@@ -39,14 +39,6 @@ from symscrew.kinematics.tree import Coordinate, Link, Tree, spanning_tree
 from symscrew.program import Function, Limbs, Port, Program, evaluate, lower
 
 Array = np.ndarray[Any, Any]
-
-SMALLEST = 1e-9
-"""Spread of all points [m] that is rounding, where nothing else has a size: a mechanism of a nanometre is not typed
-in m, one of micrometres may be."""
-SAME_POINT = 1e-5
-"""The same relative to how far bodies reach from the points: coordinates of six digits leave as much."""
-LAST_DIGITS = 1e-9
-"""The same relative to coordinates, far from the origin: a robot on the earth is 1e-8 of its distance to the centre."""
 
 
 @dataclass(frozen=True)
@@ -240,36 +232,3 @@ def _name(here: Placement, link: Link, part: str) -> None:
         named(here.turn[1][0], "sin", part)
     else:
         named_matrix(here.turn, "turn", part)
-
-
-def characteristic_length(mechanism: Mechanism) -> float:
-    """The length [m] by which norms of mixed quantities divide lengths: the description's, if it gives one.
-
-    Else the root mean square distance of the joints' points and the named points from their centre: invariant
-    under rigid motions, proportional to the unit; 1 where all points coincide, up to rounding of what was typed, as
-    those of a spherical linkage do.
-    """
-    if mechanism.characteristic_length is not None:
-        return float(mechanism.number(mechanism.characteristic_length))
-    points = [_doubles(mechanism, joint.point) for joint in mechanism.joints.values()]
-    points += [_doubles(mechanism, point.at) for point in mechanism.points.values()]
-    cloud = np.array(points)
-    size = float(np.sqrt(((cloud - cloud.mean(axis=0)) ** 2).sum(axis=1).mean())) if len(cloud) else 0.0
-    # Rounded, so that the same description gives the same bytes on every machine.
-    return float(f"{size:.6g}") if size > _rounding(mechanism, cloud) else 1.0
-
-
-def _doubles(mechanism: Mechanism, place: Vector) -> list[float]:
-    """A place by the digits that are known of it since it was read."""
-    return [float(sixty_digits(mechanism.number(c))) for c in place]
-
-
-def _rounding(mechanism: Mechanism, cloud: Array) -> float:
-    """The spread [m] that points which are meant to be one have as typed."""
-    if not len(cloud):
-        return 0.0
-    centres = [_doubles(mechanism, body.com) for body in mechanism.bodies.values() if body.com]
-    around = [float(np.linalg.norm(np.array(c) - cloud.mean(axis=0))) for c in centres]
-    pitches = [abs(float(mechanism.number(j.pitch))) for j in mechanism.joints.values() if j.pitch is not None]
-    others = max([*around, *pitches], default=0.0)
-    return max(SMALLEST, SAME_POINT * others, LAST_DIGITS * float(np.abs(cloud).max()))

@@ -340,6 +340,23 @@ class Loops:
         undetermined = bool(self.system.cuts) and self._rank(self.system.reference, dependent) < self.rank
         return undetermined and not self.singular_reference
 
+    def keep_to_one_branch(self) -> bool:
+        """Whether some samples lay on branches where the independent coordinates do not determine the others.
+
+        Branches meet in singular references. What is chosen by samples must be chosen on those branches that functions
+        of these coordinates are for: equations of others are none here, and ours are none there. Samples of ours take
+        the places of the others, after which loops are to be made anew.
+        """
+        if not self.system.cuts:
+            return False
+        dependent = [k for k in range(len(self.system.tree.v)) if k not in self.elimination.free]
+        q = self.system.sample_states[0]
+        regular = np.array([self._rank(state, dependent) == len(dependent) for state in q])
+        mixed = bool(regular[1:].any() and not regular[1:].all())
+        if mixed:
+            self.system.samples.keep(regular)
+        return mixed
+
     @property
     def shaky(self) -> bool:
         """Whether the closure has a smaller rank in all sample states than off them, as at double zeros."""

@@ -33,10 +33,10 @@ from symscrew.mobility.screw_systems import Real, Row, Screw
 SAME_POINT = CONTEXT.mpf(10) ** -5
 """Joint points that lie closer together than this, relative to other lengths of the description, are meant to be one:
 coordinates of six digits leave as much. Then the largest of these lengths is the mechanism's size instead."""
-SMALLEST = CONTEXT.mpf(10) ** -7
-"""Lengths [m] below this are rounding where a description has no other: hinges meant to meet in a point are apart by
-the eighth digit of a metre, and a mechanism of micrometres is larger. Sizes and tolerances follow from it alone; ranks
-of what was typed do not."""
+SMALLEST = CONTEXT.mpf(10) ** -13
+"""Lengths [m] below this are rounding where a description has no other, as for the characteristic length: hinges that
+meet in the origin, computed as doubles from lengths of metres, are apart by 1e-15. Sizes and tolerances follow from it
+alone; ranks of what was typed do not."""
 UNIT_ALREADY = CONTEXT.mpf(10) ** -55
 """An axis this close to unit length is one, as it was computed with 60 digits; others are divided by their length."""
 

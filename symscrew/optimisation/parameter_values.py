@@ -12,10 +12,9 @@ import math
 from collections.abc import Mapping
 from dataclasses import replace
 
-from symscrew.description import Mechanism, check_values_of, exact, followed
+from symscrew.description import Mechanism, characteristic_length, check_values_of, exact, followed
 from symscrew.effects import Acting
 from symscrew.errors import DescriptionError, did_you_mean
-from symscrew.kinematics import characteristic_length
 from symscrew.optimisation.problem import TrajectoryProblem
 
 SIZES = 4.0  # times larger or smaller from where on it is derived anew, as a run of a scene is

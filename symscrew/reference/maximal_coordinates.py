@@ -20,7 +20,7 @@ from typing import Any
 import numpy as np
 import sympy
 
-from symscrew.description import Joint, Mechanism
+from symscrew.description import Joint, Mechanism, characteristic_length
 
 Array = np.ndarray[Any, Any]
 
@@ -76,7 +76,7 @@ class NumericMechanism:
     configuration, `carriers` the index of the body that carries each axis, `turns` is 1 for rotation,
     spherical and helical freedoms and 0 for translations, `slides` is 1 for translations, the pitch [m/rad]
     for helical freedoms, else 0.
-    `length` [m] is the greatest distance of a joint point or centre of mass from their middle.
+    `length` [m] is the characteristic length, by which moments are divided where they meet forces.
     """
 
     mechanism: Mechanism
@@ -139,7 +139,7 @@ def numeric(mechanism: Mechanism | NumericMechanism) -> NumericMechanism:
         driven=tuple(int(a) + k for a, joint in zip(starts, joints, strict=False) for k in joint.driven),
         drive_joints=tuple(joint.name for joint in joints for _ in joint.driven),
         references=tuple(_vector(mechanism, joint.reference) for joint in joints),
-        length=_extent(np.concatenate([points, com[mass > 0]])),
+        length=characteristic_length(mechanism),
     )
 
 
@@ -272,12 +272,6 @@ def _inertias(mechanism: Mechanism, bodies: tuple[str, ...]) -> tuple[Array, Arr
         if body is not None and body.inertia is not None:
             inertia[i] = [_vector(mechanism, row) for row in body.inertia]
     return mass, com, inertia
-
-
-def _extent(places: Array) -> float:
-    """Greatest distance of places (n, 3) from the middle of their bounding box, 1 if there is no extent."""
-    middle = (places.max(axis=0) + places.min(axis=0)) / 2
-    return float(np.linalg.norm(places - middle, axis=1).max()) or 1.0
 
 
 def plane_axes(normal: Array) -> tuple[Array, Array]:

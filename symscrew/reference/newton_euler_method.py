@@ -122,8 +122,7 @@ def newton_euler(
 
     Among all drives that move the bodies as stated, those with the smallest sum of weights * drives^2 are
     taken; `preload` adds its part that only loads the mechanism. Given the drives, the reactions are those of
-    least norm, forces and moments about the joint's point divided by `NumericMechanism.length`. That is the extent of
-    the mechanism, not the characteristic length of its model: internal loads of both differ, nothing else.
+    least norm, forces and moments about the joint's point divided by the characteristic length.
 
     Args:
         mechanism: the description, or its numbers from `numeric`, which saves time with many states.

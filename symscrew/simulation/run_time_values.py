@@ -15,10 +15,9 @@ from dataclasses import replace
 import numpy as np
 import sympy
 
-from symscrew.description import Mechanism, check_values_of, exact, followed
+from symscrew.description import Mechanism, characteristic_length, check_values_of, exact, followed
 from symscrew.effects import Acting
 from symscrew.errors import DescriptionError
-from symscrew.kinematics import characteristic_length
 from symscrew.model import Model
 from symscrew.scene import Scene
 

@@ -11,10 +11,11 @@ from scipy.integrate import solve_ivp
 from support.gauss_principle import at, differences, gauss
 from support.invented_mechanisms import INVENTED, invented
 from support.marks import slow
-from support.model_states import body_states
+from support.model_states import body_states, output
 
 from symscrew.effects import Gravity
 from symscrew.model import Model, derive
+from symscrew.reference import newton_euler
 from symscrew.reference.maximal_coordinates import BodyState, cross, numeric
 from symscrew.scene import Scene
 from symscrew.scene.contents import Initial
@@ -47,6 +48,31 @@ def test_accelerations_are_those_of_maximal_coordinates(name: str) -> None:
     assert found.joints < 1e-10
     assert found.accelerations < 1e-8
     assert found.drives < 1e-7
+
+
+OVERCONSTRAINED = ("screw_press", "crossed_slides", "tilted_four_bar", "folding_plate", "bennett_moved")
+
+
+@pytest.mark.parametrize("name", [name if name == "screw_press" else slow(name) for name in OVERCONSTRAINED])
+def test_internal_loads_of_least_norm_are_those_of_newton_and_euler(name: str) -> None:
+    """Reactions that redundant constraints leave free, too: about the joints' own points, wherever links begin."""
+    found = model(name)
+    q, v, _ = found.system.sample_states
+    (a,), status = found("forward_dynamics", q, v, np.full((len(q), 1), DRIVE))
+    assert not np.any(status)
+    (_, reactions), status = found("joint_reactions", q, v, a)
+    assert not np.any(status)
+    states = body_states(found, q, v, a)
+    expected = newton_euler(found.mechanism, states)
+    assert expected.reaction_redundancy.max() > 0
+    points = output(found, "joint_points", "points", q).reshape(len(q), -1, 3)
+    for k, (joint, wrench) in enumerate(expected.reactions.items()):
+        size = max(1.0, float(np.abs(wrench).max()))
+        assert np.abs(reactions[:, 6 * k : 6 * k + 6] - wrench).max() < 1e-9 * size
+        child = states.get(found.mechanism.joints[joint].child)
+        at = np.array(found.mechanism.joints[joint].point, dtype=float)
+        carried = at if child is None else child.rotation @ at + child.translation
+        assert np.abs(points[:, k] - carried).max() < 1e-12
 
 
 @pytest.mark.parametrize("name", [slow("threads_in_a_ring"), slow("table_and_flyer")])

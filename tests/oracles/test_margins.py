@@ -20,7 +20,7 @@ from support.model_states import model as complete_model
 from support.model_states import output
 
 from symscrew import catalogue
-from symscrew.description import toml_file
+from symscrew.description import characteristic_length, toml_file
 from symscrew.description.builder import MechanismBuilder
 from symscrew.description.joints import JOINT_TYPES
 from symscrew.description.mechanism import Mechanism
@@ -28,7 +28,7 @@ from symscrew.functions.closing import assembly, closure_functions, loop_notes
 from symscrew.functions.kinematic import Motion, kinematic_functions
 from symscrew.functions.margin import margin_functions
 from symscrew.functions.platform import platform_functions
-from symscrew.kinematics import System, characteristic_length
+from symscrew.kinematics import System
 from symscrew.loops.dependent_rates import Loops
 from symscrew.mobility import analyse_mobility, mobility_text, mobility_values
 from symscrew.model import Model

@@ -256,3 +256,12 @@ def test_structural_zeros_and_ones_make_no_nodes() -> None:
     assert x + 0 is x and 0 + x is x and x * 1 is x and x * 0 is tape.zero and 0 * x is tape.zero
     assert len(tape.nodes) == count
     assert x * -1 is -x and x + 1 is tape.add(x, tape.one)
+
+
+@pytest.mark.parametrize("small, finite", [(1e-8, True), (1e-10, False), (0.0, False)])
+def test_one_over_rounding_at_a_sample_is_infinite(small: float, finite: bool) -> None:
+    tape = Tape()
+    x = tape.symbol("x", "1", "a pivot")
+    tape.set_samples({x: np.array([small, 0.5, -1.0])})
+    assert np.isfinite(tape.sample(1 / x)).tolist() == [finite, True, True]
+    assert magnitude(tape, 1 / x, 1.0) == ((1.0, float(f"{1 / small:.4e}")) if finite else (1.0, 2.0))

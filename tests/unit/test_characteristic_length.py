@@ -7,13 +7,16 @@ import json
 import numpy as np
 import pytest
 from support.model_states import output
+from sympy import Rational
 
 from symscrew import catalogue
 from symscrew.cli.parser import main
+from symscrew.description.builder import MechanismBuilder
 from symscrew.description.toml_file import parse_description, to_toml
 from symscrew.errors import DescriptionError
 from symscrew.export.manifest_file import manifest
 from symscrew.generation.folder import render
+from symscrew.mobility import inverse_kinematics
 from symscrew.model import derive
 from symscrew.verification.regeneration import check
 
@@ -72,6 +75,39 @@ def test_points_that_rounding_sets_apart_are_one(off, at):
 def test_far_away_and_small_mechanisms_keep_theirs():
     assert recorded(derive(pair(a=6.4e6, b=6.4e6 + 0.5)))["value"] == 0.25
     assert recorded(derive(pair(a=0, b=1e-4)))["value"] == 5e-5
+
+
+def four_bar(size: str):
+    """Of `size` [m], with masses of 1 kg."""
+    scale = Rational(size)
+    builder = MechanismBuilder("small")
+    for body, x, y in (("crank", 0, 1), ("coupler", 2, 3), ("rocker", 5, 1)):
+        builder.body(body, mass=1, com=[x * scale, y * scale, 0], inertia=[scale**2 / 10] * 3)
+    chain = ("base", "crank", "coupler", "rocker", "base")
+    for k, (x, y) in enumerate(((0, 0), (1, 3), (4, 2), (5, -1))):
+        place = [x * scale, y * scale, 0]
+        builder.joint(f"J{k}", "R", parent=chain[k], child=chain[k + 1], point=place, axes=[[0, 0, 1]], driven=k == 0)
+    return builder.build()
+
+
+@pytest.mark.parametrize("size", ["1e-9", "1e-11"])
+def test_linkages_of_nanometres_move_as_those_of_metres(size):
+    small, large = (derive(four_bar(length)) for length in (size, "1"))
+    states = large.test_inputs["inverse_dynamics"]
+    drive, expected = (output(model, "inverse_dynamics", "u", *states) for model in (small, large))
+    assert np.allclose(drive / float(size) ** 2, expected, rtol=1e-9)  # moments of inertia alone: weight is across
+    moved = inverse_kinematics(four_bar(size), {"J0": 0.1}).values
+    assert moved == pytest.approx(inverse_kinematics(four_bar("1"), {"J0": 0.1}).values, rel=1e-12)
+
+
+@pytest.mark.parametrize("off, one", [(1e-10, True), (1e-8, False)])
+def test_points_and_centres_of_mass_in_one_place_are_held_against_radii_of_gyration(off, one):
+    builder = MechanismBuilder("spherical")
+    builder.body("inner", mass=1, com=[0, 0, 0], inertia=[1, 1, 1])
+    builder.body("outer", mass=1, com=[0, 0, 0], inertia=[1, 1, 1])
+    builder.joint("first", "R", parent="base", child="inner", point=[0, 0, 0], axes=[[0, 0, 1]])
+    builder.joint("second", "R", parent="inner", child="outer", point=[off, 0, 0], axes=[[1, 0, 0]])
+    assert (recorded(derive(builder.build()))["value"] == 1.0) is one
 
 
 def test_the_description_sets_it_exactly_and_keeps_it():

@@ -9,6 +9,7 @@ from xml.etree import ElementTree
 
 import numpy as np
 import pytest
+from sympy import Float, Integer
 
 from symscrew import catalogue
 from symscrew.description import Mechanism, MechanismBuilder
@@ -181,8 +182,9 @@ def test_loops_of_a_file_close_or_are_refused(tmp_path: Path, place: str, said: 
 
 def test_bodies_that_mujoco_refuses_are_raised_and_named(monkeypatch: pytest.MonkeyPatch) -> None:
     assert "Masses or moments raised to 1e-09 of the whole" in text_of(tower(), ".xml")
-    unit = ((1, 0, 0), (0, 1, 0), (0, 0, 1))
-    bodies = {name: replace(body, mass=1, com=(0, 0, 0), inertia=unit) for name, body in tower().bodies.items()}
+    unit = tuple(tuple(Integer(i == j) for j in range(3)) for i in range(3))
+    com = (Integer(0),) * 3
+    bodies = {n: replace(body, mass=Integer(1), com=com, inertia=unit) for n, body in tower().bodies.items()}
     heavy = replace(tower(), bodies=bodies)
     assert "raised" not in text_of(heavy, ".xml")
     monkeypatch.setattr(mjcf_writer, "SMALL", 10.0)
@@ -217,7 +219,7 @@ def test_roll_and_yaw_of_an_upright_link(angle: float) -> None:
 @pytest.mark.parametrize("off, same", [(3e-15, True), (1e-13, False)])
 def test_places_that_a_file_keeps(off: float, same: bool) -> None:
     given = tower()
-    moved = replace(given.joints["B"], point=(off, 0, 2))
+    moved = replace(given.joints["B"], point=(Float(off), Integer(0), Integer(2)))
     found = difference(given, replace(given, joints={**given.joints, "B": moved}))
     assert (found is None) == same and (same or "its point was" in str(found))
     assert round_trip.PLACES < round_trip.INERTIA
