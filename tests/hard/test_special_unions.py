@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 import sympy
-from support.further_mechanisms import waldron_hybrid
+from support.further_mechanisms import graph, waldron_hybrid
+from support.parallel_mechanisms import THIRDS, turned
 from support.reposed import _axis, posed
 
 from symscrew.description.builder import MechanismBuilder
 from symscrew.description.mechanism import Mechanism
-from symscrew.mobility import analyse_mobility
+from symscrew.mobility import Mobility, analyse_mobility, verify
 from symscrew.mobility.finite import near_geometry
+from symscrew.mobility.symbols import LimbPose
 
 SPHERICAL_AND_SARRUS = (
     ("base", "b1", "-2.09329 -0.975844 1.22333", "-0.138674 -0.409137 0.901874"),
@@ -98,3 +102,76 @@ def test_two_bennett_loops_of_one_shape_about_one_axis(digits: str) -> None:
     assert found.finite.dof == 0 and found.near is not None and not found.not_tried
     assert (found.near.meant.dof, found.near.meant.finite.dof, found.near.meant.overconstraints) == (1, 1, 1)
     assert found.near.distance < 10 ** (0.5 - float(digits))
+
+
+PARALLELOGRAMS = (
+    ("base", "u", 0, 0), ("base", "v", 1, 0), ("u", "m", 1, 3), ("v", "m", 2, 3), ("u", "n", "2/3", 2),
+    ("v", "n", "5/3", 2), ("m", "t", 5, 3), ("n", "t", "14/3", 2),
+)  # fmt: skip
+"""Two parallelograms in a row, which hold a tool about a remote centre: pins of two bodies in a plane."""
+
+
+@pytest.mark.slow
+def test_pins_of_parallelograms_are_found_among_axes_that_are_parallel_as_typed() -> None:
+    """All hinges are rounded alike; tilted one by one they were so many double zeros that the search was given up."""
+    pins = ((a, b, [sympy.Rational(x), sympy.Rational(y), 0]) for a, b, x, y in PARALLELOGRAMS)
+    linkage = graph(*(("R", a, b, point, [0, 0, 1]) for a, b, point in pins))
+    found = typed(linkage, seed=595, digits="6")
+    assert found.finite.dof == 0 and found.near is not None and not found.not_tried
+    assert (found.near.meant.dof, found.near.meant.finite.dof, found.near.meant.overconstraints) == (1, 1, 11)
+    assert found.near.distance < 1e-5
+    axes = {place[1] for place in found.near.places().values()}
+    assert len(axes) == 1, "parallel as typed, and as meant"
+
+
+def stretched_planar_limbs() -> Mechanism:
+    """3-RER, each limb with both hinges and the normal of its planar joint in one plane: no platform motion is left."""
+    builder = MechanismBuilder("stretched", platform="plate").body("plate")
+    for k, place in enumerate(THIRDS):
+        places = {"R": [5, 0, 0], "E": [3, 1, 2], "Q": [7, 3, 4]}
+        bodies = ["base", f"low{k}", f"high{k}", "plate"]
+        for body in bodies[1:3]:
+            builder.body(body)
+        for i, (name, point) in enumerate(places.items()):
+            axis = [0, sympy.Rational(3, 5), sympy.Rational(4, 5)] if name == "E" else [1, 0, 0]
+            builder.joint(f"{name}{k}", "E" if name == "E" else "R", parent=bodies[i], child=bodies[i + 1],
+                          point=turned(point, place), axes=[turned(axis, place)])  # fmt: skip
+        builder.limb(f"limb{k}", joints=[f"{name}{k}" for name in places])
+    return builder.build()
+
+
+def test_planar_joints_stay_planar_and_have_one_axis_to_type() -> None:
+    """Both directions in a plane turn with its normal; they were changed one by one, and all three to be typed."""
+    linkage = stretched_planar_limbs()
+    found = typed(linkage, seed=5, digits="9")
+    assert found.platform.type == "3T" and found.near is not None and found.near.meant.platform.type == "0"
+    joints = dict(typed_mechanism(linkage, seed=5, digits="9").joints)
+    for name, (point, axes, _) in found.near.places().items():
+        assert len(axes) == 1
+        axis = tuple(sympy.Rational(c) for c in axes[0])
+        joints[name] = replace(joints[name], point=tuple(map(sympy.Rational, point)), axes=(axis,))
+    again = analyse_mobility(replace(linkage, joints=joints))
+    assert again.platform.type == "0" and again.near is None
+
+
+def test_displacements_in_a_plane_across_no_absolute_axis_have_no_symbols() -> None:
+    """Their directions have no unit length without a root; a check had to withdraw what was said of them."""
+    found = analyse_mobility(stretched_planar_limbs())
+    assert isinstance(found.limb_poses["limb0"], LimbPose)
+    assert found.limb_poses["limb1"] == (
+        "no symbols: unit directions in the plane of E1, across no absolute axis, are roots"
+    )
+    assert [check.claim for check in verify(found) if not check.holds] == []
+
+
+def typed_mechanism(linkage: Mechanism, *, seed: int, digits: str) -> Mechanism:
+    joints = [{"point": list(j.point), "axes": [list(axis) for axis in j.axes]} for j in linkage.joints.values()]
+    made = posed(joints, seed=seed, digits=digits, unit="m")
+    return replace(linkage, joints={
+        name: replace(joint, point=tuple(new["point"]), axes=tuple(map(tuple, new["axes"])))
+        for (name, joint), new in zip(linkage.joints.items(), made, strict=True)
+    })  # fmt: skip
+
+
+def typed(linkage: Mechanism, *, seed: int, digits: str) -> Mobility:
+    return analyse_mobility(typed_mechanism(linkage, seed=seed, digits=digits))

@@ -21,7 +21,8 @@ pytestmark = pytest.mark.slow
 
 SLOW = {
     "five legs on a circle", "five legs, no circle", "miura flat", "five-bar, collinear", "wunderlich",
-    "bricard line-symmetric", "waldron hybrid", "3S, collinear", "two rhombi",
+    "bricard line-symmetric", "waldron hybrid", "3S, collinear", "two rhombi", "octahedral, line-symmetric",
+    "octahedral, plane-symmetric", "hexapod, line-symmetric", "griffis-duffy",
 }  # fmt: skip
 
 

@@ -154,6 +154,42 @@ CIRCLE = ([1, 0], [Rational(3, 5), Rational(4, 5)], [0, 1], [-1, 0], [Rational(-
 NO_CIRCLE = ([1, 0], [Rational(3, 5), Rational(4, 5)], [0, 2], [-1, 0], [Rational(-4, 5), Rational(-3, 5)])
 
 
+def octahedral(half: Sequence[Sequence[Any]], opposite: Sequence[Sequence[Any]]) -> Mechanism:
+    """Six faces of an octahedron hinged in a ring, two opposite ones left out; corners a, b, c and their opposites."""
+    corners = dict(zip("abcABC", (*half, *opposite), strict=True))
+    ring = ("abC", "aBC", "aBc", "ABc", "Abc", "AbC")
+    edges = [[corners[v] for v in one if v in other] for one, other in zip(ring, (*ring[1:], ring[0]), strict=True)]
+    return loop(*(("R", p, [b - a for a, b in zip(p, q, strict=True)]) for p, q in edges))
+
+
+def line_symmetric_hexapod() -> Mechanism:
+    """Six legs of constant length, A_i to b_i and B_i to a_i, on a platform that is the base turned half about a line.
+
+    For every line (four freedoms) three conditions on lengths: each holds for two legs.
+    """
+    feet, others = ([3, 0, 1], [-1, 2, 0], [0, -3, 2]), ([1, 1, -1], [2, -2, 1], [-2, 0, 3])
+    pairs = [*zip(feet, others, strict=True), *zip(others, feet, strict=True)]
+    return struts([(foot, [-x, -y, z]) for foot, (x, y, z) in pairs])
+
+
+def griffis_duffy() -> Mechanism:
+    """Corners of a triangle to the middles of the sides of an equal one, and middles to corners."""
+    corners = [(Rational(2), 0), (-Rational(1), sqrt(3)), (-Rational(1), -sqrt(3))]
+    middles = [((a + c) / 2, (b + d) / 2) for (a, b), (c, d) in zip(corners, (*corners[1:], corners[0]), strict=True)]
+
+    def above(x: Any, y: Any) -> list[Any]:
+        return [Rational(3, 5) * x - Rational(4, 5) * y, Rational(4, 5) * x + Rational(3, 5) * y, 2]
+
+    pairs = [*zip(corners, middles, strict=True), *zip(middles, (*corners[1:], corners[0]), strict=True)]
+    return struts([([*foot, 0], above(*tip)) for foot, tip in pairs])
+
+
+def struts(pairs: Sequence[tuple[Sequence[Any], Sequence[Any]]]) -> Mechanism:
+    """A platform on legs with spherical joints at both ends."""
+    return graph(*(joint for k, (foot, tip) in enumerate(pairs) for joint in
+                   (("S", "base", f"leg{k}", foot, None), ("S", f"leg{k}", "plate", tip, None))))  # fmt: skip
+
+
 def dixon() -> Mechanism:
     """K(3,3) with its points on two perpendicular lines: x_i^2 + t, y_j^2 - t keep all lengths (Dixon 1899)."""
     points = [[1, 0], [2, 0], [-3, 0], [0, 2], [0, -1], [0, 4]]
@@ -323,6 +359,7 @@ def cranks(*pins: Sequence[Any]) -> Mechanism:
 
 
 HALF = Rational(1, 2)
+HALF_OCTAHEDRON = ([3, 1, 0], [1, -2, 2], [-1, 2, 3])
 CASES: dict[str, Case] = {
     "bricard line-symmetric": Case(line_symmetric, (1, 1, None, 1), "Bricard 1927; Baker 1997, MMT 32"),
     "bricard plane-symmetric": Case(plane_symmetric, (1, 1, None, 1), "Bricard 1927; Phillips 1990"),
@@ -334,6 +371,16 @@ CASES: dict[str, Case] = {
         lambda: legs(CIRCLE), (8, 7, (6, 7), 2), "translations, or rotation about the centre"
     ),
     "five legs, no circle": Case(lambda: legs(NO_CIRCLE), (8, 7, (7,), 2), "translations only"),
+    "octahedral, line-symmetric": Case(
+        lambda: octahedral(HALF_OCTAHEDRON, [[-x, -y, z] for x, y, z in HALF_OCTAHEDRON]), (1, 1, None, 1),
+        "Bricard 1897, type 1",
+    ),
+    "octahedral, plane-symmetric": Case(
+        lambda: octahedral([[3, 2, 0], [-1, 3, 2], [0, 0, 4]], [[3, -2, 0], [-1, -3, 2], [1, 0, -3]]),
+        (1, 1, None, 1), "Bricard 1897, type 2",
+    ),
+    "hexapod, line-symmetric": Case(line_symmetric_hexapod, (7, 7, None, 1), "Borel 1908; Bricard 1906: six spins"),
+    "griffis-duffy": Case(griffis_duffy, (7, 7, None, 1), "Griffis, Duffy 1993; Husty, Karger 2000: six spins"),
     "dixon": Case(dixon, (1, 1, None, 13), "Dixon 1899; 9 bars in the plane, one redundant"),
     "hexagon": Case(hexagon, (1, 0, (), 13), "Bolker and Roth 1980"),
     "peaucellier": Case(peaucellier, (1, 1, None, 9), "Peaucellier 1864: planar, 3 loops"),

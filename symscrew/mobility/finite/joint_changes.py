@@ -189,7 +189,6 @@ def _changed_edge(edge: Edge, given: Mapping[int, Array]) -> Edge:
     axes = _turned(edge, given)
     screws: list[Screw] = []
     for motion, column in edge.motions:
-        own = edge.screws[column - edge.start : column - edge.start + motion.freedom]
         if motion.spherical:
             screws += [(*axis, *cross(point, axis)) for axis in IDENTITY]
             continue

@@ -103,7 +103,8 @@ def local_at(
         rank = variety.columns - len(motions)
     if rank is None:
         rank = _rank(s)
-    inverse = vt[:rank].T @ ((u[:, :rank] / s[:rank]).T)
+    kept = np.where(s[:rank] > 0, s[:rank], np.inf)  # a rank that is not reached here leaves no steps along it
+    inverse = vt[:rank].T @ ((u[:, :rank] / kept).T)
     gap = (float(s[rank - 1]) if rank else float("inf"), float(s[rank]) if rank < len(s) else 0.0)
     return Local(q, rank, vt[rank:].T, vt[:rank].T, u[:, rank:].T, u[:, :rank].T, inverse, gap)
 

@@ -337,10 +337,11 @@ class _Approach:
             slow = self._attempt >= LINEARISED and size > SLOW * self._best
             if slow and size < ENOUGH:
                 return self._ended(search)
-            if slow and self._fresh and self._rest is not None and QUARTERS[0] < size / self._best < QUARTERS[1]:
+            if slow and self._rest is not None and QUARTERS[0] < size / self._best < QUARTERS[1]:
                 search.move(self._rest)
                 self._rest, self._best, self._left = None, float("inf"), search.settled().residuals()
                 continue
+            slow = slow and size > self._best / 2  # else rounds come to leave a quarter yet
             if slow and self._fresh:
                 if not twice:
                     return None
