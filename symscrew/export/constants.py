@@ -215,6 +215,8 @@ class Constants:
             text = _words([m for m in self._meanings[node] if unit_of(m.unit) == unit])
             texts.append(f"{text}: {formula}" if formula and formula not in told else text)
             told[formula] = None
+        if folded & {*given}:  # what it is in the description explains it; another unit would be by chance
+            known = [unit for unit in known if unit in given]
         new = {formula: unit for unit, formula in ((unit, formulas.told(node, unit)) for unit in known)}
         if not given and (len(new) < max(1, len(known)) or None in folded):  # one formula, and which unit nobody knows
             return plain(next(iter(new), formulas.told(node, None)) or "of the mechanism")
