@@ -149,12 +149,15 @@ def print_script(model: Model, constant: str, functions: Iterable[str] | None = 
     lines = ["/*", *(f" * {line}".rstrip() for line in banner(model)), " */", '"use strict";']
     programs = {name: first_path(model.programs[name], "the JavaScript") for name in chosen}
     constants = Constants(model, WRITING, programs.values())
-    functions: list[str] = []
+    printed: list[str] = []
     for name, program in programs.items():
-        body = (_iteration if isinstance(program, Iteration) else _function)(name, program, constants)
-        functions += ["", *(f"  {line}".rstrip() for line in [*_comment(function_lines(name, program)), *body])]
+        if isinstance(program, Iteration):
+            body = _iteration(name, program, constants)
+        else:
+            body = _function(name, program, constants)
+        printed += ["", *(f"  {line}".rstrip() for line in [*_comment(function_lines(name, program)), *body])]
     lines += [f"const {constant} = (() => {{", *(f"  {line}" for line in constants.lines()), ""]
-    lines += [*RUNTIME.replace("REFUSED", str(NO_ROTATION)).strip("\n").splitlines(), *functions]
+    lines += [*RUNTIME.replace("REFUSED", str(NO_ROTATION)).strip("\n").splitlines(), *printed]
     lines += ["", *wrapped(f"return {{ {', '.join(chosen)} }};", first="  ", later="    "), "})();"]
     lines += ['if (typeof module !== "undefined") {', f"  module.exports = {constant};", "}"]
     return "\n".join([*lines, ""])

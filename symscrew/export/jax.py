@@ -56,8 +56,10 @@ def print_jax(model: Model) -> dict[str, str]:
     functions: list[str] = []
     for name, program in model.programs.items():
         straight = first_path(program, "the JAX module")
-        printed = _iteration if isinstance(straight, Iteration) else _function
-        functions += ["", "", *printed(name, straight, constants)]
+        if isinstance(straight, Iteration):
+            functions += ["", "", *_iteration(name, straight, constants)]
+        else:
+            functions += ["", "", *_function(name, straight, constants)]
     lines += ["", "", *constants.lines(), *functions]
     return {f"{model.name}_jax.py": "\n".join([*lines, ""])}
 

@@ -35,7 +35,7 @@ def within_width(file: str, text: str) -> str:
     found: list[str] = []
     inside = False  # a comment
     for line in text.split("\n"):
-        spliced = line.lstrip().startswith("#") or bool(found) and found[-1].endswith("\\")
+        spliced = line.lstrip().startswith("#") or (bool(found) and found[-1].endswith("\\"))
         if len(line) <= MOST:
             found.append(line)
         elif inside or COMMENT.match(line.lstrip()):
@@ -61,9 +61,7 @@ def _comment(line: str, *, inside: bool) -> list[str]:
     indent = line[: len(line) - len(text)]
     mark = COMMENT.match(text)
     later = "" if not mark or (inside and mark[0] != "*") else "   " if mark[0] == "/*" else f"{mark[0]} "
-    wrapper = textwrap.TextWrapper(
-        WITHIN, indent, indent + later, break_long_words=False, break_on_hyphens=False
-    )
+    wrapper = textwrap.TextWrapper(WITHIN, indent, indent + later, break_long_words=False, break_on_hyphens=False)
     return wrapper.wrap(text)
 
 

@@ -251,9 +251,7 @@ def _with_second_path(name: str, program: RankRevealing, constants: Constants) -
         f"def {name}(*arguments):",
         *_docstring(function_lines(name, program)),
         *wrapped(f"settings = ({scales}, {program.regular}, {decimal(RANK)})", first=" " * 4, later=" " * 8),
-        *wrapped(
-            f"return _rank_revealing({', '.join(called)}, arguments, *settings)", first=" " * 4, later=" " * 8
-        ),
+        *wrapped(f"return _rank_revealing({', '.join(called)}, arguments, *settings)", first=" " * 4, later=" " * 8),
     ]
 
 

@@ -10,7 +10,7 @@ command; `valid` is FALSE then. The rank-revealing path behind small pivots is n
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 
 from symscrew.export.constants import Constants, Writing
 from symscrew.export.folding import statements
@@ -168,7 +168,7 @@ def block_ports(program: Program | Iteration) -> tuple[list[str], list[str]]:
     return given, port_names(program.outputs, given)
 
 
-def _called(program: Program, taken: Iterable[str]) -> Mapping[int, str]:
+def _called(program: Program, taken: Collection[str]) -> Mapping[int, str]:
     """Slots by names that differ in more than case."""
     used = {name.lower() for name in taken} | RESERVED
     found = {}
